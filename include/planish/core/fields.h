@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace planish {
+
+/// Closed range of the values that a number may take.
+struct Range {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+};
+
+/// Throws Error(option_out_of_range) naming the option, unless value is a number within range.
+void check_range(std::string_view option, double value, Range range);
+
+}  // namespace planish

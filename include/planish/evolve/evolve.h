@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include <planish/evolve/evolver.h>
+
+namespace planish {
+
+/// When to end, besides when nothing moves any more.
+struct Stopping {
+  int max_sweeps = 10;
+  double target_e_max = 0.0;  ///< radians
+};
+
+template <class Visit>
+void describe(Stopping& o, Visit&& visit) {
+  visit("sweeps", o.max_sweeps, "at most so many passes over all inner vertices", Range{0.0, 1e9});
+  visit("target_e_max", o.target_e_max, "end as soon as e_max is at most this, in radians",
+        Range{0.0});
+}
+
+enum class StopReason {
+  reached_target,  ///< e_max is at most the target
+  stalled,         ///< a sweep moved nothing, so no later one would
+  sweep_limit,
+  cancelled,
+};
+std::string_view to_string(StopReason reason);
+
+/// Called after every sweep; returning false ends the run as cancelled.
+using OnSweep = std::function<bool(const SweepRecord&)>;
+
+struct EvolveResult {
+  std::vector<Vec3> positions;       ///< one per vertex of the mesh, in its order
+  std::vector<SweepRecord> history;  ///< one per sweep
+  StopReason stop = StopReason::sweep_limit;
+  unsigned threads = 1;
+  double seconds = 0.0;
+};
+
+/// Moves the inner vertices of a patch so that it gets closer to flattenable; border and triangles
+/// stay. A patch that already meets the target is returned as it came, bit for bit.
+/// @param threads 0 for all cores; the result is the same for every number
+/// @throws Error option_out_of_range, or what stands in the way of Purpose::evolve
+EvolveResult evolve(const TriMesh& mesh, const Method& method = ControllableLaplacian{},
+                    const Stopping& stopping = {}, const OnSweep& on_sweep = {},
+                    unsigned threads = 0);
+
+}  // namespace planish

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include <planish/evolve/method.h>
+#include <planish/mesh/connectivity.h>
+
+namespace planish {
+
+/// The state after one sweep.
+struct SweepRecord {
+  int sweep = 0;  ///< from 1
+  double e_max = 0.0, e_avg = 0.0, energy = 0.0;
+  std::size_t moved = 0;  ///< vertices that this sweep moved
+  double seconds = 0.0;   ///< since the evolver was made
+};
+
+/// Runs a method on a patch, one sweep at a time. evolve() is the loop over it; this is for those
+/// who want to look in between.
+class Evolver {
+ public:
+  /// @param threads 0 for all cores; the result is the same for every number
+  /// @throws Error option_out_of_range, or what stands in the way of Purpose::evolve
+  Evolver(const TriMesh& mesh, const Connectivity& connectivity, const Method& method,
+          unsigned threads = 0);
+  ~Evolver();
+  Evolver(Evolver&&) noexcept;
+  Evolver& operator=(Evolver&&) noexcept;
+
+  /// One pass over all inner vertices.
+  SweepRecord step();
+
+  /// Where the vertices are now, in the order of the mesh. Vertices that never moved keep the bits
+  /// that they came with.
+  std::vector<Vec3> positions() const;
+
+  /// The number of threads in use.
+  unsigned threads() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace planish

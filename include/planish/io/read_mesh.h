@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <planish/io/mesh_format.h>
+#include <planish/mesh/tri_mesh.h>
+
+namespace planish {
+
+/// A mesh as the file has it, and what the reader did that a user may want to know.
+struct ReadResult {
+  TriMesh mesh;  ///< vertices in the order of the file; finite, indices in range
+  MeshFormat format;
+  std::vector<std::string> notes;  ///< "welded 2280 corners to 401 vertices", ...
+};
+
+/// Reads an OBJ, PLY, STL or OFF file. Polygons are split into fans; STL corners at exactly equal
+/// places become one vertex, in the order of their first use; nothing else is welded, dropped or
+/// reordered. Time and memory are linear in the size of the file, whatever counts it claims.
+/// @throws Error file_not_found, file_unreadable, unsupported_format, malformed_file,
+///   truncated_file, bad_number, non_finite_coordinate, index_out_of_range, no_triangles,
+///   too_large; the place has path and line (text) or byte (binary)
+ReadResult read_mesh(const std::filesystem::path& path);
+
+/// The same from memory. Nothing outside `bytes` is looked at.
+/// @param name stands for the path in errors
+ReadResult parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name = {});
+
+}  // namespace planish

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+#include <planish/mesh/connectivity.h>
+
+namespace planish {
+
+/// How far inner vertices are from where they were, in model units.
+struct Deviation {
+  double rms = 0.0;
+  double max = 0.0;
+  double rms_over_diagonal = 0.0;  ///< rms as a share of the bounding-box diagonal of `before`
+};
+
+/// @param after one position per vertex of `before`
+Deviation measure_deviation(const TriMesh& before, std::span<const Vec3> after,
+                            const Connectivity& connectivity);
+
+}  // namespace planish

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <planish/mesh/connectivity.h>
+
+namespace planish {
+
+/// How far a patch is from flattenable. Defects are over inner vertices only; with none, 0.
+struct Flattenability {
+  double e_max = 0.0;           ///< max |d_v|, radians (Eq. 18)
+  double e_avg = 0.0;           ///< mean |d_v|, radians (Eq. 19)
+  double energy = 0.0;          ///< sum of d_v^2, square radians (Eq. 4)
+  double sum_abs_defect = 0.0;  ///< sum of |d_v|, radians: does not depend on mesh density
+  double min_angle = 0.0;       ///< smallest angle of a triangle, radians
+  double roughness = 0.0;       ///< rms dihedral angle over inner edges, degrees
+};
+
+/// Measures a patch. Sums run in the order of the vertices: the same bits every time.
+Flattenability measure(const TriMesh& mesh, const Connectivity& connectivity);
+
+/// The first four figures from defects that are at hand; `defects` as from angle_defects().
+Flattenability summarise_defects(std::span<const double> defects, const Connectivity& connectivity);
+
+/// True where the pattern will have no stretch worth cutting for: a topological disk with
+/// e_max <= k_flattenable_e_max and sum_abs_defect <= k_flattenable_sum. The second bound is there
+/// as e_max alone falls with mesh density on one and the same curved surface (docs/notation.md).
+bool is_flattenable(const Flattenability& figures, const Connectivity& connectivity);
+inline constexpr double k_flattenable_e_max = 1e-4;
+inline constexpr double k_flattenable_sum = 1e-2;
+
+}  // namespace planish

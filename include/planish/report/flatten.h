@@ -1,0 +1,85 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <planish/evolve/evolve.h>
+#include <planish/measure/deviation.h>
+#include <planish/measure/flattenability.h>
+#include <planish/mesh/inspect.h>
+#include <planish/report/unit.h>
+#include <planish/unfold/strain.h>
+#include <planish/unfold/unfold.h>
+
+namespace planish {
+
+/// A patch and all that measuring says of it.
+struct MeasuredPatch {
+  Inspection inspection;
+  Flattenability figures;
+  bool flattenable = false;
+};
+
+/// Inspects and measures.
+/// @throws Error what stands in the way of Purpose::measure
+MeasuredPatch measure_patch(const TriMesh& mesh);
+
+/// An evolution with the figures around it.
+struct EvolveReport {
+  Method method;
+  Stopping stopping;
+  EvolveResult result;
+  MeasuredPatch before, after;
+  Deviation deviation;
+};
+
+/// An unfolding with the figures of its pattern.
+struct UnfoldReport {
+  Pattern pattern;  ///< model units
+  EdgeStrain strain;
+  Unit unit = Unit::mm;
+};
+
+/// What the main job is asked for.
+struct FlattenOptions {
+  Method method = ControllableLaplacian{};
+  Stopping stopping = {};
+  Unit unit = Unit::mm;
+  unsigned threads = 0;
+};
+
+/// The main job's result: everything that the files of a `flatten` folder are made from.
+struct FlattenReport {
+  std::string name;  ///< of the patch, for titles
+  TriMesh input;
+  TriMesh processed;  ///< the input with the evolved positions
+  EvolveReport evolve;
+  UnfoldReport unfold;
+  UnfoldReport unfold_before;  ///< of the input as it came: tells what evolving gained
+};
+
+enum class FlattenStage { measuring, evolving, unfolding };
+std::string_view to_string(FlattenStage stage);
+
+/// Called as the work goes on with the share of the stage that is done, 0 to 1; false cancels.
+using OnProgress = std::function<bool(FlattenStage, double)>;
+
+/// Evolves with all figures around it.
+/// @throws Error as evolve()
+EvolveReport evolve_patch(const TriMesh& mesh, const Method& method, const Stopping& stopping,
+                          const OnSweep& on_sweep = {}, unsigned threads = 0);
+
+/// Unfolds with all figures around it; nothing when cancelled.
+/// @throws Error as unfold()
+std::optional<UnfoldReport> unfold_patch(const TriMesh& mesh, Unit unit,
+                                         const OnUnfoldStep& on_step = {});
+
+/// The main job: measure, evolve, measure, unfold; nothing when cancelled.
+/// @throws Error as unfold(), before any work is done
+std::optional<FlattenReport> flatten(TriMesh mesh, std::string name,
+                                     const FlattenOptions& options = {},
+                                     const OnProgress& on_progress = {});
+
+}  // namespace planish

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include <planish/draw/color_map.h>
+#include <planish/report/flatten.h>
+
+namespace planish {
+
+/// The main job's result as one HTML page that needs nothing else: pictures of the patch before and
+/// after, coloured by angle defect at one scale, the pattern coloured by strain, the convergence
+/// curve and the table of figures. No scripts, no network. Text from outside is escaped.
+/// @param colors diverging: signed defect; paper: |defect|, blue to red as the 2010 paper has it
+std::string html_report(const FlattenReport& report, ColorMap colors = ColorMap::diverging);
+
+}  // namespace planish

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <planish/core/error.h>
+#include <planish/report/flatten.h>
+
+namespace planish {
+
+/// Reports as JSON text, keys as the command line documents them (docs/command-line.md): one
+/// object, UTF-8, numbers in the shortest digits that read back to the same doubles, numbers that
+/// are not finite as null.
+std::string json_report(const MeasuredPatch& patch);
+std::string json_report(const EvolveReport& report);
+std::string json_report(const UnfoldReport& report);
+/// @param files role -> path of what was written
+std::string json_report(const FlattenReport& report,
+                        const std::map<std::string, std::string>& files);
+/// {"error": {code, message, path, line, byte, first, count}}, keys that are not known left out.
+std::string json_report(const Error& error);
+
+/// The history as comma-separated values: a header line, then a line a sweep.
+std::string history_csv(const std::vector<SweepRecord>& history);
+
+}  // namespace planish

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <planish/draw/color_map.h>
+#include <planish/draw/drawing.h>
+#include <planish/report/flatten.h>
+
+namespace planish {
+
+/// The pattern as a sheet in millimetres, with a margin: layer "cut" (the outline), layer "label"
+/// (name, sizes, unit, a 50 mm test square) and layer "strain" (every triangle in the colour of its
+/// signed strain, neighbours of one colour joined), hidden in print where the format allows it.
+/// @param mesh the patch that was unfolded
+Drawing pattern_sheet(const TriMesh& mesh, const UnfoldReport& unfold, const std::string& name);
+
+/// The strain at which the strain map's colours end: the 99th percentile of the edges' strain,
+/// rounded up to 1, 2 or 5 times a power of ten, at least 0.1 %.
+double strain_map_limit(const EdgeStrain& strain);
+
+}  // namespace planish

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <planish/mesh/connectivity.h>
+
+namespace planish {
+
+struct UnfoldOptions {
+  int max_iterations = 200;  ///< Newton steps at most
+};
+
+/// A patch laid flat, in the plane and true to scale, in model units. It is turned so that its
+/// bounding box is smallest, the longer side along x, the lower left corner at the origin; the
+/// outer side of the patch faces up.
+struct Pattern {
+  std::vector<Vec2> positions;  ///< one per vertex of the mesh; unused vertices at the origin
+  double width = 0.0, height = 0.0;
+  double area_ratio = 1.0;            ///< area of the pattern over area of the patch
+  std::size_t flipped_triangles = 0;  ///< triangles whose area is not positive
+  bool overlaps = false;  ///< the border crosses itself: cut the patch before cutting cloth
+  int iterations = 0;
+  bool converged = false;  ///< false: stopped at max_iterations or by on_step
+};
+
+/// Called after every step with its number and the energy per area; false ends the unfolding with
+/// the pattern reached so far.
+using OnUnfoldStep = std::function<bool(int step, double energy)>;
+
+/// Lays a disk patch flat with the least stretch and no flipped triangle: minimises the symmetric
+/// Dirichlet energy by projected Newton steps from a conformal start (docs/unfold.md). On a patch
+/// that is flattenable, edge lengths are kept.
+/// @throws Error what stands in the way of Purpose::unfold, or unfold_failed
+Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity,
+               const UnfoldOptions& options = {}, const OnUnfoldStep& on_step = {});
+
+/// The pattern as a mesh in the plane z = 0, with the triangles and vertex numbers of `mesh`.
+TriMesh flat_mesh(const TriMesh& mesh, const Pattern& pattern);
+
+}  // namespace planish

@@ -1,0 +1,58 @@
+#include "core/thread_pool.h"
+
+#include <algorithm>
+
+namespace planish {
+
+ThreadPool::ThreadPool(unsigned threads) {
+  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
+  for (unsigned i = 1; i < threads; ++i) workers_.emplace_back([this] { work(); });
+}
+
+ThreadPool::~ThreadPool() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  wake_.notify_all();
+  for (std::thread& worker : workers_) worker.join();
+}
+
+void ThreadPool::for_ranges(std::size_t count, std::size_t grain,
+                            const std::function<void(std::size_t, std::size_t)>& body) {
+  if (count == 0) return;
+  if (workers_.empty() || count < 2 * grain) return body(0, count);
+  std::unique_lock lock(mutex_);
+  body_ = &body;
+  count_ = count;
+  next_ = 0;
+  // A few parts a thread, so that a slow one does not keep the others waiting.
+  part_ = std::max(grain, count / (4 * size()) + 1);
+  wake_.notify_all();
+  run_parts(lock);
+  done_.wait(lock, [this] { return busy_ == 0; });
+  body_ = nullptr;
+}
+
+void ThreadPool::run_parts(std::unique_lock<std::mutex>& lock) {
+  ++busy_;
+  while (next_ < count_) {
+    const std::size_t begin = next_;
+    const std::size_t end = next_ = std::min(count_, begin + part_);
+    lock.unlock();
+    (*body_)(begin, end);
+    lock.lock();
+  }
+  if (--busy_ == 0) done_.notify_one();
+}
+
+void ThreadPool::work() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    wake_.wait(lock, [this] { return stopping_ || (body_ != nullptr && next_ < count_); });
+    if (stopping_) return;
+    run_parts(lock);
+  }
+}
+
+}  // namespace planish

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace planish {
+
+/// A few threads that sleep until a loop is handed to them. Which thread does which part never
+/// shows in the result as long as the parts are independent.
+class ThreadPool {
+ public:
+  /// @param threads 0 for all cores
+  explicit ThreadPool(unsigned threads);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
+
+  unsigned size() const { return static_cast<unsigned>(workers_.size()) + 1; }
+
+  /// Calls body(begin, end) for consecutive parts of [0, count) and returns when all are done. The
+  /// caller works too; fewer than two grains of work are done by the caller alone.
+  /// @param body must not throw
+  void for_ranges(std::size_t count, std::size_t grain,
+                  const std::function<void(std::size_t, std::size_t)>& body);
+
+ private:
+  void work();
+  void run_parts(std::unique_lock<std::mutex>& lock);
+
+  std::vector<std::thread> workers_;
+  std::mutex mutex_;
+  std::condition_variable wake_, done_;
+  const std::function<void(std::size_t, std::size_t)>* body_ = nullptr;
+  std::size_t count_ = 0, part_ = 0, next_ = 0, busy_ = 0;
+  bool stopping_ = false;
+};
+
+}  // namespace planish

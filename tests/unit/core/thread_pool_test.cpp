@@ -1,0 +1,38 @@
+#include "core/thread_pool.h"
+
+#include <atomic>
+#include <numeric>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace planish {
+namespace {
+
+TEST(ThreadPool, VisitsEveryElementOnceForAnyNumberOfThreads) {
+  for (const unsigned threads : {1U, 2U, 4U, 7U}) {
+    ThreadPool pool(threads);
+    EXPECT_EQ(pool.size(), threads);
+    for (const std::size_t count : {0U, 1U, 15U, 16U, 1000U, 4097U}) {
+      std::vector<int> visits(count, 0);
+      pool.for_ranges(count, 8, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) ++visits[i];
+      });
+      EXPECT_EQ(visits, std::vector<int>(count, 1)) << count << " on " << threads;
+    }
+  }
+}
+
+TEST(ThreadPool, ReturnsOnlyWhenAllIsDone) {
+  ThreadPool pool(4);
+  for (int round = 0; round < 500; ++round) {
+    std::atomic<std::size_t> sum = 0;
+    pool.for_ranges(64, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) sum += i;
+    });
+    ASSERT_EQ(sum.load(), 64U * 63U / 2U);
+  }
+}
+
+}  // namespace
+}  // namespace planish

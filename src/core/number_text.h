@@ -15,11 +15,11 @@ inline void append_number(std::string& text, double value) {
 /// Appends at most `decimals` digits after the point, without trailing zeros and without "-0".
 inline void append_fixed(std::string& text, double value, int decimals) {
   char digits[400];  // 1e308 has 309 digits before the point
-  auto* end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed,
-                            decimals)
-                  .ptr;
+  auto* end =
+      std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, decimals).ptr;
   if (decimals > 0) {
-    while (end[-1] == '0') --end;
+    while (end[-1] == '0')
+      --end;
     if (end[-1] == '.') --end;
   }
   const bool minus_zero = end == digits + 2 && digits[0] == '-' && digits[1] == '0';

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +16,7 @@ namespace planish {
 struct Image {
   int width = 0, height = 0;
   std::vector<Color> pixels;
+  std::vector<std::uint8_t> alpha = {};  ///< 255: opaque, 0: clear; none: all opaque
 };
 
 /// A surface to be drawn: vertices in pixels (x right, y down) with depth z (larger is nearer),
@@ -26,10 +29,14 @@ struct ShadedSurface {
 };
 
 /// Draws the surface with hidden parts hidden, smoothly coloured, edges smoothed by 2 x 2 samples a
-/// pixel. Time is linear in triangles and pixels.
-Image render(const ShadedSurface& surface, int width, int height, Color background);
+/// pixel. Parts outside the image and triangles with a vertex that is not finite are left out. Time
+/// grows with the number of triangles plus the pixels that they cover.
+/// @param background none: what the surface does not cover is clear
+Image render(const ShadedSurface& surface, int width, int height,
+             std::optional<Color> background = {});
 
-/// The bytes of a PNG file.
+/// The bytes of a PNG file: RGB, or RGBA where the image has alpha. The image has at least one
+/// pixel.
 std::string write_png(const Image& image);
 
 }  // namespace planish

@@ -11,10 +11,12 @@ namespace planish {
 /// The bytes of a mesh file. OBJ and OFF: text, shortest digits that read back to the same doubles.
 /// PLY: binary little-endian, doubles. STL: binary, floats as the format has it, so that positions
 /// are rounded and vertex numbers are lost. Vertices and triangles keep their order.
+/// @throws Error non_finite_coordinate (also for what is too large for STL's floats),
+///   index_out_of_range
 std::string format_mesh(const TriMesh& mesh, MeshFormat format);
 
 /// Writes format_mesh() in the format that the extension names, whole or not at all.
-/// @throws Error unsupported_format, file_unwritable
+/// @throws Error as format_mesh(), unsupported_format, file_unwritable
 void write_mesh(const std::filesystem::path& path, const TriMesh& mesh);
 
 }  // namespace planish

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include <planish/mesh/connectivity.h>
+#include <planish/mesh/inspect.h>
 
 namespace planish {
 
@@ -20,13 +22,14 @@ struct Flattenability {
 /// Measures a patch. Sums run in the order of the vertices: the same bits every time.
 Flattenability measure(const TriMesh& mesh, const Connectivity& connectivity);
 
-/// The first four figures from defects that are at hand; `defects` as from angle_defects().
-Flattenability summarise_defects(std::span<const double> defects, const Connectivity& connectivity);
+/// The first four figures from defects that are at hand.
+/// @param defects as from angle_defects(): what is not inner has 0
+Flattenability summarise_defects(std::span<const double> defects, std::size_t inner_vertices);
 
 /// True where the pattern will have no stretch worth cutting for: a topological disk with
 /// e_max <= k_flattenable_e_max and sum_abs_defect <= k_flattenable_sum. The second bound is there
 /// as e_max alone falls with mesh density on one and the same curved surface (docs/notation.md).
-bool is_flattenable(const Flattenability& figures, const Connectivity& connectivity);
+bool is_flattenable(const Flattenability& figures, const Inspection& inspection);
 inline constexpr double k_flattenable_e_max = 1e-4;
 inline constexpr double k_flattenable_sum = 1e-2;
 

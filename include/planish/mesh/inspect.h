@@ -28,7 +28,7 @@ struct Topology {
 
 struct Inspection {
   Topology topology;
-  std::vector<Problem> problems;  ///< worst first, at most one of each code
+  std::vector<Problem> problems;  ///< what blocks measuring first; one of each code at most
 };
 
 /// Finds every defect by kind. Never throws for what the mesh holds. O((n + m) log m).

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <planish/core/error.h>
 #include <planish/core/fields.h>

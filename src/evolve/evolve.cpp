@@ -1,0 +1,64 @@
+#include <algorithm>
+#include <chrono>
+
+#include <planish/evolve/evolve.h>
+#include <planish/measure/angle_defect.h>
+#include <planish/measure/flattenability.h>
+
+namespace planish {
+
+namespace {
+
+/// Defects up to this are rounding: no target below it can be asked for.
+constexpr double k_rounding_defect = 1e-12;
+
+void check_stopping(Stopping stopping) {
+  describe(stopping, [](std::string_view name, auto value, std::string_view, Range range) {
+    check_range(name, static_cast<double>(value), range);
+  });
+}
+
+}  // namespace
+
+std::string_view to_string(StopReason reason) {
+  switch (reason) {
+    case StopReason::reached_target:
+      return "reached_target";
+    case StopReason::stalled:
+      return "stalled";
+    case StopReason::sweep_limit:
+      return "sweep_limit";
+    case StopReason::cancelled:
+      return "cancelled";
+  }
+  return "unknown";
+}
+
+EvolveResult evolve(const TriMesh& mesh, const Method& method, const Stopping& stopping,
+                    const OnSweep& on_sweep, unsigned threads) {
+  const auto start = std::chrono::steady_clock::now();
+  check_stopping(stopping);
+  const Connectivity connectivity(mesh);
+  Evolver evolver(mesh, connectivity, method, threads);
+  EvolveResult result;
+  double e_max = summarise_defects(angle_defects(mesh, connectivity), 0).e_max;
+  // What is flat to the last digits is not worked on.
+  const double target = std::max(stopping.target_e_max, k_rounding_defect);
+  const auto met = [&] { return e_max <= target; };
+  result.stop = met() ? StopReason::reached_target : StopReason::sweep_limit;
+  for (int sweep = 0; sweep < stopping.max_sweeps && !met(); ++sweep) {
+    const SweepRecord& record = result.history.emplace_back(evolver.step());
+    e_max = record.e_max;
+    if (met()) result.stop = StopReason::reached_target;
+    if (!met() && record.moved == 0) result.stop = StopReason::stalled;
+    if (on_sweep && !on_sweep(record)) result.stop = StopReason::cancelled;
+    if (result.stop == StopReason::stalled || result.stop == StopReason::cancelled) break;
+  }
+  result.positions = evolver.positions();
+  result.threads = evolver.threads();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  result.seconds = elapsed.count();
+  return result;
+}
+
+}  // namespace planish

@@ -1,0 +1,72 @@
+#include <chrono>
+
+#include <planish/evolve/evolver.h>
+#include <planish/measure/flattenability.h>
+#include <planish/mesh/inspect.h>
+
+#include "core/thread_pool.h"
+#include "evolve/patch_state.h"
+#include "evolve/sweep.h"
+
+namespace planish {
+
+class Evolver::Impl {
+ public:
+  Impl(const TriMesh& mesh, const Connectivity& connectivity, const Method& method,
+       unsigned threads)
+      : pool_(threads), state_(mesh, connectivity) {
+    sweep_ = std::visit([this](const auto& m) { return make_sweep(m, state_, pool_); }, method);
+  }
+
+  SweepRecord step() {
+    SweepRecord record;
+    record.moved = sweep_();
+    // Anew from the positions, so that the errors of many small updates cannot pile up.
+    pool_.for_ranges(state_.inner_count(), 256, [this](std::size_t begin, std::size_t end) {
+      state_.refresh_defects(begin, end);
+    });
+    const auto figures = summarise_defects(state_.defects_in_mesh_order(), state_.inner_count());
+    record.sweep = ++sweeps_;
+    record.e_max = figures.e_max;
+    record.e_avg = figures.e_avg;
+    record.energy = figures.energy;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    record.seconds = elapsed.count();
+    return record;
+  }
+
+  const PatchState& state() const { return state_; }
+  unsigned threads() const { return pool_.size(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  ThreadPool pool_;
+  PatchState state_;
+  Sweep sweep_;
+  int sweeps_ = 0;
+};
+
+Evolver::Evolver(const TriMesh& mesh, const Connectivity& connectivity, const Method& method,
+                 unsigned threads) {
+  check_options(method);
+  require(inspect(mesh), Purpose::evolve);
+  impl_ = std::make_unique<Impl>(mesh, connectivity, method, threads);
+}
+
+Evolver::~Evolver() = default;
+Evolver::Evolver(Evolver&&) noexcept = default;
+Evolver& Evolver::operator=(Evolver&&) noexcept = default;
+
+SweepRecord Evolver::step() {
+  return impl_->step();
+}
+
+std::vector<Vec3> Evolver::positions() const {
+  return impl_->state().positions_in_mesh_order();
+}
+
+unsigned Evolver::threads() const {
+  return impl_->threads();
+}
+
+}  // namespace planish

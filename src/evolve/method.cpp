@@ -1,0 +1,47 @@
+#include <string>
+
+#include <planish/core/error.h>
+#include <planish/evolve/method.h>
+
+namespace planish {
+
+namespace {
+
+/// Looks for the name among the alternatives from I on.
+template <std::size_t I = 0>
+Method find_method(std::string_view name, std::string known) {
+  if constexpr (I == std::variant_size_v<Method>) {
+    throw Error(ErrorCode::unknown_name,
+                "there is no method called \"" + std::string(name) + "\"; known are " + known);
+  } else {
+    using Alternative = std::variant_alternative_t<I, Method>;
+    if (name == Alternative::name) return Alternative{};
+    return find_method<I + 1>(name, known + (I == 0 ? "" : ", ") + std::string(Alternative::name));
+  }
+}
+
+struct CheckRange {
+  void operator()(std::string_view name, double value, std::string_view /*doc*/,
+                  Range range) const {
+    check_range(name, value, range);
+  }
+  template <class Enumeration>
+  void operator()(std::string_view /*name*/, Enumeration /*value*/,
+                  std::string_view /*doc*/) const {}
+};
+
+}  // namespace
+
+std::string_view name_of(const Method& method) {
+  return std::visit([](const auto& options) { return options.name; }, method);
+}
+
+Method method_named(std::string_view name) {
+  return find_method(name, {});
+}
+
+void check_options(const Method& method) {
+  std::visit([](auto options) { describe(options, CheckRange{}); }, method);
+}
+
+}  // namespace planish

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include <planish/evolve/method.h>
+
+#include "core/thread_pool.h"
+#include "evolve/line_solver.h"
+#include "evolve/patch_state.h"
+
+namespace planish {
+
+/// One pass of a method over all inner vertices; returns how many it moved. Positions are what
+/// counts when it returns: the evolver computes the defects anew.
+using Sweep = std::function<std::size_t()>;
+
+/// One per method, each in the source file of its name. State and pool must outlive the sweep.
+Sweep make_sweep(const ClassicalLaplacian& options, PatchState& state, ThreadPool& pool);
+Sweep make_sweep(const ControllableLaplacian& options, PatchState& state, ThreadPool& pool);
+
+/// Visits all inner vertices, colour after colour, those of one colour at the same time:
+/// body(begin, end) returns how many of these vertices it moved. Returns the total.
+std::size_t sweep_by_color(const PatchState& state, ThreadPool& pool,
+                           const std::function<std::size_t(std::size_t, std::size_t)>& body);
+
+/// The part of an interval of steps from x along `direction` that stays within `radius` of origin.
+/// Always holds 0.
+Interval within_sphere(Interval steps, Vec3 x, Vec3 direction, Vec3 origin, double radius);
+
+}  // namespace planish

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <planish/mesh/inspect.h>
+
+namespace planish {
+
+/// What keeps triangles from being an oriented manifold.
+struct Disorder {
+  std::vector<Problem> problems;  ///< worst first
+  std::size_t edges = 0, used_vertices = 0;
+};
+
+/// Finds repeated indices, duplicate triangles, edges and vertices that are not manifold, and
+/// clashing orientation. O(m log m).
+/// @pre all indices are in range
+Disorder find_disorder(const TriMesh& mesh);
+
+}  // namespace planish

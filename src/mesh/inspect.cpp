@@ -1,0 +1,305 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include <planish/mesh/inspect.h>
+
+#include "mesh/disorder.h"
+#include "mesh/rings.h"
+
+namespace planish {
+
+namespace {
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+void add(std::vector<Problem>& problems, ErrorCode code, std::string message, std::size_t count,
+         std::size_t first) {
+  if (count > 0) problems.push_back({code, std::move(message), count, first});
+}
+
+void find_bad_coordinates(const TriMesh& mesh, std::vector<Problem>& problems) {
+  std::size_t count = 0, first = 0;
+  for (std::size_t v = mesh.positions.size(); v-- > 0;) {
+    const Vec3 p = mesh.positions[v];
+    if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) continue;
+    ++count;
+    first = v;
+  }
+  add(problems, ErrorCode::non_finite_coordinate,
+      counted(count, "vertex has a coordinate that is", "vertices have a coordinate that is") +
+          " not a finite number; the first is vertex " + std::to_string(first),
+      count, first);
+}
+
+void find_bad_indices(const TriMesh& mesh, std::vector<Problem>& problems) {
+  std::size_t count = 0, first = 0;
+  for (std::size_t t = mesh.triangles.size(); t-- > 0;) {
+    const auto& triangle = mesh.triangles[t];
+    const bool good = std::all_of(triangle.begin(), triangle.end(),
+                                  [&](Index v) { return v < mesh.positions.size(); });
+    if (good) continue;
+    ++count;
+    first = t;
+  }
+  add(problems, ErrorCode::index_out_of_range,
+      counted(count, "triangle names", "triangles name") +
+          " a vertex that does not exist; the first is triangle " + std::to_string(first),
+      count, first);
+}
+
+void find_unreferenced(const TriMesh& mesh, std::vector<Problem>& problems) {
+  std::vector<unsigned char> used(mesh.positions.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    for (const Index v : t)
+      used[v] = 1;
+  }
+  const auto count = static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
+  const auto first =
+      static_cast<std::size_t>(std::find(used.begin(), used.end(), 0) - used.begin());
+  add(problems, ErrorCode::unreferenced_vertex,
+      counted(count, "vertex is", "vertices are") +
+          " used by no triangle, kept as they are and not measured; the first is vertex " +
+          std::to_string(first),
+      count, first);
+}
+
+void find_zero_lengths_and_areas(const TriMesh& mesh, std::vector<Problem>& problems) {
+  const double scale = unit_scale(mesh);
+  std::vector<std::pair<Index, Index>> points;  // edges of length zero
+  std::size_t flat = 0, first_flat = 0;
+  for (std::size_t t = mesh.triangles.size(); t-- > 0;) {
+    const Triangle& tri = mesh.triangles[t];
+    double longest = 0.0;
+    bool has_point = false;
+    for (int k = 0; k < 3; ++k) {
+      const Index a = tri[k], b = tri[(k + 1) % 3];
+      const Vec3 side = scale * mesh.positions[b] - scale * mesh.positions[a];
+      const double squared = dot(side, side);
+      longest = std::max(longest, squared);
+      if (a == b || squared > 0.0) continue;
+      has_point = true;
+      points.emplace_back(std::min(a, b), std::max(a, b));
+    }
+    const Vec3 at = scale * mesh.positions[tri[0]];
+    const Vec3 normal =
+        cross(scale * mesh.positions[tri[1]] - at, scale * mesh.positions[tri[2]] - at);
+    if (has_point || norm(normal) > 1e-15 * longest) continue;
+    ++flat;
+    first_flat = t;
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (!points.empty()) {
+    const auto [a, b] = points.front();
+    add(problems, ErrorCode::zero_length_edge,
+        counted(points.size(), "edge has", "edges have") +
+            " length zero, where angles are not defined; the first joins vertices " +
+            std::to_string(a) + " and " + std::to_string(b) + ": merge or move them",
+        points.size(), a);
+  }
+  add(problems, ErrorCode::zero_area,
+      counted(flat, "triangle has", "triangles have") +
+          " no area: its corners lie on a line; the first is triangle " +
+          std::to_string(first_flat),
+      flat, first_flat);
+}
+
+/// Numbers the connected parts of the used vertices; unused vertices get no_part.
+struct Parts {
+  static constexpr Index no_part = static_cast<Index>(-1);
+  std::vector<Index> part_of;
+  std::size_t count = 0;
+};
+
+Parts find_parts(const TriMesh& mesh) {
+  std::vector<Index> parent(mesh.positions.size());
+  std::iota(parent.begin(), parent.end(), Index{0});
+  const auto root = [&parent](Index v) {
+    while (parent[v] != v)
+      v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const Triangle& t : mesh.triangles) {
+    for (int k = 1; k < 3; ++k) {
+      const Index a = root(t[0]), b = root(t[k]);
+      parent[std::max(a, b)] = std::min(a, b);  // so that numbers rise with the first vertex
+    }
+  }
+  Parts parts;
+  parts.part_of.assign(parent.size(), Parts::no_part);
+  std::vector<unsigned char> used(parent.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    for (const Index v : t)
+      used[v] = 1;
+  }
+  for (std::size_t v = 0; v < parent.size(); ++v) {
+    if (used[v] == 0) continue;
+    const Index r = root(static_cast<Index>(v));
+    parts.part_of[v] = r == v ? static_cast<Index>(parts.count++) : parts.part_of[r];
+  }
+  return parts;
+}
+
+struct Border {
+  std::size_t loops = 0, vertices = 0;
+  std::vector<unsigned char> has_border;  ///< per part
+};
+
+Border survey_border(const Rings& rings, const Parts& parts) {
+  Border border;
+  border.has_border.assign(parts.count, 0);
+  std::vector<unsigned char> seen(rings.border.size(), 0);
+  for (std::size_t v = 0; v < rings.border.size(); ++v) {
+    if (rings.border[v] == 0) continue;
+    ++border.vertices;
+    border.has_border[parts.part_of[v]] = 1;
+    if (seen[v] != 0) continue;
+    ++border.loops;
+    for (auto at = static_cast<Index>(v); seen[at] == 0; at = rings.vertices[rings.start[at]]) {
+      seen[at] = 1;
+    }
+  }
+  return border;
+}
+
+void describe_manifold(const TriMesh& mesh, const Rings& rings, Inspection& result) {
+  Topology& topology = result.topology;
+  const Parts parts = find_parts(mesh);
+  const Border border = survey_border(rings, parts);
+  const auto used =
+      static_cast<std::size_t>(std::count_if(parts.part_of.begin(), parts.part_of.end(),
+                                             [](Index part) { return part != Parts::no_part; }));
+  topology.components = parts.count;
+  topology.border_loops = border.loops;
+  topology.edges = rings.vertices.size() / 2;
+  topology.inner_vertices = used - border.vertices;
+  topology.euler_characteristic =
+      static_cast<long long>(used + topology.triangles) - static_cast<long long>(topology.edges);
+  topology.genus = static_cast<std::size_t>(2 * static_cast<long long>(parts.count) -
+                                            static_cast<long long>(border.loops) -
+                                            topology.euler_characteristic) /
+                   2;
+  const auto closed =
+      static_cast<std::size_t>(std::count(border.has_border.begin(), border.has_border.end(), 0));
+  add(result.problems, ErrorCode::closed_surface,
+      (closed == parts.count ? std::string("the surface is")
+                             : counted(closed, "component is", "components are")) +
+          " closed; a patch needs a border: cut it open",
+      closed, 0);
+  if (parts.count > 1) {
+    add(result.problems, ErrorCode::several_components,
+        "the mesh has " + std::to_string(parts.count) +
+            " components; a pattern is made from one: put each into its own file",
+        parts.count, 0);
+  }
+  if (border.loops > parts.count - closed) {
+    add(result.problems, ErrorCode::several_border_loops,
+        "the patch has " + std::to_string(border.loops) +
+            " border loops; only one with a single loop can be laid flat: cut it open along a path "
+            "from loop to loop",
+        border.loops, 0);
+  }
+  add(result.problems, ErrorCode::handles,
+      "the patch has " + counted(topology.genus, "handle", "handles") + " (Euler characteristic " +
+          std::to_string(topology.euler_characteristic) +
+          "); only a disk can be laid flat: cut each handle open",
+      topology.genus, 0);
+  if (topology.inner_vertices == 0) {
+    add(result.problems, ErrorCode::no_inner_vertex,
+        parts.count > 1
+            ? "no vertex is inside: the triangles do not share vertices; weld equal positions"
+            : "no vertex is inside, so there is nothing to measure or move",
+        1, 0);
+  }
+}
+
+/// The least demanding purpose that a problem stands in the way of, if it does of any.
+std::optional<Purpose> blocked_from(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::index_out_of_range:
+    case ErrorCode::no_triangles:
+    case ErrorCode::non_finite_coordinate:
+    case ErrorCode::repeated_index:
+    case ErrorCode::duplicate_triangle:
+    case ErrorCode::non_manifold_edge:
+    case ErrorCode::non_manifold_vertex:
+    case ErrorCode::non_orientable:
+    case ErrorCode::inconsistent_orientation:
+    case ErrorCode::zero_length_edge:
+      return Purpose::measure;
+    case ErrorCode::closed_surface:
+      return Purpose::evolve;
+    case ErrorCode::several_components:
+    case ErrorCode::several_border_loops:
+    case ErrorCode::handles:
+      return Purpose::unfold;
+    default:
+      return std::nullopt;
+  }
+}
+
+void sort_worst_first(std::vector<Problem>& problems) {
+  const auto rank = [](const Problem& problem) {
+    const auto purpose = blocked_from(problem.code);
+    return purpose ? static_cast<int>(*purpose) : 3;
+  };
+  std::stable_sort(problems.begin(), problems.end(),
+                   [&](const Problem& a, const Problem& b) { return rank(a) < rank(b); });
+}
+
+}  // namespace
+
+Inspection inspect(const TriMesh& mesh) {
+  Inspection result;
+  result.topology.vertices = mesh.positions.size();
+  result.topology.triangles = mesh.triangles.size();
+  auto& problems = result.problems;
+  if (mesh.triangles.empty()) {
+    add(problems, ErrorCode::no_triangles, "the mesh has no triangles", 1, 0);
+    return result;
+  }
+  find_bad_coordinates(mesh, problems);
+  find_bad_indices(mesh, problems);
+  if (!problems.empty()) return result;
+  if (const auto rings = build_rings(mesh)) {
+    find_zero_lengths_and_areas(mesh, problems);
+    describe_manifold(mesh, *rings, result);
+  } else {
+    const Disorder disorder = find_disorder(mesh);
+    problems = disorder.problems;
+    result.topology.components = find_parts(mesh).count;
+    result.topology.edges = disorder.edges;
+    result.topology.euler_characteristic =
+        static_cast<long long>(disorder.used_vertices + mesh.triangles.size()) -
+        static_cast<long long>(disorder.edges);
+    find_zero_lengths_and_areas(mesh, problems);
+  }
+  find_unreferenced(mesh, problems);
+  sort_worst_first(problems);
+  return result;
+}
+
+std::optional<Problem> blocking_problem(const Inspection& inspection, Purpose purpose) {
+  for (const Problem& problem : inspection.problems) {
+    // A soup of loose triangles would come back as it was: say so instead.
+    const bool soup = problem.code == ErrorCode::no_inner_vertex &&
+                      inspection.topology.components > 1 && purpose != Purpose::measure;
+    const auto from = blocked_from(problem.code);
+    if (soup || (from && *from <= purpose)) return problem;
+  }
+  return std::nullopt;
+}
+
+void require(const Inspection& inspection, Purpose purpose) {
+  if (const auto problem = blocking_problem(inspection, purpose)) {
+    throw Error(problem->code, problem->message,
+                {.path = {}, .first = problem->first, .count = problem->count});
+  }
+}
+
+}  // namespace planish

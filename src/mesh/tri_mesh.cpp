@@ -1,0 +1,51 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <planish/mesh/tri_mesh.h>
+
+namespace planish {
+
+namespace {
+
+struct Box {
+  Vec3 low, high;
+};
+
+Box bounding_box(const TriMesh& mesh) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  Box box{{inf, inf, inf}, {-inf, -inf, -inf}};
+  for (const Triangle& triangle : mesh.triangles) {
+    for (const Index v : triangle) {
+      const Vec3 p = mesh.positions[v];
+      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+    }
+  }
+  return box;
+}
+
+// Halves, so that the difference of two huge numbers of opposite sign stays finite.
+Vec3 half_extent(const TriMesh& mesh) {
+  if (mesh.triangles.empty()) return {};
+  const Box box = bounding_box(mesh);
+  return 0.5 * box.high - 0.5 * box.low;
+}
+
+}  // namespace
+
+double bounding_box_diagonal(const TriMesh& mesh) {
+  const Vec3 half = half_extent(mesh);
+  return 2.0 * std::hypot(half.x, half.y, half.z);
+}
+
+double unit_scale(const TriMesh& mesh) {
+  const Vec3 half = half_extent(mesh);
+  const double extent = std::max({half.x, half.y, half.z});
+  if (extent == 0.0 || !std::isfinite(extent)) return 1.0;
+  int exponent = 0;
+  std::frexp(extent, &exponent);  // extent = f * 2^exponent, f in [0.5, 1)
+  return std::ldexp(1.0, std::clamp(-exponent - 1, -1022, 1022));
+}
+
+}  // namespace planish

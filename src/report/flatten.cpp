@@ -1,0 +1,113 @@
+#include <future>
+#include <mutex>
+#include <utility>
+
+#include <planish/report/flatten.h>
+
+namespace planish {
+
+std::string_view to_string(FlattenStage stage) {
+  switch (stage) {
+    case FlattenStage::measuring:
+      return "measuring";
+    case FlattenStage::evolving:
+      return "evolving";
+    case FlattenStage::unfolding:
+      return "unfolding";
+  }
+  return "unknown";
+}
+
+MeasuredPatch measure_patch(const TriMesh& mesh) {
+  MeasuredPatch patch;
+  patch.inspection = inspect(mesh);
+  require(patch.inspection, Purpose::measure);
+  patch.figures = measure(mesh, Connectivity(mesh));
+  patch.flattenable = is_flattenable(patch.figures, patch.inspection);
+  return patch;
+}
+
+EvolveReport evolve_patch(const TriMesh& mesh, const Method& method, const Stopping& stopping,
+                          const OnSweep& on_sweep, unsigned threads) {
+  EvolveReport report;
+  report.method = method;
+  report.stopping = stopping;
+  report.before = measure_patch(mesh);
+  report.result = evolve(mesh, method, stopping, on_sweep, threads);
+  TriMesh after{report.result.positions, mesh.triangles};
+  report.after = measure_patch(after);
+  report.deviation = measure_deviation(mesh, after.positions, Connectivity(mesh));
+  return report;
+}
+
+std::optional<UnfoldReport> unfold_patch(const TriMesh& mesh, Unit unit,
+                                         const OnUnfoldStep& on_step) {
+  const Connectivity connectivity(mesh);
+  bool cancelled = false;
+  UnfoldReport report;
+  report.unit = unit;
+  report.pattern = unfold(mesh, connectivity, {}, [&](int step, double energy) {
+    cancelled = on_step && !on_step(step, energy);
+    return !cancelled;
+  });
+  if (cancelled) return std::nullopt;
+  report.strain = edge_strain(mesh, connectivity, report.pattern.positions);
+  return report;
+}
+
+namespace {
+
+/// Unfolds both meshes, at the same time where there are threads for it.
+std::optional<std::pair<UnfoldReport, UnfoldReport>> unfold_both(const TriMesh& before,
+                                                                 const TriMesh& after, Unit unit,
+                                                                 bool at_once,
+                                                                 const OnProgress& on_progress) {
+  // The number of steps is not known beforehand: each takes the bar a tenth of the way that is
+  // left.
+  std::mutex mutex;
+  double left = 1.0;
+  const OnUnfoldStep on_step = [&](int /*step*/, double /*energy*/) {
+    const std::lock_guard lock(mutex);
+    left *= 0.9;
+    return !on_progress || on_progress(FlattenStage::unfolding, 1.0 - left);
+  };
+  const auto policy = at_once ? std::launch::async : std::launch::deferred;
+  auto first = std::async(policy, [&] { return unfold_patch(before, unit, on_step); });
+  auto second = unfold_patch(after, unit, on_step);
+  auto first_result = first.get();
+  if (!first_result || !second) return std::nullopt;
+  return std::pair{*std::move(first_result), *std::move(second)};
+}
+
+}  // namespace
+
+std::optional<FlattenReport> flatten(TriMesh mesh, std::string name, const FlattenOptions& options,
+                                     const OnProgress& on_progress) {
+  const auto tell = [&](FlattenStage stage, double share) {
+    return !on_progress || on_progress(stage, share);
+  };
+  if (!tell(FlattenStage::measuring, 0.0)) return std::nullopt;
+  require(inspect(mesh), Purpose::unfold);
+
+  FlattenReport report;
+  report.name = std::move(name);
+  report.input = std::move(mesh);
+  report.evolve = evolve_patch(
+      report.input, options.method, options.stopping,
+      [&](const SweepRecord& record) {
+        return tell(FlattenStage::evolving, static_cast<double>(record.sweep) /
+                                                static_cast<double>(options.stopping.max_sweeps));
+      },
+      options.threads);
+  if (report.evolve.result.stop == StopReason::cancelled) return std::nullopt;
+  report.processed = {report.evolve.result.positions, report.input.triangles};
+
+  auto patterns = unfold_both(report.input, report.processed, options.unit,
+                              report.evolve.result.threads > 1, on_progress);
+  if (!patterns) return std::nullopt;
+  report.unfold_before = std::move(patterns->first);
+  report.unfold = std::move(patterns->second);
+  return report;
+}
+
+}  // namespace planish

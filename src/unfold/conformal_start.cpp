@@ -1,0 +1,116 @@
+#include <cmath>
+#include <numbers>
+
+#include "unfold/inner_system.h"
+#include "unfold/start.h"
+
+namespace planish {
+
+namespace {
+
+struct Angles {
+  std::array<double, 3> at;     // of the corners
+  SideWeights half_cotangents;  // of the corners, which are opposite the sides
+};
+
+Angles angles_of(const RestTriangle& rest) {
+  const std::array<Vec2, 3> p{Vec2{0.0, 0.0}, Vec2{rest.length, 0.0}, rest.tip};
+  Angles angles{};
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
+    angles.at[k] = std::atan2(cross(a, b), dot(a, b));
+    angles.half_cotangents[k] = 0.5 * dot(a, b) / cross(a, b);
+  }
+  return angles;
+}
+
+/// The lengths of the sides from border[k] to border[k + 1].
+std::vector<double> border_lengths(const Disk& disk) {
+  std::vector<Index> next(disk.vertex_count, 0);
+  for (std::size_t k = 0; k < disk.border.size(); ++k) {
+    next[disk.border[k]] = disk.border[(k + 1) % disk.border.size()];
+  }
+  std::vector<double> length_from(disk.vertex_count, 0.0);
+  for (std::size_t t = 0; t < disk.triangles.size(); ++t) {
+    const Triangle& tri = disk.triangles[t];
+    const RestTriangle& rest = disk.rest[t];
+    const std::array<double, 3> sides{rest.length, norm(rest.tip - Vec2{rest.length, 0.0}),
+                                      norm(rest.tip)};
+    for (int k = 0; k < 3; ++k) {
+      const Index a = tri[k], b = tri[(k + 1) % 3];
+      if (disk.is_border(a) && next[a] == b) length_from[a] = sides[k];
+    }
+  }
+  std::vector<double> lengths;
+  for (const Index v : disk.border)
+    lengths.push_back(length_from[v]);
+  return lengths;
+}
+
+/// The closed polygon with these exterior angles whose sides are nearest to these lengths (least
+/// squares weighted by 1 / length).
+std::vector<Vec2> closed_polygon(const std::vector<double>& turns, std::vector<double> lengths) {
+  std::vector<Vec2> directions;
+  double heading = 0.0;
+  for (std::size_t k = 0; k < turns.size(); ++k) {
+    if (k > 0) heading += turns[k];
+    directions.push_back({std::cos(heading), std::sin(heading)});
+  }
+  Vec2 gap;
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  for (std::size_t k = 0; k < turns.size(); ++k) {
+    const Vec2 d = directions[k];
+    gap = gap + lengths[k] * d;
+    xx += lengths[k] * d.x * d.x, xy += lengths[k] * d.x * d.y, yy += lengths[k] * d.y * d.y;
+  }
+  const double determinant = xx * yy - xy * xy;
+  const Vec2 multiplier{(yy * gap.x - xy * gap.y) / determinant,
+                        (xx * gap.y - xy * gap.x) / determinant};
+  std::vector<Vec2> polygon;
+  Vec2 at;
+  for (std::size_t k = 0; k < turns.size(); ++k) {
+    polygon.push_back(at);
+    at = at + (lengths[k] * (1.0 - dot(directions[k], multiplier))) * directions[k];
+  }
+  return polygon;
+}
+
+}  // namespace
+
+std::vector<Vec2> conformal_start(const Disk& disk) {
+  const auto n = static_cast<Eigen::Index>(disk.vertex_count);
+  std::vector<SideWeights> weights;
+  Eigen::VectorXd angle_sums = Eigen::VectorXd::Zero(n);
+  for (std::size_t t = 0; t < disk.triangles.size(); ++t) {
+    const Angles angles = angles_of(disk.rest[t]);
+    weights.push_back(angles.half_cotangents);
+    for (int k = 0; k < 3; ++k)
+      angle_sums[disk.triangles[t][k]] += angles.at[k];
+  }
+  const InnerSystem laplacian(disk, weights);
+  if (laplacian.inner_count() > 0 && !laplacian.solvable()) return {};
+
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(n);
+  const Eigen::VectorXd minus_defects =
+      angle_sums - Eigen::VectorXd::Constant(n, 2.0 * std::numbers::pi);
+  const Eigen::VectorXd log_scale = laplacian.solve(zero, minus_defects);
+  const Eigen::VectorXd flux = laplacian.apply(log_scale);
+  std::vector<double> turns;
+  for (const Index v : disk.border)
+    turns.push_back(std::numbers::pi - angle_sums[v] + flux[v]);
+
+  const std::vector<Vec2> polygon = closed_polygon(turns, border_lengths(disk));
+  Eigen::VectorXd x = zero, y = zero;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    x[disk.border[k]] = polygon[k].x;
+    y[disk.border[k]] = polygon[k].y;
+  }
+  x = laplacian.solve(x, zero);
+  y = laplacian.solve(y, zero);
+  std::vector<Vec2> flat;
+  for (Eigen::Index v = 0; v < n; ++v)
+    flat.push_back({x[v], y[v]});
+  return flat;
+}
+
+}  // namespace planish

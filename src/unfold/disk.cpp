@@ -1,0 +1,65 @@
+#include "unfold/disk.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/careful_sum.h"
+#include "unfold/dissection.h"
+
+namespace planish {
+
+namespace {
+
+RestTriangle rest_triangle(Vec3 a, Vec3 b, Vec3 c) {
+  // Below this share of its length a triangle's height says nothing about the surface.
+  constexpr double least_height = 1e-6;
+  const Vec3 side = b - a;
+  const double length = norm(side);
+  const double along = dot(side, c - a) / length;
+  const double height = norm(cross(side, c - a)) / length;
+  const double longest = std::max({length, norm(c - a), norm(c - b)});
+  return {length, {along, std::max(height, least_height * longest)}};
+}
+
+}  // namespace
+
+Disk make_disk(const TriMesh& mesh, const Connectivity& connectivity) {
+  Disk disk;
+  disk.vertex_of = nested_dissection(mesh.positions, connectivity);
+  disk.vertex_count = disk.vertex_of.size();
+  std::vector<Index> number_of(mesh.positions.size(), 0);
+  for (std::size_t i = 0; i < disk.vertex_count; ++i) {
+    number_of[disk.vertex_of[i]] = static_cast<Index>(i);
+    disk.on_border.push_back(connectivity.is_border(disk.vertex_of[i]) ? 1 : 0);
+  }
+  for (const Index v : connectivity.border_loops().front())
+    disk.border.push_back(number_of[v]);
+
+  const double to_unit_box = unit_scale(mesh);
+  CarefulSum area;
+  for (const Triangle& t : mesh.triangles) {
+    disk.triangles.push_back({number_of[t[0]], number_of[t[1]], number_of[t[2]]});
+    disk.rest.push_back(rest_triangle(to_unit_box * mesh.positions[t[0]],
+                                      to_unit_box * mesh.positions[t[1]],
+                                      to_unit_box * mesh.positions[t[2]]));
+    area.add(disk.rest.back().area());
+  }
+  const double to_unit_area = 1.0 / std::sqrt(area.value());
+  for (RestTriangle& rest : disk.rest) {
+    rest.length *= to_unit_area;
+    rest.tip = to_unit_area * rest.tip;
+  }
+  disk.scale = to_unit_box * to_unit_area;
+  return disk;
+}
+
+bool all_upright(const Disk& disk, std::span<const Vec2> flat) {
+  return std::all_of(disk.triangles.begin(), disk.triangles.end(), [&](const Triangle& t) {
+    const Vec2 a = flat[t[1]] - flat[t[0]], b = flat[t[2]] - flat[t[0]], c = b - a;
+    // The coordinates are near 1, so differences of them err by about 1e-16.
+    const double longest = std::sqrt(std::max({dot(a, a), dot(b, b), dot(c, c)}));
+    return cross(a, b) > 4e-16 * longest;
+  });
+}
+
+}  // namespace planish

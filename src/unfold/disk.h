@@ -1,0 +1,45 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <planish/mesh/connectivity.h>
+
+namespace planish {
+
+/// A triangle of the patch laid into the plane by itself: corners at (0, 0), (length, 0) and tip,
+/// tip.y > 0. A triangle without area gets a little.
+struct RestTriangle {
+  double length = 1.0;
+  Vec2 tip;
+
+  double area() const { return 0.5 * length * tip.y; }
+};
+
+/// A disk patch as the unfolding needs it: used vertices only, numbered in an order that keeps
+/// sparse factors small, so that matrices over them are factored as they are; lengths scaled so
+/// that the total area is 1.
+struct Disk {
+  std::size_t vertex_count = 0;
+  std::vector<Triangle> triangles;
+  std::vector<RestTriangle> rest;
+  std::vector<Index> border;     ///< the border loop, the disk on its left
+  std::vector<Index> vertex_of;  ///< number in the mesh
+  double scale = 1.0;            ///< from model units to these
+
+  bool is_border(Index v) const { return on_border[v] != 0; }
+  std::vector<unsigned char> on_border;
+};
+
+/// @pre the mesh is a disk
+Disk make_disk(const TriMesh& mesh, const Connectivity& connectivity);
+
+/// Twice the signed area of a triangle laid flat.
+inline double doubled_area(const Triangle& t, std::span<const Vec2> flat) {
+  return cross(flat[t[1]] - flat[t[0]], flat[t[2]] - flat[t[0]]);
+}
+
+/// True if every triangle laid flat has an area above 0 that can be told from rounding.
+bool all_upright(const Disk& disk, std::span<const Vec2> flat);
+
+}  // namespace planish

@@ -1,0 +1,79 @@
+#include "unfold/dissection.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace planish {
+
+namespace {
+
+constexpr std::size_t k_leaf = 24;  // not worth halving
+
+using Coordinate = double Vec3::*;
+
+Coordinate longest_axis(std::span<const Vec3> positions, std::span<const Index> part) {
+  Coordinate longest = &Vec3::x;
+  double extent = -1.0;
+  for (const Coordinate axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Index v : part) {
+      low = std::min(low, positions[v].*axis);
+      high = std::max(high, positions[v].*axis);
+    }
+    if (high - low <= extent) continue;
+    extent = high - low;
+    longest = axis;
+  }
+  return longest;
+}
+
+class Dissection {
+ public:
+  Dissection(std::span<const Vec3> positions, const Connectivity& connectivity)
+      : positions_(positions), connectivity_(connectivity), right_of_(positions.size(), 0) {}
+
+  /// Puts the vertices of a part into elimination order.
+  void order(std::span<Index> part) {
+    if (part.size() <= k_leaf) return;
+    const Coordinate axis = longest_axis(positions_, part);
+    const auto middle = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
+    std::nth_element(part.begin(), middle, part.end(), [&](Index a, Index b) {
+      const double pa = positions_[a].*axis, pb = positions_[b].*axis;
+      return pa < pb || (pa == pb && a < b);
+    });
+    const std::size_t mark = ++marks_;
+    for (auto v = middle; v != part.end(); ++v)
+      right_of_[*v] = mark;
+    const auto separator = std::partition(part.begin(), middle, [&](Index v) {
+      const auto ring = connectivity_.ring(v);
+      return std::none_of(ring.begin(), ring.end(), [&](Index w) { return right_of_[w] == mark; });
+    });
+    const auto left_count = separator - part.begin();
+    // left | separator | right  ->  left | right | separator
+    std::rotate(separator, middle, part.end());
+    const auto right_count = part.end() - middle;
+    order(part.first(static_cast<std::size_t>(left_count)));
+    order(
+        part.subspan(static_cast<std::size_t>(left_count), static_cast<std::size_t>(right_count)));
+  }
+
+ private:
+  std::span<const Vec3> positions_;
+  const Connectivity& connectivity_;
+  std::vector<std::size_t> right_of_;  // the last cut that the vertex was right of
+  std::size_t marks_ = 0;
+};
+
+}  // namespace
+
+std::vector<Index> nested_dissection(std::span<const Vec3> positions,
+                                     const Connectivity& connectivity) {
+  std::vector<Index> order;
+  for (Index v = 0; v < positions.size(); ++v) {
+    if (!connectivity.ring(v).empty()) order.push_back(v);
+  }
+  Dissection(positions, connectivity).order(order);
+  return order;
+}
+
+}  // namespace planish

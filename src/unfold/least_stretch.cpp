@@ -1,0 +1,238 @@
+#include "unfold/least_stretch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include "core/careful_sum.h"
+#include "unfold/symmetric_dirichlet.h"
+
+namespace planish {
+
+namespace {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+/// Which coordinates move. Turning and shifting cost no energy, so the first border vertex stays,
+/// and the one half way around stays on its line with it (the disk is turned to make that the x
+/// axis).
+class Unknowns {
+ public:
+  explicit Unknowns(const Disk& disk) : column_(2 * disk.vertex_count, 0) {
+    const Index anchor = disk.border.front();
+    column_[2 * anchor] = column_[2 * anchor + 1] = k_fixed;
+    column_[2 * opposite(disk) + 1] = k_fixed;
+    for (int& column : column_) {
+      if (column != k_fixed) column = count_++;
+    }
+  }
+
+  static Index opposite(const Disk& disk) { return disk.border[disk.border.size() / 2]; }
+  static constexpr int k_fixed = -1;
+  int count() const { return count_; }
+  /// Of x (0) or y (1) of a vertex; k_fixed where it stays.
+  int column(Index v, int axis) const { return column_[2 * v + axis]; }
+
+ private:
+  std::vector<int> column_;
+  int count_ = 0;
+};
+
+std::vector<Vec2> turn_to_axis(const Disk& disk, std::vector<Vec2> flat) {
+  const Vec2 origin = flat[disk.border.front()];
+  const Vec2 to = flat[Unknowns::opposite(disk)] - origin;
+  const double distance = norm(to);
+  const Vec2 axis = distance > 0.0 ? (1.0 / distance) * to : Vec2{1.0, 0.0};
+  for (Vec2& p : flat)
+    p = {dot(axis, p - origin), cross(axis, p - origin)};
+  return flat;
+}
+
+TriangleEnergy energy_of(const Disk& disk, std::size_t t, const std::vector<Vec2>& flat) {
+  const Triangle& tri = disk.triangles[t];
+  return {disk.rest[t], flat[tri[0]], flat[tri[1]], flat[tri[2]]};
+}
+
+double total_energy(const Disk& disk, const std::vector<Vec2>& flat) {
+  CarefulSum sum;
+  for (std::size_t t = 0; t < disk.triangles.size(); ++t) {
+    if (!(doubled_area(disk.triangles[t], flat) > 0.0)) {
+      return std::numeric_limits<double>::infinity();
+    }
+    sum.add(energy_of(disk, t, flat).value());
+  }
+  return sum.value();
+}
+
+/// The share of a step at which the first triangle loses its area; infinite if none does.
+double step_to_first_flip(const Disk& disk, const std::vector<Vec2>& flat,
+                          const std::vector<Vec2>& step) {
+  double first = std::numeric_limits<double>::infinity();
+  for (const Triangle& t : disk.triangles) {
+    const Vec2 a = flat[t[1]] - flat[t[0]], b = flat[t[2]] - flat[t[0]];
+    const Vec2 da = step[t[1]] - step[t[0]], db = step[t[2]] - step[t[0]];
+    // Area along the step: c + b1 s + a2 s^2, c > 0; its smallest positive root.
+    const double a2 = cross(da, db), b1 = cross(a, db) + cross(da, b), c = cross(a, b);
+    const double root = b1 * b1 - 4.0 * a2 * c;
+    if (root < 0.0) continue;
+    const double q = -0.5 * (b1 + std::copysign(std::sqrt(root), b1));
+    for (const double s : {a2 != 0.0 ? q / a2 : -1.0, q != 0.0 ? c / q : -1.0}) {
+      if (s > 0.0) first = std::min(first, s);
+    }
+  }
+  return first;
+}
+
+/// The gradient and the projected Hessian (lower half) of the whole disk.
+class NewtonSystem {
+ public:
+  explicit NewtonSystem(const Disk& disk) : disk_(disk), unknowns_(disk) {
+    std::vector<Eigen::Triplet<double>> pattern;
+    for (const Triangle& t : disk.triangles) {
+      for_pairs(t, [&](int row, int column, int, int) { pattern.emplace_back(row, column, 0.0); });
+    }
+    hessian_.resize(unknowns_.count(), unknowns_.count());
+    hessian_.setFromTriplets(pattern.begin(), pattern.end());
+    gradient_.resize(unknowns_.count());
+  }
+
+  void assemble(const std::vector<Vec2>& flat) {
+    std::fill_n(hessian_.valuePtr(), hessian_.nonZeros(), 0.0);
+    gradient_.setZero();
+    for (std::size_t t = 0; t < disk_.triangles.size(); ++t) {
+      const TriangleEnergy energy = energy_of(disk_, t, flat);
+      const auto gradient = energy.gradient();
+      const auto hessian = energy.projected_hessian();
+      const Triangle& tri = disk_.triangles[t];
+      for (int i = 0; i < 6; ++i) {
+        const int row = unknowns_.column(tri[i / 2], i % 2);
+        if (row != Unknowns::k_fixed) gradient_[row] += gradient[i];
+      }
+      for_pairs(tri, [&](int row, int column, int i, int j) { at(row, column) += hessian[i][j]; });
+    }
+  }
+
+  const SparseMatrix& hessian() const { return hessian_; }
+  const Eigen::VectorXd& gradient() const { return gradient_; }
+  std::vector<Vec2> spread(const Eigen::VectorXd& unknowns) const {
+    std::vector<Vec2> at(disk_.vertex_count);
+    for (Index v = 0; v < disk_.vertex_count; ++v) {
+      const int x = unknowns_.column(v, 0), y = unknowns_.column(v, 1);
+      at[v] = {x == Unknowns::k_fixed ? 0.0 : unknowns[x],
+               y == Unknowns::k_fixed ? 0.0 : unknowns[y]};
+    }
+    return at;
+  }
+
+ private:
+  template <class Visit>
+  void for_pairs(const Triangle& tri, Visit visit) const {
+    for (int i = 0; i < 6; ++i) {
+      const int row = unknowns_.column(tri[i / 2], i % 2);
+      for (int j = 0; j < 6; ++j) {
+        const int column = unknowns_.column(tri[j / 2], j % 2);
+        if (column != Unknowns::k_fixed && row >= column) visit(row, column, i, j);
+      }
+    }
+  }
+
+  double& at(int row, int column) {
+    const int* rows = hessian_.innerIndexPtr();
+    const int* found = std::lower_bound(rows + hessian_.outerIndexPtr()[column],
+                                        rows + hessian_.outerIndexPtr()[column + 1], row);
+    return hessian_.valuePtr()[found - rows];
+  }
+
+  const Disk& disk_;
+  Unknowns unknowns_;
+  SparseMatrix hessian_;
+  Eigen::VectorXd gradient_;
+};
+
+/// Solves one Newton system after another with a factor of one of them.
+class LaggedSolver {
+ public:
+  /// The step, or an empty vector where the matrix cannot be factored.
+  Eigen::VectorXd solve(const SparseMatrix& lower, const Eigen::VectorXd& right) {
+    if (factored_) {
+      if (auto x = conjugate_gradients(lower, right); x.size() > 0) return x;
+    }
+    if (!analysed_) factor_.analyzePattern(lower);
+    analysed_ = true;
+    factor_.factorize(lower);
+    factored_ = factor_.info() == Eigen::Success;
+    if (!factored_) return {};
+    return factor_.solve(right);
+  }
+
+ private:
+  /// Preconditioned with the factor at hand; empty if that takes too many steps.
+  Eigen::VectorXd conjugate_gradients(const SparseMatrix& lower, const Eigen::VectorXd& right) {
+    constexpr int most_steps = 12;
+    constexpr double enough = 1e-3;  // of the residual: Newton's own error is of that kind
+    const auto matrix = lower.selfadjointView<Eigen::Lower>();
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(right.size());
+    Eigen::VectorXd residual = right, z = factor_.solve(residual), direction = z;
+    double rz = residual.dot(z);
+    const double first = rz;
+    for (int step = 0; step < most_steps; ++step) {
+      const Eigen::VectorXd image = matrix * direction;
+      const double length = rz / direction.dot(image);
+      if (!std::isfinite(length) || length <= 0.0) return {};
+      x += length * direction;
+      residual -= length * image;
+      z = factor_.solve(residual);
+      const double next = residual.dot(z);
+      if (next <= enough * enough * first) return x;
+      direction = z + (next / rz) * direction;
+      rz = next;
+    }
+    return {};
+  }
+
+  // The disk's vertices are in elimination order.
+  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;
+  bool analysed_ = false, factored_ = false;
+};
+
+}  // namespace
+
+LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max_iterations,
+                              const std::function<bool(int, double)>& on_step) {
+  // A stretch of 1e-9 everywhere is none; and what a further step would gain must be worth it.
+  constexpr double no_energy = 4e-18, least_gain = 1e-6;
+  LeastStretch result{turn_to_axis(disk, std::move(start)), 0, false};
+  NewtonSystem system(disk);
+  LaggedSolver solver;
+  double energy = total_energy(disk, result.flat);
+  for (; result.iterations < max_iterations; ++result.iterations) {
+    if ((result.converged = energy <= no_energy)) break;
+    system.assemble(result.flat);
+    const Eigen::VectorXd step = solver.solve(system.hessian(), -system.gradient());
+    if (step.size() == 0) break;
+    const double slope = system.gradient().dot(step);
+    if ((result.converged = -slope <= least_gain * energy)) break;
+    const std::vector<Vec2> move = system.spread(step);
+    double share = std::min(1.0, 0.9 * step_to_first_flip(disk, result.flat, move));
+    bool fell = false;
+    for (int halvings = 0; halvings < 40 && !fell; ++halvings, share *= 0.5) {
+      std::vector<Vec2> trial = result.flat;
+      for (std::size_t v = 0; v < trial.size(); ++v)
+        trial[v] = trial[v] + share * move[v];
+      const double trial_energy = total_energy(disk, trial);
+      fell = trial_energy <= energy + 1e-4 * share * slope;
+      if (!fell) continue;
+      result.flat = std::move(trial);
+      energy = trial_energy;
+    }
+    // No step along a descent direction lowers it: rounding is all that is left.
+    if ((result.converged = !fell)) break;
+    if (on_step && !on_step(result.iterations + 1, energy)) break;
+  }
+  return result;
+}
+
+}  // namespace planish

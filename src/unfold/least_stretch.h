@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "unfold/disk.h"
+
+namespace planish {
+
+struct LeastStretch {
+  std::vector<Vec2> flat;
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Minimises the symmetric Dirichlet energy from a start without flipped triangles, and keeps it
+/// without: projected Newton steps, each cut short of the first flip and then until the energy
+/// falls. The matrix is factored anew only when the old factor no longer serves to precondition
+/// conjugate gradients, as factoring is most of the work on dense meshes.
+/// @param on_step called after each step with its number and the energy (area 1); false ends
+LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max_iterations,
+                              const std::function<bool(int, double)>& on_step);
+
+}  // namespace planish

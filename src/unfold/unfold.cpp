@@ -1,0 +1,73 @@
+#include <cmath>
+
+#include <planish/mesh/inspect.h>
+#include <planish/unfold/unfold.h>
+
+#include "core/careful_sum.h"
+#include "unfold/disk.h"
+#include "unfold/least_stretch.h"
+#include "unfold/placement.h"
+#include "unfold/start.h"
+
+namespace planish {
+
+namespace {
+
+/// The conformal start where it is sound, else one that always is.
+std::vector<Vec2> find_start(const Disk& disk) {
+  std::vector<Vec2> flat = conformal_start(disk);
+  if (!flat.empty() && all_upright(disk, flat)) return flat;
+  flat = tutte_start(disk);
+  if (all_upright(disk, flat)) return flat;
+  throw Error(ErrorCode::unfold_failed,
+              "the patch cannot be laid flat: its inner vertices come too close together when the "
+              "border is spread out; cut it, or remesh it more evenly");
+}
+
+}  // namespace
+
+Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity, const UnfoldOptions& options,
+               const OnUnfoldStep& on_step) {
+  require(inspect(mesh), Purpose::unfold);
+  const Disk disk = make_disk(mesh, connectivity);
+  LeastStretch flat = minimise_stretch(disk, find_start(disk), options.max_iterations, on_step);
+
+  std::vector<Vec2> outline;
+  for (const Index v : disk.border)
+    outline.push_back(flat.flat[v]);
+  Pattern pattern;
+  pattern.iterations = flat.iterations;
+  pattern.converged = flat.converged;
+  pattern.overlaps = crosses_itself(outline);
+  const std::vector<Vec2> placed = place_in_smallest_box(std::move(flat.flat), outline);
+  CarefulSum area;
+  for (const Triangle& t : disk.triangles) {
+    const double doubled = doubled_area(t, placed);
+    area.add(0.5 * doubled);
+    if (!(doubled > 0.0)) ++pattern.flipped_triangles;
+  }
+  pattern.area_ratio = area.value();  // the disk has area 1
+  pattern.positions.resize(mesh.positions.size());
+  const double to_model = 1.0 / disk.scale;
+  for (std::size_t v = 0; v < placed.size(); ++v) {
+    const Vec2 p = to_model * placed[v];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
+      throw Error(ErrorCode::unfold_failed, "unfolding led to numbers that are not finite");
+    }
+    pattern.positions[disk.vertex_of[v]] = p;
+    pattern.width = std::max(pattern.width, p.x);
+    pattern.height = std::max(pattern.height, p.y);
+  }
+  return pattern;
+}
+
+TriMesh flat_mesh(const TriMesh& mesh, const Pattern& pattern) {
+  TriMesh flat;
+  flat.triangles = mesh.triangles;
+  flat.positions.reserve(pattern.positions.size());
+  for (const Vec2 p : pattern.positions)
+    flat.positions.push_back({p.x, p.y, 0.0});
+  return flat;
+}
+
+}  // namespace planish

@@ -1,0 +1,169 @@
+#pragma once
+
+// Small meshes for tests, each with one property that its name tells.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include <planish/mesh/tri_mesh.h>
+
+namespace planish::meshes {
+
+/// (columns + 1) x (rows + 1) vertices over unit cells, z = height(x, y).
+template <class Height>
+TriMesh height_field(std::size_t columns, std::size_t rows, Height height) {
+  TriMesh mesh;
+  for (std::size_t j = 0; j <= rows; ++j) {
+    for (std::size_t i = 0; i <= columns; ++i) {
+      const auto x = static_cast<double>(i), y = static_cast<double>(j);
+      mesh.positions.push_back({x, y, height(x, y)});
+    }
+  }
+  const auto at = [columns](std::size_t i, std::size_t j) {
+    return static_cast<Index>(j * (columns + 1) + i);
+  };
+  for (std::size_t j = 0; j < rows; ++j) {
+    for (std::size_t i = 0; i < columns; ++i) {
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return mesh;
+}
+
+inline TriMesh flat_grid(std::size_t columns, std::size_t rows) {
+  return height_field(columns, rows, [](double, double) { return 0.0; });
+}
+
+/// The same numbers for the same seed on every platform.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed * 2 + 1) {}
+  /// In [-1, 1).
+  double number() {
+    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
+    return static_cast<double>(state_ >> 11) * 0x1p-52 - 1.0;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// A grid with every vertex moved at random: by `in_plane` cells in x and y, by `height` in z.
+inline TriMesh rough_grid(std::size_t columns, std::size_t rows, std::uint64_t seed,
+                          double in_plane = 0.25, double height = 0.3) {
+  Random random(seed);
+  TriMesh mesh = flat_grid(columns, rows);
+  for (Vec3& p : mesh.positions) {
+    p += {in_plane * random.number(), in_plane * random.number(), height * random.number()};
+  }
+  return mesh;
+}
+
+/// One inner vertex, number 0, at the given height over a regular ring of radius 1.
+inline TriMesh fan(std::size_t valence, double height = 0.0) {
+  TriMesh mesh;
+  mesh.positions.push_back({0.0, 0.0, height});
+  for (std::size_t j = 0; j < valence; ++j) {
+    const double angle =
+        2.0 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(valence);
+    mesh.positions.push_back({std::cos(angle), std::sin(angle), 0.0});
+    mesh.triangles.push_back(
+        {0, static_cast<Index>(1 + j), static_cast<Index>(1 + (j + 1) % valence)});
+  }
+  return mesh;
+}
+
+/// A fan whose ring is folded up and down: the angle sum of vertex 0 is above 2 pi.
+inline TriMesh ruffled_fan(std::size_t valence, double amplitude) {
+  TriMesh mesh = fan(valence);
+  for (std::size_t j = 1; j <= valence; ++j) {
+    mesh.positions[j].z = j % 2 == 0 ? amplitude : -amplitude;
+  }
+  return mesh;
+}
+
+/// An open tube: two border loops.
+inline TriMesh tube(std::size_t around, std::size_t along) {
+  TriMesh mesh;
+  for (std::size_t j = 0; j <= along; ++j) {
+    for (std::size_t i = 0; i < around; ++i) {
+      const double angle =
+          2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(around);
+      mesh.positions.push_back({std::cos(angle), std::sin(angle), static_cast<double>(j)});
+    }
+  }
+  const auto at = [around](std::size_t i, std::size_t j) {
+    return static_cast<Index>(j * around + i % around);
+  };
+  for (std::size_t j = 0; j < along; ++j) {
+    for (std::size_t i = 0; i < around; ++i) {
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return mesh;
+}
+
+/// A closed torus; without its last triangles, one with a hole.
+inline TriMesh torus(std::size_t around, std::size_t along) {
+  TriMesh mesh = tube(around, along);
+  const std::size_t last = around * along;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const double turn = 2.0 * std::numbers::pi * mesh.positions[v].z / static_cast<double>(along);
+    const double r = 3.0 + mesh.positions[v].x, z = mesh.positions[v].y;
+    mesh.positions[v] = {r * std::cos(turn), r * std::sin(turn), z};
+  }
+  for (Triangle& t : mesh.triangles) {
+    for (Index& v : t)
+      v = v >= last ? static_cast<Index>(v - last) : v;
+  }
+  mesh.positions.resize(last);
+  return mesh;
+}
+
+inline TriMesh tetrahedron() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+}
+
+/// A strip with half a twist.
+inline TriMesh moebius(std::size_t around) {
+  TriMesh mesh;
+  for (std::size_t i = 0; i < around; ++i) {
+    const double angle =
+        2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(around);
+    for (const double w : {-0.3, 0.0, 0.3}) {
+      const double r = 1.0 + w * std::cos(angle / 2.0);
+      mesh.positions.push_back(
+          {r * std::cos(angle), r * std::sin(angle), w * std::sin(angle / 2.0)});
+    }
+  }
+  const auto at = [around](std::size_t i, std::size_t k) {
+    return static_cast<Index>(i < around ? 3 * i + k : 3 * (i - around) + (2 - k));
+  };
+  for (std::size_t i = 0; i < around; ++i) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      mesh.triangles.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+      mesh.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+    }
+  }
+  return mesh;
+}
+
+/// Both meshes in one, the second moved aside.
+inline TriMesh side_by_side(TriMesh a, const TriMesh& b) {
+  const auto shift = static_cast<Index>(a.positions.size());
+  for (const Vec3 p : b.positions)
+    a.positions.push_back(p + Vec3{1000.0, 0.0, 0.0});
+  for (const Triangle& t : b.triangles) {
+    a.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  }
+  return a;
+}
+
+}  // namespace planish::meshes

@@ -1,0 +1,214 @@
+// What is promised of real patches. They are not part of the project: the folder is told by the
+// environment variable PLANISH_TEST_DATA, and without it there is nothing to look at.
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <planish/evolve/evolve.h>
+#include <planish/io/read_mesh.h>
+#include <planish/measure/flattenability.h>
+#include <planish/mesh/inspect.h>
+#include <planish/unfold/strain.h>
+#include <planish/unfold/unfold.h>
+
+#include <gtest/gtest.h>
+
+namespace planish {
+namespace {
+
+/// A line of the table in DATA.md.
+struct PatchFacts {
+  std::string name;
+  double vertices, triangles, border_vertices, e_max, e_avg, min_angle;
+  std::filesystem::path path;
+};
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::stringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, '|');)
+    cells.push_back(cell);
+  return cells;
+}
+
+std::vector<PatchFacts> patches() {
+  std::vector<PatchFacts> facts;
+  const char* folder = std::getenv("PLANISH_TEST_DATA");
+  if (folder == nullptr) return facts;
+  const std::filesystem::path patches = std::filesystem::path(folder) / "patches";
+  std::ifstream table(patches / "DATA.md");
+  for (std::string line; std::getline(table, line);) {
+    const auto at = line.find("| patches/");
+    if (at != 0) continue;
+    const auto cells = cells_of(line);
+    std::string name = cells.at(1).substr(std::string(" patches/").size());
+    name.erase(name.find_last_not_of(' ') + 1);
+    facts.push_back({name, std::stod(cells.at(3)), std::stod(cells.at(4)), std::stod(cells.at(5)),
+                     std::stod(cells.at(6)), std::stod(cells.at(7)), std::stod(cells.at(8)),
+                     patches / name});
+  }
+  return facts;
+}
+
+/// Those that are quick to unfold.
+std::vector<PatchFacts> small_patches() {
+  std::vector<PatchFacts> small;
+  for (const PatchFacts& facts : patches()) {
+    if (facts.vertices < 14'000) small.push_back(facts);
+  }
+  return small;
+}
+
+/// Sums of arctangents over all triangles: e_max, energy and the total of Gauss and Bonnet.
+struct PlainFigures {
+  double e_max = 0.0, energy = 0.0, gauss_bonnet = 0.0;
+};
+
+PlainFigures plain_figures(const TriMesh& mesh, const Connectivity& connectivity) {
+  std::vector<double> sums(mesh.positions.size(), 0.0);
+  for (const Triangle& t : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 a = mesh.positions[t[(k + 1) % 3]] - mesh.positions[t[k]];
+      const Vec3 b = mesh.positions[t[(k + 2) % 3]] - mesh.positions[t[k]];
+      sums[t[k]] += std::atan2(norm(cross(a, b)), dot(a, b));
+    }
+  }
+  PlainFigures figures;
+  for (Index v = 0; v < sums.size(); ++v) {
+    const double defect = (connectivity.is_inner(v) ? 2.0 : 1.0) * std::numbers::pi - sums[v];
+    figures.gauss_bonnet += defect;
+    if (!connectivity.is_inner(v)) continue;
+    figures.e_max = std::max(figures.e_max, std::abs(defect));
+    figures.energy += defect * defect;
+  }
+  return figures;
+}
+
+/// Equal to as many digits as the table prints.
+void expect_printed(double value, double printed, int digits, const std::string& what) {
+  if (printed < 1e-12) {  // rounding error is no property of the patch
+    EXPECT_LT(value, 1e-12) << what;
+    return;
+  }
+  const double unit = std::pow(10.0, std::floor(std::log10(printed)) + 1 - digits);
+  EXPECT_NEAR(value, printed, 0.51 * unit) << what;
+}
+
+TEST(Patches, MeasureAsTheirTableSays) {
+  for (const PatchFacts& facts : patches()) {
+    const TriMesh mesh = read_mesh(facts.path).mesh;
+    const Connectivity connectivity(mesh);
+    const Inspection inspection = inspect(mesh);
+    const Flattenability figures = measure(mesh, connectivity);
+    EXPECT_EQ(static_cast<double>(inspection.topology.vertices), facts.vertices) << facts.name;
+    EXPECT_EQ(static_cast<double>(inspection.topology.triangles), facts.triangles) << facts.name;
+    EXPECT_EQ(
+        static_cast<double>(inspection.topology.vertices - inspection.topology.inner_vertices),
+        facts.border_vertices)
+        << facts.name;
+    EXPECT_EQ(inspection.topology.components, 1U) << facts.name;
+    EXPECT_EQ(inspection.topology.border_loops, 1U) << facts.name;
+    EXPECT_EQ(inspection.topology.euler_characteristic, 1) << facts.name;
+    expect_printed(figures.e_max, facts.e_max, 4, facts.name + " e_max");
+    expect_printed(figures.e_avg, facts.e_avg, 3, facts.name + " e_avg");
+    EXPECT_NEAR(figures.min_angle * 180.0 / std::numbers::pi, facts.min_angle, 0.051) << facts.name;
+    const PlainFigures plain = plain_figures(mesh, connectivity);
+    EXPECT_NEAR(figures.e_max, plain.e_max, 1e-12) << facts.name;
+    EXPECT_NEAR(figures.energy, plain.energy, 1e-10 * plain.energy + 1e-20) << facts.name;
+    EXPECT_NEAR(plain.gauss_bonnet, 2.0 * std::numbers::pi, 1e-9) << facts.name;
+  }
+}
+
+TEST(Patches, ControllableSweepsLowerTheEnergyAndKeepTheBorder) {
+  for (const PatchFacts& facts : patches()) {
+    TriMesh mesh = read_mesh(facts.path).mesh;
+    const Connectivity connectivity(mesh);
+    double energy = measure(mesh, connectivity).energy;
+    const auto result = evolve(mesh, ControllableLaplacian{}, {}, [&](const SweepRecord& record) {
+      EXPECT_LE(record.energy, energy) << facts.name << " sweep " << record.sweep;
+      energy = record.energy;
+      return true;
+    });
+    for (Index v = 0; v < mesh.positions.size(); ++v) {
+      if (connectivity.is_border(v)) {
+        ASSERT_EQ(result.positions[v], mesh.positions[v]) << facts.name;
+      }
+    }
+    if (result.history.empty()) continue;
+    mesh.positions = result.positions;
+    const PlainFigures plain = plain_figures(mesh, connectivity);
+    EXPECT_NEAR(result.history.back().energy, plain.energy, 1e-9 * plain.energy) << facts.name;
+    EXPECT_NEAR(result.history.back().e_max, plain.e_max, 1e-9 * plain.e_max) << facts.name;
+  }
+}
+
+TEST(Patches, TenControllableSweepsReachWhatAStudyReached) {
+  const std::vector<std::pair<std::string, double>> bounds{{"gc_front_4k.obj", 0.75},
+                                                           {"mhf_back_4k.obj", 0.27},
+                                                           {"shoe_vamp_4k.obj", 0.16},
+                                                           {"boat_hull_5k.obj", 0.06}};
+  bool classical_raised_e_max = false;
+  for (const PatchFacts& facts : patches()) {
+    for (const auto& [name, bound] : bounds) {
+      if (facts.name != name) continue;
+      const TriMesh mesh = read_mesh(facts.path).mesh;
+      const Flattenability before = measure(mesh, Connectivity(mesh));
+      const auto result = evolve(mesh);
+      EXPECT_LE(result.history.back().energy, bound * before.energy) << name;
+      const auto classical = evolve(mesh, ClassicalLaplacian{});
+      classical_raised_e_max =
+          classical_raised_e_max || classical.history.back().e_max > before.e_max;
+    }
+  }
+  EXPECT_EQ(classical_raised_e_max, !patches().empty());
+}
+
+TEST(Patches, GiveTheSameBitsOnAnyNumberOfThreads) {
+  for (const PatchFacts& facts : small_patches()) {
+    const TriMesh mesh = read_mesh(facts.path).mesh;
+    const auto one = evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 3}, {}, 1);
+    for (const unsigned threads : {2U, 4U}) {
+      const auto other = evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 3}, {}, threads);
+      EXPECT_EQ(one.positions == other.positions, true) << facts.name << " on " << threads;
+    }
+  }
+}
+
+TEST(Patches, UnfoldWithoutAFlippedTriangle) {
+  for (const PatchFacts& facts : small_patches()) {
+    const TriMesh mesh = read_mesh(facts.path).mesh;
+    const Connectivity connectivity(mesh);
+    const Pattern pattern = unfold(mesh, connectivity);
+    EXPECT_TRUE(pattern.converged) << facts.name;
+    EXPECT_EQ(pattern.flipped_triangles, 0U) << facts.name;
+    double squares = 0.0, largest = 0.0, count = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+      const Vec2 p = pattern.positions[t[0]];
+      EXPECT_GT(cross(pattern.positions[t[1]] - p, pattern.positions[t[2]] - p), 0.0) << facts.name;
+      for (int k = 0; k < 3; ++k) {
+        const Index a = t[k], b = t[(k + 1) % 3];
+        const double strain = norm(pattern.positions[b] - pattern.positions[a]) /
+                                  norm(mesh.positions[b] - mesh.positions[a]) -
+                              1.0;
+        // An inner edge is met twice, a border edge once.
+        const double weight =
+            connectivity.ring(a).front() == b && connectivity.is_border(a) ? 1.0 : 0.5;
+        squares += weight * strain * strain;
+        count += weight;
+        largest = std::max(largest, std::abs(strain));
+      }
+    }
+    const EdgeStrain strain = edge_strain(mesh, connectivity, pattern.positions);
+    EXPECT_NEAR(strain.max, largest, 1e-12) << facts.name;
+    EXPECT_NEAR(strain.rms, std::sqrt(squares / count), 1e-12) << facts.name;
+  }
+}
+
+}  // namespace
+}  // namespace planish

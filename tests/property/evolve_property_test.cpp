@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <numeric>
+
+#include <planish/evolve/evolve.h>
+#include <planish/measure/flattenability.h>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "evolve/controllable_mover.h"
+#include "oracle/plain.h"
+#include "support/meshes.h"
+
+namespace planish {
+namespace {
+
+/// A rough grid of arbitrary size and roughness.
+TriMesh arbitrary_patch() {
+  const auto columns = *rc::gen::inRange<std::size_t>(2, 9);
+  const auto rows = *rc::gen::inRange<std::size_t>(2, 9);
+  const auto seed = *rc::gen::arbitrary<std::uint32_t>();
+  const double height = 0.01 * *rc::gen::inRange(0, 200);
+  return meshes::rough_grid(columns, rows, seed, 0.35, height);
+}
+
+RC_GTEST_PROP(EvolveProperty, EnergyNeverRisesWhenASingleVertexMoves, ()) {
+  const TriMesh mesh = arbitrary_patch();
+  const ControllableLaplacian options{.lambda_min = -0.5 * *rc::gen::inRange(0, 3)};
+  const Connectivity connectivity(mesh);
+  PatchState state(mesh, connectivity);
+  ControllableMover mover(options, state);
+  double energy = plain::Patch(mesh).energy();
+  for (std::size_t v = 0; v < state.inner_count(); ++v) {
+    const bool moved = mover.move(v);
+    const double next = plain::Patch({state.positions_in_mesh_order(), mesh.triangles}).energy();
+    if (moved) RC_ASSERT(next < energy + 1e-13);
+    if (!moved) RC_ASSERT(next == energy);
+    energy = next;
+  }
+}
+
+RC_GTEST_PROP(EvolveProperty, EnergyNeverRisesInASweepAndTheBorderStays, ()) {
+  const TriMesh mesh = arbitrary_patch();
+  const ControllableLaplacian options{.lambda_min = -0.5 * *rc::gen::inRange(0, 3)};
+  const Connectivity connectivity(mesh);
+  double energy = measure(mesh, connectivity).energy;
+  const auto result = evolve(mesh, options, {.max_sweeps = 15}, [&](const SweepRecord& record) {
+    RC_ASSERT(record.energy <= energy);
+    energy = record.energy;
+    return true;
+  });
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    if (!connectivity.is_inner(v)) RC_ASSERT(result.positions[v] == mesh.positions[v]);
+  }
+}
+
+RC_GTEST_PROP(EvolveProperty, RenumberingVerticesAndTrianglesRenumbersTheResult, ()) {
+  const TriMesh mesh = arbitrary_patch();
+  const auto n = static_cast<Index>(mesh.positions.size());
+  std::vector<Index> number(n), turn(mesh.triangles.size());
+  std::iota(number.begin(), number.end(), Index{0});
+  meshes::Random random(*rc::gen::arbitrary<std::uint32_t>());
+  for (Index v = n - 1; v > 0; --v) {
+    std::swap(number[v], number[static_cast<Index>((random.number() * 0.5 + 0.5) * v)]);
+  }
+  TriMesh renumbered{std::vector<Vec3>(n), {}};
+  for (Index v = 0; v < n; ++v)
+    renumbered.positions[number[v]] = mesh.positions[v];
+  for (const Triangle& t : mesh.triangles) {
+    renumbered.triangles.insert(renumbered.triangles.begin(),
+                                {number[t[1]], number[t[2]], number[t[0]]});
+  }
+  const auto one = evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 2});
+  const auto other = evolve(renumbered, ControllableLaplacian{}, {.max_sweeps = 2});
+  for (Index v = 0; v < n; ++v) {
+    RC_ASSERT(norm(one.positions[v] - other.positions[number[v]]) < 1e-8);
+  }
+}
+
+RC_GTEST_PROP(EvolveProperty, NothingIsEverNotFinite, ()) {
+  TriMesh mesh = arbitrary_patch();
+  const auto v = *rc::gen::inRange<std::size_t>(0, mesh.positions.size());
+  const auto power = *rc::gen::inRange(-12, 12);
+  mesh.positions[v] += std::pow(10.0, power) * Vec3{1.0, -2.0, 0.5};
+  const auto result = evolve(mesh, ControllableLaplacian{.lambda_min = -1.0}, {.max_sweeps = 10});
+  for (const Vec3 p : result.positions)
+    RC_ASSERT(std::isfinite(p.x + p.y + p.z));
+}
+
+}  // namespace
+}  // namespace planish

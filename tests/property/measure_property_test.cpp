@@ -1,0 +1,76 @@
+#include <cmath>
+#include <numbers>
+
+#include <planish/measure/angle_defect.h>
+#include <planish/measure/flattenability.h>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "oracle/plain.h"
+#include "support/meshes.h"
+
+namespace planish {
+namespace {
+
+TriMesh arbitrary_patch() {
+  const auto seed = *rc::gen::arbitrary<std::uint32_t>();
+  const double height = 0.01 * *rc::gen::inRange(0, 300);
+  return meshes::rough_grid(6, 5, seed, 0.4, height);
+}
+
+Flattenability measured(const TriMesh& mesh) {
+  return measure(mesh, Connectivity(mesh));
+}
+
+void expect_same(const Flattenability& a, const Flattenability& b) {
+  RC_ASSERT(std::abs(a.e_max - b.e_max) < 1e-11);
+  RC_ASSERT(std::abs(a.energy - b.energy) < 1e-10);
+  RC_ASSERT(std::abs(a.sum_abs_defect - b.sum_abs_defect) < 1e-10);
+  RC_ASSERT(std::abs(a.min_angle - b.min_angle) < 1e-11);
+  RC_ASSERT(std::abs(a.roughness - b.roughness) < 1e-8);
+}
+
+RC_GTEST_PROP(MeasureProperty, DoesNotChangeWhenThePatchIsTurnedAndShifted, ()) {
+  const TriMesh mesh = arbitrary_patch();
+  const double a = *rc::gen::inRange(0, 628) * 0.01, b = *rc::gen::inRange(0, 628) * 0.01;
+  TriMesh moved = mesh;
+  for (Vec3& p : moved.positions) {
+    const Vec3 q{std::cos(a) * p.x - std::sin(a) * p.y, std::sin(a) * p.x + std::cos(a) * p.y, p.z};
+    p = {q.x, std::cos(b) * q.y - std::sin(b) * q.z, std::sin(b) * q.y + std::cos(b) * q.z};
+    p += {3.0, -20.0, 7.0};
+  }
+  expect_same(measured(mesh), measured(moved));
+}
+
+RC_GTEST_PROP(MeasureProperty, DoesNotChangeWhenThePatchIsMirroredOrTurnedOver, ()) {
+  const TriMesh mesh = arbitrary_patch();
+  TriMesh mirrored = mesh, turned = mesh;
+  for (Vec3& p : mirrored.positions)
+    p.x = -p.x;
+  for (Triangle& t : turned.triangles)
+    std::swap(t[0], t[1]);
+  expect_same(measured(mesh), measured(mirrored));
+  expect_same(measured(mesh), measured(turned));
+}
+
+RC_GTEST_PROP(MeasureProperty, DoesNotChangeWithSize, ()) {
+  const TriMesh mesh = arbitrary_patch();
+  const double size = std::pow(10.0, *rc::gen::inRange(-300, 150));
+  TriMesh scaled = mesh;
+  for (Vec3& p : scaled.positions)
+    p = size * p;
+  expect_same(measured(mesh), measured(scaled));
+}
+
+RC_GTEST_PROP(MeasureProperty, AgreesWithASumOfArctangents, ()) {
+  const TriMesh mesh = arbitrary_patch();
+  const plain::Patch patch(mesh);
+  const auto defects = angle_defects(mesh, Connectivity(mesh));
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    RC_ASSERT(std::abs(defects[v] - (patch.inner[v] ? patch.defect(v) : 0.0)) < 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include <planish/core/error.h>
+
+namespace planish {
+
+/// What a reader is at, so that its errors can say so: "vertex 7: ...".
+struct ReadItem {
+  std::string_view kind = {};
+  std::size_t number = 0;  ///< from 0
+};
+
+/// Throws the error with the item in its message and its place.
+[[noreturn]] void throw_read_error(ErrorCode code, const std::string& message, ErrorPlace place,
+                                   ReadItem item);
+
+/// Words of a file as they may stand in a message: quoted, cut, and with \xNN for what is not
+/// printable ASCII.
+std::string in_quotes(std::string_view text);
+
+}  // namespace planish

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <planish/io/read_mesh.h>
+
+namespace planish {
+
+// One pair a format. Readers take the bytes of a file that is not empty; writers take a mesh whose
+// positions are finite and whose indices are in range.
+
+ReadResult parse_obj(std::string_view bytes, std::string_view name);
+ReadResult parse_ply(std::string_view bytes, std::string_view name);
+ReadResult parse_stl(std::string_view bytes, std::string_view name);
+ReadResult parse_off(std::string_view bytes, std::string_view name);
+
+std::string format_obj(const TriMesh& mesh);
+std::string format_ply(const TriMesh& mesh);
+std::string format_stl(const TriMesh& mesh);
+std::string format_off(const TriMesh& mesh);
+
+}  // namespace planish

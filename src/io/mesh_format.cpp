@@ -1,0 +1,40 @@
+#include <string>
+
+#include <planish/core/error.h>
+#include <planish/io/mesh_format.h>
+
+#include "io/cursor_error.h"
+
+namespace planish {
+
+std::string_view to_string(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::obj:
+      return "obj";
+    case MeshFormat::ply:
+      return "ply";
+    case MeshFormat::stl:
+      return "stl";
+    case MeshFormat::off:
+      break;
+  }
+  return "off";
+}
+
+MeshFormat mesh_format_of(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  std::string lower;
+  for (const char c : extension) {
+    lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  for (const MeshFormat format : k_mesh_formats) {
+    if (lower == "." + std::string(to_string(format))) return format;
+  }
+  throw Error(ErrorCode::unsupported_format,
+              (extension.empty() ? "the name has no extension"
+                                 : "the extension " + in_quotes(extension) + " is not known") +
+                  std::string("; known are .obj, .ply, .stl and .off"),
+              {.path = path.string()});
+}
+
+}  // namespace planish

@@ -1,0 +1,30 @@
+#include <planish/core/error.h>
+#include <planish/io/read_mesh.h>
+
+#include "io/file_bytes.h"
+#include "io/formats.h"
+
+namespace planish {
+
+ReadResult read_mesh(const std::filesystem::path& path) {
+  const MeshFormat format = mesh_format_of(path);
+  const FileBytes file(path);
+  return parse_mesh(file.view(), format, path.string());
+}
+
+ReadResult parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name) {
+  if (bytes.empty()) throw Error(ErrorCode::no_triangles, "the file is empty", {.path = name});
+  switch (format) {
+    case MeshFormat::obj:
+      return parse_obj(bytes, name);
+    case MeshFormat::ply:
+      return parse_ply(bytes, name);
+    case MeshFormat::stl:
+      return parse_stl(bytes, name);
+    case MeshFormat::off:
+      break;
+  }
+  return parse_off(bytes, name);
+}
+
+}  // namespace planish

@@ -6,9 +6,9 @@
 
 namespace planish {
 
-/// The pattern as a sheet in millimetres, with a margin: layer "cut" (the outline), layer "label"
-/// (name, sizes, unit, a 50 mm test square) and layer "strain" (every triangle in the colour of its
-/// signed strain, neighbours of one colour joined), hidden in print where the format allows it.
+/// The pattern as a sheet in millimetres, with a margin, in three layers: "strain" (every triangle
+/// in the colour of its signed strain, neighbours of one colour joined), on top of it "cut" (the
+/// outline), and "label" beside it (name, sizes, unit, a 50 mm test square, what the colours mean).
 /// @param mesh the patch that was unfolded
 Drawing pattern_sheet(const TriMesh& mesh, const UnfoldReport& unfold, const std::string& name);
 

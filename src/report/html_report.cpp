@@ -1,0 +1,211 @@
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <type_traits>
+
+#include <planish/core/version.h>
+#include <planish/report/html_report.h>
+#include <planish/report/pattern_sheet.h>
+
+#include "core/number_text.h"
+#include "draw/markup_text.h"
+#include "report/base64.h"
+#include "report/convergence_chart.h"
+#include "report/enumerator_name.h"
+#include "report/figure_text.h"
+#include "report/figures_table.h"
+#include "report/html_style.h"
+#include "report/legend.h"
+#include "report/patch_picture.h"
+#include "report/pattern_picture.h"
+#include "report/verdict.h"
+
+namespace planish {
+
+namespace {
+
+std::string unit_name(const FlattenReport& report) {
+  return std::string(to_string(report.unfold.unit));
+}
+
+std::string head(const std::string& title) {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+         "<meta name=\"color-scheme\" content=\"light dark\">\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+         "style-src 'unsafe-inline'; img-src data:\">\n<title>" +
+         title + " – Planish</title>\n<style>" + std::string(k_html_style) + "</style>\n</head>\n";
+}
+
+std::string tile(std::string_view name, const std::string& figure, const std::string& note) {
+  return "<div><dt>" + std::string(name) + "</dt><dd>" + figure + "<small>" + note +
+         "</small></dd></div>\n";
+}
+
+std::string tiles(const FlattenReport& report) {
+  const EdgeStrain& before = report.unfold_before.strain;
+  const EdgeStrain& after = report.unfold.strain;
+  const Deviation& deviation = report.evolve.deviation;
+  const Pattern& pattern = report.unfold.pattern;
+  const std::string unit = "\u00A0" + unit_name(report);
+  return "<dl class=\"tiles\">\n" +
+         tile("Strain of the pattern", percent_text(after.rms),
+              "rms; " + percent_text(before.rms) + " before") +
+         tile("Strain at worst", percent_text(after.max), percent_text(before.max) + " before") +
+         tile("Furthest move", significant_text(deviation.max, 2) + unit,
+              significant_text(deviation.rms, 2) + unit + " rms") +
+         tile("Pattern",
+              significant_text(pattern.width, 3) + " × " + significant_text(pattern.height, 3) +
+                  unit,
+              "area " + decimals_text(pattern.area_ratio, 3) + " of the patch's") +
+         "</dl>\n";
+}
+
+std::string picture(const Image& image, const std::string& alt, const std::string& caption) {
+  return "<figure><div class=\"plate\"><img width=\"" + std::to_string(image.width) +
+         "\" height=\"" + std::to_string(image.height) + "\" alt=\"" + alt +
+         "\" src=\"data:image/png;base64," + base64(write_png(image)) + "\"></div><figcaption>" +
+         caption + "</figcaption></figure>\n";
+}
+
+std::string figures_caption(std::string_view when, const Flattenability& figures) {
+  return "<b>" + std::string(when) + "</b> largest " + significant_text(figures.e_max, 2) +
+         "\u00A0rad, in sum " + significant_text(figures.sum_abs_defect, 2) + "\u00A0rad";
+}
+
+std::string pictures(const FlattenReport& report, ColorMap colors) {
+  const PatchPictures pictures = patch_pictures(report.input, report.processed, colors);
+  const std::string limit = significant_text(pictures.limit, 1) + "\u00A0rad";
+  const LegendLabels labels =
+      colors == ColorMap::paper
+          ? LegendLabels{"<b>0</b> flattenable", "", "<b>" + limit + "</b>"}
+          : LegendLabels{"saddle <b>−" + limit + "</b>", "<b>0</b> flattenable",
+                         "dome <b>+" + limit + "</b>"};
+  return "<section class=\"keep\">\n<h2>The patch</h2>\n<p>Coloured by angle defect: what the "
+         "angles around a vertex lack to a full turn. Both pictures have the same view and scale. "
+         "Values beyond the ends of the scale have the colour of its ends.</p>\n"
+         "<div class=\"pair\">\n" +
+         picture(pictures.before, "The patch as it came, coloured by angle defect",
+                 figures_caption("Before:", report.evolve.before.figures)) +
+         picture(pictures.after, "The patch after evolving, coloured by angle defect",
+                 figures_caption("After:", report.evolve.after.figures)) +
+         "</div>\n" + legend(fields_of(colors), labels) + "</section>\n";
+}
+
+std::string pattern_section(const FlattenReport& report) {
+  const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name);
+  const PatternPicture picture =
+      pattern_picture(sheet, "The pattern, coloured by strain, with its cut line");
+  const std::string limit =
+      fixed_text(100.0 * strain_map_limit(report.unfold.strain), 3) + "\u00A0%";
+  return "<section class=\"keep\">\n<h2>The pattern</h2>\n<p>Coloured by strain: how much longer "
+         "or shorter the pattern is than the patch.</p>\n<figure>" +
+         picture.svg + "<figcaption>The bar is " + number_text(picture.bar) +
+         "\u00A0mm long.</figcaption></figure>\n" +
+         legend(strain_map_fields(),
+                {"shorter <b>−" + limit + "</b>", "<b>0</b>", "longer <b>+" + limit + "</b>"}) +
+         "</section>\n";
+}
+
+std::string options_text(const Method& method) {
+  std::string text;
+  const auto add = [&](std::string_view name, const auto& value, auto&&...) {
+    if (!text.empty()) text += ", ";
+    text += std::string(name) + " ";
+    if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>) {
+      text += enumerator_name(value);
+    } else {
+      text += std::isfinite(value) ? number_text(value) : "unlimited";
+    }
+  };
+  std::visit([&](auto some) { describe(some, add); }, method);
+  return text;
+}
+
+std::string stop_text(StopReason stop) {
+  switch (stop) {
+    case StopReason::reached_target:
+      return "the target was reached";
+    case StopReason::stalled:
+      return "no vertex moved any more";
+    case StopReason::sweep_limit:
+      return "all sweeps asked for were made";
+    case StopReason::cancelled:
+      return "it was cancelled";
+  }
+  return {};
+}
+
+// What was done, in words, under the chart.
+std::string run_list(const FlattenReport& report) {
+  const Topology& topology = report.evolve.before.inspection.topology;
+  const EvolveResult& result = report.evolve.result;
+  const auto entry = [](std::string_view name, const std::string& text) {
+    return "<dt>" + std::string(name) + "</dt><dd>" + escape_markup(text) + "</dd>\n";
+  };
+  return "<dl class=\"run\">\n" +
+         entry("Patch", count_text(topology.vertices) + " vertices, " +
+                            count_text(topology.inner_vertices) + " of them inner; " +
+                            count_text(topology.triangles) + " triangles") +
+         entry("Method", std::string(name_of(report.evolve.method))) +
+         entry("Options", options_text(report.evolve.method)) +
+         entry("Run", count_text(result.history.size()) +
+                          (result.history.size() == 1 ? " sweep in " : " sweeps in ") +
+                          significant_text(result.seconds, 2) + " s on " +
+                          std::to_string(result.threads) +
+                          (result.threads == 1 ? " thread" : " threads")) +
+         entry("Ended as", stop_text(result.stop)) + "</dl>\n";
+}
+
+std::string convergence_section(const FlattenReport& report) {
+  const std::string chart =
+      convergence_chart(report.evolve.before.figures, report.evolve.result.history);
+  const std::string words =
+      chart.empty() ? "Nothing to show: no sweep was made, or there was nothing to lower."
+                    : "Largest and mean angle defect and energy after each sweep, as a share of "
+                      "what they were before; logarithmic.";
+  return "<section class=\"keep\">\n<h2>The sweeps</h2>\n<p>" + words + "</p>\n" + chart +
+         run_list(report) + "</section>\n";
+}
+
+// Those of the patch as it came, and after them what evolving brought.
+std::string problems_section(const FlattenReport& report) {
+  const auto& before = report.evolve.before.inspection.problems;
+  std::string items;
+  const auto add = [&](const Problem& problem, std::string_view when) {
+    items += "<li><code>" + escape_markup(to_string(problem.code)) + "</code> " +
+             escape_markup(problem.message) + " (" + count_text(problem.count) + " in all" +
+             std::string(when) + ")</li>\n";
+  };
+  for (const Problem& problem : before)
+    add(problem, "");
+  for (const Problem& problem : report.evolve.after.inspection.problems) {
+    const bool is_old = std::any_of(before.begin(), before.end(), [&](const Problem& other) {
+      return other.code == problem.code;
+    });
+    if (!is_old) add(problem, ", since evolving");
+  }
+  if (items.empty()) return {};
+  return "<section>\n<h2>Problems of the mesh</h2>\n<ul class=\"problems\">\n" + items +
+         "</ul>\n</section>\n";
+}
+
+std::string footer(const FlattenReport& report) {
+  return std::string("<footer>Made by planish ") + k_version +
+         ". Model unit: " + unit_name(report) + ".</footer>\n";
+}
+
+}  // namespace
+
+std::string html_report(const FlattenReport& report, ColorMap colors) {
+  const std::string title = report.name.empty() ? "Patch" : escape_markup(report.name);
+  return head(title) + "<body>\n<main>\n<header>\n<p class=\"brand\">Planish report</p>\n<h1>" +
+         title + "</h1>\n<p class=\"verdict\">" + escape_markup(verdict_text(report)) +
+         "</p>\n</header>\n" + tiles(report) + pictures(report, colors) + "<div class=\"wide\">\n" +
+         pattern_section(report) + convergence_section(report) +
+         "</div>\n<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" +
+         figures_table(report) + "</div>\n</section>\n" + problems_section(report) +
+         footer(report) + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace planish

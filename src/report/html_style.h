@@ -1,0 +1,127 @@
+#pragma once
+
+#include <string_view>
+
+namespace planish {
+
+/// The style sheet of the report: quiet, for wide and narrow, light and dark screens and for paper.
+inline constexpr std::string_view k_html_style = R"css(
+:root {
+  color-scheme: light dark;
+  --page: #faf9f6; --card: #ffffff; --plate: #eef0f1; --ink: #1e1f21; --dim: #66676b;
+  --rule: #e2e1dc; --better: #1b6e43; --worse: #a8411a; --blue: #0067a5; --orange: #c05000;
+  --shade: 0 1px 2px rgb(0 0 0 / 5%);
+}
+@media screen and (prefers-color-scheme: dark) {
+  :root {
+    --page: #16181b; --card: #1e2125; --plate: #272b30; --ink: #e9e8e4; --dim: #9fa2a8;
+    --rule: #33373d; --better: #6fcf97; --worse: #f2a272; --blue: #6cb6f0; --orange: #f0a050;
+    --shade: none;
+  }
+}
+* { box-sizing: border-box; }
+body {
+  margin: 0; background: var(--page); color: var(--ink);
+  font: 16px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", sans-serif;
+  font-variant-numeric: tabular-nums;
+}
+main { max-width: 1120px; margin: 0 auto; padding: 40px 24px 24px; }
+.brand { margin: 0; color: var(--dim); font-size: 13px; letter-spacing: .08em;
+         text-transform: uppercase; }
+h1 { margin: 2px 0 12px; font-size: 34px; line-height: 1.15; font-weight: 650;
+     letter-spacing: -.015em; overflow-wrap: anywhere; }
+h2 { margin: 0 0 4px; font-size: 17px; font-weight: 650; }
+.verdict { margin: 0; max-width: 46em; font-size: 19px; line-height: 1.45; text-wrap: pretty; }
+.tiles { display: grid; grid-template-columns: repeat(4, 1fr); gap: 12px; margin: 28px 0; padding: 0; }
+.tiles div, section { background: var(--card); border: 1px solid var(--rule); border-radius: 10px;
+                      box-shadow: var(--shade); }
+.tiles div { padding: 14px 18px; }
+.tiles dt { color: var(--dim); font-size: 13px; }
+.tiles dd { margin: 0; font-size: 23px; line-height: 1.25; font-weight: 600;
+            letter-spacing: -.01em; }
+.tiles dd small { display: block; color: var(--dim); font-size: 13px; font-weight: 400;
+                  letter-spacing: 0; }
+section { margin: 0 0 20px; padding: 20px 24px 22px; }
+section > p { margin: 0 0 14px; max-width: 62em; color: var(--dim); font-size: 14px; }
+.pair { display: grid; grid-template-columns: 1fr 1fr; gap: 20px; }
+.wide { display: grid; grid-template-columns: 3fr 2fr; gap: 20px; align-items: stretch; }
+.wide section { min-width: 0; }
+figure { margin: 0; }
+figcaption { margin-top: 8px; color: var(--dim); font-size: 14px; }
+figcaption b { color: var(--ink); font-weight: 600; }
+.plate { padding: 6px; background: var(--plate); border-radius: 8px; }
+.plate img { display: block; width: 100%; height: auto; }
+svg.pattern { display: block; width: 100%; height: auto; max-height: 560px; }
+.pattern path { vector-effect: non-scaling-stroke; }
+#cut path { stroke: #d0201a; stroke-width: 1.6px; }
+#bar path { stroke: var(--ink); stroke-width: 1.2px; }
+.legend { max-width: 460px; margin: 16px auto 0; }
+.legend svg { display: block; width: 100%; height: 12px; border-radius: 3px; }
+.legend div { display: grid; grid-template-columns: 1fr auto 1fr; gap: 10px; margin-top: 4px;
+              font-size: 13px; line-height: 1.3; color: var(--dim); }
+.legend span:last-child { text-align: right; }
+.legend b { color: var(--ink); font-weight: 600; white-space: nowrap; }
+svg.chart { display: block; width: 100%; height: auto; max-width: 620px; margin: 0 auto; }
+.chart text { fill: var(--dim); font-size: 13px; }
+.chart .grid { stroke: var(--rule); fill: none; }
+.chart polyline { fill: none; stroke-width: 2.2; stroke-linejoin: round; stroke: var(--line); }
+.chart text[class^="line"] { fill: var(--line); font-weight: 600; }
+.line-e-max { --line: var(--orange); }
+.line-e-avg { --line: var(--blue); }
+.line-energy { --line: var(--ink); }
+polyline.line-e-avg { stroke-dasharray: 9 5; }
+polyline.line-energy { stroke-dasharray: 2 4; stroke-linecap: round; }
+.scroll { overflow-x: auto; }
+table { width: 100%; border-collapse: collapse; font-size: 15px; }
+th, td { padding: 7px 0 7px 20px; text-align: right; vertical-align: baseline;
+         border-bottom: 1px solid var(--rule); }
+td { white-space: nowrap; }
+th:first-child { padding-left: 0; text-align: left; font-weight: 500; }
+th small { display: block; color: var(--dim); font-size: 13px; line-height: 1.35;
+           font-weight: 400; }
+thead th { color: var(--dim); font-size: 13px; font-weight: 500; }
+tbody tr:last-child > * { border-bottom: 0; }
+th[scope="rowgroup"] { padding-top: 22px; font-weight: 650; }
+td:nth-child(3) { font-weight: 600; }
+.better { color: var(--better); }
+.worse { color: var(--worse); }
+.same { color: var(--dim); }
+td b { font-weight: 600; }
+.problems { margin: 8px 0 0; padding-left: 20px; }
+.problems code { color: var(--worse); font-size: 14px; }
+.run { display: grid; grid-template-columns: max-content 1fr; gap: 3px 16px; margin: 18px 0 0;
+       padding-top: 14px; border-top: 1px solid var(--rule); font-size: 13px; }
+.run dt { color: var(--dim); }
+.run dd { margin: 0; overflow-wrap: anywhere; }
+footer { color: var(--dim); font-size: 13px; }
+@media screen and (max-width: 760px) {
+  main { padding: 24px 14px; }
+  h1 { font-size: 27px; }
+  .verdict { font-size: 17px; }
+  .tiles { grid-template-columns: 1fr 1fr; }
+  .tiles div { padding: 11px 13px; }
+  .tiles dd { font-size: 21px; }
+  .pair, .wide { grid-template-columns: minmax(0, 1fr); }
+  .wide { gap: 0; }
+  section { padding: 16px; }
+  table { font-size: 13.5px; line-height: 1.35; }
+  th, td { padding-left: 10px; }
+  td { white-space: normal; }
+  th small { display: none; }
+}
+@page { size: A4; margin: 14mm; }
+@media print {
+  body { background: none; font-size: 10.5pt; }
+  main { max-width: none; padding: 0; }
+  section, .tiles div { border: 0; border-top: 1px solid var(--rule); border-radius: 0;
+                        padding: 10px 0; box-shadow: none; }
+  figure, section.keep, tr, .tiles { break-inside: avoid; }
+  .plate, .legend svg, .pattern { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+  .tiles { margin: 14px 0; }
+  .tiles dd { font-size: 14pt; }
+  table { font-size: 9.5pt; }
+  th, td { padding-top: 3px; padding-bottom: 3px; }
+}
+)css";
+
+}  // namespace planish

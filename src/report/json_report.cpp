@@ -1,0 +1,160 @@
+#include <cmath>
+#include <type_traits>
+
+#include <planish/core/version.h>
+#include <planish/report/json_report.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/number_text.h"
+#include "report/enumerator_name.h"
+
+namespace planish {
+
+namespace {
+
+// Keeps the keys in the order in which they are set. Not finite numbers are written as null.
+using Json = nlohmann::ordered_json;
+
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+Json to_json(const std::vector<Problem>& problems) {
+  Json list = Json::array();
+  for (const Problem& problem : problems) {
+    list.push_back({{"code", to_string(problem.code)},
+                    {"message", problem.message},
+                    {"count", problem.count},
+                    {"first", problem.first}});
+  }
+  return list;
+}
+
+Json to_json(const MeasuredPatch& patch) {
+  const Topology& topology = patch.inspection.topology;
+  const Flattenability& figures = patch.figures;
+  return {{"vertices", topology.vertices},
+          {"triangles", topology.triangles},
+          {"inner_vertices", topology.inner_vertices},
+          {"components", topology.components},
+          {"boundary_loops", topology.border_loops},
+          {"euler_characteristic", topology.euler_characteristic},
+          {"e_max", figures.e_max},
+          {"e_avg", figures.e_avg},
+          {"energy", figures.energy},
+          {"sum_abs_defect", figures.sum_abs_defect},
+          {"min_angle", figures.min_angle},
+          {"roughness", figures.roughness},
+          {"flattenable", patch.flattenable},
+          {"problems", to_json(patch.inspection.problems)}};
+}
+
+Json to_json(const std::vector<SweepRecord>& history) {
+  Json list = Json::array();
+  for (const SweepRecord& record : history) {
+    list.push_back({{"sweep", record.sweep},
+                    {"e_max", record.e_max},
+                    {"e_avg", record.e_avg},
+                    {"energy", record.energy},
+                    {"moved", record.moved},
+                    {"seconds", record.seconds}});
+  }
+  return list;
+}
+
+Json options_of(const Method& method) {
+  Json options = Json::object();
+  const auto add = [&](std::string_view name, const auto& value, auto&&...) {
+    if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>) {
+      options[std::string(name)] = enumerator_name(value);
+    } else {
+      options[std::string(name)] = value;
+    }
+  };
+  std::visit([&](auto some) { describe(some, add); }, method);
+  return options;
+}
+
+Json to_json(const EvolveReport& report) {
+  const Deviation& deviation = report.deviation;
+  return {{"method", name_of(report.method)},
+          {"options", options_of(report.method)},
+          {"sweeps", report.result.history.size()},
+          {"stop", to_string(report.result.stop)},
+          {"threads", report.result.threads},
+          {"seconds", report.result.seconds},
+          {"before", to_json(report.before)},
+          {"after", to_json(report.after)},
+          {"deviation",
+           {{"rms", deviation.rms},
+            {"max", deviation.max},
+            {"rms_over_diagonal", deviation.rms_over_diagonal}}},
+          {"history", to_json(report.result.history)}};
+}
+
+Json to_json(const UnfoldReport& report) {
+  const Pattern& pattern = report.pattern;
+  return {{"strain",
+           {{"max", report.strain.max}, {"rms", report.strain.rms}, {"p99", report.strain.p99}}},
+          {"area_ratio", pattern.area_ratio},
+          {"flipped_triangles", pattern.flipped_triangles},
+          {"overlaps", pattern.overlaps},
+          {"width", pattern.width},
+          {"height", pattern.height},
+          {"unit", to_string(report.unit)},
+          {"iterations", pattern.iterations},
+          {"converged", pattern.converged}};
+}
+
+}  // namespace
+
+std::string json_report(const MeasuredPatch& patch) {
+  return text_of(to_json(patch));
+}
+
+std::string json_report(const EvolveReport& report) {
+  return text_of(to_json(report));
+}
+
+std::string json_report(const UnfoldReport& report) {
+  return text_of(to_json(report));
+}
+
+std::string json_report(const FlattenReport& report,
+                        const std::map<std::string, std::string>& files) {
+  return text_of({{"name", report.name},
+                  {"version", k_version},
+                  {"evolve", to_json(report.evolve)},
+                  {"unfold", to_json(report.unfold)},
+                  {"unfold_before", to_json(report.unfold_before)},
+                  {"files", Json(files)}});
+}
+
+std::string json_report(const Error& error) {
+  const ErrorPlace& place = error.place();
+  Json json = {{"code", to_string(error.code())}, {"message", error.message()}};
+  if (!place.path.empty()) json["path"] = place.path;
+  if (place.line) json["line"] = *place.line;
+  if (place.byte) json["byte"] = *place.byte;
+  if (place.first) json["first"] = *place.first;
+  if (place.count) json["count"] = *place.count;
+  return text_of({{"error", std::move(json)}});
+}
+
+std::string history_csv(const std::vector<SweepRecord>& history) {
+  std::string csv = "sweep,e_max,e_avg,energy,moved,seconds\n";
+  for (const SweepRecord& record : history) {
+    csv += std::to_string(record.sweep);
+    for (const double value : {record.e_max, record.e_avg, record.energy}) {
+      csv += ',';
+      append_number(csv, value);
+    }
+    csv += ',' + std::to_string(record.moved) + ',';
+    append_number(csv, record.seconds);
+    csv += '\n';
+  }
+  return csv;
+}
+
+}  // namespace planish

@@ -1,0 +1,117 @@
+#include "report/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/figure_text.h"
+
+namespace planish {
+
+namespace {
+
+// Of the largest strain: below the first it is rounding, up to the second nobody can measure it on
+// cloth or leather, up to the third few would mind.
+constexpr double k_not_measurable = 1e-6;
+constexpr double k_no_strain = 0.001, k_little_strain = 0.005;
+
+// Relative changes below these are not worth a word.
+constexpr double k_same_energy = 0.005, k_same_strain = 0.02;
+
+std::string strain_text(const EdgeStrain& strain) {
+  return percent_text(strain.rms) + " rms (" + percent_text(strain.max) + " at worst)";
+}
+
+std::string state_sentence(const FlattenReport& report) {
+  const Pattern& pattern = report.unfold.pattern;
+  const EdgeStrain& strain = report.unfold.strain;
+  if (pattern.overlaps) {
+    return "Not to be cut from one piece: the pattern overlaps itself, so divide the patch. It is "
+           "strained by " +
+           strain_text(strain) + ".";
+  }
+  if (pattern.flipped_triangles > 0) {
+    return "Not to be cut: " + count_text(pattern.flipped_triangles) +
+           (pattern.flipped_triangles == 1 ? " triangle" : " triangles") +
+           " of the pattern lie face down. It is strained by " + strain_text(strain) + ".";
+  }
+  if (report.evolve.after.flattenable) {
+    if (strain.max < k_not_measurable) return "Flattenable: the pattern keeps every length.";
+    if (strain.max <= k_no_strain) {
+      return "Flattenable: the pattern keeps every length to within " + percent_text(strain.max) +
+             ".";
+    }
+    return "Flattenable by its angles, yet the pattern is strained by " + strain_text(strain) + ".";
+  }
+  const std::string degree =
+      strain.max <= k_little_strain ? "Nearly flattenable" : "Not flattenable yet";
+  return degree + ": the pattern is strained by " + strain_text(strain) + ".";
+}
+
+std::string energy_phrase(double before, double after) {
+  const double ratio = before > 0.0 ? after / before : after > 0.0 ? 10.0 : 1.0;
+  if (std::abs(ratio - 1.0) <= k_same_energy) return "left the energy where it was";
+  if (after == 0.0) return "brought the energy to 0";
+  if (ratio < 0.01) {
+    return "brought the energy down to 1/" + about_text(1.0 / ratio) + " of what it was";
+  }
+  if (ratio < 1.0) return "lowered the energy by " + percent_text(1.0 - ratio);
+  if (before == 0.0) return "raised the energy from 0";
+  if (ratio < 2.0) return "raised the energy by " + percent_text(ratio - 1.0);
+  return "raised the energy to " + about_text(ratio) + " times what it was";
+}
+
+std::string strain_phrase(double before, double after) {
+  if (std::abs(after - before) <= std::max(k_same_strain * before, k_not_measurable)) {
+    return "left the strain where it was";
+  }
+  return (after < before ? "lowered the strain from " : "raised the strain from ") +
+         percent_text(before) + " to " + percent_text(after) + " rms";
+}
+
+std::string effort_sentence(const FlattenReport& report) {
+  const EvolveReport& evolve = report.evolve;
+  const auto& history = evolve.result.history;
+  if (history.empty()) {
+    return evolve.before.flattenable ? "It came so, and no vertex was moved."
+                                     : "No sweep was made, and no vertex was moved.";
+  }
+  const std::string sweeps = count_text(history.size()) + " " +
+                             std::string(name_of(evolve.method)) +
+                             (history.size() == 1 ? " sweep" : " sweeps");
+  const bool nothing_moved = std::all_of(history.begin(), history.end(),
+                                         [](const auto& record) { return record.moved == 0; });
+  if (nothing_moved) return sweeps + " found no vertex to move.";
+  const double energy_before = evolve.before.figures.energy;
+  const double energy_after = evolve.after.figures.energy;
+  const double strain_before = report.unfold_before.strain.rms;
+  const double strain_after = report.unfold.strain.rms;
+  const std::string energy = energy_phrase(energy_before, energy_after);
+  const std::string strain = strain_phrase(strain_before, strain_after);
+  const bool apart = (energy_after < energy_before && strain.starts_with("raised")) ||
+                     (energy_after > energy_before && strain.starts_with("lowered"));
+  return sweeps + " " + energy + (apart ? " but " : " and ") + strain +
+         "; no vertex moved further than " + significant_text(evolve.deviation.max, 2) + " " +
+         std::string(to_string(report.unfold.unit)) + ".";
+}
+
+// Mesh files do not say their unit; a wrong guess is common and dear.
+std::string unit_question(const UnfoldReport& unfold) {
+  constexpr double smallest = 5.0, largest = 50000.0;  // millimetres that anyone cuts
+  const double size =
+      millimetres_per(unfold.unit) * std::max(unfold.pattern.width, unfold.pattern.height);
+  if (size >= smallest && size <= largest) return {};
+  return " The pattern is " + significant_text(size, 2) + " mm long: is the model's unit really " +
+         std::string(to_string(unfold.unit)) + "?";
+}
+
+}  // namespace
+
+std::string verdict_text(const FlattenReport& report) {
+  std::string text = state_sentence(report) + " " + effort_sentence(report);
+  if (!report.unfold.pattern.converged) {
+    text += " Unfolding stopped before it was done: the strain may be more than it need be.";
+  }
+  return text + unit_question(report.unfold);
+}
+
+}  // namespace planish

@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <cstdlib>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <planish/report/html_report.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "report/figures_table.h"
+#include "unit/report/sample_report.h"
+
+namespace planish {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+// The page without the bytes of its pictures, which may hold any letters.
+std::string without_pictures(std::string page) {
+  for (std::size_t at; (at = page.find("data:image/png;base64,")) != std::string::npos;) {
+    page.erase(at, page.find('"', at) - at);
+  }
+  return page;
+}
+
+// The page of the sample, made once for all tests that only look at it.
+const std::string& sample_page() {
+  static const std::string page = html_report(samples::flatten_report());
+  return page;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) {
+    ++found;
+  }
+  return found;
+}
+
+TEST(HtmlReport, NeedsNothingFromOutsideAndRunsNothing) {
+  const std::string page = without_pictures(sample_page());
+  EXPECT_THAT(page, Not(HasSubstr("http:")));
+  EXPECT_THAT(page, Not(HasSubstr("https")));
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_THAT(page, Not(HasSubstr("javascript")));
+  EXPECT_THAT(page, Not(HasSubstr("url(")));
+  EXPECT_THAT(page, Not(HasSubstr("@import")));
+  EXPECT_THAT(page, Not(HasSubstr("<link")));
+  EXPECT_THAT(page, HasSubstr("content=\"default-src 'none'; style-src 'unsafe-inline'; "
+                              "img-src data:\""));
+}
+
+TEST(HtmlReport, ClosesWhatItOpens) {
+  const std::string page = without_pictures(sample_page());
+  for (const std::string tag :
+       {"html",  "head",  "body", "main", "header", "section", "figure", "figcaption", "table",
+        "tbody", "thead", "tr",   "td",   "svg",    "div",     "dl",     "dd",         "dt",
+        "p",     "h2",    "span", "b",    "small",  "data",    "g"}) {
+    EXPECT_EQ(count(page, "<" + tag + ">") + count(page, "<" + tag + " "),
+              count(page, "</" + tag + ">"))
+        << tag;
+  }
+}
+
+TEST(HtmlReport, EscapesAllTextFromOutside) {
+  FlattenReport report = samples::flatten_report();
+  report.name = "<img src=x onerror=alert(1)>\"&\xFF";
+  report.evolve.before.inspection.problems = {
+      {ErrorCode::zero_area, "<script>alert('x')</script>", 3, 7}};
+  const std::string page = html_report(report);
+  EXPECT_THAT(page, Not(HasSubstr("<img src=x")));
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_THAT(page, Not(HasSubstr("\xFF")));
+  EXPECT_THAT(page, HasSubstr("<h1>&lt;img src=x onerror=alert(1)&gt;&quot;&amp;\uFFFD</h1>"));
+  EXPECT_THAT(page, HasSubstr("&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt; (3 in all)"));
+}
+
+TEST(HtmlReport, ListsProblemsAndMarksThoseSinceEvolving) {
+  FlattenReport report = samples::flatten_report();
+  EXPECT_THAT(html_report(report), Not(HasSubstr("Problems of the mesh")));
+  report.evolve.before.inspection.problems = {{ErrorCode::unreferenced_vertex, "old", 1, 0}};
+  report.evolve.after.inspection.problems = {{ErrorCode::unreferenced_vertex, "old", 1, 0},
+                                             {ErrorCode::zero_area, "new", 2, 5}};
+  const std::string page = html_report(report);
+  EXPECT_EQ(count(page, "<code>unreferenced_vertex</code>"), 1U);
+  EXPECT_THAT(page, HasSubstr("<code>zero_area</code> new (2 in all, since evolving)"));
+}
+
+TEST(HtmlReport, HasPicturesOfTheSameSizeWithWordsForThem) {
+  const std::string& page = sample_page();
+  EXPECT_EQ(count(page, "<img "), 2U);
+  EXPECT_EQ(count(page, " alt=\"The patch "), 2U);
+  EXPECT_EQ(count(page, "data:image/png;base64,iVBORw0KGgo"), 2U) << "PNG by its first bytes";
+  EXPECT_EQ(count(page, "role=\"img\" aria-label="), 2U) << "pattern and curve";
+}
+
+TEST(HtmlReport, ShowsTheScaleOfTheChosenColours) {
+  const FlattenReport report = samples::flatten_report();
+  const std::string diverging = html_report(report, ColorMap::diverging);
+  const std::string paper = html_report(report, ColorMap::paper);
+  EXPECT_THAT(diverging, HasSubstr("saddle"));
+  EXPECT_THAT(diverging, HasSubstr("dome"));
+  EXPECT_THAT(paper, Not(HasSubstr("saddle")));
+  EXPECT_THAT(paper, HasSubstr("fill=\"#0000ff\""));
+}
+
+TEST(HtmlReport, SaysWhatWasDone) {
+  const std::string& page = sample_page();
+  EXPECT_THAT(page, HasSubstr("651 vertices, 549 of them inner; 1\u202F200 triangles"));
+  EXPECT_THAT(page, HasSubstr("lambda_min 0, lambda_max 1, min_angle 1, max_deviation unlimited"));
+  EXPECT_THAT(page, HasSubstr("10 sweeps in 0.25 s on 2 threads"));
+  EXPECT_THAT(page, HasSubstr("all sweeps asked for were made"));
+  EXPECT_THAT(page, HasSubstr("Model unit: mm."));
+}
+
+TEST(HtmlReport, DoesWithoutSweepsAndWithoutAName) {
+  FlattenReport report = samples::flatten_report();
+  report.evolve.result.history.clear();
+  report.name.clear();
+  const std::string page = html_report(report);
+  EXPECT_THAT(page, HasSubstr("<h1>Patch</h1>"));
+  EXPECT_THAT(page, HasSubstr("Nothing to show"));
+  EXPECT_THAT(page, Not(HasSubstr("<polyline")));
+}
+
+TEST(HtmlReport, GivesTheSameBytesForTheSameReport) {
+  EXPECT_TRUE(html_report(samples::flatten_report()) == sample_page());
+}
+
+// The numbers of a row of the table, before and after, with all their digits.
+std::vector<double> numbers_of(const std::string& table, const std::string& name) {
+  std::vector<double> numbers;
+  const std::size_t from = table.find("<th scope=\"row\">" + name + "<small>");
+  if (from == std::string::npos) return numbers;
+  const std::size_t to = table.find("</tr>", from);
+  const std::string mark = "<data value=\"";
+  for (std::size_t at = from; (at = table.find(mark, at)) < to; at += mark.size()) {
+    numbers.push_back(std::strtod(table.c_str() + at + mark.size(), nullptr));
+  }
+  return numbers;
+}
+
+TEST(FiguresTable, HasTheFiguresOfTheReportToTheLastDigit) {
+  FlattenReport report = samples::flatten_report();
+  report.unfold_before.pattern.flipped_triangles = 3;
+  report.unfold.pattern.overlaps = true;
+  const std::string table = figures_table(report);
+  const auto& before = report.evolve.before.figures;
+  const auto& after = report.evolve.after.figures;
+  constexpr double degrees = 180.0 / std::numbers::pi;
+  const auto row = [&](const std::string& name) { return numbers_of(table, name); };
+  EXPECT_THAT(row("Largest angle defect"), ElementsAre(before.e_max, after.e_max));
+  EXPECT_THAT(row("Mean angle defect"), ElementsAre(before.e_avg, after.e_avg));
+  EXPECT_THAT(row("Energy"), ElementsAre(before.energy, after.energy));
+  EXPECT_THAT(row("Curvature left"), ElementsAre(before.sum_abs_defect, after.sum_abs_defect));
+  EXPECT_THAT(row("Strain, rms"), ElementsAre(0.0763, 0.0761));
+  EXPECT_THAT(row("Strain, 99 of 100 edges"), ElementsAre(0.2213, 0.2143));
+  EXPECT_THAT(row("Strain, worst edge"), ElementsAre(0.3241, 0.3187));
+  EXPECT_THAT(row("Smallest angle"),
+              ElementsAre(degrees * before.min_angle, degrees * after.min_angle));
+  EXPECT_THAT(row("Roughness"), ElementsAre(before.roughness, after.roughness));
+  EXPECT_THAT(row("Deviation, rms"), ElementsAre(0.1234));
+  EXPECT_THAT(row("Deviation, rms over size"), ElementsAre(0.00345));
+  EXPECT_THAT(row("Deviation, largest"), ElementsAre(0.5678));
+  EXPECT_THAT(row("Deviation, largest over size"),
+              ElementsAre(testing::DoubleNear(0.00345 / 0.1234 * 0.5678, 1e-15)));
+  EXPECT_THAT(row("Pattern size"), ElementsAre(30.5, 20.5, 30.0, 20.0));
+  EXPECT_THAT(row("Area ratio"), ElementsAre(1.0034, 1.0021));
+  EXPECT_THAT(row("Flipped triangles"), ElementsAre(3.0, 0.0));
+  EXPECT_THAT(row("Overlap"), ElementsAre(0.0, 1.0));
+  EXPECT_EQ(count(table, "<th scope=\"row\">"), 17U) << "and no other rows";
+}
+
+// What the last cell of a row says.
+std::string change_of(const FlattenReport& report, const std::string& name) {
+  const std::string table = figures_table(report);
+  const std::size_t end = table.find("</tr>", table.find("<th scope=\"row\">" + name + "<small>"));
+  const std::size_t from = table.rfind("<td", end);
+  std::string text = table.substr(table.find('>', from) + 1, end - table.find('>', from) - 1);
+  for (const std::string tag : {"<b>", "</b>", "</td>"}) {
+    for (std::size_t at; (at = text.find(tag)) != std::string::npos;)
+      text.erase(at, tag.size());
+  }
+  for (std::size_t at; (at = text.find("\u00A0")) != std::string::npos;)
+    text.replace(at, 2, " ");
+  return text;
+}
+
+TEST(FiguresTable, JudgesAChangeByWhatTheFigureShouldBe) {
+  FlattenReport report = samples::flatten_report();
+  EXPECT_EQ(change_of(report, "Energy"), "−27 % better");
+  EXPECT_EQ(change_of(report, "Smallest angle"), "−27 % worse") << "larger is better";
+  EXPECT_EQ(change_of(report, "Strain, rms"), "same");
+  EXPECT_EQ(change_of(report, "Area ratio"), "−0.13 % better") << "nearer to 1";
+  EXPECT_EQ(change_of(report, "Pattern size"), "–") << "neither good nor bad";
+  EXPECT_EQ(change_of(report, "Deviation, rms"), "–");
+  report.evolve.after.figures.energy = 0.137 / 1234.0;
+  EXPECT_EQ(change_of(report, "Energy"), "÷ 1200 better");
+  report.evolve.after.figures.energy = 0.137 * 5.31;
+  EXPECT_EQ(change_of(report, "Energy"), "× 5.3 worse");
+  report.unfold.pattern.flipped_triangles = 2;
+  EXPECT_EQ(change_of(report, "Flipped triangles"), "from 0 worse");
+  report.unfold_before.strain.max = 1e-9;
+  report.unfold.strain.max = 5e-9;
+  EXPECT_EQ(change_of(report, "Strain, worst edge"), "same") << "rounding is no change";
+}
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,170 @@
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <planish/core/version.h>
+#include <planish/report/json_report.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "unit/report/sample_report.h"
+
+namespace planish {
+namespace {
+
+using testing::ElementsAre;
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> keys_of(const Json& json) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : json.items())
+    keys.push_back(key);
+  return keys;
+}
+
+TEST(JsonReport, OfAMeasuredPatchHasTheKeysOfTheContract) {
+  MeasuredPatch patch = samples::measured(1.0);
+  patch.flattenable = true;
+  patch.inspection.problems = {{ErrorCode::zero_area, "triangle 7 has no area", 3, 7}};
+  const Json json = Json::parse(json_report(patch));
+  EXPECT_THAT(keys_of(json),
+              ElementsAre("vertices", "triangles", "inner_vertices", "components", "boundary_loops",
+                          "euler_characteristic", "e_max", "e_avg", "energy", "sum_abs_defect",
+                          "min_angle", "roughness", "flattenable", "problems"));
+  EXPECT_EQ(json["vertices"], 651);
+  EXPECT_EQ(json["triangles"], 1200);
+  EXPECT_EQ(json["inner_vertices"], 549);
+  EXPECT_EQ(json["components"], 1);
+  EXPECT_EQ(json["boundary_loops"], 1);
+  EXPECT_EQ(json["euler_characteristic"], 1);
+  EXPECT_EQ(json["e_max"], 0.0641);
+  EXPECT_EQ(json["e_avg"], 0.00312);
+  EXPECT_EQ(json["energy"], 0.137);
+  EXPECT_EQ(json["sum_abs_defect"], 1.713);
+  EXPECT_EQ(json["min_angle"], 0.3011);
+  EXPECT_EQ(json["roughness"], 2.471);
+  EXPECT_EQ(json["flattenable"], true);
+  ASSERT_EQ(json["problems"].size(), 1U);
+  EXPECT_EQ(json["problems"][0], Json({{"code", "zero_area"},
+                                       {"message", "triangle 7 has no area"},
+                                       {"count", 3},
+                                       {"first", 7}}));
+}
+
+TEST(JsonReport, OfAPatchWithoutProblemsHasAnEmptyList) {
+  EXPECT_EQ(Json::parse(json_report(samples::measured(1.0)))["problems"], Json::array());
+}
+
+TEST(JsonReport, OfAnEvolutionHasTheKeysOfTheContract) {
+  const Json json = Json::parse(json_report(samples::flatten_report().evolve));
+  EXPECT_THAT(keys_of(json), ElementsAre("method", "options", "sweeps", "stop", "threads",
+                                         "seconds", "before", "after", "deviation", "history"));
+  EXPECT_EQ(json["method"], "controllable");
+  EXPECT_EQ(json["sweeps"], 10);
+  EXPECT_EQ(json["stop"], "sweep_limit");
+  EXPECT_EQ(json["threads"], 2);
+  EXPECT_EQ(json["seconds"], 0.25);
+  EXPECT_EQ(json["before"]["e_max"], 0.0641);
+  EXPECT_EQ(json["after"]["e_max"], 0.0641 * 0.73);
+  EXPECT_EQ(json["deviation"],
+            Json({{"rms", 0.1234}, {"max", 0.5678}, {"rms_over_diagonal", 0.00345}}));
+  ASSERT_EQ(json["history"].size(), 10U);
+  EXPECT_THAT(keys_of(json["history"][9]),
+              ElementsAre("sweep", "e_max", "e_avg", "energy", "moved", "seconds"));
+  EXPECT_EQ(json["history"][9]["sweep"], 10);
+  EXPECT_EQ(json["history"][9]["moved"], 549);
+}
+
+TEST(JsonReport, StatesTheOptionsOfTheMethodAsDescribed) {
+  EvolveReport report = samples::flatten_report().evolve;
+  report.method = ClassicalLaplacian{.lambda = 0.25, .order = SweepOrder::simultaneous};
+  EXPECT_EQ(Json::parse(json_report(report))["options"],
+            Json({{"lambda", 0.25}, {"order", "simultaneous"}, {"max_deviation", nullptr}}))
+      << "infinite is null";
+  report.method = ControllableLaplacian{.max_deviation = 1.5};
+  EXPECT_EQ(Json::parse(json_report(report))["options"]["max_deviation"], 1.5);
+}
+
+TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
+  UnfoldReport report = samples::flatten_report().unfold;
+  report.unit = Unit::cm;
+  report.pattern.overlaps = true;
+  report.pattern.flipped_triangles = 2;
+  const Json json = Json::parse(json_report(report));
+  EXPECT_EQ(json, Json({{"strain", {{"max", 0.3187}, {"rms", 0.0761}, {"p99", 0.2143}}},
+                        {"area_ratio", 1.0021},
+                        {"flipped_triangles", 2},
+                        {"overlaps", true},
+                        {"width", 30.0},
+                        {"height", 20.0},
+                        {"unit", "cm"},
+                        {"iterations", 7},
+                        {"converged", true}}));
+}
+
+TEST(JsonReport, OfTheMainJobHasItsPartsAndFiles) {
+  const FlattenReport report = samples::flatten_report();
+  const Json json = Json::parse(json_report(report, {{"pattern", "out/pattern.svg"}}));
+  EXPECT_THAT(keys_of(json),
+              ElementsAre("name", "version", "evolve", "unfold", "unfold_before", "files"));
+  EXPECT_EQ(json["name"], "front panel");
+  EXPECT_EQ(json["version"], k_version);
+  EXPECT_EQ(json["evolve"], Json::parse(json_report(report.evolve)));
+  EXPECT_EQ(json["unfold"], Json::parse(json_report(report.unfold)));
+  EXPECT_EQ(json["unfold_before"], Json::parse(json_report(report.unfold_before)));
+  EXPECT_EQ(json["files"], Json({{"pattern", "out/pattern.svg"}}));
+  EXPECT_EQ(Json::parse(json_report(report, {}))["files"], Json::object());
+}
+
+TEST(JsonReport, OfAnErrorHasOnlyTheKeysThatAreKnown) {
+  const Json bare = Json::parse(json_report(Error(ErrorCode::unfold_failed, "no way")));
+  EXPECT_EQ(bare, Json({{"error", {{"code", "unfold_failed"}, {"message", "no way"}}}}));
+  ErrorPlace place;
+  place.path = "a.obj";
+  place.line = 12;
+  place.byte = 34;
+  place.first = 5;
+  place.count = 6;
+  const Json full = Json::parse(json_report(Error(ErrorCode::bad_number, "'x'", place)));
+  EXPECT_EQ(full["error"], Json({{"code", "bad_number"},
+                                 {"message", "'x'"},
+                                 {"path", "a.obj"},
+                                 {"line", 12},
+                                 {"byte", 34},
+                                 {"first", 5},
+                                 {"count", 6}}));
+}
+
+TEST(JsonReport, KeepsEveryBitOfANumberAndWritesNullForWhatIsNone) {
+  MeasuredPatch patch = samples::measured(1.0);
+  patch.figures.e_max = 0.1 + 0.2;
+  patch.figures.e_avg = 5e-324;
+  patch.figures.energy = std::numeric_limits<double>::infinity();
+  patch.figures.roughness = std::numeric_limits<double>::quiet_NaN();
+  const Json json = Json::parse(json_report(patch));
+  EXPECT_EQ(json["e_max"].get<double>(), 0.1 + 0.2);
+  EXPECT_EQ(json["e_avg"].get<double>(), 5e-324);
+  EXPECT_TRUE(json["energy"].is_null());
+  EXPECT_TRUE(json["roughness"].is_null());
+}
+
+TEST(JsonReport, ReplacesWhatIsNoUtf8) {
+  FlattenReport report = samples::flatten_report();
+  report.name = "a\xFFz\"\n";
+  const Json json = Json::parse(json_report(report, {{"p\xFE", "q\xC3"}}));
+  EXPECT_EQ(json["name"], "a\uFFFDz\"\n");
+  EXPECT_EQ(json["files"], Json({{"p\uFFFD", "q\uFFFD"}}));
+}
+
+TEST(HistoryCsv, HasAHeaderAndALineASweep) {
+  EXPECT_EQ(history_csv({{1, 0.5, 0.25, 2.0, 7, 0.125}, {2, 0.1, 1e-7, 1.5, 0, 0.25}}),
+            "sweep,e_max,e_avg,energy,moved,seconds\n"
+            "1,0.5,0.25,2,7,0.125\n"
+            "2,0.1,1e-07,1.5,0,0.25\n");
+  EXPECT_EQ(history_csv({}), "sweep,e_max,e_avg,energy,moved,seconds\n");
+}
+
+}  // namespace
+}  // namespace planish

@@ -101,7 +101,7 @@ std::optional<Rings> build_rings(const TriMesh& mesh) {
   if (!wedges) return std::nullopt;
   Rings rings;
   rings.start.reserve(n + 1);
-  rings.border.assign(n, 0);
+  rings.border.resize(n, 0);
   rings.vertices.reserve(wedges->all.size() + n / 8);
   RingWalker walker(n);
   for (std::size_t v = 0; v < n; ++v) {

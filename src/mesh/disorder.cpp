@@ -208,8 +208,10 @@ void find_clashing_orientation(const TriMesh& mesh, const std::vector<EdgeSides>
   }
   problems.push_back(
       {ErrorCode::inconsistent_orientation,
-       number(count) + (count == 1 ? " triangle is" : " triangles are") +
-           " oriented against their neighbours; the first is triangle " + number(first) +
+       number(count) +
+           (count == 1 ? " triangle is oriented against its"
+                       : " triangles are oriented against their") +
+           " neighbours; the first is triangle " + number(first) +
            ": make the orientation consistent (mesh programs call it recalculate or unify normals)",
        count, first});
 }

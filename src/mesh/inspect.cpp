@@ -286,11 +286,14 @@ Inspection inspect(const TriMesh& mesh) {
 
 std::optional<Problem> blocking_problem(const Inspection& inspection, Purpose purpose) {
   for (const Problem& problem : inspection.problems) {
-    // A soup of loose triangles would come back as it was: say so instead.
+    // Loose triangles would come back as they were, and no other problem tells the cause.
     const bool soup = problem.code == ErrorCode::no_inner_vertex &&
                       inspection.topology.components > 1 && purpose != Purpose::measure;
+    if (soup) return problem;
+  }
+  for (const Problem& problem : inspection.problems) {
     const auto from = blocked_from(problem.code);
-    if (soup || (from && *from <= purpose)) return problem;
+    if (from && *from <= purpose) return problem;
   }
   return std::nullopt;
 }

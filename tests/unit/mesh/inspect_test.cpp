@@ -219,7 +219,8 @@ TEST(Inspect, ATriangleSoupIsRefusedForWantOfInnerVertices) {
     soup.triangles.push_back({first, first + 1, first + 2});
   }
   EXPECT_EQ(blocker(soup, Purpose::measure), std::nullopt);
-  EXPECT_TRUE(blocker(soup, Purpose::evolve).has_value());
+  EXPECT_EQ(blocker(soup, Purpose::evolve), ErrorCode::no_inner_vertex);
+  EXPECT_EQ(blocker(soup, Purpose::unfold), ErrorCode::no_inner_vertex);
 }
 
 TEST(Inspect, RequireThrowsWithCodePlaceAndCount) {

@@ -210,5 +210,21 @@ TEST(Patches, UnfoldWithoutAFlippedTriangle) {
   }
 }
 
+TEST(Patches, UnfoldWithTheirLengthsWhereTheyAreFlattenable) {
+  for (const PatchFacts& facts : patches()) {
+    if (facts.e_max > 1e-5) continue;  // lego_flat_2k and maze_6k
+    const TriMesh mesh = read_mesh(facts.path).mesh;
+    const Pattern pattern = unfold(mesh, Connectivity(mesh));
+    for (const Triangle& t : mesh.triangles) {
+      for (int k = 0; k < 3; ++k) {
+        const Index a = t[k], b = t[(k + 1) % 3];
+        ASSERT_NEAR(norm(pattern.positions[b] - pattern.positions[a]),
+                    norm(mesh.positions[b] - mesh.positions[a]), 1e-6)
+            << facts.name;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace planish

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "command.h"
+
+namespace planish::cli {
+
+Command flatten_command();
+Command measure_command();
+Command evolve_command();
+Command unfold_command();
+Command convert_command();
+Command sample_command();
+
+}  // namespace planish::cli

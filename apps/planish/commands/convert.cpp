@@ -1,0 +1,40 @@
+#include <planish/io/mesh_format.h>
+#include <planish/io/write_mesh.h>
+
+#include "commands/commands.h"
+#include "json_text.h"
+#include "session.h"
+#include "summary.h"
+
+namespace planish::cli {
+
+namespace {
+
+Outcome run_convert(const Arguments& arguments, Session& session) {
+  const std::string& path = arguments.operands[0];
+  const std::string& output = arguments.operands[1];
+  const MeshFormat format = mesh_format_of(output);
+  const TriMesh mesh = session.read(path).mesh;
+  session.write({{output, format_mesh(mesh, format)}});
+  if (format == MeshFormat::stl) {
+    session.note("STL rounds positions to single precision and loses the order of the vertices");
+  }
+  return {path + " -> " + output + "  (" + size_text(mesh) + ")\n", json_written(mesh, output)};
+}
+
+}  // namespace
+
+Command convert_command() {
+  return {"convert",
+          "write a mesh in another format",
+          "INPUT OUTPUT",
+          "Reads a triangle mesh and writes it in the format that the extension of OUTPUT names: "
+          ".obj, .ply, .stl or .off. Vertices and triangles keep their order, positions every "
+          "digit (STL: single precision).",
+          {"INPUT", "OUTPUT"},
+          {},
+          {"planish convert panel.stl panel.obj"},
+          run_convert};
+}
+
+}  // namespace planish::cli

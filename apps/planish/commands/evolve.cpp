@@ -1,0 +1,75 @@
+#include <planish/io/mesh_format.h>
+#include <planish/io/write_mesh.h>
+#include <planish/report/json_report.h>
+
+#include "commands/commands.h"
+#include "failures.h"
+#include "method_flags.h"
+#include "session.h"
+#include "summary.h"
+#include "text.h"
+
+namespace planish::cli {
+
+namespace {
+
+EvolveReport evolve_with_progress(const std::string& path, const TriMesh& mesh,
+                                  const Arguments& arguments, Session& session) {
+  const Method method = method_from(arguments);
+  const Stopping stopping = stopping_from(arguments);
+  const auto on_sweep = [&](const SweepRecord& record) {
+    session.show_progress("evolving", static_cast<double>(record.sweep) / stopping.max_sweeps,
+                          "sweep " + std::to_string(record.sweep) + " of " +
+                              std::to_string(stopping.max_sweeps) + "  e_max " +
+                              digits(record.e_max) + "  energy " + digits(record.energy, 3));
+    return !session.interrupted();
+  };
+  return about(path,
+               [&] { return evolve_patch(mesh, method, stopping, on_sweep, session.threads()); });
+}
+
+Outcome run_evolve(const Arguments& arguments, Session& session) {
+  // What can be wrong with the request is told before any work.
+  const std::string& output = arguments.flags.at("--output");
+  const MeshFormat format = mesh_format_of(output);
+  std::vector<OutputFile> files = {{output, {}}};
+  if (arguments.has("--history")) files.push_back({arguments.flags.at("--history"), {}});
+  refuse_shared_places(files);
+  method_from(arguments);
+  stopping_from(arguments);
+
+  const std::string& path = arguments.operands.front();
+  const TriMesh mesh = session.read(path).mesh;
+  const EvolveReport report = evolve_with_progress(path, mesh, arguments, session);
+  files.front().content = format_mesh({report.result.positions, mesh.triangles}, format);
+  if (files.size() > 1) files.back().content = history_csv(report.result.history);
+  session.write(files);
+
+  std::string text = path + " -> " + output + "  (" + size_text(mesh) + ")\n";
+  return with_target_checked({text + evolve_text(report), json_report(report)}, arguments, report);
+}
+
+}  // namespace
+
+Command evolve_command() {
+  std::vector<FlagGroup> groups = {
+      {"Output",
+       {{"--output", "OUTPUT", "the evolved mesh: .obj, .ply, .stl or .off", 'o', true},
+        {"--history", "FILE", "the figures of every sweep, as comma-separated values"},
+        {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
+  for (FlagGroup& group : method_flags())
+    groups.push_back(std::move(group));
+  return {"evolve",
+          "change a patch as little as needed towards flattenable",
+          "INPUT -o OUTPUT",
+          "Moves the inner vertices of a patch by one method. The border, the triangles and the "
+          "order of the vertices stay as they are. OUTPUT may be INPUT.",
+          {"INPUT"},
+          std::move(groups),
+          {"planish evolve panel.obj -o evolved.obj",
+           "planish evolve panel.obj -o evolved.ply --sweeps 100 --max-deviation 2",
+           "planish evolve panel.obj -o evolved.obj --method classical --lambda 0.5"},
+          run_evolve};
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,155 @@
+#include <filesystem>
+#include <map>
+
+#include <planish/draw/write_svg.h>
+#include <planish/io/write_mesh.h>
+#include <planish/report/html_report.h>
+#include <planish/report/json_report.h>
+#include <planish/report/pattern_sheet.h>
+
+#include "commands/commands.h"
+#include "failures.h"
+#include "method_flags.h"
+#include "session.h"
+#include "summary.h"
+#include "text.h"
+#include "units.h"
+#include "values.h"
+
+namespace planish::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What each file of the folder is for -> its path.
+using Places = std::map<std::string, std::string>;
+
+ColorMap colors_from(const Arguments& arguments) {
+  const std::vector<std::string> names = {"diverging", "paper"};
+  const std::string name = arguments.value_or("--colors", "diverging");
+  return known_name("color map", name, names) == "paper" ? ColorMap::paper : ColorMap::diverging;
+}
+
+FlattenOptions options_from(const Arguments& arguments, const Session& session) {
+  return {.method = method_from(arguments),
+          .stopping = stopping_from(arguments),
+          .unit = unit_from(arguments),
+          .threads = session.threads()};
+}
+
+/// @throws Error file_unwritable where something that is no folder stands in its place
+fs::path folder_from(const Arguments& arguments) {
+  const std::string stem = fs::path(arguments.operands.front()).stem().string();
+  fs::path folder = arguments.value_or("--output", stem + "-pattern");
+  std::error_code ignored;
+  if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored)) {
+    throw Error(ErrorCode::file_unwritable, "is a file, but a folder is to be written there",
+                {.path = folder.string()});
+  }
+  return folder;
+}
+
+/// STL holds neither doubles nor the order of vertices: what comes as STL goes as OBJ.
+MeshFormat output_format(MeshFormat input) {
+  return input == MeshFormat::stl ? MeshFormat::obj : input;
+}
+
+Places places_in(const fs::path& folder, MeshFormat format, const Arguments& arguments) {
+  const std::string extension = "." + std::string(to_string(format));
+  const auto in_folder = [&](const std::string& name) { return (folder / name).string(); };
+  Places places = {{"processed", in_folder("processed" + extension)},
+                   {"pattern", in_folder("pattern.svg")},
+                   {"flat", in_folder("flat" + extension)},
+                   {"report_json", in_folder("report.json")},
+                   {"report_html", in_folder("report.html")}};
+  if (arguments.has("--history")) places["history"] = arguments.flags.at("--history");
+  return places;
+}
+
+void refuse_shared_places(const Places& places) {
+  std::vector<OutputFile> files;
+  for (const auto& [role, path] : places)
+    files.push_back({path, {}});
+  cli::refuse_shared_places(files);
+}
+
+std::vector<OutputFile> files_of(const FlattenReport& report, const Places& places,
+                                 MeshFormat format, ColorMap colors, const std::string& json) {
+  const TriMesh& mesh = report.processed;
+  std::vector<OutputFile> files = {
+      {places.at("processed"), format_mesh(mesh, format)},
+      {places.at("pattern"), write_svg(pattern_sheet(mesh, report.unfold, report.name))},
+      {places.at("flat"), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)},
+      {places.at("report_json"), json},
+      {places.at("report_html"), html_report(report, colors)}};
+  const auto history = places.find("history");
+  if (history != places.end()) {
+    files.push_back({history->second, history_csv(report.evolve.result.history)});
+  }
+  return files;
+}
+
+std::string written_text(const std::vector<OutputFile>& files) {
+  std::string text = "\nWritten:\n";
+  for (const OutputFile& file : files)
+    text += "  " + file.path.string() + "\n";
+  return text;
+}
+
+Outcome run_flatten(const Arguments& arguments, Session& session) {
+  // What can be wrong with the request is told before any work.
+  const std::string& path = arguments.operands.front();
+  const FlattenOptions options = options_from(arguments, session);
+  const ColorMap colors = colors_from(arguments);
+  const fs::path folder = folder_from(arguments);
+
+  ReadResult input = session.read(path);
+  const MeshFormat format = output_format(input.format);
+  const Places places = places_in(folder, format, arguments);
+  refuse_shared_places(places);
+  const std::string size = size_text(input.mesh);
+  const auto on_progress = [&](FlattenStage stage, double share) {
+    session.show_progress(std::string(to_string(stage)), share, path);
+    return !session.interrupted();
+  };
+  const auto report = about(path, [&] {
+    return flatten(std::move(input.mesh), fs::path(path).stem().string(), options, on_progress);
+  });
+  if (!report) throw Interrupted();
+
+  const std::string json = json_report(*report, places);
+  const std::vector<OutputFile> files = files_of(*report, places, format, colors, json);
+  session.write(files);
+  warn_of_pattern(session, report->unfold);
+  const std::string text = path + "  (" + size + ")\n" + flatten_text(*report);
+  return with_target_checked({text + written_text(files), json}, arguments, report->evolve);
+}
+
+}  // namespace
+
+Command flatten_command() {
+  std::vector<FlagGroup> groups = {
+      {"Output",
+       {{"--output", "FOLDER", "where to write (default: the input's name with -pattern)", 'o'},
+        unit_flag(),
+        {"--colors", "NAME", "of the report's pictures: diverging or paper (default diverging)"},
+        {"--history", "FILE", "the figures of every sweep, as comma-separated values"},
+        {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
+  for (FlagGroup& group : method_flags())
+    groups.push_back(std::move(group));
+  return {"flatten",
+          "the whole job: evolve a patch, lay it flat, write its pattern",
+          "INPUT [-o FOLDER]",
+          "Measures a patch, evolves it towards flattenable and lays it flat. Writes into FOLDER: "
+          "the pattern at true size (pattern.svg), the processed patch and the flat pattern as "
+          "meshes, and a report with pictures (report.html, report.json). All files are written "
+          "or none.",
+          {"INPUT"},
+          std::move(groups),
+          {"planish flatten panel.obj", "planish flatten panel.obj -o out --unit cm --sweeps 100",
+           "planish flatten panel.obj --target-e-max 0.001 --require-target"},
+          run_flatten};
+}
+
+}  // namespace planish::cli

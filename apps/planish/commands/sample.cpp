@@ -1,0 +1,64 @@
+#include <planish/io/mesh_format.h>
+#include <planish/io/write_mesh.h>
+#include <planish/mesh/shapes.h>
+
+#include "commands/commands.h"
+#include "json_text.h"
+#include "session.h"
+#include "summary.h"
+#include "text.h"
+#include "values.h"
+
+namespace planish::cli {
+
+namespace {
+
+constexpr Range k_vertices = {100, 10'000'000};
+
+std::vector<std::string> shape_names() {
+  std::vector<std::string> names;
+  for (const Shape& shape : shapes())
+    names.emplace_back(shape.name);
+  return names;
+}
+
+Outcome list_samples() {
+  std::string text;
+  for (const Shape& shape : shapes()) {
+    text += left(std::string(shape.name), 12) + wrapped(shape.description, 12) + "\n";
+  }
+  return {text, json_samples(shapes())};
+}
+
+Outcome run_sample(const Arguments& arguments, Session& session) {
+  if (arguments.has("--list")) return list_samples();
+  const std::string& output = arguments.flags.at("--output");
+  const MeshFormat format = mesh_format_of(output);
+  const std::string name = known_name("sample", arguments.operands.front(), shape_names());
+  const std::string vertices = arguments.value_or("--vertices", "5000");
+  const TriMesh mesh = make_shape(
+      name, static_cast<std::size_t>(whole_number_of("--vertices", vertices, k_vertices)));
+  session.write({{output, format_mesh(mesh, format)}});
+  return {name + " -> " + output + "  (" + size_text(mesh) + ")\n", json_written(mesh, output)};
+}
+
+}  // namespace
+
+Command sample_command() {
+  return {"sample",
+          "write a built-in patch made by formula",
+          "NAME -o OUTPUT",
+          "Writes one of the built-in patches: " + list_of(shape_names()) +
+              ". They are in millimetres, a few hundred across, and jittered like real meshes; the "
+              "same name and size always give the same mesh.",
+          {"NAME"},
+          {{"Output",
+            {{"--output", "OUTPUT", "the mesh: .obj, .ply, .stl or .off", 'o', true},
+             {"--vertices", "N", "about how many vertices (100 to 10000000, default 5000)"},
+             {"--list", "", "list the names and what they are, and end"}}}},
+          {"planish sample panel -o panel.obj", "planish sample dome --vertices 100000 -o dome.ply",
+           "planish sample --list"},
+          run_sample};
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <filesystem>
+
+#include <planish/draw/write_svg.h>
+#include <planish/io/mesh_format.h>
+#include <planish/io/write_mesh.h>
+#include <planish/report/json_report.h>
+#include <planish/report/pattern_sheet.h>
+
+#include "commands/commands.h"
+#include "failures.h"
+#include "session.h"
+#include "summary.h"
+#include "text.h"
+#include "units.h"
+
+namespace planish::cli {
+
+namespace {
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return extension;
+}
+
+bool is_svg(const std::string& path) {
+  return lower_extension(path) == ".svg";
+}
+
+/// @throws Error unsupported_format
+void check_format(const std::string& path) {
+  if (is_svg(path)) return;
+  const std::string extension = lower_extension(path);
+  const auto known = [&](MeshFormat format) {
+    return extension == "." + std::string(to_string(format));
+  };
+  if (std::any_of(k_mesh_formats.begin(), k_mesh_formats.end(), known)) return;
+  throw Error(ErrorCode::unsupported_format,
+              "a pattern cannot be written as " +
+                  (extension.empty() ? "a file without extension" : "\"" + extension + "\"") +
+                  " yet: use .svg, or .obj, .ply, .stl or .off for a flat mesh",
+              {.path = path});
+}
+
+std::string pattern_file(const std::string& output, const std::string& input, const TriMesh& mesh,
+                         const UnfoldReport& report) {
+  if (!is_svg(output)) return format_mesh(flat_mesh(mesh, report.pattern), mesh_format_of(output));
+  const std::string name = std::filesystem::path(input).stem().string();
+  return write_svg(pattern_sheet(mesh, report, name));
+}
+
+Outcome run_unfold(const Arguments& arguments, Session& session) {
+  const std::string& output = arguments.flags.at("--output");
+  check_format(output);
+  const Unit unit = unit_from(arguments);
+
+  const std::string& path = arguments.operands.front();
+  const TriMesh mesh = session.read(path).mesh;
+  const auto on_step = [&](int step, double energy) {
+    // How many steps it will take is not known: the bar comes nearer to its end with every one.
+    session.show_progress("unfolding", 1.0 - 1.0 / (1.0 + 0.25 * step),
+                          "step " + std::to_string(step) + "  energy " + digits(energy, 6));
+    return !session.interrupted();
+  };
+  const auto report = about(path, [&] { return unfold_patch(mesh, unit, on_step); });
+  if (!report) throw Interrupted();
+  session.write({{output, pattern_file(output, path, mesh, *report)}});
+  warn_of_pattern(session, *report);
+  return {path + " -> " + output + "  (" + size_text(mesh) + ")\n\n" + unfold_text(*report),
+          json_report(*report)};
+}
+
+}  // namespace
+
+Command unfold_command() {
+  return {
+      "unfold",
+      "lay a patch flat as it is",
+      "INPUT -o OUTPUT",
+      "Lays a patch flat with the least stretch and no flipped triangle. The patch must be a "
+      "topological disk: one piece, one border, no handle.",
+      {"INPUT"},
+      {{"Output",
+        {{"--output", "OUTPUT",
+          "the pattern at true size (.svg), or a flat mesh with z = 0 (.obj, .ply, .stl or "
+          ".off)",
+          'o', true},
+         unit_flag()}}},
+      {"planish unfold panel.obj -o pattern.svg", "planish unfold panel.obj -o flat.obj --unit cm"},
+      run_unfold};
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+
+#include <planish/core/error.h>
+
+namespace planish::cli {
+
+/// The command line is wrong: exit code 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The user asked to stop: exit code 130, nothing written.
+class Interrupted {};
+
+/// Runs work on the mesh of a file, so that what is wrong with the mesh names the file.
+template <class Work>
+auto about(const std::filesystem::path& path, Work&& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    const bool of_the_mesh =
+        error.code() != ErrorCode::option_out_of_range && error.code() != ErrorCode::unknown_name;
+    if (!of_the_mesh || !error.place().path.empty()) throw;
+    ErrorPlace place = error.place();
+    place.path = path.string();
+    throw Error(error.code(), error.message(), place);
+  }
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,75 @@
+#include "help.h"
+
+#include "text.h"
+
+namespace planish::cli {
+
+namespace {
+
+constexpr std::size_t k_doc_column = 26;
+
+/// A term at the left and its meaning beside it, or below where the term is long.
+std::string entry(const std::string& term, const std::string& doc) {
+  std::string text = "  " + term;
+  if (text.size() + 2 > k_doc_column) {
+    text += "\n" + std::string(k_doc_column, ' ');
+  } else {
+    text.resize(k_doc_column, ' ');
+  }
+  return text + wrapped(doc, k_doc_column) + "\n";
+}
+
+std::string flag_entry(const Flag& flag) {
+  std::string term = flag.letter == 0 ? "    " : std::string("-") + flag.letter + ", ";
+  term += flag.name;
+  if (!flag.value.empty()) term += " " + flag.value;
+  return entry(term, flag.doc);
+}
+
+std::string group_text(const FlagGroup& group) {
+  std::string text = "\n" + group.title + ":\n";
+  for (const Flag& flag : group.flags)
+    text += flag_entry(flag);
+  return text;
+}
+
+}  // namespace
+
+std::string program_help() {
+  std::string text =
+      "planish: makes curved patches flattenable and writes their true-size patterns\n\n"
+      "Usage: planish VERB [flags] INPUT ...\n\nVerbs:\n";
+  for (const Command& command : commands())
+    text += entry(command.name, command.summary);
+  text += group_text(global_flags());
+  text +=
+      "\nExamples:\n"
+      "  planish flatten panel.obj -o panel-pattern\n"
+      "  planish measure panel.obj --json\n"
+      "\nplanish VERB --help tells the flags of a verb.\n"
+      "Exit codes: 0 done; 1 input, output or unusable mesh; 2 usage;\n"
+      "3 --require-target not met; 130 interrupted. Nothing is written after a failure.\n";
+  return text;
+}
+
+std::string verb_help(const Command& command) {
+  std::string text = "planish " + command.name + ": " + command.summary + "\n\n";
+  text += "Usage: planish " + command.name + " " + command.usage + " [flags]\n\n";
+  text += wrapped(command.description, 0) + "\n";
+  for (const FlagGroup& group : command.groups)
+    text += group_text(group);
+  text += group_text(global_flags());
+  text += "\nExamples:\n";
+  for (const std::string& example : command.examples)
+    text += "  " + example + "\n";
+  return text;
+}
+
+std::string short_help() {
+  return "Usage: planish VERB [flags] INPUT ...\n\n"
+         "  planish flatten panel.obj     the whole job: evolve, lay flat, write the pattern\n"
+         "  planish measure panel.obj     how far the patch is from flattenable\n\n"
+         "planish --help tells the rest.\n";
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,44 @@
+#include "json_text.h"
+
+#include <nlohmann/json.hpp>
+
+namespace planish::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Paths may hold bytes that are no UTF-8: these become U+FFFD.
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string json_failure(const std::string& code, const std::string& message) {
+  return text_of({{"error", {{"code", code}, {"message", message}}}});
+}
+
+std::string json_version(const std::string& version) {
+  return text_of({{"version", version}});
+}
+
+std::string json_written(const TriMesh& mesh, const std::string& output) {
+  return text_of({{"vertices", mesh.positions.size()},
+                  {"triangles", mesh.triangles.size()},
+                  {"output", output}});
+}
+
+std::string json_samples(std::span<const Shape> shapes) {
+  Json list = Json::array();
+  for (const Shape& shape : shapes) {
+    list.push_back({{"name", std::string(shape.name)},
+                    {"description", std::string(shape.description)},
+                    {"flattenable", shape.flattenable}});
+  }
+  Json object;
+  object["samples"] = list;
+  return text_of(object);
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include <planish/mesh/shapes.h>
+
+namespace planish::cli {
+
+/// A failure that is none of the library's: {"error": {"code", "message"}}.
+std::string json_failure(const std::string& code, const std::string& message);
+
+/// {"version"}
+std::string json_version(const std::string& version);
+
+/// A mesh that was written: {"vertices", "triangles", "output"}.
+std::string json_written(const TriMesh& mesh, const std::string& output);
+
+/// {"samples": [{"name", "description", "flattenable"}]}
+std::string json_samples(std::span<const Shape> shapes);
+
+}  // namespace planish::cli

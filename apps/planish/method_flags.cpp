@@ -1,0 +1,176 @@
+#include "method_flags.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "failures.h"
+#include "values.h"
+
+namespace planish::cli {
+
+namespace {
+
+/// "lambda_min" -> "--lambda-min"
+std::string flag_name(std::string_view option) {
+  std::string name = "--" + std::string(option);
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+/// "0 to 1, default 0.5". Bounds that nobody will reach are left out.
+std::string range_text(double value, Range range) {
+  const bool from = std::isfinite(range.min);
+  const bool to = range.max < 1e9;
+  std::string text;
+  if (from && to) text = shortest(range.min) + " to " + shortest(range.max) + ", ";
+  if (from && !to) text = "at least " + shortest(range.min) + ", ";
+  if (!from && to) text = "at most " + shortest(range.max) + ", ";
+  return text + "default " + (std::isinf(value) ? "no limit" : shortest(value));
+}
+
+template <class Enum>
+std::vector<std::string> names_in(Enum value) {
+  std::vector<std::string> names;
+  for (const auto& entry : names_of(value))
+    names.emplace_back(entry.second);
+  return names;
+}
+
+/// Makes a flag of every option that describe() visits.
+struct FlagMaker {
+  std::vector<Flag> flags;
+
+  template <class Number>
+  void operator()(std::string_view name, Number value, const char* doc, Range range) {
+    flags.push_back({flag_name(name), std::is_integral_v<Number> ? "N" : "X",
+                     std::string(doc) + " (" + range_text(value, range) + ")"});
+  }
+  template <class Enum>
+  void operator()(std::string_view name, Enum value, const char* doc) {
+    std::string standard;
+    for (const auto& entry : names_of(value)) {
+      if (entry.first == value) standard = entry.second;
+    }
+    flags.push_back(
+        {flag_name(name), "NAME",
+         std::string(doc) + " (" + list_of(names_in(value)) + ", default " + standard + ")"});
+  }
+};
+
+/// Sets every option that describe() visits and the command line names.
+struct OptionSetter {
+  const Arguments& arguments;
+
+  const std::string* text_of(const std::string& flag) const {
+    const auto found = arguments.flags.find(flag);
+    return found == arguments.flags.end() ? nullptr : &found->second;
+  }
+  void operator()(std::string_view name, double& value, const char*, Range range) const {
+    const std::string flag = flag_name(name);
+    if (const std::string* text = text_of(flag)) value = number_of(flag, *text, range);
+  }
+  void operator()(std::string_view name, int& value, const char*, Range range) const {
+    const std::string flag = flag_name(name);
+    if (const std::string* text = text_of(flag)) value = whole_number_of(flag, *text, range);
+  }
+  template <class Enum>
+  void operator()(std::string_view name, Enum& value, const char*) const {
+    const std::string* text = text_of(flag_name(name));
+    if (text == nullptr) return;
+    known_name(std::string(name), *text, names_in(value));
+    for (const auto& entry : names_of(value)) {
+      if (entry.second == *text) value = entry.first;
+    }
+  }
+};
+
+template <class Options>
+std::vector<Flag> flags_of(Options options) {
+  FlagMaker maker;
+  describe(options, maker);
+  return std::move(maker.flags);
+}
+
+struct MethodFlags {
+  std::string method;
+  std::vector<Flag> flags;
+
+  bool has(std::string_view name) const {
+    return std::any_of(flags.begin(), flags.end(), [&](const Flag& f) { return f.name == name; });
+  }
+};
+
+template <std::size_t... I>
+std::vector<MethodFlags> flags_of_methods(std::index_sequence<I...>) {
+  return {{std::string(std::variant_alternative_t<I, Method>::name),
+           flags_of(std::variant_alternative_t<I, Method>{})}...};
+}
+
+/// The flags of each method, the default method first.
+std::vector<MethodFlags> flags_of_methods() {
+  return flags_of_methods(std::make_index_sequence<std::variant_size_v<Method>>());
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const MethodFlags& method : flags_of_methods())
+    names.push_back(method.method);
+  return names;
+}
+
+void refuse_flags_of_other_methods(const std::string& chosen, const Arguments& arguments) {
+  const auto methods = flags_of_methods();
+  for (const auto& [flag, value] : arguments.flags) {
+    std::vector<std::string> owners;
+    for (const MethodFlags& method : methods) {
+      if (method.has(flag)) owners.push_back(method.method);
+    }
+    if (owners.empty() || std::find(owners.begin(), owners.end(), chosen) != owners.end()) continue;
+    throw UsageError("method " + chosen + " has no flag " + flag + "; it belongs to --method " +
+                     list_of(owners));
+  }
+}
+
+}  // namespace
+
+std::vector<FlagGroup> method_flags() {
+  const auto methods = flags_of_methods();
+  FlagGroup shared = {"How to evolve",
+                      {{"--method", "NAME",
+                        list_of(method_names()) + " (default " + methods.front().method + ")"}}};
+  for (const Flag& flag : flags_of(Stopping{}))
+    shared.flags.push_back(flag);
+
+  std::vector<FlagGroup> groups = {shared};
+  const auto in_all = [&](const Flag& flag) {
+    return std::all_of(methods.begin(), methods.end(),
+                       [&](const MethodFlags& method) { return method.has(flag.name); });
+  };
+  for (const MethodFlags& method : methods) {
+    FlagGroup own = {"With --method " + method.method, {}};
+    for (const Flag& flag : method.flags) {
+      if (!in_all(flag)) own.flags.push_back(flag);
+      if (in_all(flag) && &method == &methods.front()) groups.front().flags.push_back(flag);
+    }
+    groups.push_back(own);
+  }
+  return groups;
+}
+
+Method method_from(const Arguments& arguments) {
+  const std::string standard(name_of(Method{}));
+  const std::string name = arguments.value_or("--method", standard);
+  Method method = method_named(known_name("method", name, method_names()));
+  refuse_flags_of_other_methods(name, arguments);
+  std::visit([&](auto& options) { describe(options, OptionSetter{arguments}); }, method);
+  return method;
+}
+
+Stopping stopping_from(const Arguments& arguments) {
+  Stopping stopping;
+  describe(stopping, OptionSetter{arguments});
+  return stopping;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include <planish/evolve/evolve.h>
+
+#include "command.h"
+
+namespace planish::cli {
+
+/// --method, the flags of Stopping and those of every method, as their describe() has them.
+std::vector<FlagGroup> method_flags();
+
+/// The method that the flags ask for.
+/// @throws UsageError for unknown names, bad values and flags of another method; Error
+///   option_out_of_range
+Method method_from(const Arguments& arguments);
+
+/// When the flags ask to stop. Throws as method_from().
+Stopping stopping_from(const Arguments& arguments);
+
+}  // namespace planish::cli

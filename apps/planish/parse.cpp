@@ -1,0 +1,175 @@
+#include "parse.h"
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+
+#include "failures.h"
+#include "nearest.h"
+
+// CLI11 takes the words apart; what is missing or unknown is told in our own words, and the help is
+// written from the same tables (help.cpp).
+
+namespace planish::cli {
+
+namespace {
+
+std::string cli11_name(const Flag& flag) {
+  return flag.letter == 0 ? flag.name : std::string("-") + flag.letter + "," + flag.name;
+}
+
+void add_flag(CLI::App& app, const Flag& flag) {
+  if (flag.value.empty()) {
+    app.add_flag(cli11_name(flag))->disable_flag_override();
+  } else {
+    app.add_option(cli11_name(flag))
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  }
+}
+
+void add_flags(CLI::App& app, const FlagGroup& group) {
+  for (const Flag& flag : group.flags)
+    add_flag(app, flag);
+}
+
+void prepare(CLI::App& app) {
+  app.set_help_flag();
+  app.allow_extras();
+  add_flags(app, global_flags());
+}
+
+void read_flags(const CLI::App& app, const FlagGroup& group, Arguments& arguments) {
+  for (const Flag& flag : group.flags) {
+    const CLI::Option* option = app.get_option(flag.name);
+    if (option->count() == 0) continue;
+    arguments.flags[flag.name] = flag.value.empty() ? "" : option->results().back();
+  }
+}
+
+std::vector<std::string> flag_names(const Command* command) {
+  std::vector<std::string> names;
+  const auto add = [&](const FlagGroup& group) {
+    for (const Flag& flag : group.flags)
+      names.push_back(flag.name);
+  };
+  add(global_flags());
+  if (command != nullptr) std::for_each(command->groups.begin(), command->groups.end(), add);
+  return names;
+}
+
+[[noreturn]] void refuse_flag(const std::string& word, const Command* command) {
+  const std::string flag = word.substr(0, word.find('='));
+  if (command != nullptr && find_flag(*command, flag) != nullptr) {
+    throw UsageError("flag " + flag + " must stand behind the verb: planish " + command->name +
+                     " " + flag + " ...");
+  }
+  std::string owners;
+  for (const Command& other : commands()) {
+    if (find_flag(other, flag) == nullptr) continue;
+    owners += (owners.empty() ? "" : " and ") + other.name;
+  }
+  if (!owners.empty()) {
+    throw UsageError("flag " + flag + " belongs to " + owners +
+                     (command == nullptr ? "" : ", not " + command->name));
+  }
+  throw UsageError("unknown flag " + flag + nearest_hint(flag, flag_names(command)));
+}
+
+[[noreturn]] void refuse_verb(const std::string& word) {
+  std::vector<std::string> known = {"--help", "--version"};
+  for (const Command& command : commands())
+    known.push_back(command.name);
+  const bool is_path = word.find_first_of("./") != std::string::npos;
+  throw UsageError(
+      "unknown verb " + word +
+      (is_path ? "; did you mean planish flatten " + word + "?" : nearest_hint(word, known)));
+}
+
+/// CLI11 throws for two faults only: a flag at the end that lacks its value, and a value for a
+/// flag that takes none.
+[[noreturn]] void refuse_value(std::span<const std::string> args) {
+  for (const std::string& word : args) {
+    const std::string name = word.substr(0, word.find('='));
+    const bool valueless =
+        std::any_of(global_flags().flags.begin(), global_flags().flags.end(),
+                    [&](const Flag& flag) { return flag.name == name && flag.value.empty(); });
+    if (valueless && name != word) throw UsageError("flag " + name + " takes no value");
+  }
+  const std::string& last = args.back();
+  throw UsageError("flag " + last.substr(0, last.find('=')) + " needs a value");
+}
+
+void refuse_leftovers(const std::vector<std::string>& words, const Command* command) {
+  for (const std::string& word : words) {
+    if (word == "--") continue;
+    if (word.size() > 1 && word.front() == '-') refuse_flag(word, command);
+    if (command == nullptr) refuse_verb(word);
+    throw UsageError("unexpected argument " + word);
+  }
+}
+
+void check_complete(const Command& command, const Arguments& arguments) {
+  const auto& given = arguments.operands;
+  if (arguments.has("--list")) return;  // `sample --list` needs nothing else
+  const std::string usage = ": planish " + command.name + " " + command.usage;
+  if (given.size() < command.operands.size()) {
+    throw UsageError("missing " + command.operands[given.size()] + usage);
+  }
+  for (const FlagGroup& group : command.groups) {
+    for (const Flag& flag : group.flags) {
+      if (flag.required && !arguments.has(flag.name)) {
+        throw UsageError("missing flag -" + std::string(1, flag.letter) + usage);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+bool asks_for(std::span<const std::string> args, std::string_view flag) {
+  const auto end = std::find(args.begin(), args.end(), "--");
+  return std::find(args.begin(), end, flag) != end;
+}
+
+Parsed parse(std::span<const std::string> args) {
+  CLI::App app;
+  prepare(app);
+  app.require_subcommand(0, 1);
+  for (const Command& command : commands()) {
+    CLI::App& verb = *app.add_subcommand(command.name);
+    prepare(verb);
+    for (const FlagGroup& group : command.groups)
+      add_flags(verb, group);
+    for (const std::string& operand : command.operands)
+      verb.add_option(operand)->expected(1);
+  }
+  try {
+    app.parse(std::vector<std::string>(args.rbegin(), args.rend()));  // CLI11 wants them reversed
+  } catch (const CLI::ParseError&) {
+    refuse_value(args);
+  }
+
+  Parsed parsed;
+  read_flags(app, global_flags(), parsed.arguments);
+  const auto verbs = app.get_subcommands();
+  if (!verbs.empty()) {
+    const CLI::App& verb = *verbs.front();
+    parsed.command = &*std::find_if(commands().begin(), commands().end(),
+                                    [&](const Command& c) { return c.name == verb.get_name(); });
+    read_flags(verb, global_flags(), parsed.arguments);
+    for (const FlagGroup& group : parsed.command->groups) {
+      read_flags(verb, group, parsed.arguments);
+    }
+    for (const std::string& operand : parsed.command->operands) {
+      const auto given = verb.get_option(operand)->results();
+      parsed.arguments.operands.insert(parsed.arguments.operands.end(), given.begin(), given.end());
+    }
+  }
+  if (parsed.arguments.has("--help") || parsed.arguments.has("--version")) return parsed;
+  refuse_leftovers(app.remaining(true), parsed.command);
+  if (parsed.command != nullptr) check_complete(*parsed.command, parsed.arguments);
+  return parsed;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "command.h"
+
+namespace planish::cli {
+
+/// A command line taken apart, not yet looked into.
+struct Parsed {
+  const Command* command = nullptr;  ///< nullptr where no verb was given
+  Arguments arguments;               ///< global flags among them
+};
+
+/// Takes a command line apart. Asking for help or the version wins over every other fault.
+/// @throws UsageError for unknown verbs and flags, naming the nearest, for flags without their
+///   value and for a wrong number of operands
+Parsed parse(std::span<const std::string> args);
+
+/// True where the command line asks for the flag, whatever else is wrong with it.
+bool asks_for(std::span<const std::string> args, std::string_view flag);
+
+}  // namespace planish::cli

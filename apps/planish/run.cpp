@@ -1,0 +1,94 @@
+#include "run.h"
+
+#include <new>
+
+#include <planish/core/version.h>
+#include <planish/report/json_report.h>
+
+#include "command.h"
+#include "failures.h"
+#include "help.h"
+#include "json_text.h"
+#include "parse.h"
+#include "session.h"
+
+namespace planish::cli {
+
+namespace {
+
+Outcome usage_failure(const std::string& message, const std::string& json) {
+  return {{}, json, k_exit_usage, message};
+}
+
+/// Does what the command line asks for; failures come out as exceptions.
+Outcome obey(std::span<const std::string> args, std::ostream& err, const RunContext& context) {
+  const Parsed parsed = parse(args);
+  if (parsed.arguments.has("--help")) {
+    return {parsed.command == nullptr ? program_help() : verb_help(*parsed.command), {}};
+  }
+  if (parsed.arguments.has("--version")) {
+    return {"planish " + std::string(k_version) + "\n", json_version(k_version)};
+  }
+  if (parsed.command == nullptr) throw UsageError("no verb given");
+  Session session(parsed.arguments, err, context);
+  return parsed.command->run(parsed.arguments, session);
+}
+
+/// The outcome of a failed run. To be called while its exception is being handled.
+Outcome outcome_of_failure() {
+  try {
+    throw;
+  } catch (const UsageError& error) {
+    return usage_failure(error.what(), json_failure("usage", error.what()));
+  } catch (const Interrupted&) {
+    const std::string message = "interrupted; nothing was written";
+    return {{}, json_failure("interrupted", message), k_exit_interrupted, message};
+  } catch (const Error& error) {
+    // Both concern the command line alone: what files and meshes hold has codes of its own.
+    const bool of_usage =
+        error.code() == ErrorCode::option_out_of_range || error.code() == ErrorCode::unknown_name;
+    if (of_usage) return usage_failure(error.what(), json_report(error));
+    return {{}, json_report(error), k_exit_failed, error.what()};
+  } catch (const std::bad_alloc&) {
+    const std::string message = "out of memory";
+    return {{}, json_failure("out_of_memory", message), k_exit_failed, message};
+  } catch (const std::exception& error) {
+    const std::string message =
+        "internal error: " + std::string(error.what()) + "; please report this";
+    return {{}, json_failure("internal_error", message), k_exit_failed, message};
+  }
+}
+
+void print(const Outcome& outcome, bool as_json, std::ostream& out, std::ostream& err) {
+  if (!outcome.complaint.empty()) err << "error: " << outcome.complaint << "\n";
+  if (outcome.exit_code == k_exit_usage)
+    err << "planish --help and planish VERB --help tell more\n";
+  const std::string& text = as_json && !outcome.json.empty() ? outcome.json : outcome.text;
+  out << text;
+  if (!text.empty() && text.back() != '\n') out << '\n';
+  out.flush();
+}
+
+}  // namespace
+
+int run(std::span<const std::string> args, std::ostream& out, std::ostream& err,
+        const RunContext& context) {
+  if (args.empty()) {
+    err << short_help();
+    return k_exit_usage;
+  }
+  Outcome outcome;
+  try {
+    outcome = obey(args, err, context);
+  } catch (...) {
+    outcome = outcome_of_failure();
+  }
+  print(outcome, asks_for(args, "--json"), out, err);
+  if (!out && outcome.exit_code == k_exit_done) {
+    err << "error: cannot write to standard output\n";
+    return k_exit_failed;
+  }
+  return outcome.exit_code;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,195 @@
+#include "summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "text.h"
+#include "values.h"
+
+namespace planish::cli {
+
+namespace {
+
+// Lengths in mm beyond which the unit is probably not the one meant.
+constexpr double k_small_pattern = 10.0;
+constexpr double k_large_pattern = 50'000.0;
+
+constexpr double k_degrees = 57.295779513082320877;
+
+/// Name, unit and figures of one line.
+struct Row {
+  std::string name, unit;
+  double before = 0.0, after = 0.0;
+  std::string meaning = {};
+};
+
+std::vector<Row> figure_rows(const Flattenability& before, const Flattenability& after) {
+  return {{"e_max", "rad", before.e_max, after.e_max, "largest angle defect"},
+          {"e_avg", "rad", before.e_avg, after.e_avg, "mean size of the angle defects"},
+          {"energy", "rad^2", before.energy, after.energy, "sum of the squared defects"},
+          {"sum_abs_defect", "rad", before.sum_abs_defect, after.sum_abs_defect,
+           "the same at every mesh density"},
+          {"smallest angle", "deg", k_degrees * before.min_angle, k_degrees * after.min_angle},
+          {"roughness", "deg", before.roughness, after.roughness, "rms dihedral angle"}};
+}
+
+std::vector<Row> strain_rows(const EdgeStrain& before, const EdgeStrain& after) {
+  return {{"strain, rms", "%", 100.0 * before.rms, 100.0 * after.rms},
+          {"strain, 99 % of edges", "%", 100.0 * before.p99, 100.0 * after.p99},
+          {"strain, largest", "%", 100.0 * before.max, 100.0 * after.max}};
+}
+
+std::string change_text(double before, double after) {
+  if (before == after) return "same";
+  if (before == 0.0) return "";
+  const double change = 100.0 * (after / before - 1.0);
+  if (!std::isfinite(change) || std::abs(change) >= 99999.5) return "";
+  if (std::abs(change) < 0.05) return "0.0 %";
+  return (change < 0.0 ? "" : "+") + fixed(change, 1) + " %";
+}
+
+std::string comparison(const std::vector<Row>& rows) {
+  std::string text;
+  for (const Row& row : rows) {
+    text += "  " + left(row.name, 24) + left(row.unit, 7) + right(digits(row.before), 11) +
+            right(digits(row.after), 13) + right(change_text(row.before, row.after), 13) + "\n";
+  }
+  return text;
+}
+
+std::string comparison_head() {
+  return left("", 33) + right("before", 11) + right("after", 13) + right("change", 13) + "\n";
+}
+
+std::string count_line(const std::string& name, long long count) {
+  return "  " + left(name, 24) + right(std::to_string(count), 11) + "\n";
+}
+
+std::string sizes_text(const std::string& path, const Topology& t) {
+  return path + "\n\n" + count_line("vertices", static_cast<long long>(t.vertices)) +
+         count_line("inner vertices", static_cast<long long>(t.inner_vertices)) +
+         count_line("triangles", static_cast<long long>(t.triangles)) +
+         count_line("components", static_cast<long long>(t.components)) +
+         count_line("border loops", static_cast<long long>(t.border_loops)) +
+         count_line("Euler characteristic", t.euler_characteristic);
+}
+
+std::string problems_text(const Inspection& inspection) {
+  if (inspection.problems.empty()) return {};
+  std::string text = "\nProblems:\n";
+  for (const Problem& problem : inspection.problems) {
+    text += "  " + std::string(to_string(problem.code)) + " (" + std::to_string(problem.count) +
+            ")\n    " + wrapped(problem.message, 4) + "\n";
+  }
+  return text;
+}
+
+std::string fitness_line(const std::string& what, const Inspection& inspection, Purpose purpose) {
+  const auto problem = blocking_problem(inspection, purpose);
+  const std::string answer = problem ? "no: " + std::string(to_string(problem->code)) : "yes";
+  return "  " + left(what, 24) + right(problem ? "" : answer, 11) +
+         (problem ? std::string(8, ' ') + answer : "") + "\n";
+}
+
+std::string deviation_lines(const Deviation& deviation, const std::string& unit) {
+  return "  deviation   rms " + digits(deviation.rms, 3) + ", largest " + digits(deviation.max, 3) +
+         " " + unit + "\n              rms is " + percent(deviation.rms_over_diagonal) +
+         " of the bounding box's diagonal\n";
+}
+
+std::string run_line(const EvolveReport& report) {
+  return std::string(name_of(report.method)) + ": " +
+         counted(report.result.history.size(), "sweep") + " in " + fixed(report.result.seconds, 2) +
+         " s on " + counted(report.result.threads, "thread") + ", ended by " +
+         std::string(to_string(report.result.stop)) + "\n\n";
+}
+
+std::string pattern_lines(const UnfoldReport& report) {
+  const Pattern& pattern = report.pattern;
+  return "  pattern     " + digits(pattern.width) + " x " + digits(pattern.height) + " " +
+         std::string(to_string(report.unit)) + ", " + percent(pattern.area_ratio) +
+         " of the patch's area\n" + "              " +
+         (pattern.flipped_triangles == 0 ? "no flipped triangle"
+                                         : counted(pattern.flipped_triangles, "flipped triangle")) +
+         (pattern.overlaps ? ", overlaps itself\n" : ", no overlap\n");
+}
+
+}  // namespace
+
+std::string size_text(const TriMesh& mesh) {
+  return std::to_string(mesh.positions.size()) + " vertices, " +
+         std::to_string(mesh.triangles.size()) + " triangles";
+}
+
+std::string measure_text(const std::string& path, const MeasuredPatch& patch) {
+  std::string text = sizes_text(path, patch.inspection.topology) + "\n";
+  for (const Row& row : figure_rows(patch.figures, patch.figures)) {
+    std::string line = "  " + left(row.name, 24) + right(digits(row.before), 11) + " " +
+                       (row.meaning.empty() ? row.unit : left(row.unit, 7) + row.meaning);
+    text += line + "\n";
+  }
+  text += "\n  " + left("flattenable", 24) + right(patch.flattenable ? "yes" : "no", 11) + "\n" +
+          fitness_line("can be evolved", patch.inspection, Purpose::evolve) +
+          fitness_line("can be laid flat", patch.inspection, Purpose::unfold);
+  return text + problems_text(patch.inspection);
+}
+
+std::string refused_text(const std::string& path, const Inspection& inspection) {
+  return sizes_text(path, inspection.topology) + problems_text(inspection);
+}
+
+std::string evolve_text(const EvolveReport& report) {
+  return run_line(report) + comparison_head() +
+         comparison(figure_rows(report.before.figures, report.after.figures)) + "\n" +
+         deviation_lines(report.deviation, "model units");
+}
+
+std::string unfold_text(const UnfoldReport& report) {
+  return pattern_lines(report) + "  strain      rms " + percent(report.strain.rms) +
+         ", 99 % of edges within " + percent(report.strain.p99) + ", largest " +
+         percent(report.strain.max) + "\n";
+}
+
+std::string flatten_text(const FlattenReport& report) {
+  return run_line(report.evolve) + comparison_head() +
+         comparison(figure_rows(report.evolve.before.figures, report.evolve.after.figures)) +
+         comparison(strain_rows(report.unfold_before.strain, report.unfold.strain)) + "\n" +
+         deviation_lines(report.evolve.deviation, std::string(to_string(report.unfold.unit))) +
+         pattern_lines(report.unfold);
+}
+
+Outcome with_target_checked(Outcome outcome, const Arguments& arguments,
+                            const EvolveReport& report) {
+  const bool met = report.result.stop == StopReason::reached_target;
+  if (met || !arguments.has("--require-target")) return outcome;
+  outcome.exit_code = k_exit_target_missed;
+  outcome.complaint = "target not met: e_max is " + digits(report.after.figures.e_max) + " after " +
+                      counted(report.result.history.size(), "sweep") + " (" +
+                      std::string(to_string(report.result.stop)) + "), the target is " +
+                      shortest(report.stopping.target_e_max);
+  return outcome;
+}
+
+void warn_of_pattern(Session& session, const UnfoldReport& report) {
+  const Pattern& pattern = report.pattern;
+  if (pattern.overlaps) {
+    session.warn("the pattern overlaps itself: cut the patch open before cutting cloth");
+  }
+  if (pattern.flipped_triangles > 0) {
+    session.warn(counted(pattern.flipped_triangles, "triangle") + " of the pattern lie face down");
+  }
+  if (!pattern.converged) {
+    session.warn(
+        "laying flat ended before it converged: the pattern may be stretched more than need be");
+  }
+  const double longest = std::max(pattern.width, pattern.height);
+  const double millimetres = longest * millimetres_per(report.unit);
+  if (millimetres < k_small_pattern || millimetres > k_large_pattern) {
+    session.note("the pattern is " + digits(longest, 3) + " " +
+                 std::string(to_string(report.unit)) +
+                 " long; if the mesh is in another unit, tell it with --unit");
+  }
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include <planish/report/flatten.h>
+
+#include "command.h"
+#include "session.h"
+
+namespace planish::cli {
+
+/// "4242 vertices, 8196 triangles"
+std::string size_text(const TriMesh& mesh);
+
+/// The results of the verbs as people read them, at most 80 columns wide.
+std::string measure_text(const std::string& path, const MeasuredPatch& patch);
+/// Of a mesh that cannot be measured: sizes and what is wrong.
+std::string refused_text(const std::string& path, const Inspection& inspection);
+std::string evolve_text(const EvolveReport& report);
+std::string unfold_text(const UnfoldReport& report);
+std::string flatten_text(const FlattenReport& report);
+
+/// Ends with exit code 3 where the target was asked for and not met.
+/// @param outcome of a verb that evolved
+Outcome with_target_checked(Outcome outcome, const Arguments& arguments,
+                            const EvolveReport& report);
+
+/// Warns of what makes a pattern unfit for cutting.
+void warn_of_pattern(Session& session, const UnfoldReport& report);
+
+}  // namespace planish::cli

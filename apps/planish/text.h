@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace planish::cli {
+
+inline constexpr std::size_t k_text_width = 80;
+
+/// Breaks a text into lines of at most k_text_width; all but the first are indented.
+/// @param indent also the width that stands before the first line
+std::string wrapped(std::string_view text, std::size_t indent);
+
+/// A number with so many significant digits, as in "0.06350" and "1.776e-15".
+std::string digits(double value, int significant = 4);
+/// A number with so many digits behind the point.
+std::string fixed(double value, int decimals);
+/// A share in per cent, as in "7.60 %".
+std::string percent(double share);
+
+/// Text padded to a width.
+std::string left(std::string text, std::size_t width);
+std::string right(const std::string& text, std::size_t width);
+
+/// "1 sweep", "2 sweeps"
+std::string counted(std::size_t count, const std::string& noun);
+
+}  // namespace planish::cli

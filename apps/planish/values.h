@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <planish/core/fields.h>
+
+namespace planish::cli {
+
+/// The shortest digits that read back to the same number: "0.5".
+std::string shortest(double value);
+
+/// The number that the value of a flag says.
+/// @throws UsageError where it is no number, Error option_out_of_range
+double number_of(const std::string& flag, const std::string& text, Range range);
+/// The same for whole numbers.
+int whole_number_of(const std::string& flag, const std::string& text, Range range);
+
+/// Passes on a text that is one of the known names.
+/// @throws UsageError that says which names there are and which is nearest
+const std::string& known_name(const std::string& what, const std::string& text,
+                              std::span<const std::string> known);
+
+/// "a, b or c"
+std::string list_of(std::span<const std::string> names);
+
+}  // namespace planish::cli

@@ -1,0 +1,20 @@
+// Makes a patch more flattenable and writes it.
+#include <iostream>
+
+#include <planish/evolve/evolve.h>
+#include <planish/io/write_mesh.h>
+#include <planish/mesh/shapes.h>
+
+int main() {
+  planish::TriMesh patch = planish::make_shape("panel", 2000);
+
+  const planish::EvolveResult result =
+      planish::evolve(patch, planish::ControllableLaplacian{.lambda_max = 0.9}, {.max_sweeps = 20});
+
+  for (const planish::SweepRecord& sweep : result.history) {
+    std::cout << "sweep " << sweep.sweep << ": e_max " << sweep.e_max << ", energy " << sweep.energy
+              << "\n";
+  }
+  patch.positions = result.positions;
+  planish::write_mesh("evolved_panel.ply", patch);
+}

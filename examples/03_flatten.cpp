@@ -1,0 +1,27 @@
+// The whole job in C++: measure, evolve, lay flat, write the pattern at true size and the report.
+#include <array>
+#include <iostream>
+
+#include <planish/draw/write_svg.h>
+#include <planish/io/write_file.h>
+#include <planish/mesh/shapes.h>
+#include <planish/report/html_report.h>
+#include <planish/report/pattern_sheet.h>
+
+int main() {
+  planish::FlattenOptions options;
+  options.stopping.max_sweeps = 50;
+  options.unit = planish::Unit::mm;
+  const auto report = planish::flatten(planish::make_shape("panel", 1000), "panel", options);
+  if (!report) return 1;  // only where a callback cancels
+
+  const planish::EdgeStrain& before = report->unfold_before.strain;
+  const planish::EdgeStrain& after = report->unfold.strain;
+  std::cout << "rms strain of the pattern " << 100 * before.rms << " % -> " << 100 * after.rms
+            << " %\nlargest move " << report->evolve.deviation.max << " mm\n";
+
+  const planish::Drawing sheet = pattern_sheet(report->processed, report->unfold, report->name);
+  planish::write_files(
+      std::array{planish::OutputFile{"panel.svg", write_svg(sheet)},
+                 planish::OutputFile{"panel.html", planish::html_report(*report)}});
+}

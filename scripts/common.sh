@@ -1,0 +1,85 @@
+# Shared by scripts/run, scripts/test and .ci/run: which packages are needed, installing, building.
+# All that is said here goes to standard error; standard output belongs to the job.
+
+# Debian package, and how to tell on other systems that what it holds is there.
+build_packages="
+g++                 command g++
+cmake               command cmake
+ninja-build         command ninja
+libcli11-dev        header CLI/CLI.hpp
+libeigen3-dev       header eigen3/Eigen/Core
+libfast-float-dev   header fast_float/fast_float.h
+libpng-dev          header png.h
+nlohmann-json3-dev  header nlohmann/json.hpp
+"
+test_packages="
+clang-format-14     command clang-format-14
+libgmock-dev        header gmock/gmock.h
+libgtest-dev        header gtest/gtest.h
+librapidcheck-dev   header rapidcheck.h
+python3             command python3
+"
+check_packages="
+clang-14            command clang++-14
+clang-tidy-14       command clang-tidy-14
+"
+
+repo=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+
+say() { echo "planish: $*" >&2; }
+
+is_there() { # package, kind of probe, thing to probe for
+  if command -v dpkg-query >/dev/null; then
+    [[ $(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
+  elif [[ $2 == command ]]; then
+    command -v "$3" >/dev/null
+  else
+    echo "#include <$3>" | g++ -E -x c++ - >/dev/null 2>&1
+  fi
+}
+
+install_packages() { # tables as above
+  local package kind thing missing=()
+  while read -r package kind thing; do
+    [[ -z $package ]] || is_there "$package" "$kind" "$thing" || missing+=("$package")
+  done <<<"$*"
+  [[ ${#missing[@]} -gt 0 ]] || return 0
+
+  if ! command -v apt-get >/dev/null; then
+    say "missing on this system: ${missing[*]} (names as in Debian 12)."
+    say "There is no apt-get to install them with: install them by hand and try again."
+    exit 1
+  fi
+  local as_root=()
+  if [[ $(id -u) != 0 ]]; then
+    if ! command -v sudo >/dev/null; then
+      say "missing: ${missing[*]}. Neither root nor sudo is at hand to install them."
+      exit 1
+    fi
+    as_root=(sudo)
+  fi
+  say "installing ${missing[*]} (log: build/install.log)"
+  local log=$repo/build/install.log
+  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -y)
+  mkdir -p "$repo/build"
+  # The package lists of a bare machine are empty or old: then the first try fails.
+  "${apt[@]}" install --no-install-recommends "${missing[@]}" >"$log" 2>&1 && return 0
+  { "${apt[@]}" update && "${apt[@]}" install --no-install-recommends "${missing[@]}"; } \
+    >"$log" 2>&1 || { cat "$log" >&2 && say "could not install ${missing[*]}" && exit 1; }
+}
+
+# Builds a preset, without a word where nothing is to be done and with the whole log where it fails.
+build_preset() { # preset, targets (default: all)
+  local preset=$1 && shift
+  local folder=$repo/build/$preset log=$repo/build/$preset.log
+  mkdir -p "$repo/build"
+  if [[ ! -f $folder/build.ninja ]]; then
+    (cd "$repo" && cmake --preset "$preset") >"$log" 2>&1 || { cat "$log" >&2 && exit 1; }
+  fi
+  local dry
+  dry=$(ninja -C "$folder" -n "$@" 2>/dev/null || true)
+  [[ $dry == *"no work to do"* ]] && return 0
+  say "building $preset (log: build/$preset.log)"
+  cmake --build "$folder" -j "$(nproc)" ${*:+--target "$@"} >"$log" 2>&1 ||
+    { cat "$log" >&2 && say "the build failed" && exit 1; }
+}

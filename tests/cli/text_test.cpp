@@ -1,0 +1,48 @@
+#include "text.h"
+
+#include <gtest/gtest.h>
+
+namespace planish::cli {
+namespace {
+
+TEST(Wrapped, BreaksBetweenWordsWithinTheWidth) {
+  std::string words;
+  for (int i = 0; i < 40; ++i)
+    words += "word" + std::to_string(i) + " ";
+  const std::string text = std::string(10, ' ') + wrapped(words, 10);
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    EXPECT_LE(end - begin, k_text_width);
+    EXPECT_EQ(text.substr(begin, 11).find_first_not_of(' '), 10U);
+    begin = end + 1;
+  }
+}
+
+TEST(Wrapped, KeepsAWordThatIsTooLongWhole) {
+  EXPECT_EQ(wrapped("a " + std::string(100, 'b'), 2), "a\n  " + std::string(100, 'b'));
+  EXPECT_EQ(wrapped("", 2), "");
+}
+
+TEST(Digits, KeepsFourThatSignify) {
+  EXPECT_EQ(digits(0.0635), "0.06350");
+  EXPECT_EQ(digits(11.8249), "11.82");
+  EXPECT_EQ(digits(1234.4), "1234");
+  EXPECT_EQ(digits(0.0), "0.000");
+  EXPECT_EQ(digits(1.7764e-15), "1.776e-15");
+}
+
+TEST(Percent, NeverRoundsSomethingToNothing) {
+  EXPECT_EQ(percent(0.0), "0.00 %");
+  EXPECT_EQ(percent(0.076), "7.60 %");
+  EXPECT_EQ(percent(0.301), "30.1 %");
+  EXPECT_EQ(percent(3.1e-8), "3.1e-06 %");
+}
+
+TEST(Counted, PutsTheNounInItsNumber) {
+  EXPECT_EQ(counted(1, "sweep"), "1 sweep");
+  EXPECT_EQ(counted(0, "sweep"), "0 sweeps");
+}
+
+}  // namespace
+}  // namespace planish::cli

@@ -1,0 +1,150 @@
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+
+#include "cli_run.h"
+#include "command.h"
+
+namespace planish::cli {
+namespace {
+
+using testing::HasSubstr;
+
+struct Mistake {
+  Names args;
+  std::string message;
+};
+
+/// Names the test after what was typed.
+void PrintTo(const Mistake& mistake, std::ostream* out) {
+  for (const std::string& arg : mistake.args)
+    *out << (&arg == &mistake.args.front() ? "" : " ") << arg;
+}
+
+class Mistakes : public testing::TestWithParam<Mistake> {};
+
+TEST_P(Mistakes, EndWithTwoAndAMessageOnStandardErrorOnly) {
+  const CliResult result = planish(GetParam().args);
+  EXPECT_EQ(result.exit_code, k_exit_usage);
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, HasSubstr(GetParam().message));
+}
+
+TEST_P(Mistakes, AreOneJsonObjectWithJson) {
+  Names args = GetParam().args;
+  args.insert(args.begin(), "--json");
+  const CliResult result = planish(args);
+  EXPECT_EQ(result.exit_code, k_exit_usage);
+  EXPECT_THAT(result.json()["error"]["message"].get<std::string>(), HasSubstr(GetParam().message));
+  EXPECT_THAT(result.err, HasSubstr(GetParam().message));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Flags, Mistakes,
+    testing::Values(Mistake{{"evolve", "a.obj", "-o", "b.obj", "--sweps", "3"},
+                            "unknown flag --sweps; did you mean --sweeps?"},
+                    Mistake{{"evolve", "a.obj", "-o", "b.obj", "--sweps=3"},
+                            "unknown flag --sweps; did you mean --sweeps?"},
+                    Mistake{{"--jsn", "measure", "a.obj"},
+                            "unknown flag --jsn; did you mean --json?"},
+                    Mistake{{"measure", "a.obj", "--foo"}, "unknown flag --foo; the nearest is --"},
+                    Mistake{{"measure", "a.obj", "-x"}, "unknown flag -x; the nearest is --"},
+                    Mistake{{"measure", "a.obj", "--sweeps", "3"},
+                            "flag --sweeps belongs to flatten and evolve, not measure"},
+                    Mistake{{"--sweeps", "3", "evolve", "a.obj"},
+                            "must stand behind the verb: planish evolve --sweeps"},
+                    Mistake{{"--sweeps", "3"}, "flag --sweeps belongs to flatten and evolve"},
+                    Mistake{{"evolve", "a.obj", "-o"}, "flag -o needs a value"},
+                    Mistake{{"measure", "a.obj", "--threads"}, "flag --threads needs a value"},
+                    Mistake{{"measure", "a.obj", "--quiet=yes"}, "flag --quiet takes no value"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Operands, Mistakes,
+    testing::Values(Mistake{{"--quiet"}, "no verb given"},
+                    Mistake{{"mesure", "a.obj"}, "unknown verb mesure; did you mean measure?"},
+                    Mistake{{"help"}, "unknown verb help; did you mean --help?"},
+                    Mistake{{"a.obj"}, "did you mean planish flatten a.obj?"},
+                    Mistake{{"measure"}, "missing INPUT: planish measure INPUT"},
+                    Mistake{{"convert", "a.obj"}, "missing OUTPUT"},
+                    Mistake{{"measure", "a.obj", "b.obj"}, "unexpected argument b.obj"},
+                    Mistake{{"evolve", "a.obj"}, "missing flag -o"},
+                    Mistake{{"sample", "panel"}, "missing flag -o"},
+                    Mistake{{"evolve", "a.obj", "-o", "b.obj", "--history", "./b.obj"},
+                            "two outputs have the same path"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Values, Mistakes,
+    testing::Values(
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--sweeps", "many"},
+                "--sweeps is \"many\" but must be a whole number"},
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--sweeps", "2.5"}, "must be a whole number"},
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--sweeps", "99999999999"}, "smaller number"},
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--sweeps", "-1"}, "--sweeps is -1"},
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--lambda-max", "11"}, "must be from 0 to 10"},
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--lambda-max", "0,5"}, "must be a number"},
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--lambda-max", "nan"}, "--lambda-max is nan"},
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--lambda-max", ""}, "must be a number"},
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--lambda", "0.5"},
+                "method controllable has no flag --lambda; it belongs to --method classical"},
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--method", "clasical"},
+                "unknown method clasical; did you mean classical?"},
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--method", "classical", "--order", "random"},
+                "unknown order random"},
+        Mistake{{"flatten", "a.obj", "--unit", "ft"}, "unknown unit ft"},
+        Mistake{{"flatten", "a.obj", "--colors", "papre"}, "did you mean paper?"},
+        Mistake{{"measure", "a.obj", "--threads", "-2"}, "--threads is -2"},
+        Mistake{{"sample", "panl", "-o", "a.obj"}, "unknown sample panl; did you mean panel?"},
+        Mistake{{"sample", "panel", "-o", "a.obj", "--vertices", "99"}, "--vertices is 99"},
+        Mistake{{"sample", "panel", "-o", "a.obj", "--vertices", "1e5"}, "whole number"}));
+
+TEST(Usage, NoArgumentsGiveAShortHelpOnStandardError) {
+  const CliResult result = planish({});
+  EXPECT_EQ(result.exit_code, k_exit_usage);
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, HasSubstr("planish flatten panel.obj"));
+  EXPECT_THAT(result.err, HasSubstr("planish measure panel.obj"));
+}
+
+TEST(Usage, VersionIsOneLine) {
+  EXPECT_EQ(planish({"--version"}).out, "planish 0.1.0\n");
+  EXPECT_EQ(planish({"evolve", "--version"}).exit_code, k_exit_done);
+  EXPECT_EQ(planish({"--json", "--version"}).json()["version"], "0.1.0");
+}
+
+/// Compares with tests/golden/NAME; with PLANISH_UPDATE_GOLDENS set, writes it.
+void expect_golden(const std::string& name, const std::string& text) {
+  const std::filesystem::path path = std::filesystem::path(PLANISH_GOLDEN_FOLDER) / name;
+  if (std::getenv("PLANISH_UPDATE_GOLDENS") != nullptr) {
+    std::ofstream(path, std::ios::binary) << text;
+  }
+  EXPECT_EQ(text, content_of(path)) << "PLANISH_UPDATE_GOLDENS=1 writes " << path;
+}
+
+TEST(Help, IsAsWrittenDown) {
+  expect_golden("help.txt", planish({"--help"}).out);
+  for (const Command& command : commands()) {
+    const CliResult result = planish({command.name, "--help"});
+    EXPECT_EQ(result.exit_code, k_exit_done);
+    EXPECT_EQ(result.err, "");
+    expect_golden("help_" + command.name + ".txt", result.out);
+    EXPECT_EQ(planish({"--help", command.name}).out, result.out);
+  }
+}
+
+TEST(Help, FitsEightyColumns) {
+  std::vector<Names> all = {{"--help"}};
+  for (const Command& command : commands())
+    all.push_back({command.name, "--help"});
+  for (const Names& args : all) {
+    std::istringstream lines(planish(args).out);
+    for (std::string line; std::getline(lines, line);)
+      EXPECT_LE(line.size(), 80U) << line;
+  }
+}
+
+TEST(Help, WinsOverOtherFaults) {
+  EXPECT_EQ(planish({"evolve", "--help", "--nonsense"}).exit_code, k_exit_done);
+}
+
+}  // namespace
+}  // namespace planish::cli

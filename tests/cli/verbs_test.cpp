@@ -1,0 +1,194 @@
+#include <planish/io/read_mesh.h>
+#include <planish/mesh/connectivity.h>
+
+#include <gmock/gmock.h>
+
+#include "cli_run.h"
+
+namespace planish::cli {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class Verbs : public CliTest {};
+
+TEST_F(Verbs, MeasureTellsFiguresAndWritesNothing) {
+  const CliResult result = planish({"measure", "panel.obj"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_EQ(result.err, "");
+  for (const char* word : {"vertices", "e_max", "sum_abs_defect", "roughness", "flattenable"}) {
+    EXPECT_THAT(result.out, HasSubstr(word));
+  }
+  EXPECT_THAT(files(), ElementsAre("panel.obj"));
+}
+
+TEST_F(Verbs, MeasureHasTheKeysOfTheContract) {
+  const auto json = planish({"measure", "panel.obj", "--json"}).json();
+  for (const char* key : {"vertices", "triangles", "inner_vertices", "components", "boundary_loops",
+                          "euler_characteristic", "e_max", "e_avg", "energy", "sum_abs_defect",
+                          "min_angle", "roughness", "flattenable", "problems"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+}
+
+TEST_F(Verbs, EvolveKeepsTrianglesOrderAndBorder) {
+  const CliResult result = planish({"evolve", "panel.obj", "-o", "out.obj", "--sweeps", "3"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  const TriMesh before = read_mesh("panel.obj").mesh;
+  const TriMesh after = read_mesh("out.obj").mesh;
+  EXPECT_EQ(before.triangles, after.triangles);
+  ASSERT_EQ(before.positions.size(), after.positions.size());
+  const Connectivity connectivity(before);
+  std::size_t moved = 0;
+  for (Index v = 0; v < before.positions.size(); ++v) {
+    const bool same = before.positions[v] == after.positions[v];
+    EXPECT_TRUE(same || connectivity.is_inner(v)) << v;
+    moved += same ? 0 : 1;
+  }
+  EXPECT_GT(moved, 0U);
+}
+
+TEST_F(Verbs, EvolveTellsItsRunAndWritesTheHistory) {
+  const auto json = planish({"evolve", "panel.obj", "-o", "out.ply", "--sweeps", "3", "--history",
+                             "history.csv", "--json"})
+                        .json();
+  EXPECT_EQ(json["method"], "controllable");
+  EXPECT_EQ(json["sweeps"], 3);
+  EXPECT_EQ(json["history"].size(), 3U);
+  EXPECT_LT(json["after"]["energy"], json["before"]["energy"]);
+  EXPECT_THAT(files(), ElementsAre("history.csv", "out.ply", "panel.obj"));
+  const std::string csv = content_of("history.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
+}
+
+TEST_F(Verbs, EvolveTakesTheOptionsOfItsMethod) {
+  const auto classical = planish({"evolve", "panel.obj", "-o", "out.obj", "--method", "classical",
+                                  "--lambda", "0.25", "--order", "simultaneous", "--json"});
+  EXPECT_EQ(classical.exit_code, k_exit_done) << classical.err;
+  EXPECT_EQ(classical.json()["method"], "classical");
+  const auto negative = planish({"evolve", "panel.obj", "-o", "out.obj", "--lambda-min", "-1",
+                                 "--min-angle", "2", "--max-deviation=.5"});
+  EXPECT_EQ(negative.exit_code, k_exit_done) << negative.err;
+}
+
+TEST_F(Verbs, EvolveMayReplaceItsInput) {
+  const std::string before = content_of("panel.obj");
+  EXPECT_EQ(planish({"evolve", "panel.obj", "-o", "panel.obj"}).exit_code, k_exit_done);
+  EXPECT_NE(content_of("panel.obj"), before);
+  EXPECT_THAT(files(), ElementsAre("panel.obj"));
+}
+
+TEST_F(Verbs, EvolveGivesTheSameOnAnyNumberOfThreads) {
+  planish({"evolve", "panel.obj", "-o", "one.obj", "--threads", "1"});
+  planish({"--threads", "3", "evolve", "panel.obj", "-o", "three.obj"});
+  EXPECT_EQ(content_of("one.obj"), content_of("three.obj"));
+}
+
+TEST_F(Verbs, UnfoldWritesASheetOrAFlatMesh) {
+  const CliResult sheet = planish({"unfold", "panel.obj", "-o", "p.svg", "--unit", "cm", "--json"});
+  EXPECT_EQ(sheet.exit_code, k_exit_done) << sheet.err;
+  EXPECT_EQ(sheet.json()["unit"], "cm");
+  EXPECT_EQ(sheet.json()["flipped_triangles"], 0);
+  EXPECT_THAT(content_of("p.svg"), HasSubstr("<svg"));
+
+  const CliResult mesh = planish({"unfold", "panel.obj", "-o", "flat.OFF"});
+  EXPECT_EQ(mesh.exit_code, k_exit_done) << mesh.err;
+  EXPECT_THAT(mesh.out, HasSubstr("strain"));
+  const TriMesh flat = read_mesh("flat.OFF").mesh;
+  EXPECT_EQ(flat.triangles, read_mesh("panel.obj").mesh.triangles);
+  for (const Vec3& p : flat.positions)
+    EXPECT_EQ(p.z, 0.0);
+}
+
+TEST_F(Verbs, UnfoldTellsWhichFormatsAreSupported) {
+  for (const char* output : {"p.dxf", "p.pdf", "p", "p.svgz"}) {
+    const CliResult result = planish({"unfold", "panel.obj", "-o", output, "--json"});
+    EXPECT_EQ(result.exit_code, k_exit_failed);
+    EXPECT_EQ(result.json()["error"]["code"], "unsupported_format");
+    EXPECT_THAT(result.err, HasSubstr("use .svg, or .obj, .ply, .stl or .off"));
+  }
+}
+
+TEST_F(Verbs, FlattenWritesTheWholeFolder) {
+  const CliResult result = planish({"flatten", "panel.obj", "-o", "out/folder", "--json"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_THAT(files(),
+              ElementsAre("out", "out/folder", "out/folder/flat.obj", "out/folder/pattern.svg",
+                          "out/folder/processed.obj", "out/folder/report.html",
+                          "out/folder/report.json", "panel.obj"));
+  const auto json = result.json();
+  EXPECT_TRUE(json["evolve"].is_object());
+  EXPECT_TRUE(json["unfold"].is_object());
+  EXPECT_EQ(json["files"]["processed"], "out/folder/processed.obj");
+  EXPECT_EQ(json["files"]["report_html"], "out/folder/report.html");
+  EXPECT_EQ(json["files"].size(), 5U);
+  EXPECT_EQ(json, nlohmann::json::parse(content_of("out/folder/report.json")));
+}
+
+TEST_F(Verbs, FlattenNamesItsFolderAfterTheInput) {
+  const CliResult result = planish({"flatten", "panel.obj", "--history", "sweeps.csv", "--unit",
+                                    "in", "--colors", "paper", "--sweeps", "2"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("panel-pattern/pattern.svg"));
+  EXPECT_THAT(files(), Contains("panel-pattern/report.html"));
+  EXPECT_THAT(files(), Contains("sweeps.csv"));
+}
+
+TEST_F(Verbs, FlattenKeepsTheFormatButForStl) {
+  for (const char* format : {"ply", "stl"}) {
+    const std::string input = std::string("patch.") + format;
+    ASSERT_EQ(planish({"convert", "panel.obj", input}).exit_code, k_exit_done);
+    ASSERT_EQ(planish({"flatten", input, "-o", format}).exit_code, k_exit_done);
+  }
+  EXPECT_TRUE(std::filesystem::exists("ply/processed.ply"));
+  EXPECT_TRUE(std::filesystem::exists("ply/flat.ply"));
+  EXPECT_TRUE(std::filesystem::exists("stl/processed.obj"));
+}
+
+TEST_F(Verbs, ConvertKeepsPositionsAndPassesTheReadersNotesOn) {
+  const auto json = planish({"convert", "panel.obj", "a.ply", "--json"}).json();
+  EXPECT_EQ(json["output"], "a.ply");
+  EXPECT_EQ(read_mesh("a.ply").mesh.positions, read_mesh("panel.obj").mesh.positions);
+  const CliResult stl = planish({"convert", "a.ply", "a.stl"});
+  EXPECT_THAT(stl.err, StartsWith("note: "));
+  const CliResult back = planish({"convert", "a.stl", "b.obj"});
+  EXPECT_THAT(back.err, HasSubstr("note: a.stl: "));
+  EXPECT_EQ(planish({"convert", "a.stl", "b.obj", "--quiet"}).err, "");
+}
+
+TEST_F(Verbs, SampleWritesEveryShapeThatItLists) {
+  const auto samples = planish({"sample", "--list", "--json"}).json()["samples"];
+  EXPECT_GE(samples.size(), 6U);
+  for (const auto& sample : samples) {
+    const std::string name = sample["name"];
+    const std::string output = name + ".off";
+    const CliResult result = planish({"sample", name, "--vertices", "400", "-o", output, "--json"});
+    EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+    EXPECT_EQ(result.json()["vertices"], read_mesh(output).mesh.positions.size());
+    EXPECT_THAT(planish({"sample", "--list"}).out, HasSubstr(name));
+  }
+}
+
+TEST_F(Verbs, FitEightyColumns) {
+  for (const Names& args : {Names{"measure", "panel.obj"}, Names{"evolve", "panel.obj", "-oe.obj"},
+                            Names{"unfold", "panel.obj", "-of.obj"}, Names{"flatten", "panel.obj"},
+                            Names{"sample", "--list"}}) {
+    std::istringstream lines(planish(args).out);
+    for (std::string line; std::getline(lines, line);)
+      EXPECT_LE(line.size(), 80U) << line;
+  }
+}
+
+TEST_F(Verbs, TakePathsThatLookLikeFlagsBehindTwoDashes) {
+  std::filesystem::rename("panel.obj", "-odd [1].obj");
+  EXPECT_EQ(planish({"measure", "--", "-odd [1].obj"}).exit_code, k_exit_done);
+  const CliResult result = planish({"evolve", "-o", "-out.obj", "--", "-odd [1].obj"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_THAT(files(), ElementsAre("-odd [1].obj", "-out.obj"));
+}
+
+}  // namespace
+}  // namespace planish::cli

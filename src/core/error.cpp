@@ -4,34 +4,62 @@ namespace planish {
 
 std::string_view to_string(ErrorCode code) {
   switch (code) {
-    case ErrorCode::file_not_found: return "file_not_found";
-    case ErrorCode::file_unreadable: return "file_unreadable";
-    case ErrorCode::file_unwritable: return "file_unwritable";
-    case ErrorCode::unsupported_format: return "unsupported_format";
-    case ErrorCode::malformed_file: return "malformed_file";
-    case ErrorCode::truncated_file: return "truncated_file";
-    case ErrorCode::bad_number: return "bad_number";
-    case ErrorCode::index_out_of_range: return "index_out_of_range";
-    case ErrorCode::no_triangles: return "no_triangles";
-    case ErrorCode::too_large: return "too_large";
-    case ErrorCode::non_finite_coordinate: return "non_finite_coordinate";
-    case ErrorCode::repeated_index: return "repeated_index";
-    case ErrorCode::duplicate_triangle: return "duplicate_triangle";
-    case ErrorCode::zero_length_edge: return "zero_length_edge";
-    case ErrorCode::zero_area: return "zero_area";
-    case ErrorCode::non_manifold_edge: return "non_manifold_edge";
-    case ErrorCode::non_manifold_vertex: return "non_manifold_vertex";
-    case ErrorCode::inconsistent_orientation: return "inconsistent_orientation";
-    case ErrorCode::non_orientable: return "non_orientable";
-    case ErrorCode::closed_surface: return "closed_surface";
-    case ErrorCode::several_components: return "several_components";
-    case ErrorCode::several_border_loops: return "several_border_loops";
-    case ErrorCode::handles: return "handles";
-    case ErrorCode::no_inner_vertex: return "no_inner_vertex";
-    case ErrorCode::unreferenced_vertex: return "unreferenced_vertex";
-    case ErrorCode::option_out_of_range: return "option_out_of_range";
-    case ErrorCode::unknown_name: return "unknown_name";
-    case ErrorCode::unfold_failed: return "unfold_failed";
+    case ErrorCode::file_not_found:
+      return "file_not_found";
+    case ErrorCode::file_unreadable:
+      return "file_unreadable";
+    case ErrorCode::file_unwritable:
+      return "file_unwritable";
+    case ErrorCode::unsupported_format:
+      return "unsupported_format";
+    case ErrorCode::malformed_file:
+      return "malformed_file";
+    case ErrorCode::truncated_file:
+      return "truncated_file";
+    case ErrorCode::bad_number:
+      return "bad_number";
+    case ErrorCode::index_out_of_range:
+      return "index_out_of_range";
+    case ErrorCode::no_triangles:
+      return "no_triangles";
+    case ErrorCode::too_large:
+      return "too_large";
+    case ErrorCode::non_finite_coordinate:
+      return "non_finite_coordinate";
+    case ErrorCode::repeated_index:
+      return "repeated_index";
+    case ErrorCode::duplicate_triangle:
+      return "duplicate_triangle";
+    case ErrorCode::zero_length_edge:
+      return "zero_length_edge";
+    case ErrorCode::zero_area:
+      return "zero_area";
+    case ErrorCode::non_manifold_edge:
+      return "non_manifold_edge";
+    case ErrorCode::non_manifold_vertex:
+      return "non_manifold_vertex";
+    case ErrorCode::inconsistent_orientation:
+      return "inconsistent_orientation";
+    case ErrorCode::non_orientable:
+      return "non_orientable";
+    case ErrorCode::closed_surface:
+      return "closed_surface";
+    case ErrorCode::several_components:
+      return "several_components";
+    case ErrorCode::several_border_loops:
+      return "several_border_loops";
+    case ErrorCode::handles:
+      return "handles";
+    case ErrorCode::no_inner_vertex:
+      return "no_inner_vertex";
+    case ErrorCode::unreferenced_vertex:
+      return "unreferenced_vertex";
+    case ErrorCode::option_out_of_range:
+      return "option_out_of_range";
+    case ErrorCode::unknown_name:
+      return "unknown_name";
+    case ErrorCode::unfold_failed:
+      return "unfold_failed";
   }
   return "unknown";
 }

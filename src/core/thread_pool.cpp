@@ -1,12 +1,20 @@
 #include "core/thread_pool.h"
 
 #include <algorithm>
+#include <system_error>
+#include <utility>
 
 namespace planish {
 
 ThreadPool::ThreadPool(unsigned threads) {
   if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
-  for (unsigned i = 1; i < threads; ++i) workers_.emplace_back([this] { work(); });
+  workers_.reserve(threads - 1);
+  try {
+    for (unsigned i = 1; i < threads; ++i)
+      workers_.emplace_back([this] { work(); });
+  } catch (const std::system_error&) {
+    // The system gives no more threads: those at hand do the same work.
+  }
 }
 
 ThreadPool::~ThreadPool() {
@@ -15,7 +23,8 @@ ThreadPool::~ThreadPool() {
     stopping_ = true;
   }
   wake_.notify_all();
-  for (std::thread& worker : workers_) worker.join();
+  for (std::thread& worker : workers_)
+    worker.join();
 }
 
 void ThreadPool::for_ranges(std::size_t count, std::size_t grain,
@@ -32,6 +41,7 @@ void ThreadPool::for_ranges(std::size_t count, std::size_t grain,
   run_parts(lock);
   done_.wait(lock, [this] { return busy_ == 0; });
   body_ = nullptr;
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
 void ThreadPool::run_parts(std::unique_lock<std::mutex>& lock) {
@@ -40,8 +50,16 @@ void ThreadPool::run_parts(std::unique_lock<std::mutex>& lock) {
     const std::size_t begin = next_;
     const std::size_t end = next_ = std::min(count_, begin + part_);
     lock.unlock();
-    (*body_)(begin, end);
+    std::exception_ptr failure;
+    try {
+      (*body_)(begin, end);
+    } catch (...) {
+      failure = std::current_exception();
+    }
     lock.lock();
+    if (!failure) continue;
+    if (!failure_) failure_ = failure;
+    next_ = count_;  // what has not begun is left
   }
   if (--busy_ == 0) done_.notify_one();
 }

@@ -2,6 +2,7 @@
 
 #include <condition_variable>
 #include <cstddef>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -23,7 +24,7 @@ class ThreadPool {
 
   /// Calls body(begin, end) for consecutive parts of [0, count) and returns when all are done. The
   /// caller works too; fewer than two grains of work are done by the caller alone.
-  /// @param body must not throw
+  /// What a part throws is thrown on when the parts that have begun are done; the rest is left.
   void for_ranges(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body);
 
@@ -36,6 +37,7 @@ class ThreadPool {
   std::condition_variable wake_, done_;
   const std::function<void(std::size_t, std::size_t)>* body_ = nullptr;
   std::size_t count_ = 0, part_ = 0, next_ = 0, busy_ = 0;
+  std::exception_ptr failure_;
   bool stopping_ = false;
 };
 

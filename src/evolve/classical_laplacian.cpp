@@ -1,6 +1,8 @@
 // Classical Laplacian evolution, Eq. 9-10 of Lin, Zhang, Wang, Gao 2010: v <- v + lambda L(v) with
 // weights proportional to the lengths of the edges and one lambda for all.
 
+#include <algorithm>
+
 #include <planish/evolve/method.h>
 
 #include "evolve/sweep.h"
@@ -28,7 +30,11 @@ Vec3 target_of(const PatchState& state, std::size_t v, const ClassicalLaplacian&
   const Vec3 x = state.position(v), laplacian = laplacian_at(state, v), origin = state.origin(v);
   const Interval steps = within_sphere({0.0, options.lambda}, x, laplacian, origin, radius);
   const Vec3 target = x + steps.high * laplacian;
-  return norm(target - origin) <= radius ? target : x;
+  // Nor onto a neighbour: an edge of length zero has no angles.
+  const auto ring = state.ring(v);
+  const bool joins =
+      std::any_of(ring.begin(), ring.end(), [&](Index j) { return state.position(j) == target; });
+  return norm(target - origin) <= radius && !joins ? target : x;
 }
 
 std::size_t move_to(PatchState& state, std::size_t v, Vec3 target) {

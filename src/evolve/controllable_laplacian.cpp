@@ -42,6 +42,7 @@ bool ControllableMover::move(std::size_t v) {
 /// the fall must be more than rounding can feign.
 bool ControllableMover::accepts(std::size_t v, Vec3 target, double enough) {
   if (target == ring_.start() || norm(target - state_.origin(v)) > radius_) return false;
+  if (!ring_.keeps_lengths(target)) return false;
   if (guarded_ && !ring_.keeps_angles(target, angle_limit_)) return false;
   const double energy = ring_.evaluate_at(target);
   return energy + ring_.rounding_error() < enough;  // false for NaN

@@ -26,14 +26,14 @@ struct Interval {
 template <class F>
 LinePoint minimise_on_line(const F& f, Interval interval) {
   constexpr int k_most_evaluations = 16;
-  constexpr double k_tolerance = 1e-3;  // of the interval: b is flat at its minimum
+  constexpr double k_tolerance = 1e-3;  // b is flat at its minimum
   LinePoint best = f(0.0);
   const bool upward = best.slope < 0.0;
   // The minimum lies between inner (tried) and outer (tried only where `outer_tried`).
   double inner = 0.0, outer = upward ? interval.high : interval.low;
   bool outer_tried = false;
   if (best.slope == 0.0 || outer == 0.0) return best;
-  const double enough = k_tolerance * (interval.high - interval.low);
+  const double enough = k_tolerance * std::min(1.0, interval.high - interval.low);
   for (int evaluations = 1; evaluations < k_most_evaluations; ++evaluations) {
     double next = best.curvature > 0.0 ? best.at - best.slope / best.curvature : outer;
     const auto [low, high] = std::minmax(inner, outer);

@@ -33,7 +33,11 @@ std::vector<std::size_t> sort_by_color(std::vector<Index>& order,
 PatchState::PatchState(const TriMesh& mesh, const Connectivity& connectivity)
     : scale_(unit_scale(mesh)), origins_(mesh.positions) {
   const auto inner = connectivity.inner_vertices();
-  vertex_of_ = spatial_order(origins_, inner);
+  std::vector<Vec3> scaled;
+  scaled.reserve(origins_.size());
+  for (const Vec3 p : origins_)
+    scaled.push_back(scale_ * p);
+  vertex_of_ = spatial_order(scaled, inner);
   color_start_ = sort_by_color(vertex_of_, distance_two_colors(connectivity, vertex_of_));
   std::vector<Index> border;
   for (const auto& loop : connectivity.border_loops()) {
@@ -44,7 +48,7 @@ PatchState::PatchState(const TriMesh& mesh, const Connectivity& connectivity)
   std::vector<Index> number_of(origins_.size(), 0);
   for (std::size_t v = 0; v < vertex_of_.size(); ++v) {
     number_of[vertex_of_[v]] = static_cast<Index>(v);
-    const Vec3 p = scale_ * origins_[vertex_of_[v]];
+    const Vec3 p = scaled[vertex_of_[v]];
     x_.push_back(p.x), y_.push_back(p.y), z_.push_back(p.z);
   }
   ring_start_.push_back(0);

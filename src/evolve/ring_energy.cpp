@@ -17,7 +17,15 @@ double angle_sum(Corner a, Corner b) {
   const double re = a.re * b.re - a.im * b.im;
   const double im = a.re * b.im + a.im * b.re;
   const double arg = std::atan2(im, re);
-  return arg < 0.0 ? arg + k_two_pi : arg;
+  // Two corners of exactly pi come out as 0.
+  const bool full_turn = arg == 0.0 && (a.re < 0.0 || b.re < 0.0);
+  return arg < 0.0 || full_turn ? arg + k_two_pi : arg;
+}
+
+/// Of the triangle between u, next and the edge that joins their ends: from the edge and the
+/// shorter of the two, as then no angle of a needle loses digits.
+double doubled_area(Vec3 u, Vec3 next, Vec3 edge) {
+  return norm(cross(dot(u, u) < dot(next, next) ? u : next, edge));
 }
 
 /// A corner on the line with its derivative: angle' = (C S' - S C') / (C^2 + S^2).
@@ -124,27 +132,33 @@ double RingEnergy::evaluate_at(Vec3 x) {
   constexpr double neighbour_error = 1e-14;
   const double own_error = 1e-15 * static_cast<double>(spokes_.size() + 4);
   double energy = 0.0, error = 0.0;
-  const auto corner = [](double re, double im) { return Corner{re, im}; };
   Vec3 u = spokes_.back().place - x;
   Vec3 next = spokes_.front().place - x;
-  Corner before = corner(dot(next, spokes_.back().edge), norm(cross(u, next)));
+  Corner before{dot(next, spokes_.back().edge), doubled_area(u, next, spokes_.back().edge)};
   AngleProduct own;
   for (std::size_t j = 0; j < spokes_.size(); ++j) {
     Spoke& spoke = spokes_[j];
     u = next;
     next = spokes_[j + 1 < spokes_.size() ? j + 1 : 0].place - x;
-    const double s = norm(cross(u, next));
-    own.add(corner(dot(u, next), s));
+    const double s = doubled_area(u, next, spoke.edge);
+    own.add({dot(u, next), s});
     if (spoke.inner) {
-      spoke.defect = spoke.rest - angle_sum(before, corner(-dot(u, spoke.edge), s));
+      spoke.defect = spoke.rest - angle_sum(before, {-dot(u, spoke.edge), s});
       energy += spoke.defect * spoke.defect;
       error += neighbour_error * (2.0 * std::abs(spoke.defect) + neighbour_error);
     }
-    before = corner(dot(next, spoke.edge), s);
+    before = {dot(next, spoke.edge), s};
   }
   own_defect_ = own.defect();
   rounding_error_ = error + own_error * (2.0 * std::abs(own_defect_) + own_error);
   return energy + own_defect_ * own_defect_;
+}
+
+bool RingEnergy::keeps_lengths(Vec3 x) const {
+  return std::none_of(spokes_.begin(), spokes_.end(), [x](const Spoke& spoke) {
+    const Vec3 u = spoke.place - x;
+    return dot(u, u) == 0.0;
+  });
 }
 
 bool RingEnergy::keeps_angles(Vec3 x, double limit) const {

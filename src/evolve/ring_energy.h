@@ -41,6 +41,8 @@ class RingEnergy {
   double evaluate_at(Vec3 x);
   /// The largest error that rounding can have made in energy() or evaluate_at().
   double rounding_error() const { return rounding_error_; }
+  /// False where x is a neighbour's place: an edge of length zero has no angles.
+  bool keeps_lengths(Vec3 x) const;
   /// False where a triangle at x has an angle below `limit` (radians) and smaller than at start().
   bool keeps_angles(Vec3 x, double limit) const;
 

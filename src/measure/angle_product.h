@@ -24,6 +24,7 @@ class AngleProduct {
  public:
   /// Adds an angle of 0 to pi.
   void add(Corner c) {
+    if (c.re == 0.0 && c.im == 0.0) return;  // at an edge of length zero there is no angle
     const double re = re_ * c.re - im_ * c.im;
     const double im = re_ * c.im + im_ * c.re;
     const bool was_lower = lower_half();

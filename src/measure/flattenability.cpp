@@ -60,7 +60,7 @@ Flattenability summarise_defects(std::span<const double> defects, std::size_t in
   CarefulSum energy, sum;
   for (const double defect : defects) {
     const double size = std::abs(defect);
-    figures.e_max = std::max(figures.e_max, size);
+    if (size > figures.e_max || std::isnan(size)) figures.e_max = size;  // a NaN stays
     sum.add(size);
     energy.add(size * size);
   }
@@ -71,8 +71,8 @@ Flattenability summarise_defects(std::span<const double> defects, std::size_t in
 }
 
 Flattenability measure(const TriMesh& mesh, const Connectivity& connectivity) {
-  Flattenability figures = summarise_defects(
-      angle_defects(mesh, connectivity), connectivity.inner_vertices().size());
+  Flattenability figures =
+      summarise_defects(angle_defects(mesh, connectivity), connectivity.inner_vertices().size());
   const double scale = unit_scale(mesh);
   figures.min_angle = smallest_angle(mesh, scale);
   figures.roughness = rms_dihedral_angle(mesh, connectivity, scale);

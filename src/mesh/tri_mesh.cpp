@@ -40,12 +40,20 @@ double bounding_box_diagonal(const TriMesh& mesh) {
 }
 
 double unit_scale(const TriMesh& mesh) {
-  const Vec3 half = half_extent(mesh);
+  if (mesh.triangles.empty()) return 1.0;
+  const Box box = bounding_box(mesh);
+  const Vec3 half = 0.5 * box.high - 0.5 * box.low;
   const double extent = std::max({half.x, half.y, half.z});
   if (extent == 0.0 || !std::isfinite(extent)) return 1.0;
-  int exponent = 0;
+  const double farthest =
+      std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.low.z), std::abs(box.high.x),
+                std::abs(box.high.y), std::abs(box.high.z)});
+  int exponent = 0, farthest_exponent = 0;
   std::frexp(extent, &exponent);  // extent = f * 2^exponent, f in [0.5, 1)
-  return std::ldexp(1.0, std::clamp(-exponent - 1, -1022, 1022));
+  std::frexp(farthest, &farthest_exponent);
+  // A small patch far out must not be scaled out of range.
+  const int largest = std::min(1022, 1022 - farthest_exponent);
+  return std::ldexp(1.0, std::clamp(-exponent - 1, -1022, largest));
 }
 
 }  // namespace planish

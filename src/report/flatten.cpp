@@ -1,5 +1,7 @@
+#include <atomic>
+#include <chrono>
 #include <future>
-#include <mutex>
+#include <system_error>
 #include <utility>
 
 #include <planish/report/flatten.h>
@@ -57,26 +59,55 @@ std::optional<UnfoldReport> unfold_patch(const TriMesh& mesh, Unit unit,
 
 namespace {
 
-/// Unfolds both meshes, at the same time where there are threads for it.
+using MaybeUnfolded = std::optional<UnfoldReport>;
+
+/// Starts a task on a thread of its own; nothing where the system has no thread to give.
+template <class Task>
+std::optional<std::future<MaybeUnfolded>> start(const Task& task) {
+  try {
+    return std::async(std::launch::async, task);
+  } catch (const std::system_error&) {
+    return std::nullopt;
+  }
+}
+
+/// Unfolds both meshes, at the same time where there are threads for it. Progress is told from the
+/// calling thread only.
 std::optional<std::pair<UnfoldReport, UnfoldReport>> unfold_both(const TriMesh& before,
                                                                  const TriMesh& after, Unit unit,
                                                                  bool at_once,
                                                                  const OnProgress& on_progress) {
-  // The number of steps is not known beforehand: each takes the bar a tenth of the way that is
-  // left.
-  std::mutex mutex;
+  std::atomic<bool> cancelled = false;
+  // The number of steps is not known: each takes the bar a tenth of the way that is left.
   double left = 1.0;
-  const OnUnfoldStep on_step = [&](int /*step*/, double /*energy*/) {
-    const std::lock_guard lock(mutex);
-    left *= 0.9;
-    return !on_progress || on_progress(FlattenStage::unfolding, 1.0 - left);
+  const auto tell = [&] {
+    if (on_progress && !on_progress(FlattenStage::unfolding, 1.0 - left)) cancelled = true;
+    return !cancelled;
   };
-  const auto policy = at_once ? std::launch::async : std::launch::deferred;
-  auto first = std::async(policy, [&] { return unfold_patch(before, unit, on_step); });
-  auto second = unfold_patch(after, unit, on_step);
-  auto first_result = first.get();
-  if (!first_result || !second) return std::nullopt;
-  return std::pair{*std::move(first_result), *std::move(second)};
+  const auto on_step = [&](int /*step*/, double /*energy*/) {
+    left *= 0.9;
+    return tell();
+  };
+  const auto unfold_before = [&] {
+    return unfold_patch(before, unit, [&](int, double) { return !cancelled; });
+  };
+  auto aside = at_once ? start(unfold_before) : std::nullopt;
+  MaybeUnfolded first, second;
+  try {
+    second = unfold_patch(after, unit, on_step);
+  } catch (...) {
+    cancelled = true;  // the other one need not go on
+    throw;
+  }
+  if (aside) {
+    while (aside->wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
+      tell();
+    first = aside->get();
+  } else if (second) {
+    first = unfold_patch(before, unit, on_step);
+  }
+  if (!first || !second) return std::nullopt;
+  return std::pair{*std::move(first), *std::move(second)};
 }
 
 }  // namespace

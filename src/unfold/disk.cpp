@@ -49,7 +49,8 @@ Disk make_disk(const TriMesh& mesh, const Connectivity& connectivity) {
     rest.length *= to_unit_area;
     rest.tip = to_unit_area * rest.tip;
   }
-  disk.scale = to_unit_box * to_unit_area;
+  disk.box_scale = to_unit_box;
+  disk.area_scale = to_unit_area;
   return disk;
 }
 

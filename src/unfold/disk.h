@@ -25,7 +25,8 @@ struct Disk {
   std::vector<RestTriangle> rest;
   std::vector<Index> border;     ///< the border loop, the disk on its left
   std::vector<Index> vertex_of;  ///< number in the mesh
-  double scale = 1.0;            ///< from model units to these
+  /// From model units to these: one after the other, as their product may be out of range.
+  double box_scale = 1.0, area_scale = 1.0;
 
   bool is_border(Index v) const { return on_border[v] != 0; }
   std::vector<unsigned char> on_border;

@@ -8,6 +8,8 @@ namespace planish {
 namespace {
 
 constexpr std::size_t k_leaf = 24;  // not worth halving
+// Vertices above come last of all: inside, each would make all its neighbours separators.
+constexpr std::size_t k_hub_valence = 64;
 
 using Coordinate = double Vec3::*;
 
@@ -68,11 +70,15 @@ class Dissection {
 
 std::vector<Index> nested_dissection(std::span<const Vec3> positions,
                                      const Connectivity& connectivity) {
-  std::vector<Index> order;
-  for (Index v = 0; v < positions.size(); ++v) {
-    if (!connectivity.ring(v).empty()) order.push_back(v);
+  std::vector<Index> order, hubs;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto v = static_cast<Index>(i);
+    const std::size_t valence = connectivity.ring(v).size();
+    if (valence > k_hub_valence) hubs.push_back(v);
+    if (valence > 0 && valence <= k_hub_valence) order.push_back(v);
   }
   Dissection(positions, connectivity).order(order);
+  order.insert(order.end(), hubs.begin(), hubs.end());
   return order;
 }
 

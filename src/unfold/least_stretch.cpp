@@ -115,6 +115,10 @@ class NewtonSystem {
     }
   }
 
+  bool solved_by(const Eigen::VectorXd& step) const {
+    const Eigen::VectorXd residual = hessian_.selfadjointView<Eigen::Lower>() * step + gradient_;
+    return residual.norm() <= 0.1 * gradient_.norm();
+  }
   const SparseMatrix& hessian() const { return hessian_; }
   const Eigen::VectorXd& gradient() const { return gradient_; }
   std::vector<Vec2> spread(const Eigen::VectorXd& unknowns) const {
@@ -203,7 +207,7 @@ class LaggedSolver {
 LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max_iterations,
                               const std::function<bool(int, double)>& on_step) {
   // A stretch of 1e-9 everywhere is none; and what a further step would gain must be worth it.
-  constexpr double no_energy = 4e-18, least_gain = 1e-6;
+  constexpr double no_energy = 4e-18, least_gain = 1e-6, least_fall = 1e-4;
   LeastStretch result{turn_to_axis(disk, std::move(start)), 0, false};
   NewtonSystem system(disk);
   LaggedSolver solver;
@@ -214,7 +218,11 @@ LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max
     const Eigen::VectorXd step = solver.solve(system.hessian(), -system.gradient());
     if (step.size() == 0) break;
     const double slope = system.gradient().dot(step);
-    if ((result.converged = -slope <= least_gain * energy)) break;
+    if (!(slope < 0.0) || -slope <= least_gain * energy) {
+      // Only a step that does solve the system tells that there is nothing left to gain.
+      result.converged = system.solved_by(step);
+      break;
+    }
     const std::vector<Vec2> move = system.spread(step);
     double share = std::min(1.0, 0.9 * step_to_first_flip(disk, result.flat, move));
     bool fell = false;
@@ -228,8 +236,10 @@ LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max
       result.flat = std::move(trial);
       energy = trial_energy;
     }
-    // No step along a descent direction lowers it: rounding is all that is left.
-    if ((result.converged = !fell)) break;
+    if (!fell) {
+      result.converged = -slope <= least_fall * energy;  // rounding is all that is left
+      break;
+    }
     if (on_step && !on_step(result.iterations + 1, energy)) break;
   }
   return result;

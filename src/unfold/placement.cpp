@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -107,43 +106,39 @@ std::vector<Vec2> place_in_smallest_box(std::vector<Vec2> points, std::span<cons
 
 bool crosses_itself(std::span<const Vec2> polygon) {
   const std::size_t n = polygon.size();
-  const auto begin_of = [&](std::size_t k) { return polygon[k]; };
-  const auto end_of = [&](std::size_t k) { return polygon[(k + 1) % n]; };
-  Box box;
-  double total = 0.0;
+  struct Side {
+    Vec2 begin, end;
+    double from, to, low, high;  // extent along and across the sweep
+    std::size_t number;
+  };
+  // Swept in a direction that straight sides of a pattern hardly ever are across.
+  constexpr Vec2 k_direction{0.7648421872844885, 0.644217687237691};
+  std::vector<Side> sides;
+  sides.reserve(n);
   for (std::size_t k = 0; k < n; ++k) {
-    box.add(polygon[k]);
-    total += norm(end_of(k) - begin_of(k));
+    const Vec2 a = polygon[k], b = polygon[(k + 1) % n];
+    const Vec2 p = turned(a, k_direction), q = turned(b, k_direction);
+    sides.push_back(
+        {a, b, std::min(p.x, q.x), std::max(p.x, q.x), std::min(p.y, q.y), std::max(p.y, q.y), k});
   }
-  // Cells as large as a side is long, but no more of them than a few per side.
-  const double area_cell = std::sqrt(box.width() * box.height() / (2.0 * static_cast<double>(n)));
-  const double cell =
-      std::max({total / static_cast<double>(n), area_cell,
-                1e-6 * std::max(box.width(), box.height()), std::numeric_limits<double>::min()});
-  const auto column = [&](double x) { return static_cast<std::uint32_t>((x - box.low.x) / cell); };
-  const auto row = [&](double y) { return static_cast<std::uint32_t>((y - box.low.y) / cell); };
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> entries;  // cell, side
-  for (std::size_t k = 0; k < n; ++k) {
-    const Vec2 a = begin_of(k), b = end_of(k);
-    for (auto i = column(std::min(a.x, b.x)); i <= column(std::max(a.x, b.x)); ++i) {
-      for (auto j = row(std::min(a.y, b.y)); j <= row(std::max(a.y, b.y)); ++j) {
-        entries.emplace_back(std::uint64_t{i} << 32 | j, static_cast<std::uint32_t>(k));
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& a, const Side& b) { return a.from < b.from; });
+  const auto neighbours = [n](std::size_t p, std::size_t q) {
+    return (p + 1) % n == q || (q + 1) % n == p;
+  };
+  std::vector<const Side*> open;  // that the sweep is passing
+  for (const Side& side : sides) {
+    open.erase(std::remove_if(open.begin(), open.end(),
+                              [&](const Side* other) { return other->to < side.from; }),
+               open.end());
+    for (const Side* other : open) {
+      if (other->high < side.low || other->low > side.high) continue;
+      if (!neighbours(side.number, other->number) &&
+          cross_properly(side.begin, side.end, other->begin, other->end)) {
+        return true;
       }
     }
-  }
-  std::sort(entries.begin(), entries.end());
-  for (std::size_t first = 0, last = 0; first < entries.size(); first = last) {
-    while (last < entries.size() && entries[last].first == entries[first].first)
-      ++last;
-    for (std::size_t i = first; i < last; ++i) {
-      for (std::size_t j = i + 1; j < last; ++j) {
-        const std::size_t p = entries[i].second, q = entries[j].second;
-        const bool neighbours = q == p + 1 || (p == 0 && q + 1 == n);
-        if (!neighbours && cross_properly(begin_of(p), end_of(p), begin_of(q), end_of(q))) {
-          return true;
-        }
-      }
-    }
+    open.push_back(&side);
   }
   return false;
 }

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <string>
 
 #include <planish/mesh/inspect.h>
 #include <planish/unfold/unfold.h>
@@ -12,6 +13,9 @@
 namespace planish {
 
 namespace {
+
+/// Above, the entries of a sparse factor can no longer be numbered with 32 bits.
+constexpr std::size_t k_most_vertices = 2'000'000;
 
 /// The conformal start where it is sound, else one that always is.
 std::vector<Vec2> find_start(const Disk& disk) {
@@ -29,6 +33,11 @@ std::vector<Vec2> find_start(const Disk& disk) {
 Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity, const UnfoldOptions& options,
                const OnUnfoldStep& on_step) {
   require(inspect(mesh), Purpose::unfold);
+  if (mesh.positions.size() > k_most_vertices) {
+    throw Error(ErrorCode::too_large, "patterns are made of patches of up to " +
+                                          std::to_string(k_most_vertices) +
+                                          " vertices; simplify the mesh");
+  }
   const Disk disk = make_disk(mesh, connectivity);
   LeastStretch flat = minimise_stretch(disk, find_start(disk), options.max_iterations, on_step);
 
@@ -48,9 +57,8 @@ Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity, const Unfo
   }
   pattern.area_ratio = area.value();  // the disk has area 1
   pattern.positions.resize(mesh.positions.size());
-  const double to_model = 1.0 / disk.scale;
   for (std::size_t v = 0; v < placed.size(); ++v) {
-    const Vec2 p = to_model * placed[v];
+    const Vec2 p = (1.0 / disk.box_scale) * ((1.0 / disk.area_scale) * placed[v]);
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
       throw Error(ErrorCode::unfold_failed, "unfolding led to numbers that are not finite");
     }

@@ -3,6 +3,7 @@
 
 #include <planish/evolve/evolve.h>
 #include <planish/measure/flattenability.h>
+#include <planish/mesh/inspect.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -85,6 +86,28 @@ RC_GTEST_PROP(EvolveProperty, NothingIsEverNotFinite, ()) {
   const auto result = evolve(mesh, ControllableLaplacian{.lambda_min = -1.0}, {.max_sweeps = 10});
   for (const Vec3 p : result.positions)
     RC_ASSERT(std::isfinite(p.x + p.y + p.z));
+}
+
+RC_GTEST_PROP(EvolveProperty, EnergyNeverRisesOnLatticesFullOfStraightAndZeroAngles, ()) {
+  // Coordinates of few values: many triangles have no area, many corners are exactly 0 or pi.
+  const auto columns = *rc::gen::inRange<std::size_t>(2, 6);
+  const auto rows = *rc::gen::inRange<std::size_t>(2, 6);
+  TriMesh mesh = meshes::flat_grid(columns, rows);
+  for (Vec3& p : mesh.positions) {
+    p.x += *rc::gen::inRange(-1, 2);
+    p.y += *rc::gen::inRange(-1, 2);
+    p.z += *rc::gen::inRange(0, 2);
+  }
+  const Inspection inspection = inspect(mesh);
+  RC_PRE(!blocking_problem(inspection, Purpose::evolve));
+  double energy = measure(mesh, Connectivity(mesh)).energy;
+  const auto result =
+      evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 15}, [&](const SweepRecord& record) {
+        RC_ASSERT(record.energy <= energy);
+        energy = record.energy;
+        return true;
+      });
+  RC_ASSERT(!blocking_problem(inspect({result.positions, mesh.triangles}), Purpose::evolve));
 }
 
 }  // namespace

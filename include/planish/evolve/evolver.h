@@ -9,7 +9,7 @@
 
 namespace planish {
 
-/// The state after one sweep.
+/// The state after one sweep: figures as in Flattenability, radians.
 struct SweepRecord {
   int sweep = 0;  ///< from 1
   double e_max = 0.0, e_avg = 0.0, energy = 0.0;
@@ -21,6 +21,7 @@ struct SweepRecord {
 /// who want to look in between.
 class Evolver {
  public:
+  /// @pre connectivity is that of mesh; neither is needed afterwards
   /// @param threads 0 for all cores; the result is the same for every number
   /// @throws Error option_out_of_range, or what stands in the way of Purpose::evolve
   Evolver(const TriMesh& mesh, const Connectivity& connectivity, const Method& method,

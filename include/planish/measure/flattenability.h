@@ -19,7 +19,8 @@ struct Flattenability {
   double roughness = 0.0;       ///< rms dihedral angle over inner edges, degrees
 };
 
-/// Measures a patch. Sums run in the order of the vertices: the same bits every time.
+/// Measures a patch; `connectivity` must be that of `mesh`. Sums run in the order of the vertices:
+/// the same bits every time.
 Flattenability measure(const TriMesh& mesh, const Connectivity& connectivity);
 
 /// The first four figures from defects that are at hand.

@@ -18,7 +18,7 @@ struct Problem {
   std::size_t first = 0;  ///< vertex or triangle number, from 0, as the message says
 };
 
-/// Sizes and topology. The last five are those of the surface without its unreferenced vertices;
+/// Sizes and topology, without unreferenced vertices from components on. inner_vertices,
 /// border_loops and genus are 0 where the mesh is not an oriented manifold.
 struct Topology {
   std::size_t vertices = 0, triangles = 0, inner_vertices = 0, edges = 0;
@@ -31,7 +31,8 @@ struct Inspection {
   std::vector<Problem> problems;  ///< what blocks measuring first; one of each code at most
 };
 
-/// Finds every defect by kind. Never throws for what the mesh holds. O((n + m) log m).
+/// Finds every defect by kind; of a mesh with coordinates or indices that cannot be used, these
+/// only. Never throws for what the mesh holds. O((n + m) log m).
 Inspection inspect(const TriMesh& mesh);
 
 /// What a mesh is wanted for; each asks for all that the one before it asks for.

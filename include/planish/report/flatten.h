@@ -63,7 +63,8 @@ struct FlattenReport {
 enum class FlattenStage { measuring, evolving, unfolding };
 std::string_view to_string(FlattenStage stage);
 
-/// Called as the work goes on with the share of the stage that is done, 0 to 1; false cancels.
+/// Called as the work goes on with the share of the stage that is done, 0 to 1, always from the
+/// thread that called; false cancels.
 using OnProgress = std::function<bool(FlattenStage, double)>;
 
 /// Evolves with all figures around it.
@@ -77,7 +78,7 @@ std::optional<UnfoldReport> unfold_patch(const TriMesh& mesh, Unit unit,
                                          const OnUnfoldStep& on_step = {});
 
 /// The main job: measure, evolve, measure, unfold; nothing when cancelled.
-/// @throws Error as unfold(), before any work is done
+/// @throws Error as evolve() and unfold(); what is not a disk is refused before any work
 std::optional<FlattenReport> flatten(TriMesh mesh, std::string name,
                                      const FlattenOptions& options = {},
                                      const OnProgress& on_progress = {});

@@ -31,7 +31,10 @@ using OnUnfoldStep = std::function<bool(int step, double energy)>;
 /// Lays a disk patch flat with the least stretch and no flipped triangle: minimises the symmetric
 /// Dirichlet energy by projected Newton steps from a conformal start (docs/unfold.md). On a patch
 /// that is flattenable, edge lengths are kept.
-/// @throws Error what stands in the way of Purpose::unfold, or unfold_failed
+/// @pre connectivity is that of mesh
+/// @throws Error what stands in the way of Purpose::unfold, too_large (above 2 million vertices),
+/// or
+///   unfold_failed
 Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity,
                const UnfoldOptions& options = {}, const OnUnfoldStep& on_step = {});
 

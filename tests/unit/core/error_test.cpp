@@ -1,8 +1,9 @@
 #include <cmath>
 
-#include <gtest/gtest.h>
 #include <planish/core/error.h>
 #include <planish/core/fields.h>
+
+#include <gtest/gtest.h>
 
 #include "core/number_text.h"
 

@@ -40,7 +40,7 @@ TEST(Controllable, TakesThePathOfThePlainImplementation) {
       plain::Patch patch(mesh);
       const auto order = visiting_order(mesh);
       for (int sweep = 0; sweep < 4; ++sweep) {
-        patch.controllable_sweep(order, {lambda_min, 1.0}, 1e-14);
+        patch.controllable_sweep(order, {lambda_min, 1.0}, 1e-17);
       }
       const TriMesh ours =
           evolved(mesh, ControllableLaplacian{.lambda_min = lambda_min, .min_angle = 0.0}, 4);

@@ -118,7 +118,7 @@ TEST(ReadStl, WeldsMinusZeroToZeroAndKeepsTheFirst) {
 
 TEST(ReadStl, DoesNotWeldCornersThatDifferInTheLastBit) {
   TriMesh soup = square();
-  soup.positions.push_back({std::nextafter(1.0F, 2.0F), 0, 0});
+  soup.positions.push_back({static_cast<double>(std::nextafter(1.0F, 2.0F)), 0, 0});
   soup.triangles = {{0, 1, 2}, {0, 4, 3}};
   EXPECT_EQ(parse(binary("", 2, soup)).mesh.positions.size(), 5U);
 }

@@ -151,5 +151,18 @@ TEST(MeasureDeviation, IsTheDistanceOfInnerVertices) {
   EXPECT_NEAR(deviation.rms_over_diagonal, deviation.rms / std::sqrt(13.0), 1e-15);
 }
 
+TEST(Measure, ShowsANaNInsteadOfHidingIt) {
+  const std::vector<double> defects{0.1, std::nan(""), 0.2};
+  EXPECT_TRUE(std::isnan(summarise_defects(defects, 3).e_max));
+}
+
+TEST(Measure, ScalesASmallPatchFarOutWithoutLosingItsPlace) {
+  TriMesh mesh = meshes::flat_grid(3, 3);
+  for (Vec3& p : mesh.positions)
+    p = {1e-100 * p.x, 1e-100 * p.y, 1e300};
+  EXPECT_TRUE(std::isfinite(unit_scale(mesh) * 1e300));
+  EXPECT_TRUE(std::isfinite(measured(mesh).energy));
+}
+
 }  // namespace
 }  // namespace planish

@@ -114,5 +114,22 @@ TEST(CrossesItself, TakesNearLinearTime) {
   EXPECT_TRUE(crosses_itself(polygon));
 }
 
+TEST(CrossesItself, TakesNearLinearTimeWhereSidesDifferInLength) {
+  // A square with a finely meshed notch: 200,000 sides in a thousandth of its width.
+  std::vector<Vec2> polygon{{0, 0}, {1, 0}, {1, 1}};
+  const int n = 200'000;
+  for (int k = 0; k < n; ++k) {
+    const double t = (k + 0.5) / n;
+    polygon.push_back({0.5 - 1e-3 * t, 1.0 - 5e-4 * std::sin(std::numbers::pi * t)});
+  }
+  polygon.push_back({0, 1});
+  EXPECT_FALSE(crosses_itself(polygon));
+}
+
+TEST(CrossesItself, DoesNotTakeASlitForACrossing) {
+  EXPECT_FALSE(
+      crosses_itself(std::vector<Vec2>{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 0.5}, {1, 1}, {0, 1}}));
+}
+
 }  // namespace
 }  // namespace planish

@@ -107,7 +107,7 @@ TEST(Unfold, HasLessStretchThanTheConformalStart) {
   std::vector<Vec2> start(mesh.positions.size());
   const auto flat = conformal_start(disk);
   for (std::size_t v = 0; v < flat.size(); ++v)
-    start[disk.vertex_of[v]] = (1.0 / disk.scale) * flat[v];
+    start[disk.vertex_of[v]] = (1.0 / (disk.box_scale * disk.area_scale)) * flat[v];
   EXPECT_LT(strain_of(mesh, unfolded(mesh)).rms, 0.9 * edge_strain(mesh, connectivity, start).rms);
 }
 
@@ -229,6 +229,32 @@ TEST(FlatMesh, HasTheSameTrianglesInThePlane) {
   for (std::size_t v = 0; v < flat.positions.size(); ++v) {
     EXPECT_EQ(flat.positions[v], (Vec3{pattern.positions[v].x, pattern.positions[v].y, 0.0}));
   }
+}
+
+TEST(Unfold, TakesAVertexOfHighValenceOnEitherSideOfTheMiddle) {
+  // Were the hub's neighbours made separators, factoring would take cubic time.
+  for (const double x : {-0.1, 0.1}) {
+    TriMesh mesh = meshes::fan(20'000, 0.1);
+    mesh.positions[0].x = x;
+    EXPECT_EQ(unfolded(mesh).flipped_triangles, 0U);
+    const auto n = static_cast<Index>(mesh.positions.size() - 1);
+    for (Index j = 1; j <= n; ++j)
+      mesh.positions.push_back(1.01 * mesh.positions[j]);
+    for (Index j = 0; j < n; ++j) {
+      const Index a = 1 + j, b = 1 + (j + 1) % n;
+      mesh.triangles.push_back({a, a + n, b + n});
+      mesh.triangles.push_back({a, b + n, b});
+    }
+    EXPECT_EQ(unfolded(mesh).flipped_triangles, 0U);
+  }
+}
+
+TEST(Unfold, KeepsItsSizeWhereTheModelIsAsSmallAsNumbersGo) {
+  TriMesh mesh = make_shape("saddle", 300);
+  const double width = unfolded(mesh).width;
+  for (Vec3& p : mesh.positions)
+    p = 1e-308 * p;
+  EXPECT_NEAR(unfolded(mesh).width / 1e-308, width, 1e-6 * width);
 }
 
 }  // namespace

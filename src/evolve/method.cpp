@@ -9,7 +9,7 @@ namespace {
 
 /// Looks for the name among the alternatives from I on.
 template <std::size_t I = 0>
-Method find_method(std::string_view name, std::string known) {
+Method find_method(std::string_view name, const std::string& known) {
   if constexpr (I == std::variant_size_v<Method>) {
     throw Error(ErrorCode::unknown_name,
                 "there is no method called \"" + std::string(name) + "\"; known are " + known);

@@ -5,6 +5,7 @@
 
 #include <planish/evolve/method.h>
 
+#include "evolve/laplacian.h"
 #include "evolve/sweep.h"
 
 namespace planish {
@@ -12,16 +13,9 @@ namespace planish {
 namespace {
 
 Vec3 laplacian_at(const PatchState& state, std::size_t v) {
-  const Vec3 x = state.position(v);
-  Vec3 sum;
-  double weights = 0.0;
-  for (const Index j : state.ring(v)) {
-    const Vec3 u = state.position(j) - x;
-    const double weight = norm(u);
-    sum += weight * u;
-    weights += weight;
-  }
-  return weights > 0.0 ? (1.0 / weights) * sum : Vec3{};
+  const auto ring = state.ring(v);
+  return edge_weighted_laplacian(state.position(v), ring.size(),
+                                 [&](std::size_t j) { return state.position(ring[j]); });
 }
 
 /// Where the vertex goes: lambda L(v) further, or as far that way as the deviation allows.

@@ -64,16 +64,9 @@ PatchState::PatchState(const TriMesh& mesh, const Connectivity& connectivity)
 
 void PatchState::refresh_defects(std::size_t begin, std::size_t end) {
   for (std::size_t v = begin; v < end; ++v) {
-    const Vec3 at = position(v);
     const auto neighbours = ring(v);
-    AngleProduct sum;
-    Vec3 previous = position(neighbours.back()) - at;
-    for (const Index j : neighbours) {
-      const Vec3 next = position(j) - at;
-      sum.add(corner_between(previous, next));
-      previous = next;
-    }
-    defects_[v] = sum.defect();
+    defects_[v] = star_defect(position(v), neighbours.size(),
+                              [&](std::size_t j) { return position(neighbours[j]); });
   }
 }
 

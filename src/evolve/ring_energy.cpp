@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "evolve/laplacian.h"
 #include "measure/angle_product.h"
 
 namespace planish {
@@ -65,15 +66,8 @@ void RingEnergy::look_at(const PatchState& state, std::size_t v) {
 }
 
 Vec3 RingEnergy::laplacian() const {
-  Vec3 sum;
-  double weights = 0.0;
-  for (const Spoke& spoke : spokes_) {
-    const Vec3 u = spoke.place - start_;
-    const double weight = norm(u);
-    sum += weight * u;
-    weights += weight;
-  }
-  return weights > 0.0 ? (1.0 / weights) * sum : Vec3{};
+  return edge_weighted_laplacian(start_, spokes_.size(),
+                                 [this](std::size_t j) { return spokes_[j].place; });
 }
 
 void RingEnergy::set_line(Vec3 direction) {

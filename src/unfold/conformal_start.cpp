@@ -99,18 +99,7 @@ std::vector<Vec2> conformal_start(const Disk& disk) {
   for (const Index v : disk.border)
     turns.push_back(std::numbers::pi - angle_sums[v] + flux[v]);
 
-  const std::vector<Vec2> polygon = closed_polygon(turns, border_lengths(disk));
-  Eigen::VectorXd x = zero, y = zero;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    x[disk.border[k]] = polygon[k].x;
-    y[disk.border[k]] = polygon[k].y;
-  }
-  x = laplacian.solve(x, zero);
-  y = laplacian.solve(y, zero);
-  std::vector<Vec2> flat;
-  for (Eigen::Index v = 0; v < n; ++v)
-    flat.push_back({x[v], y[v]});
-  return flat;
+  return laplacian.extend(disk, closed_polygon(turns, border_lengths(disk)));
 }
 
 }  // namespace planish

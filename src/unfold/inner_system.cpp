@@ -52,4 +52,19 @@ Eigen::VectorXd InnerSystem::solve(const Eigen::VectorXd& border,
   return x;
 }
 
+std::vector<Vec2> InnerSystem::extend(const Disk& disk, std::span<const Vec2> polygon) const {
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(full_.rows());
+  Eigen::VectorXd x = zero, y = zero;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    x[disk.border[k]] = polygon[k].x;
+    y[disk.border[k]] = polygon[k].y;
+  }
+  x = solve(x, zero);
+  y = solve(y, zero);
+  std::vector<Vec2> flat;
+  for (Eigen::Index v = 0; v < x.size(); ++v)
+    flat.push_back({x[v], y[v]});
+  return flat;
+}
+
 }  // namespace planish

@@ -26,6 +26,8 @@ class InnerSystem {
   /// Values x at all vertices with x = `border` on the border (other entries of it are not looked
   /// at) and (A x)_v = `source`_v inside.
   Eigen::VectorXd solve(const Eigen::VectorXd& border, const Eigen::VectorXd& source) const;
+  /// The disk in the plane with its border loop on a polygon, both coordinates harmonic inside.
+  std::vector<Vec2> extend(const Disk& disk, std::span<const Vec2> polygon) const;
   /// A x at all vertices.
   Eigen::VectorXd apply(const Eigen::VectorXd& x) const { return full_ * x; }
 

@@ -13,6 +13,10 @@ class CarefulSum {
     lost_ += std::abs(sum_) >= std::abs(x) ? (sum_ - total) + x : (x - total) + sum_;
     sum_ = total;
   }
+  void add(const CarefulSum& other) {
+    add(other.sum_);
+    lost_ += other.lost_;
+  }
   double value() const { return sum_ + lost_; }
 
  private:

@@ -5,6 +5,8 @@
 
 #include <planish/mesh/connectivity.h>
 
+#include "core/thread_pool.h"
+
 namespace planish {
 
 /// Colours for inner vertices such that two of one colour share no inner vertex in their closed
@@ -15,6 +17,6 @@ namespace planish {
 /// @param order all inner vertices
 /// @return one colour per vertex of the mesh; border and unused vertices get 0
 std::vector<Index> distance_two_colors(const Connectivity& connectivity,
-                                       std::span<const Index> order);
+                                       std::span<const Index> order, ThreadPool& pool);
 
 }  // namespace planish

@@ -2,61 +2,79 @@
 // docs/methods/controllable.md: every inner vertex takes the step along its Laplacian vector that
 // lowers its ring energy most, and a step is taken only if it lowers it.
 
+#include "evolve/controllable_laplacian.h"
+
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
-#include <planish/evolve/method.h>
-
-#include "evolve/controllable_mover.h"
 #include "evolve/sweep.h"
 
 namespace planish {
 
-ControllableMover::ControllableMover(const ControllableLaplacian& options, PatchState& state)
-    : options_(options),
-      state_(state),
-      radius_(options.max_deviation * state.scale()),
-      angle_limit_(options.min_angle * std::numbers::pi / 180.0),
-      guarded_(options.lambda_min < 0.0) {}
+namespace {
 
-bool ControllableMover::move(std::size_t v) {
-  ring_.look_at(state_, v);
-  const double error = ring_.rounding_error();
-  if (ring_.energy() <= error) return false;  // flat as far as numbers can tell
-  const Vec3 laplacian = ring_.laplacian();
-  const Interval steps = within_sphere({options_.lambda_min, options_.lambda_max}, ring_.start(),
-                                       laplacian, state_.origin(v), radius_);
-  ring_.set_line(laplacian);
-  double lambda = minimise_on_line([this](double t) { return ring_.along(t); }, steps).at;
-  // Steps of both signs can end in needles: then shorter ones are tried. Without, one try.
-  for (int tries = guarded_ ? 8 : 1; tries > 0 && lambda != 0.0; --tries, lambda *= 0.5) {
-    const Vec3 target = ring_.start() + lambda * laplacian;
-    if (!accepts(v, target, ring_.energy() - error)) continue;
-    ring_.move_to(target, state_);
-    return true;
+/// Stars that are handed to the kernel together.
+constexpr std::size_t k_batch = 128;
+
+}  // namespace
+
+ControllableMover::ControllableMover(const ControllableLaplacian& options, PatchState& state,
+                                     Isa isa)
+    : state_(state), move_stars_(move_stars_for(isa)), idle_since_(state.inner_count(), 0) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  // Steps of one sign make no needles by themselves.
+  const double limit = options.lambda_min < 0.0 ? options.min_angle * std::numbers::pi / 180.0 : -1;
+  options_ = {.lambda_min = options.lambda_min,
+              .lambda_max = options.lambda_max,
+              .max_cotangent = limit > 0.0 ? 1.0 / std::tan(limit) : inf,
+              .radius = options.max_deviation * state.scale(),
+              .origins = nullptr};
+  if (options_.radius < inf) {
+    origins_.assign(state.sites().begin(), state.sites().end());
+    options_.origins = origins_.data();
   }
-  return false;
 }
 
-/// The guarantee: what is compared is the energy at the very place that the vertex would get, and
-/// the fall must be more than rounding can feign.
-bool ControllableMover::accepts(std::size_t v, Vec3 target, double enough) {
-  if (target == ring_.start() || norm(target - state_.origin(v)) > radius_) return false;
-  if (!ring_.keeps_lengths(target)) return false;
-  if (guarded_ && !ring_.keeps_angles(target, angle_limit_)) return false;
-  const double energy = ring_.evaluate_at(target);
-  return energy + ring_.rounding_error() < enough;  // false for NaN
+std::size_t ControllableMover::move(std::size_t begin, std::size_t end) {
+  std::array<Star, k_batch> stars;
+  std::size_t moved = 0;
+  while (begin < end) {
+    const std::size_t run_end = std::min(end, state_.end_of_run(begin));
+    const std::size_t valence = state_.ring(begin).size();
+    while (begin < run_end) {
+      std::size_t count = 0;
+      for (; begin < run_end && count < k_batch; ++begin) {
+        const std::uint32_t idle = idle_since_[begin];
+        if (idle != 0 && !state_.ring_changed_since(idle, begin)) continue;
+        stars[count++] = {state_.ring(begin).data(), static_cast<Index>(begin)};
+      }
+      moved += move_batch({stars.data(), count}, valence);
+    }
+  }
+  return moved;
+}
+
+std::size_t ControllableMover::move_batch(std::span<const Star> stars, std::size_t valence) {
+  std::array<unsigned char, k_batch> moved;
+  move_stars_(options_, state_.sites().data(), state_.inner_count(), stars.data(), stars.size(),
+              valence, moved.data());
+  std::size_t total = 0;
+  for (std::size_t i = 0; i < stars.size(); ++i) {
+    idle_since_[stars[i].center] = moved[i] != 0 ? 0 : state_.now();
+    if (moved[i] == 0) continue;
+    state_.note_move(stars[i].center);
+    ++total;
+  }
+  return total;
 }
 
 Sweep make_sweep(const ControllableLaplacian& options, PatchState& state, ThreadPool& pool) {
-  return [options, &state, &pool] {
-    return sweep_by_color(state, pool, [&](std::size_t begin, std::size_t end) {
-      ControllableMover mover(options, state);
-      std::size_t moved = 0;
-      for (std::size_t v = begin; v < end; ++v)
-        moved += mover.move(v) ? 1 : 0;
-      return moved;
-    });
+  return [mover = ControllableMover(options, state), &state, &pool]() mutable {
+    return sweep_by_color(
+        state, pool, [&](std::size_t begin, std::size_t end) { return mover.move(begin, end); });
   };
 }
 

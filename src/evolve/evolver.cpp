@@ -14,7 +14,7 @@ class Evolver::Impl {
  public:
   Impl(const TriMesh& mesh, const Connectivity& connectivity, const Method& method,
        unsigned threads)
-      : pool_(threads), state_(mesh, connectivity) {
+      : pool_(threads), state_(mesh, connectivity, pool_) {
     sweep_ = std::visit([this](const auto& m) { return make_sweep(m, state_, pool_); }, method);
   }
 
@@ -22,10 +22,8 @@ class Evolver::Impl {
     SweepRecord record;
     record.moved = sweep_();
     // Anew from the positions, so that the errors of many small updates cannot pile up.
-    pool_.for_ranges(state_.inner_count(), 256, [this](std::size_t begin, std::size_t end) {
-      state_.refresh_defects(begin, end);
-    });
-    const auto figures = summarise_defects(state_.defects_in_mesh_order(), state_.inner_count());
+    state_.refresh_defects(pool_);
+    const Flattenability figures = state_.summary(pool_);
     record.sweep = ++sweeps_;
     record.e_max = figures.e_max;
     record.e_avg = figures.e_avg;

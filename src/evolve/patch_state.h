@@ -1,19 +1,25 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include <planish/measure/flattenability.h>
 #include <planish/mesh/connectivity.h>
+
+#include "core/lanes/isa.h"
+#include "core/thread_pool.h"
+#include "evolve/lanes/move_stars.h"
 
 namespace planish {
 
-/// A patch laid out for sweeping. Vertices are renumbered: inner ones first, colour by colour and
-/// along a space-filling curve within each, then the border; unused ones are left out. Positions
-/// are apart by coordinate and scaled by unit_scale(), which is exact both ways.
+/// A patch laid out for sweeping. Vertices are renumbered: inner ones first, colour by colour,
+/// within a colour by valence, and along a space-filling curve within these; then the border;
+/// unused ones are left out. Places are scaled by unit_scale(), which is exact both ways.
 class PatchState {
  public:
-  PatchState(const TriMesh& mesh, const Connectivity& connectivity);
+  PatchState(const TriMesh& mesh, const Connectivity& connectivity, ThreadPool& pool);
 
   std::size_t inner_count() const { return ring_start_.size() - 1; }
   std::size_t color_count() const { return color_start_.size() - 1; }
@@ -24,22 +30,48 @@ class PatchState {
   std::span<const Index> ring(std::size_t v) const {
     return {rings_.data() + ring_start_[v], ring_start_[v + 1] - ring_start_[v]};
   }
-  Vec3 position(std::size_t v) const { return {x_[v], y_[v], z_[v]}; }
+  /// From an inner vertex, the end of those after it with its colour and valence.
+  std::size_t end_of_run(std::size_t v) const;
+
+  Vec3 position(std::size_t v) const { return {sites_[v].x, sites_[v].y, sites_[v].z}; }
   /// Where an inner vertex was at first.
   Vec3 origin(std::size_t v) const { return scale_ * origins_[vertex_of_[v]]; }
   void move(std::size_t v, Vec3 to) {
-    x_[v] = to.x, y_[v] = to.y, z_[v] = to.z;
+    sites_[v].x = to.x, sites_[v].y = to.y, sites_[v].z = to.z;
+    note_move(v);
+  }
+
+  /// Places and defects; who moves a vertex here says so with note_move().
+  std::span<Site> sites() { return sites_; }
+  /// Remembers that v moved, and with it the defects of its ring.
+  void note_move(std::size_t v) {
     moved_[v] = 1;
+    changed_at_[v] = now_;
+    for (const Index j : ring(v)) {
+      if (is_inner(j)) changed_at_[j] = now_;
+    }
   }
 
   /// d_v of an inner vertex, as of the last update; see refresh_defects().
-  double defect(std::size_t v) const { return defects_[v]; }
-  void set_defect(std::size_t v, double defect) { defects_[v] = defect; }
-  /// Computes the defects of the inner vertices begin to end from the positions.
-  void refresh_defects(std::size_t begin, std::size_t end);
+  double defect(std::size_t v) const { return sites_[v].defect; }
+  /// Computes all defects from the positions, on any number of threads with the same bits.
+  void refresh_defects(ThreadPool& pool);
+  /// e_max, e_avg, energy and sum_abs_defect of the defects.
+  Flattenability summary(ThreadPool& pool) const;
 
-  /// One defect per vertex of the mesh, in its order, as angle_defects() gives them.
-  std::vector<double> defects_in_mesh_order() const;
+  /// A clock for those who skip what cannot have changed: counts phases in which vertices that move
+  /// do not see each other.
+  void begin_phase() { ++now_; }
+  std::uint32_t now() const { return now_; }
+  /// True if the vertex, its neighbours or their defects changed after phase `then`.
+  bool ring_changed_since(std::uint32_t then, std::size_t v) const {
+    if (changed_at_[v] > then) return true;
+    for (const Index j : ring(v)) {
+      if (is_inner(j) && changed_at_[j] > then) return true;
+    }
+    return false;
+  }
+
   /// The positions in the order and size of the mesh; what never moved keeps its bits.
   std::vector<Vec3> positions_in_mesh_order() const;
 
@@ -49,12 +81,18 @@ class PatchState {
   Index vertex_of(std::size_t v) const { return vertex_of_[v]; }
 
  private:
+  void place_vertices(ThreadPool& pool);
+  void number_rings(const Connectivity& connectivity, std::size_t inner, ThreadPool& pool);
+
   double scale_;
   std::vector<Vec3> origins_;     // the mesh's positions, as they came
   std::vector<Index> vertex_of_;  // number in the mesh
-  std::vector<double> x_, y_, z_, defects_;
+  std::vector<Site> sites_;
   std::vector<unsigned char> moved_;
+  std::vector<std::uint32_t> changed_at_;  // the last phase that changed its place or defect
+  std::uint32_t now_ = 1;
   std::vector<std::size_t> ring_start_, color_start_;
+  std::vector<std::size_t> run_end_;  // ascending: where colour or valence change
   std::vector<Index> rings_;
 };
 

@@ -6,11 +6,12 @@
 
 namespace planish {
 
-std::size_t sweep_by_color(const PatchState& state, ThreadPool& pool,
+std::size_t sweep_by_color(PatchState& state, ThreadPool& pool,
                            const std::function<std::size_t(std::size_t, std::size_t)>& body) {
-  constexpr std::size_t grain = 64;
+  constexpr std::size_t grain = 256;
   std::atomic<std::size_t> moved = 0;
   for (std::size_t color = 0; color < state.color_count(); ++color) {
+    state.begin_phase();
     const std::size_t first = state.color_begin(color);
     pool.for_ranges(
         state.color_begin(color + 1) - first, grain,

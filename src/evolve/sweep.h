@@ -6,7 +6,6 @@
 #include <planish/evolve/method.h>
 
 #include "core/thread_pool.h"
-#include "evolve/line_solver.h"
 #include "evolve/patch_state.h"
 
 namespace planish {
@@ -21,8 +20,13 @@ Sweep make_sweep(const ControllableLaplacian& options, PatchState& state, Thread
 
 /// Visits all inner vertices, colour after colour, those of one colour at the same time:
 /// body(begin, end) returns how many of these vertices it moved. Returns the total.
-std::size_t sweep_by_color(const PatchState& state, ThreadPool& pool,
+std::size_t sweep_by_color(PatchState& state, ThreadPool& pool,
                            const std::function<std::size_t(std::size_t, std::size_t)>& body);
+
+/// Closed interval.
+struct Interval {
+  double low = 0.0, high = 0.0;
+};
 
 /// The part of an interval of steps from x along `direction` that stays within `radius` of origin.
 /// Always holds 0.

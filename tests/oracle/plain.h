@@ -13,7 +13,7 @@
 
 #include <planish/mesh/tri_mesh.h>
 
-#include "evolve/line_solver.h"
+#include "oracle/line_solver.h"
 
 namespace planish::plain {
 

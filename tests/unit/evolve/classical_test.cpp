@@ -37,7 +37,8 @@ TEST(Classical, SimultaneousIsEquation10AtAllVerticesAtOnce) {
 TEST(Classical, SequentialSeesTheMovesMadeBefore) {
   const TriMesh mesh = meshes::rough_grid(9, 9, 6);
   const Connectivity connectivity(mesh);
-  const PatchState state(mesh, connectivity);
+  ThreadPool pool(1);
+  const PatchState state(mesh, connectivity, pool);
   plain::Patch patch(mesh);
   for (std::size_t v = 0; v < state.inner_count(); ++v) {
     const Index vertex = state.vertex_of(v);

@@ -26,13 +26,27 @@ std::size_t count_conflicts(const Connectivity& connectivity, const std::vector<
   return conflicts;
 }
 
+std::vector<Index> colors_of(const Connectivity& connectivity) {
+  ThreadPool pool(2);
+  return distance_two_colors(connectivity, connectivity.inner_vertices(), pool);
+}
+
 TEST(Coloring, KeepsVerticesOfOneColorApart) {
   for (const Shape& shape : shapes()) {
     const Connectivity connectivity(make_shape(shape.name, 3000));
-    const auto colors = distance_two_colors(connectivity, connectivity.inner_vertices());
+    const auto colors = colors_of(connectivity);
     EXPECT_EQ(count_conflicts(connectivity, colors), 0U) << shape.name;
     EXPECT_LT(*std::max_element(colors.begin(), colors.end()), 32U) << shape.name;
   }
+}
+
+TEST(Coloring, OfManyPiecesKeepsVerticesApartOnAnyNumberOfThreads) {
+  const TriMesh mesh = make_shape("panel", 40'000);
+  const Connectivity connectivity(mesh);
+  const auto colors = colors_of(connectivity);
+  EXPECT_EQ(count_conflicts(connectivity, colors), 0U);
+  ThreadPool alone(1);
+  EXPECT_EQ(distance_two_colors(connectivity, connectivity.inner_vertices(), alone), colors);
 }
 
 /// A hub of high valence whose ring is inside: a fan with a second ring around it.
@@ -51,7 +65,7 @@ TriMesh wheel(std::size_t valence) {
 
 TEST(Coloring, GivesEveryVertexAroundAHubItsOwnColor) {
   const Connectivity connectivity(wheel(500));
-  const auto colors = distance_two_colors(connectivity, connectivity.inner_vertices());
+  const auto colors = colors_of(connectivity);
   EXPECT_EQ(count_conflicts(connectivity, colors), 0U);
   EXPECT_EQ(*std::max_element(colors.begin(), colors.end()), 500U);
 }
@@ -59,7 +73,7 @@ TEST(Coloring, GivesEveryVertexAroundAHubItsOwnColor) {
 TEST(Coloring, TakesNearLinearTimeAroundAHub) {
   // 100,000 neighbours of one hub: going through its ring for each would take 10^10 steps.
   const Connectivity connectivity(wheel(100'000));
-  const auto colors = distance_two_colors(connectivity, connectivity.inner_vertices());
+  const auto colors = colors_of(connectivity);
   EXPECT_EQ(*std::max_element(colors.begin(), colors.end()), 100'000U);
 }
 

@@ -26,7 +26,8 @@ TriMesh evolved(const TriMesh& mesh, const Method& method, int sweeps, unsigned 
 /// The order in which the library visits the inner vertices.
 std::vector<Index> visiting_order(const TriMesh& mesh) {
   const Connectivity connectivity(mesh);
-  const PatchState state(mesh, connectivity);
+  ThreadPool pool(1);
+  const PatchState state(mesh, connectivity, pool);
   std::vector<Index> order;
   for (std::size_t v = 0; v < state.inner_count(); ++v)
     order.push_back(state.vertex_of(v));

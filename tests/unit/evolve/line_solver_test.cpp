@@ -1,4 +1,4 @@
-#include "evolve/line_solver.h"
+#include "oracle/line_solver.h"
 
 #include <gtest/gtest.h>
 

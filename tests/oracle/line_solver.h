@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evolve/sweep.h"
+
 namespace planish {
 
 /// A function of one variable at one place: its value, slope and an estimate of its second
@@ -10,11 +12,6 @@ namespace planish {
 /// residuals).
 struct LinePoint {
   double at = 0.0, value = 0.0, slope = 0.0, curvature = 0.0;
-};
-
-/// Closed interval.
-struct Interval {
-  double low = 0.0, high = 0.0;
 };
 
 /// Goes downhill from 0 to a minimum of f on the interval by Gauss-Newton steps, kept inside a

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "core/lanes/lanes.h"
+
+namespace planish::PLANISH_ISA {
+
+constexpr double k_pi = 3.14159265358979323846;
+constexpr double k_tan_eighth = 0.41421356237309503;  // tan(pi / 8) = sqrt(2) - 1
+
+/// A complex number whose argument is an angle.
+struct Complex {
+  Real re, im;
+};
+
+inline Complex operator*(const Complex& a, const Complex& b) {
+  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
+/// arctan(t) for |t| <= tan(pi / 8): t times the polynomial in t^2 that interpolates arctan(t) / t
+/// at the eleven Chebyshev points of that interval, relative error 3.5e-17 before rounding.
+inline Real short_arctangent(Real t) {
+  constexpr double c[] = {1.0,
+                          -0.3333333333332844,
+                          0.1999999999885511,
+                          -0.14285714180976467,
+                          0.11111106180455946,
+                          -0.09090773074808414,
+                          0.07689953496306857,
+                          -0.06640233930429408,
+                          0.056883492268090106,
+                          -0.04348052215716462,
+                          0.021135373157693246};
+  const Real s = t * t;
+  Real sum = all(c[10]);
+  for (int k = 9; k >= 0; --k)
+    sum = sum * s + c[k];
+  return t * sum;
+}
+
+/// Where short_argument() holds.
+inline Mask is_short(const Complex& z) {
+  return absolute(z.im) <= k_tan_eighth * z.re;
+}
+
+/// The argument of z where is_short(z), anything elsewhere.
+inline Real short_argument(const Complex& z) {
+  return short_arctangent(z.im / z.re);
+}
+
+/// The argument of any z, -pi to pi; NaN of 0 and of NaN.
+inline Real argument(const Complex& z) {
+  const Real a = absolute(z.re), b = absolute(z.im);
+  const Real large = greatest(a, b), small = least(a, b);
+  // Up to pi / 8 as it is, beyond as pi / 4 plus the rest.
+  const Mask beyond = small > k_tan_eighth * large;
+  const Real t = select(beyond, small - large, small) / select(beyond, small + large, large);
+  Real angle = select(beyond, all(0.25 * k_pi), Real{}) + short_arctangent(t);
+  angle = select(b > a, 0.5 * k_pi - angle, angle);
+  angle = select(z.re < 0.0, k_pi - angle, angle);
+  return select(z.im < 0.0, -angle, angle);
+}
+
+/// Sums of angles of 0 to pi, as a product of corners and a count of full turns; AngleProduct for
+/// lanes. Angles add where complex numbers multiply, and no digits are lost near 2 pi.
+class AngleSum {
+ public:
+  void add(const Complex& corner) {
+    const Mask nothing = (corner.re == 0.0) & (corner.im == 0.0);  // no length, no angle
+    const Complex next = product_ * corner;
+    // Only a step from the lower to the upper half ends a turn, as no angle is above pi.
+    const Mask was_lower = lower_half();
+    const Real shrink = exponent_off(greatest(absolute(next.re), absolute(next.im)));
+    product_.re = select(nothing, product_.re, shrink * next.re);
+    product_.im = select(nothing, product_.im, shrink * next.im);
+    turns_ += select(was_lower & ~lower_half(), all(1.0), Real{});
+  }
+
+  /// 2 pi minus the sum.
+  Real defect() const {
+    const Mask near = is_short(product_);
+    Real angle = short_argument(product_);
+    if (any(~near)) angle = select(near, angle, argument(product_));
+    // The argument runs from -pi to pi; a sum just below a full turn has a small negative one.
+    const Real whole = select(angle < 0.0, -turns_, 1.0 - turns_);
+    return 2.0 * k_pi * whole - angle;
+  }
+
+ private:
+  /// Argument from pi (included) to 2 pi.
+  Mask lower_half() const {
+    return (product_.im < 0.0) | ((product_.im == 0.0) & (product_.re < 0.0));
+  }
+
+  Complex product_{all(1.0), Real{}};
+  Real turns_{};
+};
+
+}  // namespace planish::PLANISH_ISA

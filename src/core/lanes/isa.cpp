@@ -1,0 +1,36 @@
+#include "core/lanes/isa.h"
+
+namespace planish {
+
+std::string_view to_string(Isa isa) {
+  switch (isa) {
+    case Isa::baseline:
+      return "baseline";
+    case Isa::x86_64_v3:
+      return "x86-64-v3";
+    case Isa::x86_64_v4:
+      return "x86-64-v4";
+  }
+  return "unknown";
+}
+
+std::vector<Isa> available_isas() {
+  std::vector<Isa> isas{Isa::baseline};
+#if defined(PLANISH_X86_64_LANES)
+  if (__builtin_cpu_supports("avx2")) {
+    isas.push_back(Isa::x86_64_v3);
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl")) {
+      isas.push_back(Isa::x86_64_v4);
+    }
+  }
+#endif
+  return isas;
+}
+
+Isa best_isa() {
+  static const Isa best = available_isas().back();
+  return best;
+}
+
+}  // namespace planish

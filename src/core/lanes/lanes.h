@@ -1,0 +1,109 @@
+// One number for each of several vertices at once, in one register: the thin layer over vector
+// instructions. Everything here is per lane and exact by IEEE 754 (no sum across lanes, no fused
+// multiply-add), so that any number of lanes gives the same bits.
+//
+// A source file that is compiled for one set of instructions defines, before including this,
+//   PLANISH_LANES  lanes in a register: 2 (any processor), 4 (AVX2), 8 (AVX-512)
+//   PLANISH_ISA    namespace of all that is compiled for them. Nothing inline from other namespaces
+//                  may be called there: the linker could keep this file's copy of it for all.
+#pragma once
+
+#include <cstdint>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#if !defined(PLANISH_LANES) || !defined(PLANISH_ISA)
+#error "define PLANISH_LANES and PLANISH_ISA first"
+#endif
+
+namespace planish::PLANISH_ISA {
+
+constexpr int k_lanes = PLANISH_LANES;
+
+using Real = double __attribute__((vector_size(8 * PLANISH_LANES)));
+using Bits = std::int64_t __attribute__((vector_size(8 * PLANISH_LANES)));
+/// All bits of a lane set or none.
+using Mask = decltype(Real{} < Real{});
+
+inline Real all(double x) {
+  return Real{} + x;
+}
+
+inline Real select(Mask mask, Real yes, Real no) {
+  return mask ? yes : no;
+}
+
+inline Real absolute(Real x) {
+  return (Real)((Bits)x & (Bits{} + INT64_MAX));
+}
+
+inline Real least(Real a, Real b) {
+  return select(a < b, a, b);
+}
+
+inline Real greatest(Real a, Real b) {
+  return select(a > b, a, b);
+}
+
+inline Real square_root(Real x) {
+#if defined(__AVX512DQ__) && PLANISH_LANES == 8
+  return (Real)_mm512_maskz_sqrt_pd(0xff, (__m512d)x);
+#elif defined(__AVX__) && PLANISH_LANES == 4
+  return (Real)_mm256_sqrt_pd((__m256d)x);
+#elif defined(__SSE2__) && PLANISH_LANES == 2
+  return (Real)_mm_sqrt_pd((__m128d)x);
+#else
+  Real root{};
+  for (int lane = 0; lane < k_lanes; ++lane)
+    root[lane] = __builtin_sqrt(x[lane]);
+  return root;
+#endif
+}
+
+inline bool any(Mask mask) {
+#if defined(__AVX512DQ__) && PLANISH_LANES == 8
+  return _mm512_movepi64_mask((__m512i)mask) != 0;
+#elif defined(__AVX__) && PLANISH_LANES == 4
+  return _mm256_movemask_pd((__m256d)mask) != 0;
+#elif defined(__SSE2__) && PLANISH_LANES == 2
+  return _mm_movemask_pd((__m128d)mask) != 0;
+#else
+  std::int64_t bits = 0;
+  for (int lane = 0; lane < k_lanes; ++lane)
+    bits |= mask[lane];
+  return bits != 0;
+#endif
+}
+
+/// A power of two by which x has an exponent near 0; finite for every x.
+inline Real exponent_off(Real x) {
+  constexpr std::int64_t exponent = 0x7fe0000000000000;
+  return (Real)((Bits{} + exponent) - ((Bits)x & (Bits{} + exponent)));
+}
+
+struct Vector {
+  Real x, y, z;
+};
+
+inline Vector operator+(const Vector& a, const Vector& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vector operator-(const Vector& a, const Vector& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vector operator*(const Real& s, const Vector& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+inline Real dot(const Vector& a, const Vector& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline Vector cross(const Vector& a, const Vector& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline Vector select(Mask mask, const Vector& yes, const Vector& no) {
+  return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
+}
+
+}  // namespace planish::PLANISH_ISA

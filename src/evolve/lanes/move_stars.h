@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/lanes/isa.h"
+#include "core/lanes/stars.h"
+
+namespace planish {
+
+/// Where a vertex is and its angle defect: what a neighbour needs to see of it, in half a line of
+/// cache.
+struct alignas(32) Site {
+  double x, y, z, defect;
+};
+
+/// What a controllable sweep does to each vertex. Lengths in the units of the sites.
+struct MoveOptions {
+  double lambda_min, lambda_max;
+  double max_cotangent;  // of the angle that no triangle may fall below; +infinity for none
+  double radius;         // no vertex ends further from its origin; +infinity for no limit
+  const Site* origins;   // of all sites; needed where radius is finite
+};
+
+/// Takes, for each of `count` inner vertices of one colour and of `valence` neighbours, the step
+/// along its Laplacian vector that lowers its ring energy most, if there is one; several vertices
+/// at a time. Writes places and defects into sites.
+/// @param inner_count sites below this number are inner
+/// @param moved gets 1 for each star whose centre moved, else 0
+using MoveStars = void (*)(const MoveOptions& options, Site* sites, std::size_t inner_count,
+                           const Star* stars, std::size_t count, std::size_t valence,
+                           unsigned char* moved);
+
+MoveStars move_stars_for(Isa isa);
+
+}  // namespace planish

@@ -1,0 +1,12 @@
+#define PLANISH_ISA baseline
+#define PLANISH_LANES 2
+#include "measure/lanes/star_defects_lanes.h"
+
+namespace planish {
+
+void star_defects_baseline(const Places& places, const Star* stars, std::size_t count,
+                           std::size_t valence, double* defects) {
+  baseline::star_defects(places, stars, count, valence, defects);
+}
+
+}  // namespace planish

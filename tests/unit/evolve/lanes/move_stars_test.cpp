@@ -1,0 +1,110 @@
+#include "evolve/lanes/move_stars.h"
+
+#include <cstring>
+
+#include <planish/mesh/shapes.h>
+
+#include <gtest/gtest.h>
+
+#include "evolve/controllable_laplacian.h"
+#include "evolve/sweep.h"
+#include "measure/lanes/star_defects.h"
+#include "support/meshes.h"
+
+namespace planish {
+namespace {
+
+/// A star of few neighbours or very many, all valences from 3 up to 40 in one mesh.
+TriMesh many_valences() {
+  TriMesh mesh = meshes::rough_grid(40, 40, 3, 0.3, 0.6);
+  // A vertex put into a triangle has valence 3 and adds one to each corner's.
+  meshes::Random random(7);
+  for (int i = 0; i < 3000; ++i) {
+    const auto share = 0.5 + 0.5 * random.number();
+    const auto t =
+        static_cast<std::size_t>(share * 0.2 * static_cast<double>(mesh.triangles.size()));
+    const auto [a, b, c] = mesh.triangles[t];
+    const auto v = static_cast<Index>(mesh.positions.size());
+    const auto& p = mesh.positions;
+    mesh.positions.push_back((1.0 / 3.0) * (p[a] + p[b] + p[c]) + Vec3{0.0, 0.0, 1e-3});
+    mesh.triangles[t] = {a, b, v};
+    mesh.triangles.push_back({b, c, v});
+    mesh.triangles.push_back({c, a, v});
+  }
+  return mesh;
+}
+
+struct Outcome {
+  std::vector<Vec3> positions;
+  std::size_t moved = 0;
+};
+
+Outcome sweeps_with(Isa isa, const TriMesh& mesh, const ControllableLaplacian& options,
+                    bool with_skipping = true, int sweeps = 12) {
+  const Connectivity connectivity(mesh);
+  ThreadPool pool(1);
+  PatchState state(mesh, connectivity, pool);
+  ControllableMover mover(options, state, isa);
+  Outcome outcome;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    if (!with_skipping) mover.forget_idle();
+    outcome.moved += sweep_by_color(
+        state, pool, [&](std::size_t begin, std::size_t end) { return mover.move(begin, end); });
+    state.refresh_defects(pool);
+  }
+  outcome.positions = state.positions_in_mesh_order();
+  return outcome;
+}
+
+bool same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0;
+}
+
+std::vector<ControllableLaplacian> all_kinds_of_options() {
+  return {
+      {}, {.lambda_min = -0.5}, {.max_deviation = 0.02}, {.lambda_min = -1.0, .min_angle = 0.0}};
+}
+
+TEST(MoveStars, GivesTheSameBitsWithEverySetOfInstructions) {
+  for (const TriMesh& mesh : {many_valences(), make_shape("panel", 3000), meshes::fan(70, 0.4)}) {
+    for (const ControllableLaplacian& options : all_kinds_of_options()) {
+      const Outcome expected = sweeps_with(Isa::baseline, mesh, options);
+      EXPECT_GT(expected.moved, 0U);
+      for (const Isa isa : available_isas()) {
+        const Outcome found = sweeps_with(isa, mesh, options);
+        EXPECT_EQ(found.moved, expected.moved) << to_string(isa);
+        EXPECT_TRUE(same_bits(found.positions, expected.positions)) << to_string(isa);
+      }
+    }
+  }
+}
+
+TEST(MoveStars, SkippingWhatCannotHaveChangedChangesNothing) {
+  for (const TriMesh& mesh : {many_valences(), make_shape("saddle", 3000)}) {
+    for (const ControllableLaplacian& options : all_kinds_of_options()) {
+      const Outcome with = sweeps_with(best_isa(), mesh, options, true, 40);
+      const Outcome without = sweeps_with(best_isa(), mesh, options, false, 40);
+      EXPECT_EQ(with.moved, without.moved);
+      EXPECT_TRUE(same_bits(with.positions, without.positions));
+    }
+  }
+}
+
+TEST(StarDefects, GivesTheSameBitsWithEverySetOfInstructions) {
+  const TriMesh mesh = many_valences();
+  const Connectivity connectivity(mesh);
+  const Places places{&mesh.positions.front().x, 3, 0.25};
+  for (const Index v : connectivity.inner_vertices()) {
+    const Star star{connectivity.ring(v).data(), v};
+    const Star stars[] = {star, star, star};
+    double expected[3], found[3];
+    star_defects_for(Isa::baseline)(places, stars, 3, connectivity.ring(v).size(), expected);
+    for (const Isa isa : available_isas()) {
+      star_defects_for(isa)(places, stars, 3, connectivity.ring(v).size(), found);
+      EXPECT_EQ(std::memcmp(expected, found, sizeof found), 0) << to_string(isa);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace planish

@@ -98,7 +98,6 @@ std::size_t PatchState::end_of_run(std::size_t v) const {
 void PatchState::refresh_defects(ThreadPool& pool) {
   begin_phase();
   const StarDefects star_defects = star_defects_for(best_isa());
-  const Places places{&sites_.front().x, sizeof(Site) / sizeof(double), 1.0};
   pool.for_ranges(inner_count(), k_batch, [&](std::size_t begin, std::size_t end) {
     std::array<Star, k_batch> stars;
     std::array<double, k_batch> defects;
@@ -107,7 +106,7 @@ void PatchState::refresh_defects(ThreadPool& pool) {
       const std::size_t count = std::min({end, end_of_run(begin), begin + k_batch}) - begin;
       for (std::size_t i = 0; i < count; ++i)
         stars[i] = {ring(begin + i).data(), static_cast<Index>(begin + i)};
-      star_defects(places, stars.data(), count, valence, defects.data());
+      star_defects(sites_.data(), stars.data(), count, valence, defects.data());
       for (std::size_t i = 0; i < count; ++i) {
         double& defect = sites_[begin + i].defect;
         if (defect != defects[i]) changed_at_[begin + i] = now_;

@@ -13,14 +13,14 @@ namespace {
 /// Collects the stars of one valence until there are enough to compute them together.
 class StarBatch {
  public:
-  void add(Star star, std::size_t valence, const Places& places, std::vector<double>& defects) {
+  void add(Star star, std::size_t valence, const Site* sites, std::vector<double>& defects) {
     stars_[count_++] = star;
-    if (count_ == stars_.size()) flush(valence, places, defects);
+    if (count_ == stars_.size()) flush(valence, sites, defects);
   }
 
-  void flush(std::size_t valence, const Places& places, std::vector<double>& defects) {
+  void flush(std::size_t valence, const Site* sites, std::vector<double>& defects) {
     std::array<double, k_stars> results;
-    star_defects_for(best_isa())(places, stars_.data(), count_, valence, results.data());
+    star_defects_for(best_isa())(sites, stars_.data(), count_, valence, results.data());
     for (std::size_t i = 0; i < count_; ++i)
       defects[stars_[i].center] = results[i];
     count_ = 0;
@@ -38,16 +38,20 @@ std::vector<double> angle_defects(const TriMesh& mesh, const Connectivity& conne
   constexpr std::size_t batched_valences = 16;  // the others are rare: one by one
   std::vector<double> defects(mesh.positions.size(), 0.0);
   if (connectivity.inner_vertices().empty()) return defects;
-  const Places places{&mesh.positions.front().x, sizeof(Vec3) / sizeof(double), unit_scale(mesh)};
+  const double scale = unit_scale(mesh);
+  std::vector<Site> sites;
+  sites.reserve(mesh.positions.size());
+  for (const Vec3 p : mesh.positions)
+    sites.push_back({scale * p.x, scale * p.y, scale * p.z, 0.0});
   std::vector<StarBatch> batches(batched_valences + 1);
   for (const Index v : connectivity.inner_vertices()) {
     const auto ring = connectivity.ring(v);
     StarBatch& batch = batches[std::min(ring.size(), batched_valences)];
-    batch.add({ring.data(), v}, ring.size(), places, defects);
-    if (ring.size() >= batched_valences) batch.flush(ring.size(), places, defects);
+    batch.add({ring.data(), v}, ring.size(), sites.data(), defects);
+    if (ring.size() >= batched_valences) batch.flush(ring.size(), sites.data(), defects);
   }
   for (std::size_t valence = 0; valence < batched_valences; ++valence)
-    batches[valence].flush(valence, places, defects);
+    batches[valence].flush(valence, sites.data(), defects);
   return defects;
 }
 

@@ -106,4 +106,43 @@ inline Vector select(Mask mask, const Vector& yes, const Vector& no) {
   return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
 }
 
+/// Four neighbouring doubles for each lane, 32 bytes aligned, taken apart by column.
+struct Columns {
+  Real c0, c1, c2, c3;
+};
+
+inline Columns load_columns(const double* const* rows) {
+#if defined(__AVX512DQ__) && PLANISH_LANES == 8
+  const auto pair = [rows](int lane) {
+    return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_load_pd(rows[lane])),
+                              _mm256_load_pd(rows[lane + 4]), 1);
+  };
+  const __m512d a = pair(0), b = pair(1), c = pair(2), d = pair(3);
+  const __m512d low = _mm512_unpacklo_pd(a, b), low_next = _mm512_unpacklo_pd(c, d);
+  const __m512d high = _mm512_unpackhi_pd(a, b), high_next = _mm512_unpackhi_pd(c, d);
+  const __m512i first = _mm512_set_epi64(13, 12, 5, 4, 9, 8, 1, 0);
+  const __m512i second = _mm512_set_epi64(15, 14, 7, 6, 11, 10, 3, 2);
+  return {(Real)_mm512_permutex2var_pd(low, first, low_next),
+          (Real)_mm512_permutex2var_pd(high, first, high_next),
+          (Real)_mm512_permutex2var_pd(low, second, low_next),
+          (Real)_mm512_permutex2var_pd(high, second, high_next)};
+#elif defined(__AVX__) && PLANISH_LANES == 4
+  const __m256d a = _mm256_load_pd(rows[0]), b = _mm256_load_pd(rows[1]);
+  const __m256d c = _mm256_load_pd(rows[2]), d = _mm256_load_pd(rows[3]);
+  const __m256d low = _mm256_unpacklo_pd(a, b), low_next = _mm256_unpacklo_pd(c, d);
+  const __m256d high = _mm256_unpackhi_pd(a, b), high_next = _mm256_unpackhi_pd(c, d);
+  return {(Real)_mm256_permute2f128_pd(low, low_next, 0x20),
+          (Real)_mm256_permute2f128_pd(high, high_next, 0x20),
+          (Real)_mm256_permute2f128_pd(low, low_next, 0x31),
+          (Real)_mm256_permute2f128_pd(high, high_next, 0x31)};
+#else
+  Columns columns{};
+  for (int lane = 0; lane < k_lanes; ++lane) {
+    columns.c0[lane] = rows[lane][0], columns.c1[lane] = rows[lane][1];
+    columns.c2[lane] = rows[lane][2], columns.c3[lane] = rows[lane][3];
+  }
+  return columns;
+#endif
+}
+
 }  // namespace planish::PLANISH_ISA

@@ -11,11 +11,10 @@ struct Star {
   std::uint32_t center;
 };
 
-/// Places in memory: that of number i is scale times the three doubles at first + i * stride.
-struct Places {
-  const double* first;
-  std::size_t stride;  // in doubles
-  double scale;
+/// Where a vertex is and its angle defect: what a neighbour needs to see of it, in half a line of
+/// cache.
+struct alignas(32) Site {
+  double x, y, z, defect;
 };
 
 }  // namespace planish

@@ -5,12 +5,6 @@
 
 namespace planish {
 
-/// Where a vertex is and its angle defect: what a neighbour needs to see of it, in half a line of
-/// cache.
-struct alignas(32) Site {
-  double x, y, z, defect;
-};
-
 /// What a controllable sweep does to each vertex. Lengths in the units of the sites.
 struct MoveOptions {
   double lambda_min, lambda_max;

@@ -58,23 +58,25 @@ class RingEnergy {
   /// Looks at the rings of one star per lane.
   RingEnergy(const Site* sites, std::size_t inner_count, const Star* const* stars, int valence)
       : valence_(valence), spokes_(valence) {
-    const auto inner_end = static_cast<std::int64_t>(inner_count);
-    for (int lane = 0; lane < k_lanes; ++lane) {
-      const Site& site = sites[stars[lane]->center];
-      start_.x[lane] = site.x, start_.y[lane] = site.y, start_.z[lane] = site.z;
-      own_before_[lane] = site.defect;
-    }
+    const Bits inner_end = Bits{} + static_cast<std::int64_t>(inner_count);
+    const double* rows[k_lanes];
+    for (int lane = 0; lane < k_lanes; ++lane)
+      rows[lane] = &sites[stars[lane]->center].x;
+    const Columns own = load_columns(rows);
+    start_ = {own.c0, own.c1, own.c2};
+    own_before_ = own.c3;
     for (int j = 0; j < n(); ++j) {
       Spoke& spoke = spokes_[j];
       Bits number{};
       for (int lane = 0; lane < k_lanes; ++lane) {
         const std::uint32_t at = stars[lane]->ring[j];
-        const Site& site = sites[at];
         number[lane] = at;
-        spoke.place.x[lane] = site.x, spoke.place.y[lane] = site.y, spoke.place.z[lane] = site.z;
-        spoke.before[lane] = site.defect;
+        rows[lane] = &sites[at].x;
       }
-      spoke.inner = number < (Bits{} + inner_end);
+      const Columns neighbour = load_columns(rows);
+      spoke.place = {neighbour.c0, neighbour.c1, neighbour.c2};
+      spoke.before = neighbour.c3;
+      spoke.inner = number < inner_end;
     }
     for (int j = 0; j < n(); ++j)
       spokes_[j].edge = spokes_[next(j)].place - spokes_[j].place;

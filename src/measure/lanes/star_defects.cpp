@@ -2,9 +2,9 @@
 
 namespace planish {
 
-void star_defects_baseline(const Places&, const Star*, std::size_t, std::size_t, double*);
-void star_defects_v3(const Places&, const Star*, std::size_t, std::size_t, double*);
-void star_defects_v4(const Places&, const Star*, std::size_t, std::size_t, double*);
+void star_defects_baseline(const Site*, const Star*, std::size_t, std::size_t, double*);
+void star_defects_v3(const Site*, const Star*, std::size_t, std::size_t, double*);
+void star_defects_v4(const Site*, const Star*, std::size_t, std::size_t, double*);
 
 StarDefects star_defects_for([[maybe_unused]] Isa isa) {
 #if defined(PLANISH_X86_64_LANES)

@@ -4,9 +4,9 @@
 
 namespace planish {
 
-void star_defects_baseline(const Places& places, const Star* stars, std::size_t count,
+void star_defects_baseline(const Site* sites, const Star* stars, std::size_t count,
                            std::size_t valence, double* defects) {
-  baseline::star_defects(places, stars, count, valence, defects);
+  baseline::star_defects(sites, stars, count, valence, defects);
 }
 
 }  // namespace planish

@@ -6,30 +6,28 @@
 
 namespace planish::PLANISH_ISA {
 
-inline void star_defects(const Places& places, const Star* stars, std::size_t count,
-                         std::size_t valence, double* defects) {
+[[gnu::flatten]] inline void star_defects(const Site* sites, const Star* stars, std::size_t count,
+                                          std::size_t valence, double* defects) {
   for (std::size_t begin = 0; begin < count; begin += k_lanes) {
     const int used = count - begin < k_lanes ? static_cast<int>(count - begin) : k_lanes;
-    const auto star = [&](int lane) -> const Star& {
-      return stars[begin + static_cast<std::size_t>(lane < used ? lane : 0)];
-    };
-    const auto place = [&](int lane, std::uint32_t number, Vector& v) {
-      const double* p = places.first + places.stride * number;
-      v.x[lane] = p[0], v.y[lane] = p[1], v.z[lane] = p[2];
-    };
-    Vector x{}, previous{}, next{};
+    const Star* in_lane[k_lanes];
+    const double* rows[k_lanes];
     for (int lane = 0; lane < k_lanes; ++lane) {
-      place(lane, star(lane).center, x);
-      place(lane, star(lane).ring[valence - 1], previous);
+      in_lane[lane] = stars + begin + (lane < used ? lane : 0);
+      rows[lane] = &sites[in_lane[lane]->center].x;
     }
-    const Real scale = all(places.scale);
-    x = scale * x;
-    previous = scale * previous - x;
+    const Columns center = load_columns(rows);
+    const Vector x{center.c0, center.c1, center.c2};
+    const auto spoke = [&](std::size_t j) {
+      for (int lane = 0; lane < k_lanes; ++lane)
+        rows[lane] = &sites[in_lane[lane]->ring[j]].x;
+      const Columns place = load_columns(rows);
+      return Vector{place.c0, place.c1, place.c2} - x;
+    };
+    Vector previous = spoke(valence - 1);
     AngleSum sum;
     for (std::size_t j = 0; j < valence; ++j) {
-      for (int lane = 0; lane < k_lanes; ++lane)
-        place(lane, star(lane).ring[j], next);
-      const Vector u = scale * next - x, normal = cross(previous, u);
+      const Vector u = spoke(j), normal = cross(previous, u);
       sum.add({dot(previous, u), square_root(dot(normal, normal))});
       previous = u;
     }

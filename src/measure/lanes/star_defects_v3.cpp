@@ -4,9 +4,9 @@
 
 namespace planish {
 
-void star_defects_v3(const Places& places, const Star* stars, std::size_t count,
+void star_defects_v3(const Site* sites, const Star* stars, std::size_t count,
                      std::size_t valence, double* defects) {
-  v3::star_defects(places, stars, count, valence, defects);
+  v3::star_defects(sites, stars, count, valence, defects);
 }
 
 }  // namespace planish

@@ -4,9 +4,9 @@
 
 namespace planish {
 
-void star_defects_v4(const Places& places, const Star* stars, std::size_t count,
+void star_defects_v4(const Site* sites, const Star* stars, std::size_t count,
                      std::size_t valence, double* defects) {
-  v4::star_defects(places, stars, count, valence, defects);
+  v4::star_defects(sites, stars, count, valence, defects);
 }
 
 }  // namespace planish

@@ -93,14 +93,16 @@ TEST(MoveStars, SkippingWhatCannotHaveChangedChangesNothing) {
 TEST(StarDefects, GivesTheSameBitsWithEverySetOfInstructions) {
   const TriMesh mesh = many_valences();
   const Connectivity connectivity(mesh);
-  const Places places{&mesh.positions.front().x, 3, 0.25};
+  std::vector<Site> sites;
+  for (const Vec3 p : mesh.positions)
+    sites.push_back({p.x, p.y, p.z, 0.0});
   for (const Index v : connectivity.inner_vertices()) {
     const Star star{connectivity.ring(v).data(), v};
     const Star stars[] = {star, star, star};
     double expected[3], found[3];
-    star_defects_for(Isa::baseline)(places, stars, 3, connectivity.ring(v).size(), expected);
+    star_defects_for(Isa::baseline)(sites.data(), stars, 3, connectivity.ring(v).size(), expected);
     for (const Isa isa : available_isas()) {
-      star_defects_for(isa)(places, stars, 3, connectivity.ring(v).size(), found);
+      star_defects_for(isa)(sites.data(), stars, 3, connectivity.ring(v).size(), found);
       EXPECT_EQ(std::memcmp(expected, found, sizeof found), 0) << to_string(isa);
     }
   }

@@ -44,7 +44,8 @@ Sweep make_sweep(const ClassicalLaplacian& options, PatchState& state, ThreadPoo
     return [options, &state, &pool] {
       return sweep_by_color(state, pool, [&](std::size_t begin, std::size_t end) {
         std::size_t moved = 0;
-        for (std::size_t v = begin; v < end; ++v) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const Index v = state.visited(i);
           moved += move_to(state, v, target_of(state, v, options));
         }
         return moved;

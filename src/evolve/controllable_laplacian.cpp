@@ -43,13 +43,14 @@ std::size_t ControllableMover::move(std::size_t begin, std::size_t end) {
   std::size_t moved = 0;
   while (begin < end) {
     const std::size_t run_end = std::min(end, state_.end_of_run(begin));
-    const std::size_t valence = state_.ring(begin).size();
+    const std::size_t valence = state_.ring(state_.visited(begin)).size();
     while (begin < run_end) {
       std::size_t count = 0;
       for (; begin < run_end && count < k_batch; ++begin) {
-        const std::uint32_t idle = idle_since_[begin];
-        if (idle != 0 && !state_.ring_changed_since(idle, begin)) continue;
-        stars[count++] = {state_.ring(begin).data(), static_cast<Index>(begin)};
+        const Index v = state_.visited(begin);
+        const std::uint32_t idle = idle_since_[v];
+        if (idle != 0 && !state_.ring_changed_since(idle, v)) continue;
+        stars[count++] = {state_.ring(v).data(), v};
       }
       moved += move_batch({stars.data(), count}, valence);
     }

@@ -1,21 +1,18 @@
 #include "evolve/patch_state.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/careful_sum.h"
 #include "evolve/coloring.h"
 #include "evolve/spatial_order.h"
-#include "measure/lanes/star_defects.h"
+#include "measure/star_batches.h"
 
 namespace planish {
 
 namespace {
-
-/// Vertices whose stars are computed by one call.
-constexpr std::size_t k_batch = 256;
 
 /// Puts what has one key together, keys ascending, and keeps the order within; returns where each
 /// begins, and the end.
@@ -43,12 +40,11 @@ PatchState::PatchState(const TriMesh& mesh, const Connectivity& connectivity, Th
     : scale_(unit_scale(mesh)), origins_(mesh.positions) {
   vertex_of_ = spatial_order(origins_, scale_, connectivity.inner_vertices(), pool);
   const auto colors = distance_two_colors(connectivity, vertex_of_, pool);
-  sort_by(vertex_of_, [&](Index v) { return connectivity.ring(v).size(); });
-  color_start_ = sort_by(vertex_of_, [&](Index v) { return colors[v]; });
   const std::size_t inner = vertex_of_.size();
   for (const auto& loop : connectivity.border_loops())
     vertex_of_.insert(vertex_of_.end(), loop.begin(), loop.end());
   number_rings(connectivity, inner, pool);
+  plan_visits(colors);
   place_vertices(pool);
   moved_.assign(inner_count(), 0);
   changed_at_.assign(inner_count(), 0);
@@ -83,37 +79,35 @@ void PatchState::number_rings(const Connectivity& connectivity, std::size_t inne
         *number++ = number_of[j];
     }
   });
+}
+
+void PatchState::plan_visits(const std::vector<Index>& colors) {
+  visits_.resize(inner_count());
+  std::iota(visits_.begin(), visits_.end(), Index{0});
+  sort_by(visits_, [this](Index v) { return ring(v).size(); });
+  color_start_ = sort_by(visits_, [&](Index v) { return colors[vertex_of_[v]]; });
   for (std::size_t color = 0; color < color_count(); ++color) {
-    for (std::size_t v = color_start_[color]; v < color_start_[color + 1]; ++v) {
-      const bool last = v + 1 == color_start_[color + 1];
-      if (last || ring(v).size() != ring(v + 1).size()) run_end_.push_back(v + 1);
+    for (std::size_t i = color_start_[color]; i < color_start_[color + 1]; ++i) {
+      const bool last = i + 1 == color_start_[color + 1];
+      if (last || ring(visits_[i]).size() != ring(visits_[i + 1]).size()) run_end_.push_back(i + 1);
     }
   }
 }
 
-std::size_t PatchState::end_of_run(std::size_t v) const {
-  return *std::upper_bound(run_end_.begin(), run_end_.end(), v);
+std::size_t PatchState::end_of_run(std::size_t i) const {
+  return *std::upper_bound(run_end_.begin(), run_end_.end(), i);
 }
 
 void PatchState::refresh_defects(ThreadPool& pool) {
   begin_phase();
-  const StarDefects star_defects = star_defects_for(best_isa());
-  pool.for_ranges(inner_count(), k_batch, [&](std::size_t begin, std::size_t end) {
-    std::array<Star, k_batch> stars;
-    std::array<double, k_batch> defects;
-    while (begin < end) {
-      const std::size_t valence = ring(begin).size();
-      const std::size_t count = std::min({end, end_of_run(begin), begin + k_batch}) - begin;
-      for (std::size_t i = 0; i < count; ++i)
-        stars[i] = {ring(begin + i).data(), static_cast<Index>(begin + i)};
-      star_defects(sites_.data(), stars.data(), count, valence, defects.data());
-      for (std::size_t i = 0; i < count; ++i) {
-        double& defect = sites_[begin + i].defect;
-        if (defect != defects[i]) changed_at_[begin + i] = now_;
-        defect = defects[i];
-      }
-      begin += count;
-    }
+  pool.for_ranges(inner_count(), 1024, [this](std::size_t begin, std::size_t end) {
+    StarBatches batches(sites_.data(), [this](Index v, double defect) {
+      if (sites_[v].defect != defect) changed_at_[v] = now_;
+      sites_[v].defect = defect;
+    });
+    for (std::size_t v = begin; v < end; ++v)
+      batches.add(static_cast<Index>(v), ring(v));
+    batches.finish();
   });
 }
 

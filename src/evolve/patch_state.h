@@ -14,24 +14,27 @@
 
 namespace planish {
 
-/// A patch laid out for sweeping. Vertices are renumbered: inner ones first, colour by colour,
-/// within a colour by valence, and along a space-filling curve within these; then the border;
-/// unused ones are left out. Places are scaled by unit_scale(), which is exact both ways.
+/// A patch laid out for sweeping. Vertices are renumbered along a space-filling curve, inner ones
+/// first, then the border; unused ones are left out. Inner vertices are visited colour by colour,
+/// within a colour by valence, along the curve within these. Places are scaled by unit_scale(),
+/// which is exact both ways.
 class PatchState {
  public:
   PatchState(const TriMesh& mesh, const Connectivity& connectivity, ThreadPool& pool);
 
   std::size_t inner_count() const { return ring_start_.size() - 1; }
   std::size_t color_count() const { return color_start_.size() - 1; }
-  /// The vertices of one colour are color_begin(c) to color_begin(c + 1).
+  /// The vertices of one colour are visited from color_begin(c) to color_begin(c + 1).
   std::size_t color_begin(std::size_t color) const { return color_start_[color]; }
 
   bool is_inner(Index v) const { return v < inner_count(); }
   std::span<const Index> ring(std::size_t v) const {
     return {rings_.data() + ring_start_[v], ring_start_[v + 1] - ring_start_[v]};
   }
-  /// From an inner vertex, the end of those after it with its colour and valence.
-  std::size_t end_of_run(std::size_t v) const;
+  /// The inner vertex that is the i-th to be visited.
+  Index visited(std::size_t i) const { return visits_[i]; }
+  /// From the i-th visit, the end of those that follow with its colour and valence.
+  std::size_t end_of_run(std::size_t i) const;
 
   Vec3 position(std::size_t v) const { return {sites_[v].x, sites_[v].y, sites_[v].z}; }
   /// Where an inner vertex was at first.
@@ -81,8 +84,9 @@ class PatchState {
   Index vertex_of(std::size_t v) const { return vertex_of_[v]; }
 
  private:
-  void place_vertices(ThreadPool& pool);
   void number_rings(const Connectivity& connectivity, std::size_t inner, ThreadPool& pool);
+  void plan_visits(const std::vector<Index>& colors);
+  void place_vertices(ThreadPool& pool);
 
   double scale_;
   std::vector<Vec3> origins_;     // the mesh's positions, as they came
@@ -92,7 +96,8 @@ class PatchState {
   std::vector<std::uint32_t> changed_at_;  // the last phase that changed its place or defect
   std::uint32_t now_ = 1;
   std::vector<std::size_t> ring_start_, color_start_;
-  std::vector<std::size_t> run_end_;  // ascending: where colour or valence change
+  std::vector<Index> visits_;
+  std::vector<std::size_t> run_end_;  // ascending: visits before which colour or valence change
   std::vector<Index> rings_;
 };
 

@@ -18,8 +18,8 @@ using Sweep = std::function<std::size_t()>;
 Sweep make_sweep(const ClassicalLaplacian& options, PatchState& state, ThreadPool& pool);
 Sweep make_sweep(const ControllableLaplacian& options, PatchState& state, ThreadPool& pool);
 
-/// Visits all inner vertices, colour after colour, those of one colour at the same time:
-/// body(begin, end) returns how many of these vertices it moved. Returns the total.
+/// Goes through all visits, colour after colour, those of one colour at the same time:
+/// body(begin, end) returns how many of the vertices visited it moved. Returns the total.
 std::size_t sweep_by_color(PatchState& state, ThreadPool& pool,
                            const std::function<std::size_t(std::size_t, std::size_t)>& body);
 

@@ -30,7 +30,7 @@ std::vector<Index> visiting_order(const TriMesh& mesh) {
   const PatchState state(mesh, connectivity, pool);
   std::vector<Index> order;
   for (std::size_t v = 0; v < state.inner_count(); ++v)
-    order.push_back(state.vertex_of(v));
+    order.push_back(state.vertex_of(state.visited(v)));
   return order;
 }
 

@@ -65,14 +65,13 @@ inline Real argument(const Complex& z) {
 class AngleSum {
  public:
   void add(const Complex& corner) {
-    const Mask nothing = (corner.re == 0.0) & (corner.im == 0.0);  // no length, no angle
-    const Complex next = product_ * corner;
+    product_ = product_ * corner;
     // Only a step from the lower to the upper half ends a turn, as no angle is above pi.
-    const Mask was_lower = lower_half();
-    const Real shrink = exponent_off(greatest(absolute(next.re), absolute(next.im)));
-    product_.re = select(nothing, product_.re, shrink * next.re);
-    product_.im = select(nothing, product_.im, shrink * next.im);
-    turns_ += select(was_lower & ~lower_half(), all(1.0), Real{});
+    const Mask lower = lower_half();
+    turns_ += select(was_lower_ & ~lower, all(1.0), Real{});
+    was_lower_ = lower;
+    // The product of a few corners is far from overflow and underflow.
+    if (++factors_ % 4 == 0) shrink();
   }
 
   /// 2 pi minus the sum.
@@ -86,6 +85,11 @@ class AngleSum {
   }
 
  private:
+  void shrink() {
+    const Real factor = exponent_off(greatest(absolute(product_.re), absolute(product_.im)));
+    product_ = {factor * product_.re, factor * product_.im};
+  }
+
   /// Argument from pi (included) to 2 pi.
   Mask lower_half() const {
     return (product_.im < 0.0) | ((product_.im == 0.0) & (product_.re < 0.0));
@@ -93,6 +97,8 @@ class AngleSum {
 
   Complex product_{all(1.0), Real{}};
   Real turns_{};
+  Mask was_lower_{};
+  int factors_ = 0;
 };
 
 }  // namespace planish::PLANISH_ISA

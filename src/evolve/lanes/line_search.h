@@ -5,12 +5,14 @@
 
 namespace planish::PLANISH_ISA {
 
-/// In each lane, the way down to a minimum of f on [low, high] from 0, by Gauss-Newton steps kept
-/// inside a bracket that shrinks at every evaluation: a step that would leave it, or that did not
-/// lower f, is replaced by its middle. Converges from any start.
+/// In each lane, the way down to a minimum of f on [low, high] from 0: two Gauss-Newton steps, then
+/// secant steps of the slope, which end sooner where the residuals stay large. All are kept inside
+/// a bracket that shrinks at every evaluation: a step that would leave it, or that did not lower f,
+/// is replaced by its middle. Converges from any start.
 class LineSearch {
  public:
   static constexpr int k_most_evaluations = 16;
+  static constexpr int k_gauss_newton_steps = 2;
   static constexpr double k_tolerance = 1e-3;  // b is flat at its minimum
 
   /// @pre low <= 0 <= high
@@ -27,8 +29,11 @@ class LineSearch {
 
   /// Where f should be evaluated next; that of finished lanes does not matter.
   Real next() {
-    const Real step = at_ - slope_ / curvature_;
-    Real place = select(curvature_ > 0.0, step, outer_);
+    const Real rise = ++evaluations_ > k_gauss_newton_steps
+                          ? (slope_ - other_slope_) / (at_ - other_)
+                          : curvature_;
+    const Real bend = select(rise > 0.0, rise, curvature_);
+    Real place = select(bend > 0.0, at_ - slope_ / bend, outer_);
     const Mask inside = (place > least(inner_, outer_)) & (place < greatest(inner_, outer_));
     const Mask beyond = (upward_ & (place >= outer_)) | (~upward_ & (place <= outer_));
     const Real middle = select(beyond & ~outer_tried_, outer_, 0.5 * (inner_ + outer_));
@@ -49,6 +54,8 @@ class LineSearch {
     inner_ = select((better & still_falls) | (worse & ~further), place, inner_);
     outer_ = select(to_outer, place, outer_);
     outer_tried_ |= to_outer;
+    other_ = select(better, at_, select(worse, place, other_));
+    other_slope_ = select(better, slope_, select(worse, slope, other_slope_));
     at_ = select(better, place, at_);
     value_ = select(better, value, value_);
     slope_ = select(better, slope, slope_);
@@ -65,7 +72,9 @@ class LineSearch {
   Mask upward_;
   // The minimum lies between inner (tried) and outer (tried only where outer_tried).
   Real inner_{}, outer_;
+  Real other_{}, other_slope_{};  // the place evaluated before or after the lowest
   Real enough_;
+  int evaluations_ = 0;
   Mask outer_tried_{}, done_;
 };
 

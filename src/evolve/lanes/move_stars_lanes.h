@@ -31,7 +31,8 @@ inline Steps within_sphere(const MoveOptions& options, const Vector& offset,
 /// One star in each lane, of which the first `used` count; the others repeat the first.
 template <int Valence>
 [[gnu::flatten]] void move_some(const MoveOptions& options, Site* sites, std::size_t inner_count,
-               const Star* const* stars, int used, int valence, unsigned char* moved) {
+                                const Star* const* stars, int used, int valence,
+                                unsigned char* moved) {
   RingEnergy<Valence> ring(sites, inner_count, stars, valence);
   const Vector start = ring.start(), laplacian = ring.laplacian();
   const LinePoint b = ring.at_start(laplacian, options.max_cotangent);

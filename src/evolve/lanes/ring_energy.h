@@ -100,6 +100,7 @@ class RingEnergy {
   /// b where the vertices are, and what at() needs: to be called first.
   /// @param max_cotangent triangles whose angles are smaller than its may keep theirs
   LinePoint at_start(const Vector& direction, double max_cotangent) {
+    guarded_ = max_cotangent < __builtin_inf();
     for (int j = 0; j < n(); ++j) {
       spokes_[j].turn = cross(spokes_[j].place - start_, direction);
       spokes_[j].max_cotangent = all(max_cotangent);
@@ -108,7 +109,9 @@ class RingEnergy {
     LinePoint b = begin_with(own_before_);
     for (int j = 0; j < n(); ++j) {
       Spoke& spoke = spokes_[j];
-      spoke.max_cotangent = greatest(all(max_cotangent), spoke.largest_dot / spoke.doubled_area);
+      if (guarded_) {
+        spoke.max_cotangent = greatest(all(max_cotangent), spoke.largest_dot / spoke.doubled_area);
+      }
       spoke.corners_before = corners_of_neighbour(j);
       const Real shrink = exponent_off(
           greatest(absolute(spoke.corners_before.re), absolute(spoke.corners_before.im)));
@@ -120,7 +123,7 @@ class RingEnergy {
       add(b, spoke.before, select(spoke.inner, rate_at_neighbour(j), Real{}));
     }
     own_best_ = own_before_;
-    return b;
+    return finished(b);
   }
 
   /// b with the vertices at x.
@@ -134,7 +137,7 @@ class RingEnergy {
       spoke.defect = spoke.before - select(spoke.inner, change_at_neighbour(j), Real{});
       add(b, spoke.defect, select(spoke.inner, rate_at_neighbour(j), Real{}));
     }
-    return b;
+    return finished(b);
   }
 
   /// Keeps the defects of the last evaluation where `better`.
@@ -185,10 +188,17 @@ class RingEnergy {
   int next(int j) const { return j + 1 < n() ? j + 1 : 0; }
   int previous(int j) const { return j > 0 ? j - 1 : n() - 1; }
 
+  /// Half of slope and curvature.
   static void add(LinePoint& b, const Real& defect, const Real& rate) {
     b.value += defect * defect;
-    b.slope -= 2.0 * defect * rate;
-    b.curvature += 2.0 * rate * rate;
+    b.slope -= defect * rate;
+    b.curvature += rate * rate;
+  }
+
+  static LinePoint finished(LinePoint b) {
+    b.slope *= 2.0;
+    b.curvature *= 2.0;
+    return b;
   }
 
   LinePoint begin_with(const Real& own_defect) const {
@@ -220,8 +230,11 @@ class RingEnergy {
       spoke.next_base_rate = dot(normal, spokes_[next(j)].turn) * (inverse * length);
       own_rate_ -= spoke.base_rate + spoke.next_base_rate;
       own_angles_.add({apex, s});
-      spoke.largest_dot = greatest(apex, greatest(spoke.base, spoke.next_base));
-      sound_ &= (length_next > 0.0) & ~(spoke.largest_dot > spoke.max_cotangent * s);
+      sound_ &= length_next > 0.0;
+      if (guarded_) {
+        spoke.largest_dot = greatest(apex, greatest(spoke.base, spoke.next_base));
+        sound_ &= ~(spoke.largest_dot > spoke.max_cotangent * s);
+      }
       u = u_next;
       length = length_next;
     }
@@ -243,9 +256,8 @@ class RingEnergy {
     const Complex now = corners_of_neighbour(j), before = spoke.corners_before;
     const Complex turn = now * Complex{before.re, -before.im};
     // A sum that passes the positive real axis has gone through 0 or 2 pi, which the turn hides.
-    const Mask passes = (now.re > 0.0) & (((now.im < 0.0) != (before.im < 0.0)) | (now.im == 0.0) |
-                                          (before.im == 0.0));
-    const Mask near = (is_short(turn) & ~passes) | ~spoke.inner;
+    const Mask stays = (now.re < 0.0) | (now.im * before.im > 0.0);
+    const Mask near = (is_short(turn) & stays) | ~spoke.inner;
     const Real change = short_argument(turn);
     if (!any(~near)) return change;
     const Real whole =
@@ -270,6 +282,7 @@ class RingEnergy {
   Real own_before_{}, own_{}, own_best_{}, own_rate_{};
   AngleSum own_angles_;
   Mask sound_{};
+  bool guarded_ = false;
 };
 
 }  // namespace planish::PLANISH_ISA

@@ -1,6 +1,8 @@
 #include "evolve/coloring.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <unordered_map>
 
 namespace planish {
@@ -48,22 +50,21 @@ class Palette {
 
 class Colorer {
  public:
-  explicit Colorer(const Connectivity& connectivity)
-      : connectivity_(connectivity), colors_(connectivity.vertex_count(), k_none) {
-    for (const Index v : connectivity.inner_vertices()) {
-      if (connectivity.ring(v).size() > k_hub_valence) hubs_.emplace(v, Hub{});
+  explicit Colorer(const InnerRings& rings) : rings_(rings), colors_(rings.count(), k_none) {
+    for (std::size_t v = 0; v < rings.count(); ++v) {
+      if (rings.of(v).size() > k_hub_valence) hubs_.emplace(static_cast<Index>(v), Hub{});
     }
   }
 
-  bool is_hub(Index v) const { return !hubs_.empty() && hubs_.count(v) > 0; }
+  bool is_inner(Index v) const { return v < colors_.size(); }
 
   /// Gives v the first colour that none has whose closed ring shares an inner vertex with that of
   /// v.
   void color(Index v, Palette& palette) {
     near_hubs_.clear();
     forbid_around(v, v, palette);
-    for (const Index w : connectivity_.ring(v)) {
-      if (connectivity_.is_inner(w)) forbid_around(w, v, palette);
+    for (const Index w : rings_.of(v)) {
+      if (is_inner(w)) forbid_around(w, v, palette);
     }
     Index color = 0;
     for (const Hub* hub : near_hubs_)
@@ -75,22 +76,21 @@ class Colorer {
       hub->use(color);
   }
 
-  /// The same where no hub is near; then what it looks at is within two edges of v.
-  void color_away_from_hubs(Index v, Palette& palette) {
-    forbid_ring(v, v, palette);
-    for (const Index w : connectivity_.ring(v)) {
-      if (connectivity_.is_inner(w)) forbid_ring(w, v, palette);
+  /// The same where all within two edges of v has a number from begin to end and no hub is near:
+  /// then nothing outside of these is looked at. False where that is not so.
+  bool color_inside(Index v, Index begin, Index end) {
+    std::uint64_t used = 0;  // enough but for odd places
+    if (!see_inside(v, begin, end, used)) return false;
+    for (const Index w : rings_.of(v)) {
+      if (is_inner(w) && !see_inside(w, begin, end, used)) return false;
     }
-    Index color = 0;
-    while (palette.forbidden(color, v))
-      ++color;
-    colors_[v] = color;
+    if (~used == 0) return false;
+    colors_[v] = static_cast<Index>(std::countr_one(used));
+    return true;
   }
 
-  std::vector<Index> finish() {
-    std::replace(colors_.begin(), colors_.end(), k_none, Index{0});
-    return std::move(colors_);
-  }
+  bool is_colored(Index v) const { return colors_[v] != k_none; }
+  std::vector<Index> finish() { return std::move(colors_); }
 
  private:
   /// Forbids v the colours of w and of its inner neighbours.
@@ -99,13 +99,26 @@ class Colorer {
       near_hubs_.push_back(&hub->second);
       return;
     }
-    forbid_ring(w, v, palette);
+    palette.forbid(colors_[w], v);
+    for (const Index u : rings_.of(w)) {
+      if (is_inner(u)) palette.forbid(colors_[u], v);
+    }
   }
 
-  void forbid_ring(Index w, Index v, Palette& palette) const {
-    palette.forbid(colors_[w], v);
-    for (const Index u : connectivity_.ring(w))
-      palette.forbid(colors_[u], v);
+  /// Adds the colours of w and of its inner neighbours to those used.
+  bool see_inside(Index w, Index begin, Index end, std::uint64_t& used) const {
+    const auto ring = rings_.of(w);
+    if (ring.size() > k_hub_valence || w < begin || w >= end) return false;
+    const auto bit = [this](Index u) {
+      return static_cast<std::uint64_t>(colors_[u] < 64) << (colors_[u] & 63U);
+    };
+    used |= bit(w);
+    for (const Index u : ring) {
+      if (!is_inner(u)) continue;
+      if (u < begin || u >= end) return false;
+      used |= bit(u);
+    }
+    return true;
   }
 
   bool used_by_hub(Index color) const {
@@ -113,73 +126,30 @@ class Colorer {
                        [color](const Hub* hub) { return hub->uses(color); });
   }
 
-  const Connectivity& connectivity_;
+  const InnerRings& rings_;
   std::vector<Index> colors_;
   std::unordered_map<Index, Hub> hubs_;
   std::vector<Hub*> near_hubs_;
 };
 
-/// Cuts the order into pieces and tells which vertices see no other piece, and no hub.
-class Pieces {
- public:
-  Pieces(const Connectivity& connectivity, std::span<const Index> order, const Colorer& colorer,
-         ThreadPool& pool)
-      : connectivity_(connectivity), piece_of_(connectivity.vertex_count(), k_none) {
-    pool.for_ranges(order.size(), k_piece, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        piece_of_[order[i]] = static_cast<Index>(i / k_piece);
-    });
-    mixed_.resize(connectivity.vertex_count(), 0);
-    pool.for_ranges(order.size(), k_piece, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        mixed_[order[i]] = colorer.is_hub(order[i]) || sees_two_pieces(order[i]) ? 1 : 0;
-    });
-  }
-
-  static std::size_t count(std::size_t vertices) { return (vertices + k_piece - 1) / k_piece; }
-  static std::size_t begin(std::size_t piece) { return piece * k_piece; }
-
-  /// True if all within two edges of v, over inner vertices, is of its piece.
-  bool is_inside(Index v) const {
-    const auto ring = connectivity_.ring(v);
-    return mixed_[v] == 0 &&
-           std::none_of(ring.begin(), ring.end(), [this](Index w) { return mixed_[w] != 0; });
-  }
-
- private:
-  static constexpr std::size_t k_piece = 8192;
-
-  bool sees_two_pieces(Index v) const {
-    const auto ring = connectivity_.ring(v);
-    return std::any_of(ring.begin(), ring.end(), [&](Index w) {
-      return piece_of_[w] != k_none && piece_of_[w] != piece_of_[v];
-    });
-  }
-
-  const Connectivity& connectivity_;
-  std::vector<Index> piece_of_;
-  std::vector<unsigned char> mixed_;
-};
-
 }  // namespace
 
-std::vector<Index> distance_two_colors(const Connectivity& connectivity,
-                                       std::span<const Index> order, ThreadPool& pool) {
-  Colorer colorer(connectivity);
-  const Pieces pieces(connectivity, order, colorer, pool);
+std::vector<Index> distance_two_colors(const InnerRings& rings, ThreadPool& pool) {
+  constexpr std::size_t piece = 8192;  // vertices; must not depend on the number of threads
+  const std::size_t count = rings.count();
+  Colorer colorer(rings);
   // What sees its own piece only can be coloured piece by piece at the same time.
-  pool.for_ranges(Pieces::count(order.size()), 1, [&](std::size_t first, std::size_t last) {
+  pool.for_ranges((count + piece - 1) / piece, 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t p = first; p < last; ++p) {
-      Palette palette;
-      const std::size_t end = std::min(order.size(), Pieces::begin(p + 1));
-      for (std::size_t i = Pieces::begin(p); i < end; ++i) {
-        if (pieces.is_inside(order[i])) colorer.color_away_from_hubs(order[i], palette);
-      }
+      const auto begin = static_cast<Index>(p * piece);
+      const auto end = static_cast<Index>(std::min(count, (p + 1) * piece));
+      for (Index v = begin; v < end; ++v)
+        colorer.color_inside(v, begin, end);
     }
   });
   Palette palette;
-  for (const Index v : order) {
-    if (!pieces.is_inside(v)) colorer.color(v, palette);
+  for (Index v = 0; v < count; ++v) {
+    if (!colorer.is_colored(v)) colorer.color(v, palette);
   }
   return colorer.finish();
 }

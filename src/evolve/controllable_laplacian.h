@@ -20,9 +20,9 @@ class ControllableMover {
   /// The state must outlive it.
   ControllableMover(const ControllableLaplacian& options, PatchState& state, Isa isa = best_isa());
 
-  /// Lets the vertices visited from begin to end, which are of one colour, take the step along their
-  /// Laplacian vectors that lowers the ring energy, where there is one. The energy of the patch
-  /// falls with each. Parts of one colour may be moved at the same time.
+  /// Lets the vertices visited from begin to end, which are of one colour, take the step along
+  /// their Laplacian vectors that lowers the ring energy, where there is one. The energy of the
+  /// patch falls with each. Parts of one colour may be moved at the same time.
   /// @return how many moved
   std::size_t move(std::size_t begin, std::size_t end);
 

@@ -39,12 +39,11 @@ std::vector<std::size_t> sort_by(std::vector<Index>& order, const KeyOf& key_of)
 PatchState::PatchState(const TriMesh& mesh, const Connectivity& connectivity, ThreadPool& pool)
     : scale_(unit_scale(mesh)), origins_(mesh.positions) {
   vertex_of_ = spatial_order(origins_, scale_, connectivity.inner_vertices(), pool);
-  const auto colors = distance_two_colors(connectivity, vertex_of_, pool);
   const std::size_t inner = vertex_of_.size();
   for (const auto& loop : connectivity.border_loops())
     vertex_of_.insert(vertex_of_.end(), loop.begin(), loop.end());
   number_rings(connectivity, inner, pool);
-  plan_visits(colors);
+  plan_visits(distance_two_colors({ring_start_, rings_}, pool));
   place_vertices(pool);
   moved_.assign(inner_count(), 0);
   changed_at_.assign(inner_count(), 0);
@@ -85,7 +84,7 @@ void PatchState::plan_visits(const std::vector<Index>& colors) {
   visits_.resize(inner_count());
   std::iota(visits_.begin(), visits_.end(), Index{0});
   sort_by(visits_, [this](Index v) { return ring(v).size(); });
-  color_start_ = sort_by(visits_, [&](Index v) { return colors[vertex_of_[v]]; });
+  color_start_ = sort_by(visits_, [&](Index v) { return colors[v]; });
   for (std::size_t color = 0; color < color_count(); ++color) {
     for (std::size_t i = color_start_[color]; i < color_start_[color + 1]; ++i) {
       const bool last = i + 1 == color_start_[color + 1];

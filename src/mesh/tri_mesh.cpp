@@ -15,12 +15,17 @@ struct Box {
 Box bounding_box(const TriMesh& mesh) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Box box{{inf, inf, inf}, {-inf, -inf, -inf}};
+  // Vertices are marked first and looked at once each, in their order in memory.
+  std::vector<unsigned char> used(mesh.positions.size(), 0);
   for (const Triangle& triangle : mesh.triangles) {
-    for (const Index v : triangle) {
-      const Vec3 p = mesh.positions[v];
-      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-    }
+    for (const Index v : triangle)
+      used[v] = 1;
+  }
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (used[v] == 0) continue;
+    const Vec3 p = mesh.positions[v];
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
   }
   return box;
 }

@@ -6,6 +6,13 @@
 
 namespace planish::PLANISH_ISA {
 
+/// The corner at a size near 1, whatever the size of the triangle; no angle where it has none.
+inline Complex near_one(const Complex& corner) {
+  const Real size = greatest(absolute(corner.re), absolute(corner.im));
+  const Real factor = exponent_off(size);
+  return {select(size > 0.0, factor * corner.re, all(1.0)), factor * corner.im};
+}
+
 [[gnu::flatten]] inline void star_defects(const Site* sites, const Star* stars, std::size_t count,
                                           std::size_t valence, double* defects) {
   for (std::size_t begin = 0; begin < count; begin += k_lanes) {
@@ -28,7 +35,7 @@ namespace planish::PLANISH_ISA {
     AngleSum sum;
     for (std::size_t j = 0; j < valence; ++j) {
       const Vector u = spoke(j), normal = cross(previous, u);
-      sum.add({dot(previous, u), square_root(dot(normal, normal))});
+      sum.add(near_one({dot(previous, u), square_root(dot(normal, normal))}));
       previous = u;
     }
     const Real defect = sum.defect();

@@ -4,8 +4,8 @@
 
 namespace planish {
 
-void star_defects_v4(const Site* sites, const Star* stars, std::size_t count,
-                     std::size_t valence, double* defects) {
+void star_defects_v4(const Site* sites, const Star* stars, std::size_t count, std::size_t valence,
+                     double* defects) {
   v4::star_defects(sites, stars, count, valence, defects);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include <planish/mesh/connectivity.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>
@@ -12,41 +13,60 @@
 namespace planish {
 namespace {
 
-/// How many pairs of one colour see a common inner vertex.
-std::size_t count_conflicts(const Connectivity& connectivity, const std::vector<Index>& colors) {
-  std::size_t conflicts = 0;
-  for (const Index v : connectivity.inner_vertices()) {
-    // v and its inner neighbours are pairwise at distance two at most.
-    std::multiset<Index> seen{colors[v]};
-    for (const Index w : connectivity.ring(v)) {
-      if (connectivity.is_inner(w)) seen.insert(colors[w]);
-    }
-    conflicts += seen.size() - std::set<Index>(seen.begin(), seen.end()).size();
-  }
-  return conflicts;
-}
+/// The rings of the inner vertices of a mesh, inner ones numbered first.
+struct Rings {
+  std::vector<std::size_t> start{0};
+  std::vector<Index> vertices;
 
-std::vector<Index> colors_of(const Connectivity& connectivity) {
-  ThreadPool pool(2);
-  return distance_two_colors(connectivity, connectivity.inner_vertices(), pool);
-}
+  explicit Rings(const TriMesh& mesh) {
+    const Connectivity connectivity(mesh);
+    const auto inner = connectivity.inner_vertices();
+    std::vector<Index> number(mesh.positions.size(), static_cast<Index>(mesh.positions.size()));
+    for (std::size_t i = 0; i < inner.size(); ++i)
+      number[inner[i]] = static_cast<Index>(i);
+    for (const Index v : inner) {
+      for (const Index w : connectivity.ring(v))
+        vertices.push_back(number[w]);
+      start.push_back(vertices.size());
+    }
+  }
+
+  std::vector<Index> colors(unsigned threads = 2) const {
+    ThreadPool pool(threads);
+    return distance_two_colors({start, vertices}, pool);
+  }
+
+  /// How many pairs of one colour see a common inner vertex.
+  std::size_t count_conflicts(const std::vector<Index>& colors) const {
+    const InnerRings rings{start, vertices};
+    std::size_t conflicts = 0;
+    for (std::size_t v = 0; v < rings.count(); ++v) {
+      // v and its inner neighbours are pairwise at distance two at most.
+      std::multiset<Index> seen{colors[v]};
+      for (const Index w : rings.of(v)) {
+        if (w < rings.count()) seen.insert(colors[w]);
+      }
+      conflicts += seen.size() - std::set<Index>(seen.begin(), seen.end()).size();
+    }
+    return conflicts;
+  }
+};
 
 TEST(Coloring, KeepsVerticesOfOneColorApart) {
   for (const Shape& shape : shapes()) {
-    const Connectivity connectivity(make_shape(shape.name, 3000));
-    const auto colors = colors_of(connectivity);
-    EXPECT_EQ(count_conflicts(connectivity, colors), 0U) << shape.name;
+    const Rings rings(make_shape(shape.name, 3000));
+    const auto colors = rings.colors();
+    EXPECT_EQ(rings.count_conflicts(colors), 0U) << shape.name;
     EXPECT_LT(*std::max_element(colors.begin(), colors.end()), 32U) << shape.name;
   }
 }
 
-TEST(Coloring, OfManyPiecesKeepsVerticesApartOnAnyNumberOfThreads) {
-  const TriMesh mesh = make_shape("panel", 40'000);
-  const Connectivity connectivity(mesh);
-  const auto colors = colors_of(connectivity);
-  EXPECT_EQ(count_conflicts(connectivity, colors), 0U);
-  ThreadPool alone(1);
-  EXPECT_EQ(distance_two_colors(connectivity, connectivity.inner_vertices(), alone), colors);
+TEST(Coloring, OfManyPiecesIsTheSameOnAnyNumberOfThreads) {
+  const Rings rings(make_shape("panel", 40'000));
+  const auto colors = rings.colors();
+  EXPECT_EQ(rings.count_conflicts(colors), 0U);
+  EXPECT_EQ(rings.colors(1), colors);
+  EXPECT_EQ(rings.colors(4), colors);
 }
 
 /// A hub of high valence whose ring is inside: a fan with a second ring around it.
@@ -64,16 +84,15 @@ TriMesh wheel(std::size_t valence) {
 }
 
 TEST(Coloring, GivesEveryVertexAroundAHubItsOwnColor) {
-  const Connectivity connectivity(wheel(500));
-  const auto colors = colors_of(connectivity);
-  EXPECT_EQ(count_conflicts(connectivity, colors), 0U);
+  const Rings rings(wheel(500));
+  const auto colors = rings.colors();
+  EXPECT_EQ(rings.count_conflicts(colors), 0U);
   EXPECT_EQ(*std::max_element(colors.begin(), colors.end()), 500U);
 }
 
 TEST(Coloring, TakesNearLinearTimeAroundAHub) {
   // 100,000 neighbours of one hub: going through its ring for each would take 10^10 steps.
-  const Connectivity connectivity(wheel(100'000));
-  const auto colors = colors_of(connectivity);
+  const auto colors = Rings(wheel(100'000)).colors();
   EXPECT_EQ(*std::max_element(colors.begin(), colors.end()), 100'000U);
 }
 

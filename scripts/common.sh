@@ -23,6 +23,9 @@ check_packages="
 clang-14            command clang++-14
 clang-tidy-14       command clang-tidy-14
 "
+bench_packages="
+libbenchmark-dev    header benchmark/benchmark.h
+"
 
 repo=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include <planish/evolve/evolver.h>
+
+#include "core/thread_pool.h"
+#include "evolve/controllable_laplacian.h"
+#include "evolve/sweep.h"
+#include "oracle/plain_sweep.h"
+#include "support/stopwatch.h"
+
+namespace planish::bench {
+
+/// Medians of ten controllable sweeps, seconds: colouring, renumbering and the defects after every
+/// sweep included, connectivity and inspection not.
+struct SweepTimes {
+  double plain = 0.0, one_thread = 0.0, two_threads = 0.0;
+};
+
+constexpr int k_sweeps = 10;
+
+inline double ten_sweeps(const TriMesh& mesh, const Connectivity& connectivity, unsigned threads) {
+  ThreadPool pool(threads);
+  return seconds_of([&] {
+    PatchState state(mesh, connectivity, pool);
+    const Sweep sweep = make_sweep(ControllableLaplacian{}, state, pool);
+    for (int i = 0; i < k_sweeps; ++i) {
+      sweep();
+      state.refresh_defects(pool);
+      state.summary(pool);
+    }
+  });
+}
+
+inline double ten_plain_sweeps(const TriMesh& mesh, const Connectivity& connectivity) {
+  return seconds_of([&] {
+    plain::Sweeper sweeper(mesh.positions, connectivity);
+    for (int i = 0; i < k_sweeps; ++i)
+      sweeper.sweep(connectivity.inner_vertices(), {0.0, 1.0}, 1e-17);
+  });
+}
+
+/// The three in turn, so that a slow moment of the machine falls on all of them.
+inline SweepTimes time_sweeps(const TriMesh& mesh, int repetitions = 5) {
+  const Connectivity connectivity(mesh);
+  std::vector<double> plain, one, two;
+  for (int i = 0; i < repetitions; ++i) {
+    plain.push_back(ten_plain_sweeps(mesh, connectivity));
+    one.push_back(ten_sweeps(mesh, connectivity, 1));
+    two.push_back(ten_sweeps(mesh, connectivity, 2));
+  }
+  return {median(plain), median(one), median(two)};
+}
+
+}  // namespace planish::bench

@@ -57,7 +57,7 @@ class RingEnergy {
  public:
   /// Looks at the rings of one star per lane.
   RingEnergy(const Site* sites, std::size_t inner_count, const Star* const* stars, int valence)
-      : valence_(valence), spokes_(valence) {
+      : spokes_(valence), valence_(valence) {
     const Bits inner_end = Bits{} + static_cast<std::int64_t>(inner_count);
     const double* rows[k_lanes];
     for (int lane = 0; lane < k_lanes; ++lane)
@@ -276,12 +276,12 @@ class RingEnergy {
     return select((angle < 0.0) | straight, angle + 2.0 * k_pi, angle);
   }
 
-  int valence_;
-  Spokes<Spoke, Valence> spokes_;
-  Vector start_{};
   Real own_before_{}, own_{}, own_best_{}, own_rate_{};
-  AngleSum own_angles_;
   Mask sound_{};
+  Vector start_{};
+  AngleSum own_angles_;
+  Spokes<Spoke, Valence> spokes_;
+  int valence_;
   bool guarded_ = false;
 };
 

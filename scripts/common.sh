@@ -25,6 +25,7 @@ clang-tidy-14       command clang-tidy-14
 "
 bench_packages="
 libbenchmark-dev    header benchmark/benchmark.h
+valgrind            command valgrind
 "
 
 repo=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)

@@ -1,0 +1,25 @@
+// Ten controllable sweeps of a small patch with the instructions that valgrind knows, for
+// bench/check_instructions to count.
+
+#include <cstdio>
+
+#include <planish/mesh/shapes.h>
+
+#include "evolve/controllable_laplacian.h"
+#include "evolve/sweep.h"
+
+int main() {
+  using namespace planish;
+  const TriMesh mesh = make_shape("panel", 5000);
+  const Connectivity connectivity(mesh);
+  ThreadPool pool(1);
+  PatchState state(mesh, connectivity, pool);
+  ControllableMover mover({}, state, Isa::x86_64_v3);
+  std::size_t moved = 0;
+  for (int sweep = 0; sweep < 10; ++sweep) {
+    moved += sweep_by_color(
+        state, pool, [&](std::size_t begin, std::size_t end) { return mover.move(begin, end); });
+    state.refresh_defects(pool);
+  }
+  std::printf("%zu moves\n", moved);
+}

@@ -99,14 +99,19 @@ std::size_t PatchState::end_of_run(std::size_t i) const {
 
 void PatchState::refresh_defects(ThreadPool& pool) {
   begin_phase();
-  pool.for_ranges(inner_count(), 1024, [this](std::size_t begin, std::size_t end) {
-    StarBatches batches(sites_.data(), [this](Index v, double defect) {
-      if (sites_[v].defect != defect) changed_at_[v] = now_;
-      sites_[v].defect = defect;
-    });
+  // Written apart first: the kernel loads whole sites, also while others are being computed.
+  std::vector<double> defects(inner_count());
+  pool.for_ranges(inner_count(), 1024, [&](std::size_t begin, std::size_t end) {
+    StarBatches batches(sites_.data(), [&](Index v, double defect) { defects[v] = defect; });
     for (std::size_t v = begin; v < end; ++v)
       batches.add(static_cast<Index>(v), ring(v));
     batches.finish();
+  });
+  pool.for_ranges(inner_count(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      if (sites_[v].defect != defects[v]) changed_at_[v] = now_;
+      sites_[v].defect = defects[v];
+    }
   });
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
 #include <planish/core/vec.h>
@@ -51,19 +50,5 @@ class AngleProduct {
   double re_ = 1.0, im_ = 0.0;
   double turns_ = 0.0;
 };
-
-/// The defect of a vertex at x with a closed ring of `count` neighbours.
-/// @param place_of neighbour number -> Vec3
-template <class PlaceOf>
-double star_defect(Vec3 x, std::size_t count, const PlaceOf& place_of) {
-  AngleProduct sum;
-  Vec3 previous = place_of(count - 1) - x;
-  for (std::size_t j = 0; j < count; ++j) {
-    const Vec3 next = place_of(j) - x;
-    sum.add(corner_between(previous, next));
-    previous = next;
-  }
-  return sum.defect();
-}
 
 }  // namespace planish

@@ -17,9 +17,9 @@ int main() {
   ControllableMover mover({}, state, Isa::x86_64_v3);
   std::size_t moved = 0;
   for (int sweep = 0; sweep < 10; ++sweep) {
-    moved += sweep_by_color(
-        state, pool, [&](std::size_t begin, std::size_t end) { return mover.move(begin, end); });
-    state.refresh_defects(pool);
+    moved += visit_all(state.plan(), pool,
+                       [&](std::size_t begin, std::size_t end) { return mover.move(begin, end); });
+    state.measure(pool);
   }
   std::printf("%zu moves\n", moved);
 }

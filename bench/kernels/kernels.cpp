@@ -42,8 +42,8 @@ void controllable_sweep(benchmark::State& run) {
     PatchState state(panel(), panel_connectivity(), pool);
     ControllableMover mover({}, state, static_cast<Isa>(run.range(0)));
     run.ResumeTiming();
-    sweep_by_color(state, pool,
-                   [&](std::size_t begin, std::size_t end) { return mover.move(begin, end); });
+    visit_all(state.plan(), pool,
+              [&](std::size_t begin, std::size_t end) { return mover.move(begin, end); });
   }
   per_vertex(run);
   run.SetLabel(std::string(to_string(static_cast<Isa>(run.range(0)))));
@@ -63,7 +63,7 @@ void refresh_defects(benchmark::State& run) {
   ThreadPool pool(1);
   PatchState state(panel(), panel_connectivity(), pool);
   for (auto _ : run)
-    state.refresh_defects(pool);
+    state.measure(pool);
   per_vertex(run);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <planish/evolve/evolver.h>
@@ -21,24 +22,26 @@ struct SweepTimes {
 
 constexpr int k_sweeps = 10;
 
+// What frees memory is not counted: the states outlive the clock.
 inline double ten_sweeps(const TriMesh& mesh, const Connectivity& connectivity, unsigned threads) {
   ThreadPool pool(threads);
+  std::optional<PatchState> state;
   return seconds_of([&] {
-    PatchState state(mesh, connectivity, pool);
-    const Sweep sweep = make_sweep(ControllableLaplacian{}, state, pool);
+    state.emplace(mesh, connectivity, pool);
+    const Sweep sweep = make_sweep(ControllableLaplacian{}, *state, pool);
     for (int i = 0; i < k_sweeps; ++i) {
       sweep();
-      state.refresh_defects(pool);
-      state.summary(pool);
+      state->measure(pool);
     }
   });
 }
 
 inline double ten_plain_sweeps(const TriMesh& mesh, const Connectivity& connectivity) {
+  std::optional<plain::Sweeper> sweeper;
   return seconds_of([&] {
-    plain::Sweeper sweeper(mesh.positions, connectivity);
+    sweeper.emplace(mesh.positions, connectivity);
     for (int i = 0; i < k_sweeps; ++i)
-      sweeper.sweep(connectivity.inner_vertices(), {0.0, 1.0}, 1e-17);
+      sweeper->sweep(connectivity.inner_vertices(), {0.0, 1.0}, 1e-17);
   });
 }
 

@@ -35,8 +35,8 @@ void ThreadPool::for_ranges(std::size_t count, std::size_t grain,
   body_ = &body;
   count_ = count;
   next_ = 0;
-  // A few parts a thread, so that a slow one does not keep the others waiting.
-  part_ = std::max(grain, count / (4 * size()) + 1);
+  // Some parts a thread, so that none waits long for the last one.
+  part_ = std::max(grain, count / (16 * size()));
   wake_.notify_all();
   run_parts(lock);
   done_.wait(lock, [this] { return busy_ == 0; });

@@ -5,7 +5,6 @@
 #include "evolve/controllable_laplacian.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -13,13 +12,6 @@
 #include "evolve/sweep.h"
 
 namespace planish {
-
-namespace {
-
-/// Stars that are handed to the kernel together.
-constexpr std::size_t k_batch = 128;
-
-}  // namespace
 
 ControllableMover::ControllableMover(const ControllableLaplacian& options, PatchState& state,
                                      Isa isa)
@@ -39,43 +31,41 @@ ControllableMover::ControllableMover(const ControllableLaplacian& options, Patch
 }
 
 std::size_t ControllableMover::move(std::size_t begin, std::size_t end) {
-  std::array<Star, k_batch> stars;
   std::size_t moved = 0;
-  while (begin < end) {
-    const std::size_t run_end = std::min(end, state_.end_of_run(begin));
-    const std::size_t valence = state_.ring(state_.visited(begin)).size();
-    while (begin < run_end) {
-      std::size_t count = 0;
-      for (; begin < run_end && count < k_batch; ++begin) {
-        const Index v = state_.visited(begin);
-        const std::uint32_t idle = idle_since_[v];
-        if (idle != 0 && !state_.ring_changed_since(idle, v)) continue;
-        stars[count++] = {state_.ring(v).data(), v};
-      }
-      moved += move_batch({stars.data(), count}, valence);
+  const VisitPlan& plan = state_.plan();
+  plan.for_runs(begin, end, [&](const Run& run, std::size_t i, std::size_t last) {
+    Batch batch;
+    for (; i < last; ++i) {
+      const Star star = plan.star(run, i);
+      const std::uint32_t idle = idle_since_[i];
+      if (idle != 0 && !state_.ring_changed_since(idle, star, run.valence)) continue;
+      batch.stars[batch.count] = star;
+      batch.visits[batch.count] = static_cast<Index>(i);
+      if (++batch.count == k_batch) moved += move_batch(batch, run);
     }
-  }
+    moved += move_batch(batch, run);
+  });
   return moved;
 }
 
-std::size_t ControllableMover::move_batch(std::span<const Star> stars, std::size_t valence) {
+std::size_t ControllableMover::move_batch(Batch& batch, const Run& run) {
   std::array<unsigned char, k_batch> moved;
-  move_stars_(options_, state_.sites().data(), state_.inner_count(), stars.data(), stars.size(),
-              valence, moved.data());
+  const Changes changes = state_.changes(run.color);
+  move_stars_(options_, state_.sites().data(), changes, batch.stars.data(), batch.count,
+              run.valence, moved.data());
   std::size_t total = 0;
-  for (std::size_t i = 0; i < stars.size(); ++i) {
-    idle_since_[stars[i].center] = moved[i] != 0 ? 0 : state_.now();
-    if (moved[i] == 0) continue;
-    state_.note_move(stars[i].center);
-    ++total;
+  for (std::size_t k = 0; k < batch.count; ++k) {
+    idle_since_[batch.visits[k]] = moved[k] != 0 ? 0 : changes.now;
+    total += moved[k];
   }
+  batch.count = 0;
   return total;
 }
 
 Sweep make_sweep(const ControllableLaplacian& options, PatchState& state, ThreadPool& pool) {
   return [mover = ControllableMover(options, state), &state, &pool]() mutable {
-    return sweep_by_color(
-        state, pool, [&](std::size_t begin, std::size_t end) { return mover.move(begin, end); });
+    return visit_all(state.plan(), pool,
+                     [&](std::size_t begin, std::size_t end) { return mover.move(begin, end); });
   };
 }
 

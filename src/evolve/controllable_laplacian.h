@@ -1,9 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include <planish/evolve/method.h>
@@ -20,9 +20,9 @@ class ControllableMover {
   /// The state must outlive it.
   ControllableMover(const ControllableLaplacian& options, PatchState& state, Isa isa = best_isa());
 
-  /// Lets the vertices visited from begin to end, which are of one colour, take the step along
-  /// their Laplacian vectors that lowers the ring energy, where there is one. The energy of the
-  /// patch falls with each. Parts of one colour may be moved at the same time.
+  /// Lets the vertices visited from begin to end take the step along their Laplacian vectors that
+  /// lowers the ring energy, where there is one. The energy of the patch falls with each. What the
+  /// plan lets be visited at the same time may be moved at the same time.
   /// @return how many moved
   std::size_t move(std::size_t begin, std::size_t end);
 
@@ -30,13 +30,22 @@ class ControllableMover {
   void forget_idle() { std::fill(idle_since_.begin(), idle_since_.end(), 0); }
 
  private:
-  std::size_t move_batch(std::span<const Star> stars, std::size_t valence);
+  static constexpr std::size_t k_batch = 128;
+  /// Stars that are handed to the kernel together.
+  struct Batch {
+    std::array<Star, k_batch> stars;
+    std::array<Index, k_batch> visits;
+    std::size_t count = 0;
+  };
+
+  /// Moves those of the batch and empties it.
+  std::size_t move_batch(Batch& batch, const Run& run);
 
   PatchState& state_;
   MoveOptions options_;
   MoveStars move_stars_;
   std::vector<Site> origins_;              // where a limit of deviation needs them
-  std::vector<std::uint32_t> idle_since_;  // the phase in which it found no step; 0: it moved
+  std::vector<std::uint32_t> idle_since_;  // by visit: when it found no step; 0: it moved
 };
 
 }  // namespace planish

@@ -22,8 +22,7 @@ class Evolver::Impl {
     SweepRecord record;
     record.moved = sweep_();
     // Anew from the positions, so that the errors of many small updates cannot pile up.
-    state_.refresh_defects(pool_);
-    const Flattenability figures = state_.summary(pool_);
+    const Flattenability figures = state_.measure(pool_);
     record.sweep = ++sweeps_;
     record.e_max = figures.e_max;
     record.e_avg = figures.e_avg;

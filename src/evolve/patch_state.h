@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -8,69 +9,72 @@
 #include <planish/measure/flattenability.h>
 #include <planish/mesh/connectivity.h>
 
-#include "core/lanes/isa.h"
+#include "core/buffer.h"
+#include "core/careful_sum.h"
 #include "core/thread_pool.h"
 #include "evolve/lanes/move_stars.h"
+#include "evolve/visit_plan.h"
+#include "mesh/box.h"
 
 namespace planish {
 
+/// Sums over vertices of the sizes of their defects.
+struct DefectSums {
+  double most = 0.0;
+  CarefulSum energy, sum;
+
+  void add(double size) {
+    raise(size);
+    energy.add(size * size);
+    sum.add(size);
+  }
+  void add(const DefectSums& part) {
+    raise(part.most);
+    energy.add(part.energy);
+    sum.add(part.sum);
+  }
+
+ private:
+  void raise(double size) {
+    if (size > most || std::isnan(size)) most = size;
+  }
+};
+
 /// A patch laid out for sweeping. Vertices are renumbered along a space-filling curve, inner ones
-/// first, then the border; unused ones are left out. Inner vertices are visited colour by colour,
-/// within a colour by valence, along the curve within these. Places are scaled by unit_scale(),
-/// which is exact both ways.
+/// first, then the border; unused ones are left out. Places are scaled by unit_scale(), which is
+/// exact both ways.
 class PatchState {
  public:
+  /// The mesh must outlive it; connectivity is that of the mesh and not needed afterwards.
   PatchState(const TriMesh& mesh, const Connectivity& connectivity, ThreadPool& pool);
 
-  std::size_t inner_count() const { return ring_start_.size() - 1; }
-  std::size_t color_count() const { return color_start_.size() - 1; }
-  /// The vertices of one colour are visited from color_begin(c) to color_begin(c + 1).
-  std::size_t color_begin(std::size_t color) const { return color_start_[color]; }
-
+  std::size_t inner_count() const { return plan_.visits.size(); }
   bool is_inner(Index v) const { return v < inner_count(); }
-  std::span<const Index> ring(std::size_t v) const {
-    return {rings_.data() + ring_start_[v], ring_start_[v + 1] - ring_start_[v]};
-  }
-  /// The inner vertex that is the i-th to be visited.
-  Index visited(std::size_t i) const { return visits_[i]; }
-  /// From the i-th visit, the end of those that follow with its colour and valence.
-  std::size_t end_of_run(std::size_t i) const;
+  /// How a sweep visits the inner vertices.
+  const VisitPlan& plan() const { return plan_; }
 
   Vec3 position(std::size_t v) const { return {sites_[v].x, sites_[v].y, sites_[v].z}; }
   /// Where an inner vertex was at first.
   Vec3 origin(std::size_t v) const { return scale_ * origins_[vertex_of_[v]]; }
-  void move(std::size_t v, Vec3 to) {
-    sites_[v].x = to.x, sites_[v].y = to.y, sites_[v].z = to.z;
-    note_move(v);
-  }
+  void move(std::size_t v, Vec3 to) { sites_[v].x = to.x, sites_[v].y = to.y, sites_[v].z = to.z; }
 
-  /// Places and defects; who moves a vertex here says so with note_move().
+  /// Places and defects.
   std::span<Site> sites() { return sites_; }
-  /// Remembers that v moved, and with it the defects of its ring.
-  void note_move(std::size_t v) {
-    moved_[v] = 1;
-    changed_at_[v] = now_;
-    for (const Index j : ring(v)) {
-      if (is_inner(j)) changed_at_[j] = now_;
-    }
-  }
 
-  /// d_v of an inner vertex, as of the last update; see refresh_defects().
+  /// d_v of an inner vertex, as of the last update; see measure().
   double defect(std::size_t v) const { return sites_[v].defect; }
-  /// Computes all defects from the positions, on any number of threads with the same bits.
-  void refresh_defects(ThreadPool& pool);
-  /// e_max, e_avg, energy and sum_abs_defect of the defects.
-  Flattenability summary(ThreadPool& pool) const;
+  /// Computes all defects from the positions and returns e_max, e_avg, energy and sum_abs_defect;
+  /// ends a sweep. On any number of threads with the same bits.
+  Flattenability measure(ThreadPool& pool);
 
-  /// A clock for those who skip what cannot have changed: counts phases in which vertices that move
-  /// do not see each other.
-  void begin_phase() { ++now_; }
-  std::uint32_t now() const { return now_; }
-  /// True if the vertex, its neighbours or their defects changed after phase `then`.
-  bool ring_changed_since(std::uint32_t then, std::size_t v) const {
-    if (changed_at_[v] > then) return true;
-    for (const Index j : ring(v)) {
-      if (is_inner(j) && changed_at_[j] > then) return true;
+  /// A clock for those who skip what cannot have changed: its time is when vertices of the colour
+  /// are visited in this sweep. Later visits that see one of them have later times.
+  Changes changes(Index color) { return {changed_at_.data(), time_of(color)}; }
+  /// True if the vertex, its neighbours or their defects changed after `then`.
+  bool ring_changed_since(std::uint32_t then, const Star& star, std::size_t valence) const {
+    if (changed_at_[star.center] > then) return true;
+    for (std::size_t j = 0; j < valence; ++j) {
+      if (is_inner(star.ring[j]) && changed_at_[star.ring[j]] > then) return true;
     }
     return false;
   }
@@ -84,21 +88,19 @@ class PatchState {
   Index vertex_of(std::size_t v) const { return vertex_of_[v]; }
 
  private:
-  void number_rings(const Connectivity& connectivity, std::size_t inner, ThreadPool& pool);
-  void plan_visits(const std::vector<Index>& colors);
+  VisitPlan plan_for(const Connectivity& connectivity, std::size_t inner, const Box& box,
+                     ThreadPool& pool) const;
   void place_vertices(ThreadPool& pool);
+  std::uint32_t time_of(Index color) const { return sweep_began_ + color; }
+  DefectSums measure_visits(std::size_t begin, std::size_t end);
 
-  double scale_;
-  std::vector<Vec3> origins_;     // the mesh's positions, as they came
-  std::vector<Index> vertex_of_;  // number in the mesh
-  std::vector<Site> sites_;
-  std::vector<unsigned char> moved_;
-  std::vector<std::uint32_t> changed_at_;  // the last phase that changed its place or defect
-  std::uint32_t now_ = 1;
-  std::vector<std::size_t> ring_start_, color_start_;
-  std::vector<Index> visits_;
-  std::vector<std::size_t> run_end_;  // ascending: visits before which colour or valence change
-  std::vector<Index> rings_;
+  std::span<const Vec3> origins_;  // the mesh's positions
+  double scale_ = 1.0;
+  std::vector<Index> vertex_of_;           // number in the mesh
+  Buffer<Site> sites_;                     // as many
+  std::vector<std::uint32_t> changed_at_;  // when its place or defect changed last
+  std::uint32_t sweep_began_ = 1;
+  VisitPlan plan_;
 };
 
 }  // namespace planish

@@ -1,74 +1,108 @@
 #include "evolve/spatial_order.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
-#include <limits>
 #include <utility>
+
+#include "core/buffer.h"
 
 namespace planish {
 
 namespace {
 
-/// Puts two zero bits after each of the lowest 21 bits.
+/// Parts that are worked on at the same time: must not depend on the number of threads.
+constexpr std::size_t k_parts = 8;
+constexpr int k_digit_bits = 12, k_digits_of_key = 3;
+constexpr std::size_t k_digits = std::size_t{1} << k_digit_bits;
+constexpr int k_cell_bits = 12;  // on each axis
+/// Puts two zero bits after each of the lowest 12 bits.
 std::uint64_t spread(std::uint64_t bits) {
-  bits &= 0x1fffff;
-  bits = (bits | bits << 32) & 0x1f00000000ffff;
-  bits = (bits | bits << 16) & 0x1f0000ff0000ff;
-  bits = (bits | bits << 8) & 0x100f00f00f00f00f;
-  bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
-  return (bits | bits << 2) & 0x1249249249249249;
+  bits = (bits | bits << 16) & 0xff0000ff;
+  bits = (bits | bits << 8) & 0xf00f00f;
+  bits = (bits | bits << 4) & 0xc30c30c3;
+  return (bits | bits << 2) & 0x249249249;
 }
 
-using Key = std::pair<std::uint64_t, Index>;
+/// A vertex and its cell's place on the curve.
+struct Key {
+  std::uint64_t cell;
+  Index vertex;
+};
 
-/// Sorts pieces side by side and merges them pair by pair; keys differ, so that any way gives the
-/// same order.
-void sort_keys(std::vector<Key>& keys, ThreadPool& pool) {
-  constexpr std::size_t pieces = 8;
-  const auto at = [&](std::size_t piece) {
-    return keys.begin() + static_cast<std::ptrdiff_t>(keys.size() * piece / pieces);
-  };
-  pool.for_ranges(pieces, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p)
-      std::sort(at(p), at(p + 1));
+/// Calls body(part, begin, end) for all parts of [0, count).
+template <class Body>
+void for_parts(std::size_t count, ThreadPool& pool, const Body& body) {
+  pool.for_ranges(k_parts, 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t part = first; part < last; ++part)
+      body(part, count * part / k_parts, count * (part + 1) / k_parts);
   });
-  for (std::size_t width = 1; width < pieces; width *= 2) {
-    pool.for_ranges(pieces / (2 * width), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t p = 2 * width * begin; p < 2 * width * end; p += 2 * width)
-        std::inplace_merge(at(p), at(p + width), at(p + 2 * width));
-    });
+}
+
+/// Sorts by one digit of the cell and keeps the order within.
+void sort_by_digit(const Buffer<Key>& keys, Buffer<Key>& sorted, int digit, ThreadPool& pool) {
+  const auto digit_of = [shift = digit * k_digit_bits](const Key& key) {
+    return key.cell >> shift & (k_digits - 1);
+  };
+  std::vector<std::array<std::size_t, k_digits>> next(k_parts);
+  for_parts(keys.size(), pool, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    next[part].fill(0);
+    for (std::size_t i = begin; i < end; ++i)
+      ++next[part][digit_of(keys[i])];
+  });
+  std::size_t total = 0;
+  for (std::size_t d = 0; d < k_digits; ++d) {
+    for (auto& of_part : next)
+      total += std::exchange(of_part[d], total);
   }
+  for_parts(keys.size(), pool, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      sorted[next[part][digit_of(keys[i])]++] = keys[i];
+  });
 }
 
 }  // namespace
 
-std::vector<Index> spatial_order(std::span<const Vec3> positions, double scale,
-                                 std::span<const Index> chosen, ThreadPool& pool) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  Vec3 low{inf, inf, inf}, high{-inf, -inf, -inf};
-  for (const Index v : chosen) {
-    const Vec3 p = scale * positions[v];
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  const Vec3 size = high - low;
+Box bounding_box(std::span<const Vec3> positions, std::span<const Index> chosen, ThreadPool& pool) {
+  std::array<Box, k_parts> boxes;
+  for_parts(chosen.size(), pool, [&](std::size_t part, std::size_t begin, std::size_t end) {
+    Box box;  // put into place at last: threads shall not share a line of cache
+    for (std::size_t i = begin; i < end; ++i)
+      box.add(positions[chosen[i]]);
+    boxes[part] = box;
+  });
+  Box box;
+  for (const Box& part : boxes)
+    box.add(part);
+  return box;
+}
+
+std::vector<Index> spatial_order(std::span<const Vec3> positions, std::span<const Index> chosen,
+                                 double scale, const Box& box, double shift, ThreadPool& pool) {
+  const std::size_t count = chosen.size();
+  const Vec3 size = box.high - box.low;
   const double extent = std::max({size.x, size.y, size.z, 0.0});
-  const double cells = extent > 0.0 ? 0x1fffff / extent : 0.0;
-  std::vector<Key> keys(chosen.size());
-  pool.for_ranges(chosen.size(), 4096, [&](std::size_t begin, std::size_t end) {
+  const double cells = extent > 0.0 ? ((1 << k_cell_bits) - 1) / ((1.0 + shift) * extent) : 0.0;
+  const Vec3 origin = box.low - shift * Vec3{extent, extent, extent};
+  Buffer<Key> keys(count), sorted(count);
+  for_parts(count, pool, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Vec3 p = cells * (scale * positions[chosen[i]] - low);
+      const Vec3 p = cells * (scale * positions[chosen[i]] - origin);
       keys[i] = {spread(static_cast<std::uint64_t>(p.x)) |
                      spread(static_cast<std::uint64_t>(p.y)) << 1 |
                      spread(static_cast<std::uint64_t>(p.z)) << 2,
                  chosen[i]};
     }
   });
-  sort_keys(keys, pool);
-  std::vector<Index> order;
-  order.reserve(keys.size());
-  for (const auto& key : keys)
-    order.push_back(key.second);
+  for (int digit = 0; digit < k_digits_of_key; ++digit) {
+    sort_by_digit(keys, sorted, digit, pool);
+    std::swap(keys, sorted);
+  }
+  std::vector<Index> order(count);
+  for_parts(count, pool, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      order[i] = keys[i].vertex;
+  });
   return order;
 }
 

@@ -6,16 +6,15 @@
 
 namespace planish {
 
-std::size_t sweep_by_color(PatchState& state, ThreadPool& pool,
-                           const std::function<std::size_t(std::size_t, std::size_t)>& body) {
-  constexpr std::size_t grain = 256;
+std::size_t visit_all(const VisitPlan& plan, ThreadPool& pool,
+                      const std::function<std::size_t(std::size_t, std::size_t)>& body) {
   std::atomic<std::size_t> moved = 0;
-  for (std::size_t color = 0; color < state.color_count(); ++color) {
-    state.begin_phase();
-    const std::size_t first = state.color_begin(color);
-    pool.for_ranges(
-        state.color_begin(color + 1) - first, grain,
-        [&](std::size_t begin, std::size_t end) { moved += body(first + begin, first + end); });
+  const auto& stage = plan.stage_start;
+  for (std::size_t s = 0; s + 1 < stage.size(); ++s) {
+    const std::size_t* piece = plan.piece_start.data() + stage[s];
+    pool.for_ranges(stage[s + 1] - stage[s], 1, [&](std::size_t first, std::size_t last) {
+      moved += body(piece[first], piece[last]);
+    });
   }
   return moved;
 }

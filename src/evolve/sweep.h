@@ -18,10 +18,11 @@ using Sweep = std::function<std::size_t()>;
 Sweep make_sweep(const ClassicalLaplacian& options, PatchState& state, ThreadPool& pool);
 Sweep make_sweep(const ControllableLaplacian& options, PatchState& state, ThreadPool& pool);
 
-/// Goes through all visits, colour after colour, those of one colour at the same time:
-/// body(begin, end) returns how many of the vertices visited it moved. Returns the total.
-std::size_t sweep_by_color(PatchState& state, ThreadPool& pool,
-                           const std::function<std::size_t(std::size_t, std::size_t)>& body);
+/// Goes through all visits of the plan, the insides of all pieces at the same time, then each
+/// colour of seams: body(begin, end) returns how many of the vertices visited it moved. Returns the
+/// total.
+std::size_t visit_all(const VisitPlan& plan, ThreadPool& pool,
+                      const std::function<std::size_t(std::size_t, std::size_t)>& body);
 
 /// Closed interval.
 struct Interval {

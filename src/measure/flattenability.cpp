@@ -6,7 +6,6 @@
 #include <planish/measure/flattenability.h>
 
 #include "core/careful_sum.h"
-#include "measure/angle_product.h"
 
 namespace planish {
 
@@ -17,9 +16,9 @@ double smallest_angle(const TriMesh& mesh, double scale) {
   for (const Triangle& t : mesh.triangles) {
     for (int k = 0; k < 3; ++k) {
       const Vec3 x = scale * mesh.positions[t[k]];
-      const Corner c = corner_between(scale * mesh.positions[t[(k + 1) % 3]] - x,
-                                      scale * mesh.positions[t[(k + 2) % 3]] - x);
-      smallest = std::min(smallest, std::atan2(c.im, c.re));
+      const Vec3 a = scale * mesh.positions[t[(k + 1) % 3]] - x;
+      const Vec3 b = scale * mesh.positions[t[(k + 2) % 3]] - x;
+      smallest = std::min(smallest, std::atan2(norm(cross(a, b)), dot(a, b)));
     }
   }
   return smallest;

@@ -1,20 +1,16 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <planish/mesh/tri_mesh.h>
+
+#include "mesh/box.h"
 
 namespace planish {
 
 namespace {
 
-struct Box {
-  Vec3 low, high;
-};
-
 Box bounding_box(const TriMesh& mesh) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  Box box{{inf, inf, inf}, {-inf, -inf, -inf}};
+  Box box;
   // Vertices are marked first and looked at once each, in their order in memory.
   std::vector<unsigned char> used(mesh.positions.size(), 0);
   for (const Triangle& triangle : mesh.triangles) {
@@ -22,10 +18,7 @@ Box bounding_box(const TriMesh& mesh) {
       used[v] = 1;
   }
   for (std::size_t v = 0; v < used.size(); ++v) {
-    if (used[v] == 0) continue;
-    const Vec3 p = mesh.positions[v];
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
+    if (used[v] != 0) box.add(mesh.positions[v]);
   }
   return box;
 }
@@ -45,11 +38,13 @@ double bounding_box_diagonal(const TriMesh& mesh) {
 }
 
 double unit_scale(const TriMesh& mesh) {
-  if (mesh.triangles.empty()) return 1.0;
-  const Box box = bounding_box(mesh);
+  return unit_scale(bounding_box(mesh));
+}
+
+double unit_scale(const Box& box) {
   const Vec3 half = 0.5 * box.high - 0.5 * box.low;
   const double extent = std::max({half.x, half.y, half.z});
-  if (extent == 0.0 || !std::isfinite(extent)) return 1.0;
+  if (!(extent > 0.0) || !std::isfinite(extent)) return 1.0;
   const double farthest =
       std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.low.z), std::abs(box.high.x),
                 std::abs(box.high.y), std::abs(box.high.z)});

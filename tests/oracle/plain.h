@@ -14,6 +14,8 @@
 #include <planish/mesh/tri_mesh.h>
 
 #include "oracle/line_solver.h"
+#include "oracle/model_search.h"
+#include "oracle/series.h"
 
 namespace planish::plain {
 
@@ -140,6 +142,26 @@ struct Patch {
     return b;
   }
 
+  /// The defects that b_v is made of, with v at its place + t L.
+  std::vector<Series> defects_along(Index v, Vec3 L) const {
+    const auto place = [&](Index j) { return on_line(mesh.positions[j], j == v ? L : Vec3{}); };
+    std::vector<Series> defects;
+    std::vector<Index> vertices = ring(v);
+    vertices.push_back(v);
+    for (const Index w : vertices) {
+      if (!inner[w]) continue;
+      Series defect{{2.0 * std::numbers::pi}};
+      for (const Index t : triangles_at[w]) {
+        const Triangle& tri = mesh.triangles[t];
+        const int k = tri[0] == w ? 0 : tri[1] == w ? 1 : 2;
+        defect = defect - angle_between(place(tri[(k + 1) % 3]) - place(w),
+                                        place(tri[(k + 2) % 3]) - place(w));
+      }
+      defects.push_back(defect);
+    }
+    return defects;
+  }
+
   double energy() const {
     double sum = 0.0;
     for (Index v = 0; v < inner.size(); ++v) {
@@ -153,8 +175,8 @@ struct Patch {
   void controllable_sweep(std::span<const Index> order, Interval steps, double accept_above) {
     for (const Index v : order) {
       const Vec3 L = laplacian(v), start = mesh.positions[v];
-      const LinePoint best =
-          minimise_on_line([&](double lambda) { return along(v, L, lambda); }, steps);
+      const auto f = [&](double lambda) { return ring_energy(v, start + lambda * L); };
+      const Found best = search_on_line(defects_along(v, L), f, steps);
       const Vec3 target = start + best.at * L;
       if (ring_energy(v, target) < ring_energy(v, start) - accept_above) {
         mesh.positions[v] = target;

@@ -21,11 +21,13 @@ struct SweepRecord {
 /// who want to look in between.
 class Evolver {
  public:
-  /// @pre connectivity is that of mesh; neither is needed afterwards
+  /// @param mesh must outlive the evolver, which looks up in it where vertices were at first
+  /// @param connectivity that of mesh; not needed afterwards
   /// @param threads 0 for all cores; the result is the same for every number
   /// @throws Error option_out_of_range, or what stands in the way of Purpose::evolve
   Evolver(const TriMesh& mesh, const Connectivity& connectivity, const Method& method,
           unsigned threads = 0);
+  Evolver(TriMesh&& mesh, const Connectivity&, const Method&, unsigned = 0) = delete;
   ~Evolver();
   Evolver(Evolver&&) noexcept;
   Evolver& operator=(Evolver&&) noexcept;

@@ -60,19 +60,30 @@ inline Real argument(const Complex& z) {
   return select(z.im < 0.0, -angle, angle);
 }
 
-/// Sums of angles of 0 to pi, as a product of corners and a count of full turns; AngleProduct for
-/// lanes. Angles add where complex numbers multiply, and no digits are lost near 2 pi.
+/// The corner at a size near 1, whatever the size of the triangle; no angle where it has none.
+inline Complex near_one(const Complex& corner) {
+  const Real size = greatest(absolute(corner.re), absolute(corner.im));
+  const Real factor = exponent_off(size);
+  return {select(size > 0.0, factor * corner.re, all(1.0)), factor * corner.im};
+}
+
+/// Sums of angles of 0 to pi, as a product of corners and a count of full turns. Angles add where
+/// complex numbers multiply, and no digits are lost near 2 pi.
 class AngleSum {
  public:
   void add(const Complex& corner) {
     product_ = product_ * corner;
-    // Only a step from the lower to the upper half ends a turn, as no angle is above pi.
-    const Mask lower = lower_half();
-    turns_ += select(was_lower_ & ~lower, all(1.0), Real{});
+    // Only a step from the lower half, from pi on, to the upper one ends a turn, as no angle is
+    // above pi.
+    const Bits lower = (Bits)select(product_.im == 0.0, product_.re, product_.im) >> 63;
+    turns_ -= was_lower_ & ~lower;
     was_lower_ = lower;
     // The product of a few corners is far from overflow and underflow.
     if (++factors_ % 4 == 0) shrink();
   }
+
+  /// True where the corners were so small that digits were lost; then near_one() helps.
+  Mask is_lost() const { return least(smallest_, size()) < 1e-200; }
 
   /// 2 pi minus the sum.
   Real defect() const {
@@ -80,24 +91,23 @@ class AngleSum {
     Real angle = short_argument(product_);
     if (any(~near)) angle = select(near, angle, argument(product_));
     // The argument runs from -pi to pi; a sum just below a full turn has a small negative one.
-    const Real whole = select(angle < 0.0, -turns_, 1.0 - turns_);
+    const Real turns = __builtin_convertvector(turns_, Real);
+    const Real whole = select(angle < 0.0, -turns, 1.0 - turns);
     return 2.0 * k_pi * whole - angle;
   }
 
  private:
+  Real size() const { return greatest(absolute(product_.re), absolute(product_.im)); }
+
   void shrink() {
-    const Real factor = exponent_off(greatest(absolute(product_.re), absolute(product_.im)));
+    smallest_ = least(smallest_, size());
+    const Real factor = exponent_off(size());
     product_ = {factor * product_.re, factor * product_.im};
   }
 
-  /// Argument from pi (included) to 2 pi.
-  Mask lower_half() const {
-    return (product_.im < 0.0) | ((product_.im == 0.0) & (product_.re < 0.0));
-  }
-
   Complex product_{all(1.0), Real{}};
-  Real turns_{};
-  Mask was_lower_{};
+  Real smallest_ = all(1.0);
+  Bits turns_{}, was_lower_{};
   int factors_ = 0;
 };
 

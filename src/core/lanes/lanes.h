@@ -39,6 +39,11 @@ inline Real absolute(Real x) {
   return (Real)((Bits)x & (Bits{} + INT64_MAX));
 }
 
+/// Of -0 too.
+inline Mask is_negative(Real x) {
+  return (Bits)x < 0;
+}
+
 inline Real least(Real a, Real b) {
   return select(a < b, a, b);
 }
@@ -143,6 +148,41 @@ inline Columns load_columns(const double* const* rows) {
   }
   return columns;
 #endif
+}
+
+/// The first three doubles of each row alone: the fourth, which another thread may be writing, is
+/// not touched.
+inline Vector load_vectors(const double* const* rows) {
+  Vector vectors{};
+#if defined(__AVX512DQ__) && PLANISH_LANES == 8
+  const auto pair = [rows](int lane) {
+    return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_maskz_load_pd(7, rows[lane])),
+                              _mm256_maskz_load_pd(7, rows[lane + 4]), 1);
+  };
+  const __m512d a = pair(0), b = pair(1), c = pair(2), d = pair(3);
+  const __m512d low = _mm512_unpacklo_pd(a, b), low_next = _mm512_unpacklo_pd(c, d);
+  const __m512d high = _mm512_unpackhi_pd(a, b), high_next = _mm512_unpackhi_pd(c, d);
+  const __m512i first = _mm512_set_epi64(13, 12, 5, 4, 9, 8, 1, 0);
+  const __m512i second = _mm512_set_epi64(15, 14, 7, 6, 11, 10, 3, 2);
+  vectors.x = (Real)_mm512_permutex2var_pd(low, first, low_next);
+  vectors.y = (Real)_mm512_permutex2var_pd(high, first, high_next);
+  vectors.z = (Real)_mm512_permutex2var_pd(low, second, low_next);
+#elif defined(__AVX__) && PLANISH_LANES == 4
+  const __m256i three = _mm256_set_epi64x(0, -1, -1, -1);
+  const __m256d a = _mm256_maskload_pd(rows[0], three), b = _mm256_maskload_pd(rows[1], three);
+  const __m256d c = _mm256_maskload_pd(rows[2], three), d = _mm256_maskload_pd(rows[3], three);
+  const __m256d low = _mm256_unpacklo_pd(a, b), low_next = _mm256_unpacklo_pd(c, d);
+  const __m256d high = _mm256_unpackhi_pd(a, b), high_next = _mm256_unpackhi_pd(c, d);
+  vectors.x = (Real)_mm256_permute2f128_pd(low, low_next, 0x20);
+  vectors.y = (Real)_mm256_permute2f128_pd(high, high_next, 0x20);
+  vectors.z = (Real)_mm256_permute2f128_pd(low, low_next, 0x31);
+#else
+  for (int lane = 0; lane < k_lanes; ++lane) {
+    vectors.x[lane] = rows[lane][0], vectors.y[lane] = rows[lane][1];
+    vectors.z[lane] = rows[lane][2];
+  }
+#endif
+  return vectors;
 }
 
 }  // namespace planish::PLANISH_ISA

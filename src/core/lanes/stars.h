@@ -11,8 +11,8 @@ struct Star {
   std::uint32_t center;
 };
 
-/// Where a vertex is and its angle defect: what a neighbour needs to see of it, in half a line of
-/// cache.
+/// Where a vertex is and its angle defect, NaN of a border vertex, which has none: what a neighbour
+/// needs to see of it, in half a line of cache.
 struct alignas(32) Site {
   double x, y, z, defect;
 };

@@ -5,39 +5,64 @@
 
 namespace planish::PLANISH_ISA {
 
-/// In each lane, the way down to a minimum of f on [low, high] from 0: two Gauss-Newton steps, then
-/// secant steps of the slope, which end sooner where the residuals stay large. All are kept inside
-/// a bracket that shrinks at every evaluation: a step that would leave it, or that did not lower f,
-/// is replaced by its middle. Converges from any start.
+/// A sum of squares on a line near its start, from the first three Taylor coefficients of each term
+/// that is squared: exact to the third power of the step.
+struct LineModel {
+  Real c[6];    ///< by powers of the place; the last is for LineSearch
+  Real spread;  ///< Gauss-Newton's half of the second derivative, which is not negative
+
+  /// Adds the square of r + a1 t + a2 t^2 + a3 t^3, but for the fifth power and up.
+  void add_square(const Real& r, const Real& a1, const Real& a2, const Real& a3) {
+    const Real twice = r + r, square = a1 * a1, twice_a1 = a1 + a1;
+    c[0] += r * r;
+    c[1] += twice * a1;
+    c[2] += square + twice * a2;
+    c[3] += twice * a3 + twice_a1 * a2;
+    c[4] += a2 * a2 + twice_a1 * a3;
+    spread += square;
+  }
+
+  Real at(const Real& t) const {
+    return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * (c[4] + t * c[5]))));
+  }
+  Real slope(const Real& t) const {
+    return c[1] + t * (2.0 * c[2] + t * (3.0 * c[3] + t * (4.0 * c[4] + t * (5.0 * c[5]))));
+  }
+  Real curvature(const Real& t) const {
+    return 2.0 * c[2] + t * (6.0 * c[3] + t * (12.0 * c[4] + t * (20.0 * c[5])));
+  }
+};
+
+/// In each lane, the way down to a minimum of f on [low, high] from 0. The minimum of a model of f
+/// is evaluated; what f is there gives the model its next order, and so on until the model's
+/// minimum stays. All places are inside a bracket that shrinks at every evaluation: a step that
+/// would leave it is replaced by its end or the middle. f never rises.
 class LineSearch {
  public:
-  static constexpr int k_most_evaluations = 16;
-  static constexpr int k_gauss_newton_steps = 2;
-  static constexpr double k_tolerance = 1e-3;  // b is flat at its minimum
+  static constexpr int k_most_evaluations = 16;  // the one at 0 included
+  static constexpr double k_tolerance = 1e-3;    // of the interval; b is flat at its minimum
 
   /// @pre low <= 0 <= high
   /// @param idle lanes that need not be searched
-  LineSearch(const Real& value, const Real& slope, const Real& curvature, const Real& low,
-             const Real& high, Mask idle)
-      : value_(value),
-        slope_(slope),
-        curvature_(curvature),
-        upward_(slope < 0.0),
+  LineSearch(const LineModel& model, const Real& low, const Real& high, Mask idle)
+      : model_(model),
+        corrected_(model),
+        value_(model.c[0]),
+        upward_(model.c[1] < 0.0),
         outer_(select(upward_, high, low)),
         enough_(k_tolerance * least(all(1.0), high - low)),
-        done_(idle | (slope == 0.0) | (outer_ == 0.0)) {}
+        done_(idle | ~((model.c[1] < 0.0) | (model.c[1] > 0.0)) | (outer_ == 0.0)) {
+    // Gauss-Newton's step, which leads down, and one of Newton's from there; next() adds another.
+    const Real place = -0.5 * model.c[1] / model.spread;
+    from_ = bettered(select(within(place), place, outer_));
+  }
 
   /// Where f should be evaluated next; that of finished lanes does not matter.
   Real next() {
-    const Real rise = ++evaluations_ > k_gauss_newton_steps
-                          ? (slope_ - other_slope_) / (at_ - other_)
-                          : curvature_;
-    const Real bend = select(rise > 0.0, rise, curvature_);
-    Real place = select(bend > 0.0, at_ - slope_ / bend, outer_);
-    const Mask inside = (place > least(inner_, outer_)) & (place < greatest(inner_, outer_));
-    const Mask beyond = (upward_ & (place >= outer_)) | (~upward_ & (place <= outer_));
-    const Real middle = select(beyond & ~outer_tried_, outer_, 0.5 * (inner_ + outer_));
-    place = select(inside, place, middle);
+    Real place = bettered(from_);
+    // A tried end is no place to go.
+    const Mask at_outer = place == outer_, at_inner = place == inner_;
+    place = select((at_outer & outer_tried_) | at_inner, 0.5 * (at_ + place), place);
     done_ |= absolute(place - at_) < enough_;
     return select(done_, at_, place);
   }
@@ -45,21 +70,17 @@ class LineSearch {
   bool done() const { return !any(~done_); }
 
   /// Tells what f is there; returns the lanes where it is the lowest so far.
-  Mask tell(const Real& place, const Real& value, const Real& slope, const Real& curvature) {
-    const Mask better = ~done_ & (value < value_);
-    const Mask worse = ~done_ & ~(value < value_);
-    const Mask still_falls = (upward_ & (slope < 0.0)) | (~upward_ & (slope > 0.0));
+  Mask tell(const Real& place, const Real& value) {
+    const Mask better = ~done_ & (value < value_), worse = ~done_ & ~(value < value_);
     const Mask further = (upward_ & (place > at_)) | (~upward_ & (place < at_));
-    const Mask to_outer = (better & ~still_falls) | (worse & further);
-    inner_ = select((better & still_falls) | (worse & ~further), place, inner_);
-    outer_ = select(to_outer, place, outer_);
-    outer_tried_ |= to_outer;
-    other_ = select(better, at_, select(worse, place, other_));
-    other_slope_ = select(better, slope_, select(worse, slope, other_slope_));
+    inner_ = select(better & further, at_, select(worse & ~further, place, inner_));
+    const Mask to_outer = (better & ~further) | (worse & further);
+    outer_ = select(to_outer, select(better, at_, place), outer_);
+    outer_tried_ |= to_outer | (better & (place == outer_));
     at_ = select(better, place, at_);
     value_ = select(better, value, value_);
-    slope_ = select(better, slope, slope_);
-    curvature_ = select(better, curvature, curvature_);
+    correct(place, value);
+    from_ = at_;
     return better;
   }
 
@@ -68,13 +89,40 @@ class LineSearch {
   Real value() const { return value_; }
 
  private:
-  Real at_{}, value_, slope_, curvature_;
+  Mask within(const Real& place) const {
+    return (place > least(inner_, outer_)) & (place < greatest(inner_, outer_));
+  }
+
+  /// Newton's step to the minimum of the model, within the bracket. Where the model bends down:
+  /// from the lowest place seen to the end of the bracket that is downhill; else no step.
+  Real bettered(const Real& place) const {
+    const Real low = least(inner_, outer_), high = greatest(inner_, outer_);
+    const Real slope = corrected_.slope(place), bend = corrected_.curvature(place);
+    const Real stepped = least(greatest(place - slope / bend, low), high);
+    const Real downhill = select(place == at_, select(slope < 0.0, high, low), place);
+    return select(bend > 0.0, stepped, downhill);
+  }
+
+  /// Makes the model go through the last two places: with E what it lacks there, E / t^4 is taken
+  /// as linear.
+  void correct(const Real& place, const Real& value) {
+    const Real square = place * place;
+    const Real lack = (value - model_.at(place)) / (square * square);
+    const Real run = place - last_place_;
+    const Real rise =
+        select((last_place_ != 0.0) & (run != 0.0), (lack - last_lack_) / run, Real{});
+    corrected_.c[4] = model_.c[4] + lack - rise * place;
+    corrected_.c[5] = rise;
+    last_place_ = place, last_lack_ = lack;
+  }
+
+  LineModel model_, corrected_;
+  Real at_{}, value_, from_{};
   Mask upward_;
   // The minimum lies between inner (tried) and outer (tried only where outer_tried).
   Real inner_{}, outer_;
-  Real other_{}, other_slope_{};  // the place evaluated before or after the lowest
+  Real last_place_{}, last_lack_{};
   Real enough_;
-  int evaluations_ = 0;
   Mask outer_tried_{}, done_;
 };
 

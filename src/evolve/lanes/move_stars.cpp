@@ -2,11 +2,11 @@
 
 namespace planish {
 
-void move_stars_baseline(const MoveOptions&, Site*, std::size_t, const Star*, std::size_t,
-                         std::size_t, unsigned char*);
-void move_stars_v3(const MoveOptions&, Site*, std::size_t, const Star*, std::size_t, std::size_t,
+void move_stars_baseline(const MoveOptions&, Site*, Changes, const Star*, std::size_t, std::size_t,
+                         unsigned char*);
+void move_stars_v3(const MoveOptions&, Site*, Changes, const Star*, std::size_t, std::size_t,
                    unsigned char*);
-void move_stars_v4(const MoveOptions&, Site*, std::size_t, const Star*, std::size_t, std::size_t,
+void move_stars_v4(const MoveOptions&, Site*, Changes, const Star*, std::size_t, std::size_t,
                    unsigned char*);
 
 MoveStars move_stars_for([[maybe_unused]] Isa isa) {

@@ -13,12 +13,17 @@ struct MoveOptions {
   const Site* origins;   // of all sites; needed where radius is finite
 };
 
+/// When the place or defect of each inner vertex changed last.
+struct Changes {
+  std::uint32_t* changed_at;
+  std::uint32_t now;
+};
+
 /// Takes, for each of `count` inner vertices of one colour and of `valence` neighbours, the step
 /// along its Laplacian vector that lowers its ring energy most, if there is one; several vertices
-/// at a time. Writes places and defects into sites.
-/// @param inner_count sites below this number are inner
+/// at a time. Writes places and defects into sites and notes what changed.
 /// @param moved gets 1 for each star whose centre moved, else 0
-using MoveStars = void (*)(const MoveOptions& options, Site* sites, std::size_t inner_count,
+using MoveStars = void (*)(const MoveOptions& options, Site* sites, Changes changes,
                            const Star* stars, std::size_t count, std::size_t valence,
                            unsigned char* moved);
 

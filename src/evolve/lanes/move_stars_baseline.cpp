@@ -4,10 +4,10 @@
 
 namespace planish {
 
-void move_stars_baseline(const MoveOptions& options, Site* sites, std::size_t inner_count,
+void move_stars_baseline(const MoveOptions& options, Site* sites, Changes changes,
                          const Star* stars, std::size_t count, std::size_t valence,
                          unsigned char* moved) {
-  baseline::move_stars(options, sites, inner_count, stars, count, valence, moved);
+  baseline::move_stars(options, sites, changes, stars, count, valence, moved);
 }
 
 }  // namespace planish

@@ -30,13 +30,13 @@ inline Steps within_sphere(const MoveOptions& options, const Vector& offset,
 
 /// One star in each lane, of which the first `used` count; the others repeat the first.
 template <int Valence>
-[[gnu::flatten]] void move_some(const MoveOptions& options, Site* sites, std::size_t inner_count,
+[[gnu::flatten]] void move_some(const MoveOptions& options, Site* sites, Changes changes,
                                 const Star* const* stars, int used, int valence,
                                 unsigned char* moved) {
-  RingEnergy<Valence> ring(sites, inner_count, stars, valence);
+  RingEnergy<Valence> ring(sites, stars, valence);
   const Vector start = ring.start(), laplacian = ring.laplacian();
-  const LinePoint b = ring.at_start(laplacian, options.max_cotangent);
-  const Real error = ring.rounding_error();
+  const LineModel model = ring.at_start(laplacian, options.max_cotangent);
+  const Real before = model.c[0], error = ring.rounding_error(before);
   const bool bounded = options.radius < __builtin_inf();
   Vector offset{};
   Steps steps{all(options.lambda_min), all(options.lambda_max)};
@@ -51,13 +51,13 @@ template <int Valence>
   }
 
   // Flat as far as numbers can tell: nothing to do.
-  LineSearch search(b.value, b.slope, b.curvature, steps.low, steps.high, b.value <= error);
+  LineSearch search(model, steps.low, steps.high, before <= error);
   Mask sound{};
   for (int i = 1; i < LineSearch::k_most_evaluations; ++i) {
     const Real lambda = search.next();
     if (search.done()) break;
-    const LinePoint point = ring.at(start + lambda * laplacian);
-    const Mask better = search.tell(lambda, point.value, point.slope, point.curvature);
+    const RingValue point = ring.at(start + lambda * laplacian);
+    const Mask better = search.tell(lambda, point.value);
     ring.keep(better);
     sound = (better & point.sound) | (~better & sound);
   }
@@ -68,7 +68,7 @@ template <int Valence>
   const auto accepted = [&] {
     const Vector target = start + lambda * laplacian;
     const Mask same = (target.x == start.x) & (target.y == start.y) & (target.z == start.z);
-    Mask accept = sound & ~same & (value + ring.rounding_error() < b.value - error);
+    Mask accept = sound & ~same & (value + ring.rounding_error(value) < before - error);
     if (bounded) {
       const Vector away = offset + (target - start);
       accept &= dot(away, away) <= options.radius * options.radius;
@@ -82,7 +82,7 @@ template <int Valence>
     const Mask again = ~accept & (lambda != 0.0);
     if (!any(again)) break;
     lambda = select(again, 0.5 * lambda, lambda);
-    const LinePoint point = ring.at(start + lambda * laplacian);
+    const RingValue point = ring.at(start + lambda * laplacian);
     ring.keep(again);
     value = select(again, point.value, value);
     sound = (again & point.sound) | (~again & sound);
@@ -91,27 +91,26 @@ template <int Valence>
   const Vector target = start + lambda * laplacian;
   for (int lane = 0; lane < used; ++lane) {
     moved[lane] = accept[lane] != 0 ? 1 : 0;
-    if (moved[lane] != 0) ring.write(lane, target, *stars[lane], sites);
+    if (moved[lane] != 0) ring.write(lane, target, *stars[lane], sites, changes);
   }
 }
 
 template <int Valence>
-void move_stars(const MoveOptions& options, Site* sites, std::size_t inner_count, const Star* stars,
+void move_stars(const MoveOptions& options, Site* sites, Changes changes, const Star* stars,
                 std::size_t count, int valence, unsigned char* moved) {
   for (std::size_t begin = 0; begin < count; begin += k_lanes) {
     const int used = count - begin < k_lanes ? static_cast<int>(count - begin) : k_lanes;
     const Star* in_lane[k_lanes];
     for (int lane = 0; lane < k_lanes; ++lane)
       in_lane[lane] = stars + begin + (lane < used ? lane : 0);
-    move_some<Valence>(options, sites, inner_count, in_lane, used, valence, moved + begin);
+    move_some<Valence>(options, sites, changes, in_lane, used, valence, moved + begin);
   }
 }
 
-inline void move_stars(const MoveOptions& options, Site* sites, std::size_t inner_count,
-                       const Star* stars, std::size_t count, std::size_t valence,
-                       unsigned char* moved) {
+inline void move_stars(const MoveOptions& options, Site* sites, Changes changes, const Star* stars,
+                       std::size_t count, std::size_t valence, unsigned char* moved) {
   const int n = static_cast<int>(valence);
-  const auto with = [&](auto move) { move(options, sites, inner_count, stars, count, n, moved); };
+  const auto with = [&](auto move) { move(options, sites, changes, stars, count, n, moved); };
   switch (n) {
     case 3:
       return with(move_stars<3>);

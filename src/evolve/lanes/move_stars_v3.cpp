@@ -4,10 +4,9 @@
 
 namespace planish {
 
-void move_stars_v3(const MoveOptions& options, Site* sites, std::size_t inner_count,
-                   const Star* stars, std::size_t count, std::size_t valence,
-                   unsigned char* moved) {
-  v3::move_stars(options, sites, inner_count, stars, count, valence, moved);
+void move_stars_v3(const MoveOptions& options, Site* sites, Changes changes, const Star* stars,
+                   std::size_t count, std::size_t valence, unsigned char* moved) {
+  v3::move_stars(options, sites, changes, stars, count, valence, moved);
 }
 
 }  // namespace planish

@@ -3,14 +3,15 @@
 
 #include "core/lanes/arctangent.h"
 #include "core/lanes/stars.h"
+#include "evolve/lanes/line_search.h"
 #include "evolve/lanes/move_stars.h"
 
 namespace planish::PLANISH_ISA {
 
-/// b with its slope and Gauss-Newton curvature along a line, at one place of it.
-struct LinePoint {
-  Real value, slope, curvature;
-  Mask sound;  ///< no neighbour's place, and no triangle got too small an angle
+/// b at one place.
+struct RingValue {
+  Real value;  ///< NaN where the vertex meets a neighbour
+  Mask sound;  ///< no triangle got too small an angle
 };
 
 /// The spokes of a ring: as many as the valence says, on the stack where it is known at compile
@@ -44,21 +45,18 @@ class Spokes<Spoke, 0> {
 /// term of the energy that changes when the vertex moves, so the energy falls exactly as it does.
 ///
 /// With u_j = v_j - x and e_j = v_(j+1) - v_j, the triangle of x, v_j and v_(j+1) has the corners
-///   at x        (u_j . u_(j+1),  S_j)
 ///   at v_j      (-u_j . e_j,     S_j)
 ///   at v_(j+1)  (u_(j+1) . e_j,  S_j)      with S_j = |N_j|, N_j = u_j x u_(j+1),
 /// as complex numbers. The two corners at v_j multiply to P_j, whose argument is the part of the
 /// angle sum of v_j that x has a hand in: the defect of v_j is what it was less the argument of
-/// P_j conj(P_j before). On a line along L the angles change by -(N_j . K_j) / (S_j |u_j|^2) at v_j
-/// and (N_j . K_(j+1)) / (S_j |u_(j+1)|^2) at v_(j+1), with K_j = u_j x L, which is constant
-/// there; the angle at x by minus both, as the three sum to pi.
+/// P_j conj(P_j before). As the angles of a triangle sum to pi, the defect of x is what it was plus
+/// all these arguments, those at border neighbours included.
 template <int Valence>
 class RingEnergy {
  public:
   /// Looks at the rings of one star per lane.
-  RingEnergy(const Site* sites, std::size_t inner_count, const Star* const* stars, int valence)
+  RingEnergy(const Site* sites, const Star* const* stars, int valence)
       : spokes_(valence), valence_(valence) {
-    const Bits inner_end = Bits{} + static_cast<std::int64_t>(inner_count);
     const double* rows[k_lanes];
     for (int lane = 0; lane < k_lanes; ++lane)
       rows[lane] = &sites[stars[lane]->center].x;
@@ -67,16 +65,12 @@ class RingEnergy {
     own_before_ = own.c3;
     for (int j = 0; j < n(); ++j) {
       Spoke& spoke = spokes_[j];
-      Bits number{};
-      for (int lane = 0; lane < k_lanes; ++lane) {
-        const std::uint32_t at = stars[lane]->ring[j];
-        number[lane] = at;
-        rows[lane] = &sites[at].x;
-      }
+      for (int lane = 0; lane < k_lanes; ++lane)
+        rows[lane] = &sites[stars[lane]->ring[j]].x;
       const Columns neighbour = load_columns(rows);
       spoke.place = {neighbour.c0, neighbour.c1, neighbour.c2};
-      spoke.before = neighbour.c3;
-      spoke.inner = number < inner_end;
+      spoke.inner = neighbour.c3 == neighbour.c3;  // the border's is NaN
+      spoke.before = select(spoke.inner, neighbour.c3, Real{});
     }
     for (int j = 0; j < n(); ++j)
       spokes_[j].edge = spokes_[next(j)].place - spokes_[j].place;
@@ -97,47 +91,72 @@ class RingEnergy {
     return select(weights > 0.0, 1.0 / weights, Real{}) * sum;
   }
 
-  /// b where the vertices are, and what at() needs: to be called first.
+  /// b near the start on the line x + lambda direction, from the angles' first three derivatives
+  /// there; to be called first, as at() needs what it finds.
   /// @param max_cotangent triangles whose angles are smaller than its may keep theirs
-  LinePoint at_start(const Vector& direction, double max_cotangent) {
+  LineModel at_start(const Vector& direction, double max_cotangent) {
     guarded_ = max_cotangent < __builtin_inf();
-    for (int j = 0; j < n(); ++j) {
-      spokes_[j].turn = cross(spokes_[j].place - start_, direction);
-      spokes_[j].max_cotangent = all(max_cotangent);
-    }
-    corners_at(start_);
-    LinePoint b = begin_with(own_before_);
+    const Real speed_square = dot(direction, direction);
     for (int j = 0; j < n(); ++j) {
       Spoke& spoke = spokes_[j];
-      if (guarded_) {
-        spoke.max_cotangent = greatest(all(max_cotangent), spoke.largest_dot / spoke.doubled_area);
-      }
-      spoke.corners_before = corners_of_neighbour(j);
-      const Real shrink = exponent_off(
-          greatest(absolute(spoke.corners_before.re), absolute(spoke.corners_before.im)));
-      spoke.corners_before.re *= shrink;
-      spoke.corners_before.im *= shrink;
-      spoke.straight_before = straight_at_neighbour(j);
-      spoke.before = select(spoke.inner, spoke.before, Real{});
-      spoke.defect = spoke.best = spoke.before;
-      add(b, spoke.before, select(spoke.inner, rate_at_neighbour(j), Real{}));
+      spoke.u = spoke.place - start_;
+      spoke.square = dot(spoke.u, spoke.u);
+      spoke.inverse = 1.0 / spoke.square;
+      spoke.turn = cross(spoke.u, direction);
+      spoke.turn_square = dot(spoke.turn, spoke.turn);
+      spoke.stretch = -dot(spoke.u, direction) * spoke.inverse;
+      spoke.stretch_change = speed_square * spoke.inverse - 2.0 * spoke.stretch * spoke.stretch;
     }
+    for (int j = 0; j < n(); ++j) {
+      Spoke& spoke = spokes_[j];
+      const Spoke& after = spokes_[next(j)];
+      // From the edge and the shorter spoke, as then no angle of a needle loses digits.
+      spoke.from_next = after.square < spoke.square;
+      const Vector normal = find_triangle(j);
+      if (guarded_) {
+        const Real cotangent = largest_dot(j) / spoke.doubled_area;
+        spoke.max_cotangent = greatest(all(max_cotangent), cotangent);
+      }
+      find_angles(normal, spoke, after);
+    }
+    LineModel b{};
+    Jet own{};
+    for (int j = 0; j < n(); ++j) {
+      Spoke& spoke = spokes_[j];
+      spoke.corners_before = corners_of(j);
+      spoke.defect = spoke.best = spoke.before;
+      const Jet angle = spokes_[previous(j)].next_base_angle + spoke.base_angle;
+      own = own + angle;
+      const Real none{};
+      b.add_square(-spoke.before, select(spoke.inner, angle.a1, none),
+                   select(spoke.inner, angle.a2, none), select(spoke.inner, angle.a3, none));
+    }
+    b.add_square(own_before_, own.a1, own.a2, own.a3);
     own_best_ = own_before_;
-    return finished(b);
+    return b;
   }
 
   /// b with the vertices at x.
-  LinePoint at(const Vector& x) {
-    corners_at(x);
-    own_ = own_angles_.defect();
-    LinePoint b = begin_with(own_);
-    b.sound = sound_;
+  RingValue at(const Vector& x) {
+    for (int j = 0; j < n(); ++j)
+      spokes_[j].u = spokes_[j].place - x;
+    Mask narrow{};
+    for (int j = 0; j < n(); ++j) {
+      find_triangle(j);
+      if (guarded_) narrow |= largest_dot(j) > spokes_[j].max_cotangent * spokes_[j].doubled_area;
+    }
+    RingValue b{};
+    own_ = own_before_;
     for (int j = 0; j < n(); ++j) {
       Spoke& spoke = spokes_[j];
-      spoke.defect = spoke.before - select(spoke.inner, change_at_neighbour(j), Real{});
-      add(b, spoke.defect, select(spoke.inner, rate_at_neighbour(j), Real{}));
+      const Real change = change_of(j);
+      own_ += change;
+      spoke.defect = spoke.before - select(spoke.inner, change, Real{});
+      b.value += spoke.defect * spoke.defect;
     }
-    return finished(b);
+    b.value += own_ * own_;
+    b.sound = (b.value == b.value) & ~narrow;
+    return b;
   }
 
   /// Keeps the defects of the last evaluation where `better`.
@@ -147,139 +166,129 @@ class RingEnergy {
       spokes_[j].best = select(better, spokes_[j].defect, spokes_[j].best);
   }
 
-  /// The largest error that rounding can have made in b with the defects kept.
-  Real rounding_error() const {
-    // A few units in the last place of 2 pi for a neighbour, whose defect went through several
-    // updates in a sweep; one per corner for the vertex itself.
-    constexpr double neighbour_error = 1e-14;
-    const double own_error = 1e-15 * (n() + 4);
-    Real error = own_error * (2.0 * absolute(own_best_) + own_error);
-    for (int j = 0; j < n(); ++j) {
-      const Spoke& spoke = spokes_[j];
-      const Real term = neighbour_error * (2.0 * absolute(spoke.best) + neighbour_error);
-      error += select(spoke.inner, term, Real{});
-    }
-    return error;
+  /// The largest error that rounding can have made in a value of b.
+  Real rounding_error(const Real& value) const {
+    // A few units in the last place of 2 pi for each defect, which goes through several updates in
+    // a sweep: sum of 2 e |d| + e^2, at most 2 e sqrt((n + 1) b) + (n + 1) e^2.
+    constexpr double e = 1e-14;
+    const double count = n() + 1;
+    return 2.0 * e * square_root(count * value) + count * (e * e);
   }
 
   /// Puts the star of a lane at x with the defects kept.
-  void write(int lane, const Vector& x, const Star& star, Site* sites) const {
+  void write(int lane, const Vector& x, const Star& star, Site* sites, Changes changes) const {
     sites[star.center] = {x.x[lane], x.y[lane], x.z[lane], own_best_[lane]};
+    changes.changed_at[star.center] = changes.now;
     for (int j = 0; j < n(); ++j) {
-      if (spokes_[j].inner[lane] != 0) sites[star.ring[j]].defect = spokes_[j].best[lane];
+      if (spokes_[j].inner[lane] == 0) continue;
+      const std::uint32_t v = star.ring[j];
+      sites[v].defect = spokes_[j].best[lane];
+      changes.changed_at[v] = changes.now;
     }
   }
 
  private:
+  /// Taylor coefficients of an angle on the line, from the first power on.
+  struct Jet {
+    Real a1, a2, a3;
+    friend Jet operator+(const Jet& p, const Jet& q) {
+      return {p.a1 + q.a1, p.a2 + q.a2, p.a3 + q.a3};
+    }
+  };
+
   /// One neighbour v_j and the triangle after it.
   struct Spoke {
-    Vector place, edge, turn;     // v_j, e_j, K_j
-    Real before, defect, best;    // of v_j: at the start, at the last evaluation, kept
-    Complex corners_before;       // P_j at the start
-    Mask inner, straight_before;  // straight: both corners were pi
+    Vector place, edge;         // v_j, e_j
+    Real before, defect, best;  // of v_j: at the start, at the last evaluation, kept
+    Complex corners_before;     // P_j at the start
+    Mask inner;
+    Mask from_next;  // N_j is taken from u_(j+1), not u_j
     Real max_cotangent;
-    // Of the triangle, at the last evaluation:
+    // At the last evaluation:
+    Vector u;
     Real doubled_area, base, next_base;  // S_j; real parts of the corners at v_j and v_(j+1)
-    Real base_rate, next_base_rate;      // change of the angles there along the line
-    Real largest_dot;
+    // At the start, along the line, where u' = -L:
+    Vector turn;                      // K_j = u_j x L, which is constant
+    Real square, inverse;             // |u_j|^2 and 1 / |u_j|^2
+    Real turn_square;                 // |K_j|^2
+    Real stretch, stretch_change;     // (log |u_j|)' and its derivative
+    Jet base_angle, next_base_angle;  // the triangle's at v_j and v_(j+1)
   };
 
   int n() const { return Valence > 0 ? Valence : valence_; }
   int next(int j) const { return j + 1 < n() ? j + 1 : 0; }
   int previous(int j) const { return j > 0 ? j - 1 : n() - 1; }
 
-  /// Half of slope and curvature.
-  static void add(LinePoint& b, const Real& defect, const Real& rate) {
-    b.value += defect * defect;
-    b.slope -= defect * rate;
-    b.curvature += rate * rate;
+  /// Finds the corners at the base of the triangle after v_j; returns N_j.
+  Vector find_triangle(int j) {
+    Spoke& spoke = spokes_[j];
+    const Vector& u_next = spokes_[next(j)].u;
+    const Vector normal = cross(select(spoke.from_next, u_next, spoke.u), spoke.edge);
+    spoke.doubled_area = square_root(dot(normal, normal));
+    spoke.base = -dot(spoke.u, spoke.edge);
+    spoke.next_base = dot(u_next, spoke.edge);
+    return normal;
   }
 
-  static LinePoint finished(LinePoint b) {
-    b.slope *= 2.0;
-    b.curvature *= 2.0;
-    return b;
+  Real largest_dot(int j) const {
+    const Spoke& spoke = spokes_[j];
+    return greatest(dot(spoke.u, spokes_[next(j)].u), greatest(spoke.base, spoke.next_base));
   }
 
-  LinePoint begin_with(const Real& own_defect) const {
-    LinePoint b{};
-    add(b, own_defect, own_rate_);
-    return b;
+  /// On the line the angles at the base change at the rates r = -(N . K_j) / (S |u_j|^2) at v_j and
+  /// (N . K_(j+1)) / (S |u_(j+1)|^2) at v_(j+1). N changes by M = K_(j+1) - K_j while K does not,
+  /// so the numerators A are linear; with g the logarithmic derivative of a denominator B, g = N .
+  /// M / S^2 + 2 (log |u|)': r' = A' / B - g r and r'' = -2 g r' - (g^2 + g') r.
+  static void find_angles(const Vector& normal, Spoke& spoke, const Spoke& after) {
+    const Real s = spoke.doubled_area;
+    const Real inverse = select(s > 0.0, 1.0 / s, Real{}), inverse_square = inverse * inverse;
+    const Real along = dot(normal, spoke.turn), along_after = dot(normal, after.turn);
+    const Real mixed = dot(spoke.turn, after.turn);
+    const Real change = spoke.turn_square - mixed, change_after = after.turn_square - mixed;
+    const Real growth = (along_after - along) * inverse_square;  // (log S)'
+    const Real growth_change =
+        (change + change_after) * inverse_square - 2.0 * growth * growth;  // |M|^2 / S^2 - ...
+    const auto jet = [&](const Real& numerator, const Real& numerator_change, const Spoke& at) {
+      const Real scale = inverse * at.inverse;
+      const Real g = growth + 2.0 * at.stretch;
+      const Real g_change = growth_change + 2.0 * at.stretch_change;
+      const Real rate = numerator * scale, rate_change = numerator_change * scale - g * rate;
+      return Jet{rate, 0.5 * rate_change,
+                 (-1.0 / 6.0) * (2.0 * g * rate_change + (g * g + g_change) * rate)};
+    };
+    spoke.base_angle = jet(-along, change, spoke);
+    spoke.next_base_angle = jet(along_after, change_after, after);
   }
 
-  /// All that follows from x alone.
-  void corners_at(const Vector& x) {
-    own_angles_ = {};
-    own_rate_ = Real{};
-    Vector u = spokes_[0].place - x;
-    Real length = dot(u, u);
-    sound_ = length > 0.0;
-    for (int j = 0; j < n(); ++j) {
-      Spoke& spoke = spokes_[j];
-      const Vector u_next = spokes_[next(j)].place - x;
-      const Real length_next = dot(u_next, u_next);
-      // From the edge and the shorter spoke, as then no angle of a needle loses digits.
-      const Vector normal = cross(select(length < length_next, u, u_next), spoke.edge);
-      const Real s = square_root(dot(normal, normal)), apex = dot(u, u_next);
-      spoke.doubled_area = s;
-      spoke.base = -dot(u, spoke.edge);
-      spoke.next_base = dot(u_next, spoke.edge);
-      const Real sizes = s * length * length_next;
-      const Real inverse = select(sizes > 0.0, 1.0 / sizes, Real{});
-      spoke.base_rate = -dot(normal, spoke.turn) * (inverse * length_next);
-      spoke.next_base_rate = dot(normal, spokes_[next(j)].turn) * (inverse * length);
-      own_rate_ -= spoke.base_rate + spoke.next_base_rate;
-      own_angles_.add({apex, s});
-      sound_ &= length_next > 0.0;
-      if (guarded_) {
-        spoke.largest_dot = greatest(apex, greatest(spoke.base, spoke.next_base));
-        sound_ &= ~(spoke.largest_dot > spoke.max_cotangent * s);
-      }
-      u = u_next;
-      length = length_next;
-    }
-  }
-
-  Real rate_at_neighbour(int j) const {
-    return spokes_[previous(j)].next_base_rate + spokes_[j].base_rate;
-  }
-
-  /// P_j at the last evaluation.
-  Complex corners_of_neighbour(int j) const {
+  /// P_j.
+  Complex corners_of(int j) const {
     const Spoke &after = spokes_[j], &before = spokes_[previous(j)];
     return Complex{before.next_base, before.doubled_area} * Complex{after.base, after.doubled_area};
   }
 
   /// How much the angle sum of v_j grew since the start.
-  Real change_at_neighbour(int j) const {
+  Real change_of(int j) const {
     const Spoke& spoke = spokes_[j];
-    const Complex now = corners_of_neighbour(j), before = spoke.corners_before;
-    const Complex turn = now * Complex{before.re, -before.im};
+    const Complex now = corners_of(j), then = spoke.corners_before;
+    const Complex turn = now * Complex{then.re, -then.im};
     // A sum that passes the positive real axis has gone through 0 or 2 pi, which the turn hides.
-    const Mask stays = (now.re < 0.0) | (now.im * before.im > 0.0);
-    const Mask near = (is_short(turn) & stays) | ~spoke.inner;
+    const Mask stays = (now.re < 0.0) | (now.im * then.im > 0.0);
+    const Mask near = is_short(turn) & stays;
     const Real change = short_argument(turn);
     if (!any(~near)) return change;
-    const Real whole =
-        full_angle(now, straight_at_neighbour(j)) - full_angle(before, spoke.straight_before);
-    return select(near, change, whole);
+    return select(near, change, full_angle(now) - full_angle(then));
   }
 
-  Mask straight_at_neighbour(int j) const {
-    return (spokes_[j].doubled_area == 0.0) & (spokes_[previous(j)].doubled_area == 0.0) &
-           (spokes_[j].base < 0.0) & (spokes_[previous(j)].next_base < 0.0);
-  }
-
-  /// The argument of two corners' product from 0 to 2 pi, which it is where both are straight.
-  static Real full_angle(const Complex& z, Mask straight) {
+  /// The argument of a product of two corners from 0 to 2 pi. Where both are straight it is 2 pi,
+  /// not 0: then the imaginary part is -0, the sum of a negative number times 0 and another.
+  static Real full_angle(const Complex& z) {
     const Real angle = argument(z);
+    const Mask straight = (z.re > 0.0) & (z.im == 0.0) & is_negative(z.im);
     return select((angle < 0.0) | straight, angle + 2.0 * k_pi, angle);
   }
 
-  Real own_before_{}, own_{}, own_best_{}, own_rate_{};
-  Mask sound_{};
+  Real own_before_{}, own_{}, own_best_{};
   Vector start_{};
-  AngleSum own_angles_;
   Spokes<Spoke, Valence> spokes_;
   int valence_;
   bool guarded_ = false;

@@ -41,7 +41,7 @@ TEST(Classical, SequentialSeesTheMovesMadeBefore) {
   const PatchState state(mesh, connectivity, pool);
   plain::Patch patch(mesh);
   for (std::size_t v = 0; v < state.inner_count(); ++v) {
-    const Index vertex = state.vertex_of(state.visited(v));
+    const Index vertex = state.vertex_of(state.plan().visits[v]);
     patch.mesh.positions[vertex] += 0.5 * patch.laplacian(vertex);
   }
   const auto result = evolve(mesh, ClassicalLaplacian{}, {.max_sweeps = 1});

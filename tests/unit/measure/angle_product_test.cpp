@@ -1,4 +1,4 @@
-#include "measure/angle_product.h"
+#include "oracle/angle_product.h"
 
 #include <cmath>
 #include <numbers>

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "measure/angle_product.h"
+#include "oracle/angle_product.h"
 #include "support/meshes.h"
 
 namespace planish {

@@ -48,9 +48,10 @@ Outcome sweeps_with(Isa isa, const TriMesh& mesh, const ControllableLaplacian& o
   Outcome outcome;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     if (!with_skipping) mover.forget_idle();
-    outcome.moved += sweep_by_color(
-        state, pool, [&](std::size_t begin, std::size_t end) { return mover.move(begin, end); });
-    state.refresh_defects(pool);
+    outcome.moved += visit_all(state.plan(), pool, [&](std::size_t begin, std::size_t end) {
+      return mover.move(begin, end);
+    });
+    state.measure(pool);
   }
   outcome.positions = state.positions_in_mesh_order();
   return outcome;

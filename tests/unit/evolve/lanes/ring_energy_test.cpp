@@ -31,36 +31,35 @@ test_lanes::Vector in_all_lanes(Vec3 v) {
 /// The kernel with one vertex in all its lanes.
 class OneRing {
  public:
-  OneRing(PatchState& state, std::size_t v, double max_cotangent = k_no_limit)
-      : star_{state.ring(v).data(), static_cast<Index>(v)},
+  /// @param visit which vertex, by its place in the plan
+  OneRing(PatchState& state, std::size_t visit, double max_cotangent = k_no_limit)
+      : star_(state.plan().star(*state.plan().run_of(visit), visit)),
         lanes_{&star_, &star_},
-        ring_(state.sites().data(), state.inner_count(), lanes_,
-              static_cast<int>(state.ring(v).size())) {
-    at_start_ = ring_.at_start(ring_.laplacian(), max_cotangent);
+        ring_(state.sites().data(), lanes_, static_cast<int>(state.plan().run_of(visit)->valence)) {
+    model_ = ring_.at_start(ring_.laplacian(), max_cotangent);
   }
 
   Vec3 start() const { return first_of(ring_.start()); }
   Vec3 laplacian() const { return first_of(ring_.laplacian()); }
-  double energy() const { return at_start_.value[0]; }
+  double energy() const { return model_.c[0][0]; }
+  /// b by the model of the line.
+  double model_at(double lambda) const { return model_.at(test_lanes::all(lambda))[0]; }
+  double coefficient(int power) const { return model_.c[power][0]; }
+  double spread() const { return model_.spread[0]; }
   double evaluate_at(Vec3 x) { return ring_.at(in_all_lanes(x)).value[0]; }
+  double evaluate_along(double lambda) { return evaluate_at(start() + lambda * laplacian()); }
   bool sound_at(Vec3 x) { return ring_.at(in_all_lanes(x)).sound[0] != 0; }
-  LinePoint along(double lambda) {
-    const auto b =
-        lambda == 0.0 ? at_start_ : ring_.at(in_all_lanes(start() + lambda * laplacian()));
-    return {lambda, b.value[0], b.slope[0], b.curvature[0]};
-  }
   void move_to(Vec3 x, PatchState& state) {
     evaluate_at(x);
     ring_.keep(test_lanes::Mask{} == test_lanes::Mask{});
-    ring_.write(0, in_all_lanes(x), star_, state.sites().data());
-    state.note_move(star_.center);
+    ring_.write(0, in_all_lanes(x), star_, state.sites().data(), state.changes(0));
   }
 
  private:
   Star star_;
   const Star* lanes_[test_lanes::k_lanes];
   test_lanes::RingEnergy<0> ring_;
-  test_lanes::LinePoint at_start_;
+  test_lanes::LineModel model_;
 };
 
 /// Calls visit(ring, plain patch, vertex in the mesh, scale) with ring looking at each inner
@@ -73,7 +72,7 @@ void for_each_ring(const TriMesh& mesh, Visit visit) {
   PatchState state(mesh, connectivity, pool);
   for (std::size_t v = 0; v < state.inner_count(); ++v) {
     OneRing ring(state, v);
-    visit(ring, patch, state.vertex_of(v), state.scale());
+    visit(ring, patch, state.vertex_of(state.plan().visits[v]), state.scale());
   }
 }
 
@@ -98,17 +97,14 @@ TEST(RingEnergy, HasThePapersLaplacian) {
                 });
 }
 
-TEST(RingEnergy, AlongTheLineIsThePapersEquations15To17Corrected) {
+TEST(RingEnergy, BeginsOnTheLineAsThePapersEquations15To17Corrected) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     for_each_ring(meshes::rough_grid(7, 6, seed), [](OneRing& ring, const plain::Patch& patch,
                                                      Index v, double) {
-      const Vec3 L = patch.laplacian(v);
-      for (const double lambda : {-0.5, 0.0, 0.2, 0.77, 1.0}) {
-        const LinePoint ours = ring.along(lambda), expected = patch.along(v, L, lambda);
-        EXPECT_NEAR(ours.value, expected.value, 1e-11);
-        EXPECT_NEAR(ours.slope, expected.slope, 1e-9 * (1.0 + std::abs(expected.slope)));
-        EXPECT_NEAR(ours.curvature, expected.curvature, 1e-9 * (1.0 + expected.curvature));
-      }
+      const LinePoint expected = patch.along(v, patch.laplacian(v), 0.0);
+      EXPECT_NEAR(ring.coefficient(0), expected.value, 1e-11);
+      EXPECT_NEAR(ring.coefficient(1), expected.slope, 1e-9 * (1.0 + std::abs(expected.slope)));
+      EXPECT_NEAR(2.0 * ring.spread(), expected.curvature, 1e-9 * (1.0 + expected.curvature));
     });
   }
 }
@@ -118,13 +114,41 @@ TEST(RingEnergy, SlopeIsTheDifferenceQuotient) {
   for (std::uint64_t seed = 20; seed < 30; ++seed) {
     for_each_ring(
         meshes::rough_grid(7, 6, seed), [](OneRing& ring, const plain::Patch&, Index, double) {
-          for (const double lambda : {-0.3, 0.0, 0.4, 0.9}) {
-            const double difference =
-                (ring.along(lambda + h).value - ring.along(lambda - h).value) / (2.0 * h);
-            EXPECT_NEAR(ring.along(lambda).slope, difference, 1e-7 * (1.0 + std::abs(difference)));
-          }
+          const double difference = (ring.evaluate_along(h) - ring.evaluate_along(-h)) / (2.0 * h);
+          EXPECT_NEAR(ring.coefficient(1), difference, 1e-7 * (1.0 + std::abs(difference)));
         });
   }
+}
+
+TEST(RingEnergy, OnTheLineIsTheSumOfTheSquaresOfTheDefectsTaylorSeries) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    for_each_ring(meshes::rough_grid(7, 6, seed), [](OneRing& ring, const plain::Patch& patch,
+                                                     Index v, double) {
+      double expected[5] = {};
+      double sizes[5] = {};
+      for (const plain::Series& defect : patch.defects_along(v, patch.laplacian(v))) {
+        for (std::size_t i = 0; i < 4; ++i) {
+          for (std::size_t j = 0; j < 4 && i + j < 5; ++j) {
+            expected[i + j] += defect.c[i] * defect.c[j];
+            sizes[i + j] += std::abs(defect.c[i] * defect.c[j]);
+          }
+        }
+      }
+      for (int power = 0; power < 5; ++power)
+        EXPECT_NEAR(ring.coefficient(power), expected[power], 1e-10 * (1.0 + sizes[power]))
+            << power;
+    });
+  }
+}
+
+TEST(RingEnergy, DepartsFromItsModelByTheFourthPowerOfTheStep) {
+  double small = 0.0, large = 0.0;
+  for_each_ring(meshes::rough_grid(9, 9, 3),
+                [&](OneRing& ring, const plain::Patch&, Index, double) {
+                  small += std::abs(ring.evaluate_along(0.01) - ring.model_at(0.01));
+                  large += std::abs(ring.evaluate_along(0.02) - ring.model_at(0.02));
+                });
+  EXPECT_GT(large, 14.0 * small);
 }
 
 TEST(RingEnergy, LeavesBorderNeighboursOut) {

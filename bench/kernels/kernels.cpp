@@ -1,6 +1,11 @@
 // The parts that a run is made of, each by itself: bench_kernels [Google Benchmark's options].
 
+#define PLANISH_ISA bench_lanes
+#define PLANISH_LANES 2
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <vector>
 
 #include <planish/io/mesh_format.h>
@@ -12,9 +17,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include "core/lanes/arctangent.h"
 #include "evolve/coloring.h"
 #include "evolve/spatial_order.h"
-#include "measure/lanes/star_defects.h"
+#include "support/inner_rings.h"
 #include "support/sweeps.h"
 
 namespace {
@@ -59,7 +65,7 @@ void plain_sweep(benchmark::State& run) {
   per_vertex(run);
 }
 
-void refresh_defects(benchmark::State& run) {
+void defects_anew(benchmark::State& run) {
   ThreadPool pool(1);
   PatchState state(panel(), panel_connectivity(), pool);
   for (auto _ : run)
@@ -67,10 +73,62 @@ void refresh_defects(benchmark::State& run) {
   per_vertex(run);
 }
 
+/// The kernel alone: stars of valence 6 that do not see each other, in the first-level cache.
+void ring_energy(benchmark::State& run) {
+  ThreadPool pool(1);
+  const TriMesh mesh = make_shape("panel", 1000);
+  const Connectivity of_mesh(mesh);
+  PatchState state(mesh, of_mesh, pool);
+  const VisitPlan& plan = state.plan();
+  const auto found = std::find_if(plan.runs.begin(), plan.runs.end(), [](const Run& r) {
+    return r.valence == 6 && r.end - r.begin >= 32;
+  });
+  std::vector<Star> stars;
+  for (std::size_t i = found->begin; i < found->begin + 32; ++i)
+    stars.push_back(plan.star(*found, i));
+  std::vector<unsigned char> moved(stars.size());
+  const std::vector<Site> start(state.sites().begin(), state.sites().end());
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const MoveOptions options{0.0, 1.0, inf, inf, nullptr};
+  const MoveStars move = move_stars_for(static_cast<Isa>(run.range(0)));
+  for (auto _ : run) {
+    std::copy(start.begin(), start.end(), state.sites().begin());  // else there is nothing to do
+    move(options, state.sites().data(), state.changes(0), stars.data(), stars.size(), 6,
+         moved.data());
+  }
+  run.SetItemsProcessed(run.iterations() * static_cast<std::int64_t>(stars.size()));
+  run.SetLabel(std::string(to_string(static_cast<Isa>(run.range(0)))));
+}
+
 void library_arctangent(benchmark::State& run) {
   double angle = 0.1;
   for (auto _ : run)
     benchmark::DoNotOptimize(angle = std::atan2(angle, 1.0) + 0.1);
+}
+
+/// The least lanes, so that it can be compiled for any processor.
+void arctangent_of_two(benchmark::State& run) {
+  bench_lanes::Complex z{bench_lanes::all(1.0), bench_lanes::all(0.1)};
+  for (auto _ : run)
+    benchmark::DoNotOptimize(z.im = bench_lanes::argument(z) + 0.1);
+  run.SetItemsProcessed(2 * run.iterations());
+}
+
+void coloring(benchmark::State& run) {
+  ThreadPool pool(1);
+  const meshes::InnerRingsOf rings(panel());
+  Pieces all;
+  const std::size_t count = rings.view().count();
+  all.start = {0, count};
+  all.vertices = Buffer<Index>(count);
+  all.piece_of = Buffer<Index>(count);
+  std::iota(all.vertices.begin(), all.vertices.end(), Index{0});
+  std::fill(all.piece_of.begin(), all.piece_of.end(), Index{0});
+  for (auto _ : run) {
+    Colorer colorer(rings.view());
+    benchmark::DoNotOptimize(colorer.color_insides(all, pool));
+  }
+  per_vertex(run);
 }
 
 void layout(benchmark::State& run) {  // order, rings, colours, sites
@@ -83,8 +141,9 @@ void layout(benchmark::State& run) {  // order, rings, colours, sites
 void order_along_curve(benchmark::State& run) {
   ThreadPool pool(1);
   for (auto _ : run) {
-    benchmark::DoNotOptimize(spatial_order(panel().positions, unit_scale(panel()),
-                                           panel_connectivity().inner_vertices(), pool));
+    const auto inner = panel_connectivity().inner_vertices();
+    const Box box = bounding_box(panel().positions, inner, pool);
+    benchmark::DoNotOptimize(spatial_order(panel().positions, inner, 1.0, box, 0.0, pool));
   }
   per_vertex(run);
 }
@@ -114,13 +173,26 @@ void reader(benchmark::State& run, MeshFormat format) {
   run.SetBytesProcessed(run.iterations() * static_cast<std::int64_t>(bytes.size()));
 }
 
+void writer(benchmark::State& run, MeshFormat format) {
+  std::size_t bytes = 0;
+  for (auto _ : run)
+    bytes = format_mesh(panel(), format).size();
+  run.SetBytesProcessed(run.iterations() * static_cast<std::int64_t>(bytes));
+}
+
 BENCHMARK(plain_sweep)->Unit(benchmark::kMillisecond);
 BENCHMARK(controllable_sweep)->Unit(benchmark::kMillisecond)->Apply([](auto* bench) {
   for (const Isa isa : available_isas())
     bench->Arg(static_cast<int>(isa));
 });
-BENCHMARK(refresh_defects)->Unit(benchmark::kMillisecond);
+BENCHMARK(defects_anew)->Unit(benchmark::kMillisecond);
+BENCHMARK(ring_energy)->Apply([](auto* bench) {
+  for (const Isa isa : available_isas())
+    bench->Arg(static_cast<int>(isa));
+});
 BENCHMARK(library_arctangent);
+BENCHMARK(arctangent_of_two);
+BENCHMARK(coloring)->Unit(benchmark::kMillisecond);
 BENCHMARK(layout)->Unit(benchmark::kMillisecond);
 BENCHMARK(order_along_curve)->Unit(benchmark::kMillisecond);
 BENCHMARK(connectivity)->Unit(benchmark::kMillisecond);
@@ -128,5 +200,7 @@ BENCHMARK(inspection)->Unit(benchmark::kMillisecond);
 BENCHMARK(measuring)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(reader, obj, MeshFormat::obj)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(reader, ply, MeshFormat::ply)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(writer, obj, MeshFormat::obj)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(writer, ply, MeshFormat::ply)->Unit(benchmark::kMillisecond);
 
 }  // namespace

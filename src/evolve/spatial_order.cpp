@@ -11,8 +11,6 @@ namespace planish {
 
 namespace {
 
-/// Parts that are worked on at the same time: must not depend on the number of threads.
-constexpr std::size_t k_parts = 8;
 constexpr int k_digit_bits = 12, k_digits_of_key = 3;
 constexpr std::size_t k_digits = std::size_t{1} << k_digit_bits;
 constexpr int k_cell_bits = 12;  // on each axis
@@ -30,12 +28,14 @@ struct Key {
   Index vertex;
 };
 
-/// Calls body(part, begin, end) for all parts of [0, count).
+/// Calls body(part, begin, end) for one part of [0, count) a thread: more would write to the same
+/// lines of cache when they sort. What is done here does not depend on how it is cut.
 template <class Body>
 void for_parts(std::size_t count, ThreadPool& pool, const Body& body) {
-  pool.for_ranges(k_parts, 1, [&](std::size_t first, std::size_t last) {
+  const std::size_t parts = pool.size();
+  pool.for_ranges(parts, 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t part = first; part < last; ++part)
-      body(part, count * part / k_parts, count * (part + 1) / k_parts);
+      body(part, count * part / parts, count * (part + 1) / parts);
   });
 }
 
@@ -44,7 +44,7 @@ void sort_by_digit(const Buffer<Key>& keys, Buffer<Key>& sorted, int digit, Thre
   const auto digit_of = [shift = digit * k_digit_bits](const Key& key) {
     return key.cell >> shift & (k_digits - 1);
   };
-  std::vector<std::array<std::size_t, k_digits>> next(k_parts);
+  std::vector<std::array<std::size_t, k_digits>> next(pool.size());
   for_parts(keys.size(), pool, [&](std::size_t part, std::size_t begin, std::size_t end) {
     next[part].fill(0);
     for (std::size_t i = begin; i < end; ++i)
@@ -64,7 +64,7 @@ void sort_by_digit(const Buffer<Key>& keys, Buffer<Key>& sorted, int digit, Thre
 }  // namespace
 
 Box bounding_box(std::span<const Vec3> positions, std::span<const Index> chosen, ThreadPool& pool) {
-  std::array<Box, k_parts> boxes;
+  std::vector<Box> boxes(pool.size());
   for_parts(chosen.size(), pool, [&](std::size_t part, std::size_t begin, std::size_t end) {
     Box box;  // put into place at last: threads shall not share a line of cache
     for (std::size_t i = begin; i < end; ++i)

@@ -70,11 +70,16 @@ Found search_on_line(std::span<const Series> residuals, const F& f, Interval int
   if (!(from > std::min(inner, outer) && from < std::max(inner, outer))) from = outer;
   from = bettered(from);
   double last_place = 0.0, last_lack = 0.0;
+  bool foretold = false;
   for (best.evaluations = 1; best.evaluations < 16; ++best.evaluations) {
     double place = bettered(from);
     if (place == inner || (place == outer && outer_tried)) place = 0.5 * (best.at + place);
-    if (std::abs(place - best.at) < 1e-3 * std::min(1.0, interval.high - interval.low)) break;
+    if (std::abs(place - best.at) < 1e-3 * std::min(1.0, interval.high - interval.low)) {
+      if (foretold) break;
+      place = best.at - 0.1 * (best.at - inner);
+    }
     const double value = f(place);
+    foretold = std::abs(value - corrected.at(place)) <= 5e-3 * (model.c[0] - value);
     const bool better = value < best.value;
     const bool further = upward ? place > best.at : place < best.at;
     if (better && place == outer) outer_tried = true;

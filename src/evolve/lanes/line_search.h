@@ -35,12 +35,15 @@ struct LineModel {
 
 /// In each lane, the way down to a minimum of f on [low, high] from 0. The minimum of a model of f
 /// is evaluated; what f is there gives the model its next order, and so on until the model's
-/// minimum stays. All places are inside a bracket that shrinks at every evaluation: a step that
-/// would leave it is replaced by its end or the middle. f never rises.
+/// minimum stays and it foretold the last value. All places are inside a bracket that shrinks at
+/// every evaluation: a step that would leave it is replaced by its end or the middle. f never
+/// rises.
 class LineSearch {
  public:
   static constexpr int k_most_evaluations = 16;  // the one at 0 included
   static constexpr double k_tolerance = 1e-3;    // of the interval; b is flat at its minimum
+  static constexpr double k_trust = 5e-3;        // of the fall: an error that the model may make
+  static constexpr double k_probe = 0.1;         // of the bracket: how far to look if it does
 
   /// @pre low <= 0 <= high
   /// @param idle lanes that need not be searched
@@ -63,7 +66,10 @@ class LineSearch {
     // A tried end is no place to go.
     const Mask at_outer = place == outer_, at_inner = place == inner_;
     place = select((at_outer & outer_tried_) | at_inner, 0.5 * (at_ + place), place);
-    done_ |= absolute(place - at_) < enough_;
+    // What the model says is believed only where it foretold the last value.
+    const Mask stays = absolute(place - at_) < enough_;
+    done_ |= stays & foretold_;
+    place = select(stays, at_ - k_probe * (at_ - inner_), place);
     return select(done_, at_, place);
   }
 
@@ -71,6 +77,8 @@ class LineSearch {
 
   /// Tells what f is there; returns the lanes where it is the lowest so far.
   Mask tell(const Real& place, const Real& value) {
+    const Real miss = absolute(value - corrected_.at(place));
+    foretold_ = miss <= k_trust * (model_.c[0] - value);
     const Mask better = ~done_ & (value < value_), worse = ~done_ & ~(value < value_);
     const Mask further = (upward_ & (place > at_)) | (~upward_ & (place < at_));
     inner_ = select(better & further, at_, select(worse & ~further, place, inner_));
@@ -123,7 +131,7 @@ class LineSearch {
   Real inner_{}, outer_;
   Real last_place_{}, last_lack_{};
   Real enough_;
-  Mask outer_tried_{}, done_;
+  Mask outer_tried_{}, foretold_{}, done_;
 };
 
 }  // namespace planish::PLANISH_ISA

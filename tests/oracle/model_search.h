@@ -75,7 +75,7 @@ Found search_on_line(std::span<const Series> residuals, const F& f, Interval int
     double place = bettered(from);
     if (place == inner || (place == outer && outer_tried)) place = 0.5 * (best.at + place);
     if (std::abs(place - best.at) < 1e-3 * std::min(1.0, interval.high - interval.low)) {
-      if (foretold) break;
+      if (foretold || best.at == 0.0) break;
       place = best.at - 0.1 * (best.at - inner);
     }
     const double value = f(place);

@@ -66,9 +66,10 @@ class LineSearch {
     // A tried end is no place to go.
     const Mask at_outer = place == outer_, at_inner = place == inner_;
     place = select((at_outer & outer_tried_) | at_inner, 0.5 * (at_ + place), place);
-    // What the model says is believed only where it foretold the last value.
+    // What the model says is believed where it foretold the last value, and so near the start that
+    // there is nothing to look at.
     const Mask stays = absolute(place - at_) < enough_;
-    done_ |= stays & foretold_;
+    done_ |= stays & (foretold_ | (at_ == 0.0));
     place = select(stays, at_ - k_probe * (at_ - inner_), place);
     return select(done_, at_, place);
   }

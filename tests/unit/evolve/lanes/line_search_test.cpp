@@ -113,5 +113,15 @@ TEST(LineSearch, FindsAMinimumAndNeverRises) {
   EXPECT_LT(evaluations, 2000 * 5);
 }
 
+TEST(LineSearch, EvaluatesNothingWhereTheMinimumIsAtTheStart) {
+  using namespace test_lanes;
+  LineModel model{};  // (t - 1e-5)^2
+  model.add_square(all(-1e-5), all(1.0), Real{}, Real{});
+  LineSearch search(model, all(-1.0), all(1.0), Mask{});
+  search.next();
+  EXPECT_TRUE(search.done());
+  EXPECT_EQ(search.at()[0], 0.0);
+}
+
 }  // namespace
 }  // namespace planish

@@ -168,7 +168,7 @@ Method method_from(const Arguments& arguments) {
 }
 
 Stopping stopping_from(const Arguments& arguments) {
-  Stopping stopping;
+  Stopping stopping = usual_stopping(method_from(arguments));
   describe(stopping, OptionSetter{arguments});
   return stopping;
 }

@@ -58,6 +58,8 @@ std::string_view to_string(ErrorCode code) {
       return "option_out_of_range";
     case ErrorCode::unknown_name:
       return "unknown_name";
+    case ErrorCode::unsupported_constraint:
+      return "unsupported_constraint";
     case ErrorCode::unfold_failed:
       return "unfold_failed";
   }

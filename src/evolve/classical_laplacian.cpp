@@ -16,6 +16,7 @@ namespace {
 /// Where the vertex goes: lambda L(v) further, or as far that way as the deviation allows.
 Vec3 target_of(const PatchState& state, Index v, std::span<const Index> ring,
                const ClassicalLaplacian& options) {
+  if (state.is_fixed(v)) return state.position(v);
   const double radius = options.max_deviation * state.scale();
   const Vec3 x = state.position(v), origin = state.origin(v);
   const Vec3 laplacian = edge_weighted_laplacian(
@@ -49,13 +50,13 @@ Sweep make_sweep(const ClassicalLaplacian& options, PatchState& state, ThreadPoo
   const VisitPlan& plan = state.plan();
   if (options.order == SweepOrder::sequential) {
     return [options, &state, &plan, &pool] {
-      return visit_all(plan, pool, [&](std::size_t begin, std::size_t end) {
+      return SweepOutcome{visit_all(plan, pool, [&](std::size_t begin, std::size_t end) {
         std::size_t moved = 0;
         for_visits(plan, begin, end, [&](Index v, std::span<const Index> ring) {
           moved += move_to(state, v, target_of(state, v, ring, options));
         });
         return moved;
-      });
+      })};
     };
   }
   return
@@ -68,7 +69,7 @@ Sweep make_sweep(const ClassicalLaplacian& options, PatchState& state, ThreadPoo
         std::size_t moved = 0;
         for (Index v = 0; v < targets.size(); ++v)
           moved += move_to(state, v, targets[v]);
-        return moved;
+        return SweepOutcome{moved};
       };
 }
 

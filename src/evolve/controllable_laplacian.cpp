@@ -37,6 +37,7 @@ std::size_t ControllableMover::move(std::size_t begin, std::size_t end) {
     Batch batch;
     for (; i < last; ++i) {
       const Star star = plan.star(run, i);
+      if (state_.is_fixed(star.center)) continue;
       const std::uint32_t idle = idle_since_[i];
       if (idle != 0 && !state_.ring_changed_since(idle, star, run.valence)) continue;
       batch.stars[batch.count] = star;
@@ -64,8 +65,9 @@ std::size_t ControllableMover::move_batch(Batch& batch, const Run& run) {
 
 Sweep make_sweep(const ControllableLaplacian& options, PatchState& state, ThreadPool& pool) {
   return [mover = ControllableMover(options, state), &state, &pool]() mutable {
-    return visit_all(state.plan(), pool,
-                     [&](std::size_t begin, std::size_t end) { return mover.move(begin, end); });
+    return SweepOutcome{visit_all(state.plan(), pool, [&](std::size_t begin, std::size_t end) {
+      return mover.move(begin, end);
+    })};
   };
 }
 

@@ -26,6 +26,8 @@ std::string_view to_string(StopReason reason) {
       return "reached_target";
     case StopReason::stalled:
       return "stalled";
+    case StopReason::converged:
+      return "converged";
     case StopReason::sweep_limit:
       return "sweep_limit";
     case StopReason::cancelled:
@@ -34,12 +36,18 @@ std::string_view to_string(StopReason reason) {
   return "unknown";
 }
 
+Stopping usual_stopping(const Method& method) {
+  Stopping stopping;
+  stopping.max_sweeps = std::visit([](const auto& m) { return m.usual_sweeps; }, method);
+  return stopping;
+}
+
 EvolveResult evolve(const TriMesh& mesh, const Method& method, const Stopping& stopping,
-                    const OnSweep& on_sweep, unsigned threads) {
+                    const OnSweep& on_sweep, unsigned threads, const Constraints& constraints) {
   const auto start = std::chrono::steady_clock::now();
   check_stopping(stopping);
   const Connectivity connectivity(mesh);
-  Evolver evolver(mesh, connectivity, method, threads);
+  Evolver evolver(mesh, connectivity, method, threads, constraints);
   EvolveResult result;
   double e_max = summarise_defects(angle_defects(mesh, connectivity), 0).e_max;
   // What is flat to the last digits is not worked on.
@@ -51,8 +59,9 @@ EvolveResult evolve(const TriMesh& mesh, const Method& method, const Stopping& s
     e_max = record.e_max;
     if (met()) result.stop = StopReason::reached_target;
     if (!met() && record.moved == 0) result.stop = StopReason::stalled;
+    if (!met() && record.converged) result.stop = StopReason::converged;
     if (on_sweep && !on_sweep(record)) result.stop = StopReason::cancelled;
-    if (result.stop == StopReason::stalled || result.stop == StopReason::cancelled) break;
+    if (result.stop != StopReason::sweep_limit) break;
   }
   result.positions = evolver.positions();
   result.threads = evolver.threads();

@@ -13,14 +13,16 @@ namespace planish {
 class Evolver::Impl {
  public:
   Impl(const TriMesh& mesh, const Connectivity& connectivity, const Method& method,
-       unsigned threads)
-      : pool_(threads), state_(mesh, connectivity, pool_) {
+       unsigned threads, const Constraints& constraints)
+      : pool_(threads), state_(mesh, connectivity, pool_, constraints) {
     sweep_ = std::visit([this](const auto& m) { return make_sweep(m, state_, pool_); }, method);
   }
 
   SweepRecord step() {
     SweepRecord record;
-    record.moved = sweep_();
+    const SweepOutcome outcome = sweep_();
+    record.moved = outcome.moved;
+    record.converged = outcome.converged;
     // Anew from the positions, so that the errors of many small updates cannot pile up.
     const Flattenability figures = state_.measure(pool_);
     record.sweep = ++sweeps_;
@@ -44,10 +46,11 @@ class Evolver::Impl {
 };
 
 Evolver::Evolver(const TriMesh& mesh, const Connectivity& connectivity, const Method& method,
-                 unsigned threads) {
+                 unsigned threads, const Constraints& constraints) {
   check_options(method);
+  check_constraints(constraints, mesh.positions.size(), method);
   require(inspect(mesh), Purpose::evolve);
-  impl_ = std::make_unique<Impl>(mesh, connectivity, method, threads);
+  impl_ = std::make_unique<Impl>(mesh, connectivity, method, threads, constraints);
 }
 
 Evolver::~Evolver() = default;

@@ -10,8 +10,9 @@
 
 namespace planish {
 
-PatchState::PatchState(const TriMesh& mesh, const Connectivity& connectivity, ThreadPool& pool)
-    : origins_(mesh.positions) {
+PatchState::PatchState(const TriMesh& mesh, const Connectivity& connectivity, ThreadPool& pool,
+                       const Constraints& constraints)
+    : origins_(mesh.positions), weights_(constraints.weights) {
   const auto inner = connectivity.inner_vertices();
   Box box = bounding_box(origins_, inner, pool);
   std::vector<Index> border;
@@ -25,8 +26,18 @@ PatchState::PatchState(const TriMesh& mesh, const Connectivity& connectivity, Th
   vertex_of_.insert(vertex_of_.end(), border.begin(), border.end());
   plan_ = plan_for(connectivity, inner.size(), box, pool);
   place_vertices(pool);
+  fix(constraints.fixed);
   changed_at_.assign(inner_count(), 0);
   measure(pool);
+}
+
+void PatchState::fix(std::span<const Index> vertices) {
+  if (vertices.empty()) return;
+  std::vector<unsigned char> in_mesh(origins_.size(), 0);
+  for (const Index v : vertices)
+    in_mesh[v] = 1;
+  for (const Index v : vertex_of_)
+    fixed_.push_back(in_mesh[v]);
 }
 
 void PatchState::place_vertices(ThreadPool& pool) {
@@ -118,7 +129,7 @@ Flattenability PatchState::measure(ThreadPool& pool) {
 
 std::vector<Vec3> PatchState::positions_in_mesh_order() const {
   std::vector<Vec3> positions(origins_.begin(), origins_.end());
-  for (std::size_t v = 0; v < inner_count(); ++v) {
+  for (std::size_t v = 0; v < vertex_count(); ++v) {
     if (position(v) != origin(v)) positions[vertex_of_[v]] = (1.0 / scale_) * position(v);
   }
   return positions;

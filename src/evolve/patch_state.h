@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <planish/evolve/constraints.h>
 #include <planish/measure/flattenability.h>
 #include <planish/mesh/connectivity.h>
 
@@ -46,15 +47,22 @@ struct DefectSums {
 class PatchState {
  public:
   /// The mesh must outlive it; connectivity is that of the mesh and not needed afterwards.
-  PatchState(const TriMesh& mesh, const Connectivity& connectivity, ThreadPool& pool);
+  PatchState(const TriMesh& mesh, const Connectivity& connectivity, ThreadPool& pool,
+             const Constraints& constraints = {});
 
   std::size_t inner_count() const { return plan_.visits.size(); }
   bool is_inner(Index v) const { return v < inner_count(); }
+  /// Inner and border vertices.
+  std::size_t vertex_count() const { return vertex_of_.size(); }
+  /// True if nothing may move the vertex, though it is measured.
+  bool is_fixed(std::size_t v) const { return !fixed_.empty() && fixed_[v] != 0; }
+  /// How dear moving the vertex is.
+  double weight(std::size_t v) const { return weights_.empty() ? 1.0 : weights_[vertex_of_[v]]; }
   /// How a sweep visits the inner vertices.
   const VisitPlan& plan() const { return plan_; }
 
   Vec3 position(std::size_t v) const { return {sites_[v].x, sites_[v].y, sites_[v].z}; }
-  /// Where an inner vertex was at first.
+  /// Where a vertex was at first.
   Vec3 origin(std::size_t v) const { return scale_ * origins_[vertex_of_[v]]; }
   void move(std::size_t v, Vec3 to) { sites_[v].x = to.x, sites_[v].y = to.y, sites_[v].z = to.z; }
 
@@ -90,11 +98,14 @@ class PatchState {
  private:
   VisitPlan plan_for(const Connectivity& connectivity, std::size_t inner, const Box& box,
                      ThreadPool& pool) const;
+  void fix(std::span<const Index> vertices);
   void place_vertices(ThreadPool& pool);
   std::uint32_t time_of(Index color) const { return sweep_began_ + color; }
   DefectSums measure_visits(std::size_t begin, std::size_t end);
 
-  std::span<const Vec3> origins_;  // the mesh's positions
+  std::span<const Vec3> origins_;     // the mesh's positions
+  std::vector<double> weights_;       // as in Constraints
+  std::vector<unsigned char> fixed_;  // none where nothing is
   double scale_ = 1.0;
   std::vector<Index> vertex_of_;           // number in the mesh
   Buffer<Site> sites_;                     // as many

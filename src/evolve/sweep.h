@@ -10,9 +10,15 @@
 
 namespace planish {
 
-/// One pass of a method over all inner vertices; returns how many it moved. Positions are what
-/// counts when it returns: the evolver computes the defects anew.
-using Sweep = std::function<std::size_t()>;
+/// What a pass did.
+struct SweepOutcome {
+  std::size_t moved = 0;   ///< vertices
+  bool converged = false;  ///< the method's own test says that no more can be gained
+};
+
+/// One pass of a method over all inner vertices. Positions are what counts when it returns: the
+/// evolver computes the defects anew.
+using Sweep = std::function<SweepOutcome()>;
 
 /// One per method, each in the source file of its name. State and pool must outlive the sweep.
 Sweep make_sweep(const ClassicalLaplacian& options, PatchState& state, ThreadPool& pool);

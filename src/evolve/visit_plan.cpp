@@ -185,6 +185,15 @@ const Run* VisitPlan::run_of(std::size_t i) const {
   return runs.data() + (std::upper_bound(runs.begin(), runs.end(), i, ends_after) - runs.begin());
 }
 
+std::vector<std::span<const Index>> rings_by_vertex(const VisitPlan& plan) {
+  std::vector<std::span<const Index>> rings(plan.visits.size());
+  plan.for_runs(0, plan.visits.size(), [&](const Run& run, std::size_t i, std::size_t end) {
+    for (; i < end; ++i)
+      rings[plan.visits[i]] = plan.ring(run, i);
+  });
+  return rings;
+}
+
 VisitPlan plan_visits(const InnerRings& rings, const OtherOrder& other_order, ThreadPool& pool) {
   Colorer colorer(rings);
   Planner planner(rings, colorer, pool);

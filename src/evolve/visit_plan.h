@@ -53,6 +53,9 @@ struct VisitPlan {
   }
 };
 
+/// The rings of the inner vertices, by vertex.
+std::vector<std::span<const Index>> rings_by_vertex(const VisitPlan& plan);
+
 /// Sorts inner vertices along a space-filling curve that turns elsewhere than the one by which they
 /// are numbered.
 using OtherOrder = std::function<std::vector<Index>(std::vector<Index> vertices)>;

@@ -30,12 +30,13 @@ MeasuredPatch measure_patch(const TriMesh& mesh) {
 }
 
 EvolveReport evolve_patch(const TriMesh& mesh, const Method& method, const Stopping& stopping,
-                          const OnSweep& on_sweep, unsigned threads) {
+                          const OnSweep& on_sweep, unsigned threads,
+                          const Constraints& constraints) {
   EvolveReport report;
   report.method = method;
   report.stopping = stopping;
   report.before = measure_patch(mesh);
-  report.result = evolve(mesh, method, stopping, on_sweep, threads);
+  report.result = evolve(mesh, method, stopping, on_sweep, threads, constraints);
   TriMesh after{report.result.positions, mesh.triangles};
   report.after = measure_patch(after);
   report.deviation = measure_deviation(mesh, after.positions, Connectivity(mesh));
@@ -129,7 +130,7 @@ std::optional<FlattenReport> flatten(TriMesh mesh, std::string name, const Flatt
         return tell(FlattenStage::evolving, static_cast<double>(record.sweep) /
                                                 static_cast<double>(options.stopping.max_sweeps));
       },
-      options.threads);
+      options.threads, options.constraints);
   if (report.evolve.result.stop == StopReason::cancelled) return std::nullopt;
   report.processed = {report.evolve.result.positions, report.input.triangles};
 

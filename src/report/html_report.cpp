@@ -128,6 +128,8 @@ std::string stop_text(StopReason stop) {
       return "the target was reached";
     case StopReason::stalled:
       return "no vertex moved any more";
+    case StopReason::converged:
+      return "the method had converged";
     case StopReason::sweep_limit:
       return "all sweeps asked for were made";
     case StopReason::cancelled:

@@ -41,6 +41,7 @@ enum class ErrorCode {
   // What was asked
   option_out_of_range,
   unknown_name,
+  unsupported_constraint,
   // What could not be done
   unfold_failed,
 };

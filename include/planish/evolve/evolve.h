@@ -24,6 +24,7 @@ void describe(Stopping& o, Visit&& visit) {
 enum class StopReason {
   reached_target,  ///< e_max is at most the target
   stalled,         ///< a sweep moved nothing, so no later one would
+  converged,       ///< the method's own test says that it is done
   sweep_limit,
   cancelled,
 };
@@ -43,9 +44,13 @@ struct EvolveResult {
 /// Moves the inner vertices of a patch so that it gets closer to flattenable; border and triangles
 /// stay. A patch that already meets the target is returned as it came, bit for bit.
 /// @param threads 0 for all cores; the result is the same for every number
-/// @throws Error option_out_of_range, or what stands in the way of Purpose::evolve
+/// @throws Error option_out_of_range, as check_constraints(), or what stands in the way of
+/// Purpose::evolve
 EvolveResult evolve(const TriMesh& mesh, const Method& method = ControllableLaplacian{},
                     const Stopping& stopping = {}, const OnSweep& on_sweep = {},
-                    unsigned threads = 0);
+                    unsigned threads = 0, const Constraints& constraints = {});
+
+/// When to end where nobody said: after as many sweeps as the method usually takes.
+Stopping usual_stopping(const Method& method);
 
 }  // namespace planish

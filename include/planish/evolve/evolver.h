@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include <planish/evolve/constraints.h>
 #include <planish/evolve/method.h>
 #include <planish/mesh/connectivity.h>
 
@@ -13,8 +14,9 @@ namespace planish {
 struct SweepRecord {
   int sweep = 0;  ///< from 1
   double e_max = 0.0, e_avg = 0.0, energy = 0.0;
-  std::size_t moved = 0;  ///< vertices that this sweep moved
-  double seconds = 0.0;   ///< since the evolver was made
+  std::size_t moved = 0;   ///< vertices that this sweep moved
+  double seconds = 0.0;    ///< since the evolver was made
+  bool converged = false;  ///< the method's own test says that no sweep would gain anything more
 };
 
 /// Runs a method on a patch, one sweep at a time. evolve() is the loop over it; this is for those
@@ -24,15 +26,17 @@ class Evolver {
   /// @param mesh must outlive the evolver, which looks up in it where vertices were at first
   /// @param connectivity that of mesh; not needed afterwards
   /// @param threads 0 for all cores; the result is the same for every number
-  /// @throws Error option_out_of_range, or what stands in the way of Purpose::evolve
+  /// @throws Error option_out_of_range, as check_constraints(), or what stands in the way of
+  /// Purpose::evolve
   Evolver(const TriMesh& mesh, const Connectivity& connectivity, const Method& method,
-          unsigned threads = 0);
-  Evolver(TriMesh&& mesh, const Connectivity&, const Method&, unsigned = 0) = delete;
+          unsigned threads = 0, const Constraints& constraints = {});
+  Evolver(TriMesh&& mesh, const Connectivity&, const Method&, unsigned = 0,
+          const Constraints& = {}) = delete;
   ~Evolver();
   Evolver(Evolver&&) noexcept;
   Evolver& operator=(Evolver&&) noexcept;
 
-  /// One pass over all inner vertices.
+  /// One pass over all inner vertices, or one step that moves them all at once.
   SweepRecord step();
 
   /// Where the vertices are now, in the order of the mesh. Vertices that never moved keep the bits

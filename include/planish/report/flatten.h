@@ -48,6 +48,7 @@ struct FlattenOptions {
   Stopping stopping = {};
   Unit unit = Unit::mm;
   unsigned threads = 0;
+  Constraints constraints = {};
 };
 
 /// The main job's result: everything that the files of a `flatten` folder are made from.
@@ -70,7 +71,8 @@ using OnProgress = std::function<bool(FlattenStage, double)>;
 /// Evolves with all figures around it.
 /// @throws Error as evolve()
 EvolveReport evolve_patch(const TriMesh& mesh, const Method& method, const Stopping& stopping,
-                          const OnSweep& on_sweep = {}, unsigned threads = 0);
+                          const OnSweep& on_sweep = {}, unsigned threads = 0,
+                          const Constraints& constraints = {});
 
 /// Unfolds with all figures around it; nothing when cancelled.
 /// @throws Error as unfold()

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include <planish/evolve/method.h>
+#include <planish/mesh/tri_mesh.h>
+
+namespace planish {
+
+/// What an evolution respects besides the border. Vertices are numbered as in the mesh.
+struct Constraints {
+  std::vector<Index> fixed = {};  ///< vertices that stay where they are
+  std::vector<double> weights =
+      {};                 ///< one per vertex, above 0: how dear moving it is; none: all 1
+  TriMesh obstacle = {};  ///< closed surface, oriented outwards, not to be entered; may be none
+};
+
+/// Whether a method does something with weights, or with an obstacle. Every method honours fixed
+/// vertices.
+bool honours_weights(const Method& method);
+bool honours_obstacle(const Method& method);
+
+/// @throws Error index_out_of_range, option_out_of_range for weights that are too few or not above
+///   0, unsupported_constraint for what the method cannot honour
+void check_constraints(const Constraints& constraints, std::size_t vertex_count,
+                       const Method& method);
+
+}  // namespace planish

@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <planish/core/error.h>
+#include <planish/evolve/constraints.h>
+
+namespace planish {
+
+bool honours_weights(const Method& method) {
+  return std::visit([](const auto& options) { return options.honours_weights; }, method);
+}
+
+bool honours_obstacle(const Method& method) {
+  return std::visit([](const auto& options) { return options.honours_obstacle; }, method);
+}
+
+namespace {
+
+void check_fixed(const std::vector<Index>& fixed, std::size_t vertex_count) {
+  const auto missing =
+      std::find_if(fixed.begin(), fixed.end(), [&](Index v) { return v >= vertex_count; });
+  if (missing == fixed.end()) return;
+  throw Error(ErrorCode::index_out_of_range,
+              "vertex " + std::to_string(*missing) + " is to be fixed, but the mesh has " +
+                  std::to_string(vertex_count) + " vertices, numbered from 0");
+}
+
+void check_weights(const std::vector<double>& weights, std::size_t vertex_count) {
+  if (weights.empty()) return;
+  if (weights.size() != vertex_count) {
+    throw Error(ErrorCode::option_out_of_range, "there are " + std::to_string(weights.size()) +
+                                                    " weights for " + std::to_string(vertex_count) +
+                                                    " vertices; there must be one for each");
+  }
+  const auto bad = std::find_if(weights.begin(), weights.end(),
+                                [](double w) { return !(w > 0.0) || !std::isfinite(w); });
+  if (bad == weights.end()) return;
+  throw Error(ErrorCode::option_out_of_range, "the weight of vertex " +
+                                                  std::to_string(bad - weights.begin()) +
+                                                  " must be a number above 0");
+}
+
+[[noreturn]] void refuse(const Method& method, const std::string& what) {
+  throw Error(ErrorCode::unsupported_constraint, "method " + std::string(name_of(method)) +
+                                                     " cannot honour " + what +
+                                                     ": leave that out or take another method");
+}
+
+}  // namespace
+
+void check_constraints(const Constraints& constraints, std::size_t vertex_count,
+                       const Method& method) {
+  check_fixed(constraints.fixed, vertex_count);
+  check_weights(constraints.weights, vertex_count);
+  if (!constraints.weights.empty() && !honours_weights(method)) refuse(method, "weights");
+  if (!constraints.obstacle.triangles.empty() && !honours_obstacle(method))
+    refuse(method, "an obstacle");
+}
+
+}  // namespace planish

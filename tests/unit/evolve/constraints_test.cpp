@@ -1,0 +1,98 @@
+#include <cmath>
+#include <functional>
+
+#include <planish/core/error.h>
+#include <planish/evolve/evolve.h>
+#include <planish/mesh/shapes.h>
+
+#include <gtest/gtest.h>
+
+namespace planish {
+namespace {
+
+TriMesh patch() {
+  return make_shape("panel", 900);
+}
+
+/// Every seventh inner vertex.
+std::vector<Index> some_inner_vertices(const TriMesh& mesh) {
+  const Connectivity connectivity(mesh);
+  std::vector<Index> some;
+  for (std::size_t i = 0; i < connectivity.inner_vertices().size(); i += 7)
+    some.push_back(connectivity.inner_vertices()[i]);
+  return some;
+}
+
+class FixedVertices : public testing::TestWithParam<Method> {};
+
+TEST_P(FixedVertices, StayWhereTheyAreWhileOthersMove) {
+  const TriMesh mesh = patch();
+  const Constraints constraints{.fixed = some_inner_vertices(mesh)};
+  const auto free = evolve(mesh, GetParam(), {.max_sweeps = 3});
+  const auto held = evolve(mesh, GetParam(), {.max_sweeps = 3}, {}, 0, constraints);
+  std::size_t moved_when_free = 0;
+  for (const Index v : constraints.fixed) {
+    EXPECT_EQ(held.positions[v], mesh.positions[v]);
+    moved_when_free += free.positions[v] != mesh.positions[v];
+  }
+  EXPECT_GT(moved_when_free, constraints.fixed.size() / 2);
+  EXPECT_NE(held.positions, mesh.positions);
+}
+
+TEST_P(FixedVertices, MayBeAll) {
+  const TriMesh mesh = patch();
+  Constraints constraints;
+  for (Index v = 0; v < mesh.positions.size(); ++v)
+    constraints.fixed.push_back(v);
+  const auto result = evolve(mesh, GetParam(), {.max_sweeps = 3}, {}, 0, constraints);
+  EXPECT_EQ(result.positions, mesh.positions);
+  EXPECT_NE(result.stop, StopReason::reached_target);
+}
+
+template <std::size_t... I>
+std::vector<Method> all_methods(std::index_sequence<I...>) {
+  return {Method(std::variant_alternative_t<I, Method>{})...};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    AllMethods, FixedVertices,
+    testing::ValuesIn(all_methods(std::make_index_sequence<std::variant_size_v<Method>>())),
+    [](const auto& test) { return std::string(name_of(test.param)); });
+
+ErrorCode error_of(const Constraints& constraints, const Method& method = {}) {
+  try {
+    evolve(patch(), method, {}, {}, 0, constraints);
+  } catch (const Error& error) {
+    return error.code();
+  }
+  ADD_FAILURE() << "no error";
+  return {};
+}
+
+TEST(Constraints, MustNameVerticesThatThereAre) {
+  EXPECT_EQ(error_of({.fixed = {0, 1'000'000}}), ErrorCode::index_out_of_range);
+}
+
+TEST(Constraints, MustWeighEveryVertexAboveZero) {
+  const std::size_t count = patch().positions.size();
+  std::vector<double> weights(count, 1.0);
+  weights.pop_back();
+  EXPECT_EQ(error_of({.weights = weights}), ErrorCode::option_out_of_range);
+  for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    weights.assign(count, 1.0);
+    weights[5] = bad;
+    EXPECT_EQ(error_of({.weights = weights}), ErrorCode::option_out_of_range) << bad;
+  }
+}
+
+TEST(Constraints, ThatAMethodCannotHonourAreRefused) {
+  const TriMesh mesh = patch();
+  const std::vector<double> weights(mesh.positions.size(), 1.0);
+  EXPECT_EQ(error_of({.weights = weights}, ControllableLaplacian{}),
+            ErrorCode::unsupported_constraint);
+  EXPECT_EQ(error_of({.obstacle = mesh}, ControllableLaplacian{}),
+            ErrorCode::unsupported_constraint);
+}
+
+}  // namespace
+}  // namespace planish

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/careful_sum.h"
-#include "unfold/dissection.h"
+#include "solve/dissection.h"
 
 namespace planish {
 
@@ -21,11 +21,26 @@ RestTriangle rest_triangle(Vec3 a, Vec3 b, Vec3 c) {
   return {length, {along, std::max(height, least_height * longest)}};
 }
 
+/// The used vertices.
+std::vector<Index> elimination_order(std::span<const Vec3> positions,
+                                     const Connectivity& connectivity) {
+  Graph graph;
+  std::vector<Index> used;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto v = static_cast<Index>(i);
+    const auto ring = connectivity.ring(v);
+    graph.neighbours.insert(graph.neighbours.end(), ring.begin(), ring.end());
+    graph.start.push_back(graph.neighbours.size());
+    if (!ring.empty()) used.push_back(v);
+  }
+  return nested_dissection(positions, graph, std::move(used));
+}
+
 }  // namespace
 
 Disk make_disk(const TriMesh& mesh, const Connectivity& connectivity) {
   Disk disk;
-  disk.vertex_of = nested_dissection(mesh.positions, connectivity);
+  disk.vertex_of = elimination_order(mesh.positions, connectivity);
   disk.vertex_count = disk.vertex_of.size();
   std::vector<Index> number_of(mesh.positions.size(), 0);
   for (std::size_t i = 0; i < disk.vertex_count; ++i) {

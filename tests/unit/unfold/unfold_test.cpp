@@ -12,7 +12,6 @@
 
 #include "support/meshes.h"
 #include "unfold/disk.h"
-#include "unfold/dissection.h"
 #include "unfold/least_stretch.h"
 #include "unfold/start.h"
 
@@ -208,17 +207,6 @@ TEST(Unfold, RefusesWhatIsNotADisk) {
   TriMesh torus = meshes::torus(8, 8);
   torus.triangles.pop_back();
   EXPECT_EQ(code_of(torus), ErrorCode::handles);
-}
-
-TEST(NestedDissection, IsAnOrderOfAllUsedVertices) {
-  TriMesh mesh = make_shape("panel", 3000);
-  mesh.positions.push_back({0, 0, 0});
-  const auto order = nested_dissection(mesh.positions, Connectivity(mesh));
-  std::vector<Index> sorted = order;
-  std::sort(sorted.begin(), sorted.end());
-  ASSERT_EQ(sorted.size(), mesh.positions.size() - 1);
-  for (Index v = 0; v < sorted.size(); ++v)
-    ASSERT_EQ(sorted[v], v);
 }
 
 TEST(FlatMesh, HasTheSameTrianglesInThePlane) {

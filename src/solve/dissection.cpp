@@ -1,15 +1,17 @@
-#include "unfold/dissection.h"
+#include "solve/dissection.h"
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace planish {
 
 namespace {
 
 constexpr std::size_t k_leaf = 24;  // not worth halving
-// Vertices above come last of all: inside, each would make all its neighbours separators.
-constexpr std::size_t k_hub_valence = 64;
+// Vertices with so many times the mean number of neighbours come last of all: inside, each would
+// make all its neighbours separators.
+constexpr std::size_t k_hub = 10;
 
 using Coordinate = double Vec3::*;
 
@@ -31,8 +33,8 @@ Coordinate longest_axis(std::span<const Vec3> positions, std::span<const Index> 
 
 class Dissection {
  public:
-  Dissection(std::span<const Vec3> positions, const Connectivity& connectivity)
-      : positions_(positions), connectivity_(connectivity), right_of_(positions.size(), 0) {}
+  Dissection(std::span<const Vec3> positions, const Graph& graph)
+      : positions_(positions), graph_(graph), right_of_(positions.size(), 0) {}
 
   /// Puts the vertices of a part into elimination order.
   void order(std::span<Index> part) {
@@ -47,8 +49,8 @@ class Dissection {
     for (auto v = middle; v != part.end(); ++v)
       right_of_[*v] = mark;
     const auto separator = std::partition(part.begin(), middle, [&](Index v) {
-      const auto ring = connectivity_.ring(v);
-      return std::none_of(ring.begin(), ring.end(), [&](Index w) { return right_of_[w] == mark; });
+      const auto next = graph_.of(v);
+      return std::none_of(next.begin(), next.end(), [&](Index w) { return right_of_[w] == mark; });
     });
     const auto left_count = separator - part.begin();
     // left | separator | right  ->  left | right | separator
@@ -61,25 +63,28 @@ class Dissection {
 
  private:
   std::span<const Vec3> positions_;
-  const Connectivity& connectivity_;
+  const Graph& graph_;
   std::vector<std::size_t> right_of_;  // the last cut that the vertex was right of
   std::size_t marks_ = 0;
 };
 
 }  // namespace
 
-std::vector<Index> nested_dissection(std::span<const Vec3> positions,
-                                     const Connectivity& connectivity) {
-  std::vector<Index> order, hubs;
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const auto v = static_cast<Index>(i);
-    const std::size_t valence = connectivity.ring(v).size();
-    if (valence > k_hub_valence) hubs.push_back(v);
-    if (valence > 0 && valence <= k_hub_valence) order.push_back(v);
-  }
-  Dissection(positions, connectivity).order(order);
-  order.insert(order.end(), hubs.begin(), hubs.end());
-  return order;
+std::vector<Index> nested_dissection(std::span<const Vec3> positions, const Graph& graph,
+                                     std::vector<Index> vertices) {
+  if (vertices.empty()) return vertices;
+  const std::size_t mean = graph.neighbours.size() / vertices.size() + 1;
+  const auto hubs = std::stable_partition(vertices.begin(), vertices.end(), [&](Index v) {
+    return graph.of(v).size() <= k_hub * mean;
+  });
+  Dissection(positions, graph).order({vertices.begin(), hubs});
+  return vertices;
+}
+
+std::vector<Index> nested_dissection(std::span<const Vec3> positions, const Graph& graph) {
+  std::vector<Index> all(graph.vertex_count());
+  std::iota(all.begin(), all.end(), Index{0});
+  return nested_dissection(positions, graph, std::move(all));
 }
 
 }  // namespace planish

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <planish/core/vec.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include "solve/supernodes.h"
+
+namespace planish {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+
+/// Solves sparse symmetric systems whose matrices share one pattern: P A P^T = L D L^T, D diagonal,
+/// without pivoting. That exists under any order for definite matrices and for quasi-definite ones,
+/// [H, J^T; J, -C] with H and C positive definite (Vanderbei 1995). Multifrontal (Duff and Reid
+/// 1983): dense fronts over a tree of supernodes, which a good order keeps small.
+/// The same bits on every run.
+class SparseLdlt {
+ public:
+  /// @param lower the lower half of a matrix; values do not matter
+  /// @param order the unknowns in order of elimination, as by nested_dissection()
+  SparseLdlt(const SparseMatrix& lower, std::span<const Index> order);
+
+  /// Factors a matrix of the pattern. False where a pivot is zero or not a number: then nothing can
+  /// be solved.
+  bool factor(const SparseMatrix& lower);
+
+  /// X with A X = right, a column each. @pre factor() was true
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
+
+  /// Numbers that the factor takes.
+  std::size_t factor_size() const { return panels_.size(); }
+
+ private:
+  /// Rows of a supernode times its columns, column by column: unit lower triangle of L on top.
+  Eigen::Map<const Eigen::MatrixXd> panel(std::size_t node) const;
+  void assemble(const SparseMatrix& lower, std::size_t node, Eigen::MatrixXd& front) const;
+  void solve_forward(Eigen::MatrixXd& x) const;
+  void solve_backward(Eigen::MatrixXd& x) const;
+
+  Supernodes tree_;
+  std::vector<Index> place_;              // unknown -> when it is eliminated
+  std::vector<std::size_t> panel_start_;  // of each supernode among panels_
+  // Where the entries of the matrix go, supernode by supernode.
+  struct Entry {
+    Index row, column;  // in the front
+    std::size_t value;  // in the matrix
+  };
+  std::vector<Entry> entries_;
+  std::vector<std::size_t> entry_start_;
+  std::vector<double> panels_;
+  Eigen::VectorXd pivots_;
+};
+
+}  // namespace planish

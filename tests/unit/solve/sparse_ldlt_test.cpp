@@ -1,0 +1,204 @@
+#include "solve/sparse_ldlt.h"
+
+#include <random>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+#include <gtest/gtest.h>
+
+#include "solve/dissection.h"
+#include "solve/front.h"
+
+namespace planish {
+namespace {
+
+using Eigen::MatrixXd;
+
+/// A grid of points, those at most `reach` steps apart in either direction joined.
+struct Grid {
+  std::vector<Vec3> positions;
+  Graph graph;
+};
+
+Grid grid(int rows, int columns, int reach) {
+  Grid grid;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < columns; ++j) {
+      grid.positions.push_back({1.0 * i, 1.0 * j, 0.1 * i * j});
+      for (int y = std::max(0, i - reach); y <= std::min(rows - 1, i + reach); ++y) {
+        for (int x = std::max(0, j - reach); x <= std::min(columns - 1, j + reach); ++x) {
+          if (y != i || x != j)
+            grid.graph.neighbours.push_back(static_cast<Index>(y * columns + x));
+        }
+      }
+      grid.graph.start.push_back(grid.graph.neighbours.size());
+    }
+  }
+  return grid;
+}
+
+/// The lower half of a symmetric matrix of the pattern with random entries; the diagonal makes it
+/// positive definite, or where `sign` says so negative definite.
+SparseMatrix random_matrix(const Graph& graph, std::mt19937& random, const auto& sign) {
+  std::uniform_real_distribution<double> entry(-1.0, 1.0);
+  const auto n = static_cast<int>(graph.vertex_count());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < n; ++i) {
+    const auto next = graph.of(static_cast<Index>(i));
+    entries.emplace_back(i, i, sign(i) * (0.5 + static_cast<double>(next.size())));
+    for (const Index j : next) {
+      if (static_cast<int>(j) < i) entries.emplace_back(i, static_cast<int>(j), entry(random));
+    }
+  }
+  SparseMatrix lower(n, n);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  return lower;
+}
+
+double residual(const SparseMatrix& lower, const MatrixXd& x, const MatrixXd& right) {
+  return (lower.selfadjointView<Eigen::Lower>() * x - right).norm() / right.norm();
+}
+
+TEST(SparseLdlt, SolvesDefiniteSystemsOfManySizesAndPatterns) {
+  std::mt19937 random(1);
+  for (const auto [rows, columns, reach] :
+       {std::array{1, 1, 1}, std::array{1, 40, 1}, std::array{7, 9, 1}, std::array{30, 31, 2},
+        std::array{60, 45, 1}, std::array{8, 8, 7}}) {
+    const Grid g = grid(rows, columns, reach);
+    const SparseMatrix a = random_matrix(g.graph, random, [](int) { return 1.0; });
+    SparseLdlt solver(a, nested_dissection(g.positions, g.graph));
+    ASSERT_TRUE(solver.factor(a));
+    const MatrixXd right = MatrixXd::Random(a.rows(), 3);
+    EXPECT_LT(residual(a, solver.solve(right), right), 1e-13) << rows << " x " << columns;
+  }
+}
+
+TEST(SparseLdlt, AgreesWithEigenUnderAnyOrder) {
+  std::mt19937 random(2);
+  const Grid g = grid(15, 22, 2);
+  const SparseMatrix a = random_matrix(g.graph, random, [](int) { return 1.0; });
+  const MatrixXd right = MatrixXd::Random(a.rows(), 1);
+  const MatrixXd expected = Eigen::SimplicialLDLT<SparseMatrix>(a).solve(right);
+  std::vector<Index> order(g.positions.size());
+  for (Index i = 0; i < order.size(); ++i)
+    order[i] = i;
+  for (int turn = 0; turn < 5; ++turn) {
+    SparseLdlt solver(a, order);
+    ASSERT_TRUE(solver.factor(a));
+    EXPECT_LT((solver.solve(right) - expected).norm(), 1e-13 * expected.norm());
+    std::shuffle(order.begin(), order.end(), random);
+  }
+}
+
+/// [H, J^T; J, -C] scattered over a grid.
+TEST(SparseLdlt, SolvesQuasiDefiniteSystems) {
+  std::mt19937 random(3);
+  const Grid g = grid(25, 40, 1);
+  const auto sign = [](int i) { return i % 3 == 0 ? -1.0 : 1.0; };
+  SparseMatrix a = random_matrix(g.graph, random, sign);
+  SparseLdlt solver(a, nested_dissection(g.positions, g.graph));
+  ASSERT_TRUE(solver.factor(a));
+  const MatrixXd right = MatrixXd::Random(a.rows(), 1);
+  EXPECT_LT(residual(a, solver.solve(right), right), 1e-12);
+}
+
+TEST(SparseLdlt, FactorsOtherValuesOfThePatternAndGivesTheSameBitsAgain) {
+  std::mt19937 random(4);
+  const Grid g = grid(20, 20, 2);
+  const SparseMatrix a = random_matrix(g.graph, random, [](int) { return 1.0; });
+  const SparseMatrix b = random_matrix(g.graph, random, [](int) { return 1.0; });
+  const MatrixXd right = MatrixXd::Random(a.rows(), 2);
+  SparseLdlt solver(a, nested_dissection(g.positions, g.graph));
+  ASSERT_TRUE(solver.factor(a));
+  const MatrixXd first = solver.solve(right);
+  ASSERT_TRUE(solver.factor(b));
+  EXPECT_LT(residual(b, solver.solve(right), right), 1e-13);
+  ASSERT_TRUE(solver.factor(a));
+  EXPECT_EQ(solver.solve(right), first);
+}
+
+TEST(SparseLdlt, SaysWhereAMatrixIsSingular) {
+  std::mt19937 random(5);
+  const Grid g = grid(10, 10, 1);
+  SparseMatrix a = random_matrix(g.graph, random, [](int) { return 1.0; });
+  SparseLdlt solver(a, nested_dissection(g.positions, g.graph));
+  SparseMatrix zero = a;
+  zero.coeffs() *= 0.0;
+  EXPECT_FALSE(solver.factor(zero));
+  a.coeffRef(50, 50) = std::nan("");
+  EXPECT_FALSE(solver.factor(a));
+}
+
+TEST(SparseLdlt, KeepsFactorsOfSurfacesSmall) {
+  const Grid g = grid(120, 120, 1);
+  std::mt19937 random(6);
+  const SparseMatrix a = random_matrix(g.graph, random, [](int) { return 1.0; });
+  const SparseLdlt nested(a, nested_dissection(g.positions, g.graph));
+  // A banded factor would hold 120 numbers a column.
+  EXPECT_LT(static_cast<double>(nested.factor_size()), 60.0 * 120.0 * 120.0);
+}
+
+TEST(FactorFront, LeavesTheFactorAndTheSchurComplement) {
+  for (const auto [size, columns] : {std::array{5, 2}, std::array{60, 60}, std::array{130, 100}}) {
+    MatrixXd a = MatrixXd::Random(size, size);
+    a = a * a.transpose() + MatrixXd::Identity(size, size);
+    MatrixXd front = a;
+    Eigen::VectorXd pivots(columns);
+    ASSERT_TRUE(factor_front(front, pivots));
+    const Eigen::Index rest = size - columns;
+    MatrixXd l = front.leftCols(columns);
+    l.topRows(columns).triangularView<Eigen::StrictlyUpper>().setZero();
+    l.topRows(columns).diagonal().setOnes();
+    const MatrixXd left = a - l * pivots.asDiagonal() * l.transpose();
+    EXPECT_LT(left.leftCols(columns).norm(), 1e-12 * a.norm());
+    MatrixXd schur = front.bottomRightCorner(rest, rest);
+    schur = MatrixXd(schur.triangularView<Eigen::Lower>());
+    const MatrixXd expected =
+        MatrixXd(left.bottomRightCorner(rest, rest).triangularView<Eigen::Lower>());
+    EXPECT_LT((schur - expected).norm(), 1e-12 * a.norm());
+  }
+}
+
+TEST(Supernodes, AreATreeThatHoldsEveryColumnOnce) {
+  const Grid g = grid(30, 30, 1);
+  LowerRows rows;
+  for (Index v = 0; v < g.graph.vertex_count(); ++v) {
+    for (const Index w : g.graph.of(v)) {
+      if (w < v) rows.columns.push_back(w);
+    }
+    rows.start.push_back(rows.columns.size());
+  }
+  const Supernodes tree = find_supernodes(rows, elimination_tree(rows));
+  EXPECT_EQ(tree.first.front(), 0U);
+  EXPECT_EQ(tree.first.back(), 900U);
+  for (std::size_t s = 0; s < tree.count(); ++s) {
+    const auto below = tree.rows(s);
+    EXPECT_LT(tree.first[s], tree.first[s + 1]);
+    EXPECT_TRUE(std::is_sorted(below.begin(), below.end()));
+    if (tree.parent[s] == Supernodes::k_root) {
+      EXPECT_TRUE(below.empty());
+      continue;
+    }
+    // What is below a child are columns or rows of its parent.
+    const std::size_t up = tree.parent[s];
+    EXPECT_GT(up, s);
+    for (const Index row : below) {
+      const auto rows_up = tree.rows(up);
+      EXPECT_TRUE(row < tree.first[up + 1] ||
+                  std::binary_search(rows_up.begin(), rows_up.end(), row));
+    }
+  }
+}
+
+TEST(NestedDissection, IsAnOrderOfTheVerticesAskedFor) {
+  const Grid g = grid(40, 50, 2);
+  std::vector<Index> asked;
+  for (Index v = 0; v < g.graph.vertex_count(); v += v % 3 + 1)
+    asked.push_back(v);
+  auto order = nested_dissection(g.positions, g.graph, asked);
+  std::sort(order.begin(), order.end());
+  EXPECT_EQ(order, asked);
+}
+
+}  // namespace
+}  // namespace planish

@@ -5,6 +5,7 @@
 
 #include <planish/evolve/classical_laplacian.h>
 #include <planish/evolve/controllable_laplacian.h>
+#include <planish/evolve/least_norm.h>
 
 namespace planish {
 
@@ -16,7 +17,7 @@ namespace planish {
 /// and describe(options, visit) describes its options, once, for command line, JSON, bindings and
 /// docs: it calls visit(name, member, doc, range) for numbers and visit(name, member, doc) for
 /// enumerations.
-using Method = std::variant<ControllableLaplacian, ClassicalLaplacian>;
+using Method = std::variant<ControllableLaplacian, ClassicalLaplacian, LeastNorm>;
 
 /// As in "controllable".
 std::string_view name_of(const Method& method);

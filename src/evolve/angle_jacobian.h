@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <planish/core/vec.h>
+
+#include <Eigen/Core>
+
+#include "core/thread_pool.h"
+#include "evolve/patch_state.h"
+
+namespace planish {
+
+/// A = d theta / d x: how the angle sums of the inner vertices, one row each, change with the
+/// places of the movable ones, three columns each (methods: least_norm.md). Numbers are those of
+/// the state. Columns of what may not move hold zeros.
+class AngleJacobian {
+ public:
+  /// Which vertices are in which rows; the gradients are of no use before update().
+  /// @param state must outlive it
+  explicit AngleJacobian(const PatchState& state);
+
+  /// Takes the gradients at the places where the vertices are now.
+  void update(ThreadPool& pool);
+
+  std::size_t row_count() const { return rings_.size(); }
+  /// True for inner vertices that nothing holds. Vertices of many hundred neighbours are held too:
+  /// each would tie all its neighbours' rows to one another.
+  bool is_movable(Index v) const { return v < row_count() && movable_[v] != 0; }
+  /// The same by inner vertex.
+  std::span<const unsigned char> movable() const { return movable_; }
+  std::span<const Index> ring(Index v) const { return rings_[v]; }
+
+  /// A part of a row: d theta_row / d x of some vertex is gradient(entry).
+  struct Entry {
+    Index row;
+    std::size_t entry;
+  };
+  /// The rows that a movable vertex is in, increasing.
+  std::span<const Entry> column(Index v) const {
+    return {columns_.data() + column_start_[v], column_start_[v + 1] - column_start_[v]};
+  }
+  Vec3 gradient(std::size_t entry) const { return gradients_[entry]; }
+
+  /// A dx, for dx by inner vertex.
+  Eigen::VectorXd times(std::span<const Vec3> dx) const;
+  /// A^T y, by inner vertex.
+  std::vector<Vec3> transposed_times(const Eigen::VectorXd& y) const;
+
+ private:
+  void find_columns();
+
+  const PatchState& state_;
+  std::vector<std::span<const Index>> rings_;
+  std::vector<unsigned char> movable_;
+  std::vector<std::size_t> row_start_;  // first entry of each row: the vertex, then its ring
+  std::vector<Vec3> gradients_;
+  std::vector<std::size_t> column_start_;
+  std::vector<Entry> columns_;
+};
+
+}  // namespace planish

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "evolve/angle_jacobian.h"
+#include "solve/sparse_ldlt.h"
+
+namespace planish {
+
+/// The n x n system (A S A^T + mu D) y = b of all methods that seek the least change of places that
+/// turns the angle sums as asked: A the Jacobian of the angle sums, S a factor per vertex, D the
+/// mean of the diagonal of A S A^T, so that mu has no unit. A S A^T couples vertices two edges
+/// apart; the same step by the 3n x 3n matrix of the places costs 20 times as much.
+class DualSystem {
+ public:
+  /// @param jacobian must outlive it
+  DualSystem(const AngleJacobian& jacobian, const PatchState& state);
+
+  /// Factors for the gradients as they are.
+  /// @param squeeze S by inner vertex: how willing each is to move
+  /// @return false where the matrix cannot be factored
+  bool factor(std::span<const double> squeeze, double mu);
+
+  /// @pre factor() was true
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return solver_.solve(right); }
+
+ private:
+  /// The pattern of the lower half, and a good order of elimination.
+  struct Layout {
+    SparseMatrix lower;
+    std::vector<Index> order;
+  };
+  static Layout lay_out(const AngleJacobian& jacobian, const PatchState& state);
+  DualSystem(const AngleJacobian& jacobian, Layout layout);
+
+  const AngleJacobian& jacobian_;
+  SparseMatrix lower_;
+  std::vector<std::uint32_t> products_;  // for each pair of rows that a vertex is in: its place
+  SparseLdlt solver_;
+};
+
+}  // namespace planish

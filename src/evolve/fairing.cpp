@@ -1,0 +1,148 @@
+#include "evolve/fairing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "solve/dissection.h"
+
+namespace planish {
+
+namespace {
+
+/// Of the angle between a and b; large, not infinite, where they are parallel.
+double cotangent(Vec3 a, Vec3 b) {
+  constexpr double least_sine = 1e-9;
+  const double sine = std::max(norm(cross(a, b)), least_sine * norm(a) * norm(b));
+  return sine > 0.0 ? dot(a, b) / sine : 0.0;
+}
+
+std::vector<Vec3> places_of(const PatchState& state, std::span<const Index> vertices) {
+  std::vector<Vec3> places;
+  for (const Index v : vertices)
+    places.push_back(state.position(v));
+  return places;
+}
+
+/// The weights of each vertex's edges to its ring; the row of L is their sum at the vertex and
+/// minus each at its neighbour.
+std::vector<std::vector<double>> rows_of_laplacian(const PatchState& state, LaplacianWeights kind) {
+  std::vector<std::vector<double>> rows;
+  std::vector<double> areas;
+  for (Index v = 0; const auto ring : rings_by_vertex(state.plan())) {
+    if (kind == LaplacianWeights::uniform) {
+      rows.emplace_back(ring.size(), 1.0 / static_cast<double>(ring.size()));
+    } else {
+      const std::vector<Vec3> places = places_of(state, ring);
+      rows.push_back(cotangent_weights(state.position(v), places));
+      areas.push_back(mixed_area(state.position(v), places));
+    }
+    ++v;
+  }
+  if (kind == LaplacianWeights::uniform) return rows;
+  const double mean =
+      std::accumulate(areas.begin(), areas.end(), 0.0) / static_cast<double>(areas.size());
+  for (std::size_t v = 0; v < rows.size(); ++v) {
+    // A vertex without area would weigh without end.
+    const double scale = mean / std::max(areas[v], 1e-3 * mean);
+    for (double& weight : rows[v])
+      weight *= scale;
+  }
+  return rows;
+}
+
+Graph graph_of(const SparseMatrix& symmetric) {
+  Graph graph;
+  for (int v = 0; v < symmetric.outerSize(); ++v) {
+    for (SparseMatrix::InnerIterator entry(symmetric, v); entry; ++entry) {
+      if (entry.row() != v) graph.neighbours.push_back(static_cast<Index>(entry.row()));
+    }
+    graph.start.push_back(graph.neighbours.size());
+  }
+  return graph;
+}
+
+Eigen::RowVector3d row_of(Vec3 p) {
+  return {p.x, p.y, p.z};
+}
+
+}  // namespace
+
+std::vector<double> cotangent_weights(Vec3 p, std::span<const Vec3> ring) {
+  std::vector<double> weights(ring.size(), 0.0);
+  for (std::size_t j = 0; j < ring.size(); ++j) {
+    const std::size_t k = j + 1 < ring.size() ? j + 1 : 0;
+    const Vec3 q = ring[j], r = ring[k];
+    weights[j] += 0.5 * cotangent(p - r, q - r);
+    weights[k] += 0.5 * cotangent(p - q, r - q);
+  }
+  return weights;
+}
+
+double mixed_area(Vec3 p, std::span<const Vec3> ring) {
+  double area = 0.0;
+  for (std::size_t j = 0; j < ring.size(); ++j) {
+    const Vec3 a = ring[j] - p, b = ring[j + 1 < ring.size() ? j + 1 : 0] - p;
+    const double triangle = 0.5 * norm(cross(a, b));
+    if (dot(a, b) < 0.0) {
+      area += 0.5 * triangle;
+    } else if (dot(a, a - b) < 0.0 || dot(b, b - a) < 0.0) {
+      area += 0.25 * triangle;
+    } else {
+      area += 0.125 * (dot(b, b) * cotangent(a, a - b) + dot(a, a) * cotangent(b, b - a));
+    }
+  }
+  return area;
+}
+
+Fairing::Fairing(const PatchState& state, std::span<const unsigned char> movable,
+                 LaplacianWeights kind, std::span<const double> weights) {
+  constexpr int held = -1;
+  std::vector<int> number(state.vertex_count(), held);
+  std::vector<Vec3> places;
+  for (Index v = 0; v < state.inner_count(); ++v) {
+    if (movable[v] == 0) continue;
+    number[v] = static_cast<int>(movable_.size());
+    movable_.push_back(v);
+    pull_.push_back(weights[v] * weights[v]);
+    places.push_back(state.position(v));
+  }
+  if (movable_.empty()) return;
+  const auto count = static_cast<int>(movable_.size());
+  const auto rings = rings_by_vertex(state.plan());
+  const auto rows = rows_of_laplacian(state, kind);
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::MatrixXd g = Eigen::MatrixXd::Zero(count, 3);
+  for (int i = 0; i < count; ++i) {
+    const Index v = movable_[i];
+    entries.emplace_back(i, i, std::accumulate(rows[v].begin(), rows[v].end(), 0.0));
+    for (std::size_t j = 0; j < rings[v].size(); ++j) {
+      const Index w = rings[v][j];
+      if (number[w] != held) entries.emplace_back(i, number[w], -rows[v][j]);
+      if (number[w] == held) g.row(i) -= rows[v][j] * row_of(state.position(w));
+    }
+  }
+  SparseMatrix laplacian(count, count), pull(count, count);
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  held_share_ = laplacian.transpose() * g;
+  pull.setIdentity();
+  pull.diagonal() = Eigen::Map<const Eigen::VectorXd>(pull_.data(), count);
+  const SparseMatrix normal = SparseMatrix(laplacian.transpose() * laplacian) + pull;
+  const SparseMatrix lower = normal.triangularView<Eigen::Lower>();
+  solver_.emplace(lower, nested_dissection(places, graph_of(normal)));
+  solvable_ = solver_->factor(lower);
+}
+
+std::vector<Vec3> Fairing::apply(std::vector<Vec3> targets) const {
+  Eigen::MatrixXd right = -held_share_;
+  for (std::size_t i = 0; i < movable_.size(); ++i)
+    right.row(static_cast<Eigen::Index>(i)) += pull_[i] * row_of(targets[movable_[i]]);
+  const Eigen::MatrixXd places = solver_->solve(right);
+  for (std::size_t i = 0; i < movable_.size(); ++i) {
+    const auto row = places.row(static_cast<Eigen::Index>(i));
+    targets[movable_[i]] = {row[0], row[1], row[2]};
+  }
+  return targets;
+}
+
+}  // namespace planish

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <planish/core/vec.h>
+
+#include <Eigen/Core>
+
+#include "evolve/patch_state.h"
+#include "solve/sparse_ldlt.h"
+
+namespace planish {
+
+enum class LaplacianWeights {
+  uniform,    ///< the umbrella vector
+  cotangent,  ///< cotangents, divided by the area of the vertex over the mean area, so without unit
+};
+
+/// The least-squares update of the least-norm method: the places v that make
+/// sum |L v|^2 + sum (w |v - v*|)^2 smallest, v* the places asked for, L a Laplacian. L is that of
+/// the patch as it is when this is made, and so is the factor: (L^T L + W^2) v = W^2 v* - L^T g,
+/// g the share in L v of vertices that are held.
+class Fairing {
+ public:
+  /// @param movable,weights by inner vertex
+  Fairing(const PatchState& state, std::span<const unsigned char> movable, LaplacianWeights kind,
+          std::span<const double> weights);
+
+  /// False where the system cannot be solved.
+  bool solvable() const { return solvable_; }
+  /// @param targets by inner vertex; those that are held stay at theirs
+  std::vector<Vec3> apply(std::vector<Vec3> targets) const;
+
+ private:
+  std::vector<Index> movable_;  // vertices, in the order of the unknowns
+  std::vector<double> pull_;    // w^2 of each
+  Eigen::MatrixXd held_share_;  // L^T g
+  std::optional<SparseLdlt> solver_;
+  bool solvable_ = false;
+};
+
+/// The cotangent weights of the edges from p to its closed ring, in the ring's order.
+std::vector<double> cotangent_weights(Vec3 p, std::span<const Vec3> ring);
+
+/// The mixed area of p in its closed ring (Meyer and others 2003): the part of its triangles that
+/// is nearest to it, with obtuse triangles cut by halves.
+double mixed_area(Vec3 p, std::span<const Vec3> ring);
+
+}  // namespace planish

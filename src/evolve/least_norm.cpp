@@ -1,0 +1,243 @@
+// Least norm: C. C. L. Wang, "A least-norm approach to flattenable mesh surface processing", SMI
+// 2008, with damping and scale-free stops. Equations in docs/methods/least_norm.md.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <planish/evolve/method.h>
+
+#include "evolve/dual_system.h"
+#include "evolve/fairing.h"
+#include "evolve/sweep.h"
+
+namespace planish {
+
+namespace {
+
+/// Places or moves of the inner vertices.
+using Places = std::vector<Vec3>;
+
+Places sum_of(Places a, double s, const Places& b) {
+  for (std::size_t v = 0; v < a.size(); ++v)
+    a[v] += s * b[v];
+  return a;
+}
+
+double norm_of(const Places& a) {
+  double sum = 0.0;
+  for (const Vec3 p : a)
+    sum += dot(p, p);
+  return std::sqrt(sum);
+}
+
+/// By inner vertex: what the user said, and what is asked for next to the border.
+std::vector<double> weights_of(const PatchState& state, double border_weight) {
+  std::vector<double> weights;
+  for (Index v = 0; const auto ring : rings_by_vertex(state.plan())) {
+    const bool at_border =
+        std::any_of(ring.begin(), ring.end(), [&](Index w) { return !state.is_inner(w); });
+    weights.push_back(state.weight(v++) * (at_border ? border_weight : 1.0));
+  }
+  return weights;
+}
+
+class LeastNormStepper {
+ public:
+  LeastNormStepper(const LeastNorm& options, PatchState& state, ThreadPool& pool)
+      : options_(options),
+        state_(state),
+        pool_(pool),
+        jacobian_(state),
+        dual_(jacobian_, state),
+        direct_(options.update == LeastNormUpdate::direct) {
+    const std::vector<double> weights = weights_of(state, options.border_weight);
+    for (const double w : weights)
+      squeeze_.push_back(1.0 / (w * w));
+    if (direct_) return;
+    const bool cotangent = options.update == LeastNormUpdate::cotangent;
+    const auto kind = cotangent ? LaplacianWeights::cotangent : LaplacianWeights::uniform;
+    fairing_.emplace(state, jacobian_.movable(), kind, weights);
+    fairing_damping_ = options.damping > 0.0 ? options.damping : cotangent ? 1e-6 : 1e-4;
+    direct_ = !fairing_->solvable();
+  }
+
+  SweepOutcome step() {
+    const Flattenability now = state_.measure(pool_);
+    direct_ = direct_ || time_to_switch(now.e_max);
+    ++steps_;
+    last_e_max_ = now.e_max;
+    jacobian_.update(pool_);
+    return direct_ ? direct_step(now.energy) : faired_step();
+  }
+
+ private:
+  bool time_to_switch(double e_max) const {
+    return e_max < options_.switch_e_max ||
+           (steps_ >= options_.switch_after && last_e_max_ - e_max < options_.switch_fall);
+  }
+
+  Places places() const {
+    Places x;
+    for (std::size_t v = 0; v < state_.inner_count(); ++v)
+      x.push_back(state_.position(v));
+    return x;
+  }
+  Eigen::VectorXd defects() const {
+    Eigen::VectorXd d(static_cast<Eigen::Index>(state_.inner_count()));
+    for (std::size_t v = 0; v < state_.inner_count(); ++v)
+      d[static_cast<Eigen::Index>(v)] = state_.defect(v);
+    return d;
+  }
+
+  /// The least move, by weights, that turns the angle sums by as much as asked, as far as the
+  /// damping that was factored with lets it: S A^T (A S A^T + mu D)^-1 turn.
+  Places least_move(const Eigen::VectorXd& turn) const {
+    Places move = jacobian_.transposed_times(dual_.solve(turn));
+    for (std::size_t v = 0; v < move.size(); ++v)
+      move[v] = squeeze_[v] * move[v];
+    return move;
+  }
+
+  /// Moves there if all places are numbers.
+  std::size_t move_to(const Places& x) {
+    const bool sound =
+        std::all_of(x.begin(), x.end(), [](Vec3 p) { return std::isfinite(dot(p, p)); });
+    std::size_t moved = 0;
+    for (Index v = 0; sound && v < x.size(); ++v) {
+      if (!jacobian_.is_movable(v) || x[v] == state_.position(v)) continue;
+      state_.move(v, x[v]);
+      ++moved;
+    }
+    return moved;
+  }
+  double energy_at(const Places& x) {
+    move_to(x);
+    return state_.measure(pool_).energy;
+  }
+
+  /// Mean and shortest length of the edges at a vertex.
+  struct EdgeLengths {
+    double mean = 0.0, shortest = std::numeric_limits<double>::infinity();
+  };
+  EdgeLengths edges_at(Index v) const {
+    EdgeLengths lengths;
+    const auto ring = jacobian_.ring(v);
+    for (const Index w : ring) {
+      const double length = norm(state_.position(w) - state_.position(v));
+      lengths.mean += length / static_cast<double>(ring.size());
+      lengths.shortest = std::min(lengths.shortest, length);
+    }
+    return lengths;
+  }
+
+  SweepOutcome faired_step() {
+    if (!dual_.factor(squeeze_, fairing_damping_)) return {};
+    Places x = places();
+    const Places move = least_move(defects());
+    for (Index v = 0; v < x.size(); ++v) {
+      // Where the matrix is nearly singular a vertex would fly off; a mean edge is far enough.
+      const double length = norm(move[v]), most = edges_at(v).mean;
+      x[v] += (length > most ? most / length : 1.0) * move[v];
+    }
+    return {move_to(fairing_->apply(std::move(x)))};
+  }
+
+  /// A move and how its end bends: along it the places are x + t first + t^2/2 second.
+  struct Curve {
+    Places first, second;
+    Places at(const Places& x, double t) const {
+      return sum_of(sum_of(x, t, first), 0.5 * t * t, second);
+    }
+  };
+
+  /// The least move, bent so that the angle sums go on straight to second order (geodesic
+  /// acceleration, Transtrum and Sethna 2012): the second derivative of the angle sums along the
+  /// move is what one look ahead shows them to miss.
+  Curve least_curve(const Places& x, double longest) {
+    constexpr double look = 0.2, most_bend = 0.5;
+    const Eigen::VectorXd d = defects();
+    Curve curve{least_move(d), Places(x.size())};
+    const double t = look * std::min(1.0, longest / largest_share(curve.first));
+    move_to(sum_of(x, t, curve.first));
+    state_.measure(pool_);
+    const Eigen::VectorXd missed = defects() - d + t * jacobian_.times(curve.first);
+    move_to(x);
+    const Places second = least_move((2.0 / (t * t)) * missed);
+    const double bend = norm_of(second), limit = most_bend * norm_of(curve.first);
+    if (std::isfinite(bend))
+      curve.second = sum_of(curve.second, bend > limit ? limit / bend : 1.0, second);
+    return curve;
+  }
+
+  /// The largest move of a vertex as a share of its shortest edge.
+  double largest_share(const Places& move) const {
+    double largest = std::numeric_limits<double>::min();
+    for (Index v = 0; v < move.size(); ++v)
+      largest = std::max(largest, norm(move[v]) / edges_at(v).shortest);
+    return largest;
+  }
+
+  /// Levenberg and Marquardt's step, halved until the energy falls. The damping follows what the
+  /// step was worth.
+  SweepOutcome direct_step(double energy) {
+    constexpr int most_dampings = 6, most_halvings = 10;
+    constexpr double least_fall = 1e-4, ease = 0.25, tighten = 4.0;
+    const Places x = places();
+    for (int i = 0; i < most_dampings; ++i, damping_ *= 10.0) {
+      if (!dual_.factor(squeeze_, damping_)) continue;
+      const Curve curve = least_curve(x, options_.max_step);
+      double share = std::min(1.0, options_.max_step / largest_share(curve.first));
+      for (int halvings = 0; halvings < most_halvings; ++halvings, share *= 0.5) {
+        const Places trial = curve.at(x, share);
+        if (!(energy_at(trial) < energy * (1.0 - least_fall * share))) continue;
+        if (halvings == 0) damping_ = std::max(ease * damping_, 1e-12);
+        if (halvings >= 2) damping_ = std::min(tighten * damping_, 10.0);
+        return {moved_from(x), share * norm_of(curve.first) <= smallest_move()};
+      }
+      move_to(x);
+      state_.measure(pool_);
+    }
+    return {};
+  }
+
+  std::size_t moved_from(const Places& x) const {
+    std::size_t moved = 0;
+    for (std::size_t v = 0; v < x.size(); ++v)
+      moved += x[v] != state_.position(v) ? 1 : 0;
+    return moved;
+  }
+
+  /// The norm of a move whose rms is as small as asked.
+  double smallest_move() const {
+    double edges = 0.0;
+    for (Index v = 0; v < state_.inner_count(); ++v)
+      edges += edges_at(v).mean;
+    const auto count = static_cast<double>(state_.inner_count());
+    return options_.min_step * (edges / count) * std::sqrt(count);
+  }
+
+  LeastNorm options_;
+  PatchState& state_;
+  ThreadPool& pool_;
+  AngleJacobian jacobian_;
+  DualSystem dual_;
+  std::optional<Fairing> fairing_;
+  std::vector<double> squeeze_;  // 1/w^2 by inner vertex
+  double fairing_damping_ = 0.0, damping_ = 1e-3;
+  double last_e_max_ = std::numeric_limits<double>::infinity();
+  int steps_ = 0;
+  bool direct_;
+};
+
+}  // namespace
+
+Sweep make_sweep(const LeastNorm& options, PatchState& state, ThreadPool& pool) {
+  const auto stepper = std::make_shared<LeastNormStepper>(options, state, pool);
+  return [stepper] { return stepper->step(); };
+}
+
+}  // namespace planish

@@ -16,15 +16,20 @@ class UsageError : public std::runtime_error {
 /// The user asked to stop: exit code 130, nothing written.
 class Interrupted {};
 
+/// Whether the command line alone is at fault: what files and meshes hold has other codes.
+inline bool is_of_usage(const Error& error) {
+  return error.code() == ErrorCode::option_out_of_range ||
+         error.code() == ErrorCode::unknown_name ||
+         error.code() == ErrorCode::unsupported_constraint;
+}
+
 /// Runs work on the mesh of a file, so that what is wrong with the mesh names the file.
 template <class Work>
 auto about(const std::filesystem::path& path, Work&& work) {
   try {
     return work();
   } catch (const Error& error) {
-    const bool of_the_mesh =
-        error.code() != ErrorCode::option_out_of_range && error.code() != ErrorCode::unknown_name;
-    if (!of_the_mesh || !error.place().path.empty()) throw;
+    if (is_of_usage(error) || !error.place().path.empty()) throw;
     ErrorPlace place = error.place();
     place.path = path.string();
     throw Error(error.code(), error.message(), place);

@@ -112,11 +112,9 @@ std::vector<MethodFlags> flags_of_methods() {
   return flags_of_methods(std::make_index_sequence<std::variant_size_v<Method>>());
 }
 
-std::vector<std::string> method_names() {
-  std::vector<std::string> names;
-  for (const MethodFlags& method : flags_of_methods())
-    names.push_back(method.method);
-  return names;
+template <std::size_t... I>
+std::vector<std::string> method_names(std::index_sequence<I...>) {
+  return {std::string(std::variant_alternative_t<I, Method>::name)...};
 }
 
 void refuse_flags_of_other_methods(const std::string& chosen, const Arguments& arguments) {
@@ -133,6 +131,10 @@ void refuse_flags_of_other_methods(const std::string& chosen, const Arguments& a
 }
 
 }  // namespace
+
+std::vector<std::string> method_names() {
+  return method_names(std::make_index_sequence<std::variant_size_v<Method>>());
+}
 
 std::vector<FlagGroup> method_flags() {
   const auto methods = flags_of_methods();

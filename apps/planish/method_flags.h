@@ -8,6 +8,9 @@
 
 namespace planish::cli {
 
+/// The default first.
+std::vector<std::string> method_names();
+
 /// --method, the flags of Stopping and those of every method, as their describe() has them.
 std::vector<FlagGroup> method_flags();
 

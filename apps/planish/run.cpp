@@ -44,10 +44,7 @@ Outcome outcome_of_failure() {
     const std::string message = "interrupted; nothing was written";
     return {{}, json_failure("interrupted", message), k_exit_interrupted, message};
   } catch (const Error& error) {
-    // Both concern the command line alone: what files and meshes hold has codes of its own.
-    const bool of_usage =
-        error.code() == ErrorCode::option_out_of_range || error.code() == ErrorCode::unknown_name;
-    if (of_usage) return usage_failure(error.what(), json_report(error));
+    if (is_of_usage(error)) return usage_failure(error.what(), json_report(error));
     return {{}, json_report(error), k_exit_failed, error.what()};
   } catch (const std::bad_alloc&) {
     const std::string message = "out of memory";

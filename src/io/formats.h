@@ -1,11 +1,15 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
 #include <planish/io/read_mesh.h>
 
 namespace planish {
+
+/// ".obj" of part.OBJ.
+std::string lower_extension(const std::filesystem::path& path);
 
 // One pair a format. Readers take the bytes of a file that is not empty; writers take a mesh whose
 // positions are finite and whose indices are in range.

@@ -4,6 +4,7 @@
 #include <planish/io/mesh_format.h>
 
 #include "io/cursor_error.h"
+#include "io/formats.h"
 
 namespace planish {
 
@@ -21,12 +22,17 @@ std::string_view to_string(MeshFormat format) {
   return "off";
 }
 
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string lower = path.extension().string();
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
 MeshFormat mesh_format_of(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
-  std::string lower;
-  for (const char c : extension) {
-    lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
+  const std::string lower = lower_extension(path);
   for (const MeshFormat format : k_mesh_formats) {
     if (lower == "." + std::string(to_string(format))) return format;
   }

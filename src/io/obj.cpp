@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <optional>
 
 #include "core/number_text.h"
 #include "io/append.h"
 #include "io/face_list.h"
 #include "io/formats.h"
+#include "io/obj_references.h"
 #include "io/text_cursor.h"
 
 namespace planish {
@@ -22,12 +22,6 @@ constexpr std::array<std::string_view, 26> k_skipped = {
     "l",    "p",  "vp",  "curv",   "curv2", "surf", "parm", "trim",  "hole",
     "scrv", "sp", "end", "cstype", "deg",   "bmat", "step", "ctech", "stech",
     "con",  "fo", "bzp", "bsp",    "cdc",   "cdp",  "res",  "call"};
-
-/// A vertex that a face names before its statement.
-struct ForwardReference {
-  std::uint64_t number;  ///< from 1
-  std::size_t line;
-};
 
 class ObjParser {
  public:
@@ -54,9 +48,6 @@ class ObjParser {
 
   void vertex();
   void face();
-  Index corner(std::string_view word);
-  void check_references(std::string_view word, std::string_view after_vertex) const;
-  std::uint64_t absolute(bool negative, std::uint64_t number, std::string_view word) const;
   void skip(std::string_view keyword);
   void check() const;
   std::vector<std::string> notes() const;
@@ -65,7 +56,7 @@ class ObjParser {
   std::vector<Vec3> positions_;
   FaceList faces_;
   std::vector<Index> corners_;
-  std::vector<ForwardReference> forward_;  ///< each larger than those before it
+  ObjReferences references_;
   std::size_t coloured_ = 0;
   std::array<std::size_t, k_skipped.size()> skipped_ = {};
   std::size_t unknown_ = 0;
@@ -91,57 +82,10 @@ void ObjParser::vertex() {
 
 void ObjParser::face() {
   corners_.clear();
-  while (!cursor_.at_line_end())
-    corners_.push_back(corner(cursor_.token()));
+  while (!cursor_.at_line_end()) {
+    corners_.push_back(references_.vertex(cursor_.token(), "face", positions_.size(), cursor_));
+  }
   faces_.add(corners_, cursor_);
-}
-
-/// The vertex, from 0, of a corner like 7, 7/1, 7//3, 7/1/3 or -1.
-Index ObjParser::corner(std::string_view word) {
-  std::size_t at = word.front() == '-' || word.front() == '+';
-  const std::size_t first_digit = at;
-  std::uint64_t number = 0;
-  for (; at < word.size() && word[at] >= '0' && word[at] <= '9'; ++at) {
-    // Large numbers stay large; they are out of range however large they are.
-    if (number <= k_most_items) number = 10 * number + static_cast<std::uint64_t>(word[at] - '0');
-  }
-  if (at == first_digit || (at < word.size() && word[at] != '/')) {
-    cursor_.fail(ErrorCode::bad_number, in_quotes(word) + " is not a corner of a face");
-  }
-  if (at < word.size()) check_references(word, word.substr(at));
-  number = absolute(word.front() == '-', number, word);
-  if (number > positions_.size() && (forward_.empty() || number > forward_.back().number)) {
-    forward_.push_back({number, cursor_.line()});
-  }
-  return static_cast<Index>(number - 1);
-}
-
-void ObjParser::check_references(std::string_view word, std::string_view after_vertex) const {
-  if (after_vertex.find_first_not_of("/+-0123456789") == std::string_view::npos &&
-      std::count(after_vertex.begin(), after_vertex.end(), '/') <= 2) {
-    return;
-  }
-  cursor_.fail(ErrorCode::bad_number, in_quotes(word) + " is not a corner of a face");
-}
-
-/// The number from 1 for a number that may count back from the last vertex so far.
-std::uint64_t ObjParser::absolute(bool negative, std::uint64_t number,
-                                  std::string_view word) const {
-  const std::size_t so_far = positions_.size();
-  if (number == 0) {
-    cursor_.fail(ErrorCode::index_out_of_range,
-                 "the face refers to vertex 0, but OBJ counts from 1");
-  }
-  if (negative && number > so_far) {
-    cursor_.fail(ErrorCode::index_out_of_range, "the face refers to vertex " + in_quotes(word) +
-                                                    " but only " + std::to_string(so_far) +
-                                                    " vertices come before it");
-  }
-  if (number > k_most_items) {
-    cursor_.fail(ErrorCode::index_out_of_range,
-                 "the face refers to vertex " + in_quotes(word) + ", which cannot exist");
-  }
-  return negative ? so_far + 1 - number : number;
 }
 
 void ObjParser::skip(std::string_view keyword) {
@@ -161,13 +105,7 @@ void ObjParser::check() const {
     cursor_.fail_at_line(1, ErrorCode::malformed_file,
                          "no OBJ statement found; the first word is " + first_unknown_);
   }
-  for (const auto& reference : forward_) {
-    if (reference.number <= positions_.size()) continue;
-    cursor_.fail_at_line(reference.line, ErrorCode::index_out_of_range,
-                         "the face refers to vertex " + std::to_string(reference.number) +
-                             " but the file has " + std::to_string(positions_.size()) +
-                             " vertices");
-  }
+  references_.check(positions_.size(), cursor_);
   if (faces_.size() > 0) return;
   cursor_.fail(ErrorCode::no_triangles, positions_.empty()
                                             ? std::string("the file has no vertices and no faces")

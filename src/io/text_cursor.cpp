@@ -74,18 +74,18 @@ void TextCursor::next_line() {
   }
 }
 
-double TextCursor::number() {
+double TextCursor::number(ErrorCode non_finite) {
   if (at_line_end()) fail_missing("a number");
   const char* first = at_;
   if (*first == '+' && first + 1 != end_ && first[1] != '-') ++first;
   double value = 0.0;
   const auto [last, fault] = fast_float::from_chars(first, end_, value);
-  if (fault != std::errc() || !ends_word(last) || !std::isfinite(value)) fail_number();
+  if (fault != std::errc() || !ends_word(last) || !std::isfinite(value)) fail_number(non_finite);
   at_ = last;
   return value;
 }
 
-void TextCursor::fail_number() {
+void TextCursor::fail_number(ErrorCode non_finite) {
   const std::string_view word = token();
   const std::string_view digits = word.substr(word.starts_with('+') || word.starts_with('-'));
   const auto has = [digits](std::string_view set) {
@@ -96,7 +96,7 @@ void TextCursor::fail_number() {
   const bool is_number =
       parsed.ec == std::errc() && parsed.ptr == digits.data() + digits.size() && !has("+-");
   if (is_number && (std::isnan(value) || (std::isinf(value) && !has("0123456789")))) {
-    fail(ErrorCode::non_finite_coordinate, in_quotes(word) + " is not a finite number");
+    fail(non_finite, in_quotes(word) + " is not a finite number");
   }
   if (is_number && !std::isfinite(value)) {
     fail(ErrorCode::bad_number, in_quotes(word) + " is too large for a double");

@@ -44,8 +44,9 @@ class TextCursor {
   void next_line();
 
   /// The next word of this line as a finite number.
-  /// @throws Error bad_number, non_finite_coordinate, malformed_file or truncated_file
-  double number();
+  /// @param non_finite what it is to be told as if it is not finite
+  /// @throws Error bad_number, non_finite, malformed_file or truncated_file
+  double number(ErrorCode non_finite = ErrorCode::non_finite_coordinate);
 
   /// The next word of this line as a count; more than 64 bits hold becomes the largest.
   /// @throws Error malformed_file or truncated_file
@@ -73,7 +74,7 @@ class TextCursor {
   }
   void skip_blanks();
   void take_line_end();
-  [[noreturn]] void fail_number();
+  [[noreturn]] void fail_number(ErrorCode non_finite);
 
   const char* begin_;
   const char* at_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <planish/core/error.h>
+#include <planish/io/read_features.h>
 #include <planish/io/read_mesh.h>
 #include <planish/io/write_mesh.h>
 
@@ -90,6 +91,39 @@ RC_GTEST_PROP(IoDamage, WordsOfAnyKindAreReadOrRefused, ()) {
   }
   for (const MeshFormat format : k_mesh_formats)
     check_reading(text, format);
+}
+
+RC_GTEST_PROP(IoDamage, FeaturesOfAnyKindAreReadOrRefused, ()) {
+  const std::vector<std::string> words = {
+      "v",   "l",          "p",         "f",       "0",      "1",      "4",    "-1",
+      "2/3", "4294967296", "nan",       "0.5",     ",",      "#",      "\\\n", "\n",
+      "\r",  "v 0 0 0\n",  "v 1 2 3\n", "l 1 2\n", "p -1\n", "3 0.5\n"};
+  std::string text;
+  for (const std::string& word :
+       *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(words))) {
+    text += word;
+    text += *rc::gen::element(' ', '\n');
+  }
+  const std::vector<char> copy(text.begin(), text.end());
+  const std::string_view bytes(copy.data(), copy.size());
+  const auto check = [](const auto& read) {
+    try {
+      read();
+    } catch (const Error& error) {
+      RC_ASSERT(error.message().size() < 400U);
+      RC_ASSERT(error.place().line.has_value());
+    }
+  };
+  for (const char* name : {"fixed.txt", "fixed.obj"}) {
+    check([&] {
+      for (const Index v : parse_fixed_vertices(bytes, fan(), name).vertices)
+        RC_ASSERT(v < 5U);
+    });
+  }
+  check([&] {
+    for (const double weight : parse_weights(bytes, fan(), "weights"))
+      RC_ASSERT(weight > 0.0 && std::isfinite(weight));
+  });
 }
 
 }  // namespace

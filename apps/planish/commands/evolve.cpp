@@ -3,6 +3,7 @@
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
+#include "constraint_flags.h"
 #include "failures.h"
 #include "method_flags.h"
 #include "session.h"
@@ -24,8 +25,10 @@ EvolveReport evolve_with_progress(const std::string& path, const TriMesh& mesh,
                               digits(record.e_max) + "  energy " + digits(record.energy, 3));
     return !session.interrupted();
   };
-  return about(path,
-               [&] { return evolve_patch(mesh, method, stopping, on_sweep, session.threads()); });
+  return about(path, [&] {
+    const Constraints constraints = constraints_from(arguments, mesh, session);
+    return evolve_patch(mesh, method, stopping, on_sweep, session.threads(), constraints);
+  });
 }
 
 Outcome run_evolve(const Arguments& arguments, Session& session) {
@@ -35,7 +38,7 @@ Outcome run_evolve(const Arguments& arguments, Session& session) {
   std::vector<OutputFile> files = {{output, {}}};
   if (arguments.has("--history")) files.push_back({arguments.flags.at("--history"), {}});
   refuse_shared_places(files);
-  method_from(arguments);
+  refuse_unsupported_constraints(arguments, method_from(arguments));
   stopping_from(arguments);
 
   const std::string& path = arguments.operands.front();
@@ -59,6 +62,7 @@ Command evolve_command() {
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
   for (FlagGroup& group : method_flags())
     groups.push_back(std::move(group));
+  groups.push_back(constraint_flags());
   return {"evolve",
           "change a patch as little as needed towards flattenable",
           "INPUT -o OUTPUT",
@@ -68,7 +72,8 @@ Command evolve_command() {
           std::move(groups),
           {"planish evolve panel.obj -o evolved.obj",
            "planish evolve panel.obj -o evolved.ply --sweeps 100 --max-deviation 2",
-           "planish evolve panel.obj -o evolved.obj --method classical --lambda 0.5"},
+           "planish evolve panel.obj -o evolved.obj --method classical --lambda 0.5",
+           "planish evolve panel.obj -o evolved.obj --fix seams.obj"},
           run_evolve};
 }
 

@@ -8,6 +8,7 @@
 #include <planish/report/pattern_sheet.h>
 
 #include "commands/commands.h"
+#include "constraint_flags.h"
 #include "failures.h"
 #include "method_flags.h"
 #include "session.h"
@@ -32,7 +33,9 @@ ColorMap colors_from(const Arguments& arguments) {
 }
 
 FlattenOptions options_from(const Arguments& arguments, const Session& session) {
-  return {.method = method_from(arguments),
+  const Method method = method_from(arguments);
+  refuse_unsupported_constraints(arguments, method);
+  return {.method = method,
           .stopping = stopping_from(arguments),
           .unit = unit_from(arguments),
           .threads = session.threads()};
@@ -100,7 +103,7 @@ std::string written_text(const std::vector<OutputFile>& files) {
 Outcome run_flatten(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   const std::string& path = arguments.operands.front();
-  const FlattenOptions options = options_from(arguments, session);
+  FlattenOptions options = options_from(arguments, session);
   const ColorMap colors = colors_from(arguments);
   const fs::path folder = folder_from(arguments);
 
@@ -114,6 +117,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
     return !session.interrupted();
   };
   const auto report = about(path, [&] {
+    options.constraints = constraints_from(arguments, input.mesh, session);
     return flatten(std::move(input.mesh), fs::path(path).stem().string(), options, on_progress);
   });
   if (!report) throw Interrupted();
@@ -138,6 +142,7 @@ Command flatten_command() {
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
   for (FlagGroup& group : method_flags())
     groups.push_back(std::move(group));
+  groups.push_back(constraint_flags());
   return {"flatten",
           "the whole job: evolve a patch, lay it flat, write its pattern",
           "INPUT [-o FOLDER]",

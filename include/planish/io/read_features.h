@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <planish/mesh/tri_mesh.h>
+
+namespace planish {
+
+/// The vertices of a mesh that a file says are to stay where they are.
+struct FixedVertices {
+  std::vector<Index> vertices;  ///< in increasing order, each once
+  double farthest = 0.0;        ///< of the file's points from their vertices; model units
+};
+
+/// Reads which vertices of a mesh are fixed. An OBJ file (by its extension) draws them: every point
+/// of its lines (l) and points (p) stands for the nearest vertex that triangles use, the smallest
+/// number where several are, and the vertices of a line are joined by shortest paths along the
+/// edges. Any other file lists numbers of vertices, from 0, with blanks or commas between them and
+/// comments from # to the end of the line.
+/// @throws Error file_not_found, file_unreadable, malformed_file, truncated_file, bad_number,
+///   non_finite_coordinate, index_out_of_range, too_large, several_components for a line that no
+///   edges join; the place has path and line. Also, without a place, what Connectivity refuses the
+///   mesh for, and no_triangles
+FixedVertices read_fixed_vertices(const std::filesystem::path& path, const TriMesh& mesh);
+
+/// The same from memory.
+/// @param name stands for the path in errors, and its extension tells what `bytes` are
+FixedVertices parse_fixed_vertices(std::string_view bytes, const TriMesh& mesh,
+                                   const std::string& name);
+
+/// Reads the weights of the vertices of a mesh: on each line the number of a vertex, from 0, and
+/// its weight, a number above 0; comments from # to the end of the line. The others have weight 1.
+/// @return one for each vertex
+/// @throws Error file_not_found, file_unreadable, malformed_file (also for a vertex that comes
+///   twice and a weight that is not above 0), truncated_file, bad_number, index_out_of_range; the
+///   place has path and line
+std::vector<double> read_weights(const std::filesystem::path& path, const TriMesh& mesh);
+
+/// The same from memory.
+/// @param name stands for the path in errors
+std::vector<double> parse_weights(std::string_view bytes, const TriMesh& mesh,
+                                  const std::string& name);
+
+}  // namespace planish

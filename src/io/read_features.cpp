@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include <planish/core/error.h>
+#include <planish/io/read_features.h>
+#include <planish/mesh/connectivity.h>
+
+#include "core/number_text.h"
+#include "io/face_list.h"
+#include "io/file_bytes.h"
+#include "io/formats.h"
+#include "io/obj_references.h"
+#include "io/text_cursor.h"
+#include "mesh/edge_paths.h"
+#include "mesh/nearest_vertex.h"
+
+namespace planish {
+namespace {
+
+/// The vertex of the mesh that a word names, counted from 0.
+Index vertex_named(std::string_view word, std::size_t vertex_count, const TextCursor& cursor) {
+  std::uint64_t number = 0;
+  const char* const last = word.data() + word.size();
+  const auto parsed = std::from_chars(word.data(), last, number);
+  if (parsed.ptr != last || parsed.ec == std::errc::invalid_argument) {
+    cursor.fail(ErrorCode::bad_number,
+                in_quotes(word) + " is not the number of a vertex, counted from 0");
+  }
+  if (parsed.ec != std::errc() || number >= vertex_count) {
+    cursor.fail(ErrorCode::index_out_of_range,
+                "there is no vertex " + std::string(word.substr(0, 20)) + ": the mesh has " +
+                    std::to_string(vertex_count) + " vertices, counted from 0");
+  }
+  return static_cast<Index>(number);
+}
+
+/// The numbers of a list.
+std::vector<Index> parse_list(std::string_view bytes, std::string_view name,
+                              std::size_t vertex_count) {
+  TextCursor cursor(bytes, name, {.comments = true});
+  std::vector<Index> vertices;
+  while (cursor.skip_to_token()) {
+    std::string_view words = cursor.token();
+    while (!words.empty()) {
+      const std::size_t comma = std::min(words.find(','), words.size());
+      if (comma > 0) {
+        vertices.push_back(vertex_named(words.substr(0, comma), vertex_count, cursor));
+      }
+      words.remove_prefix(std::min(comma + 1, words.size()));
+    }
+  }
+  return vertices;
+}
+
+/// The lines and points that an OBJ file draws.
+struct Drawing {
+  struct Line {
+    std::size_t begin, end;  ///< of `corners`
+    std::size_t line;        ///< of the file
+  };
+
+  std::vector<Vec3> places;
+  std::vector<Index> corners;  ///< of the lines and points, one after the other
+  std::vector<Line> lines;
+};
+
+Drawing parse_drawing(TextCursor& cursor) {
+  Drawing drawing;
+  ObjReferences references;
+  const auto corners = [&](std::string_view element) {
+    const std::size_t begin = drawing.corners.size();
+    while (!cursor.at_line_end()) {
+      drawing.corners.push_back(
+          references.vertex(cursor.token(), element, drawing.places.size(), cursor));
+    }
+    return drawing.corners.size() - begin;
+  };
+  for (; !cursor.at_end(); cursor.next_line()) {
+    const std::string_view keyword = cursor.token();
+    if (keyword == "v") {
+      const double x = cursor.number(), y = cursor.number(), z = cursor.number();
+      drawing.places.push_back({x, y, z});
+      check_size(drawing.places.size(), "vertices", cursor);
+    } else if (keyword == "p") {
+      if (corners("point") == 0) cursor.fail_missing("the number of a vertex");
+    } else if (keyword == "l") {
+      const std::size_t line = cursor.line(), begin = drawing.corners.size();
+      if (corners("line") < 2) cursor.fail(ErrorCode::malformed_file, "a line needs two vertices");
+      drawing.lines.push_back({begin, drawing.corners.size(), line});
+    }
+  }
+  references.check(drawing.places.size(), cursor);
+  if (drawing.corners.empty()) {
+    cursor.fail_at_line(1, ErrorCode::malformed_file,
+                        "the file draws nothing: it has no lines (l) and no points (p)");
+  }
+  return drawing;
+}
+
+/// Marks the vertices between the corners of a line.
+void trace(const Drawing::Line& line, std::span<const Index> corners, EdgePaths& paths,
+           const TextCursor& cursor, std::vector<unsigned char>& marked) {
+  for (std::size_t i = line.begin + 1; i < line.end; ++i) {
+    if (corners[i] == corners[i - 1]) continue;
+    const auto path = paths.between(corners[i - 1], corners[i]);
+    if (!path) {
+      cursor.fail_at_line(line.line, ErrorCode::several_components,
+                          "the line goes from vertex " + std::to_string(corners[i - 1]) +
+                              " of the mesh to vertex " + std::to_string(corners[i]) +
+                              ", which is on another part: make it two lines");
+    }
+    for (const Index v : *path)
+      marked[v] = 1;
+  }
+}
+
+/// Fixes the vertices that a drawing stands for.
+FixedVertices snap(const Drawing& drawing, const TriMesh& mesh, const TextCursor& cursor) {
+  if (mesh.triangles.empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
+  const Connectivity connectivity(mesh);
+  std::vector<Vec3> places;
+  for (const Index corner : drawing.corners)
+    places.push_back(drawing.places[corner]);
+  const NearestVertex nearest(mesh, places);
+  FixedVertices fixed;
+  std::vector<Index> corners;
+  std::vector<unsigned char> marked(mesh.positions.size(), 0);
+  for (const Vec3 place : places) {
+    const Index v = nearest.of(place);
+    const Vec3 apart = mesh.positions[v] - place;
+    fixed.farthest = std::max(fixed.farthest, std::hypot(apart.x, apart.y, apart.z));
+    corners.push_back(v);
+    marked[v] = 1;
+  }
+  EdgePaths paths(mesh, connectivity);
+  for (const Drawing::Line& line : drawing.lines)
+    trace(line, corners, paths, cursor, marked);
+  for (std::size_t v = 0; v < marked.size(); ++v) {
+    if (marked[v] != 0) fixed.vertices.push_back(static_cast<Index>(v));
+  }
+  return fixed;
+}
+
+}  // namespace
+
+FixedVertices read_fixed_vertices(const std::filesystem::path& path, const TriMesh& mesh) {
+  const FileBytes file(path);
+  return parse_fixed_vertices(file.view(), mesh, path.string());
+}
+
+FixedVertices parse_fixed_vertices(std::string_view bytes, const TriMesh& mesh,
+                                   const std::string& name) {
+  if (lower_extension(name) == ".obj") {
+    TextCursor cursor(bytes, name, {.comments = true, .continuation = true});
+    const Drawing drawing = parse_drawing(cursor);
+    return snap(drawing, mesh, cursor);
+  }
+  std::vector<Index> vertices = parse_list(bytes, name, mesh.positions.size());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return {std::move(vertices)};
+}
+
+std::vector<double> read_weights(const std::filesystem::path& path, const TriMesh& mesh) {
+  const FileBytes file(path);
+  return parse_weights(file.view(), mesh, path.string());
+}
+
+std::vector<double> parse_weights(std::string_view bytes, const TriMesh& mesh,
+                                  const std::string& name) {
+  const std::size_t count = mesh.positions.size();
+  std::vector<double> weights(count, 1.0);
+  std::vector<std::size_t> line_of(count, 0);  // 0: not yet named
+  TextCursor cursor(bytes, name, {.comments = true});
+  while (cursor.skip_to_token()) {
+    const Index v = vertex_named(cursor.token(), count, cursor);
+    if (line_of[v] != 0) {
+      cursor.fail(ErrorCode::malformed_file, "vertex " + std::to_string(v) +
+                                                 " has a weight already, from line " +
+                                                 std::to_string(line_of[v]));
+    }
+    line_of[v] = cursor.line();
+    weights[v] = cursor.number(ErrorCode::bad_number);
+    if (!(weights[v] > 0.0)) {
+      cursor.fail(ErrorCode::malformed_file, "the weight of vertex " + std::to_string(v) + " is " +
+                                                 number_text(weights[v]) + " but must be above 0");
+    }
+    if (!cursor.at_line_end()) {
+      cursor.fail(
+          ErrorCode::malformed_file,
+          "a line has one vertex and its weight; more follows: " + in_quotes(cursor.token()));
+    }
+  }
+  return weights;
+}
+
+}  // namespace planish

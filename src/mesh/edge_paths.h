@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <planish/mesh/connectivity.h>
+
+namespace planish {
+
+/// Finds shortest paths along the edges of a mesh (Dijkstra 1959).
+class EdgePaths {
+ public:
+  /// Both must outlive it.
+  EdgePaths(const TriMesh& mesh, const Connectivity& connectivity);
+
+  /// The vertices of a shortest path, ends included; nothing where the ends are on different parts
+  /// of the mesh. Of several paths always the same. Looks no further than the path is long.
+  std::optional<std::vector<Index>> between(Index from, Index to);
+
+ private:
+  void spread(Index from, Index to);
+
+  const TriMesh& mesh_;
+  const Connectivity& connectivity_;
+  double scale_;
+  std::vector<double> distance_;  ///< infinite where nothing was reached yet
+  std::vector<Index> previous_;
+  std::vector<Index> reached_;  ///< what has to be forgotten before the next path
+};
+
+}  // namespace planish

@@ -1,0 +1,147 @@
+#include <planish/io/read_features.h>
+
+#include "support/meshes.h"
+#include "unit/io/io_testing.h"
+
+namespace planish {
+namespace {
+
+using Indices = std::vector<Index>;
+
+/// 25 vertices, number 5 y + x at (x, y); diagonals go up to the right.
+const TriMesh& grid() {
+  static const TriMesh mesh = meshes::flat_grid(4, 4);
+  return mesh;
+}
+
+Indices listed(std::string_view text) {
+  return parse_fixed_vertices(text, grid(), "fixed.txt").vertices;
+}
+FixedVertices drawn(std::string_view text, const TriMesh& mesh = grid()) {
+  return parse_fixed_vertices(text, mesh, "drawing.OBJ");
+}
+
+template <class Call>
+void expect_refused(Call call, ErrorCode code, std::size_t line, std::string_view part) {
+  const Error error = error_of(call);
+  EXPECT_EQ(to_string(error.code()), to_string(code)) << error.what();
+  EXPECT_NE(error.message().find(part), std::string::npos) << error.what();
+  EXPECT_EQ(error.place().line, line) << error.what();
+  EXPECT_FALSE(error.place().path.empty());
+}
+
+TEST(ReadFixedVertices, ListsNumbersFromNought) {
+  EXPECT_EQ(listed("3\n0\n24\n"), (Indices{0, 3, 24}));
+  EXPECT_EQ(listed("# seam\n7 8,9,\t10 , 11 # these\r\n,\n  8"), (Indices{7, 8, 9, 10, 11}));
+  EXPECT_EQ(listed("\xef\xbb\xbf"
+                   "2"),
+            (Indices{2}));
+  EXPECT_EQ(listed(""), (Indices{}));
+}
+
+TEST(ReadFixedVertices, RefusesWhatIsNoVertex) {
+  const auto refused = [](std::string_view text, ErrorCode code, std::size_t line,
+                          std::string_view part) {
+    expect_refused([&] { listed(text); }, code, line, part);
+  };
+  refused("3\n25\n", ErrorCode::index_out_of_range, 2, "no vertex 25: the mesh has 25 vertices");
+  refused("1 99999999999999999999999", ErrorCode::index_out_of_range, 1, "no vertex 9999999");
+  for (const char* word : {"-1", "1.5", "x", "0x3", "+2", "3;"})
+    refused("0 1\n\n" + std::string(word), ErrorCode::bad_number, 3, "is not the number");
+}
+
+TEST(ReadFixedVertices, JoinsTheCornersOfADrawnLineAlongEdges) {
+  // From (0, 1) to (3, 1), and on along the column to (3, 4).
+  const FixedVertices fixed = drawn("v 0.1 1 0\nv 3 1.2 0\nv 3 4 0.3\nl 1 2 3\n");
+  EXPECT_EQ(fixed.vertices, (Indices{5, 6, 7, 8, 13, 18, 23}));
+  EXPECT_NEAR(fixed.farthest, 0.3, 1e-15);
+  // The diagonal, drawn backwards with relative numbers and over two lines of text.
+  EXPECT_EQ(drawn("v 4 4 0\nv 0 0 0\nl -2 \\\n -1\n").vertices, (Indices{0, 6, 12, 18, 24}));
+  EXPECT_EQ(drawn("v 4 4 0\nv 0 0 0\nl -2 -1\n").farthest, 0.0);
+}
+
+TEST(ReadFixedVertices, TakesPointsAndPassesOverTheRest) {
+  const std::string text =
+      "o seam\nvn 0 0 1\nl 1/1 3/3\nv 0 0 0 1 0 0\nv 2 2 0\nv 1 0 0\nv 4 4 0\nf 1 2 3\np 2 -1\n";
+  EXPECT_EQ(drawn(text).vertices, (Indices{0, 1, 12, 24}));
+}
+
+TEST(ReadFixedVertices, SnapsAPointBetweenVerticesToTheSmallestNumber) {
+  EXPECT_EQ(drawn("v 1.5 2.5 0\np 1\n").vertices, (Indices{11}));
+}
+
+TEST(ReadFixedVertices, RefusesDrawingsThatCannotBeRead) {
+  const auto refused = [](std::string_view text, ErrorCode code, std::size_t line,
+                          std::string_view part) {
+    expect_refused([&] { drawn(text); }, code, line, part);
+  };
+  refused("v 0 0 0\nf 1 1 1\n", ErrorCode::malformed_file, 1, "draws nothing");
+  refused("", ErrorCode::malformed_file, 1, "draws nothing");
+  refused("v 0 0 0\nl 1\n", ErrorCode::malformed_file, 2, "two vertices");
+  refused("v 0 0 0\np\n", ErrorCode::malformed_file, 2, "the line ends");
+  refused("v 0 0 0\nl 1 0\n", ErrorCode::index_out_of_range, 2, "the line refers to vertex 0");
+  refused("v 0 0 0\nl 1 -2\n", ErrorCode::index_out_of_range, 2, "only 1 vertices come before");
+  refused("v 0 0 0\nl 1 7\n", ErrorCode::index_out_of_range, 2, "the file has 1 vertices");
+  refused("v 0 0 0\np 1.5\n", ErrorCode::bad_number, 2, "\"1.5\" is not a corner of a point");
+  refused("v 0 zero 0\np 1\n", ErrorCode::bad_number, 1, "\"zero\"");
+  refused("v 0 nan 0\np 1\n", ErrorCode::non_finite_coordinate, 1, "nan");
+}
+
+TEST(ReadFixedVertices, RefusesALineBetweenPartsOfTheMesh) {
+  const TriMesh mesh = meshes::side_by_side(meshes::flat_grid(2, 2), meshes::flat_grid(2, 2));
+  const auto read = [&] { drawn("v 0 0 0\nv 1000 0 0\nl 1 1\nl 1 2\n", mesh); };
+  expect_refused(read, ErrorCode::several_components, 4, "to vertex 9, which is on another part");
+  EXPECT_EQ(drawn("v 0 0 0\nv 1000 0 0\np 1 2\n", mesh).vertices, (Indices{0, 9}));
+}
+
+TEST(ReadFixedVertices, NeedsAMeshThatCanBeWorkedWith) {
+  EXPECT_EQ(error_of([] { drawn("v 0 0 0\np 1\n", {}); }).code(), ErrorCode::no_triangles);
+  TriMesh twice = grid();
+  twice.triangles.push_back(twice.triangles.front());
+  EXPECT_EQ(error_of([&] { drawn("v 0 0 0\np 1\n", twice); }).code(),
+            ErrorCode::duplicate_triangle);
+}
+
+TEST(ReadWeights, AreOneWhereNothingIsSaid) {
+  std::vector<double> expected(25, 1.0);
+  EXPECT_EQ(parse_weights("", grid(), "weights"), expected);
+  expected[0] = 2.5, expected[24] = 1e-3;
+  EXPECT_EQ(parse_weights("# w\n24 1e-3\n\n 0\t2.5 # dear\n", grid(), "weights"), expected);
+}
+
+TEST(ReadWeights, RefusesWhatIsNoWeight) {
+  const auto refused = [](std::string_view text, ErrorCode code, std::size_t line,
+                          std::string_view part) {
+    expect_refused([&] { parse_weights(text, grid(), "weights"); }, code, line, part);
+  };
+  refused("1 2\n2 3\n1 2\n", ErrorCode::malformed_file, 3, "already, from line 1");
+  refused("1 0\n", ErrorCode::malformed_file, 1, "the weight of vertex 1 is 0 but must be above 0");
+  refused("1 -2\n", ErrorCode::malformed_file, 1, "is -2 but");
+  refused("1\n2 3\n", ErrorCode::malformed_file, 1, "the line ends where a number");
+  refused("1", ErrorCode::truncated_file, 1, "the file ends where a number");
+  refused("1 2 3\n", ErrorCode::malformed_file, 1, "more follows: \"3\"");
+  refused("\n25 1\n", ErrorCode::index_out_of_range, 2, "no vertex 25");
+  refused("one 1\n", ErrorCode::bad_number, 1, "\"one\"");
+  for (const char* word : {"many", "nan", "inf", "1e999", "1,5"})
+    refused("3 1\n4 " + std::string(word), ErrorCode::bad_number, 2, word);
+}
+
+class ReadFeatures : public IoFolder {};
+
+TEST_F(ReadFeatures, ReadFilesAndNameThem) {
+  put_file(folder_ / "fixed.txt", "4 2");
+  put_file(folder_ / "line.obj", "v 0 0 0\nv 2 0 0\nl 1 2\n");
+  put_file(folder_ / "weights.txt", "3 7\n");
+  EXPECT_EQ(read_fixed_vertices(folder_ / "fixed.txt", grid()).vertices, (Indices{2, 4}));
+  EXPECT_EQ(read_fixed_vertices(folder_ / "line.obj", grid()).vertices, (Indices{0, 1, 2}));
+  EXPECT_EQ(read_weights(folder_ / "weights.txt", grid())[3], 7.0);
+  const auto missing = folder_ / "none.txt";
+  for (const Error& error : {error_of([&] { read_fixed_vertices(missing, grid()); }),
+                             error_of([&] { read_weights(missing, grid()); })}) {
+    EXPECT_EQ(error.code(), ErrorCode::file_not_found);
+    EXPECT_EQ(error.place().path, missing.string());
+  }
+}
+
+}  // namespace
+}  // namespace planish

@@ -9,13 +9,16 @@
 #include <limits>
 #include <numbers>
 
+#include "evolve/move_by_trust_region.h"
 #include "evolve/sweep.h"
 
 namespace planish {
 
 ControllableMover::ControllableMover(const ControllableLaplacian& options, PatchState& state,
                                      Isa isa)
-    : state_(state), move_stars_(move_stars_for(isa)), idle_since_(state.inner_count(), 0) {
+    : state_(state),
+      move_stars_(options.solver == LineSolver::model ? move_stars_for(isa) : move_by_trust_region),
+      idle_since_(state.inner_count(), 0) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   // Steps of one sign make no needles by themselves.
   const double limit = options.lambda_min < 0.0 ? options.min_angle * std::numbers::pi / 180.0 : -1;

@@ -72,6 +72,9 @@ TEST_F(Verbs, EvolveTakesTheOptionsOfItsMethod) {
   const auto negative = planish({"evolve", "panel.obj", "-o", "out.obj", "--lambda-min", "-1",
                                  "--min-angle", "2", "--max-deviation=.5"});
   EXPECT_EQ(negative.exit_code, k_exit_done) << negative.err;
+  const auto other = planish(
+      {"evolve", "panel.obj", "-o", "out.obj", "--solver", "trust_region", "--sweeps=2", "--json"});
+  EXPECT_EQ(other.json()["options"]["solver"], "trust_region");
 }
 
 TEST_F(Verbs, EvolveMayReplaceItsInput) {

@@ -1,11 +1,25 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include <planish/core/fields.h>
 
 namespace planish {
+
+/// How the step that lowers the ring energy most is looked for.
+enum class LineSolver {
+  model,         ///< by a model of the line that each evaluation betters; several vertices at once
+  trust_region,  ///< by the interior-reflective trust-region Newton method that the paper names
+};
+inline constexpr std::array k_line_solvers = {
+    std::pair{LineSolver::model, std::string_view("model")},
+    std::pair{LineSolver::trust_region, std::string_view("trust_region")}};
+constexpr const auto& names_of(LineSolver) {
+  return k_line_solvers;
+}
 
 /// Controllable Laplacian evolution: every inner vertex takes the step along its Laplacian vector
 /// that lowers the ring energy most, and none where none lowers it (Eq. 11-17, corrected). Energy
@@ -18,6 +32,7 @@ struct ControllableLaplacian {
   double lambda_max = 1.0;
   double min_angle = 1.0;
   double max_deviation = std::numeric_limits<double>::infinity();
+  LineSolver solver = LineSolver::model;
 };
 
 template <class Visit>
@@ -31,6 +46,7 @@ void describe(ControllableLaplacian& o, Visit&& visit) {
         Range{0.0, 60.0});
   visit("max_deviation", o.max_deviation,
         "no vertex ends further than this from where it began, in model units", Range{0.0});
+  visit("solver", o.solver, "how the best step is looked for; trust_region is the paper's");
 }
 
 }  // namespace planish

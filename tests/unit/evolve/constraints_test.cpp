@@ -39,6 +39,16 @@ TEST_P(FixedVertices, StayWhereTheyAreWhileOthersMove) {
   EXPECT_NE(held.positions, mesh.positions);
 }
 
+TEST(FixedVerticesOfControllable, StayWithTheOtherSolverToo) {
+  const TriMesh mesh = patch();
+  const Constraints constraints{.fixed = some_inner_vertices(mesh)};
+  const ControllableLaplacian options{.solver = LineSolver::trust_region};
+  const auto held = evolve(mesh, options, {.max_sweeps = 3}, {}, 0, constraints);
+  for (const Index v : constraints.fixed)
+    EXPECT_EQ(held.positions[v], mesh.positions[v]);
+  EXPECT_NE(held.positions, mesh.positions);
+}
+
 TEST_P(FixedVertices, MayBeAll) {
   const TriMesh mesh = patch();
   Constraints constraints;

@@ -15,6 +15,8 @@
 namespace planish {
 namespace {
 
+constexpr LineSolver k_solvers[] = {LineSolver::model, LineSolver::trust_region};
+
 double energy_of(const TriMesh& mesh) {
   return measure(mesh, Connectivity(mesh)).energy;
 }
@@ -80,16 +82,18 @@ TEST(Controllable, StepsAreTheBestOfTheirLinesButForAFewOnWildRings) {
 }
 
 TEST(Controllable, EnergyNeverRisesInASweep) {
-  for (const double lambda_min : {0.0, -1.0}) {
-    for (std::uint64_t seed = 0; seed < 10; ++seed) {
-      const TriMesh mesh = meshes::rough_grid(12, 12, seed, 0.3, 0.6);
-      double energy = energy_of(mesh);
-      evolve(mesh, ControllableLaplacian{.lambda_min = lambda_min}, {.max_sweeps = 40},
-             [&](const SweepRecord& record) {
-               EXPECT_LE(record.energy, energy);
-               energy = record.energy;
-               return true;
-             });
+  for (const LineSolver solver : k_solvers) {
+    for (const double lambda_min : {0.0, -1.0}) {
+      for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        const TriMesh mesh = meshes::rough_grid(12, 12, seed, 0.3, 0.6);
+        double energy = energy_of(mesh);
+        const ControllableLaplacian options{.lambda_min = lambda_min, .solver = solver};
+        evolve(mesh, options, {.max_sweeps = 40}, [&](const SweepRecord& record) {
+          EXPECT_LE(record.energy, energy);
+          energy = record.energy;
+          return true;
+        });
+      }
     }
   }
 }
@@ -122,9 +126,11 @@ TEST(Controllable, NeverMovesTheBorderNorUnusedVertices) {
 TEST(Controllable, GivesTheSameBitsOnAnyNumberOfThreads) {
   for (const char* name : {"panel", "dome"}) {
     const TriMesh mesh = make_shape(name, 20'000);
-    const TriMesh one = evolved(mesh, ControllableLaplacian{}, 3, 1);
-    for (const unsigned threads : {2U, 4U}) {
-      EXPECT_EQ(evolved(mesh, ControllableLaplacian{}, 3, threads).positions, one.positions);
+    for (const LineSolver solver : k_solvers) {
+      const ControllableLaplacian options{.solver = solver};
+      const TriMesh one = evolved(mesh, options, 3, 1);
+      for (const unsigned threads : {2U, 4U})
+        EXPECT_EQ(evolved(mesh, options, 3, threads).positions, one.positions);
     }
   }
 }
@@ -134,8 +140,10 @@ TEST(Controllable, LeavesFlattenableSurfacesAsTheyAre) {
     if (!shape.flattenable) continue;
     const TriMesh mesh = make_shape(shape.name, 1500);
     const Connectivity connectivity(mesh);
-    for (const double lambda_min : {0.0, -1.0}) {
-      Evolver evolver(mesh, connectivity, ControllableLaplacian{.lambda_min = lambda_min});
+    for (const ControllableLaplacian& options :
+         {ControllableLaplacian{}, ControllableLaplacian{.lambda_min = -1.0},
+          ControllableLaplacian{.lambda_min = -1.0, .solver = LineSolver::trust_region}}) {
+      Evolver evolver(mesh, connectivity, options);
       for (int sweep = 0; sweep < 3; ++sweep)
         EXPECT_EQ(evolver.step().moved, 0U) << shape.name;
       EXPECT_EQ(evolver.positions(), mesh.positions);
@@ -146,9 +154,11 @@ TEST(Controllable, LeavesFlattenableSurfacesAsTheyAre) {
 TEST(Controllable, BringsTheApexOfAPyramidIntoThePlane) {
   for (const std::size_t valence : {3U, 4U, 5U, 6U, 9U, 300U}) {
     const TriMesh mesh = meshes::fan(valence, 0.5);
-    const TriMesh after = evolved(mesh, ControllableLaplacian{}, 60);
-    EXPECT_LT(std::abs(after.positions[0].z), 1e-4) << valence;
-    EXPECT_LT(energy_of(after), 1e-15) << valence;
+    for (const LineSolver solver : k_solvers) {
+      const TriMesh after = evolved(mesh, ControllableLaplacian{.solver = solver}, 60);
+      EXPECT_LT(std::abs(after.positions[0].z), 1e-4) << valence;
+      EXPECT_LT(energy_of(after), 1e-15) << valence;
+    }
   }
 }
 
@@ -168,7 +178,10 @@ TEST(Controllable, LeavesASaddleInsideTheHullOfItsRingWhereItIs) {
   // There the angle sum is above 2 pi at every point on the way to the Laplacian's end.
   for (const std::size_t valence : {4U, 6U, 8U}) {
     const TriMesh saddle = meshes::ruffled_fan(valence, 0.3);
-    EXPECT_EQ(evolved(saddle, ControllableLaplacian{}, 5).positions, saddle.positions);
+    for (const LineSolver solver : k_solvers) {
+      const ControllableLaplacian options{.solver = solver};
+      EXPECT_EQ(evolved(saddle, options, 5).positions, saddle.positions);
+    }
   }
 }
 
@@ -176,11 +189,13 @@ TEST(Controllable, WithNegativeStepsGetsFurtherAndKeepsTheSmallestAngle) {
   const TriMesh mesh = make_shape("panel", 2000);
   const Flattenability before = measure(mesh, Connectivity(mesh));
   const TriMesh forward = evolved(mesh, ControllableLaplacian{}, 30);
-  const TriMesh both =
-      evolved(mesh, ControllableLaplacian{.lambda_min = -1.0, .min_angle = 5.0}, 30);
-  const Flattenability after = measure(both, Connectivity(both));
-  EXPECT_LT(after.energy, energy_of(forward));
-  EXPECT_GE(after.min_angle, std::min(before.min_angle, 5.0 * std::numbers::pi / 180.0) - 1e-12);
+  for (const LineSolver solver : k_solvers) {
+    const ControllableLaplacian options{.lambda_min = -1.0, .min_angle = 5.0, .solver = solver};
+    const TriMesh both = evolved(mesh, options, 30);
+    const Flattenability after = measure(both, Connectivity(both));
+    EXPECT_LT(after.energy, energy_of(forward));
+    EXPECT_GE(after.min_angle, std::min(before.min_angle, 5.0 * std::numbers::pi / 180.0) - 1e-12);
+  }
 }
 
 TEST(Controllable, KeepsEveryVertexWithinTheDeviation) {
@@ -189,6 +204,8 @@ TEST(Controllable, KeepsEveryVertexWithinTheDeviation) {
     for (const Method& method :
          {Method{ControllableLaplacian{.max_deviation = limit}},
           Method{ControllableLaplacian{.lambda_min = -1.0, .max_deviation = limit}},
+          Method{ControllableLaplacian{
+              .lambda_min = -1.0, .max_deviation = limit, .solver = LineSolver::trust_region}},
           Method{ClassicalLaplacian{.max_deviation = limit}}}) {
       const TriMesh after = evolved(mesh, method, 20);
       double farthest = 0.0;
@@ -205,14 +222,17 @@ TEST(Controllable, KeepsEveryVertexWithinTheDeviation) {
 
 TEST(Controllable, DoesNotDependOnTheSizeOfTheModel) {
   const TriMesh mesh = meshes::rough_grid(10, 10, 12);
-  const TriMesh after = evolved(mesh, ControllableLaplacian{}, 5);
-  for (const double size : {0x1p-400, 0x1p+40, 0x1p+700}) {
-    TriMesh scaled = mesh;
-    for (Vec3& p : scaled.positions)
-      p = size * p;
-    const TriMesh scaled_after = evolved(scaled, ControllableLaplacian{}, 5);
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-      ASSERT_EQ(scaled_after.positions[v], size * after.positions[v]) << size;
+  for (const LineSolver solver : k_solvers) {
+    const ControllableLaplacian options{.solver = solver};
+    const TriMesh after = evolved(mesh, options, 5);
+    for (const double size : {0x1p-400, 0x1p+40, 0x1p+700}) {
+      TriMesh scaled = mesh;
+      for (Vec3& p : scaled.positions)
+        p = size * p;
+      const TriMesh scaled_after = evolved(scaled, options, 5);
+      for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        ASSERT_EQ(scaled_after.positions[v], size * after.positions[v]) << size;
+      }
     }
   }
 }
@@ -220,14 +240,17 @@ TEST(Controllable, DoesNotDependOnTheSizeOfTheModel) {
 TEST(Controllable, SurvivesASpikeAMillionTimesTheSizeOfThePatch) {
   TriMesh mesh = meshes::rough_grid(8, 8, 2);
   mesh.positions[40] = {1e6, -2e6, 3e6};
-  const EvolveResult result = evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 20});
-  double energy = energy_of(mesh);
-  for (const SweepRecord& record : result.history) {
-    EXPECT_LE(record.energy, energy);
-    energy = record.energy;
+  for (const LineSolver solver : k_solvers) {
+    const ControllableLaplacian options{.solver = solver};
+    const EvolveResult result = evolve(mesh, options, {.max_sweeps = 20});
+    double energy = energy_of(mesh);
+    for (const SweepRecord& record : result.history) {
+      EXPECT_LE(record.energy, energy);
+      energy = record.energy;
+    }
+    for (const Vec3 p : result.positions)
+      EXPECT_TRUE(std::isfinite(p.x + p.y + p.z));
   }
-  for (const Vec3 p : result.positions)
-    EXPECT_TRUE(std::isfinite(p.x + p.y + p.z));
 }
 
 }  // namespace

@@ -119,15 +119,25 @@ TEST(Method, IsFoundByItsName) {
   EXPECT_EQ(error_of([] { method_named("laplace"); }), ErrorCode::unknown_name);
 }
 
-TEST(Method, DescribesEveryOptionOnce) {
+struct OptionNames {
   std::string names;
-  ControllableLaplacian options;
-  describe(options, [&](std::string_view name, double, std::string_view doc, Range range) {
+
+  void operator()(std::string_view name, double, std::string_view doc, Range range) {
     names += std::string(name) + " ";
     EXPECT_FALSE(doc.empty());
     EXPECT_LE(range.min, range.max);
-  });
-  EXPECT_EQ(names, "lambda_min lambda_max min_angle max_deviation ");
+  }
+  void operator()(std::string_view name, LineSolver, std::string_view doc) {
+    names += std::string(name) + " ";
+    EXPECT_FALSE(doc.empty());
+  }
+};
+
+TEST(Method, DescribesEveryOptionOnce) {
+  ControllableLaplacian options;
+  OptionNames seen;
+  describe(options, seen);
+  EXPECT_EQ(seen.names, "lambda_min lambda_max min_angle max_deviation solver ");
 }
 
 }  // namespace

@@ -41,4 +41,14 @@ std::string json_samples(std::span<const Shape> shapes) {
   return text_of(object);
 }
 
+std::string json_with_directions(const std::string& measure, const DirectionCounts& counts) {
+  Json object = Json::parse(measure);
+  object["directions"] = {{"flat", counts.flat},
+                          {"dome_or_cup", counts.dome_or_cup},
+                          {"saddle", counts.saddle},
+                          {"can_lower", counts.can_lower},
+                          {"stuck", counts.stuck}};
+  return text_of(object);
+}
+
 }  // namespace planish::cli

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include <planish/evolve/direction.h>
 #include <planish/mesh/shapes.h>
 
 namespace planish::cli {
@@ -19,5 +20,8 @@ std::string json_written(const TriMesh& mesh, const std::string& output);
 
 /// {"samples": [{"name", "description", "flattenable"}]}
 std::string json_samples(std::span<const Shape> shapes);
+
+/// A measure with a count of "directions": {"flat", "dome_or_cup", "saddle", "can_lower", "stuck"}.
+std::string json_with_directions(const std::string& measure, const DirectionCounts& counts);
 
 }  // namespace planish::cli

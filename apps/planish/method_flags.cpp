@@ -130,6 +130,16 @@ void refuse_flags_of_other_methods(const std::string& chosen, const Arguments& a
   }
 }
 
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(',', from), text.size());
+    parts.push_back(text.substr(from, to - from));
+    from = to + 1;
+  }
+  return parts;
+}
+
 }  // namespace
 
 std::vector<std::string> method_names() {
@@ -173,6 +183,39 @@ Stopping stopping_from(const Arguments& arguments) {
   Stopping stopping = usual_stopping(method_from(arguments));
   describe(stopping, OptionSetter{arguments});
   return stopping;
+}
+
+FlagGroup compare_flags() {
+  FlagGroup group = {
+      "How to evolve",
+      {{"--methods", "NAMES",
+        "which, with commas between: " + list_of(method_names()) + " (default: all)"}}};
+  for (Flag flag : flags_of(Stopping{})) {
+    // Without it each method takes as many sweeps as it usually does.
+    if (flag.name == "--sweeps") {
+      flag.doc = "at most so many sweeps of each method (default: what each usually takes)";
+    }
+    group.flags.push_back(std::move(flag));
+  }
+  return group;
+}
+
+std::vector<CompareRun> runs_from(const Arguments& arguments) {
+  std::vector<CompareRun> runs;
+  if (!arguments.has("--methods")) {
+    runs = runs_of_all_methods();
+  } else {
+    for (const std::string& name : split_at_commas(arguments.flags.at("--methods"))) {
+      const Method method = method_named(known_name("method", name, method_names()));
+      for (const CompareRun& run : runs) {
+        if (name_of(run.method) == name) throw UsageError("method " + name + " is named twice");
+      }
+      runs.push_back({method, usual_stopping(method)});
+    }
+  }
+  for (CompareRun& run : runs)
+    describe(run.stopping, OptionSetter{arguments});
+  return runs;
 }
 
 }  // namespace planish::cli

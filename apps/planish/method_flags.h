@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <planish/evolve/evolve.h>
+#include <planish/report/compare.h>
 
 #include "command.h"
 
@@ -21,5 +22,14 @@ Method method_from(const Arguments& arguments);
 
 /// When the flags ask to stop. Throws as method_from().
 Stopping stopping_from(const Arguments& arguments);
+
+/// --methods and the flags of Stopping, which hold for all methods.
+FlagGroup compare_flags();
+
+/// The methods that --methods names, in its order, or all; each with its usual stopping but for
+/// what the flags say.
+/// @throws UsageError for names that are unknown or come twice, bad values; Error
+///   option_out_of_range
+std::vector<CompareRun> runs_from(const Arguments& arguments);
 
 }  // namespace planish::cli

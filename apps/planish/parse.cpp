@@ -6,6 +6,7 @@
 
 #include "failures.h"
 #include "nearest.h"
+#include "values.h"
 
 // CLI11 takes the words apart; what is missing or unknown is told in our own words, and the help is
 // written from the same tables (help.cpp).
@@ -64,13 +65,12 @@ std::vector<std::string> flag_names(const Command* command) {
     throw UsageError("flag " + flag + " must stand behind the verb: planish " + command->name +
                      " " + flag + " ...");
   }
-  std::string owners;
+  std::vector<std::string> owners;
   for (const Command& other : commands()) {
-    if (find_flag(other, flag) == nullptr) continue;
-    owners += (owners.empty() ? "" : " and ") + other.name;
+    if (find_flag(other, flag) != nullptr) owners.push_back(other.name);
   }
   if (!owners.empty()) {
-    throw UsageError("flag " + flag + " belongs to " + owners +
+    throw UsageError("flag " + flag + " belongs to " + list_of(owners) +
                      (command == nullptr ? "" : ", not " + command->name));
   }
   throw UsageError("unknown flag " + flag + nearest_hint(flag, flag_names(command)));

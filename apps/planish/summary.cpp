@@ -159,6 +159,26 @@ std::string flatten_text(const FlattenReport& report) {
          pattern_lines(report.unfold);
 }
 
+std::string directions_text(const DirectionCounts& counts) {
+  const auto line = [](const std::string& name, std::size_t count, const std::string& meaning) {
+    return "  " + left(name, 24) + right(std::to_string(count), 11) + " " + meaning + "\n";
+  };
+  return "\nInner vertices:\n" +
+         line("flat", counts.flat,
+              "angle defect at most " + digits(flat_defect(counts.inner), 2) + " rad") +
+         line("dome or cup", counts.dome_or_cup, "angle defect above 0") +
+         line("saddle", counts.saddle, "angle defect below 0") +
+         line("can be lowered", counts.can_lower, "the Laplacian vector lowers the ring energy") +
+         line("stuck", counts.stuck, "it does not, and the vertex is not flat");
+}
+
+std::string written_text(const std::vector<OutputFile>& files) {
+  std::string text = "\nWritten:\n";
+  for (const OutputFile& file : files)
+    text += "  " + file.path.string() + "\n";
+  return text;
+}
+
 Outcome with_target_checked(Outcome outcome, const Arguments& arguments,
                             const EvolveReport& report) {
   const bool met = report.result.stop == StopReason::reached_target;

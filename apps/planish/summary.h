@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include <planish/evolve/direction.h>
 #include <planish/report/flatten.h>
 
 #include "command.h"
@@ -19,6 +20,12 @@ std::string refused_text(const std::string& path, const Inspection& inspection);
 std::string evolve_text(const EvolveReport& report);
 std::string unfold_text(const UnfoldReport& report);
 std::string flatten_text(const FlattenReport& report);
+
+/// How many vertices are of which class, and how many their Laplacian directions can lower.
+std::string directions_text(const DirectionCounts& counts);
+
+/// The paths of what was written.
+std::string written_text(const std::vector<OutputFile>& files);
 
 /// Ends with exit code 3 where the target was asked for and not met.
 /// @param outcome of a verb that evolved

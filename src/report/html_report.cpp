@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <span>
 #include <string_view>
-#include <type_traits>
 
 #include <planish/core/version.h>
 #include <planish/report/html_report.h>
@@ -9,12 +9,10 @@
 
 #include "core/number_text.h"
 #include "draw/markup_text.h"
-#include "report/base64.h"
 #include "report/convergence_chart.h"
-#include "report/enumerator_name.h"
 #include "report/figure_text.h"
 #include "report/figures_table.h"
-#include "report/html_style.h"
+#include "report/html_parts.h"
 #include "report/legend.h"
 #include "report/patch_picture.h"
 #include "report/pattern_picture.h"
@@ -24,17 +22,10 @@ namespace planish {
 
 namespace {
 
+constexpr int k_picture_width = 880;  // pixels: sharp at half of it
+
 std::string unit_name(const FlattenReport& report) {
   return std::string(to_string(report.unfold.unit));
-}
-
-std::string head(const std::string& title) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<meta name=\"color-scheme\" content=\"light dark\">\n"
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-         "style-src 'unsafe-inline'; img-src data:\">\n<title>" +
-         title + " – Planish</title>\n<style>" + std::string(k_html_style) + "</style>\n</head>\n";
 }
 
 std::string tile(std::string_view name, const std::string& figure, const std::string& note) {
@@ -61,35 +52,24 @@ std::string tiles(const FlattenReport& report) {
          "</dl>\n";
 }
 
-std::string picture(const Image& image, const std::string& alt, const std::string& caption) {
-  return "<figure><div class=\"plate\"><img width=\"" + std::to_string(image.width) +
-         "\" height=\"" + std::to_string(image.height) + "\" alt=\"" + alt +
-         "\" src=\"data:image/png;base64," + base64(write_png(image)) + "\"></div><figcaption>" +
-         caption + "</figcaption></figure>\n";
-}
-
 std::string figures_caption(std::string_view when, const Flattenability& figures) {
   return "<b>" + std::string(when) + "</b> largest " + significant_text(figures.e_max, 2) +
          "\u00A0rad, in sum " + significant_text(figures.sum_abs_defect, 2) + "\u00A0rad";
 }
 
 std::string pictures(const FlattenReport& report, ColorMap colors) {
-  const PatchPictures pictures = patch_pictures(report.input, report.processed, colors);
-  const std::string limit = significant_text(pictures.limit, 1) + "\u00A0rad";
-  const LegendLabels labels =
-      colors == ColorMap::paper
-          ? LegendLabels{"<b>0</b> flattenable", "", "<b>" + limit + "</b>"}
-          : LegendLabels{"saddle <b>−" + limit + "</b>", "<b>0</b> flattenable",
-                         "dome <b>+" + limit + "</b>"};
+  const std::array<std::span<const Vec3>, 1> after = {report.processed.positions};
+  const PatchPictures pictures = patch_pictures(report.input, after, colors, k_picture_width);
   return "<section class=\"keep\">\n<h2>The patch</h2>\n<p>Coloured by angle defect: what the "
          "angles around a vertex lack to a full turn. Both pictures have the same view and scale. "
          "Values beyond the ends of the scale have the colour of its ends.</p>\n"
          "<div class=\"pair\">\n" +
-         picture(pictures.before, "The patch as it came, coloured by angle defect",
-                 figures_caption("Before:", report.evolve.before.figures)) +
-         picture(pictures.after, "The patch after evolving, coloured by angle defect",
-                 figures_caption("After:", report.evolve.after.figures)) +
-         "</div>\n" + legend(fields_of(colors), labels) + "</section>\n";
+         html_picture(pictures.before, "The patch as it came, coloured by angle defect",
+                      figures_caption("Before:", report.evolve.before.figures)) +
+         html_picture(pictures.after.front(), "The patch after evolving, coloured by angle defect",
+                      figures_caption("After:", report.evolve.after.figures)) +
+         "</div>\n" + legend(fields_of(colors), defect_labels(colors, pictures.limit)) +
+         "</section>\n";
 }
 
 std::string pattern_section(const FlattenReport& report) {
@@ -107,56 +87,18 @@ std::string pattern_section(const FlattenReport& report) {
          "</section>\n";
 }
 
-std::string options_text(const Method& method) {
-  std::string text;
-  const auto add = [&](std::string_view name, const auto& value, auto&&...) {
-    if (!text.empty()) text += ", ";
-    text += std::string(name) + " ";
-    if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>) {
-      text += enumerator_name(value);
-    } else {
-      text += std::isfinite(value) ? number_text(value) : "unlimited";
-    }
-  };
-  std::visit([&](auto some) { describe(some, add); }, method);
-  return text;
-}
-
-std::string stop_text(StopReason stop) {
-  switch (stop) {
-    case StopReason::reached_target:
-      return "the target was reached";
-    case StopReason::stalled:
-      return "no vertex moved any more";
-    case StopReason::converged:
-      return "the method had converged";
-    case StopReason::sweep_limit:
-      return "all sweeps asked for were made";
-    case StopReason::cancelled:
-      return "it was cancelled";
-  }
-  return {};
-}
-
 // What was done, in words, under the chart.
 std::string run_list(const FlattenReport& report) {
   const Topology& topology = report.evolve.before.inspection.topology;
   const EvolveResult& result = report.evolve.result;
-  const auto entry = [](std::string_view name, const std::string& text) {
-    return "<dt>" + std::string(name) + "</dt><dd>" + escape_markup(text) + "</dd>\n";
-  };
   return "<dl class=\"run\">\n" +
-         entry("Patch", count_text(topology.vertices) + " vertices, " +
-                            count_text(topology.inner_vertices) + " of them inner; " +
-                            count_text(topology.triangles) + " triangles") +
-         entry("Method", std::string(name_of(report.evolve.method))) +
-         entry("Options", options_text(report.evolve.method)) +
-         entry("Run", count_text(result.history.size()) +
-                          (result.history.size() == 1 ? " sweep in " : " sweeps in ") +
-                          significant_text(result.seconds, 2) + " s on " +
-                          std::to_string(result.threads) +
-                          (result.threads == 1 ? " thread" : " threads")) +
-         entry("Ended as", stop_text(result.stop)) + "</dl>\n";
+         html_entry("Patch", count_text(topology.vertices) + " vertices, " +
+                                 count_text(topology.inner_vertices) + " of them inner; " +
+                                 count_text(topology.triangles) + " triangles") +
+         html_entry("Method", std::string(name_of(report.evolve.method))) +
+         html_entry("Options", options_text(report.evolve.method)) +
+         html_entry("Run", effort_text(result)) + html_entry("Ended as", stop_text(result.stop)) +
+         "</dl>\n";
 }
 
 std::string convergence_section(const FlattenReport& report) {
@@ -201,8 +143,9 @@ std::string footer(const FlattenReport& report) {
 
 std::string html_report(const FlattenReport& report, ColorMap colors) {
   const std::string title = report.name.empty() ? "Patch" : escape_markup(report.name);
-  return head(title) + "<body>\n<main>\n<header>\n<p class=\"brand\">Planish report</p>\n<h1>" +
-         title + "</h1>\n<p class=\"verdict\">" + escape_markup(verdict_text(report)) +
+  return html_head(title) +
+         "<body>\n<main>\n<header>\n<p class=\"brand\">Planish report</p>\n<h1>" + title +
+         "</h1>\n<p class=\"verdict\">" + escape_markup(verdict_text(report)) +
          "</p>\n</header>\n" + tiles(report) + pictures(report, colors) + "<div class=\"wide\">\n" +
          pattern_section(report) + convergence_section(report) +
          "</div>\n<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" +

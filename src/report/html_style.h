@@ -10,12 +10,14 @@ inline constexpr std::string_view k_html_style = R"css(
   color-scheme: light dark;
   --page: #faf9f6; --card: #ffffff; --plate: #eef0f1; --ink: #1e1f21; --dim: #66676b;
   --rule: #e2e1dc; --better: #1b6e43; --worse: #a8411a; --blue: #0067a5; --orange: #c05000;
+  --green: #007a5a; --purple: #9c3587; --olive: #7d6b00; --sky: #3d86c6; --brown: #7a4a28; --ground: #dadee1;
   --shade: 0 1px 2px rgb(0 0 0 / 5%);
 }
 @media screen and (prefers-color-scheme: dark) {
   :root {
     --page: #16181b; --card: #1e2125; --plate: #272b30; --ink: #e9e8e4; --dim: #9fa2a8;
     --rule: #33373d; --better: #6fcf97; --worse: #f2a272; --blue: #6cb6f0; --orange: #f0a050;
+    --green: #4fc9a4; --purple: #e391cf; --olive: #d8c552; --sky: #a9c8ff; --brown: #cfa884; --ground: #272b30;
     --shade: none;
   }
 }
@@ -32,6 +34,7 @@ h1 { margin: 2px 0 12px; font-size: 34px; line-height: 1.15; font-weight: 650;
      letter-spacing: -.015em; overflow-wrap: anywhere; }
 h2 { margin: 0 0 4px; font-size: 17px; font-weight: 650; }
 .verdict { margin: 0; max-width: 46em; font-size: 19px; line-height: 1.45; text-wrap: pretty; }
+header { margin-bottom: 24px; }
 .tiles { display: grid; grid-template-columns: repeat(4, 1fr); gap: 12px; margin: 28px 0; padding: 0; }
 .tiles div, section { background: var(--card); border: 1px solid var(--rule); border-radius: 10px;
                       box-shadow: var(--shade); }
@@ -71,6 +74,34 @@ svg.chart { display: block; width: 100%; height: auto; max-width: 620px; margin:
 .line-energy { --line: var(--ink); }
 polyline.line-e-avg { stroke-dasharray: 9 5; }
 polyline.line-energy { stroke-dasharray: 2 4; stroke-linecap: round; }
+.chart circle { fill: var(--line); }
+.chart .leader { stroke: var(--line); stroke-width: .8; opacity: .55; fill: none; }
+.line-0 { --line: var(--ink); }
+.line-1 { --line: var(--blue); }
+.line-2 { --line: var(--orange); }
+.line-3 { --line: var(--green); }
+.line-4 { --line: var(--purple); }
+.line-5 { --line: var(--olive); }
+.line-6 { --line: var(--sky); }
+.line-7 { --line: var(--brown); }
+polyline.line-1 { stroke-dasharray: 9 5; }
+polyline.line-2 { stroke-dasharray: 2 4; stroke-linecap: round; }
+polyline.line-3 { stroke-dasharray: 10 4 2 4; }
+polyline.line-4 { stroke-dasharray: 5 3; }
+polyline.line-5 { stroke-dasharray: 16 4; }
+polyline.line-6 { stroke-dasharray: 8 3 2 3 2 3; }
+polyline.line-7 { stroke-dasharray: 1 3; }
+.charts { display: grid; grid-template-columns: 1fr 1fr; gap: 18px 20px; }
+.charts figcaption { text-align: center; margin-top: 0; }
+svg.swatch { width: 36px; height: 8px; margin-right: 9px; vertical-align: middle; }
+.swatch polyline { fill: none; stroke: var(--line); stroke-width: 2.6; }
+.cards { display: grid; grid-template-columns: 1fr 1fr; gap: 0 20px; }
+.cards section { min-width: 0; }
+.cards .pair { align-items: end; }
+.cards .plate { background: var(--ground); }
+.key { list-style: none; margin: 10px 0 0; padding: 0; font-size: 14px; }
+.key svg { width: 13px; height: 13px; margin-right: 8px; vertical-align: -1px;
+           outline: 1px solid var(--dim); outline-offset: -1px; }
 .scroll { overflow-x: auto; }
 table { width: 100%; border-collapse: collapse; font-size: 15px; }
 th, td { padding: 7px 0 7px 20px; text-align: right; vertical-align: baseline;
@@ -87,6 +118,14 @@ td:nth-child(3) { font-weight: 600; }
 .worse { color: var(--worse); }
 .same { color: var(--dim); }
 td b { font-weight: 600; }
+.compare { font-size: 13px; }
+.compare th, .compare td { padding-left: 9px; white-space: nowrap; }
+.compare th:first-child { padding-left: 0; }
+.compare thead th { font-size: 12px; line-height: 1.3; white-space: normal; vertical-align: bottom; }
+.compare td:nth-child(3) { font-weight: inherit; }
+.compare .input > * { color: var(--dim); }
+.compare .failed { text-align: left; color: var(--worse); white-space: normal; }
+.best span { color: var(--better); }
 .problems { margin: 8px 0 0; padding-left: 20px; }
 .problems code { color: var(--worse); font-size: 14px; }
 .run { display: grid; grid-template-columns: max-content 1fr; gap: 3px 16px; margin: 18px 0 0;
@@ -101,7 +140,8 @@ footer { color: var(--dim); font-size: 13px; }
   .tiles { grid-template-columns: 1fr 1fr; }
   .tiles div { padding: 11px 13px; }
   .tiles dd { font-size: 21px; }
-  .pair, .wide { grid-template-columns: minmax(0, 1fr); }
+  .pair, .wide, .charts, .cards { grid-template-columns: minmax(0, 1fr); }
+  .cards .pair { grid-template-columns: 1fr 1fr; gap: 10px; }
   .wide { gap: 0; }
   section { padding: 16px; }
   table { font-size: 13.5px; line-height: 1.35; }

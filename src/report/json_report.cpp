@@ -1,4 +1,5 @@
 #include <cmath>
+#include <initializer_list>
 #include <type_traits>
 
 #include <planish/core/version.h>
@@ -107,6 +108,23 @@ Json to_json(const UnfoldReport& report) {
           {"converged", pattern.converged}};
 }
 
+Json to_json(const std::optional<UnfoldReport>& report) {
+  return report ? to_json(*report) : Json(nullptr);
+}
+
+Json to_json(const CompareReport& report, const ComparedMethod& method) {
+  Json json = method.evolve ? to_json(*method.evolve)
+                            : Json{{"method", name_of(method.run.method)},
+                                   {"options", options_of(method.run.method)}};
+  json["unfold"] = to_json(method.unfold);
+  json["verdict"] = verdict_text(report, method);
+  json["error"] = nullptr;
+  if (method.failure) {
+    json["error"] = {{"code", method.failure->code}, {"message", method.failure->message}};
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string json_report(const MeasuredPatch& patch) {
@@ -131,6 +149,19 @@ std::string json_report(const FlattenReport& report,
                   {"files", Json(files)}});
 }
 
+std::string json_report(const CompareReport& report) {
+  Json runs = Json::array();
+  for (const ComparedMethod& method : report.runs)
+    runs.push_back(to_json(report, method));
+  const auto best = best_run(report);
+  return text_of({{"name", report.name},
+                  {"version", k_version},
+                  {"input", to_json(report.before)},
+                  {"unfold_before", to_json(report.unfold_before)},
+                  {"best", best ? Json(name_of(report.runs[*best].run.method)) : Json(nullptr)},
+                  {"runs", std::move(runs)}});
+}
+
 std::string json_report(const Error& error) {
   const ErrorPlace& place = error.place();
   Json json = {{"code", to_string(error.code())}, {"message", error.message()}};
@@ -142,17 +173,39 @@ std::string json_report(const Error& error) {
   return text_of({{"error", std::move(json)}});
 }
 
+namespace {
+
+// A field for every number behind what stands there.
+void append_numbers(std::string& csv, std::initializer_list<double> values) {
+  for (const double value : values) {
+    csv += ',';
+    append_number(csv, value);
+  }
+}
+
+}  // namespace
+
 std::string history_csv(const std::vector<SweepRecord>& history) {
   std::string csv = "sweep,e_max,e_avg,energy,moved,seconds\n";
   for (const SweepRecord& record : history) {
     csv += std::to_string(record.sweep);
-    for (const double value : {record.e_max, record.e_avg, record.energy}) {
-      csv += ',';
-      append_number(csv, value);
-    }
-    csv += ',' + std::to_string(record.moved) + ',';
-    append_number(csv, record.seconds);
+    append_numbers(csv, {record.e_max, record.e_avg, record.energy});
+    csv += ',' + std::to_string(record.moved);
+    append_numbers(csv, {record.seconds});
     csv += '\n';
+  }
+  return csv;
+}
+
+std::string history_csv(const CompareReport& report) {
+  std::string csv = "method,sweep,seconds,e_max,e_avg,energy,moved\n";
+  for (const ComparedMethod& method : report.runs) {
+    if (!method.evolve) continue;
+    for (const SweepRecord& record : method.evolve->result.history) {
+      csv += std::string(name_of(method.run.method)) + ',' + std::to_string(record.sweep);
+      append_numbers(csv, {record.seconds, record.e_max, record.e_avg, record.energy});
+      csv += ',' + std::to_string(record.moved) + '\n';
+    }
   }
   return csv;
 }

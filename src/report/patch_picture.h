@@ -1,22 +1,28 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include <planish/draw/color_map.h>
 #include <planish/draw/image.h>
 #include <planish/mesh/tri_mesh.h>
 
 namespace planish {
 
-/// A patch before and after, seen alike and coloured by angle defect at one scale; the ground is
-/// clear.
+/// A patch as it was and what became of it, seen alike and coloured by angle defect at one scale;
+/// the ground is clear.
 struct PatchPictures {
-  Image before, after;
-  double limit = 0.0;  ///< |defect| at which the colours end, radians
+  Image before;
+  std::vector<Image> after;  ///< as many as were asked for
+  double limit = 0.0;        ///< |defect| at which the colours end, radians
 };
 
 /// The view is made by formula: against the mean normal of the patch as it was, tilted a little,
 /// its longest extent upright. The scale ends at the 98th percentile of |defect| before, rounded
 /// up. Border vertices, which have no defect, take the mean of their inner neighbours'.
-/// @param after the triangles of `before` at other positions
-PatchPictures patch_pictures(const TriMesh& before, const TriMesh& after, ColorMap colors);
+/// @param after the vertices of `before` at other positions
+/// @param width of the pictures, pixels
+PatchPictures patch_pictures(const TriMesh& before, std::span<const std::span<const Vec3>> after,
+                             ColorMap colors, int width);
 
 }  // namespace planish

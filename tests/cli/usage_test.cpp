@@ -41,22 +41,22 @@ TEST_P(Mistakes, AreOneJsonObjectWithJson) {
 
 INSTANTIATE_TEST_SUITE_P(
     Flags, Mistakes,
-    testing::Values(Mistake{{"evolve", "a.obj", "-o", "b.obj", "--sweps", "3"},
-                            "unknown flag --sweps; did you mean --sweeps?"},
-                    Mistake{{"evolve", "a.obj", "-o", "b.obj", "--sweps=3"},
-                            "unknown flag --sweps; did you mean --sweeps?"},
-                    Mistake{{"--jsn", "measure", "a.obj"},
-                            "unknown flag --jsn; did you mean --json?"},
-                    Mistake{{"measure", "a.obj", "--foo"}, "unknown flag --foo; the nearest is --"},
-                    Mistake{{"measure", "a.obj", "-x"}, "unknown flag -x; the nearest is --"},
-                    Mistake{{"measure", "a.obj", "--sweeps", "3"},
-                            "flag --sweeps belongs to flatten and evolve, not measure"},
-                    Mistake{{"--sweeps", "3", "evolve", "a.obj"},
-                            "must stand behind the verb: planish evolve --sweeps"},
-                    Mistake{{"--sweeps", "3"}, "flag --sweeps belongs to flatten and evolve"},
-                    Mistake{{"evolve", "a.obj", "-o"}, "flag -o needs a value"},
-                    Mistake{{"measure", "a.obj", "--threads"}, "flag --threads needs a value"},
-                    Mistake{{"measure", "a.obj", "--quiet=yes"}, "flag --quiet takes no value"}));
+    testing::Values(
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--sweps", "3"},
+                "unknown flag --sweps; did you mean --sweeps?"},
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--sweps=3"},
+                "unknown flag --sweps; did you mean --sweeps?"},
+        Mistake{{"--jsn", "measure", "a.obj"}, "unknown flag --jsn; did you mean --json?"},
+        Mistake{{"measure", "a.obj", "--foo"}, "unknown flag --foo; the nearest is --"},
+        Mistake{{"measure", "a.obj", "-x"}, "unknown flag -x; the nearest is --"},
+        Mistake{{"measure", "a.obj", "--sweeps", "3"},
+                "flag --sweeps belongs to flatten, evolve or compare, not measure"},
+        Mistake{{"--sweeps", "3", "evolve", "a.obj"},
+                "must stand behind the verb: planish evolve --sweeps"},
+        Mistake{{"--sweeps", "3"}, "flag --sweeps belongs to flatten, evolve or compare"},
+        Mistake{{"evolve", "a.obj", "-o"}, "flag -o needs a value"},
+        Mistake{{"measure", "a.obj", "--threads"}, "flag --threads needs a value"},
+        Mistake{{"measure", "a.obj", "--quiet=yes"}, "flag --quiet takes no value"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Operands, Mistakes,

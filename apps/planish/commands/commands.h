@@ -8,6 +8,7 @@ Command flatten_command();
 Command measure_command();
 Command evolve_command();
 Command unfold_command();
+Command compare_command();
 Command convert_command();
 Command sample_command();
 

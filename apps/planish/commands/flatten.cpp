@@ -11,6 +11,7 @@
 #include "constraint_flags.h"
 #include "failures.h"
 #include "method_flags.h"
+#include "output_folder.h"
 #include "session.h"
 #include "summary.h"
 #include "text.h"
@@ -41,21 +42,9 @@ FlattenOptions options_from(const Arguments& arguments, const Session& session) 
           .threads = session.threads()};
 }
 
-/// @throws Error file_unwritable where something that is no folder stands in its place
 fs::path folder_from(const Arguments& arguments) {
   const std::string stem = fs::path(arguments.operands.front()).stem().string();
-  fs::path folder = arguments.value_or("--output", stem + "-pattern");
-  std::error_code ignored;
-  if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored)) {
-    throw Error(ErrorCode::file_unwritable, "is a file, but a folder is to be written there",
-                {.path = folder.string()});
-  }
-  return folder;
-}
-
-/// STL holds neither doubles nor the order of vertices: what comes as STL goes as OBJ.
-MeshFormat output_format(MeshFormat input) {
-  return input == MeshFormat::stl ? MeshFormat::obj : input;
+  return output_folder(arguments.value_or("--output", stem + "-pattern"));
 }
 
 Places places_in(const fs::path& folder, MeshFormat format, const Arguments& arguments) {
@@ -91,13 +80,6 @@ std::vector<OutputFile> files_of(const FlattenReport& report, const Places& plac
     files.push_back({history->second, history_csv(report.evolve.result.history)});
   }
   return files;
-}
-
-std::string written_text(const std::vector<OutputFile>& files) {
-  std::string text = "\nWritten:\n";
-  for (const OutputFile& file : files)
-    text += "  " + file.path.string() + "\n";
-  return text;
 }
 
 Outcome run_flatten(const Arguments& arguments, Session& session) {

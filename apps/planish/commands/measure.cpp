@@ -1,7 +1,11 @@
+#include <filesystem>
+
+#include <planish/report/direction_map.h>
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
 #include "failures.h"
+#include "json_text.h"
 #include "session.h"
 #include "summary.h"
 
@@ -14,15 +18,49 @@ Outcome refused(const std::string& path, const TriMesh& mesh, const Error& error
   return {refused_text(path, inspect(mesh)), json_report(error), k_exit_failed, error.what()};
 }
 
+/// @throws Error unsupported_format
+void check_picture_format(const std::string& path) {
+  if (std::filesystem::path(path).extension() == ".svg") return;
+  throw Error(ErrorCode::unsupported_format, "the picture is an .svg file", {.path = path});
+}
+
+/// The files that the flags ask for, without content.
+std::vector<OutputFile> places_from(const Arguments& arguments) {
+  std::vector<OutputFile> files;
+  for (const char* flag : {"--map", "--picture"}) {
+    if (arguments.has(flag)) files.push_back({arguments.flags.at(flag), {}});
+  }
+  if (arguments.has("--picture")) check_picture_format(arguments.flags.at("--picture"));
+  refuse_shared_places(files);
+  return files;
+}
+
+Outcome with_directions(Outcome outcome, const TriMesh& mesh, std::vector<OutputFile> files,
+                        const Arguments& arguments, Session& session) {
+  const auto directions = laplacian_directions(mesh, Connectivity(mesh));
+  const std::string name = std::filesystem::path(arguments.operands.front()).stem().string();
+  if (arguments.has("--map")) files.front().content = direction_csv(directions);
+  if (arguments.has("--picture")) files.back().content = direction_svg(mesh, directions, name);
+  session.write(files);
+  const DirectionCounts counts = count_directions(directions);
+  outcome.text += directions_text(counts) + written_text(files);
+  outcome.json = json_with_directions(outcome.json, counts);
+  return outcome;
+}
+
 Outcome run_measure(const Arguments& arguments, Session& session) {
+  const std::vector<OutputFile> files = places_from(arguments);
   const std::string& path = arguments.operands.front();
   const TriMesh mesh = session.read(path).mesh;
+  MeasuredPatch patch;
   try {
-    const MeasuredPatch patch = about(path, [&] { return measure_patch(mesh); });
-    return {measure_text(path, patch), json_report(patch)};
+    patch = about(path, [&] { return measure_patch(mesh); });
   } catch (const Error& error) {
     return refused(path, mesh, error);
   }
+  const Outcome outcome = {measure_text(path, patch), json_report(patch)};
+  if (files.empty()) return outcome;
+  return with_directions(outcome, mesh, files, arguments, session);
 }
 
 }  // namespace
@@ -33,10 +71,15 @@ Command measure_command() {
           "INPUT",
           "Prints sizes, topology and the figures of the angle defects of a triangle mesh (.obj, "
           ".ply, .stl or .off), and every problem that stands in the way of evolving it or laying "
-          "it flat. Nothing is written.",
+          "it flat. With --map or --picture also tells of each vertex whether it is flat, on a "
+          "dome or cup or on a saddle, and whether its Laplacian direction lowers the energy of "
+          "its ring; else nothing is written.",
           {"INPUT"},
-          {},
-          {"planish measure panel.obj", "planish measure panel.obj --json"},
+          {{"Output",
+            {{"--map", "FILE", "classes and directions of all vertices, as comma-separated values"},
+             {"--picture", "FILE", "the same as pictures side by side: .svg"}}}},
+          {"planish measure panel.obj", "planish measure panel.obj --json",
+           "planish measure panel.obj --map panel.csv --picture panel.svg"},
           run_measure};
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <planish/core/error.h>
+#include <planish/report/compare.h>
 #include <planish/report/flatten.h>
 
 namespace planish {
@@ -17,10 +18,14 @@ std::string json_report(const UnfoldReport& report);
 /// @param files role -> path of what was written
 std::string json_report(const FlattenReport& report,
                         const std::map<std::string, std::string>& files);
+std::string json_report(const CompareReport& report);
 /// {"error": {code, message, path, line, byte, first, count}}, keys that are not known left out.
 std::string json_report(const Error& error);
 
 /// The history as comma-separated values: a header line, then a line a sweep.
 std::string history_csv(const std::vector<SweepRecord>& history);
+
+/// The histories of all methods likewise, a line a sweep, methods in their order.
+std::string history_csv(const CompareReport& report);
 
 }  // namespace planish

@@ -62,26 +62,32 @@ std::size_t covered(const Image& image) {
   return count;
 }
 
+// Of a patch and one thing that became of it.
+PatchPictures pictures_of(const TriMesh& before, const TriMesh& after, ColorMap colors) {
+  const std::vector<std::span<const Vec3>> positions = {after.positions};
+  return patch_pictures(before, positions, colors, 880);
+}
+
 TEST(PatchPictures, ShowBothPatchesAlikeAndFillThePicture) {
   const TriMesh before = samples::bumpy_patch(30, 40, 2.0);
   const TriMesh after = samples::bumpy_patch(30, 40, 0.0);
-  const PatchPictures pictures = patch_pictures(before, after, ColorMap::diverging);
-  EXPECT_EQ(pictures.before.width, pictures.after.width);
-  EXPECT_EQ(pictures.before.height, pictures.after.height);
+  const PatchPictures pictures = pictures_of(before, after, ColorMap::diverging);
+  EXPECT_EQ(pictures.before.width, pictures.after.front().width);
+  EXPECT_EQ(pictures.before.height, pictures.after.front().height);
   const double share = static_cast<double>(covered(pictures.before)) /
                        static_cast<double>(pictures.before.pixels.size());
   EXPECT_GT(share, 0.5);
-  EXPECT_NEAR(static_cast<double>(covered(pictures.after)),
+  EXPECT_NEAR(static_cast<double>(covered(pictures.after.front())),
               static_cast<double>(covered(pictures.before)),
               0.1 * static_cast<double>(pictures.before.pixels.size()));
 }
 
 TEST(PatchPictures, HaveNoColourWhereThePatchIsFlat) {
   const TriMesh flat = meshes::flat_grid(12, 12);
-  const PatchPictures pictures = patch_pictures(flat, flat, ColorMap::diverging);
+  const PatchPictures pictures = pictures_of(flat, flat, ColorMap::diverging);
   EXPECT_EQ(pictures.limit, 1e-4) << "less is not to look like anything";
-  for (std::size_t i = 0; i < pictures.after.pixels.size(); ++i) {
-    const Color color = pictures.after.pixels[i];
+  for (std::size_t i = 0; i < pictures.after.front().pixels.size(); ++i) {
+    const Color color = pictures.after.front().pixels[i];
     ASSERT_EQ(color.r, color.g);
     ASSERT_EQ(color.g, color.b);
   }
@@ -90,7 +96,7 @@ TEST(PatchPictures, HaveNoColourWhereThePatchIsFlat) {
 TEST(PatchPictures, ShowDomesRedAndSaddlesBlueUpToTheBorder) {
   const auto dominance = [](const TriMesh& mesh) {
     int red = 0, blue = 0;
-    const PatchPictures pictures = patch_pictures(mesh, mesh, ColorMap::diverging);
+    const PatchPictures pictures = pictures_of(mesh, mesh, ColorMap::diverging);
     for (const Color color : pictures.before.pixels) {
       if (color.r > color.b + 4) ++red;
       if (color.b > color.r + 4) ++blue;
@@ -112,10 +118,10 @@ TEST(PatchPictures, ShowDomesRedAndSaddlesBlueUpToTheBorder) {
 TEST(PatchPictures, SetTheScaleByThePatchAsItCame) {
   const TriMesh steep = samples::bumpy_patch(30, 20, 2.0);
   const TriMesh flat = samples::bumpy_patch(30, 20, 0.1);
-  EXPECT_EQ(patch_pictures(steep, flat, ColorMap::paper).limit,
-            patch_pictures(steep, steep, ColorMap::paper).limit);
-  EXPECT_LT(patch_pictures(flat, steep, ColorMap::paper).limit,
-            patch_pictures(steep, flat, ColorMap::paper).limit);
+  EXPECT_EQ(pictures_of(steep, flat, ColorMap::paper).limit,
+            pictures_of(steep, steep, ColorMap::paper).limit);
+  EXPECT_LT(pictures_of(flat, steep, ColorMap::paper).limit,
+            pictures_of(steep, flat, ColorMap::paper).limit);
 }
 
 }  // namespace

@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <filesystem>
+
+#include <planish/io/write_mesh.h>
+#include <planish/report/html_report.h>
+#include <planish/report/json_report.h>
+
+#include "commands/commands.h"
+#include "compare_text.h"
+#include "failures.h"
+#include "method_flags.h"
+#include "output_folder.h"
+#include "session.h"
+#include "summary.h"
+#include "units.h"
+
+namespace planish::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<OutputFile> files_of(const CompareReport& report, const fs::path& folder,
+                                 MeshFormat format, const std::string& json) {
+  std::vector<OutputFile> files = {{folder / "compare.html", html_report(report)},
+                                   {folder / "compare.csv", history_csv(report)},
+                                   {folder / "compare.json", json}};
+  for (const ComparedMethod& method : report.runs) {
+    if (!method.evolve) continue;
+    const std::string name = report.name + "-" + std::string(name_of(method.run.method)) + "." +
+                             std::string(to_string(format));
+    files.push_back(
+        {folder / name,
+         format_mesh({method.evolve->result.positions, report.input.triangles}, format)});
+  }
+  return files;
+}
+
+void warn_of_failures(Session& session, const CompareReport& report) {
+  for (const ComparedMethod& method : report.runs) {
+    if (method.failure) {
+      session.warn(std::string(name_of(method.run.method)) + ": " + method.failure->message);
+    }
+  }
+}
+
+Outcome run_compare(const Arguments& arguments, Session& session) {
+  // What can be wrong with the request is told before any work.
+  const std::string& path = arguments.operands.front();
+  const std::vector<CompareRun> runs = runs_from(arguments);
+  const CompareOptions options = {.unit = unit_from(arguments), .threads = session.threads()};
+  const bool writes = arguments.has("--output");
+  const fs::path folder = output_folder(arguments.value_or("--output", ""));
+
+  ReadResult input = session.read(path);
+  const std::string size = size_text(input.mesh);
+  const auto on_progress = [&](FlattenStage stage, std::string_view method, double share) {
+    session.show_progress(std::string(to_string(stage)), share, std::string(method));
+    return !session.interrupted();
+  };
+  const auto report = about(path, [&] {
+    return compare(std::move(input.mesh), fs::path(path).stem().string(), runs, options,
+                   on_progress);
+  });
+  if (!report) throw Interrupted();
+
+  const std::string json = json_report(*report);
+  std::string text = path + "  (" + size + ")\n\n" + compare_text(*report);
+  warn_of_failures(session, *report);
+  if (std::none_of(report->runs.begin(), report->runs.end(),
+                   [](const ComparedMethod& method) { return method.evolve.has_value(); })) {
+    return {text, json, k_exit_failed, path + ": no method could be run"};
+  }
+  if (writes) {
+    const std::vector<OutputFile> files =
+        files_of(*report, folder, output_format(input.format), json);
+    session.write(files);
+    text += written_text(files);
+  }
+  return {text, json};
+}
+
+}  // namespace
+
+Command compare_command() {
+  return {"compare",
+          "try several methods on a patch, side by side",
+          "INPUT [-o FOLDER]",
+          "Evolves a patch by one method after the other, each from the patch as it came, lays "
+          "every result flat, and prints what each did to defects, strain, form and time. With -o "
+          "also writes a page with charts and pictures (compare.html), every sweep "
+          "(compare.csv), all figures (compare.json) and the evolved meshes. What is not a disk "
+          "is compared without patterns.",
+          {"INPUT"},
+          {{"Output",
+            {{"--output", "FOLDER", "where to write; without it nothing is written", 'o'},
+             unit_flag()}},
+           compare_flags()},
+          {"planish compare panel.obj",
+           "planish compare panel.obj --methods controllable,classical -o compared"},
+          run_compare};
+}
+
+}  // namespace planish::cli

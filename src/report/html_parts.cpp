@@ -1,0 +1,79 @@
+#include "report/html_parts.h"
+
+#include <cmath>
+#include <type_traits>
+
+#include "core/number_text.h"
+#include "draw/markup_text.h"
+#include "report/base64.h"
+#include "report/enumerator_name.h"
+#include "report/figure_text.h"
+#include "report/html_style.h"
+
+namespace planish {
+
+std::string html_head(const std::string& title) {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+         "<meta name=\"color-scheme\" content=\"light dark\">\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+         "style-src 'unsafe-inline'; img-src data:\">\n<title>" +
+         title + " – Planish</title>\n<style>" + std::string(k_html_style) + "</style>\n</head>\n";
+}
+
+std::string html_picture(const Image& image, const std::string& alt, const std::string& caption) {
+  return "<figure><div class=\"plate\"><img width=\"" + std::to_string(image.width) +
+         "\" height=\"" + std::to_string(image.height) + "\" alt=\"" + alt +
+         "\" src=\"data:image/png;base64," + base64(write_png(image)) + "\"></div><figcaption>" +
+         caption + "</figcaption></figure>\n";
+}
+
+std::string html_entry(std::string_view name, const std::string& text) {
+  return "<dt>" + std::string(name) + "</dt><dd>" + escape_markup(text) + "</dd>\n";
+}
+
+LegendLabels defect_labels(ColorMap colors, double limit) {
+  const std::string text = significant_text(limit, 1) + "\u00A0rad";
+  if (colors == ColorMap::paper) return {"<b>0</b> flattenable", "", "<b>" + text + "</b>"};
+  return {"saddle <b>−" + text + "</b>", "<b>0</b> flattenable", "dome <b>+" + text + "</b>"};
+}
+
+std::string options_text(const Method& method) {
+  std::string text;
+  const auto add = [&](std::string_view name, const auto& value, auto&&...) {
+    if (!text.empty()) text += ", ";
+    text += std::string(name) + " ";
+    if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>) {
+      text += enumerator_name(value);
+    } else {
+      text += std::isfinite(value) ? number_text(value) : "unlimited";
+    }
+  };
+  std::visit([&](auto some) { describe(some, add); }, method);
+  return text;
+}
+
+std::string effort_text(const EvolveResult& result) {
+  return count_text(result.history.size()) +
+         (result.history.size() == 1 ? " sweep in " : " sweeps in ") +
+         significant_text(result.seconds, 2) + " s on " + std::to_string(result.threads) +
+         (result.threads == 1 ? " thread" : " threads");
+}
+
+std::string stop_text(StopReason stop) {
+  switch (stop) {
+    case StopReason::reached_target:
+      return "the target was reached";
+    case StopReason::stalled:
+      return "no vertex moved any more";
+    case StopReason::converged:
+      return "the method had converged";
+    case StopReason::sweep_limit:
+      return "all sweeps asked for were made";
+    case StopReason::cancelled:
+      return "it was cancelled";
+  }
+  return {};
+}
+
+}  // namespace planish

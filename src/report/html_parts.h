@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <planish/draw/color_map.h>
+#include <planish/draw/image.h>
+#include <planish/evolve/evolve.h>
+
+#include "report/legend.h"
+
+namespace planish {
+
+/// Parts that the pages of all reports are made of: HTML.
+
+/// From the doctype to the end of <head>: no scripts, nothing from outside.
+/// @param title markup
+std::string html_head(const std::string& title);
+
+/// A picture with words below it.
+/// @param alt, caption markup
+std::string html_picture(const Image& image, const std::string& alt, const std::string& caption);
+
+/// A term of a list and what is said of it, plain text.
+std::string html_entry(std::string_view name, const std::string& text);
+
+/// What the ends of a scale of angle defects mean.
+LegendLabels defect_labels(ColorMap colors, double limit);
+
+/// "lambda 0.5, order sequential": as the method describes them. Plain text.
+std::string options_text(const Method& method);
+
+/// "10 sweeps in 0.25 s on 2 threads". Plain text.
+std::string effort_text(const EvolveResult& result);
+
+/// "no vertex moved any more". Plain text.
+std::string stop_text(StopReason stop);
+
+}  // namespace planish

@@ -168,7 +168,7 @@ std::string directions_text(const DirectionCounts& counts) {
               "angle defect at most " + digits(flat_defect(counts.inner), 2) + " rad") +
          line("dome or cup", counts.dome_or_cup, "angle defect above 0") +
          line("saddle", counts.saddle, "angle defect below 0") +
-         line("can be lowered", counts.can_lower, "the Laplacian vector lowers the ring energy") +
+         line("can be lowered", counts.can_lower, "the Laplacian vector lowers ring energy") +
          line("stuck", counts.stuck, "it does not, and the vertex is not flat");
 }
 

@@ -56,9 +56,10 @@ class Comparison {
   }
 
   void add(const CompareRun& run) {
+    const std::string_view name = name_of(run.method);
+    if (!tell(FlattenStage::evolving, name, 0.0)) return;
     ComparedMethod& compared = report_.runs.emplace_back();
     compared.run = run;
-    const std::string_view name = name_of(run.method);
     try {
       compared.evolve = evolved(run, name);
       ++done_;
@@ -81,7 +82,6 @@ class Comparison {
   }
 
   EvolveReport evolved(const CompareRun& run, std::string_view name) {
-    tell(FlattenStage::evolving, name, 0.0);
     return evolve_patch(
         report_.input, run.method, run.stopping,
         [&](const SweepRecord& record) {

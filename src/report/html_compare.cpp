@@ -65,11 +65,15 @@ std::string charts_section(const CompareReport& report) {
     }
   }
   if (charts.empty()) return {};
-  return "<section>\n<h2>The sweeps</h2>\n<p>All axes are logarithmic but for their beginning at "
-         "0. "
-         "What a sweep is differs between methods, so compare by time too; time is that of this "
+  return "<section>\n<h2>The sweeps</h2>\n<p>All axes are logarithmic; those of sweeps and "
+         "time begin with a stub for 0. What a sweep is differs between methods, so compare by "
+         "time too; time is that of this "
          "machine.</p>\n<div class=\"charts\">\n" +
          charts + "</div>\n</section>\n";
+}
+
+bool has_pattern(const CompareReport& report, const ComparedMethod& method) {
+  return report.unfold_before && method.unfold;
 }
 
 /// All pictures of the page, those of the input first.
@@ -89,7 +93,7 @@ Pictures pictures_of(const CompareReport& report) {
     if (!method.evolve) continue;
     const auto& positions = method.evolve->result.positions;
     results.emplace_back(positions);
-    if (method.unfold) patterns.push_back({positions, method.unfold->pattern});
+    if (has_pattern(report, method)) patterns.push_back({positions, method.unfold->pattern});
   }
   Pictures pictures;
   pictures.patches = patch_pictures(report.input, results, ColorMap::diverging, k_picture_width);
@@ -172,7 +176,7 @@ std::string cards_section(const CompareReport& report) {
     if (!method.evolve) continue;  // the table says why
     html += card(run_swatch(i) + name, verdict_text(report, method),
                  pictures_of_one(pictures.patches.after.at(patch++),
-                                 next_pattern(method.unfold.has_value()), name) +
+                                 next_pattern(has_pattern(report, method)), name) +
                      figures_of_run(method, unit));
   }
   return "<div class=\"cards\">\n" + html + "</div>\n";

@@ -15,7 +15,7 @@ namespace planish {
 namespace {
 
 constexpr double k_width = 480.0, k_height = 330.0;
-constexpr double k_left = 50.0, k_top = 14.0, k_bottom = 44.0;
+constexpr double k_top = 14.0, k_bottom = 44.0;
 constexpr double k_letter = 7.3;           // width of a letter of a name, about
 constexpr double k_label_distance = 16.0;  // between the baselines of names, at least
 constexpr double k_tick_distance = 38.0;   // between the middles of numbers below the axis
@@ -76,6 +76,10 @@ class Chart {
     std::size_t letters = 14;
     for (const ChartLine& line : lines)
       letters = std::max(letters, letters_of(line.name));
+    std::size_t digits = 4;
+    for (const Tick& tick : vertical_.ticks)
+      digits = std::max(digits, letters_of(tick.text));
+    left_ = 16.0 + 8.5 * static_cast<double>(digits);
     right_ = k_width - 20.0 - k_letter * static_cast<double>(letters);
   }
 
@@ -99,7 +103,7 @@ class Chart {
     return log_axis(low, high);
   }
 
-  double x_of(double x) const { return k_left + horizontal_.place_of(x) * (right_ - k_left); }
+  double x_of(double x) const { return left_ + horizontal_.place_of(x) * (right_ - left_); }
   double y_of(double y) const {
     return k_height - k_bottom - vertical_.place_of(y) * (k_height - k_top - k_bottom);
   }
@@ -116,9 +120,9 @@ class Chart {
     std::string svg;
     for (const Tick& tick : vertical_.ticks) {
       const double y = y_of(tick.value);
-      svg += "<path class=\"grid\" d=\"M" + fixed_text(k_left, 1) + ',' + fixed_text(y, 1) + 'H' +
+      svg += "<path class=\"grid\" d=\"M" + fixed_text(left_, 1) + ',' + fixed_text(y, 1) + 'H' +
              fixed_text(right_, 1) + "\"/>\n";
-      svg += text(k_left - 8.0, y + 4.0, "end", "", tick.text);
+      svg += text(left_ - 8.0, y + 4.0, "end", "", tick.text);
     }
     return svg;
   }
@@ -129,11 +133,11 @@ class Chart {
     for (const Tick& tick : horizontal_.ticks()) {
       const double x = x_of(tick.value);
       // The stub for 0 is narrow.
-      if (x - last < (tick.value > 0.0 && last == k_left ? 18.0 : k_tick_distance)) continue;
+      if (x - last < (tick.value > 0.0 && last == left_ ? 18.0 : k_tick_distance)) continue;
       svg += text(x, k_height - k_bottom + 18.0, "middle", "", tick.text);
       last = x;
     }
-    return svg + text(0.5 * (k_left + right_), k_height - 6.0, "middle", "axis", name);
+    return svg + text(0.5 * (left_ + right_), k_height - 6.0, "middle", "axis", name);
   }
 
   std::string polyline(const ChartLine& line) const {
@@ -188,7 +192,7 @@ class Chart {
   const std::vector<ChartLine>& lines_;
   HorizontalAxis horizontal_;
   LogAxis vertical_;
-  double right_ = k_width;
+  double left_ = 0.0, right_ = k_width;
 };
 
 }  // namespace

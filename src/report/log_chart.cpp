@@ -16,7 +16,7 @@ namespace {
 
 constexpr double k_width = 480.0, k_height = 330.0;
 constexpr double k_top = 14.0, k_bottom = 44.0;
-constexpr double k_letter = 7.3;           // width of a letter of a name, about
+constexpr double k_letter = 7.6;           // width of a letter of a name, about
 constexpr double k_label_distance = 16.0;  // between the baselines of names, at least
 constexpr double k_tick_distance = 38.0;   // between the middles of numbers below the axis
 constexpr double k_point_distance = 0.75;  // what is nearer to the last point is not seen

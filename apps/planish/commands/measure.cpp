@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <utility>
 
 #include <planish/report/direction_map.h>
 #include <planish/report/json_report.h>
@@ -58,9 +59,9 @@ Outcome run_measure(const Arguments& arguments, Session& session) {
   } catch (const Error& error) {
     return refused(path, mesh, error);
   }
-  const Outcome outcome = {measure_text(path, patch), json_report(patch)};
+  Outcome outcome = {measure_text(path, patch), json_report(patch)};
   if (files.empty()) return outcome;
-  return with_directions(outcome, mesh, files, arguments, session);
+  return with_directions(std::move(outcome), mesh, files, arguments, session);
 }
 
 }  // namespace

@@ -122,6 +122,7 @@ td b { font-weight: 600; }
 .compare th, .compare td { padding-left: 9px; white-space: nowrap; }
 .compare th:first-child { padding-left: 0; }
 .compare thead th { font-size: 12px; line-height: 1.3; white-space: normal; vertical-align: bottom; }
+.compare th small { display: block; font-size: inherit; }
 .compare td:nth-child(3) { font-weight: inherit; }
 .compare .input > * { color: var(--dim); }
 .compare .failed { text-align: left; color: var(--worse); white-space: normal; }
@@ -161,6 +162,10 @@ footer { color: var(--dim); font-size: 13px; }
   .tiles dd { font-size: 14pt; }
   table { font-size: 9.5pt; }
   th, td { padding-top: 3px; padding-bottom: 3px; }
+  .scroll { overflow: visible; }
+  .compare, .compare thead th { font-size: 6.4pt; }
+  .compare th, .compare td { padding-left: 4px; }
+  .compare .swatch { width: 20px; margin-right: 4px; }
 }
 )css";
 

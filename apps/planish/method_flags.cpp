@@ -18,6 +18,13 @@ std::string flag_name(std::string_view option) {
   return name;
 }
 
+/// "0.5", "500000", "no limit"
+std::string default_text(double value) {
+  if (std::isinf(value)) return "no limit";
+  const auto whole = static_cast<long long>(value);
+  return static_cast<double>(whole) == value ? std::to_string(whole) : shortest(value);
+}
+
 /// "0 to 1, default 0.5". Bounds that nobody will reach are left out.
 std::string range_text(double value, Range range) {
   const bool from = std::isfinite(range.min);
@@ -26,7 +33,7 @@ std::string range_text(double value, Range range) {
   if (from && to) text = shortest(range.min) + " to " + shortest(range.max) + ", ";
   if (from && !to) text = "at least " + shortest(range.min) + ", ";
   if (!from && to) text = "at most " + shortest(range.max) + ", ";
-  return text + "default " + (std::isinf(value) ? "no limit" : shortest(value));
+  return text + "default " + default_text(value);
 }
 
 template <class Enum>

@@ -20,6 +20,8 @@ std::string cli11_name(const Flag& flag) {
 }
 
 void add_flag(CLI::App& app, const Flag& flag) {
+  // Several methods may have an option of one name.
+  if (app.get_option_no_throw(flag.name) != nullptr) return;
   if (flag.value.empty()) {
     app.add_flag(cli11_name(flag))->disable_flag_override();
   } else {

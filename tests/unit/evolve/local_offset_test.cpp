@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <planish/evolve/evolve.h>
+#include <planish/measure/angle_defect.h>
+#include <planish/measure/flattenability.h>
+#include <planish/mesh/shapes.h>
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+
+namespace planish {
+namespace {
+
+constexpr Stopping k_to_the_end{.max_sweeps = 100'000};
+
+/// A cylinder with dents: what is left when they are out is flattenable.
+TriMesh dented_cylinder(double dent) {
+  TriMesh mesh = make_shape("cylinder", 900);
+  meshes::Random random(11);
+  const Connectivity connectivity(mesh);
+  const std::vector<Vec3> smooth = mesh.positions;
+  for (const Index v : connectivity.inner_vertices()) {
+    const auto ring = connectivity.ring(v);
+    const Vec3 normal = cross(smooth[ring[0]] - smooth[v], smooth[ring[1]] - smooth[v]);
+    mesh.positions[v] += (dent * random.number() / norm(normal)) * normal;
+  }
+  return mesh;
+}
+
+Flattenability figures_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
+  const TriMesh after{positions, mesh.triangles};
+  return measure(after, Connectivity(after));
+}
+
+double e_max_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
+  return figures_of(mesh, positions).e_max;
+}
+
+/// Exactly |a - b|^2, as near as extended precision has it.
+long double squared_distance(Vec3 a, Vec3 b) {
+  const auto square = [](double s, double t) {
+    const long double d = static_cast<long double>(s) - static_cast<long double>(t);
+    return d * d;
+  };
+  return square(a.x, b.x) + square(a.y, b.y) + square(a.z, b.z);
+}
+
+TEST(LocalOffset, KeepsTheBandToTheLastBit) {
+  for (const Vec3 place : {Vec3{}, Vec3{1e5, -3e5, 7e4}}) {
+    TriMesh mesh = meshes::rough_grid(12, 12, 6, 0.2, 0.6);
+    for (Vec3& p : mesh.positions)
+      p += place;
+    for (const double band : {1e-9, 0.01, 0.1, 1.0 / 3.0}) {
+      const auto result = evolve(mesh, LocalOffset{.band = band}, {.max_sweeps = 30});
+      std::size_t on_band = 0;
+      for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        const long double squared = squared_distance(result.positions[v], mesh.positions[v]);
+        EXPECT_LE(squared, static_cast<long double>(band) * band) << band;
+        EXPECT_LE(norm(result.positions[v] - mesh.positions[v]), band) << band;
+        on_band += squared > 0.9L * 0.9L * band * band;
+      }
+      EXPECT_GT(on_band, 5U) << band;
+    }
+  }
+}
+
+TEST(LocalOffset, MovesAlongTheNormalsOfTheInput) {
+  // Of a pyramid over a regular ring the normal is the axis, and the apex ends in the plane.
+  for (const std::size_t valence : {3U, 5U, 8U}) {
+    const TriMesh mesh = meshes::fan(valence, 0.5);
+    const auto result = evolve(mesh, LocalOffset{.band = 1.0, .enough = 1e-6}, k_to_the_end);
+    EXPECT_EQ(result.stop, StopReason::converged);
+    EXPECT_NEAR(result.positions[0].x, 0.0, 1e-12);
+    EXPECT_NEAR(result.positions[0].y, 0.0, 1e-12);
+    EXPECT_NEAR(result.positions[0].z, 0.0, 1e-2);
+  }
+}
+
+TEST(LocalOffset, BeginsWithTheLargestDefect) {
+  const TriMesh mesh = make_shape("panel", 900);
+  const auto defects = angle_defects(mesh, Connectivity(mesh));
+  const auto is_smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto worst = std::max_element(defects.begin(), defects.end(), is_smaller);
+  const auto result = evolve(mesh, LocalOffset{.enough = 0.0, .max_updates = 1});
+  for (std::size_t v = 0; v < defects.size(); ++v) {
+    const bool is_worst = v == static_cast<std::size_t>(worst - defects.begin());
+    EXPECT_EQ(result.positions[v] != mesh.positions[v], is_worst) << v;
+  }
+}
+
+TEST(LocalOffset, EnergyNeverRisesInASweep) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const TriMesh mesh = meshes::rough_grid(12, 12, seed, 0.3, 0.6);
+    for (const double band : {0.0, 0.1, 5.0}) {
+      double energy = figures_of(mesh, mesh.positions).energy;
+      evolve(mesh, LocalOffset{.band = band, .enough = 0.0}, {.max_sweeps = 40},
+             [&](const SweepRecord& record) {
+               EXPECT_LE(record.energy, energy);
+               energy = record.energy;
+               return true;
+             });
+    }
+  }
+}
+
+TEST(LocalOffset, EndsWithVerticesOnTheBandWhereThatIsSmall) {
+  // As printed the first vertex on the band would be tried for ever.
+  const TriMesh mesh = dented_cylinder(4.0);
+  for (const double band : {1e-3, 0.3, 1.0}) {
+    const auto result = evolve(mesh, LocalOffset{.band = band}, k_to_the_end);
+    EXPECT_EQ(result.stop, StopReason::stalled) << band;
+    EXPECT_GT(e_max_of(mesh, result.positions), 1e-2) << band;
+    std::size_t on_band = 0;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+      on_band += norm(result.positions[v] - mesh.positions[v]) > 0.999 * band;
+    EXPECT_GT(on_band, 10U) << band;
+  }
+}
+
+TEST(LocalOffset, BringsEveryDefectToAHundredthWhereTheBandHasRoom) {
+  for (const double dent : {0.5, 1.0, 2.0}) {
+    const TriMesh mesh = dented_cylinder(dent);
+    ASSERT_GT(e_max_of(mesh, mesh.positions), 0.03);
+    const auto result = evolve(mesh, LocalOffset{}, k_to_the_end);
+    EXPECT_EQ(result.stop, StopReason::converged);
+    EXPECT_LE(e_max_of(mesh, result.positions), 1e-2);
+  }
+}
+
+TEST(LocalOffset, LeavesADefectOfAtMostEnoughAlone) {
+  const TriMesh mesh = make_shape("panel", 900);
+  const double e_max = e_max_of(mesh, mesh.positions);
+  const auto result = evolve(mesh, LocalOffset{.enough = 1.001 * e_max});
+  EXPECT_EQ(result.positions, mesh.positions);
+  EXPECT_EQ(result.stop, StopReason::converged);
+}
+
+TEST(LocalOffset, TriesNoMoreVerticesThanAllowed) {
+  const TriMesh mesh = meshes::rough_grid(12, 12, 3);
+  for (const int tries : {0, 20, 150}) {
+    const auto result = evolve(mesh, LocalOffset{.max_updates = tries}, k_to_the_end);
+    std::size_t moved = 0;
+    for (const SweepRecord& record : result.history)
+      moved += record.moved;
+    EXPECT_LE(moved, static_cast<std::size_t>(tries));
+    EXPECT_GE(moved, static_cast<std::size_t>(tries) / 3);
+    EXPECT_EQ(result.stop, StopReason::stalled);
+  }
+}
+
+TEST(LocalOffset, GivesTheSameBitsEveryTime) {
+  const TriMesh mesh = make_shape("panel", 2000);
+  const LocalOffset method{.enough = 1e-3};
+  const auto one = evolve(mesh, method, {.max_sweeps = 5}, {}, 1);
+  for (const unsigned threads : {1U, 2U, 4U})
+    EXPECT_EQ(evolve(mesh, method, {.max_sweeps = 5}, {}, threads).positions, one.positions);
+}
+
+TEST(LocalOffset, DoesNotDependOnTheSizeOfTheModel) {
+  const TriMesh mesh = meshes::rough_grid(10, 10, 12);
+  const auto after = evolve(mesh, LocalOffset{.band = 0.3}, {.max_sweeps = 5});
+  for (const double size : {0x1p-400, 0x1p+40, 0x1p+700}) {
+    TriMesh scaled = mesh;
+    for (Vec3& p : scaled.positions)
+      p = size * p;
+    const auto scaled_after = evolve(scaled, LocalOffset{.band = 0.3 * size}, {.max_sweeps = 5});
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      ASSERT_EQ(scaled_after.positions[v], size * after.positions[v]) << size;
+    }
+  }
+}
+
+TEST(LocalOffset, SurvivesASpikeAMillionTimesTheSizeOfThePatch) {
+  TriMesh mesh = meshes::rough_grid(8, 8, 2);
+  mesh.positions[40] = {1e6, -2e6, 3e6};
+  for (const double band : {0.0, 1e300, std::numeric_limits<double>::infinity()}) {
+    const auto result = evolve(mesh, LocalOffset{.band = band}, {.max_sweeps = 20});
+    for (const Vec3 p : result.positions)
+      EXPECT_TRUE(std::isfinite(p.x + p.y + p.z));
+    EXPECT_LT(figures_of(mesh, result.positions).energy, figures_of(mesh, mesh.positions).energy);
+  }
+}
+
+}  // namespace
+}  // namespace planish

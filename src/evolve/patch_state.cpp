@@ -12,7 +12,7 @@ namespace planish {
 
 PatchState::PatchState(const TriMesh& mesh, const Connectivity& connectivity, ThreadPool& pool,
                        const Constraints& constraints)
-    : origins_(mesh.positions), weights_(constraints.weights) {
+    : origins_(mesh.positions), mesh_triangles_(mesh.triangles), weights_(constraints.weights) {
   const auto inner = connectivity.inner_vertices();
   Box box = bounding_box(origins_, inner, pool);
   std::vector<Index> border;
@@ -125,6 +125,18 @@ Flattenability PatchState::measure(ThreadPool& pool) {
   if (inner_count() > 0)
     figures.e_avg = figures.sum_abs_defect / static_cast<double>(inner_count());
   return figures;
+}
+
+std::vector<Triangle> PatchState::triangles() const {
+  std::vector<Index> number_of(origins_.size(), 0);
+  for (std::size_t v = 0; v < vertex_count(); ++v)
+    number_of[vertex_of_[v]] = static_cast<Index>(v);
+  std::vector<Triangle> triangles(mesh_triangles_.begin(), mesh_triangles_.end());
+  for (Triangle& t : triangles) {
+    for (Index& v : t)
+      v = number_of[v];
+  }
+  return triangles;
 }
 
 std::vector<Vec3> PatchState::positions_in_mesh_order() const {

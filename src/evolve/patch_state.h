@@ -58,6 +58,8 @@ class PatchState {
   bool is_fixed(std::size_t v) const { return !fixed_.empty() && fixed_[v] != 0; }
   /// How dear moving the vertex is.
   double weight(std::size_t v) const { return weights_.empty() ? 1.0 : weights_[vertex_of_[v]]; }
+  /// The triangles, in the numbers here and the order of the mesh.
+  std::vector<Triangle> triangles() const;
   /// How a sweep visits the inner vertices.
   const VisitPlan& plan() const { return plan_; }
 
@@ -103,7 +105,8 @@ class PatchState {
   std::uint32_t time_of(Index color) const { return sweep_began_ + color; }
   DefectSums measure_visits(std::size_t begin, std::size_t end);
 
-  std::span<const Vec3> origins_;     // the mesh's positions
+  std::span<const Vec3> origins_;  // the mesh's positions
+  std::span<const Triangle> mesh_triangles_;
   std::vector<double> weights_;       // as in Constraints
   std::vector<unsigned char> fixed_;  // none where nothing is
   double scale_ = 1.0;

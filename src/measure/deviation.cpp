@@ -11,13 +11,14 @@ Deviation measure_deviation(const TriMesh& before, std::span<const Vec3> after,
                             const Connectivity& connectivity) {
   const double scale = unit_scale(before);
   CarefulSum squares;
-  double largest = 0.0;
-  for (const Index v : connectivity.inner_vertices()) {
+  double largest = 0.0, n = 0.0;
+  for (Index v = 0; v < connectivity.vertex_count(); ++v) {
+    if (!connectivity.is_inner(v) && after[v] == before.positions[v]) continue;
     const Vec3 moved = scale * after[v] - scale * before.positions[v];
     squares.add(dot(moved, moved));
     largest = std::max(largest, norm(moved));
+    n += 1.0;
   }
-  const auto n = static_cast<double>(connectivity.inner_vertices().size());
   Deviation deviation;
   if (n == 0.0) return deviation;
   const double rms = std::sqrt(squares.value() / n);

@@ -6,7 +6,8 @@
 
 namespace planish {
 
-/// How far inner vertices are from where they were, in model units.
+/// How far vertices are from where they were, in model units: all inner vertices, and those of the
+/// border that moved.
 struct Deviation {
   double rms = 0.0;
   double max = 0.0;

@@ -12,27 +12,12 @@
 
 #include "evolve/dual_system.h"
 #include "evolve/fairing.h"
+#include "evolve/places.h"
 #include "evolve/sweep.h"
 
 namespace planish {
 
 namespace {
-
-/// Places or moves of the inner vertices.
-using Places = std::vector<Vec3>;
-
-Places sum_of(Places a, double s, const Places& b) {
-  for (std::size_t v = 0; v < a.size(); ++v)
-    a[v] += s * b[v];
-  return a;
-}
-
-double norm_of(const Places& a) {
-  double sum = 0.0;
-  for (const Vec3 p : a)
-    sum += dot(p, p);
-  return std::sqrt(sum);
-}
 
 /// By inner vertex: what the user said, and what is asked for next to the border.
 std::vector<double> weights_of(const PatchState& state, double border_weight) {
@@ -43,6 +28,13 @@ std::vector<double> weights_of(const PatchState& state, double border_weight) {
     weights.push_back(state.weight(v++) * (at_border ? border_weight : 1.0));
   }
   return weights;
+}
+
+std::size_t count_differences(const Places& a, const Places& b) {
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < a.size(); ++v)
+    count += a[v] != b[v] ? 1 : 0;
+  return count;
 }
 
 class LeastNormStepper {
@@ -80,19 +72,6 @@ class LeastNormStepper {
            (steps_ >= options_.switch_after && last_e_max_ - e_max < options_.switch_fall);
   }
 
-  Places places() const {
-    Places x;
-    for (std::size_t v = 0; v < state_.inner_count(); ++v)
-      x.push_back(state_.position(v));
-    return x;
-  }
-  Eigen::VectorXd defects() const {
-    Eigen::VectorXd d(static_cast<Eigen::Index>(state_.inner_count()));
-    for (std::size_t v = 0; v < state_.inner_count(); ++v)
-      d[static_cast<Eigen::Index>(v)] = state_.defect(v);
-    return d;
-  }
-
   /// The least move, by weights, that turns the angle sums by as much as asked, as far as the
   /// damping that was factored with lets it: S A^T (A S A^T + mu D)^-1 turn.
   Places least_move(const Eigen::VectorXd& turn) const {
@@ -102,83 +81,60 @@ class LeastNormStepper {
     return move;
   }
 
-  /// Moves there if all places are numbers.
-  std::size_t move_to(const Places& x) {
-    const bool sound =
-        std::all_of(x.begin(), x.end(), [](Vec3 p) { return std::isfinite(dot(p, p)); });
-    std::size_t moved = 0;
-    for (Index v = 0; sound && v < x.size(); ++v) {
-      if (!jacobian_.is_movable(v) || x[v] == state_.position(v)) continue;
-      state_.move(v, x[v]);
-      ++moved;
-    }
-    return moved;
-  }
   double energy_at(const Places& x) {
-    move_to(x);
+    move_to(x, jacobian_, state_);
     return state_.measure(pool_).energy;
-  }
-
-  /// Mean and shortest length of the edges at a vertex.
-  struct EdgeLengths {
-    double mean = 0.0, shortest = std::numeric_limits<double>::infinity();
-  };
-  EdgeLengths edges_at(Index v) const {
-    EdgeLengths lengths;
-    const auto ring = jacobian_.ring(v);
-    for (const Index w : ring) {
-      const double length = norm(state_.position(w) - state_.position(v));
-      lengths.mean += length / static_cast<double>(ring.size());
-      lengths.shortest = std::min(lengths.shortest, length);
-    }
-    return lengths;
   }
 
   SweepOutcome faired_step() {
     if (!dual_.factor(squeeze_, fairing_damping_)) return {};
-    Places x = places();
-    const Places move = least_move(defects());
+    Places x = inner_places(state_);
+    const Places move = least_move(inner_defects(state_));
     for (Index v = 0; v < x.size(); ++v) {
       // Where the matrix is nearly singular a vertex would fly off; a mean edge is far enough.
-      const double length = norm(move[v]), most = edges_at(v).mean;
+      const double length = norm(move[v]), most = edges_at(v, jacobian_, state_).mean;
       x[v] += (length > most ? most / length : 1.0) * move[v];
     }
-    return {move_to(fairing_->apply(std::move(x)))};
+    return {move_to(fairing_->apply(std::move(x)), jacobian_, state_)};
   }
 
   /// A move and how its end bends: along it the places are x + t first + t^2/2 second.
   struct Curve {
     Places first, second;
+    double length;  // of the least move before any vertex was stopped
     Places at(const Places& x, double t) const {
       return sum_of(sum_of(x, t, first), 0.5 * t * t, second);
     }
   };
 
+  /// The move with every vertex stopped at so much of its shortest edge: a few needles must not
+  /// hold up the rest.
+  Places stopped(Places move) const {
+    for (Index v = 0; v < move.size(); ++v) {
+      const double length = norm(move[v]),
+                   most = options_.max_step * edges_at(v, jacobian_, state_).shortest;
+      if (length > most) move[v] = (most / length) * move[v];
+    }
+    return move;
+  }
+
   /// The least move, bent so that the angle sums go on straight to second order (geodesic
   /// acceleration, Transtrum and Sethna 2012): the second derivative of the angle sums along the
   /// move is what one look ahead shows them to miss.
-  Curve least_curve(const Places& x, double longest) {
+  Curve least_curve(const Places& x) {
     constexpr double look = 0.2, most_bend = 0.5;
-    const Eigen::VectorXd d = defects();
-    Curve curve{least_move(d), Places(x.size())};
-    const double t = look * std::min(1.0, longest / largest_share(curve.first));
-    move_to(sum_of(x, t, curve.first));
+    const Eigen::VectorXd d = inner_defects(state_);
+    const Places move = least_move(d);
+    Curve curve{stopped(move), Places(x.size()), norm_of(move)};
+    move_to(sum_of(x, look, curve.first), jacobian_, state_);
     state_.measure(pool_);
-    const Eigen::VectorXd missed = defects() - d + t * jacobian_.times(curve.first);
-    move_to(x);
-    const Places second = least_move((2.0 / (t * t)) * missed);
+    const Eigen::VectorXd missed = inner_defects(state_) - d + look * jacobian_.times(curve.first);
+    move_to(x, jacobian_, state_);
+    const Places second = least_move((2.0 / (look * look)) * missed);
     const double bend = norm_of(second), limit = most_bend * norm_of(curve.first);
     if (std::isfinite(bend))
-      curve.second = sum_of(curve.second, bend > limit ? limit / bend : 1.0, second);
+      curve.second = stopped(sum_of(curve.second, bend > limit ? limit / bend : 1.0, second));
     return curve;
-  }
-
-  /// The largest move of a vertex as a share of its shortest edge.
-  double largest_share(const Places& move) const {
-    double largest = std::numeric_limits<double>::min();
-    for (Index v = 0; v < move.size(); ++v)
-      largest = std::max(largest, norm(move[v]) / edges_at(v).shortest);
-    return largest;
   }
 
   /// Levenberg and Marquardt's step, halved until the energy falls. The damping follows what the
@@ -186,38 +142,29 @@ class LeastNormStepper {
   SweepOutcome direct_step(double energy) {
     constexpr int most_dampings = 6, most_halvings = 10;
     constexpr double least_fall = 1e-4, ease = 0.25, tighten = 4.0;
-    const Places x = places();
+    const Places x = inner_places(state_);
     for (int i = 0; i < most_dampings; ++i, damping_ *= 10.0) {
       if (!dual_.factor(squeeze_, damping_)) continue;
-      const Curve curve = least_curve(x, options_.max_step);
-      double share = std::min(1.0, options_.max_step / largest_share(curve.first));
+      const Curve curve = least_curve(x);
+      double share = 1.0;
       for (int halvings = 0; halvings < most_halvings; ++halvings, share *= 0.5) {
         const Places trial = curve.at(x, share);
         if (!(energy_at(trial) < energy * (1.0 - least_fall * share))) continue;
         if (halvings == 0) damping_ = std::max(ease * damping_, 1e-12);
         if (halvings >= 2) damping_ = std::min(tighten * damping_, 10.0);
-        return {moved_from(x), share * norm_of(curve.first) <= smallest_move()};
+        const std::size_t moved = count_differences(x, trial);
+        return {moved, halvings == 0 && curve.length <= smallest_move()};
       }
-      move_to(x);
+      move_to(x, jacobian_, state_);
       state_.measure(pool_);
     }
     return {};
   }
 
-  std::size_t moved_from(const Places& x) const {
-    std::size_t moved = 0;
-    for (std::size_t v = 0; v < x.size(); ++v)
-      moved += x[v] != state_.position(v) ? 1 : 0;
-    return moved;
-  }
-
   /// The norm of a move whose rms is as small as asked.
   double smallest_move() const {
-    double edges = 0.0;
-    for (Index v = 0; v < state_.inner_count(); ++v)
-      edges += edges_at(v).mean;
-    const auto count = static_cast<double>(state_.inner_count());
-    return options_.min_step * (edges / count) * std::sqrt(count);
+    const double rms = options_.min_step * mean_edge(jacobian_, state_);
+    return rms * std::sqrt(static_cast<double>(state_.inner_count()));
   }
 
   LeastNorm options_;

@@ -23,6 +23,7 @@ using Sweep = std::function<SweepOutcome()>;
 /// One per method, each in the source file of its name. State and pool must outlive the sweep.
 Sweep make_sweep(const ClassicalLaplacian& options, PatchState& state, ThreadPool& pool);
 Sweep make_sweep(const ControllableLaplacian& options, PatchState& state, ThreadPool& pool);
+Sweep make_sweep(const FlattenableLaplacian& options, PatchState& state, ThreadPool& pool);
 Sweep make_sweep(const LeastNorm& options, PatchState& state, ThreadPool& pool);
 Sweep make_sweep(const LocalOffset& options, PatchState& state, ThreadPool& pool);
 Sweep make_sweep(const GlobalPenalty& options, PatchState& state, ThreadPool& pool);

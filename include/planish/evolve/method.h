@@ -5,6 +5,7 @@
 
 #include <planish/evolve/classical_laplacian.h>
 #include <planish/evolve/controllable_laplacian.h>
+#include <planish/evolve/flattenable_laplacian.h>
 #include <planish/evolve/global_penalty.h>
 #include <planish/evolve/least_norm.h>
 #include <planish/evolve/local_offset.h>
@@ -19,8 +20,8 @@ namespace planish {
 /// and describe(options, visit) describes its options, once, for command line, JSON, bindings and
 /// docs: it calls visit(name, member, doc, range) for numbers and visit(name, member, doc) for
 /// enumerations.
-using Method =
-    std::variant<ControllableLaplacian, ClassicalLaplacian, LeastNorm, LocalOffset, GlobalPenalty>;
+using Method = std::variant<ControllableLaplacian, ClassicalLaplacian, LeastNorm,
+                            FlattenableLaplacian, LocalOffset, GlobalPenalty>;
 
 /// As in "controllable".
 std::string_view name_of(const Method& method);

@@ -44,6 +44,8 @@ std::string_view to_string(ErrorCode code) {
       return "non_orientable";
     case ErrorCode::closed_surface:
       return "closed_surface";
+    case ErrorCode::open_surface:
+      return "open_surface";
     case ErrorCode::several_components:
       return "several_components";
     case ErrorCode::several_border_loops:

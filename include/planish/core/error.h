@@ -33,6 +33,7 @@ enum class ErrorCode {
   inconsistent_orientation,
   non_orientable,
   closed_surface,
+  open_surface,
   several_components,
   several_border_loops,
   handles,

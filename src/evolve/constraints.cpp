@@ -5,6 +5,8 @@
 #include <planish/core/error.h>
 #include <planish/evolve/constraints.h>
 
+#include "mesh/signed_distance.h"
+
 namespace planish {
 
 bool honours_weights(const Method& method) {
@@ -56,6 +58,7 @@ void check_constraints(const Constraints& constraints, std::size_t vertex_count,
   if (!constraints.weights.empty() && !honours_weights(method)) refuse(method, "weights");
   if (!constraints.obstacle.triangles.empty() && !honours_obstacle(method))
     refuse(method, "an obstacle");
+  if (!constraints.obstacle.triangles.empty()) require_closed(constraints.obstacle, "the obstacle");
 }
 
 }  // namespace planish

@@ -27,6 +27,9 @@ PatchState::PatchState(const TriMesh& mesh, const Connectivity& connectivity, Th
   plan_ = plan_for(connectivity, inner.size(), box, pool);
   place_vertices(pool);
   fix(constraints.fixed);
+  obstacle_ = constraints.obstacle;
+  for (Vec3& p : obstacle_.positions)
+    p = scale_ * p;
   changed_at_.assign(inner_count(), 0);
   measure(pool);
 }

@@ -60,6 +60,8 @@ class PatchState {
   double weight(std::size_t v) const { return weights_.empty() ? 1.0 : weights_[vertex_of_[v]]; }
   /// The triangles, in the numbers here and the order of the mesh.
   std::vector<Triangle> triangles() const;
+  /// What is not to be entered, in the units in here; without triangles where there is nothing.
+  const TriMesh& obstacle() const { return obstacle_; }
   /// How a sweep visits the inner vertices.
   const VisitPlan& plan() const { return plan_; }
 
@@ -108,6 +110,8 @@ class PatchState {
   std::span<const Vec3> origins_;  // the mesh's positions
   std::span<const Triangle> mesh_triangles_;
   std::vector<double> weights_;       // as in Constraints
+  std::vector<double> weights_;    // as in Constraints
+  TriMesh obstacle_;
   std::vector<unsigned char> fixed_;  // none where nothing is
   double scale_ = 1.0;
   std::vector<Index> vertex_of_;           // number in the mesh

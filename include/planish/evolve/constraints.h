@@ -21,7 +21,8 @@ bool honours_weights(const Method& method);
 bool honours_obstacle(const Method& method);
 
 /// @throws Error index_out_of_range, option_out_of_range for weights that are too few or not above
-///   0, unsupported_constraint for what the method cannot honour
+///   0, unsupported_constraint for what the method cannot honour, and for an obstacle that does not
+///   tell its inside from its outside the code of its fault, as open_surface
 void check_constraints(const Constraints& constraints, std::size_t vertex_count,
                        const Method& method);
 

@@ -9,6 +9,7 @@
 #include <planish/evolve/global_penalty.h>
 #include <planish/evolve/least_norm.h>
 #include <planish/evolve/local_offset.h>
+#include <planish/evolve/local_perturbation.h>
 
 namespace planish {
 
@@ -21,7 +22,7 @@ namespace planish {
 /// docs: it calls visit(name, member, doc, range) for numbers and visit(name, member, doc) for
 /// enumerations.
 using Method = std::variant<ControllableLaplacian, ClassicalLaplacian, LeastNorm,
-                            FlattenableLaplacian, LocalOffset, GlobalPenalty>;
+                            FlattenableLaplacian, LocalOffset, GlobalPenalty, LocalPerturbation>;
 
 /// As in "controllable".
 std::string_view name_of(const Method& method);

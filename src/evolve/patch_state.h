@@ -109,8 +109,7 @@ class PatchState {
 
   std::span<const Vec3> origins_;  // the mesh's positions
   std::span<const Triangle> mesh_triangles_;
-  std::vector<double> weights_;       // as in Constraints
-  std::vector<double> weights_;    // as in Constraints
+  std::vector<double> weights_;  // as in Constraints
   TriMesh obstacle_;
   std::vector<unsigned char> fixed_;  // none where nothing is
   double scale_ = 1.0;

@@ -3,20 +3,20 @@
 // brings all angle sums near it to 2 pi, to first order.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
 
 #include <planish/evolve/method.h>
 
+#include "evolve/allowed_moves.h"
 #include "evolve/local_region.h"
 #include "evolve/local_step.h"
 #include "evolve/sweep.h"
 #include "measure/lanes/star_defects.h"
-#include "mesh/signed_distance.h"
 
 namespace planish {
 
@@ -29,6 +29,12 @@ constexpr int k_patience = 10;
 /// No vertex moves further at once than this share of the smallest height of its triangles. So
 /// each of them keeps more than half of its own.
 constexpr double k_longest_move = 0.1;
+
+/// No step may make a defect larger than so many times the largest when the round began.
+constexpr double k_blow_up = 4.0;
+/// What share of the largest eigenvalue an eigenvalue must have to count, and what it must where
+/// the step with all of these blows up.
+constexpr std::array k_rank_thresholds = {1e-5, 1e-4, 1e-3, 1e-2};
 
 /// The smallest height of the triangle 0, a, b.
 double smallest_height(Vec3 a, Vec3 b) {
@@ -64,29 +70,27 @@ class LocalPerturber {
 
  private:
   Vec3 position(Index v) const { return {sites_[v].x, sites_[v].y, sites_[v].z}; }
-  bool is_inside(Index v) const { return obstacle_ && distance_at(position(v)) < clearance_; }
-  double distance_at(Vec3 p) const { return obstacle_->at(p).value; }
   Merit merit() const;
   bool is_done() const {
     return (best_.inside == 0 && best_.e_max <= options_.enough) || idle_rounds_ >= k_patience;
   }
 
-  void take_all_above(double size);
-  LocalRegion take(Index center);
-  void step(const LocalRegion& region);
+  void take_all_above(double size, double most);
+  LocalRegion take(Index center, double most);
+  void step(const LocalRegion& region, double most);
   LocalStep problem_of(const LocalRegion& region) const;
   void add_obstacle(const LocalRegion& region, LocalStep& problem) const;
-  double longest_move(Index v) const;
-  Vec3 target_of(Index v, Vec3 move) const;
-  Vec3 away_from_obstacle(Vec3 from, Vec3 target, double longest) const;
+  double smallest_height_at(Index v) const;
+  std::vector<Vec3> targets_of(const LocalRegion& region, const Eigen::VectorXd& moves) const;
+  void move_to(const LocalRegion& region, const std::vector<Vec3>& targets);
+  double worst_of(const LocalRegion& region) const;
   void keep_if_best();
 
   LocalPerturbation options_;
   PatchState& state_;
   std::vector<std::span<const Index>> rings_;
   std::vector<Site> sites_;
-  double clearance_, radius_;
-  std::optional<SignedDistance> obstacle_;
+  AllowedMoves allowed_;
   std::vector<Index> inside_;  // the movable vertices that are still too near to the obstacle
   Merit best_;
   int idle_rounds_ = 0;
@@ -98,11 +102,9 @@ LocalPerturber::LocalPerturber(const LocalPerturbation& options, PatchState& sta
       state_(state),
       rings_(rings_by_vertex(state.plan())),
       sites_(state.sites().begin(), state.sites().end()),
-      clearance_(options.clearance * state.scale()),
-      radius_(options.max_deviation * state.scale()) {
-  if (!state.obstacle().triangles.empty()) obstacle_.emplace(state.obstacle());
+      allowed_(state, options.clearance * state.scale(), options.max_deviation * state.scale()) {
   for (Index v = 0; v < rings_.size(); ++v) {
-    if (!state.is_fixed(v) && is_inside(v)) inside_.push_back(v);
+    if (!state.is_fixed(v) && allowed_.is_too_near(position(v))) inside_.push_back(v);
   }
   best_ = merit();
 }
@@ -117,11 +119,13 @@ Merit LocalPerturber::merit() const {
 SweepOutcome LocalPerturber::round() {
   if (is_done()) return {0, true};
   const std::vector<Site> before = sites_;
+  // To get out is worth any defect.
   for (const Index v : inside_) {
-    if (is_inside(v)) take(v);
+    if (allowed_.is_too_near(position(v))) take(v, std::numeric_limits<double>::infinity());
   }
-  take_all_above(0.5 * merit().e_max);
-  std::erase_if(inside_, [this](Index v) { return !is_inside(v); });
+  const double e_max = merit().e_max;
+  take_all_above(0.5 * e_max, k_blow_up * e_max);
+  std::erase_if(inside_, [this](Index v) { return !allowed_.is_too_near(position(v)); });
   keep_if_best();
   std::size_t moved = 0;
   for (std::size_t v = 0; v < rings_.size(); ++v)
@@ -129,7 +133,7 @@ SweepOutcome LocalPerturber::round() {
   return {moved, is_done()};
 }
 
-void LocalPerturber::take_all_above(double size) {
+void LocalPerturber::take_all_above(double size, double most) {
   std::vector<unsigned char> visits(rings_.size(), 0);
   std::priority_queue<Waiting> queue;
   const auto add = [&](Index v) {
@@ -144,26 +148,46 @@ void LocalPerturber::take_all_above(double size) {
     // Changed since it was put there, and then it is there once more; or taken often enough.
     if (top.size != std::abs(sites_[top.vertex].defect) || visits[top.vertex] >= k_visits) continue;
     ++visits[top.vertex];
-    for (const Index v : take(top.vertex).constrained)
+    for (const Index v : take(top.vertex, most).constrained)
       add(v);
   }
 }
 
-LocalRegion LocalPerturber::take(Index center) {
+LocalRegion LocalPerturber::take(Index center, double most) {
   LocalRegion region = region_around(center, options_.rings, rings_,
                                      [this](Index v) { return !state_.is_fixed(v); });
   for (int i = 0; i < options_.inner_steps && !region.active.empty(); ++i)
-    step(region);
+    step(region, most);
   return region;
 }
 
-void LocalPerturber::step(const LocalRegion& region) {
-  const Eigen::VectorXd solved = options_.damping * problem_of(region).solve();
+/// One damped step, or a cruder one, or none: no defect gets larger than `most`.
+void LocalPerturber::step(const LocalRegion& region, double most) {
+  const LocalStep problem = problem_of(region);
+  const double bound = std::max(most, worst_of(region));
+  std::vector<Vec3> before;
+  for (const Index v : region.active)
+    before.push_back(position(v));
+  for (const double threshold : k_rank_thresholds) {
+    move_to(region, targets_of(region, options_.damping * problem.solve(threshold)));
+    if (worst_of(region) <= bound) return;
+    move_to(region, before);
+  }
+}
+
+std::vector<Vec3> LocalPerturber::targets_of(const LocalRegion& region,
+                                             const Eigen::VectorXd& moves) const {
   std::vector<Vec3> targets;
   for (std::size_t i = 0; i < region.active.size(); ++i) {
+    const Index v = region.active[i];
     const auto at = static_cast<Eigen::Index>(3 * i);
-    targets.push_back(target_of(region.active[i], {solved[at], solved[at + 1], solved[at + 2]}));
+    targets.push_back(allowed_.target_of(v, position(v), {moves[at], moves[at + 1], moves[at + 2]},
+                                         k_longest_move * smallest_height_at(v)));
   }
+  return targets;
+}
+
+void LocalPerturber::move_to(const LocalRegion& region, const std::vector<Vec3>& targets) {
   for (std::size_t i = 0; i < targets.size(); ++i) {
     Site& site = sites_[region.active[i]];
     site.x = targets[i].x, site.y = targets[i].y, site.z = targets[i].z;
@@ -172,6 +196,13 @@ void LocalPerturber::step(const LocalRegion& region) {
     const Star star{rings_[v].data(), v};
     star_defects_(sites_.data(), &star, 1, rings_[v].size(), &sites_[v].defect);
   }
+}
+
+double LocalPerturber::worst_of(const LocalRegion& region) const {
+  double worst = 0.0;
+  for (const Index v : region.constrained)
+    worst = std::max(worst, std::abs(sites_[v].defect));
+  return worst;
 }
 
 LocalStep LocalPerturber::problem_of(const LocalRegion& region) const {
@@ -190,28 +221,28 @@ LocalStep LocalPerturber::problem_of(const LocalRegion& region) const {
     problem.pull.segment<3>(at) << pull.x, pull.y, pull.z;
     problem.weights.segment<3>(at).setConstant(state_.weight(v));
   }
-  if (obstacle_) add_obstacle(region, problem);
+  add_obstacle(region, problem);
   return problem;
 }
 
 /// A row for every vertex that could reach the obstacle: (v + step - h) n >= clearance, h the
-/// closest point. In units of the longest move, so that it is about as large as an angle's row.
+/// closest point. In units of the local height, so that it is about as large as an angle's row.
 void LocalPerturber::add_obstacle(const LocalRegion& region, LocalStep& problem) const {
   for (std::size_t i = 0; i < region.active.size(); ++i) {
     const Index v = region.active[i];
-    const double reach = longest_move(v) / k_longest_move;
-    const Distance distance = obstacle_->at(position(v));
-    if (!(reach > 0.0) || distance.value - clearance_ > reach) continue;
+    const double height = smallest_height_at(v);
+    const auto half_space = allowed_.half_space(position(v), height);
+    if (!half_space || !(height > 0.0)) continue;
     const Eigen::Index row = problem.rows.rows(), column = static_cast<Eigen::Index>(3 * i);
     problem.rows.conservativeResizeLike(Eigen::MatrixXd::Zero(row + 1, problem.rows.cols()));
     problem.sides.conservativeResize(row + 1);
-    const Vec3 normal = (1.0 / reach) * distance.gradient;
+    const Vec3 normal = (1.0 / height) * half_space->normal;
     problem.rows.row(row).segment<3>(column) << normal.x, normal.y, normal.z;
-    problem.sides[row] = (clearance_ - distance.value) / reach;
+    problem.sides[row] = half_space->least / height;
   }
 }
 
-double LocalPerturber::longest_move(Index v) const {
+double LocalPerturber::smallest_height_at(Index v) const {
   const auto ring = rings_[v];
   const Vec3 x = position(v);
   double height = std::numeric_limits<double>::infinity();
@@ -221,37 +252,7 @@ double LocalPerturber::longest_move(Index v) const {
     height = std::min(height, smallest_height(last, next));
     last = next;
   }
-  return k_longest_move * height;
-}
-
-/// Where a vertex goes that is to move so: as far as it may, and not where it must not be.
-Vec3 LocalPerturber::target_of(Index v, Vec3 move) const {
-  const Vec3 x = position(v);
-  const double longest = longest_move(v), length = norm(move);
-  if (!std::isfinite(length)) return x;
-  Vec3 target = x + std::min(1.0, length > 0.0 ? longest / length : 1.0) * move;
-  if (obstacle_) target = away_from_obstacle(x, target, longest);
-  const Interval steps = within_sphere({0.0, 1.0}, x, target - x, state_.origin(v), radius_);
-  target = x + steps.high * (target - x);
-  if (norm(target - state_.origin(v)) > radius_) return x;
-  // Whatever was done before, no vertex gets nearer to the obstacle than it may be.
-  if (obstacle_ && distance_at(target) < std::min(clearance_, distance_at(x))) return x;
-  return target;
-}
-
-/// The target, or if the obstacle is in the way a place beside it, not further from where the
-/// vertex is than `longest`.
-Vec3 LocalPerturber::away_from_obstacle(Vec3 from, Vec3 target, double longest) const {
-  constexpr int k_tries = 4;           // corners have several faces
-  const double hair = 1e-6 * longest;  // else rounding would put it inside again
-  for (int i = 0; i < k_tries; ++i) {
-    const Distance distance = obstacle_->at(target);
-    if (distance.value >= clearance_) break;
-    target += (clearance_ + hair - distance.value) * distance.gradient;
-    const double length = norm(target - from);
-    if (length > longest) target = from + (longest / length) * (target - from);
-  }
-  return target;
+  return height;
 }
 
 void LocalPerturber::keep_if_best() {

@@ -12,14 +12,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Rows = std::vector<Eigen::Index>;
 
-/// Eigenvalues below this share of the largest count as 0.
-constexpr double k_rank_threshold = 1e-5;
-
 /// The shortest solution of the symmetric positive semidefinite system, in least squares.
-VectorXd pseudo_solve(const MatrixXd& gram, const VectorXd& side) {
+VectorXd pseudo_solve(const MatrixXd& gram, const VectorXd& side, double rank_threshold) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram);
   const VectorXd& values = eigen.eigenvalues();  // ascending
-  const double least = k_rank_threshold * values[values.size() - 1];
+  const double least = rank_threshold * values[values.size() - 1];
   VectorXd shares = eigen.eigenvectors().transpose() * side;
   for (Eigen::Index i = 0; i < values.size(); ++i)
     shares[i] = values[i] > least ? shares[i] / values[i] : 0.0;
@@ -28,7 +25,7 @@ VectorXd pseudo_solve(const MatrixXd& gram, const VectorXd& side) {
 
 }  // namespace
 
-VectorXd LocalStep::solve() const {
+VectorXd LocalStep::solve(double rank_threshold) const {
   constexpr int k_most_tries = 20;
   constexpr double k_slack = 1e-12;
   // In y = W step all coordinates are equally dear.
@@ -44,7 +41,8 @@ VectorXd LocalStep::solve() const {
   for (int attempt = 0; attempt < k_most_tries; ++attempt) {
     VectorXd multipliers = VectorXd::Zero(rows.rows());
     if (!in_force.empty())
-      multipliers(in_force) = pseudo_solve(gram(in_force, in_force), missing(in_force));
+      multipliers(in_force) =
+          pseudo_solve(gram(in_force, in_force), missing(in_force), rank_threshold);
     step = inverse.cwiseProduct(start - scaled.transpose() * multipliers);
     Rows next(in_force.begin(), in_force.begin() + equations);
     for (Eigen::Index i = equations; i < rows.rows(); ++i) {

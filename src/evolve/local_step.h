@@ -23,7 +23,9 @@ struct LocalStep {
   /// conserves their total), they are met as well as can be in least squares. Inequalities come in
   /// and leave as an active set does; where that finds no end, after some twenty tries, the last
   /// one is returned and may break some.
-  Eigen::VectorXd solve() const;
+  /// @param rank_threshold eigenvalues of rows W^-2 rows^T below this share of the largest count as
+  ///   0, and what they stand for is left out
+  Eigen::VectorXd solve(double rank_threshold) const;
 };
 
 }  // namespace planish

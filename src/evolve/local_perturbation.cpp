@@ -71,9 +71,7 @@ class LocalPerturber {
  private:
   Vec3 position(Index v) const { return {sites_[v].x, sites_[v].y, sites_[v].z}; }
   Merit merit() const;
-  bool is_done() const {
-    return (best_.inside == 0 && best_.e_max <= options_.enough) || idle_rounds_ >= k_patience;
-  }
+  bool is_enough() const { return best_.inside == 0 && best_.e_max <= options_.enough; }
 
   void take_all_above(double size, double most);
   LocalRegion take(Index center, double most);
@@ -117,7 +115,8 @@ Merit LocalPerturber::merit() const {
 }
 
 SweepOutcome LocalPerturber::round() {
-  if (is_done()) return {0, true};
+  if (is_enough()) return {0, true};
+  if (idle_rounds_ >= k_patience) return {};
   const std::vector<Site> before = sites_;
   // To get out is worth any defect.
   for (const Index v : inside_) {
@@ -130,7 +129,7 @@ SweepOutcome LocalPerturber::round() {
   std::size_t moved = 0;
   for (std::size_t v = 0; v < rings_.size(); ++v)
     moved += before[v].x != sites_[v].x || before[v].y != sites_[v].y || before[v].z != sites_[v].z;
-  return {moved, is_done()};
+  return {idle_rounds_ < k_patience ? moved : 0, is_enough()};
 }
 
 void LocalPerturber::take_all_above(double size, double most) {

@@ -12,6 +12,7 @@
 
 #include <planish/evolve/evolve.h>
 #include <planish/io/read_mesh.h>
+#include <planish/measure/deviation.h>
 #include <planish/measure/flattenability.h>
 #include <planish/mesh/inspect.h>
 #include <planish/unfold/strain.h>
@@ -167,6 +168,63 @@ TEST(Patches, TenControllableSweepsReachWhatAStudyReached) {
     }
   }
   EXPECT_EQ(classical_raised_e_max, !patches().empty());
+}
+
+TEST(Patches, LeastNormReachesWhatAStudyReachedInFiftySteps) {
+  // e_max, and the rms deviation in percent of the diagonal over all vertices, where it is known.
+  struct Bound {
+    std::string name;
+    double e_max, deviation;
+  };
+  constexpr double unknown = 100.0, rounding = 0.07;
+  const std::vector<Bound> bounds{
+      {"gc_front_4k.obj", 1.1e-5, 1.4},      {"car_bonnet_4k.obj", 3.5e-5, 1.1},
+      {"mhf_knee_1k.obj", 3e-9, 1.6},        {"gc_back_5k.obj", 2.5e-4, unknown},
+      {"shoe_vamp_4k.obj", 2.2e-4, unknown}, {"boat_hull_5k.obj", 4.6e-4, 0.8}};
+  for (const PatchFacts& facts : patches()) {
+    for (const Bound& bound : bounds) {
+      if (facts.name != bound.name) continue;
+      const TriMesh mesh = read_mesh(facts.path).mesh;
+      const Connectivity connectivity(mesh);
+      const auto result = evolve(mesh, LeastNorm{}, {.max_sweeps = 50});
+      EXPECT_LE(measure({result.positions, mesh.triangles}, connectivity).e_max, bound.e_max)
+          << facts.name;
+      const Deviation deviation = measure_deviation(mesh, result.positions, connectivity);
+      const double inner = static_cast<double>(connectivity.inner_vertices().size());
+      EXPECT_LE(100.0 * deviation.rms_over_diagonal * std::sqrt(inner / facts.vertices),
+                bound.deviation + rounding)
+          << facts.name;
+    }
+  }
+}
+
+TEST(Patches, FlattenableLaplacianStaysSmootherThanLeastNormAndIsSlower) {
+  for (const PatchFacts& facts : patches()) {
+    const auto is = [&](const char* name) { return facts.name == name; };
+    if (!is("mhf_knee_1k.obj") && !is("car_bonnet_4k.obj") && !is("gc_front_4k.obj")) continue;
+    const TriMesh mesh = read_mesh(facts.path).mesh;
+    const Connectivity connectivity(mesh);
+    const auto after = [&](const Method& method) {
+      return measure({evolve(mesh, method, {.max_sweeps = 50}).positions, mesh.triangles},
+                     connectivity);
+    };
+    const Flattenability fair = after(FlattenableLaplacian{}), least = after(LeastNorm{});
+    EXPECT_LT(fair.roughness, least.roughness) << facts.name;
+    EXPECT_LT(fair.energy, 0.5 * measure(mesh, connectivity).energy) << facts.name;
+    EXPECT_GT(fair.energy, least.energy) << facts.name;
+  }
+}
+
+TEST(Patches, LocalOffsetKeepsItsBandExactly) {
+  for (const PatchFacts& facts : small_patches()) {
+    const TriMesh mesh = read_mesh(facts.path).mesh;
+    const double band = 1e-3 * bounding_box_diagonal(mesh);
+    const auto result = evolve(mesh, LocalOffset{.band = band}, {.max_sweeps = 20});
+    std::size_t beyond = 0;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+      beyond += norm(result.positions[v] - mesh.positions[v]) > band ? 1 : 0;
+    EXPECT_EQ(beyond, 0U) << facts.name;
+  }
 }
 
 TEST(Patches, LocalPerturbationBringsNearlyFlattenableOnesFarDown) {

@@ -7,6 +7,7 @@
 
 #include "commands/commands.h"
 #include "compare_text.h"
+#include "constraint_flags.h"
 #include "failures.h"
 #include "method_flags.h"
 #include "output_folder.h"
@@ -48,7 +49,7 @@ Outcome run_compare(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   const std::string& path = arguments.operands.front();
   const std::vector<CompareRun> runs = runs_from(arguments);
-  const CompareOptions options = {.unit = unit_from(arguments), .threads = session.threads()};
+  CompareOptions options = {.unit = unit_from(arguments), .threads = session.threads()};
   const bool writes = arguments.has("--output");
   const fs::path folder = output_folder(arguments.value_or("--output", ""));
 
@@ -59,6 +60,7 @@ Outcome run_compare(const Arguments& arguments, Session& session) {
     return !session.interrupted();
   };
   const auto report = about(path, [&] {
+    options.constraints = constraints_from(arguments, input.mesh, session);
     return compare(std::move(input.mesh), fs::path(path).stem().string(), runs, options,
                    on_progress);
   });
@@ -95,7 +97,8 @@ Command compare_command() {
           {{"Output",
             {{"--output", "FOLDER", "where to write; without it nothing is written", 'o'},
              unit_flag()}},
-           compare_flags()},
+           compare_flags(),
+           constraint_flags()},
           {"planish compare panel.obj",
            "planish compare panel.obj --methods controllable,classical -o compared"},
           run_compare};

@@ -29,10 +29,13 @@ COLUMNS = [
 
 
 def ask(planish, patch, *flags, patience=None):
-    """What `planish compare` says of a patch."""
+    """What `planish compare` says of a patch; where every method failed it says why in each row."""
     command = [planish, "compare", patch, "--json", "--quiet", "--threads", "1", *flags]
-    run = subprocess.run(command, capture_output=True, text=True, check=True, timeout=patience)
-    return json.loads(run.stdout)
+    run = subprocess.run(command, capture_output=True, text=True, timeout=patience)
+    answer = json.loads(run.stdout)
+    if "runs" not in answer:
+        raise SystemExit(f"{patch}: {answer['error']['message']}")
+    return answer
 
 
 def kept(place, make):
@@ -77,7 +80,7 @@ def rows(name, answer):
     yield {**shared, "method": "input", **figures(answer["input"], answer["unfold_before"])}
     for run in answer["runs"]:
         row = {**shared, "method": run["method"]}
-        if run["error"]:
+        if "after" not in run:
             yield {**row, "verdict": run["error"]["message"]}
             continue
         row.update({k: run[k] for k in ("sweeps", "stop", "seconds", "verdict")})
@@ -86,7 +89,7 @@ def rows(name, answer):
 
 
 def rounded(row):
-    """Four digits are enough to compare by, and do not change with every build."""
+    """Four digits are enough to compare by."""
     return {k: f"{v:.4g}" if isinstance(v, float) else v for k, v in row.items()}
 
 
@@ -97,8 +100,8 @@ def main():
     table.writeheader()
     patches = [p for p in folder.iterdir() if p.suffix in (".obj", ".ply")]
     for patch in sorted(patches, key=lambda p: (p.stat().st_size, p.name)):
-        slow = kept(results / f"{patch.stem}-slow.json", lambda: answer_of_slow(planish, patch))
-        answer = kept(results / f"{patch.stem}.json", lambda: answer_of_others(planish, patch))
+        slow = kept(results / f"{patch.name}-slow.json", lambda: answer_of_slow(planish, patch))
+        answer = kept(results / f"{patch.name}.json", lambda: answer_of_others(planish, patch))
         answer["runs"] += slow
         table.writerows(map(rounded, rows(patch.stem, answer)))
         sys.stdout.flush()

@@ -99,9 +99,20 @@ std::vector<Flag> flags_of(Options options) {
   return std::move(maker.flags);
 }
 
+/// Those of Stopping. Without --sweeps each method takes as many as it usually does.
+std::vector<Flag> stopping_flags() {
+  std::vector<Flag> flags = flags_of(Stopping{});
+  for (Flag& flag : flags) {
+    if (flag.name == "--sweeps")
+      flag.doc = "at most so many sweeps (default: what each method usually takes)";
+  }
+  return flags;
+}
+
 struct MethodFlags {
   std::string method;
   std::vector<Flag> flags;
+  int usual_sweeps;
 
   bool has(std::string_view name) const {
     return std::any_of(flags.begin(), flags.end(), [&](const Flag& f) { return f.name == name; });
@@ -111,7 +122,8 @@ struct MethodFlags {
 template <std::size_t... I>
 std::vector<MethodFlags> flags_of_methods(std::index_sequence<I...>) {
   return {{std::string(std::variant_alternative_t<I, Method>::name),
-           flags_of(std::variant_alternative_t<I, Method>{})}...};
+           flags_of(std::variant_alternative_t<I, Method>{}),
+           std::variant_alternative_t<I, Method>::usual_sweeps}...};
 }
 
 /// The flags of each method, the default method first.
@@ -158,8 +170,8 @@ std::vector<FlagGroup> method_flags() {
   FlagGroup shared = {"How to evolve",
                       {{"--method", "NAME",
                         list_of(method_names()) + " (default " + methods.front().method + ")"}}};
-  for (const Flag& flag : flags_of(Stopping{}))
-    shared.flags.push_back(flag);
+  for (Flag& flag : stopping_flags())
+    shared.flags.push_back(std::move(flag));
 
   std::vector<FlagGroup> groups = {shared};
   const auto in_all = [&](const Flag& flag) {
@@ -167,7 +179,9 @@ std::vector<FlagGroup> method_flags() {
                        [&](const MethodFlags& method) { return method.has(flag.name); });
   };
   for (const MethodFlags& method : methods) {
-    FlagGroup own = {"With --method " + method.method, {}};
+    FlagGroup own = {"With --method " + method.method + " (" + std::to_string(method.usual_sweeps) +
+                         " sweeps unless told otherwise)",
+                     {}};
     for (const Flag& flag : method.flags) {
       if (!in_all(flag)) own.flags.push_back(flag);
       if (in_all(flag) && &method == &methods.front()) groups.front().flags.push_back(flag);
@@ -197,13 +211,8 @@ FlagGroup compare_flags() {
       "How to evolve",
       {{"--methods", "NAMES",
         "which, with commas between: " + list_of(method_names()) + " (default: all)"}}};
-  for (Flag flag : flags_of(Stopping{})) {
-    // Without it each method takes as many sweeps as it usually does.
-    if (flag.name == "--sweeps") {
-      flag.doc = "at most so many sweeps of each method (default: what each usually takes)";
-    }
+  for (Flag& flag : stopping_flags())
     group.flags.push_back(std::move(flag));
-  }
   return group;
 }
 

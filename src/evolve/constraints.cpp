@@ -36,11 +36,11 @@ void check_weights(const std::vector<double>& weights, std::size_t vertex_count)
                                                     " vertices; there must be one for each");
   }
   const auto bad = std::find_if(weights.begin(), weights.end(),
-                                [](double w) { return !(w > 0.0) || !std::isfinite(w); });
+                                [](double w) { return !(w >= 1e-6 && w <= 1e6); });
   if (bad == weights.end()) return;
   throw Error(ErrorCode::option_out_of_range, "the weight of vertex " +
                                                   std::to_string(bad - weights.begin()) +
-                                                  " must be a number above 0");
+                                                  " must be a number from 1e-6 to 1e6");
 }
 
 [[noreturn]] void refuse(const Method& method, const std::string& what) {

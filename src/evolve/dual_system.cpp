@@ -54,6 +54,14 @@ SparseMatrix lower_pattern(const Graph& graph) {
   return lower;
 }
 
+/// Of numbers of which there is at least one. Not their mean: rows grow as one over the square of
+/// the length of an edge, and one short edge must not damp the whole patch.
+double median(Eigen::VectorXd values) {
+  auto* middle = values.data() + values.size() / 2;
+  std::nth_element(values.data(), middle, values.data() + values.size());
+  return *middle;
+}
+
 std::vector<Vec3> inner_positions(const PatchState& state) {
   std::vector<Vec3> positions;
   for (std::size_t v = 0; v < state.inner_count(); ++v)
@@ -99,10 +107,12 @@ bool DualSystem::factor(std::span<const double> squeeze, double mu) {
         values[*place++] += dot(scaled, jacobian_.gradient(entries[j].entry));
     }
   }
-  const double mean = lower_.diagonal().mean();
-  if (!(mean > 0.0)) return false;
-  for (int v = 0; v < lower_.cols(); ++v)
-    values[lower_.outerIndexPtr()[v]] += mu * mean;
+  const double unit = median(lower_.diagonal());
+  if (!(unit > 0.0)) return false;
+  for (int v = 0; v < lower_.cols(); ++v) {
+    double& diagonal = values[lower_.outerIndexPtr()[v]];
+    diagonal += mu * unit;
+  }
   return solver_.factor(lower_);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 /// Of the angle between a and b; large, not infinite, where they are parallel.
 double cotangent(Vec3 a, Vec3 b) {
-  constexpr double least_sine = 1e-9;
+  constexpr double least_sine = 1e-3;
   const double sine = std::max(norm(cross(a, b)), least_sine * norm(a) * norm(b));
   return sine > 0.0 ? dot(a, b) / sine : 0.0;
 }

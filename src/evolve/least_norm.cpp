@@ -53,13 +53,14 @@ class LeastNormStepper {
     const bool cotangent = options.update == LeastNormUpdate::cotangent;
     const auto kind = cotangent ? LaplacianWeights::cotangent : LaplacianWeights::uniform;
     fairing_.emplace(state, jacobian_.movable(), kind, weights);
-    fairing_damping_ = options.damping > 0.0 ? options.damping : cotangent ? 1e-6 : 1e-4;
+    fairing_damping_ = options.damping > 0.0 ? options.damping : cotangent ? 3e-6 : 3e-4;
     direct_ = !fairing_->solvable();
   }
 
   SweepOutcome step() {
     const Flattenability now = state_.measure(pool_);
     direct_ = direct_ || time_to_switch(now.e_max);
+    if (direct_) fairing_.reset();
     ++steps_;
     last_e_max_ = now.e_max;
     jacobian_.update(pool_);
@@ -81,13 +82,16 @@ class LeastNormStepper {
     return move;
   }
 
+  /// Infinite where a place is no number.
   double energy_at(const Places& x) {
+    if (!std::isfinite(norm_of(x))) return std::numeric_limits<double>::infinity();
     move_to(x, jacobian_, state_);
     return state_.measure(pool_).energy;
   }
 
   SweepOutcome faired_step() {
-    if (!dual_.factor(squeeze_, fairing_damping_)) return {};
+    direct_ = !dual_.factor(squeeze_, fairing_damping_);
+    if (direct_) return direct_step(state_.measure(pool_).energy);
     Places x = inner_places(state_);
     const Places move = least_move(inner_defects(state_));
     for (Index v = 0; v < x.size(); ++v) {
@@ -98,12 +102,14 @@ class LeastNormStepper {
     return {move_to(fairing_->apply(std::move(x)), jacobian_, state_)};
   }
 
-  /// A move and how its end bends: along it the places are x + t first + t^2/2 second.
+  /// A move and how its end bends: the first t of it are t first + t^2/2 second.
   struct Curve {
     Places first, second;
-    double length;  // of the least move before any vertex was stopped
-    Places at(const Places& x, double t) const {
-      return sum_of(sum_of(x, t, first), 0.5 * t * t, second);
+    double fall = 0.0;  // of the energy, to first order
+    bool solves =
+        false;  // whether it closes the angle sums to first order: damping may keep it from it
+    Places move(double t) const {
+      return sum_of(sum_of(Places(first.size()), t, first), 0.5 * t * t, second);
     }
   };
 
@@ -111,8 +117,8 @@ class LeastNormStepper {
   /// hold up the rest.
   Places stopped(Places move) const {
     for (Index v = 0; v < move.size(); ++v) {
-      const double length = norm(move[v]),
-                   most = options_.max_step * edges_at(v, jacobian_, state_).shortest;
+      const double length = norm(move[v]);
+      const double most = options_.max_step * edges_at(v, jacobian_, state_).shortest;
       if (length > most) move[v] = (most / length) * move[v];
     }
     return move;
@@ -124,39 +130,46 @@ class LeastNormStepper {
   Curve least_curve(const Places& x) {
     constexpr double look = 0.2, most_bend = 0.5;
     const Eigen::VectorXd d = inner_defects(state_);
-    const Places move = least_move(d);
-    Curve curve{stopped(move), Places(x.size()), norm_of(move)};
-    move_to(sum_of(x, look, curve.first), jacobian_, state_);
+    Curve curve{least_move(d), Places(x.size())};
+    const Eigen::VectorXd turn = jacobian_.times(curve.first);
+    curve.fall = 2.0 * d.dot(turn);
+    curve.solves = (d - turn).norm() <= 0.1 * d.norm();
+    const Places ahead = stopped(sum_of(Places(x.size()), look, curve.first));
+    move_to(sum_of(x, 1.0, ahead), jacobian_, state_);
     state_.measure(pool_);
-    const Eigen::VectorXd missed = inner_defects(state_) - d + look * jacobian_.times(curve.first);
+    const Eigen::VectorXd missed = inner_defects(state_) - d + jacobian_.times(ahead);
     move_to(x, jacobian_, state_);
     const Places second = least_move((2.0 / (look * look)) * missed);
     const double bend = norm_of(second), limit = most_bend * norm_of(curve.first);
     if (std::isfinite(bend))
-      curve.second = stopped(sum_of(curve.second, bend > limit ? limit / bend : 1.0, second));
+      curve.second = sum_of(curve.second, bend > limit ? limit / bend : 1.0, second);
     return curve;
   }
 
   /// Levenberg and Marquardt's step, halved until the energy falls. The damping follows what the
   /// step was worth.
   SweepOutcome direct_step(double energy) {
-    constexpr int most_dampings = 6, most_halvings = 10;
-    constexpr double least_fall = 1e-4, ease = 0.25, tighten = 4.0;
+    constexpr int most_dampings = 12, most_halvings = 10;
+    // Of what the slope foretells, and of the energy: less is not worth a step.
+    constexpr double least_share = 1e-4, least_fall = 1e-6;
+    constexpr double ease = 0.25, tighten = 4.0, most_damping = 1e8;
     const Places x = inner_places(state_);
-    for (int i = 0; i < most_dampings; ++i, damping_ *= 10.0) {
+    for (int i = 0; i < most_dampings; ++i, damping_ = std::min(10.0 * damping_, most_damping)) {
       if (!dual_.factor(squeeze_, damping_)) continue;
       const Curve curve = least_curve(x);
+      const bool tiny = curve.solves && norm_of(curve.first) <= smallest_move();
       double share = 1.0;
       for (int halvings = 0; halvings < most_halvings; ++halvings, share *= 0.5) {
-        const Places trial = curve.at(x, share);
-        if (!(energy_at(trial) < energy * (1.0 - least_fall * share))) continue;
+        const Places trial = sum_of(x, 1.0, stopped(curve.move(share)));
+        const double fall = energy - energy_at(trial);
+        if (!(fall > std::max(least_share * share * curve.fall, least_fall * energy))) continue;
         if (halvings == 0) damping_ = std::max(ease * damping_, 1e-12);
-        if (halvings >= 2) damping_ = std::min(tighten * damping_, 10.0);
-        const std::size_t moved = count_differences(x, trial);
-        return {moved, halvings == 0 && curve.length <= smallest_move()};
+        if (halvings >= 2) damping_ = std::min(tighten * damping_, most_damping);
+        return {count_differences(x, trial), tiny && halvings == 0};
       }
       move_to(x, jacobian_, state_);
       state_.measure(pool_);
+      if (tiny) return {0, true};  // rounding is all that is left
     }
     return {};
   }

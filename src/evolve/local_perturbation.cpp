@@ -168,7 +168,7 @@ void LocalPerturber::step(const LocalRegion& region, double most) {
   for (const Index v : region.active)
     before.push_back(position(v));
   for (const double threshold : k_rank_thresholds) {
-    move_to(region, targets_of(region, options_.damping * problem.solve(threshold)));
+    move_to(region, targets_of(region, options_.tau * problem.solve(threshold)));
     if (worst_of(region) <= bound) return;
     move_to(region, before);
   }

@@ -11,7 +11,7 @@ namespace planish {
 struct Constraints {
   std::vector<Index> fixed = {};  ///< vertices that stay where they are
   std::vector<double> weights =
-      {};                 ///< one per vertex, above 0: how dear moving it is; none: all 1
+      {};                 ///< one per vertex, 1e-6 to 1e6: how dear moving it is; none: 1
   TriMesh obstacle = {};  ///< closed surface, oriented outwards, not to be entered; may be none
 };
 
@@ -20,9 +20,9 @@ struct Constraints {
 bool honours_weights(const Method& method);
 bool honours_obstacle(const Method& method);
 
-/// @throws Error index_out_of_range, option_out_of_range for weights that are too few or not above
-///   0, unsupported_constraint for what the method cannot honour, and for an obstacle that does not
-///   tell its inside from its outside the code of its fault, as open_surface
+/// @throws Error index_out_of_range, option_out_of_range for weights that are too few or out of
+///   range, unsupported_constraint for what the method cannot honour, and for an obstacle that does
+///   not tell its inside from its outside the code of its fault, as open_surface
 void check_constraints(const Constraints& constraints, std::size_t vertex_count,
                        const Method& method);
 

@@ -48,10 +48,11 @@ void describe(LeastNorm& o, Visit&& visit) {
         Range{0.0, 1e9});
   visit("switch_fall", o.switch_fall, "too little: e_max falls by less than this, in radians",
         Range{0.0});
-  visit("damping", o.damping,
-        "of faired steps, in units of the matrix's mean diagonal; 0: 1e-6 for cotangent, 1e-4 for "
-        "uniform",
-        Range{0.0, 1e3});
+  visit(
+      "damping", o.damping,
+      "of faired steps, in units of the matrix's median diagonal; 0: 3e-6 for cotangent, 3e-4 for "
+      "uniform",
+      Range{0.0, 1e3});
   visit("border_weight", o.border_weight,
         "how dear moving vertices next to the border is; 10 keeps the patch's slant there",
         Range{1e-3, 1e3});

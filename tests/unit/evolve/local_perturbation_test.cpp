@@ -87,7 +87,7 @@ TEST(LocalPerturbation, EndsWhereNothingBetterIsFound) {
   // Steps as long as they may be, on what is far from flattenable.
   for (const char* shape : {"dome", "saddle"}) {
     const TriMesh mesh = make_shape(shape, 200);
-    const auto result = evolve(mesh, LocalPerturbation{.damping = 1.0}, {.max_sweeps = 500});
+    const auto result = evolve(mesh, LocalPerturbation{.tau = 1.0}, {.max_sweeps = 500});
     EXPECT_TRUE(result.stop == StopReason::converged || result.stop == StopReason::stalled);
     EXPECT_LE(e_max_of({result.positions, mesh.triangles}), e_max_of(mesh));
   }
@@ -113,7 +113,7 @@ TEST(LocalPerturbation, KeepsEveryTriangleAnArea) {
     }
     return least;
   };
-  const auto result = evolve(mesh, LocalPerturbation{.damping = 1.0}, {.max_sweeps = 5});
+  const auto result = evolve(mesh, LocalPerturbation{.tau = 1.0}, {.max_sweeps = 5});
   EXPECT_NE(result.positions, mesh.positions);
   EXPECT_GT(smallest_height({result.positions, mesh.triangles}), 0.0);
   for (const Vec3 p : result.positions)

@@ -159,7 +159,8 @@ TEST(JsonReport, ReplacesWhatIsNoUtf8) {
 }
 
 TEST(HistoryCsv, HasAHeaderAndALineASweep) {
-  EXPECT_EQ(history_csv(std::vector<SweepRecord>{{1, 0.5, 0.25, 2.0, 7, 0.125}, {2, 0.1, 1e-7, 1.5, 0, 0.25}}),
+  EXPECT_EQ(history_csv(std::vector<SweepRecord>{{1, 0.5, 0.25, 2.0, 7, 0.125},
+                                                 {2, 0.1, 1e-7, 1.5, 0, 0.25}}),
             "sweep,e_max,e_avg,energy,moved,seconds\n"
             "1,0.5,0.25,2,7,0.125\n"
             "2,0.1,1e-07,1.5,0,0.25\n");

@@ -1,8 +1,8 @@
 #include "evolve/dual_system.h"
 
 #include <algorithm>
-#include <utility>
 
+#include "evolve/places.h"
 #include "solve/dissection.h"
 
 namespace planish {
@@ -33,24 +33,15 @@ Graph rows_that_meet(const AngleJacobian& jacobian) {
 
 SparseMatrix lower_pattern(const Graph& graph) {
   const auto n = static_cast<int>(graph.vertex_count());
-  std::vector<int> counts(graph.vertex_count(), 1);
+  std::vector<Eigen::Triplet<double>> entries;
   for (int v = 0; v < n; ++v) {
-    for (const Index w : graph.of(static_cast<Index>(v)))
-      counts[v] += static_cast<int>(w) > v ? 1 : 0;
+    entries.emplace_back(v, v, 0.0);
+    for (const Index w : graph.of(static_cast<Index>(v))) {
+      if (static_cast<int>(w) > v) entries.emplace_back(static_cast<int>(w), v, 0.0);
+    }
   }
   SparseMatrix lower(n, n);
-  lower.reserve(counts);
-  std::vector<int> rows;
-  for (int v = 0; v < n; ++v) {
-    rows.assign(1, v);
-    for (const Index w : graph.of(static_cast<Index>(v))) {
-      if (static_cast<int>(w) > v) rows.push_back(static_cast<int>(w));
-    }
-    std::sort(rows.begin(), rows.end());
-    for (const int row : rows)
-      lower.insert(row, v) = 0.0;
-  }
-  lower.makeCompressed();
+  lower.setFromTriplets(entries.begin(), entries.end());
   return lower;
 }
 
@@ -62,34 +53,24 @@ double median(Eigen::VectorXd values) {
   return *middle;
 }
 
-std::vector<Vec3> inner_positions(const PatchState& state) {
-  std::vector<Vec3> positions;
-  for (std::size_t v = 0; v < state.inner_count(); ++v)
-    positions.push_back(state.position(v));
-  return positions;
-}
-
 }  // namespace
 
-DualSystem::Layout DualSystem::lay_out(const AngleJacobian& jacobian, const PatchState& state) {
-  const Graph graph = rows_that_meet(jacobian);
-  return {lower_pattern(graph), nested_dissection(inner_positions(state), graph)};
-}
-
 DualSystem::DualSystem(const AngleJacobian& jacobian, const PatchState& state)
-    : DualSystem(jacobian, lay_out(jacobian, state)) {}
+    : DualSystem(jacobian, state, rows_that_meet(jacobian)) {}
 
-DualSystem::DualSystem(const AngleJacobian& jacobian, Layout layout)
-    : jacobian_(jacobian), lower_(std::move(layout.lower)), solver_(lower_, layout.order) {
-  const int* rows = lower_.innerIndexPtr();
+DualSystem::DualSystem(const AngleJacobian& jacobian, const PatchState& state, const Graph& rows)
+    : jacobian_(jacobian),
+      lower_(lower_pattern(rows)),
+      solver_(lower_, nested_dissection(inner_places(state), rows)) {
+  const int* row_list = lower_.innerIndexPtr();
   for (Index v = 0; v < jacobian.row_count(); ++v) {
     const auto entries = jacobian.column(v);
     for (std::size_t i = 0; i < entries.size(); ++i) {
-      const int* begin = rows + lower_.outerIndexPtr()[entries[i].row];
-      const int* end = rows + lower_.outerIndexPtr()[entries[i].row + 1];
+      const int* begin = row_list + lower_.outerIndexPtr()[entries[i].row];
+      const int* end = row_list + lower_.outerIndexPtr()[entries[i].row + 1];
       for (std::size_t j = i; j < entries.size(); ++j) {
         const int* place = std::lower_bound(begin, end, static_cast<int>(entries[j].row));
-        products_.push_back(static_cast<std::uint32_t>(place - rows));
+        products_.push_back(static_cast<std::uint32_t>(place - row_list));
       }
     }
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "evolve/angle_jacobian.h"
+#include "solve/graph.h"
 #include "solve/sparse_ldlt.h"
 
 namespace planish {
@@ -26,13 +27,7 @@ class DualSystem {
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return solver_.solve(right); }
 
  private:
-  /// The pattern of the lower half, and a good order of elimination.
-  struct Layout {
-    SparseMatrix lower;
-    std::vector<Index> order;
-  };
-  static Layout lay_out(const AngleJacobian& jacobian, const PatchState& state);
-  DualSystem(const AngleJacobian& jacobian, Layout layout);
+  DualSystem(const AngleJacobian& jacobian, const PatchState& state, const Graph& rows);
 
   const AngleJacobian& jacobian_;
   SparseMatrix lower_;

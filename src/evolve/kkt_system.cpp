@@ -1,8 +1,6 @@
 #include "evolve/kkt_system.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include "solve/dissection.h"
 
@@ -38,10 +36,8 @@ std::size_t place_of(const SparseMatrix& lower, int i, int j) {
   return static_cast<std::size_t>(std::lower_bound(begin, end, row) - rows);
 }
 
-}  // namespace
-
-KktSystem::Layout KktSystem::lay_out(const AngleJacobian& jacobian, const PatchState& state,
-                                     const SparseMatrix& hessian) {
+/// The lower half, with what never changes in it.
+SparseMatrix constant_part(const AngleJacobian& jacobian, const SparseMatrix& hessian) {
   const auto n = static_cast<Index>(jacobian.row_count());
   std::vector<Eigen::Triplet<double>> entries;
   for (Index v = 0; v < n; ++v) {
@@ -67,24 +63,27 @@ KktSystem::Layout KktSystem::lay_out(const AngleJacobian& jacobian, const PatchS
     }
   }
   const int size = k_unknowns * static_cast<int>(n);
-  Layout layout{SparseMatrix(size, size), {}};
-  layout.lower.setFromTriplets(entries.begin(), entries.end());
-  std::vector<Vec3> positions;
-  for (Index v = 0; v < n; ++v)
-    positions.push_back(state.position(v));
-  for (const Index v : nested_dissection(positions, inner_graph(jacobian))) {
-    for (int part = 0; part < k_unknowns; ++part)
-      layout.order.push_back(static_cast<Index>(unknown(v, part)));
-  }
-  return layout;
+  SparseMatrix lower(size, size);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  return lower;
 }
+
+std::vector<Index> elimination_order(const AngleJacobian& jacobian, const PatchState& state) {
+  std::vector<Index> order;
+  for (const Index v : nested_dissection(inner_places(state), inner_graph(jacobian))) {
+    for (int part = 0; part < k_unknowns; ++part)
+      order.push_back(static_cast<Index>(unknown(v, part)));
+  }
+  return order;
+}
+
+}  // namespace
 
 KktSystem::KktSystem(const AngleJacobian& jacobian, const PatchState& state,
                      const SparseMatrix& hessian)
-    : KktSystem(jacobian, lay_out(jacobian, state, hessian)) {}
-
-KktSystem::KktSystem(const AngleJacobian& jacobian, Layout layout)
-    : jacobian_(jacobian), lower_(std::move(layout.lower)), solver_(lower_, layout.order) {
+    : jacobian_(jacobian),
+      lower_(constant_part(jacobian, hessian)),
+      solver_(lower_, elimination_order(jacobian, state)) {
   for (Index v = 0; v < jacobian.row_count(); ++v) {
     for (const AngleJacobian::Entry& entry : jacobian.column(v)) {
       for (int part = 0; part < k_multiplier; ++part) {

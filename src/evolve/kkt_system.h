@@ -30,14 +30,6 @@ class KktSystem {
   Places solve(const Places& force, const Eigen::VectorXd& turn) const;
 
  private:
-  struct Layout {
-    SparseMatrix lower;
-    std::vector<Index> order;
-  };
-  static Layout lay_out(const AngleJacobian& jacobian, const PatchState& state,
-                        const SparseMatrix& hessian);
-  KktSystem(const AngleJacobian& jacobian, Layout layout);
-
   const AngleJacobian& jacobian_;
   SparseMatrix lower_;
   std::vector<std::size_t> gradient_places_;  // x, y, z of each entry of the Jacobian, by column

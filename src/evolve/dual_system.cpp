@@ -33,6 +33,7 @@ Graph rows_that_meet(const AngleJacobian& jacobian) {
 
 SparseMatrix lower_pattern(const Graph& graph) {
   const auto n = static_cast<int>(graph.vertex_count());
+  if (n == 0) return {};
   std::vector<Eigen::Triplet<double>> entries;
   for (int v = 0; v < n; ++v) {
     entries.emplace_back(v, v, 0.0);
@@ -77,6 +78,7 @@ DualSystem::DualSystem(const AngleJacobian& jacobian, const PatchState& state, c
 }
 
 bool DualSystem::factor(std::span<const double> squeeze, double mu) {
+  if (lower_.cols() == 0) return false;
   double* values = lower_.valuePtr();
   std::fill_n(values, lower_.nonZeros(), 0.0);
   const std::uint32_t* place = products_.data();

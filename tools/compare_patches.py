@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Runs all methods on all patches of a folder and writes what came out as a table.
+"""Runs all methods on all patches of a folder and writes docs/comparison.csv and the tables of
+docs/comparison.md.
 
-    tools/compare_patches.py PLANISH FOLDER RESULTS > docs/comparison.csv
+    tools/compare_patches.py PLANISH FOLDER RESULTS
 
 RESULTS is a folder where the answer of `planish compare --json` for each patch is kept; a patch
 whose answer lies there is not run again. Patches above LARGE vertices get FEW_SWEEPS sweeps of
@@ -14,6 +15,8 @@ import json
 import pathlib
 import subprocess
 import sys
+
+import comparison_tables
 
 LARGE, FEW_SWEEPS, PATIENCE = 20_000, 10, 60
 SLOW = "local_perturbation"
@@ -96,15 +99,18 @@ def rounded(row):
 def main():
     planish, folder, results = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
     results.mkdir(parents=True, exist_ok=True)
-    table = csv.DictWriter(sys.stdout, COLUMNS, lineterminator="\n")
-    table.writeheader()
     patches = [p for p in folder.iterdir() if p.suffix in (".obj", ".ply")]
+    lines = []
     for patch in sorted(patches, key=lambda p: (p.stat().st_size, p.name)):
         slow = kept(results / f"{patch.name}-slow.json", lambda: answer_of_slow(planish, patch))
         answer = kept(results / f"{patch.name}.json", lambda: answer_of_others(planish, patch))
         answer["runs"] += slow
-        table.writerows(map(rounded, rows(patch.stem, answer)))
-        sys.stdout.flush()
+        lines += map(rounded, rows(patch.stem, answer))
+    with open(comparison_tables.DOCS / "comparison.csv", "w", encoding="utf-8") as file:
+        table = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        table.writeheader()
+        table.writerows(lines)
+    comparison_tables.main()
 
 
 if __name__ == "__main__":

@@ -148,7 +148,7 @@ std::optional<Index> OffsetMover::pop() {
 std::optional<OffsetMover::Step> OffsetMover::falling_step(Index v) const {
   const StarEnergy energy(state_, v, rings_[v], defects_);
   const Vec3 x = state_.position(v);
-  const LineEnergy now = energy.along(x, lines_[v].normal);
+  const StarSample now = energy.along(x, lines_[v].normal);
   const double least = k_least_fall * now.value, rounding = k_rounding * std::sqrt(now.value);
   // As printed, to where the tangent has its root; then to the minimum after Gauss and Newton.
   for (const double step : {-now.value / now.slope, -now.slope / now.curvature}) {

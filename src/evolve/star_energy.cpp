@@ -57,7 +57,7 @@ std::vector<double> StarEnergy::defects(Vec3 x) const {
   return defects;
 }
 
-LineEnergy StarEnergy::along(Vec3 x, Vec3 direction) const {
+StarSample StarEnergy::along(Vec3 x, Vec3 direction) const {
   const std::size_t n = ring_.size();
   std::vector<double> rates(n + 1, 0.0);  // of the angle sums, in the order of defects()
   for (std::size_t j = 0; j < n; ++j) {
@@ -66,7 +66,7 @@ LineEnergy StarEnergy::along(Vec3 x, Vec3 direction) const {
     if (ring_[next(j)].inner) rates[next(j)] += dot(angle_gradient(q, x, p).at_q, direction);
     rates[n] += dot(angle_gradient(x, p, q).at_p, direction);
   }
-  LineEnergy energy;
+  StarSample energy;
   auto rate = rates.cbegin();
   for_defects(x, [&](double d) {
     const double r = *rate++;

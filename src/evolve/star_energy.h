@@ -10,7 +10,7 @@
 namespace planish {
 
 /// The ring energy b_v of an inner vertex and its derivatives along a line through it.
-struct LineEnergy {
+struct StarSample {
   double value = 0.0;
   double slope = 0.0;      ///< of the value, exact
   double curvature = 0.0;  ///< of the value as Gauss and Newton have it: never negative
@@ -27,7 +27,7 @@ class StarEnergy {
   /// b_v with the centre at x.
   double value(Vec3 x) const;
   /// The same with derivatives along `direction`.
-  LineEnergy along(Vec3 x, Vec3 direction) const;
+  StarSample along(Vec3 x, Vec3 direction) const;
   /// The defects with the centre at x: of each neighbour, 0 on the border, then of the centre.
   std::vector<double> defects(Vec3 x) const;
   /// True if a triangle at the centre would have no angles to speak of with the centre at x.

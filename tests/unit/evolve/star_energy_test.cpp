@@ -82,7 +82,7 @@ TEST(StarEnergy, HasTheDerivativesOfThePowerSeries) {
       slope += 2.0 * d.c[0] * d.c[1];
       curvature += 2.0 * d.c[1] * d.c[1];
     }
-    const LineEnergy energy = stars.energy(v).along(state.position(v), direction);
+    const StarSample energy = stars.energy(v).along(state.position(v), direction);
     EXPECT_NEAR(energy.slope, slope, 1e-11 * (1.0 + std::abs(slope)));
     EXPECT_NEAR(energy.curvature, curvature, 1e-11 * (1.0 + curvature));
     EXPECT_NEAR(energy.value, stars.energy(v).value(state.position(v)), 1e-15);

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <planish/mesh/connectivity.h>
+#include <planish/mesh/tri_mesh.h>
+
+namespace planish {
+
+/// A patch over some of the vertices of a finer one.
+struct CoarsePatch {
+  TriMesh mesh;
+  std::vector<Index> source;  ///< vertex of the coarse patch -> vertex of the fine one, increasing
+};
+
+enum class CoarseBorder {
+  thinned,  ///< about as far apart along the border as inside, closer where it bends
+  kept,     ///< all vertices and edges; triangles grow from the size of border edges inward
+};
+
+/// Takes vertices out of a patch one after another, the most crowded first, by collapses of edges
+/// into one of their ends and flips towards Delaunay triangles. Topology, orientation and every
+/// loop of the border stay. Triangles that turn by more than 60 degrees against the fine surface
+/// are not made, nor are needles, unless those that they replace are worse. The same bits every
+/// time. O(n log n).
+/// @param connectivity of the mesh; each part of it has a border
+/// @param vertices about so many are left; more where none can be taken without harm; if the mesh
+///   has no more, it is returned as it is
+/// @param keep by vertex: 1 for those that must stay (empty: none)
+CoarsePatch coarsen(const TriMesh& mesh, const Connectivity& connectivity, std::size_t vertices,
+                    CoarseBorder border, std::span<const unsigned char> keep = {});
+
+}  // namespace planish

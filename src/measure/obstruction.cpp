@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include <planish/measure/angle_defect.h>
+#include <planish/measure/obstruction.h>
+
+#include "core/careful_sum.h"
+
+namespace planish {
+
+namespace {
+
+// Border that turns less than this beyond 2 pi is taken for plane and convex. A surface rises over
+// such a border by about the root of it: 0.3 % of its size.
+constexpr double k_flat_border_room = 1e-5;
+
+// Shares of the area below these are rounding: of the sums; and of a border that is nearly plane,
+// where what it encloses is known only as well as that.
+constexpr double k_rounding = 1e-9;
+constexpr double k_flat_rounding = 1e-3;
+
+double angle_between(Vec3 a, Vec3 b) {
+  return std::atan2(norm(cross(a, b)), dot(a, b));
+}
+
+/// How many vertices can be reached from the first along edges.
+std::size_t reached_from(Index first, const Connectivity& connectivity) {
+  std::vector<char> seen(connectivity.vertex_count(), 0);
+  std::vector<Index> waiting = {first};
+  seen[first] = 1;
+  std::size_t count = 0;
+  while (!waiting.empty()) {
+    const Index v = waiting.back();
+    waiting.pop_back();
+    ++count;
+    for (const Index w : connectivity.ring(v)) {
+      if (seen[w] != 0) continue;
+      seen[w] = 1;
+      waiting.push_back(w);
+    }
+  }
+  return count;
+}
+
+bool is_disk(const TriMesh& mesh, const Connectivity& connectivity) {
+  if (connectivity.border_loops().size() != 1) return false;
+  const auto& border = connectivity.border_loops().front();
+  const std::size_t used = connectivity.inner_vertices().size() + border.size();
+  // Three sides a triangle, two triangles an edge but at the border: V - E + F = 1.
+  const std::size_t edges = (3 * mesh.triangles.size() + border.size()) / 2;
+  return used + mesh.triangles.size() == edges + 1 &&
+         reached_from(border.front(), connectivity) == used;
+}
+
+double area_of(const TriMesh& mesh, double scale) {
+  CarefulSum doubled;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 a = scale * mesh.positions[t[0]];
+    doubled.add(norm(cross(scale * mesh.positions[t[1]] - a, scale * mesh.positions[t[2]] - a)));
+  }
+  return 0.5 * doubled.value();
+}
+
+double length_of(std::span<const Vec3> loop) {
+  CarefulSum length;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    length.add(norm(loop[(i + 1) % loop.size()] - loop[i]));
+  return length.value();
+}
+
+/// Area of the loop's projection along its mean normal: what it encloses where it lies in a plane.
+double enclosed_area(std::span<const Vec3> loop) {
+  CarefulSum x, y, z;
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    const Vec3 doubled = cross(loop[i] - loop[0], loop[i + 1] - loop[0]);
+    x.add(doubled.x);
+    y.add(doubled.y);
+    z.add(doubled.z);
+  }
+  return 0.5 * norm(Vec3{x.value(), y.value(), z.value()});
+}
+
+/// Total curvature of the loop as a curve in space.
+double curvature_of(std::span<const Vec3> loop) {
+  const std::size_t n = loop.size();
+  CarefulSum sum;
+  for (std::size_t i = 0; i < n; ++i)
+    sum.add(angle_between(loop[i] - loop[(i + n - 1) % n], loop[(i + 1) % n] - loop[i]));
+  return sum.value();
+}
+
+/// theta_b: the ring of a border vertex is open.
+double border_angle(const TriMesh& mesh, const Connectivity& connectivity, double scale, Index b) {
+  const auto ring = connectivity.ring(b);
+  const auto spoke = [&](std::size_t j) {
+    return scale * mesh.positions[ring[j]] - scale * mesh.positions[b];
+  };
+  double sum = 0.0;
+  for (std::size_t j = 0; j + 1 < ring.size(); ++j)
+    sum += angle_between(spoke(j), spoke(j + 1));
+  return sum;
+}
+
+bool is_fixed_angle(const Connectivity& connectivity, Index b) {
+  const auto ring = connectivity.ring(b);
+  return std::all_of(ring.begin(), ring.end(), [&](Index v) { return connectivity.is_border(v); });
+}
+
+/// What a flattenable surface with this border has at most.
+double area_limit(double area, std::span<const Vec3> border, bool is_flat_border) {
+  const double length = length_of(border);
+  const double round = length * length / (4.0 * std::numbers::pi);
+  const double enclosed = enclosed_area(border);
+  const bool is_known = is_flat_border && enclosed < (1.0 - k_flat_rounding) * area;
+  return is_known ? std::min(round, enclosed) : round;
+}
+
+}  // namespace
+
+bool Obstruction::has_flat_border() const {
+  return turning_most - k_flat_turning <= k_flat_border_room;
+}
+
+bool Obstruction::is_notable() const {
+  return excess_share > k_notable_excess;
+}
+
+std::optional<Obstruction> find_obstruction(const TriMesh& mesh, const Connectivity& connectivity) {
+  if (!is_disk(mesh, connectivity)) return std::nullopt;
+  const auto& loop = connectivity.border_loops().front();
+  const double scale = unit_scale(mesh);
+  std::vector<Vec3> border;
+  border.reserve(loop.size());
+  for (const Index b : loop)
+    border.push_back(scale * mesh.positions[b]);
+
+  Obstruction obstruction;
+  obstruction.border_vertices = loop.size();
+  obstruction.turning_most = curvature_of(border);
+  CarefulSum defects, turning;
+  for (const double defect : angle_defects(mesh, connectivity))
+    defects.add(defect);
+  for (const Index b : loop) {
+    turning.add(std::numbers::pi - border_angle(mesh, connectivity, scale, b));
+    if (is_fixed_angle(connectivity, b)) ++obstruction.fixed_angles;
+  }
+  obstruction.total_defect = defects.value();
+  obstruction.border_turning = turning.value();
+
+  const double area = area_of(mesh, scale);
+  const double limit = area_limit(area, border, obstruction.has_flat_border());
+  const double share = area > 0.0 ? 1.0 - limit / area : 0.0;
+  obstruction.excess_share = share > k_rounding ? share : 0.0;
+  obstruction.area = area / scale / scale;
+  obstruction.area_limit = limit / scale / scale;
+  obstruction.area_excess = obstruction.excess_share * obstruction.area;
+  obstruction.border_length = length_of(border) / scale;
+  return obstruction;
+}
+
+}  // namespace planish

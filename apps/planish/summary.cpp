@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "text.h"
@@ -92,6 +93,35 @@ std::string fitness_line(const std::string& what, const Inspection& inspection, 
          (problem ? std::string(8, ' ') + answer : "") + "\n";
 }
 
+std::string obstruction_advice(const Obstruction& obstruction) {
+  return std::string(obstruction.has_flat_border()
+                         ? "the border is flat and convex, so that only a plane piece fits it"
+                         : "the border is too short for the patch") +
+         ": at least " + percent(obstruction.excess_share) + " of the area (" +
+         digits(obstruction.area_excess, 3) + " of " + digits(obstruction.area, 3) +
+         " square units) must go before it can lie flat with this border. Evolving can only pull "
+         "the surface in; a dart or a cut keeps its form.";
+}
+
+/// What the border of a disk demands of a flat piece.
+std::string obstruction_text(const std::optional<Obstruction>& obstruction) {
+  if (!obstruction) return {};
+  const Obstruction& o = *obstruction;
+  const auto line = [](const std::string& name, const std::string& number, const std::string& unit,
+                       const std::string& meaning) {
+    return "  " + left(name, 24) + right(number, 11) + " " + left(unit, 7) + meaning + "\n";
+  };
+  std::string text =
+      "\nFor its border:\n" + line("area", digits(o.area), "", "of the patch, square units") +
+      line("largest flat area", digits(o.area_limit), "", "the most with this border") +
+      line("must go at least", digits(100.0 * o.excess_share, 3), "%", "of the area") +
+      line("sum of defects", digits(o.total_defect), "rad", "what the border's turning lacks") +
+      line("border turns", digits(o.border_turning), "rad",
+           digits(k_flat_turning) + " when flat, " + digits(o.turning_most) + " at most");
+  if (o.is_notable()) text += "\n" + wrapped("Advice: " + obstruction_advice(o), 0) + "\n";
+  return text;
+}
+
 std::string deviation_lines(const Deviation& deviation, const std::string& unit) {
   return "  deviation   rms " + digits(deviation.rms, 3) + ", largest " + digits(deviation.max, 3) +
          " " + unit + "\n              rms is " + percent(deviation.rms_over_diagonal) +
@@ -132,7 +162,7 @@ std::string measure_text(const std::string& path, const MeasuredPatch& patch) {
   text += "\n  " + left("flattenable", 24) + right(patch.flattenable ? "yes" : "no", 11) + "\n" +
           fitness_line("can be evolved", patch.inspection, Purpose::evolve) +
           fitness_line("can be laid flat", patch.inspection, Purpose::unfold);
-  return text + problems_text(patch.inspection);
+  return text + obstruction_text(patch.obstruction) + problems_text(patch.inspection);
 }
 
 std::string refused_text(const std::string& path, const Inspection& inspection) {
@@ -189,6 +219,11 @@ Outcome with_target_checked(Outcome outcome, const Arguments& arguments,
                       std::string(to_string(report.result.stop)) + "), the target is " +
                       shortest(report.stopping.target_e_max);
   return outcome;
+}
+
+void note_obstruction(Session& session, const TriMesh& mesh) {
+  const auto obstruction = find_obstruction(mesh, Connectivity(mesh));
+  if (obstruction && obstruction->is_notable()) session.note(obstruction_advice(*obstruction));
 }
 
 void warn_of_pattern(Session& session, const UnfoldReport& report) {

@@ -32,6 +32,11 @@ std::string written_text(const std::vector<OutputFile>& files);
 Outcome with_target_checked(Outcome outcome, const Arguments& arguments,
                             const EvolveReport& report);
 
+/// Tells, before any long work, that a patch cannot become flattenable as long as its border is
+/// what it is, and what to do; nothing where little area is at stake.
+/// @throws Error as Connectivity
+void note_obstruction(Session& session, const TriMesh& mesh);
+
 /// Warns of what makes a pattern unfit for cutting.
 void warn_of_pattern(Session& session, const UnfoldReport& report);
 

@@ -24,8 +24,10 @@ MeasuredPatch measure_patch(const TriMesh& mesh) {
   MeasuredPatch patch;
   patch.inspection = inspect(mesh);
   require(patch.inspection, Purpose::measure);
-  patch.figures = measure(mesh, Connectivity(mesh));
+  const Connectivity connectivity(mesh);
+  patch.figures = measure(mesh, connectivity);
   patch.flattenable = is_flattenable(patch.figures, patch.inspection);
+  patch.obstruction = find_obstruction(mesh, connectivity);
   return patch;
 }
 

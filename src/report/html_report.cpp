@@ -142,10 +142,12 @@ std::string footer(const FlattenReport& report) {
 }  // namespace
 
 std::string html_report(const FlattenReport& report, ColorMap colors) {
+  const std::string border = border_text(report);
   const std::string title = report.name.empty() ? "Patch" : escape_markup(report.name);
   return html_head(title) +
          "<body>\n<main>\n<header>\n<p class=\"brand\">Planish report</p>\n<h1>" + title +
-         "</h1>\n<p class=\"verdict\">" + escape_markup(verdict_text(report)) +
+         "</h1>\n<p class=\"verdict\">" +
+         escape_markup(verdict_text(report) + (border.empty() ? "" : " " + border)) +
          "</p>\n</header>\n" + tiles(report) + pictures(report, colors) + "<div class=\"wide\">\n" +
          pattern_section(report) + convergence_section(report) +
          "</div>\n<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" +

@@ -32,6 +32,23 @@ Json to_json(const std::vector<Problem>& problems) {
   return list;
 }
 
+Json to_json(const std::optional<Obstruction>& obstruction) {
+  if (!obstruction) return nullptr;
+  return {{"blocked", obstruction->blocked()},
+          {"area", obstruction->area},
+          {"border_length", obstruction->border_length},
+          {"area_limit", obstruction->area_limit},
+          {"area_excess", obstruction->area_excess},
+          {"excess_share", obstruction->excess_share},
+          {"flat_border", obstruction->has_flat_border()},
+          {"total_defect", obstruction->total_defect},
+          {"border_turning", obstruction->border_turning},
+          {"turning_needed", k_flat_turning},
+          {"turning_most", obstruction->turning_most},
+          {"border_vertices", obstruction->border_vertices},
+          {"fixed_angles", obstruction->fixed_angles}};
+}
+
 Json to_json(const MeasuredPatch& patch) {
   const Topology& topology = patch.inspection.topology;
   const Flattenability& figures = patch.figures;
@@ -48,6 +65,7 @@ Json to_json(const MeasuredPatch& patch) {
           {"min_angle", figures.min_angle},
           {"roughness", figures.roughness},
           {"flattenable", patch.flattenable},
+          {"obstruction", to_json(patch.obstruction)},
           {"problems", to_json(patch.inspection.problems)}};
 }
 

@@ -114,4 +114,15 @@ std::string verdict_text(const FlattenReport& report) {
   return text + unit_question(report.unfold);
 }
 
+std::string border_text(const FlattenReport& report) {
+  const auto& obstruction = report.evolve.before.obstruction;
+  if (!obstruction || !obstruction->is_notable()) return {};
+  return std::string(obstruction->has_flat_border()
+                         ? "The edge lies in a plane and only a plane piece fits it: "
+                         : "The edge is too short for so much surface: ") +
+         "at least " + percent_text(obstruction->excess_share) +
+         " of the area as it came must go for a piece with this edge to lie flat, so put in a dart "
+         "or a cut to keep the form.";
+}
+
 }  // namespace planish

@@ -10,4 +10,8 @@ namespace planish {
 /// the sweeps did to energy and strain. Plain UTF-8 text.
 std::string verdict_text(const FlattenReport& report);
 
+/// That the border of the patch as it came is too short for its surface, by how much and what to do
+/// about it: one sentence, plain UTF-8 text. Empty where little area is at stake.
+std::string border_text(const FlattenReport& report);
+
 }  // namespace planish

@@ -11,6 +11,7 @@ namespace {
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 class Verbs : public CliTest {};
@@ -29,9 +30,37 @@ TEST_F(Verbs, MeasureHasTheKeysOfTheContract) {
   const auto json = planish({"measure", "panel.obj", "--json"}).json();
   for (const char* key : {"vertices", "triangles", "inner_vertices", "components", "boundary_loops",
                           "euler_characteristic", "e_max", "e_avg", "energy", "sum_abs_defect",
-                          "min_angle", "roughness", "flattenable", "problems"}) {
+                          "min_angle", "roughness", "flattenable", "obstruction", "problems"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
+}
+
+TEST_F(Verbs, TellAtOnceWhatABorderForbids) {
+  write_mesh("dome.obj", make_shape("dome", 300));
+  const CliResult measured = planish({"measure", "dome.obj"});
+  EXPECT_EQ(measured.exit_code, k_exit_done);
+  EXPECT_EQ(measured.err, "");
+  EXPECT_THAT(measured.out, HasSubstr("must go at least"));
+  EXPECT_THAT(measured.out, HasSubstr("Advice: the border is flat and convex"));
+  EXPECT_EQ(planish({"measure", "dome.obj", "--json"}).json()["obstruction"]["blocked"], true);
+
+  const Names evolve = {"evolve", "dome.obj", "-o", "out.obj", "--sweeps", "1"};
+  const Names flatten = {"flatten", "dome.obj", "-o", "folder", "--sweeps", "1"};
+  for (const Names& verb : {evolve, flatten}) {
+    const CliResult result = planish(verb);
+    EXPECT_EQ(result.exit_code, k_exit_done);
+    EXPECT_THAT(result.err, StartsWith("note: the border is flat and convex"));
+  }
+  EXPECT_THAT(content_of("folder/report.html"), HasSubstr("put in a dart or a cut"));
+}
+
+TEST_F(Verbs, SayNothingOfABorderThatForbidsNothing) {
+  EXPECT_THAT(planish({"measure", "panel.obj"}).out, Not(HasSubstr("Advice")));
+  EXPECT_EQ(planish({"evolve", "panel.obj", "-o", "out.obj", "--sweeps", "1"}).err, "");
+  write_mesh("closed.stl", TriMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                   {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
+  const CliResult closed = planish({"measure", "closed.stl", "--json"});
+  EXPECT_EQ(closed.json()["obstruction"], nullptr);
 }
 
 TEST_F(Verbs, EvolveKeepsTrianglesOrderAndBorder) {

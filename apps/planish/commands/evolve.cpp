@@ -26,6 +26,7 @@ EvolveReport evolve_with_progress(const std::string& path, const TriMesh& mesh,
     return !session.interrupted();
   };
   return about(path, [&] {
+    note_obstruction(session, mesh);
     const Constraints constraints = constraints_from(arguments, mesh, session);
     return evolve_patch(mesh, method, stopping, on_sweep, session.threads(), constraints);
   });

@@ -99,6 +99,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
     return !session.interrupted();
   };
   const auto report = about(path, [&] {
+    note_obstruction(session, input.mesh);
     options.constraints = constraints_from(arguments, input.mesh, session);
     return flatten(std::move(input.mesh), fs::path(path).stem().string(), options, on_progress);
   });

@@ -8,6 +8,7 @@
 #include <planish/evolve/evolve.h>
 #include <planish/measure/deviation.h>
 #include <planish/measure/flattenability.h>
+#include <planish/measure/obstruction.h>
 #include <planish/mesh/inspect.h>
 #include <planish/report/unit.h>
 #include <planish/unfold/strain.h>
@@ -20,6 +21,7 @@ struct MeasuredPatch {
   Inspection inspection;
   Flattenability figures;
   bool flattenable = false;
+  std::optional<Obstruction> obstruction = {};  ///< of a disk only
 };
 
 /// Inspects and measures.

@@ -86,6 +86,15 @@ TEST(HtmlReport, SaysWhatWasDone) {
   EXPECT_THAT(page, HasSubstr("Model unit: mm."));
 }
 
+TEST(HtmlReport, SaysUnderTheTitleWhatTheBorderForbids) {
+  FlattenReport report = samples::flatten_report();
+  EXPECT_THAT(html_report(report), Not(HasSubstr("The edge is too short")));
+  report.evolve.before.obstruction = Obstruction{};
+  report.evolve.before.obstruction->excess_share = 0.329;
+  report.evolve.before.obstruction->turning_most = 9.0;
+  EXPECT_THAT(html_report(report), HasSubstr(" The edge is too short for so much surface"));
+}
+
 TEST(HtmlReport, DoesWithoutSweepsAndWithoutAName) {
   FlattenReport report = samples::flatten_report();
   report.evolve.result.history.clear();

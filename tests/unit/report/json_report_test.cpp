@@ -32,7 +32,7 @@ TEST(JsonReport, OfAMeasuredPatchHasTheKeysOfTheContract) {
   EXPECT_THAT(keys_of(json),
               ElementsAre("vertices", "triangles", "inner_vertices", "components", "boundary_loops",
                           "euler_characteristic", "e_max", "e_avg", "energy", "sum_abs_defect",
-                          "min_angle", "roughness", "flattenable", "problems"));
+                          "min_angle", "roughness", "flattenable", "obstruction", "problems"));
   EXPECT_EQ(json["vertices"], 651);
   EXPECT_EQ(json["triangles"], 1200);
   EXPECT_EQ(json["inner_vertices"], 549);
@@ -51,6 +51,26 @@ TEST(JsonReport, OfAMeasuredPatchHasTheKeysOfTheContract) {
                                        {"message", "triangle 7 has no area"},
                                        {"count", 3},
                                        {"first", 7}}));
+}
+
+TEST(JsonReport, HasWhatTheBorderForbidsOrNull) {
+  MeasuredPatch patch = samples::measured(1.0);
+  EXPECT_EQ(Json::parse(json_report(patch))["obstruction"], Json(nullptr));
+  patch.obstruction = Obstruction{100.0, 31.0, 76.5, 23.5, 0.235, 4.1, 2.2, 7.5, 60, 2};
+  const Json json = Json::parse(json_report(patch))["obstruction"];
+  EXPECT_EQ(json, Json({{"blocked", true},
+                        {"area", 100.0},
+                        {"border_length", 31.0},
+                        {"area_limit", 76.5},
+                        {"area_excess", 23.5},
+                        {"excess_share", 0.235},
+                        {"flat_border", false},
+                        {"total_defect", 4.1},
+                        {"border_turning", 2.2},
+                        {"turning_needed", k_flat_turning},
+                        {"turning_most", 7.5},
+                        {"border_vertices", 60},
+                        {"fixed_angles", 2}}));
 }
 
 TEST(JsonReport, OfAPatchWithoutProblemsHasAnEmptyList) {

@@ -13,7 +13,7 @@ namespace {
 constexpr double k_far = std::numeric_limits<double>::infinity();
 // Growth of the edge length by distance. Twice the slope of what makes good triangles is a bound
 // for those that are tolerable.
-constexpr double k_steepest = 0.7;
+constexpr double k_steepest = 0.5;
 constexpr double k_typical = 0.35;
 constexpr double k_area_per_vertex = std::numbers::sqrt3 / 2.0;  // at edge length 1
 

@@ -1,327 +1,38 @@
 #include "mesh/coarsen.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
+#include <numeric>
+#include <utility>
 
-#include "mesh/coarse_sizes.h"
-#include "mesh/fine_surface.h"
-#include "mesh/half_edges.h"
-#include "mesh/vertex_queue.h"
+#include "mesh/breadth_first.h"
+#include "mesh/coarsener.h"
 
 namespace planish {
 
 namespace {
 
-constexpr double k_far = std::numeric_limits<double>::infinity();
-// How much a square of the distance from the fine surface counts against one of an edge length.
-constexpr double k_distance_cost = 10.0;
-// How much a poor shape of the triangles counts in the choice of the end to collapse into.
-constexpr double k_shape_cost = 2.0;
-// Gap at a border vertex to the crowding inside at the same edge lengths.
-constexpr double k_gap_cost = 0.2;
-// Where vertices are so far apart for their size, no more are taken at a kept border.
-constexpr double k_sparse = 1.0;
-constexpr double k_least_alignment = 0.5;    // cosine of 60 degrees
-constexpr double k_largest_cosine = 0.9848;  // of 10 degrees
-constexpr double k_flip_height = 0.2;        // to the shorter diagonal
-constexpr std::size_t k_least_loop = 6;
-
-/// How good some triangles are, by the worst of them.
-struct TriangleGrade {
-  double cosine = -1.0;    ///< of the smallest angle
-  double alignment = 1.0;  ///< cosine of the angle to the fine surface
-
-  void add(const TriangleGrade& other) {
-    cosine = std::max(cosine, other.cosine);
-    alignment = std::min(alignment, other.alignment);
-  }
-};
-
-class Coarsener {
- public:
-  Coarsener(const TriMesh& mesh, const Connectivity& connectivity, std::size_t vertices,
-            CoarseBorder border, std::span<const unsigned char> keep);
-
-  void run();
-  CoarsePatch patch() const;
-
- private:
-  /// An edge to collapse into its end that stays.
-  struct Collapse {
-    Index edge = HalfEdges::none;
-    Index stays = HalfEdges::none;
-    double cost = k_far;
-  };
-
-  TriangleGrade grade(Index a, Index b, Index c) const;
-  TriangleGrade grade_around(Index v) const;
-  TriangleGrade grade_after(Index gone, Index stays) const;
-  double crowding(Index v) const;
-  double border_gap(Index v) const;
-  double distance_cost(Index gone, Index stays) const;
-  double least_cost(Index v) const;
-  template <class F>
-  void for_each_way_out(Index v, F f) const;
-  Collapse best_collapse(Index v);
-  void collapse(const Collapse& way, Index gone);
-  bool improves(Index h) const;
-  void flip_around(Index v);
-  void touch(Index v);
-  void update_touched();
-
-  const TriMesh& mesh_;
-  FineSurface surface_;
-  HalfEdges half_edges_;
-  std::vector<unsigned char> fixed_;
-  std::vector<double> sizes_;
-  double limit_;
-  std::size_t left_ = 0, wanted_;
-  std::vector<Index> loop_of_;  // of border vertices
-  std::vector<std::size_t> loop_sizes_;
-  VertexQueue queue_;
-  std::vector<Index> stack_, touched_;
-  std::vector<unsigned char> is_touched_;
-};
-
-Coarsener::Coarsener(const TriMesh& mesh, const Connectivity& connectivity, std::size_t vertices,
-                     CoarseBorder border, std::span<const unsigned char> keep)
-    : mesh_(mesh),
-      surface_(fine_surface(mesh, connectivity)),
-      half_edges_(mesh),
-      fixed_(keep.begin(), keep.end()),
-      limit_(border == CoarseBorder::kept ? k_sparse : k_far),
-      wanted_(vertices),
-      loop_of_(mesh.positions.size(), 0),
-      queue_(mesh.positions.size()),
-      is_touched_(mesh.positions.size(), 0) {
-  fixed_.resize(mesh.positions.size(), 0);
-  for (const auto& loop : connectivity.border_loops()) {
-    for (const Index v : loop) {
-      loop_of_[v] = static_cast<Index>(loop_sizes_.size());
-      if (border == CoarseBorder::kept) fixed_[v] = 1;
-    }
-    loop_sizes_.push_back(loop.size());
-  }
-  sizes_ = border == CoarseBorder::kept ? graded_sizes(surface_, half_edges_, fixed_, vertices)
-                                        : even_sizes(surface_, vertices);
-  for (Index v = 0; v < fixed_.size(); ++v) {
-    if (!half_edges_.is_used(v)) continue;
-    ++left_;
-    if (fixed_[v] == 0) queue_.set(v, least_cost(v));
-  }
-}
-
-TriangleGrade Coarsener::grade(Index a, Index b, Index c) const {
-  const Vec3 p = surface_.positions[a], q = surface_.positions[b], r = surface_.positions[c];
-  const Vec3 n = cross(q - p, r - p);
-  const double area = dot(n, n);
-  if (!(area > 0.0)) return {1.0, -1.0};
-  std::array<double, 3> sides{dot(q - p, q - p), dot(r - q, r - q), dot(p - r, p - r)};
-  if (sides[1] < sides[0]) std::swap(sides[0], sides[1]);
-  if (sides[2] < sides[0]) std::swap(sides[0], sides[2]);
-  const Vec3 fine = surface_.normals[a] + surface_.normals[b] + surface_.normals[c];
-  const double lengths = std::sqrt(area * dot(fine, fine));
-  return {(sides[1] + sides[2] - sides[0]) / (2.0 * std::sqrt(sides[1] * sides[2])),
-          lengths > 0.0 ? dot(n, fine) / lengths : -1.0};
-}
-
-TriangleGrade Coarsener::grade_around(Index v) const {
-  TriangleGrade worst;
-  half_edges_.for_each_corner(
-      v, [&](Index h) { worst.add(grade(v, half_edges_.to(h), half_edges_.apex(h))); });
-  return worst;
-}
-
-/// Of the triangles that change when `gone` is drawn into `stays`.
-TriangleGrade Coarsener::grade_after(Index gone, Index stays) const {
-  TriangleGrade worst;
-  half_edges_.for_each_corner(gone, [&](Index h) {
-    const Index a = half_edges_.to(h), b = half_edges_.apex(h);
-    if (a != stays && b != stays) worst.add(grade(stays, a, b));
-  });
-  return worst;
-}
-
-/// The square of the distance to the neighbours, by a mean that the nearest rule; a border edge
-/// opposite counts as one of them, with its height as that of an equilateral triangle.
-double Coarsener::crowding(Index v) const {
-  if (half_edges_.is_border(v)) return border_gap(v);
-  const Vec3 p = surface_.positions[v];
-  double sum = 0.0;
-  half_edges_.for_each_corner(v, [&](Index h) {
-    const Index w = half_edges_.to(h);
-    const Vec3 edge = surface_.positions[w] - p;
-    const double size = 0.5 * (sizes_[v] + sizes_[w]);
-    double closeness = size * size / dot(edge, edge);
-    if (half_edges_.twin(HalfEdges::next(h)) == HalfEdges::none) {
-      const Vec3 side = surface_.positions[half_edges_.apex(h)] - surface_.positions[w];
-      const Vec3 n = cross(edge, side);
-      closeness = std::max(closeness, 0.75 * size * size * dot(side, side) / dot(n, n));
-    }
-    closeness *= closeness;
-    sum += closeness * closeness;
-  });
-  return 1.0 / std::sqrt(std::sqrt(sum));
-}
-
-double Coarsener::border_gap(Index v) const {
-  const Vec3 p = surface_.positions[v];
-  const Index before = half_edges_.from(half_edges_.border_edge_to(v));
-  const double gap = norm(surface_.positions[half_edges_.next_on_border(v)] - p) +
-                     norm(surface_.positions[before] - p);
-  return k_gap_cost * gap * gap / (sizes_[v] * sizes_[v]);
-}
-
-double Coarsener::distance_cost(Index gone, Index stays) const {
-  const double size = sizes_[gone];
-  return k_distance_cost * surface_.quadrics[gone].mean(surface_.positions[stays]) / (size * size);
-}
-
-/// Calls f(edge, end that stays) with each edge that v may be drawn along.
-template <class F>
-void Coarsener::for_each_way_out(Index v, F f) const {
-  if (half_edges_.is_border(v)) {
-    if (loop_sizes_[loop_of_[v]] <= k_least_loop) return;
-    const Index before = half_edges_.border_edge_to(v);
-    f(half_edges_.first(v), half_edges_.next_on_border(v));
-    f(before, half_edges_.from(before));
-  } else {
-    half_edges_.for_each_corner(v, [&](Index h) { f(h, half_edges_.to(h)); });
-  }
-}
-
-/// What taking v out costs at least.
-double Coarsener::least_cost(Index v) const {
-  double least = k_far;
-  for_each_way_out(v, [&](Index, Index w) { least = std::min(least, distance_cost(v, w)); });
-  return least + crowding(v);
-}
-
-Coarsener::Collapse Coarsener::best_collapse(Index v) {
-  const TriangleGrade before = grade_around(v);
-  const double crowding_cost = crowding(v);
-  Collapse best;
-  double best_score = k_far;
-  for_each_way_out(v, [&](Index edge, Index stays) {
-    const double cost = crowding_cost + distance_cost(v, stays);
-    if (!(cost - k_shape_cost * crowding_cost < best_score)) return;
-    const TriangleGrade after = grade_after(v, stays);
-    const double score = cost + k_shape_cost * crowding_cost * after.cosine;
-    if (!(score < best_score)) return;
-    if (after.alignment < std::min(k_least_alignment, before.alignment)) return;
-    if (after.cosine > std::max(k_largest_cosine, before.cosine)) return;
-    if (!half_edges_.may_collapse(edge, v)) return;
-    best_score = score;
-    best = {edge, stays, cost};
-  });
-  return best;
-}
-
-void Coarsener::touch(Index v) {
-  if (is_touched_[v] != 0) return;
-  is_touched_[v] = 1;
-  touched_.push_back(v);
-}
-
-void Coarsener::collapse(const Collapse& way, Index gone) {
-  if (half_edges_.is_border(gone)) --loop_sizes_[loop_of_[gone]];
-  half_edges_.collapse(way.edge, gone);
-  surface_.quadrics[way.stays] += surface_.quadrics[gone];
-  --left_;
-  touch(way.stays);
-  half_edges_.for_each_neighbor(way.stays, [&](Index w) { touch(w); });
-  flip_around(way.stays);
-  update_touched();
-}
-
-/// Whether a flip makes the smallest angle larger and nearly keeps the surface. As the list of all
-/// angles, smallest first, grows with every such flip, they come to an end.
-bool Coarsener::improves(Index h) const {
-  if (half_edges_.twin(h) == HalfEdges::none) return false;
-  const Index a = half_edges_.from(h), b = half_edges_.to(h);
-  const Index c = half_edges_.apex(h), d = half_edges_.apex(half_edges_.twin(h));
-  const auto& p = surface_.positions;
-  // The sum of the angles at c and d is beyond 180 degrees where that of the cotangents is
-  // negative.
-  const Vec3 ca = p[a] - p[c], cb = p[b] - p[c], da = p[a] - p[d], db = p[b] - p[d];
-  if (!(dot(ca, cb) * norm(cross(da, db)) + dot(da, db) * norm(cross(ca, cb)) < 0.0)) return false;
-  const Vec3 ab = p[b] - p[a], cd = p[d] - p[c], across = cross(ab, cd);
-  const double height = dot(ca, across), shorter = std::min(dot(ab, ab), dot(cd, cd));
-  if (height * height > k_flip_height * k_flip_height * shorter * dot(across, across)) return false;
-  TriangleGrade before = grade(a, b, c), after = grade(d, b, c);
-  before.add(grade(b, a, d));
-  after.add(grade(c, a, d));
-  return after.cosine < before.cosine - 1e-12 &&
-         after.alignment >= std::min(k_least_alignment, before.alignment) &&
-         half_edges_.may_flip(h);
-}
-
-void Coarsener::flip_around(Index v) {
-  half_edges_.for_each_corner(v, [&](Index h) {
-    stack_.push_back(h);
-    stack_.push_back(HalfEdges::next(h));
-  });
-  while (!stack_.empty()) {
-    const Index h = stack_.back();
-    stack_.pop_back();
-    if (!improves(h)) continue;
-    const Index g = half_edges_.twin(h);
-    half_edges_.flip(h);
-    for (const Index side : {h, HalfEdges::next(h), g, HalfEdges::next(g)}) {
-      stack_.push_back(side);
-      touch(half_edges_.from(side));
-    }
-  }
-}
-
-void Coarsener::update_touched() {
-  for (const Index v : touched_) {
-    is_touched_[v] = 0;
-    if (fixed_[v] == 0) queue_.set(v, least_cost(v));
-  }
-  touched_.clear();
-}
-
-void Coarsener::run() {
-  while (left_ > wanted_ && !queue_.empty() && queue_.top_key() < limit_) {
-    const Index v = queue_.top();
-    const double key = queue_.top_key();
-    const Collapse way = best_collapse(v);
-    // Those that cannot go are asked again when something changes around them.
-    if (way.edge == HalfEdges::none) {
-      queue_.remove(v);
-    } else if (way.cost > key) {
-      queue_.set(v, way.cost);
-    } else {
-      queue_.remove(v);
-      collapse(way, v);
-    }
-  }
-}
-
-CoarsePatch Coarsener::patch() const {
-  CoarsePatch patch;
-  std::vector<Index> number(mesh_.positions.size(), HalfEdges::none);
-  for (Index v = 0; v < number.size(); ++v) {
-    if (!half_edges_.is_used(v)) continue;
-    number[v] = static_cast<Index>(patch.source.size());
-    patch.source.push_back(v);
-    patch.mesh.positions.push_back(mesh_.positions[v]);
-  }
-  for (Index h = 0; h < half_edges_.size(); h += 3) {
-    if (!half_edges_.is_alive(h)) continue;
-    patch.mesh.triangles.push_back({number[half_edges_.from(h)], number[half_edges_.from(h + 1)],
-                                    number[half_edges_.from(h + 2)]});
-  }
+CoarsePatch whole(const TriMesh& mesh) {
+  CoarsePatch patch{mesh, std::vector<Index>(mesh.positions.size())};
+  std::iota(patch.source.begin(), patch.source.end(), Index{0});
   return patch;
 }
 
-CoarsePatch whole(const TriMesh& mesh) {
-  CoarsePatch patch{mesh, {}};
-  for (Index v = 0; v < mesh.positions.size(); ++v)
+/// @param triangles of vertices by their place in `order`
+CoarsePatch patch_of(const TriMesh& mesh, const std::vector<Triangle>& triangles,
+                     const std::vector<Index>& order) {
+  CoarsePatch patch;
+  std::vector<Index> number(mesh.positions.size(), HalfEdges::none);
+  for (const Triangle& t : triangles) {
+    for (const Index v : t)
+      number[order[v]] = 0;
+  }
+  for (Index v = 0; v < number.size(); ++v) {
+    if (number[v] == HalfEdges::none) continue;
+    number[v] = static_cast<Index>(patch.source.size());
     patch.source.push_back(v);
+    patch.mesh.positions.push_back(mesh.positions[v]);
+  }
+  for (const Triangle& t : triangles)
+    patch.mesh.triangles.push_back({number[order[t[0]]], number[order[t[1]]], number[order[t[2]]]});
   return patch;
 }
 
@@ -330,9 +41,13 @@ CoarsePatch whole(const TriMesh& mesh) {
 CoarsePatch coarsen(const TriMesh& mesh, const Connectivity& connectivity, std::size_t vertices,
                     CoarseBorder border, std::span<const unsigned char> keep) {
   if (vertices >= mesh.positions.size()) return whole(mesh);
-  Coarsener coarsener(mesh, connectivity, vertices, border, keep);
+  const std::vector<Index> order = breadth_first_order(connectivity);
+  std::vector<unsigned char> kept(order.size(), 0);
+  for (std::size_t i = 0; i < order.size() && !keep.empty(); ++i)
+    kept[i] = keep[order[i]];
+  Coarsener coarsener(renumbered(mesh, order), vertices, border, std::move(kept));
   coarsener.run();
-  return coarsener.patch();
+  return patch_of(mesh, coarsener.triangles(), order);
 }
 
 }  // namespace planish

@@ -38,22 +38,21 @@ void add_triangles(const TriMesh& mesh, FineSurface& surface) {
   }
 }
 
-void add_border(const Connectivity& connectivity, FineSurface& surface) {
-  for (const auto& loop : connectivity.border_loops()) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Index v = loop[i], w = loop[i + 1 < loop.size() ? i + 1 : 0];
-      const Vec3 p = surface.positions[v], edge = surface.positions[w] - p;
-      const double length = norm(edge);
-      if (!(length > 0.0)) continue;
-      for (const Index end : {v, w})
-        surface.quadrics[end].add_line(p, (1.0 / length) * edge, length * length, k_border_stress);
-    }
+void add_border(const HalfEdges& half_edges, FineSurface& surface) {
+  for (Index h = 0; h < half_edges.size(); ++h) {
+    if (half_edges.twin(h) != HalfEdges::none) continue;
+    const Index v = half_edges.from(h), w = half_edges.to(h);
+    const Vec3 p = surface.positions[v], edge = surface.positions[w] - p;
+    const double length = norm(edge);
+    if (!(length > 0.0)) continue;
+    for (const Index end : {v, w})
+      surface.quadrics[end].add_line(p, (1.0 / length) * edge, length * length, k_border_stress);
   }
 }
 
 }  // namespace
 
-FineSurface fine_surface(const TriMesh& mesh, const Connectivity& connectivity) {
+FineSurface fine_surface(const TriMesh& mesh, const HalfEdges& half_edges) {
   const std::size_t n = mesh.positions.size();
   FineSurface surface;
   surface.positions = scaled_positions(mesh);
@@ -61,7 +60,7 @@ FineSurface fine_surface(const TriMesh& mesh, const Connectivity& connectivity) 
   surface.areas.assign(n, 0.0);
   surface.quadrics.assign(n, PlaneQuadric{});
   add_triangles(mesh, surface);
-  add_border(connectivity, surface);
+  add_border(half_edges, surface);
   for (Vec3& normal : surface.normals) {
     const double length = norm(normal);
     if (length > 0.0) normal = (1.0 / length) * normal;

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
 #include <planish/mesh/tri_mesh.h>
 
+#include "mesh/half_edges.h"
 #include "mesh/plane_quadric.h"
 
 namespace planish {
@@ -18,6 +18,6 @@ struct FineSurface {
   std::vector<PlaneQuadric> quadrics;  ///< planes of the triangles, lines of the border edges
 };
 
-FineSurface fine_surface(const TriMesh& mesh, const Connectivity& connectivity);
+FineSurface fine_surface(const TriMesh& mesh, const HalfEdges& half_edges);
 
 }  // namespace planish

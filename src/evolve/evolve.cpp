@@ -28,6 +28,12 @@ std::string_view to_string(StopReason reason) {
       return "stalled";
     case StopReason::converged:
       return "converged";
+    case StopReason::strain_met:
+      return "strain_met";
+    case StopReason::deviation_limit:
+      return "deviation_limit";
+    case StopReason::angle_limit:
+      return "angle_limit";
     case StopReason::sweep_limit:
       return "sweep_limit";
     case StopReason::cancelled:
@@ -58,11 +64,14 @@ EvolveResult evolve(const TriMesh& mesh, const Method& method, const Stopping& s
     const SweepRecord& record = result.history.emplace_back(evolver.step());
     e_max = record.e_max;
     if (met()) result.stop = StopReason::reached_target;
-    if (!met() && record.moved == 0) result.stop = StopReason::stalled;
-    if (!met() && record.converged) result.stop = StopReason::converged;
+    // A step on a coarser level moves nothing here.
+    if (!met() && record.moved == 0 && !record.level) result.stop = StopReason::stalled;
+    if (!met() && record.converged) result.stop = record.reason;
     if (on_sweep && !on_sweep(record)) result.stop = StopReason::cancelled;
     if (result.stop != StopReason::sweep_limit) break;
   }
+  if (result.stop == StopReason::sweep_limit || result.stop == StopReason::cancelled)
+    evolver.settle();
   result.positions = evolver.positions();
   result.threads = evolver.threads();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

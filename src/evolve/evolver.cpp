@@ -1,4 +1,5 @@
 #include <chrono>
+#include <optional>
 
 #include <planish/evolve/evolver.h>
 #include <planish/measure/flattenability.h>
@@ -15,14 +16,17 @@ class Evolver::Impl {
   Impl(const TriMesh& mesh, const Connectivity& connectivity, const Method& method,
        unsigned threads, const Constraints& constraints)
       : pool_(threads), state_(mesh, connectivity, pool_, constraints) {
-    sweep_ = std::visit([this](const auto& m) { return make_sweep(m, state_, pool_); }, method);
+    sweep_.emplace(
+        std::visit([this](const auto& m) { return make_sweep(m, state_, pool_); }, method));
   }
 
   SweepRecord step() {
     SweepRecord record;
-    const SweepOutcome outcome = sweep_();
+    const SweepOutcome outcome = (*sweep_)();
     record.moved = outcome.moved;
     record.converged = outcome.converged;
+    record.reason = outcome.reason;
+    record.level = outcome.level;
     // Anew from the positions, so that the errors of many small updates cannot pile up.
     const Flattenability figures = state_.measure(pool_);
     record.sweep = ++sweeps_;
@@ -34,6 +38,8 @@ class Evolver::Impl {
     return record;
   }
 
+  void settle() { sweep_->settle(); }
+
   const PatchState& state() const { return state_; }
   unsigned threads() const { return pool_.size(); }
 
@@ -41,7 +47,7 @@ class Evolver::Impl {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   ThreadPool pool_;
   PatchState state_;
-  Sweep sweep_;
+  std::optional<Sweep> sweep_;
   int sweeps_ = 0;
 };
 
@@ -59,6 +65,10 @@ Evolver& Evolver::operator=(Evolver&&) noexcept = default;
 
 SweepRecord Evolver::step() {
   return impl_->step();
+}
+
+void Evolver::settle() {
+  impl_->settle();
 }
 
 std::vector<Vec3> Evolver::positions() const {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "solve/dissection.h"
+#include "solve/sparse_pattern.h"
 
 namespace planish {
 
@@ -22,44 +23,6 @@ std::vector<Vec3> places_of(const PatchState& state, std::span<const Index> vert
   for (const Index v : vertices)
     places.push_back(state.position(v));
   return places;
-}
-
-/// The weights of each vertex's edges to its ring; the row of L is their sum at the vertex and
-/// minus each at its neighbour.
-std::vector<std::vector<double>> rows_of_laplacian(const PatchState& state, LaplacianWeights kind) {
-  std::vector<std::vector<double>> rows;
-  std::vector<double> areas;
-  for (Index v = 0; const auto ring : rings_by_vertex(state.plan())) {
-    if (kind == LaplacianWeights::uniform) {
-      rows.emplace_back(ring.size(), 1.0 / static_cast<double>(ring.size()));
-    } else {
-      const std::vector<Vec3> places = places_of(state, ring);
-      rows.push_back(cotangent_weights(state.position(v), places));
-      areas.push_back(mixed_area(state.position(v), places));
-    }
-    ++v;
-  }
-  if (kind == LaplacianWeights::uniform) return rows;
-  const double mean =
-      std::accumulate(areas.begin(), areas.end(), 0.0) / static_cast<double>(areas.size());
-  for (std::size_t v = 0; v < rows.size(); ++v) {
-    // A vertex without area would weigh without end.
-    const double scale = mean / std::max(areas[v], 1e-3 * mean);
-    for (double& weight : rows[v])
-      weight *= scale;
-  }
-  return rows;
-}
-
-Graph graph_of(const SparseMatrix& symmetric) {
-  Graph graph;
-  for (int v = 0; v < symmetric.outerSize(); ++v) {
-    for (SparseMatrix::InnerIterator entry(symmetric, v); entry; ++entry) {
-      if (entry.row() != v) graph.neighbours.push_back(static_cast<Index>(entry.row()));
-    }
-    graph.start.push_back(graph.neighbours.size());
-  }
-  return graph;
 }
 
 Eigen::RowVector3d row_of(Vec3 p) {
@@ -93,6 +56,31 @@ double mixed_area(Vec3 p, std::span<const Vec3> ring) {
     }
   }
   return area;
+}
+
+std::vector<std::vector<double>> rows_of_laplacian(const PatchState& state, LaplacianWeights kind) {
+  std::vector<std::vector<double>> rows;
+  std::vector<double> areas;
+  for (Index v = 0; const auto ring : rings_by_vertex(state.plan())) {
+    if (kind == LaplacianWeights::uniform) {
+      rows.emplace_back(ring.size(), 1.0 / static_cast<double>(ring.size()));
+    } else {
+      const std::vector<Vec3> places = places_of(state, ring);
+      rows.push_back(cotangent_weights(state.position(v), places));
+      areas.push_back(mixed_area(state.position(v), places));
+    }
+    ++v;
+  }
+  if (kind == LaplacianWeights::uniform) return rows;
+  const double mean =
+      std::accumulate(areas.begin(), areas.end(), 0.0) / static_cast<double>(areas.size());
+  for (std::size_t v = 0; v < rows.size(); ++v) {
+    // A vertex without area would weigh without end.
+    const double scale = mean / std::max(areas[v], 1e-3 * mean);
+    for (double& weight : rows[v])
+      weight *= scale;
+  }
+  return rows;
 }
 
 Fairing::Fairing(const PatchState& state, std::span<const unsigned char> movable,

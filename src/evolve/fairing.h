@@ -41,6 +41,10 @@ class Fairing {
   bool solvable_ = false;
 };
 
+/// The weights of each inner vertex's edges to its ring, as the patch is now; the row of L is their
+/// sum at the vertex and minus each at its neighbour.
+std::vector<std::vector<double>> rows_of_laplacian(const PatchState& state, LaplacianWeights kind);
+
 /// The cotangent weights of the edges from p to its closed ring, in the ring's order.
 std::vector<double> cotangent_weights(Vec3 p, std::span<const Vec3> ring);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "solve/dissection.h"
+#include "solve/sparse_pattern.h"
 
 namespace planish {
 
@@ -25,15 +26,6 @@ Graph inner_graph(const AngleJacobian& jacobian) {
     graph.start.push_back(graph.neighbours.size());
   }
   return graph;
-}
-
-/// Where the entry of the lower half lies among the values.
-std::size_t place_of(const SparseMatrix& lower, int i, int j) {
-  const auto [column, row] = std::minmax(i, j);
-  const int* rows = lower.innerIndexPtr();
-  const int* begin = rows + lower.outerIndexPtr()[column];
-  const int* end = rows + lower.outerIndexPtr()[column + 1];
-  return static_cast<std::size_t>(std::lower_bound(begin, end, row) - rows);
 }
 
 /// The lower half, with what never changes in it.

@@ -2,7 +2,11 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <type_traits>
+#include <utility>
 
+#include <planish/evolve/evolver.h>
 #include <planish/evolve/method.h>
 
 #include "core/thread_pool.h"
@@ -14,13 +18,35 @@ namespace planish {
 struct SweepOutcome {
   std::size_t moved = 0;   ///< vertices
   bool converged = false;  ///< the method's own test says that no more can be gained
+  StopReason reason = StopReason::converged;  ///< if so, why
+  std::optional<LevelRecord> level = {};      ///< if it was a step of a level
 };
 
 /// One pass of a method over all inner vertices. Positions are what counts when it returns: the
 /// evolver computes the defects anew.
-using Sweep = std::function<SweepOutcome()>;
+class Sweep {
+ public:
+  template <class Pass>
+  requires std::is_invocable_r_v<SweepOutcome, Pass> Sweep(
+      Pass pass)  // NOLINT(google-explicit-constructor): a pass is all that most methods are
+      : pass_(std::move(pass)) {}
+  /// @param settle puts what the method has found elsewhere into the positions, where it is ended
+  ///   early
+  Sweep(std::function<SweepOutcome()> pass, std::function<void()> settle)
+      : pass_(std::move(pass)), settle_(std::move(settle)) {}
+
+  SweepOutcome operator()() const { return pass_(); }
+  void settle() const {
+    if (settle_) settle_();
+  }
+
+ private:
+  std::function<SweepOutcome()> pass_;
+  std::function<void()> settle_;
+};
 
 /// One per method, each in the source file of its name. State and pool must outlive the sweep.
+Sweep make_sweep(const Auto& options, PatchState& state, ThreadPool& pool);
 Sweep make_sweep(const ClassicalLaplacian& options, PatchState& state, ThreadPool& pool);
 Sweep make_sweep(const ControllableLaplacian& options, PatchState& state, ThreadPool& pool);
 Sweep make_sweep(const FlattenableLaplacian& options, PatchState& state, ThreadPool& pool);

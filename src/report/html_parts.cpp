@@ -68,6 +68,12 @@ std::string stop_text(StopReason stop) {
       return "no vertex moved any more";
     case StopReason::converged:
       return "the method had converged";
+    case StopReason::strain_met:
+      return "the strain is within the limit asked for";
+    case StopReason::deviation_limit:
+      return "going on would have moved vertices further than allowed";
+    case StopReason::angle_limit:
+      return "going on would have made angles smaller than allowed";
     case StopReason::sweep_limit:
       return "all sweeps asked for were made";
     case StopReason::cancelled:

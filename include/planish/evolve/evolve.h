@@ -21,15 +21,6 @@ void describe(Stopping& o, Visit&& visit) {
         Range{0.0});
 }
 
-enum class StopReason {
-  reached_target,  ///< e_max is at most the target
-  stalled,         ///< a sweep moved nothing, so no later one would
-  converged,       ///< the method's own test says that it is done
-  sweep_limit,
-  cancelled,
-};
-std::string_view to_string(StopReason reason);
-
 /// Called after every sweep; returning false ends the run as cancelled.
 using OnSweep = std::function<bool(const SweepRecord&)>;
 

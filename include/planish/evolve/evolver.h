@@ -2,13 +2,22 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <planish/evolve/constraints.h>
 #include <planish/evolve/method.h>
+#include <planish/evolve/stop_reason.h>
 #include <planish/mesh/connectivity.h>
 
 namespace planish {
+
+/// A step on a level of a method that goes from coarse to fine.
+struct LevelRecord {
+  std::size_t inner_vertices = 0;          ///< of the level
+  double merit_before = 0.0, merit = 0.0;  ///< what the step made smaller
+  double strain = 0.0;                     ///< the level's rms strain potential, a share of length
+};
 
 /// The state after one sweep: figures as in Flattenability, radians.
 struct SweepRecord {
@@ -17,6 +26,10 @@ struct SweepRecord {
   std::size_t moved = 0;   ///< vertices that this sweep moved
   double seconds = 0.0;    ///< since the evolver was made
   bool converged = false;  ///< the method's own test says that no sweep would gain anything more
+  StopReason reason = StopReason::converged;  ///< if so, why
+  /// If the sweep was a step on a level: the other figures are those of the patch itself, which
+  /// does not move before the last level.
+  std::optional<LevelRecord> level = {};
 };
 
 /// Runs a method on a patch, one sweep at a time. evolve() is the loop over it; this is for those
@@ -38,6 +51,10 @@ class Evolver {
 
   /// One pass over all inner vertices, or one step that moves them all at once.
   SweepRecord step();
+
+  /// For who ends before the method does: puts what it has found elsewhere, as on coarser levels,
+  /// into the positions.
+  void settle();
 
   /// Where the vertices are now, in the order of the mesh. Vertices that never moved keep the bits
   /// that they came with.

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <variant>
 
+#include <planish/evolve/auto.h>
 #include <planish/evolve/classical_laplacian.h>
 #include <planish/evolve/controllable_laplacian.h>
 #include <planish/evolve/flattenable_laplacian.h>
@@ -21,8 +22,9 @@ namespace planish {
 /// and describe(options, visit) describes its options, once, for command line, JSON, bindings and
 /// docs: it calls visit(name, member, doc, range) for numbers and visit(name, member, doc) for
 /// enumerations.
-using Method = std::variant<ControllableLaplacian, ClassicalLaplacian, LeastNorm,
-                            FlattenableLaplacian, LocalOffset, GlobalPenalty, LocalPerturbation>;
+using Method =
+    std::variant<ControllableLaplacian, ClassicalLaplacian, LeastNorm, FlattenableLaplacian,
+                 LocalOffset, GlobalPenalty, LocalPerturbation, Auto>;
 
 /// As in "controllable".
 std::string_view name_of(const Method& method);

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <limits>
+#include <string_view>
+
+#include <planish/core/fields.h>
+
+namespace planish {
+
+/// The method that finishes the job: from a coarse patch to the one given, each brought to where it
+/// is flattenable by steps that weigh the pattern's strain against smoothness and closeness; then
+/// least-norm steps for the last digits. docs/methods/auto.md
+struct Auto {
+  static constexpr std::string_view name = "auto";
+  static constexpr int usual_sweeps = 400;
+  static constexpr bool honours_weights = true, honours_obstacle = false;
+  double max_strain = 0.0;
+  double max_deviation = std::numeric_limits<double>::infinity();
+  double min_angle = 0.0;
+  double closeness = 0.02;
+};
+
+template <class Visit>
+void describe(Auto& o, Visit&& visit) {
+  visit("max_strain", o.max_strain,
+        "end as soon as a pattern need not stretch more, as a share of length; 0: go on until the "
+        "patch is flattenable",
+        Range{0.0, 1.0});
+  visit("max_deviation", o.max_deviation,
+        "no vertex ends further than this from where it began, in model units", Range{0.0});
+  visit("min_angle", o.min_angle,
+        "no triangle gets an angle below this, or below the smallest one at first if that is "
+        "smaller, in degrees",
+        Range{0.0, 60.0});
+  visit("closeness", o.closeness,
+        "how much staying where the patch was weighs against being smooth", Range{0.0, 1e6});
+}
+
+}  // namespace planish

@@ -1,0 +1,172 @@
+// From coarse to fine, each level by StrainDescent, the last digits by least-norm steps. Equations
+// and what was tried: docs/methods/auto.md.
+
+#include <algorithm>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include <planish/evolve/method.h>
+#include <planish/measure/flattenability.h>
+
+#include "evolve/coarse_levels.h"
+#include "evolve/places.h"
+#include "evolve/smallest_angle.h"
+#include "evolve/strain_descent.h"
+#include "evolve/sweep.h"
+
+namespace planish {
+
+namespace {
+
+// Strain, rms, at which a level is done: what lifting to the next one brings is more; and at which
+// least-norm steps end the work on the patch itself in fewer steps.
+constexpr double k_coarse_strain = 1e-4, k_polish_strain = 2e-4;
+// Of what counts as flattenable, so that it does on rounding too.
+constexpr double k_share = 0.5;
+constexpr int k_most_steps = 60, k_most_polishes = 40, k_most_idle = 3;
+
+class AutoStepper {
+ public:
+  AutoStepper(const Auto& options, PatchState& state, ThreadPool& pool)
+      : options_(options),
+        state_(state),
+        pool_(pool),
+        least_angle_(angle_to_keep(options, state)),
+        levels_(state),
+        level_(levels_.coarsest()) {
+    open_level();
+    descent_->start(k_pace_from_scratch);
+  }
+
+  SweepOutcome step() { return polish_ ? polish() : descend(); }
+
+  /// Brings what coarse levels have found so far to the patch itself.
+  void settle() {
+    while (level_ > 0)
+      lift();
+  }
+
+ private:
+  /// Unless told: no needles, but for those that there are.
+  static double angle_to_keep(const Auto& options, const PatchState& state) {
+    constexpr double needle = 5.0;  // degrees
+    if (options.min_angle > 0.0) return radians(options.min_angle);
+    return std::min(radians(needle), 0.5 * smallest_angle(state));
+  }
+  static double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+  /// Makes the descent of the level, its patch where it was at first.
+  void open_level() {
+    coarse_ = level_ > 0 ? levels_.make_state(level_, pool_) : nullptr;
+    PatchState& state = coarse_ ? *coarse_ : state_;
+    const DescentLimits limits = {state.scale() * options_.max_deviation, least_angle_};
+    descent_ = std::make_unique<StrainDescent>(state, pool_, options_.closeness, limits);
+    steps_ = idle_ = 0;
+  }
+
+  /// On to the next finer level.
+  void lift() {
+    const std::unique_ptr<PatchState> found = std::move(coarse_);
+    descent_.reset();
+    open_level_below(*found);
+  }
+  void open_level_below(const PatchState& found) {
+    --level_;
+    open_level();
+    levels_.lift(level_ + 1, found, descent_->cost(), coarse_ ? *coarse_ : state_);
+    descent_->start(k_pace_from_coarse);
+  }
+
+  bool strain_is_met() const {
+    return options_.max_strain > 0.0 && descent_->max_strain() <= options_.max_strain;
+  }
+
+  SweepOutcome descend() {
+    SweepOutcome outcome;
+    if (descent_->solvable() && !strain_is_met()) {
+      const StrainDescent::Step step = descent_->step();
+      idle_ = step.moved > 0 ? 0 : idle_ + 1;
+      outcome.moved = step.moved;
+      outcome.level = {(coarse_ ? *coarse_ : state_).inner_count(), step.merit_before, step.merit,
+                       descent_->rms_strain()};
+      const double enough = level_ > 0 ? k_coarse_strain : k_polish_strain;
+      const bool over = strain_is_met() || descent_->rms_strain() <= enough ||
+                        idle_ >= k_most_idle || ++steps_ >= k_most_steps;
+      if (!over) return outcome;
+    } else {
+      outcome.level = {(coarse_ ? *coarse_ : state_).inner_count()};
+    }
+    end_level(outcome);
+    return outcome;
+  }
+
+  /// What comes after a level: the next one, least-norm steps, or the end.
+  void end_level(SweepOutcome& outcome) {
+    if (level_ > 0) return lift();
+    const auto reason = reason_to_end();
+    if (reason) {
+      outcome.converged = true;
+      outcome.reason = *reason;
+      return;
+    }
+    descent_.reset();
+    polish_.emplace(make_sweep(LeastNorm{.update = LeastNormUpdate::direct}, state_, pool_));
+  }
+
+  std::optional<StopReason> reason_to_end() const {
+    if (strain_is_met()) return StopReason::strain_met;
+    if (descent_->at_deviation_limit()) return StopReason::deviation_limit;
+    if (options_.max_strain == 0.0) return std::nullopt;
+    const bool angles = options_.min_angle > 0.0 && descent_->at_angle_limit();
+    return angles ? StopReason::angle_limit : StopReason::stalled;
+  }
+
+  /// A least-norm step, taken back where it breaks a limit.
+  SweepOutcome polish() {
+    const Places before = inner_places(state_);
+    const std::size_t moved = (*polish_)().moved;
+    const auto broken = broken_limit();
+    if (broken) {
+      for (Index v = 0; v < before.size(); ++v)
+        state_.move(v, before[v]);
+      return {0, true, *broken};
+    }
+    ++polishes_;
+    const Flattenability figures = state_.measure(pool_);
+    const bool flat = figures.e_max <= k_share * k_flattenable_e_max &&
+                      figures.sum_abs_defect <= k_share * k_flattenable_sum;
+    if (flat) return {moved, true};
+    return {moved, polishes_ >= k_most_polishes, StopReason::stalled};
+  }
+
+  std::optional<StopReason> broken_limit() const {
+    const double far = state_.scale() * options_.max_deviation;
+    for (std::size_t v = 0; v < state_.inner_count(); ++v) {
+      if (norm(state_.position(v) - state_.origin(v)) > far) return StopReason::deviation_limit;
+    }
+    if (smallest_angle(state_) < least_angle_) return StopReason::angle_limit;
+    return std::nullopt;
+  }
+
+  Auto options_;
+  PatchState& state_;
+  ThreadPool& pool_;
+  double least_angle_;
+  CoarseLevels levels_;
+  std::size_t level_;
+  std::unique_ptr<PatchState> coarse_;  // of the level, none at the patch itself
+  std::unique_ptr<StrainDescent> descent_;
+  std::optional<Sweep> polish_;
+  int steps_ = 0, idle_ = 0, polishes_ = 0;
+};
+
+}  // namespace
+
+Sweep make_sweep(const Auto& options, PatchState& state, ThreadPool& pool) {
+  const auto stepper = std::make_shared<AutoStepper>(options, state, pool);
+  return Sweep([stepper] { return stepper->step(); }, [stepper] { stepper->settle(); });
+}
+
+}  // namespace planish

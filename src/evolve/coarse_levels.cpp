@@ -1,0 +1,115 @@
+#include "evolve/coarse_levels.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <planish/mesh/inspect.h>
+
+namespace planish {
+
+namespace {
+
+// A patch of so many vertices is worked on as it is; larger ones have levels of a quarter each.
+constexpr std::size_t k_small = 6000, k_thinning = 4;
+
+TriMesh mesh_at_first(const PatchState& patch) {
+  TriMesh mesh;
+  for (std::size_t v = 0; v < patch.vertex_count(); ++v)
+    mesh.positions.push_back((1.0 / patch.scale()) * patch.origin(v));
+  mesh.triangles = patch.triangles();
+  return mesh;
+}
+
+Constraints constraints_of(const PatchState& patch) {
+  Constraints constraints;
+  bool weighted = false;
+  for (Index v = 0; v < patch.vertex_count(); ++v) {
+    if (patch.is_fixed(v)) constraints.fixed.push_back(v);
+    constraints.weights.push_back(patch.weight(v));
+    weighted = weighted || patch.weight(v) != 1.0;
+  }
+  if (!weighted) constraints.weights.clear();
+  return constraints;
+}
+
+std::vector<unsigned char> marks_of(const std::vector<Index>& vertices, std::size_t count) {
+  std::vector<unsigned char> marks(vertices.empty() ? 0 : count, 0);
+  for (const Index v : vertices)
+    marks[v] = 1;
+  return marks;
+}
+
+/// What is asked of the vertices that a coarser patch has.
+Constraints coarser(const Constraints& fine, const std::vector<Index>& source) {
+  Constraints coarse;
+  const auto fixed = marks_of(fine.fixed, source.empty() ? 0 : source.back() + std::size_t{1});
+  for (Index v = 0; v < source.size(); ++v) {
+    if (!fixed.empty() && fixed[source[v]] != 0) coarse.fixed.push_back(v);
+    if (!fine.weights.empty()) coarse.weights.push_back(fine.weights[source[v]]);
+  }
+  return coarse;
+}
+
+/// Number in the state of each vertex of the mesh that a level was made from.
+std::vector<Index> numbers_in(const PatchState& state, std::size_t level, std::size_t vertices) {
+  std::vector<Index> numbers(vertices, 0);
+  for (Index v = 0; v < state.vertex_count(); ++v)
+    numbers[level > 0 ? state.vertex_of(v) : v] = v;
+  return numbers;
+}
+
+/// Coarsening asks for a border.
+bool can_be_thinned(const TriMesh& mesh) {
+  const Topology topology = inspect(mesh).topology;
+  return topology.components == 1 && topology.border_loops > 0;
+}
+
+}  // namespace
+
+CoarseLevels::CoarseLevels(const PatchState& patch) {
+  if (patch.inner_count() < k_small) return;
+  const TriMesh mesh = mesh_at_first(patch);
+  if (!can_be_thinned(mesh)) return;
+  Constraints constraints = constraints_of(patch);
+  const TriMesh* fine = &mesh;
+  std::vector<Level> levels;
+  levels.reserve(16);  // a quarter each: more than there are numbers for, so that none moves
+  while (fine->positions.size() > k_small) {
+    const std::size_t count = fine->positions.size();
+    Level level{coarsen(*fine, Connectivity(*fine), count / k_thinning, CoarseBorder::thinned,
+                        marks_of(constraints.fixed, count)),
+                {}};
+    if (2 * level.patch.mesh.positions.size() > count) break;  // no worthwhile step
+    constraints = level.constraints = coarser(constraints, level.patch.source);
+    fine = &levels.emplace_back(std::move(level)).patch.mesh;
+  }
+  levels_ = std::move(levels);
+}
+
+std::unique_ptr<PatchState> CoarseLevels::make_state(std::size_t level, ThreadPool& pool) const {
+  const Level& made = levels_[level - 1];
+  return std::make_unique<PatchState>(made.patch.mesh, Connectivity(made.patch.mesh), pool,
+                                      made.constraints);
+}
+
+void CoarseLevels::lift(std::size_t level, const PatchState& coarse, const ShapeCost& cost,
+                        PatchState& fine) const {
+  const std::vector<Index>& source = levels_[level - 1].patch.source;
+  const std::size_t fine_vertices =
+      level > 1 ? levels_[level - 2].patch.mesh.positions.size() : fine.vertex_count();
+  const std::vector<Index> numbers = numbers_in(fine, level - 1, fine_vertices);
+  std::vector<unsigned char> given(fine.inner_count(), 0);
+  Places moves(fine.inner_count());
+  for (Index v = 0; v < coarse.inner_count(); ++v) {
+    const Index to = numbers[source[coarse.vertex_of(v)]];
+    if (!fine.is_inner(to)) continue;
+    given[to] = 1;
+    moves[to] = (fine.scale() / coarse.scale()) * (coarse.position(v) - coarse.origin(v));
+  }
+  const Places spread = cost.spread(given, moves);
+  for (Index v = 0; v < fine.inner_count(); ++v) {
+    if (!fine.is_fixed(v)) fine.move(v, fine.origin(v) + spread[v]);
+  }
+}
+
+}  // namespace planish

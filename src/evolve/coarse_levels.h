@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include <planish/evolve/constraints.h>
+
+#include "core/thread_pool.h"
+#include "evolve/patch_state.h"
+#include "evolve/shape_cost.h"
+#include "mesh/coarsen.h"
+
+namespace planish {
+
+/// Coarser and coarser patches over a patch, each over a quarter of the vertices of the one before,
+/// down to a few thousand. Level 0 is the patch itself.
+class CoarseLevels {
+ public:
+  explicit CoarseLevels(const PatchState& patch);
+
+  /// Of the coarsest level; 0 where the patch is small.
+  std::size_t coarsest() const { return levels_.size(); }
+  /// A level as it was at first, what is fixed held. It must not outlive this object.
+  /// @param level from 1
+  std::unique_ptr<PatchState> make_state(std::size_t level, ThreadPool& pool) const;
+  /// Brings what was found on a level to the next finer one, which is where it was at first:
+  /// vertices that both have move alike, the others so that the whole is smooth.
+  /// @param level from 1
+  /// @param cost of the finer patch
+  void lift(std::size_t level, const PatchState& coarse, const ShapeCost& cost,
+            PatchState& fine) const;
+
+ private:
+  struct Level {
+    CoarsePatch patch;
+    Constraints constraints;
+  };
+  std::vector<Level> levels_;  // from fine to coarse
+};
+
+}  // namespace planish

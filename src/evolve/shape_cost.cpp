@@ -1,0 +1,141 @@
+#include "evolve/shape_cost.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "evolve/fairing.h"
+#include "solve/dissection.h"
+#include "solve/sparse_pattern.h"
+
+namespace planish {
+
+namespace {
+
+/// The inner vertices of the patches that closeness was tried on.
+constexpr double k_usual_count = 4000.0;
+/// Keeps matrices definite where nothing else does.
+constexpr double k_anchor = 1e-9;
+
+Places places_at_first(const PatchState& state) {
+  Places places;
+  for (std::size_t v = 0; v < state.inner_count(); ++v)
+    places.push_back(state.origin(v));
+  return places;
+}
+
+std::vector<double> pulls(const PatchState& state, double closeness) {
+  const double density = k_usual_count / static_cast<double>(state.inner_count());
+  std::vector<double> pulls;
+  for (std::size_t v = 0; v < state.inner_count(); ++v)
+    pulls.push_back(closeness * density * density * state.weight(v) * state.weight(v));
+  return pulls;
+}
+
+/// L over the vertices that may move; the rows of the others are empty.
+SparseMatrix moving_part(const std::vector<std::vector<double>>& rows,
+                         const AngleJacobian& jacobian) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index v = 0; v < rows.size(); ++v) {
+    const auto ring = jacobian.ring(v);
+    const auto row = static_cast<int>(v);
+    if (jacobian.is_movable(v))
+      entries.emplace_back(row, row, std::accumulate(rows[v].begin(), rows[v].end(), 0.0));
+    for (std::size_t j = 0; j < ring.size(); ++j) {
+      if (jacobian.is_movable(ring[j]))
+        entries.emplace_back(row, static_cast<int>(ring[j]), -rows[v][j]);
+    }
+  }
+  const auto n = static_cast<int>(rows.size());
+  SparseMatrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+SparseMatrix diagonal_matrix(const std::vector<double>& values) {
+  const auto n = static_cast<int>(values.size());
+  SparseMatrix matrix(n, n);
+  matrix.setIdentity();
+  matrix.diagonal() = Eigen::Map<const Eigen::VectorXd>(values.data(), n);
+  return matrix;
+}
+
+}  // namespace
+
+ShapeCost::ShapeCost(const AngleJacobian& jacobian, const PatchState& state, double closeness)
+    : jacobian_(jacobian),
+      state_(state),
+      unit_(mean_edge(jacobian, state)),
+      origin_(places_at_first(state)),
+      pull_(pulls(state, closeness)),
+      rows_(rows_of_laplacian(state, LaplacianWeights::cotangent)) {
+  const SparseMatrix l = moving_part(rows_, jacobian);
+  hessian_ = SparseMatrix(l.transpose() * l) + diagonal_matrix(pull_);
+}
+
+Places ShapeCost::laplacian(const Places& x) const {
+  Places values(x.size());
+  for (Index v = 0; v < x.size(); ++v) {
+    const auto ring = jacobian_.ring(v);
+    Vec3 sum;
+    for (std::size_t j = 0; j < ring.size(); ++j)
+      sum += rows_[v][j] * (x[v] - (ring[j] < x.size() ? x[ring[j]] : state_.position(ring[j])));
+    values[v] = (1.0 / unit_) * sum;
+  }
+  return values;
+}
+
+double ShapeCost::value(const Places& x) const {
+  const Places bends = laplacian(x);
+  double cost = 0.0;
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    const Vec3 away = (1.0 / unit_) * (x[v] - origin_[v]);
+    cost += 0.5 * (pull_[v] * dot(away, away) + dot(bends[v], bends[v]));
+  }
+  return cost;
+}
+
+Places ShapeCost::gradient(const Places& x) const {
+  const Places bends = laplacian(x);
+  Places gradient(x.size());
+  for (Index v = 0; v < x.size(); ++v) {
+    const auto ring = jacobian_.ring(v);
+    for (std::size_t j = 0; j < ring.size(); ++j) {
+      const Vec3 part = rows_[v][j] * bends[v];
+      gradient[v] += part;
+      if (ring[j] < x.size()) gradient[ring[j]] += -part;
+    }
+    gradient[v] += (pull_[v] / unit_) * (x[v] - origin_[v]);
+  }
+  for (Index v = 0; v < x.size(); ++v) {
+    if (!jacobian_.is_movable(v)) gradient[v] = {};
+  }
+  return gradient;
+}
+
+void ShapeCost::tighten(std::span<const Index> vertices, double factor) {
+  for (const Index v : vertices) {
+    hessian_.coeffRef(static_cast<int>(v), static_cast<int>(v)) += (factor - 1.0) * pull_[v];
+    pull_[v] *= factor;
+  }
+}
+
+Places ShapeCost::spread(std::span<const unsigned char> given, const Places& moves) const {
+  const auto n = static_cast<int>(moves.size());
+  SparseMatrix matrix = hessian_;
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, 3);
+  for (int v = 0; v < n; ++v) {
+    const bool pinned = given[v] != 0 || !jacobian_.is_movable(static_cast<Index>(v));
+    matrix.coeffRef(v, v) += (pinned ? 1.0 : k_anchor) - pull_[v];
+    if (given[v] != 0) right.row(v) << moves[v].x, moves[v].y, moves[v].z;
+  }
+  const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
+  SparseLdlt solver(lower, nested_dissection(origin_, graph_of(matrix)));
+  if (!solver.factor(lower)) return Places(moves.size());
+  const Eigen::MatrixXd spread = solver.solve(right);
+  Places result(moves.size());
+  for (int v = 0; v < n; ++v)
+    result[v] = {spread(v, 0), spread(v, 1), spread(v, 2)};
+  return result;
+}
+
+}  // namespace planish

@@ -1,0 +1,164 @@
+#include "evolve/strain_descent.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evolve/smallest_angle.h"
+#include "evolve/vertex_normal.h"
+
+namespace planish {
+
+namespace {
+
+/// |phi|^2 is a sum over vertices: on denser patches the same strain weighs more. Sigma goes along.
+double sigma_unit(const PatchState& state) {
+  constexpr double usual_count = 4000.0;
+  return std::sqrt(static_cast<double>(state.inner_count()) / usual_count);
+}
+
+}  // namespace
+
+StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, double closeness,
+                             const DescentLimits& limits)
+    : state_(state),
+      pool_(pool),
+      limits_(limits),
+      jacobian_(state),
+      cost_(jacobian_, state, closeness),
+      potential_(jacobian_, state),
+      square_(potential_.stiffness() * potential_.stiffness()),
+      system_(jacobian_, state, cost_.hessian(), square_),
+      relaxation_(jacobian_, state) {
+  if (limits_.angle > 0.0) limits_.angle = std::min(limits_.angle, smallest_angle(state));
+}
+
+void StrainDescent::start(const DescentPace& pace) {
+  constexpr double least_sigma = 1e-4;
+  look();
+  sigma_ = std::min(1.0, pace.sigma_per_strain * rms_) * sigma_unit(state_);
+  least_sigma_ = least_sigma * sigma_unit(state_);
+  sigma_ = std::max(sigma_, least_sigma_);
+  longest_step_ = pace.longest_step * cost_.unit();
+  stiffening_ = 0.0;
+}
+
+void StrainDescent::look() {
+  state_.measure(pool_);
+  phi_ = potential_.of(inner_defects(state_));
+  rms_ = phi_.norm() / std::sqrt(static_cast<double>(phi_.size()));
+  most_ = 0.5 * (std::max(phi_.maxCoeff(), 0.0) - std::min(phi_.minCoeff(), 0.0));
+}
+
+double StrainDescent::merit() const {
+  return cost_.value(inner_places(state_)) + 0.5 * phi_.squaredNorm() / (sigma_ * sigma_);
+}
+
+double StrainDescent::merit_at(const Places& x) {
+  if (!std::isfinite(norm_of(x))) return std::numeric_limits<double>::infinity();
+  move_to(x, jacobian_, state_);
+  look();
+  return merit();
+}
+
+Places StrainDescent::newton_step() {
+  jacobian_.update(pool_);
+  const Places x = inner_places(state_), gradient = cost_.gradient(x);
+  Places normals(x.size());
+  Eigen::VectorXd force(static_cast<Eigen::Index>(x.size()));
+  for (Index v = 0; v < x.size(); ++v) {
+    normals[v] = vertex_normal(v, jacobian_, state_);
+    force[v] = -dot(gradient[v], normals[v]);
+  }
+  Places step(x.size());
+  if (!system_.factor(normals, cost_.hessian(), square_, cost_.unit(), 1.0 + stiffening_, sigma_))
+    return step;
+  const Eigen::VectorXd along = system_.solve(force, -inner_defects(state_));
+  for (Index v = 0; v < x.size(); ++v)
+    step[v] = (cost_.unit() * along[v]) * normals[v];
+  return step;
+}
+
+Places StrainDescent::within_limits(Places x) const {
+  if (std::isinf(limits_.deviation)) return x;
+  const Places& origin = cost_.origin();
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    const Vec3 away = x[v] - origin[v];
+    const double far = norm(away);
+    if (far > limits_.deviation) x[v] = origin[v] + (limits_.deviation / far) * away;
+  }
+  return x;
+}
+
+/// Tells the cost which vertices cannot go on, so that the next step finds another way.
+void StrainDescent::hold_far_vertices() {
+  constexpr double almost = 0.99, dearer = 10.0;
+  far_.clear();
+  for (Index v = 0; v < cost_.origin().size(); ++v) {
+    if (norm(state_.position(v) - cost_.origin()[v]) >= almost * limits_.deviation)
+      far_.push_back(v);
+  }
+  cost_.tighten(far_, dearer);
+}
+
+bool StrainDescent::angles_hold() {
+  return !(limits_.angle > 0.0) || smallest_angle(state_) >= limits_.angle;
+}
+
+StrainDescent::Step StrainDescent::step() {
+  constexpr int most_halvings = 12;
+  const Places x = inner_places(state_);
+  Step result;
+  result.merit_before = result.merit = merit();
+  const Places newton = newton_step();
+  double longest = 0.0;
+  for (const Vec3 s : newton)
+    longest = std::max(longest, norm(s));
+  const double first_share = longest > longest_step_ ? longest_step_ / longest : 1.0;
+  double share = first_share;
+  int halvings = 0;
+  angle_stopped_ = false;
+  for (; halvings < most_halvings; ++halvings, share *= 0.5) {
+    const Places trial = within_limits(sum_of(x, share, newton));
+    const double merit = merit_at(trial);
+    if (!(merit < result.merit_before)) continue;
+    if (relaxation_.relax() > 0) {
+      move_to(within_limits(inner_places(state_)), jacobian_, state_);
+      look();
+    }
+    if (!angles_hold()) {
+      angle_stopped_ = true;
+      continue;
+    }
+    result.merit = merit;
+    for (std::size_t v = 0; v < x.size(); ++v)
+      result.moved += state_.position(v) != x[v] ? 1 : 0;
+    break;
+  }
+  if (result.moved == 0) {
+    move_to(x, jacobian_, state_);
+    look();
+  }
+  follow(share, halvings, result);
+  if (!std::isinf(limits_.deviation)) hold_far_vertices();
+  return result;
+}
+
+/// What the step was worth says how stiff the next one is and which sigma it is for.
+void StrainDescent::follow(double share, int halvings, const Step& step) {
+  constexpr double fast = 0.5, slow = 0.9, failed = 0.7, far_enough = 0.3, small_fall = 0.05;
+  constexpr double least_stiffening = 0.3, ease = 0.25, tighten = 4.0;
+  if (halvings >= 2) stiffening_ = std::max(1.0, tighten * stiffening_);
+  if (halvings == 0) stiffening_ = stiffening_ < least_stiffening ? 0.0 : ease * stiffening_;
+  const bool full = share > 0.99;
+  const bool settled = step.merit_before - step.merit < small_fall * step.merit_before;
+  if (step.moved == 0) {
+    sigma_ *= failed;
+  } else if (full || settled) {
+    sigma_ *= fast;
+  } else if (share > far_enough) {
+    sigma_ *= slow;
+  }
+  sigma_ = std::max(sigma_, least_sigma_);
+}
+
+}  // namespace planish

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "evolve/angle_jacobian.h"
+#include "evolve/normal_system.h"
+#include "evolve/places.h"
+#include "evolve/shape_cost.h"
+#include "evolve/strain_potential.h"
+#include "evolve/tangential_relaxation.h"
+
+namespace planish {
+
+/// What no step may break, in the units of the state and radians.
+struct DescentLimits {
+  double deviation = std::numeric_limits<double>::infinity();  ///< of a vertex from its origin
+  double angle = 0.0;  ///< smallest of a triangle, or what it is at first if that is less
+};
+
+/// Where a descent begins and how far its steps go.
+struct DescentPace {
+  double sigma_per_strain;  ///< of the first sigma to the rms strain at first
+  double longest_step;      ///< of a vertex, in mean edges
+};
+inline constexpr DescentPace k_pace_from_scratch{20.0, 0.6};
+/// From places that a coarser level has found: what is left to do is little and smooth.
+inline constexpr DescentPace k_pace_from_coarse{2.0, 3.0};
+
+/// Brings a patch to where it is flattenable, smoothly and near where it began, all inner vertices
+/// at once (docs/methods/auto.md): makes smaller and smaller, for sigma that falls from step to
+/// step,
+///
+///     F(x) = C(x) + |phi(x)|^2 / (2 sigma^2),
+///
+/// C the ShapeCost, phi the StrainPotential, by Levenberg and Marquardt's steps along the normals
+/// and slides along the surface where triangles get poor.
+class StrainDescent {
+ public:
+  /// The patch is to be where it was at first: matrices are of that surface. The state must outlive
+  /// it.
+  StrainDescent(PatchState& state, ThreadPool& pool, double closeness, const DescentLimits& limits);
+
+  /// False where the patch allows no matrices.
+  bool solvable() const { return potential_.solvable(); }
+  const ShapeCost& cost() const { return cost_; }
+  const AngleJacobian& jacobian() const { return jacobian_; }
+
+  /// Starts from where the vertices are now.
+  void start(const DescentPace& pace);
+
+  /// What a step did. F is that of the step's own sigma.
+  struct Step {
+    std::size_t moved = 0;
+    double merit_before = 0.0, merit = 0.0;
+  };
+  Step step();
+
+  /// Strain as of now: phi over the inner vertices, as a share of length.
+  double rms_strain() const { return rms_; }
+  /// Half of what phi spans, the border's 0 included: a conformal pattern of the best size
+  /// stretches and shrinks edges by so much.
+  double max_strain() const { return most_; }
+  /// True if vertices are held where they are as far away as they may be.
+  bool at_deviation_limit() const { return !far_.empty(); }
+  /// True if the last step was shortened by the limit of angles.
+  bool at_angle_limit() const { return angle_stopped_; }
+
+ private:
+  double merit_at(const Places& x);
+  double merit() const;
+  /// Measures the defects at the places where vertices are, and phi.
+  void look();
+  Places newton_step();
+  Places within_limits(Places x) const;
+  void hold_far_vertices();
+  bool angles_hold();
+  void follow(double share, int halvings, const Step& step);
+
+  PatchState& state_;
+  ThreadPool& pool_;
+  DescentLimits limits_;
+  AngleJacobian jacobian_;
+  ShapeCost cost_;
+  StrainPotential potential_;
+  SparseMatrix square_;  // K K^T
+  NormalSystem system_;
+  TangentialRelaxation relaxation_;
+  std::vector<Index> far_;
+  Eigen::VectorXd phi_;
+  double rms_ = 0.0, most_ = 0.0;
+  double longest_step_ = 0.0, sigma_ = 1.0, least_sigma_ = 0.0, stiffening_ = 0.0;
+  bool angle_stopped_ = false;
+};
+
+}  // namespace planish

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "evolve/angle_jacobian.h"
+#include "solve/sparse_ldlt.h"
+
+namespace planish {
+
+/// phi with K phi = d, phi = 0 at the border: K the stiffness matrix of cotangents, d the angle
+/// defects. To first order e^phi is by how much the best conformal pattern stretches (Ben-Chen and
+/// others 2008), so unlike the energy it does not depend on the density of the mesh.
+class StrainPotential {
+ public:
+  /// Takes K from the patch as it is. Cotangents are kept above a small positive number, so that K
+  /// is an M-matrix and phi has no more bumps than d.
+  StrainPotential(const AngleJacobian& jacobian, const PatchState& state);
+
+  /// False where K cannot be factored.
+  bool solvable() const { return solvable_; }
+  /// @param defects by inner vertex, radians
+  Eigen::VectorXd of(const Eigen::VectorXd& defects) const { return solver_->solve(defects); }
+  /// K, both halves.
+  const SparseMatrix& stiffness() const { return stiffness_; }
+
+ private:
+  SparseMatrix stiffness_;
+  std::optional<SparseLdlt> solver_;
+  bool solvable_ = false;
+};
+
+}  // namespace planish

@@ -1,8 +1,11 @@
 #include "solve/dissection.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace planish {
 
@@ -13,33 +16,75 @@ constexpr std::size_t k_leaf = 24;  // not worth halving
 // make all its neighbours separators.
 constexpr std::size_t k_hub = 10;
 
+// Times the root of vertices times mean valence: what a compact piece of a surface is parted by,
+// and somewhat more, whether matrices join vertices one edge apart or two.
+constexpr double k_usual_separator = 0.5;
+
 using Coordinate = double Vec3::*;
 
-Coordinate longest_axis(std::span<const Vec3> positions, std::span<const Index> part) {
-  Coordinate longest = &Vec3::x;
-  double extent = -1.0;
-  for (const Coordinate axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+/// Longest first.
+std::array<Coordinate, 3> axes_by_extent(std::span<const Vec3> positions,
+                                         std::span<const Index> part) {
+  const auto with_extent = [&](Coordinate axis) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Index v : part) {
       low = std::min(low, positions[v].*axis);
       high = std::max(high, positions[v].*axis);
     }
-    if (high - low <= extent) continue;
-    extent = high - low;
-    longest = axis;
-  }
-  return longest;
+    return std::pair{high - low, axis};
+  };
+  std::array axes = {with_extent(&Vec3::x), with_extent(&Vec3::y), with_extent(&Vec3::z)};
+  std::stable_sort(axes.begin(), axes.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  return {axes[0].second, axes[1].second, axes[2].second};
 }
 
 class Dissection {
  public:
   Dissection(std::span<const Vec3> positions, const Graph& graph)
-      : positions_(positions), graph_(graph), right_of_(positions.size(), 0) {}
+      : positions_(positions),
+        graph_(graph),
+        mean_valence_(static_cast<double>(graph.neighbours.size()) /
+                      static_cast<double>(graph.vertex_count())),
+        right_of_(positions.size(), 0) {}
 
   /// Puts the vertices of a part into elimination order.
   void order(std::span<Index> part) {
     if (part.size() <= k_leaf) return;
-    const Coordinate axis = longest_axis(positions_, part);
+    const Halves halves = halve(part);
+    order(part.first(halves.left));
+    order(part.subspan(halves.left, halves.right));
+  }
+
+ private:
+  /// How many come first and second; the rest of a part is the separator.
+  struct Halves {
+    std::size_t left, right;
+    std::size_t both() const { return left + right; }
+  };
+
+  /// Across the longest extent if that gives a usual separator, else across the axis that gives the
+  /// shortest.
+  Halves halve(std::span<Index> part) {
+    const auto axes = axes_by_extent(positions_, part);
+    Halves halves = cut_across(part, axes[0]);
+    const auto separator = static_cast<double>(part.size() - halves.both());
+    if (separator <=
+        k_usual_separator * std::sqrt(static_cast<double>(part.size()) * mean_valence_))
+      return halves;
+    std::size_t best = 0, most = halves.both();
+    for (std::size_t i = 1; i < axes.size(); ++i) {
+      halves = cut_across(part, axes[i]);
+      if (halves.both() <= most) continue;
+      best = i;
+      most = halves.both();
+    }
+    return best + 1 == axes.size() ? halves : cut_across(part, axes[best]);
+  }
+
+  /// Puts the lower half along the axis first, the upper one second, and last those of the lower
+  /// one that touch the upper one.
+  Halves cut_across(std::span<Index> part, Coordinate axis) {
     const auto middle = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
     std::nth_element(part.begin(), middle, part.end(), [&](Index a, Index b) {
       const double pa = positions_[a].*axis, pb = positions_[b].*axis;
@@ -52,18 +97,15 @@ class Dissection {
       const auto next = graph_.of(v);
       return std::none_of(next.begin(), next.end(), [&](Index w) { return right_of_[w] == mark; });
     });
-    const auto left_count = separator - part.begin();
-    // left | separator | right  ->  left | right | separator
+    const Halves halves{static_cast<std::size_t>(separator - part.begin()),
+                        static_cast<std::size_t>(part.end() - middle)};
     std::rotate(separator, middle, part.end());
-    const auto right_count = part.end() - middle;
-    order(part.first(static_cast<std::size_t>(left_count)));
-    order(
-        part.subspan(static_cast<std::size_t>(left_count), static_cast<std::size_t>(right_count)));
+    return halves;
   }
 
- private:
   std::span<const Vec3> positions_;
   const Graph& graph_;
+  double mean_valence_;
   std::vector<std::size_t> right_of_;  // the last cut that the vertex was right of
   std::size_t marks_ = 0;
 };

@@ -1,6 +1,7 @@
 #include "solve/sparse_ldlt.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "solve/front.h"
@@ -41,6 +42,12 @@ std::vector<Index> places_of(std::span<const Index> order) {
   for (std::size_t k = 0; k < order.size(); ++k)
     place[order[k]] = static_cast<Index>(k);
   return place;
+}
+
+std::vector<Index> natural_order(Eigen::Index count) {
+  std::vector<Index> order(static_cast<std::size_t>(count));
+  std::iota(order.begin(), order.end(), Index{0});
+  return order;
 }
 
 /// Where each column of the tree lies: its supernode.
@@ -102,6 +109,9 @@ SparseLdlt::SparseLdlt(const SparseMatrix& lower, std::span<const Index> order)
     entries_[next[s]++] = {in_front, column - tree_.first[s], value};
   });
 }
+
+SparseLdlt::SparseLdlt(const SparseMatrix& lower)
+    : SparseLdlt(lower, natural_order(lower.cols())) {}
 
 Eigen::Map<const Eigen::MatrixXd> SparseLdlt::panel(std::size_t node) const {
   const auto size = static_cast<Eigen::Index>(tree_.width(node) + tree_.rows(node).size());

@@ -24,6 +24,8 @@ class SparseLdlt {
   /// @param lower the lower half of a matrix; values do not matter
   /// @param order the unknowns in order of elimination, as by nested_dissection()
   SparseLdlt(const SparseMatrix& lower, std::span<const Index> order);
+  /// The same for unknowns that are numbered in order of elimination.
+  explicit SparseLdlt(const SparseMatrix& lower);
 
   /// Factors a matrix of the pattern. False where a pivot is zero or not a number: then nothing can
   /// be solved.
@@ -33,7 +35,7 @@ class SparseLdlt {
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
 
   /// Numbers that the factor takes.
-  std::size_t factor_size() const { return panels_.size(); }
+  std::size_t factor_size() const { return panel_start_.back(); }
 
  private:
   /// Rows of a supernode times its columns, column by column: unit lower triangle of L on top.

@@ -50,13 +50,19 @@ Disk make_disk(const TriMesh& mesh, const Connectivity& connectivity) {
   for (const Index v : connectivity.border_loops().front())
     disk.border.push_back(number_of[v]);
 
+  for (const Triangle& t : mesh.triangles)
+    disk.triangles.push_back({number_of[t[0]], number_of[t[1]], number_of[t[2]]});
+  // In the order of their vertices, so that those of one triangle after another lie close.
+  std::stable_sort(disk.triangles.begin(), disk.triangles.end(),
+                   [](const Triangle& a, const Triangle& b) {
+                     return std::min({a[0], a[1], a[2]}) < std::min({b[0], b[1], b[2]});
+                   });
+
   const double to_unit_box = unit_scale(mesh);
   CarefulSum area;
-  for (const Triangle& t : mesh.triangles) {
-    disk.triangles.push_back({number_of[t[0]], number_of[t[1]], number_of[t[2]]});
-    disk.rest.push_back(rest_triangle(to_unit_box * mesh.positions[t[0]],
-                                      to_unit_box * mesh.positions[t[1]],
-                                      to_unit_box * mesh.positions[t[2]]));
+  for (const Triangle& t : disk.triangles) {
+    const auto corner = [&](int k) { return to_unit_box * mesh.positions[disk.vertex_of[t[k]]]; };
+    disk.rest.push_back(rest_triangle(corner(0), corner(1), corner(2)));
     area.add(disk.rest.back().area());
   }
   const double to_unit_area = 1.0 / std::sqrt(area.value());

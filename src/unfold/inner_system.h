@@ -1,12 +1,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include "solve/sparse_ldlt.h"
 #include "unfold/disk.h"
 
 namespace planish {
@@ -20,22 +21,23 @@ class InnerSystem {
   /// @param weights one per triangle; the weight of an edge is the sum over its triangles
   InnerSystem(const Disk& disk, std::span<const SideWeights> weights);
 
-  bool solvable() const { return solver_.info() == Eigen::Success; }
+  bool solvable() const { return solvable_; }
   std::size_t inner_count() const { return vertices_.size(); }
 
-  /// Values x at all vertices with x = `border` on the border (other entries of it are not looked
-  /// at) and (A x)_v = `source`_v inside.
-  Eigen::VectorXd solve(const Eigen::VectorXd& border, const Eigen::VectorXd& source) const;
+  /// Values x at all vertices, a row each, with x = `border` on the border (other rows of it are
+  /// not looked at) and (A x)_v = `source`_v inside. @pre solvable()
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& border, const Eigen::MatrixXd& source) const;
   /// The disk in the plane with its border loop on a polygon, both coordinates harmonic inside.
   std::vector<Vec2> extend(const Disk& disk, std::span<const Vec2> polygon) const;
   /// A x at all vertices.
-  Eigen::VectorXd apply(const Eigen::VectorXd& x) const { return full_ * x; }
+  Eigen::MatrixXd apply(const Eigen::MatrixXd& x) const {
+    return lower_.selfadjointView<Eigen::Lower>() * x;
+  }
 
  private:
-  Eigen::SparseMatrix<double> full_;
-  // The disk's vertices are in elimination order.
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>
-      solver_;
+  SparseMatrix lower_;
+  std::optional<SparseLdlt> solver_;  // none where nothing is inside
+  bool solvable_ = true;
   std::vector<Index> vertices_;  // inner ones, in order
 };
 

@@ -3,18 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
+#include <optional>
 
 #include "core/careful_sum.h"
+#include "solve/sparse_ldlt.h"
 #include "unfold/symmetric_dirichlet.h"
 
 namespace planish {
 
 namespace {
-
-using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// Which coordinates move. Turning and shifting cost no energy, so the first border vertex stays,
 /// and the one half way around stays on its line with it (the disk is turned to make that the x
@@ -86,32 +83,31 @@ double step_to_first_flip(const Disk& disk, const std::vector<Vec2>& flat,
   return first;
 }
 
-/// The gradient and the projected Hessian (lower half) of the whole disk.
+/// The gradient and the Hessian (lower half) of the whole disk.
 class NewtonSystem {
  public:
   explicit NewtonSystem(const Disk& disk) : disk_(disk), unknowns_(disk) {
-    std::vector<Eigen::Triplet<double>> pattern;
-    for (const Triangle& t : disk.triangles) {
-      for_pairs(t, [&](int row, int column, int, int) { pattern.emplace_back(row, column, 0.0); });
-    }
-    hessian_.resize(unknowns_.count(), unknowns_.count());
-    hessian_.setFromTriplets(pattern.begin(), pattern.end());
+    make_pattern();
     gradient_.resize(unknowns_.count());
+    for (const Triangle& t : disk.triangles)
+      for_pairs(t, [&](int row, int column, int, int) { slots_.push_back(slot(row, column)); });
   }
 
-  void assemble(const std::vector<Vec2>& flat) {
+  void assemble(const std::vector<Vec2>& flat, Curvature curvature) {
     std::fill_n(hessian_.valuePtr(), hessian_.nonZeros(), 0.0);
     gradient_.setZero();
+    auto next_slot = slots_.begin();
     for (std::size_t t = 0; t < disk_.triangles.size(); ++t) {
       const TriangleEnergy energy = energy_of(disk_, t, flat);
       const auto gradient = energy.gradient();
-      const auto hessian = energy.projected_hessian();
+      const auto hessian = energy.hessian(curvature);
       const Triangle& tri = disk_.triangles[t];
       for (int i = 0; i < 6; ++i) {
         const int row = unknowns_.column(tri[i / 2], i % 2);
         if (row != Unknowns::k_fixed) gradient_[row] += gradient[i];
       }
-      for_pairs(tri, [&](int row, int column, int i, int j) { at(row, column) += hessian[i][j]; });
+      for_pairs(
+          tri, [&](int, int, int i, int j) { hessian_.valuePtr()[*next_slot++] += hessian[i][j]; });
     }
   }
 
@@ -132,6 +128,35 @@ class NewtonSystem {
   }
 
  private:
+  /// Two unknowns meet where their vertices share a triangle.
+  void make_pattern() {
+    std::vector<Eigen::Triplet<char>> pairs;
+    for (const Triangle& t : disk_.triangles) {
+      for (int k = 0; k < 3; ++k) {
+        pairs.emplace_back(t[k], t[k], 1);
+        pairs.emplace_back(std::max(t[k], t[(k + 1) % 3]), std::min(t[k], t[(k + 1) % 3]), 1);
+      }
+    }
+    const auto n = static_cast<Eigen::Index>(disk_.vertex_count);
+    Eigen::SparseMatrix<char> meet(n, n);
+    meet.setFromTriplets(pairs.begin(), pairs.end(), [](char a, char) { return a; });
+    hessian_.resize(unknowns_.count(), unknowns_.count());
+    hessian_.reserve(4 * meet.nonZeros());
+    for (Index v = 0; v < disk_.vertex_count; ++v) {
+      for (const int column : {unknowns_.column(v, 0), unknowns_.column(v, 1)}) {
+        if (column == Unknowns::k_fixed) continue;
+        hessian_.startVec(column);
+        for (Eigen::SparseMatrix<char>::InnerIterator w(meet, v); w; ++w) {
+          for (const int axis : {0, 1}) {
+            const int row = unknowns_.column(static_cast<Index>(w.row()), axis);
+            if (row >= column) hessian_.insertBack(row, column) = 0.0;
+          }
+        }
+      }
+    }
+    hessian_.finalize();
+  }
+
   template <class Visit>
   void for_pairs(const Triangle& tri, Visit visit) const {
     for (int i = 0; i < 6; ++i) {
@@ -143,43 +168,46 @@ class NewtonSystem {
     }
   }
 
-  double& at(int row, int column) {
+  int slot(int row, int column) const {
     const int* rows = hessian_.innerIndexPtr();
     const int* found = std::lower_bound(rows + hessian_.outerIndexPtr()[column],
                                         rows + hessian_.outerIndexPtr()[column + 1], row);
-    return hessian_.valuePtr()[found - rows];
+    return static_cast<int>(found - rows);
   }
 
   const Disk& disk_;
   Unknowns unknowns_;
   SparseMatrix hessian_;
+  std::vector<int> slots_;  // where entries go among its values, in the order that they are made in
   Eigen::VectorXd gradient_;
 };
 
-/// Solves one Newton system after another with a factor of one of them.
+/// Finds one Newton step after another with a factor of one of their matrices.
 class LaggedSolver {
  public:
-  /// The step, or an empty vector where the matrix cannot be factored.
-  Eigen::VectorXd solve(const SparseMatrix& lower, const Eigen::VectorXd& right) {
+  /// The step from there, of which the system is left as solved; an empty vector where the matrix
+  /// cannot be factored.
+  Eigen::VectorXd step(NewtonSystem& system, const std::vector<Vec2>& flat) {
     if (factored_) {
-      if (auto x = conjugate_gradients(lower, right); x.size() > 0) return x;
+      system.assemble(flat, Curvature::full);
+      auto step = conjugate_gradients(system.hessian(), -system.gradient());
+      if (step.size() > 0) return step;
     }
-    if (!analysed_) factor_.analyzePattern(lower);
-    analysed_ = true;
-    factor_.factorize(lower);
-    factored_ = factor_.info() == Eigen::Success;
+    system.assemble(flat, Curvature::projected);
+    if (!factor_) factor_.emplace(system.hessian());
+    factored_ = factor_->factor(system.hessian());
     if (!factored_) return {};
-    return factor_.solve(right);
+    return factor_->solve(-system.gradient());
   }
 
  private:
   /// Preconditioned with the factor at hand; empty if that takes too many steps.
   Eigen::VectorXd conjugate_gradients(const SparseMatrix& lower, const Eigen::VectorXd& right) {
     constexpr int most_steps = 12;
-    constexpr double enough = 1e-3;  // of the residual: Newton's own error is of that kind
+    constexpr double enough = 1e-2;  // of the residual: Newton's own error is of that kind
     const auto matrix = lower.selfadjointView<Eigen::Lower>();
     Eigen::VectorXd x = Eigen::VectorXd::Zero(right.size());
-    Eigen::VectorXd residual = right, z = factor_.solve(residual), direction = z;
+    Eigen::VectorXd residual = right, z = factor_->solve(residual), direction = z;
     double rz = residual.dot(z);
     const double first = rz;
     for (int step = 0; step < most_steps; ++step) {
@@ -188,7 +216,7 @@ class LaggedSolver {
       if (!std::isfinite(length) || length <= 0.0) return {};
       x += length * direction;
       residual -= length * image;
-      z = factor_.solve(residual);
+      z = factor_->solve(residual);
       const double next = residual.dot(z);
       if (next <= enough * enough * first) return x;
       direction = z + (next / rz) * direction;
@@ -197,9 +225,8 @@ class LaggedSolver {
     return {};
   }
 
-  // The disk's vertices are in elimination order.
-  Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;
-  bool analysed_ = false, factored_ = false;
+  std::optional<SparseLdlt> factor_;
+  bool factored_ = false;
 };
 
 }  // namespace
@@ -214,8 +241,7 @@ LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max
   double energy = total_energy(disk, result.flat);
   for (; result.iterations < max_iterations; ++result.iterations) {
     if ((result.converged = energy <= no_energy)) break;
-    system.assemble(result.flat);
-    const Eigen::VectorXd step = solver.solve(system.hessian(), -system.gradient());
+    const Eigen::VectorXd step = solver.step(system, result.flat);
     if (step.size() == 0) break;
     const double slope = system.gradient().dot(step);
     if (!(slope < 0.0) || -slope <= least_gain * energy) {

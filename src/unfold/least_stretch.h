@@ -15,8 +15,8 @@ struct LeastStretch {
 
 /// Minimises the symmetric Dirichlet energy from a start without flipped triangles, and keeps it
 /// without: projected Newton steps, each cut short of the first flip and then until the energy
-/// falls. The matrix is factored anew only when the old factor no longer serves to precondition
-/// conjugate gradients, as factoring is most of the work on dense meshes.
+/// falls. Once the projected Hessian is factored, steps come from conjugate gradients on the full
+/// one, preconditioned by that factor, until it no longer serves.
 /// @param on_step called after each step with its number and the energy (area 1); false ends
 LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max_iterations,
                               const std::function<bool(int, double)>& on_step);

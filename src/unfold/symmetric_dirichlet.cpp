@@ -63,7 +63,7 @@ std::array<double, 6> TriangleEnergy::gradient() const {
        g1 * u1_.y * v1_.x + g2 * u2_.y * v2_.x, g1 * u1_.y * v1_.y + g2 * u2_.y * v2_.y});
 }
 
-std::array<std::array<double, 6>, 6> TriangleEnergy::projected_hessian() const {
+std::array<std::array<double, 6>, 6> TriangleEnergy::hessian(Curvature curvature) const {
   const auto outer = [](Vec2 u, Vec2 v) {
     return Matrix2{u.x * v.x, u.x * v.y, u.y * v.x, u.y * v.y};
   };
@@ -73,7 +73,8 @@ std::array<std::array<double, 6>, 6> TriangleEnergy::projected_hessian() const {
     return Matrix2{h * (a.xx + sign * b.xx), h * (a.xy + sign * b.xy), h * (a.yx + sign * b.yx),
                    h * (a.yy + sign * b.yy)};
   };
-  const double twist = (f_slope(s1_) + f_slope(s2_)) / (s1_ + s2_);
+  const double full_twist = (f_slope(s1_) + f_slope(s2_)) / (s1_ + s2_);
+  const double twist = curvature == Curvature::full ? full_twist : std::max(full_twist, 0.0);
   // (f'(s1) - f'(s2)) / (s1 - s2), also where they are equal
   const double product = s1_ * s2_;
   const double shear =
@@ -84,7 +85,7 @@ std::array<std::array<double, 6>, 6> TriangleEnergy::projected_hessian() const {
   };
   const std::array<Mode, 4> modes{{{f_curvature(s1_), corner_terms(outer(u1_, v1_))},
                                    {f_curvature(s2_), corner_terms(outer(u2_, v2_))},
-                                   {std::max(twist, 0.0), corner_terms(combine(-1.0))},
+                                   {twist, corner_terms(combine(-1.0))},
                                    {shear, corner_terms(combine(1.0))}}};
   std::array<std::array<double, 6>, 6> hessian{};
   for (const Mode& mode : modes) {

@@ -6,6 +6,9 @@
 
 namespace planish {
 
+/// Whether second derivatives are taken as they are.
+enum class Curvature { full, projected };
+
 /// The symmetric Dirichlet energy of one triangle laid flat, less its value where nothing is
 /// stretched: area * ((s1 - 1 / s1)^2 + (s2 - 1 / s2)^2) with the principal stretches s1 and s2. It
 /// is 0 without stretch, grows alike for stretching and shrinking, and without bound as a triangle
@@ -18,9 +21,9 @@ class TriangleEnergy {
   double value() const { return value_; }
   /// With respect to x and y of the three corners, in turn.
   std::array<double, 6> gradient() const;
-  /// The second derivative with its negative eigenvalue, if it has one, raised to 0: from the
-  /// eigenvectors in closed form (Smith, de Goes, Kim 2019).
-  std::array<std::array<double, 6>, 6> projected_hessian() const;
+  /// The second derivative from its eigenvectors in closed form (Smith, de Goes, Kim 2019). One
+  /// eigenvalue may be negative; `projected` raises it to 0.
+  std::array<std::array<double, 6>, 6> hessian(Curvature curvature) const;
 
  private:
   struct Matrix2 {

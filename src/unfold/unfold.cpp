@@ -14,7 +14,7 @@ namespace planish {
 
 namespace {
 
-/// Above, the entries of a sparse factor can no longer be numbered with 32 bits.
+/// Above, the sparse factor takes more than some 5 GB.
 constexpr std::size_t k_most_vertices = 2'000'000;
 
 /// The conformal start where it is sound, else one that always is.

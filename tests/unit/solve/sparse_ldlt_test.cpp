@@ -138,6 +138,30 @@ TEST(SparseLdlt, KeepsFactorsOfSurfacesSmall) {
   EXPECT_LT(static_cast<double>(nested.factor_size()), 60.0 * 120.0 * 120.0);
 }
 
+/// Numbers a column of the factor of a strip laid out in space.
+double factor_per_column(int width, int length, const auto& place) {
+  Grid strip = grid(width, length, 1);
+  for (int i = 0; i < width; ++i) {
+    for (int j = 0; j < length; ++j)
+      strip.positions[static_cast<std::size_t>(i * length + j)] = place(1.0 * i, 1.0 * j);
+  }
+  std::mt19937 random(7);
+  const SparseMatrix a = random_matrix(strip.graph, random, [](int) { return 1.0; });
+  const SparseLdlt solver(a, nested_dissection(strip.positions, strip.graph));
+  return static_cast<double>(solver.factor_size()) / static_cast<double>(a.cols());
+}
+
+TEST(SparseLdlt, KeepsFactorsOfStripsSmallHoweverStretched) {
+  const double straight = factor_per_column(6, 3000, [](double i, double j) {
+    return Vec3{j, i, 0.0};
+  });
+  // Its triangles so stretched that the side with few vertices is the longer one.
+  const double stretched = factor_per_column(6, 3000, [](double i, double j) {
+    return Vec3{1e-3 * j, 1e3 * i, 0.0};
+  });
+  EXPECT_LT(stretched, 1.2 * straight);
+}
+
 TEST(FactorFront, LeavesTheFactorAndTheSchurComplement) {
   for (const auto [size, columns] : {std::array{5, 2}, std::array{60, 60}, std::array{130, 100}}) {
     MatrixXd a = MatrixXd::Random(size, size);

@@ -77,17 +77,31 @@ Eigen::Matrix<double, 6, 6> difference_hessian(const Corners& p) {
   return hessian;
 }
 
-TEST(SymmetricDirichlet, HessianIsTheDifferenceQuotientWithoutItsNegativePart) {
+Eigen::Matrix<double, 6, 6> hessian_at(const Corners& p, Curvature curvature) {
+  const auto rows = energy_at(p).hessian(curvature);
+  Eigen::Matrix<double, 6, 6> hessian;
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j)
+      hessian(i, j) = rows[i][j];
+  }
+  return hessian;
+}
+
+TEST(SymmetricDirichlet, HessianIsTheDifferenceQuotient) {
+  meshes::Random random(3);
+  for (int trial = 0; trial < 300; ++trial) {
+    const Corners p = random_corners(random);
+    const Eigen::Matrix<double, 6, 6> expected = difference_hessian(p);
+    ASSERT_LT((hessian_at(p, Curvature::full) - expected).norm(), 1e-5 * expected.norm()) << trial;
+  }
+}
+
+TEST(SymmetricDirichlet, ProjectedHessianIsTheDifferenceQuotientWithoutItsNegativePart) {
   meshes::Random random(2);
   int projected = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const Corners p = random_corners(random);
-    const auto hessian = energy_at(p).projected_hessian();
-    Eigen::Matrix<double, 6, 6> ours;
-    for (int i = 0; i < 6; ++i) {
-      for (int j = 0; j < 6; ++j)
-        ours(i, j) = hessian[i][j];
-    }
+    const Eigen::Matrix<double, 6, 6> ours = hessian_at(p, Curvature::projected);
     const Eigen::Matrix<double, 6, 6> expected = difference_hessian(p);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(ours);
     const double size = expected.norm();

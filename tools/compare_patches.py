@@ -22,7 +22,7 @@ LARGE, FEW_SWEEPS, PATIENCE = 20_000, 10, 60
 SLOW = "local_perturbation"
 METHODS = [
     "controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset",
-    "global_penalty",
+    "global_penalty", "fairing",
 ]  # fmt: skip
 COLUMNS = [
     "patch", "vertices", "method", "sweeps", "stop", "seconds", "e_max", "e_avg", "energy",

@@ -180,7 +180,8 @@ std::vector<FlagGroup> method_flags() {
   };
   for (const MethodFlags& method : methods) {
     FlagGroup own = {"With --method " + method.method + " (" + std::to_string(method.usual_sweeps) +
-                         " sweeps unless told otherwise)",
+                         (method.usual_sweeps == 1 ? " sweep" : " sweeps") +
+                         " unless told otherwise)",
                      {}};
     for (const Flag& flag : method.flags) {
       if (!in_all(flag)) own.flags.push_back(flag);

@@ -76,7 +76,8 @@ std::vector<std::vector<double>> rows_of_laplacian(const PatchState& state, Lapl
       std::accumulate(areas.begin(), areas.end(), 0.0) / static_cast<double>(areas.size());
   for (std::size_t v = 0; v < rows.size(); ++v) {
     // A vertex without area would weigh without end.
-    const double scale = mean / std::max(areas[v], 1e-3 * mean);
+    double scale = mean / std::max(areas[v], 1e-3 * mean);
+    if (kind == LaplacianWeights::thin_plate) scale = std::sqrt(scale);
     for (double& weight : rows[v])
       weight *= scale;
   }
@@ -100,17 +101,18 @@ Fairing::Fairing(const PatchState& state, std::span<const unsigned char> movable
   const auto rings = rings_by_vertex(state.plan());
   const auto rows = rows_of_laplacian(state, kind);
   std::vector<Eigen::Triplet<double>> entries;
-  Eigen::MatrixXd g = Eigen::MatrixXd::Zero(count, 3);
-  for (int i = 0; i < count; ++i) {
-    const Index v = movable_[i];
-    entries.emplace_back(i, i, std::accumulate(rows[v].begin(), rows[v].end(), 0.0));
-    for (std::size_t j = 0; j < rings[v].size(); ++j) {
-      const Index w = rings[v][j];
-      if (number[w] != held) entries.emplace_back(i, number[w], -rows[v][j]);
-      if (number[w] == held) g.row(i) -= rows[v][j] * row_of(state.position(w));
-    }
+  const auto row_count = static_cast<int>(rows.size());
+  Eigen::MatrixXd g = Eigen::MatrixXd::Zero(row_count, 3);
+  for (int v = 0; v < row_count; ++v) {
+    const auto add = [&](Index w, double weight) {
+      if (number[w] != held) entries.emplace_back(v, number[w], weight);
+      if (number[w] == held) g.row(v) += weight * row_of(state.position(w));
+    };
+    add(static_cast<Index>(v), std::accumulate(rows[v].begin(), rows[v].end(), 0.0));
+    for (std::size_t j = 0; j < rings[v].size(); ++j)
+      add(rings[v][j], -rows[v][j]);
   }
-  SparseMatrix laplacian(count, count), pull(count, count);
+  SparseMatrix laplacian(row_count, count), pull(count, count);
   laplacian.setFromTriplets(entries.begin(), entries.end());
   held_share_ = laplacian.transpose() * g;
   pull.setIdentity();

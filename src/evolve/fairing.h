@@ -16,12 +16,13 @@ namespace planish {
 enum class LaplacianWeights {
   uniform,    ///< the umbrella vector
   cotangent,  ///< cotangents, divided by the area of the vertex over the mean area, so without unit
+  thin_plate,  ///< by the root of that: sums of squares are integrals, whatever the triangles
 };
 
-/// The least-squares update of the least-norm method: the places v that make
-/// sum |L v|^2 + sum (w |v - v*|)^2 smallest, v* the places asked for, L a Laplacian. L is that of
-/// the patch as it is when this is made, and so is the factor: (L^T L + W^2) v = W^2 v* - L^T g,
-/// g the share in L v of vertices that are held.
+/// The places v of the movable vertices that make sum |L v|^2 + sum (w |v - v*|)^2 smallest, v* the
+/// places asked for, L a Laplacian with a row for each inner vertex. L is that of the patch as it
+/// is when this is made, and so is the factor: (L^T L + W^2) v = W^2 v* - L^T g, g the share in L v
+/// of vertices that are held.
 class Fairing {
  public:
   /// @param movable,weights by inner vertex

@@ -47,6 +47,7 @@ class Sweep {
 
 /// One per method, each in the source file of its name. State and pool must outlive the sweep.
 Sweep make_sweep(const Auto& options, PatchState& state, ThreadPool& pool);
+Sweep make_sweep(const BilaplacianFairing& options, PatchState& state, ThreadPool& pool);
 Sweep make_sweep(const ClassicalLaplacian& options, PatchState& state, ThreadPool& pool);
 Sweep make_sweep(const ControllableLaplacian& options, PatchState& state, ThreadPool& pool);
 Sweep make_sweep(const FlattenableLaplacian& options, PatchState& state, ThreadPool& pool);

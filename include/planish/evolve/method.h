@@ -4,6 +4,7 @@
 #include <variant>
 
 #include <planish/evolve/auto.h>
+#include <planish/evolve/bilaplacian_fairing.h>
 #include <planish/evolve/classical_laplacian.h>
 #include <planish/evolve/controllable_laplacian.h>
 #include <planish/evolve/flattenable_laplacian.h>
@@ -24,7 +25,7 @@ namespace planish {
 /// enumerations.
 using Method =
     std::variant<ControllableLaplacian, ClassicalLaplacian, LeastNorm, FlattenableLaplacian,
-                 LocalOffset, GlobalPenalty, LocalPerturbation, Auto>;
+                 LocalOffset, GlobalPenalty, LocalPerturbation, BilaplacianFairing, Auto>;
 
 /// As in "controllable".
 std::string_view name_of(const Method& method);

@@ -1,10 +1,12 @@
 #include "solve/sparse_ldlt.h"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 #include <utility>
 
 #include "solve/front.h"
+#include "solve/subtrees.h"
 
 namespace planish {
 
@@ -80,6 +82,7 @@ SparseLdlt::SparseLdlt(const SparseMatrix& lower, std::span<const Index> order)
   }
   pivots_.resize(lower.cols());
 
+  link_fronts();
   const std::vector<Index> node = nodes_of(tree_);
   const auto for_entries = [&](const auto& visit) {
     std::size_t value = 0;
@@ -99,19 +102,33 @@ SparseLdlt::SparseLdlt(const SparseMatrix& lower, std::span<const Index> order)
   std::vector<std::size_t> next(entry_start_.begin(), entry_start_.end() - 1);
   for_entries([&](Index row, Index column, std::size_t value) {
     const Index s = node[column];
-    const auto below = tree_.rows(s);
-    const Index in_front =
-        row < tree_.first[s + 1]
-            ? row - tree_.first[s]
-            : tree_.width(s) +
-                  static_cast<Index>(std::lower_bound(below.begin(), below.end(), row) -
-                                     below.begin());
-    entries_[next[s]++] = {in_front, column - tree_.first[s], value};
+    entries_[next[s]++] = {place_in_front(s, row), column - tree_.first[s], value};
   });
 }
 
 SparseLdlt::SparseLdlt(const SparseMatrix& lower)
     : SparseLdlt(lower, natural_order(lower.cols())) {}
+
+Index SparseLdlt::place_in_front(std::size_t node, Index row) const {
+  if (row < tree_.first[node + 1]) return row - tree_.first[node];
+  const auto below = tree_.rows(node);
+  const auto found = std::lower_bound(below.begin(), below.end(), row);
+  return tree_.width(node) + static_cast<Index>(found - below.begin());
+}
+
+void SparseLdlt::link_fronts() {
+  first_child_.assign(tree_.count(), Supernodes::k_root);
+  sibling_.assign(tree_.count(), Supernodes::k_root);
+  in_parent_.resize(tree_.row_list.size());
+  for (std::size_t s = tree_.count(); s-- > 0;) {
+    const Index up = tree_.parent[s];
+    if (up == Supernodes::k_root) continue;
+    sibling_[s] = first_child_[up];
+    first_child_[up] = static_cast<Index>(s);
+    for (std::size_t i = tree_.row_start[s]; i < tree_.row_start[s + 1]; ++i)
+      in_parent_[i] = place_in_front(up, tree_.row_list[i]);
+  }
+}
 
 Eigen::Map<const Eigen::MatrixXd> SparseLdlt::panel(std::size_t node) const {
   const auto size = static_cast<Eigen::Index>(tree_.width(node) + tree_.rows(node).size());
@@ -126,43 +143,48 @@ void SparseLdlt::assemble(const SparseMatrix& lower, std::size_t node,
   }
 }
 
+bool SparseLdlt::factor_node(const SparseMatrix& lower, std::size_t node,
+                             std::vector<Eigen::MatrixXd>& updates) {
+  const auto width = static_cast<Eigen::Index>(tree_.width(node));
+  const auto left = static_cast<Eigen::Index>(tree_.rows(node).size());
+  Eigen::MatrixXd front = Eigen::MatrixXd::Zero(width + left, width + left);
+  assemble(lower, node, front);
+  for (Index child = first_child_[node]; child != Supernodes::k_root; child = sibling_[child]) {
+    const std::span<const Index> to(in_parent_.data() + tree_.row_start[child],
+                                    tree_.rows(child).size());
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      double* column = front.col(to[j]).data();
+      const double* source = updates[child].col(static_cast<Eigen::Index>(j)).data();
+      for (std::size_t i = j; i < to.size(); ++i)
+        column[to[i]] += source[i];
+    }
+    updates[child] = {};
+  }
+  if (!factor_front(front, pivots_.segment(tree_.first[node], width))) return false;
+  std::copy_n(front.data(), front.rows() * width, panels_.data() + panel_start_[node]);
+  if (left > 0) updates[node] = front.bottomRightCorner(left, left);
+  return true;
+}
+
 bool SparseLdlt::factor(const SparseMatrix& lower) {
+  ThreadPool alone(1);
+  return factor(lower, alone);
+}
+
+bool SparseLdlt::factor(const SparseMatrix& lower, ThreadPool& pool) {
   panels_.resize(panel_start_.back());
-  // What children leave to their parents; those of the open subtrees lie on the stack.
-  struct Update {
-    std::size_t node;
-    Eigen::MatrixXd matrix;
-  };
-  std::vector<Update> open;
-  std::vector<Index> in_front(place_.size());
-  for (std::size_t s = 0; s < tree_.count(); ++s) {
-    const auto rows = tree_.rows(s);
-    const auto width = static_cast<Eigen::Index>(tree_.width(s));
-    const Eigen::Index size = width + static_cast<Eigen::Index>(rows.size());
-    Eigen::MatrixXd front = Eigen::MatrixXd::Zero(size, size);
-    assemble(lower, s, front);
-    for (Index column = tree_.first[s]; column < tree_.first[s + 1]; ++column)
-      in_front[column] = column - tree_.first[s];
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      in_front[rows[i]] = tree_.width(s) + static_cast<Index>(i);
-    for (; !open.empty() && tree_.parent[open.back().node] == s; open.pop_back()) {
-      const auto from = tree_.rows(open.back().node);
-      const Eigen::MatrixXd& update = open.back().matrix;
-      for (std::size_t j = 0; j < from.size(); ++j) {
-        double* column = front.col(in_front[from[j]]).data();
-        const double* source = update.col(static_cast<Eigen::Index>(j)).data();
-        for (std::size_t i = j; i < from.size(); ++i)
-          column[in_front[from[i]]] += source[i];
+  std::vector<Eigen::MatrixXd> updates(tree_.count());  // what children leave to their parents
+  const Subtrees split = split_tree(tree_, pool.size());
+  std::atomic<bool> sound = true;
+  pool.for_ranges(split.parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t part = begin; part < end; ++part) {
+      for (std::size_t s = split.parts[part].begin; s < split.parts[part].end && sound; ++s) {
+        if (!factor_node(lower, s, updates)) sound = false;
       }
     }
-    if (!factor_front(front, pivots_.segment(tree_.first[s], width))) return false;
-    std::copy_n(front.data(), size * width, panels_.data() + panel_start_[s]);
-    if (!rows.empty()) {
-      const auto left = static_cast<Eigen::Index>(rows.size());
-      open.push_back({s, front.bottomRightCorner(left, left)});
-    }
-  }
-  return true;
+  });
+  return sound && std::all_of(split.top.begin(), split.top.end(),
+                              [&](Index s) { return factor_node(lower, s, updates); });
 }
 
 void SparseLdlt::solve_forward(Eigen::MatrixXd& x) const {

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include "core/thread_pool.h"
 #include "solve/supernodes.h"
 
 namespace planish {
@@ -18,7 +19,8 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// without pivoting. That exists under any order for definite matrices and for quasi-definite ones,
 /// [H, J^T; J, -C] with H and C positive definite (Vanderbei 1995). Multifrontal (Duff and Reid
 /// 1983): dense fronts over a tree of supernodes, which a good order keeps small.
-/// The same bits on every run.
+/// The same bits on every run and for every number of threads: what a front is summed from, and in
+/// what order, follows from the pattern alone.
 class SparseLdlt {
  public:
   /// @param lower the lower half of a matrix; values do not matter
@@ -29,6 +31,8 @@ class SparseLdlt {
 
   /// Factors a matrix of the pattern. False where a pivot is zero or not a number: then nothing can
   /// be solved.
+  bool factor(const SparseMatrix& lower, ThreadPool& pool);
+  /// The same on one thread.
   bool factor(const SparseMatrix& lower);
 
   /// X with A X = right, a column each. @pre factor() was true
@@ -40,12 +44,20 @@ class SparseLdlt {
  private:
   /// Rows of a supernode times its columns, column by column: unit lower triangle of L on top.
   Eigen::Map<const Eigen::MatrixXd> panel(std::size_t node) const;
+  /// Where a row of the matrix lies in the front of a supernode.
+  Index place_in_front(std::size_t node, Index row) const;
+  void link_fronts();
   void assemble(const SparseMatrix& lower, std::size_t node, Eigen::MatrixXd& front) const;
+  /// @param updates what the supernodes leave to their parents; those of its children are used up
+  bool factor_node(const SparseMatrix& lower, std::size_t node,
+                   std::vector<Eigen::MatrixXd>& updates);
   void solve_forward(Eigen::MatrixXd& x) const;
   void solve_backward(Eigen::MatrixXd& x) const;
 
   Supernodes tree_;
-  std::vector<Index> place_;              // unknown -> when it is eliminated
+  std::vector<Index> first_child_, sibling_;  // of supernodes, Supernodes::k_root where none
+  std::vector<Index> in_parent_;  // for tree_.row_list: where the row lies in the parent's front
+  std::vector<Index> place_;      // unknown -> when it is eliminated
   std::vector<std::size_t> panel_start_;  // of each supernode among panels_
   // Where the entries of the matrix go, supernode by supernode.
   struct Entry {

@@ -1,5 +1,6 @@
 #include "solve/sparse_ldlt.h"
 
+#include <algorithm>
 #include <random>
 
 #include <Eigen/Dense>
@@ -8,6 +9,7 @@
 
 #include "solve/dissection.h"
 #include "solve/front.h"
+#include "solve/subtrees.h"
 
 namespace planish {
 namespace {
@@ -117,6 +119,24 @@ TEST(SparseLdlt, FactorsOtherValuesOfThePatternAndGivesTheSameBitsAgain) {
   EXPECT_EQ(solver.solve(right), first);
 }
 
+TEST(SparseLdlt, GivesTheSameBitsForEveryNumberOfThreads) {
+  std::mt19937 random(7);
+  const auto sign = [](int i) { return i % 2 == 0 ? 1.0 : -1.0; };
+  for (const Grid& g : {grid(3, 4, 1), grid(70, 90, 2)}) {
+    const SparseMatrix a = random_matrix(g.graph, random, sign);
+    const MatrixXd right = MatrixXd::Random(a.rows(), 2);
+    SparseLdlt solver(a, nested_dissection(g.positions, g.graph));
+    ASSERT_TRUE(solver.factor(a));
+    const MatrixXd alone = solver.solve(right);
+    EXPECT_LT(residual(a, alone, right), 1e-12);
+    for (const unsigned threads : {1U, 2U, 3U, 8U}) {
+      ThreadPool pool(threads);
+      ASSERT_TRUE(solver.factor(a, pool));
+      EXPECT_EQ(solver.solve(right), alone) << threads;
+    }
+  }
+}
+
 TEST(SparseLdlt, SaysWhereAMatrixIsSingular) {
   std::mt19937 random(5);
   const Grid g = grid(10, 10, 1);
@@ -127,15 +147,19 @@ TEST(SparseLdlt, SaysWhereAMatrixIsSingular) {
   EXPECT_FALSE(solver.factor(zero));
   a.coeffRef(50, 50) = std::nan("");
   EXPECT_FALSE(solver.factor(a));
+  ThreadPool pool(2);
+  EXPECT_FALSE(solver.factor(a, pool));
 }
 
 TEST(SparseLdlt, KeepsFactorsOfSurfacesSmall) {
-  const Grid g = grid(120, 120, 1);
+  Grid g = grid(300, 300, 1);
+  for (Vec3& position : g.positions)
+    position.z = 0.0;
   std::mt19937 random(6);
   const SparseMatrix a = random_matrix(g.graph, random, [](int) { return 1.0; });
   const SparseLdlt nested(a, nested_dissection(g.positions, g.graph));
-  // A banded factor would hold 120 numbers a column.
-  EXPECT_LT(static_cast<double>(nested.factor_size()), 60.0 * 120.0 * 120.0);
+  // A banded factor would hold 300 numbers a column.
+  EXPECT_LT(static_cast<double>(nested.factor_size()), 220.0 * 300.0 * 300.0);
 }
 
 /// Numbers a column of the factor of a strip laid out in space.
@@ -183,16 +207,35 @@ TEST(FactorFront, LeavesTheFactorAndTheSchurComplement) {
   }
 }
 
-TEST(Supernodes, AreATreeThatHoldsEveryColumnOnce) {
-  const Grid g = grid(30, 30, 1);
+LowerRows rows_in(const Graph& graph, std::span<const Index> order) {
+  std::vector<Index> place(order.size());
+  for (Index k = 0; k < order.size(); ++k)
+    place[order[k]] = k;
   LowerRows rows;
-  for (Index v = 0; v < g.graph.vertex_count(); ++v) {
-    for (const Index w : g.graph.of(v)) {
-      if (w < v) rows.columns.push_back(w);
+  for (const Index v : order) {
+    const auto begin = static_cast<std::ptrdiff_t>(rows.columns.size());
+    for (const Index w : graph.of(v)) {
+      if (place[w] < place[v]) rows.columns.push_back(place[w]);
     }
+    std::sort(rows.columns.begin() + begin, rows.columns.end());
     rows.start.push_back(rows.columns.size());
   }
-  const Supernodes tree = find_supernodes(rows, elimination_tree(rows));
+  return rows;
+}
+
+Supernodes tree_of(const Grid& g) {
+  std::vector<Index> order = nested_dissection(g.positions, g.graph);
+  const auto later = postorder(elimination_tree(rows_in(g.graph, order)));
+  std::vector<Index> sorted;
+  for (const Index k : later)
+    sorted.push_back(order[k]);
+  const LowerRows rows = rows_in(g.graph, sorted);
+  return find_supernodes(rows, elimination_tree(rows));
+}
+
+TEST(Supernodes, AreATreeThatHoldsEveryColumnOnce) {
+  const Grid g = grid(30, 30, 1);
+  const Supernodes tree = tree_of(g);
   EXPECT_EQ(tree.first.front(), 0U);
   EXPECT_EQ(tree.first.back(), 900U);
   for (std::size_t s = 0; s < tree.count(); ++s) {
@@ -210,6 +253,40 @@ TEST(Supernodes, AreATreeThatHoldsEveryColumnOnce) {
       const auto rows_up = tree.rows(up);
       EXPECT_TRUE(row < tree.first[up + 1] ||
                   std::binary_search(rows_up.begin(), rows_up.end(), row));
+    }
+  }
+}
+
+TEST(Subtrees, HoldEverySupernodeOnceAndWholeFamilies) {
+  const Supernodes tree = tree_of(grid(60, 70, 2));
+  constexpr std::size_t top = static_cast<std::size_t>(-1), nowhere = top - 1;
+  for (const unsigned threads : {1U, 2U, 5U}) {
+    const Subtrees split = split_tree(tree, threads);
+    std::vector<std::size_t> part(tree.count(), nowhere);
+    const auto place = [&](std::size_t s, std::size_t where) {
+      EXPECT_EQ(part[s], nowhere) << s;
+      part[s] = where;
+    };
+    double all = 0.0, most = 0.0;
+    for (std::size_t p = 0; p < split.parts.size(); ++p) {
+      double work = 0.0;
+      for (std::size_t s = split.parts[p].begin; s < split.parts[p].end; ++s) {
+        place(s, p);
+        work += work_of(tree, s);
+      }
+      most = std::max(most, work);
+      all += work;
+    }
+    for (const Index s : split.top) {
+      place(s, top);
+      all += work_of(tree, s);
+    }
+    EXPECT_LE(most, all / (8.0 * threads));
+    EXPECT_TRUE(std::is_sorted(split.top.begin(), split.top.end()));
+    for (std::size_t s = 0; s < tree.count(); ++s) {
+      EXPECT_NE(part[s], nowhere);
+      const Index up = tree.parent[s];
+      EXPECT_TRUE(up == Supernodes::k_root || part[up] == part[s] || part[up] == top);
     }
   }
 }

@@ -77,7 +77,7 @@ DualSystem::DualSystem(const AngleJacobian& jacobian, const PatchState& state, c
   }
 }
 
-bool DualSystem::factor(std::span<const double> squeeze, double mu) {
+bool DualSystem::factor(std::span<const double> squeeze, double mu, ThreadPool& pool) {
   if (lower_.cols() == 0) return false;
   double* values = lower_.valuePtr();
   std::fill_n(values, lower_.nonZeros(), 0.0);
@@ -96,7 +96,7 @@ bool DualSystem::factor(std::span<const double> squeeze, double mu) {
     double& diagonal = values[lower_.outerIndexPtr()[v]];
     diagonal += mu * unit;
   }
-  return solver_.factor(lower_);
+  return solver_.factor(lower_, pool);
 }
 
 }  // namespace planish

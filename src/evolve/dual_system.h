@@ -21,7 +21,7 @@ class DualSystem {
   /// Factors for the gradients as they are.
   /// @param squeeze S by inner vertex: how willing each is to move
   /// @return false where the matrix cannot be factored
-  bool factor(std::span<const double> squeeze, double mu);
+  bool factor(std::span<const double> squeeze, double mu, ThreadPool& pool);
 
   /// @pre factor() was true
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return solver_.solve(right); }

@@ -90,7 +90,7 @@ class LeastNormStepper {
   }
 
   SweepOutcome faired_step() {
-    direct_ = !dual_.factor(squeeze_, fairing_damping_);
+    direct_ = !dual_.factor(squeeze_, fairing_damping_, pool_);
     if (direct_) return direct_step(state_.measure(pool_).energy);
     Places x = inner_places(state_);
     const Places move = least_move(inner_defects(state_));
@@ -155,7 +155,7 @@ class LeastNormStepper {
     constexpr double ease = 0.25, tighten = 4.0, most_damping = 1e8;
     const Places x = inner_places(state_);
     for (int i = 0; i < most_dampings; ++i, damping_ = std::min(10.0 * damping_, most_damping)) {
-      if (!dual_.factor(squeeze_, damping_)) continue;
+      if (!dual_.factor(squeeze_, damping_, pool_)) continue;
       const Curve curve = least_curve(x);
       const bool tiny = curve.solves && norm_of(curve.first) <= smallest_move();
       double share = 1.0;

@@ -80,7 +80,8 @@ NormalSystem::NormalSystem(const AngleJacobian& jacobian, const PatchState& stat
 }
 
 bool NormalSystem::factor(std::span<const Vec3> normals, const SparseMatrix& cost,
-                          const SparseMatrix& square, double unit, double stiffness, double sigma) {
+                          const SparseMatrix& square, double unit, double stiffness, double sigma,
+                          ThreadPool& pool) {
   double* values = lower_.valuePtr();
   const std::size_t* place = cost_places_.data();
   for_lower(cost, [&](int v, int w, double value) {
@@ -94,7 +95,7 @@ bool NormalSystem::factor(std::span<const Vec3> normals, const SparseMatrix& cos
     for (const AngleJacobian::Entry& entry : jacobian_.column(v))
       values[*place++] = -unit * dot(normals[v], jacobian_.gradient(entry.entry));
   }
-  return solver_.factor(lower_);
+  return solver_.factor(lower_, pool);
 }
 
 Eigen::VectorXd NormalSystem::solve(const Eigen::VectorXd& force,

@@ -28,7 +28,7 @@ class NormalSystem {
   /// @param normals unit, by inner vertex
   /// @param unit of length of steps
   bool factor(std::span<const Vec3> normals, const SparseMatrix& cost, const SparseMatrix& square,
-              double unit, double stiffness, double sigma);
+              double unit, double stiffness, double sigma, ThreadPool& pool);
 
   /// @return s, by inner vertex, in units of length as given. @pre factor() was true
   Eigen::VectorXd solve(const Eigen::VectorXd& force, const Eigen::VectorXd& turn) const;

@@ -70,7 +70,8 @@ Places StrainDescent::newton_step() {
     force[v] = -dot(gradient[v], normals[v]);
   }
   Places step(x.size());
-  if (!system_.factor(normals, cost_.hessian(), square_, cost_.unit(), 1.0 + stiffening_, sigma_))
+  if (!system_.factor(normals, cost_.hessian(), square_, cost_.unit(), 1.0 + stiffening_, sigma_,
+                      pool_))
     return step;
   const Eigen::VectorXd along = system_.solve(force, -inner_defects(state_));
   for (Index v = 0; v < x.size(); ++v)

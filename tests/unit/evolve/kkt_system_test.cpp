@@ -110,7 +110,7 @@ TEST(DualSystem, SolvesWhatADenseSolverSolves) {
   }
   DualSystem system(patch.jacobian, patch.state);
   for (const double mu : {1e-3, 1.0}) {
-    ASSERT_TRUE(system.factor(squeeze, mu));
+    ASSERT_TRUE(system.factor(squeeze, mu, patch.pool));
     const VectorXd right = VectorXd::LinSpaced(n, 1.0, -2.0);
     MatrixXd dense = patch.dense * s.asDiagonal() * patch.dense.transpose();
     VectorXd sorted = dense.diagonal();

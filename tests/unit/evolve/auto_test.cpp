@@ -1,0 +1,151 @@
+#include <cmath>
+
+#include <planish/evolve/evolve.h>
+#include <planish/measure/deviation.h>
+#include <planish/measure/flattenability.h>
+#include <planish/mesh/shapes.h>
+
+#include <gtest/gtest.h>
+
+#include "evolve/coarse_levels.h"
+#include "evolve/places.h"
+
+namespace planish {
+namespace {
+
+Flattenability figures_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
+  const TriMesh moved{positions, mesh.triangles};
+  return measure(moved, Connectivity(moved));
+}
+
+EvolveResult run(const TriMesh& mesh, const Auto& method = {}, const OnSweep& on_sweep = {},
+                 unsigned threads = 0, const Constraints& constraints = {}) {
+  return evolve(mesh, method, usual_stopping(method), on_sweep, threads, constraints);
+}
+
+TEST(Auto, MakesShapesFlattenableWithoutNeedles) {
+  for (const char* shape : {"panel", "saddle"}) {
+    const TriMesh mesh = make_shape(shape, 1500);
+    const EvolveResult result = run(mesh);
+    EXPECT_EQ(result.stop, StopReason::converged) << shape;
+    const Flattenability before = measure(mesh, Connectivity(mesh));
+    const Flattenability after = figures_of(mesh, result.positions);
+    EXPECT_LE(after.e_max, k_flattenable_e_max) << shape;
+    EXPECT_LE(after.sum_abs_defect, k_flattenable_sum) << shape;
+    EXPECT_GE(after.min_angle, 0.5 * before.min_angle) << shape;
+    EXPECT_LE(after.roughness, 2.0 * before.roughness + 3.0) << shape;
+  }
+}
+
+TEST(Auto, GoesFromCoarseToFineWithTheSameBitsOnAnyNumberOfThreads) {
+  const TriMesh mesh = make_shape("panel", 9000);
+  const EvolveResult first = run(mesh, {}, {}, 1), again = run(mesh, {}, {}, 3);
+  EXPECT_EQ(first.positions, again.positions);
+  EXPECT_EQ(first.stop, StopReason::converged);
+  EXPECT_LE(figures_of(mesh, first.positions).e_max, k_flattenable_e_max);
+  ASSERT_TRUE(first.history.front().level.has_value());
+  EXPECT_LT(first.history.front().level->inner_vertices, 3000U);
+  EXPECT_EQ(first.history.front().moved > 0, true);
+  EXPECT_FALSE(first.history.back().level.has_value());
+  for (const SweepRecord& record : first.history) {
+    if (record.level && record.moved > 0) {
+      EXPECT_LT(record.level->merit, record.level->merit_before) << record.sweep;
+    }
+  }
+}
+
+TEST(Auto, KeepsWhatCoarseLevelsFoundWhenCancelled) {
+  const TriMesh mesh = make_shape("panel", 9000);
+  const EvolveResult result =
+      run(mesh, {}, [](const SweepRecord& record) { return record.sweep < 6; });
+  EXPECT_EQ(result.stop, StopReason::cancelled);
+  EXPECT_NE(result.positions, mesh.positions);
+  // The border stays, and the strain that it is after fell, so the total curvature did.
+  for (const auto& loop : Connectivity(mesh).border_loops()) {
+    for (const Index v : loop)
+      EXPECT_EQ(result.positions[v], mesh.positions[v]);
+  }
+  EXPECT_LT(figures_of(mesh, result.positions).sum_abs_defect,
+            measure(mesh, Connectivity(mesh)).sum_abs_defect);
+}
+
+TEST(Auto, EndsWhenTheStrainIsMetWithLessDeviation) {
+  const TriMesh mesh = make_shape("panel", 1500);
+  const Connectivity connectivity(mesh);
+  double last = std::numeric_limits<double>::infinity();
+  for (const double strain : {0.02, 0.01, 0.005}) {
+    const EvolveResult result = run(mesh, {.max_strain = strain});
+    EXPECT_EQ(result.stop, StopReason::strain_met) << strain;
+    const double left = figures_of(mesh, result.positions).sum_abs_defect;
+    EXPECT_LT(left, last) << strain;
+    last = left;
+  }
+  const auto far = [&](const Auto& method) {
+    return measure_deviation(mesh, run(mesh, method).positions, connectivity).rms;
+  };
+  EXPECT_LT(far({.max_strain = 0.02}), far({.max_strain = 0.005}));
+  EXPECT_LT(far({.max_strain = 0.005}), far({}));
+}
+
+TEST(Auto, MovesNothingWhereTheStrainIsWithinTheLimit) {
+  const TriMesh mesh = make_shape("panel", 9000);
+  const EvolveResult result = run(mesh, {.max_strain = 1.0});
+  EXPECT_EQ(result.stop, StopReason::strain_met);
+  EXPECT_EQ(result.positions, mesh.positions);
+}
+
+TEST(Auto, KeepsTheDeviationWhereLimitsConflict) {
+  const TriMesh mesh = make_shape("dome", 1500);
+  constexpr double most = 0.02;
+  const EvolveResult result = run(mesh, {.max_strain = 1e-3, .max_deviation = most});
+  EXPECT_EQ(result.stop, StopReason::deviation_limit);
+  EXPECT_LE(measure_deviation(mesh, result.positions, Connectivity(mesh)).max,
+            most * (1.0 + 1e-12));
+  EXPECT_LT(figures_of(mesh, result.positions).sum_abs_defect,
+            measure(mesh, Connectivity(mesh)).sum_abs_defect);
+}
+
+TEST(Auto, LeavesFixedVerticesOnAllLevels) {
+  const TriMesh mesh = make_shape("panel", 9000);
+  const auto inner = Connectivity(mesh).inner_vertices();
+  Constraints constraints;
+  for (std::size_t i = 0; i < inner.size(); i += 1500)
+    constraints.fixed.push_back(inner[i]);
+  const EvolveResult result = run(mesh, {}, {}, 0, constraints);
+  for (const Index v : constraints.fixed)
+    EXPECT_EQ(result.positions[v], mesh.positions[v]);
+  EXPECT_LT(figures_of(mesh, result.positions).sum_abs_defect,
+            0.1 * measure(mesh, Connectivity(mesh)).sum_abs_defect);
+}
+
+TEST(CoarseLevels, LiftSmoothMovesNearlyAsTheyAre) {
+  const TriMesh mesh = make_shape("panel", 30000);
+  const Connectivity connectivity(mesh);
+  ThreadPool pool(1);
+  PatchState fine(mesh, connectivity, pool);
+  const CoarseLevels levels(fine);
+  ASSERT_EQ(levels.coarsest(), 2U);
+  EXPECT_EQ(CoarseLevels(*levels.make_state(2, pool)).coarsest(), 0U);
+  const auto coarse = levels.make_state(1, pool);
+  // A dent that is nothing at the border: one half wave across the middle of the patch.
+  Vec3 middle;
+  for (const Vec3 p : mesh.positions)
+    middle += (1.0 / static_cast<double>(mesh.positions.size())) * p;
+  const auto dent = [&](const PatchState& state, Index v) {
+    const double r = norm((1.0 / state.scale()) * state.origin(v) - middle);
+    return state.scale() * Vec3{0.0, 0.0, 0.1 * std::exp(-20.0 * r * r)};
+  };
+  for (Index v = 0; v < coarse->inner_count(); ++v)
+    coarse->move(v, coarse->origin(v) + dent(*coarse, v));
+  const AngleJacobian jacobian(fine);
+  levels.lift(1, *coarse, ShapeCost(jacobian, fine, 0.02), fine);
+  double worst = 0.0, most = 0.0;
+  for (Index v = 0; v < fine.inner_count(); ++v) {
+    worst = std::max(worst, norm(fine.position(v) - fine.origin(v) - dent(fine, v)));
+    most = std::max(most, norm(dent(fine, v)));
+  }
+  EXPECT_LT(worst, 0.03 * most);
+}
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,219 @@
+#include "evolve/strain_descent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <planish/mesh/shapes.h>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include "evolve/smallest_angle.h"
+#include "evolve/vertex_normal.h"
+#include "support/meshes.h"
+
+namespace planish {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+struct Laid {
+  explicit Laid(const TriMesh& m, const Constraints& constraints = {})
+      : mesh(m), connectivity(mesh), state(mesh, connectivity, pool, constraints), jacobian(state) {
+    jacobian.update(pool);
+  }
+  Eigen::Index count() const { return static_cast<Eigen::Index>(state.inner_count()); }
+
+  TriMesh mesh;
+  Connectivity connectivity;
+  ThreadPool pool{1};
+  PatchState state;
+  AngleJacobian jacobian;
+};
+
+/// Small moves of vertices that may move, no two alike.
+Places some_moves(const Laid& laid, double size) {
+  Places moves(laid.state.inner_count());
+  for (Index v = 0; v < moves.size(); ++v) {
+    const double t = static_cast<double>(v);
+    if (laid.jacobian.is_movable(v))
+      moves[v] = size * Vec3{std::sin(1.3 * t), std::cos(2.1 * t), std::sin(0.7 * t + 1.0)};
+  }
+  return moves;
+}
+
+double product(const Places& a, const Places& b) {
+  double sum = 0.0;
+  for (std::size_t v = 0; v < a.size(); ++v)
+    sum += dot(a[v], b[v]);
+  return sum;
+}
+
+Constraints one_held(const TriMesh& mesh) {
+  return {.fixed = {Connectivity(mesh).inner_vertices()[20]}};
+}
+
+TEST(ShapeCost, HasTheGradientAndTheHessianOfItsValue) {
+  const TriMesh mesh = make_shape("panel", 200);
+  Laid laid(mesh, one_held(mesh));
+  ShapeCost cost(laid.jacobian, laid.state, 0.05);
+  cost.tighten(std::vector<Index>{3, 7}, 5.0);
+  const double h = cost.unit();
+  const Places x = sum_of(inner_places(laid.state), 1.0, some_moves(laid, 0.3 * h));
+  const Places u = some_moves(laid, 1.0 * h);
+  // Quadratic: central differences are exact but for rounding. The gradient is per unit length.
+  const double slope = 0.5 * (cost.value(sum_of(x, 1.0, u)) - cost.value(sum_of(x, -1.0, u)));
+  EXPECT_NEAR(product(cost.gradient(x), u) / h, slope, 1e-10 * std::abs(slope));
+  const Places bend =
+      sum_of(cost.gradient(sum_of(x, 0.5, u)), -1.0, cost.gradient(sum_of(x, -0.5, u)));
+  for (const auto part : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+    VectorXd along(laid.count()), expected(laid.count());
+    for (Eigen::Index v = 0; v < laid.count(); ++v) {
+      along[v] = u[static_cast<std::size_t>(v)].*part / h;
+      expected[v] = bend[static_cast<std::size_t>(v)].*part;
+    }
+    EXPECT_LT((cost.hessian() * along - expected).norm(), 1e-10 * expected.norm());
+  }
+}
+
+TEST(ShapeCost, SpreadsMovesAsADenseSolverDoes) {
+  const TriMesh mesh = make_shape("panel", 200);
+  Laid laid(mesh, one_held(mesh));
+  const ShapeCost cost(laid.jacobian, laid.state, 0.0);
+  std::vector<unsigned char> given(laid.state.inner_count(), 0);
+  for (std::size_t v = 0; v < given.size(); v += 5)
+    given[v] = laid.jacobian.is_movable(static_cast<Index>(v)) ? 1 : 0;
+  const Places moves = some_moves(laid, 1.0);
+  const Places spread = cost.spread(given, moves);
+  MatrixXd dense(cost.hessian());
+  VectorXd right = VectorXd::Zero(laid.count()), found(laid.count());
+  for (Eigen::Index v = 0; v < laid.count(); ++v) {
+    const auto i = static_cast<std::size_t>(v);
+    const bool held = !laid.jacobian.is_movable(static_cast<Index>(v));
+    dense(v, v) += given[i] != 0 || held ? 1.0 : 0.0;
+    right[v] = given[i] != 0 ? moves[i].y : 0.0;
+    found[v] = spread[i].y;
+    if (held) {
+      EXPECT_EQ(spread[i], Vec3{});
+    }
+  }
+  const VectorXd expected = dense.ldlt().solve(right);
+  EXPECT_LT((found - expected).norm(), 1e-5 * expected.norm());
+}
+
+TEST(StrainPotential, IsTheConformalStretchOfACap) {
+  // The stereographic picture of a cap of 70 degrees, its border at true length, stretches by
+  // (1 + cos t) / (1 + cos 70) at the angle t from the pole.
+  const TriMesh mesh = make_shape("dome", 4000);
+  Laid laid(mesh);
+  laid.state.measure(laid.pool);
+  const StrainPotential potential(laid.jacobian, laid.state);
+  ASSERT_TRUE(potential.solvable());
+  const VectorXd d = inner_defects(laid.state), phi = potential.of(d);
+  EXPECT_LT((potential.stiffness() * phi - d).norm(), 1e-12 * d.norm());
+  const double pole = std::log(2.0 / (1.0 + std::cos(70.0 * std::numbers::pi / 180.0)));
+  EXPECT_NEAR(phi.maxCoeff(), pole, 0.01 * pole);
+  EXPECT_GT(phi.minCoeff(), 0.0);
+}
+
+TEST(NormalSystem, SolvesWhatADenseSolverSolves) {
+  const TriMesh mesh = make_shape("panel", 150);
+  Laid laid(mesh, one_held(mesh));
+  const ShapeCost cost(laid.jacobian, laid.state, 0.1);
+  const StrainPotential potential(laid.jacobian, laid.state);
+  const SparseMatrix square = potential.stiffness() * potential.stiffness();
+  NormalSystem system(laid.jacobian, laid.state, cost.hessian(), square);
+  const Eigen::Index n = laid.count();
+  Places normals;
+  MatrixXd j = MatrixXd::Zero(n, n);
+  constexpr double unit = 0.3, stiffness = 2.5, sigma = 0.2;
+  for (Index v = 0; v < laid.state.inner_count(); ++v) {
+    normals.push_back(vertex_normal(v, laid.jacobian, laid.state));
+    for (const AngleJacobian::Entry& entry : laid.jacobian.column(v))
+      j(entry.row, v) = -unit * dot(laid.jacobian.gradient(entry.entry), normals[v]);
+  }
+  ASSERT_TRUE(system.factor(normals, cost.hessian(), square, unit, stiffness, sigma, laid.pool));
+  const VectorXd force = VectorXd::LinSpaced(n, -1.0, 2.0);
+  const VectorXd turn = VectorXd::LinSpaced(n, 0.1, -0.2);
+  MatrixXd whole = MatrixXd::Zero(2 * n, 2 * n);
+  const MatrixXd h(cost.hessian());
+  for (Eigen::Index v = 0; v < n; ++v) {
+    for (Eigen::Index w = 0; w < n; ++w)
+      whole(v, w) = stiffness * h(v, w) * (v == w ? 1.0 : dot(normals[v], normals[w]));
+  }
+  whole.bottomLeftCorner(n, n) = j;
+  whole.topRightCorner(n, n) = j.transpose();
+  whole.bottomRightCorner(n, n) = -sigma * sigma * MatrixXd(square);
+  VectorXd right(2 * n);
+  right << force, turn;
+  const VectorXd expected = whole.fullPivLu().solve(right).head(n);
+  EXPECT_LT((system.solve(force, turn) - expected).norm(), 1e-9 * expected.norm());
+}
+
+TEST(TangentialRelaxation, MendsWhatHasBecomePoorAndNothingElse) {
+  const TriMesh mesh = meshes::height_field(20, 20, [](double, double) { return 0.0; });
+  Laid laid(mesh);
+  TangentialRelaxation relaxation(laid.jacobian, laid.state);
+  EXPECT_EQ(relaxation.relax(), 0U);
+  const Index v = 100, w = laid.jacobian.ring(v)[0];
+  const Vec3 from = laid.state.position(v), to = laid.state.position(w);
+  laid.state.move(v, from + 0.98 * (to - from));
+  const double needle = smallest_angle(laid.state);
+  for (int pass = 0; pass < 5; ++pass)
+    relaxation.relax();
+  EXPECT_LT(needle, 0.05);
+  EXPECT_GT(smallest_angle(laid.state), 0.2);
+  for (Index i = 0; i < laid.state.inner_count(); ++i) {
+    EXPECT_EQ(laid.state.position(i).z, laid.state.origin(i).z);
+    const auto ring = laid.jacobian.ring(v);
+    const bool near = i == v || std::find(ring.begin(), ring.end(), i) != ring.end();
+    if (!near) {
+      EXPECT_EQ(laid.state.position(i), laid.state.origin(i)) << i;
+    }
+  }
+}
+
+TEST(StrainDescent, LowersItsMeritInEveryStepUntilThePatchIsNearlyFlattenable) {
+  for (const char* shape : {"panel", "saddle"}) {
+    const TriMesh mesh = make_shape(shape, 900);
+    Laid laid(mesh);
+    StrainDescent descent(laid.state, laid.pool, 0.02, {});
+    descent.start(k_pace_from_scratch);
+    const double before = descent.rms_strain();
+    for (int i = 0; i < 30 && descent.rms_strain() > 1e-4; ++i) {
+      const StrainDescent::Step step = descent.step();
+      if (step.moved > 0) {
+        EXPECT_LT(step.merit, step.merit_before) << shape << i;
+      }
+    }
+    EXPECT_LT(descent.rms_strain(), 1e-4) << shape;
+    EXPECT_GT(before, 1e-2) << shape;
+  }
+}
+
+TEST(StrainDescent, KeepsItsLimitsAndWhatIsHeld) {
+  const TriMesh mesh = make_shape("dome", 900);
+  const Constraints constraints = one_held(mesh);
+  Laid laid(mesh, constraints);
+  const double angle = 0.9 * smallest_angle(laid.state);
+  const double far = 0.1 * laid.state.scale();
+  StrainDescent descent(laid.state, laid.pool, 0.02, {far, angle});
+  descent.start(k_pace_from_scratch);
+  for (int i = 0; i < 15; ++i) {
+    descent.step();
+    EXPECT_GE(smallest_angle(laid.state), angle);
+    for (Index v = 0; v < laid.state.inner_count(); ++v) {
+      const double away = norm(laid.state.position(v) - laid.state.origin(v));
+      EXPECT_LE(away, far * (1.0 + 1e-12));
+      if (laid.state.is_fixed(v)) {
+        EXPECT_EQ(away, 0.0);
+      }
+    }
+  }
+  EXPECT_TRUE(descent.at_deviation_limit());
+}
+
+}  // namespace
+}  // namespace planish

@@ -22,10 +22,14 @@ namespace {
 
 // Strain, rms, at which a level is done: what lifting to the next one brings is more; and at which
 // least-norm steps end the work on the patch itself in fewer steps.
-constexpr double k_coarse_strain = 1e-4, k_polish_strain = 2e-4;
+constexpr double k_coarse_strain = 1e-4, k_polish_strain = 5e-5;
 // Of what counts as flattenable, so that it does on rounding too.
-constexpr double k_share = 0.5;
-constexpr int k_most_steps = 60, k_most_polishes = 40, k_most_idle = 3;
+constexpr double k_share_of_e_max = 0.5, k_share_of_sum = 0.8;
+// A level that ends above this has met with what the border forbids: on finer ones a few steps mend
+// what lifting did, no more.
+constexpr double k_hopeless_strain = 1e-2;
+constexpr int k_hopeless_steps = 5;
+constexpr int k_most_steps = 60, k_most_polishes = 100, k_most_idle = 3;
 
 class AutoStepper {
  public:
@@ -92,18 +96,23 @@ class AutoStepper {
       outcome.level = {(coarse_ ? *coarse_ : state_).inner_count(), step.merit_before, step.merit,
                        descent_->rms_strain()};
       const double enough = level_ > 0 ? k_coarse_strain : k_polish_strain;
+      const int most_steps = hopeless_ ? k_hopeless_steps : k_most_steps;
       const bool over = strain_is_met() || descent_->rms_strain() <= enough ||
-                        idle_ >= k_most_idle || ++steps_ >= k_most_steps;
+                        idle_ >= k_most_idle || ++steps_ >= most_steps;
+      outcome.elsewhere = level_ > 0;
       if (!over) return outcome;
     } else {
       outcome.level = {(coarse_ ? *coarse_ : state_).inner_count()};
     }
     end_level(outcome);
+    outcome.elsewhere = level_ > 0;
     return outcome;
   }
 
   /// What comes after a level: the next one, least-norm steps, or the end.
   void end_level(SweepOutcome& outcome) {
+    if (strain_is_met() && outcome.moved > 0) descent_->ease_back(options_.max_strain);
+    hopeless_ = !strain_is_met() && descent_->rms_strain() > k_hopeless_strain;
     if (level_ > 0) return lift();
     const auto reason = reason_to_end();
     if (reason) {
@@ -117,10 +126,10 @@ class AutoStepper {
 
   std::optional<StopReason> reason_to_end() const {
     if (strain_is_met()) return StopReason::strain_met;
-    if (descent_->at_deviation_limit()) return StopReason::deviation_limit;
-    if (options_.max_strain == 0.0) return std::nullopt;
-    const bool angles = options_.min_angle > 0.0 && descent_->at_angle_limit();
-    return angles ? StopReason::angle_limit : StopReason::stalled;
+    const bool nearly_flat = descent_->rms_strain() <= k_polish_strain;
+    if (descent_->at_deviation_limit() && !nearly_flat) return StopReason::deviation_limit;
+    if (options_.max_strain == 0.0 && !hopeless_) return std::nullopt;
+    return descent_->at_angle_limit() ? StopReason::angle_limit : StopReason::stalled;
   }
 
   /// A least-norm step, taken back where it breaks a limit.
@@ -135,8 +144,8 @@ class AutoStepper {
     }
     ++polishes_;
     const Flattenability figures = state_.measure(pool_);
-    const bool flat = figures.e_max <= k_share * k_flattenable_e_max &&
-                      figures.sum_abs_defect <= k_share * k_flattenable_sum;
+    const bool flat = figures.e_max <= k_share_of_e_max * k_flattenable_e_max &&
+                      figures.sum_abs_defect <= k_share_of_sum * k_flattenable_sum;
     if (flat) return {moved, true};
     return {moved, polishes_ >= k_most_polishes, StopReason::stalled};
   }
@@ -160,6 +169,7 @@ class AutoStepper {
   std::unique_ptr<StrainDescent> descent_;
   std::optional<Sweep> polish_;
   int steps_ = 0, idle_ = 0, polishes_ = 0;
+  bool hopeless_ = false;
 };
 
 }  // namespace

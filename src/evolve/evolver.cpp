@@ -27,12 +27,13 @@ class Evolver::Impl {
     record.converged = outcome.converged;
     record.reason = outcome.reason;
     record.level = outcome.level;
-    // Anew from the positions, so that the errors of many small updates cannot pile up.
-    const Flattenability figures = state_.measure(pool_);
+    // Anew from the positions, so that the errors of many small updates cannot pile up. A step on a
+    // coarser level leaves them as they are.
+    if (!outcome.elsewhere || sweeps_ == 0) figures_ = state_.measure(pool_);
     record.sweep = ++sweeps_;
-    record.e_max = figures.e_max;
-    record.e_avg = figures.e_avg;
-    record.energy = figures.energy;
+    record.e_max = figures_.e_max;
+    record.e_avg = figures_.e_avg;
+    record.energy = figures_.energy;
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
     record.seconds = elapsed.count();
     return record;
@@ -48,6 +49,7 @@ class Evolver::Impl {
   ThreadPool pool_;
   PatchState state_;
   std::optional<Sweep> sweep_;
+  Flattenability figures_;
   int sweeps_ = 0;
 };
 

@@ -33,7 +33,13 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, double closene
 }
 
 void StrainDescent::start(const DescentPace& pace) {
+  if (!solvable()) return;
   constexpr double least_sigma = 1e-4;
+  const Places away = sum_of(inner_places(state_), -1.0, cost_.origin());
+  for (double share = 1.0; share > 1e-3; share *= 0.5) {
+    move_to(within_limits(sum_of(cost_.origin(), share, away)), jacobian_, state_);
+    if (angles_hold()) break;
+  }
   look();
   sigma_ = std::min(1.0, pace.sigma_per_strain * rms_) * sigma_unit(state_);
   least_sigma_ = least_sigma * sigma_unit(state_);
@@ -93,12 +99,13 @@ Places StrainDescent::within_limits(Places x) const {
 /// Tells the cost which vertices cannot go on, so that the next step finds another way.
 void StrainDescent::hold_far_vertices() {
   constexpr double almost = 0.99, dearer = 10.0;
-  far_.clear();
+  std::vector<Index> far;
   for (Index v = 0; v < cost_.origin().size(); ++v) {
     if (norm(state_.position(v) - cost_.origin()[v]) >= almost * limits_.deviation)
-      far_.push_back(v);
+      far.push_back(v);
   }
-  cost_.tighten(far_, dearer);
+  cost_.tighten(far, dearer);
+  deviation_stopped_ = deviation_stopped_ || !far.empty();
 }
 
 bool StrainDescent::angles_hold() {
@@ -107,7 +114,7 @@ bool StrainDescent::angles_hold() {
 
 StrainDescent::Step StrainDescent::step() {
   constexpr int most_halvings = 12;
-  const Places x = inner_places(state_);
+  const Places& x = before_ = inner_places(state_);
   Step result;
   result.merit_before = result.merit = merit();
   const Places newton = newton_step();
@@ -142,6 +149,23 @@ StrainDescent::Step StrainDescent::step() {
   follow(share, halvings, result);
   if (!std::isinf(limits_.deviation)) hold_far_vertices();
   return result;
+}
+
+void StrainDescent::ease_back(double max_strain) {
+  constexpr int halvings = 6;
+  if (before_.empty()) return;
+  const Places to = sum_of(inner_places(state_), -1.0, before_);
+  const auto go_to = [&](double share) {
+    move_to(sum_of(before_, share, to), jacobian_, state_);
+    look();
+  };
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    go_to(middle);
+    (most_ <= max_strain && angles_hold() ? high : low) = middle;
+  }
+  go_to(high);
 }
 
 /// What the step was worth says how stiff the next one is and which sigma it is for.

@@ -46,7 +46,8 @@ class StrainDescent {
   const ShapeCost& cost() const { return cost_; }
   const AngleJacobian& jacobian() const { return jacobian_; }
 
-  /// Starts from where the vertices are now.
+  /// Starts from where the vertices are now, or nearer to where they were at first if that is
+  /// beyond the limits.
   void start(const DescentPace& pace);
 
   /// What a step did. F is that of the step's own sigma.
@@ -56,13 +57,16 @@ class StrainDescent {
   };
   Step step();
 
+  /// Goes back along the last step as far as max_strain() stays within a bound that it meets.
+  void ease_back(double max_strain);
+
   /// Strain as of now: phi over the inner vertices, as a share of length.
   double rms_strain() const { return rms_; }
   /// Half of what phi spans, the border's 0 included: a conformal pattern of the best size
   /// stretches and shrinks edges by so much.
   double max_strain() const { return most_; }
-  /// True if vertices are held where they are as far away as they may be.
-  bool at_deviation_limit() const { return !far_.empty(); }
+  /// True if vertices came as far away as they may be.
+  bool at_deviation_limit() const { return deviation_stopped_; }
   /// True if the last step was shortened by the limit of angles.
   bool at_angle_limit() const { return angle_stopped_; }
 
@@ -86,11 +90,11 @@ class StrainDescent {
   SparseMatrix square_;  // K K^T
   NormalSystem system_;
   TangentialRelaxation relaxation_;
-  std::vector<Index> far_;
+  Places before_;  // the last step
   Eigen::VectorXd phi_;
   double rms_ = 0.0, most_ = 0.0;
   double longest_step_ = 0.0, sigma_ = 1.0, least_sigma_ = 0.0, stiffening_ = 0.0;
-  bool angle_stopped_ = false;
+  bool angle_stopped_ = false, deviation_stopped_ = false;
 };
 
 }  // namespace planish

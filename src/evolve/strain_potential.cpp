@@ -1,7 +1,5 @@
 #include "evolve/strain_potential.h"
 
-#include <algorithm>
-
 #include "evolve/fairing.h"
 #include "evolve/places.h"
 #include "solve/dissection.h"
@@ -10,8 +8,6 @@
 namespace planish {
 
 namespace {
-
-constexpr double k_least_cotangent = 0.01;
 
 SparseMatrix stiffness_of(const AngleJacobian& jacobian, const PatchState& state) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -24,12 +20,11 @@ SparseMatrix stiffness_of(const AngleJacobian& jacobian, const PatchState& state
     const std::vector<double> weights =
         cotangent_weights(state.position(static_cast<std::size_t>(v)), places);
     for (std::size_t j = 0; j < ring.size(); ++j) {
-      const double weight = std::max(weights[j], k_least_cotangent);
-      entries.emplace_back(v, v, weight);
+      entries.emplace_back(v, v, weights[j]);
       // Both ends of an edge see the same triangles, but for rounding.
       if (state.is_inner(ring[j])) {
-        entries.emplace_back(v, static_cast<int>(ring[j]), -0.5 * weight);
-        entries.emplace_back(static_cast<int>(ring[j]), v, -0.5 * weight);
+        entries.emplace_back(v, static_cast<int>(ring[j]), -0.5 * weights[j]);
+        entries.emplace_back(static_cast<int>(ring[j]), v, -0.5 * weights[j]);
       }
     }
   }

@@ -12,8 +12,8 @@ namespace planish {
 /// others 2008), so unlike the energy it does not depend on the density of the mesh.
 class StrainPotential {
  public:
-  /// Takes K from the patch as it is. Cotangents are kept above a small positive number, so that K
-  /// is an M-matrix and phi has no more bumps than d.
+  /// Takes K from the patch as it is: positive definite, as of finite elements, where each part of
+  /// the patch has a border.
   StrainPotential(const AngleJacobian& jacobian, const PatchState& state);
 
   /// False where K cannot be factored.

@@ -20,6 +20,7 @@ struct SweepOutcome {
   bool converged = false;  ///< the method's own test says that no more can be gained
   StopReason reason = StopReason::converged;  ///< if so, why
   std::optional<LevelRecord> level = {};      ///< if it was a step of a level
+  bool elsewhere = false;                     ///< what moved was not the patch itself
 };
 
 /// One pass of a method over all inner vertices. Positions are what counts when it returns: the

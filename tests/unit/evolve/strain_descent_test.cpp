@@ -198,7 +198,7 @@ TEST(StrainDescent, KeepsItsLimitsAndWhatIsHeld) {
   const Constraints constraints = one_held(mesh);
   Laid laid(mesh, constraints);
   const double angle = 0.9 * smallest_angle(laid.state);
-  const double far = 0.1 * laid.state.scale();
+  const double far = 10.0 * laid.state.scale();  // millimetres
   StrainDescent descent(laid.state, laid.pool, 0.02, {far, angle});
   descent.start(k_pace_from_scratch);
   for (int i = 0; i < 15; ++i) {

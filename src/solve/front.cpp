@@ -1,61 +1,60 @@
 #include "solve/front.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace planish {
 
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
+constexpr std::size_t k_block = 64;  // columns that are factored before the rest hears of it
+static_assert(k_block % k_strip == 0);
 
-constexpr Index k_block = 48;  // columns that are factored before the rest hears of it
-
-/// Column by column; for what fits into the first-level cache.
-bool factor_block(Eigen::Ref<MatrixXd> block, Eigen::Ref<Eigen::VectorXd> pivots) {
-  const Index n = block.cols();
-  for (Index k = 0; k < n; ++k) {
-    const double pivot = block(k, k);
-    if (!(std::abs(pivot) > 0.0) || !std::isfinite(pivot)) return false;
-    pivots[k] = pivot;
-    const Index below = n - k - 1;
-    if (below == 0) break;
-    auto column = block.col(k).tail(below);
-    for (Index j = 0; j < below; ++j) {
-      const double factor = column[j] / pivot;
-      block.col(k + 1 + j).tail(below - j) -= factor * column.tail(below - j);
-    }
-    column /= pivot;
-  }
-  return true;
+/// Calls body(begin, end) for parts of [begin, end) on all threads if that is worth waking them.
+void for_strips(ThreadPool& pool, std::size_t begin, std::size_t end, std::size_t work_of_strip,
+                const auto& body) {
+  constexpr std::size_t enough = 1'000'000;  // multiplications; waking takes some 60 us
+  const std::size_t grain = 1 + enough / work_of_strip;
+  if (end - begin < 2 * grain) return body(begin, end);
+  pool.for_ranges(end - begin, grain,
+                  [&](std::size_t from, std::size_t to) { body(begin + from, begin + to); });
 }
 
 }  // namespace
 
-bool factor_front(Eigen::Ref<MatrixXd> front, Eigen::Ref<Eigen::VectorXd> pivots) {
-  const Index size = front.rows(), columns = pivots.size();
-  MatrixXd scaled(size, std::min(columns, k_block));  // L D of a block
-  for (Index k = 0; k < columns; k += k_block) {
-    const Index width = std::min(k_block, columns - k), below = size - k - width;
-    auto diagonal = front.block(k, k, width, width);
-    if (!factor_block(diagonal, pivots.segment(k, width))) return false;
-    if (below == 0) break;
-    auto panel = front.block(k + width, k, below, width);
-    diagonal.transpose().triangularView<Eigen::UnitUpper>().solveInPlace<Eigen::OnTheRight>(panel);
-    auto image = scaled.topLeftCorner(below, width);
-    image = panel;
-    panel *= pivots.segment(k, width).cwiseInverse().asDiagonal();
-    // The rest of the columns now, what is behind them all at once below.
-    const Index left = columns - k - width;
-    front.block(k + width, k + width, below, left).noalias() -=
-        panel * image.topRows(left).transpose();
+std::size_t FrontShape::beside_size() const {
+  return stride() * std::min(padded(columns), k_block);
+}
+
+bool factor_front(const FrontShape& shape, const FrontKernel& kernel, FrontSpace& space,
+                  double* pivots, double* rest, ThreadPool& pool) {
+  const std::size_t padded = FrontShape::padded(shape.columns);
+  double reciprocals[k_block];
+  for (std::size_t k = 0; k < shape.columns; k += k_block) {
+    FrontBlock block{};
+    block.stride = shape.stride();
+    block.front = space.panel.data() + k * block.stride + k;
+    block.width = std::min(k_block, shape.columns - k);
+    block.padded = FrontShape::padded(block.width);
+    block.scaled = space.scaled.data();
+    block.packed = space.packed.data();
+    block.pivots = pivots + k;
+    block.reciprocals = reciprocals;
+    if (!kernel.factor_diagonal(block)) return false;
+    const std::size_t first = block.padded / k_strip;   // strip below the block
+    const std::size_t beyond = (padded - k) / k_strip;  // and below all columns
+    const std::size_t end = (block.stride - k) / k_strip;
+    if (first == end) break;
+    for_strips(pool, first, end, k_strip * block.padded * block.padded / 2,
+               [&](std::size_t from, std::size_t to) { kernel.solve_strips(block, from, to); });
+    const FrontTarget columns{block.front + block.padded * (block.stride + 1), block.stride, first,
+                              beyond, false};
+    const FrontTarget below{rest, shape.rest_stride(), beyond, end, k == 0};
+    for_strips(pool, first, end, k_strip * block.width * (end - first) * k_strip / 2,
+               [&](std::size_t from, std::size_t to) {
+                 kernel.update_strips(block, columns, from, to);
+                 if (to > beyond) kernel.update_strips(block, below, std::max(from, beyond), to);
+               });
   }
-  const Index rest = size - columns;
-  if (rest == 0) return true;
-  const auto lower = front.bottomLeftCorner(rest, columns);
-  front.bottomRightCorner(rest, rest).triangularView<Eigen::Lower>() -=
-      lower * (lower * pivots.asDiagonal()).transpose();
   return true;
 }
 

@@ -1,14 +1,64 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <cstddef>
+
+#include "core/buffer.h"
+#include "core/thread_pool.h"
+#include "solve/lanes/front_strips.h"
 
 namespace planish {
 
-/// Factors the first columns of a dense symmetric matrix, of which the lower half is read and
-/// written: below their diagonal the unit lower triangular L appears, in the rest of the matrix
-/// the Schur complement, and what is above the diagonal loses its meaning.
+/// A dense symmetric matrix of which the first columns are to be factored, in strips of k_strip
+/// rows: those of the columns are filled up with zeros to whole strips, and so is the rest.
+struct FrontShape {
+  std::size_t columns = 0, rest = 0;
+
+  static constexpr std::size_t padded(std::size_t rows) {
+    return (rows + k_strip - 1) / k_strip * k_strip;
+  }
+  /// Of the rest, from column to column.
+  std::size_t rest_stride() const { return padded(rest); }
+  /// Of the columns to factor.
+  std::size_t stride() const { return padded(columns) + rest_stride(); }
+  /// Where a row lies, counted from 0 without the zeros.
+  std::size_t place(std::size_t row) const {
+    return row < columns ? row : row + padded(columns) - columns;
+  }
+  /// Numbers in the columns to factor, in the rest, and in each half of what factoring takes
+  /// beside.
+  std::size_t panel_size() const { return stride() * padded(columns); }
+  std::size_t rest_size() const { return rest_stride() * rest_stride(); }
+  std::size_t beside_size() const;
+};
+
+/// Room for numbers that nobody clears, from the start of a line of cache on.
+class FrontRoom {
+ public:
+  FrontRoom() = default;
+  explicit FrontRoom(std::size_t size) : lines_(FrontShape::padded(size) / k_strip) {}
+
+  double* data() { return lines_.size() == 0 ? nullptr : lines_.data()->at; }
+
+ private:
+  struct alignas(64) Line {
+    double at[k_strip];
+  };
+  Buffer<Line> lines_;
+};
+
+/// What fronts that are factored one after the other share.
+struct FrontSpace {
+  FrontRoom panel, scaled, packed;
+};
+
+/// Factors the first columns of a front, of which the lower half is read and written: L appears
+/// below their diagonal, unit lower triangular; what is on and above it loses its meaning.
+/// @param space whose panel holds the columns to factor, zero where they are padded
 /// @param pivots as many as columns to factor; D is written there
-/// @return false where a pivot is zero or not a number
-bool factor_front(Eigen::Ref<Eigen::MatrixXd> front, Eigen::Ref<Eigen::VectorXd> pivots);
+/// @param rest becomes minus L D L^T of the rows below, its lower half: the Schur complement where
+///   nothing is there before
+/// @return false where a pivot or its reciprocal is zero or not finite
+bool factor_front(const FrontShape& shape, const FrontKernel& kernel, FrontSpace& space,
+                  double* pivots, double* rest, ThreadPool& pool);
 
 }  // namespace planish

@@ -112,8 +112,8 @@ SparseLdlt::SparseLdlt(const SparseMatrix& lower)
 Index SparseLdlt::place_in_front(std::size_t node, Index row) const {
   if (row < tree_.first[node + 1]) return row - tree_.first[node];
   const auto below = tree_.rows(node);
-  const auto found = std::lower_bound(below.begin(), below.end(), row);
-  return tree_.width(node) + static_cast<Index>(found - below.begin());
+  const auto found = std::lower_bound(below.begin(), below.end(), row) - below.begin();
+  return static_cast<Index>(shape_of(node).place(tree_.width(node) + static_cast<Index>(found)));
 }
 
 void SparseLdlt::link_fronts() {
@@ -135,34 +135,60 @@ Eigen::Map<const Eigen::MatrixXd> SparseLdlt::panel(std::size_t node) const {
   return {panels_.data() + panel_start_[node], size, static_cast<Eigen::Index>(tree_.width(node))};
 }
 
-void SparseLdlt::assemble(const SparseMatrix& lower, std::size_t node,
-                          Eigen::MatrixXd& front) const {
+FrontShape SparseLdlt::shape_of(std::size_t node) const {
+  return {tree_.width(node), tree_.rows(node).size()};
+}
+
+void SparseLdlt::assemble(const SparseMatrix& lower, std::size_t node, double* panel) const {
+  const std::size_t stride = shape_of(node).stride();
   for (std::size_t e = entry_start_[node]; e < entry_start_[node + 1]; ++e) {
     const Entry& entry = entries_[e];
-    front(entry.row, entry.column) += lower.valuePtr()[entry.value];
+    panel[entry.column * stride + entry.row] += lower.valuePtr()[entry.value];
   }
 }
 
-bool SparseLdlt::factor_node(const SparseMatrix& lower, std::size_t node,
-                             std::vector<Eigen::MatrixXd>& updates) {
-  const auto width = static_cast<Eigen::Index>(tree_.width(node));
-  const auto left = static_cast<Eigen::Index>(tree_.rows(node).size());
-  Eigen::MatrixXd front = Eigen::MatrixXd::Zero(width + left, width + left);
-  assemble(lower, node, front);
-  for (Index child = first_child_[node]; child != Supernodes::k_root; child = sibling_[child]) {
-    const std::span<const Index> to(in_parent_.data() + tree_.row_start[child],
-                                    tree_.rows(child).size());
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      double* column = front.col(to[j]).data();
-      const double* source = updates[child].col(static_cast<Eigen::Index>(j)).data();
+bool SparseLdlt::factor_node(const SparseMatrix& lower, std::size_t node, FrontSpace& space,
+                             std::vector<FrontRoom>& updates, ThreadPool& pool) {
+  const FrontShape shape = shape_of(node);
+  const std::size_t stride = shape.stride(), corner = FrontShape::padded(shape.columns);
+  double* panel = space.panel.data();
+  std::fill_n(panel, shape.panel_size(), 0.0);
+  assemble(lower, node, panel);
+  const auto for_children = [&](const auto& visit) {
+    for (Index child = first_child_[node]; child != Supernodes::k_root; child = sibling_[child]) {
+      const std::span<const Index> to(in_parent_.data() + tree_.row_start[child],
+                                      tree_.rows(child).size());
+      const auto inside = std::lower_bound(to.begin(), to.end(), corner) - to.begin();
+      visit(child, to, static_cast<std::size_t>(inside));
+    }
+  };
+  for_children([&](Index child, std::span<const Index> to, std::size_t inside) {
+    const double* source = updates[child].data();
+    for (std::size_t j = 0; j < inside; ++j, source += FrontShape::padded(to.size())) {
+      double* column = panel + to[j] * stride;
       for (std::size_t i = j; i < to.size(); ++i)
         column[to[i]] += source[i];
     }
+  });
+  updates[node] = FrontRoom(shape.rest_size());
+  double* rest = updates[node].data();
+  if (!factor_front(shape, kernel_, space, pivots_.data() + tree_.first[node], rest, pool))
+    return false;
+  for_children([&](Index child, std::span<const Index> to, std::size_t inside) {
+    const std::size_t from_stride = FrontShape::padded(to.size());
+    for (std::size_t j = inside; j < to.size(); ++j) {
+      const double* source = updates[child].data() + j * from_stride;
+      double* column = rest + (to[j] - corner) * shape.rest_stride();
+      for (std::size_t i = j; i < to.size(); ++i)
+        column[to[i] - corner] += source[i];
+    }
     updates[child] = {};
+  });
+  double* kept = panels_.data() + panel_start_[node];
+  for (std::size_t k = 0; k < shape.columns; ++k) {
+    kept = std::copy_n(panel + k * stride, shape.columns, kept);
+    kept = std::copy_n(panel + k * stride + corner, shape.rest, kept);
   }
-  if (!factor_front(front, pivots_.segment(tree_.first[node], width))) return false;
-  std::copy_n(front.data(), front.rows() * width, panels_.data() + panel_start_[node]);
-  if (left > 0) updates[node] = front.bottomRightCorner(left, left);
   return true;
 }
 
@@ -171,20 +197,32 @@ bool SparseLdlt::factor(const SparseMatrix& lower) {
   return factor(lower, alone);
 }
 
+FrontSpace SparseLdlt::space() const {
+  std::size_t panel = 0, beside = 0;
+  for (std::size_t s = 0; s < tree_.count(); ++s) {
+    panel = std::max(panel, shape_of(s).panel_size());
+    beside = std::max(beside, shape_of(s).beside_size());
+  }
+  return {FrontRoom(panel), FrontRoom(beside), FrontRoom(beside)};
+}
+
 bool SparseLdlt::factor(const SparseMatrix& lower, ThreadPool& pool) {
   panels_.resize(panel_start_.back());
-  std::vector<Eigen::MatrixXd> updates(tree_.count());  // what children leave to their parents
+  std::vector<FrontRoom> updates(tree_.count());  // what children leave to their parents
   const Subtrees split = split_tree(tree_, pool.size());
   std::atomic<bool> sound = true;
   pool.for_ranges(split.parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    ThreadPool alone(1);
+    FrontSpace own = space();
     for (std::size_t part = begin; part < end; ++part) {
       for (std::size_t s = split.parts[part].begin; s < split.parts[part].end && sound; ++s) {
-        if (!factor_node(lower, s, updates)) sound = false;
+        if (!factor_node(lower, s, own, updates, alone)) sound = false;
       }
     }
   });
+  FrontSpace own = space();
   return sound && std::all_of(split.top.begin(), split.top.end(),
-                              [&](Index s) { return factor_node(lower, s, updates); });
+                              [&](Index s) { return factor_node(lower, s, own, updates, pool); });
 }
 
 void SparseLdlt::solve_forward(Eigen::MatrixXd& x) const {

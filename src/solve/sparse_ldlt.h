@@ -9,6 +9,7 @@
 #include <Eigen/SparseCore>
 
 #include "core/thread_pool.h"
+#include "solve/front.h"
 #include "solve/supernodes.h"
 
 namespace planish {
@@ -29,8 +30,8 @@ class SparseLdlt {
   /// The same for unknowns that are numbered in order of elimination.
   explicit SparseLdlt(const SparseMatrix& lower);
 
-  /// Factors a matrix of the pattern. False where a pivot is zero or not a number: then nothing can
-  /// be solved.
+  /// Factors a matrix of the pattern. False where a pivot or its reciprocal is zero or not finite:
+  /// then nothing can be solved.
   bool factor(const SparseMatrix& lower, ThreadPool& pool);
   /// The same on one thread.
   bool factor(const SparseMatrix& lower);
@@ -47,17 +48,21 @@ class SparseLdlt {
   /// Where a row of the matrix lies in the front of a supernode.
   Index place_in_front(std::size_t node, Index row) const;
   void link_fronts();
-  void assemble(const SparseMatrix& lower, std::size_t node, Eigen::MatrixXd& front) const;
+  FrontShape shape_of(std::size_t node) const;
+  /// For any of the fronts.
+  FrontSpace space() const;
+  void assemble(const SparseMatrix& lower, std::size_t node, double* panel) const;
   /// @param updates what the supernodes leave to their parents; those of its children are used up
-  bool factor_node(const SparseMatrix& lower, std::size_t node,
-                   std::vector<Eigen::MatrixXd>& updates);
+  bool factor_node(const SparseMatrix& lower, std::size_t node, FrontSpace& space,
+                   std::vector<FrontRoom>& updates, ThreadPool& pool);
   void solve_forward(Eigen::MatrixXd& x) const;
   void solve_backward(Eigen::MatrixXd& x) const;
 
   Supernodes tree_;
   std::vector<Index> first_child_, sibling_;  // of supernodes, Supernodes::k_root where none
   std::vector<Index> in_parent_;  // for tree_.row_list: where the row lies in the parent's front
-  std::vector<Index> place_;      // unknown -> when it is eliminated
+  FrontKernel kernel_ = front_kernel_for(best_isa());
+  std::vector<Index> place_;              // unknown -> when it is eliminated
   std::vector<std::size_t> panel_start_;  // of each supernode among panels_
   // Where the entries of the matrix go, supernode by supernode.
   struct Entry {

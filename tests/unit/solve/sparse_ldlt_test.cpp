@@ -186,24 +186,107 @@ TEST(SparseLdlt, KeepsFactorsOfStripsSmallHoweverStretched) {
   EXPECT_LT(stretched, 1.2 * straight);
 }
 
-TEST(FactorFront, LeavesTheFactorAndTheSchurComplement) {
-  for (const auto [size, columns] : {std::array{5, 2}, std::array{60, 60}, std::array{130, 100}}) {
-    MatrixXd a = MatrixXd::Random(size, size);
-    a = a * a.transpose() + MatrixXd::Identity(size, size);
-    MatrixXd front = a;
-    Eigen::VectorXd pivots(columns);
-    ASSERT_TRUE(factor_front(front, pivots));
+/// A front that is padded with zeros, from a matrix; and what comes of it.
+struct FactoredFront {
+  MatrixXd l;     // the columns that were factored
+  MatrixXd rest;  // minus what they take from the rest
+  Eigen::VectorXd pivots;
+  bool sound = false;
+};
+
+FactoredFront factor_padded(const MatrixXd& a, Eigen::Index columns, Isa isa, ThreadPool& pool) {
+  const auto width = static_cast<std::size_t>(columns);
+  const FrontShape shape{width, static_cast<std::size_t>(a.rows()) - width};
+  FrontSpace space{FrontRoom(shape.panel_size()), FrontRoom(shape.beside_size()),
+                   FrontRoom(shape.beside_size())};
+  std::fill_n(space.panel.data(), shape.panel_size(), 0.0);
+  const auto panel_at = [&](Eigen::Index i, Eigen::Index j) -> double& {
+    return space.panel.data()[static_cast<std::size_t>(j) * shape.stride() +
+                              shape.place(static_cast<std::size_t>(i))];
+  };
+  for (Eigen::Index j = 0; j < columns; ++j) {
+    for (Eigen::Index i = j; i < a.rows(); ++i)
+      panel_at(i, j) = a(i, j);
+  }
+  FrontRoom rest(shape.rest_size());
+  FactoredFront result;
+  result.pivots.resize(columns);
+  result.sound =
+      factor_front(shape, front_kernel_for(isa), space, result.pivots.data(), rest.data(), pool);
+  result.l = MatrixXd::Identity(a.rows(), columns);
+  const Eigen::Index left = a.rows() - columns;
+  result.rest = MatrixXd::Zero(left, left);
+  for (Eigen::Index j = 0; j < a.rows() && result.sound; ++j) {
+    for (Eigen::Index i = j + 1; i < a.rows(); ++i) {
+      if (j < columns) result.l(i, j) = panel_at(i, j);
+    }
+    for (Eigen::Index i = j; i < a.rows() && j >= columns; ++i) {
+      result.rest(i - columns, j - columns) =
+          rest.data()[static_cast<std::size_t>(j - columns) * shape.rest_stride() +
+                      static_cast<std::size_t>(i - columns)];
+    }
+  }
+  return result;
+}
+
+constexpr std::array k_fronts = {std::array{1, 1},    std::array{5, 2},     std::array{8, 8},
+                                 std::array{9, 8},    std::array{60, 60},   std::array{65, 64},
+                                 std::array{130, 67}, std::array{150, 100}, std::array{700, 300}};
+
+/// Positive and negative definite rows in turn.
+MatrixXd quasi_definite(int size) {
+  MatrixXd a = MatrixXd::Random(size, size);
+  a = MatrixXd(a + a.transpose());
+  for (int i = 0; i < size; ++i) {
+    for (int j = 0; j < size; ++j) {
+      if (i % 2 == j % 2) a(i, j) *= 0.01;
+    }
+    a(i, i) = i % 2 == 0 ? 4.0 + 0.05 * size : -4.0 - 0.05 * size;
+  }
+  return a;
+}
+
+TEST(FactorFront, LeavesTheFactorAndWhatItTakesFromTheRest) {
+  ThreadPool pool(1);
+  for (const auto [size, columns] : k_fronts) {
+    const MatrixXd a = quasi_definite(size);
+    const FactoredFront front = factor_padded(a, columns, best_isa(), pool);
+    ASSERT_TRUE(front.sound);
+    const MatrixXd product = front.l * front.pivots.asDiagonal() * front.l.transpose();
+    EXPECT_LT((a - product).leftCols(columns).norm(), 1e-13 * a.norm()) << size;
     const Eigen::Index rest = size - columns;
-    MatrixXd l = front.leftCols(columns);
-    l.topRows(columns).triangularView<Eigen::StrictlyUpper>().setZero();
-    l.topRows(columns).diagonal().setOnes();
-    const MatrixXd left = a - l * pivots.asDiagonal() * l.transpose();
-    EXPECT_LT(left.leftCols(columns).norm(), 1e-12 * a.norm());
-    MatrixXd schur = front.bottomRightCorner(rest, rest);
-    schur = MatrixXd(schur.triangularView<Eigen::Lower>());
     const MatrixXd expected =
-        MatrixXd(left.bottomRightCorner(rest, rest).triangularView<Eigen::Lower>());
-    EXPECT_LT((schur - expected).norm(), 1e-12 * a.norm());
+        MatrixXd((-product.bottomRightCorner(rest, rest)).triangularView<Eigen::Lower>());
+    EXPECT_LE((front.rest - expected).norm(), 1e-13 * a.norm()) << size;
+  }
+}
+
+TEST(FactorFront, GivesTheSameBitsOnEveryProcessorAndNumberOfThreads) {
+  ThreadPool alone(1), three(3);
+  for (const auto [size, columns] : k_fronts) {
+    const MatrixXd a = quasi_definite(size);
+    const FactoredFront expected = factor_padded(a, columns, Isa::baseline, alone);
+    for (const Isa isa : available_isas()) {
+      const FactoredFront front = factor_padded(a, columns, isa, three);
+      EXPECT_EQ(front.l, expected.l) << to_string(isa) << size;
+      EXPECT_EQ(front.rest, expected.rest) << to_string(isa) << size;
+      EXPECT_EQ(front.pivots, expected.pivots) << to_string(isa) << size;
+    }
+  }
+}
+
+TEST(SparseLdlt, AgreesWithDenseEigenOnQuasiDefiniteSystems) {
+  for (const int size : {1, 2, 7, 40, 163}) {
+    const MatrixXd a = quasi_definite(size);
+    const SparseMatrix lower = SparseMatrix(a.sparseView()).triangularView<Eigen::Lower>();
+    std::vector<Index> order(static_cast<std::size_t>(size));
+    for (Index i = 0; i < order.size(); ++i)
+      order[i] = static_cast<Index>(order.size()) - 1 - i;
+    SparseLdlt solver(lower, order);
+    ASSERT_TRUE(solver.factor(lower));
+    const MatrixXd right = MatrixXd::Random(size, 3);
+    const MatrixXd expected = Eigen::LDLT<MatrixXd>(a).solve(right);
+    EXPECT_LT((solver.solve(right) - expected).norm(), 1e-12 * expected.norm()) << size;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/thread_pool.h"
 #include "evolve/angle_jacobian.h"
 #include "solve/graph.h"
 #include "solve/sparse_ldlt.h"

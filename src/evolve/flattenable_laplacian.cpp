@@ -66,7 +66,7 @@ class FlattenableStepper {
     if (options_.rebase_every > 0 && steps_ % options_.rebase_every == 0)
       base_ = inner_places(state_);
     ++steps_;
-    if (!system_.factor(options_.damping)) return {};
+    if (!system_.factor(options_.damping, pool_)) return {};
     const Places step = stopped(system_.solve(forces(), inner_defects(state_)));
     const std::size_t moved =
         move_to(sum_of(inner_places(state_), options_.tau, step), jacobian_, state_);

@@ -86,7 +86,7 @@ KktSystem::KktSystem(const AngleJacobian& jacobian, const PatchState& state,
   }
 }
 
-bool KktSystem::factor(double mu) {
+bool KktSystem::factor(double mu, ThreadPool& pool) {
   double* values = lower_.valuePtr();
   const std::size_t* place = gradient_places_.data();
   double squares = 0.0;
@@ -102,7 +102,7 @@ bool KktSystem::factor(double mu) {
   if (!(mean > 0.0)) return false;
   for (Index v = 0; v < jacobian_.row_count(); ++v)
     values[lower_.outerIndexPtr()[unknown(v, k_multiplier)]] = -mu * mean;
-  return solver_.factor(lower_);
+  return solver_.factor(lower_, pool);
 }
 
 Places KktSystem::solve(const Places& force, const Eigen::VectorXd& turn) const {

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/thread_pool.h"
 #include "evolve/angle_jacobian.h"
 #include "evolve/places.h"
 #include "solve/sparse_ldlt.h"
@@ -24,7 +25,7 @@ class KktSystem {
   KktSystem(const AngleJacobian& jacobian, const PatchState& state, const SparseMatrix& hessian);
 
   /// Factors for the gradients as they are; false where that cannot be.
-  bool factor(double mu);
+  bool factor(double mu, ThreadPool& pool);
 
   /// @pre factor() was true
   Places solve(const Places& force, const Eigen::VectorXd& turn) const;

@@ -78,7 +78,7 @@ TEST(KktSystem, SolvesWhatADenseSolverSolves) {
   const SparseMatrix hessian = spring_matrix(patch.state);
   KktSystem system(patch.jacobian, patch.state, hessian);
   constexpr double mu = 1e-4;
-  ASSERT_TRUE(system.factor(mu));
+  ASSERT_TRUE(system.factor(mu, patch.pool));
   const Places forces = some_forces(patch.state.inner_count());
   const VectorXd turn = VectorXd::LinSpaced(n, -0.1, 0.2);
   const VectorXd move = Patch::flat(system.solve(forces, turn));

@@ -10,7 +10,6 @@
 
 int main() {
   planish::FlattenOptions options;
-  options.stopping.max_sweeps = 50;
   options.unit = planish::Unit::mm;
   const auto report = planish::flatten(planish::make_shape("panel", 1000), "panel", options);
   if (!report) return 1;  // only where a callback cancels

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include <planish/measure/material.h>
+
 #include "failures.h"
+#include "quantities.h"
 #include "values.h"
 
 namespace planish::cli {
@@ -36,6 +39,33 @@ std::string range_text(double value, Range range) {
   return text + "default " + default_text(value);
 }
 
+// Methods that have this option take --material in its place.
+constexpr std::string_view k_strain_option = "max_strain";
+constexpr const char* k_strain_flag = "--max-strain";
+constexpr const char* k_material_flag = "--material";
+
+std::vector<std::string> material_names() {
+  std::vector<std::string> names;
+  for (const Material& material : materials())
+    names.emplace_back(material.name);
+  return names;
+}
+
+Flag material_flag() {
+  return {k_material_flag, "NAME",
+          "max_strain as this material takes it up: " + list_of(material_names())};
+}
+
+/// The limit that --material names.
+double strain_of_material(const Arguments& arguments) {
+  if (arguments.has(k_strain_flag)) {
+    throw UsageError(std::string(k_material_flag) + " and " + k_strain_flag +
+                     " both say what strain is allowed: give one of them");
+  }
+  const std::string& name = arguments.flags.at(k_material_flag);
+  return material_named(known_name("material", name, material_names())).max_strain;
+}
+
 template <class Enum>
 std::vector<std::string> names_in(Enum value) {
   std::vector<std::string> names;
@@ -50,8 +80,11 @@ struct FlagMaker {
 
   template <class Number>
   void operator()(std::string_view name, Number value, const char* doc, Range range) {
+    const std::string forms = forms_of(quantity_of(name));
     flags.push_back({flag_name(name), std::is_integral_v<Number> ? "N" : "X",
-                     std::string(doc) + " (" + range_text(value, range) + ")"});
+                     std::string(doc) + " (" + (forms.empty() ? "" : forms + "; ") +
+                         range_text(value, range) + ")"});
+    if (name == k_strain_option) flags.push_back(material_flag());
   }
   template <class Enum>
   void operator()(std::string_view name, Enum value, const char* doc) {
@@ -75,7 +108,12 @@ struct OptionSetter {
   }
   void operator()(std::string_view name, double& value, const char*, Range range) const {
     const std::string flag = flag_name(name);
-    if (const std::string* text = text_of(flag)) value = number_of(flag, *text, range);
+    if (const std::string* text = text_of(flag)) {
+      value = quantity_value(flag, *text, quantity_of(name), range, arguments);
+    }
+    if (name == k_strain_option && arguments.has(k_material_flag)) {
+      value = strain_of_material(arguments);
+    }
   }
   void operator()(std::string_view name, int& value, const char*, Range range) const {
     const std::string flag = flag_name(name);
@@ -126,7 +164,6 @@ std::vector<MethodFlags> flags_of_methods(std::index_sequence<I...>) {
            std::variant_alternative_t<I, Method>::usual_sweeps}...};
 }
 
-/// The flags of each method, the default method first.
 std::vector<MethodFlags> flags_of_methods() {
   return flags_of_methods(std::make_index_sequence<std::variant_size_v<Method>>());
 }
@@ -165,8 +202,12 @@ std::vector<std::string> method_names() {
   return method_names(std::make_index_sequence<std::variant_size_v<Method>>());
 }
 
-std::vector<FlagGroup> method_flags() {
-  const auto methods = flags_of_methods();
+std::vector<FlagGroup> method_flags(const Method& standard) {
+  auto methods = flags_of_methods();
+  const auto first = std::find_if(methods.begin(), methods.end(), [&](const MethodFlags& m) {
+    return m.method == name_of(standard);
+  });
+  std::rotate(methods.begin(), first, first + 1);
   FlagGroup shared = {"How to evolve",
                       {{"--method", "NAME",
                         list_of(method_names()) + " (default " + methods.front().method + ")"}}};
@@ -192,17 +233,16 @@ std::vector<FlagGroup> method_flags() {
   return groups;
 }
 
-Method method_from(const Arguments& arguments) {
-  const std::string standard(name_of(Method{}));
-  const std::string name = arguments.value_or("--method", standard);
+Method method_from(const Arguments& arguments, const Method& standard) {
+  const std::string name = arguments.value_or("--method", std::string(name_of(standard)));
   Method method = method_named(known_name("method", name, method_names()));
   refuse_flags_of_other_methods(name, arguments);
   std::visit([&](auto& options) { describe(options, OptionSetter{arguments}); }, method);
   return method;
 }
 
-Stopping stopping_from(const Arguments& arguments) {
-  Stopping stopping = usual_stopping(method_from(arguments));
+Stopping stopping_from(const Arguments& arguments, const Method& method) {
+  Stopping stopping = usual_stopping(method);
   describe(stopping, OptionSetter{arguments});
   return stopping;
 }

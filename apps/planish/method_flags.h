@@ -9,19 +9,23 @@
 
 namespace planish::cli {
 
-/// The default first.
+/// All that there are.
 std::vector<std::string> method_names();
 
-/// --method, the flags of Stopping and those of every method, as their describe() has them.
-std::vector<FlagGroup> method_flags();
+/// --method, the flags of Stopping and those of every method, as their describe() has them; with
+/// max_strain also --material.
+/// @param standard the verb's own method, which comes first
+std::vector<FlagGroup> method_flags(const Method& standard);
 
-/// The method that the flags ask for.
+/// The method that the flags ask for, by its name or as the verb's own. Lengths are converted by
+/// --unit.
 /// @throws UsageError for unknown names, bad values and flags of another method; Error
 ///   option_out_of_range
-Method method_from(const Arguments& arguments);
+Method method_from(const Arguments& arguments, const Method& standard);
 
-/// When the flags ask to stop. Throws as method_from().
-Stopping stopping_from(const Arguments& arguments);
+/// When the flags ask to stop; the method's usual stopping where they do not say. Throws as
+/// method_from().
+Stopping stopping_from(const Arguments& arguments, const Method& method);
 
 /// --methods and the flags of Stopping, which hold for all methods.
 FlagGroup compare_flags();

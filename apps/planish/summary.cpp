@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include <planish/report/strain_check.h>
+
 #include "text.h"
 #include "values.h"
 
@@ -128,11 +130,23 @@ std::string deviation_lines(const Deviation& deviation, const std::string& unit)
          " of the bounding box's diagonal\n";
 }
 
+/// What to make of the reasons that are limits.
+std::string stop_note(StopReason stop) {
+  if (stop == StopReason::strain_met) return ":\n  by its estimate the strain is within the limit";
+  if (stop == StopReason::deviation_limit) {
+    return ":\n  going on would have moved vertices further than --max-deviation";
+  }
+  if (stop == StopReason::angle_limit) {
+    return ":\n  going on would have made angles smaller than --min-angle";
+  }
+  return {};
+}
+
 std::string run_line(const EvolveReport& report) {
   return std::string(name_of(report.method)) + ": " +
          counted(report.result.history.size(), "sweep") + " in " + fixed(report.result.seconds, 2) +
          " s on " + counted(report.result.threads, "thread") + ", ended by " +
-         std::string(to_string(report.result.stop)) + "\n\n";
+         std::string(to_string(report.result.stop)) + stop_note(report.result.stop) + "\n\n";
 }
 
 std::string pattern_lines(const UnfoldReport& report) {
@@ -182,11 +196,12 @@ std::string unfold_text(const UnfoldReport& report) {
 }
 
 std::string flatten_text(const FlattenReport& report) {
+  const auto check = check_strain(report);
   return run_line(report.evolve) + comparison_head() +
          comparison(figure_rows(report.evolve.before.figures, report.evolve.after.figures)) +
          comparison(strain_rows(report.unfold_before.strain, report.unfold.strain)) + "\n" +
          deviation_lines(report.evolve.deviation, std::string(to_string(report.unfold.unit))) +
-         pattern_lines(report.unfold);
+         pattern_lines(report.unfold) + (check ? "\n" + wrapped(check_text(*check), 0) + "\n" : "");
 }
 
 std::string directions_text(const DirectionCounts& counts) {

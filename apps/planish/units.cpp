@@ -10,7 +10,7 @@ namespace {
 
 std::vector<std::string> unit_names() {
   std::vector<std::string> names;
-  for (const Unit unit : {Unit::mm, Unit::cm, Unit::m, Unit::in}) {
+  for (const Unit unit : k_units) {
     names.emplace_back(to_string(unit));
   }
   return names;

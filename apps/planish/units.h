@@ -1,12 +1,16 @@
 #pragma once
 
+#include <array>
+
 #include <planish/report/unit.h>
 
 #include "command.h"
 
 namespace planish::cli {
 
-/// --unit, for verbs that write patterns.
+inline constexpr std::array k_units = {Unit::mm, Unit::cm, Unit::m, Unit::in};
+
+/// --unit, for verbs that write patterns or take lengths.
 Flag unit_flag();
 
 /// The unit that the flag names, millimetres without it.

@@ -8,37 +8,21 @@
 
 namespace planish::cli {
 
-namespace {
-
-template <class Number>
-Number parsed(const std::string& flag, const std::string& text, const char* kind) {
-  Number value = {};
-  const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  if (result.ec == std::errc::result_out_of_range) {
-    throw UsageError(flag + " is " + text + " but must be a smaller number");
-  }
-  if (result.ec != std::errc() || result.ptr != end) {
-    throw UsageError(flag + " is \"" + text + "\" but must be " + kind);
-  }
-  return value;
-}
-
-}  // namespace
-
 std::string shortest(double value) {
   char digits[32];
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
-double number_of(const std::string& flag, const std::string& text, Range range) {
-  const auto value = parsed<double>(flag, text, "a number");
-  check_range(flag, value, range);
-  return value;
-}
-
 int whole_number_of(const std::string& flag, const std::string& text, Range range) {
-  const auto value = parsed<int>(flag, text, "a whole number");
+  int value = 0;
+  const char* const end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, value);
+  if (parsed.ec == std::errc::result_out_of_range) {
+    throw UsageError(flag + " is " + text + " but must be a smaller number");
+  }
+  if (parsed.ec != std::errc() || parsed.ptr != end) {
+    throw UsageError(flag + " is \"" + text + "\" but must be a whole number");
+  }
   check_range(flag, value, range);
   return value;
 }

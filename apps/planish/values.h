@@ -11,10 +11,8 @@ namespace planish::cli {
 /// The shortest digits that read back to the same number: "0.5".
 std::string shortest(double value);
 
-/// The number that the value of a flag says.
-/// @throws UsageError where it is no number, Error option_out_of_range
-double number_of(const std::string& flag, const std::string& text, Range range);
-/// The same for whole numbers.
+/// The whole number that the value of a flag says.
+/// @throws UsageError where it is none, Error option_out_of_range
 int whole_number_of(const std::string& flag, const std::string& text, Range range);
 
 /// Passes on a text that is one of the known names.

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include <planish/report/compare.h>
+#include <planish/report/evolve_progress.h>
 
 namespace planish {
 
@@ -82,12 +83,11 @@ class Comparison {
   }
 
   EvolveReport evolved(const CompareRun& run, std::string_view name) {
+    EvolveProgress progress(run.stopping, report_.input.positions.size());
     return evolve_patch(
         report_.input, run.method, run.stopping,
         [&](const SweepRecord& record) {
-          return tell(
-              FlattenStage::evolving, name,
-              static_cast<double>(record.sweep) / static_cast<double>(run.stopping.max_sweeps));
+          return tell(FlattenStage::evolving, name, progress.after(record));
         },
         options_.threads, options_.constraints);
   }

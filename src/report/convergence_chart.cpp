@@ -94,7 +94,8 @@ std::string comparison_chart(const CompareReport& report, const ChartFigure& fig
 }
 
 std::string run_css_class(std::size_t run) {
-  constexpr std::size_t styles = 8;
+  constexpr std::size_t styles = 9;
+  static_assert(std::variant_size_v<Method> <= styles, "each method has a style of its own");
   return "line-" + std::to_string(run % styles);
 }
 

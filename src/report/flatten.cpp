@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include <planish/report/evolve_progress.h>
 #include <planish/report/flatten.h>
 
 namespace planish {
@@ -126,11 +127,12 @@ std::optional<FlattenReport> flatten(TriMesh mesh, std::string name, const Flatt
   FlattenReport report;
   report.name = std::move(name);
   report.input = std::move(mesh);
+  const Stopping stopping = options.stopping.value_or(usual_stopping(options.method));
+  EvolveProgress progress(stopping, report.input.positions.size());
   report.evolve = evolve_patch(
-      report.input, options.method, options.stopping,
+      report.input, options.method, stopping,
       [&](const SweepRecord& record) {
-        return tell(FlattenStage::evolving, static_cast<double>(record.sweep) /
-                                                static_cast<double>(options.stopping.max_sweeps));
+        return tell(FlattenStage::evolving, progress.after(record));
       },
       options.threads, options.constraints);
   if (report.evolve.result.stop == StopReason::cancelled) return std::nullopt;

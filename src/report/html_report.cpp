@@ -6,6 +6,7 @@
 #include <planish/core/version.h>
 #include <planish/report/html_report.h>
 #include <planish/report/pattern_sheet.h>
+#include <planish/report/strain_check.h>
 
 #include "core/number_text.h"
 #include "draw/markup_text.h"
@@ -101,13 +102,23 @@ std::string run_list(const FlattenReport& report) {
          "</dl>\n";
 }
 
+constexpr std::string_view k_level_words =
+    " While sweeps work on coarser levels, the patch itself stays as it is, and so do its figures.";
+
+bool has_levels(const FlattenReport& report) {
+  const auto& history = report.evolve.result.history;
+  return std::any_of(history.begin(), history.end(),
+                     [](const SweepRecord& record) { return record.level.has_value(); });
+}
+
 std::string convergence_section(const FlattenReport& report) {
   const std::string chart =
       convergence_chart(report.evolve.before.figures, report.evolve.result.history);
-  const std::string words =
+  std::string words =
       chart.empty() ? "Nothing to show: no sweep was made, or there was nothing to lower."
                     : "Largest and mean angle defect and energy after each sweep, as a share of "
                       "what they were before; logarithmic.";
+  if (has_levels(report)) words += k_level_words;
   return "<section class=\"keep\">\n<h2>The sweeps</h2>\n<p>" + words + "</p>\n" + chart +
          run_list(report) + "</section>\n";
 }
@@ -143,11 +154,13 @@ std::string footer(const FlattenReport& report) {
 
 std::string html_report(const FlattenReport& report, ColorMap colors) {
   const std::string border = border_text(report);
+  const auto check = check_strain(report);
   const std::string title = report.name.empty() ? "Patch" : escape_markup(report.name);
   return html_head(title) +
          "<body>\n<main>\n<header>\n<p class=\"brand\">Planish report</p>\n<h1>" + title +
          "</h1>\n<p class=\"verdict\">" +
-         escape_markup(verdict_text(report) + (border.empty() ? "" : " " + border)) +
+         escape_markup(verdict_text(report) + (check ? " " + check_text(*check) : "") +
+                       (border.empty() ? "" : " " + border)) +
          "</p>\n</header>\n" + tiles(report) + pictures(report, colors) + "<div class=\"wide\">\n" +
          pattern_section(report) + convergence_section(report) +
          "</div>\n<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" +

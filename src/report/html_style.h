@@ -10,14 +10,16 @@ inline constexpr std::string_view k_html_style = R"css(
   color-scheme: light dark;
   --page: #faf9f6; --card: #ffffff; --plate: #eef0f1; --ink: #1e1f21; --dim: #66676b;
   --rule: #e2e1dc; --better: #1b6e43; --worse: #a8411a; --blue: #0067a5; --orange: #c05000;
-  --green: #007a5a; --purple: #9c3587; --olive: #7d6b00; --sky: #3d86c6; --brown: #7a4a28; --ground: #dadee1;
+  --green: #007a5a; --purple: #9c3587; --olive: #7d6b00; --sky: #3d86c6; --brown: #7a4a28; --red: #c2183c;
+  --ground: #dadee1;
   --shade: 0 1px 2px rgb(0 0 0 / 5%);
 }
 @media screen and (prefers-color-scheme: dark) {
   :root {
     --page: #16181b; --card: #1e2125; --plate: #272b30; --ink: #e9e8e4; --dim: #9fa2a8;
     --rule: #33373d; --better: #6fcf97; --worse: #f2a272; --blue: #6cb6f0; --orange: #f0a050;
-    --green: #4fc9a4; --purple: #e391cf; --olive: #d8c552; --sky: #a9c8ff; --brown: #cfa884; --ground: #272b30;
+    --green: #4fc9a4; --purple: #e391cf; --olive: #d8c552; --sky: #a9c8ff; --brown: #cfa884; --red: #ff8296;
+    --ground: #272b30;
     --shade: none;
   }
 }
@@ -84,6 +86,7 @@ polyline.line-energy { stroke-dasharray: 2 4; stroke-linecap: round; }
 .line-5 { --line: var(--olive); }
 .line-6 { --line: var(--sky); }
 .line-7 { --line: var(--brown); }
+.line-8 { --line: var(--red); }
 polyline.line-1 { stroke-dasharray: 9 5; }
 polyline.line-2 { stroke-dasharray: 2 4; stroke-linecap: round; }
 polyline.line-3 { stroke-dasharray: 10 4 2 4; }
@@ -91,6 +94,7 @@ polyline.line-4 { stroke-dasharray: 5 3; }
 polyline.line-5 { stroke-dasharray: 16 4; }
 polyline.line-6 { stroke-dasharray: 8 3 2 3 2 3; }
 polyline.line-7 { stroke-dasharray: 1 3; }
+polyline.line-8 { stroke-width: 3; }
 .charts { display: grid; grid-template-columns: 1fr 1fr; gap: 18px 20px; }
 .charts figcaption { text-align: center; margin-top: 0; }
 svg.swatch { width: 36px; height: 8px; margin-right: 9px; vertical-align: middle; }

@@ -4,6 +4,7 @@
 
 #include <planish/core/version.h>
 #include <planish/report/json_report.h>
+#include <planish/report/strain_check.h>
 
 #include <nlohmann/json.hpp>
 
@@ -69,15 +70,20 @@ Json to_json(const MeasuredPatch& patch) {
           {"problems", to_json(patch.inspection.problems)}};
 }
 
+Json to_json(const LevelRecord& level) {
+  return {{"inner_vertices", level.inner_vertices},
+          {"merit_before", level.merit_before},
+          {"merit", level.merit},
+          {"strain", level.strain}};
+}
+
 Json to_json(const std::vector<SweepRecord>& history) {
   Json list = Json::array();
   for (const SweepRecord& record : history) {
-    list.push_back({{"sweep", record.sweep},
-                    {"e_max", record.e_max},
-                    {"e_avg", record.e_avg},
-                    {"energy", record.energy},
-                    {"moved", record.moved},
-                    {"seconds", record.seconds}});
+    Json json = {{"sweep", record.sweep},   {"e_max", record.e_max}, {"e_avg", record.e_avg},
+                 {"energy", record.energy}, {"moved", record.moved}, {"seconds", record.seconds}};
+    if (record.level) json["level"] = to_json(*record.level);
+    list.push_back(std::move(json));
   }
   return list;
 }
@@ -130,6 +136,15 @@ Json to_json(const std::optional<UnfoldReport>& report) {
   return report ? to_json(*report) : Json(nullptr);
 }
 
+Json to_json(const std::optional<StrainCheck>& check) {
+  if (!check) return nullptr;
+  return {{"max_strain", check->max_strain},
+          {"met", check->met()},
+          {"largest_strain", check->largest_strain},
+          {"edge", check->edge},
+          {"at", {check->at.x, check->at.y, check->at.z}}};
+}
+
 Json to_json(const CompareReport& report, const ComparedMethod& method) {
   Json json = method.evolve ? to_json(*method.evolve)
                             : Json{{"method", name_of(method.run.method)},
@@ -164,6 +179,7 @@ std::string json_report(const FlattenReport& report,
                   {"evolve", to_json(report.evolve)},
                   {"unfold", to_json(report.unfold)},
                   {"unfold_before", to_json(report.unfold_before)},
+                  {"limits", to_json(check_strain(report))},
                   {"files", Json(files)}});
 }
 
@@ -201,28 +217,44 @@ void append_numbers(std::string& csv, std::initializer_list<double> values) {
   }
 }
 
+constexpr std::string_view k_level_columns = "level_vertices,merit_before,merit,level_strain";
+
+// Empty fields where there is no level.
+void append_level(std::string& csv, const std::optional<LevelRecord>& level) {
+  if (!level) {
+    csv += ",,,,";
+    return;
+  }
+  csv += ',' + std::to_string(level->inner_vertices);
+  append_numbers(csv, {level->merit_before, level->merit, level->strain});
+}
+
 }  // namespace
 
 std::string history_csv(const std::vector<SweepRecord>& history) {
-  std::string csv = "sweep,e_max,e_avg,energy,moved,seconds\n";
+  std::string csv = "sweep,e_max,e_avg,energy,moved,seconds," + std::string(k_level_columns) + "\n";
   for (const SweepRecord& record : history) {
     csv += std::to_string(record.sweep);
     append_numbers(csv, {record.e_max, record.e_avg, record.energy});
     csv += ',' + std::to_string(record.moved);
     append_numbers(csv, {record.seconds});
+    append_level(csv, record.level);
     csv += '\n';
   }
   return csv;
 }
 
 std::string history_csv(const CompareReport& report) {
-  std::string csv = "method,sweep,seconds,e_max,e_avg,energy,moved\n";
+  std::string csv =
+      "method,sweep,seconds,e_max,e_avg,energy,moved," + std::string(k_level_columns) + "\n";
   for (const ComparedMethod& method : report.runs) {
     if (!method.evolve) continue;
     for (const SweepRecord& record : method.evolve->result.history) {
       csv += std::string(name_of(method.run.method)) + ',' + std::to_string(record.sweep);
       append_numbers(csv, {record.seconds, record.e_max, record.e_avg, record.energy});
-      csv += ',' + std::to_string(record.moved) + '\n';
+      csv += ',' + std::to_string(record.moved);
+      append_level(csv, record.level);
+      csv += '\n';
     }
   }
   return csv;

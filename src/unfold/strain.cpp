@@ -10,6 +10,7 @@ namespace planish {
 EdgeStrain edge_strain(const TriMesh& mesh, const Connectivity& connectivity,
                        std::span<const Vec2> pattern) {
   const double scale = unit_scale(mesh);
+  EdgeStrain result;
   std::vector<double> sizes;
   CarefulSum squares;
   for (Index v = 0; v < mesh.positions.size(); ++v) {
@@ -19,17 +20,19 @@ EdgeStrain edge_strain(const TriMesh& mesh, const Connectivity& connectivity,
       const double flat = norm(scale * pattern[w] - scale * pattern[v]);
       const double strain = flat / on_patch - 1.0;
       sizes.push_back(std::abs(strain));
+      if (sizes.size() == 1 || sizes.back() > result.max) {
+        result.max = sizes.back();
+        result.worst_edge = {v, w};
+      }
       squares.add(strain * strain);
     }
   }
-  EdgeStrain result;
   if (sizes.empty()) return result;
   const auto n = static_cast<double>(sizes.size());
   result.rms = std::sqrt(squares.value() / n);
   const auto rank = sizes.begin() + static_cast<std::ptrdiff_t>(std::ceil(0.99 * n)) - 1;
   std::nth_element(sizes.begin(), rank, sizes.end());
   result.p99 = *rank;
-  result.max = *std::max_element(rank, sizes.end());
   return result;
 }
 

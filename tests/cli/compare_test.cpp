@@ -60,7 +60,8 @@ TEST_F(Compare, WritesItsFolder) {
                           "out/panel-classical.obj", "out/panel-controllable.obj", "panel.obj"));
   EXPECT_EQ(result.json(), nlohmann::json::parse(content_of("out/compare.json")));
   const std::string csv = content_of("out/compare.csv");
-  EXPECT_THAT(csv, StartsWith("method,sweep,seconds,e_max,e_avg,energy,moved\ncontrollable,1,"));
+  EXPECT_THAT(csv, StartsWith("method,sweep,seconds,e_max,e_avg,energy,moved,level_vertices,"
+                              "merit_before,merit,level_strain\ncontrollable,1,"));
   EXPECT_THAT(content_of("out/compare.html"), HasSubstr("<!DOCTYPE html>"));
   planish({"evolve", "panel.obj", "-o", "alone.obj", "--method", "classical"});
   EXPECT_EQ(content_of("out/panel-classical.obj"), content_of("alone.obj"));

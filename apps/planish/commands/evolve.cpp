@@ -1,5 +1,6 @@
 #include <planish/io/mesh_format.h>
 #include <planish/io/write_mesh.h>
+#include <planish/report/evolve_progress.h>
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
@@ -9,20 +10,31 @@
 #include "session.h"
 #include "summary.h"
 #include "text.h"
+#include "units.h"
 
 namespace planish::cli {
 
 namespace {
 
+/// What the sweep did, for the line of progress: on a coarse level the figures of the patch itself
+/// tell nothing yet.
+std::string sweep_text(const SweepRecord& record, const Stopping& stopping) {
+  const std::string sweep = "sweep " + std::to_string(record.sweep);
+  if (record.level) {
+    return sweep + "  level of " + std::to_string(record.level->inner_vertices) +
+           " vertices  strain " + percent(record.level->strain);
+  }
+  return sweep + " of " + std::to_string(stopping.max_sweeps) + "  e_max " + digits(record.e_max) +
+         "  energy " + digits(record.energy, 3);
+}
+
 EvolveReport evolve_with_progress(const std::string& path, const TriMesh& mesh,
                                   const Arguments& arguments, Session& session) {
-  const Method method = method_from(arguments);
-  const Stopping stopping = stopping_from(arguments);
+  const Method method = method_from(arguments, Method{});
+  const Stopping stopping = stopping_from(arguments, method);
+  EvolveProgress progress(stopping, mesh.positions.size());
   const auto on_sweep = [&](const SweepRecord& record) {
-    session.show_progress("evolving", static_cast<double>(record.sweep) / stopping.max_sweeps,
-                          "sweep " + std::to_string(record.sweep) + " of " +
-                              std::to_string(stopping.max_sweeps) + "  e_max " +
-                              digits(record.e_max) + "  energy " + digits(record.energy, 3));
+    session.show_progress("evolving", progress.after(record), sweep_text(record, stopping));
     return !session.interrupted();
   };
   return about(path, [&] {
@@ -39,8 +51,9 @@ Outcome run_evolve(const Arguments& arguments, Session& session) {
   std::vector<OutputFile> files = {{output, {}}};
   if (arguments.has("--history")) files.push_back({arguments.flags.at("--history"), {}});
   refuse_shared_places(files);
-  refuse_unsupported_constraints(arguments, method_from(arguments));
-  stopping_from(arguments);
+  const Method method = method_from(arguments, Method{});
+  refuse_unsupported_constraints(arguments, method);
+  stopping_from(arguments, method);
 
   const std::string& path = arguments.operands.front();
   const TriMesh mesh = session.read(path).mesh;
@@ -59,9 +72,10 @@ Command evolve_command() {
   std::vector<FlagGroup> groups = {
       {"Output",
        {{"--output", "OUTPUT", "the evolved mesh: .obj, .ply, .stl or .off", 'o', true},
+        unit_flag(),
         {"--history", "FILE", "the figures of every sweep, as comma-separated values"},
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
-  for (FlagGroup& group : method_flags())
+  for (FlagGroup& group : method_flags(Method{}))
     groups.push_back(std::move(group));
   groups.push_back(constraint_flags());
   return {"evolve",
@@ -72,8 +86,9 @@ Command evolve_command() {
           {"INPUT"},
           std::move(groups),
           {"planish evolve panel.obj -o evolved.obj",
-           "planish evolve panel.obj -o evolved.ply --sweeps 100 --max-deviation 2",
+           "planish evolve panel.obj -o evolved.ply --sweeps 100 --max-deviation 2mm",
            "planish evolve panel.obj -o evolved.obj --method classical --lambda 0.5",
+           "planish evolve panel.obj -o evolved.obj --method auto --max-strain 2%",
            "planish evolve panel.obj -o evolved.obj --fix seams.obj"},
           run_evolve};
 }

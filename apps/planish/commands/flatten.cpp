@@ -34,10 +34,10 @@ ColorMap colors_from(const Arguments& arguments) {
 }
 
 FlattenOptions options_from(const Arguments& arguments, const Session& session) {
-  const Method method = method_from(arguments);
+  const Method method = method_from(arguments, FlattenOptions{}.method);
   refuse_unsupported_constraints(arguments, method);
   return {.method = method,
-          .stopping = stopping_from(arguments),
+          .stopping = stopping_from(arguments, method),
           .unit = unit_from(arguments),
           .threads = session.threads()};
 }
@@ -123,21 +123,23 @@ Command flatten_command() {
         {"--colors", "NAME", "of the report's pictures: diverging or paper (default diverging)"},
         {"--history", "FILE", "the figures of every sweep, as comma-separated values"},
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
-  for (FlagGroup& group : method_flags())
+  for (FlagGroup& group : method_flags(FlattenOptions{}.method))
     groups.push_back(std::move(group));
   groups.push_back(constraint_flags());
-  return {"flatten",
-          "the whole job: evolve a patch, lay it flat, write its pattern",
-          "INPUT [-o FOLDER]",
-          "Measures a patch, evolves it towards flattenable and lays it flat. Writes into FOLDER: "
-          "the pattern at true size (pattern.svg), the processed patch and the flat pattern as "
-          "meshes, and a report with pictures (report.html, report.json). All files are written "
-          "or none.",
-          {"INPUT"},
-          std::move(groups),
-          {"planish flatten panel.obj", "planish flatten panel.obj -o out --unit cm --sweeps 100",
-           "planish flatten panel.obj --target-e-max 0.001 --require-target"},
-          run_flatten};
+  return {
+      "flatten",
+      "the whole job: evolve a patch, lay it flat, write its pattern",
+      "INPUT [-o FOLDER]",
+      "Measures a patch, evolves it towards flattenable and lays it flat. Writes into FOLDER: "
+      "the pattern at true size (pattern.svg), the processed patch and the flat pattern as "
+      "meshes, and a report with pictures (report.html, report.json). All files are written "
+      "or none.",
+      {"INPUT"},
+      std::move(groups),
+      {"planish flatten panel.obj", "planish flatten panel.obj -o out --unit cm --max-strain 2%",
+       "planish flatten panel.obj --material leather --max-deviation 5mm",
+       "planish flatten panel.obj --target-e-max 0.001 --require-target"},
+      run_flatten};
 }
 
 }  // namespace planish::cli

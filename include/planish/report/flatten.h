@@ -46,8 +46,8 @@ struct UnfoldReport {
 
 /// What the main job is asked for.
 struct FlattenOptions {
-  Method method = ControllableLaplacian{};
-  Stopping stopping = {};
+  Method method = Auto{};
+  std::optional<Stopping> stopping = {};  ///< usual_stopping() of the method where none is given
   Unit unit = Unit::mm;
   unsigned threads = 0;
   Constraints constraints = {};

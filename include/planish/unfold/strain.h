@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace planish {
 struct EdgeStrain {
   double max = 0.0;  ///< largest |strain|
   double rms = 0.0;
-  double p99 = 0.0;  ///< |strain| that 99 % of the edges do not exceed
+  double p99 = 0.0;                      ///< |strain| that 99 % of the edges do not exceed
+  std::array<Index, 2> worst_edge = {};  ///< vertices of the first edge with the largest |strain|
 };
 
 /// @param pattern one position per vertex of the mesh

@@ -162,10 +162,12 @@ TEST(CompareCsv, HasALineForEverySweepOfEveryMethod) {
   CompareReport report = samples::comparison();
   report.runs[0].evolve->result.history = {{1, 0.5, 0.25, 2.0, 7, 0.125}};
   report.runs[1].evolve->result.history = {{1, 0.1, 1e-7, 1.5, 0, 0.25}};
+  report.runs[1].evolve->result.history[0].level = {123, 0.75, 0.5, 0.0625};
   EXPECT_EQ(history_csv(report),
-            "method,sweep,seconds,e_max,e_avg,energy,moved\n"
-            "controllable,1,0.125,0.5,0.25,2,7\n"
-            "classical,1,0.25,0.1,1e-07,1.5,0\n");
+            "method,sweep,seconds,e_max,e_avg,energy,moved,level_vertices,merit_before,merit,"
+            "level_strain\n"
+            "controllable,1,0.125,0.5,0.25,2,7,,,,\n"
+            "classical,1,0.25,0.1,1e-07,1.5,0,123,0.75,0.5,0.0625\n");
 }
 
 }  // namespace

@@ -56,6 +56,21 @@ double end_of(const std::string& svg, const std::string& css_class) {
 
 const Flattenability k_before = {0.5, 0.1, 2.0};
 
+TEST(ConvergenceChart, DrawsALevelLineWhileFiguresStay) {
+  std::vector<SweepRecord> history;
+  for (int i = 1; i <= 60; ++i) {
+    const double share = i <= 59 ? 1.0 : 1e-9;
+    history.push_back({i, share * k_before.e_max, share * k_before.e_avg, share * k_before.energy});
+  }
+  const std::string svg = convergence_chart(k_before, history);
+  EXPECT_THAT(svg, HasSubstr("e_max 10⁻⁹"));
+  history.pop_back();
+  const std::string level = convergence_chart(k_before, history);
+  EXPECT_THAT(level, HasSubstr("e_max 1"));
+  EXPECT_THAT(level, Not(HasSubstr("nan")));
+  EXPECT_THAT(level, Not(HasSubstr("inf")));
+}
+
 TEST(ConvergenceChart, DrawsEachFigureAsAShareOfItsStart) {
   const std::string svg =
       convergence_chart(k_before, {{1, 0.4, 0.05, 1.0, 9, 0.0}, {2, 0.25, 0.01, 0.02, 9, 0.0}});

@@ -127,15 +127,40 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
 TEST(JsonReport, OfTheMainJobHasItsPartsAndFiles) {
   const FlattenReport report = samples::flatten_report();
   const Json json = Json::parse(json_report(report, {{"pattern", "out/pattern.svg"}}));
-  EXPECT_THAT(keys_of(json),
-              ElementsAre("name", "version", "evolve", "unfold", "unfold_before", "files"));
+  EXPECT_THAT(keys_of(json), ElementsAre("name", "version", "evolve", "unfold", "unfold_before",
+                                         "limits", "files"));
   EXPECT_EQ(json["name"], "front panel");
   EXPECT_EQ(json["version"], k_version);
   EXPECT_EQ(json["evolve"], Json::parse(json_report(report.evolve)));
   EXPECT_EQ(json["unfold"], Json::parse(json_report(report.unfold)));
   EXPECT_EQ(json["unfold_before"], Json::parse(json_report(report.unfold_before)));
+  EXPECT_TRUE(json["limits"].is_null()) << "the method had none";
   EXPECT_EQ(json["files"], Json({{"pattern", "out/pattern.svg"}}));
   EXPECT_EQ(Json::parse(json_report(report, {}))["files"], Json::object());
+}
+
+TEST(JsonReport, TellsWhetherThePatternKeepsTheLimitOfStrainAndWhereItDoesSoLeast) {
+  FlattenReport report = samples::flatten_report();
+  report.evolve.method = Auto{.max_strain = 0.02};
+  report.unfold.strain.max = 0.05;
+  report.unfold.strain.worst_edge = {3, 4};
+  report.processed.positions[3] = {1.0, 2.0, 3.0};
+  report.processed.positions[4] = {2.0, 2.0, 5.0};
+  EXPECT_EQ(Json::parse(json_report(report, {}))["limits"], Json({{"max_strain", 0.02},
+                                                                  {"met", false},
+                                                                  {"largest_strain", 0.05},
+                                                                  {"edge", {3, 4}},
+                                                                  {"at", {1.5, 2.0, 4.0}}}));
+}
+
+TEST(JsonReport, OfASweepOnALevelHasTheLevel) {
+  EvolveReport report = samples::flatten_report().evolve;
+  report.result.history.front().level = {123, 0.5, 0.25, 0.0625};
+  const Json history = Json::parse(json_report(report))["history"];
+  EXPECT_EQ(
+      history[0]["level"],
+      Json({{"inner_vertices", 123}, {"merit_before", 0.5}, {"merit", 0.25}, {"strain", 0.0625}}));
+  EXPECT_FALSE(history[1].contains("level"));
 }
 
 TEST(JsonReport, OfAnErrorHasOnlyTheKeysThatAreKnown) {
@@ -178,13 +203,23 @@ TEST(JsonReport, ReplacesWhatIsNoUtf8) {
   EXPECT_EQ(json["files"], Json({{"p\uFFFD", "q\uFFFD"}}));
 }
 
+const std::string k_history_head =
+    "sweep,e_max,e_avg,energy,moved,seconds,level_vertices,merit_before,merit,level_strain\n";
+
 TEST(HistoryCsv, HasAHeaderAndALineASweep) {
   EXPECT_EQ(history_csv(std::vector<SweepRecord>{{1, 0.5, 0.25, 2.0, 7, 0.125},
                                                  {2, 0.1, 1e-7, 1.5, 0, 0.25}}),
-            "sweep,e_max,e_avg,energy,moved,seconds\n"
-            "1,0.5,0.25,2,7,0.125\n"
-            "2,0.1,1e-07,1.5,0,0.25\n");
-  EXPECT_EQ(history_csv(std::vector<SweepRecord>{}), "sweep,e_max,e_avg,energy,moved,seconds\n");
+            k_history_head +
+                "1,0.5,0.25,2,7,0.125,,,,\n"
+                "2,0.1,1e-07,1.5,0,0.25,,,,\n");
+  EXPECT_EQ(history_csv(std::vector<SweepRecord>{}), k_history_head);
+}
+
+TEST(HistoryCsv, TellsOfTheLevelOfASweep) {
+  SweepRecord record = {1, 0.5, 0.25, 2.0, 7, 0.125};
+  record.level = {123, 0.75, 0.5, 0.0625};
+  EXPECT_EQ(history_csv(std::vector<SweepRecord>{record}),
+            k_history_head + "1,0.5,0.25,2,7,0.125,123,0.75,0.5,0.0625\n");
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include <planish/report/flatten.h>
+
+namespace planish {
+
+/// Whether a pattern keeps the limit of strain that its method was given: measured at the pattern,
+/// where the method goes by an estimate.
+struct StrainCheck {
+  double max_strain = 0.0;      ///< the limit, a share of length
+  double largest_strain = 0.0;  ///< |strain| of the pattern's edge that has most
+  std::array<Index, 2> edge{};  ///< the vertices of that edge
+  Vec3 at;                      ///< its middle on the processed patch, model units
+
+  bool met() const { return largest_strain <= max_strain; }
+};
+
+/// Nothing where the method has no limit of strain, or was given none.
+std::optional<StrainCheck> check_strain(const FlattenReport& report);
+
+/// That in one or two sentences: ASCII.
+std::string check_text(const StrainCheck& check);
+
+}  // namespace planish

@@ -13,8 +13,8 @@ std::string Arguments::value_or(std::string_view flag, const std::string& other)
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> all = {flatten_command(), measure_command(), evolve_command(),
-                                           unfold_command(),  compare_command(), convert_command(),
-                                           sample_command()};
+                                           unfold_command(),  compare_command(), frontier_command(),
+                                           convert_command(), sample_command()};
   return all;
 }
 

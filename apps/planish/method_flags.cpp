@@ -4,9 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include <planish/measure/material.h>
-
 #include "failures.h"
+#include "material_flag.h"
 #include "quantities.h"
 #include "values.h"
 
@@ -41,30 +40,6 @@ std::string range_text(double value, Range range) {
 
 // Methods that have this option take --material in its place.
 constexpr std::string_view k_strain_option = "max_strain";
-constexpr const char* k_strain_flag = "--max-strain";
-constexpr const char* k_material_flag = "--material";
-
-std::vector<std::string> material_names() {
-  std::vector<std::string> names;
-  for (const Material& material : materials())
-    names.emplace_back(material.name);
-  return names;
-}
-
-Flag material_flag() {
-  return {k_material_flag, "NAME",
-          "max_strain as this material takes it up: " + list_of(material_names())};
-}
-
-/// The limit that --material names.
-double strain_of_material(const Arguments& arguments) {
-  if (arguments.has(k_strain_flag)) {
-    throw UsageError(std::string(k_material_flag) + " and " + k_strain_flag +
-                     " both say what strain is allowed: give one of them");
-  }
-  const std::string& name = arguments.flags.at(k_material_flag);
-  return material_named(known_name("material", name, material_names())).max_strain;
-}
 
 template <class Enum>
 std::vector<std::string> names_in(Enum value) {
@@ -111,7 +86,7 @@ struct OptionSetter {
     if (const std::string* text = text_of(flag)) {
       value = quantity_value(flag, *text, quantity_of(name), range, arguments);
     }
-    if (name == k_strain_option && arguments.has(k_material_flag)) {
+    if (name == k_strain_option && arguments.has("--material")) {
       value = strain_of_material(arguments);
     }
   }

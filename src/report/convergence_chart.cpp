@@ -68,7 +68,7 @@ std::string convergence_chart(const Flattenability& before,
     lines.push_back(std::move(line));
   }
   if (!has_length(lines)) return {};
-  return log_chart(lines, ChartScale::linear, "sweep", label + ".");
+  return log_chart(lines, ChartScale::whole, "sweep", label + ".");
 }
 
 std::string comparison_chart(const CompareReport& report, const ChartFigure& figure,

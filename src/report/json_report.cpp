@@ -1,5 +1,4 @@
 #include <cmath>
-#include <initializer_list>
 #include <type_traits>
 
 #include <planish/core/version.h>
@@ -8,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/number_text.h"
 #include "report/enumerator_name.h"
 
 namespace planish {
@@ -101,27 +99,27 @@ Json options_of(const Method& method) {
   return options;
 }
 
+Json to_json(const Deviation& deviation) {
+  return {{"rms", deviation.rms},
+          {"max", deviation.max},
+          {"rms_over_diagonal", deviation.rms_over_diagonal}};
+}
+
 Json to_json(const EvolveReport& report) {
-  const Deviation& deviation = report.deviation;
-  return {{"method", name_of(report.method)},
-          {"options", options_of(report.method)},
-          {"sweeps", report.result.history.size()},
-          {"stop", to_string(report.result.stop)},
-          {"threads", report.result.threads},
-          {"seconds", report.result.seconds},
-          {"before", to_json(report.before)},
-          {"after", to_json(report.after)},
-          {"deviation",
-           {{"rms", deviation.rms},
-            {"max", deviation.max},
-            {"rms_over_diagonal", deviation.rms_over_diagonal}}},
-          {"history", to_json(report.result.history)}};
+  return {{"method", name_of(report.method)},       {"options", options_of(report.method)},
+          {"sweeps", report.result.history.size()}, {"stop", to_string(report.result.stop)},
+          {"threads", report.result.threads},       {"seconds", report.result.seconds},
+          {"before", to_json(report.before)},       {"after", to_json(report.after)},
+          {"deviation", to_json(report.deviation)}, {"history", to_json(report.result.history)}};
+}
+
+Json to_json(const EdgeStrain& strain) {
+  return {{"max", strain.max}, {"rms", strain.rms}, {"p99", strain.p99}};
 }
 
 Json to_json(const UnfoldReport& report) {
   const Pattern& pattern = report.pattern;
-  return {{"strain",
-           {{"max", report.strain.max}, {"rms", report.strain.rms}, {"p99", report.strain.p99}}},
+  return {{"strain", to_json(report.strain)},
           {"area_ratio", pattern.area_ratio},
           {"flipped_triangles", pattern.flipped_triangles},
           {"overlaps", pattern.overlaps},
@@ -145,6 +143,10 @@ Json to_json(const std::optional<StrainCheck>& check) {
           {"at", {check->at.x, check->at.y, check->at.z}}};
 }
 
+Json to_json(const CompareFailure& failure) {
+  return {{"code", failure.code}, {"message", failure.message}};
+}
+
 Json to_json(const CompareReport& report, const ComparedMethod& method) {
   Json json = method.evolve ? to_json(*method.evolve)
                             : Json{{"method", name_of(method.run.method)},
@@ -152,10 +154,29 @@ Json to_json(const CompareReport& report, const ComparedMethod& method) {
   json["unfold"] = to_json(method.unfold);
   json["verdict"] = verdict_text(report, method);
   json["error"] = nullptr;
-  if (method.failure) {
-    json["error"] = {{"code", method.failure->code}, {"message", method.failure->message}};
-  }
+  if (method.failure) json["error"] = to_json(*method.failure);
   return json;
+}
+
+Json to_json(const std::vector<FrontierPoint>& points) {
+  Json list = Json::array();
+  for (const FrontierPoint& point : points) {
+    list.push_back({{"method", name_of(point.method)},
+                    {"options", options_of(point.method)},
+                    {"strain", to_json(point.strain)},
+                    {"deviation", to_json(point.deviation)},
+                    {"flattenable", point.flattenable},
+                    {"sweeps", point.sweeps},
+                    {"stop", to_string(point.stop)},
+                    {"seconds", point.seconds}});
+  }
+  return list;
+}
+
+Json limit_of(const FrontierReport& report) {
+  if (!report.limit) return nullptr;
+  const auto first = report.first_within_limit();
+  return {{"max_strain", *report.limit}, {"first_within", first ? Json(*first) : Json(nullptr)}};
 }
 
 }  // namespace
@@ -196,6 +217,23 @@ std::string json_report(const CompareReport& report) {
                   {"runs", std::move(runs)}});
 }
 
+std::string json_report(const FrontierReport& report) {
+  Json failures = Json::array();
+  for (const FrontierFailure& failed : report.failures) {
+    failures.push_back({{"method", name_of(failed.method)},
+                        {"options", options_of(failed.method)},
+                        {"error", to_json(failed.failure)}});
+  }
+  return text_of({{"name", report.name},
+                  {"version", k_version},
+                  {"unit", to_string(report.unit)},
+                  {"strain_before", to_json(report.before)},
+                  {"limit", limit_of(report)},
+                  {"curve", to_json(report.curve)},
+                  {"others", to_json(report.others)},
+                  {"failures", std::move(failures)}});
+}
+
 std::string json_report(const Error& error) {
   const ErrorPlace& place = error.place();
   Json json = {{"code", to_string(error.code())}, {"message", error.message()}};
@@ -205,59 +243,6 @@ std::string json_report(const Error& error) {
   if (place.first) json["first"] = *place.first;
   if (place.count) json["count"] = *place.count;
   return text_of({{"error", std::move(json)}});
-}
-
-namespace {
-
-// A field for every number behind what stands there.
-void append_numbers(std::string& csv, std::initializer_list<double> values) {
-  for (const double value : values) {
-    csv += ',';
-    append_number(csv, value);
-  }
-}
-
-constexpr std::string_view k_level_columns = "level_vertices,merit_before,merit,level_strain";
-
-// Empty fields where there is no level.
-void append_level(std::string& csv, const std::optional<LevelRecord>& level) {
-  if (!level) {
-    csv += ",,,,";
-    return;
-  }
-  csv += ',' + std::to_string(level->inner_vertices);
-  append_numbers(csv, {level->merit_before, level->merit, level->strain});
-}
-
-}  // namespace
-
-std::string history_csv(const std::vector<SweepRecord>& history) {
-  std::string csv = "sweep,e_max,e_avg,energy,moved,seconds," + std::string(k_level_columns) + "\n";
-  for (const SweepRecord& record : history) {
-    csv += std::to_string(record.sweep);
-    append_numbers(csv, {record.e_max, record.e_avg, record.energy});
-    csv += ',' + std::to_string(record.moved);
-    append_numbers(csv, {record.seconds});
-    append_level(csv, record.level);
-    csv += '\n';
-  }
-  return csv;
-}
-
-std::string history_csv(const CompareReport& report) {
-  std::string csv =
-      "method,sweep,seconds,e_max,e_avg,energy,moved," + std::string(k_level_columns) + "\n";
-  for (const ComparedMethod& method : report.runs) {
-    if (!method.evolve) continue;
-    for (const SweepRecord& record : method.evolve->result.history) {
-      csv += std::string(name_of(method.run.method)) + ',' + std::to_string(record.sweep);
-      append_numbers(csv, {record.seconds, record.e_max, record.e_avg, record.energy});
-      csv += ',' + std::to_string(record.moved);
-      append_level(csv, record.level);
-      csv += '\n';
-    }
-  }
-  return csv;
 }
 
 }  // namespace planish

@@ -50,15 +50,16 @@ class HorizontalAxis {
                      return tick.value >= 0.99 * axis_.low && tick.value <= 1.01 * axis_.high;
                    });
     } else {
-      const double step = std::max(1.0, round_up_125(last_ / 6.0));
-      for (double x = 0.0; x <= last_; x += step)
-        ticks_.push_back({x, number_text(x)});
+      const double least_step = scale == ChartScale::whole ? 1.0 : 0.0;
+      const double step = std::max(least_step, round_up_125(last_ / 6.0));
+      for (int i = 0; i * step <= last_; ++i)
+        ticks_.push_back({i * step, fixed_text(i * step, 6)});
     }
   }
 
   const std::vector<Tick>& ticks() const { return ticks_; }
   double place_of(double x) const {
-    if (scale_ == ChartScale::linear) return x / last_;
+    if (scale_ != ChartScale::logarithmic) return x / last_;
     return x > 0.0 ? k_stub + (1.0 - k_stub) * axis_.place_of(x) : 0.0;
   }
 
@@ -150,7 +151,16 @@ class Chart {
       last = x;
     }
     svg.back() = '"';
-    return svg + "/>\n";
+    svg += "/>\n";
+    if (!line.has_dots) return svg;
+    for (const Vec2 point : line.points)
+      svg += dot({x_of(point.x), y_of(point.y)}, line.css_class);
+    return svg;
+  }
+
+  static std::string dot(Vec2 place, const std::string& css_class) {
+    return "<circle class=\"" + css_class + "\" cx=\"" + fixed_text(place.x, 1) + "\" cy=\"" +
+           fixed_text(place.y, 1) + "\" r=\"2.6\"/>\n";
   }
 
   // Of the lines' ends from above to below, pushed apart where the names would touch.
@@ -181,8 +191,7 @@ class Chart {
 
   // A dot at the end of a line and, where the name is elsewhere, a thin line to it.
   std::string leader(Vec2 end, double name_y, const std::string& css_class) const {
-    std::string svg = "<circle class=\"" + css_class + "\" cx=\"" + fixed_text(end.x, 1) +
-                      "\" cy=\"" + fixed_text(end.y, 1) + "\" r=\"2.6\"/>\n";
+    std::string svg = dot(end, css_class);
     if (end.x > right_ - 1.0 && std::abs(end.y - name_y) < 3.0) return svg;
     return svg + "<path class=\"leader " + css_class + "\" d=\"M" + fixed_text(end.x, 1) + ',' +
            fixed_text(end.y, 1) + 'L' + fixed_text(right_ + 9.0, 1) + ',' + fixed_text(name_y, 1) +

@@ -13,10 +13,12 @@ struct ChartLine {
   std::string name;          ///< at its end, markup
   std::string css_class;     ///< sets --line, its colour; polyline.CLASS may set its dashes
   std::vector<Vec2> points;  ///< x from 0 on and never less than before, y above 0; one at least
+  bool has_dots = false;     ///< at every point, not at the end only
 };
 
 enum class ChartScale {
   linear,
+  whole,        ///< the same with whole numbers only below it
   logarithmic,  ///< behind a stub for what is at 0
 };
 

@@ -40,8 +40,8 @@ TEST_F(Failures, OfTheInputEndWithOneAndWriteNothing) {
     for (const Names& args :
          {Names{"measure", input}, Names{"evolve", input, "-o", "out.obj"},
           Names{"unfold", input, "-o", "out.svg"}, Names{"flatten", input, "-o", "out"},
-          Names{"compare", input, "-o", "out"}, Names{"measure", input, "--map", "map.csv"},
-          Names{"convert", input, "out.ply"}}) {
+          Names{"compare", input, "-o", "out"}, Names{"frontier", input, "-o", "out.svg"},
+          Names{"measure", input, "--map", "map.csv"}, Names{"convert", input, "out.ply"}}) {
       const CliResult result = planish(args);
       EXPECT_EQ(result.exit_code, k_exit_failed) << args.front() << " " << input;
       EXPECT_EQ(result.out, "");
@@ -124,7 +124,7 @@ TEST_F(Failures, AnInterruptEndsWith130AndWritesNothing) {
   for (const Names& args :
        {Names{"measure", "panel.obj"}, Names{"evolve", "panel.obj", "-o", "out.obj"},
         Names{"unfold", "panel.obj", "-o", "out.svg"}, Names{"flatten", "panel.obj"},
-        Names{"compare", "panel.obj", "-o", "out"},
+        Names{"compare", "panel.obj", "-o", "out"}, Names{"frontier", "panel.obj", "-o", "out.svg"},
         Names{"measure", "panel.obj", "--map", "m.csv", "--picture", "m.svg"},
         Names{"convert", "panel.obj", "out.ply"}, Names{"sample", "dome", "-o", "out.obj"}}) {
     const CliResult result = planish(args, context);
@@ -156,7 +156,8 @@ TEST_F(Failures, AnInterruptInTheMidstOfWorkIsHeard) {
   for (const Names& args : {Names{"evolve", "panel.obj", "-o", "out.obj", "--sweeps", "100000"},
                             Names{"unfold", "panel.obj", "-o", "out.svg"},
                             Names{"flatten", "panel.obj", "--sweeps", "100000"},
-                            Names{"compare", "panel.obj", "-o", "out", "--sweeps", "100000"}}) {
+                            Names{"compare", "panel.obj", "-o", "out", "--sweeps", "100000"},
+                            Names{"frontier", "panel.obj", "-o", "out.svg"}}) {
     std::atomic<bool> interrupted = false;
     InterruptingBuffer buffer(interrupted);
     std::ostream err(&buffer);

@@ -9,6 +9,7 @@ Command measure_command();
 Command evolve_command();
 Command unfold_command();
 Command compare_command();
+Command frontier_command();
 Command convert_command();
 Command sample_command();
 

@@ -5,6 +5,7 @@
 #include <planish/draw/color_map.h>
 #include <planish/report/compare.h>
 #include <planish/report/flatten.h>
+#include <planish/report/frontier.h>
 
 namespace planish {
 
@@ -18,5 +19,8 @@ std::string html_report(const FlattenReport& report, ColorMap colors = ColorMap:
 /// sweeps and seconds, pictures of what each method made of patch and pattern at one scale, and
 /// where Laplacian directions help (direction.h).
 std::string html_report(const CompareReport& report);
+
+/// A frontier as such a page: the chart of frontier_svg() and a table of all points.
+std::string html_report(const FrontierReport& report);
 
 }  // namespace planish

@@ -6,6 +6,7 @@
 #include <planish/core/error.h>
 #include <planish/report/compare.h>
 #include <planish/report/flatten.h>
+#include <planish/report/frontier.h>
 
 namespace planish {
 
@@ -19,6 +20,7 @@ std::string json_report(const UnfoldReport& report);
 std::string json_report(const FlattenReport& report,
                         const std::map<std::string, std::string>& files);
 std::string json_report(const CompareReport& report);
+std::string json_report(const FrontierReport& report);
 /// {"error": {code, message, path, line, byte, first, count}}, keys that are not known left out.
 std::string json_report(const Error& error);
 

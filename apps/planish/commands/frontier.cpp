@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <filesystem>
+
+#include <planish/report/frontier.h>
+#include <planish/report/html_report.h>
+#include <planish/report/json_report.h>
+
+#include "commands/commands.h"
+#include "constraint_flags.h"
+#include "failures.h"
+#include "frontier_text.h"
+#include "material_flag.h"
+#include "method_flags.h"
+#include "quantities.h"
+#include "session.h"
+#include "summary.h"
+#include "units.h"
+#include "values.h"
+
+namespace planish::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Range k_points = {8.0, 100.0};
+
+FlagGroup frontier_flags() {
+  std::vector<std::string> methods = method_names();
+  methods.erase(std::remove(methods.begin(), methods.end(), Auto::name), methods.end());
+  return {
+      "What to run",
+      {{"--points", "N",
+        "points of the curve (8 to 100, default " + std::to_string(FrontierOptions{}.points) + ")"},
+       {"--max-strain", "X", "a limit to mark, for which the curve has a point too (0.02 or 2%)"},
+       material_flag(),
+       {"--methods", "NAMES",
+        "which to compare with, with commas between: " + list_of(methods) + " (default: all)"}}};
+}
+
+/// The limit that --max-strain or --material names.
+std::optional<double> limit_from(const Arguments& arguments) {
+  if (arguments.has("--material")) return strain_of_material(arguments);
+  if (!arguments.has("--max-strain")) return std::nullopt;
+  const double limit = quantity_value("--max-strain", arguments.flags.at("--max-strain"),
+                                      Quantity::share, {0.0, 1.0}, arguments);
+  if (limit == 0.0) throw UsageError("--max-strain is 0 but must be more: the curve ends there");
+  return limit;
+}
+
+std::vector<CompareRun> others_from(const Arguments& arguments) {
+  std::vector<CompareRun> runs = runs_from(arguments);
+  const auto is_auto = [](const CompareRun& run) { return name_of(run.method) == Auto::name; };
+  if (arguments.has("--methods") && std::any_of(runs.begin(), runs.end(), is_auto)) {
+    throw UsageError("method auto draws the curve: --methods names others");
+  }
+  runs.erase(std::remove_if(runs.begin(), runs.end(), is_auto), runs.end());
+  return runs;
+}
+
+/// What makes a file from a report; by the ending of its name.
+using Writer = std::string (*)(const FrontierReport&);
+
+std::string html_of(const FrontierReport& report) {
+  return html_report(report);
+}
+
+/// @throws Error unsupported_format
+Writer writer_of(const std::string& output) {
+  const std::string extension = fs::path(output).extension().string();
+  if (extension == ".svg") return frontier_svg;
+  if (extension == ".html") return html_of;
+  if (extension == ".csv") return frontier_csv;
+  throw Error(ErrorCode::unsupported_format,
+              "a frontier cannot be written as \"" + extension + "\": use .svg, .html or .csv",
+              {.path = output});
+}
+
+FrontierOptions options_from(const Arguments& arguments, const Session& session) {
+  FrontierOptions options;
+  options.points = whole_number_of(
+      "--points", arguments.value_or("--points", std::to_string(options.points)), k_points);
+  options.limit = limit_from(arguments);
+  options.others = others_from(arguments);
+  options.unit = unit_from(arguments);
+  options.threads = session.threads();
+  return options;
+}
+
+void warn_of_failures(Session& session, const FrontierReport& report) {
+  for (const FrontierFailure& failed : report.failures)
+    session.warn(std::string(name_of(failed.method)) + ": " + failed.failure.message);
+}
+
+Outcome run_frontier(const Arguments& arguments, Session& session) {
+  // What can be wrong with the request is told before any work.
+  const std::string& path = arguments.operands.front();
+  FrontierOptions options = options_from(arguments, session);
+  const bool writes = arguments.has("--output");
+  const std::string output = arguments.value_or("--output", "");
+  const Writer writer = writes ? writer_of(output) : nullptr;
+
+  ReadResult input = session.read(path);
+  const std::string size = size_text(input.mesh);
+  const auto on_progress = [&](FlattenStage stage, std::string_view method, double share) {
+    session.show_progress(std::string(to_string(stage)), share, std::string(method));
+    return !session.interrupted();
+  };
+  const auto report = about(path, [&] {
+    options.constraints = constraints_from(arguments, input.mesh, session);
+    return frontier(std::move(input.mesh), fs::path(path).stem().string(), options, on_progress);
+  });
+  if (!report) throw Interrupted();
+
+  const std::string json = json_report(*report);
+  std::string text = path + "  (" + size + ")\n\n" + frontier_text(*report);
+  warn_of_failures(session, *report);
+  if (report->curve.empty()) {
+    return {text, json, k_exit_failed, path + ": no run of auto had a result"};
+  }
+  if (writes) {
+    const std::vector<OutputFile> files = {{output, writer(*report)}};
+    session.write(files);
+    text += written_text(files);
+  }
+  return {text, json};
+}
+
+}  // namespace
+
+Command frontier_command() {
+  return {"frontier",
+          "what less strain costs: strain against deviation",
+          "INPUT [-o FILE]",
+          "Evolves a patch by method auto with smaller and smaller limits of strain down to "
+          "flattenable, each from the patch as it came, lays every result flat, and prints how "
+          "strained the pattern is and how far the vertices went. The other methods stand beside "
+          "it, each with the sweeps that it usually takes.",
+          {"INPUT"},
+          {{"Output",
+            {{"--output", "FILE", "a chart (.svg), a page (.html) or all figures (.csv)", 'o'},
+             unit_flag()}},
+           frontier_flags(),
+           constraint_flags()},
+          {"planish frontier panel.obj", "planish frontier panel.obj -o frontier.svg --points 12",
+           "planish frontier panel.obj --material leather -o frontier.html"},
+          run_frontier};
+}
+
+}  // namespace planish::cli

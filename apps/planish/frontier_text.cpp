@@ -1,0 +1,69 @@
+#include "frontier_text.h"
+
+#include "text.h"
+
+namespace planish::cli {
+
+namespace {
+
+constexpr std::size_t k_name_width = 21, k_width = 10, k_narrow_width = 7;
+
+/// In per cent and without the sign: the heads have it.
+std::string in_percent(double share) {
+  const std::string text = percent(share);
+  return text.substr(0, text.size() - 2);
+}
+
+std::string row(const std::string& name, const std::string& rms, const std::string& largest,
+                const std::string& deviation, const std::string& far, const std::string& sweeps,
+                const std::string& time) {
+  return left(name, k_name_width) + right(rms, k_width) + right(largest, k_width) +
+         right(deviation, k_width) + right(far, k_width) + right(sweeps, k_narrow_width) +
+         right(time, k_narrow_width) + "\n";
+}
+
+std::string point_row(const std::string& name, const FrontierPoint& point) {
+  return row(name, in_percent(point.strain.rms), in_percent(point.strain.max),
+             in_percent(point.deviation.rms_over_diagonal), digits(point.deviation.max, 3),
+             std::to_string(point.sweeps), fixed(point.seconds, 2));
+}
+
+std::string curve_name(const FrontierPoint& point) {
+  const double limit = std::get<Auto>(point.method).max_strain;
+  if (limit > 0.0) return "  limit " + percent(limit);
+  return point.flattenable ? "  flattenable" : "  as far as it goes";
+}
+
+std::string limit_text(const FrontierReport& report) {
+  if (!report.limit) return {};
+  const auto within = report.first_within_limit();
+  const std::string limit = percent(*report.limit);
+  if (!within) return "\nNo point of the curve keeps the limit of " + limit + ".\n";
+  const FrontierPoint& point = report.curve[*within];
+  return "\n" +
+         wrapped("The limit of " + limit + " is kept at an rms deviation of " +
+                     percent(point.deviation.rms_over_diagonal) + " of the diagonal, " +
+                     digits(point.deviation.max, 3) + " " + std::string(to_string(report.unit)) +
+                     " at most.",
+                 0) +
+         "\n";
+}
+
+}  // namespace
+
+std::string frontier_text(const FrontierReport& report) {
+  const std::string unit(to_string(report.unit));
+  std::string text = row("", "strain", "strain", "deviation", "deviation", "sweeps", "time") +
+                     row("", "rms %", "largest %", "rms %", "max " + unit, "", "s") +
+                     row("as it came", in_percent(report.before.rms), in_percent(report.before.max),
+                         "0", "0", "-", "-") +
+                     "auto\n";
+  for (const FrontierPoint& point : report.curve)
+    text += point_row(curve_name(point), point);
+  for (const FrontierPoint& point : report.others)
+    text += point_row(std::string(name_of(point.method)), point);
+  return text + "\nDeviation, rms, is in per cent of the bounding box's diagonal.\n" +
+         limit_text(report);
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,35 @@
+#include "material_flag.h"
+
+#include <planish/measure/material.h>
+
+#include "failures.h"
+#include "values.h"
+
+namespace planish::cli {
+
+namespace {
+
+std::vector<std::string> material_names() {
+  std::vector<std::string> names;
+  for (const Material& material : materials())
+    names.emplace_back(material.name);
+  return names;
+}
+
+}  // namespace
+
+Flag material_flag() {
+  return {"--material", "NAME",
+          "max_strain as this material takes it up: " + list_of(material_names())};
+}
+
+double strain_of_material(const Arguments& arguments) {
+  if (arguments.has("--max-strain")) {
+    throw UsageError(
+        "--material and --max-strain both say what strain is allowed: give one of them");
+  }
+  const std::string& name = arguments.flags.at("--material");
+  return material_named(known_name("material", name, material_names())).max_strain;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,60 @@
+#include "report/frontier_chart.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "report/figure_text.h"
+#include "report/log_chart.h"
+
+namespace planish {
+
+namespace {
+
+constexpr double k_floor = 1e-5;  // of strain: what is less nobody can see on a sheet
+constexpr std::size_t k_styles = 9;
+
+Vec2 place_of(const Deviation& deviation, double strain) {
+  return {100.0 * deviation.rms_over_diagonal, 100.0 * std::max(strain, k_floor)};
+}
+
+/// The curve from the patch as it came on.
+ChartLine curve(const FrontierReport& report, double EdgeStrain::*figure, std::string name,
+                std::string css_class) {
+  ChartLine line{
+      std::move(name), std::move(css_class), {place_of({}, report.before.*figure)}, true};
+  for (const FrontierPoint& point : report.curve)
+    line.points.push_back(place_of(point.deviation, point.strain.*figure));
+  return line;
+}
+
+double farthest(const std::vector<ChartLine>& lines) {
+  double most = 0.0;
+  for (const ChartLine& line : lines)
+    most = std::max(most, line.points.back().x);
+  return most;
+}
+
+}  // namespace
+
+std::string frontier_chart(const FrontierReport& report) {
+  std::vector<ChartLine> lines = {curve(report, &EdgeStrain::rms, "auto, rms", "line-0"),
+                                  curve(report, &EdgeStrain::max, "auto, largest", "line-1")};
+  // Styles 0 to 2 are those of the curves and the limit.
+  std::size_t style = 3;
+  for (const FrontierPoint& point : report.others) {
+    lines.push_back({std::string(name_of(point.method)),
+                     "line-" + std::to_string(style),
+                     {place_of(point.deviation, point.strain.rms)}});
+    style = style + 1 < k_styles ? style + 1 : 3;
+  }
+  const double end = farthest(lines);
+  if (!(end > 0.0)) return {};
+  if (report.limit) {
+    const double y = 100.0 * *report.limit;
+    lines.push_back({"limit " + percent_text(*report.limit), "line-2", {{0.0, y}, {end, y}}});
+  }
+  return log_chart(lines, ChartScale::linear, "rms deviation, % of the diagonal",
+                   "Strain of the pattern in % against rms deviation in % of the diagonal.");
+}
+
+}  // namespace planish

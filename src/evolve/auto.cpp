@@ -29,7 +29,10 @@ constexpr double k_share_of_e_max = 0.5, k_share_of_sum = 0.8;
 // what lifting did, no more.
 constexpr double k_hopeless_strain = 1e-2;
 constexpr int k_hopeless_steps = 5;
-constexpr int k_most_steps = 60, k_most_polishes = 100, k_most_idle = 3;
+// Where vertices are held by the limit of deviation, a step that leaves more of the strain than
+// this is the last.
+constexpr double k_held_share = 0.98;
+constexpr int k_most_first_steps = 150, k_most_steps = 60, k_most_polishes = 100, k_most_idle = 3;
 
 class AutoStepper {
  public:
@@ -90,14 +93,21 @@ class AutoStepper {
   SweepOutcome descend() {
     SweepOutcome outcome;
     if (descent_->solvable() && !strain_is_met()) {
+      const double strain_before = descent_->rms_strain();
       const StrainDescent::Step step = descent_->step();
+      // What goes on at the limit only crumples.
+      const bool held =
+          descent_->at_deviation_limit() && descent_->rms_strain() > k_held_share * strain_before;
+      if (held && descent_->rms_strain() > strain_before) descent_->go_back();
       idle_ = step.moved > 0 ? 0 : idle_ + 1;
       outcome.moved = step.moved;
       outcome.level = {(coarse_ ? *coarse_ : state_).inner_count(), step.merit_before, step.merit,
                        descent_->rms_strain()};
       const double enough = level_ > 0 ? k_coarse_strain : k_polish_strain;
-      const int most_steps = hopeless_ ? k_hopeless_steps : k_most_steps;
-      const bool over = strain_is_met() || descent_->rms_strain() <= enough ||
+      const int most_steps = hopeless_                      ? k_hopeless_steps
+                             : level_ == levels_.coarsest() ? k_most_first_steps
+                                                            : k_most_steps;
+      const bool over = strain_is_met() || held || descent_->rms_strain() <= enough ||
                         idle_ >= k_most_idle || ++steps_ >= most_steps;
       outcome.elsewhere = level_ > 0;
       if (!over) return outcome;

@@ -57,6 +57,8 @@ class StrainDescent {
   };
   Step step();
 
+  /// Takes the last step back.
+  void go_back();
   /// Goes back along the last step as far as max_strain() stays within a bound that it meets.
   void ease_back(double max_strain);
 

@@ -125,7 +125,7 @@ TEST(Auto, LeavesFixedVerticesOnAllLevels) {
 }
 
 TEST(CoarseLevels, LiftSmoothMovesNearlyAsTheyAre) {
-  const TriMesh mesh = make_shape("panel", 30000);
+  const TriMesh mesh = make_shape("saddle", 30000);
   const Connectivity connectivity(mesh);
   ThreadPool pool(1);
   PatchState fine(mesh, connectivity, pool);
@@ -140,7 +140,7 @@ TEST(CoarseLevels, LiftSmoothMovesNearlyAsTheyAre) {
     middle += (1.0 / static_cast<double>(mesh.positions.size())) * p;
   const auto dent = [&](const PatchState& state, Index v) {
     const double r = norm((1.0 / state.scale()) * state.origin(v) - middle) / size;
-    return (state.scale() * size) * Vec3{0.0, 0.0, 0.1 * std::exp(-20.0 * r * r)};
+    return (state.scale() * size) * Vec3{0.0, 0.0, 0.1 * std::exp(-60.0 * r * r)};
   };
   for (Index v = 0; v < coarse->inner_count(); ++v)
     coarse->move(v, coarse->origin(v) + dent(*coarse, v));

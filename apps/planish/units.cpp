@@ -10,6 +10,7 @@ namespace {
 
 std::vector<std::string> unit_names() {
   std::vector<std::string> names;
+  names.reserve(k_units.size());
   for (const Unit unit : k_units) {
     names.emplace_back(to_string(unit));
   }

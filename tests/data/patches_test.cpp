@@ -2,12 +2,9 @@
 // environment variable PLANISH_TEST_DATA, and without it there is nothing to look at.
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -22,42 +19,10 @@
 
 #include <gtest/gtest.h>
 
+#include "support/test_patches.h"
+
 namespace planish {
 namespace {
-
-/// A line of the table in DATA.md.
-struct PatchFacts {
-  std::string name;
-  double vertices, triangles, border_vertices, e_max, e_avg, min_angle;
-  std::filesystem::path path;
-};
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::stringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, '|');)
-    cells.push_back(cell);
-  return cells;
-}
-
-std::vector<PatchFacts> patches() {
-  std::vector<PatchFacts> facts;
-  const char* folder = std::getenv("PLANISH_TEST_DATA");
-  if (folder == nullptr) return facts;
-  const std::filesystem::path patches = std::filesystem::path(folder) / "patches";
-  std::ifstream table(patches / "DATA.md");
-  for (std::string line; std::getline(table, line);) {
-    const auto at = line.find("| patches/");
-    if (at != 0) continue;
-    const auto cells = cells_of(line);
-    std::string name = cells.at(1).substr(std::string(" patches/").size());
-    name.erase(name.find_last_not_of(' ') + 1);
-    facts.push_back({name, std::stod(cells.at(3)), std::stod(cells.at(4)), std::stod(cells.at(5)),
-                     std::stod(cells.at(6)), std::stod(cells.at(7)), std::stod(cells.at(8)),
-                     patches / name});
-  }
-  return facts;
-}
 
 /// Those that are quick to unfold.
 std::vector<PatchFacts> small_patches() {

@@ -2,44 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <numbers>
 #include <string>
 #include <vector>
 
-#include <planish/io/read_mesh.h>
-#include <planish/mesh/inspect.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>
 
-#include "mesh/closest_point.h"
+#include "support/coarse_patches.h"
 #include "support/meshes.h"
 
 namespace planish {
 namespace {
-
-CoarsePatch coarse(const TriMesh& mesh, std::size_t vertices, CoarseBorder border,
-                   std::span<const unsigned char> keep = {}) {
-  return coarsen(mesh, Connectivity(mesh), vertices, border, keep);
-}
-
-/// Degrees, the smallest of each triangle, in increasing order.
-std::vector<double> smallest_angles(const TriMesh& mesh) {
-  std::vector<double> smallest;
-  for (const Triangle& t : mesh.triangles) {
-    double least = 180.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 a = mesh.positions[t[(k + 1) % 3]] - mesh.positions[t[k]];
-      const Vec3 b = mesh.positions[t[(k + 2) % 3]] - mesh.positions[t[k]];
-      least = std::min(least, std::atan2(norm(cross(a, b)), dot(a, b)));
-    }
-    smallest.push_back(least * 180.0 / std::numbers::pi);
-  }
-  std::sort(smallest.begin(), smallest.end());
-  return smallest;
-}
 
 double area(const TriMesh& mesh) {
   double sum = 0.0;
@@ -48,47 +22,6 @@ double area(const TriMesh& mesh) {
     sum += 0.5 * norm(cross(mesh.positions[t[1]] - p, mesh.positions[t[2]] - p));
   }
   return sum;
-}
-
-/// The farthest vertex of the fine mesh from the coarse one, to the diagonal.
-double farthest(const TriMesh& fine, const TriMesh& coarse) {
-  const ClosestPointTree tree(coarse);
-  double square = 0.0;
-  for (const Vec3 p : fine.positions)
-    square = std::max(square, tree.query(p).squared_distance);
-  return std::sqrt(square) / bounding_box_diagonal(fine);
-}
-
-/// What holds of every coarse patch.
-void expect_sound(const TriMesh& mesh, const CoarsePatch& patch) {
-  const Inspection was = inspect(mesh), is = inspect(patch.mesh);
-  EXPECT_FALSE(blocking_problem(is, Purpose::measure));
-  for (const Problem& problem : is.problems) {  // of a few vertices none may be left inside
-    EXPECT_TRUE(problem.code == ErrorCode::no_inner_vertex || !was.problems.empty())
-        << problem.message;
-  }
-  EXPECT_EQ(is.topology.euler_characteristic, was.topology.euler_characteristic);
-  EXPECT_EQ(is.topology.border_loops, was.topology.border_loops);
-  EXPECT_EQ(is.topology.components, was.topology.components);
-  EXPECT_EQ(is.topology.vertices, patch.mesh.positions.size());
-  ASSERT_EQ(patch.source.size(), patch.mesh.positions.size());
-  const Connectivity fine(mesh), coarse(patch.mesh);
-  for (Index v = 0; v < patch.source.size(); ++v) {
-    ASSERT_LT(patch.source[v], mesh.positions.size());
-    EXPECT_TRUE(v == 0 || patch.source[v - 1] < patch.source[v]);
-    EXPECT_EQ(patch.mesh.positions[v], mesh.positions[patch.source[v]]);
-    EXPECT_EQ(coarse.is_border(v), fine.is_border(patch.source[v]));
-  }
-}
-
-/// The border loops in the numbers of the fine mesh.
-std::vector<std::vector<Index>> loops_in_fine(const CoarsePatch& patch) {
-  auto loops = Connectivity(patch.mesh).border_loops();
-  for (auto& loop : loops) {
-    for (Index& v : loop)
-      v = patch.source[v];
-  }
-  return loops;
 }
 
 /// A grid without the cells of some rectangles.
@@ -245,26 +178,6 @@ TEST(Coarsen, SurvivesTrianglesWithoutArea) {
   const CoarsePatch patch = coarse(mesh, 100, CoarseBorder::thinned);
   expect_sound(mesh, patch);
   EXPECT_GT(smallest_angles(patch.mesh).front(), 5.0);
-}
-
-TEST(Coarsen, IsSoundOnRealPatches) {
-  const char* const data = std::getenv("PLANISH_TEST_DATA");
-  if (data == nullptr) GTEST_SKIP() << "PLANISH_TEST_DATA is not set";
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(data) / "patches")) {
-    if (entry.path().extension() != ".obj") continue;
-    SCOPED_TRACE(entry.path().filename());
-    const TriMesh mesh = read_mesh(entry.path()).mesh;
-    const CoarsePatch thin =
-        coarse(mesh, std::min<std::size_t>(mesh.positions.size() / 3, 3000), CoarseBorder::thinned);
-    expect_sound(mesh, thin);
-    EXPECT_LT(farthest(mesh, thin.mesh), 0.02);
-    EXPECT_GE(smallest_angles(thin.mesh).front(),
-              std::min(5.0, 0.5 * smallest_angles(mesh).front()));
-    const CoarsePatch kept = coarse(mesh, mesh.positions.size() / 10, CoarseBorder::kept);
-    expect_sound(mesh, kept);
-    EXPECT_EQ(loops_in_fine(kept), Connectivity(mesh).border_loops());
-  }
 }
 
 }  // namespace

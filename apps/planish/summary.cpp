@@ -241,6 +241,17 @@ void note_obstruction(Session& session, const TriMesh& mesh) {
   if (obstruction && obstruction->is_notable()) session.note(obstruction_advice(*obstruction));
 }
 
+OnCompareProgress progress_of_methods(Session& session) {
+  return [&session](FlattenStage stage, std::string_view method, double share) {
+    session.show_progress(std::string(to_string(stage)), share, std::string(method));
+    return !session.interrupted();
+  };
+}
+
+void warn_of_method(Session& session, const Method& method, const CompareFailure& failure) {
+  session.warn(std::string(name_of(method)) + ": " + failure.message);
+}
+
 void warn_of_pattern(Session& session, const UnfoldReport& report) {
   const Pattern& pattern = report.pattern;
   if (pattern.overlaps) {

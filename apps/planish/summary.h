@@ -3,6 +3,7 @@
 #include <string>
 
 #include <planish/evolve/direction.h>
+#include <planish/report/compare.h>
 #include <planish/report/flatten.h>
 
 #include "command.h"
@@ -36,6 +37,11 @@ Outcome with_target_checked(Outcome outcome, const Arguments& arguments,
 /// what it is, and what to do; nothing where little area is at stake.
 /// @throws Error as Connectivity
 void note_obstruction(Session& session, const TriMesh& mesh);
+
+/// Draws the progress of a run of several methods.
+OnCompareProgress progress_of_methods(Session& session);
+/// Warns that one of several methods failed.
+void warn_of_method(Session& session, const Method& method, const CompareFailure& failure);
 
 /// Warns of what makes a pattern unfit for cutting.
 void warn_of_pattern(Session& session, const UnfoldReport& report);

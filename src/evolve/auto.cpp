@@ -82,7 +82,7 @@ class AutoStepper {
   void open_level_below(const PatchState& found) {
     --level_;
     open_level();
-    levels_.lift(level_ + 1, found, descent_->cost(), coarse_ ? *coarse_ : state_);
+    levels_.lift(level_ + 1, found, descent_->cost(), coarse_ ? *coarse_ : state_, pool_);
     descent_->start(k_pace_from_coarse);
   }
 

@@ -17,8 +17,12 @@ namespace {
 
 class FairingStepper {
  public:
-  FairingStepper(const BilaplacianFairing& options, PatchState& state)
-      : options_(options), state_(state), jacobian_(state), origins_(inner_places(state)) {
+  FairingStepper(const BilaplacianFairing& options, PatchState& state, ThreadPool& pool)
+      : options_(options),
+        state_(state),
+        pool_(pool),
+        jacobian_(state),
+        origins_(inner_places(state)) {
     const double pull = options.pull / static_cast<double>(state.inner_count());
     for (Index v = 0; v < state.inner_count(); ++v) {
       pulls_.push_back(pull * state.weight(v));
@@ -30,7 +34,7 @@ class FairingStepper {
   }
 
   SweepOutcome step() {
-    const Fairing fairing(state_, movable_, LaplacianWeights::thin_plate, pulls_);
+    const Fairing fairing(state_, movable_, LaplacianWeights::thin_plate, pulls_, pool_);
     if (!fairing.solvable()) return {};
     const Places before = inner_places(state_), after = fairing.apply(origins_);
     const double rms =
@@ -42,6 +46,7 @@ class FairingStepper {
  private:
   BilaplacianFairing options_;
   PatchState& state_;
+  ThreadPool& pool_;
   AngleJacobian jacobian_;  // who is next to whom
   Places origins_;
   std::vector<double> pulls_;           // by inner vertex
@@ -50,8 +55,8 @@ class FairingStepper {
 
 }  // namespace
 
-Sweep make_sweep(const BilaplacianFairing& options, PatchState& state, ThreadPool& /*pool*/) {
-  auto stepper = std::make_shared<FairingStepper>(options, state);
+Sweep make_sweep(const BilaplacianFairing& options, PatchState& state, ThreadPool& pool) {
+  auto stepper = std::make_shared<FairingStepper>(options, state, pool);
   return [stepper] { return stepper->step(); };
 }
 

@@ -93,7 +93,7 @@ std::unique_ptr<PatchState> CoarseLevels::make_state(std::size_t level, ThreadPo
 }
 
 void CoarseLevels::lift(std::size_t level, const PatchState& coarse, const ShapeCost& cost,
-                        PatchState& fine) const {
+                        PatchState& fine, ThreadPool& pool) const {
   const std::vector<Index>& source = levels_[level - 1].patch.source;
   const std::size_t fine_vertices =
       level > 1 ? levels_[level - 2].patch.mesh.positions.size() : fine.vertex_count();
@@ -106,7 +106,7 @@ void CoarseLevels::lift(std::size_t level, const PatchState& coarse, const Shape
     given[to] = 1;
     moves[to] = (fine.scale() / coarse.scale()) * (coarse.position(v) - coarse.origin(v));
   }
-  const Places spread = cost.spread(given, moves);
+  const Places spread = cost.spread(given, moves, pool);
   for (Index v = 0; v < fine.inner_count(); ++v) {
     if (!fine.is_fixed(v)) fine.move(v, fine.origin(v) + spread[v]);
   }

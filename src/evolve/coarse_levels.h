@@ -28,8 +28,8 @@ class CoarseLevels {
   /// vertices that both have move alike, the others so that the whole is smooth.
   /// @param level from 1
   /// @param cost of the finer patch
-  void lift(std::size_t level, const PatchState& coarse, const ShapeCost& cost,
-            PatchState& fine) const;
+  void lift(std::size_t level, const PatchState& coarse, const ShapeCost& cost, PatchState& fine,
+            ThreadPool& pool) const;
 
  private:
   struct Level {

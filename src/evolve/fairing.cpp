@@ -85,7 +85,7 @@ std::vector<std::vector<double>> rows_of_laplacian(const PatchState& state, Lapl
 }
 
 Fairing::Fairing(const PatchState& state, std::span<const unsigned char> movable,
-                 LaplacianWeights kind, std::span<const double> weights) {
+                 LaplacianWeights kind, std::span<const double> weights, ThreadPool& pool) {
   constexpr int held = -1;
   std::vector<int> number(state.vertex_count(), held);
   std::vector<Vec3> places;
@@ -120,7 +120,7 @@ Fairing::Fairing(const PatchState& state, std::span<const unsigned char> movable
   const SparseMatrix normal = SparseMatrix(laplacian.transpose() * laplacian) + pull;
   const SparseMatrix lower = normal.triangularView<Eigen::Lower>();
   solver_.emplace(lower, nested_dissection(places, graph_of(normal)));
-  solvable_ = solver_->factor(lower);
+  solvable_ = solver_->factor(lower, pool);
 }
 
 std::vector<Vec3> Fairing::apply(std::vector<Vec3> targets) const {

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "core/thread_pool.h"
 #include "evolve/patch_state.h"
 #include "solve/sparse_ldlt.h"
 
@@ -27,7 +28,7 @@ class Fairing {
  public:
   /// @param movable,weights by inner vertex
   Fairing(const PatchState& state, std::span<const unsigned char> movable, LaplacianWeights kind,
-          std::span<const double> weights);
+          std::span<const double> weights, ThreadPool& pool);
 
   /// False where the system cannot be solved.
   bool solvable() const { return solvable_; }

@@ -52,7 +52,7 @@ class LeastNormStepper {
     if (direct_) return;
     const bool cotangent = options.update == LeastNormUpdate::cotangent;
     const auto kind = cotangent ? LaplacianWeights::cotangent : LaplacianWeights::uniform;
-    fairing_.emplace(state, jacobian_.movable(), kind, weights);
+    fairing_.emplace(state, jacobian_.movable(), kind, weights, pool);
     fairing_damping_ = options.damping > 0.0 ? options.damping : cotangent ? 3e-6 : 3e-4;
     direct_ = !fairing_->solvable();
   }

@@ -11,8 +11,6 @@ namespace planish {
 
 namespace {
 
-/// The inner vertices of the patches that closeness was tried on.
-constexpr double k_usual_count = 4000.0;
 /// Keeps matrices definite where nothing else does.
 constexpr double k_anchor = 1e-9;
 
@@ -24,10 +22,10 @@ Places places_at_first(const PatchState& state) {
 }
 
 std::vector<double> pulls(const PatchState& state, double closeness) {
-  const double density = k_usual_count / static_cast<double>(state.inner_count());
+  const double density = relative_density(state);
   std::vector<double> pulls;
   for (std::size_t v = 0; v < state.inner_count(); ++v)
-    pulls.push_back(closeness * density * density * state.weight(v) * state.weight(v));
+    pulls.push_back(closeness / (density * density) * state.weight(v) * state.weight(v));
   return pulls;
 }
 
@@ -60,6 +58,11 @@ SparseMatrix diagonal_matrix(const std::vector<double>& values) {
 }
 
 }  // namespace
+
+double relative_density(const PatchState& state) {
+  constexpr double usual_count = 4000.0;
+  return static_cast<double>(state.inner_count()) / usual_count;
+}
 
 ShapeCost::ShapeCost(const AngleJacobian& jacobian, const PatchState& state, double closeness)
     : jacobian_(jacobian),
@@ -119,7 +122,8 @@ void ShapeCost::tighten(std::span<const Index> vertices, double factor) {
   }
 }
 
-Places ShapeCost::spread(std::span<const unsigned char> given, const Places& moves) const {
+Places ShapeCost::spread(std::span<const unsigned char> given, const Places& moves,
+                         ThreadPool& pool) const {
   const auto n = static_cast<int>(moves.size());
   SparseMatrix matrix = hessian_;
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, 3);
@@ -130,7 +134,7 @@ Places ShapeCost::spread(std::span<const unsigned char> given, const Places& mov
   }
   const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
   SparseLdlt solver(lower, nested_dissection(origin_, graph_of(matrix)));
-  if (!solver.factor(lower)) return Places(moves.size());
+  if (!solver.factor(lower, pool)) return Places(moves.size());
   const Eigen::MatrixXd spread = solver.solve(right);
   Places result(moves.size());
   for (int v = 0; v < n; ++v)

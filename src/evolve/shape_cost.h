@@ -9,6 +9,10 @@
 
 namespace planish {
 
+/// How many inner vertices a patch has for each one of the patches that the balance of C and strain
+/// was found on.
+double relative_density(const PatchState& state);
+
 /// What it costs to be somewhere else, and not smooth (docs/methods/auto.md):
 ///
 ///     C(x) = 1/2 sum a_v |x_v - x0_v|^2 + 1/2 |L x|^2      in units of the mean edge,
@@ -34,7 +38,7 @@ class ShapeCost {
   /// Moves that are as given at some vertices, nearly, and smooth between them: the least
   /// |L u|^2 + |u - u_given|^2, zero at the border and where vertices may not move.
   /// @param given whether the move of an inner vertex is; others of `moves` are not looked at
-  Places spread(std::span<const unsigned char> given, const Places& moves) const;
+  Places spread(std::span<const unsigned char> given, const Places& moves, ThreadPool& pool) const;
 
   /// The mean length of an edge, which is the unit here.
   double unit() const { return unit_; }

@@ -1,18 +1,11 @@
 #include "evolve/smallest_angle.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "core/angle_between.h"
+
 namespace planish {
-
-namespace {
-
-double angle_between(Vec3 a, Vec3 b) {
-  return std::atan2(norm(cross(a, b)), dot(a, b));
-}
-
-}  // namespace
 
 double smallest_angle(const PatchState& state) {
   double least = std::numeric_limits<double>::infinity();

@@ -12,8 +12,7 @@ namespace {
 
 /// |phi|^2 is a sum over vertices: on denser patches the same strain weighs more. Sigma goes along.
 double sigma_unit(const PatchState& state) {
-  constexpr double usual_count = 4000.0;
-  return std::sqrt(static_cast<double>(state.inner_count()) / usual_count);
+  return std::sqrt(relative_density(state));
 }
 
 }  // namespace
@@ -25,7 +24,7 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, double closene
       limits_(limits),
       jacobian_(state),
       cost_(jacobian_, state, closeness),
-      potential_(jacobian_, state),
+      potential_(jacobian_, state, pool),
       square_(potential_.stiffness() * potential_.stiffness()),
       system_(jacobian_, state, cost_.hessian(), square_),
       relaxation_(jacobian_, state) {

@@ -35,12 +35,13 @@ SparseMatrix stiffness_of(const AngleJacobian& jacobian, const PatchState& state
 
 }  // namespace
 
-StrainPotential::StrainPotential(const AngleJacobian& jacobian, const PatchState& state)
+StrainPotential::StrainPotential(const AngleJacobian& jacobian, const PatchState& state,
+                                 ThreadPool& pool)
     : stiffness_(stiffness_of(jacobian, state)) {
   if (stiffness_.cols() == 0) return;
   const SparseMatrix lower = stiffness_.triangularView<Eigen::Lower>();
   solver_.emplace(lower, nested_dissection(inner_places(state), graph_of(stiffness_)));
-  solvable_ = solver_->factor(lower);
+  solvable_ = solver_->factor(lower, pool);
 }
 
 }  // namespace planish

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/thread_pool.h"
 #include "evolve/angle_jacobian.h"
 #include "solve/sparse_ldlt.h"
 
@@ -14,7 +15,7 @@ class StrainPotential {
  public:
   /// Takes K from the patch as it is: positive definite, as of finite elements, where each part of
   /// the patch has a border.
-  StrainPotential(const AngleJacobian& jacobian, const PatchState& state);
+  StrainPotential(const AngleJacobian& jacobian, const PatchState& state, ThreadPool& pool);
 
   /// False where K cannot be factored.
   bool solvable() const { return solvable_; }

@@ -5,6 +5,7 @@
 #include <planish/measure/angle_defect.h>
 #include <planish/measure/flattenability.h>
 
+#include "core/angle_between.h"
 #include "core/careful_sum.h"
 
 namespace planish {
@@ -18,7 +19,7 @@ double smallest_angle(const TriMesh& mesh, double scale) {
       const Vec3 x = scale * mesh.positions[t[k]];
       const Vec3 a = scale * mesh.positions[t[(k + 1) % 3]] - x;
       const Vec3 b = scale * mesh.positions[t[(k + 2) % 3]] - x;
-      smallest = std::min(smallest, std::atan2(norm(cross(a, b)), dot(a, b)));
+      smallest = std::min(smallest, angle_between(a, b));
     }
   }
   return smallest;
@@ -27,7 +28,7 @@ double smallest_angle(const TriMesh& mesh, double scale) {
 /// Angle between the normals of the two triangles at the edge from a to b; 0 where one has no area.
 double dihedral_angle(Vec3 a, Vec3 b, Vec3 left, Vec3 right) {
   const Vec3 n = cross(b - a, left - a), m = cross(right - a, b - a);
-  return std::atan2(norm(cross(n, m)), dot(n, m));
+  return angle_between(n, m);
 }
 
 double rms_dihedral_angle(const TriMesh& mesh, const Connectivity& connectivity, double scale) {

@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <vector>
 
 #include <planish/measure/angle_defect.h>
 #include <planish/measure/obstruction.h>
 
+#include "core/angle_between.h"
 #include "core/careful_sum.h"
 
 namespace planish {
@@ -20,10 +20,6 @@ constexpr double k_flat_border_room = 1e-5;
 // where what it encloses is known only as well as that.
 constexpr double k_rounding = 1e-9;
 constexpr double k_flat_rounding = 1e-3;
-
-double angle_between(Vec3 a, Vec3 b) {
-  return std::atan2(norm(cross(a, b)), dot(a, b));
-}
 
 /// How many vertices can be reached from the first along edges.
 std::size_t reached_from(Index first, const Connectivity& connectivity) {

@@ -8,6 +8,8 @@
 #include <planish/core/error.h>
 #include <planish/mesh/inspect.h>
 
+#include "core/angle_between.h"
+
 namespace planish {
 
 namespace {
@@ -70,7 +72,7 @@ SignedDistance::SignedDistance(const TriMesh& surface)
     of_triangle_.push_back(normal);
     for (int k = 0; k < 3; ++k) {
       const Vec3 a = edge(k, k + 1), b = edge(k, k + 2);
-      of_vertex_[t[k]] += std::atan2(norm(cross(a, b)), dot(a, b)) * normal;
+      of_vertex_[t[k]] += angle_between(a, b) * normal;
     }
   }
   const std::vector<Side> sides = sorted_sides(triangles_);

@@ -48,4 +48,17 @@ inline std::vector<PatchFacts> patches() {
   return facts;
 }
 
+/// All files of the folder "bad" beside those patches; none where no folder is told.
+/// @throws std::runtime_error as patches()
+inline std::vector<std::filesystem::path> bad_files() {
+  std::vector<std::filesystem::path> paths;
+  const char* folder = std::getenv("PLANISH_TEST_DATA");
+  if (folder == nullptr) return paths;
+  const std::filesystem::path bad = std::filesystem::path(folder) / "bad";
+  for (const auto& entry : std::filesystem::directory_iterator(bad))
+    paths.push_back(entry.path());
+  if (paths.empty()) throw std::runtime_error("no file in " + bad.string());
+  return paths;
+}
+
 }  // namespace planish

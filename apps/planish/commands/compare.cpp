@@ -39,9 +39,7 @@ std::vector<OutputFile> files_of(const CompareReport& report, const fs::path& fo
 
 void warn_of_failures(Session& session, const CompareReport& report) {
   for (const ComparedMethod& method : report.runs) {
-    if (method.failure) {
-      session.warn(std::string(name_of(method.run.method)) + ": " + method.failure->message);
-    }
+    if (method.failure) warn_of_method(session, method.run.method, *method.failure);
   }
 }
 
@@ -55,14 +53,10 @@ Outcome run_compare(const Arguments& arguments, Session& session) {
 
   ReadResult input = session.read(path);
   const std::string size = size_text(input.mesh);
-  const auto on_progress = [&](FlattenStage stage, std::string_view method, double share) {
-    session.show_progress(std::string(to_string(stage)), share, std::string(method));
-    return !session.interrupted();
-  };
   const auto report = about(path, [&] {
     options.constraints = constraints_from(arguments, input.mesh, session);
     return compare(std::move(input.mesh), fs::path(path).stem().string(), runs, options,
-                   on_progress);
+                   progress_of_methods(session));
   });
   if (!report) throw Interrupted();
 

@@ -89,7 +89,7 @@ FrontierOptions options_from(const Arguments& arguments, const Session& session)
 
 void warn_of_failures(Session& session, const FrontierReport& report) {
   for (const FrontierFailure& failed : report.failures)
-    session.warn(std::string(name_of(failed.method)) + ": " + failed.failure.message);
+    warn_of_method(session, failed.method, failed.failure);
 }
 
 Outcome run_frontier(const Arguments& arguments, Session& session) {
@@ -102,13 +102,10 @@ Outcome run_frontier(const Arguments& arguments, Session& session) {
 
   ReadResult input = session.read(path);
   const std::string size = size_text(input.mesh);
-  const auto on_progress = [&](FlattenStage stage, std::string_view method, double share) {
-    session.show_progress(std::string(to_string(stage)), share, std::string(method));
-    return !session.interrupted();
-  };
   const auto report = about(path, [&] {
     options.constraints = constraints_from(arguments, input.mesh, session);
-    return frontier(std::move(input.mesh), fs::path(path).stem().string(), options, on_progress);
+    return frontier(std::move(input.mesh), fs::path(path).stem().string(), options,
+                    progress_of_methods(session));
   });
   if (!report) throw Interrupted();
 

@@ -112,7 +112,7 @@ TEST_P(FairingKinds, EndAtTheMinimumOfWhatTheyMakeSmall) {
   Patch patch("dome");
   for (std::size_t v = 0; v < patch.weights.size(); v += 3)
     patch.weights[v] = 4.0;
-  const Fairing fairing(patch.state, patch.movable, GetParam(), patch.weights);
+  const Fairing fairing(patch.state, patch.movable, GetParam(), patch.weights, patch.pool);
   ASSERT_TRUE(fairing.solvable());
   Places targets = inner_places(patch.state);
   for (std::size_t v = 0; v < targets.size(); ++v)
@@ -135,7 +135,7 @@ TEST_P(FairingKinds, EndAtTheMinimumOfWhatTheyMakeSmall) {
 TEST_P(FairingKinds, LeaveWhatIsHeldAtItsTarget) {
   Patch patch("saddle");
   patch.movable[5] = patch.movable[50] = 0;
-  const Fairing fairing(patch.state, patch.movable, GetParam(), patch.weights);
+  const Fairing fairing(patch.state, patch.movable, GetParam(), patch.weights, patch.pool);
   const Places targets = inner_places(patch.state);
   const Places faired = fairing.apply(targets);
   EXPECT_EQ(faired[5], targets[5]);

@@ -86,7 +86,7 @@ TEST(ShapeCost, SpreadsMovesAsADenseSolverDoes) {
   for (std::size_t v = 0; v < given.size(); v += 5)
     given[v] = laid.jacobian.is_movable(static_cast<Index>(v)) ? 1 : 0;
   const Places moves = some_moves(laid, 1.0);
-  const Places spread = cost.spread(given, moves);
+  const Places spread = cost.spread(given, moves, laid.pool);
   MatrixXd dense(cost.hessian());
   VectorXd right = VectorXd::Zero(laid.count()), found(laid.count());
   for (Eigen::Index v = 0; v < laid.count(); ++v) {
@@ -109,7 +109,7 @@ TEST(StrainPotential, IsTheConformalStretchOfACap) {
   const TriMesh mesh = make_shape("dome", 4000);
   Laid laid(mesh);
   laid.state.measure(laid.pool);
-  const StrainPotential potential(laid.jacobian, laid.state);
+  const StrainPotential potential(laid.jacobian, laid.state, laid.pool);
   ASSERT_TRUE(potential.solvable());
   const VectorXd d = inner_defects(laid.state), phi = potential.of(d);
   EXPECT_LT((potential.stiffness() * phi - d).norm(), 1e-12 * d.norm());
@@ -122,7 +122,7 @@ TEST(NormalSystem, SolvesWhatADenseSolverSolves) {
   const TriMesh mesh = make_shape("panel", 150);
   Laid laid(mesh, one_held(mesh));
   const ShapeCost cost(laid.jacobian, laid.state, 0.1);
-  const StrainPotential potential(laid.jacobian, laid.state);
+  const StrainPotential potential(laid.jacobian, laid.state, laid.pool);
   const SparseMatrix square = potential.stiffness() * potential.stiffness();
   NormalSystem system(laid.jacobian, laid.state, cost.hessian(), square);
   const Eigen::Index n = laid.count();

@@ -1,4 +1,4 @@
-// From coarse to fine, each level by StrainDescent, the last digits by least-norm steps. Equations
+// From coarse to fine, each level by StrainDescent, the last defects by polishing. Equations
 // and what was tried: docs/methods/auto.md.
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include <planish/measure/flattenability.h>
 
 #include "evolve/coarse_levels.h"
-#include "evolve/places.h"
+#include "evolve/defect_polish.h"
 #include "evolve/smallest_angle.h"
 #include "evolve/strain_descent.h"
 #include "evolve/sweep.h"
@@ -21,8 +21,8 @@ namespace planish {
 namespace {
 
 // Strain, rms, at which a level is done: what lifting to the next one brings is more; and at which
-// least-norm steps end the work on the patch itself in fewer steps.
-constexpr double k_coarse_strain = 1e-4, k_polish_strain = 5e-5;
+// polishing ends the work on the patch itself sooner.
+constexpr double k_coarse_strain = 1e-4, k_polish_strain = 3e-4;
 // Of what counts as flattenable, so that it does on rounding too.
 constexpr double k_share_of_e_max = 0.5, k_share_of_sum = 0.8;
 // A level that ends above this has met with what the border forbids: on finer ones a few steps mend
@@ -68,9 +68,13 @@ class AutoStepper {
   void open_level() {
     coarse_ = level_ > 0 ? levels_.make_state(level_, pool_) : nullptr;
     PatchState& state = coarse_ ? *coarse_ : state_;
-    const DescentLimits limits = {state.scale() * options_.max_deviation, least_angle_};
-    descent_ = std::make_unique<StrainDescent>(state, pool_, options_.closeness, limits);
+    descent_ = std::make_unique<StrainDescent>(state, pool_, options_.closeness, limits());
     steps_ = idle_ = 0;
+  }
+
+  DescentLimits limits() const {
+    const PatchState& state = coarse_ ? *coarse_ : state_;
+    return {state.scale() * options_.max_deviation, least_angle_};
   }
 
   /// On to the next finer level.
@@ -131,7 +135,8 @@ class AutoStepper {
       return;
     }
     descent_.reset();
-    polish_.emplace(make_sweep(LeastNorm{.update = LeastNormUpdate::direct}, state_, pool_));
+    polish_.emplace(state_, pool_, limits());
+    idle_ = 0;
   }
 
   std::optional<StopReason> reason_to_end() const {
@@ -142,31 +147,15 @@ class AutoStepper {
     return descent_->at_angle_limit() ? StopReason::angle_limit : StopReason::stalled;
   }
 
-  /// A least-norm step, taken back where it breaks a limit.
   SweepOutcome polish() {
-    const Places before = inner_places(state_);
-    const std::size_t moved = (*polish_)().moved;
-    const auto broken = broken_limit();
-    if (broken) {
-      for (Index v = 0; v < before.size(); ++v)
-        state_.move(v, before[v]);
-      return {0, true, *broken};
-    }
-    ++polishes_;
+    const std::size_t moved = polish_->cycle();
+    idle_ = moved > 0 ? 0 : idle_ + 1;
     const Flattenability figures = state_.measure(pool_);
     const bool flat = figures.e_max <= k_share_of_e_max * k_flattenable_e_max &&
                       figures.sum_abs_defect <= k_share_of_sum * k_flattenable_sum;
     if (flat) return {moved, true};
-    return {moved, polishes_ >= k_most_polishes, StopReason::stalled};
-  }
-
-  std::optional<StopReason> broken_limit() const {
-    const double far = state_.scale() * options_.max_deviation;
-    for (std::size_t v = 0; v < state_.inner_count(); ++v) {
-      if (norm(state_.position(v) - state_.origin(v)) > far) return StopReason::deviation_limit;
-    }
-    if (smallest_angle(state_) < least_angle_) return StopReason::angle_limit;
-    return std::nullopt;
+    const bool over = moved == 0 || ++polishes_ >= k_most_polishes;
+    return {moved, over, polish_->held_by().value_or(StopReason::stalled)};
   }
 
   Auto options_;
@@ -177,7 +166,7 @@ class AutoStepper {
   std::size_t level_;
   std::unique_ptr<PatchState> coarse_;  // of the level, none at the patch itself
   std::unique_ptr<StrainDescent> descent_;
-  std::optional<Sweep> polish_;
+  std::optional<DefectPolish> polish_;
   int steps_ = 0, idle_ = 0, polishes_ = 0;
   bool hopeless_ = false;
 };

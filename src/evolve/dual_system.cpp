@@ -1,6 +1,7 @@
 #include "evolve/dual_system.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "evolve/places.h"
 #include "solve/dissection.h"
@@ -77,6 +78,29 @@ DualSystem::DualSystem(const AngleJacobian& jacobian, const PatchState& state, c
   }
 }
 
+void DualSystem::damp_by(const SparseMatrix& symmetric, double share_of_identity) {
+  if (lower_.cols() == 0) return;
+  const double scale = 1.0 / median(symmetric.diagonal());
+  damping_.assign(static_cast<std::size_t>(lower_.nonZeros()), 0.0);
+  const int *start = lower_.outerIndexPtr(), *rows = lower_.innerIndexPtr();
+  const auto diagonal = [&](Eigen::Index v) -> double& { return damping_[start[v]]; };
+  for (int column = 0; column < symmetric.cols(); ++column) {
+    diagonal(column) += share_of_identity;
+    for (SparseMatrix::InnerIterator entry(symmetric, column); entry; ++entry) {
+      if (entry.row() < column) continue;
+      const double value = scale * entry.value();
+      const int *end = rows + start[column + 1],
+                *place = std::lower_bound(rows + start[column], end, entry.row());
+      if (place != end && *place == entry.row()) {
+        damping_[place - rows] += value;
+      } else {  // definite stays definite
+        diagonal(column) += std::abs(value);
+        diagonal(entry.row()) += std::abs(value);
+      }
+    }
+  }
+}
+
 bool DualSystem::factor(std::span<const double> squeeze, double mu, ThreadPool& pool) {
   if (lower_.cols() == 0) return false;
   double* values = lower_.valuePtr();
@@ -92,10 +116,12 @@ bool DualSystem::factor(std::span<const double> squeeze, double mu, ThreadPool& 
   }
   const double unit = median(lower_.diagonal());
   if (!(unit > 0.0)) return false;
-  for (int v = 0; v < lower_.cols(); ++v) {
-    double& diagonal = values[lower_.outerIndexPtr()[v]];
-    diagonal += mu * unit;
+  if (damping_.empty()) {
+    for (int v = 0; v < lower_.cols(); ++v)
+      values[lower_.outerIndexPtr()[v]] += mu * unit;
   }
+  for (std::size_t i = 0; i < damping_.size(); ++i)
+    values[i] += mu * unit * damping_[i];
   return solver_.factor(lower_, pool);
 }
 

@@ -19,6 +19,11 @@ class DualSystem {
   /// @param jacobian must outlive it
   DualSystem(const AngleJacobian& jacobian, const PatchState& state);
 
+  /// What D is to be from now on, in place of the identity times that median: a symmetric matrix,
+  /// scaled so that the median of its diagonal is the same, and a share of the identity. Entries
+  /// between rows that do not meet go to the diagonal.
+  void damp_by(const SparseMatrix& symmetric, double share_of_identity);
+
   /// Factors for the gradients as they are.
   /// @param squeeze S by inner vertex: how willing each is to move
   /// @return false where the matrix cannot be factored
@@ -32,6 +37,7 @@ class DualSystem {
 
   const AngleJacobian& jacobian_;
   SparseMatrix lower_;
+  std::vector<double> damping_;  // D over the median, for the entries of lower_; none: identity
   std::vector<std::uint32_t> products_;  // for each pair of rows that a vertex is in: its place
   SparseLdlt solver_;
 };

@@ -44,6 +44,7 @@ void StrainDescent::start(const DescentPace& pace) {
   least_sigma_ = least_sigma * sigma_unit(state_);
   sigma_ = std::max(sigma_, least_sigma_);
   longest_step_ = pace.longest_step * cost_.unit();
+  fall_of_sigma_ = pace.fall_of_sigma;
   stiffening_ = 0.0;
 }
 
@@ -174,7 +175,7 @@ void StrainDescent::ease_back(double max_strain) {
 
 /// What the step was worth says how stiff the next one is and which sigma it is for.
 void StrainDescent::follow(double share, int halvings, const Step& step) {
-  constexpr double fast = 0.5, slow = 0.9, failed = 0.7, far_enough = 0.3, small_fall = 0.05;
+  constexpr double slow = 0.9, failed = 0.7, far_enough = 0.3, small_fall = 0.05;
   constexpr double least_per_strain = 0.3;
   constexpr double least_stiffening = 0.3, ease = 0.25, tighten = 4.0;
   if (halvings >= 2) stiffening_ = std::max(1.0, tighten * stiffening_);
@@ -184,7 +185,7 @@ void StrainDescent::follow(double share, int halvings, const Step& step) {
   if (step.moved == 0) {
     sigma_ *= failed;
   } else if (full || settled) {
-    sigma_ *= fast;
+    sigma_ *= fall_of_sigma_;
   } else if (share > far_enough) {
     sigma_ *= slow;
   }

@@ -22,10 +22,11 @@ struct DescentLimits {
 struct DescentPace {
   double sigma_per_strain;  ///< of the first sigma to the rms strain at first
   double longest_step;      ///< of a vertex, in mean edges
+  double fall_of_sigma;     ///< factor after a step that was not cut
 };
-inline constexpr DescentPace k_pace_from_scratch{20.0, 0.6};
+inline constexpr DescentPace k_pace_from_scratch{20.0, 0.6, 0.5};
 /// From places that a coarser level has found: what is left to do is little and smooth.
-inline constexpr DescentPace k_pace_from_coarse{2.0, 3.0};
+inline constexpr DescentPace k_pace_from_coarse{0.5, 3.0, 0.25};
 
 /// Brings a patch to where it is flattenable, smoothly and near where it began, all inner vertices
 /// at once (docs/methods/auto.md): makes smaller and smaller, for sigma that falls from step to
@@ -95,7 +96,8 @@ class StrainDescent {
   Places before_;  // the last step
   Eigen::VectorXd phi_;
   double rms_ = 0.0, most_ = 0.0;
-  double longest_step_ = 0.0, sigma_ = 1.0, least_sigma_ = 0.0, stiffening_ = 0.0;
+  double longest_step_ = 0.0, fall_of_sigma_ = 0.5, sigma_ = 1.0, least_sigma_ = 0.0,
+         stiffening_ = 0.0;
   bool angle_stopped_ = false, deviation_stopped_ = false;
 };
 

@@ -121,6 +121,38 @@ TEST(DualSystem, SolvesWhatADenseSolverSolves) {
   }
 }
 
+TEST(DualSystem, IsDampedByWhatItIsTold) {
+  Patch patch;
+  const auto n = static_cast<Eigen::Index>(patch.state.inner_count());
+  const std::vector<double> squeeze(patch.state.inner_count(), 1.0);
+  // Rows 0 and n - 1 do not meet: what is between them goes to the diagonal.
+  SparseMatrix damping(n, n);
+  for (int v = 0; v < n; ++v)
+    damping.insert(v, v) = 2.0 + 0.1 * (v % 5);
+  MatrixXd dense_damping = MatrixXd(damping);
+  damping.insert(0, n - 1) = damping.insert(n - 1, 0) = -0.5;
+  dense_damping(0, 0) += 0.5;
+  dense_damping(n - 1, n - 1) += 0.5;
+  VectorXd sorted = VectorXd(damping.diagonal());
+  std::sort(sorted.data(), sorted.data() + n);
+  dense_damping /= sorted[n / 2];
+  dense_damping.diagonal().array() += 0.25;
+
+  MatrixXd dense = patch.dense * patch.dense.transpose();
+  ASSERT_EQ(dense(0, n - 1), 0.0);
+  sorted = dense.diagonal();
+  std::sort(sorted.data(), sorted.data() + n);
+  constexpr double mu = 0.1;
+  dense += mu * sorted[n / 2] * dense_damping;
+
+  DualSystem system(patch.jacobian, patch.state);
+  system.damp_by(damping, 0.25);
+  ASSERT_TRUE(system.factor(squeeze, mu, patch.pool));
+  const VectorXd right = VectorXd::LinSpaced(n, 1.0, -2.0);
+  const VectorXd expected = dense.ldlt().solve(right);
+  EXPECT_LT((system.solve(right) - expected).norm(), 1e-10 * expected.norm());
+}
+
 TEST(AngleJacobian, MultipliesAsItsDenseTwin) {
   Patch patch;
   const Places moves = some_forces(patch.state.inner_count());

@@ -1,0 +1,141 @@
+#include "evolve/defect_polish.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <planish/evolve/controllable_laplacian.h>
+
+#include "evolve/smallest_angle.h"
+#include "evolve/sweep.h"
+
+namespace planish {
+
+namespace {
+
+constexpr double k_max_step = 0.5;
+
+/// 1/w^2 by inner vertex.
+std::vector<double> squeeze_of(const PatchState& state) {
+  std::vector<double> squeeze;
+  for (std::size_t v = 0; v < state.inner_count(); ++v)
+    squeeze.push_back(1.0 / (state.weight(v) * state.weight(v)));
+  return squeeze;
+}
+
+/// The number of neighbours at a vertex, -1 at each that may move too: large on what differs from
+/// vertex to vertex, which is what sweeps take out, and as it takes no cotangents, at needles too.
+SparseMatrix graph_laplacian(const AngleJacobian& jacobian) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto n = static_cast<int>(jacobian.row_count());
+  for (int v = 0; v < n; ++v) {
+    const auto ring = jacobian.ring(static_cast<Index>(v));
+    entries.emplace_back(v, v, static_cast<double>(ring.size()));
+    if (!jacobian.is_movable(static_cast<Index>(v))) continue;
+    for (const Index w : ring) {
+      if (jacobian.is_movable(w)) entries.emplace_back(v, static_cast<int>(w), -1.0);
+    }
+  }
+  SparseMatrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+}  // namespace
+
+DefectPolish::DefectPolish(PatchState& state, ThreadPool& pool, const DescentLimits& limits)
+    : state_(state),
+      pool_(pool),
+      limits_(limits),
+      least_(state, squeeze_of(state), k_max_step, pool) {
+  limits_.angle = std::min(limits_.angle, smallest_angle(state));
+  const SparseMatrix graph = graph_laplacian(least_.jacobian());
+  least_.dual().damp_by(graph * graph, 1.0 / relative_density(state));
+}
+
+std::size_t DefectPolish::cycle() {
+  constexpr int most_dampings = 8, most_halvings = 6;
+  constexpr double ease = 0.3, tighten = 4.0, tighten_much = 10.0, least_damping = 1e-6;
+  const Places before = inner_places(state_);
+  const double energy = state_.measure(pool_).energy;
+  const bool only_sweeps = std::exchange(first_, false);
+  for (int i = 0; i < most_dampings; ++i, damping_ *= tighten_much) {
+    const Places step = only_sweeps ? Places(before.size()) : least_norm_step();
+    double share = 1.0;
+    for (int halvings = 0; halvings < most_halvings; ++halvings, share *= 0.5) {
+      put(sum_of(before, share, step));
+      sweep();
+      held_by_.reset();
+      keep_limits(before);
+      if (!(state_.measure(pool_).energy < energy)) continue;
+      if (halvings == 0) damping_ = std::max(ease * damping_, least_damping);
+      if (halvings >= 2) damping_ *= tighten;
+      return moved_from(before);
+    }
+    put(before);
+  }
+  return 0;
+}
+
+std::size_t DefectPolish::moved_from(const Places& before) const {
+  std::size_t moved = 0;
+  for (std::size_t v = 0; v < before.size(); ++v)
+    moved += state_.position(v) != before[v] ? 1 : 0;
+  return moved;
+}
+
+Places DefectPolish::least_norm_step() {
+  least_.update();
+  if (!least_.factor(damping_)) return Places(state_.inner_count());
+  return least_.stopped(least_.to_close_defects().move(1.0));
+}
+
+/// All of them: sweeps move what is held for the matrices' sake too.
+void DefectPolish::put(const Places& places) {
+  for (Index v = 0; v < places.size(); ++v)
+    state_.move(v, places[v]);
+  state_.measure(pool_);
+}
+
+void DefectPolish::sweep() {
+  constexpr int sweeps = 20;
+  const Sweep sweep = make_sweep(ControllableLaplacian{}, state_, pool_);
+  for (int i = 0; i < sweeps; ++i)
+    sweep();
+}
+
+void DefectPolish::keep_limits(const Places& before) {
+  constexpr int most_rounds = 20;
+  stop_at_deviation();
+  for (int round = 0; round < most_rounds; ++round) {
+    const std::vector<Index> sharp = at_sharp_triangles();
+    if (sharp.empty()) return;
+    held_by_ = StopReason::angle_limit;
+    for (const Index v : sharp)
+      state_.move(v, before[v]);
+  }
+  put(before);
+}
+
+void DefectPolish::stop_at_deviation() {
+  constexpr double rounding = 1e-12;
+  for (Index v = 0; v < state_.inner_count(); ++v) {
+    const Vec3 away = state_.position(v) - state_.origin(v);
+    const double far = norm(away);
+    if (far <= limits_.deviation) continue;
+    state_.move(v, state_.origin(v) + ((1.0 - rounding) * limits_.deviation / far) * away);
+    held_by_ = StopReason::deviation_limit;
+  }
+}
+
+std::vector<Index> DefectPolish::at_sharp_triangles() const {
+  std::vector<Index> vertices;
+  for (const Triangle& t : state_.triangles()) {
+    if (smallest_angle(state_, t) >= limits_.angle) continue;
+    std::copy_if(t.begin(), t.end(), std::back_inserter(vertices),
+                 [&](Index v) { return state_.is_inner(v); });
+  }
+  return vertices;
+}
+
+}  // namespace planish

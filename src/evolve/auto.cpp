@@ -32,7 +32,11 @@ constexpr int k_hopeless_steps = 5;
 // Where vertices are held by the limit of deviation, a step that leaves more of the strain than
 // this is the last.
 constexpr double k_held_share = 0.98;
-constexpr int k_most_first_steps = 150, k_most_steps = 60, k_most_polishes = 100, k_most_idle = 3;
+constexpr int k_most_first_steps = 150, k_most_steps = 100, k_most_polishes = 100, k_most_idle = 3;
+// Polishing that leaves more than so much of the energy so often gives way to another round of the
+// descent, from where it came to.
+constexpr double k_slow_share = 0.9;
+constexpr int k_most_slow = 8, k_most_rounds = 6;
 
 class AutoStepper {
  public:
@@ -123,7 +127,7 @@ class AutoStepper {
     return outcome;
   }
 
-  /// What comes after a level: the next one, least-norm steps, or the end.
+  /// What comes after a level: the next one, polishing, or the end.
   void end_level(SweepOutcome& outcome) {
     if (strain_is_met() && outcome.moved > 0) descent_->ease_back(options_.max_strain);
     hopeless_ = !strain_is_met() && descent_->rms_strain() > k_hopeless_strain;
@@ -134,9 +138,7 @@ class AutoStepper {
       outcome.reason = *reason;
       return;
     }
-    descent_.reset();
     polish_.emplace(state_, pool_, limits());
-    idle_ = 0;
   }
 
   std::optional<StopReason> reason_to_end() const {
@@ -148,14 +150,23 @@ class AutoStepper {
   }
 
   SweepOutcome polish() {
+    const double energy = state_.measure(pool_).energy;
     const std::size_t moved = polish_->cycle();
-    idle_ = moved > 0 ? 0 : idle_ + 1;
     const Flattenability figures = state_.measure(pool_);
     const bool flat = figures.e_max <= k_share_of_e_max * k_flattenable_e_max &&
                       figures.sum_abs_defect <= k_share_of_sum * k_flattenable_sum;
     if (flat) return {moved, true};
-    const bool over = moved == 0 || ++polishes_ >= k_most_polishes;
+    slow_ = figures.energy > k_slow_share * energy ? slow_ + 1 : 0;
+    const bool over = moved == 0 || slow_ >= k_most_slow || ++polishes_ >= k_most_polishes;
+    if (over && rounds_++ < k_most_rounds) return descend_again(moved);
     return {moved, over, polish_->held_by().value_or(StopReason::stalled)};
+  }
+
+  SweepOutcome descend_again(std::size_t moved) {
+    polish_.reset();
+    descent_->start(k_pace_from_coarse);
+    steps_ = idle_ = polishes_ = slow_ = 0;
+    return {std::max<std::size_t>(moved, 1)};  // who moves nothing is taken to be at the end
   }
 
   Auto options_;
@@ -167,7 +178,7 @@ class AutoStepper {
   std::unique_ptr<PatchState> coarse_;  // of the level, none at the patch itself
   std::unique_ptr<StrainDescent> descent_;
   std::optional<DefectPolish> polish_;
-  int steps_ = 0, idle_ = 0, polishes_ = 0;
+  int steps_ = 0, idle_ = 0, polishes_ = 0, slow_ = 0, rounds_ = 0;
   bool hopeless_ = false;
 };
 

@@ -176,7 +176,8 @@ void StrainDescent::ease_back(double max_strain) {
 /// What the step was worth says how stiff the next one is and which sigma it is for.
 void StrainDescent::follow(double share, int halvings, const Step& step) {
   constexpr double slow = 0.9, failed = 0.7, far_enough = 0.3, small_fall = 0.05;
-  constexpr double least_per_strain = 0.3;
+  constexpr double large_strain = 0.02;
+  const double least_per_strain = rms_ > large_strain ? 0.3 : 0.02;
   constexpr double least_stiffening = 0.3, ease = 0.25, tighten = 4.0;
   if (halvings >= 2) stiffening_ = std::max(1.0, tighten * stiffening_);
   if (halvings == 0) stiffening_ = stiffening_ < least_stiffening ? 0.0 : ease * stiffening_;
@@ -189,7 +190,7 @@ void StrainDescent::follow(double share, int halvings, const Step& step) {
   } else if (share > far_enough) {
     sigma_ *= slow;
   }
-  // Where strain cannot fall, a small sigma would buy the last of it with crumples.
+  // Where much strain cannot fall, a small sigma would buy some of it with crumples.
   sigma_ = std::max({sigma_, least_sigma_, least_per_strain * rms_ * sigma_unit(state_)});
 }
 

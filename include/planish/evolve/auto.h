@@ -12,7 +12,7 @@ namespace planish {
 /// least-norm steps for the last digits. docs/methods/auto.md
 struct Auto {
   static constexpr std::string_view name = "auto";
-  static constexpr int usual_sweeps = 400;
+  static constexpr int usual_sweeps = 1000;
   static constexpr bool honours_weights = true, honours_obstacle = false;
   double max_strain = 0.0;
   double max_deviation = std::numeric_limits<double>::infinity();

@@ -9,7 +9,7 @@ namespace planish {
 
 /// The method that finishes the job: from a coarse patch to the one given, each brought to where it
 /// is flattenable by steps that weigh the pattern's strain against smoothness and closeness; then
-/// least-norm steps for the last digits. docs/methods/auto.md
+/// polishing for the last defects. docs/methods/auto.md
 struct Auto {
   static constexpr std::string_view name = "auto";
   static constexpr int usual_sweeps = 1000;

@@ -31,9 +31,9 @@ std::vector<double> weights_of(const PatchState& state, double border_weight) {
 }
 
 std::vector<double> squeeze_of(const std::vector<double>& weights) {
-  std::vector<double> squeeze;
-  for (const double w : weights)
-    squeeze.push_back(1.0 / (w * w));
+  std::vector<double> squeeze(weights);
+  for (double& s : squeeze)
+    s = 1.0 / (s * s);
   return squeeze;
 }
 

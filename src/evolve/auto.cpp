@@ -69,10 +69,12 @@ class AutoStepper {
   static double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
   /// Makes the descent of the level, its patch where it was at first.
-  void open_level() {
+  /// @param closeness to begin with; 0: the usual
+  void open_level(double closeness = 0.0) {
     coarse_ = level_ > 0 ? levels_.make_state(level_, pool_) : nullptr;
     PatchState& state = coarse_ ? *coarse_ : state_;
-    descent_ = std::make_unique<StrainDescent>(state, pool_, options_.closeness, limits());
+    descent_ = std::make_unique<StrainDescent>(
+        state, pool_, DescentAims{options_.max_strain, options_.closeness, closeness}, limits());
     steps_ = idle_ = 0;
   }
 
@@ -84,13 +86,11 @@ class AutoStepper {
   /// On to the next finer level.
   void lift() {
     const std::unique_ptr<PatchState> found = std::move(coarse_);
-    descent_.reset();
-    open_level_below(*found);
-  }
-  void open_level_below(const PatchState& found) {
+    const double closeness = descent_->closeness();
+    descent_.reset();  // before the next: it is large
     --level_;
-    open_level();
-    levels_.lift(level_ + 1, found, descent_->cost(), coarse_ ? *coarse_ : state_, pool_);
+    open_level(closeness);
+    levels_.lift(level_ + 1, *found, descent_->cost(), coarse_ ? *coarse_ : state_, pool_);
     descent_->start(k_pace_from_coarse);
   }
 
@@ -145,7 +145,7 @@ class AutoStepper {
     if (strain_is_met()) return StopReason::strain_met;
     const bool nearly_flat = descent_->rms_strain() <= k_polish_strain;
     if (descent_->at_deviation_limit() && !nearly_flat) return StopReason::deviation_limit;
-    if (options_.max_strain == 0.0 && !hopeless_) return std::nullopt;
+    if (!hopeless_) return std::nullopt;
     return descent_->at_angle_limit() ? StopReason::angle_limit : StopReason::stalled;
   }
 

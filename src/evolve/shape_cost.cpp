@@ -122,6 +122,13 @@ void ShapeCost::tighten(std::span<const Index> vertices, double factor) {
   }
 }
 
+void ShapeCost::scale_closeness(double factor) {
+  for (std::size_t v = 0; v < pull_.size(); ++v) {
+    hessian_.coeffRef(static_cast<int>(v), static_cast<int>(v)) += (factor - 1.0) * pull_[v];
+    pull_[v] *= factor;
+  }
+}
+
 Places ShapeCost::spread(std::span<const unsigned char> given, const Places& moves,
                          ThreadPool& pool) const {
   const auto n = static_cast<int>(moves.size());

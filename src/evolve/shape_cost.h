@@ -34,6 +34,8 @@ class ShapeCost {
   const SparseMatrix& hessian() const { return hessian_; }
   /// Makes the places of some vertices dearer by a factor, from now on.
   void tighten(std::span<const Index> vertices, double factor);
+  /// Makes all places dearer, or cheaper, by a factor.
+  void scale_closeness(double factor);
 
   /// Moves that are as given at some vertices, nearly, and smooth between them: the least
   /// |L u|^2 + |u - u_given|^2, zero at the border and where vertices may not move.

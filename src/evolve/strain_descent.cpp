@@ -15,15 +15,24 @@ double sigma_unit(const PatchState& state) {
   return std::sqrt(relative_density(state));
 }
 
+/// Vertices held at a limit of deviation need a way around them that is smooth.
+const ClosenessPace& pace_for(const DescentAims& aims, const DescentLimits& limits) {
+  const bool near = aims.max_strain > 0.0 && std::isinf(limits.deviation);
+  return near ? k_near_first : k_smooth_first;
+}
+
 }  // namespace
 
-StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, double closeness,
+StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentAims& aims,
                              const DescentLimits& limits)
     : state_(state),
       pool_(pool),
+      aims_(aims),
       limits_(limits),
       jacobian_(state),
-      cost_(jacobian_, state, closeness),
+      control_(state, aims.room, pace_for(aims, limits)),
+      closeness_(aims.closeness > 0.0 ? aims.closeness : pace_for(aims, limits).first),
+      cost_(jacobian_, state, closeness_),
       potential_(jacobian_, state, pool),
       square_(potential_.stiffness() * potential_.stiffness()),
       system_(jacobian_, state, cost_.hessian(), square_),
@@ -147,6 +156,7 @@ StrainDescent::Step StrainDescent::step() {
     look();
   }
   follow(share, halvings, result);
+  follow_roughness();
   if (!std::isinf(limits_.deviation)) hold_far_vertices();
   return result;
 }
@@ -192,6 +202,14 @@ void StrainDescent::follow(double share, int halvings, const Step& step) {
   }
   // Where much strain cannot fall, a small sigma would buy some of it with crumples.
   sigma_ = std::max({sigma_, least_sigma_, least_per_strain * rms_ * sigma_unit(state_)});
+}
+
+/// Lets the next step stay closer where there is room for roughness, or be smoother.
+void StrainDescent::follow_roughness() {
+  const double left = aims_.max_strain > 0.0 ? std::max(0.0, most_ - aims_.max_strain) : rms_;
+  const double next = control_.after_step(closeness_, left);
+  cost_.scale_closeness(next / closeness_);
+  closeness_ = next;
 }
 
 }  // namespace planish

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "evolve/angle_jacobian.h"
+#include "evolve/closeness_control.h"
 #include "evolve/normal_system.h"
 #include "evolve/places.h"
 #include "evolve/shape_cost.h"
@@ -11,6 +12,13 @@
 #include "evolve/tangential_relaxation.h"
 
 namespace planish {
+
+/// What a descent is to reach.
+struct DescentAims {
+  double max_strain = 0.0;  ///< at which it is to end; 0: where there is none
+  double room = 1.0;        ///< for roughness, spent on staying close; see ClosenessControl
+  double closeness = 0.0;   ///< to begin with, such as a coarser level ended with; 0: the usual
+};
 
 /// What no step may break, in the units of the state and radians.
 struct DescentLimits {
@@ -40,12 +48,15 @@ class StrainDescent {
  public:
   /// The patch is to be where it was at first: matrices are of that surface. The state must outlive
   /// it.
-  StrainDescent(PatchState& state, ThreadPool& pool, double closeness, const DescentLimits& limits);
+  StrainDescent(PatchState& state, ThreadPool& pool, const DescentAims& aims,
+                const DescentLimits& limits);
 
   /// False where the patch allows no matrices.
   bool solvable() const { return potential_.solvable(); }
   const ShapeCost& cost() const { return cost_; }
   const AngleJacobian& jacobian() const { return jacobian_; }
+  /// As it is now: it changes from step to step.
+  double closeness() const { return closeness_; }
 
   /// Starts from where the vertices are now, or nearer to where they were at first if that is
   /// beyond the limits.
@@ -83,11 +94,15 @@ class StrainDescent {
   void hold_far_vertices();
   bool angles_hold();
   void follow(double share, int halvings, const Step& step);
+  void follow_roughness();
 
   PatchState& state_;
   ThreadPool& pool_;
+  DescentAims aims_;
   DescentLimits limits_;
   AngleJacobian jacobian_;
+  ClosenessControl control_;
+  double closeness_;
   ShapeCost cost_;
   StrainPotential potential_;
   SparseMatrix square_;  // K K^T

@@ -7,6 +7,7 @@
 
 #include "core/angle_between.h"
 #include "core/careful_sum.h"
+#include "measure/dihedral_angle.h"
 
 namespace planish {
 
@@ -23,12 +24,6 @@ double smallest_angle(const TriMesh& mesh, double scale) {
     }
   }
   return smallest;
-}
-
-/// Angle between the normals of the two triangles at the edge from a to b; 0 where one has no area.
-double dihedral_angle(Vec3 a, Vec3 b, Vec3 left, Vec3 right) {
-  const Vec3 n = cross(b - a, left - a), m = cross(right - a, b - a);
-  return angle_between(n, m);
 }
 
 double rms_dihedral_angle(const TriMesh& mesh, const Connectivity& connectivity, double scale) {

@@ -17,7 +17,7 @@ struct Auto {
   double max_strain = 0.0;
   double max_deviation = std::numeric_limits<double>::infinity();
   double min_angle = 0.0;
-  double closeness = 0.02;
+  double closeness = 1.0;
 };
 
 template <class Visit>
@@ -33,7 +33,9 @@ void describe(Auto& o, Visit&& visit) {
         "smaller, in degrees",
         Range{0.0, 60.0});
   visit("closeness", o.closeness,
-        "how much staying where the patch was weighs against being smooth", Range{0.0, 1e6});
+        "how much rougher the surface may get for staying close: 0: no rougher than at first, 1: "
+        "twice as rough and 2 degrees more",
+        Range{0.0, 1e6});
 }
 
 }  // namespace planish

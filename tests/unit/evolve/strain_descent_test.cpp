@@ -179,7 +179,7 @@ TEST(StrainDescent, LowersItsMeritInEveryStepUntilThePatchIsNearlyFlattenable) {
   for (const char* shape : {"panel", "saddle"}) {
     const TriMesh mesh = make_shape(shape, 900);
     Laid laid(mesh);
-    StrainDescent descent(laid.state, laid.pool, 0.02, {});
+    StrainDescent descent(laid.state, laid.pool, {}, {});
     descent.start(k_pace_from_scratch);
     const double before = descent.rms_strain();
     for (int i = 0; i < 30 && descent.rms_strain() > 1e-4; ++i) {
@@ -199,7 +199,7 @@ TEST(StrainDescent, KeepsItsLimitsAndWhatIsHeld) {
   Laid laid(mesh, constraints);
   const double angle = 0.9 * smallest_angle(laid.state);
   const double far = 10.0 * laid.state.scale();  // millimetres
-  StrainDescent descent(laid.state, laid.pool, 0.02, {far, angle});
+  StrainDescent descent(laid.state, laid.pool, {}, {far, angle});
   descent.start(k_pace_from_scratch);
   for (int i = 0; i < 15; ++i) {
     descent.step();

@@ -87,7 +87,7 @@ void DxfEntities::add(const Path& path, const std::string& layer, bool visible) 
   if (lines.empty()) return;
   DxfTags& tags = pieces_[path.piece];
   const bool splits = numbered_ && path.closed && layer == k_boundary_layer;
-  const std::size_t boundary = largest_of(lines);
+  const std::size_t boundary = splits ? largest_of(lines) : 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string line_layer(splits && i != boundary ? k_cutout_layer : layer);
     const DxfTags looks = looks_on(line_layer, path.stroke->color, path.stroke->dashed, visible);

@@ -16,6 +16,7 @@
 namespace planish {
 namespace {
 
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -90,6 +91,7 @@ TEST(WriteDxf, WritesOldPolylinesThatAreClosedWhereTheLinesAre) {
   const std::string dxf = write_dxf(sheet());
   const auto lines = all_of_kind(dxf, "POLYLINE");
   EXPECT_THAT(values(lines, 70), ElementsAre("1", "0", "1"));
+  EXPECT_THAT(values(lines, 66), Each("1")) << "vertices follow";
   EXPECT_THAT(values(lines, 8), ElementsAre("cut", "cut", "my_notes"));
   EXPECT_THAT(values(lines, 6), ElementsAre("", "DASHED", ""));
   EXPECT_THAT(values(lines, 62), ElementsAre("", "5", "")) << "unlike the layer's only";

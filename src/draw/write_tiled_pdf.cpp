@@ -18,7 +18,7 @@ namespace {
 // Everything in millimetres.
 constexpr double k_cross = 4.0;        // half of a registration mark
 constexpr double k_note_height = 2.5;  // of texts in the margin
-constexpr double k_map_top = 44.0;     // of the first page, for title and advice
+constexpr double k_map_top = 48.0;     // of the first page, for title and advice
 constexpr double k_map_bottom = 64.0;  // of the first page, for the test squares
 constexpr double k_inch = 25.4;
 
@@ -112,7 +112,8 @@ void TiledPdf::add_advice(PdfContent& page) const {
           " besides this one. Crossed out: empty and left out.",
       "Print at 100 % (\"actual size\"), not fitted to the page. Measure the squares before "
       "cutting.",
-      "Pages overlap by 10 mm: lay them so that their crosses meet."};
+      "Pages overlap by 10 mm: lay them so that their crosses meet.",
+      "The map below is not at true size, the squares at the bottom are."};
   double y = top - 14.0;
   for (const std::string& line : lines) {
     page.add(Text{{k_tile_margin, y}, 2.8, line});

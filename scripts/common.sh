@@ -17,7 +17,11 @@ clang-format-14     command clang-format-14
 libgmock-dev        header gmock/gmock.h
 libgtest-dev        header gtest/gtest.h
 librapidcheck-dev   header rapidcheck.h
+librsvg2-bin        command rsvg-convert
+poppler-utils       command pdftoppm
 python3             command python3
+python3-ezdxf       python ezdxf
+qpdf                command qpdf
 "
 check_packages="
 clang-14            command clang++-14
@@ -37,6 +41,8 @@ is_there() { # package, kind of probe, thing to probe for
     [[ $(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
   elif [[ $2 == command ]]; then
     command -v "$3" >/dev/null
+  elif [[ $2 == python ]]; then
+    python3 -c "import $3" 2>/dev/null
   else
     echo "#include <$3>" | g++ -E -x c++ - >/dev/null 2>&1
   fi

@@ -73,6 +73,23 @@ INSTANTIATE_TEST_SUITE_P(
                             "two outputs have the same path"}));
 
 INSTANTIATE_TEST_SUITE_P(
+    Patterns, Mistakes,
+    testing::Values(
+        Mistake{{"unfold", "a.obj", "-o", "b.svg", "--paper", "a4"},
+                "flag --paper goes with pdf only"},
+        Mistake{{"unfold", "a.obj", "-o", "b.pdf", "--paper", "a5"}, "unknown paper a5"},
+        Mistake{{"unfold", "a.obj", "-o", "b.obj", "--text", "strokes"},
+                "flag --text goes with svg, dxf, pdf and plt only"},
+        Mistake{{"unfold", "a.obj", "-o", "b.dxf", "--dxf-layers", "cutt=A"},
+                "unknown layer cutt; did you mean cut?"},
+        Mistake{{"unfold", "a.obj", "-o", "b.dxf", "--dxf-layers", "cut"},
+                "must be like cut=LASER,label=NOTES"},
+        Mistake{{"flatten", "a.obj", "--formats", "svg,dwg"}, "unknown format dwg"},
+        Mistake{{"flatten", "a.obj", "--formats", "svg", "--dxf-profile", "clo"},
+                "flag --dxf-profile goes with dxf only"},
+        Mistake{{"flatten", "a.obj", "--dxf-profile", "cloo"}, "unknown profile cloo"}));
+
+INSTANTIATE_TEST_SUITE_P(
     Values, Mistakes,
     testing::Values(
         Mistake{{"evolve", "a.obj", "-o", "b.obj", "--sweeps", "many"},

@@ -135,29 +135,69 @@ TEST_F(Verbs, UnfoldWritesASheetOrAFlatMesh) {
     EXPECT_EQ(p.z, 0.0);
 }
 
+TEST_F(Verbs, UnfoldWritesWhatTheExtensionNames) {
+  for (const auto& [output, head] :
+       {std::pair{"p.dxf", "0\nSECTION"}, {"p.PDF", "%PDF-1.6"}, {"p.plt", "IN;"}}) {
+    const CliResult result = planish({"unfold", "panel.obj", "-o", output});
+    EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+    EXPECT_THAT(content_of(output), StartsWith(head));
+  }
+  const Names tiled = {"unfold", "panel.obj", "-o", "t.pdf", "--paper", "letter"};
+  EXPECT_EQ(planish(tiled).exit_code, k_exit_done);
+  EXPECT_THAT(content_of("t.pdf"), HasSubstr("(A1: row 1 of "));
+}
+
+TEST_F(Verbs, UnfoldTakesOtherNamesForLayersAndStrokesForLetters) {
+  planish({"unfold", "panel.obj", "-o", "p.dxf", "--dxf-layers", "cut=KNIFE,label=PEN", "--text",
+           "strokes"});
+  const std::string dxf = content_of("p.dxf");
+  EXPECT_THAT(dxf, HasSubstr("\nKNIFE\n"));
+  EXPECT_THAT(dxf, HasSubstr("\nPEN\n"));
+  EXPECT_THAT(dxf, Not(HasSubstr("\ncut\n")));
+  EXPECT_THAT(dxf, Not(HasSubstr("\nTEXT\n")));
+}
+
 TEST_F(Verbs, UnfoldTellsWhichFormatsAreSupported) {
-  for (const char* output : {"p.dxf", "p.pdf", "p", "p.svgz"}) {
+  for (const char* output : {"p.dwg", "p", "p.svgz"}) {
     const CliResult result = planish({"unfold", "panel.obj", "-o", output, "--json"});
     EXPECT_EQ(result.exit_code, k_exit_failed);
     EXPECT_EQ(result.json()["error"]["code"], "unsupported_format");
-    EXPECT_THAT(result.err, HasSubstr("use .svg, or .obj, .ply, .stl or .off"));
+    EXPECT_THAT(result.err, HasSubstr("use .svg, .dxf, .pdf or .plt, or .obj, .ply, .stl or .off"));
   }
 }
 
 TEST_F(Verbs, FlattenWritesTheWholeFolder) {
   const CliResult result = planish({"flatten", "panel.obj", "-o", "out/folder", "--json"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
-  EXPECT_THAT(files(),
-              ElementsAre("out", "out/folder", "out/folder/flat.obj", "out/folder/pattern.svg",
-                          "out/folder/processed.obj", "out/folder/report.html",
-                          "out/folder/report.json", "panel.obj"));
+  EXPECT_THAT(
+      files(),
+      ElementsAre("out", "out/folder", "out/folder/flat.obj", "out/folder/pattern.dxf",
+                  "out/folder/pattern.pdf", "out/folder/pattern.svg", "out/folder/processed.obj",
+                  "out/folder/report.html", "out/folder/report.json", "panel.obj"));
   const auto json = result.json();
   EXPECT_TRUE(json["evolve"].is_object());
   EXPECT_TRUE(json["unfold"].is_object());
   EXPECT_EQ(json["files"]["processed"], "out/folder/processed.obj");
   EXPECT_EQ(json["files"]["report_html"], "out/folder/report.html");
-  EXPECT_EQ(json["files"].size(), 5U);
+  EXPECT_EQ(json["files"]["pattern"], "out/folder/pattern.svg");
+  EXPECT_EQ(json["files"]["pattern_dxf"], "out/folder/pattern.dxf");
+  EXPECT_EQ(json["files"]["pattern_pdf"], "out/folder/pattern.pdf");
+  EXPECT_EQ(json["files"].size(), 7U);
   EXPECT_EQ(json, nlohmann::json::parse(content_of("out/folder/report.json")));
+}
+
+TEST_F(Verbs, FlattenWritesTheFormatsThatAreAskedFor) {
+  const CliResult result =
+      planish({"flatten", "panel.obj", "-o", "out", "--sweeps", "1", "--formats", "plt,dxf,plt",
+               "--paper", "a3", "--dxf-profile", "astm", "--text", "strokes", "--json"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_THAT(files(), ElementsAre("out", "out/flat.obj", "out/pattern-a3.pdf", "out/pattern.dxf",
+                                   "out/pattern.plt", "out/processed.obj", "out/report.html",
+                                   "out/report.json", "panel.obj"));
+  const auto json = result.json();
+  EXPECT_EQ(json["files"]["pattern_pages"], "out/pattern-a3.pdf");
+  EXPECT_FALSE(json["files"].contains("pattern"));
+  EXPECT_THAT(content_of("out/pattern.dxf"), HasSubstr("PIECE NAME: panel"));
 }
 
 TEST_F(Verbs, FlattenNamesItsFolderAfterTheInput) {

@@ -1,7 +1,6 @@
 #include <filesystem>
 #include <map>
 
-#include <planish/draw/write_svg.h>
 #include <planish/io/write_mesh.h>
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
@@ -12,6 +11,7 @@
 #include "failures.h"
 #include "method_flags.h"
 #include "output_folder.h"
+#include "pattern_output.h"
 #include "session.h"
 #include "summary.h"
 #include "text.h"
@@ -47,14 +47,41 @@ fs::path folder_from(const Arguments& arguments) {
   return output_folder(arguments.value_or("--output", stem + "-pattern"));
 }
 
-Places places_in(const fs::path& folder, MeshFormat format, const Arguments& arguments) {
+/// What of the pattern is written, and how.
+struct PatternFiles {
+  std::vector<PatternFormat> formats;
+  PatternOutput output;
+};
+
+PatternFiles pattern_files_from(const Arguments& arguments) {
+  PatternFiles pattern = {formats_from(arguments), pattern_output_from(arguments)};
+  std::vector<PatternFormat> written = pattern.formats;
+  if (pattern.output.paper) written.push_back(PatternFormat::pdf);
+  refuse_idle_pattern_flags(arguments, written);
+  return pattern;
+}
+
+/// What the file of a format is for: the first that was, "pattern", is the SVG.
+std::string role_of(PatternFormat format) {
+  const std::string name(to_string(format));
+  return format == PatternFormat::svg ? "pattern" : "pattern_" + name;
+}
+
+Places places_in(const fs::path& folder, MeshFormat format, const PatternFiles& pattern,
+                 const Arguments& arguments) {
   const std::string extension = "." + std::string(to_string(format));
   const auto in_folder = [&](const std::string& name) { return (folder / name).string(); };
   Places places = {{"processed", in_folder("processed" + extension)},
-                   {"pattern", in_folder("pattern.svg")},
                    {"flat", in_folder("flat" + extension)},
                    {"report_json", in_folder("report.json")},
                    {"report_html", in_folder("report.html")}};
+  for (const PatternFormat some : pattern.formats) {
+    places[role_of(some)] = in_folder("pattern." + std::string(to_string(some)));
+  }
+  if (pattern.output.paper) {
+    const std::string paper(to_string(*pattern.output.paper));
+    places["pattern_pages"] = in_folder("pattern-" + paper + ".pdf");
+  }
   if (arguments.has("--history")) places["history"] = arguments.flags.at("--history");
   return places;
 }
@@ -66,15 +93,29 @@ void refuse_shared_places(const Places& places) {
   cli::refuse_shared_places(files);
 }
 
+std::vector<OutputFile> pattern_files(const FlattenReport& report, const Places& places,
+                                      const PatternFiles& pattern) {
+  const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name);
+  std::vector<OutputFile> files;
+  files.reserve(pattern.formats.size() + 1);
+  for (const PatternFormat format : pattern.formats) {
+    files.push_back({places.at(role_of(format)), pattern_file(sheet, format, pattern.output)});
+  }
+  if (pattern.output.paper) {
+    files.push_back({places.at("pattern_pages"), tiled_file(sheet, pattern.output)});
+  }
+  return files;
+}
+
 std::vector<OutputFile> files_of(const FlattenReport& report, const Places& places,
-                                 MeshFormat format, ColorMap colors, const std::string& json) {
+                                 MeshFormat format, const PatternFiles& pattern, ColorMap colors,
+                                 const std::string& json) {
   const TriMesh& mesh = report.processed;
-  std::vector<OutputFile> files = {
-      {places.at("processed"), format_mesh(mesh, format)},
-      {places.at("pattern"), write_svg(pattern_sheet(mesh, report.unfold, report.name))},
-      {places.at("flat"), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)},
-      {places.at("report_json"), json},
-      {places.at("report_html"), html_report(report, colors)}};
+  std::vector<OutputFile> files = pattern_files(report, places, pattern);
+  files.push_back({places.at("processed"), format_mesh(mesh, format)});
+  files.push_back({places.at("flat"), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)});
+  files.push_back({places.at("report_json"), json});
+  files.push_back({places.at("report_html"), html_report(report, colors)});
   const auto history = places.find("history");
   if (history != places.end()) {
     files.push_back({history->second, history_csv(report.evolve.result.history)});
@@ -87,11 +128,12 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands.front();
   FlattenOptions options = options_from(arguments, session);
   const ColorMap colors = colors_from(arguments);
+  const PatternFiles pattern = pattern_files_from(arguments);
   const fs::path folder = folder_from(arguments);
 
   ReadResult input = session.read(path);
   const MeshFormat format = output_format(input.format);
-  const Places places = places_in(folder, format, arguments);
+  const Places places = places_in(folder, format, pattern, arguments);
   refuse_shared_places(places);
   const std::string size = size_text(input.mesh);
   const auto on_progress = [&](FlattenStage stage, double share) {
@@ -106,7 +148,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   if (!report) throw Interrupted();
 
   const std::string json = json_report(*report, places);
-  const std::vector<OutputFile> files = files_of(*report, places, format, colors, json);
+  const std::vector<OutputFile> files = files_of(*report, places, format, pattern, colors, json);
   session.write(files);
   warn_of_pattern(session, report->unfold);
   const std::string text = path + "  (" + size + ")\n" + flatten_text(*report);
@@ -120,9 +162,12 @@ Command flatten_command() {
       {"Output",
        {{"--output", "FOLDER", "where to write (default: the input's name with -pattern)", 'o'},
         unit_flag(),
+        formats_flag(),
         {"--colors", "NAME", "of the report's pictures: diverging or paper (default diverging)"},
         {"--history", "FILE", "the figures of every sweep, as comma-separated values"},
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
+  for (Flag& flag : pattern_flags("also write the pattern as a .pdf of pages to be joined"))
+    groups.front().flags.push_back(std::move(flag));
   for (FlagGroup& group : method_flags(FlattenOptions{}.method))
     groups.push_back(std::move(group));
   groups.push_back(constraint_flags());
@@ -131,12 +176,14 @@ Command flatten_command() {
       "the whole job: evolve a patch, lay it flat, write its pattern",
       "INPUT [-o FOLDER]",
       "Measures a patch, evolves it towards flattenable and lays it flat. Writes into FOLDER: "
-      "the pattern at true size (pattern.svg), the processed patch and the flat pattern as "
+      "the pattern at true size (pattern.svg, .dxf and .pdf), the processed patch and the flat "
+      "pattern as "
       "meshes, and a report with pictures (report.html, report.json). All files are written "
       "or none.",
       {"INPUT"},
       std::move(groups),
       {"planish flatten panel.obj", "planish flatten panel.obj -o out --unit cm --max-strain 2%",
+       "planish flatten panel.obj --paper a4 --dxf-profile lectra",
        "planish flatten panel.obj --material leather --max-deviation 5mm",
        "planish flatten panel.obj --target-e-max 0.001 --require-target"},
       run_flatten};

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <planish/draw/write_svg.h>
 #include <planish/io/mesh_format.h>
 #include <planish/io/write_mesh.h>
 #include <planish/report/json_report.h>
@@ -9,6 +8,7 @@
 
 #include "commands/commands.h"
 #include "failures.h"
+#include "pattern_output.h"
 #include "session.h"
 #include "summary.h"
 #include "text.h"
@@ -18,21 +18,9 @@ namespace planish::cli {
 
 namespace {
 
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return extension;
-}
-
-bool is_svg(const std::string& path) {
-  return lower_extension(path) == ".svg";
-}
-
 /// @throws Error unsupported_format
 void check_format(const std::string& path) {
-  if (is_svg(path)) return;
+  if (pattern_format_of(path)) return;
   const std::string extension = lower_extension(path);
   const auto known = [&](MeshFormat format) {
     return extension == "." + std::string(to_string(format));
@@ -41,21 +29,32 @@ void check_format(const std::string& path) {
   throw Error(ErrorCode::unsupported_format,
               "a pattern cannot be written as " +
                   (extension.empty() ? "a file without extension" : "\"" + extension + "\"") +
-                  " yet: use .svg, or .obj, .ply, .stl or .off for a flat mesh",
+                  ": use .svg, .dxf, .pdf or .plt, or .obj, .ply, .stl or .off for a flat mesh",
               {.path = path});
 }
 
-std::string pattern_file(const std::string& output, const std::string& input, const TriMesh& mesh,
-                         const UnfoldReport& report) {
-  if (!is_svg(output)) return format_mesh(flat_mesh(mesh, report.pattern), mesh_format_of(output));
+PatternOutput output_from(const Arguments& arguments) {
+  const auto format = pattern_format_of(arguments.flags.at("--output"));
+  std::vector<PatternFormat> formats;
+  if (format) formats.push_back(*format);
+  refuse_idle_pattern_flags(arguments, formats);
+  return pattern_output_from(arguments);
+}
+
+std::string content_of(const std::string& path, const std::string& input, const TriMesh& mesh,
+                       const UnfoldReport& report, const PatternOutput& output) {
+  const auto format = pattern_format_of(path);
+  if (!format) return format_mesh(flat_mesh(mesh, report.pattern), mesh_format_of(path));
   const std::string name = std::filesystem::path(input).stem().string();
-  return write_svg(pattern_sheet(mesh, report, name));
+  const Drawing sheet = pattern_sheet(mesh, report, name);
+  return output.paper ? tiled_file(sheet, output) : pattern_file(sheet, *format, output);
 }
 
 Outcome run_unfold(const Arguments& arguments, Session& session) {
   const std::string& output = arguments.flags.at("--output");
   check_format(output);
   const Unit unit = unit_from(arguments);
+  const PatternOutput how = output_from(arguments);
 
   const std::string& path = arguments.operands.front();
   const TriMesh mesh = session.read(path).mesh;
@@ -67,7 +66,7 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
   };
   const auto report = about(path, [&] { return unfold_patch(mesh, unit, on_step); });
   if (!report) throw Interrupted();
-  session.write({{output, pattern_file(output, path, mesh, *report)}});
+  session.write({{output, content_of(output, path, mesh, *report, how)}});
   warn_of_pattern(session, *report);
   return {path + " -> " + output + "  (" + size_text(mesh) + ")\n\n" + unfold_text(*report),
           json_report(*report)};
@@ -76,21 +75,25 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command unfold_command() {
-  return {
-      "unfold",
-      "lay a patch flat as it is",
-      "INPUT -o OUTPUT",
-      "Lays a patch flat with the least stretch and no flipped triangle. The patch must be a "
-      "topological disk: one piece, one border, no handle.",
-      {"INPUT"},
-      {{"Output",
-        {{"--output", "OUTPUT",
-          "the pattern at true size (.svg), or a flat mesh with z = 0 (.obj, .ply, .stl or "
-          ".off)",
-          'o', true},
-         unit_flag()}}},
-      {"planish unfold panel.obj -o pattern.svg", "planish unfold panel.obj -o flat.obj --unit cm"},
-      run_unfold};
+  std::vector<Flag> flags = {
+      {"--output", "OUTPUT",
+       "the pattern at true size (.svg, .dxf, .pdf or .plt), or a flat mesh with z = 0 (.obj, "
+       ".ply, .stl or .off)",
+       'o', true},
+      unit_flag()};
+  for (Flag& flag : pattern_flags("divide the .pdf into pages to be joined"))
+    flags.push_back(std::move(flag));
+  return {"unfold",
+          "lay a patch flat as it is",
+          "INPUT -o OUTPUT",
+          "Lays a patch flat with the least stretch and no flipped triangle. The patch must be a "
+          "topological disk: one piece, one border, no handle.",
+          {"INPUT"},
+          {{"Output", std::move(flags)}},
+          {"planish unfold panel.obj -o pattern.svg",
+           "planish unfold panel.obj -o pattern.pdf --paper a4",
+           "planish unfold panel.obj -o flat.obj --unit cm"},
+          run_unfold};
 }
 
 }  // namespace planish::cli

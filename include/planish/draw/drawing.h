@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -23,6 +24,7 @@ struct Path {
   bool closed = false;
   std::optional<Stroke> stroke = {};
   std::optional<Color> fill = {};
+  std::size_t piece = 0;  ///< that it belongs to, see Drawing::pieces
 };
 
 /// One line of UTF-8 text. `at` is the left (or middle) end of its baseline.
@@ -32,6 +34,7 @@ struct Text {
   std::string text;
   Color color = {};
   bool centred = false;
+  std::size_t piece = 0;  ///< that it belongs to, see Drawing::pieces
 };
 
 using DrawingShape = std::variant<Path, Text>;
@@ -49,6 +52,9 @@ struct Drawing {
   std::string title;
   double width = 0.0, height = 0.0;
   std::vector<Layer> layers;
+  /// Names of the pieces on the sheet, for formats that know pieces. A piece without a name here
+  /// goes by the title.
+  std::vector<std::string> pieces = {};
 };
 
 }  // namespace planish

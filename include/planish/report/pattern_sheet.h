@@ -1,10 +1,17 @@
 #pragma once
 
+#include <array>
+#include <string>
+#include <string_view>
+
 #include <planish/draw/color_map.h>
 #include <planish/draw/drawing.h>
 #include <planish/report/flatten.h>
 
 namespace planish {
+
+/// The layers of pattern_sheet(), in the order that they are drawn.
+inline constexpr std::array<std::string_view, 3> k_sheet_layers = {"strain", "cut", "label"};
 
 /// The pattern as a sheet in millimetres, with a margin, in three layers: "strain" (every triangle
 /// in the colour of its signed strain, neighbours of one colour joined), on top of it "cut" (the

@@ -71,11 +71,10 @@ Drawing sheet_of(double size_in_mm, const std::string& name = "panel") {
 
 TEST(PatternSheet, HasTheCutLineOverTheStrainMapAndTheLabelLast) {
   const Drawing sheet = sheet_of(300.0);
-  ASSERT_EQ(sheet.layers.size(), 3U);
-  EXPECT_EQ(sheet.layers[0].name, "strain");
-  EXPECT_EQ(sheet.layers[1].name, "cut");
-  EXPECT_EQ(sheet.layers[2].name, "label");
+  ASSERT_EQ(sheet.layers.size(), k_sheet_layers.size());
   EXPECT_EQ(sheet.title, "panel");
+  for (std::size_t i = 0; i < k_sheet_layers.size(); ++i)
+    EXPECT_EQ(sheet.layers[i].name, k_sheet_layers[i]);
 }
 
 TEST(PatternSheet, IsTrueToScaleInEveryUnit) {

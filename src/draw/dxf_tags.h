@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <planish/core/vec.h>
+
+namespace planish {
+
+/// The lines of a DXF file: each value below the code of what it is.
+class DxfTags {
+ public:
+  void add(int code, std::string_view value);
+  void add(int code, int value);
+  /// A real number, which always has a point.
+  void add_real(int code, double value);
+  /// A point with z = 0, the codes `code`, `code` + 10 and `code` + 20.
+  void add_point(int code, Vec2 place);
+
+  void append(const DxfTags& other) { text_ += other.text_; }
+  bool is_empty() const { return text_.empty(); }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// Text as a DXF file may hold it: in ASCII, with what has a meaning there escaped.
+std::string dxf_text(std::string_view text);
+
+/// A name as R12 allows it.
+std::string dxf_name(std::string_view name);
+
+}  // namespace planish

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <planish/draw/drawing.h>
+#include <planish/draw/write_pdf.h>
+
+namespace planish {
+
+inline constexpr double k_tile_margin = 10.0;   ///< of a page that stays free, millimetres
+inline constexpr double k_tile_overlap = 10.0;  ///< of neighbours, millimetres
+
+/// How a sheet is divided into pages. Rows count from the top. Lengths in millimetres.
+struct TileGrid {
+  Vec2 page;   ///< size of the paper
+  Vec2 frame;  ///< what a page shows of the sheet
+  std::size_t columns = 1, rows = 1;
+  double sheet_height = 0.0;
+
+  /// From one tile to the next.
+  Vec2 step() const { return frame - Vec2{k_tile_overlap, k_tile_overlap}; }
+  /// Where on the sheet the lower left corner of a tile's frame is.
+  Vec2 low_of(std::size_t row, std::size_t column) const;
+  /// The size of all tiles together.
+  Vec2 size() const;
+};
+
+/// "B3"
+std::string tile_name(std::size_t row, std::size_t column);
+
+/// The grid with the fewest tiles, the paper upright or across.
+TileGrid tile_grid(Vec2 sheet, Paper paper);
+
+/// For each tile, row by row, whether anything of the drawing is on it: a line, a text, or the
+/// inside of what is closed.
+std::vector<bool> used_tiles(const Drawing& drawing, const TileGrid& grid);
+
+}  // namespace planish

@@ -42,7 +42,7 @@ is_there() { # package, kind of probe, thing to probe for
   elif [[ $2 == command ]]; then
     command -v "$3" >/dev/null
   elif [[ $2 == python ]]; then
-    python3 -c "import $3" 2>/dev/null
+    /usr/bin/python3 -c "import $3" 2>/dev/null
   else
     echo "#include <$3>" | g++ -E -x c++ - >/dev/null 2>&1
   fi

@@ -222,6 +222,11 @@ Stopping stopping_from(const Arguments& arguments, const Method& method) {
   return stopping;
 }
 
+Flag remesh_flag() {
+  return {"--remesh", "",
+          "work on fewer vertices, and write these; the border keeps all of its own"};
+}
+
 FlagGroup compare_flags() {
   FlagGroup group = {
       "How to evolve",

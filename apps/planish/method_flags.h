@@ -27,6 +27,9 @@ Method method_from(const Arguments& arguments, const Method& standard);
 /// method_from().
 Stopping stopping_from(const Arguments& arguments, const Method& method);
 
+/// --remesh, for verbs that evolve one patch.
+Flag remesh_flag();
+
 /// --methods and the flags of Stopping, which hold for all methods.
 FlagGroup compare_flags();
 

@@ -142,8 +142,15 @@ std::string stop_note(StopReason stop) {
   return {};
 }
 
+std::string remeshing_line(const EvolveReport& report) {
+  if (!report.remeshed_from) return {};
+  return "remeshed from " + std::to_string(report.remeshed_from->vertices) + " to " +
+         std::to_string(report.before.inspection.topology.vertices) +
+         " vertices; the border keeps all of its own\n";
+}
+
 std::string run_line(const EvolveReport& report) {
-  return std::string(name_of(report.method)) + ": " +
+  return remeshing_line(report) + std::string(name_of(report.method)) + ": " +
          counted(report.result.history.size(), "sweep") + " in " + fixed(report.result.seconds, 2) +
          " s on " + counted(report.result.threads, "thread") + ", ended by " +
          std::string(to_string(report.result.stop)) + stop_note(report.result.stop) + "\n\n";

@@ -5,6 +5,8 @@
 
 #include <planish/mesh/inspect.h>
 
+#include "evolve/fixed_marks.h"
+
 namespace planish {
 
 namespace {
@@ -32,24 +34,6 @@ Constraints constraints_of(const PatchState& patch) {
   return constraints;
 }
 
-std::vector<unsigned char> marks_of(const std::vector<Index>& vertices, std::size_t count) {
-  std::vector<unsigned char> marks(vertices.empty() ? 0 : count, 0);
-  for (const Index v : vertices)
-    marks[v] = 1;
-  return marks;
-}
-
-/// What is asked of the vertices that a coarser patch has.
-Constraints coarser(const Constraints& fine, const std::vector<Index>& source) {
-  Constraints coarse;
-  const auto fixed = marks_of(fine.fixed, source.empty() ? 0 : source.back() + std::size_t{1});
-  for (Index v = 0; v < source.size(); ++v) {
-    if (!fixed.empty() && fixed[source[v]] != 0) coarse.fixed.push_back(v);
-    if (!fine.weights.empty()) coarse.weights.push_back(fine.weights[source[v]]);
-  }
-  return coarse;
-}
-
 /// Number in the state of each vertex of the mesh that a level was made from.
 std::vector<Index> numbers_in(const PatchState& state, std::size_t level, std::size_t vertices) {
   std::vector<Index> numbers(vertices, 0);
@@ -58,18 +42,12 @@ std::vector<Index> numbers_in(const PatchState& state, std::size_t level, std::s
   return numbers;
 }
 
-/// Coarsening asks for a border.
-bool can_be_thinned(const TriMesh& mesh) {
-  const Topology topology = inspect(mesh).topology;
-  return topology.components == 1 && topology.border_loops > 0;
-}
-
 }  // namespace
 
 CoarseLevels::CoarseLevels(const PatchState& patch) {
   if (patch.inner_count() < k_small) return;
   const TriMesh mesh = mesh_at_first(patch);
-  if (!can_be_thinned(mesh)) return;
+  if (!can_be_coarsened(mesh)) return;
   Constraints constraints = constraints_of(patch);
   const TriMesh* fine = &mesh;
   std::vector<Level> levels;
@@ -77,10 +55,10 @@ CoarseLevels::CoarseLevels(const PatchState& patch) {
   while (fine->positions.size() > k_small) {
     const std::size_t count = fine->positions.size();
     Level level{coarsen(*fine, Connectivity(*fine), count / k_thinning, CoarseBorder::thinned,
-                        marks_of(constraints.fixed, count)),
+                        fixed_marks(constraints, count)),
                 {}};
     if (2 * level.patch.mesh.positions.size() > count) break;  // no worthwhile step
-    constraints = level.constraints = coarser(constraints, level.patch.source);
+    constraints = level.constraints = restricted_to(constraints, level.patch.source);
     fine = &levels.emplace_back(std::move(level)).patch.mesh;
   }
   levels_ = std::move(levels);

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include <planish/evolve/constraints.h>
+#include <planish/mesh/coarsen.h>
 
 #include "core/thread_pool.h"
 #include "evolve/patch_state.h"
 #include "evolve/shape_cost.h"
-#include "mesh/coarsen.h"
 
 namespace planish {
 

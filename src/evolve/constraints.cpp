@@ -5,6 +5,7 @@
 #include <planish/core/error.h>
 #include <planish/evolve/constraints.h>
 
+#include "evolve/fixed_marks.h"
 #include "mesh/signed_distance.h"
 
 namespace planish {
@@ -15,6 +16,24 @@ bool honours_weights(const Method& method) {
 
 bool honours_obstacle(const Method& method) {
   return std::visit([](const auto& options) { return options.honours_obstacle; }, method);
+}
+
+std::vector<unsigned char> fixed_marks(const Constraints& constraints, std::size_t vertices) {
+  std::vector<unsigned char> marks(constraints.fixed.empty() ? 0 : vertices, 0);
+  for (const Index v : constraints.fixed)
+    marks[v] = 1;
+  return marks;
+}
+
+Constraints restricted_to(const Constraints& constraints, std::span<const Index> source) {
+  Constraints some;
+  some.obstacle = constraints.obstacle;
+  const auto fixed = fixed_marks(constraints, source.empty() ? 0 : source.back() + std::size_t{1});
+  for (Index v = 0; v < source.size(); ++v) {
+    if (!fixed.empty() && fixed[source[v]] != 0) some.fixed.push_back(v);
+    if (!constraints.weights.empty()) some.weights.push_back(constraints.weights[source[v]]);
+  }
+  return some;
 }
 
 namespace {

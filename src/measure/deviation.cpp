@@ -4,29 +4,68 @@
 #include <planish/measure/deviation.h>
 
 #include "core/careful_sum.h"
+#include "mesh/closest_point.h"
 
 namespace planish {
+
+namespace {
+
+/// Distances so far, in units that scale() makes.
+struct Distances {
+  CarefulSum squares;
+  double largest = 0.0, count = 0.0;
+
+  void add(double squared) {
+    squares.add(squared);
+    largest = std::max(largest, std::sqrt(squared));
+    count += 1.0;
+  }
+};
+
+Deviation deviation_of(const Distances& distances, const TriMesh& before, double scale) {
+  Deviation deviation;
+  if (distances.count == 0.0) return deviation;
+  deviation.rms = std::sqrt(distances.squares.value() / distances.count) / scale;
+  deviation.max = distances.largest / scale;
+  const double diagonal = bounding_box_diagonal(before);
+  if (diagonal > 0.0) deviation.rms_over_diagonal = deviation.rms / diagonal;
+  return deviation;
+}
+
+TriMesh scaled(TriMesh mesh, double scale) {
+  for (Vec3& p : mesh.positions)
+    p = scale * p;
+  return mesh;
+}
+
+}  // namespace
 
 Deviation measure_deviation(const TriMesh& before, std::span<const Vec3> after,
                             const Connectivity& connectivity) {
   const double scale = unit_scale(before);
-  CarefulSum squares;
-  double largest = 0.0, n = 0.0;
+  Distances distances;
   for (Index v = 0; v < connectivity.vertex_count(); ++v) {
     if (!connectivity.is_inner(v) && after[v] == before.positions[v]) continue;
     const Vec3 moved = scale * after[v] - scale * before.positions[v];
-    squares.add(dot(moved, moved));
-    largest = std::max(largest, norm(moved));
-    n += 1.0;
+    distances.add(dot(moved, moved));
   }
-  Deviation deviation;
-  if (n == 0.0) return deviation;
-  const double rms = std::sqrt(squares.value() / n);
-  deviation.rms = rms / scale;
-  deviation.max = largest / scale;
-  const double diagonal = bounding_box_diagonal(before);
-  if (diagonal > 0.0) deviation.rms_over_diagonal = deviation.rms / diagonal;
-  return deviation;
+  return deviation_of(distances, before, scale);
+}
+
+Deviation measure_surface_deviation(const TriMesh& before, const TriMesh& after) {
+  const double scale = unit_scale(before);
+  const TriMesh first = scaled(before, scale), second = scaled(after, scale);
+  Distances distances;
+  const ClosestPointTree to_second(second);
+  const Connectivity connectivity(before);
+  for (const Index v : connectivity.inner_vertices())
+    distances.add(to_second.query(first.positions[v]).squared_distance);
+  const ClosestPointTree to_first(first);
+  for (const Vec3 p : second.positions) {
+    const double distance = std::sqrt(to_first.query(p).squared_distance);
+    distances.largest = std::max(distances.largest, distance);
+  }
+  return deviation_of(distances, before, scale);
 }
 
 }  // namespace planish

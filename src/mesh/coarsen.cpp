@@ -1,7 +1,8 @@
-#include "mesh/coarsen.h"
-
 #include <numeric>
 #include <utility>
+
+#include <planish/mesh/coarsen.h>
+#include <planish/mesh/inspect.h>
 
 #include "mesh/breadth_first.h"
 #include "mesh/coarsener.h"
@@ -37,6 +38,11 @@ CoarsePatch patch_of(const TriMesh& mesh, const std::vector<Triangle>& triangles
 }
 
 }  // namespace
+
+bool can_be_coarsened(const TriMesh& mesh) {
+  const Topology topology = inspect(mesh).topology;
+  return topology.components == 1 && topology.border_loops > 0;
+}
 
 CoarsePatch coarsen(const TriMesh& mesh, const Connectivity& connectivity, std::size_t vertices,
                     CoarseBorder border, std::span<const unsigned char> keep) {

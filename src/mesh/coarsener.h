@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "mesh/coarsen.h"
+#include <planish/mesh/coarsen.h>
+
 #include "mesh/fine_surface.h"
 #include "mesh/half_edges.h"
 #include "mesh/triangle_grade.h"

@@ -1,6 +1,7 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <memory>
 #include <system_error>
 #include <utility>
 
@@ -43,6 +44,18 @@ EvolveReport evolve_patch(const TriMesh& mesh, const Method& method, const Stopp
   TriMesh after{report.result.positions, mesh.triangles};
   report.after = measure_patch(after);
   report.deviation = measure_deviation(mesh, after.positions, Connectivity(mesh));
+  return report;
+}
+
+EvolveReport evolve_remeshed(const TriMesh& original, const RemeshedPatch& patch,
+                             const Method& method, const Stopping& stopping,
+                             const OnSweep& on_sweep, unsigned threads) {
+  EvolveReport report =
+      evolve_patch(patch.mesh, method, stopping, on_sweep, threads, patch.constraints);
+  if (patch.mesh.positions.size() == original.positions.size()) return report;
+  report.remeshed_from = SizeBefore{original.positions.size(), original.triangles.size()};
+  report.deviation =
+      measure_surface_deviation(original, {report.result.positions, patch.mesh.triangles});
   return report;
 }
 
@@ -114,6 +127,14 @@ std::optional<std::pair<UnfoldReport, UnfoldReport>> unfold_both(const TriMesh& 
   return std::pair{*std::move(first), *std::move(second)};
 }
 
+OnSweep on_sweep_of(const Stopping& stopping, const TriMesh& mesh, const OnProgress& on_progress) {
+  if (!on_progress) return {};
+  const auto progress = std::make_shared<EvolveProgress>(stopping, mesh.positions.size());
+  return [progress, on_progress](const SweepRecord& record) {
+    return on_progress(FlattenStage::evolving, progress->after(record));
+  };
+}
+
 }  // namespace
 
 std::optional<FlattenReport> flatten(TriMesh mesh, std::string name, const FlattenOptions& options,
@@ -124,17 +145,23 @@ std::optional<FlattenReport> flatten(TriMesh mesh, std::string name, const Flatt
   if (!tell(FlattenStage::measuring, 0.0)) return std::nullopt;
   require(inspect(mesh), Purpose::unfold);
 
+  check_constraints(options.constraints, mesh.positions.size(), options.method);
+
   FlattenReport report;
   report.name = std::move(name);
-  report.input = std::move(mesh);
   const Stopping stopping = options.stopping.value_or(usual_stopping(options.method));
-  EvolveProgress progress(stopping, report.input.positions.size());
-  report.evolve = evolve_patch(
-      report.input, options.method, stopping,
-      [&](const SweepRecord& record) {
-        return tell(FlattenStage::evolving, progress.after(record));
-      },
-      options.threads, options.constraints);
+  if (options.remesh) {
+    RemeshedPatch patch = remesh(mesh, options.constraints);
+    report.evolve =
+        evolve_remeshed(mesh, patch, options.method, stopping,
+                        on_sweep_of(stopping, patch.mesh, on_progress), options.threads);
+    report.input = std::move(patch.mesh);
+  } else {
+    report.evolve =
+        evolve_patch(mesh, options.method, stopping, on_sweep_of(stopping, mesh, on_progress),
+                     options.threads, options.constraints);
+    report.input = std::move(mesh);
+  }
   if (report.evolve.result.stop == StopReason::cancelled) return std::nullopt;
   report.processed = {report.evolve.result.positions, report.input.triangles};
 

@@ -105,12 +105,19 @@ Json to_json(const Deviation& deviation) {
           {"rms_over_diagonal", deviation.rms_over_diagonal}};
 }
 
+Json to_json(const std::optional<SizeBefore>& size) {
+  if (!size) return nullptr;
+  return {{"vertices", size->vertices}, {"triangles", size->triangles}};
+}
+
 Json to_json(const EvolveReport& report) {
-  return {{"method", name_of(report.method)},       {"options", options_of(report.method)},
-          {"sweeps", report.result.history.size()}, {"stop", to_string(report.result.stop)},
-          {"threads", report.result.threads},       {"seconds", report.result.seconds},
-          {"before", to_json(report.before)},       {"after", to_json(report.after)},
-          {"deviation", to_json(report.deviation)}, {"history", to_json(report.result.history)}};
+  return {
+      {"method", name_of(report.method)},         {"options", options_of(report.method)},
+      {"sweeps", report.result.history.size()},   {"stop", to_string(report.result.stop)},
+      {"threads", report.result.threads},         {"seconds", report.result.seconds},
+      {"before", to_json(report.before)},         {"after", to_json(report.after)},
+      {"deviation", to_json(report.deviation)},   {"remeshed_from", to_json(report.remeshed_from)},
+      {"history", to_json(report.result.history)}};
 }
 
 Json to_json(const EdgeStrain& strain) {

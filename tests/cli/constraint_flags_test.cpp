@@ -37,6 +37,20 @@ std::size_t moved(const std::vector<Index>& vertices, const std::string& from,
   return count;
 }
 
+TEST_F(ConstraintFlags, RemeshKeepsTheBorderAndTellsTheDeviationOfTheSurfaces) {
+  ASSERT_EQ(planish({"sample", "panel", "-o", "dense.obj", "--vertices", "9000"}).exit_code, 0);
+  const CliResult evolved = planish({"evolve", "dense.obj", "-o", "coarse.obj", "--method", "auto",
+                                     "--remesh", "--json", "--quiet"});
+  ASSERT_EQ(evolved.exit_code, k_exit_done) << evolved.err;
+  const TriMesh before = read_mesh("dense.obj").mesh, after = read_mesh("coarse.obj").mesh;
+  EXPECT_LT(after.positions.size(), 6000U);
+  const Connectivity fine(before), coarse(after);
+  EXPECT_EQ(fine.border_loops().front().size(), coarse.border_loops().front().size());
+  EXPECT_THAT(evolved.out, HasSubstr("\"remeshed_from\": {"));
+  EXPECT_THAT(evolved.out, HasSubstr("\"vertices\": " + std::to_string(before.positions.size())));
+  EXPECT_THAT(evolved.out, HasSubstr("\"vertices\": " + std::to_string(after.positions.size())));
+}
+
 TEST_F(ConstraintFlags, FixHoldsTheVerticesOfAList) {
   const auto vertices = some_inner_vertices();
   std::string list = "# held\n";

@@ -1,8 +1,7 @@
-#include "mesh/coarsen.h"
-
 #include <algorithm>
 
 #include <planish/io/read_mesh.h>
+#include <planish/mesh/coarsen.h>
 
 #include <gtest/gtest.h>
 

@@ -6,12 +6,12 @@
 #include <span>
 #include <vector>
 
+#include <planish/mesh/coarsen.h>
 #include <planish/mesh/inspect.h>
 
 #include <gtest/gtest.h>
 
 #include "mesh/closest_point.h"
-#include "mesh/coarsen.h"
 
 namespace planish {
 

@@ -28,20 +28,30 @@ std::string sweep_text(const SweepRecord& record, const Stopping& stopping) {
          "  energy " + digits(record.energy, 3);
 }
 
-EvolveReport evolve_with_progress(const std::string& path, const TriMesh& mesh,
-                                  const Arguments& arguments, Session& session) {
+struct Evolved {
+  TriMesh mesh;  ///< with the evolved positions
+  EvolveReport report;
+};
+
+Evolved evolve_with_progress(const TriMesh& mesh, const Arguments& arguments, Session& session) {
   const Method method = method_from(arguments, Method{});
   const Stopping stopping = stopping_from(arguments, method);
+  const Constraints constraints = constraints_from(arguments, mesh, session);
   EvolveProgress progress(stopping, mesh.positions.size());
   const auto on_sweep = [&](const SweepRecord& record) {
     session.show_progress("evolving", progress.after(record), sweep_text(record, stopping));
     return !session.interrupted();
   };
-  return about(path, [&] {
-    note_obstruction(session, mesh);
-    const Constraints constraints = constraints_from(arguments, mesh, session);
-    return evolve_patch(mesh, method, stopping, on_sweep, session.threads(), constraints);
-  });
+  if (arguments.has("--remesh")) {
+    check_constraints(constraints, mesh.positions.size(), method);
+    const RemeshedPatch patch = remesh(mesh, constraints);
+    EvolveReport report =
+        evolve_remeshed(mesh, patch, method, stopping, on_sweep, session.threads());
+    return {{report.result.positions, patch.mesh.triangles}, std::move(report)};
+  }
+  EvolveReport report =
+      evolve_patch(mesh, method, stopping, on_sweep, session.threads(), constraints);
+  return {{report.result.positions, mesh.triangles}, std::move(report)};
 }
 
 Outcome run_evolve(const Arguments& arguments, Session& session) {
@@ -57,12 +67,15 @@ Outcome run_evolve(const Arguments& arguments, Session& session) {
 
   const std::string& path = arguments.operands.front();
   const TriMesh mesh = session.read(path).mesh;
-  const EvolveReport report = evolve_with_progress(path, mesh, arguments, session);
-  files.front().content = format_mesh({report.result.positions, mesh.triangles}, format);
+  const auto [evolved, report] = about(path, [&] {
+    note_obstruction(session, mesh);
+    return evolve_with_progress(mesh, arguments, session);
+  });
+  files.front().content = format_mesh(evolved, format);
   if (files.size() > 1) files.back().content = history_csv(report.result.history);
   session.write(files);
 
-  std::string text = path + " -> " + output + "  (" + size_text(mesh) + ")\n";
+  std::string text = path + " -> " + output + "  (" + size_text(evolved) + ")\n";
   return with_target_checked({text + evolve_text(report), json_report(report)}, arguments, report);
 }
 
@@ -73,6 +86,7 @@ Command evolve_command() {
       {"Output",
        {{"--output", "OUTPUT", "the evolved mesh: .obj, .ply, .stl or .off", 'o', true},
         unit_flag(),
+        remesh_flag(),
         {"--history", "FILE", "the figures of every sweep, as comma-separated values"},
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
   for (FlagGroup& group : method_flags(Method{}))
@@ -82,7 +96,7 @@ Command evolve_command() {
           "change a patch as little as needed towards flattenable",
           "INPUT -o OUTPUT",
           "Moves the inner vertices of a patch by one method. The border, the triangles and the "
-          "order of the vertices stay as they are. OUTPUT may be INPUT.",
+          "order of the vertices stay as they are, but for --remesh. OUTPUT may be INPUT.",
           {"INPUT"},
           std::move(groups),
           {"planish evolve panel.obj -o evolved.obj",

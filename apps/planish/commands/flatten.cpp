@@ -39,7 +39,8 @@ FlattenOptions options_from(const Arguments& arguments, const Session& session) 
   return {.method = method,
           .stopping = stopping_from(arguments, method),
           .unit = unit_from(arguments),
-          .threads = session.threads()};
+          .threads = session.threads(),
+          .remesh = arguments.has("--remesh")};
 }
 
 fs::path folder_from(const Arguments& arguments) {
@@ -162,6 +163,7 @@ Command flatten_command() {
       {"Output",
        {{"--output", "FOLDER", "where to write (default: the input's name with -pattern)", 'o'},
         unit_flag(),
+        remesh_flag(),
         formats_flag(),
         {"--colors", "NAME", "of the report's pictures: diverging or paper (default diverging)"},
         {"--history", "FILE", "the figures of every sweep, as comma-separated values"},

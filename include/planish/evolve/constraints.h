@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <planish/evolve/method.h>
@@ -14,6 +15,10 @@ struct Constraints {
       {};                 ///< one per vertex, 1e-6 to 1e6: how dear moving it is; none: 1
   TriMesh obstacle = {};  ///< closed surface, oriented outwards, not to be entered; may be none
 };
+
+/// What is asked of some of the vertices, numbered by their place in `source`.
+/// @param source vertex there -> vertex of the constraints, increasing
+Constraints restricted_to(const Constraints& constraints, std::span<const Index> source);
 
 /// Whether a method does something with weights, or with an obstacle. Every method honours fixed
 /// vertices.

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <planish/evolve/evolve.h>
+#include <planish/evolve/remesh.h>
 #include <planish/measure/deviation.h>
 #include <planish/measure/flattenability.h>
 #include <planish/measure/obstruction.h>
@@ -28,6 +29,11 @@ struct MeasuredPatch {
 /// @throws Error what stands in the way of Purpose::measure
 MeasuredPatch measure_patch(const TriMesh& mesh);
 
+/// The size of a patch that was worked on with fewer vertices.
+struct SizeBefore {
+  std::size_t vertices = 0, triangles = 0;
+};
+
 /// An evolution with the figures around it.
 struct EvolveReport {
   Method method;
@@ -35,6 +41,9 @@ struct EvolveReport {
   EvolveResult result;
   MeasuredPatch before, after;
   Deviation deviation;
+  /// Of the patch as it came, where remeshing took vertices out of it: then `before` is what it
+  /// left, and the deviation that of the surfaces.
+  std::optional<SizeBefore> remeshed_from = {};
 };
 
 /// An unfolding with the figures of its pattern.
@@ -51,12 +60,13 @@ struct FlattenOptions {
   Unit unit = Unit::mm;
   unsigned threads = 0;
   Constraints constraints = {};
+  bool remesh = false;  ///< work on fewer vertices: see remesh()
 };
 
 /// The main job's result: everything that the files of a `flatten` folder are made from.
 struct FlattenReport {
-  std::string name;  ///< of the patch, for titles
-  TriMesh input;
+  std::string name;   ///< of the patch, for titles
+  TriMesh input;      ///< remeshed, if that was asked for
   TriMesh processed;  ///< the input with the evolved positions
   EvolveReport evolve;
   UnfoldReport unfold;
@@ -75,6 +85,12 @@ using OnProgress = std::function<bool(FlattenStage, double)>;
 EvolveReport evolve_patch(const TriMesh& mesh, const Method& method, const Stopping& stopping,
                           const OnSweep& on_sweep = {}, unsigned threads = 0,
                           const Constraints& constraints = {});
+
+/// The same on a patch that was remeshed.
+/// @param original what `patch` was made from
+EvolveReport evolve_remeshed(const TriMesh& original, const RemeshedPatch& patch,
+                             const Method& method, const Stopping& stopping,
+                             const OnSweep& on_sweep = {}, unsigned threads = 0);
 
 /// Unfolds with all figures around it; nothing when cancelled.
 /// @throws Error as unfold()

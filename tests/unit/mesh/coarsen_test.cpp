@@ -1,10 +1,9 @@
-#include "mesh/coarsen.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include <planish/mesh/coarsen.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>

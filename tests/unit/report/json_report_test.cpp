@@ -79,8 +79,9 @@ TEST(JsonReport, OfAPatchWithoutProblemsHasAnEmptyList) {
 
 TEST(JsonReport, OfAnEvolutionHasTheKeysOfTheContract) {
   const Json json = Json::parse(json_report(samples::flatten_report().evolve));
-  EXPECT_THAT(keys_of(json), ElementsAre("method", "options", "sweeps", "stop", "threads",
-                                         "seconds", "before", "after", "deviation", "history"));
+  EXPECT_THAT(keys_of(json),
+              ElementsAre("method", "options", "sweeps", "stop", "threads", "seconds", "before",
+                          "after", "deviation", "remeshed_from", "history"));
   EXPECT_EQ(json["method"], "controllable");
   EXPECT_EQ(json["sweeps"], 10);
   EXPECT_EQ(json["stop"], "sweep_limit");

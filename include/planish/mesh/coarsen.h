@@ -15,6 +15,9 @@ struct CoarsePatch {
   std::vector<Index> source;  ///< vertex of the coarse patch -> vertex of the fine one, increasing
 };
 
+/// True for meshes of one part with a border, which coarsen() can be sure to take.
+bool can_be_coarsened(const TriMesh& mesh);
+
 enum class CoarseBorder {
   thinned,  ///< about as far apart along the border as inside, closer where it bends
   kept,     ///< all vertices and edges; triangles grow from the size of border edges inward

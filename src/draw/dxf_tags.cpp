@@ -1,6 +1,7 @@
 #include "draw/dxf_tags.h"
 
 #include "core/number_text.h"
+#include "draw/hex.h"
 #include "draw/utf8.h"
 
 namespace planish {
@@ -10,11 +11,9 @@ namespace {
 constexpr std::size_t k_longest_name = 31;
 
 void append_escaped(std::string& text, char32_t value) {
-  constexpr char digits[] = "0123456789ABCDEF";
   for (const char16_t unit : utf16_units(value)) {
     text += "\\U+";
-    for (int shift = 12; shift >= 0; shift -= 4)
-      text += digits[(unit >> shift) & 15];
+    append_hex(text, unit, 4);
   }
 }
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "draw/hex.h"
+
 namespace planish {
 
 namespace {
@@ -13,13 +15,6 @@ std::uint64_t hash_of(std::string_view bytes, std::uint64_t hash) {
   for (const char c : bytes)
     hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
   return hash;
-}
-
-std::string hex(std::uint64_t value) {
-  std::string text;
-  for (int shift = 60; shift >= 0; shift -= 4)
-    text += "0123456789ABCDEF"[(value >> shift) & 15U];
-  return text;
 }
 
 // A line of the cross-reference table: always 20 bytes.
@@ -71,7 +66,10 @@ std::string PdfFile::bytes(int catalog, int info) const {
   }
   constexpr std::uint64_t start = 0xCBF29CE484222325U;
   const std::uint64_t first = hash_of(pdf, start);
-  const std::string id = "<" + hex(first) + hex(hash_of(pdf, first)) + ">";
+  std::string id = "<";
+  append_hex(id, first, 16);
+  append_hex(id, hash_of(pdf, first), 16);
+  id += '>';
   const std::string size = std::to_string(objects_.size() + 1);
   const std::string table_place = std::to_string(pdf.size());
   pdf += "xref\n0 " + size + "\n" + table + "trailer\n<< /Size " + size + " /Root " +

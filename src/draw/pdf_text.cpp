@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "draw/hex.h"
 #include "draw/utf8.h"
 
 namespace planish {
@@ -45,12 +46,6 @@ double width_beyond_ascii(unsigned char byte) {
   if (byte == 0xB1 || byte == 0xAC) return 584.0;  // plus-minus, not
   if (byte < 0xC0) return 556.0;
   return k_widths[static_cast<std::size_t>(letters[byte - 0xC0] - ' ')];
-}
-
-void append_hex(std::string& text, unsigned value, int digits) {
-  constexpr char hex[] = "0123456789ABCDEF";
-  for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4)
-    text += hex[(value >> shift) & 15U];
 }
 
 }  // namespace

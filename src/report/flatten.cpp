@@ -145,12 +145,11 @@ std::optional<FlattenReport> flatten(TriMesh mesh, std::string name, const Flatt
   if (!tell(FlattenStage::measuring, 0.0)) return std::nullopt;
   require(inspect(mesh), Purpose::unfold);
 
-  check_constraints(options.constraints, mesh.positions.size(), options.method);
-
   FlattenReport report;
   report.name = std::move(name);
   const Stopping stopping = options.stopping.value_or(usual_stopping(options.method));
   if (options.remesh) {
+    check_constraints(options.constraints, mesh.positions.size(), options.method);
     RemeshedPatch patch = remesh(mesh, options.constraints);
     report.evolve =
         evolve_remeshed(mesh, patch, options.method, stopping,

@@ -179,9 +179,8 @@ Command flatten_command() {
       "INPUT [-o FOLDER]",
       "Measures a patch, evolves it towards flattenable and lays it flat. Writes into FOLDER: "
       "the pattern at true size (pattern.svg, .dxf and .pdf), the processed patch and the flat "
-      "pattern as "
-      "meshes, and a report with pictures (report.html, report.json). All files are written "
-      "or none.",
+      "pattern as meshes, and a report with pictures (report.html, report.json). All files are "
+      "written or none.",
       {"INPUT"},
       std::move(groups),
       {"planish flatten panel.obj", "planish flatten panel.obj -o out --unit cm --max-strain 2%",

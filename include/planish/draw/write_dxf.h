@@ -42,8 +42,9 @@ struct DxfOptions {
 /// of programs and machines reads. Lines become POLYLINEs, closed where they are closed. Areas that
 /// are filled and have no outline (the strain map) are left out, and so are layers without anything
 /// else; widths of lines are not kept. Colours become the nearest of AutoCAD's first nine, hidden
-/// layers stay hidden. Text becomes TEXT as high as asked; characters beyond ASCII become \U+XXXX,
-/// as in AutoCAD. Names of layers and blocks are cut to 31 of A-Z a-z 0-9 $ - _, as R12 wants them;
+/// layers stay hidden. Text becomes TEXT as high as asked; each UTF-16 unit beyond ASCII becomes
+/// \U+ and four hexadecimal digits, as in AutoCAD. Names of layers and blocks are cut to 31 of A-Z
+/// a-z 0-9 $ - _, as R12 wants them;
 /// every other character becomes _. The same drawing gives the same bytes.
 ///
 /// The other profiles write every piece as a block and know these layers, by their names in the

@@ -10,16 +10,13 @@
 #include <gtest/gtest.h>
 
 #include "draw/pdf_text.h"
+#include "support/sheets.h"
 
 namespace planish {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-Drawing sheet_with(DrawingShape shape) {
-  return {"sheet", 210.0, 297.0, {Layer{"cut", {std::move(shape)}}}};
-}
 
 std::size_t count(const std::string& text, const std::string& word) {
   std::size_t found = 0;

@@ -9,15 +9,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/sheets.h"
+
 namespace planish {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-Drawing sheet_with(DrawingShape shape) {
-  return {"sheet", 210.0, 297.0, {Layer{"cut", {std::move(shape)}}}};
-}
 
 // The subpaths of the first path, read as SVG defines M, l and z; y turned up again.
 std::vector<std::vector<Vec2>> read_path(const std::string& svg, double height) {

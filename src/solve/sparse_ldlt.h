@@ -39,6 +39,12 @@ class SparseLdlt {
   /// X with A X = right, a column each. @pre factor() was true
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
 
+  /// How many pivots are negative: by Sylvester's law as many as eigenvalues. @pre factor() was
+  /// true
+  std::size_t negative_pivots() const {
+    return static_cast<std::size_t>((pivots_.array() < 0.0).count());
+  }
+
   /// Numbers that the factor takes.
   std::size_t factor_size() const { return panel_start_.back(); }
 

@@ -75,6 +75,17 @@ Disk make_disk(const TriMesh& mesh, const Connectivity& connectivity) {
   return disk;
 }
 
+std::vector<double> border_lengths(const TriMesh& mesh, const Disk& disk) {
+  std::vector<double> lengths;
+  lengths.reserve(disk.border.size());
+  for (std::size_t k = 0; k < disk.border.size(); ++k) {
+    const Vec3 a = mesh.positions[disk.vertex_of[disk.border[k]]];
+    const Vec3 b = mesh.positions[disk.vertex_of[disk.border[(k + 1) % disk.border.size()]]];
+    lengths.push_back(disk.area_scale * norm(disk.box_scale * b - disk.box_scale * a));
+  }
+  return lengths;
+}
+
 bool all_upright(const Disk& disk, std::span<const Vec2> flat) {
   return std::all_of(disk.triangles.begin(), disk.triangles.end(), [&](const Triangle& t) {
     const Vec2 a = flat[t[1]] - flat[t[0]], b = flat[t[2]] - flat[t[0]], c = b - a;

@@ -35,6 +35,9 @@ struct Disk {
 /// @pre the mesh is a disk
 Disk make_disk(const TriMesh& mesh, const Connectivity& connectivity);
 
+/// The lengths on the patch of the sides from border[k] to border[k + 1], in the disk's units.
+std::vector<double> border_lengths(const TriMesh& mesh, const Disk& disk);
+
 /// Twice the signed area of a triangle laid flat.
 inline double doubled_area(const Triangle& t, std::span<const Vec2> flat) {
   return cross(flat[t[1]] - flat[t[0]], flat[t[2]] - flat[t[0]]);

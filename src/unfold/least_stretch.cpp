@@ -2,86 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
-#include "core/careful_sum.h"
 #include "solve/sparse_ldlt.h"
-#include "unfold/symmetric_dirichlet.h"
+#include "unfold/flat_steps.h"
 
 namespace planish {
 
 namespace {
-
-/// Which coordinates move. Turning and shifting cost no energy, so the first border vertex stays,
-/// and the one half way around stays on its line with it (the disk is turned to make that the x
-/// axis).
-class Unknowns {
- public:
-  explicit Unknowns(const Disk& disk) : column_(2 * disk.vertex_count, 0) {
-    const Index anchor = disk.border.front();
-    column_[2 * anchor] = column_[2 * anchor + 1] = k_fixed;
-    column_[2 * opposite(disk) + 1] = k_fixed;
-    for (int& column : column_) {
-      if (column != k_fixed) column = count_++;
-    }
-  }
-
-  static Index opposite(const Disk& disk) { return disk.border[disk.border.size() / 2]; }
-  static constexpr int k_fixed = -1;
-  int count() const { return count_; }
-  /// Of x (0) or y (1) of a vertex; k_fixed where it stays.
-  int column(Index v, int axis) const { return column_[2 * v + axis]; }
-
- private:
-  std::vector<int> column_;
-  int count_ = 0;
-};
-
-std::vector<Vec2> turn_to_axis(const Disk& disk, std::vector<Vec2> flat) {
-  const Vec2 origin = flat[disk.border.front()];
-  const Vec2 to = flat[Unknowns::opposite(disk)] - origin;
-  const double distance = norm(to);
-  const Vec2 axis = distance > 0.0 ? (1.0 / distance) * to : Vec2{1.0, 0.0};
-  for (Vec2& p : flat)
-    p = {dot(axis, p - origin), cross(axis, p - origin)};
-  return flat;
-}
-
-TriangleEnergy energy_of(const Disk& disk, std::size_t t, const std::vector<Vec2>& flat) {
-  const Triangle& tri = disk.triangles[t];
-  return {disk.rest[t], flat[tri[0]], flat[tri[1]], flat[tri[2]]};
-}
-
-double total_energy(const Disk& disk, const std::vector<Vec2>& flat) {
-  CarefulSum sum;
-  for (std::size_t t = 0; t < disk.triangles.size(); ++t) {
-    if (!(doubled_area(disk.triangles[t], flat) > 0.0)) {
-      return std::numeric_limits<double>::infinity();
-    }
-    sum.add(energy_of(disk, t, flat).value());
-  }
-  return sum.value();
-}
-
-/// The share of a step at which the first triangle loses its area; infinite if none does.
-double step_to_first_flip(const Disk& disk, const std::vector<Vec2>& flat,
-                          const std::vector<Vec2>& step) {
-  double first = std::numeric_limits<double>::infinity();
-  for (const Triangle& t : disk.triangles) {
-    const Vec2 a = flat[t[1]] - flat[t[0]], b = flat[t[2]] - flat[t[0]];
-    const Vec2 da = step[t[1]] - step[t[0]], db = step[t[2]] - step[t[0]];
-    // Area along the step: c + b1 s + a2 s^2, c > 0; its smallest positive root.
-    const double a2 = cross(da, db), b1 = cross(a, db) + cross(da, b), c = cross(a, b);
-    const double root = b1 * b1 - 4.0 * a2 * c;
-    if (root < 0.0) continue;
-    const double q = -0.5 * (b1 + std::copysign(std::sqrt(root), b1));
-    for (const double s : {a2 != 0.0 ? q / a2 : -1.0, q != 0.0 ? c / q : -1.0}) {
-      if (s > 0.0) first = std::min(first, s);
-    }
-  }
-  return first;
-}
 
 /// The gradient and the Hessian (lower half) of the whole disk.
 class NewtonSystem {
@@ -253,9 +181,7 @@ LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max
     double share = std::min(1.0, 0.9 * step_to_first_flip(disk, result.flat, move));
     bool fell = false;
     for (int halvings = 0; halvings < 40 && !fell; ++halvings, share *= 0.5) {
-      std::vector<Vec2> trial = result.flat;
-      for (std::size_t v = 0; v < trial.size(); ++v)
-        trial[v] = trial[v] + share * move[v];
+      std::vector<Vec2> trial = moved(result.flat, share, move);
       const double trial_energy = total_energy(disk, trial);
       fell = trial_energy <= energy + 1e-4 * share * slope;
       if (!fell) continue;

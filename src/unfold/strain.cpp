@@ -36,6 +36,21 @@ EdgeStrain edge_strain(const TriMesh& mesh, const Connectivity& connectivity,
   return result;
 }
 
+double largest_border_strain(const TriMesh& mesh, const Connectivity& connectivity,
+                             std::span<const Vec2> pattern) {
+  const double scale = unit_scale(mesh);
+  double largest = 0.0;
+  for (const std::vector<Index>& loop : connectivity.border_loops()) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Index v = loop[k], w = loop[(k + 1) % loop.size()];
+      const double on_patch = norm(scale * mesh.positions[w] - scale * mesh.positions[v]);
+      const double flat = norm(scale * pattern[w] - scale * pattern[v]);
+      largest = std::max(largest, std::abs(flat / on_patch - 1.0));
+    }
+  }
+  return largest;
+}
+
 std::vector<PrincipalStretch> principal_stretches(const TriMesh& mesh,
                                                   std::span<const Vec2> pattern) {
   const double scale = unit_scale(mesh);

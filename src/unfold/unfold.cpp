@@ -7,6 +7,7 @@
 #include "core/careful_sum.h"
 #include "unfold/disk.h"
 #include "unfold/least_stretch.h"
+#include "unfold/matched_border.h"
 #include "unfold/placement.h"
 #include "unfold/start.h"
 
@@ -28,6 +29,42 @@ std::vector<Vec2> find_start(const Disk& disk) {
               "border is spread out; cut it, or remesh it more evenly");
 }
 
+/// Goes on from the pattern of least stretch to the one that keeps the border's lengths.
+LeastStretch with_matched_border(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
+                                 const UnfoldOptions& options, const OnUnfoldStep& on_step) {
+  const std::vector<double> lengths = border_lengths(mesh, disk);
+  int steps = least.iterations;
+  bool cancelled = false;
+  const auto count = [&](int, double energy) {
+    ++steps;
+    cancelled = on_step && !on_step(steps, energy);
+    return !cancelled;
+  };
+  MatchedBorder matched = match_border(disk, lengths, least.flat, options.max_iterations, count);
+  if (!matched.matched && !cancelled) {
+    std::vector<Vec2> start = circle_start(disk, lengths);
+    if (all_upright(disk, start)) {
+      matched = match_border(disk, lengths, std::move(start), options.max_iterations, count);
+    }
+  }
+  if (!matched.matched && !cancelled) {
+    throw Error(ErrorCode::unfold_failed,
+                "the border cannot keep its lengths in the plane to within rounding; remesh the "
+                "patch more evenly, or do without matched seams");
+  }
+  matched.result.iterations = steps;
+  return std::move(matched.result);
+}
+
+/// A length or place of the disk in model units.
+Vec2 in_model_units(const Disk& disk, Vec2 p) {
+  const Vec2 scaled = (1.0 / disk.box_scale) * ((1.0 / disk.area_scale) * p);
+  if (!std::isfinite(scaled.x) || !std::isfinite(scaled.y)) {
+    throw Error(ErrorCode::unfold_failed, "unfolding led to numbers that are not finite");
+  }
+  return scaled;
+}
+
 }  // namespace
 
 Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity, const UnfoldOptions& options,
@@ -40,11 +77,17 @@ Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity, const Unfo
   }
   const Disk disk = make_disk(mesh, connectivity);
   LeastStretch flat = minimise_stretch(disk, find_start(disk), options.max_iterations, on_step);
+  Pattern pattern;
+  if (options.match_seams) {
+    pattern.unmatched.resize(mesh.positions.size());
+    for (std::size_t v = 0; v < disk.vertex_count; ++v)
+      pattern.unmatched[disk.vertex_of[v]] = in_model_units(disk, flat.flat[v]);
+    flat = with_matched_border(mesh, disk, flat, options, on_step);
+  }
 
   std::vector<Vec2> outline;
   for (const Index v : disk.border)
     outline.push_back(flat.flat[v]);
-  Pattern pattern;
   pattern.iterations = flat.iterations;
   pattern.converged = flat.converged;
   pattern.overlaps = crosses_itself(outline);
@@ -58,10 +101,7 @@ Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity, const Unfo
   pattern.area_ratio = area.value();  // the disk has area 1
   pattern.positions.resize(mesh.positions.size());
   for (std::size_t v = 0; v < placed.size(); ++v) {
-    const Vec2 p = (1.0 / disk.box_scale) * ((1.0 / disk.area_scale) * placed[v]);
-    if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
-      throw Error(ErrorCode::unfold_failed, "unfolding led to numbers that are not finite");
-    }
+    const Vec2 p = in_model_units(disk, placed[v]);
     pattern.positions[disk.vertex_of[v]] = p;
     pattern.width = std::max(pattern.width, p.x);
     pattern.height = std::max(pattern.height, p.y);

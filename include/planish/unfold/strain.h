@@ -20,6 +20,11 @@ struct EdgeStrain {
 EdgeStrain edge_strain(const TriMesh& mesh, const Connectivity& connectivity,
                        std::span<const Vec2> pattern);
 
+/// The largest |strain| of the edges of the border.
+/// @param pattern one position per vertex of the mesh
+double largest_border_strain(const TriMesh& mesh, const Connectivity& connectivity,
+                             std::span<const Vec2> pattern);
+
 /// The two principal stretches of a triangle, patch to pattern: 1 keeps length, 0.9 is 10 % shorter
 /// in the pattern. max >= |min|; min is negative where the triangle is flipped.
 struct PrincipalStretch {

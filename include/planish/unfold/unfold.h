@@ -9,6 +9,9 @@ namespace planish {
 
 struct UnfoldOptions {
   int max_iterations = 200;  ///< Newton steps at most
+  /// Every border edge keeps its length, so that borders which are sewn together stay equally long;
+  /// what stretch there is lies inside.
+  bool match_seams = false;
 };
 
 /// A patch laid flat, in the plane and true to scale, in model units. It is turned so that its
@@ -22,6 +25,9 @@ struct Pattern {
   bool overlaps = false;  ///< the border crosses itself: cut the patch before cutting cloth
   int iterations = 0;
   bool converged = false;  ///< false: stopped at max_iterations or by on_step
+  /// With match_seams: the pattern of least stretch without it, of the same size, turned and
+  /// shifted somehow. Tells what matching costs.
+  std::vector<Vec2> unmatched = {};
 };
 
 /// Called after every step with its number and the energy per area; false ends the unfolding with
@@ -30,7 +36,8 @@ using OnUnfoldStep = std::function<bool(int step, double energy)>;
 
 /// Lays a disk patch flat with the least stretch and no flipped triangle: minimises the symmetric
 /// Dirichlet energy by projected Newton steps from a conformal start (docs/unfold.md). On a patch
-/// that is flattenable, edge lengths are kept.
+/// that is flattenable, edge lengths are kept. With match_seams, border edges keep theirs on any
+/// patch: to 1e-9 of each, as long as none is shorter than a millionth of the patch.
 /// @pre connectivity is that of mesh
 /// @throws Error what stands in the way of Purpose::unfold, too_large (above 2 million vertices),
 /// or

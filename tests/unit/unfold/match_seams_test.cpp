@@ -1,0 +1,165 @@
+#include <cmath>
+#include <vector>
+
+#include <planish/mesh/shapes.h>
+#include <planish/unfold/strain.h>
+#include <planish/unfold/unfold.h>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+#include "unfold/disk.h"
+#include "unfold/matched_border.h"
+
+namespace planish {
+namespace {
+
+Pattern matched(const TriMesh& mesh) {
+  return unfold(mesh, Connectivity(mesh), {.match_seams = true});
+}
+
+/// Measured without the library's help.
+double worst_border_edge(const TriMesh& mesh, const std::vector<Vec2>& flat) {
+  double worst = 0.0;
+  const Connectivity connectivity(mesh);
+  for (const auto& loop : connectivity.border_loops()) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Index a = loop[k], b = loop[(k + 1) % loop.size()];
+      const double length = norm(mesh.positions[b] - mesh.positions[a]);
+      worst = std::max(worst, std::abs(norm(flat[b] - flat[a]) / length - 1.0));
+    }
+  }
+  return worst;
+}
+
+/// The energy that is to be least, from the public stretches.
+double energy_of(const TriMesh& mesh, const std::vector<Vec2>& flat) {
+  const auto stretches = principal_stretches(mesh, flat);
+  double energy = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& tri = mesh.triangles[t];
+    const Vec3 a = mesh.positions[tri[0]];
+    const double area = 0.5 * norm(cross(mesh.positions[tri[1]] - a, mesh.positions[tri[2]] - a));
+    for (const double s : {stretches[t].max, stretches[t].min})
+      energy += area * (s - 1.0 / s) * (s - 1.0 / s);
+  }
+  return energy;
+}
+
+TEST(MatchSeams, KeepsEveryBorderLengthHoweverCurvedThePatch) {
+  for (const Shape& shape : shapes()) {
+    for (const std::size_t n : {100U, 3000U}) {
+      const TriMesh mesh = make_shape(shape.name, n);
+      const Pattern pattern = matched(mesh);
+      EXPECT_LT(worst_border_edge(mesh, pattern.positions), 1e-11) << shape.name;
+      EXPECT_EQ(pattern.flipped_triangles, 0U) << shape.name;
+      EXPECT_TRUE(pattern.converged) << shape.name;
+      EXPECT_EQ(pattern.unmatched.size(), mesh.positions.size());
+    }
+  }
+}
+
+TEST(MatchSeams, LeavesTheOrdinaryPatternAsItIs) {
+  const TriMesh mesh = make_shape("saddle", 500);
+  const Connectivity connectivity(mesh);
+  const Pattern plain = unfold(mesh, connectivity);
+  EXPECT_TRUE(plain.unmatched.empty());
+  EXPECT_GT(worst_border_edge(mesh, plain.positions), 1e-4);
+  const Pattern pattern = matched(mesh);
+  EXPECT_NEAR(energy_of(mesh, pattern.unmatched), energy_of(mesh, plain.positions),
+              1e-9 * energy_of(mesh, plain.positions));
+  EXPECT_GT(energy_of(mesh, pattern.positions), energy_of(mesh, plain.positions));
+}
+
+TEST(MatchSeams, PutsThePeakOfATripodIntoTheMiddle) {
+  const TriMesh tripod = meshes::fan(3, 0.8);  // its border can only be one triangle
+  const Pattern pattern = matched(tripod);
+  for (Index v = 1; v <= 3; ++v) {
+    EXPECT_NEAR(norm(pattern.positions[v] - pattern.positions[0]), 1.0, 1e-6);
+    EXPECT_NEAR(norm(pattern.positions[v] - pattern.positions[v % 3 + 1]), std::sqrt(3.0), 1e-11);
+  }
+}
+
+/// At the least stretch what pulls at the vertices is along border edges only.
+TEST(MatchSeams, LeavesNothingToGainAmongPatternsOfThatBorder) {
+  for (const char* name : {"dome", "saddle"}) {
+    const TriMesh mesh = make_shape(name, 150);
+    std::vector<Vec2> flat = matched(mesh).positions;
+    const auto unknowns = static_cast<Eigen::Index>(2 * flat.size());
+    Eigen::VectorXd gradient(unknowns);
+    for (Eigen::Index i = 0; i < unknowns; ++i) {
+      Vec2& p = flat[static_cast<std::size_t>(i / 2)];
+      double& coordinate = i % 2 == 0 ? p.x : p.y;
+      const double at = coordinate, h = 1e-4;
+      coordinate = at + h;
+      const double above = energy_of(mesh, flat);
+      coordinate = at - h;
+      gradient[i] = (above - energy_of(mesh, flat)) / (2.0 * h);
+      coordinate = at;
+    }
+    const auto loop = Connectivity(mesh).border_loops().front();
+    Eigen::MatrixXd normals =
+        Eigen::MatrixXd::Zero(unknowns, static_cast<Eigen::Index>(loop.size()));
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Index a = loop[k], b = loop[(k + 1) % loop.size()];
+      const Vec2 d = (1.0 / norm(flat[b] - flat[a])) * (flat[b] - flat[a]);
+      const auto column = static_cast<Eigen::Index>(k);
+      normals(2 * a, column) = -d.x, normals(2 * a + 1, column) = -d.y;
+      normals(2 * b, column) = d.x, normals(2 * b + 1, column) = d.y;
+    }
+    const Eigen::VectorXd pulls = normals.colPivHouseholderQr().solve(gradient);
+    EXPECT_LT((gradient - normals * pulls).norm(), 2e-3 * gradient.norm()) << name;
+    EXPECT_GT(gradient.norm(), 1e-3) << name;  // so there is something to hold against
+  }
+}
+
+TEST(MatchSeams, GivesTwoPatchesEquallyLongSidesOfTheirSeam) {
+  // One surface cut along a column; both sides have the same vertices.
+  TriMesh left =
+      meshes::height_field(8, 8, [](double x, double y) { return 0.2 * x * x - 0.1 * y * y; });
+  TriMesh right = meshes::height_field(
+      8, 8, [](double x, double y) { return 0.2 * (x + 8) * (x + 8) - 0.1 * y * y; });
+  for (Vec3& p : right.positions)
+    p.x += 8.0;
+  const auto side = [](const Pattern& pattern, std::size_t column) {
+    double length = 0.0;
+    for (std::size_t j = 0; j < 8; ++j) {
+      length += norm(pattern.positions[9 * (j + 1) + column] - pattern.positions[9 * j + column]);
+    }
+    return length;
+  };
+  EXPECT_NEAR(side(matched(left), 8), side(matched(right), 0), 1e-10);
+  const auto plain = [](const TriMesh& mesh) { return unfold(mesh, Connectivity(mesh)); };
+  EXPECT_GT(std::abs(side(plain(left), 8) - side(plain(right), 0)), 1e-3);
+}
+
+TEST(MatchSeams, HasAStartForAnyBorder) {
+  // Also a border with one long side, which the circle's centre lies beyond.
+  TriMesh fans[] = {meshes::fan(7, 0.3), meshes::ruffled_fan(8, 1.5), meshes::fan(9, 0.0)};
+  fans[2].positions[1] = {6.0, -1.0, 0.0};
+  for (const TriMesh& mesh : fans) {
+    const Disk disk = make_disk(mesh, Connectivity(mesh));
+    const auto lengths = border_lengths(mesh, disk);
+    const auto flat = circle_start(disk, lengths);
+    EXPECT_TRUE(all_upright(disk, flat));
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+      const Vec2 a = flat[disk.border[k]], b = flat[disk.border[(k + 1) % lengths.size()]];
+      EXPECT_NEAR(norm(b - a), lengths[k], 1e-9);
+    }
+  }
+}
+
+TEST(MatchSeams, TellsEveryStepAndStopsWhenAskedTo) {
+  const TriMesh mesh = make_shape("dome", 1000);
+  int last = 0;
+  const Pattern whole = unfold(mesh, Connectivity(mesh), {.match_seams = true},
+                               [&](int step, double) { return ++last == step; });
+  EXPECT_EQ(last, whole.iterations);
+  const Pattern stopped = unfold(mesh, Connectivity(mesh), {.match_seams = true},
+                                 [&](int step, double) { return step < last; });
+  EXPECT_FALSE(stopped.converged);
+}
+
+}  // namespace
+}  // namespace planish

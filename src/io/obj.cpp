@@ -6,6 +6,7 @@
 #include "io/append.h"
 #include "io/face_list.h"
 #include "io/formats.h"
+#include "io/group_runs.h"
 #include "io/obj_references.h"
 #include "io/text_cursor.h"
 
@@ -13,9 +14,9 @@ namespace planish {
 namespace {
 
 /// Statements that say nothing about the surface: passed over without a word.
-constexpr std::array<std::string_view, 16> k_attributes = {
-    "vn",       "vt",       "g",   "s",      "o",      "usemtl",     "mtllib",    "mg",
-    "c_interp", "d_interp", "lod", "usemap", "maplib", "shadow_obj", "trace_obj", "bevel"};
+constexpr std::array<std::string_view, 13> k_attributes = {
+    "vn",  "vt",     "s",      "mtllib",     "mg",        "c_interp", "d_interp",
+    "lod", "usemap", "maplib", "shadow_obj", "trace_obj", "bevel"};
 
 /// Statements of points, lines, curves and free-form surfaces: passed over with a note.
 constexpr std::array<std::string_view, 26> k_skipped = {
@@ -32,9 +33,12 @@ class ObjParser {
     for (; !cursor_.at_end(); cursor_.next_line())
       statement();
     check();
+    std::vector<std::string> told = notes();
+    FaceGroups groups = this->groups();
     return {.mesh = {std::move(positions_), faces_.take()},
             .format = MeshFormat::obj,
-            .notes = notes()};
+            .notes = std::move(told),
+            .groups = std::move(groups)};
   }
 
  private:
@@ -43,11 +47,16 @@ class ObjParser {
     if (keyword.empty()) return;
     if (keyword == "v") return vertex();
     if (keyword == "f") return face();
+    if (keyword == "o") return begin_group(objects_);
+    if (keyword == "g") return begin_group(groups_);
+    if (keyword == "usemtl") return begin_group(materials_);
     skip(keyword);
   }
 
   void vertex();
   void face();
+  void begin_group(GroupRuns& runs);
+  FaceGroups groups() const;
   void skip(std::string_view keyword);
   void check() const;
   std::vector<std::string> notes() const;
@@ -57,6 +66,7 @@ class ObjParser {
   FaceList faces_;
   std::vector<Index> corners_;
   ObjReferences references_;
+  GroupRuns objects_, groups_, materials_;
   std::size_t coloured_ = 0;
   std::array<std::size_t, k_skipped.size()> skipped_ = {};
   std::size_t unknown_ = 0;
@@ -86,6 +96,23 @@ void ObjParser::face() {
     corners_.push_back(references_.vertex(cursor_.token(), "face", positions_.size(), cursor_));
   }
   faces_.add(corners_, cursor_);
+}
+
+void ObjParser::begin_group(GroupRuns& runs) {
+  std::string name;
+  while (!cursor_.at_line_end()) {
+    if (!name.empty()) name += ' ';
+    name += cursor_.token();
+  }
+  runs.begin(name, faces_.size());
+}
+
+/// Objects say most about what belongs together, materials least.
+FaceGroups ObjParser::groups() const {
+  FaceGroups found = objects_.spread("o", faces_.size());
+  if (found.names.empty()) found = groups_.spread("g", faces_.size());
+  if (found.names.empty()) found = materials_.spread("usemtl", faces_.size());
+  return found;
 }
 
 void ObjParser::skip(std::string_view keyword) {

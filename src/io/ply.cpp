@@ -9,6 +9,7 @@
 #include "io/byte_cursor.h"
 #include "io/face_list.h"
 #include "io/formats.h"
+#include "io/group_runs.h"
 #include "io/ply_header.h"
 
 namespace planish {
@@ -110,9 +111,11 @@ class PlyBody {
     if (faces_.size() == 0) fail(ErrorCode::no_triangles, "the file has no faces");
     std::vector<std::string> notes;
     if (!faces_.note().empty()) notes.push_back(faces_.note());
+    FaceGroups groups = groups_.spread(group_kind_, faces_.size());
     return {.mesh = {std::move(positions_), faces_.take()},
             .format = MeshFormat::ply,
-            .notes = std::move(notes)};
+            .notes = std::move(notes),
+            .groups = std::move(groups)};
   }
 
  private:
@@ -143,6 +146,7 @@ class PlyBody {
   void read_vertices(const PlyElement& element);
   void read_faces(const PlyElement& element);
   void read_corners(const PlyProperty& property);
+  void begin_group(double number, std::size_t first);
   void skip_element(const PlyElement& element);
   void skip_property(const PlyProperty& property);
   std::uint64_t list_length(PlyType type);
@@ -153,6 +157,9 @@ class PlyBody {
   std::vector<Vec3> positions_;
   FaceList faces_;
   std::vector<Index> corners_;
+  GroupRuns groups_;
+  std::string group_kind_;
+  std::string group_;  // of the last face
 };
 
 template <class Values>
@@ -196,12 +203,17 @@ void PlyBody<Values>::read_faces(const PlyElement& element) {
     fail(ErrorCode::malformed_file, "the faces have no list vertex_indices or vertex_index");
   }
   check_size(element.count, "triangles", values_.cursor());
+  const PlyProperty* const group = group_property(element);
+  if (group != nullptr) group_kind_ = group->name;
   faces_.reserve(element.count);
   for (std::uint64_t i = 0; i < element.count; ++i) {
     values_.begin_item("face", i);
+    const std::size_t first = faces_.size();
     for (const PlyProperty& property : element.properties) {
       if (&property == corners) {
         read_corners(property);
+      } else if (&property == group) {
+        begin_group(values_.next(property.type), first);
       } else {
         skip_property(property);
       }
@@ -217,6 +229,14 @@ void PlyBody<Values>::read_corners(const PlyProperty& property) {
     corners_.push_back(checked_index(values_.next(property.type), vertex_count_, values_.cursor()));
   }
   faces_.add(corners_, values_.cursor());
+}
+
+template <class Values>
+void PlyBody<Values>::begin_group(double number, std::size_t first) {
+  std::string name = group_kind_ + "-" + number_text(number);
+  if (name == group_) return;
+  groups_.begin(name, first);
+  group_ = std::move(name);
 }
 
 template <class Values>

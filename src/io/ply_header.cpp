@@ -138,6 +138,17 @@ const PlyElement* PlyHeader::find(std::string_view element) const {
   return found == elements.end() ? nullptr : &*found;
 }
 
+const PlyProperty* group_property(const PlyElement& faces) {
+  constexpr std::array<std::string_view, 8> k_names = {
+      "patch", "patch_id", "group", "group_id", "label", "labels", "segment", "segment_id"};
+  for (const std::string_view name : k_names) {
+    const PlyProperty* const found = faces.find(name);
+    if (found == nullptr || found->count_type) continue;
+    if (found->type != PlyType::float32 && found->type != PlyType::float64) return found;
+  }
+  return nullptr;
+}
+
 std::size_t size_of(PlyType type) {
   constexpr std::array<std::size_t, 8> k_sizes = {1, 1, 2, 2, 4, 4, 4, 8};
   return k_sizes[static_cast<std::size_t>(type)];

@@ -38,6 +38,9 @@ struct PlyHeader {
   const PlyElement* find(std::string_view element) const;
 };
 
+/// The number of the faces that says which part of the surface each belongs to, if there is one.
+const PlyProperty* group_property(const PlyElement& faces);
+
 /// Bytes of a value of the type in a binary file.
 std::size_t size_of(PlyType type);
 

@@ -10,11 +10,20 @@
 
 namespace planish {
 
+/// The parts that a file divides its triangles into: the groups, objects or materials of an OBJ
+/// file, the values of a number of the faces of a PLY file.
+struct FaceGroups {
+  std::string kind;                ///< what they are in the file, as in "usemtl"; empty for none
+  std::vector<std::string> names;  ///< in the order of the first triangle of each, all different
+  std::vector<Index> of_triangle;  ///< one number of a name per triangle; empty for none
+};
+
 /// A mesh as the file has it, and what the reader did that a user may want to know.
 struct ReadResult {
   TriMesh mesh;  ///< vertices in the order of the file; finite, indices in range
   MeshFormat format;
   std::vector<std::string> notes;  ///< "welded 2280 corners to 401 vertices", ...
+  FaceGroups groups = {};          ///< none where the file has fewer than two
 };
 
 /// Reads an OBJ, PLY, STL or OFF file. Polygons are split into fans; STL corners at exactly equal

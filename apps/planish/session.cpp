@@ -41,6 +41,12 @@ void Session::note(const std::string& message) {
   err_ << "note: " << message << "\n";
 }
 
+void Session::tell(const std::string& line) {
+  if (quiet_) return;
+  clear_progress();
+  err_ << line << std::endl;
+}
+
 void Session::warn(const std::string& message) {
   clear_progress();
   err_ << "warning: " << message << "\n";

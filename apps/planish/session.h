@@ -25,6 +25,8 @@ class Session {
 
   /// Says what a user may want to know; nothing with --quiet.
   void note(const std::string& message);
+  /// Says how far a long job has come; nothing with --quiet.
+  void tell(const std::string& line);
   /// Says what a user must know.
   void warn(const std::string& message);
 

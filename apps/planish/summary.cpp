@@ -166,6 +166,15 @@ std::string pattern_lines(const UnfoldReport& report) {
          (pattern.overlaps ? ", overlaps itself\n" : ", no overlap\n");
 }
 
+/// What keeping the border's lengths costs.
+std::string matching_lines(const UnfoldReport& report) {
+  if (!report.unmatched_strain) return {};
+  return "  seams       border edges keep their lengths to " + digits(report.border_strain, 2) +
+         "; without that\n              strain would be rms " +
+         percent(report.unmatched_strain->rms) + ", largest " +
+         percent(report.unmatched_strain->max) + "\n";
+}
+
 }  // namespace
 
 std::string size_text(const TriMesh& mesh) {
@@ -199,7 +208,7 @@ std::string evolve_text(const EvolveReport& report) {
 std::string unfold_text(const UnfoldReport& report) {
   return pattern_lines(report) + "  strain      rms " + percent(report.strain.rms) +
          ", 99 % of edges within " + percent(report.strain.p99) + ", largest " +
-         percent(report.strain.max) + "\n";
+         percent(report.strain.max) + "\n" + matching_lines(report);
 }
 
 std::string flatten_text(const FlattenReport& report) {
@@ -208,7 +217,8 @@ std::string flatten_text(const FlattenReport& report) {
          comparison(figure_rows(report.evolve.before.figures, report.evolve.after.figures)) +
          comparison(strain_rows(report.unfold_before.strain, report.unfold.strain)) + "\n" +
          deviation_lines(report.evolve.deviation, std::string(to_string(report.unfold.unit))) +
-         pattern_lines(report.unfold) + (check ? "\n" + wrapped(check_text(*check), 0) + "\n" : "");
+         pattern_lines(report.unfold) + matching_lines(report.unfold) +
+         (check ? "\n" + wrapped(check_text(*check), 0) + "\n" : "");
 }
 
 std::string directions_text(const DirectionCounts& counts) {

@@ -23,6 +23,9 @@ std::string percent(double share);
 std::string left(std::string text, std::size_t width);
 std::string right(const std::string& text, std::size_t width);
 
+/// As much of the beginning as has at most so many bytes and ends on a whole UTF-8 letter.
+std::string beginning(const std::string& text, std::size_t bytes);
+
 /// "1 sweep", "2 sweeps"
 std::string counted(std::size_t count, const std::string& noun);
 

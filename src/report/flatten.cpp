@@ -60,17 +60,23 @@ EvolveReport evolve_remeshed(const TriMesh& original, const RemeshedPatch& patch
 }
 
 std::optional<UnfoldReport> unfold_patch(const TriMesh& mesh, Unit unit,
-                                         const OnUnfoldStep& on_step) {
+                                         const OnUnfoldStep& on_step,
+                                         const UnfoldOptions& options) {
   const Connectivity connectivity(mesh);
   bool cancelled = false;
   UnfoldReport report;
   report.unit = unit;
-  report.pattern = unfold(mesh, connectivity, {}, [&](int step, double energy) {
+  report.pattern = unfold(mesh, connectivity, options, [&](int step, double energy) {
     cancelled = on_step && !on_step(step, energy);
     return !cancelled;
   });
   if (cancelled) return std::nullopt;
-  report.strain = edge_strain(mesh, connectivity, report.pattern.positions);
+  const auto strain_of = [&](const std::vector<Vec2>& positions) {
+    return edge_strain(mesh, connectivity, positions);
+  };
+  report.strain = strain_of(report.pattern.positions);
+  report.border_strain = largest_border_strain(mesh, connectivity, report.pattern.positions);
+  if (options.match_seams) report.unmatched_strain = strain_of(report.pattern.unmatched);
   return report;
 }
 
@@ -88,10 +94,12 @@ std::optional<std::future<MaybeUnfolded>> start(const Task& task) {
   }
 }
 
-/// Unfolds both meshes, at the same time where there are threads for it. Progress is told from the
-/// calling thread only.
+/// Unfolds both meshes, at the same time where there are threads for it; only the second as asked,
+/// as matching the seams of what is far from flattenable takes long and tells little. Progress is
+/// told from the calling thread only.
 std::optional<std::pair<UnfoldReport, UnfoldReport>> unfold_both(const TriMesh& before,
                                                                  const TriMesh& after, Unit unit,
+                                                                 const UnfoldOptions& how,
                                                                  bool at_once,
                                                                  const OnProgress& on_progress) {
   std::atomic<bool> cancelled = false;
@@ -111,7 +119,7 @@ std::optional<std::pair<UnfoldReport, UnfoldReport>> unfold_both(const TriMesh& 
   auto aside = at_once ? start(unfold_before) : std::nullopt;
   MaybeUnfolded first, second;
   try {
-    second = unfold_patch(after, unit, on_step);
+    second = unfold_patch(after, unit, on_step, how);
   } catch (...) {
     cancelled = true;  // the other one need not go on
     throw;
@@ -165,6 +173,7 @@ std::optional<FlattenReport> flatten(TriMesh mesh, std::string name, const Flatt
   report.processed = {report.evolve.result.positions, report.input.triangles};
 
   auto patterns = unfold_both(report.input, report.processed, options.unit,
+                              {.match_seams = options.match_seams},
                               report.evolve.result.threads > 1, on_progress);
   if (!patterns) return std::nullopt;
   report.unfold_before = std::move(patterns->first);

@@ -126,6 +126,8 @@ Json to_json(const EdgeStrain& strain) {
 
 Json to_json(const UnfoldReport& report) {
   const Pattern& pattern = report.pattern;
+  Json unmatched = nullptr;
+  if (report.unmatched_strain) unmatched = to_json(*report.unmatched_strain);
   return {{"strain", to_json(report.strain)},
           {"area_ratio", pattern.area_ratio},
           {"flipped_triangles", pattern.flipped_triangles},
@@ -134,7 +136,10 @@ Json to_json(const UnfoldReport& report) {
           {"height", pattern.height},
           {"unit", to_string(report.unit)},
           {"iterations", pattern.iterations},
-          {"converged", pattern.converged}};
+          {"converged", pattern.converged},
+          {"border_strain", report.border_strain},
+          {"match_seams", report.unmatched_strain.has_value()},
+          {"unmatched_strain", std::move(unmatched)}};
 }
 
 Json to_json(const std::optional<UnfoldReport>& report) {

@@ -32,6 +32,16 @@ TEST(Digits, KeepsFourThatSignify) {
   EXPECT_EQ(digits(1.7764e-15), "1.776e-15");
 }
 
+TEST(Beginning, NeverEndsWithinALetter) {
+  EXPECT_EQ(beginning("abc", 3), "abc");
+  EXPECT_EQ(beginning("abcd", 3), "abc");
+  const std::string letters = "a\u00e9\u65e5";  // of one, two and three bytes
+  EXPECT_EQ(beginning(letters, 6), letters);
+  EXPECT_EQ(beginning(letters, 5), "a\u00e9");
+  EXPECT_EQ(beginning(letters, 2), "a");
+  EXPECT_EQ(beginning(letters, 0), "");
+}
+
 TEST(Percent, NeverRoundsSomethingToNothing) {
   EXPECT_EQ(percent(0.0), "0.00 %");
   EXPECT_EQ(percent(0.076), "7.60 %");

@@ -9,6 +9,9 @@
 #include "commands/commands.h"
 #include "constraint_flags.h"
 #include "failures.h"
+#include "garment_flags.h"
+#include "garment_job.h"
+#include "garment_parts.h"
 #include "method_flags.h"
 #include "output_folder.h"
 #include "pattern_output.h"
@@ -40,7 +43,8 @@ FlattenOptions options_from(const Arguments& arguments, const Session& session) 
           .stopping = stopping_from(arguments, method),
           .unit = unit_from(arguments),
           .threads = session.threads(),
-          .remesh = arguments.has("--remesh")};
+          .remesh = arguments.has("--remesh"),
+          .match_seams = arguments.has("--match-seams")};
 }
 
 fs::path folder_from(const Arguments& arguments) {
@@ -126,13 +130,26 @@ std::vector<OutputFile> files_of(const FlattenReport& report, const Places& plac
 
 Outcome run_flatten(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
-  const std::string& path = arguments.operands.front();
   FlattenOptions options = options_from(arguments, session);
   const ColorMap colors = colors_from(arguments);
   const PatternFiles pattern = pattern_files_from(arguments);
   const fs::path folder = folder_from(arguments);
 
-  ReadResult input = session.read(path);
+  GarmentInput read = read_garment(session, arguments.operands.front());
+  if (read.patches.size() > 1) {
+    const auto files = [&](const FlattenReport& report, MeshFormat input, const fs::path& place) {
+      const MeshFormat format = output_format(input);
+      const Places places = places_in(place, format, pattern, arguments);
+      std::string json = json_report(report, places);
+      return PatchFiles{files_of(report, places, format, pattern, colors, json), json};
+    };
+    return run_garment(
+        {arguments.operands.front(), std::move(read.patches), folder, options, files}, arguments,
+        session);
+  }
+  refuse_garment_flags(arguments);
+  const std::string& path = read.path;
+  ReadResult input = std::move(read.whole);
   const MeshFormat format = output_format(input.format);
   const Places places = places_in(folder, format, pattern, arguments);
   refuse_shared_places(places);
@@ -164,11 +181,14 @@ Command flatten_command() {
        {{"--output", "FOLDER", "where to write (default: the input's name with -pattern)", 'o'},
         unit_flag(),
         remesh_flag(),
+        match_seams_flag(),
         formats_flag(),
         {"--colors", "NAME", "of the report's pictures: diverging or paper (default diverging)"},
         {"--history", "FILE", "the figures of every sweep, as comma-separated values"},
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
   for (Flag& flag : pattern_flags("also write the pattern as a .pdf of pages to be joined"))
+    groups.front().flags.push_back(std::move(flag));
+  for (Flag& flag : garment_flags())
     groups.front().flags.push_back(std::move(flag));
   for (FlagGroup& group : method_flags(FlattenOptions{}.method))
     groups.push_back(std::move(group));

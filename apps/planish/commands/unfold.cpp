@@ -8,6 +8,7 @@
 
 #include "commands/commands.h"
 #include "failures.h"
+#include "garment_flags.h"
 #include "pattern_output.h"
 #include "session.h"
 #include "summary.h"
@@ -55,6 +56,7 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
   check_format(output);
   const Unit unit = unit_from(arguments);
   const PatternOutput how = output_from(arguments);
+  const UnfoldOptions unfold_options = {.match_seams = arguments.has("--match-seams")};
 
   const std::string& path = arguments.operands.front();
   const TriMesh mesh = session.read(path).mesh;
@@ -64,7 +66,8 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
                           "step " + std::to_string(step) + "  energy " + digits(energy, 6));
     return !session.interrupted();
   };
-  const auto report = about(path, [&] { return unfold_patch(mesh, unit, on_step); });
+  const auto report =
+      about(path, [&] { return unfold_patch(mesh, unit, on_step, unfold_options); });
   if (!report) throw Interrupted();
   session.write({{output, content_of(output, path, mesh, *report, how)}});
   warn_of_pattern(session, *report);
@@ -80,7 +83,8 @@ Command unfold_command() {
        "the pattern at true size (.svg, .dxf, .pdf or .plt), or a flat mesh with z = 0 (.obj, "
        ".ply, .stl or .off)",
        'o', true},
-      unit_flag()};
+      unit_flag(),
+      match_seams_flag()};
   for (Flag& flag : pattern_flags("divide the .pdf into pages to be joined"))
     flags.push_back(std::move(flag));
   return {"unfold",

@@ -51,6 +51,9 @@ struct UnfoldReport {
   Pattern pattern;  ///< model units
   EdgeStrain strain;
   Unit unit = Unit::mm;
+  double border_strain = 0.0;  ///< largest |strain| of the border's edges
+  /// Where border edges were to keep their lengths: the strain without that.
+  std::optional<EdgeStrain> unmatched_strain = {};
 };
 
 /// What the main job is asked for.
@@ -61,6 +64,7 @@ struct FlattenOptions {
   unsigned threads = 0;
   Constraints constraints = {};
   bool remesh = false;  ///< work on fewer vertices: see remesh()
+  bool match_seams = false;  ///< of the evolved patch's pattern, as UnfoldOptions has it
 };
 
 /// The main job's result: everything that the files of a `flatten` folder are made from.
@@ -95,7 +99,8 @@ EvolveReport evolve_remeshed(const TriMesh& original, const RemeshedPatch& patch
 /// Unfolds with all figures around it; nothing when cancelled.
 /// @throws Error as unfold()
 std::optional<UnfoldReport> unfold_patch(const TriMesh& mesh, Unit unit,
-                                         const OnUnfoldStep& on_step = {});
+                                         const OnUnfoldStep& on_step = {},
+                                         const UnfoldOptions& options = {});
 
 /// The main job: measure, evolve, measure, unfold; nothing when cancelled.
 /// @throws Error as evolve() and unfold(); what is not a disk is refused before any work

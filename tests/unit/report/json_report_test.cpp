@@ -113,6 +113,7 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
   report.unit = Unit::cm;
   report.pattern.overlaps = true;
   report.pattern.flipped_triangles = 2;
+  report.border_strain = 0.25;
   const Json json = Json::parse(json_report(report));
   EXPECT_EQ(json, Json({{"strain", {{"max", 0.3187}, {"rms", 0.0761}, {"p99", 0.2143}}},
                         {"area_ratio", 1.0021},
@@ -122,7 +123,14 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
                         {"height", 20.0},
                         {"unit", "cm"},
                         {"iterations", 7},
-                        {"converged", true}}));
+                        {"converged", true},
+                        {"border_strain", 0.25},
+                        {"match_seams", false},
+                        {"unmatched_strain", nullptr}}));
+  report.unmatched_strain = EdgeStrain{.max = 0.5, .rms = 0.125, .p99 = 0.375};
+  const Json matched = Json::parse(json_report(report));
+  EXPECT_EQ(matched["match_seams"], true);
+  EXPECT_EQ(matched["unmatched_strain"], Json({{"max", 0.5}, {"rms", 0.125}, {"p99", 0.375}}));
 }
 
 TEST(JsonReport, OfTheMainJobHasItsPartsAndFiles) {

@@ -1,0 +1,221 @@
+#include "garment_job.h"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#include <planish/draw/write_svg.h>
+#include <planish/mesh/inspect.h>
+#include <planish/mesh/seams.h>
+#include <planish/report/garment_sheet.h>
+
+#include "failures.h"
+#include "garment_run.h"
+#include "garment_state.h"
+#include "garment_text.h"
+#include "json_text.h"
+#include "quantities.h"
+#include "summary.h"
+#include "text.h"
+
+namespace planish::cli {
+
+namespace {
+
+/// Borders of patches that cannot be measured take part in no seam.
+std::vector<Seam> seams_of_sound(const std::vector<PatchOutcome>& outcomes, double tolerance) {
+  std::vector<std::size_t> numbers;
+  std::vector<TriMesh> sound;
+  numbers.reserve(outcomes.size());
+  sound.reserve(outcomes.size());
+  for (std::size_t p = 0; p < outcomes.size(); ++p) {
+    if (blocking_problem(inspect(outcomes[p].mesh), Purpose::measure)) continue;
+    numbers.push_back(p);
+    sound.push_back(outcomes[p].mesh);
+  }
+  std::vector<Seam> seams = find_seams(sound, tolerance);
+  for (Seam& seam : seams) {
+    for (SeamSide& side : seam.sides)
+      side.patch = numbers[side.patch];
+  }
+  return seams;
+}
+
+double tolerance_from(const Arguments& arguments) {
+  if (!arguments.has("--seam-tolerance")) return 0.0;
+  return quantity_value("--seam-tolerance", arguments.flags.at("--seam-tolerance"),
+                        Quantity::length, {.min = 0.0}, arguments);
+}
+
+void refuse_single_patch_flags(const Arguments& arguments) {
+  for (const char* flag : {"--fix", "--weights", "--obstacle", "--history"}) {
+    if (!arguments.has(flag)) continue;
+    throw UsageError("flag " + std::string(flag) +
+                     " goes with one patch only; the input has several");
+  }
+}
+
+/// One run over all patches.
+class GarmentRun {
+ public:
+  GarmentRun(const GarmentJob& job, const Arguments& arguments, Session& session)
+      : job_(job), arguments_(arguments), session_(session), outcomes_(job.patches.size()) {
+    jobs_.reserve(job.patches.size());
+    for (std::size_t p = 0; p < job.patches.size(); ++p) {
+      jobs_.push_back(job_of(job.patches[p], arguments));
+      outcomes_[p].mesh = job.patches[p].mesh;
+    }
+  }
+
+  void flatten() {
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    const unsigned threads = session_.threads() == 0 ? cores : session_.threads();
+    flatten_patches(
+        job_, not_finished(), threads, [this] { return session_.interrupted(); },
+        [this](std::size_t p, FlattenedPatch done) { return take(p, std::move(done)); });
+  }
+
+  Outcome finish(double tolerance) {
+    if (interrupted_ || session_.interrupted()) return cancelled();
+    const auto seams =
+        measure_seams(outcomes_, seams_of_sound(outcomes_, tolerance), job_.options.unit);
+    const std::string json = garment_json(job_, outcomes_, seams);
+    const std::vector<OutputFile> files = {{job_.folder / "garment.json", json},
+                                           {job_.folder / "garment.svg", picture(seams)}};
+    session_.write(files);
+    std::string text = job_.path + "  (" + std::to_string(outcomes_.size()) + " patches)\n\n";
+    for (std::size_t p = 0; p < outcomes_.size(); ++p)
+      text += "  " + patch_line(job_.patches[p], outcomes_[p]) + "\n";
+    text +=
+        seams_text(job_, seams) + written_text(files) + "and a folder for each patch beside it\n";
+    return with_exit_code({text, json});
+  }
+
+ private:
+  std::string picture(const std::vector<SeamLengths>& measured) const {
+    std::vector<GarmentPiece> pieces;
+    std::vector<Seam> seams;
+    pieces.reserve(outcomes_.size());
+    seams.reserve(measured.size());
+    for (std::size_t p = 0; p < outcomes_.size(); ++p)
+      pieces.push_back({job_.patches[p].name, outcomes_[p].mesh, outcomes_[p].pattern});
+    for (const SeamLengths& seam : measured)
+      seams.push_back(seam.seam);
+    const std::string title = std::filesystem::path(job_.path).stem().string();
+    return write_svg(garment_sheet(pieces, seams, job_.options.unit, title));
+  }
+
+  std::vector<std::size_t> not_finished() {
+    std::vector<std::size_t> numbers;
+    numbers.reserve(outcomes_.size());
+    for (std::size_t p = 0; p < outcomes_.size(); ++p) {
+      const GarmentPatch& patch = job_.patches[p];
+      auto results = arguments_.has("--resume") && !patch.failure
+                         ? finished_results(jobs_[p], job_.folder / patch.folder)
+                         : std::nullopt;
+      if (!results) {
+        numbers.push_back(p);
+        continue;
+      }
+      outcomes_[p].report = std::move(results->report);
+      outcomes_[p].mesh = std::move(results->mesh);
+      outcomes_[p].pattern = std::move(results->pattern);
+      outcomes_[p].resumed = true;
+      ++finished_;
+      session_.tell(patch_line(patch, outcomes_[p]));
+    }
+    return numbers;
+  }
+
+  bool take(std::size_t p, FlattenedPatch done) {
+    PatchOutcome& outcome = outcomes_[p];
+    const GarmentPatch& patch = job_.patches[p];
+    outcome.failure = std::move(done.failure);
+    if (!outcome.failure && !done.files) interrupted_ = true;
+    if (done.files) write(p, std::move(done));
+    if (interrupted_) return false;
+    session_.tell(patch_line(patch, outcome));
+    ++finished_;
+    session_.show_progress("patches",
+                           static_cast<double>(finished_) / static_cast<double>(outcomes_.size()),
+                           std::to_string(finished_) + " of " + std::to_string(outcomes_.size()));
+    return true;
+  }
+
+  void write(std::size_t p, FlattenedPatch done) {
+    PatchOutcome& outcome = outcomes_[p];
+    std::vector<OutputFile> files = std::move(done.files->files);
+    // Last, so that it never speaks of files that are not there yet.
+    files.push_back(job_file(jobs_[p], files, job_.folder / job_.patches[p].folder));
+    try {
+      session_.write(files);
+      outcome.report = std::move(done.files->report);
+      outcome.mesh = std::move(done.mesh);
+      outcome.pattern = std::move(done.pattern);
+    } catch (const Interrupted&) {
+      interrupted_ = true;
+    } catch (const Error&) {
+      outcome.failure = current_failure();
+    }
+  }
+
+  Outcome cancelled() const {
+    const std::string message = "interrupted; " + std::to_string(finished_) + " of " +
+                                std::to_string(outcomes_.size()) +
+                                " patches are done, --resume does the rest";
+    return {{}, json_failure("interrupted", message), k_exit_interrupted, message};
+  }
+
+  Outcome with_exit_code(Outcome outcome) const {
+    std::string failed, missed;
+    for (std::size_t p = 0; p < outcomes_.size(); ++p) {
+      const std::string name = "\n  " + job_.patches[p].name;
+      if (outcomes_[p].failure) failed += name + ": " + outcomes_[p].failure->message;
+      if (missed_target(outcomes_[p])) missed += name;
+    }
+    if (!failed.empty()) {
+      outcome.exit_code = k_exit_failed;
+      outcome.complaint = "some patches could not be flattened:" + failed;
+    } else if (!missed.empty() && arguments_.has("--require-target")) {
+      outcome.exit_code = k_exit_target_missed;
+      outcome.complaint = "target not met by:" + missed;
+    }
+    return outcome;
+  }
+
+  const GarmentJob& job_;
+  const Arguments& arguments_;
+  Session& session_;
+  std::vector<std::string> jobs_;
+  std::vector<PatchOutcome> outcomes_;
+  std::size_t finished_ = 0;
+  bool interrupted_ = false;
+};
+
+}  // namespace
+
+std::vector<Flag> garment_flags() {
+  return {
+      {"--resume", "",
+       "of several patches, keep those whose results are there, whole and of the same job"},
+      {"--seam-tolerance", "LENGTH",
+       "how close borders of several patches must lie to be sewn together, like 0.01mm (default: "
+       "at equal places)"}};
+}
+
+void refuse_garment_flags(const Arguments& arguments) {
+  for (const char* flag : {"--resume", "--seam-tolerance"}) {
+    if (!arguments.has(flag)) continue;
+    throw UsageError("flag " + std::string(flag) + " goes with several patches; the input has one");
+  }
+}
+
+Outcome run_garment(const GarmentJob& job, const Arguments& arguments, Session& session) {
+  refuse_single_patch_flags(arguments);
+  const double tolerance = tolerance_from(arguments);
+  GarmentRun run(job, arguments, session);
+  run.flatten();
+  return run.finish(tolerance);
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <planish/io/write_file.h>
+#include <planish/report/flatten.h>
+
+#include "command.h"
+#include "garment_parts.h"
+#include "session.h"
+
+namespace planish::cli {
+
+/// The files of one patch, and its report among them.
+struct PatchFiles {
+  std::vector<OutputFile> files;
+  std::string report;
+};
+
+/// The main job on a product of several patches.
+struct GarmentJob {
+  std::string path;  ///< of the input, for people
+  std::vector<GarmentPatch> patches;
+  std::filesystem::path folder;  ///< each patch's is in it
+  FlattenOptions options;
+  /// Makes the files of a patch that go into a folder. Called from any thread.
+  std::function<PatchFiles(const FlattenReport&, MeshFormat, const std::filesystem::path& folder)>
+      files_of;
+};
+
+/// --resume and --seam-tolerance.
+std::vector<Flag> garment_flags();
+
+/// @throws UsageError for flags that make sense only with several patches
+void refuse_garment_flags(const Arguments& arguments);
+
+/// Flattens every patch, each on one thread, and writes each into its folder as it is done; then
+/// the seams of the whole into garment.json. A patch that fails is told by name and does not stop
+/// the others. Results do not depend on the number of threads.
+/// @throws UsageError for flags that make sense only with one patch, Error as Session::write()
+Outcome run_garment(const GarmentJob& job, const Arguments& arguments, Session& session);
+
+}  // namespace planish::cli

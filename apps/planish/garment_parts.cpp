@@ -1,0 +1,147 @@
+#include "garment_parts.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include <planish/mesh/split.h>
+
+#include "pattern_output.h"
+#include "text.h"
+
+namespace planish::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_mesh_file(const fs::path& path) {
+  const std::string extension = lower_extension(path.string());
+  return std::any_of(k_mesh_formats.begin(), k_mesh_formats.end(), [&](MeshFormat format) {
+    return extension == "." + std::string(to_string(format));
+  });
+}
+
+std::vector<fs::path> mesh_files_in(const std::string& folder) {
+  std::error_code failure;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator at(folder, failure), end; !failure && at != end;
+       at.increment(failure)) {
+    std::error_code ignored;
+    if (at->is_regular_file(ignored) && is_mesh_file(at->path())) files.push_back(at->path());
+  }
+  if (failure) throw Error(ErrorCode::file_unreadable, failure.message(), {.path = folder});
+  if (files.empty()) {
+    throw Error(ErrorCode::file_unreadable,
+                "the folder holds no mesh file: .obj, .ply, .stl or .off", {.path = folder});
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// The patches of one file, their folders not named yet.
+std::vector<GarmentPatch> patches_of(const ReadResult& input, const fs::path& path) {
+  std::vector<NamedPatch> parts =
+      input.groups.names.empty() ? split(input.mesh, path.stem().string())
+                                 : split(input.mesh, input.groups.of_triangle, input.groups.names);
+  std::vector<GarmentPatch> patches;
+  patches.reserve(parts.size());
+  for (NamedPatch& part : parts)
+    patches.push_back({std::move(part.name), {}, std::move(part.mesh), input.format});
+  return patches;
+}
+
+void name_folders(std::vector<GarmentPatch>& patches) {
+  std::vector<std::string> names;
+  names.reserve(patches.size());
+  for (const GarmentPatch& patch : patches)
+    names.push_back(patch.name);
+  const std::vector<std::string> folders = safe_names(names);
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    patches[p].folder = folders[p];
+}
+
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+         c == '_' || c == '.' || static_cast<unsigned char>(c) >= 0x80;
+}
+
+std::string in_small_letters(std::string name) {
+  for (char& c : name) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return name;
+}
+
+/// Windows takes these, whatever follows a dot, for devices.
+bool is_device(const std::string& name) {
+  const std::string stem = in_small_letters(name.substr(0, name.find('.')));
+  if (stem == "con" || stem == "prn" || stem == "aux" || stem == "nul") return true;
+  const std::string kind = stem.substr(0, 3);
+  return stem.size() == 4 && (kind == "com" || kind == "lpt") && stem[3] >= '0' && stem[3] <= '9';
+}
+
+std::string safe_name(const std::string& name) {
+  constexpr std::size_t k_longest = 80;
+  std::string safe;
+  safe.reserve(name.size());
+  for (const char c : name)
+    safe += is_plain(c) ? c : '_';
+  safe = beginning(safe, k_longest);
+  while (!safe.empty() && safe.back() == '.')
+    safe.pop_back();  // Windows drops them
+  if (!safe.empty() && (safe.front() == '.' || safe.front() == '-')) safe.front() = '_';
+  if (safe.empty()) safe = "patch";
+  return is_device(safe) ? safe + "_" : safe;
+}
+
+}  // namespace
+
+std::vector<std::string> safe_names(const std::vector<std::string>& names) {
+  std::set<std::string> taken = {"garment.json", "garment.svg"};
+  std::vector<std::string> safe;
+  safe.reserve(names.size());
+  for (const std::string& name : names) {
+    const std::string wanted = safe_name(name);
+    std::string given = wanted;
+    for (int k = 2; !taken.insert(in_small_letters(given)).second; ++k)
+      given = wanted + "-" + std::to_string(k);
+    safe.push_back(std::move(given));
+  }
+  return safe;
+}
+
+GarmentInput read_garment(Session& session, const std::string& path) {
+  GarmentInput input;
+  input.path = path;
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored)) {
+    input.whole = session.read(path);
+    input.patches = patches_of(input.whole, path);
+    if (input.patches.size() > 1) {
+      const std::string& kind = input.whole.groups.kind;
+      session.note(path + ": " + std::to_string(input.patches.size()) + " patches" +
+                   (kind.empty() ? "" : ", divided by " + kind));
+    }
+  } else {
+    for (const fs::path& file : mesh_files_in(path)) {
+      try {
+        ReadResult whole = session.read(file.string());
+        std::vector<GarmentPatch> patches = patches_of(whole, file);
+        std::move(patches.begin(), patches.end(), std::back_inserter(input.patches));
+        input.whole = std::move(whole);
+      } catch (const Error& error) {
+        input.patches.push_back({file.stem().string(), {}, {}, MeshFormat::obj, error});
+      }
+      input.path = file.string();
+    }
+    if (input.patches.size() == 1 && input.patches.front().failure) {
+      throw Error(*input.patches.front().failure);
+    }
+  }
+  name_folders(input.patches);
+  return input;
+}
+
+}  // namespace planish::cli

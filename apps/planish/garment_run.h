@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <planish/core/vec.h>
+
+#include "garment_job.h"
+
+namespace planish::cli {
+
+/// Why a patch has no results.
+struct PatchFailure {
+  std::string code, message;
+};
+
+/// What became of a patch. Without failure and files it was cancelled.
+struct FlattenedPatch {
+  std::optional<PatchFailure> failure;
+  std::optional<PatchFiles> files;
+  TriMesh mesh;               ///< as it was processed
+  std::vector<Vec2> pattern;  ///< of that, model units
+};
+
+/// The failure of the exception that is being handled.
+PatchFailure current_failure();
+
+/// Flattens patches on threads, the largest first, and hands each to `on_done` on the calling
+/// thread as it is finished, by its number.
+/// @param numbers of the patches to be flattened
+/// @param on_done false cancels the rest, which is handed on too
+void flatten_patches(const GarmentJob& job, std::vector<std::size_t> numbers, unsigned threads,
+                     const std::function<bool()>& interrupted,
+                     const std::function<bool(std::size_t, FlattenedPatch)>& on_done);
+
+}  // namespace planish::cli

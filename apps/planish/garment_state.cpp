@@ -1,0 +1,155 @@
+#include "garment_state.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include <planish/core/version.h>
+#include <planish/io/read_mesh.h>
+
+#include <nlohmann/json.hpp>
+
+namespace planish::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr const char* k_job_file = "job.json";
+
+/// The flags that say where and how fast, not what.
+constexpr std::array<std::string_view, 7> k_idle_flags = {
+    "--output", "--threads",        "--quiet",         "--json",
+    "--resume", "--require-target", "--seam-tolerance"};
+
+/// FNV-1a of 64 bits: tells versions of a file apart, keeps out nobody.
+class Hash {
+ public:
+  void add(std::string_view bytes) {
+    for (const char c : bytes)
+      value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  }
+  template <class Value>
+  void add_value(const Value& value) {
+    std::array<char, sizeof(Value)> bytes{};
+    std::memcpy(bytes.data(), &value, sizeof(Value));
+    add({bytes.data(), bytes.size()});
+  }
+  std::string text() const {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string text;
+    for (int shift = 60; shift >= 0; shift -= 4)
+      text += digits[(value_ >> shift) & 15U];
+    return text;
+  }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325ULL;
+};
+
+std::string hash_of(std::string_view bytes) {
+  Hash hash;
+  hash.add(bytes);
+  return hash.text();
+}
+
+std::string hash_of(const TriMesh& mesh) {
+  Hash hash;
+  hash.add_value(mesh.positions.size());
+  for (const Vec3& p : mesh.positions)
+    hash.add_value(p);
+  for (const Triangle& t : mesh.triangles)
+    hash.add_value(t);
+  return hash.text();
+}
+
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::optional<std::string> content_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  std::string content{std::istreambuf_iterator<char>(file), {}};
+  return file.bad() ? std::nullopt : std::optional(std::move(content));
+}
+
+/// What a file says in JSON; null where it says nothing of the kind.
+Json json_in(const fs::path& path) {
+  const auto content = content_of(path);
+  Json json = content ? Json::parse(*content, nullptr, false) : Json(nullptr);
+  return json.is_object() ? json : Json(nullptr);
+}
+
+bool are_as_written(const Json& files, const fs::path& folder) {
+  if (!files.is_object() || files.empty()) return false;
+  for (const auto& [name, hash] : files.items()) {
+    const auto content = content_of(folder / name);
+    if (!content || !hash.is_string() || hash != hash_of(*content)) return false;
+  }
+  return true;
+}
+
+std::vector<Vec2> in_the_plane(const std::vector<Vec3>& positions) {
+  std::vector<Vec2> pattern;
+  pattern.reserve(positions.size());
+  for (const Vec3& p : positions)
+    pattern.push_back({p.x, p.y});
+  return pattern;
+}
+
+}  // namespace
+
+std::string job_of(const GarmentPatch& patch, const Arguments& arguments) {
+  Json flags = Json::object();
+  for (const auto& [flag, value] : arguments.flags) {
+    if (std::find(k_idle_flags.begin(), k_idle_flags.end(), flag) == k_idle_flags.end()) {
+      flags[flag] = value;
+    }
+  }
+  return text_of({{"version", k_version},
+                  {"name", patch.name},
+                  {"format", to_string(patch.format)},
+                  {"mesh", hash_of(patch.mesh)},
+                  {"flags", std::move(flags)}});
+}
+
+OutputFile job_file(const std::string& job, const std::vector<OutputFile>& files,
+                    const fs::path& folder) {
+  Json json = Json::parse(job);
+  json["files"] = Json::object();
+  for (const OutputFile& file : files) {
+    json["files"][file.path.lexically_relative(folder).generic_string()] = hash_of(file.content);
+  }
+  return {folder / k_job_file, text_of(json)};
+}
+
+std::optional<PatchResults> finished_results(const std::string& job, const fs::path& folder) {
+  Json found = json_in(folder / k_job_file);
+  if (found.is_null() || !found.contains("files")) return std::nullopt;
+  const Json files = found["files"];
+  found.erase("files");
+  if (text_of(found) != job || !are_as_written(files, folder)) return std::nullopt;
+  const auto report = content_of(folder / "report.json");
+  const auto flat = std::find_if(k_mesh_formats.begin(), k_mesh_formats.end(), [&](MeshFormat f) {
+    return files.contains("flat." + std::string(to_string(f)));
+  });
+  if (!report || Json::parse(*report, nullptr, false).is_discarded()) return std::nullopt;
+  if (flat == k_mesh_formats.end()) return std::nullopt;
+  try {
+    const std::string extension = "." + std::string(to_string(*flat));
+    const auto mesh_in = [&](const std::string& name) {
+      return read_mesh((folder / (name + extension)).string()).mesh;
+    };
+    return PatchResults{*report, mesh_in("processed"), in_the_plane(mesh_in("flat").positions)};
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,146 @@
+#include "garment_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <planish/core/version.h>
+
+#include <nlohmann/json.hpp>
+
+#include "text.h"
+
+namespace planish::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t k_name_width = 20;
+
+Json seam_side(const GarmentJob& job, const SeamSide& side, const std::optional<double>& length) {
+  Json json = {{"patch", job.patches[side.patch].name},
+               {"first_vertex", side.vertices.front()},
+               {"last_vertex", side.vertices.back()},
+               {"vertices", side.vertices.size()}};
+  json["length"] = length ? Json(*length) : Json(nullptr);
+  return json;
+}
+
+Json seam_entry(const GarmentJob& job, const SeamLengths& seam, std::size_t number) {
+  Json json = {{"number", number}, {"length_on_model", seam.on_model}};
+  json["sides"] = {seam_side(job, seam.seam.sides[0], seam.in_pattern[0]),
+                   seam_side(job, seam.seam.sides[1], seam.in_pattern[1])};
+  const auto difference = seam.difference();
+  json["difference"] = difference ? Json(*difference) : Json(nullptr);
+  json["difference_share"] = difference ? Json(*difference / seam.on_model) : Json(nullptr);
+  return json;
+}
+
+Json patch_entry(const GarmentPatch& patch, const PatchOutcome& outcome) {
+  Json json = {{"name", patch.name},
+               {"folder", patch.folder},
+               {"vertices", patch.mesh.positions.size()},
+               {"triangles", patch.mesh.triangles.size()}};
+  const Json report = Json::parse(outcome.report, nullptr, false);
+  json["unfold"] = report.is_object() ? report["unfold"] : Json(nullptr);
+  json["stop"] = report.is_object() ? report["evolve"]["stop"] : Json(nullptr);
+  json["deviation"] = report.is_object() ? report["evolve"]["deviation"] : Json(nullptr);
+  json["files"] = report.is_object() ? report["files"] : Json(nullptr);
+  json["error"] = nullptr;
+  if (outcome.failure) {
+    json["error"] = {{"code", outcome.failure->code}, {"message", outcome.failure->message}};
+  }
+  return json;
+}
+
+/// A name cut to the width of its column.
+std::string short_name(const std::string& name) {
+  return name.size() <= k_name_width ? name : beginning(name, k_name_width - 1) + "~";
+}
+
+}  // namespace
+
+std::optional<double> SeamLengths::difference() const {
+  if (!in_pattern[0] || !in_pattern[1]) return std::nullopt;
+  return std::abs(*in_pattern[0] - *in_pattern[1]);
+}
+
+std::vector<SeamLengths> measure_seams(const std::vector<PatchOutcome>& outcomes,
+                                       std::vector<Seam> seams, Unit unit) {
+  const double scale = millimetres_per(unit);
+  std::vector<SeamLengths> measured;
+  measured.reserve(seams.size());
+  for (Seam& seam : seams) {
+    SeamLengths lengths;
+    const SeamSide& first = seam.sides[0];
+    const std::vector<Vec3>& positions = outcomes[first.patch].mesh.positions;
+    lengths.on_model = scale * length_of(first, std::span<const Vec3>(positions));
+    for (std::size_t s = 0; s < 2; ++s) {
+      const std::vector<Vec2>& pattern = outcomes[seam.sides[s].patch].pattern;
+      if (pattern.empty()) continue;
+      lengths.in_pattern[s] = scale * length_of(seam.sides[s], std::span<const Vec2>(pattern));
+    }
+    lengths.seam = std::move(seam);
+    measured.push_back(std::move(lengths));
+  }
+  return measured;
+}
+
+std::string garment_json(const GarmentJob& job, const std::vector<PatchOutcome>& outcomes,
+                         const std::vector<SeamLengths>& seams) {
+  Json patches = Json::array(), list = Json::array();
+  for (std::size_t p = 0; p < outcomes.size(); ++p)
+    patches.push_back(patch_entry(job.patches[p], outcomes[p]));
+  for (std::size_t s = 0; s < seams.size(); ++s)
+    list.push_back(seam_entry(job, seams[s], s + 1));
+  const Json json = {{"name", std::filesystem::path(job.path).stem().string()},
+                     {"version", k_version},
+                     {"unit", to_string(job.options.unit)},
+                     {"patches", std::move(patches)},
+                     {"seams", std::move(list)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+bool missed_target(const PatchOutcome& outcome) {
+  const Json report = Json::parse(outcome.report, nullptr, false);
+  return report.is_object() &&
+         report["evolve"]["stop"] != std::string(to_string(StopReason::reached_target));
+}
+
+std::string patch_line(const GarmentPatch& patch, const PatchOutcome& outcome) {
+  const std::string name = left(short_name(patch.name), k_name_width) + " ";
+  if (outcome.failure) return name + "failed: " + outcome.failure->message;
+  const Json report = Json::parse(outcome.report, nullptr, false);
+  if (!report.is_object()) return name + "not done";
+  const Json& unfold = report["unfold"];
+  return name + right(digits(unfold["width"].get<double>()), 7) + " x " +
+         right(digits(unfold["height"].get<double>()), 7) + " " +
+         unfold["unit"].get<std::string>() + "  strain rms " +
+         right(percent(unfold["strain"]["rms"].get<double>()), 8) + ", largest " +
+         right(percent(unfold["strain"]["max"].get<double>()), 8) +
+         (unfold["overlaps"].get<bool>() ? "  overlaps itself" : "") +
+         (outcome.resumed ? "  kept" : "");
+}
+
+std::string seams_text(const GarmentJob& job, const std::vector<SeamLengths>& seams) {
+  if (seams.empty()) return "\nNo two borders lie at the same places: there are no seams.\n";
+  std::string text = "\nSeams, in mm:   model     pattern of both sides   difference\n";
+  for (std::size_t s = 0; s < seams.size(); ++s) {
+    const SeamLengths& seam = seams[s];
+    const auto length = [](const std::optional<double>& value) {
+      return right(value ? fixed(*value, 2) : "-", 11);
+    };
+    const auto difference = seam.difference();
+    text +=
+        right(std::to_string(s + 1), 4) + "  " + right(fixed(seam.on_model, 2), 15) + " " +
+        length(seam.in_pattern[0]) + " " + length(seam.in_pattern[1]) + "   " +
+        (difference ? right(fixed(*difference, 2), 8) + "  " + percent(*difference / seam.on_model)
+                    : right("-", 8)) +
+        "\n      " + job.patches[seam.seam.sides[0].patch].name + " - " +
+        job.patches[seam.seam.sides[1].patch].name + "\n";
+  }
+  return text;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include <planish/draw/drawing.h>
+#include <planish/mesh/seams.h>
+#include <planish/report/unit.h>
+
+namespace planish {
+
+/// A patch of a product laid flat.
+struct GarmentPiece {
+  std::string name;
+  TriMesh mesh;
+  std::vector<Vec2> pattern;  ///< model units; empty where the patch has none: then it is left out
+};
+
+/// All pieces of a product side by side at true size in rows, the highest first, each under its
+/// name. Layers: "cut" (the borders), "seam" (along the borders what is sewn together, each seam in
+/// one colour) and "label" (names; at the middle of each side of a seam its number, from 1).
+/// @param seams of the pieces, by their numbers
+Drawing garment_sheet(std::span<const GarmentPiece> pieces, std::span<const Seam> seams, Unit unit,
+                      const std::string& title);
+
+}  // namespace planish

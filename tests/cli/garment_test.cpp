@@ -1,0 +1,282 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <streambuf>
+
+#include <planish/mesh/split.h>
+
+#include <gmock/gmock.h>
+
+#include "cli_run.h"
+#include "garment_parts.h"
+#include "support/meshes.h"
+
+namespace planish::cli {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+/// An OBJ file of patches, each a group, that share no vertices.
+void write_product(const std::string& path, const std::vector<NamedPatch>& patches) {
+  std::ofstream file(path);
+  file.precision(17);
+  std::size_t first = 1;
+  for (const NamedPatch& patch : patches) {
+    file << "o " << patch.name << "\n";
+    for (const Vec3& p : patch.mesh.positions)
+      file << "v " << p.x << " " << p.y << " " << p.z << "\n";
+    for (const Triangle& t : patch.mesh.triangles)
+      file << "f " << t[0] + first << " " << t[1] + first << " " << t[2] + first << "\n";
+    first += patch.mesh.positions.size();
+  }
+}
+
+NamedPatch sample(const std::string& name, const std::string& shape, std::size_t vertices) {
+  return {name, make_shape(shape, vertices), {}};
+}
+
+/// A saddle cut in two along a path of its edges.
+std::vector<NamedPatch> halves(std::size_t fineness = 1) {
+  const std::size_t columns = 12 * fineness;
+  const auto n = static_cast<double>(fineness);
+  const TriMesh mesh = meshes::height_field(columns, 8 * fineness, [n](double x, double y) {
+    return (0.05 * (x - 6.0 * n) * (x - 6.0 * n) - 0.06 * y * y) / n;
+  });
+  std::vector<Index> group;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    group.push_back(
+        t / 2 % columns < 5 * fineness + t / (2 * columns) % 2 ? 0 : 1);  // the path has corners
+  const std::vector<std::string> names = {"left", "right"};
+  return split(mesh, group, names);
+}
+
+const Names k_quick = {"--method", "controllable", "--sweeps", "2", "--formats", "svg"};
+
+CliResult flatten_product(const std::string& input, const std::string& folder,
+                          const Names& more = {}, const RunContext& context = {}) {
+  Names args = {"flatten", input, "-o", folder};
+  args.insert(args.end(), k_quick.begin(), k_quick.end());
+  args.insert(args.end(), more.begin(), more.end());
+  return planish(args, context);
+}
+
+class Garment : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    write_product("coat.obj", {sample("front", "dome", 300), sample("back/../../up", "saddle", 500),
+                               sample("Front", "cylinder", 200)});
+  }
+};
+
+TEST_F(Garment, GivesEveryPatchAFolderInsideTheOne) {
+  const CliResult result = flatten_product("coat.obj", "out");
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  for (const char* name : {"front", "back_.._.._up", "Front-2"}) {
+    for (const char* file : {"pattern.svg", "processed.obj", "report.json", "job.json"})
+      EXPECT_TRUE(std::filesystem::exists(std::filesystem::path("out") / name / file)) << name;
+  }
+  std::size_t folders = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("out"))
+    folders += entry.is_directory() ? 1 : 0;
+  EXPECT_EQ(folders, 3U);
+  EXPECT_FALSE(std::filesystem::exists("up"));
+  EXPECT_THAT(result.err, HasSubstr("coat.obj: 3 patches, divided by o"));
+  EXPECT_THAT(result.err, HasSubstr("Front"));
+  EXPECT_THAT(result.out, HasSubstr("garment.json"));
+}
+
+TEST_F(Garment, MakesOfEachPatchWhatItsOwnRunMakes) {
+  ASSERT_EQ(flatten_product("coat.obj", "out").exit_code, k_exit_done);
+  write_mesh("front.obj", make_shape("dome", 300));
+  ASSERT_EQ(flatten_product("front.obj", "alone").exit_code, k_exit_done);
+  for (const char* file : {"pattern.svg", "processed.obj", "flat.obj"})
+    EXPECT_EQ(content_of(std::string("out/front/") + file),
+              content_of(std::string("alone/") + file));
+  EXPECT_FALSE(std::filesystem::exists("alone/job.json"));
+}
+
+TEST_F(Garment, DoesNotDependOnTheNumberOfThreads) {
+  ASSERT_EQ(flatten_product("coat.obj", "one", {"--threads", "1"}).exit_code, k_exit_done);
+  ASSERT_EQ(flatten_product("coat.obj", "four", {"--threads", "4"}).exit_code, k_exit_done);
+  for (const char* name : {"front", "back_.._.._up", "Front-2"}) {
+    for (const char* file : {"pattern.svg", "processed.obj", "flat.obj"}) {
+      const std::string path = std::string(name) + "/" + file;
+      EXPECT_EQ(content_of("one/" + path), content_of("four/" + path)) << path;
+    }
+  }
+}
+
+TEST_F(Garment, TellsTheSeamsAndMakesThemMatchOnRequest) {
+  write_product("two.obj", halves());
+  const auto plain = flatten_product("two.obj", "plain", {"--json"}).json();
+  const auto matched = flatten_product("two.obj", "matched", {"--json", "--match-seams"}).json();
+  ASSERT_EQ(plain["seams"].size(), 1U);
+  ASSERT_EQ(matched["seams"].size(), 1U);
+  const auto& seam = matched["seams"][0];
+  EXPECT_EQ(seam["sides"][0]["patch"], "left");
+  EXPECT_EQ(seam["sides"][1]["patch"], "right");
+  EXPECT_EQ(seam["sides"][0]["vertices"], seam["sides"][1]["vertices"]);
+  EXPECT_GT(seam["sides"][0]["vertices"], 9);
+  EXPECT_GT(plain["seams"][0]["difference"], 1e-3);
+  EXPECT_LT(seam["difference"], 1e-9);
+  EXPECT_NEAR(seam["sides"][0]["length"], seam["length_on_model"], 1e-9);
+  EXPECT_TRUE(matched["patches"][0]["unfold"]["match_seams"]);
+  EXPECT_LT(matched["patches"][0]["unfold"]["border_strain"], 1e-9);
+  EXPECT_GT(plain["patches"][0]["unfold"]["border_strain"], 1e-6);
+}
+
+TEST_F(Garment, FindsTheSeamsOfPatchesWithFewerVerticesInside) {
+  write_product("two.obj", halves(4));
+  const auto whole = flatten_product("two.obj", "whole", {"--json"}).json();
+  const Names fewer = {"--json", "--match-seams", "--remesh"};
+  const auto result = flatten_product("two.obj", "out", fewer).json();
+  ASSERT_EQ(result["seams"].size(), 1U);
+  const auto& seam = result["seams"][0];
+  EXPECT_EQ(seam["sides"][0]["vertices"], whole["seams"][0]["sides"][0]["vertices"]);
+  EXPECT_EQ(seam["length_on_model"], whole["seams"][0]["length_on_model"]);
+  EXPECT_LT(seam["difference"], 1e-9);
+  EXPECT_LT(std::filesystem::file_size("out/left/processed.obj"),
+            std::filesystem::file_size("whole/left/processed.obj"));
+  Names again = fewer;
+  again.push_back("--resume");
+  EXPECT_EQ(flatten_product("two.obj", "out", again).json()["seams"], result["seams"]);
+}
+
+TEST_F(Garment, GoesOnWhereOnePatchIsBad) {
+  NamedPatch tube = {"tube", meshes::tube(8, 3), {}};
+  write_product("coat.obj", {sample("front", "dome", 300), tube, sample("back", "saddle", 300)});
+  const CliResult result = flatten_product("coat.obj", "out");
+  EXPECT_EQ(result.exit_code, k_exit_failed);
+  EXPECT_THAT(result.err, HasSubstr("some patches could not be flattened:\n  tube: "));
+  EXPECT_TRUE(std::filesystem::exists("out/front/pattern.svg"));
+  EXPECT_TRUE(std::filesystem::exists("out/back/pattern.svg"));
+  EXPECT_FALSE(std::filesystem::exists("out/tube"));
+  const auto json = nlohmann::json::parse(content_of("out/garment.json"));
+  EXPECT_EQ(json["patches"][1]["error"]["code"], "several_border_loops");
+  EXPECT_TRUE(json["patches"][0]["error"].is_null());
+}
+
+TEST_F(Garment, ReadsFoldersOfMeshFiles) {
+  std::filesystem::create_directories("parts");
+  write_mesh("parts/a.ply", make_shape("dome", 200));
+  write_mesh("parts/b.obj", make_shape("saddle", 200));
+  std::ofstream("parts/c.obj") << "v 0 0\n";
+  std::ofstream("parts/readme.txt") << "no mesh\n";
+  const CliResult result = flatten_product("parts", "out");
+  EXPECT_EQ(result.exit_code, k_exit_failed);
+  EXPECT_THAT(result.err, HasSubstr("c: "));
+  EXPECT_TRUE(std::filesystem::exists("out/a/flat.ply"));
+  EXPECT_TRUE(std::filesystem::exists("out/b/flat.obj"));
+  std::filesystem::create_directories("none");
+  EXPECT_THAT(flatten_product("none", "out2").err, HasSubstr("no mesh file"));
+}
+
+TEST_F(Garment, RefusesFlagsThatGoWithTheOtherKindOfInput) {
+  std::ofstream("fixed.txt") << "0\n";
+  EXPECT_EQ(flatten_product("coat.obj", "out", {"--fix", "fixed.txt"}).exit_code, k_exit_usage);
+  EXPECT_EQ(flatten_product("panel.obj", "out", {"--resume"}).exit_code, k_exit_usage);
+  EXPECT_FALSE(std::filesystem::exists("out"));
+}
+
+/// Asks to stop as soon as a word is written.
+class StopAt : public std::stringbuf {
+ public:
+  StopAt(std::string word, std::atomic<bool>& stop) : word_(std::move(word)), stop_(stop) {}
+
+ protected:
+  int sync() override {
+    if (str().find(word_) != std::string::npos) stop_ = true;
+    return 0;
+  }
+
+ private:
+  std::string word_;
+  std::atomic<bool>& stop_;
+};
+
+/// All that has no times in it, of a folder.
+std::vector<std::string> lasting_contents(const std::string& folder) {
+  std::vector<std::string> paths, contents;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_timed = name == "report.json" || name == "report.html" || name == "job.json";
+    if (entry.is_regular_file() && !is_timed) paths.push_back(entry.path().string());
+  }
+  std::sort(paths.begin(), paths.end());
+  for (const std::string& path : paths)
+    contents.push_back(path.substr(folder.size()) + "\n" + content_of(path));
+  return contents;
+}
+
+TEST_F(Garment, ResumesAnInterruptedRunWithTheSameResult) {
+  std::filesystem::create_directories("a");
+  std::filesystem::create_directories("b");
+  std::filesystem::copy_file("coat.obj", "a/coat.obj");
+  std::filesystem::copy_file("coat.obj", "b/coat.obj");
+  const auto here = std::filesystem::current_path();
+  std::filesystem::current_path(here / "a");
+  ASSERT_EQ(flatten_product("coat.obj", "out").exit_code, k_exit_done);
+
+  std::filesystem::current_path(here / "b");
+  std::atomic<bool> stop = false;
+  StopAt buffer("strain rms", stop);
+  std::ostringstream out;
+  std::ostream err(&buffer);
+  Names args = {"flatten", "coat.obj", "-o", "out", "--threads", "1"};
+  args.insert(args.end(), k_quick.begin(), k_quick.end());
+  EXPECT_EQ(run(args, out, err, {.err_is_terminal = false, .interrupted = &stop}),
+            k_exit_interrupted);
+  EXPECT_THAT(buffer.str(), HasSubstr("1 of 3 patches are done"));
+  EXPECT_FALSE(std::filesystem::exists("out/garment.json"));
+  // The largest goes first.
+  ASSERT_TRUE(std::filesystem::exists("out/back_.._.._up/job.json"));
+  EXPECT_FALSE(std::filesystem::exists("out/front"));
+  const auto time = std::filesystem::last_write_time("out/back_.._.._up/report.json");
+
+  const CliResult resumed = flatten_product("coat.obj", "out", {"--resume"});
+  EXPECT_EQ(resumed.exit_code, k_exit_done) << resumed.err;
+  EXPECT_THAT(resumed.err, HasSubstr("kept"));
+  EXPECT_EQ(std::filesystem::last_write_time("out/back_.._.._up/report.json"), time);
+  EXPECT_EQ(lasting_contents("out"), lasting_contents("../a/out"));
+  std::filesystem::current_path(here);
+}
+
+TEST_F(Garment, ResumesOnlyWhatIsOfTheSameJob) {
+  ASSERT_EQ(flatten_product("coat.obj", "out").exit_code, k_exit_done);
+  const auto kept = [](const std::string& err) {
+    std::size_t count = 0;
+    for (std::size_t at = err.find("kept"); at != std::string::npos; at = err.find("kept", at + 1))
+      ++count;
+    return count;
+  };
+  EXPECT_EQ(kept(flatten_product("coat.obj", "out", {"--resume"}).err), 3U);
+  EXPECT_EQ(kept(flatten_product("coat.obj", "out").err), 0U);
+  // A file that is not as it was written.
+  std::ofstream("out/front/pattern.svg", std::ios::app) << "<!-- touched -->";
+  EXPECT_EQ(kept(flatten_product("coat.obj", "out", {"--resume"}).err), 2U);
+  EXPECT_THAT(content_of("out/front/pattern.svg"), Not(HasSubstr("touched")));
+  // Other options.
+  EXPECT_EQ(kept(flatten_product("coat.obj", "out", {"--resume", "--unit", "cm"}).err), 0U);
+  // Another mesh of one of them.
+  ASSERT_EQ(flatten_product("coat.obj", "out").exit_code, k_exit_done);
+  write_product("coat.obj", {sample("front", "dome", 310), sample("back/../../up", "saddle", 500),
+                             sample("Front", "cylinder", 200)});
+  EXPECT_EQ(kept(flatten_product("coat.obj", "out", {"--resume"}).err), 2U);
+}
+
+TEST(SafeNames, LeadNowhereElseAndAreAllDifferent) {
+  EXPECT_THAT(safe_names({"a", "A", "a", "a-2"}), ElementsAre("a", "A-2", "a-3", "a-2-2"));
+  EXPECT_THAT(
+      safe_names({"..", ".", "", "../x", "/etc/passwd", "-o", "c:\\x", "Überzug"}),
+      ElementsAre("patch", "patch-2", "patch-3", "_._x", "_etc_passwd", "_o", "c__x", "Überzug"));
+  EXPECT_THAT(safe_names({"con", "LPT1.txt", "garment.json"}),
+              ElementsAre("con_", "LPT1.txt_", "garment.json-2"));
+  EXPECT_EQ(safe_names({std::string(300, 'x')}).front().size(), 80U);
+  EXPECT_EQ(safe_names({std::string(79, 'x') + "Ü"}).front().size(), 79U);
+}
+
+}  // namespace
+}  // namespace planish::cli

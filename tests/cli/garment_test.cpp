@@ -129,7 +129,7 @@ TEST_F(Garment, TellsTheSeamsAndMakesThemMatchOnRequest) {
 }
 
 TEST_F(Garment, FindsTheSeamsOfPatchesWithFewerVerticesInside) {
-  write_product("two.obj", halves(4));
+  write_product("two.obj", halves(12));
   const auto whole = flatten_product("two.obj", "whole", {"--json"}).json();
   const Names fewer = {"--json", "--match-seams", "--remesh"};
   const auto result = flatten_product("two.obj", "out", fewer).json();

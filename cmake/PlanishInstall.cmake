@@ -19,5 +19,5 @@ configure_package_config_file(
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/planish-config-version.cmake"
                                  COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/planish-config.cmake"
-              "${PROJECT_BINARY_DIR}/planish-config-version.cmake"
+              "${PROJECT_BINARY_DIR}/planish-config-version.cmake" cmake/FindPolyclipping.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/planish)

@@ -10,6 +10,7 @@ libcli11-dev        header CLI/CLI.hpp
 libeigen3-dev       header eigen3/Eigen/Core
 libfast-float-dev   header fast_float/fast_float.h
 libpng-dev          header png.h
+libpolyclipping-dev header polyclipping/clipper.hpp
 nlohmann-json3-dev  header nlohmann/json.hpp
 "
 test_packages="

@@ -64,6 +64,14 @@ std::string_view to_string(ErrorCode code) {
       return "unsupported_constraint";
     case ErrorCode::unfold_failed:
       return "unfold_failed";
+    case ErrorCode::overlapping_outline:
+      return "overlapping_outline";
+    case ErrorCode::allowance_too_wide:
+      return "allowance_too_wide";
+    case ErrorCode::misplaced_notch:
+      return "misplaced_notch";
+    case ErrorCode::no_grain_direction:
+      return "no_grain_direction";
   }
   return "unknown";
 }

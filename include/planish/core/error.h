@@ -45,6 +45,10 @@ enum class ErrorCode {
   unsupported_constraint,
   // What could not be done
   unfold_failed,
+  overlapping_outline,
+  allowance_too_wide,
+  misplaced_notch,
+  no_grain_direction,
 };
 
 /// The stable name of a code, as in "non_manifold_edge".

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <planish/pattern/piece_outline.h>
+
+namespace planish {
+
+enum class MarkKind {
+  cross,  ///< a match mark
+  drill,  ///< a hole
+};
+std::string_view to_string(MarkKind kind);
+
+/// A place that is carried over from a vertex of the patch.
+struct Mark {
+  Index vertex = 0;
+  MarkKind kind = MarkKind::cross;
+};
+
+/// The size of marks from side to side, millimetres.
+inline constexpr double k_cross_size = 6.0, k_drill_size = 3.0;
+
+/// Two strokes of a cross, or a ring of 24 corners that is closed by its first point at the end.
+/// @param positions of all vertices on the sheet, millimetres
+/// @throws Error index_out_of_range naming the piece
+std::vector<Polygon> mark_lines(std::span<const Vec2> positions, std::span<const Mark> marks,
+                                std::string_view piece);
+
+}  // namespace planish

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include <planish/pattern/piece_outline.h>
+
+namespace planish {
+
+/// What an allowance is like at corners that stand out.
+enum class Corners {
+  mitre,   ///< the sides go on until they meet
+  square,  ///< cut off at right angles to the middle of the corner, as far out as the sides
+  round,   ///< an arc
+};
+std::string_view to_string(Corners corners);
+
+/// Material to be left beyond the outline of a piece.
+struct Allowance {
+  double width = 10.0;  ///< millimetres
+  Corners corners = Corners::mitre;
+  /// How far from the outline's corner a mitre may reach, in widths; sharper ones are squared.
+  double mitre_limit = 2.5;
+  bool holes = true;  ///< holes get it too and so become smaller
+  /// Where not empty, the width of each edge in millimetres, in place of `width`: by loop, and by
+  /// the edge's first point. 0 for edges without, as along a fold.
+  std::vector<std::vector<double>> edge_widths = {};
+};
+
+/// The outline of a piece with its allowance: the border of all that is no farther from the piece
+/// than the width, but for corners that are not round. Arcs are chords that are at most 0.005 mm
+/// inside them. Outer lines run counter-clockwise, lines around what is left of holes, and around
+/// what a bay closed by its allowance encloses, clockwise; no line meets itself or another one.
+/// docs/pattern.md says why that is what comes out.
+///
+/// A corner that does not look like one from as far off as the allowance is wide, such as a jag of
+/// a border of small triangles, is rounded whatever is asked for.
+/// @throws Error option_out_of_range (widths that are not above 0, or above the longer side of the
+///   piece's box; a limit below 1), overlapping_outline, allowance_too_wide (fills a hole)
+std::vector<Polygon> offset_outline(const PieceOutline& outline, const Allowance& allowance);
+
+}  // namespace planish

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include <planish/core/vec.h>
+
+namespace planish {
+
+/// A closed line without its first point again at the end. Millimetres.
+using Polygon = std::vector<Vec2>;
+
+/// The border of a piece in the plane: the outer line first, counter-clockwise, then those of
+/// holes, clockwise, so that the piece is on the left of all of them.
+struct PieceOutline {
+  std::string piece;           ///< what messages call it
+  std::vector<Polygon> loops;  ///< millimetres
+  /// The vertices of the mesh that the points of the loops are; empty where there is no mesh.
+  std::vector<std::vector<Index>> vertices = {};
+};
+
+/// The outline of a pattern: the loop that encloses most comes first, each begins at its vertex of
+/// the smallest number.
+/// @param loops of vertices, the patch on their left, as Connectivity::border_loops() has them
+/// @param positions of all vertices, millimetres
+PieceOutline piece_outline(std::vector<std::vector<Index>> loops, std::span<const Vec2> positions,
+                           std::string piece);
+
+/// > 0 where the loop runs counter-clockwise. Square millimetres.
+double signed_area(std::span<const Vec2> loop);
+
+}  // namespace planish

@@ -1,0 +1,59 @@
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+
+#include <planish/core/error.h>
+#include <planish/pattern/marks.h>
+
+namespace planish {
+
+namespace {
+
+void append_cross(Vec2 at, std::vector<Polygon>& lines) {
+  const double half = 0.5 * k_cross_size;
+  lines.push_back({{at.x - half, at.y}, {at.x + half, at.y}});
+  lines.push_back({{at.x, at.y - half}, {at.x, at.y + half}});
+}
+
+Polygon ring(Vec2 at) {
+  constexpr int corners = 24;
+  Polygon line;
+  line.reserve(corners + 1);
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / corners;
+    line.push_back(at + 0.5 * k_drill_size * Vec2{std::cos(angle), std::sin(angle)});
+  }
+  line.push_back(line.front());
+  return line;
+}
+
+}  // namespace
+
+std::string_view to_string(MarkKind kind) {
+  return kind == MarkKind::cross ? "cross" : "drill";
+}
+
+std::vector<Polygon> mark_lines(std::span<const Vec2> positions, std::span<const Mark> marks,
+                                std::string_view piece) {
+  std::vector<Polygon> lines;
+  lines.reserve(2 * marks.size());
+  for (const Mark& mark : marks) {
+    if (mark.vertex >= positions.size()) {
+      throw Error(ErrorCode::index_out_of_range,
+                  "piece \"" + std::string(piece) + "\": a mark is at vertex " +
+                      std::to_string(mark.vertex) + ", but there are " +
+                      std::to_string(positions.size()) + ", counted from 0",
+                  {.path = {}, .first = mark.vertex});
+    }
+    const Vec2 at = positions[mark.vertex];
+    if (mark.kind == MarkKind::cross) {
+      append_cross(at, lines);
+    } else {
+      lines.push_back(ring(at));
+    }
+  }
+  return lines;
+}
+
+}  // namespace planish

@@ -1,0 +1,217 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <planish/core/error.h>
+#include <planish/core/fields.h>
+#include <planish/pattern/offset_outline.h>
+
+#include "core/number_text.h"
+#include "pattern/allowance_joins.h"
+#include "pattern/border_walk.h"
+#include "pattern/winding_union.h"
+#include "unfold/placement.h"
+
+namespace planish {
+
+namespace {
+
+/// A loop without edges of no length, and the width of each edge.
+struct WideLoop {
+  Polygon points;
+  std::vector<double> widths;
+};
+
+double longer_side(std::span<const Vec2> loop) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  Vec2 low{inf, inf}, high{-inf, -inf};
+  for (const Vec2 p : loop) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return std::max(high.x - low.x, high.y - low.y);
+}
+
+std::string about(const PieceOutline& outline) {
+  return "piece \"" + outline.piece + "\": ";
+}
+
+[[noreturn]] void refuse_width(const PieceOutline& outline, double width, double limit,
+                               const std::string& where) {
+  throw Error(ErrorCode::option_out_of_range,
+              about(outline) + "the seam allowance" + where + " is " + fixed_text(width, 3) +
+                  " mm but must be above 0 and at most the piece's length, " +
+                  fixed_text(limit, 1) + " mm");
+}
+
+void check_widths(const PieceOutline& outline, const Allowance& allowance) {
+  const double limit = longer_side(outline.loops.front());
+  if (allowance.edge_widths.empty()) {
+    if (!(allowance.width > 0.0 && allowance.width <= limit)) {
+      refuse_width(outline, allowance.width, limit, "");
+    }
+    return;
+  }
+  double widest = 0.0;
+  for (const auto& widths : allowance.edge_widths) {
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      widest = std::max(widest, widths[i]);
+      if (widths[i] >= 0.0 && widths[i] <= limit) continue;
+      refuse_width(outline, widths[i], limit, " of edge " + std::to_string(i));
+    }
+  }
+  if (!(widest > 0.0)) refuse_width(outline, widest, limit, " of every edge");
+}
+
+void check_counts(const PieceOutline& outline, const Allowance& allowance) {
+  if (allowance.edge_widths.empty()) return;
+  bool fits = allowance.edge_widths.size() == outline.loops.size();
+  for (std::size_t k = 0; fits && k < outline.loops.size(); ++k)
+    fits = allowance.edge_widths[k].size() == outline.loops[k].size();
+  if (fits) return;
+  throw Error(ErrorCode::option_out_of_range,
+              about(outline) + "there must be one seam allowance for each edge of each loop");
+}
+
+void check_outline(const PieceOutline& outline) {
+  for (std::size_t k = 0; k < outline.loops.size(); ++k) {
+    const Polygon& loop = outline.loops[k];
+    const double area = signed_area(loop);
+    if (!(k == 0 ? area > 0.0 : area < 0.0) || crosses_itself(loop)) {
+      throw Error(ErrorCode::overlapping_outline,
+                  about(outline) + (k == 0 ? "the outline" : "hole " + std::to_string(k)) +
+                      " crosses itself or runs the wrong way around, so there is no one side for "
+                      "a seam allowance; divide the patch or leave the allowance out");
+    }
+  }
+}
+
+void check(const PieceOutline& outline, const Allowance& allowance) {
+  if (outline.loops.empty() || outline.loops.front().size() < 3) {
+    throw Error(ErrorCode::no_triangles, about(outline) + "there is no outline");
+  }
+  check_counts(outline, allowance);
+  check_widths(outline, allowance);
+  check_range("mitre_limit", allowance.mitre_limit, {.min = 1.0});
+  check_outline(outline);
+}
+
+WideLoop wide_loop(const PieceOutline& outline, std::size_t k, const Allowance& allowance) {
+  const Polygon& loop = outline.loops[k];
+  WideLoop wide;
+  wide.points.reserve(loop.size());
+  wide.widths.reserve(loop.size());
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (!(norm(loop[(i + 1) % loop.size()] - loop[i]) > 1e-9)) continue;
+    wide.points.push_back(loop[i]);
+    wide.widths.push_back(allowance.edge_widths.empty() ? allowance.width
+                                                        : allowance.edge_widths[k][i]);
+  }
+  return wide;
+}
+
+Vec2 direction(Vec2 from, Vec2 to) {
+  const double length = norm(to - from);
+  return length > 0.0 ? 1.0 / length * (to - from) : Vec2{};
+}
+
+double turn_between(Vec2 before, Vec2 after) {
+  return std::atan2(cross(before, after), dot(before, after));
+}
+
+/// Whether a point is a corner also when seen from as far off as the allowance is wide.
+bool stands_out(const WideLoop& wide, const BorderWalk& walk, std::size_t i, double turn) {
+  const double width =
+      std::max(wide.widths[i], wide.widths[i == 0 ? wide.widths.size() - 1 : i - 1]);
+  const double far = std::min(width, 0.25 * walk.length());
+  const double way = walk.way_to(i);
+  const Vec2 before = direction(walk.at(way - far), wide.points[i]);
+  const Vec2 after = direction(wide.points[i], walk.at(way + far));
+  return turn_between(before, after) >= 0.5 * turn;
+}
+
+/// The raw offset line: it crosses itself wherever the outline is curved inwards.
+Polygon raw_line(const WideLoop& wide, const Allowance& allowance) {
+  const std::size_t count = wide.points.size();
+  const BorderWalk walk(wide.points);
+  Polygon line;
+  line.reserve(4 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t last = (i + count - 1) % count;
+    OutlineCorner corner = {wide.points[i],
+                            direction(wide.points[last], wide.points[i]),
+                            direction(wide.points[i], wide.points[(i + 1) % count]),
+                            wide.widths[last],
+                            wide.widths[i],
+                            allowance.corners,
+                            allowance.mitre_limit};
+    const double turn = turn_between(corner.before, corner.after);
+    if (turn > 0.0 && !stands_out(wide, walk, i, turn)) corner.corners = Corners::round;
+    append_join(corner, line);
+  }
+  return line;
+}
+
+bool is_inside(std::span<const Vec2> loop, Vec2 p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
+    const Vec2 a = loop[i], b = loop[j];
+    if ((a.y > p.y) == (b.y > p.y)) continue;
+    if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return inside;
+}
+
+Vec2 middle_of(std::span<const Vec2> loop) {
+  Vec2 sum;
+  for (const Vec2 p : loop)
+    sum = sum + p;
+  return 1.0 / static_cast<double>(loop.size()) * sum;
+}
+
+void check_holes(const PieceOutline& outline, const std::vector<Polygon>& result) {
+  for (std::size_t k = 1; k < outline.loops.size(); ++k) {
+    const auto is_left = [&](const Polygon& loop) {
+      return signed_area(loop) < 0.0 && is_inside(outline.loops[k], loop.front());
+    };
+    if (std::any_of(result.begin(), result.end(), is_left)) continue;
+    const Vec2 middle = middle_of(outline.loops[k]);
+    throw Error(ErrorCode::allowance_too_wide,
+                about(outline) + "the seam allowance fills hole " + std::to_string(k) +
+                    ", around (" + fixed_text(middle.x, 1) + ", " + fixed_text(middle.y, 1) +
+                    ") mm; take less, or none for holes",
+                {.path = {}, .first = k});
+  }
+}
+
+}  // namespace
+
+std::string_view to_string(Corners corners) {
+  switch (corners) {
+    case Corners::mitre:
+      return "mitre";
+    case Corners::square:
+      return "square";
+    case Corners::round:
+      return "round";
+  }
+  return "unknown";
+}
+
+std::vector<Polygon> offset_outline(const PieceOutline& outline, const Allowance& allowance) {
+  check(outline, allowance);
+  // Holes without an allowance are kept as they are, whatever reaches them from the outside.
+  const std::size_t widened = allowance.holes ? outline.loops.size() : 1;
+  std::vector<Polygon> lines;
+  lines.reserve(widened);
+  for (std::size_t k = 0; k < widened; ++k)
+    lines.push_back(raw_line(wide_loop(outline, k, allowance), allowance));
+  std::vector<Polygon> result = winding_union(lines);
+  if (allowance.holes) check_holes(outline, result);
+  result.insert(result.end(), outline.loops.begin() + static_cast<std::ptrdiff_t>(widened),
+                outline.loops.end());
+  return result;
+}
+
+}  // namespace planish

@@ -1,0 +1,74 @@
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <planish/pattern/offset_outline.h>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include "oracle/outline_distance.h"
+
+namespace planish {
+namespace {
+
+/// A star-shaped polygon: simple, and as ragged as the radii are.
+PieceOutline random_outline() {
+  const auto radii =
+      *rc::gen::resize(100, rc::gen::container<std::vector<int>>(120, rc::gen::inRange(20, 100)));
+  const auto count = static_cast<std::size_t>(*rc::gen::inRange(3, 120));
+  PieceOutline outline{"random", {{}}};
+  for (std::size_t k = 0; k < count; ++k) {
+    const double angle =
+        2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count);
+    outline.loops[0].push_back({radii[k] * std::cos(angle), radii[k] * std::sin(angle)});
+  }
+  return outline;
+}
+
+void check(const PieceOutline& outline, const Allowance& allowance, double most) {
+  const auto cut = offset_outline(outline, allowance);
+  const auto range = oracle::distances(cut, outline.loops);
+  RC_ASSERT(range.least > allowance.width - 0.0051);
+  RC_ASSERT(range.most < most);
+  RC_ASSERT(!oracle::any_cross(cut));
+  RC_ASSERT(signed_area(cut.front()) > signed_area(outline.loops.front()));
+}
+
+TEST(OffsetOutlineProperty, RoundIsAtItsDistanceEverywhere) {
+  EXPECT_TRUE(rc::check([] {
+    const PieceOutline outline = random_outline();
+    const double width = 0.5 * *rc::gen::inRange(1, 60);
+    check(outline, {.width = width, .corners = Corners::round}, width + 1e-4);
+  }));
+}
+
+TEST(OffsetOutlineProperty, CornersReachNoFartherThanTheirLimit) {
+  EXPECT_TRUE(rc::check([] {
+    const PieceOutline outline = random_outline();
+    const double width = 0.5 * *rc::gen::inRange(1, 60);
+    check(outline, {.width = width, .corners = Corners::mitre}, 2.5 * width + 1e-4);
+    check(outline, {.width = width, .corners = Corners::square},
+          std::numbers::sqrt2 * width + 1e-4);
+  }));
+}
+
+/// What is nearer than the width is inside, what is farther is outside: nothing is forgotten.
+TEST(OffsetOutlineProperty, RoundHoldsAllThatIsNearAndNothingElse) {
+  EXPECT_TRUE(rc::check([] {
+    const PieceOutline outline = random_outline();
+    const double width = 0.5 * *rc::gen::inRange(1, 60);
+    const auto cut = offset_outline(outline, {.width = width, .corners = Corners::round});
+    for (int k = 0; k < 200; ++k) {
+      const Vec2 p{static_cast<double>(*rc::gen::inRange(-140, 140)) + 0.37,
+                   static_cast<double>(*rc::gen::inRange(-140, 140)) + 0.41};
+      const double distance =
+          oracle::is_inside(p, outline.loops) ? 0.0 : oracle::distance_to_outline(p, outline.loops);
+      if (std::abs(distance - width) < 0.006) continue;
+      RC_ASSERT(oracle::is_inside(p, cut) == (distance < width));
+    }
+  }));
+}
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include <planish/core/error.h>
+#include <planish/pattern/offset_outline.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "oracle/outline_distance.h"
+
+namespace planish {
+namespace {
+
+using testing::HasSubstr;
+
+PieceOutline rectangle(double width, double height) {
+  return {"sleeve", {{{0, 0}, {width, 0}, {width, height}, {0, height}}}};
+}
+
+PieceOutline square_with_hole(double half_hole) {
+  PieceOutline outline = rectangle(100.0, 100.0);
+  outline.loops.push_back({{50 - half_hole, 50 - half_hole},
+                           {50 - half_hole, 50 + half_hole},
+                           {50 + half_hole, 50 + half_hole},
+                           {50 + half_hole, 50 - half_hole}});
+  return outline;
+}
+
+/// A ring of `count` corners that zigzags by 1 mm about a circle.
+PieceOutline jagged_disk(int count) {
+  PieceOutline outline{"disk", {{}}};
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / count;
+    const double radius = k % 2 == 0 ? 100.0 : 99.0;
+    outline.loops[0].push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  return outline;
+}
+
+Error error_of(const PieceOutline& outline, const Allowance& allowance) {
+  try {
+    offset_outline(outline, allowance);
+  } catch (const Error& error) {
+    return error;
+  }
+  ADD_FAILURE() << "no error";
+  return {ErrorCode::file_not_found, ""};
+}
+
+double area_of(const std::vector<Polygon>& loops) {
+  double area = 0.0;
+  for (const Polygon& loop : loops)
+    area += signed_area(loop);
+  return area;
+}
+
+TEST(OffsetOutline, OfARectangleHasTheAreaThatItsCornersSay) {
+  const double inside = 300.0 * 200.0, strips = 2.0 * 10.0 * (300.0 + 200.0);
+  const auto area = [](Corners corners) {
+    return area_of(offset_outline(rectangle(300.0, 200.0), {.corners = corners}));
+  };
+  EXPECT_NEAR(area(Corners::mitre), inside + strips + 4.0 * 100.0, 1e-2);
+  EXPECT_NEAR(area(Corners::round), inside + strips + 100.0 * std::numbers::pi, 0.4);
+  // A right angle squared: the mitre without its tip, 10 (sqrt 2 - 1) high and twice as wide.
+  const double tip = 100.0 * std::pow(std::numbers::sqrt2 - 1.0, 2);
+  EXPECT_NEAR(area(Corners::square), inside + strips + 4.0 * (100.0 - tip), 1e-2);
+}
+
+TEST(OffsetOutline, KeepsItsDistanceWhereTheOutlineIsHollow) {
+  const PieceOutline bay{
+      "bay", {{{0, 0}, {90, 0}, {90, 60}, {60, 60}, {60, 25}, {30, 25}, {30, 60}, {0, 60}}}};
+  for (const double width : {3.0, 10.0, 14.9}) {
+    const auto cut = offset_outline(bay, {.width = width, .corners = Corners::round});
+    const auto range = oracle::distances(cut, bay.loops);
+    EXPECT_NEAR(range.least, width, 0.0051) << width;
+    EXPECT_NEAR(range.most, width, 0.0001) << width;
+    EXPECT_EQ(cut.size(), 1U);
+  }
+  EXPECT_NEAR(area_of(offset_outline(bay, {.width = 15.1})), 120.2 * 90.2, 0.1)
+      << "the bay is filled";
+}
+
+TEST(OffsetOutline, CutsOutWhatABayEnclosesThatItsAllowanceCloses) {
+  const PieceOutline flask{"flask",
+                           {{{0, 0},
+                             {100, 0},
+                             {100, 100},
+                             {55, 100},
+                             {55, 80},
+                             {80, 80},
+                             {80, 20},
+                             {20, 20},
+                             {20, 80},
+                             {45, 80},
+                             {45, 100},
+                             {0, 100}}}};
+  const auto cut = offset_outline(flask, {.width = 8.0});
+  ASSERT_EQ(cut.size(), 2U);
+  EXPECT_GT(signed_area(cut[0]), 0.0);
+  EXPECT_NEAR(signed_area(cut[1]), -44.0 * 44.0, 0.1);
+}
+
+TEST(OffsetOutline, RoundsTheJagsOfAFineBorder) {
+  const PieceOutline disk = jagged_disk(2400);
+  for (const Corners corners : {Corners::mitre, Corners::square, Corners::round}) {
+    const auto cut = offset_outline(disk, {.width = 10.0, .corners = corners});
+    ASSERT_EQ(cut.size(), 1U);
+    const auto range = oracle::distances(cut, disk.loops);
+    EXPECT_NEAR(range.least, 10.0, 0.006);
+    EXPECT_NEAR(range.most, 10.0, 0.001);
+    EXPECT_FALSE(oracle::any_cross(cut));
+  }
+}
+
+TEST(OffsetOutline, SquaresMitresBeyondTheLimit) {
+  const PieceOutline spike{"spike", {{{0, 0}, {100, -10}, {100, 10}}}};  // 11.4 degrees at the tip
+  const auto reach = [&](Allowance allowance) {
+    return oracle::distances(offset_outline(spike, allowance), spike.loops).most;
+  };
+  const double mitre = 1.0 / std::sin(std::atan(0.1));
+  EXPECT_NEAR(reach({.width = 5.0, .mitre_limit = 11.0}), 5.0 * mitre, 1e-3);
+  EXPECT_LT(reach({.width = 5.0, .mitre_limit = 10.0}), 5.0 * 1.5) << "as the wide corners";
+}
+
+TEST(OffsetOutline, MayHaveAWidthForEachEdge) {
+  const PieceOutline piece = rectangle(300.0, 200.0);
+  const auto cut = offset_outline(piece, {.edge_widths = {{40.0, 10.0, 0.0, 10.0}}});
+  EXPECT_NEAR(area_of(cut), 320.0 * 240.0, 0.1) << "a hem below, a fold above";
+  EXPECT_THAT(error_of(piece, {.edge_widths = {{40.0, 10.0, -1.0, 10.0}}}).what(),
+              HasSubstr("of edge 2 is -1 mm"));
+  EXPECT_EQ(error_of(piece, {.edge_widths = {{0.0, 0.0, 0.0, 0.0}}}).code(),
+            ErrorCode::option_out_of_range);
+  EXPECT_EQ(error_of(piece, {.edge_widths = {{10.0}}}).code(), ErrorCode::option_out_of_range);
+}
+
+TEST(OffsetOutline, MakesHolesSmallerIfAsked) {
+  const PieceOutline piece = square_with_hole(20.0);
+  EXPECT_NEAR(area_of(offset_outline(piece, {.width = 10.0})), 120.0 * 120.0 - 20.0 * 20.0, 1e-2);
+  EXPECT_NEAR(area_of(offset_outline(piece, {.width = 10.0, .holes = false})),
+              120.0 * 120.0 - 40.0 * 40.0, 1e-2);
+}
+
+TEST(OffsetOutline, RefusesToFillAHole) {
+  const Error error = error_of(square_with_hole(9.0), {.width = 10.0});
+  EXPECT_EQ(error.code(), ErrorCode::allowance_too_wide);
+  EXPECT_THAT(error.message(), HasSubstr("piece \"sleeve\""));
+  EXPECT_THAT(error.message(), HasSubstr("hole 1, around (50, 50) mm"));
+  EXPECT_NO_THROW(offset_outline(square_with_hole(9.0), {.width = 10.0, .holes = false}));
+}
+
+TEST(OffsetOutline, RefusesWidthsThatMakeNoSense) {
+  for (const double width : {0.0, -1.0, 301.0, std::numeric_limits<double>::quiet_NaN(),
+                             std::numeric_limits<double>::infinity()}) {
+    const Error error = error_of(rectangle(300.0, 200.0), {.width = width});
+    EXPECT_EQ(error.code(), ErrorCode::option_out_of_range) << width;
+    EXPECT_THAT(error.message(), HasSubstr("piece \"sleeve\"")) << width;
+  }
+}
+
+TEST(OffsetOutline, RefusesOutlinesWithoutAnOutside) {
+  const PieceOutline eight{"eight", {{{0, 0}, {200, 100}, {200, 0}, {0, 101}}}};
+  EXPECT_EQ(error_of(eight, {.width = 1.0}).code(), ErrorCode::overlapping_outline);
+  PieceOutline backwards = rectangle(30.0, 20.0);
+  std::reverse(backwards.loops[0].begin(), backwards.loops[0].end());
+  EXPECT_EQ(error_of(backwards, {.width = 1.0}).code(), ErrorCode::overlapping_outline);
+}
+
+TEST(OffsetOutline, GoesAroundASlitAndPointsThatComeTwice) {
+  const PieceOutline slit{
+      "slit", {{{0, 0}, {40, 0}, {40, 0}, {40, 30}, {20, 30}, {20, 10}, {20, 30}, {0, 30}}}};
+  const auto cut = offset_outline(slit, {.width = 5.0});
+  ASSERT_EQ(cut.size(), 1U);
+  EXPECT_NEAR(signed_area(cut[0]), 50.0 * 40.0, 0.01);
+}
+
+}  // namespace
+}  // namespace planish

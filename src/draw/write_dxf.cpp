@@ -131,23 +131,28 @@ void add_tables(DxfTags& tags, const DxfEntities& entities, bool numbered) {
 
 struct Piece {
   std::size_t number;
-  std::string name;   // as the drawing tells it
+  DrawingPiece facts;
   std::string block;  // different for every piece
 };
+
+std::string size_of(const DrawingPiece& piece) {
+  return piece.size.empty() ? "ONE" : piece.size;
+}
 
 std::vector<Piece> pieces_of(const Drawing& drawing, const DxfEntities& entities) {
   std::vector<Piece> pieces;
   std::set<std::string> taken;
   for (const auto& [number, tags] : entities.pieces()) {
-    const bool has_name = number < drawing.pieces.size() && !drawing.pieces[number].empty();
-    const std::string name = has_name ? drawing.pieces[number] : drawing.title;
-    std::string block = dxf_name(name);
+    DrawingPiece facts;
+    if (number < drawing.pieces.size()) facts = drawing.pieces[number];
+    if (facts.name.empty()) facts.name = drawing.title;
+    std::string block = dxf_name(facts.name);
     for (int copy = 2; !taken.insert(block).second; ++copy) {
       const std::string end = "_" + std::to_string(copy);
-      block = dxf_name(name);
+      block = dxf_name(facts.name);
       block = block.substr(0, 31 - end.size()) + end;
     }
-    pieces.push_back({number, name, std::move(block)});
+    pieces.push_back({number, std::move(facts), std::move(block)});
   }
   return pieces;
 }
@@ -179,7 +184,9 @@ void add_blocks(DxfTags& tags, const std::vector<Piece>& pieces, const DxfEntiti
     tags.add(3, piece.block);
     const auto box = entities.box_of(piece.number).value_or(std::pair<Vec2, Vec2>{});
     const Vec2 middle = 0.5 * (box.first + box.second);
-    add_notes(tags, middle, {"PIECE NAME: " + piece.name, "SIZE: ONE", "QUANTITY: 1"});
+    add_notes(tags, middle,
+              {"PIECE NAME: " + piece.facts.name, "SIZE: " + size_of(piece.facts),
+               "QUANTITY: " + std::to_string(piece.facts.quantity)});
     tags.append(entities.pieces().at(piece.number));
     tags.add(0, "ENDBLK");
     tags.add(8, k_boundary_layer);
@@ -197,8 +204,10 @@ void add_inserts(DxfTags& tags, const std::vector<Piece>& pieces) {
 }
 
 std::vector<std::string> style_notes(const Drawing& drawing, const DxfDialect& dialect) {
-  return {std::string(dialect.norm), "STYLE NAME: " + drawing.title, "AUTHOR: PLANISH",
-          "SAMPLE SIZE: ONE", "UNITS: METRIC"};
+  return {
+      std::string(dialect.norm), "STYLE NAME: " + drawing.title, "AUTHOR: PLANISH",
+      "SAMPLE SIZE: " + size_of(drawing.pieces.empty() ? DrawingPiece{} : drawing.pieces.front()),
+      "UNITS: METRIC"};
 }
 
 }  // namespace

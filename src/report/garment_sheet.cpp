@@ -100,7 +100,7 @@ Drawing garment_sheet(std::span<const GarmentPiece> pieces, std::span<const Seam
   Layer cut{"cut", {}}, seam_lines{"seam", {}}, label{"label", {}};
   Drawing sheet{title, layout.width, layout.height, {}};
   for (std::size_t p = 0; p < pieces.size(); ++p) {
-    sheet.pieces.push_back(pieces[p].name);
+    sheet.pieces.push_back({pieces[p].name});
     if (pieces[p].pattern.empty()) continue;
     Path border{{}, true, Stroke{k_red}};
     border.piece = p;

@@ -15,6 +15,7 @@ namespace {
 
 using planish::Color;
 using planish::Drawing;
+using planish::DrawingPiece;
 using planish::Layer;
 using planish::Path;
 using planish::Stroke;
@@ -41,7 +42,7 @@ Path disk(Vec2 middle, double radius, std::size_t corners) {
 // A square of 100 mm at (20, 30) with a hole, a piece beside it, dashes, texts, an area without an
 // outline, a hidden layer.
 Drawing known_drawing() {
-  Drawing drawing{"Größe – 1", 300.0, 200.0, {}, {"front", "back"}};
+  Drawing drawing{"Größe – 1", 300.0, 200.0, {}, {DrawingPiece{"front"}, DrawingPiece{"back"}}};
   Path cut = square({20.0, 30.0}, 100.0, k_red);
   cut.lines.push_back(disk({70.0, 80.0}, 20.0, 250).lines[0]);
   Path other = disk({220.0, 100.0}, 60.0, 720);

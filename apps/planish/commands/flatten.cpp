@@ -9,6 +9,7 @@
 #include "commands/commands.h"
 #include "constraint_flags.h"
 #include "failures.h"
+#include "furniture_flags.h"
 #include "garment_flags.h"
 #include "garment_job.h"
 #include "garment_parts.h"
@@ -56,10 +57,12 @@ fs::path folder_from(const Arguments& arguments) {
 struct PatternFiles {
   std::vector<PatternFormat> formats;
   PatternOutput output;
+  PatternOptions furniture;
 };
 
 PatternFiles pattern_files_from(const Arguments& arguments) {
-  PatternFiles pattern = {formats_from(arguments), pattern_output_from(arguments)};
+  PatternFiles pattern = {formats_from(arguments), pattern_output_from(arguments),
+                          furniture_from(arguments, true)};
   std::vector<PatternFormat> written = pattern.formats;
   if (pattern.output.paper) written.push_back(PatternFormat::pdf);
   refuse_idle_pattern_flags(arguments, written);
@@ -100,7 +103,8 @@ void refuse_shared_places(const Places& places) {
 
 std::vector<OutputFile> pattern_files(const FlattenReport& report, const Places& places,
                                       const PatternFiles& pattern) {
-  const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name);
+  const Drawing sheet =
+      pattern_sheet(report.processed, report.unfold, report.name, pattern.furniture);
   std::vector<OutputFile> files;
   files.reserve(pattern.formats.size() + 1);
   for (const PatternFormat format : pattern.formats) {
@@ -166,7 +170,8 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   if (!report) throw Interrupted();
 
   const std::string json = json_report(*report, places);
-  const std::vector<OutputFile> files = files_of(*report, places, format, pattern, colors, json);
+  const std::vector<OutputFile> files =
+      about(path, [&] { return files_of(*report, places, format, pattern, colors, json); });
   session.write(files);
   warn_of_pattern(session, report->unfold);
   const std::string text = path + "  (" + size + ")\n" + flatten_text(*report);
@@ -190,6 +195,7 @@ Command flatten_command() {
     groups.front().flags.push_back(std::move(flag));
   for (Flag& flag : garment_flags())
     groups.front().flags.push_back(std::move(flag));
+  groups.push_back(furniture_flags());
   for (FlagGroup& group : method_flags(FlattenOptions{}.method))
     groups.push_back(std::move(group));
   groups.push_back(constraint_flags());
@@ -205,6 +211,7 @@ Command flatten_command() {
       std::move(groups),
       {"planish flatten panel.obj", "planish flatten panel.obj -o out --unit cm --max-strain 2%",
        "planish flatten panel.obj --paper a4 --dxf-profile lectra",
+       "planish flatten panel.obj --allowance 10mm --grain 0,0,1 --quantity 2",
        "planish flatten panel.obj --material leather --max-deviation 5mm",
        "planish flatten panel.obj --target-e-max 0.001 --require-target"},
       run_flatten};

@@ -8,6 +8,7 @@
 
 #include "commands/commands.h"
 #include "failures.h"
+#include "furniture_flags.h"
 #include "garment_flags.h"
 #include "pattern_output.h"
 #include "session.h"
@@ -43,11 +44,12 @@ PatternOutput output_from(const Arguments& arguments) {
 }
 
 std::string content_of(const std::string& path, const std::string& input, const TriMesh& mesh,
-                       const UnfoldReport& report, const PatternOutput& output) {
+                       const UnfoldReport& report, const PatternOutput& output,
+                       const PatternOptions& furniture) {
   const auto format = pattern_format_of(path);
   if (!format) return format_mesh(flat_mesh(mesh, report.pattern), mesh_format_of(path));
   const std::string name = std::filesystem::path(input).stem().string();
-  const Drawing sheet = pattern_sheet(mesh, report, name);
+  const Drawing sheet = pattern_sheet(mesh, report, name, furniture);
   return output.paper ? tiled_file(sheet, output) : pattern_file(sheet, *format, output);
 }
 
@@ -57,6 +59,7 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
   const Unit unit = unit_from(arguments);
   const PatternOutput how = output_from(arguments);
   const UnfoldOptions unfold_options = {.match_seams = arguments.has("--match-seams")};
+  const PatternOptions furniture = furniture_from(arguments, pattern_format_of(output).has_value());
 
   const std::string& path = arguments.operands.front();
   const TriMesh mesh = session.read(path).mesh;
@@ -69,7 +72,9 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
   const auto report =
       about(path, [&] { return unfold_patch(mesh, unit, on_step, unfold_options); });
   if (!report) throw Interrupted();
-  session.write({{output, content_of(output, path, mesh, *report, how)}});
+  const std::string content =
+      about(path, [&] { return content_of(output, path, mesh, *report, how, furniture); });
+  session.write({{output, content}});
   warn_of_pattern(session, *report);
   return {path + " -> " + output + "  (" + size_text(mesh) + ")\n\n" + unfold_text(*report),
           json_report(*report)};
@@ -93,9 +98,10 @@ Command unfold_command() {
           "Lays a patch flat with the least stretch and no flipped triangle. The patch must be a "
           "topological disk: one piece, one border, no handle.",
           {"INPUT"},
-          {{"Output", std::move(flags)}},
+          {{"Output", std::move(flags)}, furniture_flags()},
           {"planish unfold panel.obj -o pattern.svg",
            "planish unfold panel.obj -o pattern.pdf --paper a4",
+           "planish unfold panel.obj -o pattern.dxf --allowance 10mm --notches notches.txt",
            "planish unfold panel.obj -o flat.obj --unit cm"},
           run_unfold};
 }

@@ -46,15 +46,21 @@ struct Layer {
   bool visible = true;
 };
 
+/// What formats that know pieces tell of one.
+struct DrawingPiece {
+  std::string name;  ///< empty: the drawing's title
+  std::string size = {};
+  int quantity = 1;
+};
+
 /// A sheet in millimetres: x to the right, y up, (0, 0) at the lower left. What every writer of
 /// pattern files consumes. Layers are drawn in order.
 struct Drawing {
   std::string title;
   double width = 0.0, height = 0.0;
   std::vector<Layer> layers;
-  /// Names of the pieces on the sheet, for formats that know pieces. A piece without a name here
-  /// goes by the title.
-  std::vector<std::string> pieces = {};
+  /// The pieces on the sheet by number. One that is missing goes by the title, once, in no size.
+  std::vector<DrawingPiece> pieces = {};
 };
 
 }  // namespace planish

@@ -7,17 +7,25 @@
 #include <planish/draw/color_map.h>
 #include <planish/draw/drawing.h>
 #include <planish/report/flatten.h>
+#include <planish/report/pattern_options.h>
 
 namespace planish {
 
-/// The layers of pattern_sheet(), in the order that they are drawn.
-inline constexpr std::array<std::string_view, 3> k_sheet_layers = {"strain", "cut", "label"};
+/// The layers of pattern_sheet(), in the order that they are drawn. All are always there.
+inline constexpr std::array<std::string_view, 8> k_sheet_layers = {
+    "strain", "cut", "seam", "notch", "grain", "drill", "annotation", "label"};
 
-/// The pattern as a sheet in millimetres, with a margin, in three layers: "strain" (every triangle
-/// in the colour of its signed strain, neighbours of one colour joined), on top of it "cut" (the
-/// outline), and "label" beside it (name, sizes, unit, a 50 mm test square, what the colours mean).
+/// The pattern as a sheet in millimetres, with a margin: "strain" (every triangle in the colour of
+/// its signed strain, neighbours of one colour joined), on top of it "cut" (the outline, or with an
+/// allowance the line around that, and the outline as "seam"), "notch", "grain", "drill" (match
+/// marks too) and "annotation" (the piece's own label) as the options ask, and "label" below it:
+/// name, sizes, unit, scale, a hash of the pattern, test squares of 50 mm and 2 in, what the
+/// colours mean.
 /// @param mesh the patch that was unfolded
-Drawing pattern_sheet(const TriMesh& mesh, const UnfoldReport& unfold, const std::string& name);
+/// @param name of the patch; that of the piece too where the options have none
+/// @throws Error as offset_outline(), notch_lines(), grain_direction() and mark_lines()
+Drawing pattern_sheet(const TriMesh& mesh, const UnfoldReport& unfold, const std::string& name,
+                      const PatternOptions& options = {});
 
 /// The strain at which the strain map's colours end: the 99th percentile of the edges' strain,
 /// rounded up to 1, 2 or 5 times a power of ten, at least 0.1 %.

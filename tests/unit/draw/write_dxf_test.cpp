@@ -162,7 +162,7 @@ TEST(WriteDxf, GivesApparelProgramsABlockPerPieceWithNumberedLayers) {
                            50.0,
                            {Layer{"cut", {holed, second}}, Layer{"seam", {triangle(k_blue)}},
                             Layer{"label", {triangle(k_red)}}},
-                           {"", "back"}};
+                           {DrawingPiece{""}, DrawingPiece{"back"}}};
   for (const DxfProfile profile : k_dxf_profiles) {
     if (profile == DxfProfile::generic) continue;
     const std::string dxf = write_dxf(drawing, {.profile = profile});

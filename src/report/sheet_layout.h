@@ -1,0 +1,16 @@
+#pragma once
+
+namespace planish::sheet {
+
+// How a pattern's sheet is divided, in millimetres: below the pattern a block with the squares to
+// measure and what is to be said.
+inline constexpr double k_margin = 10.0;
+inline constexpr double k_square = 50.0, k_inch_square = 50.8;  // sides of the test squares
+inline constexpr double k_block_height = 56.0;                  // of squares and texts
+inline constexpr double k_gap = 8.0;                            // between that and the pattern
+inline constexpr double k_column = k_margin + k_square + 6.0;   // where the texts begin
+inline constexpr double k_column_width = 115.0;
+inline constexpr double k_block_right = k_column + k_column_width + 6.0 + k_inch_square;
+inline constexpr double k_letter_width = 0.85;  // over a capital's height, on the safe side
+
+}  // namespace planish::sheet

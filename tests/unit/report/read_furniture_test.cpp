@@ -1,0 +1,67 @@
+#include <planish/core/error.h>
+#include <planish/report/read_furniture.h>
+
+#include <gtest/gtest.h>
+
+namespace planish {
+namespace {
+
+TEST(ReadNotches, TellsVerticesFromShares) {
+  const auto notches = parse_notches("12 v\n0.25 t double # collar\n\n50% slit\n7\n", "n.txt");
+  ASSERT_EQ(notches.size(), 4U);
+  EXPECT_EQ(std::get<Index>(notches[0].place), 12U);
+  EXPECT_EQ(notches[0].kind, NotchKind::v);
+  EXPECT_FALSE(notches[0].is_double);
+  EXPECT_EQ(std::get<double>(notches[1].place), 0.25);
+  EXPECT_EQ(notches[1].kind, NotchKind::t);
+  EXPECT_TRUE(notches[1].is_double);
+  EXPECT_EQ(std::get<double>(notches[2].place), 0.5);
+  EXPECT_EQ(std::get<Index>(notches[3].place), 7U);
+  EXPECT_EQ(notches[3].kind, NotchKind::slit);
+}
+
+TEST(ReadMarks, AreCrossesUnlessDrilled) {
+  const auto marks = parse_marks("3\n9 drill\n", "m.txt");
+  ASSERT_EQ(marks.size(), 2U);
+  EXPECT_EQ(marks[0].kind, MarkKind::cross);
+  EXPECT_EQ(marks[1].vertex, 9U);
+  EXPECT_EQ(marks[1].kind, MarkKind::drill);
+}
+
+template <class Parse>
+void expect_error(Parse parse, ErrorCode code, std::size_t line) {
+  try {
+    parse();
+    FAIL() << to_string(code);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), code) << error.what();
+    EXPECT_EQ(error.place().line, line);
+    EXPECT_EQ(error.place().path, "f.txt");
+  }
+}
+
+TEST(ReadNotches, NameTheLineThatIsWrong) {
+  const auto expect = [](const char* text, ErrorCode code, std::size_t line) {
+    expect_error([&] { parse_notches(text, "f.txt"); }, code, line);
+  };
+  expect("1 v\n-1 v\n", ErrorCode::bad_number, 2);
+  expect("1x\n", ErrorCode::bad_number, 1);
+  expect("0.5.5\n", ErrorCode::bad_number, 1);
+  expect("%\n", ErrorCode::bad_number, 1);
+  expect("99999999999\n", ErrorCode::bad_number, 1);
+  expect("\n\n1 w\n", ErrorCode::unknown_name, 3);
+  expect("1 v twice\n", ErrorCode::unknown_name, 1);
+  expect("1 v double 3\n", ErrorCode::malformed_file, 1);
+}
+
+TEST(ReadMarks, NameTheLineThatIsWrong) {
+  const auto expect = [](const char* text, ErrorCode code, std::size_t line) {
+    expect_error([&] { parse_marks(text, "f.txt"); }, code, line);
+  };
+  expect("1\n0.5\n", ErrorCode::bad_number, 2);
+  expect("1 hole\n", ErrorCode::unknown_name, 1);
+  expect("1 drill 3\n", ErrorCode::malformed_file, 1);
+}
+
+}  // namespace
+}  // namespace planish

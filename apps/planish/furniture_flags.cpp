@@ -101,7 +101,7 @@ void refuse_idle_flags(const Arguments& arguments, bool writes_sheet) {
     }
   };
   check("--corners", "--allowance");
-  check("--notch-depth", "--notches");
+  if (!arguments.has("--seam-notches")) check("--notch-depth", "--notches");
   if (writes_sheet) return;
   for (const Flag& flag : furniture_flags().flags) {
     if (!arguments.has(flag.name)) continue;
@@ -118,6 +118,8 @@ FlagGroup furniture_flags() {
        {"--corners", "KIND", "of the allowance: " + list_of(corner_names()) + " (default mitre)"},
        {"--notches", "FILE",
         "a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double"},
+       {"--seam-notches", "FILE",
+        "on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double"},
        {"--notch-depth", "LENGTH", "of notches (default 5mm, or half of less allowance)"},
        {"--grain", "X,Y,Z|ANGLE",
         "direction of the grain on the model, or its angle in the pattern"},

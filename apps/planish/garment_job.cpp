@@ -5,16 +5,14 @@
 #include <utility>
 
 #include <planish/draw/write_svg.h>
-#include <planish/mesh/inspect.h>
-#include <planish/mesh/seams.h>
 #include <planish/report/garment_sheet.h>
 
 #include "failures.h"
 #include "garment_run.h"
+#include "garment_seams.h"
 #include "garment_state.h"
 #include "garment_text.h"
 #include "json_text.h"
-#include "quantities.h"
 #include "summary.h"
 #include "text.h"
 
@@ -22,33 +20,9 @@ namespace planish::cli {
 
 namespace {
 
-/// Borders of patches that cannot be measured take part in no seam.
-std::vector<Seam> seams_of_sound(const std::vector<PatchOutcome>& outcomes, double tolerance) {
-  std::vector<std::size_t> numbers;
-  std::vector<TriMesh> sound;
-  numbers.reserve(outcomes.size());
-  sound.reserve(outcomes.size());
-  for (std::size_t p = 0; p < outcomes.size(); ++p) {
-    if (blocking_problem(inspect(outcomes[p].mesh), Purpose::measure)) continue;
-    numbers.push_back(p);
-    sound.push_back(outcomes[p].mesh);
-  }
-  std::vector<Seam> seams = find_seams(sound, tolerance);
-  for (Seam& seam : seams) {
-    for (SeamSide& side : seam.sides)
-      side.patch = numbers[side.patch];
-  }
-  return seams;
-}
-
-double tolerance_from(const Arguments& arguments) {
-  if (!arguments.has("--seam-tolerance")) return 0.0;
-  return quantity_value("--seam-tolerance", arguments.flags.at("--seam-tolerance"),
-                        Quantity::length, {.min = 0.0}, arguments);
-}
-
 void refuse_single_patch_flags(const Arguments& arguments) {
-  for (const char* flag : {"--fix", "--weights", "--obstacle", "--history"}) {
+  for (const char* flag :
+       {"--fix", "--weights", "--obstacle", "--history", "--notches", "--marks", "--piece-name"}) {
     if (!arguments.has(flag)) continue;
     throw UsageError("flag " + std::string(flag) +
                      " goes with one patch only; the input has several");
@@ -62,7 +36,7 @@ class GarmentRun {
       : job_(job), arguments_(arguments), session_(session), outcomes_(job.patches.size()) {
     jobs_.reserve(job.patches.size());
     for (std::size_t p = 0; p < job.patches.size(); ++p) {
-      jobs_.push_back(job_of(job.patches[p], arguments));
+      jobs_.push_back(job_of(job.patches[p], job.furniture[p], arguments));
       outcomes_[p].mesh = job.patches[p].mesh;
     }
   }
@@ -75,10 +49,13 @@ class GarmentRun {
         [this](std::size_t p, FlattenedPatch done) { return take(p, std::move(done)); });
   }
 
-  Outcome finish(double tolerance) {
+  Outcome finish() {
     if (interrupted_ || session_.interrupted()) return cancelled();
-    const auto seams =
-        measure_seams(outcomes_, seams_of_sound(outcomes_, tolerance), job_.options.unit);
+    std::vector<TriMesh> meshes;
+    meshes.reserve(outcomes_.size());
+    for (const PatchOutcome& outcome : outcomes_)
+      meshes.push_back(outcome.mesh);
+    const auto seams = measure_seams(outcomes_, seams_from(arguments_, meshes), job_.options.unit);
     const std::string json = garment_json(job_, outcomes_, seams);
     const std::vector<OutputFile> files = {{job_.folder / "garment.json", json},
                                            {job_.folder / "garment.svg", picture(seams)}};
@@ -210,12 +187,31 @@ void refuse_garment_flags(const Arguments& arguments) {
   }
 }
 
-Outcome run_garment(const GarmentJob& job, const Arguments& arguments, Session& session) {
+std::vector<PatternOptions> furniture_of_patches(const PatternOptions& furniture,
+                                                 const std::vector<GarmentPatch>& patches,
+                                                 const Arguments& arguments) {
   refuse_single_patch_flags(arguments);
-  const double tolerance = tolerance_from(arguments);
+  std::vector<TriMesh> meshes;
+  std::vector<std::string> names;
+  meshes.reserve(patches.size());
+  names.reserve(patches.size());
+  for (const GarmentPatch& patch : patches) {
+    meshes.push_back(patch.mesh);
+    names.push_back(patch.name);
+  }
+  std::vector<std::vector<Notch>> notches = seam_notches_from(arguments, meshes, names);
+  std::vector<PatternOptions> result(patches.size(), furniture);
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    result[p].label.name = names[p];
+    result[p].notches = std::move(notches[p]);
+  }
+  return result;
+}
+
+Outcome run_garment(const GarmentJob& job, const Arguments& arguments, Session& session) {
   GarmentRun run(job, arguments, session);
   run.flatten();
-  return run.finish(tolerance);
+  return run.finish();
 }
 
 }  // namespace planish::cli

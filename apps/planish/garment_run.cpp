@@ -15,17 +15,20 @@ namespace planish::cli {
 
 namespace {
 
-FlattenedPatch flatten_patch(const GarmentJob& job, const GarmentPatch& patch,
+FlattenedPatch flatten_patch(const GarmentJob& job, std::size_t number,
                              const std::function<bool()>& stopped) {
+  const GarmentPatch& patch = job.patches[number];
   FlattenedPatch done;
   try {
     if (patch.failure) throw Error(*patch.failure);
     FlattenOptions options = job.options;
     options.threads = 1;
+    options.keep = named_vertices(job.furniture[number]);
     auto report =
         flatten(patch.mesh, patch.name, options, [&](FlattenStage, double) { return !stopped(); });
     if (!report) return done;
-    done.files = job.files_of(*report, patch.format, job.folder / patch.folder);
+    done.files =
+        job.files_of(*report, patch.format, job.furniture[number], job.folder / patch.folder);
     done.mesh = std::move(report->processed);
     done.pattern = std::move(report->unfold.pattern.positions);
   } catch (...) {
@@ -86,8 +89,8 @@ void flatten_patches(const GarmentJob& job, std::vector<std::size_t> numbers, un
   const auto work_on_next = [&] {
     const std::size_t k = next++;
     if (k >= numbers.size()) return false;
-    const GarmentPatch& patch = job.patches[numbers[k]];
-    finished.put({numbers[k], stopped() ? FlattenedPatch{} : flatten_patch(job, patch, stopped)});
+    finished.put(
+        {numbers[k], stopped() ? FlattenedPatch{} : flatten_patch(job, numbers[k], stopped)});
     return true;
   };
   std::vector<std::thread> workers;

@@ -23,9 +23,10 @@ namespace fs = std::filesystem;
 constexpr const char* k_job_file = "job.json";
 
 /// The flags that say where and how fast, not what.
-constexpr std::array<std::string_view, 7> k_idle_flags = {
-    "--output", "--threads",        "--quiet",         "--json",
-    "--resume", "--require-target", "--seam-tolerance"};
+/// Those of seams come to the notches, which are told by themselves.
+constexpr std::array<std::string_view, 8> k_idle_flags = {
+    "--output", "--threads",        "--quiet",          "--json",
+    "--resume", "--require-target", "--seam-tolerance", "--seam-notches"};
 
 /// FNV-1a of 64 bits: tells versions of a file apart, keeps out nobody.
 class Hash {
@@ -68,6 +69,16 @@ std::string hash_of(const TriMesh& mesh) {
   return hash.text();
 }
 
+Json to_json(const std::vector<Notch>& notches) {
+  Json list = Json::array();
+  for (const Notch& notch : notches) {
+    const auto& place = std::get<PlaceOnEdge>(notch.place);  // as all on seams are
+    list.push_back(
+        {place.from, place.to, place.share, std::string(to_string(notch.kind)), notch.is_double});
+  }
+  return list;
+}
+
 std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -105,7 +116,8 @@ std::vector<Vec2> in_the_plane(const std::vector<Vec3>& positions) {
 
 }  // namespace
 
-std::string job_of(const GarmentPatch& patch, const Arguments& arguments) {
+std::string job_of(const GarmentPatch& patch, const PatternOptions& furniture,
+                   const Arguments& arguments) {
   Json flags = Json::object();
   for (const auto& [flag, value] : arguments.flags) {
     if (std::find(k_idle_flags.begin(), k_idle_flags.end(), flag) == k_idle_flags.end()) {
@@ -116,6 +128,7 @@ std::string job_of(const GarmentPatch& patch, const Arguments& arguments) {
                   {"name", patch.name},
                   {"format", to_string(patch.format)},
                   {"mesh", hash_of(patch.mesh)},
+                  {"notches", to_json(furniture.notches)},
                   {"flags", std::move(flags)}});
 }
 

@@ -7,6 +7,7 @@
 
 #include <planish/core/vec.h>
 #include <planish/io/write_file.h>
+#include <planish/report/pattern_options.h>
 
 #include "command.h"
 #include "garment_parts.h"
@@ -14,8 +15,9 @@
 namespace planish::cli {
 
 /// What a patch's results are made from, as its job.json says it: the program's version, a hash of
-/// the mesh, the name and the flags that results depend on.
-std::string job_of(const GarmentPatch& patch, const Arguments& arguments);
+/// the mesh, the name, the notches and the flags that results depend on.
+std::string job_of(const GarmentPatch& patch, const PatternOptions& furniture,
+                   const Arguments& arguments);
 
 /// The job.json that says that these files are the results of the job.
 OutputFile job_file(const std::string& job, const std::vector<OutputFile>& files,

@@ -16,7 +16,7 @@ class BorderWalk {
   explicit BorderWalk(std::span<const Vec2> loop);
 
   double length() const { return reached_.back(); }
-  /// The way to a point of the loop.
+  /// The way to a point of the loop; of the point behind the last one: all of it.
   double way_to(std::size_t point) const { return reached_[point]; }
   Vec2 at(double way) const;
 

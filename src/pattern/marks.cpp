@@ -34,18 +34,23 @@ std::string_view to_string(MarkKind kind) {
   return kind == MarkKind::cross ? "cross" : "drill";
 }
 
+void check_marks(std::size_t vertex_count, std::span<const Mark> marks, std::string_view piece) {
+  for (const Mark& mark : marks) {
+    if (mark.vertex < vertex_count) continue;
+    throw Error(ErrorCode::index_out_of_range,
+                "piece \"" + std::string(piece) + "\": a mark is at vertex " +
+                    std::to_string(mark.vertex) + ", but there are " +
+                    std::to_string(vertex_count) + ", counted from 0",
+                {.path = {}, .first = mark.vertex});
+  }
+}
+
 std::vector<Polygon> mark_lines(std::span<const Vec2> positions, std::span<const Mark> marks,
                                 std::string_view piece) {
+  check_marks(positions.size(), marks, piece);
   std::vector<Polygon> lines;
   lines.reserve(2 * marks.size());
   for (const Mark& mark : marks) {
-    if (mark.vertex >= positions.size()) {
-      throw Error(ErrorCode::index_out_of_range,
-                  "piece \"" + std::string(piece) + "\": a mark is at vertex " +
-                      std::to_string(mark.vertex) + ", but there are " +
-                      std::to_string(positions.size()) + ", counted from 0",
-                  {.path = {}, .first = mark.vertex});
-    }
     const Vec2 at = positions[mark.vertex];
     if (mark.kind == MarkKind::cross) {
       append_cross(at, lines);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include <planish/core/error.h>
@@ -21,6 +22,12 @@ struct Seat {
   double way = 0.0;
 };
 
+/// A place between a point of a loop and the next one.
+struct EdgeSeat {
+  std::size_t loop = 0, point = 0;
+  double share = 0.0;
+};
+
 /// A notch on its cut line.
 struct Frame {
   Vec2 seam;           ///< the place on the seam
@@ -29,35 +36,62 @@ struct Frame {
   double reach = 0.0;  ///< from the seam out to the cut line
 };
 
-std::string name_of(const PieceOutline& outline, const Notch& notch) {
-  const std::string piece = "piece \"" + outline.piece + "\": the notch at ";
+std::string name_of(std::string_view piece, const Notch& notch) {
+  const std::string begin = "piece \"" + std::string(piece) + "\": the notch at ";
   if (const auto* vertex = std::get_if<Index>(&notch.place)) {
-    return piece + "vertex " + std::to_string(*vertex);
+    return begin + "vertex " + std::to_string(*vertex);
   }
-  return piece + number_text(std::get<double>(notch.place)) + " of the border";
+  if (const auto* edge = std::get_if<PlaceOnEdge>(&notch.place)) {
+    return begin + "the edge from vertex " + std::to_string(edge->from) + " to " +
+           std::to_string(edge->to);
+  }
+  return begin + number_text(std::get<double>(notch.place)) + " of the border";
 }
 
-[[noreturn]] void fail(const PieceOutline& outline, const Notch& notch, const std::string& what) {
+[[noreturn]] void fail(std::string_view piece, const Notch& notch, const std::string& what) {
   ErrorPlace place;
   if (const auto* vertex = std::get_if<Index>(&notch.place)) place.first = *vertex;
-  throw Error(ErrorCode::misplaced_notch, name_of(outline, notch) + what, place);
+  throw Error(ErrorCode::misplaced_notch, name_of(piece, notch) + what, place);
+}
+
+std::optional<std::size_t> point_of(Index vertex, const std::vector<Index>& loop) {
+  const auto found = std::find(loop.begin(), loop.end(), vertex);
+  if (found == loop.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - loop.begin());
+}
+
+std::optional<EdgeSeat> seat_at(Index vertex, std::span<const std::vector<Index>> loops) {
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    if (const auto point = point_of(vertex, loops[k])) return EdgeSeat{k, *point};
+  }
+  return std::nullopt;
+}
+
+std::optional<EdgeSeat> seat_at(const PlaceOnEdge& place,
+                                std::span<const std::vector<Index>> loops) {
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const auto from = point_of(place.from, loops[k]), to = point_of(place.to, loops[k]);
+    if (!from || !to) continue;
+    if ((*from + 1) % loops[k].size() == *to) return EdgeSeat{k, *from, place.share};
+    if ((*to + 1) % loops[k].size() == *from) return EdgeSeat{k, *to, 1.0 - place.share};
+  }
+  return std::nullopt;
+}
+
+bool is_share(double value) {
+  return value >= 0.0 && value <= 1.0;
 }
 
 Seat seat_of(const PieceOutline& outline, const Notch& notch,
              const std::vector<BorderWalk>& walks) {
   if (const auto* share = std::get_if<double>(&notch.place)) {
-    if (*share >= 0.0 && *share <= 1.0) return {0, *share * walks[0].length()};
-    fail(outline, notch, " is off the border: shares are from 0 to 1");
+    return {0, *share * walks[0].length()};
   }
-  const Index vertex = std::get<Index>(notch.place);
-  for (std::size_t k = 0; k < outline.vertices.size(); ++k) {
-    const auto& loop = outline.vertices[k];
-    const auto found = std::find(loop.begin(), loop.end(), vertex);
-    if (found != loop.end()) {
-      return {k, walks[k].way_to(static_cast<std::size_t>(found - loop.begin()))};
-    }
-  }
-  fail(outline, notch, " is off the border: this vertex is not on it");
+  const auto* edge = std::get_if<PlaceOnEdge>(&notch.place);
+  const EdgeSeat seat = edge != nullptr ? *seat_at(*edge, outline.vertices)
+                                        : *seat_at(std::get<Index>(notch.place), outline.vertices);
+  const BorderWalk& walk = walks[seat.loop];
+  return {seat.loop, std::lerp(walk.way_to(seat.point), walk.way_to(seat.point + 1), seat.share)};
 }
 
 /// The seam's direction as it is over the width of a notch, so that jags do not turn notches.
@@ -77,11 +111,12 @@ void check_depth(const PieceOutline& outline, const Notch& notch, const Frame& f
                  bool with_allowance) {
   const std::string deep = " is " + fixed_text(depth, 3) + " mm deep and would reach ";
   if (with_allowance && !(depth <= frame.reach + 1e-6)) {
-    fail(outline, notch,
+    fail(outline.piece, notch,
          deep + "through the seam, which is " + fixed_text(frame.reach, 3) + " mm from the cut");
   }
-  if (!with_allowance && first_hit(outline.loops, frame.seam, frame.inward, 1e-3) <= depth) {
-    fail(outline, notch, deep + "out of the piece");
+  // On the way it may leave the piece: between the jags of a border.
+  if (!with_allowance && !is_within(outline.loops, frame.seam + depth * frame.inward)) {
+    fail(outline.piece, notch, deep + "out of the piece");
   }
 }
 
@@ -136,9 +171,28 @@ std::string_view to_string(NotchKind kind) {
   return "unknown";
 }
 
+void check_notches(std::span<const std::vector<Index>> border, std::span<const Notch> notches,
+                   std::string_view piece) {
+  for (const Notch& notch : notches) {
+    if (const auto* share = std::get_if<double>(&notch.place)) {
+      if (!is_share(*share)) fail(piece, notch, " is off the border: shares are from 0 to 1");
+    } else if (const auto* vertex = std::get_if<Index>(&notch.place)) {
+      if (!seat_at(*vertex, border)) {
+        fail(piece, notch, " is off the border: this vertex is not on it");
+      }
+    } else {
+      const auto& edge = std::get<PlaceOnEdge>(notch.place);
+      if (!is_share(edge.share) || !seat_at(edge, border)) {
+        fail(piece, notch, " is off the border: this edge is not on it");
+      }
+    }
+  }
+}
+
 std::vector<Polygon> notch_lines(const PieceOutline& outline, std::span<const Polygon> cut,
                                  std::span<const Notch> notches, const NotchSizes& sizes) {
   check_sizes(sizes);
+  check_notches(outline.vertices, notches, outline.piece);
   const std::vector<BorderWalk> walks = walks_along(outline);
   const bool with_allowance = has_allowance(outline, cut);
   std::vector<Polygon> lines;

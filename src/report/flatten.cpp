@@ -158,11 +158,12 @@ std::optional<FlattenReport> flatten(TriMesh mesh, std::string name, const Flatt
   const Stopping stopping = options.stopping.value_or(usual_stopping(options.method));
   if (options.remesh) {
     check_constraints(options.constraints, mesh.positions.size(), options.method);
-    RemeshedPatch patch = remesh(mesh, options.constraints);
+    RemeshedPatch patch = remesh(mesh, options.constraints, options.keep);
     report.evolve =
         evolve_remeshed(mesh, patch, options.method, stopping,
                         on_sweep_of(stopping, patch.mesh, on_progress), options.threads);
     report.input = std::move(patch.mesh);
+    report.source = std::move(patch.source);
   } else {
     report.evolve =
         evolve_patch(mesh, options.method, stopping, on_sweep_of(stopping, mesh, on_progress),

@@ -1,4 +1,6 @@
 #include <charconv>
+#include <cmath>
+#include <optional>
 
 #include <planish/report/read_furniture.h>
 
@@ -24,16 +26,25 @@ Index vertex_in(std::string_view word, const TextCursor& cursor) {
   return vertex;
 }
 
+/// The number before the end of a word; nothing where that is none.
+std::optional<double> number_before(std::string_view word, std::string_view ending) {
+  if (!word.ends_with(ending)) return std::nullopt;
+  const char* const end = word.data() + word.size() - ending.size();
+  double number = 0.0;
+  const auto parsed = std::from_chars(word.data(), end, number);
+  if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
+/// A share as 0.25 or 25%; nothing where it is none.
+std::optional<double> share_of(std::string_view word) {
+  if (const auto percent = number_before(word, "%")) return *percent / 100.0;
+  return number_before(word, "");
+}
+
 double share_in(std::string_view word, const TextCursor& cursor) {
-  const bool in_percent = word.ends_with('%');
-  const std::string_view digits = word.substr(0, word.size() - (in_percent ? 1 : 0));
-  double share = 0.0;
-  const char* const end = digits.data() + digits.size();
-  const auto parsed = std::from_chars(digits.data(), end, share);
-  if (parsed.ec != std::errc() || parsed.ptr != end) {
-    cursor.fail(ErrorCode::bad_number, quoted(word) + " is not a share such as 0.25 or 25%");
-  }
-  return in_percent ? share / 100.0 : share;
+  if (const auto share = share_of(word)) return *share;
+  cursor.fail(ErrorCode::bad_number, quoted(word) + " is not a share such as 0.25 or 25%");
 }
 
 NotchKind notch_kind_in(std::string_view word, const TextCursor& cursor) {
@@ -57,6 +68,26 @@ void end_line(TextCursor& cursor) {
   cursor.fail(ErrorCode::malformed_file, "more follows on the line: " + quoted(cursor.token()));
 }
 
+/// What follows the place of a notch.
+struct NotchForm {
+  NotchKind kind = NotchKind::slit;
+  bool is_double = false;
+};
+
+NotchForm notch_form_in(TextCursor& cursor) {
+  NotchForm form;
+  if (!cursor.at_line_end()) form.kind = notch_kind_in(cursor.token(), cursor);
+  if (!cursor.at_line_end()) {
+    const std::string_view word = cursor.token();
+    if (word != "double") {
+      cursor.fail(ErrorCode::unknown_name, quoted(word) + " should be the word double");
+    }
+    form.is_double = true;
+  }
+  end_line(cursor);
+  return form;
+}
+
 Notch notch_in(TextCursor& cursor) {
   const std::string_view place = cursor.token();
   Notch notch;
@@ -65,15 +96,39 @@ Notch notch_in(TextCursor& cursor) {
   } else {
     notch.place = share_in(place, cursor);
   }
-  if (!cursor.at_line_end()) notch.kind = notch_kind_in(cursor.token(), cursor);
-  if (!cursor.at_line_end()) {
-    const std::string_view word = cursor.token();
-    if (word != "double") {
-      cursor.fail(ErrorCode::unknown_name, quoted(word) + " should be the word double");
-    }
-    notch.is_double = true;
+  const NotchForm form = notch_form_in(cursor);
+  notch.kind = form.kind;
+  notch.is_double = form.is_double;
+  return notch;
+}
+
+std::optional<std::size_t> seam_in(std::string_view word, const TextCursor& cursor) {
+  if (word == "*") return std::nullopt;
+  std::size_t number = 0;
+  const char* const end = word.data() + word.size();
+  const auto parsed = std::from_chars(word.data(), end, number);
+  if (parsed.ec == std::errc() && parsed.ptr == end && number > 0) return number - 1;
+  cursor.fail(ErrorCode::bad_number,
+              quoted(word) + " is not the number of a seam, counted from 1, or *");
+}
+
+SeamNotch seam_notch_in(TextCursor& cursor) {
+  SeamNotch notch;
+  notch.seam = seam_in(cursor.token(), cursor);
+  if (cursor.at_line_end()) {
+    cursor.fail(ErrorCode::malformed_file, "the place is missing, such as 50% or 120mm");
   }
-  end_line(cursor);
+  const std::string_view place = cursor.token();
+  const auto length = number_before(place, "mm");
+  const auto share = share_of(place);
+  if (!length && !share) {
+    cursor.fail(ErrorCode::bad_number, quoted(place) + " is no place such as 0.5, 50% or 120mm");
+  }
+  notch.in_millimetres = length.has_value();
+  notch.place = length ? *length : *share;
+  const NotchForm form = notch_form_in(cursor);
+  notch.kind = form.kind;
+  notch.is_double = form.is_double;
   return notch;
 }
 
@@ -103,9 +158,22 @@ std::vector<Mark> parse_marks(std::string_view bytes, const std::string& name) {
   return marks;
 }
 
+std::vector<SeamNotch> parse_seam_notches(std::string_view bytes, const std::string& name) {
+  TextCursor cursor(bytes, name, {.comments = true});
+  std::vector<SeamNotch> notches;
+  while (cursor.skip_to_token())
+    notches.push_back(seam_notch_in(cursor));
+  return notches;
+}
+
 std::vector<Notch> read_notches(const std::filesystem::path& path) {
   const FileBytes file(path);
   return parse_notches(file.view(), path.string());
+}
+
+std::vector<SeamNotch> read_seam_notches(const std::filesystem::path& path) {
+  const FileBytes file(path);
+  return parse_seam_notches(file.view(), path.string());
 }
 
 std::vector<Mark> read_marks(const std::filesystem::path& path) {

@@ -10,6 +10,7 @@
 #include "cli_run.h"
 #include "garment_parts.h"
 #include "support/meshes.h"
+#include "support/products.h"
 
 namespace planish::cli {
 namespace {
@@ -17,21 +18,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
-
-/// An OBJ file of patches, each a group, that share no vertices.
-void write_product(const std::string& path, const std::vector<NamedPatch>& patches) {
-  std::ofstream file(path);
-  file.precision(17);
-  std::size_t first = 1;
-  for (const NamedPatch& patch : patches) {
-    file << "o " << patch.name << "\n";
-    for (const Vec3& p : patch.mesh.positions)
-      file << "v " << p.x << " " << p.y << " " << p.z << "\n";
-    for (const Triangle& t : patch.mesh.triangles)
-      file << "f " << t[0] + first << " " << t[1] + first << " " << t[2] + first << "\n";
-    first += patch.mesh.positions.size();
-  }
-}
 
 NamedPatch sample(const std::string& name, const std::string& shape, std::size_t vertices) {
   return {name, make_shape(shape, vertices), {}};
@@ -91,7 +77,8 @@ TEST_F(Garment, GivesEveryPatchAFolderInsideTheOne) {
 TEST_F(Garment, MakesOfEachPatchWhatItsOwnRunMakes) {
   ASSERT_EQ(flatten_product("coat.obj", "out").exit_code, k_exit_done);
   write_mesh("front.obj", make_shape("dome", 300));
-  ASSERT_EQ(flatten_product("front.obj", "alone").exit_code, k_exit_done);
+  ASSERT_EQ(flatten_product("front.obj", "alone", {"--piece-name", "front"}).exit_code,
+            k_exit_done);
   for (const char* file : {"pattern.svg", "processed.obj", "flat.obj"})
     EXPECT_EQ(content_of(std::string("out/front/") + file),
               content_of(std::string("alone/") + file));

@@ -13,6 +13,7 @@
 #include "garment_flags.h"
 #include "garment_job.h"
 #include "garment_parts.h"
+#include "garment_seams.h"
 #include "method_flags.h"
 #include "output_folder.h"
 #include "pattern_output.h"
@@ -103,8 +104,9 @@ void refuse_shared_places(const Places& places) {
 
 std::vector<OutputFile> pattern_files(const FlattenReport& report, const Places& places,
                                       const PatternFiles& pattern) {
-  const Drawing sheet =
-      pattern_sheet(report.processed, report.unfold, report.name, pattern.furniture);
+  const PatternOptions furniture =
+      report.source.empty() ? pattern.furniture : renumbered(pattern.furniture, report.source);
+  const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name, furniture);
   std::vector<OutputFile> files;
   files.reserve(pattern.formats.size() + 1);
   for (const PatternFormat format : pattern.formats) {
@@ -136,20 +138,23 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   FlattenOptions options = options_from(arguments, session);
   const ColorMap colors = colors_from(arguments);
-  const PatternFiles pattern = pattern_files_from(arguments);
+  PatternFiles pattern = pattern_files_from(arguments);
   const fs::path folder = folder_from(arguments);
 
   GarmentInput read = read_garment(session, arguments.operands.front());
   if (read.patches.size() > 1) {
-    const auto files = [&](const FlattenReport& report, MeshFormat input, const fs::path& place) {
+    const auto files = [&](const FlattenReport& report, MeshFormat input,
+                           const PatternOptions& furniture, const fs::path& place) {
       const MeshFormat format = output_format(input);
       const Places places = places_in(place, format, pattern, arguments);
       std::string json = json_report(report, places);
-      return PatchFiles{files_of(report, places, format, pattern, colors, json), json};
+      const PatternFiles own = {pattern.formats, pattern.output, furniture};
+      return PatchFiles{files_of(report, places, format, own, colors, json), json};
     };
-    return run_garment(
-        {arguments.operands.front(), std::move(read.patches), folder, options, files}, arguments,
-        session);
+    auto furniture = furniture_of_patches(pattern.furniture, read.patches, arguments);
+    return run_garment({arguments.operands.front(), std::move(read.patches), folder, options,
+                        std::move(furniture), files},
+                       arguments, session);
   }
   refuse_garment_flags(arguments);
   const std::string& path = read.path;
@@ -158,6 +163,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   const Places places = places_in(folder, format, pattern, arguments);
   refuse_shared_places(places);
   const std::string size = size_text(input.mesh);
+  const std::string name = fs::path(path).stem().string();
   const auto on_progress = [&](FlattenStage stage, double share) {
     session.show_progress(std::string(to_string(stage)), share, path);
     return !session.interrupted();
@@ -165,7 +171,9 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   const auto report = about(path, [&] {
     note_obstruction(session, input.mesh);
     options.constraints = constraints_from(arguments, input.mesh, session);
-    return flatten(std::move(input.mesh), fs::path(path).stem().string(), options, on_progress);
+    pattern.furniture = furniture_on(std::move(pattern.furniture), arguments, input.mesh, name);
+    options.keep = named_vertices(pattern.furniture);
+    return flatten(std::move(input.mesh), name, options, on_progress);
   });
   if (!report) throw Interrupted();
 

@@ -10,6 +10,7 @@
 #include "failures.h"
 #include "furniture_flags.h"
 #include "garment_flags.h"
+#include "garment_seams.h"
 #include "pattern_output.h"
 #include "session.h"
 #include "summary.h"
@@ -59,7 +60,7 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
   const Unit unit = unit_from(arguments);
   const PatternOutput how = output_from(arguments);
   const UnfoldOptions unfold_options = {.match_seams = arguments.has("--match-seams")};
-  const PatternOptions furniture = furniture_from(arguments, pattern_format_of(output).has_value());
+  PatternOptions furniture = furniture_from(arguments, pattern_format_of(output).has_value());
 
   const std::string& path = arguments.operands.front();
   const TriMesh mesh = session.read(path).mesh;
@@ -69,8 +70,11 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
                           "step " + std::to_string(step) + "  energy " + digits(energy, 6));
     return !session.interrupted();
   };
-  const auto report =
-      about(path, [&] { return unfold_patch(mesh, unit, on_step, unfold_options); });
+  const auto report = about(path, [&] {
+    const std::string name = std::filesystem::path(path).stem().string();
+    furniture = furniture_on(std::move(furniture), arguments, mesh, name);
+    return unfold_patch(mesh, unit, on_step, unfold_options);
+  });
   if (!report) throw Interrupted();
   const std::string content =
       about(path, [&] { return content_of(output, path, mesh, *report, how, furniture); });

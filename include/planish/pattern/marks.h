@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,9 @@ struct Mark {
 
 /// The size of marks from side to side, millimetres.
 inline constexpr double k_cross_size = 6.0, k_drill_size = 3.0;
+
+/// @throws Error index_out_of_range naming the piece
+void check_marks(std::size_t vertex_count, std::span<const Mark> marks, std::string_view piece);
 
 /// Two strokes of a cross, or a ring of 24 corners that is closed by its first point at the end.
 /// @param positions of all vertices on the sheet, millimetres

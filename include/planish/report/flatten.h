@@ -63,14 +63,17 @@ struct FlattenOptions {
   Unit unit = Unit::mm;
   unsigned threads = 0;
   Constraints constraints = {};
-  bool remesh = false;  ///< work on fewer vertices: see remesh()
-  bool match_seams = false;  ///< of the evolved patch's pattern, as UnfoldOptions has it
+  bool remesh = false;           ///< work on fewer vertices: see remesh()
+  std::vector<Index> keep = {};  ///< vertices that remeshing leaves, besides fixed ones
+  bool match_seams = false;      ///< of the evolved patch's pattern, as UnfoldOptions has it
 };
 
 /// The main job's result: everything that the files of a `flatten` folder are made from.
 struct FlattenReport {
-  std::string name;   ///< of the patch, for titles
-  TriMesh input;      ///< remeshed, if that was asked for
+  std::string name;  ///< of the patch, for titles
+  TriMesh input;     ///< remeshed, if that was asked for
+  /// Vertex of `input` -> vertex of the patch as it came, increasing; empty: they are the same.
+  std::vector<Index> source;
   TriMesh processed;  ///< the input with the evolved positions
   EvolveReport evolve;
   UnfoldReport unfold;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -35,5 +37,21 @@ struct PatternOptions {
   PieceLabel label = {};
   std::string date = {};  ///< for the sheet's label; never taken from a clock
 };
+
+/// Checks what can be known before there is a pattern: that notches are on the border of the mesh
+/// and marks at vertices of it.
+/// @param border loops of vertices
+/// @param name of the patch; the piece is called so where the options have no name for it
+/// @throws Error misplaced_notch, index_out_of_range, naming the piece
+void check_pattern_options(const PatternOptions& options, std::size_t vertex_count,
+                           std::span<const std::vector<Index>> border, const std::string& name);
+
+/// The vertices that the options name.
+std::vector<Index> named_vertices(const PatternOptions& options);
+
+/// The same options for a mesh over some of the vertices.
+/// @param source vertex of that mesh -> vertex that the options speak of, increasing, with all that
+///   they name
+PatternOptions renumbered(PatternOptions options, std::span<const Index> source);
 
 }  // namespace planish

@@ -7,6 +7,7 @@
 
 #include <planish/pattern/marks.h>
 #include <planish/pattern/notches.h>
+#include <planish/pattern/seam_notches.h>
 
 namespace planish {
 
@@ -22,9 +23,16 @@ std::vector<Notch> read_notches(const std::filesystem::path& path);
 /// @throws Error as read_notches()
 std::vector<Mark> read_marks(const std::filesystem::path& path);
 
+/// Reads notches on both sides of seams, one a line: the number of the seam, from 1, or * for every
+/// seam; the place, as 0.5 or 50% of its length or as 120mm from its first vertex; then kind and
+/// double as above.
+/// @throws Error as read_notches()
+std::vector<SeamNotch> read_seam_notches(const std::filesystem::path& path);
+
 /// The same from memory.
 /// @param name stands for the path in errors
 std::vector<Notch> parse_notches(std::string_view bytes, const std::string& name);
 std::vector<Mark> parse_marks(std::string_view bytes, const std::string& name);
+std::vector<SeamNotch> parse_seam_notches(std::string_view bytes, const std::string& name);
 
 }  // namespace planish

@@ -7,6 +7,7 @@
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/shapes.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace planish {
@@ -56,9 +57,27 @@ TEST(Remesh, KeepsWhatIsFixedAndTheWeightsOfWhatIsLeft) {
   }
 }
 
+TEST(Remesh, KeepsTheVerticesThatAreNamedAndTellsWhereAllComeFrom) {
+  const TriMesh mesh = make_shape("panel", 9000);
+  const Connectivity connectivity(mesh);
+  std::vector<Index> keep;
+  for (std::size_t i = 0; i < connectivity.inner_vertices().size(); i += 500)
+    keep.push_back(connectivity.inner_vertices()[i]);
+  const RemeshedPatch patch = remesh(mesh, {}, keep);
+  ASSERT_LT(patch.mesh.positions.size(), mesh.positions.size());
+  ASSERT_EQ(patch.source.size(), patch.mesh.positions.size());
+  for (Index v = 0; v < patch.source.size(); ++v)
+    EXPECT_EQ(patch.mesh.positions[v], mesh.positions[patch.source[v]]);
+  EXPECT_THAT(patch.source, testing::IsSupersetOf(keep));
+  EXPECT_TRUE(patch.constraints.fixed.empty());
+  const std::vector<Index> beyond = {9'999'999};
+  EXPECT_THROW(remesh(mesh, {}, beyond), Error);
+}
+
 TEST(Remesh, LeavesCoarsePatchesAsTheyAre) {
   const TriMesh coarse = make_shape("panel", 900);
   EXPECT_EQ(remesh(coarse).mesh.triangles, coarse.triangles);
+  EXPECT_EQ(remesh(coarse).source.size(), coarse.positions.size());
   EXPECT_EQ(remesh(coarse, {.fixed = {7}}).constraints.fixed, std::vector<Index>{7});
 }
 

@@ -54,6 +54,36 @@ TEST(ReadNotches, NameTheLineThatIsWrong) {
   expect("1 v double 3\n", ErrorCode::malformed_file, 1);
 }
 
+TEST(ReadSeamNotches, TakesSharesAndLengthsOfOneSeamOrAll) {
+  const auto notches = parse_seam_notches("* 50%\n2 120.5mm v double # side\n1 0.25 t\n", "n.txt");
+  ASSERT_EQ(notches.size(), 3U);
+  EXPECT_FALSE(notches[0].seam.has_value());
+  EXPECT_EQ(notches[0].place, 0.5);
+  EXPECT_FALSE(notches[0].in_millimetres);
+  EXPECT_EQ(notches[0].kind, NotchKind::slit);
+  EXPECT_EQ(notches[1].seam, 1U);
+  EXPECT_EQ(notches[1].place, 120.5);
+  EXPECT_TRUE(notches[1].in_millimetres);
+  EXPECT_EQ(notches[1].kind, NotchKind::v);
+  EXPECT_TRUE(notches[1].is_double);
+  EXPECT_EQ(notches[2].seam, 0U);
+  EXPECT_EQ(notches[2].place, 0.25);
+}
+
+TEST(ReadSeamNotches, NameTheLineThatIsWrong) {
+  const auto expect = [](const char* text, ErrorCode code, std::size_t line) {
+    expect_error([&] { parse_seam_notches(text, "f.txt"); }, code, line);
+  };
+  expect("0 50%\n", ErrorCode::bad_number, 1);
+  expect("* 50%\nall 50%\n", ErrorCode::bad_number, 2);
+  expect("1\n", ErrorCode::malformed_file, 1);
+  expect("1 12cm\n", ErrorCode::bad_number, 1);
+  expect("1 nan\n", ErrorCode::bad_number, 1);
+  expect("1 mm\n", ErrorCode::bad_number, 1);
+  expect("1 50% x\n", ErrorCode::unknown_name, 1);
+  expect("1 50% v double 3\n", ErrorCode::malformed_file, 1);
+}
+
 TEST(ReadMarks, NameTheLineThatIsWrong) {
   const auto expect = [](const char* text, ErrorCode code, std::size_t line) {
     expect_error([&] { parse_marks(text, "f.txt"); }, code, line);

@@ -1,0 +1,67 @@
+#include "garment_seams.h"
+
+#include <utility>
+
+#include <planish/mesh/connectivity.h>
+#include <planish/mesh/inspect.h>
+#include <planish/pattern/seam_notches.h>
+#include <planish/report/read_furniture.h>
+
+#include "failures.h"
+#include "quantities.h"
+#include "units.h"
+
+namespace planish::cli {
+
+namespace {
+
+double tolerance_from(const Arguments& arguments) {
+  if (!arguments.has("--seam-tolerance")) return 0.0;
+  return quantity_value("--seam-tolerance", arguments.flags.at("--seam-tolerance"),
+                        Quantity::length, {.min = 0.0}, arguments);
+}
+
+}  // namespace
+
+std::vector<Seam> seams_from(const Arguments& arguments, std::span<const TriMesh> meshes) {
+  std::vector<std::size_t> numbers;
+  std::vector<TriMesh> sound;
+  numbers.reserve(meshes.size());
+  sound.reserve(meshes.size());
+  for (std::size_t p = 0; p < meshes.size(); ++p) {
+    if (blocking_problem(inspect(meshes[p]), Purpose::measure)) continue;
+    numbers.push_back(p);
+    sound.push_back(meshes[p]);
+  }
+  std::vector<Seam> seams = find_seams(sound, tolerance_from(arguments));
+  for (Seam& seam : seams) {
+    for (SeamSide& side : seam.sides)
+      side.patch = numbers[side.patch];
+  }
+  return seams;
+}
+
+std::vector<std::vector<Notch>> seam_notches_from(const Arguments& arguments,
+                                                  std::span<const TriMesh> meshes,
+                                                  std::span<const std::string> names) {
+  if (!arguments.has("--seam-notches")) return std::vector<std::vector<Notch>>(meshes.size());
+  const std::string& path = arguments.flags.at("--seam-notches");
+  const std::vector<SeamNotch> notches = read_seam_notches(path);
+  return about(path, [&] {
+    return notches_of_patches(notches, seams_from(arguments, meshes), meshes, names,
+                              millimetres_per(unit_from(arguments)));
+  });
+}
+
+PatternOptions furniture_on(PatternOptions furniture, const Arguments& arguments,
+                            const TriMesh& mesh, const std::string& name) {
+  const bool seams = arguments.has("--seam-notches");
+  if (furniture.notches.empty() && furniture.marks.empty() && !seams) return furniture;
+  const Connectivity connectivity(mesh);
+  check_pattern_options(furniture, mesh.positions.size(), connectivity.border_loops(), name);
+  for (Notch& notch : seam_notches_from(arguments, {&mesh, 1}, {&name, 1}).front())
+    furniture.notches.push_back(std::move(notch));
+  return furniture;
+}
+
+}  // namespace planish::cli

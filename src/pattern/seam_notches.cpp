@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <utility>
+
+#include <planish/core/error.h>
+#include <planish/pattern/seam_notches.h>
+
+#include "core/number_text.h"
+
+namespace planish {
+
+namespace {
+
+/// A place on a seam by the number of its edge.
+struct EdgeOfSeam {
+  std::size_t edge = 0;
+  double share = 0.0;
+};
+
+EdgeOfSeam edge_at(const SeamSide& side, std::span<const Vec3> positions, double way) {
+  for (std::size_t k = 0; k + 2 < side.vertices.size(); ++k) {
+    const double length = norm(positions[side.vertices[k + 1]] - positions[side.vertices[k]]);
+    if (way < length) return {k, way / length};
+    way -= length;
+  }
+  const std::size_t last = side.vertices.size() - 2;
+  const double length = norm(positions[side.vertices[last + 1]] - positions[side.vertices[last]]);
+  return {last, std::clamp(way / length, 0.0, 1.0)};
+}
+
+std::string name_of(std::size_t number, const Seam& seam, std::span<const std::string> names) {
+  return "seam " + std::to_string(number + 1) + " of \"" + names[seam.sides[0].patch] +
+         "\" and \"" + names[seam.sides[1].patch] + "\"";
+}
+
+/// In millimetres along the first side. @throws Error misplaced_notch
+double way_of(const SeamNotch& notch, double length, const std::string& seam) {
+  const double way = notch.in_millimetres ? notch.place : notch.place * length;
+  // What is said to be the length may have been rounded.
+  if (way >= 0.0 && way <= length + 0.001) return way;
+  throw Error(ErrorCode::misplaced_notch,
+              "the notch at " +
+                  (notch.in_millimetres ? fixed_text(notch.place, 3) + " mm"
+                                        : fixed_text(100.0 * notch.place, 3) + " %") +
+                  " is beyond " + seam + ", which is " + fixed_text(length, 3) + " mm long");
+}
+
+void check_seam(const SeamNotch& notch, std::size_t seam_count) {
+  if (!notch.seam || *notch.seam < seam_count) return;
+  const std::string last = std::to_string(seam_count);
+  throw Error(ErrorCode::misplaced_notch,
+              "there is no seam " + std::to_string(*notch.seam + 1) + " for a notch: " +
+                  (seam_count == 0 ? "no two borders lie at the same places"
+                                   : "seams are numbered from 1 to " + last));
+}
+
+}  // namespace
+
+std::vector<std::vector<Notch>> notches_of_patches(std::span<const SeamNotch> notches,
+                                                   std::span<const Seam> seams,
+                                                   std::span<const TriMesh> patches,
+                                                   std::span<const std::string> names,
+                                                   double unit) {
+  std::vector<std::vector<Notch>> result(patches.size());
+  for (const SeamNotch& notch : notches) {
+    check_seam(notch, seams.size());
+    for (std::size_t s = 0; s < seams.size(); ++s) {
+      if (notch.seam && *notch.seam != s) continue;
+      const SeamSide& first = seams[s].sides[0];
+      const std::span<const Vec3> positions = patches[first.patch].positions;
+      const double length = unit * length_of(first, positions);
+      const double way = way_of(notch, length, name_of(s, seams[s], names));
+      const EdgeOfSeam at = edge_at(first, positions, way / unit);
+      for (const SeamSide& side : seams[s].sides) {
+        const PlaceOnEdge place = {side.vertices[at.edge], side.vertices[at.edge + 1], at.share};
+        result[side.patch].push_back({place, notch.kind, notch.is_double});
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace planish

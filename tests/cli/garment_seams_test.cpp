@@ -1,0 +1,193 @@
+// Seams of whole products: equal on both sides, with notches that meet, as the files tell it.
+
+#include <cmath>
+#include <map>
+
+#include <planish/io/read_mesh.h>
+#include <planish/mesh/connectivity.h>
+#include <planish/mesh/split.h>
+
+#include <gmock/gmock.h>
+
+#include "cli_run.h"
+#include "support/products.h"
+#include "support/test_patches.h"
+
+namespace planish::cli {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+double length_of(const TriMesh& mesh, const std::vector<Index>& way) {
+  double length = 0.0;
+  for (std::size_t k = 0; k + 1 < way.size(); ++k)
+    length += norm(mesh.positions[way[k + 1]] - mesh.positions[way[k]]);
+  return length;
+}
+
+/// The border's vertices along a side of a seam, as the report tells it.
+std::vector<Index> border_along(const TriMesh& mesh, const json& side) {
+  const Index from = side["first_vertex"], to = side["last_vertex"];
+  const std::size_t count = side["vertices"];
+  const double length = side["length"];
+  const Connectivity connectivity(mesh);
+  for (const auto& loop : connectivity.border_loops()) {
+    for (const bool ahead : {true, false}) {
+      std::vector<Index> way(loop);
+      if (!ahead) std::reverse(way.begin(), way.end());
+      const auto start = std::find(way.begin(), way.end(), from);
+      if (start == way.end()) continue;
+      std::rotate(way.begin(), start, way.end());
+      if (way.size() < count || way[count - 1] != to) continue;
+      way.resize(count);
+      if (std::abs(length_of(mesh, way) - length) < 1e-6) return way;
+    }
+  }
+  ADD_FAILURE() << "no such way along the border";
+  return {};
+}
+
+/// The lines of a layer of a DXF file.
+std::vector<std::vector<Vec2>> dxf_lines(const std::string& path, const std::string& layer) {
+  std::ifstream file(path);
+  std::vector<std::vector<Vec2>> lines;
+  bool in_vertex = false, in_layer = false;
+  double x = 0.0;
+  for (std::string code, value; std::getline(file, code) && std::getline(file, value);) {
+    const int tag = std::stoi(code);
+    if (tag == 0) in_vertex = value == "VERTEX";
+    if (tag == 0 && value == "POLYLINE") in_layer = false;
+    if (tag == 8 && !in_vertex) {
+      in_layer = value == layer;
+      if (in_layer) lines.emplace_back();
+    }
+    if (!in_vertex || !in_layer) continue;
+    if (tag == 10) x = std::stod(value);
+    if (tag == 20) lines.back().push_back({x, std::stod(value)});
+  }
+  std::erase_if(lines, [](const auto& line) { return line.empty(); });
+  return lines;
+}
+
+/// How far along a line the place of it is that lies nearest to a point.
+double way_along(const std::vector<Vec2>& line, Vec2 p) {
+  double way = 0.0, best_way = 0.0, best = 1e300;
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+    const Vec2 edge = line[k + 1] - line[k];
+    const double length = norm(edge);
+    const double t = std::clamp(dot(p - line[k], edge) / (length * length), 0.0, 1.0);
+    const double distance = norm(line[k] + t * edge - p);
+    if (distance < best) {
+      best = distance;
+      best_way = way + t * length;
+    }
+    way += length;
+  }
+  EXPECT_LT(best, 1e-3) << "the notch does not begin at the border";
+  return best_way;
+}
+
+/// Ways of all notches of a piece that begin on a side of a seam, from the side's first vertex.
+std::vector<double> notch_ways(const std::string& folder, const json& side) {
+  const TriMesh flat = read_mesh(folder + "/flat.obj").mesh;
+  const auto cut = dxf_lines(folder + "/pattern.dxf", "cut").at(0);
+  // The sheet's line begins at the border's vertex of the smallest number.
+  const Connectivity connectivity(flat);
+  Index first = static_cast<Index>(flat.positions.size());
+  for (const Index v : connectivity.border_loops().front())
+    first = std::min(first, v);
+  const Vec2 shift = cut.at(0) - Vec2{flat.positions[first].x, flat.positions[first].y};
+  std::vector<Vec2> line;
+  for (const Index v : border_along(flat, side))
+    line.push_back(shift + Vec2{flat.positions[v].x, flat.positions[v].y});
+  std::vector<double> ways;
+  for (const auto& notch : dxf_lines(folder + "/pattern.dxf", "notch")) {
+    double nearest = 1e300;
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      const Vec2 edge = line[k + 1] - line[k];
+      const double t = std::clamp(dot(notch[0] - line[k], edge) / dot(edge, edge), 0.0, 1.0);
+      nearest = std::min(nearest, norm(line[k] + t * edge - notch[0]));
+    }
+    if (nearest < 1e-3) ways.push_back(way_along(line, notch[0]));
+  }
+  std::sort(ways.begin(), ways.end());
+  return ways;
+}
+
+/// Runs a product with notches at 30 % and 50 % of all seams and looks at what meets.
+void expect_seams_to_fit(const std::string& input, std::size_t seam_count, const Names& more) {
+  std::ofstream("seams.txt") << "* 30%\n* 50%\n";
+  // Cuts along edges have teeth, and a notch must not cut one off: it is shallow.
+  Names args = {"flatten",        input,       "-o",        "out", "--match-seams", "--json",
+                "--seam-notches", "seams.txt", "--formats", "dxf", "--notch-depth", "1mm"};
+  args.insert(args.end(), more.begin(), more.end());
+  const CliResult run = planish(args);
+  ASSERT_EQ(run.exit_code, k_exit_done) << run.err;
+  const json result = run.json();
+  std::map<std::string, std::string> folders;
+  for (const json& patch : result["patches"])
+    folders[patch["name"]] = "out/" + patch["folder"].get<std::string>();
+  ASSERT_EQ(result["seams"].size(), seam_count);
+  for (const json& seam : result["seams"]) {
+    EXPECT_LT(seam["difference"], 0.01);
+    EXPECT_NEAR(seam["sides"][0]["length"], seam["length_on_model"], 0.01);
+    std::vector<std::vector<double>> ways;
+    for (const json& side : seam["sides"])
+      ways.push_back(notch_ways(folders.at(side["patch"]), side));
+    ASSERT_GE(ways[0].size(), 2U);
+    ASSERT_EQ(ways[0].size(), ways[1].size());
+    for (std::size_t k = 0; k < ways[0].size(); ++k)
+      EXPECT_NEAR(ways[0][k], ways[1][k], 0.01);
+    const double length = seam["length_on_model"];
+    EXPECT_NEAR(ways[0][0], 0.3 * length, 0.01);
+    EXPECT_NEAR(ways[0][1], 0.5 * length, 0.01);
+  }
+}
+
+using GarmentSeams = CliTest;
+
+TEST_F(GarmentSeams, OfThreePatchesOfASampleFitAndTheirNotchesMeet) {
+  for (const char* shape : {"saddle", "panel", "dome"}) {
+    write_product("coat.obj", in_strips(make_shape(shape, 1500), 3));
+    expect_seams_to_fit("coat.obj", 2, {"--unit", "mm"});
+    std::filesystem::remove_all("out");
+  }
+}
+
+TEST_F(GarmentSeams, OfARealPatchInTwoFitAndTheirNotchesMeet) {
+  for (const PatchFacts& facts : patches()) {
+    if (facts.name != "gc_front_4k" && facts.name != "boat_half") continue;
+    write_product("coat.obj", in_strips(read_mesh(facts.path).mesh, 2));
+    expect_seams_to_fit("coat.obj", 1, {});
+    std::filesystem::remove_all("out");
+  }
+}
+
+TEST_F(GarmentSeams, RefuseNotchesBeyondThem) {
+  write_product("coat.obj", in_strips(make_shape("saddle", 400), 2));
+  std::ofstream("seams.txt") << "1 100m\n";
+  const Names begin = {"flatten", "coat.obj", "-o", "out", "--seam-notches", "seams.txt"};
+  EXPECT_THAT(planish(begin).err, HasSubstr("seams.txt"));
+  std::ofstream("seams.txt") << "1 99999mm\n";
+  const CliResult result = planish(begin);
+  EXPECT_EQ(result.exit_code, k_exit_failed);
+  EXPECT_THAT(result.err, HasSubstr("\"strip-1\" and \"strip-2\""));
+  EXPECT_THAT(result.err, HasSubstr("beyond seam 1"));
+  EXPECT_FALSE(std::filesystem::exists("out"));
+}
+
+TEST_F(GarmentSeams, AreKeptOnResumingOnlyWithTheSameNotches) {
+  write_product("coat.obj", in_strips(make_shape("saddle", 400), 2));
+  const Names args = {"flatten",      "coat.obj",      "-o", "out",      "--method",
+                      "controllable", "--sweeps",      "1",  "--resume", "--seam-notches",
+                      "seams.txt",    "--notch-depth", "1mm"};
+  std::ofstream("seams.txt") << "* 50%\n";
+  EXPECT_EQ(planish(args).exit_code, k_exit_done);
+  EXPECT_THAT(planish(args).err, HasSubstr("kept"));
+  std::ofstream("seams.txt") << "* 40%\n";
+  EXPECT_THAT(planish(args).err, testing::Not(HasSubstr("kept")));
+}
+
+}  // namespace
+}  // namespace planish::cli

@@ -1,0 +1,125 @@
+#include <cmath>
+
+#include <planish/core/error.h>
+#include <planish/mesh/split.h>
+#include <planish/pattern/seam_notches.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+
+namespace planish {
+namespace {
+
+using testing::HasSubstr;
+
+/// A curved strip of 6 x 4 cells cut in two after the third column.
+struct TwoHalves {
+  std::vector<TriMesh> patches;
+  std::vector<std::string> names = {"front", "back"};
+  std::vector<Seam> seams;
+};
+
+TwoHalves two_halves() {
+  const TriMesh mesh = meshes::height_field(6, 4, [](double x, double y) { return 0.2 * x * y; });
+  std::vector<Index> group;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    group.push_back(t / 2 % 6 < 3 ? 0 : 1);
+  TwoHalves halves;
+  for (NamedPatch& patch : split(mesh, group, halves.names))
+    halves.patches.push_back(std::move(patch.mesh));
+  halves.seams = find_seams(halves.patches);
+  return halves;
+}
+
+std::vector<std::vector<Notch>> notches_of(const TwoHalves& halves, const SeamNotch& notch,
+                                           double unit = 1.0) {
+  return notches_of_patches(std::vector<SeamNotch>{notch}, halves.seams, halves.patches,
+                            halves.names, unit);
+}
+
+Vec3 place_of(const Notch& notch, const TriMesh& mesh) {
+  const auto& place = std::get<PlaceOnEdge>(notch.place);
+  const Vec3 a = mesh.positions[place.from], b = mesh.positions[place.to];
+  return a + place.share * (b - a);
+}
+
+/// Along the seam of the halves, which is at x = 3.
+double way_to(Vec3 place, const TwoHalves& halves) {
+  const SeamSide& side = halves.seams.front().sides[0];
+  const Vec3 start = halves.patches[side.patch].positions[side.vertices.front()];
+  return std::abs(place.y - start.y) * std::hypot(1.0, 0.6);  // z = 0.6 y there
+}
+
+TEST(SeamNotches, AreAtOnePlaceOfTheModelOnBothSides) {
+  const TwoHalves halves = two_halves();
+  ASSERT_EQ(halves.seams.size(), 1U);
+  for (const double share : {0.0, 0.1, 0.5, 0.77, 1.0}) {
+    const auto notches = notches_of(halves, {.place = share, .kind = NotchKind::v});
+    ASSERT_EQ(notches.size(), 2U);
+    ASSERT_EQ(notches[0].size(), 1U);
+    ASSERT_EQ(notches[1].size(), 1U);
+    const Vec3 front = place_of(notches[0][0], halves.patches[0]);
+    EXPECT_NEAR(norm(front - place_of(notches[1][0], halves.patches[1])), 0.0, 1e-14);
+    EXPECT_NEAR(way_to(front, halves), share * 4.0 * std::hypot(1.0, 0.6), 1e-12);
+    EXPECT_EQ(notches[0][0].kind, NotchKind::v);
+  }
+}
+
+TEST(SeamNotches, MayBeGivenInMillimetresOfAnyUnit) {
+  const TwoHalves halves = two_halves();
+  const SeamNotch notch = {.seam = 0, .place = 15.0, .in_millimetres = true, .is_double = true};
+  const auto notches = notches_of(halves, notch, 10.0);  // a model in cm
+  const Vec3 place = place_of(notches[1].at(0), halves.patches[1]);
+  EXPECT_NEAR(way_to(place, halves), 1.5, 1e-12);
+  EXPECT_TRUE(notches[1][0].is_double);
+}
+
+TEST(SeamNotches, AreOnBothEdgesOfADart) {
+  TriMesh mesh = meshes::flat_grid(4, 2);
+  // The middle row's first two vertices are opened to a slit: the upper side has its own.
+  const auto row = [](Index column) { return static_cast<Index>(5 + column); };
+  const auto copies = static_cast<Index>(mesh.positions.size());
+  for (const Index column : {0U, 1U})
+    mesh.positions.push_back(mesh.positions[row(column)]);
+  for (std::size_t t = 8; t < mesh.triangles.size(); ++t) {
+    for (Index& v : mesh.triangles[t]) {
+      if (v == row(0) || v == row(1)) v = copies + (v - row(0));
+    }
+  }
+  const std::vector<Seam> seams = find_seams({&mesh, 1});
+  ASSERT_EQ(seams.size(), 1U);
+  const std::vector<std::string> names = {"panel"};
+  const auto notches =
+      notches_of_patches(std::vector<SeamNotch>{{.place = 0.25}}, seams, {&mesh, 1}, names, 1.0);
+  ASSERT_EQ(notches[0].size(), 2U);
+  EXPECT_EQ(place_of(notches[0][0], mesh), place_of(notches[0][1], mesh));
+  EXPECT_NE(std::get<PlaceOnEdge>(notches[0][0].place).from,
+            std::get<PlaceOnEdge>(notches[0][1].place).from);
+}
+
+std::string error_of(const SeamNotch& notch) {
+  const TwoHalves halves = two_halves();
+  try {
+    notches_of(halves, notch);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::misplaced_notch);
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(SeamNotches, BeyondTheSeamAreRefusedWithItsNameAndLength) {
+  const std::string text = error_of({.seam = 0, .place = 5.0, .in_millimetres = true});
+  EXPECT_THAT(text, HasSubstr("the notch at 5 mm is beyond seam 1"));
+  EXPECT_THAT(text, HasSubstr("\"front\" and \"back\""));
+  EXPECT_THAT(text, HasSubstr("4.665 mm long"));
+  EXPECT_THAT(error_of({.place = 1.2}), HasSubstr("120 %"));
+  EXPECT_THAT(error_of({.place = -0.1}), HasSubstr("beyond"));
+  EXPECT_THAT(error_of({.seam = 7}), HasSubstr("no seam 8"));
+  EXPECT_THAT(error_of({.seam = 7}), HasSubstr("from 1 to 1"));
+}
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,59 @@
+#include <planish/core/error.h>
+#include <planish/report/pattern_options.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace planish {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+PatternOptions options() {
+  PatternOptions options;
+  options.notches = {{Index{20}, NotchKind::v}, {0.5}, {PlaceOnEdge{30, 20, 0.25}}};
+  options.marks = {{25, MarkKind::drill}};
+  return options;
+}
+
+TEST(PatternOptions, NameVerticesByNotchesAndMarks) {
+  EXPECT_THAT(named_vertices(options()), ElementsAre(20, 30, 20, 25));
+  EXPECT_TRUE(named_vertices({}).empty());
+}
+
+TEST(PatternOptions, GoOverToAMeshOfSomeOfTheVertices) {
+  const std::vector<Index> source = {3, 20, 24, 25, 30, 41};
+  const PatternOptions left = renumbered(options(), source);
+  EXPECT_THAT(named_vertices(left), ElementsAre(1, 4, 1, 3));
+  EXPECT_EQ(std::get<double>(left.notches[1].place), 0.5);
+  EXPECT_EQ(std::get<PlaceOnEdge>(left.notches[2].place).share, 0.25);
+  EXPECT_EQ(left.marks[0].kind, MarkKind::drill);
+}
+
+std::string error_of(const PatternOptions& options, ErrorCode code) {
+  const std::vector<std::vector<Index>> border = {{1, 20, 30, 40}, {5, 6, 7}};
+  try {
+    check_pattern_options(options, 50, border, "panel");
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), code);
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(PatternOptions, AreCheckedBeforeThereIsAPattern) {
+  constexpr ErrorCode off = ErrorCode::misplaced_notch;
+  EXPECT_EQ(error_of(options(), off), "no error");
+  EXPECT_THAT(error_of({.notches = {{Index{2}}}}, off), HasSubstr("vertex 2"));
+  EXPECT_THAT(error_of({.notches = {{Index{2}}}}, off), HasSubstr("panel"));
+  EXPECT_THAT(error_of({.notches = {{1.5}}}, off), HasSubstr("1.5"));
+  EXPECT_THAT(error_of({.notches = {{PlaceOnEdge{1, 30, 0.5}}}}, off), HasSubstr("vertex 1 to 30"));
+  EXPECT_THAT(error_of({.notches = {{PlaceOnEdge{7, 5, 0.5}}}}, off), "no error");
+  PatternOptions marks = {.marks = {{50, MarkKind::cross}}};
+  marks.label.name = "collar";
+  EXPECT_THAT(error_of(marks, ErrorCode::index_out_of_range), HasSubstr("collar"));
+}
+
+}  // namespace
+}  // namespace planish

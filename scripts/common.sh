@@ -1,7 +1,8 @@
 # Shared by scripts/run, scripts/test and .ci/run: which packages are needed, installing, building.
 # All that is said here goes to standard error; standard output belongs to the job.
 
-# Debian package, and how to tell on other systems that what it holds is there.
+# Debian package, and how to tell on other systems that what it holds is there. A "program" may be
+# of any package also on Debian: those of Node's makers hold npm too and do not go with Debian's.
 build_packages="
 g++                 command g++
 cmake               command cmake
@@ -19,6 +20,8 @@ libgmock-dev        header gmock/gmock.h
 libgtest-dev        header gtest/gtest.h
 librapidcheck-dev   header rapidcheck.h
 librsvg2-bin        command rsvg-convert
+nodejs              program node
+npm                 program npm
 poppler-utils       command pdftoppm
 python3             command python3
 python3-ezdxf       python ezdxf
@@ -38,7 +41,9 @@ repo=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 say() { echo "planish: $*" >&2; }
 
 is_there() { # package, kind of probe, thing to probe for
-  if command -v dpkg-query >/dev/null; then
+  if [[ $2 == program ]]; then
+    command -v "$3" >/dev/null
+  elif command -v dpkg-query >/dev/null; then
     [[ $(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
   elif [[ $2 == command ]]; then
     command -v "$3" >/dev/null
@@ -77,6 +82,21 @@ install_packages() { # tables as above
   "${apt[@]}" install --no-install-recommends "${missing[@]}" >"$log" 2>&1 && return 0
   { "${apt[@]}" update && "${apt[@]}" install --no-install-recommends "${missing[@]}"; } \
     >"$log" 2>&1 || { cat "$log" >&2 && say "could not install ${missing[*]}" && exit 1; }
+}
+
+# Installs what a package.json names, as its lock file has it, under build/npm/NAME. Where that
+# cannot be, what needs it is left out by itself.
+install_npm() { # folder of package.json, NAME
+  local from=$repo/$1 to=$repo/build/npm/$2
+  cmp -s "$from/package-lock.json" "$to/installed" && return 0
+  say "installing Node packages of $1 (log: build/npm-$2.log)"
+  mkdir -p "$to"
+  cp "$from/package.json" "$from/package-lock.json" "$to"
+  if npm ci --prefix "$to" --ignore-scripts --no-audit --no-fund >"$repo/build/npm-$2.log" 2>&1; then
+    cp "$from/package-lock.json" "$to/installed"
+  else
+    say "npm could not install them: tests that need them are skipped"
+  fi
 }
 
 # Builds a preset, without a word where nothing is to be done and with the whole log where it fails.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,7 +20,8 @@ ReadResult parse_ply(std::string_view bytes, std::string_view name);
 ReadResult parse_stl(std::string_view bytes, std::string_view name);
 ReadResult parse_off(std::string_view bytes, std::string_view name);
 
-std::string format_obj(const TriMesh& mesh);
+/// @param texture one coordinate per vertex, or none at all
+std::string format_obj(const TriMesh& mesh, std::span<const Vec2> texture = {});
 std::string format_ply(const TriMesh& mesh);
 std::string format_stl(const TriMesh& mesh);
 std::string format_off(const TriMesh& mesh);

@@ -169,20 +169,27 @@ ReadResult parse_obj(std::string_view bytes, std::string_view name) {
   return ObjParser(bytes, name).parse();
 }
 
-std::string format_obj(const TriMesh& mesh) {
+std::string format_obj(const TriMesh& mesh, std::span<const Vec2> texture) {
   std::string text;
-  text.reserve(60 * mesh.positions.size() + 24 * mesh.triangles.size());
+  text.reserve(60 * mesh.positions.size() + 40 * texture.size() + 24 * mesh.triangles.size());
   for (const Vec3& p : mesh.positions) {
     text += 'v';
     for (const double c : {p.x, p.y, p.z})
       append_number(text += ' ', c);
     text += '\n';
   }
+  for (const Vec2 p : texture) {
+    append_number(text += "vt ", p.x);
+    append_number(text += ' ', p.y);
+    text += '\n';
+  }
   for (const Triangle& triangle : mesh.triangles) {
     text += 'f';
     // A wider type: from 1 on the largest Index has no successor.
-    for (const std::uint64_t v : triangle)
+    for (const std::uint64_t v : triangle) {
       append_integer(text += ' ', v + 1);
+      if (!texture.empty()) append_integer(text += '/', v + 1);
+    }
     text += '\n';
   }
   return text;

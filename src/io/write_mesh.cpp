@@ -58,6 +58,17 @@ std::string format_mesh(const TriMesh& mesh, MeshFormat format) {
   return format_off(mesh);
 }
 
+std::string format_textured_obj(const TriMesh& mesh, std::span<const Vec2> texture) {
+  check_writable(mesh, MeshFormat::obj);
+  for (std::size_t i = 0; i < texture.size(); ++i) {
+    if (std::isfinite(texture[i].x) && std::isfinite(texture[i].y)) continue;
+    throw Error(ErrorCode::non_finite_coordinate,
+                "the texture coordinate of vertex " + std::to_string(i) + " is not finite",
+                {.path = {}, .first = i});
+  }
+  return format_obj(mesh, texture);
+}
+
 void write_mesh(const std::filesystem::path& path, const TriMesh& mesh) {
   const std::array files = {OutputFile{path, format_mesh(mesh, mesh_format_of(path))}};
   write_files(files);

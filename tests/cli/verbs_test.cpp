@@ -200,6 +200,27 @@ TEST_F(Verbs, FlattenWritesTheFormatsThatAreAskedFor) {
   EXPECT_THAT(content_of("out/pattern.dxf"), HasSubstr("PIECE NAME: panel"));
 }
 
+TEST_F(Verbs, FlattenWritesThePatternAsTextureCoordinatesInMillimetres) {
+  ASSERT_EQ(planish({"flatten", "panel.obj", "-o", "out", "--textured", "--unit", "cm"}).exit_code,
+            k_exit_done);
+  std::istringstream lines(content_of("out/textured.obj"));
+  std::vector<Vec2> texture;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string keyword;
+    Vec2 p;
+    if (words >> keyword >> p.x >> p.y && keyword == "vt") texture.push_back(p);
+  }
+  const TriMesh flat = read_mesh("out/flat.obj").mesh;
+  ASSERT_EQ(texture.size(), flat.positions.size());
+  for (std::size_t v = 0; v < texture.size(); ++v) {
+    EXPECT_DOUBLE_EQ(texture[v].x, 10.0 * flat.positions[v].x);
+    EXPECT_DOUBLE_EQ(texture[v].y, 10.0 * flat.positions[v].y);
+  }
+  EXPECT_EQ(read_mesh("out/textured.obj").mesh.positions,
+            read_mesh("out/processed.obj").mesh.positions);
+}
+
 TEST_F(Verbs, FlattenNamesItsFolderAfterTheInput) {
   const CliResult result = planish({"flatten", "panel.obj", "--history", "sweeps.csv", "--unit",
                                     "in", "--colors", "paper", "--sweeps", "2"});

@@ -91,6 +91,7 @@ Places places_in(const fs::path& folder, MeshFormat format, const PatternFiles& 
     const std::string paper(to_string(*pattern.output.paper));
     places["pattern_pages"] = in_folder("pattern-" + paper + ".pdf");
   }
+  if (arguments.has("--textured")) places["textured"] = in_folder("textured.obj");
   if (arguments.has("--history")) places["history"] = arguments.flags.at("--history");
   return places;
 }
@@ -118,6 +119,14 @@ std::vector<OutputFile> pattern_files(const FlattenReport& report, const Places&
   return files;
 }
 
+std::vector<Vec2> in_millimetres(const UnfoldReport& unfold) {
+  std::vector<Vec2> positions;
+  positions.reserve(unfold.pattern.positions.size());
+  for (const Vec2 p : unfold.pattern.positions)
+    positions.push_back(millimetres_per(unfold.unit) * p);
+  return positions;
+}
+
 std::vector<OutputFile> files_of(const FlattenReport& report, const Places& places,
                                  MeshFormat format, const PatternFiles& pattern, ColorMap colors,
                                  const std::string& json) {
@@ -127,6 +136,10 @@ std::vector<OutputFile> files_of(const FlattenReport& report, const Places& plac
   files.push_back({places.at("flat"), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)});
   files.push_back({places.at("report_json"), json});
   files.push_back({places.at("report_html"), html_report(report, colors)});
+  if (places.contains("textured")) {
+    files.push_back(
+        {places.at("textured"), format_textured_obj(mesh, in_millimetres(report.unfold))});
+  }
   const auto history = places.find("history");
   if (history != places.end()) {
     files.push_back({history->second, history_csv(report.evolve.result.history)});
@@ -197,6 +210,9 @@ Command flatten_command() {
         match_seams_flag(),
         formats_flag(),
         {"--colors", "NAME", "of the report's pictures: diverging or paper (default diverging)"},
+        {"--textured", "",
+         "also write the processed patch as textured.obj, with the pattern in millimetres for "
+         "texture coordinates"},
         {"--history", "FILE", "the figures of every sweep, as comma-separated values"},
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
   for (Flag& flag : pattern_flags("also write the pattern as a .pdf of pages to be joined"))

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include <planish/io/mesh_format.h>
@@ -14,6 +15,11 @@ namespace planish {
 /// @throws Error non_finite_coordinate (also for what is too large for STL's floats),
 ///   index_out_of_range
 std::string format_mesh(const TriMesh& mesh, MeshFormat format);
+
+/// The bytes of an OBJ file with a texture coordinate at each vertex.
+/// @param texture one per vertex
+/// @throws Error as format_mesh(), also for coordinates that are not finite
+std::string format_textured_obj(const TriMesh& mesh, std::span<const Vec2> texture);
 
 /// Writes format_mesh() in the format that the extension names, whole or not at all.
 /// @throws Error as format_mesh(), unsupported_format, file_unwritable

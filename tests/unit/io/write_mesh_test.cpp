@@ -17,6 +17,16 @@ TEST(FormatMesh, WritesObjCountingFromOne) {
             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
 }
 
+TEST(FormatMesh, PutsTextureCoordinatesIntoObjOneAVertex) {
+  const std::vector<Vec2> texture = {{0, 0}, {25.5, 0}, {25.5, 1e-3}, {-1, 30}};
+  EXPECT_EQ(format_textured_obj(square(), texture),
+            "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+            "vt 0 0\nvt 25.5 0\nvt 25.5 0.001\nvt -1 30\n"
+            "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+  const std::vector<Vec2> endless = {{0, 0}, {1, 0}, {1, HUGE_VAL}, {0, 1}};
+  EXPECT_THROW(format_textured_obj(square(), endless), Error);
+}
+
 TEST(FormatMesh, KeepsEveryBitOfHardPositionsButInStl) {
   const double tiny = std::numeric_limits<double>::denorm_min();
   const double huge = std::numeric_limits<double>::max();

@@ -59,8 +59,10 @@ PatternOptions furniture_on(PatternOptions furniture, const Arguments& arguments
   if (furniture.notches.empty() && furniture.marks.empty() && !seams) return furniture;
   const Connectivity connectivity(mesh);
   check_pattern_options(furniture, mesh.positions.size(), connectivity.border_loops(), name);
-  for (Notch& notch : seam_notches_from(arguments, {&mesh, 1}, {&name, 1}).front())
-    furniture.notches.push_back(std::move(notch));
+  const std::vector<std::vector<Notch>> on_seams =
+      seam_notches_from(arguments, {&mesh, 1}, {&name, 1});
+  furniture.notches.insert(furniture.notches.end(), on_seams.front().begin(),
+                           on_seams.front().end());
   return furniture;
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 
 #include <planish/io/read_mesh.h>
 #include <planish/mesh/connectivity.h>
@@ -12,6 +13,7 @@
 namespace planish::cli {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 void write_text(const std::string& path, const std::string& text) {
@@ -130,6 +132,77 @@ TEST_F(Cut, GoesWithOnePatchOnly) {
   EXPECT_EQ(result.exit_code, k_exit_usage);
   EXPECT_THAT(result.err, HasSubstr("--cut goes with one patch only"));
   EXPECT_FALSE(std::filesystem::exists("out"));
+}
+
+class SuggestCuts : public Cut {};
+
+TEST_F(SuggestCuts, GivesCutsThatHaveTheStrainThatItTells) {
+  const CliResult result =
+      planish({"suggest-cuts", "hill.obj", "-o", "cuts.txt", "--apply", "cut.obj", "--picture",
+               "cuts.svg", "--max-strain", "4%", "--json"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  const auto json = result.json();
+  EXPECT_TRUE(json["met"]);
+  EXPECT_EQ(json["stop"], "strain_met");
+  EXPECT_GT(json["strain_before"]["max"], 0.04);
+  EXPECT_LE(json["strain"]["max"], 0.04);
+  ASSERT_FALSE(json["cuts"].empty());
+  EXPECT_EQ(json["cuts"][0]["kind"], "dart");
+  EXPECT_EQ(json["files"]["cuts"], "cuts.txt");
+
+  const auto unfolded =
+      planish({"unfold", "hill.obj", "-o", "a.obj", "--cut", "cuts.txt", "--json"}).json();
+  EXPECT_EQ(unfolded["strain"], json["strain"]);
+  EXPECT_EQ(unfolded["cut"]["edges"], json["edges"]);
+  EXPECT_EQ(unfolded["cut"]["length"], json["length"]);
+  const auto applied = planish({"unfold", "cut.obj", "-o", "b.obj", "--json"}).json();
+  EXPECT_EQ(applied["strain"], json["strain"]);
+  EXPECT_EQ(content_of("a.obj"), content_of("b.obj"));
+  EXPECT_THAT(content_of("cuts.svg"), HasSubstr("suggested"));
+}
+
+TEST_F(SuggestCuts, TellsInWordsAndWritesNothingUnasked) {
+  const CliResult met = planish({"suggest-cuts", "hill.obj", "--max-strain", "4%"});
+  EXPECT_EQ(met.exit_code, k_exit_done) << met.err;
+  EXPECT_THAT(met.out, HasSubstr("dart, "));
+  EXPECT_THAT(met.out, HasSubstr("Met: with these cuts"));
+  const CliResult missed =
+      planish({"suggest-cuts", "hill.obj", "--max-strain", "0.01%", "--max-cuts", "1"});
+  EXPECT_EQ(missed.exit_code, k_exit_done);
+  EXPECT_THAT(missed.out, HasSubstr("Not met: an edge of the pattern is still strained by"));
+  EXPECT_THAT(missed.out, HasSubstr("all darts of --max-cuts are there"));
+  EXPECT_THAT(planish({"suggest-cuts", "tube.obj"}).out, HasSubstr("seam, 5.000 mm"));
+  std::istringstream lines(met.out + missed.out);
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_LE(line.size(), 80U) << line;
+  EXPECT_THAT(files(), ElementsAre("across.txt", "dart.txt", "hill.obj", "panel.obj", "seam.txt",
+                                   "tube.obj"));
+}
+
+TEST_F(SuggestCuts, RefusesWhatMakesNoSense) {
+  const auto code_of = [](const Names& more) {
+    Names args = {"suggest-cuts", "hill.obj"};
+    args.insert(args.end(), more.begin(), more.end());
+    return planish(args).exit_code;
+  };
+  EXPECT_EQ(code_of({"--max-strain", "0"}), k_exit_usage);
+  EXPECT_EQ(code_of({"--max-strain", "2mm"}), k_exit_usage);
+  EXPECT_EQ(code_of({"--max-cuts", "-1"}), k_exit_usage);
+  EXPECT_EQ(code_of({"-o", "a.obj", "--apply", "a.obj"}), k_exit_usage);
+  EXPECT_EQ(code_of({"--picture", "a.png"}), k_exit_failed);
+  EXPECT_EQ(code_of({"--apply", "a.txt"}), k_exit_failed);
+  write_mesh("ring.obj", meshes::torus(8, 12));
+  const auto error = planish({"suggest-cuts", "ring.obj", "--json"}).json()["error"];
+  EXPECT_EQ(error["code"], "handles");
+  EXPECT_EQ(error["path"], "ring.obj");
+}
+
+TEST_F(SuggestCuts, CanBeInterrupted) {
+  std::atomic<bool> stop = true;
+  const CliResult result = planish({"suggest-cuts", "hill.obj", "-o", "cuts.txt"},
+                                   {.err_is_terminal = false, .interrupted = &stop});
+  EXPECT_EQ(result.exit_code, k_exit_interrupted);
+  EXPECT_FALSE(std::filesystem::exists("cuts.txt"));
 }
 
 }  // namespace

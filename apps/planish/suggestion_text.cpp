@@ -15,15 +15,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string strain_text(const std::optional<EdgeStrain>& strain) {
-  if (!strain) return "no pattern";
-  return percent(strain->max) + " (rms " + percent(strain->rms) + ")";
+std::string strain_text(const EdgeStrain& strain) {
+  return percent(strain.max) + " (rms " + percent(strain.rms) + ")";
 }
 
-/// "dart 42 mm long: largest strain 7.61 % (rms 2.1 %) -> 0.90 % (rms 0.2 %)"
+/// "dart, 42 mm: strain 7.61 % (rms 2.10 %) -> 0.90 % (rms 0.20 %)"
 std::string cut_text(const SuggestedCut& cut, const std::string& unit) {
-  return std::string(cut.is_dart ? "dart" : "seam") + ", " + digits(cut.length) + " " + unit +
-         ": largest strain " + strain_text(cut.before) + " -> " + strain_text(cut.after);
+  const std::string what =
+      std::string(cut.is_dart ? "dart" : "seam") + ", " + digits(cut.length) + " " + unit;
+  if (!cut.after) return what;  // no pattern yet
+  return what + ": strain " + (cut.before ? strain_text(*cut.before) + " -> " : "") +
+         strain_text(*cut.after);
 }
 
 std::string ending_text(const CutSuggestion& suggestion, double max_strain) {
@@ -53,6 +55,9 @@ Json to_json(const std::optional<EdgeStrain>& strain) {
 
 std::string suggestion_text(const CutSuggestion& suggestion, double max_strain, Unit unit) {
   std::string text;
+  if (!suggestion.cuts.empty()) {
+    text += "Cuts, with the largest strain of an edge of the pattern before and after:\n";
+  }
   for (std::size_t k = 0; k < suggestion.cuts.size(); ++k) {
     text += "  " + std::to_string(k + 1) + "  " +
             wrapped(cut_text(suggestion.cuts[k], std::string(to_string(unit))), 5) + "\n";

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -107,8 +108,10 @@ CutMesh cut_open(const TriMesh& mesh, const Connectivity& connectivity,
 
 double path_length(std::span<const Index> path, std::span<const Vec3> positions) {
   double length = 0.0;
-  for (std::size_t i = 1; i < path.size(); ++i)
-    length += norm(positions[path[i]] - positions[path[i - 1]]);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Vec3 edge = positions[path[i]] - positions[path[i - 1]];
+    length += std::hypot(edge.x, edge.y, edge.z);  // squares might not be numbers any more
+  }
   return length;
 }
 

@@ -19,9 +19,10 @@ void check_topology(const Topology& topology) {
                                                    " separate parts: put each into its own file");
   }
   if (topology.genus > 0) {
-    throw Error(ErrorCode::handles, "the mesh has " + std::to_string(topology.genus) +
-                                        " handle(s), which no cut is suggested for: cut each open "
-                                        "along a line around it first");
+    throw Error(ErrorCode::handles,
+                "the mesh has handles (" + std::to_string(topology.genus) +
+                    "), for which no cut is suggested: cut each open along a line around it first",
+                {.path = {}, .count = topology.genus});
   }
 }
 

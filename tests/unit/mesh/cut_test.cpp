@@ -252,6 +252,15 @@ TEST(Cut, KeepsOffTheBorderWhereItFindsItsOwnWay) {
   EXPECT_EQ(split(bow.mesh, "piece").size(), 2U);
 }
 
+TEST(Cut, HasALengthAtAnySize) {
+  for (const double size : {1e-200, 1e200}) {
+    TriMesh tube = meshes::tube(12, 5);
+    for (Vec3& p : tube.positions)
+      p = size * p;
+    EXPECT_NEAR(cut(tube, {{3, 63}}).length / size, 5.0, 1e-12);
+  }
+}
+
 void expect_misplaced(const TriMesh& mesh, const std::vector<CutPath>& paths, ErrorCode code,
                       const std::string& part) {
   try {

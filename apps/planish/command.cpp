@@ -12,9 +12,10 @@ std::string Arguments::value_or(std::string_view flag, const std::string& other)
 }
 
 const std::vector<Command>& commands() {
-  static const std::vector<Command> all = {flatten_command(), measure_command(), evolve_command(),
-                                           unfold_command(),  compare_command(), frontier_command(),
-                                           convert_command(), sample_command()};
+  static const std::vector<Command> all = {
+      flatten_command(),      measure_command(), evolve_command(),
+      unfold_command(),       compare_command(), frontier_command(),
+      suggest_cuts_command(), convert_command(), sample_command()};
   return all;
 }
 

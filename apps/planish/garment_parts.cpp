@@ -7,6 +7,7 @@
 
 #include <planish/mesh/split.h>
 
+#include "failures.h"
 #include "pattern_output.h"
 #include "text.h"
 
@@ -142,6 +143,24 @@ GarmentInput read_garment(Session& session, const std::string& path) {
   }
   name_folders(input.patches);
   return input;
+}
+
+std::optional<CutDone> cut_garment(GarmentInput& input, const Arguments& arguments,
+                                   Session& session) {
+  if (!arguments.has("--cut")) return std::nullopt;
+  if (input.patches.size() > 1) {
+    throw UsageError("flag --cut goes with one patch only; the input has several");
+  }
+  CutInput cut = cut_as_asked(std::move(input.whole.mesh), input.path, arguments, session);
+  input.whole.mesh = std::move(cut.mesh);
+  input.whole.groups = {};
+  std::vector<GarmentPatch> patches = patches_of(input.whole, input.path);
+  if (patches.size() > 1) {
+    session.note(input.path + ": the cut makes " + std::to_string(patches.size()) + " patches");
+    input.patches = std::move(patches);
+    name_folders(input.patches);
+  }
+  return cut.cut;
 }
 
 }  // namespace planish::cli

@@ -7,6 +7,7 @@
 #include <planish/core/error.h>
 #include <planish/io/read_mesh.h>
 
+#include "cut_flag.h"
 #include "session.h"
 
 namespace planish::cli {
@@ -33,6 +34,12 @@ struct GarmentInput {
 /// that
 ///   holds no mesh file
 GarmentInput read_garment(Session& session, const std::string& path);
+
+/// Cuts an input of one patch open as --cut says; where that divides it, it has several patches
+/// from then on.
+/// @throws UsageError for an input of several patches, Error as cut_as_asked()
+std::optional<CutDone> cut_garment(GarmentInput& input, const Arguments& arguments,
+                                   Session& session);
 
 /// Names of folders and files that are sound everywhere and lead nowhere else: letters, digits,
 /// dots, hyphens, underscores and what is not ASCII; other characters become underscores. No two

@@ -62,6 +62,8 @@ std::string_view to_string(ErrorCode code) {
       return "unknown_name";
     case ErrorCode::unsupported_constraint:
       return "unsupported_constraint";
+    case ErrorCode::misplaced_cut:
+      return "misplaced_cut";
     case ErrorCode::unfold_failed:
       return "unfold_failed";
     case ErrorCode::overlapping_outline:

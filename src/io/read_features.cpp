@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <span>
 #include <utility>
 
@@ -10,33 +8,15 @@
 #include <planish/mesh/connectivity.h>
 
 #include "core/number_text.h"
-#include "io/face_list.h"
 #include "io/file_bytes.h"
 #include "io/formats.h"
-#include "io/obj_references.h"
+#include "io/line_drawing.h"
 #include "io/text_cursor.h"
 #include "mesh/edge_paths.h"
 #include "mesh/nearest_vertex.h"
 
 namespace planish {
 namespace {
-
-/// The vertex of the mesh that a word names, counted from 0.
-Index vertex_named(std::string_view word, std::size_t vertex_count, const TextCursor& cursor) {
-  std::uint64_t number = 0;
-  const char* const last = word.data() + word.size();
-  const auto parsed = std::from_chars(word.data(), last, number);
-  if (parsed.ptr != last || parsed.ec == std::errc::invalid_argument) {
-    cursor.fail(ErrorCode::bad_number,
-                in_quotes(word) + " is not the number of a vertex, counted from 0");
-  }
-  if (parsed.ec != std::errc() || number >= vertex_count) {
-    cursor.fail(ErrorCode::index_out_of_range,
-                "there is no vertex " + std::string(word.substr(0, 20)) + ": the mesh has " +
-                    std::to_string(vertex_count) + " vertices, counted from 0");
-  }
-  return static_cast<Index>(number);
-}
 
 /// The numbers of a list.
 std::vector<Index> parse_list(std::string_view bytes, std::string_view name,
@@ -56,53 +36,8 @@ std::vector<Index> parse_list(std::string_view bytes, std::string_view name,
   return vertices;
 }
 
-/// The lines and points that an OBJ file draws.
-struct Drawing {
-  struct Line {
-    std::size_t begin, end;  ///< of `corners`
-    std::size_t line;        ///< of the file
-  };
-
-  std::vector<Vec3> places;
-  std::vector<Index> corners;  ///< of the lines and points, one after the other
-  std::vector<Line> lines;
-};
-
-Drawing parse_drawing(TextCursor& cursor) {
-  Drawing drawing;
-  ObjReferences references;
-  const auto corners = [&](std::string_view element) {
-    const std::size_t begin = drawing.corners.size();
-    while (!cursor.at_line_end()) {
-      drawing.corners.push_back(
-          references.vertex(cursor.token(), element, drawing.places.size(), cursor));
-    }
-    return drawing.corners.size() - begin;
-  };
-  for (; !cursor.at_end(); cursor.next_line()) {
-    const std::string_view keyword = cursor.token();
-    if (keyword == "v") {
-      const double x = cursor.number(), y = cursor.number(), z = cursor.number();
-      drawing.places.push_back({x, y, z});
-      check_size(drawing.places.size(), "vertices", cursor);
-    } else if (keyword == "p") {
-      if (corners("point") == 0) cursor.fail_missing("the number of a vertex");
-    } else if (keyword == "l") {
-      const std::size_t line = cursor.line(), begin = drawing.corners.size();
-      if (corners("line") < 2) cursor.fail(ErrorCode::malformed_file, "a line needs two vertices");
-      drawing.lines.push_back({begin, drawing.corners.size(), line});
-    }
-  }
-  references.check(drawing.places.size(), cursor);
-  if (drawing.corners.empty()) {
-    cursor.fail_at_line(1, ErrorCode::malformed_file,
-                        "the file draws nothing: it has no lines (l) and no points (p)");
-  }
-  return drawing;
-}
-
 /// Marks the vertices between the corners of a line.
-void trace(const Drawing::Line& line, std::span<const Index> corners, EdgePaths& paths,
+void trace(const LineDrawing::Line& line, std::span<const Index> corners, EdgePaths& paths,
            const TextCursor& cursor, std::vector<unsigned char>& marked) {
   for (std::size_t i = line.begin + 1; i < line.end; ++i) {
     if (corners[i] == corners[i - 1]) continue;
@@ -119,7 +54,7 @@ void trace(const Drawing::Line& line, std::span<const Index> corners, EdgePaths&
 }
 
 /// Fixes the vertices that a drawing stands for.
-FixedVertices snap(const Drawing& drawing, const TriMesh& mesh, const TextCursor& cursor) {
+FixedVertices snap(const LineDrawing& drawing, const TriMesh& mesh, const TextCursor& cursor) {
   if (mesh.triangles.empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
   const Connectivity connectivity(mesh);
   std::vector<Vec3> places;
@@ -137,7 +72,7 @@ FixedVertices snap(const Drawing& drawing, const TriMesh& mesh, const TextCursor
     marked[v] = 1;
   }
   EdgePaths paths(mesh, connectivity);
-  for (const Drawing::Line& line : drawing.lines)
+  for (const LineDrawing::Line& line : drawing.lines)
     trace(line, corners, paths, cursor, marked);
   for (std::size_t v = 0; v < marked.size(); ++v) {
     if (marked[v] != 0) fixed.vertices.push_back(static_cast<Index>(v));
@@ -156,7 +91,7 @@ FixedVertices parse_fixed_vertices(std::string_view bytes, const TriMesh& mesh,
                                    const std::string& name) {
   if (lower_extension(name) == ".obj") {
     TextCursor cursor(bytes, name, {.comments = true, .continuation = true});
-    const Drawing drawing = parse_drawing(cursor);
+    const LineDrawing drawing = parse_line_drawing(cursor);
     return snap(drawing, mesh, cursor);
   }
   std::vector<Index> vertices = parse_list(bytes, name, mesh.positions.size());

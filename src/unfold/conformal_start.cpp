@@ -1,28 +1,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "unfold/inner_system.h"
+#include "unfold/disk_angles.h"
 #include "unfold/start.h"
 
 namespace planish {
 
 namespace {
-
-struct Angles {
-  std::array<double, 3> at;     // of the corners
-  SideWeights half_cotangents;  // of the corners, which are opposite the sides
-};
-
-Angles angles_of(const RestTriangle& rest) {
-  const std::array<Vec2, 3> p{Vec2{0.0, 0.0}, Vec2{rest.length, 0.0}, rest.tip};
-  Angles angles{};
-  for (int k = 0; k < 3; ++k) {
-    const Vec2 a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
-    angles.at[k] = std::atan2(cross(a, b), dot(a, b));
-    angles.half_cotangents[k] = 0.5 * dot(a, b) / cross(a, b);
-  }
-  return angles;
-}
 
 /// The lengths of the sides from border[k] to border[k + 1].
 std::vector<double> border_lengths(const Disk& disk) {
@@ -78,26 +62,14 @@ std::vector<Vec2> closed_polygon(const std::vector<double>& turns, std::vector<d
 }  // namespace
 
 std::vector<Vec2> conformal_start(const Disk& disk) {
-  const auto n = static_cast<Eigen::Index>(disk.vertex_count);
-  std::vector<SideWeights> weights;
-  Eigen::VectorXd angle_sums = Eigen::VectorXd::Zero(n);
-  for (std::size_t t = 0; t < disk.triangles.size(); ++t) {
-    const Angles angles = angles_of(disk.rest[t]);
-    weights.push_back(angles.half_cotangents);
-    for (int k = 0; k < 3; ++k)
-      angle_sums[disk.triangles[t][k]] += angles.at[k];
-  }
-  const InnerSystem laplacian(disk, weights);
+  const DiskAngles angles = disk_angles(disk);
+  const InnerSystem laplacian(disk, angles.half_cotangents);
   if (laplacian.inner_count() > 0 && !laplacian.solvable()) return {};
 
-  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(n);
-  const Eigen::VectorXd minus_defects =
-      angle_sums - Eigen::VectorXd::Constant(n, 2.0 * std::numbers::pi);
-  const Eigen::VectorXd log_scale = laplacian.solve(zero, minus_defects);
-  const Eigen::VectorXd flux = laplacian.apply(log_scale);
+  const Eigen::VectorXd flux = laplacian.apply(log_scale(laplacian, angles));
   std::vector<double> turns;
   for (const Index v : disk.border)
-    turns.push_back(std::numbers::pi - angle_sums[v] + flux[v]);
+    turns.push_back(std::numbers::pi - angles.sums[v] + flux[v]);
 
   return laplacian.extend(disk, closed_polygon(turns, border_lengths(disk)));
 }

@@ -10,6 +10,7 @@ Command evolve_command();
 Command unfold_command();
 Command compare_command();
 Command frontier_command();
+Command suggest_cuts_command();
 Command convert_command();
 Command sample_command();
 

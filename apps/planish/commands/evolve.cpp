@@ -5,6 +5,7 @@
 
 #include "commands/commands.h"
 #include "constraint_flags.h"
+#include "cut_flag.h"
 #include "failures.h"
 #include "method_flags.h"
 #include "session.h"
@@ -66,17 +67,18 @@ Outcome run_evolve(const Arguments& arguments, Session& session) {
   stopping_from(arguments, method);
 
   const std::string& path = arguments.operands.front();
-  const TriMesh mesh = session.read(path).mesh;
+  const CutInput input = cut_as_asked(session.read(path).mesh, path, arguments, session);
   const auto [evolved, report] = about(path, [&] {
-    note_obstruction(session, mesh);
-    return evolve_with_progress(mesh, arguments, session);
+    note_obstruction(session, input.mesh);
+    return evolve_with_progress(input.mesh, arguments, session);
   });
   files.front().content = format_mesh(evolved, format);
   if (files.size() > 1) files.back().content = history_csv(report.result.history);
   session.write(files);
 
   std::string text = path + " -> " + output + "  (" + size_text(evolved) + ")\n";
-  return with_target_checked({text + evolve_text(report), json_report(report)}, arguments, report);
+  const std::string json = json_with_cut(json_report(report), input.cut);
+  return with_target_checked({text + evolve_text(report), json}, arguments, report);
 }
 
 }  // namespace
@@ -86,25 +88,27 @@ Command evolve_command() {
       {"Output",
        {{"--output", "OUTPUT", "the evolved mesh: .obj, .ply, .stl or .off", 'o', true},
         unit_flag(),
+        cut_flag(),
         remesh_flag(),
         {"--history", "FILE", "the figures of every sweep, as comma-separated values"},
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
   for (FlagGroup& group : method_flags(Method{}))
     groups.push_back(std::move(group));
   groups.push_back(constraint_flags());
-  return {"evolve",
-          "change a patch as little as needed towards flattenable",
-          "INPUT -o OUTPUT",
-          "Moves the inner vertices of a patch by one method. The border, the triangles and the "
-          "order of the vertices stay as they are, but for --remesh. OUTPUT may be INPUT.",
-          {"INPUT"},
-          std::move(groups),
-          {"planish evolve panel.obj -o evolved.obj",
-           "planish evolve panel.obj -o evolved.ply --sweeps 100 --max-deviation 2mm",
-           "planish evolve panel.obj -o evolved.obj --method classical --lambda 0.5",
-           "planish evolve panel.obj -o evolved.obj --method auto --max-strain 2%",
-           "planish evolve panel.obj -o evolved.obj --fix seams.obj"},
-          run_evolve};
+  return {
+      "evolve",
+      "change a patch as little as needed towards flattenable",
+      "INPUT -o OUTPUT",
+      "Moves the inner vertices of a patch by one method. The border, the triangles and the "
+      "order of the vertices stay as they are, but for --cut and --remesh. OUTPUT may be INPUT.",
+      {"INPUT"},
+      std::move(groups),
+      {"planish evolve panel.obj -o evolved.obj",
+       "planish evolve panel.obj -o evolved.ply --sweeps 100 --max-deviation 2mm",
+       "planish evolve panel.obj -o evolved.obj --method classical --lambda 0.5",
+       "planish evolve panel.obj -o evolved.obj --method auto --max-strain 2%",
+       "planish evolve panel.obj -o evolved.obj --fix seams.obj"},
+      run_evolve};
 }
 
 }  // namespace planish::cli

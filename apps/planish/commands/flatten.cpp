@@ -8,6 +8,7 @@
 
 #include "commands/commands.h"
 #include "constraint_flags.h"
+#include "cut_flag.h"
 #include "failures.h"
 #include "furniture_flags.h"
 #include "garment_flags.h"
@@ -155,6 +156,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   const fs::path folder = folder_from(arguments);
 
   GarmentInput read = read_garment(session, arguments.operands.front());
+  const std::optional<CutDone> cut = cut_garment(read, arguments, session);
   if (read.patches.size() > 1) {
     const auto files = [&](const FlattenReport& report, MeshFormat input,
                            const PatternOptions& furniture, const fs::path& place) {
@@ -190,7 +192,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   });
   if (!report) throw Interrupted();
 
-  const std::string json = json_report(*report, places);
+  const std::string json = json_with_cut(json_report(*report, places), cut);
   const std::vector<OutputFile> files =
       about(path, [&] { return files_of(*report, places, format, pattern, colors, json); });
   session.write(files);
@@ -206,6 +208,7 @@ Command flatten_command() {
       {"Output",
        {{"--output", "FOLDER", "where to write (default: the input's name with -pattern)", 'o'},
         unit_flag(),
+        cut_flag(),
         remesh_flag(),
         match_seams_flag(),
         formats_flag(),
@@ -234,6 +237,7 @@ Command flatten_command() {
       {"INPUT"},
       std::move(groups),
       {"planish flatten panel.obj", "planish flatten panel.obj -o out --unit cm --max-strain 2%",
+       "planish flatten panel.obj --cut darts.txt",
        "planish flatten panel.obj --paper a4 --dxf-profile lectra",
        "planish flatten panel.obj --allowance 10mm --grain 0,0,1 --quantity 2",
        "planish flatten panel.obj --material leather --max-deviation 5mm",

@@ -7,6 +7,7 @@
 #include <planish/report/pattern_sheet.h>
 
 #include "commands/commands.h"
+#include "cut_flag.h"
 #include "failures.h"
 #include "furniture_flags.h"
 #include "garment_flags.h"
@@ -63,7 +64,7 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
   PatternOptions furniture = furniture_from(arguments, pattern_format_of(output).has_value());
 
   const std::string& path = arguments.operands.front();
-  const TriMesh mesh = session.read(path).mesh;
+  const CutInput input = cut_as_asked(session.read(path).mesh, path, arguments, session);
   const auto on_step = [&](int step, double energy) {
     // How many steps it will take is not known: the bar comes nearer to its end with every one.
     session.show_progress("unfolding", 1.0 - 1.0 / (1.0 + 0.25 * step),
@@ -72,16 +73,16 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
   };
   const auto report = about(path, [&] {
     const std::string name = std::filesystem::path(path).stem().string();
-    furniture = furniture_on(std::move(furniture), arguments, mesh, name);
-    return unfold_patch(mesh, unit, on_step, unfold_options);
+    furniture = furniture_on(std::move(furniture), arguments, input.mesh, name);
+    return unfold_patch(input.mesh, unit, on_step, unfold_options);
   });
   if (!report) throw Interrupted();
   const std::string content =
-      about(path, [&] { return content_of(output, path, mesh, *report, how, furniture); });
+      about(path, [&] { return content_of(output, path, input.mesh, *report, how, furniture); });
   session.write({{output, content}});
   warn_of_pattern(session, *report);
-  return {path + " -> " + output + "  (" + size_text(mesh) + ")\n\n" + unfold_text(*report),
-          json_report(*report)};
+  return {path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(*report),
+          json_with_cut(json_report(*report), input.cut)};
 }
 
 }  // namespace
@@ -93,6 +94,7 @@ Command unfold_command() {
        ".ply, .stl or .off)",
        'o', true},
       unit_flag(),
+      cut_flag(),
       match_seams_flag()};
   for (Flag& flag : pattern_flags("divide the .pdf into pages to be joined"))
     flags.push_back(std::move(flag));
@@ -100,11 +102,12 @@ Command unfold_command() {
           "lay a patch flat as it is",
           "INPUT -o OUTPUT",
           "Lays a patch flat with the least stretch and no flipped triangle. The patch must be a "
-          "topological disk: one piece, one border, no handle.",
+          "topological disk: one piece, one border, no handle. --cut opens one that is none.",
           {"INPUT"},
           {{"Output", std::move(flags)}, furniture_flags()},
           {"planish unfold panel.obj -o pattern.svg",
            "planish unfold panel.obj -o pattern.pdf --paper a4",
+           "planish unfold sleeve.obj -o pattern.svg --cut seam.txt",
            "planish unfold panel.obj -o pattern.dxf --allowance 10mm --notches notches.txt",
            "planish unfold panel.obj -o flat.obj --unit cm"},
           run_unfold};

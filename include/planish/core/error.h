@@ -43,6 +43,7 @@ enum class ErrorCode {
   option_out_of_range,
   unknown_name,
   unsupported_constraint,
+  misplaced_cut,
   // What could not be done
   unfold_failed,
   overlapping_outline,

@@ -1,0 +1,126 @@
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include <planish/draw/write_svg.h>
+#include <planish/io/write_mesh.h>
+#include <planish/report/cut_sheet.h>
+
+#include "commands/commands.h"
+#include "failures.h"
+#include "pattern_output.h"
+#include "quantities.h"
+#include "session.h"
+#include "suggestion_text.h"
+#include "summary.h"
+#include "units.h"
+#include "values.h"
+
+namespace planish::cli {
+
+namespace {
+
+constexpr Range k_darts = {0.0, 50.0};
+
+SuggestOptions suggest_options_from(const Arguments& arguments) {
+  SuggestOptions options;
+  if (arguments.has("--max-strain")) {
+    options.max_strain = quantity_value("--max-strain", arguments.flags.at("--max-strain"),
+                                        Quantity::share, {0.0, 1.0}, arguments);
+    if (options.max_strain == 0.0) {
+      throw UsageError("--max-strain is 0 but must be more: no pattern has none at all");
+    }
+  }
+  options.max_darts = whole_number_of(
+      "--max-cuts", arguments.value_or("--max-cuts", std::to_string(options.max_darts)), k_darts);
+  return options;
+}
+
+/// What each file is for -> its path.
+std::map<std::string, std::string> suggestion_places(const Arguments& arguments) {
+  std::map<std::string, std::string> places;
+  for (const auto& [role, flag] : {std::pair{"cuts", "--output"}, std::pair{"picture", "--picture"},
+                                   std::pair{"mesh", "--apply"}}) {
+    if (arguments.has(flag)) places[role] = arguments.flags.at(flag);
+  }
+  std::vector<OutputFile> files;
+  for (const auto& [role, path] : places)
+    files.push_back({path, {}});
+  refuse_shared_places(files);
+  if (places.contains("picture") && lower_extension(places.at("picture")) != ".svg") {
+    throw Error(ErrorCode::unsupported_format, "the picture is an .svg file",
+                {.path = places.at("picture")});
+  }
+  if (places.contains("mesh")) mesh_format_of(places.at("mesh"));
+  return places;
+}
+
+std::vector<OutputFile> suggestion_files(const CutSuggestion& suggestion,
+                                         const std::map<std::string, std::string>& places,
+                                         Unit unit, const std::string& name) {
+  std::vector<OutputFile> files;
+  for (const auto& [role, path] : places) {
+    if (role == "cuts") {
+      files.push_back({path, suggestion_file(suggestion, unit)});
+    } else if (role == "picture") {
+      files.push_back({path, write_svg(cut_sheet(suggestion, unit, name))});
+    } else {
+      files.push_back({path, format_mesh(suggestion.last.cut.mesh, mesh_format_of(path))});
+    }
+  }
+  return files;
+}
+
+Outcome run_suggest_cuts(const Arguments& arguments, Session& session) {
+  // What can be wrong with the request is told before any work.
+  const SuggestOptions options = suggest_options_from(arguments);
+  const Unit unit = unit_from(arguments);
+  const auto places = suggestion_places(arguments);
+  const std::string& path = arguments.operands.front();
+  const TriMesh mesh = session.read(path).mesh;
+  const auto suggestion = about(path, [&] {
+    return suggest_cuts(mesh, Connectivity(mesh), options, [&](double share) {
+      session.show_progress("trying cuts", share, path);
+      return !session.interrupted();
+    });
+  });
+  if (!suggestion) throw Interrupted();
+  const std::string name = std::filesystem::path(path).stem().string();
+  const auto files = about(path, [&] { return suggestion_files(*suggestion, places, unit, name); });
+  session.write(files);
+  std::string text = path + "  (" + size_text(mesh) + ")\n\n" +
+                     suggestion_text(*suggestion, options.max_strain, unit);
+  if (!files.empty()) text += written_text(files);
+  return {text, suggestion_json(*suggestion, options.max_strain, unit, places)};
+}
+
+}  // namespace
+
+Command suggest_cuts_command() {
+  return {
+      "suggest-cuts",
+      "where to cut a patch open so that it lies flat",
+      "INPUT [-o CUTS]",
+      "Looks for short cuts along edges that let a mesh lie flat with no edge of the pattern "
+      "strained by more than a limit: first seams that make one piece with one border of it, "
+      "then darts, one after the other, the best of a few that are tried. CUTS is what --cut "
+      "of other verbs takes. Without -o, --picture or --apply nothing is written. Ends with "
+      "exit code 0 also where the limit is not met.",
+      {"INPUT"},
+      {{"Output",
+        {{"--output", "CUTS", "the cuts, one a line by its vertices", 'o'},
+         {"--picture", "FILE", "the pattern without the darts, the darts drawn on it: .svg"},
+         {"--apply", "FILE", "the mesh cut open: .obj, .ply, .stl or .off"},
+         unit_flag()}},
+       {"What to look for",
+        {{"--max-strain", "X",
+          "the limit of the largest strain of an edge (0.02 or 2%, default 2%)"},
+         {"--max-cuts", "N",
+          "at most so many darts (0 to 50, default " + std::to_string(SuggestOptions{}.max_darts) +
+              ")"}}}},
+      {"planish suggest-cuts hat.obj", "planish suggest-cuts hat.obj -o cuts.txt --max-strain 5%",
+       "planish flatten hat.obj --cut cuts.txt"},
+      run_suggest_cuts};
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,48 @@
+#include "cut_flag.h"
+
+#include <utility>
+
+#include <planish/io/read_cuts.h>
+
+#include <nlohmann/json.hpp>
+
+#include "failures.h"
+#include "session.h"
+#include "text.h"
+#include "units.h"
+
+namespace planish::cli {
+
+Flag cut_flag() {
+  return {"--cut", "FILE",
+          "cut the patch open first: a cut a line by its vertices from 0, or an .obj whose lines "
+          "are snapped to the mesh"};
+}
+
+CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& arguments,
+                      Session& session) {
+  if (!arguments.has("--cut")) return {std::move(mesh)};
+  const std::string& file = arguments.flags.at("--cut");
+  return about(path, [&]() -> CutInput {
+    const CutLines lines = read_cuts(file, mesh);
+    CutMesh cut = cut_open(mesh, Connectivity(mesh), lines.paths);
+    const std::string unit(to_string(unit_from(arguments)));
+    std::string text = file + ": cut open along " + counted(cut.edges, "edge") + ", " +
+                       digits(cut.length) + " " + unit;
+    if (lines.farthest > 0.0) {
+      text += "; what is drawn is at most " + digits(lines.farthest, 3) + " " + unit +
+              " from the vertices that stand for it";
+    }
+    session.note(text);
+    return {std::move(cut.mesh), CutDone{cut.edges, cut.length}};
+  });
+}
+
+std::string json_with_cut(const std::string& report, const std::optional<CutDone>& cut) {
+  if (!cut) return report;
+  auto object = nlohmann::ordered_json::parse(report);
+  object["cut"] = {{"edges", cut->edges}, {"length", cut->length}};
+  return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace planish::cli

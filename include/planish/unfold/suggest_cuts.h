@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <planish/mesh/cut.h>
+#include <planish/unfold/strain.h>
+#include <planish/unfold/unfold.h>
+
+namespace planish {
+
+struct SuggestOptions {
+  double max_strain = 0.02;  ///< that no edge of the pattern may exceed; a share of length, above 0
+  int max_darts = 6;         ///< at most so many, besides what makes the mesh a disk
+  /// Darts are tried on a patch of about so many vertices, if the mesh has more.
+  std::size_t trial_vertices = 3000;
+};
+
+/// One cut of a suggestion.
+struct SuggestedCut {
+  std::vector<Index> path;  ///< vertices of the mesh as it came; of a dart, the tip is last
+  double length = 0.0;      ///< model units
+  bool is_dart = false;     ///< false for what makes a disk of the mesh
+  /// Strain of the pattern without this cut and those after it, and with it; nothing as long as the
+  /// mesh is no disk.
+  std::optional<EdgeStrain> before = {}, after = {};
+};
+
+enum class SuggestStop {
+  strain_met,  ///< no edge is strained by more than the limit
+  dart_limit,  ///< all darts that were allowed are there
+  no_gain,     ///< no dart that was tried lowers the rms strain by 5 % more
+};
+std::string_view to_string(SuggestStop stop);
+
+/// A mesh cut open to a disk and what its pattern is like.
+struct CutPattern {
+  CutMesh cut;
+  Pattern pattern;
+  EdgeStrain strain;
+};
+
+struct CutSuggestion {
+  std::vector<SuggestedCut> cuts;
+  CutPattern first;  ///< without darts
+  CutPattern last;   ///< with all cuts
+  SuggestStop stop = SuggestStop::no_gain;
+
+  bool met() const { return stop == SuggestStop::strain_met; }
+};
+
+/// Called as the search goes on with the share of it that is done at most; false cancels.
+using OnSuggestProgress = std::function<bool(double share)>;
+
+/// Looks for short cuts that let a mesh lie flat with little strain (docs/cuts.md): first those
+/// that make a disk of it, then darts one after the other, each the best of a few that are tried.
+/// Not the shortest that there are: a greedy search. Nothing when cancelled. The same bits every
+/// time.
+/// @pre connectivity is that of mesh
+/// @throws Error several_components, handles, option_out_of_range, and as unfold()
+std::optional<CutSuggestion> suggest_cuts(const TriMesh& mesh, const Connectivity& connectivity,
+                                          const SuggestOptions& options = {},
+                                          const OnSuggestProgress& on_progress = {});
+
+}  // namespace planish

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include <planish/core/vec.h>
+
+#include "io/text_cursor.h"
+
+namespace planish {
+
+/// The vertex of a mesh that a word names, counted from 0.
+/// @throws Error bad_number, index_out_of_range
+Index vertex_named(std::string_view word, std::size_t vertex_count, const TextCursor& cursor);
+
+/// The lines and points that an OBJ file draws.
+struct LineDrawing {
+  struct Line {
+    std::size_t begin, end;  ///< of `corners`
+    std::size_t line;        ///< of the file
+  };
+
+  std::vector<Vec3> places;
+  std::vector<Index> corners;  ///< of the lines and points, one after the other
+  std::vector<Line> lines;
+};
+
+/// Reads the statements v, l and p of an OBJ file; others are passed over.
+/// @throws Error malformed_file (also where nothing is drawn), truncated_file, bad_number,
+///   non_finite_coordinate, index_out_of_range, too_large
+LineDrawing parse_line_drawing(TextCursor& cursor);
+
+}  // namespace planish

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <planish/core/error.h>
+#include <planish/io/read_cuts.h>
+
+#include "core/number_text.h"
+#include "io/file_bytes.h"
+#include "io/formats.h"
+#include "io/line_drawing.h"
+#include "io/text_cursor.h"
+#include "mesh/nearest_vertex.h"
+
+namespace planish {
+namespace {
+
+/// How far a drawn point may be from its vertex, in mean edges.
+constexpr double k_most_edges_off = 3.0;
+
+double mean_edge(const TriMesh& mesh) {
+  const double scale = unit_scale(mesh);
+  double sum = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i)
+      sum += norm(scale * mesh.positions[t[(i + 1) % 3]] - scale * mesh.positions[t[i]]);
+  }
+  return sum / (3.0 * static_cast<double>(mesh.triangles.size())) / scale;
+}
+
+double distance_of(Vec3 a, Vec3 b) {
+  return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+std::string point_text(Vec3 p) {
+  return "(" + number_text(p.x) + ", " + number_text(p.y) + ", " + number_text(p.z) + ")";
+}
+
+CutLines snap_cuts(const LineDrawing& drawing, const TriMesh& mesh, const TextCursor& cursor,
+                   const std::string& name) {
+  if (drawing.lines.empty()) {
+    cursor.fail_at_line(1, ErrorCode::malformed_file,
+                        "the file has no line (l), and points (p) cut nothing");
+  }
+  const NearestVertex nearest(mesh, drawing.places);
+  const double most = k_most_edges_off * mean_edge(mesh);
+  CutLines cuts;
+  for (const LineDrawing::Line& line : drawing.lines) {
+    CutPath& path = cuts.paths.emplace_back(CutPath{{}, {.path = name, .line = line.line}});
+    for (std::size_t i = line.begin; i < line.end; ++i) {
+      const Vec3 place = drawing.places[drawing.corners[i]];
+      const Index v = nearest.of(place);
+      const double apart = distance_of(place, mesh.positions[v]);
+      if (!(apart <= most)) {
+        cursor.fail_at_line(
+            line.line, ErrorCode::misplaced_cut,
+            "cut " + std::to_string(cuts.paths.size()) + " leaves the mesh at " +
+                point_text(place) + ": the nearest vertex, " + std::to_string(v) + " at " +
+                point_text(mesh.positions[v]) +
+                ", is farther away than three edges; is the drawing in other units?");
+      }
+      cuts.farthest = std::max(cuts.farthest, apart);
+      path.vertices.push_back(v);
+    }
+  }
+  return cuts;
+}
+
+CutLines listed_cuts(std::string_view bytes, const std::string& name, std::size_t vertex_count) {
+  TextCursor cursor(bytes, name, {.comments = true});
+  CutLines cuts;
+  while (cursor.skip_to_token()) {
+    CutPath& path = cuts.paths.emplace_back(CutPath{{}, {.path = name, .line = cursor.line()}});
+    while (!cursor.at_line_end()) {
+      std::string_view words = cursor.token();
+      while (!words.empty()) {
+        const std::size_t comma = std::min(words.find(','), words.size());
+        if (comma > 0) {
+          path.vertices.push_back(vertex_named(words.substr(0, comma), vertex_count, cursor));
+        }
+        words.remove_prefix(std::min(comma + 1, words.size()));
+      }
+    }
+  }
+  if (cuts.paths.empty()) {
+    cursor.fail_at_line(1, ErrorCode::malformed_file, "the file names no cut");
+  }
+  return cuts;
+}
+
+}  // namespace
+
+CutLines read_cuts(const std::filesystem::path& path, const TriMesh& mesh) {
+  const FileBytes file(path);
+  return parse_cuts(file.view(), mesh, path.string());
+}
+
+CutLines parse_cuts(std::string_view bytes, const TriMesh& mesh, const std::string& name) {
+  if (mesh.triangles.empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
+  if (lower_extension(name) != ".obj") return listed_cuts(bytes, name, mesh.positions.size());
+  TextCursor cursor(bytes, name, {.comments = true, .continuation = true});
+  const LineDrawing drawing = parse_line_drawing(cursor);
+  return snap_cuts(drawing, mesh, cursor, name);
+}
+
+std::string format_cuts(std::span<const std::vector<Index>> paths) {
+  std::string text;
+  for (const auto& path : paths) {
+    for (std::size_t i = 0; i < path.size(); ++i)
+      text += (i == 0 ? "" : " ") + std::to_string(path[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace planish

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <planish/mesh/connectivity.h>
+
+namespace planish {
+
+/// Whether v and its neighbour w are joined by an edge of the border.
+bool is_border_edge(const Connectivity& connectivity, Index v, Index w);
+
+/// Finds shortest paths that a mesh can be cut along (Dijkstra 1959): along edges that have a
+/// triangle on either side, and touching the border with their ends only.
+class InsidePaths {
+ public:
+  /// Both must outlive it.
+  InsidePaths(const TriMesh& mesh, const Connectivity& connectivity);
+
+  /// The vertices of a shortest path from one of the first ones to one that is wanted, ends
+  /// included; nothing where there is none. Of several paths always the same. Looks no further
+  /// than the path is long.
+  std::optional<std::vector<Index>> from(std::span<const Index> first,
+                                         const std::function<bool(Index)>& is_wanted);
+
+  /// The vertex that is farthest along such paths, of those that are wanted and can be reached.
+  std::optional<Index> farthest(Index first, const std::function<bool(Index)>& is_wanted);
+
+ private:
+  /// Spreads until a vertex makes `at_vertex` say true, and returns that; distances grow.
+  std::optional<Index> spread(std::span<const Index> first,
+                              const std::function<bool(Index)>& at_vertex);
+  void forget();
+
+  const TriMesh& mesh_;
+  const Connectivity& connectivity_;
+  double scale_;
+  std::vector<double> distance_;  ///< infinite where nothing was reached yet
+  std::vector<Index> previous_;   ///< of a first vertex itself
+  std::vector<Index> reached_;    ///< what has to be forgotten before the next path
+};
+
+}  // namespace planish

@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <atomic>
+
+#include <planish/io/read_mesh.h>
+#include <planish/mesh/connectivity.h>
+#include <planish/mesh/split.h>
+
+#include <gmock/gmock.h>
+
+#include "cli_run.h"
+#include "support/meshes.h"
+
+namespace planish::cli {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+void write_text(const std::string& path, const std::string& text) {
+  std::ofstream(path) << text;
+}
+
+class Cut : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    write_mesh("tube.obj", meshes::tube(12, 5));
+    write_mesh("hill.obj", meshes::height_field(12, 8, [](double x, double y) {
+                 return 4.0 - 0.1 * (x - 6.0) * (x - 6.0) - 0.1 * (y - 4.0) * (y - 4.0);
+               }));
+    write_text("seam.txt", "0 60\n");
+    // Number 13 y + x at (x, y): from the middle of the lower side to the top, and right across.
+    write_text("dart.txt", "6 58  # to the top\n");
+    write_text("across.txt", "6 58 110\n");
+  }
+};
+
+const Names k_fast = {"--method", "controllable", "--sweeps", "2", "--formats", "svg"};
+
+CliResult flatten_with(const std::string& input, const Names& more) {
+  Names args = {"flatten", input, "-o", "out"};
+  args.insert(args.end(), k_fast.begin(), k_fast.end());
+  args.insert(args.end(), more.begin(), more.end());
+  return planish(args);
+}
+
+TEST_F(Cut, LetsATubeBeLaidFlat) {
+  EXPECT_EQ(planish({"unfold", "tube.obj", "-o", "a.svg"}).exit_code, k_exit_failed);
+  const CliResult result =
+      planish({"unfold", "tube.obj", "-o", "a.svg", "--cut", "seam.txt", "--json", "--unit", "cm"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("seam.txt: cut open along 5 edges, 5.000 cm"));
+  const auto json = result.json();
+  EXPECT_EQ(json["cut"]["edges"], 5);
+  EXPECT_EQ(json["cut"]["length"], 5.0);
+  EXPECT_LT(json["strain"]["max"], 1e-9);
+  EXPECT_FALSE(planish({"unfold", "panel.obj", "-o", "b.svg", "--json"}).json().contains("cut"));
+}
+
+TEST_F(Cut, TakesADrawing) {
+  write_text("seam.obj", "v 1.1 0 0\nv 1 0 5.2\nl 1 2\n");
+  const CliResult result = planish({"unfold", "tube.obj", "-o", "a.svg", "--cut", "seam.obj"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("what is drawn is at most 0.200 mm from the vertices"));
+}
+
+TEST_F(Cut, WithADartGivesAPatternOfLessStrain) {
+  const auto whole = flatten_with("hill.obj", {"--json"}).json();
+  EXPECT_FALSE(whole.contains("cut"));
+  const CliResult result = flatten_with("hill.obj", {"--json", "--cut", "dart.txt"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  const auto json = result.json();
+  EXPECT_EQ(json["cut"]["edges"], 4);
+  EXPECT_LT(json["unfold_before"]["strain"]["rms"],
+            0.9 * whole["unfold_before"]["strain"]["rms"].get<double>());
+  EXPECT_EQ(nlohmann::json::parse(content_of("out/report.json"))["cut"], json["cut"]);
+}
+
+TEST_F(Cut, KeepsNumbersForOtherFlags) {
+  write_text("top.txt", "58\n");
+  const CliResult result = planish({"evolve", "hill.obj", "-o", "a.obj", "--cut", "dart.txt",
+                                    "--fix", "top.txt", "--sweeps", "2", "--json"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_EQ(result.json()["cut"]["edges"], 4);
+  const TriMesh before = read_mesh("hill.obj").mesh, after = read_mesh("a.obj").mesh;
+  EXPECT_EQ(after.positions.size(), before.positions.size() + 4);
+  EXPECT_EQ(after.positions[58], before.positions[58]);
+  // The border is what the cut made of it, and stays.
+  EXPECT_EQ(after.positions[before.positions.size()], before.positions[6]);
+}
+
+TEST_F(Cut, ThroughThePatchMakesAProduct) {
+  const CliResult result =
+      flatten_with("hill.obj", {"--json", "--cut", "across.txt", "--match-seams"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("hill.obj: the cut makes 2 patches"));
+  const auto json = result.json();
+  ASSERT_EQ(json["patches"].size(), 2U);
+  EXPECT_EQ(json["patches"][0]["name"], "hill-1");
+  ASSERT_EQ(json["seams"].size(), 1U);
+  const auto& seam = json["seams"][0];
+  EXPECT_EQ(seam["sides"][0]["vertices"], 9);
+  EXPECT_LT(seam["difference"], 1e-9);
+  EXPECT_TRUE(std::filesystem::exists("out/hill-2/pattern.svg"));
+}
+
+TEST_F(Cut, IsRefusedWhereItCannotBe) {
+  const auto error_of = [](const std::string& text) {
+    write_text("bad.txt", text);
+    const CliResult result =
+        planish({"unfold", "hill.obj", "-o", "a.svg", "--json", "--cut", "bad.txt"});
+    EXPECT_EQ(result.exit_code, k_exit_failed) << text;
+    EXPECT_FALSE(std::filesystem::exists("a.svg"));
+    return result.json()["error"];
+  };
+  const auto along = error_of("6 19\n# the border\n5 6\n");
+  EXPECT_EQ(along["code"], "misplaced_cut");
+  EXPECT_EQ(along["line"], 3);
+  EXPECT_EQ(along["path"], "bad.txt");
+  EXPECT_EQ(along["first"], 5);
+  EXPECT_EQ(error_of("57 58 59\n")["code"], "misplaced_cut");
+  EXPECT_EQ(error_of("58\n")["code"], "misplaced_cut");
+  EXPECT_EQ(error_of("6 999\n")["code"], "index_out_of_range");
+  EXPECT_EQ(error_of("6 x\n")["code"], "bad_number");
+  EXPECT_EQ(planish({"unfold", "hill.obj", "-o", "a.svg", "--cut", "none.txt"}).exit_code,
+            k_exit_failed);
+}
+
+TEST_F(Cut, GoesWithOnePatchOnly) {
+  write_mesh("two.obj", meshes::side_by_side(meshes::fan(6), meshes::fan(6)));
+  const CliResult result = flatten_with("two.obj", {"--cut", "dart.txt"});
+  EXPECT_EQ(result.exit_code, k_exit_usage);
+  EXPECT_THAT(result.err, HasSubstr("--cut goes with one patch only"));
+  EXPECT_FALSE(std::filesystem::exists("out"));
+}
+
+class SuggestCuts : public Cut {};
+
+TEST_F(SuggestCuts, GivesCutsThatHaveTheStrainThatItTells) {
+  const CliResult result =
+      planish({"suggest-cuts", "hill.obj", "-o", "cuts.txt", "--apply", "cut.obj", "--picture",
+               "cuts.svg", "--max-strain", "4%", "--json"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  const auto json = result.json();
+  EXPECT_TRUE(json["met"]);
+  EXPECT_EQ(json["stop"], "strain_met");
+  EXPECT_GT(json["strain_before"]["max"], 0.04);
+  EXPECT_LE(json["strain"]["max"], 0.04);
+  ASSERT_FALSE(json["cuts"].empty());
+  EXPECT_EQ(json["cuts"][0]["kind"], "dart");
+  EXPECT_EQ(json["files"]["cuts"], "cuts.txt");
+
+  const auto unfolded =
+      planish({"unfold", "hill.obj", "-o", "a.obj", "--cut", "cuts.txt", "--json"}).json();
+  EXPECT_EQ(unfolded["strain"], json["strain"]);
+  EXPECT_EQ(unfolded["cut"]["edges"], json["edges"]);
+  EXPECT_EQ(unfolded["cut"]["length"], json["length"]);
+  const auto applied = planish({"unfold", "cut.obj", "-o", "b.obj", "--json"}).json();
+  EXPECT_EQ(applied["strain"], json["strain"]);
+  EXPECT_EQ(content_of("a.obj"), content_of("b.obj"));
+  EXPECT_THAT(content_of("cuts.svg"), HasSubstr("suggested"));
+}
+
+TEST_F(SuggestCuts, TellsInWordsAndWritesNothingUnasked) {
+  const CliResult met = planish({"suggest-cuts", "hill.obj", "--max-strain", "4%"});
+  EXPECT_EQ(met.exit_code, k_exit_done) << met.err;
+  EXPECT_THAT(met.out, HasSubstr("dart, "));
+  EXPECT_THAT(met.out, HasSubstr("Met: with these cuts"));
+  const CliResult missed =
+      planish({"suggest-cuts", "hill.obj", "--max-strain", "0.01%", "--max-cuts", "1"});
+  EXPECT_EQ(missed.exit_code, k_exit_done);
+  EXPECT_THAT(missed.out, HasSubstr("Not met: an edge of the pattern is still strained by"));
+  EXPECT_THAT(missed.out, HasSubstr("all darts of --max-cuts are there"));
+  EXPECT_THAT(planish({"suggest-cuts", "tube.obj"}).out, HasSubstr("seam, 5.000 mm"));
+  std::istringstream lines(met.out + missed.out);
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_LE(line.size(), 80U) << line;
+  EXPECT_THAT(files(), ElementsAre("across.txt", "dart.txt", "hill.obj", "panel.obj", "seam.txt",
+                                   "tube.obj"));
+}
+
+TEST_F(SuggestCuts, RefusesWhatMakesNoSense) {
+  const auto code_of = [](const Names& more) {
+    Names args = {"suggest-cuts", "hill.obj"};
+    args.insert(args.end(), more.begin(), more.end());
+    return planish(args).exit_code;
+  };
+  EXPECT_EQ(code_of({"--max-strain", "0"}), k_exit_usage);
+  EXPECT_EQ(code_of({"--max-strain", "2mm"}), k_exit_usage);
+  EXPECT_EQ(code_of({"--max-cuts", "-1"}), k_exit_usage);
+  EXPECT_EQ(code_of({"-o", "a.obj", "--apply", "a.obj"}), k_exit_usage);
+  EXPECT_EQ(code_of({"--picture", "a.png"}), k_exit_failed);
+  EXPECT_EQ(code_of({"--apply", "a.txt"}), k_exit_failed);
+  write_mesh("ring.obj", meshes::torus(8, 12));
+  const auto error = planish({"suggest-cuts", "ring.obj", "--json"}).json()["error"];
+  EXPECT_EQ(error["code"], "handles");
+  EXPECT_EQ(error["path"], "ring.obj");
+}
+
+TEST_F(SuggestCuts, CanBeInterrupted) {
+  std::atomic<bool> stop = true;
+  const CliResult result = planish({"suggest-cuts", "hill.obj", "-o", "cuts.txt"},
+                                   {.err_is_terminal = false, .interrupted = &stop});
+  EXPECT_EQ(result.exit_code, k_exit_interrupted);
+  EXPECT_FALSE(std::filesystem::exists("cuts.txt"));
+}
+
+}  // namespace
+}  // namespace planish::cli

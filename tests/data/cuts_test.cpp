@@ -1,0 +1,37 @@
+#include <planish/io/read_cuts.h>
+#include <planish/io/read_mesh.h>
+#include <planish/unfold/suggest_cuts.h>
+
+#include <gtest/gtest.h>
+
+#include "support/test_patches.h"
+
+namespace planish {
+namespace {
+
+TEST(SuggestCuts, GivesRealPatchesTheStrainThatItTells) {
+  for (const PatchFacts& facts : patches()) {
+    if (facts.vertices > 5'000) continue;
+    SCOPED_TRACE(facts.name);
+    const TriMesh mesh = read_mesh(facts.path).mesh;
+    const Connectivity connectivity(mesh);
+    const auto suggestion =
+        suggest_cuts(mesh, connectivity, {.max_darts = 2, .trial_vertices = 1500});
+    ASSERT_TRUE(suggestion);
+    std::vector<std::vector<Index>> paths;
+    for (const SuggestedCut& cut : suggestion->cuts) {
+      EXPECT_TRUE(cut.after->rms < cut.before->rms || suggestion->met());
+      paths.push_back(cut.path);
+    }
+    if (paths.empty()) continue;
+    const CutLines lines = parse_cuts(format_cuts(paths), mesh, "cuts.txt");
+    const CutMesh cut = cut_open(mesh, connectivity, lines.paths);
+    const Connectivity opened(cut.mesh);
+    const EdgeStrain strain = edge_strain(cut.mesh, opened, unfold(cut.mesh, opened).positions);
+    EXPECT_EQ(strain.max, suggestion->last.strain.max);
+    EXPECT_EQ(strain.rms, suggestion->last.strain.rms);
+  }
+}
+
+}  // namespace
+}  // namespace planish

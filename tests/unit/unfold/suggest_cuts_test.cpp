@@ -1,0 +1,205 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <planish/mesh/inspect.h>
+#include <planish/mesh/shapes.h>
+#include <planish/unfold/suggest_cuts.h>
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+
+namespace planish {
+namespace {
+
+CutSuggestion suggest(const TriMesh& mesh, const SuggestOptions& options = {}) {
+  auto suggestion = suggest_cuts(mesh, Connectivity(mesh), options);
+  EXPECT_TRUE(suggestion);
+  return suggestion ? std::move(*suggestion) : CutSuggestion{};
+}
+
+/// A paraboloid over a disk, or with `saddle` a saddle: vertex 0 in the middle, rings around it.
+TriMesh bowl(std::size_t around, std::size_t rings, double depth, bool saddle = false) {
+  TriMesh mesh;
+  mesh.positions.push_back({0.0, 0.0, 0.0});
+  for (std::size_t j = 1; j <= rings; ++j) {
+    for (std::size_t i = 0; i < around; ++i) {
+      const double angle =
+          2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(around);
+      const double r = static_cast<double>(j) / static_cast<double>(rings);
+      const double z = depth * r * r * (saddle ? std::cos(2.0 * angle) : 1.0);
+      mesh.positions.push_back({r * std::cos(angle), r * std::sin(angle), z});
+    }
+  }
+  const auto at = [around](std::size_t i, std::size_t j) {
+    return static_cast<Index>(1 + (j - 1) * around + i % around);
+  };
+  for (std::size_t i = 0; i < around; ++i) {
+    mesh.triangles.push_back({0, at(i, 1), at(i + 1, 1)});
+    for (std::size_t j = 1; j < rings; ++j) {
+      mesh.triangles.push_back({at(i, j), at(i, j + 1), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i + 1, j)});
+    }
+  }
+  return mesh;
+}
+
+/// A bowl pulled straight to a cone.
+TriMesh pointed(std::size_t around, std::size_t rings, double depth) {
+  TriMesh mesh = bowl(around, rings, 0.0);
+  for (Vec3& p : mesh.positions)
+    p.z = -depth * std::hypot(p.x, p.y);
+  return mesh;
+}
+
+double strain_of(const TriMesh& mesh, const CutSuggestion& suggestion) {
+  std::vector<CutPath> paths;
+  for (const SuggestedCut& cut : suggestion.cuts)
+    paths.push_back({cut.path});
+  const CutMesh cut = cut_open(mesh, Connectivity(mesh), paths);
+  const Connectivity connectivity(cut.mesh);
+  return edge_strain(cut.mesh, connectivity, unfold(cut.mesh, connectivity).positions).max;
+}
+
+TEST(SuggestCuts, FindsTheApexOfACone) {
+  const TriMesh cone = pointed(24, 8, 0.8);
+  const CutSuggestion suggestion = suggest(cone);
+  ASSERT_EQ(suggestion.cuts.size(), 1U);
+  const SuggestedCut& dart = suggestion.cuts.front();
+  EXPECT_TRUE(dart.is_dart);
+  EXPECT_TRUE(suggestion.met());
+  EXPECT_EQ(dart.before->max, suggestion.first.strain.max);
+  EXPECT_GT(dart.before->max, 0.02);
+  EXPECT_LE(dart.after->max, 0.02);
+  // Up the side, straight; perhaps not all the way, as a limit of 2 % leaves room.
+  EXPECT_TRUE(Connectivity(cone).is_border(dart.path.front()));
+  EXPECT_NEAR(dart.length,
+              norm(cone.positions[dart.path.front()] - cone.positions[dart.path.back()]), 1e-12);
+  const CutSuggestion strict = suggest(cone, {.max_strain = 1e-6});
+  ASSERT_EQ(strict.cuts.size(), 1U);
+  EXPECT_EQ(strict.cuts.front().path.back(), 0U);
+  EXPECT_LT(strict.last.strain.max, 1e-9);
+}
+
+TEST(SuggestCuts, GivesTheStrainThatItTells) {
+  const TriMesh mesh = bowl(40, 12, 0.35);
+  const CutSuggestion suggestion = suggest(mesh, {.max_strain = 0.05, .max_darts = 8});
+  EXPECT_TRUE(suggestion.met()) << suggestion.last.strain.max;
+  EXPECT_GT(suggestion.first.strain.max, 0.05);
+  EXPECT_EQ(strain_of(mesh, suggestion), suggestion.last.strain.max);
+  EXPECT_EQ(suggestion.cuts.back().after->max, suggestion.last.strain.max);
+  double length = 0.0;
+  for (std::size_t k = 0; k < suggestion.cuts.size(); ++k) {
+    length += suggestion.cuts[k].length;
+    EXPECT_LT(suggestion.cuts[k].after->rms, suggestion.cuts[k].before->rms);
+    if (k > 0) {
+      EXPECT_EQ(suggestion.cuts[k].before->rms, suggestion.cuts[k - 1].after->rms);
+    }
+  }
+  EXPECT_NEAR(length, suggestion.last.cut.length, 1e-12);
+}
+
+TEST(SuggestCuts, IsTheSameEveryTimeAlsoByWayOfACoarsePatch) {
+  const TriMesh dome = make_shape("dome", 3000);
+  const SuggestOptions options = {.max_strain = 0.05, .max_darts = 2, .trial_vertices = 600};
+  const CutSuggestion a = suggest(dome, options), b = suggest(dome, options);
+  ASSERT_EQ(a.cuts.size(), 2U);
+  ASSERT_EQ(b.cuts.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k)
+    EXPECT_EQ(a.cuts[k].path, b.cuts[k].path);
+  EXPECT_EQ(a.last.pattern.positions, b.last.pattern.positions);
+  EXPECT_LT(a.last.strain.rms, 0.6 * a.first.strain.rms);
+}
+
+TEST(SuggestCuts, NeedsNoneWhereTheLimitIsKept) {
+  const CutSuggestion suggestion = suggest(make_shape("cylinder", 300));
+  EXPECT_TRUE(suggestion.met());
+  EXPECT_TRUE(suggestion.cuts.empty());
+  EXPECT_EQ(suggestion.last.cut.edges, 0U);
+}
+
+TEST(SuggestCuts, OpensTubesAndClosedSurfaces) {
+  const TriMesh tube = meshes::tube(12, 5);
+  const CutSuggestion opened = suggest(tube);
+  ASSERT_EQ(opened.cuts.size(), 1U);
+  EXPECT_FALSE(opened.cuts.front().is_dart);
+  EXPECT_FALSE(opened.cuts.front().before);
+  EXPECT_EQ(opened.cuts.front().length, 5.0);
+  EXPECT_TRUE(opened.met());
+  EXPECT_LT(opened.last.strain.max, 1e-9);
+  for (const TriMesh& closed : {meshes::tetrahedron()}) {
+    const CutSuggestion net = suggest(closed, {.max_darts = 0});
+    ASSERT_EQ(net.cuts.size(), 1U);
+    EXPECT_FALSE(blocking_problem(inspect(net.last.cut.mesh), Purpose::unfold));
+  }
+}
+
+TEST(SuggestCuts, JoinsSeveralBorders) {
+  // A plate with two holes.
+  TriMesh plate = meshes::flat_grid(12, 6);
+  std::erase_if(plate.triangles, [&](const Triangle& t) {
+    const Vec3 middle =
+        (1.0 / 3.0) * (plate.positions[t[0]] + plate.positions[t[1]] + plate.positions[t[2]]);
+    return std::abs(middle.y - 3.0) < 1.0 &&
+           (std::abs(middle.x - 3.0) < 1.0 || std::abs(middle.x - 9.0) < 1.0);
+  });
+  EXPECT_EQ(inspect(plate).topology.border_loops, 3U);
+  const CutSuggestion joined = suggest(plate);
+  EXPECT_EQ(joined.cuts.size(), 2U);
+  EXPECT_EQ(joined.last.cut.length, 4.0);
+  EXPECT_TRUE(joined.met());
+}
+
+TEST(SuggestCuts, CanSpreadASaddle) {
+  const TriMesh saddle = bowl(40, 12, 0.4, true);
+  const CutSuggestion suggestion = suggest(saddle, {.max_strain = 0.02, .max_darts = 3});
+  ASSERT_FALSE(suggestion.cuts.empty());
+  EXPECT_LT(suggestion.last.strain.rms, 0.8 * suggestion.first.strain.rms);
+  // Where its legs need more room than there is, that is told.
+  EXPECT_EQ(suggestion.last.pattern.overlaps,
+            unfold(suggestion.last.cut.mesh, Connectivity(suggestion.last.cut.mesh)).overlaps);
+}
+
+TEST(SuggestCuts, SaysWhyItEnds) {
+  const TriMesh dome = make_shape("dome", 300);
+  EXPECT_EQ(suggest(dome, {.max_strain = 0.001, .max_darts = 1}).stop, SuggestStop::dart_limit);
+  EXPECT_EQ(suggest(dome, {.max_darts = 0}).stop, SuggestStop::dart_limit);
+  EXPECT_EQ(suggest(dome, {.max_strain = 1e-12, .max_darts = 50}).stop, SuggestStop::no_gain);
+  EXPECT_EQ(suggest(dome, {.max_strain = 0.9}).stop, SuggestStop::strain_met);
+  EXPECT_EQ(to_string(SuggestStop::no_gain), "no_gain");
+}
+
+TEST(SuggestCuts, CanBeCancelled) {
+  const TriMesh dome = make_shape("dome", 300);
+  for (int calls : {1, 5, 20}) {
+    int left = calls;
+    const auto suggestion =
+        suggest_cuts(dome, Connectivity(dome), {.max_strain = 1e-6}, [&](double share) {
+          EXPECT_GE(share, 0.0);
+          EXPECT_LE(share, 1.0);
+          return --left > 0;
+        });
+    EXPECT_FALSE(suggestion);
+    EXPECT_EQ(left, 0);
+  }
+}
+
+TEST(SuggestCuts, RefusesWhatItCannotOpen) {
+  const auto code_of = [](const TriMesh& mesh, const SuggestOptions& options = {}) {
+    try {
+      suggest_cuts(mesh, Connectivity(mesh), options);
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return ErrorCode::file_not_found;
+  };
+  EXPECT_EQ(code_of(meshes::torus(8, 12)), ErrorCode::handles);
+  EXPECT_EQ(code_of(meshes::side_by_side(meshes::fan(5), meshes::fan(6))),
+            ErrorCode::several_components);
+  EXPECT_EQ(code_of(meshes::fan(5), {.max_strain = 0.0}), ErrorCode::option_out_of_range);
+  EXPECT_EQ(code_of(meshes::fan(5), {.max_darts = -1}), ErrorCode::option_out_of_range);
+}
+
+}  // namespace
+}  // namespace planish

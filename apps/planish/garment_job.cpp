@@ -10,6 +10,7 @@
 #include <planish/report/garment_sheet.h>
 
 #include "failures.h"
+#include "garment_nest.h"
 #include "garment_run.h"
 #include "garment_state.h"
 #include "garment_text.h"
@@ -79,16 +80,19 @@ class GarmentRun {
     if (interrupted_ || session_.interrupted()) return cancelled();
     const auto seams =
         measure_seams(outcomes_, seams_of_sound(outcomes_, tolerance), job_.options.unit);
-    const std::string json = garment_json(job_, outcomes_, seams);
-    const std::vector<OutputFile> files = {{job_.folder / "garment.json", json},
-                                           {job_.folder / "garment.svg", picture(seams)}};
+    const auto nesting = laid_on_sheets();
+    if (session_.interrupted()) return cancelled();
+    const std::string json = json_with_nesting(garment_json(job_, outcomes_, seams), nesting);
+    std::vector<OutputFile> files = {{job_.folder / "garment.json", json},
+                                     {job_.folder / "garment.svg", picture(seams)}};
+    if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
     session_.write(files);
     std::string text = job_.path + "  (" + std::to_string(outcomes_.size()) + " patches)\n\n";
     for (std::size_t p = 0; p < outcomes_.size(); ++p)
       text += "  " + patch_line(job_.patches[p], outcomes_[p]) + "\n";
-    text +=
-        seams_text(job_, seams) + written_text(files) + "and a folder for each patch beside it\n";
-    return with_exit_code({text, json});
+    text += seams_text(job_, seams) + (nesting ? nesting->text : "") + written_text(files) +
+            "and a folder for each patch beside it\n";
+    return with_nesting_checked(with_exit_code({text, json}), nesting);
   }
 
  private:
@@ -103,6 +107,22 @@ class GarmentRun {
       seams.push_back(seam.seam);
     const std::string title = std::filesystem::path(job_.path).stem().string();
     return write_svg(garment_sheet(pieces, seams, job_.options.unit, title));
+  }
+
+  /// All patches on sheets, if that was asked for.
+  std::optional<NestOutcome> laid_on_sheets() const {
+    if (!job_.nest) return std::nullopt;
+    std::vector<NestPatch> patches;
+    patches.reserve(outcomes_.size());
+    for (std::size_t p = 0; p < outcomes_.size(); ++p)
+      patches.push_back({job_.patches[p].name, outcomes_[p].mesh, outcomes_[p].pattern});
+    const std::string title = std::filesystem::path(job_.path).stem().string();
+    try {
+      return try_nest_patches(std::move(patches), job_.options.unit, *job_.nest, job_.folder, title,
+                              session_);
+    } catch (const Interrupted&) {
+      return std::nullopt;
+    }
   }
 
   std::vector<std::size_t> not_finished() {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct PatchFiles {
   std::string report;
 };
 
+struct NestRequest;
+
 /// The main job on a product of several patches.
 struct GarmentJob {
   std::string path;  ///< of the input, for people
@@ -29,6 +32,8 @@ struct GarmentJob {
   /// Makes the files of a patch that go into a folder. Called from any thread.
   std::function<PatchFiles(const FlattenReport&, MeshFormat, const std::filesystem::path& folder)>
       files_of;
+  /// How all patches are laid on sheets together; nothing where they are not.
+  std::shared_ptr<const NestRequest> nest = {};
 };
 
 /// --resume and --seam-tolerance.

@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 constexpr const char* k_job_file = "job.json";
 
 /// The flags that say where and how fast, not what.
-constexpr std::array<std::string_view, 7> k_idle_flags = {
-    "--output", "--threads",        "--quiet",         "--json",
-    "--resume", "--require-target", "--seam-tolerance"};
+constexpr std::array<std::string_view, 11> k_idle_flags = {
+    "--output",         "--threads", "--quiet",    "--json",        "--resume", "--require-target",
+    "--seam-tolerance", "--sheet",   "--nest-gap", "--nest-margin", "--turn"};
 
 /// FNV-1a of 64 bits: tells versions of a file apart, keeps out nobody.
 class Hash {

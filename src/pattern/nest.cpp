@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -286,11 +287,13 @@ std::optional<Nesting> nest(std::span<const NestPiece> pieces, const NestOptions
   const NestShop shop(pieces, options);
   LaidSheets best;
   NestOrder best_order;
+  std::set<NestOrder> known;
   NestDice dice;
   const int tries = tries_for(pieces, shop, options);
   for (int number = 0; number < tries; ++number) {
     NestOrder order = order_of_try(number, pieces, shop, best_order, dice);
     if (order.empty()) break;
+    if (!known.insert(order).second) continue;
     const auto on_copy = [&](std::size_t laid) {
       const double share = static_cast<double>(laid) / static_cast<double>(order.size());
       return !on_progress || on_progress((number + share) / tries);

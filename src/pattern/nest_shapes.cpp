@@ -46,6 +46,7 @@ std::vector<double> turns_of(Turns turns) {
       break;
   }
   std::vector<double> angles;
+  angles.reserve(24);
   for (int turn = 0; turn < 24; ++turn)
     angles.push_back(15.0 * turn);
   return angles;

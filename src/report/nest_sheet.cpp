@@ -63,8 +63,8 @@ std::string use_text(const NestJob& job, const Nesting& nesting) {
   if (!sheets.length) {
     return "roll of width " + decimals_text(sheets.width, 1) + " mm, " + used + " used, " + share;
   }
-  return "sheets of " + decimals_text(*sheets.length, 1) + " × " + decimals_text(sheets.width, 1) +
-         " mm, of the last " + used + " used, " + share;
+  return "sheets " + decimals_text(sheets.width, 1) + " mm wide and " +
+         decimals_text(*sheets.length, 1) + " mm long, of the last " + used + " used, " + share;
 }
 
 /// Above the sheet, so that its corner stays the origin.
@@ -78,9 +78,8 @@ Layer nest_label(const NestJob& job, const Nesting& nesting, std::size_t number,
     layer.shapes.emplace_back(Text{{left, top - below_top}, height, std::move(text), color});
   };
   layer.shapes.emplace_back(box_line({0.0, low}, {sheet::k_square, sheet::k_square}, k_black));
-  layer.shapes.emplace_back(
-      Text{{2.0, low + 2.0}, 2.2, "50 mm – measure me before cutting", k_black});
   line(6.0, 6.0, title, k_black);
+  line(sheet::k_square, 2.2, "the square is 50 mm – measure it before cutting", k_black);
   if (job.sheets.length) {
     line(13.0, 4.0, "sheet " + std::to_string(number + 1) + " of " + std::to_string(nesting.sheets),
          k_black);

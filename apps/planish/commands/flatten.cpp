@@ -1,5 +1,7 @@
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <optional>
 
 #include <planish/io/write_mesh.h>
 #include <planish/report/html_report.h>
@@ -12,6 +14,7 @@
 #include "furniture_flags.h"
 #include "garment_flags.h"
 #include "garment_job.h"
+#include "garment_nest.h"
 #include "garment_parts.h"
 #include "method_flags.h"
 #include "output_folder.h"
@@ -132,11 +135,21 @@ std::vector<OutputFile> files_of(const FlattenReport& report, const Places& plac
   return files;
 }
 
+/// How the pieces are laid on sheets; null where they are not.
+std::shared_ptr<const NestRequest> nest_from(const Arguments& arguments,
+                                             const PatternFiles& pattern) {
+  const auto sheets = sheets_from(arguments);
+  if (!sheets) return nullptr;
+  return std::make_shared<NestRequest>(
+      NestRequest{*sheets, pattern.furniture, pattern.formats, pattern.output});
+}
+
 Outcome run_flatten(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   FlattenOptions options = options_from(arguments, session);
   const ColorMap colors = colors_from(arguments);
   const PatternFiles pattern = pattern_files_from(arguments);
+  const auto nest = nest_from(arguments, pattern);
   const fs::path folder = folder_from(arguments);
 
   GarmentInput read = read_garment(session, arguments.operands.front());
@@ -148,8 +161,8 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
       return PatchFiles{files_of(report, places, format, pattern, colors, json), json};
     };
     return run_garment(
-        {arguments.operands.front(), std::move(read.patches), folder, options, files}, arguments,
-        session);
+        {arguments.operands.front(), std::move(read.patches), folder, options, files, nest},
+        arguments, session);
   }
   refuse_garment_flags(arguments);
   const std::string& path = read.path;
@@ -169,12 +182,22 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   });
   if (!report) throw Interrupted();
 
-  const std::string json = json_report(*report, places);
-  const std::vector<OutputFile> files =
+  std::string json = json_report(*report, places);
+  std::optional<NestOutcome> nesting;
+  if (nest) {
+    nesting = about(path, [&] {
+      return nest_patches({{report->name, report->processed, report->unfold.pattern.positions}},
+                          options.unit, *nest, folder, report->name, session);
+    });
+    json = json_with_nesting(json, nesting);
+  }
+  std::vector<OutputFile> files =
       about(path, [&] { return files_of(*report, places, format, pattern, colors, json); });
+  if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
   session.write(files);
   warn_of_pattern(session, report->unfold);
-  const std::string text = path + "  (" + size + ")\n" + flatten_text(*report);
+  const std::string text =
+      path + "  (" + size + ")\n" + flatten_text(*report) + (nesting ? nesting->text : "");
   return with_target_checked({text + written_text(files), json}, arguments, report->evolve);
 }
 
@@ -196,6 +219,7 @@ Command flatten_command() {
   for (Flag& flag : garment_flags())
     groups.front().flags.push_back(std::move(flag));
   groups.push_back(furniture_flags());
+  groups.push_back(nest_flags());
   for (FlagGroup& group : method_flags(FlattenOptions{}.method))
     groups.push_back(std::move(group));
   groups.push_back(constraint_flags());
@@ -212,6 +236,7 @@ Command flatten_command() {
       {"planish flatten panel.obj", "planish flatten panel.obj -o out --unit cm --max-strain 2%",
        "planish flatten panel.obj --paper a4 --dxf-profile lectra",
        "planish flatten panel.obj --allowance 10mm --grain 0,0,1 --quantity 2",
+       "planish flatten jacket.obj --allowance 10mm --grain 0,0,1 --sheet 1500mm",
        "planish flatten panel.obj --material leather --max-deviation 5mm",
        "planish flatten panel.obj --target-e-max 0.001 --require-target"},
       run_flatten};

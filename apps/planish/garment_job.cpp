@@ -8,6 +8,7 @@
 #include <planish/report/garment_sheet.h>
 
 #include "failures.h"
+#include "garment_nest.h"
 #include "garment_run.h"
 #include "garment_seams.h"
 #include "garment_state.h"
@@ -51,21 +52,21 @@ class GarmentRun {
 
   Outcome finish() {
     if (interrupted_ || session_.interrupted()) return cancelled();
-    std::vector<TriMesh> meshes;
-    meshes.reserve(outcomes_.size());
-    for (const PatchOutcome& outcome : outcomes_)
-      meshes.push_back(outcome.mesh);
+    const std::vector<TriMesh> meshes = processed_meshes();
     const auto seams = measure_seams(outcomes_, seams_from(arguments_, meshes), job_.options.unit);
-    const std::string json = garment_json(job_, outcomes_, seams);
-    const std::vector<OutputFile> files = {{job_.folder / "garment.json", json},
-                                           {job_.folder / "garment.svg", picture(seams)}};
+    const auto nesting = laid_on_sheets(meshes);
+    if (session_.interrupted()) return cancelled();
+    const std::string json = json_with_nesting(garment_json(job_, outcomes_, seams), nesting);
+    std::vector<OutputFile> files = {{job_.folder / "garment.json", json},
+                                     {job_.folder / "garment.svg", picture(seams)}};
+    if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
     session_.write(files);
     std::string text = job_.path + "  (" + std::to_string(outcomes_.size()) + " patches)\n\n";
     for (std::size_t p = 0; p < outcomes_.size(); ++p)
       text += "  " + patch_line(job_.patches[p], outcomes_[p]) + "\n";
-    text +=
-        seams_text(job_, seams) + written_text(files) + "and a folder for each patch beside it\n";
-    return with_exit_code({text, json});
+    text += seams_text(job_, seams) + (nesting ? nesting->text : "") + written_text(files) +
+            "and a folder for each patch beside it\n";
+    return with_nesting_checked(with_exit_code({text, json}), nesting);
   }
 
  private:
@@ -80,6 +81,39 @@ class GarmentRun {
       seams.push_back(seam.seam);
     const std::string title = std::filesystem::path(job_.path).stem().string();
     return write_svg(garment_sheet(pieces, seams, job_.options.unit, title));
+  }
+
+  std::vector<TriMesh> processed_meshes() const {
+    std::vector<TriMesh> meshes;
+    meshes.reserve(outcomes_.size());
+    for (const PatchOutcome& outcome : outcomes_)
+      meshes.push_back(outcome.mesh);
+    return meshes;
+  }
+
+  /// All patches on sheets, if that was asked for. Notches are put on seams anew: processed patches
+  /// may have other numbers of vertices.
+  std::optional<NestOutcome> laid_on_sheets(const std::vector<TriMesh>& meshes) const {
+    if (!job_.nest) return std::nullopt;
+    std::vector<std::string> names;
+    names.reserve(job_.patches.size());
+    for (const GarmentPatch& patch : job_.patches)
+      names.push_back(patch.name);
+    std::vector<std::vector<Notch>> notches = seam_notches_from(arguments_, meshes, names);
+    std::vector<NestPatch> patches;
+    patches.reserve(outcomes_.size());
+    for (std::size_t p = 0; p < outcomes_.size(); ++p) {
+      PatternOptions furniture = job_.furniture[p];
+      furniture.notches = std::move(notches[p]);
+      patches.push_back({names[p], meshes[p], outcomes_[p].pattern, std::move(furniture)});
+    }
+    const std::string title = std::filesystem::path(job_.path).stem().string();
+    try {
+      return try_nest_patches(std::move(patches), job_.options.unit, *job_.nest, job_.folder, title,
+                              session_);
+    } catch (const Interrupted&) {
+      return std::nullopt;
+    }
   }
 
   std::vector<std::size_t> not_finished() {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct PatchFiles {
   std::string report;
 };
 
+struct NestRequest;
+
 /// The main job on a product of several patches.
 struct GarmentJob {
   std::string path;  ///< of the input, for people
@@ -32,6 +35,8 @@ struct GarmentJob {
   std::function<PatchFiles(const FlattenReport&, MeshFormat, const PatternOptions&,
                            const std::filesystem::path& folder)>
       files_of;
+  /// How all patches are laid on sheets together; nothing where they are not.
+  std::shared_ptr<const NestRequest> nest = {};
 };
 
 /// --resume and --seam-tolerance.

@@ -24,9 +24,9 @@ constexpr const char* k_job_file = "job.json";
 
 /// The flags that say where and how fast, not what.
 /// Those of seams come to the notches, which are told by themselves.
-constexpr std::array<std::string_view, 8> k_idle_flags = {
-    "--output", "--threads",        "--quiet",          "--json",
-    "--resume", "--require-target", "--seam-tolerance", "--seam-notches"};
+constexpr std::array<std::string_view, 12> k_idle_flags = {
+    "--output", "--threads",  "--quiet",       "--json", "--resume",         "--require-target",
+    "--sheet",  "--nest-gap", "--nest-margin", "--turn", "--seam-tolerance", "--seam-notches"};
 
 /// FNV-1a of 64 bits: tells versions of a file apart, keeps out nobody.
 class Hash {

@@ -15,8 +15,8 @@ namespace planish {
 
 namespace {
 
-constexpr Stroke k_seam{{80, 80, 80}, 0.25, true}, k_notch{{255, 0, 255}}, k_grain{{0, 128, 0}},
-    k_drill{{0, 0, 255}};
+constexpr Stroke k_cut{{255, 0, 0}}, k_seam{{80, 80, 80}, 0.25, true}, k_notch{{255, 0, 255}},
+    k_grain{{0, 128, 0}}, k_drill{{0, 0, 255}};
 constexpr Color k_black = {0, 0, 0};
 constexpr double k_line_pitch = 1.6;  // of a label's lines, over their height
 
@@ -98,15 +98,15 @@ Layer annotation_layer(const LabelPlace& place, const std::vector<std::string>& 
   return layer;
 }
 
-Vec2 direction_of(const Grain& grain, const TriMesh& mesh, const PlacedPattern& pattern) {
+}  // namespace
+
+Vec2 grain_on_sheet(const Grain& grain, const TriMesh& mesh, const PlacedPattern& pattern) {
   if (const auto* degrees = std::get_if<double>(&grain)) {
     const double angle = *degrees * std::numbers::pi / 180.0;
     return {std::cos(angle), std::sin(angle)};
   }
   return grain_direction(mesh, pattern.positions, std::get<Vec3>(grain), pattern.outline.piece);
 }
-
-}  // namespace
 
 std::vector<Layer> furniture_layers(const TriMesh& mesh, const PlacedPattern& pattern,
                                     const PatternOptions& options) {
@@ -115,7 +115,8 @@ std::vector<Layer> furniture_layers(const TriMesh& mesh, const PlacedPattern& pa
   const LabelPlace place = lines.empty() ? LabelPlace{} : label_place(outline, lines);
   std::vector<Polygon> grain;
   if (options.grain) {
-    grain = grain_lines(outline, direction_of(*options.grain, mesh, pattern), box_of(place, lines));
+    grain =
+        grain_lines(outline, grain_on_sheet(*options.grain, mesh, pattern), box_of(place, lines));
   }
   std::vector<Layer> layers;
   layers.reserve(5);
@@ -126,6 +127,14 @@ std::vector<Layer> furniture_layers(const TriMesh& mesh, const PlacedPattern& pa
   layers.push_back(
       layer_of("drill", mark_lines(pattern.positions, options.marks, outline.piece), k_drill));
   layers.push_back(annotation_layer(place, lines));
+  return layers;
+}
+
+std::vector<Layer> piece_layers(const TriMesh& mesh, const PlacedPattern& pattern,
+                                const PatternOptions& options) {
+  std::vector<Layer> layers = {{"cut", {Path{pattern.cut, true, k_cut}}}};
+  for (Layer& layer : furniture_layers(mesh, pattern, options))
+    layers.push_back(std::move(layer));
   return layers;
 }
 

@@ -6,19 +6,23 @@
 #include <planish/draw/drawing.h>
 #include <planish/report/pattern_options.h>
 
-namespace planish {
+#include "report/placed_pattern.h"
 
-/// A pattern on its sheet, in millimetres there.
-struct PlacedPattern {
-  PieceOutline outline;
-  std::vector<Polygon> cut;     ///< with the allowance; the outline's loops without
-  std::vector<Vec2> positions;  ///< of all vertices
-};
+namespace planish {
 
 /// The layers seam, notch, grain, drill and annotation, in that order; what was not asked for is
 /// empty.
 /// @throws Error as notch_lines(), grain_direction() and mark_lines()
 std::vector<Layer> furniture_layers(const TriMesh& mesh, const PlacedPattern& pattern,
                                     const PatternOptions& options);
+
+/// The layer cut, and the furniture_layers() behind it: all that there is to a piece, wherever it
+/// lies.
+std::vector<Layer> piece_layers(const TriMesh& mesh, const PlacedPattern& pattern,
+                                const PatternOptions& options);
+
+/// The direction of the grain where the pattern lies, of length 1.
+/// @throws Error as grain_direction()
+Vec2 grain_on_sheet(const Grain& grain, const TriMesh& mesh, const PlacedPattern& pattern);
 
 }  // namespace planish

@@ -1,5 +1,7 @@
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <optional>
 
 #include <planish/io/write_mesh.h>
 #include <planish/report/html_report.h>
@@ -13,6 +15,7 @@
 #include "furniture_flags.h"
 #include "garment_flags.h"
 #include "garment_job.h"
+#include "garment_nest.h"
 #include "garment_parts.h"
 #include "garment_seams.h"
 #include "method_flags.h"
@@ -104,11 +107,15 @@ void refuse_shared_places(const Places& places) {
   cli::refuse_shared_places(files);
 }
 
+/// Furniture by the numbers of the processed patch.
+PatternOptions on_processed(const PatternOptions& furniture, const FlattenReport& report) {
+  return report.source.empty() ? furniture : renumbered(furniture, report.source);
+}
+
 std::vector<OutputFile> pattern_files(const FlattenReport& report, const Places& places,
                                       const PatternFiles& pattern) {
-  const PatternOptions furniture =
-      report.source.empty() ? pattern.furniture : renumbered(pattern.furniture, report.source);
-  const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name, furniture);
+  const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name,
+                                      on_processed(pattern.furniture, report));
   std::vector<OutputFile> files;
   files.reserve(pattern.formats.size() + 1);
   for (const PatternFormat format : pattern.formats) {
@@ -148,11 +155,20 @@ std::vector<OutputFile> files_of(const FlattenReport& report, const Places& plac
   return files;
 }
 
+/// How the pieces are laid on sheets; null where they are not.
+std::shared_ptr<const NestRequest> nest_from(const Arguments& arguments,
+                                             const PatternFiles& pattern) {
+  const auto sheets = sheets_from(arguments);
+  if (!sheets) return nullptr;
+  return std::make_shared<NestRequest>(NestRequest{*sheets, pattern.formats, pattern.output});
+}
+
 Outcome run_flatten(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   FlattenOptions options = options_from(arguments, session);
   const ColorMap colors = colors_from(arguments);
   PatternFiles pattern = pattern_files_from(arguments);
+  const auto nest = nest_from(arguments, pattern);
   const fs::path folder = folder_from(arguments);
 
   GarmentInput read = read_garment(session, arguments.operands.front());
@@ -168,7 +184,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
     };
     auto furniture = furniture_of_patches(pattern.furniture, read.patches, arguments);
     return run_garment({arguments.operands.front(), std::move(read.patches), folder, options,
-                        std::move(furniture), files},
+                        std::move(furniture), files, nest},
                        arguments, session);
   }
   refuse_garment_flags(arguments);
@@ -192,12 +208,23 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   });
   if (!report) throw Interrupted();
 
-  const std::string json = json_with_cut(json_report(*report, places), cut);
-  const std::vector<OutputFile> files =
+  std::string json = json_with_cut(json_report(*report, places), cut);
+  std::optional<NestOutcome> nesting;
+  if (nest) {
+    nesting = about(path, [&] {
+      return nest_patches({{name, report->processed, report->unfold.pattern.positions,
+                            on_processed(pattern.furniture, *report)}},
+                          options.unit, *nest, folder, name, session);
+    });
+    json = json_with_nesting(json, nesting);
+  }
+  std::vector<OutputFile> files =
       about(path, [&] { return files_of(*report, places, format, pattern, colors, json); });
+  if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
   session.write(files);
   warn_of_pattern(session, report->unfold);
-  const std::string text = path + "  (" + size + ")\n" + flatten_text(*report);
+  const std::string text =
+      path + "  (" + size + ")\n" + flatten_text(*report) + (nesting ? nesting->text : "");
   return with_target_checked({text + written_text(files), json}, arguments, report->evolve);
 }
 
@@ -223,6 +250,7 @@ Command flatten_command() {
   for (Flag& flag : garment_flags())
     groups.front().flags.push_back(std::move(flag));
   groups.push_back(furniture_flags());
+  groups.push_back(nest_flags());
   for (FlagGroup& group : method_flags(FlattenOptions{}.method))
     groups.push_back(std::move(group));
   groups.push_back(constraint_flags());
@@ -240,6 +268,7 @@ Command flatten_command() {
        "planish flatten panel.obj --cut darts.txt",
        "planish flatten panel.obj --paper a4 --dxf-profile lectra",
        "planish flatten panel.obj --allowance 10mm --grain 0,0,1 --quantity 2",
+       "planish flatten jacket.obj --allowance 10mm --grain 0,0,1 --sheet 1500mm",
        "planish flatten panel.obj --material leather --max-deviation 5mm",
        "planish flatten panel.obj --target-e-max 0.001 --require-target"},
       run_flatten};

@@ -50,6 +50,7 @@ enum class ErrorCode {
   allowance_too_wide,
   misplaced_notch,
   no_grain_direction,
+  piece_too_large,
 };
 
 /// The stable name of a code, as in "non_manifold_edge".

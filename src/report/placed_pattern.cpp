@@ -1,0 +1,51 @@
+#include "report/placed_pattern.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include "report/outlines.h"
+
+namespace planish {
+
+PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> positions, Unit unit,
+                             const std::string& piece, const std::optional<Allowance>& allowance) {
+  const double scale = millimetres_per(unit);
+  PlacedPattern pattern;
+  pattern.positions.reserve(positions.size());
+  for (const Vec2 p : positions)
+    pattern.positions.push_back(scale * p);
+  const std::vector<HalfEdge> opposite = opposite_half_edges(mesh);
+  pattern.outline = piece_outline(outlines(mesh, opposite, [](std::size_t) { return true; }),
+                                  pattern.positions, piece);
+  pattern.cut = allowance ? offset_outline(pattern.outline, *allowance) : pattern.outline.loops;
+  return pattern;
+}
+
+PlacedPattern moved(PlacedPattern pattern, const std::function<Vec2(Vec2)>& motion) {
+  const auto move = [&](std::vector<Vec2>& points) {
+    for (Vec2& p : points)
+      p = motion(p);
+  };
+  for (Polygon& loop : pattern.outline.loops)
+    move(loop);
+  for (Polygon& loop : pattern.cut)
+    move(loop);
+  move(pattern.positions);
+  return pattern;
+}
+
+LoopBox loop_box(std::span<const Polygon> loops) {
+  if (loops.empty()) return {};
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  LoopBox box{{inf, inf}, {-inf, -inf}};
+  for (const Polygon& loop : loops) {
+    for (const Vec2 p : loop) {
+      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+    }
+  }
+  return box;
+}
+
+}  // namespace planish

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <planish/mesh/tri_mesh.h>
+#include <planish/pattern/offset_outline.h>
+#include <planish/report/unit.h>
+
+namespace planish {
+
+/// A pattern on its sheet, in millimetres there.
+struct PlacedPattern {
+  PieceOutline outline;
+  std::vector<Polygon> cut;     ///< with the allowance; the outline's loops without
+  std::vector<Vec2> positions;  ///< of all vertices
+};
+
+/// Where the unfolding put it.
+/// @param positions of all vertices in the pattern, model units
+/// @param piece what messages call it
+/// @throws Error as offset_outline()
+PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> positions, Unit unit,
+                             const std::string& piece, const std::optional<Allowance>& allowance);
+
+/// The same elsewhere.
+/// @param motion that keeps lengths and does not mirror
+PlacedPattern moved(PlacedPattern pattern, const std::function<Vec2(Vec2)>& motion);
+
+/// The box around loops; nothing but (0, 0) where there are none.
+struct LoopBox {
+  Vec2 low, high;
+};
+LoopBox loop_box(std::span<const Polygon> loops);
+
+}  // namespace planish

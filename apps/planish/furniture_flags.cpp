@@ -101,6 +101,7 @@ void refuse_idle_flags(const Arguments& arguments, bool writes_sheet) {
     }
   };
   check("--corners", "--allowance");
+  check("--edge-allowances", "--allowance");
   if (!arguments.has("--seam-notches")) check("--notch-depth", "--notches");
   if (writes_sheet) return;
   for (const Flag& flag : furniture_flags().flags) {
@@ -116,6 +117,8 @@ FlagGroup furniture_flags() {
       "What the pattern gets besides its outline",
       {{"--allowance", "LENGTH", "material beyond the seam, as 10mm"},
        {"--corners", "KIND", "of the allowance: " + list_of(corner_names()) + " (default mitre)"},
+       {"--edge-allowances", "FILE",
+        "other ones for stretches of the border, a line each: from vertex, to vertex, width in mm"},
        {"--notches", "FILE",
         "a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double"},
        {"--seam-notches", "FILE",
@@ -124,6 +127,7 @@ FlagGroup furniture_flags() {
        {"--grain", "X,Y,Z|ANGLE",
         "direction of the grain on the model, or its angle in the pattern"},
        {"--marks", "FILE", "a line each: vertex; cross or drill"},
+       {"--inner-lines", "FILE", "as legs of darts, a line each by its vertices"},
        {"--piece-name", "TEXT", "written inside the piece, as are the next four"},
        {"--size", "TEXT", "that the piece is for"},
        {"--quantity", "N", "how many to cut"},
@@ -141,6 +145,12 @@ PatternOptions furniture_from(const Arguments& arguments, bool writes_sheet) {
   options.label = label_from(arguments);
   options.date = arguments.value_or("--date", "");
   if (arguments.has("--notches")) options.notches = read_notches(arguments.flags.at("--notches"));
+  if (arguments.has("--inner-lines")) {
+    options.inner_lines = read_inner_lines(arguments.flags.at("--inner-lines"));
+  }
+  if (arguments.has("--edge-allowances")) {
+    options.edge_allowances = read_edge_allowances(arguments.flags.at("--edge-allowances"));
+  }
   if (arguments.has("--marks")) options.marks = read_marks(arguments.flags.at("--marks"));
   return options;
 }

@@ -56,7 +56,7 @@ std::vector<std::vector<Notch>> seam_notches_from(const Arguments& arguments,
 PatternOptions furniture_on(PatternOptions furniture, const Arguments& arguments,
                             const TriMesh& mesh, const std::string& name) {
   const bool seams = arguments.has("--seam-notches");
-  if (furniture.notches.empty() && furniture.marks.empty() && !seams) return furniture;
+  if (named_vertices(furniture).empty() && furniture.notches.empty() && !seams) return furniture;
   const Connectivity connectivity(mesh);
   check_pattern_options(furniture, mesh.positions.size(), connectivity.border_loops(), name);
   const std::vector<std::vector<Notch>> on_seams =

@@ -272,7 +272,9 @@ void warn_of_method(Session& session, const Method& method, const CompareFailure
 void warn_of_pattern(Session& session, const UnfoldReport& report) {
   const Pattern& pattern = report.pattern;
   if (pattern.overlaps) {
-    session.warn("the pattern overlaps itself: cut the patch open before cutting cloth");
+    session.warn(
+        "the pattern overlaps itself, and gets no seam allowance: cut the patch open before "
+        "cutting cloth");
   }
   if (pattern.flipped_triangles > 0) {
     session.warn(counted(pattern.flipped_triangles, "triangle") + " of the pattern lie face down");

@@ -70,6 +70,8 @@ std::string_view to_string(ErrorCode code) {
       return "overlapping_outline";
     case ErrorCode::allowance_too_wide:
       return "allowance_too_wide";
+    case ErrorCode::misplaced_allowance:
+      return "misplaced_allowance";
     case ErrorCode::misplaced_notch:
       return "misplaced_notch";
     case ErrorCode::no_grain_direction:

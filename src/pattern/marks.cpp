@@ -28,6 +28,16 @@ Polygon ring(Vec2 at) {
   return line;
 }
 
+void check_vertex(Index vertex, std::size_t vertex_count, std::string_view piece,
+                  const std::string& what) {
+  if (vertex < vertex_count) return;
+  throw Error(ErrorCode::index_out_of_range,
+              "piece \"" + std::string(piece) + "\": " + what + " vertex " +
+                  std::to_string(vertex) + ", but there are " + std::to_string(vertex_count) +
+                  ", counted from 0",
+              {.path = {}, .first = vertex});
+}
+
 }  // namespace
 
 std::string_view to_string(MarkKind kind) {
@@ -35,14 +45,30 @@ std::string_view to_string(MarkKind kind) {
 }
 
 void check_marks(std::size_t vertex_count, std::span<const Mark> marks, std::string_view piece) {
-  for (const Mark& mark : marks) {
-    if (mark.vertex < vertex_count) continue;
-    throw Error(ErrorCode::index_out_of_range,
-                "piece \"" + std::string(piece) + "\": a mark is at vertex " +
-                    std::to_string(mark.vertex) + ", but there are " +
-                    std::to_string(vertex_count) + ", counted from 0",
-                {.path = {}, .first = mark.vertex});
+  for (const Mark& mark : marks)
+    check_vertex(mark.vertex, vertex_count, piece, "a mark is at");
+}
+
+void check_inner_lines(std::size_t vertex_count, std::span<const InnerLine> lines,
+                       std::string_view piece) {
+  for (const InnerLine& line : lines) {
+    for (const Index vertex : line)
+      check_vertex(vertex, vertex_count, piece, "an inner line goes through");
   }
+}
+
+std::vector<Polygon> inner_lines(std::span<const Vec2> positions, std::span<const InnerLine> lines,
+                                 std::string_view piece) {
+  check_inner_lines(positions.size(), lines, piece);
+  std::vector<Polygon> result;
+  result.reserve(lines.size());
+  for (const InnerLine& line : lines) {
+    Polygon& points = result.emplace_back();
+    points.reserve(line.size());
+    for (const Index vertex : line)
+      points.push_back(positions[vertex]);
+  }
+  return result;
 }
 
 std::vector<Polygon> mark_lines(std::span<const Vec2> positions, std::span<const Mark> marks,

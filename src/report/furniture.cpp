@@ -16,7 +16,7 @@ namespace planish {
 namespace {
 
 constexpr Stroke k_cut{{255, 0, 0}}, k_seam{{80, 80, 80}, 0.25, true}, k_notch{{255, 0, 255}},
-    k_grain{{0, 128, 0}}, k_drill{{0, 0, 255}};
+    k_grain{{0, 128, 0}}, k_drill{{0, 0, 255}}, k_internal{{0, 160, 160}};
 constexpr Color k_black = {0, 0, 0};
 constexpr double k_line_pitch = 1.6;  // of a label's lines, over their height
 
@@ -119,13 +119,15 @@ std::vector<Layer> furniture_layers(const TriMesh& mesh, const PlacedPattern& pa
         grain_lines(outline, grain_on_sheet(*options.grain, mesh, pattern), box_of(place, lines));
   }
   std::vector<Layer> layers;
-  layers.reserve(5);
+  layers.reserve(6);
   layers.push_back(seam_layer(pattern, options));
   layers.push_back(layer_of(
       "notch", notch_lines(outline, pattern.cut, options.notches, options.notch_sizes), k_notch));
   layers.push_back(layer_of("grain", std::move(grain), k_grain));
   layers.push_back(
       layer_of("drill", mark_lines(pattern.positions, options.marks, outline.piece), k_drill));
+  layers.push_back(layer_of(
+      "internal", inner_lines(pattern.positions, options.inner_lines, outline.piece), k_internal));
   layers.push_back(annotation_layer(place, lines));
   return layers;
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr Color k_black = {0, 0, 0}, k_dim = {80, 80, 80};
 
 PlacedPattern pattern_of(const NestJob& job, const NestPatch& patch) {
-  return placed_pattern(patch.mesh, patch.pattern, job.unit, patch.name, patch.furniture.allowance);
+  return placed_pattern(patch.mesh, patch.pattern, job.unit, patch.name, patch.furniture);
 }
 
 int copies_of(const NestPatch& patch) {
@@ -119,7 +119,7 @@ Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t numbe
                 std::max(size.x, 240.0),
                 size.y + sheet::k_gap + sheet::k_square + sheet::k_margin,
                 {}};
-  for (const char* name : {"cut", "seam", "notch", "grain", "drill", "annotation"})
+  for (const char* name : {"cut", "seam", "notch", "grain", "drill", "internal", "annotation"})
     sheet.layers.push_back({name, {}});
   std::optional<std::pair<std::size_t, PlacedPattern>> last;  // copies of a piece come together
   for (const NestPlacement& placement : nesting.placements) {

@@ -18,6 +18,14 @@ void for_vertices(Options& options, Visit visit) {
   }
   for (auto& mark : options.marks)
     visit(mark.vertex);
+  for (auto& line : options.inner_lines) {
+    for (auto& vertex : line)
+      visit(vertex);
+  }
+  for (auto& edge : options.edge_allowances) {
+    visit(edge.from);
+    visit(edge.to);
+  }
 }
 
 }  // namespace
@@ -26,7 +34,9 @@ void check_pattern_options(const PatternOptions& options, std::size_t vertex_cou
                            std::span<const std::vector<Index>> border, const std::string& name) {
   const std::string& piece = options.label.name.empty() ? name : options.label.name;
   check_notches(border, options.notches, piece);
+  check_edge_allowances(border, options.edge_allowances, piece);
   check_marks(vertex_count, options.marks, piece);
+  check_inner_lines(vertex_count, options.inner_lines, piece);
 }
 
 std::vector<Index> named_vertices(const PatternOptions& options) {

@@ -22,14 +22,19 @@ namespace {
 
 using namespace sheet;
 
-double widest(const std::optional<Allowance>& allowance) {
-  if (!allowance) return 0.0;
-  double width = allowance->edge_widths.empty() ? allowance->width : 0.0;
-  for (const auto& widths : allowance->edge_widths) {
-    for (const double some : widths)
-      width = std::max(width, some);
-  }
+/// 0 without.
+double widest_allowance(const PatternOptions& options) {
+  if (!options.allowance) return 0.0;
+  double width = options.allowance->width;
+  for (const EdgeAllowance& edge : options.edge_allowances)
+    width = std::max(width, edge.width);
   return width;
+}
+
+/// What overlaps itself has no one outer side that an allowance could be laid on.
+PatternOptions possible_options(PatternOptions options, const Pattern& pattern) {
+  if (pattern.overlaps) options.allowance.reset();
+  return options;
 }
 
 DrawingPiece piece_of(const PieceLabel& label) {
@@ -45,13 +50,14 @@ double strain_map_limit(const EdgeStrain& strain) {
 }
 
 Drawing pattern_sheet(const TriMesh& mesh, const UnfoldReport& unfold, const std::string& name,
-                      const PatternOptions& options) {
+                      const PatternOptions& wanted) {
+  const PatternOptions options = possible_options(wanted, unfold.pattern);
   const std::vector<HalfEdge> opposite = opposite_half_edges(mesh);
   const std::string& piece = options.label.name.empty() ? name : options.label.name;
   PlacedPattern pattern =
-      placed_pattern(mesh, unfold.pattern.positions, unfold.unit, piece, options.allowance);
+      placed_pattern(mesh, unfold.pattern.positions, unfold.unit, piece, options);
   const LoopBox piece_box = loop_box(pattern.outline.loops);
-  const SheetFacts facts = {name, piece_box.high - piece_box.low, widest(options.allowance),
+  const SheetFacts facts = {name, piece_box.high - piece_box.low, widest_allowance(options),
                             pattern_hash(pattern.positions), options.date};
 
   const LoopBox box = loop_box(pattern.cut);

@@ -9,7 +9,7 @@
 namespace planish {
 
 PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> positions, Unit unit,
-                             const std::string& piece, const std::optional<Allowance>& allowance) {
+                             const std::string& piece, const PatternOptions& options) {
   const double scale = millimetres_per(unit);
   PlacedPattern pattern;
   pattern.positions.reserve(positions.size());
@@ -18,7 +18,12 @@ PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> position
   const std::vector<HalfEdge> opposite = opposite_half_edges(mesh);
   pattern.outline = piece_outline(outlines(mesh, opposite, [](std::size_t) { return true; }),
                                   pattern.positions, piece);
-  pattern.cut = allowance ? offset_outline(pattern.outline, *allowance) : pattern.outline.loops;
+  pattern.cut = pattern.outline.loops;
+  if (options.allowance) {
+    pattern.cut = offset_outline(
+        pattern.outline,
+        with_edge_allowances(*options.allowance, pattern.outline, options.edge_allowances));
+  }
   return pattern;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <planish/mesh/tri_mesh.h>
-#include <planish/pattern/offset_outline.h>
+#include <planish/report/pattern_options.h>
 #include <planish/report/unit.h>
 
 namespace planish {
@@ -22,9 +22,9 @@ struct PlacedPattern {
 /// Where the unfolding put it.
 /// @param positions of all vertices in the pattern, model units
 /// @param piece what messages call it
-/// @throws Error as offset_outline()
+/// @throws Error as offset_outline() and with_edge_allowances()
 PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> positions, Unit unit,
-                             const std::string& piece, const std::optional<Allowance>& allowance);
+                             const std::string& piece, const PatternOptions& options);
 
 /// The same elsewhere.
 /// @param motion that keeps lengths and does not mirror

@@ -26,6 +26,11 @@ Index vertex_in(std::string_view word, const TextCursor& cursor) {
   return vertex;
 }
 
+std::string_view next_word(TextCursor& cursor, const char* what) {
+  if (!cursor.at_line_end()) return cursor.token();
+  cursor.fail(ErrorCode::malformed_file, std::string(what) + " is missing");
+}
+
 /// The number before the end of a word; nothing where that is none.
 std::optional<double> number_before(std::string_view word, std::string_view ending) {
   if (!word.ends_with(ending)) return std::nullopt;
@@ -115,10 +120,7 @@ std::optional<std::size_t> seam_in(std::string_view word, const TextCursor& curs
 SeamNotch seam_notch_in(TextCursor& cursor) {
   SeamNotch notch;
   notch.seam = seam_in(cursor.token(), cursor);
-  if (cursor.at_line_end()) {
-    cursor.fail(ErrorCode::malformed_file, "the place is missing, such as 50% or 120mm");
-  }
-  const std::string_view place = cursor.token();
+  const std::string_view place = next_word(cursor, "the place, such as 50% or 120mm,");
   const auto length = number_before(place, "mm");
   const auto share = share_of(place);
   if (!length && !share) {
@@ -130,6 +132,22 @@ SeamNotch seam_notch_in(TextCursor& cursor) {
   notch.kind = form.kind;
   notch.is_double = form.is_double;
   return notch;
+}
+
+EdgeAllowance edge_allowance_in(TextCursor& cursor) {
+  EdgeAllowance edge;
+  edge.from = vertex_in(cursor.token(), cursor);
+  edge.to = vertex_in(next_word(cursor, "the vertex where the stretch ends"), cursor);
+  const std::string_view word = next_word(cursor, "the width");
+  const auto with_unit = number_before(word, "mm");
+  const auto width = with_unit ? with_unit : number_before(word, "");
+  if (!width) cursor.fail(ErrorCode::bad_number, quoted(word) + " is no width such as 12.5mm");
+  if (*width < 0.0) {
+    cursor.fail(ErrorCode::option_out_of_range, "the width " + quoted(word) + " is below 0");
+  }
+  edge.width = *width;
+  end_line(cursor);
+  return edge;
 }
 
 Mark mark_in(TextCursor& cursor) {
@@ -158,6 +176,27 @@ std::vector<Mark> parse_marks(std::string_view bytes, const std::string& name) {
   return marks;
 }
 
+std::vector<InnerLine> parse_inner_lines(std::string_view bytes, const std::string& name) {
+  TextCursor cursor(bytes, name, {.comments = true});
+  std::vector<InnerLine> lines;
+  while (cursor.skip_to_token()) {
+    InnerLine& line = lines.emplace_back();
+    line.push_back(vertex_in(cursor.token(), cursor));
+    line.push_back(vertex_in(next_word(cursor, "a second vertex"), cursor));
+    while (!cursor.at_line_end())
+      line.push_back(vertex_in(cursor.token(), cursor));
+  }
+  return lines;
+}
+
+std::vector<EdgeAllowance> parse_edge_allowances(std::string_view bytes, const std::string& name) {
+  TextCursor cursor(bytes, name, {.comments = true});
+  std::vector<EdgeAllowance> edges;
+  while (cursor.skip_to_token())
+    edges.push_back(edge_allowance_in(cursor));
+  return edges;
+}
+
 std::vector<SeamNotch> parse_seam_notches(std::string_view bytes, const std::string& name) {
   TextCursor cursor(bytes, name, {.comments = true});
   std::vector<SeamNotch> notches;
@@ -169,6 +208,16 @@ std::vector<SeamNotch> parse_seam_notches(std::string_view bytes, const std::str
 std::vector<Notch> read_notches(const std::filesystem::path& path) {
   const FileBytes file(path);
   return parse_notches(file.view(), path.string());
+}
+
+std::vector<InnerLine> read_inner_lines(const std::filesystem::path& path) {
+  const FileBytes file(path);
+  return parse_inner_lines(file.view(), path.string());
+}
+
+std::vector<EdgeAllowance> read_edge_allowances(const std::filesystem::path& path) {
+  const FileBytes file(path);
+  return parse_edge_allowances(file.view(), path.string());
 }
 
 std::vector<SeamNotch> read_seam_notches(const std::filesystem::path& path) {

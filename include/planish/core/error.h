@@ -48,6 +48,7 @@ enum class ErrorCode {
   unfold_failed,
   overlapping_outline,
   allowance_too_wide,
+  misplaced_allowance,
   misplaced_notch,
   no_grain_direction,
   piece_too_large,

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include <planish/pattern/edge_allowances.h>
 #include <planish/pattern/grain.h>
 #include <planish/pattern/marks.h>
 #include <planish/pattern/notches.h>
@@ -30,19 +31,21 @@ using Grain = std::variant<Vec3, double>;
 /// What a pattern gets besides its outline.
 struct PatternOptions {
   std::optional<Allowance> allowance = {};
+  std::vector<EdgeAllowance> edge_allowances = {};  ///< where it is another; idle without allowance
   std::vector<Notch> notches = {};
   NotchSizes notch_sizes = {};
   std::optional<Grain> grain = {};
   std::vector<Mark> marks = {};
+  std::vector<InnerLine> inner_lines = {};
   PieceLabel label = {};
   std::string date = {};  ///< for the sheet's label; never taken from a clock
 };
 
-/// Checks what can be known before there is a pattern: that notches are on the border of the mesh
-/// and marks at vertices of it.
+/// Checks what can be known before there is a pattern: that notches and the ends of allowances are
+/// on the border of the mesh and marks at vertices of it.
 /// @param border loops of vertices
 /// @param name of the patch; the piece is called so where the options have no name for it
-/// @throws Error misplaced_notch, index_out_of_range, naming the piece
+/// @throws Error misplaced_notch, misplaced_allowance, index_out_of_range, naming the piece
 void check_pattern_options(const PatternOptions& options, std::size_t vertex_count,
                            std::span<const std::vector<Index>> border, const std::string& name);
 

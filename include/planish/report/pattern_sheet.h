@@ -12,15 +12,15 @@
 namespace planish {
 
 /// The layers of pattern_sheet(), in the order that they are drawn. All are always there.
-inline constexpr std::array<std::string_view, 8> k_sheet_layers = {
-    "strain", "cut", "seam", "notch", "grain", "drill", "annotation", "label"};
+inline constexpr std::array<std::string_view, 9> k_sheet_layers = {
+    "strain", "cut", "seam", "notch", "grain", "drill", "internal", "annotation", "label"};
 
 /// The pattern as a sheet in millimetres, with a margin: "strain" (every triangle in the colour of
 /// its signed strain, neighbours of one colour joined), on top of it "cut" (the outline, or with an
 /// allowance the line around that, and the outline as "seam"), "notch", "grain", "drill" (match
-/// marks too) and "annotation" (the piece's own label) as the options ask, and "label" below it:
-/// name, sizes, unit, scale, a hash of the pattern, test squares of 50 mm and 2 in, what the
-/// colours mean.
+/// marks too), "internal" (inner lines) and "annotation" (the piece's own label) as the options
+/// ask, and "label" below it: name, sizes, unit, scale, a hash of the pattern, test squares of 50
+/// mm and 2 in, what the colours mean. A pattern that overlaps itself gets no allowance.
 /// @param mesh the patch that was unfolded
 /// @param name of the patch; that of the piece too where the options have none
 /// @throws Error as offset_outline(), notch_lines(), grain_direction() and mark_lines()

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include <planish/pattern/edge_allowances.h>
 #include <planish/pattern/marks.h>
 #include <planish/pattern/notches.h>
 #include <planish/pattern/seam_notches.h>
@@ -23,16 +24,27 @@ std::vector<Notch> read_notches(const std::filesystem::path& path);
 /// @throws Error as read_notches()
 std::vector<Mark> read_marks(const std::filesystem::path& path);
 
+/// Reads inner lines, one a line: the vertices that it goes through, counted from 0, two at least.
+/// @throws Error as read_notches()
+std::vector<InnerLine> read_inner_lines(const std::filesystem::path& path);
+
 /// Reads notches on both sides of seams, one a line: the number of the seam, from 1, or * for every
 /// seam; the place, as 0.5 or 50% of its length or as 120mm from its first vertex; then kind and
 /// double as above.
 /// @throws Error as read_notches()
 std::vector<SeamNotch> read_seam_notches(const std::filesystem::path& path);
 
+/// Reads allowances of stretches of the border, one a line: the vertices from which and to which,
+/// the piece on the left, and the width in millimetres, as 12.5 or 12.5mm.
+/// @throws Error as read_notches(); option_out_of_range for a width below 0
+std::vector<EdgeAllowance> read_edge_allowances(const std::filesystem::path& path);
+
 /// The same from memory.
 /// @param name stands for the path in errors
 std::vector<Notch> parse_notches(std::string_view bytes, const std::string& name);
 std::vector<Mark> parse_marks(std::string_view bytes, const std::string& name);
+std::vector<InnerLine> parse_inner_lines(std::string_view bytes, const std::string& name);
+std::vector<EdgeAllowance> parse_edge_allowances(std::string_view bytes, const std::string& name);
 std::vector<SeamNotch> parse_seam_notches(std::string_view bytes, const std::string& name);
 
 }  // namespace planish

@@ -24,6 +24,15 @@ TEST(Marks, AreRefusedBeyondTheMesh) {
   EXPECT_THROW(mark_lines(positions, std::vector<Mark>{{3}}, "panel"), Error);
 }
 
+TEST(InnerLines, GoFromVertexToVertex) {
+  const std::vector<Vec2> positions{{0, 0}, {10, 20}, {5, 5}};
+  const auto lines = inner_lines(positions, std::vector<InnerLine>{{2, 0, 1}, {1, 2}}, "panel");
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0], (Polygon{{5, 5}, {0, 0}, {10, 20}}));
+  EXPECT_EQ(lines[1], (Polygon{{10, 20}, {5, 5}}));
+  EXPECT_THROW(inner_lines(positions, std::vector<InnerLine>{{0, 3}}, "panel"), Error);
+}
+
 TEST(PatternHash, IsFnv1aOfMicrometres) {
   EXPECT_EQ(hash_text(pattern_hash({})), "cbf29ce484222325");
   // Sixteen bytes of 0: the offset times the sixteenth power of the prime.

@@ -21,11 +21,12 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// A square of 200 mm in 4 x 4 cells.
-Drawing sheet_with(const PatternOptions& options) {
+Drawing sheet_with(const PatternOptions& options, bool overlaps = false) {
   const TriMesh mesh = meshes::flat_grid(4, 4);
   UnfoldReport unfold = samples::plane_below(mesh, 200.0, 200.0);
   for (Vec2& p : unfold.pattern.positions)
     p = 50.0 * p;
+  unfold.pattern.overlaps = overlaps;
   return pattern_sheet(mesh, unfold, "panel", options);
 }
 
@@ -48,7 +49,7 @@ std::vector<std::string> texts(const Drawing& drawing, const std::string& name) 
 
 TEST(Furniture, IsNotThereUnlessAskedFor) {
   const Drawing sheet = sheet_with({});
-  for (const char* name : {"seam", "notch", "grain", "drill", "annotation"})
+  for (const char* name : {"seam", "notch", "grain", "drill", "internal", "annotation"})
     EXPECT_TRUE(layer(sheet, name).shapes.empty()) << name;
 }
 
@@ -63,6 +64,28 @@ TEST(Furniture, MakesTheOutlineTheSeamWhereThereIsAnAllowance) {
   EXPECT_NEAR(signed_area(cut.lines.at(0)), 224.0 * 224.0, 0.01);
   EXPECT_NEAR(oracle::distances(cut.lines, seam.lines).least, 12.0, 1e-4);
   EXPECT_THAT(texts(sheet, "label"), Contains("200.0 × 200.0 mm + 12 mm allowance"));
+}
+
+TEST(Furniture, HasNoAllowanceAroundAPatternThatOverlapsItself) {
+  const Drawing sheet = sheet_with({.allowance = Allowance{.width = 12.0}}, true);
+  EXPECT_TRUE(layer(sheet, "seam").shapes.empty());
+  EXPECT_NEAR(signed_area(path(sheet, "cut").lines.at(0)), 200.0 * 200.0, 1e-6);
+  EXPECT_THAT(texts(sheet, "label"), Contains("200.0 × 200.0 mm"));
+}
+
+TEST(Furniture, HasOtherAllowancesAlongStretchesOfTheBorder) {
+  // Vertices 0 to 4 are the lower side, 24 to 20 the upper one.
+  const Drawing sheet =
+      sheet_with({.allowance = Allowance{.width = 10.0}, .edge_allowances = {{0, 4, 0.0}}});
+  EXPECT_NEAR(signed_area(path(sheet, "cut").lines.at(0)), 220.0 * 210.0, 0.01);
+}
+
+TEST(Furniture, HasInnerLinesOnTheirLayer) {
+  const Drawing sheet = sheet_with({.inner_lines = {{6, 7, 12}}});
+  const Path& line = path(sheet, "internal");
+  EXPECT_FALSE(line.closed);
+  ASSERT_EQ(line.lines.at(0).size(), 3U);
+  EXPECT_NEAR(norm(line.lines[0][1] - line.lines[0][0]), 50.0, 1e-9);
 }
 
 TEST(Furniture, SaysTheAllowanceWithoutTheDustOfItsUnit) {

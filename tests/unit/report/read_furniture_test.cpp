@@ -6,6 +6,18 @@
 namespace planish {
 namespace {
 
+template <class Parse>
+void expect_error(Parse parse, ErrorCode code, std::size_t line) {
+  try {
+    parse();
+    FAIL() << to_string(code);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), code) << error.what();
+    EXPECT_EQ(error.place().line, line);
+    EXPECT_EQ(error.place().path, "f.txt");
+  }
+}
+
 TEST(ReadNotches, TellsVerticesFromShares) {
   const auto notches = parse_notches("12 v\n0.25 t double # collar\n\n50% slit\n7\n", "n.txt");
   ASSERT_EQ(notches.size(), 4U);
@@ -26,18 +38,6 @@ TEST(ReadMarks, AreCrossesUnlessDrilled) {
   EXPECT_EQ(marks[0].kind, MarkKind::cross);
   EXPECT_EQ(marks[1].vertex, 9U);
   EXPECT_EQ(marks[1].kind, MarkKind::drill);
-}
-
-template <class Parse>
-void expect_error(Parse parse, ErrorCode code, std::size_t line) {
-  try {
-    parse();
-    FAIL() << to_string(code);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), code) << error.what();
-    EXPECT_EQ(error.place().line, line);
-    EXPECT_EQ(error.place().path, "f.txt");
-  }
 }
 
 TEST(ReadNotches, NameTheLineThatIsWrong) {
@@ -68,6 +68,39 @@ TEST(ReadSeamNotches, TakesSharesAndLengthsOfOneSeamOrAll) {
   EXPECT_TRUE(notches[1].is_double);
   EXPECT_EQ(notches[2].seam, 0U);
   EXPECT_EQ(notches[2].place, 0.25);
+}
+
+TEST(ReadInnerLines, TakesTheVerticesOfEach) {
+  const auto lines = parse_inner_lines("1 2 3\n# none\n7 5\n", "l.txt");
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0], (InnerLine{1, 2, 3}));
+  EXPECT_EQ(lines[1], (InnerLine{7, 5}));
+  const auto expect = [](const char* text, ErrorCode code, std::size_t line) {
+    expect_error([&] { parse_inner_lines(text, "f.txt"); }, code, line);
+  };
+  expect("1 2\n3\n", ErrorCode::malformed_file, 2);
+  expect("1 2 x\n", ErrorCode::bad_number, 1);
+}
+
+TEST(ReadEdgeAllowances, TakesStretchesAndWidths) {
+  const auto edges = parse_edge_allowances("12 57 0\n57 203 25.5mm # hem\n", "e.txt");
+  ASSERT_EQ(edges.size(), 2U);
+  EXPECT_EQ(edges[0].from, 12U);
+  EXPECT_EQ(edges[0].to, 57U);
+  EXPECT_EQ(edges[0].width, 0.0);
+  EXPECT_EQ(edges[1].width, 25.5);
+}
+
+TEST(ReadEdgeAllowances, NameTheLineThatIsWrong) {
+  const auto expect = [](const char* text, ErrorCode code, std::size_t line) {
+    expect_error([&] { parse_edge_allowances(text, "f.txt"); }, code, line);
+  };
+  expect("1 2 3\n1 2\n", ErrorCode::malformed_file, 2);
+  expect("1\n", ErrorCode::malformed_file, 1);
+  expect("x 2 3\n", ErrorCode::bad_number, 1);
+  expect("1 2 3cm\n", ErrorCode::bad_number, 1);
+  expect("1 2 -3\n", ErrorCode::option_out_of_range, 1);
+  expect("1 2 3 4\n", ErrorCode::malformed_file, 1);
 }
 
 TEST(ReadSeamNotches, NameTheLineThatIsWrong) {

@@ -135,7 +135,7 @@ std::string seams_text(const GarmentJob& job, const std::vector<SeamLengths>& se
     text +=
         right(std::to_string(s + 1), 4) + "  " + right(fixed(seam.on_model, 2), 15) + " " +
         length(seam.in_pattern[0]) + " " + length(seam.in_pattern[1]) + "   " +
-        (difference ? right(fixed(*difference, 2), 8) + "  " + percent(*difference / seam.on_model)
+        (difference ? right(fixed(*difference, 2), 8) + "  " + fixed(100.0 * *difference / seam.on_model, 3) + " %"
                     : right("-", 8)) +
         "\n      " + job.patches[seam.seam.sides[0].patch].name + " - " +
         job.patches[seam.seam.sides[1].patch].name + "\n";

@@ -21,7 +21,7 @@ std::string strain_text(const EdgeStrain& strain) {
 
 /// "dart, 42 mm: strain 7.61 % (rms 2.10 %) -> 0.90 % (rms 0.20 %)"
 std::string cut_text(const SuggestedCut& cut, const std::string& unit) {
-  const std::string what =
+  std::string what =
       std::string(cut.is_dart ? "dart" : "seam") + ", " + digits(cut.length) + " " + unit;
   if (!cut.after) return what;  // no pattern yet
   return what + ": strain " + (cut.before ? strain_text(*cut.before) + " -> " : "") +

@@ -44,6 +44,7 @@ std::map<std::string, std::string> suggestion_places(const Arguments& arguments)
     if (arguments.has(flag)) places[role] = arguments.flags.at(flag);
   }
   std::vector<OutputFile> files;
+  files.reserve(places.size());
   for (const auto& [role, path] : places)
     files.push_back({path, {}});
   refuse_shared_places(files);

@@ -132,13 +132,13 @@ std::string seams_text(const GarmentJob& job, const std::vector<SeamLengths>& se
       return right(value ? fixed(*value, 2) : "-", 11);
     };
     const auto difference = seam.difference();
-    text +=
-        right(std::to_string(s + 1), 4) + "  " + right(fixed(seam.on_model, 2), 15) + " " +
-        length(seam.in_pattern[0]) + " " + length(seam.in_pattern[1]) + "   " +
-        (difference ? right(fixed(*difference, 2), 8) + "  " + fixed(100.0 * *difference / seam.on_model, 3) + " %"
-                    : right("-", 8)) +
-        "\n      " + job.patches[seam.seam.sides[0].patch].name + " - " +
-        job.patches[seam.seam.sides[1].patch].name + "\n";
+    text += right(std::to_string(s + 1), 4) + "  " + right(fixed(seam.on_model, 2), 15) + " " +
+            length(seam.in_pattern[0]) + " " + length(seam.in_pattern[1]) + "   " +
+            (difference ? right(fixed(*difference, 2), 8) + "  " +
+                              fixed(100.0 * *difference / seam.on_model, 3) + " %"
+                        : right("-", 8)) +
+            "\n      " + job.patches[seam.seam.sides[0].patch].name + " - " +
+            job.patches[seam.seam.sides[1].patch].name + "\n";
   }
   return text;
 }

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <string_view>
 
+#include <planish/core/fnv_hash.h>
 #include <planish/core/version.h>
 #include <planish/io/read_mesh.h>
 
@@ -28,45 +29,27 @@ constexpr std::array<std::string_view, 12> k_idle_flags = {
     "--output", "--threads",  "--quiet",       "--json", "--resume",         "--require-target",
     "--sheet",  "--nest-gap", "--nest-margin", "--turn", "--seam-tolerance", "--seam-notches"};
 
-/// FNV-1a of 64 bits: tells versions of a file apart, keeps out nobody.
-class Hash {
- public:
-  void add(std::string_view bytes) {
-    for (const char c : bytes)
-      value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  }
-  template <class Value>
-  void add_value(const Value& value) {
-    std::array<char, sizeof(Value)> bytes{};
-    std::memcpy(bytes.data(), &value, sizeof(Value));
-    add({bytes.data(), bytes.size()});
-  }
-  std::string text() const {
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string text;
-    for (int shift = 60; shift >= 0; shift -= 4)
-      text += digits[(value_ >> shift) & 15U];
-    return text;
-  }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325ULL;
-};
+template <class Value>
+void add_value(FnvHash& hash, const Value& value) {
+  std::array<char, sizeof(Value)> bytes{};
+  std::memcpy(bytes.data(), &value, sizeof(Value));
+  hash.add({bytes.data(), bytes.size()});
+}
 
 std::string hash_of(std::string_view bytes) {
-  Hash hash;
+  FnvHash hash;
   hash.add(bytes);
-  return hash.text();
+  return hash_text(hash.value());
 }
 
 std::string hash_of(const TriMesh& mesh) {
-  Hash hash;
-  hash.add_value(mesh.positions.size());
+  FnvHash hash;
+  add_value(hash, mesh.positions.size());
   for (const Vec3& p : mesh.positions)
-    hash.add_value(p);
+    add_value(hash, p);
   for (const Triangle& t : mesh.triangles)
-    hash.add_value(t);
-  return hash.text();
+    add_value(hash, t);
+  return hash_text(hash.value());
 }
 
 Json to_json(const std::vector<Notch>& notches) {

@@ -6,6 +6,7 @@
 #include <planish/mesh/cut.h>
 
 #include "mesh/cut_paths.h"
+#include "mesh/disjoint_sets.h"
 
 namespace planish {
 
@@ -13,25 +14,7 @@ namespace {
 
 /// The corners of all triangles, 3 t + i for corner i of triangle t, put together in fans: those
 /// around a vertex that are to share a copy of it.
-class Fans {
- public:
-  explicit Fans(std::size_t corners) : parent_(corners) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  /// The smallest corner of the fan.
-  std::size_t of(std::size_t corner) {
-    while (parent_[corner] != corner)
-      corner = parent_[corner] = parent_[parent_[corner]];
-    return corner;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = of(a), b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
+using Fans = DisjointSets<std::size_t>;
 
 /// One side of a triangle, from corner `from` of the mesh's corners to corner `to`.
 struct TriangleSide {
@@ -87,7 +70,7 @@ CutMesh cut_open(const TriMesh& mesh, const Connectivity& connectivity,
   std::vector<unsigned char> taken(mesh.positions.size(), 0);
   std::vector<std::pair<Index, std::size_t>> copies;  // of which vertex, for which fan
   for (std::size_t c = 0; c < corners; ++c) {
-    if (fans.of(c) != c) continue;
+    if (fans.first_of(c) != c) continue;
     const Index v = mesh.triangles[c / 3][c % 3];
     if (taken[v] != 0) copies.emplace_back(v, c);
     taken[v] = 1;
@@ -100,7 +83,7 @@ CutMesh cut_open(const TriMesh& mesh, const Connectivity& connectivity,
     cut.source.push_back(v);
   }
   for (std::size_t c = 0; c < corners; ++c) {
-    if (const Index copy = number_of[fans.of(c)]; copy != 0)
+    if (const Index copy = number_of[fans.first_of(c)]; copy != 0)
       cut.mesh.triangles[c / 3][c % 3] = copy;
   }
   return cut;

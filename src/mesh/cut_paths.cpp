@@ -1,11 +1,11 @@
 #include "mesh/cut_paths.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <utility>
 
 #include "core/number_text.h"
+#include "mesh/disjoint_sets.h"
 #include "mesh/inside_paths.h"
 
 namespace planish {
@@ -55,26 +55,8 @@ std::vector<Index> corners_of(const TriMesh& mesh, const Connectivity& connectiv
       corners.front());
 }
 
-/// The parts that vertices and edges hang together in, as a forest of vertices.
-class Parts {
- public:
-  explicit Parts(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
-  }
-  Index of(Index v) {
-    while (parent_[v] != v)
-      v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  /// The smaller root stays one.
-  void join(Index v, Index w) {
-    v = of(v), w = of(w);
-    parent_[std::max(v, w)] = std::min(v, w);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
+/// The parts that vertices and edges hang together in.
+using Parts = DisjointSets<Index>;
 
 /// By vertex: whether the part of the mesh that it is in has a border.
 std::vector<unsigned char> in_open_part(const Connectivity& connectivity) {
@@ -86,9 +68,9 @@ std::vector<unsigned char> in_open_part(const Connectivity& connectivity) {
   }
   std::vector<unsigned char> open(count, 0);
   for (const auto& loop : connectivity.border_loops())
-    open[parts.of(loop.front())] = 1;
+    open[parts.first_of(loop.front())] = 1;
   for (Index v = 0; v < count; ++v)
-    open[v] = open[parts.of(v)];
+    open[v] = open[parts.first_of(v)];
   return open;
 }
 
@@ -149,12 +131,12 @@ void refuse_idle_cuts(const TriMesh& mesh, const Connectivity& connectivity,
   for (const EdgeEnds& edge : all)
     together.join(edge[0], edge[1]);
   for (const EdgeEnds& edge : all) {
-    const Index part = together.of(edge[0]);
+    const Index part = together.first_of(edge[0]);
     ++edges[part];
     if (connectivity.is_border(edge[0]) || connectivity.is_border(edge[1])) touches[part] = 1;
   }
   for (std::size_t k = 0; k < full.size(); ++k) {
-    const Index first = full[k].front(), part = together.of(first);
+    const Index first = full[k].front(), part = together.first_of(first);
     if (touches[part] != 0) continue;
     if (open[first] != 0) {
       refuse_cut(paths[k], k, ErrorCode::misplaced_cut,

@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 
 #include <planish/core/error.h>
 #include <planish/mesh/split.h>
+
+#include "mesh/disjoint_sets.h"
 
 namespace planish {
 
@@ -22,25 +23,7 @@ void check_indices(const TriMesh& mesh) {
   }
 }
 
-/// Sets of triangles that grow together; each is known by its first one.
-class TriangleSets {
- public:
-  explicit TriangleSets(std::size_t count) : up_(count) {
-    std::iota(up_.begin(), up_.end(), Index{0});
-  }
-  Index first_of(Index t) {
-    while (up_[t] != t)
-      t = up_[t] = up_[up_[t]];
-    return t;
-  }
-  void join(Index s, Index t) {
-    const auto [low, high] = std::minmax({first_of(s), first_of(t)});
-    up_[high] = low;
-  }
-
- private:
-  std::vector<Index> up_;
-};
+using TriangleSets = DisjointSets<Index>;
 
 /// Triangles of one group that share an edge are in one set.
 TriangleSets joined_by_edges(const TriMesh& mesh, std::span<const Index> of_triangle) {

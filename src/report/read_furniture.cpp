@@ -158,76 +158,71 @@ Mark mark_in(TextCursor& cursor) {
   return mark;
 }
 
+InnerLine inner_line_in(TextCursor& cursor) {
+  InnerLine line = {vertex_in(cursor.token(), cursor)};
+  line.push_back(vertex_in(next_word(cursor, "a second vertex"), cursor));
+  while (!cursor.at_line_end())
+    line.push_back(vertex_in(cursor.token(), cursor));
+  return line;
+}
+
+/// What each line that is not empty says.
+template <class Item>
+std::vector<Item> items_in(std::string_view bytes, const std::string& name,
+                           Item (*item_in)(TextCursor&)) {
+  TextCursor cursor(bytes, name, {.comments = true});
+  std::vector<Item> items;
+  while (cursor.skip_to_token())
+    items.push_back(item_in(cursor));
+  return items;
+}
+
+template <class Item>
+std::vector<Item> items_of(const std::filesystem::path& path, Item (*item_in)(TextCursor&)) {
+  const FileBytes file(path);
+  return items_in(file.view(), path.string(), item_in);
+}
+
 }  // namespace
 
 std::vector<Notch> parse_notches(std::string_view bytes, const std::string& name) {
-  TextCursor cursor(bytes, name, {.comments = true});
-  std::vector<Notch> notches;
-  while (cursor.skip_to_token())
-    notches.push_back(notch_in(cursor));
-  return notches;
+  return items_in(bytes, name, notch_in);
 }
 
 std::vector<Mark> parse_marks(std::string_view bytes, const std::string& name) {
-  TextCursor cursor(bytes, name, {.comments = true});
-  std::vector<Mark> marks;
-  while (cursor.skip_to_token())
-    marks.push_back(mark_in(cursor));
-  return marks;
+  return items_in(bytes, name, mark_in);
 }
 
 std::vector<InnerLine> parse_inner_lines(std::string_view bytes, const std::string& name) {
-  TextCursor cursor(bytes, name, {.comments = true});
-  std::vector<InnerLine> lines;
-  while (cursor.skip_to_token()) {
-    InnerLine& line = lines.emplace_back();
-    line.push_back(vertex_in(cursor.token(), cursor));
-    line.push_back(vertex_in(next_word(cursor, "a second vertex"), cursor));
-    while (!cursor.at_line_end())
-      line.push_back(vertex_in(cursor.token(), cursor));
-  }
-  return lines;
+  return items_in(bytes, name, inner_line_in);
 }
 
 std::vector<EdgeAllowance> parse_edge_allowances(std::string_view bytes, const std::string& name) {
-  TextCursor cursor(bytes, name, {.comments = true});
-  std::vector<EdgeAllowance> edges;
-  while (cursor.skip_to_token())
-    edges.push_back(edge_allowance_in(cursor));
-  return edges;
+  return items_in(bytes, name, edge_allowance_in);
 }
 
 std::vector<SeamNotch> parse_seam_notches(std::string_view bytes, const std::string& name) {
-  TextCursor cursor(bytes, name, {.comments = true});
-  std::vector<SeamNotch> notches;
-  while (cursor.skip_to_token())
-    notches.push_back(seam_notch_in(cursor));
-  return notches;
+  return items_in(bytes, name, seam_notch_in);
 }
 
 std::vector<Notch> read_notches(const std::filesystem::path& path) {
-  const FileBytes file(path);
-  return parse_notches(file.view(), path.string());
-}
-
-std::vector<InnerLine> read_inner_lines(const std::filesystem::path& path) {
-  const FileBytes file(path);
-  return parse_inner_lines(file.view(), path.string());
-}
-
-std::vector<EdgeAllowance> read_edge_allowances(const std::filesystem::path& path) {
-  const FileBytes file(path);
-  return parse_edge_allowances(file.view(), path.string());
-}
-
-std::vector<SeamNotch> read_seam_notches(const std::filesystem::path& path) {
-  const FileBytes file(path);
-  return parse_seam_notches(file.view(), path.string());
+  return items_of(path, notch_in);
 }
 
 std::vector<Mark> read_marks(const std::filesystem::path& path) {
-  const FileBytes file(path);
-  return parse_marks(file.view(), path.string());
+  return items_of(path, mark_in);
+}
+
+std::vector<InnerLine> read_inner_lines(const std::filesystem::path& path) {
+  return items_of(path, inner_line_in);
+}
+
+std::vector<EdgeAllowance> read_edge_allowances(const std::filesystem::path& path) {
+  return items_of(path, edge_allowance_in);
+}
+
+std::vector<SeamNotch> read_seam_notches(const std::filesystem::path& path) {
+  return items_of(path, seam_notch_in);
 }
 
 }  // namespace planish

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <utility>
 
+#include <planish/core/fnv_hash.h>
 #include <planish/core/version.h>
 #include <planish/draw/color_map.h>
-#include <planish/pattern/pattern_hash.h>
 #include <planish/report/pattern_sheet.h>
 
 #include "core/number_text.h"

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 
 #include <planish/core/vec.h>
 
@@ -13,8 +12,5 @@ namespace planish {
 /// hash, wherever they were made.
 /// @param positions millimetres
 std::uint64_t pattern_hash(std::span<const Vec2> positions);
-
-/// 16 hexadecimal digits.
-std::string hash_text(std::uint64_t hash);
 
 }  // namespace planish

@@ -1,4 +1,5 @@
 #include <planish/core/error.h>
+#include <planish/core/fnv_hash.h>
 #include <planish/pattern/marks.h>
 #include <planish/pattern/pattern_hash.h>
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include <planish/core/error.h>
+#include <planish/core/fnv_hash.h>
 #include <planish/draw/write_dxf.h>
 #include <planish/pattern/pattern_hash.h>
 #include <planish/report/pattern_sheet.h>

@@ -8,6 +8,7 @@
 #include <planish/core/error.h>
 
 #include "core/number_text.h"
+#include "pattern/loop_box.h"
 
 namespace planish {
 
@@ -17,22 +18,6 @@ constexpr double k_fit_slack = 1e-7;         // millimetres that a piece may be 
 constexpr double k_columns_a_piece = 150.0;  // of the middling piece
 constexpr double k_most_columns = 20'000.0;  // of the largest
 constexpr double k_largest_number = 1e7;     // millimetres
-
-struct TurnedBox {
-  Vec2 low, size;
-};
-
-TurnedBox turned_box(std::span<const Polygon> loops) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  Vec2 low{inf, inf}, high{-inf, -inf};
-  for (const Polygon& loop : loops) {
-    for (const Vec2 p : loop) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-  }
-  return {low, high - low};
-}
 
 std::vector<double> turns_of(Turns turns) {
   switch (turns) {
@@ -92,7 +77,7 @@ double column_step(std::span<const NestPiece> pieces, const NestOptions& options
   double area = 0.0, copies = 0.0, longest = 0.0;
   for (const NestPiece& piece : pieces) {
     if (piece.quantity == 0) continue;
-    const Vec2 size = turned_box(piece.outline.loops).size;
+    const Vec2 size = loop_box(piece.outline.loops).size();
     if (!(size.x + size.y < k_largest_number)) {
       throw Error(ErrorCode::too_large, "piece \"" + piece.outline.piece +
                                             "\" is larger than pieces that can be laid on sheets");
@@ -117,15 +102,15 @@ std::vector<TurnedPiece> turned_pieces(const NestPiece& piece, const NestOptions
   for (const double turn : turns_of(options.turns)) {
     TurnedPiece candidate{.angle = in_one_turn(piece.angle + turn)};
     std::vector<Polygon> loops = turned(piece.outline, candidate.angle);
-    const TurnedBox box = turned_box(loops);
-    if (box.size.y < narrowest.y) narrowest = box.size;
-    if (!(box.size.x <= length && box.size.y <= width)) continue;
+    const LoopBox box = loop_box(loops);
+    if (box.size().y < narrowest.y) narrowest = box.size();
+    if (!(box.size().x <= length && box.size().y <= width)) continue;
     for (Polygon& loop : loops) {
       for (Vec2& p : loop)
         p = p - box.low;
     }
     candidate.low = box.low;
-    candidate.size = box.size;
+    candidate.size = box.size();
     candidate.columns = column_spans(loops, step, 0.0);
     candidate.grown = column_spans(loops, step, options.gap);
     result.push_back(std::move(candidate));

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include <planish/core/error.h>
 #include <planish/core/fields.h>
@@ -10,6 +9,8 @@
 #include "core/number_text.h"
 #include "pattern/allowance_joins.h"
 #include "pattern/border_walk.h"
+#include "pattern/loop_box.h"
+#include "pattern/polygon_rays.h"
 #include "pattern/winding_union.h"
 #include "unfold/placement.h"
 
@@ -22,16 +23,6 @@ struct WideLoop {
   Polygon points;
   std::vector<double> widths;
 };
-
-double longer_side(std::span<const Vec2> loop) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  Vec2 low{inf, inf}, high{-inf, -inf};
-  for (const Vec2 p : loop) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return std::max(high.x - low.x, high.y - low.y);
-}
 
 std::string about(const PieceOutline& outline) {
   return "piece \"" + outline.piece + "\": ";
@@ -46,7 +37,8 @@ std::string about(const PieceOutline& outline) {
 }
 
 void check_widths(const PieceOutline& outline, const Allowance& allowance) {
-  const double limit = longer_side(outline.loops.front());
+  const Vec2 size = loop_box(std::span(&outline.loops.front(), 1)).size();
+  const double limit = std::max(size.x, size.y);
   if (allowance.edge_widths.empty()) {
     if (!(allowance.width > 0.0 && allowance.width <= limit)) {
       refuse_width(outline, allowance.width, limit, "");
@@ -153,16 +145,6 @@ Polygon raw_line(const WideLoop& wide, const Allowance& allowance) {
   return line;
 }
 
-bool is_inside(std::span<const Vec2> loop, Vec2 p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
-    const Vec2 a = loop[i], b = loop[j];
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-  }
-  return inside;
-}
-
 Vec2 middle_of(std::span<const Vec2> loop) {
   Vec2 sum;
   for (const Vec2 p : loop)
@@ -173,7 +155,7 @@ Vec2 middle_of(std::span<const Vec2> loop) {
 void check_holes(const PieceOutline& outline, const std::vector<Polygon>& result) {
   for (std::size_t k = 1; k < outline.loops.size(); ++k) {
     const auto is_left = [&](const Polygon& loop) {
-      return signed_area(loop) < 0.0 && is_inside(outline.loops[k], loop.front());
+      return signed_area(loop) < 0.0 && is_within(std::span(&outline.loops[k], 1), loop.front());
     };
     if (std::any_of(result.begin(), result.end(), is_left)) continue;
     const Vec2 middle = middle_of(outline.loops[k]);

@@ -8,6 +8,7 @@
 #include <planish/pattern/pattern_hash.h>
 #include <planish/report/pattern_sheet.h>
 
+#include "pattern/loop_box.h"
 #include "report/furniture.h"
 #include "report/outlines.h"
 #include "report/placed_pattern.h"
@@ -57,7 +58,7 @@ Drawing pattern_sheet(const TriMesh& mesh, const UnfoldReport& unfold, const std
   PlacedPattern pattern =
       placed_pattern(mesh, unfold.pattern.positions, unfold.unit, piece, options);
   const LoopBox piece_box = loop_box(pattern.outline.loops);
-  const SheetFacts facts = {name, piece_box.high - piece_box.low, widest_allowance(options),
+  const SheetFacts facts = {name, piece_box.size(), widest_allowance(options),
                             pattern_hash(pattern.positions), options.date};
 
   const LoopBox box = loop_box(pattern.cut);

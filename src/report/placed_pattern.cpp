@@ -1,8 +1,6 @@
 #include "report/placed_pattern.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <limits>
 
 #include "report/outlines.h"
 
@@ -38,19 +36,6 @@ PlacedPattern moved(PlacedPattern pattern, const std::function<Vec2(Vec2)>& moti
     move(loop);
   move(pattern.positions);
   return pattern;
-}
-
-LoopBox loop_box(std::span<const Polygon> loops) {
-  if (loops.empty()) return {};
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  LoopBox box{{inf, inf}, {-inf, -inf}};
-  for (const Polygon& loop : loops) {
-    for (const Vec2 p : loop) {
-      box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-      box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
-  }
-  return box;
 }
 
 }  // namespace planish

@@ -30,10 +30,4 @@ PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> position
 /// @param motion that keeps lengths and does not mirror
 PlacedPattern moved(PlacedPattern pattern, const std::function<Vec2(Vec2)>& motion);
 
-/// The box around loops; nothing but (0, 0) where there are none.
-struct LoopBox {
-  Vec2 low, high;
-};
-LoopBox loop_box(std::span<const Polygon> loops);
-
 }  // namespace planish

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
+#include "support/ringed_disk.h"
 
 namespace planish {
 namespace {
@@ -90,27 +91,7 @@ TriMesh closed_box(std::size_t n) {
 
 /// A cone of apex angle sum 2 pi * 0.8 as rings of `around` vertices around vertex 0.
 TriMesh ringed_cone(std::size_t around, std::size_t rings) {
-  TriMesh mesh;
-  mesh.positions.push_back({0.0, 0.0, 0.0});
-  for (std::size_t j = 1; j <= rings; ++j) {
-    for (std::size_t i = 0; i < around; ++i) {
-      const double angle =
-          2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(around);
-      const auto r = static_cast<double>(j);
-      mesh.positions.push_back({r * std::cos(angle), r * std::sin(angle), -0.75 * r});
-    }
-  }
-  const auto at = [around](std::size_t i, std::size_t j) {
-    return static_cast<Index>(1 + (j - 1) * around + i % around);
-  };
-  for (std::size_t i = 0; i < around; ++i) {
-    mesh.triangles.push_back({0, at(i, 1), at(i + 1, 1)});
-    for (std::size_t j = 1; j < rings; ++j) {
-      mesh.triangles.push_back({at(i, j), at(i, j + 1), at(i + 1, j + 1)});
-      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i + 1, j)});
-    }
-  }
-  return mesh;
+  return meshes::ringed_disk(around, rings, [](double r, double) { return -0.75 * r; });
 }
 
 TEST(Cut, OpensATubeToADisk) {

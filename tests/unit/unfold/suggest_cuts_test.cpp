@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/shapes.h>
@@ -9,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
+#include "support/ringed_disk.h"
 
 namespace planish {
 namespace {
@@ -21,27 +21,12 @@ CutSuggestion suggest(const TriMesh& mesh, const SuggestOptions& options = {}) {
 
 /// A paraboloid over a disk, or with `saddle` a saddle: vertex 0 in the middle, rings around it.
 TriMesh bowl(std::size_t around, std::size_t rings, double depth, bool saddle = false) {
-  TriMesh mesh;
-  mesh.positions.push_back({0.0, 0.0, 0.0});
-  for (std::size_t j = 1; j <= rings; ++j) {
-    for (std::size_t i = 0; i < around; ++i) {
-      const double angle =
-          2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(around);
-      const double r = static_cast<double>(j) / static_cast<double>(rings);
-      const double z = depth * r * r * (saddle ? std::cos(2.0 * angle) : 1.0);
-      mesh.positions.push_back({r * std::cos(angle), r * std::sin(angle), z});
-    }
-  }
-  const auto at = [around](std::size_t i, std::size_t j) {
-    return static_cast<Index>(1 + (j - 1) * around + i % around);
-  };
-  for (std::size_t i = 0; i < around; ++i) {
-    mesh.triangles.push_back({0, at(i, 1), at(i + 1, 1)});
-    for (std::size_t j = 1; j < rings; ++j) {
-      mesh.triangles.push_back({at(i, j), at(i, j + 1), at(i + 1, j + 1)});
-      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i + 1, j)});
-    }
-  }
+  const auto radius = static_cast<double>(rings);
+  TriMesh mesh = meshes::ringed_disk(around, rings, [&](double r, double angle) {
+    return depth * r * r / radius * (saddle ? std::cos(2.0 * angle) : 1.0);
+  });
+  for (Vec3& p : mesh.positions)
+    p = 1.0 / radius * p;
   return mesh;
 }
 

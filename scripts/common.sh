@@ -30,6 +30,8 @@ qpdf                command qpdf
 check_packages="
 clang-14            command clang++-14
 clang-tidy-14       command clang-tidy-14
+libclang-rt-14-dev  header sanitizer/asan_interface.h
+llvm-14             command llvm-symbolizer-14
 "
 bench_packages="
 libbenchmark-dev    header benchmark/benchmark.h

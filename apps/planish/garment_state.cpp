@@ -73,11 +73,28 @@ std::optional<std::string> content_of(const fs::path& path) {
   return file.bad() ? std::nullopt : std::optional(std::move(content));
 }
 
-/// What a file says in JSON; null where it says nothing of the kind.
-Json json_in(const fs::path& path) {
-  const auto content = content_of(path);
-  Json json = content ? Json::parse(*content, nullptr, false) : Json(nullptr);
+/// What a file says in JSON; null where it says nothing of the kind. What is nested deeper than
+/// anything of ours is left out: comparing and writing it would take the whole stack.
+Json json_in(const std::optional<std::string>& content) {
+  constexpr int k_deepest = 16;
+  const auto keep = [](int depth, Json::parse_event_t, Json&) { return depth <= k_deepest; };
+  Json json = content ? Json::parse(*content, keep, false) : Json(nullptr);
   return json.is_object() ? json : Json(nullptr);
+}
+
+/// Whether a report says all that is taken from it when the product as a whole is told.
+bool is_complete(const Json& report) {
+  using Pointer = Json::json_pointer;
+  const auto at = [&](const char* path) {
+    return report.contains(Pointer(path)) ? report[Pointer(path)] : Json(nullptr);
+  };
+  for (const char* number :
+       {"/unfold/width", "/unfold/height", "/unfold/strain/rms", "/unfold/strain/max"}) {
+    if (!at(number).is_number()) return false;
+  }
+  return at("/unfold/unit").is_string() && at("/unfold/overlaps").is_boolean() &&
+         at("/evolve/stop").is_string() && at("/evolve/deviation").is_object() &&
+         at("/files").is_object();
 }
 
 bool are_as_written(const Json& files, const fs::path& folder) {
@@ -126,7 +143,7 @@ OutputFile job_file(const std::string& job, const std::vector<OutputFile>& files
 }
 
 std::optional<PatchResults> finished_results(const std::string& job, const fs::path& folder) {
-  Json found = json_in(folder / k_job_file);
+  Json found = json_in(content_of(folder / k_job_file));
   if (found.is_null() || !found.contains("files")) return std::nullopt;
   const Json files = found["files"];
   found.erase("files");
@@ -135,14 +152,16 @@ std::optional<PatchResults> finished_results(const std::string& job, const fs::p
   const auto flat = std::find_if(k_mesh_formats.begin(), k_mesh_formats.end(), [&](MeshFormat f) {
     return files.contains("flat." + std::string(to_string(f)));
   });
-  if (!report || Json::parse(*report, nullptr, false).is_discarded()) return std::nullopt;
+  if (!is_complete(json_in(report))) return std::nullopt;
   if (flat == k_mesh_formats.end()) return std::nullopt;
   try {
     const std::string extension = "." + std::string(to_string(*flat));
     const auto mesh_in = [&](const std::string& name) {
       return read_mesh((folder / (name + extension)).string()).mesh;
     };
-    return PatchResults{*report, mesh_in("processed"), in_the_plane(mesh_in("flat").positions)};
+    PatchResults results{*report, mesh_in("processed"), in_the_plane(mesh_in("flat").positions)};
+    if (results.pattern.size() != results.mesh.positions.size()) return std::nullopt;
+    return results;
   } catch (const Error&) {
     return std::nullopt;
   }

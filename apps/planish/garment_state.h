@@ -30,7 +30,8 @@ struct PatchResults {
   std::vector<Vec2> pattern;  ///< of that, model units
 };
 
-/// The results in the folder, where they are those of the job and every file is as it was written.
+/// The results in the folder, where they are those of the job, every file is as it was written, and
+/// they are all that is needed: anybody may have written there.
 std::optional<PatchResults> finished_results(const std::string& job,
                                              const std::filesystem::path& folder);
 

@@ -49,7 +49,8 @@ class Descent {
   std::optional<SeamSystem::Step> step() {
     for (const Curvature curvature : {Curvature::full, Curvature::projected}) {
       if (curvature == Curvature::full && !near_) continue;
-      if (!system_.factor(at_.flat, pulls_, curvature)) continue;
+      factored_ = system_.factor(at_.flat, pulls_, curvature);
+      if (!factored_) continue;
       SeamSystem::Step step = system_.step(at_.gaps);
       if (step.sound) return step;
     }
@@ -78,8 +79,10 @@ class Descent {
     return false;
   }
 
-  /// Takes out of the lengths what is left to rounding. @pre the last factor was made near by
+  /// Takes out of the lengths what is left to rounding, by the last factor, made near by. Without
+  /// one, as before any step, nothing is done.
   void settle() {
+    if (!factored_) return;
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(at_.gaps.size());
     for (int round = 0; round < 4; ++round) {
       Place next = corrected(at_, none);
@@ -112,7 +115,8 @@ class Descent {
   Place at_;
   Eigen::VectorXd pulls_;
   double price_ = 0.0;
-  bool near_ = false;  // the last step was taken whole: full curvature may serve
+  bool near_ = false;      // the last step was taken whole: full curvature may serve
+  bool factored_ = false;  // the system has a factor to solve with
 };
 
 /// Half the sum of the angles that chords span in a circle.

@@ -161,5 +161,14 @@ TEST(MatchSeams, TellsEveryStepAndStopsWhenAskedTo) {
   EXPECT_FALSE(stopped.converged);
 }
 
+TEST(MatchSeams, DoesWithoutAnyStep) {
+  for (const TriMesh& mesh : {meshes::flat_grid(3, 2), make_shape("dome", 100)}) {
+    const Pattern pattern =
+        unfold(mesh, Connectivity(mesh), {.max_iterations = 0, .match_seams = true});
+    EXPECT_LT(worst_border_edge(mesh, pattern.positions), 1e-9);
+    EXPECT_EQ(pattern.flipped_triangles, 0U);
+  }
+}
+
 }  // namespace
 }  // namespace planish

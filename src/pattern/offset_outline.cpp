@@ -28,12 +28,17 @@ std::string about(const PieceOutline& outline) {
   return "piece \"" + outline.piece + "\": ";
 }
 
+/// Millimetres with some decimals, but of lengths that nobody can mean as few digits as there are.
+std::string length_text(double length, int decimals) {
+  return std::abs(length) < 1e9 ? fixed_text(length, decimals) : number_text(length);
+}
+
 [[noreturn]] void refuse_width(const PieceOutline& outline, double width, double limit,
                                const std::string& where) {
   throw Error(ErrorCode::option_out_of_range,
-              about(outline) + "the seam allowance" + where + " is " + fixed_text(width, 3) +
+              about(outline) + "the seam allowance" + where + " is " + length_text(width, 3) +
                   " mm but must be above 0 and at most the piece's length, " +
-                  fixed_text(limit, 1) + " mm");
+                  length_text(limit, 1) + " mm");
 }
 
 void check_widths(const PieceOutline& outline, const Allowance& allowance) {
@@ -161,7 +166,7 @@ void check_holes(const PieceOutline& outline, const std::vector<Polygon>& result
     const Vec2 middle = middle_of(outline.loops[k]);
     throw Error(ErrorCode::allowance_too_wide,
                 about(outline) + "the seam allowance fills hole " + std::to_string(k) +
-                    ", around (" + fixed_text(middle.x, 1) + ", " + fixed_text(middle.y, 1) +
+                    ", around (" + length_text(middle.x, 1) + ", " + length_text(middle.y, 1) +
                     ") mm; take less, or none for holes",
                 {.path = {}, .first = k});
   }

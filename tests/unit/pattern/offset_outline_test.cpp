@@ -161,6 +161,11 @@ TEST(OffsetOutline, RefusesWidthsThatMakeNoSense) {
   }
 }
 
+TEST(OffsetOutline, RefusesWidthsOfHundredsOfDigitsInFewWords) {
+  EXPECT_LT(error_of(rectangle(300.0, 200.0), {.width = 1e300}).message().size(), 200U);
+  EXPECT_LT(error_of(rectangle(1e300, 2e299), {.width = 1e301}).message().size(), 200U);
+}
+
 TEST(OffsetOutline, RefusesOutlinesWithoutAnOutside) {
   const PieceOutline eight{"eight", {{{0, 0}, {200, 100}, {200, 0}, {0, 101}}}};
   EXPECT_EQ(error_of(eight, {.width = 1.0}).code(), ErrorCode::overlapping_outline);

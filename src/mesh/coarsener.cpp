@@ -151,6 +151,7 @@ Coarsener::Collapse Coarsener::best_collapse(Index v) {
   ways_.clear();
   for_each_way_out(v, [&](Index edge, Index stays) {
     const TriangleGrade after = grade_after(v, stays);
+    if (!after.has_lengths) return;
     if (after.alignment < std::min(k_least_alignment, before.alignment)) return;
     if (after.cosine > std::max(k_largest_cosine, before.cosine)) return;
     const double cost = crowding_cost + distance_cost(v, stays);
@@ -198,7 +199,7 @@ bool Coarsener::improves(Index h) const {
   TriangleGrade before = grade(a, b, c), after = grade(d, b, c);
   before.add(grade(b, a, d));
   after.add(grade(c, a, d));
-  return after.cosine < before.cosine - 1e-12 &&
+  return after.has_lengths && after.cosine < before.cosine - 1e-12 &&
          after.alignment >= std::min(k_least_alignment, before.alignment) &&
          half_edges_.may_flip(h);
 }

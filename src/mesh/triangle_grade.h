@@ -8,12 +8,14 @@ namespace planish {
 
 /// How good some triangles are, by the worst of them.
 struct TriangleGrade {
-  double cosine = -1.0;    ///< of the smallest angle
-  double alignment = 1.0;  ///< cosine of the angle to the fine surface
+  double cosine = -1.0;     ///< of the smallest angle
+  double alignment = 1.0;   ///< cosine of the angle to the fine surface
+  bool has_lengths = true;  ///< no edge is of length zero, where nothing could be measured
 
   void add(const TriangleGrade& other) {
     cosine = std::max(cosine, other.cosine);
     alignment = std::min(alignment, other.alignment);
+    has_lengths = has_lengths && other.has_lengths;
   }
 };
 

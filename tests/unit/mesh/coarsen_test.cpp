@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <planish/mesh/coarsen.h>
+#include <planish/mesh/inspect.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>
@@ -168,6 +169,23 @@ TEST(Coarsen, GetsRidOfNeedles) {
   const CoarsePatch patch = coarse(mesh, 400, CoarseBorder::thinned);
   expect_sound(mesh, patch);
   EXPECT_GT(smallest_angles(patch.mesh).front(), 10.0);
+}
+
+TEST(Coarsen, JoinsNoTwoVerticesAtOnePlace) {
+  // Most places of a coarse lattice are taken by several vertices, which no edge may join.
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    meshes::Random random(seed);
+    const auto step = [&] { return std::floor(1.5 + 1.5 * random.number()); };
+    TriMesh mesh = meshes::flat_grid(6, 5);
+    std::vector<unsigned char> keep;
+    for (Vec3& p : mesh.positions) {
+      p += {step(), step(), step()};
+      keep.push_back(random.number() > 0.6 ? 1 : 0);
+    }
+    if (blocking_problem(inspect(mesh), Purpose::evolve)) continue;
+    const CoarsePatch patch = coarsen(mesh, Connectivity(mesh), 15, CoarseBorder::kept, keep);
+    EXPECT_FALSE(blocking_problem(inspect(patch.mesh), Purpose::measure)) << seed;
+  }
 }
 
 TEST(Coarsen, SurvivesTrianglesWithoutArea) {

@@ -1,0 +1,54 @@
+// Unfolding any disk, also with borders that keep their lengths.
+
+#include <algorithm>
+#include <cmath>
+
+#include <planish/unfold/strain.h>
+#include <planish/unfold/unfold.h>
+
+#include "fuzz/bytes_to_patch.h"
+#include "fuzz/check.h"
+
+using namespace planish;
+
+namespace {
+
+void check_box(const Pattern& pattern) {
+  Vec2 high{};
+  for (const Vec2 p : pattern.positions) {
+    fuzz::check(fuzz::is_finite(p), "patterns are finite");
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    fuzz::check(p.x >= 0.0 && p.y >= 0.0, "patterns begin at the origin");
+  }
+  fuzz::check(high.x <= pattern.width * (1.0 + 1e-12) && high.y <= pattern.height * (1.0 + 1e-12),
+              "patterns are inside of their box");
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::Bytes bytes(data, size);
+  const UnfoldOptions options{.max_iterations = static_cast<int>(bytes.whole(0, 60)),
+                              .match_seams = bytes.flag()};
+  const auto mesh = fuzz::patch_from(bytes, Purpose::unfold);
+  if (!mesh) return 0;
+  const Connectivity connectivity(*mesh);
+  fuzz::allow_refusal([&] {
+    Pattern pattern;
+    try {
+      pattern = unfold(*mesh, connectivity, options);
+    } catch (const Error& error) {
+      fuzz::check(error.code() == ErrorCode::unfold_failed, "a sound patch can but fail to unfold");
+      throw;
+    }
+    check_box(pattern);
+    if (fuzz::has_edges_below(1e-6, *mesh)) return;
+    const EdgeStrain strain = edge_strain(*mesh, connectivity, pattern.positions);
+    fuzz::check(std::isfinite(strain.max) && std::isfinite(strain.rms), "strain is finite");
+    if (options.match_seams) {
+      fuzz::check(largest_border_strain(*mesh, connectivity, pattern.positions) <= 1e-9,
+                  "matched borders keep their lengths");
+    }
+  });
+  return 0;
+}

@@ -1,0 +1,145 @@
+// What is promised of runs that never seem to end. Each is short by itself, to be there always;
+// PLANISH_LONG_TESTS=1 makes them as long as they are promised.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <vector>
+
+#include <planish/evolve/evolve.h>
+#include <planish/measure/flattenability.h>
+#include <planish/mesh/connectivity.h>
+#include <planish/mesh/shapes.h>
+#include <planish/report/flatten.h>
+
+#include <gtest/gtest.h>
+
+#include "support/memory.h"
+
+namespace planish {
+namespace {
+
+bool is_long() {
+  const char* flag = std::getenv("PLANISH_LONG_TESTS");
+  return flag != nullptr && *flag != '\0' && *flag != '0';
+}
+
+bool is_finite(const TriMesh& mesh) {
+  return std::ranges::all_of(mesh.positions,
+                             [](Vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y + p.z); });
+}
+
+constexpr std::size_t k_megabyte = std::size_t{1} << 20U;
+
+TEST(LongRuns, ThousandsOfSweepsNeitherGrowNorDrift) {
+  const TriMesh mesh = make_shape("saddle", is_long() ? 195'000 : 3'000);
+  const Connectivity connectivity(mesh);
+  double energy = measure(mesh, connectivity).energy;
+  std::size_t early = 0, late = 0;
+  const auto result =
+      evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 1000}, [&](const SweepRecord& record) {
+        EXPECT_LE(record.energy, energy) << record.sweep;
+        energy = record.energy;
+        if (record.sweep == 100) early = resident_bytes();
+        late = resident_bytes();
+        return true;
+      });
+  EXPECT_EQ(result.history.size(), 1000U);
+  // The history itself may grow, and what the system takes in pages.
+  EXPECT_LE(late, early + k_megabyte);
+  const TriMesh evolved{result.positions, mesh.triangles};
+  EXPECT_TRUE(is_finite(evolved));
+  // What was updated a thousand times is what is measured afresh.
+  EXPECT_NEAR(measure(evolved, connectivity).energy / energy, 1.0, 1e-9);
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    if (!connectivity.is_inner(v)) ASSERT_EQ(evolved.positions[v], mesh.positions[v]);
+  }
+}
+
+TEST(LongRuns, ManyPatchesInOneProcessDoNotGrow) {
+  const int patches = is_long() ? 1000 : 30;
+  std::size_t early = 0;
+  for (int i = 0; i < patches; ++i) {
+    const char* shape = i % 2 == 0 ? "panel" : "dome";
+    const auto report = flatten(make_shape(shape, 200 + static_cast<std::size_t>(i % 7) * 50),
+                                shape, {.stopping = Stopping{.max_sweeps = 5}});
+    ASSERT_TRUE(report);
+    ASSERT_TRUE(is_finite(report->processed));
+    if (i == patches / 3) early = resident_bytes();
+  }
+  EXPECT_LE(resident_bytes(), early + 4 * k_megabyte);
+}
+
+/// A patch with a fault in its middle, and how far from there each vertex is at first.
+struct Faulty {
+  TriMesh sound, faulty;
+  Vec3 middle;
+};
+
+/// The inner vertex nearest the middle of the box, moved by what `fault` says.
+template <class Fault>
+Faulty with_fault(Fault fault) {
+  Faulty patch{.sound = make_shape("panel", 4000), .faulty = {}, .middle = {}};
+  for (const Vec3 p : patch.sound.positions)
+    patch.middle += (1.0 / static_cast<double>(patch.sound.positions.size())) * p;
+  Index nearest = 0;
+  for (Index v = 0; v < patch.sound.positions.size(); ++v) {
+    const auto distance = [&](Index u) { return norm(patch.sound.positions[u] - patch.middle); };
+    if (distance(v) < distance(nearest)) nearest = v;
+  }
+  patch.faulty = patch.sound;
+  fault(patch.faulty, nearest);
+  return patch;
+}
+
+/// Of the vertices beyond a quarter of the patch's size from the fault: how far evolving put them
+/// from where it puts them without the fault, at most, as a share of that size.
+double spread(const Faulty& patch, int sweeps) {
+  const Connectivity connectivity(patch.sound);
+  const Stopping stopping{.max_sweeps = sweeps};
+  double energy = measure(patch.faulty, connectivity).energy;
+  const auto faulty =
+      evolve(patch.faulty, ControllableLaplacian{}, stopping, [&](const SweepRecord& record) {
+        EXPECT_LE(record.energy, energy);
+        energy = record.energy;
+        return true;
+      });
+  EXPECT_TRUE(is_finite({faulty.positions, {}}));
+  const auto sound = evolve(patch.sound, ControllableLaplacian{}, stopping);
+  double size = 0.0, farthest = 0.0;
+  for (const Vec3 p : patch.sound.positions)
+    size = std::max(size, norm(p - patch.middle));
+  for (std::size_t v = 0; v < sound.positions.size(); ++v) {
+    if (norm(patch.sound.positions[v] - patch.middle) < 0.25 * size) continue;
+    farthest = std::max(farthest, norm(faulty.positions[v] - sound.positions[v]));
+  }
+  return farthest / size;
+}
+
+/// Any neighbour of a vertex.
+Index neighbour(const TriMesh& mesh, Index v) {
+  for (const Triangle& t : mesh.triangles) {
+    if (t[0] == v) return t[1];
+  }
+  return v;
+}
+
+TEST(LongRuns, ASpikeASliverAndAFoldedStarStayWhereTheyAre) {
+  const int sweeps = is_long() ? 1000 : 100;
+  const auto spike = with_fault([](TriMesh& mesh, Index v) { mesh.positions[v].z += 1e5; });
+  const auto sliver = with_fault([](TriMesh& mesh, Index v) {
+    const Vec3 beside = mesh.positions[neighbour(mesh, v)];
+    mesh.positions[v] = beside + 1e-9 * (mesh.positions[v] - beside);
+  });
+  const auto folded = with_fault([](TriMesh& mesh, Index v) {
+    const Vec3 beside = mesh.positions[neighbour(mesh, v)];
+    mesh.positions[v] = beside + (-3.0) * (mesh.positions[v] - beside);
+  });
+  EXPECT_LT(spread(spike, sweeps), 1e-3);
+  EXPECT_LT(spread(sliver, sweeps), 1e-3);
+  EXPECT_LT(spread(folded, sweeps), 1e-3);
+}
+
+}  // namespace
+}  // namespace planish

@@ -53,18 +53,21 @@ std::string line_key(std::string_view layer, std::string_view words) {
 
 /// What each line is, of the lines that are there.
 std::string line_keys(const Drawing& sheet, const Layer& directions) {
-  constexpr std::array<std::array<std::string_view, 2>, 6> words = {{{"cut", "cut line"},
-                                                                     {"seam", "seam line"},
-                                                                     {"notch", "notch"},
-                                                                     {"grain", "grain"},
-                                                                     {"drill", "drill hole"},
-                                                                     {"internal", "inner line"}}};
+  struct Line {
+    std::string_view layer, words;
+  };
+  constexpr std::array<Line, 6> lines = {{{"cut", "cut line"},
+                                          {"seam", "seam line"},
+                                          {"notch", "notch"},
+                                          {"grain", "grain"},
+                                          {"drill", "drill hole"},
+                                          {"internal", "inner line"}}};
   std::string html = "<ul class=\"lines\">\n";
-  for (const auto& [name, text] : words) {
+  for (const Line& line : lines) {
     const bool is_there = std::any_of(
         sheet.layers.begin(), sheet.layers.end(),
-        [&](const Layer& layer) { return layer.name == name && !layer.shapes.empty(); });
-    if (is_there) html += line_key(name, text);
+        [&](const Layer& layer) { return layer.name == line.layer && !layer.shapes.empty(); });
+    if (is_there) html += line_key(line.layer, line.words);
   }
   html += line_key("strain", "stretch in colour");
   if (!directions.shapes.empty()) html += line_key("directions", "which way it stretches");

@@ -41,8 +41,10 @@ namespace planish {
 
 namespace {
 
+using namespace std::string_view_literals;  // with their lengths: compilers will not count so far
+
 constexpr std::string_view k_parts[] = {
-${parts.map((part) => `R"planish(${part})planish"`).join(',\n')}};
+${parts.map((part) => `R"planish(${part})planish"sv`).join(',\n')}};
 
 }  // namespace
 

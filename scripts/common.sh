@@ -14,14 +14,18 @@ libpng-dev          header png.h
 libpolyclipping-dev header polyclipping/clipper.hpp
 nlohmann-json3-dev  header nlohmann/json.hpp
 "
+# For the 3D view of the report pages: without them pages have still pictures.
+page_packages="
+nodejs              program node
+npm                 program npm
+"
 test_packages="
+chromium            command chromium
 clang-format-14     command clang-format-14
 libgmock-dev        header gmock/gmock.h
 libgtest-dev        header gtest/gtest.h
 librapidcheck-dev   header rapidcheck.h
 librsvg2-bin        command rsvg-convert
-nodejs              program node
-npm                 program npm
 poppler-utils       command pdftoppm
 python3             command python3
 python3-ezdxf       python ezdxf
@@ -86,6 +90,12 @@ install_packages() { # tables as above
     >"$log" 2>&1 || { cat "$log" >&2 && say "could not install ${missing[*]}" && exit 1; }
 }
 
+# What the report pages are bundled with. Where it cannot be had, they are built without 3D view.
+install_page_tools() {
+  (install_packages "$page_packages") && install_npm web/report report ||
+    say "without Node.js and its packages, reports have still pictures only"
+}
+
 # Installs what a package.json names, as its lock file has it, under build/npm/NAME. Where that
 # cannot be, what needs it is left out by itself.
 install_npm() { # folder of package.json, NAME
@@ -97,7 +107,8 @@ install_npm() { # folder of package.json, NAME
   if npm ci --prefix "$to" --ignore-scripts --no-audit --no-fund >"$repo/build/npm-$2.log" 2>&1; then
     cp "$from/package-lock.json" "$to/installed"
   else
-    say "npm could not install them: tests that need them are skipped"
+    say "npm could not install them: what needs them is left out"
+    return 1
   fi
 }
 
@@ -106,7 +117,8 @@ build_preset() { # preset, targets (default: all)
   local preset=$1 && shift
   local folder=$repo/build/$preset log=$repo/build/$preset.log
   mkdir -p "$repo/build"
-  if [[ ! -f $folder/build.ninja ]]; then
+  # What is bundled into the program is looked for when CMake runs.
+  if [[ ! -f $folder/build.ninja || $repo/build/npm/report/installed -nt $folder/build.ninja ]]; then
     (cd "$repo" && cmake --preset "$preset") >"$log" 2>&1 || { cat "$log" >&2 && exit 1; }
   fi
   local dry

@@ -91,14 +91,21 @@ Json nesting_json(const NestJob& job, const Nesting& nesting,
   return json;
 }
 
+std::string material_text(const NestOptions& sheets, std::size_t count) {
+  if (!sheets.length) return "a roll of width " + fixed(sheets.width, 1) + " mm";
+  return counted(count, "sheet") + " " + fixed(sheets.width, 1) + " mm wide and " +
+         fixed(*sheets.length, 1) + " mm long";
+}
+
+std::string use_text(const NestOptions& sheets, const Nesting& nesting) {
+  return fixed(nesting.used_length, 1) + " mm" + (sheets.length ? " of the last" : "") + " used, " +
+         percent(nesting.used_share()) + " of the area in pieces";
+}
+
 std::string nesting_text(const NestJob& job, const Nesting& nesting) {
-  const NestOptions& sheets = job.sheets;
-  std::string text = "\n" + counted(nesting.placements.size(), "piece") + " on ";
-  text += sheets.length ? counted(nesting.sheets, "sheet") + " " + fixed(sheets.width, 1) +
-                              " mm wide and " + fixed(*sheets.length, 1) + " mm long: "
-                        : "a roll of width " + fixed(sheets.width, 1) + " mm: ";
-  text += fixed(nesting.used_length, 1) + " mm" + (sheets.length ? " of the last" : "") +
-          " used, " + percent(nesting.used_share()) + " of the area in pieces\n";
+  std::string text = "\n" + counted(nesting.placements.size(), "piece") + " on " +
+                     material_text(job.sheets, nesting.sheets) + ": " +
+                     use_text(job.sheets, nesting) + "\n";
   for (const Json& name : left_out_json(job))
     text += "  without " + name.get<std::string>() + "\n";
   return text;
@@ -175,6 +182,8 @@ NestOutcome nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRe
   outcome.json = nesting_json(job, *nesting, outcome.files)
                      .dump(-1, ' ', false, Json::error_handler_t::replace);
   outcome.text = nesting_text(job, *nesting);
+  outcome.material = material_text(job.sheets, nesting->sheets);
+  outcome.use = use_text(job.sheets, *nesting);
   return outcome;
 }
 

@@ -33,6 +33,8 @@ struct NestOutcome {
   std::vector<OutputFile> files;  ///< a drawing of each sheet, in every format
   std::string json;               ///< an object: of the files, or of the failure
   std::string text;               ///< as people read it
+  std::string material = {};      ///< what the pieces are laid on, in words
+  std::string use = {};           ///< how much of it they take
   std::optional<PatchFailure> failure = {};
 };
 

@@ -39,6 +39,19 @@ constexpr std::array<Color, 17> k_diverging = {{
 constexpr std::array<Color, 5> k_paper = {
     {{0, 0, 255}, {0, 255, 255}, {0, 255, 0}, {255, 255, 0}, {255, 0, 0}}};
 
+// From L* = 96 down to L* = 23 in equal steps; the hue turns from sand over green to blue.
+constexpr std::array<Color, 9> k_sequential = {{
+    {0xfa, 0xf3, 0xe0},
+    {0xd4, 0xde, 0xb7},
+    {0x9e, 0xcc, 0x9d},
+    {0x5a, 0xb8, 0x96},
+    {0x04, 0xa0, 0x99},
+    {0x05, 0x84, 0x93},
+    {0x00, 0x6a, 0x87},
+    {0x02, 0x50, 0x79},
+    {0x29, 0x36, 0x59},
+}};
+
 std::uint8_t mix(std::uint8_t a, std::uint8_t b, double share) {
   return static_cast<std::uint8_t>(std::lround(a + share * (b - a)));
 }
@@ -56,6 +69,7 @@ Color along(std::span<const Color> points, double share) {
 
 Color color_at(ColorMap map, double t) {
   if (std::isnan(t)) return k_grey;
+  if (map == ColorMap::sequential) return along(k_sequential, std::clamp(t, 0.0, 1.0));
   if (map == ColorMap::paper) return along(k_paper, std::clamp(t, 0.0, 1.0));
   return along(k_diverging, 0.5 + 0.5 * std::clamp(t, -1.0, 1.0));
 }

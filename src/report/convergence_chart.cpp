@@ -53,8 +53,8 @@ double before_of(const ChartFigure& figure, const Flattenability& before) {
 
 }  // namespace
 
-std::string convergence_chart(const Flattenability& before,
-                              const std::vector<SweepRecord>& history) {
+std::string convergence_chart(const Flattenability& before, const std::vector<SweepRecord>& history,
+                              const std::vector<SweepRecord>& reference) {
   std::vector<ChartLine> lines;
   std::string label =
       "After " + std::to_string(history.size()) + " sweeps, as a share of the start:";
@@ -68,6 +68,13 @@ std::string convergence_chart(const Flattenability& before,
     lines.push_back(std::move(line));
   }
   if (!has_length(lines)) return {};
+  ChartLine other{"2010 e_max", "line-reference",
+                  points_of(before.e_max, reference, &SweepRecord::e_max, before.e_max, sweep_of)};
+  if (!reference.empty() && !other.points.empty()) {
+    other.name += " " + share_text(other.points.back().y);
+    label += "; " + other.name;
+    lines.insert(lines.begin(), std::move(other));
+  }
   return log_chart(lines, ChartScale::whole, "sweep", label + ".");
 }
 

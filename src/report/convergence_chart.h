@@ -25,8 +25,10 @@ inline constexpr std::array k_chart_figures = {
 /// How e_max, e_avg and energy went, sweep by sweep, each as a share of what it was before, on a
 /// logarithmic axis: inline SVG. A figure that was 0 before has no line, and a line ends where the
 /// figure reaches 0. Empty where there is no line at all.
-std::string convergence_chart(const Flattenability& before,
-                              const std::vector<SweepRecord>& history);
+/// @param reference history of another method on the same patch, whose e_max is a grey line; may be
+///   empty
+std::string convergence_chart(const Flattenability& before, const std::vector<SweepRecord>& history,
+                              const std::vector<SweepRecord>& reference = {});
 
 enum class ChartAgainst { sweeps, seconds };
 

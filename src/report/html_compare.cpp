@@ -12,6 +12,7 @@
 #include "report/convergence_chart.h"
 #include "report/direction_picture.h"
 #include "report/figure_text.h"
+#include "report/html_bench.h"
 #include "report/html_parts.h"
 #include "report/patch_picture.h"
 #include "report/strain_picture.h"
@@ -214,13 +215,12 @@ std::string directions_section(const CompareReport& report) {
 }  // namespace
 
 std::string html_report(const CompareReport& report) {
-  const std::string title = report.name.empty() ? "Patch" : escape_markup(report.name);
-  return html_head(title) +
-         "<body>\n<main>\n<header>\n<p class=\"brand\">Planish comparison</p>\n<h1>" + title +
-         "</h1>\n<p class=\"verdict\">" + escape_markup(headline(report)) + "</p>\n</header>\n" +
-         table_section(report) + charts_section(report) + cards_section(report) +
-         directions_section(report) + "<footer>Made by planish " + std::string(k_version) +
-         ".</footer>\n</main>\n</body>\n</html>\n";
+  const Bench bench = html_bench(report);
+  return html_head(html_title(report.name)) + "<body>\n<main>\n" +
+         html_header("comparison", report.name, headline(report)) + table_section(report) +
+         bench.html + charts_section(report) + cards_section(report) + directions_section(report) +
+         "<footer>Made by planish " + std::string(k_version) + ".</footer>\n</main>\n" +
+         bench.data + (bench.data.empty() ? "" : html_script()) + "</body>\n</html>\n";
 }
 
 }  // namespace planish

@@ -63,11 +63,9 @@ std::string limit_words(const FrontierReport& report) {
 
 std::string html_report(const FrontierReport& report) {
   const std::string chart = frontier_chart(report);
-  const std::string title = report.name.empty() ? "Patch" : escape_markup(report.name);
-  return html_head(title) +
-         "<body>\n<main>\n<header>\n<p class=\"brand\">Planish frontier</p>\n<h1>" + title +
-         "</h1>\n<p class=\"verdict\">" + escape_markup(limit_words(report)) +
-         "</p>\n</header>\n<section class=\"keep\">\n<h2>Strain against deviation</h2>\n<p>Strain "
+  return html_head(html_title(report.name)) + "<body>\n<main>\n" +
+         html_header("frontier", report.name, limit_words(report)) +
+         "<section class=\"keep\">\n<h2>Strain against deviation</h2>\n<p>Strain "
          "of the pattern in per cent, logarithmic, over the rms deviation of the patch from what "
          "it was. Dots with the name of another method are rms strain. Below and further left is "
          "better. The lower edge of the chart stands for 0.001 "

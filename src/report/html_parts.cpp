@@ -8,17 +8,48 @@
 #include "report/base64.h"
 #include "report/enumerator_name.h"
 #include "report/figure_text.h"
+#include "report/html_bench_style.h"
 #include "report/html_style.h"
+#include "report/page_script.h"
 
 namespace planish {
 
 std::string html_head(const std::string& title) {
+  const PageScript script = page_script();
+  const std::string scripts =
+      script.is_there() ? "script-src '" + std::string(script.hash) + "'; " : "";
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<meta name=\"color-scheme\" content=\"light dark\">\n"
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-         "style-src 'unsafe-inline'; img-src data:\">\n<title>" +
-         title + " – Planish</title>\n<style>" + std::string(k_html_style) + "</style>\n</head>\n";
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; " +
+         scripts +
+         "style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action "
+         "'none'\">\n<title>" +
+         title + " – Planish</title>\n<style>" + std::string(k_html_style) +
+         std::string(k_html_bench_style) + "</style>\n</head>\n";
+}
+
+std::string html_title(const std::string& name) {
+  return name.empty() ? "Patch" : escape_markup(name);
+}
+
+std::string html_header(std::string_view kind, const std::string& name, const std::string& verdict,
+                        const std::string& more) {
+  const std::size_t end = verdict.find(". ");
+  const std::size_t split = end == std::string::npos ? verdict.size() : end + 1;
+  return "<header>\n<div class=\"title\"><p class=\"brand\">Planish " + std::string(kind) +
+         "</p><h1>" + html_title(name) + "</h1></div>\n<p class=\"verdict\"><b>" +
+         escape_markup(verdict.substr(0, split)) + "</b>" + escape_markup(verdict.substr(split)) +
+         "</p>\n" + more + "</header>\n";
+}
+
+std::string html_script() {
+  const PageScript script = page_script();
+  if (!script.is_there()) return {};
+  std::string html = "<script>";
+  for (const std::string_view part : script.parts)
+    html += part;
+  return html + "</script>\n";
 }
 
 std::string html_picture(const Image& image, const std::string& alt, const std::string& caption) {

@@ -13,9 +13,23 @@ namespace planish {
 
 /// Parts that the pages of all reports are made of: HTML.
 
-/// From the doctype to the end of <head>: no scripts, nothing from outside.
+/// From the doctype to the end of <head>: nothing from outside may be fetched, and no script may
+/// run but the page's own.
 /// @param title markup
 std::string html_head(const std::string& title);
+
+/// The top of a page: what it is, the name of the patch and what came out, its first sentence
+/// large.
+/// @param name, verdict plain text; an empty name reads "Patch"
+/// @param more markup below that
+std::string html_header(std::string_view kind, const std::string& name, const std::string& verdict,
+                        const std::string& more = {});
+
+/// The title of a page of that patch: markup.
+std::string html_title(const std::string& name);
+
+/// The page's script, to stand behind what it works on; empty where the program has none.
+std::string html_script();
 
 /// A picture with words below it.
 /// @param alt, caption markup

@@ -1,105 +1,120 @@
 #include <algorithm>
 #include <array>
-#include <span>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <planish/core/version.h>
+#include <planish/measure/angle_defect.h>
 #include <planish/report/html_report.h>
-#include <planish/report/pattern_sheet.h>
 #include <planish/report/strain_check.h>
 
-#include "core/number_text.h"
 #include "draw/markup_text.h"
 #include "report/convergence_chart.h"
+#include "report/defect_histogram.h"
 #include "report/figure_text.h"
 #include "report/figures_table.h"
+#include "report/html_bench.h"
 #include "report/html_parts.h"
-#include "report/legend.h"
-#include "report/patch_picture.h"
-#include "report/pattern_picture.h"
+#include "report/limit_checks.h"
 #include "report/verdict.h"
 
 namespace planish {
 
 namespace {
 
-constexpr int k_picture_width = 880;  // pixels: sharp at half of it
-
 std::string unit_name(const FlattenReport& report) {
   return std::string(to_string(report.unfold.unit));
 }
 
-std::string tile(std::string_view name, const std::string& figure, const std::string& note) {
-  return "<div><dt>" + std::string(name) + "</dt><dd>" + figure + "<small>" + note +
-         "</small></dd></div>\n";
+/// A tick or a cross with words, so that no one need tell colours apart.
+std::string mark(bool good, const std::string& words) {
+  return std::string("<span class=\"") + (good ? "met\">✓ " : "missed\">✗ ") + words + "</span>";
 }
 
-std::string tiles(const FlattenReport& report) {
+std::string tile(std::string_view name, const std::string& figure, const std::string& note,
+                 const std::string& marks) {
+  return "<div><dt>" + std::string(name) + "</dt><dd>" + figure + "<small>" + note + "</small>" +
+         marks + "</dd></div>\n";
+}
+
+std::string limit_mark(const FlattenReport& report, LimitOf what) {
+  for (const LimitCheck& check : limit_checks(report)) {
+    if (check.what == what)
+      return mark(check.met, escape_markup(limit_text(check, report.unfold.unit)));
+  }
+  return {};
+}
+
+std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut_size) {
   const EdgeStrain& before = report.unfold_before.strain;
   const EdgeStrain& after = report.unfold.strain;
   const Deviation& deviation = report.evolve.deviation;
   const Pattern& pattern = report.unfold.pattern;
   const std::string unit = "\u00A0" + unit_name(report);
+  const auto sides = [&](double width, double height) {
+    return significant_text(width, 3) + " × " + significant_text(height, 3) + unit;
+  };
+  std::string area = "area " + decimals_text(pattern.area_ratio, 3) + " of the patch's";
+  if (page.furniture.allowance && !pattern.overlaps)
+    area = sides(cut_size.x, cut_size.y) + " with the allowance; " + area;
   return "<dl class=\"tiles\">\n" +
-         tile("Strain of the pattern", percent_text(after.rms),
-              "rms; " + percent_text(before.rms) + " before") +
-         tile("Strain at worst", percent_text(after.max), percent_text(before.max) + " before") +
+         tile("Largest stretch", percent_text(after.max), percent_text(before.max) + " before",
+              limit_mark(report, LimitOf::strain)) +
+         tile("Usual stretch", percent_text(after.rms), percent_text(before.rms) + " before (rms)",
+              "") +
          tile("Furthest move", significant_text(deviation.max, 2) + unit,
-              significant_text(deviation.rms, 2) + unit + " rms") +
-         tile("Pattern",
-              significant_text(pattern.width, 3) + " × " + significant_text(pattern.height, 3) +
-                  unit,
-              "area " + decimals_text(pattern.area_ratio, 3) + " of the patch's") +
+              significant_text(deviation.rms, 2) + unit + " is usual (rms)",
+              limit_mark(report, LimitOf::deviation)) +
+         tile("Size of the pattern", sides(pattern.width, pattern.height), area,
+              page.material.empty() ? "" : mark(true, "fits " + escape_markup(page.material))) +
          "</dl>\n";
 }
 
-std::string figures_caption(std::string_view when, const Flattenability& figures) {
-  return "<b>" + std::string(when) + "</b> largest " + significant_text(figures.e_max, 2) +
-         "\u00A0rad, in sum " + significant_text(figures.sum_abs_defect, 2) + "\u00A0rad";
+// All that is either right or wrong.
+std::string checks(const FlattenReport& report) {
+  const Pattern& pattern = report.unfold.pattern;
+  std::vector<std::string> items = {
+      mark(report.evolve.after.flattenable, report.evolve.after.flattenable
+                                                ? "lies flat without stretch"
+                                                : "does not lie flat without stretch"),
+      mark(!pattern.overlaps, pattern.overlaps ? "overlaps itself" : "does not overlap itself"),
+      mark(pattern.flipped_triangles == 0,
+           pattern.flipped_triangles == 0 ? "nothing is face down" : "parts are face down")};
+  constexpr std::array<std::pair<LimitOf, std::string_view>, 4> names = {
+      {{LimitOf::strain, "stretch "},
+       {LimitOf::deviation, "moves "},
+       {LimitOf::angle, "angles of triangles "},
+       {LimitOf::defect, "worst place "}}};
+  for (const LimitCheck& check : limit_checks(report)) {
+    const auto name = std::find_if(names.begin(), names.end(),
+                                   [&](const auto& some) { return some.first == check.what; });
+    items.push_back(mark(check.met, std::string(name->second) +
+                                        escape_markup(limit_text(check, report.unfold.unit))));
+  }
+  std::string html = "<ul class=\"checks\">\n";
+  for (const std::string& item : items)
+    html += "<li>" + item + "</li>\n";
+  return html + "</ul>\n";
 }
 
-std::string pictures(const FlattenReport& report, ColorMap colors) {
-  const std::array<std::span<const Vec3>, 1> after = {report.processed.positions};
-  const PatchPictures pictures = patch_pictures(report.input, after, colors, k_picture_width);
-  return "<section class=\"keep\">\n<h2>The patch</h2>\n<p>Coloured by angle defect: what the "
-         "angles around a vertex lack to a full turn. Both pictures have the same view and scale. "
-         "Values beyond the ends of the scale have the colour of its ends.</p>\n"
-         "<div class=\"pair\">\n" +
-         html_picture(pictures.before, "The patch as it came, coloured by angle defect",
-                      figures_caption("Before:", report.evolve.before.figures)) +
-         html_picture(pictures.after.front(), "The patch after evolving, coloured by angle defect",
-                      figures_caption("After:", report.evolve.after.figures)) +
-         "</div>\n" + legend(fields_of(colors), defect_labels(colors, pictures.limit)) +
-         "</section>\n";
-}
-
-std::string pattern_section(const FlattenReport& report) {
-  const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name);
-  const PatternPicture picture =
-      pattern_picture(sheet, "The pattern, coloured by strain, with its cut line");
-  const std::string limit =
-      fixed_text(100.0 * strain_map_limit(report.unfold.strain), 3) + "\u00A0%";
-  return "<section class=\"keep\">\n<h2>The pattern</h2>\n<p>Coloured by strain: how much longer "
-         "or shorter the pattern is than the patch.</p>\n<figure>" +
-         picture.svg + "<figcaption>The bar is " + number_text(picture.bar) +
-         "\u00A0mm long.</figcaption></figure>\n" +
-         legend(strain_map_fields(),
-                {"shorter <b>−" + limit + "</b>", "<b>0</b>", "longer <b>+" + limit + "</b>"}) +
-         "</section>\n";
-}
-
-// What was done, in words, under the chart.
-std::string run_list(const FlattenReport& report) {
+// What was done, in words.
+std::string run_section(const FlattenReport& report, const FlattenPage& page) {
   const Topology& topology = report.evolve.before.inspection.topology;
   const EvolveResult& result = report.evolve.result;
-  return "<dl class=\"run\">\n" +
-         html_entry("Patch", count_text(topology.vertices) + " vertices, " +
-                                 count_text(topology.inner_vertices) + " of them inner; " +
-                                 count_text(topology.triangles) + " triangles") +
-         html_entry("Method", std::string(name_of(report.evolve.method))) +
-         html_entry("Options", options_text(report.evolve.method)) +
-         html_entry("Run", effort_text(result)) + html_entry("Ended as", stop_text(result.stop)) +
-         "</dl>\n";
+  std::string html =
+      "<section class=\"keep\">\n<h2>How it was made</h2>\n<dl class=\"run\">\n" +
+      html_entry("Patch", count_text(topology.vertices) + " vertices, " +
+                              count_text(topology.inner_vertices) + " of them inner; " +
+                              count_text(topology.triangles) + " triangles") +
+      html_entry("Method", std::string(name_of(report.evolve.method))) +
+      html_entry("Options", options_text(report.evolve.method)) +
+      html_entry("Run", effort_text(result)) + html_entry("Ended as", stop_text(result.stop));
+  if (!page.material.empty())
+    html += html_entry("Laid on", page.material + "; " + page.material_use);
+  if (!page.command.empty())
+    html += "<dt>Command</dt><dd><code>" + escape_markup(page.command) + "</code></dd>\n";
+  return html + html_entry("Program", "planish " + std::string(k_version)) + "</dl>\n</section>\n";
 }
 
 constexpr std::string_view k_level_words =
@@ -111,16 +126,50 @@ bool has_levels(const FlattenReport& report) {
                      [](const SweepRecord& record) { return record.level.has_value(); });
 }
 
-std::string convergence_section(const FlattenReport& report) {
+std::string convergence_section(const FlattenReport& report, const FlattenPage& page) {
   const std::string chart =
-      convergence_chart(report.evolve.before.figures, report.evolve.result.history);
+      convergence_chart(report.evolve.before.figures, report.evolve.result.history, page.reference);
   std::string words =
       chart.empty() ? "Nothing to show: no sweep was made, or there was nothing to lower."
-                    : "Largest and mean angle defect and energy after each sweep, as a share of "
-                      "what they were before; logarithmic.";
+                    : "What is left of the worst place and of the whole after each sweep, as a "
+                      "share of what it was; every line of the grid is a tenth of the one above.";
   if (has_levels(report)) words += k_level_words;
-  return "<section class=\"keep\">\n<h2>The sweeps</h2>\n<p>" + words + "</p>\n" + chart +
-         run_list(report) + "</section>\n";
+  if (!chart.empty() && !page.reference.empty())
+    words += " Grey: the worst place by the method of 2010, for comparison.";
+  return "<section class=\"keep\">\n<h2>How it went, sweep by sweep</h2>\n<p>" + words + "</p>\n" +
+         chart + "<details class=\"terms\"><summary>The terms of the paper</summary>\n<dl>\n" +
+         html_entry("e_max", "the largest |angle defect| of an inner vertex (Eq. 18)") +
+         html_entry("e_avg", "the mean |angle defect| of the inner vertices (Eq. 19)") +
+         html_entry("energy", "the sum of the squared angle defects (Eq. 4)") +
+         html_entry("2010 method", "controllable Laplacian evolution, a sweep of the paper each") +
+         "</dl></details>\n</section>\n";
+}
+
+std::vector<double> inner_defects(const TriMesh& mesh, const Connectivity& connectivity) {
+  const auto defects = angle_defects(mesh, connectivity);
+  std::vector<double> inner;
+  inner.reserve(connectivity.inner_vertices().size());
+  for (const Index v : connectivity.inner_vertices())
+    inner.push_back(defects[v]);
+  return inner;
+}
+
+std::string histogram_section(const FlattenReport& report) {
+  const Connectivity connectivity(report.input);
+  const std::string chart = defect_histogram(inner_defects(report.input, connectivity),
+                                             inner_defects(report.processed, connectivity));
+  return "<section class=\"keep\">\n<h2>How flat all places are</h2>\n<p>" +
+         (chart.empty() ? std::string("Nothing to show: the patch has no inner vertex.")
+                        : std::string("How many places are how far from flat: the further left, "
+                                      "the flatter. What is left of the line is flat for any "
+                                      "material.")) +
+         "</p>\n" + chart +
+         "<details class=\"terms\"><summary>The terms of the paper</summary>\n<dl>\n" +
+         html_entry("angle that is missing or too much",
+                    "|angle defect| |d|, d = 2π − θ (Eq. 3), of every inner vertex") +
+         html_entry("flat enough", "|d| below " + significant_text(k_flattenable_e_max, 1) +
+                                       " rad: the bound of flattenable for e_max") +
+         "</dl></details>\n</section>\n";
 }
 
 // Those of the patch as it came, and after them what evolving brought.
@@ -152,20 +201,20 @@ std::string footer(const FlattenReport& report) {
 
 }  // namespace
 
-std::string html_report(const FlattenReport& report, ColorMap colors) {
+std::string html_report(const FlattenReport& report, const FlattenPage& page) {
   const std::string border = border_text(report);
   const auto check = check_strain(report);
-  const std::string title = report.name.empty() ? "Patch" : escape_markup(report.name);
-  return html_head(title) +
-         "<body>\n<main>\n<header>\n<p class=\"brand\">Planish report</p>\n<h1>" + title +
-         "</h1>\n<p class=\"verdict\">" +
-         escape_markup(verdict_text(report) + (check ? " " + check_text(*check) : "") +
-                       (border.empty() ? "" : " " + border)) +
-         "</p>\n</header>\n" + tiles(report) + pictures(report, colors) + "<div class=\"wide\">\n" +
-         pattern_section(report) + convergence_section(report) +
+  const Bench bench = html_bench(report, page);
+  const std::string verdict = verdict_text(report) + (check ? " " + check_text(*check) : "") +
+                              (border.empty() ? "" : " " + border);
+  return html_head(html_title(report.name)) + "<body>\n<main>\n" +
+         html_header("report", report.name, verdict, checks(report)) +
+         tiles(report, page, bench.cut_size) + bench.html + "<div class=\"wide\">\n" +
+         convergence_section(report, page) + histogram_section(report) +
          "</div>\n<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" +
          figures_table(report) + "</div>\n</section>\n" + problems_section(report) +
-         footer(report) + "</main>\n</body>\n</html>\n";
+         run_section(report, page) + footer(report) + "</main>\n" + bench.data +
+         (bench.data.empty() ? "" : html_script()) + "</body>\n</html>\n";
 }
 
 }  // namespace planish

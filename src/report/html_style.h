@@ -11,7 +11,7 @@ inline constexpr std::string_view k_html_style = R"css(
   --page: #faf9f6; --card: #ffffff; --plate: #eef0f1; --ink: #1e1f21; --dim: #66676b;
   --rule: #e2e1dc; --better: #1b6e43; --worse: #a8411a; --blue: #0067a5; --orange: #c05000;
   --green: #007a5a; --purple: #9c3587; --olive: #7d6b00; --sky: #3d86c6; --brown: #7a4a28; --red: #c2183c;
-  --ground: #dadee1;
+  --ground: #dfe3e6; --paper: none;
   --shade: 0 1px 2px rgb(0 0 0 / 5%);
 }
 @media screen and (prefers-color-scheme: dark) {
@@ -19,7 +19,7 @@ inline constexpr std::string_view k_html_style = R"css(
     --page: #16181b; --card: #1e2125; --plate: #272b30; --ink: #e9e8e4; --dim: #9fa2a8;
     --rule: #33373d; --better: #6fcf97; --worse: #f2a272; --blue: #6cb6f0; --orange: #f0a050;
     --green: #4fc9a4; --purple: #e391cf; --olive: #d8c552; --sky: #a9c8ff; --brown: #cfa884; --red: #ff8296;
-    --ground: #272b30;
+    --ground: #272b30; --paper: #e3e5e7;
     --shade: none;
   }
 }
@@ -29,7 +29,7 @@ body {
   font: 16px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", sans-serif;
   font-variant-numeric: tabular-nums;
 }
-main { max-width: 1120px; margin: 0 auto; padding: 40px 24px 24px; }
+main { max-width: 1280px; margin: 0 auto; padding: 28px 28px 28px; }
 .brand { margin: 0; color: var(--dim); font-size: 13px; letter-spacing: .08em;
          text-transform: uppercase; }
 h1 { margin: 2px 0 12px; font-size: 34px; line-height: 1.15; font-weight: 650;
@@ -37,7 +37,7 @@ h1 { margin: 2px 0 12px; font-size: 34px; line-height: 1.15; font-weight: 650;
 h2 { margin: 0 0 4px; font-size: 17px; font-weight: 650; }
 .verdict { margin: 0; max-width: 46em; font-size: 19px; line-height: 1.45; text-wrap: pretty; }
 header { margin-bottom: 24px; }
-.tiles { display: grid; grid-template-columns: repeat(4, 1fr); gap: 12px; margin: 28px 0; padding: 0; }
+.tiles { display: grid; grid-template-columns: repeat(4, 1fr); gap: 12px; margin: 22px 0; padding: 0; }
 .tiles div, section { background: var(--card); border: 1px solid var(--rule); border-radius: 10px;
                       box-shadow: var(--shade); }
 .tiles div { padding: 14px 18px; }
@@ -49,7 +49,7 @@ header { margin-bottom: 24px; }
 section { margin: 0 0 20px; padding: 20px 24px 22px; }
 section > p { margin: 0 0 14px; max-width: 62em; color: var(--dim); font-size: 14px; }
 .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 20px; }
-.wide { display: grid; grid-template-columns: 3fr 2fr; gap: 20px; align-items: stretch; }
+.wide { display: grid; grid-template-columns: 1fr 1fr; gap: 20px; align-items: stretch; }
 .wide section { min-width: 0; }
 figure { margin: 0; }
 figcaption { margin-top: 8px; color: var(--dim); font-size: 14px; }

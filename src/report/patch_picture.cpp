@@ -19,18 +19,6 @@ namespace {
 
 constexpr double k_scale_share = 0.98;  // of the vertices within the scale
 
-double defect_limit(std::span<const double> defects, const Connectivity& connectivity) {
-  std::vector<double> sizes;
-  for (const Index v : connectivity.inner_vertices()) {
-    if (std::isfinite(defects[v])) sizes.push_back(std::abs(defects[v]));
-  }
-  if (sizes.empty()) return k_flattenable_e_max;
-  const auto rank = static_cast<std::size_t>(k_scale_share * static_cast<double>(sizes.size() - 1));
-  std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
-  // Less than what counts as flattenable is not to look like anything.
-  return round_up_125(std::max(sizes[rank], k_flattenable_e_max));
-}
-
 // With the mean of the inner neighbours on the border: "0" there would read as "flat".
 std::vector<double> shown_defects(std::span<const double> defects,
                                   const Connectivity& connectivity) {
@@ -59,6 +47,18 @@ std::vector<Color> colors_of(std::span<const double> defects, double limit, Colo
 }
 
 }  // namespace
+
+double defect_limit(std::span<const double> defects, const Connectivity& connectivity) {
+  std::vector<double> sizes;
+  for (const Index v : connectivity.inner_vertices()) {
+    if (std::isfinite(defects[v])) sizes.push_back(std::abs(defects[v]));
+  }
+  if (sizes.empty()) return k_flattenable_e_max;
+  const auto rank = static_cast<std::size_t>(k_scale_share * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
+  // Less than what counts as flattenable is not to look like anything.
+  return round_up_125(std::max(sizes[rank], k_flattenable_e_max));
+}
 
 PatchPictures patch_pictures(const TriMesh& before, std::span<const std::span<const Vec3>> after,
                              ColorMap colors, int width) {

@@ -5,6 +5,7 @@
 
 #include <planish/draw/color_map.h>
 #include <planish/draw/image.h>
+#include <planish/mesh/connectivity.h>
 #include <planish/mesh/tri_mesh.h>
 
 namespace planish {
@@ -17,9 +18,15 @@ struct PatchPictures {
   double limit = 0.0;        ///< |defect| at which the colours end, radians
 };
 
+/// |defect| at which the colours of a patch end, radians: the 98th percentile of its inner
+/// vertices, rounded up.
+/// @param defects as from angle_defects()
+double defect_limit(std::span<const double> defects, const Connectivity& connectivity);
+
 /// The view is made by formula: against the mean normal of the patch as it was, tilted a little,
-/// its longest extent upright. The scale ends at the 98th percentile of |defect| before, rounded
-/// up. Border vertices, which have no defect, take the mean of their inner neighbours'.
+/// its longest extent upright. The scale ends at the defect_limit() of
+/// the patch before. Border vertices, which have no defect, take the mean of their inner
+/// neighbours'.
 /// @param after the vertices of `before` at other positions
 /// @param width of the pictures, pixels
 PatchPictures patch_pictures(const TriMesh& before, std::span<const std::span<const Vec3>> after,

@@ -35,12 +35,16 @@ Box box_of(const Layer& layer) {
 
 }  // namespace
 
-PatternPicture pattern_picture(const Drawing& sheet, const std::string& label) {
+PatternPicture pattern_picture(const Drawing& sheet, const Layer& directions,
+                               const std::string& label) {
   std::vector<Layer> layers;
   Box box = {0.0, 0.0, sheet.width, sheet.height};
   for (const Layer& layer : sheet.layers) {
-    if (layer.name == "strain" || layer.name == "cut") layers.push_back(layer);
-    if (layer.name == "cut") box = box_of(layer);
+    if (layer.name == "cut") {
+      box = box_of(layer);
+      layers.push_back(directions);
+    }
+    if (layer.name != "label") layers.push_back(layer);
   }
   const double width = box.right - box.left, height = box.top - box.bottom;
   const double pad = 0.012 * std::max(width, height);

@@ -5,7 +5,8 @@
 #include <cstddef>
 
 #include <planish/draw/color_map.h>
-#include <planish/unfold/strain.h>
+
+#include "report/vertex_strain.h"
 
 namespace planish {
 
@@ -14,20 +15,10 @@ namespace {
 constexpr double k_padding = 0.015;  // of the width
 
 std::vector<Color> strain_colors(const TriMesh& mesh, const Pattern& pattern, double limit) {
-  const auto strains = signed_strains(principal_stretches(mesh, pattern.positions));
-  std::vector<double> sums(mesh.positions.size());
-  std::vector<int> counts(mesh.positions.size());
-  for (std::size_t t = 0; t < strains.size(); ++t) {
-    for (const Index v : mesh.triangles[t]) {
-      sums[v] += strains[t];
-      ++counts[v];
-    }
-  }
   std::vector<Color> colors;
-  colors.reserve(sums.size());
-  for (std::size_t v = 0; v < sums.size(); ++v) {
-    colors.push_back(color_at(ColorMap::diverging, sums[v] / std::max(1, counts[v]) / limit));
-  }
+  colors.reserve(mesh.positions.size());
+  for (const double strain : vertex_strains(mesh, pattern.positions))
+    colors.push_back(color_at(ColorMap::diverging, strain / limit));
   return colors;
 }
 

@@ -7,7 +7,9 @@
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
 #include <planish/report/pattern_sheet.h>
+#include <planish/report/reference_sweeps.h>
 
+#include "command_line.h"
 #include "commands/commands.h"
 #include "constraint_flags.h"
 #include "cut_flag.h"
@@ -35,6 +37,14 @@ namespace fs = std::filesystem;
 
 /// What each file of the folder is for -> its path.
 using Places = std::map<std::string, std::string>;
+
+/// What the page says besides the report.
+struct PageWords {
+  ColorMap colors = ColorMap::diverging;
+  std::string command;
+  std::string material = {}, material_use = {};
+  unsigned threads = 0;
+};
 
 ColorMap colors_from(const Arguments& arguments) {
   const std::vector<std::string> names = {"diverging", "paper"};
@@ -135,15 +145,25 @@ std::vector<Vec2> in_millimetres(const UnfoldReport& unfold) {
   return positions;
 }
 
+std::string page_of(const FlattenReport& report, const PatternFiles& pattern,
+                    const PageWords& words) {
+  return html_report(report, {.colors = words.colors,
+                              .furniture = on_processed(pattern.furniture, report),
+                              .command = words.command,
+                              .material = words.material,
+                              .material_use = words.material_use,
+                              .reference = reference_sweeps(report, words.threads)});
+}
+
 std::vector<OutputFile> files_of(const FlattenReport& report, const Places& places,
-                                 MeshFormat format, const PatternFiles& pattern, ColorMap colors,
-                                 const std::string& json) {
+                                 MeshFormat format, const PatternFiles& pattern,
+                                 const PageWords& words, const std::string& json) {
   const TriMesh& mesh = report.processed;
   std::vector<OutputFile> files = pattern_files(report, places, pattern);
   files.push_back({places.at("processed"), format_mesh(mesh, format)});
   files.push_back({places.at("flat"), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)});
   files.push_back({places.at("report_json"), json});
-  files.push_back({places.at("report_html"), html_report(report, colors)});
+  files.push_back({places.at("report_html"), page_of(report, pattern, words)});
   if (places.contains("textured")) {
     files.push_back(
         {places.at("textured"), format_textured_obj(mesh, in_millimetres(report.unfold))});
@@ -166,7 +186,9 @@ std::shared_ptr<const NestRequest> nest_from(const Arguments& arguments,
 Outcome run_flatten(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   FlattenOptions options = options_from(arguments, session);
-  const ColorMap colors = colors_from(arguments);
+  PageWords words{.colors = colors_from(arguments),
+                  .command = command_line("flatten", arguments),
+                  .threads = session.threads()};
   PatternFiles pattern = pattern_files_from(arguments);
   const auto nest = nest_from(arguments, pattern);
   const fs::path folder = folder_from(arguments);
@@ -180,7 +202,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
       const Places places = places_in(place, format, pattern, arguments);
       std::string json = json_report(report, places);
       const PatternFiles own = {pattern.formats, pattern.output, furniture};
-      return PatchFiles{files_of(report, places, format, own, colors, json), json};
+      return PatchFiles{files_of(report, places, format, own, words, json), json};
     };
     auto furniture = furniture_of_patches(pattern.furniture, read.patches, arguments);
     return run_garment({arguments.operands.front(), std::move(read.patches), folder, options,
@@ -217,9 +239,11 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
                           options.unit, *nest, folder, name, session);
     });
     json = json_with_nesting(json, nesting);
+    words.material = nesting->material;
+    words.material_use = nesting->use;
   }
   std::vector<OutputFile> files =
-      about(path, [&] { return files_of(*report, places, format, pattern, colors, json); });
+      about(path, [&] { return files_of(*report, places, format, pattern, words, json); });
   if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
   session.write(files);
   warn_of_pattern(session, report->unfold);

@@ -1,19 +1,33 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <planish/draw/color_map.h>
 #include <planish/report/compare.h>
 #include <planish/report/flatten.h>
 #include <planish/report/frontier.h>
+#include <planish/report/pattern_options.h>
 
 namespace planish {
 
-/// The main job's result as one HTML page that needs nothing else: pictures of the patch before and
-/// after, coloured by angle defect at one scale, the pattern coloured by strain, the convergence
-/// curve and the table of figures. No scripts, no network. Text from outside is escaped.
-/// @param colors diverging: signed defect; paper: |defect|, blue to red as the 2010 paper has it
-std::string html_report(const FlattenReport& report, ColorMap colors = ColorMap::diverging);
+/// What the page of the main job says besides the report.
+struct FlattenPage {
+  ColorMap colors = ColorMap::diverging;  ///< paper: |defect|, blue to red as the 2010 paper has it
+  PatternOptions furniture = {};          ///< of the pattern, by the numbers of the processed patch
+  std::string command = {};               ///< the command line that asked for it, plain text
+  std::string material = {};      ///< what the pattern was laid on, plain text: "a roll of ..."
+  std::string material_use = {};  ///< how much of that it takes, plain text
+  std::vector<SweepRecord> reference = {};  ///< as reference_sweeps()
+};
+
+/// The main job's result as one HTML page that needs nothing else: the patch before and after,
+/// which can be turned and compared, beside the pattern with its lines, its strain and where it
+/// stretches; figures against the limits given, convergence and histogram. docs/report.md says what
+/// each part means. It asks nothing of any network and opens offline. Without scripts, and on
+/// paper, it has still pictures. Text from outside is escaped.
+/// @throws Error as pattern_sheet()
+std::string html_report(const FlattenReport& report, const FlattenPage& page = {});
 
 /// A comparison as such a page: the table of all methods, charts of energy, e_max and e_avg against
 /// sweeps and seconds, pictures of what each method made of patch and pattern at one scale, and

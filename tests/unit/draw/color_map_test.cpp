@@ -49,6 +49,14 @@ TEST(DivergingMap, IsBlueBelowWhiteInTheMiddleAndRedAbove) {
   EXPECT_GT(middle.r, 240);
 }
 
+TEST(SequentialMap, GetsDarkerInEvenSteps) {
+  for (int i = 1; i <= 50; ++i) {
+    const double less = lightness(color_at(ColorMap::sequential, (i - 1) / 50.0));
+    const double more = lightness(color_at(ColorMap::sequential, i / 50.0));
+    EXPECT_NEAR(less - more, 73.0 / 50.0, 0.5) << i;
+  }
+}
+
 TEST(PaperMap, GoesFromBlueOverCyanGreenAndYellowToRed) {
   EXPECT_EQ(color_at(ColorMap::paper, 0.0), (Color{0, 0, 255}));
   EXPECT_EQ(color_at(ColorMap::paper, 0.25), (Color{0, 255, 255}));

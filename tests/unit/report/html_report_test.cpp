@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "report/figures_table.h"
+#include "report/page_script.h"
 #include "unit/report/page.h"
 #include "unit/report/sample_report.h"
 
@@ -27,12 +28,20 @@ const std::string& sample_page() {
   return page;
 }
 
-TEST(HtmlReport, NeedsNothingFromOutsideAndRunsNothing) {
-  pages::expect_nothing_from_outside(pages::without_pictures(sample_page()));
+TEST(HtmlReport, NeedsNothingFromOutsideAndRunsItsOwnScriptOnly) {
+  pages::expect_nothing_from_outside(sample_page());
+  EXPECT_EQ(count(sample_page(), "<script>"), page_script().is_there() ? 1U : 0U);
+}
+
+TEST(HtmlReport, NamesItsScriptByAHash) {
+  if (!page_script().is_there()) GTEST_SKIP() << "the program was built without Node";
+  EXPECT_THAT(sample_page(), HasSubstr("; script-src '" + std::string(page_script().hash) + "';"));
+  EXPECT_THAT(sample_page(), HasSubstr("Three.js Authors\n * SPDX-License-Identifier: MIT"))
+      << "the licence comes along";
 }
 
 TEST(HtmlReport, ClosesWhatItOpens) {
-  pages::expect_closed_tags(pages::without_pictures(sample_page()));
+  pages::expect_closed_tags(sample_page());
 }
 
 TEST(HtmlReport, EscapesAllTextFromOutside) {
@@ -42,7 +51,7 @@ TEST(HtmlReport, EscapesAllTextFromOutside) {
       {ErrorCode::zero_area, "<script>alert('x')</script>", 3, 7}};
   const std::string page = html_report(report);
   EXPECT_THAT(page, Not(HasSubstr("<img src=x")));
-  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
   EXPECT_THAT(page, Not(HasSubstr("\xFF")));
   EXPECT_THAT(page, HasSubstr("<h1>&lt;img src=x onerror=alert(1)&gt;&quot;&amp;\uFFFD</h1>"));
   EXPECT_THAT(page, HasSubstr("&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt; (3 in all)"));
@@ -64,16 +73,15 @@ TEST(HtmlReport, HasPicturesOfTheSameSizeWithWordsForThem) {
   EXPECT_EQ(count(page, "<img "), 2U);
   EXPECT_EQ(count(page, " alt=\"The patch "), 2U);
   EXPECT_EQ(count(page, "data:image/png;base64,iVBORw0KGgo"), 2U) << "PNG by its first bytes";
-  EXPECT_EQ(count(page, "role=\"img\" aria-label="), 2U) << "pattern and curve";
+  EXPECT_EQ(count(page, "role=\"img\" aria-label="), 3U) << "pattern, curve, bars";
 }
 
 TEST(HtmlReport, ShowsTheScaleOfTheChosenColours) {
   const FlattenReport report = samples::flatten_report();
-  const std::string diverging = html_report(report, ColorMap::diverging);
-  const std::string paper = html_report(report, ColorMap::paper);
-  EXPECT_THAT(diverging, HasSubstr("saddle"));
-  EXPECT_THAT(diverging, HasSubstr("dome"));
-  EXPECT_THAT(paper, Not(HasSubstr("saddle")));
+  const std::string diverging = html_report(report);
+  const std::string paper = html_report(report, {.colors = ColorMap::paper});
+  EXPECT_THAT(diverging, HasSubstr("<span>saddle <b>"));
+  EXPECT_THAT(paper, Not(HasSubstr("<span>saddle <b>")));
   EXPECT_THAT(paper, HasSubstr("fill=\"#0000ff\""));
 }
 
@@ -84,6 +92,43 @@ TEST(HtmlReport, SaysWhatWasDone) {
   EXPECT_THAT(page, HasSubstr("10 sweeps in 0.25 s on 2 threads"));
   EXPECT_THAT(page, HasSubstr("all sweeps asked for were made"));
   EXPECT_THAT(page, HasSubstr("Model unit: mm."));
+}
+
+TEST(HtmlReport, SaysWhatItWasAskedForAndWhetherItFits) {
+  FlattenReport report = samples::flatten_report();
+  report.evolve.method = Auto{.max_strain = 0.5, .max_deviation = 0.5};
+  const std::string page = html_report(
+      report,
+      {.command = "planish flatten 'a <b>.obj'", .material = "<a> roll", .material_use = "half"});
+  EXPECT_THAT(page, HasSubstr("<code>planish flatten &#39;a &lt;b&gt;.obj&#39;</code>"));
+  EXPECT_THAT(page, HasSubstr("<span class=\"met\">✓ fits &lt;a&gt; roll</span>"));
+  EXPECT_THAT(page, HasSubstr("<dd>&lt;a&gt; roll; half</dd>"));
+  EXPECT_THAT(page, HasSubstr("<span class=\"met\">✓ at most 50\u00A0%</span>"));
+  EXPECT_THAT(page, HasSubstr("<span class=\"missed\">✗ at most 0.500 mm</span>"));
+  EXPECT_THAT(page, HasSubstr("✗ does not lie flat without stretch"));
+}
+
+TEST(HtmlReport, DrawsTheLinesOfThePattern) {
+  const FlattenReport report = samples::flatten_report();
+  const std::string plain = html_report(report);
+  EXPECT_EQ(count(plain, "data-layer=\"cut\""), 1U);
+  EXPECT_EQ(count(plain, "data-layer=\"seam\""), 0U);
+  EXPECT_EQ(count(plain, "<g id=\"directions\""), 1U);
+  const std::string page =
+      html_report(report, {.furniture = {.allowance = Allowance{.width = 2.0}, .grain = 90.0}});
+  EXPECT_EQ(count(page, "data-layer=\"seam\""), 1U);
+  EXPECT_EQ(count(page, "data-layer=\"grain\""), 1U);
+  EXPECT_THAT(plain, Not(HasSubstr("with the allowance")));
+  EXPECT_THAT(page, HasSubstr("34.0 × 24.0\u00A0mm with the allowance"));
+}
+
+TEST(HtmlReport, ComparesWithTheMethodOf2010) {
+  const FlattenReport report = samples::flatten_report();
+  EXPECT_EQ(count(sample_page(), "<polyline class=\"line-reference\""), 0U);
+  const std::string page = html_report(
+      report, {.reference = {{1, 0.06, 0.003, 0.1, 9, 0.1}, {2, 0.05, 0.003, 0.1, 9, 0.2}}});
+  EXPECT_EQ(count(page, "<polyline class=\"line-reference\""), 1U);
+  EXPECT_THAT(page, HasSubstr("2010 e_max 0.78"));
 }
 
 TEST(HtmlReport, SaysUnderTheTitleWhatTheBorderForbids) {

@@ -1,0 +1,23 @@
+# The script of the report pages. It is made of web/report where Node and the packages that
+# scripts/run and scripts/test install under build/npm are there; nothing is downloaded here.
+# Without them pages show still pictures only.
+# Called where the target is made: elsewhere CMake would not see how the source comes about.
+function(planish_page_script target)
+  set(source "${PROJECT_SOURCE_DIR}/web/report")
+  set(packages "${PROJECT_SOURCE_DIR}/build/npm/report")
+  find_program(PLANISH_NODE node)
+  if(NOT PLANISH_NODE OR NOT EXISTS "${packages}/installed")
+    message(STATUS "Reports without a 3D view: no Node, or nothing in build/npm/report")
+    target_sources(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src/report/no_page_script.cpp")
+    return()
+  endif()
+  set(script "${PROJECT_BINARY_DIR}/generated/page_script.cpp")
+  file(GLOB modules "${source}/*.js" "${source}/*.mjs")
+  add_custom_command(
+    OUTPUT "${script}"
+    COMMAND "${PLANISH_NODE}" "${source}/build.mjs" "${packages}/node_modules" "${script}"
+    DEPENDS ${modules} "${packages}/installed"
+    COMMENT "Bundling the script of the report pages"
+    VERBATIM)
+  target_sources(${target} PRIVATE "${script}")
+endfunction()

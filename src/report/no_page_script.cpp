@@ -1,0 +1,9 @@
+#include "report/page_script.h"
+
+namespace planish {
+
+PageScript page_script() {
+  return {};
+}
+
+}  // namespace planish

@@ -1,0 +1,52 @@
+#include "report/pattern_on_sheet.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <planish/pattern/pattern_hash.h>
+
+#include "pattern/loop_box.h"
+#include "report/sheet_layout.h"
+
+namespace planish {
+
+namespace {
+
+using namespace sheet;
+
+/// 0 without.
+double widest_allowance(const PatternOptions& options) {
+  if (!options.allowance) return 0.0;
+  double width = options.allowance->width;
+  for (const EdgeAllowance& edge : options.edge_allowances)
+    width = std::max(width, edge.width);
+  return width;
+}
+
+/// What overlaps itself has no one outer side that an allowance could be laid on.
+PatternOptions possible_options(PatternOptions options, const Pattern& pattern) {
+  if (pattern.overlaps) options.allowance.reset();
+  return options;
+}
+
+}  // namespace
+
+PatternOnSheet pattern_on_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
+                                const std::string& name, const PatternOptions& wanted) {
+  PatternOptions options = possible_options(wanted, unfold.pattern);
+  const std::string& piece = options.label.name.empty() ? name : options.label.name;
+  PlacedPattern pattern =
+      placed_pattern(mesh, unfold.pattern.positions, unfold.unit, piece, options);
+  const LoopBox piece_box = loop_box(pattern.outline.loops);
+  SheetFacts facts = {name, piece_box.size(), widest_allowance(options),
+                      pattern_hash(pattern.positions), options.date};
+
+  const LoopBox box = loop_box(pattern.cut);
+  const Vec2 shift = Vec2{k_margin, k_margin + k_block_height + k_gap} - box.low;
+  pattern = moved(std::move(pattern), [&](Vec2 p) { return p + shift; });
+  const Vec2 size = {std::max(k_margin + box.high.x - box.low.x, k_block_right) + k_margin,
+                     shift.y + box.high.y + k_margin};
+  return {std::move(pattern), std::move(options), std::move(facts), size};
+}
+
+}  // namespace planish

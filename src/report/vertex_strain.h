@@ -1,0 +1,15 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <planish/mesh/tri_mesh.h>
+
+namespace planish {
+
+/// The strain of every vertex: the mean over its triangles of their strain of largest size, with
+/// its sign (signed_strains()); 0 for vertices without triangles.
+/// @param pattern one position per vertex of the mesh
+std::vector<double> vertex_strains(const TriMesh& mesh, std::span<const Vec2> pattern);
+
+}  // namespace planish

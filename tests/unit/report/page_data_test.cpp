@@ -1,0 +1,128 @@
+#include "report/page_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <planish/measure/angle_defect.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "unit/report/page.h"
+#include "unit/report/sample_report.h"
+#include "unit/report/unpack.h"
+
+namespace planish {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+json content_of(const std::string& block) {
+  const std::string open = "<script type=\"application/json\" id=\"report-data\">";
+  EXPECT_EQ(block.find(open), 0U);
+  return json::parse(block.substr(open.size(), block.rfind("</script>") - open.size()));
+}
+
+PageInput input_of(const FlattenReport& report) {
+  PageInput input{report.input,
+                  {{"before", report.input.positions, report.unfold_before.pattern.positions},
+                   {"after", report.processed.positions, report.unfold.pattern.positions}}};
+  input.defect_limit = 0.05;
+  return input;
+}
+
+TEST(PageData, HasThePatchToHalfAStep) {
+  const FlattenReport report = samples::flatten_report();
+  const json data = content_of(page_data(input_of(report)));
+  EXPECT_EQ(data["vertices"], 651U);
+  EXPECT_EQ(data["of"], 651U);
+  const json& states = data["states"];
+  const auto places = pages::small_numbers_of(states["positions"][1]);
+  ASSERT_EQ(places.size(), 3U * 651U);
+  for (std::size_t v = 0; v < 651; ++v) {
+    const double step = states["step"][2],
+                 z = states["low"][2].get<double>() + step * places[3 * v + 2];
+    EXPECT_NEAR(z, report.processed.positions[v].z, 0.5001 * step) << v;
+  }
+  const auto corners = pages::small_numbers_of(data["triangles"]["data"]);
+  ASSERT_EQ(corners.size(), 3U * 1200U);
+  EXPECT_EQ(corners[4], report.input.triangles[1][1]);
+}
+
+TEST(PageData, HasTheFiguresOfEveryVertex) {
+  const FlattenReport report = samples::flatten_report();
+  const json data = content_of(page_data(input_of(report)));
+  const Connectivity connectivity(report.input);
+  const auto defects = angle_defects(report.processed, connectivity);
+  const auto shown = pages::floats_of(data["figures"][0]["values"][1]);
+  const auto moved = pages::floats_of(data["figures"][2]["values"][1]);
+  ASSERT_EQ(shown.size(), defects.size());
+  for (Index v = 0; v < defects.size(); ++v) {
+    if (connectivity.is_border(v)) {
+      EXPECT_TRUE(std::isnan(shown[v])) << v;
+    } else {
+      EXPECT_NEAR(shown[v], defects[v], 1e-7 * std::abs(defects[v])) << v;
+    }
+    EXPECT_NEAR(moved[v], std::abs(report.processed.positions[v].z - report.input.positions[v].z),
+                1e-6);
+  }
+  EXPECT_EQ(data["figures"][0]["limit"], 0.05);
+  EXPECT_EQ(data["figures"][1]["id"], "curvature");
+  EXPECT_EQ(data["figures"][3]["id"], "strain");
+}
+
+TEST(PageData, DrawsLargeMeshesWithFewerVerticesTheWorstAmongThem) {
+  FlattenReport report = samples::flatten_report();
+  report.input = samples::bumpy_patch(60, 50, 2.0);
+  report.processed = report.input;
+  report.processed.positions[61 * 20 + 13].z += 3.0;
+  PageInput input{report.input,
+                  {{"before", report.input.positions}, {"after", report.processed.positions}}};
+  input.most_vertices = 500;
+  const json data = content_of(page_data(input));
+  EXPECT_EQ(data["of"], 61U * 51U);
+  EXPECT_LE(data["vertices"], 700U);
+  EXPECT_GE(data["vertices"], 300U);
+  const auto numbers = pages::numbers_of(data["numbers"]);
+  const auto worst = std::find(numbers.begin(), numbers.end(), 61U * 20U + 13U);
+  ASSERT_NE(worst, numbers.end());
+  const auto moved = pages::floats_of(data["figures"][2]["values"][1]);
+  EXPECT_NEAR(moved[static_cast<std::size_t>(worst - numbers.begin())], 3.0, 1e-6)
+      << "figures are those of the full mesh";
+  EXPECT_TRUE(data["figures"][3]["values"][0].is_null()) << "no pattern, no strain";
+}
+
+TEST(PageData, NumbersVerticesAsPeopleKnowThem) {
+  const FlattenReport report = samples::flatten_report();
+  PageInput input = input_of(report);
+  std::vector<Index> source(651);
+  for (Index v = 0; v < 651; ++v)
+    source[v] = 7 * v + 3;
+  input.source = source;
+  EXPECT_EQ(pages::numbers_of(content_of(page_data(input))["numbers"])[5], 38U);
+}
+
+TEST(PageData, CannotBeLeftByItsText) {
+  const FlattenReport report = samples::flatten_report();
+  PageInput input = input_of(report);
+  input.states[1].name = "</script><script>alert(1)</script><!--\xFF";
+  const std::string block = page_data(input);
+  EXPECT_EQ(pages::count(block, "<script"), 1U);
+  EXPECT_EQ(pages::count(block, "</script"), 1U);
+  EXPECT_THAT(block, Not(HasSubstr("<!--")));
+  EXPECT_EQ(content_of(block)["states"]["names"][1],
+            "</script><script>alert(1)</script><!--\uFFFD");
+  EXPECT_EQ(json_for_script("[\"<\"]"), "[\"\\u003c\"]");
+}
+
+TEST(PageData, StaysSmall) {
+  const TriMesh mesh = samples::bumpy_patch(220, 220, 5.0);
+  const PageInput input{mesh, {{"before", mesh.positions}, {"after", mesh.positions}}};
+  EXPECT_LT(page_data(input).size(), 5'000'000U) << "48 841 vertices, each drawn";
+}
+
+}  // namespace
+}  // namespace planish

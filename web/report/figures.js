@@ -1,0 +1,105 @@
+// What a pattern maker calls the figures of a vertex, and how they are written.
+
+const superscripts = '⁰¹²³⁴⁵⁶⁷⁸⁹';
+
+function powerOfTen(power) {
+  const digits = [...String(Math.abs(power))].map((digit) => superscripts[digit]).join('');
+  return `10${power < 0 ? '⁻' : ''}${digits}`;
+}
+
+// Three significant digits, with a true minus; powers of ten where numbers are out of the usual
+// range.
+export function written(value, digits = 3) {
+  if (value === 0) return '0';
+  const [mantissa, exponent] = Math.abs(value).toExponential(digits - 1).split('e');
+  const power = Number(exponent);
+  const sign = value < 0 ? '−' : '';
+  if (power < -4 || power >= 6) return `${sign}${mantissa} × ${powerOfTen(power)}`;
+  return sign + Math.abs(value).toFixed(Math.max(0, digits - 1 - power));
+}
+
+function signed(value, digits) {
+  return (value > 0 ? '+' : '') + written(value, digits);
+}
+
+const flatEnough = 1e-4; // radians, as the program counts
+const unstretched = 1e-6;
+
+function defectText(value) {
+  const kind = Math.abs(value) <= flatEnough ? 'flat' : value > 0 ? 'dome' : 'saddle';
+  return `${signed(value)} rad, ${kind}`;
+}
+
+function curvatureText(value, unit) {
+  const size = Math.abs(value);
+  if (!(size > 0)) return 'flat';
+  return `ball of radius ${written(1 / Math.sqrt(size), 2)} ${unit}`;
+}
+
+function strainText(value) {
+  if (Math.abs(value) < unstretched) return 'none';
+  return `${signed(100 * value, 2)} %, ${value > 0 ? 'longer' : 'shorter'}`;
+}
+
+// Each: a name, the paper's term, what a value reads, what the scale's ends and middle read.
+const words = {
+  defect: {
+    name: 'Dome or saddle',
+    term: 'angle defect',
+    isSigned: true,
+    text: defectText,
+    ends: (limit) => [`saddle −${written(limit, 1)} rad`, '0 lies flat', `dome +${written(limit, 1)} rad`],
+  },
+  curvature: {
+    name: 'Curvature',
+    term: '|K|, Eq. 1',
+    isSigned: false,
+    text: curvatureText,
+    ends: (limit, unit) => ['0 flat', '', `ball of ${written(1 / Math.sqrt(limit), 2)} ${unit} radius`],
+  },
+  deviation: {
+    name: 'Moved',
+    term: 'deviation',
+    isSigned: false,
+    text: (value, unit) => `${written(value, 2)} ${unit}`,
+    ends: (limit, unit) => ['0 stayed', '', `${written(limit, 1)} ${unit}`],
+  },
+  strain: {
+    name: 'Stretch',
+    term: 'strain of the pattern',
+    isSigned: true,
+    text: strainText,
+    ends: (limit) => [
+      `shorter −${written(100 * limit, 1)} %`,
+      '0 keeps its length',
+      `longer +${written(100 * limit, 1)} %`,
+    ],
+  },
+};
+
+// Figures of which the page has values, with their words.
+export function namedFigures(data) {
+  return [...data.figures.values()]
+    .filter((figure) => figure.values.some((values) => values !== null))
+    .map((figure) => ({ ...figure, ...words[figure.id] }));
+}
+
+// The figure of one vertex in words; what is not measured on the edge says so.
+export function textOf(figure, values, vertex, unit) {
+  if (!values) return '–';
+  const value = values[vertex];
+  return Number.isNaN(value) ? 'edge' : figure.text(value, unit);
+}
+
+// The vertex where the figure is largest.
+export function worstOf(values) {
+  let worst = 0;
+  let largest = -1;
+  values.forEach((value, vertex) => {
+    if (Math.abs(value) > largest) {
+      largest = Math.abs(value);
+      worst = vertex;
+    }
+  });
+  return worst;
+}

@@ -1,0 +1,125 @@
+// What stands around the view of the patch: which figure is shown, its scale, the split, and what
+// the figures of a vertex are.
+import { gradientOf } from './colours.js';
+import { textOf } from './figures.js';
+
+export function make(name, properties = {}, ...children) {
+  const made = document.createElement(name);
+  const { dataset, ...plain } = properties;
+  Object.assign(made, plain);
+  Object.assign(made.dataset, dataset);
+  made.append(...children);
+  return made;
+}
+
+// One of several figures to choose: a row of radio buttons.
+export function figureChoice(figures, chosen) {
+  const group = make('fieldset', { className: 'choice' });
+  group.append(make('legend', { className: 'unseen', textContent: 'Colour by' }));
+  figures.forEach((figure, index) => {
+    const button = make('input', {
+      type: 'radio',
+      name: 'figure',
+      value: figure.id,
+      checked: index === 0,
+    });
+    button.addEventListener('change', () => chosen(figure));
+    group.append(
+      make('label', { title: `Term of the paper: ${figure.term}` }, button, make('span', { textContent: figure.name })),
+    );
+  });
+  return group;
+}
+
+// The colour scale with buttons that make it finer and coarser.
+export class Scale {
+  constructor(maps, unit, stepped) {
+    this.maps = maps;
+    this.unit = unit;
+    this.bar = make('div', { className: 'bar' });
+    this.labels = [0, 1, 2].map(() => make('span'));
+    this.finer = make('button', {
+      type: 'button',
+      textContent: '+',
+      title: 'Finer scale: shows smaller differences',
+      ariaLabel: 'Finer scale',
+    });
+    this.coarser = make('button', {
+      type: 'button',
+      textContent: '−',
+      title: 'Coarser scale',
+      ariaLabel: 'Coarser scale',
+    });
+    this.finer.addEventListener('click', () => stepped(-1));
+    this.coarser.addEventListener('click', () => stepped(1));
+    this.root = make(
+      'div',
+      { className: 'scale' },
+      this.coarser,
+      make('div', {}, this.bar, make('div', { className: 'labels' }, ...this.labels)),
+      this.finer,
+    );
+  }
+
+  show(figure, limit) {
+    this.bar.style.background = gradientOf(this.maps.get(figure.map));
+    figure.ends(limit, this.unit).forEach((text, i) => (this.labels[i].textContent = text));
+  }
+}
+
+// The figures of one vertex, before and after.
+export class Readout {
+  constructor(figures, data) {
+    this.figures = figures;
+    this.data = data;
+    this.vertex = make('b', { dataset: { figure: 'vertex' } });
+    this.rows = figures.map((figure) => ({
+      figure,
+      before: make('span', { dataset: { figure: figure.id, state: 'before' } }),
+      after: make('span', { dataset: { figure: figure.id, state: 'after' } }),
+    }));
+    const table = make(
+      'table',
+      {},
+      make(
+        'thead',
+        {},
+        make(
+          'tr',
+          {},
+          make('th', { scope: 'col' }, this.vertex),
+          make('th', { scope: 'col', textContent: 'before' }),
+          make('th', { scope: 'col', textContent: 'after' }),
+        ),
+      ),
+      make(
+        'tbody',
+        {},
+        ...this.rows.map(({ figure, before, after }) =>
+          make(
+            'tr',
+            {},
+            make('th', { scope: 'row', textContent: figure.name }),
+            make('td', {}, before),
+            make('td', {}, after),
+          ),
+        ),
+      ),
+    );
+    this.root = make('div', { className: 'readout', role: 'status' }, table);
+    this.show(-1, [0, 1]);
+  }
+
+  show(vertex, states) {
+    this.root.classList.toggle('empty', vertex < 0);
+    this.vertex.textContent =
+      vertex < 0 ? 'Point at a place' : `Vertex ${this.data.numbers[vertex].toLocaleString('en').replaceAll(',', '\u202f')}`;
+    for (const { figure, before, after } of this.rows) {
+      const text = (state) =>
+        vertex < 0 ? '–' : textOf(figure, figure.values[state], vertex, this.data.unit);
+      // Where a place was before it moved needs no figure.
+      before.textContent = figure.id === 'deviation' ? '–' : text(states[0]);
+      after.textContent = text(states[1]);
+    }
+  }
+}

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Checks that the docs say what is there: the example in README.md is the one that is built, and
-every link to a file of the project leads to one."""
+"""Checks that the docs say what is there: the example in README.md is the one that is built,
+every link to a file of the project leads to one, and every code of an error has its paragraph."""
 
 import pathlib
 import re
@@ -10,8 +10,24 @@ REPO = pathlib.Path(__file__).resolve().parent.parent
 PAGES = [*REPO.glob("*.md"), *REPO.glob("docs/**/*.md")]
 
 
+# Codes of the program alone, which the library does not know.
+PROGRAM_CODES = {"usage", "interrupted", "out_of_memory", "internal_error"}
+
+
+def error_faults():
+    header = (REPO / "include/planish/core/error.h").read_text(encoding="utf-8")
+    codes = set(re.findall(r"^  (\w+),$", header.split("enum class ErrorCode {")[1].split("};")[0], re.M))
+    page = (REPO / "docs/errors.md").read_text(encoding="utf-8")
+    told = set(re.findall(r"^### (\w+)$", page, re.M))
+    missing = sorted((codes | PROGRAM_CODES) - told)
+    unknown = sorted(told - codes - PROGRAM_CODES)
+    return [f"docs/errors.md: no paragraph on {code}" for code in missing] + [
+        f"docs/errors.md: {code} is no code" for code in unknown
+    ]
+
+
 def main():
-    faults = []
+    faults = error_faults()
     readme = (REPO / "README.md").read_text(encoding="utf-8")
     shown = re.search(r"`(examples/\w+\.cpp)`\):\n\n```cpp\n(.*?)```", readme, re.DOTALL)
     # The file's first line tells what it is for.

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include <planish/mesh/inspect.h>
 #include <planish/mesh/split.h>
 
 #include "failures.h"
@@ -41,11 +42,22 @@ std::vector<fs::path> mesh_files_in(const std::string& folder) {
   return files;
 }
 
+/// Triangles that share no edges are no product but one patch that was written without joining
+/// them.
+void refuse_loose_triangles(const TriMesh& mesh, std::size_t parts, const fs::path& path) {
+  if (parts < 2 || parts < mesh.triangles.size()) return;
+  if (const auto problem = blocking_problem(inspect(mesh), Purpose::evolve)) {
+    throw Error(problem->code, problem->message,
+                {.path = path.string(), .first = problem->first, .count = problem->count});
+  }
+}
+
 /// The patches of one file, their folders not named yet.
 std::vector<GarmentPatch> patches_of(const ReadResult& input, const fs::path& path) {
   std::vector<NamedPatch> parts =
       input.groups.names.empty() ? split(input.mesh, path.stem().string())
                                  : split(input.mesh, input.groups.of_triangle, input.groups.names);
+  refuse_loose_triangles(input.mesh, parts.size(), path);
   std::vector<GarmentPatch> patches;
   patches.reserve(parts.size());
   for (NamedPatch& part : parts)

@@ -27,6 +27,7 @@ ControllableMover::ControllableMover(const ControllableLaplacian& options, Patch
               .max_cotangent = limit > 0.0 ? 1.0 / std::tan(limit) : inf,
               .radius = options.max_deviation * state.scale(),
               .origins = nullptr};
+  if (MoveCheck::is_wanted()) check_.emplace(state);
   if (options_.radius < inf) {
     origins_.assign(state.sites().begin(), state.sites().end());
     options_.origins = origins_.data();
@@ -55,12 +56,16 @@ std::size_t ControllableMover::move(std::size_t begin, std::size_t end) {
 std::size_t ControllableMover::move_batch(Batch& batch, const Run& run) {
   std::array<unsigned char, k_batch> moved;
   const Changes changes = state_.changes(run.color);
+  std::vector<MoveCheck::Energy> before;
+  for (std::size_t k = 0; check_ && k < batch.count; ++k)
+    before.push_back(check_->energy(batch.stars[k].center));
   move_stars_(options_, state_.sites().data(), changes, batch.stars.data(), batch.count,
               run.valence, moved.data());
   std::size_t total = 0;
   for (std::size_t k = 0; k < batch.count; ++k) {
     idle_since_[batch.visits[k]] = moved[k] != 0 ? 0 : changes.now;
     total += moved[k];
+    if (check_ && moved[k] != 0) check_->require_fall(batch.stars[k].center, before[k]);
   }
   batch.count = 0;
   return total;

@@ -4,11 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <planish/evolve/method.h>
 
 #include "evolve/lanes/move_stars.h"
+#include "evolve/move_check.h"
 #include "evolve/patch_state.h"
 
 namespace planish {
@@ -45,6 +47,7 @@ class ControllableMover {
   MoveOptions options_;
   MoveStars move_stars_;
   std::vector<Site> origins_;              // where a limit of deviation needs them
+  std::optional<MoveCheck> check_;         // in builds that check every move
   std::vector<std::uint32_t> idle_since_;  // by visit: when it found no step; 0: it moved
 };
 

@@ -10,6 +10,7 @@
 
 #include <planish/evolve/method.h>
 
+#include "evolve/move_check.h"
 #include "evolve/star_energy.h"
 #include "evolve/sweep.h"
 
@@ -95,6 +96,7 @@ class OffsetMover {
       lines_.push_back({x, normal_of(state, x, rings_[v])});
       set_aside_[v] = state.is_fixed(v);
     }
+    if (MoveCheck::is_wanted()) check_.emplace(state);
   }
 
   /// As many tries as there are inner vertices.
@@ -132,6 +134,7 @@ class OffsetMover {
   std::vector<unsigned char> set_aside_;
   std::priority_queue<Candidate> heap_;
   int left_;
+  std::optional<MoveCheck> check_;  // in builds that check every move
 };
 
 /// The worst vertex that is not set aside. What is out of date in the heap is dropped.
@@ -169,7 +172,9 @@ std::optional<OffsetMover::Step> OffsetMover::falling_step(Index v) const {
 }
 
 void OffsetMover::take(Index v, const Step& step) {
+  const auto before = check_ ? check_->energy(v) : MoveCheck::Energy{};
   state_.move(v, step.place);
+  if (check_) check_->require_fall(v, before);
   offsets_[v] = step.offset;
   for (std::size_t j = 0; j < rings_[v].size(); ++j) {
     if (state_.is_inner(rings_[v][j])) defects_[rings_[v][j]] = step.defects[j];

@@ -24,6 +24,15 @@ constexpr std::array<std::string_view, 26> k_skipped = {
     "scrv", "sp", "end", "cstype", "deg",   "bmat", "step", "ctech", "stech",
     "con",  "fo", "bzp", "bsp",    "cdc",   "cdp",  "res",  "call"};
 
+/// Whether a word must have been meant for "v" or "f", which none may lose without a sound: "V", a
+/// word without its blank ("v1"), one behind a byte order mark.
+bool is_garbled(std::string_view keyword) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto letter = std::find_if(keyword.begin(), keyword.end(), is_letter);
+  return std::count_if(keyword.begin(), keyword.end(), is_letter) == 1 &&
+         std::string_view("vVfF").find(*letter) != std::string_view::npos;
+}
+
 class ObjParser {
  public:
   ObjParser(std::string_view bytes, std::string_view name)
@@ -121,6 +130,10 @@ void ObjParser::skip(std::string_view keyword) {
   if (kind != k_skipped.end()) {
     ++skipped_[static_cast<std::size_t>(kind - k_skipped.begin())];
     return;
+  }
+  if (is_garbled(keyword)) {
+    cursor_.fail(ErrorCode::malformed_file,
+                 in_quotes(keyword) + " is no statement; vertices begin with v, faces with f");
   }
   if (unknown_++ == 0) {
     first_unknown_ = in_quotes(keyword) + " on line " + std::to_string(cursor_.line());

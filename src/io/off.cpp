@@ -34,9 +34,12 @@ class OffParser {
     faces_.reserve(face_count_);
     for (std::uint64_t i = 0; i < face_count_; ++i)
       face(i);
+    std::string rest = cursor_.rest_note(face_count_);
+    std::vector<std::string> told = notes();
+    if (!rest.empty()) told.push_back(std::move(rest));
     return {.mesh = {std::move(positions_), faces_.take()},
             .format = MeshFormat::off,
-            .notes = notes()};
+            .notes = std::move(told)};
   }
 
  private:
@@ -81,8 +84,21 @@ class OffParser {
     const double y = cursor_.number();
     const double z = cursor_.number();
     positions_.push_back({x, y, z});
-    extended_ += !cursor_.at_line_end();
+    check_extras(number);
     cursor_.next_line();
+  }
+
+  /// Where only some have more numbers than others, faces have been taken for vertices.
+  void check_extras(std::uint64_t number) {
+    std::size_t extras = 0;
+    for (; !cursor_.at_line_end(); ++extras)
+      cursor_.token();
+    if (number == 0) extras_ = extras;
+    if (extras != extras_) {
+      cursor_.fail(ErrorCode::malformed_file, "its line has " + std::to_string(3 + extras) +
+                                                  " numbers, but that of vertex 0 has " +
+                                                  std::to_string(3 + extras_));
+    }
   }
 
   void face(std::uint64_t number) {
@@ -104,9 +120,9 @@ class OffParser {
   std::vector<std::string> notes() const {
     std::vector<std::string> notes;
     if (!faces_.note().empty()) notes.push_back(faces_.note());
-    if (extended_ > 0) {
+    if (extras_ > 0) {
       notes.push_back("dropped the colours, normals or texture coordinates of " +
-                      std::to_string(extended_) + " vertices");
+                      std::to_string(vertex_count_) + " vertices");
     }
     return notes;
   }
@@ -117,7 +133,7 @@ class OffParser {
   std::vector<Vec3> positions_;
   FaceList faces_;
   std::vector<Index> corners_;
-  std::size_t extended_ = 0;
+  std::size_t extras_ = 0;  // numbers behind x y z, the same for all vertices
 };
 
 }  // namespace

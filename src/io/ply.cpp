@@ -3,89 +3,18 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "core/number_text.h"
 #include "io/append.h"
-#include "io/byte_cursor.h"
 #include "io/face_list.h"
 #include "io/formats.h"
 #include "io/group_runs.h"
 #include "io/ply_header.h"
+#include "io/ply_values.h"
 
 namespace planish {
 namespace {
-
-/// The values of an ASCII file. Line ends count for nothing: some writers break long lines.
-class TextValues {
- public:
-  explicit TextValues(const TextCursor& cursor) : cursor_(cursor) {}
-
-  static std::uint64_t fewest_bytes(PlyType) { return 2; }
-  /// As if the last value had something behind it, too.
-  std::uint64_t remaining() const { return cursor_.remaining() + 1; }
-  const TextCursor& cursor() const { return cursor_; }
-  void begin_item(std::string_view kind, std::size_t number) { cursor_.begin_item(kind, number); }
-
-  double next(PlyType) {
-    cursor_.skip_to_token();
-    return cursor_.number();
-  }
-
-  void skip(PlyType, std::uint64_t count) {
-    for (; count > 0; --count) {
-      if (!cursor_.skip_to_token()) cursor_.fail_missing("a number");
-      cursor_.token();
-    }
-  }
-
- private:
-  TextCursor cursor_;
-};
-
-/// The values of a binary file.
-class BinaryValues {
- public:
-  BinaryValues(const ByteCursor& cursor, std::endian order) : cursor_(cursor), order_(order) {}
-
-  static std::uint64_t fewest_bytes(PlyType type) { return size_of(type); }
-  std::uint64_t remaining() const { return cursor_.remaining(); }
-  const ByteCursor& cursor() const { return cursor_; }
-  void begin_item(std::string_view kind, std::size_t number) { cursor_.begin_item(kind, number); }
-
-  double next(PlyType type) {
-    switch (type) {
-      case PlyType::int8:
-        return value<std::int8_t>();
-      case PlyType::uint8:
-        return value<std::uint8_t>();
-      case PlyType::int16:
-        return value<std::int16_t>();
-      case PlyType::uint16:
-        return value<std::uint16_t>();
-      case PlyType::int32:
-        return value<std::int32_t>();
-      case PlyType::uint32:
-        return value<std::uint32_t>();
-      case PlyType::float32:
-        return static_cast<double>(value<float>());
-      case PlyType::float64:
-        break;
-    }
-    return value<double>();
-  }
-
-  /// @param count at most 2^32
-  void skip(PlyType type, std::uint64_t count) { cursor_.skip(size_of(type) * count); }
-
- private:
-  template <class T>
-  T value() {
-    return cursor_.value<T>(order_);
-  }
-
-  ByteCursor cursor_;
-  std::endian order_;
-};
 
 /// Reads what follows the header. `Values` is where its numbers come from.
 template <class Values>
@@ -108,9 +37,11 @@ class PlyBody {
       }
     }
     values_.begin_item({}, 0);
-    if (faces_.size() == 0) fail(ErrorCode::no_triangles, "the file has no faces");
+    if (faces_.size() == 0) fail_without_faces();
     std::vector<std::string> notes;
-    if (!faces_.note().empty()) notes.push_back(faces_.note());
+    for (std::string note : {faces_.note(), values_.rest_note(header_.find("face")->count)}) {
+      if (!note.empty()) notes.push_back(std::move(note));
+    }
     FaceGroups groups = groups_.spread(group_kind_, faces_.size());
     return {.mesh = {std::move(positions_), faces_.take()},
             .format = MeshFormat::ply,
@@ -121,6 +52,14 @@ class PlyBody {
  private:
   [[noreturn]] void fail(ErrorCode code, const std::string& message) const {
     values_.cursor().fail(code, message);
+  }
+
+  [[noreturn]] void fail_without_faces() const {
+    if (header_.find("tristrips") == nullptr) {
+      fail(ErrorCode::no_triangles, "the file has no faces");
+    }
+    fail(ErrorCode::unsupported_format,
+         "the faces are strips of triangles (tristrips); export single faces");
   }
 
   static bool is_corner_list(const PlyProperty& property) {

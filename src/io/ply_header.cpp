@@ -86,7 +86,7 @@ class HeaderParser {
       if (elements_.empty()) {
         cursor_.fail(ErrorCode::malformed_file, "a property comes before the first element");
       }
-      elements_.back().properties.push_back(read_property(cursor_));
+      add(read_property(cursor_));
     } else if (keyword != "comment" && keyword != "obj_info") {
       cursor_.fail(ErrorCode::malformed_file,
                    in_quotes(keyword) + " is not a statement of a PLY header");
@@ -115,6 +115,19 @@ class HeaderParser {
                    "the element " + in_quotes(element.name) + " comes twice");
     }
     elements_.push_back(std::move(element));
+  }
+
+  void add(const PlyProperty& property) {
+    // Others are skipped, so they may repeat.
+    constexpr std::array<std::string_view, 5> k_read = {"x", "y", "z", "vertex_indices",
+                                                        "vertex_index"};
+    PlyElement& element = elements_.back();
+    if (std::find(k_read.begin(), k_read.end(), property.name) != k_read.end() &&
+        element.find(property.name) != nullptr) {
+      cursor_.fail(ErrorCode::malformed_file,
+                   "the property " + in_quotes(property.name) + " comes twice");
+    }
+    element.properties.push_back(property);
   }
 
   TextCursor& cursor_;

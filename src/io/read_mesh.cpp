@@ -2,6 +2,7 @@
 #include <planish/io/read_mesh.h>
 
 #include "io/file_bytes.h"
+#include "io/foreign_file.h"
 #include "io/formats.h"
 
 namespace planish {
@@ -14,6 +15,8 @@ ReadResult read_mesh(const std::filesystem::path& path) {
 
 ReadResult parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name) {
   if (bytes.empty()) throw Error(ErrorCode::no_triangles, "the file is empty", {.path = name});
+  // The header of a binary STL file may begin with anything.
+  if (format != MeshFormat::stl) refuse_foreign(bytes, name);
   switch (format) {
     case MeshFormat::obj:
       return parse_obj(bytes, name);

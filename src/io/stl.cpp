@@ -6,6 +6,7 @@
 #include "io/append.h"
 #include "io/byte_cursor.h"
 #include "io/face_list.h"
+#include "io/foreign_file.h"
 #include "io/formats.h"
 #include "io/text_cursor.h"
 #include "io/welder.h"
@@ -59,15 +60,17 @@ class AsciiStlParser {
   AsciiStlParser(std::string_view bytes, std::string_view name) : cursor_(bytes, name) {}
 
   ReadResult parse() {
-    bool open = false;
-    while (cursor_.skip_to_token()) {
+    bool open = false, begun = false;
+    for (; cursor_.skip_to_token(); begun = true) {
       const std::string_view word = cursor_.token();
       if (equal_ignoring_case(word, "facet")) {
         facet();
         continue;
       }
       open = equal_ignoring_case(word, "solid");
-      if (!open && !equal_ignoring_case(word, "endsolid")) fail_expected("facet", word);
+      if (!open && !equal_ignoring_case(word, "endsolid")) {
+        fail_expected(begun ? "facet" : "solid", word);
+      }
       cursor_.next_line();  // a name, of any bytes
     }
     cursor_.begin_item({}, 0);
@@ -128,12 +131,26 @@ std::uint32_t announced_facets(std::string_view bytes, std::string_view name) {
   return ByteCursor(bytes, name, k_header_bytes).value<std::uint32_t>(std::endian::little);
 }
 
-/// Binary files may begin with "solid" too. Then their size tells, or a zero byte near the front.
+/// Whether the file is as long as its count of facets says: then it is binary, whatever it begins
+/// with.
+bool has_size_of_binary(std::string_view bytes, std::string_view name) {
+  return bytes.size() >= k_first_facet &&
+         bytes.size() ==
+             k_first_facet + k_facet_bytes * std::uint64_t{announced_facets(bytes, name)};
+}
+
+/// Whether the place of the count, or all of a shorter file, is printable: as a count, such
+/// characters would be hundreds of millions.
+bool has_text_for_count(std::string_view bytes) {
+  const std::string_view place =
+      bytes.size() < k_first_facet ? bytes : bytes.substr(k_header_bytes, sizeof(std::uint32_t));
+  return std::all_of(place.begin(), place.end(),
+                     [](char c) { return (c >= ' ' && c <= '~') || (c >= '\t' && c <= '\r'); });
+}
+
+/// Headers of binary files may begin with "solid" too. Then a zero byte near the front tells.
 bool is_binary(std::string_view bytes, std::string_view name) {
-  if (bytes.size() >= k_first_facet) {
-    const std::uint64_t facets = announced_facets(bytes, name);
-    if (bytes.size() == k_first_facet + k_facet_bytes * facets) return true;
-  }
+  if (has_text_for_count(bytes)) return false;
   constexpr std::size_t k_front = 1024;
   if (bytes.substr(0, k_front).find('\0') != std::string_view::npos) return true;
   TextCursor cursor(bytes.substr(0, k_front), name);
@@ -150,6 +167,14 @@ Index binary_corner(ByteCursor& cursor, FacetList& facets) {
     }
   }
   return facets.corner({c[0], c[1], c[2]}, cursor);
+}
+
+/// A count that is too small would lose facets without a word.
+void check_rest(std::uint32_t count, std::size_t rest, const ByteCursor& cursor) {
+  if (rest == 0 || rest % k_facet_bytes != 0) return;
+  cursor.fail(ErrorCode::malformed_file, "the file announces " + std::to_string(count) +
+                                             " facets but has " +
+                                             std::to_string(count + rest / k_facet_bytes));
 }
 
 ReadResult parse_binary(std::string_view bytes, std::string_view name) {
@@ -177,6 +202,8 @@ ReadResult parse_binary(std::string_view bytes, std::string_view name) {
     facets.add(triangle, cursor);
   }
   const std::size_t rest = cursor.remaining();
+  cursor.begin_item({}, 0);
+  check_rest(count, rest, cursor);
   ReadResult result = facets.take();
   if (rest > 0) {
     result.notes.push_back("ignored " + std::to_string(rest) + " bytes after the last facet");
@@ -201,7 +228,10 @@ Vec3 unit_normal(Vec3 a, Vec3 b, Vec3 c) {
 }  // namespace
 
 ReadResult parse_stl(std::string_view bytes, std::string_view name) {
-  return is_binary(bytes, name) ? parse_binary(bytes, name) : AsciiStlParser(bytes, name).parse();
+  if (has_size_of_binary(bytes, name)) return parse_binary(bytes, name);
+  refuse_foreign(bytes, name);
+  const bool binary = wide_encoding(bytes).empty() && is_binary(bytes, name);
+  return binary ? parse_binary(bytes, name) : AsciiStlParser(bytes, name).parse();
 }
 
 std::string format_stl(const TriMesh& mesh) {

@@ -7,6 +7,8 @@
 
 #include <fast_float/fast_float.h>
 
+#include "io/foreign_file.h"
+
 namespace planish {
 
 // Without comments the sign of a comment is a line end, which stops a line anyway.
@@ -17,8 +19,9 @@ TextCursor::TextCursor(std::string_view bytes, std::string_view name, TextSyntax
       name_(name),
       comment_(syntax.comments ? '#' : '\n'),
       continuation_(syntax.continuation) {
-  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
-    fail(ErrorCode::malformed_file, "the text is encoded in UTF-16; save it as UTF-8 or ASCII");
+  if (const std::string_view encoding = wide_encoding(bytes); !encoding.empty()) {
+    fail(ErrorCode::malformed_file,
+         "the text is encoded in " + std::string(encoding) + "; save it as UTF-8 or ASCII");
   }
   if (bytes.starts_with("\xef\xbb\xbf")) at_ += 3;
 }
@@ -115,6 +118,19 @@ std::uint64_t TextCursor::count() {
     fail(ErrorCode::malformed_file, in_quotes(word) + " is not a count");
   }
   return parsed.ec == std::errc() ? value : std::numeric_limits<std::uint64_t>::max();
+}
+
+std::string TextCursor::rest_note(std::uint64_t faces) {
+  item_ = {};
+  if (!skip_to_token()) return {};
+  const std::size_t line = line_;
+  const std::string_view word = token();
+  if (word.find_first_of("0123456789") == std::string_view::npos) {
+    return "ignored what follows the last item, from line " + std::to_string(line) + " on";
+  }
+  fail(ErrorCode::malformed_file, "the file goes on with " + in_quotes(word) + " after the " +
+                                      std::to_string(faces) + (faces == 1 ? " face" : " faces") +
+                                      " that it announces");
 }
 
 void TextCursor::fail_at_line(std::size_t line, ErrorCode code, const std::string& message) const {

@@ -20,7 +20,7 @@ struct TextSyntax {
 class TextCursor {
  public:
   /// Skips a UTF-8 byte order mark. `bytes` and `name` must outlive the cursor.
-  /// @throws Error malformed_file for UTF-16
+  /// @throws Error malformed_file for UTF-16 and UTF-32
   TextCursor(std::string_view bytes, std::string_view name, TextSyntax syntax = {});
 
   bool at_end() const { return at_ == end_; }
@@ -51,6 +51,11 @@ class TextCursor {
   /// The next word of this line as a count; more than 64 bits hold becomes the largest.
   /// @throws Error malformed_file or truncated_file
   std::uint64_t count();
+
+  /// To be called behind the last item: tells of words that are left; empty where there are none.
+  /// @param faces so many it announces
+  /// @throws Error malformed_file if they begin with a number: there are more items than announced
+  std::string rest_note(std::uint64_t faces);
 
   /// What errors name from now on.
   void begin_item(std::string_view kind, std::size_t number) { item_ = {kind, number}; }

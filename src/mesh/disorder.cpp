@@ -184,7 +184,7 @@ void find_clashing_orientation(const TriMesh& mesh, const std::vector<EdgeSides>
     problems.push_back({ErrorCode::non_orientable,
                         "the surface has one side only (like a Moebius strip): no choice of "
                         "orientation fits the edge of vertices " +
-                            number(twist->low) + " and " + number(twist->high),
+                            number(twist->low) + " and " + number(twist->high) + ": cut it open",
                         1, twist->low});
     return;
   }

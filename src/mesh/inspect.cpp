@@ -114,6 +114,12 @@ struct Parts {
   static constexpr Index no_part = static_cast<Index>(-1);
   std::vector<Index> part_of;
   std::size_t count = 0;
+
+  /// The first vertex of a part.
+  std::size_t first_of(std::size_t part) const {
+    return static_cast<std::size_t>(
+        std::find(part_of.begin(), part_of.end(), static_cast<Index>(part)) - part_of.begin());
+  }
 };
 
 Parts find_parts(const TriMesh& mesh) {
@@ -147,6 +153,7 @@ Parts find_parts(const TriMesh& mesh) {
 
 struct Border {
   std::size_t loops = 0, vertices = 0;
+  std::size_t first = 0, second = 0;      ///< a vertex of each of the first two loops
   std::vector<unsigned char> has_border;  ///< per part
 };
 
@@ -159,6 +166,8 @@ Border survey_border(const Rings& rings, const Parts& parts) {
     ++border.vertices;
     border.has_border[parts.part_of[v]] = 1;
     if (seen[v] != 0) continue;
+    if (border.loops == 0) border.first = v;
+    if (border.loops == 1) border.second = v;
     ++border.loops;
     for (auto at = static_cast<Index>(v); seen[at] == 0; at = rings.vertices[rings.start[at]]) {
       seen[at] = 1;
@@ -186,23 +195,29 @@ void describe_manifold(const TriMesh& mesh, const Rings& rings, Inspection& resu
                    2;
   const auto closed =
       static_cast<std::size_t>(std::count(border.has_border.begin(), border.has_border.end(), 0));
+  const auto first_closed = parts.first_of(
+      static_cast<std::size_t>(std::find(border.has_border.begin(), border.has_border.end(), 0) -
+                               border.has_border.begin()));
   add(result.problems, ErrorCode::closed_surface,
-      (closed == parts.count ? std::string("the surface is")
-                             : counted(closed, "component is", "components are")) +
-          " closed; a patch needs a border: cut it open",
-      closed, 0);
+      (parts.count == 1 ? "the surface is closed"
+                        : counted(closed, "component is", "components are") +
+                              " closed, the first with vertex " + std::to_string(first_closed)) +
+          "; a patch needs a border: cut it open",
+      closed, first_closed);
   if (parts.count > 1) {
     add(result.problems, ErrorCode::several_components,
-        "the mesh has " + std::to_string(parts.count) +
-            " components; a pattern is made from one: put each into its own file",
-        parts.count, 0);
+        "the mesh has " + std::to_string(parts.count) + " components, the second with vertex " +
+            std::to_string(parts.first_of(1)) +
+            "; a pattern is made from one: put each into its own file",
+        parts.count, parts.first_of(1));
   }
   if (border.loops > parts.count - closed) {
     add(result.problems, ErrorCode::several_border_loops,
-        "the patch has " + std::to_string(border.loops) +
-            " border loops; only one with a single loop can be laid flat: cut it open along a path "
-            "from loop to loop",
-        border.loops, 0);
+        "the patch has " + std::to_string(border.loops) + " border loops, with vertices " +
+            std::to_string(border.first) + " and " + std::to_string(border.second) +
+            "; only one with a single loop can be laid flat: cut it open along a path from loop to "
+            "loop",
+        border.loops, border.first);
   }
   add(result.problems, ErrorCode::handles,
       "the patch has " + counted(topology.genus, "handle", "handles") + " (Euler characteristic " +

@@ -40,8 +40,8 @@ inline std::string content_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Gives every test an empty folder of its own, made the current one, and a small patch in it.
-class CliTest : public testing::Test {
+/// Gives every test an empty folder of its own, made the current one.
+class CliFolder : public testing::Test {
  protected:
   void SetUp() override {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
@@ -54,7 +54,6 @@ class CliTest : public testing::Test {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
     std::filesystem::current_path(folder_);
-    write_mesh("panel.obj", make_shape("panel", 300));
   }
   void TearDown() override {
     std::filesystem::current_path(before_);
@@ -73,6 +72,15 @@ class CliTest : public testing::Test {
 
  private:
   std::filesystem::path before_, folder_;
+};
+
+/// And a small patch in it.
+class CliTest : public CliFolder {
+ protected:
+  void SetUp() override {
+    CliFolder::SetUp();
+    write_mesh("panel.obj", make_shape("panel", 300));
+  }
 };
 
 using Names = std::vector<std::string>;

@@ -6,10 +6,10 @@
 #include <planish/mesh/inspect.h>
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include "evolve/controllable_laplacian.h"
 #include "oracle/plain.h"
+#include "property/property.h"
 #include "support/meshes.h"
 
 namespace planish {
@@ -24,7 +24,7 @@ TriMesh arbitrary_patch() {
   return meshes::rough_grid(columns, rows, seed, 0.35, height);
 }
 
-RC_GTEST_PROP(EvolveProperty, EnergyNeverRisesWhenASingleVertexMoves, ()) {
+PLANISH_PROPERTY(EvolveProperty, EnergyNeverRisesWhenASingleVertexMoves, 2'000) {
   const TriMesh mesh = arbitrary_patch();
   const ControllableLaplacian options{.lambda_min = -0.5 * *rc::gen::inRange(0, 3)};
   const Connectivity connectivity(mesh);
@@ -41,7 +41,7 @@ RC_GTEST_PROP(EvolveProperty, EnergyNeverRisesWhenASingleVertexMoves, ()) {
   }
 }
 
-RC_GTEST_PROP(EvolveProperty, EnergyNeverRisesInASweepAndTheBorderStays, ()) {
+PLANISH_PROPERTY(EvolveProperty, EnergyNeverRisesInASweepAndTheBorderStays, 3'000) {
   const TriMesh mesh = arbitrary_patch();
   const ControllableLaplacian options{.lambda_min = -0.5 * *rc::gen::inRange(0, 3)};
   const Connectivity connectivity(mesh);
@@ -56,7 +56,7 @@ RC_GTEST_PROP(EvolveProperty, EnergyNeverRisesInASweepAndTheBorderStays, ()) {
   }
 }
 
-RC_GTEST_PROP(EvolveProperty, RenumberingVerticesAndTrianglesRenumbersTheResult, ()) {
+PLANISH_PROPERTY(EvolveProperty, RenumberingVerticesAndTrianglesRenumbersTheResult, 2'000) {
   const TriMesh mesh = arbitrary_patch();
   const auto n = static_cast<Index>(mesh.positions.size());
   std::vector<Index> number(n), turn(mesh.triangles.size());
@@ -75,11 +75,12 @@ RC_GTEST_PROP(EvolveProperty, RenumberingVerticesAndTrianglesRenumbersTheResult,
   const auto one = evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 2});
   const auto other = evolve(renumbered, ControllableLaplacian{}, {.max_sweeps = 2});
   for (Index v = 0; v < n; ++v) {
-    RC_ASSERT(norm(one.positions[v] - other.positions[number[v]]) < 1e-8);
+    // The place of a minimum is known to the square root of rounding only.
+    RC_ASSERT(norm(one.positions[v] - other.positions[number[v]]) < 1e-6);
   }
 }
 
-RC_GTEST_PROP(EvolveProperty, NothingIsEverNotFinite, ()) {
+PLANISH_PROPERTY(EvolveProperty, NothingIsEverNotFinite, 3'000) {
   TriMesh mesh = arbitrary_patch();
   const auto v = *rc::gen::inRange<std::size_t>(0, mesh.positions.size());
   const auto power = *rc::gen::inRange(-12, 12);
@@ -89,7 +90,7 @@ RC_GTEST_PROP(EvolveProperty, NothingIsEverNotFinite, ()) {
     RC_ASSERT(std::isfinite(p.x + p.y + p.z));
 }
 
-RC_GTEST_PROP(EvolveProperty, EnergyNeverRisesOnLatticesFullOfStraightAndZeroAngles, ()) {
+PLANISH_PROPERTY(EvolveProperty, EnergyNeverRisesOnLatticesFullOfStraightAndZeroAngles, 2'000) {
   // Coordinates of few values: many triangles have no area, many corners are exactly 0 or pi.
   const auto columns = *rc::gen::inRange<std::size_t>(2, 6);
   const auto rows = *rc::gen::inRange<std::size_t>(2, 6);

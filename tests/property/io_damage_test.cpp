@@ -9,7 +9,8 @@
 #include <planish/io/write_mesh.h>
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
+
+#include "property/property.h"
 
 namespace planish {
 namespace {
@@ -55,7 +56,7 @@ std::pair<MeshFormat, std::string> any_sample() {
   return {format, format_mesh(fan(), format)};
 }
 
-RC_GTEST_PROP(IoDamage, BytesThatFlipAreReadOrRefused, ()) {
+PLANISH_PROPERTY(IoDamage, BytesThatFlipAreReadOrRefused, 40'000) {
   auto [format, bytes] = any_sample();
   for (int flips = *rc::gen::inRange(1, 8); flips > 0; --flips) {
     bytes[*rc::gen::inRange<std::size_t>(0, bytes.size())] = *rc::gen::arbitrary<char>();
@@ -63,7 +64,7 @@ RC_GTEST_PROP(IoDamage, BytesThatFlipAreReadOrRefused, ()) {
   check_reading(bytes, format);
 }
 
-RC_GTEST_PROP(IoDamage, PiecesThatGoOrComeTwiceAreReadOrRefused, ()) {
+PLANISH_PROPERTY(IoDamage, PiecesThatGoOrComeTwiceAreReadOrRefused, 40'000) {
   auto [format, bytes] = any_sample();
   const auto begin = *rc::gen::inRange<std::size_t>(0, bytes.size());
   const auto piece = bytes.substr(begin, *rc::gen::inRange<std::size_t>(1, 40));
@@ -75,7 +76,7 @@ RC_GTEST_PROP(IoDamage, PiecesThatGoOrComeTwiceAreReadOrRefused, ()) {
   check_reading(bytes, format);
 }
 
-RC_GTEST_PROP(IoDamage, WordsOfAnyKindAreReadOrRefused, ()) {
+PLANISH_PROPERTY(IoDamage, WordsOfAnyKindAreReadOrRefused, 1'000) {
   const std::vector<std::string> words = {
       "v",     "f",       "1",       "-1",     "2/3",      "4294967296", "nan",    "1e999",
       "0,5",   "#",       "\\\n",    "\n",     "\r",       " ",          "OFF",    "solid",
@@ -93,7 +94,7 @@ RC_GTEST_PROP(IoDamage, WordsOfAnyKindAreReadOrRefused, ()) {
     check_reading(text, format);
 }
 
-RC_GTEST_PROP(IoDamage, FeaturesOfAnyKindAreReadOrRefused, ()) {
+PLANISH_PROPERTY(IoDamage, FeaturesOfAnyKindAreReadOrRefused, 1'000) {
   const std::vector<std::string> words = {
       "v",   "l",          "p",         "f",       "0",      "1",      "4",    "-1",
       "2/3", "4294967296", "nan",       "0.5",     ",",      "#",      "\\\n", "\n",

@@ -8,7 +8,8 @@
 #include <planish/io/write_mesh.h>
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
+
+#include "property/property.h"
 
 namespace planish {
 namespace {
@@ -48,7 +49,7 @@ bool same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0;
 }
 
-RC_GTEST_PROP(IoRoundTrip, KeepsEveryBitOfPositionsAndTriangles, ()) {
+PLANISH_PROPERTY(IoRoundTrip, KeepsEveryBitOfPositionsAndTriangles, 500) {
   const TriMesh mesh = any_mesh(finite_double());
   for (const MeshFormat format : {MeshFormat::obj, MeshFormat::ply, MeshFormat::off}) {
     const ReadResult result = parse_mesh(format_mesh(mesh, format), format);
@@ -58,7 +59,7 @@ RC_GTEST_PROP(IoRoundTrip, KeepsEveryBitOfPositionsAndTriangles, ()) {
   }
 }
 
-RC_GTEST_PROP(IoRoundTrip, KeepsThePlacesOfStlCornersThatAreFloats, ()) {
+PLANISH_PROPERTY(IoRoundTrip, KeepsThePlacesOfStlCornersThatAreFloats, 500) {
   const TriMesh mesh = any_mesh(finite_float());
   const TriMesh again = parse_mesh(format_mesh(mesh, MeshFormat::stl), MeshFormat::stl).mesh;
   RC_ASSERT(again.triangles.size() == mesh.triangles.size());

@@ -3,11 +3,12 @@
 
 #include <planish/measure/angle_defect.h>
 #include <planish/measure/flattenability.h>
+#include <planish/mesh/inspect.h>
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include "oracle/plain.h"
+#include "property/property.h"
 #include "support/meshes.h"
 
 namespace planish {
@@ -31,7 +32,7 @@ void expect_same(const Flattenability& a, const Flattenability& b) {
   RC_ASSERT(std::abs(a.roughness - b.roughness) < 1e-8);
 }
 
-RC_GTEST_PROP(MeasureProperty, DoesNotChangeWhenThePatchIsTurnedAndShifted, ()) {
+PLANISH_PROPERTY(MeasureProperty, DoesNotChangeWhenThePatchIsTurnedAndShifted, 4'000) {
   const TriMesh mesh = arbitrary_patch();
   const double a = *rc::gen::inRange(0, 628) * 0.01, b = *rc::gen::inRange(0, 628) * 0.01;
   TriMesh moved = mesh;
@@ -43,7 +44,7 @@ RC_GTEST_PROP(MeasureProperty, DoesNotChangeWhenThePatchIsTurnedAndShifted, ()) 
   expect_same(measured(mesh), measured(moved));
 }
 
-RC_GTEST_PROP(MeasureProperty, DoesNotChangeWhenThePatchIsMirroredOrTurnedOver, ()) {
+PLANISH_PROPERTY(MeasureProperty, DoesNotChangeWhenThePatchIsMirroredOrTurnedOver, 4'000) {
   const TriMesh mesh = arbitrary_patch();
   TriMesh mirrored = mesh, turned = mesh;
   for (Vec3& p : mirrored.positions)
@@ -54,7 +55,7 @@ RC_GTEST_PROP(MeasureProperty, DoesNotChangeWhenThePatchIsMirroredOrTurnedOver, 
   expect_same(measured(mesh), measured(turned));
 }
 
-RC_GTEST_PROP(MeasureProperty, DoesNotChangeWithSize, ()) {
+PLANISH_PROPERTY(MeasureProperty, DoesNotChangeWithSize, 4'000) {
   const TriMesh mesh = arbitrary_patch();
   const double size = std::pow(10.0, *rc::gen::inRange(-300, 150));
   TriMesh scaled = mesh;
@@ -63,13 +64,32 @@ RC_GTEST_PROP(MeasureProperty, DoesNotChangeWithSize, ()) {
   expect_same(measured(mesh), measured(scaled));
 }
 
-RC_GTEST_PROP(MeasureProperty, AgreesWithASumOfArctangents, ()) {
+PLANISH_PROPERTY(MeasureProperty, AgreesWithASumOfArctangents, 1'000) {
   const TriMesh mesh = arbitrary_patch();
   const plain::Patch patch(mesh);
   const auto defects = angle_defects(mesh, Connectivity(mesh));
   for (Index v = 0; v < mesh.positions.size(); ++v) {
     RC_ASSERT(std::abs(defects[v] - (patch.inner[v] ? patch.defect(v) : 0.0)) < 1e-12);
   }
+}
+
+/// The defects of all vertices, those of the border measured against pi, are 2 pi times the Euler
+/// characteristic: of disks, tubes, tori and balls of any shape.
+PLANISH_PROPERTY(MeasureProperty, FulfilsGaussAndBonnet, 4'000) {
+  const auto a = *rc::gen::inRange<std::size_t>(3, 8), b = *rc::gen::inRange<std::size_t>(3, 8);
+  TriMesh mesh = *rc::gen::element(meshes::flat_grid(a, b), meshes::tube(a, b), meshes::torus(a, b),
+                                   meshes::fan(a), meshes::tetrahedron());
+  meshes::Random random(*rc::gen::arbitrary<std::uint32_t>());
+  for (Vec3& p : mesh.positions)
+    p += 0.3 * Vec3{random.number(), random.number(), random.number()};
+  const Topology topology = inspect(mesh).topology;
+  const plain::Patch patch(mesh);
+  const auto defects = angle_defects(mesh, Connectivity(mesh));
+  double total = 0.0;
+  for (Index v = 0; v < mesh.positions.size(); ++v)
+    total += patch.inner[v] ? defects[v] : std::numbers::pi - patch.angle_sum(v);
+  RC_ASSERT(std::abs(total - 2.0 * std::numbers::pi *
+                                 static_cast<double>(topology.euler_characteristic)) < 1e-11);
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <planish/pattern/offset_outline.h>
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 #include "oracle/outline_distance.h"
+#include "property/property.h"
 
 namespace planish {
 namespace {
@@ -35,39 +35,32 @@ void check(const PieceOutline& outline, const Allowance& allowance, double most)
   RC_ASSERT(signed_area(cut.front()) > signed_area(outline.loops.front()));
 }
 
-TEST(OffsetOutlineProperty, RoundIsAtItsDistanceEverywhere) {
-  EXPECT_TRUE(rc::check([] {
-    const PieceOutline outline = random_outline();
-    const double width = 0.5 * *rc::gen::inRange(1, 60);
-    check(outline, {.width = width, .corners = Corners::round}, width + 1e-4);
-  }));
+PLANISH_PROPERTY(OffsetOutlineProperty, RoundIsAtItsDistanceEverywhere, 300) {
+  const PieceOutline outline = random_outline();
+  const double width = 0.5 * *rc::gen::inRange(1, 60);
+  check(outline, {.width = width, .corners = Corners::round}, width + 1e-4);
 }
 
-TEST(OffsetOutlineProperty, CornersReachNoFartherThanTheirLimit) {
-  EXPECT_TRUE(rc::check([] {
-    const PieceOutline outline = random_outline();
-    const double width = 0.5 * *rc::gen::inRange(1, 60);
-    check(outline, {.width = width, .corners = Corners::mitre}, 2.5 * width + 1e-4);
-    check(outline, {.width = width, .corners = Corners::square},
-          std::numbers::sqrt2 * width + 1e-4);
-  }));
+PLANISH_PROPERTY(OffsetOutlineProperty, CornersReachNoFartherThanTheirLimit, 200) {
+  const PieceOutline outline = random_outline();
+  const double width = 0.5 * *rc::gen::inRange(1, 60);
+  check(outline, {.width = width, .corners = Corners::mitre}, 2.5 * width + 1e-4);
+  check(outline, {.width = width, .corners = Corners::square}, std::numbers::sqrt2 * width + 1e-4);
 }
 
 /// What is nearer than the width is inside, what is farther is outside: nothing is forgotten.
-TEST(OffsetOutlineProperty, RoundHoldsAllThatIsNearAndNothingElse) {
-  EXPECT_TRUE(rc::check([] {
-    const PieceOutline outline = random_outline();
-    const double width = 0.5 * *rc::gen::inRange(1, 60);
-    const auto cut = offset_outline(outline, {.width = width, .corners = Corners::round});
-    for (int k = 0; k < 200; ++k) {
-      const Vec2 p{static_cast<double>(*rc::gen::inRange(-140, 140)) + 0.37,
-                   static_cast<double>(*rc::gen::inRange(-140, 140)) + 0.41};
-      const double distance =
-          oracle::is_inside(p, outline.loops) ? 0.0 : oracle::distance_to_outline(p, outline.loops);
-      if (std::abs(distance - width) < 0.006) continue;
-      RC_ASSERT(oracle::is_inside(p, cut) == (distance < width));
-    }
-  }));
+PLANISH_PROPERTY(OffsetOutlineProperty, RoundHoldsAllThatIsNearAndNothingElse, 100) {
+  const PieceOutline outline = random_outline();
+  const double width = 0.5 * *rc::gen::inRange(1, 60);
+  const auto cut = offset_outline(outline, {.width = width, .corners = Corners::round});
+  for (int k = 0; k < 200; ++k) {
+    const Vec2 p{static_cast<double>(*rc::gen::inRange(-140, 140)) + 0.37,
+                 static_cast<double>(*rc::gen::inRange(-140, 140)) + 0.41};
+    const double distance =
+        oracle::is_inside(p, outline.loops) ? 0.0 : oracle::distance_to_outline(p, outline.loops);
+    if (std::abs(distance - width) < 0.006) continue;
+    RC_ASSERT(oracle::is_inside(p, cut) == (distance < width));
+  }
 }
 
 }  // namespace

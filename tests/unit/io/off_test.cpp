@@ -68,11 +68,27 @@ TEST(ReadOff, SkipsColoursOfFaces) {
 TEST(ReadOff, DropsColoursAndNormalsOfVerticesWithANote) {
   for (const std::string kind : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"}) {
     const ReadResult result = parse(kind + "\n4 2 0\n0 0 0 1 0 0\n1 0 0 1 0 0\n1 1 0 1 0 0\n" +
-                                    "0 1 0 x\n3 0 1 2\n3 0 2 3\n");
+                                    "0 1 0 x y z\n3 0 1 2\n3 0 2 3\n");
     EXPECT_TRUE(same_bits(result.mesh, square()));
     EXPECT_EQ(result.notes.size(), 1U);
     EXPECT_NE(result.notes[0].find("of 4 vertices"), std::string::npos);
   }
+}
+
+TEST(ReadOff, RefusesVerticesOfDifferentlyManyNumbers) {
+  expect_refused("OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0 5\n0 1 0\n3 0 1 2\n3 0 2 3\n",
+                 ErrorCode::malformed_file, 5, "vertex 2: its line has 4 numbers");
+  // One vertex too many is announced: a face would be one.
+  expect_refused("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n3 0 1 2\n", ErrorCode::malformed_file,
+                 6, "4 numbers");
+}
+
+TEST(ReadOff, TellsOfWordsBehindTheLastFaceAndRefusesNumbers) {
+  const std::string triangle = "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n";
+  EXPECT_EQ(parse(triangle + "\nend\n").notes,
+            std::vector<std::string>{"ignored what follows the last item, from line 8 on"});
+  EXPECT_TRUE(parse(triangle + "# end\n").notes.empty());
+  expect_refused(triangle + "3 0 2 1\n", ErrorCode::malformed_file, 7, "after the 1 face that");
 }
 
 TEST(ReadOff, RefusesOtherKindsByName) {

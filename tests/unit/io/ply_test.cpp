@@ -199,13 +199,27 @@ TEST(ReadPly, TakesALineFeedAfterACarriageReturnHeaderForData) {
   EXPECT_EQ(result.mesh.positions[0], (Vec3{10, 0, 0}));
 }
 
-TEST(ReadPly, IgnoresBytesAfterTheLastElement) {
-  expect_square(k_binary_square + "more");
-  expect_square(k_ascii_square + "1 2 3 more\n");
+TEST(ReadPly, TellsOfBytesAfterTheLastElement) {
+  EXPECT_EQ(parse(k_binary_square + "more").notes,
+            std::vector<std::string>{"ignored 4 bytes after the last item"});
+  EXPECT_EQ(parse(k_ascii_square + "more 1 2 3\n").notes.size(), 1U);
 }
 
-TEST(ReadPly, AcceptsWordsOfAsciiFilesOnAnyLine) {
-  expect_square(square_header("ascii") + "0 0 0 1 0 0\r\n1 1\n\n0 0 1 0 3 0 1 2 3 0\n2 3");
+TEST(ReadPly, RefusesNumbersAfterTheLastElement) {
+  expect_refused(k_ascii_square + "1 2 3 more\n", ErrorCode::malformed_file, 16,
+                 "goes on with \"1\" after the 2 faces");
+}
+
+TEST(ReadPly, AcceptsItemsOfAsciiFilesThatAreBrokenOverLines) {
+  expect_square(square_header("ascii") + "0\n0 0\n1 0 0\r\n1 1\n\n0\n0 1 0\n3\n0 1 2\n3 0\n2 3");
+}
+
+TEST(ReadPly, RefusesItemsOfAsciiFilesThatEndWithinALine) {
+  constexpr auto k_code = ErrorCode::malformed_file;
+  const std::string header = square_header("ascii");
+  const std::string faces = "3 0 1 2\n3 0 2 3\n";
+  expect_refused(header + "0 0 0 9\n1 0 0\n1 1 0\n0 1 0\n" + faces, k_code, 10, "vertex 0");
+  expect_refused(header + "0 0 0\n1 0\n1 1 0\n0 1 0\n" + faces, k_code, 12, "vertex 1");
 }
 
 TEST(ReadPly, SplitsPolygonsIntoFansAndSaysSo) {

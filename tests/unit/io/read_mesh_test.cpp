@@ -87,7 +87,7 @@ const std::vector<std::pair<MeshFormat, std::string>>& samples() {
       {obj,
        "# x\nv 0 0 0 # y\nv 1 0 \\\n0\r\nv 1 1 0 1 0 0\nvt 0\ng a\nv 0 1 0\nl 1 2\n"
        "f 1/1 2//3 3/4/5\nf -4 -2 -1\nf 1 2 3 4\n"},
-      {off, "COFF # x\n4 2 0\n0 0 0\n1 0 0 1\n1 1 0\n0 1 0\n\n3 0 1 2 9\n4 0 1 2 3\n"},
+      {off, "COFF # x\n4 2 0\n0 0 0 1\n1 0 0 1\n1 1 0 1\n0 1 0 1\n\n3 0 1 2 9\n4 0 1 2 3\n"},
       {ply,
        "ply\ncomment x\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty int y\n"
        "property double z\nproperty list char int q\nelement face 1\n"

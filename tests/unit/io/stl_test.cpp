@@ -134,7 +134,8 @@ TEST(ReadStl, RefusesCountsThatTheFileCannotHoldBeforeItAllocates) {
   expect_refused_at_byte(binary("", 3, square()), k_code, 84, "3 facets but has room for 2");
   expect_refused_at_byte(binary("", 0xffffffff, square()), k_code, 84, "4294967295");
   expect_refused_at_byte(std::string(83, '\0'), k_code, 0, "at least 84 bytes");
-  expect_refused_at_byte("\x89PNG\r\n\x1a\n" + std::string(200, 'x'), k_code, 84);
+  expect_refused_at_byte("\x89PNG\r\n\x1a\n" + std::string(200, 'x'), ErrorCode::malformed_file, 0,
+                         "a PNG image");
 }
 
 TEST(ReadStl, RefusesFilesWithoutFacets) {

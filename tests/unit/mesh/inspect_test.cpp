@@ -188,7 +188,7 @@ TEST(Inspect, ATubeCanBeEvolvedButNotUnfolded) {
 
 TEST(Inspect, TwoComponentsCanBeEvolvedButNotUnfolded) {
   const TriMesh mesh = meshes::side_by_side(meshes::flat_grid(2, 2), meshes::flat_grid(3, 3));
-  expect_problem(mesh, ErrorCode::several_components, 2, 0);
+  expect_problem(mesh, ErrorCode::several_components, 2, 9);
   EXPECT_EQ(inspect(mesh).topology.border_loops, 2U);
   EXPECT_EQ(blocker(mesh, Purpose::evolve), std::nullopt);
   EXPECT_EQ(blocker(mesh, Purpose::unfold), ErrorCode::several_components);

@@ -1,0 +1,189 @@
+// What every method owes to any patch.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include <planish/evolve/evolve.h>
+#include <planish/measure/flattenability.h>
+#include <planish/mesh/shapes.h>
+
+#include <gtest/gtest.h>
+
+#include "property/property.h"
+#include "support/meshes.h"
+
+namespace planish {
+namespace {
+
+class MethodsProperty : public testing::TestWithParam<Method> {};
+
+template <std::size_t... I>
+std::vector<Method> all_methods(std::index_sequence<I...>) {
+  return {Method(std::variant_alternative_t<I, Method>{})...};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Methods, MethodsProperty,
+    testing::ValuesIn(all_methods(std::make_index_sequence<std::variant_size_v<Method>>())),
+    [](const auto& test) { return std::string(name_of(test.param)); });
+
+TriMesh arbitrary_patch() {
+  const auto columns = *rc::gen::inRange<std::size_t>(2, 8);
+  const auto rows = *rc::gen::inRange<std::size_t>(2, 8);
+  const auto seed = *rc::gen::arbitrary<std::uint32_t>();
+  const double height = 0.01 * *rc::gen::inRange(10, 60);
+  return meshes::rough_grid(columns, rows, seed, 0.2, height);
+}
+
+std::vector<Vec3> evolved(const TriMesh& mesh, const Method& method, unsigned threads = 1) {
+  return evolve(mesh, method, {.max_sweeps = 3}, {}, threads).positions;
+}
+
+/// A rotation about an arbitrary axis.
+class Turn {
+ public:
+  static Turn arbitrary() {
+    meshes::Random random(*rc::gen::arbitrary<std::uint32_t>());
+    Turn turn;
+    double length = 0.0;
+    for (double& part : turn.q_) {
+      part = random.number();
+      length += part * part;
+    }
+    for (double& part : turn.q_)
+      part /= std::sqrt(length);
+    return turn;
+  }
+  Vec3 operator()(Vec3 p) const {
+    const Vec3 axis{q_[1], q_[2], q_[3]};
+    return p + 2.0 * (q_[0] * cross(axis, p) + cross(axis, cross(axis, p)));
+  }
+
+ private:
+  double q_[4] = {};
+};
+
+double energy_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
+  return measure({positions, mesh.triangles}, Connectivity(mesh)).energy;
+}
+
+TEST_P(MethodsProperty, NeverMovesTheBorder) {
+  check_cases(400, [&] {
+    const TriMesh mesh = arbitrary_patch();
+    const auto positions = evolved(mesh, GetParam());
+    const Connectivity connectivity(mesh);
+    for (Index v = 0; v < mesh.positions.size(); ++v) {
+      if (connectivity.is_border(v)) RC_ASSERT(positions[v] == mesh.positions[v]);
+      RC_ASSERT(std::isfinite(positions[v].x + positions[v].y + positions[v].z));
+    }
+  });
+}
+
+TEST_P(MethodsProperty, LeavesFlattenableSurfacesAsTheyAre) {
+  check_cases(100, [&] {
+    const TriMesh flat = meshes::rough_grid(5, 5, *rc::gen::arbitrary<std::uint32_t>(), 0.3, 0.0);
+    const Turn turn = Turn::arbitrary();
+    TriMesh mesh = *rc::gen::element(flat, make_shape("cylinder", 200), make_shape("cone", 200),
+                                     make_shape("tangent", 200));
+    for (Vec3& p : mesh.positions)
+      p = turn(p);
+    const auto positions = evolved(mesh, GetParam());
+    const double limit = 1e-12 * bounding_box_diagonal(mesh);
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+      RC_ASSERT(norm(positions[v] - mesh.positions[v]) <= limit);
+  });
+}
+
+TEST_P(MethodsProperty, GivesTheSameBitsAtEverySizeOfAPowerOfTwo) {
+  check_cases(400, [&] {
+    const TriMesh mesh = arbitrary_patch();
+    const double size = std::ldexp(1.0, *rc::gen::inRange(-100, 101));  // 1e-30 to 1e30
+    TriMesh scaled = mesh;
+    for (Vec3& p : scaled.positions)
+      p = size * p;
+    auto expected = evolved(mesh, GetParam());
+    for (Vec3& p : expected)
+      p = size * p;
+    RC_ASSERT(evolved(scaled, GetParam()) == expected);
+  });
+}
+
+TEST_P(MethodsProperty, GivesTheSameBitsOnAnyNumberOfThreads) {
+  check_cases(100, [&] {
+    const TriMesh mesh = arbitrary_patch();
+    const auto threads = *rc::gen::inRange(2U, 6U);
+    RC_ASSERT(evolved(mesh, GetParam(), threads) == evolved(mesh, GetParam()));
+  });
+}
+
+TEST_P(MethodsProperty, RenumberingRenumbersTheResult) {
+  check_cases(300, [&] {
+    const TriMesh mesh = arbitrary_patch();
+    const auto n = static_cast<Index>(mesh.positions.size());
+    std::vector<Index> number(n);
+    std::iota(number.begin(), number.end(), Index{0});
+    meshes::Random random(*rc::gen::arbitrary<std::uint32_t>());
+    for (Index v = n - 1; v > 0; --v) {
+      std::swap(number[v], number[static_cast<Index>((random.number() * 0.5 + 0.5) * v)]);
+    }
+    TriMesh renumbered{std::vector<Vec3>(n), {}};
+    for (Index v = 0; v < n; ++v)
+      renumbered.positions[number[v]] = mesh.positions[v];
+    for (const Triangle& t : mesh.triangles) {
+      renumbered.triangles.insert(renumbered.triangles.begin(),
+                                  {number[t[1]], number[t[2]], number[t[0]]});
+    }
+    const auto one = evolved(mesh, GetParam()), other = evolved(renumbered, GetParam());
+    for (Index v = 0; v < n; ++v)
+      RC_ASSERT(norm(one[v] - other[number[v]]) < 1e-6);
+  });
+}
+
+/// Those that take one vertex after the other visit them in another order then, and end elsewhere.
+bool depends_on_an_order(const Method& method) {
+  return std::holds_alternative<ControllableLaplacian>(method) ||
+         std::holds_alternative<LocalOffset>(method) ||
+         std::holds_alternative<LocalPerturbation>(method) ||
+         std::holds_alternative<ClassicalLaplacian>(method);
+}
+
+void expect_moved_result(const TriMesh& mesh, const TriMesh& moved, const Method& method,
+                         const std::function<Vec3(Vec3)>& move) {
+  const auto one = evolved(mesh, method), other = evolved(moved, method);
+  const double before = energy_of(mesh, mesh.positions);
+  RC_ASSERT(std::abs(energy_of(mesh, one) - energy_of(moved, other)) < 0.2 * before);
+  if (depends_on_an_order(method)) return;
+  for (std::size_t v = 0; v < one.size(); ++v)
+    RC_ASSERT(norm(move(one[v]) - other[v]) < 1e-5);
+}
+
+TEST_P(MethodsProperty, TurningAndShiftingTurnsAndShiftsTheResult) {
+  check_cases(300, [&] {
+    const TriMesh mesh = arbitrary_patch();
+    const Turn turn = Turn::arbitrary();
+    const auto move = [turn](Vec3 p) { return turn(p) + Vec3{3.0, -2.0, 1.0}; };
+    TriMesh moved = mesh;
+    for (Vec3& p : moved.positions)
+      p = move(p);
+    expect_moved_result(mesh, moved, GetParam(), move);
+  });
+}
+
+TEST_P(MethodsProperty, MirroringMirrorsTheResult) {
+  check_cases(300, [&] {
+    const TriMesh mesh = arbitrary_patch();
+    const auto mirror = [](Vec3 p) { return Vec3{p.x, p.y, -p.z}; };
+    TriMesh mirrored = mesh;
+    for (Vec3& p : mirrored.positions)
+      p = mirror(p);
+    for (Triangle& t : mirrored.triangles)
+      std::swap(t[1], t[2]);
+    expect_moved_result(mesh, mirrored, GetParam(), mirror);
+  });
+}
+
+}  // namespace
+}  // namespace planish

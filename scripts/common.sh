@@ -1,4 +1,4 @@
-# Shared by scripts/run, scripts/test and .ci/run: which packages are needed, installing, building.
+# Shared by scripts/run, scripts/test, bench/ and .ci/run: which packages are needed, installing, building.
 # All that is said here goes to standard error; standard output belongs to the job.
 
 # Debian package, and how to tell on other systems that what it holds is there. A "program" may be
@@ -40,6 +40,11 @@ llvm-14             command llvm-symbolizer-14
 bench_packages="
 libbenchmark-dev    header benchmark/benchmark.h
 valgrind            command valgrind
+"
+
+paper_packages="
+python3             command python3
+python3-numpy       python numpy
 "
 
 repo=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)

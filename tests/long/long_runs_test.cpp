@@ -53,7 +53,9 @@ TEST(LongRuns, ThousandsOfSweepsNeitherGrowNorDrift) {
   // What was updated a thousand times is what is measured afresh.
   EXPECT_NEAR(measure(evolved, connectivity).energy / energy, 1.0, 1e-9);
   for (Index v = 0; v < mesh.positions.size(); ++v) {
-    if (!connectivity.is_inner(v)) ASSERT_EQ(evolved.positions[v], mesh.positions[v]);
+    if (!connectivity.is_inner(v)) {
+      ASSERT_EQ(evolved.positions[v], mesh.positions[v]);
+    }
   }
 }
 

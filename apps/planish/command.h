@@ -35,6 +35,8 @@ struct Arguments {
 };
 
 /// What a verb says and how it ended. run() alone prints it, so that --json is one object always.
+/// Verbs make it before they write their files, the last that they do: nothing can fail behind
+/// that.
 struct Outcome {
   std::string text;  ///< for people
   std::string json;

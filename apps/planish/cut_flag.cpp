@@ -4,7 +4,7 @@
 
 #include <planish/io/read_cuts.h>
 
-#include <nlohmann/json.hpp>
+#include <planish_json/json.h>
 
 #include "failures.h"
 #include "session.h"
@@ -40,9 +40,9 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
 
 std::string json_with_cut(const std::string& report, const std::optional<CutDone>& cut) {
   if (!cut) return report;
-  auto object = nlohmann::ordered_json::parse(report);
+  auto object = Json::parse(report);
   object["cut"] = {{"edges", cut->edges}, {"length", cut->length}};
-  return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json_text(object) + "\n";
 }
 
 }  // namespace planish::cli

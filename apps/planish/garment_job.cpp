@@ -60,13 +60,14 @@ class GarmentRun {
     std::vector<OutputFile> files = {{job_.folder / "garment.json", json},
                                      {job_.folder / "garment.svg", picture(seams)}};
     if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
-    session_.write(files);
     std::string text = job_.path + "  (" + std::to_string(outcomes_.size()) + " patches)\n\n";
     for (std::size_t p = 0; p < outcomes_.size(); ++p)
       text += "  " + patch_line(job_.patches[p], outcomes_[p]) + "\n";
     text += seams_text(job_, seams) + (nesting ? nesting->text : "") + written_text(files) +
             "and a folder for each patch beside it\n";
-    return with_nesting_checked(with_exit_code({text, json}), nesting);
+    Outcome outcome = with_nesting_checked(with_exit_code({text, json}), nesting);
+    session_.write(files, job_.folder);
+    return outcome;
   }
 
  private:
@@ -159,7 +160,7 @@ class GarmentRun {
     // Last, so that it never speaks of files that are not there yet.
     files.push_back(job_file(jobs_[p], files, job_.folder / job_.patches[p].folder));
     try {
-      session_.write(files);
+      session_.write(files, job_.folder);
       outcome.report = std::move(done.files->report);
       outcome.mesh = std::move(done.mesh);
       outcome.pattern = std::move(done.pattern);

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include <nlohmann/json.hpp>
+#include <planish_json/json.h>
 
 #include "failures.h"
 #include "quantities.h"
@@ -16,8 +16,6 @@
 namespace planish::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::array k_turns = {Turns::half, Turns::none, Turns::quarter, Turns::free};
 
@@ -179,8 +177,7 @@ NestOutcome nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRe
   });
   if (!nesting) throw Interrupted();
   NestOutcome outcome{layout_files(job, *nesting, request, folder, title), {}, {}};
-  outcome.json = nesting_json(job, *nesting, outcome.files)
-                     .dump(-1, ' ', false, Json::error_handler_t::replace);
+  outcome.json = json_text(nesting_json(job, *nesting, outcome.files), -1);
   outcome.text = nesting_text(job, *nesting);
   outcome.material = material_text(job.sheets, nesting->sheets);
   outcome.use = use_text(job.sheets, *nesting);
@@ -197,7 +194,7 @@ NestOutcome try_nest_patches(std::vector<NestPatch> patches, Unit unit, const Ne
     outcome.failure = current_failure();
     Json json = request_json(request.sheets);
     json["error"] = {{"code", outcome.failure->code}, {"message", outcome.failure->message}};
-    outcome.json = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    outcome.json = json_text(json, -1);
     return outcome;
   }
 }
@@ -206,7 +203,7 @@ std::string json_with_nesting(const std::string& report,
                               const std::optional<NestOutcome>& outcome) {
   Json json = Json::parse(report);
   json["nesting"] = outcome ? Json::parse(outcome->json) : Json(nullptr);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json) + "\n";
 }
 
 Outcome with_nesting_checked(Outcome outcome, const std::optional<NestOutcome>& nesting) {

@@ -1,8 +1,11 @@
 #include "garment_parts.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include <planish/mesh/inspect.h>
@@ -77,7 +80,30 @@ void name_folders(std::vector<GarmentPatch>& patches) {
 
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-         c == '_' || c == '.' || static_cast<unsigned char>(c) >= 0x80;
+         c == '_' || c == '.';
+}
+
+/// Shows nothing, or turns what stands around it: a name could look like another one.
+bool is_invisible(char32_t c) {
+  return c < 0xA0 || (c >= 0x200B && c <= 0x200F) || (c >= 0x2028 && c <= 0x202E) ||
+         (c >= 0x2060 && c <= 0x206F) || c == 0xFEFF || c == 0xAD || c == 0x61C;
+}
+
+/// Length of the letter beyond ASCII that begins there; 0 where there is none, or none to be seen.
+std::size_t letter_length(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text[0]);
+  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return 0;
+  char32_t value = lead & (0xFFU >> (length + 1));
+  for (const char c : text.substr(1, length - 1)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0U) != 0x80U) return 0;
+    value = value << 6U | (byte & 0x3FU);
+  }
+  constexpr std::array<char32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};
+  const bool is_letter = value >= smallest.at(length) && value <= 0x10FFFF &&
+                         (value < 0xD800 || value > 0xDFFF) && !is_invisible(value);
+  return is_letter ? length : 0;
 }
 
 std::string in_small_letters(std::string name) {
@@ -95,31 +121,44 @@ bool is_device(const std::string& name) {
   return stem.size() == 4 && (kind == "com" || kind == "lpt") && stem[3] >= '0' && stem[3] <= '9';
 }
 
+/// Whether a file beside the folders of patches could have the name: garment.json, layout-1.svg.
+bool is_like_a_file(const std::string& name) {
+  const std::string extension = lower_extension(name);
+  constexpr std::array kinds = {".json", ".svg", ".dxf", ".pdf", ".plt"};
+  return std::find(kinds.begin(), kinds.end(), extension) != kinds.end();
+}
+
 std::string safe_name(const std::string& name) {
   constexpr std::size_t k_longest = 80;
   std::string safe;
   safe.reserve(name.size());
-  for (const char c : name)
-    safe += is_plain(c) ? c : '_';
+  for (std::size_t i = 0; i < name.size();) {
+    const std::size_t length =
+        is_plain(name[i]) ? 1 : letter_length(std::string_view(name).substr(i));
+    safe += length > 0 ? name.substr(i, length) : "_";
+    i += std::max<std::size_t>(1, length);
+  }
   safe = beginning(safe, k_longest);
   while (!safe.empty() && safe.back() == '.')
     safe.pop_back();  // Windows drops them
   if (!safe.empty() && (safe.front() == '.' || safe.front() == '-')) safe.front() = '_';
   if (safe.empty()) safe = "patch";
-  return is_device(safe) ? safe + "_" : safe;
+  return is_device(safe) || is_like_a_file(safe) ? safe + "_" : safe;
 }
 
 }  // namespace
 
 std::vector<std::string> safe_names(const std::vector<std::string>& names) {
-  std::set<std::string> taken = {"garment.json", "garment.svg"};
+  std::set<std::string> taken;
+  std::map<std::string, int> next;  // number to try, where names are alike: many may be
   std::vector<std::string> safe;
   safe.reserve(names.size());
   for (const std::string& name : names) {
     const std::string wanted = safe_name(name);
     std::string given = wanted;
-    for (int k = 2; !taken.insert(in_small_letters(given)).second; ++k)
-      given = wanted + "-" + std::to_string(k);
+    int& k = next.try_emplace(in_small_letters(wanted), 2).first->second;
+    while (!taken.insert(in_small_letters(given)).second)
+      given = wanted + "-" + std::to_string(k++);
     safe.push_back(std::move(given));
   }
   return safe;

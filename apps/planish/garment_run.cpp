@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
-#include <deque>
 #include <exception>
 #include <mutex>
 #include <new>
@@ -38,10 +37,13 @@ FlattenedPatch flatten_patch(const GarmentJob& job, std::size_t number,
   return done;
 }
 
-/// What threads hand to the one that writes.
+/// What threads hand to the one that writes. There is room for all from the beginning: handing on
+/// must not fail, as the one that writes would wait for ever.
 class Finished {
  public:
   using Item = std::pair<std::size_t, FlattenedPatch>;
+
+  explicit Finished(std::size_t count) { items_.reserve(count); }
 
   void put(Item item) {
     const std::lock_guard lock(mutex_);
@@ -50,21 +52,52 @@ class Finished {
   }
   Item take() {
     std::unique_lock lock(mutex_);
-    arrived_.wait(lock, [&] { return !items_.empty(); });
-    Item item = std::move(items_.front());
-    items_.pop_front();
-    return item;
+    arrived_.wait(lock, [&] { return taken_ < items_.size(); });
+    return std::move(items_[taken_++]);
   }
 
  private:
   std::mutex mutex_;
   std::condition_variable arrived_;
-  std::deque<Item> items_;
+  std::vector<Item> items_;
+  std::size_t taken_ = 0;
+};
+
+/// Threads that are waited for also where the one that started them fails; then with less to do.
+class Workers {
+ public:
+  explicit Workers(std::atomic<bool>& cancelled) : cancelled_(cancelled) {}
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+  ~Workers() {
+    cancelled_ = true;  // by now all is done, or nobody takes what is left
+    for (std::thread& worker : threads_)
+      worker.join();
+  }
+
+  /// Starts so many, or fewer where the system has no more to give.
+  template <class Work>
+  void start(std::size_t count, const Work& work) {
+    threads_.reserve(count);
+    try {
+      while (threads_.size() < count)
+        threads_.emplace_back(work);
+    } catch (const std::system_error&) {
+      // Those that there are do the work.
+    } catch (const std::bad_alloc&) {
+      // There is no memory for one more.
+    }
+  }
+  bool empty() const { return threads_.empty(); }
+
+ private:
+  std::atomic<bool>& cancelled_;
+  std::vector<std::thread> threads_;
 };
 
 }  // namespace
 
-PatchFailure current_failure() {
+PatchFailure current_failure() try {
   try {
     throw;
   } catch (const Error& error) {
@@ -74,6 +107,8 @@ PatchFailure current_failure() {
   } catch (const std::exception& error) {
     return {"internal_error", error.what()};
   }
+} catch (const std::bad_alloc&) {  // not even for the words
+  return {"out_of_memory", "out of memory"};
 }
 
 void flatten_patches(const GarmentJob& job, std::vector<std::size_t> numbers, unsigned threads,
@@ -84,7 +119,7 @@ void flatten_patches(const GarmentJob& job, std::vector<std::size_t> numbers, un
   });
   std::atomic<bool> cancelled = false;
   std::atomic<std::size_t> next = 0;
-  Finished finished;
+  Finished finished(numbers.size());
   const auto stopped = [&] { return cancelled || interrupted(); };
   const auto work_on_next = [&] {
     const std::size_t k = next++;
@@ -93,26 +128,16 @@ void flatten_patches(const GarmentJob& job, std::vector<std::size_t> numbers, un
         {numbers[k], stopped() ? FlattenedPatch{} : flatten_patch(job, numbers[k], stopped)});
     return true;
   };
-  std::vector<std::thread> workers;
-  const std::size_t wanted = std::min<std::size_t>(threads, numbers.size());
-  workers.reserve(wanted);
-  try {
-    while (workers.size() < wanted) {
-      workers.emplace_back([&] {
-        while (work_on_next()) {
-        }
-      });
+  Workers workers(cancelled);
+  workers.start(std::min<std::size_t>(threads, numbers.size()), [&] {
+    while (work_on_next()) {
     }
-  } catch (const std::system_error&) {
-    // The system has no more threads to give: those that there are do the work.
-  }
+  });
   for (std::size_t taken = 0; taken < numbers.size(); ++taken) {
     if (workers.empty()) work_on_next();
     Finished::Item item = finished.take();
     if (!on_done(item.first, std::move(item.second))) cancelled = true;
   }
-  for (std::thread& worker : workers)
-    worker.join();
 }
 
 }  // namespace planish::cli

@@ -7,18 +7,18 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include <planish/core/fnv_hash.h>
 #include <planish/core/version.h>
 #include <planish/io/read_mesh.h>
 
-#include <nlohmann/json.hpp>
+#include <planish_json/json.h>
 
 namespace planish::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr const char* k_job_file = "job.json";
@@ -63,47 +63,48 @@ Json to_json(const std::vector<Notch>& notches) {
 }
 
 std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json) + "\n";
 }
 
 std::optional<std::string> content_of(const fs::path& path) {
+  std::error_code none;
+  // What stands there may be anybody's: nothing that has no end or is elsewhere.
+  if (!fs::is_regular_file(fs::symlink_status(path, none))) return std::nullopt;
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
   std::string content{std::istreambuf_iterator<char>(file), {}};
   return file.bad() ? std::nullopt : std::optional(std::move(content));
 }
 
-/// What a file says in JSON; null where it says nothing of the kind. What is nested deeper than
-/// anything of ours is left out: comparing and writing it would take the whole stack.
-Json json_in(const std::optional<std::string>& content) {
-  constexpr int k_deepest = 16;
-  const auto keep = [](int depth, Json::parse_event_t, Json&) { return depth <= k_deepest; };
-  Json json = content ? Json::parse(*content, keep, false) : Json(nullptr);
+/// What a file says in JSON; null where it says nothing of the kind.
+Json json_in(const fs::path& path) {
+  const auto content = content_of(path);
+  Json json = content ? parse_shallow(*content) : Json(nullptr);
   return json.is_object() ? json : Json(nullptr);
-}
-
-/// Whether a report says all that is taken from it when the product as a whole is told.
-bool is_complete(const Json& report) {
-  using Pointer = Json::json_pointer;
-  const auto at = [&](const char* path) {
-    return report.contains(Pointer(path)) ? report[Pointer(path)] : Json(nullptr);
-  };
-  for (const char* number :
-       {"/unfold/width", "/unfold/height", "/unfold/strain/rms", "/unfold/strain/max"}) {
-    if (!at(number).is_number()) return false;
-  }
-  return at("/unfold/unit").is_string() && at("/unfold/overlaps").is_boolean() &&
-         at("/evolve/stop").is_string() && at("/evolve/deviation").is_object() &&
-         at("/files").is_object();
 }
 
 bool are_as_written(const Json& files, const fs::path& folder) {
   if (!files.is_object() || files.empty()) return false;
   for (const auto& [name, hash] : files.items()) {
+    if (fs::path(name).filename() != name) return false;
     const auto content = content_of(folder / name);
     if (!content || !hash.is_string() || hash != hash_of(*content)) return false;
   }
   return true;
+}
+
+/// Whether it has what is told of every patch (garment_text.h).
+bool is_report(const std::string& text) try {
+  const Json report = parse_shallow(text);
+  const Json& unfold = report.at("unfold");
+  const Json& evolve = report.at("evolve");
+  return unfold.at("width").is_number() && unfold.at("height").is_number() &&
+         unfold.at("unit").is_string() && unfold.at("overlaps").is_boolean() &&
+         unfold.at("strain").at("rms").is_number() && unfold.at("strain").at("max").is_number() &&
+         evolve.at("stop").is_string() && evolve.at("deviation").is_object() &&
+         report.at("files").is_object();
+} catch (const Json::exception&) {
+  return false;
 }
 
 std::vector<Vec2> in_the_plane(const std::vector<Vec3>& positions) {
@@ -143,25 +144,26 @@ OutputFile job_file(const std::string& job, const std::vector<OutputFile>& files
 }
 
 std::optional<PatchResults> finished_results(const std::string& job, const fs::path& folder) {
-  Json found = json_in(content_of(folder / k_job_file));
+  Json found = json_in(folder / k_job_file);
   if (found.is_null() || !found.contains("files")) return std::nullopt;
-  const Json files = found["files"];
+  const Json files = std::move(found["files"]);
   found.erase("files");
   if (text_of(found) != job || !are_as_written(files, folder)) return std::nullopt;
   const auto report = content_of(folder / "report.json");
-  const auto flat = std::find_if(k_mesh_formats.begin(), k_mesh_formats.end(), [&](MeshFormat f) {
+  const auto format = std::find_if(k_mesh_formats.begin(), k_mesh_formats.end(), [&](MeshFormat f) {
     return files.contains("flat." + std::string(to_string(f)));
   });
-  if (!is_complete(json_in(report))) return std::nullopt;
-  if (flat == k_mesh_formats.end()) return std::nullopt;
+  if (!report || !is_report(*report)) return std::nullopt;
+  if (format == k_mesh_formats.end()) return std::nullopt;
   try {
-    const std::string extension = "." + std::string(to_string(*flat));
+    const std::string extension = "." + std::string(to_string(*format));
     const auto mesh_in = [&](const std::string& name) {
       return read_mesh((folder / (name + extension)).string()).mesh;
     };
-    PatchResults results{*report, mesh_in("processed"), in_the_plane(mesh_in("flat").positions)};
-    if (results.pattern.size() != results.mesh.positions.size()) return std::nullopt;
-    return results;
+    TriMesh processed = mesh_in("processed");
+    const TriMesh flat = mesh_in("flat");
+    if (processed.positions.size() != flat.positions.size()) return std::nullopt;
+    return PatchResults{*report, std::move(processed), in_the_plane(flat.positions)};
   } catch (const Error&) {
     return std::nullopt;
   }

@@ -6,15 +6,13 @@
 
 #include <planish/core/version.h>
 
-#include <nlohmann/json.hpp>
+#include <planish_json/json.h>
 
 #include "text.h"
 
 namespace planish::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t k_name_width = 20;
 
@@ -99,7 +97,7 @@ std::string garment_json(const GarmentJob& job, const std::vector<PatchOutcome>&
                      {"unit", to_string(job.options.unit)},
                      {"patches", std::move(patches)},
                      {"seams", std::move(list)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json) + "\n";
 }
 
 bool missed_target(const PatchOutcome& outcome) {

@@ -1,16 +1,14 @@
 #include "json_text.h"
 
-#include <nlohmann/json.hpp>
+#include <planish_json/json.h>
 
 namespace planish::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Paths may hold bytes that are no UTF-8: these become U+FFFD.
 std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+  return json_text(json);
 }
 
 }  // namespace

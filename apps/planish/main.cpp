@@ -1,8 +1,11 @@
 #include <csignal>
+#include <exception>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include "run.h"
@@ -25,11 +28,33 @@ void listen_for(int signal) {
   sigaction(signal, &action, nullptr);
 }
 
+/// A file that is opened must not become one of the three standard ones, where messages would go
+/// into it.
+void keep_standard_files_taken() {
+  int lowest = STDIN_FILENO;
+  while (lowest >= 0 && lowest <= STDERR_FILENO)
+    lowest = open("/dev/null", O_RDONLY);  // writing to it fails, as to what is closed
+  if (lowest >= 0) close(lowest);
+}
+
+/// Where memory ends while a failure is being handled: nothing can be caught any more, but what has
+/// been written is whole still.
+[[noreturn]] void end_at_once() {
+  constexpr std::string_view message = "error: out of memory or internal error; ended at once\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, message.data(), message.size());
+  _exit(planish::cli::k_exit_failed);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::set_terminate(end_at_once);
+  keep_standard_files_taken();
   listen_for(SIGINT);
   listen_for(SIGTERM);
+  // A reader that went away and a file that may not grow are failures like others.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   const std::vector<std::string> args(argv + (argc > 0 ? 1 : 0), argv + argc);
   return planish::cli::run(
       args, std::cout, std::cerr,

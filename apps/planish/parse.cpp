@@ -1,6 +1,7 @@
 #include "parse.h"
 
 #include <algorithm>
+#include <map>
 
 #include <CLI/CLI.hpp>
 
@@ -19,32 +20,39 @@ std::string cli11_name(const Flag& flag) {
   return flag.letter == 0 ? flag.name : std::string("-") + flag.letter + "," + flag.name;
 }
 
-void add_flag(CLI::App& app, const Flag& flag) {
+/// Options by their full names. CLI11 could be asked for them, but ends the program where memory
+/// ends while it looks.
+using Options = std::map<std::string, CLI::Option*>;
+
+void add_flag(CLI::App& app, const Flag& flag, Options& options) {
   // Several methods may have an option of one name.
-  if (app.get_option_no_throw(flag.name) != nullptr) return;
+  if (options.find(flag.name) != options.end()) return;
+  CLI::Option*& option = options[flag.name];
   if (flag.value.empty()) {
-    app.add_flag(cli11_name(flag))->disable_flag_override();
+    option = app.add_flag(cli11_name(flag))->disable_flag_override();
   } else {
-    app.add_option(cli11_name(flag))
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    option = app.add_option(cli11_name(flag))
+                 ->expected(1)
+                 ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   }
 }
 
-void add_flags(CLI::App& app, const FlagGroup& group) {
-  for (const Flag& flag : group.flags)
-    add_flag(app, flag);
-}
-
-void prepare(CLI::App& app) {
+Options add_flags(CLI::App& app, const std::vector<FlagGroup>& groups) {
   app.set_help_flag();
   app.allow_extras();
-  add_flags(app, global_flags());
+  Options options;
+  for (const Flag& flag : global_flags().flags)
+    add_flag(app, flag, options);
+  for (const FlagGroup& group : groups) {
+    for (const Flag& flag : group.flags)
+      add_flag(app, flag, options);
+  }
+  return options;
 }
 
-void read_flags(const CLI::App& app, const FlagGroup& group, Arguments& arguments) {
+void read_flags(const Options& options, const FlagGroup& group, Arguments& arguments) {
   for (const Flag& flag : group.flags) {
-    const CLI::Option* option = app.get_option(flag.name);
+    const CLI::Option* option = options.at(flag.name);
     if (option->count() == 0) continue;
     arguments.flags[flag.name] = flag.value.empty() ? "" : option->results().back();
   }
@@ -127,6 +135,13 @@ void check_complete(const Command& command, const Arguments& arguments) {
   }
 }
 
+/// A verb as CLI11 takes it apart.
+struct Verb {
+  const Command* command = nullptr;
+  Options options;
+  std::vector<CLI::Option*> operands;
+};
+
 }  // namespace
 
 bool asks_for(std::span<const std::string> args, std::string_view flag) {
@@ -136,15 +151,16 @@ bool asks_for(std::span<const std::string> args, std::string_view flag) {
 
 Parsed parse(std::span<const std::string> args) {
   CLI::App app;
-  prepare(app);
+  const Options global = add_flags(app, {});
   app.require_subcommand(0, 1);
+  std::map<const CLI::App*, Verb> verbs;
   for (const Command& command : commands()) {
-    CLI::App& verb = *app.add_subcommand(command.name);
-    prepare(verb);
-    for (const FlagGroup& group : command.groups)
-      add_flags(verb, group);
+    CLI::App& app_of_verb = *app.add_subcommand(command.name);
+    Verb& verb = verbs[&app_of_verb];
+    verb.command = &command;
+    verb.options = add_flags(app_of_verb, command.groups);
     for (const std::string& operand : command.operands)
-      verb.add_option(operand)->expected(1);
+      verb.operands.push_back(app_of_verb.add_option(operand)->expected(1));
   }
   try {
     app.parse(std::vector<std::string>(args.rbegin(), args.rend()));  // CLI11 wants them reversed
@@ -153,18 +169,16 @@ Parsed parse(std::span<const std::string> args) {
   }
 
   Parsed parsed;
-  read_flags(app, global_flags(), parsed.arguments);
-  const auto verbs = app.get_subcommands();
-  if (!verbs.empty()) {
-    const CLI::App& verb = *verbs.front();
-    parsed.command = &*std::find_if(commands().begin(), commands().end(),
-                                    [&](const Command& c) { return c.name == verb.get_name(); });
-    read_flags(verb, global_flags(), parsed.arguments);
-    for (const FlagGroup& group : parsed.command->groups) {
-      read_flags(verb, group, parsed.arguments);
-    }
-    for (const std::string& operand : parsed.command->operands) {
-      const auto given = verb.get_option(operand)->results();
+  read_flags(global, global_flags(), parsed.arguments);
+  const auto given_verbs = app.get_subcommands();
+  if (!given_verbs.empty()) {
+    const Verb& verb = verbs.at(given_verbs.front());
+    parsed.command = verb.command;
+    read_flags(verb.options, global_flags(), parsed.arguments);
+    for (const FlagGroup& group : parsed.command->groups)
+      read_flags(verb.options, group, parsed.arguments);
+    for (const CLI::Option* operand : verb.operands) {
+      const auto given = operand->results();
       parsed.arguments.operands.insert(parsed.arguments.operands.end(), given.begin(), given.end());
     }
   }

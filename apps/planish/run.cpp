@@ -11,10 +11,16 @@
 #include "json_text.h"
 #include "parse.h"
 #include "session.h"
+#include "text.h"
 
 namespace planish::cli {
 
 namespace {
+
+// Written out, so that nothing has to be allocated to say it.
+constexpr const char* k_out_of_memory = "out of memory";
+constexpr const char* k_out_of_memory_json =
+    R"({"error": {"code": "out_of_memory", "message": "out of memory"}})";
 
 Outcome usage_failure(const std::string& message, const std::string& json) {
   return {{}, json, k_exit_usage, message};
@@ -47,8 +53,7 @@ Outcome outcome_of_failure() {
     if (is_of_usage(error)) return usage_failure(error.what(), json_report(error));
     return {{}, json_report(error), k_exit_failed, error.what()};
   } catch (const std::bad_alloc&) {
-    const std::string message = "out of memory";
-    return {{}, json_failure("out_of_memory", message), k_exit_failed, message};
+    return {{}, k_out_of_memory_json, k_exit_failed, k_out_of_memory};
   } catch (const std::exception& error) {
     const std::string message =
         "internal error: " + std::string(error.what()) + "; please report this";
@@ -57,13 +62,24 @@ Outcome outcome_of_failure() {
 }
 
 void print(const Outcome& outcome, bool as_json, std::ostream& out, std::ostream& err) {
-  if (!outcome.complaint.empty()) err << "error: " << outcome.complaint << "\n";
+  if (!outcome.complaint.empty()) err << "error: " << Shown{outcome.complaint} << "\n";
   if (outcome.exit_code == k_exit_usage)
     err << "planish --help and planish VERB --help tell more\n";
-  const std::string& text = as_json && !outcome.json.empty() ? outcome.json : outcome.text;
-  out << text;
+  const bool prints_json = as_json && !outcome.json.empty();
+  const std::string& text = prints_json ? outcome.json : outcome.text;
+  if (prints_json) {
+    out << text;
+  } else {
+    out << Shown{text};
+  }
   if (!text.empty() && text.back() != '\n') out << '\n';
   out.flush();
+}
+
+int tell_of_no_memory(bool as_json, std::ostream& out, std::ostream& err) {
+  err << "error: " << k_out_of_memory << '\n';
+  if (as_json) out << k_out_of_memory_json << '\n' << std::flush;
+  return k_exit_failed;
 }
 
 }  // namespace
@@ -78,7 +94,11 @@ int run(std::span<const std::string> args, std::ostream& out, std::ostream& err,
   try {
     outcome = obey(args, err, context);
   } catch (...) {
-    outcome = outcome_of_failure();
+    try {
+      outcome = outcome_of_failure();
+    } catch (const std::bad_alloc&) {  // not even for the words
+      return tell_of_no_memory(asks_for(args, "--json"), out, err);
+    }
   }
   print(outcome, asks_for(args, "--json"), out, err);
   if (!out && outcome.exit_code == k_exit_done) {

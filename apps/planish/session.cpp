@@ -38,18 +38,18 @@ Session::~Session() {
 void Session::note(const std::string& message) {
   if (quiet_) return;
   clear_progress();
-  err_ << "note: " << message << "\n";
+  err_ << "note: " << Shown{message} << "\n";
 }
 
 void Session::tell(const std::string& line) {
   if (quiet_) return;
   clear_progress();
-  err_ << line << std::endl;
+  err_ << Shown{line} << std::endl;
 }
 
 void Session::warn(const std::string& message) {
   clear_progress();
-  err_ << "warning: " << message << "\n";
+  err_ << "warning: " << Shown{message} << "\n";
 }
 
 void Session::show_progress(const std::string& stage, double share, const std::string& detail) {
@@ -60,13 +60,16 @@ void Session::show_progress(const std::string& stage, double share, const std::s
   std::string line = left(stage, 10) + bar(share) + right(fixed(100.0 * share, 0), 4) + " %";
   if (!detail.empty()) line += "  " + detail;
   line.resize(std::min(line.size(), k_text_width - 1));
-  err_ << '\r' << left(line, drawn_) << std::flush;  // padded over what stood there
+  err_ << '\r' << Shown{left(line, drawn_)} << std::flush;  // padded over what stood there
   drawn_ = line.size();
 }
 
 void Session::clear_progress() {
   if (drawn_ == 0) return;
-  err_ << '\r' << std::string(drawn_, ' ') << '\r' << std::flush;
+  err_ << '\r';
+  for (std::size_t i = 0; i < drawn_; ++i)
+    err_ << ' ';
+  err_ << '\r' << std::flush;
   drawn_ = 0;
 }
 
@@ -86,10 +89,10 @@ ReadResult Session::read(const std::string& path) {
   return result;
 }
 
-void Session::write(const std::vector<OutputFile>& files) {
+void Session::write(const std::vector<OutputFile>& files, const std::filesystem::path& folder) {
   stop_if_interrupted();
   clear_progress();
-  write_files(files);
+  write_files(files, folder);
 }
 
 void refuse_shared_places(const std::vector<OutputFile>& files) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -39,9 +40,10 @@ class Session {
 
   /// Reads a mesh and passes on what the reader noticed.
   ReadResult read(const std::string& path);
-  /// Writes all files or none.
+  /// Writes all files or none; below the folder no symbolic link is followed, as write_files()
+  /// tells.
   /// @throws Interrupted where the user asked to stop
-  void write(const std::vector<OutputFile>& files);
+  void write(const std::vector<OutputFile>& files, const std::filesystem::path& folder = {});
 
  private:
   void clear_progress();

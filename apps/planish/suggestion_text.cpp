@@ -5,15 +5,13 @@
 #include <planish/core/version.h>
 #include <planish/io/read_cuts.h>
 
-#include <nlohmann/json.hpp>
+#include <planish_json/json.h>
 
 #include "text.h"
 
 namespace planish::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string strain_text(const EdgeStrain& strain) {
   return percent(strain.max) + " (rms " + percent(strain.rms) + ")";
@@ -92,7 +90,7 @@ std::string suggestion_json(const CutSuggestion& suggestion, double max_strain, 
                        {"strain", to_json(suggestion.last.strain)},
                        {"overlaps", suggestion.last.pattern.overlaps},
                        {"files", Json(files)}};
-  return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(object) + "\n";
 }
 
 std::string suggestion_file(const CutSuggestion& suggestion, Unit unit) {

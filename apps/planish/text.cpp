@@ -70,6 +70,19 @@ std::string beginning(const std::string& text, std::size_t bytes) {
   return text.substr(0, end);
 }
 
+std::ostream& operator<<(std::ostream& out, Shown shown) {
+  unsigned char before = 0;
+  for (const char c : shown.text) {
+    const auto byte = static_cast<unsigned char>(c);
+    // In UTF-8 the control characters from U+0080 to U+009F are 0xC2 and one byte.
+    const bool is_control = (byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7F ||
+                            (before == 0xC2 && byte >= 0x80 && byte < 0xA0);
+    out.put(is_control ? '?' : c);
+    before = byte;
+  }
+  return out;
+}
+
 std::string counted(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }

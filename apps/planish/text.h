@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,13 @@ std::string right(const std::string& text, std::size_t width);
 
 /// As much of the beginning as has at most so many bytes and ends on a whole UTF-8 letter.
 std::string beginning(const std::string& text, std::size_t bytes);
+
+/// Written to a stream without what a terminal would obey: control characters but line ends and
+/// tabs become question marks. Names in files are anybody's.
+struct Shown {
+  std::string_view text;
+  friend std::ostream& operator<<(std::ostream& out, Shown shown);
+};
 
 /// "1 sweep", "2 sweeps"
 std::string counted(std::size_t count, const std::string& noun);

@@ -1,6 +1,7 @@
 #include "core/thread_pool.h"
 
 #include <algorithm>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -14,6 +15,8 @@ ThreadPool::ThreadPool(unsigned threads) {
       workers_.emplace_back([this] { work(); });
   } catch (const std::system_error&) {
     // The system gives no more threads: those at hand do the same work.
+  } catch (const std::bad_alloc&) {
+    // Nor has it the memory for them.
   }
 }
 

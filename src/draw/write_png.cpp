@@ -1,6 +1,6 @@
 #include <cassert>
 #include <cstddef>
-#include <stdexcept>
+#include <new>
 
 #include <planish/draw/image.h>
 
@@ -39,7 +39,7 @@ std::string write_png(const Image& image) {
   png_alloc_size_t size = png.size();
   if (!png_image_write_to_memory(&header, png.data(), &size, 0, samples.data(), 0, nullptr)) {
     // With sound input and a buffer of the largest size, memory is all that can run out.
-    throw std::runtime_error(std::string("libpng: ") + header.message);
+    throw std::bad_alloc();
   }
   png.resize(size);
   return png;

@@ -1,5 +1,7 @@
 #include <chrono>
 #include <optional>
+#include <string>
+#include <type_traits>
 
 #include <planish/evolve/evolver.h>
 #include <planish/measure/flattenability.h>
@@ -10,6 +12,33 @@
 #include "evolve/sweep.h"
 
 namespace planish {
+
+namespace {
+
+/// Methods that solve for all vertices at once join every two neighbours of a movable vertex in one
+/// matrix: with so many neighbours it has some gigabytes.
+constexpr std::size_t k_most_neighbours = 4000;
+
+template <class M>
+constexpr bool k_joins_neighbours = std::is_same_v<M, Auto> || std::is_same_v<M, LeastNorm>;
+
+void check_neighbours(const Connectivity& connectivity, const Method& method) {
+  const bool joins = std::visit(
+      [](const auto& m) { return k_joins_neighbours<std::decay_t<decltype(m)>>; }, method);
+  if (!joins) return;
+  for (Index v = 0; v < connectivity.vertex_count(); ++v) {
+    const std::size_t neighbours = connectivity.ring(v).size();
+    if (neighbours <= k_most_neighbours || connectivity.is_border(v)) continue;
+    throw Error(ErrorCode::too_large,
+                "vertex " + std::to_string(v) + " has " + std::to_string(neighbours) +
+                    " neighbours; method " + std::string(name_of(method)) + " takes at most " +
+                    std::to_string(k_most_neighbours) +
+                    ": divide the triangles around it, or take another method",
+                {.path = {}, .first = v});
+  }
+}
+
+}  // namespace
 
 class Evolver::Impl {
  public:
@@ -58,6 +87,7 @@ Evolver::Evolver(const TriMesh& mesh, const Connectivity& connectivity, const Me
   check_options(method);
   check_constraints(constraints, mesh.positions.size(), method);
   require(inspect(mesh), Purpose::evolve);
+  check_neighbours(connectivity, method);
   impl_ = std::make_unique<Impl>(mesh, connectivity, method, threads, constraints);
 }
 

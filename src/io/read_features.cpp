@@ -50,6 +50,11 @@ void trace(const LineDrawing::Line& line, std::span<const Index> corners, EdgePa
     }
     for (const Index v : *path)
       marked[v] = 1;
+    if (paths.looks() > k_most_looks) {
+      cursor.fail_at_line(line.line, ErrorCode::too_large,
+                          "the lines up to this one are too long together: draw more points, so "
+                          "that each is near the next");
+    }
   }
 }
 

@@ -1,6 +1,8 @@
 #include <cerrno>
+#include <new>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <planish/core/error.h>
@@ -34,18 +36,44 @@ void write_all(Descriptor& file, std::string_view content, const fs::path& path)
   if (!file.close()) fail(path, errno);
 }
 
-/// Where renaming has to put the file: a symbolic link stays, what it points to is replaced.
+/// Where renaming has to put a file that the caller named: a symbolic link stays, what it points to
+/// is replaced.
 fs::path place_of(const fs::path& path) {
+  std::error_code fault;
+  if (!fs::is_symlink(fs::symlink_status(path, fault))) return path;
+  const fs::path place = fs::canonical(path, fault);
+  if (fault == std::errc::not_enough_memory) throw std::bad_alloc();
+  return fault ? path : place;  // one that leads nowhere is replaced itself
+}
+
+/// What is left of the path below the folder; empty where it is elsewhere.
+fs::path below(const fs::path& folder, const fs::path& path) {
+  if (folder.empty()) return {};
+  fs::path rest = fs::absolute(path).lexically_normal().lexically_relative(
+      (fs::absolute(folder) / "").lexically_normal());
+  return rest.empty() || *rest.begin() == ".." ? fs::path() : rest;
+}
+
+/// Nothing below the output folder may lead out of it.
+/// @param rest of the path, below the folder
+void refuse_links(const fs::path& folder, const fs::path& rest, const fs::path& path) {
   std::error_code none;
-  if (!fs::is_symlink(path, none)) return path;
-  const fs::path place = fs::canonical(path, none);
-  return none ? path : place;
+  fs::path at = folder;
+  for (const fs::path& name : rest.parent_path()) {
+    at /= name;
+    if (fs::is_symlink(fs::symlink_status(at, none))) {
+      fail(path, at.string() + " is a symbolic link, which might lead out of the output folder");
+    }
+  }
+  const fs::file_status last = fs::symlink_status(path, none);
+  if (fs::is_other(last)) fail(path, "is no file");
 }
 
 /// Writes beside the places, renames, and takes everything back unless commit() went through.
 class Transaction {
  public:
-  Transaction() = default;
+  /// @param folder below which no symbolic link is followed; empty for none
+  explicit Transaction(const fs::path& folder) : folder_(folder) {}
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
   ~Transaction() {
@@ -69,6 +97,7 @@ class Transaction {
   void keep_previous(Pending& pending);
   void take_back() noexcept;
 
+  const fs::path& folder_;
   std::vector<Pending> pending_;
   std::vector<const OutputFile*> direct_;
   std::vector<fs::path> folders_;  ///< that were made, outer ones first
@@ -78,20 +107,26 @@ class Transaction {
 
 void Transaction::prepare(const OutputFile& file) {
   std::error_code none;
-  const fs::file_status status = fs::status(file.path, none);
+  const fs::path rest = below(folder_, file.path);
+  const bool inside = !rest.empty();
+  if (inside) refuse_links(folder_, rest, file.path);
+  const fs::file_status status =
+      inside ? fs::symlink_status(file.path, none) : fs::status(file.path, none);
   if (!file.path.has_filename()) fail(file.path, "the path names no file");
   if (fs::is_directory(status)) fail(file.path, EISDIR);
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
+  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_symlink(status)) {
     direct_.push_back(&file);  // a device or pipe: nothing can be renamed over it
     return;
   }
-  const fs::path place = place_of(file.path);
+  const fs::path place = inside ? file.path : place_of(file.path);
   make_folders(place.parent_path(), file.path);
-  const fs::path partial = free_name(place);
+  // Known before it is there: whatever fails from here on, it is taken back.
+  pending_.push_back(
+      {.path = file.path, .place = place, .partial = free_name(place), .previous = {}});
   constexpr mode_t k_mode = 0666;  // the user's mask takes away what it should
-  Descriptor out(::open(partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, k_mode));
+  Descriptor out(
+      ::open(pending_.back().partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, k_mode));
   if (out.number() < 0) fail(file.path, errno);
-  pending_.push_back({.path = file.path, .place = place, .partial = partial, .previous = {}});
   write_all(out, file.content, file.path);
 }
 
@@ -103,9 +138,10 @@ void Transaction::make_folders(const fs::path& folder, const fs::path& path) {
     if (fault) fail(path, fault.message());
     if (at.has_filename()) missing.push_back(at);
   }
+  folders_.reserve(folders_.size() + missing.size());
   for (; !missing.empty(); missing.pop_back()) {
     if (fs::create_directory(missing.back(), fault)) {
-      folders_.push_back(missing.back());
+      folders_.push_back(std::move(missing.back()));
     } else if (fault) {
       fail(path, fault.message());
     }
@@ -125,10 +161,14 @@ fs::path Transaction::free_name(const fs::path& place) {
 /// Gives the old content a second name, so that it can be put back should a later file fail.
 void Transaction::keep_previous(Pending& pending) {
   std::error_code fault;
-  if (!fs::exists(fs::symlink_status(pending.place, fault))) return;
-  const fs::path previous = free_name(pending.place);
+  const fs::file_status status = fs::symlink_status(pending.place, fault);
+  if (!fs::is_regular_file(status) && !fs::is_symlink(status)) return;
+  fs::path previous = free_name(pending.place);
   fs::create_hard_link(pending.place, previous, fault);
-  if (!fault) pending.previous = previous;  // some file systems cannot: then all or some
+  // Some file systems have no second names: there the first one goes.
+  if (fault) fs::rename(pending.place, previous, fault);
+  if (fault) fail(pending.path, fault.message());
+  pending.previous = std::move(previous);
 }
 
 void Transaction::commit() {
@@ -171,8 +211,8 @@ void Transaction::take_back() noexcept {
 
 }  // namespace
 
-void write_files(std::span<const OutputFile> files) {
-  Transaction transaction;
+void write_files(std::span<const OutputFile> files, const std::filesystem::path& folder) {
+  Transaction transaction(folder);
   for (const OutputFile& file : files)
     transaction.prepare(file);
   transaction.commit();

@@ -6,6 +6,7 @@
 
 #include "core/number_text.h"
 #include "mesh/disjoint_sets.h"
+#include "mesh/edge_paths.h"
 #include "mesh/inside_paths.h"
 
 namespace planish {
@@ -105,6 +106,11 @@ std::vector<std::vector<Index>> full_paths(const TriMesh& mesh, const Connectivi
                    v);
       }
       path.insert(path.end(), way->begin() + 1, way->end());
+      if (inside.looks() > k_most_looks) {
+        refuse_cut(
+            paths[k], k, ErrorCode::too_large,
+            "is one too many: the ways between the vertices of all cuts are too long together", v);
+      }
     }
   }
   return full;

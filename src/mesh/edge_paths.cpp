@@ -48,6 +48,7 @@ void EdgePaths::spread(Index from, Index to) {
   while (!queue.empty() && queue.top().second != to) {
     const auto [distance, v] = queue.top();
     queue.pop();
+    ++looks_;
     if (distance > distance_[v]) continue;  // a shorter way was found since
     for (const Index w : connectivity_.ring(v)) {
       const Vec3 edge = scale_ * mesh_.positions[w] - scale_ * mesh_.positions[v];

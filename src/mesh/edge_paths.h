@@ -8,6 +8,10 @@
 
 namespace planish {
 
+/// So many vertices may be looked at for all ways of a file together: some seconds. Each line of a
+/// file can ask for a way across the whole mesh, and without a bound a small file could take hours.
+inline constexpr std::size_t k_most_looks = 50'000'000;
+
 /// Finds shortest paths along the edges of a mesh (Dijkstra 1959).
 class EdgePaths {
  public:
@@ -18,6 +22,9 @@ class EdgePaths {
   /// of the mesh. Of several paths always the same. Looks no further than the path is long.
   std::optional<std::vector<Index>> between(Index from, Index to);
 
+  /// Vertices looked at so far.
+  std::size_t looks() const { return looks_; }
+
  private:
   void spread(Index from, Index to);
 
@@ -26,6 +33,7 @@ class EdgePaths {
   double scale_;
   std::vector<double> distance_;  ///< infinite where nothing was reached yet
   std::vector<Index> previous_;
+  std::size_t looks_ = 0;
   std::vector<Index> reached_;  ///< what has to be forgotten before the next path
 };
 

@@ -66,6 +66,7 @@ std::optional<Index> InsidePaths::spread(std::span<const Index> first,
   while (!queue.empty()) {
     const auto [distance, v] = queue.top();
     queue.pop();
+    ++looks_;
     if (distance > distance_[v]) continue;  // a shorter way was found since
     if (at_vertex(v)) return v;
     if (connectivity_.is_border(v) && previous_[v] != v) continue;

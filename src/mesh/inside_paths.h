@@ -28,6 +28,9 @@ class InsidePaths {
   /// The vertex that is farthest along such paths, of those that are wanted and can be reached.
   std::optional<Index> farthest(Index first, const std::function<bool(Index)>& is_wanted);
 
+  /// Vertices looked at so far.
+  std::size_t looks() const { return looks_; }
+
  private:
   /// Spreads until a vertex makes `at_vertex` say true, and returns that; distances grow.
   std::optional<Index> spread(std::span<const Index> first,
@@ -39,7 +42,8 @@ class InsidePaths {
   double scale_;
   std::vector<double> distance_;  ///< infinite where nothing was reached yet
   std::vector<Index> previous_;   ///< of a first vertex itself
-  std::vector<Index> reached_;    ///< what has to be forgotten before the next path
+  std::size_t looks_ = 0;
+  std::vector<Index> reached_;  ///< what has to be forgotten before the next path
 };
 
 }  // namespace planish

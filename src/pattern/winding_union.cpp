@@ -1,6 +1,7 @@
 #include "pattern/winding_union.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include <planish/core/error.h>
 
@@ -30,12 +31,16 @@ Polygon off_grid(const ClipperLib::Path& path) {
 }
 
 ClipperLib::Paths united(const ClipperLib::Paths& paths) {
-  ClipperLib::Clipper clipper;
-  clipper.StrictlySimple(true);
-  clipper.AddPaths(paths, ClipperLib::ptSubject, true);
-  ClipperLib::Paths result;
-  clipper.Execute(ClipperLib::ctUnion, result, ClipperLib::pftPositive);
-  return result;
+  // Clipper catches whatever is thrown within and tells only that it failed. Where there was no
+  // memory for a moment, the second try is right; where there is none, preparing it throws.
+  for (int i = 0; i < 2; ++i) {
+    ClipperLib::Clipper clipper;
+    clipper.StrictlySimple(true);
+    clipper.AddPaths(paths, ClipperLib::ptSubject, true);
+    ClipperLib::Paths result;
+    if (clipper.Execute(ClipperLib::ctUnion, result, ClipperLib::pftPositive)) return result;
+  }
+  throw std::runtime_error("the outlines of a piece could not be united");
 }
 
 }  // namespace

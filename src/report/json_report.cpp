@@ -5,7 +5,7 @@
 #include <planish/report/json_report.h>
 #include <planish/report/strain_check.h>
 
-#include <nlohmann/json.hpp>
+#include <planish_json/json.h>
 
 #include "report/enumerator_name.h"
 
@@ -13,11 +13,8 @@ namespace planish {
 
 namespace {
 
-// Keeps the keys in the order in which they are set. Not finite numbers are written as null.
-using Json = nlohmann::ordered_json;
-
 std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return json_text(json) + '\n';
 }
 
 Json to_json(const std::vector<Problem>& problems) {

@@ -11,7 +11,7 @@
 #include <planish/mesh/connectivity.h>
 #include <planish/report/pattern_sheet.h>
 
-#include <nlohmann/json.hpp>
+#include <planish_json/json.h>
 
 #include "report/base64.h"
 #include "report/display_mesh.h"
@@ -23,8 +23,6 @@
 namespace planish {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double k_nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double k_scale_share = 0.98;  // of the vertices within a scale
@@ -229,7 +227,7 @@ std::string page_data(const PageInput& input) {
                {"figures", std::move(modes)},
                {"pattern", drawn_json(input, shown)}};
   return "<script type=\"application/json\" id=\"report-data\">" +
-         json_for_script(json.dump(-1, ' ', false, Json::error_handler_t::replace)) + "</script>\n";
+         json_for_script(json_text(json, -1)) + "</script>\n";
 }
 
 }  // namespace planish

@@ -225,13 +225,23 @@ bool SparseLdlt::factor(const SparseMatrix& lower, ThreadPool& pool) {
                               [&](Index s) { return factor_node(lower, s, own, updates, pool); });
 }
 
+/// Room for what any panel has below its own rows. Taken once: where memory ends while an Eigen
+/// matrix is resized, the old elements are freed twice.
+Eigen::MatrixXd SparseLdlt::room_below(Eigen::Index columns) const {
+  std::size_t most = 0;
+  for (std::size_t s = 0; s < tree_.count(); ++s)
+    most = std::max(most, tree_.rows(s).size());
+  return {static_cast<Eigen::Index>(most), columns};
+}
+
 void SparseLdlt::solve_forward(Eigen::MatrixXd& x) const {
-  Eigen::MatrixXd image;
+  Eigen::MatrixXd room = room_below(x.cols());
   for (std::size_t s = 0; s < tree_.count(); ++s) {
     const auto l = panel(s);
     const auto rows = tree_.rows(s);
     auto own = x.middleRows(tree_.first[s], l.cols());
     l.topRows(l.cols()).triangularView<Eigen::UnitLower>().solveInPlace(own);
+    auto image = room.topRows(static_cast<Eigen::Index>(rows.size()));
     image.noalias() = l.bottomRows(l.rows() - l.cols()) * own;
     for (std::size_t i = 0; i < rows.size(); ++i)
       x.row(rows[i]) -= image.row(static_cast<Eigen::Index>(i));
@@ -239,11 +249,11 @@ void SparseLdlt::solve_forward(Eigen::MatrixXd& x) const {
 }
 
 void SparseLdlt::solve_backward(Eigen::MatrixXd& x) const {
-  Eigen::MatrixXd below;
+  Eigen::MatrixXd room = room_below(x.cols());
   for (std::size_t s = tree_.count(); s-- > 0;) {
     const auto l = panel(s);
     const auto rows = tree_.rows(s);
-    below.resize(static_cast<Eigen::Index>(rows.size()), x.cols());
+    auto below = room.topRows(static_cast<Eigen::Index>(rows.size()));
     for (std::size_t i = 0; i < rows.size(); ++i)
       below.row(static_cast<Eigen::Index>(i)) = x.row(rows[i]);
     auto own = x.middleRows(tree_.first[s], l.cols());

@@ -61,6 +61,7 @@ class SparseLdlt {
   /// @param updates what the supernodes leave to their parents; those of its children are used up
   bool factor_node(const SparseMatrix& lower, std::size_t node, FrontSpace& space,
                    std::vector<FrontRoom>& updates, ThreadPool& pool);
+  Eigen::MatrixXd room_below(Eigen::Index columns) const;
   void solve_forward(Eigen::MatrixXd& x) const;
   void solve_backward(Eigen::MatrixXd& x) const;
 

@@ -260,9 +260,24 @@ TEST(SafeNames, LeadNowhereElseAndAreAllDifferent) {
       safe_names({"..", ".", "", "../x", "/etc/passwd", "-o", "c:\\x", "Überzug"}),
       ElementsAre("patch", "patch-2", "patch-3", "_._x", "_etc_passwd", "_o", "c__x", "Überzug"));
   EXPECT_THAT(safe_names({"con", "LPT1.txt", "garment.json"}),
-              ElementsAre("con_", "LPT1.txt_", "garment.json-2"));
+              ElementsAre("con_", "LPT1.txt_", "garment.json_"));
+  EXPECT_THAT(safe_names({"layout.svg", "LAYOUT-1.PDF", "front.obj"}),
+              ElementsAre("layout.svg_", "LAYOUT-1.PDF_", "front.obj"));
+  // Not UTF-8, an overlong slash, a surrogate; marks that turn text or cannot be seen.
+  EXPECT_THAT(safe_names({"a\xff", "\xc0\xaf", "\xed\xa0\x80",
+                          "\xe2\x80\xae"
+                          "fdp",
+                          "\xc2\x9b"
+                          "1"}),
+              ElementsAre("a_", "__", "___", "___fdp", "__1"));
   EXPECT_EQ(safe_names({std::string(300, 'x')}).front().size(), 80U);
   EXPECT_EQ(safe_names({std::string(79, 'x') + "Ü"}).front().size(), 79U);
+}
+
+TEST(SafeNames, NumberManyThatAreAlikeQuickly) {
+  // Trying every number for every name would take some 10^9 steps.
+  const std::vector<std::string> safe = safe_names(std::vector<std::string>(50'000, "?"));
+  EXPECT_EQ(safe.back(), "_-50000");
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "text.h"
 
+#include <sstream>
+
 #include <gtest/gtest.h>
 
 namespace planish::cli {
@@ -52,6 +54,12 @@ TEST(Percent, NeverRoundsSomethingToNothing) {
 TEST(Counted, PutsTheNounInItsNumber) {
   EXPECT_EQ(counted(1, "sweep"), "1 sweep");
   EXPECT_EQ(counted(0, "sweep"), "0 sweeps");
+}
+
+TEST(Text, IsShownWithoutWhatATerminalObeys) {
+  std::ostringstream shown;
+  shown << Shown{"a\x1b[31m\x07\x7f\r\n\tb \xc3\xa9 \xc2\x9b \xe2\x80\x9b"};
+  EXPECT_EQ(shown.str(), "a?[31m???\n\tb \xc3\xa9 \xc2? \xe2\x80\x9b");
 }
 
 }  // namespace

@@ -60,20 +60,19 @@ Outcome run_compare(const Arguments& arguments, Session& session) {
   });
   if (!report) throw Interrupted();
 
-  const std::string json = json_report(*report);
+  std::string json = json_report(*report);
   std::string text = path + "  (" + size + ")\n\n" + compare_text(*report);
   warn_of_failures(session, *report);
   if (std::none_of(report->runs.begin(), report->runs.end(),
                    [](const ComparedMethod& method) { return method.evolve.has_value(); })) {
     return {text, json, k_exit_failed, path + ": no method could be run"};
   }
-  if (writes) {
-    const std::vector<OutputFile> files =
-        files_of(*report, folder, output_format(input.format), json);
-    session.write(files);
-    text += written_text(files);
-  }
-  return {text, json};
+  std::vector<OutputFile> files;
+  if (writes) files = files_of(*report, folder, output_format(input.format), json);
+  if (writes) text += written_text(files);
+  Outcome outcome = {std::move(text), std::move(json)};
+  session.write(files, folder);
+  return outcome;
 }
 
 }  // namespace

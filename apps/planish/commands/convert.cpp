@@ -15,11 +15,13 @@ Outcome run_convert(const Arguments& arguments, Session& session) {
   const std::string& output = arguments.operands[1];
   const MeshFormat format = mesh_format_of(output);
   const TriMesh mesh = session.read(path).mesh;
-  session.write({{output, format_mesh(mesh, format)}});
   if (format == MeshFormat::stl) {
     session.note("STL rounds positions to single precision and loses the order of the vertices");
   }
-  return {path + " -> " + output + "  (" + size_text(mesh) + ")\n", json_written(mesh, output)};
+  Outcome outcome = {path + " -> " + output + "  (" + size_text(mesh) + ")\n",
+                     json_written(mesh, output)};
+  session.write({{output, format_mesh(mesh, format)}});
+  return outcome;
 }
 
 }  // namespace

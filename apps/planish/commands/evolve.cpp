@@ -74,11 +74,12 @@ Outcome run_evolve(const Arguments& arguments, Session& session) {
   });
   files.front().content = format_mesh(evolved, format);
   if (files.size() > 1) files.back().content = history_csv(report.result.history);
-  session.write(files);
 
   std::string text = path + " -> " + output + "  (" + size_text(evolved) + ")\n";
   const std::string json = json_with_cut(json_report(report), input.cut);
-  return with_target_checked({text + evolve_text(report), json}, arguments, report);
+  Outcome outcome = with_target_checked({text + evolve_text(report), json}, arguments, report);
+  session.write(files);
+  return outcome;
 }
 
 }  // namespace

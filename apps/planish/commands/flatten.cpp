@@ -245,11 +245,13 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   std::vector<OutputFile> files =
       about(path, [&] { return files_of(*report, places, format, pattern, words, json); });
   if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
-  session.write(files);
   warn_of_pattern(session, report->unfold);
   const std::string text =
       path + "  (" + size + ")\n" + flatten_text(*report) + (nesting ? nesting->text : "");
-  return with_target_checked({text + written_text(files), json}, arguments, report->evolve);
+  Outcome outcome =
+      with_target_checked({text + written_text(files), json}, arguments, report->evolve);
+  session.write(files, folder);
+  return outcome;
 }
 
 }  // namespace

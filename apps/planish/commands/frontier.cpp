@@ -109,18 +109,18 @@ Outcome run_frontier(const Arguments& arguments, Session& session) {
   });
   if (!report) throw Interrupted();
 
-  const std::string json = json_report(*report);
+  std::string json = json_report(*report);
   std::string text = path + "  (" + size + ")\n\n" + frontier_text(*report);
   warn_of_failures(session, *report);
   if (report->curve.empty()) {
     return {text, json, k_exit_failed, path + ": no run of auto had a result"};
   }
-  if (writes) {
-    const std::vector<OutputFile> files = {{output, writer(*report)}};
-    session.write(files);
-    text += written_text(files);
-  }
-  return {text, json};
+  Outcome outcome = {std::move(text), std::move(json)};
+  if (!writes) return outcome;
+  const std::vector<OutputFile> files = {{output, writer(*report)}};
+  outcome.text += written_text(files);
+  session.write(files);
+  return outcome;
 }
 
 }  // namespace

@@ -42,10 +42,10 @@ Outcome with_directions(Outcome outcome, const TriMesh& mesh, std::vector<Output
   const std::string name = std::filesystem::path(arguments.operands.front()).stem().string();
   if (arguments.has("--map")) files.front().content = direction_csv(directions);
   if (arguments.has("--picture")) files.back().content = direction_svg(mesh, directions, name);
-  session.write(files);
   const DirectionCounts counts = count_directions(directions);
   outcome.text += directions_text(counts) + written_text(files);
   outcome.json = json_with_directions(outcome.json, counts);
+  session.write(files);
   return outcome;
 }
 

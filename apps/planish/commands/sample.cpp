@@ -38,8 +38,10 @@ Outcome run_sample(const Arguments& arguments, Session& session) {
   const std::string vertices = arguments.value_or("--vertices", "5000");
   const TriMesh mesh = make_shape(
       name, static_cast<std::size_t>(whole_number_of("--vertices", vertices, k_vertices)));
+  Outcome outcome = {name + " -> " + output + "  (" + size_text(mesh) + ")\n",
+                     json_written(mesh, output)};
   session.write({{output, format_mesh(mesh, format)}});
-  return {name + " -> " + output + "  (" + size_text(mesh) + ")\n", json_written(mesh, output)};
+  return outcome;
 }
 
 }  // namespace

@@ -88,11 +88,12 @@ Outcome run_suggest_cuts(const Arguments& arguments, Session& session) {
   if (!suggestion) throw Interrupted();
   const std::string name = std::filesystem::path(path).stem().string();
   const auto files = about(path, [&] { return suggestion_files(*suggestion, places, unit, name); });
-  session.write(files);
   std::string text = path + "  (" + size_text(mesh) + ")\n\n" +
                      suggestion_text(*suggestion, options.max_strain, unit);
   if (!files.empty()) text += written_text(files);
-  return {text, suggestion_json(*suggestion, options.max_strain, unit, places)};
+  Outcome outcome = {text, suggestion_json(*suggestion, options.max_strain, unit, places)};
+  session.write(files);
+  return outcome;
 }
 
 }  // namespace

@@ -79,10 +79,12 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
   if (!report) throw Interrupted();
   const std::string content =
       about(path, [&] { return content_of(output, path, input.mesh, *report, how, furniture); });
-  session.write({{output, content}});
   warn_of_pattern(session, *report);
-  return {path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(*report),
-          json_with_cut(json_report(*report), input.cut)};
+  Outcome outcome = {
+      path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(*report),
+      json_with_cut(json_report(*report), input.cut)};
+  session.write({{output, content}});
+  return outcome;
 }
 
 }  // namespace

@@ -82,6 +82,47 @@ TEST_F(WriteFiles, WritesThroughSymbolicLinks) {
   EXPECT_EQ(content_of(folder_ / "real"), "new");
 }
 
+TEST_F(WriteFiles, ReplacesLinksBelowItsFolder) {
+  put_file(folder_ / "real", "old");
+  std::filesystem::create_directory(folder_ / "out");
+  for (const char* to : {"../real", "nowhere", "a"}) {
+    std::filesystem::create_symlink(to, folder_ / "out" / "a");
+    write_files(std::vector<OutputFile>{{folder_ / "out" / "a", "new"}}, folder_ / "out");
+    EXPECT_FALSE(std::filesystem::is_symlink(folder_ / "out" / "a"));
+    EXPECT_EQ(content_of(folder_ / "out" / "a"), "new");
+    std::filesystem::remove(folder_ / "out" / "a");
+  }
+  EXPECT_EQ(content_of(folder_ / "real"), "old");
+}
+
+TEST_F(WriteFiles, RefusesLinksAndPipesOnTheWayBelowItsFolder) {
+  std::filesystem::create_directories(folder_ / "out" / "x");
+  std::filesystem::create_directory(folder_ / "elsewhere");
+  std::filesystem::create_symlink("../../elsewhere", folder_ / "out" / "x" / "link");
+  ASSERT_EQ(mkfifo((folder_ / "out" / "pipe").c_str(), 0600), 0);
+  for (const path& place :
+       {path("x/link/a"), path("x/link/y/a"), path("x/../x/link/a"), path("pipe")}) {
+    const std::vector<OutputFile> files = {{folder_ / "out" / "b", "1"},
+                                           {folder_ / "out" / place, "1"}};
+    const Error error = error_of([&] { write_files(files, folder_ / "out"); });
+    EXPECT_EQ(error.code(), ErrorCode::file_unwritable) << error.what();
+  }
+  std::filesystem::remove(folder_ / "out" / "x" / "link");
+  EXPECT_EQ(names(), (std::vector<std::string>{"elsewhere", "out", "out/pipe", "out/x"}));
+}
+
+TEST_F(WriteFiles, FollowsLinksToAndBesideItsFolder) {
+  std::filesystem::create_directory(folder_ / "real");
+  std::filesystem::create_symlink("real", folder_ / "out");
+  put_file(folder_ / "history", "old");
+  std::filesystem::create_symlink("history", folder_ / "link");
+  write_files(std::vector<OutputFile>{{folder_ / "out" / "a", "new"}, {folder_ / "link", "new"}},
+              folder_ / "out");
+  EXPECT_EQ(content_of(folder_ / "real" / "a"), "new");
+  EXPECT_EQ(content_of(folder_ / "history"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link"));
+}
+
 TEST_F(WriteFiles, WritesIntoPipesDirectly) {
   const path pipe = folder_ / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);

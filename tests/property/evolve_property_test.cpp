@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numeric>
 
 #include <planish/evolve/evolve.h>
 #include <planish/measure/flattenability.h>
@@ -53,30 +52,6 @@ PLANISH_PROPERTY(EvolveProperty, EnergyNeverRisesInASweepAndTheBorderStays, 3'00
   });
   for (Index v = 0; v < mesh.positions.size(); ++v) {
     if (!connectivity.is_inner(v)) RC_ASSERT(result.positions[v] == mesh.positions[v]);
-  }
-}
-
-PLANISH_PROPERTY(EvolveProperty, RenumberingVerticesAndTrianglesRenumbersTheResult, 2'000) {
-  const TriMesh mesh = arbitrary_patch();
-  const auto n = static_cast<Index>(mesh.positions.size());
-  std::vector<Index> number(n), turn(mesh.triangles.size());
-  std::iota(number.begin(), number.end(), Index{0});
-  meshes::Random random(*rc::gen::arbitrary<std::uint32_t>());
-  for (Index v = n - 1; v > 0; --v) {
-    std::swap(number[v], number[static_cast<Index>((random.number() * 0.5 + 0.5) * v)]);
-  }
-  TriMesh renumbered{std::vector<Vec3>(n), {}};
-  for (Index v = 0; v < n; ++v)
-    renumbered.positions[number[v]] = mesh.positions[v];
-  for (const Triangle& t : mesh.triangles) {
-    renumbered.triangles.insert(renumbered.triangles.begin(),
-                                {number[t[1]], number[t[2]], number[t[0]]});
-  }
-  const auto one = evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 2});
-  const auto other = evolve(renumbered, ControllableLaplacian{}, {.max_sweeps = 2});
-  for (Index v = 0; v < n; ++v) {
-    // The place of a minimum is known to the square root of rounding only.
-    RC_ASSERT(norm(one.positions[v] - other.positions[number[v]]) < 1e-6);
   }
 }
 

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include <planish/evolve/evolve.h>
-#include <planish/measure/flattenability.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>
@@ -30,11 +31,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::ValuesIn(all_methods(std::make_index_sequence<std::variant_size_v<Method>>())),
     [](const auto& test) { return std::string(name_of(test.param)); });
 
-TriMesh arbitrary_patch() {
+TriMesh arbitrary_patch(int least_height = 10) {
   const auto columns = *rc::gen::inRange<std::size_t>(2, 8);
   const auto rows = *rc::gen::inRange<std::size_t>(2, 8);
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
-  const double height = 0.01 * *rc::gen::inRange(10, 60);
+  const double height = 0.01 * *rc::gen::inRange(least_height, 60);
   return meshes::rough_grid(columns, rows, seed, 0.2, height);
 }
 
@@ -66,8 +67,25 @@ class Turn {
   double q_[4] = {};
 };
 
-double energy_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
-  return measure({positions, mesh.triangles}, Connectivity(mesh)).energy;
+double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double distance = 0.0;
+  for (std::size_t v = 0; v < a.size(); ++v)
+    distance = std::max(distance, norm(a[v] - b[v]));
+  return distance;
+}
+
+/// How far the result moves when the last digits of the patch are disturbed: where one step more or
+/// less is a matter of rounding, no more can be asked of the same patch written otherwise.
+double sensitivity(const TriMesh& mesh, const std::vector<Vec3>& result, const Method& method) {
+  double most = 0.0;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    meshes::Random random(seed);
+    TriMesh disturbed = mesh;
+    for (Vec3& p : disturbed.positions)
+      p += 1e-12 * Vec3{random.number(), random.number(), random.number()};
+    most = std::max(most, farthest(result, evolved(disturbed, method)));
+  }
+  return most;
 }
 
 TEST_P(MethodsProperty, NeverMovesTheBorder) {
@@ -120,7 +138,7 @@ TEST_P(MethodsProperty, GivesTheSameBitsOnAnyNumberOfThreads) {
 }
 
 TEST_P(MethodsProperty, RenumberingRenumbersTheResult) {
-  check_cases(300, [&] {
+  check_cases(500, [&] {
     const TriMesh mesh = arbitrary_patch();
     const auto n = static_cast<Index>(mesh.positions.size());
     std::vector<Index> number(n);
@@ -137,32 +155,40 @@ TEST_P(MethodsProperty, RenumberingRenumbersTheResult) {
                                   {number[t[1]], number[t[2]], number[t[0]]});
     }
     const auto one = evolved(mesh, GetParam()), other = evolved(renumbered, GetParam());
+    std::vector<Vec3> back(n);
     for (Index v = 0; v < n; ++v)
-      RC_ASSERT(norm(one[v] - other[number[v]]) < 1e-6);
+      back[v] = other[number[v]];
+    RC_ASSERT(farthest(one, back) <= 1e-8 + sensitivity(mesh, one, GetParam()));
   });
 }
 
-/// Those that take one vertex after the other visit them in another order then, and end elsewhere.
-bool depends_on_an_order(const Method& method) {
-  return std::holds_alternative<ControllableLaplacian>(method) ||
-         std::holds_alternative<LocalOffset>(method) ||
-         std::holds_alternative<LocalPerturbation>(method) ||
-         std::holds_alternative<ClassicalLaplacian>(method);
+/// Those that take one vertex after the other visit them in another order where the patch lies
+/// otherwise, and end elsewhere: of these, patches with a single inner vertex. Auto's systems are
+/// nearly singular where a patch is nearly flat, and the order of elimination follows the places:
+/// of it, patches that are not.
+TriMesh patch_to_be_moved(const Method& method) {
+  const bool has_order = std::holds_alternative<ControllableLaplacian>(method) ||
+                         std::holds_alternative<LocalOffset>(method) ||
+                         std::holds_alternative<LocalPerturbation>(method) ||
+                         std::holds_alternative<ClassicalLaplacian>(method);
+  if (has_order) {
+    return meshes::rough_grid(2, 2, *rc::gen::arbitrary<std::uint32_t>(), 0.2, 0.4);
+  }
+  return arbitrary_patch(std::holds_alternative<Auto>(method) ? 30 : 10);
 }
 
 void expect_moved_result(const TriMesh& mesh, const TriMesh& moved, const Method& method,
                          const std::function<Vec3(Vec3)>& move) {
-  const auto one = evolved(mesh, method), other = evolved(moved, method);
-  const double before = energy_of(mesh, mesh.positions);
-  RC_ASSERT(std::abs(energy_of(mesh, one) - energy_of(moved, other)) < 0.2 * before);
-  if (depends_on_an_order(method)) return;
-  for (std::size_t v = 0; v < one.size(); ++v)
-    RC_ASSERT(norm(move(one[v]) - other[v]) < 1e-5);
+  auto one = evolved(mesh, method);
+  const double allowed = 1e-8 + sensitivity(mesh, one, method);
+  for (Vec3& p : one)
+    p = move(p);
+  RC_ASSERT(farthest(one, evolved(moved, method)) <= allowed);
 }
 
 TEST_P(MethodsProperty, TurningAndShiftingTurnsAndShiftsTheResult) {
   check_cases(300, [&] {
-    const TriMesh mesh = arbitrary_patch();
+    const TriMesh mesh = patch_to_be_moved(GetParam());
     const Turn turn = Turn::arbitrary();
     const auto move = [turn](Vec3 p) { return turn(p) + Vec3{3.0, -2.0, 1.0}; };
     TriMesh moved = mesh;
@@ -174,7 +200,7 @@ TEST_P(MethodsProperty, TurningAndShiftingTurnsAndShiftsTheResult) {
 
 TEST_P(MethodsProperty, MirroringMirrorsTheResult) {
   check_cases(300, [&] {
-    const TriMesh mesh = arbitrary_patch();
+    const TriMesh mesh = patch_to_be_moved(GetParam());
     const auto mirror = [](Vec3 p) { return Vec3{p.x, p.y, -p.z}; };
     TriMesh mirrored = mesh;
     for (Vec3& p : mirrored.positions)

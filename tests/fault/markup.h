@@ -22,7 +22,7 @@ inline Markup markup_of(std::string_view text, bool is_xml) {
   const auto is_name = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == ':' || c == '_';
   };
-  std::size_t i = 0;
+  std::size_t i = 0, scripts = 0;
   const auto word = [&] {
     const std::size_t begin = i;
     while (i < text.size() && is_name(text[i]))
@@ -66,6 +66,12 @@ inline Markup markup_of(std::string_view text, bool is_xml) {
       if (end == std::string_view::npos) return {found.tags, "an open quote"};
       if (text.substr(i, end - i).find('<') != std::string_view::npos) found.fault = "< in a value";
       i = end + 1;
+    }
+    if (!is_xml && !ends && name == "script") {
+      // Not markup up to its end. Counted: one more than there should be is found.
+      found.tags.insert("script number " + std::to_string(++scripts));
+      i = text.find("</script", i);
+      if (i == std::string_view::npos) return {found.tags, "a script without an end"};
     }
     if (!is_xml || closed) continue;
     if (!ends) {

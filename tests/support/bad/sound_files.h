@@ -20,9 +20,9 @@ namespace planish::bad {
 /// can hold it exactly.
 inline TriMesh sound() {
   TriMesh mesh = meshes::rough_grid(4, 4, 7);
-  for (Vec3& p : mesh.positions) {
-    p = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
-  }
+  const auto rounded = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+  for (Vec3& p : mesh.positions)
+    p = {rounded(p.x), rounded(p.y), rounded(p.z)};
   return mesh;
 }
 

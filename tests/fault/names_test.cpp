@@ -118,15 +118,15 @@ class NamesTest : public CliTest {
  protected:
   void SetUp() override {
     CliTest::SetUp();
-    fs::create_directories("inner/work");
-    fs::current_path("inner/work");
+    fs::create_directories("inner/folder");
+    fs::current_path("inner/folder");
     write_mesh("panel.obj", make_shape("panel", 100));
   }
 
   /// All but what is below the output folder.
   static Files outside(const std::string& folder) {
     Files found = fault::contents("../..");
-    const std::string root = "inner/work/" + folder + "/";
+    const std::string root = "inner/folder/" + folder + "/";
     std::erase_if(found, [&](const auto& file) { return file.first.starts_with(root); });
     return found;
   }

@@ -30,6 +30,7 @@ poppler-utils       command pdftoppm
 python3             command python3
 python3-ezdxf       python ezdxf
 qpdf                command qpdf
+valgrind            command valgrind
 "
 check_packages="
 clang-14            command clang++-14
@@ -39,7 +40,6 @@ llvm-14             command llvm-symbolizer-14
 "
 bench_packages="
 libbenchmark-dev    header benchmark/benchmark.h
-valgrind            command valgrind
 "
 
 paper_packages="

@@ -166,6 +166,18 @@ std::optional<NestOptions> sheets_from(const Arguments& arguments) {
   return sheets;
 }
 
+SheetFit fit_alone(NestPatch patch, Unit unit, const NestOptions& sheets) {
+  const NestJob job{{std::move(patch)}, unit, sheets};
+  const std::vector<NestPiece> pieces = nest_pieces(job);
+  try {
+    const Nesting nesting = *nest(pieces, sheets, [](double) { return true; });
+    return {true, material_text(sheets, nesting.sheets), "alone, " + use_text(sheets, nesting)};
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::piece_too_large) throw;
+    return {false, material_text(sheets, 1), error.what()};
+  }
+}
+
 NestOutcome nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRequest& request,
                          const std::filesystem::path& folder, const std::string& title,
                          Session& session) {

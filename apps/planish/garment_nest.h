@@ -38,6 +38,17 @@ struct NestOutcome {
   std::optional<PatchFailure> failure = {};
 };
 
+/// Whether one patch alone fits on a sheet, in words.
+struct SheetFit {
+  bool fits = false;
+  std::string material;  ///< what it is laid on
+  std::string use;       ///< how much of it that takes, or why it does not fit
+};
+
+/// From any thread.
+/// @throws Error as nest_pieces() and nest(), but not where the patch is too large
+SheetFit fit_alone(NestPatch patch, Unit unit, const NestOptions& sheets);
+
 /// Lays patches on sheets.
 /// @param folder of the drawings
 /// @throws Interrupted; Error as nest(), nest_pieces() and nest_sheet()

@@ -46,6 +46,11 @@ std::string limit_mark(const FlattenReport& report, LimitOf what) {
   return {};
 }
 
+std::string material_mark(const FlattenPage& page) {
+  if (page.material.empty()) return {};
+  return mark(page.fits, (page.fits ? "fits " : "does not fit ") + escape_markup(page.material));
+}
+
 std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut_size) {
   const EdgeStrain& before = report.unfold_before.strain;
   const EdgeStrain& after = report.unfold.strain;
@@ -67,7 +72,7 @@ std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut
               significant_text(deviation.rms, 2) + unit + " is usual (rms)",
               limit_mark(report, LimitOf::deviation)) +
          tile("Size of the pattern", sides(pattern.width, pattern.height), area,
-              page.material.empty() ? "" : mark(true, "fits " + escape_markup(page.material))) +
+              material_mark(page)) +
          "</dl>\n";
 }
 
@@ -111,7 +116,8 @@ std::string run_section(const FlattenReport& report, const FlattenPage& page) {
       html_entry("Options", options_text(report.evolve.method)) +
       html_entry("Run", effort_text(result)) + html_entry("Ended as", stop_text(result.stop));
   if (!page.material.empty())
-    html += html_entry("Laid on", page.material + "; " + page.material_use);
+    html += html_entry(page.fits ? "Laid on" : "To be laid on",
+                       page.material + "; " + page.material_use);
   if (!page.command.empty())
     html += "<dt>Command</dt><dd><code>" + escape_markup(page.command) + "</code></dd>\n";
   return html + html_entry("Program", "planish " + std::string(k_version)) + "</dl>\n</section>\n";

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "report/figure_text.h"
+#include "report/limit_checks.h"
 
 namespace planish {
 
@@ -19,6 +22,17 @@ constexpr double k_same_energy = 0.005, k_same_strain = 0.02;
 
 std::string strain_text(const EdgeStrain& strain) {
   return percent_text(strain.rms) + " rms (" + percent_text(strain.max) + " at worst)";
+}
+
+/// Where a limit of strain was given: what it says of the pattern, as begin and end of a sentence.
+std::optional<std::pair<std::string, std::string>> limit_words(const FlattenReport& report) {
+  for (const LimitCheck& check : limit_checks(report)) {
+    if (check.what != LimitOf::strain) continue;
+    const std::string limit = percent_text(check.limit);
+    if (check.met) return std::pair{"Can be cut within the limit", ", and " + limit + " is allowed."};
+    return std::pair{"Not within the limit", ", more than the " + limit + " allowed."};
+  }
+  return std::nullopt;
 }
 
 std::string state_sentence(const FlattenReport& report) {
@@ -41,6 +55,9 @@ std::string state_sentence(const FlattenReport& report) {
              ".";
     }
     return "Flattenable by its angles, yet the pattern is strained by " + strain_text(strain) + ".";
+  }
+  if (const auto words = limit_words(report)) {
+    return words->first + ": the pattern is strained by " + strain_text(strain) + words->second;
   }
   const std::string degree =
       strain.max <= k_little_strain ? "Nearly flattenable" : "Not flattenable yet";

@@ -1,21 +1,31 @@
 // Starts the browser of the system, and says what pages did in it.
-import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 
-export const skipped = 77; // exit code for ctest
+const skipped = 77; // exit code for ctest
 const chromium = '/usr/bin/chromium';
+
+function skip(reason) {
+  console.log(`skipped: ${reason}`);
+  process.exit(skipped);
+}
 
 export function skipUnlessThere(modules) {
   for (const [path, what] of [
     [chromium, 'chromium'],
     [join(modules, 'playwright-core'), 'playwright-core under build/npm/browser'],
   ]) {
-    if (existsSync(path)) continue;
-    console.log(`skipped: there is no ${what}`);
-    process.exit(skipped);
+    if (!existsSync(path)) skip(`there is no ${what}`);
   }
+}
+
+// A page's text, with the script that is tested.
+export function readPage(path) {
+  const html = readFileSync(path, 'utf8');
+  if (!html.includes('id="report-data"')) skip('the program was built without the script of its pages');
+  return html;
 }
 
 export async function startBrowser(modules) {

@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import test, { after, before } from 'node:test';
 import { pathToFileURL } from 'node:url';
 
-import { openPage, skipUnlessThere, skipped, startBrowser, temporaryFolder } from './browser.mjs';
+import { openPage, readPage, skipUnlessThere, startBrowser, temporaryFolder } from './browser.mjs';
 import { shareChanged } from './png.mjs';
 
 const [program, modules] = process.argv.slice(2);
@@ -19,11 +19,8 @@ const output = join(folder, 'out');
 execFileSync(program, ['sample', 'dome', '--vertices', '800', '-o', input]);
 execFileSync(program, ['compare', input, '-o', output, '--methods', 'controllable,classical,auto']);
 const report = JSON.parse(readFileSync(join(output, 'compare.json'), 'utf8'));
+readPage(join(output, 'compare.html'));
 const url = pathToFileURL(join(output, 'compare.html')).href;
-if (!readFileSync(join(output, 'compare.html'), 'utf8').includes('id="report-data"')) {
-  console.log('skipped: the program was built without the script of its pages');
-  process.exit(skipped);
-}
 
 let browser;
 before(async () => {

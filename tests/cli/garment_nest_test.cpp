@@ -140,6 +140,17 @@ TEST_F(GarmentNest, NamesThePieceThatFitsOnNoSheetAndKeepsTheRest) {
   EXPECT_FALSE(std::filesystem::exists("out/layout.svg"));
   const auto json = nlohmann::json::parse(content_of("out/garment.json"));
   EXPECT_EQ(json["nesting"]["error"]["code"], "piece_too_large");
+  EXPECT_THAT(content_of("out/front/report.html"),
+              HasSubstr("✗ does not fit a roll of width 0.5 mm</span>"));
+}
+
+TEST_F(GarmentNest, PagesOfPatchesSayWhetherTheyFit) {
+  ASSERT_EQ(lay_out("coat", {"--sheet", "600", "--allowance", "10mm"}).exit_code, k_exit_done);
+  for (const std::string name : {"back", "front"}) {
+    const std::string page = content_of("out/" + name + "/report.html");
+    EXPECT_THAT(page, HasSubstr("✓ fits a roll of width 600.0 mm</span>"));
+    EXPECT_THAT(page, HasSubstr("<dd>a roll of width 600.0 mm; alone, "));
+  }
 }
 
 TEST_F(GarmentNest, KeepsFinishedPatchesWhereOnlyTheSheetIsAnother) {

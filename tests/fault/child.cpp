@@ -86,6 +86,10 @@ std::string told(const Ended& ended) {
   return how + ", out: " + ended.out.substr(0, 500) + ", err: " + ended.err.substr(0, 500);
 }
 
+bool can_count_instructions() {
+  return std::system("valgrind --version >/dev/null 2>&1") == 0;
+}
+
 std::uint64_t instructions_of(const std::vector<std::string>& args) {
   std::string command = "valgrind --tool=callgrind --callgrind-out-file=/dev/null " PLANISH_PROGRAM;
   for (const std::string& word : args)
@@ -131,7 +135,7 @@ Ended Running::wait() {
   return ended;
 }
 
-std::map<std::string, std::string> contents(const fs::path& folder) {
+Files contents(const fs::path& folder) {
   std::map<std::string, std::string> found;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = entry.path().lexically_relative(folder).string();

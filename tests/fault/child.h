@@ -35,7 +35,10 @@ struct Standard {
   std::string err = {};
 };
 
-/// The instructions that the program needs, as callgrind counts them; 0 where there is no valgrind.
+/// Whether valgrind is there.
+bool can_count_instructions();
+
+/// The instructions that the program needs, as callgrind counts them; 0 where it cannot.
 std::uint64_t instructions_of(const std::vector<std::string>& args);
 
 /// The planish program, in a process of its own.
@@ -57,9 +60,11 @@ class Running {
   pid_t id_ = -1;
 };
 
+using Files = std::map<std::string, std::string>;
+
 /// Files below a folder, path from there -> content; folders are there with a slash behind them,
 /// symbolic links with "-> " and where they lead.
-std::map<std::string, std::string> contents(const std::filesystem::path& folder);
+Files contents(const std::filesystem::path& folder);
 
 /// Whether limits of memory can be set: not with sanitizers, which reserve much.
 bool can_limit_memory();

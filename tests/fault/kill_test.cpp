@@ -16,7 +16,7 @@ using fault::run_program;
 using fault::Running;
 using fault::told;
 using Clock = std::chrono::steady_clock;
-using Files = std::map<std::string, std::string>;
+using fault::Files;
 
 const char* const k_partial = ".planish-partial-";
 

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using fault::Ending;
-using Files = std::map<std::string, std::string>;
+using fault::Files;
 
 constexpr std::size_t k_text = 4096, k_most_places = 30'000;
 constexpr unsigned k_patience = 60;  // seconds after which a run counts as hung

@@ -12,9 +12,9 @@ namespace planish::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using fault::Files;
 using fault::Markup;
 using fault::markup_of;
-using Files = std::map<std::string, std::string>;
 
 /// As they could stand in one line of a mesh.
 const std::vector<std::string> k_bad_names = {

@@ -42,7 +42,7 @@ using Places = std::map<std::string, std::string>;
 struct PageWords {
   ColorMap colors = ColorMap::diverging;
   std::string command;
-  std::string material = {}, material_use = {};
+  SheetFit sheet = {};  // no material where none was named
   unsigned threads = 0;
 };
 
@@ -122,6 +122,11 @@ PatternOptions on_processed(const PatternOptions& furniture, const FlattenReport
   return report.source.empty() ? furniture : renumbered(furniture, report.source);
 }
 
+NestPatch nest_patch(const FlattenReport& report, const PatternOptions& furniture) {
+  return {report.name, report.processed, report.unfold.pattern.positions,
+          on_processed(furniture, report)};
+}
+
 std::vector<OutputFile> pattern_files(const FlattenReport& report, const Places& places,
                                       const PatternFiles& pattern) {
   const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name,
@@ -150,8 +155,9 @@ std::string page_of(const FlattenReport& report, const PatternFiles& pattern,
   return html_report(report, {.colors = words.colors,
                               .furniture = on_processed(pattern.furniture, report),
                               .command = words.command,
-                              .material = words.material,
-                              .material_use = words.material_use,
+                              .material = words.sheet.material,
+                              .fits = words.sheet.fits,
+                              .material_use = words.sheet.use,
                               .reference = reference_sweeps(report, words.threads)});
 }
 
@@ -202,7 +208,11 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
       const Places places = places_in(place, format, pattern, arguments);
       std::string json = json_report(report, places);
       const PatternFiles own = {pattern.formats, pattern.output, furniture};
-      return PatchFiles{files_of(report, places, format, own, words, json), json};
+      PageWords page = words;
+      if (nest) {
+        page.sheet = fit_alone(nest_patch(report, furniture), options.unit, nest->sheets);
+      }
+      return PatchFiles{files_of(report, places, format, own, page, json), json};
     };
     auto furniture = furniture_of_patches(pattern.furniture, read.patches, arguments);
     return run_garment({arguments.operands.front(), std::move(read.patches), folder, options,
@@ -234,13 +244,11 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   std::optional<NestOutcome> nesting;
   if (nest) {
     nesting = about(path, [&] {
-      return nest_patches({{name, report->processed, report->unfold.pattern.positions,
-                            on_processed(pattern.furniture, *report)}},
-                          options.unit, *nest, folder, name, session);
+      return nest_patches({nest_patch(*report, pattern.furniture)}, options.unit, *nest, folder,
+                          name, session);
     });
     json = json_with_nesting(json, nesting);
-    words.material = nesting->material;
-    words.material_use = nesting->use;
+    words.sheet = {true, nesting->material, nesting->use};
   }
   std::vector<OutputFile> files =
       about(path, [&] { return files_of(*report, places, format, pattern, words, json); });

@@ -17,6 +17,7 @@ struct FlattenPage {
   PatternOptions furniture = {};          ///< of the pattern, by the numbers of the processed patch
   std::string command = {};               ///< the command line that asked for it, plain text
   std::string material = {};      ///< what the pattern was laid on, plain text: "a roll of ..."
+  bool fits = true;               ///< on that material
   std::string material_use = {};  ///< how much of that it takes, plain text
   std::vector<SweepRecord> reference = {};  ///< as reference_sweeps()
 };

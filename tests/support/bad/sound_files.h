@@ -109,15 +109,20 @@ inline SoundText sound_obj(const TriMesh& mesh = sound()) {
   return text;
 }
 
+/// Vertices and faces of a text in which faces are counted and indices begin at 0.
+inline void add_counted_faces(Lines& lines, const TriMesh& mesh) {
+  for (const Vec3& p : mesh.positions)
+    lines.add(numbers(p));
+  for (const Triangle& t : mesh.triangles)
+    lines.add("3 " + corners(t, 0));
+}
+
 inline SoundText sound_off(const TriMesh& mesh = sound()) {
   SoundText text{"off", {}, 3, 1, mesh.positions.size() + 3, 1, "", "3 ", 0};
   text.lines.add("OFF");
   text.lines.add(std::to_string(mesh.positions.size()) + " " +
                  std::to_string(mesh.triangles.size()) + " 0");
-  for (const Vec3& p : mesh.positions)
-    text.lines.add(numbers(p));
-  for (const Triangle& t : mesh.triangles)
-    text.lines.add("3 " + corners(t, 0));
+  add_counted_faces(text.lines, mesh);
   return text;
 }
 
@@ -133,10 +138,7 @@ inline SoundText sound_ply(const TriMesh& mesh = sound()) {
   text.lines.add("element face " + std::to_string(mesh.triangles.size()));
   text.lines.add("property list uchar int vertex_indices");
   text.lines.add("end_header");
-  for (const Vec3& p : mesh.positions)
-    text.lines.add(numbers(p));
-  for (const Triangle& t : mesh.triangles)
-    text.lines.add("3 " + corners(t, 0));
+  add_counted_faces(text.lines, mesh);
   return text;
 }
 

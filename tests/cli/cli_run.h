@@ -9,6 +9,8 @@
 #include <planish/io/write_mesh.h>
 #include <planish/mesh/shapes.h>
 
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -40,12 +42,12 @@ inline std::string content_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Gives every test an empty folder of its own, made the current one.
+/// Gives every test an empty folder of its own, and of the process, made the current one.
 class CliFolder : public testing::Test {
  protected:
   void SetUp() override {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string(info->test_suite_name()) + "." + info->name();
+    std::string name = std::to_string(getpid()) + "." + std::string(info->test_suite_name()) + "." + info->name();
     for (char& c : name) {
       if (c == '/') c = '_';
     }

@@ -15,6 +15,8 @@
 #include <planish/core/error.h>
 #include <planish/io/read_mesh.h>
 
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 namespace planish {
@@ -95,13 +97,14 @@ inline void put_file(const std::filesystem::path& path, std::string_view content
   std::ofstream(path, std::ios::binary) << content;
 }
 
-/// Gives every test an empty folder of its own.
+/// Gives every test an empty folder of its own, and of the process.
 class IoFolder : public testing::Test {
  protected:
   void SetUp() override {
     const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
     folder_ = std::filesystem::path(testing::TempDir()) /
-              (std::string("planish_io_") + test->test_suite_name() + "_" + test->name());
+              ("planish_io_" + std::to_string(getpid()) + "_" + test->test_suite_name() + "_" +
+               test->name());
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }

@@ -86,7 +86,7 @@ TEST(LocalPerturbation, LeavesTheBestStateAndTellsItTruly) {
 TEST(LocalPerturbation, EndsWhereNothingBetterIsFound) {
   // Steps as long as they may be, on what is far from flattenable.
   for (const char* shape : {"dome", "saddle"}) {
-    const TriMesh mesh = make_shape(shape, 200);
+    const TriMesh mesh = make_shape(shape, 100);
     const auto result = evolve(mesh, LocalPerturbation{.tau = 1.0}, {.max_sweeps = 500});
     EXPECT_TRUE(result.stop == StopReason::converged || result.stop == StopReason::stalled);
     EXPECT_LE(e_max_of({result.positions, mesh.triangles}), e_max_of(mesh));

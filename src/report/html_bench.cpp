@@ -70,7 +70,8 @@ std::string line_keys(const Drawing& sheet, const Layer& directions) {
     if (is_there) html += line_key(line.layer, line.words);
   }
   html += line_key("strain", "stretch in colour");
-  if (!directions.shapes.empty()) html += line_key("directions", "which way it stretches");
+  if (!directions.shapes.empty())
+    html += line_key("directions", "which way it is longer or shorter");
   return html + "</ul>\n";
 }
 
@@ -102,16 +103,16 @@ FlatView flat_view(const FlattenReport& report, const FlattenPage& page,
 std::string pattern_part(const FlattenReport& report, const FlatView& view) {
   const PatternPicture picture = pattern_picture(view.sheet, view.directions,
                                                  "The pattern, coloured by strain, with its lines");
-  const std::string limit =
-      fixed_text(100.0 * strain_map_limit(report.unfold.strain), 3) + "\u00A0%";
+  const double end = strain_map_limit(report.unfold.strain);
+  const std::string limit = fixed_text(100.0 * end, 3) + "\u00A0%</b>" +
+                            (report.unfold.strain.max > end ? " or more" : "");
   const Pattern& pattern = report.unfold.pattern;
   return "<div class=\"flat\">\n<h3>Pattern <small>" + significant_text(pattern.width, 4) + " × " +
          significant_text(pattern.height, 4) + "\u00A0" +
          std::string(to_string(report.unfold.unit)) + "; the bar is " + number_text(picture.bar) +
          "\u00A0mm</small></h3>\n<div class=\"sheet\">" + picture.svg + "</div>\n" +
          line_keys(view.sheet, view.directions) +
-         legend(strain_map_fields(),
-                {"shorter <b>−" + limit + "</b>", "<b>0</b>", "longer <b>+" + limit + "</b>"}) +
+         legend(strain_map_fields(), {"shorter <b>−" + limit, "<b>0</b>", "longer <b>+" + limit}) +
          "</div>\n";
 }
 

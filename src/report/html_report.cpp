@@ -86,6 +86,8 @@ std::string checks(const FlattenReport& report) {
       mark(!pattern.overlaps, pattern.overlaps ? "overlaps itself" : "does not overlap itself"),
       mark(pattern.flipped_triangles == 0,
            pattern.flipped_triangles == 0 ? "nothing is face down" : "parts are face down")};
+  if (!unit_question(report.unfold).empty())
+    items.insert(items.begin(), mark(false, "unit of the model to be checked"));
   constexpr std::array<std::pair<LimitOf, std::string_view>, 4> names = {
       {{LimitOf::strain, "stretch "},
        {LimitOf::deviation, "moves "},
@@ -138,7 +140,7 @@ std::string convergence_section(const FlattenReport& report, const FlattenPage& 
   std::string words =
       chart.empty() ? "Nothing to show: no sweep was made, or there was nothing to lower."
                     : "What is left of the worst place and of the whole after each sweep, as a "
-                      "share of what it was; every line of the grid is a tenth of the one above.";
+                      "share of what it was. Equal steps on the scale are equal factors.";
   if (has_levels(report)) words += k_level_words;
   if (!chart.empty() && !page.reference.empty())
     words += " Grey: the worst place by the method of 2010, for comparison.";

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <utility>
 
 #include "report/figure_text.h"
 #include "report/limit_checks.h"
@@ -24,15 +22,15 @@ std::string strain_text(const EdgeStrain& strain) {
   return percent_text(strain.rms) + " rms (" + percent_text(strain.max) + " at worst)";
 }
 
-/// Where a limit of strain was given: what it says of the pattern, as begin and end of a sentence.
-std::optional<std::pair<std::string, std::string>> limit_words(const FlattenReport& report) {
+/// What a limit of strain that was given says of the pattern; empty where there is none.
+std::string limit_words(const FlattenReport& report) {
   for (const LimitCheck& check : limit_checks(report)) {
     if (check.what != LimitOf::strain) continue;
-    const std::string limit = percent_text(check.limit);
-    if (check.met) return std::pair{"Can be cut within the limit", ", and " + limit + " is allowed."};
-    return std::pair{"Not within the limit", ", more than the " + limit + " allowed."};
+    return (check.met ? "Not without stretch, but within the limit of "
+                      : "Not within the limit of ") +
+           percent_text(check.limit);
   }
-  return std::nullopt;
+  return {};
 }
 
 std::string state_sentence(const FlattenReport& report) {
@@ -56,11 +54,9 @@ std::string state_sentence(const FlattenReport& report) {
     }
     return "Flattenable by its angles, yet the pattern is strained by " + strain_text(strain) + ".";
   }
-  if (const auto words = limit_words(report)) {
-    return words->first + ": the pattern is strained by " + strain_text(strain) + words->second;
-  }
-  const std::string degree =
-      strain.max <= k_little_strain ? "Nearly flattenable" : "Not flattenable yet";
+  std::string degree = limit_words(report);
+  if (degree.empty())
+    degree = strain.max <= k_little_strain ? "Nearly flattenable" : "Not flattenable yet";
   return degree + ": the pattern is strained by " + strain_text(strain) + ".";
 }
 
@@ -111,24 +107,24 @@ std::string effort_sentence(const FlattenReport& report) {
          std::string(to_string(report.unfold.unit)) + ".";
 }
 
-// Mesh files do not say their unit; a wrong guess is common and dear.
+}  // namespace
+
 std::string unit_question(const UnfoldReport& unfold) {
   constexpr double smallest = 5.0, largest = 50000.0;  // millimetres that anyone cuts
   const double size =
       millimetres_per(unfold.unit) * std::max(unfold.pattern.width, unfold.pattern.height);
   if (size >= smallest && size <= largest) return {};
-  return " The pattern is " + significant_text(size, 2) + " mm long: is the model's unit really " +
+  return "The pattern is " + significant_text(size, 2) + " mm long: is the model's unit really " +
          std::string(to_string(unfold.unit)) + "?";
 }
-
-}  // namespace
 
 std::string verdict_text(const FlattenReport& report) {
   std::string text = state_sentence(report) + " " + effort_sentence(report);
   if (!report.unfold.pattern.converged) {
     text += " Unfolding stopped before it was done: the strain may be more than it need be.";
   }
-  return text + unit_question(report.unfold);
+  const std::string question = unit_question(report.unfold);
+  return question.empty() ? text : text + " " + question;
 }
 
 std::string border_text(const FlattenReport& report) {

@@ -10,6 +10,10 @@ namespace planish {
 /// the sweeps did to energy and strain. Plain UTF-8 text.
 std::string verdict_text(const FlattenReport& report);
 
+/// Asks about the unit where a pattern of that size is unlikely: mesh files do not say their unit,
+/// and a wrong guess is common and dear. Empty elsewhere.
+std::string unit_question(const UnfoldReport& unfold);
+
 /// That the border of the patch as it came is too short for its surface, by how much and what to do
 /// about it: one sentence, plain UTF-8 text. Empty where little area is at stake.
 std::string border_text(const FlattenReport& report);

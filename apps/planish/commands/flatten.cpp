@@ -248,7 +248,8 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
                           name, session);
     });
     json = json_with_nesting(json, nesting);
-    words.sheet = {true, nesting->material, nesting->use};
+    words.sheet = {true, nesting->material,
+                   nesting->use + "; drawn in " + nesting->files.front().path.filename().string()};
   }
   std::vector<OutputFile> files =
       about(path, [&] { return files_of(*report, places, format, pattern, words, json); });

@@ -9,10 +9,9 @@
 #include <planish/io/write_mesh.h>
 #include <planish/mesh/shapes.h>
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "run.h"
 
@@ -47,7 +46,8 @@ class CliFolder : public testing::Test {
  protected:
   void SetUp() override {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::to_string(getpid()) + "." + std::string(info->test_suite_name()) + "." + info->name();
+    std::string name =
+        std::to_string(getpid()) + "." + std::string(info->test_suite_name()) + "." + info->name();
     for (char& c : name) {
       if (c == '/') c = '_';
     }

@@ -85,8 +85,7 @@ const std::map<Code, Reproduction>& reproductions() {
          std::filesystem::create_directories(folder);
          read_mesh(folder);
        }},
-      {Code::file_unwritable,
-       [] { write_mesh("/dev/null/a.obj", grid); }},
+      {Code::file_unwritable, [] { write_mesh("/dev/null/a.obj", grid); }},
       {Code::unsupported_format, [] { read_mesh("a.xyz"); }},
       {Code::malformed_file, reading("A letter.\n")},
       {Code::truncated_file, [] { parse_mesh("ply\nformat ascii 1.0\n", MeshFormat::ply); }},

@@ -15,9 +15,8 @@
 #include <planish/core/error.h>
 #include <planish/io/read_mesh.h>
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace planish {
 

@@ -168,12 +168,11 @@ std::optional<NestOptions> sheets_from(const Arguments& arguments) {
 
 SheetFit fit_alone(NestPatch patch, Unit unit, const NestOptions& sheets) {
   const NestJob job{{std::move(patch)}, unit, sheets};
-  const std::vector<NestPiece> pieces = nest_pieces(job);
   try {
-    const Nesting nesting = *nest(pieces, sheets, [](double) { return true; });
+    const Nesting nesting = *nest(nest_pieces(job), sheets, [](double) { return true; });
     return {true, material_text(sheets, nesting.sheets), "alone, " + use_text(sheets, nesting)};
   } catch (const Error& error) {
-    if (error.code() != ErrorCode::piece_too_large) throw;
+    if (error.code() != ErrorCode::piece_too_large) return {};
     return {false, material_text(sheets, 1), error.what()};
   }
 }

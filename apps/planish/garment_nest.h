@@ -45,8 +45,7 @@ struct SheetFit {
   std::string use;       ///< how much of it that takes, or why it does not fit
 };
 
-/// From any thread.
-/// @throws Error as nest_pieces() and nest(), but not where the patch is too large
+/// From any thread. Without a material where it cannot be told: laying all patches then tells why.
 SheetFit fit_alone(NestPatch patch, Unit unit, const NestOptions& sheets);
 
 /// Lays patches on sheets.

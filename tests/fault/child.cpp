@@ -86,10 +86,6 @@ std::string told(const Ended& ended) {
   return how + ", out: " + ended.out.substr(0, 500) + ", err: " + ended.err.substr(0, 500);
 }
 
-bool can_count_instructions() {
-  return std::system("valgrind --version >/dev/null 2>&1") == 0;
-}
-
 std::uint64_t instructions_of(const std::vector<std::string>& args) {
   std::string command = "valgrind --tool=callgrind --callgrind-out-file=/dev/null " PLANISH_PROGRAM;
   for (const std::string& word : args)

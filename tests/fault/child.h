@@ -35,9 +35,6 @@ struct Standard {
   std::string err = {};
 };
 
-/// Whether valgrind is there.
-bool can_count_instructions();
-
 /// The instructions that the program needs, as callgrind counts them; 0 where it cannot.
 std::uint64_t instructions_of(const std::vector<std::string>& args);
 

@@ -31,9 +31,9 @@ Glyph parsed(std::string_view points) {
   return glyph;
 }
 
-// The letter that `marked` is with the mark, 0 where it is none.
-char32_t letter_under(const Mark& mark, char32_t marked) {
-  const std::u32string pairs = code_points(mark.pairs);
+// The letter that `marked` is with the accent, 0 where it is none.
+char32_t letter_under(const Accent& accent, char32_t marked) {
+  const std::u32string pairs = code_points(accent.pairs);
   for (std::size_t i = 0; i < pairs.size(); i += 2) {
     if (pairs[i + 1] == marked) return pairs[i];
   }
@@ -49,10 +49,10 @@ double top_of(const Glyph& glyph) {
   return top;
 }
 
-Glyph with_mark(Glyph letter, std::string_view points, double raised) {
-  const Glyph mark = parsed(points);
+Glyph with_accent(Glyph letter, std::string_view points, double raised) {
+  const Glyph accent = parsed(points);
   const Vec2 shift = {0.5 * letter.width - 2.0, raised};
-  for (std::vector<Vec2> line : mark.lines) {
+  for (std::vector<Vec2> line : accent.lines) {
     for (Vec2& point : line)
       point = point + shift;
     letter.lines.push_back(std::move(line));
@@ -60,7 +60,7 @@ Glyph with_mark(Glyph letter, std::string_view points, double raised) {
   return letter;
 }
 
-// Marks may be wider than what they stand over.
+// Accents may be wider than what they stand over.
 Glyph from_zero(Glyph glyph) {
   double low = 0.0, high = glyph.width;
   for (const auto& line : glyph.lines) {
@@ -78,17 +78,17 @@ Glyph from_zero(Glyph glyph) {
 }
 
 std::optional<Glyph> composed(char32_t code_point) {
-  for (const Mark& mark : k_marks) {
-    const char32_t base = letter_under(mark, code_point);
+  for (const Accent& accent : k_accents) {
+    const char32_t base = letter_under(accent, code_point);
     if (base == 0) continue;
     Glyph letter = stroke_glyph(base);
-    if (base == U'i' || base == U'j') letter.lines.resize(1);  // the mark takes the dot's place
+    if (base == U'i' || base == U'j') letter.lines.resize(1);  // the accent takes the dot's place
     const double raised = top_of(letter) - k_x_height;
-    return from_zero(with_mark(std::move(letter), mark.points, raised));
+    return from_zero(with_accent(std::move(letter), accent.points, raised));
   }
-  for (const Mark& mark : k_marks_below) {
-    const char32_t base = letter_under(mark, code_point);
-    if (base != 0) return from_zero(with_mark(stroke_glyph(base), mark.points, 0.0));
+  for (const Accent& accent : k_accents_below) {
+    const char32_t base = letter_under(accent, code_point);
+    if (base != 0) return from_zero(with_accent(stroke_glyph(base), accent.points, 0.0));
   }
   return std::nullopt;
 }

@@ -173,13 +173,13 @@ inline constexpr DrawnGlyph k_others[] = {
     {U'⌀', "2d4d6f6j4l2l0j0f2d 0d6l"},
 };
 
-// Marks are drawn over a small letter whose middle is at x = 2, and raised over taller ones.
-struct Mark {
+// Accents are drawn over a small letter whose middle is at x = 2, and raised over taller ones.
+struct Accent {
   std::string_view points;
-  std::string_view pairs;  // a letter, then the same with the mark
+  std::string_view pairs;  // a letter, then the same with the accent
 };
 
-inline constexpr Mark k_marks[] = {
+inline constexpr Accent k_accents[] = {
     {"1l3j", "AÀEÈIÌOÒUÙaàeèiìoòuù"},
     {"3l1j", "AÁEÉIÍOÓUÚYÝaáeéiíoóuúyýCĆcćLĹlĺNŃnńRŔrŕSŚsśZŹzź"},
     {"0j2l4j", "AÂEÊIÎOÔUÛaâeêiîoôuûCĈcĉGĜgĝHĤhĥJĴjĵSŜsŝWŴwŵYŶyŷ"},
@@ -193,7 +193,7 @@ inline constexpr Mark k_marks[] = {
     {"1j2l 3j4l", "OŐoőUŰuű"},
 };
 
-inline constexpr Mark k_marks_below[] = {
+inline constexpr Accent k_accents_below[] = {
     {"2d2c3b2a1a", "CÇcçSŞsşTŢtţ"},
     {"3d2c2b3a", "AĄaąEĘeęIĮiįUŲuų"},
     {"2c2b1a", "GĢgģKĶkķLĻlļNŅnņRŖrŗSȘsșTȚtț"},

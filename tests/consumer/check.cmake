@@ -8,13 +8,13 @@ if(WAY STREQUAL "find_package")
                   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
   set(how "-DCMAKE_PREFIX_PATH=${work}/prefix")
 else()
-  set(how "-DPLANISH_SOURCE_FOLDER=${SOURCE}")
+  set(how "-DPLANISH_SOURCE_FOLDER=${SOURCE}" "-DPLANISH_PRECOMPILE=ON")
 endif()
 
 # Without optimisation: this is about building at all, and soon.
 execute_process(
   COMMAND "${CMAKE_COMMAND}" -S "${SOURCE}/tests/consumer" -B "${work}/build" -G Ninja
-          "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}" "${how}"
+          "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}" ${how}
   COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND "${CMAKE_COMMAND}" --build "${work}/build" --target consumer
                 COMMAND_ERROR_IS_FATAL ANY)

@@ -18,8 +18,9 @@ struct ReadItem {
 [[noreturn]] void throw_read_error(ErrorCode code, const std::string& message, ErrorPlace place,
                                    ReadItem item);
 
-/// Words of a file as they may stand in a message: quoted, cut, and with \xNN for what is not
-/// printable ASCII.
+/// Words of a file as they may stand in a message: cut, and with \xNN for what is not printable
+/// ASCII.
+std::string printable(std::string_view text);
 std::string in_quotes(std::string_view text);
 
 }  // namespace planish

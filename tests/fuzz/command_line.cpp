@@ -77,8 +77,12 @@ std::map<std::string, std::string> inputs(const std::string& given) {
           {"given.ply", given}};
 }
 
+/// Short flags may stand in one word: -qh.
 bool is_help(const std::vector<std::string>& args) {
-  return asks_for(args, "--help") || asks_for(args, "-h");
+  return asks_for(args, "--help") ||
+         std::any_of(args.begin(), args.end(), [](const std::string& arg) {
+           return arg.starts_with('-') && !arg.starts_with("--") && arg.find('h') != arg.npos;
+         });
 }
 
 void check_output(const Input& input, int exit_code, const std::string& out,

@@ -2,6 +2,8 @@
 
 // How far outlines are apart, by trying every corner against every edge.
 
+#include <cmath>
+
 #include "oracle/outline_distance.h"
 
 namespace planish::oracle {
@@ -22,15 +24,22 @@ inline OutlineBox outline_box(const Loops& loops) {
   return box;
 }
 
+constexpr double k_gap_rounding = 1e-6;  // millimetres: what meets by less only touches
+
 inline bool edges_cross(const Loops& a, const Loops& b) {
-  const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return cross(q - p, r - p); };
+  // How far r and s are on two sides of the line through p and q, of the nearer one.
+  const auto reach_over = [](Vec2 p, Vec2 q, Vec2 r, Vec2 s) {
+    const double one = cross(q - p, r - p), other = cross(q - p, s - p);
+    if (one * other >= 0.0) return 0.0;
+    return std::min(std::abs(one), std::abs(other)) / norm(q - p);
+  };
   for (const auto& one : a) {
     for (std::size_t i = 0; i < one.size(); ++i) {
       const Vec2 p = one[i], q = one[(i + 1) % one.size()];
       for (const auto& other : b) {
         for (std::size_t j = 0; j < other.size(); ++j) {
           const Vec2 r = other[j], s = other[(j + 1) % other.size()];
-          if (side(p, q, r) * side(p, q, s) < 0.0 && side(r, s, p) * side(r, s, q) < 0.0)
+          if (std::min(reach_over(p, q, r, s), reach_over(r, s, p, q)) > k_gap_rounding)
             return true;
         }
       }
@@ -52,7 +61,7 @@ inline double gap_between(const Loops& a, const Loops& b, double enough) {
     for (const auto& loop : *corners) {
       for (const Vec2 corner : loop) {
         const double distance = distance_to_outline(corner, *outline);
-        if (distance > 1e-6 && is_inside(corner, *outline)) return -1.0;
+        if (distance > k_gap_rounding && is_inside(corner, *outline)) return -1.0;
         least = std::min(least, distance);
       }
     }

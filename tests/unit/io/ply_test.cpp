@@ -5,6 +5,7 @@
 
 #include <planish/io/write_mesh.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "unit/io/io_testing.h"
@@ -338,6 +339,22 @@ TEST(ReadPly, RefusesIndicesOutOfRangeAndNamesTheFace) {
     expect_refused_at_byte(bytes, k_code, k_faces + 13, std::to_string(index));
     EXPECT_EQ(refusal(bytes, MeshFormat::ply, k_code).place().first, 1U);
   }
+}
+
+TEST(ReadPly, RefusesAPropertyThatComesTwice) {
+  const std::string text =
+      replaced(k_ascii_square, "property float y", "property float x\nproperty float y");
+  refusal(text, MeshFormat::ply, ErrorCode::malformed_file, "\"x\" comes twice");
+}
+
+TEST(ReadPly, NamesAnItemOfAnyElementInFewWordsThatCanBePrinted) {
+  const std::string name = '\1' + std::string(900, 'w');
+  const std::string text = replaced(k_ascii_square, "element face",
+                                    "element " + name + " 1\nproperty float size\nelement face");
+  const Error error = refusal(replaced(text, "3 0 1 2", "1 2\n3 0 1 2"), MeshFormat::ply,
+                              ErrorCode::malformed_file);
+  EXPECT_THAT(error.message(), testing::StartsWith("\\x01www"));
+  EXPECT_LT(error.message().size(), 200U) << error.message();
 }
 
 TEST(ReadPly, RefusesIndicesThatAreNotNumbers) {

@@ -94,6 +94,15 @@ TEST(ReadFixedVertices, RefusesALineBetweenPartsOfTheMesh) {
   EXPECT_EQ(drawn("v 0 0 0\nv 1000 0 0\np 1 2\n", mesh).vertices, (Indices{0, 9}));
 }
 
+TEST(ReadFixedVertices, RefusesALineWhoseWaysAreTooLongTogether) {
+  constexpr int side = 150, turns = 2500;
+  std::string text = "v 0 0 0\nv 150 150 0\nl";
+  for (int i = 0; i < turns; ++i)
+    text += " 1 2";
+  const TriMesh wide = meshes::flat_grid(side, side);
+  expect_refused([&] { drawn(text + "\n", wide); }, ErrorCode::too_large, 3, "draw more points");
+}
+
 TEST(ReadFixedVertices, NeedsAMeshThatCanBeWorkedWith) {
   EXPECT_EQ(error_of([] { drawn("v 0 0 0\np 1\n", {}); }).code(), ErrorCode::no_triangles);
   TriMesh twice = grid();

@@ -138,6 +138,11 @@ TEST(ReadStl, RefusesCountsThatTheFileCannotHoldBeforeItAllocates) {
                          "a PNG image");
 }
 
+TEST(ReadStl, RefusesCountsThatLeaveFacetsBehind) {
+  refusal(binary("", 1, square()), MeshFormat::stl, ErrorCode::malformed_file,
+          "announces 1 facets but has 2");
+}
+
 TEST(ReadStl, RefusesFilesWithoutFacets) {
   expect_refused_at_byte(binary("", 0, {}), ErrorCode::no_triangles, 84);
   expect_refused("solid a\nendsolid a\n", ErrorCode::no_triangles, 3);

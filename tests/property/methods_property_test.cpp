@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "property/property.h"
+#include "support/farthest.h"
 #include "support/meshes.h"
 
 namespace planish {
@@ -66,13 +67,6 @@ class Turn {
  private:
   double q_[4] = {};
 };
-
-double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  double distance = 0.0;
-  for (std::size_t v = 0; v < a.size(); ++v)
-    distance = std::max(distance, norm(a[v] - b[v]));
-  return distance;
-}
 
 /// How far the result moves when the last digits of the patch are disturbed: where one step more or
 /// less is a matter of rounding, no more can be asked of the same patch written otherwise.

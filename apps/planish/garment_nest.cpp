@@ -101,7 +101,8 @@ std::string use_text(const NestOptions& sheets, const Nesting& nesting) {
 }
 
 std::string nesting_text(const NestJob& job, const Nesting& nesting) {
-  std::string text = "\n" + counted(nesting.placements.size(), "piece") + " on " +
+  std::string text = "\n" + counted(nesting.placements.size(), "piece") +
+                     (nesting.placements.size() == 1 ? " fits on " : " fit on ") +
                      material_text(job.sheets, nesting.sheets) + ": " +
                      use_text(job.sheets, nesting) + "\n";
   for (const Json& name : left_out_json(job))

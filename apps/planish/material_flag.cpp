@@ -16,11 +16,19 @@ std::vector<std::string> material_names() {
   return names;
 }
 
+std::vector<std::string> names_with_strains() {
+  std::vector<std::string> names;
+  for (const Material& material : materials())
+    names.push_back(std::string(material.name) + " " + shortest(100.0 * material.max_strain) + "%");
+  return names;
+}
+
 }  // namespace
 
 Flag material_flag() {
-  return {"--material", "NAME",
-          "max_strain as this material takes it up: " + list_of(material_names())};
+  return {
+      "--material", "NAME",
+      "in place of --max-strain, what this material takes up: " + list_of(names_with_strains())};
 }
 
 double strain_of_material(const Arguments& arguments) {

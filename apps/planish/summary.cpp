@@ -20,11 +20,12 @@ constexpr double k_large_pattern = 50'000.0;
 
 constexpr double k_degrees = 57.295779513082320877;
 
-/// Name, unit and figures of one line.
+/// Name, unit and figures of one line. All are better when smaller, but the smallest angle.
 struct Row {
   std::string name, unit;
   double before = 0.0, after = 0.0;
   std::string meaning = {};
+  bool larger_is_better = false;
 };
 
 std::vector<Row> figure_rows(const Flattenability& before, const Flattenability& after) {
@@ -33,7 +34,8 @@ std::vector<Row> figure_rows(const Flattenability& before, const Flattenability&
           {"energy", "rad^2", before.energy, after.energy, "sum of the squared defects"},
           {"sum_abs_defect", "rad", before.sum_abs_defect, after.sum_abs_defect,
            "the same at every mesh density"},
-          {"smallest angle", "deg", k_degrees * before.min_angle, k_degrees * after.min_angle},
+          {"smallest angle", "deg", k_degrees * before.min_angle, k_degrees * after.min_angle, "",
+           true},
           {"roughness", "deg", before.roughness, after.roughness, "rms dihedral angle"}};
 }
 
@@ -52,11 +54,19 @@ std::string change_text(double before, double after) {
   return (change < 0.0 ? "" : "+") + fixed(change, 1) + " %";
 }
 
+/// A change that anyone would notice, for the worse.
+bool is_worse(const Row& row) {
+  constexpr double rounding = 1e-9, little = 0.005;
+  const double more = row.larger_is_better ? row.before - row.after : row.after - row.before;
+  return more > std::max(rounding, little * std::abs(row.before));
+}
+
 std::string comparison(const std::vector<Row>& rows) {
   std::string text;
   for (const Row& row : rows) {
     text += "  " + left(row.name, 24) + left(row.unit, 7) + right(digits(row.before), 11) +
-            right(digits(row.after), 13) + right(change_text(row.before, row.after), 13) + "\n";
+            right(digits(row.after), 13) + right(change_text(row.before, row.after), 13) +
+            (is_worse(row) ? "  worse\n" : "\n");
   }
   return text;
 }
@@ -130,18 +140,6 @@ std::string deviation_lines(const Deviation& deviation, const std::string& unit)
          " of the bounding box's diagonal\n";
 }
 
-/// What to make of the reasons that are limits.
-std::string stop_note(StopReason stop) {
-  if (stop == StopReason::strain_met) return ":\n  by its estimate the strain is within the limit";
-  if (stop == StopReason::deviation_limit) {
-    return ":\n  going on would have moved vertices further than --max-deviation";
-  }
-  if (stop == StopReason::angle_limit) {
-    return ":\n  going on would have made angles smaller than --min-angle";
-  }
-  return {};
-}
-
 std::string remeshing_line(const EvolveReport& report) {
   if (!report.remeshed_from) return {};
   return "remeshed from " + std::to_string(report.remeshed_from->vertices) + " to " +
@@ -152,8 +150,8 @@ std::string remeshing_line(const EvolveReport& report) {
 std::string run_line(const EvolveReport& report) {
   return remeshing_line(report) + std::string(name_of(report.method)) + ": " +
          counted(report.result.history.size(), "sweep") + " in " + fixed(report.result.seconds, 2) +
-         " s on " + counted(report.result.threads, "thread") + ", ended by " +
-         std::string(to_string(report.result.stop)) + stop_note(report.result.stop) + "\n\n";
+         " s on " + counted(report.result.threads, "thread") + ", ended as\n  " +
+         std::string(stop_text(report.result.stop)) + "\n\n";
 }
 
 std::string pattern_lines(const UnfoldReport& report) {
@@ -238,6 +236,11 @@ std::string written_text(const std::vector<OutputFile>& files) {
   std::string text = "\nWritten:\n";
   for (const OutputFile& file : files)
     text += "  " + file.path.string() + "\n";
+  for (const OutputFile& file : files) {
+    if (file.path.extension() == ".html") {
+      return text + "\nOpen " + file.path.string() + " in a browser to see the result.\n";
+    }
+  }
   return text;
 }
 

@@ -42,6 +42,28 @@ std::string_view to_string(StopReason reason) {
   return "unknown";
 }
 
+std::string_view stop_text(StopReason reason) {
+  switch (reason) {
+    case StopReason::reached_target:
+      return "the target was reached";
+    case StopReason::stalled:
+      return "no vertex moved any more";
+    case StopReason::converged:
+      return "the method had converged";
+    case StopReason::strain_met:
+      return "the strain is within the limit asked for";
+    case StopReason::deviation_limit:
+      return "going on would have moved vertices further than allowed";
+    case StopReason::angle_limit:
+      return "going on would have made angles smaller than allowed";
+    case StopReason::sweep_limit:
+      return "all sweeps asked for were made";
+    case StopReason::cancelled:
+      return "it was cancelled";
+  }
+  return "unknown";
+}
+
 Stopping usual_stopping(const Method& method) {
   Stopping stopping;
   stopping.max_sweeps = std::visit([](const auto& m) { return m.usual_sweeps; }, method);

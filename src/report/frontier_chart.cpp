@@ -17,20 +17,25 @@ Vec2 place_of(const Deviation& deviation, double strain) {
   return {100.0 * deviation.rms_over_diagonal, 100.0 * std::max(strain, k_floor)};
 }
 
-/// The curve from the patch as it came on.
+/// The curve from the patch as it came on: through what nothing nearer beats. The rest is aside.
 ChartLine curve(const FrontierReport& report, double EdgeStrain::*figure, std::string name,
                 std::string css_class) {
   ChartLine line{
       std::move(name), std::move(css_class), {place_of({}, report.before.*figure)}, true};
-  for (const FrontierPoint& point : report.curve)
-    line.points.push_back(place_of(point.deviation, point.strain.*figure));
+  for (const FrontierPoint& point : report.curve) {
+    const Vec2 place = place_of(point.deviation, point.strain.*figure);
+    (place.y < line.points.back().y ? line.points : line.aside).push_back(place);
+  }
   return line;
 }
 
 double farthest(const std::vector<ChartLine>& lines) {
   double most = 0.0;
-  for (const ChartLine& line : lines)
+  for (const ChartLine& line : lines) {
     most = std::max(most, line.points.back().x);
+    for (const Vec2 point : line.aside)
+      most = std::max(most, point.x);
+  }
   return most;
 }
 

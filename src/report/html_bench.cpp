@@ -113,7 +113,9 @@ std::string pattern_part(const FlattenReport& report, const FlatView& view) {
          "\u00A0mm</small></h3>\n<div class=\"sheet\">" + picture.svg + "</div>\n" +
          line_keys(view.sheet, view.directions) +
          legend(strain_map_fields(), {"shorter <b>−" + limit, "<b>0</b>", "longer <b>+" + limit}) +
-         "</div>\n";
+         "<p class=\"note\">Where the pattern is shorter than the patch, the material is stretched "
+         "when it is made up; where it is longer, it is pressed together or "
+         "gathered.</p>\n</div>\n";
 }
 
 std::string color_terms() {
@@ -133,7 +135,10 @@ std::string color_terms() {
          html_entry(
              "Stretch",
              "Strain: how much longer (+) or shorter (−) the pattern is there than the patch, "
-             "in the direction where it is most.") +
+             "in the direction where it is most; the mean around the place.") +
+         html_entry("Largest stretch",
+                    "Strain of the edge there whose length differs most. The "
+                    "worst of all is the figure at the top of the page.") +
          "</dl></details>\n";
 }
 
@@ -148,6 +153,7 @@ std::string data_of(const FlattenReport& report, const PatternOnSheet& placed,
                    {"after", report.processed.positions, report.unfold.pattern.positions}}};
   input.unit = report.unfold.unit;
   input.defect_limit = defect_limit;
+  input.strain_limit = strain_map_limit(report.unfold.strain);
   input.source = report.source;
   input.drawn = drawn;
   return page_data(input);
@@ -163,6 +169,7 @@ Bench html_bench(const CompareReport& report) {
   if (report.unfold_before) {
     input.unit = report.unfold_before->unit;
     input.states.front().pattern = report.unfold_before->pattern.positions;
+    input.strain_limit = strain_map_limit(report.unfold_before->strain);
   }
   const auto best = best_run(report);
   for (const ComparedMethod& method : report.runs) {

@@ -158,8 +158,6 @@ section > svg.chart + .terms { margin-top: 12px; }
   .terms dd { margin-bottom: 8px; }
   .chart text { font-size: 15.5px; }
   .readout th:first-child { width: 34%; }
-  .hint { display: none; }
-  .hint.simplified { display: block; }
 }
 @media print {
   .bench:not(.solo) { display: block; padding: 10px 0; }

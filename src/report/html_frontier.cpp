@@ -41,7 +41,7 @@ std::string table(const FrontierReport& report) {
     for (const FrontierPoint& point : *points) {
       html += row(name_of_point(point), point.strain, point.deviation,
                   cell(count_text(point.sweeps)) + cell(significant_text(point.seconds, 2)) +
-                      cell(stop_text(point.stop)));
+                      cell(std::string(stop_text(point.stop))));
     }
   }
   return html + "</tbody>\n</table>\n";
@@ -67,7 +67,8 @@ std::string html_report(const FrontierReport& report) {
          html_header("frontier", report.name, limit_words(report)) +
          "<section class=\"keep\">\n<h2>Strain against deviation</h2>\n<p>Strain "
          "of the pattern in per cent, logarithmic, over the rms deviation of the patch from what "
-         "it was. Dots with the name of another method are rms strain. Below and further left is "
+         "it was. The line goes through what no nearer point beats; other points are dots. Dots "
+         "with the name of another method are rms strain. Below and further left is "
          "better. The lower edge of the chart stands for 0.001 "
          "% or less.</p>\n" +
          (chart.empty() ? "<p>Nothing to show: no vertex had to move.</p>\n" : chart) +

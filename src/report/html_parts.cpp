@@ -59,7 +59,7 @@ std::string html_picture(const Image& image, const std::string& alt, const std::
          caption + "</figcaption></figure>\n";
 }
 
-std::string html_entry(std::string_view name, const std::string& text) {
+std::string html_entry(std::string_view name, std::string_view text) {
   return "<dt>" + std::string(name) + "</dt><dd>" + escape_markup(text) + "</dd>\n";
 }
 
@@ -89,28 +89,6 @@ std::string effort_text(const EvolveResult& result) {
          (result.history.size() == 1 ? " sweep in " : " sweeps in ") +
          significant_text(result.seconds, 2) + " s on " + std::to_string(result.threads) +
          (result.threads == 1 ? " thread" : " threads");
-}
-
-std::string stop_text(StopReason stop) {
-  switch (stop) {
-    case StopReason::reached_target:
-      return "the target was reached";
-    case StopReason::stalled:
-      return "no vertex moved any more";
-    case StopReason::converged:
-      return "the method had converged";
-    case StopReason::strain_met:
-      return "the strain is within the limit asked for";
-    case StopReason::deviation_limit:
-      return "going on would have moved vertices further than allowed";
-    case StopReason::angle_limit:
-      return "going on would have made angles smaller than allowed";
-    case StopReason::sweep_limit:
-      return "all sweeps asked for were made";
-    case StopReason::cancelled:
-      return "it was cancelled";
-  }
-  return {};
 }
 
 }  // namespace planish

@@ -36,7 +36,7 @@ std::string html_script();
 std::string html_picture(const Image& image, const std::string& alt, const std::string& caption);
 
 /// A term of a list and what is said of it, plain text.
-std::string html_entry(std::string_view name, const std::string& text);
+std::string html_entry(std::string_view name, std::string_view text);
 
 /// What the ends of a scale of angle defects mean.
 LegendLabels defect_labels(ColorMap colors, double limit);
@@ -46,8 +46,5 @@ std::string options_text(const Method& method);
 
 /// "10 sweeps in 0.25 s on 2 threads". Plain text.
 std::string effort_text(const EvolveResult& result);
-
-/// "no vertex moved any more". Plain text.
-std::string stop_text(StopReason stop);
 
 }  // namespace planish

@@ -128,6 +128,10 @@ std::string run_section(const FlattenReport& report, const FlattenPage& page) {
 constexpr std::string_view k_level_words =
     " While sweeps work on coarser levels, the patch itself stays as it is, and so do its figures.";
 
+constexpr std::string_view k_worst_place_words =
+    " It ends lower here, which makes no better pattern: stretch is what all places bring "
+    "together, and no single one of them.";
+
 bool has_levels(const FlattenReport& report) {
   const auto& history = report.evolve.result.history;
   return std::any_of(history.begin(), history.end(),
@@ -142,8 +146,11 @@ std::string convergence_section(const FlattenReport& report, const FlattenPage& 
                     : "What is left of the worst place and of the whole after each sweep, as a "
                       "share of what it was. Equal steps on the scale are equal factors.";
   if (has_levels(report)) words += k_level_words;
-  if (!chart.empty() && !page.reference.empty())
+  if (!chart.empty() && !page.reference.empty()) {
     words += " Grey: the worst place by the method of 2010, for comparison.";
+    if (page.reference.back().e_max < report.evolve.after.figures.e_max)
+      words += k_worst_place_words;
+  }
   return "<section class=\"keep\">\n<h2>How it went, sweep by sweep</h2>\n<p>" + words + "</p>\n" +
          chart + "<details class=\"terms\"><summary>The terms of the paper</summary>\n<dl>\n" +
          html_entry("e_max", "the largest |angle defect| of an inner vertex (Eq. 18)") +

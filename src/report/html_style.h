@@ -152,7 +152,8 @@ footer { color: var(--dim); font-size: 13px; }
   table { font-size: 13.5px; line-height: 1.35; }
   th, td { padding-left: 10px; }
   td { white-space: normal; }
-  th small { display: none; }
+  th small { font-size: 12px; }
+  section > .scroll > table:not(.compare) th:first-child { width: 42%; }
 }
 @page { size: A4; margin: 14mm; }
 @media print {

@@ -35,6 +35,8 @@ class HorizontalAxis {
     double least = std::numeric_limits<double>::infinity();
     for (const ChartLine& line : lines) {
       last_ = std::max(last_, line.points.back().x);
+      for (const Vec2 point : line.aside)
+        last_ = std::max(last_, point.x);
       for (const Vec2 point : line.points) {
         if (point.x > 0.0) least = std::min(least, point.x);
       }
@@ -96,9 +98,11 @@ class Chart {
   static LogAxis axis_of(const std::vector<ChartLine>& lines) {
     double low = lines.front().points.front().y, high = low;
     for (const ChartLine& line : lines) {
-      for (const Vec2 point : line.points) {
-        low = std::min(low, point.y);
-        high = std::max(high, point.y);
+      for (const auto* points : {&line.points, &line.aside}) {
+        for (const Vec2 point : *points) {
+          low = std::min(low, point.y);
+          high = std::max(high, point.y);
+        }
       }
     }
     return log_axis(low, high);
@@ -152,6 +156,8 @@ class Chart {
     }
     svg.back() = '"';
     svg += "/>\n";
+    for (const Vec2 point : line.aside)
+      svg += dot({x_of(point.x), y_of(point.y)}, line.css_class);
     if (!line.has_dots) return svg;
     for (const Vec2 point : line.points)
       svg += dot({x_of(point.x), y_of(point.y)}, line.css_class);

@@ -14,6 +14,7 @@ struct ChartLine {
   std::string css_class;     ///< sets --line, its colour; polyline.CLASS may set its dashes
   std::vector<Vec2> points;  ///< x from 0 on and never less than before, y above 0; one at least
   bool has_dots = false;     ///< at every point, not at the end only
+  std::vector<Vec2> aside = {};  ///< dots that the line does not go through
 };
 
 enum class ChartScale {

@@ -42,16 +42,19 @@ double limit_of(const std::vector<double>& values, double share, double least) {
   for (const double value : values) {
     if (std::isfinite(value)) sizes.push_back(std::abs(value));
   }
-  if (sizes.empty()) return least;
+  // Of patches beyond all sizes squares are 0 or infinite.
+  constexpr double lowest = 1e-300, highest = 1e300;
+  if (sizes.empty()) return std::clamp(least, lowest, highest);
   const auto rank = static_cast<std::size_t>(share * static_cast<double>(sizes.size() - 1));
   std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(rank), sizes.end());
-  return round_up_125(std::max(sizes[rank], least));
+  return round_up_125(std::clamp(std::max(sizes[rank], least), lowest, highest));
 }
 
-double largest_limit(const Figure& figure, double share, double least) {
+/// The same of all values of all states.
+double largest_limit(const Figure& figure, double least) {
   double limit = least;
   for (const auto& values : figure.by_state)
-    limit = std::max(limit, limit_of(values, share, least));
+    limit = std::max(limit, limit_of(values, 1.0, least));
   return limit;
 }
 
@@ -75,7 +78,8 @@ std::vector<Figure> figures_of(const PageInput& input, const Connectivity& conne
   Figure defect{"defect", ColorMap::diverging, input.defect_limit};
   Figure curvature{"curvature", ColorMap::paper};
   Figure deviation{"deviation", ColorMap::sequential};
-  Figure strain{"strain", ColorMap::diverging};
+  Figure strain{"strain", ColorMap::diverging, input.strain_limit};
+  Figure edge_strain{"edge_strain", ColorMap::diverging, input.strain_limit};
   for (const PageState& state : input.states) {
     const TriMesh mesh{{state.positions.begin(), state.positions.end()}, input.mesh.triangles};
     const auto defects = angle_defects(mesh, connectivity);
@@ -85,12 +89,15 @@ std::vector<Figure> figures_of(const PageInput& input, const Connectivity& conne
     deviation.by_state.push_back(moves(input.mesh.positions, state.positions));
     strain.by_state.push_back(state.pattern.empty() ? std::vector<double>()
                                                     : vertex_strains(mesh, state.pattern));
+    edge_strain.by_state.push_back(state.pattern.empty()
+                                       ? std::vector<double>()
+                                       : largest_edge_strains(mesh, connectivity, state.pattern));
   }
   const double size = bounding_box_diagonal(input.mesh);
   curvature.limit = limit_of(curvature.by_state.front(), k_scale_share, 1e-6 / (size * size));
-  deviation.limit = largest_limit(deviation, 1.0, 1e-6 * size);
-  strain.limit = largest_limit(strain, 0.99, 0.001);
-  return {std::move(defect), std::move(curvature), std::move(deviation), std::move(strain)};
+  deviation.limit = largest_limit(deviation, 1e-6 * size);
+  return {std::move(defect), std::move(curvature), std::move(deviation), std::move(strain),
+          std::move(edge_strain)};
 }
 
 /// The vertex of every list at which the figure is largest.
@@ -182,9 +189,9 @@ std::string map_bytes(ColorMap map) {
 }
 
 std::size_t usual_most(const PageInput& input) {
-  constexpr std::size_t bytes = 3'000'000;  // base64 makes four of three
-  // Positions and four figures by state; number, place in the pattern and two triangles.
-  return bytes / (22 * input.states.size() + 16);
+  constexpr std::size_t bytes = 3'400'000;  // base64 makes four of three
+  // Positions and five figures by state; number, place in the pattern and two triangles.
+  return bytes / (26 * input.states.size() + 16);
 }
 
 /// By the numbers that people know vertices by.

@@ -23,12 +23,13 @@ struct PageInput {
   std::vector<PageState> states;  ///< the first is the patch as it came
   Unit unit = Unit::mm;
   double defect_limit = 0.0;           ///< |defect| at which colours end, radians
+  double strain_limit = 0.001;         ///< |strain| at which colours end
   std::span<const Index> source = {};  ///< vertex of the mesh -> number that people know it by
   /// Of all vertices in the drawing of the pattern, in its own coordinates; may be none.
   std::span<const Vec2> drawn = {};
   std::size_t shown = 1;  ///< the state that is shown beside the first at the start
-  /// Meshes with more are simplified; 0: so many that the data take about four megabytes, which are
-  /// 50,000 for two states.
+  /// Meshes with more are simplified; 0: so many that the data take about four and a half
+  /// megabytes, which are 50,000 for two states.
   std::size_t most_vertices = 0;
 };
 

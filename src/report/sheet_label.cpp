@@ -59,7 +59,7 @@ void add_test_squares(Layer& layer) {
     layer.shapes.emplace_back(rectangle({left, k_margin}, side, side, k_black));
     layer.shapes.emplace_back(Text{{left, k_margin + side + 2.0}, 2.2, text, k_black});
   };
-  add(k_margin, k_square, "50 mm – measure me before cutting");
+  add(k_margin, k_square, "50 mm – measure before cutting");
   add(k_block_right - k_inch_square, k_inch_square, "2 in");
 }
 

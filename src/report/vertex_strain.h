@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/mesh/tri_mesh.h>
+#include <planish/mesh/connectivity.h>
 
 namespace planish {
 
@@ -11,5 +11,11 @@ namespace planish {
 /// its sign (signed_strains()); 0 for vertices without triangles.
 /// @param pattern one position per vertex of the mesh
 std::vector<double> vertex_strains(const TriMesh& mesh, std::span<const Vec2> pattern);
+
+/// The strain of largest size among the edges of every vertex, with its sign; 0 for vertices
+/// without edges. The largest of all is edge_strain()'s.
+/// @param pattern one position per vertex of the mesh
+std::vector<double> largest_edge_strains(const TriMesh& mesh, const Connectivity& connectivity,
+                                         std::span<const Vec2> pattern);
 
 }  // namespace planish

@@ -4,6 +4,7 @@
 #include <planish/unfold/strain.h>
 
 #include "core/careful_sum.h"
+#include "unfold/strain_of_edge.h"
 
 namespace planish {
 
@@ -16,9 +17,7 @@ EdgeStrain edge_strain(const TriMesh& mesh, const Connectivity& connectivity,
   for (Index v = 0; v < mesh.positions.size(); ++v) {
     for (const Index w : connectivity.ring(v)) {
       if (w < v) continue;  // every edge once
-      const double on_patch = norm(scale * mesh.positions[w] - scale * mesh.positions[v]);
-      const double flat = norm(scale * pattern[w] - scale * pattern[v]);
-      const double strain = flat / on_patch - 1.0;
+      const double strain = strain_of_edge(mesh, pattern, scale, v, w);
       sizes.push_back(std::abs(strain));
       if (sizes.size() == 1 || sizes.back() > result.max) {
         result.max = sizes.back();
@@ -43,9 +42,7 @@ double largest_border_strain(const TriMesh& mesh, const Connectivity& connectivi
   for (const std::vector<Index>& loop : connectivity.border_loops()) {
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const Index v = loop[k], w = loop[(k + 1) % loop.size()];
-      const double on_patch = norm(scale * mesh.positions[w] - scale * mesh.positions[v]);
-      const double flat = norm(scale * pattern[w] - scale * pattern[v]);
-      largest = std::max(largest, std::abs(flat / on_patch - 1.0));
+      largest = std::max(largest, std::abs(strain_of_edge(mesh, pattern, scale, v, w)));
     }
   }
   return largest;

@@ -175,6 +175,20 @@ test('a click keeps a place, Escape lets it go, and the worst place is one click
   });
 });
 
+test('the worst place of the stretch is an end of the edge that is stretched most', async () => {
+  await withPage({}, async (page) => {
+    await page.locator('.choice label', { hasText: 'Stretch' }).click();
+    await page.getByRole('button', { name: 'Worst place' }).click();
+    const { max } = report.unfold.strain;
+    const shown = 0.01 * number(await readout(page, 'edge_strain', 'after'));
+    assert.ok(Math.abs(Math.abs(shown) - max) <= 0.051 * max, `${shown}, not ${max}`);
+    // One scale for the patch and its pattern.
+    const end = (text) => text.match(/([\d.]+)\s%/)[1];
+    const scale = end(await page.locator('.scale .labels span').last().innerText());
+    assert.equal(Number(scale), Number(end(await page.locator('.flat .legend span').last().innerText())));
+  });
+});
+
 test('everything can be done by keys', async () => {
   await withPage({}, async (page) => {
     const active = () => page.evaluate(() => document.activeElement.className || document.activeElement.tagName);

@@ -168,7 +168,7 @@ TEST_F(GarmentNest, LeavesOutAndTellsWhatFailed) {
   std::ofstream("coat/bad.obj") << "v 0 0\n";
   const CliResult result = lay_out("coat", {"--sheet", "600"});
   EXPECT_EQ(result.exit_code, k_exit_failed);
-  EXPECT_THAT(result.out, HasSubstr("2 pieces on a roll of width 600.0 mm"));
+  EXPECT_THAT(result.out, HasSubstr("2 pieces fit on a roll of width 600.0 mm"));
   EXPECT_THAT(result.out, HasSubstr("  without bad\n"));
   const auto json = nlohmann::json::parse(content_of("out/garment.json"));
   EXPECT_THAT(json["nesting"]["left_out"], ElementsAre("bad"));

@@ -41,7 +41,9 @@ function strainText(value) {
   return `${signed(100 * value, 2)} %, ${value > 0 ? 'longer' : 'shorter'}`;
 }
 
-// Each: a name, the paper's term, what a value reads, what the scale's ends and middle read.
+// Each: a name, the paper's term, what a value reads, what the scale's ends and middle read, what
+// is beyond an end; which figure tells the worst place, where it is another one. Without ends it
+// stands in the table alone.
 const words = {
   defect: {
     name: 'Dome or saddle',
@@ -56,6 +58,7 @@ const words = {
     isSigned: false,
     text: curvatureText,
     ends: (limit, unit) => ['0 flat', '', `ball of ${written(1 / Math.sqrt(limit), 2)} ${unit} radius`],
+    beyond: 'or less',
   },
   deviation: {
     name: 'Moved',
@@ -74,6 +77,13 @@ const words = {
       '0 keeps its length',
       `longer +${written(100 * limit, 1)} %`,
     ],
+    worst: 'edge_strain',
+  },
+  edge_strain: {
+    name: 'Largest stretch',
+    term: 'strain of an edge',
+    isSigned: true,
+    text: strainText,
   },
 };
 
@@ -82,6 +92,15 @@ export function namedFigures(data) {
   return [...data.figures.values()]
     .filter((figure) => figure.values.some((values) => values !== null))
     .map((figure) => ({ ...figure, ...words[figure.id] }));
+}
+
+// What the scale's ends and middle read; where more lies beyond the ends, they say so.
+export function labelsOf(figure, limit, unit) {
+  const [low, middle, high] = figure.ends(limit, unit);
+  const largest = Math.max(...figure.values.map((values) => (values ? Math.abs(values[worstOf(values)]) : 0)));
+  if (!(largest > limit * 1.000001)) return [low, middle, high];
+  const beyond = (text) => `${text} ${figure.beyond ?? 'or more'}`;
+  return [figure.isSigned ? beyond(low) : low, middle, beyond(high)];
 }
 
 // The figure of one vertex in words; what is not measured on the edge says so.

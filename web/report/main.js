@@ -68,9 +68,10 @@ class Page {
       this.readout.root,
       make('p', {
         className: 'hint',
-        textContent:
-          'Drag to turn, shift and drag to move, click to keep a place marked (Escape lets it go). ' +
-          'Wheel zooms after a click into the picture.',
+        textContent: matchMedia('(pointer: coarse)').matches
+          ? 'A finger turns it, two move and zoom it; tap to mark a place.'
+          : 'Drag to turn, shift and drag to move, click to keep a place marked (Escape lets it go). ' +
+            'Wheel zooms after a click into the picture.',
       }),
       ...this.simplified(),
     );
@@ -179,7 +180,8 @@ class Page {
   }
 
   showWorst() {
-    const values = this.figure.values[this.scene.shown[1]];
+    const judge = this.figures.find(({ id }) => id === this.figure.worst) ?? this.figure;
+    const values = judge.values[this.scene.shown[1]];
     this.pin(values ? worstOf(values) : -1);
   }
 

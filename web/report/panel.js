@@ -1,7 +1,7 @@
 // What stands around the view of the patch: which figure is shown, its scale, the split, and what
 // the figures of a vertex are.
 import { gradientOf } from './colours.js';
-import { textOf } from './figures.js';
+import { labelsOf, textOf } from './figures.js';
 
 export function make(name, properties = {}, ...children) {
   const made = document.createElement(name);
@@ -16,7 +16,7 @@ export function make(name, properties = {}, ...children) {
 export function figureChoice(figures, chosen) {
   const group = make('fieldset', { className: 'choice' });
   group.append(make('legend', { className: 'unseen', textContent: 'Colour by' }));
-  figures.forEach((figure, index) => {
+  figures.filter((figure) => figure.ends).forEach((figure, index) => {
     const button = make('input', {
       type: 'radio',
       name: 'figure',
@@ -63,7 +63,7 @@ export class Scale {
 
   show(figure, limit) {
     this.bar.style.background = gradientOf(this.maps.get(figure.map));
-    figure.ends(limit, this.unit).forEach((text, i) => (this.labels[i].textContent = text));
+    labelsOf(figure, limit, this.unit).forEach((text, i) => (this.labels[i].textContent = text));
   }
 }
 

@@ -17,4 +17,7 @@ enum class StopReason {
 };
 std::string_view to_string(StopReason reason);
 
+/// In words: why it ended.
+std::string_view stop_text(StopReason reason);
+
 }  // namespace planish

@@ -191,6 +191,27 @@ TEST(Frontier, ShowsInTheChartWhereEveryPointIs) {
   EXPECT_NEAR((y1 - y0) / (y2 - y0), 2.0 / 5.0, 1e-3) << "100 %, 1 %, 0.001 %: logarithmic";
 }
 
+TEST(Frontier, DrawsTheLineThroughWhatNothingNearerBeats) {
+  FrontierReport report;
+  report.before = {1.0, 1.0, 1.0};
+  const auto point = [](double deviation, double strain) {
+    FrontierPoint made;
+    made.strain = {strain, strain, strain};
+    made.deviation.rms_over_diagonal = deviation;
+    return made;
+  };
+  report.curve = {point(0.01, 0.1), point(0.02, 0.2), point(0.03, 0.01)};
+  const std::string svg = frontier_svg(report);
+  const std::size_t at = svg.find("points=", svg.find("<polyline class=\"line-0\""));
+  const std::string points = svg.substr(at, svg.find("/>", at) - at);
+  EXPECT_EQ(std::count(points.begin(), points.end(), ','), 3) << points;
+  std::size_t dots = 0;
+  for (std::size_t dot = 0; (dot = svg.find("<circle class=\"line-0\"", dot)) != std::string::npos;
+       ++dot)
+    ++dots;
+  EXPECT_EQ(dots, 5U) << "every point has one, and the line's end another";
+}
+
 TEST(Frontier, PictureAndPageShowCurveDotsAndLimit) {
   const FrontierReport& report = panel_frontier();
   for (const std::string& text : {frontier_svg(report), html_report(report)}) {

@@ -1,7 +1,9 @@
 #include "report/page_data.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <planish/measure/angle_defect.h>
 
@@ -50,6 +52,42 @@ TEST(PageData, HasThePatchToHalfAStep) {
   const auto corners = pages::small_numbers_of(data["triangles"]["data"]);
   ASSERT_EQ(corners.size(), 3U * 1200U);
   EXPECT_EQ(corners[4], report.input.triangles[1][1]);
+}
+
+TEST(PageData, HasScalesForPatchesOfAnySize) {
+  const FlattenReport report = samples::flatten_report();
+  for (const double size : {1e-180, 1e180}) {
+    TriMesh mesh = report.input;
+    for (Vec3& p : mesh.positions)
+      p = size * p;
+    PageInput input{mesh, {{"before", mesh.positions}, {"after", mesh.positions}}};
+    input.defect_limit = 0.05;
+    const json data = content_of(page_data(input));
+    for (const json& figure : data["figures"]) {
+      ASSERT_TRUE(figure["limit"].is_number()) << figure["id"] << " at " << size;
+      EXPECT_GT(figure["limit"].get<double>(), 0.0) << figure["id"] << " at " << size;
+    }
+  }
+}
+
+TEST(PageData, HasTheStrainThatLimitsAreFor) {
+  const FlattenReport report = samples::flatten_report();
+  const json data = content_of(page_data(input_of(report)));
+  ASSERT_EQ(data["figures"][4]["id"], "edge_strain");
+  const Connectivity connectivity(report.input);
+  const std::array states = {std::pair(&report.input, &report.unfold_before),
+                             std::pair(&report.processed, &report.unfold)};
+  for (std::size_t state = 0; state < states.size(); ++state) {
+    const auto [mesh, unfold] = states[state];
+    const EdgeStrain strain = edge_strain(*mesh, connectivity, unfold->pattern.positions);
+    const auto shown = pages::floats_of(data["figures"][4]["values"][state]);
+    double largest = 0.0;
+    for (const float value : shown)
+      largest = std::max(largest, std::abs(static_cast<double>(value)));
+    EXPECT_NEAR(largest, strain.max, 1e-7 * strain.max);
+    for (const Index end : strain.worst_edge)
+      EXPECT_NEAR(std::abs(shown[end]), strain.max, 1e-7 * strain.max);
+  }
 }
 
 TEST(PageData, HasTheFiguresOfEveryVertex) {

@@ -108,7 +108,7 @@ TEST(PatternSheet, HasATestSquareOfExactly50MillimetresClearOfThePattern) {
     EXPECT_EQ(square.right - square.left, 50.0);
     EXPECT_EQ(square.top - square.bottom, 50.0);
     EXPECT_LT(square.top, box_of(cut_path(sheet)).bottom - 1.0);
-    EXPECT_THAT(texts_of(layer(sheet, "label")), Contains("50 mm – measure me before cutting"));
+    EXPECT_THAT(texts_of(layer(sheet, "label")), Contains("50 mm – measure before cutting"));
   }
 }
 

@@ -12,6 +12,7 @@
 
 #include "evolve/coarse_levels.h"
 #include "evolve/defect_polish.h"
+#include "evolve/pull_back.h"
 #include "evolve/smallest_angle.h"
 #include "evolve/strain_descent.h"
 #include "evolve/sweep.h"
@@ -55,6 +56,8 @@ class AutoStepper {
 
   /// Brings what coarse levels have found so far to the patch itself.
   void settle() {
+    if (pull_back_) pull_back_->finish();
+    pull_back_.reset();
     while (level_ > 0)
       lift();
   }
@@ -72,15 +75,16 @@ class AutoStepper {
   /// @param closeness to begin with; 0: the usual
   void open_level(double closeness = 0.0) {
     coarse_ = level_ > 0 ? levels_.make_state(level_, pool_) : nullptr;
-    PatchState& state = coarse_ ? *coarse_ : state_;
     descent_ = std::make_unique<StrainDescent>(
-        state, pool_, DescentAims{options_.max_strain, options_.closeness, closeness}, limits());
+        level_state(), pool_,
+        DescentAims{options_.max_strain, options_.closeness, closeness, careful_}, limits());
     steps_ = idle_ = 0;
   }
 
+  PatchState& level_state() const { return coarse_ ? *coarse_ : state_; }
+
   DescentLimits limits() const {
-    const PatchState& state = coarse_ ? *coarse_ : state_;
-    return {state.scale() * options_.max_deviation, least_angle_};
+    return {level_state().scale() * options_.max_deviation, least_angle_};
   }
 
   /// On to the next finer level.
@@ -90,47 +94,57 @@ class AutoStepper {
     descent_.reset();  // before the next: it is large
     --level_;
     open_level(closeness);
-    levels_.lift(level_ + 1, *found, descent_->cost(), coarse_ ? *coarse_ : state_, pool_);
+    levels_.lift(level_ + 1, *found, descent_->cost(), level_state(), pool_);
     descent_->start(k_pace_from_coarse);
-  }
-
-  bool strain_is_met() const {
-    return options_.max_strain > 0.0 && descent_->max_strain() <= options_.max_strain;
   }
 
   SweepOutcome descend() {
     SweepOutcome outcome;
-    if (descent_->solvable() && !strain_is_met()) {
-      const double strain_before = descent_->rms_strain();
-      const StrainDescent::Step step = descent_->step();
-      // What goes on at the limit only crumples.
-      const bool held =
-          descent_->at_deviation_limit() && descent_->rms_strain() > k_held_share * strain_before;
-      if (held && descent_->rms_strain() > strain_before) descent_->go_back();
-      idle_ = step.moved > 0 ? 0 : idle_ + 1;
-      outcome.moved = step.moved;
-      outcome.level = {(coarse_ ? *coarse_ : state_).inner_count(), step.merit_before, step.merit,
-                       descent_->rms_strain()};
-      const double enough = level_ > 0 ? k_coarse_strain : k_polish_strain;
-      const int most_steps = hopeless_                      ? k_hopeless_steps
-                             : level_ == levels_.coarsest() ? k_most_first_steps
-                                                            : k_most_steps;
-      const bool over = strain_is_met() || held || descent_->rms_strain() <= enough ||
-                        idle_ >= k_most_idle || ++steps_ >= most_steps;
+    if (!descent_->solvable() || (!pull_back_ && descent_->strain_is_met())) {
+      outcome.level = {level_state().inner_count()};
+    } else if (const bool over = descent_step(outcome); !over) {
       outcome.elsewhere = level_ > 0;
-      if (!over) return outcome;
-    } else {
-      outcome.level = {(coarse_ ? *coarse_ : state_).inner_count()};
+      return outcome;
     }
     end_level(outcome);
     outcome.elsewhere = level_ > 0;
     return outcome;
   }
 
+  /// @return true if it was the last of the level
+  bool descent_step(SweepOutcome& outcome) {
+    const double strain_before = descent_->rms_strain();
+    const StrainDescent::Step step = pull_back_ ? pull_back_->step() : descent_->step();
+    outcome.moved = step.moved;
+    outcome.level = {level_state().inner_count(), step.merit_before, step.merit,
+                     descent_->rms_strain()};
+    if (pull_back_) return pull_back_->over();
+    if (descent_->strain_is_met()) {
+      pull_back_.emplace(*descent_, level_state());
+      return false;
+    }
+    // What goes on at the limit only crumples.
+    const bool held =
+        descent_->at_deviation_limit() && descent_->rms_strain() > k_held_share * strain_before;
+    if (held && descent_->rms_strain() > strain_before) descent_->go_back();
+    idle_ = step.moved > 0 ? 0 : idle_ + 1;
+    const double enough = level_ > 0 ? k_coarse_strain : k_polish_strain;
+    return held || descent_->rms_strain() <= enough || idle_ >= k_most_idle ||
+           ++steps_ >= most_steps();
+  }
+
+  int most_steps() const {
+    if (hopeless_) return k_hopeless_steps;
+    return level_ == levels_.coarsest() ? k_most_first_steps : k_most_steps;
+  }
+
   /// What comes after a level: the next one, polishing, or the end.
   void end_level(SweepOutcome& outcome) {
-    if (strain_is_met() && outcome.moved > 0) descent_->ease_back(options_.max_strain);
-    hopeless_ = !strain_is_met() && descent_->rms_strain() > k_hopeless_strain;
+    if (pull_back_) pull_back_->finish();
+    pull_back_.reset();
+    hopeless_ = !descent_->strain_is_met() && descent_->rms_strain() > k_hopeless_strain;
+    const bool first_try = !careful_ && rounds_ == 0 && level_ == levels_.coarsest();
+    if (first_try && !hopeless_ && descent_->is_too_rough()) return start_carefully();
     if (level_ > 0) return lift();
     const auto reason = reason_to_end();
     if (reason) {
@@ -141,8 +155,16 @@ class AutoStepper {
     polish_.emplace(state_, pool_, limits());
   }
 
+  /// The coarsest level once more, from where the vertices were at first.
+  void start_carefully() {
+    careful_ = true;
+    descent_->go_to(descent_->cost().origin());
+    open_level();
+    descent_->start(k_pace_from_scratch);
+  }
+
   std::optional<StopReason> reason_to_end() const {
-    if (strain_is_met()) return StopReason::strain_met;
+    if (descent_->strain_is_met()) return StopReason::strain_met;
     const bool nearly_flat = descent_->rms_strain() <= k_polish_strain;
     if (descent_->at_deviation_limit() && !nearly_flat) return StopReason::deviation_limit;
     if (!hopeless_) return std::nullopt;
@@ -177,9 +199,10 @@ class AutoStepper {
   std::size_t level_;
   std::unique_ptr<PatchState> coarse_;  // of the level, none at the patch itself
   std::unique_ptr<StrainDescent> descent_;
+  std::optional<PullBack> pull_back_;
   std::optional<DefectPolish> polish_;
   int steps_ = 0, idle_ = 0, polishes_ = 0, slow_ = 0, rounds_ = 0;
-  bool hopeless_ = false;
+  bool hopeless_ = false, careful_ = false;
 };
 
 }  // namespace

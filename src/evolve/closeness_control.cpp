@@ -7,20 +7,26 @@ namespace planish {
 
 ClosenessControl::ClosenessControl(const PatchState& state, double room, const ClosenessPace& pace)
     : roughness_(state), pace_(pace), least_(roughness_.now()) {
-  constexpr double more = 2.0;  // degrees
+  constexpr double more = 2.5;  // degrees
   most_ = least_ + room * (least_ + more);
 }
 
-double ClosenessControl::after_step(double closeness, double strain_left) {
-  constexpr double plenty = 0.8, ease = 0.25, least_closeness = 0.005;
+double ClosenessControl::after_step(double closeness, double strain_left, bool may_grow) {
+  constexpr double plenty = 0.8, ease = 0.25, growth = 2.0, least_closeness = 0.005;
   const double roughness = roughness_.now();
   least_ = std::min(least_, roughness);
   first_strain_ = std::max(first_strain_, strain_left);
-  const double gone = first_strain_ > 0.0 ? 1.0 - std::sqrt(strain_left / first_strain_) : 1.0;
-  const double allowed = least_ + (most_ - least_) * gone;
+  const double left =
+      first_strain_ > 0.0 ? std::pow(strain_left / first_strain_, pace_.earliness) : 0.0;
+  const double allowed = least_ + (most_ - least_) * (1.0 - left);
   if (roughness > allowed) return std::max(ease * closeness, least_closeness);
-  if (roughness < plenty * allowed) return std::min(pace_.growth * closeness, pace_.most);
-  return closeness;
+  if (!may_grow || roughness >= plenty * allowed) return closeness;
+  return std::max(closeness, std::min(growth * closeness, pace_.most));
+}
+
+bool ClosenessControl::is_too_rough() const {
+  constexpr double hardly = 0.3;  // degrees
+  return roughness_.now() > most_ + hardly;
 }
 
 }  // namespace planish

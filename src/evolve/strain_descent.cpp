@@ -16,9 +16,11 @@ double sigma_unit(const PatchState& state) {
 }
 
 /// Vertices held at a limit of deviation need a way around them that is smooth.
-const ClosenessPace& pace_for(const DescentAims& aims, const DescentLimits& limits) {
+ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits) {
   const bool near = aims.max_strain > 0.0 && std::isinf(limits.deviation);
-  return near ? k_near_first : k_smooth_first;
+  ClosenessPace pace = near ? k_near_first : k_smooth_first;
+  if (aims.careful) pace.earliness = k_careful_earliness;
+  return pace;
 }
 
 }  // namespace
@@ -152,8 +154,7 @@ StrainDescent::Step StrainDescent::step() {
     break;
   }
   if (result.moved == 0) {
-    move_to(x, jacobian_, state_);
-    look();
+    go_back();
   }
   follow(share, halvings, result);
   follow_roughness();
@@ -161,54 +162,51 @@ StrainDescent::Step StrainDescent::step() {
   return result;
 }
 
-void StrainDescent::go_back() {
-  move_to(before_, jacobian_, state_);
+void StrainDescent::go_to(const Places& places) {
+  move_to(places, jacobian_, state_);
   look();
 }
 
-void StrainDescent::ease_back(double max_strain) {
-  constexpr int halvings = 6;
-  if (before_.empty()) return;
-  const Places to = sum_of(inner_places(state_), -1.0, before_);
-  const auto go_to = [&](double share) {
-    move_to(sum_of(before_, share, to), jacobian_, state_);
-    look();
-  };
-  double low = 0.0, high = 1.0;
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    go_to(middle);
-    (most_ <= max_strain && angles_hold() ? high : low) = middle;
-  }
-  go_to(high);
+double StrainDescent::deviation() const {
+  const double away = norm_of(sum_of(inner_places(state_), -1.0, cost_.origin()));
+  return away / std::sqrt(static_cast<double>(state_.inner_count()));
 }
 
 /// What the step was worth says how stiff the next one is and which sigma it is for.
 void StrainDescent::follow(double share, int halvings, const Step& step) {
-  constexpr double slow = 0.9, failed = 0.7, far_enough = 0.3, small_fall = 0.05;
-  constexpr double large_strain = 0.02;
-  const double least_per_strain = rms_ > large_strain ? 0.3 : 0.02;
   constexpr double least_stiffening = 0.3, ease = 0.25, tighten = 4.0;
   if (halvings >= 2) stiffening_ = std::max(1.0, tighten * stiffening_);
   if (halvings == 0) stiffening_ = stiffening_ < least_stiffening ? 0.0 : ease * stiffening_;
-  const bool full = share > 0.99;
-  const bool settled = step.merit_before - step.merit < small_fall * step.merit_before;
-  if (step.moved == 0) {
-    sigma_ *= failed;
-  } else if (full || settled) {
-    sigma_ *= fall_of_sigma_;
-  } else if (share > far_enough) {
-    sigma_ *= slow;
+  sigma_ = next_sigma(share, step);
+}
+
+double StrainDescent::next_sigma(double share, const Step& step) const {
+  constexpr double slow = 0.9, failed = 0.7, far_enough = 0.3, small_fall = 0.05;
+  if (to_limit_) {
+    constexpr double most_fall = 1.5, most_growth = 4.0;
+    if (step.moved == 0) return failed * sigma_;
+    const double change = std::sqrt(aims_.max_strain / most_);
+    return std::clamp(change, 1.0 / most_fall, most_growth) * sigma_;
   }
   // Where much strain cannot fall, a small sigma would buy some of it with crumples.
-  sigma_ = std::max({sigma_, least_sigma_, least_per_strain * rms_ * sigma_unit(state_)});
+  constexpr double large_strain = 0.02;
+  const double least_per_strain = rms_ > large_strain ? 0.3 : 0.02;
+  const double least = std::max(least_sigma_, least_per_strain * rms_ * sigma_unit(state_));
+  if (step.moved == 0) return std::max(failed * sigma_, least);
+  const bool full = share > 0.99;
+  const bool settled = step.merit_before - step.merit < small_fall * step.merit_before;
+  if (full || settled) return std::max(fall_of_sigma_ * sigma_, least);
+  return std::max(share > far_enough ? slow * sigma_ : sigma_, least);
 }
 
 /// Lets the next step stay closer where there is room for roughness, or be smoother.
 void StrainDescent::follow_roughness() {
   const double left = aims_.max_strain > 0.0 ? std::max(0.0, most_ - aims_.max_strain) : rms_;
-  const double next = control_.after_step(closeness_, left);
+  constexpr double stiff = 4.0;
+  const double next = control_.after_step(closeness_, left, stiffening_ < stiff);
   cost_.scale_closeness(next / closeness_);
+  // Between closeness and strain the balance is sigma's.
+  if (to_limit_) sigma_ *= std::sqrt(closeness_ / next);
   closeness_ = next;
 }
 

@@ -18,6 +18,7 @@ struct DescentAims {
   double max_strain = 0.0;  ///< at which it is to end; 0: where there is none
   double room = 1.0;        ///< for roughness, spent on staying close; see ClosenessControl
   double closeness = 0.0;   ///< to begin with, such as a coarser level ended with; 0: the usual
+  bool careful = false;     ///< to be rough later, after a try that ended too rough
 };
 
 /// What no step may break, in the units of the state and radians.
@@ -70,15 +71,23 @@ class StrainDescent {
   Step step();
 
   /// Takes the last step back.
-  void go_back();
-  /// Goes back along the last step as far as max_strain() stays within a bound that it meets.
-  void ease_back(double max_strain);
+  void go_back() { go_to(before_); }
+  void go_to(const Places& places);
+  /// From now on sigma is such that strain comes to its limit and stays there, from above or below.
+  /// @pre there is a limit of strain
+  void keep_to_limit() { to_limit_ = true; }
 
   /// Strain as of now: phi over the inner vertices, as a share of length.
   double rms_strain() const { return rms_; }
   /// Half of what phi spans, the border's 0 included: a conformal pattern of the best size
   /// stretches and shrinks edges by so much.
   double max_strain() const { return most_; }
+  /// Of the inner vertices from where they were at first, rms.
+  double deviation() const;
+  /// True if the limit of strain, where there is one, is met.
+  bool strain_is_met() const { return aims_.max_strain > 0.0 && most_ <= aims_.max_strain; }
+  /// True if the patch is rougher than the room for roughness allows it to end.
+  bool is_too_rough() const { return control_.is_too_rough(); }
   /// True if vertices came as far away as they may be.
   bool at_deviation_limit() const { return deviation_stopped_; }
   /// True if the last step was shortened by the limit of angles.
@@ -94,6 +103,7 @@ class StrainDescent {
   void hold_far_vertices();
   bool angles_hold();
   void follow(double share, int halvings, const Step& step);
+  double next_sigma(double share, const Step& step) const;
   void follow_roughness();
 
   PatchState& state_;
@@ -113,7 +123,7 @@ class StrainDescent {
   double rms_ = 0.0, most_ = 0.0;
   double longest_step_ = 0.0, fall_of_sigma_ = 0.5, sigma_ = 1.0, least_sigma_ = 0.0,
          stiffening_ = 0.0;
-  bool angle_stopped_ = false, deviation_stopped_ = false;
+  bool to_limit_ = false, angle_stopped_ = false, deviation_stopped_ = false;
 };
 
 }  // namespace planish

@@ -34,7 +34,7 @@ void describe(Auto& o, Visit&& visit) {
         Range{0.0, 60.0});
   visit("closeness", o.closeness,
         "how much rougher the surface may get for staying close: 0: no rougher than at first, 1: "
-        "twice as rough and 2 degrees more",
+        "twice as rough and 2.5 degrees more",
         Range{0.0, 1e6});
 }
 

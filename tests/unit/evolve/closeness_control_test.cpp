@@ -39,9 +39,10 @@ TEST(ClosenessControl, GrowsToTheMostWhereThereIsRoom) {
   ClosenessControl control(laid.state, 1.0, k_smooth_first);
   double closeness = k_smooth_first.first, strain = 0.1;
   // Before any strain is gone nothing may get rougher, so it stays.
-  EXPECT_EQ(control.after_step(closeness, strain), closeness);
+  EXPECT_EQ(control.after_step(closeness, strain, true), closeness);
   for (int step = 0; step < 20; ++step, strain *= 0.7) {
-    const double next = control.after_step(closeness, strain);
+    EXPECT_EQ(control.after_step(closeness, strain, false), closeness);
+    const double next = control.after_step(closeness, strain, true);
     EXPECT_GE(next, closeness);
     closeness = next;
   }
@@ -51,30 +52,54 @@ TEST(ClosenessControl, GrowsToTheMostWhereThereIsRoom) {
 TEST(ClosenessControl, FallsWhereThePatchIsTooRoughButNotToNothing) {
   Laid laid(make_shape("panel", 300));
   ClosenessControl control(laid.state, 1.0, k_near_first);
+  EXPECT_FALSE(control.is_too_rough());
   laid.crumple(20.0);
-  EXPECT_DOUBLE_EQ(control.after_step(1.0, 0.1), 0.25);
-  EXPECT_DOUBLE_EQ(control.after_step(0.25, 0.0), 0.0625);
-  const double least = control.after_step(1e-9, 0.0);
+  EXPECT_TRUE(control.is_too_rough());
+  EXPECT_DOUBLE_EQ(control.after_step(1.0, 0.1, true), 0.25);
+  EXPECT_DOUBLE_EQ(control.after_step(0.25, 0.0, false), 0.0625);
+  const double least = control.after_step(1e-9, 0.0, true);
   EXPECT_GT(least, 0.0);
   EXPECT_LT(least, k_smooth_first.first);
+}
+
+/// Crumples the patch until its roughness is nearly this.
+void crumple_to(Laid& laid, double roughness) {
+  double low = 0.0, high = 20.0;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    laid.crumple(middle);
+    (Roughness(laid.state).now() < roughness ? low : high) = middle;
+  }
+  laid.crumple(low);
 }
 
 TEST(ClosenessControl, AllowsAllOfTheRoughnessOnlyWhenNoStrainIsLeft) {
   Laid laid(make_shape("panel", 300));
   const double at_first = Roughness(laid.state).now();
-  const double room = 1.0, most = at_first + room * (at_first + 2.0);
-  double low = 0.0, high = 20.0;  // crumples of nearly the most that is allowed
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (low + high);
-    laid.crumple(middle);
-    (Roughness(laid.state).now() < 0.95 * most ? low : high) = middle;
-  }
-  laid.crumple(0.0);
+  const double room = 1.0, most = at_first + room * (at_first + 2.5);
   ClosenessControl control(laid.state, room, k_smooth_first);
-  control.after_step(0.1, 0.1);
-  laid.crumple(low);
-  EXPECT_LT(control.after_step(0.1, 0.05), 0.1);
-  EXPECT_EQ(control.after_step(0.1, 0.0), 0.1);
+  control.after_step(0.1, 0.1, true);
+  crumple_to(laid, 0.95 * most);
+  EXPECT_LT(control.after_step(0.1, 0.05, true), 0.1);
+  EXPECT_EQ(control.after_step(0.1, 0.0, true), 0.1);
+  EXPECT_FALSE(control.is_too_rough());
+}
+
+TEST(ClosenessControl, AllowsByThePowerOfTheStrainThatIsLeft) {
+  // Where half of the strain is left, 1 - 2^-earliness of the room is there.
+  for (const double earliness : {k_smooth_first.earliness, k_careful_earliness}) {
+    Laid laid(make_shape("panel", 300));
+    const double at_first = Roughness(laid.state).now(), room = 2.0;
+    const double allowed = at_first + room * (at_first + 2.5) * (1.0 - std::pow(0.5, earliness));
+    ClosenessPace pace = k_smooth_first;
+    pace.earliness = earliness;
+    ClosenessControl control(laid.state, room, pace);
+    control.after_step(0.1, 0.1, true);
+    crumple_to(laid, 0.99 * allowed);
+    EXPECT_EQ(control.after_step(0.1, 0.05, true), 0.1);
+    crumple_to(laid, 1.01 * allowed);
+    EXPECT_LT(control.after_step(0.1, 0.05, true), 0.1);
+  }
 }
 
 }  // namespace

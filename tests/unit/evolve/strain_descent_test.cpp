@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "evolve/pull_back.h"
 #include "evolve/smallest_angle.h"
 #include "evolve/vertex_normal.h"
 #include "support/meshes.h"
@@ -190,6 +191,32 @@ TEST(StrainDescent, LowersItsMeritInEveryStepUntilThePatchIsNearlyFlattenable) {
     }
     EXPECT_LT(descent.rms_strain(), 1e-4) << shape;
     EXPECT_GT(before, 1e-2) << shape;
+  }
+}
+
+TEST(PullBack, EndsNearerWithinTheLimitOfStrain) {
+  for (const char* shape : {"panel", "saddle"}) {
+    Laid laid(make_shape(shape, 900));
+    constexpr double limit = 0.04;
+    StrainDescent descent(laid.state, laid.pool, {.max_strain = limit}, {});
+    descent.start(k_pace_from_scratch);
+    for (int i = 0; i < 60 && !descent.strain_is_met(); ++i)
+      descent.step();
+    ASSERT_TRUE(descent.strain_is_met()) << shape;
+    const double deviation = descent.deviation(), strain = descent.max_strain();
+    PullBack pull_back(descent, laid.state);
+    int steps = 0;
+    for (; !pull_back.over(); ++steps) {
+      const StrainDescent::Step step = pull_back.step();
+      if (step.moved > 0) {
+        EXPECT_LT(step.merit, step.merit_before) << shape;
+      }
+    }
+    pull_back.finish();
+    EXPECT_GE(steps, 5) << shape;
+    EXPECT_LT(descent.deviation(), 0.99 * deviation) << shape;
+    EXPECT_LE(descent.max_strain(), limit) << shape;
+    EXPECT_GT(descent.max_strain(), strain) << shape;
   }
 }
 

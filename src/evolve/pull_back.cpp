@@ -1,0 +1,29 @@
+#include "evolve/pull_back.h"
+
+namespace planish {
+
+PullBack::PullBack(StrainDescent& descent, const PatchState& state)
+    : descent_(descent),
+      state_(state),
+      may_be_rough_(descent.is_too_rough()),
+      nearest_(inner_places(state)),
+      deviation_(descent.deviation()) {
+  descent_.keep_to_limit();
+}
+
+StrainDescent::Step PullBack::step() {
+  constexpr double worth_it = 0.995;
+  ++steps_;
+  ++idle_;
+  const StrainDescent::Step step = descent_.step();
+  const double deviation = descent_.deviation();
+  const bool may_end = descent_.strain_is_met() && (may_be_rough_ || !descent_.is_too_rough());
+  if (may_end && deviation < deviation_) {
+    if (deviation < worth_it * deviation_) idle_ = 0;
+    nearest_ = inner_places(state_);
+    deviation_ = deviation;
+  }
+  return step;
+}
+
+}  // namespace planish

@@ -90,12 +90,15 @@ class AutoStepper {
   /// On to the next finer level.
   void lift() {
     const std::unique_ptr<PatchState> found = std::move(coarse_);
-    const double closeness = descent_->closeness();
+    const double closeness = descent_->closeness(), sigma = descent_->sigma();
+    const bool was_met = descent_->strain_is_met();
     descent_.reset();  // before the next: it is large
     --level_;
     open_level(closeness);
     levels_.lift(level_ + 1, *found, descent_->cost(), level_state(), pool_);
     descent_->start(k_pace_from_coarse);
+    // What lifting broke of the limit is mended without going far beyond it.
+    if (was_met) descent_->keep_to_limit(sigma);
   }
 
   SweepOutcome descend() {

@@ -8,7 +8,7 @@ PullBack::PullBack(StrainDescent& descent, const PatchState& state)
       may_be_rough_(descent.is_too_rough()),
       nearest_(inner_places(state)),
       deviation_(descent.deviation()) {
-  descent_.keep_to_limit();
+  descent_.keep_to_limit(descent_.sigma());
 }
 
 StrainDescent::Step PullBack::step() {

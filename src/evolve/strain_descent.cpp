@@ -59,6 +59,15 @@ void StrainDescent::start(const DescentPace& pace) {
   stiffening_ = 0.0;
 }
 
+double StrainDescent::sigma() const {
+  return sigma_ / sigma_unit(state_);
+}
+
+void StrainDescent::keep_to_limit(double sigma) {
+  to_limit_ = true;
+  sigma_ = sigma * sigma_unit(state_);
+}
+
 void StrainDescent::look() {
   state_.measure(pool_);
   phi_ = potential_.of(inner_defects(state_));

@@ -19,7 +19,7 @@ class PullBack {
   void finish() { descent_.go_to(nearest_); }
 
  private:
-  static constexpr int k_most_steps = 60, k_most_idle = 10;
+  static constexpr int k_most_steps = 60, k_most_idle = 15;
 
   StrainDescent& descent_;
   const PatchState& state_;

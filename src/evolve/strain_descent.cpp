@@ -194,8 +194,8 @@ double StrainDescent::next_sigma(double share, const Step& step) const {
   if (to_limit_) {
     constexpr double most_fall = 1.5, most_growth = 4.0;
     if (step.moved == 0) return failed * sigma_;
-    const double change = std::sqrt(aims_.max_strain / most_);
-    return std::clamp(change, 1.0 / most_fall, most_growth) * sigma_;
+    const double room = aims_.max_strain / most_;
+    return std::clamp(room < 1.0 ? room : std::sqrt(room), 1.0 / most_fall, most_growth) * sigma_;
   }
   // Where much strain cannot fall, a small sigma would buy some of it with crumples.
   constexpr double large_strain = 0.02;

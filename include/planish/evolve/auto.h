@@ -23,8 +23,8 @@ struct Auto {
 template <class Visit>
 void describe(Auto& o, Visit&& visit) {
   visit("max_strain", o.max_strain,
-        "end as soon as a pattern need not stretch more, as a share of length; 0: go on until the "
-        "patch is flattenable",
+        "end near to where it began, but where a pattern need not stretch more, as a share of "
+        "length; 0: go on until the patch is flattenable",
         Range{0.0, 1.0});
   visit("max_deviation", o.max_deviation,
         "no vertex ends further than this from where it began, in model units", Range{0.0});

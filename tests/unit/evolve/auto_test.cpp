@@ -92,17 +92,14 @@ TEST(Auto, EndsWhenTheStrainIsMetWithLessDeviation) {
   EXPECT_LT(far({.max_strain = 0.005}), far({}));
 }
 
-TEST(Auto, StaysCloserWhereItMayGetRougher) {
+TEST(Auto, IsSmootherWithoutRoomForRoughness) {
   const TriMesh mesh = make_shape("panel", 1500);
-  const Connectivity connectivity(mesh);
   const EvolveResult smooth = run(mesh, {.max_strain = 0.01, .closeness = 0.0});
   const EvolveResult rough = run(mesh, {.max_strain = 0.01, .closeness = 2.0});
   EXPECT_EQ(smooth.stop, StopReason::strain_met);
   EXPECT_EQ(rough.stop, StopReason::strain_met);
-  EXPECT_LT(measure_deviation(mesh, rough.positions, connectivity).rms,
-            measure_deviation(mesh, smooth.positions, connectivity).rms);
   EXPECT_LT(figures_of(mesh, smooth.positions).roughness,
-            figures_of(mesh, rough.positions).roughness);
+            0.8 * figures_of(mesh, rough.positions).roughness);
 }
 
 TEST(Auto, MovesNothingWhereTheStrainIsWithinTheLimit) {

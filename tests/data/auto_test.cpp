@@ -1,0 +1,88 @@
+// What auto does on real patches; see patches_test.cpp.
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <planish/evolve/evolve.h>
+#include <planish/io/read_mesh.h>
+#include <planish/measure/deviation.h>
+#include <planish/measure/flattenability.h>
+#include <planish/unfold/strain.h>
+#include <planish/unfold/unfold.h>
+
+#include <gtest/gtest.h>
+
+#include "support/test_patches.h"
+
+namespace planish {
+namespace {
+
+struct Ended {
+  StopReason stop;
+  double deviation;  // rms, in model units
+  double roughness;
+  double strain;  // rms, of the pattern
+};
+
+Ended run(const TriMesh& mesh, const Method& method) {
+  const EvolveResult result = evolve(mesh, method, usual_stopping(method));
+  const Connectivity connectivity(mesh);
+  const TriMesh moved{result.positions, mesh.triangles};
+  const Pattern pattern = unfold(moved, connectivity);
+  return {result.stop, measure_deviation(mesh, result.positions, connectivity).rms,
+          measure(moved, connectivity).roughness,
+          edge_strain(moved, connectivity, pattern.positions).rms};
+}
+
+/// One mesh, or none where no folder is told.
+std::vector<TriMesh> body_front() {
+  std::vector<TriMesh> found;
+  for (const PatchFacts& facts : patches()) {
+    if (facts.path.stem() == "gc_front_4k") found.push_back(read_mesh(facts.path).mesh);
+  }
+  return found;
+}
+
+TEST(AutoOnPatches, StaysCloserWhereItMayGetRougher) {
+  for (const TriMesh& mesh : body_front()) {
+    const Ended smooth = run(mesh, Auto{.closeness = 0.0}), usual = run(mesh, Auto{}),
+                rough = run(mesh, Auto{.closeness = 2.0});
+    for (const Ended& ended : {smooth, usual, rough})
+      EXPECT_EQ(ended.stop, StopReason::converged);
+    EXPECT_LT(usual.deviation, 0.9 * smooth.deviation);
+    EXPECT_LT(rough.deviation, usual.deviation);
+    EXPECT_LT(smooth.roughness, usual.roughness);
+    EXPECT_LT(usual.roughness, rough.roughness);
+  }
+}
+
+TEST(AutoOnPatches, IsNearerTheMoreStrainThereMayBe) {
+  for (const TriMesh& mesh : body_front()) {
+    Ended last = run(mesh, Auto{});
+    for (const double limit : {0.02, 0.05, 0.1, 0.2}) {
+      const Ended ended = run(mesh, Auto{.max_strain = limit});
+      EXPECT_EQ(ended.stop, StopReason::strain_met) << limit;
+      EXPECT_LT(ended.deviation, last.deviation) << limit;
+      EXPECT_GT(ended.strain, last.strain) << limit;
+      last = ended;
+    }
+  }
+}
+
+TEST(AutoOnPatches, IsNearerThanLeastNormAtItsStrain) {
+  for (const TriMesh& mesh : body_front()) {
+    using Update = LeastNormUpdate;
+    const std::pair<Update, double> limits[] = {
+        {Update::direct, 0.14}, {Update::uniform, 0.025}, {Update::cotangent, 0.0}};
+    for (const auto& [update, limit] : limits) {
+      const Ended theirs = run(mesh, LeastNorm{.update = update});
+      const Ended ours = run(mesh, Auto{.max_strain = limit});
+      EXPECT_LT(ours.strain, std::max(theirs.strain, 1e-4)) << limit;
+      EXPECT_LT(ours.deviation, theirs.deviation) << limit;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace planish

@@ -57,6 +57,7 @@ void StrainDescent::start(const DescentPace& pace) {
   longest_step_ = pace.longest_step * cost_.unit();
   fall_of_sigma_ = pace.fall_of_sigma;
   stiffening_ = 0.0;
+  to_limit_ = false;
 }
 
 double StrainDescent::sigma() const {

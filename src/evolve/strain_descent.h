@@ -74,7 +74,8 @@ class StrainDescent {
   /// Takes the last step back.
   void go_back() { go_to(before_); }
   void go_to(const Places& places);
-  /// From now on sigma is such that strain comes to its limit and stays there, from above or below.
+  /// From now to the next start sigma is such that strain comes to its limit and stays there, from
+  /// above or below.
   /// @param sigma to begin with, as sigma() tells it
   /// @pre there is a limit of strain
   void keep_to_limit(double sigma);

@@ -38,6 +38,8 @@ constexpr int k_most_first_steps = 150, k_most_steps = 100, k_most_polishes = 10
 // descent, from where it came to.
 constexpr double k_slow_share = 0.9;
 constexpr int k_most_slow = 8, k_most_rounds = 6;
+// Coarser ones over the patch, from which on the descent is careful at once.
+constexpr std::size_t k_many_levels = 2;
 
 class AutoStepper {
  public:
@@ -47,7 +49,8 @@ class AutoStepper {
         pool_(pool),
         least_angle_(angle_to_keep(options, state)),
         levels_(state),
-        level_(levels_.coarsest()) {
+        level_(levels_.coarsest()),
+        careful_(levels_.coarsest() >= k_many_levels) {
     open_level();
     descent_->start(k_pace_from_scratch);
   }
@@ -205,7 +208,8 @@ class AutoStepper {
   std::optional<PullBack> pull_back_;
   std::optional<DefectPolish> polish_;
   int steps_ = 0, idle_ = 0, polishes_ = 0, slow_ = 0, rounds_ = 0;
-  bool hopeless_ = false, careful_ = false;
+  bool careful_;  // see DescentAims
+  bool hopeless_ = false;
 };
 
 }  // namespace

@@ -7,8 +7,7 @@ namespace planish {
 
 ClosenessControl::ClosenessControl(const PatchState& state, double room, const ClosenessPace& pace)
     : roughness_(state), pace_(pace), least_(roughness_.now()) {
-  constexpr double more = 2.5;  // degrees
-  most_ = least_ + room * (least_ + more);
+  most_ = least_ + room * (least_ + pace.more);
 }
 
 double ClosenessControl::after_step(double closeness, double strain_left, bool may_grow) {
@@ -20,8 +19,9 @@ double ClosenessControl::after_step(double closeness, double strain_left, bool m
       first_strain_ > 0.0 ? std::pow(strain_left / first_strain_, pace_.earliness) : 0.0;
   const double allowed = least_ + (most_ - least_) * (1.0 - left);
   if (roughness > allowed) return std::max(ease * closeness, least_closeness);
-  if (!may_grow || roughness >= plenty * allowed) return closeness;
-  return std::max(closeness, std::min(growth * closeness, pace_.most));
+  if (roughness >= plenty * allowed) return closeness;
+  const double most = may_grow ? pace_.most : std::min(pace_.most, k_careful.most);
+  return std::max(closeness, std::min(growth * closeness, most));
 }
 
 bool ClosenessControl::is_too_rough() const {

@@ -9,13 +9,14 @@ struct ClosenessPace {
   double first;      ///< of a descent from scratch
   double most;       ///< what it grows to where there is room for roughness
   double earliness;  ///< power of the strain that is left: the greater, the sooner there is room
+  double more;       ///< degrees by which r_most exceeds r_first (1 + room), over room
 };
 /// On the way to flattenable, where weights beyond `most` cost steps and bring little.
-inline constexpr ClosenessPace k_smooth_first{0.05, 8.0, 0.8};
+inline constexpr ClosenessPace k_smooth_first{0.05, 8.0, 0.8, 2.5};
+/// On patches of several levels, where steps are dear, and for who came to be too rough.
+inline constexpr ClosenessPace k_careful{0.05, 0.5, 0.5, 2.0};
 /// Where the way ends sooner, at a limit of strain: less of the roughness comes along.
-inline constexpr ClosenessPace k_near_first{2.0, 50.0, 0.8};
-/// For who came to be too rough at the usual one.
-inline constexpr double k_careful_earliness = 0.45;
+inline constexpr ClosenessPace k_near_first{2.0, 50.0, 0.8, 2.5};
 
 /// Spends the roughness that a patch may have on staying close to where it was. Crumples that are
 /// made early stay for good, so the allowance grows with the strain that is gone
@@ -25,13 +26,12 @@ inline constexpr double k_careful_earliness = 0.45;
 class ClosenessControl {
  public:
   /// @param state as it was at first; must outlive it
-  /// @param room how much rougher the patch may get: r_most = r_first + room (r_first + 2.5
-  ///   degrees)
+  /// @param room how much rougher the patch may get: r_most = r_first + room (r_first + more)
   ClosenessControl(const PatchState& state, double room, const ClosenessPace& pace);
 
   /// What closeness is to be after a step, as the patch is now.
   /// @param strain_left s, on any scale that stays the same
-  /// @param may_grow false where steps fall short already
+  /// @param may_grow false where steps fall short already: then no further than k_careful.most
   double after_step(double closeness, double strain_left, bool may_grow);
 
   /// True if the patch is rougher now than it may end.

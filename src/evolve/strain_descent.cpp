@@ -18,8 +18,9 @@ double sigma_unit(const PatchState& state) {
 /// Vertices held at a limit of deviation need a way around them that is smooth.
 ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits) {
   const bool near = aims.max_strain > 0.0 && std::isinf(limits.deviation);
-  ClosenessPace pace = near ? k_near_first : k_smooth_first;
-  if (aims.careful) pace.earliness = k_careful_earliness;
+  if (!near) return aims.careful ? k_careful : k_smooth_first;
+  ClosenessPace pace = k_near_first;
+  if (aims.careful) pace.earliness = k_careful.earliness;
   return pace;
 }
 

@@ -18,7 +18,7 @@ struct DescentAims {
   double max_strain = 0.0;  ///< at which it is to end; 0: where there is none
   double room = 1.0;        ///< for roughness, spent on staying close; see ClosenessControl
   double closeness = 0.0;   ///< to begin with, such as a coarser level ended with; 0: the usual
-  bool careful = false;     ///< to be rough later, after a try that ended too rough
+  bool careful = false;     ///< to be rough later: see k_careful
 };
 
 /// What no step may break, in the units of the state and radians.

@@ -18,16 +18,17 @@ import tempfile
 
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs" / "methods" / "auto.md"
 BEGIN, END = "<!-- table: begin -->", "<!-- table: end -->"
-PATIENCE = 900
+PATIENCE = 1800
 
 
-def flatten(planish, patch):
+def flatten(planish, patch, *flags):
+    """The answer of `planish flatten`, {"error": ...} where it failed."""
     with tempfile.TemporaryDirectory() as folder:
         run = subprocess.run(
-            [planish, "flatten", patch, "-o", folder, "--json", "--quiet"],
+            [planish, "flatten", patch, "-o", folder, "--json", "--quiet", *flags],
             capture_output=True, text=True, timeout=PATIENCE,
         )  # fmt: skip
-    return json.loads(run.stdout)
+    return json.loads(run.stdout) if run.stdout else {"error": run.stderr}
 
 
 def figures(answer):

@@ -15,17 +15,14 @@ import concurrent.futures
 import json
 import math
 import pathlib
-import subprocess
 import sys
-import tempfile
 
-from auto_table import PAGE, line
+from auto_table import PAGE, flatten, line
 
 BEGIN, END = "<!-- equal: begin -->", "<!-- equal: end -->"
 UPDATES = ("direct", "uniform", "cotangent")
 LIMITS = (1.0, 0.7, 0.5, 0.3, 0.2, 0.14, 0.1, 0.07, 0.05, 0.035, 0.025, 0.018, 0.012, 0.008, 0.005)
 FLAT = 1e-3
-PATIENCE = 1800
 ROUNDING = 1.0 + 1e-6
 
 
@@ -37,21 +34,13 @@ class Runs:
         """Limit, strain, deviation of a run; None where it ended in an error."""
         kept = self.results / f"{patch.stem}.{tag}.json"
         if not kept.exists():
-            kept.write_text(self.flatten(patch, flags), encoding="utf-8")
+            answer = flatten(self.planish, str(patch), "--threads", "1", *flags)
+            kept.write_text(json.dumps(answer), encoding="utf-8")
         answer = json.loads(kept.read_text(encoding="utf-8"))
         if "error" in answer:
             return None
         strain = answer["unfold"]["strain"]["rms"]
         return strain, answer["evolve"]["deviation"]["rms_over_diagonal"]
-
-    def flatten(self, patch, flags):
-        with tempfile.TemporaryDirectory() as folder:
-            run = subprocess.run(
-                [self.planish, "flatten", patch, "-o", folder, "--json", "--quiet",
-                 "--threads", "1", *flags],
-                capture_output=True, text=True, timeout=PATIENCE,
-            )  # fmt: skip
-        return run.stdout if run.stdout else json.dumps({"error": run.stderr})
 
     def auto(self, patch, limit):
         flags = ("--max-strain", repr(limit)) if limit else ()

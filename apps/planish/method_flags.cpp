@@ -49,6 +49,13 @@ std::vector<std::string> names_in(Enum value) {
   return names;
 }
 
+/// What the border may be told: words, or how far it may go.
+std::vector<std::string> border_names(const BorderFreedom& border) {
+  std::vector<std::string> names = names_in(border.rule);
+  names.push_back("a length such as " + forms_of(Quantity::length));
+  return names;
+}
+
 /// Makes a flag of every option that describe() visits.
 struct FlagMaker {
   std::vector<Flag> flags;
@@ -60,6 +67,11 @@ struct FlagMaker {
                      std::string(doc) + " (" + (forms.empty() ? "" : forms + "; ") +
                          range_text(value, range) + ")"});
     if (name == k_strain_option) flags.push_back(material_flag());
+  }
+  void operator()(std::string_view name, const BorderFreedom& border, const char* doc) {
+    flags.push_back({flag_name(name), "D",
+                     std::string(doc) + " (" + list_of(border_names(border)) + ", default " +
+                         names_in(border.rule).front() + ")"});
   }
   template <class Enum>
   void operator()(std::string_view name, Enum value, const char* doc) {
@@ -93,6 +105,21 @@ struct OptionSetter {
   void operator()(std::string_view name, int& value, const char*, Range range) const {
     const std::string flag = flag_name(name);
     if (const std::string* text = text_of(flag)) value = whole_number_of(flag, *text, range);
+  }
+  void operator()(std::string_view name, BorderFreedom& border, const char*) const {
+    const std::string flag = flag_name(name);
+    const std::string* text = text_of(flag);
+    if (text == nullptr) return;
+    const bool is_length = text->find_first_of("0123456789") != std::string::npos;
+    if (is_length) {
+      border = {BorderFreedom::Rule::within,
+                quantity_value(flag, *text, quantity_of(name), Range{0.0}, arguments)};
+      return;
+    }
+    known_name(std::string(name), *text, border_names(border));
+    for (const auto& [rule, rule_name] : names_of(border.rule)) {
+      if (rule_name == *text) border = {rule};
+    }
   }
   template <class Enum>
   void operator()(std::string_view name, Enum& value, const char*) const {

@@ -66,7 +66,8 @@ double factor_of(const std::string& suffix, Quantity quantity, const Arguments& 
 
 Quantity quantity_of(std::string_view option) {
   if (option == "max_strain") return Quantity::share;
-  if (option == "max_deviation" || option == "clearance") return Quantity::length;
+  if (option == "max_deviation" || option == "clearance" || option == "border")
+    return Quantity::length;
   return option == "min_angle" ? Quantity::angle : Quantity::number;
 }
 

@@ -11,19 +11,21 @@ constexpr std::size_t k_most_neighbours = 256;
 
 }  // namespace
 
-AngleJacobian::AngleJacobian(const PatchState& state)
+AngleJacobian::AngleJacobian(const PatchState& state,
+                             std::span<const unsigned char> border_movable)
     : state_(state), rings_(rings_by_vertex(state.plan())) {
   row_start_.push_back(0);
   for (Index v = 0; v < rings_.size(); ++v) {
     movable_.push_back(!state.is_fixed(v) && rings_[v].size() <= k_most_neighbours ? 1 : 0);
     row_start_.push_back(row_start_.back() + 1 + rings_[v].size());
   }
+  movable_.insert(movable_.end(), border_movable.begin(), border_movable.end());
   gradients_.resize(row_start_.back());
   find_columns();
 }
 
 void AngleJacobian::find_columns() {
-  column_start_.assign(rings_.size() + 1, 0);
+  column_start_.assign(column_count() + 1, 0);
   const auto for_entries = [&](const auto& visit) {
     for (Index row = 0; row < rings_.size(); ++row) {
       std::size_t entry = row_start_[row];
@@ -35,7 +37,7 @@ void AngleJacobian::find_columns() {
     }
   };
   for_entries([&](Index, Index v, std::size_t) { ++column_start_[v + 1]; });
-  for (std::size_t v = 0; v < rings_.size(); ++v)
+  for (std::size_t v = 0; v < column_count(); ++v)
     column_start_[v + 1] += column_start_[v];
   columns_.resize(column_start_.back());
   std::vector<std::size_t> next(column_start_.begin(), column_start_.end() - 1);
@@ -67,7 +69,7 @@ void AngleJacobian::update(ThreadPool& pool) {
 
 Eigen::VectorXd AngleJacobian::times(std::span<const Vec3> dx) const {
   Eigen::VectorXd product = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(row_count()));
-  for (Index v = 0; v < row_count(); ++v) {
+  for (Index v = 0; v < column_count(); ++v) {
     for (const Entry& entry : column(v))
       product[entry.row] += dot(gradients_[entry.entry], dx[v]);
   }
@@ -75,8 +77,8 @@ Eigen::VectorXd AngleJacobian::times(std::span<const Vec3> dx) const {
 }
 
 std::vector<Vec3> AngleJacobian::transposed_times(const Eigen::VectorXd& y) const {
-  std::vector<Vec3> product(row_count());
-  for (Index v = 0; v < row_count(); ++v) {
+  std::vector<Vec3> product(column_count());
+  for (Index v = 0; v < column_count(); ++v) {
     for (const Entry& entry : column(v))
       product[v] += y[entry.row] * gradients_[entry.entry];
   }

@@ -87,7 +87,10 @@ class AutoStepper {
   PatchState& level_state() const { return coarse_ ? *coarse_ : state_; }
 
   DescentLimits limits() const {
-    return {level_state().scale() * options_.max_deviation, least_angle_};
+    const double scale = level_state().scale();
+    return {scale * options_.max_deviation,
+            least_angle_,
+            {options_.border.rule, scale * options_.border.distance}};
   }
 
   /// On to the next finer level.
@@ -126,7 +129,7 @@ class AutoStepper {
                      descent_->rms_strain()};
     if (pull_back_) return pull_back_->over();
     if (descent_->strain_is_met()) {
-      pull_back_.emplace(*descent_, level_state());
+      pull_back_.emplace(*descent_);
       return false;
     }
     // What goes on at the limit only crumples.

@@ -76,16 +76,17 @@ void CoarseLevels::lift(std::size_t level, const PatchState& coarse, const Shape
   const std::size_t fine_vertices =
       level > 1 ? levels_[level - 2].patch.mesh.positions.size() : fine.vertex_count();
   const std::vector<Index> numbers = numbers_in(fine, level - 1, fine_vertices);
-  std::vector<unsigned char> given(fine.inner_count(), 0);
-  Places moves(fine.inner_count());
-  for (Index v = 0; v < coarse.inner_count(); ++v) {
+  const std::size_t count = cost.origin().size();
+  std::vector<unsigned char> given(count, 0);
+  Places moves(count);
+  for (Index v = 0; v < coarse.vertex_count(); ++v) {
     const Index to = numbers[source[coarse.vertex_of(v)]];
-    if (!fine.is_inner(to)) continue;
+    if (to >= count) continue;
     given[to] = 1;
     moves[to] = (fine.scale() / coarse.scale()) * (coarse.position(v) - coarse.origin(v));
   }
   const Places spread = cost.spread(given, moves, pool);
-  for (Index v = 0; v < fine.inner_count(); ++v) {
+  for (Index v = 0; v < count; ++v) {
     if (!fine.is_fixed(v)) fine.move(v, fine.origin(v) + spread[v]);
   }
 }

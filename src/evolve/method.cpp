@@ -25,6 +25,10 @@ struct CheckRange {
                   Range range) const {
     check_range(name, value, range);
   }
+  void operator()(std::string_view name, const BorderFreedom& border,
+                  std::string_view /*doc*/) const {
+    check_range(name, border.distance, Range{0.0});
+  }
   template <class Enumeration>
   void operator()(std::string_view /*name*/, Enumeration /*value*/,
                   std::string_view /*doc*/) const {}

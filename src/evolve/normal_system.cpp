@@ -10,12 +10,7 @@ namespace planish {
 
 namespace {
 
-int step_of(int v) {
-  return 2 * v;
-}
-int multiplier_of(int v) {
-  return 2 * v + 1;
-}
+using Steps = NormalSystem::Steps;
 
 /// Calls visit(row, column, value) for the lower half of a matrix.
 template <class Visit>
@@ -27,33 +22,63 @@ void for_lower(const SparseMatrix& matrix, const Visit& visit) {
   }
 }
 
-SparseMatrix pattern_of(const AngleJacobian& jacobian, const SparseMatrix& cost,
-                        const SparseMatrix& square) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for_lower(cost, [&](int v, int w, double) { entries.emplace_back(step_of(v), step_of(w), 0.0); });
-  for_lower(square, [&](int v, int w, double) {
-    entries.emplace_back(multiplier_of(v), multiplier_of(w), 0.0);
+/// Calls visit(step, other step, value) for the lower half of the cost's part of the matrix.
+template <class Visit>
+void for_cost(const SparseMatrix& cost, const Steps& steps, const Visit& visit) {
+  for_lower(cost, [&](int v, int w, double value) {
+    const int first = steps.first_of(v), other = steps.first_of(w);
+    for (int i = 0; i < steps.count_of(v); ++i) {
+      const int most = v == w ? i + 1 : steps.count_of(w);
+      for (int j = 0; j < most; ++j)
+        visit(first + i, other + j, value);
+    }
   });
-  for (Index v = 0; v < jacobian.row_count(); ++v) {
+}
+
+/// Calls visit(step, entry) for each step that the entries of the Jacobian are of.
+template <class Visit>
+void for_gradients(const AngleJacobian& jacobian, const Steps& steps, const Visit& visit) {
+  for (Index v = 0; v < jacobian.column_count(); ++v) {
+    const int first = steps.first_of(static_cast<int>(v));
     for (const AngleJacobian::Entry& entry : jacobian.column(v)) {
-      const auto [column, row] =
-          std::minmax({step_of(static_cast<int>(v)), multiplier_of(static_cast<int>(entry.row))});
-      entries.emplace_back(row, column, 0.0);
+      for (int i = 0; i < steps.count_of(static_cast<int>(v)); ++i)
+        visit(first + i, entry);
     }
   }
-  const int size = 2 * static_cast<int>(jacobian.row_count());
+}
+
+SparseMatrix pattern_of(const AngleJacobian& jacobian, const SparseMatrix& cost,
+                        const SparseMatrix& square, const Steps& steps) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for_cost(cost, steps, [&](int a, int b, double) {
+    entries.emplace_back(steps.unknown(a), steps.unknown(b), 0.0);
+  });
+  for_lower(square, [&](int v, int w, double) {
+    entries.emplace_back(Steps::multiplier_of(v), Steps::multiplier_of(w), 0.0);
+  });
+  for_gradients(jacobian, steps, [&](int step, const AngleJacobian::Entry& entry) {
+    const auto [column, row] =
+        std::minmax({steps.unknown(step), Steps::multiplier_of(static_cast<int>(entry.row))});
+    entries.emplace_back(row, column, 0.0);
+  });
+  const int size = steps.inner + steps.first_of(static_cast<int>(jacobian.column_count()));
   SparseMatrix lower(size, size);
   lower.setFromTriplets(entries.begin(), entries.end());
   return lower;
 }
 
+/// All unknowns of a vertex after one another.
 std::vector<Index> elimination_order(const PatchState& state, const SparseMatrix& cost,
-                                     const SparseMatrix& square) {
+                                     SparseMatrix square, const Steps& steps) {
+  square.conservativeResize(cost.rows(), cost.cols());
   const SparseMatrix both = cost + square;
   std::vector<Index> order;
-  for (const Index v : nested_dissection(inner_places(state), graph_of(both))) {
-    order.push_back(static_cast<Index>(step_of(static_cast<int>(v))));
-    order.push_back(static_cast<Index>(multiplier_of(static_cast<int>(v))));
+  const auto count = static_cast<std::size_t>(cost.rows());
+  for (const Index v : nested_dissection(first_places(state, count), graph_of(both))) {
+    const int vertex = static_cast<int>(v), first = steps.first_of(vertex);
+    for (int i = 0; i < steps.count_of(vertex); ++i)
+      order.push_back(static_cast<Index>(steps.unknown(first + i)));
+    if (vertex < steps.inner) order.push_back(static_cast<Index>(Steps::multiplier_of(vertex)));
   }
   return order;
 }
@@ -61,54 +86,53 @@ std::vector<Index> elimination_order(const PatchState& state, const SparseMatrix
 }  // namespace
 
 NormalSystem::NormalSystem(const AngleJacobian& jacobian, const PatchState& state,
-                           const SparseMatrix& cost, const SparseMatrix& square)
+                           const SparseMatrix& cost, const SparseMatrix& square,
+                           int border_directions)
     : jacobian_(jacobian),
-      lower_(pattern_of(jacobian, cost, square)),
-      solver_(lower_, elimination_order(state, cost, square)) {
-  for_lower(cost, [&](int v, int w, double) {
-    cost_places_.push_back(place_of(lower_, step_of(v), step_of(w)));
+      steps_{static_cast<int>(jacobian.row_count()), border_directions},
+      lower_(pattern_of(jacobian, cost, square, steps_)),
+      solver_(lower_, elimination_order(state, cost, square, steps_)) {
+  for_cost(cost, steps_, [&](int a, int b, double) {
+    cost_places_.push_back(place_of(lower_, steps_.unknown(a), steps_.unknown(b)));
   });
   for_lower(square, [&](int v, int w, double) {
-    square_places_.push_back(place_of(lower_, multiplier_of(v), multiplier_of(w)));
+    square_places_.push_back(place_of(lower_, Steps::multiplier_of(v), Steps::multiplier_of(w)));
   });
-  for (Index v = 0; v < jacobian.row_count(); ++v) {
-    for (const AngleJacobian::Entry& entry : jacobian.column(v)) {
-      gradient_places_.push_back(place_of(lower_, step_of(static_cast<int>(v)),
-                                          multiplier_of(static_cast<int>(entry.row))));
-    }
-  }
+  for_gradients(jacobian, steps_, [&](int step, const AngleJacobian::Entry& entry) {
+    gradient_places_.push_back(place_of(lower_, steps_.unknown(step),
+                                        Steps::multiplier_of(static_cast<int>(entry.row))));
+  });
 }
 
-bool NormalSystem::factor(std::span<const Vec3> normals, const SparseMatrix& cost,
+bool NormalSystem::factor(std::span<const Vec3> directions, const SparseMatrix& cost,
                           const SparseMatrix& square, double unit, double stiffness, double sigma,
                           ThreadPool& pool) {
   double* values = lower_.valuePtr();
   const std::size_t* place = cost_places_.data();
-  for_lower(cost, [&](int v, int w, double value) {
-    const double along = v == w ? 1.0 : dot(normals[v], normals[w]);
+  for_cost(cost, steps_, [&](int a, int b, double value) {
+    const double along = a == b ? 1.0 : dot(directions[a], directions[b]);
     values[*place++] = stiffness * along * value;
   });
   place = square_places_.data();
   for_lower(square, [&](int, int, double value) { values[*place++] = -sigma * sigma * value; });
   place = gradient_places_.data();
-  for (Index v = 0; v < jacobian_.row_count(); ++v) {
-    for (const AngleJacobian::Entry& entry : jacobian_.column(v))
-      values[*place++] = -unit * dot(normals[v], jacobian_.gradient(entry.entry));
-  }
+  for_gradients(jacobian_, steps_, [&](int step, const AngleJacobian::Entry& entry) {
+    values[*place++] = -unit * dot(directions[step], jacobian_.gradient(entry.entry));
+  });
   return solver_.factor(lower_, pool);
 }
 
 Eigen::VectorXd NormalSystem::solve(const Eigen::VectorXd& force,
                                     const Eigen::VectorXd& turn) const {
   Eigen::VectorXd right(lower_.rows());
-  for (int v = 0; v < force.size(); ++v) {
-    right[step_of(v)] = force[v];
-    right[multiplier_of(v)] = turn[v];
-  }
+  for (int s = 0; s < force.size(); ++s)
+    right[steps_.unknown(s)] = force[s];
+  for (int v = 0; v < turn.size(); ++v)
+    right[Steps::multiplier_of(v)] = turn[v];
   const Eigen::MatrixXd solution = solver_.solve(right);
   Eigen::VectorXd steps(force.size());
-  for (int v = 0; v < force.size(); ++v)
-    steps[v] = solution(step_of(v), 0);
+  for (int s = 0; s < force.size(); ++s)
+    steps[s] = solution(steps_.unknown(s), 0);
   return steps;
 }
 

@@ -8,33 +8,51 @@
 
 namespace planish {
 
-/// The steps of vertices along their normals n_v that a cost of shape allows and that bring strain
+/// The steps of vertices along directions n_m that a cost of shape allows and that bring strain
 /// down: of the step s and the multipliers y
 ///
 ///     [ stiffness H_n     J^T        ] [s]   [force]
 ///     [ J              -sigma^2 K K^T ] [y] = [turn ]
 ///
-/// H_n the cost's n x n matrix, its entries times n_v . n_w; J = d d / d s the defects' Jacobian
-/// along the normals; K the matrix of StrainPotential. Quasi-definite, two unknowns a vertex. Moves
-/// along the surface would double the unknowns and hardly change its form.
+/// H_n the cost's matrix, its entries times n_m . n_k; J = d d / d s the defects' Jacobian along
+/// the directions; K the matrix of StrainPotential. Quasi-definite. Each inner vertex has one
+/// direction, its normal, so two unknowns: moves along the surface would double the unknowns and
+/// hardly change its form. Vertices of the border have as many as BorderMotion says. What is "by
+/// direction" is in the order of the vertices.
 class NormalSystem {
  public:
-  /// @param cost,square both halves, by inner vertex; their patterns stay
+  /// The numbers of the steps: one of each inner vertex, then those of the border's.
+  struct Steps {
+    int inner, per_border_vertex;
+
+    int count_of(int v) const { return v < inner ? 1 : per_border_vertex; }
+    int first_of(int v) const { return v < inner ? v : inner + per_border_vertex * (v - inner); }
+    /// Their unknowns: a step and a multiplier of each inner vertex in turns, then the rest.
+    int unknown(int step) const { return step < inner ? 2 * step : inner + step; }
+    static int multiplier_of(int v) { return 2 * v + 1; }
+  };
+
+  /// @param cost,square both halves, by column of the jacobian and by inner vertex; their patterns
+  ///   stay
+  /// @param border_directions of each vertex of the border
   /// @param jacobian must outlive it
   NormalSystem(const AngleJacobian& jacobian, const PatchState& state, const SparseMatrix& cost,
-               const SparseMatrix& square);
+               const SparseMatrix& square, int border_directions = 0);
 
   /// Factors for the gradients as they are; false where that cannot be.
-  /// @param normals unit, by inner vertex
+  /// @param directions of unit length; those of a vertex at right angles
   /// @param unit of length of steps
-  bool factor(std::span<const Vec3> normals, const SparseMatrix& cost, const SparseMatrix& square,
+  bool factor(std::span<const Vec3> directions, const SparseMatrix& cost, const SparseMatrix& square,
               double unit, double stiffness, double sigma, ThreadPool& pool);
 
-  /// @return s, by inner vertex, in units of length as given. @pre factor() was true
+  /// @return s, in units of length as given. @pre factor() was true
+  /// @param force by direction
+  /// @param turn by inner vertex
   Eigen::VectorXd solve(const Eigen::VectorXd& force, const Eigen::VectorXd& turn) const;
 
  private:
   const AngleJacobian& jacobian_;
+  Steps steps_;
   SparseMatrix lower_;
   // Where the entries of each part go, in the order in which factor() comes to them.
   std::vector<std::size_t> cost_places_, square_places_, gradient_places_;

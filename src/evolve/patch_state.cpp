@@ -16,8 +16,11 @@ PatchState::PatchState(const TriMesh& mesh, const Connectivity& connectivity, Th
   const auto inner = connectivity.inner_vertices();
   Box box = bounding_box(origins_, inner, pool);
   std::vector<Index> border;
-  for (const auto& loop : connectivity.border_loops())
+  for (const auto& loop : connectivity.border_loops()) {
+    border_starts_.push_back(static_cast<Index>(inner.size() + border.size()));
     border.insert(border.end(), loop.begin(), loop.end());
+  }
+  border_starts_.push_back(static_cast<Index>(inner.size() + border.size()));
   for (const Index v : border)
     box.add(origins_[v]);
   scale_ = unit_scale(box);

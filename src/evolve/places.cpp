@@ -19,11 +19,15 @@ double norm_of(const Places& a) {
   return std::sqrt(sum);
 }
 
-Places inner_places(const PatchState& state) {
+Places first_places(const PatchState& state, std::size_t count) {
   Places places;
-  for (std::size_t v = 0; v < state.inner_count(); ++v)
+  for (std::size_t v = 0; v < count; ++v)
     places.push_back(state.position(v));
   return places;
+}
+
+Places inner_places(const PatchState& state) {
+  return first_places(state, state.inner_count());
 }
 
 Eigen::VectorXd inner_defects(const PatchState& state) {

@@ -12,13 +12,17 @@
 
 namespace planish {
 
-/// Places, or moves, of all inner vertices: what methods with global solves work on.
+/// Places, or moves, of all inner vertices: what methods with global solves work on. Those of the
+/// border follow where it may move.
 using Places = std::vector<Vec3>;
 
 /// a + s b
 Places sum_of(Places a, double s, const Places& b);
 
 double norm_of(const Places& a);
+
+/// Where the vertices before number `count` are.
+Places first_places(const PatchState& state, std::size_t count);
 
 /// Where the inner vertices are.
 Places inner_places(const PatchState& state);

@@ -2,11 +2,10 @@
 
 namespace planish {
 
-PullBack::PullBack(StrainDescent& descent, const PatchState& state)
+PullBack::PullBack(StrainDescent& descent)
     : descent_(descent),
-      state_(state),
       may_be_rough_(descent.is_too_rough()),
-      nearest_(inner_places(state)),
+      nearest_(descent.places()),
       deviation_(descent.deviation()) {
   descent_.keep_to_limit(descent_.sigma());
 }
@@ -20,7 +19,7 @@ StrainDescent::Step PullBack::step() {
   const bool may_end = descent_.strain_is_met() && (may_be_rough_ || !descent_.is_too_rough());
   if (may_end && deviation < deviation_) {
     if (deviation < worth_it * deviation_) idle_ = 0;
-    nearest_ = inner_places(state_);
+    nearest_ = descent_.places();
     deviation_ = deviation;
   }
   return step;

@@ -9,8 +9,8 @@ namespace planish {
 /// nearest that is within the limit.
 class PullBack {
  public:
-  /// @param descent its strain is met; must outlive it, as must the state
-  PullBack(StrainDescent& descent, const PatchState& state);
+  /// @param descent its strain is met; must outlive it
+  explicit PullBack(StrainDescent& descent);
 
   StrainDescent::Step step();
   /// True where going on would bring little.
@@ -22,7 +22,6 @@ class PullBack {
   static constexpr int k_most_steps = 60, k_most_idle = 15;
 
   StrainDescent& descent_;
-  const PatchState& state_;
   bool may_be_rough_;  // as it was already
   Places nearest_;
   double deviation_;  // of the nearest

@@ -1,6 +1,7 @@
 #include "evolve/shape_cost.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "evolve/fairing.h"
@@ -14,18 +15,24 @@ namespace {
 /// Keeps matrices definite where nothing else does.
 constexpr double k_anchor = 1e-9;
 
-Places places_at_first(const PatchState& state) {
+Places places_at_first(const PatchState& state, std::size_t count) {
   Places places;
-  for (std::size_t v = 0; v < state.inner_count(); ++v)
+  for (std::size_t v = 0; v < count; ++v)
     places.push_back(state.origin(v));
   return places;
 }
 
-std::vector<double> pulls(const PatchState& state, double closeness) {
+/// The border's are dearer: it is the design's line, and where it may move, bending alone would
+/// straighten it early and for good. Sums along it go with the edges, those over the surface with
+/// their square.
+std::vector<double> pulls(const PatchState& state, std::size_t count, double closeness) {
+  constexpr double border_to_inner = 30.0;
   const double density = relative_density(state);
+  const double inner = closeness / (density * density);
+  const double border = border_to_inner * std::sqrt(density) * inner;
   std::vector<double> pulls;
-  for (std::size_t v = 0; v < state.inner_count(); ++v)
-    pulls.push_back(closeness / (density * density) * state.weight(v) * state.weight(v));
+  for (Index v = 0; v < count; ++v)
+    pulls.push_back((state.is_inner(v) ? inner : border) * state.weight(v) * state.weight(v));
   return pulls;
 }
 
@@ -43,10 +50,36 @@ SparseMatrix moving_part(const std::vector<std::vector<double>>& rows,
         entries.emplace_back(row, static_cast<int>(ring[j]), -rows[v][j]);
     }
   }
-  const auto n = static_cast<int>(rows.size());
-  SparseMatrix matrix(n, n);
+  SparseMatrix matrix(static_cast<int>(rows.size()), static_cast<int>(jacobian.column_count()));
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
+}
+
+/// B over the vertices that may move.
+SparseMatrix moving_part(const std::vector<BorderMotion::Bend>& bends,
+                         const AngleJacobian& jacobian) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t row = 0; row < bends.size(); ++row) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index v = bends[row].vertices[k];
+      if (!jacobian.is_movable(v)) continue;
+      entries.emplace_back(static_cast<int>(row), static_cast<int>(v), bends[row].weights[k]);
+    }
+  }
+  SparseMatrix matrix(static_cast<int>(bends.size()), static_cast<int>(jacobian.column_count()));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+/// Sums of squares along a curve go with the cube of the edges, over a surface with their square.
+std::vector<BorderMotion::Bend> weighed(std::vector<BorderMotion::Bend> bends,
+                                        const PatchState& state) {
+  const double weight = std::pow(relative_density(state), 0.25);
+  for (BorderMotion::Bend& bend : bends) {
+    for (double& w : bend.weights)
+      w *= weight;
+  }
+  return bends;
 }
 
 SparseMatrix diagonal_matrix(const std::vector<double>& values) {
@@ -64,20 +97,25 @@ double relative_density(const PatchState& state) {
   return static_cast<double>(state.inner_count()) / usual_count;
 }
 
-ShapeCost::ShapeCost(const AngleJacobian& jacobian, const PatchState& state, double closeness)
+ShapeCost::ShapeCost(const AngleJacobian& jacobian, const PatchState& state, double closeness,
+                     std::vector<BorderMotion::Bend> bends)
     : jacobian_(jacobian),
       state_(state),
       unit_(mean_edge(jacobian, state)),
-      origin_(places_at_first(state)),
-      pull_(pulls(state, closeness)),
-      rows_(rows_of_laplacian(state, LaplacianWeights::cotangent)) {
+      origin_(places_at_first(state, jacobian.column_count())),
+      pull_(pulls(state, jacobian.column_count(), closeness)),
+      rows_(rows_of_laplacian(state, LaplacianWeights::cotangent)),
+      bends_(weighed(std::move(bends), state)) {
   const SparseMatrix l = moving_part(rows_, jacobian);
   hessian_ = SparseMatrix(l.transpose() * l) + diagonal_matrix(pull_);
+  if (bends_.empty()) return;
+  const SparseMatrix b = moving_part(bends_, jacobian);
+  hessian_ += SparseMatrix(b.transpose() * b);
 }
 
 Places ShapeCost::laplacian(const Places& x) const {
-  Places values(x.size());
-  for (Index v = 0; v < x.size(); ++v) {
+  Places values(rows_.size());
+  for (Index v = 0; v < values.size(); ++v) {
     const auto ring = jacobian_.ring(v);
     Vec3 sum;
     for (std::size_t j = 0; j < ring.size(); ++j)
@@ -87,13 +125,27 @@ Places ShapeCost::laplacian(const Places& x) const {
   return values;
 }
 
+Places ShapeCost::bends_of(const Places& x) const {
+  Places values;
+  for (const auto& [vertices, weights] : bends_) {
+    Vec3 sum;
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += weights[k] * (x[vertices[k]] - origin_[vertices[k]]);
+    values.push_back((1.0 / unit_) * sum);
+  }
+  return values;
+}
+
 double ShapeCost::value(const Places& x) const {
   const Places bends = laplacian(x);
   double cost = 0.0;
   for (std::size_t v = 0; v < x.size(); ++v) {
     const Vec3 away = (1.0 / unit_) * (x[v] - origin_[v]);
-    cost += 0.5 * (pull_[v] * dot(away, away) + dot(bends[v], bends[v]));
+    const double bend = v < bends.size() ? dot(bends[v], bends[v]) : 0.0;
+    cost += 0.5 * (pull_[v] * dot(away, away) + bend);
   }
+  for (const Vec3 bend : bends_of(x))
+    cost += 0.5 * dot(bend, bend);
   return cost;
 }
 
@@ -101,13 +153,18 @@ Places ShapeCost::gradient(const Places& x) const {
   const Places bends = laplacian(x);
   Places gradient(x.size());
   for (Index v = 0; v < x.size(); ++v) {
-    const auto ring = jacobian_.ring(v);
-    for (std::size_t j = 0; j < ring.size(); ++j) {
+    for (std::size_t j = 0; v < bends.size() && j < rows_[v].size(); ++j) {
       const Vec3 part = rows_[v][j] * bends[v];
       gradient[v] += part;
-      if (ring[j] < x.size()) gradient[ring[j]] += -part;
+      const Index w = jacobian_.ring(v)[j];
+      if (w < x.size()) gradient[w] += -part;
     }
     gradient[v] += (pull_[v] / unit_) * (x[v] - origin_[v]);
+  }
+  const Places border_bends = bends_of(x);
+  for (std::size_t row = 0; row < bends_.size(); ++row) {
+    for (std::size_t k = 0; k < 3; ++k)
+      gradient[bends_[row].vertices[k]] += bends_[row].weights[k] * border_bends[row];
   }
   for (Index v = 0; v < x.size(); ++v) {
     if (!jacobian_.is_movable(v)) gradient[v] = {};

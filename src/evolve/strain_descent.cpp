@@ -32,13 +32,14 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       pool_(pool),
       aims_(aims),
       limits_(limits),
-      jacobian_(state),
+      border_(limits.border, state),
+      jacobian_(state, border_.movable()),
       control_(state, aims.room, pace_for(aims, limits)),
       closeness_(aims.closeness > 0.0 ? aims.closeness : pace_for(aims, limits).first),
-      cost_(jacobian_, state, closeness_),
+      cost_(jacobian_, state, closeness_, border_.bends()),
       potential_(jacobian_, state, pool),
       square_(potential_.stiffness() * potential_.stiffness()),
-      system_(jacobian_, state, cost_.hessian(), square_),
+      system_(jacobian_, state, cost_.hessian(), square_, border_.direction_count()),
       relaxation_(jacobian_, state) {
   if (limits_.angle > 0.0) limits_.angle = std::min(limits_.angle, smallest_angle(state));
 }
@@ -46,7 +47,7 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
 void StrainDescent::start(const DescentPace& pace) {
   if (!solvable()) return;
   constexpr double least_sigma = 1e-4;
-  const Places away = sum_of(inner_places(state_), -1.0, cost_.origin());
+  const Places away = sum_of(places(), -1.0, cost_.origin());
   for (double share = 1.0; share > 1e-3; share *= 0.5) {
     move_to(within_limits(sum_of(cost_.origin(), share, away)), jacobian_, state_);
     if (angles_hold()) break;
@@ -78,7 +79,7 @@ void StrainDescent::look() {
 }
 
 double StrainDescent::merit() const {
-  return cost_.value(inner_places(state_)) + 0.5 * phi_.squaredNorm() / (sigma_ * sigma_);
+  return cost_.value(places()) + 0.5 * phi_.squaredNorm() / (sigma_ * sigma_);
 }
 
 double StrainDescent::merit_at(const Places& x) {
@@ -88,26 +89,41 @@ double StrainDescent::merit_at(const Places& x) {
   return merit();
 }
 
+/// The normals of the inner vertices, then what the border's may take.
+std::vector<Vec3> StrainDescent::directions() const {
+  std::vector<Vec3> directions;
+  for (Index v = 0; v < border_.vertex_count(); ++v) {
+    const bool inner = state_.is_inner(v);
+    for (int k = 0; k < (inner ? 1 : border_.direction_count()); ++k)
+      directions.push_back(inner ? vertex_normal(v, jacobian_, state_) : border_.direction(v, k));
+  }
+  return directions;
+}
+
 Places StrainDescent::newton_step() {
   jacobian_.update(pool_);
-  const Places x = inner_places(state_), gradient = cost_.gradient(x);
-  Places normals(x.size());
-  Eigen::VectorXd force(static_cast<Eigen::Index>(x.size()));
-  for (Index v = 0; v < x.size(); ++v) {
-    normals[v] = vertex_normal(v, jacobian_, state_);
-    force[v] = -dot(gradient[v], normals[v]);
-  }
+  const Places x = places(), gradient = cost_.gradient(x);
+  const std::vector<Vec3> directions = this->directions();
+  Eigen::VectorXd force(static_cast<Eigen::Index>(directions.size()));
+  const auto vertex_of = [&](std::size_t direction) {
+    const std::size_t inner = state_.inner_count();
+    if (direction < inner) return direction;
+    return inner + (direction - inner) / static_cast<std::size_t>(border_.direction_count());
+  };
+  for (std::size_t d = 0; d < directions.size(); ++d)
+    force[static_cast<Eigen::Index>(d)] = -dot(gradient[vertex_of(d)], directions[d]);
   Places step(x.size());
-  if (!system_.factor(normals, cost_.hessian(), square_, cost_.unit(), 1.0 + stiffening_, sigma_,
+  if (!system_.factor(directions, cost_.hessian(), square_, cost_.unit(), 1.0 + stiffening_, sigma_,
                       pool_))
     return step;
   const Eigen::VectorXd along = system_.solve(force, -inner_defects(state_));
-  for (Index v = 0; v < x.size(); ++v)
-    step[v] = (cost_.unit() * along[v]) * normals[v];
+  for (std::size_t d = 0; d < directions.size(); ++d)
+    step[vertex_of(d)] += (cost_.unit() * along[static_cast<Eigen::Index>(d)]) * directions[d];
   return step;
 }
 
 Places StrainDescent::within_limits(Places x) const {
+  border_.restrict(x);
   if (std::isinf(limits_.deviation)) return x;
   const Places& origin = cost_.origin();
   for (std::size_t v = 0; v < x.size(); ++v) {
@@ -121,6 +137,8 @@ Places StrainDescent::within_limits(Places x) const {
 /// Tells the cost which vertices cannot go on, so that the next step finds another way.
 void StrainDescent::hold_far_vertices() {
   constexpr double almost = 0.99, dearer = 10.0;
+  cost_.tighten(border_.at_limit(), 4.0);
+  if (std::isinf(limits_.deviation)) return;
   std::vector<Index> far;
   for (Index v = 0; v < cost_.origin().size(); ++v) {
     if (norm(state_.position(v) - cost_.origin()[v]) >= almost * limits_.deviation)
@@ -136,7 +154,7 @@ bool StrainDescent::angles_hold() {
 
 StrainDescent::Step StrainDescent::step() {
   constexpr int most_halvings = 12;
-  const Places& x = before_ = inner_places(state_);
+  const Places& x = before_ = places();
   Step result;
   result.merit_before = result.merit = merit();
   const Places newton = newton_step();
@@ -152,7 +170,7 @@ StrainDescent::Step StrainDescent::step() {
     const double merit = merit_at(trial);
     if (!(merit < result.merit_before)) continue;
     if (relaxation_.relax() > 0) {
-      move_to(within_limits(inner_places(state_)), jacobian_, state_);
+      move_to(within_limits(places()), jacobian_, state_);
       look();
     }
     if (!angles_hold()) {
@@ -169,7 +187,7 @@ StrainDescent::Step StrainDescent::step() {
   }
   follow(share, halvings, result);
   follow_roughness();
-  if (!std::isinf(limits_.deviation)) hold_far_vertices();
+  hold_far_vertices();
   return result;
 }
 
@@ -179,8 +197,8 @@ void StrainDescent::go_to(const Places& places) {
 }
 
 double StrainDescent::deviation() const {
-  const double away = norm_of(sum_of(inner_places(state_), -1.0, cost_.origin()));
-  return away / std::sqrt(static_cast<double>(state_.inner_count()));
+  const double away = norm_of(sum_of(places(), -1.0, cost_.origin()));
+  return away / std::sqrt(static_cast<double>(border_.vertex_count()));
 }
 
 /// What the step was worth says how stiff the next one is and which sigma it is for.

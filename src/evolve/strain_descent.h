@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "evolve/angle_jacobian.h"
+#include "evolve/border_motion.h"
 #include "evolve/closeness_control.h"
 #include "evolve/normal_system.h"
 #include "evolve/places.h"
@@ -25,6 +26,7 @@ struct DescentAims {
 struct DescentLimits {
   double deviation = std::numeric_limits<double>::infinity();  ///< of a vertex from its origin
   double angle = 0.0;  ///< smallest of a triangle, or what it is at first if that is less
+  BorderFreedom border = {};
 };
 
 /// Where a descent begins and how far its steps go.
@@ -56,6 +58,8 @@ class StrainDescent {
   bool solvable() const { return potential_.solvable(); }
   const ShapeCost& cost() const { return cost_; }
   const AngleJacobian& jacobian() const { return jacobian_; }
+  /// Of all vertices that may move.
+  Places places() const { return first_places(state_, border_.vertex_count()); }
   /// As they are now: they change from step to step. Sigma as on patches of 4,000 inner vertices.
   double closeness() const { return closeness_; }
   double sigma() const;
@@ -85,7 +89,7 @@ class StrainDescent {
   /// Half of what phi spans, the border's 0 included: a conformal pattern of the best size
   /// stretches and shrinks edges by so much.
   double max_strain() const { return most_; }
-  /// Of the inner vertices from where they were at first, rms.
+  /// Of the vertices that may move, from where they were at first, rms.
   double deviation() const;
   /// True if the limit of strain, where there is one, is met.
   bool strain_is_met() const { return aims_.max_strain > 0.0 && most_ <= aims_.max_strain; }
@@ -101,6 +105,7 @@ class StrainDescent {
   double merit() const;
   /// Measures the defects at the places where vertices are, and phi.
   void look();
+  std::vector<Vec3> directions() const;
   Places newton_step();
   Places within_limits(Places x) const;
   void hold_far_vertices();
@@ -113,6 +118,7 @@ class StrainDescent {
   ThreadPool& pool_;
   DescentAims aims_;
   DescentLimits limits_;
+  BorderMotion border_;
   AngleJacobian jacobian_;
   ClosenessControl control_;
   double closeness_;

@@ -74,7 +74,11 @@ std::string options_text(const Method& method) {
   const auto add = [&](std::string_view name, const auto& value, auto&&...) {
     if (!text.empty()) text += ", ";
     text += std::string(name) + " ";
-    if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, BorderFreedom>) {
+      const bool named = value.rule != BorderFreedom::Rule::within;
+      text += named ? std::string(enumerator_name(value.rule)) : number_text(value.distance);
+    } else if constexpr (std::is_enum_v<Value>) {
       text += enumerator_name(value);
     } else {
       text += std::isfinite(value) ? number_text(value) : "unlimited";

@@ -83,10 +83,18 @@ Json to_json(const std::vector<SweepRecord>& history) {
   return list;
 }
 
+Json to_json(const BorderFreedom& border) {
+  if (border.rule == BorderFreedom::Rule::within) return border.distance;
+  return enumerator_name(border.rule);
+}
+
 Json options_of(const Method& method) {
   Json options = Json::object();
   const auto add = [&](std::string_view name, const auto& value, auto&&...) {
-    if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, BorderFreedom>) {
+      options[std::string(name)] = to_json(value);
+    } else if constexpr (std::is_enum_v<Value>) {
       options[std::string(name)] = enumerator_name(value);
     } else {
       options[std::string(name)] = value;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <planish/core/fields.h>
+#include <planish/evolve/border_freedom.h>
 
 #include "fuzz/bytes.h"
 
@@ -26,6 +27,12 @@ struct OptionFiller {
     value =
         static_cast<int>(bytes.whole(static_cast<std::size_t>(range.min),
                                      static_cast<std::size_t>(std::fmin(range.max, most_whole))));
+  }
+  void operator()(std::string_view, BorderFreedom& border, const char*) const {
+    constexpr double most_distance = 1e3;
+    if (!bytes.flag()) return;
+    border.rule = bytes.flag() ? BorderFreedom::Rule::slide : BorderFreedom::Rule::within;
+    border.distance = bytes.within(0.0, most_distance);
   }
   template <class Enum>
   void operator()(std::string_view, Enum& value, const char*) const {

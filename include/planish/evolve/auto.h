@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include <planish/core/fields.h>
+#include <planish/evolve/border_freedom.h>
 
 namespace planish {
 
@@ -18,6 +19,7 @@ struct Auto {
   double max_deviation = std::numeric_limits<double>::infinity();
   double min_angle = 0.0;
   double closeness = 1.0;
+  BorderFreedom border = {};
 };
 
 template <class Visit>
@@ -36,6 +38,9 @@ void describe(Auto& o, Visit&& visit) {
         "how much rougher the surface may get for staying close: 0: no rougher than at first, 1: "
         "twice as rough and 2.5 degrees more",
         Range{0.0, 1e6});
+  visit("border", o.border,
+        "what vertices of the border may do: stay, slide along the border as it was, or go as far "
+        "from where they were as this, in model units");
 }
 
 }  // namespace planish

@@ -21,8 +21,8 @@ namespace planish {
 ///   usual_sweeps     how many sweeps it is given where nobody said,
 ///   honours_weights, honours_obstacle   see Constraints,
 /// and describe(options, visit) describes its options, once, for command line, JSON, bindings and
-/// docs: it calls visit(name, member, doc, range) for numbers and visit(name, member, doc) for
-/// enumerations.
+/// docs: it calls visit(name, member, doc, range) for numbers, visit(name, member, doc) for
+/// enumerations and BorderFreedom.
 using Method =
     std::variant<ControllableLaplacian, ClassicalLaplacian, LeastNorm, FlattenableLaplacian,
                  LocalOffset, GlobalPenalty, LocalPerturbation, BilaplacianFairing, Auto>;

@@ -204,7 +204,7 @@ TEST(PullBack, EndsNearerWithinTheLimitOfStrain) {
       descent.step();
     ASSERT_TRUE(descent.strain_is_met()) << shape;
     const double deviation = descent.deviation(), strain = descent.max_strain();
-    PullBack pull_back(descent, laid.state);
+    PullBack pull_back(descent);
     int steps = 0;
     for (; !pull_back.over(); ++steps) {
       const StrainDescent::Step step = pull_back.step();

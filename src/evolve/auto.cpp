@@ -105,6 +105,7 @@ class AutoStepper {
     descent_->start(k_pace_from_coarse);
     // What lifting broke of the limit is mended without going far beyond it.
     if (was_met) descent_->keep_to_limit(sigma);
+    if (was_met && descent_->strain_is_met()) pull_back_.emplace(*descent_);
   }
 
   SweepOutcome descend() {

@@ -15,12 +15,15 @@ double sigma_unit(const PatchState& state) {
   return std::sqrt(relative_density(state));
 }
 
-/// Vertices held at a limit of deviation need a way around them that is smooth.
-ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits) {
+/// Vertices held at a limit of deviation need a way around them that is smooth. Going back along a
+/// limit of strain ends with waves of a few edges, which on denser patches bend more for the same
+/// way to go.
+ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, double density) {
   const bool near = aims.max_strain > 0.0 && std::isinf(limits.deviation);
-  if (!near) return aims.careful ? k_careful : k_smooth_first;
-  ClosenessPace pace = k_near_first;
-  if (aims.careful) pace.earliness = k_careful.earliness;
+  ClosenessPace pace = near ? k_near_first : aims.careful ? k_careful : k_smooth_first;
+  if (near && aims.careful) pace.earliness = k_careful.earliness;
+  if (near) pace.most *= std::max(1.0, density * density);
+  if (aims.room > 1.0) pace.most *= aims.room * aims.room;
   return pace;
 }
 
@@ -34,8 +37,8 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       limits_(limits),
       border_(limits.border, state),
       jacobian_(state, border_.movable()),
-      control_(state, aims.room, pace_for(aims, limits)),
-      closeness_(aims.closeness > 0.0 ? aims.closeness : pace_for(aims, limits).first),
+      control_(state, aims.room, pace_for(aims, limits, relative_density(state))),
+      closeness_(aims.closeness > 0.0 ? aims.closeness : pace_for(aims, limits, 1.0).first),
       cost_(jacobian_, state, closeness_, border_.bends()),
       potential_(jacobian_, state, pool),
       square_(potential_.stiffness() * potential_.stiffness()),
@@ -50,7 +53,7 @@ void StrainDescent::start(const DescentPace& pace) {
   const Places away = sum_of(places(), -1.0, cost_.origin());
   for (double share = 1.0; share > 1e-3; share *= 0.5) {
     move_to(within_limits(sum_of(cost_.origin(), share, away)), jacobian_, state_);
-    if (angles_hold()) break;
+    if (angles_hold_after_slides()) break;
   }
   look();
   sigma_ = std::min(1.0, pace.sigma_per_strain * rms_) * sigma_unit(state_);
@@ -148,6 +151,16 @@ void StrainDescent::hold_far_vertices() {
   deviation_stopped_ = deviation_stopped_ || !far.empty();
 }
 
+/// The same, with slides that make them hold if a few do.
+bool StrainDescent::angles_hold_after_slides() {
+  constexpr int most_slides = 10;
+  for (int i = 0; i < most_slides && !angles_hold(); ++i) {
+    if (relaxation_.relax() == 0) break;
+    move_to(within_limits(places()), jacobian_, state_);
+  }
+  return angles_hold();
+}
+
 bool StrainDescent::angles_hold() {
   return !(limits_.angle > 0.0) || smallest_angle(state_) >= limits_.angle;
 }
@@ -230,7 +243,8 @@ double StrainDescent::next_sigma(double share, const Step& step) const {
 
 /// Lets the next step stay closer where there is room for roughness, or be smoother.
 void StrainDescent::follow_roughness() {
-  const double left = aims_.max_strain > 0.0 ? std::max(0.0, most_ - aims_.max_strain) : rms_;
+  double left = aims_.max_strain > 0.0 ? std::max(0.0, most_ - aims_.max_strain) : rms_;
+  if (to_limit_) left = 0.0;  // but for what comes and goes from step to step
   constexpr double stiff = 4.0;
   const double next = control_.after_step(closeness_, left, stiffening_ < stiff);
   cost_.scale_closeness(next / closeness_);

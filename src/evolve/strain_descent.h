@@ -110,6 +110,7 @@ class StrainDescent {
   Places within_limits(Places x) const;
   void hold_far_vertices();
   bool angles_hold();
+  bool angles_hold_after_slides();
   void follow(double share, int halvings, const Step& step);
   double next_sigma(double share, const Step& step) const;
   void follow_roughness();

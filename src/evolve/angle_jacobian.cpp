@@ -11,8 +11,7 @@ constexpr std::size_t k_most_neighbours = 256;
 
 }  // namespace
 
-AngleJacobian::AngleJacobian(const PatchState& state,
-                             std::span<const unsigned char> border_movable)
+AngleJacobian::AngleJacobian(const PatchState& state, std::span<const unsigned char> border_movable)
     : state_(state), rings_(rings_by_vertex(state.plan())) {
   row_start_.push_back(0);
   for (Index v = 0; v < rings_.size(); ++v) {

@@ -63,8 +63,8 @@ BorderMotion::BorderMotion(const BorderFreedom& freedom, const PatchState& state
   }
   for (const Loop& loop : loops_) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      const bool held = state.is_fixed(vertex_of(loop, i)) ||
-                        (freedom.rule == Rule::slide && is_corner(loop, i));
+      const bool held =
+          state.is_fixed(vertex_of(loop, i)) || (freedom.rule == Rule::slide && is_corner(loop, i));
       marks_.push_back(held ? 0 : 1);
     }
   }
@@ -82,8 +82,8 @@ bool BorderMotion::is_corner(const Loop& loop, std::size_t i) const {
 }
 
 const BorderMotion::Loop& BorderMotion::loop_of(Index v) const {
-  const auto after = std::find_if(loops_.begin(), loops_.end(),
-                                  [&](const Loop& loop) { return loop.first > v; });
+  const auto after =
+      std::find_if(loops_.begin(), loops_.end(), [&](const Loop& loop) { return loop.first > v; });
   return *std::prev(after);
 }
 
@@ -106,8 +106,7 @@ void BorderMotion::restrict(Places& places) const {
   for (auto v = static_cast<Index>(state_.inner_count()); v < vertex_count(); ++v) {
     const Vec3 away = places[v] - state_.origin(v);
     const double far = norm(away);
-    if (far > freedom_.distance)
-      places[v] = state_.origin(v) + (freedom_.distance / far) * away;
+    if (far > freedom_.distance) places[v] = state_.origin(v) + (freedom_.distance / far) * away;
   }
 }
 

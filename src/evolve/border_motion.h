@@ -59,7 +59,9 @@ class BorderMotion {
   Index vertex_of(const Loop& loop, std::size_t i) const {
     return loop.first + static_cast<Index>(i % loop.size());
   }
-  Vec3 origin_of(const Loop& loop, std::size_t i) const { return state_.origin(vertex_of(loop, i)); }
+  Vec3 origin_of(const Loop& loop, std::size_t i) const {
+    return state_.origin(vertex_of(loop, i));
+  }
   bool is_corner(const Loop& loop, std::size_t i) const;
   const Loop& loop_of(Index v) const;
   double slid_to(const Loop& loop, std::size_t i, Vec3 place) const;

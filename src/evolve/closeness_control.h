@@ -15,8 +15,9 @@ struct ClosenessPace {
 inline constexpr ClosenessPace k_smooth_first{0.05, 8.0, 0.8, 2.5};
 /// On patches of several levels, where steps are dear, and for who came to be too rough.
 inline constexpr ClosenessPace k_careful{0.05, 0.5, 0.5, 2.0};
-/// Where the way ends sooner, at a limit of strain: less of the roughness comes along.
-inline constexpr ClosenessPace k_near_first{2.0, 50.0, 0.8, 2.5};
+/// Where the way ends at a limit of strain, on patches of 4,000 vertices: what closeness begins
+/// with where hardly any strain has to go, and what it grows to.
+inline constexpr double k_first_near = 2.0, k_most_near = 50.0;
 
 /// Spends the roughness that a patch may have on staying close to where it was. Crumples that are
 /// made early stay for good, so the allowance grows with the strain that is gone

@@ -99,8 +99,8 @@ NormalSystem::NormalSystem(const AngleJacobian& jacobian, const PatchState& stat
     square_places_.push_back(place_of(lower_, Steps::multiplier_of(v), Steps::multiplier_of(w)));
   });
   for_gradients(jacobian, steps_, [&](int step, const AngleJacobian::Entry& entry) {
-    gradient_places_.push_back(place_of(lower_, steps_.unknown(step),
-                                        Steps::multiplier_of(static_cast<int>(entry.row))));
+    gradient_places_.push_back(
+        place_of(lower_, steps_.unknown(step), Steps::multiplier_of(static_cast<int>(entry.row))));
   });
 }
 

@@ -42,8 +42,9 @@ class NormalSystem {
   /// Factors for the gradients as they are; false where that cannot be.
   /// @param directions of unit length; those of a vertex at right angles
   /// @param unit of length of steps
-  bool factor(std::span<const Vec3> directions, const SparseMatrix& cost, const SparseMatrix& square,
-              double unit, double stiffness, double sigma, ThreadPool& pool);
+  bool factor(std::span<const Vec3> directions, const SparseMatrix& cost,
+              const SparseMatrix& square, double unit, double stiffness, double sigma,
+              ThreadPool& pool);
 
   /// @return s, in units of length as given. @pre factor() was true
   /// @param force by direction

@@ -54,8 +54,8 @@ class PatchState {
   bool is_inner(Index v) const { return v < inner_count(); }
   /// Inner and border vertices.
   std::size_t vertex_count() const { return vertex_of_.size(); }
-  /// The first vertex of each loop of the border, then vertex_count(): the vertices of a loop follow
-  /// one another in their order along it.
+  /// The first vertex of each loop of the border, then vertex_count(): the vertices of a loop
+  /// follow one another in their order along it.
   const std::vector<Index>& border_starts() const { return border_starts_; }
   /// True if nothing may move the vertex, though it is measured.
   bool is_fixed(std::size_t v) const { return !fixed_.empty() && fixed_[v] != 0; }
@@ -116,7 +116,7 @@ class PatchState {
   TriMesh obstacle_;
   std::vector<unsigned char> fixed_;  // none where nothing is
   double scale_ = 1.0;
-  std::vector<Index> vertex_of_;           // number in the mesh
+  std::vector<Index> vertex_of_;  // number in the mesh
   std::vector<Index> border_starts_;
   Buffer<Site> sites_;                     // as many
   std::vector<std::uint32_t> changed_at_;  // when its place or defect changed last

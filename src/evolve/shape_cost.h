@@ -21,8 +21,8 @@ double relative_density(const PatchState& state);
 /// in units of the mean edge; x0 where the vertices were at first, L the cotangent Laplacian over
 /// the mixed area of a vertex as its share of the mean area: as the patch was when this was made.
 /// B, where the border moves, is the second difference along it: moves of the border are to be
-/// smooth, its own form may be as it is. Quadratic, with one matrix for x, y and z. Places are those
-/// of the jacobian's columns.
+/// smooth, its own form may be as it is. Quadratic, with one matrix for x, y and z. Places are
+/// those of the jacobian's columns.
 class ShapeCost {
  public:
   /// @param closeness a_v of a vertex of weight 1 on a patch of 4,000 inner vertices. On others it

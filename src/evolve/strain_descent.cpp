@@ -15,16 +15,29 @@ double sigma_unit(const PatchState& state) {
   return std::sqrt(relative_density(state));
 }
 
-/// Vertices held at a limit of deviation need a way around them that is smooth. Going back along a
-/// limit of strain ends with waves of a few edges, which on denser patches bend more for the same
-/// way to go.
-ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, double density) {
-  const bool near = aims.max_strain > 0.0 && std::isinf(limits.deviation);
-  ClosenessPace pace = near ? k_near_first : aims.careful ? k_careful : k_smooth_first;
-  if (near && aims.careful) pace.earliness = k_careful.earliness;
-  if (near) pace.most *= std::max(1.0, density * density);
+/// True if the descent is to come as near as a limit of strain allows. Vertices held at a limit of
+/// deviation need a way around them that is smooth.
+bool goes_back(const DescentAims& aims, const DescentLimits& limits) {
+  return aims.max_strain > 0.0 && std::isinf(limits.deviation);
+}
+
+/// @param most_at_first the largest strain
+ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, double most_at_first,
+                       double density) {
+  ClosenessPace pace = aims.careful ? k_careful : k_smooth_first;
+  if (goes_back(aims, limits)) {
+    pace.most = k_most_near * std::max(1.0, density * density);
+    // Where little strain has to go, crumples may take it up at once.
+    const double stays = most_at_first > 0.0 ? std::min(1.0, aims.max_strain / most_at_first) : 1.0;
+    if (!aims.careful) pace.first = std::max(pace.first, k_first_near * stays * stays);
+  }
   if (aims.room > 1.0) pace.most *= aims.room * aims.room;
   return pace;
+}
+
+DescentStrain strain_of(const Eigen::VectorXd& phi) {
+  return {phi.norm() / std::sqrt(static_cast<double>(phi.size())),
+          0.5 * (std::max(phi.maxCoeff(), 0.0) - std::min(phi.minCoeff(), 0.0))};
 }
 
 }  // namespace
@@ -37,10 +50,13 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       limits_(limits),
       border_(limits.border, state),
       jacobian_(state, border_.movable()),
-      control_(state, aims.room, pace_for(aims, limits, relative_density(state))),
-      closeness_(aims.closeness > 0.0 ? aims.closeness : pace_for(aims, limits, 1.0).first),
-      cost_(jacobian_, state, closeness_, border_.bends()),
       potential_(jacobian_, state, pool),
+      at_first_(potential_.solvable() ? strain_of(potential_.of(inner_defects(state)))
+                                      : DescentStrain{}),
+      pace_(pace_for(aims, limits, at_first_.most, relative_density(state))),
+      control_(state, aims.room, pace_),
+      closeness_(aims.closeness > 0.0 ? aims.closeness : pace_.first),
+      cost_(jacobian_, state, closeness_, border_.bends()),
       square_(potential_.stiffness() * potential_.stiffness()),
       system_(jacobian_, state, cost_.hessian(), square_, border_.direction_count()),
       relaxation_(jacobian_, state) {
@@ -56,7 +72,7 @@ void StrainDescent::start(const DescentPace& pace) {
     if (angles_hold_after_slides()) break;
   }
   look();
-  sigma_ = std::min(1.0, pace.sigma_per_strain * rms_) * sigma_unit(state_);
+  sigma_ = std::min(1.0, pace.sigma_per_strain * strain_.rms) * sigma_unit(state_);
   least_sigma_ = least_sigma * sigma_unit(state_);
   sigma_ = std::max(sigma_, least_sigma_);
   longest_step_ = pace.longest_step * cost_.unit();
@@ -77,8 +93,7 @@ void StrainDescent::keep_to_limit(double sigma) {
 void StrainDescent::look() {
   state_.measure(pool_);
   phi_ = potential_.of(inner_defects(state_));
-  rms_ = phi_.norm() / std::sqrt(static_cast<double>(phi_.size()));
-  most_ = 0.5 * (std::max(phi_.maxCoeff(), 0.0) - std::min(phi_.minCoeff(), 0.0));
+  strain_ = strain_of(phi_);
 }
 
 double StrainDescent::merit() const {
@@ -227,13 +242,13 @@ double StrainDescent::next_sigma(double share, const Step& step) const {
   if (to_limit_) {
     constexpr double most_fall = 1.5, most_growth = 4.0;
     if (step.moved == 0) return failed * sigma_;
-    const double room = aims_.max_strain / most_;
+    const double room = aims_.max_strain / strain_.most;
     return std::clamp(room < 1.0 ? room : std::sqrt(room), 1.0 / most_fall, most_growth) * sigma_;
   }
   // Where much strain cannot fall, a small sigma would buy some of it with crumples.
   constexpr double large_strain = 0.02;
-  const double least_per_strain = rms_ > large_strain ? 0.3 : 0.02;
-  const double least = std::max(least_sigma_, least_per_strain * rms_ * sigma_unit(state_));
+  const double least_per_strain = strain_.rms > large_strain ? 0.3 : 0.02;
+  const double least = std::max(least_sigma_, least_per_strain * strain_.rms * sigma_unit(state_));
   if (step.moved == 0) return std::max(failed * sigma_, least);
   const bool full = share > 0.99;
   const bool settled = step.merit_before - step.merit < small_fall * step.merit_before;
@@ -241,12 +256,21 @@ double StrainDescent::next_sigma(double share, const Step& step) const {
   return std::max(share > far_enough ? slow * sigma_ : sigma_, least);
 }
 
+/// What is left, rms: down to where it is expected once the largest is at its limit. The largest
+/// itself comes and goes from step to step.
+double StrainDescent::strain_to_go() const {
+  const double share = at_first_.most > 0.0 ? aims_.max_strain / at_first_.most : 0.0;
+  return std::max(0.0, strain_.rms - share * at_first_.rms);
+}
+
 /// Lets the next step stay closer where there is room for roughness, or be smoother.
 void StrainDescent::follow_roughness() {
-  double left = aims_.max_strain > 0.0 ? std::max(0.0, most_ - aims_.max_strain) : rms_;
-  if (to_limit_) left = 0.0;  // but for what comes and goes from step to step
   constexpr double stiff = 4.0;
-  const double next = control_.after_step(closeness_, left, stiffening_ < stiff);
+  const bool on_the_way = !to_limit_;
+  // Crumples that are made on the way stay: where few should come along they wait for its end.
+  const bool may_wait = aims_.careful && goes_back(aims_, limits_);
+  const bool may_grow = stiffening_ < stiff && !(on_the_way && may_wait);
+  const double next = control_.after_step(closeness_, on_the_way ? strain_to_go() : 0.0, may_grow);
   cost_.scale_closeness(next / closeness_);
   // Between closeness and strain the balance is sigma's.
   if (to_limit_) sigma_ *= std::sqrt(closeness_ / next);

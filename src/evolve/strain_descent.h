@@ -29,6 +29,13 @@ struct DescentLimits {
   BorderFreedom border = {};
 };
 
+/// Strain by the potential phi, as a share of length.
+struct DescentStrain {
+  double rms = 0.0;   ///< phi over the inner vertices
+  double most = 0.0;  ///< half of what phi spans, the border's 0 included: a conformal pattern of
+                      ///< the best size stretches and shrinks edges by so much
+};
+
 /// Where a descent begins and how far its steps go.
 struct DescentPace {
   double sigma_per_strain;  ///< of the first sigma to the rms strain at first
@@ -84,15 +91,13 @@ class StrainDescent {
   /// @pre there is a limit of strain
   void keep_to_limit(double sigma);
 
-  /// Strain as of now: phi over the inner vertices, as a share of length.
-  double rms_strain() const { return rms_; }
-  /// Half of what phi spans, the border's 0 included: a conformal pattern of the best size
-  /// stretches and shrinks edges by so much.
-  double max_strain() const { return most_; }
+  /// Strain as of now; see DescentStrain.
+  double rms_strain() const { return strain_.rms; }
+  double max_strain() const { return strain_.most; }
   /// Of the vertices that may move, from where they were at first, rms.
   double deviation() const;
   /// True if the limit of strain, where there is one, is met.
-  bool strain_is_met() const { return aims_.max_strain > 0.0 && most_ <= aims_.max_strain; }
+  bool strain_is_met() const { return aims_.max_strain > 0.0 && strain_.most <= aims_.max_strain; }
   /// True if the patch is rougher than the room for roughness allows it to end.
   bool is_too_rough() const { return control_.is_too_rough(); }
   /// True if vertices came as far away as they may be.
@@ -113,6 +118,7 @@ class StrainDescent {
   bool angles_hold_after_slides();
   void follow(double share, int halvings, const Step& step);
   double next_sigma(double share, const Step& step) const;
+  double strain_to_go() const;
   void follow_roughness();
 
   PatchState& state_;
@@ -121,16 +127,18 @@ class StrainDescent {
   DescentLimits limits_;
   BorderMotion border_;
   AngleJacobian jacobian_;
+  StrainPotential potential_;
+  DescentStrain at_first_;
+  ClosenessPace pace_;
   ClosenessControl control_;
   double closeness_;
   ShapeCost cost_;
-  StrainPotential potential_;
   SparseMatrix square_;  // K K^T
   NormalSystem system_;
   TangentialRelaxation relaxation_;
   Places before_;  // the last step
   Eigen::VectorXd phi_;
-  double rms_ = 0.0, most_ = 0.0;
+  DescentStrain strain_;
   double longest_step_ = 0.0, fall_of_sigma_ = 0.5, sigma_ = 1.0, least_sigma_ = 0.0,
          stiffening_ = 0.0;
   bool to_limit_ = false, angle_stopped_ = false, deviation_stopped_ = false;

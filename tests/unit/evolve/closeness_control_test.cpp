@@ -52,7 +52,7 @@ TEST(ClosenessControl, GrowsToTheMostWhereThereIsRoom) {
 
 TEST(ClosenessControl, FallsWhereThePatchIsTooRoughButNotToNothing) {
   Laid laid(make_shape("panel", 300));
-  ClosenessControl control(laid.state, 1.0, k_near_first);
+  ClosenessControl control(laid.state, 1.0, k_smooth_first);
   EXPECT_FALSE(control.is_too_rough());
   laid.crumple(20.0);
   EXPECT_TRUE(control.is_too_rough());

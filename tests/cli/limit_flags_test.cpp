@@ -52,6 +52,24 @@ TEST_F(LimitFlags, LengthsAreConvertedToTheUnitOfTheModel) {
   EXPECT_EQ(options({"--max-deviation", "1cm"})["max_deviation"], 10.0) << "models are in mm";
 }
 
+TEST_F(LimitFlags, BordersStayOrSlideOrGoADistance) {
+  const auto border = [](const char* text) {
+    return options({"--method", "auto", "--unit", "cm", "--border", text})["border"];
+  };
+  EXPECT_EQ(options({"--method", "auto"})["border"], "fixed");
+  EXPECT_EQ(border("fixed"), "fixed");
+  EXPECT_EQ(border("slide"), "slide");
+  EXPECT_EQ(border("5mm"), 0.5);
+  EXPECT_EQ(border("2"), 2.0);
+  for (const char* text : {"slid", "5lb", "-1", "nan"}) {
+    const CliResult result = planish({"flatten", "panel.obj", "--border", text});
+    EXPECT_EQ(result.exit_code, k_exit_usage) << text;
+    EXPECT_THAT(result.err, HasSubstr("border")) << text;
+  }
+  const CliResult result = planish({"flatten", "panel.obj", "--border", "slid"});
+  EXPECT_THAT(result.err, HasSubstr("slide"));
+}
+
 TEST_F(LimitFlags, FlattenTakesThemAsAutoByItself) {
   const CliResult result = planish({"flatten", "panel.obj", "--unit", "cm", "--max-strain", "2%",
                                     "--max-deviation", "5mm", "--min-angle", "1deg", "--json"});

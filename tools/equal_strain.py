@@ -7,7 +7,7 @@ Each update of least_norm is run with its usual steps; where it ends there are a
 unfolded pattern), a deviation (rms) and a roughness. auto is run for a few limits of strain, then
 for some between the two around that strain. Its deviation at that strain is the least of a run with
 no more strain, or between two neighbouring runs on a line over the logarithm of strain. All strain
-below 0.01 % counts as equal. Where the update is nearer and rougher than
+below 0.01 % counts as equal, and where auto without a limit ends below 0.1 %, all below that. Where the update is nearer and rougher than
 auto may get unless told, auto is run once more with as much room for roughness (--closeness) as the
 update took; what ends rougher than the update does not count. RESULTS keeps the answers: what lies
 there is not run again. Patches whose names end in 195k are left out: with a limit of strain one run
@@ -25,7 +25,7 @@ from auto_table import PAGE, flatten, line
 BEGIN, END = "<!-- equal: begin -->", "<!-- equal: end -->"
 UPDATES = ("direct", "uniform", "cotangent")
 LIMITS = (1.0, 0.3, 0.1, 0.03, 0.01)
-FLAT = 1e-4
+FLAT, NEARLY_FLAT = 1e-4, 1e-3
 ROUNDING = 1.0 + 1e-6
 
 
@@ -111,13 +111,14 @@ def compare(runs, patch):
     roughness (none where that was not needed); None for a failed run."""
     auto = {limit: runs.auto(patch, limit) for limit in (*LIMITS, 0.0)}
     auto = {limit: run for limit, run in auto.items() if run}
+    least = max(FLAT, auto[0.0].strain) if 0.0 in auto else math.inf
     rows = []
     for update in UPDATES:
         ended = runs(patch, update, "--method", "least_norm", "--update", update)
         if not ended:
             rows.append(None)
             continue
-        strain = max(ended.strain, FLAT)
+        strain = max(ended.strain, least if least <= NEARLY_FLAT else FLAT)
         refined(runs, patch, auto, strain, 3)
         ours = deviation_at(strain, auto.values())
         rough = None

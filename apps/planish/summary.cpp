@@ -140,6 +140,13 @@ std::string deviation_lines(const Deviation& deviation, const std::string& unit)
          " of the bounding box's diagonal\n";
 }
 
+std::string border_line(const std::optional<BorderChange>& border, const std::string& unit) {
+  if (!border) return {};
+  const double change = border->length_after / border->length_before - 1.0;
+  return "  border      moved by at most " + digits(border->max, 3) + " " + unit + ", its length " +
+         (change < 0.0 ? "-" : "+") + percent(std::abs(change)) + "\n";
+}
+
 std::string remeshing_line(const EvolveReport& report) {
   if (!report.remeshed_from) return {};
   return "remeshed from " + std::to_string(report.remeshed_from->vertices) + " to " +
@@ -200,7 +207,8 @@ std::string refused_text(const std::string& path, const Inspection& inspection) 
 std::string evolve_text(const EvolveReport& report) {
   return run_line(report) + comparison_head() +
          comparison(figure_rows(report.before.figures, report.after.figures)) + "\n" +
-         deviation_lines(report.deviation, "model units");
+         deviation_lines(report.deviation, "model units") +
+         border_line(report.border, "model units");
 }
 
 std::string unfold_text(const UnfoldReport& report) {
@@ -215,6 +223,7 @@ std::string flatten_text(const FlattenReport& report) {
          comparison(figure_rows(report.evolve.before.figures, report.evolve.after.figures)) +
          comparison(strain_rows(report.unfold_before.strain, report.unfold.strain)) + "\n" +
          deviation_lines(report.evolve.deviation, std::string(to_string(report.unfold.unit))) +
+         border_line(report.evolve.border, std::string(to_string(report.unfold.unit))) +
          pattern_lines(report.unfold) + matching_lines(report.unfold) +
          (check ? "\n" + wrapped(check_text(*check), 0) + "\n" : "");
 }

@@ -155,7 +155,7 @@ std::vector<Row> mesh_rows(const Flattenability& before, const Flattenability& a
 std::vector<Row> deviation_rows(const Deviation& deviation, const std::string& unit) {
   const double per_unit = deviation.rms > 0.0 ? deviation.rms_over_diagonal / deviation.rms : 0.0;
   return {{"Deviation, rms",
-           "how far inner vertices are from where they were",
+           "how far vertices are from where they were",
            Aim::none,
            with_unit(unit),
            {},
@@ -178,6 +178,23 @@ std::vector<Row> deviation_rows(const Deviation& deviation, const std::string& u
            percent_text,
            {},
            {per_unit * deviation.max}}};
+}
+
+/// Of a border that moved.
+std::vector<Row> border_rows(const std::optional<BorderChange>& border, const std::string& unit) {
+  if (!border) return {};
+  return {{"Border, length",
+           "of all its edges; what is sewn to it must go along",
+           Aim::none,
+           with_unit(unit),
+           {border->length_before},
+           {border->length_after}},
+          {"Border, largest move",
+           "of its vertices, which were allowed to move",
+           Aim::none,
+           with_unit(unit),
+           {},
+           {border->max}}};
 }
 
 std::vector<Row> pattern_rows(const Pattern& before, const Pattern& after,
@@ -237,8 +254,9 @@ std::string figures_table(const FlattenReport& report) {
                  joined(strain_rows(report.unfold_before.strain, report.unfold.strain),
                         pattern_rows(report.unfold_before.pattern, report.unfold.pattern, unit))) +
          section("Patch: how far from flattenable", defect_rows(before, after)) +
-         section("Form: what it cost",
-                 joined(deviation_rows(report.evolve.deviation, unit), mesh_rows(before, after))) +
+         section("Form: what it cost", joined(joined(deviation_rows(report.evolve.deviation, unit),
+                                                     border_rows(report.evolve.border, unit)),
+                                              mesh_rows(before, after))) +
          "</table>\n";
 }
 

@@ -43,7 +43,9 @@ EvolveReport evolve_patch(const TriMesh& mesh, const Method& method, const Stopp
   report.result = evolve(mesh, method, stopping, on_sweep, threads, constraints);
   TriMesh after{report.result.positions, mesh.triangles};
   report.after = measure_patch(after);
-  report.deviation = measure_deviation(mesh, after.positions, Connectivity(mesh));
+  const Connectivity connectivity(mesh);
+  report.deviation = measure_deviation(mesh, after.positions, connectivity);
+  report.border = measure_border_change(mesh, after.positions, connectivity);
   return report;
 }
 

@@ -115,14 +115,22 @@ Json to_json(const std::optional<SizeBefore>& size) {
   return {{"vertices", size->vertices}, {"triangles", size->triangles}};
 }
 
+Json to_json(const BorderChange& border) {
+  return {{"max", border.max},
+          {"length_before", border.length_before},
+          {"length_after", border.length_after}};
+}
+
 Json to_json(const EvolveReport& report) {
-  return {
+  Json json = {
       {"method", name_of(report.method)},         {"options", options_of(report.method)},
       {"sweeps", report.result.history.size()},   {"stop", to_string(report.result.stop)},
       {"threads", report.result.threads},         {"seconds", report.result.seconds},
       {"before", to_json(report.before)},         {"after", to_json(report.after)},
       {"deviation", to_json(report.deviation)},   {"remeshed_from", to_json(report.remeshed_from)},
       {"history", to_json(report.result.history)}};
+  if (report.border) json["border"] = to_json(*report.border);
+  return json;
 }
 
 Json to_json(const EdgeStrain& strain) {

@@ -70,6 +70,24 @@ TEST_F(LimitFlags, BordersStayOrSlideOrGoADistance) {
   EXPECT_THAT(result.err, HasSubstr("slide"));
 }
 
+TEST_F(LimitFlags, WhatBecameOfABorderThatMovedIsTold) {
+  const Names args = {"flatten", "panel.obj", "--border", "3mm"};
+  Names with_json = args;
+  with_json.push_back("--json");
+  const auto json = planish(with_json).json();
+  const auto border = json["evolve"]["border"];
+  EXPECT_GT(border["max"], 0.3);
+  EXPECT_LE(border["max"], 3.0 * (1.0 + 1e-12));
+  EXPECT_GT(border["length_before"], 100.0);
+  EXPECT_NE(border["length_before"], border["length_after"]);
+  EXPECT_THAT(planish(args).out, HasSubstr("  border      moved by at most "));
+  EXPECT_THAT(content_of("panel-pattern/report.html"), HasSubstr("Border, largest move"));
+  const CliResult fixed = planish({"flatten", "panel.obj", "--json"});
+  EXPECT_FALSE(fixed.json()["evolve"].contains("border"));
+  EXPECT_THAT(content_of("panel-pattern/report.html"),
+              testing::Not(HasSubstr("Border, largest move")));
+}
+
 TEST_F(LimitFlags, FlattenTakesThemAsAutoByItself) {
   const CliResult result = planish({"flatten", "panel.obj", "--unit", "cm", "--max-strain", "2%",
                                     "--max-deviation", "5mm", "--min-angle", "1deg", "--json"});

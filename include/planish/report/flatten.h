@@ -41,6 +41,7 @@ struct EvolveReport {
   EvolveResult result;
   MeasuredPatch before, after;
   Deviation deviation;
+  std::optional<BorderChange> border = {};  ///< where the border moved
   /// Of the patch as it came, where remeshing took vertices out of it: then `before` is what it
   /// left, and the deviation that of the surfaces.
   std::optional<SizeBefore> remeshed_from = {};

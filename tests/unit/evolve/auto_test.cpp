@@ -84,8 +84,7 @@ TEST(Auto, EndsWhenTheStrainIsMetWithLessDeviation) {
     const EvolveResult result = run(mesh, {.max_strain = strain});
     EXPECT_EQ(result.stop, StopReason::strain_met) << strain;
     const TriMesh moved{result.positions, mesh.triangles};
-    const double left =
-        edge_strain(moved, connectivity, unfold(moved, connectivity).positions).rms;
+    const double left = edge_strain(moved, connectivity, unfold(moved, connectivity).positions).rms;
     EXPECT_LT(left, last) << strain;
     last = left;
   }

@@ -258,8 +258,8 @@ TEST(NormalSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
     const MatrixXd h(cost.hessian());
     for (Eigen::Index a = 0; a < m; ++a) {
       for (Eigen::Index b = 0; b < m; ++b)
-        whole(a, b) = stiffness * h(owner[a], owner[b]) *
-                      (a == b ? 1.0 : dot(directions[a], directions[b]));
+        whole(a, b) =
+            stiffness * h(owner[a], owner[b]) * (a == b ? 1.0 : dot(directions[a], directions[b]));
       for (const AngleJacobian::Entry& entry : laid.jacobian.column(owner[a])) {
         whole(m + entry.row, a) = whole(a, m + entry.row) =
             -unit * dot(laid.jacobian.gradient(entry.entry), directions[a]);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +15,41 @@ TriMesh moved(TriMesh mesh, Vec3 by) {
   for (Vec3& p : mesh.positions)
     p = p + by;
   return mesh;
+}
+
+TEST(BorderChange, IsNoneWhereOnlyInnerVerticesMoved) {
+  const TriMesh mesh = make_shape("dome", 300);
+  const Connectivity connectivity(mesh);
+  TriMesh after = mesh;
+  for (const Index v : connectivity.inner_vertices())
+    after.positions[v].z += 1.0;
+  EXPECT_FALSE(measure_border_change(mesh, after.positions, connectivity).has_value());
+}
+
+TEST(BorderChange, TellsTheFurthestMoveAndBothLengthsAtAnySize) {
+  const TriMesh dome = make_shape("dome", 300);
+  const Connectivity connectivity(dome);
+  double radius = 0.0, length = 0.0;
+  for (const auto& loop : connectivity.border_loops()) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vec3 p = dome.positions[loop[i]], q = dome.positions[loop[(i + 1) % loop.size()]];
+      radius = std::max(radius, std::hypot(p.x, p.y));
+      length += norm(q - p);
+    }
+  }
+  for (const double size : {1.0, 1e-200, 1e200}) {
+    TriMesh before = dome, after = dome;
+    for (std::size_t v = 0; v < dome.positions.size(); ++v) {
+      const Vec3 p = dome.positions[v];
+      before.positions[v] = size * p;
+      after.positions[v] = size * Vec3{1.25 * p.x, 1.25 * p.y, p.z};
+    }
+    const auto change = measure_border_change(before, after.positions, connectivity);
+    ASSERT_TRUE(change.has_value());
+    EXPECT_NEAR(change->max, 0.25 * radius * size, 1e-9 * radius * size);
+    EXPECT_NEAR(change->length_before, length * size, 1e-12 * length * size);
+    EXPECT_NEAR(change->length_after, 1.25 * length * size, 1e-9 * length * size);
+  }
 }
 
 TEST(SurfaceDeviation, IsNoneBetweenASurfaceAndItself) {

@@ -77,6 +77,19 @@ TEST(JsonReport, OfAPatchWithoutProblemsHasAnEmptyList) {
   EXPECT_EQ(Json::parse(json_report(samples::measured(1.0)))["problems"], Json::array());
 }
 
+TEST(JsonReport, TellsOfABorderOnlyWhereItMoved) {
+  EvolveReport report = samples::flatten_report().evolve;
+  EXPECT_FALSE(Json::parse(json_report(report)).contains("border"));
+  report.border = BorderChange{1.5, 100.0, 101.0};
+  report.method = Auto{.border = {BorderFreedom::Rule::within, 1.5}};
+  const Json json = Json::parse(json_report(report));
+  EXPECT_EQ(json["border"],
+            Json({{"max", 1.5}, {"length_before", 100.0}, {"length_after", 101.0}}));
+  EXPECT_EQ(json["options"]["border"], 1.5);
+  report.method = Auto{.border = {BorderFreedom::Rule::slide}};
+  EXPECT_EQ(Json::parse(json_report(report))["options"]["border"], "slide");
+}
+
 TEST(JsonReport, OfAnEvolutionHasTheKeysOfTheContract) {
   const Json json = Json::parse(json_report(samples::flatten_report().evolve));
   EXPECT_THAT(keys_of(json),

@@ -98,6 +98,7 @@ class AutoStepper {
     const std::unique_ptr<PatchState> found = std::move(coarse_);
     const double closeness = descent_->closeness(), sigma = descent_->sigma();
     const bool was_met = descent_->strain_is_met();
+    pull_back_.reset();
     descent_.reset();  // before the next: it is large
     --level_;
     open_level(closeness);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/angle_between.h"
 
@@ -49,8 +48,9 @@ void keep_order(std::vector<double>& slides, const Behind& behind, const Gap& ga
 
 }  // namespace
 
-BorderMotion::BorderMotion(const BorderFreedom& freedom, const PatchState& state)
-    : freedom_(freedom), state_(state) {
+BorderMotion::BorderMotion(const BorderFreedom& freedom, double most_deviation,
+                           const PatchState& state)
+    : freedom_(freedom), most_deviation_(most_deviation), state_(state) {
   if (!freedom.moves()) return;
   const auto& starts = state.border_starts();
   for (std::size_t l = 0; l + 1 < starts.size(); ++l) {
@@ -83,7 +83,8 @@ bool BorderMotion::is_corner(const Loop& loop, std::size_t i) const {
 
 const BorderMotion::Loop& BorderMotion::loop_of(Index v) const {
   const auto after =
-      std::find_if(loops_.begin(), loops_.end(), [&](const Loop& loop) { return loop.first > v; });
+      std::upper_bound(loops_.begin(), loops_.end(), v,
+                       [](Index vertex, const Loop& loop) { return vertex < loop.first; });
   return *std::prev(after);
 }
 
@@ -106,7 +107,8 @@ void BorderMotion::restrict(Places& places) const {
   for (auto v = static_cast<Index>(state_.inner_count()); v < vertex_count(); ++v) {
     const Vec3 away = places[v] - state_.origin(v);
     const double far = norm(away);
-    if (far > freedom_.distance) places[v] = state_.origin(v) + (freedom_.distance / far) * away;
+    const double most = std::min(freedom_.distance, most_deviation_);
+    if (far > most) places[v] = state_.origin(v) + (most / far) * away;
   }
 }
 
@@ -116,12 +118,13 @@ void BorderMotion::restrict_slides(const Loop& loop, Places& places) const {
   for (std::size_t i = 0; i < n; ++i) {
     const Index v = vertex_of(loop, i);
     if (marks_[v - state_.inner_count()] == 0) continue;
-    const double slide = slid_to(loop, i, places[v]);
+    // No place is further away than the way to it along the border.
+    const double slide = std::clamp(slid_to(loop, i, places[v]), -most_deviation_, most_deviation_);
     forward[i] = std::max(slide, 0.0);
     backward[i] = std::max(-slide, 0.0);
   }
-  const auto previous = [&](std::size_t i) { return (i + n - 1) % n; };
-  const auto next = [&](std::size_t i) { return (i + 1) % n; };
+  const auto previous = [&](std::size_t i) { return i > 0 ? i - 1 : n - 1; };
+  const auto next = [&](std::size_t i) { return i + 1 < n ? i + 1 : 0; };
   keep_order(forward, previous, [&](std::size_t i) { return loop.gaps[i]; });
   keep_order(backward, next, [&](std::size_t i) { return loop.gaps[previous(i)]; });
   for (std::size_t i = 0; i < n; ++i)
@@ -177,8 +180,8 @@ std::vector<Index> BorderMotion::at_limit() const {
   std::vector<Index> vertices;
   if (freedom_.rule != Rule::within) return vertices;
   for (auto v = static_cast<Index>(state_.inner_count()); v < vertex_count(); ++v) {
-    if (norm(state_.position(v) - state_.origin(v)) >= almost * freedom_.distance)
-      vertices.push_back(v);
+    const double most = std::min(freedom_.distance, most_deviation_);
+    if (norm(state_.position(v) - state_.origin(v)) >= almost * most) vertices.push_back(v);
   }
   return vertices;
 }

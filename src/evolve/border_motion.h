@@ -18,8 +18,9 @@ class BorderMotion {
  public:
   /// Takes the border from the state's origins.
   /// @param freedom its distance in the units of the state
+  /// @param most_deviation of any vertex, in these units
   /// @param state must outlive it
-  BorderMotion(const BorderFreedom& freedom, const PatchState& state);
+  BorderMotion(const BorderFreedom& freedom, double most_deviation, const PatchState& state);
 
   /// Inner vertices, and those of the border where they move.
   std::size_t vertex_count() const { return state_.inner_count() + marks_.size(); }
@@ -44,7 +45,7 @@ class BorderMotion {
     Index vertices[3];
     double weights[3];
   };
-  /// One for each vertex of the border where it moves.
+  /// One for each vertex of the border where it moves, but for those between two at its own place.
   std::vector<Bend> bends() const;
 
  private:
@@ -69,6 +70,7 @@ class BorderMotion {
   void restrict_slides(const Loop& loop, Places& places) const;
 
   BorderFreedom freedom_;
+  double most_deviation_;
   const PatchState& state_;
   std::vector<Loop> loops_;           // none where the border stays
   std::vector<unsigned char> marks_;  // see movable()

@@ -72,6 +72,7 @@ std::unique_ptr<PatchState> CoarseLevels::make_state(std::size_t level, ThreadPo
 
 void CoarseLevels::lift(std::size_t level, const PatchState& coarse, const ShapeCost& cost,
                         PatchState& fine, ThreadPool& pool) const {
+  const std::span<const unsigned char> movable = cost.movable();
   const std::vector<Index>& source = levels_[level - 1].patch.source;
   const std::size_t fine_vertices =
       level > 1 ? levels_[level - 2].patch.mesh.positions.size() : fine.vertex_count();
@@ -81,7 +82,9 @@ void CoarseLevels::lift(std::size_t level, const PatchState& coarse, const Shape
   Places moves(count);
   for (Index v = 0; v < coarse.vertex_count(); ++v) {
     const Index to = numbers[source[coarse.vertex_of(v)]];
-    if (to >= count) continue;
+    // What is a corner here, and must stay, may be none on the coarse level.
+    const bool stays = to < count && !fine.is_inner(to) && !movable[to];
+    if (to >= count || stays) continue;
     given[to] = 1;
     moves[to] = (fine.scale() / coarse.scale()) * (coarse.position(v) - coarse.origin(v));
   }

@@ -173,7 +173,9 @@ Places ShapeCost::gradient(const Places& x) const {
 }
 
 void ShapeCost::tighten(std::span<const Index> vertices, double factor) {
+  constexpr double dearest = 1e12;  // who was told so often stays anyway
   for (const Index v : vertices) {
+    if (pull_[v] > dearest) continue;
     hessian_.coeffRef(static_cast<int>(v), static_cast<int>(v)) += (factor - 1.0) * pull_[v];
     pull_[v] *= factor;
   }

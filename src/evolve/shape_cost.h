@@ -43,12 +43,14 @@ class ShapeCost {
   void scale_closeness(double factor);
 
   /// Moves that are as given at some vertices, nearly, and smooth between them: the least
-  /// |L u|^2 + |B u|^2 + |u - u_given|^2, zero where vertices may not move.
+  /// |L u|^2 + |B u|^2 + |u - u_given|^2, zero where vertices may not move and none is given.
   /// @param given whether the move of a vertex is; others of `moves` are not looked at
   Places spread(std::span<const unsigned char> given, const Places& moves, ThreadPool& pool) const;
 
   /// The mean length of an edge, which is the unit here.
   double unit() const { return unit_; }
+  /// By column of the jacobian, as it says.
+  std::span<const unsigned char> movable() const { return jacobian_.movable(); }
   /// Where the vertices were at first.
   const Places& origin() const { return origin_; }
 

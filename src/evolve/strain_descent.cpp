@@ -17,7 +17,7 @@ double sigma_unit(const PatchState& state) {
 
 /// True if the descent is to come as near as a limit of strain allows. Vertices held at a limit of
 /// deviation need a way around them that is smooth.
-bool goes_back(const DescentAims& aims, const DescentLimits& limits) {
+bool stays_near(const DescentAims& aims, const DescentLimits& limits) {
   return aims.max_strain > 0.0 && std::isinf(limits.deviation);
 }
 
@@ -25,13 +25,16 @@ bool goes_back(const DescentAims& aims, const DescentLimits& limits) {
 ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, double most_at_first,
                        double density) {
   ClosenessPace pace = aims.careful ? k_careful : k_smooth_first;
-  if (goes_back(aims, limits)) {
+  if (stays_near(aims, limits)) {
     pace.most = k_most_near * std::max(1.0, density * density);
     // Where little strain has to go, crumples may take it up at once.
     const double stays = most_at_first > 0.0 ? std::min(1.0, aims.max_strain / most_at_first) : 1.0;
     if (!aims.careful) pace.first = std::max(pace.first, k_first_near * stays * stays);
   }
-  if (aims.room > 1.0) pace.most *= aims.room * aims.room;
+  // Much room is not filled by weights that are right for a little.
+  constexpr double most_room = 10.0;
+  const double room = std::clamp(aims.room, 1.0, most_room);
+  pace.most *= room * room;
   return pace;
 }
 
@@ -48,7 +51,7 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       pool_(pool),
       aims_(aims),
       limits_(limits),
-      border_(limits.border, state),
+      border_(limits.border, limits.deviation, state),
       jacobian_(state, border_.movable()),
       potential_(jacobian_, state, pool),
       at_first_(potential_.solvable() ? strain_of(potential_.of(inner_defects(state)))
@@ -144,7 +147,7 @@ Places StrainDescent::within_limits(Places x) const {
   border_.restrict(x);
   if (std::isinf(limits_.deviation)) return x;
   const Places& origin = cost_.origin();
-  for (std::size_t v = 0; v < x.size(); ++v) {
+  for (std::size_t v = 0; v < state_.inner_count(); ++v) {
     const Vec3 away = x[v] - origin[v];
     const double far = norm(away);
     if (far > limits_.deviation) x[v] = origin[v] + (limits_.deviation / far) * away;
@@ -155,10 +158,12 @@ Places StrainDescent::within_limits(Places x) const {
 /// Tells the cost which vertices cannot go on, so that the next step finds another way.
 void StrainDescent::hold_far_vertices() {
   constexpr double almost = 0.99, dearer = 10.0;
-  cost_.tighten(border_.at_limit(), 4.0);
+  // Gently: a distance is short against what the border would go, and nearly all of it comes here.
+  constexpr double dearer_border = 4.0;
+  cost_.tighten(border_.at_limit(), dearer_border);
   if (std::isinf(limits_.deviation)) return;
   std::vector<Index> far;
-  for (Index v = 0; v < cost_.origin().size(); ++v) {
+  for (Index v = 0; v < state_.inner_count(); ++v) {
     if (norm(state_.position(v) - cost_.origin()[v]) >= almost * limits_.deviation)
       far.push_back(v);
   }
@@ -166,7 +171,7 @@ void StrainDescent::hold_far_vertices() {
   deviation_stopped_ = deviation_stopped_ || !far.empty();
 }
 
-/// The same, with slides that make them hold if a few do.
+/// Slides make angles hold if only a few did not.
 bool StrainDescent::angles_hold_after_slides() {
   constexpr int most_slides = 10;
   for (int i = 0; i < most_slides && !angles_hold(); ++i) {
@@ -268,7 +273,7 @@ void StrainDescent::follow_roughness() {
   constexpr double stiff = 4.0;
   const bool on_the_way = !to_limit_;
   // Crumples that are made on the way stay: where few should come along they wait for its end.
-  const bool may_wait = aims_.careful && goes_back(aims_, limits_);
+  const bool may_wait = aims_.careful && stays_near(aims_, limits_);
   const bool may_grow = stiffening_ < stiff && !(on_the_way && may_wait);
   const double next = control_.after_step(closeness_, on_the_way ? strain_to_go() : 0.0, may_grow);
   cost_.scale_closeness(next / closeness_);

@@ -97,7 +97,9 @@ class StrainDescent {
   /// Of the vertices that may move, from where they were at first, rms.
   double deviation() const;
   /// True if the limit of strain, where there is one, is met.
-  bool strain_is_met() const { return aims_.max_strain > 0.0 && strain_.most <= aims_.max_strain; }
+  bool strain_is_met() const {
+    return solvable() && aims_.max_strain > 0.0 && strain_.most <= aims_.max_strain;
+  }
   /// True if the patch is rougher than the room for roughness allows it to end.
   bool is_too_rough() const { return control_.is_too_rough(); }
   /// True if vertices came as far away as they may be.

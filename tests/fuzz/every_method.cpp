@@ -18,8 +18,10 @@ Method method_numbered(std::size_t number, std::index_sequence<I...>) {
 }
 
 bool border_stays(const Method& method) {
-  const auto* penalty = std::get_if<GlobalPenalty>(&method);
-  return penalty == nullptr || penalty->border == BorderRule::fixed;
+  if (const auto* penalty = std::get_if<GlobalPenalty>(&method))
+    return penalty->border == BorderRule::fixed;
+  if (const auto* descent = std::get_if<Auto>(&method)) return !descent->border.moves();
+  return true;
 }
 
 template <class Options>

@@ -33,8 +33,8 @@ struct EvolveResult {
 };
 
 /// Moves the inner vertices of a patch so that it gets closer to flattenable; triangles stay, and
-/// the border unless GlobalPenalty::border says otherwise. A patch that already meets the target is
-/// returned as it came, bit for bit.
+/// the border unless GlobalPenalty::border or Auto::border says otherwise. A patch that already
+/// meets the target is returned as it came, bit for bit.
 /// @param threads 0 for all cores; the result is the same for every number
 /// @throws Error option_out_of_range, as check_constraints(), or what stands in the way of
 /// Purpose::evolve

@@ -31,9 +31,9 @@ std::optional<BorderChange> measure_border_change(const TriMesh& before,
                                                   std::span<const Vec3> after,
                                                   const Connectivity& connectivity);
 
-/// How far a surface is from another one with the same border and other triangles: rms and largest
-/// over the inner vertices of `before`, to the nearest place of `after`; the largest also over the
-/// vertices of `after`, to `before`. Both have triangles. O(n log n) where they are near.
+/// How far a surface is from another one with nearly the same border and other triangles: rms and
+/// largest over the inner vertices of `before`, to the nearest place of `after`; the largest also
+/// over the vertices of `after`, to `before`. Both have triangles. O(n log n) where they are near.
 Deviation measure_surface_deviation(const TriMesh& before, const TriMesh& after);
 
 }  // namespace planish

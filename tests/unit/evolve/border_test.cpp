@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 #include <planish/evolve/evolve.h>
-#include <planish/measure/angle_defect.h>
+#include <planish/evolve/evolver.h>
 #include <planish/measure/deviation.h>
-#include <planish/measure/flattenability.h>
 #include <planish/mesh/shapes.h>
 
 #include <Eigen/Dense>
@@ -33,11 +32,12 @@ BorderFreedom within(double distance) {
 
 /// A patch with a border that may move, distances in the units of the state.
 struct Laid {
-  Laid(TriMesh m, const BorderFreedom& freedom, const Constraints& constraints = {})
+  Laid(TriMesh m, const BorderFreedom& freedom, const Constraints& constraints = {},
+       double most_deviation = std::numeric_limits<double>::infinity())
       : mesh(std::move(m)),
         connectivity(mesh),
         state(mesh, connectivity, pool, constraints),
-        border(freedom, state),
+        border(freedom, most_deviation, state),
         jacobian(state, border.movable()) {
     jacobian.update(pool);
   }
@@ -181,6 +181,40 @@ TEST(BorderMotion, KeepsTheDistance) {
     stopped += stops ? 1 : 0;
   }
   EXPECT_GT(stopped, 10);
+}
+
+TEST(BorderMotion, KeepsTheLimitOfDeviationToo) {
+  constexpr double most = 0.004;
+  for (const BorderFreedom& freedom : {k_slide, within(0.01)}) {
+    const Laid laid(make_shape("dome", 300), freedom, {}, most);
+    Places places =
+        sum_of(first_places(laid.state, laid.count()), 1.0, some_moves(laid.count(), 0.02));
+    laid.border.restrict(places);
+    double furthest = 0.0;
+    for (Index v = laid.first_border(); v < laid.count(); ++v)
+      furthest = std::max(furthest, norm(places[v] - laid.state.origin(v)));
+    EXPECT_LE(furthest, most * (1.0 + 1e-12));
+    EXPECT_GT(furthest, 0.5 * most);
+  }
+}
+
+TEST(BorderMotion, KeepsAFifthOfTheWayBetweenVerticesThatSlide) {
+  const Laid laid(make_shape("dome", 600), k_slide);
+  const Index first = laid.first_border();
+  const auto count = static_cast<Index>(laid.count() - first);
+  Places places = first_places(laid.state, laid.count());
+  // All of them to one place: who can come near it does.
+  for (Index v = first; v < laid.count(); ++v)
+    places[v] = laid.state.origin(first + count / 2);
+  laid.border.restrict(places);
+  double nearest = 1.0;
+  for (Index i = 0; i < count; ++i) {
+    const Index v = first + i, next = first + (i + 1) % count;
+    const double before = norm(laid.state.origin(next) - laid.state.origin(v));
+    nearest = std::min(nearest, norm(places[next] - places[v]) / before);
+  }
+  EXPECT_GE(nearest, 0.199);  // chords are shorter than the way
+  EXPECT_LT(nearest, 0.7);
 }
 
 TEST(BorderMotion, BendsNotWhereMovesGoEvenlyAlongTheBorder) {
@@ -339,6 +373,50 @@ TEST(Auto, MovesBordersOnAllLevelsWithTheSameBitsOnAnyNumberOfThreads) {
       EXPECT_LE(border_moved(mesh, result), 3.0 * (1.0 + 1e-12));
     }
   }
+}
+
+TEST(Auto, KeepsJaggedBordersOnTheirCurveOnAllLevels) {
+  TriMesh mesh = make_shape("panel", 9000);
+  const Connectivity connectivity(mesh);
+  // Every third vertex of the border is a corner now, though hardly any is one on coarser levels.
+  const auto& loop = connectivity.border_loops().front();
+  for (std::size_t i = 0; i < loop.size(); i += 3)
+    mesh.positions[loop[i]].z += 1.5;
+  const std::vector<Vec3> before = border_of(mesh, mesh.positions);
+  const EvolveResult result = run(mesh, k_slide);
+  EXPECT_GT(border_moved(mesh, result), 0.0);
+  for (const Vec3 p : border_of(mesh, result.positions))
+    EXPECT_LT(on_polygon(before, p).away, 1e-9 * bounding_box_diagonal(mesh));
+}
+
+TEST(Auto, KeepsBordersWhereTheyMayBeWhenCancelledOnACoarseLevel) {
+  const TriMesh mesh = make_shape("panel", 9000);
+  const std::vector<Vec3> before = border_of(mesh, mesh.positions);
+  for (const BorderFreedom& freedom : {k_slide, within(3.0)}) {
+    const Auto method{.max_deviation = 2.0, .border = freedom};
+    const auto soon = [](const SweepRecord& record) { return record.sweep < 4; };
+    const EvolveResult result = evolve(mesh, method, usual_stopping(method), soon);
+    EXPECT_EQ(result.stop, StopReason::cancelled);
+    EXPECT_GT(border_moved(mesh, result), 0.0);
+    EXPECT_LE(border_moved(mesh, result), 2.0 * (1.0 + 1e-12));
+    for (const Vec3 p : border_of(mesh, result.positions)) {
+      if (freedom == k_slide) {
+        EXPECT_LT(on_polygon(before, p).away, 1e-9 * bounding_box_diagonal(mesh));
+      }
+    }
+  }
+}
+
+TEST(Evolver, GoesOnAfterItSettledOnTheWayBack) {
+  const TriMesh mesh = make_shape("panel", 9000);
+  Evolver evolver(mesh, Connectivity(mesh), Auto{.max_strain = 0.004});
+  for (int i = 0; i < 12; ++i)
+    evolver.step();
+  evolver.settle();
+  evolver.settle();
+  evolver.step();
+  for (const Vec3 p : evolver.positions())
+    EXPECT_TRUE(std::isfinite(dot(p, p)));
 }
 
 }  // namespace

@@ -56,7 +56,10 @@ TEST(Frontier, LosesStrainAsDeviationGrows) {
   const auto& curve = panel_frontier().curve;
   for (std::size_t i = 1; i < curve.size(); ++i) {
     EXPECT_GE(curve[i].deviation.rms, curve[i - 1].deviation.rms) << i;
-    EXPECT_LE(curve[i].strain.rms, curve[i - 1].strain.rms * (1 + 1e-9)) << i;
+    // What is left where a point is flattenable already is chance.
+    if (!curve[i - 1].flattenable) {
+      EXPECT_LT(curve[i].strain.rms, curve[i - 1].strain.rms) << i;
+    }
   }
   EXPECT_TRUE(curve.back().flattenable);
   EXPECT_LT(curve.back().strain.max, 1e-4);

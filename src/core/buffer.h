@@ -1,19 +1,30 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
+#include <new>
 #include <span>
+#include <type_traits>
 
 namespace planish {
+
+/// Memory that nobody clears. The system hands a large piece out in large pages where it can: by
+/// small ones, first touching it takes longer than many a loop over it.
+/// @throws std::bad_alloc
+void* allocate_pages(std::size_t bytes, std::size_t alignment);
+/// @param bytes,alignment as it was asked for by
+void free_pages(void* memory, std::size_t bytes, std::size_t alignment) noexcept;
 
 /// A fixed number of elements that nobody clears: for large arrays that several threads fill, where
 /// clearing by one thread would take as long as the work of all.
 template <class T>
 class Buffer {
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
  public:
   Buffer() = default;
-  explicit Buffer(std::size_t size)
-      : elements_(std::make_unique_for_overwrite<T[]>(size)), size_(size) {}
+  explicit Buffer(std::size_t size) : elements_(allocate(size), Free{size}), size_(size) {}
 
   std::size_t size() const { return size_; }
   T* data() { return elements_.get(); }
@@ -26,7 +37,20 @@ class Buffer {
   const T* end() const { return data() + size_; }
 
  private:
-  std::unique_ptr<T[]> elements_;
+  struct Free {
+    std::size_t size = 0;
+    void operator()(T* elements) const noexcept {
+      free_pages(elements, size * sizeof(T), alignof(T));
+    }
+  };
+
+  static T* allocate(std::size_t size) {
+    if (size > std::numeric_limits<std::size_t>::max() / sizeof(T))
+      throw std::bad_array_new_length();
+    return static_cast<T*>(allocate_pages(size * sizeof(T), alignof(T)));
+  }
+
+  std::unique_ptr<T[], Free> elements_;
   std::size_t size_ = 0;
 };
 

@@ -47,7 +47,7 @@ class AutoStepper {
       : options_(options),
         state_(state),
         pool_(pool),
-        least_angle_(angle_to_keep(options, state)),
+        least_angle_(angle_to_keep(options, state, pool)),
         levels_(state),
         level_(levels_.coarsest()),
         careful_(levels_.coarsest() >= k_many_levels) {
@@ -67,10 +67,10 @@ class AutoStepper {
 
  private:
   /// Unless told: no needles, but for those that there are.
-  static double angle_to_keep(const Auto& options, const PatchState& state) {
+  static double angle_to_keep(const Auto& options, const PatchState& state, ThreadPool& pool) {
     constexpr double needle = 5.0;  // degrees
     if (options.min_angle > 0.0) return radians(options.min_angle);
-    return std::min(radians(needle), 0.5 * smallest_angle(state));
+    return std::min(radians(needle), 0.5 * smallest_angle(state, state.triangles(), pool));
   }
   static double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 

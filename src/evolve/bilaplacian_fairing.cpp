@@ -36,7 +36,7 @@ class FairingStepper {
   SweepOutcome step() {
     const Fairing fairing(state_, movable_, LaplacianWeights::thin_plate, pulls_, pool_);
     if (!fairing.solvable()) return {};
-    const Places before = inner_places(state_), after = fairing.apply(origins_);
+    const Places before = inner_places(state_), after = fairing.apply(origins_, pool_);
     const double rms =
         norm_of(sum_of(after, -1.0, before)) / std::sqrt(static_cast<double>(state_.inner_count()));
     const double smallest = options_.min_step * mean_edge(jacobian_, state_);

@@ -46,9 +46,10 @@ SparseMatrix graph_laplacian(const AngleJacobian& jacobian) {
 DefectPolish::DefectPolish(PatchState& state, ThreadPool& pool, const DescentLimits& limits)
     : state_(state),
       pool_(pool),
+      triangles_(state.triangles()),
       limits_(limits),
       least_(state, squeeze_of(state), k_max_step, pool) {
-  limits_.angle = std::min(limits_.angle, smallest_angle(state));
+  limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
   const SparseMatrix graph = graph_laplacian(least_.jacobian());
   least_.dual().damp_by(graph * graph, 1.0 / relative_density(state));
 }
@@ -129,10 +130,15 @@ void DefectPolish::stop_at_deviation() {
 }
 
 std::vector<Index> DefectPolish::at_sharp_triangles() const {
+  std::vector<unsigned char> sharp(triangles_.size());
+  pool_.for_ranges(triangles_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+      sharp[t] = smallest_angle(state_, triangles_[t]) >= limits_.angle ? 0 : 1;
+  });
   std::vector<Index> vertices;
-  for (const Triangle& t : state_.triangles()) {
-    if (smallest_angle(state_, t) >= limits_.angle) continue;
-    std::copy_if(t.begin(), t.end(), std::back_inserter(vertices),
+  for (std::size_t t = 0; t < sharp.size(); ++t) {
+    if (sharp[t] == 0) continue;
+    std::copy_if(triangles_[t].begin(), triangles_[t].end(), std::back_inserter(vertices),
                  [&](Index v) { return state_.is_inner(v); });
   }
   return vertices;

@@ -37,6 +37,7 @@ class DefectPolish {
 
   PatchState& state_;
   ThreadPool& pool_;
+  std::vector<Triangle> triangles_;
   DescentLimits limits_;
   LeastMove least_;
   double damping_ = 1e-2;

@@ -30,7 +30,9 @@ class DualSystem {
   bool factor(std::span<const double> squeeze, double mu, ThreadPool& pool);
 
   /// @pre factor() was true
-  Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return solver_.solve(right); }
+  Eigen::VectorXd solve(const Eigen::VectorXd& right, ThreadPool& pool) const {
+    return solver_.solve(right, pool);
+  }
 
  private:
   DualSystem(const AngleJacobian& jacobian, const PatchState& state, const Graph& rows);

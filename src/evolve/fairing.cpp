@@ -123,11 +123,11 @@ Fairing::Fairing(const PatchState& state, std::span<const unsigned char> movable
   solvable_ = solver_->factor(lower, pool);
 }
 
-std::vector<Vec3> Fairing::apply(std::vector<Vec3> targets) const {
+std::vector<Vec3> Fairing::apply(std::vector<Vec3> targets, ThreadPool& pool) const {
   Eigen::MatrixXd right = -held_share_;
   for (std::size_t i = 0; i < movable_.size(); ++i)
     right.row(static_cast<Eigen::Index>(i)) += pull_[i] * row_of(targets[movable_[i]]);
-  const Eigen::MatrixXd places = solver_->solve(right);
+  const Eigen::MatrixXd places = solver_->solve(right, pool);
   for (std::size_t i = 0; i < movable_.size(); ++i) {
     const auto row = places.row(static_cast<Eigen::Index>(i));
     targets[movable_[i]] = {row[0], row[1], row[2]};

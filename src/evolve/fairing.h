@@ -33,7 +33,7 @@ class Fairing {
   /// False where the system cannot be solved.
   bool solvable() const { return solvable_; }
   /// @param targets by inner vertex; those that are held stay at theirs
-  std::vector<Vec3> apply(std::vector<Vec3> targets) const;
+  std::vector<Vec3> apply(std::vector<Vec3> targets, ThreadPool& pool) const;
 
  private:
   std::vector<Index> movable_;  // vertices, in the order of the unknowns

@@ -67,7 +67,7 @@ class FlattenableStepper {
       base_ = inner_places(state_);
     ++steps_;
     if (!system_.factor(options_.damping, pool_)) return {};
-    const Places step = stopped(system_.solve(forces(), inner_defects(state_)));
+    const Places step = stopped(system_.solve(forces(), inner_defects(state_), pool_));
     const std::size_t moved =
         move_to(sum_of(inner_places(state_), options_.tau, step), jacobian_, state_);
     const double rms = norm_of(step) / std::sqrt(static_cast<double>(step.size()));

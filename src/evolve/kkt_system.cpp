@@ -105,7 +105,7 @@ bool KktSystem::factor(double mu, ThreadPool& pool) {
   return solver_.factor(lower_, pool);
 }
 
-Places KktSystem::solve(const Places& force, const Eigen::VectorXd& turn) const {
+Places KktSystem::solve(const Places& force, const Eigen::VectorXd& turn, ThreadPool& pool) const {
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(lower_.rows(), 1);
   for (Index v = 0; v < jacobian_.row_count(); ++v) {
     const bool movable = jacobian_.is_movable(v);
@@ -114,7 +114,7 @@ Places KktSystem::solve(const Places& force, const Eigen::VectorXd& turn) const 
     right(unknown(v, 2), 0) = movable ? force[v].z : 0.0;
     right(unknown(v, k_multiplier), 0) = turn[v];
   }
-  const Eigen::MatrixXd solution = solver_.solve(right);
+  const Eigen::MatrixXd solution = solver_.solve(right, pool);
   Places move(jacobian_.row_count());
   for (Index v = 0; v < move.size(); ++v) {
     move[v] = {solution(unknown(v, 0), 0), solution(unknown(v, 1), 0), solution(unknown(v, 2), 0)};

@@ -28,7 +28,7 @@ class KktSystem {
   bool factor(double mu, ThreadPool& pool);
 
   /// @pre factor() was true
-  Places solve(const Places& force, const Eigen::VectorXd& turn) const;
+  Places solve(const Places& force, const Eigen::VectorXd& turn, ThreadPool& pool) const;
 
  private:
   const AngleJacobian& jacobian_;

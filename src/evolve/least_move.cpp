@@ -15,7 +15,7 @@ LeastMove::LeastMove(PatchState& state, std::vector<double> squeeze, double max_
       dual_(jacobian_, state) {}
 
 Places LeastMove::to_turn(const Eigen::VectorXd& turn) const {
-  Places move = jacobian_.transposed_times(dual_.solve(turn));
+  Places move = jacobian_.transposed_times(dual_.solve(turn, pool_));
   for (std::size_t v = 0; v < move.size(); ++v)
     move[v] = squeeze_[v] * move[v];
   return move;

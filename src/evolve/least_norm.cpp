@@ -94,7 +94,7 @@ class LeastNormStepper {
       const double length = norm(move[v]), most = edges_at(v, least_.jacobian(), state_).mean;
       x[v] += (length > most ? most / length : 1.0) * move[v];
     }
-    return {move_to(fairing_->apply(std::move(x)), least_.jacobian(), state_)};
+    return {move_to(fairing_->apply(std::move(x), pool_), least_.jacobian(), state_)};
   }
 
   /// Levenberg and Marquardt's step, halved until the energy falls. The damping follows what the

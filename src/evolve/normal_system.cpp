@@ -122,14 +122,14 @@ bool NormalSystem::factor(std::span<const Vec3> directions, const SparseMatrix& 
   return solver_.factor(lower_, pool);
 }
 
-Eigen::VectorXd NormalSystem::solve(const Eigen::VectorXd& force,
-                                    const Eigen::VectorXd& turn) const {
+Eigen::VectorXd NormalSystem::solve(const Eigen::VectorXd& force, const Eigen::VectorXd& turn,
+                                    ThreadPool& pool) const {
   Eigen::VectorXd right(lower_.rows());
   for (int s = 0; s < force.size(); ++s)
     right[steps_.unknown(s)] = force[s];
   for (int v = 0; v < turn.size(); ++v)
     right[Steps::multiplier_of(v)] = turn[v];
-  const Eigen::MatrixXd solution = solver_.solve(right);
+  const Eigen::MatrixXd solution = solver_.solve(right, pool);
   Eigen::VectorXd steps(force.size());
   for (int s = 0; s < force.size(); ++s)
     steps[s] = solution(steps_.unknown(s), 0);

@@ -49,7 +49,8 @@ class NormalSystem {
   /// @return s, in units of length as given. @pre factor() was true
   /// @param force by direction
   /// @param turn by inner vertex
-  Eigen::VectorXd solve(const Eigen::VectorXd& force, const Eigen::VectorXd& turn) const;
+  Eigen::VectorXd solve(const Eigen::VectorXd& force, const Eigen::VectorXd& turn,
+                        ThreadPool& pool) const;
 
  private:
   const AngleJacobian& jacobian_;

@@ -201,7 +201,7 @@ Places ShapeCost::spread(std::span<const unsigned char> given, const Places& mov
   const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
   SparseLdlt solver(lower, nested_dissection(origin_, graph_of(matrix)));
   if (!solver.factor(lower, pool)) return Places(moves.size());
-  const Eigen::MatrixXd spread = solver.solve(right);
+  const Eigen::MatrixXd spread = solver.solve(right, pool);
   Places result(moves.size());
   for (int v = 0; v < n; ++v)
     result[v] = {spread(v, 0), spread(v, 1), spread(v, 2)};

@@ -1,13 +1,18 @@
 #pragma once
 
+#include <span>
+
+#include "core/thread_pool.h"
 #include "evolve/patch_state.h"
 
 namespace planish {
 
-/// Of all triangles, as the patch is, in radians; infinite without triangles.
-double smallest_angle(const PatchState& state);
+/// Of triangles in the numbers of the state, as the patch is, in radians; infinite without
+/// triangles.
+double smallest_angle(const PatchState& state, std::span<const Triangle> triangles,
+                      ThreadPool& pool);
 
-/// Of a triangle in the numbers of the state.
+/// Of one: the angle across from its shortest edge.
 double smallest_angle(const PatchState& state, const Triangle& triangle);
 
 }  // namespace planish

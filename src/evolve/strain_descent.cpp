@@ -51,10 +51,11 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       pool_(pool),
       aims_(aims),
       limits_(limits),
+      triangles_(state.triangles()),
       border_(limits.border, limits.deviation, state),
       jacobian_(state, border_.movable()),
       potential_(jacobian_, state, pool),
-      at_first_(potential_.solvable() ? strain_of(potential_.of(inner_defects(state)))
+      at_first_(potential_.solvable() ? strain_of(potential_.of(inner_defects(state), pool))
                                       : DescentStrain{}),
       pace_(pace_for(aims, limits, at_first_.most, relative_density(state))),
       control_(state, aims.room, pace_),
@@ -63,7 +64,8 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       square_(potential_.stiffness() * potential_.stiffness()),
       system_(jacobian_, state, cost_.hessian(), square_, border_.direction_count()),
       relaxation_(jacobian_, state) {
-  if (limits_.angle > 0.0) limits_.angle = std::min(limits_.angle, smallest_angle(state));
+  if (limits_.angle > 0.0)
+    limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
 }
 
 void StrainDescent::start(const DescentPace& pace) {
@@ -95,7 +97,7 @@ void StrainDescent::keep_to_limit(double sigma) {
 
 void StrainDescent::look() {
   state_.measure(pool_);
-  phi_ = potential_.of(inner_defects(state_));
+  phi_ = potential_.of(inner_defects(state_), pool_);
   strain_ = strain_of(phi_);
 }
 
@@ -137,7 +139,7 @@ Places StrainDescent::newton_step() {
   if (!system_.factor(directions, cost_.hessian(), square_, cost_.unit(), 1.0 + stiffening_, sigma_,
                       pool_))
     return step;
-  const Eigen::VectorXd along = system_.solve(force, -inner_defects(state_));
+  const Eigen::VectorXd along = system_.solve(force, -inner_defects(state_), pool_);
   for (std::size_t d = 0; d < directions.size(); ++d)
     step[vertex_of(d)] += (cost_.unit() * along[static_cast<Eigen::Index>(d)]) * directions[d];
   return step;
@@ -182,7 +184,7 @@ bool StrainDescent::angles_hold_after_slides() {
 }
 
 bool StrainDescent::angles_hold() {
-  return !(limits_.angle > 0.0) || smallest_angle(state_) >= limits_.angle;
+  return !(limits_.angle > 0.0) || smallest_angle(state_, triangles_, pool_) >= limits_.angle;
 }
 
 StrainDescent::Step StrainDescent::step() {

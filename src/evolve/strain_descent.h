@@ -127,6 +127,7 @@ class StrainDescent {
   ThreadPool& pool_;
   DescentAims aims_;
   DescentLimits limits_;
+  std::vector<Triangle> triangles_;
   BorderMotion border_;
   AngleJacobian jacobian_;
   StrainPotential potential_;

@@ -20,7 +20,9 @@ class StrainPotential {
   /// False where K cannot be factored.
   bool solvable() const { return solvable_; }
   /// @param defects by inner vertex, radians
-  Eigen::VectorXd of(const Eigen::VectorXd& defects) const { return solver_->solve(defects); }
+  Eigen::VectorXd of(const Eigen::VectorXd& defects, ThreadPool& pool) const {
+    return solver_->solve(defects, pool);
+  }
   /// K, both halves.
   const SparseMatrix& stiffness() const { return stiffness_; }
 

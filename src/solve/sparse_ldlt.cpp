@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "solve/front.h"
-#include "solve/subtrees.h"
 
 namespace planish {
 
@@ -207,72 +206,22 @@ FrontSpace SparseLdlt::space() const {
 }
 
 bool SparseLdlt::factor(const SparseMatrix& lower, ThreadPool& pool) {
-  panels_.resize(panel_start_.back());
+  if (panels_.size() == 0) panels_ = Buffer<double>(panel_start_.back());
   std::vector<FrontRoom> updates(tree_.count());  // what children leave to their parents
-  const Subtrees split = split_tree(tree_, pool.size());
+  split_ = split_tree(tree_, pool.size());
   std::atomic<bool> sound = true;
-  pool.for_ranges(split.parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+  pool.for_ranges(split_.parts.size(), 1, [&](std::size_t begin, std::size_t end) {
     ThreadPool alone(1);
     FrontSpace own = space();
     for (std::size_t part = begin; part < end; ++part) {
-      for (std::size_t s = split.parts[part].begin; s < split.parts[part].end && sound; ++s) {
+      for (std::size_t s = split_.parts[part].begin; s < split_.parts[part].end && sound; ++s) {
         if (!factor_node(lower, s, own, updates, alone)) sound = false;
       }
     }
   });
   FrontSpace own = space();
-  return sound && std::all_of(split.top.begin(), split.top.end(),
+  return sound && std::all_of(split_.top.begin(), split_.top.end(),
                               [&](Index s) { return factor_node(lower, s, own, updates, pool); });
-}
-
-/// Room for what any panel has below its own rows. Taken once: where memory ends while an Eigen
-/// matrix is resized, the old elements are freed twice.
-Eigen::MatrixXd SparseLdlt::room_below(Eigen::Index columns) const {
-  std::size_t most = 0;
-  for (std::size_t s = 0; s < tree_.count(); ++s)
-    most = std::max(most, tree_.rows(s).size());
-  return {static_cast<Eigen::Index>(most), columns};
-}
-
-void SparseLdlt::solve_forward(Eigen::MatrixXd& x) const {
-  Eigen::MatrixXd room = room_below(x.cols());
-  for (std::size_t s = 0; s < tree_.count(); ++s) {
-    const auto l = panel(s);
-    const auto rows = tree_.rows(s);
-    auto own = x.middleRows(tree_.first[s], l.cols());
-    l.topRows(l.cols()).triangularView<Eigen::UnitLower>().solveInPlace(own);
-    auto image = room.topRows(static_cast<Eigen::Index>(rows.size()));
-    image.noalias() = l.bottomRows(l.rows() - l.cols()) * own;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      x.row(rows[i]) -= image.row(static_cast<Eigen::Index>(i));
-  }
-}
-
-void SparseLdlt::solve_backward(Eigen::MatrixXd& x) const {
-  Eigen::MatrixXd room = room_below(x.cols());
-  for (std::size_t s = tree_.count(); s-- > 0;) {
-    const auto l = panel(s);
-    const auto rows = tree_.rows(s);
-    auto below = room.topRows(static_cast<Eigen::Index>(rows.size()));
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      below.row(static_cast<Eigen::Index>(i)) = x.row(rows[i]);
-    auto own = x.middleRows(tree_.first[s], l.cols());
-    own.noalias() -= l.bottomRows(l.rows() - l.cols()).transpose() * below;
-    l.topRows(l.cols()).transpose().triangularView<Eigen::UnitUpper>().solveInPlace(own);
-  }
-}
-
-Eigen::MatrixXd SparseLdlt::solve(const Eigen::MatrixXd& right) const {
-  Eigen::MatrixXd x(right.rows(), right.cols());
-  for (Eigen::Index i = 0; i < right.rows(); ++i)
-    x.row(place_[i]) = right.row(i);
-  solve_forward(x);
-  x.array().colwise() /= pivots_.array();
-  solve_backward(x);
-  Eigen::MatrixXd solution(right.rows(), right.cols());
-  for (Eigen::Index i = 0; i < right.rows(); ++i)
-    solution.row(i) = x.row(place_[i]);
-  return solution;
 }
 
 }  // namespace planish

@@ -8,8 +8,10 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include "core/buffer.h"
 #include "core/thread_pool.h"
 #include "solve/front.h"
+#include "solve/subtrees.h"
 #include "solve/supernodes.h"
 
 namespace planish {
@@ -37,6 +39,8 @@ class SparseLdlt {
   bool factor(const SparseMatrix& lower);
 
   /// X with A X = right, a column each. @pre factor() was true
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right, ThreadPool& pool) const;
+  /// The same on one thread.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
 
   /// How many pivots are negative: by Sylvester's law as many as eigenvalues. @pre factor() was
@@ -61,9 +65,13 @@ class SparseLdlt {
   /// @param updates what the supernodes leave to their parents; those of its children are used up
   bool factor_node(const SparseMatrix& lower, std::size_t node, FrontSpace& space,
                    std::vector<FrontRoom>& updates, ThreadPool& pool);
+  /// @param left what the rows below each supernode are to be lessened by
+  void solve_forward(std::size_t node, Eigen::MatrixXd& x, Eigen::Map<Eigen::MatrixXd>& left,
+                     ThreadPool& pool) const;
+  /// @param room for the rows below
+  void solve_backward(std::size_t node, Eigen::MatrixXd& x, Eigen::MatrixXd& room,
+                      ThreadPool& pool) const;
   Eigen::MatrixXd room_below(Eigen::Index columns) const;
-  void solve_forward(Eigen::MatrixXd& x) const;
-  void solve_backward(Eigen::MatrixXd& x) const;
 
   Supernodes tree_;
   std::vector<Index> first_child_, sibling_;  // of supernodes, Supernodes::k_root where none
@@ -78,8 +86,9 @@ class SparseLdlt {
   };
   std::vector<Entry> entries_;
   std::vector<std::size_t> entry_start_;
-  std::vector<double> panels_;
+  Buffer<double> panels_;
   Eigen::VectorXd pivots_;
+  Subtrees split_;  // by the pool that factored last; which one never shows in a result
 };
 
 }  // namespace planish

@@ -62,12 +62,12 @@ TEST(DefectPolish, KeepsLimitsAndWhatIsFixed) {
   Polished loose(mesh, {}, {.fixed = fixed});
   DescentLimits limits;
   limits.deviation = 0.02 * edge * loose.state.scale();
-  limits.angle = 0.9 * smallest_angle(loose.state);
+  limits.angle = 0.9 * smallest_angle(loose.state, loose.state.triangles(), loose.pool);
   Polished run(mesh, limits, {.fixed = fixed});
   for (int i = 0; i < 5; ++i)
     run.polish.cycle();
   EXPECT_EQ(run.polish.held_by(), StopReason::deviation_limit);
-  EXPECT_GE(smallest_angle(run.state), limits.angle);
+  EXPECT_GE(smallest_angle(run.state, run.state.triangles(), run.pool), limits.angle);
   double furthest = 0.0;
   for (std::size_t v = 0; v < run.state.inner_count(); ++v)
     furthest = std::max(furthest, norm(run.state.position(v) - run.state.origin(v)));

@@ -117,7 +117,7 @@ TEST_P(FairingKinds, EndAtTheMinimumOfWhatTheyMakeSmall) {
   Places targets = inner_places(patch.state);
   for (std::size_t v = 0; v < targets.size(); ++v)
     targets[v] += Vec3{0.0, 0.0, 0.02 * std::sin(7.0 * static_cast<double>(v))};
-  const Places faired = fairing.apply(targets);
+  const Places faired = fairing.apply(targets, patch.pool);
   const double least = merit(patch, targets, faired, GetParam());
   EXPECT_LT(least, 0.9 * merit(patch, targets, targets, GetParam()));
   Places direction(faired.size());
@@ -137,7 +137,7 @@ TEST_P(FairingKinds, LeaveWhatIsHeldAtItsTarget) {
   patch.movable[5] = patch.movable[50] = 0;
   const Fairing fairing(patch.state, patch.movable, GetParam(), patch.weights, patch.pool);
   const Places targets = inner_places(patch.state);
-  const Places faired = fairing.apply(targets);
+  const Places faired = fairing.apply(targets, patch.pool);
   EXPECT_EQ(faired[5], targets[5]);
   EXPECT_EQ(faired[50], targets[50]);
   EXPECT_NE(faired, targets);

@@ -81,7 +81,7 @@ TEST(KktSystem, SolvesWhatADenseSolverSolves) {
   ASSERT_TRUE(system.factor(mu, patch.pool));
   const Places forces = some_forces(patch.state.inner_count());
   const VectorXd turn = VectorXd::LinSpaced(n, -0.1, 0.2);
-  const VectorXd move = Patch::flat(system.solve(forces, turn));
+  const VectorXd move = Patch::flat(system.solve(forces, turn, patch.pool));
 
   const MatrixXd h = MatrixXd(hessian).selfadjointView<Eigen::Lower>();
   MatrixXd kkt = MatrixXd::Zero(4 * n, 4 * n);
@@ -117,7 +117,7 @@ TEST(DualSystem, SolvesWhatADenseSolverSolves) {
     std::sort(sorted.data(), sorted.data() + n);
     dense.diagonal().array() += mu * sorted[n / 2];
     const VectorXd expected = dense.ldlt().solve(right);
-    EXPECT_LT((system.solve(right) - expected).norm(), 1e-10 * expected.norm()) << mu;
+    EXPECT_LT((system.solve(right, patch.pool) - expected).norm(), 1e-10 * expected.norm()) << mu;
   }
 }
 
@@ -150,7 +150,7 @@ TEST(DualSystem, IsDampedByWhatItIsTold) {
   ASSERT_TRUE(system.factor(squeeze, mu, patch.pool));
   const VectorXd right = VectorXd::LinSpaced(n, 1.0, -2.0);
   const VectorXd expected = dense.ldlt().solve(right);
-  EXPECT_LT((system.solve(right) - expected).norm(), 1e-10 * expected.norm());
+  EXPECT_LT((system.solve(right, patch.pool) - expected).norm(), 1e-10 * expected.norm());
 }
 
 TEST(AngleJacobian, MultipliesAsItsDenseTwin) {

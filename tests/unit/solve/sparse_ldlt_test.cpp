@@ -133,7 +133,34 @@ TEST(SparseLdlt, GivesTheSameBitsForEveryNumberOfThreads) {
       ThreadPool pool(threads);
       ASSERT_TRUE(solver.factor(a, pool));
       EXPECT_EQ(solver.solve(right), alone) << threads;
+      EXPECT_EQ(solver.solve(right, pool), alone) << threads;
     }
+  }
+}
+
+// Two fronts with 400 columns and 1,100 rows below each, and a root.
+TEST(SparseLdlt, GivesTheSameBitsForEveryNumberOfThreadsInLargeFronts) {
+  constexpr int leaf = 400, root = 1100, size = 2 * leaf + root;
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int j = 0; j < size; ++j) {
+    entries.emplace_back(j, j, size);
+    for (int i = j + 1; i < size; ++i) {
+      if (j >= leaf || i < leaf || i >= 2 * leaf) entries.emplace_back(i, j, value(random));
+    }
+  }
+  SparseMatrix a(size, size);
+  a.setFromTriplets(entries.begin(), entries.end());
+  const MatrixXd right = MatrixXd::Random(size, 3);
+  SparseLdlt solver(a);
+  ASSERT_TRUE(solver.factor(a));
+  const MatrixXd alone = solver.solve(right);
+  EXPECT_LT(residual(a, alone, right), 1e-12);
+  for (const unsigned threads : {2U, 3U, 8U}) {
+    ThreadPool pool(threads);
+    ASSERT_TRUE(solver.factor(a, pool));
+    EXPECT_EQ(solver.solve(right, pool), alone) << threads;
   }
 }
 

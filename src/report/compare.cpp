@@ -94,10 +94,12 @@ class Comparison {
 
   std::optional<UnfoldReport> unfolded(const TriMesh& mesh, std::string_view name) {
     double left = 1.0;  // how many steps it will take is not known
-    return unfold_patch(mesh, options_.unit, [&](int /*step*/, double /*energy*/) {
-      left *= 0.9;
-      return tell(FlattenStage::unfolding, name, 1.0 - left);
-    });
+    return unfold_patch(mesh, options_.unit,
+                        [&](int /*step*/, double /*energy*/) {
+                          left *= 0.9;
+                          return tell(FlattenStage::unfolding, name, 1.0 - left);
+                        },
+                        {.threads = options_.threads});
   }
 
   CompareReport& report_;

@@ -116,7 +116,8 @@ std::optional<std::pair<UnfoldReport, UnfoldReport>> unfold_both(const TriMesh& 
     return tell();
   };
   const auto unfold_before = [&] {
-    return unfold_patch(before, unit, [&](int, double) { return !cancelled; });
+    return unfold_patch(before, unit, [&](int, double) { return !cancelled; },
+                        {.threads = how.threads});
   };
   auto aside = at_once ? start(unfold_before) : std::nullopt;
   MaybeUnfolded first, second;
@@ -131,7 +132,7 @@ std::optional<std::pair<UnfoldReport, UnfoldReport>> unfold_both(const TriMesh& 
       tell();
     first = aside->get();
   } else if (second) {
-    first = unfold_patch(before, unit, on_step);
+    first = unfold_patch(before, unit, on_step, {.threads = how.threads});
   }
   if (!first || !second) return std::nullopt;
   return std::pair{*std::move(first), *std::move(second)};
@@ -176,7 +177,7 @@ std::optional<FlattenReport> flatten(TriMesh mesh, std::string name, const Flatt
   report.processed = {report.evolve.result.positions, report.input.triangles};
 
   auto patterns = unfold_both(report.input, report.processed, options.unit,
-                              {.match_seams = options.match_seams},
+                              {.match_seams = options.match_seams, .threads = options.threads},
                               report.evolve.result.threads > 1, on_progress);
   if (!patterns) return std::nullopt;
   report.unfold_before = std::move(patterns->first);

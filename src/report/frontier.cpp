@@ -87,7 +87,8 @@ std::optional<FrontierReport> frontier(TriMesh mesh, std::string name,
   const auto tell = [&] { return !on_progress || on_progress(FlattenStage::unfolding, "", 0.0); };
   if (!tell()) return std::nullopt;
   const auto before =
-      unfold_patch(mesh, options.unit, [&](int /*step*/, double /*energy*/) { return tell(); });
+      unfold_patch(mesh, options.unit, [&](int /*step*/, double /*energy*/) { return tell(); },
+                   {.threads = options.threads});
   if (!before) return std::nullopt;
 
   auto compared = compare(std::move(mesh), std::move(name), runs_of(options, before->strain.max),

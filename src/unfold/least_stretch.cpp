@@ -113,6 +113,8 @@ class NewtonSystem {
 /// Finds one Newton step after another with a factor of one of their matrices.
 class LaggedSolver {
  public:
+  explicit LaggedSolver(ThreadPool& pool) : pool_(pool) {}
+
   /// The step from there, of which the system is left as solved; an empty vector where the matrix
   /// cannot be factored.
   Eigen::VectorXd step(NewtonSystem& system, const std::vector<Vec2>& flat) {
@@ -123,9 +125,9 @@ class LaggedSolver {
     }
     system.assemble(flat, Curvature::projected);
     if (!factor_) factor_.emplace(system.hessian());
-    factored_ = factor_->factor(system.hessian());
+    factored_ = factor_->factor(system.hessian(), pool_);
     if (!factored_) return {};
-    return factor_->solve(-system.gradient());
+    return factor_->solve(-system.gradient(), pool_);
   }
 
  private:
@@ -135,7 +137,7 @@ class LaggedSolver {
     constexpr double enough = 1e-2;  // of the residual: Newton's own error is of that kind
     const auto matrix = lower.selfadjointView<Eigen::Lower>();
     Eigen::VectorXd x = Eigen::VectorXd::Zero(right.size());
-    Eigen::VectorXd residual = right, z = factor_->solve(residual), direction = z;
+    Eigen::VectorXd residual = right, z = factor_->solve(residual, pool_), direction = z;
     double rz = residual.dot(z);
     const double first = rz;
     for (int step = 0; step < most_steps; ++step) {
@@ -144,7 +146,7 @@ class LaggedSolver {
       if (!std::isfinite(length) || length <= 0.0) return {};
       x += length * direction;
       residual -= length * image;
-      z = factor_->solve(residual);
+      z = factor_->solve(residual, pool_);
       const double next = residual.dot(z);
       if (next <= enough * enough * first) return x;
       direction = z + (next / rz) * direction;
@@ -153,6 +155,7 @@ class LaggedSolver {
     return {};
   }
 
+  ThreadPool& pool_;
   std::optional<SparseLdlt> factor_;
   bool factored_ = false;
 };
@@ -160,12 +163,12 @@ class LaggedSolver {
 }  // namespace
 
 LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max_iterations,
-                              const std::function<bool(int, double)>& on_step) {
+                              ThreadPool& pool, const std::function<bool(int, double)>& on_step) {
   // A stretch of 1e-9 everywhere is none; and what a further step would gain must be worth it.
   constexpr double no_energy = 4e-18, least_gain = 1e-6, least_fall = 1e-4;
   LeastStretch result{turn_to_axis(disk, std::move(start)), 0, false};
   NewtonSystem system(disk);
-  LaggedSolver solver;
+  LaggedSolver solver(pool);
   double energy = total_energy(disk, result.flat);
   for (; result.iterations < max_iterations; ++result.iterations) {
     if ((result.converged = energy <= no_energy)) break;

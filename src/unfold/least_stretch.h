@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/thread_pool.h"
 #include "unfold/disk.h"
 
 namespace planish {
@@ -19,6 +20,6 @@ struct LeastStretch {
 /// one, preconditioned by that factor, until it no longer serves.
 /// @param on_step called after each step with its number and the energy (area 1); false ends
 LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max_iterations,
-                              const std::function<bool(int, double)>& on_step);
+                              ThreadPool& pool, const std::function<bool(int, double)>& on_step);
 
 }  // namespace planish

@@ -38,8 +38,11 @@ struct Place {
 
 class Descent {
  public:
-  Descent(const Disk& disk, std::span<const double> lengths, std::vector<Vec2> start)
-      : disk_(disk), system_(disk, lengths), at_(place(turn_to_axis(disk, std::move(start)))) {
+  Descent(const Disk& disk, std::span<const double> lengths, std::vector<Vec2> start,
+          ThreadPool& pool)
+      : disk_(disk),
+        system_(disk, lengths, pool),
+        at_(place(turn_to_axis(disk, std::move(start)))) {
     pulls_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(lengths.size()));
   }
 
@@ -175,11 +178,11 @@ std::vector<Vec2> circle_start(const Disk& disk, std::span<const double> lengths
 }
 
 MatchedBorder match_border(const Disk& disk, std::span<const double> lengths,
-                           std::vector<Vec2> start, int max_iterations,
+                           std::vector<Vec2> start, int max_iterations, ThreadPool& pool,
                            const std::function<bool(int, double)>& on_step) {
   // As for the pattern of least stretch.
   constexpr double no_energy = 4e-18, least_gain = 1e-6, least_fall = 1e-4;
-  Descent descent(disk, lengths, std::move(start));
+  Descent descent(disk, lengths, std::move(start), pool);
   MatchedBorder matched;
   for (int& taken = matched.result.iterations; taken < max_iterations;) {
     const auto step = descent.step();

@@ -19,7 +19,7 @@ struct MatchedBorder {
   bool matched = false;
 };
 MatchedBorder match_border(const Disk& disk, std::span<const double> lengths,
-                           std::vector<Vec2> start, int max_iterations,
+                           std::vector<Vec2> start, int max_iterations, ThreadPool& pool,
                            const std::function<bool(int, double)>& on_step);
 
 /// A flat disk whose border edges have the lengths given, however stretched the inside is: the

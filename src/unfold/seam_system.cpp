@@ -25,8 +25,9 @@ BorderEdge border_edge(const Disk& disk, std::size_t k) {
 
 }  // namespace
 
-SeamSystem::SeamSystem(const Disk& disk, std::span<const double> lengths)
+SeamSystem::SeamSystem(const Disk& disk, std::span<const double> lengths, ThreadPool& pool)
     : disk_(disk),
+      pool_(pool),
       lengths_(lengths),
       unknowns_(disk),
       column_(2 * disk.vertex_count, Unknowns::k_fixed),
@@ -179,7 +180,7 @@ bool SeamSystem::factor(const std::vector<Vec2>& flat, const Eigen::VectorXd& pu
   }
   add_lengths(flat);
   if (!solver_) solver_.emplace(lower_);  // unknowns are in order of elimination
-  return solver_->factor(lower_) && solver_->negative_pivots() == disk_.border.size();
+  return solver_->factor(lower_, pool_) && solver_->negative_pivots() == disk_.border.size();
 }
 
 std::vector<Vec2> SeamSystem::spread(const Eigen::VectorXd& solution) const {
@@ -199,9 +200,9 @@ SeamSystem::Step SeamSystem::step(const Eigen::VectorXd& gaps) const {
     right[pull_column_[k]] = -gaps[i] - k_give * pulls_[i];
   }
   const auto matrix = lower_.selfadjointView<Eigen::Lower>();
-  Eigen::VectorXd solution = solver_->solve(right);
+  Eigen::VectorXd solution = solver_->solve(right, pool_);
   const Eigen::VectorXd rest = right - matrix * solution;
-  solution += solver_->solve(rest);
+  solution += solver_->solve(rest, pool_);
   Step step;
   step.sound = (right - matrix * solution).norm() <= 1e-3 * right.norm();
   step.move = spread(solution);
@@ -218,7 +219,7 @@ std::vector<Vec2> SeamSystem::correction(const Eigen::VectorXd& change) const {
   Eigen::VectorXd right = Eigen::VectorXd::Zero(lower_.rows());
   for (std::size_t k = 0; k < pull_column_.size(); ++k)
     right[pull_column_[k]] = change[static_cast<Eigen::Index>(k)];
-  return spread(solver_->solve(right));
+  return spread(solver_->solve(right, pool_));
 }
 
 }  // namespace planish

@@ -20,7 +20,9 @@ namespace planish {
 class SeamSystem {
  public:
   /// @param lengths of the sides from border[k] to border[k + 1]; must outlive it, as must the disk
-  SeamSystem(const Disk& disk, std::span<const double> lengths);
+  /// and
+  ///   the pool
+  SeamSystem(const Disk& disk, std::span<const double> lengths, ThreadPool& pool);
 
   /// Length less wanted length of each border edge.
   Eigen::VectorXd gaps(const std::vector<Vec2>& flat) const;
@@ -53,6 +55,7 @@ class SeamSystem {
   void for_pairs(const Triangle& tri, Visit visit) const;
 
   const Disk& disk_;
+  ThreadPool& pool_;
   std::span<const double> lengths_;
   Unknowns unknowns_;                         // tells what is held; its numbers are not these
   std::vector<int> column_;                   // of x and y of each vertex, k_fixed where held

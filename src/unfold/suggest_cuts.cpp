@@ -156,7 +156,8 @@ class CutSearch {
     const Connectivity connectivity(mesh);
     Flat flat{{}, {.max = k_cannot_lie_flat, .rms = k_cannot_lie_flat, .p99 = k_cannot_lie_flat}};
     try {
-      flat.pattern = unfold(mesh, connectivity, {}, [this](int, double) { return goes_on(); });
+      flat.pattern =
+          unfold(mesh, connectivity, {.threads = 1}, [this](int, double) { return goes_on(); });
       flat.strain = edge_strain(mesh, connectivity, flat.pattern.positions);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::unfold_failed) throw;
@@ -178,7 +179,7 @@ class CutSearch {
     found_.first = with_paths();
     if (found_.first.pattern.positions.empty()) {
       // Nothing to begin with: the same words as without a search.
-      unfold(found_.first.cut.mesh, Connectivity(found_.first.cut.mesh));
+      unfold(found_.first.cut.mesh, Connectivity(found_.first.cut.mesh), {.threads = 1});
     }
     if (!found_.cuts.empty()) found_.cuts.back().after = found_.first.strain;
     found_.last = found_.first;

@@ -31,7 +31,8 @@ std::vector<Vec2> find_start(const Disk& disk) {
 
 /// Goes on from the pattern of least stretch to the one that keeps the border's lengths.
 LeastStretch with_matched_border(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
-                                 const UnfoldOptions& options, const OnUnfoldStep& on_step) {
+                                 const UnfoldOptions& options, ThreadPool& pool,
+                                 const OnUnfoldStep& on_step) {
   const std::vector<double> lengths = border_lengths(mesh, disk);
   int steps = least.iterations;
   bool cancelled = false;
@@ -40,11 +41,12 @@ LeastStretch with_matched_border(const TriMesh& mesh, const Disk& disk, const Le
     cancelled = on_step && !on_step(steps, energy);
     return !cancelled;
   };
-  MatchedBorder matched = match_border(disk, lengths, least.flat, options.max_iterations, count);
+  MatchedBorder matched =
+      match_border(disk, lengths, least.flat, options.max_iterations, pool, count);
   if (!matched.matched && !cancelled) {
     std::vector<Vec2> start = circle_start(disk, lengths);
     if (all_upright(disk, start)) {
-      matched = match_border(disk, lengths, std::move(start), options.max_iterations, count);
+      matched = match_border(disk, lengths, std::move(start), options.max_iterations, pool, count);
     }
   }
   if (!matched.matched && !cancelled) {
@@ -76,13 +78,15 @@ Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity, const Unfo
                                           " vertices; simplify the mesh");
   }
   const Disk disk = make_disk(mesh, connectivity);
-  LeastStretch flat = minimise_stretch(disk, find_start(disk), options.max_iterations, on_step);
+  ThreadPool pool(options.threads);
+  LeastStretch flat =
+      minimise_stretch(disk, find_start(disk), options.max_iterations, pool, on_step);
   Pattern pattern;
   if (options.match_seams) {
     pattern.unmatched.resize(mesh.positions.size());
     for (std::size_t v = 0; v < disk.vertex_count; ++v)
       pattern.unmatched[disk.vertex_of[v]] = in_model_units(disk, flat.flat[v]);
-    flat = with_matched_border(mesh, disk, flat, options, on_step);
+    flat = with_matched_border(mesh, disk, flat, options, pool, on_step);
   }
 
   std::vector<Vec2> outline;

@@ -60,7 +60,8 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
   check_format(output);
   const Unit unit = unit_from(arguments);
   const PatternOutput how = output_from(arguments);
-  const UnfoldOptions unfold_options = {.match_seams = arguments.has("--match-seams")};
+  const UnfoldOptions unfold_options = {.match_seams = arguments.has("--match-seams"),
+                                        .threads = session.threads()};
   PatternOptions furniture = furniture_from(arguments, pattern_format_of(output).has_value());
 
   const std::string& path = arguments.operands.front();

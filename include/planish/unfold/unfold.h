@@ -12,6 +12,7 @@ struct UnfoldOptions {
   /// Every border edge keeps its length, so that borders which are sewn together stay equally long;
   /// what stretch there is lies inside.
   bool match_seams = false;
+  unsigned threads = 0;  ///< 0 for all cores; the result is the same for every number
 };
 
 /// A patch laid flat, in the plane and true to scale, in model units. It is turned so that its

@@ -89,10 +89,11 @@ TEST(Unfold, FindsTheSameMinimumFromBothStarts) {
   for (std::size_t v = 0; v < tutte.size(); ++v)
     apart = std::max(apart, norm(tutte[v] - conformal[v]));
   EXPECT_GT(apart, 0.01) << "the starts are to differ";
+  ThreadPool pool(1);
   const auto energy_from = [&](const std::vector<Vec2>& start) {
     double last = 0.0;
     const auto on_step = [&last](int, double energy) { return last = energy, true; };
-    EXPECT_TRUE(minimise_stretch(disk, start, 200, on_step).converged);
+    EXPECT_TRUE(minimise_stretch(disk, start, 200, pool, on_step).converged);
     return last;
   };
   const double energy = energy_from(conformal);

@@ -5,8 +5,8 @@
 
 Each update of least_norm is run with its usual steps; where it ends there are a strain (rms, of the
 unfolded pattern), a deviation (rms) and a roughness. auto is run for a few limits of strain, then
-for some between the two around that strain. Its deviation at that strain is the least of a run with
-no more strain, or between two neighbouring runs on a line over the logarithm of strain. All strain
+for some between the two around that strain. What counts is the least deviation of its runs with no
+more strain: nothing is read off between runs. All strain
 below 0.01 % counts as equal, and where auto without a limit ends below 0.1 %, all below that. Where the update is nearer and rougher than
 auto may get unless told, auto is run again with as much room for roughness (--closeness) as the
 update took, and twice that, as it seldom takes all; what ends rougher than the update does not
@@ -27,6 +27,7 @@ from auto_table import PAGE, flatten, line
 BEGIN, END = "<!-- equal: begin -->", "<!-- equal: end -->"
 UPDATES = ("direct", "uniform", "cotangent")
 LIMITS = (1.0, 0.3, 0.1, 0.03, 0.01)
+LEAST_LIMIT = 1e-4
 FLAT, NEARLY_FLAT = 1e-4, 1e-3
 ROUNDING = 1.0 + 1e-6
 
@@ -65,28 +66,22 @@ class Runs:
         return self(patch, tag, *flags)
 
 
-def deviation_at(strain, runs):
-    """Of auto at a strain, from its runs; infinite where none has so little."""
-    runs = sorted((run.strain, run.deviation) for run in runs)
-    within = [d for s, d in runs if s <= strain]
-    best = min(within, default=math.inf)
-    above = [run for run in runs if run[0] > strain]
-    if within and above and runs[len(within) - 1][0] > 0.0:
-        (s, d), (s_above, d_above) = runs[len(within) - 1], above[0]
-        share = math.log(strain / s) / math.log(s_above / s)
-        best = min(best, d + share * (d_above - d))
-    return best
+def deviation_within(strain, runs):
+    """The least of auto's runs with no more strain; infinite where there is none."""
+    return min((run.deviation for run in runs if run.strain <= strain * ROUNDING), default=math.inf)
 
 
-def refined(runs, patch, found, strain, times, closeness=1.0):
-    """Adds runs with limits between the two around a strain.
+def refined(runs, patch, found, strain, deviation, times, closeness=1.0):
+    """Adds runs with limits between the two around a strain, until one is as near with no more.
     @param found limit -> run"""
     for _ in range(times):
+        if deviation_within(strain, found.values()) <= deviation * ROUNDING:
+            return
         low = max((limit for limit, run in found.items() if limit and run.strain <= strain), default=0)
         high = min((limit for limit, run in found.items() if run.strain > strain and limit > low), default=0)
-        if low == 0 or high == 0 or high < 1.05 * low:
+        if high == 0 or high < max(1.02 * low, LEAST_LIMIT):
             return
-        middle = float(f"{math.sqrt(low * high):.4g}")
+        middle = float(f"{math.sqrt(low * high) if low else high / 3.0:.4g}")
         run = runs.auto(patch, middle, closeness)
         if not run:
             return
@@ -106,9 +101,9 @@ def as_rough(runs, patch, update, strain, usual):
     for room in (closeness, 2.0 * closeness):
         found = {limit: runs.auto(patch, limit, room) for limit in (0.0, *around)}
         found = {limit: run for limit, run in found.items() if run}
-        refined(runs, patch, found, strain, 2, room)
+        refined(runs, patch, found, strain, update.deviation, 3, room)
         smooth = [run for run in found.values() if run.roughness <= update.roughness]
-        best = min(best, deviation_at(strain, smooth))
+        best = min(best, deviation_within(strain, smooth))
     return best
 
 
@@ -118,15 +113,17 @@ def compare(runs, patch):
     auto = {limit: runs.auto(patch, limit) for limit in (*LIMITS, 0.0)}
     auto = {limit: run for limit, run in auto.items() if run}
     least = max(FLAT, auto[0.0].strain) if 0.0 in auto else math.inf
+    updates = [runs(patch, update, "--method", "least_norm", "--update", update) for update in UPDATES]
+    strains = [max(run.strain, least if least <= NEARLY_FLAT else FLAT) if run else None for run in updates]
+    for ended, strain in zip(updates, strains):
+        if ended:
+            refined(runs, patch, auto, strain, ended.deviation, 6)
     rows = []
-    for update in UPDATES:
-        ended = runs(patch, update, "--method", "least_norm", "--update", update)
+    for ended, strain in zip(updates, strains):
         if not ended:
             rows.append(None)
             continue
-        strain = max(ended.strain, least if least <= NEARLY_FLAT else FLAT)
-        refined(runs, patch, auto, strain, 3)
-        ours = deviation_at(strain, auto.values())
+        ours = deviation_within(strain, auto.values())
         rough = None
         if ours > ended.deviation * ROUNDING:
             rough = as_rough(runs, patch, ended, strain, auto)

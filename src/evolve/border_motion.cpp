@@ -50,7 +50,9 @@ void keep_order(std::vector<double>& slides, const Behind& behind, const Gap& ga
 
 BorderMotion::BorderMotion(const BorderFreedom& freedom, double most_deviation,
                            const PatchState& state)
-    : freedom_(freedom), most_deviation_(most_deviation), state_(state) {
+    : rule_(freedom.rule),
+      reach_(rule_ == Rule::within ? std::min(freedom.distance, most_deviation) : most_deviation),
+      state_(state) {
   if (!freedom.moves()) return;
   const auto& starts = state.border_starts();
   for (std::size_t l = 0; l + 1 < starts.size(); ++l) {
@@ -72,7 +74,7 @@ BorderMotion::BorderMotion(const BorderFreedom& freedom, double most_deviation,
 
 int BorderMotion::direction_count() const {
   if (loops_.empty()) return 0;
-  return freedom_.rule == Rule::slide ? 1 : 3;
+  return rule_ == Rule::slide ? 1 : 3;
 }
 
 bool BorderMotion::is_corner(const Loop& loop, std::size_t i) const {
@@ -89,7 +91,7 @@ const BorderMotion::Loop& BorderMotion::loop_of(Index v) const {
 }
 
 Vec3 BorderMotion::direction(Index v, int which) const {
-  if (freedom_.rule == Rule::within) {
+  if (rule_ == Rule::within) {
     return {which == 0 ? 1.0 : 0.0, which == 1 ? 1.0 : 0.0, which == 2 ? 1.0 : 0.0};
   }
   const Loop& loop = loop_of(v);
@@ -99,7 +101,7 @@ Vec3 BorderMotion::direction(Index v, int which) const {
 }
 
 void BorderMotion::restrict(Places& places) const {
-  if (freedom_.rule == Rule::slide) {
+  if (rule_ == Rule::slide) {
     for (const Loop& loop : loops_)
       restrict_slides(loop, places);
     return;
@@ -107,8 +109,7 @@ void BorderMotion::restrict(Places& places) const {
   for (auto v = static_cast<Index>(state_.inner_count()); v < vertex_count(); ++v) {
     const Vec3 away = places[v] - state_.origin(v);
     const double far = norm(away);
-    const double most = std::min(freedom_.distance, most_deviation_);
-    if (far > most) places[v] = state_.origin(v) + (most / far) * away;
+    if (far > reach_) places[v] = state_.origin(v) + (reach_ / far) * away;
   }
 }
 
@@ -119,7 +120,7 @@ void BorderMotion::restrict_slides(const Loop& loop, Places& places) const {
     const Index v = vertex_of(loop, i);
     if (marks_[v - state_.inner_count()] == 0) continue;
     // No place is further away than the way to it along the border.
-    const double slide = std::clamp(slid_to(loop, i, places[v]), -most_deviation_, most_deviation_);
+    const double slide = std::clamp(slid_to(loop, i, places[v]), -reach_, reach_);
     forward[i] = std::max(slide, 0.0);
     backward[i] = std::max(-slide, 0.0);
   }
@@ -178,10 +179,9 @@ Vec3 BorderMotion::place_at(const Loop& loop, std::size_t i, double slide) const
 std::vector<Index> BorderMotion::at_limit() const {
   constexpr double almost = 0.99;
   std::vector<Index> vertices;
-  if (freedom_.rule != Rule::within) return vertices;
+  if (rule_ != Rule::within) return vertices;
   for (auto v = static_cast<Index>(state_.inner_count()); v < vertex_count(); ++v) {
-    const double most = std::min(freedom_.distance, most_deviation_);
-    if (norm(state_.position(v) - state_.origin(v)) >= almost * most) vertices.push_back(v);
+    if (norm(state_.position(v) - state_.origin(v)) >= almost * reach_) vertices.push_back(v);
   }
   return vertices;
 }

@@ -69,8 +69,8 @@ class BorderMotion {
   Vec3 place_at(const Loop& loop, std::size_t i, double slide) const;
   void restrict_slides(const Loop& loop, Places& places) const;
 
-  BorderFreedom freedom_;
-  double most_deviation_;
+  BorderFreedom::Rule rule_;
+  double reach_;  // how far a vertex may go from where it was, in the units of the state
   const PatchState& state_;
   std::vector<Loop> loops_;           // none where the border stays
   std::vector<unsigned char> marks_;  // see movable()

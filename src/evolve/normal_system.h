@@ -27,6 +27,9 @@ class NormalSystem {
 
     int count_of(int v) const { return v < inner ? 1 : per_border_vertex; }
     int first_of(int v) const { return v < inner ? v : inner + per_border_vertex * (v - inner); }
+    int vertex_of(int step) const {
+      return step < inner ? step : inner + (step - inner) / per_border_vertex;
+    }
     /// Their unknowns: a step and a multiplier of each inner vertex in turns, then the rest.
     int unknown(int step) const { return step < inner ? 2 * step : inner + step; }
     static int multiplier_of(int v) { return 2 * v + 1; }
@@ -38,6 +41,8 @@ class NormalSystem {
   /// @param jacobian must outlive it
   NormalSystem(const AngleJacobian& jacobian, const PatchState& state, const SparseMatrix& cost,
                const SparseMatrix& square, int border_directions = 0);
+
+  const Steps& steps() const { return steps_; }
 
   /// Factors for the gradients as they are; false where that cannot be.
   /// @param directions of unit length; those of a vertex at right angles

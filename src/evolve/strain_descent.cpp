@@ -129,9 +129,7 @@ Places StrainDescent::newton_step() {
   const std::vector<Vec3> directions = this->directions();
   Eigen::VectorXd force(static_cast<Eigen::Index>(directions.size()));
   const auto vertex_of = [&](std::size_t direction) {
-    const std::size_t inner = state_.inner_count();
-    if (direction < inner) return direction;
-    return inner + (direction - inner) / static_cast<std::size_t>(border_.direction_count());
+    return static_cast<std::size_t>(system_.steps().vertex_of(static_cast<int>(direction)));
   };
   for (std::size_t d = 0; d < directions.size(); ++d)
     force[static_cast<Eigen::Index>(d)] = -dot(gradient[vertex_of(d)], directions[d]);

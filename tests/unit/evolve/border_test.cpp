@@ -17,6 +17,7 @@
 #include "evolve/shape_cost.h"
 #include "evolve/strain_potential.h"
 #include "evolve/vertex_normal.h"
+#include "support/moves.h"
 
 namespace planish {
 namespace {
@@ -52,23 +53,6 @@ struct Laid {
   BorderMotion border;
   AngleJacobian jacobian;
 };
-
-/// Moves of all vertices, no two alike.
-Places some_moves(std::size_t count, double size) {
-  Places moves(count);
-  for (std::size_t v = 0; v < count; ++v) {
-    const auto t = static_cast<double>(v);
-    moves[v] = size * Vec3{std::sin(1.3 * t), std::cos(2.1 * t), std::sin(0.7 * t + 1.0)};
-  }
-  return moves;
-}
-
-double product(const Places& a, const Places& b) {
-  double sum = 0.0;
-  for (std::size_t v = 0; v < a.size(); ++v)
-    sum += dot(a[v], b[v]);
-  return sum;
-}
 
 /// How far along a closed polygon the point nearest to p is, and how far p is from it.
 struct OnPolygon {

@@ -13,6 +13,7 @@
 #include "evolve/smallest_angle.h"
 #include "evolve/vertex_normal.h"
 #include "support/meshes.h"
+#include "support/moves.h"
 
 namespace planish {
 namespace {
@@ -34,22 +35,13 @@ struct Laid {
   AngleJacobian jacobian;
 };
 
-/// Small moves of vertices that may move, no two alike.
-Places some_moves(const Laid& laid, double size) {
-  Places moves(laid.state.inner_count());
+/// Of the vertices that may move.
+Places moves_where_free(const Laid& laid, double size) {
+  Places moves = some_moves(laid.state.inner_count(), size);
   for (Index v = 0; v < moves.size(); ++v) {
-    const double t = static_cast<double>(v);
-    if (laid.jacobian.is_movable(v))
-      moves[v] = size * Vec3{std::sin(1.3 * t), std::cos(2.1 * t), std::sin(0.7 * t + 1.0)};
+    if (!laid.jacobian.is_movable(v)) moves[v] = {};
   }
   return moves;
-}
-
-double product(const Places& a, const Places& b) {
-  double sum = 0.0;
-  for (std::size_t v = 0; v < a.size(); ++v)
-    sum += dot(a[v], b[v]);
-  return sum;
 }
 
 Constraints one_held(const TriMesh& mesh) {
@@ -62,8 +54,8 @@ TEST(ShapeCost, HasTheGradientAndTheHessianOfItsValue) {
   ShapeCost cost(laid.jacobian, laid.state, 0.05);
   cost.tighten(std::vector<Index>{3, 7}, 5.0);
   const double h = cost.unit();
-  const Places x = sum_of(inner_places(laid.state), 1.0, some_moves(laid, 0.3 * h));
-  const Places u = some_moves(laid, 1.0 * h);
+  const Places x = sum_of(inner_places(laid.state), 1.0, moves_where_free(laid, 0.3 * h));
+  const Places u = moves_where_free(laid, 1.0 * h);
   // Quadratic: central differences are exact but for rounding. The gradient is per unit length.
   const double slope = 0.5 * (cost.value(sum_of(x, 1.0, u)) - cost.value(sum_of(x, -1.0, u)));
   EXPECT_NEAR(product(cost.gradient(x), u) / h, slope, 1e-10 * std::abs(slope));
@@ -86,7 +78,7 @@ TEST(ShapeCost, SpreadsMovesAsADenseSolverDoes) {
   std::vector<unsigned char> given(laid.state.inner_count(), 0);
   for (std::size_t v = 0; v < given.size(); v += 5)
     given[v] = laid.jacobian.is_movable(static_cast<Index>(v)) ? 1 : 0;
-  const Places moves = some_moves(laid, 1.0);
+  const Places moves = moves_where_free(laid, 1.0);
   const Places spread = cost.spread(given, moves, laid.pool);
   MatrixXd dense(cost.hessian());
   VectorXd right = VectorXd::Zero(laid.count()), found(laid.count());

@@ -210,6 +210,19 @@ TEST(Unfold, RefusesWhatIsNotADisk) {
   EXPECT_EQ(code_of(torus), ErrorCode::handles);
 }
 
+TEST(Unfold, GivesTheSameBitsForEveryNumberOfThreads) {
+  const TriMesh mesh = make_shape("panel", 6000);
+  const Connectivity connectivity(mesh);
+  for (const bool match_seams : {false, true}) {
+    const auto on_threads = [&](unsigned threads) {
+      return unfold(mesh, connectivity, {.match_seams = match_seams, .threads = threads}).positions;
+    };
+    const std::vector<Vec2> alone = on_threads(1);
+    EXPECT_EQ(on_threads(2), alone);
+    EXPECT_EQ(on_threads(5), alone);
+  }
+}
+
 TEST(FlatMesh, HasTheSameTrianglesInThePlane) {
   const TriMesh mesh = make_shape("cone", 200);
   const Pattern pattern = unfolded(mesh);

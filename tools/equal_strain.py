@@ -4,8 +4,8 @@
     tools/equal_strain.py PLANISH FOLDER RESULTS [NAME...]
 
 Each update of least_norm is run with its usual steps; where it ends there are a strain (rms, of the
-unfolded pattern), a deviation (rms) and a roughness. auto is run for a few limits of strain, then
-for some between the two around that strain. What counts is the least deviation of its runs with no
+unfolded pattern), a deviation (rms) and a roughness. auto is run for a few limits of strain, of its
+largest value and of its rms, then for some of the rms between the two around that strain. What counts is the least deviation of its runs with no
 more strain: nothing is read off between runs. All strain
 below 0.01 % counts as equal, and where auto without a limit ends below 0.1 %, all below that. Where the update is nearer and rougher than
 auto may get unless told, auto is run again with as much room for roughness (--closeness) as the
@@ -56,10 +56,12 @@ class Runs:
         answer = json.loads(kept.read_text(encoding="utf-8"))
         return None if "error" in answer else Run(answer)
 
-    def auto(self, patch, limit, closeness=1.0):
+    def auto(self, patch, limit, closeness=1.0, flag="--max-rms-strain"):
         """@param limit of strain; 0: none"""
-        flags = ("--max-strain", repr(limit)) if limit else ()
+        flags = (flag, repr(limit)) if limit else ()
         tag = f"auto{limit:.6g}"
+        if limit and flag != "--max-strain":
+            tag += flag.strip("-").replace("max-", ".").replace("-strain", "")
         if closeness != 1.0:
             flags += ("--closeness", f"{closeness:.4g}")
             tag += f".{closeness:.4g}"
@@ -110,20 +112,22 @@ def as_rough(runs, patch, update, strain, usual):
 def compare(runs, patch):
     """For each update its strain, its deviation, that of auto, and that of auto given as much room for
     roughness (none where that was not needed); None for a failed run."""
+    largest = [runs.auto(patch, limit, flag="--max-strain") for limit in (*LIMITS, 0.0)]
+    largest = [run for run in largest if run]
     auto = {limit: runs.auto(patch, limit) for limit in (*LIMITS, 0.0)}
     auto = {limit: run for limit, run in auto.items() if run}
     least = max(FLAT, auto[0.0].strain) if 0.0 in auto else math.inf
     updates = [runs(patch, update, "--method", "least_norm", "--update", update) for update in UPDATES]
     strains = [max(run.strain, least if least <= NEARLY_FLAT else FLAT) if run else None for run in updates]
     for ended, strain in zip(updates, strains):
-        if ended:
+        if ended and deviation_within(strain, largest) > ended.deviation * ROUNDING:
             refined(runs, patch, auto, strain, ended.deviation, 6)
     rows = []
     for ended, strain in zip(updates, strains):
         if not ended:
             rows.append(None)
             continue
-        ours = deviation_within(strain, auto.values())
+        ours = deviation_within(strain, [*auto.values(), *largest])
         rough = None
         if ours > ended.deviation * ROUNDING:
             rough = as_rough(runs, patch, ended, strain, auto)

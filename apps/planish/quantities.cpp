@@ -65,7 +65,7 @@ double factor_of(const std::string& suffix, Quantity quantity, const Arguments& 
 }  // namespace
 
 Quantity quantity_of(std::string_view option) {
-  if (option == "max_strain") return Quantity::share;
+  if (option == "max_strain" || option == "max_rms_strain") return Quantity::share;
   if (option == "max_deviation" || option == "clearance" || option == "border")
     return Quantity::length;
   return option == "min_angle" ? Quantity::angle : Quantity::number;

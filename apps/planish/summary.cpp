@@ -218,14 +218,14 @@ std::string unfold_text(const UnfoldReport& report) {
 }
 
 std::string flatten_text(const FlattenReport& report) {
-  const auto check = check_strain(report);
+  const std::string limits = strain_limits_text(report);
   return run_line(report.evolve) + comparison_head() +
          comparison(figure_rows(report.evolve.before.figures, report.evolve.after.figures)) +
          comparison(strain_rows(report.unfold_before.strain, report.unfold.strain)) + "\n" +
          deviation_lines(report.evolve.deviation, std::string(to_string(report.unfold.unit))) +
          border_line(report.evolve.border, std::string(to_string(report.unfold.unit))) +
          pattern_lines(report.unfold) + matching_lines(report.unfold) +
-         (check ? "\n" + wrapped(check_text(*check), 0) + "\n" : "");
+         (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");
 }
 
 std::string directions_text(const DirectionCounts& counts) {

@@ -78,9 +78,13 @@ class AutoStepper {
   /// @param closeness to begin with; 0: the usual
   void open_level(double closeness = 0.0) {
     coarse_ = level_ > 0 ? levels_.make_state(level_, pool_) : nullptr;
-    descent_ = std::make_unique<StrainDescent>(
-        level_state(), pool_,
-        DescentAims{options_.max_strain, options_.closeness, closeness, careful_}, limits());
+    descent_ =
+        std::make_unique<StrainDescent>(level_state(), pool_,
+                                        DescentAims{{options_.max_strain, options_.max_rms_strain},
+                                                    options_.closeness,
+                                                    closeness,
+                                                    careful_},
+                                        limits());
     steps_ = idle_ = 0;
   }
 

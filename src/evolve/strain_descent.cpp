@@ -18,17 +18,16 @@ double sigma_unit(const PatchState& state) {
 /// True if the descent is to come as near as a limit of strain allows. Vertices held at a limit of
 /// deviation need a way around them that is smooth.
 bool stays_near(const DescentAims& aims, const DescentLimits& limits) {
-  return aims.max_strain > 0.0 && std::isinf(limits.deviation);
+  return aims.strain.given() && std::isinf(limits.deviation);
 }
 
-/// @param most_at_first the largest strain
-ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, double most_at_first,
+/// @param stays share of the strain at first
+ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, double stays,
                        double density) {
   ClosenessPace pace = aims.careful ? k_careful : k_smooth_first;
   if (stays_near(aims, limits)) {
     pace.most = k_most_near * std::max(1.0, density * density);
     // Where little strain has to go, crumples may take it up at once.
-    const double stays = most_at_first > 0.0 ? std::min(1.0, aims.max_strain / most_at_first) : 1.0;
     if (!aims.careful) pace.first = std::max(pace.first, k_first_near * stays * stays);
   }
   // Much room is not filled by weights that are right for a little.
@@ -38,12 +37,23 @@ ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, dou
   return pace;
 }
 
-DescentStrain strain_of(const Eigen::VectorXd& phi) {
+/// @param vertices inner ones and those of the border
+DescentStrain strain_of(const Eigen::VectorXd& phi, std::size_t vertices) {
+  const auto all = static_cast<double>(vertices);
+  const double mean = phi.sum() / all;
   return {phi.norm() / std::sqrt(static_cast<double>(phi.size())),
-          0.5 * (std::max(phi.maxCoeff(), 0.0) - std::min(phi.minCoeff(), 0.0))};
+          0.5 * (std::max(phi.maxCoeff(), 0.0) - std::min(phi.minCoeff(), 0.0)),
+          std::sqrt(std::max(0.0, phi.squaredNorm() / all - mean * mean))};
 }
 
 }  // namespace
+
+double StrainLimit::share_of(const DescentStrain& strain) const {
+  double share = std::numeric_limits<double>::infinity();
+  if (most > 0.0) share = std::min(share, most / strain.most);
+  if (spread > 0.0) share = std::min(share, spread / strain.spread);
+  return share;
+}
 
 StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentAims& aims,
                              const DescentLimits& limits)
@@ -55,9 +65,11 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       border_(limits.border, limits.deviation, state),
       jacobian_(state, border_.movable()),
       potential_(jacobian_, state, pool),
-      at_first_(potential_.solvable() ? strain_of(potential_.of(inner_defects(state), pool))
-                                      : DescentStrain{}),
-      pace_(pace_for(aims, limits, at_first_.most, relative_density(state))),
+      at_first_(potential_.solvable()
+                    ? strain_of(potential_.of(inner_defects(state), pool), state.vertex_count())
+                    : DescentStrain{}),
+      stays_(std::min(1.0, aims.strain.share_of(at_first_))),
+      pace_(pace_for(aims, limits, stays_, relative_density(state))),
       control_(state, aims.room, pace_),
       closeness_(aims.closeness > 0.0 ? aims.closeness : pace_.first),
       cost_(jacobian_, state, closeness_, border_.bends()),
@@ -98,7 +110,7 @@ void StrainDescent::keep_to_limit(double sigma) {
 void StrainDescent::look() {
   state_.measure(pool_);
   phi_ = potential_.of(inner_defects(state_), pool_);
-  strain_ = strain_of(phi_);
+  strain_ = strain_of(phi_, state_.vertex_count());
 }
 
 double StrainDescent::merit() const {
@@ -247,7 +259,7 @@ double StrainDescent::next_sigma(double share, const Step& step) const {
   if (to_limit_) {
     constexpr double most_fall = 1.5, most_growth = 4.0;
     if (step.moved == 0) return failed * sigma_;
-    const double room = aims_.max_strain / strain_.most;
+    const double room = aims_.strain.share_of(strain_);
     return std::clamp(room < 1.0 ? room : std::sqrt(room), 1.0 / most_fall, most_growth) * sigma_;
   }
   // Where much strain cannot fall, a small sigma would buy some of it with crumples.
@@ -261,10 +273,10 @@ double StrainDescent::next_sigma(double share, const Step& step) const {
   return std::max(share > far_enough ? slow * sigma_ : sigma_, least);
 }
 
-/// What is left, rms: down to where it is expected once the largest is at its limit. The largest
+/// What is left, rms: down to where it is expected once the strain is at its limit. The largest
 /// itself comes and goes from step to step.
 double StrainDescent::strain_to_go() const {
-  const double share = at_first_.most > 0.0 ? aims_.max_strain / at_first_.most : 0.0;
+  const double share = aims_.strain.given() ? stays_ : 0.0;
   return std::max(0.0, strain_.rms - share * at_first_.rms);
 }
 

@@ -14,9 +14,26 @@
 
 namespace planish {
 
+/// Strain by the potential phi, as a share of length.
+struct DescentStrain {
+  double rms = 0.0;     ///< phi over the inner vertices
+  double most = 0.0;    ///< half of what phi spans, the border's 0 included: a conformal pattern of
+                        ///< the best size stretches and shrinks edges by so much
+  double spread = 0.0;  ///< that pattern's rms: of phi less its mean, over all vertices
+};
+
+/// The strain that is allowed; 0: no limit.
+struct StrainLimit {
+  double most = 0.0, spread = 0.0;
+
+  bool given() const { return most > 0.0 || spread > 0.0; }
+  /// What strain is to be multiplied by to be at the limit; infinite where there is none.
+  double share_of(const DescentStrain& strain) const;
+};
+
 /// What a descent is to reach.
 struct DescentAims {
-  double max_strain = 0.0;  ///< at which it is to end; 0: where there is none
+  StrainLimit strain = {};  ///< at which it is to end, if given
   double room = 1.0;        ///< for roughness, spent on staying close; see ClosenessControl
   double closeness = 0.0;   ///< to begin with, such as a coarser level ended with; 0: the usual
   bool careful = false;     ///< to be rough later: see k_careful
@@ -27,13 +44,6 @@ struct DescentLimits {
   double deviation = std::numeric_limits<double>::infinity();  ///< of a vertex from its origin
   double angle = 0.0;  ///< smallest of a triangle, or what it is at first if that is less
   BorderFreedom border = {};
-};
-
-/// Strain by the potential phi, as a share of length.
-struct DescentStrain {
-  double rms = 0.0;   ///< phi over the inner vertices
-  double most = 0.0;  ///< half of what phi spans, the border's 0 included: a conformal pattern of
-                      ///< the best size stretches and shrinks edges by so much
 };
 
 /// Where a descent begins and how far its steps go.
@@ -98,7 +108,7 @@ class StrainDescent {
   double deviation() const;
   /// True if the limit of strain, where there is one, is met.
   bool strain_is_met() const {
-    return solvable() && aims_.max_strain > 0.0 && strain_.most <= aims_.max_strain;
+    return solvable() && aims_.strain.given() && aims_.strain.share_of(strain_) >= 1.0;
   }
   /// True if the patch is rougher than the room for roughness allows it to end.
   bool is_too_rough() const { return control_.is_too_rough(); }
@@ -132,6 +142,7 @@ class StrainDescent {
   AngleJacobian jacobian_;
   StrainPotential potential_;
   DescentStrain at_first_;
+  double stays_;  // of that, at the limit: a share
   ClosenessPace pace_;
   ClosenessControl control_;
   double closeness_;

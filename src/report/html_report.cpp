@@ -67,7 +67,7 @@ std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut
          tile("Largest stretch", percent_text(after.max), percent_text(before.max) + " before",
               limit_mark(report, LimitOf::strain)) +
          tile("Usual stretch", percent_text(after.rms), percent_text(before.rms) + " before (rms)",
-              "") +
+              limit_mark(report, LimitOf::rms_strain)) +
          tile("Furthest move", significant_text(deviation.max, 2) + unit,
               significant_text(deviation.rms, 2) + unit + " is usual (rms)",
               limit_mark(report, LimitOf::deviation)) +
@@ -88,8 +88,9 @@ std::string checks(const FlattenReport& report) {
            pattern.flipped_triangles == 0 ? "nothing is face down" : "parts are face down")};
   if (!unit_question(report.unfold).empty())
     items.insert(items.begin(), mark(false, "unit of the model to be checked"));
-  constexpr std::array<std::pair<LimitOf, std::string_view>, 4> names = {
+  constexpr std::array<std::pair<LimitOf, std::string_view>, 5> names = {
       {{LimitOf::strain, "stretch "},
+       {LimitOf::rms_strain, "usual stretch "},
        {LimitOf::deviation, "moves "},
        {LimitOf::angle, "angles of triangles "},
        {LimitOf::defect, "worst place "}}};
@@ -218,9 +219,9 @@ std::string footer(const FlattenReport& report) {
 
 std::string html_report(const FlattenReport& report, const FlattenPage& page) {
   const std::string border = border_text(report);
-  const auto check = check_strain(report);
+  const std::string limits = strain_limits_text(report);
   const Bench bench = html_bench(report, page);
-  const std::string verdict = verdict_text(report) + (check ? " " + check_text(*check) : "") +
+  const std::string verdict = verdict_text(report) + (limits.empty() ? "" : " " + limits) +
                               (border.empty() ? "" : " " + border);
   return html_head(html_title(report.name)) + "<body>\n<main>\n" +
          html_header("report", report.name, verdict, checks(report)) +

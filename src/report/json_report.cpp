@@ -159,13 +159,21 @@ Json to_json(const std::optional<UnfoldReport>& report) {
   return report ? to_json(*report) : Json(nullptr);
 }
 
-Json to_json(const std::optional<StrainCheck>& check) {
-  if (!check) return nullptr;
-  return {{"max_strain", check->max_strain},
-          {"met", check->met()},
-          {"largest_strain", check->largest_strain},
-          {"edge", check->edge},
-          {"at", {check->at.x, check->at.y, check->at.z}}};
+Json strain_limits(const FlattenReport& report) {
+  Json limits;  // null as long as nothing is said
+  if (const auto check = check_strain(report)) {
+    limits = {{"max_strain", check->max_strain},
+              {"met", check->met()},
+              {"largest_strain", check->largest_strain},
+              {"edge", check->edge},
+              {"at", {check->at.x, check->at.y, check->at.z}}};
+  }
+  if (const auto check = check_rms_strain(report)) {
+    limits["max_rms_strain"] = check->max_rms_strain;
+    limits["rms_met"] = check->met();
+    limits["rms_strain"] = check->rms_strain;
+  }
+  return limits;
 }
 
 Json to_json(const CompareFailure& failure) {
@@ -225,7 +233,7 @@ std::string json_report(const FlattenReport& report,
                   {"evolve", to_json(report.evolve)},
                   {"unfold", to_json(report.unfold)},
                   {"unfold_before", to_json(report.unfold_before)},
-                  {"limits", to_json(check_strain(report))},
+                  {"limits", strain_limits(report)},
                   {"files", Json(files)}});
 }
 

@@ -49,6 +49,8 @@ std::vector<LimitCheck> limit_checks(const FlattenReport& report) {
   };
   if (const auto limit = given(evolve.method, "max_strain"))
     at_most(LimitOf::strain, *limit, report.unfold.strain.max);
+  if (const auto limit = given(evolve.method, "max_rms_strain"))
+    at_most(LimitOf::rms_strain, *limit, report.unfold.strain.rms);
   if (const auto limit = given(evolve.method, "max_deviation"))
     at_most(LimitOf::deviation, *limit, evolve.deviation.max);
   if (const auto limit = given(evolve.method, "min_angle")) {
@@ -66,6 +68,8 @@ std::string limit_text(const LimitCheck& check, Unit unit) {
   switch (check.what) {
     case LimitOf::strain:
       return "at most " + percent_text(check.limit);
+    case LimitOf::rms_strain:
+      return "at most " + percent_text(check.limit) + " (rms)";
     case LimitOf::deviation:
       return "at most " + significant_text(check.limit, 3) + " " + std::string(to_string(unit));
     case LimitOf::angle:

@@ -18,10 +18,9 @@ std::string percent(double share, int digits) {
 }
 
 /// So many digits that limit and strain do not read the same where one is above the other.
-int digits_for(const StrainCheck& check) {
+int digits_for(double limit, double strain) {
   int digits = 3;
-  while (!check.met() && digits < 16 &&
-         rounded(check.largest_strain, digits) == rounded(check.max_strain, digits))
+  while (strain > limit && digits < 16 && rounded(strain, digits) == rounded(limit, digits))
     ++digits;
   return digits;
 }
@@ -44,7 +43,7 @@ std::optional<StrainCheck> check_strain(const FlattenReport& report) {
 }
 
 std::string check_text(const StrainCheck& check) {
-  const int digits = digits_for(check);
+  const int digits = digits_for(check.max_strain, check.largest_strain);
   const std::string limit = percent(check.max_strain, digits);
   const std::string largest = percent(check.largest_strain, digits);
   if (check.met()) {
@@ -53,6 +52,26 @@ std::string check_text(const StrainCheck& check) {
   }
   return "The strain limit of " + limit + " is not met: the pattern's largest strain is " +
          largest + ", at the edge " + place_text(check) + ".";
+}
+
+std::optional<RmsStrainCheck> check_rms_strain(const FlattenReport& report) {
+  const auto* options = std::get_if<Auto>(&report.evolve.method);
+  if (options == nullptr || !(options->max_rms_strain > 0.0)) return std::nullopt;
+  return RmsStrainCheck{options->max_rms_strain, report.unfold.strain.rms};
+}
+
+std::string check_text(const RmsStrainCheck& check) {
+  const int digits = digits_for(check.max_rms_strain, check.rms_strain);
+  return "The limit of " + percent(check.max_rms_strain, digits) +
+         " for the rms of the strain is " + (check.met() ? "met" : "not met") +
+         ": the pattern's is " + percent(check.rms_strain, digits) + ".";
+}
+
+std::string strain_limits_text(const FlattenReport& report) {
+  const auto largest = check_strain(report);
+  const auto rms = check_rms_strain(report);
+  return (largest ? check_text(*largest) : "") + (largest && rms ? " " : "") +
+         (rms ? check_text(*rms) : "");
 }
 
 }  // namespace planish

@@ -24,13 +24,15 @@ std::string strain_text(const EdgeStrain& strain) {
 
 /// What a limit of strain that was given says of the pattern; empty where there is none.
 std::string limit_words(const FlattenReport& report) {
+  std::string words;
   for (const LimitCheck& check : limit_checks(report)) {
-    if (check.what != LimitOf::strain) continue;
-    return (check.met ? "Not without stretch, but within the limit of "
-                      : "Not within the limit of ") +
-           percent_text(check.limit);
+    if (check.what != LimitOf::strain && check.what != LimitOf::rms_strain) continue;
+    const std::string limit =
+        percent_text(check.limit) + (check.what == LimitOf::rms_strain ? " (rms)" : "");
+    if (!check.met) return "Not within the limit of " + limit;
+    if (words.empty()) words = "Not without stretch, but within the limit of " + limit;
   }
-  return {};
+  return words;
 }
 
 std::string state_sentence(const FlattenReport& report) {

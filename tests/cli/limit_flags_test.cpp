@@ -22,6 +22,8 @@ class LimitFlags : public CliTest {
 TEST_F(LimitFlags, SharesMayBePerCent) {
   for (const char* text : {"2%", "0.02", ".02", "2.0%"}) {
     EXPECT_EQ(options({"--method", "auto", "--max-strain", text})["max_strain"], 0.02) << text;
+    EXPECT_EQ(options({"--method", "auto", "--max-rms-strain", text})["max_rms_strain"], 0.02)
+        << text;
   }
 }
 

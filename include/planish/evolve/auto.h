@@ -16,6 +16,7 @@ struct Auto {
   static constexpr int usual_sweeps = 1000;
   static constexpr bool honours_weights = true, honours_obstacle = false;
   double max_strain = 0.0;
+  double max_rms_strain = 0.0;
   double max_deviation = std::numeric_limits<double>::infinity();
   double min_angle = 0.0;
   double closeness = 1.0;
@@ -27,6 +28,10 @@ void describe(Auto& o, Visit&& visit) {
   visit("max_strain", o.max_strain,
         "end near to where it began, but where a pattern need not stretch more, as a share of "
         "length; 0: go on until the patch is flattenable",
+        Range{0.0, 1.0});
+  visit("max_rms_strain", o.max_rms_strain,
+        "the same by the root mean square of the strain, which a few places with more do not "
+        "decide; 0: no limit",
         Range{0.0, 1.0});
   visit("max_deviation", o.max_deviation,
         "no vertex ends further than this from where it began, in model units", Range{0.0});

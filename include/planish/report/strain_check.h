@@ -19,10 +19,23 @@ struct StrainCheck {
   bool met() const { return largest_strain <= max_strain; }
 };
 
-/// Nothing where the method has no limit of strain, or was given none.
-std::optional<StrainCheck> check_strain(const FlattenReport& report);
+/// The same of a limit of the strain's root mean square.
+struct RmsStrainCheck {
+  double max_rms_strain = 0.0;  ///< the limit, a share of length
+  double rms_strain = 0.0;      ///< of the pattern's edges
 
-/// That in one or two sentences: ASCII.
+  bool met() const { return rms_strain <= max_rms_strain; }
+};
+
+/// Nothing where the method has no limit of that kind, or was given none.
+std::optional<StrainCheck> check_strain(const FlattenReport& report);
+std::optional<RmsStrainCheck> check_rms_strain(const FlattenReport& report);
+
+/// That in a sentence: ASCII.
 std::string check_text(const StrainCheck& check);
+std::string check_text(const RmsStrainCheck& check);
+
+/// The sentences of all limits of strain that were given; empty where there are none.
+std::string strain_limits_text(const FlattenReport& report);
 
 }  // namespace planish

@@ -190,7 +190,7 @@ TEST(PullBack, EndsNearerWithinTheLimitOfStrain) {
   for (const char* shape : {"panel", "saddle"}) {
     Laid laid(make_shape(shape, 900));
     constexpr double limit = 0.04;
-    StrainDescent descent(laid.state, laid.pool, {.max_strain = limit}, {});
+    StrainDescent descent(laid.state, laid.pool, {.strain = {.most = limit}}, {});
     descent.start(k_pace_from_scratch);
     for (int i = 0; i < 60 && !descent.strain_is_met(); ++i)
       descent.step();

@@ -175,6 +175,21 @@ TEST(JsonReport, TellsWhetherThePatternKeepsTheLimitOfStrainAndWhereItDoesSoLeas
                                                                   {"at", {1.5, 2.0, 4.0}}}));
 }
 
+TEST(JsonReport, TellsOfALimitOfTheRmsBesideTheOtherOrAlone) {
+  FlattenReport report = samples::flatten_report();
+  report.unfold.strain.rms = 0.0125;
+  report.evolve.method = Auto{.max_rms_strain = 0.01};
+  const Json rms = {{"max_rms_strain", 0.01}, {"rms_met", false}, {"rms_strain", 0.0125}};
+  EXPECT_EQ(Json::parse(json_report(report, {}))["limits"], rms);
+  report.evolve.method = Auto{.max_strain = 0.5, .max_rms_strain = 0.02};
+  const Json both = Json::parse(json_report(report, {}))["limits"];
+  EXPECT_EQ(both["rms_met"], true);
+  EXPECT_EQ(both["met"], true);
+  EXPECT_EQ(both["max_strain"], 0.5);
+  report.evolve.method = Auto{};
+  EXPECT_TRUE(Json::parse(json_report(report, {}))["limits"].is_null());
+}
+
 TEST(JsonReport, OfASweepOnALevelHasTheLevel) {
   EvolveReport report = samples::flatten_report().evolve;
   report.result.history.front().level = {123, 0.5, 0.25, 0.0625};

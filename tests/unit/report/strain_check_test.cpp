@@ -54,6 +54,27 @@ TEST(StrainCheck, NeverSaysThatTheSameNumberIsTooMuch) {
   EXPECT_THAT(check_text(check), HasSubstr("largest strain is 2.00001 %"));
 }
 
+TEST(RmsStrainCheck, IsToldByItselfOrAfterTheOther) {
+  FlattenReport report = samples::flatten_report();
+  EXPECT_FALSE(check_rms_strain(report));
+  EXPECT_EQ(strain_limits_text(report), "");
+  report.evolve.method = Auto{.max_rms_strain = 0.01};
+  report.unfold.strain.rms = 0.01;
+  report.unfold.strain.max = 0.05;
+  EXPECT_TRUE(check_rms_strain(report)->met());
+  EXPECT_FALSE(check_strain(report));
+  const std::string met =
+      "The limit of 1 % for the rms of the strain is met: the pattern's is 1 %.";
+  EXPECT_EQ(strain_limits_text(report), met);
+  EXPECT_NE(html_report(report).find("usual stretch at most 1.0\u00A0% (rms)"), std::string::npos);
+  report.evolve.method = Auto{.max_strain = 0.05, .max_rms_strain = 0.01};
+  EXPECT_EQ(strain_limits_text(report),
+            "The strain limit of 5 % is met: the pattern's largest strain is 5 %. " + met);
+  report.unfold.strain.rms = 0.010001;
+  EXPECT_FALSE(check_rms_strain(report)->met());
+  EXPECT_THAT(strain_limits_text(report), HasSubstr("is not met: the pattern's is 1.0001 %."));
+}
+
 TEST(StrainCheck, IsThatOfThePatternAsMeasured) {
   const auto report =
       flatten(make_shape("panel", 400), "panel", {.method = Auto{.max_strain = 0.02}});

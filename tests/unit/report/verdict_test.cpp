@@ -78,6 +78,13 @@ TEST(Verdict, MeasuresStrainByTheLimitThatWasGiven) {
   some.unfold.strain.max = 0.03;
   EXPECT_THAT(verdict(some), StartsWith("Not within the limit of 2.0 %: the pattern is strained by "
                                         "0.60 % rms (3.0 % at worst). "));
+  some.evolve.method = Auto{.max_strain = 0.02, .max_rms_strain = 0.01};
+  EXPECT_THAT(verdict(some), StartsWith("Not within the limit of 2.0 %: "));
+  some.evolve.method = Auto{.max_strain = 0.04, .max_rms_strain = 0.005};
+  EXPECT_THAT(verdict(some), StartsWith("Not within the limit of 0.50 % (rms): "));
+  some.evolve.method = Auto{.max_rms_strain = 0.01};
+  EXPECT_THAT(verdict(some),
+              StartsWith("Not without stretch, but within the limit of 1.0 % (rms): "));
   some.evolve.after.flattenable = true;
   EXPECT_THAT(verdict(some), StartsWith("Flattenable by its angles, yet"));
 }

@@ -30,16 +30,18 @@ constexpr double k_share_of_e_max = 0.5, k_share_of_sum = 0.8;
 // what lifting did, no more.
 constexpr double k_hopeless_strain = 1e-2;
 constexpr int k_hopeless_steps = 5;
-// Where vertices are held by the limit of deviation, a step that leaves more of the strain than
-// this is the last.
+// Where vertices are held by the limit of deviation, so many steps in a row that leave more of the
+// strain than this are the last.
 constexpr double k_held_share = 0.98;
+constexpr int k_most_held = 5;
 constexpr int k_most_first_steps = 150, k_most_steps = 100, k_most_polishes = 100, k_most_idle = 3;
 // Polishing that leaves more than so much of the energy so often gives way to another round of the
 // descent, from where it came to.
 constexpr double k_slow_share = 0.9;
 constexpr int k_most_slow = 8, k_most_rounds = 6;
-// Coarser ones over the patch, from which on the descent is careful at once.
-constexpr std::size_t k_many_levels = 2;
+// A coarsest level that ends too rough is done again, roughness allowed later each time.
+constexpr int k_most_tries = 3;
+constexpr double k_later = 0.8;
 
 class AutoStepper {
  public:
@@ -49,8 +51,7 @@ class AutoStepper {
         pool_(pool),
         least_angle_(angle_to_keep(options, state, pool)),
         levels_(state),
-        level_(levels_.coarsest()),
-        careful_(levels_.coarsest() >= k_many_levels) {
+        level_(levels_.coarsest()) {
     open_level();
     descent_->start(k_pace_from_scratch);
   }
@@ -75,7 +76,7 @@ class AutoStepper {
   static double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
   /// Makes the descent of the level, its patch where it was at first.
-  /// @param closeness to begin with; 0: the usual
+  /// @param closeness of the coarser level, if there was one
   void open_level(double closeness = 0.0) {
     coarse_ = level_ > 0 ? levels_.make_state(level_, pool_) : nullptr;
     descent_ =
@@ -83,9 +84,10 @@ class AutoStepper {
                                         DescentAims{{options_.max_strain, options_.max_rms_strain},
                                                     options_.closeness,
                                                     closeness,
-                                                    careful_},
+                                                    earliness_},
                                         limits());
     steps_ = idle_ = 0;
+    held_.reset();
   }
 
   PatchState& level_state() const { return coarse_ ? *coarse_ : state_; }
@@ -128,7 +130,6 @@ class AutoStepper {
 
   /// @return true if it was the last of the level
   bool descent_step(SweepOutcome& outcome) {
-    const double strain_before = descent_->rms_strain();
     const StrainDescent::Step step = pull_back_ ? pull_back_->step() : descent_->step();
     outcome.moved = step.moved;
     outcome.level = {level_state().inner_count(), step.merit_before, step.merit,
@@ -138,14 +139,23 @@ class AutoStepper {
       pull_back_.emplace(*descent_);
       return false;
     }
-    // What goes on at the limit only crumples.
-    const bool held =
-        descent_->at_deviation_limit() && descent_->rms_strain() > k_held_share * strain_before;
-    if (held && descent_->rms_strain() > strain_before) descent_->go_back();
+    const bool held = is_held();
     idle_ = step.moved > 0 ? 0 : idle_ + 1;
     const double enough = level_ > 0 ? k_coarse_strain : k_polish_strain;
     return held || descent_->rms_strain() <= enough || idle_ >= k_most_idle ||
            ++steps_ >= most_steps();
+  }
+
+  /// True where vertices are at the limit of deviation and strain hardly falls any more: what goes
+  /// on there only crumples. They are back then where they had come to before.
+  bool is_held() {
+    if (!descent_->at_deviation_limit()) return false;
+    const bool less = !held_ || descent_->rms_strain() < k_held_share * held_->strain;
+    if (less && (!held_ || !descent_->is_too_rough()))
+      held_ = Held{descent_->rms_strain(), descent_->places(), -1};
+    if (++held_->steps < k_most_held) return false;
+    descent_->go_to(held_->places);
+    return true;
   }
 
   int most_steps() const {
@@ -158,8 +168,8 @@ class AutoStepper {
     if (pull_back_) pull_back_->finish();
     pull_back_.reset();
     hopeless_ = !descent_->strain_is_met() && descent_->rms_strain() > k_hopeless_strain;
-    const bool first_try = !careful_ && rounds_ == 0 && level_ == levels_.coarsest();
-    if (first_try && !hopeless_ && descent_->is_too_rough()) return start_carefully();
+    const bool may_try = tries_ < k_most_tries && rounds_ == 0 && level_ == levels_.coarsest();
+    if (may_try && !hopeless_ && descent_->is_too_rough()) return start_smoother();
     if (level_ > 0) return lift();
     const auto reason = reason_to_end();
     if (reason) {
@@ -171,8 +181,9 @@ class AutoStepper {
   }
 
   /// The coarsest level once more, from where the vertices were at first.
-  void start_carefully() {
-    careful_ = true;
+  void start_smoother() {
+    ++tries_;
+    earliness_ *= k_later;
     descent_->go_to(descent_->cost().origin());
     open_level();
     descent_->start(k_pace_from_scratch);
@@ -203,6 +214,7 @@ class AutoStepper {
     polish_.reset();
     descent_->start(k_pace_from_coarse);
     steps_ = idle_ = polishes_ = slow_ = 0;
+    held_.reset();
     return {std::max<std::size_t>(moved, 1)};  // who moves nothing is taken to be at the end
   }
 
@@ -216,8 +228,15 @@ class AutoStepper {
   std::unique_ptr<StrainDescent> descent_;
   std::optional<PullBack> pull_back_;
   std::optional<DefectPolish> polish_;
-  int steps_ = 0, idle_ = 0, polishes_ = 0, slow_ = 0, rounds_ = 0;
-  bool careful_;  // see DescentAims
+  /// The place of least strain since vertices came to the limit of deviation.
+  struct Held {
+    double strain;
+    Places places;
+    int steps;  // since then
+  };
+  std::optional<Held> held_;
+  int tries_ = 1, steps_ = 0, idle_ = 0, polishes_ = 0, slow_ = 0, rounds_ = 0;
+  double earliness_ = k_usual_closeness.earliness;
   bool hopeless_ = false;
 };
 

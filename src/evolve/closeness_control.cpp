@@ -20,12 +20,12 @@ double ClosenessControl::after_step(double closeness, double strain_left, bool m
   const double allowed = least_ + (most_ - least_) * (1.0 - left);
   if (roughness > allowed) return std::max(ease * closeness, least_closeness);
   if (roughness >= plenty * allowed) return closeness;
-  const double most = may_grow ? pace_.most : std::min(pace_.most, k_careful.most);
+  const double most = may_grow ? pace_.most : std::min(pace_.most, k_most_if_stiff);
   return std::max(closeness, std::min(growth * closeness, most));
 }
 
 bool ClosenessControl::is_too_rough() const {
-  constexpr double hardly = 0.3;  // degrees
+  constexpr double hardly = 0.2;  // degrees
   return roughness_.now() > most_ + hardly;
 }
 

@@ -12,9 +12,9 @@ struct ClosenessPace {
   double more;       ///< degrees by which r_most exceeds r_first (1 + room), over room
 };
 /// On the way to flattenable, where weights beyond `most` cost steps and bring little.
-inline constexpr ClosenessPace k_smooth_first{0.05, 8.0, 0.8, 2.5};
-/// On patches of several levels, where steps are dear, and for who came to be too rough.
-inline constexpr ClosenessPace k_careful{0.05, 0.5, 0.5, 2.0};
+inline constexpr ClosenessPace k_usual_closeness{0.05, 8.0, 0.8, 2.5};
+/// What closeness grows to where steps fall short already.
+inline constexpr double k_most_if_stiff = 0.5;
 /// Where the way ends at a limit of strain, on patches of 4,000 vertices: what closeness begins
 /// with where hardly any strain has to go, and what it grows to.
 inline constexpr double k_first_near = 2.0, k_most_near = 50.0;
@@ -32,7 +32,7 @@ class ClosenessControl {
 
   /// What closeness is to be after a step, as the patch is now.
   /// @param strain_left s, on any scale that stays the same
-  /// @param may_grow false where steps fall short already: then no further than k_careful.most
+  /// @param may_grow false where steps fall short already: then to k_most_if_stiff
   double after_step(double closeness, double strain_left, bool may_grow);
 
   /// True if the patch is rougher now than it may end.

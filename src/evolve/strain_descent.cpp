@@ -24,11 +24,12 @@ bool stays_near(const DescentAims& aims, const DescentLimits& limits) {
 /// @param stays share of the strain at first
 ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, double stays,
                        double density) {
-  ClosenessPace pace = aims.careful ? k_careful : k_smooth_first;
+  ClosenessPace pace = k_usual_closeness;
+  pace.earliness = aims.earliness;
   if (stays_near(aims, limits)) {
     pace.most = k_most_near * std::max(1.0, density * density);
     // Where little strain has to go, crumples may take it up at once.
-    if (!aims.careful) pace.first = std::max(pace.first, k_first_near * stays * stays);
+    pace.first = std::max(pace.first, k_first_near * stays * stays);
   }
   // Much room is not filled by weights that are right for a little.
   constexpr double most_room = 10.0;
@@ -283,11 +284,10 @@ double StrainDescent::strain_to_go() const {
 /// Lets the next step stay closer where there is room for roughness, or be smoother.
 void StrainDescent::follow_roughness() {
   constexpr double stiff = 4.0;
-  const bool on_the_way = !to_limit_;
-  // Crumples that are made on the way stay: where few should come along they wait for its end.
-  const bool may_wait = aims_.careful && stays_near(aims_, limits_);
-  const bool may_grow = stiffening_ < stiff && !(on_the_way && may_wait);
-  const double next = control_.after_step(closeness_, on_the_way ? strain_to_go() : 0.0, may_grow);
+  const bool on_the_way = !to_limit_, was_found = aims_.closeness > 0.0;
+  const double strain_left = on_the_way && !was_found ? strain_to_go() : 0.0;
+  double next = control_.after_step(closeness_, strain_left, stiffening_ < stiff);
+  if (on_the_way && was_found) next = std::min(next, closeness_);
   cost_.scale_closeness(next / closeness_);
   // Between closeness and strain the balance is sigma's.
   if (to_limit_) sigma_ *= std::sqrt(closeness_ / next);

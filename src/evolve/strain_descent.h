@@ -35,8 +35,10 @@ struct StrainLimit {
 struct DescentAims {
   StrainLimit strain = {};  ///< at which it is to end, if given
   double room = 1.0;        ///< for roughness, spent on staying close; see ClosenessControl
-  double closeness = 0.0;   ///< to begin with, such as a coarser level ended with; 0: the usual
-  bool careful = false;     ///< to be rough later: see k_careful
+  /// That a coarser level ended with: weights are found there, where steps cost little, and only
+  /// lowered on the way here. 0: there is none.
+  double closeness = 0.0;
+  double earliness = k_usual_closeness.earliness;  ///< see ClosenessPace
 };
 
 /// What no step may break, in the units of the state and radians.
@@ -52,7 +54,7 @@ struct DescentPace {
   double longest_step;      ///< of a vertex, in mean edges
   double fall_of_sigma;     ///< factor after a step that was not cut
 };
-inline constexpr DescentPace k_pace_from_scratch{20.0, 0.6, 0.5};
+inline constexpr DescentPace k_pace_from_scratch{20.0, 0.6, 0.8};
 /// From places that a coarser level has found: what is left to do is little and smooth.
 inline constexpr DescentPace k_pace_from_coarse{0.5, 3.0, 0.25};
 

@@ -60,7 +60,8 @@ TEST(AutoOnPatches, StaysCloserWhereItMayGetRougher) {
 TEST(AutoOnPatches, IsNearerTheMoreStrainThereMayBe) {
   for (const TriMesh& mesh : body_front()) {
     Ended last = run(mesh, Auto{});
-    for (const double limit : {0.02, 0.05, 0.1, 0.2}) {
+    // Where a way ends has some chance in it, so limits are far apart.
+    for (const double limit : {0.02, 0.08, 0.2}) {
       const Ended ended = run(mesh, Auto{.max_strain = limit});
       EXPECT_EQ(ended.stop, StopReason::strain_met) << limit;
       EXPECT_LT(ended.deviation, last.deviation) << limit;

@@ -37,22 +37,22 @@ TEST(Roughness, IsThatOfTheFigures) {
 
 TEST(ClosenessControl, GrowsToTheMostWhereThereIsRoom) {
   const Laid laid(make_shape("panel", 300));
-  ClosenessControl control(laid.state, 1.0, k_smooth_first);
-  double closeness = k_smooth_first.first, strain = 0.1;
+  ClosenessControl control(laid.state, 1.0, k_usual_closeness);
+  double closeness = k_usual_closeness.first, strain = 0.1;
   // Before any strain is gone nothing may get rougher, so it stays.
   EXPECT_EQ(control.after_step(closeness, strain, true), closeness);
   for (int step = 0; step < 20; ++step, strain *= 0.7) {
-    EXPECT_LE(control.after_step(closeness, strain, false), std::max(closeness, k_careful.most));
+    EXPECT_LE(control.after_step(closeness, strain, false), std::max(closeness, k_most_if_stiff));
     const double next = control.after_step(closeness, strain, true);
     EXPECT_GE(next, closeness);
     closeness = next;
   }
-  EXPECT_EQ(closeness, k_smooth_first.most);
+  EXPECT_EQ(closeness, k_usual_closeness.most);
 }
 
 TEST(ClosenessControl, FallsWhereThePatchIsTooRoughButNotToNothing) {
   Laid laid(make_shape("panel", 300));
-  ClosenessControl control(laid.state, 1.0, k_smooth_first);
+  ClosenessControl control(laid.state, 1.0, k_usual_closeness);
   EXPECT_FALSE(control.is_too_rough());
   laid.crumple(20.0);
   EXPECT_TRUE(control.is_too_rough());
@@ -60,7 +60,7 @@ TEST(ClosenessControl, FallsWhereThePatchIsTooRoughButNotToNothing) {
   EXPECT_DOUBLE_EQ(control.after_step(0.25, 0.0, false), 0.0625);
   const double least = control.after_step(1e-9, 0.0, true);
   EXPECT_GT(least, 0.0);
-  EXPECT_LT(least, k_smooth_first.first);
+  EXPECT_LT(least, k_usual_closeness.first);
 }
 
 /// Crumples the patch until its roughness is nearly this.
@@ -78,7 +78,7 @@ TEST(ClosenessControl, AllowsAllOfTheRoughnessOnlyWhenNoStrainIsLeft) {
   Laid laid(make_shape("panel", 300));
   const double at_first = Roughness(laid.state).now();
   const double room = 1.0, most = at_first + room * (at_first + 2.5);
-  ClosenessControl control(laid.state, room, k_smooth_first);
+  ClosenessControl control(laid.state, room, k_usual_closeness);
   control.after_step(0.1, 0.1, true);
   crumple_to(laid, 0.95 * most);
   EXPECT_LT(control.after_step(0.1, 0.05, true), 0.1);
@@ -88,12 +88,12 @@ TEST(ClosenessControl, AllowsAllOfTheRoughnessOnlyWhenNoStrainIsLeft) {
 
 TEST(ClosenessControl, AllowsByThePowerOfTheStrainThatIsLeft) {
   // Where half of the strain is left, 1 - 2^-earliness of the room is there.
-  for (const double earliness : {k_smooth_first.earliness, k_careful.earliness}) {
+  for (const double earliness : {k_usual_closeness.earliness, 0.5}) {
     Laid laid(make_shape("panel", 300));
     const double at_first = Roughness(laid.state).now(), room = 2.0;
     const double allowed =
-        at_first + room * (at_first + k_smooth_first.more) * (1.0 - std::pow(0.5, earliness));
-    ClosenessPace pace = k_smooth_first;
+        at_first + room * (at_first + k_usual_closeness.more) * (1.0 - std::pow(0.5, earliness));
+    ClosenessPace pace = k_usual_closeness;
     pace.earliness = earliness;
     ClosenessControl control(laid.state, room, pace);
     control.after_step(0.1, 0.1, true);

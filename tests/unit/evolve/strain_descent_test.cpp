@@ -175,7 +175,7 @@ TEST(StrainDescent, LowersItsMeritInEveryStepUntilThePatchIsNearlyFlattenable) {
     StrainDescent descent(laid.state, laid.pool, {}, {});
     descent.start(k_pace_from_scratch);
     const double before = descent.rms_strain();
-    for (int i = 0; i < 30 && descent.rms_strain() > 1e-4; ++i) {
+    for (int i = 0; i < 60 && descent.rms_strain() > 1e-4; ++i) {
       const StrainDescent::Step step = descent.step();
       if (step.moved > 0) {
         EXPECT_LT(step.merit, step.merit_before) << shape << i;
@@ -183,6 +183,23 @@ TEST(StrainDescent, LowersItsMeritInEveryStepUntilThePatchIsNearlyFlattenable) {
     }
     EXPECT_LT(descent.rms_strain(), 1e-4) << shape;
     EXPECT_GT(before, 1e-2) << shape;
+  }
+}
+
+TEST(StrainDescent, OnlyLowersAClosenessThatACoarserLevelFound) {
+  for (const double found : {0.0, 0.1, 4.0}) {  // none: with the usual one, which may grow
+    Laid laid(make_shape("panel", 900));
+    StrainDescent descent(laid.state, laid.pool, {.closeness = found}, {});
+    descent.start(k_pace_from_scratch);
+    double most = descent.closeness();
+    for (int i = 0; i < 40; ++i) {
+      descent.step();
+      most = std::max(most, descent.closeness());
+    }
+    if (found > 0.0)
+      EXPECT_EQ(most, found);
+    else
+      EXPECT_GT(most, k_usual_closeness.first);
   }
 }
 

@@ -7,6 +7,9 @@
 
 #include <fcntl.h>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "run.h"
 
@@ -37,6 +40,16 @@ void keep_standard_files_taken() {
   if (lowest >= 0) close(lowest);
 }
 
+/// Steps take and free the same memory again and again: given back to the system in between, it has
+/// to be cleared again each time, which was a sixth of the time of a patch of 4,000 vertices.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int mebibyte = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);  // the most there can be
+  mallopt(M_TRIM_THRESHOLD, 1024 * mebibyte);
+#endif
+}
+
 /// Where memory ends while a failure is being handled: nothing can be caught any more, but what has
 /// been written is whole still.
 [[noreturn]] void end_at_once() {
@@ -49,6 +62,7 @@ void keep_standard_files_taken() {
 
 int main(int argc, char** argv) {
   std::set_terminate(end_at_once);
+  keep_freed_memory();
   keep_standard_files_taken();
   listen_for(SIGINT);
   listen_for(SIGTERM);

@@ -33,6 +33,8 @@ std::string write_png(const Image& image) {
   header.version = PNG_IMAGE_VERSION;
   header.width = static_cast<png_uint_32>(image.width);
   header.height = static_cast<png_uint_32>(image.height);
+  // A third larger, in a third of the time: somebody waits for the page that pictures are for.
+  header.flags = PNG_IMAGE_FLAG_FAST;
   header.format = image.alpha.empty() ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
   const std::string samples = samples_of(image);
   std::string png(PNG_IMAGE_PNG_SIZE_MAX(header), '\0');

@@ -25,8 +25,7 @@ double ClosenessControl::after_step(double closeness, double strain_left, bool m
 }
 
 bool ClosenessControl::is_too_rough() const {
-  constexpr double hardly = 0.2;  // degrees
-  return roughness_.now() > most_ + hardly;
+  return roughness_.now() > most_;
 }
 
 }  // namespace planish

@@ -142,20 +142,21 @@ class AutoStepper {
     const bool held = is_held();
     idle_ = step.moved > 0 ? 0 : idle_ + 1;
     const double enough = level_ > 0 ? k_coarse_strain : k_polish_strain;
-    return held || descent_->rms_strain() <= enough || idle_ >= k_most_idle ||
-           ++steps_ >= most_steps();
+    const bool over = held || descent_->rms_strain() <= enough || idle_ >= k_most_idle ||
+                      ++steps_ >= most_steps();
+    const bool was_less = held_ && held_->strain < descent_->rms_strain();
+    if (held || (over && was_less)) descent_->go_to(held_->places);
+    return over;
   }
 
   /// True where vertices are at the limit of deviation and strain hardly falls any more: what goes
-  /// on there only crumples. They are back then where they had come to before.
+  /// on there only crumples.
   bool is_held() {
     if (!descent_->at_deviation_limit()) return false;
     const bool less = !held_ || descent_->rms_strain() < k_held_share * held_->strain;
     if (less && (!held_ || !descent_->is_too_rough()))
       held_ = Held{descent_->rms_strain(), descent_->places(), -1};
-    if (++held_->steps < k_most_held) return false;
-    descent_->go_to(held_->places);
-    return true;
+    return ++held_->steps >= k_most_held;
   }
 
   int most_steps() const {

@@ -19,9 +19,8 @@ namespace planish {
 /// border edge's row comes right after its ends, so that its pivot is far from 0 already.
 class SeamSystem {
  public:
-  /// @param lengths of the sides from border[k] to border[k + 1]; must outlive it, as must the disk
-  /// and
-  ///   the pool
+  /// @param lengths of the sides from border[k] to border[k + 1]; must outlive it, as must the
+  ///   disk and the pool
   SeamSystem(const Disk& disk, std::span<const double> lengths, ThreadPool& pool);
 
   /// Length less wanted length of each border edge.

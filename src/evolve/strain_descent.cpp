@@ -228,9 +228,7 @@ StrainDescent::Step StrainDescent::step() {
       result.moved += state_.position(v) != x[v] ? 1 : 0;
     break;
   }
-  if (result.moved == 0) {
-    go_back();
-  }
+  if (result.moved == 0) go_to(before_);
   follow(share, halvings, result);
   follow_roughness();
   hold_far_vertices();

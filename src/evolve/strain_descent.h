@@ -94,8 +94,6 @@ class StrainDescent {
   };
   Step step();
 
-  /// Takes the last step back.
-  void go_back() { go_to(before_); }
   void go_to(const Places& places);
   /// From now to the next start sigma is such that strain comes to its limit and stays there, from
   /// above or below.

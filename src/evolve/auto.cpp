@@ -79,16 +79,14 @@ class AutoStepper {
   /// @param closeness of the coarser level, if there was one
   void open_level(double closeness = 0.0) {
     coarse_ = level_ > 0 ? levels_.make_state(level_, pool_) : nullptr;
-    descent_ =
-        std::make_unique<StrainDescent>(level_state(), pool_,
-                                        DescentAims{{options_.max_strain, options_.max_rms_strain},
-                                                    options_.closeness,
-                                                    closeness,
-                                                    earliness_},
-                                        limits());
+    descent_ = std::make_unique<StrainDescent>(
+        level_state(), pool_,
+        DescentAims{strain_limit(), options_.closeness, closeness, earliness_}, limits());
     steps_ = idle_ = 0;
     held_.reset();
   }
+
+  StrainLimit strain_limit() const { return {options_.max_strain, options_.max_rms_strain}; }
 
   PatchState& level_state() const { return coarse_ ? *coarse_ : state_; }
 
@@ -201,6 +199,7 @@ class AutoStepper {
   SweepOutcome polish() {
     const double energy = state_.measure(pool_).energy;
     const std::size_t moved = polish_->cycle();
+    if (limit_is_met_after_all()) return {std::max<std::size_t>(moved, 1)};
     const Flattenability figures = state_.measure(pool_);
     const bool flat = figures.e_max <= k_share_of_e_max * k_flattenable_e_max &&
                       figures.sum_abs_defect <= k_share_of_sum * k_flattenable_sum;
@@ -209,6 +208,17 @@ class AutoStepper {
     const bool over = moved == 0 || slow_ >= k_most_slow || ++polishes_ >= k_most_polishes;
     if (over && rounds_++ < k_most_rounds) return descend_again(moved);
     return {moved, over, polish_->held_by().value_or(StopReason::stalled)};
+  }
+
+  /// Steps may stall at single vertices before they come to a limit of strain. Cycles mend those;
+  /// then what is near is looked for as usual.
+  bool limit_is_met_after_all() {
+    if (!strain_limit().given()) return false;
+    descent_->go_to(descent_->places());
+    if (!descent_->strain_is_met()) return false;
+    polish_.reset();
+    pull_back_.emplace(*descent_);
+    return true;
   }
 
   SweepOutcome descend_again(std::size_t moved) {
@@ -237,7 +247,7 @@ class AutoStepper {
   };
   std::optional<Held> held_;
   int tries_ = 1, steps_ = 0, idle_ = 0, polishes_ = 0, slow_ = 0, rounds_ = 0;
-  double earliness_ = k_usual_closeness.earliness;
+  double earliness_ = 1.0;  // of the usual one
   bool hopeless_ = false;
 };
 

@@ -16,8 +16,8 @@ inline constexpr ClosenessPace k_usual_closeness{0.05, 8.0, 0.8, 2.5};
 /// What closeness grows to where steps fall short already.
 inline constexpr double k_most_if_stiff = 0.5;
 /// Where the way ends at a limit of strain, on patches of 4,000 vertices: what closeness begins
-/// with where hardly any strain has to go, and what it grows to.
-inline constexpr double k_first_near = 2.0, k_most_near = 50.0;
+/// with where hardly any strain has to go, what it grows to, and its earliness.
+inline constexpr double k_first_near = 2.0, k_most_near = 50.0, k_earliness_near = 1.3;
 
 /// Spends the roughness that a patch may have on staying close to where it was. Crumples that are
 /// made early stay for good, so the allowance grows with the strain that is gone

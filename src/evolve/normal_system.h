@@ -15,10 +15,10 @@ namespace planish {
 ///     [ J              -sigma^2 K K^T ] [y] = [turn ]
 ///
 /// H_n the cost's matrix, its entries times n_m . n_k; J = d d / d s the defects' Jacobian along
-/// the directions; K the matrix of StrainPotential. Quasi-definite. Each inner vertex has one
-/// direction, its normal, so two unknowns: moves along the surface would double the unknowns and
-/// hardly change its form. Vertices of the border have as many as BorderMotion says. What is "by
-/// direction" is in the order of the vertices.
+/// the directions; K the matrix of StrainPotential, by inner vertex and value of phi.
+/// Quasi-definite. Each inner vertex has one direction, its normal, so two unknowns: moves along
+/// the surface would double the unknowns and hardly change its form. Vertices of the border have as
+/// many as BorderMotion says. What is "by direction" is in the order of the vertices.
 class NormalSystem {
  public:
   /// The numbers of the steps: one of each inner vertex, then those of the border's.

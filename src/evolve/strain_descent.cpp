@@ -21,12 +21,16 @@ bool stays_near(const DescentAims& aims, const DescentLimits& limits) {
   return aims.strain.given() && std::isinf(limits.deviation);
 }
 
+PatternBorder pattern_border(const DescentAims& aims) {
+  return aims.strain.given() ? PatternBorder::free : PatternBorder::held;
+}
+
 /// @param stays share of the strain at first
 ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, double stays,
                        double density) {
   ClosenessPace pace = k_usual_closeness;
-  pace.earliness = aims.earliness;
   if (stays_near(aims, limits)) {
+    pace.earliness = k_earliness_near;
     pace.most = k_most_near * std::max(1.0, density * density);
     // Where little strain has to go, crumples may take it up at once.
     pace.first = std::max(pace.first, k_first_near * stays * stays);
@@ -35,24 +39,18 @@ ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, dou
   constexpr double most_room = 10.0;
   const double room = std::clamp(aims.room, 1.0, most_room);
   pace.most *= room * room;
+  pace.earliness *= aims.earliness;
   return pace;
-}
-
-/// @param vertices inner ones and those of the border
-DescentStrain strain_of(const Eigen::VectorXd& phi, std::size_t vertices) {
-  const auto all = static_cast<double>(vertices);
-  const double mean = phi.sum() / all;
-  return {phi.norm() / std::sqrt(static_cast<double>(phi.size())),
-          0.5 * (std::max(phi.maxCoeff(), 0.0) - std::min(phi.minCoeff(), 0.0)),
-          std::sqrt(std::max(0.0, phi.squaredNorm() / all - mean * mean))};
 }
 
 }  // namespace
 
 double StrainLimit::share_of(const DescentStrain& strain) const {
+  // The pattern itself has up to so much more than phi tells, on all but very uneven meshes.
+  constexpr double of_limit = 0.95;
   double share = std::numeric_limits<double>::infinity();
   if (most > 0.0) share = std::min(share, most / strain.most);
-  if (spread > 0.0) share = std::min(share, spread / strain.spread);
+  if (rms > 0.0) share = std::min(share, of_limit * rms / strain.rms);
   return share;
 }
 
@@ -65,17 +63,15 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       triangles_(state.triangles()),
       border_(limits.border, limits.deviation, state),
       jacobian_(state, border_.movable()),
-      potential_(jacobian_, state, pool),
-      at_first_(potential_.solvable()
-                    ? strain_of(potential_.of(inner_defects(state), pool), state.vertex_count())
-                    : DescentStrain{}),
+      potential_(jacobian_, state, pool, pattern_border(aims)),
+      phi_(potential_.solvable() ? potential_.of(inner_defects(state), pool) : Eigen::VectorXd()),
+      at_first_(strain_now()),
       stays_(std::min(1.0, aims.strain.share_of(at_first_))),
       pace_(pace_for(aims, limits, stays_, relative_density(state))),
       control_(state, aims.room, pace_),
       closeness_(aims.closeness > 0.0 ? aims.closeness : pace_.first),
       cost_(jacobian_, state, closeness_, border_.bends()),
-      square_(potential_.stiffness() * potential_.stiffness()),
-      system_(jacobian_, state, cost_.hessian(), square_, border_.direction_count()),
+      system_(jacobian_, state, cost_.hessian(), potential_.square(), border_.direction_count()),
       relaxation_(jacobian_, state) {
   if (limits_.angle > 0.0)
     limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
@@ -110,8 +106,21 @@ void StrainDescent::keep_to_limit(double sigma) {
 
 void StrainDescent::look() {
   state_.measure(pool_);
-  phi_ = potential_.of(inner_defects(state_), pool_);
-  strain_ = strain_of(phi_, state_.vertex_count());
+  // With K as it was, steps find moves that deceive it: what lies between two vertices counts for
+  // strain by the square of the patch's size in edges.
+  if (potential_.border() == PatternBorder::free) potential_.update(pool_);
+  if (potential_.solvable())
+    phi_ = potential_.of(inner_defects(state_), pool_);
+  else
+    phi_.setConstant(std::numeric_limits<double>::infinity());  // no step ends there
+  strain_ = strain_now();
+}
+
+DescentStrain StrainDescent::strain_now() const {
+  if (phi_.size() == 0) return {};
+  const double rms = phi_.norm() / std::sqrt(static_cast<double>(phi_.size()));
+  const bool free = potential_.border() == PatternBorder::free;
+  return {free ? edge_strain_of(rms) : rms, phi_.cwiseAbs().maxCoeff()};
 }
 
 double StrainDescent::merit() const {
@@ -147,8 +156,8 @@ Places StrainDescent::newton_step() {
   for (std::size_t d = 0; d < directions.size(); ++d)
     force[static_cast<Eigen::Index>(d)] = -dot(gradient[vertex_of(d)], directions[d]);
   Places step(x.size());
-  if (!system_.factor(directions, cost_.hessian(), square_, cost_.unit(), 1.0 + stiffening_, sigma_,
-                      pool_))
+  if (!system_.factor(directions, cost_.hessian(), potential_.square(), cost_.unit(),
+                      1.0 + stiffening_, sigma_, pool_))
     return step;
   const Eigen::VectorXd along = system_.solve(force, -inner_defects(state_), pool_);
   for (std::size_t d = 0; d < directions.size(); ++d)

@@ -16,17 +16,17 @@ namespace planish {
 
 /// Strain by the potential phi, as a share of length.
 struct DescentStrain {
-  double rms = 0.0;     ///< phi over the inner vertices
-  double most = 0.0;    ///< half of what phi spans, the border's 0 included: a conformal pattern of
-                        ///< the best size stretches and shrinks edges by so much
-  double spread = 0.0;  ///< that pattern's rms: of phi less its mean, over all vertices
+  double rms = 0.0;   ///< with a limit of strain that of the pattern's edges (edge_strain_of()),
+                      ///< else of phi over the inner vertices
+  double most = 0.0;  ///< of |phi|: edges along the border of the pattern stretch by that much,
+                      ///< those inside by half of it and more
 };
 
 /// The strain that is allowed; 0: no limit.
 struct StrainLimit {
-  double most = 0.0, spread = 0.0;
+  double most = 0.0, rms = 0.0;
 
-  bool given() const { return most > 0.0 || spread > 0.0; }
+  bool given() const { return most > 0.0 || rms > 0.0; }
   /// What strain is to be multiplied by to be at the limit; infinite where there is none.
   double share_of(const DescentStrain& strain) const;
 };
@@ -38,7 +38,7 @@ struct DescentAims {
   /// That a coarser level ended with: weights are found there, where steps cost little, and only
   /// lowered on the way here. 0: there is none.
   double closeness = 0.0;
-  double earliness = k_usual_closeness.earliness;  ///< see ClosenessPace
+  double earliness = 1.0;  ///< of the usual one; see ClosenessPace
 };
 
 /// What no step may break, in the units of the state and radians.
@@ -65,7 +65,9 @@ inline constexpr DescentPace k_pace_from_coarse{0.5, 3.0, 0.25};
 ///     F(x) = C(x) + |phi(x)|^2 / (2 sigma^2),
 ///
 /// C the ShapeCost, phi the StrainPotential, by Levenberg and Marquardt's steps along the normals
-/// and slides along the surface where triangles get poor.
+/// and slides along the surface where triangles get poor. Where a limit of strain is given, phi is
+/// that of a pattern with a free border on the surface as it is, as that is what the limit is of.
+/// Without one all strain has to go, and a border that is held leads there by a shorter way.
 class StrainDescent {
  public:
   /// The patch is to be where it was at first: matrices are of that surface. The state must outlive
@@ -120,6 +122,7 @@ class StrainDescent {
  private:
   double merit_at(const Places& x);
   double merit() const;
+  DescentStrain strain_now() const;
   /// Measures the defects at the places where vertices are, and phi.
   void look();
   std::vector<Vec3> directions() const;
@@ -141,17 +144,16 @@ class StrainDescent {
   BorderMotion border_;
   AngleJacobian jacobian_;
   StrainPotential potential_;
+  Eigen::VectorXd phi_;
   DescentStrain at_first_;
   double stays_;  // of that, at the limit: a share
   ClosenessPace pace_;
   ClosenessControl control_;
   double closeness_;
   ShapeCost cost_;
-  SparseMatrix square_;  // K K^T
   NormalSystem system_;
   TangentialRelaxation relaxation_;
   Places before_;  // the last step
-  Eigen::VectorXd phi_;
   DescentStrain strain_;
   double longest_step_ = 0.0, fall_of_sigma_ = 0.5, sigma_ = 1.0, least_sigma_ = 0.0,
          stiffening_ = 0.0;

@@ -1,5 +1,9 @@
 #include "evolve/strain_potential.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "evolve/fairing.h"
 #include "evolve/places.h"
 #include "solve/dissection.h"
@@ -9,39 +13,120 @@ namespace planish {
 
 namespace {
 
-SparseMatrix stiffness_of(const AngleJacobian& jacobian, const PatchState& state) {
+constexpr std::size_t k_nowhere = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t k_grain = 512;
+
+/// K without values.
+SparseMatrix pattern_of(const AngleJacobian& jacobian, const PatchState& state,
+                        PatternBorder border) {
   std::vector<Eigen::Triplet<double>> entries;
-  const auto n = static_cast<int>(jacobian.row_count());
-  for (int v = 0; v < n; ++v) {
-    const auto ring = jacobian.ring(static_cast<Index>(v));
-    std::vector<Vec3> places;
-    for (const Index w : ring)
-      places.push_back(state.position(w));
-    const std::vector<double> weights =
-        cotangent_weights(state.position(static_cast<std::size_t>(v)), places);
-    for (std::size_t j = 0; j < ring.size(); ++j) {
-      entries.emplace_back(v, v, weights[j]);
-      // Both ends of an edge see the same triangles, but for rounding.
-      if (state.is_inner(ring[j])) {
-        entries.emplace_back(v, static_cast<int>(ring[j]), -0.5 * weights[j]);
-        entries.emplace_back(static_cast<int>(ring[j]), v, -0.5 * weights[j]);
-      }
+  const auto n = static_cast<Index>(jacobian.row_count());
+  const auto rows = border == PatternBorder::free ? state.vertex_count() : n;
+  for (Index v = 0; v < n; ++v) {
+    const auto column = static_cast<int>(v);
+    entries.emplace_back(column, column, 0.0);
+    for (const Index w : jacobian.ring(v)) {
+      if (w < rows) entries.emplace_back(static_cast<int>(w), column, 0.0);
     }
   }
-  SparseMatrix matrix(n, n);
+  SparseMatrix matrix(static_cast<int>(rows), static_cast<int>(n));
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
+}
+
+std::size_t place_in_column(const SparseMatrix& matrix, int row, int column) {
+  const int* rows = matrix.innerIndexPtr();
+  const int* end = rows + matrix.outerIndexPtr()[column + 1];
+  const int* found = std::lower_bound(rows + matrix.outerIndexPtr()[column], end, row);
+  return found != end && *found == row ? static_cast<std::size_t>(found - rows) : k_nowhere;
+}
+
+double dot_of_columns(const SparseMatrix& matrix, int a, int b) {
+  double sum = 0.0;
+  SparseMatrix::InnerIterator x(matrix, a), y(matrix, b);
+  while (x && y) {
+    if (x.row() == y.row()) {
+      sum += x.value() * y.value();
+      ++x;
+      ++y;
+    } else if (x.row() < y.row()) {
+      ++x;
+    } else {
+      ++y;
+    }
+  }
+  return sum;
 }
 
 }  // namespace
 
 StrainPotential::StrainPotential(const AngleJacobian& jacobian, const PatchState& state,
-                                 ThreadPool& pool)
-    : stiffness_(stiffness_of(jacobian, state)) {
-  if (stiffness_.cols() == 0) return;
-  const SparseMatrix lower = stiffness_.triangularView<Eigen::Lower>();
-  solver_.emplace(lower, nested_dissection(inner_places(state), graph_of(stiffness_)));
+                                 ThreadPool& pool, PatternBorder border)
+    : jacobian_(jacobian),
+      state_(state),
+      border_(border),
+      stiffness_(pattern_of(jacobian, state, border)) {
+  const auto n = static_cast<int>(stiffness_.cols());
+  if (n == 0) return;
+  for (int v = 0; v < n; ++v) {
+    first_place_.push_back(places_.size());
+    places_.push_back(place_in_column(stiffness_, v, v));
+    for (const Index w : jacobian.ring(static_cast<Index>(v)))
+      places_.push_back(place_in_column(stiffness_, static_cast<int>(w), v));
+  }
+  fill(pool);
+  square_ = SparseMatrix(stiffness_.transpose()) * stiffness_;
+  const bool free = border == PatternBorder::free;
+  const SparseMatrix& matrix = free ? square_ : stiffness_;
+  const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
+  solver_.emplace(lower, nested_dissection(inner_places(state), graph_of(matrix)));
   solvable_ = solver_->factor(lower, pool);
+}
+
+void StrainPotential::fill(ThreadPool& pool) {
+  double* values = stiffness_.valuePtr();
+  pool.for_ranges(first_place_.size(), k_grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Vec3> ring;
+    for (std::size_t v = begin; v < end; ++v) {
+      ring.clear();
+      for (const Index w : jacobian_.ring(static_cast<Index>(v)))
+        ring.push_back(state_.position(w));
+      const std::size_t* place = places_.data() + first_place_[v];
+      double& own = values[*place] = 0.0;
+      for (const double weight : cotangent_weights(state_.position(v), ring)) {
+        own += weight;
+        if (*++place != k_nowhere) values[*place] = -weight;
+      }
+    }
+  });
+}
+
+void StrainPotential::take_square(ThreadPool& pool) {
+  pool.for_ranges(first_place_.size(), k_grain, [this](std::size_t begin, std::size_t end) {
+    for (int v = static_cast<int>(begin); v < static_cast<int>(end); ++v) {
+      for (SparseMatrix::InnerIterator entry(square_, v); entry; ++entry)
+        entry.valueRef() = dot_of_columns(stiffness_, static_cast<int>(entry.row()), v);
+    }
+  });
+}
+
+void StrainPotential::update(ThreadPool& pool) {
+  if (!solver_) return;
+  fill(pool);
+  take_square(pool);
+  const SparseMatrix& matrix = border_ == PatternBorder::free ? square_ : stiffness_;
+  const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
+  solvable_ = solver_->factor(lower, pool);
+}
+
+Eigen::VectorXd StrainPotential::of(const Eigen::VectorXd& defects, ThreadPool& pool) const {
+  const Eigen::VectorXd solution = solver_->solve(defects, pool);
+  if (border_ == PatternBorder::held) return solution;
+  return stiffness_ * solution;
+}
+
+double edge_strain_of(double rms_potential) {
+  return std::sqrt(3.0 / 8.0) * rms_potential;
 }
 
 }  // namespace planish

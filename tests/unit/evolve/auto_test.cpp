@@ -99,13 +99,13 @@ TEST(Auto, KeepsALimitOfTheRmsOfStrain) {
   const TriMesh mesh = make_shape("panel", 1500);
   const Connectivity connectivity(mesh);
   double last = std::numeric_limits<double>::infinity(), farthest = 0.0;
-  for (const double limit : {0.01, 0.005, 0.0025}) {
+  for (const double limit : {0.005, 0.0025, 0.00125}) {
     const EvolveResult result = run(mesh, {.max_rms_strain = limit});
     EXPECT_EQ(result.stop, StopReason::strain_met) << limit;
     const TriMesh moved{result.positions, mesh.triangles};
     const EdgeStrain left = edge_strain(moved, connectivity, unfold(moved, connectivity).positions);
-    EXPECT_LE(left.rms, limit) << "a conformal pattern has more";
-    EXPECT_GT(left.rms, 0.1 * limit) << "it goes no further than it need";
+    EXPECT_LE(left.rms, limit);
+    EXPECT_GT(left.rms, 0.9 * limit) << "it goes no further than it need";
     EXPECT_LT(left.rms, last) << limit;
     last = left.rms;
     const double far = measure_deviation(mesh, result.positions, connectivity).rms;

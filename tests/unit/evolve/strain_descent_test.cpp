@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include <planish/mesh/shapes.h>
+#include <planish/unfold/strain.h>
+#include <planish/unfold/unfold.h>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -102,7 +104,7 @@ TEST(StrainPotential, IsTheConformalStretchOfACap) {
   const TriMesh mesh = make_shape("dome", 4000);
   Laid laid(mesh);
   laid.state.measure(laid.pool);
-  const StrainPotential potential(laid.jacobian, laid.state, laid.pool);
+  const StrainPotential potential(laid.jacobian, laid.state, laid.pool, PatternBorder::held);
   ASSERT_TRUE(potential.solvable());
   const VectorXd d = inner_defects(laid.state), phi = potential.of(d, laid.pool);
   EXPECT_LT((potential.stiffness() * phi - d).norm(), 1e-12 * d.norm());
@@ -111,12 +113,66 @@ TEST(StrainPotential, IsTheConformalStretchOfACap) {
   EXPECT_GT(phi.minCoeff(), 0.0);
 }
 
+TEST(StrainPotential, IsTheSmallestOneWhereTheBorderIsFree) {
+  const TriMesh mesh = make_shape("panel", 200);
+  Laid laid(mesh);
+  laid.state.measure(laid.pool);
+  const VectorXd d = inner_defects(laid.state);
+  const StrainPotential held(laid.jacobian, laid.state, laid.pool, PatternBorder::held);
+  const StrainPotential free(laid.jacobian, laid.state, laid.pool, PatternBorder::free);
+  const VectorXd phi = free.of(d, laid.pool);
+  ASSERT_EQ(phi.size(), static_cast<Eigen::Index>(laid.state.vertex_count()));
+  // Of all that have these defects, by a dense decomposition.
+  const MatrixXd k = MatrixXd(free.stiffness()).transpose();
+  const VectorXd least = k.completeOrthogonalDecomposition().solve(d);
+  EXPECT_LT((phi - least).norm(), 1e-9 * least.norm());
+  VectorXd with_zeros = VectorXd::Zero(phi.size());
+  with_zeros.head(laid.count()) = held.of(d, laid.pool);
+  EXPECT_LT((k * with_zeros - d).norm(), 1e-10 * d.norm());
+  EXPECT_LT(phi.norm(), 0.95 * with_zeros.norm());
+  const double by_square = d.dot(MatrixXd(free.square()).ldlt().solve(d));
+  EXPECT_NEAR(by_square, phi.squaredNorm(), 1e-9 * by_square);
+}
+
+TEST(StrainPotential, TellsTheStrainOfThePatternWhereTheBorderIsFree) {
+  for (const char* shape : {"panel", "saddle"}) {
+    const TriMesh mesh = make_shape(shape, 3000);
+    Laid laid(mesh);
+    laid.state.measure(laid.pool);
+    const StrainPotential potential(laid.jacobian, laid.state, laid.pool, PatternBorder::free);
+    const VectorXd phi = potential.of(inner_defects(laid.state), laid.pool);
+    const double told = edge_strain_of(phi.norm() / std::sqrt(static_cast<double>(phi.size())));
+    const Pattern pattern = unfold(mesh, laid.connectivity);
+    const double strain = edge_strain(mesh, laid.connectivity, pattern.positions).rms;
+    EXPECT_NEAR(told, strain, 0.05 * strain) << shape;
+  }
+}
+
+TEST(StrainPotential, TakesTheSurfaceAsItIsWhenUpdated) {
+  for (const PatternBorder border : {PatternBorder::held, PatternBorder::free}) {
+    const TriMesh mesh = make_shape("panel", 200);
+    Laid laid(mesh);
+    StrainPotential potential(laid.jacobian, laid.state, laid.pool, border);
+    const MatrixXd before(potential.square());
+    const Places moves = moves_where_free(laid, 0.2 * laid.state.scale());
+    move_to(sum_of(inner_places(laid.state), 1.0, moves), laid.jacobian, laid.state);
+    laid.state.measure(laid.pool);
+    potential.update(laid.pool);
+    ASSERT_TRUE(potential.solvable());
+    const StrainPotential anew(laid.jacobian, laid.state, laid.pool, border);
+    EXPECT_GT((MatrixXd(potential.square()) - before).norm(), 1e-6 * before.norm());
+    EXPECT_LT(MatrixXd(potential.square() - anew.square()).norm(), 1e-12 * before.norm());
+    const VectorXd d = inner_defects(laid.state), expected = anew.of(d, laid.pool);
+    EXPECT_LT((potential.of(d, laid.pool) - expected).norm(), 1e-12 * expected.norm());
+  }
+}
+
 TEST(NormalSystem, SolvesWhatADenseSolverSolves) {
   const TriMesh mesh = make_shape("panel", 150);
   Laid laid(mesh, one_held(mesh));
   const ShapeCost cost(laid.jacobian, laid.state, 0.1);
-  const StrainPotential potential(laid.jacobian, laid.state, laid.pool);
-  const SparseMatrix square = potential.stiffness() * potential.stiffness();
+  const StrainPotential potential(laid.jacobian, laid.state, laid.pool, PatternBorder::held);
+  const SparseMatrix& square = potential.square();
   NormalSystem system(laid.jacobian, laid.state, cost.hessian(), square);
   const Eigen::Index n = laid.count();
   Places normals;

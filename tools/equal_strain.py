@@ -4,8 +4,8 @@
     tools/equal_strain.py PLANISH FOLDER RESULTS [NAME...]
 
 Each update of least_norm is run with its usual steps; where it ends there are a strain (rms, of the
-unfolded pattern), a deviation (rms) and a roughness. auto is run for a few limits of strain, of its
-largest value and of its rms, then for some of the rms between the two around that strain. What counts is the least deviation of its runs with no
+unfolded pattern), a deviation (rms) and a roughness. auto is run without a limit and with that strain as limit of its
+rms, then where it is not nearer for some limits between those around that strain. What counts is the least deviation of its runs with no
 more strain: nothing is read off between runs. All strain
 below 0.01 % counts as equal, and where auto without a limit ends below 0.1 %, all below that. Where the update is nearer and rougher than
 auto may get unless told, auto is run again with as much room for roughness (--closeness) as the
@@ -26,7 +26,6 @@ from auto_table import PAGE, flatten, line
 
 BEGIN, END = "<!-- equal: begin -->", "<!-- equal: end -->"
 UPDATES = ("direct", "uniform", "cotangent")
-LIMITS = (1.0, 0.3, 0.1, 0.03, 0.01)
 LEAST_LIMIT = 1e-4
 FLAT, NEARLY_FLAT = 1e-4, 1e-3
 ROUNDING = 1.0 + 1e-6
@@ -56,12 +55,10 @@ class Runs:
         answer = json.loads(kept.read_text(encoding="utf-8"))
         return None if "error" in answer else Run(answer)
 
-    def auto(self, patch, limit, closeness=1.0, flag="--max-rms-strain"):
-        """@param limit of strain; 0: none"""
-        flags = (flag, repr(limit)) if limit else ()
+    def auto(self, patch, limit, closeness=1.0):
+        """@param limit of strain, rms; 0: none"""
+        flags = ("--max-rms-strain", repr(limit)) if limit else ()
         tag = f"auto{limit:.6g}"
-        if limit and flag != "--max-strain":
-            tag += flag.strip("-").replace("max-", ".").replace("-strain", "")
         if closeness != 1.0:
             flags += ("--closeness", f"{closeness:.4g}")
             tag += f".{closeness:.4g}"
@@ -112,22 +109,25 @@ def as_rough(runs, patch, update, strain, usual):
 def compare(runs, patch):
     """For each update its strain, its deviation, that of auto, and that of auto given as much room for
     roughness (none where that was not needed); None for a failed run."""
-    largest = [runs.auto(patch, limit, flag="--max-strain") for limit in (*LIMITS, 0.0)]
-    largest = [run for run in largest if run]
-    auto = {limit: runs.auto(patch, limit) for limit in (*LIMITS, 0.0)}
+    auto = {0.0: runs.auto(patch, 0.0)}
     auto = {limit: run for limit, run in auto.items() if run}
     least = max(FLAT, auto[0.0].strain) if 0.0 in auto else math.inf
     updates = [runs(patch, update, "--method", "least_norm", "--update", update) for update in UPDATES]
     strains = [max(run.strain, least if least <= NEARLY_FLAT else FLAT) if run else None for run in updates]
+    for strain in filter(None, strains):
+        limit = float(f"{strain:.4g}")
+        run = runs.auto(patch, limit) if limit >= FLAT else None
+        if run:
+            auto[limit] = run
     for ended, strain in zip(updates, strains):
-        if ended and deviation_within(strain, largest) > ended.deviation * ROUNDING:
+        if ended:
             refined(runs, patch, auto, strain, ended.deviation, 6)
     rows = []
     for ended, strain in zip(updates, strains):
         if not ended:
             rows.append(None)
             continue
-        ours = deviation_within(strain, [*auto.values(), *largest])
+        ours = deviation_within(strain, auto.values())
         rough = None
         if ours > ended.deviation * ROUNDING:
             rough = as_rough(runs, patch, ended, strain, auto)

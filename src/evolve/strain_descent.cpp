@@ -25,6 +25,15 @@ PatternBorder pattern_border(const DescentAims& aims) {
   return aims.strain.given() ? PatternBorder::free : PatternBorder::held;
 }
 
+/// Where nearly all strain has to go, a border that is nearly held leads there by a shorter way,
+/// and what it may stretch hardly counts any more.
+/// @param stays share of the strain at first
+double ease_for(double stays) {
+  constexpr double much = 0.2, least = 1e-4;
+  const double share = std::min(1.0, stays / much);
+  return std::max(least, share * share);
+}
+
 /// @param stays share of the strain at first
 ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, double stays,
                        double density) {
@@ -73,6 +82,7 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       cost_(jacobian_, state, closeness_, border_.bends()),
       system_(jacobian_, state, cost_.hessian(), potential_.square(), border_.direction_count()),
       relaxation_(jacobian_, state) {
+  if (potential_.border() == PatternBorder::free) potential_.ease_border(ease_for(stays_), pool);
   if (limits_.angle > 0.0)
     limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
 }

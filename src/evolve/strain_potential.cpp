@@ -85,6 +85,7 @@ StrainPotential::StrainPotential(const AngleJacobian& jacobian, const PatchState
 
 void StrainPotential::fill(ThreadPool& pool) {
   double* values = stiffness_.valuePtr();
+  const double at_border = std::sqrt(ease_);
   pool.for_ranges(first_place_.size(), k_grain, [&](std::size_t begin, std::size_t end) {
     std::vector<Vec3> ring;
     for (std::size_t v = begin; v < end; ++v) {
@@ -93,9 +94,12 @@ void StrainPotential::fill(ThreadPool& pool) {
         ring.push_back(state_.position(w));
       const std::size_t* place = places_.data() + first_place_[v];
       double& own = values[*place] = 0.0;
-      for (const double weight : cotangent_weights(state_.position(v), ring)) {
-        own += weight;
-        if (*++place != k_nowhere) values[*place] = -weight;
+      const std::vector<double> weights = cotangent_weights(state_.position(v), ring);
+      const auto neighbours = jacobian_.ring(static_cast<Index>(v));
+      for (std::size_t j = 0; j < weights.size(); ++j) {
+        own += weights[j];
+        if (*++place == k_nowhere) continue;
+        values[*place] = state_.is_inner(neighbours[j]) ? -weights[j] : -at_border * weights[j];
       }
     }
   });
@@ -108,6 +112,11 @@ void StrainPotential::take_square(ThreadPool& pool) {
         entry.valueRef() = dot_of_columns(stiffness_, static_cast<int>(entry.row()), v);
     }
   });
+}
+
+void StrainPotential::ease_border(double ease, ThreadPool& pool) {
+  ease_ = ease;
+  update(pool);
 }
 
 void StrainPotential::update(ThreadPool& pool) {

@@ -33,6 +33,10 @@ class StrainPotential {
   /// False where K or its square cannot be factored.
   bool solvable() const { return solvable_; }
   PatternBorder border() const { return border_; }
+  /// From now on squares of phi at a free border count divided by this, as if it were stiffer. It
+  /// is then phi over the root of this that of() gives there: strain is told too large, if at all.
+  /// @param ease above 0, at most 1: as at first
+  void ease_border(double ease, ThreadPool& pool);
   /// Takes K from the patch as it is now.
   void update(ThreadPool& pool);
   /// @param defects by inner vertex, radians
@@ -51,6 +55,7 @@ class StrainPotential {
   const AngleJacobian& jacobian_;
   const PatchState& state_;
   PatternBorder border_;
+  double ease_ = 1.0;
   SparseMatrix stiffness_, square_;  // K^T, K K^T
   // Where the entries of each vertex lie in K^T: its own, then those of its ring, k_nowhere for
   // those that it has not.

@@ -105,7 +105,7 @@ TEST(Auto, KeepsALimitOfTheRmsOfStrain) {
     const TriMesh moved{result.positions, mesh.triangles};
     const EdgeStrain left = edge_strain(moved, connectivity, unfold(moved, connectivity).positions);
     EXPECT_LE(left.rms, limit);
-    EXPECT_GT(left.rms, 0.9 * limit) << "it goes no further than it need";
+    EXPECT_GT(left.rms, 0.8 * limit) << "it goes no further than it need";
     EXPECT_LT(left.rms, last) << limit;
     last = left.rms;
     const double far = measure_deviation(mesh, result.positions, connectivity).rms;

@@ -134,6 +134,28 @@ TEST(StrainPotential, IsTheSmallestOneWhereTheBorderIsFree) {
   EXPECT_NEAR(by_square, phi.squaredNorm(), 1e-9 * by_square);
 }
 
+TEST(StrainPotential, ComesFromFreeToHeldAsTheBorderGetsStiff) {
+  const TriMesh mesh = make_shape("panel", 200);
+  Laid laid(mesh);
+  laid.state.measure(laid.pool);
+  const VectorXd d = inner_defects(laid.state);
+  const StrainPotential held(laid.jacobian, laid.state, laid.pool, PatternBorder::held);
+  StrainPotential free(laid.jacobian, laid.state, laid.pool, PatternBorder::free);
+  const double most = held.of(d, laid.pool).norm();
+  double last = free.of(d, laid.pool).norm();
+  for (const double ease : {0.3, 0.01, 1e-4}) {
+    free.ease_border(ease, laid.pool);
+    const double now = free.of(d, laid.pool).norm();
+    EXPECT_GT(now, last) << ease;
+    EXPECT_LT(now, most) << ease;
+    last = now;
+  }
+  EXPECT_NEAR(last, most, 0.01 * most);
+  free.ease_border(1.0, laid.pool);
+  const StrainPotential anew(laid.jacobian, laid.state, laid.pool, PatternBorder::free);
+  EXPECT_LT((free.of(d, laid.pool) - anew.of(d, laid.pool)).norm(), 1e-12 * most);
+}
+
 TEST(StrainPotential, TellsTheStrainOfThePatternWhereTheBorderIsFree) {
   for (const char* shape : {"panel", "saddle"}) {
     const TriMesh mesh = make_shape(shape, 3000);

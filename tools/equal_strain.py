@@ -11,8 +11,8 @@ below 0.01 % counts as equal, and where auto without a limit ends below 0.1 %, a
 auto may get unless told, auto is run again with as much room for roughness (--closeness) as the
 update took, and twice that, as it seldom takes all; what ends rougher than the update does not
 count. RESULTS keeps the answers: what lies
-there is not run again. Patches whose names end in more than 20k are left out: a run with a limit of
-strain takes half a minute and more there. NAMEs: these patches alone, and no table.
+there is not run again. Patches whose names end in more than 60k are left out: a run with a limit of
+strain takes minutes there. NAMEs: these patches alone, and no table.
 """
 
 import concurrent.futures
@@ -71,13 +71,16 @@ def deviation_within(strain, runs):
 
 
 def refined(runs, patch, found, strain, deviation, times, closeness=1.0):
-    """Adds runs with limits between the two around a strain, until one is as near with no more.
+    """Adds runs with limits between the two around a strain, until one is as near with no more; where
+    all have less, with a larger limit.
     @param found limit -> run"""
     for _ in range(times):
         if deviation_within(strain, found.values()) <= deviation * ROUNDING:
             return
         low = max((limit for limit, run in found.items() if limit and run.strain <= strain), default=0)
         high = min((limit for limit, run in found.items() if run.strain > strain and limit > low), default=0)
+        if high == 0 and low > 0:
+            high = low * (strain / max(found[low].strain, 0.5 * strain)) ** 2
         if high == 0 or high < max(1.02 * low, LEAST_LIMIT):
             return
         middle = float(f"{math.sqrt(low * high) if low else high / 3.0:.4g}")
@@ -116,7 +119,7 @@ def compare(runs, patch):
     strains = [max(run.strain, least if least <= NEARLY_FLAT else FLAT) if run else None for run in updates]
     for strain in filter(None, strains):
         limit = float(f"{strain:.4g}")
-        run = runs.auto(patch, limit) if limit >= FLAT else None
+        run = runs.auto(patch, limit) if FLAT <= limit <= 1.0 else None
         if run:
             auto[limit] = run
     for ended, strain in zip(updates, strains):
@@ -164,7 +167,7 @@ def cells(rows):
 
 def is_small(patch):
     thousands = re.search(r"(\d+)k$", patch.stem)
-    return thousands is None or int(thousands[1]) <= 20
+    return thousands is None or int(thousands[1]) <= 60
 
 
 def main():

@@ -129,7 +129,7 @@ void StrainPotential::update(ThreadPool& pool) {
 }
 
 Eigen::VectorXd StrainPotential::of(const Eigen::VectorXd& defects, ThreadPool& pool) const {
-  const Eigen::VectorXd solution = solver_->solve(defects, pool);
+  Eigen::VectorXd solution = solver_->solve(defects, pool);
   if (border_ == PatternBorder::held) return solution;
   return stiffness_ * solution;
 }

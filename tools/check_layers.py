@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Checks what the compiler does not: that layers include downwards only, that public headers and
-programs stay clear of private ones, and that every error code has its paragraph in docs/errors.md.
+programs stay clear of private ones, that what one system alone has stays in its rooms, and that
+every error code has its paragraph in docs/errors.md.
 
+    platform <- {core, io, report}
     core <- mesh <- {io, measure} <- {evolve, unfold <- pattern} <- report;  core <- draw <- report;
     core <- solve <- {evolve, unfold}
 """
@@ -14,10 +16,11 @@ REPO = pathlib.Path(__file__).resolve().parent.parent
 
 # Layer -> the layers that it may include, besides itself.
 ALLOWED = {
-    "core": set(),
+    "platform": set(),
+    "core": {"platform"},
     "solve": {"core"},
     "mesh": {"core"},
-    "io": {"core", "mesh"},
+    "io": {"platform", "core", "mesh"},
     "measure": {"core", "mesh"},
     "draw": {"core"},
     "evolve": {"core", "solve", "mesh", "io", "measure"},
@@ -25,6 +28,23 @@ ALLOWED = {
     "pattern": {"core", "mesh", "unfold"},
     "report": {"core", "mesh", "io", "measure", "draw", "evolve", "unfold", "pattern"},
 }
+
+# Headers that not every system has.
+SYSTEM_HEADERS = re.compile(
+    r"(sys|arpa|linux|netinet)/.*|c?signal(\.h)?"
+    r"|(dirent|dlfcn|fcntl|malloc|poll|pthread|pwd|sched|spawn|termios|unistd)\.h"
+    r"|(conio|direct|io|process|shellapi|shlobj|windows|winsock2)\.h",
+    re.IGNORECASE,
+)
+SYSTEM_MACROS = re.compile(
+    r"^\s*#\s*(?:if|ifdef|ifndef|elif)\b.*\b"
+    r"(__linux__|__GLIBC__|__APPLE__|__unix__|_POSIX\w*|_WIN32|_WIN64|__MINGW\w*|_MSC_VER)\b",
+    re.MULTILINE,
+)
+# Where both may be: one folder and one file for each system.
+ROOMS = re.compile(r"src/platform/\w+/.*|apps/planish/host_\w+\.cpp")
+# Windows has headers of these names, and its own include each other by them.
+TAKEN_NAMES = {"direct.h", "io.h", "process.h"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
@@ -82,6 +102,24 @@ def check_users(faults):
                     faults.append(f"{where}: {root} must not include the private header {name}")
 
 
+def check_rooms(faults):
+    """One system's headers and macros stay in their rooms, so that another system adds a room."""
+    for root in ("include", "src", "apps", "examples"):
+        for path in sources(root):
+            name = path.relative_to(REPO).as_posix()
+            if path.name in TAKEN_NAMES:
+                faults.append(f"{name}: hides a header of Windows")
+            if ROOMS.fullmatch(name):
+                continue
+            for line, mark, header in includes(path):
+                if mark == "<" and SYSTEM_HEADERS.fullmatch(header):
+                    faults.append(f"{name}:{line}: <{header}> belongs into src/platform/")
+            text = path.read_text(encoding="utf-8")
+            for match in SYSTEM_MACROS.finditer(text):
+                line = text.count("\n", 0, match.start(1)) + 1
+                faults.append(f"{name}:{line}: {match[1]} belongs into src/platform/")
+
+
 def error_codes():
     text = (REPO / "include/planish/core/error.h").read_text(encoding="utf-8")
     body = re.search(r"enum class ErrorCode \{(.*?)\};", text, re.DOTALL)[1]
@@ -107,6 +145,7 @@ def main():
     faults = []
     check_library(faults)
     check_users(faults)
+    check_rooms(faults)
     check_error_docs(faults)
     for fault in faults:
         print(fault)

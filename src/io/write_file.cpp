@@ -1,6 +1,4 @@
-#include <cerrno>
 #include <new>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -8,10 +6,7 @@
 #include <planish/core/error.h>
 #include <planish/io/write_file.h>
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include "io/descriptor.h"
+#include "platform/file.h"
 
 namespace planish {
 namespace {
@@ -22,18 +17,8 @@ namespace fs = std::filesystem;
   throw Error(ErrorCode::file_unwritable, "cannot be written: " + cause, {.path = path.string()});
 }
 
-[[noreturn]] void fail(const fs::path& path, int cause) {
-  fail(path, std::generic_category().message(cause));
-}
-
-/// Writes all and closes. @param path for errors
-void write_all(Descriptor& file, std::string_view content, const fs::path& path) {
-  while (!content.empty()) {
-    const ssize_t written = ::write(file.number(), content.data(), content.size());
-    if (written < 0 && errno != EINTR) fail(path, errno);
-    if (written > 0) content.remove_prefix(static_cast<std::size_t>(written));
-  }
-  if (!file.close()) fail(path, errno);
+[[noreturn]] void fail(const fs::path& path, std::error_code cause) {
+  fail(path, cause.message());
 }
 
 /// Where renaming has to put a file that the caller named: a symbolic link stays, what it points to
@@ -113,7 +98,7 @@ void Transaction::prepare(const OutputFile& file) {
   const fs::file_status status =
       inside ? fs::symlink_status(file.path, none) : fs::status(file.path, none);
   if (!file.path.has_filename()) fail(file.path, "the path names no file");
-  if (fs::is_directory(status)) fail(file.path, EISDIR);
+  if (fs::is_directory(status)) fail(file.path, std::make_error_code(std::errc::is_a_directory));
   if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_symlink(status)) {
     direct_.push_back(&file);  // a device or pipe: nothing can be renamed over it
     return;
@@ -123,11 +108,8 @@ void Transaction::prepare(const OutputFile& file) {
   // Known before it is there: whatever fails from here on, it is taken back.
   pending_.push_back(
       {.path = file.path, .place = place, .partial = free_name(place), .previous = {}});
-  constexpr mode_t k_mode = 0666;  // the user's mask takes away what it should
-  Descriptor out(
-      ::open(pending_.back().partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, k_mode));
-  if (out.number() < 0) fail(file.path, errno);
-  write_all(out, file.content, file.path);
+  const std::error_code fault = write_new_file(pending_.back().partial, file.content);
+  if (fault) fail(file.path, fault);
 }
 
 /// @param path for errors
@@ -135,7 +117,7 @@ void Transaction::make_folders(const fs::path& folder, const fs::path& path) {
   std::vector<fs::path> missing;
   std::error_code fault;
   for (fs::path at = folder; !at.empty() && !fs::exists(at, fault); at = at.parent_path()) {
-    if (fault) fail(path, fault.message());
+    if (fault) fail(path, fault);
     if (at.has_filename()) missing.push_back(at);
   }
   folders_.reserve(folders_.size() + missing.size());
@@ -143,7 +125,7 @@ void Transaction::make_folders(const fs::path& folder, const fs::path& path) {
     if (fs::create_directory(missing.back(), fault)) {
       folders_.push_back(std::move(missing.back()));
     } else if (fault) {
-      fail(path, fault.message());
+      fail(path, fault);
     }
   }
 }
@@ -153,7 +135,7 @@ fs::path Transaction::free_name(const fs::path& place) {
   std::error_code none;
   do {
     name = place;
-    name += ".planish-partial-" + std::to_string(::getpid()) + "-" + std::to_string(names_++);
+    name += ".planish-partial-" + std::to_string(process_number()) + "-" + std::to_string(names_++);
   } while (fs::exists(fs::symlink_status(name, none)));
   return name;
 }
@@ -167,21 +149,19 @@ void Transaction::keep_previous(Pending& pending) {
   fs::create_hard_link(pending.place, previous, fault);
   // Some file systems have no second names: there the first one goes.
   if (fault) fs::rename(pending.place, previous, fault);
-  if (fault) fail(pending.path, fault.message());
+  if (fault) fail(pending.path, fault);
   pending.previous = std::move(previous);
 }
 
 void Transaction::commit() {
   for (const OutputFile* const file : direct_) {
-    Descriptor out(::open(file->path.c_str(), O_WRONLY | O_CLOEXEC));
-    if (out.number() < 0) fail(file->path, errno);
-    write_all(out, file->content, file->path);
+    const std::error_code fault = write_into(file->path, file->content);
+    if (fault) fail(file->path, fault);
   }
   for (Pending& pending : pending_) {
     if (pending_.size() > 1) keep_previous(pending);
-    std::error_code fault;
-    fs::rename(pending.partial, pending.place, fault);
-    if (fault) fail(pending.path, fault.message());
+    const std::error_code fault = replace_file(pending.partial, pending.place);
+    if (fault) fail(pending.path, fault);
     pending.placed = true;
   }
   committed_ = true;
@@ -196,7 +176,7 @@ void Transaction::take_back() noexcept {
   for (; !pending_.empty(); pending_.pop_back()) {
     const Pending& pending = pending_.back();
     if (!pending.previous.empty()) {
-      fs::rename(pending.previous, pending.place, none);
+      replace_file(pending.previous, pending.place);
       // Two names of one file: renaming does nothing and leaves both.
       fs::remove(pending.previous, none);
     } else if (pending.placed) {

@@ -1,13 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +12,8 @@
 #include <planish/io/read_mesh.h>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
+
+#include "support/own_folder.h"
 
 namespace planish {
 
@@ -86,40 +83,5 @@ std::string packed(std::endian order, Numbers... numbers) {
   (add(numbers), ...);
   return bytes;
 }
-
-inline std::string content_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-inline void put_file(const std::filesystem::path& path, std::string_view content) {
-  std::ofstream(path, std::ios::binary) << content;
-}
-
-/// Gives every test an empty folder of its own, and of the process.
-class IoFolder : public testing::Test {
- protected:
-  void SetUp() override {
-    const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              ("planish_io_" + std::to_string(getpid()) + "_" + test->test_suite_name() + "_" +
-               test->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  /// The names of all that is in the folder, at any depth, in order.
-  std::vector<std::string> names() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
-      names.push_back(std::filesystem::relative(entry.path(), folder_).string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-
-  std::filesystem::path folder_;
-};
 
 }  // namespace planish

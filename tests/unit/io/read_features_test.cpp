@@ -135,7 +135,7 @@ TEST(ReadWeights, RefusesWhatIsNoWeight) {
     refused("3 1\n4 " + std::string(word), ErrorCode::bad_number, 2, word);
 }
 
-class ReadFeatures : public IoFolder {};
+class ReadFeatures : public OwnFolder {};
 
 TEST_F(ReadFeatures, ReadFilesAndNameThem) {
   put_file(folder_ / "fixed.txt", "4 2");

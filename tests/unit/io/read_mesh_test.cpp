@@ -11,7 +11,7 @@
 namespace planish {
 namespace {
 
-class ReadMesh : public IoFolder {};
+class ReadMesh : public OwnFolder {};
 
 TEST_F(ReadMesh, ReadsAFileOfEveryFormat) {
   for (const MeshFormat format : k_mesh_formats) {

@@ -1,13 +1,12 @@
-#include <csignal>
 #include <thread>
 
 #include <planish/io/write_file.h>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "support/size_limit.h"
 #include "unit/io/io_testing.h"
 
 namespace planish {
@@ -15,7 +14,7 @@ namespace {
 
 using std::filesystem::path;
 
-class WriteFiles : public IoFolder {
+class WriteFiles : public OwnFolder {
  protected:
   /// Writes and checks that it is refused with the path of the file at fault.
   void expect_refused(const std::vector<OutputFile>& files, const path& at_fault) {
@@ -65,7 +64,9 @@ TEST_F(WriteFiles, WritesIntoTheFolderOfTheProcess) {
   EXPECT_EQ(names(), (std::vector<std::string>{"a", "x", "x/b"}));
 }
 
-TEST_F(WriteFiles, GivesTheModeThatTheMaskLeaves) {
+TEST_F(WriteFiles, GivesFilesThatItReplacesTheModeThatTheMaskLeaves) {
+  put_file(folder_ / "a", "old");
+  ASSERT_EQ(chmod((folder_ / "a").c_str(), 0600), 0);
   const mode_t before = umask(027);
   write_files(std::vector<OutputFile>{{folder_ / "a", "1"}});
   umask(before);
@@ -173,19 +174,19 @@ TEST_F(WriteFiles, RefusesNamesThatAreTooLong) {
   EXPECT_TRUE(names().empty());
 }
 
-TEST_F(WriteFiles, LeavesNothingWhenTheDiskIsFull) {
+TEST_F(WriteFiles, LeavesAllAsItWasWhenTheDiskIsFull) {
   put_file(folder_ / "a", "old");
-  struct rlimit before = {};
-  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-  auto* const handler = std::signal(SIGXFSZ, SIG_IGN);
-  struct rlimit small = before;
-  small.rlim_cur = 1000;  // a write beyond fails, as on a full disk
-  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  expect_refused({{folder_ / "a", "new"}, {folder_ / "b", std::string(2000, 'x')}}, folder_ / "b");
-  setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
+  put_file(folder_ / "b", "old, too");
+  {
+    const SizeLimit limit(1000);
+    expect_refused({{folder_ / "a", "new"}, {folder_ / "b", std::string(2000, 'x')}},
+                   folder_ / "b");
+    expect_refused({{folder_ / "b", std::string(2000, 'x')}}, folder_ / "b");
+    expect_refused({{folder_ / "c", std::string(2000, 'x')}}, folder_ / "c");
+  }
   EXPECT_EQ(content_of(folder_ / "a"), "old");
-  EXPECT_EQ(names(), std::vector<std::string>{"a"});
+  EXPECT_EQ(content_of(folder_ / "b"), "old, too");
+  EXPECT_EQ(names(), (std::vector<std::string>{"a", "b"}));
 }
 
 TEST_F(WriteFiles, PutsOldContentBackWhenALaterFileCannotTakeItsPlace) {

@@ -10,7 +10,7 @@
 namespace planish {
 namespace {
 
-class WriteMesh : public IoFolder {};
+class WriteMesh : public OwnFolder {};
 
 TEST(FormatMesh, WritesObjCountingFromOne) {
   EXPECT_EQ(format_mesh(square(), MeshFormat::obj),

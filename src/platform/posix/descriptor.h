@@ -1,10 +1,17 @@
 #pragma once
 
+#include <cerrno>
+#include <system_error>
 #include <utility>
 
 #include <unistd.h>
 
 namespace planish {
+
+/// The cause that the last call of the system left.
+inline std::error_code last_fault() {
+  return {errno, std::generic_category()};
+}
 
 /// A file descriptor that closes itself. Negative where opening failed.
 class Descriptor {

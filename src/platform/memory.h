@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+
+namespace planish {
+
+/// Bytes of a large page. Where the system's are of another size, or where it has none, memory that
+/// is aligned to this loses nothing.
+inline constexpr std::size_t k_large_page = std::size_t{1} << 21;
+
+/// Asks the system to hand this memory out in large pages when it is first touched. It is advice:
+/// a refusal costs time alone. Windows gives large pages to privileged users only, so nothing is
+/// done there.
+/// @param memory aligned to k_large_page
+/// @param bytes only whole large pages of them count
+void prefer_large_pages(void* memory, std::size_t bytes) noexcept;
+
+}  // namespace planish

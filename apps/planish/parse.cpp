@@ -152,6 +152,7 @@ bool asks_for(std::span<const std::string> args, std::string_view flag) {
 Parsed parse(std::span<const std::string> args) {
   CLI::App app;
   const Options global = add_flags(app, {});
+  app.allow_windows_style_options(false);  // a word like /a.obj is a path; verbs inherit it
   app.require_subcommand(0, 1);
   std::map<const CLI::App*, Verb> verbs;
   for (const Command& command : commands()) {

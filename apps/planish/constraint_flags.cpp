@@ -1,6 +1,7 @@
 #include "constraint_flags.h"
 
 #include <planish/io/read_features.h>
+#include <planish/platform/path.h>
 
 #include "failures.h"
 #include "method_flags.h"
@@ -22,7 +23,7 @@ void refuse(const std::string& flag, const Method& method, bool (*honours)(const
 }
 
 std::vector<Index> fixed_in(const std::string& path, const TriMesh& mesh, Session& session) {
-  const FixedVertices fixed = read_fixed_vertices(path, mesh);
+  const FixedVertices fixed = read_fixed_vertices(path_of(path), mesh);
   std::string text = path + ": fixed vertices: " + std::to_string(fixed.vertices.size());
   if (fixed.farthest > 0.0) {
     text += "; what is drawn is at most " + digits(fixed.farthest, 3) + " from them";
@@ -57,7 +58,7 @@ Constraints constraints_from(const Arguments& arguments, const TriMesh& mesh, Se
     constraints.fixed = fixed_in(arguments.flags.at("--fix"), mesh, session);
   }
   if (arguments.has("--weights")) {
-    constraints.weights = read_weights(arguments.flags.at("--weights"), mesh);
+    constraints.weights = read_weights(path_of(arguments.flags.at("--weights")), mesh);
   }
   if (arguments.has("--obstacle")) {
     constraints.obstacle = session.read(arguments.flags.at("--obstacle")).mesh;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <planish/io/read_cuts.h>
+#include <planish/platform/path.h>
 
 #include <planish_json/json.h>
 
@@ -24,7 +25,7 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
   if (!arguments.has("--cut")) return {std::move(mesh)};
   const std::string& file = arguments.flags.at("--cut");
   return about(path, [&]() -> CutInput {
-    const CutLines lines = read_cuts(file, mesh);
+    const CutLines lines = read_cuts(path_of(file), mesh);
     CutMesh cut = cut_open(mesh, Connectivity(mesh), lines.paths);
     const std::string unit(to_string(unit_from(arguments)));
     std::string text = file + ": cut open along " + counted(cut.edges, "edge") + ", " +

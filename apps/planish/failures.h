@@ -1,7 +1,7 @@
 #pragma once
 
-#include <filesystem>
 #include <stdexcept>
+#include <string>
 
 #include <planish/core/error.h>
 
@@ -25,13 +25,13 @@ inline bool is_of_usage(const Error& error) {
 
 /// Runs work on the mesh of a file, so that what is wrong with the mesh names the file.
 template <class Work>
-auto about(const std::filesystem::path& path, Work&& work) {
+auto about(const std::string& path, Work&& work) {
   try {
     return work();
   } catch (const Error& error) {
     if (is_of_usage(error) || !error.place().path.empty()) throw;
     ErrorPlace place = error.place();
-    place.path = path.string();
+    place.path = path;
     throw Error(error.code(), error.message(), place);
   }
 }

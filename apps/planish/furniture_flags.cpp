@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <planish/platform/path.h>
 #include <planish/report/read_furniture.h>
 
 #include "failures.h"
@@ -144,14 +145,16 @@ PatternOptions furniture_from(const Arguments& arguments, bool writes_sheet) {
   options.grain = grain_from(arguments);
   options.label = label_from(arguments);
   options.date = arguments.value_or("--date", "");
-  if (arguments.has("--notches")) options.notches = read_notches(arguments.flags.at("--notches"));
+  if (arguments.has("--notches"))
+    options.notches = read_notches(path_of(arguments.flags.at("--notches")));
   if (arguments.has("--inner-lines")) {
-    options.inner_lines = read_inner_lines(arguments.flags.at("--inner-lines"));
+    options.inner_lines = read_inner_lines(path_of(arguments.flags.at("--inner-lines")));
   }
   if (arguments.has("--edge-allowances")) {
-    options.edge_allowances = read_edge_allowances(arguments.flags.at("--edge-allowances"));
+    options.edge_allowances =
+        read_edge_allowances(path_of(arguments.flags.at("--edge-allowances")));
   }
-  if (arguments.has("--marks")) options.marks = read_marks(arguments.flags.at("--marks"));
+  if (arguments.has("--marks")) options.marks = read_marks(path_of(arguments.flags.at("--marks")));
   return options;
 }
 

@@ -5,9 +5,11 @@
 #include <utility>
 
 #include <planish/draw/write_svg.h>
+#include <planish/platform/path.h>
 #include <planish/report/garment_sheet.h>
 
 #include "failures.h"
+#include "file_name.h"
 #include "garment_nest.h"
 #include "garment_run.h"
 #include "garment_seams.h"
@@ -80,7 +82,7 @@ class GarmentRun {
       pieces.push_back({job_.patches[p].name, outcomes_[p].mesh, outcomes_[p].pattern});
     for (const SeamLengths& seam : measured)
       seams.push_back(seam.seam);
-    const std::string title = std::filesystem::path(job_.path).stem().string();
+    const std::string title = stem_of(job_.path);
     return write_svg(garment_sheet(pieces, seams, job_.options.unit, title));
   }
 
@@ -108,7 +110,7 @@ class GarmentRun {
       furniture.notches = std::move(notches[p]);
       patches.push_back({names[p], meshes[p], outcomes_[p].pattern, std::move(furniture)});
     }
-    const std::string title = std::filesystem::path(job_.path).stem().string();
+    const std::string title = stem_of(job_.path);
     try {
       return try_nest_patches(std::move(patches), job_.options.unit, *job_.nest, job_.folder, title,
                               session_);
@@ -123,7 +125,7 @@ class GarmentRun {
     for (std::size_t p = 0; p < outcomes_.size(); ++p) {
       const GarmentPatch& patch = job_.patches[p];
       auto results = arguments_.has("--resume") && !patch.failure
-                         ? finished_results(jobs_[p], job_.folder / patch.folder)
+                         ? finished_results(jobs_[p], job_.folder / path_of(patch.folder))
                          : std::nullopt;
       if (!results) {
         numbers.push_back(p);
@@ -158,7 +160,7 @@ class GarmentRun {
     PatchOutcome& outcome = outcomes_[p];
     std::vector<OutputFile> files = std::move(done.files->files);
     // Last, so that it never speaks of files that are not there yet.
-    files.push_back(job_file(jobs_[p], files, job_.folder / job_.patches[p].folder));
+    files.push_back(job_file(jobs_[p], files, job_.folder / path_of(job_.patches[p].folder)));
     try {
       session_.write(files, job_.folder);
       outcome.report = std::move(done.files->report);

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include <planish/platform/path.h>
+
 #include <planish_json/json.h>
 
 #include "failures.h"
@@ -83,7 +85,7 @@ Json nesting_json(const NestJob& job, const Nesting& nesting,
   json["left_out"] = left_out_json(job);
   json["files"] = Json::array();
   for (const OutputFile& file : files)
-    json["files"].push_back(file.path.string());
+    json["files"].push_back(utf8_of(file.path));
   json["placements"] = placements_json(job, nesting);
   json["error"] = nullptr;
   return json;
@@ -119,7 +121,7 @@ std::vector<OutputFile> layout_files(const NestJob& job, const Nesting& nesting,
     const Drawing sheet = nest_sheet(job, nesting, s, title);
     const std::string number = nesting.sheets > 1 ? "-" + std::to_string(s + 1) : "";
     for (const PatternFormat format : request.formats) {
-      files.push_back({folder / ("layout" + number + "." + std::string(to_string(format))),
+      files.push_back({folder / path_of("layout" + number + "." + std::string(to_string(format))),
                        pattern_file(sheet, format, request.output)});
     }
   }

@@ -10,8 +10,10 @@
 
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/split.h>
+#include <planish/platform/path.h>
 
 #include "failures.h"
+#include "file_name.h"
 #include "pattern_output.h"
 #include "text.h"
 
@@ -22,16 +24,16 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_mesh_file(const fs::path& path) {
-  const std::string extension = lower_extension(path.string());
+  const std::string extension = lower_extension(utf8_of(path));
   return std::any_of(k_mesh_formats.begin(), k_mesh_formats.end(), [&](MeshFormat format) {
     return extension == "." + std::string(to_string(format));
   });
 }
 
-std::vector<fs::path> mesh_files_in(const std::string& folder) {
+std::vector<std::string> mesh_files_in(const std::string& folder) {
   std::error_code failure;
   std::vector<fs::path> files;
-  for (fs::directory_iterator at(folder, failure), end; !failure && at != end;
+  for (fs::directory_iterator at(path_of(folder), failure), end; !failure && at != end;
        at.increment(failure)) {
     std::error_code ignored;
     if (at->is_regular_file(ignored) && is_mesh_file(at->path())) files.push_back(at->path());
@@ -42,23 +44,27 @@ std::vector<fs::path> mesh_files_in(const std::string& folder) {
                 "the folder holds no mesh file: .obj, .ply, .stl or .off", {.path = folder});
   }
   std::sort(files.begin(), files.end());
-  return files;
+  std::vector<std::string> names;
+  names.reserve(files.size());
+  for (const fs::path& file : files)
+    names.push_back(utf8_of(file));
+  return names;
 }
 
 /// Triangles that share no edges are no product but one patch that was written without joining
 /// them.
-void refuse_loose_triangles(const TriMesh& mesh, std::size_t parts, const fs::path& path) {
+void refuse_loose_triangles(const TriMesh& mesh, std::size_t parts, const std::string& path) {
   if (parts < 2 || parts < mesh.triangles.size()) return;
   if (const auto problem = blocking_problem(inspect(mesh), Purpose::evolve)) {
     throw Error(problem->code, problem->message,
-                {.path = path.string(), .first = problem->first, .count = problem->count});
+                {.path = path, .first = problem->first, .count = problem->count});
   }
 }
 
 /// The patches of one file, their folders not named yet.
-std::vector<GarmentPatch> patches_of(const ReadResult& input, const fs::path& path) {
+std::vector<GarmentPatch> patches_of(const ReadResult& input, const std::string& path) {
   std::vector<NamedPatch> parts =
-      input.groups.names.empty() ? split(input.mesh, path.stem().string())
+      input.groups.names.empty() ? split(input.mesh, stem_of(path))
                                  : split(input.mesh, input.groups.of_triangle, input.groups.names);
   refuse_loose_triangles(input.mesh, parts.size(), path);
   std::vector<GarmentPatch> patches;
@@ -168,7 +174,7 @@ GarmentInput read_garment(Session& session, const std::string& path) {
   GarmentInput input;
   input.path = path;
   std::error_code ignored;
-  if (!fs::is_directory(path, ignored)) {
+  if (!fs::is_directory(path_of(path), ignored)) {
     input.whole = session.read(path);
     input.patches = patches_of(input.whole, path);
     if (input.patches.size() > 1) {
@@ -177,16 +183,16 @@ GarmentInput read_garment(Session& session, const std::string& path) {
                    (kind.empty() ? "" : ", divided by " + kind));
     }
   } else {
-    for (const fs::path& file : mesh_files_in(path)) {
+    for (const std::string& file : mesh_files_in(path)) {
       try {
-        ReadResult whole = session.read(file.string());
+        ReadResult whole = session.read(file);
         std::vector<GarmentPatch> patches = patches_of(whole, file);
         std::move(patches.begin(), patches.end(), std::back_inserter(input.patches));
         input.whole = std::move(whole);
       } catch (const Error& error) {
-        input.patches.push_back({file.stem().string(), {}, {}, MeshFormat::obj, error});
+        input.patches.push_back({stem_of(file), {}, {}, MeshFormat::obj, error});
       }
-      input.path = file.string();
+      input.path = file;
     }
     if (input.patches.size() == 1 && input.patches.front().failure) {
       throw Error(*input.patches.front().failure);

@@ -10,6 +10,8 @@
 #include <thread>
 #include <utility>
 
+#include <planish/platform/path.h>
+
 namespace planish::cli {
 
 namespace {
@@ -26,8 +28,8 @@ FlattenedPatch flatten_patch(const GarmentJob& job, std::size_t number,
     auto report =
         flatten(patch.mesh, patch.name, options, [&](FlattenStage, double) { return !stopped(); });
     if (!report) return done;
-    done.files =
-        job.files_of(*report, patch.format, job.furniture[number], job.folder / patch.folder);
+    done.files = job.files_of(*report, patch.format, job.furniture[number],
+                              job.folder / path_of(patch.folder));
     done.mesh = std::move(report->processed);
     done.pattern = std::move(report->unfold.pattern.positions);
   } catch (...) {

@@ -5,6 +5,7 @@
 #include <planish/mesh/connectivity.h>
 #include <planish/mesh/inspect.h>
 #include <planish/pattern/seam_notches.h>
+#include <planish/platform/path.h>
 #include <planish/report/read_furniture.h>
 
 #include "failures.h"
@@ -46,7 +47,7 @@ std::vector<std::vector<Notch>> seam_notches_from(const Arguments& arguments,
                                                   std::span<const std::string> names) {
   if (!arguments.has("--seam-notches")) return std::vector<std::vector<Notch>>(meshes.size());
   const std::string& path = arguments.flags.at("--seam-notches");
-  const std::vector<SeamNotch> notches = read_seam_notches(path);
+  const std::vector<SeamNotch> notches = read_seam_notches(path_of(path));
   return about(path, [&] {
     return notches_of_patches(notches, seams_from(arguments, meshes), meshes, names,
                               millimetres_per(unit_from(arguments)));

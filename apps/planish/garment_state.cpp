@@ -12,6 +12,7 @@
 #include <planish/core/fnv_hash.h>
 #include <planish/core/version.h>
 #include <planish/io/read_mesh.h>
+#include <planish/platform/path.h>
 
 #include <planish_json/json.h>
 
@@ -86,8 +87,9 @@ Json json_in(const fs::path& path) {
 bool are_as_written(const Json& files, const fs::path& folder) {
   if (!files.is_object() || files.empty()) return false;
   for (const auto& [name, hash] : files.items()) {
-    if (fs::path(name).filename() != name) return false;
-    const auto content = content_of(folder / name);
+    const fs::path file = path_of(name);
+    if (file.filename() != file) return false;
+    const auto content = content_of(folder / file);
     if (!content || !hash.is_string() || hash != hash_of(*content)) return false;
   }
   return true;
@@ -138,7 +140,7 @@ OutputFile job_file(const std::string& job, const std::vector<OutputFile>& files
   Json json = Json::parse(job);
   json["files"] = Json::object();
   for (const OutputFile& file : files) {
-    json["files"][file.path.lexically_relative(folder).generic_string()] = hash_of(file.content);
+    json["files"][utf8_of(file.path.lexically_relative(folder))] = hash_of(file.content);
   }
   return {folder / k_job_file, text_of(json)};
 }
@@ -158,7 +160,7 @@ std::optional<PatchResults> finished_results(const std::string& job, const fs::p
   try {
     const std::string extension = "." + std::string(to_string(*format));
     const auto mesh_in = [&](const std::string& name) {
-      return read_mesh((folder / (name + extension)).string()).mesh;
+      return read_mesh(folder / path_of(name + extension)).mesh;
     };
     TriMesh processed = mesh_in("processed");
     const TriMesh flat = mesh_in("flat");

@@ -8,6 +8,7 @@
 
 #include <planish_json/json.h>
 
+#include "file_name.h"
 #include "text.h"
 
 namespace planish::cli {
@@ -92,7 +93,7 @@ std::string garment_json(const GarmentJob& job, const std::vector<PatchOutcome>&
     patches.push_back(patch_entry(job.patches[p], outcomes[p]));
   for (std::size_t s = 0; s < seams.size(); ++s)
     list.push_back(seam_entry(job, seams[s], s + 1));
-  const Json json = {{"name", std::filesystem::path(job.path).stem().string()},
+  const Json json = {{"name", stem_of(job.path)},
                      {"version", k_version},
                      {"unit", to_string(job.options.unit)},
                      {"patches", std::move(patches)},

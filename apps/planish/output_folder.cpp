@@ -3,16 +3,18 @@
 #include <system_error>
 
 #include <planish/core/error.h>
+#include <planish/platform/path.h>
 
 namespace planish::cli {
 
-std::filesystem::path output_folder(std::filesystem::path folder) {
+std::filesystem::path output_folder(const std::string& folder) {
+  std::filesystem::path path = path_of(folder);
   std::error_code ignored;
-  if (std::filesystem::exists(folder, ignored) && !std::filesystem::is_directory(folder, ignored)) {
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_directory(path, ignored)) {
     throw Error(ErrorCode::file_unwritable, "is a file, but a folder is to be written there",
-                {.path = folder.string()});
+                {.path = folder});
   }
-  return folder;
+  return path;
 }
 
 MeshFormat output_format(MeshFormat input) {

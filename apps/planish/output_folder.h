@@ -1,14 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include <planish/io/mesh_format.h>
 
 namespace planish::cli {
 
-/// Passes on the path of a folder to be written into.
+/// The path of a folder to be written into.
 /// @throws Error file_unwritable where something that is no folder stands in its place
-std::filesystem::path output_folder(std::filesystem::path folder);
+std::filesystem::path output_folder(const std::string& folder);
 
 /// The format that results of a mesh are written in. STL holds neither doubles nor the order of
 /// vertices: what comes as STL goes as OBJ.

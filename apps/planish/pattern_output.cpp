@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include <planish/draw/stroke_text.h>
 #include <planish/draw/write_plt.h>
@@ -10,6 +9,7 @@
 #include <planish/report/pattern_sheet.h>
 
 #include "failures.h"
+#include "file_name.h"
 #include "values.h"
 
 namespace planish::cli {
@@ -80,14 +80,6 @@ std::string_view to_string(PatternFormat format) {
       return "plt";
   }
   return "unknown";
-}
-
-std::string lower_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return extension;
 }
 
 std::optional<PatternFormat> pattern_format_of(const std::string& path) {

@@ -17,9 +17,6 @@ enum class PatternFormat { svg, dxf, pdf, plt };
 
 std::string_view to_string(PatternFormat format);
 
-/// With its point, in small letters: ".svg".
-std::string lower_extension(const std::string& path);
-
 /// The format that the extension of a path names, in either case; nothing for other extensions.
 std::optional<PatternFormat> pattern_format_of(const std::string& path);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include <planish/platform/path.h>
+
 #include "failures.h"
 #include "text.h"
 #include "values.h"
@@ -82,7 +84,7 @@ void Session::stop_if_interrupted() const {
 }
 
 ReadResult Session::read(const std::string& path) {
-  ReadResult result = read_mesh(path);
+  ReadResult result = read_mesh(path_of(path));
   for (const std::string& message : result.notes)
     note(path + ": " + message);
   stop_if_interrupted();
@@ -100,7 +102,7 @@ void refuse_shared_places(const std::vector<OutputFile>& files) {
   for (const OutputFile& file : files) {
     const auto place = std::filesystem::absolute(file.path).lexically_normal();
     if (!places.insert(place).second) {
-      throw UsageError("two outputs have the same path " + file.path.string());
+      throw UsageError("two outputs have the same path " + utf8_of(file.path));
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include <planish/platform/path.h>
 #include <planish/report/strain_check.h>
 
 #include "text.h"
@@ -244,10 +245,10 @@ std::string directions_text(const DirectionCounts& counts) {
 std::string written_text(const std::vector<OutputFile>& files) {
   std::string text = "\nWritten:\n";
   for (const OutputFile& file : files)
-    text += "  " + file.path.string() + "\n";
+    text += "  " + utf8_of(file.path) + "\n";
   for (const OutputFile& file : files) {
     if (file.path.extension() == ".html") {
-      return text + "\nOpen " + file.path.string() + " in a browser to see the result.\n";
+      return text + "\nOpen " + utf8_of(file.path) + " in a browser to see the result.\n";
     }
   }
   return text;

@@ -2,6 +2,7 @@
 
 #include <planish/core/error.h>
 #include <planish/io/mesh_format.h>
+#include <planish/platform/path.h>
 
 #include "io/cursor_error.h"
 #include "io/formats.h"
@@ -23,7 +24,7 @@ std::string_view to_string(MeshFormat format) {
 }
 
 std::string lower_extension(const std::filesystem::path& path) {
-  std::string lower = path.extension().string();
+  std::string lower = utf8_of(path.extension());
   for (char& c : lower) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
@@ -31,7 +32,7 @@ std::string lower_extension(const std::filesystem::path& path) {
 }
 
 MeshFormat mesh_format_of(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  const std::string extension = utf8_of(path.extension());
   const std::string lower = lower_extension(path);
   for (const MeshFormat format : k_mesh_formats) {
     if (lower == "." + std::string(to_string(format))) return format;
@@ -40,7 +41,7 @@ MeshFormat mesh_format_of(const std::filesystem::path& path) {
               (extension.empty() ? "the name has no extension"
                                  : "the extension " + in_quotes(extension) + " is not known") +
                   std::string("; known are .obj, .ply, .stl and .off"),
-              {.path = path.string()});
+              {.path = utf8_of(path)});
 }
 
 }  // namespace planish

@@ -4,6 +4,7 @@
 
 #include <planish/core/error.h>
 #include <planish/io/read_cuts.h>
+#include <planish/platform/path.h>
 
 #include "core/number_text.h"
 #include "io/file_bytes.h"
@@ -92,7 +93,7 @@ CutLines listed_cuts(std::string_view bytes, const std::string& name, std::size_
 
 CutLines read_cuts(const std::filesystem::path& path, const TriMesh& mesh) {
   const FileBytes file(path);
-  return parse_cuts(file.view(), mesh, path.string());
+  return parse_cuts(file.view(), mesh, utf8_of(path));
 }
 
 CutLines parse_cuts(std::string_view bytes, const TriMesh& mesh, const std::string& name) {

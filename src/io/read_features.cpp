@@ -6,6 +6,7 @@
 #include <planish/core/error.h>
 #include <planish/io/read_features.h>
 #include <planish/mesh/connectivity.h>
+#include <planish/platform/path.h>
 
 #include "core/number_text.h"
 #include "io/file_bytes.h"
@@ -89,7 +90,7 @@ FixedVertices snap(const LineDrawing& drawing, const TriMesh& mesh, const TextCu
 
 FixedVertices read_fixed_vertices(const std::filesystem::path& path, const TriMesh& mesh) {
   const FileBytes file(path);
-  return parse_fixed_vertices(file.view(), mesh, path.string());
+  return parse_fixed_vertices(file.view(), mesh, utf8_of(path));
 }
 
 FixedVertices parse_fixed_vertices(std::string_view bytes, const TriMesh& mesh,
@@ -107,7 +108,7 @@ FixedVertices parse_fixed_vertices(std::string_view bytes, const TriMesh& mesh,
 
 std::vector<double> read_weights(const std::filesystem::path& path, const TriMesh& mesh) {
   const FileBytes file(path);
-  return parse_weights(file.view(), mesh, path.string());
+  return parse_weights(file.view(), mesh, utf8_of(path));
 }
 
 std::vector<double> parse_weights(std::string_view bytes, const TriMesh& mesh,

@@ -1,5 +1,6 @@
 #include <planish/core/error.h>
 #include <planish/io/read_mesh.h>
+#include <planish/platform/path.h>
 
 #include "io/file_bytes.h"
 #include "io/foreign_file.h"
@@ -10,7 +11,7 @@ namespace planish {
 ReadResult read_mesh(const std::filesystem::path& path) {
   const MeshFormat format = mesh_format_of(path);
   const FileBytes file(path);
-  return parse_mesh(file.view(), format, path.string());
+  return parse_mesh(file.view(), format, utf8_of(path));
 }
 
 ReadResult parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name) {

@@ -5,6 +5,7 @@
 
 #include <planish/core/error.h>
 #include <planish/io/write_file.h>
+#include <planish/platform/path.h>
 
 #include "platform/file.h"
 
@@ -14,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& path, const std::string& cause) {
-  throw Error(ErrorCode::file_unwritable, "cannot be written: " + cause, {.path = path.string()});
+  throw Error(ErrorCode::file_unwritable, "cannot be written: " + cause, {.path = utf8_of(path)});
 }
 
 [[noreturn]] void fail(const fs::path& path, std::error_code cause) {
@@ -47,7 +48,7 @@ void refuse_links(const fs::path& folder, const fs::path& rest, const fs::path& 
   for (const fs::path& name : rest.parent_path()) {
     at /= name;
     if (fs::is_symlink(fs::symlink_status(at, none))) {
-      fail(path, at.string() + " is a symbolic link, which might lead out of the output folder");
+      fail(path, utf8_of(at) + " is a symbolic link, which might lead out of the output folder");
     }
   }
   const fs::file_status last = fs::symlink_status(path, none);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include <planish/platform/path.h>
 #include <planish/report/read_furniture.h>
 
 #include "io/file_bytes.h"
@@ -180,7 +181,7 @@ std::vector<Item> items_in(std::string_view bytes, const std::string& name,
 template <class Item>
 std::vector<Item> items_of(const std::filesystem::path& path, Item (*item_in)(TextCursor&)) {
   const FileBytes file(path);
-  return items_in(file.view(), path.string(), item_in);
+  return items_in(file.view(), utf8_of(path), item_in);
 }
 
 }  // namespace

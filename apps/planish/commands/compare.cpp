@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include <planish/io/write_mesh.h>
+#include <planish/platform/path.h>
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
 
@@ -9,6 +10,7 @@
 #include "compare_text.h"
 #include "constraint_flags.h"
 #include "failures.h"
+#include "file_name.h"
 #include "method_flags.h"
 #include "output_folder.h"
 #include "session.h"
@@ -31,7 +33,7 @@ std::vector<OutputFile> files_of(const CompareReport& report, const fs::path& fo
     const std::string name = report.name + "-" + std::string(name_of(method.run.method)) + "." +
                              std::string(to_string(format));
     files.push_back(
-        {folder / name,
+        {folder / path_of(name),
          format_mesh({method.evolve->result.positions, report.input.triangles}, format)});
   }
   return files;
@@ -55,7 +57,7 @@ Outcome run_compare(const Arguments& arguments, Session& session) {
   const std::string size = size_text(input.mesh);
   const auto report = about(path, [&] {
     options.constraints = constraints_from(arguments, input.mesh, session);
-    return compare(std::move(input.mesh), fs::path(path).stem().string(), runs, options,
+    return compare(std::move(input.mesh), stem_of(path), runs, options,
                    progress_of_methods(session));
   });
   if (!report) throw Interrupted();

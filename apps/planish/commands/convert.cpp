@@ -1,5 +1,6 @@
 #include <planish/io/mesh_format.h>
 #include <planish/io/write_mesh.h>
+#include <planish/platform/path.h>
 
 #include "commands/commands.h"
 #include "json_text.h"
@@ -13,14 +14,14 @@ namespace {
 Outcome run_convert(const Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands[0];
   const std::string& output = arguments.operands[1];
-  const MeshFormat format = mesh_format_of(output);
+  const MeshFormat format = mesh_format_of(path_of(output));
   const TriMesh mesh = session.read(path).mesh;
   if (format == MeshFormat::stl) {
     session.note("STL rounds positions to single precision and loses the order of the vertices");
   }
   Outcome outcome = {path + " -> " + output + "  (" + size_text(mesh) + ")\n",
                      json_written(mesh, output)};
-  session.write({{output, format_mesh(mesh, format)}});
+  session.write({{path_of(output), format_mesh(mesh, format)}});
   return outcome;
 }
 

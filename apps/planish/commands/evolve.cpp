@@ -1,5 +1,6 @@
 #include <planish/io/mesh_format.h>
 #include <planish/io/write_mesh.h>
+#include <planish/platform/path.h>
 #include <planish/report/evolve_progress.h>
 #include <planish/report/json_report.h>
 
@@ -58,9 +59,9 @@ Evolved evolve_with_progress(const TriMesh& mesh, const Arguments& arguments, Se
 Outcome run_evolve(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   const std::string& output = arguments.flags.at("--output");
-  const MeshFormat format = mesh_format_of(output);
-  std::vector<OutputFile> files = {{output, {}}};
-  if (arguments.has("--history")) files.push_back({arguments.flags.at("--history"), {}});
+  const MeshFormat format = mesh_format_of(path_of(output));
+  std::vector<OutputFile> files = {{path_of(output), {}}};
+  if (arguments.has("--history")) files.push_back({path_of(arguments.flags.at("--history")), {}});
   refuse_shared_places(files);
   const Method method = method_from(arguments, Method{});
   refuse_unsupported_constraints(arguments, method);

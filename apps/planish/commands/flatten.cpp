@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <planish/io/write_mesh.h>
+#include <planish/platform/path.h>
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
 #include <planish/report/pattern_sheet.h>
@@ -14,6 +15,7 @@
 #include "constraint_flags.h"
 #include "cut_flag.h"
 #include "failures.h"
+#include "file_name.h"
 #include "furniture_flags.h"
 #include "garment_flags.h"
 #include "garment_job.h"
@@ -64,7 +66,7 @@ FlattenOptions options_from(const Arguments& arguments, const Session& session) 
 }
 
 fs::path folder_from(const Arguments& arguments) {
-  const std::string stem = fs::path(arguments.operands.front()).stem().string();
+  const std::string stem = stem_of(arguments.operands.front());
   return output_folder(arguments.value_or("--output", stem + "-pattern"));
 }
 
@@ -93,7 +95,7 @@ std::string role_of(PatternFormat format) {
 Places places_in(const fs::path& folder, MeshFormat format, const PatternFiles& pattern,
                  const Arguments& arguments) {
   const std::string extension = "." + std::string(to_string(format));
-  const auto in_folder = [&](const std::string& name) { return (folder / name).string(); };
+  const auto in_folder = [&](const std::string& name) { return utf8_of(folder / path_of(name)); };
   Places places = {{"processed", in_folder("processed" + extension)},
                    {"flat", in_folder("flat" + extension)},
                    {"report_json", in_folder("report.json")},
@@ -113,7 +115,7 @@ Places places_in(const fs::path& folder, MeshFormat format, const PatternFiles& 
 void refuse_shared_places(const Places& places) {
   std::vector<OutputFile> files;
   for (const auto& [role, path] : places)
-    files.push_back({path, {}});
+    files.push_back({path_of(path), {}});
   cli::refuse_shared_places(files);
 }
 
@@ -134,10 +136,11 @@ std::vector<OutputFile> pattern_files(const FlattenReport& report, const Places&
   std::vector<OutputFile> files;
   files.reserve(pattern.formats.size() + 1);
   for (const PatternFormat format : pattern.formats) {
-    files.push_back({places.at(role_of(format)), pattern_file(sheet, format, pattern.output)});
+    files.push_back(
+        {path_of(places.at(role_of(format))), pattern_file(sheet, format, pattern.output)});
   }
   if (pattern.output.paper) {
-    files.push_back({places.at("pattern_pages"), tiled_file(sheet, pattern.output)});
+    files.push_back({path_of(places.at("pattern_pages")), tiled_file(sheet, pattern.output)});
   }
   return files;
 }
@@ -166,17 +169,18 @@ std::vector<OutputFile> files_of(const FlattenReport& report, const Places& plac
                                  const PageWords& words, const std::string& json) {
   const TriMesh& mesh = report.processed;
   std::vector<OutputFile> files = pattern_files(report, places, pattern);
-  files.push_back({places.at("processed"), format_mesh(mesh, format)});
-  files.push_back({places.at("flat"), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)});
-  files.push_back({places.at("report_json"), json});
-  files.push_back({places.at("report_html"), page_of(report, pattern, words)});
+  files.push_back({path_of(places.at("processed")), format_mesh(mesh, format)});
+  files.push_back(
+      {path_of(places.at("flat")), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)});
+  files.push_back({path_of(places.at("report_json")), json});
+  files.push_back({path_of(places.at("report_html")), page_of(report, pattern, words)});
   if (places.contains("textured")) {
     files.push_back(
-        {places.at("textured"), format_textured_obj(mesh, in_millimetres(report.unfold))});
+        {path_of(places.at("textured")), format_textured_obj(mesh, in_millimetres(report.unfold))});
   }
   const auto history = places.find("history");
   if (history != places.end()) {
-    files.push_back({history->second, history_csv(report.evolve.result.history)});
+    files.push_back({path_of(history->second), history_csv(report.evolve.result.history)});
   }
   return files;
 }
@@ -226,7 +230,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   const Places places = places_in(folder, format, pattern, arguments);
   refuse_shared_places(places);
   const std::string size = size_text(input.mesh);
-  const std::string name = fs::path(path).stem().string();
+  const std::string name = stem_of(path);
   const auto on_progress = [&](FlattenStage stage, double share) {
     session.show_progress(std::string(to_string(stage)), share, path);
     return !session.interrupted();
@@ -249,7 +253,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
     });
     json = json_with_nesting(json, nesting);
     words.sheet = {true, nesting->material,
-                   nesting->use + "; drawn in " + nesting->files.front().path.filename().string()};
+                   nesting->use + "; drawn in " + utf8_of(nesting->files.front().path.filename())};
   }
   std::vector<OutputFile> files =
       about(path, [&] { return files_of(*report, places, format, pattern, words, json); });

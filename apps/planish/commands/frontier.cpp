@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <filesystem>
 
+#include <planish/platform/path.h>
 #include <planish/report/frontier.h>
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
@@ -8,6 +8,7 @@
 #include "commands/commands.h"
 #include "constraint_flags.h"
 #include "failures.h"
+#include "file_name.h"
 #include "frontier_text.h"
 #include "material_flag.h"
 #include "method_flags.h"
@@ -20,8 +21,6 @@
 namespace planish::cli {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr Range k_points = {8.0, 100.0};
 
@@ -67,7 +66,7 @@ std::string html_of(const FrontierReport& report) {
 
 /// @throws Error unsupported_format
 Writer writer_of(const std::string& output) {
-  const std::string extension = fs::path(output).extension().string();
+  const std::string extension = extension_of(output);
   if (extension == ".svg") return frontier_svg;
   if (extension == ".html") return html_of;
   if (extension == ".csv") return frontier_csv;
@@ -104,8 +103,7 @@ Outcome run_frontier(const Arguments& arguments, Session& session) {
   const std::string size = size_text(input.mesh);
   const auto report = about(path, [&] {
     options.constraints = constraints_from(arguments, input.mesh, session);
-    return frontier(std::move(input.mesh), fs::path(path).stem().string(), options,
-                    progress_of_methods(session));
+    return frontier(std::move(input.mesh), stem_of(path), options, progress_of_methods(session));
   });
   if (!report) throw Interrupted();
 
@@ -117,7 +115,7 @@ Outcome run_frontier(const Arguments& arguments, Session& session) {
   }
   Outcome outcome = {std::move(text), std::move(json)};
   if (!writes) return outcome;
-  const std::vector<OutputFile> files = {{output, writer(*report)}};
+  const std::vector<OutputFile> files = {{path_of(output), writer(*report)}};
   outcome.text += written_text(files);
   session.write(files);
   return outcome;

@@ -1,11 +1,12 @@
-#include <filesystem>
 #include <utility>
 
+#include <planish/platform/path.h>
 #include <planish/report/direction_map.h>
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
 #include "failures.h"
+#include "file_name.h"
 #include "json_text.h"
 #include "session.h"
 #include "summary.h"
@@ -21,7 +22,7 @@ Outcome refused(const std::string& path, const TriMesh& mesh, const Error& error
 
 /// @throws Error unsupported_format
 void check_picture_format(const std::string& path) {
-  if (std::filesystem::path(path).extension() == ".svg") return;
+  if (extension_of(path) == ".svg") return;
   throw Error(ErrorCode::unsupported_format, "the picture is an .svg file", {.path = path});
 }
 
@@ -29,7 +30,7 @@ void check_picture_format(const std::string& path) {
 std::vector<OutputFile> places_from(const Arguments& arguments) {
   std::vector<OutputFile> files;
   for (const char* flag : {"--map", "--picture"}) {
-    if (arguments.has(flag)) files.push_back({arguments.flags.at(flag), {}});
+    if (arguments.has(flag)) files.push_back({path_of(arguments.flags.at(flag)), {}});
   }
   if (arguments.has("--picture")) check_picture_format(arguments.flags.at("--picture"));
   refuse_shared_places(files);
@@ -39,7 +40,7 @@ std::vector<OutputFile> places_from(const Arguments& arguments) {
 Outcome with_directions(Outcome outcome, const TriMesh& mesh, std::vector<OutputFile> files,
                         const Arguments& arguments, Session& session) {
   const auto directions = laplacian_directions(mesh, Connectivity(mesh));
-  const std::string name = std::filesystem::path(arguments.operands.front()).stem().string();
+  const std::string name = stem_of(arguments.operands.front());
   if (arguments.has("--map")) files.front().content = direction_csv(directions);
   if (arguments.has("--picture")) files.back().content = direction_svg(mesh, directions, name);
   const DirectionCounts counts = count_directions(directions);

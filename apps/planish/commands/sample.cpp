@@ -1,6 +1,7 @@
 #include <planish/io/mesh_format.h>
 #include <planish/io/write_mesh.h>
 #include <planish/mesh/shapes.h>
+#include <planish/platform/path.h>
 
 #include "commands/commands.h"
 #include "json_text.h"
@@ -33,14 +34,14 @@ Outcome list_samples() {
 Outcome run_sample(const Arguments& arguments, Session& session) {
   if (arguments.has("--list")) return list_samples();
   const std::string& output = arguments.flags.at("--output");
-  const MeshFormat format = mesh_format_of(output);
+  const MeshFormat format = mesh_format_of(path_of(output));
   const std::string name = known_name("sample", arguments.operands.front(), shape_names());
   const std::string vertices = arguments.value_or("--vertices", "5000");
   const TriMesh mesh = make_shape(
       name, static_cast<std::size_t>(whole_number_of("--vertices", vertices, k_vertices)));
   Outcome outcome = {name + " -> " + output + "  (" + size_text(mesh) + ")\n",
                      json_written(mesh, output)};
-  session.write({{output, format_mesh(mesh, format)}});
+  session.write({{path_of(output), format_mesh(mesh, format)}});
   return outcome;
 }
 

@@ -1,14 +1,14 @@
-#include <filesystem>
 #include <map>
 #include <utility>
 
 #include <planish/draw/write_svg.h>
 #include <planish/io/write_mesh.h>
+#include <planish/platform/path.h>
 #include <planish/report/cut_sheet.h>
 
 #include "commands/commands.h"
 #include "failures.h"
-#include "pattern_output.h"
+#include "file_name.h"
 #include "quantities.h"
 #include "session.h"
 #include "suggestion_text.h"
@@ -46,13 +46,13 @@ std::map<std::string, std::string> suggestion_places(const Arguments& arguments)
   std::vector<OutputFile> files;
   files.reserve(places.size());
   for (const auto& [role, path] : places)
-    files.push_back({path, {}});
+    files.push_back({path_of(path), {}});
   refuse_shared_places(files);
   if (places.contains("picture") && lower_extension(places.at("picture")) != ".svg") {
     throw Error(ErrorCode::unsupported_format, "the picture is an .svg file",
                 {.path = places.at("picture")});
   }
-  if (places.contains("mesh")) mesh_format_of(places.at("mesh"));
+  if (places.contains("mesh")) mesh_format_of(path_of(places.at("mesh")));
   return places;
 }
 
@@ -62,11 +62,12 @@ std::vector<OutputFile> suggestion_files(const CutSuggestion& suggestion,
   std::vector<OutputFile> files;
   for (const auto& [role, path] : places) {
     if (role == "cuts") {
-      files.push_back({path, suggestion_file(suggestion, unit)});
+      files.push_back({path_of(path), suggestion_file(suggestion, unit)});
     } else if (role == "picture") {
-      files.push_back({path, write_svg(cut_sheet(suggestion, unit, name))});
+      files.push_back({path_of(path), write_svg(cut_sheet(suggestion, unit, name))});
     } else {
-      files.push_back({path, format_mesh(suggestion.last.cut.mesh, mesh_format_of(path))});
+      files.push_back(
+          {path_of(path), format_mesh(suggestion.last.cut.mesh, mesh_format_of(path_of(path)))});
     }
   }
   return files;
@@ -86,7 +87,7 @@ Outcome run_suggest_cuts(const Arguments& arguments, Session& session) {
     });
   });
   if (!suggestion) throw Interrupted();
-  const std::string name = std::filesystem::path(path).stem().string();
+  const std::string name = stem_of(path);
   const auto files = about(path, [&] { return suggestion_files(*suggestion, places, unit, name); });
   std::string text = path + "  (" + size_text(mesh) + ")\n\n" +
                      suggestion_text(*suggestion, options.max_strain, unit);

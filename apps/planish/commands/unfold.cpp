@@ -1,14 +1,15 @@
 #include <algorithm>
-#include <filesystem>
 
 #include <planish/io/mesh_format.h>
 #include <planish/io/write_mesh.h>
+#include <planish/platform/path.h>
 #include <planish/report/json_report.h>
 #include <planish/report/pattern_sheet.h>
 
 #include "commands/commands.h"
 #include "cut_flag.h"
 #include "failures.h"
+#include "file_name.h"
 #include "furniture_flags.h"
 #include "garment_flags.h"
 #include "garment_seams.h"
@@ -49,8 +50,8 @@ std::string content_of(const std::string& path, const std::string& input, const 
                        const UnfoldReport& report, const PatternOutput& output,
                        const PatternOptions& furniture) {
   const auto format = pattern_format_of(path);
-  if (!format) return format_mesh(flat_mesh(mesh, report.pattern), mesh_format_of(path));
-  const std::string name = std::filesystem::path(input).stem().string();
+  if (!format) return format_mesh(flat_mesh(mesh, report.pattern), mesh_format_of(path_of(path)));
+  const std::string name = stem_of(input);
   const Drawing sheet = pattern_sheet(mesh, report, name, furniture);
   return output.paper ? tiled_file(sheet, output) : pattern_file(sheet, *format, output);
 }
@@ -73,7 +74,7 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
     return !session.interrupted();
   };
   const auto report = about(path, [&] {
-    const std::string name = std::filesystem::path(path).stem().string();
+    const std::string name = stem_of(path);
     furniture = furniture_on(std::move(furniture), arguments, input.mesh, name);
     return unfold_patch(input.mesh, unit, on_step, unfold_options);
   });
@@ -84,7 +85,7 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
   Outcome outcome = {
       path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(*report),
       json_with_cut(json_report(*report), input.cut)};
-  session.write({{output, content}});
+  session.write({{path_of(output), content}});
   return outcome;
 }
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace planish {
+
+/// The path that a text names. All text of the library is UTF-8: names of files in errors, options
+/// and what the command line says. std::filesystem::path takes a std::string for text in the
+/// encoding of the system, which on Windows is another one; so every conversion goes through here.
+/// Where names are bytes, as on Linux, any text is taken as it is.
+std::filesystem::path path_of(std::string_view utf8);
+
+/// The text of a path: utf8_of(path_of(text)) is the text.
+std::string utf8_of(const std::filesystem::path& path);
+
+}  // namespace planish

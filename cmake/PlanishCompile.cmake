@@ -1,10 +1,16 @@
 # How every target of the project is compiled.
 
-# One set of bits everywhere: no fused multiply-add contraction. The other two let the compiler
-# turn square roots into single instructions and vectorise them; neither changes a result.
+# The same bits from every compiler, at every level of optimisation and on every processor:
+#   -ffp-contract=off     no fused multiply-add where the source has a product and a sum
+#   EIGEN_DONT_VECTORIZE  Eigen sums one after the other: in packets the order of its sums would
+#                         depend on the width of registers, and on ARM packets fuse. What has to be
+#                         fast has loops of its own (solve/panel_products.h).
+# Two flags let the compiler turn square roots into single instructions and vectorise them; neither
+# changes a result.
 function(planish_compile target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_compile_definitions(${target} PRIVATE EIGEN_DONT_VECTORIZE)
   target_compile_options(
     ${target}
     PRIVATE -ffp-contract=off

@@ -1,15 +1,15 @@
 #pragma once
 
-#include <cmath>
-
 #include <planish/core/vec.h>
+
+#include "core/math.h"
 
 namespace planish {
 
 /// Angle between two vectors, radians in [0, pi], as exact for small angles as for large ones;
 /// 0 where one of them is 0.
 inline double angle_between(Vec3 a, Vec3 b) {
-  return std::atan2(norm(cross(a, b)), dot(a, b));
+  return math::atan2(norm(cross(a, b)), dot(a, b));
 }
 
 }  // namespace planish

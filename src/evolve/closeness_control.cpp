@@ -1,7 +1,8 @@
 #include "evolve/closeness_control.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "core/math.h"
 
 namespace planish {
 
@@ -16,7 +17,7 @@ double ClosenessControl::after_step(double closeness, double strain_left, bool m
   least_ = std::min(least_, roughness);
   first_strain_ = std::max(first_strain_, strain_left);
   const double left =
-      first_strain_ > 0.0 ? std::pow(strain_left / first_strain_, pace_.earliness) : 0.0;
+      first_strain_ > 0.0 ? math::pow(strain_left / first_strain_, pace_.earliness) : 0.0;
   const double allowed = least_ + (most_ - least_) * (1.0 - left);
   if (roughness > allowed) return std::max(ease * closeness, least_closeness);
   if (roughness >= plenty * allowed) return closeness;

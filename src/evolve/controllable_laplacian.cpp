@@ -5,10 +5,10 @@
 #include "evolve/controllable_laplacian.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "core/math.h"
 #include "evolve/move_by_trust_region.h"
 #include "evolve/sweep.h"
 
@@ -24,7 +24,7 @@ ControllableMover::ControllableMover(const ControllableLaplacian& options, Patch
   const double limit = options.lambda_min < 0.0 ? options.min_angle * std::numbers::pi / 180.0 : -1;
   options_ = {.lambda_min = options.lambda_min,
               .lambda_max = options.lambda_max,
-              .max_cotangent = limit > 0.0 ? 1.0 / std::tan(limit) : inf,
+              .max_cotangent = limit > 0.0 ? 1.0 / math::tan(limit) : inf,
               .radius = options.max_deviation * state.scale(),
               .origins = nullptr};
   if (MoveCheck::is_wanted()) check_.emplace(state);

@@ -10,6 +10,7 @@
 
 #include <planish/evolve/method.h>
 
+#include "core/math.h"
 #include "evolve/move_check.h"
 #include "evolve/star_energy.h"
 #include "evolve/sweep.h"
@@ -40,7 +41,7 @@ Vec3 normal_of(const PatchState& state, Vec3 x, std::span<const Index> ring) {
     const Vec3 w = state.position(ring[j + 1 < ring.size() ? j + 1 : 0]) - x;
     const Vec3 normal = cross(u, w);
     const double area = norm(normal);
-    if (area > 0.0) sum += (std::atan2(area, dot(u, w)) / area) * normal;
+    if (area > 0.0) sum += (math::atan2(area, dot(u, w)) / area) * normal;
   }
   const double length = norm(sum);
   return length > 1e-12 ? (1.0 / length) * sum : Vec3{};

@@ -33,7 +33,8 @@ VectorXd LocalStep::solve(double rank_threshold) const {
   const MatrixXd scaled = rows * inverse.asDiagonal();
   const VectorXd start = weights.cwiseProduct(pull);
   const VectorXd missing = scaled * start - sides;  // Lambda B - B_l
-  const MatrixXd gram = scaled * scaled.transpose();
+  // Sum by sum: the blocks of Eigen's product depend on the sizes of caches, and so would its bits.
+  const MatrixXd gram = scaled.lazyProduct(scaled.transpose());
   Rows in_force;
   for (Eigen::Index i = 0; i < equations; ++i)
     in_force.push_back(i);

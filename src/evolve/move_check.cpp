@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/math.h"
 #include "core/number_text.h"
 
 namespace planish {
@@ -33,7 +34,7 @@ double MoveCheck::defect(std::size_t v) const {
   for (std::size_t j = 0; j < ring.size(); ++j) {
     const Vec3 a = state_->position(ring[j]) - state_->position(v);
     const Vec3 b = state_->position(ring[(j + 1) % ring.size()]) - state_->position(v);
-    sum += std::atan2(norm(cross(a, b)), dot(a, b));
+    sum += math::atan2(norm(cross(a, b)), dot(a, b));
   }
   return 2.0 * std::numbers::pi - sum;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/careful_sum.h"
+#include "core/math.h"
 #include "evolve/triangle_shape.h"
 #include "measure/angle_gradient.h"
 
@@ -117,9 +118,9 @@ std::vector<double> PenaltyMerit::angles(const std::vector<Vec3>& places) const 
                  r = places[triangles_[t][2]];
       const Vec3 a = q - p, b = r - p, c = r - q;
       const double area = norm(cross(a, b));
-      angles[3 * t] = std::atan2(area, dot(a, b));
-      angles[3 * t + 1] = std::atan2(area, -dot(a, c));
-      angles[3 * t + 2] = std::atan2(area, dot(b, c));
+      angles[3 * t] = math::atan2(area, dot(a, b));
+      angles[3 * t + 1] = math::atan2(area, -dot(a, c));
+      angles[3 * t + 2] = math::atan2(area, dot(b, c));
     }
   });
   return angles;

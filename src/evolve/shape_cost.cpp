@@ -74,7 +74,7 @@ SparseMatrix moving_part(const std::vector<BorderMotion::Bend>& bends,
 /// Sums of squares along a curve go with the cube of the edges, over a surface with their square.
 std::vector<BorderMotion::Bend> weighed(std::vector<BorderMotion::Bend> bends,
                                         const PatchState& state) {
-  const double weight = std::pow(relative_density(state), 0.25);
+  const double weight = std::sqrt(std::sqrt(relative_density(state)));
   for (BorderMotion::Bend& bend : bends) {
     for (double& w : bend.weights)
       w *= weight;

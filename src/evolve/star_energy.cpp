@@ -1,8 +1,8 @@
 #include "evolve/star_energy.h"
 
-#include <cmath>
 #include <numbers>
 
+#include "core/math.h"
 #include "evolve/triangle_shape.h"
 #include "measure/angle_gradient.h"
 
@@ -12,7 +12,8 @@ StarEnergy::Corners StarEnergy::corners(Vec3 x, std::size_t j) const {
   const Vec3 p = ring_[j].place, q = ring_[next(j)].place;
   const Vec3 u = p - x, w = q - x, e = q - p;
   const double area = norm(cross(u, w));
-  return {std::atan2(area, dot(u, w)), std::atan2(area, -dot(u, e)), std::atan2(area, dot(w, e))};
+  return {math::atan2(area, dot(u, w)), math::atan2(area, -dot(u, e)),
+          math::atan2(area, dot(w, e))};
 }
 
 template <class Body>

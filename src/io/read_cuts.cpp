@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <planish/core/error.h>
 #include <planish/io/read_cuts.h>
 #include <planish/platform/path.h>
 
+#include "core/math.h"
 #include "core/number_text.h"
 #include "io/file_bytes.h"
 #include "io/formats.h"
@@ -30,7 +30,7 @@ double mean_edge(const TriMesh& mesh) {
 }
 
 double distance_of(Vec3 a, Vec3 b) {
-  return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+  return math::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
 }
 
 std::string point_text(Vec3 p) {

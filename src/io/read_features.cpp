@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 
@@ -8,6 +7,7 @@
 #include <planish/mesh/connectivity.h>
 #include <planish/platform/path.h>
 
+#include "core/math.h"
 #include "core/number_text.h"
 #include "io/file_bytes.h"
 #include "io/formats.h"
@@ -73,7 +73,7 @@ FixedVertices snap(const LineDrawing& drawing, const TriMesh& mesh, const TextCu
   for (const Vec3 place : places) {
     const Index v = nearest.of(place);
     const Vec3 apart = mesh.positions[v] - place;
-    fixed.farthest = std::max(fixed.farthest, std::hypot(apart.x, apart.y, apart.z));
+    fixed.farthest = std::max(fixed.farthest, math::hypot(apart.x, apart.y, apart.z));
     corners.push_back(v);
     marked[v] = 1;
   }

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
 #include <planish/mesh/cut.h>
 
+#include "core/math.h"
 #include "mesh/cut_paths.h"
 #include "mesh/disjoint_sets.h"
 
@@ -93,7 +93,7 @@ double path_length(std::span<const Index> path, std::span<const Vec3> positions)
   double length = 0.0;
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Vec3 edge = positions[path[i]] - positions[path[i - 1]];
-    length += std::hypot(edge.x, edge.y, edge.z);  // squares might not be numbers any more
+    length += math::hypot(edge.x, edge.y, edge.z);  // squares might not be numbers any more
   }
   return length;
 }

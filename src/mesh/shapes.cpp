@@ -9,6 +9,8 @@
 #include <planish/core/fields.h>
 #include <planish/mesh/shapes.h>
 
+#include "core/math.h"
+
 namespace planish {
 
 namespace {
@@ -133,9 +135,9 @@ TriMesh panel(std::size_t vertices) {
     for (const Bump& bump : bumps) {
       const double dx = (s - bump.s) * width / bump.radius;
       const double dy = (t - bump.t) * height / bump.radius;
-      rise += bump.rise * std::exp(-dx * dx - dy * dy);
+      rise += bump.rise * math::exp(-dx * dx - dy * dy);
     }
-    return Vec3{(radius + rise) * std::sin(angle), height * t, (radius + rise) * std::cos(angle)};
+    return Vec3{(radius + rise) * math::sin(angle), height * t, (radius + rise) * math::cos(angle)};
   });
   pinch_some_vertices(grid, height / static_cast<double>(grid.rows - 1), mesh);
   return mesh;
@@ -162,9 +164,9 @@ TriMesh dome(std::size_t vertices) {
       const double polar = opening * (static_cast<double>(k) + shift) / static_cast<double>(rings);
       const double around =
           2.0 * k_pi * (static_cast<double>(i) + 0.5 * noise(6, k, i)) / static_cast<double>(6 * k);
-      mesh.positions.push_back({radius * std::sin(polar) * std::cos(around),
-                                radius * std::sin(polar) * std::sin(around),
-                                radius * std::cos(polar)});
+      mesh.positions.push_back({radius * math::sin(polar) * math::cos(around),
+                                radius * math::sin(polar) * math::sin(around),
+                                radius * math::cos(polar)});
     }
   }
   const auto at = [](std::size_t k, std::size_t i) {
@@ -188,7 +190,7 @@ TriMesh cylinder(std::size_t vertices) {
   const Grid grid = grid_of(vertices, radius * arc / length);
   return ruled_patch(grid, 7, [&](std::size_t i) {
     const double angle = (jittered(i, grid.columns, noise(8, i, 0)) - 0.5) * arc;
-    const Vec3 foot{radius * std::sin(angle), 0.0, radius * std::cos(angle)};
+    const Vec3 foot{radius * math::sin(angle), 0.0, radius * math::cos(angle)};
     return [foot](double t) { return foot + Vec3{0.0, length * t, 0.0}; };
   });
 }
@@ -199,8 +201,8 @@ TriMesh cone(std::size_t vertices) {
   const Grid grid = grid_of(vertices, 0.5 * (from + to) * 0.5 * arc / (to - from));
   return ruled_patch(grid, 9, [&](std::size_t i) {
     const double angle = jittered(i, grid.columns, noise(10, i, 0)) * arc;
-    const Vec3 ruling{std::sin(slope) * std::cos(angle), std::sin(slope) * std::sin(angle),
-                      -std::cos(slope)};
+    const Vec3 ruling{math::sin(slope) * math::cos(angle), math::sin(slope) * math::sin(angle),
+                      -math::cos(slope)};
     return [ruling](double t) { return (from + (to - from) * t) * ruling; };
   });
 }
@@ -214,7 +216,7 @@ TriMesh tangent(std::size_t vertices) {
     const double shift = 0.5 * noise(12, i, 0);
     const double angle =
         turn * (static_cast<double>(i) + shift) / static_cast<double>(grid.columns);
-    return Vec3{radius * std::cos(angle), radius * std::sin(angle), pitch * angle};
+    return Vec3{radius * math::cos(angle), radius * math::sin(angle), pitch * angle};
   };
   return ruled_patch(grid, 11, [&](std::size_t i) {
     const Vec3 begin = helix(i), end = helix(i + 1);

@@ -3,6 +3,7 @@
 
 #include <planish/mesh/tri_mesh.h>
 
+#include "core/math.h"
 #include "mesh/box.h"
 
 namespace planish {
@@ -34,7 +35,7 @@ Vec3 half_extent(const TriMesh& mesh) {
 
 double bounding_box_diagonal(const TriMesh& mesh) {
   const Vec3 half = half_extent(mesh);
-  return 2.0 * std::hypot(half.x, half.y, half.z);
+  return 2.0 * math::hypot(half.x, half.y, half.z);
 }
 
 double unit_scale(const TriMesh& mesh) {

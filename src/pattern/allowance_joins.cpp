@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/math.h"
+
 namespace planish {
 
 namespace {
@@ -16,21 +18,21 @@ Vec2 outwards(Vec2 direction) {
 }
 
 Vec2 turned(Vec2 v, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
+  const double c = math::cos(angle), s = math::sin(angle);
   return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 
 /// Left turns are > 0; half a turn counts as left, so that the tip of a slit is gone around.
 double turn_of(const OutlineCorner& corner) {
   const double turn =
-      std::atan2(cross(corner.before, corner.after), dot(corner.before, corner.after));
+      math::atan2(cross(corner.before, corner.after), dot(corner.before, corner.after));
   return turn <= -std::numbers::pi ? std::numbers::pi : turn;
 }
 
 // An arc, or between two widths a spiral.
 void append_arc(const OutlineCorner& corner, double turn, Polygon& line) {
   const double widest = std::max(corner.width_before, corner.width_after);
-  const double step = 2.0 * std::acos(1.0 - std::min(1.0, k_sagitta / widest));
+  const double step = 2.0 * math::acos(1.0 - std::min(1.0, k_sagitta / widest));
   const int chords = std::max(1, static_cast<int>(std::ceil(turn / step)));
   const Vec2 from = outwards(corner.before);
   for (int i = 1; i < chords; ++i) {
@@ -42,7 +44,7 @@ void append_arc(const OutlineCorner& corner, double turn, Polygon& line) {
 
 // Cut off at the width, across the direction that halves the corner.
 void append_square(const OutlineCorner& corner, double turn, Polygon& line) {
-  const double beyond = corner.width_before * std::tan(turn / 4.0);
+  const double beyond = corner.width_before * math::tan(turn / 4.0);
   const Vec2 start = corner.point + corner.width_before * outwards(corner.before);
   const Vec2 end = corner.point + corner.width_before * outwards(corner.after);
   line.push_back(start + beyond * corner.before);
@@ -52,12 +54,12 @@ void append_square(const OutlineCorner& corner, double turn, Polygon& line) {
 /// Where the two offset lines meet, beyond both edges and within the limit; false where they do
 /// not.
 bool append_mitre(const OutlineCorner& corner, double turn, Polygon& line) {
-  const double sine = std::sin(turn), cosine = std::cos(turn);
+  const double sine = math::sin(turn), cosine = math::cos(turn);
   if (!(sine > 1e-9)) return false;
   const double beyond = (corner.width_after - corner.width_before * cosine) / sine;
   const double ahead = (corner.width_before - corner.width_after * cosine) / sine;
   const double widest = std::max(corner.width_before, corner.width_after);
-  const double reach = std::hypot(corner.width_before, beyond);
+  const double reach = math::hypot(corner.width_before, beyond);
   // At a right angle beside an edge of no width they are zero but for rounding.
   const double least = -1e-9 * widest;
   if (beyond < least || ahead < least || reach > corner.mitre_limit * widest) return false;

@@ -1,10 +1,11 @@
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <string>
 
 #include <planish/core/error.h>
 #include <planish/pattern/marks.h>
+
+#include "core/math.h"
 
 namespace planish {
 
@@ -22,7 +23,7 @@ Polygon ring(Vec2 at) {
   line.reserve(corners + 1);
   for (int k = 0; k < corners; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / corners;
-    line.push_back(at + 0.5 * k_drill_size * Vec2{std::cos(angle), std::sin(angle)});
+    line.push_back(at + 0.5 * k_drill_size * Vec2{math::cos(angle), math::sin(angle)});
   }
   line.push_back(line.front());
   return line;

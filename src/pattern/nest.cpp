@@ -13,6 +13,7 @@
 #include <planish/core/fields.h>
 #include <planish/pattern/nest.h>
 
+#include "core/math.h"
 #include "pattern/nest_shapes.h"
 #include "pattern/sheet_columns.h"
 
@@ -277,7 +278,7 @@ Vec2 NestPlacement::operator()(Vec2 p) const {
   const double quarter = angle / 90.0;
   const bool is_exact = quarter == std::floor(quarter) && quarter >= 0.0 && quarter < 4.0;
   const Vec2 x = is_exact ? quarters[static_cast<std::size_t>(quarter)]
-                          : Vec2{std::cos(radians), std::sin(radians)};
+                          : Vec2{math::cos(radians), math::sin(radians)};
   return Vec2{p.x * x.x - p.y * x.y, p.x * x.y + p.y * x.x} + shift;
 }
 

@@ -6,6 +6,7 @@
 #include <planish/core/fields.h>
 #include <planish/pattern/offset_outline.h>
 
+#include "core/math.h"
 #include "core/number_text.h"
 #include "pattern/allowance_joins.h"
 #include "pattern/border_walk.h"
@@ -114,7 +115,7 @@ Vec2 direction(Vec2 from, Vec2 to) {
 }
 
 double turn_between(Vec2 before, Vec2 after) {
-  return std::atan2(cross(before, after), dot(before, after));
+  return math::atan2(cross(before, after), dot(before, after));
 }
 
 /// Whether a point is a corner also when seen from as far off as the allowance is wide.

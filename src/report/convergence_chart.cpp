@@ -4,6 +4,7 @@
 
 #include <planish/evolve/method.h>
 
+#include "core/math.h"
 #include "core/number_text.h"
 #include "draw/markup_text.h"
 #include "report/figure_text.h"
@@ -37,7 +38,7 @@ double sweep_of(const SweepRecord& record) {
 std::string share_text(double share) {
   if (share >= 0.01) return significant_text(share, 2);
   if (share >= 1e-4) return "1/" + about_text(1.0 / share);
-  return power_of_ten_text(static_cast<int>(std::lround(std::log10(share))));
+  return power_of_ten_text(static_cast<int>(std::lround(math::log10(share))));
 }
 
 bool has_length(const std::vector<ChartLine>& lines) {

@@ -7,6 +7,7 @@
 
 #include <planish/measure/flattenability.h>
 
+#include "core/math.h"
 #include "core/number_text.h"
 #include "report/figure_text.h"
 
@@ -22,7 +23,7 @@ constexpr int k_fewest_bins = 12;  // so that bars never get fat
 int bin_of(double defect) {
   const double size = std::abs(defect);
   if (!(size > 0.0)) return k_lowest;
-  return std::max(k_lowest, static_cast<int>(std::floor(2.0 * std::log10(size))));
+  return std::max(k_lowest, static_cast<int>(std::floor(2.0 * math::log10(size))));
 }
 
 std::vector<double> shares(std::span<const double> defects, int low, int high) {
@@ -37,7 +38,7 @@ std::vector<double> shares(std::span<const double> defects, int low, int high) {
 class Histogram {
  public:
   Histogram(std::span<const double> before, std::span<const double> after) {
-    int high = 2 * static_cast<int>(std::lround(std::log10(k_flattenable_e_max))) + 1;
+    int high = 2 * static_cast<int>(std::lround(math::log10(k_flattenable_e_max))) + 1;
     low_ = high - 2;
     for (const auto& list : {before, after}) {
       for (const double defect : list) {
@@ -110,7 +111,7 @@ class Histogram {
   }
 
   std::string bound() const {
-    const double x = x_of(2 * static_cast<int>(std::lround(std::log10(k_flattenable_e_max))));
+    const double x = x_of(2 * static_cast<int>(std::lround(math::log10(k_flattenable_e_max))));
     return "<path class=\"bound\" d=\"M" + fixed_text(x, 1) + ',' + fixed_text(k_top - 8.0, 1) +
            'V' + fixed_text(k_bottom, 1) + "\"/>\n" +
            text(x - 6.0, k_top - 2.0, "end", "flat enough");

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "core/math.h"
+
 namespace planish {
 
 namespace {
@@ -63,7 +65,8 @@ std::string decimals_text(double value, int decimals) {
 
 std::string about_text(double value) {
   if (!std::isfinite(value) || std::abs(value) < 100.0) return significant_text(value, 2);
-  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);
+  const double unit =
+      math::power_of_ten(static_cast<int>(std::floor(math::log10(std::abs(value)))) - 1);
   return significant_text(unit * std::round(value / unit), 2);
 }
 

@@ -5,6 +5,7 @@
 
 #include <planish/report/frontier.h>
 
+#include "core/math.h"
 #include "core/number_text.h"
 
 namespace planish {
@@ -74,7 +75,7 @@ std::vector<double> frontier_limits(double largest_strain, int points) {
   std::vector<double> limits;
   for (int i = 0; i + 1 < points; ++i) {
     const double share = points > 2 ? static_cast<double>(i) / (points - 2) : 1.0;
-    limits.push_back(std::min(1.0, largest_strain * std::pow(least / largest_strain, share)));
+    limits.push_back(std::min(1.0, largest_strain * math::pow(least / largest_strain, share)));
   }
   limits.push_back(0.0);
   return limits;

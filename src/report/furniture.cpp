@@ -1,13 +1,13 @@
 #include "report/furniture.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "core/math.h"
 #include "pattern/free_strip.h"
 #include "report/sheet_layout.h"
 
@@ -103,7 +103,7 @@ Layer annotation_layer(const LabelPlace& place, const std::vector<std::string>& 
 Vec2 grain_on_sheet(const Grain& grain, const TriMesh& mesh, const PlacedPattern& pattern) {
   if (const auto* degrees = std::get_if<double>(&grain)) {
     const double angle = *degrees * std::numbers::pi / 180.0;
-    return {std::cos(angle), std::sin(angle)};
+    return {math::cos(angle), math::sin(angle)};
   }
   return grain_direction(mesh, pattern.positions, std::get<Vec3>(grain), pattern.outline.piece);
 }

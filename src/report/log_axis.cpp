@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math.h"
 #include "core/number_text.h"
 #include "report/figure_text.h"
 #include "report/scale_limit.h"
@@ -15,26 +16,26 @@ constexpr double k_slack = 1e-9;  // a value that misses a tick by rounding lies
 
 std::string tick_text(double value) {
   if (value >= 1e-3 && value < 1e6) return fixed_text(value, 6);
-  return power_of_ten_text(static_cast<int>(std::lround(std::log10(value))));
+  return power_of_ten_text(static_cast<int>(std::lround(math::log10(value))));
 }
 
 std::vector<double> decades(double low, double high) {
-  const int from = static_cast<int>(std::floor(std::log10(low) + k_slack));
-  const int to = static_cast<int>(std::ceil(std::log10(high) - k_slack));
+  const int from = static_cast<int>(std::floor(math::log10(low) + k_slack));
+  const int to = static_cast<int>(std::ceil(math::log10(high) - k_slack));
   const int step = std::max(1, (to - from + 5) / 6);
   std::vector<double> values;
   for (int power = to; power > from - step; power -= step) {
-    values.insert(values.begin(), std::pow(10.0, power));
+    values.insert(values.begin(), math::power_of_ten(power));
   }
   return values;
 }
 
 std::vector<double> ones_twos_fives(double low, double high) {
-  const int from = static_cast<int>(std::floor(std::log10(low) + k_slack));
+  const int from = static_cast<int>(std::floor(math::log10(low) + k_slack));
   std::vector<double> candidates;
   for (int power = from; power <= from + 3; ++power) {
     for (const double digit : {1.0, 2.0, 5.0})
-      candidates.push_back(digit * std::pow(10.0, power));
+      candidates.push_back(digit * math::power_of_ten(power));
   }
   const auto first = std::find_if(candidates.rbegin(), candidates.rend(),
                                   [&](double value) { return value <= low * (1.0 + k_slack); })
@@ -59,7 +60,7 @@ std::vector<double> evenly_spaced(double low, double high) {
 }  // namespace
 
 double LogAxis::place_of(double value) const {
-  return std::log(value / low) / std::log(high / low);
+  return math::log(value / low) / math::log(high / low);
 }
 
 LogAxis log_axis(double low, double high) {

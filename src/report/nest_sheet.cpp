@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -7,6 +6,7 @@
 
 #include <planish/report/nest_sheet.h>
 
+#include "core/math.h"
 #include "report/figure_text.h"
 #include "report/furniture.h"
 #include "report/placed_pattern.h"
@@ -105,7 +105,7 @@ std::vector<NestPiece> nest_pieces(const NestJob& job) {
     PlacedPattern pattern = pattern_of(job, patch);
     if (patch.furniture.grain) {
       const Vec2 grain = grain_on_sheet(*patch.furniture.grain, patch.mesh, pattern);
-      some.angle = -180.0 / std::numbers::pi * std::atan2(grain.y, grain.x);
+      some.angle = -180.0 / std::numbers::pi * math::atan2(grain.y, grain.x);
     }
     some.outline.loops = std::move(pattern.cut);
   }

@@ -43,8 +43,10 @@ Leaving leaving_half_edges(const TriMesh& mesh) {
   // By end, so that finding one takes few steps also where thousands of triangles share a vertex.
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     std::sort(leaving.half_edges.begin() + leaving.row_start[v],
-              leaving.half_edges.begin() + leaving.row_start[v + 1],
-              [&](HalfEdge a, HalfEdge b) { return end_of(mesh, a) < end_of(mesh, b); });
+              leaving.half_edges.begin() + leaving.row_start[v + 1], [&](HalfEdge a, HalfEdge b) {
+                const Index end_a = end_of(mesh, a), end_b = end_of(mesh, b);
+                return end_a < end_b || (end_a == end_b && a < b);
+              });
   }
   return leaving;
 }

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <string>
 
+#include "core/math.h"
+
 namespace planish {
 
 double round_up_125(double value) {
-  const int exponent = static_cast<int>(std::floor(std::log10(value)));
+  const int exponent = static_cast<int>(std::floor(math::log10(value)));
   const auto candidate = [&](int digit, int power) {
     // Reading "2e-3" gives the double that everybody means by 0.002; 2 * pow(10, -3) may not.
     const std::string text = std::to_string(digit) + "e" + std::to_string(power);

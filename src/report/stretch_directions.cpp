@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "core/math.h"
+
 namespace planish {
 
 namespace {
@@ -37,11 +39,11 @@ StretchDirection direction_of(const Cell& cell) {
   const double share = 1.0 / cell.area;
   const Tensor mean = {share * cell.sum.xx, share * cell.sum.xy, share * cell.sum.yy};
   const double middle = 0.5 * (mean.xx + mean.yy);
-  const double radius = std::hypot(0.5 * (mean.xx - mean.yy), mean.xy);
+  const double radius = math::hypot(0.5 * (mean.xx - mean.yy), mean.xy);
   const double longer = std::sqrt(middle + radius) - 1.0;
   const double shorter = std::sqrt(std::max(0.0, middle - radius)) - 1.0;
-  const double angle = 0.5 * std::atan2(2.0 * mean.xy, mean.xx - mean.yy);
-  const Vec2 first = {std::cos(angle), std::sin(angle)};
+  const double angle = 0.5 * math::atan2(2.0 * mean.xy, mean.xx - mean.yy);
+  const Vec2 first = {math::cos(angle), math::sin(angle)};
   const Vec2 place = share * cell.place;
   if (std::abs(longer) >= std::abs(shorter)) return {place, first, longer};
   return {place, {-first.y, first.x}, shorter};

@@ -48,12 +48,17 @@ class Dissection {
                       static_cast<double>(graph.vertex_count())),
         right_of_(positions.size(), 0) {}
 
-  /// Puts the vertices of a part into elimination order.
+  /// Puts the vertices of a part into elimination order. What is not halved any more goes by
+  /// number: the order that nth_element() leaves is another in each standard library.
   void order(std::span<Index> part) {
-    if (part.size() <= k_leaf) return;
+    if (part.size() <= k_leaf) {
+      std::sort(part.begin(), part.end());
+      return;
+    }
     const Halves halves = halve(part);
     order(part.first(halves.left));
     order(part.subspan(halves.left, halves.right));
+    std::sort(part.begin() + static_cast<std::ptrdiff_t>(halves.both()), part.end());
   }
 
  private:

@@ -129,9 +129,9 @@ void SparseLdlt::link_fronts() {
   }
 }
 
-Eigen::Map<const Eigen::MatrixXd> SparseLdlt::panel(std::size_t node) const {
-  const auto size = static_cast<Eigen::Index>(tree_.width(node) + tree_.rows(node).size());
-  return {panels_.data() + panel_start_[node], size, static_cast<Eigen::Index>(tree_.width(node))};
+Panel SparseLdlt::panel(std::size_t node) const {
+  const std::size_t size = tree_.width(node) + tree_.rows(node).size();
+  return {panels_.data() + panel_start_[node], size, tree_.width(node), size};
 }
 
 FrontShape SparseLdlt::shape_of(std::size_t node) const {

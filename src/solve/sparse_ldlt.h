@@ -11,6 +11,7 @@
 #include "core/buffer.h"
 #include "core/thread_pool.h"
 #include "solve/front.h"
+#include "solve/panel_products.h"
 #include "solve/subtrees.h"
 #include "solve/supernodes.h"
 
@@ -54,7 +55,7 @@ class SparseLdlt {
 
  private:
   /// Rows of a supernode times its columns, column by column: unit lower triangle of L on top.
-  Eigen::Map<const Eigen::MatrixXd> panel(std::size_t node) const;
+  Panel panel(std::size_t node) const;
   /// Where a row of the matrix lies in the front of a supernode.
   Index place_in_front(std::size_t node, Index row) const;
   void link_fronts();
@@ -65,13 +66,13 @@ class SparseLdlt {
   /// @param updates what the supernodes leave to their parents; those of its children are used up
   bool factor_node(const SparseMatrix& lower, std::size_t node, FrontSpace& space,
                    std::vector<FrontRoom>& updates, ThreadPool& pool);
+  /// @param x in order of elimination: the right side before, the solution after
+  void solve_in_place(double* x, ThreadPool& pool) const;
   /// @param left what the rows below each supernode are to be lessened by
-  void solve_forward(std::size_t node, Eigen::MatrixXd& x, Eigen::Map<Eigen::MatrixXd>& left,
-                     ThreadPool& pool) const;
+  void solve_forward(std::size_t node, double* x, double* left, ThreadPool& pool) const;
   /// @param room for the rows below
-  void solve_backward(std::size_t node, Eigen::MatrixXd& x, Eigen::MatrixXd& room,
-                      ThreadPool& pool) const;
-  Eigen::MatrixXd room_below(Eigen::Index columns) const;
+  void solve_backward(std::size_t node, double* x, double* room, ThreadPool& pool) const;
+  Buffer<double> room_below() const;
 
   Supernodes tree_;
   std::vector<Index> first_child_, sibling_;  // of supernodes, Supernodes::k_root where none

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "solve/panel_products.h"
 #include "solve/sparse_ldlt.h"
 
 namespace planish {
@@ -16,64 +17,53 @@ void for_blocks(ThreadPool& pool, std::size_t count, std::size_t block, std::siz
   const std::size_t grain = 1 + enough / (1 + block * work_of_one);
   pool.for_ranges((count + block - 1) / block, grain, [&](std::size_t from, std::size_t to) {
     for (std::size_t b = from; b < to; ++b)
-      body(static_cast<Eigen::Index>(b * block),
-           static_cast<Eigen::Index>(std::min(block, count - b * block)));
+      body(b * block, std::min(block, count - b * block));
   });
 }
 
 }  // namespace
 
-void SparseLdlt::solve_forward(std::size_t node, Eigen::MatrixXd& x,
-                               Eigen::Map<Eigen::MatrixXd>& left, ThreadPool& pool) const {
+void SparseLdlt::solve_forward(std::size_t node, double* x, double* left, ThreadPool& pool) const {
   constexpr std::size_t block = 512;
-  const auto l = panel(node);
+  const Panel l = panel(node);
   const FrontShape shape = shape_of(node);
   const auto corner = static_cast<Index>(FrontShape::padded(shape.columns));
-  const auto left_of = [&](std::size_t s) {
-    return left.middleRows(static_cast<Eigen::Index>(tree_.row_start[s]),
-                           static_cast<Eigen::Index>(tree_.rows(s).size()));
-  };
-  auto own = x.middleRows(tree_.first[node], l.cols());
-  auto image = left_of(node);
-  image.setZero();
+  double* own = x + tree_.first[node];
+  double* image = left + tree_.row_start[node];
+  std::fill_n(image, shape.rest, 0.0);
   for (Index child = first_child_[node]; child != Supernodes::k_root; child = sibling_[child]) {
-    const auto from = left_of(child);
-    const Index* to = in_parent_.data() + tree_.row_start[child];
-    for (Eigen::Index i = 0; i < from.rows(); ++i) {
-      if (to[i] < corner) own.row(to[i]) -= from.row(i);
-      if (to[i] >= corner) image.row(to[i] - corner) += from.row(i);
+    for (std::size_t i = tree_.row_start[child]; i < tree_.row_start[child + 1]; ++i) {
+      const Index to = in_parent_[i];
+      if (to < corner) own[to] -= left[i];
+      if (to >= corner) image[to - corner] += left[i];
     }
   }
-  l.topRows(l.cols()).triangularView<Eigen::UnitLower>().solveInPlace(own);
-  for_blocks(pool, shape.rest, block, shape.columns, [&](Eigen::Index begin, Eigen::Index count) {
-    image.middleRows(begin, count).noalias() += l.middleRows(l.cols() + begin, count) * own;
+  solve_unit_lower(l.part(0, 0, shape.columns, shape.columns), own);
+  for_blocks(pool, shape.rest, block, shape.columns, [&](std::size_t begin, std::size_t count) {
+    add_product(l.part(shape.columns + begin, 0, count, shape.columns), own, image + begin);
   });
 }
 
-void SparseLdlt::solve_backward(std::size_t node, Eigen::MatrixXd& x, Eigen::MatrixXd& room,
-                                ThreadPool& pool) const {
+void SparseLdlt::solve_backward(std::size_t node, double* x, double* room, ThreadPool& pool) const {
   constexpr std::size_t block = 64;
-  const auto l = panel(node);
+  const Panel l = panel(node);
   const FrontShape shape = shape_of(node);
   const auto rows = tree_.rows(node);
-  auto below = room.topRows(static_cast<Eigen::Index>(rows.size()));
   for (std::size_t i = 0; i < rows.size(); ++i)
-    below.row(static_cast<Eigen::Index>(i)) = x.row(rows[i]);
-  auto own = x.middleRows(tree_.first[node], l.cols());
-  for_blocks(pool, shape.columns, block, shape.rest, [&](Eigen::Index begin, Eigen::Index count) {
-    const auto beside = l.bottomRows(l.rows() - l.cols()).middleCols(begin, count);
-    own.middleRows(begin, count).noalias() -= beside.transpose() * below;
+    room[i] = x[rows[i]];
+  double* own = x + tree_.first[node];
+  for_blocks(pool, shape.columns, block, shape.rest, [&](std::size_t begin, std::size_t count) {
+    subtract_transposed_product(l.part(shape.columns, begin, shape.rest, count), room, own + begin);
   });
-  l.topRows(l.cols()).transpose().triangularView<Eigen::UnitUpper>().solveInPlace(own);
+  solve_unit_lower_transposed(l.part(0, 0, shape.columns, shape.columns), own);
 }
 
-/// Room for what any panel has below its own rows. Taken once: where memory ends while an Eigen
-/// matrix is resized, the old elements are freed twice.
-Eigen::MatrixXd SparseLdlt::room_below(Eigen::Index columns) const {
+/// Room for what any panel has below its own rows.
+Buffer<double> SparseLdlt::room_below() const {
   std::size_t most = 0;
   for (std::size_t s = 0; s < tree_.count(); ++s)
     most = std::max(most, tree_.rows(s).size());
-  return {static_cast<Eigen::Index>(most), columns};
+  return Buffer<double>(most);
 }
 
 Eigen::MatrixXd SparseLdlt::solve(const Eigen::MatrixXd& right) const {
@@ -82,12 +72,20 @@ Eigen::MatrixXd SparseLdlt::solve(const Eigen::MatrixXd& right) const {
 }
 
 Eigen::MatrixXd SparseLdlt::solve(const Eigen::MatrixXd& right, ThreadPool& pool) const {
-  Eigen::MatrixXd x(right.rows(), right.cols());
-  for (Eigen::Index i = 0; i < right.rows(); ++i)
-    x.row(place_[i]) = right.row(i);
-  const auto left_rows = static_cast<Eigen::Index>(tree_.row_list.size());
-  Buffer<double> left_room(tree_.row_list.size() * static_cast<std::size_t>(right.cols()));
-  Eigen::Map<Eigen::MatrixXd> left(left_room.data(), left_rows, right.cols());
+  Eigen::MatrixXd solution(right.rows(), right.cols());
+  Buffer<double> x(place_.size());
+  for (Eigen::Index column = 0; column < right.cols(); ++column) {
+    for (std::size_t i = 0; i < place_.size(); ++i)
+      x.data()[place_[i]] = right(static_cast<Eigen::Index>(i), column);
+    solve_in_place(x.data(), pool);
+    for (std::size_t i = 0; i < place_.size(); ++i)
+      solution(static_cast<Eigen::Index>(i), column) = x.data()[place_[i]];
+  }
+  return solution;
+}
+
+void SparseLdlt::solve_in_place(double* x, ThreadPool& pool) const {
+  Buffer<double> left(tree_.row_list.size());
   const auto for_parts = [&](const auto& body) {
     pool.for_ranges(split_.parts.size(), 1, [&](std::size_t begin, std::size_t end) {
       ThreadPool alone(1);
@@ -97,23 +95,20 @@ Eigen::MatrixXd SparseLdlt::solve(const Eigen::MatrixXd& right, ThreadPool& pool
   };
   for_parts([&](const Subtrees::Range& part, ThreadPool& alone) {
     for (std::size_t s = part.begin; s < part.end; ++s)
-      solve_forward(s, x, left, alone);
+      solve_forward(s, x, left.data(), alone);
   });
   for (const Index s : split_.top)
-    solve_forward(s, x, left, pool);
-  x.array().colwise() /= pivots_.array();
-  Eigen::MatrixXd room = room_below(x.cols());
+    solve_forward(s, x, left.data(), pool);
+  for (std::size_t i = 0; i < place_.size(); ++i)
+    x[i] /= pivots_[static_cast<Eigen::Index>(i)];
+  Buffer<double> room = room_below();
   for (auto s = split_.top.rbegin(); s != split_.top.rend(); ++s)
-    solve_backward(*s, x, room, pool);
+    solve_backward(*s, x, room.data(), pool);
   for_parts([&](const Subtrees::Range& part, ThreadPool& alone) {
-    Eigen::MatrixXd own_room = room_below(x.cols());
+    Buffer<double> own_room = room_below();
     for (std::size_t s = part.end; s-- > part.begin;)
-      solve_backward(s, x, own_room, alone);
+      solve_backward(s, x, own_room.data(), alone);
   });
-  Eigen::MatrixXd solution(right.rows(), right.cols());
-  for (Eigen::Index i = 0; i < right.rows(); ++i)
-    solution.row(i) = x.row(place_[i]);
-  return solution;
 }
 
 }  // namespace planish

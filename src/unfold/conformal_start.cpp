@@ -1,6 +1,6 @@
-#include <cmath>
 #include <numbers>
 
+#include "core/math.h"
 #include "unfold/disk_angles.h"
 #include "unfold/start.h"
 
@@ -38,7 +38,7 @@ std::vector<Vec2> closed_polygon(const std::vector<double>& turns, std::vector<d
   double heading = 0.0;
   for (std::size_t k = 0; k < turns.size(); ++k) {
     if (k > 0) heading += turns[k];
-    directions.push_back({std::cos(heading), std::sin(heading)});
+    directions.push_back({math::cos(heading), math::sin(heading)});
   }
   Vec2 gap;
   double xx = 0.0, xy = 0.0, yy = 0.0;

@@ -1,7 +1,8 @@
 #include "unfold/disk_angles.h"
 
-#include <cmath>
 #include <numbers>
+
+#include "core/math.h"
 
 namespace planish {
 
@@ -15,7 +16,7 @@ DiskAngles disk_angles(const Disk& disk) {
     for (int k = 0; k < 3; ++k) {
       const Vec2 a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
       weights[k] = 0.5 * dot(a, b) / cross(a, b);
-      angles.sums[disk.triangles[t][k]] += std::atan2(cross(a, b), dot(a, b));
+      angles.sums[disk.triangles[t][k]] += math::atan2(cross(a, b), dot(a, b));
     }
   }
   return angles;

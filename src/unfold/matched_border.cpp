@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/math.h"
 #include "unfold/inner_system.h"
 #include "unfold/seam_system.h"
 
@@ -126,7 +127,7 @@ class Descent {
 double half_turn(std::span<const double> chords, double diameter) {
   double sum = 0.0;
   for (const double chord : chords)
-    sum += std::asin(std::min(1.0, chord / diameter));
+    sum += math::asin(std::min(1.0, chord / diameter));
   return sum;
 }
 
@@ -142,7 +143,7 @@ std::vector<double> inscribed_angles(std::span<const double> sides) {
   const auto excess = [&](double diameter) {
     const double all = half_turn(sides, diameter);
     if (inside) return all - std::numbers::pi;
-    return 2.0 * std::asin(std::min(1.0, least / diameter)) - all;  // < 0 for large circles
+    return 2.0 * math::asin(std::min(1.0, least / diameter)) - all;  // < 0 for large circles
   };
   double low = least, high = total;
   if (!inside) high = 1e8 * total;
@@ -153,7 +154,7 @@ std::vector<double> inscribed_angles(std::span<const double> sides) {
   std::vector<double> angles;
   angles.reserve(sides.size());
   for (const double& side : sides) {
-    const double angle = std::asin(std::min(1.0, side / low));
+    const double angle = math::asin(std::min(1.0, side / low));
     angles.push_back(!inside && &side == &*longest ? std::numbers::pi - angle : angle);
   }
   return angles;
@@ -170,7 +171,7 @@ std::vector<Vec2> circle_start(const Disk& disk, std::span<const double> lengths
   for (std::size_t k = 0; k < lengths.size(); ++k) {
     polygon.push_back(at);
     heading += angles[k];
-    at = at + lengths[k] * Vec2{std::cos(heading), std::sin(heading)};
+    at = at + lengths[k] * Vec2{math::cos(heading), math::sin(heading)};
     heading += angles[k];
   }
   const std::vector<SideWeights> weights(disk.triangles.size(), SideWeights{1.0, 1.0, 1.0});

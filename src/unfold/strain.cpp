@@ -4,6 +4,7 @@
 #include <planish/unfold/strain.h>
 
 #include "core/careful_sum.h"
+#include "core/math.h"
 #include "unfold/strain_of_edge.h"
 
 namespace planish {
@@ -63,8 +64,8 @@ std::vector<PrincipalStretch> principal_stretches(const TriMesh& mesh,
     // The map as a matrix in the frame of a and the normal to it in the triangle.
     const Vec2 p = (scale / length) * (pattern[t[1]] - pattern[t[0]]);
     const Vec2 q = (1.0 / height) * (scale * (pattern[t[2]] - pattern[t[0]]) - along * p);
-    const double turn = 0.5 * std::hypot(p.x + q.y, p.y - q.x);
-    const double flip = 0.5 * std::hypot(p.x - q.y, p.y + q.x);
+    const double turn = 0.5 * math::hypot(p.x + q.y, p.y - q.x);
+    const double flip = 0.5 * math::hypot(p.x - q.y, p.y + q.x);
     stretch = {turn + flip, turn - flip};
   }
   return stretches;

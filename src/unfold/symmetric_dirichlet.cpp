@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math.h"
+
 namespace planish {
 
 namespace {
@@ -16,6 +18,12 @@ double f_curvature(double s) {
 }
 double square(double x) {
   return x * x;
+}
+
+/// A unit vector at half the angle of this one, or opposite to it.
+Vec2 half_angle(Vec2 unit) {
+  const Vec2 along = unit.x >= 0.0 ? Vec2{1.0 + unit.x, unit.y} : Vec2{unit.y, 1.0 - unit.x};
+  return (1.0 / norm(along)) * along;
 }
 
 }  // namespace
@@ -33,15 +41,17 @@ TriangleEnergy::TriangleEnergy(const RestTriangle& rest, Vec2 p0, Vec2 p1, Vec2 
   // Singular values and vectors in closed form: F is a rotation part plus a reflection part.
   const double turn_re = 0.5 * (F.xx + F.yy), turn_im = 0.5 * (F.yx - F.xy);
   const double flip_re = 0.5 * (F.xx - F.yy), flip_im = 0.5 * (F.yx + F.xy);
-  const double turn = std::hypot(turn_re, turn_im), flip = std::hypot(flip_re, flip_im);
+  const double turn = math::hypot(turn_re, turn_im), flip = math::hypot(flip_re, flip_im);
   s1_ = turn + flip;
   // turn - flip, without the loss of digits that the difference has in a thin triangle
   s2_ = cross(d1, d2) / (l * ty) / s1_;
-  const double turn_angle = std::atan2(turn_im, turn_re);
-  const double flip_angle = flip > 0.0 ? std::atan2(flip_im, flip_re) : 0.0;
-  const double u_angle = 0.5 * (flip_angle + turn_angle), v_angle = 0.5 * (flip_angle - turn_angle);
-  u1_ = {std::cos(u_angle), std::sin(u_angle)};
-  v1_ = {std::cos(v_angle), std::sin(v_angle)};
+  // v1 is at half the angle from the rotation to the reflection, and u1 is v1 rotated. With -v1 for
+  // v1 both change sign, which no product of the two sees.
+  const Vec2 rotation = (1.0 / turn) * Vec2{turn_re, turn_im};
+  v1_ = flip > 0.0 ? half_angle((1.0 / flip) * Vec2{dot(rotation, {flip_re, flip_im}),
+                                                    cross(rotation, {flip_re, flip_im})})
+                   : Vec2{1.0, 0.0};
+  u1_ = {rotation.x * v1_.x - rotation.y * v1_.y, rotation.x * v1_.y + rotation.y * v1_.x};
   u2_ = {-u1_.y, u1_.x};
   v2_ = {-v1_.y, v1_.x};
   value_ = area_ * (square(s1_ - 1.0 / s1_) + square(s2_ - 1.0 / s2_));

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/math.h"
 #include "unfold/inner_system.h"
 #include "unfold/start.h"
 
@@ -14,7 +15,7 @@ std::vector<Vec2> tutte_start(const Disk& disk) {
   for (std::size_t k = 0; k < disk.border.size(); ++k) {
     const double angle =
         2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(disk.border.size());
-    circle.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    circle.push_back({radius * math::cos(angle), radius * math::sin(angle)});
   }
   return laplacian.extend(disk, circle);
 }

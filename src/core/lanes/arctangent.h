@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/arctangent_terms.h"
 #include "core/lanes/lanes.h"
 
 namespace planish::PLANISH_ISA {
 
 constexpr double k_pi = 3.14159265358979323846;
-constexpr double k_tan_eighth = 0.41421356237309503;  // tan(pi / 8) = sqrt(2) - 1
 
 /// A complex number whose argument is an angle.
 struct Complex {
@@ -16,24 +16,12 @@ inline Complex operator*(const Complex& a, const Complex& b) {
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
 
-/// arctan(t) for |t| <= tan(pi / 8): t times the polynomial in t^2 that interpolates arctan(t) / t
-/// at the eleven Chebyshev points of that interval, relative error 3.5e-17 before rounding.
+/// arctan(t) for |t| <= tan(pi / 8).
 inline Real short_arctangent(Real t) {
-  constexpr double c[] = {1.0,
-                          -0.3333333333332844,
-                          0.1999999999885511,
-                          -0.14285714180976467,
-                          0.11111106180455946,
-                          -0.09090773074808414,
-                          0.07689953496306857,
-                          -0.06640233930429408,
-                          0.056883492268090106,
-                          -0.04348052215716462,
-                          0.021135373157693246};
   const Real s = t * t;
-  Real sum = all(c[10]);
+  Real sum = all(k_arctangent_terms[10]);
   for (int k = 9; k >= 0; --k)
-    sum = sum * s + c[k];
+    sum = sum * s + k_arctangent_terms[k];
   return t * sum;
 }
 

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+
+namespace planish {
+
+/// A dense matrix of columns of numbers, one after the other.
+struct Panel {
+  const double* values;
+  std::size_t rows, columns, stride;  // stride: from column to column
+
+  const double* column(std::size_t k) const { return values + k * stride; }
+  /// @pre the part is within the panel
+  Panel part(std::size_t row, std::size_t column, std::size_t row_count,
+             std::size_t column_count) const {
+    return {values + column * stride + row, row_count, column_count, stride};
+  }
+};
+
+// In what order numbers are summed follows from the shape of the panel alone, never from the width
+// of registers, so that every build gives the same bits.
+
+/// y += L x. @pre x and y do not overlap
+void add_product(const Panel& l, const double* x, double* y);
+
+/// y -= L x. @pre x and y do not overlap
+void subtract_product(const Panel& l, const double* x, double* y);
+
+/// y -= L^T x. @pre x and y do not overlap
+void subtract_transposed_product(const Panel& l, const double* x, double* y);
+
+/// x := L^-1 x. @pre L is square; of it what is below the diagonal counts, which is 1
+void solve_unit_lower(const Panel& l, double* x);
+
+/// x := L^-T x. @pre as above
+void solve_unit_lower_transposed(const Panel& l, double* x);
+
+}  // namespace planish

@@ -24,6 +24,7 @@ chromium            command chromium
 clang-format-14     command clang-format-14
 libgmock-dev        header gmock/gmock.h
 libgtest-dev        header gtest/gtest.h
+libmpfr-dev         header mpfr.h
 librapidcheck-dev   header rapidcheck.h
 librsvg2-bin        command rsvg-convert
 poppler-utils       command pdftoppm

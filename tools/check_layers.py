@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Checks what the compiler does not: that layers include downwards only, that public headers and
 programs stay clear of private ones, that what one system alone has stays in its rooms, that paths
-are made from text by path_of() alone, and that every error code has its paragraph in docs/errors.md.
+are made from text by path_of() alone, that no elementary function of the C library decides a
+result, and that every error code has its paragraph in docs/errors.md.
 
     platform <- {core, io, report}
     core <- mesh <- {io, measure} <- {evolve, unfold <- pattern} <- report;  core <- draw <- report;
@@ -45,6 +46,11 @@ SYSTEM_MACROS = re.compile(
 PATH_TEXT = re.compile(r"\.(?:generic_)?string\(\)|\b(?:fs|filesystem)::path\([^)]")
 # Where all of these may be: one folder and one file for each system.
 ROOMS = re.compile(r"src/platform/\w+/.*|apps/planish/host_\w+\.cpp")
+# Functions whose last digit is another in each C library; src/core/math.h has them with the same
+# bits everywhere.
+LIBM = re.compile(
+    r"\bstd::(a?(?:sin|cos|tan)h?|atan2|exp[2m]?1?|log(?:10|2|1p|b)?|pow|cbrt|hypot|fma|[lt]gamma|erfc?)\("
+)
 # Windows has headers of these names, and its own include each other by them.
 TAKEN_NAMES = {"direct.h", "io.h", "process.h"}
 
@@ -117,6 +123,9 @@ def check_rooms(faults):
                 if mark == "<" and SYSTEM_HEADERS.fullmatch(header):
                     faults.append(f"{name}:{line}: <{header}> belongs into src/platform/")
             text = path.read_text(encoding="utf-8")
+            for match in LIBM.finditer(text):
+                line = text.count("\n", 0, match.start()) + 1
+                faults.append(f"{name}:{line}: {match[0]}) gives other bits with each C library: use core/math.h")
             for match in SYSTEM_MACROS.finditer(text):
                 line = text.count("\n", 0, match.start(1)) + 1
                 faults.append(f"{name}:{line}: {match[1]} belongs into src/platform/")

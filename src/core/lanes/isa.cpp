@@ -17,10 +17,11 @@ std::string_view to_string(Isa isa) {
 std::vector<Isa> available_isas() {
   std::vector<Isa> isas{Isa::baseline};
 #if defined(PLANISH_X86_64_LANES)
-  if (__builtin_cpu_supports("avx2")) {
+  constexpr std::string_view widest = PLANISH_LANES_AT_MOST;
+  if (widest != to_string(Isa::baseline) && __builtin_cpu_supports("avx2")) {
     isas.push_back(Isa::x86_64_v3);
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl")) {
+    if (widest != to_string(Isa::x86_64_v3) && __builtin_cpu_supports("avx512f") &&
+        __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl")) {
       isas.push_back(Isa::x86_64_v4);
     }
   }

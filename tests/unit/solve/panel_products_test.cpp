@@ -1,0 +1,113 @@
+#include "solve/panel_products.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace planish {
+namespace {
+
+using Numbers = std::vector<double>;
+
+Numbers random_numbers(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  Numbers numbers;
+  for (std::size_t i = 0; i < count; ++i)
+    numbers.push_back(number(random));
+  return numbers;
+}
+
+struct Shape {
+  std::size_t rows, columns;
+};
+
+/// Every remainder of rows and columns, and none of either.
+class PanelProducts : public testing::TestWithParam<Shape> {
+ protected:
+  static constexpr std::size_t k_stride = 43;
+
+  Numbers values_ = random_numbers(k_stride * 41, 1);
+  Panel l_{values_.data() + 1, GetParam().rows, GetParam().columns, k_stride};
+
+  /// By the formula.
+  Numbers product(const Numbers& x) const {
+    Numbers y(l_.rows, 0.0);
+    for (std::size_t i = 0; i < l_.rows; ++i) {
+      for (std::size_t k = 0; k < l_.columns; ++k)
+        y[i] += l_.column(k)[i] * x[k];
+    }
+    return y;
+  }
+  Numbers transposed_product(const Numbers& x) const {
+    Numbers y(l_.columns, 0.0);
+    for (std::size_t k = 0; k < l_.columns; ++k) {
+      for (std::size_t i = 0; i < l_.rows; ++i)
+        y[k] += l_.column(k)[i] * x[i];
+    }
+    return y;
+  }
+};
+
+TEST_P(PanelProducts, AddAndSubtractTheProduct) {
+  const Numbers x = random_numbers(l_.columns, 2), before = random_numbers(l_.rows + 1, 3);
+  const Numbers expected = product(x);
+  Numbers more = before, less = before;
+  add_product(l_, x.data(), more.data());
+  subtract_product(l_, x.data(), less.data());
+  for (std::size_t i = 0; i < l_.rows; ++i) {
+    EXPECT_NEAR(more[i], before[i] + expected[i], 1e-14);
+    EXPECT_NEAR(less[i], before[i] - expected[i], 1e-14);
+  }
+  EXPECT_EQ(more[l_.rows], before[l_.rows]);
+}
+
+TEST_P(PanelProducts, SubtractTheTransposedProduct) {
+  const Numbers x = random_numbers(l_.rows, 2), before = random_numbers(l_.columns + 1, 3);
+  const Numbers expected = transposed_product(x);
+  Numbers less = before;
+  subtract_transposed_product(l_, x.data(), less.data());
+  for (std::size_t k = 0; k < l_.columns; ++k)
+    EXPECT_NEAR(less[k], before[k] - expected[k], 1e-14);
+  EXPECT_EQ(less[l_.columns], before[l_.columns]);
+}
+
+TEST_P(PanelProducts, SolveWithTheUnitLowerTriangle) {
+  const std::size_t n = l_.columns;
+  const Panel square{l_.values, n, n, k_stride};
+  const Numbers right = random_numbers(n, 2);
+  Numbers x = right, y = right;
+  solve_unit_lower(square, x.data());
+  solve_unit_lower_transposed(square, y.data());
+  double size_x = 1.0, size_y = 1.0;  // of the terms, by which rounding goes
+  for (std::size_t i = 0; i < n; ++i) {
+    size_x = std::max(size_x, std::abs(x[i]));
+    size_y = std::max(size_y, std::abs(y[i]));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    double image = x[i], transposed = y[i];
+    for (std::size_t k = 0; k < i; ++k)
+      image += square.column(k)[i] * x[k];
+    for (std::size_t k = i + 1; k < n; ++k)
+      transposed += square.column(i)[k] * y[k];
+    EXPECT_NEAR(image, right[i], 1e-14 * size_x);
+    EXPECT_NEAR(transposed, right[i], 1e-14 * size_y);
+  }
+}
+
+std::vector<Shape> shapes() {
+  std::vector<Shape> shapes;
+  for (const std::size_t rows : {0, 1, 2, 3, 4, 5, 7, 8, 41}) {
+    for (const std::size_t columns : {0, 1, 2, 3, 4, 5, 6, 7, 8, 40})
+      shapes.push_back({rows, columns});
+  }
+  return shapes;
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, PanelProducts, testing::ValuesIn(shapes()));
+
+}  // namespace
+}  // namespace planish

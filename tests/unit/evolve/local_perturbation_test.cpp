@@ -63,7 +63,7 @@ TEST(LocalPerturbation, MakesNearlyFlattenablePatchesFlattenable) {
 }
 
 TEST(LocalPerturbation, LeavesTheBestStateAndTellsItTruly) {
-  const TriMesh mesh = make_shape("dome", 200);
+  const TriMesh mesh = make_shape("dome", 300);
   double best = e_max_of(mesh);
   int idle = 0, better_after_idle = 0;
   TriMesh now = mesh;

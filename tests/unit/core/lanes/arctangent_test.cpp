@@ -21,7 +21,7 @@ double relative_error(double found, double expected) {
 
 TEST(Arctangent, ShortIsRightToFourUnitsInTheSixteenthDigit) {
   for (int i = -1000; i <= 1000; ++i) {
-    const double t = test_lanes::k_tan_eighth * i / 1000.0;
+    const double t = k_tan_eighth * i / 1000.0;
     EXPECT_LE(relative_error(test_lanes::short_arctangent(all(t))[0], std::atan(t)), 4e-16) << t;
   }
   for (double t = 0.3; t > 1e-300; t *= 1e-7) {

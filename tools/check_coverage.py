@@ -10,6 +10,7 @@ exceptions that nothing throws do not count.
 
 import collections
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -35,7 +36,6 @@ def exported(profiles, programs):
     command = ["llvm-cov-14", "export", "-skip-expansions", f"-instr-profile={merged}"]
     for number, program in enumerate(programs):
         command += [program] if number == 0 else ["-object", program]
-    command += [str(REPO / "src"), str(REPO / "include")]
     return json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout)
 
 
@@ -72,9 +72,11 @@ def main():
         sys.exit(__doc__)
     files = {}
     for entry in exported(pathlib.Path(sys.argv[1]), sys.argv[2:])["data"][0]["files"]:
-        path = pathlib.Path(entry["filename"]).relative_to(REPO)
-        name = re.sub(r"^(src|include/planish)/", "", str(path))
-        files[name] = entry
+        # A compiler cache may leave paths that go up and down.
+        path = os.path.relpath(entry["filename"], REPO)
+        name = re.sub(r"^(src|include/planish)/", "", path)
+        if name != path:
+            files[name] = entry
     folders = collections.defaultdict(lambda: [0, 0, 0, 0])
 
     lines_of = {name: counts_by_line(entry["segments"]) for name, entry in files.items()}

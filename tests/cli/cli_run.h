@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -11,9 +10,9 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "run.h"
+#include "support/own_folder.h"
 
 namespace planish::cli {
 
@@ -36,44 +35,21 @@ inline CliResult planish(const std::vector<std::string>& args, const RunContext&
   return {exit_code, out.str(), err.str()};
 }
 
-inline std::string content_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// Gives every test an empty folder of its own, and of the process, made the current one.
-class CliFolder : public testing::Test {
+/// Gives every test an empty folder of its own and makes it the current one.
+class CliFolder : public OwnFolder {
  protected:
   void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name =
-        std::to_string(getpid()) + "." + std::string(info->test_suite_name()) + "." + info->name();
-    for (char& c : name) {
-      if (c == '/') c = '_';
-    }
+    OwnFolder::SetUp();
     before_ = std::filesystem::current_path();
-    folder_ = std::filesystem::path(testing::TempDir()) / ("planish_cli_" + name);
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
     std::filesystem::current_path(folder_);
   }
   void TearDown() override {
     std::filesystem::current_path(before_);
-    std::filesystem::remove_all(folder_);
-  }
-
-  /// Names of all that lies in the test's folder, sorted.
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
-      names.push_back(std::filesystem::relative(entry.path(), folder_).string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
+    OwnFolder::TearDown();
   }
 
  private:
-  std::filesystem::path before_, folder_;
+  std::filesystem::path before_;
 };
 
 /// And a small patch in it.

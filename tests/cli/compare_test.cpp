@@ -34,7 +34,7 @@ TEST_F(Compare, TellsOfAllMethodsAndWritesNothing) {
   EXPECT_THAT(result.out, HasSubstr("\nBest: "));
   EXPECT_THAT(result.out, HasSubstr("Read strain first"));
   expect_eighty_columns(result.out);
-  EXPECT_THAT(files(), ElementsAre("panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("panel.obj"));
 }
 
 TEST_F(Compare, TakesMethodsInTheOrderAskedFor) {
@@ -48,14 +48,14 @@ TEST_F(Compare, TakesMethodsInTheOrderAskedFor) {
   EXPECT_EQ(json["runs"][1]["unfold"]["unit"], "cm");
   EXPECT_TRUE(json["runs"][1]["error"].is_null());
   EXPECT_EQ(json["input"], planish({"measure", "panel.obj", "--json"}).json());
-  EXPECT_THAT(files(), ElementsAre("panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("panel.obj"));
 }
 
 TEST_F(Compare, WritesItsFolder) {
   const CliResult result =
       planish({"compare", "panel.obj", "--methods=controllable,classical", "-o", "out", "--json"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
-  EXPECT_THAT(files(),
+  EXPECT_THAT(names(),
               ElementsAre("out", "out/compare.csv", "out/compare.html", "out/compare.json",
                           "out/panel-classical.obj", "out/panel-controllable.obj", "panel.obj"));
   EXPECT_EQ(result.json(), nlohmann::json::parse(content_of("out/compare.json")));
@@ -75,8 +75,8 @@ TEST_F(Compare, WritesMeshesInTheFormatOfTheInputButForStl) {
                   .exit_code,
               k_exit_done);
   }
-  EXPECT_THAT(files(), Contains("ply/patch-classical.ply"));
-  EXPECT_THAT(files(), Contains("stl/patch-classical.obj"));
+  EXPECT_THAT(names(), Contains("ply/patch-classical.ply"));
+  EXPECT_THAT(names(), Contains("stl/patch-classical.obj"));
 }
 
 TEST_F(Compare, ComparesWhatIsNoDiskWithoutPatterns) {
@@ -98,7 +98,7 @@ TEST_F(Compare, RefusesWhatNoMethodCanEvolveAndAFileInPlaceOfTheFolder) {
   EXPECT_EQ(closed.exit_code, k_exit_failed);
   EXPECT_EQ(closed.json()["error"]["code"], "closed_surface");
   EXPECT_EQ(planish({"compare", "panel.obj", "-o", "panel.obj"}).exit_code, k_exit_failed);
-  EXPECT_THAT(files(), ElementsAre("closed.obj", "panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("closed.obj", "panel.obj"));
 }
 
 TEST_F(Compare, NamesTheNearestMethodAndRefusesRepetition) {
@@ -147,7 +147,7 @@ TEST_F(Compare, MeasureWritesTheMapOfDirections) {
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_THAT(result.out, HasSubstr("dome or cup"));
   expect_eighty_columns(result.out);
-  EXPECT_THAT(files(), ElementsAre("m.csv", "m.svg", "panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("m.csv", "m.svg", "panel.obj"));
   const std::string csv = content_of("m.csv");
   EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')),
             read_mesh("panel.obj").mesh.positions.size() + 1);
@@ -165,7 +165,7 @@ TEST_F(Compare, MeasureRefusesOtherPicturesAndOnePlaceForTwoFiles) {
   EXPECT_EQ(format.json()["error"]["code"], "unsupported_format");
   EXPECT_EQ(planish({"measure", "panel.obj", "--map", "m.svg", "--picture", "m.svg"}).exit_code,
             k_exit_usage);
-  EXPECT_THAT(files(), ElementsAre("panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("panel.obj"));
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST_F(ConstraintFlags, FaultsOfTheirFilesNameTheFileAndWriteNothing) {
       EXPECT_EQ(result.json()["error"]["path"], file);
     }
   }
-  EXPECT_THAT(files(), ElementsAre("far.txt", "panel.obj", "words.obj"));
+  EXPECT_THAT(names(), ElementsAre("far.txt", "panel.obj", "words.obj"));
 }
 
 TEST_F(ConstraintFlags, OfAMeshThatCannotBeUsedTheMeshIsNamed) {

@@ -175,7 +175,7 @@ TEST_F(SuggestCuts, TellsInWordsAndWritesNothingUnasked) {
   std::istringstream lines(met.out + missed.out);
   for (std::string line; std::getline(lines, line);)
     EXPECT_LE(line.size(), 80U) << line;
-  EXPECT_THAT(files(), ElementsAre("across.txt", "dart.txt", "hill.obj", "panel.obj", "seam.txt",
+  EXPECT_THAT(names(), ElementsAre("across.txt", "dart.txt", "hill.obj", "panel.obj", "seam.txt",
                                    "tube.obj"));
 }
 

@@ -48,7 +48,7 @@ TEST_F(Failures, OfTheInputEndWithOneAndWriteNothing) {
       EXPECT_THAT(result.err, HasSubstr(input));
     }
   }
-  EXPECT_THAT(files(), ElementsAre("broken.obj", "panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("broken.obj", "panel.obj"));
 }
 
 TEST_F(Failures, AreOneJsonObjectWithCodeAndPlace) {
@@ -81,7 +81,7 @@ TEST_F(Failures, MeshesThatAreNoDisksAreMeasuredButNotUnfolded) {
   const CliResult unfolded = planish({"unfold", "apart.obj", "-o", "out.svg", "--json"});
   EXPECT_EQ(unfolded.exit_code, k_exit_failed);
   EXPECT_EQ(unfolded.json()["error"]["code"], "several_components");
-  EXPECT_THAT(files(), ElementsAre("apart.obj", "panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("apart.obj", "panel.obj"));
 }
 
 TEST_F(Failures, OfTheOutputAreToldAndNothingIsLeft) {
@@ -94,7 +94,7 @@ TEST_F(Failures, OfTheOutputAreToldAndNothingIsLeft) {
   EXPECT_EQ(planish({"evolve", "panel.obj", "-o", "out.xyz"}).exit_code, k_exit_failed);
   EXPECT_EQ(planish({"evolve", "panel.obj", "-o", "out.obj", "--history", "taken/h.csv"}).exit_code,
             k_exit_failed);
-  EXPECT_THAT(files(), ElementsAre("panel.obj", "taken"));
+  EXPECT_THAT(names(), ElementsAre("panel.obj", "taken"));
 }
 
 TEST_F(Failures, ATargetThatIsMissedEndsWithThreeAndIsWritten) {
@@ -133,7 +133,7 @@ TEST_F(Failures, AnInterruptEndsWith130AndWritesNothing) {
     with_json.push_back("--json");
     EXPECT_EQ(planish(with_json, context).json()["error"]["code"], "interrupted");
   }
-  EXPECT_THAT(files(), ElementsAre("panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("panel.obj"));
 }
 
 /// Sets the flag as soon as something is drawn: in the midst of the work.
@@ -164,7 +164,7 @@ TEST_F(Failures, AnInterruptInTheMidstOfWorkIsHeard) {
     const RunContext context = {.err_is_terminal = true, .interrupted = &interrupted};
     EXPECT_EQ(run(args, out, err, context), k_exit_interrupted) << args.front();
   }
-  EXPECT_THAT(files(), ElementsAre("panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("panel.obj"));
 }
 
 TEST_F(Failures, StandardOutputThatCannotBeWrittenIsAFailure) {

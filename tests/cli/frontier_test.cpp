@@ -20,7 +20,7 @@ TEST_F(Frontier, PrintsATableAndWritesNothing) {
   std::istringstream lines(result.out);
   for (std::string line; std::getline(lines, line);)
     EXPECT_LE(line.size(), 80U) << line;
-  EXPECT_THAT(files(), ElementsAre("panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("panel.obj"));
 }
 
 TEST_F(Frontier, HasEightPointsOrAsManyAsAskedForAndAllOtherMethods) {
@@ -57,7 +57,7 @@ TEST_F(Frontier, WritesAChartAPageOrAllFigures) {
     EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
     EXPECT_THAT(content_of(output), StartsWith(begin));
   }
-  EXPECT_THAT(files(), ElementsAre("f.csv", "f.html", "f.svg", "panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("f.csv", "f.html", "f.svg", "panel.obj"));
 }
 
 TEST_F(Frontier, RefusesOtherFilesAndWhatIsNoDisk) {
@@ -67,7 +67,7 @@ TEST_F(Frontier, RefusesOtherFilesAndWhatIsNoDisk) {
   write_mesh("closed.obj", TriMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                    {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
   EXPECT_EQ(planish({"frontier", "closed.obj"}).exit_code, k_exit_failed);
-  EXPECT_THAT(files(), ElementsAre("closed.obj", "panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("closed.obj", "panel.obj"));
 }
 
 TEST_F(Frontier, MistakesAreUsageErrors) {
@@ -94,7 +94,7 @@ TEST_F(Frontier, AnInterruptEndsItWithNothingWritten) {
   const RunContext context = {.interrupted = &interrupted};
   EXPECT_EQ(planish({"frontier", "panel.obj", "-o", "f.svg"}, context).exit_code,
             k_exit_interrupted);
-  EXPECT_THAT(files(), ElementsAre("panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("panel.obj"));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ TEST_F(Verbs, MeasureTellsFiguresAndWritesNothing) {
   for (const char* word : {"vertices", "e_max", "sum_abs_defect", "roughness", "flattenable"}) {
     EXPECT_THAT(result.out, HasSubstr(word));
   }
-  EXPECT_THAT(files(), ElementsAre("panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("panel.obj"));
 }
 
 TEST_F(Verbs, MeasureHasTheKeysOfTheContract) {
@@ -88,7 +88,7 @@ TEST_F(Verbs, EvolveTellsItsRunAndWritesTheHistory) {
   EXPECT_EQ(json["sweeps"], 3);
   EXPECT_EQ(json["history"].size(), 3U);
   EXPECT_LT(json["after"]["energy"], json["before"]["energy"]);
-  EXPECT_THAT(files(), ElementsAre("history.csv", "out.ply", "panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("history.csv", "out.ply", "panel.obj"));
   const std::string csv = content_of("history.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
 }
@@ -110,7 +110,7 @@ TEST_F(Verbs, EvolveMayReplaceItsInput) {
   const std::string before = content_of("panel.obj");
   EXPECT_EQ(planish({"evolve", "panel.obj", "-o", "panel.obj"}).exit_code, k_exit_done);
   EXPECT_NE(content_of("panel.obj"), before);
-  EXPECT_THAT(files(), ElementsAre("panel.obj"));
+  EXPECT_THAT(names(), ElementsAre("panel.obj"));
 }
 
 TEST_F(Verbs, EvolveGivesTheSameOnAnyNumberOfThreads) {
@@ -170,7 +170,7 @@ TEST_F(Verbs, FlattenWritesTheWholeFolder) {
   const CliResult result = planish({"flatten", "panel.obj", "-o", "out/folder", "--json"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_THAT(
-      files(),
+      names(),
       ElementsAre("out", "out/folder", "out/folder/flat.obj", "out/folder/pattern.dxf",
                   "out/folder/pattern.pdf", "out/folder/pattern.svg", "out/folder/processed.obj",
                   "out/folder/report.html", "out/folder/report.json", "panel.obj"));
@@ -191,7 +191,7 @@ TEST_F(Verbs, FlattenWritesTheFormatsThatAreAskedFor) {
       planish({"flatten", "panel.obj", "-o", "out", "--sweeps", "1", "--formats", "plt,dxf,plt",
                "--paper", "a3", "--dxf-profile", "astm", "--text", "strokes", "--json"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
-  EXPECT_THAT(files(), ElementsAre("out", "out/flat.obj", "out/pattern-a3.pdf", "out/pattern.dxf",
+  EXPECT_THAT(names(), ElementsAre("out", "out/flat.obj", "out/pattern-a3.pdf", "out/pattern.dxf",
                                    "out/pattern.plt", "out/processed.obj", "out/report.html",
                                    "out/report.json", "panel.obj"));
   const auto json = result.json();
@@ -226,8 +226,8 @@ TEST_F(Verbs, FlattenNamesItsFolderAfterTheInput) {
                                     "in", "--colors", "paper", "--sweeps", "2"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_THAT(result.out, HasSubstr("panel-pattern/pattern.svg"));
-  EXPECT_THAT(files(), Contains("panel-pattern/report.html"));
-  EXPECT_THAT(files(), Contains("sweeps.csv"));
+  EXPECT_THAT(names(), Contains("panel-pattern/report.html"));
+  EXPECT_THAT(names(), Contains("sweeps.csv"));
 }
 
 TEST_F(Verbs, FlattenKeepsTheFormatButForStl) {
@@ -280,7 +280,7 @@ TEST_F(Verbs, TakePathsThatLookLikeFlagsBehindTwoDashes) {
   EXPECT_EQ(planish({"measure", "--", "-odd [1].obj"}).exit_code, k_exit_done);
   const CliResult result = planish({"evolve", "-o", "-out.obj", "--", "-odd [1].obj"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
-  EXPECT_THAT(files(), ElementsAre("-odd [1].obj", "-out.obj"));
+  EXPECT_THAT(names(), ElementsAre("-odd [1].obj", "-out.obj"));
 }
 
 }  // namespace

@@ -27,9 +27,10 @@ class OwnFolder : public testing::Test {
  protected:
   void SetUp() override {
     const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              ("planish_unit_" + std::to_string(getpid()) + "_" + test->test_suite_name() + "_" +
-               test->name());
+    std::string name =
+        std::to_string(getpid()) + "_" + test->test_suite_name() + "_" + test->name();
+    std::replace(name.begin(), name.end(), '/', '_');  // of tests with parameters
+    folder_ = std::filesystem::path(testing::TempDir()) / ("planish_" + name);
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }

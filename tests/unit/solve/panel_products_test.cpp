@@ -33,20 +33,12 @@ class PanelProducts : public testing::TestWithParam<Shape> {
   Numbers values_ = random_numbers(k_stride * 41, 1);
   Panel l_{values_.data() + 1, GetParam().rows, GetParam().columns, k_stride};
 
-  /// By the formula.
-  Numbers product(const Numbers& x) const {
-    Numbers y(l_.rows, 0.0);
+  /// L x, or L^T x, by the formula.
+  Numbers product(const Numbers& x, bool transposed) const {
+    Numbers y(transposed ? l_.columns : l_.rows, 0.0);
     for (std::size_t i = 0; i < l_.rows; ++i) {
       for (std::size_t k = 0; k < l_.columns; ++k)
-        y[i] += l_.column(k)[i] * x[k];
-    }
-    return y;
-  }
-  Numbers transposed_product(const Numbers& x) const {
-    Numbers y(l_.columns, 0.0);
-    for (std::size_t k = 0; k < l_.columns; ++k) {
-      for (std::size_t i = 0; i < l_.rows; ++i)
-        y[k] += l_.column(k)[i] * x[i];
+        y[transposed ? k : i] += l_.column(k)[i] * x[transposed ? i : k];
     }
     return y;
   }
@@ -54,7 +46,7 @@ class PanelProducts : public testing::TestWithParam<Shape> {
 
 TEST_P(PanelProducts, AddAndSubtractTheProduct) {
   const Numbers x = random_numbers(l_.columns, 2), before = random_numbers(l_.rows + 1, 3);
-  const Numbers expected = product(x);
+  const Numbers expected = product(x, false);
   Numbers more = before, less = before;
   add_product(l_, x.data(), more.data());
   subtract_product(l_, x.data(), less.data());
@@ -67,7 +59,7 @@ TEST_P(PanelProducts, AddAndSubtractTheProduct) {
 
 TEST_P(PanelProducts, SubtractTheTransposedProduct) {
   const Numbers x = random_numbers(l_.rows, 2), before = random_numbers(l_.columns + 1, 3);
-  const Numbers expected = transposed_product(x);
+  const Numbers expected = product(x, true);
   Numbers less = before;
   subtract_transposed_product(l_, x.data(), less.data());
   for (std::size_t k = 0; k < l_.columns; ++k)

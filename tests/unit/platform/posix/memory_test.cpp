@@ -30,7 +30,7 @@ std::string flags_at(const void* memory) {
 
 TEST(PosixLargePages, AreAskedForWhereTheSystemHasThem) {
   if (!std::filesystem::exists("/sys/kernel/mm/transparent_hugepage/enabled")) {
-    GTEST_SKIP() << "the system has none";
+    GTEST_SKIP() << "this kernel has no transparent large pages";
   }
   constexpr std::align_val_t aligned{k_large_page};
   constexpr std::size_t bytes = 4 * k_large_page;

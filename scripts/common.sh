@@ -50,7 +50,7 @@ python3-numpy       python numpy
 
 repo=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 
-# A compiler cache is used where there is one. It must be told that precompiled headers are no secret.
+# ccache is used where it is installed. Precompiled headers need this sloppiness.
 if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER-ccache}
   export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS-pch_defines,time_macros}

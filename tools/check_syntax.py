@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Checks the sources of a build folder that TARGETs do not need: the compiler reads them, and warns
-as it does in a build, but makes no code. Fails where it finds anything.
+"""Checks the syntax and warnings (-fsyntax-only) of all sources of a build folder that are not
+compiled for the given targets. Exit code 1 if the compiler fails on any.
 
     check_syntax.py BUILD_FOLDER TARGET...
 """

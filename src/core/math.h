@@ -8,8 +8,8 @@
 /// floor, ceil, round and fmod of the standard library, which stay in use; of all others,
 /// tools/check_layers.py allows none.
 ///
-/// Errors are told in units in the last place (ulp) and checked against MPFR. NaN gives NaN. The
-/// plain functions are as in <cmath>; what differs is said.
+/// Error bounds are in units in the last place (ulp); tests check them against MPFR. NaN gives NaN.
+/// Each function does what the one in <cmath> does, unless its comment says otherwise.
 namespace planish::math {
 
 /// x of |x| <= 1e6, else NaN: no angle here is so many turns. 1.1 ulp.

@@ -13,7 +13,7 @@ namespace planish {
 
 /// The content of a file for as long as the object lives: mapped if it is a regular file, read to
 /// its end if it is a pipe. Symbolic links are followed. While a file is mapped, what others write
-/// into it may show; on Windows nobody can replace it meanwhile, so objects are to live shortly.
+/// into it may show. On Windows nobody can replace a mapped file: destroy the object soon.
 class FileContent {
  public:
   /// @throws std::bad_alloc
@@ -55,8 +55,8 @@ class FileContent {
 /// changed.
 ///
 /// Windows does not replace a file that another program has open. What to do then is to be decided
-/// with that build: to wait shortly, as scanners hold new files for a moment, and then to say that
-/// another program has the file open, both for a sharing violation and for a refused access.
+/// with that build: to retry for a moment, as virus scanners hold new files open, and then to say
+/// that another program has the file open, both for a sharing violation and for a refused access.
 std::error_code replace_file(const std::filesystem::path& from,
                              const std::filesystem::path& to) noexcept;
 

@@ -48,8 +48,8 @@ class Dissection {
                       static_cast<double>(graph.vertex_count())),
         right_of_(positions.size(), 0) {}
 
-  /// Puts the vertices of a part into elimination order. What is not halved any more goes by
-  /// number: the order that nth_element() leaves is another in each standard library.
+  /// Puts the vertices of a part into elimination order. Leaves and separators are sorted by vertex
+  /// number, because each standard library's nth_element() leaves another order.
   void order(std::span<Index> part) {
     if (part.size() <= k_leaf) {
       std::sort(part.begin(), part.end());

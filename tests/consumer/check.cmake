@@ -9,7 +9,7 @@ if(WAY STREQUAL "find_package")
   set(how "-DCMAKE_PREFIX_PATH=${work}/prefix")
 else()
   set(how "-DPLANISH_SOURCE_FOLDER=${SOURCE}" "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}")
-  # What is compiled by the very same command here is compiled once; all else is compiled anew.
+  # Objects that this build compiled by the same command are copied, to save compiling them again.
   if(PYTHON)
     list(APPEND how "-DCMAKE_CXX_COMPILER_LAUNCHER=${PYTHON}\;${CMAKE_CURRENT_LIST_DIR}/reuse_object.py\;${BINARY}\;${work}/build/planish")
   endif()
@@ -20,7 +20,7 @@ execute_process(
           "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}" ${how}
   COMMAND_ERROR_IS_FATAL ANY)
 if(WAY STREQUAL "add_subdirectory")
-  # Objects are taken over, so what they include must be the same.
+  # The only generated header must be the same for copied objects to be right.
   set(version generated/planish/core/version.h)
   execute_process(COMMAND "${CMAKE_COMMAND}" -E compare_files "${BINARY}/${version}"
                           "${work}/build/planish/${version}" COMMAND_ERROR_IS_FATAL ANY)

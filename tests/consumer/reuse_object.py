@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Runs a compiler, unless an object of the very same command lies in another build folder.
+"""Runs a compiler, or copies the object if another build folder has compiled it by the same command.
 
     reuse_object.py OTHER_FOLDER FOLDER COMMAND...
 
-FOLDER is the folder that this build's copy of the project has its files in. Where the commands
-differ in more than these two folders, and the name of the object, the compiler runs.
+FOLDER is this build's folder for the project. The commands may differ in these two folders, in the
+name of the object and in -Werror. The other build must be up to date.
 """
 
 import json
@@ -16,9 +16,9 @@ import sys
 
 
 def plain(command, folder):
-    """The command without the folder it runs for, the object, and what only affects warnings."""
+    """The command without the build folder, the name of the object and -Werror."""
     words = [word.replace(folder, "FOLDER") for word in command if word != "-Werror"]
-    # What is written beside the object, for the next build.
+    # The dependency file.
     while "-MD" in words:
         at = words.index("-MD")
         del words[at:at + 5]  # -MD -MT OBJECT -MF FILE

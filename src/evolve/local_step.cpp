@@ -23,6 +23,18 @@ VectorXd pseudo_solve(const MatrixXd& gram, const VectorXd& side, double rank_th
   return eigen.eigenvectors() * shares;
 }
 
+/// A A^T. Eigen's product would sum in blocks whose sizes depend on those of caches. Most entries
+/// of A are zero, as an angle depends on few vertices.
+MatrixXd gram_of(const MatrixXd& a) {
+  MatrixXd gram = MatrixXd::Zero(a.rows(), a.rows());
+  for (Eigen::Index k = 0; k < a.cols(); ++k) {
+    for (Eigen::Index j = 0; j < a.rows(); ++j) {
+      if (a(j, k) != 0.0) gram.col(j) += a(j, k) * a.col(k);
+    }
+  }
+  return gram;
+}
+
 }  // namespace
 
 VectorXd LocalStep::solve(double rank_threshold) const {
@@ -33,8 +45,7 @@ VectorXd LocalStep::solve(double rank_threshold) const {
   const MatrixXd scaled = rows * inverse.asDiagonal();
   const VectorXd start = weights.cwiseProduct(pull);
   const VectorXd missing = scaled * start - sides;  // Lambda B - B_l
-  // Sum by sum: the blocks of Eigen's product depend on the sizes of caches, and so would its bits.
-  const MatrixXd gram = scaled.lazyProduct(scaled.transpose());
+  const MatrixXd gram = gram_of(scaled);
   Rows in_force;
   for (Eigen::Index i = 0; i < equations; ++i)
     in_force.push_back(i);

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include <planish/platform/path.h>
 #include <planish/report/read_furniture.h>
+
+#include <fast_float/fast_float.h>
 
 #include "failures.h"
 #include "quantities.h"
@@ -53,7 +54,7 @@ std::optional<Vec3> direction_in(const std::string& text) {
   const char* const end = text.data() + text.size();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (i > 0 && (at == end || *at++ != ',')) return std::nullopt;
-    const auto parsed = std::from_chars(at, end, numbers[i]);
+    const auto parsed = fast_float::from_chars(at, end, numbers[i]);
     if (parsed.ec != std::errc() || !std::isfinite(numbers[i])) return std::nullopt;
     at = parsed.ptr;
   }

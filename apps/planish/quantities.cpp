@@ -1,6 +1,9 @@
 #include "quantities.h"
 
-#include <charconv>
+#include <cmath>
+#include <system_error>
+
+#include <fast_float/fast_float.h>
 
 #include "failures.h"
 #include "units.h"
@@ -33,8 +36,11 @@ std::string demand_of(Quantity quantity) {
 NumberAndSuffix taken_apart(const std::string& flag, const std::string& text, Quantity quantity) {
   NumberAndSuffix result;
   const char* const end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, result.number);
-  if (parsed.ec == std::errc::result_out_of_range) {
+  const auto parsed = fast_float::from_chars(text.data(), end, result.number);
+  // Older versions of fast_float read 1e999 as infinity; "inf" is refused further on.
+  const bool overflows =
+      std::isinf(result.number) && '0' <= parsed.ptr[-1] && parsed.ptr[-1] <= '9';
+  if (overflows || parsed.ec == std::errc::result_out_of_range) {
     throw UsageError(flag + " is " + text + " but must be a smaller number");
   }
   if (parsed.ec != std::errc()) {

@@ -5,6 +5,8 @@
 #include <planish/platform/path.h>
 #include <planish/report/read_furniture.h>
 
+#include <fast_float/fast_float.h>
+
 #include "io/file_bytes.h"
 #include "io/text_cursor.h"
 
@@ -37,7 +39,7 @@ std::optional<double> number_before(std::string_view word, std::string_view endi
   if (!word.ends_with(ending)) return std::nullopt;
   const char* const end = word.data() + word.size() - ending.size();
   double number = 0.0;
-  const auto parsed = std::from_chars(word.data(), end, number);
+  const auto parsed = fast_float::from_chars(word.data(), end, number);
   if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(number)) return std::nullopt;
   return number;
 }

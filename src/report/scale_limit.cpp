@@ -1,8 +1,9 @@
 #include "report/scale_limit.h"
 
-#include <charconv>
 #include <cmath>
 #include <string>
+
+#include <fast_float/fast_float.h>
 
 #include "core/math.h"
 
@@ -14,7 +15,7 @@ double round_up_125(double value) {
     // Reading "2e-3" gives the double that everybody means by 0.002; 2 * pow(10, -3) may not.
     const std::string text = std::to_string(digit) + "e" + std::to_string(power);
     double number = 0.0;
-    std::from_chars(text.data(), text.data() + text.size(), number);
+    fast_float::from_chars(text.data(), text.data() + text.size(), number);
     return number;
   };
   for (const int digit : {1, 2, 5}) {

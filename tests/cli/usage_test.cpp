@@ -96,6 +96,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "--sweeps is \"many\" but must be a whole number"},
         Mistake{{"evolve", "a.obj", "-o", "b.obj", "--sweeps", "2.5"}, "must be a whole number"},
         Mistake{{"evolve", "a.obj", "-o", "b.obj", "--sweeps", "99999999999"}, "smaller number"},
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--max-deviation", "1e999mm"}, "smaller number"},
+        Mistake{{"evolve", "a.obj", "-o", "b.obj", "--max-deviation", "-inf"}, "at least 0"},
         Mistake{{"evolve", "a.obj", "-o", "b.obj", "--sweeps", "-1"}, "--sweeps is -1"},
         Mistake{{"evolve", "a.obj", "-o", "b.obj", "--lambda-max", "11"}, "must be from 0 to 10"},
         Mistake{{"evolve", "a.obj", "-o", "b.obj", "--lambda-max", "0,5"}, "must be a number"},

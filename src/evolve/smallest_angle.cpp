@@ -4,7 +4,7 @@
 #include <limits>
 #include <mutex>
 
-#include "core/angle_between.h"
+#include "measure/smallest_angle.h"
 
 namespace planish {
 
@@ -23,10 +23,7 @@ double smallest_angle(const PatchState& state, std::span<const Triangle> triangl
 }
 
 double smallest_angle(const PatchState& state, const Triangle& t) {
-  const Vec3 p = state.position(t[0]), q = state.position(t[1]), r = state.position(t[2]);
-  const double a = dot(r - q, r - q), b = dot(p - r, p - r), c = dot(q - p, q - p);
-  if (a <= b && a <= c) return angle_between(q - p, r - p);
-  return b <= c ? angle_between(r - q, p - q) : angle_between(p - r, q - r);
+  return smallest_angle(state.position(t[0]), state.position(t[1]), state.position(t[2]));
 }
 
 }  // namespace planish

@@ -5,23 +5,19 @@
 #include <planish/measure/angle_defect.h>
 #include <planish/measure/flattenability.h>
 
-#include "core/angle_between.h"
 #include "core/careful_sum.h"
 #include "measure/dihedral_angle.h"
+#include "measure/smallest_angle.h"
 
 namespace planish {
 
 namespace {
 
-double smallest_angle(const TriMesh& mesh, double scale) {
+double smallest_angle_of(const TriMesh& mesh, double scale) {
   double smallest = mesh.triangles.empty() ? 0.0 : std::numbers::pi;
   for (const Triangle& t : mesh.triangles) {
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 x = scale * mesh.positions[t[k]];
-      const Vec3 a = scale * mesh.positions[t[(k + 1) % 3]] - x;
-      const Vec3 b = scale * mesh.positions[t[(k + 2) % 3]] - x;
-      smallest = std::min(smallest, angle_between(a, b));
-    }
+    const auto corner = [&](int k) { return scale * mesh.positions[t[k]]; };
+    smallest = std::min(smallest, smallest_angle(corner(0), corner(1), corner(2)));
   }
   return smallest;
 }
@@ -69,7 +65,7 @@ Flattenability measure(const TriMesh& mesh, const Connectivity& connectivity) {
   Flattenability figures =
       summarise_defects(angle_defects(mesh, connectivity), connectivity.inner_vertices().size());
   const double scale = unit_scale(mesh);
-  figures.min_angle = smallest_angle(mesh, scale);
+  figures.min_angle = smallest_angle_of(mesh, scale);
   figures.roughness = rms_dihedral_angle(mesh, connectivity, scale);
   return figures;
 }

@@ -30,3 +30,15 @@ function(planish_compile target)
             $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
             $<$<BOOL:${PLANISH_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
+
+# planish_instrument(TARGET HEADERS...): compiles with the flags of PLANISH_INSTRUMENT, if there are
+# any, and with these headers precompiled, as that takes long. All other builds compile every source
+# by itself and so find a missing #include.
+function(planish_instrument target)
+  if(NOT PLANISH_INSTRUMENT)
+    return()
+  endif()
+  target_compile_options(${target} PRIVATE ${PLANISH_INSTRUMENT}
+                                           "SHELL:-Xclang -fno-pch-timestamp")  # for ccache
+  target_precompile_headers(${target} PRIVATE ${ARGN})
+endfunction()

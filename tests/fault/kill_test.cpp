@@ -30,8 +30,8 @@ class Kills : public CliTest {
  protected:
   void SetUp() override {
     CliTest::SetUp();
-    write_mesh("panel.obj", make_shape("panel", 500));
-    write_product("product.obj", in_strips(make_shape("panel", 500), 4));
+    write_mesh("panel.obj", make_shape("panel", 150));
+    write_product("product.obj", in_strips(make_shape("panel", 150), 4));
     fs::create_directory("one");
   }
 

@@ -94,7 +94,7 @@ double instructions_to_measure(const fault::HardFile& file, std::uint64_t start)
 
 // All of them with PLANISH_LONG_TESTS=1.
 TEST_F(LimitsTest, WorkDoublesWithTheFile) {
-  constexpr std::size_t bytes = 50'000;
+  constexpr std::size_t bytes = 25'000;
   constexpr double most = 2.6;  // n log n is 2.1 there, n^2 is 4
   const bool every = std::getenv("PLANISH_LONG_TESTS") != nullptr;
   const std::uint64_t start = fault::instructions_of({"--version"});

@@ -76,7 +76,7 @@ class Memory : public CliTest {
  protected:
   void SetUp() override {
     CliTest::SetUp();
-    write_mesh("panel.obj", make_shape("panel", 500));
+    write_mesh("panel.obj", make_shape("panel", 150));
     void* const page =
         mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     ASSERT_NE(page, MAP_FAILED);
@@ -225,7 +225,7 @@ TEST_F(Memory, EndsInThreadsOfAMethod) {
 }
 
 TEST_F(Memory, EndsWhileTakingVerticesOut) {
-  write_mesh("panel.obj", make_shape("panel", 500));
+  write_mesh("panel.obj", make_shape("panel", 150));
   fail_in_turn({"evolve", "panel.obj", "-o", "out.stl", "--remesh", "--sweeps", "1"}, 60);
 }
 
@@ -253,7 +253,7 @@ TEST_F(Memory, EndsWhileFlatteningOnThreads) {
 }
 
 TEST_F(Memory, EndsWhileFlatteningAProduct) {
-  write_product("product.obj", in_strips(make_shape("panel", 500), 3));
+  write_product("product.obj", in_strips(make_shape("panel", 150), 3));
   std::ofstream("notches.txt") << "* 50%\n";
   for (const std::string threads : {"1", "3"}) {
     fail_in_turn({"flatten", "product.obj", "-o", "out", "--method", "controllable", "--sweeps",
@@ -264,7 +264,7 @@ TEST_F(Memory, EndsWhileFlatteningAProduct) {
 }
 
 TEST_F(Memory, EndsWhileCuttingOpen) {
-  std::ofstream("cuts.txt") << "0 250\n";
+  std::ofstream("cuts.txt") << "0 75\n";
   fail_in_turn({"unfold", "panel.obj", "-o", "out.svg", "--cut", "cuts.txt", "--json"}, 60);
 }
 
@@ -289,9 +289,9 @@ TEST_F(Memory, EndsWhileSuggestingCuts) {
 }
 
 TEST_F(Memory, EndsWhileConverting) {
-  write_mesh("in.ply", make_shape("panel", 500));
-  write_mesh("in.stl", make_shape("panel", 500));
-  write_mesh("in.off", make_shape("panel", 500));
+  write_mesh("in.ply", make_shape("panel", 150));
+  write_mesh("in.stl", make_shape("panel", 150));
+  write_mesh("in.off", make_shape("panel", 150));
   for (const auto& [input, output] : {std::pair{"panel.obj", "out.ply"},
                                       {"in.ply", "out.stl"},
                                       {"in.stl", "out.off"},

@@ -44,7 +44,7 @@ TEST(Auto, MakesShapesFlattenableWithoutNeedles) {
 }
 
 TEST(Auto, GoesFromCoarseToFineWithTheSameBitsOnAnyNumberOfThreads) {
-  const TriMesh mesh = make_shape("panel", 9000);
+  const TriMesh mesh = make_shape("panel", 6500);
   const EvolveResult first = run(mesh, {}, {}, 1), again = run(mesh, {}, {}, 3);
   EXPECT_EQ(first.positions, again.positions);
   EXPECT_EQ(first.stop, StopReason::converged);
@@ -61,7 +61,7 @@ TEST(Auto, GoesFromCoarseToFineWithTheSameBitsOnAnyNumberOfThreads) {
 }
 
 TEST(Auto, KeepsWhatCoarseLevelsFoundWhenCancelled) {
-  const TriMesh mesh = make_shape("panel", 9000);
+  const TriMesh mesh = make_shape("panel", 6500);
   const EvolveResult result =
       run(mesh, {}, [](const SweepRecord& record) { return record.sweep < 6; });
   EXPECT_EQ(result.stop, StopReason::cancelled);
@@ -77,7 +77,7 @@ TEST(Auto, KeepsWhatCoarseLevelsFoundWhenCancelled) {
 }
 
 TEST(Auto, EndsWhenTheStrainIsMetWithLessDeviation) {
-  const TriMesh mesh = make_shape("panel", 1500);
+  const TriMesh mesh = make_shape("panel", 600);
   const Connectivity connectivity(mesh);
   double last = std::numeric_limits<double>::infinity();
   for (const double strain : {0.02, 0.01, 0.005}) {
@@ -96,7 +96,7 @@ TEST(Auto, EndsWhenTheStrainIsMetWithLessDeviation) {
 }
 
 TEST(Auto, KeepsALimitOfTheRmsOfStrain) {
-  const TriMesh mesh = make_shape("panel", 1500);
+  const TriMesh mesh = make_shape("panel", 1000);
   const Connectivity connectivity(mesh);
   double last = std::numeric_limits<double>::infinity(), farthest = 0.0;
   for (const double limit : {0.005, 0.0025, 0.00125}) {
@@ -131,7 +131,7 @@ TEST(Auto, IsSmootherWithoutRoomForRoughness) {
 }
 
 TEST(Auto, MovesNothingWhereTheStrainIsWithinTheLimit) {
-  const TriMesh mesh = make_shape("panel", 9000);
+  const TriMesh mesh = make_shape("panel", 6500);
   const EvolveResult result = run(mesh, {.max_strain = 1.0});
   EXPECT_EQ(result.stop, StopReason::strain_met);
   EXPECT_EQ(result.positions, mesh.positions);
@@ -173,7 +173,7 @@ TEST(Auto, FlattensAroundFixedVertices) {
 }
 
 TEST(Auto, LeavesFixedVerticesOnAllLevels) {
-  const TriMesh mesh = make_shape("panel", 9000);
+  const TriMesh mesh = make_shape("panel", 6500);
   const Constraints constraints = some_fixed(mesh, 1500);
   Stopping stopping = usual_stopping(Auto{});
   stopping.max_sweeps = 25;  // the end is far from here, and has a test of its own

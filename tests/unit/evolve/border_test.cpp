@@ -317,7 +317,7 @@ double border_moved(const TriMesh& mesh, const EvolveResult& result) {
 }
 
 TEST(Auto, EndsNearerTheFurtherTheBorderMayGo) {
-  const TriMesh mesh = make_shape("dome", 1200);
+  const TriMesh mesh = make_shape("dome", 600);
   double nearest = deviation_of(mesh, run(mesh, {})).rms;
   for (const double distance : {2.0, 10.0, 40.0}) {
     const EvolveResult result = run(mesh, within(distance));
@@ -331,7 +331,7 @@ TEST(Auto, EndsNearerTheFurtherTheBorderMayGo) {
 }
 
 TEST(Auto, SlidesTheBorderOnItself) {
-  const TriMesh mesh = make_shape("dome", 1200);
+  const TriMesh mesh = make_shape("dome", 800);
   const EvolveResult result = run(mesh, k_slide);
   EXPECT_EQ(result.stop, StopReason::converged);
   EXPECT_GT(border_moved(mesh, result), 0.0);
@@ -341,7 +341,7 @@ TEST(Auto, SlidesTheBorderOnItself) {
 }
 
 TEST(Auto, MovesBordersOnAllLevelsWithTheSameBitsOnAnyNumberOfThreads) {
-  const TriMesh mesh = make_shape("panel", 9000);
+  const TriMesh mesh = make_shape("panel", 6500);
   const Index held = Connectivity(mesh).border_loops().front()[40];
   const std::vector<Vec3> before = border_of(mesh, mesh.positions);
   for (const BorderFreedom& freedom : {k_slide, within(3.0)}) {
@@ -360,7 +360,7 @@ TEST(Auto, MovesBordersOnAllLevelsWithTheSameBitsOnAnyNumberOfThreads) {
 }
 
 TEST(Auto, KeepsJaggedBordersOnTheirCurveOnAllLevels) {
-  TriMesh mesh = make_shape("panel", 9000);
+  TriMesh mesh = make_shape("panel", 6500);
   const Connectivity connectivity(mesh);
   // Every third vertex of the border is a corner now, though hardly any is one on coarser levels.
   const auto& loop = connectivity.border_loops().front();
@@ -374,7 +374,7 @@ TEST(Auto, KeepsJaggedBordersOnTheirCurveOnAllLevels) {
 }
 
 TEST(Auto, KeepsBordersWhereTheyMayBeWhenCancelledOnACoarseLevel) {
-  const TriMesh mesh = make_shape("panel", 9000);
+  const TriMesh mesh = make_shape("panel", 6500);
   const std::vector<Vec3> before = border_of(mesh, mesh.positions);
   for (const BorderFreedom& freedom : {k_slide, within(3.0)}) {
     const Auto method{.max_deviation = 2.0, .border = freedom};
@@ -392,7 +392,7 @@ TEST(Auto, KeepsBordersWhereTheyMayBeWhenCancelledOnACoarseLevel) {
 }
 
 TEST(Evolver, GoesOnAfterItSettledOnTheWayBack) {
-  const TriMesh mesh = make_shape("panel", 9000);
+  const TriMesh mesh = make_shape("panel", 6500);
   Evolver evolver(mesh, Connectivity(mesh), Auto{.max_strain = 0.004});
   for (int i = 0; i < 12; ++i)
     evolver.step();

@@ -38,7 +38,7 @@ std::vector<Index> visiting_order(const TriMesh& mesh) {
 
 TEST(Controllable, TakesThePathOfThePlainImplementation) {
   for (const char* name : {"panel", "dome", "saddle"}) {
-    const TriMesh mesh = make_shape(name, 1000);
+    const TriMesh mesh = make_shape(name, 300);
     for (const double lambda_min : {0.0, -0.2}) {
       plain::Patch patch(mesh);
       const auto order = visiting_order(mesh);
@@ -125,7 +125,7 @@ TEST(Controllable, NeverMovesTheBorderNorUnusedVertices) {
 
 TEST(Controllable, GivesTheSameBitsOnAnyNumberOfThreads) {
   for (const char* name : {"panel", "dome"}) {
-    const TriMesh mesh = make_shape(name, 20'000);
+    const TriMesh mesh = make_shape(name, 6'000);
     for (const LineSolver solver : k_solvers) {
       const ControllableLaplacian options{.solver = solver};
       const TriMesh one = evolved(mesh, options, 3, 1);

@@ -105,7 +105,7 @@ TEST(OffsetOutline, CutsOutWhatABayEnclosesThatItsAllowanceCloses) {
 }
 
 TEST(OffsetOutline, RoundsTheJagsOfAFineBorder) {
-  const PieceOutline disk = jagged_disk(2400);
+  const PieceOutline disk = jagged_disk(800);
   for (const Corners corners : {Corners::mitre, Corners::square, Corners::round}) {
     const auto cut = offset_outline(disk, {.width = 10.0, .corners = corners});
     ASSERT_EQ(cut.size(), 1U);

@@ -67,7 +67,7 @@ std::vector<ControllableLaplacian> all_kinds_of_options() {
 }
 
 TEST(MoveStars, GivesTheSameBitsWithEverySetOfInstructions) {
-  for (const TriMesh& mesh : {many_valences(), make_shape("panel", 3000), meshes::fan(70, 0.4)}) {
+  for (const TriMesh& mesh : {many_valences(), make_shape("panel", 1000), meshes::fan(70, 0.4)}) {
     for (const ControllableLaplacian& options : all_kinds_of_options()) {
       const Outcome expected = sweeps_with(Isa::baseline, mesh, options);
       EXPECT_GT(expected.moved, 0U);
@@ -83,7 +83,7 @@ TEST(MoveStars, GivesTheSameBitsWithEverySetOfInstructions) {
 TEST(MoveStars, SkippingWhatCannotHaveChangedChangesNothing) {
   auto options_of_both_solvers = all_kinds_of_options();
   options_of_both_solvers.push_back({.solver = LineSolver::trust_region});
-  for (const TriMesh& mesh : {many_valences(), make_shape("saddle", 3000)}) {
+  for (const TriMesh& mesh : {many_valences(), make_shape("saddle", 1000)}) {
     for (const ControllableLaplacian& options : options_of_both_solvers) {
       const Outcome with = sweeps_with(best_isa(), mesh, options, true, 40);
       const Outcome without = sweeps_with(best_isa(), mesh, options, false, 40);

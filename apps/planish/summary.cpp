@@ -42,7 +42,7 @@ std::vector<Row> figure_rows(const Flattenability& before, const Flattenability&
 
 std::vector<Row> strain_rows(const EdgeStrain& before, const EdgeStrain& after) {
   return {{"strain, rms", "%", 100.0 * before.rms, 100.0 * after.rms},
-          {"strain, 99 % of edges", "%", 100.0 * before.p99, 100.0 * after.p99},
+          {"strain, 99 % of the area", "%", 100.0 * before.p99, 100.0 * after.p99},
           {"strain, largest", "%", 100.0 * before.max, 100.0 * after.max}};
 }
 
@@ -214,7 +214,7 @@ std::string evolve_text(const EvolveReport& report) {
 
 std::string unfold_text(const UnfoldReport& report) {
   return pattern_lines(report) + "  strain      rms " + percent(report.strain.rms) +
-         ", 99 % of edges within " + percent(report.strain.p99) + ", largest " +
+         ", 99 % of the area within " + percent(report.strain.p99) + ", largest " +
          percent(report.strain.max) + "\n" + matching_lines(report);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/careful_sum.h"
 #include "evolve/smallest_angle.h"
 #include "evolve/vertex_normal.h"
 
@@ -52,6 +53,21 @@ ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, dou
   return pace;
 }
 
+/// The share of each vertex in the area of the patch as it was at first: a third of its triangles.
+Eigen::VectorXd area_shares(const PatchState& state) {
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(state.vertex_count()));
+  for (const Triangle& t : state.triangles()) {
+    const Vec3 a = state.origin(t[0]);
+    const double area = norm(cross(state.origin(t[1]) - a, state.origin(t[2]) - a));
+    for (const Index v : t)
+      shares[static_cast<Eigen::Index>(v)] += area;
+  }
+  CarefulSum total;
+  for (const double share : shares)
+    total.add(share);
+  return shares / total.value();
+}
+
 }  // namespace
 
 double StrainLimit::share_of(const DescentStrain& strain) const {
@@ -74,6 +90,7 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       jacobian_(state, border_.movable()),
       potential_(jacobian_, state, pool, pattern_border(aims)),
       phi_(potential_.solvable() ? potential_.of(inner_defects(state), pool) : Eigen::VectorXd()),
+      area_shares_(area_shares(state)),
       at_first_(strain_now()),
       stays_(std::min(1.0, aims.strain.share_of(at_first_))),
       pace_(pace_for(aims, limits, stays_, relative_density(state))),
@@ -128,9 +145,11 @@ void StrainDescent::look() {
 
 DescentStrain StrainDescent::strain_now() const {
   if (phi_.size() == 0) return {};
-  const double rms = phi_.norm() / std::sqrt(static_cast<double>(phi_.size()));
-  const bool free = potential_.border() == PatternBorder::free;
-  return {free ? edge_strain_of(rms) : rms, phi_.cwiseAbs().maxCoeff()};
+  const double most = phi_.cwiseAbs().maxCoeff();
+  if (potential_.border() == PatternBorder::held) {
+    return {phi_.norm() / std::sqrt(static_cast<double>(phi_.size())), most};
+  }
+  return {edge_strain_of(std::sqrt(phi_.cwiseAbs2().dot(area_shares_))), most};
 }
 
 double StrainDescent::merit() const {

@@ -145,6 +145,7 @@ class StrainDescent {
   AngleJacobian jacobian_;
   StrainPotential potential_;
   Eigen::VectorXd phi_;
+  Eigen::VectorXd area_shares_;  // by vertex
   DescentStrain at_first_;
   double stays_;  // of that, at the limit: a share
   ClosenessPace pace_;

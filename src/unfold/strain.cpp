@@ -6,33 +6,82 @@
 #include "core/careful_sum.h"
 #include "core/math.h"
 #include "unfold/strain_of_edge.h"
+#include "unfold/strain_of_edges.h"
 
 namespace planish {
 
-EdgeStrain edge_strain(const TriMesh& mesh, const Connectivity& connectivity,
-                       std::span<const Vec2> pattern) {
+namespace {
+
+double area_of(const TriMesh& mesh, double scale, Index a, Index b, Index c) {
+  const Vec3 x = scale * mesh.positions[a];
+  return 0.5 * norm(cross(scale * mesh.positions[b] - x, scale * mesh.positions[c] - x));
+}
+
+double total_area(const std::vector<StrainOfEdge>& edges) {
+  CarefulSum area;
+  for (const StrainOfEdge& edge : edges)
+    area.add(edge.area);
+  return area.value();
+}
+
+}  // namespace
+
+std::vector<StrainOfEdge> strain_of_edges(const TriMesh& mesh, const Connectivity& connectivity,
+                                          std::span<const Vec2> pattern) {
   const double scale = unit_scale(mesh);
-  EdgeStrain result;
-  std::vector<double> sizes;
-  CarefulSum squares;
+  std::vector<StrainOfEdge> edges;
   for (Index v = 0; v < mesh.positions.size(); ++v) {
-    for (const Index w : connectivity.ring(v)) {
+    const auto ring = connectivity.ring(v);
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Index w = ring[k];
       if (w < v) continue;  // every edge once
-      const double strain = strain_of_edge(mesh, pattern, scale, v, w);
-      sizes.push_back(std::abs(strain));
-      if (sizes.size() == 1 || sizes.back() > result.max) {
-        result.max = sizes.back();
-        result.worst_edge = {v, w};
+      const bool closed = !connectivity.is_border(v);
+      double area = 0.0;
+      if (closed || k > 0) {
+        area += area_of(mesh, scale, v, ring[(k + ring.size() - 1) % ring.size()], w);
       }
-      squares.add(strain * strain);
+      if (closed || k + 1 < ring.size()) {
+        area += area_of(mesh, scale, v, w, ring[(k + 1) % ring.size()]);
+      }
+      edges.push_back({strain_of_edge(mesh, pattern, scale, v, w), area / 3.0, {v, w}});
     }
   }
-  if (sizes.empty()) return result;
-  const auto n = static_cast<double>(sizes.size());
-  result.rms = std::sqrt(squares.value() / n);
-  const auto rank = sizes.begin() + static_cast<std::ptrdiff_t>(std::ceil(0.99 * n)) - 1;
-  std::nth_element(sizes.begin(), rank, sizes.end());
-  result.p99 = *rank;
+  if (!(total_area(edges) > 0.0)) {
+    for (StrainOfEdge& edge : edges)
+      edge.area = 1.0;
+  }
+  return edges;
+}
+
+double strain_at_share(std::vector<StrainOfEdge> edges, double share) {
+  std::stable_sort(edges.begin(), edges.end(), [](const StrainOfEdge& a, const StrainOfEdge& b) {
+    return std::abs(a.strain) < std::abs(b.strain);
+  });
+  const double enough = share * total_area(edges);
+  CarefulSum area;
+  for (const StrainOfEdge& edge : edges) {
+    area.add(edge.area);
+    if (area.value() >= enough) return std::abs(edge.strain);
+  }
+  return edges.empty() ? 0.0 : std::abs(edges.back().strain);
+}
+
+EdgeStrain edge_strain(const TriMesh& mesh, const Connectivity& connectivity,
+                       std::span<const Vec2> pattern) {
+  const std::vector<StrainOfEdge> edges = strain_of_edges(mesh, connectivity, pattern);
+  EdgeStrain result;
+  if (edges.empty()) return result;
+  result.worst_edge = edges.front().edge;
+  CarefulSum squares;
+  for (const StrainOfEdge& edge : edges) {
+    if (std::abs(edge.strain) > result.max) {
+      result.max = std::abs(edge.strain);
+      result.worst_edge = edge.edge;
+    }
+    squares.add(edge.area * edge.strain * edge.strain);
+  }
+  result.rms = std::sqrt(squares.value() / total_area(edges));
+  result.p99 = strain_at_share(edges, 0.99);
   return result;
 }
 

@@ -8,11 +8,13 @@
 
 namespace planish {
 
-/// Strain of all edges: length in the pattern over length on the patch, minus 1.
+/// Strain of all edges: length in the pattern over length on the patch, minus 1. In rms and p99 an
+/// edge counts by a third of the area of its triangles on the patch, so that they do not depend on
+/// where the mesh is fine.
 struct EdgeStrain {
   double max = 0.0;  ///< largest |strain|
   double rms = 0.0;
-  double p99 = 0.0;                      ///< |strain| that 99 % of the edges do not exceed
+  double p99 = 0.0;                      ///< |strain| that edges of 99 % of the area do not exceed
   std::array<Index, 2> worst_edge = {};  ///< vertices of the first edge with the largest |strain|
 };
 

@@ -191,10 +191,10 @@ class Obstacles : public testing::TestWithParam<const char*> {
   /// Rests on the obstacle.
   TriMesh patch(double above) const {
     if (GetParam() == std::string("cube")) return draped(above);
-    TriMesh mesh = meshes::flat_grid(8, 8);
+    TriMesh mesh = meshes::flat_grid(6, 6);
     meshes::Random random(6);
     for (Vec3& p : mesh.positions) {
-      const double x = 0.15 * p.x - 0.6, y = 0.15 * p.y - 0.6;
+      const double x = 0.2 * p.x - 0.6, y = 0.2 * p.y - 0.6;
       const double r = 1.0 + above + 0.02 * std::abs(random.number());
       p = r / std::sqrt(x * x + y * y + 1.0) * Vec3{x, y, 1.0};
     }

@@ -10,6 +10,7 @@
 #include "unfold/matched_border.h"
 #include "unfold/placement.h"
 #include "unfold/start.h"
+#include "unfold/within_limits.h"
 
 namespace planish {
 
@@ -58,6 +59,17 @@ LeastStretch with_matched_border(const TriMesh& mesh, const Disk& disk, const Le
   return std::move(matched.result);
 }
 
+void check_limits(const StrainLimits& limits) {
+  for (const double limit : {limits.max, limits.p99, limits.rms}) {
+    if (limit >= 0.0 && std::isfinite(limit)) continue;
+    throw Error(ErrorCode::option_out_of_range, "limits of strain must be 0 or more");
+  }
+  if (limits.max > 0.0 && limits.p99 > 0.0) {
+    throw Error(ErrorCode::option_out_of_range,
+                "a limit is of every edge or of 99 % of the area: give one of them");
+  }
+}
+
 /// A length or place of the disk in model units.
 Vec2 in_model_units(const Disk& disk, Vec2 p) {
   const Vec2 scaled = (1.0 / disk.box_scale) * ((1.0 / disk.area_scale) * p);
@@ -65,6 +77,15 @@ Vec2 in_model_units(const Disk& disk, Vec2 p) {
     throw Error(ErrorCode::unfold_failed, "unfolding led to numbers that are not finite");
   }
   return scaled;
+}
+
+/// The disk in model units, by the numbers of the mesh.
+std::vector<Vec2> in_mesh_order(const TriMesh& mesh, const Disk& disk,
+                                const std::vector<Vec2>& flat) {
+  std::vector<Vec2> positions(mesh.positions.size());
+  for (std::size_t v = 0; v < disk.vertex_count; ++v)
+    positions[disk.vertex_of[v]] = in_model_units(disk, flat[v]);
+  return positions;
 }
 
 }  // namespace
@@ -77,16 +98,27 @@ Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity, const Unfo
                                           std::to_string(k_most_vertices) +
                                           " vertices; simplify the mesh");
   }
+  check_limits(options.limits);
   const Disk disk = make_disk(mesh, connectivity);
   ThreadPool pool(options.threads);
+  bool cancelled = false;
+  const OnUnfoldStep on_any_step = [&](int step, double energy) {
+    cancelled = on_step && !on_step(step, energy);
+    return !cancelled;
+  };
   LeastStretch flat =
-      minimise_stretch(disk, find_start(disk), options.max_iterations, pool, on_step);
+      minimise_stretch(disk, find_start(disk), options.max_iterations, pool, on_any_step);
   Pattern pattern;
   if (options.match_seams) {
-    pattern.unmatched.resize(mesh.positions.size());
-    for (std::size_t v = 0; v < disk.vertex_count; ++v)
-      pattern.unmatched[disk.vertex_of[v]] = in_model_units(disk, flat.flat[v]);
-    flat = with_matched_border(mesh, disk, flat, options, pool, on_step);
+    pattern.unmatched = in_mesh_order(mesh, disk, flat.flat);
+    flat = with_matched_border(mesh, disk, flat, options, pool, on_any_step);
+  } else if ((options.limits.max > 0.0 || options.limits.p99 > 0.0) && !cancelled) {
+    LeastStretch limited =
+        within_limits(mesh, disk, flat, options.limits, options.max_iterations, pool, on_any_step);
+    if (limited.iterations > flat.iterations) {
+      pattern.unlimited = in_mesh_order(mesh, disk, flat.flat);
+      flat = std::move(limited);
+    }
   }
 
   std::vector<Vec2> outline;
@@ -111,6 +143,18 @@ Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity, const Unfo
     pattern.height = std::max(pattern.height, p.y);
   }
   return pattern;
+}
+
+double smallest_limit(const TriMesh& mesh, const Connectivity& connectivity, const Pattern& least,
+                      unsigned threads, const OnUnfoldStep& on_step) {
+  const Disk disk = make_disk(mesh, connectivity);
+  ThreadPool pool(threads);
+  std::vector<Vec2> flat;
+  flat.reserve(disk.vertex_count);
+  for (const Index v : disk.vertex_of)
+    flat.push_back(disk.area_scale * (disk.box_scale * least.positions[v]));
+  return smallest_limit_of(mesh, disk, std::move(flat), UnfoldOptions{}.max_iterations, pool,
+                           on_step);
 }
 
 TriMesh flat_mesh(const TriMesh& mesh, const Pattern& pattern) {

@@ -1,4 +1,4 @@
-// Unfolding any disk, also with borders that keep their lengths.
+// Unfolding any disk, also with borders that keep their lengths, and within limits.
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +28,12 @@ void check_box(const Pattern& pattern) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Bytes bytes(data, size);
-  const UnfoldOptions options{.max_iterations = static_cast<int>(bytes.whole(0, 60)),
-                              .match_seams = bytes.flag()};
+  UnfoldOptions options{.max_iterations = static_cast<int>(bytes.whole(0, 60)),
+                        .match_seams = bytes.flag()};
   const auto mesh = fuzz::patch_from(bytes, Purpose::unfold);
   if (!mesh) return 0;
+  const double limit = 0.3 * std::abs(bytes.fraction());
+  (bytes.flag() ? options.limits.max : options.limits.p99) = limit;
   const Connectivity connectivity(*mesh);
   fuzz::allow_refusal([&] {
     Pattern pattern;
@@ -45,6 +47,13 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (fuzz::has_edges_below(1e-6, *mesh)) return;
     const EdgeStrain strain = edge_strain(*mesh, connectivity, pattern.positions);
     fuzz::check(std::isfinite(strain.max) && std::isfinite(strain.rms), "strain is finite");
+    if (!pattern.unlimited.empty()) {
+      const EdgeStrain least = edge_strain(*mesh, connectivity, pattern.unlimited);
+      const bool is_less = options.limits.max > 0.0 ? strain.max < least.max * (1.0 + 1e-9)
+                                                    : strain.p99 < least.p99 * (1.0 + 1e-9);
+      fuzz::check(is_less, "a limit that changes a pattern makes its strain less");
+      fuzz::check(pattern.flipped_triangles == 0, "limits flip no triangle");
+    }
     if (options.match_seams) {
       fuzz::check(largest_border_strain(*mesh, connectivity, pattern.positions) <= 1e-9,
                   "matched borders keep their lengths");

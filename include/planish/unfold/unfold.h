@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <planish/mesh/connectivity.h>
+#include <planish/unfold/strain_limits.h>
 
 namespace planish {
 
@@ -13,6 +14,10 @@ struct UnfoldOptions {
   /// what stretch there is lies inside.
   bool match_seams = false;
   unsigned threads = 0;  ///< 0 for all cores; the result is the same for every number
+  /// What the pattern is to keep: of the patterns that keep limits.max, or limits.p99, the one of
+  /// least stretch; where there is none, the nearest to it. limits.rms is not aimed at, as least
+  /// stretch has nearly the least rms. With match_seams, limits are not aimed at.
+  StrainLimits limits = {};
 };
 
 /// A patch laid flat, in the plane and true to scale, in model units. It is turned so that its
@@ -29,6 +34,8 @@ struct Pattern {
   /// With match_seams: the pattern of least stretch without it, of the same size, turned and
   /// shifted somehow. Tells what matching costs.
   std::vector<Vec2> unmatched = {};
+  /// Where a limit changed the pattern: the one of least stretch, turned and shifted somehow.
+  std::vector<Vec2> unlimited = {};
 };
 
 /// Called after every step with its number and the energy per area; false ends the unfolding with
@@ -37,14 +44,21 @@ using OnUnfoldStep = std::function<bool(int step, double energy)>;
 
 /// Lays a disk patch flat with the least stretch and no flipped triangle: minimises the symmetric
 /// Dirichlet energy by projected Newton steps from a conformal start (docs/unfold.md). On a patch
-/// that is flattenable, edge lengths are kept. With match_seams, border edges keep theirs on any
+/// that is flattenable, edge lengths are kept. Limits are kept by an interior-point method from
+/// there. With match_seams, border edges keep theirs on any
 /// patch: to 1e-9 of each, as long as none is shorter than a millionth of the patch.
 /// @pre connectivity is that of mesh
 /// @throws Error what stands in the way of Purpose::unfold, too_large (above 2 million vertices),
-/// or
+///   option_out_of_range (a limit below 0 or not finite, or limits of max and p99 together) or
 ///   unfold_failed
 Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity,
                const UnfoldOptions& options = {}, const OnUnfoldStep& on_step = {});
+
+/// The smallest limit of the |strain| of every edge for which a pattern is found: least is the
+/// pattern of least stretch. To 1 % of itself: a smaller one may be possible by so much.
+/// @pre least is unfold() of the mesh without limits and match_seams
+double smallest_limit(const TriMesh& mesh, const Connectivity& connectivity, const Pattern& least,
+                      unsigned threads = 0, const OnUnfoldStep& on_step = {});
 
 /// The pattern as a mesh in the plane z = 0, with the triangles and vertex numbers of `mesh`.
 TriMesh flat_mesh(const TriMesh& mesh, const Pattern& pattern);

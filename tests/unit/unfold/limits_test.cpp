@@ -1,0 +1,326 @@
+// Patterns within limits: what is promised of them, and the solver against plain searches.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include <planish/core/error.h>
+#include <planish/mesh/shapes.h>
+#include <planish/unfold/strain.h>
+#include <planish/unfold/unfold.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+#include "unfold/bounded_stretch.h"
+#include "unfold/flat_steps.h"
+#include "unfold/stretch_system.h"
+
+namespace planish {
+namespace {
+
+struct Unfolded {
+  TriMesh mesh;
+  Connectivity connectivity;
+  Pattern pattern;
+  EdgeStrain strain;
+
+  Unfolded(const TriMesh& patch, const StrainLimits& limits, unsigned threads = 0)
+      : mesh(patch),
+        connectivity(mesh),
+        pattern(unfold(mesh, connectivity, {.threads = threads, .limits = limits})),
+        strain(edge_strain(mesh, connectivity, pattern.positions)) {}
+};
+
+TriMesh panel() {
+  return make_shape("panel", 600);
+}
+
+TEST(StrainLimits, OfEveryEdgeAreKeptWithLittleMoreStretch) {
+  for (const char* shape : {"panel", "saddle", "dome"}) {
+    const TriMesh mesh = make_shape(shape, 600);
+    const Unfolded least(mesh, {});
+    for (const double share : {0.9, 0.7, 0.6}) {
+      const double limit = share * least.strain.max;
+      const Unfolded kept(mesh, {.max = limit});
+      EXPECT_LE(kept.strain.max, limit) << shape;
+      EXPECT_GT(kept.strain.max, 0.98 * limit) << shape << ": it goes no further than it need";
+      EXPECT_TRUE(kept.pattern.converged) << shape;
+      EXPECT_EQ(kept.pattern.flipped_triangles, 0U) << shape;
+      EXPECT_LT(kept.strain.rms, 1.35 * least.strain.rms) << shape;
+    }
+  }
+}
+
+TEST(StrainLimits, ThatLeastStretchKeepsChangeNothing) {
+  const Unfolded least(panel(), {});
+  for (const StrainLimits& limits : {StrainLimits{.max = least.strain.max * (1.0 + 1e-9)},
+                                     StrainLimits{.p99 = least.strain.p99 * (1.0 + 1e-9)},
+                                     StrainLimits{.rms = 0.5 * least.strain.rms}}) {
+    const Unfolded same(panel(), limits);
+    EXPECT_EQ(same.pattern.positions, least.pattern.positions);
+    EXPECT_EQ(same.pattern.iterations, least.pattern.iterations);
+    EXPECT_TRUE(same.pattern.unlimited.empty());
+  }
+}
+
+TEST(StrainLimits, LeaveThePatternOfLeastStretchBeside) {
+  const Unfolded least(panel(), {}), kept(panel(), {.max = 0.7 * least.strain.max});
+  const EdgeStrain unlimited = edge_strain(kept.mesh, kept.connectivity, kept.pattern.unlimited);
+  EXPECT_NEAR(unlimited.max, least.strain.max, 1e-12);
+  EXPECT_NEAR(unlimited.rms, least.strain.rms, 1e-12);
+}
+
+TEST(StrainLimits, OfTheAreaAreKeptOnNinetyNinePerCentOfIt) {
+  const Unfolded least(panel(), {});
+  for (const double share : {0.9, 0.6}) {
+    const double limit = share * least.strain.p99;
+    const Unfolded kept(panel(), {.p99 = limit});
+    EXPECT_LE(kept.strain.p99, limit);
+    EXPECT_LE(kept.strain.max, std::max(3.0 * limit, least.strain.max));
+    const auto checks =
+        check_limits(kept.mesh, kept.connectivity, kept.pattern.positions, {.p99 = limit});
+    ASSERT_EQ(checks.size(), 1U);
+    EXPECT_TRUE(checks[0].kept());
+    EXPECT_LE(checks[0].share_beyond, 0.01);
+    EXPECT_EQ(checks[0].reached, kept.strain.p99);
+  }
+}
+
+TEST(StrainLimits, ThatNoPatternKeepsEndNearTheSmallestThatOneDoes) {
+  const Unfolded least(panel(), {});
+  const double smallest = smallest_limit(least.mesh, least.connectivity, least.pattern);
+  EXPECT_LT(smallest, least.strain.max);
+  const Unfolded near(panel(), {.max = 0.5 * smallest});
+  EXPECT_GT(near.strain.max, 0.5 * smallest);
+  EXPECT_LT(near.strain.max, 1.05 * smallest);
+  EXPECT_EQ(near.pattern.flipped_triangles, 0U);
+  const auto checks =
+      check_limits(near.mesh, near.connectivity, near.pattern.positions, {.max = 0.5 * smallest});
+  EXPECT_FALSE(all_kept(checks));
+  EXPECT_EQ(checks[0].edge, near.strain.worst_edge);
+  EXPECT_GT(checks[0].share_beyond, 0.0);
+  // The limit that is told can be kept.
+  EXPECT_LE(Unfolded(panel(), {.max = 1.01 * smallest}).strain.max, 1.01 * smallest);
+}
+
+/// Moves one vertex after another a little at random, and keeps what makes a figure less.
+template <class Figure>
+double less_by_chance(std::vector<Vec2> flat, double reach, int tries, const Figure& figure) {
+  meshes::Random random(5);
+  double best = figure(flat);
+  for (int k = 0; k < tries; ++k) {
+    const auto v = static_cast<std::size_t>(k) % flat.size();
+    const Vec2 before = flat[v];
+    flat[v] = before + Vec2{reach * random.number(), reach * random.number()};
+    const double now = figure(flat);
+    if (now < best) {
+      best = now;
+    } else {
+      flat[v] = before;
+    }
+  }
+  return best;
+}
+
+TEST(StrainLimits, TheSmallestIsNotMadeSmallerByChance) {
+  const TriMesh mesh = make_shape("dome", 100);
+  const Unfolded least(mesh, {});
+  const double smallest = smallest_limit(least.mesh, least.connectivity, least.pattern);
+  const Unfolded found(mesh, {.max = 0.9 * smallest});
+  const auto largest = [&](const std::vector<Vec2>& flat) {
+    return edge_strain(mesh, least.connectivity, flat).max;
+  };
+  for (const double reach : {1e-1, 1e-2, 1e-3}) {
+    EXPECT_GT(
+        less_by_chance(found.pattern.positions, reach * found.pattern.width / 50.0, 3000, largest),
+        0.99 * smallest);
+  }
+}
+
+TEST(StrainLimits, NoOtherPatternWithinThemHasLessStretch) {
+  const TriMesh mesh = make_shape("dome", 100);
+  const Connectivity connectivity(mesh);
+  const Unfolded least(mesh, {});
+  const double limit = 0.75 * least.strain.max;
+  const Unfolded kept(mesh, {.max = limit});
+  const Disk disk = make_disk(mesh, connectivity);
+  const auto on_disk = [&](const std::vector<Vec2>& pattern) {
+    std::vector<Vec2> flat;
+    for (const Index v : disk.vertex_of)
+      flat.push_back(disk.area_scale * (disk.box_scale * pattern[v]));
+    return flat;
+  };
+  const auto edges = flat_edges(mesh, disk);
+  const auto energy_within = [&](const std::vector<Vec2>& flat) {
+    for (const double strain : strains_of(edges, flat)) {
+      if (std::abs(strain) > limit) return std::numeric_limits<double>::infinity();
+    }
+    return total_energy(disk, flat);
+  };
+  const std::vector<Vec2> flat = on_disk(kept.pattern.positions);
+  const double energy = energy_within(flat);
+  EXPECT_LT(energy, 1.5 * total_energy(disk, on_disk(least.pattern.positions)));
+  for (const double reach : {1e-2, 1e-3, 1e-4})
+    EXPECT_GT(less_by_chance(flat, reach, 5000, energy_within), 0.99 * energy);
+}
+
+TEST(StretchSystem, TermsOfEdgesAreDerivatives) {
+  // f(d) = |d|^3 of each edge vector d, by differences of the gradient and of the value.
+  const TriMesh mesh = make_shape("saddle", 100);
+  const Connectivity connectivity(mesh);
+  const Disk disk = make_disk(mesh, connectivity);
+  const auto edges = flat_edges(mesh, disk);
+  const Pattern pattern = unfold(mesh, connectivity);
+  std::vector<Vec2> flat;
+  for (const Index v : disk.vertex_of)
+    flat.push_back(disk.area_scale * (disk.box_scale * pattern.positions[v]));
+  flat = turn_to_axis(disk, flat);
+  const auto assembled = [&](const std::vector<Vec2>& at) {
+    StretchSystem system(disk);
+    system.assemble(at, Curvature::full);
+    for (const FlatEdge& edge : edges) {
+      const Vec2 d = at[edge.to] - at[edge.from];
+      const double r = norm(d);
+      system.add(edge, 3.0 * r * d,
+                 {3.0 * (r + d.x * d.x / r), 3.0 * d.x * d.y / r, 3.0 * (r + d.y * d.y / r)});
+    }
+    return system;
+  };
+  const auto value = [&](const std::vector<Vec2>& at) {
+    double sum = total_energy(disk, at);
+    for (const FlatEdge& edge : edges)
+      sum += std::pow(norm(at[edge.to] - at[edge.from]), 3.0);
+    return sum;
+  };
+  const StretchSystem system = assembled(flat);
+  meshes::Random random(3);
+  Eigen::VectorXd direction(system.gradient().size());
+  for (double& x : direction)
+    x = random.number();
+  constexpr double h = 1e-6;
+  const std::vector<Vec2> move = system.spread(direction);
+  const auto ahead = moved(flat, h, move), behind = moved(flat, -h, move);
+  EXPECT_NEAR(system.gradient().dot(direction), (value(ahead) - value(behind)) / (2.0 * h),
+              1e-6 * system.gradient().norm());
+  const Eigen::VectorXd along = system.hessian().selfadjointView<Eigen::Lower>() * direction;
+  const Eigen::VectorXd by_differences =
+      (assembled(ahead).gradient() - assembled(behind).gradient()) / (2.0 * h);
+  EXPECT_LT((along - by_differences).norm(), 1e-6 * along.norm());
+}
+
+TEST(FlatEdges, AreAllOfTheMeshWithTheirLengthsAndAreas) {
+  const TriMesh mesh = panel();
+  const Connectivity connectivity(mesh);
+  const Disk disk = make_disk(mesh, connectivity);
+  const auto edges = flat_edges(mesh, disk);
+  EXPECT_EQ(edges.size(), disk.vertex_count + disk.triangles.size() - 1) << "Euler's formula";
+  double area = 0.0;
+  for (const FlatEdge& edge : edges) {
+    const Vec3 d =
+        mesh.positions[disk.vertex_of[edge.to]] - mesh.positions[disk.vertex_of[edge.from]];
+    EXPECT_NEAR(edge.length, disk.area_scale * disk.box_scale * norm(d), 1e-14);
+    area += edge.area;
+  }
+  EXPECT_NEAR(area, 1.0, 1e-12);
+}
+
+TEST(StrainLimits, GiveTheSameBitsOnAnyNumberOfThreadsAndAtAnyScaleOfTwo) {
+  TriMesh mesh = panel();
+  const Unfolded one(mesh, {.max = 0.03}, 1);
+  ASSERT_FALSE(one.pattern.unlimited.empty());
+  EXPECT_EQ(Unfolded(mesh, {.max = 0.03}, 3).pattern.positions, one.pattern.positions);
+  for (Vec3& p : mesh.positions)
+    p = 1024.0 * p;
+  const Unfolded large(mesh, {.max = 0.03});
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    EXPECT_EQ(large.pattern.positions[v], 1024.0 * one.pattern.positions[v]);
+}
+
+TEST(StrainLimits, GiveTwinsTheSamePattern) {
+  const TriMesh mesh = panel();
+  const Unfolded one(mesh, {.max = 0.03});
+  ASSERT_FALSE(one.pattern.unlimited.empty());
+  // Renumbered from the end, turned, and rounded to single precision.
+  TriMesh twin;
+  const auto last = static_cast<Index>(mesh.positions.size() - 1);
+  for (auto p = mesh.positions.rbegin(); p != mesh.positions.rend(); ++p) {
+    const Vec3 turned{0.6 * p->x - 0.8 * p->z, p->y, 0.8 * p->x + 0.6 * p->z};
+    twin.positions.push_back(
+        {static_cast<float>(turned.x), static_cast<float>(turned.y), static_cast<float>(turned.z)});
+  }
+  for (const Triangle& t : mesh.triangles)
+    twin.triangles.push_back({last - t[1], last - t[2], last - t[0]});
+  const Unfolded other(twin, {.max = 0.03});
+  double apart = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    const auto length = [](const Pattern& pattern, Index v, Index w) {
+      return norm(pattern.positions[v] - pattern.positions[w]);
+    };
+    // Lengths across the pattern, which need no fitting.
+    apart = std::max(
+        apart, std::abs(length(one.pattern, t[0], 0) - length(other.pattern, last - t[0], last)));
+  }
+  EXPECT_LT(apart, 1e-4 * one.pattern.width);
+}
+
+TEST(StrainLimits, PassByNeedles) {
+  // Vertices pushed nearly onto an opposite side: angles down to a tenth of a degree.
+  TriMesh mesh = panel();
+  const Connectivity connectivity(mesh);
+  for (std::size_t k = 40; k < mesh.triangles.size(); k += 150) {
+    const Triangle& t = mesh.triangles[k];
+    if (!connectivity.is_inner(t[0])) continue;
+    const Vec3 middle = 0.5 * mesh.positions[t[1]] + 0.5 * mesh.positions[t[2]];
+    mesh.positions[t[0]] = mesh.positions[t[0]] + 0.97 * (middle - mesh.positions[t[0]]);
+  }
+  const Unfolded least(mesh, {});
+  const Unfolded kept(mesh, {.max = 0.75 * least.strain.max});
+  EXPECT_LE(kept.strain.max, 0.75 * least.strain.max);
+  EXPECT_EQ(kept.pattern.flipped_triangles, 0U);
+}
+
+TEST(StrainLimits, AreTakenOfATriangleAndOfWhatIsFlat) {
+  const TriMesh triangle{{{0, 0, 0}, {3, 0, 1}, {1, 2, 0}}, {{0, 1, 2}}};
+  EXPECT_LT(Unfolded(triangle, {.max = 1e-9}).strain.max, 1e-9);
+  EXPECT_LT(Unfolded(meshes::flat_grid(5, 5), {.p99 = 1e-9}).strain.max, 1e-9);
+}
+
+TEST(StrainLimits, CanBeCancelledAtEveryStep) {
+  const TriMesh mesh = panel();
+  const Connectivity connectivity(mesh);
+  const int steps = unfold(mesh, connectivity, {.limits = {.max = 0.03}}).iterations;
+  EXPECT_GT(steps, 8);
+  for (int last = 1; last <= steps; last += 3) {
+    int told = 0;
+    const Pattern pattern =
+        unfold(mesh, connectivity, {.limits = {.max = 0.03}}, [&](int step, double) {
+          EXPECT_EQ(step, ++told);
+          return step < last;
+        });
+    EXPECT_EQ(told, last);
+    EXPECT_EQ(pattern.flipped_triangles, 0U);
+  }
+}
+
+TEST(StrainLimits, RefuseWhatIsNoLimit) {
+  const TriMesh mesh = panel();
+  const Connectivity connectivity(mesh);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const StrainLimits& limits :
+       {StrainLimits{.max = -0.1}, StrainLimits{.p99 = infinity}, StrainLimits{.rms = -infinity},
+        StrainLimits{.max = std::nan("")}, StrainLimits{.max = 0.1, .p99 = 0.1}}) {
+    try {
+      unfold(mesh, connectivity, {.limits = limits});
+      ADD_FAILURE() << "no error";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::option_out_of_range);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace planish

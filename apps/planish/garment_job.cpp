@@ -181,11 +181,12 @@ class GarmentRun {
   }
 
   Outcome with_exit_code(Outcome outcome) const {
-    std::string failed, missed;
+    std::string failed, missed, beyond;
     for (std::size_t p = 0; p < outcomes_.size(); ++p) {
       const std::string name = "\n  " + job_.patches[p].name;
       if (outcomes_[p].failure) failed += name + ": " + outcomes_[p].failure->message;
       if (missed_target(outcomes_[p])) missed += name;
+      if (missed_limit(outcomes_[p])) beyond += name;
     }
     if (!failed.empty()) {
       outcome.exit_code = k_exit_failed;
@@ -193,6 +194,9 @@ class GarmentRun {
     } else if (!missed.empty() && arguments_.has("--require-target")) {
       outcome.exit_code = k_exit_target_missed;
       outcome.complaint = "target not met by:" + missed;
+    } else if (!beyond.empty()) {
+      outcome.exit_code = k_exit_target_missed;
+      outcome.complaint = "a limit of strain is not kept by the pattern of:" + beyond;
     }
     return outcome;
   }

@@ -95,6 +95,12 @@ bool are_as_written(const Json& files, const fs::path& folder) {
   return true;
 }
 
+bool are_limits(const Json& limits) {
+  return limits.is_array() && std::all_of(limits.begin(), limits.end(), [](const Json& limit) {
+           return limit.at("kept").is_boolean();
+         });
+}
+
 /// Whether it has what is told of every patch (garment_text.h).
 bool is_report(const std::string& text) try {
   const Json report = parse_shallow(text);
@@ -104,7 +110,7 @@ bool is_report(const std::string& text) try {
          unfold.at("unit").is_string() && unfold.at("overlaps").is_boolean() &&
          unfold.at("strain").at("rms").is_number() && unfold.at("strain").at("max").is_number() &&
          evolve.at("stop").is_string() && evolve.at("deviation").is_object() &&
-         report.at("files").is_object();
+         report.at("files").is_object() && are_limits(report.at("limits"));
 } catch (const Json::exception&) {
   return false;
 }

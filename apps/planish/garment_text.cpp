@@ -53,6 +53,17 @@ Json patch_entry(const GarmentPatch& patch, const PatchOutcome& outcome) {
   return json;
 }
 
+bool any_limit_is_missed(const Json& limits) {
+  return std::any_of(limits.begin(), limits.end(),
+                     [](const Json& limit) { return !limit["kept"].get<bool>(); });
+}
+
+/// A tick where all limits are kept, a cross where one is not.
+std::string limits_mark(const Json& limits) {
+  if (limits.empty()) return {};
+  return any_limit_is_missed(limits) ? "  \u2717 limit" : "  \u2713 limit";
+}
+
 /// A name cut to the width of its column.
 std::string short_name(const std::string& name) {
   return name.size() <= k_name_width ? name : beginning(name, k_name_width - 1) + "~";
@@ -107,6 +118,11 @@ bool missed_target(const PatchOutcome& outcome) {
          report["evolve"]["stop"] != std::string(to_string(StopReason::reached_target));
 }
 
+bool missed_limit(const PatchOutcome& outcome) {
+  const Json report = Json::parse(outcome.report, nullptr, false);
+  return report.is_object() && any_limit_is_missed(report["limits"]);
+}
+
 std::string patch_line(const GarmentPatch& patch, const PatchOutcome& outcome) {
   const std::string name = left(short_name(patch.name), k_name_width) + " ";
   if (outcome.failure) return name + "failed: " + outcome.failure->message;
@@ -117,7 +133,7 @@ std::string patch_line(const GarmentPatch& patch, const PatchOutcome& outcome) {
          right(digits(unfold["height"].get<double>()), 7) + " " +
          unfold["unit"].get<std::string>() + "  strain rms " +
          right(percent(unfold["strain"]["rms"].get<double>()), 8) + ", largest " +
-         right(percent(unfold["strain"]["max"].get<double>()), 8) +
+         right(percent(unfold["strain"]["max"].get<double>()), 8) + limits_mark(report["limits"]) +
          (unfold["overlaps"].get<bool>() ? "  overlaps itself" : "") +
          (outcome.resumed ? "  kept" : "");
 }

@@ -40,6 +40,9 @@ std::string garment_json(const GarmentJob& job, const std::vector<PatchOutcome>&
 /// Whether a finished patch ended for another reason than that it reached its target.
 bool missed_target(const PatchOutcome& outcome);
 
+/// Whether the pattern of a finished patch does not keep a limit that was asked for.
+bool missed_limit(const PatchOutcome& outcome);
+
 /// A line on a finished patch.
 std::string patch_line(const GarmentPatch& patch, const PatchOutcome& outcome);
 

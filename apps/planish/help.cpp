@@ -48,7 +48,8 @@ std::string program_help() {
       "  planish measure panel.obj --json\n"
       "\nplanish VERB --help tells the flags of a verb.\n"
       "Exit codes: 0 done; 1 input, output or unusable mesh; 2 usage;\n"
-      "3 --require-target not met; 130 interrupted. Nothing is written after a failure.\n";
+      "3 target or limit missed; 130 interrupted. Nothing is written after a "
+      "failure.\n";
   return text;
 }
 

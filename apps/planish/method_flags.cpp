@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "failures.h"
+#include "limit_flags.h"
 #include "material_flag.h"
 #include "quantities.h"
 #include "values.h"
@@ -62,7 +63,9 @@ struct FlagMaker {
 
   template <class Number>
   void operator()(std::string_view name, Number value, const char* doc, Range range) {
-    const std::string forms = forms_of(quantity_of(name));
+    const std::string forms = name == k_strain_option
+                                  ? "0.02 or 2% for every edge, 2%@p99 for 99 % of the area"
+                                  : forms_of(quantity_of(name));
     flags.push_back({flag_name(name), std::is_integral_v<Number> ? "N" : "X",
                      std::string(doc) + " (" + (forms.empty() ? "" : forms + "; ") +
                          range_text(value, range) + ")"});
@@ -95,11 +98,11 @@ struct OptionSetter {
   }
   void operator()(std::string_view name, double& value, const char*, Range range) const {
     const std::string flag = flag_name(name);
-    if (const std::string* text = text_of(flag)) {
+    if (name == k_strain_option) {
+      const StrainLimits limits = limits_from(arguments);
+      value = std::max({value, limits.max, limits.p99});
+    } else if (const std::string* text = text_of(flag)) {
       value = quantity_value(flag, *text, quantity_of(name), range, arguments);
-    }
-    if (name == k_strain_option && arguments.has("--material")) {
-      value = strain_of_material(arguments);
     }
   }
   void operator()(std::string_view name, int& value, const char*, Range range) const {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <planish/platform/path.h>
-#include <planish/report/strain_check.h>
+#include <planish/report/strain_limit_text.h>
 
 #include "text.h"
 #include "values.h"
@@ -181,6 +181,13 @@ std::string matching_lines(const UnfoldReport& report) {
          percent(report.unmatched_strain->max) + "\n";
 }
 
+/// What keeping a limit costs.
+std::string unlimited_lines(const UnfoldReport& report) {
+  if (!report.unlimited_strain) return {};
+  return "              least stretch has rms " + percent(report.unlimited_strain->rms) +
+         ", largest " + percent(report.unlimited_strain->max) + "\n";
+}
+
 }  // namespace
 
 std::string size_text(const TriMesh& mesh) {
@@ -213,20 +220,22 @@ std::string evolve_text(const EvolveReport& report) {
 }
 
 std::string unfold_text(const UnfoldReport& report) {
+  const std::string limits = strain_limits_text(report.limits);
   return pattern_lines(report) + "  strain      rms " + percent(report.strain.rms) +
          ", 99 % of the area within " + percent(report.strain.p99) + ", largest " +
-         percent(report.strain.max) + "\n" + matching_lines(report);
+         percent(report.strain.max) + "\n" + unlimited_lines(report) + matching_lines(report) +
+         (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");
 }
 
 std::string flatten_text(const FlattenReport& report) {
-  const std::string limits = strain_limits_text(report);
+  const std::string limits = strain_limits_text(report.unfold.limits);
   return run_line(report.evolve) + comparison_head() +
          comparison(figure_rows(report.evolve.before.figures, report.evolve.after.figures)) +
          comparison(strain_rows(report.unfold_before.strain, report.unfold.strain)) + "\n" +
          deviation_lines(report.evolve.deviation, std::string(to_string(report.unfold.unit))) +
          border_line(report.evolve.border, std::string(to_string(report.unfold.unit))) +
-         pattern_lines(report.unfold) + matching_lines(report.unfold) +
-         (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");
+         pattern_lines(report.unfold) + unlimited_lines(report.unfold) +
+         matching_lines(report.unfold) + (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");
 }
 
 std::string directions_text(const DirectionCounts& counts) {

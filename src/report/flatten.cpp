@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <future>
@@ -79,6 +80,9 @@ std::optional<UnfoldReport> unfold_patch(const TriMesh& mesh, Unit unit,
   report.strain = strain_of(report.pattern.positions);
   report.border_strain = largest_border_strain(mesh, connectivity, report.pattern.positions);
   if (options.match_seams) report.unmatched_strain = strain_of(report.pattern.unmatched);
+  if (!report.pattern.unlimited.empty())
+    report.unlimited_strain = strain_of(report.pattern.unlimited);
+  report.limits = check_limits(mesh, connectivity, report.pattern.positions, options.limits);
   return report;
 }
 
@@ -138,6 +142,35 @@ std::optional<std::pair<UnfoldReport, UnfoldReport>> unfold_both(const TriMesh& 
   return std::pair{*std::move(first), *std::move(second)};
 }
 
+/// Those asked for, or else those of the method.
+StrainLimits limits_of(const FlattenOptions& options) {
+  if (options.limits.any()) return options.limits;
+  const auto* method = std::get_if<Auto>(&options.method);
+  if (method == nullptr) return {};
+  return {.max = method->max_strain, .rms = method->max_rms_strain};
+}
+
+/// Auto goes by an estimate of the strain that a limit is for.
+Method aimed_at(const StrainLimits& limits, Method method) {
+  auto* options = std::get_if<Auto>(&method);
+  if (options == nullptr) return method;
+  if (options->max_strain == 0.0) options->max_strain = std::max(limits.max, limits.p99);
+  if (options->max_rms_strain == 0.0) options->max_rms_strain = limits.rms;
+  return method;
+}
+
+/// The report of a patch that needs no evolution.
+EvolveReport left_as_it_is(const TriMesh& mesh, const Method& method, const Stopping& stopping) {
+  EvolveReport report;
+  report.method = method;
+  report.stopping = stopping;
+  report.before = report.after = measure_patch(mesh);
+  report.result.positions = mesh.positions;
+  report.result.stop = StopReason::strain_met;
+  report.deviation = measure_deviation(mesh, mesh.positions, Connectivity(mesh));
+  return report;
+}
+
 OnSweep on_sweep_of(const Stopping& stopping, const TriMesh& mesh, const OnProgress& on_progress) {
   if (!on_progress) return {};
   const auto progress = std::make_shared<EvolveProgress>(stopping, mesh.positions.size());
@@ -146,43 +179,144 @@ OnSweep on_sweep_of(const Stopping& stopping, const TriMesh& mesh, const OnProgr
   };
 }
 
+/// One run of the main job.
+class Flattening {
+ public:
+  Flattening(const FlattenOptions& options, const OnProgress& on_progress)
+      : options_(options),
+        on_progress_(on_progress),
+        limits_(limits_of(options)),
+        method_(aimed_at(limits_, options.method)),
+        stopping_(options.stopping.value_or(usual_stopping(method_))) {}
+
+  std::optional<FlattenReport> run(TriMesh mesh, std::string name) {
+    if (!tell(FlattenStage::measuring, 0.0)) return std::nullopt;
+    require(inspect(mesh), Purpose::unfold);
+    report_.name = std::move(name);
+    check_constraints(options_.constraints, mesh.positions.size(), method_);
+    if (options_.remesh) remeshed_ = remesh(mesh, options_.constraints, options_.keep);
+    const bool done =
+        keep_limits_as_it_is(work_mesh(mesh)) ? !is_cancelled() : evolve_and_unfold(mesh);
+    if (!done) return std::nullopt;
+    report_.input = remeshed_ ? std::move(remeshed_->mesh) : std::move(mesh);
+    if (remeshed_) report_.source = std::move(remeshed_->source);
+    report_.processed = {report_.evolve.result.positions, report_.input.triangles};
+    return std::move(report_);
+  }
+
+ private:
+  bool tell(FlattenStage stage, double share) {
+    cancelled_ = cancelled_ || (on_progress_ && !on_progress_(stage, share));
+    return !cancelled_;
+  }
+  bool is_cancelled() const { return cancelled_; }
+  const TriMesh& work_mesh(const TriMesh& mesh) const { return remeshed_ ? remeshed_->mesh : mesh; }
+
+  UnfoldOptions with_limits() const {
+    return {.match_seams = options_.match_seams, .threads = options_.threads, .limits = limits_};
+  }
+
+  /// Nothing when cancelled.
+  MaybeUnfolded unfolded(const TriMesh& mesh, const UnfoldOptions& how) {
+    double left = 1.0;  // the number of steps is not known: each takes the bar a tenth further
+    return unfold_patch(
+        mesh, options_.unit,
+        [&](int, double) { return tell(FlattenStage::unfolding, 1.0 - (left *= 0.9)); }, how);
+  }
+
+  /// Lays the patch flat as it came, if there are limits that auto is after. True if that is the
+  /// result, or the work was cancelled.
+  bool keep_limits_as_it_is(const TriMesh& mesh) {
+    if (!limits_.any() || !std::holds_alternative<Auto>(method_)) return false;
+    MaybeUnfolded kept = unfolded(mesh, with_limits());
+    if (!kept) return true;
+    if (!all_kept(kept->limits)) return false;
+    MaybeUnfolded before = unfolded(mesh, {.threads = options_.threads});
+    if (!before) return true;
+    report_.evolve = left_as_it_is(mesh, method_, stopping_);
+    report_.unfold = *std::move(kept);
+    report_.unfold_before = *std::move(before);
+    return true;
+  }
+
+  /// False when cancelled.
+  bool evolve_and_unfold(const TriMesh& mesh) {
+    const TriMesh& work = work_mesh(mesh);
+    const OnSweep on_sweep = on_sweep_of(stopping_, work, on_progress_);
+    report_.evolve = remeshed_ ? evolve_remeshed(mesh, *remeshed_, method_, stopping_, on_sweep,
+                                                 options_.threads)
+                               : evolve_patch(mesh, method_, stopping_, on_sweep, options_.threads,
+                                              options_.constraints);
+    if (report_.evolve.result.stop == StopReason::cancelled) return false;
+    const TriMesh processed{report_.evolve.result.positions, work.triangles};
+    auto patterns = unfold_both(work, processed, options_.unit, with_limits(),
+                                report_.evolve.result.threads > 1, on_progress_);
+    if (!patterns) return false;
+    report_.unfold_before = std::move(patterns->first);
+    report_.unfold = std::move(patterns->second);
+    return go_back(mesh);
+  }
+
+  /// Where the pattern keeps the limits, goes back towards the patch as it came, as far as it still
+  /// does: halves the way between what keeps them and what does not. False when cancelled.
+  bool go_back(const TriMesh& mesh) {
+    constexpr int halvings = 6;
+    const auto* method = std::get_if<Auto>(&method_);
+    const bool may_go_back =
+        method != nullptr && limits_.any() && method->border.rule == BorderFreedom::Rule::fixed;
+    if (!may_go_back || !all_kept(report_.unfold.limits)) return true;
+    const TriMesh& work = work_mesh(mesh);
+    const std::vector<Vec3> farthest = report_.evolve.result.positions;
+    double fails = 0.0, keeps = 1.0;
+    for (int k = 0; k < halvings; ++k) {
+      const double share = 0.5 * (fails + keeps);
+      const TriMesh between{part_way(work.positions, farthest, share), work.triangles};
+      MaybeUnfolded pattern = unfolded(between, with_limits());
+      if (!pattern) return false;
+      if (!all_kept(pattern->limits)) {
+        fails = share;
+        continue;
+      }
+      keeps = share;
+      report_.unfold = *std::move(pattern);
+      report_.evolve.result.positions = between.positions;
+    }
+    if (keeps < 1.0) measure_again(mesh);
+    return true;
+  }
+
+  static std::vector<Vec3> part_way(const std::vector<Vec3>& from, const std::vector<Vec3>& to,
+                                    double share) {
+    std::vector<Vec3> positions = from;
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      positions[v] = positions[v] + share * (to[v] - positions[v]);
+    return positions;
+  }
+
+  void measure_again(const TriMesh& mesh) {
+    const TriMesh& work = work_mesh(mesh);
+    const TriMesh now{report_.evolve.result.positions, work.triangles};
+    report_.evolve.after = measure_patch(now);
+    report_.evolve.deviation = report_.evolve.remeshed_from
+                                   ? measure_surface_deviation(mesh, now)
+                                   : measure_deviation(work, now.positions, Connectivity(work));
+  }
+
+  const FlattenOptions& options_;
+  const OnProgress& on_progress_;
+  StrainLimits limits_;
+  Method method_;
+  Stopping stopping_;
+  std::optional<RemeshedPatch> remeshed_;
+  FlattenReport report_;
+  bool cancelled_ = false;
+};
+
 }  // namespace
 
 std::optional<FlattenReport> flatten(TriMesh mesh, std::string name, const FlattenOptions& options,
                                      const OnProgress& on_progress) {
-  const auto tell = [&](FlattenStage stage, double share) {
-    return !on_progress || on_progress(stage, share);
-  };
-  if (!tell(FlattenStage::measuring, 0.0)) return std::nullopt;
-  require(inspect(mesh), Purpose::unfold);
-
-  FlattenReport report;
-  report.name = std::move(name);
-  const Stopping stopping = options.stopping.value_or(usual_stopping(options.method));
-  if (options.remesh) {
-    check_constraints(options.constraints, mesh.positions.size(), options.method);
-    RemeshedPatch patch = remesh(mesh, options.constraints, options.keep);
-    report.evolve =
-        evolve_remeshed(mesh, patch, options.method, stopping,
-                        on_sweep_of(stopping, patch.mesh, on_progress), options.threads);
-    report.input = std::move(patch.mesh);
-    report.source = std::move(patch.source);
-  } else {
-    report.evolve =
-        evolve_patch(mesh, options.method, stopping, on_sweep_of(stopping, mesh, on_progress),
-                     options.threads, options.constraints);
-    report.input = std::move(mesh);
-  }
-  if (report.evolve.result.stop == StopReason::cancelled) return std::nullopt;
-  report.processed = {report.evolve.result.positions, report.input.triangles};
-
-  auto patterns = unfold_both(report.input, report.processed, options.unit,
-                              {.match_seams = options.match_seams, .threads = options.threads},
-                              report.evolve.result.threads > 1, on_progress);
-  if (!patterns) return std::nullopt;
-  report.unfold_before = std::move(patterns->first);
-  report.unfold = std::move(patterns->second);
-  return report;
+  return Flattening(options, on_progress).run(std::move(mesh), std::move(name));
 }
 
 }  // namespace planish

@@ -7,7 +7,7 @@
 #include <planish/core/version.h>
 #include <planish/measure/angle_defect.h>
 #include <planish/report/html_report.h>
-#include <planish/report/strain_check.h>
+#include <planish/report/strain_limit_text.h>
 
 #include "draw/markup_text.h"
 #include "report/convergence_chart.h"
@@ -88,8 +88,9 @@ std::string checks(const FlattenReport& report) {
            pattern.flipped_triangles == 0 ? "nothing is face down" : "parts are face down")};
   if (!unit_question(report.unfold).empty())
     items.insert(items.begin(), mark(false, "unit of the model to be checked"));
-  constexpr std::array<std::pair<LimitOf, std::string_view>, 5> names = {
+  constexpr std::array<std::pair<LimitOf, std::string_view>, 6> names = {
       {{LimitOf::strain, "stretch "},
+       {LimitOf::p99_strain, "stretch "},
        {LimitOf::rms_strain, "usual stretch "},
        {LimitOf::deviation, "moves "},
        {LimitOf::angle, "angles of triangles "},
@@ -219,7 +220,7 @@ std::string footer(const FlattenReport& report) {
 
 std::string html_report(const FlattenReport& report, const FlattenPage& page) {
   const std::string border = border_text(report);
-  const std::string limits = strain_limits_text(report);
+  const std::string limits = strain_limits_text(report.unfold.limits);
   const Bench bench = html_bench(report, page);
   const std::string verdict = verdict_text(report) + (limits.empty() ? "" : " " + limits) +
                               (border.empty() ? "" : " " + border);

@@ -3,7 +3,6 @@
 
 #include <planish/core/version.h>
 #include <planish/report/json_report.h>
-#include <planish/report/strain_check.h>
 
 #include <planish_json/json.h>
 
@@ -137,10 +136,26 @@ Json to_json(const EdgeStrain& strain) {
   return {{"max", strain.max}, {"rms", strain.rms}, {"p99", strain.p99}};
 }
 
+Json to_json(const std::optional<EdgeStrain>& strain) {
+  return strain ? to_json(*strain) : Json(nullptr);
+}
+
+Json to_json(const std::vector<StrainLimitCheck>& checks) {
+  Json list = Json::array();
+  for (const StrainLimitCheck& check : checks) {
+    list.push_back(
+        {{"kind", to_string(check.kind)},
+         {"asked", check.asked},
+         {"kept", check.kept()},
+         {"reached", check.reached},
+         {"share_beyond", check.share_beyond},
+         {"where", {{"edge", check.edge}, {"at", {check.at.x, check.at.y, check.at.z}}}}});
+  }
+  return list;
+}
+
 Json to_json(const UnfoldReport& report) {
   const Pattern& pattern = report.pattern;
-  Json unmatched = nullptr;
-  if (report.unmatched_strain) unmatched = to_json(*report.unmatched_strain);
   return {{"strain", to_json(report.strain)},
           {"area_ratio", pattern.area_ratio},
           {"flipped_triangles", pattern.flipped_triangles},
@@ -152,28 +167,13 @@ Json to_json(const UnfoldReport& report) {
           {"converged", pattern.converged},
           {"border_strain", report.border_strain},
           {"match_seams", report.unmatched_strain.has_value()},
-          {"unmatched_strain", std::move(unmatched)}};
+          {"unmatched_strain", to_json(report.unmatched_strain)},
+          {"unlimited_strain", to_json(report.unlimited_strain)},
+          {"limits", to_json(report.limits)}};
 }
 
 Json to_json(const std::optional<UnfoldReport>& report) {
   return report ? to_json(*report) : Json(nullptr);
-}
-
-Json strain_limits(const FlattenReport& report) {
-  Json limits;  // null as long as nothing is said
-  if (const auto check = check_strain(report)) {
-    limits = {{"max_strain", check->max_strain},
-              {"met", check->met()},
-              {"largest_strain", check->largest_strain},
-              {"edge", check->edge},
-              {"at", {check->at.x, check->at.y, check->at.z}}};
-  }
-  if (const auto check = check_rms_strain(report)) {
-    limits["max_rms_strain"] = check->max_rms_strain;
-    limits["rms_met"] = check->met();
-    limits["rms_strain"] = check->rms_strain;
-  }
-  return limits;
 }
 
 Json to_json(const CompareFailure& failure) {
@@ -233,7 +233,7 @@ std::string json_report(const FlattenReport& report,
                   {"evolve", to_json(report.evolve)},
                   {"unfold", to_json(report.unfold)},
                   {"unfold_before", to_json(report.unfold_before)},
-                  {"limits", strain_limits(report)},
+                  {"limits", to_json(report.unfold.limits)},
                   {"files", Json(files)}});
 }
 

@@ -39,6 +39,18 @@ std::optional<double> given(const Method& method, std::string_view name) {
       method);
 }
 
+LimitOf limit_of(StrainLimitKind kind) {
+  switch (kind) {
+    case StrainLimitKind::max:
+      return LimitOf::strain;
+    case StrainLimitKind::p99:
+      return LimitOf::p99_strain;
+    case StrainLimitKind::rms:
+      return LimitOf::rms_strain;
+  }
+  return LimitOf::strain;
+}
+
 }  // namespace
 
 std::vector<LimitCheck> limit_checks(const FlattenReport& report) {
@@ -47,10 +59,8 @@ std::vector<LimitCheck> limit_checks(const FlattenReport& report) {
   const auto at_most = [&](LimitOf what, double limit, double value) {
     checks.push_back({what, limit, value, value <= limit * (1.0 + k_rounding)});
   };
-  if (const auto limit = given(evolve.method, "max_strain"))
-    at_most(LimitOf::strain, *limit, report.unfold.strain.max);
-  if (const auto limit = given(evolve.method, "max_rms_strain"))
-    at_most(LimitOf::rms_strain, *limit, report.unfold.strain.rms);
+  for (const StrainLimitCheck& check : report.unfold.limits)
+    checks.push_back({limit_of(check.kind), check.asked, check.reached, check.kept()});
   if (const auto limit = given(evolve.method, "max_deviation"))
     at_most(LimitOf::deviation, *limit, evolve.deviation.max);
   if (const auto limit = given(evolve.method, "min_angle")) {
@@ -68,6 +78,8 @@ std::string limit_text(const LimitCheck& check, Unit unit) {
   switch (check.what) {
     case LimitOf::strain:
       return "at most " + percent_text(check.limit);
+    case LimitOf::p99_strain:
+      return "at most " + percent_text(check.limit) + " on 99 % of the area";
     case LimitOf::rms_strain:
       return "at most " + percent_text(check.limit) + " (rms)";
     case LimitOf::deviation:

@@ -8,7 +8,7 @@
 namespace planish {
 
 /// What a limit is of.
-enum class LimitOf { strain, rms_strain, deviation, angle, defect };
+enum class LimitOf { strain, p99_strain, rms_strain, deviation, angle, defect };
 
 /// A limit that was given, and whether the result keeps it.
 struct LimitCheck {

@@ -26,9 +26,12 @@ std::string strain_text(const EdgeStrain& strain) {
 std::string limit_words(const FlattenReport& report) {
   std::string words;
   for (const LimitCheck& check : limit_checks(report)) {
-    if (check.what != LimitOf::strain && check.what != LimitOf::rms_strain) continue;
-    const std::string limit =
-        percent_text(check.limit) + (check.what == LimitOf::rms_strain ? " (rms)" : "");
+    const bool is_of_area = check.what == LimitOf::p99_strain;
+    const bool is_of_rms = check.what == LimitOf::rms_strain;
+    if (check.what != LimitOf::strain && !is_of_area && !is_of_rms) continue;
+    const std::string limit = percent_text(check.limit) + (is_of_rms    ? " (rms)"
+                                                           : is_of_area ? " on 99 % of the area"
+                                                                        : "");
     if (!check.met) return "Not within the limit of " + limit;
     if (words.empty()) words = "Not without stretch, but within the limit of " + limit;
   }

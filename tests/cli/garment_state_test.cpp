@@ -10,7 +10,7 @@ namespace {
 const std::string k_report =
     R"({"unfold": {"width": 1, "height": 1, "unit": "mm", "overlaps": false,)"
     R"( "strain": {"rms": 0, "max": 0}}, "evolve": {"stop": "stalled", "deviation": {}},)"
-    R"( "files": {}})";
+    R"( "limits": [], "files": {}})";
 
 const std::string k_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 #include "cli_run.h"
@@ -6,6 +8,12 @@ namespace planish::cli {
 namespace {
 
 using testing::HasSubstr;
+
+/// Lines are broken at eighty columns.
+std::string in_one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
 
 class LimitFlags : public CliTest {
  protected:
@@ -93,7 +101,7 @@ TEST_F(LimitFlags, WhatBecameOfABorderThatMovedIsTold) {
 TEST_F(LimitFlags, FlattenTakesThemAsAutoByItself) {
   const CliResult result = planish({"flatten", "panel.obj", "--unit", "cm", "--max-strain", "2%",
                                     "--max-deviation", "5mm", "--min-angle", "1deg", "--json"});
-  ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
+  ASSERT_EQ(result.exit_code, k_exit_target_missed) << "so near nothing keeps the limit";
   const auto evolve = result.json()["evolve"];
   EXPECT_EQ(evolve["method"], "auto");
   EXPECT_EQ(evolve["options"]["max_strain"], 0.02);
@@ -111,15 +119,81 @@ TEST_F(LimitFlags, FlattenTellsWhetherThePatternKeepsTheLimit) {
   const Names args = {"flatten", "panel.obj", "--material", "cotton"};
   const CliResult result = planish(args);
   ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("The strain limit of 5 % is "));
+  const std::string kept = "The limit of 5 % for the strain on 99 % of the area is kept";
+  EXPECT_THAT(in_one_line(result.out), HasSubstr(kept));
+  EXPECT_THAT(content_of("panel-pattern/report.html"), HasSubstr(kept));
   Names with_json = args;
   with_json.push_back("--json");
   const auto limits = planish(with_json).json()["limits"];
-  EXPECT_EQ(limits["max_strain"], 0.05);
-  EXPECT_EQ(limits["met"], limits["largest_strain"] <= 0.05);
-  EXPECT_EQ(limits["at"].size(), 3U);
-  EXPECT_THAT(content_of("panel-pattern/report.html"), HasSubstr("The strain limit of 5 % is "));
-  EXPECT_TRUE(planish({"flatten", "panel.obj", "--json"}).json()["limits"].is_null());
+  ASSERT_EQ(limits.size(), 1U);
+  EXPECT_EQ(limits[0]["kind"], "p99");
+  EXPECT_EQ(limits[0]["asked"], 0.05);
+  EXPECT_EQ(limits[0]["kept"], true);
+  EXPECT_LE(limits[0]["reached"], 0.05);
+  EXPECT_EQ(limits[0]["where"]["at"].size(), 3U);
+  EXPECT_EQ(planish({"flatten", "panel.obj", "--json"}).json()["limits"].size(), 0U);
+}
+
+TEST_F(LimitFlags, FlattenLeavesAPatchWhosePatternKeepsTheLimitAsItIs) {
+  const CliResult result = planish({"flatten", "panel.obj", "--max-strain", "10%", "--json"});
+  ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
+  const auto json = result.json();
+  EXPECT_EQ(json["evolve"]["sweeps"], 0);
+  EXPECT_EQ(json["evolve"]["stop"], "strain_met");
+  EXPECT_EQ(json["evolve"]["deviation"]["max"], 0.0);
+  EXPECT_EQ(content_of("panel-pattern/processed.obj"), content_of("panel.obj"));
+}
+
+TEST_F(LimitFlags, UnfoldTakesLimitsForEveryEdgeOrForTheArea) {
+  const auto strain = [](const Names& flags) {
+    Names args = {"unfold", "panel.obj", "-o", "out.svg", "--json"};
+    args.insert(args.end(), flags.begin(), flags.end());
+    const CliResult result = planish(args);
+    EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+    return result.json();
+  };
+  const auto least = strain({});
+  const double half = 0.6 * least["strain"]["max"].get<double>();
+  EXPECT_EQ(least["limits"].size(), 0U);
+  EXPECT_TRUE(least["unlimited_strain"].is_null());
+  const auto kept = strain({"--max-strain", std::to_string(half)});
+  EXPECT_LE(kept["strain"]["max"], half);
+  EXPECT_EQ(kept["limits"][0]["kind"], "max");
+  EXPECT_NEAR(kept["unlimited_strain"]["max"], least["strain"]["max"], 1e-12);
+  const auto both = strain({"--max-strain", "9%@p99", "--max-rms-strain", "9%"});
+  EXPECT_EQ(both["limits"][0]["kind"], "p99");
+  EXPECT_EQ(both["limits"][1]["kind"], "rms");
+  EXPECT_EQ(both["strain"], least["strain"]) << "it keeps them without";
+}
+
+TEST_F(LimitFlags, ALimitThatIsNotKeptEndsWithThreeAndIsWritten) {
+  for (const std::string verb : {"unfold", "flatten"}) {
+    Names args = {verb,           "panel.obj", "-o", verb == "unfold" ? "out.svg" : "out",
+                  "--max-strain", "0.00001%"};
+    if (verb == "flatten") args.insert(args.end(), {"--max-deviation", "0.01mm"});
+    const CliResult result = planish(args);
+    EXPECT_EQ(result.exit_code, k_exit_target_missed) << verb;
+    EXPECT_THAT(result.err, HasSubstr("is not kept: the pattern has ")) << verb;
+  }
+  EXPECT_FALSE(content_of("out.svg").empty());
+  EXPECT_FALSE(content_of("out/pattern.svg").empty());
+}
+
+TEST_F(LimitFlags, RefuseWhatIsNoLimit) {
+  for (const std::string verb : {"unfold", "flatten"}) {
+    const auto refused = [&](const Names& flags) {
+      Names args = {verb, "panel.obj", "-o", "out.svg"};
+      args.insert(args.end(), flags.begin(), flags.end());
+      const CliResult result = planish(args);
+      EXPECT_EQ(result.exit_code, k_exit_usage) << verb << " " << flags[1];
+      return result.err;
+    };
+    for (const char* text : {"0", "-1%", "101%", "nan", "x", "5%@p98", "5%@", "@p99", "5"})
+      EXPECT_THAT(refused({"--max-strain", text}), HasSubstr("--max-strain is ")) << text;
+    EXPECT_THAT(refused({"--max-rms-strain", "0"}), HasSubstr("--max-rms-strain is 0 but"));
+    EXPECT_THAT(refused({"--max-strain", "5%", "--material", "cotton"}), HasSubstr("give one"));
+    EXPECT_THAT(refused({"--material", "coton"}), HasSubstr("cotton"));
+  }
 }
 
 TEST_F(LimitFlags, ProgressOnLevelsTellsTheLevelAndItsStrain) {

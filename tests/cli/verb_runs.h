@@ -60,7 +60,8 @@ inline VerbRun run_verb(const Verb& verb, const std::string& input) {
 /// Checks that no number is infinite or NaN, which JSON has as null. What may be null says so.
 inline void expect_numbers(const nlohmann::json& json, const std::string& key = "") {
   static const std::set<std::string> may_be_null = {
-      "max_deviation", "remeshed_from", "limits", "unmatched_strain", "obstruction", "nesting",
+      "max_deviation", "remeshed_from", "unlimited_strain", "unmatched_strain", "obstruction",
+      "nesting",
       // too large for a double, of a patch of 1e154 and more
       "area", "area_excess", "area_limit", "border_length"};
   if (json.is_null()) {

@@ -22,6 +22,7 @@
 #include "garment_nest.h"
 #include "garment_parts.h"
 #include "garment_seams.h"
+#include "limit_flags.h"
 #include "method_flags.h"
 #include "output_folder.h"
 #include "pattern_output.h"
@@ -62,7 +63,8 @@ FlattenOptions options_from(const Arguments& arguments, const Session& session) 
           .unit = unit_from(arguments),
           .threads = session.threads(),
           .remesh = arguments.has("--remesh"),
-          .match_seams = arguments.has("--match-seams")};
+          .match_seams = arguments.has("--match-seams"),
+          .limits = limits_from(arguments)};
 }
 
 fs::path folder_from(const Arguments& arguments) {
@@ -264,7 +266,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   Outcome outcome =
       with_target_checked({text + written_text(files), json}, arguments, report->evolve);
   session.write(files, folder);
-  return outcome;
+  return with_limits_checked(std::move(outcome), report->unfold.limits);
 }
 
 }  // namespace

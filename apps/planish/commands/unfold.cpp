@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include <planish/io/mesh_format.h>
 #include <planish/io/write_mesh.h>
@@ -13,6 +14,7 @@
 #include "furniture_flags.h"
 #include "garment_flags.h"
 #include "garment_seams.h"
+#include "limit_flags.h"
 #include "pattern_output.h"
 #include "session.h"
 #include "summary.h"
@@ -62,7 +64,8 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
   const Unit unit = unit_from(arguments);
   const PatternOutput how = output_from(arguments);
   const UnfoldOptions unfold_options = {.match_seams = arguments.has("--match-seams"),
-                                        .threads = session.threads()};
+                                        .threads = session.threads(),
+                                        .limits = limits_from(arguments)};
   PatternOptions furniture = furniture_from(arguments, pattern_format_of(output).has_value());
 
   const std::string& path = arguments.operands.front();
@@ -86,7 +89,7 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
       path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(*report),
       json_with_cut(json_report(*report), input.cut)};
   session.write({{path_of(output), content}});
-  return outcome;
+  return with_limits_checked(std::move(outcome), report->limits);
 }
 
 }  // namespace
@@ -102,19 +105,23 @@ Command unfold_command() {
       match_seams_flag()};
   for (Flag& flag : pattern_flags("divide the .pdf into pages to be joined"))
     flags.push_back(std::move(flag));
-  return {"unfold",
-          "lay a patch flat as it is",
-          "INPUT -o OUTPUT",
-          "Lays a patch flat with the least stretch and no flipped triangle. The patch must be a "
-          "topological disk: one piece, one border, no handle. --cut opens one that is none.",
-          {"INPUT"},
-          {{"Output", std::move(flags)}, furniture_flags()},
-          {"planish unfold panel.obj -o pattern.svg",
-           "planish unfold panel.obj -o pattern.pdf --paper a4",
-           "planish unfold sleeve.obj -o pattern.svg --cut seam.txt",
-           "planish unfold panel.obj -o pattern.dxf --allowance 10mm --notches notches.txt",
-           "planish unfold panel.obj -o flat.obj --unit cm"},
-          run_unfold};
+  return {
+      "unfold",
+      "lay a patch flat as it is",
+      "INPUT -o OUTPUT",
+      "Lays a patch flat with the least stretch and no flipped triangle. With a limit, of the "
+      "patterns that keep it the one of least stretch; where there is none, what comes nearest, "
+      "with exit code 3. The patch must be a topological disk: one piece, one border, no handle. "
+      "--cut opens one that is none.",
+      {"INPUT"},
+      {{"Output", std::move(flags)}, {"Limits of the pattern", limit_flags()}, furniture_flags()},
+      {"planish unfold panel.obj -o pattern.svg",
+       "planish unfold panel.obj -o pattern.svg --max-strain 8%",
+       "planish unfold panel.obj -o pattern.pdf --paper a4",
+       "planish unfold sleeve.obj -o pattern.svg --cut seam.txt",
+       "planish unfold panel.obj -o pattern.dxf --allowance 10mm --notches notches.txt",
+       "planish unfold panel.obj -o flat.obj --unit cm"},
+      run_unfold};
 }
 
 }  // namespace planish::cli

@@ -13,6 +13,7 @@
 #include <planish/mesh/inspect.h>
 #include <planish/report/unit.h>
 #include <planish/unfold/strain.h>
+#include <planish/unfold/strain_limits.h>
 #include <planish/unfold/unfold.h>
 
 namespace planish {
@@ -55,6 +56,10 @@ struct UnfoldReport {
   double border_strain = 0.0;  ///< largest |strain| of the border's edges
   /// Where border edges were to keep their lengths: the strain without that.
   std::optional<EdgeStrain> unmatched_strain = {};
+  /// One for each limit of strain that was asked for.
+  std::vector<StrainLimitCheck> limits = {};
+  /// Where a limit changed the pattern: the strain of the one of least stretch.
+  std::optional<EdgeStrain> unlimited_strain = {};
 };
 
 /// What the main job is asked for.
@@ -67,6 +72,9 @@ struct FlattenOptions {
   bool remesh = false;           ///< work on fewer vertices: see remesh()
   std::vector<Index> keep = {};  ///< vertices that remeshing leaves, besides fixed ones
   bool match_seams = false;      ///< of the evolved patch's pattern, as UnfoldOptions has it
+  /// What the pattern is to keep. Auto leaves a patch as it is where its pattern keeps them, and
+  /// else changes it as far as that needs.
+  StrainLimits limits = {};
 };
 
 /// The main job's result: everything that the files of a `flatten` folder are made from.

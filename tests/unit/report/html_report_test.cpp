@@ -100,7 +100,8 @@ TEST(HtmlReport, SaysWhatWasDone) {
 
 TEST(HtmlReport, SaysWhatItWasAskedForAndWhetherItFits) {
   FlattenReport report = samples::flatten_report();
-  report.evolve.method = Auto{.max_strain = 0.5, .max_deviation = 0.5};
+  report.evolve.method = Auto{.max_deviation = 0.5};
+  report.unfold.limits = {{StrainLimitKind::max, 0.5, 0.3187}};
   const std::string page = html_report(
       report,
       {.command = "planish flatten 'a <b>.obj'", .material = "<a> roll", .material_use = "half"});

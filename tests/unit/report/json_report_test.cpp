@@ -139,7 +139,9 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
                         {"converged", true},
                         {"border_strain", 0.25},
                         {"match_seams", false},
-                        {"unmatched_strain", nullptr}}));
+                        {"unmatched_strain", nullptr},
+                        {"unlimited_strain", nullptr},
+                        {"limits", Json::array()}}));
   report.unmatched_strain = EdgeStrain{.max = 0.5, .rms = 0.125, .p99 = 0.375};
   const Json matched = Json::parse(json_report(report));
   EXPECT_EQ(matched["match_seams"], true);
@@ -156,38 +158,34 @@ TEST(JsonReport, OfTheMainJobHasItsPartsAndFiles) {
   EXPECT_EQ(json["evolve"], Json::parse(json_report(report.evolve)));
   EXPECT_EQ(json["unfold"], Json::parse(json_report(report.unfold)));
   EXPECT_EQ(json["unfold_before"], Json::parse(json_report(report.unfold_before)));
-  EXPECT_TRUE(json["limits"].is_null()) << "the method had none";
+  EXPECT_EQ(json["limits"], Json::array()) << "none was asked for";
   EXPECT_EQ(json["files"], Json({{"pattern", "out/pattern.svg"}}));
   EXPECT_EQ(Json::parse(json_report(report, {}))["files"], Json::object());
 }
 
-TEST(JsonReport, TellsWhetherThePatternKeepsTheLimitOfStrainAndWhereItDoesSoLeast) {
+TEST(JsonReport, TellsOfEveryLimitWhetherThePatternKeepsItAndWhereItDoesSoLeast) {
   FlattenReport report = samples::flatten_report();
-  report.evolve.method = Auto{.max_strain = 0.02};
-  report.unfold.strain.max = 0.05;
-  report.unfold.strain.worst_edge = {3, 4};
-  report.processed.positions[3] = {1.0, 2.0, 3.0};
-  report.processed.positions[4] = {2.0, 2.0, 5.0};
-  EXPECT_EQ(Json::parse(json_report(report, {}))["limits"], Json({{"max_strain", 0.02},
-                                                                  {"met", false},
-                                                                  {"largest_strain", 0.05},
-                                                                  {"edge", {3, 4}},
-                                                                  {"at", {1.5, 2.0, 4.0}}}));
-}
-
-TEST(JsonReport, TellsOfALimitOfTheRmsBesideTheOtherOrAlone) {
-  FlattenReport report = samples::flatten_report();
-  report.unfold.strain.rms = 0.0125;
-  report.evolve.method = Auto{.max_rms_strain = 0.01};
-  const Json rms = {{"max_rms_strain", 0.01}, {"rms_met", false}, {"rms_strain", 0.0125}};
-  EXPECT_EQ(Json::parse(json_report(report, {}))["limits"], rms);
-  report.evolve.method = Auto{.max_strain = 0.5, .max_rms_strain = 0.02};
-  const Json both = Json::parse(json_report(report, {}))["limits"];
-  EXPECT_EQ(both["rms_met"], true);
-  EXPECT_EQ(both["met"], true);
-  EXPECT_EQ(both["max_strain"], 0.5);
-  report.evolve.method = Auto{};
-  EXPECT_TRUE(Json::parse(json_report(report, {}))["limits"].is_null());
+  report.unfold.limits = {{StrainLimitKind::p99, 0.02, 0.05, 0.125, {3, 4}, {1.5, 2.0, 4.0}},
+                          {StrainLimitKind::rms, 0.02, 0.0125, 0.125, {3, 4}, {1.5, 2.0, 4.0}}};
+  report.unfold.unlimited_strain = EdgeStrain{.max = 0.5, .rms = 0.01, .p99 = 0.375};
+  const Json where = {{"edge", {3, 4}}, {"at", {1.5, 2.0, 4.0}}};
+  const Json expected = {{{"kind", "p99"},
+                          {"asked", 0.02},
+                          {"kept", false},
+                          {"reached", 0.05},
+                          {"share_beyond", 0.125},
+                          {"where", where}},
+                         {{"kind", "rms"},
+                          {"asked", 0.02},
+                          {"kept", true},
+                          {"reached", 0.0125},
+                          {"share_beyond", 0.125},
+                          {"where", where}}};
+  const Json json = Json::parse(json_report(report, {}));
+  EXPECT_EQ(json["limits"], expected);
+  EXPECT_EQ(json["unfold"]["limits"], expected);
+  EXPECT_EQ(json["unfold"]["unlimited_strain"],
+            Json({{"max", 0.5}, {"rms", 0.01}, {"p99", 0.375}}));
 }
 
 TEST(JsonReport, OfASweepOnALevelHasTheLevel) {

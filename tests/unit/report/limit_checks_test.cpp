@@ -17,7 +17,8 @@ TEST(LimitChecks, AreNoneWhereNoneWasGiven) {
 
 TEST(LimitChecks, CompareWithWhatCameOut) {
   FlattenReport report = samples::flatten_report();  // strain 0.3187, deviation 0.5678
-  report.evolve.method = Auto{.max_strain = 0.32, .max_deviation = 0.5};
+  report.evolve.method = Auto{.max_deviation = 0.5};
+  report.unfold.limits = {{StrainLimitKind::max, 0.32, 0.3187}};
   report.evolve.stopping.target_e_max = 0.047;  // e_max 0.0641 * 0.73 = 0.0468
   const auto checks = limit_checks(report);
   ASSERT_EQ(checks.size(), 3U);

@@ -71,19 +71,24 @@ TEST(Verdict, TellsFlattenableFromNearlyAndNotYet) {
 TEST(Verdict, MeasuresStrainByTheLimitThatWasGiven) {
   FlattenReport some = report();
   some.unfold.strain = {0.018, 0.006, 0.01};
-  some.evolve.method = Auto{.max_strain = 0.02};
-  EXPECT_THAT(verdict(some),
-              StartsWith("Not without stretch, but within the limit of 2.0 %: the pattern "
-                         "is strained by 0.60 % rms (1.8 % at worst). "));
-  some.unfold.strain.max = 0.03;
-  EXPECT_THAT(verdict(some), StartsWith("Not within the limit of 2.0 %: the pattern is strained by "
-                                        "0.60 % rms (3.0 % at worst). "));
-  some.evolve.method = Auto{.max_strain = 0.02, .max_rms_strain = 0.01};
-  EXPECT_THAT(verdict(some), StartsWith("Not within the limit of 2.0 %: "));
-  some.evolve.method = Auto{.max_strain = 0.04, .max_rms_strain = 0.005};
-  EXPECT_THAT(verdict(some), StartsWith("Not within the limit of 0.50 % (rms): "));
-  some.evolve.method = Auto{.max_rms_strain = 0.01};
-  EXPECT_THAT(verdict(some),
+  const auto with = [&](std::vector<StrainLimitCheck> limits) {
+    some.unfold.limits = std::move(limits);
+    return verdict(some);
+  };
+  const StrainLimitCheck kept{StrainLimitKind::max, 0.02, 0.018},
+      missed{StrainLimitKind::max, 0.02, 0.03};
+  const StrainLimitCheck rms{StrainLimitKind::rms, 0.01, 0.006};
+  EXPECT_THAT(with({kept}), StartsWith("Not without stretch, but within the limit of 2.0 %: the "
+                                       "pattern is strained by 0.60 % rms (1.8 % at worst). "));
+  EXPECT_THAT(
+      with({{StrainLimitKind::p99, 0.02, 0.018}}),
+      StartsWith("Not without stretch, but within the limit of 2.0 % on 99 % of the area: "));
+  EXPECT_THAT(with({missed}), StartsWith("Not within the limit of 2.0 %: the pattern is strained "
+                                         "by 0.60 % rms (1.8 % at worst). "));
+  EXPECT_THAT(with({missed, rms}), StartsWith("Not within the limit of 2.0 %: "));
+  EXPECT_THAT(with({kept, {StrainLimitKind::rms, 0.005, 0.006}}),
+              StartsWith("Not within the limit of 0.50 % (rms): "));
+  EXPECT_THAT(with({rms}),
               StartsWith("Not without stretch, but within the limit of 1.0 % (rms): "));
   some.evolve.after.flattenable = true;
   EXPECT_THAT(verdict(some), StartsWith("Flattenable by its angles, yet"));

@@ -212,6 +212,11 @@ class Flattening {
   bool is_cancelled() const { return cancelled_; }
   const TriMesh& work_mesh(const TriMesh& mesh) const { return remeshed_ ? remeshed_->mesh : mesh; }
 
+  /// The limits say when the work is done, and no target does.
+  bool is_led_by_limits() const {
+    return limits_.any() && std::holds_alternative<Auto>(method_) && stopping_.target_e_max == 0.0;
+  }
+
   UnfoldOptions with_limits() const {
     return {.match_seams = options_.match_seams, .threads = options_.threads, .limits = limits_};
   }
@@ -227,7 +232,7 @@ class Flattening {
   /// Lays the patch flat as it came, if there are limits that auto is after. True if that is the
   /// result, or the work was cancelled.
   bool keep_limits_as_it_is(const TriMesh& mesh) {
-    if (!limits_.any() || !std::holds_alternative<Auto>(method_)) return false;
+    if (!is_led_by_limits()) return false;
     MaybeUnfolded kept = unfolded(mesh, with_limits());
     if (!kept) return true;
     if (!all_kept(kept->limits)) return false;
@@ -261,10 +266,9 @@ class Flattening {
   /// does: halves the way between what keeps them and what does not. False when cancelled.
   bool go_back(const TriMesh& mesh) {
     constexpr int halvings = 6;
-    const auto* method = std::get_if<Auto>(&method_);
-    const bool may_go_back =
-        method != nullptr && limits_.any() && method->border.rule == BorderFreedom::Rule::fixed;
-    if (!may_go_back || !all_kept(report_.unfold.limits)) return true;
+    if (!is_led_by_limits() || !all_kept(report_.unfold.limits)) return true;
+    // Half way between two places on a curved border is beside it.
+    if (std::get<Auto>(method_).border.rule != BorderFreedom::Rule::fixed) return true;
     const TriMesh& work = work_mesh(mesh);
     const std::vector<Vec3> farthest = report_.evolve.result.positions;
     double fails = 0.0, keeps = 1.0;

@@ -59,7 +59,7 @@ LeastStretch with_matched_border(const TriMesh& mesh, const Disk& disk, const Le
   return std::move(matched.result);
 }
 
-void check_limits(const StrainLimits& limits) {
+void require_limits(const StrainLimits& limits) {
   for (const double limit : {limits.max, limits.p99, limits.rms}) {
     if (limit >= 0.0 && std::isfinite(limit)) continue;
     throw Error(ErrorCode::option_out_of_range, "limits of strain must be 0 or more");
@@ -98,7 +98,7 @@ Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity, const Unfo
                                           std::to_string(k_most_vertices) +
                                           " vertices; simplify the mesh");
   }
-  check_limits(options.limits);
+  require_limits(options.limits);
   const Disk disk = make_disk(mesh, connectivity);
   ThreadPool pool(options.threads);
   bool cancelled = false;

@@ -245,12 +245,12 @@ TEST(StrainLimits, GiveTwinsTheSamePattern) {
   const Unfolded one(mesh, {.max = 0.03});
   ASSERT_FALSE(one.pattern.unlimited.empty());
   // Renumbered from the end, turned, and rounded to single precision.
+  const auto rounded = [](double x) { return static_cast<double>(static_cast<float>(x)); };
   TriMesh twin;
   const auto last = static_cast<Index>(mesh.positions.size() - 1);
   for (auto p = mesh.positions.rbegin(); p != mesh.positions.rend(); ++p) {
     const Vec3 turned{0.6 * p->x - 0.8 * p->z, p->y, 0.8 * p->x + 0.6 * p->z};
-    twin.positions.push_back(
-        {static_cast<float>(turned.x), static_cast<float>(turned.y), static_cast<float>(turned.z)});
+    twin.positions.push_back({rounded(turned.x), rounded(turned.y), rounded(turned.z)});
   }
   for (const Triangle& t : mesh.triangles)
     twin.triangles.push_back({last - t[1], last - t[2], last - t[0]});

@@ -83,7 +83,7 @@ class BoundedDescent {
     if (!direction) return false;
     const Steps steps = steps_of_slacks(*direction);
     const Shares most = longest_shares(*direction, steps);
-    const auto trial = search(*direction, most.position);
+    auto trial = search(*direction, most.position);
     if (!trial) return false;
     move_multipliers(steps, most.multipliers, direction->scale);
     now_ = std::move(trial->state);

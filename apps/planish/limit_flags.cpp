@@ -1,7 +1,5 @@
 #include "limit_flags.h"
 
-#include <algorithm>
-#include <optional>
 #include <string>
 
 #include <planish/report/strain_limit_text.h>

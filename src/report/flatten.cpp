@@ -90,6 +90,20 @@ namespace {
 
 using MaybeUnfolded = std::optional<UnfoldReport>;
 
+/// How far unfolding is said to be. The number of steps is not known: each takes the bar a tenth of
+/// the way that is left.
+class UnfoldBar {
+ public:
+  double share() const { return 1.0 - left_; }
+  double after_step() {
+    left_ *= 0.9;
+    return share();
+  }
+
+ private:
+  double left_ = 1.0;
+};
+
 /// Starts a task on a thread of its own; nothing where the system has no thread to give.
 template <class Task>
 std::optional<std::future<MaybeUnfolded>> start(const Task& task) {
@@ -109,16 +123,12 @@ std::optional<std::pair<UnfoldReport, UnfoldReport>> unfold_both(const TriMesh& 
                                                                  bool at_once,
                                                                  const OnProgress& on_progress) {
   std::atomic<bool> cancelled = false;
-  // The number of steps is not known: each takes the bar a tenth of the way that is left.
-  double left = 1.0;
-  const auto tell = [&] {
-    if (on_progress && !on_progress(FlattenStage::unfolding, 1.0 - left)) cancelled = true;
+  UnfoldBar bar;
+  const auto tell = [&](double share) {
+    if (on_progress && !on_progress(FlattenStage::unfolding, share)) cancelled = true;
     return !cancelled;
   };
-  const auto on_step = [&](int /*step*/, double /*energy*/) {
-    left *= 0.9;
-    return tell();
-  };
+  const auto on_step = [&](int, double) { return tell(bar.after_step()); };
   const auto unfold_before = [&] {
     return unfold_patch(before, unit, [&](int, double) { return !cancelled; },
                         {.threads = how.threads});
@@ -133,7 +143,7 @@ std::optional<std::pair<UnfoldReport, UnfoldReport>> unfold_both(const TriMesh& 
   }
   if (aside) {
     while (aside->wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
-      tell();
+      tell(bar.share());
     first = aside->get();
   } else if (second) {
     first = unfold_patch(before, unit, on_step, {.threads = how.threads});
@@ -150,7 +160,7 @@ StrainLimits limits_of(const FlattenOptions& options) {
   return {.max = method->max_strain, .rms = method->max_rms_strain};
 }
 
-/// Auto goes by an estimate of the strain that a limit is for.
+/// The method with the limits as its own. Auto ends when its estimate of the strain keeps them.
 Method aimed_at(const StrainLimits& limits, Method method) {
   auto* options = std::get_if<Auto>(&method);
   if (options == nullptr) return method;
@@ -223,13 +233,13 @@ class Flattening {
 
   /// Nothing when cancelled.
   MaybeUnfolded unfolded(const TriMesh& mesh, const UnfoldOptions& how) {
-    double left = 1.0;  // the number of steps is not known: each takes the bar a tenth further
+    UnfoldBar bar;
     return unfold_patch(
         mesh, options_.unit,
-        [&](int, double) { return tell(FlattenStage::unfolding, 1.0 - (left *= 0.9)); }, how);
+        [&](int, double) { return tell(FlattenStage::unfolding, bar.after_step()); }, how);
   }
 
-  /// Lays the patch flat as it came, if there are limits that auto is after. True if that is the
+  /// Lays the input flat within the limits, if limits lead the work. True if that pattern is the
   /// result, or the work was cancelled.
   bool keep_limits_as_it_is(const TriMesh& mesh) {
     if (!is_led_by_limits()) return false;
@@ -262,8 +272,8 @@ class Flattening {
     return go_back(mesh);
   }
 
-  /// Where the pattern keeps the limits, goes back towards the patch as it came, as far as it still
-  /// does: halves the way between what keeps them and what does not. False when cancelled.
+  /// If the pattern keeps the limits, finds by bisection the smallest share of the move from the
+  /// input with which a pattern still keeps them. False when cancelled.
   bool go_back(const TriMesh& mesh) {
     constexpr int halvings = 6;
     if (!is_led_by_limits() || !all_kept(report_.unfold.limits)) return true;

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 
+#include "solve/sparse_pattern.h"
+
 namespace planish {
 
 StretchSystem::StretchSystem(const Disk& disk) : disk_(disk), unknowns_(disk) {
   make_pattern();
   gradient_.resize(unknowns_.count());
   for (const Triangle& t : disk.triangles)
-    for_pairs(t, [&](int row, int column, int, int) { slots_.push_back(slot(row, column)); });
+    for_pairs(t, [&](int row, int column, int, int) {
+      slots_.push_back(place_of(hessian_, row, column));
+    });
 }
 
 void StretchSystem::assemble(const std::vector<Vec2>& flat, Curvature curvature) {
@@ -39,7 +43,7 @@ void StretchSystem::add(const FlatEdge& edge, Vec2 gradient, const EdgeHessian& 
       const int column = unknowns_.column(ends[j / 2], j % 2);
       if (column == Unknowns::k_fixed || row < column) continue;
       const double value = block[i % 2][j % 2];
-      hessian_.valuePtr()[slot(row, column)] += i / 2 == j / 2 ? value : -value;
+      hessian_.valuePtr()[place_of(hessian_, row, column)] += i / 2 == j / 2 ? value : -value;
     }
   }
 }
@@ -108,13 +112,6 @@ void StretchSystem::for_pairs(const Triangle& tri, Visit visit) const {
       if (column != Unknowns::k_fixed && row >= column) visit(row, column, i, j);
     }
   }
-}
-
-int StretchSystem::slot(int row, int column) const {
-  const int* rows = hessian_.innerIndexPtr();
-  const int* found = std::lower_bound(rows + hessian_.outerIndexPtr()[column],
-                                      rows + hessian_.outerIndexPtr()[column + 1], row);
-  return static_cast<int>(found - rows);
 }
 
 }  // namespace planish

@@ -32,12 +32,12 @@ class StretchSystem {
   void make_pattern();
   template <class Visit>
   void for_pairs(const Triangle& tri, Visit visit) const;
-  int slot(int row, int column) const;
 
   const Disk& disk_;
   Unknowns unknowns_;
   SparseMatrix hessian_;
-  std::vector<int> slots_;  // where entries go among its values, in the order that they are made in
+  // Where entries go among its values, in the order that they are made in.
+  std::vector<std::size_t> slots_;
   Eigen::VectorXd gradient_;
 };
 

@@ -40,7 +40,7 @@ double p99_of(std::span<const FlatEdge> edges, const std::vector<double>& strain
 class LimitedUnfolding {
  public:
   LimitedUnfolding(const TriMesh& mesh, const Disk& disk, int max_iterations, ThreadPool& pool,
-                   const OnFlatStep& on_step, int iterations)
+                   const OnUnfoldStep& on_step, int iterations)
       : disk_(disk),
         edges_(flat_edges(mesh, disk)),
         max_iterations_(max_iterations),
@@ -49,7 +49,6 @@ class LimitedUnfolding {
         iterations_(iterations) {}
 
   const std::vector<FlatEdge>& edges() const { return edges_; }
-  bool is_cancelled() const { return cancelled_; }
   int iterations() const { return iterations_; }
 
   BoundedStretch run(std::span<const double> bounds, std::vector<Vec2> start, BoundedAims aims) {
@@ -111,7 +110,7 @@ class LimitedUnfolding {
   std::vector<FlatEdge> edges_;
   int max_iterations_;
   ThreadPool& pool_;
-  const OnFlatStep& on_step_;
+  const OnUnfoldStep& on_step_;
   int iterations_;
   bool cancelled_ = false;
 };
@@ -120,7 +119,7 @@ class LimitedUnfolding {
 
 LeastStretch within_limits(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
                            const StrainLimits& limits, int max_iterations, ThreadPool& pool,
-                           const OnFlatStep& on_step) {
+                           const OnUnfoldStep& on_step) {
   LimitedUnfolding unfolding(mesh, disk, max_iterations, pool, on_step, least.iterations);
   const bool bounds_all = limits.max > 0.0;
   const double limit = bounds_all ? limits.max : limits.p99;
@@ -138,7 +137,7 @@ LeastStretch within_limits(const TriMesh& mesh, const Disk& disk, const LeastStr
 }
 
 double smallest_limit_of(const TriMesh& mesh, const Disk& disk, std::vector<Vec2> least,
-                         int max_iterations, ThreadPool& pool, const OnFlatStep& on_step) {
+                         int max_iterations, ThreadPool& pool, const OnUnfoldStep& on_step) {
   constexpr double weight = 300.0;
   LimitedUnfolding unfolding(mesh, disk, max_iterations, pool, on_step, 0);
   const double largest_now = largest(strains_of(unfolding.edges(), least));

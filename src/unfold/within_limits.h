@@ -1,9 +1,6 @@
 #pragma once
 
-#include <functional>
-#include <span>
-
-#include <planish/unfold/strain_limits.h>
+#include <planish/unfold/unfold.h>
 
 #include "core/thread_pool.h"
 #include "unfold/disk.h"
@@ -11,17 +8,15 @@
 
 namespace planish {
 
-using OnFlatStep = std::function<bool(int step, double energy)>;
-
 /// The flat disk of least stretch among those that keep limits.max, or limits.p99; where there is
 /// none, one that comes near to it.
 /// @param least of least stretch; it is returned as it is where it keeps the limit
 LeastStretch within_limits(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
                            const StrainLimits& limits, int max_iterations, ThreadPool& pool,
-                           const OnFlatStep& on_step);
+                           const OnUnfoldStep& on_step);
 
 /// The smallest limit of all |strain| that is found to be kept.
 double smallest_limit_of(const TriMesh& mesh, const Disk& disk, std::vector<Vec2> least,
-                         int max_iterations, ThreadPool& pool, const OnFlatStep& on_step);
+                         int max_iterations, ThreadPool& pool, const OnUnfoldStep& on_step);
 
 }  // namespace planish

@@ -57,6 +57,25 @@ class Garment : public CliTest {
   }
 };
 
+TEST_F(Garment, TellsOfEachPatchWhetherItsPatternKeepsTheLimit) {
+  write_product("two.obj", {sample("round", "dome", 120), sample("tube", "cylinder", 120)});
+  const Names args = {"flatten",         "two.obj", "-o",           "out",
+                      "--formats",       "svg",     "--max-strain", "1%",
+                      "--max-deviation", "0.01mm"};
+  const CliResult result = planish(args);
+  EXPECT_EQ(result.exit_code, k_exit_target_missed);
+  EXPECT_THAT(result.err, testing::ContainsRegex("round .* \u2717 limit"));
+  EXPECT_THAT(result.err, testing::ContainsRegex("tube .* \u2713 limit"));
+  EXPECT_THAT(result.err, HasSubstr("not kept by the pattern of:\n  round\n"));
+  EXPECT_TRUE(std::filesystem::exists("out/round/pattern.svg"));
+  Names again = args;
+  again.push_back("--resume");
+  EXPECT_EQ(planish(again).exit_code, k_exit_target_missed) << "of results that were there too";
+  Names looser = args;
+  looser[7] = "90%";
+  EXPECT_EQ(planish(looser).exit_code, k_exit_done);
+}
+
 TEST_F(Garment, GivesEveryPatchAFolderInsideTheOne) {
   const CliResult result = flatten_product("coat.obj", "out");
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;

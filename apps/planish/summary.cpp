@@ -42,7 +42,7 @@ std::vector<Row> figure_rows(const Flattenability& before, const Flattenability&
 
 std::vector<Row> strain_rows(const EdgeStrain& before, const EdgeStrain& after) {
   return {{"strain, rms", "%", 100.0 * before.rms, 100.0 * after.rms},
-          {"strain, 99 % of the area", "%", 100.0 * before.p99, 100.0 * after.p99},
+          {"strain, 99 % of area", "%", 100.0 * before.p99, 100.0 * after.p99},
           {"strain, largest", "%", 100.0 * before.max, 100.0 * after.max}};
 }
 

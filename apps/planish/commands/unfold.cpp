@@ -109,9 +109,10 @@ Command unfold_command() {
       "unfold",
       "lay a patch flat as it is",
       "INPUT -o OUTPUT",
-      "Lays a patch flat with the least stretch and no flipped triangle. With a limit, of the "
-      "patterns that keep it the one of least stretch; where there is none, what comes nearest, "
-      "with exit code 3. The patch must be a topological disk: one piece, one border, no handle. "
+      "Lays a patch flat with the least stretch and no flipped triangle. With a limit of "
+      "strain, finds the pattern of least stretch that keeps it; if none does, writes the closest "
+      "one and ends with exit code 3. The patch must be a topological disk: one piece, one border, "
+      "no handle. "
       "--cut opens one that is none.",
       {"INPUT"},
       {{"Output", std::move(flags)}, {"Limits of the pattern", limit_flags()}, furniture_flags()},

@@ -14,9 +14,10 @@ struct UnfoldOptions {
   /// what stretch there is lies inside.
   bool match_seams = false;
   unsigned threads = 0;  ///< 0 for all cores; the result is the same for every number
-  /// What the pattern is to keep: of the patterns that keep limits.max, or limits.p99, the one of
-  /// least stretch; where there is none, the nearest to it. limits.rms is not aimed at, as least
-  /// stretch has nearly the least rms. With match_seams, limits are not aimed at.
+  /// The result is the pattern of least stretch that keeps limits.max or limits.p99; if none does,
+  /// one whose largest strain is nearly the smallest. limits.rms is not optimised, as least stretch
+  /// has nearly the least rms. With match_seams no limit is optimised. check_limits() tells what
+  /// is kept.
   StrainLimits limits = {};
 };
 

@@ -194,7 +194,7 @@ TEST(FiguresTable, HasTheFiguresOfTheReportToTheLastDigit) {
   EXPECT_THAT(row("Energy"), ElementsAre(before.energy, after.energy));
   EXPECT_THAT(row("Curvature left"), ElementsAre(before.sum_abs_defect, after.sum_abs_defect));
   EXPECT_THAT(row("Strain, rms"), ElementsAre(0.0763, 0.0761));
-  EXPECT_THAT(row("Strain, 99 of 100 edges"), ElementsAre(0.2213, 0.2143));
+  EXPECT_THAT(row("Strain, 99 % of the area"), ElementsAre(0.2213, 0.2143));
   EXPECT_THAT(row("Strain, worst edge"), ElementsAre(0.3241, 0.3187));
   EXPECT_THAT(row("Smallest angle"),
               ElementsAre(degrees * before.min_angle, degrees * after.min_angle));

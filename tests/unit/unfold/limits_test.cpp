@@ -103,7 +103,7 @@ TEST(StrainLimits, ThatNoPatternKeepsEndNearTheSmallestThatOneDoes) {
   EXPECT_FALSE(all_kept(checks));
   EXPECT_EQ(checks[0].edge, near.strain.worst_edge);
   EXPECT_GT(checks[0].share_beyond, 0.0);
-  // The limit that is told can be kept.
+  // A pattern keeps the limit that smallest_limit() returns.
   EXPECT_LE(Unfolded(panel(), {.max = 1.01 * smallest}).strain.max, 1.01 * smallest);
 }
 

@@ -248,7 +248,7 @@ function expectedRows() {
     'Smallest angle': both((m) => m.min_angle * degrees),
     Roughness: both((m) => m.roughness),
     'Strain, rms': [first.strain.rms, unfold.strain.rms],
-    'Strain, 99 of 100 edges': [first.strain.p99, unfold.strain.p99],
+    'Strain, 99 % of the area': [first.strain.p99, unfold.strain.p99],
     'Strain, worst edge': [first.strain.max, unfold.strain.max],
     'Pattern size': [first.width, first.height, unfold.width, unfold.height],
     'Area ratio': [first.area_ratio, unfold.area_ratio],

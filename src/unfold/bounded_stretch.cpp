@@ -26,6 +26,8 @@ struct Pair {
 struct Bound {
   double slack = 1.0, multiplier = 0.0;
 
+  double stiffness() const { return multiplier / slack; }
+
   /// Of the multiplier, by a Newton step on slack * multiplier = mu.
   double multiplier_step(double mu, double slack_step) const {
     return (mu - multiplier * slack_step) / slack - multiplier;
@@ -82,13 +84,12 @@ class BoundedDescent {
     const auto direction = solve();
     if (!direction) return false;
     const Steps steps = steps_of_slacks(*direction);
-    const Shares most = longest_shares(*direction, steps);
-    auto trial = search(*direction, most.position);
+    auto trial = search(*direction, steps, longest_share(*direction, steps));
     if (!trial) return false;
-    move_multipliers(steps, most.multipliers, direction->scale);
+    move_multipliers(steps, direction->scale);
     now_ = std::move(trial->state);
     take_slacks();
-    lower_barrier(std::min(trial->share, most.multipliers));
+    lower_barrier(trial->share);
     return true;
   }
 
@@ -116,9 +117,6 @@ class BoundedDescent {
     double scale = 0.0, slope = 0.0;
   };
   using Steps = std::vector<Pair>;
-  struct Shares {
-    double position = 1.0, multipliers = 1.0;
-  };
   struct Trial {
     State state;
     double share = 1.0;
@@ -198,8 +196,7 @@ class BoundedDescent {
       if (!is_bounded(e)) continue;
       const Bound &longer = longer_[e], &shorter = shorter_[e];
       const double b = bounds_[e], rest = edges_[e].length;
-      const double stiff_longer = longer.multiplier / longer.slack;
-      const double stiff_shorter = shorter.multiplier / shorter.slack;
+      const double stiff_longer = longer.stiffness(), stiff_shorter = shorter.stiffness();
       const LaidEdge edge = laid(edges_[e], now_.flat);
       gradient.add(-mu_ * b * (1.0 / longer.slack + 1.0 / shorter.slack));
       curvature.add(b * b * (stiff_longer + stiff_shorter));
@@ -226,13 +223,20 @@ class BoundedDescent {
     right.col(0) = -system_.gradient();
     right.col(1) = mixed_;
     const Eigen::MatrixXd found = factor_->solve(right, pool_);
-    const double curvature = scale_curvature_ - mixed_.dot(found.col(1));
-    if (!(curvature > 0.0)) return std::nullopt;
-    Direction direction;
-    direction.scale = (-scale_gradient_ - mixed_.dot(found.col(0))) / curvature;
-    const Eigen::VectorXd step = found.col(0) - direction.scale * found.col(1);
-    direction.slope = system_.gradient().dot(step) + scale_gradient_ * direction.scale;
+    by_scale_ = found.col(1);
+    scale_pivot_ = scale_curvature_ - mixed_.dot(by_scale_);
+    if (!(scale_pivot_ > 0.0)) return std::nullopt;
+    Direction direction = with_scale(found.col(0), -scale_gradient_);
     if (!(direction.slope < 0.0)) return std::nullopt;
+    return direction;
+  }
+
+  /// @param without what H solves for the right-hand side of the positions
+  Direction with_scale(const Eigen::VectorXd& without, double scale_right) const {
+    Direction direction;
+    direction.scale = (scale_right - mixed_.dot(without)) / scale_pivot_;
+    const Eigen::VectorXd step = without - direction.scale * by_scale_;
+    direction.slope = system_.gradient().dot(step) + scale_gradient_ * direction.scale;
     direction.move = system_.spread(step);
     return direction;
   }
@@ -250,44 +254,69 @@ class BoundedDescent {
     return steps;
   }
 
-  /// The steps up to 95 % of the way to the next bound, and for positions also to the first flip.
-  Shares longest_shares(const Direction& direction, const Steps& steps) const {
-    const auto shorten = [](double& share, double from, double step) {
-      if (step < 0.0) share = std::min(share, -0.95 * from / step);
+  /// The step up to 95 % of the way to the next bound, or 90 % of that to the first flip.
+  double longest_share(const Direction& direction, const Steps& steps) const {
+    double most = std::min(1.0, 0.9 * step_to_first_flip(disk_, now_.flat, direction.move));
+    const auto look = [&](double slack, double step) {
+      if (step < 0.0) most = std::min(most, -0.95 * slack / step);
     };
-    Shares most;
-    most.position = std::min(1.0, 0.9 * step_to_first_flip(disk_, now_.flat, direction.move));
-    const auto look = [&](const Bound& bound, double slack_step) {
-      shorten(most.position, bound.slack, slack_step);
-      shorten(most.multipliers, bound.multiplier, bound.multiplier_step(mu_, slack_step));
-    };
-    look(scale_bound_, direction.scale);
+    look(scale_bound_.slack, direction.scale);
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (!is_bounded(e)) continue;
-      look(longer_[e], steps[e].longer);
-      look(shorter_[e], steps[e].shorter);
+      look(longer_[e].slack, steps[e].longer);
+      look(shorter_[e].slack, steps[e].shorter);
     }
     return most;
   }
 
-  std::optional<Trial> search(const Direction& direction, double share) const {
+  State at(std::vector<Vec2> flat, double scale) const {
+    State state;
+    state.flat = std::move(flat);
+    state.scale = scale;
+    state.energy = total_energy(disk_, state.flat);
+    state.slacks = slacks(state.flat, state.scale);
+    return state;
+  }
+
+  /// A trial with a second-order correction: the slacks are brought to where the step saw them,
+  /// with the factor of the step. (Edges that turn are longer than the first derivatives say.)
+  State corrected(const State& trial, const Steps& steps, double share) const {
+    Eigen::VectorXd pull = Eigen::VectorXd::Zero(mixed_.size());
+    CarefulSum scale_pull;
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (!is_bounded(e)) continue;
+      const double beyond = longer_[e].slack + share * steps[e].longer - trial.slacks[e].longer;
+      const double stiff_longer = longer_[e].stiffness(), stiff_shorter = shorter_[e].stiffness();
+      const double stiff = (stiff_longer + stiff_shorter) / edges_[e].length;
+      system_.add_to(pull, edges_[e], -beyond * stiff * laid(edges_[e], now_.flat).along);
+      scale_pull.add(bounds_[e] * beyond * (stiff_longer - stiff_shorter));
+    }
+    const Direction more = with_scale(factor_->solve(pull, pool_), scale_pull.value());
+    const double room = std::min(1.0, 0.9 * step_to_first_flip(disk_, trial.flat, more.move));
+    return at(moved(trial.flat, room, more.move), trial.scale + room * more.scale);
+  }
+
+  std::optional<Trial> search(const Direction& direction, const Steps& steps, double share) const {
+    constexpr int most_corrected = 3;
+    const double rounding = 1e-12 * std::abs(merit_);
     for (int halvings = 0; halvings < 30; ++halvings, share *= 0.5) {
-      State state;
-      state.flat = moved(now_.flat, share, direction.move);
-      state.scale = now_.scale + share * direction.scale;
-      state.energy = total_energy(disk_, state.flat);
-      state.slacks = slacks(state.flat, state.scale);
-      const double rounding = 1e-12 * std::abs(merit_);
-      if (merit(state) <= merit_ + 1e-4 * share * direction.slope + rounding) {
-        return Trial{std::move(state), share};
-      }
+      const auto is_better = [&](const State& state) {
+        return merit(state) <= merit_ + 1e-4 * share * direction.slope + rounding;
+      };
+      State plain =
+          at(moved(now_.flat, share, direction.move), now_.scale + share * direction.scale);
+      if (is_better(plain)) return Trial{std::move(plain), share};
+      if (halvings >= most_corrected) continue;
+      State better = corrected(plain, steps, share);
+      if (is_better(better)) return Trial{std::move(better), share};
     }
     return std::nullopt;
   }
 
-  void move_multipliers(const Steps& steps, double share, double scale_step) {
+  /// By their whole step: lower_barrier() keeps them above 0.
+  void move_multipliers(const Steps& steps, double scale_step) {
     const auto move = [&](Bound& bound, double slack_step) {
-      bound.multiplier += share * bound.multiplier_step(mu_, slack_step);
+      bound.multiplier += bound.multiplier_step(mu_, slack_step);
     };
     move(scale_bound_, scale_step);
     for (std::size_t e = 0; e < edges_.size(); ++e) {
@@ -300,7 +329,7 @@ class BoundedDescent {
   /// The further the last step went, the more. Multipliers stay near those of the barrier, so that
   /// the matrix stays near that of the merit.
   void lower_barrier(double share) {
-    constexpr double apart = 20.0;
+    constexpr double apart = 100.0;
     CarefulSum gap;
     double count = 0.0;
     for_each_bound([&](Bound& bound) {
@@ -329,6 +358,9 @@ class BoundedDescent {
   // Derivatives of the merit by the scale: first, second, and mixed with the positions.
   double scale_gradient_ = 0.0, scale_curvature_ = 0.0;
   Eigen::VectorXd mixed_;
+  // Of the scale: what a unit of it moves (with a minus sign), and its pivot.
+  Eigen::VectorXd by_scale_;
+  double scale_pivot_ = 0.0;
 };
 
 }  // namespace

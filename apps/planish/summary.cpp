@@ -188,6 +188,19 @@ std::string unlimited_lines(const UnfoldReport& report) {
          ", largest " + percent(report.unlimited_strain->max) + "\n";
 }
 
+std::string as_designed_lines(const StrainAsDesigned& strain) {
+  const EdgeStrain& least = strain.least_stretch;
+  std::string text = "\n  " + left("pattern as it is", 24) + "strain rms " + percent(least.rms) +
+                     ", 99 % of the area within " + percent(least.p99) + ", largest " +
+                     percent(least.max) + "\n";
+  if (strain.smallest_limit) {
+    text += "  " + left("", 24) + "could be cut from a sheet that takes " +
+            percent(*strain.smallest_limit) + " at every edge\n";
+  }
+  const std::string limits = strain_limits_text(strain.limits);
+  return text + (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");
+}
+
 }  // namespace
 
 std::string size_text(const TriMesh& mesh) {
@@ -195,7 +208,8 @@ std::string size_text(const TriMesh& mesh) {
          std::to_string(mesh.triangles.size()) + " triangles";
 }
 
-std::string measure_text(const std::string& path, const MeasuredPatch& patch) {
+std::string measure_text(const std::string& path, const MeasuredPatch& patch,
+                         const std::optional<StrainAsDesigned>& strain) {
   std::string text = sizes_text(path, patch.inspection.topology) + "\n";
   for (const Row& row : figure_rows(patch.figures, patch.figures)) {
     std::string line = "  " + left(row.name, 24) + right(digits(row.before), 11) + " " +
@@ -205,6 +219,7 @@ std::string measure_text(const std::string& path, const MeasuredPatch& patch) {
   text += "\n  " + left("flattenable", 24) + right(patch.flattenable ? "yes" : "no", 11) + "\n" +
           fitness_line("can be evolved", patch.inspection, Purpose::evolve) +
           fitness_line("can be laid flat", patch.inspection, Purpose::unfold);
+  if (strain) text += as_designed_lines(*strain);
   return text + obstruction_text(patch.obstruction) + problems_text(patch.inspection);
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <planish/evolve/direction.h>
 #include <planish/report/compare.h>
 #include <planish/report/flatten.h>
+#include <planish/report/strain_as_designed.h>
 
 #include "command.h"
 #include "session.h"
@@ -15,7 +17,8 @@ namespace planish::cli {
 std::string size_text(const TriMesh& mesh);
 
 /// The results of the verbs as people read them, at most 80 columns wide.
-std::string measure_text(const std::string& path, const MeasuredPatch& patch);
+std::string measure_text(const std::string& path, const MeasuredPatch& patch,
+                         const std::optional<StrainAsDesigned>& strain);
 /// Of a mesh that cannot be measured: sizes and what is wrong.
 std::string refused_text(const std::string& path, const Inspection& inspection);
 std::string evolve_text(const EvolveReport& report);

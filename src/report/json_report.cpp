@@ -140,6 +140,12 @@ Json to_json(const std::optional<EdgeStrain>& strain) {
   return strain ? to_json(*strain) : Json(nullptr);
 }
 
+Json to_json(const StrainAsDesigned& strain) {
+  Json json = to_json(strain.least_stretch);
+  json["smallest_limit"] = strain.smallest_limit ? Json(*strain.smallest_limit) : Json(nullptr);
+  return json;
+}
+
 Json to_json(const std::vector<StrainLimitCheck>& checks) {
   Json list = Json::array();
   for (const StrainLimitCheck& check : checks) {
@@ -214,8 +220,11 @@ Json limit_of(const FrontierReport& report) {
 
 }  // namespace
 
-std::string json_report(const MeasuredPatch& patch) {
-  return text_of(to_json(patch));
+std::string json_report(const MeasuredPatch& patch, const std::optional<StrainAsDesigned>& strain) {
+  Json json = to_json(patch);
+  json["strain"] = strain ? to_json(*strain) : Json(nullptr);
+  json["limits"] = to_json(strain ? strain->limits : std::vector<StrainLimitCheck>{});
+  return text_of(json);
 }
 
 std::string json_report(const EvolveReport& report) {

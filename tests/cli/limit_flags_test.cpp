@@ -205,5 +205,29 @@ TEST_F(LimitFlags, ProgressOnLevelsTellsTheLevelAndItsStrain) {
   EXPECT_THAT(result.err, HasSubstr(" vertices  strain "));
 }
 
+TEST_F(LimitFlags, OfMeasureTellWhetherSomePatternKeepsThem) {
+  const auto strain = planish({"measure", "panel.obj", "--json"}).json()["strain"];
+  const double smallest = strain["smallest_limit"];
+  EXPECT_LT(smallest, strain["max"]);
+  const CliResult kept =
+      planish({"measure", "panel.obj", "--max-strain", std::to_string(1.05 * smallest)});
+  EXPECT_EQ(kept.exit_code, k_exit_done) << kept.err;
+  EXPECT_THAT(kept.out, HasSubstr("could be cut from a sheet that takes"));
+  EXPECT_THAT(in_one_line(kept.out), HasSubstr("every edge is kept"));
+  const CliResult beyond =
+      planish({"measure", "panel.obj", "--max-strain", std::to_string(0.9 * smallest)});
+  EXPECT_EQ(beyond.exit_code, k_exit_target_missed);
+  EXPECT_THAT(beyond.err, HasSubstr("is not kept"));
+}
+
+TEST_F(LimitFlags, OfMeasureNeedAPatchThatCanBeLaidFlat) {
+  write_mesh("closed.stl", TriMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                   {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
+  EXPECT_EQ(planish({"measure", "closed.stl", "--json"}).json()["strain"], nullptr);
+  const CliResult refused = planish({"measure", "closed.stl", "--max-strain", "5%"});
+  EXPECT_EQ(refused.exit_code, k_exit_failed);
+  EXPECT_THAT(refused.err, HasSubstr("closed.stl"));
+}
+
 }  // namespace
 }  // namespace planish::cli

@@ -1,13 +1,16 @@
+#include <optional>
 #include <utility>
 
 #include <planish/platform/path.h>
 #include <planish/report/direction_map.h>
 #include <planish/report/json_report.h>
+#include <planish/report/strain_as_designed.h>
 
 #include "commands/commands.h"
 #include "failures.h"
 #include "file_name.h"
 #include "json_text.h"
+#include "limit_flags.h"
 #include "session.h"
 #include "summary.h"
 
@@ -50,9 +53,33 @@ Outcome with_directions(Outcome outcome, const TriMesh& mesh, std::vector<Output
   return outcome;
 }
 
+/// Of the patch laid flat as it is; nothing where that is not possible and no limit was asked for.
+/// @throws Error what stands in the way, where a limit was asked for
+std::optional<StrainAsDesigned> strain_of(const TriMesh& mesh, const MeasuredPatch& patch,
+                                          const StrainLimits& limits, Session& session) {
+  if (!limits.any() && blocking_problem(patch.inspection, Purpose::unfold)) return std::nullopt;
+  const auto on_step = [&](int step, double) {
+    // How many steps it will take is not known: the bar comes nearer to its end with every one.
+    session.show_progress("laying flat", 1.0 - 1.0 / (1.0 + 0.05 * step),
+                          "step " + std::to_string(step));
+    return !session.interrupted();
+  };
+  try {
+    auto strain = strain_as_designed(mesh, limits, session.threads(), on_step);
+    if (!strain) throw Interrupted();
+    return strain;
+  } catch (const Error& error) {
+    const bool is_no_fault =
+        error.code() == ErrorCode::unfold_failed || error.code() == ErrorCode::too_large;
+    if (limits.any() || !is_no_fault) throw;
+    return std::nullopt;
+  }
+}
+
 Outcome run_measure(const Arguments& arguments, Session& session) {
   const std::vector<OutputFile> files = places_from(arguments);
   const std::string& path = arguments.operands.front();
+  const StrainLimits limits = limits_from(arguments);
   const TriMesh mesh = session.read(path).mesh;
   MeasuredPatch patch;
   try {
@@ -60,29 +87,36 @@ Outcome run_measure(const Arguments& arguments, Session& session) {
   } catch (const Error& error) {
     return refused(path, mesh, error);
   }
-  Outcome outcome = {measure_text(path, patch), json_report(patch)};
-  if (files.empty()) return outcome;
-  return with_directions(std::move(outcome), mesh, files, arguments, session);
+  const auto strain = about(path, [&] { return strain_of(mesh, patch, limits, session); });
+  Outcome outcome = {measure_text(path, patch, strain), json_report(patch, strain)};
+  if (!files.empty())
+    outcome = with_directions(std::move(outcome), mesh, files, arguments, session);
+  return strain ? with_limits_checked(std::move(outcome), strain->limits) : outcome;
 }
 
 }  // namespace
 
 Command measure_command() {
-  return {"measure",
-          "tell how far a patch is from flattenable",
-          "INPUT",
-          "Prints sizes, topology and the figures of the angle defects of a triangle mesh (.obj, "
-          ".ply, .stl or .off), and every problem that stands in the way of evolving it or laying "
-          "it flat. With --map or --picture also tells of each vertex whether it is flat, on a "
-          "dome or cup or on a saddle, and whether its Laplacian direction lowers the energy of "
-          "its ring; else nothing is written.",
-          {"INPUT"},
-          {{"Output",
-            {{"--map", "FILE", "classes and directions of all vertices, as comma-separated values"},
-             {"--picture", "FILE", "the same as pictures side by side: .svg"}}}},
-          {"planish measure panel.obj", "planish measure panel.obj --json",
-           "planish measure panel.obj --map panel.csv --picture panel.svg"},
-          run_measure};
+  return {
+      "measure",
+      "tell how far a patch is from flattenable",
+      "INPUT",
+      "Prints sizes, topology and the figures of the angle defects of a triangle mesh (.obj, "
+      ".ply, .stl or .off), and every problem that stands in the way of evolving it or laying "
+      "it flat. With --map or --picture also tells of each vertex whether it is flat, on a "
+      "dome or cup or on a saddle, and whether its Laplacian direction lowers the energy of "
+      "its ring; else nothing is written. Also lays the patch flat as it is, tells the strain of "
+      "that pattern, and how much a sheet must take for the patch to be cut from it as it is. "
+      "Ends with exit code 3 if no pattern keeps a limit that was asked for.",
+      {"INPUT"},
+      {{"Output",
+        {{"--map", "FILE", "classes and directions of all vertices, as comma-separated values"},
+         {"--picture", "FILE", "the same as pictures side by side: .svg"}}},
+       {"Limits of the pattern", limit_flags()}},
+      {"planish measure panel.obj", "planish measure panel.obj --json",
+       "planish measure panel.obj --material neoprene",
+       "planish measure panel.obj --map panel.csv --picture panel.svg"},
+      run_measure};
 }
 
 }  // namespace planish::cli

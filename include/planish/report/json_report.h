@@ -1,19 +1,23 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include <planish/core/error.h>
 #include <planish/report/compare.h>
 #include <planish/report/flatten.h>
 #include <planish/report/frontier.h>
+#include <planish/report/strain_as_designed.h>
 
 namespace planish {
 
 /// Reports as JSON text, keys as the command line documents them (docs/command-line.md): one
 /// object, UTF-8, numbers in the shortest digits that read back to the same doubles, numbers that
 /// are not finite as null.
-std::string json_report(const MeasuredPatch& patch);
+/// With "strain" and "limits"; without a strain, as of what cannot be laid flat, null and empty.
+std::string json_report(const MeasuredPatch& patch,
+                        const std::optional<StrainAsDesigned>& strain = {});
 std::string json_report(const EvolveReport& report);
 std::string json_report(const UnfoldReport& report);
 /// @param files role -> path of what was written

@@ -29,10 +29,13 @@ TEST(JsonReport, OfAMeasuredPatchHasTheKeysOfTheContract) {
   patch.flattenable = true;
   patch.inspection.problems = {{ErrorCode::zero_area, "triangle 7 has no area", 3, 7}};
   const Json json = Json::parse(json_report(patch));
-  EXPECT_THAT(keys_of(json),
-              ElementsAre("vertices", "triangles", "inner_vertices", "components", "boundary_loops",
-                          "euler_characteristic", "e_max", "e_avg", "energy", "sum_abs_defect",
-                          "min_angle", "roughness", "flattenable", "obstruction", "problems"));
+  EXPECT_THAT(
+      keys_of(json),
+      ElementsAre("vertices", "triangles", "inner_vertices", "components", "boundary_loops",
+                  "euler_characteristic", "e_max", "e_avg", "energy", "sum_abs_defect", "min_angle",
+                  "roughness", "flattenable", "obstruction", "problems", "strain", "limits"));
+  EXPECT_EQ(json["strain"], Json(nullptr));
+  EXPECT_EQ(json["limits"], Json::array());
   EXPECT_EQ(json["vertices"], 651);
   EXPECT_EQ(json["triangles"], 1200);
   EXPECT_EQ(json["inner_vertices"], 549);
@@ -51,6 +54,18 @@ TEST(JsonReport, OfAMeasuredPatchHasTheKeysOfTheContract) {
                                        {"message", "triangle 7 has no area"},
                                        {"count", 3},
                                        {"first", 7}}));
+}
+
+TEST(JsonReport, OfAMeasuredPatchHasItsStrainAsDesigned) {
+  StrainAsDesigned strain = {{0.4, 0.03, 0.1}, 0.07, {{StrainLimitKind::p99, 0.05, 0.06}}};
+  Json json = Json::parse(json_report(samples::measured(1.0), strain));
+  EXPECT_EQ(json["strain"],
+            Json({{"max", 0.4}, {"rms", 0.03}, {"p99", 0.1}, {"smallest_limit", 0.07}}));
+  EXPECT_EQ(json["limits"][0]["kind"], "p99");
+  EXPECT_EQ(json["limits"][0]["kept"], false);
+  strain.smallest_limit.reset();
+  json = Json::parse(json_report(samples::measured(1.0), strain));
+  EXPECT_EQ(json["strain"]["smallest_limit"], Json(nullptr));
 }
 
 TEST(JsonReport, HasWhatTheBorderForbidsOrNull) {

@@ -1,0 +1,56 @@
+#include <cmath>
+
+#include <planish/measure/bending.h>
+
+#include "core/careful_sum.h"
+#include "measure/bends.h"
+
+namespace planish {
+
+namespace {
+
+double area_of(const TriMesh& mesh, double scale) {
+  CarefulSum doubled;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 a = scale * mesh.positions[t[0]];
+    doubled.add(norm(cross(scale * mesh.positions[t[1]] - a, scale * mesh.positions[t[2]] - a)));
+  }
+  return 0.5 * doubled.value();
+}
+
+}  // namespace
+
+std::vector<Hinge> hinges_of(const Connectivity& connectivity) {
+  std::vector<Hinge> hinges;
+  // About three edges a vertex.
+  hinges.reserve(3 * connectivity.vertex_count());
+  for_each_hinge(connectivity, [&](const Hinge& hinge) { hinges.push_back(hinge); });
+  return hinges;
+}
+
+double Bend::curvature() const {
+  return area > 0.0 ? angle * length / area : 0.0;
+}
+
+double Bend::bending() const {
+  return curvature() * angle * length;
+}
+
+Bend bend_of(const Hinge& hinge, std::span<const Vec3> positions) {
+  return bend_at(positions[hinge.from], positions[hinge.to], positions[hinge.left],
+                 positions[hinge.right]);
+}
+
+Bending measure_bending(const TriMesh& mesh, const Connectivity& connectivity) {
+  const double scale = unit_scale(mesh);
+  CarefulSum bending, turning;
+  for_each_bend(mesh.positions, connectivity, scale, [&](const Hinge&, const Bend& bend) {
+    bending.add(bend.bending());
+    turning.add(std::abs(bend.angle) * bend.length);
+  });
+  const double area = area_of(mesh, scale);
+  if (!(area > 0.0)) return {};
+  return {bending.value(), 0.5 * turning.value() / std::sqrt(area)};
+}
+
+}  // namespace planish

@@ -1,0 +1,161 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <planish/measure/bending.h>
+
+#include <gtest/gtest.h>
+
+#include "support/bent_sheets.h"
+#include "support/meshes.h"
+#include "support/solids.h"
+
+namespace planish {
+namespace {
+
+Bending measured(const TriMesh& mesh) {
+  return measure_bending(mesh, Connectivity(mesh));
+}
+
+double area_of(const TriMesh& mesh) {
+  double area = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 a = mesh.positions[t[0]];
+    area += 0.5 * norm(cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
+  }
+  return area;
+}
+
+/// Two triangles over the edge from (0, 0, 0) to (2, 0, 0), the right one raised by an angle.
+TriMesh hinge(double angle) {
+  TriMesh mesh;
+  mesh.positions = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -std::cos(angle), std::sin(angle)}};
+  mesh.triangles = {{0, 1, 2}, {1, 0, 3}};
+  return mesh;
+}
+
+TEST(Bends, HaveTheSignOfValleyAndRidge) {
+  for (const double angle : {-3.0, -1.0, -1e-9, 0.0, 1e-9, 0.5, 2.0, 3.1}) {
+    const TriMesh mesh = hinge(angle);
+    const std::vector<Hinge> hinges = hinges_of(Connectivity(mesh));
+    ASSERT_EQ(hinges.size(), 1U);
+    const Bend bend = bend_of(hinges.front(), mesh.positions);
+    EXPECT_NEAR(bend.angle, angle, 1e-15 + 1e-15 * std::abs(angle));
+    EXPECT_DOUBLE_EQ(bend.length, 2.0);
+    EXPECT_NEAR(bend.area, 2.0 / 3.0, 1e-15);
+    // 3 t^2 l^2 / (A1 + A2)
+    EXPECT_NEAR(bend.bending(), 6.0 * angle * angle, 1e-13);
+    EXPECT_NEAR(measured(mesh).bending, 6.0 * angle * angle, 1e-13);
+    EXPECT_NEAR(measured(mesh).mean_curvature, std::abs(angle) / std::sqrt(2.0), 1e-14);
+  }
+}
+
+TEST(Bends, AreOfEachInnerEdgeOnce) {
+  for (const TriMesh& mesh :
+       {meshes::rough_grid(7, 5, 1), meshes::tube(7, 4), meshes::torus(9, 8), meshes::fan(5)}) {
+    const Connectivity connectivity(mesh);
+    std::size_t border = 0;
+    for (const auto& loop : connectivity.border_loops())
+      border += loop.size();
+    const std::vector<Hinge> hinges = hinges_of(connectivity);
+    EXPECT_EQ(2 * hinges.size(), 3 * mesh.triangles.size() - border);
+    for (const Hinge& hinge : hinges) {
+      const auto has = [&](Index a, Index b, Index c) {
+        return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+          return t == Triangle{a, b, c} || t == Triangle{b, c, a} || t == Triangle{c, a, b};
+        });
+      };
+      EXPECT_LT(hinge.from, hinge.to);
+      EXPECT_TRUE(has(hinge.from, hinge.to, hinge.left));
+      EXPECT_TRUE(has(hinge.to, hinge.from, hinge.right));
+    }
+  }
+}
+
+TEST(Bending, OfAPlaneIsNothing) {
+  EXPECT_EQ(measured(meshes::flat_grid(8, 6)).bending, 0.0);
+  // Tilted, its places are rounded.
+  TriMesh tilted = meshes::height_field(60, 60, [](double x, double y) { return 0.3 * x - y; });
+  EXPECT_LT(measured(tilted).bending, k_no_bending);
+}
+
+TEST(Bending, OfACylinderIsThreeTimesAreaOverSquaredRadius) {
+  // 3 (k1 + k2)^2 - 8 k1 k2, whichever way the axis lies. Edges of the border count for nothing.
+  for (const std::size_t cells : {30U, 60U, 120U}) {
+    const double room = 1.2 / static_cast<double>(cells);
+    for (const double angle : {0.0, 0.3, 0.5 * std::numbers::pi}) {
+      const TriMesh mesh = meshes::bent_cylinder(cells, angle);
+      const double area = area_of(mesh);
+      EXPECT_NEAR(measured(mesh).bending / (3.0 * area / 0.25), 1.0, room) << cells << " " << angle;
+    }
+  }
+}
+
+TEST(Bending, OfASphereIsFourTimesAreaOverSquaredRadius) {
+  for (const std::size_t cells : {30U, 60U, 120U}) {
+    const TriMesh mesh = meshes::bent_sphere(cells);
+    EXPECT_NEAR(measured(mesh).bending / (4.0 * area_of(mesh)), 1.0,
+                2.4 / static_cast<double>(cells));
+  }
+}
+
+TEST(Bending, OfRightTrianglesIsUpToHalfMoreThanOfEquilateralOnes) {
+  // 3 k1^2 + 3 k2^2: no diagonal bends.
+  EXPECT_NEAR(measured(solids::sphere(7.0, 40)).bending / (24.0 * std::numbers::pi), 1.0, 0.02);
+}
+
+TEST(Bending, DoesNotDependOnTheDensityOfTheMesh) {
+  const auto check = [](const char* name, auto surface) {
+    const Bending coarse = measured(surface(40)), middle = measured(surface(80)),
+                  fine = measured(surface(160));
+    for (const Bending& other : {coarse, middle}) {
+      EXPECT_NEAR(other.bending / fine.bending, 1.0, 0.08) << name;
+      EXPECT_NEAR(other.mean_curvature / fine.mean_curvature, 1.0, 0.08) << name;
+    }
+  };
+  check("cylinder", [](std::size_t n) { return meshes::bent_cylinder(n, 0.2); });
+  check("cone", meshes::bent_cone);
+  check("sphere", meshes::bent_sphere);
+  check("folded strip", meshes::folded_strip);
+  check("crumpled sheet", meshes::crumpled_sheet);
+}
+
+TEST(Bending, TellsACrumpledSheetFromABentOne) {
+  EXPECT_GT(measured(meshes::crumpled_sheet(80)).bending,
+            10.0 * measured(meshes::bent_cylinder(80)).bending);
+}
+
+TEST(Bending, MeanCurvatureOfACylinderIsHalfItsTurnTimesItsLength) {
+  // 1/2 integral |k| dA / sqrt(A) = A / (2 r) / sqrt(A).
+  const TriMesh mesh = meshes::height_field(60, 60, [](double, double) { return 0.0; });
+  TriMesh bent = mesh;
+  for (Vec3& p : bent.positions)
+    p = {30.0 * std::sin(p.x / 30.0), p.y, 30.0 * std::cos(p.x / 30.0)};
+  EXPECT_NEAR(measured(bent).mean_curvature, 60.0 / 30.0 / 2.0, 0.02);
+}
+
+TEST(Bending, DoesNotDependOnTheSizeOfTheModel) {
+  const TriMesh mesh = meshes::rough_grid(9, 7, 4);
+  const Bending figures = measured(mesh);
+  for (const double size : {1e-150, 1e-3, 1e3, 1e150}) {
+    TriMesh other = mesh;
+    for (Vec3& p : other.positions)
+      p = size * p;
+    EXPECT_NEAR(measured(other).bending / figures.bending, 1.0, 1e-12) << size;
+    EXPECT_NEAR(measured(other).mean_curvature / figures.mean_curvature, 1.0, 1e-12) << size;
+  }
+}
+
+TEST(Bending, IsFiniteWhereTrianglesHaveNoArea) {
+  TriMesh mesh = meshes::rough_grid(5, 5, 2);
+  mesh.positions[14] = mesh.positions[15];
+  EXPECT_TRUE(std::isfinite(measured(mesh).bending));
+  for (Vec3& p : mesh.positions)
+    p = {1.0, 2.0, 3.0};
+  EXPECT_EQ(measured(mesh).bending, 0.0);
+  EXPECT_EQ(measured(mesh).mean_curvature, 0.0);
+  EXPECT_EQ(measured({}).bending, 0.0);
+}
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,241 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <span>
+
+#include <planish/measure/bending.h>
+#include <planish/measure/smoothed.h>
+
+#include "core/careful_sum.h"
+
+namespace planish {
+
+namespace {
+
+// Where the triangles are of one size the matrix has the condition 4, and a dozen steps do; needles
+// take some more.
+constexpr int k_most_steps = 60;
+constexpr double k_enough = 1e-10;  // of the squared residual
+constexpr int k_held = -1;
+
+using Columns = std::vector<Vec3>;  // a place or a move of each inner vertex
+
+/// Cotangents of a triangle's angles. Where it has hardly any area all three are divided by the
+/// same, which leaves the Laplacian without negative eigenvalues.
+std::array<double, 3> cotangents(const std::array<Vec3, 3>& p) {
+  constexpr double least = 1e-6;
+  std::array<double, 3> values{};
+  double longest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
+    values[k] = dot(a, b);
+    longest = std::max(longest, dot(a, a));
+  }
+  const double doubled = std::max(norm(cross(p[1] - p[0], p[2] - p[0])), least * longest);
+  for (double& value : values)
+    value = doubled > 0.0 ? value / doubled : 0.0;
+  return values;
+}
+
+/// The inner vertices' rows of the Laplacian, and their masses.
+struct InnerRows {
+  std::vector<std::size_t> start = {0};
+  std::vector<int> columns;     // among the inner vertices, k_held: of the border
+  std::vector<double> weights;  // of the edges; the diagonal is their sum
+  std::vector<double> masses;
+  Columns pull;  // L x0
+
+  int size() const { return static_cast<int>(masses.size()); }
+};
+
+/// Appends the row of one vertex at p.
+/// @param numbers of its ring
+void append_row(Vec3 p, const std::vector<Vec3>& ring, const std::vector<int>& numbers,
+                InnerRows& rows) {
+  const std::size_t n = ring.size(), first = rows.weights.size();
+  rows.weights.resize(first + n, 0.0);
+  double area = 0.0;
+  for (std::size_t j = 0; j < n; ++j) {
+    const std::size_t next = j + 1 < n ? j + 1 : 0;
+    const auto values = cotangents({p, ring[j], ring[next]});
+    rows.weights[first + next] += 0.5 * values[1];
+    rows.weights[first + j] += 0.5 * values[2];
+    area += 0.5 * norm(cross(ring[j] - p, ring[next] - p));
+  }
+  Vec3 pull;
+  for (std::size_t j = 0; j < n; ++j)
+    pull += rows.weights[first + j] * (p - ring[j]);
+  rows.pull.push_back(pull);
+  rows.masses.push_back(area / 3.0);
+  rows.columns.insert(rows.columns.end(), numbers.begin(), numbers.end());
+  rows.start.push_back(rows.columns.size());
+}
+
+/// @param places of all vertices
+InnerRows rows_of(const Columns& places, const Connectivity& connectivity) {
+  std::vector<int> number(places.size(), k_held);
+  int count = 0;
+  for (const Index v : connectivity.inner_vertices())
+    number[v] = count++;
+  InnerRows rows;
+  std::vector<Vec3> ring;
+  std::vector<int> numbers;
+  for (const Index v : connectivity.inner_vertices()) {
+    ring.clear();
+    numbers.clear();
+    for (const Index w : connectivity.ring(v)) {
+      ring.push_back(places[w]);
+      numbers.push_back(number[w]);
+    }
+    append_row(places[v], ring, numbers, rows);
+  }
+  // A vertex without area would be divided by.
+  CarefulSum sum;
+  for (const double mass : rows.masses)
+    sum.add(mass);
+  const double least = 1e-9 * sum.value() / std::max(1, rows.size());
+  for (double& mass : rows.masses)
+    mass = std::max(mass, least);
+  return rows;
+}
+
+/// L x.
+Columns laplacian_of(const Columns& x, const InnerRows& rows) {
+  Columns result(x.size());
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    Vec3 sum;
+    for (std::size_t j = rows.start[v]; j < rows.start[v + 1]; ++j) {
+      const int column = rows.columns[j];
+      sum += rows.weights[j] * (column == k_held ? x[v] : x[v] - x[static_cast<Index>(column)]);
+    }
+    result[v] = sum;
+  }
+  return result;
+}
+
+/// Of each of the three coordinates.
+Vec3 products(const Columns& a, const Columns& b) {
+  CarefulSum x, y, z;
+  for (std::size_t v = 0; v < a.size(); ++v) {
+    x.add(a[v].x * b[v].x);
+    y.add(a[v].y * b[v].y);
+    z.add(a[v].z * b[v].z);
+  }
+  return {x.value(), y.value(), z.value()};
+}
+
+Vec3 by_coordinate(Vec3 a, Vec3 b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+
+Vec3 ratios(Vec3 a, Vec3 b) {
+  const auto ratio = [](double p, double q) { return q > 0.0 ? p / q : 0.0; };
+  return {ratio(a.x, b.x), ratio(a.y, b.y), ratio(a.z, b.z)};
+}
+
+/// The diagonal of M + t L M^-1 L.
+std::vector<double> diagonal_of(const InnerRows& rows, double t) {
+  std::vector<double> diagonal = rows.masses;
+  for (std::size_t v = 0; v < diagonal.size(); ++v) {
+    double sum = 0.0;
+    for (std::size_t j = rows.start[v]; j < rows.start[v + 1]; ++j) {
+      const double weight = rows.weights[j];
+      sum += weight;
+      if (rows.columns[j] != k_held)
+        diagonal[v] += t * weight * weight / rows.masses[static_cast<Index>(rows.columns[j])];
+    }
+    diagonal[v] += t * sum * sum / rows.masses[v];
+  }
+  return diagonal;
+}
+
+/// (M + t L M^-1 L) x.
+Columns smoothing_of(const Columns& x, const InnerRows& rows, double t) {
+  Columns once = laplacian_of(x, rows);
+  for (std::size_t v = 0; v < once.size(); ++v)
+    once[v] = (1.0 / rows.masses[v]) * once[v];
+  Columns result = laplacian_of(once, rows);
+  for (std::size_t v = 0; v < x.size(); ++v)
+    result[v] = rows.masses[v] * x[v] + t * result[v];
+  return result;
+}
+
+double sum_of(Vec3 a) {
+  return a.x + a.y + a.z;
+}
+
+/// d with A (x0 + d) = M x0 on inner vertices, so A d = -t L M^-1 (L x0): conjugate gradients,
+/// preconditioned by the diagonal.
+Columns moves_of(const InnerRows& rows, double t) {
+  Columns residual = rows.pull;
+  for (std::size_t v = 0; v < residual.size(); ++v)
+    residual[v] = (-t / rows.masses[v]) * residual[v];
+  residual = laplacian_of(residual, rows);
+  const std::vector<double> diagonal = diagonal_of(rows, t);
+  Columns moves(residual.size()), direction(residual.size()), better(residual.size());
+  Vec3 before{};
+  double first = 0.0;
+  for (int k = 0; k < k_most_steps; ++k) {
+    for (std::size_t v = 0; v < moves.size(); ++v)
+      better[v] = (1.0 / diagonal[v]) * residual[v];
+    const Vec3 now = products(residual, better), keep = ratios(now, before);
+    if (k == 0) first = sum_of(now);
+    if (!(sum_of(now) > k_enough * first)) break;
+    for (std::size_t v = 0; v < moves.size(); ++v)
+      direction[v] = better[v] + by_coordinate(keep, direction[v]);
+    const Columns change = smoothing_of(direction, rows, t);
+    const Vec3 step = ratios(now, products(direction, change));
+    for (std::size_t v = 0; v < moves.size(); ++v) {
+      moves[v] += by_coordinate(step, direction[v]);
+      residual[v] += -by_coordinate(step, change[v]);
+    }
+    before = now;
+  }
+  return moves;
+}
+
+double mean_edge(const Columns& places, const Connectivity& connectivity) {
+  CarefulSum sum;
+  double count = 0.0;
+  for (Index v = 0; v < places.size(); ++v) {
+    for (const Index w : connectivity.ring(v)) {
+      if (w < v) continue;
+      sum.add(norm(places[w] - places[v]));
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? sum.value() / count : 0.0;
+}
+
+bool is_finite(Vec3 p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+}  // namespace
+
+std::vector<Vec3> smoothed_positions(const TriMesh& mesh, const Connectivity& connectivity) {
+  const std::span<const Index> inner = connectivity.inner_vertices();
+  if (inner.empty()) return mesh.positions;
+  const double scale = unit_scale(mesh);
+  Columns places = mesh.positions;
+  for (Vec3& p : places)
+    p = scale * p;
+  const double h = mean_edge(places, connectivity) / std::numbers::pi;
+  const Columns moves = moves_of(rows_of(places, connectivity), h * h * h * h);
+  if (!std::all_of(moves.begin(), moves.end(), is_finite)) return mesh.positions;
+  std::vector<Vec3> result = mesh.positions;
+  for (std::size_t i = 0; i < inner.size(); ++i)
+    result[inner[i]] = (1.0 / scale) * (places[inner[i]] + moves[i]);
+  return result;
+}
+
+double design_bending(const TriMesh& mesh, const Connectivity& connectivity) {
+  const TriMesh smooth{smoothed_positions(mesh, connectivity), mesh.triangles};
+  const double bending = std::min(measure_bending(mesh, connectivity).bending,
+                                  measure_bending(smooth, connectivity).bending);
+  return bending < k_no_bending ? 0.0 : bending;
+}
+
+}  // namespace planish

@@ -1,26 +1,14 @@
 #include "mesh/closest_point.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <span>
 
 namespace planish {
 
 namespace {
-
-constexpr std::size_t k_leaf_size = 4;
-
-double coordinate(Vec3 p, int axis) {
-  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
-
-Box box_of(const std::array<Vec3, 3>& corners) {
-  Box box;
-  for (const Vec3 p : corners)
-    box.add(p);
-  return box;
-}
 
 Vec3 clamp_to(const Box& box, Vec3 p) {
   return {std::clamp(p.x, box.low.x, box.high.x), std::clamp(p.y, box.low.y, box.high.y),
@@ -91,75 +79,34 @@ ClosestPoint closest_on_triangle(const std::array<Vec3, 3>& corners, Vec3 p) {
 
 }  // namespace
 
-ClosestPointTree::ClosestPointTree(const TriMesh& mesh) : triangles_(mesh.triangles.size()) {
-  const auto corners_of = [&](Index t) {
-    const Triangle& tri = mesh.triangles[t];
-    return Corners{mesh.positions[tri[0]], mesh.positions[tri[1]], mesh.positions[tri[2]]};
-  };
-  std::iota(triangles_.begin(), triangles_.end(), Index{0});
-  corners_.reserve(triangles_.size());
-  for (const Index t : triangles_)
-    corners_.push_back(corners_of(t));
-  nodes_.reserve(2 * (triangles_.size() / k_leaf_size + 1));
-  add_node(0, triangles_.size());
-  // Only now in the order of the tree: sorting looked corners up by triangle.
-  for (std::size_t i = 0; i < triangles_.size(); ++i)
-    corners_[i] = corners_of(triangles_[i]);
-}
-
-std::size_t ClosestPointTree::add_node(std::size_t begin, std::size_t end) {
-  Box box, middles;
-  const auto middle_of = [this](Index t) {
-    const Corners& c = corners_[t];
-    return c[0] + c[1] + c[2];
-  };
-  for (std::size_t i = begin; i < end; ++i) {
-    box.add(box_of(corners_[triangles_[i]]));
-    middles.add(middle_of(triangles_[i]));
-  }
-  const std::size_t number = nodes_.size();
-  nodes_.push_back({box, begin, end, 0});
-  if (end - begin <= k_leaf_size) return number;
-  const Vec3 size = middles.high - middles.low;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::size_t half = begin + (end - begin) / 2;
-  const auto at = [this](std::size_t i) { return triangles_.begin() + static_cast<long>(i); };
-  std::nth_element(at(begin), at(half), at(end), [&](Index s, Index t) {
-    const double a = coordinate(middle_of(s), axis), b = coordinate(middle_of(t), axis);
-    return a != b ? a < b : s < t;
-  });
-  add_node(begin, half);
-  nodes_[number].second = add_node(half, end);
-  return number;
-}
-
 ClosestPoint ClosestPointTree::query(Vec3 p) const {
   ClosestPoint best;
   best.squared_distance = std::numeric_limits<double>::infinity();
   best.triangle = std::numeric_limits<Index>::max();
-  const auto look_at_leaf = [&](const Node& leaf) {
+  const auto look_at_leaf = [&](const BoxTree::Node& leaf) {
     for (std::size_t i = leaf.begin; i < leaf.end; ++i) {
-      ClosestPoint found = closest_on_triangle(corners_[i], p);
-      found.triangle = triangles_[i];
+      ClosestPoint found = closest_on_triangle(tree_.corners(i), p);
+      found.triangle = tree_.triangle(i);
       const bool nearer = found.squared_distance < best.squared_distance;
       const bool as_near = found.squared_distance == best.squared_distance;
       if (nearer || (as_near && found.triangle < best.triangle)) best = found;
     }
   };
+  const std::span<const BoxTree::Node> nodes = tree_.nodes();
   // The depth of a tree that halves is below 64.
   std::array<std::size_t, 64> waiting{};
   std::size_t count = 1;
   while (count > 0) {
     const std::size_t number = waiting[--count];
-    const Node& node = nodes_[number];
+    const BoxTree::Node& node = nodes[number];
     // Equally near ones are looked at, as they may have a smaller number.
     if (squared_distance(node.box, p) > best.squared_distance) continue;
-    if (node.second == 0) {
+    if (node.is_leaf()) {
       look_at_leaf(node);
       continue;
     }
     std::size_t near = number + 1, far = node.second;
-    if (squared_distance(nodes_[far].box, p) < squared_distance(nodes_[near].box, p))
+    if (squared_distance(nodes[far].box, p) < squared_distance(nodes[near].box, p))
       std::swap(near, far);
     waiting[count++] = far;
     waiting[count++] = near;

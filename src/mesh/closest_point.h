@@ -1,12 +1,10 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <vector>
 
 #include <planish/mesh/tri_mesh.h>
 
-#include "mesh/box.h"
+#include "mesh/box_tree.h"
 
 namespace planish {
 
@@ -27,28 +25,14 @@ struct ClosestPoint {
 class ClosestPointTree {
  public:
   /// @param mesh has a triangle at least; not needed afterwards
-  explicit ClosestPointTree(const TriMesh& mesh);
+  explicit ClosestPointTree(const TriMesh& mesh) : tree_(mesh) {}
 
   /// The point nearest to p; of several equally near triangles that of the smallest number. Exactly
   /// what looking at all triangles one by one would find.
   ClosestPoint query(Vec3 p) const;
 
  private:
-  using Corners = std::array<Vec3, 3>;
-
-  /// A box around some consecutive triangles; a leaf holds a few, another node all of the node that
-  /// follows it and of the node `second`.
-  struct Node {
-    Box box;
-    std::size_t begin = 0, end = 0;
-    std::size_t second = 0;  // 0 for a leaf
-  };
-
-  std::size_t add_node(std::size_t begin, std::size_t end);
-
-  std::vector<Index> triangles_;  // in the order of the tree
-  std::vector<Corners> corners_;  // of each, in that order
-  std::vector<Node> nodes_;       // the root first
+  BoxTree tree_;
 };
 
 }  // namespace planish

@@ -1,0 +1,205 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <planish/measure/bending.h>
+#include <planish/measure/fairness.h>
+#include <planish/measure/smoothed.h>
+
+#include "core/angle_between.h"
+#include "core/careful_sum.h"
+#include "measure/bends.h"
+
+namespace planish {
+
+namespace {
+
+constexpr double k_degrees = 180.0 / std::numbers::pi;
+constexpr double k_usual_share = 0.99;  // of the design's area, whose bends are nowhere sharp
+
+// A design of one curvature all over must not become sharp by rounding.
+constexpr double k_rounding = 1e-6;
+
+double square(double x) {
+  return x * x;
+}
+
+std::vector<Bend> bends_of(std::span<const Vec3> positions, const Connectivity& connectivity,
+                           double scale) {
+  std::vector<Bend> bends;
+  bends.reserve(3 * positions.size());
+  for_each_bend(positions, connectivity, scale,
+                [&](const Hinge&, const Bend& bend) { bends.push_back(bend); });
+  return bends;
+}
+
+double bending_of(std::span<const Bend> bends) {
+  CarefulSum sum;
+  for (const Bend& bend : bends)
+    sum.add(bend.bending());
+  return sum.value();
+}
+
+/// The |curvature| that 99 % of the area stays at or below.
+double usual_curvature(std::span<const Bend> bends) {
+  std::vector<std::pair<double, std::size_t>> order;
+  order.reserve(bends.size());
+  CarefulSum area;
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    order.emplace_back(std::abs(bends[i].curvature()), i);
+    area.add(bends[i].area);
+  }
+  std::sort(order.begin(), order.end());
+  CarefulSum so_far;
+  for (const auto& [curvature, i] : order) {
+    so_far.add(bends[i].area);
+    if (so_far.value() >= k_usual_share * area.value()) return curvature;
+  }
+  return 0.0;
+}
+
+double sharp_share(std::span<const Bend> bends, double usual) {
+  CarefulSum sharp, all;
+  for (const Bend& bend : bends) {
+    all.add(bend.area);
+    if (std::abs(bend.curvature()) > (1.0 + k_rounding) * usual) sharp.add(bend.area);
+  }
+  return all.value() > 0.0 ? sharp.value() / all.value() : 0.0;
+}
+
+/// What came and what went, not yet over B0.
+std::pair<double, double> added_and_lost(std::span<const Bend> before,
+                                         std::span<const Bend> after) {
+  CarefulSum added, lost;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double k0 = before[i].curvature(), k1 = after[i].curvature();
+    const bool same = k0 * k1 > 0.0;
+    const double more = same ? std::abs(k1) - std::abs(k0) : std::abs(k1);
+    const double less = same ? std::abs(k0) - std::abs(k1) : std::abs(k0);
+    added.add(square(std::max(more, 0.0)) * after[i].area);
+    lost.add(square(std::max(less, 0.0)) * before[i].area);
+  }
+  return {added.value(), lost.value()};
+}
+
+std::optional<Fold> sharpest_fold(std::span<const Vec3> positions, const Connectivity& connectivity,
+                                  std::span<const Bend> before, std::span<const Bend> after) {
+  Fold fold;
+  std::size_t i = 0;
+  for_each_hinge(connectivity, [&](const Hinge& hinge) {
+    const double t0 = before[i].angle, t1 = after[i].angle;
+    ++i;
+    const double more = k_degrees * (std::abs(t1) - (t0 * t1 > 0.0 ? std::abs(t0) : 0.0));
+    if (!(more > fold.degrees)) return;
+    const Vec3 a = positions[hinge.from], b = positions[hinge.to];
+    fold = {hinge.from, hinge.to, more, a + 0.5 * (b - a)};
+  });
+  if (fold.degrees == 0.0) return std::nullopt;
+  return fold;
+}
+
+Vec3 normal_of(const Triangle& t, std::span<const Vec3> positions, double scale) {
+  const Vec3 a = scale * positions[t[0]];
+  return cross(scale * positions[t[1]] - a, scale * positions[t[2]] - a);
+}
+
+/// At each vertex, its triangles weighing as their areas.
+std::vector<Vec3> vertex_normals(const std::vector<Triangle>& triangles,
+                                 std::span<const Vec3> positions, double scale) {
+  std::vector<Vec3> normals(positions.size());
+  for (const Triangle& t : triangles) {
+    const Vec3 normal = normal_of(t, positions, scale);
+    for (const Index v : t)
+      normals[v] += normal;
+  }
+  return normals;
+}
+
+/// Of some angles, in degrees.
+class RootMeanSquare {
+ public:
+  void add(double angle) {
+    squares_.add(angle * angle);
+    count_ += 1.0;
+  }
+  double degrees() const {
+    return count_ > 0.0 ? k_degrees * std::sqrt(squares_.value() / count_) : 0.0;
+  }
+
+ private:
+  CarefulSum squares_;
+  double count_ = 0.0;
+};
+
+double normal_turn(const TriMesh& design, const Connectivity& connectivity,
+                   std::span<const Vec3> after, double scale) {
+  const auto first = vertex_normals(design.triangles, design.positions, scale);
+  const auto second = vertex_normals(design.triangles, after, scale);
+  RootMeanSquare turn;
+  for (Index v = 0; v < after.size(); ++v) {
+    if (!connectivity.ring(v).empty()) turn.add(angle_between(first[v], second[v]));
+  }
+  return turn.degrees();
+}
+
+double border_turn(const TriMesh& design, const Connectivity& connectivity,
+                   std::span<const Vec3> after, double scale) {
+  // The ring of a border vertex begins with the next one.
+  const auto is_border_edge = [&](Index a, Index b) {
+    return connectivity.is_border(a) && connectivity.ring(a).front() == b;
+  };
+  RootMeanSquare turn;
+  for (const Triangle& t : design.triangles) {
+    if (is_border_edge(t[0], t[1]) || is_border_edge(t[1], t[2]) || is_border_edge(t[2], t[0]))
+      turn.add(angle_between(normal_of(t, design.positions, scale), normal_of(t, after, scale)));
+  }
+  return turn.degrees();
+}
+
+}  // namespace
+
+bool Fairness::is_smooth() const {
+  if (unchanged) return true;
+  return bending_ratio && *bending_ratio <= k_smooth_ratio &&
+         bending_added.value_or(0.0) <= k_smooth_added && sharp_share <= k_smooth_sharp_share;
+}
+
+bool Fairness::keeps_form() const {
+  return bending_lost.value_or(0.0) <= k_kept_lost;
+}
+
+Fairness measure_fairness(const TriMesh& design, const Connectivity& connectivity,
+                          std::span<const Vec3> after) {
+  const double scale = unit_scale(design);
+  const std::vector<Bend> first = bends_of(design.positions, connectivity, scale);
+  const std::vector<Bend> second = bends_of(after, connectivity, scale);
+  Fairness fairness;
+  fairness.unchanged = std::equal(after.begin(), after.end(), design.positions.begin());
+  fairness.sharp_share = sharp_share(second, usual_curvature(first));
+  fairness.normal_turn = normal_turn(design, connectivity, after, scale);
+  fairness.border_turn = border_turn(design, connectivity, after, scale);
+  fairness.sharpest_fold = sharpest_fold(after, connectivity, first, second);
+  const double b0 = design_bending(design, connectivity);
+  if (b0 == 0.0) return fairness;
+  const auto [added, lost] = added_and_lost(first, second);
+  fairness.bending_ratio = bending_of(second) / b0;
+  fairness.bending_added = added / b0;
+  fairness.bending_lost = lost / b0;
+  return fairness;
+}
+
+Fairness measure_fairness(const TriMesh& design, const TriMesh& after) {
+  const double scale = unit_scale(design);
+  const Connectivity of_design(design);
+  const auto first = bends_of(design.positions, of_design, scale);
+  const auto second = bends_of(after.positions, Connectivity(after), scale);
+  Fairness fairness;
+  fairness.sharp_share = sharp_share(second, usual_curvature(first));
+  const double b0 = design_bending(design, of_design);
+  if (b0 > 0.0) fairness.bending_ratio = bending_of(second) / b0;
+  return fairness;
+}
+
+}  // namespace planish

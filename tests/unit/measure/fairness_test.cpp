@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <planish/measure/bending.h>
+#include <planish/measure/fairness.h>
+#include <planish/measure/smoothed.h>
+
+#include <gtest/gtest.h>
+
+#include "support/bent_sheets.h"
+#include "support/meshes.h"
+
+namespace planish {
+namespace {
+
+constexpr double k_pi = std::numbers::pi;
+
+Fairness compared(const TriMesh& design, const TriMesh& after) {
+  return measure_fairness(design, Connectivity(design), after.positions);
+}
+
+/// A grid over [0, 40] x [0, 20] on a cylinder of this radius, its axis along y.
+TriMesh rolled(double radius) {
+  TriMesh mesh = meshes::flat_grid(40, 20);
+  for (Vec3& p : mesh.positions)
+    p = {radius * std::sin(p.x / radius), p.y, radius * std::cos(p.x / radius)};
+  return mesh;
+}
+
+TEST(Fairness, OfTheDesignItselfIsSmooth) {
+  const TriMesh design = meshes::bent_sphere(30);
+  const Fairness same = compared(design, design);
+  EXPECT_TRUE(same.unchanged);
+  EXPECT_TRUE(same.is_smooth());
+  EXPECT_TRUE(same.keeps_form());
+  EXPECT_NEAR(*same.bending_ratio, 1.0, 0.02);
+  EXPECT_EQ(*same.bending_added, 0.0);
+  EXPECT_EQ(*same.bending_lost, 0.0);
+  EXPECT_EQ(*same.normal_turn, 0.0);
+  EXPECT_EQ(*same.border_turn, 0.0);
+  EXPECT_FALSE(same.sharpest_fold);
+  EXPECT_LE(same.sharp_share, 0.0101);
+}
+
+TEST(Fairness, TellsAFoldMadeByHand) {
+  // A cylinder, folded along the row of edges y = 10 by half a radian: each edge there has length 1
+  // and a share of 1/3 of the area, so the fold adds 40 x 3 x 1/4 to the bending.
+  const TriMesh design = rolled(40.0);
+  TriMesh folded = design;
+  constexpr double turn = 0.5;
+  const auto row = [](std::size_t i) { return i / 41; };
+  for (std::size_t i = 0; i < folded.positions.size(); ++i) {
+    const double over = static_cast<double>(row(i)) - 10.0;
+    if (over <= 0.0) continue;
+    // Shears along the radius, which leaves the other bends nearly as they are.
+    const Vec3 p = design.positions[i];
+    const double out = 1.0 + over * std::tan(turn) / 40.0;
+    folded.positions[i] = {out * p.x, 10.0 + over, out * p.z};
+  }
+  const Fairness found = compared(design, folded);
+  const double b0 = design_bending(design, Connectivity(design));
+  EXPECT_NEAR(*found.bending_added * b0 / (40.0 * 3.0 * turn * turn), 1.0, 0.1);
+  EXPECT_LT(*found.bending_lost, 0.1);
+  EXPECT_NEAR(found.sharpest_fold->degrees, turn * 180.0 / k_pi, 1.0);
+  EXPECT_EQ(row(found.sharpest_fold->from), 10U);
+  EXPECT_EQ(row(found.sharpest_fold->to), 10U);
+  EXPECT_NEAR(found.sharpest_fold->at.y, 10.0, 1e-12);
+  EXPECT_FALSE(found.is_smooth());
+  EXPECT_TRUE(found.keeps_form());
+}
+
+TEST(Fairness, TellsWhatWasFlattened) {
+  const TriMesh design = rolled(40.0);
+  const Fairness flat = compared(design, meshes::flat_grid(40, 20));
+  EXPECT_NEAR(*flat.bending_lost, 1.0, 2e-3);
+  EXPECT_EQ(*flat.bending_added, 0.0);
+  EXPECT_EQ(*flat.bending_ratio, 0.0);
+  EXPECT_FALSE(flat.keeps_form());
+  EXPECT_TRUE(flat.is_smooth());
+  // Half as much curvature: a quarter of the bending stays, and a quarter is lost.
+  const Fairness half = compared(design, rolled(80.0));
+  EXPECT_NEAR(*half.bending_ratio, 0.25, 1e-3);
+  EXPECT_NEAR(*half.bending_lost, 0.25, 1e-3);
+  EXPECT_NEAR(*half.bending_added, 0.0, 1e-9);
+  // Bent the other way: all came, all went.
+  TriMesh over = design;
+  for (Vec3& p : over.positions)
+    p.z = -p.z;
+  const Fairness turned = compared(design, over);
+  EXPECT_NEAR(*turned.bending_ratio, 1.0, 2e-3);
+  EXPECT_NEAR(*turned.bending_added, 1.0, 2e-3);
+  EXPECT_NEAR(*turned.bending_lost, 1.0, 2e-3);
+}
+
+TEST(Fairness, TellsHowNormalsTurned) {
+  const TriMesh design = rolled(40.0);
+  TriMesh turned = design;
+  for (Vec3& p : turned.positions)
+    p = {p.x, std::cos(0.3) * p.y - std::sin(0.3) * p.z, std::sin(0.3) * p.y + std::cos(0.3) * p.z};
+  const Fairness found = compared(design, turned);
+  // A turn about x turns a normal at the angle a from z by less.
+  EXPECT_LT(*found.normal_turn, 0.3 * 180.0 / k_pi);
+  EXPECT_GT(*found.normal_turn, 0.25 * 180.0 / k_pi);
+  EXPECT_NEAR(*found.bending_added, 0.0, 1e-9);
+  // Only the triangles along the border turn where only the border moves.
+  TriMesh lifted = meshes::flat_grid(10, 10);
+  const TriMesh flat = lifted;
+  for (Vec3& p : lifted.positions) {
+    if (p.x == 0.0) p.z = 1.0;
+  }
+  // Of 36 triangles along the border those of the first column turned, by 45 degrees.
+  const Fairness border = compared(flat, lifted);
+  EXPECT_GT(*border.border_turn, 45.0 * std::sqrt(10.0 / 38.0) * 0.9);
+  EXPECT_LT(*border.border_turn, 45.0 * std::sqrt(14.0 / 36.0));
+}
+
+TEST(Fairness, BesideAPlaneOnlyThePlaneIsSmooth) {
+  const TriMesh flat = meshes::flat_grid(10, 10);
+  EXPECT_TRUE(compared(flat, flat).is_smooth());
+  TriMesh bent = flat;
+  bent.positions[60].z = 1e-3;
+  const Fairness found = compared(flat, bent);
+  EXPECT_FALSE(found.bending_ratio || found.bending_added || found.bending_lost);
+  EXPECT_FALSE(found.is_smooth());
+  EXPECT_TRUE(found.normal_turn && found.sharpest_fold);
+}
+
+TEST(Fairness, HardlyDependsOnTheDensityOfTheMesh) {
+  // A fold in a cap, at three densities.
+  const auto pair = [](std::size_t cells) {
+    const auto fold = [](double u) { return 0.02 * std::exp(-150.0 * (u - 0.5) * (u - 0.5)); };
+    const TriMesh design = meshes::bent_sphere(cells);
+    TriMesh after = design;
+    for (Vec3& p : after.positions)
+      p.z += fold(p.x + 0.5);
+    return compared(design, after);
+  };
+  const Fairness coarse = pair(40), middle = pair(80), fine = pair(160);
+  for (const Fairness& other : {coarse, middle}) {
+    EXPECT_NEAR(*other.bending_ratio / *fine.bending_ratio, 1.0, 0.08);
+    EXPECT_NEAR(*other.bending_added / *fine.bending_added, 1.0, 0.08);
+    EXPECT_NEAR(*other.bending_lost / *fine.bending_lost, 1.0, 0.08);
+    EXPECT_NEAR(*other.normal_turn / *fine.normal_turn, 1.0, 0.08);
+    EXPECT_NEAR(other.sharp_share / fine.sharp_share, 1.0, 0.08);
+  }
+}
+
+TEST(Fairness, OfOtherTrianglesIsRatioAndSharpShare) {
+  const Fairness found = measure_fairness(meshes::folded_strip(160), meshes::folded_strip(80));
+  EXPECT_NEAR(*found.bending_ratio, 1.0, 0.08);
+  EXPECT_FALSE(found.bending_added || found.bending_lost || found.normal_turn ||
+               found.border_turn || found.sharpest_fold);
+  EXPECT_TRUE(found.is_smooth());
+  EXPECT_FALSE(measure_fairness(meshes::bent_sphere(60), meshes::crumpled_sheet(60)).is_smooth());
+}
+
+TEST(Fairness, DoesNotDependOnTheSizeOfTheModel) {
+  const TriMesh design = meshes::rough_grid(9, 9, 1), after = meshes::rough_grid(9, 9, 2);
+  const Fairness found = compared(design, after);
+  TriMesh a = design, b = after;
+  for (std::size_t v = 0; v < a.positions.size(); ++v) {
+    a.positions[v] = 0x1p-300 * a.positions[v];
+    b.positions[v] = 0x1p-300 * b.positions[v];
+  }
+  const Fairness small = compared(a, b);
+  EXPECT_DOUBLE_EQ(*small.bending_added, *found.bending_added);
+  EXPECT_DOUBLE_EQ(*small.normal_turn, *found.normal_turn);
+  EXPECT_DOUBLE_EQ(small.sharp_share, found.sharp_share);
+}
+
+}  // namespace
+}  // namespace planish

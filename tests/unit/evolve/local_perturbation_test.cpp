@@ -63,7 +63,7 @@ TEST(LocalPerturbation, MakesNearlyFlattenablePatchesFlattenable) {
 }
 
 TEST(LocalPerturbation, LeavesTheBestStateAndTellsItTruly) {
-  const TriMesh mesh = make_shape("dome", 250);
+  const TriMesh mesh = make_shape("panel", 190);
   double best = e_max_of(mesh);
   int idle = 0, better_after_idle = 0;
   TriMesh now = mesh;
@@ -121,7 +121,7 @@ TEST(LocalPerturbation, KeepsEveryTriangleAnArea) {
 }
 
 TEST(LocalPerturbation, StaysWithinTheDeviation) {
-  const TriMesh mesh = dented("cylinder");
+  const TriMesh mesh = dented("cylinder", 200);
   const auto result = evolve(mesh, LocalPerturbation{.max_deviation = 0.05}, {.max_sweeps = 10});
   double farthest = 0.0;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
@@ -131,7 +131,7 @@ TEST(LocalPerturbation, StaysWithinTheDeviation) {
 }
 
 TEST(LocalPerturbation, MovesTheDearLess) {
-  const TriMesh mesh = dented("cone");
+  const TriMesh mesh = dented("cone", 350);
   const auto moved_by = [&](double weight) {
     Constraints constraints{.weights = std::vector<double>(mesh.positions.size(), 1.0)};
     for (std::size_t v = 0; v < mesh.positions.size(); v += 2)
@@ -147,7 +147,7 @@ TEST(LocalPerturbation, MovesTheDearLess) {
 }
 
 TEST(LocalPerturbation, OfEqualWeightsDoesNotDependOnTheirSize) {
-  const TriMesh mesh = dented("cone", 300);
+  const TriMesh mesh = dented("cone", 150);
   const auto with = [&](double weight) {
     const Constraints constraints{.weights = std::vector(mesh.positions.size(), weight)};
     return evolve(mesh, LocalPerturbation{}, {.max_sweeps = 3}, {}, 0, constraints).positions;
@@ -191,10 +191,10 @@ class Obstacles : public testing::TestWithParam<const char*> {
   /// Rests on the obstacle.
   TriMesh patch(double above) const {
     if (GetParam() == std::string("cube")) return draped(above);
-    TriMesh mesh = meshes::flat_grid(6, 6);
+    TriMesh mesh = meshes::flat_grid(5, 5);
     meshes::Random random(6);
     for (Vec3& p : mesh.positions) {
-      const double x = 0.2 * p.x - 0.6, y = 0.2 * p.y - 0.6;
+      const double x = 0.24 * p.x - 0.6, y = 0.24 * p.y - 0.6;
       const double r = 1.0 + above + 0.02 * std::abs(random.number());
       p = r / std::sqrt(x * x + y * y + 1.0) * Vec3{x, y, 1.0};
     }

@@ -79,7 +79,10 @@ TEST(Auto, KeepsWhatCoarseLevelsFoundWhenCancelled) {
 TEST(Auto, EndsWhenTheStrainIsMetWithLessDeviation) {
   const TriMesh mesh = make_shape("panel", 600);
   const Connectivity connectivity(mesh);
-  double last = std::numeric_limits<double>::infinity();
+  double last = std::numeric_limits<double>::infinity(), farthest = 0.0;
+  const auto far = [&](const EvolveResult& result) {
+    return measure_deviation(mesh, result.positions, connectivity).rms;
+  };
   for (const double strain : {0.02, 0.01, 0.005}) {
     const EvolveResult result = run(mesh, {.max_strain = strain});
     EXPECT_EQ(result.stop, StopReason::strain_met) << strain;
@@ -87,16 +90,14 @@ TEST(Auto, EndsWhenTheStrainIsMetWithLessDeviation) {
     const double left = edge_strain(moved, connectivity, unfold(moved, connectivity).positions).rms;
     EXPECT_LT(left, last) << strain;
     last = left;
+    EXPECT_GT(far(result), farthest) << strain;
+    farthest = far(result);
   }
-  const auto far = [&](const Auto& method) {
-    return measure_deviation(mesh, run(mesh, method).positions, connectivity).rms;
-  };
-  EXPECT_LT(far({.max_strain = 0.02}), far({.max_strain = 0.005}));
-  EXPECT_LT(far({.max_strain = 0.005}), far({}));
+  EXPECT_LT(farthest, far(run(mesh)));
 }
 
 TEST(Auto, KeepsALimitOfTheRmsOfStrain) {
-  const TriMesh mesh = make_shape("panel", 1500);
+  const TriMesh mesh = make_shape("panel", 900);
   const Connectivity connectivity(mesh);
   double last = std::numeric_limits<double>::infinity(), farthest = 0.0;
   for (const double limit : {0.006, 0.003, 0.0015}) {
@@ -159,8 +160,8 @@ Constraints some_fixed(const TriMesh& mesh, std::size_t step) {
 }
 
 TEST(Auto, FlattensAroundFixedVertices) {
-  const TriMesh mesh = make_shape("panel", 1000);
-  const Constraints constraints = some_fixed(mesh, 300);
+  const TriMesh mesh = make_shape("panel", 600);
+  const Constraints constraints = some_fixed(mesh, 200);
   const EvolveResult result = run(mesh, {}, {}, 0, constraints);
   for (const Index v : constraints.fixed)
     EXPECT_EQ(result.positions[v], mesh.positions[v]);

@@ -31,7 +31,7 @@ bool all_finite(const std::vector<Vec3>& positions) {
 }
 
 TEST_P(AllMethods, GiveTheSameBitsOnEveryRunAndAnyNumberOfThreads) {
-  const TriMesh mesh = make_shape("panel", 3000);
+  const TriMesh mesh = make_shape("panel", 1500);
   const auto first = evolve(mesh, GetParam(), {.max_sweeps = 4}, {}, 1);
   EXPECT_NE(first.positions, mesh.positions);
   for (const unsigned threads : {1U, 2U, 4U}) {
@@ -52,7 +52,7 @@ TEST_P(AllMethods, StopWhenTheyAreToldTo) {
 
 TEST_P(AllMethods, EndWithAReasonAndARecordOfEverySweep) {
   constexpr int most = 8;
-  const auto result = evolve(make_shape("dome", 200), GetParam(), {.max_sweeps = most});
+  const auto result = evolve(make_shape("dome", 100), GetParam(), {.max_sweeps = most});
   ASSERT_FALSE(result.history.empty());
   for (std::size_t i = 0; i < result.history.size(); ++i) {
     EXPECT_EQ(result.history[i].sweep, static_cast<int>(i) + 1);
@@ -68,14 +68,14 @@ TEST_P(AllMethods, NeverReturnWhatIsNoNumber) {
   std::vector<TriMesh> nasty;
   nasty.push_back(meshes::height_field(
       12, 12, [](double x, double y) { return 5.0 * std::sin(37.0 * x + 91.0 * y * y); }));
-  TriMesh needles = make_shape("saddle", 300);
+  TriMesh needles = make_shape("saddle", 150);
   for (Vec3& p : needles.positions)
     p.x *= 1e-6;
   nasty.push_back(needles);
-  TriMesh spike = make_shape("panel", 300);
+  TriMesh spike = make_shape("panel", 150);
   spike.positions[Connectivity(spike).inner_vertices()[40]].z += 1e6;
   nasty.push_back(spike);
-  TriMesh folded = make_shape("panel", 300);
+  TriMesh folded = make_shape("panel", 150);
   std::swap(folded.positions[Connectivity(folded).inner_vertices()[40]],
             folded.positions[Connectivity(folded).inner_vertices()[60]]);
   nasty.push_back(folded);

@@ -19,7 +19,7 @@ using testing::Not;
 
 const FrontierReport& panel_frontier() {
   static const FrontierReport report =
-      *frontier(make_shape("panel", 400), "panel",
+      *frontier(make_shape("panel", 200), "panel",
                 {.limit = 0.01,
                  .others = {{ClassicalLaplacian{}, {.max_sweeps = 3}},
                             {BilaplacianFairing{}, usual_stopping(BilaplacianFairing{})}}});
@@ -67,7 +67,7 @@ TEST(Frontier, LosesStrainAsDeviationGrows) {
 }
 
 TEST(Frontier, HasTheFiguresOfTheSameRunsAlone) {
-  const TriMesh mesh = make_shape("panel", 400);
+  const TriMesh mesh = make_shape("panel", 200);
   const FrontierReport& report = panel_frontier();
   for (const std::size_t i : {report.curve.size() / 2, report.curve.size() - 1}) {
     const FrontierPoint& point = report.curve[i];

@@ -109,10 +109,12 @@ TEST(PatchPictures, ShowDomesRedAndSaddlesBlueUpToTheBorder) {
   const auto saddle = meshes::height_field(30, 30, [](double x, double y) {
     return 0.01 * ((x - 15) * (x - 15) - (y - 15) * (y - 15));
   });
-  EXPECT_GT(dominance(dome).first, 100'000);
-  EXPECT_EQ(dominance(dome).second, 0);
-  EXPECT_GT(dominance(saddle).second, 100'000);
-  EXPECT_EQ(dominance(saddle).first, 0);
+  const auto [dome_red, dome_blue] = dominance(dome);
+  EXPECT_GT(dome_red, 100'000);
+  EXPECT_EQ(dome_blue, 0);
+  const auto [saddle_red, saddle_blue] = dominance(saddle);
+  EXPECT_GT(saddle_blue, 100'000);
+  EXPECT_EQ(saddle_red, 0);
 }
 
 TEST(PatchPictures, SetTheScaleByThePatchAsItCame) {

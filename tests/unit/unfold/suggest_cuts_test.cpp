@@ -147,7 +147,7 @@ TEST(SuggestCuts, CanSpreadASaddle) {
 }
 
 TEST(SuggestCuts, SaysWhyItEnds) {
-  const TriMesh dome = make_shape("dome", 300);
+  const TriMesh dome = make_shape("dome", 150);
   EXPECT_EQ(suggest(dome, {.max_strain = 0.001, .max_darts = 1}).stop, SuggestStop::dart_limit);
   EXPECT_EQ(suggest(dome, {.max_darts = 0}).stop, SuggestStop::dart_limit);
   EXPECT_EQ(suggest(dome, {.max_strain = 1e-12, .max_darts = 50}).stop, SuggestStop::no_gain);

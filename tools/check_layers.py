@@ -2,7 +2,8 @@
 """Checks what the compiler does not: that layers include downwards only, that public headers and
 programs stay clear of private ones, that what one system alone has stays in its rooms, that paths
 are made from text by path_of() alone, that no elementary function of the C library decides a
-result, and that every error code has its paragraph in docs/errors.md.
+result, that no name has two underscores on end, and that every error code has its paragraph in
+docs/errors.md.
 
     platform <- {core, io, report}
     core <- mesh <- {io, measure} <- {evolve, unfold <- pattern} <- report;  core <- draw <- report;
@@ -51,6 +52,8 @@ ROOMS = re.compile(r"src/platform/\w+/.*|apps/planish/host_\w+\.cpp")
 LIBM = re.compile(
     r"\bstd::(a?(?:sin|cos|tan)h?|atan2|exp[2m]?1?|log(?:10|2|1p|b)?|pow|cbrt|hypot|fma|[lt]gamma|erfc?)\("
 )
+# Names that are reserved; clang does not warn of them in parameters of functions that are only declared.
+TWO_UNDERSCORES = re.compile(r"\b[A-Za-z]\w*__\w*")
 # Windows has headers of these names, and its own include each other by them.
 TAKEN_NAMES = {"direct.h", "io.h", "process.h"}
 
@@ -117,12 +120,15 @@ def check_rooms(faults):
             name = path.relative_to(REPO).as_posix()
             if path.name in TAKEN_NAMES:
                 faults.append(f"{name}: hides a header of Windows")
+            text = path.read_text(encoding="utf-8")
+            for match in TWO_UNDERSCORES.finditer(text):
+                line = text.count("\n", 0, match.start()) + 1
+                faults.append(f"{name}:{line}: {match[0]} is a reserved name")
             if ROOMS.fullmatch(name):
                 continue
             for line, mark, header in includes(path):
                 if mark == "<" and SYSTEM_HEADERS.fullmatch(header):
                     faults.append(f"{name}:{line}: <{header}> belongs into src/platform/")
-            text = path.read_text(encoding="utf-8")
             for match in LIBM.finditer(text):
                 line = text.count("\n", 0, match.start()) + 1
                 faults.append(f"{name}:{line}: {match[0]}) gives other bits with each C library: use core/math.h")

@@ -52,6 +52,15 @@ constexpr std::array<Color, 9> k_sequential = {{
     {0x29, 0x36, 0x59},
 }};
 
+// From L* = 96 down to L* = 59.
+constexpr std::array<Color, 5> k_pale = {{
+    {0xfb, 0xf4, 0xe2},
+    {0xdf, 0xe9, 0xd0},
+    {0xb0, 0xd8, 0xcf},
+    {0x7d, 0xbc, 0xcb},
+    {0x4f, 0x97, 0xbd},
+}};
+
 std::uint8_t mix(std::uint8_t a, std::uint8_t b, double share) {
   return static_cast<std::uint8_t>(std::lround(a + share * (b - a)));
 }
@@ -70,6 +79,7 @@ Color along(std::span<const Color> points, double share) {
 Color color_at(ColorMap map, double t) {
   if (std::isnan(t)) return k_grey;
   if (map == ColorMap::sequential) return along(k_sequential, std::clamp(t, 0.0, 1.0));
+  if (map == ColorMap::pale) return along(k_pale, std::clamp(t, 0.0, 1.0));
   if (map == ColorMap::paper) return along(k_paper, std::clamp(t, 0.0, 1.0));
   return along(k_diverging, 0.5 + 0.5 * std::clamp(t, -1.0, 1.0));
 }

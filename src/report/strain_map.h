@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -23,10 +24,16 @@ Color band_color(int band);
 
 /// Triangles of a flat mesh coloured by band, with the joint outline of neighbours of one colour in
 /// place of the triangles, so that the size follows the form of the map and not the mesh. First
-/// the whole pattern in the middle colour; then, over it, for band 1 all that is stretched at least
-/// so much, for band 2 likewise, and the same for shrinking. Each path so lies wholly on its
+/// the whole pattern in the colour of band 0; then, over it, for band 1 all that is in it or in one
+/// above, for band 2 likewise, and the same for the bands below 0. Each path so lies wholly on its
 /// neighbour in colour and no seam can show at any zoom.
 /// @param corners the pattern in millimetres, one per vertex
+/// @param bands one per triangle
+std::vector<DrawingShape> map_of_bands(const TriMesh& mesh, std::span<const HalfEdge> opposite,
+                                       std::span<const Vec2> corners, std::span<const int> bands,
+                                       const std::function<Color(int)>& color);
+
+/// The same by the bands of strains.
 /// @param strains one per triangle
 std::vector<DrawingShape> strain_map(const TriMesh& mesh, std::span<const HalfEdge> opposite,
                                      std::span<const Vec2> corners, std::span<const double> strains,

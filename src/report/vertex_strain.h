@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <planish/mesh/connectivity.h>
+#include <planish/unfold/strain.h>
 
 namespace planish {
 
@@ -17,5 +18,15 @@ std::vector<double> vertex_strains(const TriMesh& mesh, std::span<const Vec2> pa
 /// @param pattern one position per vertex of the mesh
 std::vector<double> largest_edge_strains(const TriMesh& mesh, const Connectivity& connectivity,
                                          std::span<const Vec2> pattern);
+
+/// The strain of largest size among the three edges of every triangle, with its sign.
+/// @param pattern one position per vertex of the mesh
+std::vector<double> largest_edge_strains_of_triangles(const TriMesh& mesh,
+                                                      std::span<const Vec2> pattern);
+
+/// The principal stretches of every vertex: the means over its triangles; none for vertices without
+/// triangles.
+/// @param pattern one position per vertex of the mesh
+std::vector<PrincipalStretch> vertex_stretches(const TriMesh& mesh, std::span<const Vec2> pattern);
 
 }  // namespace planish

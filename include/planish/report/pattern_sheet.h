@@ -15,6 +15,10 @@ namespace planish {
 inline constexpr std::array<std::string_view, 9> k_sheet_layers = {
     "strain", "cut", "seam", "notch", "grain", "drill", "internal", "annotation", "label"};
 
+/// In maps of the limit used up, the colour of what is beyond. Eyes without red, green or blue
+/// cones too tell orange from all colours of ColorMap::pale, which what is within has.
+inline constexpr Color k_beyond_limit = {240, 82, 10};
+
 /// The pattern as a sheet in millimetres, with a margin: "strain" (every triangle in the colour of
 /// its signed strain, neighbours of one colour joined), on top of it "cut" (the outline, or with an
 /// allowance the line around that, and the outline as "seam"), "notch", "grain", "drill" (match

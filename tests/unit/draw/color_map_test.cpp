@@ -57,6 +57,15 @@ TEST(SequentialMap, GetsDarkerInEvenSteps) {
   }
 }
 
+TEST(PaleMap, GetsDarkerButLeavesRoomForDarkLines) {
+  for (int i = 1; i <= 20; ++i) {
+    const double less = lightness(color_at(ColorMap::pale, (i - 1) / 20.0));
+    const double more = lightness(color_at(ColorMap::pale, i / 20.0));
+    EXPECT_LT(more, less - 0.5) << i;
+  }
+  EXPECT_GT(lightness(color_at(ColorMap::pale, 1.0)), 58.0);
+}
+
 TEST(PaperMap, GoesFromBlueOverCyanGreenAndYellowToRed) {
   EXPECT_EQ(color_at(ColorMap::paper, 0.0), (Color{0, 0, 255}));
   EXPECT_EQ(color_at(ColorMap::paper, 0.25), (Color{0, 255, 255}));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,10 +11,12 @@
 #include <planish/report/pattern_sheet.h>
 
 #include "core/number_text.h"
+#include "draw/svg_layers.h"
 #include "pattern/loop_box.h"
 #include "report/figure_text.h"
 #include "report/html_parts.h"
 #include "report/legend.h"
+#include "report/limit_map.h"
 #include "report/page_data.h"
 #include "report/page_script.h"
 #include "report/patch_picture.h"
@@ -44,15 +47,24 @@ std::string still_pictures(const FlattenReport& report, const PatchPictures& pic
          "</div>\n" + legend(fields_of(colors), defect_labels(colors, pictures.limit)) + "</div>\n";
 }
 
-std::string line_key(std::string_view layer, std::string_view words) {
+std::string line_key(std::string_view layer, std::string_view words,
+                     const std::string& style = {}) {
   return "<li data-layer=\"" + std::string(layer) +
          "\"><svg viewBox=\"0 0 24 8\" aria-hidden=\"true\" "
          "class=\"key-" +
-         std::string(layer) + "\"><path d=\"M0,4H24\"/></svg>" + std::string(words) + "</li>\n";
+         std::string(layer) + "\"><path d=\"M0,4H24\"" + style + "/></svg>" + std::string(words) +
+         "</li>\n";
 }
 
+struct FlatView {
+  Drawing sheet;
+  Layer directions;
+  std::optional<StrainLimitCheck> limit;  ///< that the colours are for
+};
+
 /// What each line is, of the lines that are there.
-std::string line_keys(const Drawing& sheet, const Layer& directions) {
+std::string line_keys(const FlatView& view) {
+  const auto& [sheet, directions, limit] = view;
   struct Line {
     std::string_view layer, words;
   };
@@ -69,16 +81,16 @@ std::string line_keys(const Drawing& sheet, const Layer& directions) {
         [&](const Layer& layer) { return layer.name == line.layer && !layer.shapes.empty(); });
     if (is_there) html += line_key(line.layer, line.words);
   }
-  html += line_key("strain", "stretch in colour");
+  if (limit) {
+    const std::string color = hex_text(limit_band_color(k_limit_bands / 2));
+    html += line_key("strain", "limit used up in colour", " style=\"stroke:" + color + "\"");
+  } else {
+    html += line_key("strain", "stretch in colour");
+  }
   if (!directions.shapes.empty())
     html += line_key("directions", "which way it is longer or shorter");
   return html + "</ul>\n";
 }
-
-struct FlatView {
-  Drawing sheet;
-  Layer directions;
-};
 
 FlatView flat_view(const FlattenReport& report, const FlattenPage& page,
                    const PatternOnSheet& placed) {
@@ -97,23 +109,33 @@ FlatView flat_view(const FlattenReport& report, const FlattenPage& page,
   const double longest = std::max(k_least_strain, *long_one);
   const double area = mm * mm * pattern.width * pattern.height;
   return {pattern_sheet(report.processed, report.unfold, report.name, page.furniture),
-          direction_layer(directions, longest, 0.9 * std::sqrt(area / k_direction_cells))};
+          direction_layer(directions, longest, 0.9 * std::sqrt(area / k_direction_cells)),
+          limit_of_edges(report.unfold.limits)};
+}
+
+std::string strain_legend(const UnfoldReport& unfold) {
+  const double end = strain_map_limit(unfold.strain);
+  const std::string limit =
+      fixed_text(100.0 * end, 3) + "\u00A0%</b>" + (unfold.strain.max > end ? " or more" : "");
+  return legend(strain_map_fields(), {"shorter <b>−" + limit, "<b>0</b>", "longer <b>+" + limit});
 }
 
 std::string pattern_part(const FlattenReport& report, const FlatView& view) {
-  const PatternPicture picture = pattern_picture(view.sheet, view.directions,
-                                                 "The pattern, coloured by strain, with its lines");
-  const double end = strain_map_limit(report.unfold.strain);
-  const std::string limit = fixed_text(100.0 * end, 3) + "\u00A0%</b>" +
-                            (report.unfold.strain.max > end ? " or more" : "");
+  const PatternPicture picture =
+      pattern_picture(view.sheet, view.directions,
+                      view.limit ? "The pattern, coloured by the limit used up, with its lines"
+                                 : "The pattern, coloured by strain, with its lines");
+  const std::string note = view.limit ? "Colours tell how much of the limit of strain (" +
+                                            limit_words(*view.limit) + ") the edges use up. "
+                                      : "";
   const Pattern& pattern = report.unfold.pattern;
   return "<div class=\"flat\">\n<h3>Pattern <small>" + significant_text(pattern.width, 4) + " × " +
          significant_text(pattern.height, 4) + "\u00A0" +
          std::string(to_string(report.unfold.unit)) + "; the bar is " + number_text(picture.bar) +
          "\u00A0mm</small></h3>\n<div class=\"sheet\">" + picture.svg + "</div>\n" +
-         line_keys(view.sheet, view.directions) +
-         legend(strain_map_fields(), {"shorter <b>−" + limit, "<b>0</b>", "longer <b>+" + limit}) +
-         "<p class=\"note\">Where the pattern is shorter than the patch, the material is stretched "
+         line_keys(view) + (view.limit ? limit_legend() : strain_legend(report.unfold)) +
+         "<p class=\"note\">" + note +
+         "Where the pattern is shorter than the patch, the material is stretched "
          "when it is made up; where it is longer, it is pressed together or "
          "gathered.</p>\n</div>\n";
 }

@@ -170,4 +170,20 @@ section > svg.chart + .terms { margin-top: 12px; }
 }
 )css";
 
+/// What a page has beside that where strain is shown beside its limit: more to choose from, a scale
+/// with a field apart.
+inline constexpr std::string_view k_html_limit_style = R"css(
+.choice { flex-wrap: wrap; }
+.choice span { padding: 5px 6px; }
+.scale.bounded .labels { grid-template-columns: 3fr 4fr 3fr 3fr; gap: 0; }
+.scale.bounded .labels span { text-align: right; }
+.scale.bounded .labels span:first-child { text-align: left; }
+.scale.bounded .labels span:nth-child(2) { text-align: center; }
+.scale.bounded button { visibility: hidden; }
+.legend.bounded div { grid-template-columns: 3fr 4fr 3fr 3fr; gap: 0; }
+.legend.bounded span { text-align: right; }
+.legend.bounded span:first-child { text-align: left; }
+.legend.bounded span:nth-child(2) { text-align: center; }
+)css";
+
 }  // namespace planish

@@ -14,7 +14,7 @@
 
 namespace planish {
 
-std::string html_head(const std::string& title) {
+std::string html_head(const std::string& title, std::string_view more_style) {
   const PageScript script = page_script();
   const std::string scripts =
       script.is_there() ? "script-src '" + std::string(script.hash) + "'; " : "";
@@ -26,7 +26,7 @@ std::string html_head(const std::string& title) {
          "style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action "
          "'none'\">\n<title>" +
          title + " – Planish</title>\n<style>" + std::string(k_html_style) +
-         std::string(k_html_bench_style) + "</style>\n</head>\n";
+         std::string(k_html_bench_style) + std::string(more_style) + "</style>\n</head>\n";
 }
 
 std::string html_title(const std::string& name) {

@@ -16,7 +16,8 @@ namespace planish {
 /// From the doctype to the end of <head>: nothing from outside may be fetched, and no script may
 /// run but the page's own.
 /// @param title markup
-std::string html_head(const std::string& title);
+/// @param more_style to stand behind that of all pages
+std::string html_head(const std::string& title, std::string_view more_style = {});
 
 /// The top of a page: what it is, the name of the patch and what came out, its first sentence
 /// large.

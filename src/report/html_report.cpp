@@ -15,8 +15,10 @@
 #include "report/figure_text.h"
 #include "report/figures_table.h"
 #include "report/html_bench.h"
+#include "report/html_bench_style.h"
 #include "report/html_parts.h"
 #include "report/limit_checks.h"
+#include "report/limit_map.h"
 #include "report/verdict.h"
 
 namespace planish {
@@ -224,8 +226,9 @@ std::string html_report(const FlattenReport& report, const FlattenPage& page) {
   const Bench bench = html_bench(report, page);
   const std::string verdict = verdict_text(report) + (limits.empty() ? "" : " " + limits) +
                               (border.empty() ? "" : " " + border);
-  return html_head(html_title(report.name)) + "<body>\n<main>\n" +
-         html_header("report", report.name, verdict, checks(report)) +
+  const bool has_limit = limit_of_edges(report.unfold.limits).has_value();
+  return html_head(html_title(report.name), has_limit ? k_html_limit_style : "") +
+         "<body>\n<main>\n" + html_header("report", report.name, verdict, checks(report)) +
          tiles(report, page, bench.cut_size) + bench.html + "<div class=\"wide\">\n" +
          convergence_section(report, page) + histogram_section(report) +
          "</div>\n<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" +

@@ -1,9 +1,33 @@
 #include "report/legend.h"
 
+#include "core/number_text.h"
 #include "draw/svg_layers.h"
+#include "report/limit_map.h"
 #include "report/strain_map.h"
 
 namespace planish {
+
+namespace {
+
+std::string field(double left, double width, Color color) {
+  return "<rect x=\"" + number_text(left) + "\" width=\"" + number_text(width) +
+         "\" height=\"1\" fill=\"" + hex_text(color) + "\"/>";
+}
+
+}  // namespace
+
+std::string limit_legend() {
+  constexpr double gap = 0.3, beyond = 2.7;
+  std::string html =
+      "<div class=\"legend bounded\"><svg viewBox=\"0 0 13 1\" preserveAspectRatio=\"none\" "
+      "shape-rendering=\"crispEdges\" aria-hidden=\"true\">";
+  constexpr int within = k_limit_bands - 1;
+  for (int band = 0; band < within; ++band)
+    html += field(band, 1.05, limit_band_color(band));
+  return html + field(within + gap, beyond, k_beyond_limit) +
+         "</svg><div><span><b>0</b></span><span><b>50\u00A0%</b></span>"
+         "<span><b>100\u00A0%</b></span><span>beyond</span></div></div>\n";
+}
 
 std::string legend(std::span<const Color> fields, const LegendLabels& labels) {
   const std::string count = std::to_string(fields.size());

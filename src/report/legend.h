@@ -17,6 +17,10 @@ struct LegendLabels {
 /// A colour scale as HTML: a bar of equal fields over its labels.
 std::string legend(std::span<const Color> fields, const LegendLabels& labels);
 
+/// The legend of a map of the limit used up: ten fields up to the limit, and one apart for what is
+/// beyond. Its labels stand where k_html_limit_style puts them.
+std::string limit_legend();
+
 /// The whole of a colour map, finely divided.
 std::vector<Color> fields_of(ColorMap map);
 

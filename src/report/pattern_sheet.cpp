@@ -6,11 +6,13 @@
 #include <planish/report/pattern_sheet.h>
 
 #include "report/furniture.h"
+#include "report/limit_map.h"
 #include "report/outlines.h"
 #include "report/pattern_on_sheet.h"
 #include "report/scale_limit.h"
 #include "report/sheet_label.h"
 #include "report/strain_map.h"
+#include "report/vertex_strain.h"
 
 namespace planish {
 
@@ -18,6 +20,19 @@ namespace {
 
 DrawingPiece piece_of(const PieceLabel& label) {
   return {label.name, label.size, std::max(1, label.quantity)};
+}
+
+/// Beside the limit where one was asked for, else strain itself.
+Layer map_layer(const TriMesh& mesh, const UnfoldReport& unfold, std::span<const Vec2> corners) {
+  const std::vector<HalfEdge> opposite = opposite_half_edges(mesh);
+  const std::span<const Vec2> pattern = unfold.pattern.positions;
+  if (const auto limit = limit_of_edges(unfold.limits)) {
+    const auto strains = largest_edge_strains_of_triangles(mesh, pattern);
+    return {"strain", limit_map(mesh, opposite, corners, strains, limit->asked)};
+  }
+  const auto strains = signed_strains(principal_stretches(mesh, pattern));
+  const double end = strain_map_limit(unfold.strain);
+  return {"strain", strain_map(mesh, opposite, corners, strains, end)};
 }
 
 }  // namespace
@@ -32,12 +47,9 @@ Drawing pattern_sheet(const TriMesh& mesh, const UnfoldReport& unfold, const std
                       const PatternOptions& wanted) {
   const PatternOnSheet placed = pattern_on_sheet(mesh, unfold, name, wanted);
   const PlacedPattern& pattern = placed.pattern;
-  const std::vector<HalfEdge> opposite = opposite_half_edges(mesh);
-  const auto strains = signed_strains(principal_stretches(mesh, unfold.pattern.positions));
   Drawing sheet{name, placed.size.x, placed.size.y, {}, {piece_of(placed.options.label)}};
   sheet.layers.reserve(k_sheet_layers.size());
-  sheet.layers.push_back({"strain", strain_map(mesh, opposite, pattern.positions, strains,
-                                               strain_map_limit(unfold.strain))});
+  sheet.layers.push_back(map_layer(mesh, unfold, pattern.positions));
   // The cut line comes later than the map, so that it lies on top.
   for (Layer& layer : piece_layers(mesh, pattern, placed.options))
     sheet.layers.push_back(std::move(layer));

@@ -12,6 +12,7 @@
 
 #include "core/number_text.h"
 #include "report/figure_text.h"
+#include "report/limit_map.h"
 #include "report/sheet_layout.h"
 #include "report/strain_map.h"
 
@@ -86,6 +87,31 @@ void add_legend(Layer& layer, double limit) {
   label(k_column + width - k_swatch, "+" + end, true);
 }
 
+/// The same where strain is shown beside its limit: ten fields for what is within, and one apart.
+void add_limit_legend(Layer& layer, const StrainLimitCheck& limit) {
+  constexpr double field = 8.5, gap = 4.0, beyond = 16.0;
+  const double y = k_margin + 4.5;
+  const auto swatch = [&](double x, double width, Color color) {
+    Path path = rectangle({x, y}, width, k_swatch, color);
+    path.fill = color;
+    layer.shapes.emplace_back(std::move(path));
+  };
+  const auto label = [&](double x, double below, std::string text, bool centred) {
+    layer.shapes.emplace_back(Text{{x, below}, 2.2, std::move(text), k_dim, centred});
+  };
+  for (int band = 0; band + 1 < k_limit_bands; ++band)
+    swatch(k_column + band * field, field, limit_band_color(band));
+  const double end = k_column + (k_limit_bands - 1) * field, apart = end + gap;
+  layer.shapes.emplace_back(rectangle({k_column, y}, end - k_column, k_swatch, k_dim));
+  swatch(apart, beyond, k_beyond_limit);
+  label(k_column, y + k_swatch + 2.0, "limit of strain used up; the limit is " + limit_words(limit),
+        false);
+  label(k_column, k_margin, "0", false);
+  label(0.5 * (k_column + end), k_margin, "50 %", true);
+  label(end - 2.0, k_margin, "100 %", true);
+  label(apart + 0.5 * beyond, k_margin, "beyond", true);
+}
+
 std::string unit_note(Unit unit) {
   const std::string name(to_string(unit));
   if (unit == Unit::mm) return "model unit: mm";
@@ -132,7 +158,11 @@ Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
   if (std::string warning = warning_text(unfold.pattern); !warning.empty()) {
     line(33.0, 3.0, std::move(warning), k_red);
   }
-  add_legend(layer, strain_map_limit(unfold.strain));
+  if (const auto limit = limit_of_edges(unfold.limits)) {
+    add_limit_legend(layer, *limit);
+  } else {
+    add_legend(layer, strain_map_limit(unfold.strain));
+  }
   return layer;
 }
 

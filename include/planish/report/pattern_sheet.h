@@ -20,7 +20,8 @@ inline constexpr std::array<std::string_view, 9> k_sheet_layers = {
 inline constexpr Color k_beyond_limit = {240, 82, 10};
 
 /// The pattern as a sheet in millimetres, with a margin: "strain" (every triangle in the colour of
-/// its signed strain, neighbours of one colour joined), on top of it "cut" (the outline, or with an
+/// its signed strain, or where an edge has a limit of strain, of the share of it that its edges use
+/// up; neighbours of one colour joined), on top of it "cut" (the outline, or with an
 /// allowance the line around that, and the outline as "seam"), "notch", "grain", "drill" (match
 /// marks too), "internal" (inner lines) and "annotation" (the piece's own label) as the options
 /// ask, and "label" below it: name, sizes, unit, scale, a hash of the pattern, test squares of 50

@@ -48,6 +48,20 @@ TEST(HtmlReport, ClosesWhatItOpens) {
   pages::expect_closed_tags(sample_page());
 }
 
+TEST(HtmlReport, ShowsStrainBesideItsLimitWhereOneWasAsked) {
+  EXPECT_THAT(sample_page(), Not(HasSubstr("<div class=\"legend bounded\">")));
+  EXPECT_THAT(sample_page(), HasSubstr("stretch in colour"));
+  FlattenReport report = samples::flatten_report();
+  report.unfold.limits = {{.kind = StrainLimitKind::p99, .asked = 0.02, .reached = 0.2143}};
+  const std::string page = html_report(report);
+  pages::expect_closed_tags(page);
+  pages::expect_nothing_from_outside(page);
+  EXPECT_THAT(page, HasSubstr("limit used up in colour"));
+  EXPECT_THAT(page, HasSubstr("limit of strain (2 %, on 99 % of the area)"));
+  EXPECT_EQ(count(page, "<div class=\"legend bounded\">"), 1U);
+  EXPECT_EQ(count(page, "fill=\"#f0520a\""), 2U) << "in the map and in its legend";
+}
+
 TEST(HtmlReport, EscapesAllTextFromOutside) {
   FlattenReport report = samples::flatten_report();
   report.name = "<img src=x onerror=alert(1)>\"&\xFF";

@@ -7,15 +7,20 @@
 #include <string>
 
 #include <planish/draw/color_map.h>
+#include <planish/draw/write_svg.h>
 #include <planish/mesh/connectivity.h>
+#include <planish/report/pattern_sheet.h>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "report/vertex_strain.h"
-#include "support/meshes.h"
+#include "unit/report/sample_report.h"
 
 namespace planish {
 namespace {
+
+using testing::Contains;
 
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
@@ -33,6 +38,16 @@ std::vector<Vec2> stretched(const TriMesh& mesh, double angle) {
   for (Vec2& p : positions)
     p = 1.04 * dot(p, along) * along + 0.99 * dot(p, across) * across;
   return positions;
+}
+
+UnfoldReport with_limits(const TriMesh& mesh, std::vector<Vec2> pattern,
+                         const StrainLimits& limits) {
+  UnfoldReport unfold = samples::plane_below(mesh, 4.0, 2.0);
+  unfold.pattern.positions = std::move(pattern);
+  const Connectivity connectivity(mesh);
+  unfold.strain = edge_strain(mesh, connectivity, unfold.pattern.positions);
+  unfold.limits = check_limits(mesh, connectivity, unfold.pattern.positions, limits);
+  return unfold;
 }
 
 double area_of(const std::vector<DrawingShape>& map, Color color) {
@@ -123,6 +138,30 @@ TEST(LimitMap, PaintsWhatIsBeyondAndNothingThatKeepsTheLimit) {
   EXPECT_EQ(area_of(map_for(0.0301), k_beyond_limit), 0.0);
   EXPECT_NEAR(area_of(map_for(0.0301), limit_band_color(9)), 2.06, 1e-12) << "99.7 % used up";
   EXPECT_NEAR(area_of(map_for(0.0601), limit_band_color(4)), 2.06, 1e-12) << "half used up";
+}
+
+TEST(LimitMap, IsOnTheSheetWithItsLegendWhereALimitWasAsked) {
+  const TriMesh mesh = meshes::flat_grid(4, 2);
+  const auto sheet_with = [&](const StrainLimits& limits) {
+    return pattern_sheet(mesh, with_limits(mesh, stretched(mesh, 0.0), limits), "");
+  };
+  const auto texts_of = [](const Drawing& sheet) {
+    std::vector<std::string> texts;
+    for (const DrawingShape& shape : sheet.layers.back().shapes) {
+      if (const auto* text = std::get_if<Text>(&shape)) texts.push_back(text->text);
+    }
+    return texts;
+  };
+  const Drawing missed = sheet_with({.max = 0.02}), kept = sheet_with({.p99 = 0.05});
+  EXPECT_GT(area_of(missed.layers.front().shapes, k_beyond_limit), 0.0);
+  EXPECT_EQ(area_of(kept.layers.front().shapes, k_beyond_limit), 0.0);
+  EXPECT_THAT(texts_of(missed),
+              Contains("limit of strain used up; the limit is 2 %, for every edge"));
+  EXPECT_THAT(texts_of(missed), Contains("beyond"));
+  EXPECT_THAT(texts_of(kept),
+              Contains("limit of strain used up; the limit is 5 %, on 99 % of the area"));
+  EXPECT_EQ(write_svg(sheet_with({.rms = 0.02})), write_svg(sheet_with({})))
+      << "a limit that is for no place leaves the map as it is";
 }
 
 using Matrix = std::array<std::array<double, 3>, 3>;

@@ -140,7 +140,18 @@ std::string pattern_part(const FlattenReport& report, const FlatView& view) {
          "gathered.</p>\n</div>\n";
 }
 
-std::string color_terms() {
+/// What the page shows beside a limit.
+std::string limit_terms(const StrainLimitCheck& limit) {
+  return html_entry("Limit used up",
+                    "|Strain| of the edge there whose length differs most, over the limit of " +
+                        limit_words(limit) + ". 100 % is the limit; beyond it all is orange.") +
+         html_entry("Longest, shortest way",
+                    "Principal stretches, minus 1: how much longer (+) or shorter (−) the pattern "
+                    "is there than the patch in the direction where it is longest, and across "
+                    "that, where it is shortest; the mean around the place.");
+}
+
+std::string color_terms(const std::optional<StrainLimitCheck>& limit = {}) {
   return "<details class=\"terms\"><summary>What the colours mean, and the terms of the paper"
          "</summary>\n<dl>\n" +
          html_entry(
@@ -161,7 +172,7 @@ std::string color_terms() {
          html_entry("Largest stretch",
                     "Strain of the edge there whose length differs most. The "
                     "worst of all is the figure at the top of the page.") +
-         "</dl></details>\n";
+         (limit ? limit_terms(*limit) : "") + "</dl></details>\n";
 }
 
 std::string data_of(const FlattenReport& report, const PatternOnSheet& placed,
@@ -176,6 +187,7 @@ std::string data_of(const FlattenReport& report, const PatternOnSheet& placed,
   input.unit = report.unfold.unit;
   input.defect_limit = defect_limit;
   input.strain_limit = strain_map_limit(report.unfold.strain);
+  input.limit = limit_of_edges(report.unfold.limits);
   input.source = report.source;
   input.drawn = drawn;
   return page_data(input);
@@ -224,8 +236,8 @@ Bench html_bench(const FlattenReport& report, const FlattenPage& page) {
       (live ? ""
             : "<p class=\"note\">The view that can be turned was left out when this program "
               "was built (it takes Node.js).</p>\n") +
-      "</div>\n" + pattern_part(report, flat_view(report, page, placed)) + color_terms() +
-      "</section>\n";
+      "</div>\n" + pattern_part(report, flat_view(report, page, placed)) +
+      color_terms(limit_of_edges(report.unfold.limits)) + "</section>\n";
   bench.cut_size = 1.0 / millimetres_per(report.unfold.unit) * loop_box(placed.pattern.cut).size();
   if (live) bench.data = data_of(report, placed, pictures.limit);
   return bench;

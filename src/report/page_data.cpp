@@ -1,6 +1,7 @@
 #include "report/page_data.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -15,6 +16,7 @@
 
 #include "report/base64.h"
 #include "report/display_mesh.h"
+#include "report/limit_map.h"
 #include "report/packed_array.h"
 #include "report/scale_limit.h"
 #include "report/vertex_strain.h"
@@ -74,6 +76,24 @@ std::vector<double> moves(std::span<const Vec3> before, std::span<const Vec3> af
   return lengths;
 }
 
+/// Stretch in the direction where the pattern is longest beside the patch, and across it, where it
+/// is shortest.
+std::array<Figure, 2> principal_figures(const PageInput& input) {
+  Figure longest{"longest", ColorMap::diverging, input.strain_limit};
+  Figure shortest{"shortest", ColorMap::diverging, input.strain_limit};
+  for (const PageState& state : input.states) {
+    auto& most = longest.by_state.emplace_back();
+    auto& least = shortest.by_state.emplace_back();
+    if (state.pattern.empty()) continue;
+    const TriMesh mesh{{state.positions.begin(), state.positions.end()}, input.mesh.triangles};
+    for (const PrincipalStretch& stretch : vertex_stretches(mesh, state.pattern)) {
+      most.push_back(stretch.max - 1.0);
+      least.push_back(stretch.min - 1.0);
+    }
+  }
+  return {std::move(longest), std::move(shortest)};
+}
+
 std::vector<Figure> figures_of(const PageInput& input, const Connectivity& connectivity) {
   Figure defect{"defect", ColorMap::diverging, input.defect_limit};
   Figure curvature{"curvature", ColorMap::paper};
@@ -96,8 +116,13 @@ std::vector<Figure> figures_of(const PageInput& input, const Connectivity& conne
   const double size = bounding_box_diagonal(input.mesh);
   curvature.limit = limit_of(curvature.by_state.front(), k_scale_share, 1e-6 / (size * size));
   deviation.limit = largest_limit(deviation, 1e-6 * size);
-  return {std::move(defect), std::move(curvature), std::move(deviation), std::move(strain),
-          std::move(edge_strain)};
+  std::vector<Figure> figures = {std::move(defect), std::move(curvature), std::move(deviation),
+                                 std::move(strain), std::move(edge_strain)};
+  if (input.limit) {
+    for (Figure& figure : principal_figures(input))
+      figures.push_back(std::move(figure));
+  }
+  return figures;
 }
 
 /// The vertex of every list at which the figure is largest.
@@ -190,8 +215,15 @@ std::string map_bytes(ColorMap map) {
 
 std::size_t usual_most(const PageInput& input) {
   constexpr std::size_t bytes = 3'400'000;  // base64 makes four of three
-  // Positions and five figures by state; number, place in the pattern and two triangles.
-  return bytes / (26 * input.states.size() + 16);
+  // Positions and five figures by state, seven with a limit; number, place in the pattern and two
+  // triangles.
+  const std::size_t figures = input.limit ? 7 : 5;
+  return bytes / ((6 + 4 * figures) * input.states.size() + 16);
+}
+
+Json limit_json(const StrainLimitCheck& limit) {
+  const Color beyond = k_beyond_limit;
+  return {{"asked", limit.asked}, {"beyond", {beyond.r, beyond.g, beyond.b}}};
 }
 
 /// By the numbers that people know vertices by.
@@ -233,6 +265,10 @@ std::string page_data(const PageInput& input) {
                {"states", states_json(input, shown)},
                {"figures", std::move(modes)},
                {"pattern", drawn_json(input, shown)}};
+  if (input.limit) {
+    json["limit"] = limit_json(*input.limit);
+    json["maps"]["pale"] = map_bytes(ColorMap::pale);
+  }
   return "<script type=\"application/json\" id=\"report-data\">" +
          json_for_script(json_text(json, -1)) + "</script>\n";
 }

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <planish/mesh/tri_mesh.h>
 #include <planish/report/unit.h>
+#include <planish/unfold/strain_limits.h>
 
 namespace planish {
 
@@ -27,6 +29,9 @@ struct PageInput {
   std::span<const Index> source = {};  ///< vertex of the mesh -> number that people know it by
   /// Of all vertices in the drawing of the pattern, in its own coordinates; may be none.
   std::span<const Vec2> drawn = {};
+  /// The limit that edges have; with one the page shows how much of it they use up, and the
+  /// principal stretches.
+  std::optional<StrainLimitCheck> limit = {};
   std::size_t shown = 1;  ///< the state that is shown beside the first at the start
   /// Meshes with more are simplified; 0: so many that the data take about four and a half
   /// megabytes, which are 50,000 for two states.

@@ -4,7 +4,7 @@ import test from 'node:test';
 
 import { filled, nextScale } from '../../web/report/colours.js';
 import { unpack } from '../../web/report/data.js';
-import { textOf, worstOf, written } from '../../web/report/figures.js';
+import { labelsOf, namedFigures, textOf, worstOf, written } from '../../web/report/figures.js';
 import { pick } from '../../web/report/picking.js';
 
 test('numbers are written as the program writes them', () => {
@@ -49,6 +49,29 @@ test('the foremost triangle is meant, and of it the nearest corner', () => {
   assert.equal(pick(places, triangles, 1, 6.5), 4);
   assert.equal(pick(places, triangles, 9.2, 0.5), 1, 'beside the one in front');
   assert.equal(pick(places, triangles, 20, 1), -1);
+});
+
+test('the limit used up is the strain of the edges over the limit', () => {
+  const text = (array) => Buffer.from(array.buffer).toString('base64');
+  const json = {
+    vertices: 3,
+    numbers: '',
+    triangles: { bits: 16, data: '' },
+    states: { names: [], positions: [] },
+    figures: [
+      { id: 'defect', map: 'diverging', limit: 1, values: [null] },
+      { id: 'edge_strain', map: 'diverging', limit: 1, values: [null, text(new Float32Array([-0.05, 0.01, 0.08]))] },
+    ],
+    maps: {},
+  };
+  assert.equal(unpack(json).figures.has('limit_used'), false);
+  const data = unpack({ ...json, limit: { asked: 0.05, beyond: [240, 82, 10] } });
+  const [figure] = namedFigures(data);
+  assert.equal(figure.id, 'limit_used', 'comes first');
+  assert.equal(figure.values[0], null);
+  const texts = [0, 1, 2].map((vertex) => textOf(figure, figure.values[1], vertex, 'mm'));
+  assert.deepEqual(texts, ['100 %', '20 %', '160 %, beyond the limit']);
+  assert.deepEqual(labelsOf(figure, figure.limit, 'mm'), ['0', '50 % used up', '100 %, limit of 5 %']);
 });
 
 test('packed data come out as they went in', () => {

@@ -24,8 +24,12 @@ export function filled(values, triangles) {
 // A colour map as a style sheet has it.
 export function gradientOf(map) {
   const stops = [];
-  for (let i = 0; i < map.length; i += 3) stops.push(`rgb(${map[i]} ${map[i + 1]} ${map[i + 2]})`);
+  for (let i = 0; i < map.length; i += 3) stops.push(colourOf(map.subarray(i, i + 3)));
   return `linear-gradient(to right, ${stops.join(', ')})`;
+}
+
+export function colourOf([red, green, blue]) {
+  return `rgb(${red} ${green} ${blue})`;
 }
 
 // 1, 2 and 5 times powers of ten, up and down.

@@ -20,6 +20,19 @@ function figureOf({ id, map, limit, values }) {
   return { id, map, limit, values: values.map((text) => text && new Float32Array(bytesOf(text))) };
 }
 
+// How much of its limit the edge there uses up whose length differs most: 1 is the limit.
+function limitUsed({ asked, beyond }, edgeStrain) {
+  const values = edgeStrain.values.map((strains) => strains && strains.map((strain) => Math.abs(strain) / asked));
+  return { id: 'limit_used', map: 'pale', limit: 1, values, asked, beyond };
+}
+
+// With a limit, what it is about comes first.
+function figuresOf(json) {
+  const figures = json.figures.map(figureOf);
+  if (json.limit) figures.unshift(limitUsed(json.limit, figures.find(({ id }) => id === 'edge_strain')));
+  return new Map(figures.map((figure) => [figure.id, figure]));
+}
+
 export function unpack(json) {
   const { states, triangles, pattern } = json;
   const Indices = triangles.bits === 16 ? Uint16Array : Uint32Array;
@@ -33,7 +46,7 @@ export function unpack(json) {
     numbers: new Uint32Array(bytesOf(json.numbers)),
     triangles: new Indices(bytesOf(triangles.data)),
     positions: states.positions.map((text) => pointsOf(text, states.low, states.step)),
-    figures: new Map(json.figures.map((figure) => [figure.id, figureOf(figure)])),
+    figures: figuresOf(json),
     maps: new Map(
       Object.entries(json.maps).map(([name, text]) => [name, new Uint8Array(bytesOf(text))]),
     ),

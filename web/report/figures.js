@@ -41,10 +41,30 @@ function strainText(value) {
   return `${signed(100 * value, 2)} %, ${value > 0 ? 'longer' : 'shorter'}`;
 }
 
+function strainEnds(limit) {
+  const end = `${written(100 * limit, 1)} %`;
+  return [`shorter −${end}`, '0 keeps its length', `longer +${end}`];
+}
+
+// Values are of 32 bits, and what keeps a limit exactly must not seem to be beyond it.
+export const rounding = 1e-6;
+
+function limitText(value) {
+  return `${written(100 * value, 2)} %${value > 1 + rounding ? ', beyond the limit' : ''}`;
+}
+
 // Each: a name, the paper's term, what a value reads, what the scale's ends and middle read, what
 // is beyond an end; which figure tells the worst place, where it is another one. Without ends it
-// stands in the table alone.
+// stands in the table alone. A fixed scale cannot be made finer or coarser.
 const words = {
+  limit_used: {
+    name: 'Limit used up',
+    term: '|strain of an edge| over its limit',
+    isSigned: false,
+    isFixed: true,
+    text: limitText,
+    ends: (_, __, asked) => ['0', '50 % used up', `100 %, limit of ${Number((100 * asked).toPrecision(6))} %`],
+  },
   defect: {
     name: 'Dome or saddle',
     term: 'angle defect',
@@ -72,11 +92,7 @@ const words = {
     term: 'strain of the pattern',
     isSigned: true,
     text: strainText,
-    ends: (limit) => [
-      `shorter −${written(100 * limit, 1)} %`,
-      '0 keeps its length',
-      `longer +${written(100 * limit, 1)} %`,
-    ],
+    ends: strainEnds,
     worst: 'edge_strain',
   },
   edge_strain: {
@@ -84,6 +100,20 @@ const words = {
     term: 'strain of an edge',
     isSigned: true,
     text: strainText,
+  },
+  longest: {
+    name: 'Longest way',
+    term: 'larger principal stretch, minus 1',
+    isSigned: true,
+    text: strainText,
+    ends: strainEnds,
+  },
+  shortest: {
+    name: 'Shortest way',
+    term: 'smaller principal stretch, minus 1',
+    isSigned: true,
+    text: strainText,
+    ends: strainEnds,
   },
 };
 
@@ -96,7 +126,8 @@ export function namedFigures(data) {
 
 // What the scale's ends and middle read; where more lies beyond the ends, they say so.
 export function labelsOf(figure, limit, unit) {
-  const [low, middle, high] = figure.ends(limit, unit);
+  const [low, middle, high] = figure.ends(limit, unit, figure.asked);
+  if (figure.isFixed) return [low, middle, high];
   const largest = Math.max(...figure.values.map((values) => (values ? Math.abs(values[worstOf(values)]) : 0)));
   if (!(largest > limit * 1.000001)) return [low, middle, high];
   const beyond = (text) => `${text} ${figure.beyond ?? 'or more'}`;

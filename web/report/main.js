@@ -135,6 +135,7 @@ class Page {
       figure.map,
       this.limit,
       figure.isSigned,
+      figure.beyond,
     );
     // How far a place moved is shown on both sides.
     if (figure.id === 'deviation') {

@@ -1,6 +1,6 @@
 // What stands around the view of the patch: which figure is shown, its scale, the split, and what
 // the figures of a vertex are.
-import { gradientOf } from './colours.js';
+import { colourOf, gradientOf } from './colours.js';
 import { labelsOf, textOf } from './figures.js';
 
 export function make(name, properties = {}, ...children) {
@@ -38,6 +38,8 @@ export class Scale {
     this.unit = unit;
     this.bar = make('div', { className: 'bar' });
     this.labels = [0, 1, 2].map(() => make('span'));
+    this.beyond = make('span', { textContent: 'beyond' });
+    this.row = make('div', { className: 'labels' }, ...this.labels);
     this.finer = make('button', {
       type: 'button',
       textContent: '+',
@@ -56,7 +58,7 @@ export class Scale {
       'div',
       { className: 'scale' },
       this.coarser,
-      make('div', {}, this.bar, make('div', { className: 'labels' }, ...this.labels)),
+      make('div', {}, this.bar, this.row),
       this.finer,
     );
   }
@@ -64,6 +66,19 @@ export class Scale {
   show(figure, limit) {
     this.bar.style.background = gradientOf(this.maps.get(figure.map));
     labelsOf(figure, limit, this.unit).forEach((text, i) => (this.labels[i].textContent = text));
+    this.setApart(figure.beyond);
+  }
+
+  // For what is beyond a limit a field of its own, right of the bar.
+  setApart(colour) {
+    this.root.classList.toggle('bounded', colour !== undefined);
+    this.beyond.remove();
+    if (!colour) return;
+    const field = colourOf(colour);
+    this.row.append(this.beyond);
+    this.bar.style.background =
+      `linear-gradient(${field}, ${field}) right / 21% 100% no-repeat, ` +
+      `${this.bar.style.backgroundImage} left / 76.92% 100% no-repeat`;
   }
 }
 

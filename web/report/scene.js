@@ -14,6 +14,8 @@ import {
   WebGLRenderer,
 } from 'three';
 
+import { rounding } from './figures.js';
+
 const vertexShader = `
 attribute float value;
 varying float shown;
@@ -29,12 +31,15 @@ const fragmentShader = `
 uniform sampler2D colours;
 uniform float limit;
 uniform bool bothWays;
+uniform bool isBounded;
+uniform vec3 beyond;
 varying float shown;
 varying vec3 facing;
 void main() {
   float share = clamp(shown / limit, -1.0, 1.0);
   float place = bothWays ? 0.5 + 0.5 * share : abs(share);
   vec3 colour = texture2D(colours, vec2(place * 0.992 + 0.004, 0.5)).rgb;
+  if (isBounded && abs(shown) > limit * (1.0 + ${rounding})) colour = beyond;
   vec3 normal = normalize(facing);
   normal *= sign(normal.z + 1e-6);
   float light = 0.5 + 0.5 * clamp(dot(normal, vec3(0.28, 0.38, 0.88)), 0.0, 1.0);
@@ -102,7 +107,13 @@ export class PatchScene {
       vertexShader,
       fragmentShader,
       side: DoubleSide,
-      uniforms: { colours: { value: null }, limit: { value: 1 }, bothWays: { value: true } },
+      uniforms: {
+        colours: { value: null },
+        limit: { value: 1 },
+        bothWays: { value: true },
+        isBounded: { value: false },
+        beyond: { value: new Vector3() },
+      },
     });
     const index = new BufferAttribute(data.triangles, 1);
     this.scenes = data.positions.map((positions) => {
@@ -126,8 +137,9 @@ export class PatchScene {
     this.zoom = 1;
   }
 
-  // Values of every state, and how they are coloured.
-  colour(values, map, limit, bothWays) {
+  // Values of every state, and how they are coloured: what is beyond the limit by a colour of its
+  // own, where there is one.
+  colour(values, map, limit, bothWays, beyond) {
     this.scenes.forEach((scene, state) => {
       const attribute = scene.children[0].geometry.getAttribute('value');
       if (values[state]) attribute.array.set(values[state]);
@@ -136,6 +148,8 @@ export class PatchScene {
     });
     this.material.uniforms.colours.value = this.textures.get(map);
     this.material.uniforms.bothWays.value = bothWays;
+    this.material.uniforms.isBounded.value = beyond !== undefined;
+    if (beyond) this.material.uniforms.beyond.value.fromArray(beyond).divideScalar(255);
     this.scale(limit);
   }
 

@@ -5,6 +5,9 @@
 
 #include <planish/mesh/connectivity.h>
 #include <planish/report/garment_sheet.h>
+#include <planish/report/twin_report.h>
+
+#include "report/mirrored_place.h"
 
 namespace planish {
 
@@ -84,6 +87,27 @@ Layout lay_out(std::span<const GarmentPiece> pieces, double scale) {
   return layout;
 }
 
+/// Lays a piece anew at about the same place, from where its twin lies: see mirrored_place().
+void lay_like_twin(const PieceTwin& twin, std::size_t piece, Layout& layout) {
+  const std::vector<Vec2>& theirs = layout.corners[twin.piece];
+  std::vector<Vec2>& own = layout.corners[piece];
+  if (theirs.empty() || own.empty()) return;
+  const Box there = box_of(theirs), here = box_of(own);
+  const double up = std::round(here.low.y - there.low.y);
+  const double along = std::ceil(here.low.x + there.high.x),
+               right = std::ceil(here.low.x - there.low.x);
+  for (std::size_t v = 0; v < theirs.size(); ++v) {
+    const double x = twin.mirrored ? mirrored_place(along, theirs[v].x) : theirs[v].x + right;
+    own[twin.vertex[v]] = {x, theirs[v].y + up};
+  }
+}
+
+std::string name_of(std::span<const GarmentPiece> pieces, std::size_t number) {
+  const auto& twin = pieces[number].twin;
+  const std::string& name = pieces[number].name;
+  return twin ? name + " (" + twin_text({pieces[twin->piece].name, twin->mirrored}) + ")" : name;
+}
+
 std::vector<Vec2> line_of(const std::vector<Index>& vertices, const std::vector<Vec2>& corners) {
   std::vector<Vec2> line;
   line.reserve(vertices.size());
@@ -96,7 +120,10 @@ std::vector<Vec2> line_of(const std::vector<Index>& vertices, const std::vector<
 
 Drawing garment_sheet(std::span<const GarmentPiece> pieces, std::span<const Seam> seams, Unit unit,
                       const std::string& title) {
-  const Layout layout = lay_out(pieces, millimetres_per(unit));
+  Layout layout = lay_out(pieces, millimetres_per(unit));
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    if (pieces[p].twin) lay_like_twin(*pieces[p].twin, p, layout);
+  }
   Layer cut{"cut", {}}, seam_lines{"seam", {}}, label{"label", {}};
   Drawing sheet{title, layout.width, layout.height, {}};
   for (std::size_t p = 0; p < pieces.size(); ++p) {
@@ -108,7 +135,7 @@ Drawing garment_sheet(std::span<const GarmentPiece> pieces, std::span<const Seam
     for (const std::vector<Index>& loop : connectivity.border_loops())
       border.lines.push_back(line_of(loop, layout.corners[p]));
     cut.shapes.emplace_back(std::move(border));
-    Text name{layout.name_at[p], k_name_height, pieces[p].name, k_black};
+    Text name{layout.name_at[p], k_name_height, name_of(pieces, p), k_black};
     name.piece = p;
     label.shapes.emplace_back(std::move(name));
   }

@@ -8,6 +8,7 @@
 #include <planish/measure/angle_defect.h>
 #include <planish/report/html_report.h>
 #include <planish/report/strain_limit_text.h>
+#include <planish/report/twin_report.h>
 
 #include "draw/markup_text.h"
 #include "report/convergence_chart.h"
@@ -121,6 +122,9 @@ std::string run_section(const FlattenReport& report, const FlattenPage& page) {
       html_entry("Method", std::string(name_of(report.evolve.method))) +
       html_entry("Options", options_text(report.evolve.method)) +
       html_entry("Run", effort_text(result)) + html_entry("Ended as", stop_text(result.stop));
+  if (report.twin_of)
+    html +=
+        html_entry("Twin", twin_text(*report.twin_of) + ", whose pattern and surface were taken");
   if (!page.material.empty())
     html += html_entry(page.fits ? "Laid on" : "To be laid on",
                        page.material + "; " + page.material_use);

@@ -237,13 +237,16 @@ std::string json_report(const UnfoldReport& report) {
 
 std::string json_report(const FlattenReport& report,
                         const std::map<std::string, std::string>& files) {
-  return text_of({{"name", report.name},
-                  {"version", k_version},
-                  {"evolve", to_json(report.evolve)},
-                  {"unfold", to_json(report.unfold)},
-                  {"unfold_before", to_json(report.unfold_before)},
-                  {"limits", to_json(report.unfold.limits)},
-                  {"files", Json(files)}});
+  Json json = {{"name", report.name},
+               {"version", k_version},
+               {"evolve", to_json(report.evolve)},
+               {"unfold", to_json(report.unfold)},
+               {"unfold_before", to_json(report.unfold_before)},
+               {"limits", to_json(report.unfold.limits)},
+               {"files", Json(files)}};
+  if (const auto& twin = report.twin_of)
+    json["twin"] = {{"of", twin->name}, {"mirrored", twin->mirrored}};
+  return text_of(json);
 }
 
 std::string json_report(const CompareReport& report) {

@@ -1,11 +1,13 @@
 #include "report/pattern_on_sheet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <planish/pattern/pattern_hash.h>
 
 #include "pattern/loop_box.h"
+#include "report/mirrored_place.h"
 #include "report/sheet_layout.h"
 
 namespace planish {
@@ -29,6 +31,21 @@ PatternOptions possible_options(PatternOptions options, const Pattern& pattern) 
   return options;
 }
 
+/// Puts the pattern above the sheet's block, in its margins. Of a mirrored one every x is that of
+/// the pattern that it was made from, where that lies on its sheet, taken from whole millimetres.
+PatternOnSheet put_on_sheet(PatternOnSheet sheet, bool mirrored) {
+  const LoopBox box = loop_box(sheet.pattern.cut);
+  const Vec2 low = mirrored ? Vec2{-box.high.x, box.low.y} : box.low;
+  const Vec2 shift = Vec2{k_margin, k_margin + k_block_height + k_gap} - low;
+  const double sum = std::ceil(k_margin + box.high.x - box.low.x + k_margin);
+  sheet.pattern = moved(std::move(sheet.pattern), [&](Vec2 p) {
+    return mirrored ? Vec2{mirrored_place(sum, shift.x - p.x), p.y + shift.y} : p + shift;
+  });
+  const double right = mirrored ? sum - k_margin : k_margin + box.high.x - box.low.x;
+  sheet.size = {std::max(right, k_block_right) + k_margin, shift.y + box.high.y + k_margin};
+  return sheet;
+}
+
 }  // namespace
 
 PatternOnSheet pattern_on_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
@@ -40,13 +57,8 @@ PatternOnSheet pattern_on_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
   const LoopBox piece_box = loop_box(pattern.outline.loops);
   SheetFacts facts = {name, piece_box.size(), widest_allowance(options),
                       pattern_hash(pattern.positions), options.date};
-
-  const LoopBox box = loop_box(pattern.cut);
-  const Vec2 shift = Vec2{k_margin, k_margin + k_block_height + k_gap} - box.low;
-  pattern = moved(std::move(pattern), [&](Vec2 p) { return p + shift; });
-  const Vec2 size = {std::max(k_margin + box.high.x - box.low.x, k_block_right) + k_margin,
-                     shift.y + box.high.y + k_margin};
-  return {std::move(pattern), std::move(options), std::move(facts), size};
+  const bool mirrored = options.like && options.like->mirrored;
+  return put_on_sheet({std::move(pattern), std::move(options), std::move(facts), {}}, mirrored);
 }
 
 }  // namespace planish

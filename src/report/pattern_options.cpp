@@ -26,9 +26,17 @@ void for_vertices(Options& options, Visit visit) {
     visit(edge.from);
     visit(edge.to);
   }
+  if (options.like) visit(options.like->start);
 }
 
 }  // namespace
+
+PatternOptions for_mirror_image(PatternOptions options) {
+  if (options.grain) {
+    if (auto* degrees = std::get_if<double>(&*options.grain)) *degrees = 180.0 - *degrees;
+  }
+  return options;
+}
 
 void check_pattern_options(const PatternOptions& options, std::size_t vertex_count,
                            std::span<const std::vector<Index>> border, const std::string& name) {

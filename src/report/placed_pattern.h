@@ -27,7 +27,7 @@ PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> position
                              const std::string& piece, const PatternOptions& options);
 
 /// The same elsewhere.
-/// @param motion that keeps lengths and does not mirror
+/// @param motion that keeps lengths; lines keep the order of their points
 PlacedPattern moved(PlacedPattern pattern, const std::function<Vec2(Vec2)>& motion);
 
 }  // namespace planish

@@ -77,6 +77,12 @@ struct FlattenOptions {
   StrainLimits limits = {};
 };
 
+/// A patch whose results are those of another one (find_twins()).
+struct TwinOf {
+  std::string name;       ///< of the other one
+  bool mirrored = false;  ///< mirrored, else taken as they are
+};
+
 /// The main job's result: everything that the files of a `flatten` folder are made from.
 struct FlattenReport {
   std::string name;  ///< of the patch, for titles
@@ -86,7 +92,8 @@ struct FlattenReport {
   TriMesh processed;  ///< the input with the evolved positions
   EvolveReport evolve;
   UnfoldReport unfold;
-  UnfoldReport unfold_before;  ///< of the input as it came: tells what evolving gained
+  UnfoldReport unfold_before;          ///< of the input as it came: tells what evolving gained
+  std::optional<TwinOf> twin_of = {};  ///< where twin_report() made it
 };
 
 enum class FlattenStage { measuring, evolving, unfolding };

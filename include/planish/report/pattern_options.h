@@ -28,6 +28,14 @@ struct PieceLabel {
 /// sheet's x axis, in degrees, counter-clockwise.
 using Grain = std::variant<Vec3, double>;
 
+/// Where a pattern's places are those of another one, mirrored or not (twin_report()): its lines
+/// are drawn from the same point on, and what is written of the outline in thousandths of a
+/// millimetre is the mirror image of what is written of the other's, digit by digit.
+struct DrawnLike {
+  bool mirrored = false;
+  Index start = 0;  ///< vertex of this mesh that the other's outline begins at
+};
+
 /// What a pattern gets besides its outline.
 struct PatternOptions {
   std::optional<Allowance> allowance = {};
@@ -39,7 +47,13 @@ struct PatternOptions {
   std::vector<InnerLine> inner_lines = {};
   PieceLabel label = {};
   std::string date = {};  ///< for the sheet's label; never taken from a clock
+  std::optional<DrawnLike> like = {};
 };
+
+/// The options of a piece for the mirror image of it: a grain that is told by its angle is
+/// mirrored, one by a direction on the model stays that. Labels and all that stands at vertices
+/// stay.
+PatternOptions for_mirror_image(PatternOptions options);
 
 /// Checks what can be known before there is a pattern: that notches and the ends of allowances are
 /// on the border of the mesh and marks at vertices of it.

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <variant>
 
 #include <planish/report/garment_sheet.h>
@@ -6,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
+#include "support/twins.h"
 
 namespace planish {
 namespace {
@@ -74,6 +77,43 @@ TEST(GarmentSheet, NumbersBothSidesOfASeam) {
       std::count_if(sheet.layers.at(2).shapes.begin(), sheet.layers.at(2).shapes.end(),
                     [](const DrawingShape& shape) { return std::get<Text>(shape).text == "1"; }),
       2);
+}
+
+TEST(GarmentSheet, ShowsMirroredPiecesMirroredToTheLastDigitWritten) {
+  meshes::Random random(3);
+  GarmentPiece left = piece("left", 4, 3, 0.0);
+  for (Vec2& p : left.pattern)
+    p = p + Vec2{3.0 * random.number(), 3.0 * random.number()};
+  left.pattern[7].x = 12.3455;  // half way between two thousandths
+  GarmentPiece right{"right", meshes::mirrored(left.mesh), left.pattern};
+  PieceTwin twin{0, true, {}};
+  for (Index v = 0; v < left.pattern.size(); ++v) {
+    right.pattern[v].x = 0.0 - right.pattern[v].x;
+    twin.vertex.push_back(v);
+  }
+  right.twin = twin;
+  GarmentPiece copy = left;
+  copy.name = "copy";
+  copy.twin = PieceTwin{0, false, twin.vertex};
+  const Drawing sheet = garment_sheet(std::vector{left, right, copy}, {}, Unit::mm, "coat");
+  const auto cuts = paths_of(sheet.layers.at(0));
+  ASSERT_EQ(cuts.size(), 3U);
+  const auto &first = cuts[0].lines.at(0), &mirror = cuts[1].lines.at(0),
+             &same = cuts[2].lines.at(0);
+  const auto steps = [](double x) { return std::llround(1000.0 * x); };
+  const auto sum = steps(first[0].x) + steps(mirror[0].x),
+             apart = steps(same[0].x) - steps(first[0].x);
+  EXPECT_EQ(sum % 1000, 0);
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    const std::size_t j = (first.size() - k) % first.size();  // it runs the other way
+    EXPECT_EQ(steps(first[k].x) + steps(mirror[j].x), sum) << k;
+    EXPECT_EQ(steps(same[k].x) - steps(first[k].x), apart) << k;
+  }
+  std::vector<std::string> names;
+  for (const DrawingShape& shape : sheet.layers.at(2).shapes)
+    names.push_back(std::get<Text>(shape).text);
+  EXPECT_EQ(names, (std::vector<std::string>{"left", "right (mirror image of left)",
+                                             "copy (equal to left)"}));
 }
 
 }  // namespace

@@ -64,5 +64,18 @@ TEST(PatternOptions, AreCheckedBeforeThereIsAPattern) {
   EXPECT_THAT(error_of(marks, ErrorCode::index_out_of_range), HasSubstr("collar"));
 }
 
+TEST(PatternOptions, OfAMirrorImageHaveTheAngleOfTheGrainMirrored) {
+  PatternOptions options;
+  options.grain = 30.0;
+  options.label.name = "left";
+  EXPECT_EQ(for_mirror_image(options).grain, Grain(150.0));
+  EXPECT_EQ(for_mirror_image(options).label.name, "left");
+  options.grain = Vec3{0.0, 0.0, 1.0};
+  EXPECT_EQ(for_mirror_image(options).grain, options.grain);
+  options.like = DrawnLike{true, 4};
+  const std::vector<Index> source = {1, 4, 6};
+  EXPECT_EQ(renumbered(options, source).like->start, 1U);
+}
+
 }  // namespace
 }  // namespace planish

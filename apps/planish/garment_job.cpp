@@ -15,6 +15,7 @@
 #include "garment_seams.h"
 #include "garment_state.h"
 #include "garment_text.h"
+#include "garment_twins.h"
 #include "json_text.h"
 #include "summary.h"
 #include "text.h"
@@ -37,9 +38,11 @@ class GarmentRun {
  public:
   GarmentRun(const GarmentJob& job, const Arguments& arguments, Session& session)
       : job_(job), arguments_(arguments), session_(session), outcomes_(job.patches.size()) {
+    twins_ = twins_among(job.patches, [&] { return session.interrupted(); });
     jobs_.reserve(job.patches.size());
     for (std::size_t p = 0; p < job.patches.size(); ++p) {
-      jobs_.push_back(job_of(job.patches[p], job.furniture[p], arguments));
+      const GarmentPatch* twin_of = twins_[p] ? &job.patches[twins_[p]->of] : nullptr;
+      jobs_.push_back(job_of(job.patches[p], job.furniture[p], arguments, twin_of));
       outcomes_[p].mesh = job.patches[p].mesh;
     }
   }
@@ -48,7 +51,7 @@ class GarmentRun {
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     const unsigned threads = session_.threads() == 0 ? cores : session_.threads();
     flatten_patches(
-        job_, not_finished(), threads, [this] { return session_.interrupted(); },
+        job_, twins_, not_finished(), threads, [this] { return session_.interrupted(); },
         [this](std::size_t p, FlattenedPatch done) { return take(p, std::move(done)); });
   }
 
@@ -65,8 +68,8 @@ class GarmentRun {
     std::string text = job_.path + "  (" + std::to_string(outcomes_.size()) + " patches)\n\n";
     for (std::size_t p = 0; p < outcomes_.size(); ++p)
       text += "  " + patch_line(job_.patches[p], outcomes_[p]) + "\n";
-    text += seams_text(job_, seams) + (nesting ? nesting->text : "") + written_text(files) +
-            "and a folder for each patch beside it\n";
+    text += twins_text(outcomes_) + seams_text(job_, seams) + (nesting ? nesting->text : "") +
+            written_text(files) + "and a folder for each patch beside it\n";
     Outcome outcome = with_nesting_checked(with_exit_code({text, json}), nesting);
     session_.write(files, job_.folder);
     return outcome;
@@ -78,12 +81,24 @@ class GarmentRun {
     std::vector<Seam> seams;
     pieces.reserve(outcomes_.size());
     seams.reserve(measured.size());
-    for (std::size_t p = 0; p < outcomes_.size(); ++p)
-      pieces.push_back({job_.patches[p].name, outcomes_[p].mesh, outcomes_[p].pattern});
+    for (std::size_t p = 0; p < outcomes_.size(); ++p) {
+      pieces.push_back(
+          {job_.patches[p].name, outcomes_[p].mesh, outcomes_[p].pattern, drawn_twin(p)});
+    }
     for (const SeamLengths& seam : measured)
       seams.push_back(seam.seam);
     const std::string title = stem_of(job_.path);
     return write_svg(garment_sheet(pieces, seams, job_.options.unit, title));
+  }
+
+  /// Whose places a pattern has; nothing for others, nor where vertices have got other numbers.
+  std::optional<PieceTwin> drawn_twin(std::size_t p) const {
+    if (!outcomes_[p].is_twin || !twins_[p]) return std::nullopt;
+    const auto& [other, match] = *twins_[p];
+    const std::size_t vertices = match.vertex.size();
+    if (outcomes_[p].pattern.size() != vertices || outcomes_[other].pattern.size() != vertices)
+      return std::nullopt;
+    return PieceTwin{other, match.mirrored, match.vertex};
   }
 
   std::vector<TriMesh> processed_meshes() const {
@@ -106,7 +121,9 @@ class GarmentRun {
     std::vector<NestPatch> patches;
     patches.reserve(outcomes_.size());
     for (std::size_t p = 0; p < outcomes_.size(); ++p) {
-      PatternOptions furniture = job_.furniture[p];
+      const bool is_mirrored = outcomes_[p].is_twin && twins_[p] && twins_[p]->match.mirrored;
+      PatternOptions furniture =
+          is_mirrored ? for_mirror_image(job_.furniture[p]) : job_.furniture[p];
       furniture.notches = std::move(notches[p]);
       patches.push_back({names[p], meshes[p], outcomes_[p].pattern, std::move(furniture)});
     }
@@ -119,26 +136,40 @@ class GarmentRun {
     }
   }
 
+  std::optional<PatchResults> kept_results(std::size_t p) const {
+    const GarmentPatch& patch = job_.patches[p];
+    if (!arguments_.has("--resume") || patch.failure) return std::nullopt;
+    return finished_results(jobs_[p], job_.folder / path_of(patch.folder));
+  }
+
   std::vector<std::size_t> not_finished() {
+    std::vector<std::optional<PatchResults>> kept(outcomes_.size());
+    for (std::size_t p = 0; p < outcomes_.size(); ++p) {
+      kept[p] = kept_results(p);
+      // Its results are needed once more.
+      if (!kept[p] && twins_[p]) kept[twins_[p]->of].reset();
+    }
     std::vector<std::size_t> numbers;
     numbers.reserve(outcomes_.size());
     for (std::size_t p = 0; p < outcomes_.size(); ++p) {
-      const GarmentPatch& patch = job_.patches[p];
-      auto results = arguments_.has("--resume") && !patch.failure
-                         ? finished_results(jobs_[p], job_.folder / path_of(patch.folder))
-                         : std::nullopt;
-      if (!results) {
+      if (kept[p]) {
+        keep(p, *std::move(kept[p]));
+      } else {
         numbers.push_back(p);
-        continue;
       }
-      outcomes_[p].report = std::move(results->report);
-      outcomes_[p].mesh = std::move(results->mesh);
-      outcomes_[p].pattern = std::move(results->pattern);
-      outcomes_[p].resumed = true;
-      ++finished_;
-      session_.tell(patch_line(patch, outcomes_[p]));
     }
     return numbers;
+  }
+
+  void keep(std::size_t p, PatchResults results) {
+    PatchOutcome& outcome = outcomes_[p];
+    outcome.report = std::move(results.report);
+    outcome.mesh = std::move(results.mesh);
+    outcome.pattern = std::move(results.pattern);
+    outcome.is_twin = results.is_twin;
+    outcome.resumed = true;
+    ++finished_;
+    session_.tell(patch_line(job_.patches[p], outcome));
   }
 
   bool take(std::size_t p, FlattenedPatch done) {
@@ -166,6 +197,7 @@ class GarmentRun {
       outcome.report = std::move(done.files->report);
       outcome.mesh = std::move(done.mesh);
       outcome.pattern = std::move(done.pattern);
+      outcome.is_twin = done.is_twin;
     } catch (const Interrupted&) {
       interrupted_ = true;
     } catch (const Error&) {
@@ -204,6 +236,7 @@ class GarmentRun {
   const GarmentJob& job_;
   const Arguments& arguments_;
   Session& session_;
+  GarmentTwins twins_;
   std::vector<std::string> jobs_;
   std::vector<PatchOutcome> outcomes_;
   std::size_t finished_ = 0;

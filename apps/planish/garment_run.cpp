@@ -11,32 +11,82 @@
 #include <utility>
 
 #include <planish/platform/path.h>
+#include <planish/report/twin_report.h>
 
 namespace planish::cli {
 
 namespace {
 
-FlattenedPatch flatten_patch(const GarmentJob& job, std::size_t number,
-                             const std::function<bool()>& stopped) {
+using Stopped = std::function<bool()>;
+
+FlattenOptions options_of(const GarmentJob& job, std::size_t number) {
+  FlattenOptions options = job.options;
+  options.threads = 1;
+  options.keep = named_vertices(job.furniture[number]);
+  return options;
+}
+
+/// @throws Error as flatten(), and that of a patch that could not be read
+std::optional<FlattenReport> report_of(const GarmentJob& job, std::size_t number,
+                                       const Stopped& stopped) {
   const GarmentPatch& patch = job.patches[number];
-  FlattenedPatch done;
-  try {
-    if (patch.failure) throw Error(*patch.failure);
-    FlattenOptions options = job.options;
-    options.threads = 1;
-    options.keep = named_vertices(job.furniture[number]);
-    auto report =
-        flatten(patch.mesh, patch.name, options, [&](FlattenStage, double) { return !stopped(); });
-    if (!report) return done;
-    done.files = job.files_of(*report, patch.format, job.furniture[number],
-                              job.folder / path_of(patch.folder));
-    done.mesh = std::move(report->processed);
-    done.pattern = std::move(report->unfold.pattern.positions);
-  } catch (...) {
-    done = {};
-    done.failure = current_failure();
+  if (patch.failure) throw Error(*patch.failure);
+  return flatten(patch.mesh, patch.name, options_of(job, number),
+                 [&](FlattenStage, double) { return !stopped(); });
+}
+
+FlattenedPatch files_and_all(const GarmentJob& job, std::size_t number, const FlattenReport& report,
+                             const PatternOptions& furniture) {
+  const GarmentPatch& patch = job.patches[number];
+  return {{},
+          job.files_of(report, patch.format, furniture, job.folder / path_of(patch.folder)),
+          report.processed,
+          report.unfold.pattern.positions,
+          report.twin_of.has_value()};
+}
+
+/// What of a patch is written and told, from its report; where there is none it was cancelled.
+template <class MakeReport>
+FlattenedPatch finished(const GarmentJob& job, std::size_t number, const MakeReport& make) try {
+  const std::optional<FlattenReport>& report = make();
+  return report ? files_and_all(job, number, *report, job.furniture[number]) : FlattenedPatch{};
+} catch (...) {
+  FlattenedPatch failed;
+  failed.failure = current_failure();
+  return failed;
+}
+
+/// What was made of the other one, or else what flattening makes of it.
+FlattenedPatch finished_twin(const GarmentJob& job, std::size_t number, const MeshTwin& twin,
+                             const FlattenReport& other, const Stopped& stopped) try {
+  const GarmentPatch& patch = job.patches[number];
+  const auto report =
+      twin_report(other, patch.mesh, twin.match, patch.name, options_of(job, number));
+  if (!report) return finished(job, number, [&] { return report_of(job, number, stopped); });
+  return files_and_all(
+      job, number, *report,
+      furniture_of_twin(job.furniture[number], job.patches[twin.of].mesh, twin.match));
+} catch (...) {
+  FlattenedPatch failed;
+  failed.failure = current_failure();
+  return failed;
+}
+
+/// Flattens the first patch of a group and makes the others from it.
+/// @param put is handed each by its number
+template <class Put>
+void flatten_group(const GarmentJob& job, const GarmentTwins& twins, const TwinGroup& group,
+                   const Stopped& stopped, const Put& put) {
+  std::optional<FlattenReport> first;
+  put(group.front(), finished(job, group.front(), [&]() -> const std::optional<FlattenReport>& {
+        return first = report_of(job, group.front(), stopped);
+      }));
+  for (std::size_t k = 1; k < group.size(); ++k) {
+    const std::size_t number = group[k];
+    put(number, stopped() ? FlattenedPatch{}
+                : first   ? finished_twin(job, number, *twins[number], *first, stopped)
+                          : finished(job, number, [&] { return report_of(job, number, stopped); }));
   }
-  return done;
 }
 
 /// What threads hand to the one that writes. There is room for all from the beginning: handing on
@@ -113,31 +163,33 @@ PatchFailure current_failure() try {
   return {"out_of_memory", "out of memory"};
 }
 
-void flatten_patches(const GarmentJob& job, std::vector<std::size_t> numbers, unsigned threads,
+void flatten_patches(const GarmentJob& job, const GarmentTwins& twins,
+                     std::vector<std::size_t> numbers, unsigned threads,
                      const std::function<bool()>& interrupted,
                      const std::function<bool(std::size_t, FlattenedPatch)>& on_done) {
   std::stable_sort(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) {
     return job.patches[a].mesh.triangles.size() > job.patches[b].mesh.triangles.size();
   });
+  const std::vector<TwinGroup> groups = groups_of(numbers, twins);
   std::atomic<bool> cancelled = false;
   std::atomic<std::size_t> next = 0;
-  Finished finished(numbers.size());
+  Finished results(numbers.size());
   const auto stopped = [&] { return cancelled || interrupted(); };
   const auto work_on_next = [&] {
     const std::size_t k = next++;
-    if (k >= numbers.size()) return false;
-    finished.put(
-        {numbers[k], stopped() ? FlattenedPatch{} : flatten_patch(job, numbers[k], stopped)});
+    if (k >= groups.size()) return false;
+    const auto put = [&](std::size_t p, FlattenedPatch done) { results.put({p, std::move(done)}); };
+    flatten_group(job, twins, groups[k], stopped, put);
     return true;
   };
   Workers workers(cancelled);
-  workers.start(std::min<std::size_t>(threads, numbers.size()), [&] {
+  workers.start(std::min<std::size_t>(threads, groups.size()), [&] {
     while (work_on_next()) {
     }
   });
   for (std::size_t taken = 0; taken < numbers.size(); ++taken) {
     if (workers.empty()) work_on_next();
-    Finished::Item item = finished.take();
+    Finished::Item item = results.take();
     if (!on_done(item.first, std::move(item.second))) cancelled = true;
   }
 }

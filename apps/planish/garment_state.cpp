@@ -101,6 +101,10 @@ bool are_limits(const Json& limits) {
          });
 }
 
+bool is_twin(const Json& twin) {
+  return twin.at("of").is_string() && twin.at("mirrored").is_boolean();
+}
+
 /// Whether it has what is told of every patch (garment_text.h).
 bool is_report(const std::string& text) try {
   const Json report = parse_shallow(text);
@@ -110,9 +114,15 @@ bool is_report(const std::string& text) try {
          unfold.at("unit").is_string() && unfold.at("overlaps").is_boolean() &&
          unfold.at("strain").at("rms").is_number() && unfold.at("strain").at("max").is_number() &&
          evolve.at("stop").is_string() && evolve.at("deviation").is_object() &&
-         report.at("files").is_object() && are_limits(report.at("limits"));
+         report.at("files").is_object() && are_limits(report.at("limits")) &&
+         (!report.contains("twin") || is_twin(report.at("twin")));
 } catch (const Json::exception&) {
   return false;
+}
+
+/// @pre is_report()
+bool is_of_twin(const std::string& text) {
+  return parse_shallow(text).contains("twin");
 }
 
 std::vector<Vec2> in_the_plane(const std::vector<Vec3>& positions) {
@@ -126,19 +136,22 @@ std::vector<Vec2> in_the_plane(const std::vector<Vec3>& positions) {
 }  // namespace
 
 std::string job_of(const GarmentPatch& patch, const PatternOptions& furniture,
-                   const Arguments& arguments) {
+                   const Arguments& arguments, const GarmentPatch* twin_of) {
   Json flags = Json::object();
   for (const auto& [flag, value] : arguments.flags) {
     if (std::find(k_idle_flags.begin(), k_idle_flags.end(), flag) == k_idle_flags.end()) {
       flags[flag] = value;
     }
   }
-  return text_of({{"version", k_version},
-                  {"name", patch.name},
-                  {"format", to_string(patch.format)},
-                  {"mesh", hash_of(patch.mesh)},
-                  {"notches", to_json(furniture.notches)},
-                  {"flags", std::move(flags)}});
+  Json job = {{"version", k_version},
+              {"name", patch.name},
+              {"format", to_string(patch.format)},
+              {"mesh", hash_of(patch.mesh)},
+              {"notches", to_json(furniture.notches)},
+              {"flags", std::move(flags)}};
+  if (twin_of != nullptr)
+    job["twin_of"] = {{"name", twin_of->name}, {"mesh", hash_of(twin_of->mesh)}};
+  return text_of(job);
 }
 
 OutputFile job_file(const std::string& job, const std::vector<OutputFile>& files,
@@ -171,7 +184,8 @@ std::optional<PatchResults> finished_results(const std::string& job, const fs::p
     TriMesh processed = mesh_in("processed");
     const TriMesh flat = mesh_in("flat");
     if (processed.positions.size() != flat.positions.size()) return std::nullopt;
-    return PatchResults{*report, std::move(processed), in_the_plane(flat.positions)};
+    return PatchResults{*report, std::move(processed), in_the_plane(flat.positions),
+                        is_of_twin(*report)};
   } catch (const Error&) {
     return std::nullopt;
   }

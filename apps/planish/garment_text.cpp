@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <planish/core/version.h>
+#include <planish/report/twin_report.h>
 
 #include <planish_json/json.h>
 
@@ -46,6 +47,7 @@ Json patch_entry(const GarmentPatch& patch, const PatchOutcome& outcome) {
   json["stop"] = report.is_object() ? report["evolve"]["stop"] : Json(nullptr);
   json["deviation"] = report.is_object() ? report["evolve"]["deviation"] : Json(nullptr);
   json["files"] = report.is_object() ? report["files"] : Json(nullptr);
+  if (report.is_object() && report.contains("twin")) json["twin"] = report["twin"];
   json["error"] = nullptr;
   if (outcome.failure) {
     json["error"] = {{"code", outcome.failure->code}, {"message", outcome.failure->message}};
@@ -62,6 +64,13 @@ bool any_limit_is_missed(const Json& limits) {
 std::string limits_mark(const Json& limits) {
   if (limits.empty()) return {};
   return any_limit_is_missed(limits) ? "  \u2717 limit" : "  \u2713 limit";
+}
+
+/// Whose mirror image it is, or what it is equal to; empty for all others.
+std::string twin_words(const Json& report) {
+  if (!report.contains("twin")) return {};
+  const Json& twin = report["twin"];
+  return "  " + twin_text({twin["of"].get<std::string>(), twin["mirrored"].get<bool>()});
 }
 
 /// A name cut to the width of its column.
@@ -134,8 +143,16 @@ std::string patch_line(const GarmentPatch& patch, const PatchOutcome& outcome) {
          unfold["unit"].get<std::string>() + "  strain rms " +
          right(percent(unfold["strain"]["rms"].get<double>()), 8) + ", largest " +
          right(percent(unfold["strain"]["max"].get<double>()), 8) + limits_mark(report["limits"]) +
-         (unfold["overlaps"].get<bool>() ? "  overlaps itself" : "") +
+         (unfold["overlaps"].get<bool>() ? "  overlaps itself" : "") + twin_words(report) +
          (outcome.resumed ? "  kept" : "");
+}
+
+std::string twins_text(const std::vector<PatchOutcome>& outcomes) {
+  const auto count = std::count_if(outcomes.begin(), outcomes.end(),
+                                   [](const PatchOutcome& outcome) { return outcome.is_twin; });
+  if (count == 0) return {};
+  return "\nOf " + std::to_string(outcomes.size()) + " patches " + std::to_string(count) +
+         (count == 1 ? " is" : " are") + " made from another one, of the same shape or mirrored.\n";
 }
 
 std::string seams_text(const GarmentJob& job, const std::vector<SeamLengths>& seams) {

@@ -17,6 +17,7 @@ struct PatchOutcome {
   std::string report;         ///< report.json; empty where it was not reached
   TriMesh mesh;               ///< as it was processed; as it came where it was not reached
   std::vector<Vec2> pattern;  ///< of that, model units; empty where it was not reached
+  bool is_twin = false;       ///< made from what was made of another one
   bool resumed = false;
 };
 
@@ -45,6 +46,9 @@ bool missed_limit(const PatchOutcome& outcome);
 
 /// A line on a finished patch.
 std::string patch_line(const GarmentPatch& patch, const PatchOutcome& outcome);
+
+/// How many patches were made from others; empty where none was.
+std::string twins_text(const std::vector<PatchOutcome>& outcomes);
 
 /// The seams as people read them.
 std::string seams_text(const GarmentJob& job, const std::vector<SeamLengths>& seams);

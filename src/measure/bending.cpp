@@ -41,6 +41,20 @@ Bend bend_of(const Hinge& hinge, std::span<const Vec3> positions) {
                  positions[hinge.right]);
 }
 
+std::vector<double> vertex_bends(const TriMesh& mesh, const Connectivity& connectivity) {
+  const double scale = unit_scale(mesh);
+  std::vector<double> bends(mesh.positions.size(), 0.0), areas(bends);
+  for_each_bend(mesh.positions, connectivity, scale, [&](const Hinge& hinge, const Bend& bend) {
+    for (const Index v : {hinge.from, hinge.to}) {
+      bends[v] += std::abs(bend.angle) * bend.length;
+      areas[v] += bend.area;
+    }
+  });
+  for (std::size_t v = 0; v < bends.size(); ++v)
+    bends[v] = areas[v] > 0.0 ? scale * (bends[v] / areas[v]) : 0.0;
+  return bends;
+}
+
 Bending measure_bending(const TriMesh& mesh, const Connectivity& connectivity) {
   const double scale = unit_scale(mesh);
   CarefulSum bending, turning;

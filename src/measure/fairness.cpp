@@ -94,7 +94,7 @@ std::optional<Fold> sharpest_fold(std::span<const Vec3> positions, const Connect
     const double more = k_degrees * (std::abs(t1) - (t0 * t1 > 0.0 ? std::abs(t0) : 0.0));
     if (!(more > fold.degrees)) return;
     const Vec3 a = positions[hinge.from], b = positions[hinge.to];
-    fold = {hinge.from, hinge.to, more, a + 0.5 * (b - a)};
+    fold = {hinge.from, hinge.to, more, 0.5 * a + 0.5 * b};
   });
   if (fold.degrees == 0.0) return std::nullopt;
   return fold;

@@ -11,8 +11,8 @@ namespace planish {
 
 namespace {
 
-// Surfaces take 20 to 60 steps a triangle.
-constexpr std::size_t k_steps_a_triangle = 600;
+// Surfaces take 11 to 18 steps a triangle.
+constexpr std::size_t k_steps_a_triangle = 200;
 
 using Corners = BoxTree::Corners;
 
@@ -152,7 +152,10 @@ SelfIntersections find_self_intersections(const TriMesh& mesh) {
   for (Vec3& p : scaled.positions)
     p = scale * p;
   SelfIntersections found = Search(scaled).run();
-  if (found.first) found.first->at = (1.0 / scale) * found.first->at;
+  if (found.first) {
+    const Vec3 at = found.first->at;
+    found.first->at = {at.x / scale, at.y / scale, at.z / scale};
+  }
   return found;
 }
 

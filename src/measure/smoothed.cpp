@@ -226,8 +226,10 @@ std::vector<Vec3> smoothed_positions(const TriMesh& mesh, const Connectivity& co
   const Columns moves = moves_of(rows_of(places, connectivity), h * h * h * h);
   if (!std::all_of(moves.begin(), moves.end(), is_finite)) return mesh.positions;
   std::vector<Vec3> result = mesh.positions;
-  for (std::size_t i = 0; i < inner.size(); ++i)
-    result[inner[i]] = (1.0 / scale) * (places[inner[i]] + moves[i]);
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    const Vec3 place = places[inner[i]] + moves[i];
+    result[inner[i]] = {place.x / scale, place.y / scale, place.z / scale};
+  }
   return result;
 }
 

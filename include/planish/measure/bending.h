@@ -37,7 +37,7 @@ Bend bend_of(const Hinge& hinge, std::span<const Vec3> positions);
 struct Bending {
   /// B, the hinge energy (Grinspun, Hirani, Desbrun, Schroeder 2003): sum over inner edges of
   /// 3 t^2 l^2 / (A1 + A2). For triangles that are nearly equilateral the integral of
-  /// 3 (k1 + k2)^2 - 8 k1 k2, k1 and k2 the principal curvatures (docs/fairness.md).
+  /// 3 k1^2 + 3 k2^2 - 2 k1 k2, k1 and k2 the principal curvatures (docs/fairness.md).
   double bending = 0.0;
   /// M: half the sum of |t| l over the root of the area.
   double mean_curvature = 0.0;
@@ -45,6 +45,11 @@ struct Bending {
 
 /// Sums run in the order of hinges_of(): the same bits every time. O(n).
 Bending measure_bending(const TriMesh& mesh, const Connectivity& connectivity);
+
+/// How sharply a surface is bent at each vertex, one over model units: the mean |curvature| across
+/// its inner edges by their areas, |k1| + |k2| or up to 1.7 times that, by how the edges lie; 0
+/// where there is no such edge. O(n).
+std::vector<double> vertex_bends(const TriMesh& mesh, const Connectivity& connectivity);
 
 /// Less than this is a plane and rounding: a surface that turns by a millionth of a radian.
 inline constexpr double k_no_bending = 1e-12;

@@ -13,6 +13,8 @@
 namespace planish {
 namespace {
 
+constexpr double k_pi = std::numbers::pi;
+
 Bending measured(const TriMesh& mesh) {
   return measure_bending(mesh, Connectivity(mesh));
 }
@@ -132,6 +134,25 @@ TEST(Bending, MeanCurvatureOfACylinderIsHalfItsTurnTimesItsLength) {
   for (Vec3& p : bent.positions)
     p = {30.0 * std::sin(p.x / 30.0), p.y, 30.0 * std::cos(p.x / 30.0)};
   EXPECT_NEAR(measured(bent).mean_curvature, 60.0 / 30.0 / 2.0, 0.02);
+}
+
+TEST(Bends, AtAVertexAreAboutOneOverTheRadius) {
+  const auto check = [](const TriMesh& mesh, double expected, double room = 0.1) {
+    const Connectivity connectivity(mesh);
+    const std::vector<double> bends = vertex_bends(mesh, connectivity);
+    for (const Index v : connectivity.inner_vertices()) {
+      const auto ring = connectivity.ring(v);
+      const bool inside = std::none_of(ring.begin(), ring.end(),
+                                       [&](Index w) { return connectivity.is_border(w); });
+      if (!inside) continue;
+      ASSERT_NEAR(bends[v], expected, room * expected) << v;
+    }
+  };
+  check(meshes::bent_cylinder(40, 0.5 * k_pi), 2.0);
+  // Around the cylinder edges bend both ways.
+  check(meshes::bent_cylinder(40), 2.0, 0.7);
+  check(meshes::bent_sphere(40), 2.0);
+  check(meshes::flat_grid(8, 5), 0.0);
 }
 
 TEST(Bending, DoesNotDependOnTheSizeOfTheModel) {

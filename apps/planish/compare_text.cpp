@@ -15,11 +15,11 @@ constexpr double k_degrees = 57.295779513082320877;
 constexpr std::size_t k_widest_name = 21;
 
 /// Columns behind the name; with the widest name 80 in all.
-constexpr std::array<std::size_t, 8> k_widths = {8, 8, 8, 6, 6, 7, 6, 10};
-constexpr std::array<std::string_view, 8> k_heads = {"e_max", "strain", "deviat.", "angle",
-                                                     "rough", "sweeps", "time",    "ended by"};
-constexpr std::array<std::string_view, 8> k_units = {"rad", "rms %", "rms %", "deg",
-                                                     "deg", "",      "s",     ""};
+constexpr std::array<std::size_t, 8> k_widths = {8, 8, 8, 6, 8, 7, 7, 7};
+constexpr std::array<std::string_view, 8> k_heads = {"e_max",   "strain", "deviat.", "angle",
+                                                     "bending", "added",  "smooth",  "time"};
+constexpr std::array<std::string_view, 8> k_units = {"rad",   "rms %", "rms %", "deg",
+                                                     "ratio", "ratio", "",      "s"};
 
 using Cells = std::array<std::string, 8>;
 
@@ -50,9 +50,8 @@ std::string shorter_number(double value) {
                                       : 0);
 }
 
-std::string stop_word(StopReason stop) {
-  const std::string word(to_string(stop));  // "sweep_limit" is "limit"
-  return word.substr(word.find('_') + 1);
+std::string ratio_cell(const std::optional<double>& ratio) {
+  return ratio ? shorter_number(*ratio) : "-";
 }
 
 std::string row(const std::string& name, const Cells& cells, std::size_t name_width) {
@@ -73,7 +72,7 @@ Cells input_cells(const CompareReport& report) {
           strain_cell(report.unfold_before),
           "-",
           shorter_number(k_degrees * figures.min_angle),
-          shorter_number(figures.roughness),
+          "-",
           "-",
           "-",
           "-"};
@@ -86,10 +85,10 @@ Cells run_cells(const ComparedMethod& method) {
           strain_cell(method.unfold),
           short_number(100.0 * evolve.deviation.rms_over_diagonal),
           shorter_number(k_degrees * figures.min_angle),
-          shorter_number(figures.roughness),
-          std::to_string(evolve.result.history.size()),
-          shorter_number(evolve.result.seconds),
-          stop_word(evolve.result.stop)};
+          ratio_cell(evolve.fairness.bending_ratio),
+          ratio_cell(evolve.fairness.bending_added),
+          evolve.fairness.is_smooth() ? "yes" : "no",
+          shorter_number(evolve.result.seconds)};
 }
 
 std::size_t name_width(const CompareReport& report) {

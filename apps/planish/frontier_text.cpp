@@ -6,7 +6,7 @@ namespace planish::cli {
 
 namespace {
 
-constexpr std::size_t k_name_width = 21, k_width = 10, k_narrow_width = 7;
+constexpr std::size_t k_name_width = 21, k_width = 9, k_narrow_width = 7;
 
 /// In per cent and without the sign: the heads have it.
 std::string in_percent(double share) {
@@ -15,17 +15,22 @@ std::string in_percent(double share) {
 }
 
 std::string row(const std::string& name, const std::string& rms, const std::string& largest,
-                const std::string& deviation, const std::string& far, const std::string& sweeps,
-                const std::string& time) {
+                const std::string& deviation, const std::string& far, const std::string& bending,
+                const std::string& added, const std::string& smooth) {
   return left(name, k_name_width) + right(rms, k_width) + right(largest, k_width) +
-         right(deviation, k_width) + right(far, k_width) + right(sweeps, k_narrow_width) +
-         right(time, k_narrow_width) + "\n";
+         right(deviation, k_width) + right(far, k_width) + right(bending, k_width - 1) +
+         right(added, k_narrow_width - 1) + right(smooth, k_narrow_width) + "\n";
+}
+
+std::string ratio(const std::optional<double>& value) {
+  return value ? fixed(*value, 2) : "-";
 }
 
 std::string point_row(const std::string& name, const FrontierPoint& point) {
   return row(name, in_percent(point.strain.rms), in_percent(point.strain.max),
              in_percent(point.deviation.rms_over_diagonal), digits(point.deviation.max, 3),
-             std::to_string(point.sweeps), fixed(point.seconds, 2));
+             ratio(point.fairness.bending_ratio), ratio(point.fairness.bending_added),
+             point.fairness.is_smooth() ? "yes" : "no");
 }
 
 std::string curve_name(const FrontierPoint& point) {
@@ -53,17 +58,21 @@ std::string limit_text(const FrontierReport& report) {
 
 std::string frontier_text(const FrontierReport& report) {
   const std::string unit(to_string(report.unit));
-  std::string text = row("", "strain", "strain", "deviation", "deviation", "sweeps", "time") +
-                     row("", "rms %", "largest %", "rms %", "max " + unit, "", "s") +
+  std::string text = row("", "strain", "strain", "moved", "moved", "bending", "added", "smooth") +
+                     row("", "rms %", "most %", "rms %", "most " + unit, "ratio", "ratio", "") +
                      row("as it came", in_percent(report.before.rms), in_percent(report.before.max),
-                         "0", "0", "-", "-") +
+                         "0", "0", "-", "-", "-") +
                      "auto\n";
   for (const FrontierPoint& point : report.curve)
     text += point_row(curve_name(point), point);
   for (const FrontierPoint& point : report.others)
     text += point_row(std::string(name_of(point.method)), point);
-  return text + "\nDeviation, rms, is in per cent of the bounding box's diagonal.\n" +
-         limit_text(report);
+  return text + "\n" +
+         wrapped(
+             "Moved, rms, is in per cent of the bounding box's diagonal; bending is that of the "
+             "result over that of the patch, added what of it is new.",
+             0) +
+         "\n" + limit_text(report);
 }
 
 }  // namespace planish::cli

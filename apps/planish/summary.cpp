@@ -36,8 +36,7 @@ std::vector<Row> figure_rows(const Flattenability& before, const Flattenability&
           {"sum_abs_defect", "rad", before.sum_abs_defect, after.sum_abs_defect,
            "the same at every mesh density"},
           {"smallest angle", "deg", k_degrees * before.min_angle, k_degrees * after.min_angle, "",
-           true},
-          {"roughness", "deg", before.roughness, after.roughness, "rms dihedral angle"}};
+           true}};
 }
 
 std::vector<Row> strain_rows(const EdgeStrain& before, const EdgeStrain& after) {
@@ -135,6 +134,58 @@ std::string obstruction_text(const std::optional<Obstruction>& obstruction) {
   return text;
 }
 
+std::string count_of(const SelfIntersections& found) {
+  return (found.complete ? "" : "more than ") + std::to_string(found.pairs);
+}
+
+/// What measuring tells of the form without a design to compare with.
+std::string form_text(const MeasuredPatch& patch) {
+  const auto line = [](const std::string& name, const std::string& number,
+                       const std::string& meaning) {
+    return "  " + left(name, 24) + right(number, 11) + std::string(8, ' ') + meaning + "\n";
+  };
+  return line("bending", digits(patch.bending.bending), "squared curvature over the area") +
+         line("mean curvature", digits(patch.bending.mean_curvature), "over the size, in all") +
+         line("ruling defect", digits(patch.ruling_defect), "0 on a bent sheet, 0.5 on a ball") +
+         line("self-intersections", count_of(patch.self_intersections),
+              "pairs of triangles that cross");
+}
+
+std::string tick(bool yes, const std::string& words) {
+  return (yes ? "[x] " : "[ ] ") + words;
+}
+
+std::string place_text(Vec3 at) {
+  return "(" + digits(at.x, 3) + ", " + digits(at.y, 3) + ", " + digits(at.z, 3) + ")";
+}
+
+/// How the form came out of it, in words.
+std::string form_lines(const EvolveReport& report) {
+  const Fairness& fairness = report.fairness;
+  const std::string indent(14, ' ');
+  std::string text = "  form        " + tick(fairness.is_smooth(), "smooth");
+  if (fairness.bending_lost) text += "  " + tick(fairness.keeps_form(), "form kept");
+  text += "\n";
+  if (fairness.bending_ratio) {
+    text += indent + "bent " + digits(*fairness.bending_ratio, 3) + " times as much as the design";
+    if (fairness.bending_added) {
+      text += ": " + digits(*fairness.bending_added, 2) + " came, " +
+              digits(*fairness.bending_lost, 2) + " went";
+    }
+    text += "\n";
+  }
+  if (fairness.sharpest_fold) {
+    text += indent + "sharpest new fold " + digits(fairness.sharpest_fold->degrees, 2) +
+            " deg at " + place_text(fairness.sharpest_fold->at) + "\n";
+  }
+  const SelfIntersections& found = report.after.self_intersections;
+  if (found.pairs > 0) {
+    text += indent + "goes through itself: " + count_of(found) +
+            " pairs of triangles cross, the first at " + place_text(found.first->at) + "\n";
+  }
+  return text;
+}
+
 std::string deviation_lines(const Deviation& deviation, const std::string& unit) {
   return "  deviation   rms " + digits(deviation.rms, 3) + ", largest " + digits(deviation.max, 3) +
          " " + unit + "\n              rms is " + percent(deviation.rms_over_diagonal) +
@@ -216,7 +267,8 @@ std::string measure_text(const std::string& path, const MeasuredPatch& patch,
                        (row.meaning.empty() ? row.unit : left(row.unit, 7) + row.meaning);
     text += line + "\n";
   }
-  text += "\n  " + left("flattenable", 24) + right(patch.flattenable ? "yes" : "no", 11) + "\n" +
+  text += form_text(patch) + "\n  " + left("flattenable", 24) +
+          right(patch.flattenable ? "yes" : "no", 11) + "\n" +
           fitness_line("can be evolved", patch.inspection, Purpose::evolve) +
           fitness_line("can be laid flat", patch.inspection, Purpose::unfold);
   if (strain) text += as_designed_lines(*strain);
@@ -231,7 +283,7 @@ std::string evolve_text(const EvolveReport& report) {
   return run_line(report) + comparison_head() +
          comparison(figure_rows(report.before.figures, report.after.figures)) + "\n" +
          deviation_lines(report.deviation, "model units") +
-         border_line(report.border, "model units");
+         border_line(report.border, "model units") + form_lines(report);
 }
 
 std::string unfold_text(const UnfoldReport& report) {
@@ -249,7 +301,7 @@ std::string flatten_text(const FlattenReport& report) {
          comparison(strain_rows(report.unfold_before.strain, report.unfold.strain)) + "\n" +
          deviation_lines(report.evolve.deviation, std::string(to_string(report.unfold.unit))) +
          border_line(report.evolve.border, std::string(to_string(report.unfold.unit))) +
-         pattern_lines(report.unfold) + unlimited_lines(report.unfold) +
+         form_lines(report.evolve) + pattern_lines(report.unfold) + unlimited_lines(report.unfold) +
          matching_lines(report.unfold) + (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");
 }
 

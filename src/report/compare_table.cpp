@@ -36,6 +36,10 @@ std::string write_two(double value) {
   return significant_text(value, 2);
 }
 
+std::string write_tick(double value) {
+  return value != 0.0 ? "✓ yes" : "no";
+}
+
 std::string write_count(double value) {
   return count_text(static_cast<std::size_t>(value));
 }
@@ -85,7 +89,12 @@ std::vector<Column> columns() {
           {"Deviation", "rms, of size", Best::smallest, percent_text, nothing,
            [](const ComparedMethod& m) -> Figure { return m.evolve->deviation.rms_over_diagonal; }},
           angle,
-          patch_column<&Flattenability::roughness>("Roughness", "°"),
+          {"Bending", "of the design's", Best::smallest, write_three, nothing,
+           [](const ComparedMethod& m) -> Figure { return m.evolve->fairness.bending_ratio; }},
+          {"Bending added", "of the design's", Best::smallest, write_three, nothing,
+           [](const ComparedMethod& m) -> Figure { return m.evolve->fairness.bending_added; }},
+          {"Smooth", "", Best::none, write_tick, nothing,
+           [](const ComparedMethod& m) -> Figure { return m.evolve->fairness.is_smooth(); }},
           {"Sweeps", "", Best::none, write_count, nothing,
            [](const ComparedMethod& m) -> Figure {
              return static_cast<double>(m.evolve->result.history.size());

@@ -9,11 +9,9 @@ namespace planish {
 
 namespace {
 
-constexpr double k_same = 0.02;            // relative changes up to this are none
-constexpr double k_no_strain = 1e-6;       // nor are strains below this
-constexpr double k_needle = 1.0;           // degrees: smaller angles spoil later work
-constexpr double k_crumpled_growth = 1.5;  // of the roughness
-constexpr double k_crumpled_least = 1.0;   // degrees of it more than before
+constexpr double k_same = 0.02;       // relative changes up to this are none
+constexpr double k_no_strain = 1e-6;  // nor are strains below this
+constexpr double k_needle = 1.0;      // degrees: smaller angles spoil later work
 
 double degrees(double radians) {
   return 180.0 / std::numbers::pi * radians;
@@ -28,6 +26,12 @@ std::string percent(double share) {
   return digits(100.0 * share) + " %";
 }
 
+std::string crumpled_text(const Fairness& fairness) {
+  if (!fairness.bending_ratio) return "crumpled (it was a plane)";
+  return "crumpled (bent " + digits(*fairness.bending_ratio) + " times as much, " +
+         percent(fairness.sharp_share) + " of it sharply)";
+}
+
 /// What a run paid with, if anything: what makes its result unfit although its figures look well.
 std::string price(const CompareReport& report, const ComparedMethod& method) {
   const Flattenability& before = report.before.figures;
@@ -40,11 +44,8 @@ std::string price(const CompareReport& report, const ComparedMethod& method) {
   if (angle < k_needle && after.min_angle < 0.5 * before.min_angle) {
     add("needles (" + digits(angle) + " deg)");
   }
-  if (after.roughness > k_crumpled_growth * before.roughness &&
-      after.roughness > before.roughness + k_crumpled_least) {
-    add("crumpled (roughness " + digits(before.roughness) + " -> " + digits(after.roughness) +
-        " deg)");
-  }
+  const Fairness& fairness = method.evolve->fairness;
+  if (!fairness.is_smooth()) add(crumpled_text(fairness));
   if (method.unfold && report.unfold_before) {
     if (method.unfold->pattern.overlaps && !report.unfold_before->pattern.overlaps) {
       add("pattern overlaps");

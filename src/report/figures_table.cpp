@@ -143,13 +143,78 @@ std::vector<Row> mesh_rows(const Flattenability& before, const Flattenability& a
            Aim::large,
            write,
            {degrees * before.min_angle},
-           {degrees * after.min_angle}},
-          {"Roughness",
-           "rms angle between neighbouring triangles: smooth or crumpled",
-           Aim::small,
-           write,
-           {before.roughness},
-           {after.roughness}}};
+           {degrees * after.min_angle}}};
+}
+
+std::vector<double> listed(const std::optional<double>& figure) {
+  return figure ? std::vector<double>{*figure} : std::vector<double>{};
+}
+
+/// How smooth the form is, beside the design where there is one to compare with.
+std::vector<Row> fairness_rows(const EvolveReport& report) {
+  const Fairness& fairness = report.fairness;
+  const MeasuredPatch &before = report.before, &after = report.after;
+  const Write turn = [](double value) { return significant_text(value, 3) + "°"; };
+  const auto count = [](const SelfIntersections& found) {
+    return std::vector<double>{static_cast<double>(found.pairs)};
+  };
+  return {{"Bending",
+           "squared curvature times area, the same at any fineness of the mesh",
+           Aim::none,
+           write_number,
+           {before.bending.bending},
+           {after.bending.bending}},
+          {"Bending over the design's",
+           "noise of the design left out; smooth up to 1.3",
+           Aim::none,
+           write_number,
+           {},
+           listed(fairness.bending_ratio)},
+          {"Bending added",
+           "what the design did not have, over its bending; smooth up to 1",
+           Aim::none,
+           write_number,
+           {},
+           listed(fairness.bending_added)},
+          {"Bending lost",
+           "what went of the design's; form kept up to 0.5",
+           Aim::none,
+           write_number,
+           {},
+           listed(fairness.bending_lost)},
+          {"Sharply bent",
+           "share of the area, more than 99 % of the design is; smooth up to 4 %",
+           Aim::none,
+           percent_text,
+           {},
+           {fairness.sharp_share}},
+          {"Mean curvature",
+           "over the size of the patch",
+           Aim::none,
+           write_number,
+           {before.bending.mean_curvature},
+           {after.bending.mean_curvature}},
+          {"Ruling defect",
+           "0 where straight lines run through every place, 0.5 on a ball",
+           Aim::none,
+           write_number,
+           {before.ruling_defect},
+           {after.ruling_defect}},
+          {"Turn of the surface",
+           "of its normals, rms",
+           Aim::none,
+           turn,
+           {},
+           listed(fairness.normal_turn)},
+          {"Turn along the border",
+           "of its triangles, rms: what is sewn beside it must meet it",
+           Aim::none,
+           turn,
+           {},
+           listed(fairness.border_turn)},
+          {"Crossings", "pairs of triangles that go through each other", Aim::small,
+           [](double value) { return count_text(static_cast<std::size_t>(value)); },
+           count(before.self_intersections), count(after.self_intersections)}};
 }
 
 std::vector<Row> deviation_rows(const Deviation& deviation, const std::string& unit) {
@@ -254,9 +319,10 @@ std::string figures_table(const FlattenReport& report) {
                  joined(strain_rows(report.unfold_before.strain, report.unfold.strain),
                         pattern_rows(report.unfold_before.pattern, report.unfold.pattern, unit))) +
          section("Patch: how far from flattenable", defect_rows(before, after)) +
-         section("Form: what it cost", joined(joined(deviation_rows(report.evolve.deviation, unit),
-                                                     border_rows(report.evolve.border, unit)),
-                                              mesh_rows(before, after))) +
+         section("Form: what it cost",
+                 joined(joined(deviation_rows(report.evolve.deviation, unit),
+                               border_rows(report.evolve.border, unit)),
+                        joined(fairness_rows(report.evolve), mesh_rows(before, after)))) +
          "</table>\n";
 }
 

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include <planish/measure/ruling_defect.h>
 #include <planish/report/evolve_progress.h>
 #include <planish/report/flatten.h>
 
@@ -31,6 +32,9 @@ MeasuredPatch measure_patch(const TriMesh& mesh) {
   patch.figures = measure(mesh, connectivity);
   patch.flattenable = is_flattenable(patch.figures, patch.inspection);
   patch.obstruction = find_obstruction(mesh, connectivity);
+  patch.bending = measure_bending(mesh, connectivity);
+  patch.ruling_defect = ruling_defect(mesh, connectivity);
+  patch.self_intersections = find_self_intersections(mesh);
   return patch;
 }
 
@@ -47,6 +51,7 @@ EvolveReport evolve_patch(const TriMesh& mesh, const Method& method, const Stopp
   const Connectivity connectivity(mesh);
   report.deviation = measure_deviation(mesh, after.positions, connectivity);
   report.border = measure_border_change(mesh, after.positions, connectivity);
+  report.fairness = measure_fairness(mesh, connectivity, after.positions);
   return report;
 }
 
@@ -57,8 +62,9 @@ EvolveReport evolve_remeshed(const TriMesh& original, const RemeshedPatch& patch
       evolve_patch(patch.mesh, method, stopping, on_sweep, threads, patch.constraints);
   if (patch.mesh.positions.size() == original.positions.size()) return report;
   report.remeshed_from = SizeBefore{original.positions.size(), original.triangles.size()};
-  report.deviation =
-      measure_surface_deviation(original, {report.result.positions, patch.mesh.triangles});
+  const TriMesh after{report.result.positions, patch.mesh.triangles};
+  report.deviation = measure_surface_deviation(original, after);
+  report.fairness = measure_fairness(original, after);
   return report;
 }
 
@@ -177,7 +183,9 @@ EvolveReport left_as_it_is(const TriMesh& mesh, const Method& method, const Stop
   report.before = report.after = measure_patch(mesh);
   report.result.positions = mesh.positions;
   report.result.stop = StopReason::strain_met;
-  report.deviation = measure_deviation(mesh, mesh.positions, Connectivity(mesh));
+  const Connectivity connectivity(mesh);
+  report.deviation = measure_deviation(mesh, mesh.positions, connectivity);
+  report.fairness = measure_fairness(mesh, connectivity, mesh.positions);
   return report;
 }
 
@@ -311,9 +319,14 @@ class Flattening {
     const TriMesh& work = work_mesh(mesh);
     const TriMesh now{report_.evolve.result.positions, work.triangles};
     report_.evolve.after = measure_patch(now);
-    report_.evolve.deviation = report_.evolve.remeshed_from
-                                   ? measure_surface_deviation(mesh, now)
-                                   : measure_deviation(work, now.positions, Connectivity(work));
+    if (report_.evolve.remeshed_from) {
+      report_.evolve.deviation = measure_surface_deviation(mesh, now);
+      report_.evolve.fairness = measure_fairness(mesh, now);
+    } else {
+      const Connectivity connectivity(work);
+      report_.evolve.deviation = measure_deviation(work, now.positions, connectivity);
+      report_.evolve.fairness = measure_fairness(work, connectivity, now.positions);
+    }
   }
 
   const FlattenOptions& options_;

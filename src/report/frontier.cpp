@@ -32,9 +32,9 @@ std::vector<CompareRun> runs_of(const FrontierOptions& options, double largest_s
 
 FrontierPoint point_of(const ComparedMethod& compared) {
   const EvolveReport& evolve = *compared.evolve;
-  return {compared.run.method,     evolve.result.stop,      evolve.result.history.size(),
-          evolve.result.seconds,   compared.unfold->strain, evolve.deviation,
-          evolve.after.flattenable};
+  return {compared.run.method,      evolve.result.stop,      evolve.result.history.size(),
+          evolve.result.seconds,    compared.unfold->strain, evolve.deviation,
+          evolve.after.flattenable, evolve.fairness};
 }
 
 void check(const FrontierOptions& options) {
@@ -52,8 +52,14 @@ void append_point(std::string& csv, const FrontierPoint& point) {
     csv += ',';
     append_number(csv, value);
   }
-  csv += ',' + std::string(point.flattenable ? "1" : "0") + ',' + std::to_string(point.sweeps) +
-         ',' + std::string(to_string(point.stop)) + ',';
+  const auto yes_or_no = [](bool yes) { return yes ? ",1" : ",0"; };
+  csv += yes_or_no(point.flattenable);
+  for (const auto& figure : {point.fairness.bending_ratio, point.fairness.bending_added}) {
+    csv += ',';
+    if (figure) append_number(csv, *figure);
+  }
+  csv += yes_or_no(point.fairness.is_smooth());
+  csv += ',' + std::to_string(point.sweeps) + ',' + std::string(to_string(point.stop)) + ',';
   append_number(csv, point.seconds);
   csv += '\n';
 }
@@ -120,7 +126,7 @@ std::optional<FrontierReport> frontier(TriMesh mesh, std::string name,
 std::string frontier_csv(const FrontierReport& report) {
   std::string csv =
       "method,max_strain,strain_rms,strain_p99,strain_max,deviation_rms,deviation_max,"
-      "rms_over_diagonal,flattenable,sweeps,stop,seconds\n";
+      "rms_over_diagonal,flattenable,bending_ratio,bending_added,smooth,sweeps,stop,seconds\n";
   for (const auto* points : {&report.curve, &report.others}) {
     for (const FrontierPoint& point : *points)
       append_point(csv, point);

@@ -164,6 +164,10 @@ std::string color_terms(const std::optional<StrainLimitCheck>& limit = {}) {
              "of the area around the vertex, from blue to red as the paper shows it. Of the same "
              "size as a ball's of the radius given. Blue to red is not safe for colour-blind "
              "eyes; all other scales are.") +
+         html_entry(
+             "Bent",
+             "Curvature across the edges, as of a cylinder of the radius given, on one scale: "
+             "what is darker after than before is new.") +
          html_entry("Moved", "Deviation: how far the place went from where it was.") +
          html_entry(
              "Stretch",

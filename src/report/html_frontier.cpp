@@ -21,6 +21,14 @@ std::string row(const std::string& name, const EdgeStrain& strain, const Deviati
          cell(significant_text(deviation.max, 2)) + rest + "</tr>\n";
 }
 
+std::string fairness_cells(const Fairness& fairness) {
+  const auto figure = [](const std::optional<double>& value) {
+    return cell(value ? significant_text(*value, 3) : "–");
+  };
+  return figure(fairness.bending_ratio) + figure(fairness.bending_added) +
+         cell(fairness.is_smooth() ? "✓ yes" : "no");
+}
+
 std::string name_of_point(const FrontierPoint& point) {
   const auto* options = std::get_if<Auto>(&point.method);
   if (options == nullptr) return std::string(name_of(point.method));
@@ -34,13 +42,17 @@ std::string table(const FrontierReport& report) {
       "<th>Strain, largest</th><th>Deviation, rms<small>of the diagonal</small></th>"
       "<th>Deviation, largest<small>" +
       std::string(to_string(report.unit)) +
-      "</small></th><th>Sweeps</th><th>Time<small>s</small></th><th>Ended as</th></tr></thead>\n"
+      "</small></th><th>Bending<small>of the design's</small></th><th>Bending added<small>of the "
+      "design's</small></th><th>Smooth</th><th>Sweeps</th><th>Time<small>s</small></th><th>Ended "
+      "as</th></tr></thead>\n"
       "<tbody>\n" +
-      row("as it came", report.before, {}, "<td></td><td></td><td></td>");
+      row("as it came", report.before, {},
+          "<td></td><td></td><td></td><td></td><td></td><td></td>");
   for (const auto* points : {&report.curve, &report.others}) {
     for (const FrontierPoint& point : *points) {
       html += row(name_of_point(point), point.strain, point.deviation,
-                  cell(count_text(point.sweeps)) + cell(significant_text(point.seconds, 2)) +
+                  fairness_cells(point.fairness) + cell(count_text(point.sweeps)) +
+                      cell(significant_text(point.seconds, 2)) +
                       cell(std::string(stop_text(point.stop))));
     }
   }

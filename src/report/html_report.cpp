@@ -79,6 +79,17 @@ std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut
          "</dl>\n";
 }
 
+// Whether a designer would take the form.
+std::vector<std::string> form_checks(const EvolveReport& evolve) {
+  const bool smooth = evolve.fairness.is_smooth(), kept = evolve.fairness.keeps_form();
+  std::vector<std::string> items = {mark(smooth, smooth ? "smooth" : "crumpled")};
+  if (evolve.fairness.bending_lost)
+    items.push_back(mark(kept, kept ? "form kept" : "much of the form is gone"));
+  if (evolve.after.self_intersections.pairs > 0)
+    items.push_back(mark(false, "the form goes through itself"));
+  return items;
+}
+
 // All that is either right or wrong.
 std::string checks(const FlattenReport& report) {
   const Pattern& pattern = report.unfold.pattern;
@@ -89,6 +100,8 @@ std::string checks(const FlattenReport& report) {
       mark(!pattern.overlaps, pattern.overlaps ? "overlaps itself" : "does not overlap itself"),
       mark(pattern.flipped_triangles == 0,
            pattern.flipped_triangles == 0 ? "nothing is face down" : "parts are face down")};
+  for (const std::string& item : form_checks(report.evolve))
+    items.push_back(item);
   if (!unit_question(report.unfold).empty())
     items.insert(items.begin(), mark(false, "unit of the model to be checked"));
   constexpr std::array<std::pair<LimitOf, std::string_view>, 6> names = {

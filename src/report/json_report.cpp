@@ -44,6 +44,10 @@ Json to_json(const std::optional<Obstruction>& obstruction) {
           {"fixed_angles", obstruction->fixed_angles}};
 }
 
+Json to_json(const SelfIntersections& found) {
+  return found.complete ? Json(found.pairs) : Json(nullptr);
+}
+
 Json to_json(const MeasuredPatch& patch) {
   const Topology& topology = patch.inspection.topology;
   const Flattenability& figures = patch.figures;
@@ -60,6 +64,10 @@ Json to_json(const MeasuredPatch& patch) {
           {"min_angle", figures.min_angle},
           {"roughness", figures.roughness},
           {"flattenable", patch.flattenable},
+          {"bending", patch.bending.bending},
+          {"mean_curvature", patch.bending.mean_curvature},
+          {"ruling_defect", patch.ruling_defect},
+          {"self_intersections", to_json(patch.self_intersections)},
           {"obstruction", to_json(patch.obstruction)},
           {"problems", to_json(patch.inspection.problems)}};
 }
@@ -120,14 +128,40 @@ Json to_json(const BorderChange& border) {
           {"length_after", border.length_after}};
 }
 
+Json to_json(const std::optional<double>& figure) {
+  return figure ? Json(*figure) : Json(nullptr);
+}
+
+Json to_json(const std::optional<Fold>& fold) {
+  if (!fold) return nullptr;
+  return {{"degrees", fold->degrees},
+          {"edge", {fold->from, fold->to}},
+          {"at", {fold->at.x, fold->at.y, fold->at.z}}};
+}
+
+/// The figures of a result beside its design, but for the sharp share.
+void add_fairness(const Fairness& fairness, Json& json) {
+  json["bending_ratio"] = to_json(fairness.bending_ratio);
+  json["bending_added"] = to_json(fairness.bending_added);
+  json["bending_lost"] = to_json(fairness.bending_lost);
+  json["normal_turn"] = to_json(fairness.normal_turn);
+  json["border_turn"] = to_json(fairness.border_turn);
+  json["sharpest_fold"] = to_json(fairness.sharpest_fold);
+  json["smooth"] = fairness.is_smooth();
+  json["form_kept"] = fairness.keeps_form();
+}
+
 Json to_json(const EvolveReport& report) {
+  Json after = to_json(report.after);
+  after["sharp_share"] = report.fairness.sharp_share;
   Json json = {
       {"method", name_of(report.method)},         {"options", options_of(report.method)},
       {"sweeps", report.result.history.size()},   {"stop", to_string(report.result.stop)},
       {"threads", report.result.threads},         {"seconds", report.result.seconds},
-      {"before", to_json(report.before)},         {"after", to_json(report.after)},
+      {"before", to_json(report.before)},         {"after", std::move(after)},
       {"deviation", to_json(report.deviation)},   {"remeshed_from", to_json(report.remeshed_from)},
       {"history", to_json(report.result.history)}};
+  add_fairness(report.fairness, json);
   if (report.border) json["border"] = to_json(*report.border);
   return json;
 }
@@ -205,6 +239,9 @@ Json to_json(const std::vector<FrontierPoint>& points) {
                     {"strain", to_json(point.strain)},
                     {"deviation", to_json(point.deviation)},
                     {"flattenable", point.flattenable},
+                    {"bending_ratio", to_json(point.fairness.bending_ratio)},
+                    {"bending_added", to_json(point.fairness.bending_added)},
+                    {"smooth", point.fairness.is_smooth()},
                     {"sweeps", point.sweeps},
                     {"stop", to_string(point.stop)},
                     {"seconds", point.seconds}});

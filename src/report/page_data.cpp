@@ -8,6 +8,7 @@
 
 #include <planish/draw/color_map.h>
 #include <planish/measure/angle_defect.h>
+#include <planish/measure/bending.h>
 #include <planish/measure/gaussian_curvature.h>
 #include <planish/mesh/connectivity.h>
 #include <planish/report/pattern_sheet.h>
@@ -97,6 +98,7 @@ std::array<Figure, 2> principal_figures(const PageInput& input) {
 std::vector<Figure> figures_of(const PageInput& input, const Connectivity& connectivity) {
   Figure defect{"defect", ColorMap::diverging, input.defect_limit};
   Figure curvature{"curvature", ColorMap::paper};
+  Figure bent{"bent", ColorMap::sequential};
   Figure deviation{"deviation", ColorMap::sequential};
   Figure strain{"strain", ColorMap::diverging, input.strain_limit};
   Figure edge_strain{"edge_strain", ColorMap::diverging, input.strain_limit};
@@ -106,6 +108,7 @@ std::vector<Figure> figures_of(const PageInput& input, const Connectivity& conne
     curvature.by_state.push_back(
         of_inner(gaussian_curvatures(mesh, connectivity, defects), connectivity));
     defect.by_state.push_back(of_inner(defects, connectivity));
+    bent.by_state.push_back(vertex_bends(mesh, connectivity));
     deviation.by_state.push_back(moves(input.mesh.positions, state.positions));
     strain.by_state.push_back(state.pattern.empty() ? std::vector<double>()
                                                     : vertex_strains(mesh, state.pattern));
@@ -115,9 +118,11 @@ std::vector<Figure> figures_of(const PageInput& input, const Connectivity& conne
   }
   const double size = bounding_box_diagonal(input.mesh);
   curvature.limit = limit_of(curvature.by_state.front(), k_scale_share, 1e-6 / (size * size));
+  // One scale for all states: what is darker than the design was is new.
+  bent.limit = limit_of(bent.by_state.front(), k_scale_share, 1e-3 / size);
   deviation.limit = largest_limit(deviation, 1e-6 * size);
-  std::vector<Figure> figures = {std::move(defect), std::move(curvature), std::move(deviation),
-                                 std::move(strain), std::move(edge_strain)};
+  std::vector<Figure> figures = {std::move(defect),    std::move(curvature), std::move(bent),
+                                 std::move(deviation), std::move(strain),    std::move(edge_strain)};
   if (input.limit) {
     for (Figure& figure : principal_figures(input))
       figures.push_back(std::move(figure));
@@ -215,9 +220,9 @@ std::string map_bytes(ColorMap map) {
 
 std::size_t usual_most(const PageInput& input) {
   constexpr std::size_t bytes = 3'400'000;  // base64 makes four of three
-  // Positions and five figures by state, seven with a limit; number, place in the pattern and two
+  // Positions and six figures by state, eight with a limit; number, place in the pattern and two
   // triangles.
-  const std::size_t figures = input.limit ? 7 : 5;
+  const std::size_t figures = input.limit ? 8 : 6;
   return bytes / ((6 + 4 * figures) * input.states.size() + 16);
 }
 

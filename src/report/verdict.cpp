@@ -112,6 +112,24 @@ std::string effort_sentence(const FlattenReport& report) {
          std::string(to_string(report.unfold.unit)) + ".";
 }
 
+/// Whether a designer would take the form; empty where it is as it came.
+std::string form_sentence(const FlattenReport& report) {
+  const Fairness& fairness = report.evolve.fairness;
+  if (fairness.unchanged) return {};
+  if (fairness.is_smooth()) {
+    return fairness.keeps_form() ? " The form stayed smooth."
+                                 : " The form stayed smooth, but much of its curvature is gone.";
+  }
+  if (!fairness.bending_ratio) return " The form was a plane, and is bent now.";
+  std::string text = " The form is crumpled: it is bent " +
+                     significant_text(*fairness.bending_ratio, 2) + " times as much as it was";
+  if (fairness.sharpest_fold) {
+    text += ", and the sharpest new fold has " +
+            significant_text(fairness.sharpest_fold->degrees, 2) + "°";
+  }
+  return text + ".";
+}
+
 }  // namespace
 
 std::string unit_question(const UnfoldReport& unfold) {
@@ -124,7 +142,7 @@ std::string unit_question(const UnfoldReport& unfold) {
 }
 
 std::string verdict_text(const FlattenReport& report) {
-  std::string text = state_sentence(report) + " " + effort_sentence(report);
+  std::string text = state_sentence(report) + " " + effort_sentence(report) + form_sentence(report);
   if (!report.unfold.pattern.converged) {
     text += " Unfolding stopped before it was done: the strain may be more than it need be.";
   }

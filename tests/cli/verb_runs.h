@@ -62,6 +62,12 @@ inline void expect_numbers(const nlohmann::json& json, const std::string& key = 
   static const std::set<std::string> may_be_null = {
       "max_deviation", "remeshed_from", "unlimited_strain", "unmatched_strain", "obstruction",
       "nesting",
+      // beside a plane
+      "bending_ratio", "bending_added", "bending_lost",
+      // with other triangles, or where nothing is bent more
+      "normal_turn", "border_turn", "sharpest_fold",
+      // where too many triangles lie on one another
+      "self_intersections",
       // too large for a double, of a patch of 1e154 and more
       "area", "area_excess", "area_limit", "border_length"};
   if (json.is_null()) {

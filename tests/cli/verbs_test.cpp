@@ -20,7 +20,8 @@ TEST_F(Verbs, MeasureTellsFiguresAndWritesNothing) {
   const CliResult result = planish({"measure", "panel.obj"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_EQ(result.err, "");
-  for (const char* word : {"vertices", "e_max", "sum_abs_defect", "roughness", "flattenable"}) {
+  for (const char* word :
+       {"vertices", "e_max", "sum_abs_defect", "bending", "ruling defect", "flattenable"}) {
     EXPECT_THAT(result.out, HasSubstr(word));
   }
   EXPECT_THAT(names(), ElementsAre("panel.obj"));
@@ -30,7 +31,8 @@ TEST_F(Verbs, MeasureHasTheKeysOfTheContract) {
   const auto json = planish({"measure", "panel.obj", "--json"}).json();
   for (const char* key : {"vertices", "triangles", "inner_vertices", "components", "boundary_loops",
                           "euler_characteristic", "e_max", "e_avg", "energy", "sum_abs_defect",
-                          "min_angle", "roughness", "flattenable", "obstruction", "problems"}) {
+                          "min_angle", "roughness", "flattenable", "bending", "mean_curvature",
+                          "ruling_defect", "self_intersections", "obstruction", "problems"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
 }

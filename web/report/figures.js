@@ -36,6 +36,11 @@ function curvatureText(value, unit) {
   return `ball of radius ${written(1 / Math.sqrt(size), 2)} ${unit}`;
 }
 
+function bendText(value, unit) {
+  if (!(value > 0)) return 'flat';
+  return `as a cylinder of radius ${written(1 / value, 2)} ${unit}`;
+}
+
 function strainText(value) {
   if (Math.abs(value) < unstretched) return 'none';
   return `${signed(100 * value, 2)} %, ${value > 0 ? 'longer' : 'shorter'}`;
@@ -78,6 +83,14 @@ const words = {
     isSigned: false,
     text: curvatureText,
     ends: (limit, unit) => ['0 flat', '', `ball of ${written(1 / Math.sqrt(limit), 2)} ${unit} radius`],
+    beyond: 'or less',
+  },
+  bent: {
+    name: 'Bent',
+    term: 'curvature across edges',
+    isSigned: false,
+    text: bendText,
+    ends: (limit, unit) => ['0 flat', '', `radius ${written(1 / limit, 2)} ${unit}`],
     beyond: 'or less',
   },
   deviation: {

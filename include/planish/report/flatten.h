@@ -7,9 +7,12 @@
 
 #include <planish/evolve/evolve.h>
 #include <planish/evolve/remesh.h>
+#include <planish/measure/bending.h>
 #include <planish/measure/deviation.h>
+#include <planish/measure/fairness.h>
 #include <planish/measure/flattenability.h>
 #include <planish/measure/obstruction.h>
+#include <planish/measure/self_intersections.h>
 #include <planish/mesh/inspect.h>
 #include <planish/report/unit.h>
 #include <planish/unfold/strain.h>
@@ -24,6 +27,9 @@ struct MeasuredPatch {
   Flattenability figures;
   bool flattenable = false;
   std::optional<Obstruction> obstruction = {};  ///< of a disk only
+  Bending bending = {};
+  double ruling_defect = 0.0;
+  SelfIntersections self_intersections = {};
 };
 
 /// Inspects and measures.
@@ -46,6 +52,7 @@ struct EvolveReport {
   /// Of the patch as it came, where remeshing took vertices out of it: then `before` is what it
   /// left, and the deviation that of the surfaces.
   std::optional<SizeBefore> remeshed_from = {};
+  Fairness fairness = {};  ///< beside the patch as it came
 };
 
 /// An unfolding with the figures of its pattern.

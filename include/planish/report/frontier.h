@@ -18,6 +18,7 @@ struct FrontierPoint {
   EdgeStrain strain;     ///< of the pattern of the result
   Deviation deviation;   ///< of the result from the patch
   bool flattenable = false;
+  Fairness fairness = {};  ///< of the result beside the patch
 };
 
 /// A run without a result.

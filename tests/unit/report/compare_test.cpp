@@ -113,12 +113,11 @@ TEST(CompareVerdict, GoesByTheStrainAndNamesThePrice) {
   EXPECT_EQ(best_run(report), std::nullopt);
   report.runs[1].unfold->strain.rms = 0.01;
   EXPECT_EQ(best_run(report), std::nullopt) << "at the price of needles";
-  report.runs[0].evolve->after.figures.roughness = 9.0;
+  report.runs[0].evolve->fairness.bending_ratio = 4.2;
   report.runs[0].unfold->pattern.overlaps = true;
   report.runs[0].unfold->pattern.flipped_triangles = 1;
-  EXPECT_THAT(
-      verdict(0),
-      HasSubstr("; crumpled (roughness 2.5 -> 9 deg), pattern overlaps, flipped triangles"));
+  EXPECT_THAT(verdict(0), HasSubstr("; crumpled (bent 4.2 times as much, 1.2 % of it sharply), "
+                                    "pattern overlaps, flipped triangles"));
   report.runs[0].evolve->deviation.max = 0.0;
   EXPECT_THAT(verdict(0), StartsWith("moved nothing"));
   report.runs[1].evolve->after.flattenable = true;

@@ -158,13 +158,14 @@ TEST(Frontier, CsvHasALineForEveryPoint) {
                           0.5,
                           EdgeStrain{0.5, 0.125, 0.375},
                           {1.0, 2.0, 0.0625},
-                          false});
+                          false,
+                          {.bending_ratio = 1.25, .bending_added = 0.5}});
   report.others.push_back({ClassicalLaplacian{}, StopReason::sweep_limit, 10, 0.25, {}, {}, true});
   EXPECT_EQ(frontier_csv(report),
             "method,max_strain,strain_rms,strain_p99,strain_max,deviation_rms,deviation_max,"
-            "rms_over_diagonal,flattenable,sweeps,stop,seconds\n"
-            "auto,0.25,0.125,0.375,0.5,1,2,0.0625,0,7,strain_met,0.5\n"
-            "classical,,0,0,0,0,0,0,1,10,sweep_limit,0.25\n");
+            "rms_over_diagonal,flattenable,bending_ratio,bending_added,smooth,sweeps,stop,seconds\n"
+            "auto,0.25,0.125,0.375,0.5,1,2,0.0625,0,1.25,0.5,1,7,strain_met,0.5\n"
+            "classical,,0,0,0,0,0,0,1,,,0,10,sweep_limit,0.25\n");
 }
 
 TEST(Frontier, OfAFlattenablePatchIsOnePointAndNoChart) {

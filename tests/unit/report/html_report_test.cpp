@@ -212,7 +212,16 @@ TEST(FiguresTable, HasTheFiguresOfTheReportToTheLastDigit) {
   EXPECT_THAT(row("Strain, worst edge"), ElementsAre(0.3241, 0.3187));
   EXPECT_THAT(row("Smallest angle"),
               ElementsAre(degrees * before.min_angle, degrees * after.min_angle));
-  EXPECT_THAT(row("Roughness"), ElementsAre(before.roughness, after.roughness));
+  EXPECT_THAT(row("Bending"), ElementsAre(41.7, 41.7 * 0.73));
+  EXPECT_THAT(row("Bending over the design's"), ElementsAre(1.13));
+  EXPECT_THAT(row("Bending added"), ElementsAre(0.31));
+  EXPECT_THAT(row("Bending lost"), ElementsAre(0.17));
+  EXPECT_THAT(row("Sharply bent"), ElementsAre(0.0125));
+  EXPECT_THAT(row("Mean curvature"), ElementsAre(3.17, 3.17 * 0.73));
+  EXPECT_THAT(row("Ruling defect"), ElementsAre(0.203, 0.203 * 0.73));
+  EXPECT_THAT(row("Turn of the surface"), ElementsAre(3.4));
+  EXPECT_THAT(row("Turn along the border"), ElementsAre(5.6));
+  EXPECT_THAT(row("Crossings"), ElementsAre(0.0, 0.0));
   EXPECT_THAT(row("Deviation, rms"), ElementsAre(0.1234));
   EXPECT_THAT(row("Deviation, rms over size"), ElementsAre(0.00345));
   EXPECT_THAT(row("Deviation, largest"), ElementsAre(0.5678));
@@ -222,7 +231,7 @@ TEST(FiguresTable, HasTheFiguresOfTheReportToTheLastDigit) {
   EXPECT_THAT(row("Area ratio"), ElementsAre(1.0034, 1.0021));
   EXPECT_THAT(row("Flipped triangles"), ElementsAre(3.0, 0.0));
   EXPECT_THAT(row("Overlap"), ElementsAre(0.0, 1.0));
-  EXPECT_EQ(count(table, "<th scope=\"row\">"), 17U) << "and no other rows";
+  EXPECT_EQ(count(table, "<th scope=\"row\">"), 26U) << "and no other rows";
 }
 
 // What the last cell of a row says.

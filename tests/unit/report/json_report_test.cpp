@@ -29,11 +29,12 @@ TEST(JsonReport, OfAMeasuredPatchHasTheKeysOfTheContract) {
   patch.flattenable = true;
   patch.inspection.problems = {{ErrorCode::zero_area, "triangle 7 has no area", 3, 7}};
   const Json json = Json::parse(json_report(patch));
-  EXPECT_THAT(
-      keys_of(json),
-      ElementsAre("vertices", "triangles", "inner_vertices", "components", "boundary_loops",
-                  "euler_characteristic", "e_max", "e_avg", "energy", "sum_abs_defect", "min_angle",
-                  "roughness", "flattenable", "obstruction", "problems", "strain", "limits"));
+  EXPECT_THAT(keys_of(json),
+              ElementsAre("vertices", "triangles", "inner_vertices", "components", "boundary_loops",
+                          "euler_characteristic", "e_max", "e_avg", "energy", "sum_abs_defect",
+                          "min_angle", "roughness", "flattenable", "bending", "mean_curvature",
+                          "ruling_defect", "self_intersections", "obstruction", "problems",
+                          "strain", "limits"));
   EXPECT_EQ(json["strain"], Json(nullptr));
   EXPECT_EQ(json["limits"], Json::array());
   EXPECT_EQ(json["vertices"], 651);
@@ -49,6 +50,10 @@ TEST(JsonReport, OfAMeasuredPatchHasTheKeysOfTheContract) {
   EXPECT_EQ(json["min_angle"], 0.3011);
   EXPECT_EQ(json["roughness"], 2.471);
   EXPECT_EQ(json["flattenable"], true);
+  EXPECT_EQ(json["bending"], 41.7);
+  EXPECT_EQ(json["mean_curvature"], 3.17);
+  EXPECT_EQ(json["ruling_defect"], 0.203);
+  EXPECT_EQ(json["self_intersections"], 0);
   ASSERT_EQ(json["problems"].size(), 1U);
   EXPECT_EQ(json["problems"][0], Json({{"code", "zero_area"},
                                        {"message", "triangle 7 has no area"},
@@ -109,7 +114,9 @@ TEST(JsonReport, OfAnEvolutionHasTheKeysOfTheContract) {
   const Json json = Json::parse(json_report(samples::flatten_report().evolve));
   EXPECT_THAT(keys_of(json),
               ElementsAre("method", "options", "sweeps", "stop", "threads", "seconds", "before",
-                          "after", "deviation", "remeshed_from", "history"));
+                          "after", "deviation", "remeshed_from", "history", "bending_ratio",
+                          "bending_added", "bending_lost", "normal_turn", "border_turn",
+                          "sharpest_fold", "smooth", "form_kept"));
   EXPECT_EQ(json["method"], "controllable");
   EXPECT_EQ(json["sweeps"], 10);
   EXPECT_EQ(json["stop"], "sweep_limit");
@@ -124,6 +131,31 @@ TEST(JsonReport, OfAnEvolutionHasTheKeysOfTheContract) {
               ElementsAre("sweep", "e_max", "e_avg", "energy", "moved", "seconds"));
   EXPECT_EQ(json["history"][9]["sweep"], 10);
   EXPECT_EQ(json["history"][9]["moved"], 549);
+}
+
+TEST(JsonReport, TellsHowSmoothTheResultIs) {
+  EvolveReport report = samples::flatten_report().evolve;
+  const auto json = [&] { return Json::parse(json_report(report)); };
+  EXPECT_EQ(json()["bending_ratio"], 1.13);
+  EXPECT_EQ(json()["bending_added"], 0.31);
+  EXPECT_EQ(json()["bending_lost"], 0.17);
+  EXPECT_EQ(json()["normal_turn"], 3.4);
+  EXPECT_EQ(json()["border_turn"], 5.6);
+  EXPECT_EQ(json()["after"]["sharp_share"], 0.0125);
+  EXPECT_FALSE(json()["before"].contains("sharp_share"));
+  EXPECT_EQ(json()["sharpest_fold"],
+            Json({{"degrees", 9.5}, {"edge", {40, 41}}, {"at", {9.5, 1.0, 0.25}}}));
+  EXPECT_EQ(json()["smooth"], true);
+  EXPECT_EQ(json()["form_kept"], true);
+  report.fairness.bending_lost = 0.51;
+  EXPECT_EQ(json()["form_kept"], false);
+  report.fairness = {};
+  report.after.self_intersections.complete = false;
+  for (const char* key : {"bending_ratio", "bending_added", "bending_lost", "normal_turn",
+                          "border_turn", "sharpest_fold"})
+    EXPECT_TRUE(json()[key].is_null()) << key;
+  EXPECT_TRUE(json()["after"]["self_intersections"].is_null());
+  EXPECT_EQ(json()["smooth"], false);
 }
 
 TEST(JsonReport, StatesTheOptionsOfTheMethodAsDescribed) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <planish/measure/angle_defect.h>
+#include <planish/measure/bending.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -73,14 +74,14 @@ TEST(PageData, HasScalesForPatchesOfAnySize) {
 TEST(PageData, HasTheStrainThatLimitsAreFor) {
   const FlattenReport report = samples::flatten_report();
   const json data = content_of(page_data(input_of(report)));
-  ASSERT_EQ(data["figures"][4]["id"], "edge_strain");
+  ASSERT_EQ(data["figures"][5]["id"], "edge_strain");
   const Connectivity connectivity(report.input);
   const std::array states = {std::pair(&report.input, &report.unfold_before),
                              std::pair(&report.processed, &report.unfold)};
   for (std::size_t state = 0; state < states.size(); ++state) {
     const auto [mesh, unfold] = states[state];
     const EdgeStrain strain = edge_strain(*mesh, connectivity, unfold->pattern.positions);
-    const auto shown = pages::floats_of(data["figures"][4]["values"][state]);
+    const auto shown = pages::floats_of(data["figures"][5]["values"][state]);
     double largest = 0.0;
     for (const float value : shown)
       largest = std::max(largest, std::abs(static_cast<double>(value)));
@@ -120,7 +121,7 @@ TEST(PageData, HasTheFiguresOfEveryVertex) {
   const Connectivity connectivity(report.input);
   const auto defects = angle_defects(report.processed, connectivity);
   const auto shown = pages::floats_of(data["figures"][0]["values"][1]);
-  const auto moved = pages::floats_of(data["figures"][2]["values"][1]);
+  const auto moved = pages::floats_of(data["figures"][3]["values"][1]);
   ASSERT_EQ(shown.size(), defects.size());
   for (Index v = 0; v < defects.size(); ++v) {
     if (connectivity.is_border(v)) {
@@ -131,9 +132,14 @@ TEST(PageData, HasTheFiguresOfEveryVertex) {
     EXPECT_NEAR(moved[v], std::abs(report.processed.positions[v].z - report.input.positions[v].z),
                 1e-6);
   }
+  const auto bends = vertex_bends(report.processed, connectivity);
+  const auto bent = pages::floats_of(data["figures"][2]["values"][1]);
+  for (Index v = 0; v < bends.size(); ++v)
+    EXPECT_NEAR(bent[v], bends[v], 1e-7 * bends[v]) << v;
   EXPECT_EQ(data["figures"][0]["limit"], 0.05);
   EXPECT_EQ(data["figures"][1]["id"], "curvature");
-  EXPECT_EQ(data["figures"][3]["id"], "strain");
+  EXPECT_EQ(data["figures"][2]["id"], "bent");
+  EXPECT_EQ(data["figures"][4]["id"], "strain");
 }
 
 TEST(PageData, DrawsLargeMeshesWithFewerVerticesTheWorstAmongThem) {
@@ -151,10 +157,10 @@ TEST(PageData, DrawsLargeMeshesWithFewerVerticesTheWorstAmongThem) {
   const auto numbers = pages::numbers_of(data["numbers"]);
   const auto worst = std::find(numbers.begin(), numbers.end(), 61U * 20U + 13U);
   ASSERT_NE(worst, numbers.end());
-  const auto moved = pages::floats_of(data["figures"][2]["values"][1]);
+  const auto moved = pages::floats_of(data["figures"][3]["values"][1]);
   EXPECT_NEAR(moved[static_cast<std::size_t>(worst - numbers.begin())], 3.0, 1e-6)
       << "figures are those of the full mesh";
-  EXPECT_TRUE(data["figures"][3]["values"][0].is_null()) << "no pattern, no strain";
+  EXPECT_TRUE(data["figures"][4]["values"][0].is_null()) << "no pattern, no strain";
 }
 
 TEST(PageData, NumbersVerticesAsPeopleKnowThem) {

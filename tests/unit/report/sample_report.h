@@ -38,6 +38,8 @@ inline MeasuredPatch measured(double factor) {
   patch.inspection.topology = {651, 1200, 549, 1850, 1, 1, 0, 1};
   patch.figures = {0.0641 * factor, 0.00312 * factor, 0.137 * factor,
                    1.713 * factor,  0.3011 * factor,  2.471 * factor};
+  patch.bending = {41.7 * factor, 3.17 * factor};
+  patch.ruling_defect = 0.203 * factor;
   return patch;
 }
 
@@ -49,6 +51,13 @@ inline FlattenReport flatten_report() {
   report.evolve.before = measured(1.0);
   report.evolve.after = measured(0.73);
   report.evolve.deviation = {0.1234, 0.5678, 0.00345};
+  report.evolve.fairness = {.bending_ratio = 1.13,
+                            .bending_added = 0.31,
+                            .bending_lost = 0.17,
+                            .sharp_share = 0.0125,
+                            .normal_turn = 3.4,
+                            .border_turn = 5.6,
+                            .sharpest_fold = Fold{40, 41, 9.5, {9.5, 1.0, 0.25}}};
   report.evolve.result.positions = report.processed.positions;
   report.evolve.result.threads = 2;
   report.evolve.result.seconds = 0.25;

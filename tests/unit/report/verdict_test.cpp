@@ -50,7 +50,24 @@ TEST(Verdict, SaysHowTheStrainIsAndWhatTheSweepsDid) {
   EXPECT_EQ(verdict(report()),
             "Not flattenable yet: the pattern is strained by 7.6 % rms (32 % at worst). "
             "10 controllable sweeps lowered the energy by 27 % and left the strain where it was; "
-            "no vertex moved further than 0.57 mm.");
+            "no vertex moved further than 0.57 mm. The form stayed smooth.");
+}
+
+TEST(Verdict, SaysWhetherTheFormIsSmooth) {
+  FlattenReport some = report();
+  const auto with = [&](const Fairness& fairness) {
+    some.evolve.fairness = fairness;
+    return verdict(some);
+  };
+  Fairness fairness = some.evolve.fairness;
+  fairness.bending_lost = 0.6;
+  EXPECT_THAT(with(fairness),
+              EndsWith("The form stayed smooth, but much of its curvature is gone."));
+  fairness.bending_ratio = 4.24;
+  EXPECT_THAT(with(fairness), EndsWith("The form is crumpled: it is bent 4.2 times as much as it "
+                                       "was, and the sharpest new fold has 9.5°."));
+  EXPECT_THAT(with({}), EndsWith("The form was a plane, and is bent now."));
+  EXPECT_THAT(with({.unchanged = true}), EndsWith("no vertex moved further than 0.57 mm."));
 }
 
 TEST(Verdict, TellsFlattenableFromNearlyAndNotYet) {
@@ -131,6 +148,7 @@ TEST(Verdict, SaysWhatBecameOfTheStrain) {
 TEST(Verdict, SaysWhenNothingWasDone) {
   FlattenReport some = flattenable_with_strain(0.0);
   some.evolve.result.history.clear();
+  some.evolve.fairness.unchanged = true;
   some.evolve.before.flattenable = true;
   EXPECT_THAT(verdict(some), EndsWith("It came so, and no vertex was moved."));
   some.evolve.before.flattenable = false;
@@ -144,7 +162,7 @@ TEST(Verdict, NamesTheMethodAndTheUnit) {
   some.evolve.method = ClassicalLaplacian{};
   some.unfold.unit = Unit::cm;
   EXPECT_THAT(verdict(some), HasSubstr("10 classical sweeps"));
-  EXPECT_THAT(verdict(some), EndsWith("no vertex moved further than 0.57 cm."));
+  EXPECT_THAT(verdict(some), HasSubstr("no vertex moved further than 0.57 cm."));
 }
 
 TEST(Verdict, OwnsUpToAnUnfoldingThatDidNotEnd) {

@@ -191,6 +191,20 @@ void refuse_flags_of_other_methods(const std::string& chosen, const Arguments& a
   }
 }
 
+/// --closeness is of surfaces that stay near, --target-e-max of those that get flat.
+void imply_preference(Auto& options, const Arguments& arguments) {
+  const bool is_told = arguments.has("--prefer");
+  if (arguments.has("--closeness")) {
+    if (is_told && options.prefer != Prefer::near)
+      throw UsageError("--closeness belongs to --prefer near: leave one of them out");
+    options.prefer = Prefer::near;
+  } else if (arguments.has("--target-e-max")) {
+    if (is_told && options.prefer == Prefer::smooth)
+      throw UsageError("--target-e-max belongs to --prefer flat or near: leave one of them out");
+    if (!is_told) options.prefer = Prefer::flat;
+  }
+}
+
 std::vector<std::string> split_at_commas(const std::string& text) {
   std::vector<std::string> parts;
   for (std::size_t from = 0; from <= text.size();) {
@@ -243,6 +257,7 @@ Method method_from(const Arguments& arguments, const Method& standard) {
   Method method = method_named(known_name("method", name, method_names()));
   refuse_flags_of_other_methods(name, arguments);
   std::visit([&](auto& options) { describe(options, OptionSetter{arguments}); }, method);
+  if (auto* options = std::get_if<Auto>(&method)) imply_preference(*options, arguments);
   return method;
 }
 

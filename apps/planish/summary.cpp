@@ -241,11 +241,10 @@ std::string unlimited_lines(const UnfoldReport& report) {
 
 std::string as_designed_lines(const StrainAsDesigned& strain) {
   const EdgeStrain& least = strain.least_stretch;
-  std::string text = "\n  " + left("pattern as it is", 24) + "strain rms " + percent(least.rms) +
-                     ", 99 % of the area within " + percent(least.p99) + ", largest " +
-                     percent(least.max) + "\n";
+  std::string text = "\n  strain      rms " + percent(least.rms) + ", 99 % of the area within " +
+                     percent(least.p99) + ", largest " + percent(least.max) + "\n";
   if (strain.smallest_limit) {
-    text += "  " + left("", 24) + "could be cut from a sheet that takes " +
+    text += "              could be cut from a sheet that takes " +
             percent(*strain.smallest_limit) + " at every edge\n";
   }
   const std::string limits = strain_limits_text(strain.limits);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -13,7 +12,7 @@
 #include "evolve/coarse_levels.h"
 #include "evolve/defect_polish.h"
 #include "evolve/pull_back.h"
-#include "evolve/smallest_angle.h"
+#include "evolve/smooth/smooth_auto.h"
 #include "evolve/strain_descent.h"
 #include "evolve/sweep.h"
 
@@ -24,8 +23,6 @@ namespace {
 // Strain, rms, at which a level is done: what lifting to the next one brings is more; and at which
 // polishing ends the work on the patch itself sooner.
 constexpr double k_coarse_strain = 1e-4, k_polish_strain = 3e-4;
-// Of what counts as flattenable, so that it does on rounding too.
-constexpr double k_share_of_e_max = 0.5, k_share_of_sum = 0.8;
 // A level that ends above this has met with what the border forbids: on finer ones a few steps mend
 // what lifting did, no more.
 constexpr double k_hopeless_strain = 1e-2;
@@ -41,6 +38,8 @@ constexpr double k_slow_share = 0.9;
 constexpr int k_most_slow = 8, k_most_rounds = 6;
 // A coarsest level that ends too rough is done again, roughness allowed later each time.
 constexpr int k_most_tries = 3;
+// A patch of so many vertices is worked on as it is.
+constexpr std::size_t k_small = 6000;
 constexpr double k_later = 0.8;
 
 class AutoStepper {
@@ -50,7 +49,7 @@ class AutoStepper {
         state_(state),
         pool_(pool),
         least_angle_(angle_to_keep(options, state, pool)),
-        levels_(state),
+        levels_(state, k_small),
         level_(levels_.coarsest()) {
     open_level();
     descent_->start(k_pace_from_scratch);
@@ -67,14 +66,6 @@ class AutoStepper {
   }
 
  private:
-  /// Unless told: no needles, but for those that there are.
-  static double angle_to_keep(const Auto& options, const PatchState& state, ThreadPool& pool) {
-    constexpr double needle = 5.0;  // degrees
-    if (options.min_angle > 0.0) return radians(options.min_angle);
-    return std::min(radians(needle), 0.5 * smallest_angle(state, state.triangles(), pool));
-  }
-  static double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
-
   /// Makes the descent of the level, its patch where it was at first.
   /// @param closeness of the coarser level, if there was one
   void open_level(double closeness = 0.0) {
@@ -90,12 +81,7 @@ class AutoStepper {
 
   PatchState& level_state() const { return coarse_ ? *coarse_ : state_; }
 
-  DescentLimits limits() const {
-    const double scale = level_state().scale();
-    return {scale * options_.max_deviation,
-            least_angle_,
-            {options_.border.rule, scale * options_.border.distance}};
-  }
+  DescentLimits limits() const { return limits_on(level_state(), options_, least_angle_); }
 
   /// On to the next finer level.
   void lift() {
@@ -201,9 +187,7 @@ class AutoStepper {
     const std::size_t moved = polish_->cycle();
     if (limit_is_met_after_all()) return {std::max<std::size_t>(moved, 1)};
     const Flattenability figures = state_.measure(pool_);
-    const bool flat = figures.e_max <= k_share_of_e_max * k_flattenable_e_max &&
-                      figures.sum_abs_defect <= k_share_of_sum * k_flattenable_sum;
-    if (flat) return {moved, true};
+    if (is_surely_flattenable(figures)) return {moved, true};
     slow_ = figures.energy > k_slow_share * energy ? slow_ + 1 : 0;
     const bool over = moved == 0 || slow_ >= k_most_slow || ++polishes_ >= k_most_polishes;
     if (over && rounds_++ < k_most_rounds) return descend_again(moved);
@@ -254,6 +238,7 @@ class AutoStepper {
 }  // namespace
 
 Sweep make_sweep(const Auto& options, PatchState& state, ThreadPool& pool) {
+  if (options.prefer != Prefer::near) return make_smooth_sweep(options, state, pool);
   const auto stepper = std::make_shared<AutoStepper>(options, state, pool);
   return Sweep([stepper] { return stepper->step(); }, [stepper] { stepper->settle(); });
 }

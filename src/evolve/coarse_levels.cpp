@@ -11,14 +11,18 @@ namespace planish {
 
 namespace {
 
-// A patch of so many vertices is worked on as it is; larger ones have levels of a quarter each.
-constexpr std::size_t k_small = 6000, k_thinning = 4;
+// Of the vertices of a level one in so many is on the next.
+constexpr std::size_t k_thinning = 4;
 
+/// Triangles are sorted, so that levels do not depend on the order in the file.
 TriMesh mesh_at_first(const PatchState& patch) {
   TriMesh mesh;
   for (std::size_t v = 0; v < patch.vertex_count(); ++v)
     mesh.positions.push_back((1.0 / patch.scale()) * patch.origin(v));
   mesh.triangles = patch.triangles();
+  for (Triangle& t : mesh.triangles)
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  std::sort(mesh.triangles.begin(), mesh.triangles.end());
   return mesh;
 }
 
@@ -44,15 +48,15 @@ std::vector<Index> numbers_in(const PatchState& state, std::size_t level, std::s
 
 }  // namespace
 
-CoarseLevels::CoarseLevels(const PatchState& patch) {
-  if (patch.inner_count() < k_small) return;
+CoarseLevels::CoarseLevels(const PatchState& patch, std::size_t small) {
+  if (patch.inner_count() < small) return;
   const TriMesh mesh = mesh_at_first(patch);
   if (!can_be_coarsened(mesh)) return;
   Constraints constraints = constraints_of(patch);
   const TriMesh* fine = &mesh;
   std::vector<Level> levels;
   levels.reserve(16);  // a quarter each: more than there are numbers for, so that none moves
-  while (fine->positions.size() > k_small) {
+  while (fine->positions.size() > small) {
     const std::size_t count = fine->positions.size();
     Level level{coarsen(*fine, Connectivity(*fine), count / k_thinning, CoarseBorder::thinned,
                         fixed_marks(constraints, count)),

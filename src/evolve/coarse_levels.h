@@ -14,10 +14,11 @@
 namespace planish {
 
 /// Coarser and coarser patches over a patch, each over a quarter of the vertices of the one before,
-/// down to a few thousand. Level 0 is the patch itself.
+/// down to few. Level 0 is the patch itself.
 class CoarseLevels {
  public:
-  explicit CoarseLevels(const PatchState& patch);
+  /// @param small patches of so many vertices have no coarser level
+  CoarseLevels(const PatchState& patch, std::size_t small);
 
   /// Of the coarsest level; 0 where the patch is small.
   std::size_t coarsest() const { return levels_.size(); }

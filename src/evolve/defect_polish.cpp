@@ -6,6 +6,7 @@
 
 #include <planish/evolve/controllable_laplacian.h>
 
+#include "evolve/shape_cost.h"
 #include "evolve/smallest_angle.h"
 #include "evolve/sweep.h"
 
@@ -142,6 +143,12 @@ std::vector<Index> DefectPolish::at_sharp_triangles() const {
                  [&](Index v) { return state_.is_inner(v); });
   }
   return vertices;
+}
+
+bool is_surely_flattenable(const Flattenability& figures) {
+  constexpr double of_e_max = 0.5, of_sum = 0.8;
+  return figures.e_max <= of_e_max * k_flattenable_e_max &&
+         figures.sum_abs_defect <= of_sum * k_flattenable_sum;
 }
 
 }  // namespace planish

@@ -3,10 +3,11 @@
 #include <optional>
 
 #include <planish/evolve/stop_reason.h>
+#include <planish/measure/flattenability.h>
 
+#include "evolve/descent_limits.h"
 #include "evolve/least_move.h"
 #include "evolve/places.h"
-#include "evolve/strain_descent.h"
 
 namespace planish {
 
@@ -44,5 +45,8 @@ class DefectPolish {
   bool first_ = true;
   std::optional<StopReason> held_by_;
 };
+
+/// True for what counts as flattenable, by so much that it does on rounding too.
+bool is_surely_flattenable(const Flattenability& figures);
 
 }  // namespace planish

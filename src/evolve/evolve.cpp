@@ -34,6 +34,8 @@ std::string_view to_string(StopReason reason) {
       return "deviation_limit";
     case StopReason::angle_limit:
       return "angle_limit";
+    case StopReason::smooth_limit:
+      return "smooth_limit";
     case StopReason::sweep_limit:
       return "sweep_limit";
     case StopReason::cancelled:
@@ -56,6 +58,8 @@ std::string_view stop_text(StopReason reason) {
       return "going on would have moved vertices further than allowed";
     case StopReason::angle_limit:
       return "going on would have made angles smaller than allowed";
+    case StopReason::smooth_limit:
+      return "taking out more strain would crumple the surface";
     case StopReason::sweep_limit:
       return "all sweeps asked for were made";
     case StopReason::cancelled:

@@ -53,31 +53,7 @@ ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, dou
   return pace;
 }
 
-/// The share of each vertex in the area of the patch as it was at first: a third of its triangles.
-Eigen::VectorXd area_shares(const PatchState& state) {
-  Eigen::VectorXd shares = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(state.vertex_count()));
-  for (const Triangle& t : state.triangles()) {
-    const Vec3 a = state.origin(t[0]);
-    const double area = norm(cross(state.origin(t[1]) - a, state.origin(t[2]) - a));
-    for (const Index v : t)
-      shares[static_cast<Eigen::Index>(v)] += area;
-  }
-  CarefulSum total;
-  for (const double share : shares)
-    total.add(share);
-  return shares / total.value();
-}
-
 }  // namespace
-
-double StrainLimit::share_of(const DescentStrain& strain) const {
-  // The pattern itself has up to so much more than phi tells, on all but very uneven meshes.
-  constexpr double of_limit = 0.95;
-  double share = std::numeric_limits<double>::infinity();
-  if (most > 0.0) share = std::min(share, most / strain.most);
-  if (rms > 0.0) share = std::min(share, of_limit * rms / strain.rms);
-  return share;
-}
 
 StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentAims& aims,
                              const DescentLimits& limits)

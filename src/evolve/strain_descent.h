@@ -6,30 +6,15 @@
 #include "evolve/angle_jacobian.h"
 #include "evolve/border_motion.h"
 #include "evolve/closeness_control.h"
+#include "evolve/descent_limits.h"
 #include "evolve/normal_system.h"
 #include "evolve/places.h"
 #include "evolve/shape_cost.h"
+#include "evolve/strain_limit.h"
 #include "evolve/strain_potential.h"
 #include "evolve/tangential_relaxation.h"
 
 namespace planish {
-
-/// Strain by the potential phi, as a share of length.
-struct DescentStrain {
-  double rms = 0.0;   ///< with a limit of strain that of the pattern's edges (edge_strain_of()),
-                      ///< else of phi over the inner vertices
-  double most = 0.0;  ///< of |phi|: edges along the border of the pattern stretch by that much,
-                      ///< those inside by half of it and more
-};
-
-/// The strain that is allowed; 0: no limit.
-struct StrainLimit {
-  double most = 0.0, rms = 0.0;
-
-  bool given() const { return most > 0.0 || rms > 0.0; }
-  /// What strain is to be multiplied by to be at the limit; infinite where there is none.
-  double share_of(const DescentStrain& strain) const;
-};
 
 /// What a descent is to reach.
 struct DescentAims {
@@ -39,13 +24,6 @@ struct DescentAims {
   /// lowered on the way here. 0: there is none.
   double closeness = 0.0;
   double earliness = 1.0;  ///< of the usual one; see ClosenessPace
-};
-
-/// What no step may break, in the units of the state and radians.
-struct DescentLimits {
-  double deviation = std::numeric_limits<double>::infinity();  ///< of a vertex from its origin
-  double angle = 0.0;  ///< smallest of a triangle, or what it is at first if that is less
-  BorderFreedom border = {};
 };
 
 /// Where a descent begins and how far its steps go.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/careful_sum.h"
 #include "evolve/fairing.h"
 #include "evolve/places.h"
 #include "solve/dissection.h"
@@ -132,6 +133,20 @@ Eigen::VectorXd StrainPotential::of(const Eigen::VectorXd& defects, ThreadPool& 
   Eigen::VectorXd solution = solver_->solve(defects, pool);
   if (border_ == PatternBorder::held) return solution;
   return stiffness_ * solution;
+}
+
+Eigen::VectorXd area_shares(const PatchState& state) {
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(state.vertex_count()));
+  for (const Triangle& t : state.triangles()) {
+    const Vec3 a = state.origin(t[0]);
+    const double area = norm(cross(state.origin(t[1]) - a, state.origin(t[2]) - a));
+    for (const Index v : t)
+      shares[static_cast<Eigen::Index>(v)] += area;
+  }
+  CarefulSum total;
+  for (const double share : shares)
+    total.add(share);
+  return shares / total.value();
 }
 
 double edge_strain_of(double rms_potential) {

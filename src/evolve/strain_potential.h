@@ -71,4 +71,7 @@ class StrainPotential {
 /// direction, has 3/8 of it in the mean (docs/methods/auto.md).
 double edge_strain_of(double rms_potential);
 
+/// The share of each vertex in the area of the patch as it was at first: a third of its triangles.
+Eigen::VectorXd area_shares(const PatchState& state);
+
 }  // namespace planish

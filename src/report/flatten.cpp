@@ -166,6 +166,16 @@ StrainLimits limits_of(const FlattenOptions& options) {
   return {.max = method->max_strain, .rms = method->max_rms_strain};
 }
 
+/// What a pattern has to keep for the work to be done: the limits, or where none is given and the
+/// surface is to stay smooth, a strain that nobody can measure. Nothing where another aim leads.
+StrainLimits aim_of(const StrainLimits& limits, const Method& method, const Stopping& stopping) {
+  const auto* options = std::get_if<Auto>(&method);
+  const bool goes_on = stopping.target_e_max > 0.0;
+  if (options == nullptr || goes_on || options->prefer == Prefer::flat) return {};
+  if (limits.any() || options->prefer == Prefer::near) return limits;
+  return {.rms = k_unmeasurable_strain};
+}
+
 /// The method with the limits as its own. Auto ends when its estimate of the strain keeps them.
 Method aimed_at(const StrainLimits& limits, Method method) {
   auto* options = std::get_if<Auto>(&method);
@@ -205,7 +215,8 @@ class Flattening {
         on_progress_(on_progress),
         limits_(limits_of(options)),
         method_(aimed_at(limits_, options.method)),
-        stopping_(options.stopping.value_or(usual_stopping(method_))) {}
+        stopping_(options.stopping.value_or(usual_stopping(method_))),
+        aim_(aim_of(limits_, method_, stopping_)) {}
 
   std::optional<FlattenReport> run(TriMesh mesh, std::string name) {
     if (!tell(FlattenStage::measuring, 0.0)) return std::nullopt;
@@ -213,8 +224,7 @@ class Flattening {
     report_.name = std::move(name);
     check_constraints(options_.constraints, mesh.positions.size(), method_);
     if (options_.remesh) remeshed_ = remesh(mesh, options_.constraints, options_.keep);
-    const bool done =
-        keep_limits_as_it_is(work_mesh(mesh)) ? !is_cancelled() : evolve_and_unfold(mesh);
+    const bool done = is_done_as_it_is(work_mesh(mesh)) ? !is_cancelled() : evolve_and_unfold(mesh);
     if (!done) return std::nullopt;
     report_.input = remeshed_ ? std::move(remeshed_->mesh) : std::move(mesh);
     if (remeshed_) report_.source = std::move(remeshed_->source);
@@ -230,11 +240,6 @@ class Flattening {
   bool is_cancelled() const { return cancelled_; }
   const TriMesh& work_mesh(const TriMesh& mesh) const { return remeshed_ ? remeshed_->mesh : mesh; }
 
-  /// The limits say when the work is done, and no target does.
-  bool is_led_by_limits() const {
-    return limits_.any() && std::holds_alternative<Auto>(method_) && stopping_.target_e_max == 0.0;
-  }
-
   UnfoldOptions with_limits() const {
     return {.match_seams = options_.match_seams, .threads = options_.threads, .limits = limits_};
   }
@@ -247,14 +252,21 @@ class Flattening {
         [&](int, double) { return tell(FlattenStage::unfolding, bar.after_step()); }, how);
   }
 
-  /// Lays the input flat within the limits, if limits lead the work. True if that pattern is the
-  /// result, or the work was cancelled.
-  bool keep_limits_as_it_is(const TriMesh& mesh) {
-    if (!is_led_by_limits()) return false;
+  bool keeps_aim(const TriMesh& mesh, const UnfoldReport& report) const {
+    if (limits_.any()) return all_kept(report.limits);
+    return all_kept(check_limits(mesh, Connectivity(mesh), report.pattern.positions, aim_));
+  }
+
+  /// Lays the input flat and sees whether that is all that is to be done. True if that pattern is
+  /// the result, or the work was cancelled.
+  bool is_done_as_it_is(const TriMesh& mesh) {
+    if (!aim_.any()) return false;
     MaybeUnfolded kept = unfolded(mesh, with_limits());
     if (!kept) return true;
-    if (!all_kept(kept->limits)) return false;
-    MaybeUnfolded before = unfolded(mesh, {.threads = options_.threads});
+    const bool is_done = keeps_aim(mesh, *kept), is_plain = !limits_.any() && !options_.match_seams;
+    if (is_plain) before_ = *kept;
+    if (!is_done) return false;
+    MaybeUnfolded before = is_plain ? before_ : unfolded(mesh, {.threads = options_.threads});
     if (!before) return true;
     report_.evolve = left_as_it_is(mesh, method_, stopping_);
     report_.unfold = *std::move(kept);
@@ -272,6 +284,13 @@ class Flattening {
                                               options_.constraints);
     if (report_.evolve.result.stop == StopReason::cancelled) return false;
     const TriMesh processed{report_.evolve.result.positions, work.triangles};
+    if (before_) {
+      MaybeUnfolded after = unfolded(processed, with_limits());
+      if (!after) return false;
+      report_.unfold_before = *std::move(before_);
+      report_.unfold = *std::move(after);
+      return true;
+    }
     auto patterns = unfold_both(work, processed, options_.unit, with_limits(),
                                 report_.evolve.result.threads > 1, on_progress_);
     if (!patterns) return false;
@@ -284,7 +303,7 @@ class Flattening {
   /// input with which a pattern still keeps them. False when cancelled.
   bool go_back(const TriMesh& mesh) {
     constexpr int halvings = 6;
-    if (!is_led_by_limits() || !all_kept(report_.unfold.limits)) return true;
+    if (!aim_.any() || !limits_.any() || !all_kept(report_.unfold.limits)) return true;
     // Half way between two places on a curved border is beside it.
     if (std::get<Auto>(method_).border.rule != BorderFreedom::Rule::fixed) return true;
     const TriMesh& work = work_mesh(mesh);
@@ -334,8 +353,10 @@ class Flattening {
   StrainLimits limits_;
   Method method_;
   Stopping stopping_;
+  StrainLimits aim_;
   std::optional<RemeshedPatch> remeshed_;
   FlattenReport report_;
+  MaybeUnfolded before_;  // the input without limits, where that is known already
   bool cancelled_ = false;
 };
 

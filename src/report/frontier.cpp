@@ -23,7 +23,7 @@ std::vector<CompareRun> runs_of(const FrontierOptions& options, double largest_s
   std::sort(limits.begin(), limits.end(), std::greater<>());
   std::vector<CompareRun> runs;
   for (const double limit : limits) {
-    const Method method = Auto{.max_strain = limit};
+    const Method method = Auto{.max_strain = limit, .prefer = Prefer::near};
     runs.push_back({method, usual_stopping(method)});
   }
   runs.insert(runs.end(), options.others.begin(), options.others.end());

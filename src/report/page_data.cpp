@@ -121,8 +121,9 @@ std::vector<Figure> figures_of(const PageInput& input, const Connectivity& conne
   // One scale for all states: what is darker than the design was is new.
   bent.limit = limit_of(bent.by_state.front(), k_scale_share, 1e-3 / size);
   deviation.limit = largest_limit(deviation, 1e-6 * size);
-  std::vector<Figure> figures = {std::move(defect),    std::move(curvature), std::move(bent),
-                                 std::move(deviation), std::move(strain),    std::move(edge_strain)};
+  std::vector<Figure> figures = {std::move(defect), std::move(curvature),
+                                 std::move(bent),   std::move(deviation),
+                                 std::move(strain), std::move(edge_strain)};
   if (input.limit) {
     for (Figure& figure : principal_figures(input))
       figures.push_back(std::move(figure));

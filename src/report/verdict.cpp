@@ -1,7 +1,13 @@
 #include "report/verdict.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <planish/measure/material.h>
 
 #include "report/figure_text.h"
 #include "report/limit_checks.h"
@@ -11,9 +17,11 @@ namespace planish {
 namespace {
 
 // Of the largest strain: below the first it is rounding, up to the second nobody can measure it on
-// cloth or leather, up to the third few would mind.
+// cloth or leather.
 constexpr double k_not_measurable = 1e-6;
-constexpr double k_no_strain = 0.001, k_little_strain = 0.005;
+constexpr double k_no_strain = 0.001;
+// Of the rms: that of the usual end of auto, as its estimate has it.
+constexpr double k_flat_strain = 1.1 * k_unmeasurable_strain;
 
 // Relative changes below these are not worth a word.
 constexpr double k_same_energy = 0.005, k_same_strain = 0.02;
@@ -38,6 +46,31 @@ std::string limit_words(const FlattenReport& report) {
   return words;
 }
 
+/// Who could be cut to the pattern all the same.
+std::string takers_text(const EdgeStrain& strain) {
+  std::vector<std::string_view> names;
+  for (const Material& material : materials()) {
+    if (strain.p99 <= material.max_strain) names.push_back(material.name);
+  }
+  if (names.empty()) return "No material that is known here takes that.";
+  std::string text(names.front());
+  for (std::size_t k = 1; k < names.size(); ++k)
+    text += (k + 1 < names.size() ? ", " : " and ") + std::string(names[k]);
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text + (names.size() == 1 ? " takes that." : " take that.");
+}
+
+/// What would take the rest of the strain out, where it was left for the sake of the form.
+std::string way_on(const FlattenReport& report) {
+  const auto* options = std::get_if<Auto>(&report.evolve.method);
+  if (options == nullptr || options->prefer != Prefer::smooth) return {};
+  if (report.evolve.result.stop == StopReason::smooth_limit)
+    return " Less would crumple the form: let the border move (--border), cut the patch "
+           "(suggest-cuts), or take folds (--prefer flat).";
+  if (report.evolve.result.stop != StopReason::strain_met) return {};
+  return " --prefer flat takes the rest out.";
+}
+
 std::string state_sentence(const FlattenReport& report) {
   const Pattern& pattern = report.unfold.pattern;
   const EdgeStrain& strain = report.unfold.strain;
@@ -59,10 +92,13 @@ std::string state_sentence(const FlattenReport& report) {
     }
     return "Flattenable by its angles, yet the pattern is strained by " + strain_text(strain) + ".";
   }
-  std::string degree = limit_words(report);
-  if (degree.empty())
-    degree = strain.max <= k_little_strain ? "Nearly flattenable" : "Not flattenable yet";
-  return degree + ": the pattern is strained by " + strain_text(strain) + ".";
+  const std::string limits = limit_words(report);
+  if (!limits.empty()) return limits + ": the pattern is strained by " + strain_text(strain) + ".";
+  const bool is_flat = strain.rms <= k_flat_strain;
+  return std::string(is_flat ? "Flat but for a stretch that nobody can measure"
+                             : "Not flat without stretch") +
+         ": the pattern is strained by " + strain_text(strain) + ". " + takers_text(strain) +
+         way_on(report);
 }
 
 std::string energy_phrase(double before, double after) {

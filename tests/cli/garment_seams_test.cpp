@@ -101,6 +101,8 @@ std::vector<double> notch_ways(const std::string& folder, const json& side) {
   std::vector<Vec2> line;
   for (const Index v : border_along(flat, side))
     line.push_back(shift + Vec2{flat.positions[v].x, flat.positions[v].y});
+  // Of two places that a DXF file has to three decimals.
+  constexpr double rounding = 1.5e-3;
   std::vector<double> ways;
   for (const auto& notch : dxf_lines(folder + "/pattern.dxf", "notch")) {
     double nearest = 1e300;
@@ -109,7 +111,7 @@ std::vector<double> notch_ways(const std::string& folder, const json& side) {
       const double t = std::clamp(dot(notch[0] - line[k], edge) / dot(edge, edge), 0.0, 1.0);
       nearest = std::min(nearest, norm(line[k] + t * edge - notch[0]));
     }
-    if (nearest < 1e-3) ways.push_back(way_along(line, notch[0]));
+    if (nearest < rounding) ways.push_back(way_along(line, notch[0]));
   }
   std::sort(ways.begin(), ways.end());
   return ways;

@@ -68,6 +68,8 @@ inline void expect_numbers(const nlohmann::json& json, const std::string& key = 
       "normal_turn", "border_turn", "sharpest_fold",
       // where too many triangles lie on one another
       "self_intersections",
+      // of what cannot be laid flat, or is too large
+      "strain", "smallest_limit",
       // too large for a double, of a patch of 1e154 and more
       "area", "area_excess", "area_limit", "border_length"};
   if (json.is_null()) {

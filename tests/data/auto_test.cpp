@@ -25,7 +25,8 @@ struct Ended {
   double strain;  // rms, of the pattern
 };
 
-Ended run(const TriMesh& mesh, const Method& method) {
+Ended run(const TriMesh& mesh, Method method) {
+  if (auto* options = std::get_if<Auto>(&method)) options->prefer = Prefer::near;
   const EvolveResult result = evolve(mesh, method, usual_stopping(method));
   const Connectivity connectivity(mesh);
   const TriMesh moved{result.positions, mesh.triangles};

@@ -12,6 +12,7 @@ enum class StopReason {
   strain_met,       ///< the pattern's strain is within the limit that was asked for
   deviation_limit,  ///< more would take vertices further away than is allowed
   angle_limit,      ///< more would make angles smaller than is allowed
+  smooth_limit,     ///< more would crumple the surface
   sweep_limit,
   cancelled,
 };

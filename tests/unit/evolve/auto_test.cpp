@@ -21,8 +21,12 @@ Flattenability figures_of(const TriMesh& mesh, const std::vector<Vec3>& position
   return measure(moved, Connectivity(moved));
 }
 
-EvolveResult run(const TriMesh& mesh, const Auto& method = {}, const OnSweep& on_sweep = {},
+/// The way that stays near; the other ways are in smooth/smooth_auto_test.cpp.
+constexpr Auto k_near{.prefer = Prefer::near};
+
+EvolveResult run(const TriMesh& mesh, Auto method = {}, const OnSweep& on_sweep = {},
                  unsigned threads = 0, const Constraints& constraints = {}) {
+  method.prefer = Prefer::near;
   return evolve(mesh, method, usual_stopping(method), on_sweep, threads, constraints);
 }
 
@@ -172,9 +176,9 @@ TEST(Auto, FlattensAroundFixedVertices) {
 TEST(Auto, LeavesFixedVerticesOnAllLevels) {
   const TriMesh mesh = make_shape("panel", 6500);
   const Constraints constraints = some_fixed(mesh, 1500);
-  Stopping stopping = usual_stopping(Auto{});
+  Stopping stopping = usual_stopping(k_near);
   stopping.max_sweeps = 25;  // the end is far from here, and has a test of its own
-  const EvolveResult result = evolve(mesh, Auto{}, stopping, {}, 0, constraints);
+  const EvolveResult result = evolve(mesh, k_near, stopping, {}, 0, constraints);
   EXPECT_LT(result.history.front().level->inner_vertices, 3000U);
   EXPECT_NE(result.positions, mesh.positions);
   for (const Index v : constraints.fixed)
@@ -186,9 +190,9 @@ TEST(CoarseLevels, LiftSmoothMovesNearlyAsTheyAre) {
   const Connectivity connectivity(mesh);
   ThreadPool pool(1);
   PatchState fine(mesh, connectivity, pool);
-  const CoarseLevels levels(fine);
+  const CoarseLevels levels(fine, 6000);
   ASSERT_EQ(levels.coarsest(), 2U);
-  EXPECT_EQ(CoarseLevels(*levels.make_state(2, pool)).coarsest(), 0U);
+  EXPECT_EQ(CoarseLevels(*levels.make_state(2, pool), 6000).coarsest(), 0U);
   const auto coarse = levels.make_state(1, pool);
   // A dent that is nothing at the border: one half wave across the middle of the patch.
   const double size = norm(mesh.positions.front() - mesh.positions.back());

@@ -297,7 +297,7 @@ TEST(NormalSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
 
 EvolveResult run(const TriMesh& mesh, const BorderFreedom& border, unsigned threads = 0,
                  const Constraints& constraints = {}) {
-  const Auto method{.border = border};
+  const Auto method{.prefer = Prefer::near, .border = border};
   return evolve(mesh, method, usual_stopping(method), {}, threads, constraints);
 }
 
@@ -376,8 +376,10 @@ TEST(Auto, KeepsJaggedBordersOnTheirCurveOnAllLevels) {
 TEST(Auto, KeepsBordersWhereTheyMayBeWhenCancelledOnACoarseLevel) {
   const TriMesh mesh = make_shape("panel", 6500);
   const std::vector<Vec3> before = border_of(mesh, mesh.positions);
-  for (const BorderFreedom& freedom : {k_slide, within(3.0)}) {
-    const Auto method{.max_deviation = 2.0, .border = freedom};
+  for (const auto& [freedom, prefer] :
+       {std::pair{k_slide, Prefer::near}, std::pair{within(3.0), Prefer::near},
+        std::pair{k_slide, Prefer::smooth}, std::pair{within(3.0), Prefer::smooth}}) {
+    const Auto method{.max_deviation = 2.0, .prefer = prefer, .border = freedom};
     const auto soon = [](const SweepRecord& record) { return record.sweep < 4; };
     const EvolveResult result = evolve(mesh, method, usual_stopping(method), soon);
     EXPECT_EQ(result.stop, StopReason::cancelled);
@@ -393,7 +395,7 @@ TEST(Auto, KeepsBordersWhereTheyMayBeWhenCancelledOnACoarseLevel) {
 
 TEST(Evolver, GoesOnAfterItSettledOnTheWayBack) {
   const TriMesh mesh = make_shape("panel", 6500);
-  Evolver evolver(mesh, Connectivity(mesh), Auto{.max_strain = 0.004});
+  Evolver evolver(mesh, Connectivity(mesh), Auto{.max_strain = 0.004, .prefer = Prefer::near});
   for (int i = 0; i < 12; ++i)
     evolver.step();
   evolver.settle();

@@ -17,7 +17,7 @@ namespace {
 /// A panel that lies flat but for kinks at single vertices and one dent.
 TriMesh kinked_panel() {
   TriMesh mesh = make_shape("panel", 1200);
-  mesh.positions = evolve(mesh, Auto{}).positions;
+  mesh.positions = evolve(mesh, Auto{.prefer = Prefer::near}).positions;
   const Connectivity connectivity(mesh);
   const Vec3 middle = mesh.positions[connectivity.inner_vertices()[400]];
   const double size = norm(mesh.positions.front() - mesh.positions.back());

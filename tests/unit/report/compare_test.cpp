@@ -138,7 +138,10 @@ TEST(CompareJson, HasTheReportsOfItsPartsAndNullForWhatThereIsNot) {
   using Json = nlohmann::ordered_json;
   const Json json = Json::parse(json_report(report));
   EXPECT_EQ(json["name"], "front panel");
-  EXPECT_EQ(json["input"], Json::parse(json_report(report.before)));
+  Json input = Json::parse(json_report(report.before));
+  for (const char* of_measure : {"strain", "limits"})
+    input.erase(of_measure);
+  EXPECT_EQ(json["input"], input);
   EXPECT_EQ(json["unfold_before"], Json::parse(json_report(*report.unfold_before)));
   EXPECT_EQ(json["best"], "controllable");
   ASSERT_EQ(json["runs"].size(), 3U);

@@ -29,12 +29,12 @@ TEST(JsonReport, OfAMeasuredPatchHasTheKeysOfTheContract) {
   patch.flattenable = true;
   patch.inspection.problems = {{ErrorCode::zero_area, "triangle 7 has no area", 3, 7}};
   const Json json = Json::parse(json_report(patch));
-  EXPECT_THAT(keys_of(json),
-              ElementsAre("vertices", "triangles", "inner_vertices", "components", "boundary_loops",
-                          "euler_characteristic", "e_max", "e_avg", "energy", "sum_abs_defect",
-                          "min_angle", "roughness", "flattenable", "bending", "mean_curvature",
-                          "ruling_defect", "self_intersections", "obstruction", "problems",
-                          "strain", "limits"));
+  EXPECT_THAT(
+      keys_of(json),
+      ElementsAre("vertices", "triangles", "inner_vertices", "components", "boundary_loops",
+                  "euler_characteristic", "e_max", "e_avg", "energy", "sum_abs_defect", "min_angle",
+                  "roughness", "flattenable", "bending", "mean_curvature", "ruling_defect",
+                  "self_intersections", "obstruction", "problems", "strain", "limits"));
   EXPECT_EQ(json["strain"], Json(nullptr));
   EXPECT_EQ(json["limits"], Json::array());
   EXPECT_EQ(json["vertices"], 651);

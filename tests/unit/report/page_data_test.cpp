@@ -99,16 +99,16 @@ TEST(PageData, HasPrincipalStretchesAndTheLimitWhereOneWasAsked) {
   PageInput input{mesh, {{"before", mesh.positions, pattern}, {"after", mesh.positions}}};
   input.defect_limit = 0.05;
   EXPECT_FALSE(content_of(page_data(input)).contains("limit"));
-  EXPECT_EQ(content_of(page_data(input))["figures"].size(), 5U);
+  EXPECT_EQ(content_of(page_data(input))["figures"].size(), 6U);
   input.limit.emplace().asked = 0.025;
   const json data = content_of(page_data(input));
   EXPECT_EQ(data["limit"]["asked"], 0.025);
   EXPECT_EQ(data["limit"]["beyond"], json::array({240, 82, 10}));
-  ASSERT_EQ(data["figures"].size(), 7U);
-  EXPECT_EQ(data["figures"][5]["id"], "longest");
-  EXPECT_EQ(data["figures"][6]["id"], "shortest");
+  ASSERT_EQ(data["figures"].size(), 8U);
+  EXPECT_EQ(data["figures"][6]["id"], "longest");
+  EXPECT_EQ(data["figures"][7]["id"], "shortest");
   for (std::size_t i = 0; i < 2; ++i) {
-    const json& values = data["figures"][5 + i]["values"];
+    const json& values = data["figures"][6 + i]["values"];
     for (const float value : pages::floats_of(values[0]))
       EXPECT_NEAR(value, i == 0 ? 0.02 : -0.03, 1e-8);
     EXPECT_TRUE(values[1].is_null()) << "there is no pattern";

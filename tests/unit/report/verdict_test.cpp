@@ -48,8 +48,9 @@ FlattenReport flattenable_with_strain(double max) {
 
 TEST(Verdict, SaysHowTheStrainIsAndWhatTheSweepsDid) {
   EXPECT_EQ(verdict(report()),
-            "Not flattenable yet: the pattern is strained by 7.6 % rms (32 % at worst). "
-            "10 controllable sweeps lowered the energy by 27 % and left the strain where it was; "
+            "Not flat without stretch: the pattern is strained by 7.6 % rms (32 % at worst). "
+            "No material that is known here takes that. 10 controllable sweeps lowered the energy "
+            "by 27 % and left the strain where it was; "
             "no vertex moved further than 0.57 mm. The form stayed smooth.");
 }
 
@@ -81,8 +82,10 @@ TEST(Verdict, TellsFlattenableFromNearlyAndNotYet) {
               StartsWith("Flattenable by its angles, yet the pattern is strained by 0.50 % rms "));
   FlattenReport near = report();
   near.unfold.strain = {0.003, 0.0005, 0.001};
-  EXPECT_THAT(verdict(near), StartsWith("Nearly flattenable: the pattern is strained by "
-                                        "0.050 % rms (0.30 % at worst). "));
+  EXPECT_THAT(
+      verdict(near),
+      StartsWith("Flat but for a stretch that nobody can measure: the pattern is strained by "
+                 "0.050 % rms (0.30 % at worst). "));
 }
 
 TEST(Verdict, MeasuresStrainByTheLimitThatWasGiven) {

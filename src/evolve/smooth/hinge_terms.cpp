@@ -1,0 +1,114 @@
+#include "evolve/smooth/hinge_terms.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/careful_sum.h"
+#include "core/math.h"
+
+namespace planish {
+
+namespace {
+
+constexpr std::size_t k_grain = 2048;
+
+/// A side of a triangle, with the triangle's third corner.
+struct Side {
+  Index low, high, tip;
+  bool forward;  // the triangle runs from low to high
+};
+
+std::vector<Side> sides_of(const std::vector<Triangle>& triangles) {
+  std::vector<Side> sides;
+  sides.reserve(3 * triangles.size());
+  for (const Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index a = t[k], b = t[(k + 1) % 3], tip = t[(k + 2) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), tip, a < b});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    if (a.low != b.low) return a.low < b.low;
+    if (a.high != b.high) return a.high < b.high;
+    return a.forward && !b.forward;
+  });
+  return sides;
+}
+
+/// The edge and the normals of its two triangles, each twice the area long.
+struct Frame {
+  Vec3 edge, left, right;
+};
+
+Frame frame_of(const std::array<Index, 4>& corners, const PatchState& state) {
+  const Vec3 from = state.position(corners[0]);
+  const Vec3 edge = state.position(corners[1]) - from;
+  return {edge, cross(edge, state.position(corners[2]) - from),
+          cross(state.position(corners[3]) - from, edge)};
+}
+
+/// Between the normals, positive where it is a valley seen from outside.
+double angle_of(const Frame& frame) {
+  const double sine = dot(cross(frame.right, frame.left), frame.edge) / norm(frame.edge);
+  const double cosine = dot(frame.left, frame.right);
+  return sine == 0.0 && cosine == 0.0 ? 0.0 : math::atan2(sine, cosine);
+}
+
+}  // namespace
+
+HingeTerms::HingeTerms(const PatchState& state) : state_(state) {
+  const std::vector<Side> sides = sides_of(state.triangles());
+  for (std::size_t s = 0; s + 1 < sides.size(); ++s) {
+    const Side &left = sides[s], &right = sides[s + 1];
+    if (left.low != right.low || left.high != right.high) continue;
+    hinges_.push_back({{left.low, left.high, left.tip, right.tip}});
+  }
+  weights_.resize(hinges_.size());
+}
+
+void HingeTerms::take_weights(ThreadPool& pool) {
+  pool.for_ranges(size(), k_grain, [this](std::size_t begin, std::size_t end) {
+    for (std::size_t h = begin; h < end; ++h) {
+      const Frame frame = frame_of(hinges_[h].corners, state_);
+      const double areas = 0.5 * (norm(frame.left) + norm(frame.right));
+      weights_[h] = areas > 0.0 ? 3.0 * dot(frame.edge, frame.edge) / areas : 0.0;
+    }
+  });
+}
+
+double HingeTerms::angle(std::size_t hinge) const {
+  return angle_of(frame_of(hinges_[hinge].corners, state_));
+}
+
+double HingeTerms::bending(ThreadPool& pool) const {
+  std::vector<double> terms(size());
+  pool.for_ranges(size(), k_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t h = begin; h < end; ++h) {
+      const double t = angle(h);
+      terms[h] = weights_[h] * t * t;
+    }
+  });
+  CarefulSum sum;
+  for (const double term : terms)
+    sum.add(term);
+  return sum.value();
+}
+
+HingeTerms::Slope HingeTerms::slope(std::size_t hinge) const {
+  const auto& corners = hinges_[hinge].corners;
+  const Frame frame = frame_of(corners, state_);
+  const double left = dot(frame.left, frame.left), right = dot(frame.right, frame.right);
+  const double square = dot(frame.edge, frame.edge);
+  if (!(left > 0.0) || !(right > 0.0)) return {};
+  const double length = std::sqrt(square);
+  // A tip that rises along its normal lessens the angle by the distance over its height.
+  const Vec3 of_left = (length / left) * frame.left, of_right = (length / right) * frame.right;
+  const Vec3 from = state_.position(corners[0]);
+  const double foot_left = dot(state_.position(corners[2]) - from, frame.edge) / square;
+  const double foot_right = dot(state_.position(corners[3]) - from, frame.edge) / square;
+  return {angle_of(frame),
+          {-(1.0 - foot_left) * of_left - (1.0 - foot_right) * of_right,
+           -foot_left * of_left - foot_right * of_right, of_left, of_right}};
+}
+
+}  // namespace planish

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/thread_pool.h"
+#include "evolve/patch_state.h"
+
+namespace planish {
+
+/// The dihedral angles of a patch, signed, and their weights in the bending
+/// sum w t^2, w = 3 l^2 / (A1 + A2) (Grinspun and others 2003; docs/fairness.md).
+class HingeTerms {
+ public:
+  /// An inner edge from corners[0] to corners[1]; the other two are the tips of its triangles.
+  struct Hinge {
+    std::array<Index, 4> corners;
+  };
+
+  /// @param state must outlive it
+  explicit HingeTerms(const PatchState& state);
+
+  std::size_t size() const { return hinges_.size(); }
+  const std::array<Index, 4>& corners(std::size_t hinge) const { return hinges_[hinge].corners; }
+
+  /// Takes the weights from the patch as it is now.
+  void take_weights(ThreadPool& pool);
+  double weight(std::size_t hinge) const { return weights_[hinge]; }
+
+  /// Sum of w t^2 of the patch as it is now, with the weights as taken.
+  double bending(ThreadPool& pool) const;
+
+  /// An angle, and its derivatives by the places of the four corners.
+  struct Slope {
+    double angle = 0.0;
+    std::array<Vec3, 4> gradient = {};
+  };
+  /// As the patch is now; zero where a triangle has no area.
+  Slope slope(std::size_t hinge) const;
+
+ private:
+  double angle(std::size_t hinge) const;
+
+  const PatchState& state_;
+  std::vector<Hinge> hinges_;
+  std::vector<double> weights_;
+};
+
+}  // namespace planish

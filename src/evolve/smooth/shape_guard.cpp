@@ -1,0 +1,124 @@
+#include "evolve/smooth/shape_guard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/careful_sum.h"
+#include "core/math.h"
+
+namespace planish {
+
+namespace {
+
+constexpr std::size_t k_grain = 2048;
+constexpr double k_strain = 0.15, k_of_square = 0.02;
+constexpr double k_of_corner = 0.01, k_of_eighth = 0.3, k_sharp = 12.0 * std::numbers::pi / 180.0,
+                 k_of_first = 0.8;
+
+double corner_angle(Vec3 at, Vec3 b, Vec3 c) {
+  const Vec3 u = b - at, w = c - at;
+  const double sine = norm(cross(u, w)), cosine = dot(u, w);
+  return sine == 0.0 && cosine == 0.0 ? 0.0 : math::atan2(sine, cosine);
+}
+
+}  // namespace
+
+ShapeGuard::ShapeGuard(const PatchState& state, double least_angle) : state_(state) {
+  CarefulSum total;
+  for (const Triangle& t : state.triangles()) {
+    const Vec3 a = state.origin(t[0]), b = state.origin(t[1]), c = state.origin(t[2]);
+    const double area = 0.5 * norm(cross(b - a, c - a));
+    total.add(area);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::array<Index, 3> corner = {t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
+      const auto [low, high] = std::minmax(corner[0], corner[1]);
+      const double length = norm(state.origin(high) - state.origin(low));
+      if (length > 0.0) edges_.push_back({{low, high}, length, area / 3.0});
+      const double angle =
+          corner_angle(state.origin(corner[0]), state.origin(corner[1]), state.origin(corner[2]));
+      const double sharp = std::min(k_sharp, k_of_first * angle);
+      if (!(sharp > 0.0)) continue;
+      corners_.push_back(
+          {corner, sharp, math::cos(sharp), sharp - std::min(least_angle, 0.5 * sharp)});
+    }
+  }
+  std::sort(edges_.begin(), edges_.end(),
+            [](const Edge& a, const Edge& b) { return a.ends < b.ends; });
+  std::vector<Edge> once;
+  for (const Edge& edge : edges_) {
+    if (!once.empty() && once.back().ends == edge.ends)
+      once.back().share += edge.share;
+    else
+      once.push_back(edge);
+  }
+  edges_ = std::move(once);
+  for (Edge& edge : edges_)
+    edge.share /= total.value();
+}
+
+double ShapeGuard::edge_value(const Edge& edge) const {
+  const double length = norm(state_.position(edge.ends[1]) - state_.position(edge.ends[0]));
+  const double s = (length / edge.length - 1.0) / k_strain, square = s * s;
+  return edge.share * square * (square + k_of_square);
+}
+
+double ShapeGuard::corner_value(const Corner& corner) const {
+  const Vec3 at = state_.position(corner.vertices[0]);
+  const Vec3 u = state_.position(corner.vertices[1]) - at,
+             w = state_.position(corner.vertices[2]) - at;
+  const double cosine = dot(u, w);
+  if (cosine <= 0.0 ||
+      cosine * cosine <= corner.sharp_cosine * corner.sharp_cosine * dot(u, u) * dot(w, w))
+    return 0.0;
+  const double q = (corner.sharp - math::atan2(norm(cross(u, w)), cosine)) / corner.range;
+  const double square = q * q, fourth = square * square;
+  return q > 0.0 ? k_of_corner * square + k_of_eighth * fourth * fourth : 0.0;
+}
+
+double ShapeGuard::value(ThreadPool& pool) const {
+  std::vector<double> terms(edges_.size() + corners_.size());
+  pool.for_ranges(terms.size(), k_grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      terms[k] =
+          k < edges_.size() ? edge_value(edges_[k]) : corner_value(corners_[k - edges_.size()]);
+    }
+  });
+  CarefulSum sum;
+  for (const double term : terms)
+    sum.add(term);
+  return sum.value();
+}
+
+ShapeGuard::Slope<2> ShapeGuard::edge_slope(std::size_t e) const {
+  const Edge& edge = edges_[e];
+  const Vec3 along = state_.position(edge.ends[1]) - state_.position(edge.ends[0]);
+  const double length = norm(along), unit = 1.0 / (k_strain * edge.length);
+  if (!(length > 0.0)) return {};
+  const double s = (length - edge.length) * unit;
+  const Vec3 outward = (1.0 / length) * along;
+  return {edge.share * s * (4.0 * s * s + 2.0 * k_of_square) * unit,
+          edge.share * (12.0 * s * s + 2.0 * k_of_square) * unit * unit,
+          {-1.0 * outward, outward}};
+}
+
+ShapeGuard::Slope<3> ShapeGuard::corner_slope(std::size_t c) const {
+  const Corner& corner = corners_[c];
+  if (corner_value(corner) == 0.0) return {};
+  const Vec3 at = state_.position(corner.vertices[0]);
+  const Vec3 u = state_.position(corner.vertices[1]) - at,
+             w = state_.position(corner.vertices[2]) - at;
+  const Vec3 normal = cross(u, w);
+  const double size = norm(normal);
+  if (!(size > 0.0)) return {};
+  const double unit = 1.0 / corner.range;
+  const double q = (corner.sharp - math::atan2(size, dot(u, w))) * unit,
+               sixth = q * q * q * q * q * q;
+  const Vec3 by_first = (-1.0 / (dot(u, u) * size)) * cross(normal, u);
+  const Vec3 by_second = (1.0 / (dot(w, w) * size)) * cross(normal, w);
+  return {-(2.0 * k_of_corner + 8.0 * k_of_eighth * sixth) * q * unit,
+          (2.0 * k_of_corner + 56.0 * k_of_eighth * sixth) * unit * unit,
+          {-1.0 * by_first - by_second, by_first, by_second}};
+}
+
+}  // namespace planish

@@ -1,0 +1,235 @@
+#include "evolve/smooth/smooth_auto.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <planish/measure/bending.h>
+#include <planish/measure/fairness.h>
+#include <planish/measure/flattenability.h>
+#include <planish/measure/smoothed.h>
+
+#include "evolve/coarse_levels.h"
+#include "evolve/defect_polish.h"
+#include "evolve/descent_limits.h"
+#include "evolve/shape_cost.h"
+#include "evolve/smooth/smooth_control.h"
+#include "evolve/smooth/smooth_descent.h"
+
+namespace planish {
+
+namespace {
+
+// At which the last steps of `flat` begin.
+constexpr double k_nearly_flat = 2e-4;
+// Coarse patches have so many vertices at most: there the whole way is gone.
+constexpr std::size_t k_coarsest = 2500;
+constexpr int k_most_first_steps = 80;
+// On finer levels steps are dear, and what is left to do is little.
+constexpr std::size_t k_later_work = 150'000, k_least_later_steps = 5, k_most_later_steps = 30;
+// Where all strain is to go: steps, and strain at which polishing does the rest or cannot.
+constexpr int k_most_strict_steps = 25;
+constexpr double k_polish_strain = 1e-5, k_hopeless_strain = 1e-2;
+// Polishing that leaves more than so much of the energy so often ends.
+constexpr double k_slow_share = 0.9;
+constexpr int k_most_slow = 8, k_most_polishes = 100;
+
+StrainLimit limit_of(const Auto& options) {
+  if (options.prefer == Prefer::flat) return {0.0, k_nearly_flat};
+  const StrainLimit limit = {options.max_strain, options.max_rms_strain};
+  return limit.given() ? limit : StrainLimit{0.0, k_unmeasurable_strain};
+}
+
+TriMesh mesh_at_first(const PatchState& patch) {
+  TriMesh mesh;
+  for (std::size_t v = 0; v < patch.vertex_count(); ++v)
+    mesh.positions.push_back((1.0 / patch.scale()) * patch.origin(v));
+  mesh.triangles = patch.triangles();
+  return mesh;
+}
+
+/// Above 0.
+double design_bending_of(const PatchState& patch) {
+  const TriMesh mesh = mesh_at_first(patch);
+  return std::max(k_no_bending, design_bending(mesh, Connectivity(mesh)));
+}
+
+class SmoothStepper {
+ public:
+  SmoothStepper(const Auto& options, PatchState& state, ThreadPool& pool)
+      : options_(options),
+        limit_(limit_of(options)),
+        state_(state),
+        pool_(pool),
+        least_angle_(angle_to_keep(options, state, pool)),
+        levels_(state, k_coarsest),
+        level_(levels_.coarsest()) {
+    open_level();
+    if (descent_->solvable()) control_.emplace(limit_, descent_->strain());
+  }
+
+  SweepOutcome step() {
+    if (polish_) return polish();
+    SweepOutcome outcome;
+    outcome.level = {level_state().inner_count()};
+    if (!descent_->solvable()) return ended(outcome, StopReason::stalled);
+    if (is_untouched_ && limit_.share_of(descent_->strain()) >= 1.0)
+      return ended(outcome, StopReason::strain_met);
+    is_untouched_ = false;
+    const SmoothDescent::Step step = descent_->step(control_->weights());
+    control_->after(step, descent_->strain(), descent_->bending());
+    outcome.moved = step.moved;
+    outcome.level = {level_state().inner_count(), step.merit_before, step.merit,
+                     descent_->strain().rms};
+    outcome.elsewhere = level_ > 0;
+    idle_ = step.moved > 0 ? 0 : idle_ + 1;
+    if (is_strict_) return follow_strict(outcome);
+    keep_best();
+    const bool over = control_->is_over() || ++steps_ >= most_steps() || idle_ >= k_most_idle;
+    return over ? end_level(outcome) : outcome;
+  }
+
+  /// Brings what coarse levels have found so far to the patch itself.
+  void settle() {
+    while (level_ > 0)
+      lift();
+  }
+
+ private:
+  static constexpr int k_most_idle = 3;
+  static constexpr double k_nearly = 1.03;  // of the limit
+
+  static SweepOutcome ended(SweepOutcome outcome, StopReason reason) {
+    outcome.converged = true;
+    outcome.reason = reason;
+    return outcome;
+  }
+
+  /// Of the smooth places of a level those with the least strain.
+  void keep_best() {
+    if (!control_->is_smooth()) return;
+    const double share = limit_.share_of(descent_->strain());
+    if (!best_ || share > best_->share) best_ = Best{share, descent_->places()};
+  }
+
+  int most_steps() const {
+    if (level_ == levels_.coarsest()) return k_most_first_steps;
+    return static_cast<int>(std::clamp(k_later_work / (1 + level_state().inner_count()),
+                                       k_least_later_steps, k_most_later_steps));
+  }
+
+  SweepOutcome end_level(SweepOutcome outcome) {
+    if (best_ && !control_->is_over()) descent_->go_to(best_->places);
+    best_.reset();
+    if (level_ > 0) {
+      lift();
+      return outcome;
+    }
+    if (options_.prefer == Prefer::flat) {
+      is_strict_ = true;
+      steps_ = idle_ = 0;
+      control_->start_strict();
+      return outcome;
+    }
+    retreat();
+    return ended(outcome, reason_to_end());
+  }
+
+  StopReason reason_to_end() const {
+    if (limit_.share_of(descent_->strain()) * k_nearly >= 1.0) return StopReason::strain_met;
+    if (descent_->at_deviation_limit()) return StopReason::deviation_limit;
+    if (descent_->at_angle_limit()) return StopReason::angle_limit;
+    return StopReason::smooth_limit;
+  }
+
+  /// Where the surface is not smooth by the rule that judges results, goes back towards the design
+  /// until it is.
+  void retreat() {
+    constexpr int parts = 10;
+    const TriMesh design = mesh_at_first(state_);
+    const Connectivity connectivity(design);
+    const Places found = descent_->places(), origin = descent_->origin();
+    for (int part = parts; part >= 0; --part) {
+      const double share = static_cast<double>(part) / parts;
+      const Places places =
+          part == parts ? found : sum_of(origin, share, sum_of(found, -1.0, origin));
+      descent_->go_to(places);
+      std::vector<Vec3> after;
+      for (std::size_t v = 0; v < state_.vertex_count(); ++v)
+        after.push_back((1.0 / state_.scale()) * state_.position(v));
+      if (measure_fairness(design, connectivity, after).is_smooth()) break;
+    }
+  }
+
+  SweepOutcome follow_strict(SweepOutcome outcome) {
+    const bool over = descent_->strain().rms <= k_polish_strain || idle_ >= k_most_idle ||
+                      ++steps_ >= k_most_strict_steps;
+    if (!over) return outcome;
+    if (descent_->strain().rms > k_hopeless_strain)
+      return ended(outcome, descent_->at_deviation_limit() ? StopReason::deviation_limit
+                                                           : StopReason::stalled);
+    polish_.emplace(state_, pool_, limits_on(state_, options_, least_angle_));
+    return outcome;
+  }
+
+  SweepOutcome polish() {
+    const double energy = state_.measure(pool_).energy;
+    const std::size_t moved = polish_->cycle();
+    const Flattenability figures = state_.measure(pool_);
+    if (is_surely_flattenable(figures)) return {moved, true};
+    slow_ = figures.energy > k_slow_share * energy ? slow_ + 1 : 0;
+    const bool over = moved == 0 || slow_ >= k_most_slow || ++polishes_ >= k_most_polishes;
+    return {moved, over, polish_->held_by().value_or(StopReason::stalled)};
+  }
+
+  PatchState& level_state() const { return coarse_ ? *coarse_ : state_; }
+
+  void open_level() {
+    coarse_ = level_ > 0 ? levels_.make_state(level_, pool_) : nullptr;
+    descent_ =
+        std::make_unique<SmoothDescent>(level_state(), pool_, design_bending_of(level_state()),
+                                        limits_on(level_state(), options_, least_angle_));
+    steps_ = idle_ = 0;
+  }
+
+  /// On to the next finer level.
+  void lift() {
+    const std::unique_ptr<PatchState> found = std::move(coarse_);
+    descent_.reset();  // before the next: it is large
+    --level_;
+    open_level();
+    const ShapeCost cost(descent_->jacobian(), level_state(), 1.0, descent_->border().bends());
+    levels_.lift(level_ + 1, *found, cost, level_state(), pool_);
+    descent_->go_to(descent_->places());
+    if (control_) control_->start_finer();
+  }
+
+  Auto options_;
+  StrainLimit limit_;
+  PatchState& state_;
+  ThreadPool& pool_;
+  double least_angle_;
+  CoarseLevels levels_;
+  std::size_t level_;
+  std::unique_ptr<PatchState> coarse_;  // of the level, none at the patch itself
+  std::unique_ptr<SmoothDescent> descent_;
+  std::optional<SmoothControl> control_;
+  struct Best {
+    double share;  // of the limit, over the strain
+    Places places;
+  };
+  std::optional<Best> best_;
+  std::optional<DefectPolish> polish_;
+  bool is_untouched_ = true, is_strict_ = false;
+  int steps_ = 0, idle_ = 0, polishes_ = 0, slow_ = 0;
+};
+
+}  // namespace
+
+Sweep make_smooth_sweep(const Auto& options, PatchState& state, ThreadPool& pool) {
+  const auto stepper = std::make_shared<SmoothStepper>(options, state, pool);
+  return Sweep([stepper] { return stepper->step(); }, [stepper] { stepper->settle(); });
+}
+
+}  // namespace planish

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "evolve/smooth/smooth_descent.h"
+#include "evolve/strain_limit.h"
+
+namespace planish {
+
+/// Which weights the steps of SmoothDescent take, and when they are over (docs/methods/smooth.md):
+/// strain is taken out slowly, then sigma is led by the strain and delta by the bending, until
+/// strain is at its limit and bending at most at its ceiling. If the bending cannot come down to
+/// the ceiling, more strain is left.
+class SmoothControl {
+ public:
+  /// @param limit given
+  /// @param at_first of the design
+  SmoothControl(const StrainLimit& limit, const DescentStrain& at_first);
+
+  /// Of the next step.
+  SmoothWeights weights() const { return weights_; }
+  /// Follows a step.
+  void after(const SmoothDescent::Step& step, const DescentStrain& strain, double bending);
+  /// From here on as from what a coarser level has found.
+  void start_finer();
+
+  /// From here on strain goes on to nothing, as smoothly as it can.
+  void start_strict();
+
+  /// Both aims hold, and steps gain little more.
+  bool is_over() const { return met_ && settled_ >= k_settled; }
+  /// True if the bending of the last step is within the ceiling, nearly.
+  bool is_smooth() const { return is_smooth_; }
+  /// True if strain beyond the limit is left, as only crumples would take it out.
+  bool leaves_strain() const { return left_; }
+
+ private:
+  static constexpr int k_settled = 2;
+  enum class Stage { loose, closer, lifted, led, strict };
+
+  void lead(const DescentStrain& strain, double bending);
+  bool is_stuck(const DescentStrain& strain);
+
+  StrainLimit limit_;
+  double ceiling_, least_delta_;
+  SmoothWeights weights_;
+  Stage stage_ = Stage::loose;
+  int steps_ = 0, settled_ = 0;
+  int stuck_ = 0;
+  double last_strain_ = 0.0;
+  bool is_smooth_ = false, met_ = false, left_ = false;
+};
+
+}  // namespace planish

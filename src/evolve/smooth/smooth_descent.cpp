@@ -1,0 +1,255 @@
+#include "evolve/smooth/smooth_descent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/careful_sum.h"
+#include "evolve/smallest_angle.h"
+#include "evolve/vertex_normal.h"
+
+namespace planish {
+
+namespace {
+
+// Moves along the surface change its form little, so they are held more, as lengths over D.
+constexpr double k_slide = 0.01;
+// So much more beside the border where vertices slide along it.
+constexpr double k_off_curve = 1e6;
+constexpr double k_longest_step = 1.0;  // mean edges
+constexpr int k_most_halvings = 12, k_corrected_trials = 2;
+
+/// The diagonal of a flat rectangle that is as far spread: unlike that of a box it does not depend
+/// on how the patch is turned.
+double diagonal_of(const PatchState& state, const Eigen::VectorXd& area_shares) {
+  const auto mean = [&](const auto& of) {
+    CarefulSum sum;
+    for (std::size_t v = 0; v < state.vertex_count(); ++v)
+      sum.add(area_shares[static_cast<Eigen::Index>(v)] * of(state.origin(v)));
+    return sum.value();
+  };
+  const Vec3 middle = {mean([](Vec3 p) { return p.x; }), mean([](Vec3 p) { return p.y; }),
+                       mean([](Vec3 p) { return p.z; })};
+  return std::sqrt(12.0 * mean([&](Vec3 p) { return dot(p - middle, p - middle); }));
+}
+
+}  // namespace
+
+SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, double design_bending,
+                             const DescentLimits& limits)
+    : state_(state),
+      pool_(pool),
+      design_bending_(design_bending),
+      limits_(limits),
+      triangles_(state.triangles()),
+      border_(limits.border, limits.deviation, state),
+      jacobian_(state, border_.movable()),
+      hinges_(state),
+      guard_(state, limits.angle),
+      potential_(jacobian_, state, pool, PatternBorder::free),
+      system_(jacobian_, state, hinges_, guard_, potential_.square(), border_.bends()),
+      area_shares_(area_shares(state)),
+      diagonal_(diagonal_of(state, area_shares_)),
+      unit_(mean_edge(jacobian_, state)),
+      moves_(limits, border_, state.inner_count(), unit_) {
+  for (std::size_t v = 0; v < jacobian_.column_count(); ++v)
+    origin_.push_back(state.origin(v));
+  if (limits_.angle > 0.0)
+    limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
+  if (solvable()) renew();
+}
+
+double SmoothDescent::closeness() const {
+  const double length = weights_.delta * diagonal_;
+  return 1.0 / (static_cast<double>(state_.inner_count()) * length * length);
+}
+
+double SmoothDescent::merit(const Eigen::VectorXd& phi) const {
+  const Places moves = sum_of(places(), -1.0, origin_);
+  CarefulSum away;
+  for (std::size_t v = 0; v < state_.inner_count(); ++v)
+    away.add(state_.weight(v) * dot(moves[v], moves[v]));
+  const double strain = phi.squaredNorm() / static_cast<double>(phi.size());
+  return hinges_.bending(pool_) / design_bending_ + closeness() * away.value() +
+         guard_.value(pool_) + moves_.value(moves) + strain / (weights_.sigma * weights_.sigma);
+}
+
+/// K and weights are not renewed.
+SmoothDescent::Parts SmoothDescent::at(const Places& places) {
+  Parts parts;
+  if (!std::isfinite(norm_of(places))) return {std::numeric_limits<double>::infinity(), {}};
+  move_to(places, jacobian_, state_);
+  state_.measure(pool_);
+  parts.defects = inner_defects(state_);
+  parts.merit = merit(potential_.of(parts.defects, pool_));
+  if (!std::isfinite(parts.merit)) parts.merit = std::numeric_limits<double>::infinity();
+  return parts;
+}
+
+void SmoothDescent::renew() {
+  state_.measure(pool_);
+  potential_.update(pool_);
+  if (!potential_.solvable()) return;
+  hinges_.take_weights(pool_);
+  phi_ = potential_.of(inner_defects(state_), pool_);
+  strain_ = {edge_strain_of(std::sqrt(phi_.cwiseAbs2().dot(area_shares_))),
+             phi_.cwiseAbs().maxCoeff()};
+  bending_ = hinges_.bending(pool_) / design_bending_;
+}
+
+void SmoothDescent::go_to(const Places& places) {
+  move_to(within_limits(places), jacobian_, state_);
+  renew();
+}
+
+double SmoothDescent::deviation() const {
+  CarefulSum away;
+  for (std::size_t v = 0; v < state_.inner_count(); ++v) {
+    const Vec3 move = state_.position(v) - origin_[v];
+    away.add(dot(move, move));
+  }
+  return std::sqrt(away.value()) /
+         (std::sqrt(static_cast<double>(state_.inner_count())) * diagonal_);
+}
+
+/// @param force minus the gradient of F without phi
+void SmoothDescent::assemble(Places& force) {
+  system_.clear();
+  assemble_shape(force);
+  assemble_places(force);
+  moves_.add_to(system_, force, sum_of(places(), -1.0, origin_), 1.0 + stiffening_);
+}
+
+/// Of hinges, edges and corners.
+void SmoothDescent::assemble_shape(Places& force) {
+  const double stiff = 1.0 + stiffening_;
+  const auto pull = [&](Index v, double slope, Vec3 gradient) {
+    if (v < force.size()) force[v] += -slope * gradient;
+  };
+  for (std::size_t h = 0; h < hinges_.size(); ++h) {
+    const HingeTerms::Slope slope = hinges_.slope(h);
+    const double weight = 2.0 * hinges_.weight(h) / design_bending_;
+    system_.add_hinge(h, stiff * weight, slope.gradient);
+    for (std::size_t k = 0; k < 4; ++k)
+      pull(hinges_.corners(h)[k], weight * slope.angle, slope.gradient[k]);
+  }
+  for (std::size_t e = 0; e < guard_.edge_count(); ++e) {
+    const auto slope = guard_.edge_slope(e);
+    system_.add_edge(e, stiff * slope.second, slope.gradient);
+    for (std::size_t k = 0; k < 2; ++k)
+      pull(guard_.edge(e)[k], slope.first, slope.gradient[k]);
+  }
+  for (std::size_t c = 0; c < guard_.corner_count(); ++c) {
+    const auto slope = guard_.corner_slope(c);
+    if (slope.second == 0.0) continue;
+    system_.add_corner(c, stiff * slope.second, slope.gradient);
+    for (std::size_t k = 0; k < 3; ++k)
+      pull(guard_.corner(c)[k], slope.first, slope.gradient[k]);
+  }
+}
+
+/// What pulls vertices to where they were, and what holds them along the surface, or the border
+/// where they slide.
+void SmoothDescent::assemble_places(Places& force) {
+  const double stiff = 1.0 + stiffening_, close = 2.0 * closeness();
+  const double slide =
+      stiff * 2.0 /
+      (static_cast<double>(state_.inner_count()) * (k_slide * diagonal_) * (k_slide * diagonal_));
+  const double off_curve = k_off_curve * slide;
+  for (Index v = 0; v < force.size(); ++v) {
+    const bool inner = state_.is_inner(v), slides = !inner && border_.direction_count() == 1;
+    const double pull = inner ? close * state_.weight(v) : 0.0;
+    force[v] += -pull * (state_.position(v) - origin_[v]);
+    const double own = stiff * pull, held = slides ? off_curve : slide;
+    // Where a border moves freely, it is held in all directions alike.
+    const Vec3 n = inner    ? vertex_normal(v, jacobian_, state_)
+                   : slides ? border_.direction(v, 0)
+                            : Vec3{};
+    system_.add_vertex(
+        v, {own + held * (1.0 - n.x * n.x), -held * n.x * n.y, -held * n.x * n.z,
+            own + held * (1.0 - n.y * n.y), -held * n.y * n.z, own + held * (1.0 - n.z * n.z)});
+  }
+}
+
+/// The nearest places that limits of distance and the rule of the border allow.
+Places SmoothDescent::within_limits(Places places) const {
+  border_.restrict(places);
+  if (std::isinf(limits_.deviation)) return places;
+  for (std::size_t v = 0; v < state_.inner_count(); ++v) {
+    const Vec3 away = places[v] - origin_[v];
+    const double far = norm(away);
+    if (far > limits_.deviation) places[v] = origin_[v] + (limits_.deviation / far) * away;
+  }
+  return places;
+}
+
+bool SmoothDescent::angles_hold() {
+  return !(limits_.angle > 0.0) || smallest_angle(state_, triangles_, pool_) >= limits_.angle;
+}
+
+/// No vertex goes further than the longest step.
+Places SmoothDescent::shortened(Places step) const {
+  double longest = 0.0;
+  for (const Vec3 move : step)
+    longest = std::max(longest, norm(move));
+  const double most = k_longest_step * unit_;
+  if (longest <= most) return step;
+  for (Vec3& move : step)
+    move = (most / longest) * move;
+  return step;
+}
+
+/// A share of the full step, and where `corrected` what a second solve makes of it, if that is
+/// better: that takes back by how much the defects miss what their Jacobian told.
+SmoothDescent::Trial SmoothDescent::try_step(const Places& before, const Eigen::VectorXd& defects,
+                                             const Places& full, double share, bool corrected) {
+  Trial plain;
+  plain.places = within_limits(sum_of(before, share, full));
+  plain.parts = at(plain.places);
+  if (!corrected || !std::isfinite(plain.parts.merit)) return plain;
+  const Eigen::VectorXd missed = plain.parts.defects - defects + share * jacobian_.times(full);
+  Trial better;
+  better.places = within_limits(
+      sum_of(plain.places, 1.0, system_.solve(Places(before.size()), -missed, pool_)));
+  better.parts = at(better.places);
+  return better.parts.merit < plain.parts.merit ? better : plain;
+}
+
+SmoothDescent::Step SmoothDescent::step(const SmoothWeights& weights) {
+  weights_ = weights;
+  const Places before = places();
+  Step result;
+  result.merit = result.merit_before = merit(phi_);
+  jacobian_.update(pool_);
+  Places force(before.size());
+  assemble(force);
+  const double c = 0.5 * static_cast<double>(phi_.size()) * weights.sigma * weights.sigma;
+  if (!system_.factor(potential_.square(), c, pool_)) return result;
+  const Eigen::VectorXd defects = inner_defects(state_);
+  const Places full = shortened(system_.solve(force, -defects, pool_));
+  double share = 1.0;
+  int halvings = 0;
+  at_angle_limit_ = false;
+  for (; halvings < k_most_halvings; ++halvings, share *= 0.5) {
+    const Trial trial = try_step(before, defects, full, share, halvings < k_corrected_trials);
+    if (!(trial.parts.merit < result.merit_before)) continue;
+    move_to(trial.places, jacobian_, state_);
+    if (!angles_hold()) {
+      at_angle_limit_ = true;
+      continue;
+    }
+    result.merit = trial.parts.merit;
+    for (std::size_t v = 0; v < before.size(); ++v)
+      result.moved += trial.places[v] != before[v] ? 1 : 0;
+    break;
+  }
+  if (result.moved == 0) move_to(before, jacobian_, state_);
+  renew();
+  at_deviation_limit_ = moves_.is_reached(sum_of(places(), -1.0, origin_));
+  if (halvings >= 2) stiffening_ = std::max(0.3, 4.0 * stiffening_);
+  if (halvings == 0) stiffening_ *= 0.25;
+  return result;
+}
+
+}  // namespace planish

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <vector>
+
+#include "core/thread_pool.h"
+#include "evolve/angle_jacobian.h"
+#include "evolve/border_motion.h"
+#include "evolve/descent_limits.h"
+#include "evolve/places.h"
+#include "evolve/smooth/hinge_terms.h"
+#include "evolve/smooth/move_limits.h"
+#include "evolve/smooth/shape_guard.h"
+#include "evolve/smooth/smooth_system.h"
+#include "evolve/strain_limit.h"
+#include "evolve/strain_potential.h"
+
+namespace planish {
+
+/// What a step of SmoothDescent weighs.
+struct SmoothWeights {
+  /// A move of all vertices by this costs as much as all bending of the design. Share of the
+  /// diagonal.
+  double delta = 0.01;
+  double sigma = 0.02;  ///< the rms of phi that costs as much, as a share of length
+};
+
+/// Brings a patch nearer to flattenable while it stays smooth (docs/methods/smooth.md): steps of
+/// Gauss and Newton, all three coordinates of all inner vertices at once, on
+///
+///     F(x) = B(x) / B0 + |x - x0|^2 / (n delta^2 D^2) + G(x) + |phi(x)|^2 / (N sigma^2),
+///
+/// B the bending of HingeTerms, B0 that of the design, n inner vertices, D the diagonal
+/// (of a rectangle that is as far spread), G of
+/// ShapeGuard and MoveLimits, phi the N values of StrainPotential with a free border. The weights
+/// of hinges and the matrix K of phi are those of the patch before a step, renewed after it.
+class SmoothDescent {
+ public:
+  /// @param design_bending B0, above 0
+  /// @param state as it was at first or later; must outlive it, as must the pool
+  SmoothDescent(PatchState& state, ThreadPool& pool, double design_bending,
+                const DescentLimits& limits);
+
+  /// False where the patch allows no matrices.
+  bool solvable() const { return potential_.solvable(); }
+
+  const AngleJacobian& jacobian() const { return jacobian_; }
+  const BorderMotion& border() const { return border_; }
+
+  struct Step {
+    std::size_t moved = 0;
+    double merit_before = 0.0, merit = 0.0;
+  };
+  /// F falls, or nothing moves.
+  Step step(const SmoothWeights& weights);
+
+  /// As the patch is now. Strain of the edges of the pattern of least stretch, as estimated by phi;
+  /// bending over that of the design; rms move of the inner vertices over the diagonal.
+  const DescentStrain& strain() const { return strain_; }
+  double bending() const { return bending_; }
+  double deviation() const;
+
+  /// Of all vertices that may move, now and at first.
+  Places places() const { return first_places(state_, jacobian_.column_count()); }
+  const Places& origin() const { return origin_; }
+  /// True if the limit of deviation held a vertex in the last step, or that of angles the step.
+  bool at_deviation_limit() const { return at_deviation_limit_; }
+  bool at_angle_limit() const { return at_angle_limit_; }
+  void go_to(const Places& places);
+
+ private:
+  struct Parts {
+    double merit = 0.0;
+    Eigen::VectorXd defects;
+  };
+  Parts at(const Places& places);
+  double merit(const Eigen::VectorXd& phi) const;
+  void renew();
+  void assemble(Places& force);
+  void assemble_shape(Places& force);
+  void assemble_places(Places& force);
+  Places within_limits(Places places) const;
+  bool angles_hold();
+  struct Trial {
+    Places places;
+    Parts parts;
+  };
+  Trial try_step(const Places& before, const Eigen::VectorXd& defects, const Places& full,
+                 double share, bool corrected);
+  double closeness() const;
+  Places shortened(Places step) const;
+
+  PatchState& state_;
+  ThreadPool& pool_;
+  double design_bending_;
+  DescentLimits limits_;
+  std::vector<Triangle> triangles_;
+  BorderMotion border_;
+  AngleJacobian jacobian_;
+  HingeTerms hinges_;
+  ShapeGuard guard_;
+  StrainPotential potential_;
+  SmoothSystem system_;
+  Places origin_;
+  Eigen::VectorXd area_shares_;
+  double diagonal_, unit_;
+  MoveLimits moves_;
+  SmoothWeights weights_;
+  Eigen::VectorXd phi_;
+  double stiffening_ = 0.0, bending_ = 1.0;
+  DescentStrain strain_;
+  bool at_deviation_limit_ = false, at_angle_limit_ = false;
+};
+
+}  // namespace planish

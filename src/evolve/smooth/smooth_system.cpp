@@ -1,0 +1,296 @@
+#include "evolve/smooth/smooth_system.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "solve/dissection.h"
+#include "solve/sparse_pattern.h"
+
+namespace planish {
+
+namespace {
+
+constexpr int k_multiplier = 3;
+
+template <class Visit>
+void for_pairs(std::size_t corners, Visit visit) {
+  for (std::size_t i = 0; i < corners; ++i) {
+    for (std::size_t j = i + 1; j < corners; ++j)
+      visit(i, j);
+  }
+}
+
+}  // namespace
+
+SmoothSystem::SmoothSystem(const AngleJacobian& jacobian, const PatchState& state,
+                           const HingeTerms& hinges, const ShapeGuard& guard,
+                           const SparseMatrix& square, std::vector<BorderMotion::Bend> bends)
+    : jacobian_(jacobian),
+      hinges_(hinges),
+      guard_(guard),
+      bends_(std::move(bends)),
+      inner_(static_cast<Index>(jacobian.row_count())),
+      count_(static_cast<Index>(jacobian.column_count())) {
+  find_pairs(hinges, guard, square);
+  lay_out();
+  find_terms(hinges, guard);
+  for (int v = 0; v < square.outerSize(); ++v) {
+    for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry) {
+      if (entry.row() < v) continue;
+      square_places_.push_back(place_of(lower_, unknown(static_cast<Index>(entry.row()), 3),
+                                        unknown(static_cast<Index>(v), 3)));
+    }
+  }
+  solver_.emplace(lower_, elimination_order(state));
+}
+
+void SmoothSystem::find_pairs(const HingeTerms& hinges, const ShapeGuard& guard,
+                              const SparseMatrix& square) {
+  struct Found {
+    Index first, second;
+    bool full;
+  };
+  std::vector<Found> found;
+  const auto add = [&](Index v, Index w, bool full) {
+    if (v == w || v >= count_ || w >= count_) return;
+    found.push_back({std::min(v, w), std::max(v, w), full});
+  };
+  for (std::size_t h = 0; h < hinges.size(); ++h) {
+    const auto& corners = hinges.corners(h);
+    for_pairs(4, [&](std::size_t i, std::size_t j) { add(corners[i], corners[j], true); });
+  }
+  for (std::size_t e = 0; e < guard.edge_count(); ++e)
+    add(guard.edge(e)[0], guard.edge(e)[1], true);
+  for (const BorderMotion::Bend& bend : bends_)
+    for_pairs(3,
+              [&](std::size_t i, std::size_t j) { add(bend.vertices[i], bend.vertices[j], true); });
+  for (Index v = 0; v < inner_; ++v) {
+    for (const Index w : jacobian_.ring(v))
+      add(v, w, true);
+  }
+  for (int v = 0; v < square.outerSize(); ++v) {
+    for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry)
+      add(static_cast<Index>(v), static_cast<Index>(entry.row()), false);
+  }
+  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+    return std::pair{a.first, a.second} < std::pair{b.first, b.second};
+  });
+  pair_start_.assign(count_ + 1, 0);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const bool again =
+        k > 0 && found[k].first == found[k - 1].first && found[k].second == found[k - 1].second;
+    if (!again) {
+      pairs_.push_back({found[k].second, false});
+      ++pair_start_[found[k].first + 1];
+    }
+    pairs_.back().full = pairs_.back().full || found[k].full;
+  }
+  for (Index v = 0; v < count_; ++v)
+    pair_start_[v + 1] += pair_start_[v];
+}
+
+/// The lower half, column by column, zero but for ones where what is held meets itself.
+void SmoothSystem::lay_out() {
+  std::vector<int> starts = {0}, rows;
+  own_start_.resize(count_);
+  for (Index v = 0; v < count_; ++v) {
+    for (int part = 0; part < parts(v); ++part) {
+      own_start_[v][static_cast<std::size_t>(part)] = rows.size();
+      for (int row = part; row < parts(v); ++row)
+        rows.push_back(unknown(v, row));
+      for (std::size_t p = pair_start_[v]; p < pair_start_[v + 1]; ++p) {
+        Pair& pair = pairs_[p];
+        if (!pair.full && part != k_multiplier) continue;
+        pair.start[static_cast<std::size_t>(part)] = rows.size();
+        for (int row = pair.full ? 0 : k_multiplier; row < parts(pair.second); ++row)
+          rows.push_back(unknown(pair.second, row));
+      }
+      starts.push_back(static_cast<int>(rows.size()));
+    }
+  }
+  const auto size = static_cast<int>(starts.size()) - 1;
+  const std::vector<double> values(rows.size(), 0.0);
+  lower_ = Eigen::Map<const SparseMatrix>(size, size, static_cast<int>(rows.size()), starts.data(),
+                                          rows.data(), values.data());
+}
+
+SmoothSystem::PairIndex SmoothSystem::pair_of(Index v, Index w) const {
+  if (v >= count_ || w >= count_) return k_none;
+  const auto [first, second] = std::minmax(v, w);
+  const auto begin = pairs_.begin() + static_cast<std::ptrdiff_t>(pair_start_[first]);
+  const auto end = pairs_.begin() + static_cast<std::ptrdiff_t>(pair_start_[first + 1]);
+  const auto found = std::lower_bound(
+      begin, end, second, [](const Pair& pair, Index number) { return pair.second < number; });
+  return static_cast<PairIndex>(found - pairs_.begin());
+}
+
+void SmoothSystem::find_terms(const HingeTerms& hinges, const ShapeGuard& guard) {
+  const auto add = [this](std::vector<PairIndex>& pairs, const auto& corners) {
+    for_pairs(corners.size(), [&](std::size_t i, std::size_t j) {
+      pairs.push_back(pair_of(corners[i], corners[j]));
+    });
+  };
+  for (std::size_t h = 0; h < hinges.size(); ++h)
+    add(hinge_pairs_, hinges.corners(h));
+  for (std::size_t e = 0; e < guard.edge_count(); ++e)
+    add(edge_pairs_, guard.edge(e));
+  for (std::size_t c = 0; c < guard.corner_count(); ++c)
+    add(corner_pairs_, guard.corner(c));
+  for (const BorderMotion::Bend& bend : bends_)
+    add(bend_pairs_, std::to_array(bend.vertices));
+}
+
+std::vector<Index> SmoothSystem::elimination_order(const PatchState& state) const {
+  std::vector<std::vector<Index>> neighbours(count_);
+  for (Index v = 0; v < count_; ++v) {
+    for (std::size_t p = pair_start_[v]; p < pair_start_[v + 1]; ++p) {
+      neighbours[v].push_back(pairs_[p].second);
+      neighbours[pairs_[p].second].push_back(v);
+    }
+  }
+  Graph graph;
+  for (std::vector<Index>& of_vertex : neighbours) {
+    std::sort(of_vertex.begin(), of_vertex.end());
+    graph.neighbours.insert(graph.neighbours.end(), of_vertex.begin(), of_vertex.end());
+    graph.start.push_back(graph.neighbours.size());
+  }
+  std::vector<Index> order;
+  for (const Index v : nested_dissection(first_places(state, count_), graph)) {
+    for (int part = 0; part < parts(v); ++part)
+      order.push_back(static_cast<Index>(unknown(v, part)));
+  }
+  return order;
+}
+
+void SmoothSystem::clear() {
+  std::fill_n(lower_.valuePtr(), lower_.nonZeros(), 0.0);
+  for (Index v = 0; v < count_; ++v) {
+    if (jacobian_.is_movable(v)) continue;
+    for (std::size_t part = 0; part < 3; ++part)
+      lower_.valuePtr()[own_start_[v][part]] = 1.0;
+  }
+}
+
+/// s a b^T: rows of the second vertex, columns of the first.
+void SmoothSystem::add_product(const Pair& pair, double scale, Vec3 rows, Vec3 columns) {
+  const double by_column[3] = {scale * columns.x, scale * columns.y, scale * columns.z};
+  for (std::size_t part = 0; part < 3; ++part) {
+    double* value = lower_.valuePtr() + pair.start[part];
+    value[0] += by_column[part] * rows.x;
+    value[1] += by_column[part] * rows.y;
+    value[2] += by_column[part] * rows.z;
+  }
+}
+
+void SmoothSystem::add_own(Index v, double scale, Vec3 g) {
+  add_vertex(v, {scale * g.x * g.x, scale * g.x * g.y, scale * g.x * g.z, scale * g.y * g.y,
+                 scale * g.y * g.z, scale * g.z * g.z});
+}
+
+void SmoothSystem::add_vertex(Index v, const Block& block) {
+  if (!jacobian_.is_movable(v)) return;
+  double* values = lower_.valuePtr();
+  const auto& start = own_start_[v];
+  values[start[0]] += block.xx;
+  values[start[0] + 1] += block.xy;
+  values[start[0] + 2] += block.xz;
+  values[start[1]] += block.yy;
+  values[start[1] + 1] += block.yz;
+  values[start[2]] += block.zz;
+}
+
+template <std::size_t n>
+void SmoothSystem::add_term(std::span<const PairIndex> pairs, const std::array<Index, n>& corners,
+                            double scale, const std::array<Vec3, n>& gradient) {
+  for (std::size_t i = 0; i < n; ++i)
+    add_own(corners[i], scale, gradient[i]);
+  std::size_t next = 0;
+  for_pairs(n, [&](std::size_t i, std::size_t j) {
+    const PairIndex pair = pairs[next++];
+    if (!jacobian_.is_movable(corners[i]) || !jacobian_.is_movable(corners[j])) return;
+    const auto [first, second] = corners[i] < corners[j] ? std::pair{i, j} : std::pair{j, i};
+    add_product(pairs_[pair], scale, gradient[second], gradient[first]);
+  });
+}
+
+void SmoothSystem::add_hinge(std::size_t hinge, double scale, const std::array<Vec3, 4>& gradient) {
+  add_term<4>({hinge_pairs_.data() + 6 * hinge, 6}, hinges_.corners(hinge), scale, gradient);
+}
+
+void SmoothSystem::add_edge(std::size_t edge, double scale, const std::array<Vec3, 2>& gradient) {
+  add_term<2>({edge_pairs_.data() + edge, 1}, guard_.edge(edge), scale, gradient);
+}
+
+void SmoothSystem::add_corner(std::size_t corner, double scale,
+                              const std::array<Vec3, 3>& gradient) {
+  add_term<3>({corner_pairs_.data() + 3 * corner, 3}, guard_.corner(corner), scale, gradient);
+}
+
+void SmoothSystem::add_bend(std::size_t number, double scale) {
+  const BorderMotion::Bend& bend = bends_[number];
+  for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+    std::array<Vec3, 3> gradient;
+    for (std::size_t k = 0; k < 3; ++k)
+      gradient[k] = bend.weights[k] * axis;
+    add_term<3>({bend_pairs_.data() + 3 * number, 3}, std::to_array(bend.vertices), scale,
+                gradient);
+  }
+}
+
+/// J is minus the Jacobian of the angle sums.
+void SmoothSystem::fill_jacobian() {
+  double* values = lower_.valuePtr();
+  for (Index v = 0; v < count_; ++v) {
+    if (!jacobian_.is_movable(v)) continue;
+    for (const AngleJacobian::Entry& entry : jacobian_.column(v)) {
+      const Vec3 g = jacobian_.gradient(entry.entry);
+      const double parts[3] = {-g.x, -g.y, -g.z};
+      for (std::size_t part = 0; part < 3; ++part) {
+        if (entry.row == v) {
+          values[own_start_[v][part] + k_multiplier - part] = parts[part];
+          continue;
+        }
+        const Pair& pair = pairs_[pair_of(v, entry.row)];
+        values[v < entry.row ? pair.start[part] + k_multiplier : pair.start[k_multiplier] + part] =
+            parts[part];
+      }
+    }
+  }
+}
+
+void SmoothSystem::fill_square(const SparseMatrix& square, double c) {
+  double* values = lower_.valuePtr();
+  const std::size_t* place = square_places_.data();
+  for (int v = 0; v < square.outerSize(); ++v) {
+    for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry) {
+      if (entry.row() >= v) values[*place++] = -c * entry.value();
+    }
+  }
+}
+
+bool SmoothSystem::factor(const SparseMatrix& square, double c, ThreadPool& pool) {
+  fill_jacobian();
+  fill_square(square, c);
+  return solver_->factor(lower_, pool);
+}
+
+Places SmoothSystem::solve(const Places& force, const Eigen::VectorXd& turn,
+                           ThreadPool& pool) const {
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(lower_.rows(), 1);
+  for (Index v = 0; v < count_; ++v) {
+    if (v < inner_) right(unknown(v, k_multiplier), 0) = turn[v];
+    if (!jacobian_.is_movable(v)) continue;
+    right(unknown(v, 0), 0) = force[v].x;
+    right(unknown(v, 1), 0) = force[v].y;
+    right(unknown(v, 2), 0) = force[v].z;
+  }
+  const Eigen::MatrixXd solution = solver_->solve(right, pool);
+  Places step(count_);
+  for (Index v = 0; v < count_; ++v) {
+    if (!jacobian_.is_movable(v)) continue;
+    step[v] = {solution(unknown(v, 0), 0), solution(unknown(v, 1), 0), solution(unknown(v, 2), 0)};
+  }
+  return step;
+}
+
+}  // namespace planish

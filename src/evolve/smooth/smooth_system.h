@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/thread_pool.h"
+#include "evolve/angle_jacobian.h"
+#include "evolve/border_motion.h"
+#include "evolve/places.h"
+#include "evolve/smooth/hinge_terms.h"
+#include "evolve/smooth/shape_guard.h"
+#include "solve/sparse_ldlt.h"
+
+namespace planish {
+
+/// A symmetric matrix of three rows.
+struct Block {
+  double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
+};
+
+/// The steps dx of all vertices that may move, in three directions each, and multipliers y of the
+/// inner ones:
+///
+///     [ H   J^T     ] [dx]   [force]
+///     [ J  -c K K^T ] [ y] = [turn ]
+///
+/// H a sum of blocks between the corners of hinges, J = d d / d x the Jacobian of the defects, K
+/// the matrix of StrainPotential. Quasi-definite, so factored without pivots, under a dissection of
+/// the mesh: four unknowns to an inner vertex, three to one of the border that moves.
+class SmoothSystem {
+ public:
+  /// @param square K K^T, both halves; its pattern stays
+  /// @param bends along the border, if that moves
+  /// @param jacobian,hinges,guard must outlive it
+  SmoothSystem(const AngleJacobian& jacobian, const PatchState& state, const HingeTerms& hinges,
+               const ShapeGuard& guard, const SparseMatrix& square,
+               std::vector<BorderMotion::Bend> bends = {});
+
+  /// Everything in H is zero.
+  void clear();
+  /// Adds s g g^T for the gradient of a hinge's angle, of an edge's length and of a corner's angle,
+  /// by the number of the hinge, edge or corner.
+  void add_hinge(std::size_t hinge, double scale, const std::array<Vec3, 4>& gradient);
+  void add_edge(std::size_t edge, double scale, const std::array<Vec3, 2>& gradient);
+  void add_corner(std::size_t corner, double scale, const std::array<Vec3, 3>& gradient);
+  /// Adds s |w_a x_a + w_b x_b + w_c x_c|^2 / 2 for a bend, by its number.
+  void add_bend(std::size_t bend, double scale);
+  /// Adds a matrix to what a vertex has with itself.
+  void add_vertex(Index v, const Block& block);
+
+  /// Factors; false where that cannot be. J is that of the gradients as they are.
+  bool factor(const SparseMatrix& square, double c, ThreadPool& pool);
+
+  /// @return dx, zero of what may not move. @pre factor() was true
+  /// @param force by column of the jacobian
+  /// @param turn by inner vertex
+  Places solve(const Places& force, const Eigen::VectorXd& turn, ThreadPool& pool) const;
+
+ private:
+  /// Two vertices that share entries of the matrix; the first has the lower number. Entries of one
+  /// column follow one another among the values.
+  struct Pair {
+    Index second = 0;
+    bool full = false;  // or only between multipliers
+    std::array<std::size_t, 4> start = {};
+  };
+  /// Which pairs a term touches: those of its corners i < j in lexical order, diagonal included.
+  using PairIndex = std::uint32_t;
+  static constexpr PairIndex k_none = ~PairIndex{0};
+
+  int parts(Index v) const { return v < inner_ ? 4 : 3; }
+  int unknown(Index v, int part) const {
+    const auto n = static_cast<int>(inner_), number = static_cast<int>(v);
+    return number < n ? 4 * number + part : 4 * n + 3 * (number - n) + part;
+  }
+  void find_pairs(const HingeTerms& hinges, const ShapeGuard& guard, const SparseMatrix& square);
+  void lay_out();
+  void find_terms(const HingeTerms& hinges, const ShapeGuard& guard);
+  PairIndex pair_of(Index v, Index w) const;
+  std::vector<Index> elimination_order(const PatchState& state) const;
+  void add_product(const Pair& pair, double scale, Vec3 rows, Vec3 columns);
+  void add_own(Index v, double scale, Vec3 gradient);
+  template <std::size_t n>
+  void add_term(std::span<const PairIndex> pairs, const std::array<Index, n>& corners, double scale,
+                const std::array<Vec3, n>& gradient);
+  void fill_jacobian();
+  void fill_square(const SparseMatrix& square, double c);
+
+  const AngleJacobian& jacobian_;
+  const HingeTerms& hinges_;
+  const ShapeGuard& guard_;
+  std::vector<BorderMotion::Bend> bends_;
+  Index inner_, count_;
+  std::vector<std::size_t> pair_start_;  // by first vertex
+  std::vector<Pair> pairs_;
+  std::vector<std::array<std::size_t, 4>> own_start_;  // of each vertex with itself, by column
+  std::vector<PairIndex> hinge_pairs_, edge_pairs_, corner_pairs_, bend_pairs_;
+  std::vector<std::size_t> square_places_;
+  SparseMatrix lower_;
+  std::optional<SparseLdlt> solver_;
+};
+
+}  // namespace planish

@@ -1,0 +1,22 @@
+#pragma once
+
+namespace planish {
+
+/// Strain by the potential phi, as a share of length.
+struct DescentStrain {
+  double rms = 0.0;   ///< with a limit of strain that of the pattern's edges (edge_strain_of()),
+                      ///< else of phi over the inner vertices
+  double most = 0.0;  ///< of |phi|: edges along the border of the pattern stretch by that much,
+                      ///< those inside by half of it and more
+};
+
+/// The strain that is allowed; 0: no limit.
+struct StrainLimit {
+  double most = 0.0, rms = 0.0;
+
+  bool given() const { return most > 0.0 || rms > 0.0; }
+  /// What strain is to be multiplied by to be at the limit; infinite where there is none.
+  double share_of(const DescentStrain& strain) const;
+};
+
+}  // namespace planish

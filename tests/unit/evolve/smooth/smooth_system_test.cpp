@@ -1,0 +1,135 @@
+#include "evolve/smooth/smooth_system.h"
+
+#include <planish/mesh/shapes.h>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include "evolve/strain_potential.h"
+
+namespace planish {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double k_own = 0.7, k_c = 0.02;
+
+/// The same system as a dense matrix: unknowns are the coordinates of all vertices that are columns
+/// of the Jacobian, then the multipliers.
+struct Dense {
+  MatrixXd matrix;
+  Eigen::Index columns;
+
+  Dense(const AngleJacobian& jacobian, const HingeTerms& hinges, const ShapeGuard& guard,
+        const SparseMatrix& square)
+      : columns(3 * static_cast<Eigen::Index>(jacobian.column_count())) {
+    const auto rows = static_cast<Eigen::Index>(jacobian.row_count());
+    matrix = MatrixXd::Zero(columns + rows, columns + rows);
+    for (std::size_t h = 0; h < hinges.size(); ++h)
+      add(hinges.corners(h), 1.5, hinges.slope(h).gradient);
+    for (std::size_t e = 0; e < guard.edge_count(); ++e)
+      add(guard.edge(e), 2.5, guard.edge_slope(e).gradient);
+    matrix.topLeftCorner(columns, columns).diagonal().array() += k_own;
+    for (Index v = 0; v < jacobian.column_count(); ++v) {
+      for (const AngleJacobian::Entry& entry : jacobian.column(v)) {
+        const Vec3 g = jacobian.gradient(entry.entry);
+        const Eigen::RowVector3d row(-g.x, -g.y, -g.z);
+        const Eigen::Index r = columns + entry.row, c = 3 * static_cast<Eigen::Index>(v);
+        matrix.block(r, c, 1, 3) = row;
+        matrix.block(c, r, 3, 1) = row.transpose();
+      }
+    }
+    matrix.bottomRightCorner(rows, rows) = -k_c * MatrixXd(square);
+    for (Index v = 0; v < jacobian.column_count(); ++v) {
+      if (!jacobian.is_movable(v)) hold(v);
+    }
+  }
+  void hold(Index v) {
+    for (Eigen::Index k = 3 * static_cast<Eigen::Index>(v), end = k + 3; k < end; ++k) {
+      matrix.row(k).setZero();
+      matrix.col(k).setZero();
+      matrix(k, k) = 1.0;
+    }
+  }
+  template <std::size_t n>
+  void add(const std::array<Index, n>& corners, double scale, const std::array<Vec3, n>& gradient) {
+    VectorXd all = VectorXd::Zero(matrix.rows());
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto at = 3 * static_cast<Eigen::Index>(corners[k]);
+      if (at < columns) all.segment<3>(at) << gradient[k].x, gradient[k].y, gradient[k].z;
+    }
+    matrix += scale * all * all.transpose();
+  }
+};
+
+/// @param border_movable by vertex of the border
+void expect_solved_as_dense(const Constraints& constraints,
+                            std::span<const unsigned char> border_movable) {
+  const TriMesh mesh = make_shape("panel", 100);
+  const Connectivity connectivity(mesh);
+  ThreadPool pool(1);
+  const PatchState state(mesh, connectivity, pool, constraints);
+  AngleJacobian jacobian(state, border_movable);
+  jacobian.update(pool);
+  const HingeTerms hinges(state);
+  const ShapeGuard guard(state, 0.05);
+  const StrainPotential potential(jacobian, state, pool, PatternBorder::free);
+  SmoothSystem system(jacobian, state, hinges, guard, potential.square());
+  system.clear();
+  for (std::size_t h = 0; h < hinges.size(); ++h)
+    system.add_hinge(h, 1.5, hinges.slope(h).gradient);
+  for (std::size_t e = 0; e < guard.edge_count(); ++e)
+    system.add_edge(e, 2.5, guard.edge_slope(e).gradient);
+  for (Index v = 0; v < jacobian.column_count(); ++v)
+    system.add_vertex(v, {k_own, 0, 0, k_own, 0, k_own});
+  ASSERT_TRUE(system.factor(potential.square(), k_c, pool));
+
+  const Dense dense(jacobian, hinges, guard, potential.square());
+  Places force(jacobian.column_count());
+  VectorXd right = VectorXd::Zero(dense.matrix.rows());
+  for (Index v = 0; v < force.size(); ++v) {
+    if (!jacobian.is_movable(v)) continue;
+    const auto k = static_cast<double>(v);
+    force[v] = {0.1 * k - 1.0, 2.0 - 0.03 * k, 0.5};
+    right.segment<3>(3 * static_cast<Eigen::Index>(v)) << force[v].x, force[v].y, force[v].z;
+  }
+  const VectorXd turn =
+      VectorXd::LinSpaced(static_cast<Eigen::Index>(jacobian.row_count()), -0.1, 0.3);
+  right.tail(turn.size()) = turn;
+  const Places step = system.solve(force, turn, pool);
+  const VectorXd expected = dense.matrix.fullPivLu().solve(right);
+  for (Index v = 0; v < step.size(); ++v) {
+    const auto at = 3 * static_cast<Eigen::Index>(v);
+    EXPECT_NEAR(step[v].x, expected[at], 1e-9) << v;
+    EXPECT_NEAR(step[v].y, expected[at + 1], 1e-9) << v;
+    EXPECT_NEAR(step[v].z, expected[at + 2], 1e-9) << v;
+  }
+}
+
+TEST(SmoothSystem, SolvesAsTheDenseMatrixDoes) {
+  expect_solved_as_dense({}, {});
+}
+
+TEST(SmoothSystem, HoldsWhatIsFixed) {
+  const TriMesh mesh = make_shape("panel", 100);
+  const Connectivity connectivity(mesh);
+  std::vector<Index> inner;
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    if (!connectivity.is_border(v)) inner.push_back(v);
+  }
+  expect_solved_as_dense({.fixed = {inner[3], inner[20]}}, {});
+}
+
+TEST(SmoothSystem, MovesTheBorderWhereItMay) {
+  const TriMesh mesh = make_shape("panel", 100);
+  const Connectivity connectivity(mesh);
+  std::vector<unsigned char> movable;
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    if (connectivity.is_border(v)) movable.push_back(movable.size() % 3 != 0 ? 1 : 0);
+  }
+  expect_solved_as_dense({}, movable);
+}
+
+}  // namespace
+}  // namespace planish

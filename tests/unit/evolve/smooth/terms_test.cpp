@@ -1,0 +1,126 @@
+#include <numbers>
+
+#include <planish/measure/bending.h>
+#include <planish/mesh/shapes.h>
+
+#include <gtest/gtest.h>
+
+#include "evolve/smooth/hinge_terms.h"
+#include "evolve/smooth/shape_guard.h"
+
+namespace planish {
+namespace {
+
+struct Patch {
+  explicit Patch(TriMesh of) : mesh(std::move(of)) {}
+
+  TriMesh mesh;
+  Connectivity connectivity{mesh};
+  ThreadPool pool{1};
+  PatchState state{mesh, connectivity, pool};
+};
+
+/// The difference quotient of a function by the place of a vertex.
+template <class Function>
+Vec3 slope_of(const Function& function, Index v, PatchState& state) {
+  constexpr double h = 1e-6;
+  const Vec3 at = state.position(v);
+  const auto along = [&](Vec3 step) {
+    state.move(v, at + step);
+    const double after = function();
+    state.move(v, at - step);
+    const double before = function();
+    state.move(v, at);
+    return (after - before) / (2.0 * h);
+  };
+  return {along({h, 0, 0}), along({0, h, 0}), along({0, 0, h})};
+}
+
+void expect_near(Vec3 a, Vec3 b, double most) {
+  EXPECT_NEAR(a.x, b.x, most);
+  EXPECT_NEAR(a.y, b.y, most);
+  EXPECT_NEAR(a.z, b.z, most);
+}
+
+TEST(HingeTerms, HaveTheBendingOfTheMesh) {
+  for (const char* name : {"panel", "saddle", "cylinder"}) {
+    Patch patch(make_shape(name, 300));
+    HingeTerms hinges(patch.state);
+    hinges.take_weights(patch.pool);
+    EXPECT_NEAR(hinges.bending(patch.pool), measure_bending(patch.mesh, patch.connectivity).bending,
+                1e-9)
+        << name;
+  }
+}
+
+TEST(HingeTerms, SlopesAreDifferenceQuotients) {
+  Patch patch(make_shape("panel", 100));
+  const HingeTerms hinges(patch.state);
+  for (std::size_t h = 0; h < hinges.size(); ++h) {
+    const HingeTerms::Slope slope = hinges.slope(h);
+    EXPECT_NE(slope.angle, 0.0);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto angle = [&] { return hinges.slope(h).angle; };
+      expect_near(slope.gradient[k], slope_of(angle, hinges.corners(h)[k], patch.state), 1e-6);
+    }
+  }
+}
+
+TEST(HingeTerms, AreZeroWhereATriangleHasNoArea) {
+  Patch patch({{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 0}}, {{0, 1, 2}, {1, 0, 3}}});
+  HingeTerms hinges(patch.state);
+  ASSERT_EQ(hinges.size(), 1U);
+  hinges.take_weights(patch.pool);
+  EXPECT_EQ(hinges.bending(patch.pool), 0.0);
+  EXPECT_EQ(hinges.slope(0).gradient[0], (Vec3{}));
+}
+
+/// Pushes a vertex nearly onto another, so that corners are sharp.
+void squeeze(PatchState& state) {
+  const Vec3 at = state.position(5), to = state.position(6);
+  state.move(5, at + 0.93 * (to - at));
+}
+
+TEST(ShapeGuard, IsNothingForTheDesign) {
+  Patch patch(make_shape("panel", 100));
+  const ShapeGuard guard(patch.state, 0.05);
+  EXPECT_LT(guard.value(patch.pool), 1e-25);
+  for (std::size_t c = 0; c < guard.corner_count(); ++c)
+    EXPECT_EQ(guard.corner_slope(c).second, 0.0);
+}
+
+TEST(ShapeGuard, CountsStrainByArea) {
+  Patch patch(make_shape("panel", 100));
+  const ShapeGuard guard(patch.state, 0.05);
+  // All edges are 3 % longer.
+  for (std::size_t v = 0; v < patch.state.vertex_count(); ++v)
+    patch.state.move(v, 1.03 * patch.state.position(v));
+  const double s = 0.03 / 0.15;
+  EXPECT_NEAR(guard.value(patch.pool), s * s * s * s + 0.02 * s * s, 1e-12);
+}
+
+TEST(ShapeGuard, SlopesAreDifferenceQuotients) {
+  Patch patch(make_shape("panel", 100));
+  const ShapeGuard guard(patch.state, 0.05);
+  squeeze(patch.state);
+  const auto value = [&] { return guard.value(patch.pool); };
+  std::size_t sharp = 0;
+  std::vector<Vec3> slopes(patch.state.vertex_count());
+  for (std::size_t e = 0; e < guard.edge_count(); ++e) {
+    const auto slope = guard.edge_slope(e);
+    for (std::size_t k = 0; k < 2; ++k)
+      slopes[guard.edge(e)[k]] += slope.first * slope.gradient[k];
+  }
+  for (std::size_t c = 0; c < guard.corner_count(); ++c) {
+    const auto slope = guard.corner_slope(c);
+    sharp += slope.second > 0.0 ? 1 : 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      slopes[guard.corner(c)[k]] += slope.first * slope.gradient[k];
+  }
+  EXPECT_GT(sharp, 0U);
+  for (Index v = 0; v < patch.state.vertex_count(); ++v)
+    expect_near(slopes[v], slope_of(value, v, patch.state), 1e-6 * (1.0 + norm(slopes[v])));
+}
+
+}  // namespace
+}  // namespace planish

@@ -16,7 +16,9 @@ namespace {
 std::size_t plainly_counted(const TriMesh& mesh) {
   using Big = std::array<long double, 3>;
   const auto at = [&](Index v) {
-    return Big{mesh.positions[v].x, mesh.positions[v].y, mesh.positions[v].z};
+    const Vec3 p = mesh.positions[v];
+    return Big{static_cast<long double>(p.x), static_cast<long double>(p.y),
+               static_cast<long double>(p.z)};
   };
   const auto volume = [](Big a, Big b, Big c, Big d) {
     for (int k = 0; k < 3; ++k)

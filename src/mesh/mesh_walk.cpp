@@ -109,7 +109,8 @@ bool borders_correspond(const WalkedMesh& first, const WalkedMesh& second, bool 
 }  // namespace
 
 std::optional<WalkedMesh> walked_mesh(const TriMesh& mesh) try {
-  WalkedMesh walked{unit_scale(mesh), mesh.positions, Connectivity(mesh), {}};
+  Connectivity connectivity(mesh);  // first: it refuses what is no patch
+  WalkedMesh walked{unit_scale(mesh), mesh.positions, std::move(connectivity), {}};
   if (walked.connectivity.border_loops().size() != 1) return std::nullopt;
   for (Vec3& p : walked.positions)
     p = walked.scale * p;

@@ -105,7 +105,7 @@ test('every figure colours the patch in its own way, and says what its scale mea
     const pictures = [];
     const labels = new Set();
     const figures = await page.locator('.choice input').evaluateAll((list) => list.map(({ value }) => value));
-    assert.deepEqual(figures, ['limit_used', 'defect', 'curvature', 'deviation', 'strain', 'longest', 'shortest']);
+    assert.deepEqual(figures, ['limit_used', 'defect', 'curvature', 'bent', 'deviation', 'strain', 'longest', 'shortest']);
     const count = figures.length;
     for (let i = 0; i < count; ++i) {
       await page.locator('.choice label').nth(i).click();

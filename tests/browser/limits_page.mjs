@@ -158,7 +158,7 @@ test('without a limit all is as it was', async () => {
   await withPage(without, {}, async (page) => {
     const figures = await page.locator('.choice input').evaluateAll((list) => list.map(({ value }) => value));
     assert.deepEqual(figures, ['defect', 'curvature', 'bent', 'deviation', 'strain']);
-    assert.equal(await page.locator('.readout tbody tr').count(), 5);
+    assert.equal(await page.locator('.readout tbody tr').count(), 6);
     assert.equal(await page.locator('.bounded').count(), 0);
     // One scale for the patch and its pattern.
     await page.locator('.choice label', { hasText: 'Stretch' }).click();

@@ -3,22 +3,10 @@
 #include <planish/measure/bending.h>
 
 #include "core/careful_sum.h"
+#include "measure/area.h"
 #include "measure/bends.h"
 
 namespace planish {
-
-namespace {
-
-double area_of(const TriMesh& mesh, double scale) {
-  CarefulSum doubled;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 a = scale * mesh.positions[t[0]];
-    doubled.add(norm(cross(scale * mesh.positions[t[1]] - a, scale * mesh.positions[t[2]] - a)));
-  }
-  return 0.5 * doubled.value();
-}
-
-}  // namespace
 
 std::vector<Hinge> hinges_of(const Connectivity& connectivity) {
   std::vector<Hinge> hinges;

@@ -7,6 +7,7 @@
 
 #include "core/angle_between.h"
 #include "core/careful_sum.h"
+#include "measure/area.h"
 
 namespace planish {
 
@@ -48,15 +49,6 @@ bool is_disk(const TriMesh& mesh, const Connectivity& connectivity) {
   const std::size_t edges = (3 * mesh.triangles.size() + border.size()) / 2;
   return used + mesh.triangles.size() == edges + 1 &&
          reached_from(border.front(), connectivity) == used;
-}
-
-double area_of(const TriMesh& mesh, double scale) {
-  CarefulSum doubled;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 a = scale * mesh.positions[t[0]];
-    doubled.add(norm(cross(scale * mesh.positions[t[1]] - a, scale * mesh.positions[t[2]] - a)));
-  }
-  return 0.5 * doubled.value();
 }
 
 double length_of(std::span<const Vec3> loop) {

@@ -1,4 +1,5 @@
 // Starts the browser of the system, and says what pages did in it.
+import assert from 'node:assert/strict';
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
@@ -65,6 +66,19 @@ export async function openPage(browser, url, options = {}) {
   });
   await page.goto(url);
   return { page, context, complaints, requests };
+}
+
+// Runs with a page whose view is ready; complaints and requests fail the test.
+export async function withReadyPage(browser, url, options, run) {
+  const { page, context, complaints, requests } = await openPage(browser, url, options);
+  try {
+    await page.waitForSelector('.view[data-ready]');
+    await run(page);
+    assert.deepEqual(complaints, [], 'console');
+    assert.deepEqual(requests, [], 'network');
+  } finally {
+    await context.close();
+  }
 }
 
 export function temporaryFolder() {

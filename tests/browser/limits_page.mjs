@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import test, { after, before } from 'node:test';
 import { pathToFileURL } from 'node:url';
 
-import { openPage, readPage, skipUnlessThere, startBrowser, temporaryFolder } from './browser.mjs';
+import { withReadyPage, readPage, skipUnlessThere, startBrowser, temporaryFolder } from './browser.mjs';
 import { readObj } from './mesh.mjs';
 import { decodePng } from './png.mjs';
 
@@ -43,17 +43,7 @@ before(async () => {
 });
 after(() => browser?.close());
 
-async function withPage({ url }, options, run) {
-  const { page, context, complaints, requests } = await openPage(browser, url, options);
-  try {
-    await page.waitForSelector('.view[data-ready]');
-    await run(page);
-    assert.deepEqual(complaints, [], 'console');
-    assert.deepEqual(requests, [], 'network');
-  } finally {
-    await context.close();
-  }
-}
+const withPage = ({ url }, options, run) => withReadyPage(browser, url, options, run);
 
 const readout = (page, figure, state) =>
   page.locator(`.readout [data-figure="${figure}"][data-state="${state}"]`).innerText();

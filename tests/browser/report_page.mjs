@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import test, { after, before } from 'node:test';
 import { pathToFileURL } from 'node:url';
 
-import { openPage, readPage, skipUnlessThere, startBrowser, temporaryFolder } from './browser.mjs';
+import { openPage, withReadyPage, readPage, skipUnlessThere, startBrowser, temporaryFolder } from './browser.mjs';
 import { angleDefect, distance, readObj } from './mesh.mjs';
 import { shareChanged } from './png.mjs';
 
@@ -31,18 +31,7 @@ before(async () => {
 });
 after(() => browser?.close());
 
-// Runs with a page that is ready; whatever it complained of fails the test.
-async function withPage(options, run) {
-  const { page, context, complaints, requests } = await openPage(browser, url, options);
-  try {
-    await page.waitForSelector('.view[data-ready]');
-    await run(page);
-    assert.deepEqual(complaints, [], 'console');
-    assert.deepEqual(requests, [], 'network');
-  } finally {
-    await context.close();
-  }
-}
+const withPage = (options, run) => withReadyPage(browser, url, options, run);
 
 const picture = (page) => page.locator('.view').screenshot();
 const readout = (page, figure, state) =>

@@ -31,11 +31,9 @@ constexpr int k_hopeless_steps = 5;
 // strain than this are the last.
 constexpr double k_held_share = 0.98;
 constexpr int k_most_held = 5;
-constexpr int k_most_first_steps = 150, k_most_steps = 100, k_most_polishes = 100, k_most_idle = 3;
-// Polishing that leaves more than so much of the energy so often gives way to another round of the
-// descent, from where it came to.
-constexpr double k_slow_share = 0.9;
-constexpr int k_most_slow = 8, k_most_rounds = 6;
+constexpr int k_most_first_steps = 150, k_most_steps = 100, k_most_idle = 3;
+// So often polishing that ends early gives way to another round of the descent.
+constexpr int k_most_rounds = 6;
 // A coarsest level that ends too rough is done again, roughness allowed later each time.
 constexpr int k_most_tries = 3;
 // A patch of so many vertices is worked on as it is.
@@ -183,15 +181,11 @@ class AutoStepper {
   }
 
   SweepOutcome polish() {
-    const double energy = state_.measure(pool_).energy;
-    const std::size_t moved = polish_->cycle();
-    if (limit_is_met_after_all()) return {std::max<std::size_t>(moved, 1)};
-    const Flattenability figures = state_.measure(pool_);
-    if (is_surely_flattenable(figures)) return {moved, true};
-    slow_ = figures.energy > k_slow_share * energy ? slow_ + 1 : 0;
-    const bool over = moved == 0 || slow_ >= k_most_slow || ++polishes_ >= k_most_polishes;
-    if (over && rounds_++ < k_most_rounds) return descend_again(moved);
-    return {moved, over, polish_->held_by().value_or(StopReason::stalled)};
+    const DefectPolish::Cycle cycle = polish_->cycle();
+    if (limit_is_met_after_all()) return {std::max<std::size_t>(cycle.moved, 1)};
+    if (cycle.flat) return {cycle.moved, true};
+    if (cycle.over && rounds_++ < k_most_rounds) return descend_again(cycle.moved);
+    return {cycle.moved, cycle.over, polish_->held_by().value_or(StopReason::stalled)};
   }
 
   /// Steps may stall at single vertices before they come to a limit of strain. Cycles mend those;
@@ -208,7 +202,7 @@ class AutoStepper {
   SweepOutcome descend_again(std::size_t moved) {
     polish_.reset();
     descent_->start(k_pace_from_coarse);
-    steps_ = idle_ = polishes_ = slow_ = 0;
+    steps_ = idle_ = 0;
     held_.reset();
     return {std::max<std::size_t>(moved, 1)};  // who moves nothing is taken to be at the end
   }
@@ -230,7 +224,7 @@ class AutoStepper {
     int steps;  // since then
   };
   std::optional<Held> held_;
-  int tries_ = 1, steps_ = 0, idle_ = 0, polishes_ = 0, slow_ = 0, rounds_ = 0;
+  int tries_ = 1, steps_ = 0, idle_ = 0, rounds_ = 0;
   double earliness_ = 1.0;  // of the usual one
   bool hopeless_ = false;
 };

@@ -15,11 +15,8 @@ namespace {
 constexpr std::size_t k_thinning = 4;
 
 /// Triangles are sorted, so that levels do not depend on the order in the file.
-TriMesh mesh_at_first(const PatchState& patch) {
-  TriMesh mesh;
-  for (std::size_t v = 0; v < patch.vertex_count(); ++v)
-    mesh.positions.push_back((1.0 / patch.scale()) * patch.origin(v));
-  mesh.triangles = patch.triangles();
+TriMesh sorted_mesh(const PatchState& patch) {
+  TriMesh mesh = mesh_at_first(patch);
   for (Triangle& t : mesh.triangles)
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   std::sort(mesh.triangles.begin(), mesh.triangles.end());
@@ -50,7 +47,7 @@ std::vector<Index> numbers_in(const PatchState& state, std::size_t level, std::s
 
 CoarseLevels::CoarseLevels(const PatchState& patch, std::size_t small) {
   if (patch.inner_count() < small) return;
-  const TriMesh mesh = mesh_at_first(patch);
+  const TriMesh mesh = sorted_mesh(patch);
   if (!can_be_coarsened(mesh)) return;
   Constraints constraints = constraints_of(patch);
   const TriMesh* fine = &mesh;

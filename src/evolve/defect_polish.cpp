@@ -42,6 +42,13 @@ SparseMatrix graph_laplacian(const AngleJacobian& jacobian) {
   return matrix;
 }
 
+/// By so much that it counts as flattenable on rounding too.
+bool is_surely_flattenable(const Flattenability& figures) {
+  constexpr double of_e_max = 0.5, of_sum = 0.8;
+  return figures.e_max <= of_e_max * k_flattenable_e_max &&
+         figures.sum_abs_defect <= of_sum * k_flattenable_sum;
+}
+
 }  // namespace
 
 DefectPolish::DefectPolish(PatchState& state, ThreadPool& pool, const DescentLimits& limits)
@@ -55,7 +62,20 @@ DefectPolish::DefectPolish(PatchState& state, ThreadPool& pool, const DescentLim
   least_.dual().damp_by(graph * graph, 1.0 / relative_density(state));
 }
 
-std::size_t DefectPolish::cycle() {
+DefectPolish::Cycle DefectPolish::cycle() {
+  // So often a cycle may leave more than this share of the energy.
+  constexpr double slow_share = 0.9;
+  constexpr int most_slow = 8, most_cycles = 100;
+  const double energy = state_.measure(pool_).energy;
+  Cycle cycle{move()};
+  const Flattenability figures = state_.measure(pool_);
+  cycle.flat = is_surely_flattenable(figures);
+  slow_ = figures.energy > slow_share * energy ? slow_ + 1 : 0;
+  cycle.over = cycle.moved == 0 || slow_ >= most_slow || ++cycles_ >= most_cycles;
+  return cycle;
+}
+
+std::size_t DefectPolish::move() {
   constexpr int most_dampings = 8, most_halvings = 6;
   constexpr double ease = 0.3, tighten = 4.0, tighten_much = 10.0, least_damping = 1e-6;
   const Places before = inner_places(state_);
@@ -143,12 +163,6 @@ std::vector<Index> DefectPolish::at_sharp_triangles() const {
                  [&](Index v) { return state_.is_inner(v); });
   }
   return vertices;
-}
-
-bool is_surely_flattenable(const Flattenability& figures) {
-  constexpr double of_e_max = 0.5, of_sum = 0.8;
-  return figures.e_max <= of_e_max * k_flattenable_e_max &&
-         figures.sum_abs_defect <= of_sum * k_flattenable_sum;
 }
 
 }  // namespace planish

@@ -21,12 +21,18 @@ class DefectPolish {
   /// limit.
   DefectPolish(PatchState& state, ThreadPool& pool, const DescentLimits& limits);
 
-  /// @return how many vertices are elsewhere now
-  std::size_t cycle();
+  struct Cycle {
+    std::size_t moved = 0;  ///< vertices
+    bool flat = false;      ///< the patch is surely flattenable
+    bool over = false;      ///< nothing moved, or cycles gain little more
+  };
+  Cycle cycle();
   /// The limit that held vertices in the last cycle.
   std::optional<StopReason> held_by() const { return held_by_; }
 
  private:
+  /// @return how many vertices moved
+  std::size_t move();
   Places least_norm_step();
   void put(const Places& places);
   void sweep();
@@ -42,11 +48,9 @@ class DefectPolish {
   DescentLimits limits_;
   LeastMove least_;
   double damping_ = 1e-2;
+  int cycles_ = 0, slow_ = 0;
   bool first_ = true;
   std::optional<StopReason> held_by_;
 };
-
-/// True for what counts as flattenable, by so much that it does on rounding too.
-bool is_surely_flattenable(const Flattenability& figures);
 
 }  // namespace planish

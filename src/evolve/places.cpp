@@ -30,6 +30,14 @@ Places inner_places(const PatchState& state) {
   return first_places(state, state.inner_count());
 }
 
+TriMesh mesh_at_first(const PatchState& state) {
+  TriMesh mesh;
+  for (std::size_t v = 0; v < state.vertex_count(); ++v)
+    mesh.positions.push_back((1.0 / state.scale()) * state.origin(v));
+  mesh.triangles = state.triangles();
+  return mesh;
+}
+
 Eigen::VectorXd inner_defects(const PatchState& state) {
   Eigen::VectorXd defects(static_cast<Eigen::Index>(state.inner_count()));
   for (std::size_t v = 0; v < state.inner_count(); ++v)
@@ -47,6 +55,17 @@ std::size_t move_to(const Places& places, const AngleJacobian& jacobian, PatchSt
     ++moved;
   }
   return moved;
+}
+
+Places within_distance(Places places, const Places& origin, std::size_t inner_count,
+                       double distance) {
+  if (std::isinf(distance)) return places;
+  for (std::size_t v = 0; v < inner_count; ++v) {
+    const Vec3 away = places[v] - origin[v];
+    const double far = norm(away);
+    if (far > distance) places[v] = origin[v] + (distance / far) * away;
+  }
+  return places;
 }
 
 EdgeLengths edges_at(Index v, const AngleJacobian& jacobian, const PatchState& state) {

@@ -27,12 +27,21 @@ Places first_places(const PatchState& state, std::size_t count);
 /// Where the inner vertices are.
 Places inner_places(const PatchState& state);
 
+/// The patch as it was at first, in model units and the numbers of the state.
+TriMesh mesh_at_first(const PatchState& state);
+
 /// Their defects, as of the last measure().
 Eigen::VectorXd inner_defects(const PatchState& state);
 
 /// Puts the movable vertices there, if all places are numbers.
 /// @return how many were elsewhere before
 std::size_t move_to(const Places& places, const AngleJacobian& jacobian, PatchState& state);
+
+/// The nearest of the places of all vertices that may move that are within a distance of their
+/// origins, infinite for none.
+/// @param inner_count how many of them are inner vertices: only these are limited
+Places within_distance(Places places, const Places& origin, std::size_t inner_count,
+                       double distance);
 
 /// Mean and shortest length of the edges at a vertex.
 struct EdgeLengths {

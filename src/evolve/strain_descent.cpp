@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/careful_sum.h"
 #include "evolve/smallest_angle.h"
@@ -172,14 +173,7 @@ Places StrainDescent::newton_step() {
 
 Places StrainDescent::within_limits(Places x) const {
   border_.restrict(x);
-  if (std::isinf(limits_.deviation)) return x;
-  const Places& origin = cost_.origin();
-  for (std::size_t v = 0; v < state_.inner_count(); ++v) {
-    const Vec3 away = x[v] - origin[v];
-    const double far = norm(away);
-    if (far > limits_.deviation) x[v] = origin[v] + (limits_.deviation / far) * away;
-  }
-  return x;
+  return within_distance(std::move(x), cost_.origin(), state_.inner_count(), limits_.deviation);
 }
 
 /// Tells the cost which vertices cannot go on, so that the next step finds another way.

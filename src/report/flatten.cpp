@@ -2,7 +2,9 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <limits>
 #include <memory>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -185,6 +187,24 @@ Method aimed_at(const StrainLimits& limits, Method method) {
   return method;
 }
 
+/// By how much strain is to be multiplied to be at its limit; below 1 where a limit is not kept.
+double share_of_limits(std::span<const StrainLimitCheck> checks) {
+  double share = std::numeric_limits<double>::infinity();
+  for (const StrainLimitCheck& check : checks)
+    share = std::min(share, check.asked / check.reached);
+  return share;
+}
+
+/// The method with tighter limits of its own.
+Method tightened(Method method, const StrainLimits& aim, double share) {
+  constexpr double surely = 0.98;
+  auto& options = std::get<Auto>(method);
+  if (options.max_strain == 0.0 && options.max_rms_strain == 0.0) options.max_rms_strain = aim.rms;
+  options.max_strain *= surely * share;
+  options.max_rms_strain *= surely * share;
+  return method;
+}
+
 /// The report of a patch that needs no evolution.
 EvolveReport left_as_it_is(const TriMesh& mesh, const Method& method, const Stopping& stopping) {
   EvolveReport report;
@@ -224,7 +244,7 @@ class Flattening {
     report_.name = std::move(name);
     check_constraints(options_.constraints, mesh.positions.size(), method_);
     if (options_.remesh) remeshed_ = remesh(mesh, options_.constraints, options_.keep);
-    const bool done = is_done_as_it_is(work_mesh(mesh)) ? !is_cancelled() : evolve_and_unfold(mesh);
+    const bool done = is_done_as_it_is(work_mesh(mesh)) ? !is_cancelled() : evolve_to_aim(mesh);
     if (!done) return std::nullopt;
     report_.input = remeshed_ ? std::move(remeshed_->mesh) : std::move(mesh);
     if (remeshed_) report_.source = std::move(remeshed_->source);
@@ -252,9 +272,11 @@ class Flattening {
         [&](int, double) { return tell(FlattenStage::unfolding, bar.after_step()); }, how);
   }
 
-  bool keeps_aim(const TriMesh& mesh, const UnfoldReport& report) const {
-    if (limits_.any()) return all_kept(report.limits);
-    return all_kept(check_limits(mesh, Connectivity(mesh), report.pattern.positions, aim_));
+  /// What a pattern has of the aim. Strain is measured against the surface that it is made from.
+  std::vector<StrainLimitCheck> checks_of_aim(const TriMesh& mesh,
+                                              const UnfoldReport& report) const {
+    if (limits_.any() || !aim_.any()) return report.limits;
+    return check_limits(mesh, Connectivity(mesh), report.pattern.positions, aim_);
   }
 
   /// Lays the input flat and sees whether that is all that is to be done. True if that pattern is
@@ -263,7 +285,8 @@ class Flattening {
     if (!aim_.any()) return false;
     MaybeUnfolded kept = unfolded(mesh, with_limits());
     if (!kept) return true;
-    const bool is_done = keeps_aim(mesh, *kept), is_plain = !limits_.any() && !options_.match_seams;
+    const bool is_done = all_kept(checks_of_aim(mesh, *kept)),
+               is_plain = !limits_.any() && !options_.match_seams;
     if (is_plain) before_ = *kept;
     if (!is_done) return false;
     MaybeUnfolded before = is_plain ? before_ : unfolded(mesh, {.threads = options_.threads});
@@ -274,29 +297,46 @@ class Flattening {
     return true;
   }
 
+  /// Auto ends by its estimate of the strain. Where the pattern has a little more than that, it is
+  /// run again with tighter limits. False when cancelled.
+  bool evolve_to_aim(const TriMesh& mesh) {
+    constexpr int most_runs = 3;
+    Method method = method_;
+    for (int run = 1;; ++run) {
+      if (!evolve_and_unfold(mesh, method)) return false;
+      const double share = share_of_limits(checks_of_aim(
+          {report_.evolve.result.positions, work_mesh(mesh).triangles}, report_.unfold));
+      const bool may_try = report_.evolve.result.stop == StopReason::strain_met && run < most_runs;
+      if (!aim_.any() || share >= 1.0 || !may_try) break;
+      method = tightened(method, aim_, share);
+    }
+    report_.evolve.method = method_;
+    return go_back(mesh);
+  }
+
   /// False when cancelled.
-  bool evolve_and_unfold(const TriMesh& mesh) {
+  bool evolve_and_unfold(const TriMesh& mesh, const Method& method) {
     const TriMesh& work = work_mesh(mesh);
     const OnSweep on_sweep = on_sweep_of(stopping_, work, on_progress_);
-    report_.evolve = remeshed_ ? evolve_remeshed(mesh, *remeshed_, method_, stopping_, on_sweep,
-                                                 options_.threads)
-                               : evolve_patch(mesh, method_, stopping_, on_sweep, options_.threads,
-                                              options_.constraints);
+    report_.evolve =
+        remeshed_ ? evolve_remeshed(mesh, *remeshed_, method, stopping_, on_sweep, options_.threads)
+                  : evolve_patch(mesh, method, stopping_, on_sweep, options_.threads,
+                                 options_.constraints);
     if (report_.evolve.result.stop == StopReason::cancelled) return false;
     const TriMesh processed{report_.evolve.result.positions, work.triangles};
     if (before_) {
       MaybeUnfolded after = unfolded(processed, with_limits());
       if (!after) return false;
-      report_.unfold_before = *std::move(before_);
+      report_.unfold_before = *before_;
       report_.unfold = *std::move(after);
       return true;
     }
     auto patterns = unfold_both(work, processed, options_.unit, with_limits(),
                                 report_.evolve.result.threads > 1, on_progress_);
     if (!patterns) return false;
-    report_.unfold_before = std::move(patterns->first);
+    before_ = report_.unfold_before = std::move(patterns->first);
     report_.unfold = std::move(patterns->second);
-    return go_back(mesh);
+    return true;
   }
 
   /// If the pattern keeps the limits, finds by bisection the smallest share of the move from the

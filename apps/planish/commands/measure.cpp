@@ -99,7 +99,7 @@ Outcome run_measure(const Arguments& arguments, Session& session) {
 Command measure_command() {
   return {
       "measure",
-      "tell how far a patch is from flattenable",
+      "report how far a patch is from flattenable",
       "INPUT",
       "Prints sizes, topology and the figures of the angle defects of a triangle mesh (.obj, "
       ".ply, .stl or .off), and every problem that stands in the way of evolving it or laying "

@@ -1,39 +1,18 @@
 #include "evolve/smooth/hinge_terms.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include <planish/measure/bending.h>
 
 #include "core/careful_sum.h"
 #include "core/math.h"
+#include "evolve/places.h"
 
 namespace planish {
 
 namespace {
 
 constexpr std::size_t k_grain = 2048;
-
-/// A side of a triangle, with the triangle's third corner.
-struct Side {
-  Index low, high, tip;
-  bool forward;  // the triangle runs from low to high
-};
-
-std::vector<Side> sides_of(const std::vector<Triangle>& triangles) {
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (const Triangle& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = t[k], b = t[(k + 1) % 3], tip = t[(k + 2) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), tip, a < b});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    if (a.low != b.low) return a.low < b.low;
-    if (a.high != b.high) return a.high < b.high;
-    return a.forward && !b.forward;
-  });
-  return sides;
-}
 
 /// The edge and the normals of its two triangles, each twice the area long.
 struct Frame {
@@ -57,19 +36,15 @@ double angle_of(const Frame& frame) {
 }  // namespace
 
 HingeTerms::HingeTerms(const PatchState& state) : state_(state) {
-  const std::vector<Side> sides = sides_of(state.triangles());
-  for (std::size_t s = 0; s + 1 < sides.size(); ++s) {
-    const Side &left = sides[s], &right = sides[s + 1];
-    if (left.low != right.low || left.high != right.high) continue;
-    hinges_.push_back({{left.low, left.high, left.tip, right.tip}});
-  }
+  for (const Hinge& hinge : hinges_of(Connectivity(mesh_at_first(state))))
+    hinges_.push_back({hinge.from, hinge.to, hinge.left, hinge.right});
   weights_.resize(hinges_.size());
 }
 
 void HingeTerms::take_weights(ThreadPool& pool) {
   pool.for_ranges(size(), k_grain, [this](std::size_t begin, std::size_t end) {
     for (std::size_t h = begin; h < end; ++h) {
-      const Frame frame = frame_of(hinges_[h].corners, state_);
+      const Frame frame = frame_of(hinges_[h], state_);
       const double areas = 0.5 * (norm(frame.left) + norm(frame.right));
       weights_[h] = areas > 0.0 ? 3.0 * dot(frame.edge, frame.edge) / areas : 0.0;
     }
@@ -77,7 +52,7 @@ void HingeTerms::take_weights(ThreadPool& pool) {
 }
 
 double HingeTerms::angle(std::size_t hinge) const {
-  return angle_of(frame_of(hinges_[hinge].corners, state_));
+  return angle_of(frame_of(hinges_[hinge], state_));
 }
 
 double HingeTerms::bending(ThreadPool& pool) const {
@@ -95,7 +70,7 @@ double HingeTerms::bending(ThreadPool& pool) const {
 }
 
 HingeTerms::Slope HingeTerms::slope(std::size_t hinge) const {
-  const auto& corners = hinges_[hinge].corners;
+  const auto& corners = hinges_[hinge];
   const Frame frame = frame_of(corners, state_);
   const double left = dot(frame.left, frame.left), right = dot(frame.right, frame.right);
   const double square = dot(frame.edge, frame.edge);

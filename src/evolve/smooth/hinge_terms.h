@@ -13,16 +13,12 @@ namespace planish {
 /// sum w t^2, w = 3 l^2 / (A1 + A2) (Grinspun and others 2003; docs/fairness.md).
 class HingeTerms {
  public:
-  /// An inner edge from corners[0] to corners[1]; the other two are the tips of its triangles.
-  struct Hinge {
-    std::array<Index, 4> corners;
-  };
-
   /// @param state must outlive it
   explicit HingeTerms(const PatchState& state);
 
   std::size_t size() const { return hinges_.size(); }
-  const std::array<Index, 4>& corners(std::size_t hinge) const { return hinges_[hinge].corners; }
+  /// The ends of an inner edge, then the tips of its triangles, in the numbers of the state.
+  const std::array<Index, 4>& corners(std::size_t hinge) const { return hinges_[hinge]; }
 
   /// Takes the weights from the patch as it is now.
   void take_weights(ThreadPool& pool);
@@ -43,7 +39,7 @@ class HingeTerms {
   double angle(std::size_t hinge) const;
 
   const PatchState& state_;
-  std::vector<Hinge> hinges_;
+  std::vector<std::array<Index, 4>> hinges_;
   std::vector<double> weights_;
 };
 

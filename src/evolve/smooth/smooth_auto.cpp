@@ -7,7 +7,6 @@
 
 #include <planish/measure/bending.h>
 #include <planish/measure/fairness.h>
-#include <planish/measure/flattenability.h>
 #include <planish/measure/smoothed.h>
 
 #include "evolve/coarse_levels.h"
@@ -31,22 +30,11 @@ constexpr std::size_t k_later_work = 150'000, k_least_later_steps = 5, k_most_la
 // Where all strain is to go: steps, and strain at which polishing does the rest or cannot.
 constexpr int k_most_strict_steps = 25;
 constexpr double k_polish_strain = 1e-5, k_hopeless_strain = 1e-2;
-// Polishing that leaves more than so much of the energy so often ends.
-constexpr double k_slow_share = 0.9;
-constexpr int k_most_slow = 8, k_most_polishes = 100;
 
 StrainLimit limit_of(const Auto& options) {
   if (options.prefer == Prefer::flat) return {0.0, k_nearly_flat};
   const StrainLimit limit = {options.max_strain, options.max_rms_strain};
   return limit.given() ? limit : StrainLimit{0.0, k_unmeasurable_strain};
-}
-
-TriMesh mesh_at_first(const PatchState& patch) {
-  TriMesh mesh;
-  for (std::size_t v = 0; v < patch.vertex_count(); ++v)
-    mesh.positions.push_back((1.0 / patch.scale()) * patch.origin(v));
-  mesh.triangles = patch.triangles();
-  return mesh;
 }
 
 /// Above 0.
@@ -144,22 +132,29 @@ class SmoothStepper {
   }
 
   /// Where the surface is not smooth by the rule that judges results, goes back towards the design
-  /// until it is.
+  /// until it is: by tenths of the way, then by halves of the last tenth.
   void retreat() {
-    constexpr int parts = 10;
+    constexpr int parts = 10, halvings = 3;
     const TriMesh design = mesh_at_first(state_);
     const Connectivity connectivity(design);
-    const Places found = descent_->places(), origin = descent_->origin();
-    for (int part = parts; part >= 0; --part) {
-      const double share = static_cast<double>(part) / parts;
-      const Places places =
-          part == parts ? found : sum_of(origin, share, sum_of(found, -1.0, origin));
-      descent_->go_to(places);
+    const Places origin = descent_->origin(), away = sum_of(descent_->places(), -1.0, origin);
+    const auto is_smooth_at = [&](double share) {
+      descent_->go_to(sum_of(origin, share, away));
       std::vector<Vec3> after;
       for (std::size_t v = 0; v < state_.vertex_count(); ++v)
         after.push_back((1.0 / state_.scale()) * state_.position(v));
-      if (measure_fairness(design, connectivity, after).is_smooth()) break;
+      return measure_fairness(design, connectivity, after).is_smooth();
+    };
+    int part = parts;
+    while (part > 0 && !is_smooth_at(static_cast<double>(part) / parts))
+      --part;
+    if (part == parts) return;
+    double smooth = static_cast<double>(part) / parts, step = 0.5 / parts, last = -1.0;
+    for (int halving = 0; halving < halvings; ++halving, step *= 0.5) {
+      last = smooth + step;
+      if (is_smooth_at(last)) smooth = last;
     }
+    if (last != smooth) descent_->go_to(sum_of(origin, smooth, away));
   }
 
   SweepOutcome follow_strict(SweepOutcome outcome) {
@@ -174,13 +169,9 @@ class SmoothStepper {
   }
 
   SweepOutcome polish() {
-    const double energy = state_.measure(pool_).energy;
-    const std::size_t moved = polish_->cycle();
-    const Flattenability figures = state_.measure(pool_);
-    if (is_surely_flattenable(figures)) return {moved, true};
-    slow_ = figures.energy > k_slow_share * energy ? slow_ + 1 : 0;
-    const bool over = moved == 0 || slow_ >= k_most_slow || ++polishes_ >= k_most_polishes;
-    return {moved, over, polish_->held_by().value_or(StopReason::stalled)};
+    const DefectPolish::Cycle cycle = polish_->cycle();
+    if (cycle.flat) return {cycle.moved, true};
+    return {cycle.moved, cycle.over, polish_->held_by().value_or(StopReason::stalled)};
   }
 
   PatchState& level_state() const { return coarse_ ? *coarse_ : state_; }
@@ -222,7 +213,7 @@ class SmoothStepper {
   std::optional<Best> best_;
   std::optional<DefectPolish> polish_;
   bool is_untouched_ = true, is_strict_ = false;
-  int steps_ = 0, idle_ = 0, polishes_ = 0, slow_ = 0;
+  int steps_ = 0, idle_ = 0;
 };
 
 }  // namespace

@@ -86,7 +86,9 @@ void SmoothControl::lead(const DescentStrain& strain, double bending) {
   else
     weights_.sigma *= std::clamp(std::sqrt(share), 0.7, 1.4);
   weights_.sigma = std::max(weights_.sigma, k_least_sigma * strain.rms);
-  weights_.delta = std::clamp(weights_.delta * std::clamp(math::pow(excess, 0.35), 0.85, 1.18),
+  // Closeness must not push strain out again that is still above its limit.
+  const double nearest = share * k_within < 1.0 ? 1.0 : 0.85;
+  weights_.delta = std::clamp(weights_.delta * std::clamp(math::pow(excess, 0.35), nearest, 1.18),
                               least_delta_, k_most_delta);
 }
 

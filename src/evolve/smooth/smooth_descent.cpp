@@ -175,13 +175,7 @@ void SmoothDescent::assemble_places(Places& force) {
 /// The nearest places that limits of distance and the rule of the border allow.
 Places SmoothDescent::within_limits(Places places) const {
   border_.restrict(places);
-  if (std::isinf(limits_.deviation)) return places;
-  for (std::size_t v = 0; v < state_.inner_count(); ++v) {
-    const Vec3 away = places[v] - origin_[v];
-    const double far = norm(away);
-    if (far > limits_.deviation) places[v] = origin_[v] + (limits_.deviation / far) * away;
-  }
-  return places;
+  return within_distance(std::move(places), origin_, state_.inner_count(), limits_.deviation);
 }
 
 bool SmoothDescent::angles_hold() {

@@ -167,10 +167,10 @@ std::string form_lines(const EvolveReport& report) {
   if (fairness.bending_lost) text += "  " + tick(fairness.keeps_form(), "form kept");
   text += "\n";
   if (fairness.bending_ratio) {
-    text += indent + "bent " + digits(*fairness.bending_ratio, 3) + " times as much as the design";
+    text += indent + "bending " + digits(*fairness.bending_ratio, 3) + " times that of the design";
     if (fairness.bending_added) {
-      text += ": " + digits(*fairness.bending_added, 2) + " came, " +
-              digits(*fairness.bending_lost, 2) + " went";
+      text += ": added " + digits(*fairness.bending_added, 2) + ", lost " +
+              digits(*fairness.bending_lost, 2);
     }
     text += "\n";
   }

@@ -135,7 +135,8 @@ std::string obstruction_text(const std::optional<Obstruction>& obstruction) {
 }
 
 std::string count_of(const SelfIntersections& found) {
-  return (found.complete ? "" : "more than ") + std::to_string(found.pairs);
+  if (found.complete) return std::to_string(found.pairs);
+  return found.pairs > 0 ? "at least " + std::to_string(found.pairs) : "not known";
 }
 
 /// What measuring tells of the form without a design to compare with.

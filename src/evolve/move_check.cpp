@@ -1,6 +1,7 @@
 #include "evolve/move_check.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,10 @@ namespace {
 
 /// What rounding may add to the defect of a vertex, for each of its angles.
 constexpr double k_rounding_of_angle = 1e-14;
+
+/// Squares of areas of triangles with shorter edges, as shares of the patch's size, are less than
+/// doubles hold with all their digits: angles there may be off by anything.
+constexpr double k_shortest_edge = 1e-70;
 
 }  // namespace
 
@@ -39,11 +44,24 @@ double MoveCheck::defect(std::size_t v) const {
   return 2.0 * std::numbers::pi - sum;
 }
 
+bool MoveCheck::has_digits(std::size_t v) const {
+  const std::span<const Index> ring = rings_[v];
+  for (std::size_t j = 0; j < ring.size(); ++j) {
+    const Vec3 tip = state_->position(ring[j]);
+    const Vec3 next = state_->position(ring[(j + 1) % ring.size()]);
+    if (norm(tip - state_->position(v)) < k_shortest_edge) return false;
+    if (norm(next - tip) < k_shortest_edge) return false;
+  }
+  return true;
+}
+
 MoveCheck::Energy MoveCheck::energy(std::size_t v) const {
   Energy energy;
   const auto add = [&](std::size_t w) {
     const double size = std::abs(defect(w));
-    const double rounding = k_rounding_of_angle * static_cast<double>(rings_[w].size());
+    const double rounding = has_digits(w)
+                                ? k_rounding_of_angle * static_cast<double>(rings_[w].size())
+                                : std::numeric_limits<double>::infinity();
     energy.value += size * size;
     energy.rounding += (2.0 * size + rounding) * rounding;
   };

@@ -16,7 +16,8 @@ namespace planish {
 /// moves.
 class MoveCheck {
  public:
-  /// A ring energy, and how far rounding may be off.
+  /// A ring energy, and how far rounding may be off: by anything where edges are shorter than
+  /// 1e-70 of the size of the patch.
   struct Energy {
     double value = 0.0, rounding = 0.0;
   };
@@ -36,6 +37,7 @@ class MoveCheck {
 
  private:
   double defect(std::size_t v) const;
+  bool has_digits(std::size_t v) const;
 
   const PatchState* state_;
   std::vector<std::span<const Index>> rings_;

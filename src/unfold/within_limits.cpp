@@ -20,6 +20,8 @@ constexpr double k_asked = 0.99, k_freed = 0.0099;
 constexpr int k_most_rounds = 4;
 // Edges that are freed from the limit may have so many times it, or the most that any has without.
 constexpr double k_freed_limits = 3.0;
+// A largest strain that no cutter or cloth would tell from none: left as it is.
+constexpr double k_no_strain = 1e-6;
 
 double largest(const std::vector<double>& strains) {
   double most = 0.0;
@@ -141,7 +143,7 @@ double smallest_limit_of(const TriMesh& mesh, const Disk& disk, std::vector<Vec2
   constexpr double weight = 300.0;
   LimitedUnfolding unfolding(mesh, disk, max_iterations, pool, on_step, 0);
   const double largest_now = largest(strains_of(unfolding.edges(), least));
-  if (!(largest_now > 0.0)) return 0.0;
+  if (!(largest_now > k_no_strain)) return largest_now;
   const std::vector<double> bounds(unfolding.edges().size(), largest_now);
   const BoundedStretch found =
       unfolding.run(bounds, std::move(least), {.least_scale = 0.0, .weight = weight});

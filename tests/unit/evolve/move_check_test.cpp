@@ -1,5 +1,6 @@
 #include "evolve/move_check.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include <planish/evolve/evolve.h>
@@ -68,6 +69,17 @@ TEST_F(MoveCheckTest, StopsAMoveThatRaisesItByMoreThanRoundingAlone) {
   MoveCheck::Energy before = check_.energy(0);
   before.value *= 1.0 - 1e-9;
   EXPECT_THROW(check_.require_fall(0, before), std::logic_error);
+}
+
+TEST(MoveCheckOfShortEdges, ClaimsNothingWhereAreasHaveNoDigits) {
+  TriMesh mesh = meshes::rough_grid(6, 6, 3);
+  mesh.positions[0] = {-1e78, -1e78, 0.0};
+  const Connectivity connectivity(mesh);
+  ThreadPool pool(1);
+  const PatchState state(mesh, connectivity, pool);
+  const MoveCheck check(state);
+  for (std::size_t v = 0; v < state.inner_count(); ++v)
+    EXPECT_TRUE(std::isinf(check.energy(v).rounding)) << v;
 }
 
 }  // namespace

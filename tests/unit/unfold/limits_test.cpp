@@ -107,6 +107,17 @@ TEST(StrainLimits, ThatNoPatternKeepsEndNearTheSmallestThatOneDoes) {
   EXPECT_LE(Unfolded(panel(), {.max = 1.01 * smallest}).strain.max, 1.01 * smallest);
 }
 
+TEST(StrainLimits, ArePassedOverWhereThereIsNoStrainButRounding) {
+  const TriMesh flat = meshes::rough_grid(20, 20, 3, 0.3, 0.0);
+  const Unfolded least(flat, {});
+  ASSERT_LT(least.strain.max, 1e-6);
+  int steps = 0;
+  const auto count = [&](int, double) { return ++steps > 0; };
+  EXPECT_NEAR(smallest_limit(flat, least.connectivity, least.pattern, 0, count), least.strain.max,
+              1e-12);
+  EXPECT_EQ(steps, 0);
+}
+
 /// Moves one vertex after another a little at random, and keeps what makes a figure less.
 template <class Figure>
 double less_by_chance(std::vector<Vec2> flat, double reach, int tries, const Figure& figure) {

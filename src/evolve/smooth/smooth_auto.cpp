@@ -22,14 +22,15 @@ namespace {
 
 // At which the last steps of `flat` begin.
 constexpr double k_nearly_flat = 2e-4;
-// Coarse patches have so many vertices at most: there the whole way is gone.
-constexpr std::size_t k_coarsest = 2500;
+// Coarse patches have so many vertices at most: there the whole way is gone. Where all strain is to
+// go, what a coarse patch misses is not made good later.
+constexpr std::size_t k_coarsest = 2500, k_coarsest_flat = 6000;
 constexpr int k_most_first_steps = 80;
 // On finer levels steps are dear, and what is left to do is little.
 constexpr std::size_t k_later_work = 150'000, k_least_later_steps = 5, k_most_later_steps = 30;
-// Where all strain is to go: steps, and strain at which polishing does the rest or cannot.
-constexpr int k_most_strict_steps = 25;
-constexpr double k_polish_strain = 1e-5, k_hopeless_strain = 1e-2;
+// Where all strain is to go: steps, and strain above which polishing cannot do the rest.
+constexpr int k_most_strict_steps = 40;
+constexpr double k_hopeless_strain = 1e-2;
 
 StrainLimit limit_of(const Auto& options) {
   if (options.prefer == Prefer::flat) return {0.0, k_nearly_flat};
@@ -51,7 +52,7 @@ class SmoothStepper {
         state_(state),
         pool_(pool),
         least_angle_(angle_to_keep(options, state, pool)),
-        levels_(state, k_coarsest),
+        levels_(state, options.prefer == Prefer::flat ? k_coarsest_flat : k_coarsest),
         level_(levels_.coarsest()) {
     open_level();
     if (descent_->solvable()) control_.emplace(limit_, descent_->strain());
@@ -158,8 +159,8 @@ class SmoothStepper {
   }
 
   SweepOutcome follow_strict(SweepOutcome outcome) {
-    const bool over = descent_->strain().rms <= k_polish_strain || idle_ >= k_most_idle ||
-                      ++steps_ >= k_most_strict_steps;
+    const bool over =
+        control_->is_over() || idle_ >= k_most_idle || ++steps_ >= k_most_strict_steps;
     if (!over) return outcome;
     if (descent_->strain().rms > k_hopeless_strain)
       return ended(outcome, descent_->at_deviation_limit() ? StopReason::deviation_limit

@@ -12,18 +12,15 @@ namespace {
 // As shares of length: a limit that leaves so little, or so much and more.
 constexpr double k_tight = 1e-3, k_loose = 5e-3;
 constexpr double k_most_delta = 0.1;
-// By which delta changes at a step.
-constexpr double k_least_gain = 0.85;
 // Of sigma over the strain: where much strain cannot go, less would buy little of it with much.
 constexpr double k_least_sigma = 0.3;
 // Of the limit, so that steps end within it; and of the ceiling, which may be passed by a little.
 constexpr double k_within = 1.03;
 // Steps with the weights of the coarser level, until what lifting broke is mended.
 constexpr int k_steps_lifted = 3;
-// Where all strain is to go. Above the most delta much deviation buys little smoothness.
-constexpr double k_first_strict_sigma = 5e-4, k_last_strict_sigma = 1e-4;
+// Where all strain is to go.
+constexpr double k_strict_delta = 0.025, k_first_strict_sigma = 5e-4, k_last_strict_sigma = 1e-4;
 constexpr int k_steps_first_strict = 10;
-constexpr double k_strict_ceiling = 1.12, k_most_strict_delta = 0.025;
 
 /// 0 where little strain may stay, 1 where much may.
 double looseness(const StrainLimit& limit, const DescentStrain& at_first) {
@@ -33,12 +30,6 @@ double looseness(const StrainLimit& limit, const DescentStrain& at_first) {
 
 double between(double tight, double loose, double looseness) {
   return tight + looseness * (loose - tight);
-}
-
-/// By how much delta changes after a step.
-/// @param excess bending over its ceiling
-double gain_of_delta(double excess, double least) {
-  return std::clamp(math::pow(excess, 0.35), least, 1.18);
 }
 
 }  // namespace
@@ -62,8 +53,7 @@ void SmoothControl::start_strict() {
   stage_ = Stage::strict;
   steps_ = settled_ = 0;
   met_ = false;
-  weights_.sigma = k_first_strict_sigma;
-  ceiling_ = k_strict_ceiling;
+  weights_ = {k_strict_delta, k_first_strict_sigma};
 }
 
 void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& strain,
@@ -81,17 +71,11 @@ void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& 
     stage_ = Stage::led;
   }
   if (stage_ == Stage::lifted && steps_ >= k_steps_lifted) stage_ = Stage::led;
-  if (stage_ == Stage::strict) lead_strict(bending);
+  if (stage_ == Stage::strict && steps_ >= k_steps_first_strict) {
+    weights_.sigma = k_last_strict_sigma;
+    met_ = steps_ > k_steps_first_strict;
+  }
   if (stage_ == Stage::led) lead(strain, bending);
-}
-
-void SmoothControl::lead_strict(double bending) {
-  constexpr double steady = 0.01;
-  if (steps_ >= k_steps_first_strict) weights_.sigma = k_last_strict_sigma;
-  const double last = weights_.delta;
-  weights_.delta = std::clamp(last * gain_of_delta(bending / ceiling_, k_least_gain), least_delta_,
-                              k_most_strict_delta);
-  met_ = steps_ > k_steps_first_strict && std::abs(weights_.delta - last) <= steady * last;
 }
 
 void SmoothControl::lead(const DescentStrain& strain, double bending) {
@@ -106,9 +90,9 @@ void SmoothControl::lead(const DescentStrain& strain, double bending) {
     weights_.sigma *= std::clamp(std::sqrt(share), 0.7, 1.4);
   weights_.sigma = std::max(weights_.sigma, k_least_sigma * strain.rms);
   // Closeness must not push strain out again that is still above its limit.
-  const double least = share * k_within < 1.0 ? 1.0 : k_least_gain;
-  weights_.delta =
-      std::clamp(weights_.delta * gain_of_delta(excess, least), least_delta_, k_most_delta);
+  const double nearest = share * k_within < 1.0 ? 1.0 : 0.85;
+  weights_.delta = std::clamp(weights_.delta * std::clamp(math::pow(excess, 0.35), nearest, 1.18),
+                              least_delta_, k_most_delta);
 }
 
 /// True where a smaller and smaller sigma takes no more strain out.

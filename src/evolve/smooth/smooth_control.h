@@ -22,7 +22,7 @@ class SmoothControl {
   /// From here on as from what a coarser level has found.
   void start_finer();
 
-  /// From here on strain goes on to nothing; delta is led by the bending.
+  /// From here on strain goes on to nothing, as smoothly as it can.
   void start_strict();
 
   /// Both aims hold, and steps gain little more.
@@ -37,7 +37,6 @@ class SmoothControl {
   enum class Stage { loose, closer, lifted, led, strict };
 
   void lead(const DescentStrain& strain, double bending);
-  void lead_strict(double bending);
   bool is_stuck(const DescentStrain& strain);
 
   StrainLimit limit_;

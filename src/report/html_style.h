@@ -68,6 +68,7 @@ svg.pattern { display: block; width: 100%; height: auto; max-height: 560px; }
 .legend b { color: var(--ink); font-weight: 600; white-space: nowrap; }
 svg.chart { display: block; width: 100%; overflow: visible; height: auto; max-width: 620px; margin: 0 auto; }
 .chart text { fill: var(--dim); font-size: 13px; }
+.chart .point { font-size: 10.5px; }
 .chart .grid { stroke: var(--rule); fill: none; }
 .chart polyline { fill: none; stroke-width: 2.2; stroke-linejoin: round; stroke: var(--line); }
 .chart text[class^="line"] { fill: var(--line); font-weight: 600; }

@@ -20,7 +20,8 @@ constexpr double k_letter = 7.6;           // width of a letter of a name, about
 constexpr double k_label_distance = 16.0;  // between the baselines of names, at least
 constexpr double k_tick_distance = 38.0;   // between the middles of numbers below the axis
 constexpr double k_point_distance = 0.75;  // what is nearer to the last point is not seen
-constexpr double k_stub = 0.08;            // of the width, from 0 to where a log axis begins
+constexpr double k_small_letter = 5.4, k_small_line = 10.0;  // of the names of points
+constexpr double k_stub = 0.08;  // of the width, from 0 to where a log axis begins
 
 std::size_t letters_of(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
@@ -90,7 +91,7 @@ class Chart {
     std::string svg = "<svg class=\"chart\" viewBox=\"0 0 480 330\" role=\"img\" aria-label=\"" +
                       std::string(label) + "\">\n" + vertical_axis() + horizontal_axis(x_name);
     for (const ChartLine& line : lines_)
-      svg += polyline(line);
+      svg += polyline(line) + point_names(line);
     return svg + names() + "</svg>\n";
   }
 
@@ -161,6 +162,24 @@ class Chart {
     if (!line.has_dots) return svg;
     for (const Vec2 point : line.points)
       svg += dot({x_of(point.x), y_of(point.y)}, line.css_class);
+    return svg;
+  }
+
+  // Below and to the left, where a line that falls leaves room; beside the axis on the other side.
+  std::string point_names(const ChartLine& line) const {
+    std::string svg;
+    Vec2 last = {-k_width, -k_height};
+    for (std::size_t i = 0; i < line.point_names.size(); ++i) {
+      const std::string& name = line.point_names[i];
+      const Vec2 point = {x_of(line.points[i].x), y_of(line.points[i].y)};
+      const double width = k_small_letter * static_cast<double>(letters_of(name));
+      if (name.empty() || (std::abs(point.y - last.y) < k_small_line && point.x - last.x < width))
+        continue;
+      const bool on_left = point.x - 5.0 - width > left_;
+      svg += on_left ? text(point.x - 5.0, point.y + 10.0, "end", "point", name)
+                     : text(point.x + 4.0, point.y - 5.0, "start", "point", name);
+      last = point;
+    }
     return svg;
   }
 

@@ -15,6 +15,8 @@ struct ChartLine {
   std::vector<Vec2> points;  ///< x from 0 on and never less than before, y above 0; one at least
   bool has_dots = false;     ///< at every point, not at the end only
   std::vector<Vec2> aside = {};  ///< dots that the line does not go through
+  /// Beside the points, one for each of the first, markup; left out where there is no room.
+  std::vector<std::string> point_names = {};
 };
 
 enum class ChartScale {

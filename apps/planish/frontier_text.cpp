@@ -1,12 +1,14 @@
 #include "frontier_text.h"
 
+#include <algorithm>
+
 #include "text.h"
 
 namespace planish::cli {
 
 namespace {
 
-constexpr std::size_t k_name_width = 21, k_width = 9, k_narrow_width = 7;
+constexpr std::size_t k_name_width = 23, k_width = 9, k_narrow_width = 7;
 
 /// In per cent and without the sign: the heads have it.
 std::string in_percent(double share) {
@@ -33,10 +35,23 @@ std::string point_row(const std::string& name, const FrontierPoint& point) {
              point.fairness.is_smooth() ? "yes" : "no");
 }
 
-std::string curve_name(const FrontierPoint& point) {
-  const double limit = std::get<Auto>(point.method).max_strain;
-  if (limit > 0.0) return "  limit " + percent(limit);
-  return point.flattenable ? "  flattenable" : "  as far as it goes";
+/// With a star where it is dominated.
+std::string starred_name(const FrontierPoint& point) {
+  return stop_name(point) + (point.dominated ? " *" : "");
+}
+
+/// What the star means, where there is one.
+std::string star_text(const FrontierReport& report) {
+  const auto is_dominated = [](const FrontierPoint& point) { return point.dominated; };
+  if (std::none_of(report.curve.begin(), report.curve.end(), is_dominated) &&
+      std::none_of(report.others.begin(), report.others.end(), is_dominated))
+    return {};
+  return "\n" +
+         wrapped(
+             "* dominated: another point of auto, or the patch as designed, has less rms strain, "
+             "rms deviation or bending, and no more of the others.",
+             0) +
+         "\n";
 }
 
 std::string limit_text(const FrontierReport& report) {
@@ -58,21 +73,22 @@ std::string limit_text(const FrontierReport& report) {
 
 std::string frontier_text(const FrontierReport& report) {
   const std::string unit(to_string(report.unit));
-  std::string text = row("", "strain", "strain", "moved", "moved", "bending", "added", "smooth") +
-                     row("", "rms %", "most %", "rms %", "most " + unit, "ratio", "ratio", "") +
-                     row("as it came", in_percent(report.before.rms), in_percent(report.before.max),
-                         "0", "0", "-", "-", "-") +
-                     "auto\n";
+  std::string text =
+      row("", "strain", "strain", "moved", "moved", "bending", "added", "smooth") +
+      row("", "rms %", "most %", "rms %", "most " + unit, "ratio", "ratio", "") +
+      row("as designed", in_percent(report.before.rms), in_percent(report.before.max), "0", "0",
+          ratio(report.bending_ratio_before), "-", "-") +
+      "auto\n";
   for (const FrontierPoint& point : report.curve)
-    text += point_row(curve_name(point), point);
+    text += point_row("  " + starred_name(point), point);
   for (const FrontierPoint& point : report.others)
-    text += point_row(std::string(name_of(point.method)), point);
+    text += point_row(starred_name(point), point);
   return text + "\n" +
          wrapped(
              "Moved, rms, is in per cent of the bounding box's diagonal; bending is that of the "
              "result over that of the patch, added what of it is new.",
              0) +
-         "\n" + limit_text(report);
+         "\n" + star_text(report) + limit_text(report);
 }
 
 }  // namespace planish::cli

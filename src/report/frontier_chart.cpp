@@ -17,14 +17,26 @@ Vec2 place_of(const Deviation& deviation, double strain) {
   return {100.0 * deviation.rms_over_diagonal, 100.0 * std::max(strain, k_floor)};
 }
 
-/// The curve from the patch as it came on: through what nothing nearer beats. The rest is aside.
+/// None of the point for the limit: the limit has a line of its own.
+std::string name_on_line(const FrontierPoint& point) {
+  const auto* options = std::get_if<Auto>(&point.method);
+  return options != nullptr && options->max_strain > 0.0 ? std::string() : stop_name(point);
+}
+
+/// The curve from the patch as designed on: through what nothing nearer beats. The rest is aside.
 ChartLine curve(const FrontierReport& report, double EdgeStrain::*figure, std::string name,
                 std::string css_class) {
   ChartLine line{
       std::move(name), std::move(css_class), {place_of({}, report.before.*figure)}, true};
+  line.point_names = {"as designed"};
   for (const FrontierPoint& point : report.curve) {
     const Vec2 place = place_of(point.deviation, point.strain.*figure);
-    (place.y < line.points.back().y ? line.points : line.aside).push_back(place);
+    if (point.dominated || !(place.y < line.points.back().y)) {
+      line.aside.push_back(place);
+    } else {
+      line.points.push_back(place);
+      line.point_names.push_back(name_on_line(point));
+    }
   }
   return line;
 }
@@ -52,6 +64,7 @@ std::string frontier_chart(const FrontierReport& report) {
                      {place_of(point.deviation, point.strain.rms)}});
     style = style + 1 < k_styles ? style + 1 : 3;
   }
+  lines[1].point_names.clear();
   const double end = farthest(lines);
   if (!(end > 0.0)) return {};
   if (report.limit) {

@@ -13,6 +13,7 @@ namespace {
 // Plain colours: not every program that opens SVG knows variables.
 constexpr std::string_view k_style =
     "text{font:13px sans-serif;fill:#66676b}"
+    ".point{font-size:10.5px}"
     ".grid{stroke:#e2e1dc;fill:none}"
     "polyline{fill:none;stroke-width:2.2;stroke-linejoin:round}"
     ".leader{fill:none;stroke-width:.8;opacity:.55}"

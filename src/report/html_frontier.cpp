@@ -21,24 +21,23 @@ std::string row(const std::string& name, const EdgeStrain& strain, const Deviati
          cell(significant_text(deviation.max, 2)) + rest + "</tr>\n";
 }
 
+std::string figure_cell(const std::optional<double>& value) {
+  return cell(value ? significant_text(*value, 3) : "–");
+}
+
 std::string fairness_cells(const Fairness& fairness) {
-  const auto figure = [](const std::optional<double>& value) {
-    return cell(value ? significant_text(*value, 3) : "–");
-  };
-  return figure(fairness.bending_ratio) + figure(fairness.bending_added) +
+  return figure_cell(fairness.bending_ratio) + figure_cell(fairness.bending_added) +
          cell(fairness.is_smooth() ? "✓ yes" : "no");
 }
 
 std::string name_of_point(const FrontierPoint& point) {
-  const auto* options = std::get_if<Auto>(&point.method);
-  if (options == nullptr) return std::string(name_of(point.method));
-  if (options->max_strain > 0.0) return "auto, limit " + percent_text(options->max_strain);
-  return point.flattenable ? "auto, flattenable" : "auto, as far as it goes";
+  const bool is_auto = std::holds_alternative<Auto>(point.method);
+  return (is_auto ? "auto, " : "") + stop_name(point) + (point.dominated ? " (dominated)" : "");
 }
 
 std::string table(const FrontierReport& report) {
   std::string html =
-      "<table class=\"compare\">\n<thead><tr><th>Method and limit</th><th>Strain, rms</th>"
+      "<table class=\"compare\">\n<thead><tr><th>Method and stop</th><th>Strain, rms</th>"
       "<th>Strain, largest</th><th>Deviation, rms<small>of the diagonal</small></th>"
       "<th>Deviation, largest<small>" +
       std::string(to_string(report.unit)) +
@@ -46,8 +45,9 @@ std::string table(const FrontierReport& report) {
       "design's</small></th><th>Smooth</th><th>Sweeps</th><th>Time<small>s</small></th><th>Ended "
       "as</th></tr></thead>\n"
       "<tbody>\n" +
-      row("as it came", report.before, {},
-          "<td></td><td></td><td></td><td></td><td></td><td></td>");
+      row("as designed", report.before, {},
+          figure_cell(report.bending_ratio_before) +
+              "<td></td><td></td><td></td><td></td><td></td>");
   for (const auto* points : {&report.curve, &report.others}) {
     for (const FrontierPoint& point : *points) {
       html += row(name_of_point(point), point.strain, point.deviation,
@@ -79,10 +79,12 @@ std::string html_report(const FrontierReport& report) {
          html_header("frontier", report.name, limit_words(report)) +
          "<section class=\"keep\">\n<h2>Strain against deviation</h2>\n<p>Strain "
          "of the pattern in per cent, logarithmic, over the rms deviation of the patch from what "
-         "it was. The line goes through what no nearer point beats; other points are dots. Dots "
-         "with the name of another method are rms strain. Below and further left is "
-         "better. The lower edge of the chart stands for 0.001 "
-         "% or less.</p>\n" +
+         "it was. The names along the line are the rms strain asked for. The line goes through "
+         "what "
+         "no nearer point beats; other points are dots. Dominated is a point if another has less "
+         "strain, deviation or bending, and no more of the others. Dots with the name of another "
+         "method are rms strain. Below and further left is better. The lower edge of the chart "
+         "stands for 0.001 % or less.</p>\n" +
          (chart.empty() ? "<p>Nothing to show: no vertex had to move.</p>\n" : chart) +
          "</section>\n<section>\n<h2>All points</h2>\n<div class=\"scroll\">\n" + table(report) +
          "</div>\n</section>\n<footer>Made by planish " + std::string(k_version) +

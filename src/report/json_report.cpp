@@ -244,7 +244,8 @@ Json to_json(const std::vector<FrontierPoint>& points) {
                     {"smooth", point.fairness.is_smooth()},
                     {"sweeps", point.sweeps},
                     {"stop", to_string(point.stop)},
-                    {"seconds", point.seconds}});
+                    {"seconds", point.seconds},
+                    {"dominated", point.dominated}});
   }
   return list;
 }

@@ -30,8 +30,10 @@ FlagGroup frontier_flags() {
   return {
       "What to run",
       {{"--points", "N",
-        "points of the curve (8 to 100, default " + std::to_string(FrontierOptions{}.points) + ")"},
-       {"--max-strain", "X", "a limit to mark, for which the curve has a point too (0.02 or 2%)"},
+        "points of the curve, 8 to 100, evenly spaced on a logarithmic scale (default: stops at 5, "
+        "2, 1, 0.5, 0.2 and 0.1 % rms, and flat)"},
+       {"--max-strain", "X",
+        "a limit of the largest strain to mark, for which the curve has a point too (0.02 or 2%)"},
        material_flag(),
        {"--methods", "NAMES",
         "which to compare with, with commas between: " + list_of(methods) + " (default: all)"}}};
@@ -77,8 +79,8 @@ Writer writer_of(const std::string& output) {
 
 FrontierOptions options_from(const Arguments& arguments, const Session& session) {
   FrontierOptions options;
-  options.points = whole_number_of(
-      "--points", arguments.value_or("--points", std::to_string(options.points)), k_points);
+  if (arguments.has("--points"))
+    options.points = whole_number_of("--points", arguments.flags.at("--points"), k_points);
   options.limit = limit_from(arguments);
   options.others = others_from(arguments);
   options.unit = unit_from(arguments);
@@ -127,10 +129,11 @@ Command frontier_command() {
   return {"frontier",
           "what less strain costs: strain against deviation",
           "INPUT [-o FILE]",
-          "Evolves a patch by method auto with smaller and smaller limits of strain down to "
-          "flattenable, each from the patch as it came, lays every result flat, and prints how "
-          "strained the pattern is and how far the vertices went. The other methods stand beside "
-          "it, each with the sweeps that it usually takes.",
+          "Evolves a patch by method auto with smaller and smaller limits of rms strain, as smooth "
+          "as can be, and to flattenable, each time from the patch as designed. Unfolds every "
+          "result, and prints how strained the pattern is, how far the vertices moved and how much "
+          "the surface bends. The other methods stand beside it, each with the sweeps that it "
+          "usually takes.",
           {"INPUT"},
           {{"Output",
             {{"--output", "FILE", "a chart (.svg), a page (.html) or all figures (.csv)", 'o'},

@@ -26,26 +26,102 @@ const FrontierReport& panel_frontier() {
   return report;
 }
 
-TEST(FrontierLimits, FallGeometricallyFromThePatternsStrainToAThousandthAndThenTo0) {
-  const std::vector<double> limits = frontier_limits(0.1, 6);
-  ASSERT_EQ(limits.size(), 6U);
-  EXPECT_DOUBLE_EQ(limits[0], 0.1);
-  EXPECT_DOUBLE_EQ(limits[4], 0.001);
-  EXPECT_EQ(limits[5], 0.0);
-  for (std::size_t i = 1; i < 5; ++i)
-    EXPECT_NEAR(limits[i] / limits[i - 1], std::pow(0.01, 0.25), 1e-12);
+TEST(FrontierLimits, AreTheUsualOnesBelowTheStrainOfThePatternAndThen0) {
+  EXPECT_EQ(frontier_limits(0.1),
+            (std::vector<double>{0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0}));
+  EXPECT_EQ(frontier_limits(0.01), (std::vector<double>{0.005, 0.002, 0.001, 0.0}));
+  EXPECT_EQ(frontier_limits(0.0005), std::vector<double>{0.0});
+  EXPECT_EQ(frontier_limits(0.0), std::vector<double>{0.0});
 }
 
-TEST(FrontierLimits, FallAlsoWhereThereIsLittleStrainOrNone) {
+TEST(FrontierLimits, OfANumberFallGeometricallyFromThePatternsStrainToAThousandthAndThenTo0) {
+  const std::vector<double> limits = frontier_limits(0.1, 6);
+  ASSERT_EQ(limits.size(), 6U);
+  EXPECT_DOUBLE_EQ(limits[4], 0.001);
+  EXPECT_EQ(limits[5], 0.0);
+  double before = 0.1;
+  for (std::size_t i = 0; i < 5; before = limits[i++])
+    EXPECT_NEAR(limits[i] / before, std::pow(0.01, 0.2), 1e-12);
+}
+
+TEST(FrontierLimits, OfANumberFallAlsoWhereThereIsLittleStrainOrNone) {
   EXPECT_NEAR(frontier_limits(0.0005, 3)[1], 0.00005, 1e-15);
   EXPECT_EQ(frontier_limits(0.0, 8), std::vector<double>{0.0});
   EXPECT_EQ(frontier_limits(0.1, 2).size(), 2U);
   EXPECT_LE(frontier_limits(30.0, 8).front(), 1.0) << "what Auto takes";
 }
 
+FrontierPoint made_point(double strain, double deviation, double bending) {
+  FrontierPoint point;
+  point.method = Auto{.max_rms_strain = 0.01};
+  point.strain = {strain, strain, strain};
+  point.deviation = {deviation, deviation, deviation};
+  point.fairness.bending_ratio = bending;
+  return point;
+}
+
+TEST(FrontierDominated, IsWhatAnotherPointBeatsInSomethingAndIsNotBeatenByInAnything) {
+  FrontierReport report;
+  report.before.rms = 0.1;
+  report.bending_ratio_before = 1.0;
+  report.curve = {made_point(0.05, 1.0, 1.1), made_point(0.06, 2.0, 1.2),
+                  made_point(0.06, 2.0, 1.05), made_point(0.01, 3.0, 1.1),
+                  made_point(0.01, 3.0, 1.1)};
+  mark_dominated(report);
+  std::vector<bool> dominated;
+  for (const FrontierPoint& point : report.curve)
+    dominated.push_back(point.dominated);
+  EXPECT_EQ(dominated, (std::vector<bool>{false, true, false, false, false}))
+      << "less bending excuses the third; equal points do not beat each other";
+}
+
+TEST(FrontierDominated, IsWhatIsWorseThanThePatchAsDesignedAndOtherMethodsAreJudgedToo) {
+  FrontierReport report;
+  report.before.rms = 0.1;
+  report.bending_ratio_before = 1.0;
+  report.curve = {made_point(0.2, 1.0, 1.5), made_point(0.05, 2.0, 1.1)};
+  report.others = {made_point(0.05, 3.0, 1.1), made_point(0.0, 3.0, 9.0)};
+  mark_dominated(report);
+  EXPECT_TRUE(report.curve[0].dominated);
+  EXPECT_FALSE(report.curve[1].dominated);
+  EXPECT_TRUE(report.others[0].dominated);
+  EXPECT_FALSE(report.others[1].dominated);
+}
+
+TEST(FrontierDominated, GoesByStrainAndDeviationWhereBendingIsNotKnown) {
+  FrontierReport report;
+  report.before.rms = 0.1;
+  report.curve = {made_point(0.05, 1.0, 0.0), made_point(0.06, 2.0, 0.0)};
+  for (FrontierPoint& point : report.curve)
+    point.fairness.bending_ratio.reset();
+  mark_dominated(report);
+  EXPECT_FALSE(report.curve[0].dominated);
+  EXPECT_TRUE(report.curve[1].dominated);
+}
+
+TEST(FrontierStopName, TellsTheLimitInFewDigits) {
+  FrontierPoint point;
+  point.stop = StopReason::strain_met;
+  const auto name_of_stop = [&](const Auto& method) {
+    point.method = method;
+    return stop_name(point);
+  };
+  EXPECT_EQ(name_of_stop({.max_rms_strain = 0.005}), "0.5 % rms");
+  EXPECT_EQ(name_of_stop({.max_rms_strain = 0.02}), "2 % rms");
+  EXPECT_EQ(name_of_stop({.max_rms_strain = 0.0123456}), "1.23 % rms");
+  EXPECT_EQ(name_of_stop({.max_strain = 0.01}), "limit 1 %");
+  point.stop = StopReason::smooth_limit;
+  EXPECT_EQ(name_of_stop({.max_rms_strain = 0.005}), "0.5 % rms, not met");
+  EXPECT_EQ(name_of_stop({.prefer = Prefer::flat}), "as flat as it gets");
+  point.flattenable = true;
+  EXPECT_EQ(name_of_stop({.prefer = Prefer::flat}), "flat");
+  point.method = ClassicalLaplacian{};
+  EXPECT_EQ(stop_name(point), "classical");
+}
+
 TEST(Frontier, HasAPointForEveryLimitAndMethod) {
   const FrontierReport& report = panel_frontier();
-  EXPECT_EQ(report.curve.size(), 9U);
+  EXPECT_EQ(report.curve.size(), frontier_limits(report.before.rms).size() + 1);
   ASSERT_EQ(report.others.size(), 2U);
   EXPECT_EQ(name_of(report.others[0].method), "classical");
   EXPECT_EQ(report.others[0].sweeps, 3U);
@@ -53,17 +129,27 @@ TEST(Frontier, HasAPointForEveryLimitAndMethod) {
 }
 
 TEST(Frontier, LosesStrainAsDeviationGrows) {
-  const auto& curve = panel_frontier().curve;
-  for (std::size_t i = 1; i < curve.size(); ++i) {
-    EXPECT_GE(curve[i].deviation.rms, curve[i - 1].deviation.rms) << i;
-    // What is left where a point is flattenable already is chance.
-    if (!curve[i - 1].flattenable) {
-      EXPECT_LT(curve[i].strain.rms, curve[i - 1].strain.rms) << i;
-    }
+  const FrontierReport report = *frontier(make_shape("panel", 200), "panel");
+  EXPECT_GE(report.curve.size(), 4U);
+  double deviation = 0.0, strain = report.before.rms;
+  for (const FrontierPoint& point : report.curve) {
+    EXPECT_GT(point.deviation.rms, deviation) << stop_name(point);
+    EXPECT_LT(point.strain.rms, strain) << stop_name(point);
+    EXPECT_FALSE(point.dominated) << stop_name(point);
+    deviation = point.deviation.rms;
+    strain = point.strain.rms;
   }
-  EXPECT_TRUE(curve.back().flattenable);
-  EXPECT_LT(curve.back().strain.rms, 1e-4);
-  EXPECT_LT(curve.back().strain.max, 1e-3);
+  EXPECT_EQ(stop_name(report.curve.back()), "flat");
+  EXPECT_LT(report.curve.back().strain.max, 1e-3);
+}
+
+TEST(Frontier, StaysSmoothUpToFlat) {
+  for (const FrontierPoint& point : panel_frontier().curve) {
+    const auto& options = std::get<Auto>(point.method);
+    const bool is_flat = options.max_rms_strain == 0.0 && options.max_strain == 0.0;
+    EXPECT_EQ(options.prefer, is_flat ? Prefer::flat : Prefer::smooth);
+    EXPECT_TRUE(is_flat || point.fairness.is_smooth()) << stop_name(point);
+  }
 }
 
 TEST(Frontier, HasTheFiguresOfTheSameRunsAlone) {
@@ -141,7 +227,11 @@ TEST(Frontier, JsonHasEveryPoint) {
   const auto json = nlohmann::json::parse(json_report(report));
   ASSERT_EQ(json["curve"].size(), report.curve.size());
   const FrontierPoint& point = report.curve[3];
-  EXPECT_EQ(json["curve"][3]["options"]["max_strain"], std::get<Auto>(point.method).max_strain);
+  const auto& options = std::get<Auto>(point.method);
+  EXPECT_EQ(json["curve"][3]["options"]["max_strain"], options.max_strain);
+  EXPECT_EQ(json["curve"][3]["options"]["max_rms_strain"], options.max_rms_strain);
+  EXPECT_EQ(json["curve"].back()["options"]["prefer"], "flat");
+  EXPECT_EQ(json["curve"][3]["dominated"], point.dominated);
   EXPECT_EQ(json["curve"][3]["strain"]["rms"], point.strain.rms);
   EXPECT_EQ(json["curve"][3]["deviation"]["rms_over_diagonal"], point.deviation.rms_over_diagonal);
   EXPECT_EQ(json["others"][1]["method"], "fairing");
@@ -152,20 +242,24 @@ TEST(Frontier, JsonHasEveryPoint) {
 
 TEST(Frontier, CsvHasALineForEveryPoint) {
   FrontierReport report;
-  report.curve.push_back({Auto{.max_strain = 0.25},
+  report.curve.push_back({Auto{.max_rms_strain = 0.25},
                           StopReason::strain_met,
                           7,
                           0.5,
                           EdgeStrain{0.5, 0.125, 0.375},
                           {1.0, 2.0, 0.0625},
                           false,
-                          {.bending_ratio = 1.25, .bending_added = 0.5}});
+                          {.bending_ratio = 1.25, .bending_added = 0.5},
+                          true});
+  report.curve.push_back({Auto{.max_strain = 0.5, .prefer = Prefer::flat}});
   report.others.push_back({ClassicalLaplacian{}, StopReason::sweep_limit, 10, 0.25, {}, {}, true});
   EXPECT_EQ(frontier_csv(report),
             "method,max_strain,strain_rms,strain_p99,strain_max,deviation_rms,deviation_max,"
-            "rms_over_diagonal,flattenable,bending_ratio,bending_added,smooth,sweeps,stop,seconds\n"
-            "auto,0.25,0.125,0.375,0.5,1,2,0.0625,0,1.25,0.5,1,7,strain_met,0.5\n"
-            "classical,,0,0,0,0,0,0,1,,,0,10,sweep_limit,0.25\n");
+            "rms_over_diagonal,flattenable,bending_ratio,bending_added,smooth,sweeps,stop,"
+            "seconds,max_rms_strain,prefer,dominated\n"
+            "auto,,0.125,0.375,0.5,1,2,0.0625,0,1.25,0.5,1,7,strain_met,0.5,0.25,smooth,1\n"
+            "auto,0.5,0,0,0,0,0,0,0,,,0,0,sweep_limit,0,,flat,0\n"
+            "classical,,0,0,0,0,0,0,1,,,0,10,sweep_limit,0.25,,,0\n");
 }
 
 TEST(Frontier, OfAFlattenablePatchIsOnePointAndNoChart) {
@@ -205,7 +299,8 @@ TEST(Frontier, DrawsTheLineThroughWhatNothingNearerBeats) {
     made.deviation.rms_over_diagonal = deviation;
     return made;
   };
-  report.curve = {point(0.01, 0.1), point(0.02, 0.2), point(0.03, 0.01)};
+  report.curve = {point(0.01, 0.1), point(0.02, 0.2), point(0.03, 0.01), point(0.04, 0.001)};
+  report.curve.back().dominated = true;
   const std::string svg = frontier_svg(report);
   const std::size_t at = svg.find("points=", svg.find("<polyline class=\"line-0\""));
   const std::string points = svg.substr(at, svg.find("/>", at) - at);
@@ -214,14 +309,15 @@ TEST(Frontier, DrawsTheLineThroughWhatNothingNearerBeats) {
   for (std::size_t dot = 0; (dot = svg.find("<circle class=\"line-0\"", dot)) != std::string::npos;
        ++dot)
     ++dots;
-  EXPECT_EQ(dots, 5U) << "every point has one, and the line's end another";
+  EXPECT_EQ(dots, 6U) << "every point has one, and the line's end another";
 }
 
 TEST(Frontier, PictureAndPageShowCurveDotsAndLimit) {
   const FrontierReport& report = panel_frontier();
   for (const std::string& text : {frontier_svg(report), html_report(report)}) {
-    for (const char* part : {">auto, rms</text>", ">auto, largest</text>", ">classical</text>",
-                             ">fairing</text>", ">limit 1"})
+    for (const char* part :
+         {">as designed</text>", ">0.5 % rms</text>", ">flat</text>", ">auto, rms</text>",
+          ">auto, largest</text>", ">classical</text>", ">fairing</text>", ">limit 1"})
       EXPECT_THAT(text, HasSubstr(part));
     EXPECT_THAT(text, Not(HasSubstr("nan")));
     EXPECT_THAT(text, Not(HasSubstr("inf,")));

@@ -118,7 +118,7 @@ std::string garment_json(const GarmentJob& job, const std::vector<PatchOutcome>&
                      {"unit", to_string(job.options.unit)},
                      {"patches", std::move(patches)},
                      {"seams", std::move(list)}};
-  return json_text(json) + "\n";
+  return json_document(json) + "\n";
 }
 
 bool missed_target(const PatchOutcome& outcome) {

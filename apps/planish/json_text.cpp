@@ -8,7 +8,7 @@ namespace {
 
 /// Paths may hold bytes that are no UTF-8: these become U+FFFD.
 std::string text_of(const Json& json) {
-  return json_text(json);
+  return json_document(json);
 }
 
 }  // namespace

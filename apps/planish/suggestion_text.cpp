@@ -90,7 +90,7 @@ std::string suggestion_json(const CutSuggestion& suggestion, double max_strain, 
                        {"strain", to_json(suggestion.last.strain)},
                        {"overlaps", suggestion.last.pattern.overlaps},
                        {"files", Json(files)}};
-  return json_text(object) + "\n";
+  return json_document(object) + "\n";
 }
 
 std::string suggestion_file(const CutSuggestion& suggestion, Unit unit) {

@@ -47,6 +47,17 @@ inline std::string json_text(const Json& json, int indent = 2) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
+/// What keys mean, where they stand: a change that a reader could trip over raises it
+/// (docs/command-line.md, JSON).
+inline constexpr int k_json_schema = 1;
+
+/// An object as it is handed out: with its `schema` in front.
+inline std::string json_document(const Json& object) {
+  Json document = {{"schema", k_json_schema}};
+  document.update(object);
+  return json_text(document);
+}
+
 /// Reads text that anybody may have written: discarded, as of any text that is no JSON, where it
 /// is nested so deep that walking through it could exhaust the stack.
 inline Json parse_shallow(const std::string& text) {

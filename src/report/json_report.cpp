@@ -13,7 +13,7 @@ namespace planish {
 namespace {
 
 std::string text_of(const Json& json) {
-  return json_text(json) + '\n';
+  return json_document(json) + '\n';
 }
 
 Json to_json(const std::vector<Problem>& problems) {

@@ -10,6 +10,8 @@
 
 #include <planish/report/flatten.h>
 
+#include <nlohmann/json.hpp>
+
 #include "support/meshes.h"
 
 namespace planish::samples {
@@ -74,6 +76,13 @@ inline FlattenReport flatten_report() {
   report.unfold_before.strain = {0.3241, 0.0763, 0.2213};
   report.unfold_before.pattern.area_ratio = 1.0034;
   return report;
+}
+
+/// A document as it stands in a larger one: without the number of the format.
+inline nlohmann::ordered_json part_of(const std::string& document) {
+  auto json = nlohmann::ordered_json::parse(document);
+  json.erase("schema");
+  return json;
 }
 
 }  // namespace planish::samples

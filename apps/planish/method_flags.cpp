@@ -272,6 +272,23 @@ Flag remesh_flag() {
           "work on fewer vertices, and write these; the border keeps all of its own"};
 }
 
+Flag smooth_first_flag() {
+  return {
+      "--smooth-first", "LENGTH",
+      "first take waves shorter than this out of the design, as the noise of a scan (at most 20 "
+      "mean edges; such as 5mm)"};
+}
+
+double smooth_first_from(const Arguments& arguments) {
+  const std::string flag = "--smooth-first";
+  if (!arguments.has(flag)) return 0.0;
+  for (const char* other : {"--remesh", "--fix"}) {
+    if (arguments.has(other)) throw UsageError(flag + " and " + other + " do not go together");
+  }
+  const double least = std::nextafter(0.0, 1.0);
+  return quantity_value(flag, arguments.flags.at(flag), Quantity::length, Range{least}, arguments);
+}
+
 FlagGroup compare_flags() {
   FlagGroup group = {
       "How to evolve",

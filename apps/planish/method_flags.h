@@ -30,6 +30,13 @@ Stopping stopping_from(const Arguments& arguments, const Method& method);
 /// --remesh, for verbs that evolve one patch.
 Flag remesh_flag();
 
+/// --smooth-first, for verbs that evolve.
+Flag smooth_first_flag();
+
+/// Its length in model units, 0 without it.
+/// @throws UsageError also where another flag does not go with it
+double smooth_first_from(const Arguments& arguments);
+
 /// --methods and the flags of Stopping, which hold for all methods.
 FlagGroup compare_flags();
 

@@ -207,8 +207,18 @@ std::string remeshing_line(const EvolveReport& report) {
          " vertices; the border keeps all of its own\n";
 }
 
-std::string run_line(const EvolveReport& report) {
-  return remeshing_line(report) + std::string(name_of(report.method)) + ": " +
+std::string smoothing_line(const EvolveReport& report, const std::string& unit) {
+  const auto& smoothed = report.smoothed_first;
+  if (!smoothed) return {};
+  const auto length = [&](double value) { return digits(value, 3) + " " + unit; };
+  return "design smoothed first: waves shorter than " + length(smoothed->length) +
+         " taken out, moved " + length(smoothed->moved.rms) + " rms, at most " +
+         length(smoothed->moved.max) + "\n";
+}
+
+std::string run_line(const EvolveReport& report, const std::string& unit) {
+  return remeshing_line(report) + smoothing_line(report, unit) +
+         std::string(name_of(report.method)) + ": " +
          counted(report.result.history.size(), "sweep") + " in " + fixed(report.result.seconds, 2) +
          " s on " + counted(report.result.threads, "thread") + ", ended as\n  " +
          std::string(stop_text(report.result.stop)) + "\n\n";
@@ -280,7 +290,7 @@ std::string refused_text(const std::string& path, const Inspection& inspection) 
 }
 
 std::string evolve_text(const EvolveReport& report) {
-  return run_line(report) + comparison_head() +
+  return run_line(report, "model units") + comparison_head() +
          comparison(figure_rows(report.before.figures, report.after.figures)) + "\n" +
          deviation_lines(report.deviation, "model units") +
          border_line(report.border, "model units") + form_lines(report);
@@ -296,7 +306,7 @@ std::string unfold_text(const UnfoldReport& report) {
 
 std::string flatten_text(const FlattenReport& report) {
   const std::string limits = strain_limits_text(report.unfold.limits);
-  return run_line(report.evolve) + comparison_head() +
+  return run_line(report.evolve, std::string(to_string(report.unfold.unit))) + comparison_head() +
          comparison(figure_rows(report.evolve.before.figures, report.evolve.after.figures)) +
          comparison(strain_rows(report.unfold_before.strain, report.unfold.strain)) + "\n" +
          deviation_lines(report.evolve.deviation, std::string(to_string(report.unfold.unit))) +

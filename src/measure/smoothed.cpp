@@ -5,6 +5,7 @@
 #include <numbers>
 #include <span>
 
+#include <planish/core/fields.h>
 #include <planish/measure/bending.h>
 #include <planish/measure/smoothed.h>
 
@@ -14,9 +15,9 @@ namespace planish {
 
 namespace {
 
-// Where the triangles are of one size the matrix has the condition 4, and a dozen steps do; needles
-// take some more.
-constexpr int k_most_steps = 60;
+// For a wave of two edges, where triangles are of one size, the matrix has the condition 4, and a
+// dozen steps do; needles take some more. The root of the condition grows with the wave squared.
+constexpr double k_most_steps = 60.0, k_usual_wave = 2.0;
 constexpr double k_enough = 1e-10;  // of the squared residual
 constexpr int k_held = -1;
 
@@ -168,7 +169,7 @@ double sum_of(Vec3 a) {
 
 /// d with A (x0 + d) = M x0 on inner vertices, so A d = -t L M^-1 (L x0): conjugate gradients,
 /// preconditioned by the diagonal.
-Columns moves_of(const InnerRows& rows, double t) {
+Columns moves_of(const InnerRows& rows, double t, int most_steps) {
   Columns residual = rows.pull;
   for (std::size_t v = 0; v < residual.size(); ++v)
     residual[v] = (-t / rows.masses[v]) * residual[v];
@@ -177,7 +178,7 @@ Columns moves_of(const InnerRows& rows, double t) {
   Columns moves(residual.size()), direction(residual.size()), better(residual.size());
   Vec3 before{};
   double first = 0.0;
-  for (int k = 0; k < k_most_steps; ++k) {
+  for (int k = 0; k < most_steps; ++k) {
     for (std::size_t v = 0; v < moves.size(); ++v)
       better[v] = (1.0 / diagonal[v]) * residual[v];
     const Vec3 now = products(residual, better), keep = ratios(now, before);
@@ -215,15 +216,21 @@ bool is_finite(Vec3 p) {
 
 }  // namespace
 
-std::vector<Vec3> smoothed_positions(const TriMesh& mesh, const Connectivity& connectivity) {
+std::vector<Vec3> smoothed_positions(const TriMesh& mesh, const Connectivity& connectivity,
+                                     std::optional<double> wave) {
   const std::span<const Index> inner = connectivity.inner_vertices();
   if (inner.empty()) return mesh.positions;
   const double scale = unit_scale(mesh);
   Columns places = mesh.positions;
   for (Vec3& p : places)
     p = scale * p;
-  const double h = mean_edge(places, connectivity) / std::numbers::pi;
-  const Columns moves = moves_of(rows_of(places, connectivity), h * h * h * h);
+  const double edge = mean_edge(places, connectivity);
+  if (wave) check_range("smooth_first", *wave, {0.0, k_longest_wave * edge / scale});
+  const double length = wave ? *wave * scale : k_usual_wave * edge;
+  const double root = 0.5 * length / std::numbers::pi, edges = length / (k_usual_wave * edge);
+  const auto most_steps = static_cast<int>(k_most_steps * std::max(1.0, edges * edges));
+  const Columns moves =
+      moves_of(rows_of(places, connectivity), root * root * root * root, most_steps);
   if (!std::all_of(moves.begin(), moves.end(), is_finite)) return mesh.positions;
   std::vector<Vec3> result = mesh.positions;
   for (std::size_t i = 0; i < inner.size(); ++i) {

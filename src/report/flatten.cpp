@@ -243,9 +243,9 @@ class Flattening {
     require(inspect(mesh), Purpose::unfold);
     report_.name = std::move(name);
     check_constraints(options_.constraints, mesh.positions.size(), method_);
+    if (options_.smooth_first > 0.0) return run_smoothed(mesh);
     if (options_.remesh) remeshed_ = remesh(mesh, options_.constraints, options_.keep);
-    const bool done = is_done_as_it_is(work_mesh(mesh)) ? !is_cancelled() : evolve_to_aim(mesh);
-    if (!done) return std::nullopt;
+    if (!work_on(mesh)) return std::nullopt;
     report_.input = remeshed_ ? std::move(remeshed_->mesh) : std::move(mesh);
     if (remeshed_) report_.source = std::move(remeshed_->source);
     report_.processed = {report_.evolve.result.positions, report_.input.triangles};
@@ -253,6 +253,24 @@ class Flattening {
   }
 
  private:
+  std::optional<FlattenReport> run_smoothed(const TriMesh& raw) {
+    if (options_.remesh || !options_.constraints.fixed.empty()) {
+      throw Error(ErrorCode::unsupported_constraint,
+                  "smooth_first does not go together with remesh, nor with fixed vertices");
+    }
+    SmoothedDesign design = smooth_design(raw, options_.smooth_first);
+    if (!work_on(design.mesh)) return std::nullopt;
+    report_.evolve = with_smoothing(std::move(report_.evolve), raw, design.done);
+    report_.input = std::move(design.mesh);
+    report_.processed = {report_.evolve.result.positions, report_.input.triangles};
+    return std::move(report_);
+  }
+
+  /// False when cancelled.
+  bool work_on(const TriMesh& mesh) {
+    return is_done_as_it_is(work_mesh(mesh)) ? !is_cancelled() : evolve_to_aim(mesh);
+  }
+
   bool tell(FlattenStage stage, double share) {
     cancelled_ = cancelled_ || (on_progress_ && !on_progress_(stage, share));
     return !cancelled_;

@@ -163,6 +163,8 @@ Json to_json(const EvolveReport& report) {
       {"history", to_json(report.result.history)}};
   add_fairness(report.fairness, json);
   if (report.border) json["border"] = to_json(*report.border);
+  if (const auto& smoothed = report.smoothed_first)
+    json["smoothed_first"] = {{"length", smoothed->length}, {"moved", to_json(smoothed->moved)}};
   return json;
 }
 

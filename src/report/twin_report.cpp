@@ -149,8 +149,13 @@ EvolveReport evolved_alike(const EvolveReport& twin, const TriMesh& original, co
   report.after = measure_patch(after);
   const Connectivity connectivity(before);
   report.remeshed_from = twin.remeshed_from;
-  report.deviation = twin.remeshed_from ? measure_surface_deviation(original, after)
-                                        : measure_deviation(before, after.positions, connectivity);
+  if (twin.remeshed_from) {
+    report.deviation = measure_surface_deviation(original, after);
+    report.fairness = measure_fairness(original, after);
+  } else {
+    report.deviation = measure_deviation(before, after.positions, connectivity);
+    report.fairness = measure_fairness(before, connectivity, after.positions);
+  }
   if (twin.border) report.border = measure_border_change(before, after.positions, connectivity);
   return report;
 }
@@ -176,12 +181,19 @@ std::optional<FlattenReport> twin_report(const FlattenReport& twin, const TriMes
                                          const MeshMatch& match, std::string name,
                                          const FlattenOptions& options) {
   TwinMesh own = worked_on(twin, mesh, match);
+  std::optional<SmoothedFirst> smoothed;
+  if (options.smooth_first > 0.0) {
+    SmoothedDesign design = smooth_design(mesh, options.smooth_first);
+    own.mesh = std::move(design.mesh);
+    smoothed = design.done;
+  }
   if (!holds_all(own.source, options.keep)) return std::nullopt;
   FlattenReport report;
   report.name = std::move(name);
   report.twin_of = TwinOf{twin.name, match.mirrored};
   report.processed = {moved_alike(twin, own, match.motion), own.mesh.triangles};
   report.evolve = evolved_alike(twin.evolve, mesh, own.mesh, report.processed);
+  if (smoothed) report.evolve = with_smoothing(std::move(report.evolve), mesh, *smoothed);
   const TwinPattern after(report.processed, own.vertex, match.mirrored);
   report.unfold = after.of(twin.unfold);
   report.unfold_before = TwinPattern(own.mesh, own.vertex, match.mirrored).of(twin.unfold_before);

@@ -51,6 +51,35 @@ TEST_F(ConstraintFlags, RemeshKeepsTheBorderAndTellsTheDeviationOfTheSurfaces) {
   EXPECT_THAT(evolved.out, HasSubstr("\"vertices\": " + std::to_string(after.positions.size())));
 }
 
+TEST_F(ConstraintFlags, SmoothFirstKeepsTheBorderAndTellsWhatItMoved) {
+  const CliResult evolved = planish({"evolve", "panel.obj", "-o", "smoothed.obj", "--smooth-first",
+                                     "2cm", "--sweeps", "3", "--method", "classical", "--json"});
+  ASSERT_EQ(evolved.exit_code, k_exit_done) << evolved.err;
+  EXPECT_THAT(evolved.out, HasSubstr("\"smoothed_first\": {\n    \"length\": 20.0,"));
+  const CliResult flattened = planish({"flatten", "panel.obj", "--smooth-first", "20", "--sweeps",
+                                       "3", "--method", "classical", "-o", "smoothed"});
+  ASSERT_EQ(flattened.exit_code, k_exit_done) << flattened.err;
+  EXPECT_THAT(flattened.out, HasSubstr("design smoothed first: waves shorter than 20.0 mm"));
+  EXPECT_EQ(content_of("smoothed/processed.obj"), content_of("smoothed.obj"));
+  planish({"evolve", "panel.obj", "-o", "raw.obj", "--sweeps", "3", "--method", "classical"});
+  EXPECT_NE(content_of("smoothed.obj"), content_of("raw.obj"));
+}
+
+TEST_F(ConstraintFlags, SmoothFirstIsRefusedWhereItCannotBe) {
+  write_text("held.txt", "1\n");
+  for (const Names& other : {Names{"--remesh"}, Names{"--fix", "held.txt"}}) {
+    Names words = {"flatten", "panel.obj", "--smooth-first", "20"};
+    words.insert(words.end(), other.begin(), other.end());
+    const CliResult refused = planish(words);
+    EXPECT_EQ(refused.exit_code, k_exit_usage);
+    EXPECT_THAT(refused.err, HasSubstr("--smooth-first and " + other[0] + " do not go together"));
+  }
+  EXPECT_EQ(planish({"flatten", "panel.obj", "--smooth-first", "0"}).exit_code, k_exit_usage);
+  const CliResult far = planish({"evolve", "panel.obj", "-o", "x.obj", "--smooth-first", "1m"});
+  EXPECT_EQ(far.exit_code, k_exit_usage);
+  EXPECT_THAT(far.err, HasSubstr("smooth_first is 1000 but must be from 0 to "));
+}
+
 TEST_F(ConstraintFlags, FixHoldsTheVerticesOfAList) {
   const auto vertices = some_inner_vertices();
   std::string list = "# held\n";

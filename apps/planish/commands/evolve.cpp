@@ -44,6 +44,13 @@ Evolved evolve_with_progress(const TriMesh& mesh, const Arguments& arguments, Se
     session.show_progress("evolving", progress.after(record), sweep_text(record, stopping));
     return !session.interrupted();
   };
+  if (const double length = smooth_first_from(arguments); length > 0.0) {
+    const SmoothedDesign design = smooth_design(mesh, length);
+    EvolveReport report = with_smoothing(
+        evolve_patch(design.mesh, method, stopping, on_sweep, session.threads(), constraints), mesh,
+        design.done);
+    return {{report.result.positions, mesh.triangles}, std::move(report)};
+  }
   if (arguments.has("--remesh")) {
     check_constraints(constraints, mesh.positions.size(), method);
     const RemeshedPatch patch = remesh(mesh, constraints);
@@ -64,6 +71,7 @@ Outcome run_evolve(const Arguments& arguments, Session& session) {
   if (arguments.has("--history")) files.push_back({path_of(arguments.flags.at("--history")), {}});
   refuse_shared_places(files);
   const Method method = method_from(arguments, Method{});
+  smooth_first_from(arguments);
   refuse_unsupported_constraints(arguments, method);
   stopping_from(arguments, method);
 
@@ -92,6 +100,7 @@ Command evolve_command() {
         unit_flag(),
         cut_flag(),
         remesh_flag(),
+        smooth_first_flag(),
         {"--history", "FILE", "the figures of every sweep, as comma-separated values"},
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
   for (FlagGroup& group : method_flags(Method{}))

@@ -62,6 +62,7 @@ FlattenOptions options_from(const Arguments& arguments, const Session& session) 
           .stopping = stopping_from(arguments, method),
           .unit = unit_from(arguments),
           .threads = session.threads(),
+          .smooth_first = smooth_first_from(arguments),
           .remesh = arguments.has("--remesh"),
           .match_seams = arguments.has("--match-seams"),
           .limits = limits_from(arguments)};
@@ -278,6 +279,7 @@ Command flatten_command() {
         unit_flag(),
         cut_flag(),
         remesh_flag(),
+        smooth_first_flag(),
         match_seams_flag(),
         formats_flag(),
         {"--colors", "NAME", "of the report's pictures: diverging or paper (default diverging)"},

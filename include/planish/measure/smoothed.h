@@ -1,20 +1,28 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <planish/mesh/connectivity.h>
 
 namespace planish {
 
-/// The places of all vertices when waves shorter than two mean edges are taken out of a surface:
-/// the noise of a scan, not its form. Solves
+/// The longest wave that smoothed_positions() takes out, in mean edges.
+inline constexpr double k_longest_wave = 20.0;
+
+/// The places of all vertices when short waves are taken out of a surface: the noise of a scan, not
+/// its form. Solves
 ///
-///   (M + t L^T M^-1 L) x = M x0,  t = (h / pi)^4,  h the mean edge,
+///   (M + t L^T M^-1 L) x = M x0,  t = (wave / 2 pi)^4,
 ///
 /// L the inner rows of the cotangent Laplacian, M a third of the area of the triangles around each
-/// vertex: a wave of 2 h is halved, one of 4 h keeps 94 %. Border vertices stay where they are.
-/// Linear time, by conjugate gradients to about five digits of the move.
-std::vector<Vec3> smoothed_positions(const TriMesh& mesh, const Connectivity& connectivity);
+/// vertex: the wave is halved, one twice as long keeps 94 %. Border vertices stay where they are.
+/// By conjugate gradients to about five digits of the move, in steps that grow with the square of
+/// the wave.
+/// @param wave a length in model units; two mean edges where there is none
+/// @throws Error option_out_of_range: at least 0 and at most k_longest_wave mean edges
+std::vector<Vec3> smoothed_positions(const TriMesh& mesh, const Connectivity& connectivity,
+                                     std::optional<double> wave = {});
 
 /// B0: what bending is measured by beside a design: that of the smoothed design, so that noise does
 /// not count for form; where needles make that more, that of the design as it is. 0 for a plane

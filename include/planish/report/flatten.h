@@ -41,6 +41,18 @@ struct SizeBefore {
   std::size_t vertices = 0, triangles = 0;
 };
 
+/// What was done to a design before all else.
+struct SmoothedFirst {
+  double length = 0.0;  ///< of the waves that were taken out, model units
+  Deviation moved;      ///< of the smoothed design from the raw one
+};
+
+/// A design without its short waves.
+struct SmoothedDesign {
+  TriMesh mesh;
+  SmoothedFirst done;
+};
+
 /// An evolution with the figures around it.
 struct EvolveReport {
   Method method;
@@ -53,6 +65,9 @@ struct EvolveReport {
   /// left, and the deviation that of the surfaces.
   std::optional<SizeBefore> remeshed_from = {};
   Fairness fairness = {};  ///< beside the patch as it came
+  /// Where the design was smoothed first: then `before` and `fairness` are of the smoothed one, the
+  /// deviation is that from the raw one.
+  std::optional<SmoothedFirst> smoothed_first = {};
 };
 
 /// An unfolding with the figures of its pattern.
@@ -76,6 +91,9 @@ struct FlattenOptions {
   Unit unit = Unit::mm;
   unsigned threads = 0;
   Constraints constraints = {};
+  /// Above 0: waves of the design that are shorter, in model units, are taken out first
+  /// (smooth_design()); with remesh or fixed vertices an Error unsupported_constraint.
+  double smooth_first = 0.0;
   bool remesh = false;           ///< work on fewer vertices: see remesh()
   std::vector<Index> keep = {};  ///< vertices that remeshing leaves, besides fixed ones
   bool match_seams = false;      ///< of the evolved patch's pattern, as UnfoldOptions has it
@@ -93,7 +111,7 @@ struct TwinOf {
 /// The main job's result: everything that the files of a `flatten` folder are made from.
 struct FlattenReport {
   std::string name;  ///< of the patch, for titles
-  TriMesh input;     ///< remeshed, if that was asked for
+  TriMesh input;     ///< remeshed or smoothed, if that was asked for
   /// Vertex of `input` -> vertex of the patch as it came, increasing; empty: they are the same.
   std::vector<Index> source;
   TriMesh processed;  ///< the input with the evolved positions
@@ -121,6 +139,14 @@ EvolveReport evolve_patch(const TriMesh& mesh, const Method& method, const Stopp
 EvolveReport evolve_remeshed(const TriMesh& original, const RemeshedPatch& patch,
                              const Method& method, const Stopping& stopping,
                              const OnSweep& on_sweep = {}, unsigned threads = 0);
+
+/// Takes waves shorter than a length out of a design: the noise of a scan. The border stays.
+/// @param length in model units
+/// @throws Error option_out_of_range, as smoothed_positions()
+SmoothedDesign smooth_design(const TriMesh& raw, double length);
+
+/// The report of an evolution of a smoothed design, with what smoothing did.
+EvolveReport with_smoothing(EvolveReport report, const TriMesh& raw, const SmoothedFirst& done);
 
 /// Unfolds with all figures around it; nothing when cancelled.
 /// @throws Error as unfold()

@@ -13,10 +13,10 @@ namespace planish {
 /// again. The pattern is the same with the other sign of every x where the patch is mirrored, to
 /// the bit: then its lower right corner is at the origin. Vertices move as those of the twin do,
 /// turned by the match's motion; those that do not move there stay where they are, to the bit.
-/// Figures are measured
-/// on this patch and its pattern; iterations, history and the reason to stop are the twin's, and no
-/// time is counted. A limit of strain that the twin keeps, and this patch misses by less than 1 % of
-/// it, counts as kept with what the twin reached: that is the rounding of a file.
+/// Figures are measured on this patch and its pattern; iterations, history and the reason to stop
+/// are the twin's, and no time is counted. A limit of strain that the twin keeps, and this patch
+/// misses by less than 1 % of it, counts as kept with what the twin reached: that is the rounding
+/// of a file.
 ///
 /// Nothing where the patch would have less than its twin: a limit (of strain, deviation, angles,
 /// the target of e_max) or flattenability that the twin keeps and this patch misses, by rounding;

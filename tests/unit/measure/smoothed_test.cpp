@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include <planish/core/error.h>
 #include <planish/measure/bending.h>
 #include <planish/measure/smoothed.h>
 
@@ -14,17 +16,29 @@
 namespace planish {
 namespace {
 
-std::vector<Vec3> smoothed(const TriMesh& mesh) {
-  return smoothed_positions(mesh, Connectivity(mesh));
+std::vector<Vec3> smoothed(const TriMesh& mesh, std::optional<double> wave = {}) {
+  return smoothed_positions(mesh, Connectivity(mesh), wave);
+}
+
+double mean_edge(const TriMesh& mesh) {
+  const Connectivity connectivity(mesh);
+  double edges = 0.0, length = 0.0;
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    for (const Index w : connectivity.ring(v)) {
+      if (w < v) continue;
+      edges += 1.0;
+      length += norm(mesh.positions[w] - mesh.positions[v]);
+    }
+  }
+  return length / edges;
 }
 
 /// The same by a dense matrix: all rows of L from the triangles, those of the border left out.
-std::vector<Vec3> plainly_smoothed(const TriMesh& mesh) {
+std::vector<Vec3> plainly_smoothed(const TriMesh& mesh, std::optional<double> wave) {
   const Connectivity connectivity(mesh);
   const auto n = static_cast<Eigen::Index>(mesh.positions.size());
   Eigen::MatrixXd laplacian = Eigen::MatrixXd::Zero(n, n), x0(n, 3);
   Eigen::VectorXd mass = Eigen::VectorXd::Zero(n);
-  double edges = 0.0, length = 0.0;
   for (const Triangle& t : mesh.triangles) {
     for (int k = 0; k < 3; ++k) {
       const Index a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
@@ -40,13 +54,9 @@ std::vector<Vec3> plainly_smoothed(const TriMesh& mesh) {
   for (Index v = 0; v < mesh.positions.size(); ++v) {
     const Vec3 p = mesh.positions[v];
     x0.row(v) << p.x, p.y, p.z;
-    for (const Index w : connectivity.ring(v)) {
-      if (w < v) continue;
-      edges += 1.0;
-      length += norm(mesh.positions[w] - p);
-    }
   }
-  const double t = std::pow(length / edges / std::numbers::pi, 4.0);
+  const double halved = wave.value_or(2.0 * mean_edge(mesh));
+  const double t = std::pow(halved / (2.0 * std::numbers::pi), 4.0);
   for (Index v = 0; v < n; ++v) {
     if (!connectivity.is_inner(v)) laplacian.row(v).setZero();
   }
@@ -69,13 +79,42 @@ std::vector<Vec3> plainly_smoothed(const TriMesh& mesh) {
 TEST(Smoothed, SolvesTheSystem) {
   for (const TriMesh& mesh : {meshes::rough_grid(12, 9, 5), meshes::rough_grid(9, 9, 6, 0.45, 0.6),
                               meshes::tube(9, 6), meshes::bent_sphere(10)}) {
-    const std::vector<Vec3> found = smoothed(mesh), expected = plainly_smoothed(mesh);
-    double farthest = 0.0;
-    for (Index v = 0; v < found.size(); ++v)
-      farthest = std::max(farthest, norm(expected[v] - mesh.positions[v]));
-    EXPECT_GT(farthest, 0.0);
-    for (Index v = 0; v < found.size(); ++v)
-      ASSERT_LT(norm(found[v] - expected[v]), 1e-4 * farthest) << v;
+    const double edge = mean_edge(mesh);
+    for (const std::optional<double> wave : {std::optional<double>(), {0.5 * edge}, {7.0 * edge}}) {
+      const std::vector<Vec3> found = smoothed(mesh, wave), expected = plainly_smoothed(mesh, wave);
+      double farthest = 0.0;
+      for (Index v = 0; v < found.size(); ++v)
+        farthest = std::max(farthest, norm(expected[v] - mesh.positions[v]));
+      EXPECT_GT(farthest, 0.0);
+      for (Index v = 0; v < found.size(); ++v)
+        ASSERT_LT(norm(found[v] - expected[v]), 1e-4 * farthest) << v;
+    }
+  }
+}
+
+TEST(Smoothed, HalvesTheWaveThatIsNamed) {
+  constexpr double wave = 10.0, height = 0.05;
+  TriMesh mesh = meshes::flat_grid(60, 60);
+  for (Vec3& p : mesh.positions)
+    p.z = height * std::cos(2.0 * std::numbers::pi * (p.x - 30.0) / wave);
+  const std::size_t centre = 30 * 61 + 30;
+  ASSERT_NEAR(mesh.positions[centre].z, height, 1e-12);
+  EXPECT_NEAR(smoothed(mesh, wave)[centre].z / height, 0.5, 0.02);
+  EXPECT_NEAR(smoothed(mesh, 0.5 * wave)[centre].z / height, 16.0 / 17.0, 0.01);
+  EXPECT_EQ(smoothed(mesh, 0.0), mesh.positions);
+}
+
+TEST(Smoothed, RefusesWavesBeyondTwentyEdges) {
+  const TriMesh mesh = meshes::flat_grid(9, 6);
+  const double edge = mean_edge(mesh);
+  EXPECT_NO_THROW(smoothed(mesh, 19.9 * edge));
+  for (const double wave : {20.1 * edge, -1.0, std::nan("")}) {
+    try {
+      smoothed(mesh, wave);
+      ADD_FAILURE() << wave;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::option_out_of_range);
+    }
   }
 }
 

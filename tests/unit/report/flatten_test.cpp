@@ -1,10 +1,13 @@
 // The main job as a whole, where limits of strain lead it.
 
 #include <planish/measure/deviation.h>
+#include <planish/measure/smoothed.h>
 #include <planish/mesh/shapes.h>
 #include <planish/report/flatten.h>
 
 #include <gtest/gtest.h>
+
+#include "support/meshes.h"
 
 namespace planish {
 namespace {
@@ -69,6 +72,28 @@ TEST(FlattenWithLimits, ComesToATargetThatIsAskedForBesides) {
   const FlattenReport report = flattened(mesh, {.stopping = stopping, .limits = {.max = 0.5}});
   EXPECT_NE(report.evolve.result.stop, StopReason::cancelled);
   EXPECT_FALSE(report.evolve.result.history.empty());
+}
+
+TEST(Flatten, OfASmoothedDesignMeasuresTheDeviationFromTheRawOne) {
+  const TriMesh raw = meshes::rough_grid(12, 10, 4);
+  const FlattenReport report =
+      flattened(raw, {.method = ControllableLaplacian{}, .smooth_first = 4.0});
+  const Connectivity connectivity(raw);
+  ASSERT_TRUE(report.evolve.smoothed_first);
+  EXPECT_EQ(report.evolve.smoothed_first->length, 4.0);
+  EXPECT_EQ(report.input.positions, smoothed_positions(raw, connectivity, 4.0));
+  EXPECT_EQ(report.evolve.smoothed_first->moved.rms,
+            measure_deviation(raw, report.input.positions, connectivity).rms);
+  EXPECT_EQ(report.evolve.deviation.rms,
+            measure_deviation(raw, report.processed.positions, connectivity).rms);
+  EXPECT_EQ(report.evolve.before.figures.e_max, measure(report.input, connectivity).e_max);
+  EXPECT_EQ(report.evolve.fairness.bending_ratio,
+            measure_fairness(report.input, connectivity, report.processed.positions).bending_ratio);
+  const FlattenReport plain = flattened(raw, {.method = ControllableLaplacian{}});
+  EXPECT_FALSE(plain.evolve.smoothed_first);
+  EXPECT_THROW(flatten(raw, "patch", {.smooth_first = 4.0, .remesh = true}), Error);
+  EXPECT_THROW(flatten(raw, "patch", {.constraints = {.fixed = {30}}, .smooth_first = 4.0}), Error);
+  EXPECT_LT(report.evolve.before.figures.e_avg, 0.5 * plain.evolve.before.figures.e_avg);
 }
 
 TEST(FlattenWithLimits, CanBeCancelledAnywhere) {

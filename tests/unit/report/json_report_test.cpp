@@ -110,6 +110,15 @@ TEST(JsonReport, TellsOfABorderOnlyWhereItMoved) {
   EXPECT_EQ(Json::parse(json_report(report))["options"]["border"], "slide");
 }
 
+TEST(JsonReport, TellsOfSmoothingOnlyWhereItWasDone) {
+  EvolveReport report = samples::flatten_report().evolve;
+  EXPECT_FALSE(Json::parse(json_report(report)).contains("smoothed_first"));
+  report.smoothed_first = SmoothedFirst{5.0, {0.25, 1.5, 0.0125}};
+  EXPECT_EQ(Json::parse(json_report(report))["smoothed_first"],
+            Json({{"length", 5.0},
+                  {"moved", {{"rms", 0.25}, {"max", 1.5}, {"rms_over_diagonal", 0.0125}}}}));
+}
+
 TEST(JsonReport, OfAnEvolutionHasTheKeysOfTheContract) {
   const Json json = Json::parse(json_report(samples::flatten_report().evolve));
   EXPECT_THAT(keys_of(json),

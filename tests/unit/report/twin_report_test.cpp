@@ -112,6 +112,10 @@ TEST(TwinReport, HasFiguresOfItsOwn) {
   EXPECT_EQ(twin.evolve.result.history.size(), pair.report.evolve.result.history.size());
   EXPECT_EQ(twin.evolve.result.stop, pair.report.evolve.result.stop);
   EXPECT_EQ(twin.evolve.result.seconds, 0.0);
+  const Fairness fairness =
+      measure_fairness(twin.input, Connectivity(twin.input), twin.processed.positions);
+  ASSERT_TRUE(fairness.bending_ratio);
+  EXPECT_EQ(twin.evolve.fairness.bending_ratio, fairness.bending_ratio);
 }
 
 TEST(TwinReport, OfACopyHasThePatternAsItIs) {
@@ -150,6 +154,20 @@ TEST(TwinReport, OfARemeshedPatchHasTheSameVerticesLeft) {
   EXPECT_FALSE(pair.twin(options));
   options.keep = {expected[5]};
   EXPECT_TRUE(pair.twin(options));
+}
+
+TEST(TwinReport, OfASmoothedPatchIsSmoothedToo) {
+  FlattenOptions options = quick();
+  options.smooth_first = 3.0;
+  const Pair pair = mirrored_pair(options);
+  const FlattenReport twin = pair.twin(options).value();
+  ASSERT_TRUE(twin.evolve.smoothed_first);
+  EXPECT_EQ(twin.evolve.smoothed_first->length, 3.0);
+  EXPECT_GT(twin.evolve.smoothed_first->moved.rms, 0.0);
+  EXPECT_NEAR(twin.evolve.smoothed_first->moved.rms, pair.report.evolve.smoothed_first->moved.rms,
+              1e-5);
+  EXPECT_NEAR(twin.evolve.deviation.rms, pair.report.evolve.deviation.rms, 1e-5);
+  EXPECT_NEAR(twin.unfold.strain.rms, pair.report.unfold.strain.rms, 1e-5);
 }
 
 TriMesh scaled(TriMesh mesh, double scale) {

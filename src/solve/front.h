@@ -8,13 +8,15 @@
 
 namespace planish {
 
-/// A dense symmetric matrix of which the first columns are to be factored, in strips of k_strip
-/// rows: those of the columns are filled up with zeros to whole strips, and so is the rest.
+/// A dense symmetric matrix, of double or float, of which the first columns are to be factored, in
+/// strips of k_strip rows: those of the columns are filled up with zeros to whole strips, and so is
+/// the rest.
+template <class T>
 struct FrontShape {
   std::size_t columns = 0, rest = 0;
 
   static constexpr std::size_t padded(std::size_t rows) {
-    return (rows + k_strip - 1) / k_strip * k_strip;
+    return (rows + k_strip<T> - 1) / k_strip<T> * k_strip<T>;
   }
   /// Of the rest, from column to column.
   std::size_t rest_stride() const { return padded(rest); }
@@ -32,23 +34,25 @@ struct FrontShape {
 };
 
 /// Room for numbers that nobody clears, from the start of a line of cache on.
+template <class T>
 class FrontRoom {
  public:
   FrontRoom() = default;
-  explicit FrontRoom(std::size_t size) : lines_(FrontShape::padded(size) / k_strip) {}
+  explicit FrontRoom(std::size_t size) : lines_(FrontShape<T>::padded(size) / k_strip<T>) {}
 
-  double* data() { return lines_.size() == 0 ? nullptr : lines_.data()->at; }
+  T* data() { return lines_.size() == 0 ? nullptr : lines_.data()->at; }
 
  private:
   struct alignas(64) Line {
-    double at[k_strip];
+    T at[k_strip<T>];
   };
   Buffer<Line> lines_;
 };
 
 /// What fronts that are factored one after the other share.
+template <class T>
 struct FrontSpace {
-  FrontRoom panel, scaled, packed;
+  FrontRoom<T> panel, scaled, packed;
 };
 
 /// Factors the first columns of a front, of which the lower half is read and written: L appears
@@ -58,7 +62,8 @@ struct FrontSpace {
 /// @param rest becomes minus L D L^T of the rows below, its lower half: the Schur complement where
 ///   nothing is there before
 /// @return false where a pivot or its reciprocal is zero or not finite
-bool factor_front(const FrontShape& shape, const FrontKernel& kernel, FrontSpace& space,
-                  double* pivots, double* rest, ThreadPool& pool);
+template <class T>
+bool factor_front(const FrontShape<T>& shape, const FrontKernel<T>& kernel, FrontSpace<T>& space,
+                  T* pivots, T* rest, ThreadPool& pool);
 
 }  // namespace planish

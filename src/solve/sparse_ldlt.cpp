@@ -62,7 +62,8 @@ std::vector<Index> nodes_of(const Supernodes& tree) {
 
 }  // namespace
 
-SparseLdlt::SparseLdlt(const SparseMatrix& lower, std::span<const Index> order)
+template <class T>
+BasicLdlt<T>::BasicLdlt(const SparseMatrix& lower, std::span<const Index> order)
     : place_(places_of(order)) {
   {
     // Children right before their parents, so that bundles of columns are contiguous.
@@ -105,17 +106,20 @@ SparseLdlt::SparseLdlt(const SparseMatrix& lower, std::span<const Index> order)
   });
 }
 
-SparseLdlt::SparseLdlt(const SparseMatrix& lower)
-    : SparseLdlt(lower, natural_order(lower.cols())) {}
+template <class T>
+BasicLdlt<T>::BasicLdlt(const SparseMatrix& lower)
+    : BasicLdlt(lower, natural_order(lower.cols())) {}
 
-Index SparseLdlt::place_in_front(std::size_t node, Index row) const {
+template <class T>
+Index BasicLdlt<T>::place_in_front(std::size_t node, Index row) const {
   if (row < tree_.first[node + 1]) return row - tree_.first[node];
   const auto below = tree_.rows(node);
   const auto found = std::lower_bound(below.begin(), below.end(), row) - below.begin();
   return static_cast<Index>(shape_of(node).place(tree_.width(node) + static_cast<Index>(found)));
 }
 
-void SparseLdlt::link_fronts() {
+template <class T>
+void BasicLdlt<T>::link_fronts() {
   first_child_.assign(tree_.count(), Supernodes::k_root);
   sibling_.assign(tree_.count(), Supernodes::k_root);
   in_parent_.resize(tree_.row_list.size());
@@ -129,30 +133,34 @@ void SparseLdlt::link_fronts() {
   }
 }
 
-Panel SparseLdlt::panel(std::size_t node) const {
+template <class T>
+Panel<T> BasicLdlt<T>::panel(std::size_t node) const {
   const std::size_t size = tree_.width(node) + tree_.rows(node).size();
   return {panels_.data() + panel_start_[node], size, tree_.width(node), size};
 }
 
-FrontShape SparseLdlt::shape_of(std::size_t node) const {
+template <class T>
+FrontShape<T> BasicLdlt<T>::shape_of(std::size_t node) const {
   return {tree_.width(node), tree_.rows(node).size()};
 }
 
-void SparseLdlt::assemble(const SparseMatrix& lower, std::size_t node, double* panel) const {
+template <class T>
+void BasicLdlt<T>::assemble(const T* values, std::size_t node, T* panel) const {
   const std::size_t stride = shape_of(node).stride();
   for (std::size_t e = entry_start_[node]; e < entry_start_[node + 1]; ++e) {
     const Entry& entry = entries_[e];
-    panel[entry.column * stride + entry.row] += lower.valuePtr()[entry.value];
+    panel[entry.column * stride + entry.row] += values[entry.value];
   }
 }
 
-bool SparseLdlt::factor_node(const SparseMatrix& lower, std::size_t node, FrontSpace& space,
-                             std::vector<FrontRoom>& updates, ThreadPool& pool) {
-  const FrontShape shape = shape_of(node);
-  const std::size_t stride = shape.stride(), corner = FrontShape::padded(shape.columns);
-  double* panel = space.panel.data();
-  std::fill_n(panel, shape.panel_size(), 0.0);
-  assemble(lower, node, panel);
+template <class T>
+bool BasicLdlt<T>::factor_node(const T* values, std::size_t node, FrontSpace<T>& space,
+                               std::vector<FrontRoom<T>>& updates, ThreadPool& pool) {
+  const FrontShape<T> shape = shape_of(node);
+  const std::size_t stride = shape.stride(), corner = FrontShape<T>::padded(shape.columns);
+  T* panel = space.panel.data();
+  std::fill_n(panel, shape.panel_size(), T{});
+  assemble(values, node, panel);
   const auto for_children = [&](const auto& visit) {
     for (Index child = first_child_[node]; child != Supernodes::k_root; child = sibling_[child]) {
       const std::span<const Index> to(in_parent_.data() + tree_.row_start[child],
@@ -162,28 +170,28 @@ bool SparseLdlt::factor_node(const SparseMatrix& lower, std::size_t node, FrontS
     }
   };
   for_children([&](Index child, std::span<const Index> to, std::size_t inside) {
-    const double* source = updates[child].data();
-    for (std::size_t j = 0; j < inside; ++j, source += FrontShape::padded(to.size())) {
-      double* column = panel + to[j] * stride;
+    const T* source = updates[child].data();
+    for (std::size_t j = 0; j < inside; ++j, source += FrontShape<T>::padded(to.size())) {
+      T* column = panel + to[j] * stride;
       for (std::size_t i = j; i < to.size(); ++i)
         column[to[i]] += source[i];
     }
   });
-  updates[node] = FrontRoom(shape.rest_size());
-  double* rest = updates[node].data();
+  updates[node] = FrontRoom<T>(shape.rest_size());
+  T* rest = updates[node].data();
   if (!factor_front(shape, kernel_, space, pivots_.data() + tree_.first[node], rest, pool))
     return false;
   for_children([&](Index child, std::span<const Index> to, std::size_t inside) {
-    const std::size_t from_stride = FrontShape::padded(to.size());
+    const std::size_t from_stride = FrontShape<T>::padded(to.size());
     for (std::size_t j = inside; j < to.size(); ++j) {
-      const double* source = updates[child].data() + j * from_stride;
-      double* column = rest + (to[j] - corner) * shape.rest_stride();
+      const T* source = updates[child].data() + j * from_stride;
+      T* column = rest + (to[j] - corner) * shape.rest_stride();
       for (std::size_t i = j; i < to.size(); ++i)
         column[to[i] - corner] += source[i];
     }
     updates[child] = {};
   });
-  double* kept = panels_.data() + panel_start_[node];
+  T* kept = panels_.data() + panel_start_[node];
   for (std::size_t k = 0; k < shape.columns; ++k) {
     kept = std::copy_n(panel + k * stride, shape.columns, kept);
     kept = std::copy_n(panel + k * stride + corner, shape.rest, kept);
@@ -191,37 +199,50 @@ bool SparseLdlt::factor_node(const SparseMatrix& lower, std::size_t node, FrontS
   return true;
 }
 
-bool SparseLdlt::factor(const SparseMatrix& lower) {
-  ThreadPool alone(1);
-  return factor(lower, alone);
-}
-
-FrontSpace SparseLdlt::space() const {
+template <class T>
+FrontSpace<T> BasicLdlt<T>::space() const {
   std::size_t panel = 0, beside = 0;
   for (std::size_t s = 0; s < tree_.count(); ++s) {
     panel = std::max(panel, shape_of(s).panel_size());
     beside = std::max(beside, shape_of(s).beside_size());
   }
-  return {FrontRoom(panel), FrontRoom(beside), FrontRoom(beside)};
+  return {FrontRoom<T>(panel), FrontRoom<T>(beside), FrontRoom<T>(beside)};
 }
 
-bool SparseLdlt::factor(const SparseMatrix& lower, ThreadPool& pool) {
-  if (panels_.size() == 0) panels_ = Buffer<double>(panel_start_.back());
-  std::vector<FrontRoom> updates(tree_.count());  // what children leave to their parents
+template <class T>
+bool BasicLdlt<T>::factor(const T* values, ThreadPool& pool) {
+  if (panels_.size() == 0) panels_ = Buffer<T>(panel_start_.back());
+  std::vector<FrontRoom<T>> updates(tree_.count());  // what children leave to their parents
   split_ = split_tree(tree_, pool.size());
   std::atomic<bool> sound = true;
   pool.for_ranges(split_.parts.size(), 1, [&](std::size_t begin, std::size_t end) {
     ThreadPool alone(1);
-    FrontSpace own = space();
+    FrontSpace<T> own = space();
     for (std::size_t part = begin; part < end; ++part) {
       for (std::size_t s = split_.parts[part].begin; s < split_.parts[part].end && sound; ++s) {
-        if (!factor_node(lower, s, own, updates, alone)) sound = false;
+        if (!factor_node(values, s, own, updates, alone)) sound = false;
       }
     }
   });
-  FrontSpace own = space();
+  FrontSpace<T> own = space();
   return sound && std::all_of(split_.top.begin(), split_.top.end(),
-                              [&](Index s) { return factor_node(lower, s, own, updates, pool); });
+                              [&](Index s) { return factor_node(values, s, own, updates, pool); });
+}
+
+template BasicLdlt<double>::BasicLdlt(const SparseMatrix&, std::span<const Index>);
+template BasicLdlt<double>::BasicLdlt(const SparseMatrix&);
+template Panel<double> BasicLdlt<double>::panel(std::size_t) const;
+template FrontShape<double> BasicLdlt<double>::shape_of(std::size_t) const;
+template bool BasicLdlt<double>::factor(const double*, ThreadPool&);
+template BasicLdlt<float>::BasicLdlt(const SparseMatrix&, std::span<const Index>);
+template BasicLdlt<float>::BasicLdlt(const SparseMatrix&);
+template Panel<float> BasicLdlt<float>::panel(std::size_t) const;
+template FrontShape<float> BasicLdlt<float>::shape_of(std::size_t) const;
+template bool BasicLdlt<float>::factor(const float*, ThreadPool&);
+
+bool SparseLdlt::factor(const SparseMatrix& lower) {
+  ThreadPool alone(1);
+  return factor(lower, alone);
 }
 
 }  // namespace planish

@@ -22,22 +22,23 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// Solves sparse symmetric systems whose matrices share one pattern: P A P^T = L D L^T, D diagonal,
 /// without pivoting. That exists under any order for definite matrices and for quasi-definite ones,
 /// [H, J^T; J, -C] with H and C positive definite (Vanderbei 1995). Multifrontal (Duff and Reid
-/// 1983): dense fronts over a tree of supernodes, which a good order keeps small.
+/// 1983): dense fronts over a tree of supernodes, which a good order keeps small. The factor is
+/// made and kept in T, double or float; solving sums in double.
 /// The same bits on every run and for every number of threads: what a front is summed from, and in
 /// what order, follows from the pattern alone.
-class SparseLdlt {
+template <class T>
+class BasicLdlt {
  public:
   /// @param lower the lower half of a matrix; values do not matter
   /// @param order the unknowns in order of elimination, as by nested_dissection()
-  SparseLdlt(const SparseMatrix& lower, std::span<const Index> order);
+  BasicLdlt(const SparseMatrix& lower, std::span<const Index> order);
   /// The same for unknowns that are numbered in order of elimination.
-  explicit SparseLdlt(const SparseMatrix& lower);
+  explicit BasicLdlt(const SparseMatrix& lower);
 
   /// Factors a matrix of the pattern. False where a pivot or its reciprocal is zero or not finite:
   /// then nothing can be solved.
-  bool factor(const SparseMatrix& lower, ThreadPool& pool);
-  /// The same on one thread.
-  bool factor(const SparseMatrix& lower);
+  /// @param values of its entries, in the order of the first one's
+  bool factor(const T* values, ThreadPool& pool);
 
   /// X with A X = right, a column each. @pre factor() was true
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right, ThreadPool& pool) const;
@@ -47,7 +48,7 @@ class SparseLdlt {
   /// How many pivots are negative: by Sylvester's law as many as eigenvalues. @pre factor() was
   /// true
   std::size_t negative_pivots() const {
-    return static_cast<std::size_t>((pivots_.array() < 0.0).count());
+    return static_cast<std::size_t>((pivots_.array() < T{}).count());
   }
 
   /// Numbers that the factor takes.
@@ -55,17 +56,17 @@ class SparseLdlt {
 
  private:
   /// Rows of a supernode times its columns, column by column: unit lower triangle of L on top.
-  Panel panel(std::size_t node) const;
+  Panel<T> panel(std::size_t node) const;
   /// Where a row of the matrix lies in the front of a supernode.
   Index place_in_front(std::size_t node, Index row) const;
   void link_fronts();
-  FrontShape shape_of(std::size_t node) const;
+  FrontShape<T> shape_of(std::size_t node) const;
   /// For any of the fronts.
-  FrontSpace space() const;
-  void assemble(const SparseMatrix& lower, std::size_t node, double* panel) const;
+  FrontSpace<T> space() const;
+  void assemble(const T* values, std::size_t node, T* panel) const;
   /// @param updates what the supernodes leave to their parents; those of its children are used up
-  bool factor_node(const SparseMatrix& lower, std::size_t node, FrontSpace& space,
-                   std::vector<FrontRoom>& updates, ThreadPool& pool);
+  bool factor_node(const T* values, std::size_t node, FrontSpace<T>& space,
+                   std::vector<FrontRoom<T>>& updates, ThreadPool& pool);
   /// @param x in order of elimination: the right side before, the solution after
   void solve_in_place(double* x, ThreadPool& pool) const;
   /// @param left what the rows below each supernode are to be lessened by
@@ -77,7 +78,7 @@ class SparseLdlt {
   Supernodes tree_;
   std::vector<Index> first_child_, sibling_;  // of supernodes, Supernodes::k_root where none
   std::vector<Index> in_parent_;  // for tree_.row_list: where the row lies in the parent's front
-  FrontKernel kernel_ = front_kernel_for(best_isa());
+  FrontKernel<T> kernel_ = front_kernel_for<T>(best_isa());
   std::vector<Index> place_;              // unknown -> when it is eliminated
   std::vector<std::size_t> panel_start_;  // of each supernode among panels_
   // Where the entries of the matrix go, supernode by supernode.
@@ -87,9 +88,21 @@ class SparseLdlt {
   };
   std::vector<Entry> entries_;
   std::vector<std::size_t> entry_start_;
-  Buffer<double> panels_;
-  Eigen::VectorXd pivots_;
+  Buffer<T> panels_;
+  Eigen::Vector<T, Eigen::Dynamic> pivots_;
   Subtrees split_;  // by the pool that factored last; which one never shows in a result
+};
+
+/// In double.
+class SparseLdlt : public BasicLdlt<double> {
+ public:
+  using BasicLdlt::BasicLdlt;
+  using BasicLdlt::factor;
+  bool factor(const SparseMatrix& lower, ThreadPool& pool) {
+    return factor(lower.valuePtr(), pool);
+  }
+  /// The same on one thread.
+  bool factor(const SparseMatrix& lower);
 };
 
 }  // namespace planish

@@ -23,11 +23,13 @@ void for_blocks(ThreadPool& pool, std::size_t count, std::size_t block, std::siz
 
 }  // namespace
 
-void SparseLdlt::solve_forward(std::size_t node, double* x, double* left, ThreadPool& pool) const {
+template <class T>
+void BasicLdlt<T>::solve_forward(std::size_t node, double* x, double* left,
+                                 ThreadPool& pool) const {
   constexpr std::size_t block = 512;
-  const Panel l = panel(node);
-  const FrontShape shape = shape_of(node);
-  const auto corner = static_cast<Index>(FrontShape::padded(shape.columns));
+  const Panel<T> l = panel(node);
+  const FrontShape<T> shape = shape_of(node);
+  const auto corner = static_cast<Index>(FrontShape<T>::padded(shape.columns));
   double* own = x + tree_.first[node];
   double* image = left + tree_.row_start[node];
   std::fill_n(image, shape.rest, 0.0);
@@ -44,10 +46,12 @@ void SparseLdlt::solve_forward(std::size_t node, double* x, double* left, Thread
   });
 }
 
-void SparseLdlt::solve_backward(std::size_t node, double* x, double* room, ThreadPool& pool) const {
+template <class T>
+void BasicLdlt<T>::solve_backward(std::size_t node, double* x, double* room,
+                                  ThreadPool& pool) const {
   constexpr std::size_t block = 64;
-  const Panel l = panel(node);
-  const FrontShape shape = shape_of(node);
+  const Panel<T> l = panel(node);
+  const FrontShape<T> shape = shape_of(node);
   const auto rows = tree_.rows(node);
   for (std::size_t i = 0; i < rows.size(); ++i)
     room[i] = x[rows[i]];
@@ -59,19 +63,22 @@ void SparseLdlt::solve_backward(std::size_t node, double* x, double* room, Threa
 }
 
 /// Room for what any panel has below its own rows.
-Buffer<double> SparseLdlt::room_below() const {
+template <class T>
+Buffer<double> BasicLdlt<T>::room_below() const {
   std::size_t most = 0;
   for (std::size_t s = 0; s < tree_.count(); ++s)
     most = std::max(most, tree_.rows(s).size());
   return Buffer<double>(most);
 }
 
-Eigen::MatrixXd SparseLdlt::solve(const Eigen::MatrixXd& right) const {
+template <class T>
+Eigen::MatrixXd BasicLdlt<T>::solve(const Eigen::MatrixXd& right) const {
   ThreadPool alone(1);
   return solve(right, alone);
 }
 
-Eigen::MatrixXd SparseLdlt::solve(const Eigen::MatrixXd& right, ThreadPool& pool) const {
+template <class T>
+Eigen::MatrixXd BasicLdlt<T>::solve(const Eigen::MatrixXd& right, ThreadPool& pool) const {
   Eigen::MatrixXd solution(right.rows(), right.cols());
   Buffer<double> x(place_.size());
   for (Eigen::Index column = 0; column < right.cols(); ++column) {
@@ -84,7 +91,8 @@ Eigen::MatrixXd SparseLdlt::solve(const Eigen::MatrixXd& right, ThreadPool& pool
   return solution;
 }
 
-void SparseLdlt::solve_in_place(double* x, ThreadPool& pool) const {
+template <class T>
+void BasicLdlt<T>::solve_in_place(double* x, ThreadPool& pool) const {
   Buffer<double> left(tree_.row_list.size());
   const auto for_parts = [&](const auto& body) {
     pool.for_ranges(split_.parts.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -100,7 +108,7 @@ void SparseLdlt::solve_in_place(double* x, ThreadPool& pool) const {
   for (const Index s : split_.top)
     solve_forward(s, x, left.data(), pool);
   for (std::size_t i = 0; i < place_.size(); ++i)
-    x[i] /= pivots_[static_cast<Eigen::Index>(i)];
+    x[i] /= static_cast<double>(pivots_[static_cast<Eigen::Index>(i)]);
   Buffer<double> room = room_below();
   for (auto s = split_.top.rbegin(); s != split_.top.rend(); ++s)
     solve_backward(*s, x, room.data(), pool);
@@ -110,5 +118,9 @@ void SparseLdlt::solve_in_place(double* x, ThreadPool& pool) const {
       solve_backward(s, x, own_room.data(), alone);
   });
 }
+
+template Eigen::MatrixXd BasicLdlt<double>::solve(const Eigen::MatrixXd&) const;
+template Eigen::MatrixXd BasicLdlt<double>::solve(const Eigen::MatrixXd&, ThreadPool&) const;
+template Eigen::MatrixXd BasicLdlt<float>::solve(const Eigen::MatrixXd&, ThreadPool&) const;
 
 }  // namespace planish

@@ -4,10 +4,10 @@
 
 namespace planish {
 
-FrontKernel front_kernel_baseline();
+FrontKernels front_kernels_baseline();
 
-FrontKernel front_kernel_baseline() {
-  return {baseline::factor_diagonal, baseline::solve_strips, baseline::update_strips};
+FrontKernels front_kernels_baseline() {
+  return baseline::front_kernels();
 }
 
 }  // namespace planish

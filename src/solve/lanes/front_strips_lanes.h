@@ -6,95 +6,134 @@
 
 namespace planish::PLANISH_ISA {
 
-// A tile is a strip high and as many columns wide as a register has lanes: eight registers.
-constexpr std::size_t k_width = PLANISH_LANES;
-constexpr std::size_t k_parts = k_strip / k_width;  // registers in a column of a strip
+template <class T>
+struct RegisterOf;
+template <>
+struct RegisterOf<double> {
+  using type = Real;
+};
+template <>
+struct RegisterOf<float> {
+  using type = float __attribute__((vector_size(8 * PLANISH_LANES)));
+};
+template <class T>
+using Register = typename RegisterOf<T>::type;
 
-inline Real load(const double* from) {
-  Real x;
+// A tile is a strip high and as wide as eight registers hold.
+template <class T>
+constexpr std::size_t k_width = PLANISH_LANES*(sizeof(double) / sizeof(T));  // of a register
+template <class T>
+constexpr std::size_t k_parts = k_strip<T> / k_width<T>;  // registers in a column of a strip
+template <class T>
+constexpr std::size_t k_columns = 8 / k_parts<T>;  // of a tile
+template <class T>
+constexpr std::size_t k_groups = k_strip<T> / k_columns<T>;  // tiles that a strip's rows are wide
+
+template <class T>
+inline Register<T> load(const T* from) {
+  Register<T> x;
   __builtin_memcpy(&x, from, sizeof x);
   return x;
 }
 
-inline void store(Real x, double* to) {
+template <class T>
+inline void store(const Register<T>& x, T* to) {
   __builtin_memcpy(to, &x, sizeof x);
 }
 
 /// As all(), but a plain copy: all() adds to zero, which makes +0 of -0 and takes an instruction.
-inline Real spread(double x) {
-  return x - Real{};
+template <class T>
+inline Register<T> spread(T x) {
+  return x - Register<T>{};
 }
 
+template <class T>
 struct Tile {
-  Real at[k_width][k_parts];
+  Register<T> at[k_columns<T>][k_parts<T>];
 };
 
-inline void load_tile(const double* from, std::size_t stride, Tile& tile) {
-  for (std::size_t c = 0; c < k_width; ++c) {
-    for (std::size_t p = 0; p < k_parts; ++p)
-      tile.at[c][p] = load(from + c * stride + p * k_width);
+template <class T>
+inline void load_tile(const T* from, std::size_t stride, Tile<T>& tile) {
+  for (std::size_t c = 0; c < k_columns<T>; ++c) {
+    for (std::size_t p = 0; p < k_parts<T>; ++p)
+      tile.at[c][p] = load(from + c * stride + p * k_width<T>);
   }
 }
 
-inline void store_tile(const Tile& tile, double* to, std::size_t stride) {
-  for (std::size_t c = 0; c < k_width; ++c) {
-    for (std::size_t p = 0; p < k_parts; ++p)
-      store(tile.at[c][p], to + c * stride + p * k_width);
+template <class T>
+inline void store_tile(const Tile<T>& tile, T* to, std::size_t stride) {
+  for (std::size_t c = 0; c < k_columns<T>; ++c) {
+    for (std::size_t p = 0; p < k_parts<T>; ++p)
+      store(tile.at[c][p], to + c * stride + p * k_width<T>);
   }
 }
 
 /// tile -= scaled packed^T over `count` columns of the block.
-inline void subtract_products(const double* scaled, const double* packed, std::size_t count,
-                              Tile& tile) {
-  Tile sum = tile;
-  for (std::size_t k = 0; k < count; ++k, scaled += k_strip, packed += k_width) {
-    Real rows[k_parts];
-    for (std::size_t p = 0; p < k_parts; ++p)
-      rows[p] = load(scaled + p * k_width);
-    for (std::size_t c = 0; c < k_width; ++c) {
-      const Real factor = spread(packed[c]);
-      for (std::size_t p = 0; p < k_parts; ++p)
+template <class T>
+inline void subtract_products(const T* scaled, const T* packed, std::size_t count, Tile<T>& tile) {
+  Tile<T> sum = tile;
+  for (std::size_t k = 0; k < count; ++k, scaled += k_strip<T>, packed += k_columns<T>) {
+    Register<T> rows[k_parts<T>];
+    for (std::size_t p = 0; p < k_parts<T>; ++p)
+      rows[p] = load(scaled + p * k_width<T>);
+    for (std::size_t c = 0; c < k_columns<T>; ++c) {
+      const Register<T> factor = spread(packed[c]);
+      for (std::size_t p = 0; p < k_parts<T>; ++p)
         sum.at[c][p] -= rows[p] * factor;
     }
   }
   tile = sum;
 }
 
-inline double* scaled_of(const FrontBlock& block, std::size_t strip) {
-  return block.scaled + strip * k_strip * block.padded;
+template <class T>
+inline T* scaled_of(const FrontBlock<T>& block, std::size_t strip) {
+  return block.scaled + strip * k_strip<T> * block.padded;
 }
 
-/// Of the rows from k_width * group on.
-inline double* packed_of(const FrontBlock& block, std::size_t group) {
-  return block.packed + group * k_width * block.padded;
+/// Of the rows from k_columns * group on.
+template <class T>
+inline T* packed_of(const FrontBlock<T>& block, std::size_t group) {
+  return block.packed + group * k_columns<T> * block.padded;
+}
+
+/// Rows of one column of L, those of a register, to where tiles find them.
+template <class T>
+inline void pack(const FrontBlock<T>& block, std::size_t row, std::size_t column,
+                 const Register<T>& l) {
+  for (std::size_t i = 0; i < k_width<T>; i += k_columns<T>) {
+    T* to = packed_of(block, (row + i) / k_columns<T>) + column * k_columns<T>;
+    __builtin_memcpy(to, reinterpret_cast<const T*>(&l) + i, k_columns<T> * sizeof(T));
+  }
 }
 
 /// One column of L D in one strip: into all arrays.
-inline void keep_column(const FrontBlock& block, std::size_t strip, std::size_t column,
-                        const Real* scaled) {
-  double* to_scaled = scaled_of(block, strip) + column * k_strip;
-  double* to_front = block.front + column * block.stride + strip * k_strip;
-  for (std::size_t p = 0; p < k_parts; ++p) {
-    const Real l = scaled[p] * block.reciprocals[column];
-    store(scaled[p], to_scaled + p * k_width);
-    store(l, to_front + p * k_width);
-    store(l, packed_of(block, strip * k_parts + p) + column * k_width);
+template <class T>
+inline void keep_column(const FrontBlock<T>& block, std::size_t strip, std::size_t column,
+                        const Register<T>* scaled) {
+  T* to_scaled = scaled_of(block, strip) + column * k_strip<T>;
+  T* to_front = block.front + column * block.stride + strip * k_strip<T>;
+  for (std::size_t p = 0; p < k_parts<T>; ++p) {
+    const Register<T> l = scaled[p] * block.reciprocals[column];
+    store(scaled[p], to_scaled + p * k_width<T>);
+    store(l, to_front + p * k_width<T>);
+    pack(block, strip * k_strip<T> + p * k_width<T>, column, l);
   }
 }
 
 /// The first columns of a strip, a multiple of k_strip of them, against their diagonal part.
-[[gnu::flatten]] inline void solve_columns(const FrontBlock& block, std::size_t strip,
+template <class T>
+[[gnu::flatten]] inline void solve_columns(const FrontBlock<T>& block, std::size_t strip,
                                            std::size_t columns) {
-  for (std::size_t j = 0; j < columns; j += k_width) {
-    const double* diagonal = packed_of(block, j / k_width);
-    Tile tile;
-    load_tile(block.front + j * block.stride + strip * k_strip, block.stride, tile);
+  for (std::size_t j = 0; j < columns; j += k_columns<T>) {
+    const T* diagonal = packed_of(block, j / k_columns<T>);
+    Tile<T> tile;
+    load_tile(block.front + j * block.stride + strip * k_strip<T>, block.stride, tile);
     subtract_products(scaled_of(block, strip), diagonal, j, tile);
-    diagonal += j * k_width;
-    for (std::size_t c = 0; c < k_width; ++c) {
+    diagonal += j * k_columns<T>;
+    for (std::size_t c = 0; c < k_columns<T>; ++c) {
       for (std::size_t before = 0; before < c; ++before) {
-        const Real factor = spread(diagonal[before * k_width + c]);
-        for (std::size_t p = 0; p < k_parts; ++p)
+        const Register<T> factor = spread(diagonal[before * k_columns<T> + c]);
+        for (std::size_t p = 0; p < k_parts<T>; ++p)
           tile.at[c][p] -= tile.at[before][p] * factor;
       }
       keep_column(block, strip, j + c, tile.at[c]);
@@ -103,69 +142,82 @@ inline void keep_column(const FrontBlock& block, std::size_t strip, std::size_t 
 }
 
 /// Factors the tile of a strip that is on the diagonal: its first `columns`.
-inline bool factor_corner(const FrontBlock& block, std::size_t strip, std::size_t columns,
-                          Real (&corner)[k_strip][k_parts]) {
-  for (std::size_t k = 0; k < k_strip; ++k) {
-    const std::size_t column = strip * k_strip + k;
+template <class T>
+inline bool factor_corner(const FrontBlock<T>& block, std::size_t strip, std::size_t columns,
+                          Register<T> (&corner)[k_strip<T>][k_parts<T>]) {
+  for (std::size_t k = 0; k < k_strip<T>; ++k) {
+    const std::size_t column = strip * k_strip<T> + k;
     if (k >= columns) {
-      block.reciprocals[column] = 0.0;
+      block.reciprocals[column] = T{};
       keep_column(block, strip, column, corner[k]);
       continue;
     }
-    const double pivot = corner[k][k / k_width][k % k_width], reciprocal = 1.0 / pivot;
-    if (!(pivot != 0.0) || !__builtin_isfinite(pivot) || !__builtin_isfinite(reciprocal))
+    const T pivot = corner[k][k / k_width<T>][k % k_width<T>], reciprocal = T{1} / pivot;
+    if (!(pivot != T{}) || !__builtin_isfinite(pivot) || !__builtin_isfinite(reciprocal))
       return false;
     block.pivots[column] = pivot;
     block.reciprocals[column] = reciprocal;
     keep_column(block, strip, column, corner[k]);
     for (std::size_t j = k + 1; j < columns; ++j) {
-      const Real factor =
-          all(packed_of(block, strip * k_parts + j / k_width)[column * k_width + j % k_width]);
-      for (std::size_t p = 0; p < k_parts; ++p)
+      const T* packed = packed_of(block, strip * k_groups<T> + j / k_columns<T>);
+      const Register<T> factor = Register<T>{} + packed[column * k_columns<T> + j % k_columns<T>];
+      for (std::size_t p = 0; p < k_parts<T>; ++p)
         corner[j][p] -= corner[k][p] * factor;
     }
   }
   return true;
 }
 
-[[gnu::flatten]] inline bool factor_diagonal(const FrontBlock& block) {
-  for (std::size_t strip = 0; strip * k_strip < block.width; ++strip) {
-    const std::size_t start = strip * k_strip, left = block.width - start;
+template <class T>
+[[gnu::flatten]] inline bool factor_diagonal(const FrontBlock<T>& block) {
+  for (std::size_t strip = 0; strip * k_strip<T> < block.width; ++strip) {
+    const std::size_t start = strip * k_strip<T>, left = block.width - start;
     solve_columns(block, strip, start);
-    Real corner[k_strip][k_parts];
-    for (std::size_t c = 0; c < k_strip; c += k_width) {
-      Tile tile;
+    Register<T> corner[k_strip<T>][k_parts<T>];
+    for (std::size_t c = 0; c < k_strip<T>; c += k_columns<T>) {
+      Tile<T> tile;
       load_tile(block.front + (start + c) * block.stride + start, block.stride, tile);
-      subtract_products(scaled_of(block, strip), packed_of(block, (start + c) / k_width), start,
-                        tile);
-      for (std::size_t i = 0; i < k_width; ++i) {
-        for (std::size_t p = 0; p < k_parts; ++p)
+      subtract_products(scaled_of(block, strip), packed_of(block, (start + c) / k_columns<T>),
+                        start, tile);
+      for (std::size_t i = 0; i < k_columns<T>; ++i) {
+        for (std::size_t p = 0; p < k_parts<T>; ++p)
           corner[c + i][p] = tile.at[i][p];
       }
     }
-    if (!factor_corner(block, strip, left < k_strip ? left : k_strip, corner)) return false;
+    if (!factor_corner(block, strip, left < k_strip<T> ? left : k_strip<T>, corner)) return false;
   }
   return true;
 }
 
-inline void solve_strips(const FrontBlock& block, std::size_t begin, std::size_t end) {
+template <class T>
+inline void solve_strips(const FrontBlock<T>& block, std::size_t begin, std::size_t end) {
   for (std::size_t strip = begin; strip < end; ++strip)
     solve_columns(block, strip, block.padded);
 }
 
-[[gnu::flatten]] inline void update_strips(const FrontBlock& block, const FrontTarget& target,
+template <class T>
+[[gnu::flatten]] inline void update_strips(const FrontBlock<T>& block, const FrontTarget<T>& target,
                                            std::size_t begin, std::size_t end) {
   for (std::size_t strip = begin; strip < end; ++strip) {
     const std::size_t last = strip < target.last ? strip + 1 : target.last;
-    double* row = target.corner + (strip - target.first) * k_strip;
-    for (std::size_t group = target.first * k_parts; group < last * k_parts; ++group) {
-      double* to = row + (group - target.first * k_parts) * k_width * target.stride;
-      Tile tile{};
+    T* row = target.corner + (strip - target.first) * k_strip<T>;
+    for (std::size_t group = target.first * k_groups<T>; group < last * k_groups<T>; ++group) {
+      T* to = row + (group - target.first * k_groups<T>)*k_columns<T> * target.stride;
+      Tile<T> tile{};
       if (!target.fresh) load_tile(to, target.stride, tile);
       subtract_products(scaled_of(block, strip), packed_of(block, group), block.width, tile);
       store_tile(tile, to, target.stride);
     }
   }
+}
+
+template <class T>
+FrontKernel<T> front_kernel() {
+  return {factor_diagonal<T>, solve_strips<T>, update_strips<T>};
+}
+
+inline FrontKernels front_kernels() {
+  return {front_kernel<double>(), front_kernel<float>()};
 }
 
 }  // namespace planish::PLANISH_ISA

@@ -4,10 +4,10 @@
 
 namespace planish {
 
-FrontKernel front_kernel_v3();
+FrontKernels front_kernels_v3();
 
-FrontKernel front_kernel_v3() {
-  return {v3::factor_diagonal, v3::solve_strips, v3::update_strips};
+FrontKernels front_kernels_v3() {
+  return v3::front_kernels();
 }
 
 }  // namespace planish

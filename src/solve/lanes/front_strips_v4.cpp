@@ -4,10 +4,10 @@
 
 namespace planish {
 
-FrontKernel front_kernel_v4();
+FrontKernels front_kernels_v4();
 
-FrontKernel front_kernel_v4() {
-  return {v4::factor_diagonal, v4::solve_strips, v4::update_strips};
+FrontKernels front_kernels_v4() {
+  return v4::front_kernels();
 }
 
 }  // namespace planish

@@ -15,9 +15,9 @@ using Numbers = std::vector<double>;
 Numbers random_numbers(std::size_t count, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> number(-1.0, 1.0);
-  Numbers numbers;
+  Numbers numbers;  // that a float holds too
   for (std::size_t i = 0; i < count; ++i)
-    numbers.push_back(number(random));
+    numbers.push_back(static_cast<double>(static_cast<float>(number(random))));
   return numbers;
 }
 
@@ -31,7 +31,9 @@ class PanelProducts : public testing::TestWithParam<Shape> {
   static constexpr std::size_t k_stride = 43;
 
   Numbers values_ = random_numbers(k_stride * 41, 1);
-  Panel l_{values_.data() + 1, GetParam().rows, GetParam().columns, k_stride};
+  std::vector<float> narrow_values_ = std::vector<float>(values_.begin(), values_.end());
+  Panel<double> l_{values_.data() + 1, GetParam().rows, GetParam().columns, k_stride};
+  Panel<float> narrow_{narrow_values_.data() + 1, l_.rows, l_.columns, k_stride};
 
   /// L x, or L^T x, by the formula.
   Numbers product(const Numbers& x, bool transposed) const {
@@ -55,6 +57,11 @@ TEST_P(PanelProducts, AddAndSubtractTheProduct) {
     EXPECT_NEAR(less[i], before[i] - expected[i], 1e-14);
   }
   EXPECT_EQ(more[l_.rows], before[l_.rows]);
+  Numbers more_by_float = before, less_by_float = before;
+  add_product(narrow_, x.data(), more_by_float.data());
+  subtract_product(narrow_, x.data(), less_by_float.data());
+  EXPECT_EQ(more_by_float, more);
+  EXPECT_EQ(less_by_float, less);
 }
 
 TEST_P(PanelProducts, SubtractTheTransposedProduct) {
@@ -65,15 +72,23 @@ TEST_P(PanelProducts, SubtractTheTransposedProduct) {
   for (std::size_t k = 0; k < l_.columns; ++k)
     EXPECT_NEAR(less[k], before[k] - expected[k], 1e-14);
   EXPECT_EQ(less[l_.columns], before[l_.columns]);
+  Numbers by_float = before;
+  subtract_transposed_product(narrow_, x.data(), by_float.data());
+  EXPECT_EQ(by_float, less);
 }
 
 TEST_P(PanelProducts, SolveWithTheUnitLowerTriangle) {
   const std::size_t n = l_.columns;
-  const Panel square{l_.values, n, n, k_stride};
+  const Panel<double> square{l_.values, n, n, k_stride};
+  const Panel<float> narrow{narrow_.values, n, n, k_stride};
   const Numbers right = random_numbers(n, 2);
-  Numbers x = right, y = right;
+  Numbers x = right, y = right, x_by_float = right, y_by_float = right;
   solve_unit_lower(square, x.data());
   solve_unit_lower_transposed(square, y.data());
+  solve_unit_lower(narrow, x_by_float.data());
+  solve_unit_lower_transposed(narrow, y_by_float.data());
+  EXPECT_EQ(x_by_float, x);
+  EXPECT_EQ(y_by_float, y);
   double size_x = 1.0, size_y = 1.0;  // of the terms, by which rounding goes
   for (std::size_t i = 0; i < n; ++i) {
     size_x = std::max(size_x, std::abs(x[i]));

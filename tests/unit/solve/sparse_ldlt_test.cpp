@@ -1,6 +1,7 @@
 #include "solve/sparse_ldlt.h"
 
 #include <algorithm>
+#include <limits>
 #include <random>
 
 #include <Eigen/Dense>
@@ -213,21 +214,27 @@ TEST(SparseLdlt, KeepsFactorsOfStripsSmallHoweverStretched) {
   EXPECT_LT(stretched, 1.2 * straight);
 }
 
+template <class T>
+using MatrixOf = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+
 /// A front that is padded with zeros, from a matrix; and what comes of it.
+template <class T>
 struct FactoredFront {
-  MatrixXd l;     // the columns that were factored
-  MatrixXd rest;  // minus what they take from the rest
-  Eigen::VectorXd pivots;
+  MatrixOf<T> l;     // the columns that were factored
+  MatrixOf<T> rest;  // minus what they take from the rest
+  Eigen::Vector<T, Eigen::Dynamic> pivots;
   bool sound = false;
 };
 
-FactoredFront factor_padded(const MatrixXd& a, Eigen::Index columns, Isa isa, ThreadPool& pool) {
+template <class T>
+FactoredFront<T> factor_padded(const MatrixOf<T>& a, Eigen::Index columns, Isa isa,
+                               ThreadPool& pool) {
   const auto width = static_cast<std::size_t>(columns);
-  const FrontShape shape{width, static_cast<std::size_t>(a.rows()) - width};
-  FrontSpace space{FrontRoom(shape.panel_size()), FrontRoom(shape.beside_size()),
-                   FrontRoom(shape.beside_size())};
-  std::fill_n(space.panel.data(), shape.panel_size(), 0.0);
-  const auto panel_at = [&](Eigen::Index i, Eigen::Index j) -> double& {
+  const FrontShape<T> shape{width, static_cast<std::size_t>(a.rows()) - width};
+  FrontSpace<T> space{FrontRoom<T>(shape.panel_size()), FrontRoom<T>(shape.beside_size()),
+                      FrontRoom<T>(shape.beside_size())};
+  std::fill_n(space.panel.data(), shape.panel_size(), T{});
+  const auto panel_at = [&](Eigen::Index i, Eigen::Index j) -> T& {
     return space.panel.data()[static_cast<std::size_t>(j) * shape.stride() +
                               shape.place(static_cast<std::size_t>(i))];
   };
@@ -235,14 +242,14 @@ FactoredFront factor_padded(const MatrixXd& a, Eigen::Index columns, Isa isa, Th
     for (Eigen::Index i = j; i < a.rows(); ++i)
       panel_at(i, j) = a(i, j);
   }
-  FrontRoom rest(shape.rest_size());
-  FactoredFront result;
+  FrontRoom<T> rest(shape.rest_size());
+  FactoredFront<T> result;
   result.pivots.resize(columns);
   result.sound =
-      factor_front(shape, front_kernel_for(isa), space, result.pivots.data(), rest.data(), pool);
-  result.l = MatrixXd::Identity(a.rows(), columns);
+      factor_front(shape, front_kernel_for<T>(isa), space, result.pivots.data(), rest.data(), pool);
+  result.l = MatrixOf<T>::Identity(a.rows(), columns);
   const Eigen::Index left = a.rows() - columns;
-  result.rest = MatrixXd::Zero(left, left);
+  result.rest = MatrixOf<T>::Zero(left, left);
   for (Eigen::Index j = 0; j < a.rows() && result.sound; ++j) {
     for (Eigen::Index i = j + 1; i < a.rows(); ++i) {
       if (j < columns) result.l(i, j) = panel_at(i, j);
@@ -273,28 +280,38 @@ MatrixXd quasi_definite(int size) {
   return a;
 }
 
-TEST(FactorFront, LeavesTheFactorAndWhatItTakesFromTheRest) {
+template <class T>
+class FactorFront : public testing::Test {};
+
+using FrontNumbers = testing::Types<double, float>;
+TYPED_TEST_SUITE(FactorFront, FrontNumbers);
+
+TYPED_TEST(FactorFront, LeavesTheFactorAndWhatItTakesFromTheRest) {
   ThreadPool pool(1);
+  constexpr double rounding =
+      500.0 * static_cast<double>(std::numeric_limits<TypeParam>::epsilon());
   for (const auto [size, columns] : k_fronts) {
     const MatrixXd a = quasi_definite(size);
-    const FactoredFront front = factor_padded(a, columns, best_isa(), pool);
+    const auto front =
+        factor_padded<TypeParam>(a.template cast<TypeParam>(), columns, best_isa(), pool);
     ASSERT_TRUE(front.sound);
-    const MatrixXd product = front.l * front.pivots.asDiagonal() * front.l.transpose();
-    EXPECT_LT((a - product).leftCols(columns).norm(), 1e-13 * a.norm()) << size;
+    const MatrixXd l = front.l.template cast<double>();
+    const MatrixXd product = l * front.pivots.template cast<double>().asDiagonal() * l.transpose();
+    EXPECT_LT((a - product).leftCols(columns).norm(), rounding * a.norm()) << size;
     const Eigen::Index rest = size - columns;
     const MatrixXd expected =
         MatrixXd((-product.bottomRightCorner(rest, rest)).triangularView<Eigen::Lower>());
-    EXPECT_LE((front.rest - expected).norm(), 1e-13 * a.norm()) << size;
+    EXPECT_LE((front.rest.template cast<double>() - expected).norm(), rounding * a.norm()) << size;
   }
 }
 
-TEST(FactorFront, GivesTheSameBitsOnEveryProcessorAndNumberOfThreads) {
+TYPED_TEST(FactorFront, GivesTheSameBitsOnEveryProcessorAndNumberOfThreads) {
   ThreadPool alone(1), three(3);
   for (const auto [size, columns] : k_fronts) {
-    const MatrixXd a = quasi_definite(size);
-    const FactoredFront expected = factor_padded(a, columns, Isa::baseline, alone);
+    const MatrixOf<TypeParam> a = quasi_definite(size).template cast<TypeParam>();
+    const auto expected = factor_padded(a, columns, Isa::baseline, alone);
     for (const Isa isa : available_isas()) {
-      const FactoredFront front = factor_padded(a, columns, isa, three);
+      const auto front = factor_padded(a, columns, isa, three);
       EXPECT_EQ(front.l, expected.l) << to_string(isa) << size;
       EXPECT_EQ(front.rest, expected.rest) << to_string(isa) << size;
       EXPECT_EQ(front.pivots, expected.pivots) << to_string(isa) << size;

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "solve/sparse_ldlt.h"
+
+namespace planish {
+
+/// In which numbers a matrix is factored: mixed, in float with residuals in double.
+enum class Precision { full, mixed };
+
+/// Solves as SparseLdlt does; where mixed, in half of its memory and, where fronts are large, in
+/// half of its time: factors in float the matrix whose rows and columns are divided by the roots of
+/// its diagonal, and refines what that solves with residuals in double (Wilkinson 1963; Higham
+/// 2002, chapter 12). If float cannot factor a matrix, or its first solution is far off, that
+/// matrix is factored in double. Which of the two it is follows from the matrix and the right side
+/// alone.
+class MixedLdlt {
+ public:
+  /// @param lower,order as of SparseLdlt
+  MixedLdlt(const SparseMatrix& lower, std::span<const Index> order, Precision precision);
+
+  /// Factors a matrix of the pattern. False where that cannot be in double either.
+  bool factor(const SparseMatrix& lower, ThreadPool& pool);
+
+  /// x with A x = right.
+  /// @param lower that was factored. @pre factor() was true
+  /// @param accuracy of the residual, as a share of the right side, both scaled; where all is in
+  ///   double it is what it is
+  Eigen::VectorXd solve(const SparseMatrix& lower, const Eigen::VectorXd& right, ThreadPool& pool,
+                        double accuracy);
+
+  /// Whether the last matrix had to be factored in double.
+  bool is_double() const { return is_double_; }
+
+ private:
+  bool factor_in_double(const SparseMatrix& lower, ThreadPool& pool);
+  std::optional<Eigen::VectorXd> refined(const SparseMatrix& lower, const Eigen::VectorXd& right,
+                                         ThreadPool& pool, double accuracy) const;
+
+  std::vector<Index> order_;
+  std::optional<BasicLdlt<float>> narrow_;  // where mixed
+  Eigen::VectorXd scale_;                   // powers of two, so that scaling rounds nothing
+  std::optional<SparseLdlt> wide_;
+  bool is_double_ = false;
+};
+
+}  // namespace planish

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "evolve/dense.h"
 #include "evolve/places.h"
 #include "solve/dissection.h"
 #include "solve/sparse_pattern.h"
@@ -91,7 +92,8 @@ NormalSystem::NormalSystem(const AngleJacobian& jacobian, const PatchState& stat
     : jacobian_(jacobian),
       steps_{static_cast<int>(jacobian.row_count()), border_directions},
       lower_(pattern_of(jacobian, cost, square, steps_)),
-      solver_(lower_, elimination_order(state, cost, square, steps_)) {
+      solver_(lower_, elimination_order(state, cost, square, steps_),
+              step_precision(state.inner_count())) {
   for_cost(cost, steps_, [&](int a, int b, double) {
     cost_places_.push_back(place_of(lower_, steps_.unknown(a), steps_.unknown(b)));
   });
@@ -123,16 +125,16 @@ bool NormalSystem::factor(std::span<const Vec3> directions, const SparseMatrix& 
 }
 
 Eigen::VectorXd NormalSystem::solve(const Eigen::VectorXd& force, const Eigen::VectorXd& turn,
-                                    ThreadPool& pool) const {
+                                    ThreadPool& pool, double accuracy) {
   Eigen::VectorXd right(lower_.rows());
   for (int s = 0; s < force.size(); ++s)
     right[steps_.unknown(s)] = force[s];
   for (int v = 0; v < turn.size(); ++v)
     right[Steps::multiplier_of(v)] = turn[v];
-  const Eigen::MatrixXd solution = solver_.solve(right, pool);
+  const Eigen::VectorXd solution = solver_.solve(lower_, right, pool, accuracy);
   Eigen::VectorXd steps(force.size());
   for (int s = 0; s < force.size(); ++s)
-    steps[s] = solution(steps_.unknown(s), 0);
+    steps[s] = solution[steps_.unknown(s)];
   return steps;
 }
 

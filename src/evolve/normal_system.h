@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "evolve/angle_jacobian.h"
-#include "solve/sparse_ldlt.h"
+#include "solve/mixed_ldlt.h"
 
 namespace planish {
 
@@ -54,8 +54,10 @@ class NormalSystem {
   /// @return s, in units of length as given. @pre factor() was true
   /// @param force by direction
   /// @param turn by inner vertex
-  Eigen::VectorXd solve(const Eigen::VectorXd& force, const Eigen::VectorXd& turn,
-                        ThreadPool& pool) const;
+  /// @param accuracy as of MixedLdlt
+  Eigen::VectorXd solve(const Eigen::VectorXd& force, const Eigen::VectorXd& turn, ThreadPool& pool,
+                        double accuracy = k_step_accuracy);
+  static constexpr double k_step_accuracy = 1e-3;
 
  private:
   const AngleJacobian& jacobian_;
@@ -63,7 +65,7 @@ class NormalSystem {
   SparseMatrix lower_;
   // Where the entries of each part go, in the order in which factor() comes to them.
   std::vector<std::size_t> cost_places_, square_places_, gradient_places_;
-  SparseLdlt solver_;
+  MixedLdlt solver_;
 };
 
 }  // namespace planish

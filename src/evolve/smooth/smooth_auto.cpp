@@ -11,6 +11,7 @@
 
 #include "evolve/coarse_levels.h"
 #include "evolve/defect_polish.h"
+#include "evolve/dense.h"
 #include "evolve/descent_limits.h"
 #include "evolve/shape_cost.h"
 #include "evolve/smooth/smooth_control.h"
@@ -179,9 +180,11 @@ class SmoothStepper {
 
   void open_level() {
     coarse_ = level_ > 0 ? levels_.make_state(level_, pool_) : nullptr;
+    const SmoothMoves moves =
+        is_dense(level_state().inner_count()) ? SmoothMoves::along_normals : SmoothMoves::free;
     descent_ =
         std::make_unique<SmoothDescent>(level_state(), pool_, design_bending_of(level_state()),
-                                        limits_on(level_state(), options_, least_angle_));
+                                        limits_on(level_state(), options_, least_angle_), moves);
     steps_ = idle_ = 0;
   }
 

@@ -37,18 +37,19 @@ double diagonal_of(const PatchState& state, const Eigen::VectorXd& area_shares) 
 }  // namespace
 
 SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, double design_bending,
-                             const DescentLimits& limits)
+                             const DescentLimits& limits, SmoothMoves moves)
     : state_(state),
       pool_(pool),
       design_bending_(design_bending),
       limits_(limits),
+      along_normals_(moves == SmoothMoves::along_normals),
       triangles_(state.triangles()),
       border_(limits.border, limits.deviation, state),
       jacobian_(state, border_.movable()),
       hinges_(state),
       guard_(state, limits.angle),
       potential_(jacobian_, state, pool, PatternBorder::free),
-      system_(jacobian_, state, hinges_, guard_, potential_.square(), border_.bends()),
+      system_(jacobian_, state, hinges_, guard_, potential_.square(), moves, border_.bends()),
       area_shares_(area_shares(state)),
       diagonal_(diagonal_of(state, area_shares_)),
       unit_(mean_edge(jacobian_, state)),
@@ -113,9 +114,19 @@ double SmoothDescent::deviation() const {
          (std::sqrt(static_cast<double>(state_.inner_count())) * diagonal_);
 }
 
+/// Of inner vertices. Where triangles cancel, any will do.
+Places SmoothDescent::normals() const {
+  Places normals;
+  for (Index v = 0; v < state_.inner_count(); ++v) {
+    const Vec3 n = vertex_normal(v, jacobian_, state_);
+    normals.push_back(dot(n, n) > 0.0 ? n : Vec3{0.0, 0.0, 1.0});
+  }
+  return normals;
+}
+
 /// @param force minus the gradient of F without phi
 void SmoothDescent::assemble(Places& force) {
-  system_.clear();
+  system_.clear(along_normals_ ? normals() : Places{});
   assemble_shape(force);
   assemble_places(force);
   moves_.add_to(system_, force, sum_of(places(), -1.0, origin_), 1.0 + stiffening_);

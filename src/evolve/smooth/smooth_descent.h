@@ -25,7 +25,7 @@ struct SmoothWeights {
 };
 
 /// Brings a patch nearer to flattenable while it stays smooth (docs/methods/smooth.md): steps of
-/// Gauss and Newton, all three coordinates of all inner vertices at once, on
+/// Gauss and Newton, of all inner vertices at once, on
 ///
 ///     F(x) = B(x) / B0 + |x - x0|^2 / (n delta^2 D^2) + G(x) + |phi(x)|^2 / (N sigma^2),
 ///
@@ -37,8 +37,9 @@ class SmoothDescent {
  public:
   /// @param design_bending B0, above 0
   /// @param state as it was at first or later; must outlive it, as must the pool
+  /// @param moves of inner vertices: along their normals steps take a quarter of the memory
   SmoothDescent(PatchState& state, ThreadPool& pool, double design_bending,
-                const DescentLimits& limits);
+                const DescentLimits& limits, SmoothMoves moves = SmoothMoves::free);
 
   /// False where the patch allows no matrices.
   bool solvable() const { return potential_.solvable(); }
@@ -75,6 +76,7 @@ class SmoothDescent {
   Parts at(const Places& places);
   double merit(const Eigen::VectorXd& phi) const;
   void renew();
+  Places normals() const;
   void assemble(Places& force);
   void assemble_shape(Places& force);
   void assemble_places(Places& force);
@@ -93,6 +95,7 @@ class SmoothDescent {
   ThreadPool& pool_;
   double design_bending_;
   DescentLimits limits_;
+  bool along_normals_;
   std::vector<Triangle> triangles_;
   BorderMotion border_;
   AngleJacobian jacobian_;

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "evolve/dense.h"
 #include "solve/dissection.h"
 #include "solve/sparse_pattern.h"
 
 namespace planish {
 
 namespace {
-
-constexpr int k_multiplier = 3;
 
 template <class Visit>
 void for_pairs(std::size_t corners, Visit visit) {
@@ -24,24 +23,26 @@ void for_pairs(std::size_t corners, Visit visit) {
 
 SmoothSystem::SmoothSystem(const AngleJacobian& jacobian, const PatchState& state,
                            const HingeTerms& hinges, const ShapeGuard& guard,
-                           const SparseMatrix& square, std::vector<BorderMotion::Bend> bends)
+                           const SparseMatrix& square, SmoothMoves moves,
+                           std::vector<BorderMotion::Bend> bends)
     : jacobian_(jacobian),
       hinges_(hinges),
       guard_(guard),
       bends_(std::move(bends)),
       inner_(static_cast<Index>(jacobian.row_count())),
-      count_(static_cast<Index>(jacobian.column_count())) {
+      count_(static_cast<Index>(jacobian.column_count())),
+      inner_moves_(moves == SmoothMoves::free ? 3 : 1) {
   find_pairs(hinges, guard, square);
   lay_out();
   find_terms(hinges, guard);
   for (int v = 0; v < square.outerSize(); ++v) {
     for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry) {
       if (entry.row() < v) continue;
-      square_places_.push_back(place_of(lower_, unknown(static_cast<Index>(entry.row()), 3),
-                                        unknown(static_cast<Index>(v), 3)));
+      square_places_.push_back(place_of(lower_, multiplier(static_cast<Index>(entry.row())),
+                                        multiplier(static_cast<Index>(v))));
     }
   }
-  solver_.emplace(lower_, elimination_order(state));
+  solver_.emplace(lower_, elimination_order(state), step_precision(inner_));
 }
 
 void SmoothSystem::find_pairs(const HingeTerms& hinges, const ShapeGuard& guard,
@@ -100,9 +101,9 @@ void SmoothSystem::lay_out() {
         rows.push_back(unknown(v, row));
       for (std::size_t p = pair_start_[v]; p < pair_start_[v + 1]; ++p) {
         Pair& pair = pairs_[p];
-        if (!pair.full && part != k_multiplier) continue;
+        if (!pair.full && part != moves(v)) continue;
         pair.start[static_cast<std::size_t>(part)] = rows.size();
-        for (int row = pair.full ? 0 : k_multiplier; row < parts(pair.second); ++row)
+        for (int row = pair.full ? 0 : moves(pair.second); row < parts(pair.second); ++row)
           rows.push_back(unknown(pair.second, row));
       }
       starts.push_back(static_cast<int>(rows.size()));
@@ -162,23 +163,27 @@ std::vector<Index> SmoothSystem::elimination_order(const PatchState& state) cons
   return order;
 }
 
-void SmoothSystem::clear() {
+void SmoothSystem::clear(const Places& normals) {
+  normals_ = normals;
   std::fill_n(lower_.valuePtr(), lower_.nonZeros(), 0.0);
   for (Index v = 0; v < count_; ++v) {
     if (jacobian_.is_movable(v)) continue;
-    for (std::size_t part = 0; part < 3; ++part)
-      lower_.valuePtr()[own_start_[v][part]] = 1.0;
+    for (int part = 0; part < moves(v); ++part)
+      lower_.valuePtr()[own_start_[v][static_cast<std::size_t>(part)]] = 1.0;
   }
 }
 
 /// s a b^T: rows of the second vertex, columns of the first.
-void SmoothSystem::add_product(const Pair& pair, double scale, Vec3 rows, Vec3 columns) {
-  const double by_column[3] = {scale * columns.x, scale * columns.y, scale * columns.z};
-  for (std::size_t part = 0; part < 3; ++part) {
+void SmoothSystem::add_product(Index first, const Pair& pair, double scale, Vec3 rows,
+                               Vec3 columns) {
+  const std::array<double, 3> by_column = along_moves(first, scale * columns),
+                              by_row = along_moves(pair.second, rows);
+  const auto column_count = static_cast<std::size_t>(moves(first)),
+             row_count = static_cast<std::size_t>(moves(pair.second));
+  for (std::size_t part = 0; part < column_count; ++part) {
     double* value = lower_.valuePtr() + pair.start[part];
-    value[0] += by_column[part] * rows.x;
-    value[1] += by_column[part] * rows.y;
-    value[2] += by_column[part] * rows.z;
+    for (std::size_t row = 0; row < row_count; ++row)
+      value[row] += by_column[part] * by_row[row];
   }
 }
 
@@ -191,6 +196,12 @@ void SmoothSystem::add_vertex(Index v, const Block& block) {
   if (!jacobian_.is_movable(v)) return;
   double* values = lower_.valuePtr();
   const auto& start = own_start_[v];
+  if (moves(v) == 1) {
+    const Vec3 n = normals_[v];
+    values[start[0]] += n.x * (block.xx * n.x + 2.0 * (block.xy * n.y + block.xz * n.z)) +
+                        n.y * (block.yy * n.y + 2.0 * block.yz * n.z) + n.z * block.zz * n.z;
+    return;
+  }
   values[start[0]] += block.xx;
   values[start[0] + 1] += block.xy;
   values[start[0] + 2] += block.xz;
@@ -209,7 +220,7 @@ void SmoothSystem::add_term(std::span<const PairIndex> pairs, const std::array<I
     const PairIndex pair = pairs[next++];
     if (!jacobian_.is_movable(corners[i]) || !jacobian_.is_movable(corners[j])) return;
     const auto [first, second] = corners[i] < corners[j] ? std::pair{i, j} : std::pair{j, i};
-    add_product(pairs_[pair], scale, gradient[second], gradient[first]);
+    add_product(corners[first], pairs_[pair], scale, gradient[second], gradient[first]);
   });
 }
 
@@ -243,16 +254,16 @@ void SmoothSystem::fill_jacobian() {
   for (Index v = 0; v < count_; ++v) {
     if (!jacobian_.is_movable(v)) continue;
     for (const AngleJacobian::Entry& entry : jacobian_.column(v)) {
-      const Vec3 g = jacobian_.gradient(entry.entry);
-      const double parts[3] = {-g.x, -g.y, -g.z};
-      for (std::size_t part = 0; part < 3; ++part) {
+      const auto own = along_moves(v, -1.0 * jacobian_.gradient(entry.entry));
+      const auto count = static_cast<std::size_t>(moves(v)),
+                 last = static_cast<std::size_t>(moves(entry.row));  // the multiplier's part
+      for (std::size_t part = 0; part < count; ++part) {
         if (entry.row == v) {
-          values[own_start_[v][part] + k_multiplier - part] = parts[part];
+          values[own_start_[v][part] + last - part] = own[part];
           continue;
         }
         const Pair& pair = pairs_[pair_of(v, entry.row)];
-        values[v < entry.row ? pair.start[part] + k_multiplier : pair.start[k_multiplier] + part] =
-            parts[part];
+        values[v < entry.row ? pair.start[part] + last : pair.start[last] + part] = own[part];
       }
     }
   }
@@ -274,23 +285,27 @@ bool SmoothSystem::factor(const SparseMatrix& square, double c, ThreadPool& pool
   return solver_->factor(lower_, pool);
 }
 
-Places SmoothSystem::solve(const Places& force, const Eigen::VectorXd& turn,
-                           ThreadPool& pool) const {
-  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(lower_.rows(), 1);
+Places SmoothSystem::solve(const Places& force, const Eigen::VectorXd& turn, ThreadPool& pool,
+                           double accuracy) {
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(lower_.rows());
   for (Index v = 0; v < count_; ++v) {
-    if (v < inner_) right(unknown(v, k_multiplier), 0) = turn[v];
+    if (v < inner_) right[multiplier(v)] = turn[v];
     if (!jacobian_.is_movable(v)) continue;
-    right(unknown(v, 0), 0) = force[v].x;
-    right(unknown(v, 1), 0) = force[v].y;
-    right(unknown(v, 2), 0) = force[v].z;
+    const std::array<double, 3> own = along_moves(v, force[v]);
+    for (int part = 0; part < moves(v); ++part)
+      right[unknown(v, part)] = own[static_cast<std::size_t>(part)];
   }
-  const Eigen::MatrixXd solution = solver_->solve(right, pool);
+  const Eigen::VectorXd solution = solver_->solve(lower_, right, pool, accuracy);
   Places step(count_);
   for (Index v = 0; v < count_; ++v) {
-    if (!jacobian_.is_movable(v)) continue;
-    step[v] = {solution(unknown(v, 0), 0), solution(unknown(v, 1), 0), solution(unknown(v, 2), 0)};
+    if (jacobian_.is_movable(v)) step[v] = move_of(v, solution);
   }
   return step;
+}
+
+Vec3 SmoothSystem::move_of(Index v, const Eigen::VectorXd& solution) const {
+  if (moves(v) == 1) return solution[unknown(v, 0)] * normals_[v];
+  return {solution[unknown(v, 0)], solution[unknown(v, 1)], solution[unknown(v, 2)]};
 }
 
 }  // namespace planish

@@ -13,7 +13,7 @@
 #include "evolve/places.h"
 #include "evolve/smooth/hinge_terms.h"
 #include "evolve/smooth/shape_guard.h"
-#include "solve/sparse_ldlt.h"
+#include "solve/mixed_ldlt.h"
 
 namespace planish {
 
@@ -22,26 +22,31 @@ struct Block {
   double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
 };
 
-/// The steps dx of all vertices that may move, in three directions each, and multipliers y of the
-/// inner ones:
+/// Which way inner vertices go: in all directions, or along their normals alone.
+enum class SmoothMoves { free, along_normals };
+
+/// The steps dx of all vertices that may move, and multipliers y of the inner ones:
 ///
 ///     [ H   J^T     ] [dx]   [force]
 ///     [ J  -c K K^T ] [ y] = [turn ]
 ///
 /// H a sum of blocks between the corners of hinges, J = d d / d x the Jacobian of the defects, K
 /// the matrix of StrainPotential. Quasi-definite, so factored without pivots, under a dissection of
-/// the mesh: four unknowns to an inner vertex, three to one of the border that moves.
+/// the mesh: four unknowns to an inner vertex, two where it moves along its normal alone; three to
+/// one of the border that moves.
 class SmoothSystem {
  public:
   /// @param square K K^T, both halves; its pattern stays
+  /// @param moves of inner vertices
   /// @param bends along the border, if that moves
   /// @param jacobian,hinges,guard must outlive it
   SmoothSystem(const AngleJacobian& jacobian, const PatchState& state, const HingeTerms& hinges,
-               const ShapeGuard& guard, const SparseMatrix& square,
+               const ShapeGuard& guard, const SparseMatrix& square, SmoothMoves moves,
                std::vector<BorderMotion::Bend> bends = {});
 
   /// Everything in H is zero.
-  void clear();
+  /// @param normals of inner vertices, of length 1; none where they move freely
+  void clear(const Places& normals = {});
   /// Adds s g g^T for the gradient of a hinge's angle, of an edge's length and of a corner's angle,
   /// by the number of the hinge, edge or corner.
   void add_hinge(std::size_t hinge, double scale, const std::array<Vec3, 4>& gradient);
@@ -58,7 +63,10 @@ class SmoothSystem {
   /// @return dx, zero of what may not move. @pre factor() was true
   /// @param force by column of the jacobian
   /// @param turn by inner vertex
-  Places solve(const Places& force, const Eigen::VectorXd& turn, ThreadPool& pool) const;
+  /// @param accuracy as of MixedLdlt
+  Places solve(const Places& force, const Eigen::VectorXd& turn, ThreadPool& pool,
+               double accuracy = k_step_accuracy);
+  static constexpr double k_step_accuracy = 1e-3;
 
  private:
   /// Two vertices that share entries of the matrix; the first has the lower number. Entries of one
@@ -72,17 +80,27 @@ class SmoothSystem {
   using PairIndex = std::uint32_t;
   static constexpr PairIndex k_none = ~PairIndex{0};
 
-  int parts(Index v) const { return v < inner_ ? 4 : 3; }
+  /// Unknowns of a vertex: so many are moves, and those of inner ones have a multiplier after them.
+  int moves(Index v) const { return v < inner_ ? inner_moves_ : 3; }
+  int parts(Index v) const { return moves(v) + (v < inner_ ? 1 : 0); }
   int unknown(Index v, int part) const {
     const auto n = static_cast<int>(inner_), number = static_cast<int>(v);
-    return number < n ? 4 * number + part : 4 * n + 3 * (number - n) + part;
+    const int of_inner = inner_moves_ + 1;
+    return number < n ? of_inner * number + part : of_inner * n + 3 * (number - n) + part;
   }
+  int multiplier(Index v) const { return unknown(v, moves(v)); }
+  /// A vector's parts in the directions of the moves of a vertex.
+  std::array<double, 3> along_moves(Index v, Vec3 a) const {
+    if (moves(v) == 1) return {dot(normals_[v], a)};
+    return {a.x, a.y, a.z};
+  }
+  Vec3 move_of(Index v, const Eigen::VectorXd& solution) const;
   void find_pairs(const HingeTerms& hinges, const ShapeGuard& guard, const SparseMatrix& square);
   void lay_out();
   void find_terms(const HingeTerms& hinges, const ShapeGuard& guard);
   PairIndex pair_of(Index v, Index w) const;
   std::vector<Index> elimination_order(const PatchState& state) const;
-  void add_product(const Pair& pair, double scale, Vec3 rows, Vec3 columns);
+  void add_product(Index first, const Pair& pair, double scale, Vec3 rows, Vec3 columns);
   void add_own(Index v, double scale, Vec3 gradient);
   template <std::size_t n>
   void add_term(std::span<const PairIndex> pairs, const std::array<Index, n>& corners, double scale,
@@ -95,13 +113,15 @@ class SmoothSystem {
   const ShapeGuard& guard_;
   std::vector<BorderMotion::Bend> bends_;
   Index inner_, count_;
+  int inner_moves_;                      // of an inner vertex: 3, or 1
+  Places normals_;                       // where it is 1
   std::vector<std::size_t> pair_start_;  // by first vertex
   std::vector<Pair> pairs_;
   std::vector<std::array<std::size_t, 4>> own_start_;  // of each vertex with itself, by column
   std::vector<PairIndex> hinge_pairs_, edge_pairs_, corner_pairs_, bend_pairs_;
   std::vector<std::size_t> square_places_;
   SparseMatrix lower_;
-  std::optional<SparseLdlt> solver_;
+  std::optional<MixedLdlt> solver_;
 };
 
 }  // namespace planish

@@ -63,9 +63,34 @@ struct Dense {
   }
 };
 
+/// Of unit length, one for each inner vertex.
+Places some_normals(const AngleJacobian& jacobian) {
+  Places normals;
+  for (Index v = 0; v < jacobian.row_count(); ++v) {
+    const Vec3 n = {0.3, 0.1 * static_cast<double>(v % 7) - 0.3, 1.0};
+    normals.push_back((1.0 / norm(n)) * n);
+  }
+  return normals;
+}
+
+/// From the coordinates of all vertices to the unknowns where inner vertices move along normals.
+MatrixXd onto_normals(const AngleJacobian& jacobian, const Places& normals, Eigen::Index size) {
+  const auto inner = static_cast<Eigen::Index>(normals.size());
+  MatrixXd onto = MatrixXd::Zero(size - 2 * inner, size);
+  for (Eigen::Index v = 0; v < inner; ++v) {
+    const Vec3 n = normals[static_cast<std::size_t>(v)];
+    onto.block(v, 3 * v, 1, 3) << n.x, n.y, n.z;
+  }
+  const Eigen::Index rest = size - 3 * inner;
+  onto.bottomRightCorner(rest, rest).setIdentity();
+  EXPECT_EQ(static_cast<std::size_t>(rest), 3 * jacobian.column_count() - 2 * normals.size());
+  return onto;
+}
+
 /// @param border_movable by vertex of the border
 void expect_solved_as_dense(const Constraints& constraints,
-                            std::span<const unsigned char> border_movable) {
+                            std::span<const unsigned char> border_movable,
+                            SmoothMoves moves = SmoothMoves::free) {
   const TriMesh mesh = make_shape("panel", 100);
   const Connectivity connectivity(mesh);
   ThreadPool pool(1);
@@ -75,8 +100,9 @@ void expect_solved_as_dense(const Constraints& constraints,
   const HingeTerms hinges(state);
   const ShapeGuard guard(state, 0.05);
   const StrainPotential potential(jacobian, state, pool, PatternBorder::free);
-  SmoothSystem system(jacobian, state, hinges, guard, potential.square());
-  system.clear();
+  SmoothSystem system(jacobian, state, hinges, guard, potential.square(), moves);
+  const Places normals = moves == SmoothMoves::along_normals ? some_normals(jacobian) : Places{};
+  system.clear(normals);
   for (std::size_t h = 0; h < hinges.size(); ++h)
     system.add_hinge(h, 1.5, hinges.slope(h).gradient);
   for (std::size_t e = 0; e < guard.edge_count(); ++e)
@@ -97,8 +123,11 @@ void expect_solved_as_dense(const Constraints& constraints,
   const VectorXd turn =
       VectorXd::LinSpaced(static_cast<Eigen::Index>(jacobian.row_count()), -0.1, 0.3);
   right.tail(turn.size()) = turn;
-  const Places step = system.solve(force, turn, pool);
-  const VectorXd expected = dense.matrix.fullPivLu().solve(right);
+  const Places step = system.solve(force, turn, pool, 1e-12);
+  const MatrixXd onto = normals.empty() ? MatrixXd::Identity(right.size(), right.size())
+                                        : onto_normals(jacobian, normals, right.size());
+  const MatrixXd matrix = onto * dense.matrix * onto.transpose();
+  const VectorXd expected = onto.transpose() * matrix.fullPivLu().solve(onto * right);
   for (Index v = 0; v < step.size(); ++v) {
     const auto at = 3 * static_cast<Eigen::Index>(v);
     EXPECT_NEAR(step[v].x, expected[at], 1e-9) << v;
@@ -119,6 +148,7 @@ TEST(SmoothSystem, HoldsWhatIsFixed) {
     if (!connectivity.is_border(v)) inner.push_back(v);
   }
   expect_solved_as_dense({.fixed = {inner[3], inner[20]}}, {});
+  expect_solved_as_dense({.fixed = {inner[3], inner[20]}}, {}, SmoothMoves::along_normals);
 }
 
 TEST(SmoothSystem, MovesTheBorderWhereItMay) {
@@ -129,6 +159,11 @@ TEST(SmoothSystem, MovesTheBorderWhereItMay) {
     if (connectivity.is_border(v)) movable.push_back(movable.size() % 3 != 0 ? 1 : 0);
   }
   expect_solved_as_dense({}, movable);
+  expect_solved_as_dense({}, movable, SmoothMoves::along_normals);
+}
+
+TEST(SmoothSystem, MovesInnerVerticesAlongTheirNormalsWhereAskedTo) {
+  expect_solved_as_dense({}, {}, SmoothMoves::along_normals);
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+
+#include "solve/mixed_ldlt.h"
+
+namespace planish {
+
+/// With more inner vertices a patch, or a level of one, is dense: the matrices of its steps are
+/// factored in float, and SmoothDescent moves vertices along their normals alone.
+inline constexpr std::size_t k_dense = 10'000;
+
+inline bool is_dense(std::size_t inner_vertices) {
+  return inner_vertices > k_dense;
+}
+
+inline Precision step_precision(std::size_t inner_vertices) {
+  return is_dense(inner_vertices) ? Precision::mixed : Precision::full;
+}
+
+}  // namespace planish

@@ -160,6 +160,7 @@ class AutoStepper {
       outcome.reason = *reason;
       return;
     }
+    descent_->release();
     polish_.emplace(state_, pool_, limits());
   }
 

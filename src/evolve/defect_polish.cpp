@@ -6,6 +6,7 @@
 
 #include <planish/evolve/controllable_laplacian.h>
 
+#include "evolve/dense.h"
 #include "evolve/shape_cost.h"
 #include "evolve/smallest_angle.h"
 #include "evolve/sweep.h"
@@ -56,7 +57,7 @@ DefectPolish::DefectPolish(PatchState& state, ThreadPool& pool, const DescentLim
       pool_(pool),
       triangles_(state.triangles()),
       limits_(limits),
-      least_(state, squeeze_of(state), k_max_step, pool) {
+      least_(state, squeeze_of(state), k_max_step, pool, step_precision(state.inner_count())) {
   limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
   const SparseMatrix graph = graph_laplacian(least_.jacobian());
   least_.dual().damp_by(graph * graph, 1.0 / relative_density(state));

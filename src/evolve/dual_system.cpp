@@ -57,13 +57,14 @@ double median(Eigen::VectorXd values) {
 
 }  // namespace
 
-DualSystem::DualSystem(const AngleJacobian& jacobian, const PatchState& state)
-    : DualSystem(jacobian, state, rows_that_meet(jacobian)) {}
+DualSystem::DualSystem(const AngleJacobian& jacobian, const PatchState& state, Precision precision)
+    : DualSystem(jacobian, state, rows_that_meet(jacobian), precision) {}
 
-DualSystem::DualSystem(const AngleJacobian& jacobian, const PatchState& state, const Graph& rows)
+DualSystem::DualSystem(const AngleJacobian& jacobian, const PatchState& state, const Graph& rows,
+                       Precision precision)
     : jacobian_(jacobian),
       lower_(lower_pattern(rows)),
-      solver_(lower_, nested_dissection(inner_places(state), rows)) {
+      solver_(lower_, nested_dissection(inner_places(state), rows), precision) {
   const int* row_list = lower_.innerIndexPtr();
   for (Index v = 0; v < jacobian.row_count(); ++v) {
     const auto entries = jacobian.column(v);

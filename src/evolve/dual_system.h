@@ -6,7 +6,7 @@
 #include "core/thread_pool.h"
 #include "evolve/angle_jacobian.h"
 #include "solve/graph.h"
-#include "solve/sparse_ldlt.h"
+#include "solve/mixed_ldlt.h"
 
 namespace planish {
 
@@ -17,7 +17,8 @@ namespace planish {
 class DualSystem {
  public:
   /// @param jacobian must outlive it
-  DualSystem(const AngleJacobian& jacobian, const PatchState& state);
+  DualSystem(const AngleJacobian& jacobian, const PatchState& state,
+             Precision precision = Precision::full);
 
   /// What D is to be from now on, in place of the identity times that median: a symmetric matrix,
   /// scaled so that the median of its diagonal is the same, and a share of the identity. Entries
@@ -30,18 +31,20 @@ class DualSystem {
   bool factor(std::span<const double> squeeze, double mu, ThreadPool& pool);
 
   /// @pre factor() was true
-  Eigen::VectorXd solve(const Eigen::VectorXd& right, ThreadPool& pool) const {
-    return solver_.solve(right, pool);
+  Eigen::VectorXd solve(const Eigen::VectorXd& right, ThreadPool& pool) {
+    constexpr double accuracy = 1e-3;  // where mixed
+    return solver_.solve(lower_, right, pool, accuracy);
   }
 
  private:
-  DualSystem(const AngleJacobian& jacobian, const PatchState& state, const Graph& rows);
+  DualSystem(const AngleJacobian& jacobian, const PatchState& state, const Graph& rows,
+             Precision precision);
 
   const AngleJacobian& jacobian_;
   SparseMatrix lower_;
   std::vector<double> damping_;  // D over the median, for the entries of lower_; none: identity
   std::vector<std::uint32_t> products_;  // for each pair of rows that a vertex is in: its place
-  SparseLdlt solver_;
+  MixedLdlt solver_;
 };
 
 }  // namespace planish

@@ -6,15 +6,15 @@
 namespace planish {
 
 LeastMove::LeastMove(PatchState& state, std::vector<double> squeeze, double max_step,
-                     ThreadPool& pool)
+                     ThreadPool& pool, Precision precision)
     : state_(state),
       pool_(pool),
       squeeze_(std::move(squeeze)),
       max_step_(max_step),
       jacobian_(state),
-      dual_(jacobian_, state) {}
+      dual_(jacobian_, state, precision) {}
 
-Places LeastMove::to_turn(const Eigen::VectorXd& turn) const {
+Places LeastMove::to_turn(const Eigen::VectorXd& turn) {
   Places move = jacobian_.transposed_times(dual_.solve(turn, pool_));
   for (std::size_t v = 0; v < move.size(); ++v)
     move[v] = squeeze_[v] * move[v];

@@ -15,7 +15,8 @@ class LeastMove {
   /// @param squeeze S by inner vertex: how willing each is to move
   /// @param max_step no vertex goes further in a step, in its shortest edges
   /// @param state must outlive it, as must the pool
-  LeastMove(PatchState& state, std::vector<double> squeeze, double max_step, ThreadPool& pool);
+  LeastMove(PatchState& state, std::vector<double> squeeze, double max_step, ThreadPool& pool,
+            Precision precision = Precision::full);
   LeastMove(const LeastMove&) = delete;
   LeastMove& operator=(const LeastMove&) = delete;
 
@@ -27,7 +28,7 @@ class LeastMove {
   /// @return false where the matrix cannot be factored
   bool factor(double mu) { return dual_.factor(squeeze_, mu, pool_); }
   /// @pre factor() was true
-  Places to_turn(const Eigen::VectorXd& turn) const;
+  Places to_turn(const Eigen::VectorXd& turn);
 
   /// A move and how its end bends: the first t of it are t first + t^2/2 second.
   struct Curve {

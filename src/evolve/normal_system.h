@@ -59,6 +59,9 @@ class NormalSystem {
                         double accuracy = k_step_accuracy);
   static constexpr double k_step_accuracy = 1e-3;
 
+  /// Frees the factor, until the next one is made.
+  void release() { solver_.release(); }
+
  private:
   const AngleJacobian& jacobian_;
   Steps steps_;

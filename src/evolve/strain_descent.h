@@ -75,6 +75,8 @@ class StrainDescent {
   Step step();
 
   void go_to(const Places& places);
+  /// Frees what only steps need, until the next one.
+  void release() { system_.release(); }
   /// From now to the next start sigma is such that strain comes to its limit and stays there, from
   /// above or below.
   /// @param sigma to begin with, as sigma() tells it

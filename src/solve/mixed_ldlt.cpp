@@ -97,6 +97,11 @@ std::optional<Eigen::VectorXd> MixedLdlt::refined(const SparseMatrix& lower,
   return x;
 }
 
+void MixedLdlt::release() {
+  if (narrow_) narrow_->release();
+  wide_.reset();
+}
+
 Eigen::VectorXd MixedLdlt::solve(const SparseMatrix& lower, const Eigen::VectorXd& right,
                                  ThreadPool& pool, double accuracy) {
   if (!is_double_) {

@@ -32,6 +32,9 @@ class MixedLdlt {
   Eigen::VectorXd solve(const SparseMatrix& lower, const Eigen::VectorXd& right, ThreadPool& pool,
                         double accuracy);
 
+  /// Frees the factor, until the next one is made.
+  void release();
+
   /// Whether the last matrix had to be factored in double.
   bool is_double() const { return is_double_; }
 

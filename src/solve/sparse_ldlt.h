@@ -51,6 +51,9 @@ class BasicLdlt {
     return static_cast<std::size_t>((pivots_.array() < T{}).count());
   }
 
+  /// Frees the factor, until the next one is made.
+  void release() { panels_ = {}; }
+
   /// Numbers that the factor takes.
   std::size_t factor_size() const { return panel_start_.back(); }
 

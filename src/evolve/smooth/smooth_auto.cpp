@@ -166,6 +166,7 @@ class SmoothStepper {
     if (descent_->strain().rms > k_hopeless_strain)
       return ended(outcome, descent_->at_deviation_limit() ? StopReason::deviation_limit
                                                            : StopReason::stalled);
+    descent_->release();
     polish_.emplace(state_, pool_, limits_on(state_, options_, least_angle_));
     return outcome;
   }

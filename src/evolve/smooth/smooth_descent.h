@@ -67,6 +67,8 @@ class SmoothDescent {
   bool at_deviation_limit() const { return at_deviation_limit_; }
   bool at_angle_limit() const { return at_angle_limit_; }
   void go_to(const Places& places);
+  /// Frees what only steps need, until the next one.
+  void release() { system_.release(); }
 
  private:
   struct Parts {

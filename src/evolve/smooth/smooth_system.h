@@ -68,6 +68,9 @@ class SmoothSystem {
                double accuracy = k_step_accuracy);
   static constexpr double k_step_accuracy = 1e-3;
 
+  /// Frees the factor, until the next one is made.
+  void release() { solver_->release(); }
+
  private:
   /// Two vertices that share entries of the matrix; the first has the lower number. Entries of one
   /// column follow one another among the values.

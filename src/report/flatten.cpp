@@ -1,16 +1,16 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <future>
 #include <limits>
 #include <memory>
 #include <span>
-#include <system_error>
 #include <utility>
 
 #include <planish/measure/ruling_defect.h>
 #include <planish/report/evolve_progress.h>
 #include <planish/report/flatten.h>
+
+#include "core/aside.h"
 
 namespace planish {
 
@@ -26,17 +26,18 @@ std::string_view to_string(FlattenStage stage) {
   return "unknown";
 }
 
-MeasuredPatch measure_patch(const TriMesh& mesh) {
+MeasuredPatch measure_patch(const TriMesh& mesh, unsigned threads) {
   MeasuredPatch patch;
   patch.inspection = inspect(mesh);
   require(patch.inspection, Purpose::measure);
+  Aside intersections(threads != 1, [&] { return find_self_intersections(mesh); });
   const Connectivity connectivity(mesh);
   patch.figures = measure(mesh, connectivity);
   patch.flattenable = is_flattenable(patch.figures, patch.inspection);
   patch.obstruction = find_obstruction(mesh, connectivity);
   patch.bending = measure_bending(mesh, connectivity);
   patch.ruling_defect = ruling_defect(mesh, connectivity);
-  patch.self_intersections = find_self_intersections(mesh);
+  patch.self_intersections = intersections.result();
   return patch;
 }
 
@@ -46,14 +47,16 @@ EvolveReport evolve_patch(const TriMesh& mesh, const Method& method, const Stopp
   EvolveReport report;
   report.method = method;
   report.stopping = stopping;
-  report.before = measure_patch(mesh);
+  report.before = measure_patch(mesh, threads);
   report.result = evolve(mesh, method, stopping, on_sweep, threads, constraints);
   TriMesh after{report.result.positions, mesh.triangles};
-  report.after = measure_patch(after);
   const Connectivity connectivity(mesh);
+  Aside fairness(threads != 1,
+                 [&] { return measure_fairness(mesh, connectivity, after.positions); });
+  report.after = measure_patch(after, threads);
   report.deviation = measure_deviation(mesh, after.positions, connectivity);
   report.border = measure_border_change(mesh, after.positions, connectivity);
-  report.fairness = measure_fairness(mesh, connectivity, after.positions);
+  report.fairness = fairness.result();
   return report;
 }
 
@@ -112,16 +115,6 @@ class UnfoldBar {
   double left_ = 1.0;
 };
 
-/// Starts a task on a thread of its own; nothing where the system has no thread to give.
-template <class Task>
-std::optional<std::future<MaybeUnfolded>> start(const Task& task) {
-  try {
-    return std::async(std::launch::async, task);
-  } catch (const std::system_error&) {
-    return std::nullopt;
-  }
-}
-
 /// Unfolds both meshes, at the same time where there are threads for it; only the second as asked,
 /// as matching the seams of what is far from flattenable takes long and tells little. Progress is
 /// told from the calling thread only.
@@ -141,7 +134,8 @@ std::optional<std::pair<UnfoldReport, UnfoldReport>> unfold_both(const TriMesh& 
     return unfold_patch(before, unit, [&](int, double) { return !cancelled; },
                         {.threads = how.threads});
   };
-  auto aside = at_once ? start(unfold_before) : std::nullopt;
+  std::future<MaybeUnfolded> aside;
+  if (at_once) aside = start_aside(unfold_before);
   MaybeUnfolded first, second;
   try {
     second = unfold_patch(after, unit, on_step, how);
@@ -149,10 +143,10 @@ std::optional<std::pair<UnfoldReport, UnfoldReport>> unfold_both(const TriMesh& 
     cancelled = true;  // the other one need not go on
     throw;
   }
-  if (aside) {
-    while (aside->wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
+  if (aside.valid()) {
+    while (aside.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
       tell(bar.share());
-    first = aside->get();
+    first = aside.get();
   } else if (second) {
     first = unfold_patch(before, unit, on_step, {.threads = how.threads});
   }
@@ -395,7 +389,7 @@ class Flattening {
   void measure_again(const TriMesh& mesh) {
     const TriMesh& work = work_mesh(mesh);
     const TriMesh now{report_.evolve.result.positions, work.triangles};
-    report_.evolve.after = measure_patch(now);
+    report_.evolve.after = measure_patch(now, options_.threads);
     if (report_.evolve.remeshed_from) {
       report_.evolve.deviation = measure_surface_deviation(mesh, now);
       report_.evolve.fairness = measure_fairness(mesh, now);

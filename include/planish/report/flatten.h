@@ -33,8 +33,9 @@ struct MeasuredPatch {
 };
 
 /// Inspects and measures.
+/// @param threads 1: on the calling one alone; the result is the same
 /// @throws Error what stands in the way of Purpose::measure
-MeasuredPatch measure_patch(const TriMesh& mesh);
+MeasuredPatch measure_patch(const TriMesh& mesh, unsigned threads = 0);
 
 /// The size of a patch that was worked on with fewer vertices.
 struct SizeBefore {

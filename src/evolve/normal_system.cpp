@@ -94,23 +94,28 @@ NormalSystem::NormalSystem(const AngleJacobian& jacobian, const PatchState& stat
       lower_(pattern_of(jacobian, cost, square, steps_)),
       solver_(lower_, elimination_order(state, cost, square, steps_),
               step_precision(state.inner_count())) {
+  const auto place = [this](int row, int column) {
+    return static_cast<std::uint32_t>(place_of(lower_, row, column));
+  };
   for_cost(cost, steps_, [&](int a, int b, double) {
-    cost_places_.push_back(place_of(lower_, steps_.unknown(a), steps_.unknown(b)));
+    cost_places_.push_back(place(steps_.unknown(a), steps_.unknown(b)));
   });
   for_lower(square, [&](int v, int w, double) {
-    square_places_.push_back(place_of(lower_, Steps::multiplier_of(v), Steps::multiplier_of(w)));
+    square_places_.push_back(place(Steps::multiplier_of(v), Steps::multiplier_of(w)));
   });
   for_gradients(jacobian, steps_, [&](int step, const AngleJacobian::Entry& entry) {
     gradient_places_.push_back(
-        place_of(lower_, steps_.unknown(step), Steps::multiplier_of(static_cast<int>(entry.row))));
+        place(steps_.unknown(step), Steps::multiplier_of(static_cast<int>(entry.row))));
   });
+  for (auto* places : {&cost_places_, &square_places_, &gradient_places_})
+    places->shrink_to_fit();
 }
 
 bool NormalSystem::factor(std::span<const Vec3> directions, const SparseMatrix& cost,
                           const SparseMatrix& square, double unit, double stiffness, double sigma,
                           ThreadPool& pool) {
   double* values = lower_.valuePtr();
-  const std::size_t* place = cost_places_.data();
+  const std::uint32_t* place = cost_places_.data();
   for_cost(cost, steps_, [&](int a, int b, double value) {
     const double along = a == b ? 1.0 : dot(directions[a], directions[b]);
     values[*place++] = stiffness * along * value;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
+#include <new>
 #include <numeric>
 #include <utility>
 
@@ -83,6 +85,11 @@ BasicLdlt<T>::BasicLdlt(const SparseMatrix& lower, std::span<const Index> order)
   pivots_.resize(lower.cols());
 
   link_fronts();
+  for (std::size_t s = 0; s < tree_.count(); ++s) {
+    // Of a front with more numbers the places would not fit; nor would it into any memory.
+    if (shape_of(s).panel_size() > std::numeric_limits<std::uint32_t>::max())
+      throw std::bad_alloc();
+  }
   const std::vector<Index> node = nodes_of(tree_);
   const auto for_entries = [&](const auto& visit) {
     std::size_t value = 0;
@@ -102,7 +109,10 @@ BasicLdlt<T>::BasicLdlt(const SparseMatrix& lower, std::span<const Index> order)
   std::vector<std::size_t> next(entry_start_.begin(), entry_start_.end() - 1);
   for_entries([&](Index row, Index column, std::size_t value) {
     const Index s = node[column];
-    entries_[next[s]++] = {place_in_front(s, row), column - tree_.first[s], value};
+    const std::size_t stride = shape_of(s).stride();
+    entries_[next[s]++] = {
+        static_cast<std::uint32_t>((column - tree_.first[s]) * stride + place_in_front(s, row)),
+        static_cast<std::uint32_t>(value)};
   });
 }
 
@@ -146,11 +156,8 @@ FrontShape<T> BasicLdlt<T>::shape_of(std::size_t node) const {
 
 template <class T>
 void BasicLdlt<T>::assemble(const T* values, std::size_t node, T* panel) const {
-  const std::size_t stride = shape_of(node).stride();
-  for (std::size_t e = entry_start_[node]; e < entry_start_[node + 1]; ++e) {
-    const Entry& entry = entries_[e];
-    panel[entry.column * stride + entry.row] += values[entry.value];
-  }
+  for (std::size_t e = entry_start_[node]; e < entry_start_[node + 1]; ++e)
+    panel[entries_[e].place] += values[entries_[e].value];
 }
 
 template <class T>

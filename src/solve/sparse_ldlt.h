@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -86,8 +87,8 @@ class BasicLdlt {
   std::vector<std::size_t> panel_start_;  // of each supernode among panels_
   // Where the entries of the matrix go, supernode by supernode.
   struct Entry {
-    Index row, column;  // in the front
-    std::size_t value;  // in the matrix
+    std::uint32_t place;  // among the front's columns to factor
+    std::uint32_t value;  // in the matrix
   };
   std::vector<Entry> entries_;
   std::vector<std::size_t> entry_start_;

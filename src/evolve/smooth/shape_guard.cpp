@@ -26,7 +26,10 @@ double corner_angle(Vec3 at, Vec3 b, Vec3 c) {
 
 ShapeGuard::ShapeGuard(const PatchState& state, double least_angle) : state_(state) {
   CarefulSum total;
-  for (const Triangle& t : state.triangles()) {
+  const std::vector<Triangle> triangles = state.triangles();
+  corners_.reserve(3 * triangles.size());
+  edges_.reserve(3 * triangles.size());
+  for (const Triangle& t : triangles) {
     const Vec3 a = state.origin(t[0]), b = state.origin(t[1]), c = state.origin(t[2]);
     const double area = 0.5 * norm(cross(b - a, c - a));
     total.add(area);

@@ -38,10 +38,11 @@ SmoothSystem::SmoothSystem(const AngleJacobian& jacobian, const PatchState& stat
   for (int v = 0; v < square.outerSize(); ++v) {
     for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry) {
       if (entry.row() < v) continue;
-      square_places_.push_back(place_of(lower_, multiplier(static_cast<Index>(entry.row())),
-                                        multiplier(static_cast<Index>(v))));
+      square_places_.push_back(static_cast<std::uint32_t>(place_of(
+          lower_, multiplier(static_cast<Index>(entry.row())), multiplier(static_cast<Index>(v)))));
     }
   }
+  square_places_.shrink_to_fit();
   solver_.emplace(lower_, elimination_order(state), step_precision(inner_));
 }
 
@@ -86,6 +87,7 @@ void SmoothSystem::find_pairs(const HingeTerms& hinges, const ShapeGuard& guard,
     }
     pairs_.back().full = pairs_.back().full || found[k].full;
   }
+  pairs_.shrink_to_fit();
   for (Index v = 0; v < count_; ++v)
     pair_start_[v + 1] += pair_start_[v];
 }
@@ -96,13 +98,13 @@ void SmoothSystem::lay_out() {
   own_start_.resize(count_);
   for (Index v = 0; v < count_; ++v) {
     for (int part = 0; part < parts(v); ++part) {
-      own_start_[v][static_cast<std::size_t>(part)] = rows.size();
+      own_start_[v][static_cast<std::size_t>(part)] = static_cast<std::uint32_t>(rows.size());
       for (int row = part; row < parts(v); ++row)
         rows.push_back(unknown(v, row));
       for (std::size_t p = pair_start_[v]; p < pair_start_[v + 1]; ++p) {
         Pair& pair = pairs_[p];
         if (!pair.full && part != moves(v)) continue;
-        pair.start[static_cast<std::size_t>(part)] = rows.size();
+        pair.start[static_cast<std::size_t>(part)] = static_cast<std::uint32_t>(rows.size());
         for (int row = pair.full ? 0 : moves(pair.second); row < parts(pair.second); ++row)
           rows.push_back(unknown(pair.second, row));
       }
@@ -131,6 +133,9 @@ void SmoothSystem::find_terms(const HingeTerms& hinges, const ShapeGuard& guard)
       pairs.push_back(pair_of(corners[i], corners[j]));
     });
   };
+  hinge_pairs_.reserve(6 * hinges.size());
+  edge_pairs_.reserve(guard.edge_count());
+  corner_pairs_.reserve(3 * guard.corner_count());
   for (std::size_t h = 0; h < hinges.size(); ++h)
     add(hinge_pairs_, hinges.corners(h));
   for (std::size_t e = 0; e < guard.edge_count(); ++e)
@@ -271,7 +276,7 @@ void SmoothSystem::fill_jacobian() {
 
 void SmoothSystem::fill_square(const SparseMatrix& square, double c) {
   double* values = lower_.valuePtr();
-  const std::size_t* place = square_places_.data();
+  const std::uint32_t* place = square_places_.data();
   for (int v = 0; v < square.outerSize(); ++v) {
     for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry) {
       if (entry.row() >= v) values[*place++] = -c * entry.value();

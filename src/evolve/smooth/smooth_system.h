@@ -77,7 +77,7 @@ class SmoothSystem {
   struct Pair {
     Index second = 0;
     bool full = false;  // or only between multipliers
-    std::array<std::size_t, 4> start = {};
+    std::array<std::uint32_t, 4> start = {};
   };
   /// Which pairs a term touches: those of its corners i < j in lexical order, diagonal included.
   using PairIndex = std::uint32_t;
@@ -120,9 +120,9 @@ class SmoothSystem {
   Places normals_;                       // where it is 1
   std::vector<std::size_t> pair_start_;  // by first vertex
   std::vector<Pair> pairs_;
-  std::vector<std::array<std::size_t, 4>> own_start_;  // of each vertex with itself, by column
+  std::vector<std::array<std::uint32_t, 4>> own_start_;  // of each vertex with itself, by column
   std::vector<PairIndex> hinge_pairs_, edge_pairs_, corner_pairs_, bend_pairs_;
-  std::vector<std::size_t> square_places_;
+  std::vector<std::uint32_t> square_places_;
   SparseMatrix lower_;
   std::optional<MixedLdlt> solver_;
 };

@@ -1,14 +1,16 @@
 #include "solve/mixed_ldlt.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace planish {
 
 namespace {
 
-// Of the right side: what a first solution may leave, or float does not do.
+// Of the right side: what the last solution may leave, or float does not do.
 constexpr double k_far_off = 0.1;
-constexpr int k_most_refinements = 8;
+constexpr std::size_t k_most_solves = 12;
 
 /// The power of two nearest to one over the root; 1 for 0.
 double root_scale(double diagonal) {
@@ -54,6 +56,72 @@ Eigen::VectorXd product(const SparseMatrix& lower, const Eigen::VectorXd& x) {
   return result;
 }
 
+/// The combination of directions z_k whose images A z_k come nearest to a right side: GMRES with a
+/// preconditioner that need not be linear (Saad 1993).
+class KrylovSolution {
+ public:
+  explicit KrylovSolution(const Eigen::VectorXd& right) : size_(right.norm()), rest_(1, size_) {
+    basis_.push_back(size_ > 0.0 ? Eigen::VectorXd(right / size_) : right);
+  }
+
+  /// What is left of the right side, as a share of it.
+  double residual() const { return size_ > 0.0 ? std::abs(rest_.back()) / size_ : 0.0; }
+  std::size_t size() const { return directions_.size(); }
+  /// The vector that the next direction is to be made from.
+  const Eigen::VectorXd& next() const { return basis_.back(); }
+
+  /// False where the direction is no number, or brings nothing new.
+  bool add(Eigen::VectorXd direction, Eigen::VectorXd image) {
+    std::vector<double> column;
+    for (const Eigen::VectorXd& v : basis_) {
+      column.push_back(v.dot(image));
+      image -= column.back() * v;
+    }
+    const double length = image.norm();
+    if (!std::isfinite(length)) return false;
+    for (std::size_t k = 0; k < turns_.size(); ++k)
+      turns_[k].turn(column[k], column[k + 1]);
+    const double corner = std::sqrt(column.back() * column.back() + length * length);
+    if (!(corner > 0.0)) return false;
+    turns_.push_back({column.back() / corner, length / corner});
+    column.back() = corner;
+    columns_.push_back(std::move(column));
+    rest_.push_back(0.0);
+    turns_.back().turn(rest_[rest_.size() - 2], rest_.back());
+    directions_.push_back(std::move(direction));
+    basis_.push_back(length > 0.0 ? Eigen::VectorXd(image / length) : image);
+    return length > 0.0;
+  }
+
+  Eigen::VectorXd solution() const {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(basis_.front().size());
+    std::vector<double> factors(rest_.begin(), rest_.end());
+    for (std::size_t k = directions_.size(); k-- > 0;) {
+      factors[k] /= columns_[k][k];
+      for (std::size_t i = 0; i < k; ++i)
+        factors[i] -= columns_[k][i] * factors[k];
+      x += factors[k] * directions_[k];
+    }
+    return x;
+  }
+
+ private:
+  struct Turn {
+    double cosine, sine;
+    void turn(double& a, double& b) const {
+      const double before = a;
+      a = cosine * before + sine * b;
+      b = cosine * b - sine * before;
+    }
+  };
+
+  double size_;
+  std::vector<double> rest_;  // of the right side, in the turned basis; the last is the residual
+  std::vector<Eigen::VectorXd> basis_, directions_;
+  std::vector<std::vector<double>> columns_;  // of the triangular matrix
+  std::vector<Turn> turns_;
+};
+
 }  // namespace
 
 MixedLdlt::MixedLdlt(const SparseMatrix& lower, std::span<const Index> order, Precision precision)
@@ -78,23 +146,14 @@ bool MixedLdlt::factor_in_double(const SparseMatrix& lower, ThreadPool& pool) {
 std::optional<Eigen::VectorXd> MixedLdlt::refined(const SparseMatrix& lower,
                                                   const Eigen::VectorXd& right, ThreadPool& pool,
                                                   double accuracy) const {
-  const Eigen::VectorXd target = scale_.cwiseProduct(right);
-  const double size = target.norm();
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(right.size()), residual = target;
-  double left = size;
-  for (int solves = 0; solves <= k_most_refinements && left > accuracy * size; ++solves) {
-    const Eigen::VectorXd next = x + scale_.cwiseProduct(narrow_->solve(residual, pool).col(0));
-    Eigen::VectorXd after = scale_.cwiseProduct(right - product(lower, next));
-    const double now = after.norm();
-    if (!(now <= (solves == 0 ? k_far_off * size : left))) {
-      if (solves == 0) return std::nullopt;
-      break;
-    }
-    x = next;
-    residual = std::move(after);
-    left = now;
+  KrylovSolution krylov(scale_.cwiseProduct(right));
+  while (krylov.residual() > accuracy && krylov.size() < k_most_solves) {
+    Eigen::VectorXd direction = narrow_->solve(krylov.next(), pool).col(0);
+    Eigen::VectorXd image = scale_.cwiseProduct(product(lower, scale_.cwiseProduct(direction)));
+    if (!krylov.add(std::move(direction), std::move(image))) break;
   }
-  return x;
+  if (!(krylov.residual() <= std::max(accuracy, k_far_off))) return std::nullopt;
+  return scale_.cwiseProduct(krylov.solution());
 }
 
 void MixedLdlt::release() {

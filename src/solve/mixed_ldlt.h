@@ -13,10 +13,9 @@ enum class Precision { full, mixed };
 
 /// Solves as SparseLdlt does; where mixed, in half of its memory and, where fronts are large, in
 /// half of its time: factors in float the matrix whose rows and columns are divided by the roots of
-/// its diagonal, and refines what that solves with residuals in double (Wilkinson 1963; Higham
-/// 2002, chapter 12). If float cannot factor a matrix, or its first solution is far off, that
-/// matrix is factored in double. Which of the two it is follows from the matrix and the right side
-/// alone.
+/// its diagonal, which is then the preconditioner of GMRES in double (Carson and Higham 2017). If
+/// float cannot factor a matrix, or a dozen solutions with its factor leave much, that matrix is
+/// factored in double. Which of the two it is follows from the matrix and the right side alone.
 class MixedLdlt {
  public:
   /// @param lower,order as of SparseLdlt

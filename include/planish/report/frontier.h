@@ -46,7 +46,7 @@ struct FrontierReport {
 };
 
 struct FrontierOptions {
-  std::optional<int> points = {};    ///< of the curve, 2 at least, in place of the usual stops
+  std::optional<int> points = {};    ///< on the curve, at least 2; default: the usual stops
   std::optional<double> limit = {};  ///< of largest strain, above 0: the curve has a point for it
   std::vector<CompareRun> others = {};  ///< to compare with
   Unit unit = Unit::mm;

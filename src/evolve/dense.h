@@ -7,8 +7,10 @@
 namespace planish {
 
 /// With more inner vertices a patch, or a level of one, is dense: the matrices of its steps are
-/// factored in float, and SmoothDescent moves vertices along their normals alone.
+/// factored in float, and SmoothDescent moves vertices only along their normals.
 inline constexpr std::size_t k_dense = 10'000;
+/// Of the solutions for steps on dense patches; see MixedLdlt.
+inline constexpr double k_step_accuracy = 1e-3;
 
 inline bool is_dense(std::size_t inner_vertices) {
   return inner_vertices > k_dense;

@@ -5,6 +5,7 @@
 
 #include "core/thread_pool.h"
 #include "evolve/angle_jacobian.h"
+#include "evolve/dense.h"
 #include "solve/graph.h"
 #include "solve/mixed_ldlt.h"
 
@@ -32,8 +33,7 @@ class DualSystem {
 
   /// @pre factor() was true
   Eigen::VectorXd solve(const Eigen::VectorXd& right, ThreadPool& pool) {
-    constexpr double accuracy = 1e-3;  // where mixed
-    return solver_.solve(lower_, right, pool, accuracy);
+    return solver_.solve(lower_, right, pool, k_step_accuracy);
   }
 
  private:

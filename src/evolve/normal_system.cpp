@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "evolve/dense.h"
 #include "evolve/places.h"
 #include "solve/dissection.h"
 #include "solve/sparse_pattern.h"

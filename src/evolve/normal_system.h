@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "evolve/angle_jacobian.h"
+#include "evolve/dense.h"
 #include "solve/mixed_ldlt.h"
 
 namespace planish {
@@ -58,7 +59,6 @@ class NormalSystem {
   /// @param accuracy as of MixedLdlt
   Eigen::VectorXd solve(const Eigen::VectorXd& force, const Eigen::VectorXd& turn, ThreadPool& pool,
                         double accuracy = k_step_accuracy);
-  static constexpr double k_step_accuracy = 1e-3;
 
   /// Frees the factor, until the next one is made.
   void release() { solver_.release(); }

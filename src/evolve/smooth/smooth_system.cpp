@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "evolve/dense.h"
 #include "solve/dissection.h"
 #include "solve/sparse_pattern.h"
 

@@ -10,6 +10,7 @@
 #include "core/thread_pool.h"
 #include "evolve/angle_jacobian.h"
 #include "evolve/border_motion.h"
+#include "evolve/dense.h"
 #include "evolve/places.h"
 #include "evolve/smooth/hinge_terms.h"
 #include "evolve/smooth/shape_guard.h"
@@ -22,7 +23,7 @@ struct Block {
   double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
 };
 
-/// Which way inner vertices go: in all directions, or along their normals alone.
+/// Which way inner vertices go: in all directions, or only along their normals.
 enum class SmoothMoves { free, along_normals };
 
 /// The steps dx of all vertices that may move, and multipliers y of the inner ones:
@@ -32,7 +33,7 @@ enum class SmoothMoves { free, along_normals };
 ///
 /// H a sum of blocks between the corners of hinges, J = d d / d x the Jacobian of the defects, K
 /// the matrix of StrainPotential. Quasi-definite, so factored without pivots, under a dissection of
-/// the mesh: four unknowns to an inner vertex, two where it moves along its normal alone; three to
+/// the mesh: four unknowns to an inner vertex, two where it moves only along its normal; three to
 /// one of the border that moves.
 class SmoothSystem {
  public:
@@ -66,7 +67,6 @@ class SmoothSystem {
   /// @param accuracy as of MixedLdlt
   Places solve(const Places& force, const Eigen::VectorXd& turn, ThreadPool& pool,
                double accuracy = k_step_accuracy);
-  static constexpr double k_step_accuracy = 1e-3;
 
   /// Frees the factor, until the next one is made.
   void release() { solver_->release(); }

@@ -56,11 +56,12 @@ Eigen::VectorXd product(const SparseMatrix& lower, const Eigen::VectorXd& x) {
   return result;
 }
 
-/// The combination of directions z_k whose images A z_k come nearest to a right side: GMRES with a
-/// preconditioner that need not be linear (Saad 1993).
-class KrylovSolution {
+/// Flexible GMRES (Saad 1993): of all combinations of the directions z_k that were added the one
+/// whose image under A is nearest to the right side. The QR factors of the Hessenberg matrix are
+/// kept up to date by Givens rotations.
+class FlexibleGmres {
  public:
-  explicit KrylovSolution(const Eigen::VectorXd& right) : size_(right.norm()), rest_(1, size_) {
+  explicit FlexibleGmres(const Eigen::VectorXd& right) : size_(right.norm()), rest_(1, size_) {
     basis_.push_back(size_ > 0.0 ? Eigen::VectorXd(right / size_) : right);
   }
 
@@ -79,15 +80,15 @@ class KrylovSolution {
     }
     const double length = image.norm();
     if (!std::isfinite(length)) return false;
-    for (std::size_t k = 0; k < turns_.size(); ++k)
-      turns_[k].turn(column[k], column[k + 1]);
+    for (std::size_t k = 0; k < rotations_.size(); ++k)
+      rotations_[k].apply(column[k], column[k + 1]);
     const double corner = std::sqrt(column.back() * column.back() + length * length);
     if (!(corner > 0.0)) return false;
-    turns_.push_back({column.back() / corner, length / corner});
+    rotations_.push_back({column.back() / corner, length / corner});
     column.back() = corner;
     columns_.push_back(std::move(column));
     rest_.push_back(0.0);
-    turns_.back().turn(rest_[rest_.size() - 2], rest_.back());
+    rotations_.back().apply(rest_[rest_.size() - 2], rest_.back());
     directions_.push_back(std::move(direction));
     basis_.push_back(length > 0.0 ? Eigen::VectorXd(image / length) : image);
     return length > 0.0;
@@ -106,9 +107,9 @@ class KrylovSolution {
   }
 
  private:
-  struct Turn {
+  struct GivensRotation {
     double cosine, sine;
-    void turn(double& a, double& b) const {
+    void apply(double& a, double& b) const {
       const double before = a;
       a = cosine * before + sine * b;
       b = cosine * b - sine * before;
@@ -116,10 +117,10 @@ class KrylovSolution {
   };
 
   double size_;
-  std::vector<double> rest_;  // of the right side, in the turned basis; the last is the residual
+  std::vector<double> rest_;  // the right side, rotated; the last is the residual
   std::vector<Eigen::VectorXd> basis_, directions_;
-  std::vector<std::vector<double>> columns_;  // of the triangular matrix
-  std::vector<Turn> turns_;
+  std::vector<std::vector<double>> columns_;  // of R
+  std::vector<GivensRotation> rotations_;
 };
 
 }  // namespace
@@ -146,14 +147,14 @@ bool MixedLdlt::factor_in_double(const SparseMatrix& lower, ThreadPool& pool) {
 std::optional<Eigen::VectorXd> MixedLdlt::refined(const SparseMatrix& lower,
                                                   const Eigen::VectorXd& right, ThreadPool& pool,
                                                   double accuracy) const {
-  KrylovSolution krylov(scale_.cwiseProduct(right));
-  while (krylov.residual() > accuracy && krylov.size() < k_most_solves) {
-    Eigen::VectorXd direction = narrow_->solve(krylov.next(), pool).col(0);
+  FlexibleGmres gmres(scale_.cwiseProduct(right));
+  while (gmres.residual() > accuracy && gmres.size() < k_most_solves) {
+    Eigen::VectorXd direction = narrow_->solve(gmres.next(), pool).col(0);
     Eigen::VectorXd image = scale_.cwiseProduct(product(lower, scale_.cwiseProduct(direction)));
-    if (!krylov.add(std::move(direction), std::move(image))) break;
+    if (!gmres.add(std::move(direction), std::move(image))) break;
   }
-  if (!(krylov.residual() <= std::max(accuracy, k_far_off))) return std::nullopt;
-  return scale_.cwiseProduct(krylov.solution());
+  if (!(gmres.residual() <= std::max(accuracy, k_far_off))) return std::nullopt;
+  return scale_.cwiseProduct(gmres.solution());
 }
 
 void MixedLdlt::release() {

@@ -10,14 +10,14 @@ template <class T>
 struct RegisterOf;
 template <>
 struct RegisterOf<double> {
-  using type = Real;
+  using Type = Real;
 };
 template <>
 struct RegisterOf<float> {
-  using type = float __attribute__((vector_size(8 * PLANISH_LANES)));
+  using Type = float __attribute__((vector_size(8 * PLANISH_LANES)));
 };
 template <class T>
-using Register = typename RegisterOf<T>::type;
+using Register = typename RegisterOf<T>::Type;
 
 // A tile is a strip high and as wide as eight registers hold.
 template <class T>

@@ -7,8 +7,11 @@
 namespace planish {
 
 /// With more inner vertices a patch, or a level of one, is dense: the matrices of its steps are
-/// factored in float, and SmoothDescent moves vertices only along their normals.
+/// factored in float.
 inline constexpr std::size_t k_dense = 10'000;
+/// With more inner vertices in the patch, SmoothDescent moves those of its dense levels only along
+/// their normals. Smaller patches can afford all directions, and end nearer.
+inline constexpr std::size_t k_normals_only = 20'000;
 /// Of the solutions for steps on dense patches; see MixedLdlt.
 inline constexpr double k_step_accuracy = 1e-3;
 

@@ -181,8 +181,9 @@ class SmoothStepper {
 
   void open_level() {
     coarse_ = level_ > 0 ? levels_.make_state(level_, pool_) : nullptr;
-    const SmoothMoves moves =
-        is_dense(level_state().inner_count()) ? SmoothMoves::along_normals : SmoothMoves::free;
+    const bool normals_only =
+        state_.inner_count() > k_normals_only && is_dense(level_state().inner_count());
+    const SmoothMoves moves = normals_only ? SmoothMoves::along_normals : SmoothMoves::free;
     descent_ =
         std::make_unique<SmoothDescent>(level_state(), pool_, design_bending_of(level_state()),
                                         limits_on(level_state(), options_, least_angle_), moves);

@@ -2,21 +2,11 @@
 
 #include <algorithm>
 
-#include "commands/commands.h"
-
 namespace planish::cli {
 
 std::string Arguments::value_or(std::string_view flag, const std::string& other) const {
   const auto found = flags.find(flag);
   return found == flags.end() ? other : found->second;
-}
-
-const std::vector<Command>& commands() {
-  static const std::vector<Command> all = {
-      flatten_command(),      measure_command(), evolve_command(),
-      unfold_command(),       compare_command(), frontier_command(),
-      suggest_cuts_command(), convert_command(), sample_command()};
-  return all;
 }
 
 const FlagGroup& global_flags() {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "run.h"
+#include "run_context.h"
 
 namespace planish::cli {
 
@@ -57,9 +57,6 @@ struct Command {
   std::vector<std::string> examples;
   Outcome (*run)(const Arguments&, Session&);
 };
-
-/// All verbs, in the order of the help.
-const std::vector<Command>& commands();
 
 /// The flags that every verb takes, before or behind it.
 const FlagGroup& global_flags();

@@ -1,5 +1,6 @@
 #include "help.h"
 
+#include "commands/commands.h"
 #include "text.h"
 
 namespace planish::cli {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "run.h"
+#include "run_context.h"
 
 // What the system around the program has to be asked for. One source for each system: host_*.cpp.
 

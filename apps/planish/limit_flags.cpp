@@ -7,7 +7,7 @@
 #include "failures.h"
 #include "material_flag.h"
 #include "quantities.h"
-#include "run.h"
+#include "run_context.h"
 
 namespace planish::cli {
 

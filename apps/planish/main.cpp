@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "host.h"
+#include "run.h"
 
 namespace {
 

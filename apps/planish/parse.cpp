@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "commands/commands.h"
 #include "failures.h"
 #include "nearest.h"
 #include "values.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "evolve/sweep.h"
+#include "evolve/interval.h"
 
 namespace planish {
 

@@ -6,6 +6,7 @@
 
 #include <planish/evolve/method.h>
 
+#include "evolve/interval.h"
 #include "evolve/laplacian.h"
 #include "evolve/sweep.h"
 

@@ -47,11 +47,4 @@ class Fairing {
 /// sum at the vertex and minus each at its neighbour.
 std::vector<std::vector<double>> rows_of_laplacian(const PatchState& state, LaplacianWeights kind);
 
-/// The cotangent weights of the edges from p to its closed ring, in the ring's order.
-std::vector<double> cotangent_weights(Vec3 p, std::span<const Vec3> ring);
-
-/// The mixed area of p in its closed ring (Meyer and others 2003): the part of its triangles that
-/// is nearest to it, with obtuse triangles cut by halves.
-double mixed_area(Vec3 p, std::span<const Vec3> ring);
-
 }  // namespace planish

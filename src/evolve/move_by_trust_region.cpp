@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "evolve/interval.h"
 #include "evolve/line_energy.h"
 #include "evolve/sweep.h"
 #include "evolve/trust_region.h"

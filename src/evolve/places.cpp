@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "evolve/vertex_normal.h"
+
 namespace planish {
 
 Places sum_of(Places a, double s, const Places& b) {
@@ -66,6 +68,12 @@ Places within_distance(Places places, const Places& origin, std::size_t inner_co
     if (far > distance) places[v] = origin[v] + (distance / far) * away;
   }
   return places;
+}
+
+Vec3 normal_at(Index v, const AngleJacobian& jacobian, const PatchState& state) {
+  const auto ring = jacobian.ring(v);
+  return vertex_normal(state.position(v), ring.size(),
+                       [&](std::size_t j) { return state.position(ring[j]); });
 }
 
 EdgeLengths edges_at(Index v, const AngleJacobian& jacobian, const PatchState& state) {

@@ -43,6 +43,10 @@ std::size_t move_to(const Places& places, const AngleJacobian& jacobian, PatchSt
 Places within_distance(Places places, const Places& origin, std::size_t inner_count,
                        double distance);
 
+/// The unit normal of an inner vertex, its triangles weighing as their areas; zero where they
+/// cancel.
+Vec3 normal_at(Index v, const AngleJacobian& jacobian, const PatchState& state);
+
 /// Mean and shortest length of the edges at a vertex.
 struct EdgeLengths {
   double mean = 0.0, shortest = 0.0;

@@ -6,7 +6,6 @@
 
 #include "core/careful_sum.h"
 #include "evolve/smallest_angle.h"
-#include "evolve/vertex_normal.h"
 
 namespace planish {
 
@@ -146,7 +145,7 @@ std::vector<Vec3> StrainDescent::directions() const {
   for (Index v = 0; v < border_.vertex_count(); ++v) {
     const bool inner = state_.is_inner(v);
     for (int k = 0; k < (inner ? 1 : border_.direction_count()); ++k)
-      directions.push_back(inner ? vertex_normal(v, jacobian_, state_) : border_.direction(v, k));
+      directions.push_back(inner ? normal_at(v, jacobian_, state_) : border_.direction(v, k));
   }
   return directions;
 }

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/careful_sum.h"
-#include "evolve/fairing.h"
+#include "evolve/cotangents.h"
 #include "evolve/places.h"
 #include "solve/dissection.h"
 #include "solve/sparse_pattern.h"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "evolve/places.h"
 #include "evolve/triangle_shape.h"
-#include "evolve/vertex_normal.h"
 
 namespace planish {
 
@@ -43,7 +43,7 @@ std::size_t TangentialRelaxation::relax() {
     Vec3 slide;
     for (const Index w : ring)
       slide += (1.0 / static_cast<double>(ring.size())) * (state_.position(w) - from);
-    const Vec3 normal = vertex_normal(v, jacobian_, state_);
+    const Vec3 normal = normal_at(v, jacobian_, state_);
     slide += -dot(slide, normal) * normal;
     Vec3 to = from;
     for (const double share : {1.0, 0.5, 0.25, 0.1}) {

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "evolve/sweep.h"
+#include "evolve/interval.h"
 
 namespace planish {
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "cli_run.h"
-#include "command.h"
+#include "commands/commands.h"
 
 namespace planish::cli {
 namespace {

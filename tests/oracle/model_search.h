@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "evolve/sweep.h"
+#include "evolve/interval.h"
 #include "oracle/series.h"
 
 namespace planish::plain {

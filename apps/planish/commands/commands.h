@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "command.h"
 
 namespace planish::cli {
@@ -13,5 +15,8 @@ Command frontier_command();
 Command suggest_cuts_command();
 Command convert_command();
 Command sample_command();
+
+/// All verbs, in the order of the help.
+const std::vector<Command>& commands();
 
 }  // namespace planish::cli

@@ -7,7 +7,6 @@
 
 #include "core/careful_sum.h"
 #include "evolve/smallest_angle.h"
-#include "evolve/vertex_normal.h"
 
 namespace planish {
 
@@ -118,7 +117,7 @@ double SmoothDescent::deviation() const {
 Places SmoothDescent::normals() const {
   Places normals;
   for (Index v = 0; v < state_.inner_count(); ++v) {
-    const Vec3 n = vertex_normal(v, jacobian_, state_);
+    const Vec3 n = normal_at(v, jacobian_, state_);
     normals.push_back(dot(n, n) > 0.0 ? n : Vec3{0.0, 0.0, 1.0});
   }
   return normals;
@@ -174,7 +173,7 @@ void SmoothDescent::assemble_places(Places& force) {
     force[v] += -pull * (state_.position(v) - origin_[v]);
     const double own = stiff * pull, held = slides ? off_curve : slide;
     // Where a border moves freely, it is held in all directions alike.
-    const Vec3 n = inner    ? vertex_normal(v, jacobian_, state_)
+    const Vec3 n = inner    ? normal_at(v, jacobian_, state_)
                    : slides ? border_.direction(v, 0)
                             : Vec3{};
     system_.add_vertex(

@@ -10,6 +10,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "evolve/cotangents.h"
 #include "evolve/fairing.h"
 #include "support/meshes.h"
 

@@ -14,9 +14,9 @@
 
 #include "evolve/border_motion.h"
 #include "evolve/normal_system.h"
+#include "evolve/places.h"
 #include "evolve/shape_cost.h"
 #include "evolve/strain_potential.h"
-#include "evolve/vertex_normal.h"
 #include "support/moves.h"
 
 namespace planish {
@@ -264,7 +264,7 @@ TEST(NormalSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
     for (Index v = 0; v < laid.count(); ++v) {
       const bool inner = laid.state.is_inner(v);
       for (int k = 0; k < (inner ? 1 : each); ++k) {
-        directions.push_back(inner ? vertex_normal(v, laid.jacobian, laid.state)
+        directions.push_back(inner ? normal_at(v, laid.jacobian, laid.state)
                                    : laid.border.direction(v, k));
         owner.push_back(v);
       }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "evolve/cotangents.h"
 #include "evolve/places.h"
 
 namespace planish {

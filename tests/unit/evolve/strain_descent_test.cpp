@@ -11,9 +11,9 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "evolve/places.h"
 #include "evolve/pull_back.h"
 #include "evolve/smallest_angle.h"
-#include "evolve/vertex_normal.h"
 #include "support/meshes.h"
 #include "support/moves.h"
 
@@ -201,7 +201,7 @@ TEST(NormalSystem, SolvesWhatADenseSolverSolves) {
   MatrixXd j = MatrixXd::Zero(n, n);
   constexpr double unit = 0.3, stiffness = 2.5, sigma = 0.2;
   for (Index v = 0; v < laid.state.inner_count(); ++v) {
-    normals.push_back(vertex_normal(v, laid.jacobian, laid.state));
+    normals.push_back(normal_at(v, laid.jacobian, laid.state));
     for (const AngleJacobian::Entry& entry : laid.jacobian.column(v))
       j(entry.row, v) = -unit * dot(laid.jacobian.gradient(entry.entry), normals[v]);
   }

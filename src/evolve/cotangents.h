@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <planish/core/vec.h>
+
+namespace planish {
+
+/// The cotangent weights of the edges from p to its closed ring, in the ring's order.
+std::vector<double> cotangent_weights(Vec3 p, std::span<const Vec3> ring);
+
+/// The mixed area of p in its closed ring (Meyer and others 2003): the part of its triangles that
+/// is nearest to it, with obtuse triangles cut by halves.
+double mixed_area(Vec3 p, std::span<const Vec3> ring);
+
+}  // namespace planish

@@ -6,7 +6,7 @@
 #include <planish/io/write_file.h>
 #include <planish/mesh/shapes.h>
 #include <planish/report/html_report.h>
-#include <planish/report/pattern_sheet.h>
+#include <planish/sheet/pattern_sheet.h>
 
 int main() {
   planish::FlattenOptions options;

@@ -14,7 +14,7 @@
 #include <planish/io/read_mesh.h>
 #include <planish/io/write_file.h>
 #include <planish/mesh/shapes.h>
-#include <planish/report/pattern_sheet.h>
+#include <planish/sheet/pattern_sheet.h>
 
 namespace {
 

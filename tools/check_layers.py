@@ -1,35 +1,71 @@
 #!/usr/bin/env python3
-"""Checks what the compiler does not: that layers include downwards only, that public headers and
-programs stay clear of private ones, that what one system alone has stays in its rooms, that paths
-are made from text by path_of() alone, that no elementary function of the C library decides a
-result, that no name has two underscores on end, and that every error code has its paragraph in
-docs/errors.md.
-
-    platform <- {core, io, report}
-    core <- mesh <- {io, measure} <- {evolve, unfold <- pattern} <- report;  core <- draw <- report;
-    core <- solve <- {evolve, unfold}
+"""Checks what the compiler does not: that layers and the rooms of each (tools/rooms.py) include
+downwards only, that folders stay small, that public headers and programs stay clear of private
+ones, that what one system alone has stays in its rooms, that paths are made from text by path_of()
+alone, that no elementary function of the C library decides a result, that no name has two
+underscores on end, and that every error code has its paragraph in docs/errors.md.
 """
 
+import collections
 import pathlib
 import re
 import sys
 
-REPO = pathlib.Path(__file__).resolve().parent.parent
+import rooms
+from rooms import REPO, includes, layer_of, sources
 
 # Layer -> the layers that it may include, besides itself.
 ALLOWED = {
     "platform": set(),
     "core": {"platform"},
+    "geometry": {"core"},
     "solve": {"core"},
-    "mesh": {"core"},
+    "mesh": {"core", "geometry"},
     "io": {"platform", "core", "mesh"},
-    "measure": {"core", "mesh"},
+    "measure": {"core", "geometry", "mesh"},
     "draw": {"core"},
-    "evolve": {"core", "solve", "mesh", "io", "measure"},
-    "unfold": {"core", "solve", "mesh", "io", "measure"},
-    "pattern": {"core", "mesh", "unfold"},
-    "report": {"platform", "core", "mesh", "io", "measure", "draw", "evolve", "unfold", "pattern"},
+    "evolve": {"core", "geometry", "solve", "mesh", "measure"},
+    "unfold": {"core", "geometry", "solve", "mesh", "measure"},
+    "pattern": {"platform", "core", "geometry", "mesh", "io"},
+    "flatten": {"core", "mesh", "measure", "evolve", "unfold"},
+    "sheet": {"core", "mesh", "draw", "unfold", "pattern", "flatten"},
+    "report": {"core", "mesh", "measure", "draw", "evolve", "unfold", "pattern", "flatten", "sheet"},
 }
+
+# Layer -> its floors, lowest first. A room includes those of lower floors; the layer's face, its
+# public headers, is below them all.
+FLOORS = {
+    "platform": [["platform"], ["platform/posix"]],
+    "core": [["core"], ["core/lanes"]],
+    "geometry": [["geometry"]],
+    "solve": [["solve/lanes"], ["solve"]],
+    "mesh": [["mesh"], ["mesh/search", "mesh/coarsen", "mesh/cut", "mesh/match"]],
+    "io": [["io/file"], ["io/formats"], ["io"]],
+    "measure": [["measure/lanes"], ["measure"]],
+    "draw": [["draw"], ["draw/text"], ["draw/svg", "draw/dxf", "draw/pdf", "draw/plt"]],
+    "evolve": [
+        ["evolve/lanes"],
+        ["evolve/state"],
+        ["evolve/kernels", "evolve/systems"],
+        ["evolve/methods", "evolve/descent"],
+        ["evolve/smooth"],
+        ["evolve/auto"],
+        ["evolve"],
+    ],
+    "unfold": [
+        ["unfold/strain", "unfold/disk"],
+        ["unfold/start", "unfold/stretch"],
+        ["unfold"],
+        ["unfold/cuts"],
+    ],
+    "pattern": [["pattern/polygon"], ["pattern", "pattern/nest"]],
+    "flatten": [["flatten"]],
+    "sheet": [["sheet"]],
+    "report": [["report"], ["report/charts"], ["report/pictures"], ["report/page"]],
+}
+
+# No folder of code, tests or tools holds more.
+MOST_FILES = 25
 
 # Headers that not every system has.
 SYSTEM_HEADERS = re.compile(
@@ -46,7 +82,7 @@ SYSTEM_MACROS = re.compile(
 # Text of a path by std::filesystem, which on Windows is not UTF-8; implicit conversions go unseen.
 PATH_TEXT = re.compile(r"\.(?:generic_)?string\(\)|\b(?:fs|filesystem)::path\([^)]")
 # Where all of these may be: one folder and one file for each system.
-ROOMS = re.compile(r"src/platform/\w+/.*|apps/planish/host_\w+\.cpp")
+ROOMS = re.compile(r"src/platform/\w+/.*|apps/planish/shell/host_\w+\.cpp")
 # Functions whose last digit is another in each C library; src/core/math.h has them with the same
 # bits everywhere.
 LIBM = re.compile(
@@ -57,34 +93,33 @@ TWO_UNDERSCORES = re.compile(r"\b[A-Za-z]\w*__\w*")
 # Windows has headers of these names, and its own include each other by them.
 TAKEN_NAMES = {"direct.h", "io.h", "process.h"}
 
-INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+
+def floor_of(room):
+    """Its floor in its layer, or None where FLOORS has none."""
+    if room.startswith(rooms.FACE):
+        return -1
+    for floor, names in enumerate(FLOORS.get(layer_of(room), [])):
+        if room in names:
+            return floor
+    return None
 
 
-def sources(folder):
-    paths = (REPO / folder).rglob("*")
-    return sorted(p for p in paths if p.suffix in {".h", ".cpp"})
-
-
-def includes(path):
-    """Yields (line number, "<" or the quote, what is included)."""
-    text = path.read_text(encoding="utf-8")
-    for match in INCLUDE.finditer(text):
-        yield text.count("\n", 0, match.start(2)) + 1, match[1], match[2]
-
-
-def layer_of_include(path, mark, name):
-    """The layer that an include of the library's own reaches into, or None for other headers."""
-    if mark == "<":
-        return name.split("/")[1] if name.startswith("planish/") else None
-    if (path.parent / name).exists():
-        return path.parent.relative_to(REPO / "src").parts[0]
-    return name.split("/")[0]
+def fault_between(room, target):
+    """What is wrong with a room's including another, or None."""
+    own, other = layer_of(room), layer_of(target)
+    if own not in ALLOWED or floor_of(room) is None:
+        return f"{room} is no room that {__file__} knows"
+    if own != other:
+        return None if other in ALLOWED[own] else f"{own} must not include {other}"
+    if floor_of(target) is None or floor_of(target) >= floor_of(room):
+        return f"{room} must not include {target}"
+    return None
 
 
 def check_library(faults):
     for root in ("include/planish", "src"):
         for path in sources(root):
-            layer = path.relative_to(REPO / root).parts[0]
+            room = rooms.room_of(path)
             for line, mark, name in includes(path):
                 where = f"{path.relative_to(REPO)}:{line}"
                 if root != "src" and mark == '"':
@@ -93,13 +128,26 @@ def check_library(faults):
                 if root != "src" and "/" in name and not name.startswith("planish/"):
                     faults.append(f"{where}: a public header includes a foreign one, {name}")
                     continue
-                target = layer_of_include(path, mark, name)
-                if target is None or target == layer:
-                    continue
-                if layer not in ALLOWED:
-                    faults.append(f"{where}: {layer} is no layer that {__file__} knows")
-                elif target not in ALLOWED[layer]:
-                    faults.append(f"{where}: {layer} must not include {target} ({name})")
+                target = rooms.room_of_include(path, mark, name)
+                fault = None if target in {None, room} else fault_between(room, target)
+                if fault:
+                    faults.append(f"{where}: {fault} ({name})")
+
+
+def check_folders(faults):
+    """Folders stay small, and no rooms include each other in a circle."""
+    counts = collections.Counter()
+    for root in ("include", "src", "apps", "tests", "tools", "web", "bench", "examples", "json"):
+        for path in (REPO / root).rglob("*"):
+            if path.is_file() and "__pycache__" not in path.parts and "corpus" not in path.parts:
+                counts[path.parent.relative_to(REPO).as_posix()] += 1
+    for folder, count in sorted(counts.items()):
+        if count > MOST_FILES:
+            faults.append(f"{folder}: {count} files, more than {MOST_FILES}")
+    try:
+        rooms.floors(rooms.graph()[0])
+    except ValueError as circle:
+        faults.append(f"rooms include each other: {circle}")
 
 
 def check_users(faults):
@@ -164,6 +212,7 @@ def check_error_docs(faults):
 def main():
     faults = []
     check_library(faults)
+    check_folders(faults)
     check_users(faults)
     check_rooms(faults)
     check_error_docs(faults)

@@ -1,7 +1,7 @@
 #include "help.h"
 
 #include "commands/commands.h"
-#include "text.h"
+#include "shell/text.h"
 
 namespace planish::cli {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "command.h"
+#include "shell/command.h"
 
 namespace planish::cli {
 

@@ -1,8 +1,8 @@
 #include <exception>
 #include <iostream>
 
-#include "host.h"
 #include "run.h"
+#include "shell/host.h"
 
 namespace {
 

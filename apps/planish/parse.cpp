@@ -6,9 +6,9 @@
 #include <CLI/CLI.hpp>
 
 #include "commands/commands.h"
-#include "failures.h"
-#include "nearest.h"
-#include "values.h"
+#include "shell/failures.h"
+#include "shell/nearest.h"
+#include "shell/values.h"
 
 // CLI11 takes the words apart; what is missing or unknown is told in our own words, and the help is
 // written from the same tables (help.cpp).

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "command.h"
+#include "shell/command.h"
 
 namespace planish::cli {
 

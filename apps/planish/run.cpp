@@ -5,13 +5,13 @@
 #include <planish/core/version.h>
 #include <planish/report/json_report.h>
 
-#include "command.h"
-#include "failures.h"
 #include "help.h"
-#include "json_text.h"
 #include "parse.h"
-#include "session.h"
-#include "text.h"
+#include "shell/command.h"
+#include "shell/failures.h"
+#include "shell/session.h"
+#include "shell/text.h"
+#include "text/json_text.h"
 
 namespace planish::cli {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "run_context.h"
+#include "shell/run_context.h"
 
 namespace planish::cli {
 

@@ -5,8 +5,8 @@
 
 #include <planish/mesh/shapes.h>
 
-#include "evolve/controllable_laplacian.h"
-#include "evolve/sweep.h"
+#include "evolve/methods/controllable_laplacian.h"
+#include "evolve/state/sweep.h"
 
 int main() {
   using namespace planish;

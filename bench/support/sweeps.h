@@ -7,8 +7,8 @@
 #include <planish/evolve/evolver.h>
 
 #include "core/thread_pool.h"
-#include "evolve/controllable_laplacian.h"
-#include "evolve/sweep.h"
+#include "evolve/methods/controllable_laplacian.h"
+#include "evolve/state/sweep.h"
 #include "oracle/plain_sweep.h"
 #include "support/stopwatch.h"
 

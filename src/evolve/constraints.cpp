@@ -5,8 +5,8 @@
 #include <planish/core/error.h>
 #include <planish/evolve/constraints.h>
 
-#include "evolve/fixed_marks.h"
-#include "mesh/signed_distance.h"
+#include "evolve/state/fixed_marks.h"
+#include "mesh/search/signed_distance.h"
 
 namespace planish {
 

@@ -5,8 +5,8 @@
 #include <planish/measure/angle_defect.h>
 #include <planish/measure/flattenability.h>
 
-#include "evolve/laplacian.h"
-#include "measure/angle_gradient.h"
+#include "geometry/angle_gradient.h"
+#include "geometry/laplacian.h"
 
 namespace planish {
 

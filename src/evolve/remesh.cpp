@@ -9,7 +9,7 @@
 #include <planish/mesh/connectivity.h>
 #include <planish/mesh/inspect.h>
 
-#include "evolve/fixed_marks.h"
+#include "evolve/state/fixed_marks.h"
 
 namespace planish {
 

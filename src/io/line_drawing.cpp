@@ -6,8 +6,8 @@
 
 #include <planish/core/error.h>
 
-#include "io/face_list.h"
-#include "io/obj_references.h"
+#include "io/formats/face_list.h"
+#include "io/formats/obj_references.h"
 
 namespace planish {
 

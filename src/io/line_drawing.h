@@ -6,7 +6,7 @@
 
 #include <planish/core/vec.h>
 
-#include "io/text_cursor.h"
+#include "io/file/text_cursor.h"
 
 namespace planish {
 

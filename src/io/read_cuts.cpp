@@ -7,11 +7,11 @@
 
 #include "core/math.h"
 #include "core/number_text.h"
-#include "io/file_bytes.h"
-#include "io/formats.h"
+#include "io/file/file_bytes.h"
+#include "io/file/text_cursor.h"
+#include "io/formats/formats.h"
 #include "io/line_drawing.h"
-#include "io/text_cursor.h"
-#include "mesh/nearest_vertex.h"
+#include "mesh/search/nearest_vertex.h"
 
 namespace planish {
 namespace {

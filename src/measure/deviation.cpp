@@ -4,7 +4,7 @@
 #include <planish/measure/deviation.h>
 
 #include "core/careful_sum.h"
-#include "mesh/closest_point.h"
+#include "mesh/search/closest_point.h"
 
 namespace planish {
 

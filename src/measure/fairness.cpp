@@ -8,8 +8,8 @@
 #include <planish/measure/fairness.h>
 #include <planish/measure/smoothed.h>
 
-#include "core/angle_between.h"
 #include "core/careful_sum.h"
+#include "geometry/angle_between.h"
 #include "measure/bends.h"
 
 namespace planish {

@@ -6,8 +6,8 @@
 #include <planish/measure/flattenability.h>
 
 #include "core/careful_sum.h"
-#include "measure/dihedral_angle.h"
-#include "measure/smallest_angle.h"
+#include "geometry/dihedral_angle.h"
+#include "geometry/smallest_angle.h"
 
 namespace planish {
 

@@ -5,8 +5,8 @@
 #include <planish/measure/angle_defect.h>
 #include <planish/measure/obstruction.h>
 
-#include "core/angle_between.h"
 #include "core/careful_sum.h"
+#include "geometry/angle_between.h"
 #include "measure/area.h"
 
 namespace planish {

@@ -5,8 +5,8 @@
 
 #include <planish/measure/ruling_defect.h>
 
-#include "core/angle_between.h"
 #include "core/careful_sum.h"
+#include "geometry/angle_between.h"
 
 namespace planish {
 

@@ -5,7 +5,7 @@
 
 #include <planish/measure/self_intersections.h>
 
-#include "mesh/box_tree.h"
+#include "mesh/search/box_tree.h"
 
 namespace planish {
 

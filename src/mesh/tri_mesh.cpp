@@ -4,7 +4,7 @@
 #include <planish/mesh/tri_mesh.h>
 
 #include "core/math.h"
-#include "mesh/box.h"
+#include "geometry/box.h"
 
 namespace planish {
 

@@ -7,7 +7,7 @@
 #include <planish/core/error.h>
 #include <planish/pattern/grain.h>
 
-#include "pattern/free_strip.h"
+#include "pattern/polygon/free_strip.h"
 
 namespace planish {
 

@@ -10,7 +10,7 @@
 
 #include "core/number_text.h"
 #include "pattern/border_walk.h"
-#include "pattern/polygon_rays.h"
+#include "pattern/polygon/polygon_rays.h"
 
 namespace planish {
 

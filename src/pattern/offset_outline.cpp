@@ -8,12 +8,12 @@
 
 #include "core/math.h"
 #include "core/number_text.h"
+#include "geometry/crosses_itself.h"
 #include "pattern/allowance_joins.h"
 #include "pattern/border_walk.h"
-#include "pattern/loop_box.h"
-#include "pattern/polygon_rays.h"
-#include "pattern/winding_union.h"
-#include "unfold/placement.h"
+#include "pattern/polygon/loop_box.h"
+#include "pattern/polygon/polygon_rays.h"
+#include "pattern/polygon/winding_union.h"
 
 namespace planish {
 

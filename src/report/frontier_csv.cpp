@@ -1,4 +1,4 @@
-#include <planish/report/frontier.h>
+#include <planish/flatten/frontier.h>
 
 #include "core/number_text.h"
 #include "report/enumerator_name.h"

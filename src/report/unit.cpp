@@ -2,7 +2,7 @@
 #include <string>
 
 #include <planish/core/error.h>
-#include <planish/report/unit.h>
+#include <planish/core/unit.h>
 
 namespace planish {
 

@@ -11,8 +11,4 @@ namespace planish {
 /// longer side along x and its lower left corner at the origin.
 std::vector<Vec2> place_in_smallest_box(std::vector<Vec2> points, std::span<const Vec2> outline);
 
-/// True if two sides of a closed polygon that share no end cross each other. Sides that only touch,
-/// as those of a slit do, do not count. Time n log n and n times the sides that a line meets.
-bool crosses_itself(std::span<const Vec2> polygon);
-
 }  // namespace planish

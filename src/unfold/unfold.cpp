@@ -5,11 +5,12 @@
 #include <planish/unfold/unfold.h>
 
 #include "core/careful_sum.h"
-#include "unfold/disk.h"
-#include "unfold/least_stretch.h"
-#include "unfold/matched_border.h"
+#include "geometry/crosses_itself.h"
+#include "unfold/disk/disk.h"
 #include "unfold/placement.h"
-#include "unfold/start.h"
+#include "unfold/start/start.h"
+#include "unfold/stretch/least_stretch.h"
+#include "unfold/stretch/matched_border.h"
 #include "unfold/within_limits.h"
 
 namespace planish {

@@ -5,9 +5,9 @@
 #include <numeric>
 #include <utility>
 
-#include "unfold/bounded_stretch.h"
-#include "unfold/flat_edges.h"
-#include "unfold/strain_of_edges.h"
+#include "unfold/strain/strain_of_edges.h"
+#include "unfold/stretch/bounded_stretch.h"
+#include "unfold/stretch/flat_edges.h"
 
 namespace planish {
 

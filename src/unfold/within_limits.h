@@ -3,8 +3,8 @@
 #include <planish/unfold/unfold.h>
 
 #include "core/thread_pool.h"
-#include "unfold/disk.h"
-#include "unfold/least_stretch.h"
+#include "unfold/disk/disk.h"
+#include "unfold/stretch/least_stretch.h"
 
 namespace planish {
 

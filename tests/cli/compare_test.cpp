@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 
 #include "cli_run.h"
-#include "compare_text.h"
 #include "support/meshes.h"
-#include "unit/report/sample_comparison.h"
+#include "support/sample_comparison.h"
+#include "text/compare_text.h"
 
 namespace planish::cli {
 namespace {

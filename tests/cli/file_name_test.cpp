@@ -1,4 +1,4 @@
-#include "file_name.h"
+#include "shell/file_name.h"
 
 #include <planish/platform/path.h>
 

@@ -1,4 +1,4 @@
-#include "garment_state.h"
+#include "product/garment_state.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 
 #include "cli_run.h"
-#include "garment_parts.h"
+#include "product/garment_parts.h"
 #include "support/meshes.h"
 #include "support/products.h"
 

@@ -1,4 +1,4 @@
-#include "garment_twins.h"
+#include "product/garment_twins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "nearest.h"
+#include "shell/nearest.h"
 
 #include <vector>
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include <planish/evolve/evolve.h>
+#include <planish/flatten/flatten.h>
 #include <planish/io/read_mesh.h>
 #include <planish/measure/deviation.h>
 #include <planish/measure/flattenability.h>
-#include <planish/report/flatten.h>
 #include <planish/unfold/strain.h>
 #include <planish/unfold/unfold.h>
 

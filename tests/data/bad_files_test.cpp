@@ -1,5 +1,5 @@
 // What is promised of files that are wrong or odd, on a collection of them beside the patches with
-// a table of verdicts. The kinds of fault themselves are tested in tests/cli/bad_meshes_test.cpp.
+// a table of verdicts. The kinds of fault themselves are tested in tests/bad/bad_meshes_test.cpp.
 
 #include <filesystem>
 #include <fstream>

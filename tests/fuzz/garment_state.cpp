@@ -1,15 +1,15 @@
 // What --resume reads from the folder of an earlier run, which anybody may have written.
 
-#include "garment_state.h"
+#include "product/garment_state.h"
 
 #include <planish/core/fnv_hash.h>
 #include <planish/io/write_mesh.h>
 
 #include "fuzz/check.h"
 #include "fuzz/temporary_folder.h"
-#include "garment_job.h"
-#include "garment_seams.h"
-#include "garment_text.h"
+#include "product/garment_job.h"
+#include "product/garment_seams.h"
+#include "product/garment_text.h"
 #include "support/meshes.h"
 
 using namespace planish;

@@ -6,13 +6,13 @@
 #include <limits>
 #include <string>
 
-#include "failures.h"
+#include "flags/method_flags.h"
+#include "flags/quantities.h"
+#include "flags/units.h"
 #include "fuzz/bytes.h"
 #include "fuzz/check.h"
-#include "method_flags.h"
-#include "quantities.h"
-#include "units.h"
-#include "values.h"
+#include "shell/failures.h"
+#include "shell/values.h"
 
 using namespace planish;
 using namespace planish::cli;

@@ -5,8 +5,8 @@
 #include <string>
 
 #include <planish/draw/write_svg.h>
-#include <planish/report/flatten.h>
-#include <planish/report/pattern_sheet.h>
+#include <planish/flatten/flatten.h>
+#include <planish/sheet/pattern_sheet.h>
 
 #include "fuzz/bytes_to_patch.h"
 #include "fuzz/check.h"

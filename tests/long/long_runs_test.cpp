@@ -8,11 +8,11 @@
 #include <vector>
 
 #include <planish/evolve/evolve.h>
+#include <planish/flatten/flatten.h>
 #include <planish/measure/angle_defect.h>
 #include <planish/measure/flattenability.h>
 #include <planish/mesh/connectivity.h>
 #include <planish/mesh/shapes.h>
-#include <planish/report/flatten.h>
 
 #include <gtest/gtest.h>
 

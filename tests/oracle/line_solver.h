@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "evolve/interval.h"
+#include "evolve/kernels/interval.h"
 
 namespace planish {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "evolve/interval.h"
+#include "evolve/kernels/interval.h"
 #include "oracle/series.h"
 
 namespace planish::plain {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "evolve/controllable_laplacian.h"
+#include "evolve/methods/controllable_laplacian.h"
 #include "oracle/plain.h"
 #include "property/property.h"
 #include "support/meshes.h"

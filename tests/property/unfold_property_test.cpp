@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include <planish/report/flatten.h>
+#include <planish/flatten/flatten.h>
 #include <planish/unfold/unfold.h>
 
 #include <gtest/gtest.h>

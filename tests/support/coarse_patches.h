@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/closest_point.h"
+#include "mesh/search/closest_point.h"
 
 namespace planish {
 

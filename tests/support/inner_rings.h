@@ -5,7 +5,7 @@
 
 #include <planish/mesh/connectivity.h>
 
-#include "evolve/coloring.h"
+#include "evolve/state/coloring.h"
 
 namespace planish::meshes {
 

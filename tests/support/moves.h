@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "evolve/places.h"
+#include "evolve/systems/places.h"
 
 namespace planish {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "command.h"
+#include "shell/command.h"
 
 namespace planish::cli {
 

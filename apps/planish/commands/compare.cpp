@@ -7,15 +7,15 @@
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
-#include "compare_text.h"
-#include "constraint_flags.h"
-#include "failures.h"
-#include "file_name.h"
-#include "method_flags.h"
-#include "output_folder.h"
-#include "session.h"
-#include "summary.h"
-#include "units.h"
+#include "flags/constraint_flags.h"
+#include "flags/method_flags.h"
+#include "flags/units.h"
+#include "shell/failures.h"
+#include "shell/file_name.h"
+#include "shell/output_folder.h"
+#include "shell/session.h"
+#include "text/compare_text.h"
+#include "text/summary.h"
 
 namespace planish::cli {
 

@@ -3,9 +3,9 @@
 #include <planish/platform/path.h>
 
 #include "commands/commands.h"
-#include "json_text.h"
-#include "session.h"
-#include "summary.h"
+#include "shell/session.h"
+#include "text/json_text.h"
+#include "text/summary.h"
 
 namespace planish::cli {
 

@@ -1,18 +1,18 @@
+#include <planish/flatten/evolve_progress.h>
 #include <planish/io/mesh_format.h>
 #include <planish/io/write_mesh.h>
 #include <planish/platform/path.h>
-#include <planish/report/evolve_progress.h>
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
-#include "constraint_flags.h"
-#include "cut_flag.h"
-#include "failures.h"
-#include "method_flags.h"
-#include "session.h"
-#include "summary.h"
-#include "text.h"
-#include "units.h"
+#include "flags/constraint_flags.h"
+#include "flags/cut_flag.h"
+#include "flags/method_flags.h"
+#include "flags/units.h"
+#include "shell/failures.h"
+#include "shell/session.h"
+#include "shell/text.h"
+#include "text/summary.h"
 
 namespace planish::cli {
 

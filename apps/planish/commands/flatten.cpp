@@ -3,34 +3,34 @@
 #include <memory>
 #include <optional>
 
+#include <planish/flatten/reference_sweeps.h>
 #include <planish/io/write_mesh.h>
 #include <planish/platform/path.h>
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
-#include <planish/report/pattern_sheet.h>
-#include <planish/report/reference_sweeps.h>
+#include <planish/sheet/pattern_sheet.h>
 
-#include "command_line.h"
 #include "commands/commands.h"
-#include "constraint_flags.h"
-#include "cut_flag.h"
-#include "failures.h"
-#include "file_name.h"
-#include "furniture_flags.h"
-#include "garment_flags.h"
-#include "garment_job.h"
-#include "garment_nest.h"
-#include "garment_parts.h"
-#include "garment_seams.h"
-#include "limit_flags.h"
-#include "method_flags.h"
-#include "output_folder.h"
-#include "pattern_output.h"
-#include "session.h"
-#include "summary.h"
-#include "text.h"
-#include "units.h"
-#include "values.h"
+#include "flags/constraint_flags.h"
+#include "flags/cut_flag.h"
+#include "flags/furniture_flags.h"
+#include "flags/garment_flags.h"
+#include "flags/limit_flags.h"
+#include "flags/method_flags.h"
+#include "flags/units.h"
+#include "output/pattern_output.h"
+#include "product/garment_job.h"
+#include "product/garment_nest.h"
+#include "product/garment_parts.h"
+#include "product/garment_seams.h"
+#include "shell/command_line.h"
+#include "shell/failures.h"
+#include "shell/file_name.h"
+#include "shell/output_folder.h"
+#include "shell/session.h"
+#include "shell/text.h"
+#include "shell/values.h"
+#include "text/summary.h"
 
 namespace planish::cli {
 

@@ -1,22 +1,22 @@
 #include <algorithm>
 
+#include <planish/flatten/frontier.h>
 #include <planish/platform/path.h>
-#include <planish/report/frontier.h>
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
-#include "constraint_flags.h"
-#include "failures.h"
-#include "file_name.h"
-#include "frontier_text.h"
-#include "material_flag.h"
-#include "method_flags.h"
-#include "quantities.h"
-#include "session.h"
-#include "summary.h"
-#include "units.h"
-#include "values.h"
+#include "flags/constraint_flags.h"
+#include "flags/material_flag.h"
+#include "flags/method_flags.h"
+#include "flags/quantities.h"
+#include "flags/units.h"
+#include "shell/failures.h"
+#include "shell/file_name.h"
+#include "shell/session.h"
+#include "shell/values.h"
+#include "text/frontier_text.h"
+#include "text/summary.h"
 
 namespace planish::cli {
 

@@ -1,18 +1,18 @@
 #include <optional>
 #include <utility>
 
+#include <planish/flatten/strain_as_designed.h>
 #include <planish/platform/path.h>
 #include <planish/report/direction_map.h>
 #include <planish/report/json_report.h>
-#include <planish/report/strain_as_designed.h>
 
 #include "commands/commands.h"
-#include "failures.h"
-#include "file_name.h"
-#include "json_text.h"
-#include "limit_flags.h"
-#include "session.h"
-#include "summary.h"
+#include "flags/limit_flags.h"
+#include "shell/failures.h"
+#include "shell/file_name.h"
+#include "shell/session.h"
+#include "text/json_text.h"
+#include "text/summary.h"
 
 namespace planish::cli {
 

@@ -4,11 +4,11 @@
 #include <planish/platform/path.h>
 
 #include "commands/commands.h"
-#include "json_text.h"
-#include "session.h"
-#include "summary.h"
-#include "text.h"
-#include "values.h"
+#include "shell/session.h"
+#include "shell/text.h"
+#include "shell/values.h"
+#include "text/json_text.h"
+#include "text/summary.h"
 
 namespace planish::cli {
 

@@ -4,17 +4,17 @@
 #include <planish/draw/write_svg.h>
 #include <planish/io/write_mesh.h>
 #include <planish/platform/path.h>
-#include <planish/report/cut_sheet.h>
+#include <planish/sheet/cut_sheet.h>
 
 #include "commands/commands.h"
-#include "failures.h"
-#include "file_name.h"
-#include "quantities.h"
-#include "session.h"
-#include "suggestion_text.h"
-#include "summary.h"
-#include "units.h"
-#include "values.h"
+#include "flags/quantities.h"
+#include "flags/units.h"
+#include "shell/failures.h"
+#include "shell/file_name.h"
+#include "shell/session.h"
+#include "shell/values.h"
+#include "text/suggestion_text.h"
+#include "text/summary.h"
 
 namespace planish::cli {
 

@@ -5,21 +5,21 @@
 #include <planish/io/write_mesh.h>
 #include <planish/platform/path.h>
 #include <planish/report/json_report.h>
-#include <planish/report/pattern_sheet.h>
+#include <planish/sheet/pattern_sheet.h>
 
 #include "commands/commands.h"
-#include "cut_flag.h"
-#include "failures.h"
-#include "file_name.h"
-#include "furniture_flags.h"
-#include "garment_flags.h"
-#include "garment_seams.h"
-#include "limit_flags.h"
-#include "pattern_output.h"
-#include "session.h"
-#include "summary.h"
-#include "text.h"
-#include "units.h"
+#include "flags/cut_flag.h"
+#include "flags/furniture_flags.h"
+#include "flags/garment_flags.h"
+#include "flags/limit_flags.h"
+#include "flags/units.h"
+#include "output/pattern_output.h"
+#include "product/garment_seams.h"
+#include "shell/failures.h"
+#include "shell/file_name.h"
+#include "shell/session.h"
+#include "shell/text.h"
+#include "text/summary.h"
 
 namespace planish::cli {
 

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include <planish/draw/color_map.h>
-#include <planish/report/compare.h>
-#include <planish/report/flatten.h>
-#include <planish/report/frontier.h>
-#include <planish/report/pattern_options.h>
+#include <planish/flatten/compare.h>
+#include <planish/flatten/flatten.h>
+#include <planish/flatten/frontier.h>
+#include <planish/pattern/pattern_options.h>
 
 namespace planish {
 

@@ -5,10 +5,10 @@
 #include <string>
 
 #include <planish/core/error.h>
-#include <planish/report/compare.h>
-#include <planish/report/flatten.h>
-#include <planish/report/frontier.h>
-#include <planish/report/strain_as_designed.h>
+#include <planish/flatten/compare.h>
+#include <planish/flatten/flatten.h>
+#include <planish/flatten/frontier.h>
+#include <planish/flatten/strain_as_designed.h>
 
 namespace planish {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/thread_pool.h"
-#include "evolve/patch_state.h"
+#include "evolve/state/patch_state.h"
 
 namespace planish {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "evolve/border_motion.h"
-#include "evolve/descent_limits.h"
+#include "evolve/descent/border_motion.h"
+#include "evolve/descent/descent_limits.h"
 #include "evolve/smooth/smooth_system.h"
 
 namespace planish {

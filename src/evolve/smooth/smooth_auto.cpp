@@ -9,13 +9,13 @@
 #include <planish/measure/fairness.h>
 #include <planish/measure/smoothed.h>
 
-#include "evolve/coarse_levels.h"
-#include "evolve/defect_polish.h"
-#include "evolve/dense.h"
-#include "evolve/descent_limits.h"
-#include "evolve/shape_cost.h"
+#include "evolve/descent/coarse_levels.h"
+#include "evolve/descent/defect_polish.h"
+#include "evolve/descent/descent_limits.h"
+#include "evolve/descent/shape_cost.h"
 #include "evolve/smooth/smooth_control.h"
 #include "evolve/smooth/smooth_descent.h"
+#include "evolve/systems/dense.h"
 
 namespace planish {
 

@@ -3,8 +3,8 @@
 #include <planish/evolve/auto.h>
 
 #include "core/thread_pool.h"
-#include "evolve/patch_state.h"
-#include "evolve/sweep.h"
+#include "evolve/state/patch_state.h"
+#include "evolve/state/sweep.h"
 
 namespace planish {
 

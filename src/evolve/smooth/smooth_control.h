@@ -1,7 +1,7 @@
 #pragma once
 
+#include "evolve/descent/strain_limit.h"
 #include "evolve/smooth/smooth_descent.h"
-#include "evolve/strain_limit.h"
 
 namespace planish {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/careful_sum.h"
-#include "evolve/smallest_angle.h"
+#include "evolve/descent/smallest_angle.h"
 
 namespace planish {
 

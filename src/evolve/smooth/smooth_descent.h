@@ -3,16 +3,16 @@
 #include <vector>
 
 #include "core/thread_pool.h"
-#include "evolve/angle_jacobian.h"
-#include "evolve/border_motion.h"
-#include "evolve/descent_limits.h"
-#include "evolve/places.h"
+#include "evolve/descent/border_motion.h"
+#include "evolve/descent/descent_limits.h"
+#include "evolve/descent/strain_limit.h"
+#include "evolve/descent/strain_potential.h"
 #include "evolve/smooth/hinge_terms.h"
 #include "evolve/smooth/move_limits.h"
 #include "evolve/smooth/shape_guard.h"
 #include "evolve/smooth/smooth_system.h"
-#include "evolve/strain_limit.h"
-#include "evolve/strain_potential.h"
+#include "evolve/systems/angle_jacobian.h"
+#include "evolve/systems/places.h"
 
 namespace planish {
 

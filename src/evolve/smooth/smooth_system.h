@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "core/thread_pool.h"
-#include "evolve/angle_jacobian.h"
-#include "evolve/border_motion.h"
-#include "evolve/dense.h"
-#include "evolve/places.h"
+#include "evolve/descent/border_motion.h"
 #include "evolve/smooth/hinge_terms.h"
 #include "evolve/smooth/shape_guard.h"
+#include "evolve/systems/angle_jacobian.h"
+#include "evolve/systems/dense.h"
+#include "evolve/systems/places.h"
 #include "solve/mixed_ldlt.h"
 
 namespace planish {

@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "report/direction_picture.h"
+#include "report/pictures/direction_picture.h"
 #include "support/meshes.h"
-#include "unit/report/page.h"
+#include "support/page.h"
 
 namespace planish {
 namespace {

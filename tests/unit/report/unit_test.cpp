@@ -1,7 +1,7 @@
 #include <string>
 
 #include <planish/core/error.h>
-#include <planish/report/unit.h>
+#include <planish/core/unit.h>
 
 #include <gtest/gtest.h>
 

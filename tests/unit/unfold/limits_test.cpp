@@ -15,9 +15,9 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
-#include "unfold/bounded_stretch.h"
-#include "unfold/flat_steps.h"
-#include "unfold/stretch_system.h"
+#include "unfold/stretch/bounded_stretch.h"
+#include "unfold/stretch/flat_steps.h"
+#include "unfold/stretch/stretch_system.h"
 
 namespace planish {
 namespace {

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
-#include "unfold/disk.h"
-#include "unfold/matched_border.h"
+#include "unfold/disk/disk.h"
+#include "unfold/stretch/matched_border.h"
 
 namespace planish {
 namespace {

@@ -11,9 +11,9 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
-#include "unfold/disk.h"
-#include "unfold/least_stretch.h"
-#include "unfold/start.h"
+#include "unfold/disk/disk.h"
+#include "unfold/start/start.h"
+#include "unfold/stretch/least_stretch.h"
 
 namespace planish {
 namespace {

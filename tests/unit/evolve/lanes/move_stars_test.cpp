@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "evolve/controllable_laplacian.h"
-#include "evolve/sweep.h"
+#include "evolve/methods/controllable_laplacian.h"
+#include "evolve/state/sweep.h"
 #include "measure/lanes/star_defects.h"
 #include "support/meshes.h"
 

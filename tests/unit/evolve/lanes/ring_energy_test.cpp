@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "evolve/patch_state.h"
+#include "evolve/state/patch_state.h"
 #include "oracle/plain.h"
 #include "support/meshes.h"
 

@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "evolve/strain_potential.h"
+#include "evolve/descent/strain_potential.h"
 
 namespace planish {
 namespace {

@@ -1,0 +1,69 @@
+#include "flags/constraint_flags.h"
+
+#include <planish/io/read_features.h>
+#include <planish/platform/path.h>
+
+#include "flags/method_flags.h"
+#include "shell/failures.h"
+#include "shell/session.h"
+#include "shell/text.h"
+#include "shell/values.h"
+
+namespace planish::cli {
+
+namespace {
+
+void refuse(const std::string& flag, const Method& method, bool (*honours)(const Method&)) {
+  std::vector<std::string> able;
+  for (const std::string& name : method_names()) {
+    if (honours(method_named(name))) able.push_back(name);
+  }
+  throw UsageError("method " + std::string(name_of(method)) + " cannot honour " + flag +
+                   (able.empty() ? "; no method can" : "; take --method " + list_of(able)));
+}
+
+std::vector<Index> fixed_in(const std::string& path, const TriMesh& mesh, Session& session) {
+  const FixedVertices fixed = read_fixed_vertices(path_of(path), mesh);
+  std::string text = path + ": fixed vertices: " + std::to_string(fixed.vertices.size());
+  if (fixed.farthest > 0.0) {
+    text += "; what is drawn is at most " + digits(fixed.farthest, 3) + " from them";
+  }
+  session.note(text);
+  return fixed.vertices;
+}
+
+}  // namespace
+
+FlagGroup constraint_flags() {
+  return {"What to respect besides the border",
+          {{"--fix", "FILE",
+            "vertices that stay where they are: a list of numbers from 0, or an .obj whose lines "
+            "and points are snapped to the mesh"},
+           {"--weights", "FILE", "how dear moving is: a vertex, from 0, and a weight a line"},
+           {"--obstacle", "FILE", "a closed mesh that must not be entered"}}};
+}
+
+void refuse_unsupported_constraints(const Arguments& arguments, const Method& method) {
+  if (arguments.has("--weights") && !honours_weights(method)) {
+    refuse("--weights", method, honours_weights);
+  }
+  if (arguments.has("--obstacle") && !honours_obstacle(method)) {
+    refuse("--obstacle", method, honours_obstacle);
+  }
+}
+
+Constraints constraints_from(const Arguments& arguments, const TriMesh& mesh, Session& session) {
+  Constraints constraints;
+  if (arguments.has("--fix")) {
+    constraints.fixed = fixed_in(arguments.flags.at("--fix"), mesh, session);
+  }
+  if (arguments.has("--weights")) {
+    constraints.weights = read_weights(path_of(arguments.flags.at("--weights")), mesh);
+  }
+  if (arguments.has("--obstacle")) {
+    constraints.obstacle = session.read(arguments.flags.at("--obstacle")).mesh;
+  }
+  return constraints;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,49 @@
+#include "flags/cut_flag.h"
+
+#include <utility>
+
+#include <planish/io/read_cuts.h>
+#include <planish/platform/path.h>
+
+#include <planish_json/json.h>
+
+#include "flags/units.h"
+#include "shell/failures.h"
+#include "shell/session.h"
+#include "shell/text.h"
+
+namespace planish::cli {
+
+Flag cut_flag() {
+  return {"--cut", "FILE",
+          "cut the patch open first: a cut a line by its vertices from 0, or an .obj whose lines "
+          "are snapped to the mesh"};
+}
+
+CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& arguments,
+                      Session& session) {
+  if (!arguments.has("--cut")) return {std::move(mesh)};
+  const std::string& file = arguments.flags.at("--cut");
+  return about(path, [&]() -> CutInput {
+    const CutLines lines = read_cuts(path_of(file), mesh);
+    CutMesh cut = cut_open(mesh, Connectivity(mesh), lines.paths);
+    const std::string unit(to_string(unit_from(arguments)));
+    std::string text = file + ": cut open along " + counted(cut.edges, "edge") + ", " +
+                       digits(cut.length) + " " + unit;
+    if (lines.farthest > 0.0) {
+      text += "; what is drawn is at most " + digits(lines.farthest, 3) + " " + unit +
+              " from the vertices that stand for it";
+    }
+    session.note(text);
+    return {std::move(cut.mesh), CutDone{cut.edges, cut.length}};
+  });
+}
+
+std::string json_with_cut(const std::string& report, const std::optional<CutDone>& cut) {
+  if (!cut) return report;
+  auto object = Json::parse(report);
+  object["cut"] = {{"edges", cut->edges}, {"length", cut->length}};
+  return json_text(object) + "\n";
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,162 @@
+#include "flags/furniture_flags.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <planish/pattern/read_furniture.h>
+#include <planish/platform/path.h>
+
+#include <fast_float/fast_float.h>
+
+#include "flags/quantities.h"
+#include "flags/units.h"
+#include "shell/failures.h"
+#include "shell/values.h"
+
+namespace planish::cli {
+
+namespace {
+
+constexpr std::array k_corners = {Corners::mitre, Corners::square, Corners::round};
+
+std::vector<std::string> corner_names() {
+  std::vector<std::string> names;
+  names.reserve(k_corners.size());
+  for (const Corners corners : k_corners)
+    names.emplace_back(to_string(corners));
+  return names;
+}
+
+/// Millimetres on the sheet.
+double length_from(const Arguments& arguments, const std::string& flag) {
+  constexpr Range positive = {.min = std::numeric_limits<double>::min()};
+  return millimetres_per(unit_from(arguments)) *
+         quantity_value(flag, arguments.flags.at(flag), Quantity::length, positive, arguments);
+}
+
+std::optional<Allowance> allowance_from(const Arguments& arguments) {
+  if (!arguments.has("--allowance")) return std::nullopt;
+  Allowance allowance{.width = length_from(arguments, "--allowance")};
+  const std::vector<std::string> names = corner_names();
+  const std::string name = arguments.value_or("--corners", names.front());
+  known_name("kind of corners", name, names);
+  allowance.corners = k_corners[static_cast<std::size_t>(
+      std::find(names.begin(), names.end(), name) - names.begin())];
+  return allowance;
+}
+
+/// Three numbers with commas between them; nothing for anything else.
+std::optional<Vec3> direction_in(const std::string& text) {
+  std::array<double, 3> numbers = {};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i > 0 && (at == end || *at++ != ',')) return std::nullopt;
+    const auto parsed = fast_float::from_chars(at, end, numbers[i]);
+    if (parsed.ec != std::errc() || !std::isfinite(numbers[i])) return std::nullopt;
+    at = parsed.ptr;
+  }
+  if (at != end) return std::nullopt;
+  return Vec3{numbers[0], numbers[1], numbers[2]};
+}
+
+std::optional<Grain> grain_from(const Arguments& arguments) {
+  if (!arguments.has("--grain")) return std::nullopt;
+  const std::string& text = arguments.flags.at("--grain");
+  if (text.find(',') == std::string::npos) {
+    return quantity_value("--grain", text, Quantity::angle, {-360.0, 360.0}, arguments);
+  }
+  const auto direction = direction_in(text);
+  if (!direction || !(norm(*direction) > 0.0)) {
+    throw UsageError("--grain is \"" + text +
+                     "\" but must be a direction such as 0,0,1 or an angle such as 30deg");
+  }
+  return *direction;
+}
+
+PieceLabel label_from(const Arguments& arguments) {
+  PieceLabel label{.name = arguments.value_or("--piece-name", ""),
+                   .size = arguments.value_or("--size", ""),
+                   .fabric = arguments.value_or("--fabric", ""),
+                   .note = arguments.value_or("--note", "")};
+  if (arguments.has("--quantity")) {
+    label.quantity =
+        whole_number_of("--quantity", arguments.flags.at("--quantity"), {1.0, 1'000'000.0});
+  }
+  return label;
+}
+
+NotchSizes notch_sizes_from(const Arguments& arguments, const std::optional<Allowance>& allowance) {
+  NotchSizes sizes;
+  // As deep as leaves half of the allowance whole.
+  if (allowance) sizes.depth = std::min(sizes.depth, 0.5 * allowance->width);
+  if (arguments.has("--notch-depth")) sizes.depth = length_from(arguments, "--notch-depth");
+  return sizes;
+}
+
+void refuse_idle_flags(const Arguments& arguments, bool writes_sheet) {
+  const auto check = [&](const std::string& flag, const std::string& other) {
+    if (arguments.has(flag) && !arguments.has(other)) {
+      throw UsageError("flag " + flag + " goes with " + other + " only");
+    }
+  };
+  check("--corners", "--allowance");
+  check("--edge-allowances", "--allowance");
+  if (!arguments.has("--seam-notches")) check("--notch-depth", "--notches");
+  if (writes_sheet) return;
+  for (const Flag& flag : furniture_flags().flags) {
+    if (!arguments.has(flag.name)) continue;
+    throw UsageError("flag " + flag.name + " goes with svg, dxf, pdf and plt only");
+  }
+}
+
+}  // namespace
+
+FlagGroup furniture_flags() {
+  return {
+      "What the pattern gets besides its outline",
+      {{"--allowance", "LENGTH", "material beyond the seam, as 10mm"},
+       {"--corners", "KIND", "of the allowance: " + list_of(corner_names()) + " (default mitre)"},
+       {"--edge-allowances", "FILE",
+        "other ones for stretches of the border, a line each: from vertex, to vertex, width in mm"},
+       {"--notches", "FILE",
+        "a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double"},
+       {"--seam-notches", "FILE",
+        "on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double"},
+       {"--notch-depth", "LENGTH", "of notches (default 5mm, or half of less allowance)"},
+       {"--grain", "X,Y,Z|ANGLE",
+        "direction of the grain on the model, or its angle in the pattern"},
+       {"--marks", "FILE", "a line each: vertex; cross or drill"},
+       {"--inner-lines", "FILE", "as legs of darts, a line each by its vertices"},
+       {"--piece-name", "TEXT", "written inside the piece, as are the next four"},
+       {"--size", "TEXT", "that the piece is for"},
+       {"--quantity", "N", "how many to cut"},
+       {"--fabric", "TEXT", "what to cut it from"},
+       {"--note", "TEXT", "anything else, as \"one mirrored\" or \"cut on fold\""},
+       {"--date", "TEXT", "written on the sheet as it is (default none)"}}};
+}
+
+PatternOptions furniture_from(const Arguments& arguments, bool writes_sheet) {
+  refuse_idle_flags(arguments, writes_sheet);
+  PatternOptions options;
+  options.allowance = allowance_from(arguments);
+  options.notch_sizes = notch_sizes_from(arguments, options.allowance);
+  options.grain = grain_from(arguments);
+  options.label = label_from(arguments);
+  options.date = arguments.value_or("--date", "");
+  if (arguments.has("--notches"))
+    options.notches = read_notches(path_of(arguments.flags.at("--notches")));
+  if (arguments.has("--inner-lines")) {
+    options.inner_lines = read_inner_lines(path_of(arguments.flags.at("--inner-lines")));
+  }
+  if (arguments.has("--edge-allowances")) {
+    options.edge_allowances =
+        read_edge_allowances(path_of(arguments.flags.at("--edge-allowances")));
+  }
+  if (arguments.has("--marks")) options.marks = read_marks(path_of(arguments.flags.at("--marks")));
+  return options;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,66 @@
+#include "flags/limit_flags.h"
+
+#include <string>
+
+#include <planish/flatten/strain_limit_text.h>
+
+#include "flags/material_flag.h"
+#include "flags/quantities.h"
+#include "shell/failures.h"
+#include "shell/run_context.h"
+
+namespace planish::cli {
+
+namespace {
+
+constexpr std::string_view k_of_area = "@p99";
+
+double share_above_0(const std::string& flag, const std::string& text, const Arguments& arguments) {
+  const double share = quantity_value(flag, text, Quantity::share, Range{0.0, 1.0}, arguments);
+  if (share == 0.0) throw UsageError(flag + " is 0 but must be more: leave it out for no limit");
+  return share;
+}
+
+}  // namespace
+
+std::vector<Flag> limit_flags() {
+  return {
+      {"--max-strain", "X",
+       "how much an edge of the pattern may be longer or shorter than on the patch (0.02 or "
+       "2%); 2%@p99: on 99 % of the area"},
+      material_flag(),
+      {"--max-rms-strain", "X", "the same for the root mean square of the strain (0.02 or 2%)"}};
+}
+
+StrainLimits limits_from(const Arguments& arguments) {
+  StrainLimits limits;
+  if (arguments.has("--material")) limits.p99 = strain_of_material(arguments);
+  if (arguments.has("--max-strain")) {
+    std::string text = arguments.flags.at("--max-strain");
+    const std::size_t at = text.find('@');
+    const bool is_of_area = at != std::string::npos;
+    if (is_of_area && std::string_view(text).substr(at) != k_of_area) {
+      throw UsageError("--max-strain is \"" + text +
+                       "\" but must be for every edge, as 5%, or for 99 % of the area, as 5%@p99");
+    }
+    (is_of_area ? limits.p99 : limits.max) =
+        share_above_0("--max-strain", text.substr(0, at), arguments);
+  }
+  if (arguments.has("--max-rms-strain")) {
+    limits.rms =
+        share_above_0("--max-rms-strain", arguments.flags.at("--max-rms-strain"), arguments);
+  }
+  return limits;
+}
+
+Outcome with_limits_checked(Outcome outcome, std::span<const StrainLimitCheck> checks) {
+  if (all_kept(checks) || outcome.exit_code != k_exit_done) return outcome;
+  outcome.exit_code = k_exit_target_missed;
+  for (const StrainLimitCheck& check : checks) {
+    if (check.kept()) continue;
+    outcome.complaint += (outcome.complaint.empty() ? "" : " ") + strain_limit_text(check);
+  }
+  return outcome;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,43 @@
+#include "flags/material_flag.h"
+
+#include <planish/measure/material.h>
+
+#include "shell/failures.h"
+#include "shell/values.h"
+
+namespace planish::cli {
+
+namespace {
+
+std::vector<std::string> material_names() {
+  std::vector<std::string> names;
+  for (const Material& material : materials())
+    names.emplace_back(material.name);
+  return names;
+}
+
+std::vector<std::string> names_with_strains() {
+  std::vector<std::string> names;
+  for (const Material& material : materials())
+    names.push_back(std::string(material.name) + " " + shortest(100.0 * material.max_strain) + "%");
+  return names;
+}
+
+}  // namespace
+
+Flag material_flag() {
+  return {
+      "--material", "NAME",
+      "in place of --max-strain, what this material takes up: " + list_of(names_with_strains())};
+}
+
+double strain_of_material(const Arguments& arguments) {
+  if (arguments.has("--max-strain")) {
+    throw UsageError(
+        "--material and --max-strain both say what strain is allowed: give one of them");
+  }
+  const std::string& name = arguments.flags.at("--material");
+  return material_named(known_name("material", name, material_names())).max_strain;
+}
+
+}  // namespace planish::cli

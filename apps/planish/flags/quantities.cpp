@@ -1,0 +1,111 @@
+#include "flags/quantities.h"
+
+#include <cmath>
+#include <system_error>
+
+#include <fast_float/fast_float.h>
+
+#include "flags/units.h"
+#include "shell/failures.h"
+#include "shell/values.h"
+
+namespace planish::cli {
+
+namespace {
+
+struct NumberAndSuffix {
+  double number = 0.0;
+  std::string suffix;
+};
+
+/// How the value of a flag must look, as the end of a sentence.
+std::string demand_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::number:
+      return "a number";
+    case Quantity::share:
+      return "a share such as 0.02 or 2%";
+    case Quantity::length:
+      return "a length such as 1.5 (model units), 1.5mm, 1.5cm, 1.5m or 1.5in";
+    case Quantity::angle:
+      return "an angle in degrees such as 5 or 5deg";
+  }
+  return {};
+}
+
+NumberAndSuffix taken_apart(const std::string& flag, const std::string& text, Quantity quantity) {
+  NumberAndSuffix result;
+  const char* const end = text.data() + text.size();
+  const auto parsed = fast_float::from_chars(text.data(), end, result.number);
+  // Older versions of fast_float read 1e999 as infinity; "inf" is refused further on.
+  const bool overflows =
+      std::isinf(result.number) && '0' <= parsed.ptr[-1] && parsed.ptr[-1] <= '9';
+  if (overflows || parsed.ec == std::errc::result_out_of_range) {
+    throw UsageError(flag + " is " + text + " but must be a smaller number");
+  }
+  if (parsed.ec != std::errc()) {
+    throw UsageError(flag + " is \"" + text + "\" but must be " + demand_of(quantity));
+  }
+  result.suffix = std::string(parsed.ptr, end);
+  return result;
+}
+
+/// What one of the suffix is in model units; 0 for what is no unit.
+double model_units_per(const std::string& suffix, const Arguments& arguments) {
+  const Unit model = unit_from(arguments);
+  for (const Unit unit : k_units) {
+    if (suffix != to_string(unit)) continue;
+    return unit == model ? 1.0 : millimetres_per(unit) / millimetres_per(model);
+  }
+  return 0.0;
+}
+
+/// What a number with the suffix is to be multiplied with; 0 where the suffix does not fit.
+double factor_of(const std::string& suffix, Quantity quantity, const Arguments& arguments) {
+  if (suffix.empty()) return 1.0;
+  if (quantity == Quantity::share && suffix == "%") return 0.01;
+  if (quantity == Quantity::angle && suffix == "deg") return 1.0;
+  return quantity == Quantity::length ? model_units_per(suffix, arguments) : 0.0;
+}
+
+}  // namespace
+
+Quantity quantity_of(std::string_view option) {
+  if (option == "max_strain" || option == "max_rms_strain") return Quantity::share;
+  if (option == "max_deviation" || option == "clearance" || option == "border")
+    return Quantity::length;
+  return option == "min_angle" ? Quantity::angle : Quantity::number;
+}
+
+std::string forms_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::number:
+      return {};
+    case Quantity::share:
+      return "0.02 or 2%";
+    case Quantity::length:
+      return "1.5 or 1.5mm";
+    case Quantity::angle:
+      return "5 or 5deg";
+  }
+  return {};
+}
+
+double quantity_value(const std::string& flag, const std::string& text, Quantity quantity,
+                      Range range, const Arguments& arguments) {
+  const auto [number, suffix] = taken_apart(flag, text, quantity);
+  const double factor = factor_of(suffix, quantity, arguments);
+  if (factor == 0.0) {
+    throw UsageError(flag + " is \"" + text + "\" but must be " + demand_of(quantity));
+  }
+  // Divided, 2% is the same number as 0.02.
+  const double value = suffix == "%" ? number / 100.0 : number * factor;
+  if (quantity == Quantity::share && suffix.empty() && value > range.max) {
+    throw UsageError(flag + " is " + text + " but must be " + demand_of(quantity) +
+                     "; did you mean " + text + "%?");
+  }
+  check_range(flag, value, range);
+  return value;
+}
+
+}  // namespace planish::cli

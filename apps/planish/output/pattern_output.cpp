@@ -1,0 +1,172 @@
+#include "output/pattern_output.h"
+
+#include <algorithm>
+#include <array>
+
+#include <planish/draw/stroke_text.h>
+#include <planish/draw/write_plt.h>
+#include <planish/draw/write_svg.h>
+#include <planish/sheet/pattern_sheet.h>
+
+#include "shell/failures.h"
+#include "shell/file_name.h"
+#include "shell/values.h"
+
+namespace planish::cli {
+
+namespace {
+
+constexpr std::array k_formats = {PatternFormat::svg, PatternFormat::dxf, PatternFormat::pdf,
+                                  PatternFormat::plt};
+constexpr const char* k_usual_formats = "svg,dxf,pdf";
+
+template <class Values>
+std::vector<std::string> names_of(const Values& values) {
+  std::vector<std::string> names;
+  names.reserve(values.size());
+  for (const auto value : values)
+    names.emplace_back(to_string(value));
+  return names;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts = {""};
+  for (const char c : text) {
+    if (c == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+PatternFormat format_named(const std::string& name) {
+  const std::vector<std::string> names = names_of(k_formats);
+  known_name("format", name, names);
+  return k_formats[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) -
+                                            names.begin())];
+}
+
+// "cut=LASER,label=NOTES"
+std::map<std::string, std::string, std::less<>> layer_names_from(const std::string& text) {
+  const std::vector<std::string> layers(k_sheet_layers.begin(), k_sheet_layers.end());
+  std::map<std::string, std::string, std::less<>> names;
+  for (const std::string& pair : split(text)) {
+    const std::size_t sign = pair.find('=');
+    if (sign == std::string::npos || sign + 1 == pair.size()) {
+      throw UsageError("--dxf-layers has \"" + pair + "\" but must be like cut=LASER,label=NOTES");
+    }
+    names[known_name("layer", pair.substr(0, sign), layers)] = pair.substr(sign + 1);
+  }
+  return names;
+}
+
+Drawing prepared(const Drawing& sheet, const PatternOutput& output) {
+  return output.stroked_text ? with_stroked_text(sheet) : sheet;
+}
+
+}  // namespace
+
+std::string_view to_string(PatternFormat format) {
+  switch (format) {
+    case PatternFormat::svg:
+      return "svg";
+    case PatternFormat::dxf:
+      return "dxf";
+    case PatternFormat::pdf:
+      return "pdf";
+    case PatternFormat::plt:
+      return "plt";
+  }
+  return "unknown";
+}
+
+std::optional<PatternFormat> pattern_format_of(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  for (const PatternFormat format : k_formats) {
+    if (extension == "." + std::string(to_string(format))) return format;
+  }
+  return std::nullopt;
+}
+
+std::vector<Flag> pattern_flags(const std::string& paper_doc) {
+  return {{"--paper", "PAPER", paper_doc + ": " + list_of(names_of(k_papers))},
+          {"--text", "KIND", "letters, or strokes for machines without them (default letters)"},
+          {"--dxf-profile", "NAME",
+           "whom the .dxf is for: " + list_of(names_of(k_dxf_profiles)) + " (default generic)"},
+          {"--dxf-layers", "A=B,...",
+           "other names in the .dxf for the layers " +
+               list_of(std::vector<std::string>(k_sheet_layers.begin(), k_sheet_layers.end()))}};
+}
+
+PatternOutput pattern_output_from(const Arguments& arguments) {
+  PatternOutput output;
+  const std::vector<std::string> kinds = {"letters", "strokes"};
+  output.stroked_text =
+      known_name("kind of text", arguments.value_or("--text", "letters"), kinds) == "strokes";
+  output.dxf.profile = dxf_profile_named(known_name(
+      "profile", arguments.value_or("--dxf-profile", "generic"), names_of(k_dxf_profiles)));
+  if (arguments.has("--dxf-layers")) {
+    output.dxf.layer_names = layer_names_from(arguments.flags.at("--dxf-layers"));
+  }
+  if (arguments.has("--paper")) {
+    output.paper =
+        paper_named(known_name("paper", arguments.flags.at("--paper"), names_of(k_papers)));
+  }
+  return output;
+}
+
+void refuse_idle_pattern_flags(const Arguments& arguments,
+                               const std::vector<PatternFormat>& formats) {
+  const auto check = [&](const char* flag, bool is_heeded, const std::string& where) {
+    if (arguments.has(flag) && !is_heeded) {
+      throw UsageError(std::string("flag ") + flag + " goes with " + where + " only");
+    }
+  };
+  const auto writes = [&](PatternFormat format) {
+    return std::find(formats.begin(), formats.end(), format) != formats.end();
+  };
+  check("--paper", writes(PatternFormat::pdf), "pdf");
+  check("--text", !formats.empty(), "svg, dxf, pdf and plt");
+  check("--dxf-profile", writes(PatternFormat::dxf), "dxf");
+  check("--dxf-layers", writes(PatternFormat::dxf), "dxf");
+}
+
+Flag formats_flag() {
+  return {"--formats", "LIST",
+          std::string("of the pattern: some of svg, dxf, pdf and plt (default ") + k_usual_formats +
+              ")"};
+}
+
+std::vector<PatternFormat> formats_from(const Arguments& arguments) {
+  std::vector<PatternFormat> formats;
+  for (const std::string& name : split(arguments.value_or("--formats", k_usual_formats))) {
+    const PatternFormat format = format_named(name);
+    if (std::find(formats.begin(), formats.end(), format) == formats.end()) {
+      formats.push_back(format);
+    }
+  }
+  return formats;
+}
+
+std::string pattern_file(const Drawing& sheet, PatternFormat format, const PatternOutput& output) {
+  const Drawing drawing = prepared(sheet, output);
+  switch (format) {
+    case PatternFormat::svg:
+      return write_svg(drawing);
+    case PatternFormat::dxf:
+      return write_dxf(drawing, output.dxf);
+    case PatternFormat::pdf:
+      return write_pdf(drawing);
+    case PatternFormat::plt:
+      return write_plt(drawing);
+  }
+  return {};
+}
+
+std::string tiled_file(const Drawing& sheet, const PatternOutput& output) {
+  return write_tiled_pdf(prepared(sheet, output), *output.paper);
+}
+
+}  // namespace planish::cli

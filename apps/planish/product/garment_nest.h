@@ -1,0 +1,69 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <planish/sheet/nest_sheet.h>
+
+#include "output/pattern_output.h"
+#include "product/garment_run.h"
+#include "shell/command.h"
+#include "shell/session.h"
+
+namespace planish::cli {
+
+/// How patches are laid on sheets, and how that is written.
+struct NestRequest {
+  NestOptions sheets;
+  std::vector<PatternFormat> formats;
+  PatternOutput output;
+};
+
+/// --sheet, --nest-gap, --nest-margin and --turn.
+FlagGroup nest_flags();
+
+/// What the flags ask for; nothing without --sheet.
+/// @throws UsageError, Error option_out_of_range
+std::optional<NestOptions> sheets_from(const Arguments& arguments);
+
+/// What came of laying patches on sheets.
+struct NestOutcome {
+  std::vector<OutputFile> files;  ///< a drawing of each sheet, in every format
+  std::string json;               ///< an object: of the files, or of the failure
+  std::string text;               ///< as people read it
+  std::string material = {};      ///< what the pieces are laid on, in words
+  std::string use = {};           ///< how much of it they take
+  std::optional<PatchFailure> failure = {};
+};
+
+/// Whether one patch alone fits on a sheet, in words.
+struct SheetFit {
+  bool fits = false;
+  std::string material;  ///< what it is laid on
+  std::string use;       ///< how much of it that takes, or why it does not fit
+};
+
+/// From any thread. Without a material where it cannot be told: laying all patches then tells why.
+SheetFit fit_alone(NestPatch patch, Unit unit, const NestOptions& sheets);
+
+/// Lays patches on sheets.
+/// @param folder of the drawings
+/// @throws Interrupted; Error as nest(), nest_pieces() and nest_sheet()
+NestOutcome nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRequest& request,
+                         const std::filesystem::path& folder, const std::string& title,
+                         Session& session);
+
+/// The same, but what stands in the way is told and not thrown.
+NestOutcome try_nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRequest& request,
+                             const std::filesystem::path& folder, const std::string& title,
+                             Session& session);
+
+/// A report with what came of it as "nesting": null where nothing was asked for.
+std::string json_with_nesting(const std::string& report, const std::optional<NestOutcome>& outcome);
+
+/// Ends with exit code 1 where the patches could not be laid on the sheets.
+Outcome with_nesting_checked(Outcome outcome, const std::optional<NestOutcome>& nesting);
+
+}  // namespace planish::cli

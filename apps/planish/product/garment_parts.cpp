@@ -1,0 +1,223 @@
+#include "product/garment_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include <planish/mesh/inspect.h>
+#include <planish/mesh/split.h>
+#include <planish/platform/path.h>
+
+#include "output/pattern_output.h"
+#include "shell/failures.h"
+#include "shell/file_name.h"
+#include "shell/text.h"
+
+namespace planish::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_mesh_file(const fs::path& path) {
+  const std::string extension = lower_extension(utf8_of(path));
+  return std::any_of(k_mesh_formats.begin(), k_mesh_formats.end(), [&](MeshFormat format) {
+    return extension == "." + std::string(to_string(format));
+  });
+}
+
+std::vector<std::string> mesh_files_in(const std::string& folder) {
+  std::error_code failure;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator at(path_of(folder), failure), end; !failure && at != end;
+       at.increment(failure)) {
+    std::error_code ignored;
+    if (at->is_regular_file(ignored) && is_mesh_file(at->path())) files.push_back(at->path());
+  }
+  if (failure) throw Error(ErrorCode::file_unreadable, failure.message(), {.path = folder});
+  if (files.empty()) {
+    throw Error(ErrorCode::file_unreadable,
+                "the folder holds no mesh file: .obj, .ply, .stl or .off", {.path = folder});
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<std::string> names;
+  names.reserve(files.size());
+  for (const fs::path& file : files)
+    names.push_back(utf8_of(file));
+  return names;
+}
+
+/// Triangles that share no edges are no product but one patch that was written without joining
+/// them.
+void refuse_loose_triangles(const TriMesh& mesh, std::size_t parts, const std::string& path) {
+  if (parts < 2 || parts < mesh.triangles.size()) return;
+  if (const auto problem = blocking_problem(inspect(mesh), Purpose::evolve)) {
+    throw Error(problem->code, problem->message,
+                {.path = path, .first = problem->first, .count = problem->count});
+  }
+}
+
+/// The patches of one file, their folders not named yet.
+std::vector<GarmentPatch> patches_of(const ReadResult& input, const std::string& path) {
+  std::vector<NamedPatch> parts =
+      input.groups.names.empty() ? split(input.mesh, stem_of(path))
+                                 : split(input.mesh, input.groups.of_triangle, input.groups.names);
+  refuse_loose_triangles(input.mesh, parts.size(), path);
+  std::vector<GarmentPatch> patches;
+  patches.reserve(parts.size());
+  for (NamedPatch& part : parts)
+    patches.push_back({std::move(part.name), {}, std::move(part.mesh), input.format});
+  return patches;
+}
+
+void name_folders(std::vector<GarmentPatch>& patches) {
+  std::vector<std::string> names;
+  names.reserve(patches.size());
+  for (const GarmentPatch& patch : patches)
+    names.push_back(patch.name);
+  const std::vector<std::string> folders = safe_names(names);
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    patches[p].folder = folders[p];
+}
+
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+         c == '_' || c == '.';
+}
+
+/// Shows nothing, or turns what stands around it: a name could look like another one.
+bool is_invisible(char32_t c) {
+  return c < 0xA0 || (c >= 0x200B && c <= 0x200F) || (c >= 0x2028 && c <= 0x202E) ||
+         (c >= 0x2060 && c <= 0x206F) || c == 0xFEFF || c == 0xAD || c == 0x61C;
+}
+
+/// Length of the letter beyond ASCII that begins there; 0 where there is none, or none to be seen.
+std::size_t letter_length(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text[0]);
+  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return 0;
+  char32_t value = lead & (0xFFU >> (length + 1));
+  for (const char c : text.substr(1, length - 1)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0U) != 0x80U) return 0;
+    value = value << 6U | (byte & 0x3FU);
+  }
+  constexpr std::array<char32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};
+  const bool is_letter = value >= smallest.at(length) && value <= 0x10FFFF &&
+                         (value < 0xD800 || value > 0xDFFF) && !is_invisible(value);
+  return is_letter ? length : 0;
+}
+
+std::string in_small_letters(std::string name) {
+  for (char& c : name) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return name;
+}
+
+/// Windows takes these, whatever follows a dot, for devices.
+bool is_device(const std::string& name) {
+  const std::string stem = in_small_letters(name.substr(0, name.find('.')));
+  if (stem == "con" || stem == "prn" || stem == "aux" || stem == "nul") return true;
+  const std::string kind = stem.substr(0, 3);
+  return stem.size() == 4 && (kind == "com" || kind == "lpt") && stem[3] >= '0' && stem[3] <= '9';
+}
+
+/// Whether a file beside the folders of patches could have the name: garment.json, layout-1.svg.
+bool is_like_a_file(const std::string& name) {
+  const std::string extension = lower_extension(name);
+  constexpr std::array kinds = {".json", ".svg", ".dxf", ".pdf", ".plt"};
+  return std::find(kinds.begin(), kinds.end(), extension) != kinds.end();
+}
+
+std::string safe_name(const std::string& name) {
+  constexpr std::size_t k_longest = 80;
+  std::string safe;
+  safe.reserve(name.size());
+  for (std::size_t i = 0; i < name.size();) {
+    const std::size_t length =
+        is_plain(name[i]) ? 1 : letter_length(std::string_view(name).substr(i));
+    safe += length > 0 ? name.substr(i, length) : "_";
+    i += std::max<std::size_t>(1, length);
+  }
+  safe = beginning(safe, k_longest);
+  while (!safe.empty() && safe.back() == '.')
+    safe.pop_back();  // Windows drops them
+  if (!safe.empty() && (safe.front() == '.' || safe.front() == '-')) safe.front() = '_';
+  if (safe.empty()) safe = "patch";
+  return is_device(safe) || is_like_a_file(safe) ? safe + "_" : safe;
+}
+
+}  // namespace
+
+std::vector<std::string> safe_names(const std::vector<std::string>& names) {
+  std::set<std::string> taken;
+  std::map<std::string, int> next;  // number to try, where names are alike: many may be
+  std::vector<std::string> safe;
+  safe.reserve(names.size());
+  for (const std::string& name : names) {
+    const std::string wanted = safe_name(name);
+    std::string given = wanted;
+    int& k = next.try_emplace(in_small_letters(wanted), 2).first->second;
+    while (!taken.insert(in_small_letters(given)).second)
+      given = wanted + "-" + std::to_string(k++);
+    safe.push_back(std::move(given));
+  }
+  return safe;
+}
+
+GarmentInput read_garment(Session& session, const std::string& path) {
+  GarmentInput input;
+  input.path = path;
+  std::error_code ignored;
+  if (!fs::is_directory(path_of(path), ignored)) {
+    input.whole = session.read(path);
+    input.patches = patches_of(input.whole, path);
+    if (input.patches.size() > 1) {
+      const std::string& kind = input.whole.groups.kind;
+      session.note(path + ": " + std::to_string(input.patches.size()) + " patches" +
+                   (kind.empty() ? "" : ", divided by " + kind));
+    }
+  } else {
+    for (const std::string& file : mesh_files_in(path)) {
+      try {
+        ReadResult whole = session.read(file);
+        std::vector<GarmentPatch> patches = patches_of(whole, file);
+        std::move(patches.begin(), patches.end(), std::back_inserter(input.patches));
+        input.whole = std::move(whole);
+      } catch (const Error& error) {
+        input.patches.push_back({stem_of(file), {}, {}, MeshFormat::obj, error});
+      }
+      input.path = file;
+    }
+    if (input.patches.size() == 1 && input.patches.front().failure) {
+      throw Error(*input.patches.front().failure);
+    }
+  }
+  name_folders(input.patches);
+  return input;
+}
+
+std::optional<CutDone> cut_garment(GarmentInput& input, const Arguments& arguments,
+                                   Session& session) {
+  if (!arguments.has("--cut")) return std::nullopt;
+  if (input.patches.size() > 1) {
+    throw UsageError("flag --cut goes with one patch only; the input has several");
+  }
+  CutInput cut = cut_as_asked(std::move(input.whole.mesh), input.path, arguments, session);
+  input.whole.mesh = std::move(cut.mesh);
+  input.whole.groups = {};
+  std::vector<GarmentPatch> patches = patches_of(input.whole, input.path);
+  if (patches.size() > 1) {
+    session.note(input.path + ": the cut makes " + std::to_string(patches.size()) + " patches");
+    input.patches = std::move(patches);
+    name_folders(input.patches);
+  }
+  return cut.cut;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <planish/core/error.h>
+#include <planish/io/read_mesh.h>
+
+#include "flags/cut_flag.h"
+#include "shell/session.h"
+
+namespace planish::cli {
+
+/// One patch of a product.
+struct GarmentPatch {
+  std::string name;    ///< as the file has it
+  std::string folder;  ///< safe name of its folder, unlike that of every other
+  TriMesh mesh;
+  MeshFormat format = MeshFormat::obj;
+  std::optional<Error> failure = {};  ///< its file could not be read
+};
+
+/// What the main job is to be done on.
+struct GarmentInput {
+  std::vector<GarmentPatch> patches;
+  std::string path;  ///< of the file where there is one patch
+  ReadResult whole;  ///< where there is one patch: the file as it is
+};
+
+/// Reads a mesh file, or all mesh files of a folder in the order of their names, and divides what
+/// it reads into patches: by the groups that the files have, then into pieces that hang together.
+/// @throws Error what read_mesh() throws where the path is a file; file_unreadable for a folder
+/// that
+///   holds no mesh file
+GarmentInput read_garment(Session& session, const std::string& path);
+
+/// Cuts an input of one patch open as --cut says; where that divides it, it has several patches
+/// from then on.
+/// @throws UsageError for an input of several patches, Error as cut_as_asked()
+std::optional<CutDone> cut_garment(GarmentInput& input, const Arguments& arguments,
+                                   Session& session);
+
+/// Names of folders and files that are sound everywhere and lead nowhere else: letters, digits,
+/// dots, hyphens, underscores and what is not ASCII; other characters become underscores. No two
+/// are equal, also where the system takes small and large letters for the same.
+std::vector<std::string> safe_names(const std::vector<std::string>& names);
+
+}  // namespace planish::cli

@@ -1,0 +1,70 @@
+#include "product/garment_seams.h"
+
+#include <utility>
+
+#include <planish/mesh/connectivity.h>
+#include <planish/mesh/inspect.h>
+#include <planish/pattern/read_furniture.h>
+#include <planish/pattern/seam_notches.h>
+#include <planish/platform/path.h>
+
+#include "flags/quantities.h"
+#include "flags/units.h"
+#include "shell/failures.h"
+
+namespace planish::cli {
+
+namespace {
+
+double tolerance_from(const Arguments& arguments) {
+  if (!arguments.has("--seam-tolerance")) return 0.0;
+  return quantity_value("--seam-tolerance", arguments.flags.at("--seam-tolerance"),
+                        Quantity::length, {.min = 0.0}, arguments);
+}
+
+}  // namespace
+
+std::vector<Seam> seams_from(const Arguments& arguments, std::span<const TriMesh> meshes) {
+  std::vector<std::size_t> numbers;
+  std::vector<TriMesh> sound;
+  numbers.reserve(meshes.size());
+  sound.reserve(meshes.size());
+  for (std::size_t p = 0; p < meshes.size(); ++p) {
+    if (blocking_problem(inspect(meshes[p]), Purpose::measure)) continue;
+    numbers.push_back(p);
+    sound.push_back(meshes[p]);
+  }
+  std::vector<Seam> seams = find_seams(sound, tolerance_from(arguments));
+  for (Seam& seam : seams) {
+    for (SeamSide& side : seam.sides)
+      side.patch = numbers[side.patch];
+  }
+  return seams;
+}
+
+std::vector<std::vector<Notch>> seam_notches_from(const Arguments& arguments,
+                                                  std::span<const TriMesh> meshes,
+                                                  std::span<const std::string> names) {
+  if (!arguments.has("--seam-notches")) return std::vector<std::vector<Notch>>(meshes.size());
+  const std::string& path = arguments.flags.at("--seam-notches");
+  const std::vector<SeamNotch> notches = read_seam_notches(path_of(path));
+  return about(path, [&] {
+    return notches_of_patches(notches, seams_from(arguments, meshes), meshes, names,
+                              millimetres_per(unit_from(arguments)));
+  });
+}
+
+PatternOptions furniture_on(PatternOptions furniture, const Arguments& arguments,
+                            const TriMesh& mesh, const std::string& name) {
+  const bool seams = arguments.has("--seam-notches");
+  if (named_vertices(furniture).empty() && furniture.notches.empty() && !seams) return furniture;
+  const Connectivity connectivity(mesh);
+  check_pattern_options(furniture, mesh.positions.size(), connectivity.border_loops(), name);
+  const std::vector<std::vector<Notch>> on_seams =
+      seam_notches_from(arguments, {&mesh, 1}, {&name, 1});
+  furniture.notches.insert(furniture.notches.end(), on_seams.front().begin(),
+                           on_seams.front().end());
+  return furniture;
+}
+
+}  // namespace planish::cli

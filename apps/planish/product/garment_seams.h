@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include <planish/mesh/seams.h>
+#include <planish/pattern/notches.h>
+#include <planish/pattern/pattern_options.h>
+
+#include "shell/command.h"
+
+namespace planish::cli {
+
+/// The seams of patches by --seam-tolerance. Borders of patches that cannot be measured take part
+/// in none.
+std::vector<Seam> seams_from(const Arguments& arguments, std::span<const TriMesh> meshes);
+
+/// Of each patch the notches that --seam-notches puts on its seams; none without that flag.
+/// @throws Error as read_seam_notches() and notches_of_patches()
+std::vector<std::vector<Notch>> seam_notches_from(const Arguments& arguments,
+                                                  std::span<const TriMesh> meshes,
+                                                  std::span<const std::string> names);
+
+/// What the one patch of a run gets, with the notches on its seams with itself, as far as that can
+/// be known before it is flat.
+/// @throws Error as seam_notches_from() and check_pattern_options()
+PatternOptions furniture_on(PatternOptions furniture, const Arguments& arguments,
+                            const TriMesh& mesh, const std::string& name);
+
+}  // namespace planish::cli

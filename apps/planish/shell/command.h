@@ -1,0 +1,67 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shell/run_context.h"
+
+namespace planish::cli {
+
+/// One flag, as the parser and the help see it.
+struct Flag {
+  std::string name;   ///< "--lambda-min"
+  std::string value;  ///< what the help calls its value; empty where it takes none
+  std::string doc;
+  char letter = 0;  ///< of the short form; 0 for none
+  bool required = false;
+};
+
+struct FlagGroup {
+  std::string title;
+  std::vector<Flag> flags;
+};
+
+/// What the user typed behind the verb.
+struct Arguments {
+  std::vector<std::string> operands;
+  /// Full name of the flag -> its value, empty for flags that take none.
+  std::map<std::string, std::string, std::less<>> flags;
+
+  bool has(std::string_view flag) const { return flags.find(flag) != flags.end(); }
+  /// The value of a flag or the other text where it was not given.
+  std::string value_or(std::string_view flag, const std::string& other) const;
+};
+
+/// What a verb says and how it ended. run() alone prints it, so that --json is one object always.
+/// Verbs make it before they write their files, the last that they do: nothing can fail behind
+/// that.
+struct Outcome {
+  std::string text;  ///< for people
+  std::string json;
+  int exit_code = k_exit_done;
+  std::string complaint = {};  ///< for standard error, where the exit code is not 0
+};
+
+class Session;
+
+/// One verb of the program.
+struct Command {
+  std::string name;
+  std::string summary;      ///< a line for the list of verbs
+  std::string usage;        ///< what follows the verb: "INPUT -o OUTPUT"
+  std::string description;  ///< a paragraph for the verb's own help
+  std::vector<std::string> operands;
+  std::vector<FlagGroup> groups;
+  std::vector<std::string> examples;
+  Outcome (*run)(const Arguments&, Session&);
+};
+
+/// The flags that every verb takes, before or behind it.
+const FlagGroup& global_flags();
+
+/// The flag of that name that the verb takes, or nullptr.
+const Flag* find_flag(const Command& command, std::string_view name);
+
+}  // namespace planish::cli

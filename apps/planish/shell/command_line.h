@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "shell/command.h"
+
+namespace planish::cli {
+
+/// A command line that asks for the same, for a shell: the verb, what it works on and its flags by
+/// their full names, without those that change nothing of what is written.
+std::string command_line(std::string_view verb, const Arguments& arguments);
+
+}  // namespace planish::cli

@@ -1,0 +1,110 @@
+#include "shell/session.h"
+
+#include <algorithm>
+#include <set>
+
+#include <planish/platform/path.h>
+
+#include "shell/failures.h"
+#include "shell/text.h"
+#include "shell/values.h"
+
+namespace planish::cli {
+
+namespace {
+
+constexpr double k_most_threads = 1024;
+constexpr int k_bar_width = 14;
+constexpr auto k_redraw_interval = std::chrono::milliseconds(100);
+
+std::string bar(double share) {
+  const auto full = static_cast<std::size_t>(k_bar_width * std::clamp(share, 0.0, 1.0));
+  return "[" + left(std::string(full, '#'), k_bar_width) + "]";
+}
+
+}  // namespace
+
+Session::Session(const Arguments& arguments, std::ostream& err, const RunContext& context)
+    : err_(err),
+      context_(context),
+      quiet_(arguments.has("--quiet")),
+      draws_progress_(context.err_is_terminal && !quiet_) {
+  const std::string threads = arguments.value_or("--threads", "0");
+  threads_ = static_cast<unsigned>(whole_number_of("--threads", threads, {0.0, k_most_threads}));
+}
+
+Session::~Session() {
+  clear_progress();
+}
+
+void Session::note(const std::string& message) {
+  if (quiet_) return;
+  clear_progress();
+  err_ << "note: " << Shown{message} << "\n";
+}
+
+void Session::tell(const std::string& line) {
+  if (quiet_) return;
+  clear_progress();
+  err_ << Shown{line} << std::endl;
+}
+
+void Session::warn(const std::string& message) {
+  clear_progress();
+  err_ << "warning: " << Shown{message} << "\n";
+}
+
+void Session::show_progress(const std::string& stage, double share, const std::string& detail) {
+  if (!draws_progress_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (drawn_ > 0 && now - last_drawn_ < k_redraw_interval) return;
+  last_drawn_ = now;
+  std::string line = left(stage, 10) + bar(share) + right(fixed(100.0 * share, 0), 4) + " %";
+  if (!detail.empty()) line += "  " + detail;
+  line.resize(std::min(line.size(), k_text_width - 1));
+  err_ << '\r' << Shown{left(line, drawn_)} << std::flush;  // padded over what stood there
+  drawn_ = line.size();
+}
+
+void Session::clear_progress() {
+  if (drawn_ == 0) return;
+  err_ << '\r';
+  for (std::size_t i = 0; i < drawn_; ++i)
+    err_ << ' ';
+  err_ << '\r' << std::flush;
+  drawn_ = 0;
+}
+
+bool Session::interrupted() const {
+  return context_.interrupted != nullptr && context_.interrupted->load();
+}
+
+void Session::stop_if_interrupted() const {
+  if (interrupted()) throw Interrupted();
+}
+
+ReadResult Session::read(const std::string& path) {
+  ReadResult result = read_mesh(path_of(path));
+  for (const std::string& message : result.notes)
+    note(path + ": " + message);
+  stop_if_interrupted();
+  return result;
+}
+
+void Session::write(const std::vector<OutputFile>& files, const std::filesystem::path& folder) {
+  stop_if_interrupted();
+  clear_progress();
+  write_files(files, folder);
+}
+
+void refuse_shared_places(const std::vector<OutputFile>& files) {
+  std::set<std::filesystem::path> places;
+  for (const OutputFile& file : files) {
+    const auto place = std::filesystem::absolute(file.path).lexically_normal();
+    if (!places.insert(place).second) {
+      throw UsageError("two outputs have the same path " + utf8_of(file.path));
+    }
+  }
+}
+
+}  // namespace planish::cli

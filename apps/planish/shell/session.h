@@ -1,0 +1,65 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <planish/io/read_mesh.h>
+#include <planish/io/write_file.h>
+
+#include "shell/command.h"
+
+namespace planish::cli {
+
+/// What verbs share while they run: messages, progress, reading and writing.
+class Session {
+ public:
+  /// @throws UsageError, Error option_out_of_range for bad global flags
+  Session(const Arguments& arguments, std::ostream& err, const RunContext& context);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  unsigned threads() const { return threads_; }
+
+  /// Says what a user may want to know; nothing with --quiet.
+  void note(const std::string& message);
+  /// Says how far a long job has come; nothing with --quiet.
+  void tell(const std::string& line);
+  /// Says what a user must know.
+  void warn(const std::string& message);
+
+  /// Draws the line of progress anew, on a terminal only and not too often.
+  /// @param share done, 0 to 1
+  void show_progress(const std::string& stage, double share, const std::string& detail);
+
+  /// True from the moment on that the user asked to stop.
+  bool interrupted() const;
+
+  /// Reads a mesh and passes on what the reader noticed.
+  ReadResult read(const std::string& path);
+  /// Writes all files or none; below the folder no symbolic link is followed, as write_files()
+  /// tells.
+  /// @throws Interrupted where the user asked to stop
+  void write(const std::vector<OutputFile>& files, const std::filesystem::path& folder = {});
+
+ private:
+  void clear_progress();
+  void stop_if_interrupted() const;
+
+  std::ostream& err_;
+  const RunContext& context_;
+  bool quiet_;
+  bool draws_progress_;
+  unsigned threads_ = 0;
+  std::size_t drawn_ = 0;  // characters of the progress line that stand there
+  std::chrono::steady_clock::time_point last_drawn_ = {};
+};
+
+/// Where a run writes two things to one place, one of them would be lost.
+/// @throws UsageError
+void refuse_shared_places(const std::vector<OutputFile>& files);
+
+}  // namespace planish::cli

@@ -1,0 +1,46 @@
+#include "shell/values.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "shell/failures.h"
+#include "shell/nearest.h"
+
+namespace planish::cli {
+
+std::string shortest(double value) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
+int whole_number_of(const std::string& flag, const std::string& text, Range range) {
+  int value = 0;
+  const char* const end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, value);
+  if (parsed.ec == std::errc::result_out_of_range) {
+    throw UsageError(flag + " is " + text + " but must be a smaller number");
+  }
+  if (parsed.ec != std::errc() || parsed.ptr != end) {
+    throw UsageError(flag + " is \"" + text + "\" but must be a whole number");
+  }
+  check_range(flag, value, range);
+  return value;
+}
+
+const std::string& known_name(const std::string& what, const std::string& text,
+                              std::span<const std::string> known) {
+  if (std::find(known.begin(), known.end(), text) != known.end()) return text;
+  throw UsageError("unknown " + what + " " + text + nearest_hint(text, known) + " (there are " +
+                   list_of(known) + ")");
+}
+
+std::string list_of(std::span<const std::string> names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+    text += names[i];
+  }
+  return text;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,52 @@
+#include "text/json_text.h"
+
+#include <planish_json/json.h>
+
+namespace planish::cli {
+
+namespace {
+
+/// Paths may hold bytes that are no UTF-8: these become U+FFFD.
+std::string text_of(const Json& json) {
+  return json_document(json);
+}
+
+}  // namespace
+
+std::string json_failure(const std::string& code, const std::string& message) {
+  return text_of({{"error", {{"code", code}, {"message", message}}}});
+}
+
+std::string json_version(const std::string& version) {
+  return text_of({{"version", version}});
+}
+
+std::string json_written(const TriMesh& mesh, const std::string& output) {
+  return text_of({{"vertices", mesh.positions.size()},
+                  {"triangles", mesh.triangles.size()},
+                  {"output", output}});
+}
+
+std::string json_samples(std::span<const Shape> shapes) {
+  Json list = Json::array();
+  for (const Shape& shape : shapes) {
+    list.push_back({{"name", std::string(shape.name)},
+                    {"description", std::string(shape.description)},
+                    {"flattenable", shape.flattenable}});
+  }
+  Json object;
+  object["samples"] = list;
+  return text_of(object);
+}
+
+std::string json_with_directions(const std::string& measure, const DirectionCounts& counts) {
+  Json object = Json::parse(measure);
+  object["directions"] = {{"flat", counts.flat},
+                          {"dome_or_cup", counts.dome_or_cup},
+                          {"saddle", counts.saddle},
+                          {"can_lower", counts.can_lower},
+                          {"stuck", counts.stuck}};
+  return text_of(object);
+}
+
+}  // namespace planish::cli

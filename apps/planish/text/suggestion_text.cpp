@@ -1,0 +1,105 @@
+#include "text/suggestion_text.h"
+
+#include <optional>
+
+#include <planish/core/version.h>
+#include <planish/io/read_cuts.h>
+
+#include <planish_json/json.h>
+
+#include "shell/text.h"
+
+namespace planish::cli {
+
+namespace {
+
+std::string strain_text(const EdgeStrain& strain) {
+  return percent(strain.max) + " (rms " + percent(strain.rms) + ")";
+}
+
+/// "dart, 42 mm: strain 7.61 % (rms 2.10 %) -> 0.90 % (rms 0.20 %)"
+std::string cut_text(const SuggestedCut& cut, const std::string& unit) {
+  std::string what =
+      std::string(cut.is_dart ? "dart" : "seam") + ", " + digits(cut.length) + " " + unit;
+  if (!cut.after) return what;  // no pattern yet
+  return what + ": strain " + (cut.before ? strain_text(*cut.before) + " -> " : "") +
+         strain_text(*cut.after);
+}
+
+std::string ending_text(const CutSuggestion& suggestion, double max_strain) {
+  const std::string limit = percent(max_strain);
+  if (suggestion.met()) {
+    return suggestion.cuts.empty()
+               ? "Met without a cut: no edge of the pattern is strained by more than " + limit + "."
+               : "Met: with these cuts no edge of the pattern is strained by more than " + limit +
+                     ".";
+  }
+  const std::string why = suggestion.stop == SuggestStop::dart_limit
+                              ? "all darts of --max-cuts are there"
+                              : "no dart that was tried lowers the rms strain by 5 % more";
+  return "Not met: an edge of the pattern is still strained by " +
+         percent(suggestion.last.strain.max) + ", the limit is " + limit + "; " + why + ".";
+}
+
+Json to_json(const EdgeStrain& strain) {
+  return {{"max", strain.max}, {"rms", strain.rms}, {"p99", strain.p99}};
+}
+
+Json to_json(const std::optional<EdgeStrain>& strain) {
+  return strain ? to_json(*strain) : Json(nullptr);
+}
+
+}  // namespace
+
+std::string suggestion_text(const CutSuggestion& suggestion, double max_strain, Unit unit) {
+  std::string text;
+  if (!suggestion.cuts.empty()) {
+    text += "Cuts, with the largest strain of an edge of the pattern before and after:\n";
+  }
+  for (std::size_t k = 0; k < suggestion.cuts.size(); ++k) {
+    text += "  " + std::to_string(k + 1) + "  " +
+            wrapped(cut_text(suggestion.cuts[k], std::string(to_string(unit))), 5) + "\n";
+  }
+  if (!suggestion.cuts.empty()) text += "\n";
+  text += wrapped(ending_text(suggestion, max_strain), 0) + "\n";
+  if (suggestion.last.pattern.overlaps) {
+    text += wrapped("The pattern overlaps itself: it cannot be cut from one sheet.", 0) + "\n";
+  }
+  return text;
+}
+
+std::string suggestion_json(const CutSuggestion& suggestion, double max_strain, Unit unit,
+                            const std::map<std::string, std::string>& files) {
+  Json cuts = Json::array();
+  for (const SuggestedCut& cut : suggestion.cuts) {
+    cuts.push_back({{"kind", cut.is_dart ? "dart" : "seam"},
+                    {"vertices", cut.path},
+                    {"length", cut.length},
+                    {"strain_before", to_json(cut.before)},
+                    {"strain_after", to_json(cut.after)}});
+  }
+  const Json object = {{"version", k_version},
+                       {"unit", to_string(unit)},
+                       {"max_strain", max_strain},
+                       {"met", suggestion.met()},
+                       {"stop", to_string(suggestion.stop)},
+                       {"cuts", std::move(cuts)},
+                       {"edges", suggestion.last.cut.edges},
+                       {"length", suggestion.last.cut.length},
+                       {"strain_before", to_json(suggestion.first.strain)},
+                       {"strain", to_json(suggestion.last.strain)},
+                       {"overlaps", suggestion.last.pattern.overlaps},
+                       {"files", Json(files)}};
+  return json_document(object) + "\n";
+}
+
+std::string suggestion_file(const CutSuggestion& suggestion, Unit unit) {
+  std::string text = "# Cuts for planish --cut: vertices from 0, a cut a line\n";
+  for (const SuggestedCut& cut : suggestion.cuts) {
+    text += "# " + cut_text(cut, std::string(to_string(unit))) + "\n" +
+            format_cuts(std::span(&cut.path, 1));
+  }
+  return text;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,394 @@
+#include "text/summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <planish/flatten/strain_limit_text.h>
+#include <planish/platform/path.h>
+
+#include "shell/text.h"
+#include "shell/values.h"
+
+namespace planish::cli {
+
+namespace {
+
+// Lengths in mm beyond which the unit is probably not the one meant.
+constexpr double k_small_pattern = 10.0;
+constexpr double k_large_pattern = 50'000.0;
+
+constexpr double k_degrees = 57.295779513082320877;
+
+/// Name, unit and figures of one line. All are better when smaller, but the smallest angle.
+struct Row {
+  std::string name, unit;
+  double before = 0.0, after = 0.0;
+  std::string meaning = {};
+  bool larger_is_better = false;
+};
+
+std::vector<Row> figure_rows(const Flattenability& before, const Flattenability& after) {
+  return {{"e_max", "rad", before.e_max, after.e_max, "largest angle defect"},
+          {"e_avg", "rad", before.e_avg, after.e_avg, "mean size of the angle defects"},
+          {"energy", "rad^2", before.energy, after.energy, "sum of the squared defects"},
+          {"sum_abs_defect", "rad", before.sum_abs_defect, after.sum_abs_defect,
+           "the same at every mesh density"},
+          {"smallest angle", "deg", k_degrees * before.min_angle, k_degrees * after.min_angle, "",
+           true}};
+}
+
+std::vector<Row> strain_rows(const EdgeStrain& before, const EdgeStrain& after) {
+  return {{"strain, rms", "%", 100.0 * before.rms, 100.0 * after.rms},
+          {"strain, 99 % of area", "%", 100.0 * before.p99, 100.0 * after.p99},
+          {"strain, largest", "%", 100.0 * before.max, 100.0 * after.max}};
+}
+
+std::string change_text(double before, double after) {
+  if (before == after) return "same";
+  if (before == 0.0) return "";
+  const double change = 100.0 * (after / before - 1.0);
+  if (!std::isfinite(change) || std::abs(change) >= 99999.5) return "";
+  if (std::abs(change) < 0.05) return "0.0 %";
+  return (change < 0.0 ? "" : "+") + fixed(change, 1) + " %";
+}
+
+/// A change that anyone would notice, for the worse.
+bool is_worse(const Row& row) {
+  constexpr double rounding = 1e-9, little = 0.005;
+  const double more = row.larger_is_better ? row.before - row.after : row.after - row.before;
+  return more > std::max(rounding, little * std::abs(row.before));
+}
+
+std::string comparison(const std::vector<Row>& rows) {
+  std::string text;
+  for (const Row& row : rows) {
+    text += "  " + left(row.name, 24) + left(row.unit, 7) + right(digits(row.before), 11) +
+            right(digits(row.after), 13) + right(change_text(row.before, row.after), 13) +
+            (is_worse(row) ? "  worse\n" : "\n");
+  }
+  return text;
+}
+
+std::string comparison_head() {
+  return left("", 33) + right("before", 11) + right("after", 13) + right("change", 13) + "\n";
+}
+
+std::string count_line(const std::string& name, long long count) {
+  return "  " + left(name, 24) + right(std::to_string(count), 11) + "\n";
+}
+
+std::string sizes_text(const std::string& path, const Topology& t) {
+  return path + "\n\n" + count_line("vertices", static_cast<long long>(t.vertices)) +
+         count_line("inner vertices", static_cast<long long>(t.inner_vertices)) +
+         count_line("triangles", static_cast<long long>(t.triangles)) +
+         count_line("components", static_cast<long long>(t.components)) +
+         count_line("border loops", static_cast<long long>(t.border_loops)) +
+         count_line("Euler characteristic", t.euler_characteristic);
+}
+
+std::string problems_text(const Inspection& inspection) {
+  if (inspection.problems.empty()) return {};
+  std::string text = "\nProblems:\n";
+  for (const Problem& problem : inspection.problems) {
+    text += "  " + std::string(to_string(problem.code)) + " (" + std::to_string(problem.count) +
+            ")\n    " + wrapped(problem.message, 4) + "\n";
+  }
+  return text;
+}
+
+std::string fitness_line(const std::string& what, const Inspection& inspection, Purpose purpose) {
+  const auto problem = blocking_problem(inspection, purpose);
+  const std::string answer = problem ? "no: " + std::string(to_string(problem->code)) : "yes";
+  return "  " + left(what, 24) + right(problem ? "" : answer, 11) +
+         (problem ? std::string(8, ' ') + answer : "") + "\n";
+}
+
+std::string obstruction_advice(const Obstruction& obstruction) {
+  return std::string(obstruction.has_flat_border()
+                         ? "the border is flat and convex, so that only a plane piece fits it"
+                         : "the border is too short for the patch") +
+         ": at least " + percent(obstruction.excess_share) + " of the area (" +
+         digits(obstruction.area_excess, 3) + " of " + digits(obstruction.area, 3) +
+         " square units) must go before it can lie flat with this border. Evolving can only pull "
+         "the surface in; a dart or a cut keeps its form.";
+}
+
+/// What the border of a disk demands of a flat piece.
+std::string obstruction_text(const std::optional<Obstruction>& obstruction) {
+  if (!obstruction) return {};
+  const Obstruction& o = *obstruction;
+  const auto line = [](const std::string& name, const std::string& number, const std::string& unit,
+                       const std::string& meaning) {
+    return "  " + left(name, 24) + right(number, 11) + " " + left(unit, 7) + meaning + "\n";
+  };
+  std::string text =
+      "\nFor its border:\n" + line("area", digits(o.area), "", "of the patch, square units") +
+      line("largest flat area", digits(o.area_limit), "", "the most with this border") +
+      line("must go at least", digits(100.0 * o.excess_share, 3), "%", "of the area") +
+      line("sum of defects", digits(o.total_defect), "rad", "what the border's turning lacks") +
+      line("border turns", digits(o.border_turning), "rad",
+           digits(k_flat_turning) + " when flat, " + digits(o.turning_most) + " at most");
+  if (o.is_notable()) text += "\n" + wrapped("Advice: " + obstruction_advice(o), 0) + "\n";
+  return text;
+}
+
+std::string count_of(const SelfIntersections& found) {
+  if (found.complete) return std::to_string(found.pairs);
+  return found.pairs > 0 ? "at least " + std::to_string(found.pairs) : "not known";
+}
+
+/// What measuring tells of the form without a design to compare with.
+std::string form_text(const MeasuredPatch& patch) {
+  const auto line = [](const std::string& name, const std::string& number,
+                       const std::string& meaning) {
+    return "  " + left(name, 24) + right(number, 11) + std::string(8, ' ') + meaning + "\n";
+  };
+  return line("bending", digits(patch.bending.bending), "squared curvature over the area") +
+         line("mean curvature", digits(patch.bending.mean_curvature), "over the size, in all") +
+         line("ruling defect", digits(patch.ruling_defect), "0 on a bent sheet, 0.5 on a ball") +
+         line("self-intersections", count_of(patch.self_intersections),
+              "pairs of triangles that cross");
+}
+
+std::string tick(bool yes, const std::string& words) {
+  return (yes ? "[x] " : "[ ] ") + words;
+}
+
+std::string place_text(Vec3 at) {
+  return "(" + digits(at.x, 3) + ", " + digits(at.y, 3) + ", " + digits(at.z, 3) + ")";
+}
+
+/// How the form came out of it, in words.
+std::string form_lines(const EvolveReport& report) {
+  const Fairness& fairness = report.fairness;
+  const std::string indent(14, ' ');
+  std::string text = "  form        " + tick(fairness.is_smooth(), "smooth");
+  if (fairness.bending_lost) text += "  " + tick(fairness.keeps_form(), "form kept");
+  text += "\n";
+  if (fairness.bending_ratio) {
+    text += indent + "bending " + digits(*fairness.bending_ratio, 3) + " times that of the design";
+    if (fairness.bending_added) {
+      text += ": added " + digits(*fairness.bending_added, 2) + ", lost " +
+              digits(*fairness.bending_lost, 2);
+    }
+    text += "\n";
+  }
+  if (fairness.sharpest_fold) {
+    text += indent + "sharpest new fold " + digits(fairness.sharpest_fold->degrees, 2) +
+            " deg at " + place_text(fairness.sharpest_fold->at) + "\n";
+  }
+  const SelfIntersections& found = report.after.self_intersections;
+  if (found.pairs > 0) {
+    text += indent + "goes through itself: " + count_of(found) +
+            " pairs of triangles cross, the first at " + place_text(found.first->at) + "\n";
+  }
+  return text;
+}
+
+std::string deviation_lines(const Deviation& deviation, const std::string& unit) {
+  return "  deviation   rms " + digits(deviation.rms, 3) + ", largest " + digits(deviation.max, 3) +
+         " " + unit + "\n              rms is " + percent(deviation.rms_over_diagonal) +
+         " of the bounding box's diagonal\n";
+}
+
+std::string border_line(const std::optional<BorderChange>& border, const std::string& unit) {
+  if (!border) return {};
+  const double change = border->length_after / border->length_before - 1.0;
+  return "  border      moved by at most " + digits(border->max, 3) + " " + unit + ", its length " +
+         (change < 0.0 ? "-" : "+") + percent(std::abs(change)) + "\n";
+}
+
+std::string remeshing_line(const EvolveReport& report) {
+  if (!report.remeshed_from) return {};
+  return "remeshed from " + std::to_string(report.remeshed_from->vertices) + " to " +
+         std::to_string(report.before.inspection.topology.vertices) +
+         " vertices; the border keeps all of its own\n";
+}
+
+std::string smoothing_line(const EvolveReport& report, const std::string& unit) {
+  const auto& smoothed = report.smoothed_first;
+  if (!smoothed) return {};
+  const auto length = [&](double value) { return digits(value, 3) + " " + unit; };
+  return "design smoothed first: waves shorter than " + length(smoothed->length) +
+         " taken out, moved " + length(smoothed->moved.rms) + " rms, at most " +
+         length(smoothed->moved.max) + "\n";
+}
+
+std::string run_line(const EvolveReport& report, const std::string& unit) {
+  return remeshing_line(report) + smoothing_line(report, unit) +
+         std::string(name_of(report.method)) + ": " +
+         counted(report.result.history.size(), "sweep") + " in " + fixed(report.result.seconds, 2) +
+         " s on " + counted(report.result.threads, "thread") + ", ended as\n  " +
+         std::string(stop_text(report.result.stop)) + "\n\n";
+}
+
+std::string pattern_lines(const UnfoldReport& report) {
+  const Pattern& pattern = report.pattern;
+  return "  pattern     " + digits(pattern.width) + " x " + digits(pattern.height) + " " +
+         std::string(to_string(report.unit)) + ", " + percent(pattern.area_ratio) +
+         " of the patch's area\n" + "              " +
+         (pattern.flipped_triangles == 0 ? "no flipped triangle"
+                                         : counted(pattern.flipped_triangles, "flipped triangle")) +
+         (pattern.overlaps ? ", overlaps itself\n" : ", no overlap\n");
+}
+
+/// What keeping the border's lengths costs.
+std::string matching_lines(const UnfoldReport& report) {
+  if (!report.unmatched_strain) return {};
+  return "  seams       border edges keep their lengths to " + digits(report.border_strain, 2) +
+         "; without that\n              strain would be rms " +
+         percent(report.unmatched_strain->rms) + ", largest " +
+         percent(report.unmatched_strain->max) + "\n";
+}
+
+/// What keeping a limit costs.
+std::string unlimited_lines(const UnfoldReport& report) {
+  if (!report.unlimited_strain) return {};
+  return "              least stretch has rms " + percent(report.unlimited_strain->rms) +
+         ", largest " + percent(report.unlimited_strain->max) + "\n";
+}
+
+std::string as_designed_lines(const StrainAsDesigned& strain) {
+  const EdgeStrain& least = strain.least_stretch;
+  std::string text = "\n  strain      rms " + percent(least.rms) + ", 99 % of the area within " +
+                     percent(least.p99) + ", largest " + percent(least.max) + "\n";
+  if (strain.smallest_limit) {
+    text += "              could be cut from a sheet that takes " +
+            percent(*strain.smallest_limit) + " at every edge\n";
+  }
+  const std::string limits = strain_limits_text(strain.limits);
+  return text + (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");
+}
+
+}  // namespace
+
+std::string size_text(const TriMesh& mesh) {
+  return std::to_string(mesh.positions.size()) + " vertices, " +
+         std::to_string(mesh.triangles.size()) + " triangles";
+}
+
+std::string measure_text(const std::string& path, const MeasuredPatch& patch,
+                         const std::optional<StrainAsDesigned>& strain) {
+  std::string text = sizes_text(path, patch.inspection.topology) + "\n";
+  for (const Row& row : figure_rows(patch.figures, patch.figures)) {
+    std::string line = "  " + left(row.name, 24) + right(digits(row.before), 11) + " " +
+                       (row.meaning.empty() ? row.unit : left(row.unit, 7) + row.meaning);
+    text += line + "\n";
+  }
+  text += form_text(patch) + "\n  " + left("flattenable", 24) +
+          right(patch.flattenable ? "yes" : "no", 11) + "\n" +
+          fitness_line("can be evolved", patch.inspection, Purpose::evolve) +
+          fitness_line("can be laid flat", patch.inspection, Purpose::unfold);
+  if (strain) text += as_designed_lines(*strain);
+  return text + obstruction_text(patch.obstruction) + problems_text(patch.inspection);
+}
+
+std::string refused_text(const std::string& path, const Inspection& inspection) {
+  return sizes_text(path, inspection.topology) + problems_text(inspection);
+}
+
+std::string evolve_text(const EvolveReport& report) {
+  return run_line(report, "model units") + comparison_head() +
+         comparison(figure_rows(report.before.figures, report.after.figures)) + "\n" +
+         deviation_lines(report.deviation, "model units") +
+         border_line(report.border, "model units") + form_lines(report);
+}
+
+std::string unfold_text(const UnfoldReport& report) {
+  const std::string limits = strain_limits_text(report.limits);
+  return pattern_lines(report) + "  strain      rms " + percent(report.strain.rms) +
+         ", 99 % of the area within " + percent(report.strain.p99) + ", largest " +
+         percent(report.strain.max) + "\n" + unlimited_lines(report) + matching_lines(report) +
+         (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");
+}
+
+std::string flatten_text(const FlattenReport& report) {
+  const std::string limits = strain_limits_text(report.unfold.limits);
+  return run_line(report.evolve, std::string(to_string(report.unfold.unit))) + comparison_head() +
+         comparison(figure_rows(report.evolve.before.figures, report.evolve.after.figures)) +
+         comparison(strain_rows(report.unfold_before.strain, report.unfold.strain)) + "\n" +
+         deviation_lines(report.evolve.deviation, std::string(to_string(report.unfold.unit))) +
+         border_line(report.evolve.border, std::string(to_string(report.unfold.unit))) +
+         form_lines(report.evolve) + pattern_lines(report.unfold) + unlimited_lines(report.unfold) +
+         matching_lines(report.unfold) + (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");
+}
+
+std::string directions_text(const DirectionCounts& counts) {
+  const auto line = [](const std::string& name, std::size_t count, const std::string& meaning) {
+    return "  " + left(name, 24) + right(std::to_string(count), 11) + " " + meaning + "\n";
+  };
+  return "\nInner vertices:\n" +
+         line("flat", counts.flat,
+              "angle defect at most " + digits(flat_defect(counts.inner), 2) + " rad") +
+         line("dome or cup", counts.dome_or_cup, "angle defect above 0") +
+         line("saddle", counts.saddle, "angle defect below 0") +
+         line("can be lowered", counts.can_lower, "the Laplacian vector lowers ring energy") +
+         line("stuck", counts.stuck, "it does not, and the vertex is not flat");
+}
+
+std::string written_text(const std::vector<OutputFile>& files) {
+  std::string text = "\nWritten:\n";
+  for (const OutputFile& file : files)
+    text += "  " + utf8_of(file.path) + "\n";
+  for (const OutputFile& file : files) {
+    if (file.path.extension() == ".html") {
+      return text + "\nOpen " + utf8_of(file.path) + " in a browser to see the result.\n";
+    }
+  }
+  return text;
+}
+
+Outcome with_target_checked(Outcome outcome, const Arguments& arguments,
+                            const EvolveReport& report) {
+  const bool met = report.result.stop == StopReason::reached_target;
+  if (met || !arguments.has("--require-target")) return outcome;
+  outcome.exit_code = k_exit_target_missed;
+  outcome.complaint = "target not met: e_max is " + digits(report.after.figures.e_max) + " after " +
+                      counted(report.result.history.size(), "sweep") + " (" +
+                      std::string(to_string(report.result.stop)) + "), the target is " +
+                      shortest(report.stopping.target_e_max);
+  return outcome;
+}
+
+void note_obstruction(Session& session, const TriMesh& mesh) {
+  const auto obstruction = find_obstruction(mesh, Connectivity(mesh));
+  if (obstruction && obstruction->is_notable()) session.note(obstruction_advice(*obstruction));
+}
+
+OnCompareProgress progress_of_methods(Session& session) {
+  return [&session](FlattenStage stage, std::string_view method, double share) {
+    session.show_progress(std::string(to_string(stage)), share, std::string(method));
+    return !session.interrupted();
+  };
+}
+
+void warn_of_method(Session& session, const Method& method, const CompareFailure& failure) {
+  session.warn(std::string(name_of(method)) + ": " + failure.message);
+}
+
+void warn_of_pattern(Session& session, const UnfoldReport& report) {
+  const Pattern& pattern = report.pattern;
+  if (pattern.overlaps) {
+    session.warn(
+        "the pattern overlaps itself, and gets no seam allowance: cut the patch open before "
+        "cutting cloth");
+  }
+  if (pattern.flipped_triangles > 0) {
+    session.warn(counted(pattern.flipped_triangles, "triangle") + " of the pattern lie face down");
+  }
+  if (!pattern.converged) {
+    session.warn(
+        "laying flat ended before it converged: the pattern may be stretched more than need be");
+  }
+  const double longest = std::max(pattern.width, pattern.height);
+  const double millimetres = longest * millimetres_per(report.unit);
+  if (millimetres < k_small_pattern || millimetres > k_large_pattern) {
+    session.note("the pattern is " + digits(longest, 3) + " " +
+                 std::string(to_string(report.unit)) +
+                 " long; if the mesh is in another unit, tell it with --unit");
+  }
+}
+
+}  // namespace planish::cli

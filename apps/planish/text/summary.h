@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <planish/evolve/direction.h>
+#include <planish/flatten/compare.h>
+#include <planish/flatten/flatten.h>
+#include <planish/flatten/strain_as_designed.h>
+
+#include "shell/command.h"
+#include "shell/session.h"
+
+namespace planish::cli {
+
+/// "4242 vertices, 8196 triangles"
+std::string size_text(const TriMesh& mesh);
+
+/// The results of the verbs as people read them, at most 80 columns wide.
+std::string measure_text(const std::string& path, const MeasuredPatch& patch,
+                         const std::optional<StrainAsDesigned>& strain);
+/// Of a mesh that cannot be measured: sizes and what is wrong.
+std::string refused_text(const std::string& path, const Inspection& inspection);
+std::string evolve_text(const EvolveReport& report);
+std::string unfold_text(const UnfoldReport& report);
+std::string flatten_text(const FlattenReport& report);
+
+/// How many vertices are of which class, and how many their Laplacian directions can lower.
+std::string directions_text(const DirectionCounts& counts);
+
+/// The paths of what was written.
+std::string written_text(const std::vector<OutputFile>& files);
+
+/// Ends with exit code 3 where the target was asked for and not met.
+/// @param outcome of a verb that evolved
+Outcome with_target_checked(Outcome outcome, const Arguments& arguments,
+                            const EvolveReport& report);
+
+/// Tells, before any long work, that a patch cannot become flattenable as long as its border is
+/// what it is, and what to do; nothing where little area is at stake.
+/// @throws Error as Connectivity
+void note_obstruction(Session& session, const TriMesh& mesh);
+
+/// Draws the progress of a run of several methods.
+OnCompareProgress progress_of_methods(Session& session);
+/// Warns that one of several methods failed.
+void warn_of_method(Session& session, const Method& method, const CompareFailure& failure);
+
+/// Warns of what makes a pattern unfit for cutting.
+void warn_of_pattern(Session& session, const UnfoldReport& report);
+
+}  // namespace planish::cli

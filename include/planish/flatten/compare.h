@@ -1,0 +1,76 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <planish/flatten/flatten.h>
+
+namespace planish {
+
+/// A method and when it ends.
+struct CompareRun {
+  Method method;
+  Stopping stopping;
+};
+
+/// Every method with its default options and usual_stopping().
+std::vector<CompareRun> runs_of_all_methods();
+
+struct CompareOptions {
+  Unit unit = Unit::mm;
+  unsigned threads = 0;
+  Constraints constraints = {};
+};
+
+/// Why a run has no result.
+struct CompareFailure {
+  std::string code;  ///< as of Error, or out_of_memory or internal_error
+  std::string message;
+};
+
+/// What one method made of the patch.
+struct ComparedMethod {
+  CompareRun run;
+  std::optional<EvolveReport> evolve;     ///< none where evolving failed
+  std::optional<UnfoldReport> unfold;     ///< of the result; none where there is no pattern
+  std::optional<CompareFailure> failure;  ///< of evolving or unfolding
+};
+
+/// Several methods, each tried on the same patch.
+struct CompareReport {
+  std::string name;  ///< of the patch, for titles
+  TriMesh input;
+  MeasuredPatch before;
+  std::optional<UnfoldReport> unfold_before;  ///< of the input as it came
+  std::string why_no_patterns;                ///< where the input cannot be laid flat
+  std::vector<ComparedMethod> runs;           ///< in the order asked for
+};
+
+/// Called as the work goes on with what is done, with which method ("" for the input) and the share
+/// of the whole, 0 to 1; false cancels.
+using OnCompareProgress = std::function<bool(FlattenStage, std::string_view method, double share)>;
+
+/// Runs one method after the other, so that none takes time from another, each on the patch as it
+/// came. Where the input can be laid flat, so is every result; where not, as it is no disk, methods
+/// are compared without patterns. A method that fails does not end the others. Nothing when
+/// cancelled.
+/// @throws Error what stands in the way of Purpose::evolve
+std::optional<CompareReport> compare(TriMesh mesh, std::string name,
+                                     const std::vector<CompareRun>& runs,
+                                     const CompareOptions& options = {},
+                                     const OnCompareProgress& on_progress = {});
+
+/// What a method did for the pattern and at what price, in a few plain words of ASCII, as in
+/// "better pattern: strain 7.6 % -> 1.2 %; needles: smallest angle 0.01 deg". Without patterns it
+/// goes by sum_abs_defect, which unlike the energy does not depend on the density of the mesh.
+std::string verdict_text(const CompareReport& report, const ComparedMethod& method);
+
+/// Which run to trust, an index of `runs`: least rms strain (without patterns: least
+/// sum_abs_defect) of those that improved on the input by more than 2 % without needles, crumpling,
+/// flipped triangles or an overlap of their own making. None where no run did.
+std::optional<std::size_t> best_run(const CompareReport& report);
+
+}  // namespace planish

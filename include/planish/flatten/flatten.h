@@ -1,0 +1,164 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <planish/core/unit.h>
+#include <planish/evolve/evolve.h>
+#include <planish/evolve/remesh.h>
+#include <planish/measure/bending.h>
+#include <planish/measure/deviation.h>
+#include <planish/measure/fairness.h>
+#include <planish/measure/flattenability.h>
+#include <planish/measure/obstruction.h>
+#include <planish/measure/self_intersections.h>
+#include <planish/mesh/inspect.h>
+#include <planish/unfold/strain.h>
+#include <planish/unfold/strain_limits.h>
+#include <planish/unfold/unfold.h>
+
+namespace planish {
+
+/// A patch and all that measuring says of it.
+struct MeasuredPatch {
+  Inspection inspection;
+  Flattenability figures;
+  bool flattenable = false;
+  std::optional<Obstruction> obstruction = {};  ///< of a disk only
+  Bending bending = {};
+  double ruling_defect = 0.0;
+  SelfIntersections self_intersections = {};
+};
+
+/// Inspects and measures.
+/// @param threads 1: on the calling one alone; the result is the same
+/// @throws Error what stands in the way of Purpose::measure
+MeasuredPatch measure_patch(const TriMesh& mesh, unsigned threads = 0);
+
+/// The size of a patch that was worked on with fewer vertices.
+struct SizeBefore {
+  std::size_t vertices = 0, triangles = 0;
+};
+
+/// What was done to a design before all else.
+struct SmoothedFirst {
+  double length = 0.0;  ///< of the waves that were taken out, model units
+  Deviation moved;      ///< of the smoothed design from the raw one
+};
+
+/// A design without its short waves.
+struct SmoothedDesign {
+  TriMesh mesh;
+  SmoothedFirst done;
+};
+
+/// An evolution with the figures around it.
+struct EvolveReport {
+  Method method;
+  Stopping stopping;
+  EvolveResult result;
+  MeasuredPatch before, after;
+  Deviation deviation;
+  std::optional<BorderChange> border = {};  ///< where the border moved
+  /// Of the patch as it came, where remeshing took vertices out of it: then `before` is what it
+  /// left, and the deviation that of the surfaces.
+  std::optional<SizeBefore> remeshed_from = {};
+  Fairness fairness = {};  ///< beside the patch as it came
+  /// Where the design was smoothed first: then `before` and `fairness` are of the smoothed one, the
+  /// deviation is that from the raw one.
+  std::optional<SmoothedFirst> smoothed_first = {};
+};
+
+/// An unfolding with the figures of its pattern.
+struct UnfoldReport {
+  Pattern pattern;  ///< model units
+  EdgeStrain strain;
+  Unit unit = Unit::mm;
+  double border_strain = 0.0;  ///< largest |strain| of the border's edges
+  /// Where border edges were to keep their lengths: the strain without that.
+  std::optional<EdgeStrain> unmatched_strain = {};
+  /// One for each limit of strain that was asked for.
+  std::vector<StrainLimitCheck> limits = {};
+  /// Where a limit changed the pattern: the strain of the one of least stretch.
+  std::optional<EdgeStrain> unlimited_strain = {};
+};
+
+/// What the main job is asked for.
+struct FlattenOptions {
+  Method method = Auto{};
+  std::optional<Stopping> stopping = {};  ///< usual_stopping() of the method where none is given
+  Unit unit = Unit::mm;
+  unsigned threads = 0;
+  Constraints constraints = {};
+  /// Above 0: waves of the design that are shorter, in model units, are taken out first
+  /// (smooth_design()); with remesh or fixed vertices an Error unsupported_constraint.
+  double smooth_first = 0.0;
+  bool remesh = false;           ///< work on fewer vertices: see remesh()
+  std::vector<Index> keep = {};  ///< vertices that remeshing leaves, besides fixed ones
+  bool match_seams = false;      ///< of the evolved patch's pattern, as UnfoldOptions has it
+  /// What the pattern is to keep. Auto leaves a patch as it is where its pattern keeps them, and
+  /// else changes it as far as that needs.
+  StrainLimits limits = {};
+};
+
+/// A patch whose results are those of another one (find_twins()).
+struct TwinOf {
+  std::string name;       ///< of the other one
+  bool mirrored = false;  ///< mirrored, else taken as they are
+};
+
+/// The main job's result: everything that the files of a `flatten` folder are made from.
+struct FlattenReport {
+  std::string name;  ///< of the patch, for titles
+  TriMesh input;     ///< remeshed or smoothed, if that was asked for
+  /// Vertex of `input` -> vertex of the patch as it came, increasing; empty: they are the same.
+  std::vector<Index> source;
+  TriMesh processed;  ///< the input with the evolved positions
+  EvolveReport evolve;
+  UnfoldReport unfold;
+  UnfoldReport unfold_before;          ///< of the input as it came: tells what evolving gained
+  std::optional<TwinOf> twin_of = {};  ///< where twin_report() made it
+};
+
+enum class FlattenStage { measuring, evolving, unfolding };
+std::string_view to_string(FlattenStage stage);
+
+/// Called as the work goes on with the share of the stage that is done, 0 to 1, always from the
+/// thread that called; false cancels.
+using OnProgress = std::function<bool(FlattenStage, double)>;
+
+/// Evolves with all figures around it.
+/// @throws Error as evolve()
+EvolveReport evolve_patch(const TriMesh& mesh, const Method& method, const Stopping& stopping,
+                          const OnSweep& on_sweep = {}, unsigned threads = 0,
+                          const Constraints& constraints = {});
+
+/// The same on a patch that was remeshed.
+/// @param original what `patch` was made from
+EvolveReport evolve_remeshed(const TriMesh& original, const RemeshedPatch& patch,
+                             const Method& method, const Stopping& stopping,
+                             const OnSweep& on_sweep = {}, unsigned threads = 0);
+
+/// Takes waves shorter than a length out of a design: the noise of a scan. The border stays.
+/// @param length in model units
+/// @throws Error option_out_of_range, as smoothed_positions()
+SmoothedDesign smooth_design(const TriMesh& raw, double length);
+
+/// The report of an evolution of a smoothed design, with what smoothing did.
+EvolveReport with_smoothing(EvolveReport report, const TriMesh& raw, const SmoothedFirst& done);
+
+/// Unfolds with all figures around it; nothing when cancelled.
+/// @throws Error as unfold()
+std::optional<UnfoldReport> unfold_patch(const TriMesh& mesh, Unit unit,
+                                         const OnUnfoldStep& on_step = {},
+                                         const UnfoldOptions& options = {});
+
+/// The main job: measure, evolve, measure, unfold; nothing when cancelled.
+/// @throws Error as evolve() and unfold(); what is not a disk is refused before any work
+std::optional<FlattenReport> flatten(TriMesh mesh, std::string name,
+                                     const FlattenOptions& options = {},
+                                     const OnProgress& on_progress = {});
+
+}  // namespace planish

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <planish/core/unit.h>
+#include <planish/draw/drawing.h>
+#include <planish/mesh/tri_mesh.h>
+#include <planish/pattern/nest.h>
+#include <planish/pattern/pattern_options.h>
+
+namespace planish {
+
+/// A patch laid flat, to be cut from a sheet.
+struct NestPatch {
+  std::string name;
+  TriMesh mesh;
+  std::vector<Vec2> pattern;  ///< model units; empty where the patch has none: then it is left out
+  PatternOptions furniture = {};  ///< it is cut as often as the label says, at least once
+};
+
+/// Patches, and the sheets to cut them from.
+struct NestJob {
+  std::vector<NestPatch> patches;
+  Unit unit = Unit::mm;
+  NestOptions sheets = {};
+};
+
+/// The patches by their numbers as nest() takes them: what is cut, with its allowance, and the turn
+/// that lays the grain along the length of the sheet; without a grain the pattern's x axis.
+/// @throws Error as offset_outline() and grain_direction()
+std::vector<NestPiece> nest_pieces(const NestJob& job);
+
+/// One sheet with its pieces as they are laid on it, at true size: (0, 0) is a corner of the sheet
+/// itself, its length is along x. Layers as pattern_sheet() has them but for the strain map: each
+/// copy has its cut line and all that the furniture asks for, and is a piece of its own;
+/// "annotation" has its name, and "label" the border of the sheet and above it the title, what is
+/// used of it, and a square of 50 mm.
+/// @param nesting of the job's nest_pieces() on the job's sheets
+/// @param number of the sheet, from 0
+/// @throws Error as pattern_sheet()
+Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t number,
+                   const std::string& title);
+
+}  // namespace planish

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include <planish/draw/color_map.h>
+#include <planish/draw/drawing.h>
+#include <planish/flatten/flatten.h>
+#include <planish/pattern/pattern_options.h>
+
+namespace planish {
+
+/// The layers of pattern_sheet(), in the order that they are drawn. All are always there.
+inline constexpr std::array<std::string_view, 9> k_sheet_layers = {
+    "strain", "cut", "seam", "notch", "grain", "drill", "internal", "annotation", "label"};
+
+/// In maps of the limit used up, the colour of what is beyond. Eyes without red, green or blue
+/// cones too tell orange from all colours of ColorMap::pale, which what is within has.
+inline constexpr Color k_beyond_limit = {240, 82, 10};
+
+/// The pattern as a sheet in millimetres, with a margin: "strain" (every triangle in the colour of
+/// its signed strain, or where an edge has a limit of strain, of the share of it that its edges use
+/// up; neighbours of one colour joined), on top of it "cut" (the outline, or with an
+/// allowance the line around that, and the outline as "seam"), "notch", "grain", "drill" (match
+/// marks too), "internal" (inner lines) and "annotation" (the piece's own label) as the options
+/// ask, and "label" below it: name, sizes, unit, scale, a hash of the pattern, test squares of 50
+/// mm and 2 in, what the colours mean. A pattern that overlaps itself gets no allowance.
+/// @param mesh the patch that was unfolded
+/// @param name of the patch; that of the piece too where the options have none
+/// @throws Error as offset_outline(), notch_lines(), grain_direction() and mark_lines()
+Drawing pattern_sheet(const TriMesh& mesh, const UnfoldReport& unfold, const std::string& name,
+                      const PatternOptions& options = {});
+
+/// The strain at which the strain map's colours end: the 99th percentile of the edges' strain,
+/// rounded up to 1, 2 or 5 times a power of ten, at least 0.1 %.
+double strain_map_limit(const EdgeStrain& strain);
+
+}  // namespace planish

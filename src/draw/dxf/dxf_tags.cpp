@@ -1,0 +1,79 @@
+#include "draw/dxf/dxf_tags.h"
+
+#include "core/number_text.h"
+#include "draw/hex.h"
+#include "draw/text/utf8.h"
+
+namespace planish {
+
+namespace {
+
+constexpr std::size_t k_longest_name = 31;
+
+void append_escaped(std::string& text, char32_t value) {
+  for (const char16_t unit : utf16_units(value)) {
+    text += "\\U+";
+    append_hex(text, unit, 4);
+  }
+}
+
+bool is_name_letter(char32_t c) {
+  return (c >= U'A' && c <= U'Z') || (c >= U'a' && c <= U'z') || (c >= U'0' && c <= U'9') ||
+         c == U'$' || c == U'-' || c == U'_';
+}
+
+}  // namespace
+
+void DxfTags::add(int code, std::string_view value) {
+  text_ += std::to_string(code);
+  text_ += '\n';
+  text_ += value;
+  text_ += '\n';
+}
+
+void DxfTags::add(int code, int value) {
+  add(code, std::to_string(value));
+}
+
+void DxfTags::add_real(int code, double value) {
+  std::string number = fixed_text(value, 3);
+  if (number.find('.') == std::string::npos) number += ".0";
+  add(code, number);
+}
+
+void DxfTags::add_point(int code, Vec2 place) {
+  add_real(code, place.x);
+  add_real(code + 10, place.y);
+  add_real(code + 20, 0.0);
+}
+
+std::string dxf_text(std::string_view text) {
+  const std::u32string points = code_points(text);
+  std::string escaped;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const char32_t point = points[i];
+    const bool is_doubled =
+        (i > 0 && points[i - 1] == point) || (i + 1 < points.size() && points[i + 1] == point);
+    // %% and ^ begin codes of AutoCAD's own, and the backslash that of these escapes.
+    const bool has_meaning = point == U'\\' || point == U'^' || (point == U'%' && is_doubled);
+    if (point < U' ' || point == 0x7F) {
+      escaped += ' ';
+    } else if (point < 0x7F && !has_meaning) {
+      escaped += static_cast<char>(point);
+    } else {
+      append_escaped(escaped, point);
+    }
+  }
+  return escaped;
+}
+
+std::string dxf_name(std::string_view name) {
+  std::string allowed;
+  for (const char32_t point : code_points(name)) {
+    if (allowed.size() == k_longest_name) break;
+    allowed += is_name_letter(point) ? static_cast<char>(point) : '_';
+  }
+  return allowed.empty() ? "_" : allowed;
+}
+
+}  // namespace planish

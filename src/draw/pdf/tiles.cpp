@@ -1,0 +1,198 @@
+#include "draw/pdf/tiles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include <planish/core/error.h>
+#include <planish/draw/stroke_text.h>
+
+namespace planish {
+
+namespace {
+
+constexpr double k_most_tiles = 10000.0;
+
+struct PaperEntry {
+  Paper paper;
+  std::string_view name;
+  Vec2 size;
+};
+
+constexpr std::array<PaperEntry, k_papers.size()> k_entries = {{
+    {Paper::a4, "a4", {210.0, 297.0}},
+    {Paper::a3, "a3", {297.0, 420.0}},
+    {Paper::letter, "letter", {215.9, 279.4}},
+    {Paper::a0, "a0", {841.0, 1189.0}},
+}};
+
+double count_along(double length, double frame) {
+  // A thousandth of a millimetre too much is rounding, no page.
+  const double more = (length - frame - 1e-3) / (frame - k_tile_overlap);
+  return 1.0 + std::max(0.0, std::ceil(more));
+}
+
+TileGrid grid_on(Vec2 sheet, Vec2 page) {
+  const Vec2 frame = page - 2.0 * Vec2{k_tile_margin, k_tile_margin};
+  const double columns = count_along(sheet.x, frame.x), rows = count_along(sheet.y, frame.y);
+  if (!(columns * rows <= k_most_tiles)) {
+    throw Error(ErrorCode::too_large,
+                "the pattern would take more than 10,000 pages: check its unit, or take larger "
+                "paper");
+  }
+  return {page, frame, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), sheet.y};
+}
+
+// Which tiles something is on.
+class Marks {
+ public:
+  explicit Marks(const TileGrid& grid) : grid_(grid), used_(grid.columns * grid.rows, false) {}
+
+  void add(const Path& path) {
+    if (!path.stroke && !path.fill) return;
+    for (const auto& line : path.lines)
+      add_line(line, path.closed);
+    if (path.closed || path.fill) add_inside(path);
+  }
+  void add(const Text& text) { add(Path{.lines = text_strokes(text), .stroke = Stroke{}}); }
+
+  std::vector<bool> take() && { return std::move(used_); }
+
+ private:
+  void add_line(std::span<const Vec2> line, bool closed);
+  void add_segment(Vec2 a, Vec2 b);
+  void add_inside(const Path& path);
+  std::vector<double> crossings(const Path& path, double y) const;
+
+  const TileGrid& grid_;
+  std::vector<bool> used_;
+};
+
+void Marks::add_line(std::span<const Vec2> line, bool closed) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (i + 1 == line.size() && !closed && i > 0) break;
+    add_segment(line[i], line[(i + 1) % line.size()]);
+  }
+}
+
+// Whether a segment meets a rectangle: the part of it inside the sides so far grows shorter.
+bool meets(Vec2 a, Vec2 b, Vec2 low, Vec2 high) {
+  double from = 0.0, to = 1.0;
+  const auto clip = [&](double start, double end, double least, double most) {
+    const double way = end - start;
+    if (way == 0.0) return start >= least && start <= most;
+    const double first = (least - start) / way, last = (most - start) / way;
+    from = std::max(from, std::min(first, last));
+    to = std::min(to, std::max(first, last));
+    return from <= to;
+  };
+  return clip(a.x, b.x, low.x, high.x) && clip(a.y, b.y, low.y, high.y);
+}
+
+// The tiles 0 to count - 1 whose place along an axis may hold [low, high].
+struct TileSpan {
+  std::size_t from, to;  // without `to`
+};
+
+TileSpan tiles_between(double low, double high, double step, double frame, std::size_t count) {
+  const auto most = static_cast<double>(count);
+  const double from = std::clamp(std::floor((low - frame) / step), 0.0, most);
+  const double to = std::clamp(std::floor(high / step) + 1.0, 0.0, most);
+  return {static_cast<std::size_t>(from), static_cast<std::size_t>(to)};
+}
+
+void Marks::add_segment(Vec2 a, Vec2 b) {
+  if (!std::isfinite(a.x + a.y) || !std::isfinite(b.x + b.y)) return;
+  const Vec2 step = grid_.step(), frame = grid_.frame;
+  const double top = grid_.sheet_height;
+  const TileSpan columns =
+      tiles_between(std::min(a.x, b.x), std::max(a.x, b.x), step.x, frame.x, grid_.columns);
+  const TileSpan rows = tiles_between(top - std::max(a.y, b.y), top - std::min(a.y, b.y), step.y,
+                                      frame.y, grid_.rows);
+  for (std::size_t row = rows.from; row < rows.to; ++row) {
+    for (std::size_t column = columns.from; column < columns.to; ++column) {
+      const Vec2 low = grid_.low_of(row, column);
+      if (meets(a, b, low, low + frame)) used_[row * grid_.columns + column] = true;
+    }
+  }
+}
+
+std::vector<double> Marks::crossings(const Path& path, double y) const {
+  std::vector<double> places;
+  for (const auto& line : path.lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const Vec2 a = line[i], b = line[(i + 1) % line.size()];
+      if ((a.y > y) != (b.y > y)) places.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+// Tiles that no line meets are inside or outside as a whole: their middles tell.
+void Marks::add_inside(const Path& path) {
+  for (std::size_t row = 0; row < grid_.rows; ++row) {
+    const double y = grid_.low_of(row, 0).y + 0.5 * grid_.frame.y;
+    const std::vector<double> places = crossings(path, y);
+    for (std::size_t column = 0; !places.empty() && column < grid_.columns; ++column) {
+      const double x = grid_.low_of(row, column).x + 0.5 * grid_.frame.x;
+      const auto behind = std::upper_bound(places.begin(), places.end(), x);
+      if ((behind - places.begin()) % 2 == 1) used_[row * grid_.columns + column] = true;
+    }
+  }
+}
+
+}  // namespace
+
+std::string_view to_string(Paper paper) {
+  return k_entries[static_cast<std::size_t>(paper)].name;
+}
+
+Paper paper_named(std::string_view name) {
+  std::string known;
+  for (const PaperEntry& entry : k_entries) {
+    if (entry.name == name) return entry.paper;
+    known += (known.empty() ? "" : ", ") + std::string(entry.name);
+  }
+  throw Error(ErrorCode::unknown_name,
+              "no paper is called '" + std::string(name) + "'; there are " + known);
+}
+
+Vec2 TileGrid::low_of(std::size_t row, std::size_t column) const {
+  return {static_cast<double>(column) * step().x,
+          sheet_height - static_cast<double>(row) * step().y - frame.y};
+}
+
+Vec2 TileGrid::size() const {
+  return {static_cast<double>(columns) * step().x + k_tile_overlap,
+          static_cast<double>(rows) * step().y + k_tile_overlap};
+}
+
+std::string tile_name(std::size_t row, std::size_t column) {
+  std::string letters;
+  for (std::size_t rest = row + 1; rest > 0; rest = (rest - 1) / 26)
+    letters.insert(letters.begin(), static_cast<char>('A' + (rest - 1) % 26));
+  return letters + std::to_string(column + 1);
+}
+
+TileGrid tile_grid(Vec2 sheet, Paper paper) {
+  const Vec2 size = k_entries[static_cast<std::size_t>(paper)].size;
+  const auto tiles = [&](Vec2 page) {
+    return count_along(sheet.x, page.x - 2.0 * k_tile_margin) *
+           count_along(sheet.y, page.y - 2.0 * k_tile_margin);
+  };
+  const Vec2 across = {size.y, size.x};
+  return grid_on(sheet, tiles(across) < tiles(size) ? across : size);
+}
+
+std::vector<bool> used_tiles(const Drawing& drawing, const TileGrid& grid) {
+  Marks marks(grid);
+  for (const Layer& layer : drawing.layers) {
+    for (const DrawingShape& shape : layer.shapes)
+      std::visit([&](const auto& some) { marks.add(some); }, shape);
+  }
+  return std::move(marks).take();
+}
+
+}  // namespace planish

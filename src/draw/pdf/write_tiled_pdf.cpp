@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <planish/draw/write_pdf.h>
+
+#include "core/number_text.h"
+#include "draw/pdf/pdf_content.h"
+#include "draw/pdf/pdf_document.h"
+#include "draw/pdf/tiles.h"
+
+namespace planish {
+
+namespace {
+
+// Everything in millimetres.
+constexpr double k_cross = 4.0;        // half of a registration mark
+constexpr double k_note_height = 2.5;  // of texts in the margin
+constexpr double k_map_top = 48.0;     // of the first page, for title and advice
+constexpr double k_map_bottom = 64.0;  // of the first page, for the test squares
+constexpr double k_inch = 25.4;
+
+constexpr Color k_black = {0, 0, 0};
+constexpr Color k_grey = {140, 140, 140};
+
+constexpr std::string_view k_sheet = "Sheet";
+
+Path rectangle(Vec2 low, Vec2 size, Color color, double width) {
+  const Vec2 high = low + size;
+  return {{{low, {high.x, low.y}, high, {low.x, high.y}}}, true, Stroke{color, width}};
+}
+
+Path cross_at(Vec2 at) {
+  return {{{{at.x - k_cross, at.y}, {at.x + k_cross, at.y}},
+           {{at.x, at.y - k_cross}, {at.x, at.y + k_cross}}},
+          false,
+          Stroke{k_black, 0.1}};
+}
+
+std::string paper_text(Paper paper) {
+  std::string name(to_string(paper));
+  name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  return name;
+}
+
+std::string size_text(Vec2 size) {
+  return fixed_text(size.x, 1) + " × " + fixed_text(size.y, 1) + " mm";
+}
+
+class TiledPdf {
+ public:
+  TiledPdf(const Drawing& drawing, Paper paper)
+      : drawing_(drawing),
+        paper_(paper),
+        grid_(tile_grid({drawing.width, drawing.height}, paper)),
+        used_(used_tiles(drawing, grid_)),
+        document_(drawing) {}
+
+  std::string write() {
+    PdfContent sheet;
+    sheet.add_layers(drawing_.layers);
+    document_.add_sheet(sheet.text(), {drawing_.width, drawing_.height});
+    add_first_page();
+    for (std::size_t row = 0; row < grid_.rows; ++row) {
+      for (std::size_t column = 0; column < grid_.columns; ++column) {
+        if (is_used(row, column)) add_tile(row, column);
+      }
+    }
+    return document_.bytes();
+  }
+
+ private:
+  bool is_used(std::size_t row, std::size_t column) const {
+    return used_[row * grid_.columns + column];
+  }
+
+  void add_first_page();
+  void add_advice(PdfContent& page) const;
+  void add_map(PdfContent& page) const;
+  void add_tile(std::size_t row, std::size_t column);
+  void add_crosses(PdfContent& page, std::size_t row, std::size_t column) const;
+
+  const Drawing& drawing_;
+  Paper paper_;
+  TileGrid grid_;
+  std::vector<bool> used_;
+  PdfDocument document_;
+};
+
+void TiledPdf::add_first_page() {
+  PdfContent page;
+  add_advice(page);
+  add_map(page);
+  const Vec2 corner = {k_tile_margin, k_tile_margin};
+  page.add(rectangle(corner, {50.0, 50.0}, k_black, 0.25));
+  page.add(Text{corner + Vec2{3.0, 4.0}, 3.0, "50 mm"});
+  const Vec2 second = corner + Vec2{60.0, 0.0};
+  page.add(rectangle(second, {2.0 * k_inch, 2.0 * k_inch}, k_black, 0.25));
+  page.add(Text{second + Vec2{3.0, 4.0}, 3.0, "2 in"});
+  document_.add_page(grid_.page, page.text());
+}
+
+void TiledPdf::add_advice(PdfContent& page) const {
+  const double top = grid_.page.y - k_tile_margin;
+  page.add(Text{{k_tile_margin, top - 6.0}, 6.0, drawing_.title});
+  const auto count = std::count(used_.begin(), used_.end(), true);
+  const std::vector<std::string> lines = {
+      size_text({drawing_.width, drawing_.height}) + " on " + std::to_string(count) +
+          (count == 1 ? " page of " : " pages of ") + paper_text(paper_) +
+          " besides this one. Crossed out: empty and left out.",
+      "Print at 100 % (\"actual size\"), not fitted to the page. Measure the squares before "
+      "cutting.",
+      "Pages overlap by 10 mm: lay them so that their crosses meet.",
+      "The map below is not at true size, the squares at the bottom are."};
+  double y = top - 14.0;
+  for (const std::string& line : lines) {
+    page.add(Text{{k_tile_margin, y}, 2.8, line});
+    y -= 6.0;
+  }
+}
+
+void TiledPdf::add_map(PdfContent& page) const {
+  const Vec2 size = grid_.size();
+  const Vec2 room = {grid_.page.x - 2.0 * k_tile_margin,
+                     grid_.page.y - k_map_top - k_map_bottom - k_tile_margin};
+  const double scale = std::min({room.x / size.x, room.y / size.y, 1.0});
+  // The sheet hangs from the upper left corner of the map.
+  const Vec2 top_left = {k_tile_margin, grid_.page.y - k_map_top};
+  const auto on_map = [&](Vec2 p) { return top_left + scale * (p - Vec2{0.0, drawing_.height}); };
+  page.add_form(k_sheet, on_map({0.0, 0.0}), scale);
+  const double name_height = std::min(8.0, 0.2 * scale * std::min(grid_.frame.x, grid_.frame.y));
+  for (std::size_t row = 0; row < grid_.rows; ++row) {
+    for (std::size_t column = 0; column < grid_.columns; ++column) {
+      const Vec2 low = on_map(grid_.low_of(row, column)), frame = scale * grid_.frame;
+      page.add(rectangle(low, frame, k_grey, 0.2));
+      if (!is_used(row, column)) {
+        page.add(Path{{{low, low + frame}, {{low.x, low.y + frame.y}, {low.x + frame.x, low.y}}},
+                      false,
+                      Stroke{k_grey, 0.2}});
+      }
+      const Vec2 middle = low + 0.5 * frame;
+      page.add(Text{{middle.x, middle.y - 0.5 * name_height},
+                    name_height,
+                    tile_name(row, column),
+                    k_black,
+                    true});
+    }
+  }
+}
+
+void TiledPdf::add_tile(std::size_t row, std::size_t column) {
+  const Vec2 corner = {k_tile_margin, k_tile_margin};
+  PdfContent page;
+  page.add_form_within(k_sheet, corner - grid_.low_of(row, column), corner, grid_.frame);
+  page.add(rectangle(corner, grid_.frame, k_grey, 0.1));
+  add_crosses(page, row, column);
+  const std::string name = tile_name(row, column);
+  const Vec2 inside = {corner.x + k_tile_overlap + 2.0,
+                       corner.y + grid_.frame.y - k_tile_overlap - 8.0};
+  page.add(Text{inside, 6.0, name, k_grey});
+  page.add(Text{{corner.x, corner.y - k_note_height - 1.5},
+                k_note_height,
+                name + ": row " + std::to_string(row + 1) + " of " + std::to_string(grid_.rows) +
+                    ", column " + std::to_string(column + 1) + " of " +
+                    std::to_string(grid_.columns) + ". " + drawing_.title});
+  document_.add_page(grid_.page, page.text());
+}
+
+// Crosses stand in the middle of the overlap, at the corners and halfway between. So each is on the
+// same spot of the sheet on every page that shows it. There are none where no neighbour is.
+void TiledPdf::add_crosses(PdfContent& page, std::size_t row, std::size_t column) const {
+  const double inset = k_tile_margin + 0.5 * k_tile_overlap;
+  const Vec2 low = {inset, inset}, high = grid_.page - low, middle = 0.5 * grid_.page;
+  const bool left = column > 0, right = column + 1 < grid_.columns;
+  const bool above = row > 0, below = row + 1 < grid_.rows;
+  const auto add = [&](bool wanted, Vec2 at) {
+    if (wanted) page.add(cross_at(at));
+  };
+  add(left || below, low);
+  add(right || below, {high.x, low.y});
+  add(left || above, {low.x, high.y});
+  add(right || above, high);
+  add(left, {low.x, middle.y});
+  add(right, {high.x, middle.y});
+  add(below, {middle.x, low.y});
+  add(above, {middle.x, high.y});
+}
+
+}  // namespace
+
+std::string write_tiled_pdf(const Drawing& drawing, Paper paper) {
+  return TiledPdf(drawing, paper).write();
+}
+
+}  // namespace planish

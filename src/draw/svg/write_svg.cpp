@@ -1,0 +1,153 @@
+#include <cmath>
+
+#include <planish/draw/write_svg.h>
+
+#include "core/number_text.h"
+#include "draw/svg/svg_layers.h"
+#include "draw/text/markup_text.h"
+
+namespace planish {
+
+namespace {
+
+constexpr int k_decimals = 3;
+constexpr double k_steps = 1000.0;  // per millimetre: what k_decimals can tell apart
+
+// Height of capitals over the size of the letter's body in common sans-serif fonts.
+constexpr double k_capital_height = 0.72;
+
+// A place on the sheet in whole steps, y downwards. Differences of whole numbers are exact, so
+// relative coordinates do not drift.
+struct Place {
+  double x, y;
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+void append_place(std::string& svg, Place place) {
+  append_fixed(svg, place.x / k_steps, k_decimals);
+  svg += ',';
+  append_fixed(svg, place.y / k_steps, k_decimals);
+}
+
+class SvgLayers {
+ public:
+  explicit SvgLayers(double height) : height_(height) {}
+
+  void add(const Layer& layer) {
+    const std::string name = escape_markup(layer.name);
+    svg_ += "<g id=\"" + name + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + name + '"';
+    if (!layer.visible) svg_ += " style=\"display:none\"";
+    svg_ += ">\n";
+    for (const DrawingShape& shape : layer.shapes) {
+      std::visit([this](const auto& some) { add(some); }, shape);
+    }
+    svg_ += "</g>\n";
+  }
+
+  std::string take() && { return std::move(svg_); }
+
+ private:
+  Place place_of(Vec2 point) const {
+    return {std::round(k_steps * point.x), std::round(k_steps * (height_ - point.y))};
+  }
+
+  void add(const Path& path) {
+    svg_ += "<path d=\"";
+    for (const auto& line : path.lines)
+      add_line(line, path.closed);
+    svg_ += "\" fill=\"";
+    svg_ += path.fill ? hex_text(*path.fill) : "none";
+    svg_ += '"';
+    if (path.fill && path.lines.size() > 1) svg_ += " fill-rule=\"evenodd\"";
+    if (path.stroke) add_stroke(*path.stroke);
+    svg_ += "/>\n";
+  }
+
+  // The start is absolute, so that also readers that handle relative moves badly get it right.
+  void add_line(const std::vector<Vec2>& line, bool closed) {
+    bool begun = false;
+    Place last = {};
+    bool bend = false;  // inside the list that follows an "l"
+    for (const Vec2 point : line) {
+      const Place place = place_of(point);
+      if (!std::isfinite(place.x) || !std::isfinite(place.y) || (begun && place == last)) continue;
+      if (begun) {
+        svg_ += bend ? ' ' : 'l';
+        append_place(svg_, {place.x - last.x, place.y - last.y});
+        bend = true;
+      } else {
+        svg_ += 'M';
+        append_place(svg_, place);
+        begun = true;
+      }
+      last = place;
+    }
+    if (begun && closed) svg_ += 'z';
+  }
+
+  void add_stroke(const Stroke& stroke) {
+    svg_ += " stroke=\"" + hex_text(stroke.color) + "\" stroke-width=\"";
+    append_fixed(svg_, stroke.width, k_decimals);
+    svg_ += "\" stroke-linejoin=\"round\"";
+    if (stroke.dashed) {
+      svg_ += " stroke-dasharray=\"";
+      append_fixed(svg_, 12 * stroke.width, k_decimals);
+      svg_ += ' ';
+      append_fixed(svg_, 6 * stroke.width, k_decimals);
+      svg_ += '"';
+    }
+  }
+
+  void add(const Text& text) {
+    const Place place = place_of(text.at);
+    if (!std::isfinite(place.x) || !std::isfinite(place.y)) return;
+    svg_ += "<text x=\"";
+    append_fixed(svg_, place.x / k_steps, k_decimals);
+    svg_ += "\" y=\"";
+    append_fixed(svg_, place.y / k_steps, k_decimals);
+    svg_ += "\" font-family=\"sans-serif\" font-size=\"";
+    append_fixed(svg_, text.height / k_capital_height, k_decimals);
+    svg_ += "\" fill=\"" + hex_text(text.color) + '"';
+    if (text.centred) svg_ += " text-anchor=\"middle\"";
+    svg_ += '>' + escape_markup(text.text) + "</text>\n";
+  }
+
+  double height_;
+  std::string svg_;
+};
+
+}  // namespace
+
+std::string hex_text(Color color) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string text = "#";
+  for (const std::uint8_t part : {color.r, color.g, color.b}) {
+    text += digits[part >> 4];
+    text += digits[part & 15];
+  }
+  return text;
+}
+
+std::string svg_layers(std::span<const Layer> layers, double height) {
+  SvgLayers svg(height);
+  for (const Layer& layer : layers)
+    svg.add(layer);
+  return std::move(svg).take();
+}
+
+std::string write_svg(const Drawing& drawing) {
+  const std::string width = fixed_text(drawing.width, k_decimals);
+  const std::string height = fixed_text(drawing.height, k_decimals);
+  std::string svg =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\""
+      " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\""
+      " width=\"" +
+      width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + ' ' + height + "\">\n";
+  svg += "<title>" + escape_markup(drawing.title) + "</title>\n";
+  svg += svg_layers(drawing.layers, drawing.height);
+  svg += "</svg>\n";
+  return svg;
+}
+
+}  // namespace planish

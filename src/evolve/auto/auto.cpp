@@ -1,0 +1,241 @@
+// From coarse to fine, each level by StrainDescent, the last defects by polishing. Equations
+// and what was tried: docs/methods/auto.md.
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <planish/evolve/method.h>
+#include <planish/measure/flattenability.h>
+
+#include "evolve/auto/pull_back.h"
+#include "evolve/auto/strain_descent.h"
+#include "evolve/descent/coarse_levels.h"
+#include "evolve/descent/defect_polish.h"
+#include "evolve/smooth/smooth_auto.h"
+#include "evolve/state/sweep.h"
+
+namespace planish {
+
+namespace {
+
+// Strain, rms, at which a level is done: what lifting to the next one brings is more; and at which
+// polishing ends the work on the patch itself sooner.
+constexpr double k_coarse_strain = 1e-4, k_polish_strain = 3e-4;
+// A level that ends above this has met with what the border forbids: on finer ones a few steps mend
+// what lifting did, no more.
+constexpr double k_hopeless_strain = 1e-2;
+constexpr int k_hopeless_steps = 5;
+// Where vertices are held by the limit of deviation, so many steps in a row that leave more of the
+// strain than this are the last.
+constexpr double k_held_share = 0.98;
+constexpr int k_most_held = 5;
+constexpr int k_most_first_steps = 150, k_most_steps = 100, k_most_idle = 3;
+// So often polishing that ends early gives way to another round of the descent.
+constexpr int k_most_rounds = 6;
+// A coarsest level that ends too rough is done again, roughness allowed later each time.
+constexpr int k_most_tries = 3;
+// A patch of so many vertices is worked on as it is.
+constexpr std::size_t k_small = 6000;
+constexpr double k_later = 0.8;
+
+class AutoStepper {
+ public:
+  AutoStepper(const Auto& options, PatchState& state, ThreadPool& pool)
+      : options_(options),
+        state_(state),
+        pool_(pool),
+        least_angle_(angle_to_keep(options, state, pool)),
+        levels_(state, k_small),
+        level_(levels_.coarsest()) {
+    open_level();
+    descent_->start(k_pace_from_scratch);
+  }
+
+  SweepOutcome step() { return polish_ ? polish() : descend(); }
+
+  /// Brings what coarse levels have found so far to the patch itself.
+  void settle() {
+    if (pull_back_) pull_back_->finish();
+    pull_back_.reset();
+    while (level_ > 0)
+      lift();
+  }
+
+ private:
+  /// Makes the descent of the level, its patch where it was at first.
+  /// @param closeness of the coarser level, if there was one
+  void open_level(double closeness = 0.0) {
+    coarse_ = level_ > 0 ? levels_.make_state(level_, pool_) : nullptr;
+    descent_ = std::make_unique<StrainDescent>(
+        level_state(), pool_,
+        DescentAims{strain_limit(), options_.closeness, closeness, earliness_}, limits());
+    steps_ = idle_ = 0;
+    held_.reset();
+  }
+
+  StrainLimit strain_limit() const { return {options_.max_strain, options_.max_rms_strain}; }
+
+  PatchState& level_state() const { return coarse_ ? *coarse_ : state_; }
+
+  DescentLimits limits() const { return limits_on(level_state(), options_, least_angle_); }
+
+  /// On to the next finer level.
+  void lift() {
+    const std::unique_ptr<PatchState> found = std::move(coarse_);
+    const double closeness = descent_->closeness(), sigma = descent_->sigma();
+    const bool was_met = descent_->strain_is_met();
+    pull_back_.reset();
+    descent_.reset();  // before the next: it is large
+    --level_;
+    open_level(closeness);
+    levels_.lift(level_ + 1, *found, descent_->cost(), level_state(), pool_);
+    descent_->start(k_pace_from_coarse);
+    // What lifting broke of the limit is mended without going far beyond it.
+    if (was_met) descent_->keep_to_limit(sigma);
+    if (was_met && descent_->strain_is_met()) pull_back_.emplace(*descent_);
+  }
+
+  SweepOutcome descend() {
+    SweepOutcome outcome;
+    if (!descent_->solvable() || (!pull_back_ && descent_->strain_is_met())) {
+      outcome.level = {level_state().inner_count()};
+    } else if (const bool over = descent_step(outcome); !over) {
+      outcome.elsewhere = level_ > 0;
+      return outcome;
+    }
+    end_level(outcome);
+    outcome.elsewhere = level_ > 0;
+    return outcome;
+  }
+
+  /// @return true if it was the last of the level
+  bool descent_step(SweepOutcome& outcome) {
+    const StrainDescent::Step step = pull_back_ ? pull_back_->step() : descent_->step();
+    outcome.moved = step.moved;
+    outcome.level = {level_state().inner_count(), step.merit_before, step.merit,
+                     descent_->rms_strain()};
+    if (pull_back_) return pull_back_->over();
+    if (descent_->strain_is_met()) {
+      pull_back_.emplace(*descent_);
+      return false;
+    }
+    const bool held = is_held();
+    idle_ = step.moved > 0 ? 0 : idle_ + 1;
+    const double enough = level_ > 0 ? k_coarse_strain : k_polish_strain;
+    const bool over = held || descent_->rms_strain() <= enough || idle_ >= k_most_idle ||
+                      ++steps_ >= most_steps();
+    const bool was_less = held_ && held_->strain < descent_->rms_strain();
+    if (held || (over && was_less)) descent_->go_to(held_->places);
+    return over;
+  }
+
+  /// True where vertices are at the limit of deviation and strain hardly falls any more: what goes
+  /// on there only crumples.
+  bool is_held() {
+    if (!descent_->at_deviation_limit()) return false;
+    const bool less = !held_ || descent_->rms_strain() < k_held_share * held_->strain;
+    if (less && (!held_ || !descent_->is_too_rough()))
+      held_ = Held{descent_->rms_strain(), descent_->places(), -1};
+    return ++held_->steps >= k_most_held;
+  }
+
+  int most_steps() const {
+    if (hopeless_) return k_hopeless_steps;
+    return level_ == levels_.coarsest() ? k_most_first_steps : k_most_steps;
+  }
+
+  /// What comes after a level: the next one, polishing, or the end.
+  void end_level(SweepOutcome& outcome) {
+    if (pull_back_) pull_back_->finish();
+    pull_back_.reset();
+    hopeless_ = !descent_->strain_is_met() && descent_->rms_strain() > k_hopeless_strain;
+    const bool may_try = tries_ < k_most_tries && rounds_ == 0 && level_ == levels_.coarsest();
+    if (may_try && !hopeless_ && descent_->is_too_rough()) return start_smoother();
+    if (level_ > 0) return lift();
+    const auto reason = reason_to_end();
+    if (reason) {
+      outcome.converged = true;
+      outcome.reason = *reason;
+      return;
+    }
+    descent_->release();
+    polish_.emplace(state_, pool_, limits());
+  }
+
+  /// The coarsest level once more, from where the vertices were at first.
+  void start_smoother() {
+    ++tries_;
+    earliness_ *= k_later;
+    descent_->go_to(descent_->cost().origin());
+    open_level();
+    descent_->start(k_pace_from_scratch);
+  }
+
+  std::optional<StopReason> reason_to_end() const {
+    if (descent_->strain_is_met()) return StopReason::strain_met;
+    const bool nearly_flat = descent_->rms_strain() <= k_polish_strain;
+    if (descent_->at_deviation_limit() && !nearly_flat) return StopReason::deviation_limit;
+    if (!hopeless_) return std::nullopt;
+    return descent_->at_angle_limit() ? StopReason::angle_limit : StopReason::stalled;
+  }
+
+  SweepOutcome polish() {
+    const DefectPolish::Cycle cycle = polish_->cycle();
+    if (limit_is_met_after_all()) return {std::max<std::size_t>(cycle.moved, 1)};
+    if (cycle.flat) return {cycle.moved, true};
+    if (cycle.over && rounds_++ < k_most_rounds) return descend_again(cycle.moved);
+    return {cycle.moved, cycle.over, polish_->held_by().value_or(StopReason::stalled)};
+  }
+
+  /// Steps may stall at single vertices before they come to a limit of strain. Cycles mend those;
+  /// then what is near is looked for as usual.
+  bool limit_is_met_after_all() {
+    if (!strain_limit().given()) return false;
+    descent_->go_to(descent_->places());
+    if (!descent_->strain_is_met()) return false;
+    polish_.reset();
+    pull_back_.emplace(*descent_);
+    return true;
+  }
+
+  SweepOutcome descend_again(std::size_t moved) {
+    polish_.reset();
+    descent_->start(k_pace_from_coarse);
+    steps_ = idle_ = 0;
+    held_.reset();
+    return {std::max<std::size_t>(moved, 1)};  // who moves nothing is taken to be at the end
+  }
+
+  Auto options_;
+  PatchState& state_;
+  ThreadPool& pool_;
+  double least_angle_;
+  CoarseLevels levels_;
+  std::size_t level_;
+  std::unique_ptr<PatchState> coarse_;  // of the level, none at the patch itself
+  std::unique_ptr<StrainDescent> descent_;
+  std::optional<PullBack> pull_back_;
+  std::optional<DefectPolish> polish_;
+  /// The place of least strain since vertices came to the limit of deviation.
+  struct Held {
+    double strain;
+    Places places;
+    int steps;  // since then
+  };
+  std::optional<Held> held_;
+  int tries_ = 1, steps_ = 0, idle_ = 0, rounds_ = 0;
+  double earliness_ = 1.0;  // of the usual one
+  bool hopeless_ = false;
+};
+
+}  // namespace
+
+Sweep make_sweep(const Auto& options, PatchState& state, ThreadPool& pool) {
+  if (options.prefer != Prefer::near) return make_smooth_sweep(options, state, pool);
+  const auto stepper = std::make_shared<AutoStepper>(options, state, pool);
+  return Sweep([stepper] { return stepper->step(); }, [stepper] { stepper->settle(); });
+}
+
+}  // namespace planish

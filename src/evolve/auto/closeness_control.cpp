@@ -1,0 +1,32 @@
+#include "evolve/auto/closeness_control.h"
+
+#include <algorithm>
+
+#include "core/math.h"
+
+namespace planish {
+
+ClosenessControl::ClosenessControl(const PatchState& state, double room, const ClosenessPace& pace)
+    : roughness_(state), pace_(pace), least_(roughness_.now()) {
+  most_ = least_ + room * (least_ + pace.more);
+}
+
+double ClosenessControl::after_step(double closeness, double strain_left, bool may_grow) {
+  constexpr double plenty = 0.8, ease = 0.25, growth = 2.0, least_closeness = 0.005;
+  const double roughness = roughness_.now();
+  least_ = std::min(least_, roughness);
+  first_strain_ = std::max(first_strain_, strain_left);
+  const double left =
+      first_strain_ > 0.0 ? math::pow(strain_left / first_strain_, pace_.earliness) : 0.0;
+  const double allowed = least_ + (most_ - least_) * (1.0 - left);
+  if (roughness > allowed) return std::max(ease * closeness, least_closeness);
+  if (roughness >= plenty * allowed) return closeness;
+  const double most = may_grow ? pace_.most : std::min(pace_.most, k_most_if_stiff);
+  return std::max(closeness, std::min(growth * closeness, most));
+}
+
+bool ClosenessControl::is_too_rough() const {
+  return roughness_.now() > most_;
+}
+
+}  // namespace planish

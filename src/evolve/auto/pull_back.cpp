@@ -1,0 +1,31 @@
+#include "evolve/auto/pull_back.h"
+
+namespace planish {
+
+PullBack::PullBack(StrainDescent& descent)
+    : descent_(descent),
+      may_be_rough_(descent.is_too_rough()),
+      nearest_(descent.places()),
+      deviation_(descent.deviation()) {
+  descent_.keep_to_limit(descent_.sigma());
+}
+
+StrainDescent::Step PullBack::step() {
+  constexpr double worth_it = 0.995;
+  ++steps_;
+  ++idle_;
+  const double closeness = descent_.closeness();
+  const StrainDescent::Step step = descent_.step();
+  // Where staying near still becomes dearer, more is to come.
+  if (descent_.closeness() > closeness) idle_ = 0;
+  const double deviation = descent_.deviation();
+  const bool may_end = descent_.strain_is_met() && (may_be_rough_ || !descent_.is_too_rough());
+  if (may_end && deviation < deviation_) {
+    if (deviation < worth_it * deviation_) idle_ = 0;
+    nearest_ = descent_.places();
+    deviation_ = deviation;
+  }
+  return step;
+}
+
+}  // namespace planish

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "evolve/auto/strain_descent.h"
+
+namespace planish {
+
+/// Pulls a patch whose strain has come within its limit back towards where it was at first: further
+/// steps of the descent, which now keep the strain where it is, and of the places they come to the
+/// nearest that is within the limit.
+class PullBack {
+ public:
+  /// @param descent its strain is met; must outlive it
+  explicit PullBack(StrainDescent& descent);
+
+  StrainDescent::Step step();
+  /// True where going on would bring little.
+  bool over() const { return idle_ >= k_most_idle || steps_ >= k_most_steps; }
+  /// Goes to the nearest place found.
+  void finish() { descent_.go_to(nearest_); }
+
+ private:
+  static constexpr int k_most_steps = 60, k_most_idle = 15;
+
+  StrainDescent& descent_;
+  bool may_be_rough_;  // as it was already
+  Places nearest_;
+  double deviation_;  // of the nearest
+  int steps_ = 0, idle_ = 0;
+};
+
+}  // namespace planish

@@ -1,0 +1,302 @@
+#include "evolve/auto/strain_descent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/careful_sum.h"
+#include "evolve/descent/smallest_angle.h"
+
+namespace planish {
+
+namespace {
+
+/// |phi|^2 is a sum over vertices: on denser patches the same strain weighs more. Sigma goes along.
+double sigma_unit(const PatchState& state) {
+  return std::sqrt(relative_density(state));
+}
+
+/// True if the descent is to come as near as a limit of strain allows. Vertices held at a limit of
+/// deviation need a way around them that is smooth.
+bool stays_near(const DescentAims& aims, const DescentLimits& limits) {
+  return aims.strain.given() && std::isinf(limits.deviation);
+}
+
+PatternBorder pattern_border(const DescentAims& aims) {
+  return aims.strain.given() ? PatternBorder::free : PatternBorder::held;
+}
+
+/// Where nearly all strain has to go, a border that is nearly held leads there by a shorter way,
+/// and what it may stretch hardly counts any more.
+/// @param stays share of the strain at first
+double ease_for(double stays) {
+  constexpr double much = 0.2, least = 1e-4;
+  const double share = std::min(1.0, stays / much);
+  return std::max(least, share * share);
+}
+
+/// @param stays share of the strain at first
+ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, double stays,
+                       double density) {
+  ClosenessPace pace = k_usual_closeness;
+  if (stays_near(aims, limits)) {
+    pace.earliness = k_earliness_near;
+    pace.most = k_most_near * std::max(1.0, density * density);
+    // Where little strain has to go, crumples may take it up at once.
+    pace.first = std::max(pace.first, k_first_near * stays * stays);
+  }
+  // Much room is not filled by weights that are right for a little.
+  constexpr double most_room = 10.0;
+  const double room = std::clamp(aims.room, 1.0, most_room);
+  pace.most *= room * room;
+  pace.earliness *= aims.earliness;
+  return pace;
+}
+
+}  // namespace
+
+StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentAims& aims,
+                             const DescentLimits& limits)
+    : state_(state),
+      pool_(pool),
+      aims_(aims),
+      limits_(limits),
+      triangles_(state.triangles()),
+      border_(limits.border, limits.deviation, state),
+      jacobian_(state, border_.movable()),
+      potential_(jacobian_, state, pool, pattern_border(aims)),
+      phi_(potential_.solvable() ? potential_.of(inner_defects(state), pool) : Eigen::VectorXd()),
+      area_shares_(area_shares(state)),
+      at_first_(strain_now()),
+      stays_(std::min(1.0, aims.strain.share_of(at_first_))),
+      pace_(pace_for(aims, limits, stays_, relative_density(state))),
+      control_(state, aims.room, pace_),
+      closeness_(aims.closeness > 0.0 ? aims.closeness : pace_.first),
+      cost_(jacobian_, state, closeness_, border_.bends()),
+      system_(jacobian_, state, cost_.hessian(), potential_.square(), border_.direction_count()),
+      relaxation_(jacobian_, state) {
+  if (potential_.border() == PatternBorder::free) potential_.ease_border(ease_for(stays_), pool);
+  if (limits_.angle > 0.0)
+    limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
+}
+
+void StrainDescent::start(const DescentPace& pace) {
+  if (!solvable()) return;
+  constexpr double least_sigma = 1e-4;
+  const Places away = sum_of(places(), -1.0, cost_.origin());
+  for (double share = 1.0; share > 1e-3; share *= 0.5) {
+    move_to(within_limits(sum_of(cost_.origin(), share, away)), jacobian_, state_);
+    if (angles_hold_after_slides()) break;
+  }
+  look();
+  sigma_ = std::min(1.0, pace.sigma_per_strain * strain_.rms) * sigma_unit(state_);
+  least_sigma_ = least_sigma * sigma_unit(state_);
+  sigma_ = std::max(sigma_, least_sigma_);
+  longest_step_ = pace.longest_step * cost_.unit();
+  fall_of_sigma_ = pace.fall_of_sigma;
+  stiffening_ = 0.0;
+  to_limit_ = false;
+}
+
+double StrainDescent::sigma() const {
+  return sigma_ / sigma_unit(state_);
+}
+
+void StrainDescent::keep_to_limit(double sigma) {
+  to_limit_ = true;
+  sigma_ = sigma * sigma_unit(state_);
+}
+
+void StrainDescent::look() {
+  state_.measure(pool_);
+  // With K as it was, steps find moves that deceive it: what lies between two vertices counts for
+  // strain by the square of the patch's size in edges.
+  if (potential_.border() == PatternBorder::free) potential_.update(pool_);
+  if (potential_.solvable())
+    phi_ = potential_.of(inner_defects(state_), pool_);
+  else
+    phi_.setConstant(std::numeric_limits<double>::infinity());  // no step ends there
+  strain_ = strain_now();
+}
+
+DescentStrain StrainDescent::strain_now() const {
+  if (phi_.size() == 0) return {};
+  const double most = phi_.cwiseAbs().maxCoeff();
+  if (potential_.border() == PatternBorder::held) {
+    return {phi_.norm() / std::sqrt(static_cast<double>(phi_.size())), most};
+  }
+  return {edge_strain_of(std::sqrt(phi_.cwiseAbs2().dot(area_shares_))), most};
+}
+
+double StrainDescent::merit() const {
+  return cost_.value(places()) + 0.5 * phi_.squaredNorm() / (sigma_ * sigma_);
+}
+
+double StrainDescent::merit_at(const Places& x) {
+  if (!std::isfinite(norm_of(x))) return std::numeric_limits<double>::infinity();
+  move_to(x, jacobian_, state_);
+  look();
+  return merit();
+}
+
+/// The normals of the inner vertices, then what the border's may take.
+std::vector<Vec3> StrainDescent::directions() const {
+  std::vector<Vec3> directions;
+  for (Index v = 0; v < border_.vertex_count(); ++v) {
+    const bool inner = state_.is_inner(v);
+    for (int k = 0; k < (inner ? 1 : border_.direction_count()); ++k)
+      directions.push_back(inner ? normal_at(v, jacobian_, state_) : border_.direction(v, k));
+  }
+  return directions;
+}
+
+Places StrainDescent::newton_step() {
+  jacobian_.update(pool_);
+  const Places x = places(), gradient = cost_.gradient(x);
+  const std::vector<Vec3> directions = this->directions();
+  Eigen::VectorXd force(static_cast<Eigen::Index>(directions.size()));
+  const auto vertex_of = [&](std::size_t direction) {
+    return static_cast<std::size_t>(system_.steps().vertex_of(static_cast<int>(direction)));
+  };
+  for (std::size_t d = 0; d < directions.size(); ++d)
+    force[static_cast<Eigen::Index>(d)] = -dot(gradient[vertex_of(d)], directions[d]);
+  Places step(x.size());
+  if (!system_.factor(directions, cost_.hessian(), potential_.square(), cost_.unit(),
+                      1.0 + stiffening_, sigma_, pool_))
+    return step;
+  const Eigen::VectorXd along = system_.solve(force, -inner_defects(state_), pool_);
+  for (std::size_t d = 0; d < directions.size(); ++d)
+    step[vertex_of(d)] += (cost_.unit() * along[static_cast<Eigen::Index>(d)]) * directions[d];
+  return step;
+}
+
+Places StrainDescent::within_limits(Places x) const {
+  border_.restrict(x);
+  return within_distance(std::move(x), cost_.origin(), state_.inner_count(), limits_.deviation);
+}
+
+/// Tells the cost which vertices cannot go on, so that the next step finds another way.
+void StrainDescent::hold_far_vertices() {
+  constexpr double almost = 0.99, dearer = 10.0;
+  // Gently: a distance is short against what the border would go, and nearly all of it comes here.
+  constexpr double dearer_border = 4.0;
+  cost_.tighten(border_.at_limit(), dearer_border);
+  if (std::isinf(limits_.deviation)) return;
+  std::vector<Index> far;
+  for (Index v = 0; v < state_.inner_count(); ++v) {
+    if (norm(state_.position(v) - cost_.origin()[v]) >= almost * limits_.deviation)
+      far.push_back(v);
+  }
+  cost_.tighten(far, dearer);
+  deviation_stopped_ = deviation_stopped_ || !far.empty();
+}
+
+/// Slides make angles hold if only a few did not.
+bool StrainDescent::angles_hold_after_slides() {
+  constexpr int most_slides = 10;
+  for (int i = 0; i < most_slides && !angles_hold(); ++i) {
+    if (relaxation_.relax() == 0) break;
+    move_to(within_limits(places()), jacobian_, state_);
+  }
+  return angles_hold();
+}
+
+bool StrainDescent::angles_hold() {
+  return !(limits_.angle > 0.0) || smallest_angle(state_, triangles_, pool_) >= limits_.angle;
+}
+
+StrainDescent::Step StrainDescent::step() {
+  constexpr int most_halvings = 12;
+  const Places& x = before_ = places();
+  Step result;
+  result.merit_before = result.merit = merit();
+  const Places newton = newton_step();
+  double longest = 0.0;
+  for (const Vec3 s : newton)
+    longest = std::max(longest, norm(s));
+  const double first_share = longest > longest_step_ ? longest_step_ / longest : 1.0;
+  double share = first_share;
+  int halvings = 0;
+  angle_stopped_ = false;
+  for (; halvings < most_halvings; ++halvings, share *= 0.5) {
+    const Places trial = within_limits(sum_of(x, share, newton));
+    const double merit = merit_at(trial);
+    if (!(merit < result.merit_before)) continue;
+    if (relaxation_.relax() > 0) {
+      move_to(within_limits(places()), jacobian_, state_);
+      look();
+    }
+    if (!angles_hold()) {
+      angle_stopped_ = true;
+      continue;
+    }
+    result.merit = merit;
+    for (std::size_t v = 0; v < x.size(); ++v)
+      result.moved += state_.position(v) != x[v] ? 1 : 0;
+    break;
+  }
+  if (result.moved == 0) go_to(before_);
+  follow(share, halvings, result);
+  follow_roughness();
+  hold_far_vertices();
+  return result;
+}
+
+void StrainDescent::go_to(const Places& places) {
+  move_to(places, jacobian_, state_);
+  look();
+}
+
+double StrainDescent::deviation() const {
+  const double away = norm_of(sum_of(places(), -1.0, cost_.origin()));
+  return away / std::sqrt(static_cast<double>(border_.vertex_count()));
+}
+
+/// What the step was worth says how stiff the next one is and which sigma it is for.
+void StrainDescent::follow(double share, int halvings, const Step& step) {
+  constexpr double least_stiffening = 0.3, ease = 0.25, tighten = 4.0;
+  if (halvings >= 2) stiffening_ = std::max(1.0, tighten * stiffening_);
+  if (halvings == 0) stiffening_ = stiffening_ < least_stiffening ? 0.0 : ease * stiffening_;
+  sigma_ = next_sigma(share, step);
+}
+
+double StrainDescent::next_sigma(double share, const Step& step) const {
+  constexpr double slow = 0.9, failed = 0.7, far_enough = 0.3, small_fall = 0.05;
+  if (to_limit_) {
+    constexpr double most_fall = 1.5, most_growth = 4.0;
+    if (step.moved == 0) return failed * sigma_;
+    const double room = aims_.strain.share_of(strain_);
+    return std::clamp(room < 1.0 ? room : std::sqrt(room), 1.0 / most_fall, most_growth) * sigma_;
+  }
+  // Where much strain cannot fall, a small sigma would buy some of it with crumples.
+  constexpr double large_strain = 0.02;
+  const double least_per_strain = strain_.rms > large_strain ? 0.3 : 0.02;
+  const double least = std::max(least_sigma_, least_per_strain * strain_.rms * sigma_unit(state_));
+  if (step.moved == 0) return std::max(failed * sigma_, least);
+  const bool full = share > 0.99;
+  const bool settled = step.merit_before - step.merit < small_fall * step.merit_before;
+  if (full || settled) return std::max(fall_of_sigma_ * sigma_, least);
+  return std::max(share > far_enough ? slow * sigma_ : sigma_, least);
+}
+
+/// What is left, rms: down to where it is expected once the strain is at its limit. The largest
+/// itself comes and goes from step to step.
+double StrainDescent::strain_to_go() const {
+  const double share = aims_.strain.given() ? stays_ : 0.0;
+  return std::max(0.0, strain_.rms - share * at_first_.rms);
+}
+
+/// Lets the next step stay closer where there is room for roughness, or be smoother.
+void StrainDescent::follow_roughness() {
+  constexpr double stiff = 4.0;
+  const bool on_the_way = !to_limit_, was_found = aims_.closeness > 0.0;
+  const double strain_left = on_the_way && !was_found ? strain_to_go() : 0.0;
+  double next = control_.after_step(closeness_, strain_left, stiffening_ < stiff);
+  if (on_the_way && was_found) next = std::min(next, closeness_);
+  cost_.scale_closeness(next / closeness_);
+  // Between closeness and strain the balance is sigma's.
+  if (to_limit_) sigma_ *= std::sqrt(closeness_ / next);
+  closeness_ = next;
+}
+
+}  // namespace planish

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "evolve/auto/closeness_control.h"
+#include "evolve/auto/normal_system.h"
+#include "evolve/auto/tangential_relaxation.h"
+#include "evolve/descent/border_motion.h"
+#include "evolve/descent/descent_limits.h"
+#include "evolve/descent/shape_cost.h"
+#include "evolve/descent/strain_limit.h"
+#include "evolve/descent/strain_potential.h"
+#include "evolve/systems/angle_jacobian.h"
+#include "evolve/systems/places.h"
+
+namespace planish {
+
+/// What a descent is to reach.
+struct DescentAims {
+  StrainLimit strain = {};  ///< at which it is to end, if given
+  double room = 1.0;        ///< for roughness, spent on staying close; see ClosenessControl
+  /// That a coarser level ended with: weights are found there, where steps cost little, and only
+  /// lowered on the way here. 0: there is none.
+  double closeness = 0.0;
+  double earliness = 1.0;  ///< of the usual one; see ClosenessPace
+};
+
+/// Where a descent begins and how far its steps go.
+struct DescentPace {
+  double sigma_per_strain;  ///< of the first sigma to the rms strain at first
+  double longest_step;      ///< of a vertex, in mean edges
+  double fall_of_sigma;     ///< factor after a step that was not cut
+};
+inline constexpr DescentPace k_pace_from_scratch{20.0, 0.6, 0.8};
+/// From places that a coarser level has found: what is left to do is little and smooth.
+inline constexpr DescentPace k_pace_from_coarse{0.5, 3.0, 0.25};
+
+/// Brings a patch to where it is flattenable, smoothly and near where it began, all inner vertices
+/// at once (docs/methods/auto.md): makes smaller and smaller, for sigma that falls from step to
+/// step,
+///
+///     F(x) = C(x) + |phi(x)|^2 / (2 sigma^2),
+///
+/// C the ShapeCost, phi the StrainPotential, by Levenberg and Marquardt's steps along the normals
+/// and slides along the surface where triangles get poor. Where a limit of strain is given, phi is
+/// that of a pattern with a free border on the surface as it is, as that is what the limit is of.
+/// Without one all strain has to go, and a border that is held leads there by a shorter way.
+class StrainDescent {
+ public:
+  /// The patch is to be where it was at first: matrices are of that surface. The state must outlive
+  /// it.
+  StrainDescent(PatchState& state, ThreadPool& pool, const DescentAims& aims,
+                const DescentLimits& limits);
+
+  /// False where the patch allows no matrices.
+  bool solvable() const { return potential_.solvable(); }
+  const ShapeCost& cost() const { return cost_; }
+  const AngleJacobian& jacobian() const { return jacobian_; }
+  /// Of all vertices that may move.
+  Places places() const { return first_places(state_, border_.vertex_count()); }
+  /// As they are now: they change from step to step. Sigma as on patches of 4,000 inner vertices.
+  double closeness() const { return closeness_; }
+  double sigma() const;
+
+  /// Starts from where the vertices are now, or nearer to where they were at first if that is
+  /// beyond the limits.
+  void start(const DescentPace& pace);
+
+  /// What a step did. F is that of the step's own sigma.
+  struct Step {
+    std::size_t moved = 0;
+    double merit_before = 0.0, merit = 0.0;
+  };
+  Step step();
+
+  void go_to(const Places& places);
+  /// Frees what only steps need, until the next one.
+  void release() { system_.release(); }
+  /// From now to the next start sigma is such that strain comes to its limit and stays there, from
+  /// above or below.
+  /// @param sigma to begin with, as sigma() tells it
+  /// @pre there is a limit of strain
+  void keep_to_limit(double sigma);
+
+  /// Strain as of now; see DescentStrain.
+  double rms_strain() const { return strain_.rms; }
+  double max_strain() const { return strain_.most; }
+  /// Of the vertices that may move, from where they were at first, rms.
+  double deviation() const;
+  /// True if the limit of strain, where there is one, is met.
+  bool strain_is_met() const {
+    return solvable() && aims_.strain.given() && aims_.strain.share_of(strain_) >= 1.0;
+  }
+  /// True if the patch is rougher than the room for roughness allows it to end.
+  bool is_too_rough() const { return control_.is_too_rough(); }
+  /// True if vertices came as far away as they may be.
+  bool at_deviation_limit() const { return deviation_stopped_; }
+  /// True if the last step was shortened by the limit of angles.
+  bool at_angle_limit() const { return angle_stopped_; }
+
+ private:
+  double merit_at(const Places& x);
+  double merit() const;
+  DescentStrain strain_now() const;
+  /// Measures the defects at the places where vertices are, and phi.
+  void look();
+  std::vector<Vec3> directions() const;
+  Places newton_step();
+  Places within_limits(Places x) const;
+  void hold_far_vertices();
+  bool angles_hold();
+  bool angles_hold_after_slides();
+  void follow(double share, int halvings, const Step& step);
+  double next_sigma(double share, const Step& step) const;
+  double strain_to_go() const;
+  void follow_roughness();
+
+  PatchState& state_;
+  ThreadPool& pool_;
+  DescentAims aims_;
+  DescentLimits limits_;
+  std::vector<Triangle> triangles_;
+  BorderMotion border_;
+  AngleJacobian jacobian_;
+  StrainPotential potential_;
+  Eigen::VectorXd phi_;
+  Eigen::VectorXd area_shares_;  // by vertex
+  DescentStrain at_first_;
+  double stays_;  // of that, at the limit: a share
+  ClosenessPace pace_;
+  ClosenessControl control_;
+  double closeness_;
+  ShapeCost cost_;
+  NormalSystem system_;
+  TangentialRelaxation relaxation_;
+  Places before_;  // the last step
+  DescentStrain strain_;
+  double longest_step_ = 0.0, fall_of_sigma_ = 0.5, sigma_ = 1.0, least_sigma_ = 0.0,
+         stiffening_ = 0.0;
+  bool to_limit_ = false, angle_stopped_ = false, deviation_stopped_ = false;
+};
+
+}  // namespace planish

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include <planish/evolve/constraints.h>
+#include <planish/mesh/coarsen.h>
+
+#include "core/thread_pool.h"
+#include "evolve/descent/shape_cost.h"
+#include "evolve/state/patch_state.h"
+
+namespace planish {
+
+/// Coarser and coarser patches over a patch, each over a quarter of the vertices of the one before,
+/// down to few. Level 0 is the patch itself.
+class CoarseLevels {
+ public:
+  /// @param small patches of so many vertices have no coarser level
+  CoarseLevels(const PatchState& patch, std::size_t small);
+
+  /// Of the coarsest level; 0 where the patch is small.
+  std::size_t coarsest() const { return levels_.size(); }
+  /// A level as it was at first, what is fixed held. It must not outlive this object.
+  /// @param level from 1
+  std::unique_ptr<PatchState> make_state(std::size_t level, ThreadPool& pool) const;
+  /// Brings what was found on a level to the next finer one, which is where it was at first:
+  /// vertices that both have move alike, the others so that the whole is smooth.
+  /// @param level from 1
+  /// @param cost of the finer patch
+  void lift(std::size_t level, const PatchState& coarse, const ShapeCost& cost, PatchState& fine,
+            ThreadPool& pool) const;
+
+ private:
+  struct Level {
+    CoarsePatch patch;
+    Constraints constraints;
+  };
+  std::vector<Level> levels_;  // from fine to coarse
+};
+
+}  // namespace planish

@@ -1,0 +1,169 @@
+#include "evolve/descent/defect_polish.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <planish/evolve/controllable_laplacian.h>
+
+#include "evolve/descent/shape_cost.h"
+#include "evolve/descent/smallest_angle.h"
+#include "evolve/state/sweep.h"
+#include "evolve/systems/dense.h"
+
+namespace planish {
+
+namespace {
+
+constexpr double k_max_step = 0.5;
+
+/// 1/w^2 by inner vertex.
+std::vector<double> squeeze_of(const PatchState& state) {
+  std::vector<double> squeeze;
+  for (std::size_t v = 0; v < state.inner_count(); ++v)
+    squeeze.push_back(1.0 / (state.weight(v) * state.weight(v)));
+  return squeeze;
+}
+
+/// The number of neighbours at a vertex, -1 at each that may move too: large on what differs from
+/// vertex to vertex, which is what sweeps take out, and as it takes no cotangents, at needles too.
+SparseMatrix graph_laplacian(const AngleJacobian& jacobian) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto n = static_cast<int>(jacobian.row_count());
+  for (int v = 0; v < n; ++v) {
+    const auto ring = jacobian.ring(static_cast<Index>(v));
+    entries.emplace_back(v, v, static_cast<double>(ring.size()));
+    if (!jacobian.is_movable(static_cast<Index>(v))) continue;
+    for (const Index w : ring) {
+      if (jacobian.is_movable(w)) entries.emplace_back(v, static_cast<int>(w), -1.0);
+    }
+  }
+  SparseMatrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+/// By so much that it counts as flattenable on rounding too.
+bool is_surely_flattenable(const Flattenability& figures) {
+  constexpr double of_e_max = 0.5, of_sum = 0.8;
+  return figures.e_max <= of_e_max * k_flattenable_e_max &&
+         figures.sum_abs_defect <= of_sum * k_flattenable_sum;
+}
+
+}  // namespace
+
+DefectPolish::DefectPolish(PatchState& state, ThreadPool& pool, const DescentLimits& limits)
+    : state_(state),
+      pool_(pool),
+      triangles_(state.triangles()),
+      limits_(limits),
+      least_(state, squeeze_of(state), k_max_step, pool, step_precision(state.inner_count())) {
+  limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
+  const SparseMatrix graph = graph_laplacian(least_.jacobian());
+  least_.dual().damp_by(graph * graph, 1.0 / relative_density(state));
+}
+
+DefectPolish::Cycle DefectPolish::cycle() {
+  // So often a cycle may leave more than this share of the energy.
+  constexpr double slow_share = 0.9;
+  constexpr int most_slow = 8, most_cycles = 100;
+  const double energy = state_.measure(pool_).energy;
+  Cycle cycle{move()};
+  const Flattenability figures = state_.measure(pool_);
+  cycle.flat = is_surely_flattenable(figures);
+  slow_ = figures.energy > slow_share * energy ? slow_ + 1 : 0;
+  cycle.over = cycle.moved == 0 || slow_ >= most_slow || ++cycles_ >= most_cycles;
+  return cycle;
+}
+
+std::size_t DefectPolish::move() {
+  constexpr int most_dampings = 8, most_halvings = 6;
+  constexpr double ease = 0.3, tighten = 4.0, tighten_much = 10.0, least_damping = 1e-6;
+  const Places before = inner_places(state_);
+  const double energy = state_.measure(pool_).energy;
+  const bool only_sweeps = std::exchange(first_, false);
+  for (int i = 0; i < most_dampings; ++i, damping_ *= tighten_much) {
+    const Places step = only_sweeps ? Places(before.size()) : least_norm_step();
+    double share = 1.0;
+    for (int halvings = 0; halvings < most_halvings; ++halvings, share *= 0.5) {
+      put(sum_of(before, share, step));
+      sweep();
+      held_by_.reset();
+      keep_limits(before);
+      if (!(state_.measure(pool_).energy < energy)) continue;
+      if (halvings == 0) damping_ = std::max(ease * damping_, least_damping);
+      if (halvings >= 2) damping_ *= tighten;
+      return moved_from(before);
+    }
+    put(before);
+  }
+  return 0;
+}
+
+std::size_t DefectPolish::moved_from(const Places& before) const {
+  std::size_t moved = 0;
+  for (std::size_t v = 0; v < before.size(); ++v)
+    moved += state_.position(v) != before[v] ? 1 : 0;
+  return moved;
+}
+
+Places DefectPolish::least_norm_step() {
+  least_.update();
+  if (!least_.factor(damping_)) return Places(state_.inner_count());
+  return least_.stopped(least_.to_close_defects().move(1.0));
+}
+
+/// All of them: sweeps move what is held for the matrices' sake too.
+void DefectPolish::put(const Places& places) {
+  for (Index v = 0; v < places.size(); ++v)
+    state_.move(v, places[v]);
+  state_.measure(pool_);
+}
+
+void DefectPolish::sweep() {
+  constexpr int sweeps = 20;
+  const Sweep sweep = make_sweep(ControllableLaplacian{}, state_, pool_);
+  for (int i = 0; i < sweeps; ++i)
+    sweep();
+}
+
+void DefectPolish::keep_limits(const Places& before) {
+  constexpr int most_rounds = 20;
+  stop_at_deviation();
+  for (int round = 0; round < most_rounds; ++round) {
+    const std::vector<Index> sharp = at_sharp_triangles();
+    if (sharp.empty()) return;
+    held_by_ = StopReason::angle_limit;
+    for (const Index v : sharp)
+      state_.move(v, before[v]);
+  }
+  put(before);
+}
+
+void DefectPolish::stop_at_deviation() {
+  constexpr double rounding = 1e-12;
+  for (Index v = 0; v < state_.inner_count(); ++v) {
+    const Vec3 away = state_.position(v) - state_.origin(v);
+    const double far = norm(away);
+    if (far <= limits_.deviation) continue;
+    state_.move(v, state_.origin(v) + ((1.0 - rounding) * limits_.deviation / far) * away);
+    held_by_ = StopReason::deviation_limit;
+  }
+}
+
+std::vector<Index> DefectPolish::at_sharp_triangles() const {
+  std::vector<unsigned char> sharp(triangles_.size());
+  pool_.for_ranges(triangles_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+      sharp[t] = smallest_angle(state_, triangles_[t]) >= limits_.angle ? 0 : 1;
+  });
+  std::vector<Index> vertices;
+  for (std::size_t t = 0; t < sharp.size(); ++t) {
+    if (sharp[t] == 0) continue;
+    std::copy_if(triangles_[t].begin(), triangles_[t].end(), std::back_inserter(vertices),
+                 [&](Index v) { return state_.is_inner(v); });
+  }
+  return vertices;
+}
+
+}  // namespace planish

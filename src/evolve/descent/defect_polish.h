@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+
+#include <planish/evolve/stop_reason.h>
+#include <planish/measure/flattenability.h>
+
+#include "evolve/descent/descent_limits.h"
+#include "evolve/systems/least_move.h"
+#include "evolve/systems/places.h"
+
+namespace planish {
+
+/// Takes the last defects out of a patch whose strain is small, in cycles of two halves that each
+/// do what the other cannot (docs/methods/auto.md): a least-norm step for what is spread over the
+/// patch, damped where it is not, and controllable sweeps, which spread what is at single vertices.
+/// Energy falls in every cycle that moves anything.
+class DefectPolish {
+ public:
+  /// The state must outlive it, as must the pool. An angle that is sharper already is its own
+  /// limit.
+  DefectPolish(PatchState& state, ThreadPool& pool, const DescentLimits& limits);
+
+  struct Cycle {
+    std::size_t moved = 0;  ///< vertices
+    bool flat = false;      ///< the patch is surely flattenable
+    bool over = false;      ///< nothing moved, or cycles gain little more
+  };
+  Cycle cycle();
+  /// The limit that held vertices in the last cycle.
+  std::optional<StopReason> held_by() const { return held_by_; }
+
+ private:
+  /// @return how many vertices moved
+  std::size_t move();
+  Places least_norm_step();
+  void put(const Places& places);
+  void sweep();
+  /// Stops vertices at the limit of deviation, and puts those of triangles that got too sharp back.
+  void keep_limits(const Places& before);
+  void stop_at_deviation();
+  std::vector<Index> at_sharp_triangles() const;
+  std::size_t moved_from(const Places& before) const;
+
+  PatchState& state_;
+  ThreadPool& pool_;
+  std::vector<Triangle> triangles_;
+  DescentLimits limits_;
+  LeastMove least_;
+  double damping_ = 1e-2;
+  int cycles_ = 0, slow_ = 0;
+  bool first_ = true;
+  std::optional<StopReason> held_by_;
+};
+
+}  // namespace planish

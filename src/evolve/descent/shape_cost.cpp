@@ -1,0 +1,211 @@
+#include "evolve/descent/shape_cost.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "evolve/systems/fairing.h"
+#include "solve/dissection.h"
+#include "solve/sparse_pattern.h"
+
+namespace planish {
+
+namespace {
+
+/// Keeps matrices definite where nothing else does.
+constexpr double k_anchor = 1e-9;
+
+Places places_at_first(const PatchState& state, std::size_t count) {
+  Places places;
+  for (std::size_t v = 0; v < count; ++v)
+    places.push_back(state.origin(v));
+  return places;
+}
+
+/// The border's are dearer: it is the design's line, and where it may move, bending alone would
+/// straighten it early and for good. Sums along it go with the edges, those over the surface with
+/// their square.
+std::vector<double> pulls(const PatchState& state, std::size_t count, double closeness) {
+  constexpr double border_to_inner = 30.0;
+  const double density = relative_density(state);
+  const double inner = closeness / (density * density);
+  const double border = border_to_inner * std::sqrt(density) * inner;
+  std::vector<double> pulls;
+  for (Index v = 0; v < count; ++v)
+    pulls.push_back((state.is_inner(v) ? inner : border) * state.weight(v) * state.weight(v));
+  return pulls;
+}
+
+/// L over the vertices that may move; the rows of the others are empty.
+SparseMatrix moving_part(const std::vector<std::vector<double>>& rows,
+                         const AngleJacobian& jacobian) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index v = 0; v < rows.size(); ++v) {
+    const auto ring = jacobian.ring(v);
+    const auto row = static_cast<int>(v);
+    if (jacobian.is_movable(v))
+      entries.emplace_back(row, row, std::accumulate(rows[v].begin(), rows[v].end(), 0.0));
+    for (std::size_t j = 0; j < ring.size(); ++j) {
+      if (jacobian.is_movable(ring[j]))
+        entries.emplace_back(row, static_cast<int>(ring[j]), -rows[v][j]);
+    }
+  }
+  SparseMatrix matrix(static_cast<int>(rows.size()), static_cast<int>(jacobian.column_count()));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+/// B over the vertices that may move.
+SparseMatrix moving_part(const std::vector<BorderMotion::Bend>& bends,
+                         const AngleJacobian& jacobian) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t row = 0; row < bends.size(); ++row) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index v = bends[row].vertices[k];
+      if (!jacobian.is_movable(v)) continue;
+      entries.emplace_back(static_cast<int>(row), static_cast<int>(v), bends[row].weights[k]);
+    }
+  }
+  SparseMatrix matrix(static_cast<int>(bends.size()), static_cast<int>(jacobian.column_count()));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+/// Sums of squares along a curve go with the cube of the edges, over a surface with their square.
+std::vector<BorderMotion::Bend> weighed(std::vector<BorderMotion::Bend> bends,
+                                        const PatchState& state) {
+  const double weight = std::sqrt(std::sqrt(relative_density(state)));
+  for (BorderMotion::Bend& bend : bends) {
+    for (double& w : bend.weights)
+      w *= weight;
+  }
+  return bends;
+}
+
+SparseMatrix diagonal_matrix(const std::vector<double>& values) {
+  const auto n = static_cast<int>(values.size());
+  SparseMatrix matrix(n, n);
+  matrix.setIdentity();
+  matrix.diagonal() = Eigen::Map<const Eigen::VectorXd>(values.data(), n);
+  return matrix;
+}
+
+}  // namespace
+
+double relative_density(const PatchState& state) {
+  constexpr double usual_count = 4000.0;
+  return static_cast<double>(state.inner_count()) / usual_count;
+}
+
+ShapeCost::ShapeCost(const AngleJacobian& jacobian, const PatchState& state, double closeness,
+                     std::vector<BorderMotion::Bend> bends)
+    : jacobian_(jacobian),
+      state_(state),
+      unit_(mean_edge(jacobian, state)),
+      origin_(places_at_first(state, jacobian.column_count())),
+      pull_(pulls(state, jacobian.column_count(), closeness)),
+      rows_(rows_of_laplacian(state, LaplacianWeights::cotangent)),
+      bends_(weighed(std::move(bends), state)) {
+  const SparseMatrix l = moving_part(rows_, jacobian);
+  hessian_ = SparseMatrix(l.transpose() * l) + diagonal_matrix(pull_);
+  if (bends_.empty()) return;
+  const SparseMatrix b = moving_part(bends_, jacobian);
+  hessian_ += SparseMatrix(b.transpose() * b);
+}
+
+Places ShapeCost::laplacian(const Places& x) const {
+  Places values(rows_.size());
+  for (Index v = 0; v < values.size(); ++v) {
+    const auto ring = jacobian_.ring(v);
+    Vec3 sum;
+    for (std::size_t j = 0; j < ring.size(); ++j)
+      sum += rows_[v][j] * (x[v] - (ring[j] < x.size() ? x[ring[j]] : state_.position(ring[j])));
+    values[v] = (1.0 / unit_) * sum;
+  }
+  return values;
+}
+
+Places ShapeCost::bends_of(const Places& x) const {
+  Places values;
+  for (const auto& [vertices, weights] : bends_) {
+    Vec3 sum;
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += weights[k] * (x[vertices[k]] - origin_[vertices[k]]);
+    values.push_back((1.0 / unit_) * sum);
+  }
+  return values;
+}
+
+double ShapeCost::value(const Places& x) const {
+  const Places bends = laplacian(x);
+  double cost = 0.0;
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    const Vec3 away = (1.0 / unit_) * (x[v] - origin_[v]);
+    const double bend = v < bends.size() ? dot(bends[v], bends[v]) : 0.0;
+    cost += 0.5 * (pull_[v] * dot(away, away) + bend);
+  }
+  for (const Vec3 bend : bends_of(x))
+    cost += 0.5 * dot(bend, bend);
+  return cost;
+}
+
+Places ShapeCost::gradient(const Places& x) const {
+  const Places bends = laplacian(x);
+  Places gradient(x.size());
+  for (Index v = 0; v < x.size(); ++v) {
+    for (std::size_t j = 0; v < bends.size() && j < rows_[v].size(); ++j) {
+      const Vec3 part = rows_[v][j] * bends[v];
+      gradient[v] += part;
+      const Index w = jacobian_.ring(v)[j];
+      if (w < x.size()) gradient[w] += -part;
+    }
+    gradient[v] += (pull_[v] / unit_) * (x[v] - origin_[v]);
+  }
+  const Places border_bends = bends_of(x);
+  for (std::size_t row = 0; row < bends_.size(); ++row) {
+    for (std::size_t k = 0; k < 3; ++k)
+      gradient[bends_[row].vertices[k]] += bends_[row].weights[k] * border_bends[row];
+  }
+  for (Index v = 0; v < x.size(); ++v) {
+    if (!jacobian_.is_movable(v)) gradient[v] = {};
+  }
+  return gradient;
+}
+
+void ShapeCost::tighten(std::span<const Index> vertices, double factor) {
+  constexpr double dearest = 1e12;  // who was told so often stays anyway
+  for (const Index v : vertices) {
+    if (pull_[v] > dearest) continue;
+    hessian_.coeffRef(static_cast<int>(v), static_cast<int>(v)) += (factor - 1.0) * pull_[v];
+    pull_[v] *= factor;
+  }
+}
+
+void ShapeCost::scale_closeness(double factor) {
+  for (std::size_t v = 0; v < pull_.size(); ++v) {
+    hessian_.coeffRef(static_cast<int>(v), static_cast<int>(v)) += (factor - 1.0) * pull_[v];
+    pull_[v] *= factor;
+  }
+}
+
+Places ShapeCost::spread(std::span<const unsigned char> given, const Places& moves,
+                         ThreadPool& pool) const {
+  const auto n = static_cast<int>(moves.size());
+  SparseMatrix matrix = hessian_;
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, 3);
+  for (int v = 0; v < n; ++v) {
+    const bool pinned = given[v] != 0 || !jacobian_.is_movable(static_cast<Index>(v));
+    matrix.coeffRef(v, v) += (pinned ? 1.0 : k_anchor) - pull_[v];
+    if (given[v] != 0) right.row(v) << moves[v].x, moves[v].y, moves[v].z;
+  }
+  const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
+  SparseLdlt solver(lower, nested_dissection(origin_, graph_of(matrix)));
+  if (!solver.factor(lower, pool)) return Places(moves.size());
+  const Eigen::MatrixXd spread = solver.solve(right, pool);
+  Places result(moves.size());
+  for (int v = 0; v < n; ++v)
+    result[v] = {spread(v, 0), spread(v, 1), spread(v, 2)};
+  return result;
+}
+
+}  // namespace planish

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+
+#include "core/thread_pool.h"
+#include "evolve/state/patch_state.h"
+
+namespace planish {
+
+/// Of triangles in the numbers of the state, as the patch is, in radians; infinite without
+/// triangles.
+double smallest_angle(const PatchState& state, std::span<const Triangle> triangles,
+                      ThreadPool& pool);
+
+/// Of one: the angle across from its shortest edge.
+double smallest_angle(const PatchState& state, const Triangle& triangle);
+
+}  // namespace planish

@@ -1,0 +1,156 @@
+#include "evolve/descent/strain_potential.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/careful_sum.h"
+#include "evolve/systems/places.h"
+#include "geometry/cotangents.h"
+#include "solve/dissection.h"
+#include "solve/sparse_pattern.h"
+
+namespace planish {
+
+namespace {
+
+constexpr std::size_t k_nowhere = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t k_grain = 512;
+
+/// K without values.
+SparseMatrix pattern_of(const AngleJacobian& jacobian, const PatchState& state,
+                        PatternBorder border) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto n = static_cast<Index>(jacobian.row_count());
+  const auto rows = border == PatternBorder::free ? state.vertex_count() : n;
+  for (Index v = 0; v < n; ++v) {
+    const auto column = static_cast<int>(v);
+    entries.emplace_back(column, column, 0.0);
+    for (const Index w : jacobian.ring(v)) {
+      if (w < rows) entries.emplace_back(static_cast<int>(w), column, 0.0);
+    }
+  }
+  SparseMatrix matrix(static_cast<int>(rows), static_cast<int>(n));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+std::size_t place_in_column(const SparseMatrix& matrix, int row, int column) {
+  const int* rows = matrix.innerIndexPtr();
+  const int* end = rows + matrix.outerIndexPtr()[column + 1];
+  const int* found = std::lower_bound(rows + matrix.outerIndexPtr()[column], end, row);
+  return found != end && *found == row ? static_cast<std::size_t>(found - rows) : k_nowhere;
+}
+
+double dot_of_columns(const SparseMatrix& matrix, int a, int b) {
+  double sum = 0.0;
+  SparseMatrix::InnerIterator x(matrix, a), y(matrix, b);
+  while (x && y) {
+    if (x.row() == y.row()) {
+      sum += x.value() * y.value();
+      ++x;
+      ++y;
+    } else if (x.row() < y.row()) {
+      ++x;
+    } else {
+      ++y;
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+StrainPotential::StrainPotential(const AngleJacobian& jacobian, const PatchState& state,
+                                 ThreadPool& pool, PatternBorder border)
+    : jacobian_(jacobian),
+      state_(state),
+      border_(border),
+      stiffness_(pattern_of(jacobian, state, border)) {
+  const auto n = static_cast<int>(stiffness_.cols());
+  if (n == 0) return;
+  for (int v = 0; v < n; ++v) {
+    first_place_.push_back(places_.size());
+    places_.push_back(place_in_column(stiffness_, v, v));
+    for (const Index w : jacobian.ring(static_cast<Index>(v)))
+      places_.push_back(place_in_column(stiffness_, static_cast<int>(w), v));
+  }
+  fill(pool);
+  square_ = SparseMatrix(stiffness_.transpose()) * stiffness_;
+  const bool free = border == PatternBorder::free;
+  const SparseMatrix& matrix = free ? square_ : stiffness_;
+  const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
+  solver_.emplace(lower, nested_dissection(inner_places(state), graph_of(matrix)));
+  solvable_ = solver_->factor(lower, pool);
+}
+
+void StrainPotential::fill(ThreadPool& pool) {
+  double* values = stiffness_.valuePtr();
+  const double at_border = std::sqrt(ease_);
+  pool.for_ranges(first_place_.size(), k_grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Vec3> ring;
+    for (std::size_t v = begin; v < end; ++v) {
+      ring.clear();
+      for (const Index w : jacobian_.ring(static_cast<Index>(v)))
+        ring.push_back(state_.position(w));
+      const std::size_t* place = places_.data() + first_place_[v];
+      double& own = values[*place] = 0.0;
+      const std::vector<double> weights = cotangent_weights(state_.position(v), ring);
+      const auto neighbours = jacobian_.ring(static_cast<Index>(v));
+      for (std::size_t j = 0; j < weights.size(); ++j) {
+        own += weights[j];
+        if (*++place == k_nowhere) continue;
+        values[*place] = state_.is_inner(neighbours[j]) ? -weights[j] : -at_border * weights[j];
+      }
+    }
+  });
+}
+
+void StrainPotential::take_square(ThreadPool& pool) {
+  pool.for_ranges(first_place_.size(), k_grain, [this](std::size_t begin, std::size_t end) {
+    for (int v = static_cast<int>(begin); v < static_cast<int>(end); ++v) {
+      for (SparseMatrix::InnerIterator entry(square_, v); entry; ++entry)
+        entry.valueRef() = dot_of_columns(stiffness_, static_cast<int>(entry.row()), v);
+    }
+  });
+}
+
+void StrainPotential::ease_border(double ease, ThreadPool& pool) {
+  ease_ = ease;
+  update(pool);
+}
+
+void StrainPotential::update(ThreadPool& pool) {
+  if (!solver_) return;
+  fill(pool);
+  take_square(pool);
+  const SparseMatrix& matrix = border_ == PatternBorder::free ? square_ : stiffness_;
+  const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
+  solvable_ = solver_->factor(lower, pool);
+}
+
+Eigen::VectorXd StrainPotential::of(const Eigen::VectorXd& defects, ThreadPool& pool) const {
+  Eigen::VectorXd solution = solver_->solve(defects, pool);
+  if (border_ == PatternBorder::held) return solution;
+  return stiffness_ * solution;
+}
+
+Eigen::VectorXd area_shares(const PatchState& state) {
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(state.vertex_count()));
+  for (const Triangle& t : state.triangles()) {
+    const Vec3 a = state.origin(t[0]);
+    const double area = norm(cross(state.origin(t[1]) - a, state.origin(t[2]) - a));
+    for (const Index v : t)
+      shares[static_cast<Eigen::Index>(v)] += area;
+  }
+  CarefulSum total;
+  for (const double share : shares)
+    total.add(share);
+  return shares / total.value();
+}
+
+double edge_strain_of(double rms_potential) {
+  return std::sqrt(3.0 / 8.0) * rms_potential;
+}
+
+}  // namespace planish

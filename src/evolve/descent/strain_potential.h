@@ -1,0 +1,77 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/thread_pool.h"
+#include "evolve/systems/angle_jacobian.h"
+#include "solve/sparse_ldlt.h"
+
+namespace planish {
+
+/// What the border may do in the pattern whose strain is measured.
+enum class PatternBorder {
+  held,  ///< keeps its length, so what strain there is lies inside
+  free,  ///< as of what is cut from sheet
+};
+
+/// phi with K phi = d at the inner vertices: K the stiffness matrix of cotangents, d the angle
+/// defects. To first order e^phi is by how much a conformal pattern stretches (Ben-Chen and others
+/// 2008), so unlike the energy it does not depend on the density of the mesh. phi at the border is
+///
+/// - held: 0, so there is one such phi. A system of K, the metric that of the patch at first.
+/// - free: such that |phi| is smallest, phi = K^T (K K^T)^-1 d. Then it tells the strain of the
+///   pattern of least stretch: see edge_strain_of().
+class StrainPotential {
+ public:
+  /// Takes K from the patch as it is: positive definite, as of finite elements, where each part of
+  /// the patch has a border.
+  /// @param jacobian,state must outlive it
+  StrainPotential(const AngleJacobian& jacobian, const PatchState& state, ThreadPool& pool,
+                  PatternBorder border);
+
+  /// False where K or its square cannot be factored.
+  bool solvable() const { return solvable_; }
+  PatternBorder border() const { return border_; }
+  /// From now on squares of phi at a free border count divided by this, as if it were stiffer. It
+  /// is then phi over the root of this that of() gives there: strain is told too large, if at all.
+  /// @param ease above 0, at most 1: as at first
+  void ease_border(double ease, ThreadPool& pool);
+  /// Takes K from the patch as it is now.
+  void update(ThreadPool& pool);
+  /// @param defects by inner vertex, radians
+  /// @return by inner vertex; where the border is free by vertex
+  Eigen::VectorXd of(const Eigen::VectorXd& defects, ThreadPool& pool) const;
+
+  /// K^T: a row for each value of phi, a column for each inner vertex.
+  const SparseMatrix& stiffness() const { return stiffness_; }
+  /// K K^T, both halves: |phi|^2 = d . square^-1 d.
+  const SparseMatrix& square() const { return square_; }
+
+ private:
+  void fill(ThreadPool& pool);
+  void take_square(ThreadPool& pool);
+
+  const AngleJacobian& jacobian_;
+  const PatchState& state_;
+  PatternBorder border_;
+  double ease_ = 1.0;
+  SparseMatrix stiffness_, square_;  // K^T, K K^T
+  // Where the entries of each vertex lie in K^T: its own, then those of its ring, k_nowhere for
+  // those that it has not.
+  std::vector<std::size_t> places_, first_place_;
+  std::optional<SparseLdlt> solver_;  // of K, of K K^T where the border is free
+  bool solvable_ = false;
+};
+
+/// The strain of the edges, rms, of the pattern of least stretch whose border is free, from the rms
+/// of its phi over all vertices. The strains of a plane piece without load at its border follow
+/// from Airy's function chi, phi = laplace chi, chi and its slope 0 at the border; so the integral
+/// of e1^2 + e2^2 is that of phi^2, that of (e1 + e2)^2 too, and an edge, which may lie in any
+/// direction, has 3/8 of it in the mean (docs/methods/auto.md).
+double edge_strain_of(double rms_potential);
+
+/// The share of each vertex in the area of the patch as it was at first: a third of its triangles.
+Eigen::VectorXd area_shares(const PatchState& state);
+
+}  // namespace planish

@@ -1,0 +1,120 @@
+// Flattenable Laplacian mesh: C. C. L. Wang, "Towards flattenable mesh surfaces", Computer-Aided
+// Design 40 (2008), with a symmetric matrix. Equations in docs/methods/flattenable_laplacian.md.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <planish/evolve/method.h>
+
+#include "evolve/state/sweep.h"
+#include "evolve/systems/kkt_system.h"
+#include "evolve/systems/places.h"
+
+namespace planish {
+
+namespace {
+
+/// Rows of the printed matrix times |N(p)| over the mean valence, which makes it symmetric.
+SparseMatrix hessian_of(const FlattenableLaplacian& options, const PatchState& state,
+                        const std::vector<double>& shares) {
+  const auto rings = rings_by_vertex(state.plan());
+  const auto n = static_cast<int>(rings.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int v = 0; v < n; ++v) {
+    const double stay = options.position * state.weight(v) * state.weight(v);
+    entries.emplace_back(v, v, shares[v] * (options.fairness + stay));
+    const double pull = options.fairness * shares[v] / static_cast<double>(rings[v].size());
+    for (const Index w : rings[v]) {
+      if (static_cast<int>(w) > v && state.is_inner(w)) {
+        entries.emplace_back(static_cast<int>(w), v, -pull);
+      }
+    }
+  }
+  SparseMatrix hessian(n, n);
+  hessian.setFromTriplets(entries.begin(), entries.end());
+  return hessian;
+}
+
+/// |N(p)| over its mean.
+std::vector<double> valence_shares(const PatchState& state) {
+  std::vector<double> shares;
+  double sum = 0.0;
+  for (const auto ring : rings_by_vertex(state.plan())) {
+    shares.push_back(static_cast<double>(ring.size()));
+    sum += shares.back();
+  }
+  for (double& share : shares)
+    share *= static_cast<double>(shares.size()) / sum;
+  return shares;
+}
+
+class FlattenableStepper {
+ public:
+  FlattenableStepper(const FlattenableLaplacian& options, PatchState& state, ThreadPool& pool)
+      : options_(options),
+        state_(state),
+        pool_(pool),
+        jacobian_(state),
+        shares_(valence_shares(state)),
+        system_(jacobian_, state, hessian_of(options, state, shares_)),
+        base_(inner_places(state)) {}
+
+  SweepOutcome step() {
+    state_.measure(pool_);
+    jacobian_.update(pool_);
+    if (options_.rebase_every > 0 && steps_ % options_.rebase_every == 0)
+      base_ = inner_places(state_);
+    ++steps_;
+    if (!system_.factor(options_.damping, pool_)) return {};
+    const Places step = stopped(system_.solve(forces(), inner_defects(state_), pool_));
+    const std::size_t moved =
+        move_to(sum_of(inner_places(state_), options_.tau, step), jacobian_, state_);
+    const double rms = norm_of(step) / std::sqrt(static_cast<double>(step.size()));
+    return {moved, rms <= options_.min_step * mean_edge(jacobian_, state_)};
+  }
+
+ private:
+  /// Minus the gradient of what is made small: towards the mean of the ring and towards the base.
+  Places forces() const {
+    Places forces(base_.size());
+    for (Index v = 0; v < forces.size(); ++v) {
+      const auto ring = jacobian_.ring(v);
+      const Vec3 x = state_.position(v);
+      Vec3 umbrella;
+      for (const Index w : ring)
+        umbrella += (1.0 / static_cast<double>(ring.size())) * (state_.position(w) - x);
+      const double stay = options_.position * state_.weight(v) * state_.weight(v);
+      forces[v] = shares_[v] * (options_.fairness * umbrella + stay * (base_[v] - x));
+    }
+    return forces;
+  }
+
+  /// No vertex by more than the mean length of its edges: where A is nearly singular it would fly
+  /// off.
+  Places stopped(Places step) const {
+    for (Index v = 0; v < step.size(); ++v) {
+      const double length = norm(step[v]), most = edges_at(v, jacobian_, state_).mean;
+      if (length > most) step[v] = (most / length) * step[v];
+    }
+    return step;
+  }
+
+  FlattenableLaplacian options_;
+  PatchState& state_;
+  ThreadPool& pool_;
+  AngleJacobian jacobian_;
+  std::vector<double> shares_;
+  KktSystem system_;
+  Places base_;
+  int steps_ = 0;
+};
+
+}  // namespace
+
+Sweep make_sweep(const FlattenableLaplacian& options, PatchState& state, ThreadPool& pool) {
+  const auto stepper = std::make_shared<FlattenableStepper>(options, state, pool);
+  return [stepper] { return stepper->step(); };
+}
+
+}  // namespace planish

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include <planish/evolve/evolver.h>
+#include <planish/evolve/method.h>
+
+#include "core/thread_pool.h"
+#include "evolve/state/patch_state.h"
+
+namespace planish {
+
+/// What a pass did.
+struct SweepOutcome {
+  std::size_t moved = 0;   ///< vertices
+  bool converged = false;  ///< the method's own test says that no more can be gained
+  StopReason reason = StopReason::converged;  ///< if so, why
+  std::optional<LevelRecord> level = {};      ///< if it was a step of a level
+  bool elsewhere = false;                     ///< what moved was not the patch itself
+};
+
+/// One pass of a method over all inner vertices. Positions are what counts when it returns: the
+/// evolver computes the defects anew.
+class Sweep {
+ public:
+  template <class Pass>
+  requires std::is_invocable_r_v<SweepOutcome, Pass> Sweep(
+      Pass pass)  // NOLINT(google-explicit-constructor): a pass is all that most methods are
+      : pass_(std::move(pass)) {}
+  /// @param settle puts what the method has found elsewhere into the positions, where it is ended
+  ///   early
+  Sweep(std::function<SweepOutcome()> pass, std::function<void()> settle)
+      : pass_(std::move(pass)), settle_(std::move(settle)) {}
+
+  SweepOutcome operator()() const { return pass_(); }
+  void settle() const {
+    if (settle_) settle_();
+  }
+
+ private:
+  std::function<SweepOutcome()> pass_;
+  std::function<void()> settle_;
+};
+
+/// One per method, each in the source file of its name. State and pool must outlive the sweep.
+Sweep make_sweep(const Auto& options, PatchState& state, ThreadPool& pool);
+Sweep make_sweep(const BilaplacianFairing& options, PatchState& state, ThreadPool& pool);
+Sweep make_sweep(const ClassicalLaplacian& options, PatchState& state, ThreadPool& pool);
+Sweep make_sweep(const ControllableLaplacian& options, PatchState& state, ThreadPool& pool);
+Sweep make_sweep(const FlattenableLaplacian& options, PatchState& state, ThreadPool& pool);
+Sweep make_sweep(const LeastNorm& options, PatchState& state, ThreadPool& pool);
+Sweep make_sweep(const LocalOffset& options, PatchState& state, ThreadPool& pool);
+Sweep make_sweep(const GlobalPenalty& options, PatchState& state, ThreadPool& pool);
+Sweep make_sweep(const LocalPerturbation& options, PatchState& state, ThreadPool& pool);
+
+/// Goes through all visits of the plan, the insides of all pieces at the same time, then each
+/// colour of seams: body(begin, end) returns how many of the vertices visited it moved. Returns the
+/// total.
+std::size_t visit_all(const VisitPlan& plan, ThreadPool& pool,
+                      const std::function<std::size_t(std::size_t, std::size_t)>& body);
+
+}  // namespace planish

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include "evolve/systems/angle_jacobian.h"
+#include "evolve/systems/dual_system.h"
+#include "evolve/systems/places.h"
+
+namespace planish {
+
+/// The least moves of all inner vertices that turn the angle sums as asked, by weights and as far
+/// as damping lets them: S A^T (A S A^T + mu D)^-1 turn (docs/methods/least_norm.md).
+class LeastMove {
+ public:
+  /// @param squeeze S by inner vertex: how willing each is to move
+  /// @param max_step no vertex goes further in a step, in its shortest edges
+  /// @param state must outlive it, as must the pool
+  LeastMove(PatchState& state, std::vector<double> squeeze, double max_step, ThreadPool& pool,
+            Precision precision = Precision::full);
+  LeastMove(const LeastMove&) = delete;
+  LeastMove& operator=(const LeastMove&) = delete;
+
+  const AngleJacobian& jacobian() const { return jacobian_; }
+  DualSystem& dual() { return dual_; }
+
+  /// Takes the gradients from where the vertices are now.
+  void update() { jacobian_.update(pool_); }
+  /// @return false where the matrix cannot be factored
+  bool factor(double mu) { return dual_.factor(squeeze_, mu, pool_); }
+  /// @pre factor() was true
+  Places to_turn(const Eigen::VectorXd& turn);
+
+  /// A move and how its end bends: the first t of it are t first + t^2/2 second.
+  struct Curve {
+    Places first, second;
+    double fall = 0.0;    // of the energy, to first order
+    bool solves = false;  // whether it closes the angle sums to first order, in spite of damping
+    Places move(double t) const;
+  };
+  /// The least move that closes the defects of the last measure(), bent so that the angle sums go
+  /// on straight to second order (geodesic acceleration, Transtrum and Sethna 2012): the second
+  /// derivative of the angle sums along the move is what one look ahead shows them to miss.
+  /// @pre factor() was true, and vertices are where it was. The defects are to be measured again.
+  Curve to_close_defects();
+
+  /// The move with every vertex stopped at its longest step: a few needles must not hold up the
+  /// rest.
+  Places stopped(Places move) const;
+
+ private:
+  PatchState& state_;
+  ThreadPool& pool_;
+  std::vector<double> squeeze_;
+  double max_step_;
+  AngleJacobian jacobian_;
+  DualSystem dual_;
+};
+
+}  // namespace planish

@@ -1,0 +1,26 @@
+#include <algorithm>
+
+#include <planish/flatten/evolve_progress.h>
+
+namespace planish {
+
+EvolveProgress::EvolveProgress(const Stopping& stopping, std::size_t vertices)
+    : max_sweeps_(static_cast<double>(stopping.max_sweeps)),
+      vertices_(static_cast<double>(vertices)) {}
+
+double EvolveProgress::after(const SweepRecord& record) {
+  if (record.level || has_levels_) {
+    const std::size_t level = record.level ? record.level->inner_vertices : 0;
+    if (!has_levels_ || level != level_) {
+      share_ = std::max(share_, end_);
+      end_ = record.level ? static_cast<double>(level) / vertices_ : 1.0;
+      level_ = level;
+      has_levels_ = true;
+    }
+    share_ += 0.1 * std::max(0.0, end_ - share_);
+  }
+  share_ = std::max(share_, static_cast<double>(record.sweep) / max_sweeps_);
+  return share_ = std::min(share_, 1.0);
+}
+
+}  // namespace planish

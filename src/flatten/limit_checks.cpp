@@ -1,0 +1,95 @@
+#include "flatten/limit_checks.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+
+#include "core/figure_text.h"
+
+namespace planish {
+
+namespace {
+
+constexpr double k_degrees = 180.0 / std::numbers::pi;
+constexpr double k_rounding = 1e-9;  // of a limit: positions are rounded as they are scaled
+
+/// Of the options that this type has as numbers, the one of that name.
+template <class Options>
+std::optional<double> number_named(Options options, std::string_view name) {
+  std::optional<double> number;
+  describe(options, [&](std::string_view option, const auto& value, auto&&...) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) {
+      if (option == name) number = value;
+    }
+  });
+  return number;
+}
+
+/// The value of an option that was given another one than it has unasked.
+std::optional<double> given(const Method& method, std::string_view name) {
+  return std::visit(
+      [&](const auto& options) -> std::optional<double> {
+        const auto value = number_named(options, name);
+        const auto usual = number_named(std::decay_t<decltype(options)>{}, name);
+        return value == usual ? std::nullopt : value;
+      },
+      method);
+}
+
+LimitOf limit_of(StrainLimitKind kind) {
+  switch (kind) {
+    case StrainLimitKind::max:
+      return LimitOf::strain;
+    case StrainLimitKind::p99:
+      return LimitOf::p99_strain;
+    case StrainLimitKind::rms:
+      return LimitOf::rms_strain;
+  }
+  return LimitOf::strain;
+}
+
+}  // namespace
+
+std::vector<LimitCheck> limit_checks(const FlattenReport& report) {
+  const EvolveReport& evolve = report.evolve;
+  std::vector<LimitCheck> checks;
+  const auto at_most = [&](LimitOf what, double limit, double value) {
+    checks.push_back({what, limit, value, value <= limit * (1.0 + k_rounding)});
+  };
+  for (const StrainLimitCheck& check : report.unfold.limits)
+    checks.push_back({limit_of(check.kind), check.asked, check.reached, check.kept()});
+  if (const auto limit = given(evolve.method, "max_deviation"))
+    at_most(LimitOf::deviation, *limit, evolve.deviation.max);
+  if (const auto limit = given(evolve.method, "min_angle")) {
+    const double before = k_degrees * evolve.before.figures.min_angle;
+    const double after = k_degrees * evolve.after.figures.min_angle;
+    const double bound = std::min(*limit, before);
+    checks.push_back({LimitOf::angle, *limit, after, after >= bound * (1.0 - k_rounding)});
+  }
+  if (evolve.stopping.target_e_max > 0.0)
+    at_most(LimitOf::defect, evolve.stopping.target_e_max, evolve.after.figures.e_max);
+  return checks;
+}
+
+std::string limit_text(const LimitCheck& check, Unit unit) {
+  switch (check.what) {
+    case LimitOf::strain:
+      return "at most " + percent_text(check.limit);
+    case LimitOf::p99_strain:
+      return "at most " + percent_text(check.limit) + " on 99 % of the area";
+    case LimitOf::rms_strain:
+      return "at most " + percent_text(check.limit) + " (rms)";
+    case LimitOf::deviation:
+      return "at most " + significant_text(check.limit, 3) + " " + std::string(to_string(unit));
+    case LimitOf::angle:
+      return "at least " + significant_text(check.limit, 3) + "°";
+    case LimitOf::defect:
+      return "at most " + significant_text(check.limit, 2) + " rad";
+  }
+  return {};
+}
+
+}  // namespace planish

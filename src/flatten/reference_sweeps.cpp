@@ -1,0 +1,17 @@
+#include <algorithm>
+#include <variant>
+
+#include <planish/flatten/reference_sweeps.h>
+
+namespace planish {
+
+std::vector<SweepRecord> reference_sweeps(const FlattenReport& report, unsigned threads) {
+  constexpr int least = 10, most = 50;
+  if (std::holds_alternative<ControllableLaplacian>(report.evolve.method)) return {};
+  const auto sweeps = static_cast<int>(report.evolve.result.history.size());
+  return evolve(report.input, ControllableLaplacian{},
+                {.max_sweeps = std::clamp(sweeps, least, most)}, {}, threads)
+      .history;
+}
+
+}  // namespace planish

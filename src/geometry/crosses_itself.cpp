@@ -1,0 +1,60 @@
+#include "geometry/crosses_itself.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace planish {
+
+namespace {
+
+bool cross_properly(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const double c_side = cross(b - a, c - a), d_side = cross(b - a, d - a);
+  const double a_side = cross(d - c, a - c), b_side = cross(d - c, b - c);
+  return ((c_side < 0.0 && d_side > 0.0) || (c_side > 0.0 && d_side < 0.0)) &&
+         ((a_side < 0.0 && b_side > 0.0) || (a_side > 0.0 && b_side < 0.0));
+}
+
+}  // namespace
+
+bool crosses_itself(std::span<const Vec2> polygon) {
+  const std::size_t n = polygon.size();
+  struct Side {
+    Vec2 begin, end;
+    double from, to, low, high;  // extent along and across the sweep
+    std::size_t number;
+  };
+  // Swept in a direction that straight sides of a pattern hardly ever are across.
+  constexpr Vec2 k_direction{0.7648421872844885, 0.644217687237691};
+  std::vector<Side> sides;
+  sides.reserve(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec2 a = polygon[k], b = polygon[(k + 1) % n];
+    const Vec2 p{dot(k_direction, a), cross(k_direction, a)};
+    const Vec2 q{dot(k_direction, b), cross(k_direction, b)};
+    sides.push_back(
+        {a, b, std::min(p.x, q.x), std::max(p.x, q.x), std::min(p.y, q.y), std::max(p.y, q.y), k});
+  }
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& a, const Side& b) { return a.from < b.from; });
+  const auto neighbours = [n](std::size_t p, std::size_t q) {
+    return (p + 1) % n == q || (q + 1) % n == p;
+  };
+  std::vector<const Side*> open;  // that the sweep is passing
+  for (const Side& side : sides) {
+    open.erase(std::remove_if(open.begin(), open.end(),
+                              [&](const Side* other) { return other->to < side.from; }),
+               open.end());
+    for (const Side* other : open) {
+      if (other->high < side.low || other->low > side.high) continue;
+      if (!neighbours(side.number, other->number) &&
+          cross_properly(side.begin, side.end, other->begin, other->end)) {
+        return true;
+      }
+    }
+    open.push_back(&side);
+  }
+  return false;
+}
+
+}  // namespace planish

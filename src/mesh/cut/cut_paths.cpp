@@ -1,0 +1,164 @@
+#include "mesh/cut/cut_paths.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "core/number_text.h"
+#include "mesh/cut/edge_paths.h"
+#include "mesh/cut/inside_paths.h"
+#include "mesh/disjoint_sets.h"
+
+namespace planish {
+
+namespace {
+
+std::string vertex_text(const TriMesh& mesh, Index v) {
+  const Vec3 p = mesh.positions[v];
+  return "vertex " + std::to_string(v) + " at (" + number_text(p.x) + ", " + number_text(p.y) +
+         ", " + number_text(p.z) + ")";
+}
+
+/// Refuses the path of that number, from 0.
+[[noreturn]] void refuse_cut(const CutPath& path, std::size_t number, ErrorCode code,
+                             const std::string& message, std::optional<std::size_t> vertex) {
+  ErrorPlace place = path.place;
+  place.first = vertex;
+  throw Error(code, "cut " + std::to_string(number + 1) + " " + message, place);
+}
+
+/// The vertices of a path, checked, without what follows itself.
+std::vector<Index> corners_of(const TriMesh& mesh, const Connectivity& connectivity,
+                              const CutPath& path, std::size_t number) {
+  std::vector<Index> corners;
+  corners.reserve(path.vertices.size());
+  for (const Index v : path.vertices) {
+    if (v >= mesh.positions.size()) {
+      refuse_cut(path, number, ErrorCode::index_out_of_range,
+                 "names vertex " + std::to_string(v) + ": the mesh has " +
+                     std::to_string(mesh.positions.size()) + " vertices, counted from 0",
+                 v);
+    }
+    if (connectivity.ring(v).empty()) {
+      refuse_cut(path, number, ErrorCode::misplaced_cut,
+                 "names " + vertex_text(mesh, v) + ", which no triangle uses", v);
+    }
+    if (corners.empty() || corners.back() != v) corners.push_back(v);
+  }
+  if (corners.size() >= 2) return corners;
+  if (corners.empty()) {
+    refuse_cut(path, number, ErrorCode::misplaced_cut, "has no vertices: it needs two at least",
+               std::nullopt);
+  }
+  refuse_cut(
+      path, number, ErrorCode::misplaced_cut,
+      "has one vertex only, " + vertex_text(mesh, corners.front()) + ": it needs two at least",
+      corners.front());
+}
+
+/// The parts that vertices and edges hang together in.
+using Parts = DisjointSets<Index>;
+
+/// By vertex: whether the part of the mesh that it is in has a border.
+std::vector<unsigned char> in_open_part(const Connectivity& connectivity) {
+  const auto count = static_cast<Index>(connectivity.vertex_count());
+  Parts parts(count);
+  for (Index v = 0; v < count; ++v) {
+    for (const Index w : connectivity.ring(v))
+      parts.join(v, w);
+  }
+  std::vector<unsigned char> open(count, 0);
+  for (const auto& loop : connectivity.border_loops())
+    open[parts.first_of(loop.front())] = 1;
+  for (Index v = 0; v < count; ++v)
+    open[v] = open[parts.first_of(v)];
+  return open;
+}
+
+}  // namespace
+
+std::vector<std::vector<Index>> full_paths(const TriMesh& mesh, const Connectivity& connectivity,
+                                           std::span<const CutPath> paths) {
+  InsidePaths inside(mesh, connectivity);
+  std::vector<std::vector<Index>> full;
+  full.reserve(paths.size());
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const std::vector<Index> corners = corners_of(mesh, connectivity, paths[k], k);
+    std::vector<Index>& path = full.emplace_back(1, corners.front());
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      const Index v = corners[i - 1], w = corners[i];
+      const auto ring = connectivity.ring(v);
+      if (std::find(ring.begin(), ring.end(), w) != ring.end()) {
+        if (is_border_edge(connectivity, v, w)) {
+          refuse_cut(paths[k], k, ErrorCode::misplaced_cut,
+                     "runs along the border from " + vertex_text(mesh, v) + " to " +
+                         vertex_text(mesh, w) + ": there is nothing to cut",
+                     v);
+        }
+        path.push_back(w);
+        continue;
+      }
+      const auto way = inside.from(std::span(&v, 1), [w](Index at) { return at == w; });
+      if (!way) {
+        refuse_cut(paths[k], k, ErrorCode::misplaced_cut,
+                   "finds no way inside the mesh from " + vertex_text(mesh, v) + " to " +
+                       vertex_text(mesh, w),
+                   v);
+      }
+      path.insert(path.end(), way->begin() + 1, way->end());
+      if (inside.looks() > k_most_looks) {
+        refuse_cut(
+            paths[k], k, ErrorCode::too_large,
+            "is one too many: the ways between the vertices of all cuts are too long together", v);
+      }
+    }
+  }
+  return full;
+}
+
+std::vector<EdgeEnds> edges_of(std::span<const std::vector<Index>> paths) {
+  std::vector<EdgeEnds> edges;
+  for (const auto& path : paths) {
+    for (std::size_t i = 1; i < path.size(); ++i)
+      edges.push_back({std::min(path[i - 1], path[i]), std::max(path[i - 1], path[i])});
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+void refuse_idle_cuts(const TriMesh& mesh, const Connectivity& connectivity,
+                      std::span<const CutPath> paths, std::span<const std::vector<Index>> full) {
+  const std::vector<unsigned char> open = in_open_part(connectivity);
+  Parts together(mesh.positions.size());  // what the paths join
+  std::vector<unsigned char> touches(mesh.positions.size(), 0);
+  std::vector<std::size_t> edges(mesh.positions.size(), 0);
+  const std::vector<EdgeEnds> all = edges_of(full);
+  for (const EdgeEnds& edge : all)
+    together.join(edge[0], edge[1]);
+  for (const EdgeEnds& edge : all) {
+    const Index part = together.first_of(edge[0]);
+    ++edges[part];
+    if (connectivity.is_border(edge[0]) || connectivity.is_border(edge[1])) touches[part] = 1;
+  }
+  for (std::size_t k = 0; k < full.size(); ++k) {
+    const Index first = full[k].front(), part = together.first_of(first);
+    if (touches[part] != 0) continue;
+    if (open[first] != 0) {
+      refuse_cut(paths[k], k, ErrorCode::misplaced_cut,
+                 "from " + vertex_text(mesh, first) + " to " + vertex_text(mesh, full[k].back()) +
+                     " never meets the border and would only open a hole: let it begin or end at "
+                     "the border",
+                 first);
+    }
+    if (edges[part] < 2) {
+      refuse_cut(paths[k], k, ErrorCode::misplaced_cut,
+                 "is the single edge from " + vertex_text(mesh, first) + " to " +
+                     vertex_text(mesh, full[k].back()) +
+                     ", which opens nothing in a closed surface: two edges do",
+                 first);
+    }
+  }
+}
+
+}  // namespace planish

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <planish/mesh/tri_mesh.h>
+
+#include "geometry/box.h"
+
+namespace planish {
+
+/// A tree of boxes around the triangles of a mesh of any kind, each node halved across the longest
+/// extent of its triangles' middles. O(n log n) to build, below 64 deep.
+class BoxTree {
+ public:
+  using Corners = std::array<Vec3, 3>;
+
+  /// A box around some consecutive triangles; a leaf holds a few, another node all of the node that
+  /// follows it and of the node `second`.
+  struct Node {
+    Box box;
+    std::size_t begin = 0, end = 0;
+    std::size_t second = 0;  // 0 for a leaf
+
+    bool is_leaf() const { return second == 0; }
+  };
+
+  /// @param mesh has a triangle at least; not needed afterwards
+  explicit BoxTree(const TriMesh& mesh);
+
+  std::span<const Node> nodes() const { return nodes_; }  // the root first
+  /// The number of a triangle by its place in the order of the tree.
+  Index triangle(std::size_t place) const { return triangles_[place]; }
+  const Corners& corners(std::size_t place) const { return corners_[place]; }
+
+ private:
+  std::size_t add_node(std::size_t begin, std::size_t end);
+
+  std::vector<Index> triangles_;  // in the order of the tree
+  std::vector<Corners> corners_;  // of each, in that order
+  std::vector<Node> nodes_;
+};
+
+Box box_of(const BoxTree::Corners& corners);
+
+}  // namespace planish

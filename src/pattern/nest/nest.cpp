@@ -1,0 +1,311 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <planish/core/error.h>
+#include <planish/core/fields.h>
+#include <planish/pattern/nest.h>
+
+#include "core/math.h"
+#include "pattern/nest/nest_shapes.h"
+#include "pattern/nest/sheet_columns.h"
+
+namespace planish {
+
+namespace {
+
+constexpr int k_most_copies = 10'000;
+constexpr double k_nest_slack = 1e-7;  // millimetres that rounding may cost
+
+void check(std::span<const NestPiece> pieces, const NestOptions& options) {
+  constexpr double least = std::numeric_limits<double>::min(), most = 1e7;
+  check_range("sheet_width", options.width, {least, most});
+  if (options.length) check_range("sheet_length", *options.length, {least, most});
+  const double shorter = std::min(options.width, options.length.value_or(options.width));
+  check_range("gap", options.gap, {0.0, most});
+  check_range("margin", options.margin, {0.0, 0.5 * shorter});
+  check_range("step", options.step, {0.0, most});
+  check_range("tries", options.tries, {0.0, 1'000'000.0});
+  int copies = 0;
+  for (const NestPiece& piece : pieces) {
+    check_range("quantity", piece.quantity, {0.0, 1'000'000.0});
+    check_range("angle", piece.angle, {-1e6, 1e6});
+    copies += std::min(piece.quantity, k_most_copies + 1);
+    if (copies > k_most_copies) {
+      throw Error(ErrorCode::too_large, "there are more than 10000 pieces to be laid on sheets");
+    }
+    const bool has_area = piece.quantity == 0 || (!piece.outline.loops.empty() &&
+                                                  signed_area(piece.outline.loops.front()) != 0.0);
+    if (has_area) continue;
+    throw Error(ErrorCode::no_triangles,
+                "piece \"" + piece.outline.piece + "\" has no area to be laid on a sheet");
+  }
+}
+
+double area_of(const PieceOutline& outline) {
+  double area = 0.0;
+  for (const Polygon& loop : outline.loops)
+    area += signed_area(loop);
+  return std::abs(area);
+}
+
+/// Where a copy came to lie, in columns.
+struct LaidCopy {
+  std::size_t piece = 0, turn = 0, sheet = 0, column = 0;
+  double lift = 0.0;
+  double end = std::numeric_limits<double>::infinity();  ///< along the sheet, from its margin
+};
+
+/// All copies as one order has laid them.
+struct LaidSheets {
+  std::vector<LaidCopy> copies;
+  std::size_t sheets = 0;
+  double end = 0.0;  ///< on the last sheet, from its margin
+
+  bool needs_less_than(const LaidSheets& other) const {
+    if (sheets != other.sheets) return sheets < other.sheets;
+    return end < other.end - k_nest_slack;
+  }
+};
+
+/// The pieces in all their turns, which every order lays anew.
+class NestShop {
+ public:
+  NestShop(std::span<const NestPiece> pieces, const NestOptions& options)
+      : step_(column_step(pieces, options)),
+        height_(options.width - 2.0 * options.margin),
+        length_(options.length ? *options.length - 2.0 * options.margin + k_nest_slack
+                               : std::numeric_limits<double>::infinity()) {
+    shapes_.reserve(pieces.size());
+    for (const NestPiece& piece : pieces) {
+      shapes_.push_back(piece.quantity > 0 ? turned_pieces(piece, options, step_)
+                                           : std::vector<TurnedPiece>{});
+    }
+  }
+
+  const TurnedPiece& shape(const LaidCopy& copy) const { return shapes_[copy.piece][copy.turn]; }
+  const std::vector<TurnedPiece>& turns(std::size_t piece) const { return shapes_[piece]; }
+  double step() const { return step_; }
+
+  /// Lays copies in an order, by the numbers of their pieces.
+  /// @param on_copy called before each with how many are laid; false ends it: then nothing
+  std::optional<LaidSheets> lay(const std::vector<std::size_t>& order,
+                                const std::function<bool(std::size_t)>& on_copy) const {
+    LaidSheets laid;
+    std::vector<OpenSheet> sheets;
+    for (const std::size_t piece : order) {
+      if (!on_copy(laid.copies.size())) return std::nullopt;
+      LaidCopy copy;
+      for (std::size_t s = 0; !std::isfinite(copy.end); ++s) {
+        if (s == sheets.size()) sheets.push_back(open_sheet());
+        copy = best_place(piece, s, sheets[s]);
+      }
+      const auto lies_last = copy.sheet + 1;
+      if (lies_last > laid.sheets) laid.end = 0.0;
+      laid.sheets = std::max(laid.sheets, lies_last);
+      if (lies_last == laid.sheets) laid.end = std::max(laid.end, copy.end);
+      sheets[copy.sheet].columns.take(shape(copy).grown, copy.column, copy.lift);
+      laid.copies.push_back(copy);
+    }
+    return laid;
+  }
+
+ private:
+  struct OpenSheet {
+    SheetColumns columns;
+    /// For each piece and turn the columns from the first on where it is known to fit no more: what
+    /// is taken stays taken.
+    std::vector<std::vector<std::size_t>> full;
+  };
+
+  OpenSheet open_sheet() const {
+    OpenSheet sheet{SheetColumns(height_), {}};
+    sheet.full.reserve(shapes_.size());
+    for (const auto& turns : shapes_)
+      sheet.full.emplace_back(turns.size(), 0);
+    return sheet;
+  }
+
+  /// The place that ends first along the sheet, of several the lowest one.
+  LaidCopy best_place(std::size_t piece, std::size_t sheet, OpenSheet& open) const {
+    LaidCopy best;
+    for (std::size_t t = 0; t < shapes_[piece].size(); ++t) {
+      const TurnedPiece& turn = shapes_[piece][t];
+      const double highest = height_ - turn.size.y + k_nest_slack;
+      std::size_t& column = open.full[piece][t];
+      for (;; ++column) {
+        const double end = static_cast<double>(column) * step_ + turn.size.x;
+        if (end > std::min(length_, best.end + k_nest_slack)) break;
+        const auto lift = open.columns.lowest_place(turn.columns, column, std::max(0.0, highest));
+        if (!lift) continue;
+        if (end < best.end - k_nest_slack || *lift < best.lift) {
+          best = {piece, t, sheet, column, *lift, end};
+        }
+        break;
+      }
+    }
+    return best;
+  }
+
+  double step_, height_, length_;
+  std::vector<std::vector<TurnedPiece>> shapes_;
+};
+
+using NestOrder = std::vector<std::size_t>;
+
+/// The copies by some measure of their pieces, the largest first.
+template <class Measure>
+NestOrder order_by(std::span<const NestPiece> pieces, const Measure& measure) {
+  std::vector<std::size_t> numbers(pieces.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  std::vector<double> sizes;
+  sizes.reserve(pieces.size());
+  for (const std::size_t p : numbers)
+    sizes.push_back(pieces[p].quantity > 0 ? measure(p) : 0.0);
+  std::stable_sort(numbers.begin(), numbers.end(),
+                   [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+  NestOrder order;
+  for (const std::size_t p : numbers)
+    order.insert(order.end(), static_cast<std::size_t>(pieces[p].quantity), p);
+  return order;
+}
+
+/// Numbers that look random and are the same everywhere: the mixer of Steele, Lea and Flood 2014.
+class NestDice {
+ public:
+  std::size_t below(std::size_t count) {
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15ULL;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+    return static_cast<std::size_t>((z ^ (z >> 31U)) % count);
+  }
+
+ private:
+  std::uint64_t state_ = 0;
+};
+
+/// The order of a try: first by several measures, then the best so far with some exchanged.
+NestOrder order_of_try(int number, std::span<const NestPiece> pieces, const NestShop& shop,
+                       const NestOrder& best, NestDice& dice) {
+  const auto size = [&](std::size_t p) { return shop.turns(p).front().size; };
+  switch (number) {
+    case 0:
+      return order_by(pieces, [&](std::size_t p) { return area_of(pieces[p].outline); });
+    case 1:
+      return order_by(pieces, [&](std::size_t p) { return size(p).x; });
+    case 2:
+      return order_by(pieces, [&](std::size_t p) { return size(p).y; });
+    case 3:
+      return order_by(pieces, [&](std::size_t p) { return size(p).x * size(p).y; });
+    default:
+      break;
+  }
+  NestOrder order = best;
+  for (int k = 0; k < 3 && order.size() > 1; ++k)
+    std::swap(order[dice.below(order.size())], order[dice.below(order.size())]);
+  return order;
+}
+
+/// How many orders there are to be.
+int tries_for(std::span<const NestPiece> pieces, const NestShop& shop, const NestOptions& options) {
+  if (options.tries > 0) return options.tries;
+  std::size_t turned_copies = 1;
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    turned_copies += static_cast<std::size_t>(pieces[p].quantity) * shop.turns(p).size();
+  return static_cast<int>(std::clamp<std::size_t>(10'000 / turned_copies, 4, 200));
+}
+
+/// Numbers of the copies of each piece as they come, and their places in millimetres.
+std::vector<NestPlacement> placements_of(const LaidSheets& laid, const NestShop& shop,
+                                         const NestOptions& options) {
+  std::vector<NestPlacement> placements;
+  placements.reserve(laid.copies.size());
+  for (const LaidCopy& copy : laid.copies) {
+    const TurnedPiece& shape = shop.shape(copy);
+    const Vec2 at = {static_cast<double>(copy.column) * shop.step(), copy.lift};
+    const Vec2 margin = {options.margin, options.margin};
+    placements.push_back({copy.piece, 0, copy.sheet, shape.angle, margin + at - shape.low});
+  }
+  std::stable_sort(placements.begin(), placements.end(),
+                   [](const auto& a, const auto& b) { return a.piece < b.piece; });
+  for (std::size_t i = 1; i < placements.size(); ++i) {
+    if (placements[i].piece == placements[i - 1].piece) {
+      placements[i].copy = placements[i - 1].copy + 1;
+    }
+  }
+  return placements;
+}
+
+Nesting nesting_of(const LaidSheets& laid, const NestShop& shop, std::span<const NestPiece> pieces,
+                   const NestOptions& options) {
+  Nesting nesting{placements_of(laid, shop, options), laid.sheets};
+  if (laid.copies.empty()) return nesting;
+  nesting.used_length = laid.end + 2.0 * options.margin;
+  for (const NestPiece& piece : pieces)
+    nesting.piece_area += piece.quantity * (piece.quantity > 0 ? area_of(piece.outline) : 0.0);
+  const double before = static_cast<double>(laid.sheets - 1) * options.length.value_or(0.0);
+  nesting.sheet_area = options.width * (before + nesting.used_length);
+  return nesting;
+}
+
+}  // namespace
+
+std::string_view to_string(Turns turns) {
+  switch (turns) {
+    case Turns::none:
+      return "none";
+    case Turns::half:
+      return "half";
+    case Turns::quarter:
+      return "quarter";
+    case Turns::free:
+      return "free";
+  }
+  return "unknown";
+}
+
+Vec2 NestPlacement::operator()(Vec2 p) const {
+  // Quarters of a turn are exact, so that what is square to the sheet stays so.
+  constexpr std::array<Vec2, 4> quarters = {{{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}}};
+  const double radians = angle * std::numbers::pi / 180.0;
+  const double quarter = angle / 90.0;
+  const bool is_exact = quarter == std::floor(quarter) && quarter >= 0.0 && quarter < 4.0;
+  const Vec2 x = is_exact ? quarters[static_cast<std::size_t>(quarter)]
+                          : Vec2{math::cos(radians), math::sin(radians)};
+  return Vec2{p.x * x.x - p.y * x.y, p.x * x.y + p.y * x.x} + shift;
+}
+
+std::optional<Nesting> nest(std::span<const NestPiece> pieces, const NestOptions& options,
+                            const OnNestProgress& on_progress) {
+  check(pieces, options);
+  const NestShop shop(pieces, options);
+  LaidSheets best;
+  NestOrder best_order;
+  std::set<NestOrder> known;
+  NestDice dice;
+  const int tries = tries_for(pieces, shop, options);
+  for (int number = 0; number < tries; ++number) {
+    NestOrder order = order_of_try(number, pieces, shop, best_order, dice);
+    if (order.empty()) break;
+    if (!known.insert(order).second) continue;
+    const auto on_copy = [&](std::size_t laid) {
+      const double share = static_cast<double>(laid) / static_cast<double>(order.size());
+      return !on_progress || on_progress((number + share) / tries);
+    };
+    std::optional<LaidSheets> laid = shop.lay(order, on_copy);
+    if (!laid) return std::nullopt;
+    if (number > 0 && !laid->needs_less_than(best)) continue;
+    best = std::move(*laid);
+    best_order = std::move(order);
+  }
+  return nesting_of(best, shop, pieces, options);
+}
+
+}  // namespace planish

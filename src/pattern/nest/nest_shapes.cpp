@@ -1,0 +1,122 @@
+#include "pattern/nest/nest_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <planish/core/error.h>
+
+#include "core/number_text.h"
+#include "pattern/polygon/loop_box.h"
+
+namespace planish {
+
+namespace {
+
+constexpr double k_fit_slack = 1e-7;         // millimetres that a piece may be too large
+constexpr double k_columns_a_piece = 150.0;  // of the middling piece
+constexpr double k_most_columns = 20'000.0;  // of the largest
+constexpr double k_largest_number = 1e7;     // millimetres
+
+std::vector<double> turns_of(Turns turns) {
+  switch (turns) {
+    case Turns::none:
+      return {0.0};
+    case Turns::half:
+      return {0.0, 180.0};
+    case Turns::quarter:
+      return {0.0, 90.0, 180.0, 270.0};
+    case Turns::free:
+      break;
+  }
+  std::vector<double> angles;
+  angles.reserve(24);
+  for (int turn = 0; turn < 24; ++turn)
+    angles.push_back(15.0 * turn);
+  return angles;
+}
+
+double in_one_turn(double degrees) {
+  const double angle = std::fmod(degrees, 360.0);
+  const double positive = angle < 0.0 ? angle + 360.0 : angle;
+  return positive < 360.0 ? positive : 0.0;
+}
+
+std::vector<Polygon> turned(const PieceOutline& outline, double angle) {
+  const NestPlacement turn{.angle = angle};
+  std::vector<Polygon> loops = outline.loops;
+  for (Polygon& loop : loops) {
+    for (Vec2& p : loop)
+      p = turn(p);
+  }
+  return loops;
+}
+
+std::string size_text_of(Vec2 size) {
+  return fixed_text(size.x, 1) + " x " + fixed_text(size.y, 1) + " mm";
+}
+
+[[noreturn]] void refuse_size(const NestPiece& piece, const NestOptions& options, Vec2 size) {
+  const std::string sheet = options.length ? "sheets of " + fixed_text(*options.length, 1) + " x " +
+                                                 fixed_text(options.width, 1)
+                                           : "a roll of width " + fixed_text(options.width, 1);
+  const std::string margin =
+      options.margin > 0.0 ? " with margins of " + fixed_text(options.margin, 1) + " mm" : "";
+  const std::string advice =
+      options.turns == Turns::free ? "" : ", or let pieces be turned more freely";
+  throw Error(ErrorCode::piece_too_large,
+              "piece \"" + piece.outline.piece + "\" is " + size_text_of(size) +
+                  ", length by width, and fits on no place of " + sheet + " mm" + margin +
+                  "; take wider sheets, or divide the piece" + advice);
+}
+
+}  // namespace
+
+double column_step(std::span<const NestPiece> pieces, const NestOptions& options) {
+  double area = 0.0, copies = 0.0, longest = 0.0;
+  for (const NestPiece& piece : pieces) {
+    if (piece.quantity == 0) continue;
+    const Vec2 size = loop_box(piece.outline.loops).size();
+    if (!(size.x + size.y < k_largest_number)) {
+      throw Error(ErrorCode::too_large, "piece \"" + piece.outline.piece +
+                                            "\" is larger than pieces that can be laid on sheets");
+    }
+    area += piece.quantity * size.x * size.y;
+    copies += piece.quantity;
+    longest = std::max(longest, norm(size));
+  }
+  if (!(copies > 0.0)) return 1.0;
+  const double wanted =
+      options.step > 0.0 ? options.step : std::sqrt(area / copies) / k_columns_a_piece;
+  return std::max(wanted, longest / k_most_columns);
+}
+
+std::vector<TurnedPiece> turned_pieces(const NestPiece& piece, const NestOptions& options,
+                                       double step) {
+  const double width = options.width - 2.0 * options.margin + k_fit_slack;
+  const double length = options.length ? *options.length - 2.0 * options.margin + k_fit_slack
+                                       : std::numeric_limits<double>::infinity();
+  std::vector<TurnedPiece> result;
+  Vec2 narrowest{0.0, std::numeric_limits<double>::infinity()};
+  for (const double turn : turns_of(options.turns)) {
+    TurnedPiece candidate{.angle = in_one_turn(piece.angle + turn)};
+    std::vector<Polygon> loops = turned(piece.outline, candidate.angle);
+    const LoopBox box = loop_box(loops);
+    if (box.size().y < narrowest.y) narrowest = box.size();
+    if (!(box.size().x <= length && box.size().y <= width)) continue;
+    for (Polygon& loop : loops) {
+      for (Vec2& p : loop)
+        p = p - box.low;
+    }
+    candidate.low = box.low;
+    candidate.size = box.size();
+    candidate.columns = column_spans(loops, step, 0.0);
+    candidate.grown = column_spans(loops, step, options.gap);
+    result.push_back(std::move(candidate));
+  }
+  if (result.empty()) refuse_size(piece, options, narrowest);
+  return result;
+}
+
+}  // namespace planish

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include <planish/pattern/nest.h>
+
+#include "pattern/polygon/column_spans.h"
+
+namespace planish {
+
+/// A piece in one of the turns that it may take. Its box begins at (0, 0).
+struct TurnedPiece {
+  double angle = 0.0;                    ///< degrees, at least 0 and less than 360
+  Vec2 low = {};                         ///< where the box begins before it is shifted to (0, 0)
+  Vec2 size = {};                        ///< of the box
+  ColumnSpans columns = {}, grown = {};  ///< of the piece, and of all within the gap around it
+};
+
+/// The width of the columns, millimetres: what is asked for, else by the sizes of the pieces.
+double column_step(std::span<const NestPiece> pieces, const NestOptions& options);
+
+/// The piece in those turns in which it fits on a sheet.
+/// @throws Error piece_too_large where there are none
+std::vector<TurnedPiece> turned_pieces(const NestPiece& piece, const NestOptions& options,
+                                       double step);
+
+}  // namespace planish

@@ -1,0 +1,64 @@
+#include <algorithm>
+
+#include <planish/pattern/pattern_options.h>
+
+namespace planish {
+
+namespace {
+
+/// Calls `visit` on every vertex number that options hold.
+template <class Options, class Visit>
+void for_vertices(Options& options, Visit visit) {
+  for (auto& notch : options.notches) {
+    if (auto* vertex = std::get_if<Index>(&notch.place)) visit(*vertex);
+    if (auto* edge = std::get_if<PlaceOnEdge>(&notch.place)) {
+      visit(edge->from);
+      visit(edge->to);
+    }
+  }
+  for (auto& mark : options.marks)
+    visit(mark.vertex);
+  for (auto& line : options.inner_lines) {
+    for (auto& vertex : line)
+      visit(vertex);
+  }
+  for (auto& edge : options.edge_allowances) {
+    visit(edge.from);
+    visit(edge.to);
+  }
+  if (options.like) visit(options.like->start);
+}
+
+}  // namespace
+
+PatternOptions for_mirror_image(PatternOptions options) {
+  if (options.grain) {
+    if (auto* degrees = std::get_if<double>(&*options.grain)) *degrees = 180.0 - *degrees;
+  }
+  return options;
+}
+
+void check_pattern_options(const PatternOptions& options, std::size_t vertex_count,
+                           std::span<const std::vector<Index>> border, const std::string& name) {
+  const std::string& piece = options.label.name.empty() ? name : options.label.name;
+  check_notches(border, options.notches, piece);
+  check_edge_allowances(border, options.edge_allowances, piece);
+  check_marks(vertex_count, options.marks, piece);
+  check_inner_lines(vertex_count, options.inner_lines, piece);
+}
+
+std::vector<Index> named_vertices(const PatternOptions& options) {
+  std::vector<Index> vertices;
+  for_vertices(options, [&](Index vertex) { vertices.push_back(vertex); });
+  return vertices;
+}
+
+PatternOptions renumbered(PatternOptions options, std::span<const Index> source) {
+  for_vertices(options, [&](Index& vertex) {
+    const auto found = std::lower_bound(source.begin(), source.end(), vertex);
+    vertex = static_cast<Index>(found - source.begin());
+  });
+  return options;
+}
+
+}  // namespace planish

@@ -1,9 +1,0 @@
-#include "report/page_script.h"
-
-namespace planish {
-
-PageScript page_script() {
-  return {};
-}
-
-}  // namespace planish

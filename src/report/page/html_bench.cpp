@@ -1,0 +1,250 @@
+#include "report/page/html_bench.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <planish/measure/angle_defect.h>
+#include <planish/sheet/pattern_sheet.h>
+
+#include "core/figure_text.h"
+#include "core/number_text.h"
+#include "draw/svg/svg_layers.h"
+#include "pattern/polygon/loop_box.h"
+#include "report/page/html_parts.h"
+#include "report/page/legend.h"
+#include "report/page/page_data.h"
+#include "report/page/page_script.h"
+#include "report/pictures/patch_picture.h"
+#include "report/pictures/pattern_picture.h"
+#include "sheet/limit_map.h"
+#include "sheet/pattern_on_sheet.h"
+#include "sheet/stretch_directions.h"
+
+namespace planish {
+
+namespace {
+
+constexpr int k_picture_width = 880;  // pixels: sharp at half of it
+constexpr int k_direction_cells = 150;
+constexpr double k_least_strain = 0.001;  // nobody can measure less on cloth or leather: no arrows
+
+std::string figures_caption(std::string_view when, const Flattenability& figures) {
+  return "<b>" + std::string(when) + "</b> worst place " + significant_text(figures.e_max, 2) +
+         "\u00A0rad, in all " + significant_text(figures.sum_abs_defect, 2) + "\u00A0rad";
+}
+
+std::string still_pictures(const FlattenReport& report, const PatchPictures& pictures,
+                           ColorMap colors) {
+  return "<div class=\"still\">\n<div class=\"pair\">\n" +
+         html_picture(pictures.before, "The patch as it came, coloured by angle defect",
+                      figures_caption("Before:", report.evolve.before.figures)) +
+         html_picture(pictures.after.front(), "The patch after evolving, coloured by angle defect",
+                      figures_caption("After:", report.evolve.after.figures)) +
+         "</div>\n" + legend(fields_of(colors), defect_labels(colors, pictures.limit)) + "</div>\n";
+}
+
+std::string line_key(std::string_view layer, std::string_view words,
+                     const std::string& style = {}) {
+  return "<li data-layer=\"" + std::string(layer) +
+         "\"><svg viewBox=\"0 0 24 8\" aria-hidden=\"true\" "
+         "class=\"key-" +
+         std::string(layer) + "\"><path d=\"M0,4H24\"" + style + "/></svg>" + std::string(words) +
+         "</li>\n";
+}
+
+struct FlatView {
+  Drawing sheet;
+  Layer directions;
+  std::optional<StrainLimitCheck> limit;  ///< that the colours are for
+};
+
+/// What each line is, of the lines that are there.
+std::string line_keys(const FlatView& view) {
+  const auto& [sheet, directions, limit] = view;
+  struct Line {
+    std::string_view layer, words;
+  };
+  constexpr std::array<Line, 6> lines = {{{"cut", "cut line"},
+                                          {"seam", "seam line"},
+                                          {"notch", "notch"},
+                                          {"grain", "grain"},
+                                          {"drill", "drill hole"},
+                                          {"internal", "inner line"}}};
+  std::string html = "<ul class=\"lines\">\n";
+  for (const Line& line : lines) {
+    const bool is_there = std::any_of(
+        sheet.layers.begin(), sheet.layers.end(),
+        [&](const Layer& layer) { return layer.name == line.layer && !layer.shapes.empty(); });
+    if (is_there) html += line_key(line.layer, line.words);
+  }
+  if (limit) {
+    const std::string color = hex_text(limit_band_color(k_limit_bands / 2));
+    html += line_key("strain", "limit used up in colour", " style=\"stroke:" + color + "\"");
+  } else {
+    html += line_key("strain", "stretch in colour");
+  }
+  if (!directions.shapes.empty())
+    html += line_key("directions", "which way it is longer or shorter");
+  return html + "</ul>\n";
+}
+
+FlatView flat_view(const FlattenReport& report, const FlattenPage& page,
+                   const PatternOnSheet& placed) {
+  const Pattern& pattern = report.unfold.pattern;
+  const double mm = millimetres_per(report.unfold.unit);
+  const Vec2 shift = placed.pattern.positions.front() - mm * pattern.positions.front();
+  auto directions = stretch_directions(report.processed, pattern.positions, k_direction_cells);
+  std::vector<double> sizes = {k_least_strain};
+  for (StretchDirection& direction : directions) {
+    direction.at = mm * direction.at + shift;
+    sizes.push_back(std::abs(direction.strain));
+  }
+  // Of the longest arrows: a few places with more must not make all others too short to see.
+  const auto long_one = sizes.begin() + static_cast<std::ptrdiff_t>(9 * (sizes.size() - 1) / 10);
+  std::nth_element(sizes.begin(), long_one, sizes.end());
+  const double longest = std::max(k_least_strain, *long_one);
+  const double area = mm * mm * pattern.width * pattern.height;
+  return {pattern_sheet(report.processed, report.unfold, report.name, page.furniture),
+          direction_layer(directions, longest, 0.9 * std::sqrt(area / k_direction_cells)),
+          limit_of_edges(report.unfold.limits)};
+}
+
+std::string strain_legend(const UnfoldReport& unfold) {
+  const double end = strain_map_limit(unfold.strain);
+  const std::string limit =
+      fixed_text(100.0 * end, 3) + "\u00A0%</b>" + (unfold.strain.max > end ? " or more" : "");
+  return legend(strain_map_fields(), {"shorter <b>−" + limit, "<b>0</b>", "longer <b>+" + limit});
+}
+
+std::string pattern_part(const FlattenReport& report, const FlatView& view) {
+  const PatternPicture picture =
+      pattern_picture(view.sheet, view.directions,
+                      view.limit ? "The pattern, coloured by the limit used up, with its lines"
+                                 : "The pattern, coloured by strain, with its lines");
+  const std::string note = view.limit ? "Colours tell how much of the limit of strain (" +
+                                            limit_words(*view.limit) + ") the edges use up. "
+                                      : "";
+  const Pattern& pattern = report.unfold.pattern;
+  return "<div class=\"flat\">\n<h3>Pattern <small>" + significant_text(pattern.width, 4) + " × " +
+         significant_text(pattern.height, 4) + "\u00A0" +
+         std::string(to_string(report.unfold.unit)) + "; the bar is " + number_text(picture.bar) +
+         "\u00A0mm</small></h3>\n<div class=\"sheet\">" + picture.svg + "</div>\n" +
+         line_keys(view) + (view.limit ? limit_legend() : strain_legend(report.unfold)) +
+         "<p class=\"note\">" + note +
+         "Where the pattern is shorter than the patch, the material is stretched "
+         "when it is made up; where it is longer, it is pressed together or "
+         "gathered.</p>\n</div>\n";
+}
+
+/// What the page shows beside a limit.
+std::string limit_terms(const StrainLimitCheck& limit) {
+  return html_entry("Limit used up",
+                    "|Strain| of the edge there whose length differs most, over the limit of " +
+                        limit_words(limit) + ". 100 % is the limit; beyond it all is orange.") +
+         html_entry("Longest, shortest way",
+                    "Principal stretches, minus 1: how much longer (+) or shorter (−) the pattern "
+                    "is there than the patch in the direction where it is longest, and across "
+                    "that, where it is shortest; the mean around the place.");
+}
+
+std::string color_terms(const std::optional<StrainLimitCheck>& limit = {}) {
+  return "<details class=\"terms\"><summary>What the colours mean, and the terms of the paper"
+         "</summary>\n<dl>\n" +
+         html_entry(
+             "Dome or saddle",
+             "Angle defect: what the angles around a vertex lack to a full turn, d = 2π − θ, "
+             "radians. A dome lacks some, a saddle has too much; 0 lies flat.") +
+         html_entry(
+             "Curvature",
+             "|Gaussian curvature| as in Eq. 1 of the 2010 paper: the angle defect over a third "
+             "of the area around the vertex, from blue to red as the paper shows it. Of the same "
+             "size as a ball's of the radius given. Blue to red is not safe for colour-blind "
+             "eyes; all other scales are.") +
+         html_entry(
+             "Bent",
+             "Curvature across the edges, as of a cylinder of the radius given, on one scale: "
+             "what is darker after than before is new.") +
+         html_entry("Moved", "Deviation: how far the place went from where it was.") +
+         html_entry(
+             "Stretch",
+             "Strain: how much longer (+) or shorter (−) the pattern is there than the patch, "
+             "in the direction where it is most; the mean around the place.") +
+         html_entry("Largest stretch",
+                    "Strain of the edge there whose length differs most. The "
+                    "worst of all is the figure at the top of the page.") +
+         (limit ? limit_terms(*limit) : "") + "</dl></details>\n";
+}
+
+std::string data_of(const FlattenReport& report, const PatternOnSheet& placed,
+                    double defect_limit) {
+  std::vector<Vec2> drawn;
+  drawn.reserve(placed.pattern.positions.size());
+  for (const Vec2 p : placed.pattern.positions)
+    drawn.push_back({p.x, placed.size.y - p.y});
+  PageInput input{report.input,
+                  {{"before", report.input.positions, report.unfold_before.pattern.positions},
+                   {"after", report.processed.positions, report.unfold.pattern.positions}}};
+  input.unit = report.unfold.unit;
+  input.defect_limit = defect_limit;
+  input.strain_limit = strain_map_limit(report.unfold.strain);
+  input.limit = limit_of_edges(report.unfold.limits);
+  input.source = report.source;
+  input.drawn = drawn;
+  return page_data(input);
+}
+
+}  // namespace
+
+Bench html_bench(const CompareReport& report) {
+  if (!page_script().is_there()) return {};
+  PageInput input{report.input, {{"input", report.input.positions}}};
+  const Connectivity connectivity(report.input);
+  input.defect_limit = defect_limit(angle_defects(report.input, connectivity), connectivity);
+  if (report.unfold_before) {
+    input.unit = report.unfold_before->unit;
+    input.states.front().pattern = report.unfold_before->pattern.positions;
+    input.strain_limit = strain_map_limit(report.unfold_before->strain);
+  }
+  const auto best = best_run(report);
+  for (const ComparedMethod& method : report.runs) {
+    if (!method.evolve) continue;
+    if (best && &method == &report.runs[*best]) input.shown = input.states.size();
+    PageState state{std::string(name_of(method.run.method)), method.evolve->result.positions};
+    if (method.unfold) state.pattern = method.unfold->pattern.positions;
+    input.states.push_back(std::move(state));
+  }
+  if (input.states.size() < 2) return {};
+  return {
+      "<section class=\"bench solo\" id=\"bench\">\n<div class=\"patch\">\n<h2>The results in "
+      "space</h2>\n<p>The patch as it came on one side, what a method made of it on the other, in "
+      "one view and with one scale.</p>\n<div id=\"stage\"></div>\n</div>\n" +
+          color_terms() + "</section>\n",
+      page_data(input)};
+}
+
+Bench html_bench(const FlattenReport& report, const FlattenPage& page) {
+  const std::array<std::span<const Vec3>, 1> after = {report.processed.positions};
+  const PatchPictures pictures = patch_pictures(report.input, after, page.colors, k_picture_width);
+  const PatternOnSheet placed =
+      pattern_on_sheet(report.processed, report.unfold, report.name, page.furniture);
+  const bool live = page_script().is_there();
+  Bench bench;
+  bench.html =
+      "<section class=\"bench keep\" id=\"bench\">\n<div class=\"patch\">\n<h3>Patch <small>before "
+      "and after, in one view and with one scale</small></h3>\n<div id=\"stage\"></div>\n" +
+      still_pictures(report, pictures, page.colors) +
+      (live ? ""
+            : "<p class=\"note\">The view that can be turned was left out when this program "
+              "was built (it takes Node.js).</p>\n") +
+      "</div>\n" + pattern_part(report, flat_view(report, page, placed)) +
+      color_terms(limit_of_edges(report.unfold.limits)) + "</section>\n";
+  bench.cut_size = 1.0 / millimetres_per(report.unfold.unit) * loop_box(placed.pattern.cut).size();
+  if (live) bench.data = data_of(report, placed, pictures.limit);
+  return bench;
+}
+
+}  // namespace planish

@@ -1,0 +1,98 @@
+#include "report/page/html_parts.h"
+
+#include <cmath>
+#include <type_traits>
+
+#include "core/figure_text.h"
+#include "core/number_text.h"
+#include "draw/base64.h"
+#include "draw/text/markup_text.h"
+#include "report/enumerator_name.h"
+#include "report/page/html_bench_style.h"
+#include "report/page/html_style.h"
+#include "report/page/page_script.h"
+
+namespace planish {
+
+std::string html_head(const std::string& title, std::string_view more_style) {
+  const PageScript script = page_script();
+  const std::string scripts =
+      script.is_there() ? "script-src '" + std::string(script.hash) + "'; " : "";
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+         "<meta name=\"color-scheme\" content=\"light dark\">\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; " +
+         scripts +
+         "style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action "
+         "'none'\">\n<title>" +
+         title + " – Planish</title>\n<style>" + std::string(k_html_style) +
+         std::string(k_html_bench_style) + std::string(more_style) + "</style>\n</head>\n";
+}
+
+std::string html_title(const std::string& name) {
+  return name.empty() ? "Patch" : escape_markup(name);
+}
+
+std::string html_header(std::string_view kind, const std::string& name, const std::string& verdict,
+                        const std::string& more) {
+  const std::size_t end = verdict.find(". ");
+  const std::size_t split = end == std::string::npos ? verdict.size() : end + 1;
+  return "<header>\n<div class=\"title\"><p class=\"brand\">Planish " + std::string(kind) +
+         "</p><h1>" + html_title(name) + "</h1></div>\n<p class=\"verdict\"><b>" +
+         escape_markup(verdict.substr(0, split)) + "</b>" + escape_markup(verdict.substr(split)) +
+         "</p>\n" + more + "</header>\n";
+}
+
+std::string html_script() {
+  const PageScript script = page_script();
+  if (!script.is_there()) return {};
+  std::string html = "<script>";
+  for (const std::string_view part : script.parts)
+    html += part;
+  return html + "</script>\n";
+}
+
+std::string html_picture(const Image& image, const std::string& alt, const std::string& caption) {
+  return "<figure><div class=\"plate\"><img width=\"" + std::to_string(image.width) +
+         "\" height=\"" + std::to_string(image.height) + "\" alt=\"" + alt +
+         "\" src=\"data:image/png;base64," + base64(write_png(image)) + "\"></div><figcaption>" +
+         caption + "</figcaption></figure>\n";
+}
+
+std::string html_entry(std::string_view name, std::string_view text) {
+  return "<dt>" + std::string(name) + "</dt><dd>" + escape_markup(text) + "</dd>\n";
+}
+
+LegendLabels defect_labels(ColorMap colors, double limit) {
+  const std::string text = significant_text(limit, 1) + "\u00A0rad";
+  if (colors == ColorMap::paper) return {"<b>0</b> flattenable", "", "<b>" + text + "</b>"};
+  return {"saddle <b>−" + text + "</b>", "<b>0</b> flattenable", "dome <b>+" + text + "</b>"};
+}
+
+std::string options_text(const Method& method) {
+  std::string text;
+  const auto add = [&](std::string_view name, const auto& value, auto&&...) {
+    if (!text.empty()) text += ", ";
+    text += std::string(name) + " ";
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, BorderFreedom>) {
+      const bool named = value.rule != BorderFreedom::Rule::within;
+      text += named ? std::string(enumerator_name(value.rule)) : number_text(value.distance);
+    } else if constexpr (std::is_enum_v<Value>) {
+      text += enumerator_name(value);
+    } else {
+      text += std::isfinite(value) ? number_text(value) : "unlimited";
+    }
+  };
+  std::visit([&](auto some) { describe(some, add); }, method);
+  return text;
+}
+
+std::string effort_text(const EvolveResult& result) {
+  return count_text(result.history.size()) +
+         (result.history.size() == 1 ? " sweep in " : " sweeps in ") +
+         significant_text(result.seconds, 2) + " s on " + std::to_string(result.threads) +
+         (result.threads == 1 ? " thread" : " threads");
+}
+
+}  // namespace planish

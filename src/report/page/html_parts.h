@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <planish/draw/color_map.h>
+#include <planish/draw/image.h>
+#include <planish/evolve/evolve.h>
+
+#include "report/page/legend.h"
+
+namespace planish {
+
+/// Parts that the pages of all reports are made of: HTML.
+
+/// From the doctype to the end of <head>: nothing from outside may be fetched, and no script may
+/// run but the page's own.
+/// @param title markup
+/// @param more_style to stand behind that of all pages
+std::string html_head(const std::string& title, std::string_view more_style = {});
+
+/// The top of a page: what it is, the name of the patch and what came out, its first sentence
+/// large.
+/// @param name, verdict plain text; an empty name reads "Patch"
+/// @param more markup below that
+std::string html_header(std::string_view kind, const std::string& name, const std::string& verdict,
+                        const std::string& more = {});
+
+/// The title of a page of that patch: markup.
+std::string html_title(const std::string& name);
+
+/// The page's script, to stand behind what it works on; empty where the program has none.
+std::string html_script();
+
+/// A picture with words below it.
+/// @param alt, caption markup
+std::string html_picture(const Image& image, const std::string& alt, const std::string& caption);
+
+/// A term of a list and what is said of it, plain text.
+std::string html_entry(std::string_view name, std::string_view text);
+
+/// What the ends of a scale of angle defects mean.
+LegendLabels defect_labels(ColorMap colors, double limit);
+
+/// "lambda 0.5, order sequential": as the method describes them. Plain text.
+std::string options_text(const Method& method);
+
+/// "10 sweeps in 0.25 s on 2 threads". Plain text.
+std::string effort_text(const EvolveResult& result);
+
+}  // namespace planish

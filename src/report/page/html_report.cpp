@@ -1,0 +1,257 @@
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <planish/core/version.h>
+#include <planish/flatten/strain_limit_text.h>
+#include <planish/flatten/twin_report.h>
+#include <planish/measure/angle_defect.h>
+#include <planish/report/html_report.h>
+
+#include "core/figure_text.h"
+#include "draw/text/markup_text.h"
+#include "flatten/limit_checks.h"
+#include "flatten/verdict.h"
+#include "report/charts/convergence_chart.h"
+#include "report/charts/defect_histogram.h"
+#include "report/page/figures_table.h"
+#include "report/page/html_bench.h"
+#include "report/page/html_bench_style.h"
+#include "report/page/html_parts.h"
+#include "sheet/limit_map.h"
+
+namespace planish {
+
+namespace {
+
+std::string unit_name(const FlattenReport& report) {
+  return std::string(to_string(report.unfold.unit));
+}
+
+/// A tick or a cross with words, so that no one need tell colours apart.
+std::string mark(bool good, const std::string& words) {
+  return std::string("<span class=\"") + (good ? "met\">✓ " : "missed\">✗ ") + words + "</span>";
+}
+
+std::string tile(std::string_view name, const std::string& figure, const std::string& note,
+                 const std::string& marks) {
+  return "<div><dt>" + std::string(name) + "</dt><dd>" + figure + "<small>" + note + "</small>" +
+         marks + "</dd></div>\n";
+}
+
+std::string limit_mark(const FlattenReport& report, LimitOf what) {
+  for (const LimitCheck& check : limit_checks(report)) {
+    if (check.what == what)
+      return mark(check.met, escape_markup(limit_text(check, report.unfold.unit)));
+  }
+  return {};
+}
+
+std::string material_mark(const FlattenPage& page) {
+  if (page.material.empty()) return {};
+  return mark(page.fits, (page.fits ? "fits " : "does not fit ") + escape_markup(page.material));
+}
+
+std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut_size) {
+  const EdgeStrain& before = report.unfold_before.strain;
+  const EdgeStrain& after = report.unfold.strain;
+  const Deviation& deviation = report.evolve.deviation;
+  const Pattern& pattern = report.unfold.pattern;
+  const std::string unit = "\u00A0" + unit_name(report);
+  const auto sides = [&](double width, double height) {
+    return significant_text(width, 3) + " × " + significant_text(height, 3) + unit;
+  };
+  std::string area = "area " + decimals_text(pattern.area_ratio, 3) + " of the patch's";
+  if (page.furniture.allowance && !pattern.overlaps)
+    area = sides(cut_size.x, cut_size.y) + " with the allowance; " + area;
+  return "<dl class=\"tiles\">\n" +
+         tile("Largest stretch", percent_text(after.max), percent_text(before.max) + " before",
+              limit_mark(report, LimitOf::strain)) +
+         tile("Usual stretch", percent_text(after.rms), percent_text(before.rms) + " before (rms)",
+              limit_mark(report, LimitOf::rms_strain)) +
+         tile("Furthest move", significant_text(deviation.max, 2) + unit,
+              significant_text(deviation.rms, 2) + unit + " is usual (rms)",
+              limit_mark(report, LimitOf::deviation)) +
+         tile("Size of the pattern", sides(pattern.width, pattern.height), area,
+              material_mark(page)) +
+         "</dl>\n";
+}
+
+// Whether a designer would take the form.
+std::vector<std::string> form_checks(const EvolveReport& evolve) {
+  const bool smooth = evolve.fairness.is_smooth(), kept = evolve.fairness.keeps_form();
+  std::vector<std::string> items = {mark(smooth, smooth ? "smooth" : "crumpled")};
+  if (evolve.fairness.bending_lost)
+    items.push_back(mark(kept, kept ? "form kept" : "much of the form is gone"));
+  if (evolve.after.self_intersections.pairs > 0)
+    items.push_back(mark(false, "the form goes through itself"));
+  return items;
+}
+
+// All that is either right or wrong.
+std::string checks(const FlattenReport& report) {
+  const Pattern& pattern = report.unfold.pattern;
+  std::vector<std::string> items = {
+      mark(report.evolve.after.flattenable, report.evolve.after.flattenable
+                                                ? "lies flat without stretch"
+                                                : "does not lie flat without stretch"),
+      mark(!pattern.overlaps, pattern.overlaps ? "overlaps itself" : "does not overlap itself"),
+      mark(pattern.flipped_triangles == 0,
+           pattern.flipped_triangles == 0 ? "nothing is face down" : "parts are face down")};
+  for (const std::string& item : form_checks(report.evolve))
+    items.push_back(item);
+  if (!unit_question(report.unfold).empty())
+    items.insert(items.begin(), mark(false, "unit of the model to be checked"));
+  constexpr std::array<std::pair<LimitOf, std::string_view>, 6> names = {
+      {{LimitOf::strain, "stretch "},
+       {LimitOf::p99_strain, "stretch "},
+       {LimitOf::rms_strain, "usual stretch "},
+       {LimitOf::deviation, "moves "},
+       {LimitOf::angle, "angles of triangles "},
+       {LimitOf::defect, "worst place "}}};
+  for (const LimitCheck& check : limit_checks(report)) {
+    const auto name = std::find_if(names.begin(), names.end(),
+                                   [&](const auto& some) { return some.first == check.what; });
+    items.push_back(mark(check.met, std::string(name->second) +
+                                        escape_markup(limit_text(check, report.unfold.unit))));
+  }
+  std::string html = "<ul class=\"checks\">\n";
+  for (const std::string& item : items)
+    html += "<li>" + item + "</li>\n";
+  return html + "</ul>\n";
+}
+
+// What was done, in words.
+std::string run_section(const FlattenReport& report, const FlattenPage& page) {
+  const Topology& topology = report.evolve.before.inspection.topology;
+  const EvolveResult& result = report.evolve.result;
+  std::string html =
+      "<section class=\"keep\">\n<h2>How it was made</h2>\n<dl class=\"run\">\n" +
+      html_entry("Patch", count_text(topology.vertices) + " vertices, " +
+                              count_text(topology.inner_vertices) + " of them inner; " +
+                              count_text(topology.triangles) + " triangles") +
+      html_entry("Method", std::string(name_of(report.evolve.method))) +
+      html_entry("Options", options_text(report.evolve.method)) +
+      html_entry("Run", effort_text(result)) + html_entry("Ended as", stop_text(result.stop));
+  if (report.twin_of)
+    html +=
+        html_entry("Twin", twin_text(*report.twin_of) + ", whose pattern and surface were taken");
+  if (!page.material.empty())
+    html += html_entry(page.fits ? "Laid on" : "To be laid on",
+                       page.material + "; " + page.material_use);
+  if (!page.command.empty())
+    html += "<dt>Command</dt><dd><code>" + escape_markup(page.command) + "</code></dd>\n";
+  return html + html_entry("Program", "planish " + std::string(k_version)) + "</dl>\n</section>\n";
+}
+
+constexpr std::string_view k_level_words =
+    " While sweeps work on coarser levels, the patch itself stays as it is, and so do its figures.";
+
+constexpr std::string_view k_worst_place_words =
+    " It ends lower here, which makes no better pattern: stretch is what all places bring "
+    "together, and no single one of them.";
+
+bool has_levels(const FlattenReport& report) {
+  const auto& history = report.evolve.result.history;
+  return std::any_of(history.begin(), history.end(),
+                     [](const SweepRecord& record) { return record.level.has_value(); });
+}
+
+std::string convergence_section(const FlattenReport& report, const FlattenPage& page) {
+  const std::string chart =
+      convergence_chart(report.evolve.before.figures, report.evolve.result.history, page.reference);
+  std::string words =
+      chart.empty() ? "Nothing to show: no sweep was made, or there was nothing to lower."
+                    : "What is left of the worst place and of the whole after each sweep, as a "
+                      "share of what it was. Equal steps on the scale are equal factors.";
+  if (has_levels(report)) words += k_level_words;
+  if (!chart.empty() && !page.reference.empty()) {
+    words += " Grey: the worst place by the method of 2010, for comparison.";
+    if (page.reference.back().e_max < report.evolve.after.figures.e_max)
+      words += k_worst_place_words;
+  }
+  return "<section class=\"keep\">\n<h2>How it went, sweep by sweep</h2>\n<p>" + words + "</p>\n" +
+         chart + "<details class=\"terms\"><summary>The terms of the paper</summary>\n<dl>\n" +
+         html_entry("e_max", "the largest |angle defect| of an inner vertex (Eq. 18)") +
+         html_entry("e_avg", "the mean |angle defect| of the inner vertices (Eq. 19)") +
+         html_entry("energy", "the sum of the squared angle defects (Eq. 4)") +
+         html_entry("2010 method", "controllable Laplacian evolution, a sweep of the paper each") +
+         "</dl></details>\n</section>\n";
+}
+
+std::vector<double> inner_defects(const TriMesh& mesh, const Connectivity& connectivity) {
+  const auto defects = angle_defects(mesh, connectivity);
+  std::vector<double> inner;
+  inner.reserve(connectivity.inner_vertices().size());
+  for (const Index v : connectivity.inner_vertices())
+    inner.push_back(defects[v]);
+  return inner;
+}
+
+std::string histogram_section(const FlattenReport& report) {
+  const Connectivity connectivity(report.input);
+  const std::string chart = defect_histogram(inner_defects(report.input, connectivity),
+                                             inner_defects(report.processed, connectivity));
+  return "<section class=\"keep\">\n<h2>How flat all places are</h2>\n<p>" +
+         (chart.empty() ? std::string("Nothing to show: the patch has no inner vertex.")
+                        : std::string("How many places are how far from flat: the further left, "
+                                      "the flatter. What is left of the line is flat for any "
+                                      "material.")) +
+         "</p>\n" + chart +
+         "<details class=\"terms\"><summary>The terms of the paper</summary>\n<dl>\n" +
+         html_entry("angle that is missing or too much",
+                    "|angle defect| |d|, d = 2π − θ (Eq. 3), of every inner vertex") +
+         html_entry("flat enough", "|d| below " + significant_text(k_flattenable_e_max, 1) +
+                                       " rad: the bound of flattenable for e_max") +
+         "</dl></details>\n</section>\n";
+}
+
+// Those of the patch as it came, and after them what evolving brought.
+std::string problems_section(const FlattenReport& report) {
+  const auto& before = report.evolve.before.inspection.problems;
+  std::string items;
+  const auto add = [&](const Problem& problem, std::string_view when) {
+    items += "<li><code>" + escape_markup(to_string(problem.code)) + "</code> " +
+             escape_markup(problem.message) + " (" + count_text(problem.count) + " in all" +
+             std::string(when) + ")</li>\n";
+  };
+  for (const Problem& problem : before)
+    add(problem, "");
+  for (const Problem& problem : report.evolve.after.inspection.problems) {
+    const bool is_old = std::any_of(before.begin(), before.end(), [&](const Problem& other) {
+      return other.code == problem.code;
+    });
+    if (!is_old) add(problem, ", since evolving");
+  }
+  if (items.empty()) return {};
+  return "<section>\n<h2>Problems of the mesh</h2>\n<ul class=\"problems\">\n" + items +
+         "</ul>\n</section>\n";
+}
+
+std::string footer(const FlattenReport& report) {
+  return std::string("<footer>Made by planish ") + k_version +
+         ". Model unit: " + unit_name(report) + ".</footer>\n";
+}
+
+}  // namespace
+
+std::string html_report(const FlattenReport& report, const FlattenPage& page) {
+  const std::string border = border_text(report);
+  const std::string limits = strain_limits_text(report.unfold.limits);
+  const Bench bench = html_bench(report, page);
+  const std::string verdict = verdict_text(report) + (limits.empty() ? "" : " " + limits) +
+                              (border.empty() ? "" : " " + border);
+  const bool has_limit = limit_of_edges(report.unfold.limits).has_value();
+  return html_head(html_title(report.name), has_limit ? k_html_limit_style : "") +
+         "<body>\n<main>\n" + html_header("report", report.name, verdict, checks(report)) +
+         tiles(report, page, bench.cut_size) + bench.html + "<div class=\"wide\">\n" +
+         convergence_section(report, page) + histogram_section(report) +
+         "</div>\n<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" +
+         figures_table(report) + "</div>\n</section>\n" + problems_section(report) +
+         run_section(report, page) + footer(report) + "</main>\n" + bench.data +
+         (bench.data.empty() ? "" : html_script()) + "</body>\n</html>\n";
+}
+
+}  // namespace planish

@@ -1,0 +1,282 @@
+#include "report/page/page_data.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <planish/draw/color_map.h>
+#include <planish/measure/angle_defect.h>
+#include <planish/measure/bending.h>
+#include <planish/measure/gaussian_curvature.h>
+#include <planish/mesh/connectivity.h>
+#include <planish/sheet/pattern_sheet.h>
+
+#include <planish_json/json.h>
+
+#include "draw/base64.h"
+#include "draw/scale_limit.h"
+#include "report/page/display_mesh.h"
+#include "report/page/packed_array.h"
+#include "report/pictures/view.h"
+#include "sheet/limit_map.h"
+#include "unfold/strain/vertex_strain.h"
+
+namespace planish {
+
+namespace {
+
+constexpr double k_nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double k_scale_share = 0.98;  // of the vertices within a scale
+constexpr int k_map_colors = 129;       // of a colour map
+
+/// A figure of all vertices, by state; a list that is empty: there is none.
+struct Figure {
+  const char* id;
+  ColorMap map;
+  double limit = 0.0;
+  std::vector<std::vector<double>> by_state = {};
+};
+
+/// What the share of the sizes does not exceed, rounded up.
+double limit_of(const std::vector<double>& values, double share, double least) {
+  std::vector<double> sizes;
+  for (const double value : values) {
+    if (std::isfinite(value)) sizes.push_back(std::abs(value));
+  }
+  // Of patches beyond all sizes squares are 0 or infinite.
+  constexpr double lowest = 1e-300, highest = 1e300;
+  if (sizes.empty()) return std::clamp(least, lowest, highest);
+  const auto rank = static_cast<std::size_t>(share * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(rank), sizes.end());
+  return round_up_125(std::clamp(std::max(sizes[rank], least), lowest, highest));
+}
+
+/// The same of all values of all states.
+double largest_limit(const Figure& figure, double least) {
+  double limit = least;
+  for (const auto& values : figure.by_state)
+    limit = std::max(limit, limit_of(values, 1.0, least));
+  return limit;
+}
+
+/// NaN where nothing is measured.
+std::vector<double> of_inner(std::vector<double> values, const Connectivity& connectivity) {
+  for (Index v = 0; v < values.size(); ++v) {
+    if (!connectivity.is_inner(v)) values[v] = k_nothing;
+  }
+  return values;
+}
+
+std::vector<double> moves(std::span<const Vec3> before, std::span<const Vec3> after) {
+  std::vector<double> lengths;
+  lengths.reserve(before.size());
+  for (std::size_t v = 0; v < before.size(); ++v)
+    lengths.push_back(norm(after[v] - before[v]));
+  return lengths;
+}
+
+/// Stretch in the direction where the pattern is longest beside the patch, and across it, where it
+/// is shortest.
+std::array<Figure, 2> principal_figures(const PageInput& input) {
+  Figure longest{"longest", ColorMap::diverging, input.strain_limit};
+  Figure shortest{"shortest", ColorMap::diverging, input.strain_limit};
+  for (const PageState& state : input.states) {
+    auto& most = longest.by_state.emplace_back();
+    auto& least = shortest.by_state.emplace_back();
+    if (state.pattern.empty()) continue;
+    const TriMesh mesh{{state.positions.begin(), state.positions.end()}, input.mesh.triangles};
+    for (const PrincipalStretch& stretch : vertex_stretches(mesh, state.pattern)) {
+      most.push_back(stretch.max - 1.0);
+      least.push_back(stretch.min - 1.0);
+    }
+  }
+  return {std::move(longest), std::move(shortest)};
+}
+
+std::vector<Figure> figures_of(const PageInput& input, const Connectivity& connectivity) {
+  Figure defect{"defect", ColorMap::diverging, input.defect_limit};
+  Figure curvature{"curvature", ColorMap::paper};
+  Figure bent{"bent", ColorMap::sequential};
+  Figure deviation{"deviation", ColorMap::sequential};
+  Figure strain{"strain", ColorMap::diverging, input.strain_limit};
+  Figure edge_strain{"edge_strain", ColorMap::diverging, input.strain_limit};
+  for (const PageState& state : input.states) {
+    const TriMesh mesh{{state.positions.begin(), state.positions.end()}, input.mesh.triangles};
+    const auto defects = angle_defects(mesh, connectivity);
+    curvature.by_state.push_back(
+        of_inner(gaussian_curvatures(mesh, connectivity, defects), connectivity));
+    defect.by_state.push_back(of_inner(defects, connectivity));
+    bent.by_state.push_back(vertex_bends(mesh, connectivity));
+    deviation.by_state.push_back(moves(input.mesh.positions, state.positions));
+    strain.by_state.push_back(state.pattern.empty() ? std::vector<double>()
+                                                    : vertex_strains(mesh, state.pattern));
+    edge_strain.by_state.push_back(state.pattern.empty()
+                                       ? std::vector<double>()
+                                       : largest_edge_strains(mesh, connectivity, state.pattern));
+  }
+  const double size = bounding_box_diagonal(input.mesh);
+  curvature.limit = limit_of(curvature.by_state.front(), k_scale_share, 1e-6 / (size * size));
+  // One scale for all states: what is darker than the design was is new.
+  bent.limit = limit_of(bent.by_state.front(), k_scale_share, 1e-3 / size);
+  deviation.limit = largest_limit(deviation, 1e-6 * size);
+  std::vector<Figure> figures = {std::move(defect), std::move(curvature),
+                                 std::move(bent),   std::move(deviation),
+                                 std::move(strain), std::move(edge_strain)};
+  if (input.limit) {
+    for (Figure& figure : principal_figures(input))
+      figures.push_back(std::move(figure));
+  }
+  return figures;
+}
+
+/// The vertex of every list at which the figure is largest.
+std::vector<Index> worst_vertices(const std::vector<Figure>& figures) {
+  std::vector<Index> worst;
+  for (const Figure& figure : figures) {
+    for (const auto& values : figure.by_state) {
+      Index best = 0;
+      double largest = -1.0;
+      for (Index v = 0; v < values.size(); ++v) {
+        if (!(std::abs(values[v]) > largest)) continue;
+        largest = std::abs(values[v]);
+        best = v;
+      }
+      if (largest >= 0.0) worst.push_back(best);
+    }
+  }
+  return worst;
+}
+
+template <class Value>
+std::vector<Value> picked(std::span<const Value> values, const std::vector<Index>& source) {
+  std::vector<Value> some;
+  some.reserve(source.size());
+  for (const Index v : source)
+    some.push_back(values[v]);
+  return some;
+}
+
+Json to_json(const Figure& figure, const std::vector<Index>& source) {
+  Json values = Json::array();
+  for (const auto& all : figure.by_state) {
+    values.push_back(all.empty()
+                         ? Json(nullptr)
+                         : Json(packed_floats(picked(std::span<const double>(all), source))));
+  }
+  return {{"id", figure.id},
+          {"map", figure.map == ColorMap::diverging    ? "diverging"
+                  : figure.map == ColorMap::sequential ? "sequential"
+                                                       : "paper"},
+          {"limit", figure.limit},
+          {"values", std::move(values)}};
+}
+
+Json to_json(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+
+Json triangles_json(const DisplayMesh& shown) {
+  std::vector<Index> corners;
+  corners.reserve(3 * shown.triangles.size());
+  for (const Triangle& t : shown.triangles)
+    corners.insert(corners.end(), t.begin(), t.end());
+  const bool is_small = shown.source.size() <= 65536;
+  return {{"bits", is_small ? 16 : 32},
+          {"data", is_small ? packed_small_numbers(corners) : packed_numbers(corners)}};
+}
+
+Json states_json(const PageInput& input, const DisplayMesh& shown) {
+  std::vector<std::vector<Vec3>> positions;
+  Json names = Json::array();
+  for (const PageState& state : input.states) {
+    positions.push_back(picked(state.positions, shown.source));
+    names.push_back(state.name);
+  }
+  const PackedPoints packed = packed_points(std::span<const std::vector<Vec3>>(positions));
+  return {{"names", std::move(names)},
+          {"shown", input.shown},
+          {"low", packed.low},
+          {"step", packed.step},
+          {"positions", packed.data}};
+}
+
+Json drawn_json(const PageInput& input, const DisplayMesh& shown) {
+  if (input.drawn.empty()) return nullptr;
+  const PackedPoints packed = packed_points(picked(input.drawn, shown.source));
+  return {{"low", packed.low}, {"step", packed.step}, {"positions", packed.data.front()}};
+}
+
+std::string map_bytes(ColorMap map) {
+  std::string bytes;
+  for (int i = 0; i < k_map_colors; ++i) {
+    const double share = static_cast<double>(i) / (k_map_colors - 1);
+    const Color color = color_at(map, map == ColorMap::diverging ? 2.0 * share - 1.0 : share);
+    for (const std::uint8_t part : {color.r, color.g, color.b})
+      bytes += static_cast<char>(part);
+  }
+  return base64(bytes);
+}
+
+std::size_t usual_most(const PageInput& input) {
+  constexpr std::size_t bytes = 3'400'000;  // base64 makes four of three
+  // Positions and six figures by state, eight with a limit; number, place in the pattern and two
+  // triangles.
+  const std::size_t figures = input.limit ? 8 : 6;
+  return bytes / ((6 + 4 * figures) * input.states.size() + 16);
+}
+
+Json limit_json(const StrainLimitCheck& limit) {
+  const Color beyond = k_beyond_limit;
+  return {{"asked", limit.asked}, {"beyond", {beyond.r, beyond.g, beyond.b}}};
+}
+
+/// By the numbers that people know vertices by.
+std::vector<Index> numbers_of(const PageInput& input, const DisplayMesh& shown) {
+  return input.source.empty() ? shown.source : picked(input.source, shown.source);
+}
+
+}  // namespace
+
+std::string json_for_script(std::string json) {
+  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;)
+    json.replace(at, 1, "\\u003c");
+  return json;
+}
+
+std::string page_data(const PageInput& input) {
+  const Connectivity connectivity(input.mesh);
+  const std::vector<Figure> figures = figures_of(input, connectivity);
+  const std::size_t most = input.most_vertices > 0 ? input.most_vertices : usual_most(input);
+  const DisplayMesh shown = display_mesh(input.mesh, connectivity, most, worst_vertices(figures));
+  const View view = view_of(input.mesh);
+  Json modes = Json::array();
+  for (const Figure& figure : figures)
+    modes.push_back(to_json(figure, shown.source));
+  Json json = {{"format", 1},
+               {"unit", to_string(input.unit)},
+               {"vertices", shown.source.size()},
+               {"of", input.mesh.positions.size()},
+               {"view",
+                {{"right", to_json(view.right)},
+                 {"up", to_json(view.up)},
+                 {"towards", to_json(view.towards)}}},
+               {"maps",
+                {{"diverging", map_bytes(ColorMap::diverging)},
+                 {"sequential", map_bytes(ColorMap::sequential)},
+                 {"paper", map_bytes(ColorMap::paper)}}},
+               {"numbers", packed_numbers(numbers_of(input, shown))},
+               {"triangles", triangles_json(shown)},
+               {"states", states_json(input, shown)},
+               {"figures", std::move(modes)},
+               {"pattern", drawn_json(input, shown)}};
+  if (input.limit) {
+    json["limit"] = limit_json(*input.limit);
+    json["maps"]["pale"] = map_bytes(ColorMap::pale);
+  }
+  return "<script type=\"application/json\" id=\"report-data\">" +
+         json_for_script(json_text(json, -1)) + "</script>\n";
+}
+
+}  // namespace planish

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <planish/core/unit.h>
+#include <planish/mesh/tri_mesh.h>
+#include <planish/unfold/strain_limits.h>
+
+namespace planish {
+
+/// A form of the patch that a page can show.
+struct PageState {
+  std::string name;                    ///< plain text
+  std::span<const Vec3> positions;     ///< of all vertices
+  std::span<const Vec2> pattern = {};  ///< of all vertices, model units; may be none
+};
+
+/// What goes into a page for its script.
+struct PageInput {
+  const TriMesh& mesh;            ///< as it came: the first state
+  std::vector<PageState> states;  ///< the first is the patch as it came
+  Unit unit = Unit::mm;
+  double defect_limit = 0.0;           ///< |defect| at which colours end, radians
+  double strain_limit = 0.001;         ///< |strain| at which colours end
+  std::span<const Index> source = {};  ///< vertex of the mesh -> number that people know it by
+  /// Of all vertices in the drawing of the pattern, in its own coordinates; may be none.
+  std::span<const Vec2> drawn = {};
+  /// The limit that edges have; with one the page shows how much of it they use up, and the
+  /// principal stretches.
+  std::optional<StrainLimitCheck> limit = {};
+  std::size_t shown = 1;  ///< the state that is shown beside the first at the start
+  /// Meshes with more are simplified; 0: so many that the data take about four and a half
+  /// megabytes, which are 50,000 for two states.
+  std::size_t most_vertices = 0;
+};
+
+/// The data of a page as JSON in a <script> element that is never run: positions of 16 bits a
+/// coordinate, figures of 32 bits, packed; docs/report.md has the format. No text in it can end the
+/// element.
+std::string page_data(const PageInput& input);
+
+/// JSON as it may stand inside of a <script> element: every "<" as its escape.
+std::string json_for_script(std::string json);
+
+}  // namespace planish

@@ -1,0 +1,143 @@
+#include "sheet/furniture.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/math.h"
+#include "pattern/polygon/free_strip.h"
+#include "sheet/sheet_layout.h"
+
+namespace planish {
+
+namespace {
+
+constexpr Stroke k_cut{{255, 0, 0}}, k_seam{{80, 80, 80}, 0.25, true}, k_notch{{255, 0, 255}},
+    k_grain{{0, 128, 0}}, k_drill{{0, 0, 255}}, k_internal{{0, 160, 160}};
+constexpr Color k_black = {0, 0, 0};
+constexpr double k_line_pitch = 1.6;  // of a label's lines, over their height
+
+Layer layer_of(std::string name, std::vector<Polygon> lines, const Stroke& stroke) {
+  Layer layer{std::move(name), {}};
+  layer.shapes.reserve(lines.size());
+  for (Polygon& line : lines)
+    layer.shapes.emplace_back(Path{{std::move(line)}, false, stroke});
+  return layer;
+}
+
+Layer seam_layer(const PlacedPattern& pattern, const PatternOptions& options) {
+  Layer layer{"seam", {}};
+  if (options.allowance) layer.shapes.emplace_back(Path{pattern.outline.loops, true, k_seam});
+  return layer;
+}
+
+std::vector<std::string> lines_of(const PieceLabel& label) {
+  std::vector<std::string> lines;
+  const auto add = [&](const std::string& before, const std::string& text) {
+    if (!text.empty()) lines.push_back(before + text);
+  };
+  add("", label.name);
+  add("size ", label.size);
+  add("cut ", label.quantity > 0 ? std::to_string(label.quantity) + " ×" : "");
+  add("", label.fabric);
+  add("", label.note);
+  return lines;
+}
+
+/// Of the longest line, in heights of a capital.
+double width_of(const std::vector<std::string>& lines) {
+  std::size_t most = 0;
+  for (const std::string& line : lines) {
+    const auto letters = std::count_if(line.begin(), line.end(), [](char byte) {
+      return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;  // not inside a UTF-8 sequence
+    });
+    most = std::max(most, static_cast<std::size_t>(letters));
+  }
+  return sheet::k_letter_width * static_cast<double>(most);
+}
+
+/// A label's place and the height of its letters.
+struct LabelPlace {
+  Vec2 middle;
+  double height = 0.0;
+};
+
+/// As large as fits into the piece; where nothing fits, small and as near to inside as can be.
+LabelPlace label_place(const PieceOutline& outline, const std::vector<std::string>& lines) {
+  LabelPlace place{outline.loops.front().front(), 2.0};
+  for (const double height : {6.0, 5.0, 4.0, 3.0, 2.5, 2.0}) {
+    const double half = 0.5 * k_line_pitch * height * static_cast<double>(lines.size());
+    const double width = width_of(lines) * height;
+    const FreeStrip strip = longest_strip(outline.loops, {1.0, 0.0}, half, width + 2.0 * height);
+    if (strip.length > 0.0) place = {strip.middle, height};
+    if (strip.length >= width) break;
+  }
+  return place;
+}
+
+std::optional<ClearBox> box_of(const LabelPlace& place, const std::vector<std::string>& lines) {
+  if (lines.empty()) return std::nullopt;
+  const Vec2 half =
+      0.5 * place.height * Vec2{width_of(lines), k_line_pitch * static_cast<double>(lines.size())};
+  return ClearBox{place.middle - half, place.middle + half};
+}
+
+Layer annotation_layer(const LabelPlace& place, const std::vector<std::string>& lines) {
+  Layer layer{"annotation", {}};
+  layer.shapes.reserve(lines.size());
+  const double pitch = k_line_pitch * place.height;
+  const double top = place.middle.y + 0.5 * pitch * static_cast<double>(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const double middle = top - pitch * (static_cast<double>(i) + 0.5);
+    layer.shapes.emplace_back(
+        Text{{place.middle.x, middle - 0.5 * place.height}, place.height, lines[i], k_black, true});
+  }
+  return layer;
+}
+
+}  // namespace
+
+Vec2 grain_on_sheet(const Grain& grain, const TriMesh& mesh, const PlacedPattern& pattern) {
+  if (const auto* degrees = std::get_if<double>(&grain)) {
+    const double angle = *degrees * std::numbers::pi / 180.0;
+    return {math::cos(angle), math::sin(angle)};
+  }
+  return grain_direction(mesh, pattern.positions, std::get<Vec3>(grain), pattern.outline.piece);
+}
+
+std::vector<Layer> furniture_layers(const TriMesh& mesh, const PlacedPattern& pattern,
+                                    const PatternOptions& options) {
+  const PieceOutline& outline = pattern.outline;
+  const std::vector<std::string> lines = lines_of(options.label);
+  const LabelPlace place = lines.empty() ? LabelPlace{} : label_place(outline, lines);
+  std::vector<Polygon> grain;
+  if (options.grain) {
+    grain =
+        grain_lines(outline, grain_on_sheet(*options.grain, mesh, pattern), box_of(place, lines));
+  }
+  std::vector<Layer> layers;
+  layers.reserve(6);
+  layers.push_back(seam_layer(pattern, options));
+  layers.push_back(layer_of(
+      "notch", notch_lines(outline, pattern.cut, options.notches, options.notch_sizes), k_notch));
+  layers.push_back(layer_of("grain", std::move(grain), k_grain));
+  layers.push_back(
+      layer_of("drill", mark_lines(pattern.positions, options.marks, outline.piece), k_drill));
+  layers.push_back(layer_of(
+      "internal", inner_lines(pattern.positions, options.inner_lines, outline.piece), k_internal));
+  layers.push_back(annotation_layer(place, lines));
+  return layers;
+}
+
+std::vector<Layer> piece_layers(const TriMesh& mesh, const PlacedPattern& pattern,
+                                const PatternOptions& options) {
+  std::vector<Layer> layers = {{"cut", {Path{pattern.cut, true, k_cut}}}};
+  for (Layer& layer : furniture_layers(mesh, pattern, options))
+    layers.push_back(std::move(layer));
+  return layers;
+}
+
+}  // namespace planish

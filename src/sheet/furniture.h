@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <planish/draw/drawing.h>
+#include <planish/pattern/pattern_options.h>
+
+#include "sheet/placed_pattern.h"
+
+namespace planish {
+
+/// The layers seam, notch, grain, drill, internal and annotation, in that order; what was not asked
+/// for is empty.
+/// @throws Error as notch_lines(), grain_direction() and mark_lines()
+std::vector<Layer> furniture_layers(const TriMesh& mesh, const PlacedPattern& pattern,
+                                    const PatternOptions& options);
+
+/// The layer cut, and the furniture_layers() behind it: all that there is to a piece, wherever it
+/// lies.
+std::vector<Layer> piece_layers(const TriMesh& mesh, const PlacedPattern& pattern,
+                                const PatternOptions& options);
+
+/// The direction of the grain where the pattern lies, of length 1.
+/// @throws Error as grain_direction()
+Vec2 grain_on_sheet(const Grain& grain, const TriMesh& mesh, const PlacedPattern& pattern);
+
+}  // namespace planish

@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <planish/flatten/twin_report.h>
+#include <planish/mesh/connectivity.h>
+#include <planish/sheet/garment_sheet.h>
+
+#include "sheet/mirrored_place.h"
+
+namespace planish {
+
+namespace {
+
+// Everything in millimetres.
+constexpr double k_margin = 10.0, k_gap = 15.0;
+constexpr double k_name_height = 5.0, k_number_height = 5.0;
+constexpr Color k_black = {0, 0, 0};
+constexpr Color k_red = {255, 0, 0};
+constexpr std::array<Color, 6> k_seam_colors = {
+    {{0, 90, 181}, {0, 133, 66}, {170, 68, 0}, {120, 60, 160}, {0, 130, 140}, {150, 110, 0}}};
+
+struct Box {
+  Vec2 low, high;
+};
+
+Box box_of(const std::vector<Vec2>& points) {
+  Box box{points.front(), points.front()};
+  for (const Vec2 p : points) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
+/// Where each piece lies on the sheet.
+struct Layout {
+  std::vector<std::vector<Vec2>> corners;  ///< of each piece; none where it has no pattern
+  std::vector<Vec2> name_at;               ///< of each piece
+  double width = 2.0 * k_margin, height = 2.0 * k_margin;
+};
+
+/// Rows from the top of the sheet down, as wide as makes it about square.
+Layout lay_out(std::span<const GarmentPiece> pieces, double scale) {
+  Layout layout;
+  layout.corners.resize(pieces.size());
+  layout.name_at.resize(pieces.size());
+  std::vector<std::size_t> order;
+  std::vector<Vec2> sizes(pieces.size());
+  order.reserve(pieces.size());
+  double area = 0.0, widest = 0.0;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    if (pieces[p].pattern.empty()) continue;
+    order.push_back(p);
+    const Box box = box_of(pieces[p].pattern);
+    sizes[p] = scale * (box.high - box.low) + Vec2{k_gap, k_gap + k_name_height};
+    area += sizes[p].x * sizes[p].y;
+    widest = std::max(widest, sizes[p].x);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return sizes[a].y > sizes[b].y; });
+  const double row_width = std::max(widest, 1.3 * std::sqrt(area));
+  double x = 0.0, top = 0.0, row_height = 0.0;
+  for (const std::size_t p : order) {
+    if (x > 0.0 && x + sizes[p].x > row_width) {
+      top -= row_height;
+      x = row_height = 0.0;
+    }
+    row_height = std::max(row_height, sizes[p].y);
+    const Vec2 low = {x, top - sizes[p].y + k_gap};
+    const Box box = box_of(pieces[p].pattern);
+    layout.corners[p].reserve(pieces[p].pattern.size());
+    for (const Vec2 q : pieces[p].pattern)
+      layout.corners[p].push_back(low + scale * (q - box.low));
+    layout.name_at[p] = {x, top - k_name_height};
+    x += sizes[p].x;
+    layout.width = std::max(layout.width, x + 2.0 * k_margin);
+  }
+  layout.height += row_height - top;
+  const Vec2 shift = {k_margin, layout.height - k_margin};
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    layout.name_at[p] = layout.name_at[p] + shift;
+    for (Vec2& q : layout.corners[p])
+      q = q + shift;
+  }
+  return layout;
+}
+
+/// Lays a piece anew at about the same place, from where its twin lies: see mirrored_place().
+void lay_like_twin(const PieceTwin& twin, std::size_t piece, Layout& layout) {
+  const std::vector<Vec2>& theirs = layout.corners[twin.piece];
+  std::vector<Vec2>& own = layout.corners[piece];
+  if (theirs.empty() || own.empty()) return;
+  const Box there = box_of(theirs), here = box_of(own);
+  const double up = std::round(here.low.y - there.low.y);
+  const double along = std::ceil(here.low.x + there.high.x),
+               right = std::ceil(here.low.x - there.low.x);
+  for (std::size_t v = 0; v < theirs.size(); ++v) {
+    const double x = twin.mirrored ? mirrored_place(along, theirs[v].x) : theirs[v].x + right;
+    own[twin.vertex[v]] = {x, theirs[v].y + up};
+  }
+}
+
+std::string name_of(std::span<const GarmentPiece> pieces, std::size_t number) {
+  const auto& twin = pieces[number].twin;
+  const std::string& name = pieces[number].name;
+  return twin ? name + " (" + twin_text({pieces[twin->piece].name, twin->mirrored}) + ")" : name;
+}
+
+std::vector<Vec2> line_of(const std::vector<Index>& vertices, const std::vector<Vec2>& corners) {
+  std::vector<Vec2> line;
+  line.reserve(vertices.size());
+  for (const Index v : vertices)
+    line.push_back(corners[v]);
+  return line;
+}
+
+}  // namespace
+
+Drawing garment_sheet(std::span<const GarmentPiece> pieces, std::span<const Seam> seams, Unit unit,
+                      const std::string& title) {
+  Layout layout = lay_out(pieces, millimetres_per(unit));
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    if (pieces[p].twin) lay_like_twin(*pieces[p].twin, p, layout);
+  }
+  Layer cut{"cut", {}}, seam_lines{"seam", {}}, label{"label", {}};
+  Drawing sheet{title, layout.width, layout.height, {}};
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    sheet.pieces.push_back({pieces[p].name});
+    if (pieces[p].pattern.empty()) continue;
+    Path border{{}, true, Stroke{k_red}};
+    border.piece = p;
+    const Connectivity connectivity(pieces[p].mesh);
+    for (const std::vector<Index>& loop : connectivity.border_loops())
+      border.lines.push_back(line_of(loop, layout.corners[p]));
+    cut.shapes.emplace_back(std::move(border));
+    Text name{layout.name_at[p], k_name_height, name_of(pieces, p), k_black};
+    name.piece = p;
+    label.shapes.emplace_back(std::move(name));
+  }
+  for (std::size_t s = 0; s < seams.size(); ++s) {
+    const Color color = k_seam_colors[s % k_seam_colors.size()];
+    for (const SeamSide& side : seams[s].sides) {
+      if (pieces[side.patch].pattern.empty()) continue;
+      Path line{{line_of(side.vertices, layout.corners[side.patch])}, false, Stroke{color, 0.8}};
+      line.piece = side.patch;
+      seam_lines.shapes.emplace_back(std::move(line));
+      const Vec2 middle = layout.corners[side.patch][side.vertices[side.vertices.size() / 2]];
+      Text number{middle, k_number_height, std::to_string(s + 1), color, true};
+      number.piece = side.patch;
+      label.shapes.emplace_back(std::move(number));
+    }
+  }
+  sheet.layers = {std::move(cut), std::move(seam_lines), std::move(label)};
+  return sheet;
+}
+
+}  // namespace planish

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <planish/draw/drawing.h>
+#include <planish/mesh/tri_mesh.h>
+#include <planish/sheet/pattern_sheet.h>
+#include <planish/unfold/strain_limits.h>
+
+#include "sheet/outlines.h"
+
+namespace planish {
+
+/// Bands of a map of the limit used up: ten of 10 % each, and one for what is beyond the limit.
+inline constexpr int k_limit_bands = 11;
+
+/// The limit that maps show strain beside: of those for single edges, for every one or for those on
+/// 99 % of the area, the smaller. Nothing where there is none; a limit of the rms is for no place.
+std::optional<StrainLimitCheck> limit_of_edges(std::span<const StrainLimitCheck> checks);
+
+/// The limit in words: "5 %, for every edge".
+std::string limit_words(const StrainLimitCheck& limit);
+
+/// The band of a strain, 0 to 10; the last exactly where |strain| is above the limit. NaN counts as
+/// no strain.
+int limit_band(double strain, double limit);
+
+/// The colour of a band: the pale map's at its middle, and k_beyond_limit.
+Color limit_band_color(int band);
+
+/// All of them.
+std::array<Color, k_limit_bands> limit_band_colors();
+
+/// As strain_map(), in bands of the limit.
+/// @param strains of the edges of every triangle, the largest
+std::vector<DrawingShape> limit_map(const TriMesh& mesh, std::span<const HalfEdge> opposite,
+                                    std::span<const Vec2> corners, std::span<const double> strains,
+                                    double limit);
+
+}  // namespace planish

@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include <planish/sheet/nest_sheet.h>
+
+#include "core/figure_text.h"
+#include "core/math.h"
+#include "sheet/furniture.h"
+#include "sheet/placed_pattern.h"
+#include "sheet/sheet_layout.h"
+
+namespace planish {
+
+namespace {
+
+constexpr Color k_black = {0, 0, 0}, k_dim = {80, 80, 80};
+
+PlacedPattern pattern_of(const NestJob& job, const NestPatch& patch) {
+  return placed_pattern(patch.mesh, patch.pattern, job.unit, patch.name, patch.furniture);
+}
+
+int copies_of(const NestPatch& patch) {
+  return std::max(1, patch.furniture.label.quantity);
+}
+
+/// Which of several copies it is, for people; nothing for a single one.
+std::string copy_text(const NestPatch& patch, int copy) {
+  const int copies = copies_of(patch);
+  if (copies == 1) return {};
+  return " " + std::to_string(copy + 1) + " of " + std::to_string(copies);
+}
+
+/// What a copy gets where it lies: its own name, and the grain turned as it is.
+PatternOptions furniture_there(const NestJob& job, const NestPlacement& placement) {
+  const NestPatch& patch = job.patches[placement.piece];
+  PatternOptions furniture = patch.furniture;
+  PieceLabel& label = furniture.label;
+  if (label.name.empty()) label.name = patch.name;
+  label.name += copy_text(patch, placement.copy);
+  label.quantity = 0;
+  if (furniture.grain) {
+    if (auto* degrees = std::get_if<double>(&*furniture.grain)) *degrees += placement.angle;
+  }
+  return furniture;
+}
+
+Path box_line(Vec2 low, Vec2 size, Color color) {
+  return {
+      {{low, {low.x + size.x, low.y}, low + size, {low.x, low.y + size.y}}}, true, Stroke{color}};
+}
+
+std::string use_text(const NestJob& job, const Nesting& nesting) {
+  const NestOptions& sheets = job.sheets;
+  const std::string used = decimals_text(nesting.used_length, 1) + " mm";
+  const std::string share = decimals_text(100.0 * nesting.used_share(), 1) + " % in pieces";
+  if (!sheets.length) {
+    return "roll of width " + decimals_text(sheets.width, 1) + " mm, " + used + " used, " + share;
+  }
+  return "sheets " + decimals_text(sheets.width, 1) + " mm wide and " +
+         decimals_text(*sheets.length, 1) + " mm long, of the last " + used + " used, " + share;
+}
+
+/// Above the sheet, so that its corner stays the origin.
+Layer nest_label(const NestJob& job, const Nesting& nesting, std::size_t number,
+                 const std::string& title, Vec2 size) {
+  const std::string date = job.patches.empty() ? "" : job.patches.front().furniture.date;
+  Layer layer{"label", {box_line({0.0, 0.0}, size, k_dim)}};
+  const double low = size.y + sheet::k_gap, top = low + sheet::k_square;
+  const auto line = [&](double below_top, double height, std::string text, Color color) {
+    const double left = sheet::k_square + sheet::k_gap;
+    layer.shapes.emplace_back(Text{{left, top - below_top}, height, std::move(text), color});
+  };
+  layer.shapes.emplace_back(box_line({0.0, low}, {sheet::k_square, sheet::k_square}, k_black));
+  line(6.0, 6.0, title, k_black);
+  line(sheet::k_square, 2.2, "the square is 50 mm – measure it before cutting", k_black);
+  if (job.sheets.length) {
+    line(13.0, 4.0, "sheet " + std::to_string(number + 1) + " of " + std::to_string(nesting.sheets),
+         k_black);
+  }
+  line(20.0, 4.0, use_text(job, nesting), k_black);
+  if (!date.empty()) line(26.0, 2.5, date, k_dim);
+  return layer;
+}
+
+void add_shapes(Layer layer, std::size_t piece, Layer& to) {
+  for (DrawingShape& shape : layer.shapes) {
+    std::visit([&](auto& some) { some.piece = piece; }, shape);
+    to.shapes.push_back(std::move(shape));
+  }
+}
+
+}  // namespace
+
+std::vector<NestPiece> nest_pieces(const NestJob& job) {
+  std::vector<NestPiece> result;
+  result.reserve(job.patches.size());
+  for (const NestPatch& patch : job.patches) {
+    NestPiece& some = result.emplace_back();
+    some.outline.piece = patch.name;
+    some.quantity = patch.pattern.empty() ? 0 : copies_of(patch);
+    if (patch.pattern.empty()) continue;
+    PlacedPattern pattern = pattern_of(job, patch);
+    if (patch.furniture.grain) {
+      const Vec2 grain = grain_on_sheet(*patch.furniture.grain, patch.mesh, pattern);
+      some.angle = -180.0 / std::numbers::pi * math::atan2(grain.y, grain.x);
+    }
+    some.outline.loops = std::move(pattern.cut);
+  }
+  return result;
+}
+
+Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t number,
+                   const std::string& title) {
+  const Vec2 size = {job.sheets.length.value_or(nesting.used_length), job.sheets.width};
+  Drawing sheet{title,
+                std::max(size.x, 240.0),
+                size.y + sheet::k_gap + sheet::k_square + sheet::k_margin,
+                {}};
+  for (const char* name : {"cut", "seam", "notch", "grain", "drill", "internal", "annotation"})
+    sheet.layers.push_back({name, {}});
+  std::optional<std::pair<std::size_t, PlacedPattern>> last;  // copies of a piece come together
+  for (const NestPlacement& placement : nesting.placements) {
+    if (placement.sheet != number) continue;
+    const NestPatch& patch = job.patches[placement.piece];
+    if (!last || last->first != placement.piece) {
+      last = {placement.piece, pattern_of(job, patch)};
+    }
+    const PatternOptions furniture = furniture_there(job, placement);
+    std::vector<Layer> layers = piece_layers(patch.mesh, moved(last->second, placement), furniture);
+    for (std::size_t k = 0; k < layers.size(); ++k)
+      add_shapes(std::move(layers[k]), sheet.pieces.size(), sheet.layers[k]);
+    sheet.pieces.push_back({furniture.label.name, furniture.label.size, 1});
+  }
+  sheet.layers.push_back(nest_label(job, nesting, number, title, size));
+  return sheet;
+}
+
+}  // namespace planish

@@ -1,0 +1,64 @@
+#include "sheet/pattern_on_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <planish/pattern/pattern_hash.h>
+
+#include "pattern/polygon/loop_box.h"
+#include "sheet/mirrored_place.h"
+#include "sheet/sheet_layout.h"
+
+namespace planish {
+
+namespace {
+
+using namespace sheet;
+
+/// 0 without.
+double widest_allowance(const PatternOptions& options) {
+  if (!options.allowance) return 0.0;
+  double width = options.allowance->width;
+  for (const EdgeAllowance& edge : options.edge_allowances)
+    width = std::max(width, edge.width);
+  return width;
+}
+
+/// What overlaps itself has no one outer side that an allowance could be laid on.
+PatternOptions possible_options(PatternOptions options, const Pattern& pattern) {
+  if (pattern.overlaps) options.allowance.reset();
+  return options;
+}
+
+/// Puts the pattern above the sheet's block, in its margins. Of a mirrored one every x is that of
+/// the pattern that it was made from, where that lies on its sheet, taken from whole millimetres.
+PatternOnSheet put_on_sheet(PatternOnSheet sheet, bool mirrored) {
+  const LoopBox box = loop_box(sheet.pattern.cut);
+  const Vec2 low = mirrored ? Vec2{-box.high.x, box.low.y} : box.low;
+  const Vec2 shift = Vec2{k_margin, k_margin + k_block_height + k_gap} - low;
+  const double sum = std::ceil(k_margin + box.high.x - box.low.x + k_margin);
+  sheet.pattern = moved(std::move(sheet.pattern), [&](Vec2 p) {
+    return mirrored ? Vec2{mirrored_place(sum, shift.x - p.x), p.y + shift.y} : p + shift;
+  });
+  const double right = mirrored ? sum - k_margin : k_margin + box.high.x - box.low.x;
+  sheet.size = {std::max(right, k_block_right) + k_margin, shift.y + box.high.y + k_margin};
+  return sheet;
+}
+
+}  // namespace
+
+PatternOnSheet pattern_on_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
+                                const std::string& name, const PatternOptions& wanted) {
+  PatternOptions options = possible_options(wanted, unfold.pattern);
+  const std::string& piece = options.label.name.empty() ? name : options.label.name;
+  PlacedPattern pattern =
+      placed_pattern(mesh, unfold.pattern.positions, unfold.unit, piece, options);
+  const LoopBox piece_box = loop_box(pattern.outline.loops);
+  SheetFacts facts = {name, piece_box.size(), widest_allowance(options),
+                      pattern_hash(pattern.positions), options.date};
+  const bool mirrored = options.like && options.like->mirrored;
+  return put_on_sheet({std::move(pattern), std::move(options), std::move(facts), {}}, mirrored);
+}
+
+}  // namespace planish

@@ -1,0 +1,60 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <planish/sheet/pattern_sheet.h>
+
+#include "draw/scale_limit.h"
+#include "sheet/furniture.h"
+#include "sheet/limit_map.h"
+#include "sheet/outlines.h"
+#include "sheet/pattern_on_sheet.h"
+#include "sheet/sheet_label.h"
+#include "sheet/strain_map.h"
+#include "unfold/strain/vertex_strain.h"
+
+namespace planish {
+
+namespace {
+
+DrawingPiece piece_of(const PieceLabel& label) {
+  return {label.name, label.size, std::max(1, label.quantity)};
+}
+
+/// Beside the limit where one was asked for, else strain itself.
+Layer map_layer(const TriMesh& mesh, const UnfoldReport& unfold, std::span<const Vec2> corners) {
+  const std::vector<HalfEdge> opposite = opposite_half_edges(mesh);
+  const std::span<const Vec2> pattern = unfold.pattern.positions;
+  if (const auto limit = limit_of_edges(unfold.limits)) {
+    const auto strains = largest_edge_strains_of_triangles(mesh, pattern);
+    return {"strain", limit_map(mesh, opposite, corners, strains, limit->asked)};
+  }
+  const auto strains = signed_strains(principal_stretches(mesh, pattern));
+  const double end = strain_map_limit(unfold.strain);
+  return {"strain", strain_map(mesh, opposite, corners, strains, end)};
+}
+
+}  // namespace
+
+double strain_map_limit(const EdgeStrain& strain) {
+  constexpr double smallest = 0.001;
+  if (!(strain.p99 > smallest) || !std::isfinite(strain.p99)) return smallest;
+  return round_up_125(strain.p99);
+}
+
+Drawing pattern_sheet(const TriMesh& mesh, const UnfoldReport& unfold, const std::string& name,
+                      const PatternOptions& wanted) {
+  const PatternOnSheet placed = pattern_on_sheet(mesh, unfold, name, wanted);
+  const PlacedPattern& pattern = placed.pattern;
+  Drawing sheet{name, placed.size.x, placed.size.y, {}, {piece_of(placed.options.label)}};
+  sheet.layers.reserve(k_sheet_layers.size());
+  sheet.layers.push_back(map_layer(mesh, unfold, pattern.positions));
+  // The cut line comes later than the map, so that it lies on top.
+  for (Layer& layer : piece_layers(mesh, pattern, placed.options))
+    sheet.layers.push_back(std::move(layer));
+  sheet.layers.push_back(sheet_label(unfold, placed.facts));
+  return sheet;
+}
+
+}  // namespace planish

@@ -1,0 +1,169 @@
+#include "sheet/sheet_label.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+#include <planish/core/fnv_hash.h>
+#include <planish/core/version.h>
+#include <planish/draw/color_map.h>
+#include <planish/sheet/pattern_sheet.h>
+
+#include "core/figure_text.h"
+#include "core/number_text.h"
+#include "sheet/limit_map.h"
+#include "sheet/sheet_layout.h"
+#include "sheet/strain_map.h"
+
+namespace planish {
+
+namespace {
+
+using namespace sheet;
+
+constexpr double k_swatch = 5.0;  // of the legend, millimetres
+constexpr double k_name_height = 6.0, k_smallest_name_height = 3.0;
+
+constexpr Color k_black = {0, 0, 0};
+constexpr Color k_red = {255, 0, 0};
+constexpr Color k_dim = {80, 80, 80};
+
+bool begins_letter(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;  // not inside a UTF-8 sequence
+}
+
+// The name as large as fits, cut short where even the smallest letters do not.
+Text name_text(std::string_view name, Vec2 top_left, double width) {
+  const auto letters = std::count_if(name.begin(), name.end(), begins_letter);
+  const double fitting = width / (k_letter_width * std::max(1.0, static_cast<double>(letters)));
+  const double height = std::clamp(fitting, k_smallest_name_height, k_name_height);
+  const auto room = static_cast<std::ptrdiff_t>(width / (k_letter_width * height));
+  std::string text(name);
+  if (letters > room) {
+    std::ptrdiff_t kept = 0;
+    const auto end = std::find_if(name.begin(), name.end(),
+                                  [&](char byte) { return begins_letter(byte) && ++kept == room; });
+    text = std::string(name.begin(), end) + "…";
+  }
+  return {{top_left.x, top_left.y - height}, height, text, k_black};
+}
+
+Path rectangle(Vec2 low, double width, double height, Color color) {
+  return {{{low, {low.x + width, low.y}, {low.x + width, low.y + height}, {low.x, low.y + height}}},
+          true,
+          Stroke{color}};
+}
+
+void add_test_squares(Layer& layer) {
+  const auto add = [&](double left, double side, const std::string& text) {
+    layer.shapes.emplace_back(rectangle({left, k_margin}, side, side, k_black));
+    layer.shapes.emplace_back(Text{{left, k_margin + side + 2.0}, 2.2, text, k_black});
+  };
+  add(k_margin, k_square, "50 mm – measure before cutting");
+  add(k_block_right - k_inch_square, k_inch_square, "2 in");
+}
+
+void add_legend(Layer& layer, double limit) {
+  const double y = k_margin + 4.5;
+  for (int band = -k_bands_a_side; band <= k_bands_a_side; ++band) {
+    Path swatch = rectangle({k_column + (band + k_bands_a_side) * k_swatch, y}, k_swatch, k_swatch,
+                            band_color(band));
+    swatch.fill = band_color(band);
+    layer.shapes.emplace_back(std::move(swatch));
+  }
+  const double width = (2 * k_bands_a_side + 1) * k_swatch;
+  layer.shapes.emplace_back(rectangle({k_column, y}, width, k_swatch, k_dim));
+  layer.shapes.emplace_back(Text{{k_column, y + k_swatch + 2.0},
+                                 2.2,
+                                 "strain of the pattern: − shorter, + longer than on the patch",
+                                 k_dim});
+  const std::string end = fixed_text(100.0 * limit, 3) + " %";
+  const auto label = [&](double x, const std::string& text, bool centred) {
+    layer.shapes.emplace_back(Text{{x, k_margin}, 2.2, text, k_dim, centred});
+  };
+  label(k_column, "−" + end, false);
+  label(k_column + 0.5 * width, "0", true);
+  label(k_column + width - k_swatch, "+" + end, true);
+}
+
+/// The same where strain is shown beside its limit: ten fields for what is within, and one apart.
+void add_limit_legend(Layer& layer, const StrainLimitCheck& limit) {
+  constexpr double field = 8.5, gap = 4.0, beyond = 16.0;
+  const double y = k_margin + 4.5;
+  const auto swatch = [&](double x, double width, Color color) {
+    Path path = rectangle({x, y}, width, k_swatch, color);
+    path.fill = color;
+    layer.shapes.emplace_back(std::move(path));
+  };
+  const auto label = [&](double x, double below, std::string text, bool centred) {
+    layer.shapes.emplace_back(Text{{x, below}, 2.2, std::move(text), k_dim, centred});
+  };
+  for (int band = 0; band + 1 < k_limit_bands; ++band)
+    swatch(k_column + band * field, field, limit_band_color(band));
+  const double end = k_column + (k_limit_bands - 1) * field, apart = end + gap;
+  layer.shapes.emplace_back(rectangle({k_column, y}, end - k_column, k_swatch, k_dim));
+  swatch(apart, beyond, k_beyond_limit);
+  label(k_column, y + k_swatch + 2.0, "limit of strain used up; the limit is " + limit_words(limit),
+        false);
+  label(k_column, k_margin, "0", false);
+  label(0.5 * (k_column + end), k_margin, "50 %", true);
+  label(end - 2.0, k_margin, "100 %", true);
+  label(apart + 0.5 * beyond, k_margin, "beyond", true);
+}
+
+std::string unit_note(Unit unit) {
+  const std::string name(to_string(unit));
+  if (unit == Unit::mm) return "model unit: mm";
+  return "model unit: " + name + " (1 " + name + " = " + number_text(millimetres_per(unit)) +
+         " mm)";
+}
+
+// A line of what is wrong with the pattern; empty where nothing is.
+std::string warning_text(const Pattern& pattern) {
+  if (pattern.overlaps) return "The pattern overlaps itself: divide the patch before cutting.";
+  if (pattern.flipped_triangles > 0) return "Triangles of the pattern are flipped: do not cut.";
+  return {};
+}
+
+std::string size_text(const SheetFacts& facts) {
+  std::string text =
+      decimals_text(facts.size.x, 1) + " × " + decimals_text(facts.size.y, 1) + " mm";
+  if (facts.allowance > 0.0) text += " + " + fixed_text(facts.allowance, 3) + " mm allowance";
+  return text;
+}
+
+std::string origin_text(const SheetFacts& facts) {
+  std::string text = std::string("planish ") + k_version + " · scale 1:1";
+  if (!facts.date.empty()) text += " · " + facts.date;
+  return text;
+}
+
+}  // namespace
+
+Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
+  Layer layer{"label", {}};
+  add_test_squares(layer);
+  const double top = k_margin + k_square;
+  if (!facts.name.empty()) {
+    layer.shapes.emplace_back(name_text(facts.name, {k_column, top}, k_column_width));
+  }
+  const auto line = [&](double below_top, double height, std::string text, Color color) {
+    layer.shapes.emplace_back(Text{{k_column, top - below_top}, height, std::move(text), color});
+  };
+  line(12.5, 4.0, size_text(facts), k_black);
+  line(18.0, 2.5, unit_note(unfold.unit), k_dim);
+  line(22.5, 2.5, origin_text(facts), k_dim);
+  line(27.0, 2.5, "pattern " + hash_text(facts.hash), k_dim);
+  if (std::string warning = warning_text(unfold.pattern); !warning.empty()) {
+    line(33.0, 3.0, std::move(warning), k_red);
+  }
+  if (const auto limit = limit_of_edges(unfold.limits)) {
+    add_limit_legend(layer, *limit);
+  } else {
+    add_legend(layer, strain_map_limit(unfold.strain));
+  }
+  return layer;
+}
+
+}  // namespace planish

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <planish/draw/drawing.h>
+#include <planish/flatten/flatten.h>
+
+namespace planish {
+
+/// What the block below a pattern says.
+struct SheetFacts {
+  std::string name;
+  Vec2 size;               ///< of the piece without its allowance, millimetres
+  double allowance = 0.0;  ///< the widest, millimetres; 0 without
+  std::uint64_t hash = 0;
+  std::string date;
+};
+
+/// The layer "label": two test squares, name, sizes, unit, scale and hash, the legend of the map.
+Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts);
+
+}  // namespace planish

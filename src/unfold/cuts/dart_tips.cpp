@@ -1,0 +1,56 @@
+#include "unfold/cuts/dart_tips.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "unfold/disk/disk_angles.h"
+
+namespace planish {
+
+namespace {
+
+constexpr double k_weakest = 0.2;    ///< over the strongest
+constexpr double k_least_gap = 0.1;  ///< between tips, over the bounding box's diagonal
+constexpr double k_no_scale = 1e-9;  ///< below, the scale is 1 but for rounding
+
+/// |log scale| by vertex of the mesh; 0 at the border.
+std::vector<double> strength(const TriMesh& mesh, const Connectivity& connectivity) {
+  std::vector<double> strength(mesh.positions.size(), 0.0);
+  const Disk disk = make_disk(mesh, connectivity);
+  const DiskAngles angles = disk_angles(disk);
+  const InnerSystem laplacian(disk, angles.half_cotangents);
+  if (laplacian.inner_count() == 0 || !laplacian.solvable()) return strength;
+  const Eigen::VectorXd scale = log_scale(laplacian, angles);
+  for (std::size_t v = 0; v < disk.vertex_count; ++v) {
+    if (disk.is_border(static_cast<Index>(v))) continue;
+    strength[disk.vertex_of[v]] = std::abs(scale[static_cast<Eigen::Index>(v)]);
+  }
+  return strength;
+}
+
+}  // namespace
+
+std::vector<Index> dart_tips(const TriMesh& mesh, const Connectivity& connectivity,
+                             std::size_t most) {
+  const std::vector<double> strong = strength(mesh, connectivity);
+  std::vector<Index> peaks;
+  for (const Index v : connectivity.inner_vertices()) {
+    const auto ring = connectivity.ring(v);
+    const auto lower = [&](Index w) {
+      return strong[w] < strong[v] || (strong[w] == strong[v] && v < w);
+    };
+    if (strong[v] > k_no_scale && std::all_of(ring.begin(), ring.end(), lower)) peaks.push_back(v);
+  }
+  std::stable_sort(peaks.begin(), peaks.end(),
+                   [&](Index v, Index w) { return strong[v] > strong[w]; });
+  const double gap = k_least_gap * bounding_box_diagonal(mesh);
+  std::vector<Index> tips;
+  for (const Index v : peaks) {
+    if (tips.size() == most || strong[v] < k_weakest * strong[peaks.front()]) break;
+    const auto is_near = [&](Index w) { return norm(mesh.positions[v] - mesh.positions[w]) < gap; };
+    if (std::none_of(tips.begin(), tips.end(), is_near)) tips.push_back(v);
+  }
+  return tips;
+}
+
+}  // namespace planish

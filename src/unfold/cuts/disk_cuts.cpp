@@ -1,0 +1,100 @@
+#include "unfold/cuts/disk_cuts.h"
+
+#include <algorithm>
+
+#include <planish/measure/angle_defect.h>
+#include <planish/mesh/inspect.h>
+
+#include "mesh/cut/inside_paths.h"
+
+namespace planish {
+
+namespace {
+
+/// Refuses what no cut from border to border makes a disk of.
+void check_topology(const Topology& topology) {
+  if (topology.components != 1) {
+    throw Error(ErrorCode::several_components, "the mesh has " +
+                                                   std::to_string(topology.components) +
+                                                   " separate parts: put each into its own file");
+  }
+  if (topology.genus > 0) {
+    throw Error(ErrorCode::handles,
+                "the mesh has handles (" + std::to_string(topology.genus) +
+                    "), for which no cut is suggested: cut each open along a line around it first",
+                {.path = {}, .count = topology.genus});
+  }
+}
+
+std::vector<Index> cut_of_closed(const TriMesh& mesh, const Connectivity& connectivity) {
+  const std::vector<double> defects = angle_defects(mesh, connectivity);
+  std::vector<double> around = defects;
+  for (const Index v : connectivity.inner_vertices()) {
+    for (const Index w : connectivity.ring(v))
+      around[v] += defects[w];
+  }
+  const auto greatest = std::max_element(around.begin(), around.end());
+  const auto from = static_cast<Index>(greatest - around.begin());
+  InsidePaths inside(mesh, connectivity);
+  // A single edge would open nothing.
+  const auto ring = connectivity.ring(from);
+  const auto is_apart = [&](Index v) {
+    return std::find(ring.begin(), ring.end(), v) == ring.end();
+  };
+  const double enough = 0.5 * *greatest;
+  auto to = inside.farthest(from, [&](Index v) { return around[v] >= enough && is_apart(v); });
+  if (!to) to = inside.farthest(from, [](Index) { return true; });
+  auto path = inside.from(std::span(&from, 1), [&](Index v) { return v == *to; });
+  // Of a tetrahedron, where all vertices are neighbours.
+  if (path->size() == 2) path->push_back(ring[0] == *to ? ring[1] : ring[0]);
+  return *path;
+}
+
+std::vector<Index> cut_between_borders(const TriMesh& mesh, const Connectivity& connectivity) {
+  const auto& loops = connectivity.border_loops();
+  std::vector<unsigned char> on_other(mesh.positions.size(), 0);
+  for (std::size_t k = 1; k < loops.size(); ++k) {
+    for (const Index v : loops[k])
+      on_other[v] = 1;
+  }
+  InsidePaths inside(mesh, connectivity);
+  auto path = inside.from(loops.front(), [&](Index v) { return on_other[v] != 0; });
+  if (!path) require(inspect(mesh), Purpose::unfold);
+  return *path;
+}
+
+}  // namespace
+
+std::vector<std::vector<Index>> disk_cuts(const TriMesh& mesh, const Connectivity& connectivity) {
+  check_topology(inspect(mesh).topology);
+  std::vector<std::vector<Index>> paths;
+  if (connectivity.border_loops().empty()) {
+    paths.push_back(cut_of_closed(mesh, connectivity));
+    return paths;
+  }
+  while (paths.size() + 1 < connectivity.border_loops().size()) {
+    const CutMesh cut = cut_along(mesh, connectivity, paths);
+    const Connectivity opened(cut.mesh);
+    paths.push_back(on_source(cut_between_borders(cut.mesh, opened), cut));
+  }
+  return paths;
+}
+
+CutMesh cut_along(const TriMesh& mesh, const Connectivity& connectivity,
+                  std::span<const std::vector<Index>> paths) {
+  std::vector<CutPath> cuts;
+  cuts.reserve(paths.size());
+  for (const auto& path : paths)
+    cuts.push_back({path});
+  return cut_open(mesh, connectivity, cuts);
+}
+
+std::vector<Index> on_source(std::span<const Index> path, const CutMesh& cut) {
+  std::vector<Index> vertices;
+  vertices.reserve(path.size());
+  for (const Index v : path)
+    vertices.push_back(cut.source[v]);
+  return vertices;
+}
+
+}  // namespace planish

@@ -1,0 +1,287 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include <planish/mesh/coarsen.h>
+#include <planish/unfold/suggest_cuts.h>
+
+#include "mesh/cut/inside_paths.h"
+#include "unfold/cuts/dart_tips.h"
+#include "unfold/cuts/disk_cuts.h"
+
+namespace planish {
+
+namespace {
+
+constexpr std::size_t k_most_tips = 4;  // each with two ways to the border at most
+constexpr double k_least_gain = 0.05;   // of the rms strain, that a dart must take off
+constexpr double k_as_good = 0.05;      // of the least rms strain: then the shorter dart wins
+constexpr double k_branching = 1.2;     // what a dart that branches counts for
+constexpr double k_sliver = 0.05;       // between cuts, over the bounding box's diagonal
+constexpr int k_halvings = 4;           // when the last dart is made shorter
+constexpr double k_cannot_lie_flat = std::numeric_limits<double>::infinity();
+
+/// A pattern with its strain; what cannot be laid flat has no positions and infinite strain.
+struct Flat {
+  Pattern pattern;
+  EdgeStrain strain;
+};
+
+/// A patch that darts are tried on.
+struct TrialPatch {
+  TriMesh mesh;
+  std::vector<Index> source;  ///< vertex -> vertex of the patch that is cut
+};
+
+struct Dart {
+  std::vector<Index> path;  ///< from the border to the tip
+  double length = 0.0;
+  bool branches = false;  ///< begins at another cut, not at the border of the mesh as it came
+  Flat flat = {};         ///< of the trial patch with it
+
+  double weight() const { return branches ? k_branching : 1.0; }
+  double weighed_length() const { return weight() * length; }
+  double weighed_strain() const { return weight() * flat.strain.rms; }
+};
+
+TrialPatch trial_patch(const TriMesh& mesh, const Connectivity& connectivity,
+                       std::size_t vertices) {
+  if (mesh.positions.size() > vertices && can_be_coarsened(mesh)) {
+    CoarsePatch coarse = coarsen(mesh, connectivity, vertices, CoarseBorder::thinned);
+    return {std::move(coarse.mesh), std::move(coarse.source)};
+  }
+  TrialPatch same{mesh, std::vector<Index>(mesh.positions.size())};
+  std::iota(same.source.begin(), same.source.end(), Index{0});
+  return same;
+}
+
+/// From each tip the shortest way to the border, and the shortest to the border of the mesh as it
+/// came, where that is another. Tips close to another cut are passed over: what is left between the
+/// two would be a sliver.
+std::vector<Dart> darts_from(const TriMesh& mesh, const std::function<bool(Index)>& on_old_border) {
+  const Connectivity connectivity(mesh);
+  InsidePaths inside(mesh, connectivity);
+  const auto dart_to = [&](Index tip, const std::function<bool(Index)>& is_end) {
+    std::vector<Index> path =
+        inside.from(std::span(&tip, 1), is_end).value_or(std::vector<Index>{});
+    std::reverse(path.begin(), path.end());
+    const double length = path_length(path, mesh.positions);
+    const bool branches = !path.empty() && !on_old_border(path.front());
+    return Dart{std::move(path), length, branches};
+  };
+  const auto on_border = [&](Index v) { return connectivity.is_border(v); };
+  const auto on_both = [&](Index v) { return on_border(v) && on_old_border(v); };
+  const double sliver = k_sliver * bounding_box_diagonal(mesh);
+  std::vector<Dart> darts;
+  for (const Index tip : dart_tips(mesh, connectivity, k_most_tips)) {
+    Dart nearest = dart_to(tip, on_border);
+    if (nearest.path.empty() || (nearest.branches && nearest.length < sliver)) continue;
+    const bool branches = nearest.branches;
+    darts.push_back(std::move(nearest));
+    if (!branches) continue;
+    Dart other = dart_to(tip, on_both);
+    if (!other.path.empty()) darts.push_back(std::move(other));
+  }
+  return darts;
+}
+
+bool gains(const EdgeStrain& strain, const EdgeStrain& before) {
+  return strain.rms < (1.0 - k_least_gain) * before.rms;
+}
+
+/// The darts that gain or keep the limit; of these, where there are any, those whose pattern does
+/// not overlap itself.
+std::vector<Dart> worthwhile(std::vector<Dart> darts, const EdgeStrain& without,
+                             double max_strain) {
+  std::erase_if(darts, [&](const Dart& dart) {
+    return !(gains(dart.flat.strain, without) || dart.flat.strain.max <= max_strain);
+  });
+  const auto overlaps = [](const Dart& dart) { return dart.flat.pattern.overlaps; };
+  if (!std::all_of(darts.begin(), darts.end(), overlaps)) std::erase_if(darts, overlaps);
+  return darts;
+}
+
+/// Of the darts that keep the limit the shortest; where none does, of those with about the least
+/// strain the shortest. Nothing where there are none.
+const Dart* best_of(const std::vector<Dart>& darts, double max_strain) {
+  const bool any_meets = std::any_of(darts.begin(), darts.end(), [&](const Dart& dart) {
+    return dart.flat.strain.max <= max_strain;
+  });
+  const auto least = std::min_element(darts.begin(), darts.end(), [](const Dart& a, const Dart& b) {
+    return a.weighed_strain() < b.weighed_strain();
+  });
+  const Dart* best = nullptr;
+  for (const Dart& dart : darts) {
+    const bool good = any_meets
+                          ? dart.flat.strain.max <= max_strain
+                          : dart.weighed_strain() <= (1.0 + k_as_good) * least->weighed_strain();
+    if (good && (best == nullptr || dart.weighed_length() < best->weighed_length())) best = &dart;
+  }
+  return best;
+}
+
+class CutSearch {
+ public:
+  CutSearch(const TriMesh& mesh, const Connectivity& connectivity, const SuggestOptions& options,
+            const OnSuggestProgress& on_progress)
+      : mesh_(mesh), connectivity_(connectivity), options_(options), on_progress_(on_progress) {}
+
+  std::optional<CutSuggestion> run() {
+    open_to_disk();
+    if (cancelled_) return std::nullopt;
+    found_.stop = is_met(found_.last.strain) ? SuggestStop::strain_met : SuggestStop::dart_limit;
+    for (int dart = 0; dart < options_.max_darts && !is_met(found_.last.strain); ++dart) {
+      share_ = static_cast<double>(dart) / options_.max_darts;
+      const bool added = add_dart();
+      if (cancelled_) return std::nullopt;
+      if (added) continue;
+      found_.stop = SuggestStop::no_gain;
+      break;
+    }
+    if (is_met(found_.last.strain)) found_.stop = SuggestStop::strain_met;
+    return std::move(found_);
+  }
+
+ private:
+  bool is_met(const EdgeStrain& strain) const { return strain.max <= options_.max_strain; }
+
+  bool goes_on() {
+    if (!cancelled_ && on_progress_ && !on_progress_(share_)) cancelled_ = true;
+    return !cancelled_;
+  }
+
+  Flat flatten(const TriMesh& mesh) {
+    const Connectivity connectivity(mesh);
+    Flat flat{{}, {.max = k_cannot_lie_flat, .rms = k_cannot_lie_flat, .p99 = k_cannot_lie_flat}};
+    try {
+      flat.pattern =
+          unfold(mesh, connectivity, {.threads = 1}, [this](int, double) { return goes_on(); });
+      flat.strain = edge_strain(mesh, connectivity, flat.pattern.positions);
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::unfold_failed) throw;
+    }
+    return flat;
+  }
+
+  /// The mesh cut along all paths, laid flat.
+  CutPattern with_paths() {
+    CutMesh cut = cut_along(mesh_, connectivity_, paths_);
+    Flat flat = flatten(cut.mesh);
+    return {std::move(cut), std::move(flat.pattern), flat.strain};
+  }
+
+  void open_to_disk() {
+    paths_ = disk_cuts(mesh_, connectivity_);
+    for (const auto& path : paths_)
+      found_.cuts.push_back({path, path_length(path, mesh_.positions)});
+    found_.first = with_paths();
+    if (found_.first.pattern.positions.empty()) {
+      // Nothing to begin with: the same words as without a search.
+      unfold(found_.first.cut.mesh, Connectivity(found_.first.cut.mesh), {.threads = 1});
+    }
+    if (!found_.cuts.empty()) found_.cuts.back().after = found_.first.strain;
+    found_.last = found_.first;
+  }
+
+  /// The best dart on the patch as it is cut so far, by that patch's vertices.
+  std::vector<Index> find_dart() {
+    const CutMesh& now = found_.last.cut;
+    const Connectivity connectivity(now.mesh);
+    const TrialPatch trial = trial_patch(now.mesh, connectivity, options_.trial_vertices);
+    const auto on_old_border = [&](Index v) {
+      return connectivity_.is_border(now.source[trial.source[v]]);
+    };
+    const bool is_same = trial.mesh.positions.size() == now.mesh.positions.size();
+    const EdgeStrain without = is_same ? found_.last.strain : flatten(trial.mesh).strain;
+    std::vector<Dart> darts = darts_from(trial.mesh, on_old_border);
+    const Connectivity trial_connectivity(trial.mesh);
+    for (Dart& dart : darts) {
+      const std::vector<CutPath> one = {{dart.path}};
+      dart.flat = flatten(cut_open(trial.mesh, trial_connectivity, one).mesh);
+      share_ += 1.0 / options_.max_darts / static_cast<double>(darts.size() + 1);
+      if (!goes_on()) return {};
+    }
+    darts = worthwhile(std::move(darts), without, options_.max_strain);
+    const Dart* best = best_of(darts, options_.max_strain);
+    if (best == nullptr) return {};
+    const Index end = trial.source[best->path.front()], tip = trial.source[best->path.back()];
+    InsidePaths inside(now.mesh, connectivity);
+    auto path = inside.from(std::span(&tip, 1), [end](Index v) { return v == end; });
+    if (!path) return {};
+    std::reverse(path->begin(), path->end());
+    return *path;
+  }
+
+  /// False where no dart helps.
+  bool add_dart() {
+    const std::vector<Index> dart = find_dart();
+    if (cancelled_ || dart.empty()) return false;
+    std::vector<Index> path = on_source(dart, found_.last.cut);
+    paths_.push_back(path);
+    CutPattern next = with_paths();
+    if (cancelled_ || !(gains(next.strain, found_.last.strain) || is_met(next.strain)))
+      return false;
+    if (is_met(next.strain)) next = with_shorter_dart(std::move(next));
+    path = paths_.back();
+    found_.cuts.push_back(
+        {path, path_length(path, mesh_.positions), true, found_.last.strain, next.strain});
+    found_.last = std::move(next);
+    return true;
+  }
+
+  /// Draws the tip of the last path back as far as the limit stays met.
+  CutPattern with_shorter_dart(CutPattern best) {
+    const std::vector<Index> whole = paths_.back();
+    std::size_t enough = whole.size(), too_few = 1;
+    for (int k = 0; k < k_halvings && enough - too_few > 1; ++k) {
+      const std::size_t middle = too_few + (enough - too_few) / 2;
+      paths_.back().assign(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(middle));
+      CutPattern some = with_paths();
+      if (cancelled_) break;
+      const bool is_fit = is_met(some.strain) && (best.pattern.overlaps || !some.pattern.overlaps);
+      (is_fit ? enough : too_few) = middle;
+      if (is_fit) best = std::move(some);
+    }
+    paths_.back().assign(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(enough));
+    return best;
+  }
+
+  const TriMesh& mesh_;
+  const Connectivity& connectivity_;
+  const SuggestOptions& options_;
+  const OnSuggestProgress& on_progress_;
+  std::vector<std::vector<Index>> paths_;
+  CutSuggestion found_;
+  double share_ = 0.0;
+  bool cancelled_ = false;
+};
+
+}  // namespace
+
+std::string_view to_string(SuggestStop stop) {
+  switch (stop) {
+    case SuggestStop::strain_met:
+      return "strain_met";
+    case SuggestStop::dart_limit:
+      return "dart_limit";
+    case SuggestStop::no_gain:
+      return "no_gain";
+  }
+  return "unknown";
+}
+
+std::optional<CutSuggestion> suggest_cuts(const TriMesh& mesh, const Connectivity& connectivity,
+                                          const SuggestOptions& options,
+                                          const OnSuggestProgress& on_progress) {
+  if (!(options.max_strain > 0.0)) {
+    throw Error(ErrorCode::option_out_of_range, "max_strain must be above 0");
+  }
+  if (options.max_darts < 0) {
+    throw Error(ErrorCode::option_out_of_range, "max_darts must be at least 0");
+  }
+  return CutSearch(mesh, connectivity, options, on_progress).run();
+}
+
+}  // namespace planish

@@ -1,0 +1,78 @@
+#include "unfold/disk/inner_system.h"
+
+#include <algorithm>
+
+namespace planish {
+
+namespace {
+
+constexpr int k_border = -1;
+
+}  // namespace
+
+InnerSystem::InnerSystem(const Disk& disk, std::span<const SideWeights> weights) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t t = 0; t < disk.triangles.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const Index i = disk.triangles[t][(k + 1) % 3], j = disk.triangles[t][(k + 2) % 3];
+      const double weight = weights[t][k];
+      entries.emplace_back(i, i, weight);
+      entries.emplace_back(j, j, weight);
+      entries.emplace_back(std::max(i, j), std::min(i, j), -weight);
+    }
+  }
+  const auto n = static_cast<Eigen::Index>(disk.vertex_count);
+  lower_.resize(n, n);
+  lower_.setFromTriplets(entries.begin(), entries.end());
+
+  std::vector<int> number(disk.vertex_count, k_border);
+  for (Index v = 0; v < disk.vertex_count; ++v) {
+    if (disk.is_border(v)) continue;
+    number[v] = static_cast<int>(vertices_.size());
+    vertices_.push_back(v);
+  }
+  if (vertices_.empty()) return;
+  const auto m = static_cast<Eigen::Index>(vertices_.size());
+  SparseMatrix inner(m, m);
+  inner.reserve(lower_.nonZeros());
+  for (const Index v : vertices_) {
+    inner.startVec(number[v]);
+    for (SparseMatrix::InnerIterator entry(lower_, v); entry; ++entry) {
+      const int row = number[entry.row()];
+      if (row != k_border) inner.insertBack(row, number[v]) = entry.value();
+    }
+  }
+  inner.finalize();
+  solver_.emplace(inner);  // the disk's vertices are in order of elimination
+  solvable_ = solver_->factor(inner);
+}
+
+Eigen::MatrixXd InnerSystem::solve(const Eigen::MatrixXd& border,
+                                   const Eigen::MatrixXd& source) const {
+  Eigen::MatrixXd x = border;
+  for (const Index v : vertices_)
+    x.row(v).setZero();
+  if (vertices_.empty()) return x;
+  Eigen::MatrixXd right = source - apply(x);
+  for (std::size_t i = 0; i < vertices_.size(); ++i)
+    right.row(static_cast<Eigen::Index>(i)) = right.row(vertices_[i]);
+  right.conservativeResize(static_cast<Eigen::Index>(vertices_.size()), Eigen::NoChange);
+  const Eigen::MatrixXd inside = solver_->solve(right);
+  for (std::size_t i = 0; i < vertices_.size(); ++i)
+    x.row(vertices_[i]) = inside.row(static_cast<Eigen::Index>(i));
+  return x;
+}
+
+std::vector<Vec2> InnerSystem::extend(const Disk& disk, std::span<const Vec2> polygon) const {
+  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(lower_.rows(), 2);
+  Eigen::MatrixXd places = zero;
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    places.row(disk.border[k]) << polygon[k].x, polygon[k].y;
+  places = solve(places, zero);
+  std::vector<Vec2> flat;
+  for (Eigen::Index v = 0; v < places.rows(); ++v)
+    flat.push_back({places(v, 0), places(v, 1)});
+  return flat;
+}
+
+}  // namespace planish

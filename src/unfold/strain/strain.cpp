@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cmath>
+
+#include <planish/unfold/strain.h>
+
+#include "core/careful_sum.h"
+#include "core/math.h"
+#include "unfold/strain/strain_of_edge.h"
+#include "unfold/strain/strain_of_edges.h"
+
+namespace planish {
+
+namespace {
+
+double area_of(const TriMesh& mesh, double scale, Index a, Index b, Index c) {
+  const Vec3 x = scale * mesh.positions[a];
+  return 0.5 * norm(cross(scale * mesh.positions[b] - x, scale * mesh.positions[c] - x));
+}
+
+double total_area(const std::vector<StrainOfEdge>& edges) {
+  CarefulSum area;
+  for (const StrainOfEdge& edge : edges)
+    area.add(edge.area);
+  return area.value();
+}
+
+}  // namespace
+
+std::vector<StrainOfEdge> strain_of_edges(const TriMesh& mesh, const Connectivity& connectivity,
+                                          std::span<const Vec2> pattern) {
+  const double scale = unit_scale(mesh);
+  std::vector<StrainOfEdge> edges;
+  for (Index v = 0; v < mesh.positions.size(); ++v) {
+    const auto ring = connectivity.ring(v);
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Index w = ring[k];
+      if (w < v) continue;  // every edge once
+      const bool closed = !connectivity.is_border(v);
+      double area = 0.0;
+      if (closed || k > 0) {
+        area += area_of(mesh, scale, v, ring[(k + ring.size() - 1) % ring.size()], w);
+      }
+      if (closed || k + 1 < ring.size()) {
+        area += area_of(mesh, scale, v, w, ring[(k + 1) % ring.size()]);
+      }
+      edges.push_back({strain_of_edge(mesh, pattern, scale, v, w), area / 3.0, {v, w}});
+    }
+  }
+  if (!(total_area(edges) > 0.0)) {
+    for (StrainOfEdge& edge : edges)
+      edge.area = 1.0;
+  }
+  return edges;
+}
+
+double strain_at_share(std::vector<StrainOfEdge> edges, double share) {
+  std::stable_sort(edges.begin(), edges.end(), [](const StrainOfEdge& a, const StrainOfEdge& b) {
+    return std::abs(a.strain) < std::abs(b.strain);
+  });
+  const double enough = share * total_area(edges);
+  CarefulSum area;
+  for (const StrainOfEdge& edge : edges) {
+    area.add(edge.area);
+    if (area.value() >= enough) return std::abs(edge.strain);
+  }
+  return edges.empty() ? 0.0 : std::abs(edges.back().strain);
+}
+
+EdgeStrain edge_strain(const TriMesh& mesh, const Connectivity& connectivity,
+                       std::span<const Vec2> pattern) {
+  const std::vector<StrainOfEdge> edges = strain_of_edges(mesh, connectivity, pattern);
+  EdgeStrain result;
+  if (edges.empty()) return result;
+  result.worst_edge = edges.front().edge;
+  CarefulSum squares;
+  for (const StrainOfEdge& edge : edges) {
+    if (std::abs(edge.strain) > result.max) {
+      result.max = std::abs(edge.strain);
+      result.worst_edge = edge.edge;
+    }
+    squares.add(edge.area * edge.strain * edge.strain);
+  }
+  result.rms = std::sqrt(squares.value() / total_area(edges));
+  result.p99 = strain_at_share(edges, 0.99);
+  return result;
+}
+
+double largest_border_strain(const TriMesh& mesh, const Connectivity& connectivity,
+                             std::span<const Vec2> pattern) {
+  const double scale = unit_scale(mesh);
+  double largest = 0.0;
+  for (const std::vector<Index>& loop : connectivity.border_loops()) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Index v = loop[k], w = loop[(k + 1) % loop.size()];
+      largest = std::max(largest, std::abs(strain_of_edge(mesh, pattern, scale, v, w)));
+    }
+  }
+  return largest;
+}
+
+std::vector<PrincipalStretch> principal_stretches(const TriMesh& mesh,
+                                                  std::span<const Vec2> pattern) {
+  const double scale = unit_scale(mesh);
+  std::vector<PrincipalStretch> stretches;
+  stretches.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 x = scale * mesh.positions[t[0]];
+    const Vec3 a = scale * mesh.positions[t[1]] - x, b = scale * mesh.positions[t[2]] - x;
+    const double length = norm(a), height = norm(cross(a, b)) / length;
+    PrincipalStretch& stretch = stretches.emplace_back();
+    if (!(height > 0.0) || !std::isfinite(height)) continue;
+    const double along = dot(a, b) / length;
+    // The map as a matrix in the frame of a and the normal to it in the triangle.
+    const Vec2 p = (scale / length) * (pattern[t[1]] - pattern[t[0]]);
+    const Vec2 q = (1.0 / height) * (scale * (pattern[t[2]] - pattern[t[0]]) - along * p);
+    const double turn = 0.5 * math::hypot(p.x + q.y, p.y - q.x);
+    const double flip = 0.5 * math::hypot(p.x - q.y, p.y + q.x);
+    stretch = {turn + flip, turn - flip};
+  }
+  return stretches;
+}
+
+std::vector<double> signed_strains(std::span<const PrincipalStretch> stretches) {
+  std::vector<double> strains;
+  strains.reserve(stretches.size());
+  for (const PrincipalStretch& s : stretches) {
+    const double longer = s.max - 1.0, shorter = s.min - 1.0;
+    strains.push_back(std::abs(longer) >= std::abs(shorter) ? longer : shorter);
+  }
+  return strains;
+}
+
+}  // namespace planish

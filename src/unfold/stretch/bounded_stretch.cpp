@@ -1,0 +1,385 @@
+#include "unfold/stretch/bounded_stretch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/careful_sum.h"
+#include "core/math.h"
+#include "solve/sparse_ldlt.h"
+#include "unfold/stretch/flat_steps.h"
+#include "unfold/stretch/stretch_system.h"
+
+namespace planish {
+
+namespace {
+
+constexpr double k_infinity = std::numeric_limits<double>::infinity();
+
+/// For the two bounds of an edge: that it may not be too long, and not too short.
+struct Pair {
+  double longer = 0.0, shorter = 0.0;
+};
+
+/// What is left of a bound, and its multiplier.
+struct Bound {
+  double slack = 1.0, multiplier = 0.0;
+
+  double stiffness() const { return multiplier / slack; }
+
+  /// Of the multiplier, by a Newton step on slack * multiplier = mu.
+  double multiplier_step(double mu, double slack_step) const {
+    return (mu - multiplier * slack_step) / slack - multiplier;
+  }
+};
+
+/// An edge in the plane.
+struct LaidEdge {
+  Vec2 along;  // unit vector
+  double length = 0.0, strain = 0.0;
+};
+
+LaidEdge laid(const FlatEdge& edge, const std::vector<Vec2>& flat) {
+  const Vec2 d = flat[edge.to] - flat[edge.from];
+  const double length = norm(d);
+  return {(1.0 / length) * d, length, length / edge.length - 1.0};
+}
+
+/// The sum of logarithms of many numbers, with few logarithms.
+class LogSum {
+ public:
+  void add(double x) {
+    product_ *= x;
+    if (product_ > 1e-100 && product_ < 1e100) return;
+    sum_.add(math::log(product_));
+    product_ = 1.0;
+  }
+  double value() const { return sum_.value() + math::log(product_); }
+
+ private:
+  CarefulSum sum_;
+  double product_ = 1.0;
+};
+
+class BoundedDescent {
+ public:
+  BoundedDescent(const Disk& disk, std::span<const FlatEdge> edges, std::span<const double> bounds,
+                 std::vector<Vec2> start, const BoundedAims& aims, ThreadPool& pool)
+      : disk_(disk), edges_(edges), bounds_(bounds), aims_(aims), pool_(pool), system_(disk) {
+    now_.flat = turn_to_axis(disk, std::move(start));
+    now_.energy = total_energy(disk_, now_.flat);
+    weight_ = aims.weight * now_.energy;
+    now_.scale = 1.05 * std::max(largest_share_of_bound(), aims_.least_scale);
+    now_.slacks = slacks(now_.flat, now_.scale);
+    longer_.resize(edges_.size());
+    shorter_.resize(edges_.size());
+    take_slacks();
+    begin_barrier();
+  }
+
+  /// False where no step lowers the merit.
+  bool step() {
+    assemble();
+    const auto direction = solve();
+    if (!direction) return false;
+    const Steps steps = steps_of_slacks(*direction);
+    auto trial = search(*direction, steps, longest_share(*direction, steps));
+    if (!trial) return false;
+    move_multipliers(steps, direction->scale);
+    now_ = std::move(trial->state);
+    take_slacks();
+    lower_barrier(trial->share);
+    return true;
+  }
+
+  /// About the gap between primal and dual is left to gain. Where that says that the scale cannot
+  /// come to where it need not get smaller, it is enough to know it nearly.
+  bool is_done() const {
+    constexpr double of_merit = 1e-5, of_scale = 5e-3, surely = 1e-3;
+    const double scale_to_gain = gap_ / weight_;
+    const bool is_above = now_.scale - scale_to_gain > aims_.least_scale + surely;
+    if (is_above && scale_to_gain <= of_scale * now_.scale) return true;
+    return gap_ <= of_merit * (now_.energy + weight_ * (now_.scale - aims_.least_scale));
+  }
+  double scale() const { return now_.scale; }
+  double energy() const { return now_.energy; }
+  std::vector<Vec2> take_flat() { return std::move(now_.flat); }
+
+ private:
+  struct State {
+    std::vector<Vec2> flat;
+    double scale = 1.0, energy = 0.0;
+    std::vector<Pair> slacks;
+  };
+  struct Direction {
+    std::vector<Vec2> move;
+    double scale = 0.0, slope = 0.0;
+  };
+  using Steps = std::vector<Pair>;
+  struct Trial {
+    State state;
+    double share = 1.0;
+  };
+
+  bool is_bounded(std::size_t e) const { return bounds_[e] < k_infinity; }
+
+  double largest_share_of_bound() const {
+    double largest = 0.0;
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      largest = std::max(largest, std::abs(laid(edges_[e], now_.flat).strain) / bounds_[e]);
+    return largest;
+  }
+
+  std::vector<Pair> slacks(const std::vector<Vec2>& flat, double scale) const {
+    std::vector<Pair> slacks(edges_.size(), Pair{1.0, 1.0});
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (!is_bounded(e)) continue;
+      const double strain = laid(edges_[e], flat).strain;
+      slacks[e] = {scale * bounds_[e] - strain, scale * bounds_[e] + strain};
+    }
+    return slacks;
+  }
+
+  void take_slacks() {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      longer_[e].slack = now_.slacks[e].longer;
+      shorter_[e].slack = now_.slacks[e].shorter;
+    }
+    scale_bound_.slack = now_.scale - aims_.least_scale;
+  }
+
+  template <class Visit>
+  void for_each_bound(Visit visit) {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (!is_bounded(e)) continue;
+      visit(longer_[e]);
+      visit(shorter_[e]);
+    }
+    visit(scale_bound_);
+  }
+
+  /// At first bounds push the scale back as strongly as the weight pulls.
+  void begin_barrier() {
+    CarefulSum push;
+    push.add(1.0 / scale_bound_.slack);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (!is_bounded(e)) continue;
+      push.add(bounds_[e] / longer_[e].slack + bounds_[e] / shorter_[e].slack);
+    }
+    mu_ = weight_ / push.value();
+    for_each_bound([&](Bound& bound) { bound.multiplier = mu_ / bound.slack; });
+    merit_ = merit(now_);
+  }
+
+  /// E + weight t - mu sum log slack.
+  double merit(const State& state) const {
+    const double room = state.scale - aims_.least_scale;
+    if (!(room > 0.0) || !std::isfinite(state.energy)) return k_infinity;
+    LogSum logs;
+    logs.add(room);
+    for (const Pair& slack : state.slacks) {
+      if (!(slack.longer > 0.0) || !(slack.shorter > 0.0)) return k_infinity;
+      logs.add(slack.longer);
+      logs.add(slack.shorter);
+    }
+    return state.energy + weight_ * state.scale - mu_ * logs.value();
+  }
+
+  void assemble() {
+    system_.assemble(now_.flat, Curvature::projected);
+    mixed_ = Eigen::VectorXd::Zero(system_.gradient().size());
+    CarefulSum gradient, curvature;
+    gradient.add(weight_ - mu_ / scale_bound_.slack);
+    curvature.add(scale_bound_.multiplier / scale_bound_.slack);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (!is_bounded(e)) continue;
+      const Bound &longer = longer_[e], &shorter = shorter_[e];
+      const double b = bounds_[e], rest = edges_[e].length;
+      const double stiff_longer = longer.stiffness(), stiff_shorter = shorter.stiffness();
+      const LaidEdge edge = laid(edges_[e], now_.flat);
+      gradient.add(-mu_ * b * (1.0 / longer.slack + 1.0 / shorter.slack));
+      curvature.add(b * b * (stiff_longer + stiff_shorter));
+      system_.add_to(mixed_, edges_[e], (b * (stiff_shorter - stiff_longer) / rest) * edge.along);
+      // Where a bound pushes an edge longer, it does so less as the edge turns: left out, so that
+      // the matrix stays positive definite.
+      const double across =
+          std::max(0.0, longer.multiplier - shorter.multiplier) / (rest * edge.length);
+      const double along = (stiff_longer + stiff_shorter) / (rest * rest);
+      const Vec2 u = edge.along;
+      system_.add(edges_[e], (mu_ * (1.0 / longer.slack - 1.0 / shorter.slack) / rest) * u,
+                  {along * u.x * u.x + across * u.y * u.y, (along - across) * u.x * u.y,
+                   along * u.y * u.y + across * u.x * u.x});
+    }
+    scale_gradient_ = gradient.value();
+    scale_curvature_ = curvature.value();
+  }
+
+  /// The scale is eliminated last: [H, m; m^T, c] [x; t] = -[g; h].
+  std::optional<Direction> solve() {
+    if (!factor_) factor_.emplace(system_.hessian());
+    if (!factor_->factor(system_.hessian(), pool_)) return std::nullopt;
+    Eigen::MatrixXd right(mixed_.size(), 2);
+    right.col(0) = -system_.gradient();
+    right.col(1) = mixed_;
+    const Eigen::MatrixXd found = factor_->solve(right, pool_);
+    by_scale_ = found.col(1);
+    scale_pivot_ = scale_curvature_ - mixed_.dot(by_scale_);
+    if (!(scale_pivot_ > 0.0)) return std::nullopt;
+    Direction direction = with_scale(found.col(0), -scale_gradient_);
+    if (!(direction.slope < 0.0)) return std::nullopt;
+    return direction;
+  }
+
+  /// @param without what H solves for the right-hand side of the positions
+  Direction with_scale(const Eigen::VectorXd& without, double scale_right) const {
+    Direction direction;
+    direction.scale = (scale_right - mixed_.dot(without)) / scale_pivot_;
+    const Eigen::VectorXd step = without - direction.scale * by_scale_;
+    direction.slope = system_.gradient().dot(step) + scale_gradient_ * direction.scale;
+    direction.move = system_.spread(step);
+    return direction;
+  }
+
+  Steps steps_of_slacks(const Direction& direction) const {
+    Steps steps(edges_.size());
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (!is_bounded(e)) continue;
+      const FlatEdge& edge = edges_[e];
+      const Vec2 change = direction.move[edge.to] - direction.move[edge.from];
+      const double strain = dot(laid(edge, now_.flat).along, change) / edge.length;
+      const double room = bounds_[e] * direction.scale;
+      steps[e] = {room - strain, room + strain};
+    }
+    return steps;
+  }
+
+  /// The step up to 95 % of the way to the next bound, or 90 % of that to the first flip.
+  double longest_share(const Direction& direction, const Steps& steps) const {
+    double most = std::min(1.0, 0.9 * step_to_first_flip(disk_, now_.flat, direction.move));
+    const auto look = [&](double slack, double step) {
+      if (step < 0.0) most = std::min(most, -0.95 * slack / step);
+    };
+    look(scale_bound_.slack, direction.scale);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (!is_bounded(e)) continue;
+      look(longer_[e].slack, steps[e].longer);
+      look(shorter_[e].slack, steps[e].shorter);
+    }
+    return most;
+  }
+
+  State at(std::vector<Vec2> flat, double scale) const {
+    State state;
+    state.flat = std::move(flat);
+    state.scale = scale;
+    state.energy = total_energy(disk_, state.flat);
+    state.slacks = slacks(state.flat, state.scale);
+    return state;
+  }
+
+  /// A trial with a second-order correction: the slacks are brought to where the step saw them,
+  /// with the factor of the step. (Edges that turn are longer than the first derivatives say.)
+  State corrected(const State& trial, const Steps& steps, double share) const {
+    Eigen::VectorXd pull = Eigen::VectorXd::Zero(mixed_.size());
+    CarefulSum scale_pull;
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (!is_bounded(e)) continue;
+      const double beyond = longer_[e].slack + share * steps[e].longer - trial.slacks[e].longer;
+      const double stiff_longer = longer_[e].stiffness(), stiff_shorter = shorter_[e].stiffness();
+      const double stiff = (stiff_longer + stiff_shorter) / edges_[e].length;
+      system_.add_to(pull, edges_[e], -beyond * stiff * laid(edges_[e], now_.flat).along);
+      scale_pull.add(bounds_[e] * beyond * (stiff_longer - stiff_shorter));
+    }
+    const Direction more = with_scale(factor_->solve(pull, pool_), scale_pull.value());
+    const double room = std::min(1.0, 0.9 * step_to_first_flip(disk_, trial.flat, more.move));
+    return at(moved(trial.flat, room, more.move), trial.scale + room * more.scale);
+  }
+
+  std::optional<Trial> search(const Direction& direction, const Steps& steps, double share) const {
+    constexpr int most_corrected = 3;
+    const double rounding = 1e-12 * std::abs(merit_);
+    for (int halvings = 0; halvings < 30; ++halvings, share *= 0.5) {
+      const auto is_better = [&](const State& state) {
+        return merit(state) <= merit_ + 1e-4 * share * direction.slope + rounding;
+      };
+      State plain =
+          at(moved(now_.flat, share, direction.move), now_.scale + share * direction.scale);
+      if (is_better(plain)) return Trial{std::move(plain), share};
+      if (halvings >= most_corrected) continue;
+      State better = corrected(plain, steps, share);
+      if (is_better(better)) return Trial{std::move(better), share};
+    }
+    return std::nullopt;
+  }
+
+  /// By their whole step: lower_barrier() keeps them above 0.
+  void move_multipliers(const Steps& steps, double scale_step) {
+    const auto move = [&](Bound& bound, double slack_step) {
+      bound.multiplier += bound.multiplier_step(mu_, slack_step);
+    };
+    move(scale_bound_, scale_step);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (!is_bounded(e)) continue;
+      move(longer_[e], steps[e].longer);
+      move(shorter_[e], steps[e].shorter);
+    }
+  }
+
+  /// The further the last step went, the more. Multipliers stay near those of the barrier, so that
+  /// the matrix stays near that of the merit.
+  void lower_barrier(double share) {
+    constexpr double apart = 100.0;
+    CarefulSum gap;
+    double count = 0.0;
+    for_each_bound([&](Bound& bound) {
+      const double central = mu_ / bound.slack;
+      bound.multiplier = std::clamp(bound.multiplier, central / apart, central * apart);
+      gap.add(bound.multiplier * bound.slack);
+      count += 1.0;
+    });
+    gap_ = gap.value();
+    const double left = std::clamp((1.0 - share) * (1.0 - share), 0.1, 1.0);
+    mu_ = std::min(mu_, left * gap_ / count);
+    merit_ = merit(now_);
+  }
+
+  const Disk& disk_;
+  std::span<const FlatEdge> edges_;
+  std::span<const double> bounds_;
+  BoundedAims aims_;
+  ThreadPool& pool_;
+  StretchSystem system_;
+  std::optional<SparseLdlt> factor_;
+  State now_;
+  std::vector<Bound> longer_, shorter_;
+  Bound scale_bound_;
+  double weight_ = 0.0, mu_ = 0.0, merit_ = 0.0, gap_ = k_infinity;
+  // Derivatives of the merit by the scale: first, second, and mixed with the positions.
+  double scale_gradient_ = 0.0, scale_curvature_ = 0.0;
+  Eigen::VectorXd mixed_;
+  // Of the scale: what a unit of it moves (with a minus sign), and its pivot.
+  Eigen::VectorXd by_scale_;
+  double scale_pivot_ = 0.0;
+};
+
+}  // namespace
+
+BoundedStretch minimise_stretch_within(const Disk& disk, std::span<const FlatEdge> edges,
+                                       std::span<const double> bounds, std::vector<Vec2> start,
+                                       const BoundedAims& aims, ThreadPool& pool,
+                                       const std::function<bool(int, double)>& on_step) {
+  BoundedStretch result;
+  BoundedDescent descent(disk, edges, bounds, std::move(start), aims, pool);
+  while (result.iterations < aims.max_iterations && !result.converged) {
+    if (!descent.step()) break;
+    ++result.iterations;
+    result.converged = descent.is_done();
+    if (on_step && !on_step(result.iterations, descent.energy())) break;
+  }
+  result.scale = descent.scale();
+  result.flat = descent.take_flat();
+  return result;
+}
+
+}  // namespace planish

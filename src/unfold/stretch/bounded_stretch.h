@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/thread_pool.h"
+#include "unfold/stretch/flat_edges.h"
+
+namespace planish {
+
+/// What bounded descent is after.
+struct BoundedAims {
+  /// All bounds times this need not get smaller. 1: bounds are to be kept; 0: as small as possible.
+  double least_scale = 1.0;
+  /// What a unit of the scale costs, in units of the energy of the start.
+  double weight = 100.0;
+  int max_iterations = 200;
+};
+
+struct BoundedStretch {
+  std::vector<Vec2> flat;
+  double scale = 1.0;  ///< every edge keeps its bound times this
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Minimises the symmetric Dirichlet energy E plus weight * t over flat disks and scales t, subject
+/// to |strain of edge e| <= t * bounds[e] and t >= least_scale: a primal-dual interior-point method
+/// (docs/unfold.md, "Patterns within limits"). Every step keeps the orientation of all triangles.
+/// @param bounds one per edge, above 0; infinite where there is none
+/// @param start no triangle flipped; best of least stretch
+/// @param on_step called after each step with its number and the energy (area 1); false ends
+BoundedStretch minimise_stretch_within(const Disk& disk, std::span<const FlatEdge> edges,
+                                       std::span<const double> bounds, std::vector<Vec2> start,
+                                       const BoundedAims& aims, ThreadPool& pool,
+                                       const std::function<bool(int, double)>& on_step);
+
+}  // namespace planish

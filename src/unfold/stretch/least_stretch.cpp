@@ -1,0 +1,105 @@
+#include "unfold/stretch/least_stretch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "solve/sparse_ldlt.h"
+#include "unfold/stretch/flat_steps.h"
+#include "unfold/stretch/stretch_system.h"
+
+namespace planish {
+
+namespace {
+
+/// Finds one Newton step after another with a factor of one of their matrices.
+class LaggedSolver {
+ public:
+  explicit LaggedSolver(ThreadPool& pool) : pool_(pool) {}
+
+  /// The step from there, of which the system is left as solved; an empty vector where the matrix
+  /// cannot be factored.
+  Eigen::VectorXd step(StretchSystem& system, const std::vector<Vec2>& flat) {
+    if (factored_) {
+      system.assemble(flat, Curvature::full);
+      auto step = conjugate_gradients(system.hessian(), -system.gradient());
+      if (step.size() > 0) return step;
+    }
+    system.assemble(flat, Curvature::projected);
+    if (!factor_) factor_.emplace(system.hessian());
+    factored_ = factor_->factor(system.hessian(), pool_);
+    if (!factored_) return {};
+    return factor_->solve(-system.gradient(), pool_);
+  }
+
+ private:
+  /// Preconditioned with the factor at hand; empty if that takes too many steps.
+  Eigen::VectorXd conjugate_gradients(const SparseMatrix& lower, const Eigen::VectorXd& right) {
+    constexpr int most_steps = 12;
+    constexpr double enough = 1e-2;  // of the residual: Newton's own error is of that kind
+    const auto matrix = lower.selfadjointView<Eigen::Lower>();
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(right.size());
+    Eigen::VectorXd residual = right, z = factor_->solve(residual, pool_), direction = z;
+    double rz = residual.dot(z);
+    const double first = rz;
+    for (int step = 0; step < most_steps; ++step) {
+      const Eigen::VectorXd image = matrix * direction;
+      const double length = rz / direction.dot(image);
+      if (!std::isfinite(length) || length <= 0.0) return {};
+      x += length * direction;
+      residual -= length * image;
+      z = factor_->solve(residual, pool_);
+      const double next = residual.dot(z);
+      if (next <= enough * enough * first) return x;
+      direction = z + (next / rz) * direction;
+      rz = next;
+    }
+    return {};
+  }
+
+  ThreadPool& pool_;
+  std::optional<SparseLdlt> factor_;
+  bool factored_ = false;
+};
+
+}  // namespace
+
+LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max_iterations,
+                              ThreadPool& pool, const std::function<bool(int, double)>& on_step) {
+  // A stretch of 1e-9 everywhere is none; and what a further step would gain must be worth it.
+  constexpr double no_energy = 4e-18, least_gain = 1e-6, least_fall = 1e-4;
+  LeastStretch result{turn_to_axis(disk, std::move(start)), 0, false};
+  StretchSystem system(disk);
+  LaggedSolver solver(pool);
+  double energy = total_energy(disk, result.flat);
+  for (; result.iterations < max_iterations; ++result.iterations) {
+    if ((result.converged = energy <= no_energy)) break;
+    const Eigen::VectorXd step = solver.step(system, result.flat);
+    if (step.size() == 0) break;
+    const double slope = system.gradient().dot(step);
+    if (!(slope < 0.0) || -slope <= least_gain * energy) {
+      // Only a step that does solve the system tells that there is nothing left to gain.
+      result.converged = system.solved_by(step);
+      break;
+    }
+    const std::vector<Vec2> move = system.spread(step);
+    double share = std::min(1.0, 0.9 * step_to_first_flip(disk, result.flat, move));
+    bool fell = false;
+    for (int halvings = 0; halvings < 40 && !fell; ++halvings, share *= 0.5) {
+      std::vector<Vec2> trial = moved(result.flat, share, move);
+      const double trial_energy = total_energy(disk, trial);
+      fell = trial_energy <= energy + 1e-4 * share * slope;
+      if (!fell) continue;
+      result.flat = std::move(trial);
+      energy = trial_energy;
+    }
+    if (!fell) {
+      result.converged = -slope <= least_fall * energy;  // rounding is all that is left
+      break;
+    }
+    if (on_step && !on_step(result.iterations + 1, energy)) break;
+  }
+  return result;
+}
+
+}  // namespace planish

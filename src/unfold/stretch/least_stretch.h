@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/thread_pool.h"
+#include "unfold/disk/disk.h"
+
+namespace planish {
+
+struct LeastStretch {
+  std::vector<Vec2> flat;
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Minimises the symmetric Dirichlet energy from a start without flipped triangles, and keeps it
+/// without: projected Newton steps, each cut short of the first flip and then until the energy
+/// falls. Once the projected Hessian is factored, steps come from conjugate gradients on the full
+/// one, preconditioned by that factor, until it no longer serves.
+/// @param on_step called after each step with its number and the energy (area 1); false ends
+LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max_iterations,
+                              ThreadPool& pool, const std::function<bool(int, double)>& on_step);
+
+}  // namespace planish

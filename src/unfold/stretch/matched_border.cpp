@@ -1,0 +1,211 @@
+#include "unfold/stretch/matched_border.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "core/math.h"
+#include "unfold/disk/inner_system.h"
+#include "unfold/stretch/seam_system.h"
+
+namespace planish {
+
+namespace {
+
+/// A length is kept if it is off by no more than this share of it, or by what rounding makes of
+/// coordinates near 1.
+constexpr double k_kept = 1e-10, k_rounding = 4e-16;
+
+bool all_kept(const Eigen::VectorXd& gaps, std::span<const double> lengths) {
+  for (std::size_t k = 0; k < lengths.size(); ++k) {
+    if (!(std::abs(gaps[static_cast<Eigen::Index>(k)]) <= k_kept * lengths[k] + k_rounding)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Where the descent stands.
+struct Place {
+  std::vector<Vec2> flat;
+  Eigen::VectorXd gaps;
+  double energy = 0.0;
+
+  /// What the line search makes smaller.
+  double merit(double price) const { return energy + price * gaps.lpNorm<1>(); }
+};
+
+class Descent {
+ public:
+  Descent(const Disk& disk, std::span<const double> lengths, std::vector<Vec2> start,
+          ThreadPool& pool)
+      : disk_(disk),
+        system_(disk, lengths, pool),
+        at_(place(turn_to_axis(disk, std::move(start)))) {
+    pulls_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(lengths.size()));
+  }
+
+  const Place& at() const { return at_; }
+
+  /// The next step; nothing where there is none.
+  std::optional<SeamSystem::Step> step() {
+    for (const Curvature curvature : {Curvature::full, Curvature::projected}) {
+      if (curvature == Curvature::full && !near_) continue;
+      factored_ = system_.factor(at_.flat, pulls_, curvature);
+      if (!factored_) continue;
+      SeamSystem::Step step = system_.step(at_.gaps);
+      if (step.sound) return step;
+    }
+    return std::nullopt;
+  }
+
+  /// Goes along the step as far as the merit falls; false if it does not.
+  bool follow(const SeamSystem::Step& step) {
+    price_ = std::max(price_, 2.0 * step.pulls.lpNorm<Eigen::Infinity>());
+    const double slope = step.slope - price_ * at_.gaps.lpNorm<1>();
+    const double merit = at_.merit(price_);
+    double share = std::min(1.0, 0.9 * step_to_first_flip(disk_, at_.flat, step.move));
+    near_ = share == 1.0;
+    for (int halvings = 0; halvings < 40; ++halvings, share *= 0.5, near_ = false) {
+      const double wanted = merit + 1e-4 * share * slope + 1e-15 * merit;
+      Place next = place(moved(at_.flat, share, step.move));
+      const bool straight = next.merit(price_) <= wanted;
+      if (std::isfinite(next.energy)) {
+        Place bent = corrected(next, (1.0 - share) * at_.gaps);
+        if (bent.merit(price_) <= std::min(wanted, straight ? next.merit(price_) : wanted)) {
+          return accept(std::move(bent), share, step.pulls);
+        }
+      }
+      if (straight) return accept(std::move(next), share, step.pulls);
+    }
+    return false;
+  }
+
+  /// Takes out of the lengths what is left to rounding, by the last factor, made near by. Without
+  /// one, as before any step, nothing is done.
+  void settle() {
+    if (!factored_) return;
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(at_.gaps.size());
+    for (int round = 0; round < 4; ++round) {
+      Place next = corrected(at_, none);
+      const bool better = std::isfinite(next.energy) &&
+                          next.gaps.lpNorm<Eigen::Infinity>() < at_.gaps.lpNorm<Eigen::Infinity>();
+      if (!better) return;
+      at_ = std::move(next);
+    }
+  }
+
+ private:
+  Place place(std::vector<Vec2> flat) const {
+    const double energy = total_energy(disk_, flat);
+    Eigen::VectorXd gaps = system_.gaps(flat);
+    return {std::move(flat), std::move(gaps), energy};
+  }
+
+  Place corrected(const Place& from, const Eigen::VectorXd& wanted_gaps) const {
+    return place(moved(from.flat, 1.0, system_.correction(wanted_gaps - from.gaps)));
+  }
+
+  bool accept(Place next, double share, const Eigen::VectorXd& pulls) {
+    at_ = std::move(next);
+    pulls_ += share * (pulls - pulls_);
+    return true;
+  }
+
+  const Disk& disk_;
+  SeamSystem system_;
+  Place at_;
+  Eigen::VectorXd pulls_;
+  double price_ = 0.0;
+  bool near_ = false;      // the last step was taken whole: full curvature may serve
+  bool factored_ = false;  // the system has a factor to solve with
+};
+
+/// Half the sum of the angles that chords span in a circle.
+double half_turn(std::span<const double> chords, double diameter) {
+  double sum = 0.0;
+  for (const double chord : chords)
+    sum += math::asin(std::min(1.0, chord / diameter));
+  return sum;
+}
+
+/// The halves of the angles that the sides of an inscribed polygon span, in their order.
+std::vector<double> inscribed_angles(std::span<const double> sides) {
+  const auto longest = std::max_element(sides.begin(), sides.end());
+  const double least = *longest;
+  double total = 0.0;
+  for (const double side : sides)
+    total += side;
+  // The centre is inside unless the other sides, with the longest for a diameter, span too little.
+  const bool inside = half_turn(sides, least) >= std::numbers::pi;
+  const auto excess = [&](double diameter) {
+    const double all = half_turn(sides, diameter);
+    if (inside) return all - std::numbers::pi;
+    return 2.0 * math::asin(std::min(1.0, least / diameter)) - all;  // < 0 for large circles
+  };
+  double low = least, high = total;
+  if (!inside) high = 1e8 * total;
+  for (int k = 0; k < 200; ++k) {
+    const double middle = std::sqrt(low) * std::sqrt(high);
+    (excess(middle) > 0.0 ? low : high) = middle;
+  }
+  std::vector<double> angles;
+  angles.reserve(sides.size());
+  for (const double& side : sides) {
+    const double angle = math::asin(std::min(1.0, side / low));
+    angles.push_back(!inside && &side == &*longest ? std::numbers::pi - angle : angle);
+  }
+  return angles;
+}
+
+}  // namespace
+
+std::vector<Vec2> circle_start(const Disk& disk, std::span<const double> lengths) {
+  const std::vector<double> angles = inscribed_angles(lengths);
+  std::vector<Vec2> polygon;
+  polygon.reserve(lengths.size());
+  Vec2 at;
+  double heading = 0.0;
+  for (std::size_t k = 0; k < lengths.size(); ++k) {
+    polygon.push_back(at);
+    heading += angles[k];
+    at = at + lengths[k] * Vec2{math::cos(heading), math::sin(heading)};
+    heading += angles[k];
+  }
+  const std::vector<SideWeights> weights(disk.triangles.size(), SideWeights{1.0, 1.0, 1.0});
+  return InnerSystem(disk, weights).extend(disk, polygon);
+}
+
+MatchedBorder match_border(const Disk& disk, std::span<const double> lengths,
+                           std::vector<Vec2> start, int max_iterations, ThreadPool& pool,
+                           const std::function<bool(int, double)>& on_step) {
+  // As for the pattern of least stretch.
+  constexpr double no_energy = 4e-18, least_gain = 1e-6, least_fall = 1e-4;
+  Descent descent(disk, lengths, std::move(start), pool);
+  MatchedBorder matched;
+  for (int& taken = matched.result.iterations; taken < max_iterations;) {
+    const auto step = descent.step();
+    if (!step) break;
+    const double energy = descent.at().energy;
+    const bool kept = all_kept(descent.at().gaps, lengths);
+    const double gain = std::abs(step->slope);
+    if (kept && (energy <= no_energy || gain <= least_gain * energy)) {
+      matched.result.converged = true;
+      break;
+    }
+    if (!descent.follow(*step)) {
+      matched.result.converged = kept && gain <= least_fall * energy;
+      break;
+    }
+    ++taken;
+    if (on_step && !on_step(taken, descent.at().energy)) break;
+  }
+  descent.settle();
+  matched.matched = all_kept(descent.at().gaps, lengths) && all_upright(disk, descent.at().flat);
+  matched.result.flat = descent.at().flat;
+  return matched;
+}
+
+}  // namespace planish

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "unfold/disk/disk.h"
+#include "unfold/stretch/least_stretch.h"
+
+namespace planish {
+
+/// Minimises the symmetric Dirichlet energy among the flat disks without flipped triangles whose
+/// border edges have the lengths given (docs/unfold.md): Newton steps with multipliers, judged by
+/// the energy plus a price on what lengths are off by.
+/// @param start without flipped triangles; its border may have other lengths
+/// @return the lengths are kept if `matched`
+struct MatchedBorder {
+  LeastStretch result;
+  bool matched = false;
+};
+MatchedBorder match_border(const Disk& disk, std::span<const double> lengths,
+                           std::vector<Vec2> start, int max_iterations, ThreadPool& pool,
+                           const std::function<bool(int, double)>& on_step);
+
+/// A flat disk whose border edges have the lengths given, however stretched the inside is: the
+/// border inscribed in a circle, every inner vertex at the mean of its neighbours. Triangles may
+/// only be flipped by rounding.
+std::vector<Vec2> circle_start(const Disk& disk, std::span<const double> lengths);
+
+}  // namespace planish

@@ -1,0 +1,34 @@
+// The readers of notches, marks, inner lines, allowances of edges and notches on seams.
+
+#include <cmath>
+
+#include <planish/pattern/read_furniture.h>
+
+#include "fuzz/check.h"
+
+using namespace planish;
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  fuzz::allow_refusal_of("file", [&] {
+    for (const Notch& notch : parse_notches(bytes, "file")) {
+      const double* share = std::get_if<double>(&notch.place);
+      fuzz::check(share == nullptr || std::isfinite(*share), "shares are finite");
+      fuzz::check(!std::holds_alternative<PlaceOnEdge>(notch.place), "files name no edges");
+    }
+  });
+  fuzz::allow_refusal_of("file", [&] { parse_marks(bytes, "file"); });
+  fuzz::allow_refusal_of("file", [&] {
+    for (const InnerLine& line : parse_inner_lines(bytes, "file"))
+      fuzz::check(line.size() >= 2, "inner lines have two ends");
+  });
+  fuzz::allow_refusal_of("file", [&] {
+    for (const EdgeAllowance& edge : parse_edge_allowances(bytes, "file"))
+      fuzz::check(edge.width >= 0.0 && std::isfinite(edge.width), "widths are at least 0");
+  });
+  fuzz::allow_refusal_of("file", [&] {
+    for (const SeamNotch& notch : parse_seam_notches(bytes, "file"))
+      fuzz::check(std::isfinite(notch.place), "places are finite");
+  });
+  return 0;
+}

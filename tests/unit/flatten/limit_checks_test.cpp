@@ -1,0 +1,47 @@
+#include "flatten/limit_checks.h"
+
+#include <gtest/gtest.h>
+
+#include "support/sample_report.h"
+
+namespace planish {
+namespace {
+
+TEST(LimitChecks, AreNoneWhereNoneWasGiven) {
+  FlattenReport report = samples::flatten_report();
+  report.evolve.method = Auto{};
+  EXPECT_TRUE(limit_checks(report).empty());
+  report.evolve.method = ControllableLaplacian{};
+  EXPECT_TRUE(limit_checks(report).empty()) << "its own least angle was not asked for";
+}
+
+TEST(LimitChecks, CompareWithWhatCameOut) {
+  FlattenReport report = samples::flatten_report();  // strain 0.3187, deviation 0.5678
+  report.evolve.method = Auto{.max_deviation = 0.5};
+  report.unfold.limits = {{StrainLimitKind::max, 0.32, 0.3187}};
+  report.evolve.stopping.target_e_max = 0.047;  // e_max 0.0641 * 0.73 = 0.0468
+  const auto checks = limit_checks(report);
+  ASSERT_EQ(checks.size(), 3U);
+  EXPECT_EQ(checks[0].what, LimitOf::strain);
+  EXPECT_TRUE(checks[0].met);
+  EXPECT_EQ(checks[1].what, LimitOf::deviation);
+  EXPECT_FALSE(checks[1].met);
+  EXPECT_EQ(checks[1].value, 0.5678);
+  EXPECT_EQ(checks[2].what, LimitOf::defect);
+  EXPECT_TRUE(checks[2].met);
+  EXPECT_EQ(limit_text(checks[0], Unit::mm), "at most 32\u00A0%");
+  EXPECT_EQ(limit_text(checks[1], Unit::cm), "at most 0.500 cm");
+}
+
+TEST(LimitChecks, AllowAnglesThatWereSmallerBefore) {
+  FlattenReport report = samples::flatten_report();  // 17.3 degrees before, 12.6 after
+  report.evolve.method = Auto{.min_angle = 10.0};
+  EXPECT_TRUE(limit_checks(report).front().met);
+  report.evolve.method = Auto{.min_angle = 15.0};
+  EXPECT_FALSE(limit_checks(report).front().met);
+  report.evolve.before.figures.min_angle = report.evolve.after.figures.min_angle;
+  EXPECT_TRUE(limit_checks(report).front().met);
+}
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,209 @@
+#include "flatten/verdict.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/sample_report.h"
+
+namespace planish {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+// The verdict without the blanks that keep number and unit together.
+std::string verdict(const FlattenReport& report) {
+  std::string text = verdict_text(report);
+  for (std::size_t at; (at = text.find("\u00A0")) != std::string::npos;)
+    text.replace(at, 2, " ");
+  return text;
+}
+
+FlattenReport report() {
+  return samples::flatten_report();
+}
+
+FlattenReport with_strain(double before, double after) {
+  FlattenReport some = report();
+  some.unfold_before.strain.rms = before;
+  some.unfold.strain.rms = after;
+  return some;
+}
+
+FlattenReport with_energy(double before, double after) {
+  FlattenReport some = report();
+  some.evolve.before.figures.energy = before;
+  some.evolve.after.figures.energy = after;
+  return some;
+}
+
+FlattenReport flattenable_with_strain(double max) {
+  FlattenReport some = report();
+  some.evolve.after.flattenable = true;
+  some.unfold.strain = {max, max / 4.0, max / 2.0};
+  return some;
+}
+
+TEST(Verdict, SaysHowTheStrainIsAndWhatTheSweepsDid) {
+  EXPECT_EQ(verdict(report()),
+            "Not flat without stretch: the pattern is strained by 7.6 % rms (32 % at worst). "
+            "No material that is known here takes that. 10 controllable sweeps lowered the energy "
+            "by 27 % and left the strain where it was; "
+            "no vertex moved further than 0.57 mm. The form stayed smooth.");
+}
+
+TEST(Verdict, SaysWhetherTheFormIsSmooth) {
+  FlattenReport some = report();
+  const auto with = [&](const Fairness& fairness) {
+    some.evolve.fairness = fairness;
+    return verdict(some);
+  };
+  Fairness fairness = some.evolve.fairness;
+  fairness.bending_lost = 0.6;
+  EXPECT_THAT(with(fairness),
+              EndsWith("The form stayed smooth, but much of its curvature is gone."));
+  fairness.bending_ratio = 4.24;
+  EXPECT_THAT(with(fairness), EndsWith("The form is crumpled: it is bent 4.2 times as much as it "
+                                       "was, and the sharpest new fold has 9.5°."));
+  EXPECT_THAT(with({}), EndsWith("The form was a plane, and is bent now."));
+  EXPECT_THAT(with({.unchanged = true}), EndsWith("no vertex moved further than 0.57 mm."));
+}
+
+TEST(Verdict, TellsFlattenableFromNearlyAndNotYet) {
+  EXPECT_THAT(verdict(flattenable_with_strain(0.0)),
+              StartsWith("Flattenable: the pattern keeps every length. "));
+  EXPECT_THAT(verdict(flattenable_with_strain(1e-9)),
+              StartsWith("Flattenable: the pattern keeps every length. "));
+  EXPECT_THAT(verdict(flattenable_with_strain(0.0005)),
+              StartsWith("Flattenable: the pattern keeps every length to within 0.050 %. "));
+  EXPECT_THAT(verdict(flattenable_with_strain(0.02)),
+              StartsWith("Flattenable by its angles, yet the pattern is strained by 0.50 % rms "));
+  FlattenReport near = report();
+  near.unfold.strain = {0.003, 0.0005, 0.001};
+  EXPECT_THAT(
+      verdict(near),
+      StartsWith("Flat but for a stretch that nobody can measure: the pattern is strained by "
+                 "0.050 % rms (0.30 % at worst). "));
+}
+
+TEST(Verdict, MeasuresStrainByTheLimitThatWasGiven) {
+  FlattenReport some = report();
+  some.unfold.strain = {0.018, 0.006, 0.01};
+  const auto with = [&](std::vector<StrainLimitCheck> limits) {
+    some.unfold.limits = std::move(limits);
+    return verdict(some);
+  };
+  const StrainLimitCheck kept{StrainLimitKind::max, 0.02, 0.018},
+      missed{StrainLimitKind::max, 0.02, 0.03};
+  const StrainLimitCheck rms{StrainLimitKind::rms, 0.01, 0.006};
+  EXPECT_THAT(with({kept}), StartsWith("Not without stretch, but within the limit of 2.0 %: the "
+                                       "pattern is strained by 0.60 % rms (1.8 % at worst). "));
+  EXPECT_THAT(
+      with({{StrainLimitKind::p99, 0.02, 0.018}}),
+      StartsWith("Not without stretch, but within the limit of 2.0 % on 99 % of the area: "));
+  EXPECT_THAT(with({missed}), StartsWith("Not within the limit of 2.0 %: the pattern is strained "
+                                         "by 0.60 % rms (1.8 % at worst). "));
+  EXPECT_THAT(with({missed, rms}), StartsWith("Not within the limit of 2.0 %: "));
+  EXPECT_THAT(with({kept, {StrainLimitKind::rms, 0.005, 0.006}}),
+              StartsWith("Not within the limit of 0.50 % (rms): "));
+  EXPECT_THAT(with({rms}),
+              StartsWith("Not without stretch, but within the limit of 1.0 % (rms): "));
+  some.evolve.after.flattenable = true;
+  EXPECT_THAT(verdict(some), StartsWith("Flattenable by its angles, yet"));
+}
+
+TEST(Verdict, WarnsFirstOfAPatternThatIsNotToBeCut) {
+  FlattenReport some = flattenable_with_strain(0.0);
+  some.unfold.pattern.flipped_triangles = 1;
+  EXPECT_THAT(verdict(some), StartsWith("Not to be cut: 1 triangle of the pattern"));
+  some.unfold.pattern.flipped_triangles = 1200;
+  EXPECT_THAT(verdict(some), StartsWith("Not to be cut: 1\u202F200 triangles of the pattern"));
+  some.unfold.pattern.overlaps = true;
+  EXPECT_THAT(verdict(some),
+              StartsWith("Not to be cut from one piece: the pattern overlaps itself"));
+}
+
+TEST(Verdict, SaysWhatBecameOfTheEnergy) {
+  EXPECT_THAT(verdict(with_energy(1.0, 0.73)), HasSubstr("lowered the energy by 27 % and"));
+  EXPECT_THAT(verdict(with_energy(1.0, 0.998)), HasSubstr("left the energy where it was and"));
+  EXPECT_THAT(verdict(with_energy(1.0, 0.00085)),
+              HasSubstr("brought the energy down to 1/1200 of what it was and"));
+  EXPECT_THAT(verdict(with_energy(1.0, 0.0)), HasSubstr("brought the energy to 0 and"));
+  EXPECT_THAT(verdict(with_energy(1.0, 1.5)), HasSubstr("raised the energy by 50 % and"));
+  EXPECT_THAT(verdict(with_energy(1.0, 12.0)),
+              HasSubstr("raised the energy to 12 times what it was and"));
+  EXPECT_THAT(verdict(with_energy(0.0, 1.0)), HasSubstr("raised the energy from 0 and"));
+  EXPECT_THAT(verdict(with_energy(0.0, 0.0)), HasSubstr("left the energy where it was and"));
+}
+
+TEST(Verdict, SaysWhatBecameOfTheStrain) {
+  EXPECT_THAT(verdict(with_strain(0.076, 0.0005)),
+              HasSubstr("by 27 % and lowered the strain from 7.6 % to 0.050 % rms;"));
+  EXPECT_THAT(verdict(with_strain(0.05, 0.076)),
+              HasSubstr("by 27 % but raised the strain from 5.0 % to 7.6 % rms;"));
+  EXPECT_THAT(verdict(with_strain(0.076, 0.0755)), HasSubstr("left the strain where it was;"));
+  EXPECT_THAT(verdict(with_strain(1e-9, 2e-9)), HasSubstr("left the strain where it was;"))
+      << "rounding is no change";
+}
+
+TEST(Verdict, SaysWhenNothingWasDone) {
+  FlattenReport some = flattenable_with_strain(0.0);
+  some.evolve.result.history.clear();
+  some.evolve.fairness.unchanged = true;
+  some.evolve.before.flattenable = true;
+  EXPECT_THAT(verdict(some), EndsWith("It came so, and no vertex was moved."));
+  some.evolve.before.flattenable = false;
+  EXPECT_THAT(verdict(some), EndsWith("No sweep was made, and no vertex was moved."));
+  some.evolve.result.history = {{1, 0.1, 0.1, 0.1, 0, 0.0}};
+  EXPECT_THAT(verdict(some), EndsWith("1 controllable sweep found no vertex to move."));
+}
+
+TEST(Verdict, NamesTheMethodAndTheUnit) {
+  FlattenReport some = report();
+  some.evolve.method = ClassicalLaplacian{};
+  some.unfold.unit = Unit::cm;
+  EXPECT_THAT(verdict(some), HasSubstr("10 classical sweeps"));
+  EXPECT_THAT(verdict(some), HasSubstr("no vertex moved further than 0.57 cm."));
+}
+
+TEST(Verdict, OwnsUpToAnUnfoldingThatDidNotEnd) {
+  FlattenReport some = report();
+  EXPECT_THAT(verdict(some), Not(HasSubstr("Unfolding stopped")));
+  some.unfold.pattern.converged = false;
+  EXPECT_THAT(verdict(some), HasSubstr("Unfolding stopped before it was done"));
+}
+
+TEST(Verdict, AsksAboutTheUnitWhereTheSizeIsUnlikely) {
+  FlattenReport some = report();
+  some.unfold.pattern.width = 0.609;
+  some.unfold.pattern.height = 0.514;
+  EXPECT_THAT(verdict(some),
+              EndsWith("The pattern is 0.61 mm long: is the model's unit really mm?"));
+  some.unfold.unit = Unit::m;
+  EXPECT_THAT(verdict(some), Not(HasSubstr("really")));
+  some.unfold.pattern.width = 609.0;
+  EXPECT_THAT(verdict(some), EndsWith("is the model's unit really m?"));
+}
+
+TEST(BorderText, IsOneSentenceWhereMuchAreaMustGo) {
+  FlattenReport some = report();
+  EXPECT_EQ(border_text(some), "");
+  Obstruction obstruction;
+  obstruction.excess_share = 0.009;
+  obstruction.turning_most = 9.0;
+  some.evolve.before.obstruction = obstruction;
+  EXPECT_EQ(border_text(some), "");
+  some.evolve.before.obstruction->excess_share = 0.329;
+  EXPECT_EQ(border_text(some),
+            "The edge is too short for so much surface: at least 33\u00A0% of the area as it came "
+            "must go for a piece with this edge to lie flat, so put in a dart or a cut to keep the "
+            "form.");
+  some.evolve.before.obstruction->turning_most = k_flat_turning;
+  EXPECT_THAT(border_text(some),
+              StartsWith("The edge lies in a plane and only a plane piece fits it: at least 33"));
+}
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,178 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <planish/core/error.h>
+#include <planish/core/fnv_hash.h>
+#include <planish/draw/write_dxf.h>
+#include <planish/pattern/pattern_hash.h>
+#include <planish/sheet/pattern_sheet.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "oracle/outline_distance.h"
+#include "support/sample_report.h"
+
+namespace planish {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A square of 200 mm in 4 x 4 cells.
+Drawing sheet_with(const PatternOptions& options, bool overlaps = false) {
+  const TriMesh mesh = meshes::flat_grid(4, 4);
+  UnfoldReport unfold = samples::plane_below(mesh, 200.0, 200.0);
+  for (Vec2& p : unfold.pattern.positions)
+    p = 50.0 * p;
+  unfold.pattern.overlaps = overlaps;
+  return pattern_sheet(mesh, unfold, "panel", options);
+}
+
+const Layer& layer(const Drawing& drawing, const std::string& name) {
+  return *std::find_if(drawing.layers.begin(), drawing.layers.end(),
+                       [&](const Layer& some) { return some.name == name; });
+}
+
+const Path& path(const Drawing& drawing, const std::string& name, std::size_t number = 0) {
+  return std::get<Path>(layer(drawing, name).shapes.at(number));
+}
+
+std::vector<std::string> texts(const Drawing& drawing, const std::string& name) {
+  std::vector<std::string> texts;
+  for (const DrawingShape& shape : layer(drawing, name).shapes) {
+    if (const auto* text = std::get_if<Text>(&shape)) texts.push_back(text->text);
+  }
+  return texts;
+}
+
+TEST(Furniture, IsNotThereUnlessAskedFor) {
+  const Drawing sheet = sheet_with({});
+  for (const char* name : {"seam", "notch", "grain", "drill", "internal", "annotation"})
+    EXPECT_TRUE(layer(sheet, name).shapes.empty()) << name;
+}
+
+TEST(Furniture, MakesTheOutlineTheSeamWhereThereIsAnAllowance) {
+  const Drawing sheet = sheet_with({.allowance = Allowance{.width = 12.0}});
+  const Path &cut = path(sheet, "cut"), &seam = path(sheet, "seam");
+  ASSERT_EQ(seam.lines.size(), 1U);
+  EXPECT_EQ(seam.lines[0].size(), 16U) << "border vertices of 4 x 4 cells";
+  EXPECT_TRUE(seam.closed);
+  EXPECT_TRUE(seam.stroke->dashed);
+  EXPECT_NEAR(signed_area(seam.lines[0]), 200.0 * 200.0, 1e-6);
+  EXPECT_NEAR(signed_area(cut.lines.at(0)), 224.0 * 224.0, 0.01);
+  EXPECT_NEAR(oracle::distances(cut.lines, seam.lines).least, 12.0, 1e-4);
+  EXPECT_THAT(texts(sheet, "label"), Contains("200.0 × 200.0 mm + 12 mm allowance"));
+}
+
+TEST(Furniture, HasNoAllowanceAroundAPatternThatOverlapsItself) {
+  const Drawing sheet = sheet_with({.allowance = Allowance{.width = 12.0}}, true);
+  EXPECT_TRUE(layer(sheet, "seam").shapes.empty());
+  EXPECT_NEAR(signed_area(path(sheet, "cut").lines.at(0)), 200.0 * 200.0, 1e-6);
+  EXPECT_THAT(texts(sheet, "label"), Contains("200.0 × 200.0 mm"));
+}
+
+TEST(Furniture, HasOtherAllowancesAlongStretchesOfTheBorder) {
+  // Vertices 0 to 4 are the lower side, 24 to 20 the upper one.
+  const Drawing sheet =
+      sheet_with({.allowance = Allowance{.width = 10.0}, .edge_allowances = {{0, 4, 0.0}}});
+  EXPECT_NEAR(signed_area(path(sheet, "cut").lines.at(0)), 220.0 * 210.0, 0.01);
+}
+
+TEST(Furniture, HasInnerLinesOnTheirLayer) {
+  const Drawing sheet = sheet_with({.inner_lines = {{6, 7, 12}}});
+  const Path& line = path(sheet, "internal");
+  EXPECT_FALSE(line.closed);
+  ASSERT_EQ(line.lines.at(0).size(), 3U);
+  EXPECT_NEAR(norm(line.lines[0][1] - line.lines[0][0]), 50.0, 1e-9);
+}
+
+TEST(Furniture, SaysTheAllowanceWithoutTheDustOfItsUnit) {
+  const Drawing sheet = sheet_with({.allowance = Allowance{.width = 1.9999999999999998}});
+  EXPECT_THAT(texts(sheet, "label"), Contains(testing::EndsWith("+ 2 mm allowance")));
+}
+
+TEST(Furniture, StaysOnTheSheetWithAMargin) {
+  const Drawing sheet = sheet_with({.allowance = Allowance{.width = 60.0}});
+  for (const Vec2 p : path(sheet, "cut").lines.at(0)) {
+    EXPECT_GE(std::min(p.x, p.y), 10.0 - 1e-4);
+    EXPECT_LE(p.x, sheet.width - 10.0 + 1e-4);
+    EXPECT_LE(p.y, sheet.height - 10.0 + 1e-4);
+  }
+}
+
+TEST(Furniture, HasItsLayers) {
+  const Drawing sheet = sheet_with({.allowance = Allowance{},
+                                    .notches = {{0.125, NotchKind::v}, {Index{2}, NotchKind::slit}},
+                                    .grain = Grain{Vec3{0, 1, 0}},
+                                    .marks = {{6}, {18, MarkKind::drill}},
+                                    .label = {"front", "42", 2, "neoprene", "one mirrored"}});
+  EXPECT_EQ(layer(sheet, "notch").shapes.size(), 2U);
+  EXPECT_EQ(layer(sheet, "drill").shapes.size(), 3U);
+  EXPECT_THAT(texts(sheet, "annotation"),
+              ElementsAre("front", "size 42", "cut 2 ×", "neoprene", "one mirrored"));
+  const Path& grain = path(sheet, "grain");
+  EXPECT_NEAR(grain.lines[0][0].x, grain.lines[0][1].x, 1e-9) << "upright";
+}
+
+TEST(Furniture, PutsTheLabelInsideThePieceAndClearOfTheGrain) {
+  const Drawing sheet = sheet_with({.grain = Grain{90.0}, .label = {"front", "42", 2}});
+  const Path& cut = path(sheet, "cut");
+  const Path& grain = path(sheet, "grain");
+  for (const DrawingShape& shape : layer(sheet, "annotation").shapes) {
+    const auto& text = std::get<Text>(shape);
+    EXPECT_TRUE(oracle::is_inside(text.at, cut.lines));
+    EXPECT_EQ(text.height, 6.0);
+    EXPECT_GT(std::abs(text.at.x - grain.lines[0][0].x), 8.0) << "half of its longest line";
+  }
+}
+
+TEST(Furniture, ShowsAHashOfThePatternAndADateOnlyIfGiven) {
+  const TriMesh mesh = meshes::flat_grid(4, 4);
+  std::vector<Vec2> corners;
+  for (const Vec3 p : mesh.positions)
+    corners.push_back(50.0 * Vec2{p.x, p.y});
+  const std::string hash = hash_text(pattern_hash(corners));
+  const auto dateless = texts(sheet_with({}), "label");
+  EXPECT_THAT(dateless, Contains("pattern " + hash));
+  EXPECT_THAT(dateless, Contains(testing::EndsWith(" · scale 1:1")));
+  const auto dated = texts(sheet_with({.allowance = Allowance{}, .date = "2031-02-03"}), "label");
+  EXPECT_THAT(dated, Contains("pattern " + hash)) << "of the piece, whatever is around it";
+  EXPECT_THAT(dated, Contains(testing::EndsWith(" · scale 1:1 · 2031-02-03")));
+}
+
+TEST(Furniture, HasATestSquareOfTwoInches) {
+  const Drawing sheet = sheet_with({});
+  const Path& square = path(sheet, "label", 2);
+  EXPECT_NEAR(square.lines[0][2].x - square.lines[0][0].x, 50.8, 1e-9);
+  EXPECT_NEAR(square.lines[0][2].y - square.lines[0][0].y, 50.8, 1e-9);
+}
+
+TEST(Furniture, ReachesApparelProgramsByItsNumbers) {
+  const Drawing sheet = sheet_with({.allowance = Allowance{},
+                                    .notches = {{0.125}},
+                                    .grain = Grain{30.0},
+                                    .marks = {{12}},
+                                    .label = {"front", "42", 2}});
+  const std::string dxf = write_dxf(sheet, {.profile = DxfProfile::aama});
+  for (const char* text : {"PIECE NAME: front", "SIZE: 42", "QUANTITY: 2", "SAMPLE SIZE: 42",
+                           "\n8\n14\n", "\n8\n4\n", "\n8\n7\n", "\n8\n13\n", "\n8\n15\n"})
+    EXPECT_THAT(dxf, HasSubstr(text));
+}
+
+TEST(Furniture, NamesThePieceInErrors) {
+  try {
+    sheet_with({.notches = {{Index{12}}}, .label = {"front"}});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::misplaced_notch);
+    EXPECT_THAT(error.message(), HasSubstr("piece \"front\": the notch at vertex 12"));
+  }
+  EXPECT_THROW(sheet_with({.marks = {{25}}}), Error);
+  EXPECT_THROW(sheet_with({.grain = Grain{Vec3{0, 0, 1}}}), Error);
+}
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <variant>
+
+#include <planish/draw/write_dxf.h>
+#include <planish/sheet/nest_sheet.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "oracle/outline_gap.h"
+#include "support/meshes.h"
+
+namespace planish {
+namespace {
+
+using testing::HasSubstr;
+
+/// A flat box of columns x rows cells of 10 mm, cut as often as told.
+NestPatch flat_patch(const std::string& name, std::size_t columns, std::size_t rows,
+                     PatternOptions furniture = {}) {
+  NestPatch patch{name, meshes::flat_grid(columns, rows), {}, std::move(furniture)};
+  for (const Vec3& p : patch.mesh.positions)
+    patch.pattern.push_back({10.0 * p.x, 10.0 * p.y});
+  return patch;
+}
+
+const Layer& nest_layer(const Drawing& drawing, const std::string& name) {
+  return *std::find_if(drawing.layers.begin(), drawing.layers.end(),
+                       [&](const Layer& some) { return some.name == name; });
+}
+
+std::vector<Path> nest_paths(const Drawing& drawing, const std::string& name) {
+  std::vector<Path> paths;
+  for (const DrawingShape& shape : nest_layer(drawing, name).shapes) {
+    if (const auto* path = std::get_if<Path>(&shape)) paths.push_back(*path);
+  }
+  return paths;
+}
+
+std::vector<std::string> nest_texts(const Drawing& drawing, const std::string& name) {
+  std::vector<std::string> texts;
+  for (const DrawingShape& shape : nest_layer(drawing, name).shapes) {
+    if (const auto* text = std::get_if<Text>(&shape)) texts.push_back(text->text);
+  }
+  return texts;
+}
+
+NestJob jacket() {
+  PatternOptions furniture{.allowance = Allowance{.width = 10.0},
+                           .notches = {{.place = 0.1}},
+                           .grain = 90.0,
+                           .marks = {{.vertex = 7}},
+                           .label = {.quantity = 2}};
+  NestJob job{{flat_patch("front", 20, 30, furniture), flat_patch("failed", 2, 2),
+               flat_patch("sleeve", 15, 40, furniture)},
+              Unit::mm,
+              {.width = 700.0, .gap = 8.0}};
+  job.patches[1].pattern.clear();
+  return job;
+}
+
+TEST(NestSheet, DrawsEveryCopyWhereItWasLaid) {
+  const NestJob job = jacket();
+  const auto pieces = nest_pieces(job);
+  const Nesting nesting = *nest(pieces, job.sheets);
+  ASSERT_EQ(nesting.placements.size(), 4U);
+  const Drawing sheet = nest_sheet(job, nesting, 0, "jacket");
+  const auto cuts = nest_paths(sheet, "cut"), seams = nest_paths(sheet, "seam");
+  ASSERT_EQ(cuts.size(), 4U);
+  ASSERT_EQ(seams.size(), 4U);
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    const auto box = oracle::outline_box(cuts[i].lines), seam = oracle::outline_box(seams[i].lines);
+    EXPECT_NEAR(box.low.x, seam.low.x - 10.0, 1e-4);
+    EXPECT_NEAR(box.high.y, seam.high.y + 10.0, 1e-4);
+    EXPECT_GE(box.low.x, -1e-6);
+    EXPECT_GE(box.low.y, -1e-6);
+    EXPECT_LE(box.high.y, 700.0 + 1e-6);
+    farthest = std::max(farthest, box.high.x);
+    EXPECT_EQ(cuts[i].piece, i);
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_GE(oracle::gap_between(cuts[i].lines, cuts[j].lines, 9.0), 8.0 - 1e-6);
+  }
+  EXPECT_NEAR(nesting.used_length, farthest, 1e-6);
+  EXPECT_EQ(nest_paths(sheet, "notch").size(), 4U);
+  EXPECT_EQ(nest_paths(sheet, "drill").size(), 4U * 2U);
+  EXPECT_THAT(nest_texts(sheet, "annotation"),
+              testing::UnorderedElementsAre("front 1 of 2", "front 2 of 2", "sleeve 1 of 2",
+                                            "sleeve 2 of 2"));
+  ASSERT_EQ(sheet.pieces.size(), 4U);
+  EXPECT_EQ(sheet.pieces[2].name, "sleeve 1 of 2");
+}
+
+TEST(NestSheet, LaysTheGrainAlongTheSheet) {
+  for (const Turns turns : {Turns::none, Turns::half}) {
+    NestJob job = jacket();
+    job.sheets.turns = turns;
+    const Nesting nesting = *nest(nest_pieces(job), job.sheets);
+    const Drawing sheet = nest_sheet(job, nesting, 0, "jacket");
+    std::size_t lines = 0;
+    for (const Path& path : nest_paths(sheet, "grain")) {
+      if (path.lines[0].size() != 2) continue;  // an arrow's head
+      EXPECT_NEAR(path.lines[0][0].y, path.lines[0][1].y, 1e-9);
+      ++lines;
+    }
+    EXPECT_EQ(lines, 4U);
+    // 300 mm and 20 mm of allowances go along the grain, which was across.
+    const auto box = oracle::outline_box(nest_paths(sheet, "cut").at(0).lines);
+    EXPECT_NEAR(box.high.x - box.low.x, 320.0, 1e-3);
+  }
+}
+
+TEST(NestSheet, TakesTheGrainFromTheModelToo) {
+  NestJob job{{flat_patch("panel", 20, 5, {.grain = Vec3{0.0, 1.0, 0.0}})}, Unit::cm, {}};
+  const auto pieces = nest_pieces(job);
+  EXPECT_NEAR(pieces[0].angle, -90.0, 1e-9);
+  const Nesting nesting = *nest(pieces, {.width = 2500.0});
+  EXPECT_NEAR(nesting.used_length, 500.0, 1e-6) << "10 cm to a cell, the short side along";
+}
+
+TEST(NestSheet, DrawsSheetsOneByOne) {
+  NestJob job{{flat_patch("plate", 30, 20, {.label = {.quantity = 3}})},
+              Unit::mm,
+              {.width = 220.0, .length = 400.0}};
+  const Nesting nesting = *nest(nest_pieces(job), job.sheets);
+  ASSERT_EQ(nesting.sheets, 3U);
+  for (std::size_t s = 0; s < 3; ++s) {
+    const Drawing sheet = nest_sheet(job, nesting, s, "hull");
+    EXPECT_EQ(nest_paths(sheet, "cut").size(), 1U);
+    EXPECT_THAT(nest_texts(sheet, "label"),
+                testing::Contains("sheet " + std::to_string(s + 1) + " of 3"));
+    const auto border = oracle::outline_box(nest_paths(sheet, "label").at(0).lines);
+    EXPECT_EQ(border.high, (Vec2{400.0, 220.0}));
+    EXPECT_GE(sheet.height, 270.0);
+  }
+}
+
+TEST(NestSheet, GivesApparelProgramsABlockForEachCopy) {
+  const NestJob job = jacket();
+  const Drawing sheet = nest_sheet(job, *nest(nest_pieces(job), job.sheets), 0, "jacket");
+  const std::string dxf = write_dxf(sheet, {.profile = DxfProfile::aama});
+  EXPECT_THAT(dxf, HasSubstr("PIECE NAME: front 1 of 2"));
+  EXPECT_THAT(dxf, HasSubstr("PIECE NAME: sleeve 2 of 2"));
+}
+
+}  // namespace
+}  // namespace planish

@@ -15,6 +15,7 @@ Command frontier_command();
 Command suggest_cuts_command();
 Command convert_command();
 Command sample_command();
+Command describe_command();
 
 /// All verbs, in the order of the help.
 const std::vector<Command>& commands();

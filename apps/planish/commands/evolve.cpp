@@ -65,6 +65,7 @@ Evolved evolve_with_progress(const TriMesh& mesh, const Arguments& arguments, Se
 
 Outcome run_evolve(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
+  unit_from(arguments);
   const std::string& output = arguments.flags.at("--output");
   const MeshFormat format = mesh_format_of(path_of(output));
   std::vector<OutputFile> files = {{path_of(output), {}}};

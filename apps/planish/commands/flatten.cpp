@@ -49,10 +49,14 @@ struct PageWords {
   unsigned threads = 0;
 };
 
+std::vector<std::string> color_names() {
+  return {"diverging", "paper"};
+}
+
 ColorMap colors_from(const Arguments& arguments) {
-  const std::vector<std::string> names = {"diverging", "paper"};
   const std::string name = arguments.value_or("--colors", "diverging");
-  return known_name("color map", name, names) == "paper" ? ColorMap::paper : ColorMap::diverging;
+  return known_name("color map", name, color_names()) == "paper" ? ColorMap::paper
+                                                                 : ColorMap::diverging;
 }
 
 FlattenOptions options_from(const Arguments& arguments, const Session& session) {
@@ -282,7 +286,12 @@ Command flatten_command() {
         smooth_first_flag(),
         match_seams_flag(),
         formats_flag(),
-        {"--colors", "NAME", "of the report's pictures: diverging or paper (default diverging)"},
+        {"--colors",
+         "NAME",
+         "of the report's pictures: diverging or paper (default diverging)",
+         0,
+         false,
+         {.choices = color_names(), .standard = "diverging"}},
         {"--textured", "",
          "also write the processed patch as textured.obj, with the pattern in millimetres for "
          "texture coordinates"},

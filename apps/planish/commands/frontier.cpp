@@ -29,14 +29,26 @@ FlagGroup frontier_flags() {
   methods.erase(std::remove(methods.begin(), methods.end(), Auto::name), methods.end());
   return {
       "What to run",
-      {{"--points", "N",
+      {{"--points",
+        "N",
         "points of the curve, 8 to 100, evenly spaced on a logarithmic scale (default: stops at 5, "
-        "2, 1, 0.5, 0.2 and 0.1 % rms, and flat)"},
-       {"--max-strain", "X",
-        "a limit of the largest strain to mark, for which the curve has a point too (0.02 or 2%)"},
+        "2, 1, 0.5, 0.2 and 0.1 % rms, and flat)",
+        0,
+        false,
+        {.range = k_points}},
+       {"--max-strain",
+        "X",
+        "a limit of the largest strain to mark, for which the curve has a point too (0.02 or 2%)",
+        0,
+        false,
+        {.type = ValueType::share, .range = {0.0, 1.0}}},
        material_flag(),
-       {"--methods", "NAMES",
-        "which to compare with, with commas between: " + list_of(methods) + " (default: all)"}}};
+       {"--methods",
+        "NAMES",
+        "which to compare with, with commas between: " + list_of(methods) + " (default: all)",
+        0,
+        false,
+        {.choices = methods}}}};
 }
 
 /// The limit that --max-strain or --material names.

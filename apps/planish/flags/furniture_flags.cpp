@@ -21,6 +21,8 @@ namespace {
 
 constexpr std::array k_corners = {Corners::mitre, Corners::square, Corners::round};
 
+constexpr Range k_quantity = {1.0, 1'000'000.0};
+
 std::vector<std::string> corner_names() {
   std::vector<std::string> names;
   names.reserve(k_corners.size());
@@ -82,8 +84,7 @@ PieceLabel label_from(const Arguments& arguments) {
                    .fabric = arguments.value_or("--fabric", ""),
                    .note = arguments.value_or("--note", "")};
   if (arguments.has("--quantity")) {
-    label.quantity =
-        whole_number_of("--quantity", arguments.flags.at("--quantity"), {1.0, 1'000'000.0});
+    label.quantity = whole_number_of("--quantity", arguments.flags.at("--quantity"), k_quantity);
   }
   return label;
 }
@@ -117,22 +118,37 @@ void refuse_idle_flags(const Arguments& arguments, bool writes_sheet) {
 FlagGroup furniture_flags() {
   return {
       "What the pattern gets besides its outline",
-      {{"--allowance", "LENGTH", "material beyond the seam, as 10mm"},
-       {"--corners", "KIND", "of the allowance: " + list_of(corner_names()) + " (default mitre)"},
+      {{"--allowance",
+        "LENGTH",
+        "material beyond the seam, as 10mm",
+        0,
+        false,
+        {.range = {.min = 0.0}}},
+       {"--corners",
+        "KIND",
+        "of the allowance: " + list_of(corner_names()) + " (default mitre)",
+        0,
+        false,
+        {.choices = corner_names(), .standard = corner_names().front()}},
        {"--edge-allowances", "FILE",
         "other ones for stretches of the border, a line each: from vertex, to vertex, width in mm"},
        {"--notches", "FILE",
         "a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double"},
        {"--seam-notches", "FILE",
         "on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double"},
-       {"--notch-depth", "LENGTH", "of notches (default 5mm, or half of less allowance)"},
+       {"--notch-depth",
+        "LENGTH",
+        "of notches (default 5mm, or half of less allowance)",
+        0,
+        false,
+        {.range = {.min = 0.0}}},
        {"--grain", "X,Y,Z|ANGLE",
         "direction of the grain on the model, or its angle in the pattern"},
        {"--marks", "FILE", "a line each: vertex; cross or drill"},
        {"--inner-lines", "FILE", "as legs of darts, a line each by its vertices"},
        {"--piece-name", "TEXT", "written inside the piece, as are the next four"},
        {"--size", "TEXT", "that the piece is for"},
-       {"--quantity", "N", "how many to cut"},
+       {"--quantity", "N", "how many to cut", 0, false, {.range = k_quantity}},
        {"--fabric", "TEXT", "what to cut it from"},
        {"--note", "TEXT", "anything else, as \"one mirrored\" or \"cut on fold\""},
        {"--date", "TEXT", "written on the sheet as it is (default none)"}}};

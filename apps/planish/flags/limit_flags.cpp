@@ -14,9 +14,10 @@ namespace planish::cli {
 namespace {
 
 constexpr std::string_view k_of_area = "@p99";
+constexpr Range k_strain = {0.0, 1.0};
 
 double share_above_0(const std::string& flag, const std::string& text, const Arguments& arguments) {
-  const double share = quantity_value(flag, text, Quantity::share, Range{0.0, 1.0}, arguments);
+  const double share = quantity_value(flag, text, Quantity::share, k_strain, arguments);
   if (share == 0.0) throw UsageError(flag + " is 0 but must be more: leave it out for no limit");
   return share;
 }
@@ -24,12 +25,20 @@ double share_above_0(const std::string& flag, const std::string& text, const Arg
 }  // namespace
 
 std::vector<Flag> limit_flags() {
-  return {
-      {"--max-strain", "X",
-       "how much an edge of the pattern may be longer or shorter than on the patch (0.02 or "
-       "2%); 2%@p99: on 99 % of the area"},
-      material_flag(),
-      {"--max-rms-strain", "X", "the same for the root mean square of the strain (0.02 or 2%)"}};
+  return {{"--max-strain",
+           "X",
+           "how much an edge of the pattern may be longer or shorter than on the patch (0.02 or "
+           "2%); 2%@p99: on 99 % of the area",
+           0,
+           false,
+           {.type = ValueType::share, .range = k_strain}},
+          material_flag(),
+          {"--max-rms-strain",
+           "X",
+           "the same for the root mean square of the strain (0.02 or 2%)",
+           0,
+           false,
+           {.type = ValueType::share, .range = k_strain}}};
 }
 
 StrainLimits limits_from(const Arguments& arguments) {

@@ -26,9 +26,12 @@ std::vector<std::string> names_with_strains() {
 }  // namespace
 
 Flag material_flag() {
-  return {
-      "--material", "NAME",
-      "in place of --max-strain, what this material takes up: " + list_of(names_with_strains())};
+  return {"--material",
+          "NAME",
+          "in place of --max-strain, what this material takes up: " + list_of(names_with_strains()),
+          0,
+          false,
+          {.choices = material_names()}};
 }
 
 double strain_of_material(const Arguments& arguments) {

@@ -23,9 +23,7 @@ std::string flag_name(std::string_view option) {
 
 /// "0.5", "500000", "no limit"
 std::string default_text(double value) {
-  if (std::isinf(value)) return "no limit";
-  const auto whole = static_cast<long long>(value);
-  return static_cast<double>(whole) == value ? std::to_string(whole) : shortest(value);
+  return std::isinf(value) ? "no limit" : plain(value);
 }
 
 /// "0 to 1, default 0.5". Bounds that nobody will reach are left out.
@@ -66,15 +64,26 @@ struct FlagMaker {
     const std::string forms = name == k_strain_option
                                   ? "0.02 or 2% for every edge, 2%@p99 for 99 % of the area"
                                   : forms_of(quantity_of(name));
-    flags.push_back({flag_name(name), std::is_integral_v<Number> ? "N" : "X",
-                     std::string(doc) + " (" + (forms.empty() ? "" : forms + "; ") +
-                         range_text(value, range) + ")"});
+    flags.push_back(
+        {flag_name(name), std::is_integral_v<Number> ? "N" : "X",
+         std::string(doc) + " (" + (forms.empty() ? "" : forms + "; ") + range_text(value, range) +
+             ")",
+         0, false,
+         FlagValue{
+             .type = std::is_integral_v<Number> ? ValueType::integer : type_of(quantity_of(name)),
+             .range = range,
+             .standard = std::isinf(static_cast<double>(value)) ? "" : default_text(value)}});
     if (name == k_strain_option) flags.push_back(material_flag());
   }
   void operator()(std::string_view name, const BorderFreedom& border, const char* doc) {
     flags.push_back({flag_name(name), "D",
                      std::string(doc) + " (" + list_of(border_names(border)) + ", default " +
-                         names_in(border.rule).front() + ")"});
+                         names_in(border.rule).front() + ")",
+                     0, false,
+                     FlagValue{.type = ValueType::length,
+                               .choices = names_in(border.rule),
+                               .range = {.min = 0.0},
+                               .standard = names_in(border.rule).front()}});
   }
   template <class Enum>
   void operator()(std::string_view name, Enum value, const char* doc) {
@@ -84,7 +93,8 @@ struct FlagMaker {
     }
     flags.push_back(
         {flag_name(name), "NAME",
-         std::string(doc) + " (" + list_of(names_in(value)) + ", default " + standard + ")"});
+         std::string(doc) + " (" + list_of(names_in(value)) + ", default " + standard + ")", 0,
+         false, FlagValue{.choices = names_in(value), .standard = standard}});
   }
 };
 
@@ -146,8 +156,9 @@ std::vector<Flag> flags_of(Options options) {
 std::vector<Flag> stopping_flags() {
   std::vector<Flag> flags = flags_of(Stopping{});
   for (Flag& flag : flags) {
-    if (flag.name == "--sweeps")
-      flag.doc = "at most so many sweeps (default: what each method usually takes)";
+    if (flag.name != "--sweeps") continue;
+    flag.doc = "at most so many sweeps (default: what each method usually takes)";
+    flag.accepts.standard.clear();
   }
   return flags;
 }
@@ -228,8 +239,12 @@ std::vector<FlagGroup> method_flags(const Method& standard) {
   });
   std::rotate(methods.begin(), first, first + 1);
   FlagGroup shared = {"How to evolve",
-                      {{"--method", "NAME",
-                        list_of(method_names()) + " (default " + methods.front().method + ")"}}};
+                      {{"--method",
+                        "NAME",
+                        list_of(method_names()) + " (default " + methods.front().method + ")",
+                        0,
+                        false,
+                        {.choices = method_names(), .standard = methods.front().method}}}};
   for (Flag& flag : stopping_flags())
     shared.flags.push_back(std::move(flag));
 
@@ -242,7 +257,8 @@ std::vector<FlagGroup> method_flags(const Method& standard) {
     FlagGroup own = {"With --method " + method.method + " (" + std::to_string(method.usual_sweeps) +
                          (method.usual_sweeps == 1 ? " sweep" : " sweeps") +
                          " unless told otherwise)",
-                     {}};
+                     {},
+                     method.method};
     for (const Flag& flag : method.flags) {
       if (!in_all(flag)) own.flags.push_back(flag);
       if (in_all(flag) && &method == &methods.front()) groups.front().flags.push_back(flag);
@@ -274,9 +290,13 @@ Flag remesh_flag() {
 
 Flag smooth_first_flag() {
   return {
-      "--smooth-first", "LENGTH",
+      "--smooth-first",
+      "LENGTH",
       "first take waves shorter than this out of the design, as the noise of a scan (at most 20 "
-      "mean edges; such as 5mm)"};
+      "mean edges; such as 5mm)",
+      0,
+      false,
+      {.range = {.min = 0.0}}};
 }
 
 double smooth_first_from(const Arguments& arguments) {
@@ -290,10 +310,13 @@ double smooth_first_from(const Arguments& arguments) {
 }
 
 FlagGroup compare_flags() {
-  FlagGroup group = {
-      "How to evolve",
-      {{"--methods", "NAMES",
-        "which, with commas between: " + list_of(method_names()) + " (default: all)"}}};
+  FlagGroup group = {"How to evolve",
+                     {{"--methods",
+                       "NAMES",
+                       "which, with commas between: " + list_of(method_names()) + " (default: all)",
+                       0,
+                       false,
+                       {.choices = method_names()}}}};
   for (Flag& flag : stopping_flags())
     group.flags.push_back(std::move(flag));
   return group;

@@ -1,5 +1,7 @@
 #include "flags/quantities.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <system_error>
 
@@ -22,6 +24,7 @@ struct NumberAndSuffix {
 std::string demand_of(Quantity quantity) {
   switch (quantity) {
     case Quantity::number:
+    case Quantity::radians:
       return "a number";
     case Quantity::share:
       return "a share such as 0.02 or 2%";
@@ -74,12 +77,33 @@ Quantity quantity_of(std::string_view option) {
   if (option == "max_strain" || option == "max_rms_strain") return Quantity::share;
   if (option == "max_deviation" || option == "clearance" || option == "border")
     return Quantity::length;
+  constexpr std::array<std::string_view, 4> in_radians = {"target_e_max", "switch_e_max",
+                                                          "switch_fall", "enough"};
+  if (std::find(in_radians.begin(), in_radians.end(), option) != in_radians.end())
+    return Quantity::radians;
   return option == "min_angle" ? Quantity::angle : Quantity::number;
+}
+
+ValueType type_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::number:
+      return ValueType::number;
+    case Quantity::share:
+      return ValueType::share;
+    case Quantity::length:
+      return ValueType::length;
+    case Quantity::angle:
+      return ValueType::angle;
+    case Quantity::radians:
+      return ValueType::radians;
+  }
+  return ValueType::number;
 }
 
 std::string forms_of(Quantity quantity) {
   switch (quantity) {
     case Quantity::number:
+    case Quantity::radians:
       return {};
     case Quantity::share:
       return "0.02 or 2%";

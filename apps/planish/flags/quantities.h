@@ -11,14 +11,17 @@ namespace planish::cli {
 
 /// What a number is of, which says what may stand behind it.
 enum class Quantity {
-  number,  ///< nothing
-  share,   ///< %
-  length,  ///< a unit; model units without it
-  angle,   ///< deg, which it is in without it too
+  number,   ///< nothing
+  share,    ///< %
+  length,   ///< a unit; model units without it
+  angle,    ///< deg, which it is in without it too
+  radians,  ///< nothing
 };
 
 /// That of an option of a method, as its describe() names it.
 Quantity quantity_of(std::string_view option);
+
+ValueType type_of(Quantity quantity);
 
 /// How values may be written, for the help: "0.02 or 2%"; empty for plain numbers.
 std::string forms_of(Quantity quantity);

@@ -20,8 +20,9 @@ std::vector<std::string> unit_names() {
 }  // namespace
 
 Flag unit_flag() {
-  return {"--unit", "UNIT",
-          "what one unit of the mesh is: " + list_of(unit_names()) + " (default mm)"};
+  return {
+      "--unit", "UNIT", "what one unit of the mesh is: " + list_of(unit_names()) + " (default mm)",
+      0,        false,  {.choices = unit_names(), .standard = "mm"}};
 }
 
 Unit unit_from(const Arguments& arguments) {

@@ -62,6 +62,10 @@ std::map<std::string, std::string, std::less<>> layer_names_from(const std::stri
   return names;
 }
 
+std::vector<std::string> text_kinds() {
+  return {"letters", "strokes"};
+}
+
 Drawing prepared(const Drawing& sheet, const PatternOutput& output) {
   return output.stroked_text ? with_stroked_text(sheet) : sheet;
 }
@@ -91,10 +95,24 @@ std::optional<PatternFormat> pattern_format_of(const std::string& path) {
 }
 
 std::vector<Flag> pattern_flags(const std::string& paper_doc) {
-  return {{"--paper", "PAPER", paper_doc + ": " + list_of(names_of(k_papers))},
-          {"--text", "KIND", "letters, or strokes for machines without them (default letters)"},
-          {"--dxf-profile", "NAME",
-           "whom the .dxf is for: " + list_of(names_of(k_dxf_profiles)) + " (default generic)"},
+  return {{"--paper",
+           "PAPER",
+           paper_doc + ": " + list_of(names_of(k_papers)),
+           0,
+           false,
+           {.choices = names_of(k_papers)}},
+          {"--text",
+           "KIND",
+           "letters, or strokes for machines without them (default letters)",
+           0,
+           false,
+           {.choices = text_kinds(), .standard = "letters"}},
+          {"--dxf-profile",
+           "NAME",
+           "whom the .dxf is for: " + list_of(names_of(k_dxf_profiles)) + " (default generic)",
+           0,
+           false,
+           {.choices = names_of(k_dxf_profiles), .standard = "generic"}},
           {"--dxf-layers", "A=B,...",
            "other names in the .dxf for the layers " +
                list_of(std::vector<std::string>(k_sheet_layers.begin(), k_sheet_layers.end()))}};
@@ -102,9 +120,8 @@ std::vector<Flag> pattern_flags(const std::string& paper_doc) {
 
 PatternOutput pattern_output_from(const Arguments& arguments) {
   PatternOutput output;
-  const std::vector<std::string> kinds = {"letters", "strokes"};
-  output.stroked_text =
-      known_name("kind of text", arguments.value_or("--text", "letters"), kinds) == "strokes";
+  output.stroked_text = known_name("kind of text", arguments.value_or("--text", "letters"),
+                                   text_kinds()) == "strokes";
   output.dxf.profile = dxf_profile_named(known_name(
       "profile", arguments.value_or("--dxf-profile", "generic"), names_of(k_dxf_profiles)));
   if (arguments.has("--dxf-layers")) {
@@ -134,9 +151,13 @@ void refuse_idle_pattern_flags(const Arguments& arguments,
 }
 
 Flag formats_flag() {
-  return {"--formats", "LIST",
+  return {"--formats",
+          "LIST",
           std::string("of the pattern: some of svg, dxf, pdf and plt (default ") + k_usual_formats +
-              ")"};
+              ")",
+          0,
+          false,
+          {.choices = names_of(k_formats), .standard = k_usual_formats}};
 }
 
 std::vector<PatternFormat> formats_from(const Arguments& arguments) {

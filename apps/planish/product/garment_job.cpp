@@ -249,9 +249,13 @@ std::vector<Flag> garment_flags() {
   return {
       {"--resume", "",
        "of several patches, keep those whose results are there, whole and of the same job"},
-      {"--seam-tolerance", "LENGTH",
+      {"--seam-tolerance",
+       "LENGTH",
        "how close borders of several patches must lie to be sewn together, like 0.01mm (default: "
-       "at equal places)"}};
+       "at equal places)",
+       0,
+       false,
+       {.range = {.min = 0.0}}}};
 }
 
 void refuse_garment_flags(const Arguments& arguments) {

@@ -38,11 +38,14 @@ Turns turns_from(const Arguments& arguments) {
   return k_turns.front();
 }
 
-/// Millimetres; 10 km at most, as nest() has it.
+/// Millimetres, as nest() has it: 10 km.
+constexpr double k_longest = 1e7;
+
+/// Millimetres.
 double nest_length(const Arguments& arguments, const std::string& flag, const std::string& text,
                    double least) {
   const double scale = millimetres_per(unit_from(arguments));
-  const Range range = {.min = least, .max = 1e7 / scale};
+  const Range range = {.min = least, .max = k_longest / scale};
   return scale * quantity_value(flag, text, Quantity::length, range, arguments);
 }
 
@@ -134,11 +137,25 @@ FlagGroup nest_flags() {
   return {"How the pieces are laid on material",
           {{"--sheet", "WIDTH[xLENGTH]",
             "lay all pieces on a roll as wide as 1500mm, or on sheets like 1500mmx1000mm"},
-           {"--nest-gap", "LENGTH", "left between pieces (default 5mm)"},
-           {"--nest-margin", "LENGTH", "left free along the edges of the sheet (default 0)"},
-           {"--turn", "KIND",
+           {"--nest-gap",
+            "LENGTH",
+            "left between pieces (default 5mm)",
+            0,
+            false,
+            {.range = {.min = 0.0}, .standard = "5mm"}},
+           {"--nest-margin",
+            "LENGTH",
+            "left free along the edges of the sheet (default 0)",
+            0,
+            false,
+            {.range = {.min = 0.0}, .standard = "0"}},
+           {"--turn",
+            "KIND",
             "how pieces may be turned against their grain: " + list_of(turn_names()) +
-                " (default half)"}}};
+                " (default half)",
+            0,
+            false,
+            {.choices = turn_names(), .standard = "half"}}}};
 }
 
 std::optional<NestOptions> sheets_from(const Arguments& arguments) {

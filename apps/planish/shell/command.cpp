@@ -1,8 +1,28 @@
 #include "shell/command.h"
 
 #include <algorithm>
+#include <array>
 
 namespace planish::cli {
+
+std::string_view to_string(ValueType type) {
+  constexpr std::array<std::string_view, 12> names = {"none",   "integer", "number",  "share",
+                                                      "length", "angle",   "radians", "name",
+                                                      "names",  "text",    "file",    "folder"};
+  return names.at(static_cast<std::size_t>(type));
+}
+
+ValueType type_of(const Flag& flag) {
+  if (flag.accepts.type) return *flag.accepts.type;
+  const std::map<std::string_view, ValueType> by_value = {
+      {"", ValueType::none},         {"N", ValueType::integer},    {"X", ValueType::number},
+      {"LENGTH", ValueType::length}, {"NAME", ValueType::name},    {"KIND", ValueType::name},
+      {"UNIT", ValueType::name},     {"PAPER", ValueType::name},   {"NAMES", ValueType::names},
+      {"LIST", ValueType::names},    {"FILE", ValueType::file},    {"OUTPUT", ValueType::file},
+      {"CUTS", ValueType::file},     {"FOLDER", ValueType::folder}};
+  const auto found = by_value.find(flag.value);
+  return found == by_value.end() ? ValueType::text : found->second;
+}
 
 std::string Arguments::value_or(std::string_view flag, const std::string& other) const {
   const auto found = flags.find(flag);
@@ -14,7 +34,12 @@ const FlagGroup& global_flags() {
       "Flags of every verb",
       {{"--json", "", "print one JSON object on standard output and nothing else there"},
        {"--quiet", "", "no progress and no notes; results and errors still appear", 'q'},
-       {"--threads", "N", "use at most N threads; never changes the result (default: all cores)"},
+       {"--threads",
+        "N",
+        "use at most N threads; never changes the result (default: all cores)",
+        0,
+        false,
+        {.range = k_threads}},
        {"--help", "", "print help and end", 'h'},
        {"--version", "", "print the version and end"}}};
   return group;

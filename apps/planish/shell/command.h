@@ -1,26 +1,62 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <planish/core/fields.h>
 
 #include "shell/run_context.h"
 
 namespace planish::cli {
 
-/// One flag, as the parser and the help see it.
+/// What may stand behind a flag.
+enum class ValueType {
+  none,  ///< the flag is there or not
+  integer,
+  number,
+  share,   ///< a fraction, or per cent with %
+  length,  ///< model units, or with a unit
+  angle,   ///< degrees
+  radians,
+  name,   ///< one of the choices
+  names,  ///< some of the choices, with commas between them
+  text,
+  file,
+  folder,
+};
+
+/// "share"
+std::string_view to_string(ValueType type);
+
+/// What a flag takes, for `planish describe`.
+struct FlagValue {
+  /// Where it does not follow from what the help calls the value.
+  std::optional<ValueType> type = {};
+  std::vector<std::string> choices = {};  ///< names; words that are taken besides a number
+  Range range = {};                       ///< of numbers, in the unit of their type
+  /// As it would be typed. Empty where there is none, or where it depends on something else.
+  std::string standard = {};
+};
+
+/// One flag, as the parser, the help and `planish describe` see it.
 struct Flag {
   std::string name;   ///< "--lambda-min"
   std::string value;  ///< what the help calls its value; empty where it takes none
   std::string doc;
   char letter = 0;  ///< of the short form; 0 for none
   bool required = false;
+  FlagValue accepts = {};
 };
+
+ValueType type_of(const Flag& flag);
 
 struct FlagGroup {
   std::string title;
   std::vector<Flag> flags;
+  std::string method = {};  ///< that alone takes them; empty for all
 };
 
 /// What the user typed behind the verb.
@@ -56,7 +92,11 @@ struct Command {
   std::vector<FlagGroup> groups;
   std::vector<std::string> examples;
   Outcome (*run)(const Arguments&, Session&);
+  bool operands_optional = false;
 };
+
+/// What --threads takes; 0 for all cores.
+inline constexpr Range k_threads = {0.0, 1024.0};
 
 /// The flags that every verb takes, before or behind it.
 const FlagGroup& global_flags();

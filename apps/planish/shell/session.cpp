@@ -13,7 +13,6 @@ namespace planish::cli {
 
 namespace {
 
-constexpr double k_most_threads = 1024;
 constexpr int k_bar_width = 14;
 constexpr auto k_redraw_interval = std::chrono::milliseconds(100);
 
@@ -30,7 +29,7 @@ Session::Session(const Arguments& arguments, std::ostream& err, const RunContext
       quiet_(arguments.has("--quiet")),
       draws_progress_(context.err_is_terminal && !quiet_) {
   const std::string threads = arguments.value_or("--threads", "0");
-  threads_ = static_cast<unsigned>(whole_number_of("--threads", threads, {0.0, k_most_threads}));
+  threads_ = static_cast<unsigned>(whole_number_of("--threads", threads, k_threads));
 }
 
 Session::~Session() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "shell/failures.h"
 #include "shell/nearest.h"
@@ -11,6 +12,11 @@ namespace planish::cli {
 std::string shortest(double value) {
   char digits[32];
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
+std::string plain(double value) {
+  const bool is_whole = std::abs(value) < 1e15 && value == std::trunc(value);
+  return is_whole ? std::to_string(static_cast<long long>(value)) : shortest(value);
 }
 
 int whole_number_of(const std::string& flag, const std::string& text, Range range) {

@@ -11,6 +11,9 @@ namespace planish::cli {
 /// The shortest digits that read back to the same number: "0.5".
 std::string shortest(double value);
 
+/// The same, but whole numbers without an exponent: "10000000".
+std::string plain(double value);
+
 /// The whole number that the value of a flag says.
 /// @throws UsageError where it is none, Error option_out_of_range
 int whole_number_of(const std::string& flag, const std::string& text, Range range);

@@ -1,0 +1,157 @@
+// What verbs and flags there are, for programs that build on this one.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <planish/core/version.h>
+
+#include <planish_json/json.h>
+
+#include "commands/commands.h"
+#include "shell/session.h"
+#include "shell/text.h"
+#include "shell/values.h"
+
+namespace planish::cli {
+
+namespace {
+
+Json bound(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+std::string_view unit_of(ValueType type) {
+  switch (type) {
+    case ValueType::share:
+      return "fraction";
+    case ValueType::length:
+      return "model units";
+    case ValueType::angle:
+      return "degrees";
+    case ValueType::radians:
+      return "radians";
+    default:
+      return {};
+  }
+}
+
+/// A number where the whole text is one, else the text.
+Json standard_json(const std::string& text) {
+  if (text.empty()) return nullptr;
+  const Json number = Json::parse(text, nullptr, false);
+  return number.is_number() ? number : Json(text);
+}
+
+/// In the unit of the type: 0.02 for 2%.
+Json standard_json(const Flag& flag, ValueType type) {
+  const std::string& text = flag.accepts.standard;
+  if (type == ValueType::none) return false;
+  if (type == ValueType::share && text.ends_with('%')) {
+    const Json per_cent = standard_json(text.substr(0, text.size() - 1));
+    return per_cent.get<double>() / 100.0;
+  }
+  return standard_json(text);
+}
+
+Json flag_json(const Flag& flag) {
+  const ValueType type = type_of(flag);
+  const auto text_or_null = [](const std::string& text) {
+    return text.empty() ? Json(nullptr) : Json(text);
+  };
+  return {{"name", flag.name},
+          {"short", text_or_null(flag.letter == 0 ? "" : std::string("-") + flag.letter)},
+          {"type", to_string(type)},
+          {"unit", text_or_null(std::string(unit_of(type)))},
+          {"choices", flag.accepts.choices},
+          {"min", bound(flag.accepts.range.min)},
+          {"max", bound(flag.accepts.range.max)},
+          {"default", standard_json(flag, type)},
+          {"required", flag.required},
+          {"placeholder", text_or_null(flag.value)},
+          {"help", flag.doc}};
+}
+
+Json group_json(const FlagGroup& group) {
+  Json flags = Json::array();
+  for (const Flag& flag : group.flags)
+    flags.push_back(flag_json(flag));
+  return {{"title", group.title},
+          {"method", group.method.empty() ? Json(nullptr) : Json(group.method)},
+          {"flags", flags}};
+}
+
+Json verb_json(const Command& command) {
+  Json groups = Json::array();
+  for (const FlagGroup& group : command.groups)
+    groups.push_back(group_json(group));
+  return {{"name", command.name},         {"summary", command.summary},
+          {"usage", command.usage},       {"description", command.description},
+          {"operands", command.operands}, {"groups", groups},
+          {"examples", command.examples}};
+}
+
+std::vector<const Command*> described(const Arguments& arguments) {
+  std::vector<std::string> names;
+  for (const Command& command : commands())
+    names.push_back(command.name);
+  if (!arguments.operands.empty()) known_name("verb", arguments.operands.front(), names);
+  std::vector<const Command*> chosen;
+  for (const Command& command : commands()) {
+    if (arguments.operands.empty() || arguments.operands.front() == command.name)
+      chosen.push_back(&command);
+  }
+  return chosen;
+}
+
+/// "--quantity  integer, 1 to 1000000"
+std::string flag_line(const Flag& flag) {
+  const FlagValue& value = flag.accepts;
+  std::string text = std::string(to_string(type_of(flag)));
+  if (std::isfinite(value.range.min) || std::isfinite(value.range.max)) {
+    text += ", " + (std::isfinite(value.range.min) ? plain(value.range.min) : "any") + " to " +
+            (std::isfinite(value.range.max) ? plain(value.range.max) : "any");
+  }
+  if (!value.choices.empty()) text += ": " + list_of(value.choices);
+  if (!value.standard.empty()) text += "; default " + value.standard;
+  return "  " + left(flag.name, 20) + wrapped(text, 22) + "\n";
+}
+
+std::string verb_text(const Command& command) {
+  std::string text = command.name + ": " + command.summary + "\n";
+  for (const FlagGroup& group : command.groups) {
+    text += "\n" + group.title + ":\n";
+    for (const Flag& flag : group.flags)
+      text += flag_line(flag);
+  }
+  return text + "\n";
+}
+
+Outcome run_describe(const Arguments& arguments, Session&) {
+  std::string text;
+  Json verbs = Json::array();
+  for (const Command* command : described(arguments)) {
+    text += verb_text(*command);
+    verbs.push_back(verb_json(*command));
+  }
+  return {text, json_document({{"version", std::string(k_version)},
+                               {"verbs", verbs},
+                               {"every_verb", group_json(global_flags())["flags"]}})};
+}
+
+}  // namespace
+
+Command describe_command() {
+  return {"describe",
+          "what all flags take, for programs that build on this one",
+          "[VERB]",
+          "Prints of each verb, or of the one named, what its flags take: type, range, choices and "
+          "default. With --json everything that --help says too, to build forms and bindings from.",
+          {"VERB"},
+          {},
+          {"planish describe --json", "planish describe flatten"},
+          run_describe,
+          true};
+}
+
+}  // namespace planish::cli

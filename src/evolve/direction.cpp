@@ -33,19 +33,19 @@ VertexClass class_of(double defect, double flat) {
 
 /// b_v'(0) = -2 sum of d theta' over v and its inner neighbours: only the angles of the triangles
 /// at v change, each at the rate of its gradient in v along L.
-/// @param places of the vertices, at a scale where squares can neither overflow nor vanish
-SlopeSum slope_at(Index v, std::span<const Vec3> places, std::span<const double> defects,
+/// @param positions of the vertices, at a scale where squares can neither overflow nor vanish
+SlopeSum slope_at(Index v, std::span<const Vec3> positions, std::span<const double> defects,
                   const Connectivity& connectivity) {
   const std::span<const Index> ring = connectivity.ring(v);
   const std::size_t n = ring.size();
-  const Vec3 x = places[v];
+  const Vec3 x = positions[v];
   const Vec3 laplacian =
-      edge_weighted_laplacian(x, n, [&](std::size_t j) { return places[ring[j]]; });
+      edge_weighted_laplacian(x, n, [&](std::size_t j) { return positions[ring[j]]; });
   double own_rate = 0.0;
   std::vector<double> rates(n);
   for (std::size_t j = 0; j < n; ++j) {
     const std::size_t next = (j + 1) % n;
-    const Vec3 a = places[ring[j]], b = places[ring[next]];
+    const Vec3 a = positions[ring[j]], b = positions[ring[next]];
     own_rate += dot(laplacian, angle_gradient(x, a, b).at_p);
     rates[j] += dot(laplacian, angle_gradient(a, b, x).at_r);
     rates[next] += dot(laplacian, angle_gradient(b, x, a).at_q);
@@ -87,17 +87,17 @@ std::vector<VertexDirection> laplacian_directions(const TriMesh& mesh,
   const std::vector<double> defects = angle_defects(mesh, connectivity);
   const double flat = flat_defect(connectivity.inner_vertices().size());
   const double scale = unit_scale(mesh);
-  std::vector<Vec3> places;
-  places.reserve(mesh.positions.size());
+  std::vector<Vec3> positions;
+  positions.reserve(mesh.positions.size());
   for (const Vec3 p : mesh.positions)
-    places.push_back(scale * p);
+    positions.push_back(scale * p);
 
   std::vector<VertexDirection> directions(mesh.positions.size());
   for (Index v = 0; v < directions.size(); ++v) {
     if (connectivity.is_border(v)) directions[v].kind = VertexClass::border;
   }
   for (const Index v : connectivity.inner_vertices()) {
-    const SlopeSum sum = slope_at(v, places, defects, connectivity);
+    const SlopeSum sum = slope_at(v, positions, defects, connectivity);
     directions[v] = {class_of(defects[v], flat), defects[v], sum.slope, sum.slope < -sum.error};
   }
   return directions;

@@ -4,8 +4,8 @@
 
 namespace planish {
 
-/// How the angle of a triangle at p changes with the places of its corners, in radians per unit of
-/// length.
+/// How the angle of a triangle at p changes with the positions of its corners, in radians per unit
+/// of length.
 struct AngleGradient {
   Vec3 at_p, at_q, at_r;
 };

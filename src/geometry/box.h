@@ -7,7 +7,7 @@
 
 namespace planish {
 
-/// The least box around some places; without any its size is -infinity.
+/// The least box around some positions; without any its size is -infinity.
 struct Box {
   static constexpr double inf = std::numeric_limits<double>::infinity();
   Vec3 low{inf, inf, inf}, high{-inf, -inf, -inf};

@@ -74,9 +74,9 @@ void append_row(Vec3 p, const std::vector<Vec3>& ring, const std::vector<int>& n
   rows.start.push_back(rows.columns.size());
 }
 
-/// @param places of all vertices
-InnerRows rows_of(const Columns& places, const Connectivity& connectivity) {
-  std::vector<int> number(places.size(), k_held);
+/// @param positions of all vertices
+InnerRows rows_of(const Columns& positions, const Connectivity& connectivity) {
+  std::vector<int> number(positions.size(), k_held);
   int count = 0;
   for (const Index v : connectivity.inner_vertices())
     number[v] = count++;
@@ -87,10 +87,10 @@ InnerRows rows_of(const Columns& places, const Connectivity& connectivity) {
     ring.clear();
     numbers.clear();
     for (const Index w : connectivity.ring(v)) {
-      ring.push_back(places[w]);
+      ring.push_back(positions[w]);
       numbers.push_back(number[w]);
     }
-    append_row(places[v], ring, numbers, rows);
+    append_row(positions[v], ring, numbers, rows);
   }
   // A vertex without area would be divided by.
   CarefulSum sum;
@@ -197,13 +197,13 @@ Columns moves_of(const InnerRows& rows, double t, int most_steps) {
   return moves;
 }
 
-double mean_edge(const Columns& places, const Connectivity& connectivity) {
+double mean_edge(const Columns& positions, const Connectivity& connectivity) {
   CarefulSum sum;
   double count = 0.0;
-  for (Index v = 0; v < places.size(); ++v) {
+  for (Index v = 0; v < positions.size(); ++v) {
     for (const Index w : connectivity.ring(v)) {
       if (w < v) continue;
-      sum.add(norm(places[w] - places[v]));
+      sum.add(norm(positions[w] - positions[v]));
       count += 1.0;
     }
   }
@@ -221,20 +221,20 @@ std::vector<Vec3> smoothed_positions(const TriMesh& mesh, const Connectivity& co
   const std::span<const Index> inner = connectivity.inner_vertices();
   if (inner.empty()) return mesh.positions;
   const double scale = unit_scale(mesh);
-  Columns places = mesh.positions;
-  for (Vec3& p : places)
+  Columns positions = mesh.positions;
+  for (Vec3& p : positions)
     p = scale * p;
-  const double edge = mean_edge(places, connectivity);
+  const double edge = mean_edge(positions, connectivity);
   if (wave) check_range("smooth_first", *wave, {0.0, k_longest_wave * edge / scale});
   const double length = wave ? *wave * scale : k_usual_wave * edge;
   const double root = 0.5 * length / std::numbers::pi, edges = length / (k_usual_wave * edge);
   const auto most_steps = static_cast<int>(k_most_steps * std::max(1.0, edges * edges));
   const Columns moves =
-      moves_of(rows_of(places, connectivity), root * root * root * root, most_steps);
+      moves_of(rows_of(positions, connectivity), root * root * root * root, most_steps);
   if (!std::all_of(moves.begin(), moves.end(), is_finite)) return mesh.positions;
   std::vector<Vec3> result = mesh.positions;
   for (std::size_t i = 0; i < inner.size(); ++i) {
-    const Vec3 place = places[inner[i]] + moves[i];
+    const Vec3 place = positions[inner[i]] + moves[i];
     result[inner[i]] = {place.x / scale, place.y / scale, place.z / scale};
   }
   return result;

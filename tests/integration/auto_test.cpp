@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "evolve/descent/coarse_levels.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 namespace {

@@ -16,7 +16,7 @@
 #include "evolve/descent/border_motion.h"
 #include "evolve/descent/shape_cost.h"
 #include "evolve/descent/strain_potential.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 #include "support/moves.h"
 
 namespace planish {
@@ -97,13 +97,13 @@ TEST(BorderMotion, SlidesAlongTheBorderInItsOrder) {
       origins.push_back(laid.state.origin(v));
     const double edge = norm(origins[1] - origins[0]);
     for (const double size : {0.2, 1.0, 5.0}) {
-      Places places = sum_of(first_places(laid.state, laid.count()), 1.0,
-                             some_moves(laid.count(), size * edge));
-      laid.border.restrict(places);
+      Positions positions = sum_of(first_positions(laid.state, laid.count()), 1.0,
+                                   some_moves(laid.count(), size * edge));
+      laid.border.restrict(positions);
       double before = -1.0;
       int elsewhere = 0;
       for (std::size_t i = 0; i < origins.size(); ++i) {
-        const Vec3 place = places[laid.first_border() + i];
+        const Vec3 place = positions[laid.first_border() + i];
         const OnPolygon on = on_polygon(origins, place);
         EXPECT_LT(on.away, 1e-12) << shape;
         // The first of a round border may have slid to before the end of the loop.
@@ -122,11 +122,11 @@ TEST(BorderMotion, GoesToTheNearestPlaceOfTheBorder) {
   const Laid laid(make_shape("dome", 600), k_slide);
   const Index v = laid.first_border() + 7;
   const Vec3 from = laid.state.origin(v), next = laid.state.origin(v + 1);
-  Places places = first_places(laid.state, laid.count());
+  Positions positions = first_positions(laid.state, laid.count());
   const Vec3 target = from + 0.3 * (next - from);
-  places[v] = target + 0.01 * cross(next - from, {0.0, 0.0, 1.0});
-  laid.border.restrict(places);
-  EXPECT_LT(norm(places[v] - target), 1e-12);
+  positions[v] = target + 0.01 * cross(next - from, {0.0, 0.0, 1.0});
+  laid.border.restrict(positions);
+  EXPECT_LT(norm(positions[v] - target), 1e-12);
   const Vec3 along = laid.border.direction(v, 0);
   EXPECT_NEAR(norm(along), 1.0, 1e-14);
   EXPECT_GT(dot(along, next - from), 0.99 * norm(next - from));
@@ -152,16 +152,16 @@ TEST(BorderMotion, KeepsCornersAndFixedVerticesWhereBordersSlide) {
 
 TEST(BorderMotion, KeepsTheDistance) {
   const Laid laid(make_shape("panel", 300), within(0.01));
-  const Places before = first_places(laid.state, laid.count());
-  Places places = sum_of(before, 1.0, some_moves(laid.count(), 0.012));
-  const Places asked = places;
-  laid.border.restrict(places);
+  const Positions before = first_positions(laid.state, laid.count());
+  Positions positions = sum_of(before, 1.0, some_moves(laid.count(), 0.012));
+  const Positions asked = positions;
+  laid.border.restrict(positions);
   int stopped = 0;
   for (Index v = 0; v < laid.count(); ++v) {
-    const double wish = norm(asked[v] - before[v]), far = norm(places[v] - before[v]);
+    const double wish = norm(asked[v] - before[v]), far = norm(positions[v] - before[v]);
     const bool stops = !laid.state.is_inner(v) && wish > 0.01;
     EXPECT_NEAR(far, stops ? 0.01 : wish, 1e-15);
-    EXPECT_LT(norm(cross(places[v] - before[v], asked[v] - before[v])), 1e-15);
+    EXPECT_LT(norm(cross(positions[v] - before[v], asked[v] - before[v])), 1e-15);
     stopped += stops ? 1 : 0;
   }
   EXPECT_GT(stopped, 10);
@@ -171,12 +171,12 @@ TEST(BorderMotion, KeepsTheLimitOfDeviationToo) {
   constexpr double most = 0.004;
   for (const BorderFreedom& freedom : {k_slide, within(0.01)}) {
     const Laid laid(make_shape("dome", 300), freedom, {}, most);
-    Places places =
-        sum_of(first_places(laid.state, laid.count()), 1.0, some_moves(laid.count(), 0.02));
-    laid.border.restrict(places);
+    Positions positions =
+        sum_of(first_positions(laid.state, laid.count()), 1.0, some_moves(laid.count(), 0.02));
+    laid.border.restrict(positions);
     double furthest = 0.0;
     for (Index v = laid.first_border(); v < laid.count(); ++v)
-      furthest = std::max(furthest, norm(places[v] - laid.state.origin(v)));
+      furthest = std::max(furthest, norm(positions[v] - laid.state.origin(v)));
     EXPECT_LE(furthest, most * (1.0 + 1e-12));
     EXPECT_GT(furthest, 0.5 * most);
   }
@@ -186,16 +186,16 @@ TEST(BorderMotion, KeepsAFifthOfTheWayBetweenVerticesThatSlide) {
   const Laid laid(make_shape("dome", 600), k_slide);
   const Index first = laid.first_border();
   const auto count = static_cast<Index>(laid.count() - first);
-  Places places = first_places(laid.state, laid.count());
+  Positions positions = first_positions(laid.state, laid.count());
   // All of them to one place: who can come near it does.
   for (Index v = first; v < laid.count(); ++v)
-    places[v] = laid.state.origin(first + count / 2);
-  laid.border.restrict(places);
+    positions[v] = laid.state.origin(first + count / 2);
+  laid.border.restrict(positions);
   double nearest = 1.0;
   for (Index i = 0; i < count; ++i) {
     const Index v = first + i, next = first + (i + 1) % count;
     const double before = norm(laid.state.origin(next) - laid.state.origin(v));
-    nearest = std::min(nearest, norm(places[next] - places[v]) / before);
+    nearest = std::min(nearest, norm(positions[next] - positions[v]) / before);
   }
   EXPECT_GE(nearest, 0.199);  // chords are shorter than the way
   EXPECT_LT(nearest, 0.7);
@@ -216,10 +216,10 @@ TEST(BorderMotion, BendsNotWhereMovesGoEvenlyAlongTheBorder) {
 
 TEST(AngleJacobian, IsTheDerivativeWhereBordersMove) {
   Laid laid(make_shape("panel", 150), within(1.0));
-  const Places x = first_places(laid.state, laid.count());
-  const Places u = some_moves(laid.count(), 1.0);
+  const Positions x = first_positions(laid.state, laid.count());
+  const Positions u = some_moves(laid.count(), 1.0);
   const auto angle_sums_at = [&](double t) {
-    move_to(sum_of(x, t, u), laid.jacobian, laid.state);
+    set_positions(sum_of(x, t, u), laid.jacobian, laid.state);
     laid.state.measure(laid.pool);
     return VectorXd(-inner_defects(laid.state));
   };
@@ -236,11 +236,11 @@ TEST(ShapeCost, HasTheGradientAndTheHessianOfItsValueWhereBordersMove) {
   const Laid laid(make_shape("panel", 200), within(1.0));
   ShapeCost cost(laid.jacobian, laid.state, 0.05, laid.border.bends());
   const double h = cost.unit();
-  const Places x = sum_of(cost.origin(), 1.0, some_moves(laid.count(), 0.3 * h));
-  const Places u = some_moves(laid.count(), h);
+  const Positions x = sum_of(cost.origin(), 1.0, some_moves(laid.count(), 0.3 * h));
+  const Positions u = some_moves(laid.count(), h);
   const double slope = 0.5 * (cost.value(sum_of(x, 1.0, u)) - cost.value(sum_of(x, -1.0, u)));
   EXPECT_NEAR(product(cost.gradient(x), u) / h, slope, 1e-10 * std::abs(slope));
-  const Places bend =
+  const Positions bend =
       sum_of(cost.gradient(sum_of(x, 0.5, u)), -1.0, cost.gradient(sum_of(x, -0.5, u)));
   const auto n = static_cast<Eigen::Index>(laid.count());
   VectorXd along(n), expected(n);

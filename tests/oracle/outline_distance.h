@@ -1,6 +1,6 @@
 #pragma once
 
-// How far places are from outlines, by trying every edge, and what tells whether outlines meet.
+// How far positions are from outlines, by trying every edge, and what tells whether outlines meet.
 
 #include <algorithm>
 #include <cstddef>
@@ -47,7 +47,7 @@ struct DistanceRange {
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
 };
 
-/// Of the corners and places between them of some lines from an outline.
+/// Of the corners and positions between them of some lines from an outline.
 inline DistanceRange distances(const Loops& lines, const Loops& outline, int places_an_edge = 3) {
   DistanceRange range;
   for (const auto& line : lines) {

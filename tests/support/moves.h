@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 
 /// Moves of so many vertices, no two alike.
-inline Places some_moves(std::size_t count, double size) {
-  Places moves(count);
+inline Positions some_moves(std::size_t count, double size) {
+  Positions moves(count);
   for (std::size_t v = 0; v < count; ++v) {
     const auto t = static_cast<double>(v);
     moves[v] = size * Vec3{std::sin(1.3 * t), std::cos(2.1 * t), std::sin(0.7 * t + 1.0)};
@@ -16,7 +16,7 @@ inline Places some_moves(std::size_t count, double size) {
   return moves;
 }
 
-inline double product(const Places& a, const Places& b) {
+inline double product(const Positions& a, const Positions& b) {
   double sum = 0.0;
   for (std::size_t v = 0; v < a.size(); ++v)
     sum += dot(a[v], b[v]);

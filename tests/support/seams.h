@@ -1,6 +1,6 @@
 #pragma once
 
-// Meshes with border vertices at equal places, as on the two sides of a seam.
+// Meshes with border vertices at equal positions, as on the two sides of a seam.
 
 #include <cmath>
 #include <cstddef>
@@ -13,7 +13,7 @@
 namespace planish::meshes {
 
 /// A vase cut open from top to bottom: the first and the last column of the grid lie at the same
-/// places. `around` + 1 columns, `along` + 1 rows.
+/// positions. `around` + 1 columns, `along` + 1 rows.
 inline TriMesh opened_vase(std::size_t around, std::size_t along, double belly = 0.3) {
   TriMesh mesh = flat_grid(around, along);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {

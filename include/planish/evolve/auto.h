@@ -52,7 +52,7 @@ void describe(Auto& o, Visit&& visit) {
         "length; 0: go on until the patch is flattenable",
         Range{0.0, 1.0});
   visit("max_rms_strain", o.max_rms_strain,
-        "the same by the root mean square of the strain, which a few places with more do not "
+        "the same by the root mean square of the strain, which a few positions with more do not "
         "decide; 0: no limit",
         Range{0.0, 1.0});
   visit("max_deviation", o.max_deviation,

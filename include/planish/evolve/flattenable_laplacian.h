@@ -32,7 +32,7 @@ void describe(FlattenableLaplacian& o, Visit&& visit) {
         "printed, which few dense patches bear",
         Range{1e-12, 1e3});
   visit("rebase_every", o.rebase_every,
-        "after so many steps the places reached become those to stay at; 0: never",
+        "after so many steps the positions reached become those to stay at; 0: never",
         Range{0.0, 1e9});
   visit("min_step", o.min_step,
         "converged when the rms step is below this share of the mean edge length", Range{0.0, 1.0});

@@ -8,7 +8,7 @@
 
 namespace planish {
 
-/// How a least-norm step is turned into the next places.
+/// How a least-norm step is turned into the next positions.
 enum class LeastNormUpdate {
   direct,     ///< the step itself
   uniform,    ///< the least-squares update: stepped, then faired with the umbrella vector
@@ -41,7 +41,7 @@ struct LeastNorm {
 
 template <class Visit>
 void describe(LeastNorm& o, Visit&& visit) {
-  visit("update", o.update, "how a step becomes places until direct steps take over");
+  visit("update", o.update, "how a step becomes positions until direct steps take over");
   visit("switch_e_max", o.switch_e_max,
         "direct steps take over when e_max is below this, in radians", Range{0.0});
   visit("switch_after", o.switch_after, "and after so many faired steps, when one gains too little",

@@ -10,7 +10,8 @@ namespace planish {
 /// The edge at which a surface is folded most beyond what its design is there.
 struct Fold {
   Index from = 0, to = 0;  ///< the edge's vertices
-  /// How much sharper it is bent, degrees: |t1| - |t0|; |t1| where valley and ridge changed places.
+  /// How much sharper it is bent, degrees: |t1| - |t0|; |t1| where valley and ridge changed
+  /// positions.
   double degrees = 0.0;
   Vec3 at = {};  ///< the middle of the edge on the surface, model units
 };

@@ -10,8 +10,8 @@ namespace planish {
 /// The longest wave that smoothed_positions() takes out, in mean edges.
 inline constexpr double k_longest_wave = 20.0;
 
-/// The places of all vertices when short waves are taken out of a surface: the noise of a scan, not
-/// its form. Solves
+/// The positions of all vertices when short waves are taken out of a surface: the noise of a scan,
+/// not its form. Solves
 ///
 ///   (M + t L^T M^-1 L) x = M x0,  t = (wave / 2 pi)^4,
 ///

@@ -127,7 +127,7 @@ class AutoStepper {
     const bool over = held || descent_->rms_strain() <= enough || idle_ >= k_most_idle ||
                       ++steps_ >= most_steps();
     const bool was_less = held_ && held_->strain < descent_->rms_strain();
-    if (held || (over && was_less)) descent_->go_to(held_->places);
+    if (held || (over && was_less)) descent_->go_to(held_->positions);
     return over;
   }
 
@@ -137,7 +137,7 @@ class AutoStepper {
     if (!descent_->at_deviation_limit()) return false;
     const bool less = !held_ || descent_->rms_strain() < k_held_share * held_->strain;
     if (less && (!held_ || !descent_->is_too_rough()))
-      held_ = Held{descent_->rms_strain(), descent_->places(), -1};
+      held_ = Held{descent_->rms_strain(), descent_->positions(), -1};
     return ++held_->steps >= k_most_held;
   }
 
@@ -193,7 +193,7 @@ class AutoStepper {
   /// then what is near is looked for as usual.
   bool limit_is_met_after_all() {
     if (!strain_limit().given()) return false;
-    descent_->go_to(descent_->places());
+    descent_->go_to(descent_->positions());
     if (!descent_->strain_is_met()) return false;
     polish_.reset();
     pull_back_.emplace(*descent_);
@@ -221,7 +221,7 @@ class AutoStepper {
   /// The place of least strain since vertices came to the limit of deviation.
   struct Held {
     double strain;
-    Places places;
+    Positions positions;
     int steps;  // since then
   };
   std::optional<Held> held_;

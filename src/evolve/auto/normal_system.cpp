@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 #include "solve/dissection.h"
 #include "solve/sparse_pattern.h"
 
@@ -74,7 +74,7 @@ std::vector<Index> elimination_order(const PatchState& state, const SparseMatrix
   const SparseMatrix both = cost + square;
   std::vector<Index> order;
   const auto count = static_cast<std::size_t>(cost.rows());
-  for (const Index v : nested_dissection(first_places(state, count), graph_of(both))) {
+  for (const Index v : nested_dissection(first_positions(state, count), graph_of(both))) {
     const int vertex = static_cast<int>(v), first = steps.first_of(vertex);
     for (int i = 0; i < steps.count_of(vertex); ++i)
       order.push_back(static_cast<Index>(steps.unknown(first + i)));
@@ -97,31 +97,31 @@ NormalSystem::NormalSystem(const AngleJacobian& jacobian, const PatchState& stat
     return static_cast<std::uint32_t>(place_of(lower_, row, column));
   };
   for_cost(cost, steps_, [&](int a, int b, double) {
-    cost_places_.push_back(place(steps_.unknown(a), steps_.unknown(b)));
+    cost_entries_.push_back(place(steps_.unknown(a), steps_.unknown(b)));
   });
   for_lower(square, [&](int v, int w, double) {
-    square_places_.push_back(place(Steps::multiplier_of(v), Steps::multiplier_of(w)));
+    square_entries_.push_back(place(Steps::multiplier_of(v), Steps::multiplier_of(w)));
   });
   for_gradients(jacobian, steps_, [&](int step, const AngleJacobian::Entry& entry) {
-    gradient_places_.push_back(
+    gradient_entries_.push_back(
         place(steps_.unknown(step), Steps::multiplier_of(static_cast<int>(entry.row))));
   });
-  for (auto* places : {&cost_places_, &square_places_, &gradient_places_})
-    places->shrink_to_fit();
+  for (auto* positions : {&cost_entries_, &square_entries_, &gradient_entries_})
+    positions->shrink_to_fit();
 }
 
 bool NormalSystem::factor(std::span<const Vec3> directions, const SparseMatrix& cost,
                           const SparseMatrix& square, double unit, double stiffness, double sigma,
                           ThreadPool& pool) {
   double* values = lower_.valuePtr();
-  const std::uint32_t* place = cost_places_.data();
+  const std::uint32_t* place = cost_entries_.data();
   for_cost(cost, steps_, [&](int a, int b, double value) {
     const double along = a == b ? 1.0 : dot(directions[a], directions[b]);
     values[*place++] = stiffness * along * value;
   });
-  place = square_places_.data();
+  place = square_entries_.data();
   for_lower(square, [&](int, int, double value) { values[*place++] = -sigma * sigma * value; });
-  place = gradient_places_.data();
+  place = gradient_entries_.data();
   for_gradients(jacobian_, steps_, [&](int step, const AngleJacobian::Entry& entry) {
     values[*place++] = -unit * dot(directions[step], jacobian_.gradient(entry.entry));
   });

@@ -68,7 +68,7 @@ class NormalSystem {
   Steps steps_;
   SparseMatrix lower_;
   // Where the entries of each part go, in the order in which factor() comes to them.
-  std::vector<std::uint32_t> cost_places_, square_places_, gradient_places_;
+  std::vector<std::uint32_t> cost_entries_, square_entries_, gradient_entries_;
   MixedLdlt solver_;
 };
 

@@ -5,7 +5,7 @@ namespace planish {
 PullBack::PullBack(StrainDescent& descent)
     : descent_(descent),
       may_be_rough_(descent.is_too_rough()),
-      nearest_(descent.places()),
+      nearest_(descent.positions()),
       deviation_(descent.deviation()) {
   descent_.keep_to_limit(descent_.sigma());
 }
@@ -22,7 +22,7 @@ StrainDescent::Step PullBack::step() {
   const bool may_end = descent_.strain_is_met() && (may_be_rough_ || !descent_.is_too_rough());
   if (may_end && deviation < deviation_) {
     if (deviation < worth_it * deviation_) idle_ = 0;
-    nearest_ = descent_.places();
+    nearest_ = descent_.positions();
     deviation_ = deviation;
   }
   return step;

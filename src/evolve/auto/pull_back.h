@@ -5,8 +5,8 @@
 namespace planish {
 
 /// Pulls a patch whose strain has come within its limit back towards where it was at first: further
-/// steps of the descent, which now keep the strain where it is, and of the places they come to the
-/// nearest that is within the limit.
+/// steps of the descent, which now keep the strain where it is, and of the positions they come to
+/// the nearest that is within the limit.
 class PullBack {
  public:
   /// @param descent its strain is met; must outlive it
@@ -23,7 +23,7 @@ class PullBack {
 
   StrainDescent& descent_;
   bool may_be_rough_;  // as it was already
-  Places nearest_;
+  Positions nearest_;
   double deviation_;  // of the nearest
   int steps_ = 0, idle_ = 0;
 };

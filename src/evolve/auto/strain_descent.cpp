@@ -83,9 +83,9 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
 void StrainDescent::start(const DescentPace& pace) {
   if (!solvable()) return;
   constexpr double least_sigma = 1e-4;
-  const Places away = sum_of(places(), -1.0, cost_.origin());
+  const Positions away = sum_of(positions(), -1.0, cost_.origin());
   for (double share = 1.0; share > 1e-3; share *= 0.5) {
-    move_to(within_limits(sum_of(cost_.origin(), share, away)), jacobian_, state_);
+    set_positions(within_limits(sum_of(cost_.origin(), share, away)), jacobian_, state_);
     if (angles_hold_after_slides()) break;
   }
   look();
@@ -129,12 +129,12 @@ DescentStrain StrainDescent::strain_now() const {
 }
 
 double StrainDescent::merit() const {
-  return cost_.value(places()) + 0.5 * phi_.squaredNorm() / (sigma_ * sigma_);
+  return cost_.value(positions()) + 0.5 * phi_.squaredNorm() / (sigma_ * sigma_);
 }
 
-double StrainDescent::merit_at(const Places& x) {
+double StrainDescent::merit_at(const Positions& x) {
   if (!std::isfinite(norm_of(x))) return std::numeric_limits<double>::infinity();
-  move_to(x, jacobian_, state_);
+  set_positions(x, jacobian_, state_);
   look();
   return merit();
 }
@@ -150,9 +150,9 @@ std::vector<Vec3> StrainDescent::directions() const {
   return directions;
 }
 
-Places StrainDescent::newton_step() {
+Positions StrainDescent::newton_step() {
   jacobian_.update(pool_);
-  const Places x = places(), gradient = cost_.gradient(x);
+  const Positions x = positions(), gradient = cost_.gradient(x);
   const std::vector<Vec3> directions = this->directions();
   Eigen::VectorXd force(static_cast<Eigen::Index>(directions.size()));
   const auto vertex_of = [&](std::size_t direction) {
@@ -160,7 +160,7 @@ Places StrainDescent::newton_step() {
   };
   for (std::size_t d = 0; d < directions.size(); ++d)
     force[static_cast<Eigen::Index>(d)] = -dot(gradient[vertex_of(d)], directions[d]);
-  Places step(x.size());
+  Positions step(x.size());
   if (!system_.factor(directions, cost_.hessian(), potential_.square(), cost_.unit(),
                       1.0 + stiffening_, sigma_, pool_))
     return step;
@@ -170,7 +170,7 @@ Places StrainDescent::newton_step() {
   return step;
 }
 
-Places StrainDescent::within_limits(Places x) const {
+Positions StrainDescent::within_limits(Positions x) const {
   border_.restrict(x);
   return within_distance(std::move(x), cost_.origin(), state_.inner_count(), limits_.deviation);
 }
@@ -196,7 +196,7 @@ bool StrainDescent::angles_hold_after_slides() {
   constexpr int most_slides = 10;
   for (int i = 0; i < most_slides && !angles_hold(); ++i) {
     if (relaxation_.relax() == 0) break;
-    move_to(within_limits(places()), jacobian_, state_);
+    set_positions(within_limits(positions()), jacobian_, state_);
   }
   return angles_hold();
 }
@@ -207,10 +207,10 @@ bool StrainDescent::angles_hold() {
 
 StrainDescent::Step StrainDescent::step() {
   constexpr int most_halvings = 12;
-  const Places& x = before_ = places();
+  const Positions& x = before_ = positions();
   Step result;
   result.merit_before = result.merit = merit();
-  const Places newton = newton_step();
+  const Positions newton = newton_step();
   double longest = 0.0;
   for (const Vec3 s : newton)
     longest = std::max(longest, norm(s));
@@ -219,11 +219,11 @@ StrainDescent::Step StrainDescent::step() {
   int halvings = 0;
   angle_stopped_ = false;
   for (; halvings < most_halvings; ++halvings, share *= 0.5) {
-    const Places trial = within_limits(sum_of(x, share, newton));
+    const Positions trial = within_limits(sum_of(x, share, newton));
     const double merit = merit_at(trial);
     if (!(merit < result.merit_before)) continue;
     if (relaxation_.relax() > 0) {
-      move_to(within_limits(places()), jacobian_, state_);
+      set_positions(within_limits(positions()), jacobian_, state_);
       look();
     }
     if (!angles_hold()) {
@@ -242,13 +242,13 @@ StrainDescent::Step StrainDescent::step() {
   return result;
 }
 
-void StrainDescent::go_to(const Places& places) {
-  move_to(places, jacobian_, state_);
+void StrainDescent::go_to(const Positions& positions) {
+  set_positions(positions, jacobian_, state_);
   look();
 }
 
 double StrainDescent::deviation() const {
-  const double away = norm_of(sum_of(places(), -1.0, cost_.origin()));
+  const double away = norm_of(sum_of(positions(), -1.0, cost_.origin()));
   return away / std::sqrt(static_cast<double>(border_.vertex_count()));
 }
 

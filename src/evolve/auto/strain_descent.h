@@ -12,7 +12,7 @@
 #include "evolve/descent/strain_limit.h"
 #include "evolve/descent/strain_potential.h"
 #include "evolve/systems/angle_jacobian.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 
@@ -33,7 +33,7 @@ struct DescentPace {
   double fall_of_sigma;     ///< factor after a step that was not cut
 };
 inline constexpr DescentPace k_pace_from_scratch{20.0, 0.6, 0.8};
-/// From places that a coarser level has found: what is left to do is little and smooth.
+/// From positions that a coarser level has found: what is left to do is little and smooth.
 inline constexpr DescentPace k_pace_from_coarse{0.5, 3.0, 0.25};
 
 /// Brings a patch to where it is flattenable, smoothly and near where it began, all inner vertices
@@ -58,7 +58,7 @@ class StrainDescent {
   const ShapeCost& cost() const { return cost_; }
   const AngleJacobian& jacobian() const { return jacobian_; }
   /// Of all vertices that may move.
-  Places places() const { return first_places(state_, border_.vertex_count()); }
+  Positions positions() const { return first_positions(state_, border_.vertex_count()); }
   /// As they are now: they change from step to step. Sigma as on patches of 4,000 inner vertices.
   double closeness() const { return closeness_; }
   double sigma() const;
@@ -74,7 +74,7 @@ class StrainDescent {
   };
   Step step();
 
-  void go_to(const Places& places);
+  void go_to(const Positions& positions);
   /// Frees what only steps need, until the next one.
   void release() { system_.release(); }
   /// From now to the next start sigma is such that strain comes to its limit and stays there, from
@@ -100,14 +100,14 @@ class StrainDescent {
   bool at_angle_limit() const { return angle_stopped_; }
 
  private:
-  double merit_at(const Places& x);
+  double merit_at(const Positions& x);
   double merit() const;
   DescentStrain strain_now() const;
-  /// Measures the defects at the places where vertices are, and phi.
+  /// Measures the defects at the positions where vertices are, and phi.
   void look();
   std::vector<Vec3> directions() const;
-  Places newton_step();
-  Places within_limits(Places x) const;
+  Positions newton_step();
+  Positions within_limits(Positions x) const;
   void hold_far_vertices();
   bool angles_hold();
   bool angles_hold_after_slides();
@@ -134,7 +134,7 @@ class StrainDescent {
   ShapeCost cost_;
   NormalSystem system_;
   TangentialRelaxation relaxation_;
-  Places before_;  // the last step
+  Positions before_;  // the last step
   DescentStrain strain_;
   double longest_step_ = 0.0, fall_of_sigma_ = 0.5, sigma_ = 1.0, least_sigma_ = 0.0,
          stiffening_ = 0.0;

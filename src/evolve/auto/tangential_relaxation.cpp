@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 #include "geometry/triangle_shape.h"
 
 namespace planish {

@@ -100,27 +100,27 @@ Vec3 BorderMotion::direction(Index v, int which) const {
               state_.position(vertex_of(loop, i + loop.size() - 1)));
 }
 
-void BorderMotion::restrict(Places& places) const {
+void BorderMotion::restrict(Positions& positions) const {
   if (rule_ == Rule::slide) {
     for (const Loop& loop : loops_)
-      restrict_slides(loop, places);
+      restrict_slides(loop, positions);
     return;
   }
   for (auto v = static_cast<Index>(state_.inner_count()); v < vertex_count(); ++v) {
-    const Vec3 away = places[v] - state_.origin(v);
+    const Vec3 away = positions[v] - state_.origin(v);
     const double far = norm(away);
-    if (far > reach_) places[v] = state_.origin(v) + (reach_ / far) * away;
+    if (far > reach_) positions[v] = state_.origin(v) + (reach_ / far) * away;
   }
 }
 
-void BorderMotion::restrict_slides(const Loop& loop, Places& places) const {
+void BorderMotion::restrict_slides(const Loop& loop, Positions& positions) const {
   const std::size_t n = loop.size();
   std::vector<double> forward(n, 0.0), backward(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) {
     const Index v = vertex_of(loop, i);
     if (marks_[v - state_.inner_count()] == 0) continue;
     // No place is further away than the way to it along the border.
-    const double slide = std::clamp(slid_to(loop, i, places[v]), -reach_, reach_);
+    const double slide = std::clamp(slid_to(loop, i, positions[v]), -reach_, reach_);
     forward[i] = std::max(slide, 0.0);
     backward[i] = std::max(-slide, 0.0);
   }
@@ -129,7 +129,7 @@ void BorderMotion::restrict_slides(const Loop& loop, Places& places) const {
   keep_order(forward, previous, [&](std::size_t i) { return loop.gaps[i]; });
   keep_order(backward, next, [&](std::size_t i) { return loop.gaps[previous(i)]; });
   for (std::size_t i = 0; i < n; ++i)
-    places[vertex_of(loop, i)] = place_at(loop, i, forward[i] - backward[i]);
+    positions[vertex_of(loop, i)] = place_at(loop, i, forward[i] - backward[i]);
 }
 
 /// How far along the border, forwards or backwards from vertex i, the point nearest to a place is;

@@ -6,13 +6,13 @@
 #include <planish/evolve/border_freedom.h>
 
 #include "evolve/state/patch_state.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 
 /// Where the vertices of a border may go: one direction each where they slide along it, three where
 /// they move within a distance, none where they stay. Vertices are numbered as in the state, so
-/// inner ones first; what says "places" has one for each vertex that may move at all:
+/// inner ones first; what says "positions" has one for each vertex that may move at all:
 /// vertex_count() of them.
 class BorderMotion {
  public:
@@ -34,8 +34,9 @@ class BorderMotion {
   /// @param v of the border
   Vec3 direction(Index v, int which) const;
 
-  /// Puts the places of the border where they may be: the nearest ones, but for the order along it.
-  void restrict(Places& places) const;
+  /// Puts the positions of the border where they may be: the nearest ones, but for the order along
+  /// it.
+  void restrict(Positions& positions) const;
   /// Vertices that went as far as the distance allows, nearly.
   std::vector<Index> at_limit() const;
 
@@ -67,7 +68,7 @@ class BorderMotion {
   const Loop& loop_of(Index v) const;
   double slid_to(const Loop& loop, std::size_t i, Vec3 place) const;
   Vec3 place_at(const Loop& loop, std::size_t i, double slide) const;
-  void restrict_slides(const Loop& loop, Places& places) const;
+  void restrict_slides(const Loop& loop, Positions& positions) const;
 
   BorderFreedom::Rule rule_;
   double reach_;  // how far a vertex may go from where it was, in the units of the state

@@ -80,7 +80,7 @@ void CoarseLevels::lift(std::size_t level, const PatchState& coarse, const Shape
   const std::vector<Index> numbers = numbers_in(fine, level - 1, fine_vertices);
   const std::size_t count = cost.origin().size();
   std::vector<unsigned char> given(count, 0);
-  Places moves(count);
+  Positions moves(count);
   for (Index v = 0; v < coarse.vertex_count(); ++v) {
     const Index to = numbers[source[coarse.vertex_of(v)]];
     // What is a corner here, and must stay, may be none on the coarse level.
@@ -89,7 +89,7 @@ void CoarseLevels::lift(std::size_t level, const PatchState& coarse, const Shape
     given[to] = 1;
     moves[to] = (fine.scale() / coarse.scale()) * (coarse.position(v) - coarse.origin(v));
   }
-  const Places spread = cost.spread(given, moves, pool);
+  const Positions spread = cost.spread(given, moves, pool);
   for (Index v = 0; v < count; ++v) {
     if (!fine.is_fixed(v)) fine.move(v, fine.origin(v) + spread[v]);
   }

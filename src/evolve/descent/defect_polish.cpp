@@ -79,11 +79,11 @@ DefectPolish::Cycle DefectPolish::cycle() {
 std::size_t DefectPolish::move() {
   constexpr int most_dampings = 8, most_halvings = 6;
   constexpr double ease = 0.3, tighten = 4.0, tighten_much = 10.0, least_damping = 1e-6;
-  const Places before = inner_places(state_);
+  const Positions before = inner_positions(state_);
   const double energy = state_.measure(pool_).energy;
   const bool only_sweeps = std::exchange(first_, false);
   for (int i = 0; i < most_dampings; ++i, damping_ *= tighten_much) {
-    const Places step = only_sweeps ? Places(before.size()) : least_norm_step();
+    const Positions step = only_sweeps ? Positions(before.size()) : least_norm_step();
     double share = 1.0;
     for (int halvings = 0; halvings < most_halvings; ++halvings, share *= 0.5) {
       put(sum_of(before, share, step));
@@ -100,23 +100,23 @@ std::size_t DefectPolish::move() {
   return 0;
 }
 
-std::size_t DefectPolish::moved_from(const Places& before) const {
+std::size_t DefectPolish::moved_from(const Positions& before) const {
   std::size_t moved = 0;
   for (std::size_t v = 0; v < before.size(); ++v)
     moved += state_.position(v) != before[v] ? 1 : 0;
   return moved;
 }
 
-Places DefectPolish::least_norm_step() {
+Positions DefectPolish::least_norm_step() {
   least_.update();
-  if (!least_.factor(damping_)) return Places(state_.inner_count());
+  if (!least_.factor(damping_)) return Positions(state_.inner_count());
   return least_.stopped(least_.to_close_defects().move(1.0));
 }
 
 /// All of them: sweeps move what is held for the matrices' sake too.
-void DefectPolish::put(const Places& places) {
-  for (Index v = 0; v < places.size(); ++v)
-    state_.move(v, places[v]);
+void DefectPolish::put(const Positions& positions) {
+  for (Index v = 0; v < positions.size(); ++v)
+    state_.move(v, positions[v]);
   state_.measure(pool_);
 }
 
@@ -127,7 +127,7 @@ void DefectPolish::sweep() {
     sweep();
 }
 
-void DefectPolish::keep_limits(const Places& before) {
+void DefectPolish::keep_limits(const Positions& before) {
   constexpr int most_rounds = 20;
   stop_at_deviation();
   for (int round = 0; round < most_rounds; ++round) {

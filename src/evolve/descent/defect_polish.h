@@ -7,7 +7,7 @@
 
 #include "evolve/descent/descent_limits.h"
 #include "evolve/systems/least_move.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 
@@ -33,14 +33,14 @@ class DefectPolish {
  private:
   /// @return how many vertices moved
   std::size_t move();
-  Places least_norm_step();
-  void put(const Places& places);
+  Positions least_norm_step();
+  void put(const Positions& positions);
   void sweep();
   /// Stops vertices at the limit of deviation, and puts those of triangles that got too sharp back.
-  void keep_limits(const Places& before);
+  void keep_limits(const Positions& before);
   void stop_at_deviation();
   std::vector<Index> at_sharp_triangles() const;
-  std::size_t moved_from(const Places& before) const;
+  std::size_t moved_from(const Positions& before) const;
 
   PatchState& state_;
   ThreadPool& pool_;

@@ -15,11 +15,11 @@ namespace {
 /// Keeps matrices definite where nothing else does.
 constexpr double k_anchor = 1e-9;
 
-Places places_at_first(const PatchState& state, std::size_t count) {
-  Places places;
+Positions positions_at_first(const PatchState& state, std::size_t count) {
+  Positions positions;
   for (std::size_t v = 0; v < count; ++v)
-    places.push_back(state.origin(v));
-  return places;
+    positions.push_back(state.origin(v));
+  return positions;
 }
 
 /// The border's are dearer: it is the design's line, and where it may move, bending alone would
@@ -102,7 +102,7 @@ ShapeCost::ShapeCost(const AngleJacobian& jacobian, const PatchState& state, dou
     : jacobian_(jacobian),
       state_(state),
       unit_(mean_edge(jacobian, state)),
-      origin_(places_at_first(state, jacobian.column_count())),
+      origin_(positions_at_first(state, jacobian.column_count())),
       pull_(pulls(state, jacobian.column_count(), closeness)),
       rows_(rows_of_laplacian(state, LaplacianWeights::cotangent)),
       bends_(weighed(std::move(bends), state)) {
@@ -113,8 +113,8 @@ ShapeCost::ShapeCost(const AngleJacobian& jacobian, const PatchState& state, dou
   hessian_ += SparseMatrix(b.transpose() * b);
 }
 
-Places ShapeCost::laplacian(const Places& x) const {
-  Places values(rows_.size());
+Positions ShapeCost::laplacian(const Positions& x) const {
+  Positions values(rows_.size());
   for (Index v = 0; v < values.size(); ++v) {
     const auto ring = jacobian_.ring(v);
     Vec3 sum;
@@ -125,8 +125,8 @@ Places ShapeCost::laplacian(const Places& x) const {
   return values;
 }
 
-Places ShapeCost::bends_of(const Places& x) const {
-  Places values;
+Positions ShapeCost::bends_of(const Positions& x) const {
+  Positions values;
   for (const auto& [vertices, weights] : bends_) {
     Vec3 sum;
     for (std::size_t k = 0; k < 3; ++k)
@@ -136,8 +136,8 @@ Places ShapeCost::bends_of(const Places& x) const {
   return values;
 }
 
-double ShapeCost::value(const Places& x) const {
-  const Places bends = laplacian(x);
+double ShapeCost::value(const Positions& x) const {
+  const Positions bends = laplacian(x);
   double cost = 0.0;
   for (std::size_t v = 0; v < x.size(); ++v) {
     const Vec3 away = (1.0 / unit_) * (x[v] - origin_[v]);
@@ -149,9 +149,9 @@ double ShapeCost::value(const Places& x) const {
   return cost;
 }
 
-Places ShapeCost::gradient(const Places& x) const {
-  const Places bends = laplacian(x);
-  Places gradient(x.size());
+Positions ShapeCost::gradient(const Positions& x) const {
+  const Positions bends = laplacian(x);
+  Positions gradient(x.size());
   for (Index v = 0; v < x.size(); ++v) {
     for (std::size_t j = 0; v < bends.size() && j < rows_[v].size(); ++j) {
       const Vec3 part = rows_[v][j] * bends[v];
@@ -161,7 +161,7 @@ Places ShapeCost::gradient(const Places& x) const {
     }
     gradient[v] += (pull_[v] / unit_) * (x[v] - origin_[v]);
   }
-  const Places border_bends = bends_of(x);
+  const Positions border_bends = bends_of(x);
   for (std::size_t row = 0; row < bends_.size(); ++row) {
     for (std::size_t k = 0; k < 3; ++k)
       gradient[bends_[row].vertices[k]] += bends_[row].weights[k] * border_bends[row];
@@ -188,8 +188,8 @@ void ShapeCost::scale_closeness(double factor) {
   }
 }
 
-Places ShapeCost::spread(std::span<const unsigned char> given, const Places& moves,
-                         ThreadPool& pool) const {
+Positions ShapeCost::spread(std::span<const unsigned char> given, const Positions& moves,
+                            ThreadPool& pool) const {
   const auto n = static_cast<int>(moves.size());
   SparseMatrix matrix = hessian_;
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, 3);
@@ -200,9 +200,9 @@ Places ShapeCost::spread(std::span<const unsigned char> given, const Places& mov
   }
   const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
   SparseLdlt solver(lower, nested_dissection(origin_, graph_of(matrix)));
-  if (!solver.factor(lower, pool)) return Places(moves.size());
+  if (!solver.factor(lower, pool)) return Positions(moves.size());
   const Eigen::MatrixXd spread = solver.solve(right, pool);
-  Places result(moves.size());
+  Positions result(moves.size());
   for (int v = 0; v < n; ++v)
     result[v] = {spread(v, 0), spread(v, 1), spread(v, 2)};
   return result;

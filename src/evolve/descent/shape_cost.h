@@ -5,7 +5,7 @@
 
 #include "evolve/descent/border_motion.h"
 #include "evolve/systems/angle_jacobian.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 #include "solve/sparse_ldlt.h"
 
 namespace planish {
@@ -21,7 +21,7 @@ double relative_density(const PatchState& state);
 /// in units of the mean edge; x0 where the vertices were at first, L the cotangent Laplacian over
 /// the mixed area of a vertex as its share of the mean area: as the patch was when this was made.
 /// B, where the border moves, is the second difference along it: moves of the border are to be
-/// smooth, its own form may be as it is. Quadratic, with one matrix for x, y and z. Places are
+/// smooth, its own form may be as it is. Quadratic, with one matrix for x, y and z. Positions are
 /// those of the jacobian's columns.
 class ShapeCost {
  public:
@@ -32,38 +32,39 @@ class ShapeCost {
   ShapeCost(const AngleJacobian& jacobian, const PatchState& state, double closeness,
             std::vector<BorderMotion::Bend> bends = {});
 
-  double value(const Places& x) const;
+  double value(const Positions& x) const;
   /// Zero where the vertex may not move.
-  Places gradient(const Places& x) const;
+  Positions gradient(const Positions& x) const;
   /// L^T L + diag(a) + B^T B, both halves, on pairs of vertices two edges apart.
   const SparseMatrix& hessian() const { return hessian_; }
-  /// Makes the places of some vertices dearer by a factor, from now on.
+  /// Makes the positions of some vertices dearer by a factor, from now on.
   void tighten(std::span<const Index> vertices, double factor);
-  /// Makes all places dearer, or cheaper, by a factor.
+  /// Makes all positions dearer, or cheaper, by a factor.
   void scale_closeness(double factor);
 
   /// Moves that are as given at some vertices, nearly, and smooth between them: the least
   /// |L u|^2 + |B u|^2 + |u - u_given|^2, zero where vertices may not move and none is given.
   /// @param given whether the move of a vertex is; others of `moves` are not looked at
-  Places spread(std::span<const unsigned char> given, const Places& moves, ThreadPool& pool) const;
+  Positions spread(std::span<const unsigned char> given, const Positions& moves,
+                   ThreadPool& pool) const;
 
   /// The mean length of an edge, which is the unit here.
   double unit() const { return unit_; }
   /// By column of the jacobian, as it says.
   std::span<const unsigned char> movable() const { return jacobian_.movable(); }
   /// Where the vertices were at first.
-  const Places& origin() const { return origin_; }
+  const Positions& origin() const { return origin_; }
 
  private:
   /// L x, over the mean edge.
-  Places laplacian(const Places& x) const;
+  Positions laplacian(const Positions& x) const;
   /// B (x - x0), over the mean edge.
-  Places bends_of(const Places& x) const;
+  Positions bends_of(const Positions& x) const;
 
   const AngleJacobian& jacobian_;
   const PatchState& state_;
   double unit_;
-  Places origin_;
+  Positions origin_;
   std::vector<double> pull_;               // a_v
   std::vector<std::vector<double>> rows_;  // of L, at the neighbours
   std::vector<BorderMotion::Bend> bends_;  // rows of B

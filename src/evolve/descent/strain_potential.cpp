@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/careful_sum.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 #include "geometry/cotangents.h"
 #include "solve/dissection.h"
 #include "solve/sparse_pattern.h"
@@ -70,17 +70,17 @@ StrainPotential::StrainPotential(const AngleJacobian& jacobian, const PatchState
   const auto n = static_cast<int>(stiffness_.cols());
   if (n == 0) return;
   for (int v = 0; v < n; ++v) {
-    first_place_.push_back(places_.size());
-    places_.push_back(place_in_column(stiffness_, v, v));
+    first_place_.push_back(positions_.size());
+    positions_.push_back(place_in_column(stiffness_, v, v));
     for (const Index w : jacobian.ring(static_cast<Index>(v)))
-      places_.push_back(place_in_column(stiffness_, static_cast<int>(w), v));
+      positions_.push_back(place_in_column(stiffness_, static_cast<int>(w), v));
   }
   fill(pool);
   square_ = SparseMatrix(stiffness_.transpose()) * stiffness_;
   const bool free = border == PatternBorder::free;
   const SparseMatrix& matrix = free ? square_ : stiffness_;
   const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
-  solver_.emplace(lower, nested_dissection(inner_places(state), graph_of(matrix)));
+  solver_.emplace(lower, nested_dissection(inner_positions(state), graph_of(matrix)));
   solvable_ = solver_->factor(lower, pool);
 }
 
@@ -93,7 +93,7 @@ void StrainPotential::fill(ThreadPool& pool) {
       ring.clear();
       for (const Index w : jacobian_.ring(static_cast<Index>(v)))
         ring.push_back(state_.position(w));
-      const std::size_t* place = places_.data() + first_place_[v];
+      const std::size_t* place = positions_.data() + first_place_[v];
       double& own = values[*place] = 0.0;
       const std::vector<double> weights = cotangent_weights(state_.position(v), ring);
       const auto neighbours = jacobian_.ring(static_cast<Index>(v));

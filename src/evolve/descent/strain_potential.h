@@ -59,7 +59,7 @@ class StrainPotential {
   SparseMatrix stiffness_, square_;  // K^T, K K^T
   // Where the entries of each vertex lie in K^T: its own, then those of its ring, k_nowhere for
   // those that it has not.
-  std::vector<std::size_t> places_, first_place_;
+  std::vector<std::size_t> positions_, first_place_;
   std::optional<SparseLdlt> solver_;  // of K, of K K^T where the border is free
   bool solvable_ = false;
 };

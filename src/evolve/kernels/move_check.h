@@ -10,10 +10,10 @@
 
 namespace planish {
 
-/// Watches that each move lowers the ring energy, which it computes from the places alone, one
+/// Watches that each move lowers the ring energy, which it computes from the positions alone, one
 /// arctangent an angle. For builds with the option PLANISH_CHECK_MOVES, and slow. What may be
-/// visited at the same time may be watched at the same time: neither looks at places that the other
-/// moves.
+/// visited at the same time may be watched at the same time: neither looks at positions that the
+/// other moves.
 class MoveCheck {
  public:
   /// A ring energy, and how far rounding may be off: by anything where edges are shorter than

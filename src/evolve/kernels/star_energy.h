@@ -17,7 +17,7 @@ struct StarSample {
 };
 
 /// The ring energy of an inner vertex as a function of its place, all else staying. One arctangent
-/// per angle: for those who move one vertex at a time and ask a few places each.
+/// per angle: for those who move one vertex at a time and ask a few positions each.
 class StarEnergy {
  public:
   /// @param defects of the inner vertices as the patch is now

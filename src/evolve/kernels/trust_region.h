@@ -20,7 +20,7 @@ struct LineMinimum {
 };
 
 /// Goes down from `start` to a minimum of f by the interior-reflective trust-region Newton method
-/// of Coleman and Li (1996), which for one variable needs no subspace. All places are strictly
+/// of Coleman and Li (1996), which for one variable needs no subspace. All positions are strictly
 /// inside the interval; f never rises; a place where f is not a number is none to go to. Ends after
 /// at most 100 evaluations.
 /// @pre start is strictly inside

@@ -35,7 +35,7 @@ struct LineModel {
 
 /// In each lane, the way down to a minimum of f on [low, high] from 0. The minimum of a model of f
 /// is evaluated; what f is there gives the model its next order, and so on until the model's
-/// minimum stays and it foretold the last value. All places are inside a bracket that shrinks at
+/// minimum stays and it foretold the last value. All positions are inside a bracket that shrinks at
 /// every evaluation: a step that would leave it is replaced by its end or the middle. f never
 /// rises.
 class LineSearch {
@@ -112,8 +112,8 @@ class LineSearch {
     return select(bend > 0.0, stepped, downhill);
   }
 
-  /// Makes the model go through the last two places: with E what it lacks there, E / t^4 is taken
-  /// as linear.
+  /// Makes the model go through the last two positions: with E what it lacks there, E / t^4 is
+  /// taken as linear.
   void correct(const Real& place, const Real& value) {
     const Real square = place * place;
     const Real lack = (value - model_.at(place)) / (square * square);

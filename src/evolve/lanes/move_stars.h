@@ -21,7 +21,7 @@ struct Changes {
 
 /// Takes, for each of `count` inner vertices of one colour and of `valence` neighbours, the step
 /// along its Laplacian vector that lowers its ring energy most, if there is one; several vertices
-/// at a time. Writes places and defects into sites and notes what changed.
+/// at a time. Writes positions and defects into sites and notes what changed.
 /// @param moved gets 1 for each star whose centre moved, else 0
 using MoveStars = void (*)(const MoveOptions& options, Site* sites, Changes changes,
                            const Star* stars, std::size_t count, std::size_t valence,

@@ -9,7 +9,7 @@
 
 #include "evolve/state/sweep.h"
 #include "evolve/systems/fairing.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 
@@ -22,7 +22,7 @@ class FairingStepper {
         state_(state),
         pool_(pool),
         jacobian_(state),
-        origins_(inner_places(state)) {
+        origins_(inner_positions(state)) {
     const double pull = options.pull / static_cast<double>(state.inner_count());
     for (Index v = 0; v < state.inner_count(); ++v) {
       pulls_.push_back(pull * state.weight(v));
@@ -36,11 +36,11 @@ class FairingStepper {
   SweepOutcome step() {
     const Fairing fairing(state_, movable_, LaplacianWeights::thin_plate, pulls_, pool_);
     if (!fairing.solvable()) return {};
-    const Places before = inner_places(state_), after = fairing.apply(origins_, pool_);
+    const Positions before = inner_positions(state_), after = fairing.apply(origins_, pool_);
     const double rms =
         norm_of(sum_of(after, -1.0, before)) / std::sqrt(static_cast<double>(state_.inner_count()));
     const double smallest = options_.min_step * mean_edge(jacobian_, state_);
-    return {move_to(after, jacobian_, state_), rms <= smallest};
+    return {set_positions(after, jacobian_, state_), rms <= smallest};
   }
 
  private:
@@ -48,7 +48,7 @@ class FairingStepper {
   PatchState& state_;
   ThreadPool& pool_;
   AngleJacobian jacobian_;  // who is next to whom
-  Places origins_;
+  Positions origins_;
   std::vector<double> pulls_;           // by inner vertex
   std::vector<unsigned char> movable_;  // by inner vertex; those next to the border are not
 };

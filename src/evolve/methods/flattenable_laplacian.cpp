@@ -9,7 +9,7 @@
 
 #include "evolve/state/sweep.h"
 #include "evolve/systems/kkt_system.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 
@@ -58,26 +58,26 @@ class FlattenableStepper {
         jacobian_(state),
         shares_(valence_shares(state)),
         system_(jacobian_, state, hessian_of(options, state, shares_)),
-        base_(inner_places(state)) {}
+        base_(inner_positions(state)) {}
 
   SweepOutcome step() {
     state_.measure(pool_);
     jacobian_.update(pool_);
     if (options_.rebase_every > 0 && steps_ % options_.rebase_every == 0)
-      base_ = inner_places(state_);
+      base_ = inner_positions(state_);
     ++steps_;
     if (!system_.factor(options_.damping, pool_)) return {};
-    const Places step = stopped(system_.solve(forces(), inner_defects(state_), pool_));
+    const Positions step = stopped(system_.solve(forces(), inner_defects(state_), pool_));
     const std::size_t moved =
-        move_to(sum_of(inner_places(state_), options_.tau, step), jacobian_, state_);
+        set_positions(sum_of(inner_positions(state_), options_.tau, step), jacobian_, state_);
     const double rms = norm_of(step) / std::sqrt(static_cast<double>(step.size()));
     return {moved, rms <= options_.min_step * mean_edge(jacobian_, state_)};
   }
 
  private:
   /// Minus the gradient of what is made small: towards the mean of the ring and towards the base.
-  Places forces() const {
-    Places forces(base_.size());
+  Positions forces() const {
+    Positions forces(base_.size());
     for (Index v = 0; v < forces.size(); ++v) {
       const auto ring = jacobian_.ring(v);
       const Vec3 x = state_.position(v);
@@ -92,7 +92,7 @@ class FlattenableStepper {
 
   /// No vertex by more than the mean length of its edges: where A is nearly singular it would fly
   /// off.
-  Places stopped(Places step) const {
+  Positions stopped(Positions step) const {
     for (Index v = 0; v < step.size(); ++v) {
       const double length = norm(step[v]), most = edges_at(v, jacobian_, state_).mean;
       if (length > most) step[v] = (most / length) * step[v];
@@ -106,7 +106,7 @@ class FlattenableStepper {
   AngleJacobian jacobian_;
   std::vector<double> shares_;
   KktSystem system_;
-  Places base_;
+  Positions base_;
   int steps_ = 0;
 };
 

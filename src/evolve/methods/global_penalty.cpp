@@ -64,10 +64,10 @@ class PenaltySolver {
   };
 
   PenaltyPoint start() const {
-    std::vector<Vec3> places;
+    std::vector<Vec3> positions;
     for (std::size_t v = 0; v < state_.vertex_count(); ++v)
-      places.push_back(state_.position(v));
-    return merit_.at(std::move(places));
+      positions.push_back(state_.position(v));
+    return merit_.at(std::move(positions));
   }
   double value(const PenaltyPoint& point) const {
     return point.stretch + 0.5 * rho_ * point.energy * point.energy;
@@ -94,14 +94,14 @@ class PenaltySolver {
 };
 
 PenaltySolver::Trial PenaltySolver::try_length(const Line& line, double length) const {
-  std::vector<Vec3> places = line.from.places;
+  std::vector<Vec3> positions = line.from.positions;
   for (std::size_t node = 0; node < merit_.node_count(); ++node) {
     const auto vertices = merit_.vertices_of(node);
-    const Vec3 place = places[vertices.front()] + length * line.direction[node];
+    const Vec3 place = positions[vertices.front()] + length * line.direction[node];
     for (const Index v : vertices)
-      places[v] = place;
+      positions[v] = place;
   }
-  PenaltyPoint point = merit_.at(std::move(places));
+  PenaltyPoint point = merit_.at(std::move(positions));
   const double merit = value(point);
   return {length, merit, std::move(point)};
 }
@@ -163,9 +163,9 @@ void PenaltySolver::run_conjugate_gradients() {
 
 std::size_t PenaltySolver::write_places() {
   std::size_t moved = 0;
-  for (std::size_t v = 0; v < at_.places.size(); ++v) {
-    if (at_.places[v] == state_.position(v)) continue;
-    state_.move(v, at_.places[v]);
+  for (std::size_t v = 0; v < at_.positions.size(); ++v) {
+    if (at_.positions[v] == state_.position(v)) continue;
+    state_.move(v, at_.positions[v]);
     ++moved;
   }
   return moved;

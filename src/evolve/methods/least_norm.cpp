@@ -13,7 +13,7 @@
 #include "evolve/state/sweep.h"
 #include "evolve/systems/fairing.h"
 #include "evolve/systems/least_move.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 
@@ -37,7 +37,7 @@ std::vector<double> squeeze_of(const std::vector<double>& weights) {
   return squeeze;
 }
 
-std::size_t count_differences(const Places& a, const Places& b) {
+std::size_t count_differences(const Positions& a, const Positions& b) {
   std::size_t count = 0;
   for (std::size_t v = 0; v < a.size(); ++v)
     count += a[v] != b[v] ? 1 : 0;
@@ -78,23 +78,23 @@ class LeastNormStepper {
   }
 
   /// Infinite where a place is no number.
-  double energy_at(const Places& x) {
+  double energy_at(const Positions& x) {
     if (!std::isfinite(norm_of(x))) return std::numeric_limits<double>::infinity();
-    move_to(x, least_.jacobian(), state_);
+    set_positions(x, least_.jacobian(), state_);
     return state_.measure(pool_).energy;
   }
 
   SweepOutcome faired_step() {
     direct_ = !least_.factor(fairing_damping_);
     if (direct_) return direct_step(state_.measure(pool_).energy);
-    Places x = inner_places(state_);
-    const Places move = least_.to_turn(inner_defects(state_));
+    Positions x = inner_positions(state_);
+    const Positions move = least_.to_turn(inner_defects(state_));
     for (Index v = 0; v < x.size(); ++v) {
       // Where the matrix is nearly singular a vertex would fly off; a mean edge is far enough.
       const double length = norm(move[v]), most = edges_at(v, least_.jacobian(), state_).mean;
       x[v] += (length > most ? most / length : 1.0) * move[v];
     }
-    return {move_to(fairing_->apply(std::move(x), pool_), least_.jacobian(), state_)};
+    return {set_positions(fairing_->apply(std::move(x), pool_), least_.jacobian(), state_)};
   }
 
   /// Levenberg and Marquardt's step, halved until the energy falls. The damping follows what the
@@ -104,21 +104,21 @@ class LeastNormStepper {
     // Of what the slope foretells, and of the energy: less is not worth a step.
     constexpr double least_share = 1e-4, least_fall = 1e-6;
     constexpr double ease = 0.25, tighten = 4.0, most_damping = 1e8;
-    const Places x = inner_places(state_);
+    const Positions x = inner_positions(state_);
     for (int i = 0; i < most_dampings; ++i, damping_ = std::min(10.0 * damping_, most_damping)) {
       if (!least_.factor(damping_)) continue;
       const LeastMove::Curve curve = least_.to_close_defects();
       const bool tiny = curve.solves && norm_of(curve.first) <= smallest_move();
       double share = 1.0;
       for (int halvings = 0; halvings < most_halvings; ++halvings, share *= 0.5) {
-        const Places trial = sum_of(x, 1.0, least_.stopped(curve.move(share)));
+        const Positions trial = sum_of(x, 1.0, least_.stopped(curve.move(share)));
         const double fall = energy - energy_at(trial);
         if (!(fall > std::max(least_share * share * curve.fall, least_fall * energy))) continue;
         if (halvings == 0) damping_ = std::max(ease * damping_, 1e-12);
         if (halvings >= 2) damping_ = std::min(tighten * damping_, most_damping);
         return {count_differences(x, trial), tiny && halvings == 0};
       }
-      move_to(x, least_.jacobian(), state_);
+      set_positions(x, least_.jacobian(), state_);
       state_.measure(pool_);
       if (tiny) return {0, true};  // rounding is all that is left
     }

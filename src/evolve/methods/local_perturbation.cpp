@@ -60,7 +60,7 @@ struct Merit {
   }
 };
 
-/// Works on places of its own; the state gets them whenever they are the best so far.
+/// Works on positions of its own; the state gets them whenever they are the best so far.
 class LocalPerturber {
  public:
   LocalPerturber(const LocalPerturbation& options, PatchState& state);

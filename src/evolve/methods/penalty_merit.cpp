@@ -110,12 +110,12 @@ void PenaltyMerit::make_corners(std::size_t vertex_count) {
     corners_[next[triangles_[corner / 3][corner % 3]]++] = corner;
 }
 
-std::vector<double> PenaltyMerit::angles(const std::vector<Vec3>& places) const {
+std::vector<double> PenaltyMerit::angles(const std::vector<Vec3>& positions) const {
   std::vector<double> angles(3 * triangles_.size());
   pool_.for_ranges(triangles_.size(), k_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
-      const Vec3 p = places[triangles_[t][0]], q = places[triangles_[t][1]],
-                 r = places[triangles_[t][2]];
+      const Vec3 p = positions[triangles_[t][0]], q = positions[triangles_[t][1]],
+                 r = positions[triangles_[t][2]];
       const Vec3 a = q - p, b = r - p, c = r - q;
       const double area = norm(cross(a, b));
       angles[3 * t] = math::atan2(area, dot(a, b));
@@ -126,10 +126,10 @@ std::vector<double> PenaltyMerit::angles(const std::vector<Vec3>& places) const 
   return angles;
 }
 
-PenaltyPoint PenaltyMerit::at(std::vector<Vec3> places) const {
+PenaltyPoint PenaltyMerit::at(std::vector<Vec3> positions) const {
   PenaltyPoint point;
-  point.places = std::move(places);
-  const std::vector<Vec3>& x = point.places;
+  point.positions = std::move(positions);
+  const std::vector<Vec3>& x = point.positions;
   const std::vector<double> angle = angles(x);
   point.defects.resize(inner_count_);
   pool_.for_ranges(inner_count_, k_grain, [&](std::size_t begin, std::size_t end) {
@@ -173,8 +173,8 @@ std::vector<Vec3> PenaltyMerit::energy_gradient_by_corner(const PenaltyPoint& po
       for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t q = (k + 1) % 3, r = (k + 2) % 3;
         if (tri[k] >= inner_count_) continue;  // the border has no defect
-        const AngleGradient angle =
-            angle_gradient(point.places[tri[k]], point.places[tri[q]], point.places[tri[r]]);
+        const AngleGradient angle = angle_gradient(point.positions[tri[k]], point.positions[tri[q]],
+                                                   point.positions[tri[r]]);
         const double factor = -2.0 * point.defects[tri[k]];
         by_corner[3 * t + k] += factor * angle.at_p;
         by_corner[3 * t + q] += factor * angle.at_q;
@@ -195,7 +195,7 @@ std::vector<Vec3> PenaltyMerit::gradient(const PenaltyPoint& point, double facto
         for (std::size_t c = corner_start_[v]; c < corner_start_[v + 1]; ++c)
           energy += by_corner[corners_[c]];
         for (std::size_t i = neighbour_start_[v]; i < neighbour_start_[v + 1]; ++i) {
-          const Vec3 edge = point.places[v] - point.places[neighbours_[i].vertex];
+          const Vec3 edge = point.positions[v] - point.positions[neighbours_[i].vertex];
           const double length = norm(edge);
           if (length > 0.0) stretch += (2.0 - 2.0 * neighbours_[i].length / length) * edge;
         }

@@ -11,9 +11,9 @@
 
 namespace planish {
 
-/// Places of all vertices and what the penalty method asks of them.
+/// Positions of all vertices and what the penalty method asks of them.
 struct PenaltyPoint {
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   std::vector<double> defects;  ///< g of the inner vertices
   double stretch = 0.0;         ///< E_s: sum over the edges of (length - length at first)^2
   double energy = 0.0;          ///< G: sum over the inner vertices of g^2
@@ -34,7 +34,7 @@ class PenaltyMerit {
   /// Mean of the squared lengths of the edges at first.
   double mean_squared_edge() const { return mean_squared_edge_; }
 
-  PenaltyPoint at(std::vector<Vec3> places) const;
+  PenaltyPoint at(std::vector<Vec3> positions) const;
   /// By node: the gradient of E_s + factor G.
   std::vector<Vec3> gradient(const PenaltyPoint& point, double factor) const;
 
@@ -48,7 +48,7 @@ class PenaltyMerit {
   void add_node(std::span<const Index> vertices);
   void make_edges(const PatchState& state);
   void make_corners(std::size_t vertex_count);
-  std::vector<double> angles(const std::vector<Vec3>& places) const;
+  std::vector<double> angles(const std::vector<Vec3>& positions) const;
   std::vector<Vec3> energy_gradient_by_corner(const PenaltyPoint& point) const;
 
   ThreadPool& pool_;

@@ -6,7 +6,7 @@
 
 #include "core/careful_sum.h"
 #include "core/math.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 

@@ -27,7 +27,7 @@ class HingeTerms {
   /// Sum of w t^2 of the patch as it is now, with the weights as taken.
   double bending(ThreadPool& pool) const;
 
-  /// An angle, and its derivatives by the places of the four corners.
+  /// An angle, and its derivatives by the positions of the four corners.
   struct Slope {
     double angle = 0.0;
     std::array<Vec3, 4> gradient = {};

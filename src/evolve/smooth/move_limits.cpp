@@ -38,7 +38,7 @@ MoveLimits::MoveLimits(const DescentLimits& limits, const BorderMotion& border,
   bend_weight_ = 1.0 / (static_cast<double>(bends_.size()) * length * length);
 }
 
-Vec3 MoveLimits::bend_of(const BorderMotion::Bend& bend, const Places& moves) const {
+Vec3 MoveLimits::bend_of(const BorderMotion::Bend& bend, const Positions& moves) const {
   Vec3 sum;
   for (std::size_t k = 0; k < 3; ++k) {
     if (bend.vertices[k] < moves.size()) sum += bend.weights[k] * moves[bend.vertices[k]];
@@ -46,7 +46,7 @@ Vec3 MoveLimits::bend_of(const BorderMotion::Bend& bend, const Places& moves) co
   return sum;
 }
 
-double MoveLimits::value(const Places& moves) const {
+double MoveLimits::value(const Positions& moves) const {
   CarefulSum sum;
   for (std::size_t v = 0; v < moves.size(); ++v) {
     if (reach_[v] < k_infinity)
@@ -59,7 +59,7 @@ double MoveLimits::value(const Places& moves) const {
   return sum.value();
 }
 
-void MoveLimits::add_to(SmoothSystem& system, Places& force, const Places& moves,
+void MoveLimits::add_to(SmoothSystem& system, Positions& force, const Positions& moves,
                         double stiff) const {
   for (Index v = 0; v < moves.size(); ++v) {
     const double length = norm(moves[v]), unit = 1.0 / (k_share * reach_[v]);
@@ -82,7 +82,7 @@ void MoveLimits::add_to(SmoothSystem& system, Places& force, const Places& moves
   }
 }
 
-bool MoveLimits::is_reached(const Places& moves) const {
+bool MoveLimits::is_reached(const Positions& moves) const {
   constexpr double nearly = 0.95;
   for (std::size_t v = 0; v < moves.size(); ++v) {
     if (norm(moves[v]) > nearly * reach_[v]) return true;

@@ -21,14 +21,14 @@ class MoveLimits {
              double unit);
 
   /// @param moves by column of the jacobian
-  double value(const Places& moves) const;
+  double value(const Positions& moves) const;
   /// Adds stiff times the second derivatives, and takes the gradient from the force.
-  void add_to(SmoothSystem& system, Places& force, const Places& moves, double stiff) const;
+  void add_to(SmoothSystem& system, Positions& force, const Positions& moves, double stiff) const;
   /// True if a vertex is nearly as far as it may be.
-  bool is_reached(const Places& moves) const;
+  bool is_reached(const Positions& moves) const;
 
  private:
-  Vec3 bend_of(const BorderMotion::Bend& bend, const Places& moves) const;
+  Vec3 bend_of(const BorderMotion::Bend& bend, const Positions& moves) const;
 
   std::vector<double> reach_;   // by column; infinite where there is no limit
   std::vector<double> weight_;  // one over how many have a limit of the kind

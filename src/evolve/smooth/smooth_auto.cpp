@@ -96,11 +96,11 @@ class SmoothStepper {
     return outcome;
   }
 
-  /// Of the smooth places of a level those with the least strain.
+  /// Of the smooth positions of a level those with the least strain.
   void keep_best() {
     if (!control_->is_smooth()) return;
     const double share = limit_.share_of(descent_->strain());
-    if (!best_ || share > best_->share) best_ = Best{share, descent_->places()};
+    if (!best_ || share > best_->share) best_ = Best{share, descent_->positions()};
   }
 
   int most_steps() const {
@@ -110,7 +110,7 @@ class SmoothStepper {
   }
 
   SweepOutcome end_level(SweepOutcome outcome) {
-    if (best_ && !control_->is_over()) descent_->go_to(best_->places);
+    if (best_ && !control_->is_over()) descent_->go_to(best_->positions);
     best_.reset();
     if (level_ > 0) {
       lift();
@@ -139,7 +139,7 @@ class SmoothStepper {
     constexpr int parts = 10, halvings = 3;
     const TriMesh design = mesh_at_first(state_);
     const Connectivity connectivity(design);
-    const Places origin = descent_->origin(), away = sum_of(descent_->places(), -1.0, origin);
+    const Positions origin = descent_->origin(), away = sum_of(descent_->positions(), -1.0, origin);
     const auto is_smooth_at = [&](double share) {
       descent_->go_to(sum_of(origin, share, away));
       std::vector<Vec3> after;
@@ -198,7 +198,7 @@ class SmoothStepper {
     open_level();
     const ShapeCost cost(descent_->jacobian(), level_state(), 1.0, descent_->border().bends());
     levels_.lift(level_ + 1, *found, cost, level_state(), pool_);
-    descent_->go_to(descent_->places());
+    descent_->go_to(descent_->positions());
     if (control_) control_->start_finer();
   }
 
@@ -214,7 +214,7 @@ class SmoothStepper {
   std::optional<SmoothControl> control_;
   struct Best {
     double share;  // of the limit, over the strain
-    Places places;
+    Positions positions;
   };
   std::optional<Best> best_;
   std::optional<DefectPolish> polish_;

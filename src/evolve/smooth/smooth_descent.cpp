@@ -66,7 +66,7 @@ double SmoothDescent::closeness() const {
 }
 
 double SmoothDescent::merit(const Eigen::VectorXd& phi) const {
-  const Places moves = sum_of(places(), -1.0, origin_);
+  const Positions moves = sum_of(positions(), -1.0, origin_);
   CarefulSum away;
   for (std::size_t v = 0; v < state_.inner_count(); ++v)
     away.add(state_.weight(v) * dot(moves[v], moves[v]));
@@ -76,10 +76,10 @@ double SmoothDescent::merit(const Eigen::VectorXd& phi) const {
 }
 
 /// K and weights are not renewed.
-SmoothDescent::Parts SmoothDescent::at(const Places& places) {
+SmoothDescent::Parts SmoothDescent::at(const Positions& positions) {
   Parts parts;
-  if (!std::isfinite(norm_of(places))) return {std::numeric_limits<double>::infinity(), {}};
-  move_to(places, jacobian_, state_);
+  if (!std::isfinite(norm_of(positions))) return {std::numeric_limits<double>::infinity(), {}};
+  set_positions(positions, jacobian_, state_);
   state_.measure(pool_);
   parts.defects = inner_defects(state_);
   parts.merit = merit(potential_.of(parts.defects, pool_));
@@ -98,8 +98,8 @@ void SmoothDescent::renew() {
   bending_ = hinges_.bending(pool_) / design_bending_;
 }
 
-void SmoothDescent::go_to(const Places& places) {
-  move_to(within_limits(places), jacobian_, state_);
+void SmoothDescent::go_to(const Positions& positions) {
+  set_positions(within_limits(positions), jacobian_, state_);
   renew();
 }
 
@@ -114,8 +114,8 @@ double SmoothDescent::deviation() const {
 }
 
 /// Of inner vertices. Where triangles cancel, any will do.
-Places SmoothDescent::normals() const {
-  Places normals;
+Positions SmoothDescent::normals() const {
+  Positions normals;
   for (Index v = 0; v < state_.inner_count(); ++v) {
     const Vec3 n = normal_at(v, jacobian_, state_);
     normals.push_back(dot(n, n) > 0.0 ? n : Vec3{0.0, 0.0, 1.0});
@@ -124,15 +124,15 @@ Places SmoothDescent::normals() const {
 }
 
 /// @param force minus the gradient of F without phi
-void SmoothDescent::assemble(Places& force) {
-  system_.clear(along_normals_ ? normals() : Places{});
+void SmoothDescent::assemble(Positions& force) {
+  system_.clear(along_normals_ ? normals() : Positions{});
   assemble_shape(force);
-  assemble_places(force);
-  moves_.add_to(system_, force, sum_of(places(), -1.0, origin_), 1.0 + stiffening_);
+  assemble_positions(force);
+  moves_.add_to(system_, force, sum_of(positions(), -1.0, origin_), 1.0 + stiffening_);
 }
 
 /// Of hinges, edges and corners.
-void SmoothDescent::assemble_shape(Places& force) {
+void SmoothDescent::assemble_shape(Positions& force) {
   const double stiff = 1.0 + stiffening_;
   const auto pull = [&](Index v, double slope, Vec3 gradient) {
     if (v < force.size()) force[v] += -slope * gradient;
@@ -161,7 +161,7 @@ void SmoothDescent::assemble_shape(Places& force) {
 
 /// What pulls vertices to where they were, and what holds them along the surface, or the border
 /// where they slide.
-void SmoothDescent::assemble_places(Places& force) {
+void SmoothDescent::assemble_positions(Positions& force) {
   const double stiff = 1.0 + stiffening_, close = 2.0 * closeness();
   const double slide =
       stiff * 2.0 /
@@ -182,10 +182,10 @@ void SmoothDescent::assemble_places(Places& force) {
   }
 }
 
-/// The nearest places that limits of distance and the rule of the border allow.
-Places SmoothDescent::within_limits(Places places) const {
-  border_.restrict(places);
-  return within_distance(std::move(places), origin_, state_.inner_count(), limits_.deviation);
+/// The nearest positions that limits of distance and the rule of the border allow.
+Positions SmoothDescent::within_limits(Positions positions) const {
+  border_.restrict(positions);
+  return within_distance(std::move(positions), origin_, state_.inner_count(), limits_.deviation);
 }
 
 bool SmoothDescent::angles_hold() {
@@ -193,7 +193,7 @@ bool SmoothDescent::angles_hold() {
 }
 
 /// No vertex goes further than the longest step.
-Places SmoothDescent::shortened(Places step) const {
+Positions SmoothDescent::shortened(Positions step) const {
   double longest = 0.0;
   for (const Vec3 move : step)
     longest = std::max(longest, norm(move));
@@ -206,51 +206,52 @@ Places SmoothDescent::shortened(Places step) const {
 
 /// A share of the full step, and where `corrected` what a second solve makes of it, if that is
 /// better: that takes back by how much the defects miss what their Jacobian told.
-SmoothDescent::Trial SmoothDescent::try_step(const Places& before, const Eigen::VectorXd& defects,
-                                             const Places& full, double share, bool corrected) {
+SmoothDescent::Trial SmoothDescent::try_step(const Positions& before,
+                                             const Eigen::VectorXd& defects, const Positions& full,
+                                             double share, bool corrected) {
   Trial plain;
-  plain.places = within_limits(sum_of(before, share, full));
-  plain.parts = at(plain.places);
+  plain.positions = within_limits(sum_of(before, share, full));
+  plain.parts = at(plain.positions);
   if (!corrected || !std::isfinite(plain.parts.merit)) return plain;
   const Eigen::VectorXd missed = plain.parts.defects - defects + share * jacobian_.times(full);
   Trial better;
-  better.places = within_limits(
-      sum_of(plain.places, 1.0, system_.solve(Places(before.size()), -missed, pool_)));
-  better.parts = at(better.places);
+  better.positions = within_limits(
+      sum_of(plain.positions, 1.0, system_.solve(Positions(before.size()), -missed, pool_)));
+  better.parts = at(better.positions);
   return better.parts.merit < plain.parts.merit ? better : plain;
 }
 
 SmoothDescent::Step SmoothDescent::step(const SmoothWeights& weights) {
   weights_ = weights;
-  const Places before = places();
+  const Positions before = positions();
   Step result;
   result.merit = result.merit_before = merit(phi_);
   jacobian_.update(pool_);
-  Places force(before.size());
+  Positions force(before.size());
   assemble(force);
   const double c = 0.5 * static_cast<double>(phi_.size()) * weights.sigma * weights.sigma;
   if (!system_.factor(potential_.square(), c, pool_)) return result;
   const Eigen::VectorXd defects = inner_defects(state_);
-  const Places full = shortened(system_.solve(force, -defects, pool_));
+  const Positions full = shortened(system_.solve(force, -defects, pool_));
   double share = 1.0;
   int halvings = 0;
   at_angle_limit_ = false;
   for (; halvings < k_most_halvings; ++halvings, share *= 0.5) {
     const Trial trial = try_step(before, defects, full, share, halvings < k_corrected_trials);
     if (!(trial.parts.merit < result.merit_before)) continue;
-    move_to(trial.places, jacobian_, state_);
+    set_positions(trial.positions, jacobian_, state_);
     if (!angles_hold()) {
       at_angle_limit_ = true;
       continue;
     }
     result.merit = trial.parts.merit;
     for (std::size_t v = 0; v < before.size(); ++v)
-      result.moved += trial.places[v] != before[v] ? 1 : 0;
+      result.moved += trial.positions[v] != before[v] ? 1 : 0;
     break;
   }
-  if (result.moved == 0) move_to(before, jacobian_, state_);
+  if (result.moved == 0) set_positions(before, jacobian_, state_);
   renew();
-  at_deviation_limit_ = moves_.is_reached(sum_of(places(), -1.0, origin_));
+  at_deviation_limit_ = moves_.is_reached(sum_of(positions(), -1.0, origin_));
   if (halvings >= 2) stiffening_ = std::max(0.3, 4.0 * stiffening_);
   if (halvings == 0) stiffening_ *= 0.25;
   return result;

@@ -12,7 +12,7 @@
 #include "evolve/smooth/shape_guard.h"
 #include "evolve/smooth/smooth_system.h"
 #include "evolve/systems/angle_jacobian.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 
@@ -61,12 +61,12 @@ class SmoothDescent {
   double deviation() const;
 
   /// Of all vertices that may move, now and at first.
-  Places places() const { return first_places(state_, jacobian_.column_count()); }
-  const Places& origin() const { return origin_; }
+  Positions positions() const { return first_positions(state_, jacobian_.column_count()); }
+  const Positions& origin() const { return origin_; }
   /// True if the limit of deviation held a vertex in the last step, or that of angles the step.
   bool at_deviation_limit() const { return at_deviation_limit_; }
   bool at_angle_limit() const { return at_angle_limit_; }
-  void go_to(const Places& places);
+  void go_to(const Positions& positions);
   /// Frees what only steps need, until the next one.
   void release() { system_.release(); }
 
@@ -75,23 +75,23 @@ class SmoothDescent {
     double merit = 0.0;
     Eigen::VectorXd defects;
   };
-  Parts at(const Places& places);
+  Parts at(const Positions& positions);
   double merit(const Eigen::VectorXd& phi) const;
   void renew();
-  Places normals() const;
-  void assemble(Places& force);
-  void assemble_shape(Places& force);
-  void assemble_places(Places& force);
-  Places within_limits(Places places) const;
+  Positions normals() const;
+  void assemble(Positions& force);
+  void assemble_shape(Positions& force);
+  void assemble_positions(Positions& force);
+  Positions within_limits(Positions positions) const;
   bool angles_hold();
   struct Trial {
-    Places places;
+    Positions positions;
     Parts parts;
   };
-  Trial try_step(const Places& before, const Eigen::VectorXd& defects, const Places& full,
+  Trial try_step(const Positions& before, const Eigen::VectorXd& defects, const Positions& full,
                  double share, bool corrected);
   double closeness() const;
-  Places shortened(Places step) const;
+  Positions shortened(Positions step) const;
 
   PatchState& state_;
   ThreadPool& pool_;
@@ -105,7 +105,7 @@ class SmoothDescent {
   ShapeGuard guard_;
   StrainPotential potential_;
   SmoothSystem system_;
-  Places origin_;
+  Positions origin_;
   Eigen::VectorXd area_shares_;
   double diagonal_, unit_;
   MoveLimits moves_;

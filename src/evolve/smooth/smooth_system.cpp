@@ -37,11 +37,11 @@ SmoothSystem::SmoothSystem(const AngleJacobian& jacobian, const PatchState& stat
   for (int v = 0; v < square.outerSize(); ++v) {
     for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry) {
       if (entry.row() < v) continue;
-      square_places_.push_back(static_cast<std::uint32_t>(place_of(
+      square_entries_.push_back(static_cast<std::uint32_t>(place_of(
           lower_, multiplier(static_cast<Index>(entry.row())), multiplier(static_cast<Index>(v)))));
     }
   }
-  square_places_.shrink_to_fit();
+  square_entries_.shrink_to_fit();
   solver_.emplace(lower_, elimination_order(state), step_precision(inner_));
 }
 
@@ -160,14 +160,14 @@ std::vector<Index> SmoothSystem::elimination_order(const PatchState& state) cons
     graph.start.push_back(graph.neighbours.size());
   }
   std::vector<Index> order;
-  for (const Index v : nested_dissection(first_places(state, count_), graph)) {
+  for (const Index v : nested_dissection(first_positions(state, count_), graph)) {
     for (int part = 0; part < parts(v); ++part)
       order.push_back(static_cast<Index>(unknown(v, part)));
   }
   return order;
 }
 
-void SmoothSystem::clear(const Places& normals) {
+void SmoothSystem::clear(const Positions& normals) {
   normals_ = normals;
   std::fill_n(lower_.valuePtr(), lower_.nonZeros(), 0.0);
   for (Index v = 0; v < count_; ++v) {
@@ -275,7 +275,7 @@ void SmoothSystem::fill_jacobian() {
 
 void SmoothSystem::fill_square(const SparseMatrix& square, double c) {
   double* values = lower_.valuePtr();
-  const std::uint32_t* place = square_places_.data();
+  const std::uint32_t* place = square_entries_.data();
   for (int v = 0; v < square.outerSize(); ++v) {
     for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry) {
       if (entry.row() >= v) values[*place++] = -c * entry.value();
@@ -289,8 +289,8 @@ bool SmoothSystem::factor(const SparseMatrix& square, double c, ThreadPool& pool
   return solver_->factor(lower_, pool);
 }
 
-Places SmoothSystem::solve(const Places& force, const Eigen::VectorXd& turn, ThreadPool& pool,
-                           double accuracy) {
+Positions SmoothSystem::solve(const Positions& force, const Eigen::VectorXd& turn, ThreadPool& pool,
+                              double accuracy) {
   Eigen::VectorXd right = Eigen::VectorXd::Zero(lower_.rows());
   for (Index v = 0; v < count_; ++v) {
     if (v < inner_) right[multiplier(v)] = turn[v];
@@ -300,7 +300,7 @@ Places SmoothSystem::solve(const Places& force, const Eigen::VectorXd& turn, Thr
       right[unknown(v, part)] = own[static_cast<std::size_t>(part)];
   }
   const Eigen::VectorXd solution = solver_->solve(lower_, right, pool, accuracy);
-  Places step(count_);
+  Positions step(count_);
   for (Index v = 0; v < count_; ++v) {
     if (jacobian_.is_movable(v)) step[v] = move_of(v, solution);
   }

@@ -13,7 +13,7 @@
 #include "evolve/smooth/shape_guard.h"
 #include "evolve/systems/angle_jacobian.h"
 #include "evolve/systems/dense.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 #include "solve/mixed_ldlt.h"
 
 namespace planish {
@@ -47,7 +47,7 @@ class SmoothSystem {
 
   /// Everything in H is zero.
   /// @param normals of inner vertices, of length 1; none where they move freely
-  void clear(const Places& normals = {});
+  void clear(const Positions& normals = {});
   /// Adds s g g^T for the gradient of a hinge's angle, of an edge's length and of a corner's angle,
   /// by the number of the hinge, edge or corner.
   void add_hinge(std::size_t hinge, double scale, const std::array<Vec3, 4>& gradient);
@@ -65,8 +65,8 @@ class SmoothSystem {
   /// @param force by column of the jacobian
   /// @param turn by inner vertex
   /// @param accuracy as of MixedLdlt
-  Places solve(const Places& force, const Eigen::VectorXd& turn, ThreadPool& pool,
-               double accuracy = k_step_accuracy);
+  Positions solve(const Positions& force, const Eigen::VectorXd& turn, ThreadPool& pool,
+                  double accuracy = k_step_accuracy);
 
   /// Frees the factor, until the next one is made.
   void release() { solver_->release(); }
@@ -117,12 +117,12 @@ class SmoothSystem {
   std::vector<BorderMotion::Bend> bends_;
   Index inner_, count_;
   int inner_moves_;                      // of an inner vertex: 3, or 1
-  Places normals_;                       // where it is 1
+  Positions normals_;                    // where it is 1
   std::vector<std::size_t> pair_start_;  // by first vertex
   std::vector<Pair> pairs_;
   std::vector<std::array<std::uint32_t, 4>> own_start_;  // of each vertex with itself, by column
   std::vector<PairIndex> hinge_pairs_, edge_pairs_, corner_pairs_, bend_pairs_;
-  std::vector<std::uint32_t> square_places_;
+  std::vector<std::uint32_t> square_entries_;
   SparseMatrix lower_;
   std::optional<MixedLdlt> solver_;
 };

@@ -55,7 +55,7 @@ std::vector<Index> Colorer::color_insides(const Pieces& pieces, ThreadPool& pool
     Index colors = 0;
   };
   std::vector<Outcome> outcomes(pieces.count());
-  // Of each inner vertex, the new colours in its closed ring. 64 are enough but for odd places.
+  // Of each inner vertex, the new colours in its closed ring. 64 are enough but for odd positions.
   std::vector<std::uint64_t> seen(rings_.count(), 0);
   pool.for_ranges(pieces.count(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t p = first; p < last; ++p) {

@@ -42,7 +42,7 @@ struct DefectSums {
 };
 
 /// A patch laid out for sweeping. Vertices are renumbered along a space-filling curve, inner ones
-/// first, then the border; unused ones are left out. Places are scaled by unit_scale(), which is
+/// first, then the border; unused ones are left out. Positions are scaled by unit_scale(), which is
 /// exact both ways.
 class PatchState {
  public:
@@ -73,7 +73,7 @@ class PatchState {
   Vec3 origin(std::size_t v) const { return scale_ * origins_[vertex_of_[v]]; }
   void move(std::size_t v, Vec3 to) { sites_[v].x = to.x, sites_[v].y = to.y, sites_[v].z = to.z; }
 
-  /// Places and defects.
+  /// Positions and defects.
   std::span<Site> sites() { return sites_; }
 
   /// d_v of an inner vertex, as of the last update; see measure().

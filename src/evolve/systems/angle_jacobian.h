@@ -14,7 +14,7 @@
 namespace planish {
 
 /// A = d theta / d x: how the angle sums of the inner vertices, one row each, change with the
-/// places of the movable ones, three columns each (methods: least_norm.md): inner vertices, and
+/// positions of the movable ones, three columns each (methods: least_norm.md): inner vertices, and
 /// those of the border where they may move. Numbers are those of the state. Columns of what may not
 /// move hold zeros.
 class AngleJacobian {
@@ -25,7 +25,7 @@ class AngleJacobian {
   explicit AngleJacobian(const PatchState& state,
                          std::span<const unsigned char> border_movable = {});
 
-  /// Takes the gradients at the places where the vertices are now.
+  /// Takes the gradients at the positions where the vertices are now.
   void update(ThreadPool& pool);
 
   std::size_t row_count() const { return rings_.size(); }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 #include "solve/dissection.h"
 
 namespace planish {
@@ -64,7 +64,7 @@ DualSystem::DualSystem(const AngleJacobian& jacobian, const PatchState& state, c
                        Precision precision)
     : jacobian_(jacobian),
       lower_(lower_pattern(rows)),
-      solver_(lower_, nested_dissection(inner_places(state), rows), precision) {
+      solver_(lower_, nested_dissection(inner_positions(state), rows), precision) {
   const int* row_list = lower_.innerIndexPtr();
   for (Index v = 0; v < jacobian.row_count(); ++v) {
     const auto entries = jacobian.column(v);

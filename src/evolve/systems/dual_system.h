@@ -11,10 +11,10 @@
 
 namespace planish {
 
-/// The n x n system (A S A^T + mu D) y = b of all methods that seek the least change of places that
-/// turns the angle sums as asked: A the Jacobian of the angle sums, S a factor per vertex, D the
-/// median of the diagonal of A S A^T, so that mu has no unit. A S A^T couples vertices two edges
-/// apart; the same step by the 3n x 3n matrix of the places costs 20 times as much.
+/// The n x n system (A S A^T + mu D) y = b of all methods that seek the least change of positions
+/// that turns the angle sums as asked: A the Jacobian of the angle sums, S a factor per vertex, D
+/// the median of the diagonal of A S A^T, so that mu has no unit. A S A^T couples vertices two
+/// edges apart; the same step by the 3n x 3n matrix of the positions costs 20 times as much.
 class DualSystem {
  public:
   /// @param jacobian must outlive it

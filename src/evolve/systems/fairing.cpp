@@ -13,10 +13,10 @@ namespace planish {
 namespace {
 
 std::vector<Vec3> places_of(const PatchState& state, std::span<const Index> vertices) {
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   for (const Index v : vertices)
-    places.push_back(state.position(v));
-  return places;
+    positions.push_back(state.position(v));
+  return positions;
 }
 
 Eigen::RowVector3d row_of(Vec3 p) {
@@ -32,9 +32,9 @@ std::vector<std::vector<double>> rows_of_laplacian(const PatchState& state, Lapl
     if (kind == LaplacianWeights::uniform) {
       rows.emplace_back(ring.size(), 1.0 / static_cast<double>(ring.size()));
     } else {
-      const std::vector<Vec3> places = places_of(state, ring);
-      rows.push_back(cotangent_weights(state.position(v), places));
-      areas.push_back(mixed_area(state.position(v), places));
+      const std::vector<Vec3> positions = places_of(state, ring);
+      rows.push_back(cotangent_weights(state.position(v), positions));
+      areas.push_back(mixed_area(state.position(v), positions));
     }
     ++v;
   }
@@ -55,13 +55,13 @@ Fairing::Fairing(const PatchState& state, std::span<const unsigned char> movable
                  LaplacianWeights kind, std::span<const double> weights, ThreadPool& pool) {
   constexpr int held = -1;
   std::vector<int> number(state.vertex_count(), held);
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   for (Index v = 0; v < state.inner_count(); ++v) {
     if (movable[v] == 0) continue;
     number[v] = static_cast<int>(movable_.size());
     movable_.push_back(v);
     pull_.push_back(weights[v] * weights[v]);
-    places.push_back(state.position(v));
+    positions.push_back(state.position(v));
   }
   if (movable_.empty()) return;
   const auto count = static_cast<int>(movable_.size());
@@ -86,7 +86,7 @@ Fairing::Fairing(const PatchState& state, std::span<const unsigned char> movable
   pull.diagonal() = Eigen::Map<const Eigen::VectorXd>(pull_.data(), count);
   const SparseMatrix normal = SparseMatrix(laplacian.transpose() * laplacian) + pull;
   const SparseMatrix lower = normal.triangularView<Eigen::Lower>();
-  solver_.emplace(lower, nested_dissection(places, graph_of(normal)));
+  solver_.emplace(lower, nested_dissection(positions, graph_of(normal)));
   solvable_ = solver_->factor(lower, pool);
 }
 
@@ -94,9 +94,9 @@ std::vector<Vec3> Fairing::apply(std::vector<Vec3> targets, ThreadPool& pool) co
   Eigen::MatrixXd right = -held_share_;
   for (std::size_t i = 0; i < movable_.size(); ++i)
     right.row(static_cast<Eigen::Index>(i)) += pull_[i] * row_of(targets[movable_[i]]);
-  const Eigen::MatrixXd places = solver_->solve(right, pool);
+  const Eigen::MatrixXd positions = solver_->solve(right, pool);
   for (std::size_t i = 0; i < movable_.size(); ++i) {
-    const auto row = places.row(static_cast<Eigen::Index>(i));
+    const auto row = positions.row(static_cast<Eigen::Index>(i));
     targets[movable_[i]] = {row[0], row[1], row[2]};
   }
   return targets;

@@ -20,10 +20,10 @@ enum class LaplacianWeights {
   thin_plate,  ///< by the root of that: sums of squares are integrals, whatever the triangles
 };
 
-/// The places v of the movable vertices that make sum |L v|^2 + sum (w |v - v*|)^2 smallest, v* the
-/// places asked for, L a Laplacian with a row for each inner vertex. L is that of the patch as it
-/// is when this is made, and so is the factor: (L^T L + W^2) v = W^2 v* - L^T g, g the share in L v
-/// of vertices that are held.
+/// The positions v of the movable vertices that make sum |L v|^2 + sum (w |v - v*|)^2 smallest, v*
+/// the positions asked for, L a Laplacian with a row for each inner vertex. L is that of the patch
+/// as it is when this is made, and so is the factor: (L^T L + W^2) v = W^2 v* - L^T g, g the share
+/// in L v of vertices that are held.
 class Fairing {
  public:
   /// @param movable,weights by inner vertex

@@ -62,7 +62,7 @@ SparseMatrix constant_part(const AngleJacobian& jacobian, const SparseMatrix& he
 
 std::vector<Index> elimination_order(const AngleJacobian& jacobian, const PatchState& state) {
   std::vector<Index> order;
-  for (const Index v : nested_dissection(inner_places(state), inner_graph(jacobian))) {
+  for (const Index v : nested_dissection(inner_positions(state), inner_graph(jacobian))) {
     for (int part = 0; part < k_unknowns; ++part)
       order.push_back(static_cast<Index>(unknown(v, part)));
   }
@@ -79,7 +79,7 @@ KktSystem::KktSystem(const AngleJacobian& jacobian, const PatchState& state,
   for (Index v = 0; v < jacobian.row_count(); ++v) {
     for (const AngleJacobian::Entry& entry : jacobian.column(v)) {
       for (int part = 0; part < k_multiplier; ++part) {
-        gradient_places_.push_back(
+        gradient_entries_.push_back(
             place_of(lower_, unknown(entry.row, k_multiplier), unknown(v, part)));
       }
     }
@@ -88,7 +88,7 @@ KktSystem::KktSystem(const AngleJacobian& jacobian, const PatchState& state,
 
 bool KktSystem::factor(double mu, ThreadPool& pool) {
   double* values = lower_.valuePtr();
-  const std::size_t* place = gradient_places_.data();
+  const std::size_t* place = gradient_entries_.data();
   double squares = 0.0;
   for (Index v = 0; v < jacobian_.row_count(); ++v) {
     for (const AngleJacobian::Entry& entry : jacobian_.column(v)) {
@@ -105,7 +105,8 @@ bool KktSystem::factor(double mu, ThreadPool& pool) {
   return solver_.factor(lower_, pool);
 }
 
-Places KktSystem::solve(const Places& force, const Eigen::VectorXd& turn, ThreadPool& pool) const {
+Positions KktSystem::solve(const Positions& force, const Eigen::VectorXd& turn,
+                           ThreadPool& pool) const {
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(lower_.rows(), 1);
   for (Index v = 0; v < jacobian_.row_count(); ++v) {
     const bool movable = jacobian_.is_movable(v);
@@ -115,7 +116,7 @@ Places KktSystem::solve(const Places& force, const Eigen::VectorXd& turn, Thread
     right(unknown(v, k_multiplier), 0) = turn[v];
   }
   const Eigen::MatrixXd solution = solver_.solve(right, pool);
-  Places move(jacobian_.row_count());
+  Positions move(jacobian_.row_count());
   for (Index v = 0; v < move.size(); ++v) {
     move[v] = {solution(unknown(v, 0), 0), solution(unknown(v, 1), 0), solution(unknown(v, 2), 0)};
   }

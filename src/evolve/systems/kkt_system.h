@@ -4,7 +4,7 @@
 
 #include "core/thread_pool.h"
 #include "evolve/systems/angle_jacobian.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 #include "solve/sparse_ldlt.h"
 
 namespace planish {
@@ -28,12 +28,12 @@ class KktSystem {
   bool factor(double mu, ThreadPool& pool);
 
   /// @pre factor() was true
-  Places solve(const Places& force, const Eigen::VectorXd& turn, ThreadPool& pool) const;
+  Positions solve(const Positions& force, const Eigen::VectorXd& turn, ThreadPool& pool) const;
 
  private:
   const AngleJacobian& jacobian_;
   SparseMatrix lower_;
-  std::vector<std::size_t> gradient_places_;  // x, y, z of each entry of the Jacobian, by column
+  std::vector<std::size_t> gradient_entries_;  // x, y, z of each entry of the Jacobian, by column
   SparseLdlt solver_;
 };
 

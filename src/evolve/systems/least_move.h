@@ -4,7 +4,7 @@
 
 #include "evolve/systems/angle_jacobian.h"
 #include "evolve/systems/dual_system.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 
@@ -28,14 +28,14 @@ class LeastMove {
   /// @return false where the matrix cannot be factored
   bool factor(double mu) { return dual_.factor(squeeze_, mu, pool_); }
   /// @pre factor() was true
-  Places to_turn(const Eigen::VectorXd& turn);
+  Positions to_turn(const Eigen::VectorXd& turn);
 
   /// A move and how its end bends: the first t of it are t first + t^2/2 second.
   struct Curve {
-    Places first, second;
+    Positions first, second;
     double fall = 0.0;    // of the energy, to first order
     bool solves = false;  // whether it closes the angle sums to first order, in spite of damping
-    Places move(double t) const;
+    Positions move(double t) const;
   };
   /// The least move that closes the defects of the last measure(), bent so that the angle sums go
   /// on straight to second order (geodesic acceleration, Transtrum and Sethna 2012): the second
@@ -45,7 +45,7 @@ class LeastMove {
 
   /// The move with every vertex stopped at its longest step: a few needles must not hold up the
   /// rest.
-  Places stopped(Places move) const;
+  Positions stopped(Positions move) const;
 
  private:
   PatchState& state_;

@@ -65,13 +65,13 @@ Eigen::MatrixXd InnerSystem::solve(const Eigen::MatrixXd& border,
 
 std::vector<Vec2> InnerSystem::extend(const Disk& disk, std::span<const Vec2> polygon) const {
   const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(lower_.rows(), 2);
-  Eigen::MatrixXd places = zero;
+  Eigen::MatrixXd positions = zero;
   for (std::size_t k = 0; k < polygon.size(); ++k)
-    places.row(disk.border[k]) << polygon[k].x, polygon[k].y;
-  places = solve(places, zero);
+    positions.row(disk.border[k]) << polygon[k].x, polygon[k].y;
+  positions = solve(positions, zero);
   std::vector<Vec2> flat;
-  for (Eigen::Index v = 0; v < places.rows(); ++v)
-    flat.push_back({places(v, 0), places(v, 1)});
+  for (Eigen::Index v = 0; v < positions.rows(); ++v)
+    flat.push_back({positions(v, 0), positions(v, 1)});
   return flat;
 }
 

@@ -48,7 +48,7 @@ double total_energy(const Disk& disk, const std::vector<Vec2>& flat);
 double step_to_first_flip(const Disk& disk, const std::vector<Vec2>& flat,
                           const std::vector<Vec2>& step);
 
-/// The places after a share of a step.
+/// The positions after a share of a step.
 std::vector<Vec2> moved(std::vector<Vec2> flat, double share, const std::vector<Vec2>& step);
 
 }  // namespace planish

@@ -28,7 +28,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   });
   fuzz::allow_refusal_of("file", [&] {
     for (const SeamNotch& notch : parse_seam_notches(bytes, "file"))
-      fuzz::check(std::isfinite(notch.place), "places are finite");
+      fuzz::check(std::isfinite(notch.place), "positions are finite");
   });
   return 0;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 // Files that are wrong or odd, made from a sound patch: each kind of fault in each format that can
-// have it, at several places, with what is promised of it.
+// have it, at several positions, with what is promised of it.
 
 #include <cstddef>
 #include <optional>

@@ -13,17 +13,17 @@
 namespace planish {
 namespace {
 
-/// The border's places in order, from the least one on.
+/// The border's positions in order, from the least one on.
 std::vector<Vec3> border_of(const TriMesh& mesh) {
   const Connectivity connectivity(mesh);
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   for (const Index v : connectivity.border_loops().front())
-    places.push_back(mesh.positions[v]);
-  const auto least = std::min_element(places.begin(), places.end(), [](Vec3 a, Vec3 b) {
+    positions.push_back(mesh.positions[v]);
+  const auto least = std::min_element(positions.begin(), positions.end(), [](Vec3 a, Vec3 b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
   });
-  std::rotate(places.begin(), least, places.end());
-  return places;
+  std::rotate(positions.begin(), least, positions.end());
+  return positions;
 }
 
 TEST(Remesh, TakesVerticesFromTheInsideOnly) {

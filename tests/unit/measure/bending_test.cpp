@@ -76,7 +76,7 @@ TEST(Bends, AreOfEachInnerEdgeOnce) {
 
 TEST(Bending, OfAPlaneIsNothing) {
   EXPECT_EQ(measured(meshes::flat_grid(8, 6)).bending, 0.0);
-  // Tilted, its places are rounded.
+  // Tilted, its positions are rounded.
   TriMesh tilted = meshes::height_field(60, 60, [](double x, double y) { return 0.3 * x - y; });
   EXPECT_LT(measured(tilted).bending, k_no_bending);
 }

@@ -121,10 +121,10 @@ TEST(Smoothed, RefusesWavesBeyondTwentyEdges) {
 TEST(Smoothed, LeavesTheBorderAndPlanes) {
   const TriMesh mesh = meshes::rough_grid(8, 8, 3);
   const Connectivity connectivity(mesh);
-  const std::vector<Vec3> places = smoothed_positions(mesh, connectivity);
-  for (Index v = 0; v < places.size(); ++v) {
+  const std::vector<Vec3> positions = smoothed_positions(mesh, connectivity);
+  for (Index v = 0; v < positions.size(); ++v) {
     if (!connectivity.is_border(v)) continue;
-    EXPECT_EQ(places[v], mesh.positions[v]);
+    EXPECT_EQ(positions[v], mesh.positions[v]);
   }
   const TriMesh flat = meshes::flat_grid(9, 6);
   EXPECT_EQ(design_bending(flat, Connectivity(flat)), 0.0);

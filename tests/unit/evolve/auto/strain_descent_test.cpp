@@ -13,7 +13,7 @@
 
 #include "evolve/auto/pull_back.h"
 #include "evolve/descent/smallest_angle.h"
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 #include "support/meshes.h"
 #include "support/moves.h"
 
@@ -38,8 +38,8 @@ struct Laid {
 };
 
 /// Of the vertices that may move.
-Places moves_where_free(const Laid& laid, double size) {
-  Places moves = some_moves(laid.state.inner_count(), size);
+Positions moves_where_free(const Laid& laid, double size) {
+  Positions moves = some_moves(laid.state.inner_count(), size);
   for (Index v = 0; v < moves.size(); ++v) {
     if (!laid.jacobian.is_movable(v)) moves[v] = {};
   }
@@ -56,12 +56,12 @@ TEST(ShapeCost, HasTheGradientAndTheHessianOfItsValue) {
   ShapeCost cost(laid.jacobian, laid.state, 0.05);
   cost.tighten(std::vector<Index>{3, 7}, 5.0);
   const double h = cost.unit();
-  const Places x = sum_of(inner_places(laid.state), 1.0, moves_where_free(laid, 0.3 * h));
-  const Places u = moves_where_free(laid, 1.0 * h);
+  const Positions x = sum_of(inner_positions(laid.state), 1.0, moves_where_free(laid, 0.3 * h));
+  const Positions u = moves_where_free(laid, 1.0 * h);
   // Quadratic: central differences are exact but for rounding. The gradient is per unit length.
   const double slope = 0.5 * (cost.value(sum_of(x, 1.0, u)) - cost.value(sum_of(x, -1.0, u)));
   EXPECT_NEAR(product(cost.gradient(x), u) / h, slope, 1e-10 * std::abs(slope));
-  const Places bend =
+  const Positions bend =
       sum_of(cost.gradient(sum_of(x, 0.5, u)), -1.0, cost.gradient(sum_of(x, -0.5, u)));
   for (const auto part : {&Vec3::x, &Vec3::y, &Vec3::z}) {
     VectorXd along(laid.count()), expected(laid.count());
@@ -80,8 +80,8 @@ TEST(ShapeCost, SpreadsMovesAsADenseSolverDoes) {
   std::vector<unsigned char> given(laid.state.inner_count(), 0);
   for (std::size_t v = 0; v < given.size(); v += 5)
     given[v] = laid.jacobian.is_movable(static_cast<Index>(v)) ? 1 : 0;
-  const Places moves = moves_where_free(laid, 1.0);
-  const Places spread = cost.spread(given, moves, laid.pool);
+  const Positions moves = moves_where_free(laid, 1.0);
+  const Positions spread = cost.spread(given, moves, laid.pool);
   MatrixXd dense(cost.hessian());
   VectorXd right = VectorXd::Zero(laid.count()), found(laid.count());
   for (Eigen::Index v = 0; v < laid.count(); ++v) {
@@ -176,8 +176,8 @@ TEST(StrainPotential, TakesTheSurfaceAsItIsWhenUpdated) {
     Laid laid(mesh);
     StrainPotential potential(laid.jacobian, laid.state, laid.pool, border);
     const MatrixXd before(potential.square());
-    const Places moves = moves_where_free(laid, 0.2 * laid.state.scale());
-    move_to(sum_of(inner_places(laid.state), 1.0, moves), laid.jacobian, laid.state);
+    const Positions moves = moves_where_free(laid, 0.2 * laid.state.scale());
+    set_positions(sum_of(inner_positions(laid.state), 1.0, moves), laid.jacobian, laid.state);
     laid.state.measure(laid.pool);
     potential.update(laid.pool);
     ASSERT_TRUE(potential.solvable());
@@ -197,7 +197,7 @@ TEST(NormalSystem, SolvesWhatADenseSolverSolves) {
   const SparseMatrix& square = potential.square();
   NormalSystem system(laid.jacobian, laid.state, cost.hessian(), square);
   const Eigen::Index n = laid.count();
-  Places normals;
+  Positions normals;
   MatrixXd j = MatrixXd::Zero(n, n);
   constexpr double unit = 0.3, stiffness = 2.5, sigma = 0.2;
   for (Index v = 0; v < laid.state.inner_count(); ++v) {

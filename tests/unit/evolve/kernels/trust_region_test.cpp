@@ -11,7 +11,7 @@
 namespace planish {
 namespace {
 
-/// Minimises f and checks what holds for every function: places strictly inside, no rise.
+/// Minimises f and checks what holds for every function: positions strictly inside, no rise.
 template <class F>
 LineMinimum minimum_of(const F& f, Interval interval, double start) {
   int calls = 0;

@@ -170,7 +170,7 @@ TEST(RingEnergy, HoldsEveryTermOfTheEnergyThatAMoveChanges) {
 }
 
 TEST(RingEnergy, FollowsDefectsThroughLargeTurns) {
-  // Far places: angles at the neighbours change by more than a quarter turn.
+  // Far positions: angles at the neighbours change by more than a quarter turn.
   for (std::uint64_t seed = 40; seed < 50; ++seed) {
     for_each_ring(meshes::rough_grid(6, 6, seed), [](OneRing& ring, const plain::Patch& patch,
                                                      Index v, double scale) {

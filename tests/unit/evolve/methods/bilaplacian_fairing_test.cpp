@@ -20,10 +20,10 @@ namespace {
 using Eigen::MatrixXd;
 
 std::vector<Vec3> places_of(const TriMesh& mesh, std::span<const Index> vertices) {
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   for (const Index v : vertices)
-    places.push_back(mesh.positions[v]);
-  return places;
+    positions.push_back(mesh.positions[v]);
+  return positions;
 }
 
 bool is_next_to_border(const Connectivity& connectivity, Index v) {
@@ -31,16 +31,16 @@ bool is_next_to_border(const Connectivity& connectivity, Index v) {
   return std::any_of(ring.begin(), ring.end(), [&](Index w) { return connectivity.is_border(w); });
 }
 
-/// The places after one sweep, by dense least squares over all vertices of the mesh.
+/// The positions after one sweep, by dense least squares over all vertices of the mesh.
 MatrixXd dense_sweep(const TriMesh& mesh, double pull) {
   const Connectivity connectivity(mesh);
   const auto inner = connectivity.inner_vertices();
   const auto n = static_cast<Eigen::Index>(mesh.positions.size());
   const auto rows = static_cast<Eigen::Index>(inner.size());
-  MatrixXd laplacian = MatrixXd::Zero(rows, n), places(n, 3);
+  MatrixXd laplacian = MatrixXd::Zero(rows, n), positions(n, 3);
   double total = 0.0;
   for (Eigen::Index v = 0; v < n; ++v)
-    places.row(v) << mesh.positions[v].x, mesh.positions[v].y, mesh.positions[v].z;
+    positions.row(v) << mesh.positions[v].x, mesh.positions[v].y, mesh.positions[v].z;
   for (const Index v : inner)
     total += mixed_area(mesh.positions[v], places_of(mesh, connectivity.ring(v)));
   for (Eigen::Index i = 0; i < rows; ++i) {
@@ -62,15 +62,15 @@ MatrixXd dense_sweep(const TriMesh& mesh, double pull) {
   const auto count = static_cast<Eigen::Index>(movable.size());
   MatrixXd matrix = MatrixXd::Zero(rows + count, count);
   MatrixXd right = MatrixXd::Zero(rows + count, 3);
-  right.topRows(rows) = -laplacian * places;
+  right.topRows(rows) = -laplacian * positions;
   for (Eigen::Index i = 0; i < count; ++i) {
     matrix.col(i).head(rows) = laplacian.col(movable[i]);
     matrix(rows + i, i) = pull / static_cast<double>(rows);
   }
   const MatrixXd moves = matrix.colPivHouseholderQr().solve(right);
   for (Eigen::Index i = 0; i < count; ++i)
-    places.row(movable[i]) += moves.row(i);
-  return places;
+    positions.row(movable[i]) += moves.row(i);
+  return positions;
 }
 
 TEST(BilaplacianFairing, TakesTheStepThatADenseSolveTakes) {

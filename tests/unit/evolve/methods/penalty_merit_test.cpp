@@ -27,26 +27,26 @@ class Laid {
   const TriMesh& mesh() const { return mesh_; }
   const PatchState& state() const { return state_; }
   const PenaltyMerit& merit() const { return merit_; }
-  std::vector<Vec3> places() const {
-    std::vector<Vec3> places;
+  std::vector<Vec3> positions() const {
+    std::vector<Vec3> positions;
     for (std::size_t v = 0; v < state_.vertex_count(); ++v)
-      places.push_back(state_.position(v));
-    return places;
+      positions.push_back(state_.position(v));
+    return positions;
   }
   /// Every node elsewhere: all its vertices by the same bit.
   std::vector<Vec3> shifted(const std::vector<Vec3>& by_node, double length) const {
-    std::vector<Vec3> places = this->places();
+    std::vector<Vec3> positions = this->positions();
     for (std::size_t node = 0; node < merit_.node_count(); ++node) {
       for (const Index v : merit_.vertices_of(node))
-        places[v] += length * by_node[node];
+        positions[v] += length * by_node[node];
     }
-    return places;
+    return positions;
   }
-  /// The mesh with vertices at these places, in its own size.
-  TriMesh mesh_at(const std::vector<Vec3>& places) const {
+  /// The mesh with vertices at these positions, in its own size.
+  TriMesh mesh_at(const std::vector<Vec3>& positions) const {
     TriMesh moved = mesh_;
-    for (std::size_t v = 0; v < places.size(); ++v)
-      moved.positions[state_.vertex_of(v)] = (1.0 / state_.scale()) * places[v];
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      moved.positions[state_.vertex_of(v)] = (1.0 / state_.scale()) * positions[v];
     return moved;
   }
 
@@ -130,9 +130,9 @@ std::vector<std::pair<TriMesh, BorderRule>> cases() {
 TEST(PenaltyMerit, IsTheSumsThatItSays) {
   for (const auto& [mesh, border] : cases()) {
     const Laid laid(mesh, border);
-    const auto places = laid.shifted(random_directions(laid.merit().node_count(), 3), 0.02);
-    const PenaltyPoint point = laid.merit().at(places);
-    const TriMesh moved = laid.mesh_at(places);
+    const auto positions = laid.shifted(random_directions(laid.merit().node_count(), 3), 0.02);
+    const PenaltyPoint point = laid.merit().at(positions);
+    const TriMesh moved = laid.mesh_at(positions);
     const double scale = laid.state().scale();
     const double stretch = scale * scale * plain_stretch(mesh, moved);
     EXPECT_NEAR(point.stretch, stretch, 1e-13 * stretch);
@@ -153,8 +153,8 @@ TEST(PenaltyMerit, HasTheGradientsOfThePowerSeries) {
     const Laid laid(mesh, border);
     const double scale = laid.state().scale();
     const std::size_t nodes = laid.merit().node_count();
-    const auto places = laid.shifted(random_directions(nodes, 3), 0.01);
-    const PenaltyPoint point = laid.merit().at(places);
+    const auto positions = laid.shifted(random_directions(nodes, 3), 0.01);
+    const PenaltyPoint point = laid.merit().at(positions);
     for (std::uint64_t seed = 10; seed < 20; ++seed) {
       const auto directions = random_directions(nodes, seed);
       std::vector<Vec3> motion(mesh.positions.size());
@@ -162,7 +162,7 @@ TEST(PenaltyMerit, HasTheGradientsOfThePowerSeries) {
         for (const Index v : laid.merit().vertices_of(node))
           motion[laid.state().vertex_of(v)] = (1.0 / scale) * directions[node];
       }
-      const Rates rates = rates_along(mesh, laid.mesh_at(places), motion);
+      const Rates rates = rates_along(mesh, laid.mesh_at(positions), motion);
       const double stretch = inner_product(laid.merit().gradient(point, 0.0), directions);
       const double both = inner_product(laid.merit().gradient(point, 0.3), directions);
       EXPECT_NEAR(stretch, scale * scale * rates.stretch, 1e-13 * (1.0 + std::abs(stretch)));
@@ -227,15 +227,15 @@ TEST(PenaltyMerit, LeavesOutWhatIsFixedAndItsPartners) {
 
 TEST(PenaltyMerit, TellsWhereATriangleCollapses) {
   const Laid laid(meshes::rough_grid(5, 5, 2), BorderRule::fixed);
-  std::vector<Vec3> places = laid.places();
+  std::vector<Vec3> positions = laid.positions();
   const Index v = laid.merit().vertices_of(0).front();
   const auto ring = rings_by_vertex(laid.state().plan())[v];
-  places[v] = places[ring[0]];
-  EXPECT_FALSE(laid.merit().at(places).sound);
-  places[v] = 0.25 * places[ring[0]] + 0.75 * places[ring[1]];
-  EXPECT_FALSE(laid.merit().at(places).sound);
-  places[v] = {std::nan(""), 0.0, 0.0};
-  EXPECT_FALSE(laid.merit().at(places).sound);
+  positions[v] = positions[ring[0]];
+  EXPECT_FALSE(laid.merit().at(positions).sound);
+  positions[v] = 0.25 * positions[ring[0]] + 0.75 * positions[ring[1]];
+  EXPECT_FALSE(laid.merit().at(positions).sound);
+  positions[v] = {std::nan(""), 0.0, 0.0};
+  EXPECT_FALSE(laid.merit().at(positions).sound);
 }
 
 }  // namespace

@@ -64,8 +64,8 @@ struct Dense {
 };
 
 /// Of unit length, one for each inner vertex.
-Places some_normals(const AngleJacobian& jacobian) {
-  Places normals;
+Positions some_normals(const AngleJacobian& jacobian) {
+  Positions normals;
   for (Index v = 0; v < jacobian.row_count(); ++v) {
     const Vec3 n = {0.3, 0.1 * static_cast<double>(v % 7) - 0.3, 1.0};
     normals.push_back((1.0 / norm(n)) * n);
@@ -74,7 +74,7 @@ Places some_normals(const AngleJacobian& jacobian) {
 }
 
 /// From the coordinates of all vertices to the unknowns where inner vertices move along normals.
-MatrixXd onto_normals(const AngleJacobian& jacobian, const Places& normals, Eigen::Index size) {
+MatrixXd onto_normals(const AngleJacobian& jacobian, const Positions& normals, Eigen::Index size) {
   const auto inner = static_cast<Eigen::Index>(normals.size());
   MatrixXd onto = MatrixXd::Zero(size - 2 * inner, size);
   for (Eigen::Index v = 0; v < inner; ++v) {
@@ -101,7 +101,8 @@ void expect_solved_as_dense(const Constraints& constraints,
   const ShapeGuard guard(state, 0.05);
   const StrainPotential potential(jacobian, state, pool, PatternBorder::free);
   SmoothSystem system(jacobian, state, hinges, guard, potential.square(), moves);
-  const Places normals = moves == SmoothMoves::along_normals ? some_normals(jacobian) : Places{};
+  const Positions normals =
+      moves == SmoothMoves::along_normals ? some_normals(jacobian) : Positions{};
   system.clear(normals);
   for (std::size_t h = 0; h < hinges.size(); ++h)
     system.add_hinge(h, 1.5, hinges.slope(h).gradient);
@@ -112,7 +113,7 @@ void expect_solved_as_dense(const Constraints& constraints,
   ASSERT_TRUE(system.factor(potential.square(), k_c, pool));
 
   const Dense dense(jacobian, hinges, guard, potential.square());
-  Places force(jacobian.column_count());
+  Positions force(jacobian.column_count());
   VectorXd right = VectorXd::Zero(dense.matrix.rows());
   for (Index v = 0; v < force.size(); ++v) {
     if (!jacobian.is_movable(v)) continue;
@@ -123,7 +124,7 @@ void expect_solved_as_dense(const Constraints& constraints,
   const VectorXd turn =
       VectorXd::LinSpaced(static_cast<Eigen::Index>(jacobian.row_count()), -0.1, 0.3);
   right.tail(turn.size()) = turn;
-  const Places step = system.solve(force, turn, pool, 1e-12);
+  const Positions step = system.solve(force, turn, pool, 1e-12);
   const MatrixXd onto = normals.empty() ? MatrixXd::Identity(right.size(), right.size())
                                         : onto_normals(jacobian, normals, right.size());
   const MatrixXd matrix = onto * dense.matrix * onto.transpose();

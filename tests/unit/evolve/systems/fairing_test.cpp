@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 #include "geometry/cotangents.h"
 
 namespace planish {
@@ -25,10 +25,10 @@ struct Patch {
 };
 
 std::vector<Vec3> ring_places(const PatchState& state, std::span<const Index> ring) {
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   for (const Index v : ring)
-    places.push_back(state.position(v));
-  return places;
+    positions.push_back(state.position(v));
+  return positions;
 }
 
 /// A regular ring of n corners around the origin, at this distance.
@@ -78,7 +78,7 @@ TEST(MixedArea, IsAThirdOfARegularHexagonAndHalfOfObtuseTriangles) {
 }
 
 /// What the fairing makes smallest, written out.
-double merit(const Patch& patch, const Places& targets, const Places& places,
+double merit(const Patch& patch, const Positions& targets, const Positions& positions,
              LaplacianWeights kind) {
   // L is that of the patch as it was.
   double area = 0.0;
@@ -97,11 +97,11 @@ double merit(const Patch& patch, const Places& targets, const Places& places,
     }
     Vec3 laplacian;
     for (std::size_t j = 0; j < ring.size(); ++j) {
-      const Vec3 w = patch.state.is_inner(rings[v][j]) ? places[rings[v][j]]
+      const Vec3 w = patch.state.is_inner(rings[v][j]) ? positions[rings[v][j]]
                                                        : patch.state.position(rings[v][j]);
-      laplacian += (scale * weights[j]) * (places[v] - w);
+      laplacian += (scale * weights[j]) * (positions[v] - w);
     }
-    const Vec3 off = patch.weights[v] * (places[v] - targets[v]);
+    const Vec3 off = patch.weights[v] * (positions[v] - targets[v]);
     sum += dot(laplacian, laplacian) + dot(off, off);
   }
   return sum;
@@ -115,13 +115,13 @@ TEST_P(FairingKinds, EndAtTheMinimumOfWhatTheyMakeSmall) {
     patch.weights[v] = 4.0;
   const Fairing fairing(patch.state, patch.movable, GetParam(), patch.weights, patch.pool);
   ASSERT_TRUE(fairing.solvable());
-  Places targets = inner_places(patch.state);
+  Positions targets = inner_positions(patch.state);
   for (std::size_t v = 0; v < targets.size(); ++v)
     targets[v] += Vec3{0.0, 0.0, 0.02 * std::sin(7.0 * static_cast<double>(v))};
-  const Places faired = fairing.apply(targets, patch.pool);
+  const Positions faired = fairing.apply(targets, patch.pool);
   const double least = merit(patch, targets, faired, GetParam());
   EXPECT_LT(least, 0.9 * merit(patch, targets, targets, GetParam()));
-  Places direction(faired.size());
+  Positions direction(faired.size());
   for (std::size_t v = 0; v < direction.size(); ++v)
     direction[v] = {std::cos(3.0 * static_cast<double>(v)), 1.0, std::sin(static_cast<double>(v))};
   for (const double t : {-1e-4, 1e-4}) {
@@ -137,8 +137,8 @@ TEST_P(FairingKinds, LeaveWhatIsHeldAtItsTarget) {
   Patch patch("saddle");
   patch.movable[5] = patch.movable[50] = 0;
   const Fairing fairing(patch.state, patch.movable, GetParam(), patch.weights, patch.pool);
-  const Places targets = inner_places(patch.state);
-  const Places faired = fairing.apply(targets, patch.pool);
+  const Positions targets = inner_positions(patch.state);
+  const Positions faired = fairing.apply(targets, patch.pool);
   EXPECT_EQ(faired[5], targets[5]);
   EXPECT_EQ(faired[50], targets[50]);
   EXPECT_NE(faired, targets);

@@ -32,10 +32,11 @@ struct Patch {
       }
     }
   }
-  static VectorXd flat(const Places& places) {
-    VectorXd all(static_cast<Eigen::Index>(3 * places.size()));
-    for (std::size_t v = 0; v < places.size(); ++v)
-      all.segment<3>(static_cast<Eigen::Index>(3 * v)) << places[v].x, places[v].y, places[v].z;
+  static VectorXd flat(const Positions& positions) {
+    VectorXd all(static_cast<Eigen::Index>(3 * positions.size()));
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      all.segment<3>(static_cast<Eigen::Index>(3 * v)) << positions[v].x, positions[v].y,
+          positions[v].z;
     return all;
   }
 
@@ -64,8 +65,8 @@ SparseMatrix spring_matrix(const PatchState& state) {
   return lower;
 }
 
-Places some_forces(std::size_t count) {
-  Places forces(count);
+Positions some_forces(std::size_t count) {
+  Positions forces(count);
   for (std::size_t v = 0; v < count; ++v)
     forces[v] = {std::sin(1.0 * static_cast<double>(v)), 0.1,
                  std::cos(3.0 * static_cast<double>(v))};
@@ -79,7 +80,7 @@ TEST(KktSystem, SolvesWhatADenseSolverSolves) {
   KktSystem system(patch.jacobian, patch.state, hessian);
   constexpr double mu = 1e-4;
   ASSERT_TRUE(system.factor(mu, patch.pool));
-  const Places forces = some_forces(patch.state.inner_count());
+  const Positions forces = some_forces(patch.state.inner_count());
   const VectorXd turn = VectorXd::LinSpaced(n, -0.1, 0.2);
   const VectorXd move = Patch::flat(system.solve(forces, turn, patch.pool));
 
@@ -155,7 +156,7 @@ TEST(DualSystem, IsDampedByWhatItIsTold) {
 
 TEST(AngleJacobian, MultipliesAsItsDenseTwin) {
   Patch patch;
-  const Places moves = some_forces(patch.state.inner_count());
+  const Positions moves = some_forces(patch.state.inner_count());
   const VectorXd product = patch.dense * Patch::flat(moves);
   EXPECT_LT((patch.jacobian.times(moves) - product).norm(), 1e-13 * product.norm());
   const VectorXd y = VectorXd::LinSpaced(product.size(), 1.0, 3.0);
@@ -166,10 +167,10 @@ TEST(AngleJacobian, MultipliesAsItsDenseTwin) {
 
 TEST(AngleJacobian, IsTheDerivativeOfTheAngleSums) {
   Patch patch;
-  const Places directions = some_forces(patch.state.inner_count());
-  const Places start = inner_places(patch.state);
+  const Positions directions = some_forces(patch.state.inner_count());
+  const Positions start = inner_positions(patch.state);
   const auto defects_at = [&](double t) {
-    move_to(sum_of(start, t, directions), patch.jacobian, patch.state);
+    set_positions(sum_of(start, t, directions), patch.jacobian, patch.state);
     patch.state.measure(patch.pool);
     return inner_defects(patch.state);
   };

@@ -1,4 +1,4 @@
-#include "evolve/systems/places.h"
+#include "evolve/systems/positions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,28 +8,28 @@
 
 namespace planish {
 
-Places sum_of(Places a, double s, const Places& b) {
+Positions sum_of(Positions a, double s, const Positions& b) {
   for (std::size_t v = 0; v < a.size(); ++v)
     a[v] += s * b[v];
   return a;
 }
 
-double norm_of(const Places& a) {
+double norm_of(const Positions& a) {
   double sum = 0.0;
   for (const Vec3 p : a)
     sum += dot(p, p);
   return std::sqrt(sum);
 }
 
-Places first_places(const PatchState& state, std::size_t count) {
-  Places places;
+Positions first_positions(const PatchState& state, std::size_t count) {
+  Positions positions;
   for (std::size_t v = 0; v < count; ++v)
-    places.push_back(state.position(v));
-  return places;
+    positions.push_back(state.position(v));
+  return positions;
 }
 
-Places inner_places(const PatchState& state) {
-  return first_places(state, state.inner_count());
+Positions inner_positions(const PatchState& state) {
+  return first_positions(state, state.inner_count());
 }
 
 TriMesh mesh_at_first(const PatchState& state) {
@@ -47,27 +47,28 @@ Eigen::VectorXd inner_defects(const PatchState& state) {
   return defects;
 }
 
-std::size_t move_to(const Places& places, const AngleJacobian& jacobian, PatchState& state) {
-  const bool sound =
-      std::all_of(places.begin(), places.end(), [](Vec3 p) { return std::isfinite(dot(p, p)); });
+std::size_t set_positions(const Positions& positions, const AngleJacobian& jacobian,
+                          PatchState& state) {
+  const bool sound = std::all_of(positions.begin(), positions.end(),
+                                 [](Vec3 p) { return std::isfinite(dot(p, p)); });
   std::size_t moved = 0;
-  for (Index v = 0; sound && v < places.size(); ++v) {
-    if (!jacobian.is_movable(v) || places[v] == state.position(v)) continue;
-    state.move(v, places[v]);
+  for (Index v = 0; sound && v < positions.size(); ++v) {
+    if (!jacobian.is_movable(v) || positions[v] == state.position(v)) continue;
+    state.move(v, positions[v]);
     ++moved;
   }
   return moved;
 }
 
-Places within_distance(Places places, const Places& origin, std::size_t inner_count,
-                       double distance) {
-  if (std::isinf(distance)) return places;
+Positions within_distance(Positions positions, const Positions& origin, std::size_t inner_count,
+                          double distance) {
+  if (std::isinf(distance)) return positions;
   for (std::size_t v = 0; v < inner_count; ++v) {
-    const Vec3 away = places[v] - origin[v];
+    const Vec3 away = positions[v] - origin[v];
     const double far = norm(away);
-    if (far > distance) places[v] = origin[v] + (distance / far) * away;
+    if (far > distance) positions[v] = origin[v] + (distance / far) * away;
   }
-  return places;
+  return positions;
 }
 
 Vec3 normal_at(Index v, const AngleJacobian& jacobian, const PatchState& state) {

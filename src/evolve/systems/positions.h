@@ -12,20 +12,20 @@
 
 namespace planish {
 
-/// Places, or moves, of all inner vertices: what methods with global solves work on. Those of the
-/// border follow where it may move.
-using Places = std::vector<Vec3>;
+/// Positions, or moves, of all inner vertices: what methods with global solves work on. Those of
+/// the border follow where it may move.
+using Positions = std::vector<Vec3>;
 
 /// a + s b
-Places sum_of(Places a, double s, const Places& b);
+Positions sum_of(Positions a, double s, const Positions& b);
 
-double norm_of(const Places& a);
+double norm_of(const Positions& a);
 
 /// Where the vertices before number `count` are.
-Places first_places(const PatchState& state, std::size_t count);
+Positions first_positions(const PatchState& state, std::size_t count);
 
 /// Where the inner vertices are.
-Places inner_places(const PatchState& state);
+Positions inner_positions(const PatchState& state);
 
 /// The patch as it was at first, in model units and the numbers of the state.
 TriMesh mesh_at_first(const PatchState& state);
@@ -33,15 +33,16 @@ TriMesh mesh_at_first(const PatchState& state);
 /// Their defects, as of the last measure().
 Eigen::VectorXd inner_defects(const PatchState& state);
 
-/// Puts the movable vertices there, if all places are numbers.
+/// Puts the movable vertices there, if all positions are numbers.
 /// @return how many were elsewhere before
-std::size_t move_to(const Places& places, const AngleJacobian& jacobian, PatchState& state);
+std::size_t set_positions(const Positions& positions, const AngleJacobian& jacobian,
+                          PatchState& state);
 
-/// The nearest of the places of all vertices that may move that are within a distance of their
+/// The nearest of the positions of all vertices that may move that are within a distance of their
 /// origins, infinite for none.
 /// @param inner_count how many of them are inner vertices: only these are limited
-Places within_distance(Places places, const Places& origin, std::size_t inner_count,
-                       double distance);
+Positions within_distance(Positions positions, const Positions& origin, std::size_t inner_count,
+                          double distance);
 
 /// The unit normal of an inner vertex, its triangles weighing as their areas; zero where they
 /// cancel.

@@ -7,13 +7,13 @@
 namespace planish {
 
 /// L(v) with the paper's edge-length weights (Eq. 9), for v at x with `count` neighbours.
-/// @param place_of neighbour number -> Vec3
-template <class PlaceOf>
-Vec3 edge_weighted_laplacian(Vec3 x, std::size_t count, const PlaceOf& place_of) {
+/// @param position_of neighbour number -> Vec3
+template <class PositionOf>
+Vec3 edge_weighted_laplacian(Vec3 x, std::size_t count, const PositionOf& position_of) {
   Vec3 sum;
   double weights = 0.0;
   for (std::size_t j = 0; j < count; ++j) {
-    const Vec3 u = place_of(j) - x;
+    const Vec3 u = position_of(j) - x;
     const double weight = norm(u);
     sum += weight * u;
     weights += weight;

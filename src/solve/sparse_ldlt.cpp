@@ -40,7 +40,7 @@ LowerRows rows_under(const SparseMatrix& lower, std::span<const Index> place) {
   return rows;
 }
 
-std::vector<Index> places_of(std::span<const Index> order) {
+std::vector<Index> rank_of(std::span<const Index> order) {
   std::vector<Index> place(order.size());
   for (std::size_t k = 0; k < order.size(); ++k)
     place[order[k]] = static_cast<Index>(k);
@@ -66,11 +66,11 @@ std::vector<Index> nodes_of(const Supernodes& tree) {
 
 template <class T>
 BasicLdlt<T>::BasicLdlt(const SparseMatrix& lower, std::span<const Index> order)
-    : place_(places_of(order)) {
+    : place_(rank_of(order)) {
   {
     // Children right before their parents, so that bundles of columns are contiguous.
     const auto parent = elimination_tree(rows_under(lower, place_));
-    const auto later = places_of(postorder(parent));
+    const auto later = rank_of(postorder(parent));
     for (Index& place : place_)
       place = later[place];
   }

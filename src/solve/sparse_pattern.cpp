@@ -4,7 +4,7 @@
 
 namespace planish {
 
-std::size_t place_of(const SparseMatrix& lower, int i, int j) {
+std::size_t entry_of(const SparseMatrix& lower, int i, int j) {
   const auto [column, row] = std::minmax({i, j});
   const int* rows = lower.innerIndexPtr();
   const int* begin = rows + lower.outerIndexPtr()[column];

@@ -9,7 +9,7 @@ namespace planish {
 
 /// Where the entry (i, j) of a symmetric matrix lies among the values of its lower half.
 /// @pre the lower half has it, rows in order
-std::size_t place_of(const SparseMatrix& lower, int i, int j);
+std::size_t entry_of(const SparseMatrix& lower, int i, int j);
 
 /// Who shares an entry with whom, of a symmetric matrix of which both halves are there.
 Graph graph_of(const SparseMatrix& symmetric);

@@ -94,7 +94,7 @@ NormalSystem::NormalSystem(const AngleJacobian& jacobian, const PatchState& stat
       solver_(lower_, elimination_order(state, cost, square, steps_),
               step_precision(state.inner_count())) {
   const auto place = [this](int row, int column) {
-    return static_cast<std::uint32_t>(place_of(lower_, row, column));
+    return static_cast<std::uint32_t>(entry_of(lower_, row, column));
   };
   for_cost(cost, steps_, [&](int a, int b, double) {
     cost_entries_.push_back(place(steps_.unknown(a), steps_.unknown(b)));

@@ -24,14 +24,16 @@ double argument(double re, double im) {
 LineEnergy::LineEnergy(const Site* sites, const Star& star, std::size_t valence,
                        double max_cotangent)
     : own_(sites[star.center].defect), spokes_(valence) {
-  const auto place_of = [&](std::uint32_t v) { return Vec3{sites[v].x, sites[v].y, sites[v].z}; };
-  start_ = place_of(star.center);
+  const auto position_of = [&](std::uint32_t v) {
+    return Vec3{sites[v].x, sites[v].y, sites[v].z};
+  };
+  start_ = position_of(star.center);
   laplacian_ = edge_weighted_laplacian(start_, valence,
-                                       [&](std::size_t j) { return place_of(star.ring[j]); });
+                                       [&](std::size_t j) { return position_of(star.ring[j]); });
   for (std::size_t j = 0; j < valence; ++j) {
     Spoke& spoke = spokes_[j];
-    spoke.place = place_of(star.ring[j]);
-    spoke.edge = place_of(star.ring[next(j)]) - spoke.place;
+    spoke.place = position_of(star.ring[j]);
+    spoke.edge = position_of(star.ring[next(j)]) - spoke.place;
     spoke.normal_rate = -cross(laplacian_, spoke.edge);
     const double defect = sites[star.ring[j]].defect;
     spoke.inner = defect == defect;  // the border's is NaN

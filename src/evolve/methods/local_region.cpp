@@ -28,7 +28,7 @@ std::vector<Index> next_ring(const std::vector<Index>& last, const std::vector<I
 
 }  // namespace
 
-std::size_t LocalRegion::place_of(Index v) const {
+std::size_t LocalRegion::slot_of(Index v) const {
   const auto at = std::lower_bound(active.begin(), active.end(), v);
   return at != active.end() && *at == v ? static_cast<std::size_t>(at - active.begin())
                                         : active.size();
@@ -67,10 +67,10 @@ Eigen::MatrixXd angle_rows(const LocalRegion& region, std::span<const std::span<
     };
     const Index q = region.constrained[i];
     const auto ring = rings[q];
-    const std::size_t own = region.place_of(q);
-    std::size_t place = region.place_of(ring.back());
+    const std::size_t own = region.slot_of(q);
+    std::size_t place = region.slot_of(ring.back());
     for (std::size_t j = 0; j < ring.size(); ++j) {
-      const std::size_t next = region.place_of(ring[j]);
+      const std::size_t next = region.slot_of(ring[j]);
       const AngleGradient g =
           angle_gradient(at(q), at(ring[(j + ring.size() - 1) % ring.size()]), at(ring[j]));
       add(own, g.at_p);

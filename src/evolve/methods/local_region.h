@@ -20,7 +20,7 @@ struct LocalRegion {
   std::vector<Index> constrained;  ///< V_dev: up to one ring more
 
   /// The place of a vertex among the active ones, or their number if it is not one.
-  std::size_t place_of(Index v) const;
+  std::size_t slot_of(Index v) const;
 };
 
 /// @param rings of the inner vertices, which are numbered first

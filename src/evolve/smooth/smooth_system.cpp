@@ -37,7 +37,7 @@ SmoothSystem::SmoothSystem(const AngleJacobian& jacobian, const PatchState& stat
   for (int v = 0; v < square.outerSize(); ++v) {
     for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry) {
       if (entry.row() < v) continue;
-      square_entries_.push_back(static_cast<std::uint32_t>(place_of(
+      square_entries_.push_back(static_cast<std::uint32_t>(entry_of(
           lower_, multiplier(static_cast<Index>(entry.row())), multiplier(static_cast<Index>(v)))));
     }
   }

@@ -80,7 +80,7 @@ KktSystem::KktSystem(const AngleJacobian& jacobian, const PatchState& state,
     for (const AngleJacobian::Entry& entry : jacobian.column(v)) {
       for (int part = 0; part < k_multiplier; ++part) {
         gradient_entries_.push_back(
-            place_of(lower_, unknown(entry.row, k_multiplier), unknown(v, part)));
+            entry_of(lower_, unknown(entry.row, k_multiplier), unknown(v, part)));
       }
     }
   }

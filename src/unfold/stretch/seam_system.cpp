@@ -38,7 +38,7 @@ SeamSystem::SeamSystem(const Disk& disk, std::span<const double> lengths, Thread
   pulls_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(lengths.size()));
   for (const Triangle& t : disk.triangles)
     for_pairs(
-        t, [&](int row, int column, int, int) { slots_.push_back(place_of(lower_, row, column)); });
+        t, [&](int row, int column, int, int) { slots_.push_back(entry_of(lower_, row, column)); });
 }
 
 void SeamSystem::number_unknowns() {
@@ -150,11 +150,11 @@ void SeamSystem::add_lengths(const std::vector<Vec2>& flat) {
     const Vec2 d = flat[edge.to] - flat[edge.from];
     const Vec2 along = (1.0 / norm(d)) * d;
     const int pull = pull_column_[k];
-    values[place_of(lower_, pull, pull)] = -k_give;
+    values[entry_of(lower_, pull, pull)] = -k_give;
     const auto set = [&](Index v, double sign) {
       const int x = column_[2 * v], y = column_[2 * v + 1];
-      if (x != Unknowns::k_fixed) values[place_of(lower_, pull, x)] = sign * along.x;
-      if (y != Unknowns::k_fixed) values[place_of(lower_, pull, y)] = sign * along.y;
+      if (x != Unknowns::k_fixed) values[entry_of(lower_, pull, x)] = sign * along.x;
+      if (y != Unknowns::k_fixed) values[entry_of(lower_, pull, y)] = sign * along.y;
     };
     set(edge.from, -1.0);
     set(edge.to, 1.0);

@@ -11,7 +11,7 @@ StretchSystem::StretchSystem(const Disk& disk) : disk_(disk), unknowns_(disk) {
   gradient_.resize(unknowns_.count());
   for (const Triangle& t : disk.triangles)
     for_pairs(t, [&](int row, int column, int, int) {
-      slots_.push_back(place_of(hessian_, row, column));
+      slots_.push_back(entry_of(hessian_, row, column));
     });
 }
 
@@ -43,7 +43,7 @@ void StretchSystem::add(const FlatEdge& edge, Vec2 gradient, const EdgeHessian& 
       const int column = unknowns_.column(ends[j / 2], j % 2);
       if (column == Unknowns::k_fixed || row < column) continue;
       const double value = block[i % 2][j % 2];
-      hessian_.valuePtr()[place_of(hessian_, row, column)] += i / 2 == j / 2 ? value : -value;
+      hessian_.valuePtr()[entry_of(hessian_, row, column)] += i / 2 == j / 2 ? value : -value;
     }
   }
 }

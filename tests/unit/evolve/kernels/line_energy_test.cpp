@@ -18,7 +18,7 @@ struct Placed {
   std::size_t valence;
 };
 
-Placed place_of(const PatchState& state, std::size_t visit) {
+Placed position_of(const PatchState& state, std::size_t visit) {
   const planish::Run& run = *state.plan().run_of(visit);
   return {state.plan().star(run, visit), run.valence};
 }
@@ -39,7 +39,7 @@ void for_each_line(Visit visit) {
     ThreadPool pool(1);
     PatchState state(mesh, connectivity, pool);
     for (std::size_t i = 0; i < state.inner_count(); ++i) {
-      const auto [star, valence] = place_of(state, i);
+      const auto [star, valence] = position_of(state, i);
       const LineEnergy line(state.sites().data(), star, valence);
       visit(line, patch, state.vertex_of(star.center), state.scale());
     }
@@ -117,7 +117,7 @@ TEST(LineEnergy, WritesTheDefectsThatMeasuringFinds) {
   ThreadPool pool(1);
   PatchState state(mesh, connectivity, pool);
   for (std::size_t i = 0; i < state.inner_count(); ++i) {
-    const auto [star, valence] = place_of(state, i);
+    const auto [star, valence] = position_of(state, i);
     const LineEnergy line(state.sites().data(), star, valence);
     const Vec3 target = line.place(0.3);
     line.write(target, line.at(target), star, state.sites().data(), state.changes(0));
@@ -136,7 +136,7 @@ TEST(LineEnergy, IsNoNumberOnANeighbourAndNotSoundBesideIt) {
   const Connectivity connectivity(mesh);
   ThreadPool pool(1);
   PatchState state(mesh, connectivity, pool);
-  const auto [star, valence] = place_of(state, 0);
+  const auto [star, valence] = position_of(state, 0);
   const double max_cotangent = 1.0 / std::tan(0.1);
   const LineEnergy line(state.sites().data(), star, valence, max_cotangent);
   const Vec3 neighbour = state.position(star.ring[2]), start = line.start();

@@ -62,9 +62,9 @@ TEST(LocalRegion, MovesOnlyWhatMayMoveButConstrainsAll) {
   EXPECT_LT(even.active.size(), whole.active.size());
   for (const Index v : even.active) {
     EXPECT_EQ(v % 2, 0U);
-    EXPECT_EQ(even.active[even.place_of(v)], v);
+    EXPECT_EQ(even.active[even.slot_of(v)], v);
   }
-  EXPECT_EQ(even.place_of(7), even.active.size());
+  EXPECT_EQ(even.slot_of(7), even.active.size());
 }
 
 TEST(AngleRows, AreTheDifferenceQuotientsOfTheAngleSums) {

@@ -9,7 +9,7 @@
 #include <planish/evolve/method.h>
 #include <planish/measure/flattenability.h>
 
-#include "evolve/auto/pull_back.h"
+#include "evolve/auto/deviation_reduction.h"
 #include "evolve/auto/strain_descent.h"
 #include "evolve/descent/coarse_levels.h"
 #include "evolve/descent/defect_polish.h"
@@ -57,8 +57,8 @@ class AutoStepper {
 
   /// Brings what coarse levels have found so far to the patch itself.
   void settle() {
-    if (pull_back_) pull_back_->finish();
-    pull_back_.reset();
+    if (reduction_) reduction_->finish();
+    reduction_.reset();
     while (level_ > 0)
       lift();
   }
@@ -86,7 +86,7 @@ class AutoStepper {
     const std::unique_ptr<PatchState> found = std::move(coarse_);
     const double closeness = descent_->closeness(), sigma = descent_->sigma();
     const bool was_met = descent_->strain_is_met();
-    pull_back_.reset();
+    reduction_.reset();
     descent_.reset();  // before the next: it is large
     --level_;
     open_level(closeness);
@@ -94,12 +94,12 @@ class AutoStepper {
     descent_->start(k_pace_from_coarse);
     // What lifting broke of the limit is mended without going far beyond it.
     if (was_met) descent_->keep_to_limit(sigma);
-    if (was_met && descent_->strain_is_met()) pull_back_.emplace(*descent_);
+    if (was_met && descent_->strain_is_met()) reduction_.emplace(*descent_);
   }
 
   SweepOutcome descend() {
     SweepOutcome outcome;
-    if (!descent_->solvable() || (!pull_back_ && descent_->strain_is_met())) {
+    if (!descent_->solvable() || (!reduction_ && descent_->strain_is_met())) {
       outcome.level = {level_state().inner_count()};
     } else if (const bool over = descent_step(outcome); !over) {
       outcome.elsewhere = level_ > 0;
@@ -112,13 +112,13 @@ class AutoStepper {
 
   /// @return true if it was the last of the level
   bool descent_step(SweepOutcome& outcome) {
-    const StrainDescent::Step step = pull_back_ ? pull_back_->step() : descent_->step();
+    const StrainDescent::Step step = reduction_ ? reduction_->step() : descent_->step();
     outcome.moved = step.moved;
     outcome.level = {level_state().inner_count(), step.merit_before, step.merit,
                      descent_->rms_strain()};
-    if (pull_back_) return pull_back_->over();
+    if (reduction_) return reduction_->over();
     if (descent_->strain_is_met()) {
-      pull_back_.emplace(*descent_);
+      reduction_.emplace(*descent_);
       return false;
     }
     const bool held = is_held();
@@ -148,8 +148,8 @@ class AutoStepper {
 
   /// What comes after a level: the next one, polishing, or the end.
   void end_level(SweepOutcome& outcome) {
-    if (pull_back_) pull_back_->finish();
-    pull_back_.reset();
+    if (reduction_) reduction_->finish();
+    reduction_.reset();
     hopeless_ = !descent_->strain_is_met() && descent_->rms_strain() > k_hopeless_strain;
     const bool may_try = tries_ < k_most_tries && rounds_ == 0 && level_ == levels_.coarsest();
     if (may_try && !hopeless_ && descent_->is_too_rough()) return start_smoother();
@@ -196,7 +196,7 @@ class AutoStepper {
     descent_->go_to(descent_->positions());
     if (!descent_->strain_is_met()) return false;
     polish_.reset();
-    pull_back_.emplace(*descent_);
+    reduction_.emplace(*descent_);
     return true;
   }
 
@@ -216,7 +216,7 @@ class AutoStepper {
   std::size_t level_;
   std::unique_ptr<PatchState> coarse_;  // of the level, none at the patch itself
   std::unique_ptr<StrainDescent> descent_;
-  std::optional<PullBack> pull_back_;
+  std::optional<DeviationReduction> reduction_;
   std::optional<DefectPolish> polish_;
   /// The place of least strain since vertices came to the limit of deviation.
   struct Held {

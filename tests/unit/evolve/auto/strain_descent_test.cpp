@@ -11,7 +11,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "evolve/auto/pull_back.h"
+#include "evolve/auto/deviation_reduction.h"
 #include "evolve/descent/smallest_angle.h"
 #include "evolve/systems/positions.h"
 #include "support/meshes.h"
@@ -282,7 +282,7 @@ TEST(StrainDescent, OnlyLowersAClosenessThatACoarserLevelFound) {
   }
 }
 
-TEST(PullBack, EndsNearerWithinTheLimitOfStrain) {
+TEST(DeviationReduction, EndsNearerWithinTheLimitOfStrain) {
   for (const char* shape : {"panel", "saddle"}) {
     Laid laid(make_shape(shape, 900));
     constexpr double limit = 0.04;
@@ -292,15 +292,15 @@ TEST(PullBack, EndsNearerWithinTheLimitOfStrain) {
       descent.step();
     ASSERT_TRUE(descent.strain_is_met()) << shape;
     const double deviation = descent.deviation(), strain = descent.max_strain();
-    PullBack pull_back(descent);
+    DeviationReduction deviation_reduction(descent);
     int steps = 0;
-    for (; !pull_back.over(); ++steps) {
-      const StrainDescent::Step step = pull_back.step();
+    for (; !deviation_reduction.over(); ++steps) {
+      const StrainDescent::Step step = deviation_reduction.step();
       if (step.moved > 0) {
         EXPECT_LT(step.merit, step.merit_before) << shape;
       }
     }
-    pull_back.finish();
+    deviation_reduction.finish();
     EXPECT_GE(steps, 5) << shape;
     EXPECT_LT(descent.deviation(), 0.99 * deviation) << shape;
     EXPECT_LE(descent.max_strain(), limit) << shape;

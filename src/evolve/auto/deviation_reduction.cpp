@@ -1,8 +1,8 @@
-#include "evolve/auto/pull_back.h"
+#include "evolve/auto/deviation_reduction.h"
 
 namespace planish {
 
-PullBack::PullBack(StrainDescent& descent)
+DeviationReduction::DeviationReduction(StrainDescent& descent)
     : descent_(descent),
       may_be_rough_(descent.is_too_rough()),
       nearest_(descent.positions()),
@@ -10,7 +10,7 @@ PullBack::PullBack(StrainDescent& descent)
   descent_.keep_to_limit(descent_.sigma());
 }
 
-StrainDescent::Step PullBack::step() {
+StrainDescent::Step DeviationReduction::step() {
   constexpr double worth_it = 0.995;
   ++steps_;
   ++idle_;

@@ -7,10 +7,10 @@ namespace planish {
 /// Pulls a patch whose strain has come within its limit back towards where it was at first: further
 /// steps of the descent, which now keep the strain where it is, and of the positions they come to
 /// the nearest that is within the limit.
-class PullBack {
+class DeviationReduction {
  public:
   /// @param descent its strain is met; must outlive it
-  explicit PullBack(StrainDescent& descent);
+  explicit DeviationReduction(StrainDescent& descent);
 
   StrainDescent::Step step();
   /// True where going on would bring little.

@@ -38,7 +38,7 @@ constexpr int k_most_rounds = 6;
 constexpr int k_most_tries = 3;
 // A patch of so many vertices is worked on as it is.
 constexpr std::size_t k_small = 6000;
-constexpr double k_later = 0.8;
+constexpr double k_exponent_decay = 0.8;
 
 class AutoStepper {
  public:
@@ -50,7 +50,7 @@ class AutoStepper {
         levels_(state, k_small),
         level_(levels_.coarsest()) {
     open_level();
-    descent_->start(k_pace_from_scratch);
+    descent_->start(k_cold_start);
   }
 
   SweepOutcome step() { return polish_ ? polish() : descend(); }
@@ -70,7 +70,7 @@ class AutoStepper {
     coarse_ = level_ > 0 ? levels_.make_state(level_, pool_) : nullptr;
     descent_ = std::make_unique<StrainDescent>(
         level_state(), pool_,
-        DescentAims{strain_limit(), options_.closeness, closeness, earliness_}, limits());
+        DescentAims{strain_limit(), options_.closeness, closeness, allowance_exponent_}, limits());
     steps_ = idle_ = 0;
     held_.reset();
   }
@@ -91,7 +91,7 @@ class AutoStepper {
     --level_;
     open_level(closeness);
     levels_.lift(level_ + 1, *found, descent_->cost(), level_state(), pool_);
-    descent_->start(k_pace_from_coarse);
+    descent_->start(k_warm_start);
     // What lifting broke of the limit is mended without going far beyond it.
     if (was_met) descent_->keep_to_limit(sigma);
     if (was_met && descent_->strain_is_met()) reduction_.emplace(*descent_);
@@ -167,10 +167,10 @@ class AutoStepper {
   /// The coarsest level once more, from where the vertices were at first.
   void start_smoother() {
     ++tries_;
-    earliness_ *= k_later;
+    allowance_exponent_ *= k_exponent_decay;
     descent_->go_to(descent_->cost().origin());
     open_level();
-    descent_->start(k_pace_from_scratch);
+    descent_->start(k_cold_start);
   }
 
   std::optional<StopReason> reason_to_end() const {
@@ -202,7 +202,7 @@ class AutoStepper {
 
   SweepOutcome descend_again(std::size_t moved) {
     polish_.reset();
-    descent_->start(k_pace_from_coarse);
+    descent_->start(k_warm_start);
     steps_ = idle_ = 0;
     held_.reset();
     return {std::max<std::size_t>(moved, 1)};  // who moves nothing is taken to be at the end
@@ -226,7 +226,7 @@ class AutoStepper {
   };
   std::optional<Held> held_;
   int tries_ = 1, steps_ = 0, idle_ = 0, rounds_ = 0;
-  double earliness_ = 1.0;  // of the usual one
+  double allowance_exponent_ = 1.0;  // of the usual one
   bool hopeless_ = false;
 };
 

@@ -6,9 +6,10 @@
 
 namespace planish {
 
-ClosenessControl::ClosenessControl(const PatchState& state, double room, const ClosenessPace& pace)
-    : roughness_(state), pace_(pace), least_(roughness_.now()) {
-  most_ = least_ + room * (least_ + pace.more);
+ClosenessControl::ClosenessControl(const PatchState& state, double room,
+                                   const ClosenessPace& schedule)
+    : roughness_(state), pace_(schedule), least_(roughness_.now()) {
+  most_ = least_ + room * (least_ + schedule.more);
 }
 
 double ClosenessControl::after_step(double closeness, double strain_left, bool may_grow) {
@@ -17,7 +18,7 @@ double ClosenessControl::after_step(double closeness, double strain_left, bool m
   least_ = std::min(least_, roughness);
   first_strain_ = std::max(first_strain_, strain_left);
   const double left =
-      first_strain_ > 0.0 ? math::pow(strain_left / first_strain_, pace_.earliness) : 0.0;
+      first_strain_ > 0.0 ? math::pow(strain_left / first_strain_, pace_.allowance_exponent) : 0.0;
   const double allowed = least_ + (most_ - least_) * (1.0 - left);
   if (roughness > allowed) return std::max(ease * closeness, least_closeness);
   if (roughness >= plenty * allowed) return closeness;

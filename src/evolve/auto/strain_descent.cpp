@@ -38,19 +38,19 @@ double ease_for(double stays) {
 /// @param stays share of the strain at first
 ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, double stays,
                        double density) {
-  ClosenessPace pace = k_usual_closeness;
+  ClosenessPace schedule = k_usual_closeness;
   if (stays_near(aims, limits)) {
-    pace.earliness = k_earliness_near;
-    pace.most = k_most_near * std::max(1.0, density * density);
+    schedule.allowance_exponent = k_earliness_near;
+    schedule.most = k_most_near * std::max(1.0, density * density);
     // Where little strain has to go, crumples may take it up at once.
-    pace.first = std::max(pace.first, k_first_near * stays * stays);
+    schedule.first = std::max(schedule.first, k_first_near * stays * stays);
   }
   // Much room is not filled by weights that are right for a little.
   constexpr double most_room = 10.0;
   const double room = std::clamp(aims.room, 1.0, most_room);
-  pace.most *= room * room;
-  pace.earliness *= aims.earliness;
-  return pace;
+  schedule.most *= room * room;
+  schedule.allowance_exponent *= aims.allowance_exponent;
+  return schedule;
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
     limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
 }
 
-void StrainDescent::start(const DescentPace& pace) {
+void StrainDescent::start(const StepSchedule& schedule) {
   if (!solvable()) return;
   constexpr double least_sigma = 1e-4;
   const Positions away = sum_of(positions(), -1.0, cost_.origin());
@@ -89,11 +89,11 @@ void StrainDescent::start(const DescentPace& pace) {
     if (angles_hold_after_slides()) break;
   }
   look();
-  sigma_ = std::min(1.0, pace.sigma_per_strain * strain_.rms) * sigma_unit(state_);
+  sigma_ = std::min(1.0, schedule.sigma_per_strain * strain_.rms) * sigma_unit(state_);
   least_sigma_ = least_sigma * sigma_unit(state_);
   sigma_ = std::max(sigma_, least_sigma_);
-  longest_step_ = pace.longest_step * cost_.unit();
-  fall_of_sigma_ = pace.fall_of_sigma;
+  longest_step_ = schedule.longest_step * cost_.unit();
+  fall_of_sigma_ = schedule.fall_of_sigma;
   stiffening_ = 0.0;
   to_limit_ = false;
 }

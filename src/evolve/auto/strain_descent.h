@@ -23,18 +23,18 @@ struct DescentAims {
   /// That a coarser level ended with: weights are found there, where steps cost little, and only
   /// lowered on the way here. 0: there is none.
   double closeness = 0.0;
-  double earliness = 1.0;  ///< of the usual one; see ClosenessPace
+  double allowance_exponent = 1.0;  ///< of the usual one; see ClosenessPace
 };
 
 /// Where a descent begins and how far its steps go.
-struct DescentPace {
+struct StepSchedule {
   double sigma_per_strain;  ///< of the first sigma to the rms strain at first
   double longest_step;      ///< of a vertex, in mean edges
   double fall_of_sigma;     ///< factor after a step that was not cut
 };
-inline constexpr DescentPace k_pace_from_scratch{20.0, 0.6, 0.8};
+inline constexpr StepSchedule k_cold_start{20.0, 0.6, 0.8};
 /// From positions that a coarser level has found: what is left to do is little and smooth.
-inline constexpr DescentPace k_pace_from_coarse{0.5, 3.0, 0.25};
+inline constexpr StepSchedule k_warm_start{0.5, 3.0, 0.25};
 
 /// Brings a patch to where it is flattenable, smoothly and near where it began, all inner vertices
 /// at once (docs/methods/auto.md): makes smaller and smaller, for sigma that falls from step to
@@ -65,7 +65,7 @@ class StrainDescent {
 
   /// Starts from where the vertices are now, or nearer to where they were at first if that is
   /// beyond the limits.
-  void start(const DescentPace& pace);
+  void start(const StepSchedule& schedule);
 
   /// What a step did. F is that of the step's own sigma.
   struct Step {

@@ -87,15 +87,15 @@ TEST(ClosenessControl, AllowsAllOfTheRoughnessOnlyWhenNoStrainIsLeft) {
 }
 
 TEST(ClosenessControl, AllowsByThePowerOfTheStrainThatIsLeft) {
-  // Where half of the strain is left, 1 - 2^-earliness of the room is there.
-  for (const double earliness : {k_usual_closeness.earliness, 0.5}) {
+  // Where half of the strain is left, 1 - 2^-allowance_exponent of the room is there.
+  for (const double allowance_exponent : {k_usual_closeness.allowance_exponent, 0.5}) {
     Laid laid(make_shape("panel", 300));
     const double at_first = Roughness(laid.state).now(), room = 2.0;
-    const double allowed =
-        at_first + room * (at_first + k_usual_closeness.more) * (1.0 - std::pow(0.5, earliness));
-    ClosenessPace pace = k_usual_closeness;
-    pace.earliness = earliness;
-    ClosenessControl control(laid.state, room, pace);
+    const double allowed = at_first + room * (at_first + k_usual_closeness.more) *
+                                          (1.0 - std::pow(0.5, allowance_exponent));
+    ClosenessPace schedule = k_usual_closeness;
+    schedule.allowance_exponent = allowance_exponent;
+    ClosenessControl control(laid.state, room, schedule);
     control.after_step(0.1, 0.1, true);
     crumple_to(laid, 0.99 * allowed);
     EXPECT_EQ(control.after_step(0.1, 0.05, true), 0.1);

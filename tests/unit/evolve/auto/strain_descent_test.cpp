@@ -252,7 +252,7 @@ TEST(StrainDescent, LowersItsMeritInEveryStepUntilThePatchIsNearlyFlattenable) {
     const TriMesh mesh = make_shape(shape, 900);
     Laid laid(mesh);
     StrainDescent descent(laid.state, laid.pool, {}, {});
-    descent.start(k_pace_from_scratch);
+    descent.start(k_cold_start);
     const double before = descent.rms_strain();
     for (int i = 0; i < 60 && descent.rms_strain() > 1e-4; ++i) {
       const StrainDescent::Step step = descent.step();
@@ -269,7 +269,7 @@ TEST(StrainDescent, OnlyLowersAClosenessThatACoarserLevelFound) {
   for (const double found : {0.0, 0.1, 4.0}) {  // none: with the usual one, which may grow
     Laid laid(make_shape("panel", 900));
     StrainDescent descent(laid.state, laid.pool, {.closeness = found}, {});
-    descent.start(k_pace_from_scratch);
+    descent.start(k_cold_start);
     double most = descent.closeness();
     for (int i = 0; i < 40; ++i) {
       descent.step();
@@ -287,7 +287,7 @@ TEST(DeviationReduction, EndsNearerWithinTheLimitOfStrain) {
     Laid laid(make_shape(shape, 900));
     constexpr double limit = 0.04;
     StrainDescent descent(laid.state, laid.pool, {.strain = {.most = limit}}, {});
-    descent.start(k_pace_from_scratch);
+    descent.start(k_cold_start);
     for (int i = 0; i < 60 && !descent.strain_is_met(); ++i)
       descent.step();
     ASSERT_TRUE(descent.strain_is_met()) << shape;
@@ -315,7 +315,7 @@ TEST(StrainDescent, KeepsItsLimitsAndWhatIsHeld) {
   const double angle = 0.9 * smallest_angle(laid.state, laid.state.triangles(), laid.pool);
   const double far = 10.0 * laid.state.scale();  // millimetres
   StrainDescent descent(laid.state, laid.pool, {}, {far, angle});
-  descent.start(k_pace_from_scratch);
+  descent.start(k_cold_start);
   for (int i = 0; i < 15; ++i) {
     descent.step();
     EXPECT_GE(smallest_angle(laid.state, laid.state.triangles(), laid.pool), angle);

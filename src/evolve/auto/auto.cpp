@@ -93,7 +93,7 @@ class AutoStepper {
     levels_.lift(level_ + 1, *found, descent_->cost(), level_state(), pool_);
     descent_->start(k_warm_start);
     // What lifting broke of the limit is mended without going far beyond it.
-    if (was_met) descent_->keep_to_limit(sigma);
+    if (was_met) descent_->track_strain_limit(sigma);
     if (was_met && descent_->strain_is_met()) reduction_.emplace(*descent_);
   }
 

@@ -7,7 +7,7 @@ DeviationReduction::DeviationReduction(StrainDescent& descent)
       may_be_rough_(descent.is_too_rough()),
       nearest_(descent.positions()),
       deviation_(descent.deviation()) {
-  descent_.keep_to_limit(descent_.sigma());
+  descent_.track_strain_limit(descent_.sigma());
 }
 
 StrainDescent::Step DeviationReduction::step() {

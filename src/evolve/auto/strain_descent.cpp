@@ -75,7 +75,8 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       cost_(jacobian_, state, closeness_, border_.bends()),
       system_(jacobian_, state, cost_.hessian(), potential_.square(), border_.direction_count()),
       relaxation_(jacobian_, state) {
-  if (potential_.border() == PatternBorder::free) potential_.ease_border(ease_for(stays_), pool);
+  if (potential_.border() == PatternBorder::free)
+    potential_.set_boundary_compliance(ease_for(stays_), pool);
   if (limits_.angle > 0.0)
     limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
 }
@@ -88,26 +89,26 @@ void StrainDescent::start(const StepSchedule& schedule) {
     set_positions(within_limits(sum_of(cost_.origin(), share, away)), jacobian_, state_);
     if (angles_hold_after_slides()) break;
   }
-  look();
+  update_strain();
   sigma_ = std::min(1.0, schedule.sigma_per_strain * strain_.rms) * sigma_unit(state_);
   least_sigma_ = least_sigma * sigma_unit(state_);
   sigma_ = std::max(sigma_, least_sigma_);
   longest_step_ = schedule.longest_step * cost_.unit();
   fall_of_sigma_ = schedule.fall_of_sigma;
   stiffening_ = 0.0;
-  to_limit_ = false;
+  tracks_limit_ = false;
 }
 
 double StrainDescent::sigma() const {
   return sigma_ / sigma_unit(state_);
 }
 
-void StrainDescent::keep_to_limit(double sigma) {
-  to_limit_ = true;
+void StrainDescent::track_strain_limit(double sigma) {
+  tracks_limit_ = true;
   sigma_ = sigma * sigma_unit(state_);
 }
 
-void StrainDescent::look() {
+void StrainDescent::update_strain() {
   state_.measure(pool_);
   // With K as it was, steps find moves that deceive it: what lies between two vertices counts for
   // strain by the square of the patch's size in edges.
@@ -135,7 +136,7 @@ double StrainDescent::merit() const {
 double StrainDescent::merit_at(const Positions& x) {
   if (!std::isfinite(norm_of(x))) return std::numeric_limits<double>::infinity();
   set_positions(x, jacobian_, state_);
-  look();
+  update_strain();
   return merit();
 }
 
@@ -180,14 +181,14 @@ void StrainDescent::hold_far_vertices() {
   constexpr double almost = 0.99, dearer = 10.0;
   // Gently: a distance is short against what the border would go, and nearly all of it comes here.
   constexpr double dearer_border = 4.0;
-  cost_.tighten(border_.at_limit(), dearer_border);
+  cost_.scale_proximity(border_.at_limit(), dearer_border);
   if (std::isinf(limits_.deviation)) return;
   std::vector<Index> far;
   for (Index v = 0; v < state_.inner_count(); ++v) {
     if (norm(state_.position(v) - cost_.origin()[v]) >= almost * limits_.deviation)
       far.push_back(v);
   }
-  cost_.tighten(far, dearer);
+  cost_.scale_proximity(far, dearer);
   deviation_stopped_ = deviation_stopped_ || !far.empty();
 }
 
@@ -224,7 +225,7 @@ StrainDescent::Step StrainDescent::step() {
     if (!(merit < result.merit_before)) continue;
     if (relaxation_.relax() > 0) {
       set_positions(within_limits(positions()), jacobian_, state_);
-      look();
+      update_strain();
     }
     if (!angles_hold()) {
       angle_stopped_ = true;
@@ -236,15 +237,15 @@ StrainDescent::Step StrainDescent::step() {
     break;
   }
   if (result.moved == 0) go_to(before_);
-  follow(share, halvings, result);
-  follow_roughness();
+  update_damping(share, halvings, result);
+  update_proximity_weight();
   hold_far_vertices();
   return result;
 }
 
 void StrainDescent::go_to(const Positions& positions) {
   set_positions(positions, jacobian_, state_);
-  look();
+  update_strain();
 }
 
 double StrainDescent::deviation() const {
@@ -253,7 +254,7 @@ double StrainDescent::deviation() const {
 }
 
 /// What the step was worth says how stiff the next one is and which sigma it is for.
-void StrainDescent::follow(double share, int halvings, const Step& step) {
+void StrainDescent::update_damping(double share, int halvings, const Step& step) {
   constexpr double least_stiffening = 0.3, ease = 0.25, tighten = 4.0;
   if (halvings >= 2) stiffening_ = std::max(1.0, tighten * stiffening_);
   if (halvings == 0) stiffening_ = stiffening_ < least_stiffening ? 0.0 : ease * stiffening_;
@@ -262,7 +263,7 @@ void StrainDescent::follow(double share, int halvings, const Step& step) {
 
 double StrainDescent::next_sigma(double share, const Step& step) const {
   constexpr double slow = 0.9, failed = 0.7, far_enough = 0.3, small_fall = 0.05;
-  if (to_limit_) {
+  if (tracks_limit_) {
     constexpr double most_fall = 1.5, most_growth = 4.0;
     if (step.moved == 0) return failed * sigma_;
     const double room = aims_.strain.share_of(strain_);
@@ -287,15 +288,15 @@ double StrainDescent::strain_to_go() const {
 }
 
 /// Lets the next step stay closer where there is room for roughness, or be smoother.
-void StrainDescent::follow_roughness() {
+void StrainDescent::update_proximity_weight() {
   constexpr double stiff = 4.0;
-  const bool on_the_way = !to_limit_, was_found = aims_.closeness > 0.0;
+  const bool on_the_way = !tracks_limit_, was_found = aims_.closeness > 0.0;
   const double strain_left = on_the_way && !was_found ? strain_to_go() : 0.0;
   double next = control_.after_step(closeness_, strain_left, stiffening_ < stiff);
   if (on_the_way && was_found) next = std::min(next, closeness_);
   cost_.scale_closeness(next / closeness_);
   // Between closeness and strain the balance is sigma's.
-  if (to_limit_) sigma_ *= std::sqrt(closeness_ / next);
+  if (tracks_limit_) sigma_ *= std::sqrt(closeness_ / next);
   closeness_ = next;
 }
 

@@ -81,7 +81,7 @@ class StrainDescent {
   /// above or below.
   /// @param sigma to begin with, as sigma() tells it
   /// @pre there is a limit of strain
-  void keep_to_limit(double sigma);
+  void track_strain_limit(double sigma);
 
   /// Strain as of now; see DescentStrain.
   double rms_strain() const { return strain_.rms; }
@@ -104,17 +104,17 @@ class StrainDescent {
   double merit() const;
   DescentStrain strain_now() const;
   /// Measures the defects at the positions where vertices are, and phi.
-  void look();
+  void update_strain();
   std::vector<Vec3> directions() const;
   Positions newton_step();
   Positions within_limits(Positions x) const;
   void hold_far_vertices();
   bool angles_hold();
   bool angles_hold_after_slides();
-  void follow(double share, int halvings, const Step& step);
+  void update_damping(double share, int halvings, const Step& step);
   double next_sigma(double share, const Step& step) const;
   double strain_to_go() const;
-  void follow_roughness();
+  void update_proximity_weight();
 
   PatchState& state_;
   ThreadPool& pool_;
@@ -138,7 +138,7 @@ class StrainDescent {
   DescentStrain strain_;
   double longest_step_ = 0.0, fall_of_sigma_ = 0.5, sigma_ = 1.0, least_sigma_ = 0.0,
          stiffening_ = 0.0;
-  bool to_limit_ = false, angle_stopped_ = false, deviation_stopped_ = false;
+  bool tracks_limit_ = false, angle_stopped_ = false, deviation_stopped_ = false;
 };
 
 }  // namespace planish

@@ -172,7 +172,7 @@ Positions ShapeCost::gradient(const Positions& x) const {
   return gradient;
 }
 
-void ShapeCost::tighten(std::span<const Index> vertices, double factor) {
+void ShapeCost::scale_proximity(std::span<const Index> vertices, double factor) {
   constexpr double dearest = 1e12;  // who was told so often stays anyway
   for (const Index v : vertices) {
     if (pull_[v] > dearest) continue;

@@ -38,7 +38,7 @@ class ShapeCost {
   /// L^T L + diag(a) + B^T B, both halves, on pairs of vertices two edges apart.
   const SparseMatrix& hessian() const { return hessian_; }
   /// Makes the positions of some vertices dearer by a factor, from now on.
-  void tighten(std::span<const Index> vertices, double factor);
+  void scale_proximity(std::span<const Index> vertices, double factor);
   /// Makes all positions dearer, or cheaper, by a factor.
   void scale_closeness(double factor);
 

@@ -115,7 +115,7 @@ void StrainPotential::take_square(ThreadPool& pool) {
   });
 }
 
-void StrainPotential::ease_border(double ease, ThreadPool& pool) {
+void StrainPotential::set_boundary_compliance(double ease, ThreadPool& pool) {
   ease_ = ease;
   update(pool);
 }

@@ -36,7 +36,7 @@ class StrainPotential {
   /// From now on squares of phi at a free border count divided by this, as if it were stiffer. It
   /// is then phi over the root of this that of() gives there: strain is told too large, if at all.
   /// @param ease above 0, at most 1: as at first
-  void ease_border(double ease, ThreadPool& pool);
+  void set_boundary_compliance(double ease, ThreadPool& pool);
   /// Takes K from the patch as it is now.
   void update(ThreadPool& pool);
   /// @param defects by inner vertex, radians

@@ -54,7 +54,7 @@ TEST(ShapeCost, HasTheGradientAndTheHessianOfItsValue) {
   const TriMesh mesh = make_shape("panel", 200);
   Laid laid(mesh, one_held(mesh));
   ShapeCost cost(laid.jacobian, laid.state, 0.05);
-  cost.tighten(std::vector<Index>{3, 7}, 5.0);
+  cost.scale_proximity(std::vector<Index>{3, 7}, 5.0);
   const double h = cost.unit();
   const Positions x = sum_of(inner_positions(laid.state), 1.0, moves_where_free(laid, 0.3 * h));
   const Positions u = moves_where_free(laid, 1.0 * h);
@@ -144,14 +144,14 @@ TEST(StrainPotential, ComesFromFreeToHeldAsTheBorderGetsStiff) {
   const double most = held.of(d, laid.pool).norm();
   double last = free.of(d, laid.pool).norm();
   for (const double ease : {0.3, 0.01, 1e-4}) {
-    free.ease_border(ease, laid.pool);
+    free.set_boundary_compliance(ease, laid.pool);
     const double now = free.of(d, laid.pool).norm();
     EXPECT_GT(now, last) << ease;
     EXPECT_LT(now, most) << ease;
     last = now;
   }
   EXPECT_NEAR(last, most, 0.01 * most);
-  free.ease_border(1.0, laid.pool);
+  free.set_boundary_compliance(1.0, laid.pool);
   const StrainPotential anew(laid.jacobian, laid.state, laid.pool, PatternBorder::free);
   EXPECT_LT((free.of(d, laid.pool) - anew.of(d, laid.pool)).norm(), 1e-12 * most);
 }

@@ -255,7 +255,8 @@ TEST(NormalSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
   for (const BorderFreedom& freedom : {k_slide, within(1.0)}) {
     Laid laid(make_shape("panel", 120), freedom);
     const ShapeCost cost(laid.jacobian, laid.state, 0.1, laid.border.bends());
-    const StrainPotential potential(laid.jacobian, laid.state, laid.pool, PatternBorder::held);
+    const StrainPotential potential(laid.jacobian, laid.state, laid.pool,
+                                    BoundaryCondition::dirichlet);
     const SparseMatrix& square = potential.square();
     const int each = laid.border.direction_count();
     NormalSystem system(laid.jacobian, laid.state, cost.hessian(), square, each);

@@ -22,8 +22,8 @@ bool stays_near(const DescentAims& aims, const DescentLimits& limits) {
   return aims.strain.given() && std::isinf(limits.deviation);
 }
 
-PatternBorder pattern_border(const DescentAims& aims) {
-  return aims.strain.given() ? PatternBorder::free : PatternBorder::held;
+BoundaryCondition pattern_border(const DescentAims& aims) {
+  return aims.strain.given() ? BoundaryCondition::free : BoundaryCondition::dirichlet;
 }
 
 /// Where nearly all strain has to go, a border that is nearly held leads there by a shorter way,
@@ -75,7 +75,7 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       cost_(jacobian_, state, closeness_, border_.bends()),
       system_(jacobian_, state, cost_.hessian(), potential_.square(), border_.direction_count()),
       relaxation_(jacobian_, state) {
-  if (potential_.border() == PatternBorder::free)
+  if (potential_.border() == BoundaryCondition::free)
     potential_.set_boundary_compliance(ease_for(stays_), pool);
   if (limits_.angle > 0.0)
     limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
@@ -112,7 +112,7 @@ void StrainDescent::update_strain() {
   state_.measure(pool_);
   // With K as it was, steps find moves that deceive it: what lies between two vertices counts for
   // strain by the square of the patch's size in edges.
-  if (potential_.border() == PatternBorder::free) potential_.update(pool_);
+  if (potential_.border() == BoundaryCondition::free) potential_.update(pool_);
   if (potential_.solvable())
     phi_ = potential_.of(inner_defects(state_), pool_);
   else
@@ -123,7 +123,7 @@ void StrainDescent::update_strain() {
 DescentStrain StrainDescent::strain_now() const {
   if (phi_.size() == 0) return {};
   const double most = phi_.cwiseAbs().maxCoeff();
-  if (potential_.border() == PatternBorder::held) {
+  if (potential_.border() == BoundaryCondition::dirichlet) {
     return {phi_.norm() / std::sqrt(static_cast<double>(phi_.size())), most};
   }
   return {edge_strain_of(std::sqrt(phi_.cwiseAbs2().dot(area_shares_))), most};

@@ -19,10 +19,10 @@ constexpr std::size_t k_grain = 512;
 
 /// K without values.
 SparseMatrix pattern_of(const AngleJacobian& jacobian, const PatchState& state,
-                        PatternBorder border) {
+                        BoundaryCondition border) {
   std::vector<Eigen::Triplet<double>> entries;
   const auto n = static_cast<Index>(jacobian.row_count());
-  const auto rows = border == PatternBorder::free ? state.vertex_count() : n;
+  const auto rows = border == BoundaryCondition::free ? state.vertex_count() : n;
   for (Index v = 0; v < n; ++v) {
     const auto column = static_cast<int>(v);
     entries.emplace_back(column, column, 0.0);
@@ -62,7 +62,7 @@ double dot_of_columns(const SparseMatrix& matrix, int a, int b) {
 }  // namespace
 
 StrainPotential::StrainPotential(const AngleJacobian& jacobian, const PatchState& state,
-                                 ThreadPool& pool, PatternBorder border)
+                                 ThreadPool& pool, BoundaryCondition border)
     : jacobian_(jacobian),
       state_(state),
       border_(border),
@@ -77,7 +77,7 @@ StrainPotential::StrainPotential(const AngleJacobian& jacobian, const PatchState
   }
   fill(pool);
   square_ = SparseMatrix(stiffness_.transpose()) * stiffness_;
-  const bool free = border == PatternBorder::free;
+  const bool free = border == BoundaryCondition::free;
   const SparseMatrix& matrix = free ? square_ : stiffness_;
   const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
   solver_.emplace(lower, nested_dissection(inner_positions(state), graph_of(matrix)));
@@ -124,14 +124,14 @@ void StrainPotential::update(ThreadPool& pool) {
   if (!solver_) return;
   fill(pool);
   take_square(pool);
-  const SparseMatrix& matrix = border_ == PatternBorder::free ? square_ : stiffness_;
+  const SparseMatrix& matrix = border_ == BoundaryCondition::free ? square_ : stiffness_;
   const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
   solvable_ = solver_->factor(lower, pool);
 }
 
 Eigen::VectorXd StrainPotential::of(const Eigen::VectorXd& defects, ThreadPool& pool) const {
   Eigen::VectorXd solution = solver_->solve(defects, pool);
-  if (border_ == PatternBorder::held) return solution;
+  if (border_ == BoundaryCondition::dirichlet) return solution;
   return stiffness_ * solution;
 }
 

@@ -10,16 +10,16 @@
 namespace planish {
 
 /// What the border may do in the pattern whose strain is measured.
-enum class PatternBorder {
-  held,  ///< keeps its length, so what strain there is lies inside
-  free,  ///< as of what is cut from sheet
+enum class BoundaryCondition {
+  dirichlet,  ///< keeps its length, so what strain there is lies inside
+  free,       ///< as of what is cut from sheet
 };
 
 /// phi with K phi = d at the inner vertices: K the stiffness matrix of cotangents, d the angle
 /// defects. To first order e^phi is by how much a conformal pattern stretches (Ben-Chen and others
 /// 2008), so unlike the energy it does not depend on the density of the mesh. phi at the border is
 ///
-/// - held: 0, so there is one such phi. A system of K, the metric that of the patch at first.
+/// - dirichlet: 0, so there is one such phi. A system of K, the metric that of the patch at first.
 /// - free: such that |phi| is smallest, phi = K^T (K K^T)^-1 d. Then it tells the strain of the
 ///   pattern of least stretch: see edge_strain_of().
 class StrainPotential {
@@ -28,11 +28,11 @@ class StrainPotential {
   /// the patch has a border.
   /// @param jacobian,state must outlive it
   StrainPotential(const AngleJacobian& jacobian, const PatchState& state, ThreadPool& pool,
-                  PatternBorder border);
+                  BoundaryCondition border);
 
   /// False where K or its square cannot be factored.
   bool solvable() const { return solvable_; }
-  PatternBorder border() const { return border_; }
+  BoundaryCondition border() const { return border_; }
   /// From now on squares of phi at a free border count divided by this, as if it were stiffer. It
   /// is then phi over the root of this that of() gives there: strain is told too large, if at all.
   /// @param ease above 0, at most 1: as at first
@@ -54,7 +54,7 @@ class StrainPotential {
 
   const AngleJacobian& jacobian_;
   const PatchState& state_;
-  PatternBorder border_;
+  BoundaryCondition border_;
   double ease_ = 1.0;
   SparseMatrix stiffness_, square_;  // K^T, K K^T
   // Where the entries of each vertex lie in K^T: its own, then those of its ring, k_nowhere for

@@ -47,7 +47,7 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, double design_
       jacobian_(state, border_.movable()),
       hinges_(state),
       guard_(state, limits.angle),
-      potential_(jacobian_, state, pool, PatternBorder::free),
+      potential_(jacobian_, state, pool, BoundaryCondition::free),
       system_(jacobian_, state, hinges_, guard_, potential_.square(), moves, border_.bends()),
       area_shares_(area_shares(state)),
       diagonal_(diagonal_of(state, area_shares_)),

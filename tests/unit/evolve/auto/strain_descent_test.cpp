@@ -104,7 +104,8 @@ TEST(StrainPotential, IsTheConformalStretchOfACap) {
   const TriMesh mesh = make_shape("dome", 4000);
   Laid laid(mesh);
   laid.state.measure(laid.pool);
-  const StrainPotential potential(laid.jacobian, laid.state, laid.pool, PatternBorder::held);
+  const StrainPotential potential(laid.jacobian, laid.state, laid.pool,
+                                  BoundaryCondition::dirichlet);
   ASSERT_TRUE(potential.solvable());
   const VectorXd d = inner_defects(laid.state), phi = potential.of(d, laid.pool);
   EXPECT_LT((potential.stiffness() * phi - d).norm(), 1e-12 * d.norm());
@@ -118,8 +119,8 @@ TEST(StrainPotential, IsTheSmallestOneWhereTheBorderIsFree) {
   Laid laid(mesh);
   laid.state.measure(laid.pool);
   const VectorXd d = inner_defects(laid.state);
-  const StrainPotential held(laid.jacobian, laid.state, laid.pool, PatternBorder::held);
-  const StrainPotential free(laid.jacobian, laid.state, laid.pool, PatternBorder::free);
+  const StrainPotential held(laid.jacobian, laid.state, laid.pool, BoundaryCondition::dirichlet);
+  const StrainPotential free(laid.jacobian, laid.state, laid.pool, BoundaryCondition::free);
   const VectorXd phi = free.of(d, laid.pool);
   ASSERT_EQ(phi.size(), static_cast<Eigen::Index>(laid.state.vertex_count()));
   // Of all that have these defects, by a dense decomposition.
@@ -139,8 +140,8 @@ TEST(StrainPotential, ComesFromFreeToHeldAsTheBorderGetsStiff) {
   Laid laid(mesh);
   laid.state.measure(laid.pool);
   const VectorXd d = inner_defects(laid.state);
-  const StrainPotential held(laid.jacobian, laid.state, laid.pool, PatternBorder::held);
-  StrainPotential free(laid.jacobian, laid.state, laid.pool, PatternBorder::free);
+  const StrainPotential held(laid.jacobian, laid.state, laid.pool, BoundaryCondition::dirichlet);
+  StrainPotential free(laid.jacobian, laid.state, laid.pool, BoundaryCondition::free);
   const double most = held.of(d, laid.pool).norm();
   double last = free.of(d, laid.pool).norm();
   for (const double ease : {0.3, 0.01, 1e-4}) {
@@ -152,7 +153,7 @@ TEST(StrainPotential, ComesFromFreeToHeldAsTheBorderGetsStiff) {
   }
   EXPECT_NEAR(last, most, 0.01 * most);
   free.set_boundary_compliance(1.0, laid.pool);
-  const StrainPotential anew(laid.jacobian, laid.state, laid.pool, PatternBorder::free);
+  const StrainPotential anew(laid.jacobian, laid.state, laid.pool, BoundaryCondition::free);
   EXPECT_LT((free.of(d, laid.pool) - anew.of(d, laid.pool)).norm(), 1e-12 * most);
 }
 
@@ -161,7 +162,7 @@ TEST(StrainPotential, TellsTheStrainOfThePatternWhereTheBorderIsFree) {
     const TriMesh mesh = make_shape(shape, 3000);
     Laid laid(mesh);
     laid.state.measure(laid.pool);
-    const StrainPotential potential(laid.jacobian, laid.state, laid.pool, PatternBorder::free);
+    const StrainPotential potential(laid.jacobian, laid.state, laid.pool, BoundaryCondition::free);
     const VectorXd phi = potential.of(inner_defects(laid.state), laid.pool);
     const double told = edge_strain_of(phi.norm() / std::sqrt(static_cast<double>(phi.size())));
     const Pattern pattern = unfold(mesh, laid.connectivity);
@@ -171,7 +172,7 @@ TEST(StrainPotential, TellsTheStrainOfThePatternWhereTheBorderIsFree) {
 }
 
 TEST(StrainPotential, TakesTheSurfaceAsItIsWhenUpdated) {
-  for (const PatternBorder border : {PatternBorder::held, PatternBorder::free}) {
+  for (const BoundaryCondition border : {BoundaryCondition::dirichlet, BoundaryCondition::free}) {
     const TriMesh mesh = make_shape("panel", 200);
     Laid laid(mesh);
     StrainPotential potential(laid.jacobian, laid.state, laid.pool, border);
@@ -193,7 +194,8 @@ TEST(NormalSystem, SolvesWhatADenseSolverSolves) {
   const TriMesh mesh = make_shape("panel", 150);
   Laid laid(mesh, one_held(mesh));
   const ShapeCost cost(laid.jacobian, laid.state, 0.1);
-  const StrainPotential potential(laid.jacobian, laid.state, laid.pool, PatternBorder::held);
+  const StrainPotential potential(laid.jacobian, laid.state, laid.pool,
+                                  BoundaryCondition::dirichlet);
   const SparseMatrix& square = potential.square();
   NormalSystem system(laid.jacobian, laid.state, cost.hessian(), square);
   const Eigen::Index n = laid.count();

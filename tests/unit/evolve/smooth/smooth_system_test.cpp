@@ -99,7 +99,7 @@ void expect_solved_as_dense(const Constraints& constraints,
   jacobian.update(pool);
   const HingeTerms hinges(state);
   const ShapeGuard guard(state, 0.05);
-  const StrainPotential potential(jacobian, state, pool, PatternBorder::free);
+  const StrainPotential potential(jacobian, state, pool, BoundaryCondition::free);
   SmoothSystem system(jacobian, state, hinges, guard, potential.square(), moves);
   const Positions normals =
       moves == SmoothMoves::along_normals ? some_normals(jacobian) : Positions{};

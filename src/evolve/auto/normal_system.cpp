@@ -128,13 +128,14 @@ bool NormalSystem::factor(std::span<const Vec3> directions, const SparseMatrix& 
   return solver_.factor(lower_, pool);
 }
 
-Eigen::VectorXd NormalSystem::solve(const Eigen::VectorXd& force, const Eigen::VectorXd& turn,
-                                    ThreadPool& pool, double accuracy) {
+Eigen::VectorXd NormalSystem::solve(const Eigen::VectorXd& force,
+                                    const Eigen::VectorXd& angle_change, ThreadPool& pool,
+                                    double accuracy) {
   Eigen::VectorXd right(lower_.rows());
   for (int s = 0; s < force.size(); ++s)
     right[steps_.unknown(s)] = force[s];
-  for (int v = 0; v < turn.size(); ++v)
-    right[Steps::multiplier_of(v)] = turn[v];
+  for (int v = 0; v < angle_change.size(); ++v)
+    right[Steps::multiplier_of(v)] = angle_change[v];
   const Eigen::VectorXd solution = solver_.solve(lower_, right, pool, accuracy);
   Eigen::VectorXd steps(force.size());
   for (int s = 0; s < force.size(); ++s)

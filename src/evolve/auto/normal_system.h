@@ -14,7 +14,7 @@ namespace planish {
 /// down: of the step s and the multipliers y
 ///
 ///     [ stiffness H_n     J^T        ] [s]   [force]
-///     [ J              -sigma^2 K K^T ] [y] = [turn ]
+///     [ J              -sigma^2 K K^T ] [y] = [dtheta]
 ///
 /// H_n the cost's matrix, its entries times n_m . n_k; J = d d / d s the defects' Jacobian along
 /// the directions; K the matrix of StrainPotential, by inner vertex and value of phi.
@@ -55,10 +55,10 @@ class NormalSystem {
 
   /// @return s, in units of length as given. @pre factor() was true
   /// @param force by direction
-  /// @param turn by inner vertex
+  /// @param angle_change by inner vertex
   /// @param accuracy as of MixedLdlt
-  Eigen::VectorXd solve(const Eigen::VectorXd& force, const Eigen::VectorXd& turn, ThreadPool& pool,
-                        double accuracy = k_step_accuracy);
+  Eigen::VectorXd solve(const Eigen::VectorXd& force, const Eigen::VectorXd& angle_change,
+                        ThreadPool& pool, double accuracy = k_step_accuracy);
 
   /// Frees the factor, until the next one is made.
   void release() { solver_.release(); }

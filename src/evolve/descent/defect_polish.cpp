@@ -18,11 +18,11 @@ namespace {
 constexpr double k_max_step = 0.5;
 
 /// 1/w^2 by inner vertex.
-std::vector<double> squeeze_of(const PatchState& state) {
-  std::vector<double> squeeze;
+std::vector<double> inverse_weights_of(const PatchState& state) {
+  std::vector<double> inverse_weights;
   for (std::size_t v = 0; v < state.inner_count(); ++v)
-    squeeze.push_back(1.0 / (state.weight(v) * state.weight(v)));
-  return squeeze;
+    inverse_weights.push_back(1.0 / (state.weight(v) * state.weight(v)));
+  return inverse_weights;
 }
 
 /// The number of neighbours at a vertex, -1 at each that may move too: large on what differs from
@@ -57,7 +57,8 @@ DefectPolish::DefectPolish(PatchState& state, ThreadPool& pool, const DescentLim
       pool_(pool),
       triangles_(state.triangles()),
       limits_(limits),
-      least_(state, squeeze_of(state), k_max_step, pool, step_precision(state.inner_count())) {
+      least_(state, inverse_weights_of(state), k_max_step, pool,
+             step_precision(state.inner_count())) {
   limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
   const SparseMatrix graph = graph_laplacian(least_.jacobian());
   least_.dual().damp_by(graph * graph, 1.0 / relative_density(state));

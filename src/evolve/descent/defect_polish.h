@@ -6,7 +6,7 @@
 #include <planish/measure/flattenability.h>
 
 #include "evolve/descent/descent_limits.h"
-#include "evolve/systems/least_move.h"
+#include "evolve/systems/least_norm_step.h"
 #include "evolve/systems/positions.h"
 
 namespace planish {
@@ -46,7 +46,7 @@ class DefectPolish {
   ThreadPool& pool_;
   std::vector<Triangle> triangles_;
   DescentLimits limits_;
-  LeastMove least_;
+  LeastNormStep least_;
   double damping_ = 1e-2;
   int cycles_ = 0, slow_ = 0;
   bool first_ = true;

@@ -12,7 +12,7 @@
 
 #include "evolve/state/sweep.h"
 #include "evolve/systems/fairing.h"
-#include "evolve/systems/least_move.h"
+#include "evolve/systems/least_norm_step.h"
 #include "evolve/systems/positions.h"
 
 namespace planish {
@@ -30,11 +30,11 @@ std::vector<double> weights_of(const PatchState& state, double border_weight) {
   return weights;
 }
 
-std::vector<double> squeeze_of(const std::vector<double>& weights) {
-  std::vector<double> squeeze(weights);
-  for (double& s : squeeze)
+std::vector<double> inverse_weights_of(const std::vector<double>& weights) {
+  std::vector<double> inverse(weights);
+  for (double& s : inverse)
     s = 1.0 / (s * s);
-  return squeeze;
+  return inverse;
 }
 
 std::size_t count_differences(const Positions& a, const Positions& b) {
@@ -51,7 +51,7 @@ class LeastNormStepper {
         state_(state),
         pool_(pool),
         weights_(weights_of(state, options.border_weight)),
-        least_(state, squeeze_of(weights_), options.max_step, pool),
+        least_(state, inverse_weights_of(weights_), options.max_step, pool),
         direct_(options.update == LeastNormUpdate::direct) {
     if (direct_) return;
     const bool cotangent = options.update == LeastNormUpdate::cotangent;
@@ -88,7 +88,7 @@ class LeastNormStepper {
     direct_ = !least_.factor(fairing_damping_);
     if (direct_) return direct_step(state_.measure(pool_).energy);
     Positions x = inner_positions(state_);
-    const Positions move = least_.to_turn(inner_defects(state_));
+    const Positions move = least_.step_for(inner_defects(state_));
     for (Index v = 0; v < x.size(); ++v) {
       // Where the matrix is nearly singular a vertex would fly off; a mean edge is far enough.
       const double length = norm(move[v]), most = edges_at(v, least_.jacobian(), state_).mean;
@@ -107,7 +107,7 @@ class LeastNormStepper {
     const Positions x = inner_positions(state_);
     for (int i = 0; i < most_dampings; ++i, damping_ = std::min(10.0 * damping_, most_damping)) {
       if (!least_.factor(damping_)) continue;
-      const LeastMove::Curve curve = least_.to_close_defects();
+      const LeastNormStep::Curve curve = least_.to_close_defects();
       const bool tiny = curve.solves && norm_of(curve.first) <= smallest_move();
       double share = 1.0;
       for (int halvings = 0; halvings < most_halvings; ++halvings, share *= 0.5) {
@@ -135,7 +135,7 @@ class LeastNormStepper {
   PatchState& state_;
   ThreadPool& pool_;
   std::vector<double> weights_;
-  LeastMove least_;
+  LeastNormStep least_;
   std::optional<Fairing> fairing_;
   double fairing_damping_ = 0.0, damping_ = 1e-3;
   double last_e_max_ = std::numeric_limits<double>::infinity();

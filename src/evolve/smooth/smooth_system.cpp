@@ -289,11 +289,11 @@ bool SmoothSystem::factor(const SparseMatrix& square, double c, ThreadPool& pool
   return solver_->factor(lower_, pool);
 }
 
-Positions SmoothSystem::solve(const Positions& force, const Eigen::VectorXd& turn, ThreadPool& pool,
-                              double accuracy) {
+Positions SmoothSystem::solve(const Positions& force, const Eigen::VectorXd& angle_change,
+                              ThreadPool& pool, double accuracy) {
   Eigen::VectorXd right = Eigen::VectorXd::Zero(lower_.rows());
   for (Index v = 0; v < count_; ++v) {
-    if (v < inner_) right[multiplier(v)] = turn[v];
+    if (v < inner_) right[multiplier(v)] = angle_change[v];
     if (!jacobian_.is_movable(v)) continue;
     const std::array<double, 3> own = along_moves(v, force[v]);
     for (int part = 0; part < moves(v); ++part)

@@ -29,7 +29,7 @@ enum class SmoothMoves { free, along_normals };
 /// The steps dx of all vertices that may move, and multipliers y of the inner ones:
 ///
 ///     [ H   J^T     ] [dx]   [force]
-///     [ J  -c K K^T ] [ y] = [turn ]
+///     [ J  -c K K^T ] [ y] = [dtheta]
 ///
 /// H a sum of blocks between the corners of hinges, J = d d / d x the Jacobian of the defects, K
 /// the matrix of StrainPotential. Quasi-definite, so factored without pivots, under a dissection of
@@ -63,9 +63,9 @@ class SmoothSystem {
 
   /// @return dx, zero of what may not move. @pre factor() was true
   /// @param force by column of the jacobian
-  /// @param turn by inner vertex
+  /// @param angle_change by inner vertex
   /// @param accuracy as of MixedLdlt
-  Positions solve(const Positions& force, const Eigen::VectorXd& turn, ThreadPool& pool,
+  Positions solve(const Positions& force, const Eigen::VectorXd& angle_change, ThreadPool& pool,
                   double accuracy = k_step_accuracy);
 
   /// Frees the factor, until the next one is made.

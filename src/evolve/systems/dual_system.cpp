@@ -102,7 +102,7 @@ void DualSystem::damp_by(const SparseMatrix& symmetric, double share_of_identity
   }
 }
 
-bool DualSystem::factor(std::span<const double> squeeze, double mu, ThreadPool& pool) {
+bool DualSystem::factor(std::span<const double> inverse_weights, double mu, ThreadPool& pool) {
   if (lower_.cols() == 0) return false;
   double* values = lower_.valuePtr();
   std::fill_n(values, lower_.nonZeros(), 0.0);
@@ -110,7 +110,7 @@ bool DualSystem::factor(std::span<const double> squeeze, double mu, ThreadPool& 
   for (Index v = 0; v < jacobian_.row_count(); ++v) {
     const auto entries = jacobian_.column(v);
     for (std::size_t i = 0; i < entries.size(); ++i) {
-      const Vec3 scaled = squeeze[v] * jacobian_.gradient(entries[i].entry);
+      const Vec3 scaled = inverse_weights[v] * jacobian_.gradient(entries[i].entry);
       for (std::size_t j = i; j < entries.size(); ++j)
         values[*place++] += dot(scaled, jacobian_.gradient(entries[j].entry));
     }

@@ -27,9 +27,9 @@ class DualSystem {
   void damp_by(const SparseMatrix& symmetric, double share_of_identity);
 
   /// Factors for the gradients as they are.
-  /// @param squeeze S by inner vertex: how willing each is to move
+  /// @param inverse_weights S = W^-2, by inner vertex
   /// @return false where the matrix cannot be factored
-  bool factor(std::span<const double> squeeze, double mu, ThreadPool& pool);
+  bool factor(std::span<const double> inverse_weights, double mu, ThreadPool& pool);
 
   /// @pre factor() was true
   Eigen::VectorXd solve(const Eigen::VectorXd& right, ThreadPool& pool) {

@@ -105,7 +105,7 @@ bool KktSystem::factor(double mu, ThreadPool& pool) {
   return solver_.factor(lower_, pool);
 }
 
-Positions KktSystem::solve(const Positions& force, const Eigen::VectorXd& turn,
+Positions KktSystem::solve(const Positions& force, const Eigen::VectorXd& angle_change,
                            ThreadPool& pool) const {
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(lower_.rows(), 1);
   for (Index v = 0; v < jacobian_.row_count(); ++v) {
@@ -113,7 +113,7 @@ Positions KktSystem::solve(const Positions& force, const Eigen::VectorXd& turn,
     right(unknown(v, 0), 0) = movable ? force[v].x : 0.0;
     right(unknown(v, 1), 0) = movable ? force[v].y : 0.0;
     right(unknown(v, 2), 0) = movable ? force[v].z : 0.0;
-    right(unknown(v, k_multiplier), 0) = turn[v];
+    right(unknown(v, k_multiplier), 0) = angle_change[v];
   }
   const Eigen::MatrixXd solution = solver_.solve(right, pool);
   Positions move(jacobian_.row_count());

@@ -12,7 +12,7 @@ namespace planish {
 /// The steps of methods that weigh more than lengths of moves, so that no n x n matrix will do:
 ///
 ///     [ H  A^T  ] [move]   [force]
-///     [ A -mu D ] [ y  ] = [turn ]
+///     [ A -mu D ] [ y  ] = [dtheta]
 ///
 /// H an n x n matrix, the same for x, y and z, A the Jacobian of the angle sums, D the mean of the
 /// squares of A's rows. Quasi-definite, four unknowns a vertex, factored under a dissection of the
@@ -28,7 +28,8 @@ class KktSystem {
   bool factor(double mu, ThreadPool& pool);
 
   /// @pre factor() was true
-  Positions solve(const Positions& force, const Eigen::VectorXd& turn, ThreadPool& pool) const;
+  Positions solve(const Positions& force, const Eigen::VectorXd& angle_change,
+                  ThreadPool& pool) const;
 
  private:
   const AngleJacobian& jacobian_;

@@ -103,15 +103,15 @@ TEST(KktSystem, SolvesWhatADenseSolverSolves) {
 TEST(DualSystem, SolvesWhatADenseSolverSolves) {
   Patch patch;
   const auto n = static_cast<Eigen::Index>(patch.state.inner_count());
-  std::vector<double> squeeze;
+  std::vector<double> inverse_weights;
   VectorXd s(3 * n);
   for (Eigen::Index v = 0; v < n; ++v) {
-    squeeze.push_back(0.5 + 0.01 * static_cast<double>(v));
-    s.segment<3>(3 * v).setConstant(squeeze.back());
+    inverse_weights.push_back(0.5 + 0.01 * static_cast<double>(v));
+    s.segment<3>(3 * v).setConstant(inverse_weights.back());
   }
   DualSystem system(patch.jacobian, patch.state);
   for (const double mu : {1e-3, 1.0}) {
-    ASSERT_TRUE(system.factor(squeeze, mu, patch.pool));
+    ASSERT_TRUE(system.factor(inverse_weights, mu, patch.pool));
     const VectorXd right = VectorXd::LinSpaced(n, 1.0, -2.0);
     MatrixXd dense = patch.dense * s.asDiagonal() * patch.dense.transpose();
     VectorXd sorted = dense.diagonal();
@@ -125,7 +125,7 @@ TEST(DualSystem, SolvesWhatADenseSolverSolves) {
 TEST(DualSystem, IsDampedByWhatItIsTold) {
   Patch patch;
   const auto n = static_cast<Eigen::Index>(patch.state.inner_count());
-  const std::vector<double> squeeze(patch.state.inner_count(), 1.0);
+  const std::vector<double> inverse_weights(patch.state.inner_count(), 1.0);
   // Rows 0 and n - 1 do not meet: what is between them goes to the diagonal.
   SparseMatrix damping(n, n);
   for (int v = 0; v < n; ++v)
@@ -148,7 +148,7 @@ TEST(DualSystem, IsDampedByWhatItIsTold) {
 
   DualSystem system(patch.jacobian, patch.state);
   system.damp_by(damping, 0.25);
-  ASSERT_TRUE(system.factor(squeeze, mu, patch.pool));
+  ASSERT_TRUE(system.factor(inverse_weights, mu, patch.pool));
   const VectorXd right = VectorXd::LinSpaced(n, 1.0, -2.0);
   const VectorXd expected = dense.ldlt().solve(right);
   EXPECT_LT((system.solve(right, patch.pool) - expected).norm(), 1e-10 * expected.norm());

@@ -8,17 +8,17 @@
 
 namespace planish {
 
-/// The least moves of all inner vertices that turn the angle sums as asked, by weights and as far
-/// as damping lets them: S A^T (A S A^T + mu D)^-1 turn (docs/methods/least_norm.md).
-class LeastMove {
+/// The least moves of all inner vertices that change the angle sums as asked, by weights and as far
+/// as damping lets them: S A^T (A S A^T + mu D)^-1 change (docs/methods/least_norm.md).
+class LeastNormStep {
  public:
-  /// @param squeeze S by inner vertex: how willing each is to move
+  /// @param inverse_weights S = W^-2, by inner vertex
   /// @param max_step no vertex goes further in a step, in its shortest edges
   /// @param state must outlive it, as must the pool
-  LeastMove(PatchState& state, std::vector<double> squeeze, double max_step, ThreadPool& pool,
-            Precision precision = Precision::full);
-  LeastMove(const LeastMove&) = delete;
-  LeastMove& operator=(const LeastMove&) = delete;
+  LeastNormStep(PatchState& state, std::vector<double> inverse_weights, double max_step,
+                ThreadPool& pool, Precision precision = Precision::full);
+  LeastNormStep(const LeastNormStep&) = delete;
+  LeastNormStep& operator=(const LeastNormStep&) = delete;
 
   const AngleJacobian& jacobian() const { return jacobian_; }
   DualSystem& dual() { return dual_; }
@@ -26,9 +26,9 @@ class LeastMove {
   /// Takes the gradients from where the vertices are now.
   void update() { jacobian_.update(pool_); }
   /// @return false where the matrix cannot be factored
-  bool factor(double mu) { return dual_.factor(squeeze_, mu, pool_); }
+  bool factor(double mu) { return dual_.factor(inverse_weights_, mu, pool_); }
   /// @pre factor() was true
-  Positions to_turn(const Eigen::VectorXd& turn);
+  Positions step_for(const Eigen::VectorXd& angle_change);
 
   /// A move and how its end bends: the first t of it are t first + t^2/2 second.
   struct Curve {
@@ -50,7 +50,7 @@ class LeastMove {
  private:
   PatchState& state_;
   ThreadPool& pool_;
-  std::vector<double> squeeze_;
+  std::vector<double> inverse_weights_;
   double max_step_;
   AngleJacobian jacobian_;
   DualSystem dual_;

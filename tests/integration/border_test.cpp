@@ -12,7 +12,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "evolve/auto/normal_system.h"
+#include "evolve/auto/normal_direction_system.h"
 #include "evolve/descent/border_motion.h"
 #include "evolve/descent/shape_cost.h"
 #include "evolve/descent/strain_potential.h"
@@ -251,7 +251,7 @@ TEST(ShapeCost, HasTheGradientAndTheHessianOfItsValueWhereBordersMove) {
   EXPECT_LT((cost.hessian() * along - expected).norm(), 1e-10 * expected.norm());
 }
 
-TEST(NormalSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
+TEST(NormalDirectionSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
   for (const BorderFreedom& freedom : {k_slide, within(1.0)}) {
     Laid laid(make_shape("panel", 120), freedom);
     const ShapeCost cost(laid.jacobian, laid.state, 0.1, laid.border.bends());
@@ -259,7 +259,7 @@ TEST(NormalSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
                                     BoundaryCondition::dirichlet);
     const SparseMatrix& square = potential.square();
     const int each = laid.border.direction_count();
-    NormalSystem system(laid.jacobian, laid.state, cost.hessian(), square, each);
+    NormalDirectionSystem system(laid.jacobian, laid.state, cost.hessian(), square, each);
     std::vector<Vec3> directions;
     std::vector<Index> owner;
     for (Index v = 0; v < laid.count(); ++v) {

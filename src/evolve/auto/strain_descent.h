@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "evolve/auto/closeness_control.h"
-#include "evolve/auto/normal_system.h"
+#include "evolve/auto/normal_direction_system.h"
 #include "evolve/auto/tangential_relaxation.h"
 #include "evolve/descent/border_motion.h"
 #include "evolve/descent/descent_limits.h"
@@ -132,7 +132,7 @@ class StrainDescent {
   ClosenessControl control_;
   double closeness_;
   ShapeCost cost_;
-  NormalSystem system_;
+  NormalDirectionSystem system_;
   TangentialRelaxation relaxation_;
   Positions before_;  // the last step
   DescentStrain strain_;

@@ -190,14 +190,14 @@ TEST(StrainPotential, TakesTheSurfaceAsItIsWhenUpdated) {
   }
 }
 
-TEST(NormalSystem, SolvesWhatADenseSolverSolves) {
+TEST(NormalDirectionSystem, SolvesWhatADenseSolverSolves) {
   const TriMesh mesh = make_shape("panel", 150);
   Laid laid(mesh, one_held(mesh));
   const ShapeCost cost(laid.jacobian, laid.state, 0.1);
   const StrainPotential potential(laid.jacobian, laid.state, laid.pool,
                                   BoundaryCondition::dirichlet);
   const SparseMatrix& square = potential.square();
-  NormalSystem system(laid.jacobian, laid.state, cost.hessian(), square);
+  NormalDirectionSystem system(laid.jacobian, laid.state, cost.hessian(), square);
   const Eigen::Index n = laid.count();
   Positions normals;
   MatrixXd j = MatrixXd::Zero(n, n);

@@ -21,7 +21,7 @@ namespace planish {
 /// Quasi-definite. Each inner vertex has one direction, its normal, so two unknowns: moves along
 /// the surface would double the unknowns and hardly change its form. Vertices of the border have as
 /// many as BorderMotion says. What is "by direction" is in the order of the vertices.
-class NormalSystem {
+class NormalDirectionSystem {
  public:
   /// The numbers of the steps: one of each inner vertex, then those of the border's.
   struct Steps {
@@ -41,8 +41,9 @@ class NormalSystem {
   ///   stay
   /// @param border_directions of each vertex of the border
   /// @param jacobian must outlive it
-  NormalSystem(const AngleJacobian& jacobian, const PatchState& state, const SparseMatrix& cost,
-               const SparseMatrix& square, int border_directions = 0);
+  NormalDirectionSystem(const AngleJacobian& jacobian, const PatchState& state,
+                        const SparseMatrix& cost, const SparseMatrix& square,
+                        int border_directions = 0);
 
   const Steps& steps() const { return steps_; }
 

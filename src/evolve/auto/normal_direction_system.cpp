@@ -1,4 +1,4 @@
-#include "evolve/auto/normal_system.h"
+#include "evolve/auto/normal_direction_system.h"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace planish {
 
 namespace {
 
-using Steps = NormalSystem::Steps;
+using Steps = NormalDirectionSystem::Steps;
 
 /// Calls visit(row, column, value) for the lower half of a matrix.
 template <class Visit>
@@ -85,9 +85,9 @@ std::vector<Index> elimination_order(const PatchState& state, const SparseMatrix
 
 }  // namespace
 
-NormalSystem::NormalSystem(const AngleJacobian& jacobian, const PatchState& state,
-                           const SparseMatrix& cost, const SparseMatrix& square,
-                           int border_directions)
+NormalDirectionSystem::NormalDirectionSystem(const AngleJacobian& jacobian, const PatchState& state,
+                                             const SparseMatrix& cost, const SparseMatrix& square,
+                                             int border_directions)
     : jacobian_(jacobian),
       steps_{static_cast<int>(jacobian.row_count()), border_directions},
       lower_(pattern_of(jacobian, cost, square, steps_)),
@@ -110,9 +110,9 @@ NormalSystem::NormalSystem(const AngleJacobian& jacobian, const PatchState& stat
     positions->shrink_to_fit();
 }
 
-bool NormalSystem::factor(std::span<const Vec3> directions, const SparseMatrix& cost,
-                          const SparseMatrix& square, double unit, double stiffness, double sigma,
-                          ThreadPool& pool) {
+bool NormalDirectionSystem::factor(std::span<const Vec3> directions, const SparseMatrix& cost,
+                                   const SparseMatrix& square, double unit, double stiffness,
+                                   double sigma, ThreadPool& pool) {
   double* values = lower_.valuePtr();
   const std::uint32_t* place = cost_entries_.data();
   for_cost(cost, steps_, [&](int a, int b, double value) {
@@ -128,9 +128,9 @@ bool NormalSystem::factor(std::span<const Vec3> directions, const SparseMatrix& 
   return solver_.factor(lower_, pool);
 }
 
-Eigen::VectorXd NormalSystem::solve(const Eigen::VectorXd& force,
-                                    const Eigen::VectorXd& angle_change, ThreadPool& pool,
-                                    double accuracy) {
+Eigen::VectorXd NormalDirectionSystem::solve(const Eigen::VectorXd& force,
+                                             const Eigen::VectorXd& angle_change, ThreadPool& pool,
+                                             double accuracy) {
   Eigen::VectorXd right(lower_.rows());
   for (int s = 0; s < force.size(); ++s)
     right[steps_.unknown(s)] = force[s];

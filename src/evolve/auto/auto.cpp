@@ -25,13 +25,13 @@ namespace {
 constexpr double k_coarse_strain = 1e-4, k_polish_strain = 3e-4;
 // A level that ends above this has met with what the border forbids: on finer ones a few steps mend
 // what lifting did, no more.
-constexpr double k_hopeless_strain = 1e-2;
-constexpr int k_hopeless_steps = 5;
+constexpr double k_blocked_strain = 1e-2;
+constexpr int k_blocked_steps = 5;
 // Where vertices are held by the limit of deviation, so many steps in a row that leave more of the
 // strain than this are the last.
-constexpr double k_held_share = 0.98;
-constexpr int k_most_held = 5;
-constexpr int k_most_first_steps = 150, k_most_steps = 100, k_most_idle = 3;
+constexpr double k_gain_at_limit = 0.98;
+constexpr int k_most_at_limit = 5;
+constexpr int k_most_first_steps = 150, k_most_steps = 100, k_most_stagnant = 3;
 // So often polishing that ends early gives way to another round of the descent.
 constexpr int k_most_rounds = 6;
 // A coarsest level that ends too rough is done again, roughness allowed later each time.
@@ -71,8 +71,8 @@ class AutoStepper {
     descent_ = std::make_unique<StrainDescent>(
         level_state(), pool_,
         DescentAims{strain_limit(), options_.closeness, closeness, allowance_exponent_}, limits());
-    steps_ = idle_ = 0;
-    held_.reset();
+    steps_ = stagnant_steps_ = 0;
+    best_at_limit_.reset();
   }
 
   StrainLimit strain_limit() const { return {options_.max_strain, options_.max_rms_strain}; }
@@ -122,12 +122,12 @@ class AutoStepper {
       return false;
     }
     const bool held = is_held();
-    idle_ = step.moved > 0 ? 0 : idle_ + 1;
+    stagnant_steps_ = step.moved > 0 ? 0 : stagnant_steps_ + 1;
     const double enough = level_ > 0 ? k_coarse_strain : k_polish_strain;
-    const bool over = held || descent_->rms_strain() <= enough || idle_ >= k_most_idle ||
-                      ++steps_ >= most_steps();
-    const bool was_less = held_ && held_->strain < descent_->rms_strain();
-    if (held || (over && was_less)) descent_->go_to(held_->positions);
+    const bool over = held || descent_->rms_strain() <= enough ||
+                      stagnant_steps_ >= k_most_stagnant || ++steps_ >= most_steps();
+    const bool was_less = best_at_limit_ && best_at_limit_->strain < descent_->rms_strain();
+    if (held || (over && was_less)) descent_->go_to(best_at_limit_->positions);
     return over;
   }
 
@@ -135,14 +135,15 @@ class AutoStepper {
   /// on there only crumples.
   bool is_held() {
     if (!descent_->at_deviation_limit()) return false;
-    const bool less = !held_ || descent_->rms_strain() < k_held_share * held_->strain;
-    if (less && (!held_ || !descent_->is_too_rough()))
-      held_ = Held{descent_->rms_strain(), descent_->positions(), -1};
-    return ++held_->steps >= k_most_held;
+    const bool less =
+        !best_at_limit_ || descent_->rms_strain() < k_gain_at_limit * best_at_limit_->strain;
+    if (less && (!best_at_limit_ || !descent_->is_too_rough()))
+      best_at_limit_ = BestAtLimit{descent_->rms_strain(), descent_->positions(), -1};
+    return ++best_at_limit_->steps >= k_most_at_limit;
   }
 
   int most_steps() const {
-    if (hopeless_) return k_hopeless_steps;
+    if (blocked_by_boundary_) return k_blocked_steps;
     return level_ == levels_.coarsest() ? k_most_first_steps : k_most_steps;
   }
 
@@ -150,9 +151,9 @@ class AutoStepper {
   void end_level(SweepOutcome& outcome) {
     if (reduction_) reduction_->finish();
     reduction_.reset();
-    hopeless_ = !descent_->strain_is_met() && descent_->rms_strain() > k_hopeless_strain;
+    blocked_by_boundary_ = !descent_->strain_is_met() && descent_->rms_strain() > k_blocked_strain;
     const bool may_try = tries_ < k_most_tries && rounds_ == 0 && level_ == levels_.coarsest();
-    if (may_try && !hopeless_ && descent_->is_too_rough()) return start_smoother();
+    if (may_try && !blocked_by_boundary_ && descent_->is_too_rough()) return start_smoother();
     if (level_ > 0) return lift();
     const auto reason = reason_to_end();
     if (reason) {
@@ -177,7 +178,7 @@ class AutoStepper {
     if (descent_->strain_is_met()) return StopReason::strain_met;
     const bool nearly_flat = descent_->rms_strain() <= k_polish_strain;
     if (descent_->at_deviation_limit() && !nearly_flat) return StopReason::deviation_limit;
-    if (!hopeless_) return std::nullopt;
+    if (!blocked_by_boundary_) return std::nullopt;
     return descent_->at_angle_limit() ? StopReason::angle_limit : StopReason::stalled;
   }
 
@@ -203,8 +204,8 @@ class AutoStepper {
   SweepOutcome descend_again(std::size_t moved) {
     polish_.reset();
     descent_->start(k_warm_start);
-    steps_ = idle_ = 0;
-    held_.reset();
+    steps_ = stagnant_steps_ = 0;
+    best_at_limit_.reset();
     return {std::max<std::size_t>(moved, 1)};  // who moves nothing is taken to be at the end
   }
 
@@ -219,15 +220,15 @@ class AutoStepper {
   std::optional<DeviationReduction> reduction_;
   std::optional<DefectPolish> polish_;
   /// The place of least strain since vertices came to the limit of deviation.
-  struct Held {
+  struct BestAtLimit {
     double strain;
     Positions positions;
     int steps;  // since then
   };
-  std::optional<Held> held_;
-  int tries_ = 1, steps_ = 0, idle_ = 0, rounds_ = 0;
+  std::optional<BestAtLimit> best_at_limit_;
+  int tries_ = 1, steps_ = 0, stagnant_steps_ = 0, rounds_ = 0;
   double allowance_exponent_ = 1.0;  // of the usual one
-  bool hopeless_ = false;
+  bool blocked_by_boundary_ = false;
 };
 
 }  // namespace

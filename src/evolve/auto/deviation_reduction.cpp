@@ -13,15 +13,15 @@ DeviationReduction::DeviationReduction(StrainDescent& descent)
 StrainDescent::Step DeviationReduction::step() {
   constexpr double worth_it = 0.995;
   ++steps_;
-  ++idle_;
+  ++stagnant_steps_;
   const double closeness = descent_.closeness();
   const StrainDescent::Step step = descent_.step();
   // Where staying near still becomes dearer, more is to come.
-  if (descent_.closeness() > closeness) idle_ = 0;
+  if (descent_.closeness() > closeness) stagnant_steps_ = 0;
   const double deviation = descent_.deviation();
   const bool may_end = descent_.strain_is_met() && (may_be_rough_ || !descent_.is_too_rough());
   if (may_end && deviation < deviation_) {
-    if (deviation < worth_it * deviation_) idle_ = 0;
+    if (deviation < worth_it * deviation_) stagnant_steps_ = 0;
     nearest_ = descent_.positions();
     deviation_ = deviation;
   }

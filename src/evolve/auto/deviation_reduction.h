@@ -14,18 +14,18 @@ class DeviationReduction {
 
   StrainDescent::Step step();
   /// True where going on would bring little.
-  bool over() const { return idle_ >= k_most_idle || steps_ >= k_most_steps; }
+  bool over() const { return stagnant_steps_ >= k_most_stagnant || steps_ >= k_most_steps; }
   /// Goes to the nearest place found.
   void finish() { descent_.go_to(nearest_); }
 
  private:
-  static constexpr int k_most_steps = 60, k_most_idle = 15;
+  static constexpr int k_most_steps = 60, k_most_stagnant = 15;
 
   StrainDescent& descent_;
   bool may_be_rough_;  // as it was already
   Positions nearest_;
   double deviation_;  // of the nearest
-  int steps_ = 0, idle_ = 0;
+  int steps_ = 0, stagnant_steps_ = 0;
 };
 
 }  // namespace planish

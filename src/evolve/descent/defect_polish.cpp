@@ -72,8 +72,8 @@ DefectPolish::Cycle DefectPolish::cycle() {
   Cycle cycle{move()};
   const Flattenability figures = state_.measure(pool_);
   cycle.flat = is_surely_flattenable(figures);
-  slow_ = figures.energy > slow_share * energy ? slow_ + 1 : 0;
-  cycle.over = cycle.moved == 0 || slow_ >= most_slow || ++cycles_ >= most_cycles;
+  stagnant_cycles_ = figures.energy > slow_share * energy ? stagnant_cycles_ + 1 : 0;
+  cycle.over = cycle.moved == 0 || stagnant_cycles_ >= most_slow || ++cycles_ >= most_cycles;
   return cycle;
 }
 

@@ -31,7 +31,7 @@ constexpr int k_most_first_steps = 80;
 constexpr std::size_t k_later_work = 150'000, k_least_later_steps = 5, k_most_later_steps = 30;
 // Where all strain is to go: steps, and strain above which polishing cannot do the rest.
 constexpr int k_most_strict_steps = 40;
-constexpr double k_hopeless_strain = 1e-2;
+constexpr double k_blocked_strain = 1e-2;
 
 StrainLimit limit_of(const Auto& options) {
   if (options.prefer == Prefer::flat) return {0.0, k_nearly_flat};
@@ -73,10 +73,11 @@ class SmoothStepper {
     outcome.level = {level_state().inner_count(), step.merit_before, step.merit,
                      descent_->strain().rms};
     outcome.elsewhere = level_ > 0;
-    idle_ = step.moved > 0 ? 0 : idle_ + 1;
+    stagnant_steps_ = step.moved > 0 ? 0 : stagnant_steps_ + 1;
     if (is_strict_) return follow_strict(outcome);
     keep_best();
-    const bool over = control_->is_over() || ++steps_ >= most_steps() || idle_ >= k_most_idle;
+    const bool over =
+        control_->is_over() || ++steps_ >= most_steps() || stagnant_steps_ >= k_most_stagnant;
     return over ? end_level(outcome) : outcome;
   }
 
@@ -87,7 +88,7 @@ class SmoothStepper {
   }
 
  private:
-  static constexpr int k_most_idle = 3;
+  static constexpr int k_most_stagnant = 3;
   static constexpr double k_nearly = 1.03;  // of the limit
 
   static SweepOutcome ended(SweepOutcome outcome, StopReason reason) {
@@ -118,7 +119,7 @@ class SmoothStepper {
     }
     if (options_.prefer == Prefer::flat) {
       is_strict_ = true;
-      steps_ = idle_ = 0;
+      steps_ = stagnant_steps_ = 0;
       control_->start_strict();
       return outcome;
     }
@@ -160,10 +161,10 @@ class SmoothStepper {
   }
 
   SweepOutcome follow_strict(SweepOutcome outcome) {
-    const bool over =
-        control_->is_over() || idle_ >= k_most_idle || ++steps_ >= k_most_strict_steps;
+    const bool over = control_->is_over() || stagnant_steps_ >= k_most_stagnant ||
+                      ++steps_ >= k_most_strict_steps;
     if (!over) return outcome;
-    if (descent_->strain().rms > k_hopeless_strain)
+    if (descent_->strain().rms > k_blocked_strain)
       return ended(outcome, descent_->at_deviation_limit() ? StopReason::deviation_limit
                                                            : StopReason::stalled);
     descent_->release();
@@ -187,7 +188,7 @@ class SmoothStepper {
     descent_ =
         std::make_unique<SmoothDescent>(level_state(), pool_, design_bending_of(level_state()),
                                         limits_on(level_state(), options_, least_angle_), moves);
-    steps_ = idle_ = 0;
+    steps_ = stagnant_steps_ = 0;
   }
 
   /// On to the next finer level.
@@ -219,7 +220,7 @@ class SmoothStepper {
   std::optional<Best> best_;
   std::optional<DefectPolish> polish_;
   bool is_untouched_ = true, is_strict_ = false;
-  int steps_ = 0, idle_ = 0;
+  int steps_ = 0, stagnant_steps_ = 0;
 };
 
 }  // namespace

@@ -97,7 +97,7 @@ EvolveResult evolve(const TriMesh& mesh, const Method& method, const Stopping& s
     if (result.stop != StopReason::sweep_limit) break;
   }
   if (result.stop == StopReason::sweep_limit || result.stop == StopReason::cancelled)
-    evolver.settle();
+    evolver.prolong_to_finest();
   result.positions = evolver.positions();
   result.threads = evolver.threads();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -58,7 +58,7 @@ class Evolver::Impl {
     record.level = outcome.level;
     // Anew from the positions, so that the errors of many small updates cannot pile up. A step on a
     // coarser level leaves them as they are.
-    if (!outcome.elsewhere || sweeps_ == 0) figures_ = state_.measure(pool_);
+    if (!outcome.on_coarse_level || sweeps_ == 0) figures_ = state_.measure(pool_);
     record.sweep = ++sweeps_;
     record.e_max = figures_.e_max;
     record.e_avg = figures_.e_avg;
@@ -68,7 +68,7 @@ class Evolver::Impl {
     return record;
   }
 
-  void settle() { sweep_->settle(); }
+  void prolong_to_finest() { sweep_->prolong_to_finest(); }
 
   const PatchState& state() const { return state_; }
   unsigned threads() const { return pool_.size(); }
@@ -99,8 +99,8 @@ SweepRecord Evolver::step() {
   return impl_->step();
 }
 
-void Evolver::settle() {
-  impl_->settle();
+void Evolver::prolong_to_finest() {
+  impl_->prolong_to_finest();
 }
 
 std::vector<Vec3> Evolver::positions() const {

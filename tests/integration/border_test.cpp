@@ -400,8 +400,8 @@ TEST(Evolver, GoesOnAfterItSettledOnTheWayBack) {
   Evolver evolver(mesh, Connectivity(mesh), Auto{.max_strain = 0.004, .prefer = Prefer::near});
   for (int i = 0; i < 12; ++i)
     evolver.step();
-  evolver.settle();
-  evolver.settle();
+  evolver.prolong_to_finest();
+  evolver.prolong_to_finest();
   evolver.step();
   for (const Vec3 p : evolver.positions())
     EXPECT_TRUE(std::isfinite(dot(p, p)));

@@ -54,7 +54,7 @@ class Evolver {
 
   /// For who ends before the method does: puts what it has found elsewhere, as on coarser levels,
   /// into the positions.
-  void settle();
+  void prolong_to_finest();
 
   /// Where the vertices are now, in the order of the mesh. Vertices that never moved keep the bits
   /// that they came with.

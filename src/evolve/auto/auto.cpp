@@ -56,7 +56,7 @@ class AutoStepper {
   SweepOutcome step() { return polish_ ? polish() : descend(); }
 
   /// Brings what coarse levels have found so far to the patch itself.
-  void settle() {
+  void prolong_to_finest() {
     if (reduction_) reduction_->finish();
     reduction_.reset();
     while (level_ > 0)
@@ -102,11 +102,11 @@ class AutoStepper {
     if (!descent_->solvable() || (!reduction_ && descent_->strain_is_met())) {
       outcome.level = {level_state().inner_count()};
     } else if (const bool over = descent_step(outcome); !over) {
-      outcome.elsewhere = level_ > 0;
+      outcome.on_coarse_level = level_ > 0;
       return outcome;
     }
     end_level(outcome);
-    outcome.elsewhere = level_ > 0;
+    outcome.on_coarse_level = level_ > 0;
     return outcome;
   }
 
@@ -236,7 +236,7 @@ class AutoStepper {
 Sweep make_sweep(const Auto& options, PatchState& state, ThreadPool& pool) {
   if (options.prefer != Prefer::near) return make_smooth_sweep(options, state, pool);
   const auto stepper = std::make_shared<AutoStepper>(options, state, pool);
-  return Sweep([stepper] { return stepper->step(); }, [stepper] { stepper->settle(); });
+  return Sweep([stepper] { return stepper->step(); }, [stepper] { stepper->prolong_to_finest(); });
 }
 
 }  // namespace planish

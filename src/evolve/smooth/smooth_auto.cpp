@@ -72,7 +72,7 @@ class SmoothStepper {
     outcome.moved = step.moved;
     outcome.level = {level_state().inner_count(), step.merit_before, step.merit,
                      descent_->strain().rms};
-    outcome.elsewhere = level_ > 0;
+    outcome.on_coarse_level = level_ > 0;
     stagnant_steps_ = step.moved > 0 ? 0 : stagnant_steps_ + 1;
     if (is_strict_) return follow_strict(outcome);
     keep_best();
@@ -82,7 +82,7 @@ class SmoothStepper {
   }
 
   /// Brings what coarse levels have found so far to the patch itself.
-  void settle() {
+  void prolong_to_finest() {
     while (level_ > 0)
       lift();
   }
@@ -227,7 +227,7 @@ class SmoothStepper {
 
 Sweep make_smooth_sweep(const Auto& options, PatchState& state, ThreadPool& pool) {
   const auto stepper = std::make_shared<SmoothStepper>(options, state, pool);
-  return Sweep([stepper] { return stepper->step(); }, [stepper] { stepper->settle(); });
+  return Sweep([stepper] { return stepper->step(); }, [stepper] { stepper->prolong_to_finest(); });
 }
 
 }  // namespace planish

@@ -20,7 +20,7 @@ struct SweepOutcome {
   bool converged = false;  ///< the method's own test says that no more can be gained
   StopReason reason = StopReason::converged;  ///< if so, why
   std::optional<LevelRecord> level = {};      ///< if it was a step of a level
-  bool elsewhere = false;                     ///< what moved was not the patch itself
+  bool on_coarse_level = false;               ///< what moved was not the patch itself
 };
 
 /// One pass of a method over all inner vertices. Positions are what counts when it returns: the
@@ -33,17 +33,17 @@ class Sweep {
       : pass_(std::move(pass)) {}
   /// @param settle puts what the method has found elsewhere into the positions, where it is ended
   ///   early
-  Sweep(std::function<SweepOutcome()> pass, std::function<void()> settle)
-      : pass_(std::move(pass)), settle_(std::move(settle)) {}
+  Sweep(std::function<SweepOutcome()> pass, std::function<void()> prolong)
+      : pass_(std::move(pass)), prolong_(std::move(prolong)) {}
 
   SweepOutcome operator()() const { return pass_(); }
-  void settle() const {
-    if (settle_) settle_();
+  void prolong_to_finest() const {
+    if (prolong_) prolong_();
   }
 
  private:
   std::function<SweepOutcome()> pass_;
-  std::function<void()> settle_;
+  std::function<void()> prolong_;
 };
 
 /// One per method, each in the source file of its name. State and pool must outlive the sweep.

@@ -206,7 +206,7 @@ TEST(CoarseLevels, LiftSmoothMovesNearlyAsTheyAre) {
   for (Index v = 0; v < coarse->inner_count(); ++v)
     coarse->move(v, coarse->origin(v) + dent(*coarse, v));
   const AngleJacobian jacobian(fine);
-  levels.lift(1, *coarse, ShapeCost(jacobian, fine, 0.02), fine, pool);
+  levels.lift(1, *coarse, FairnessEnergy(jacobian, fine, 0.02), fine, pool);
   double worst = 0.0, most = 0.0;
   for (Index v = 0; v < fine.inner_count(); ++v) {
     worst = std::max(worst, norm(fine.position(v) - fine.origin(v) - dent(fine, v)));

@@ -14,7 +14,7 @@
 
 #include "evolve/auto/normal_direction_system.h"
 #include "evolve/descent/border_motion.h"
-#include "evolve/descent/shape_cost.h"
+#include "evolve/descent/fairness_energy.h"
 #include "evolve/descent/strain_potential.h"
 #include "evolve/systems/positions.h"
 #include "support/moves.h"
@@ -232,9 +232,9 @@ TEST(AngleJacobian, IsTheDerivativeWhereBordersMove) {
               1e-10 * y.norm() * product.norm());
 }
 
-TEST(ShapeCost, HasTheGradientAndTheHessianOfItsValueWhereBordersMove) {
+TEST(FairnessEnergy, HasTheGradientAndTheHessianOfItsValueWhereBordersMove) {
   const Laid laid(make_shape("panel", 200), within(1.0));
-  ShapeCost cost(laid.jacobian, laid.state, 0.05, laid.border.bends());
+  FairnessEnergy cost(laid.jacobian, laid.state, 0.05, laid.border.bends());
   const double h = cost.unit();
   const Positions x = sum_of(cost.origin(), 1.0, some_moves(laid.count(), 0.3 * h));
   const Positions u = some_moves(laid.count(), h);
@@ -254,7 +254,7 @@ TEST(ShapeCost, HasTheGradientAndTheHessianOfItsValueWhereBordersMove) {
 TEST(NormalDirectionSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
   for (const BorderFreedom& freedom : {k_slide, within(1.0)}) {
     Laid laid(make_shape("panel", 120), freedom);
-    const ShapeCost cost(laid.jacobian, laid.state, 0.1, laid.border.bends());
+    const FairnessEnergy cost(laid.jacobian, laid.state, 0.1, laid.border.bends());
     const StrainPotential potential(laid.jacobian, laid.state, laid.pool,
                                     BoundaryCondition::dirichlet);
     const SparseMatrix& square = potential.square();

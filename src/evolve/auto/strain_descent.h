@@ -8,7 +8,7 @@
 #include "evolve/auto/tangential_relaxation.h"
 #include "evolve/descent/border_motion.h"
 #include "evolve/descent/descent_limits.h"
-#include "evolve/descent/shape_cost.h"
+#include "evolve/descent/fairness_energy.h"
 #include "evolve/descent/strain_limit.h"
 #include "evolve/descent/strain_potential.h"
 #include "evolve/systems/angle_jacobian.h"
@@ -42,10 +42,10 @@ inline constexpr StepSchedule k_warm_start{0.5, 3.0, 0.25};
 ///
 ///     F(x) = C(x) + |phi(x)|^2 / (2 sigma^2),
 ///
-/// C the ShapeCost, phi the StrainPotential, by Levenberg and Marquardt's steps along the normals
-/// and slides along the surface where triangles get poor. Where a limit of strain is given, phi is
-/// that of a pattern with a free border on the surface as it is, as that is what the limit is of.
-/// Without one all strain has to go, and a border that is held leads there by a shorter way.
+/// C the FairnessEnergy, phi the StrainPotential, by Levenberg and Marquardt's steps along the
+/// normals and slides along the surface where triangles get poor. Where a limit of strain is given,
+/// phi is that of a pattern with a free border on the surface as it is, as that is what the limit
+/// is of. Without one all strain has to go, and a border that is held leads there by a shorter way.
 class StrainDescent {
  public:
   /// The patch is to be where it was at first: matrices are of that surface. The state must outlive
@@ -55,7 +55,7 @@ class StrainDescent {
 
   /// False where the patch allows no matrices.
   bool solvable() const { return potential_.solvable(); }
-  const ShapeCost& cost() const { return cost_; }
+  const FairnessEnergy& cost() const { return cost_; }
   const AngleJacobian& jacobian() const { return jacobian_; }
   /// Of all vertices that may move.
   Positions positions() const { return first_positions(state_, border_.vertex_count()); }
@@ -131,7 +131,7 @@ class StrainDescent {
   ClosenessPace pace_;
   ClosenessControl control_;
   double closeness_;
-  ShapeCost cost_;
+  FairnessEnergy cost_;
   NormalDirectionSystem system_;
   TangentialRelaxation relaxation_;
   Positions before_;  // the last step

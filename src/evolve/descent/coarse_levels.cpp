@@ -71,7 +71,7 @@ std::unique_ptr<PatchState> CoarseLevels::make_state(std::size_t level, ThreadPo
                                       made.constraints);
 }
 
-void CoarseLevels::lift(std::size_t level, const PatchState& coarse, const ShapeCost& cost,
+void CoarseLevels::lift(std::size_t level, const PatchState& coarse, const FairnessEnergy& cost,
                         PatchState& fine, ThreadPool& pool) const {
   const std::span<const unsigned char> movable = cost.movable();
   const std::vector<Index>& source = levels_[level - 1].patch.source;

@@ -8,7 +8,7 @@
 #include <planish/mesh/coarsen.h>
 
 #include "core/thread_pool.h"
-#include "evolve/descent/shape_cost.h"
+#include "evolve/descent/fairness_energy.h"
 #include "evolve/state/patch_state.h"
 
 namespace planish {
@@ -29,8 +29,8 @@ class CoarseLevels {
   /// vertices that both have move alike, the others so that the whole is smooth.
   /// @param level from 1
   /// @param cost of the finer patch
-  void lift(std::size_t level, const PatchState& coarse, const ShapeCost& cost, PatchState& fine,
-            ThreadPool& pool) const;
+  void lift(std::size_t level, const PatchState& coarse, const FairnessEnergy& cost,
+            PatchState& fine, ThreadPool& pool) const;
 
  private:
   struct Level {

@@ -6,7 +6,7 @@
 
 #include <planish/evolve/controllable_laplacian.h>
 
-#include "evolve/descent/shape_cost.h"
+#include "evolve/descent/fairness_energy.h"
 #include "evolve/descent/smallest_angle.h"
 #include "evolve/state/sweep.h"
 #include "evolve/systems/dense.h"

@@ -12,7 +12,7 @@
 #include "evolve/descent/coarse_levels.h"
 #include "evolve/descent/defect_polish.h"
 #include "evolve/descent/descent_limits.h"
-#include "evolve/descent/shape_cost.h"
+#include "evolve/descent/fairness_energy.h"
 #include "evolve/smooth/smooth_control.h"
 #include "evolve/smooth/smooth_descent.h"
 #include "evolve/systems/dense.h"
@@ -197,7 +197,7 @@ class SmoothStepper {
     descent_.reset();  // before the next: it is large
     --level_;
     open_level();
-    const ShapeCost cost(descent_->jacobian(), level_state(), 1.0, descent_->border().bends());
+    const FairnessEnergy cost(descent_->jacobian(), level_state(), 1.0, descent_->border().bends());
     levels_.lift(level_ + 1, *found, cost, level_state(), pool_);
     descent_->go_to(descent_->positions());
     if (control_) control_->start_finer();

@@ -50,10 +50,10 @@ Constraints one_held(const TriMesh& mesh) {
   return {.fixed = {Connectivity(mesh).inner_vertices()[20]}};
 }
 
-TEST(ShapeCost, HasTheGradientAndTheHessianOfItsValue) {
+TEST(FairnessEnergy, HasTheGradientAndTheHessianOfItsValue) {
   const TriMesh mesh = make_shape("panel", 200);
   Laid laid(mesh, one_held(mesh));
-  ShapeCost cost(laid.jacobian, laid.state, 0.05);
+  FairnessEnergy cost(laid.jacobian, laid.state, 0.05);
   cost.scale_proximity(std::vector<Index>{3, 7}, 5.0);
   const double h = cost.unit();
   const Positions x = sum_of(inner_positions(laid.state), 1.0, moves_where_free(laid, 0.3 * h));
@@ -73,10 +73,10 @@ TEST(ShapeCost, HasTheGradientAndTheHessianOfItsValue) {
   }
 }
 
-TEST(ShapeCost, SpreadsMovesAsADenseSolverDoes) {
+TEST(FairnessEnergy, SpreadsMovesAsADenseSolverDoes) {
   const TriMesh mesh = make_shape("panel", 200);
   Laid laid(mesh, one_held(mesh));
-  const ShapeCost cost(laid.jacobian, laid.state, 0.0);
+  const FairnessEnergy cost(laid.jacobian, laid.state, 0.0);
   std::vector<unsigned char> given(laid.state.inner_count(), 0);
   for (std::size_t v = 0; v < given.size(); v += 5)
     given[v] = laid.jacobian.is_movable(static_cast<Index>(v)) ? 1 : 0;
@@ -193,7 +193,7 @@ TEST(StrainPotential, TakesTheSurfaceAsItIsWhenUpdated) {
 TEST(NormalDirectionSystem, SolvesWhatADenseSolverSolves) {
   const TriMesh mesh = make_shape("panel", 150);
   Laid laid(mesh, one_held(mesh));
-  const ShapeCost cost(laid.jacobian, laid.state, 0.1);
+  const FairnessEnergy cost(laid.jacobian, laid.state, 0.1);
   const StrainPotential potential(laid.jacobian, laid.state, laid.pool,
                                   BoundaryCondition::dirichlet);
   const SparseMatrix& square = potential.square();

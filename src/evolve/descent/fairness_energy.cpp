@@ -1,4 +1,4 @@
-#include "evolve/descent/shape_cost.h"
+#include "evolve/descent/fairness_energy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,8 +97,8 @@ double relative_density(const PatchState& state) {
   return static_cast<double>(state.inner_count()) / usual_count;
 }
 
-ShapeCost::ShapeCost(const AngleJacobian& jacobian, const PatchState& state, double closeness,
-                     std::vector<BorderMotion::Bend> bends)
+FairnessEnergy::FairnessEnergy(const AngleJacobian& jacobian, const PatchState& state,
+                               double closeness, std::vector<BorderMotion::Bend> bends)
     : jacobian_(jacobian),
       state_(state),
       unit_(mean_edge(jacobian, state)),
@@ -113,7 +113,7 @@ ShapeCost::ShapeCost(const AngleJacobian& jacobian, const PatchState& state, dou
   hessian_ += SparseMatrix(b.transpose() * b);
 }
 
-Positions ShapeCost::laplacian(const Positions& x) const {
+Positions FairnessEnergy::laplacian(const Positions& x) const {
   Positions values(rows_.size());
   for (Index v = 0; v < values.size(); ++v) {
     const auto ring = jacobian_.ring(v);
@@ -125,7 +125,7 @@ Positions ShapeCost::laplacian(const Positions& x) const {
   return values;
 }
 
-Positions ShapeCost::bends_of(const Positions& x) const {
+Positions FairnessEnergy::bends_of(const Positions& x) const {
   Positions values;
   for (const auto& [vertices, weights] : bends_) {
     Vec3 sum;
@@ -136,7 +136,7 @@ Positions ShapeCost::bends_of(const Positions& x) const {
   return values;
 }
 
-double ShapeCost::value(const Positions& x) const {
+double FairnessEnergy::value(const Positions& x) const {
   const Positions bends = laplacian(x);
   double cost = 0.0;
   for (std::size_t v = 0; v < x.size(); ++v) {
@@ -149,7 +149,7 @@ double ShapeCost::value(const Positions& x) const {
   return cost;
 }
 
-Positions ShapeCost::gradient(const Positions& x) const {
+Positions FairnessEnergy::gradient(const Positions& x) const {
   const Positions bends = laplacian(x);
   Positions gradient(x.size());
   for (Index v = 0; v < x.size(); ++v) {
@@ -172,7 +172,7 @@ Positions ShapeCost::gradient(const Positions& x) const {
   return gradient;
 }
 
-void ShapeCost::scale_proximity(std::span<const Index> vertices, double factor) {
+void FairnessEnergy::scale_proximity(std::span<const Index> vertices, double factor) {
   constexpr double dearest = 1e12;  // who was told so often stays anyway
   for (const Index v : vertices) {
     if (pull_[v] > dearest) continue;
@@ -181,15 +181,15 @@ void ShapeCost::scale_proximity(std::span<const Index> vertices, double factor) 
   }
 }
 
-void ShapeCost::scale_closeness(double factor) {
+void FairnessEnergy::scale_closeness(double factor) {
   for (std::size_t v = 0; v < pull_.size(); ++v) {
     hessian_.coeffRef(static_cast<int>(v), static_cast<int>(v)) += (factor - 1.0) * pull_[v];
     pull_[v] *= factor;
   }
 }
 
-Positions ShapeCost::spread(std::span<const unsigned char> given, const Positions& moves,
-                            ThreadPool& pool) const {
+Positions FairnessEnergy::spread(std::span<const unsigned char> given, const Positions& moves,
+                                 ThreadPool& pool) const {
   const auto n = static_cast<int>(moves.size());
   SparseMatrix matrix = hessian_;
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, 3);

@@ -23,14 +23,14 @@ double relative_density(const PatchState& state);
 /// B, where the border moves, is the second difference along it: moves of the border are to be
 /// smooth, its own form may be as it is. Quadratic, with one matrix for x, y and z. Positions are
 /// those of the jacobian's columns.
-class ShapeCost {
+class FairnessEnergy {
  public:
   /// @param closeness a_v of a vertex of weight 1 on a patch of 4,000 inner vertices. On others it
   ///   goes with the square of the density, as |x - x0|^2 goes against |L x|^2.
   /// @param jacobian must outlive it, as must the state
   /// @param bends of the border, if that moves
-  ShapeCost(const AngleJacobian& jacobian, const PatchState& state, double closeness,
-            std::vector<BorderMotion::Bend> bends = {});
+  FairnessEnergy(const AngleJacobian& jacobian, const PatchState& state, double closeness,
+                 std::vector<BorderMotion::Bend> bends = {});
 
   double value(const Positions& x) const;
   /// Zero where the vertex may not move.

@@ -6,7 +6,7 @@
 
 #include <planish/mesh/inspect.h>
 
-#include "mesh/disorder.h"
+#include "mesh/manifold_defects.h"
 #include "mesh/rings.h"
 
 namespace planish {
@@ -285,13 +285,13 @@ Inspection inspect(const TriMesh& mesh) {
     find_zero_lengths_and_areas(mesh, problems);
     describe_manifold(mesh, *rings, result);
   } else {
-    const Disorder disorder = find_disorder(mesh);
-    problems = disorder.problems;
+    const ManifoldDefects defects = find_manifold_defects(mesh);
+    problems = defects.problems;
     result.topology.components = find_parts(mesh).count;
-    result.topology.edges = disorder.edges;
+    result.topology.edges = defects.edges;
     result.topology.euler_characteristic =
-        static_cast<long long>(disorder.used_vertices + mesh.triangles.size()) -
-        static_cast<long long>(disorder.edges);
+        static_cast<long long>(defects.used_vertices + mesh.triangles.size()) -
+        static_cast<long long>(defects.edges);
     find_zero_lengths_and_areas(mesh, problems);
   }
   find_unreferenced(mesh, problems);

@@ -8,7 +8,7 @@
 namespace planish {
 
 /// What keeps triangles from being an oriented manifold.
-struct Disorder {
+struct ManifoldDefects {
   std::vector<Problem> problems;  ///< worst first
   std::size_t edges = 0, used_vertices = 0;
 };
@@ -16,6 +16,6 @@ struct Disorder {
 /// Finds repeated indices, duplicate triangles, edges and vertices that are not manifold, and
 /// clashing orientation. O(m log m).
 /// @pre all indices are in range
-Disorder find_disorder(const TriMesh& mesh);
+ManifoldDefects find_manifold_defects(const TriMesh& mesh);
 
 }  // namespace planish

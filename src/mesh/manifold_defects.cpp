@@ -1,4 +1,4 @@
-#include "mesh/disorder.h"
+#include "mesh/manifold_defects.h"
 
 #include <algorithm>
 #include <numeric>
@@ -261,24 +261,24 @@ void find_non_manifold_vertices(const TriMesh& mesh, const std::vector<EdgeSides
 
 }  // namespace
 
-Disorder find_disorder(const TriMesh& mesh) {
-  Disorder disorder;
+ManifoldDefects find_manifold_defects(const TriMesh& mesh) {
+  ManifoldDefects defects;
   std::vector<unsigned char> skipped(mesh.triangles.size(), 0);
-  find_repeated_indices(mesh, skipped, disorder.problems);
-  find_duplicates(mesh, skipped, disorder.problems);
+  find_repeated_indices(mesh, skipped, defects.problems);
+  find_duplicates(mesh, skipped, defects.problems);
   const std::vector<Side> sides = sorted_sides(mesh, skipped);
   const std::vector<EdgeSides> edges = group_by_edge(sides);
-  find_non_manifold_edges(edges, disorder.problems);
-  find_clashing_orientation(mesh, edges, skipped, disorder.problems);
-  find_non_manifold_vertices(mesh, edges, skipped, disorder.problems);
-  disorder.edges = edges.size();
+  find_non_manifold_edges(edges, defects.problems);
+  find_clashing_orientation(mesh, edges, skipped, defects.problems);
+  find_non_manifold_vertices(mesh, edges, skipped, defects.problems);
+  defects.edges = edges.size();
   std::vector<unsigned char> used(mesh.positions.size(), 0);
   for (const Triangle& t : mesh.triangles) {
     for (const Index v : t)
       used[v] = 1;
   }
-  disorder.used_vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
-  return disorder;
+  defects.used_vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+  return defects;
 }
 
 }  // namespace planish

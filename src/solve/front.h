@@ -35,10 +35,10 @@ struct FrontShape {
 
 /// Room for numbers that nobody clears, from the start of a line of cache on.
 template <class T>
-class FrontRoom {
+class FrontBuffer {
  public:
-  FrontRoom() = default;
-  explicit FrontRoom(std::size_t size) : lines_(FrontShape<T>::padded(size) / k_strip<T>) {}
+  FrontBuffer() = default;
+  explicit FrontBuffer(std::size_t size) : lines_(FrontShape<T>::padded(size) / k_strip<T>) {}
 
   T* data() { return lines_.size() == 0 ? nullptr : lines_.data()->at; }
 
@@ -52,7 +52,7 @@ class FrontRoom {
 /// What fronts that are factored one after the other share.
 template <class T>
 struct FrontSpace {
-  FrontRoom<T> panel, scaled, packed;
+  FrontBuffer<T> panel, scaled, packed;
 };
 
 /// Factors the first columns of a front, of which the lower half is read and written: L appears

@@ -162,7 +162,7 @@ void BasicLdlt<T>::assemble(const T* values, std::size_t node, T* panel) const {
 
 template <class T>
 bool BasicLdlt<T>::factor_node(const T* values, std::size_t node, FrontSpace<T>& space,
-                               std::vector<FrontRoom<T>>& updates, ThreadPool& pool) {
+                               std::vector<FrontBuffer<T>>& updates, ThreadPool& pool) {
   const FrontShape<T> shape = shape_of(node);
   const std::size_t stride = shape.stride(), corner = FrontShape<T>::padded(shape.columns);
   T* panel = space.panel.data();
@@ -184,7 +184,7 @@ bool BasicLdlt<T>::factor_node(const T* values, std::size_t node, FrontSpace<T>&
         column[to[i]] += source[i];
     }
   });
-  updates[node] = FrontRoom<T>(shape.rest_size());
+  updates[node] = FrontBuffer<T>(shape.rest_size());
   T* rest = updates[node].data();
   if (!factor_front(shape, kernel_, space, pivots_.data() + tree_.first[node], rest, pool))
     return false;
@@ -213,13 +213,13 @@ FrontSpace<T> BasicLdlt<T>::space() const {
     panel = std::max(panel, shape_of(s).panel_size());
     beside = std::max(beside, shape_of(s).beside_size());
   }
-  return {FrontRoom<T>(panel), FrontRoom<T>(beside), FrontRoom<T>(beside)};
+  return {FrontBuffer<T>(panel), FrontBuffer<T>(beside), FrontBuffer<T>(beside)};
 }
 
 template <class T>
 bool BasicLdlt<T>::factor(const T* values, ThreadPool& pool) {
   if (panels_.size() == 0) panels_ = Buffer<T>(panel_start_.back());
-  std::vector<FrontRoom<T>> updates(tree_.count());  // what children leave to their parents
+  std::vector<FrontBuffer<T>> updates(tree_.count());  // what children leave to their parents
   split_ = split_tree(tree_, pool.size());
   std::atomic<bool> sound = true;
   pool.for_ranges(split_.parts.size(), 1, [&](std::size_t begin, std::size_t end) {

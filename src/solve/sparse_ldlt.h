@@ -70,14 +70,14 @@ class BasicLdlt {
   void assemble(const T* values, std::size_t node, T* panel) const;
   /// @param updates what the supernodes leave to their parents; those of its children are used up
   bool factor_node(const T* values, std::size_t node, FrontSpace<T>& space,
-                   std::vector<FrontRoom<T>>& updates, ThreadPool& pool);
+                   std::vector<FrontBuffer<T>>& updates, ThreadPool& pool);
   /// @param x in order of elimination: the right side before, the solution after
   void solve_in_place(double* x, ThreadPool& pool) const;
   /// @param left what the rows below each supernode are to be lessened by
   void solve_forward(std::size_t node, double* x, double* left, ThreadPool& pool) const;
   /// @param room for the rows below
   void solve_backward(std::size_t node, double* x, double* room, ThreadPool& pool) const;
-  Buffer<double> room_below() const;
+  Buffer<double> workspace_below() const;
 
   Supernodes tree_;
   std::vector<Index> first_child_, sibling_;  // of supernodes, Supernodes::k_root where none

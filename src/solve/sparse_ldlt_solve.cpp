@@ -64,7 +64,7 @@ void BasicLdlt<T>::solve_backward(std::size_t node, double* x, double* room,
 
 /// Room for what any panel has below its own rows.
 template <class T>
-Buffer<double> BasicLdlt<T>::room_below() const {
+Buffer<double> BasicLdlt<T>::workspace_below() const {
   std::size_t most = 0;
   for (std::size_t s = 0; s < tree_.count(); ++s)
     most = std::max(most, tree_.rows(s).size());
@@ -109,11 +109,11 @@ void BasicLdlt<T>::solve_in_place(double* x, ThreadPool& pool) const {
     solve_forward(s, x, left.data(), pool);
   for (std::size_t i = 0; i < place_.size(); ++i)
     x[i] /= static_cast<double>(pivots_[static_cast<Eigen::Index>(i)]);
-  Buffer<double> room = room_below();
+  Buffer<double> room = workspace_below();
   for (auto s = split_.top.rbegin(); s != split_.top.rend(); ++s)
     solve_backward(*s, x, room.data(), pool);
   for_parts([&](const Subtrees::Range& part, ThreadPool& alone) {
-    Buffer<double> own_room = room_below();
+    Buffer<double> own_room = workspace_below();
     for (std::size_t s = part.end; s-- > part.begin;)
       solve_backward(s, x, own_room.data(), alone);
   });

@@ -231,8 +231,8 @@ FactoredFront<T> factor_padded(const MatrixOf<T>& a, Eigen::Index columns, Isa i
                                ThreadPool& pool) {
   const auto width = static_cast<std::size_t>(columns);
   const FrontShape<T> shape{width, static_cast<std::size_t>(a.rows()) - width};
-  FrontSpace<T> space{FrontRoom<T>(shape.panel_size()), FrontRoom<T>(shape.beside_size()),
-                      FrontRoom<T>(shape.beside_size())};
+  FrontSpace<T> space{FrontBuffer<T>(shape.panel_size()), FrontBuffer<T>(shape.beside_size()),
+                      FrontBuffer<T>(shape.beside_size())};
   std::fill_n(space.panel.data(), shape.panel_size(), T{});
   const auto panel_at = [&](Eigen::Index i, Eigen::Index j) -> T& {
     return space.panel.data()[static_cast<std::size_t>(j) * shape.stride() +
@@ -242,7 +242,7 @@ FactoredFront<T> factor_padded(const MatrixOf<T>& a, Eigen::Index columns, Isa i
     for (Eigen::Index i = j; i < a.rows(); ++i)
       panel_at(i, j) = a(i, j);
   }
-  FrontRoom<T> rest(shape.rest_size());
+  FrontBuffer<T> rest(shape.rest_size());
   FactoredFront<T> result;
   result.pivots.resize(columns);
   result.sound =

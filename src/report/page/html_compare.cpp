@@ -11,8 +11,8 @@
 #include "draw/text/markup_text.h"
 #include "report/charts/convergence_chart.h"
 #include "report/page/compare_table.h"
-#include "report/page/html_bench.h"
 #include "report/page/html_parts.h"
+#include "report/page/html_viewer.h"
 #include "report/pictures/direction_picture.h"
 #include "report/pictures/patch_picture.h"
 #include "report/pictures/strain_picture.h"
@@ -215,12 +215,12 @@ std::string directions_section(const CompareReport& report) {
 }  // namespace
 
 std::string html_report(const CompareReport& report) {
-  const Bench bench = html_bench(report);
+  const PatchViewer viewer = html_viewer(report);
   return html_head(html_title(report.name)) + "<body>\n<main>\n" +
          html_header("comparison", report.name, headline(report)) + table_section(report) +
-         bench.html + charts_section(report) + cards_section(report) + directions_section(report) +
+         viewer.html + charts_section(report) + cards_section(report) + directions_section(report) +
          "<footer>Made by planish " + std::string(k_version) + ".</footer>\n</main>\n" +
-         bench.data + (bench.data.empty() ? "" : html_script()) + "</body>\n</html>\n";
+         viewer.data + (viewer.data.empty() ? "" : html_script()) + "</body>\n</html>\n";
 }
 
 }  // namespace planish

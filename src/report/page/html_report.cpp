@@ -17,9 +17,9 @@
 #include "report/charts/convergence_chart.h"
 #include "report/charts/defect_histogram.h"
 #include "report/page/figures_table.h"
-#include "report/page/html_bench.h"
-#include "report/page/html_bench_style.h"
 #include "report/page/html_parts.h"
+#include "report/page/html_viewer.h"
+#include "report/page/html_viewer_style.h"
 #include "sheet/limit_map.h"
 
 namespace planish {
@@ -240,18 +240,18 @@ std::string footer(const FlattenReport& report) {
 std::string html_report(const FlattenReport& report, const FlattenPage& page) {
   const std::string border = border_text(report);
   const std::string limits = strain_limits_text(report.unfold.limits);
-  const Bench bench = html_bench(report, page);
+  const PatchViewer viewer = html_viewer(report, page);
   const std::string verdict = verdict_text(report) + (limits.empty() ? "" : " " + limits) +
                               (border.empty() ? "" : " " + border);
   const bool has_limit = limit_of_edges(report.unfold.limits).has_value();
   return html_head(html_title(report.name), has_limit ? k_html_limit_style : "") +
          "<body>\n<main>\n" + html_header("report", report.name, verdict, checks(report)) +
-         tiles(report, page, bench.cut_size) + bench.html + "<div class=\"wide\">\n" +
+         tiles(report, page, viewer.cut_size) + viewer.html + "<div class=\"wide\">\n" +
          convergence_section(report, page) + histogram_section(report) +
          "</div>\n<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" +
          figures_table(report) + "</div>\n</section>\n" + problems_section(report) +
-         run_section(report, page) + footer(report) + "</main>\n" + bench.data +
-         (bench.data.empty() ? "" : html_script()) + "</body>\n</html>\n";
+         run_section(report, page) + footer(report) + "</main>\n" + viewer.data +
+         (viewer.data.empty() ? "" : html_script()) + "</body>\n</html>\n";
 }
 
 }  // namespace planish

@@ -1,4 +1,4 @@
-#include "report/page/html_bench.h"
+#include "report/page/html_viewer.h"
 
 #include <algorithm>
 #include <array>
@@ -199,7 +199,7 @@ std::string data_of(const FlattenReport& report, const PatternOnSheet& placed,
 
 }  // namespace
 
-Bench html_bench(const CompareReport& report) {
+PatchViewer html_viewer(const CompareReport& report) {
   if (!page_script().is_there()) return {};
   PageInput input{report.input, {{"input", report.input.positions}}};
   const Connectivity connectivity(report.input);
@@ -226,14 +226,14 @@ Bench html_bench(const CompareReport& report) {
       page_data(input)};
 }
 
-Bench html_bench(const FlattenReport& report, const FlattenPage& page) {
+PatchViewer html_viewer(const FlattenReport& report, const FlattenPage& page) {
   const std::array<std::span<const Vec3>, 1> after = {report.processed.positions};
   const PatchPictures pictures = patch_pictures(report.input, after, page.colors, k_picture_width);
   const PatternOnSheet placed =
       pattern_on_sheet(report.processed, report.unfold, report.name, page.furniture);
   const bool live = page_script().is_there();
-  Bench bench;
-  bench.html =
+  PatchViewer viewer;
+  viewer.html =
       "<section class=\"bench keep\" id=\"bench\">\n<div class=\"patch\">\n<h3>Patch <small>before "
       "and after, in one view and with one scale</small></h3>\n<div id=\"stage\"></div>\n" +
       still_pictures(report, pictures, page.colors) +
@@ -242,9 +242,9 @@ Bench html_bench(const FlattenReport& report, const FlattenPage& page) {
               "was built (it takes Node.js).</p>\n") +
       "</div>\n" + pattern_part(report, flat_view(report, page, placed)) +
       color_terms(limit_of_edges(report.unfold.limits)) + "</section>\n";
-  bench.cut_size = 1.0 / millimetres_per(report.unfold.unit) * loop_box(placed.pattern.cut).size();
-  if (live) bench.data = data_of(report, placed, pictures.limit);
-  return bench;
+  viewer.cut_size = 1.0 / millimetres_per(report.unfold.unit) * loop_box(placed.pattern.cut).size();
+  if (live) viewer.data = data_of(report, placed, pictures.limit);
+  return viewer;
 }
 
 }  // namespace planish

@@ -6,7 +6,7 @@ namespace planish {
 
 /// The style of the part of a page where the patch stands beside its pattern, of the marks of
 /// limits and of what the page's script adds.
-inline constexpr std::string_view k_html_bench_style = R"css(
+inline constexpr std::string_view k_html_viewer_style = R"css(
 .title { display: flex; flex-wrap: wrap; gap: 2px 14px; align-items: baseline; margin-bottom: 14px; }
 .title h1 { margin: 0; font-size: 17px; font-weight: 600; line-height: 1.4; letter-spacing: 0; }
 .verdict { max-width: 72em; font-size: 17px; }

@@ -8,7 +8,7 @@ namespace planish {
 
 /// The part of a page where the patch stands beside its pattern: still pictures of the patch, which
 /// the page's script takes away for a view that can be turned, and the pattern as a drawing.
-struct Bench {
+struct PatchViewer {
   std::string html;
   std::string data;    ///< for the script, to stand behind the page's content; empty without script
   Vec2 cut_size = {};  ///< of the pattern with its allowance, model units
@@ -16,9 +16,9 @@ struct Bench {
 
 /// The same of a comparison, with a choice of the method and without a pattern; nothing without
 /// script, as such a page has pictures of every method.
-Bench html_bench(const CompareReport& report);
+PatchViewer html_viewer(const CompareReport& report);
 
 /// @throws Error as pattern_sheet()
-Bench html_bench(const FlattenReport& report, const FlattenPage& page);
+PatchViewer html_viewer(const FlattenReport& report, const FlattenPage& page);
 
 }  // namespace planish

@@ -76,9 +76,9 @@ struct LaidSheets {
 };
 
 /// The pieces in all their turns, which every order lays anew.
-class NestShop {
+class NestEngine {
  public:
-  NestShop(std::span<const NestPiece> pieces, const NestOptions& options)
+  NestEngine(std::span<const NestPiece> pieces, const NestOptions& options)
       : step_(column_step(pieces, options)),
         height_(options.width - 2.0 * options.margin),
         length_(options.length ? *options.length - 2.0 * options.margin + k_nest_slack
@@ -178,7 +178,7 @@ NestOrder order_by(std::span<const NestPiece> pieces, const Measure& measure) {
 }
 
 /// Numbers that look random and are the same everywhere: the mixer of Steele, Lea and Flood 2014.
-class NestDice {
+class SplitMix {
  public:
   std::size_t below(std::size_t count) {
     std::uint64_t z = state_ += 0x9e3779b97f4a7c15ULL;
@@ -192,8 +192,8 @@ class NestDice {
 };
 
 /// The order of a try: first by several measures, then the best so far with some exchanged.
-NestOrder order_of_try(int number, std::span<const NestPiece> pieces, const NestShop& shop,
-                       const NestOrder& best, NestDice& dice) {
+NestOrder order_of_try(int number, std::span<const NestPiece> pieces, const NestEngine& shop,
+                       const NestOrder& best, SplitMix& dice) {
   const auto size = [&](std::size_t p) { return shop.turns(p).front().size; };
   switch (number) {
     case 0:
@@ -214,7 +214,8 @@ NestOrder order_of_try(int number, std::span<const NestPiece> pieces, const Nest
 }
 
 /// How many orders there are to be.
-int tries_for(std::span<const NestPiece> pieces, const NestShop& shop, const NestOptions& options) {
+int tries_for(std::span<const NestPiece> pieces, const NestEngine& shop,
+              const NestOptions& options) {
   if (options.tries > 0) return options.tries;
   std::size_t turned_copies = 1;
   for (std::size_t p = 0; p < pieces.size(); ++p)
@@ -223,7 +224,7 @@ int tries_for(std::span<const NestPiece> pieces, const NestShop& shop, const Nes
 }
 
 /// Numbers of the copies of each piece as they come, and their places in millimetres.
-std::vector<NestPlacement> placements_of(const LaidSheets& laid, const NestShop& shop,
+std::vector<NestPlacement> placements_of(const LaidSheets& laid, const NestEngine& shop,
                                          const NestOptions& options) {
   std::vector<NestPlacement> placements;
   placements.reserve(laid.copies.size());
@@ -243,8 +244,8 @@ std::vector<NestPlacement> placements_of(const LaidSheets& laid, const NestShop&
   return placements;
 }
 
-Nesting nesting_of(const LaidSheets& laid, const NestShop& shop, std::span<const NestPiece> pieces,
-                   const NestOptions& options) {
+Nesting nesting_of(const LaidSheets& laid, const NestEngine& shop,
+                   std::span<const NestPiece> pieces, const NestOptions& options) {
   Nesting nesting{placements_of(laid, shop, options), laid.sheets};
   if (laid.copies.empty()) return nesting;
   nesting.used_length = laid.end + 2.0 * options.margin;
@@ -285,11 +286,11 @@ Vec2 NestPlacement::operator()(Vec2 p) const {
 std::optional<Nesting> nest(std::span<const NestPiece> pieces, const NestOptions& options,
                             const OnNestProgress& on_progress) {
   check(pieces, options);
-  const NestShop shop(pieces, options);
+  const NestEngine shop(pieces, options);
   LaidSheets best;
   NestOrder best_order;
   std::set<NestOrder> known;
-  NestDice dice;
+  SplitMix dice;
   const int tries = tries_for(pieces, shop, options);
   for (int number = 0; number < tries; ++number) {
     NestOrder order = order_of_try(number, pieces, shop, best_order, dice);

@@ -19,7 +19,7 @@ inline Complex operator*(const Complex& a, const Complex& b) {
 /// arctan(t) for |t| <= tan(pi / 8).
 inline Real short_arctangent(Real t) {
   const Real s = t * t;
-  Real sum = all(k_arctangent_terms[10]);
+  Real sum = broadcast(k_arctangent_terms[10]);
   for (int k = 9; k >= 0; --k)
     sum = sum * s + k_arctangent_terms[k];
   return t * sum;
@@ -38,11 +38,11 @@ inline Real short_argument(const Complex& z) {
 /// The argument of any z, -pi to pi; NaN of 0 and of NaN.
 inline Real argument(const Complex& z) {
   const Real a = absolute(z.re), b = absolute(z.im);
-  const Real large = greatest(a, b), small = least(a, b);
+  const Real large = max(a, b), small = min(a, b);
   // Up to pi / 8 as it is, beyond as pi / 4 plus the rest.
   const Mask beyond = small > k_tan_eighth * large;
   const Real t = select(beyond, small - large, small) / select(beyond, small + large, large);
-  Real angle = select(beyond, all(0.25 * k_pi), Real{}) + short_arctangent(t);
+  Real angle = select(beyond, broadcast(0.25 * k_pi), Real{}) + short_arctangent(t);
   angle = select(b > a, 0.5 * k_pi - angle, angle);
   angle = select(z.re < 0.0, k_pi - angle, angle);
   return select(z.im < 0.0, -angle, angle);
@@ -50,9 +50,9 @@ inline Real argument(const Complex& z) {
 
 /// The corner at a size near 1, whatever the size of the triangle; no angle where it has none.
 inline Complex near_one(const Complex& corner) {
-  const Real size = greatest(absolute(corner.re), absolute(corner.im));
+  const Real size = max(absolute(corner.re), absolute(corner.im));
   const Real factor = exponent_off(size);
-  return {select(size > 0.0, factor * corner.re, all(1.0)), factor * corner.im};
+  return {select(size > 0.0, factor * corner.re, broadcast(1.0)), factor * corner.im};
 }
 
 /// Sums of angles of 0 to pi, as a product of corners and a count of full turns. Angles add where
@@ -71,7 +71,7 @@ class AngleSum {
   }
 
   /// True where the corners were so small that digits were lost; then near_one() helps.
-  Mask is_lost() const { return least(smallest_, size()) < 1e-200; }
+  Mask is_lost() const { return min(smallest_, size()) < 1e-200; }
 
   /// 2 pi minus the sum.
   Real defect() const {
@@ -85,16 +85,16 @@ class AngleSum {
   }
 
  private:
-  Real size() const { return greatest(absolute(product_.re), absolute(product_.im)); }
+  Real size() const { return max(absolute(product_.re), absolute(product_.im)); }
 
   void shrink() {
-    smallest_ = least(smallest_, size());
+    smallest_ = min(smallest_, size());
     const Real factor = exponent_off(size());
     product_ = {factor * product_.re, factor * product_.im};
   }
 
-  Complex product_{all(1.0), Real{}};
-  Real smallest_ = all(1.0);
+  Complex product_{broadcast(1.0), Real{}};
+  Real smallest_ = broadcast(1.0);
   Bits turns_{}, was_lower_{};
   int factors_ = 0;
 };

@@ -27,7 +27,7 @@ using Bits = std::int64_t __attribute__((vector_size(8 * PLANISH_LANES)));
 /// All bits of a lane set or none.
 using Mask = decltype(Real{} < Real{});
 
-inline Real all(double x) {
+inline Real broadcast(double x) {
   return Real{} + x;
 }
 
@@ -44,11 +44,11 @@ inline Mask is_negative(Real x) {
   return (Bits)x < 0;
 }
 
-inline Real least(Real a, Real b) {
+inline Real min(Real a, Real b) {
   return select(a < b, a, b);
 }
 
-inline Real greatest(Real a, Real b) {
+inline Real max(Real a, Real b) {
   return select(a > b, a, b);
 }
 

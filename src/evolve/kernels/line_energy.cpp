@@ -16,7 +16,7 @@ namespace {
 /// -pi to pi; NaN of 0.
 double argument(double re, double im) {
   using namespace line_energy_lanes;
-  return line_energy_lanes::argument({all(re), all(im)})[0];
+  return line_energy_lanes::argument({broadcast(re), broadcast(im)})[0];
 }
 
 }  // namespace

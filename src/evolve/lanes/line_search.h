@@ -53,7 +53,7 @@ class LineSearch {
         value_(model.c[0]),
         upward_(model.c[1] < 0.0),
         outer_(select(upward_, high, low)),
-        enough_(k_tolerance * least(all(1.0), high - low)),
+        enough_(k_tolerance * min(broadcast(1.0), high - low)),
         done_(idle | ~((model.c[1] < 0.0) | (model.c[1] > 0.0)) | (outer_ == 0.0)) {
     // Gauss-Newton's step, which leads down, and one of Newton's from there; next() adds another.
     const Real place = -0.5 * model.c[1] / model.spread;
@@ -99,15 +99,15 @@ class LineSearch {
 
  private:
   Mask within(const Real& place) const {
-    return (place > least(inner_, outer_)) & (place < greatest(inner_, outer_));
+    return (place > min(inner_, outer_)) & (place < max(inner_, outer_));
   }
 
   /// Newton's step to the minimum of the model, within the bracket. Where the model bends down:
   /// from the lowest place seen to the end of the bracket that is downhill; else no step.
   Real bettered(const Real& place) const {
-    const Real low = least(inner_, outer_), high = greatest(inner_, outer_);
+    const Real low = min(inner_, outer_), high = max(inner_, outer_);
     const Real slope = corrected_.slope(place), bend = corrected_.curvature(place);
-    const Real stepped = least(greatest(place - slope / bend, low), high);
+    const Real stepped = min(max(place - slope / bend, low), high);
     const Real downhill = select(place == at_, select(slope < 0.0, high, low), place);
     return select(bend > 0.0, stepped, downhill);
   }

@@ -23,9 +23,9 @@ inline Steps within_sphere(const MoveOptions& options, const Vector& offset,
   const Real root = square_root(select(meets, discriminant, Real{}));
   const Real q = -(b + select(b < 0.0, -root, root));
   const Real t1 = select(meets, q / a, Real{}), t2 = select(meets & (q != 0.0), c / q, Real{});
-  const Real low = least(t1, t2), high = greatest(t1, t2);
-  return {least(greatest(low, all(options.lambda_min)), Real{}),
-          greatest(least(high, all(options.lambda_max)), Real{})};
+  const Real low = min(t1, t2), high = max(t1, t2);
+  return {min(max(low, broadcast(options.lambda_min)), Real{}),
+          max(min(high, broadcast(options.lambda_max)), Real{})};
 }
 
 /// One star in each lane, of which the first `used` count; the others repeat the first.
@@ -39,7 +39,7 @@ template <int Valence>
   const Real before = model.c[0], error = ring.rounding_error(before);
   const bool bounded = options.radius < __builtin_inf();
   Vector offset{};
-  Steps steps{all(options.lambda_min), all(options.lambda_max)};
+  Steps steps{broadcast(options.lambda_min), broadcast(options.lambda_max)};
   if (bounded) {
     Vector origin{};
     for (int lane = 0; lane < k_lanes; ++lane) {

@@ -115,7 +115,7 @@ class RingEnergy {
       const Vector normal = find_triangle(j);
       if (guarded_) {
         const Real cotangent = largest_dot(j) / spoke.doubled_area;
-        spoke.max_cotangent = greatest(all(max_cotangent), cotangent);
+        spoke.max_cotangent = max(broadcast(max_cotangent), cotangent);
       }
       find_angles(normal, spoke, after);
     }
@@ -232,7 +232,7 @@ class RingEnergy {
 
   Real largest_dot(int j) const {
     const Spoke& spoke = spokes_[j];
-    return greatest(dot(spoke.u, spokes_[next(j)].u), greatest(spoke.base, spoke.next_base));
+    return max(dot(spoke.u, spokes_[next(j)].u), max(spoke.base, spoke.next_base));
   }
 
   /// On the line the angles at the base change at the rates r = -(N . K_j) / (S |u_j|^2) at v_j and

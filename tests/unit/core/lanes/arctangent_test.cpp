@@ -13,7 +13,7 @@
 namespace planish {
 namespace {
 
-using test_lanes::all;
+using test_lanes::broadcast;
 
 double relative_error(double found, double expected) {
   return expected == 0.0 ? std::abs(found) : std::abs(found / expected - 1.0);
@@ -22,10 +22,12 @@ double relative_error(double found, double expected) {
 TEST(Arctangent, ShortIsRightToFourUnitsInTheSixteenthDigit) {
   for (int i = -1000; i <= 1000; ++i) {
     const double t = k_tan_eighth * i / 1000.0;
-    EXPECT_LE(relative_error(test_lanes::short_arctangent(all(t))[0], std::atan(t)), 4e-16) << t;
+    EXPECT_LE(relative_error(test_lanes::short_arctangent(broadcast(t))[0], std::atan(t)), 4e-16)
+        << t;
   }
   for (double t = 0.3; t > 1e-300; t *= 1e-7) {
-    EXPECT_LE(relative_error(test_lanes::short_arctangent(all(t))[0], std::atan(t)), 4e-16) << t;
+    EXPECT_LE(relative_error(test_lanes::short_arctangent(broadcast(t))[0], std::atan(t)), 4e-16)
+        << t;
   }
 }
 
@@ -34,13 +36,13 @@ TEST(Arctangent, ArgumentIsThatOfTheLibraryAllAround) {
     const double angle = std::numbers::pi * (i - 1999.5) / 2000.0;
     for (const double size : {1e-100, 1.0, 1e100}) {
       const double re = size * std::cos(angle), im = size * std::sin(angle);
-      const double found = test_lanes::argument({all(re), all(im)})[0];
+      const double found = test_lanes::argument({broadcast(re), broadcast(im)})[0];
       EXPECT_NEAR(found, std::atan2(im, re), 6e-16 * (1.0 + std::abs(angle)));
     }
   }
-  EXPECT_EQ(test_lanes::argument({all(1.0), all(0.0)})[0], 0.0);
-  EXPECT_EQ(test_lanes::argument({all(-1.0), all(0.0)})[0], std::numbers::pi);
-  EXPECT_EQ(test_lanes::argument({all(0.0), all(-2.0)})[0], -std::numbers::pi / 2.0);
+  EXPECT_EQ(test_lanes::argument({broadcast(1.0), broadcast(0.0)})[0], 0.0);
+  EXPECT_EQ(test_lanes::argument({broadcast(-1.0), broadcast(0.0)})[0], std::numbers::pi);
+  EXPECT_EQ(test_lanes::argument({broadcast(0.0), broadcast(-2.0)})[0], -std::numbers::pi / 2.0);
 }
 
 TEST(Arctangent, SumsOfCornersAreThoseOfTheAngleProduct) {
@@ -53,7 +55,7 @@ TEST(Arctangent, SumsOfCornersAreThoseOfTheAngleProduct) {
       const double angle = std::numbers::pi * (0.5 + 0.5 * random.number());
       const double size = std::pow(10.0, 20.0 * random.number());
       const Corner c{size * std::cos(angle), size * std::abs(std::sin(angle))};
-      lanes.add({all(c.re), all(c.im)});
+      lanes.add({broadcast(c.re), broadcast(c.im)});
       plain.add(c);
     }
     EXPECT_NEAR(lanes.defect()[0], plain.defect(), 1e-14 * corners);
@@ -64,7 +66,7 @@ TEST(Arctangent, CornersOfExactlyPiAreCounted) {
   for (int corners = 1; corners < 9; ++corners) {
     test_lanes::AngleSum sum;
     for (int j = 0; j < corners; ++j)
-      sum.add({all(-2.0), all(0.0)});
+      sum.add({broadcast(-2.0), broadcast(0.0)});
     EXPECT_NEAR(sum.defect()[0], (2 - corners) * std::numbers::pi, 1e-14);
   }
 }

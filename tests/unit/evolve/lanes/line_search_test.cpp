@@ -62,7 +62,7 @@ Search search(const std::vector<Waves>& waves, double low) {
     };
     model.add_square(coefficient(0), coefficient(1), coefficient(2), coefficient(3));
   }
-  LineSearch search(model, all(low), all(1.0), Mask{});
+  LineSearch search(model, broadcast(low), broadcast(1.0), Mask{});
   Search result{};
   for (int i = 1; i < LineSearch::k_most_evaluations; ++i) {
     const Real place = search.next();
@@ -116,8 +116,8 @@ TEST(LineSearch, FindsAMinimumAndNeverRises) {
 TEST(LineSearch, EvaluatesNothingWhereTheMinimumIsAtTheStart) {
   using namespace test_lanes;
   LineModel model{};  // (t - 1e-5)^2
-  model.add_square(all(-1e-5), all(1.0), Real{}, Real{});
-  LineSearch search(model, all(-1.0), all(1.0), Mask{});
+  model.add_square(broadcast(-1e-5), broadcast(1.0), Real{}, Real{});
+  LineSearch search(model, broadcast(-1.0), broadcast(1.0), Mask{});
   search.next();
   EXPECT_TRUE(search.done());
   EXPECT_EQ(search.at()[0], 0.0);

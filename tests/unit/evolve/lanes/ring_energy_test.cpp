@@ -25,7 +25,7 @@ Vec3 first_of(const test_lanes::Vector& v) {
 }
 
 test_lanes::Vector in_all_lanes(Vec3 v) {
-  return {test_lanes::all(v.x), test_lanes::all(v.y), test_lanes::all(v.z)};
+  return {test_lanes::broadcast(v.x), test_lanes::broadcast(v.y), test_lanes::broadcast(v.z)};
 }
 
 /// The kernel with one vertex in all its lanes.
@@ -43,7 +43,7 @@ class OneRing {
   Vec3 laplacian() const { return first_of(ring_.laplacian()); }
   double energy() const { return model_.c[0][0]; }
   /// b by the model of the line.
-  double model_at(double lambda) const { return model_.at(test_lanes::all(lambda))[0]; }
+  double model_at(double lambda) const { return model_.at(test_lanes::broadcast(lambda))[0]; }
   double coefficient(int power) const { return model_.c[power][0]; }
   double spread() const { return model_.spread[0]; }
   double evaluate_at(Vec3 x) { return ring_.at(in_all_lanes(x)).value[0]; }

@@ -66,7 +66,7 @@ EvolveReport evolve_remeshed(const TriMesh& original, const RemeshedPatch& patch
   EvolveReport report =
       evolve_patch(patch.mesh, method, stopping, on_sweep, threads, patch.constraints);
   if (patch.mesh.positions.size() == original.positions.size()) return report;
-  report.remeshed_from = SizeBefore{original.positions.size(), original.triangles.size()};
+  report.remeshed_from = OriginalSize{original.positions.size(), original.triangles.size()};
   const TriMesh after{report.result.positions, patch.mesh.triangles};
   report.deviation = measure_surface_deviation(original, after);
   report.fairness = measure_fairness(original, after);

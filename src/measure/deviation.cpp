@@ -52,15 +52,15 @@ Deviation measure_deviation(const TriMesh& before, std::span<const Vec3> after,
   return deviation_of(distances, before, scale);
 }
 
-std::optional<BorderChange> measure_border_change(const TriMesh& before,
-                                                  std::span<const Vec3> after,
-                                                  const Connectivity& connectivity) {
+std::optional<BoundaryChange> measure_border_change(const TriMesh& before,
+                                                    std::span<const Vec3> after,
+                                                    const Connectivity& connectivity) {
   const double scale = unit_scale(before);
   const auto length = [scale](Vec3 from, Vec3 to) {
     return norm(scale * to - scale * from) / scale;
   };
   const std::vector<Vec3>& origins = before.positions;
-  BorderChange change;
+  BoundaryChange change;
   for (const auto& loop : connectivity.border_loops()) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Index v = loop[i], next = loop[i + 1 < loop.size() ? i + 1 : 0];

@@ -117,12 +117,12 @@ Json to_json(const Deviation& deviation) {
           {"rms_over_diagonal", deviation.rms_over_diagonal}};
 }
 
-Json to_json(const std::optional<SizeBefore>& size) {
+Json to_json(const std::optional<OriginalSize>& size) {
   if (!size) return nullptr;
   return {{"vertices", size->vertices}, {"triangles", size->triangles}};
 }
 
-Json to_json(const BorderChange& border) {
+Json to_json(const BoundaryChange& border) {
   return {{"max", border.max},
           {"length_before", border.length_before},
           {"length_after", border.length_after}};

@@ -193,7 +193,7 @@ std::string deviation_lines(const Deviation& deviation, const std::string& unit)
          " of the bounding box's diagonal\n";
 }
 
-std::string border_line(const std::optional<BorderChange>& border, const std::string& unit) {
+std::string border_line(const std::optional<BoundaryChange>& border, const std::string& unit) {
   if (!border) return {};
   const double change = border->length_after / border->length_before - 1.0;
   return "  border      moved by at most " + digits(border->max, 3) + " " + unit + ", its length " +

@@ -38,7 +38,7 @@ struct MeasuredPatch {
 MeasuredPatch measure_patch(const TriMesh& mesh, unsigned threads = 0);
 
 /// The size of a patch that was worked on with fewer vertices.
-struct SizeBefore {
+struct OriginalSize {
   std::size_t vertices = 0, triangles = 0;
 };
 
@@ -61,10 +61,10 @@ struct EvolveReport {
   EvolveResult result;
   MeasuredPatch before, after;
   Deviation deviation;
-  std::optional<BorderChange> border = {};  ///< where the border moved
+  std::optional<BoundaryChange> border = {};  ///< where the border moved
   /// Of the patch as it came, where remeshing took vertices out of it: then `before` is what it
   /// left, and the deviation that of the surfaces.
-  std::optional<SizeBefore> remeshed_from = {};
+  std::optional<OriginalSize> remeshed_from = {};
   Fairness fairness = {};  ///< beside the patch as it came
   /// Where the design was smoothed first: then `before` and `fairness` are of the smoothed one, the
   /// deviation is that from the raw one.

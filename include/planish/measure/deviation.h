@@ -20,16 +20,16 @@ Deviation measure_deviation(const TriMesh& before, std::span<const Vec3> after,
                             const Connectivity& connectivity);
 
 /// What became of a border that moved, in model units.
-struct BorderChange {
+struct BoundaryChange {
   double max = 0.0;  ///< how far the vertex of it that moved furthest is from where it was
   double length_before = 0.0, length_after = 0.0;  ///< of all its edges
 };
 
 /// None where no vertex of the border moved.
 /// @param after one position per vertex of `before`
-std::optional<BorderChange> measure_border_change(const TriMesh& before,
-                                                  std::span<const Vec3> after,
-                                                  const Connectivity& connectivity);
+std::optional<BoundaryChange> measure_border_change(const TriMesh& before,
+                                                    std::span<const Vec3> after,
+                                                    const Connectivity& connectivity);
 
 /// How far a surface is from another one with nearly the same border and other triangles: rms and
 /// largest over the inner vertices of `before`, to the nearest place of `after`; the largest also

@@ -246,7 +246,7 @@ std::vector<Row> deviation_rows(const Deviation& deviation, const std::string& u
 }
 
 /// Of a border that moved.
-std::vector<Row> border_rows(const std::optional<BorderChange>& border, const std::string& unit) {
+std::vector<Row> border_rows(const std::optional<BoundaryChange>& border, const std::string& unit) {
   if (!border) return {};
   return {{"Border, length",
            "of all its edges; what is sewn to it must go along",

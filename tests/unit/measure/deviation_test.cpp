@@ -17,7 +17,7 @@ TriMesh moved(TriMesh mesh, Vec3 by) {
   return mesh;
 }
 
-TEST(BorderChange, IsNoneWhereOnlyInnerVerticesMoved) {
+TEST(BoundaryChange, IsNoneWhereOnlyInnerVerticesMoved) {
   const TriMesh mesh = make_shape("dome", 300);
   const Connectivity connectivity(mesh);
   TriMesh after = mesh;
@@ -26,7 +26,7 @@ TEST(BorderChange, IsNoneWhereOnlyInnerVerticesMoved) {
   EXPECT_FALSE(measure_border_change(mesh, after.positions, connectivity).has_value());
 }
 
-TEST(BorderChange, TellsTheFurthestMoveAndBothLengthsAtAnySize) {
+TEST(BoundaryChange, TellsTheFurthestMoveAndBothLengthsAtAnySize) {
   const TriMesh dome = make_shape("dome", 300);
   const Connectivity connectivity(dome);
   double radius = 0.0, length = 0.0;

@@ -100,7 +100,7 @@ TEST(JsonReport, OfAPatchWithoutProblemsHasAnEmptyList) {
 TEST(JsonReport, TellsOfABorderOnlyWhereItMoved) {
   EvolveReport report = samples::flatten_report().evolve;
   EXPECT_FALSE(Json::parse(json_report(report)).contains("border"));
-  report.border = BorderChange{1.5, 100.0, 101.0};
+  report.border = BoundaryChange{1.5, 100.0, 101.0};
   report.method = Auto{.border = {BorderFreedom::Rule::within, 1.5}};
   const Json json = Json::parse(json_report(report));
   EXPECT_EQ(json["border"],

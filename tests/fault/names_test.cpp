@@ -150,9 +150,9 @@ TEST_F(NamesTest, OfPatchesNeitherLeadOutOfTheFolderNorBecomeMarkupOrCommands) {
   const CliResult result = planish(flatten_into("bad", "bad.obj"));
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_EQ(outside("bad"), before);
-  const auto garment = nlohmann::json::parse(content_of("bad/garment.json"));
+  const auto product = nlohmann::json::parse(content_of("bad/garment.json"));
   std::set<std::string> folders;
-  for (const auto& patch : garment["patches"]) {
+  for (const auto& patch : product["patches"]) {
     const std::string folder = patch["folder"];
     folders.insert(folder);
     EXPECT_TRUE(fs::is_directory("bad/" + folder)) << folder;

@@ -14,15 +14,15 @@
 #include "flags/constraint_flags.h"
 #include "flags/cut_flag.h"
 #include "flags/furniture_flags.h"
-#include "flags/garment_flags.h"
 #include "flags/limit_flags.h"
+#include "flags/match_seams_flag.h"
 #include "flags/method_flags.h"
 #include "flags/units.h"
 #include "output/pattern_output.h"
-#include "product/garment_job.h"
-#include "product/garment_nest.h"
-#include "product/garment_parts.h"
-#include "product/garment_seams.h"
+#include "product/job.h"
+#include "product/nest.h"
+#include "product/parts.h"
+#include "product/seams.h"
 #include "shell/command_line.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
@@ -210,8 +210,8 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   const auto nest = nest_from(arguments, pattern);
   const fs::path folder = folder_from(arguments);
 
-  GarmentInput read = read_garment(session, arguments.operands.front());
-  const std::optional<CutDone> cut = cut_garment(read, arguments, session);
+  ProductInput read = read_product(session, arguments.operands.front());
+  const std::optional<CutDone> cut = cut_product(read, arguments, session);
   if (read.patches.size() > 1) {
     const auto files = [&](const FlattenReport& report, MeshFormat input,
                            const PatternOptions& furniture, const fs::path& place) {
@@ -226,7 +226,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
       return PatchFiles{files_of(report, places, format, own, page, json), json};
     };
     auto furniture = furniture_of_patches(pattern.furniture, read.patches, arguments);
-    return run_garment({arguments.operands.front(), std::move(read.patches), folder, options,
+    return run_product({arguments.operands.front(), std::move(read.patches), folder, options,
                         std::move(furniture), files, nest},
                        arguments, session);
   }
@@ -299,7 +299,7 @@ Command flatten_command() {
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
   for (Flag& flag : pattern_flags("also write the pattern as a .pdf of pages to be joined"))
     groups.front().flags.push_back(std::move(flag));
-  for (Flag& flag : garment_flags())
+  for (Flag& flag : product_flags())
     groups.front().flags.push_back(std::move(flag));
   groups.push_back(furniture_flags());
   groups.push_back(nest_flags());

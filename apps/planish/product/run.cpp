@@ -1,4 +1,4 @@
-#include "product/garment_run.h"
+#include "product/run.h"
 
 #include <algorithm>
 #include <atomic>
@@ -19,7 +19,7 @@ namespace {
 
 using Stopped = std::function<bool()>;
 
-FlattenOptions options_of(const GarmentJob& job, std::size_t number) {
+FlattenOptions options_of(const ProductJob& job, std::size_t number) {
   FlattenOptions options = job.options;
   options.threads = 1;
   options.keep = named_vertices(job.furniture[number]);
@@ -27,17 +27,17 @@ FlattenOptions options_of(const GarmentJob& job, std::size_t number) {
 }
 
 /// @throws Error as flatten(), and that of a patch that could not be read
-std::optional<FlattenReport> report_of(const GarmentJob& job, std::size_t number,
+std::optional<FlattenReport> report_of(const ProductJob& job, std::size_t number,
                                        const Stopped& stopped) {
-  const GarmentPatch& patch = job.patches[number];
+  const ProductPatch& patch = job.patches[number];
   if (patch.failure) throw Error(*patch.failure);
   return flatten(patch.mesh, patch.name, options_of(job, number),
                  [&](FlattenStage, double) { return !stopped(); });
 }
 
-FlattenedPatch files_and_all(const GarmentJob& job, std::size_t number, const FlattenReport& report,
+FlattenedPatch files_and_all(const ProductJob& job, std::size_t number, const FlattenReport& report,
                              const PatternOptions& furniture) {
-  const GarmentPatch& patch = job.patches[number];
+  const ProductPatch& patch = job.patches[number];
   return {{},
           job.files_of(report, patch.format, furniture, job.folder / path_of(patch.folder)),
           report.processed,
@@ -47,7 +47,7 @@ FlattenedPatch files_and_all(const GarmentJob& job, std::size_t number, const Fl
 
 /// What of a patch is written and told, from its report; where there is none it was cancelled.
 template <class MakeReport>
-FlattenedPatch finished(const GarmentJob& job, std::size_t number, const MakeReport& make) try {
+FlattenedPatch finished(const ProductJob& job, std::size_t number, const MakeReport& make) try {
   const std::optional<FlattenReport>& report = make();
   return report ? files_and_all(job, number, *report, job.furniture[number]) : FlattenedPatch{};
 } catch (...) {
@@ -57,9 +57,9 @@ FlattenedPatch finished(const GarmentJob& job, std::size_t number, const MakeRep
 }
 
 /// What was made of the other one, or else what flattening makes of it.
-FlattenedPatch finished_twin(const GarmentJob& job, std::size_t number, const MeshTwin& twin,
+FlattenedPatch finished_twin(const ProductJob& job, std::size_t number, const MeshTwin& twin,
                              const FlattenReport& other, const Stopped& stopped) try {
-  const GarmentPatch& patch = job.patches[number];
+  const ProductPatch& patch = job.patches[number];
   const auto report =
       twin_report(other, patch.mesh, twin.match, patch.name, options_of(job, number));
   if (!report) return finished(job, number, [&] { return report_of(job, number, stopped); });
@@ -75,7 +75,7 @@ FlattenedPatch finished_twin(const GarmentJob& job, std::size_t number, const Me
 /// Flattens the first patch of a group and makes the others from it.
 /// @param put is handed each by its number
 template <class Put>
-void flatten_group(const GarmentJob& job, const GarmentTwins& twins, const TwinGroup& group,
+void flatten_group(const ProductJob& job, const ProductTwins& twins, const TwinGroup& group,
                    const Stopped& stopped, const Put& put) {
   std::optional<FlattenReport> first;
   put(group.front(), finished(job, group.front(), [&]() -> const std::optional<FlattenReport>& {
@@ -163,7 +163,7 @@ PatchFailure current_failure() try {
   return {"out_of_memory", "out of memory"};
 }
 
-void flatten_patches(const GarmentJob& job, const GarmentTwins& twins,
+void flatten_patches(const ProductJob& job, const ProductTwins& twins,
                      std::vector<std::size_t> numbers, unsigned threads,
                      const std::function<bool()>& interrupted,
                      const std::function<bool(std::size_t, FlattenedPatch)>& on_done) {

@@ -1,8 +1,7 @@
-#include "product/garment_state.h"
-
 #include <gtest/gtest.h>
 
 #include "cli_run.h"
+#include "product/state.h"
 
 namespace planish::cli {
 namespace {
@@ -15,7 +14,7 @@ const std::string k_report =
 const std::string k_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 /// A folder that some earlier run, or somebody else, left.
-class GarmentState : public CliTest {
+class ProductState : public CliTest {
  protected:
   /// Writes the files and a job.json that says that they are as they were written.
   void write(const std::string& report, const std::string& processed, const std::string& flat) {
@@ -29,19 +28,19 @@ class GarmentState : public CliTest {
   const std::string job_ = job_of({.name = "piece", .folder = "piece", .mesh = {}}, {}, {});
 };
 
-TEST_F(GarmentState, KeepsWhatIsWhole) {
+TEST_F(ProductState, KeepsWhatIsWhole) {
   write(k_report, k_triangle, k_triangle);
   EXPECT_TRUE(is_kept());
 }
 
-TEST_F(GarmentState, RefusesAPatternThatIsNotThatOfThePatch) {
+TEST_F(ProductState, RefusesAPatternThatIsNotThatOfThePatch) {
   write(k_report, k_triangle, "v 2 2 2\n" + k_triangle);
   EXPECT_FALSE(is_kept());
   write(k_report, "v 2 2 2\n" + k_triangle, k_triangle);
   EXPECT_FALSE(is_kept());
 }
 
-TEST_F(GarmentState, RefusesAReportThatLacksWhatIsToldOfIt) {
+TEST_F(ProductState, RefusesAReportThatLacksWhatIsToldOfIt) {
   for (const char* report :
        {"{}", "[]", "3", R"({"unfold": 1, "evolve": [], "files": {}})",
         R"({"unfold": {"width": "wide"}, "evolve": {"stop": 3}, "files": {}})"}) {
@@ -54,7 +53,7 @@ TEST_F(GarmentState, RefusesAReportThatLacksWhatIsToldOfIt) {
   EXPECT_FALSE(is_kept()) << endless;
 }
 
-TEST_F(GarmentState, RefusesAJobOrReportThatIsNestedWithoutEnd) {
+TEST_F(ProductState, RefusesAJobOrReportThatIsNestedWithoutEnd) {
   constexpr std::size_t depth = 200'000;
   const std::string nested = std::string(depth, '[') + std::string(depth, ']');
   write(k_report, k_triangle, k_triangle);

@@ -1,4 +1,4 @@
-#include "product/garment_parts.h"
+#include "product/parts.h"
 
 #include <algorithm>
 #include <array>
@@ -62,22 +62,22 @@ void refuse_loose_triangles(const TriMesh& mesh, std::size_t parts, const std::s
 }
 
 /// The patches of one file, their folders not named yet.
-std::vector<GarmentPatch> patches_of(const ReadResult& input, const std::string& path) {
+std::vector<ProductPatch> patches_of(const ReadResult& input, const std::string& path) {
   std::vector<NamedPatch> parts =
       input.groups.names.empty() ? split(input.mesh, stem_of(path))
                                  : split(input.mesh, input.groups.of_triangle, input.groups.names);
   refuse_loose_triangles(input.mesh, parts.size(), path);
-  std::vector<GarmentPatch> patches;
+  std::vector<ProductPatch> patches;
   patches.reserve(parts.size());
   for (NamedPatch& part : parts)
     patches.push_back({std::move(part.name), {}, std::move(part.mesh), input.format});
   return patches;
 }
 
-void name_folders(std::vector<GarmentPatch>& patches) {
+void name_folders(std::vector<ProductPatch>& patches) {
   std::vector<std::string> names;
   names.reserve(patches.size());
-  for (const GarmentPatch& patch : patches)
+  for (const ProductPatch& patch : patches)
     names.push_back(patch.name);
   const std::vector<std::string> folders = safe_names(names);
   for (std::size_t p = 0; p < patches.size(); ++p)
@@ -170,8 +170,8 @@ std::vector<std::string> safe_names(const std::vector<std::string>& names) {
   return safe;
 }
 
-GarmentInput read_garment(Session& session, const std::string& path) {
-  GarmentInput input;
+ProductInput read_product(Session& session, const std::string& path) {
+  ProductInput input;
   input.path = path;
   std::error_code ignored;
   if (!fs::is_directory(path_of(path), ignored)) {
@@ -186,7 +186,7 @@ GarmentInput read_garment(Session& session, const std::string& path) {
     for (const std::string& file : mesh_files_in(path)) {
       try {
         ReadResult whole = session.read(file);
-        std::vector<GarmentPatch> patches = patches_of(whole, file);
+        std::vector<ProductPatch> patches = patches_of(whole, file);
         std::move(patches.begin(), patches.end(), std::back_inserter(input.patches));
         input.whole = std::move(whole);
       } catch (const Error& error) {
@@ -202,7 +202,7 @@ GarmentInput read_garment(Session& session, const std::string& path) {
   return input;
 }
 
-std::optional<CutDone> cut_garment(GarmentInput& input, const Arguments& arguments,
+std::optional<CutDone> cut_product(ProductInput& input, const Arguments& arguments,
                                    Session& session) {
   if (!arguments.has("--cut")) return std::nullopt;
   if (input.patches.size() > 1) {
@@ -211,7 +211,7 @@ std::optional<CutDone> cut_garment(GarmentInput& input, const Arguments& argumen
   CutInput cut = cut_as_asked(std::move(input.whole.mesh), input.path, arguments, session);
   input.whole.mesh = std::move(cut.mesh);
   input.whole.groups = {};
-  std::vector<GarmentPatch> patches = patches_of(input.whole, input.path);
+  std::vector<ProductPatch> patches = patches_of(input.whole, input.path);
   if (patches.size() > 1) {
     session.note(input.path + ": the cut makes " + std::to_string(patches.size()) + " patches");
     input.patches = std::move(patches);

@@ -9,7 +9,7 @@
 #include <planish/io/write_file.h>
 #include <planish/pattern/pattern_options.h>
 
-#include "product/garment_parts.h"
+#include "product/parts.h"
 #include "shell/command.h"
 
 namespace planish::cli {
@@ -17,8 +17,8 @@ namespace planish::cli {
 /// What a patch's results are made from, as its job.json says it: the program's version, a hash of
 /// the mesh, the name, the notches and the flags that results depend on; of a twin also the name
 /// and the mesh of the other one.
-std::string job_of(const GarmentPatch& patch, const PatternOptions& furniture,
-                   const Arguments& arguments, const GarmentPatch* twin_of = nullptr);
+std::string job_of(const ProductPatch& patch, const PatternOptions& furniture,
+                   const Arguments& arguments, const ProductPatch* twin_of = nullptr);
 
 /// The job.json that says that these files are the results of the job.
 OutputFile job_file(const std::string& job, const std::vector<OutputFile>& files,

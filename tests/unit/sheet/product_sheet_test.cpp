@@ -3,7 +3,7 @@
 #include <string>
 #include <variant>
 
-#include <planish/sheet/garment_sheet.h>
+#include <planish/sheet/product_sheet.h>
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 namespace planish {
 namespace {
 
-GarmentPiece piece(const std::string& name, std::size_t columns, std::size_t rows, double shift) {
-  GarmentPiece piece{name, meshes::flat_grid(columns, rows), {}};
+ProductPiece piece(const std::string& name, std::size_t columns, std::size_t rows, double shift) {
+  ProductPiece piece{name, meshes::flat_grid(columns, rows), {}};
   for (const Vec3& p : piece.mesh.positions)
     piece.pattern.push_back({10.0 * p.x, 10.0 * p.y});
   for (Vec3& p : piece.mesh.positions)
@@ -29,12 +29,12 @@ std::vector<Path> paths_of(const Layer& layer) {
   return paths;
 }
 
-TEST(GarmentSheet, ShowsPiecesAtTrueSizeApartFromEachOther) {
-  const std::vector<GarmentPiece> pieces = {piece("a", 4, 3, 0.0),
+TEST(ProductSheet, ShowsPiecesAtTrueSizeApartFromEachOther) {
+  const std::vector<ProductPiece> pieces = {piece("a", 4, 3, 0.0),
                                             piece("b", 2, 3, 4.0),
                                             {"failed", meshes::flat_grid(2, 2), {}},
                                             piece("c", 3, 6, 50.0)};
-  const Drawing sheet = garment_sheet(pieces, {}, Unit::mm, "coat");
+  const Drawing sheet = product_sheet(pieces, {}, Unit::mm, "coat");
   const auto cuts = paths_of(sheet.layers.at(0));
   ASSERT_EQ(cuts.size(), 3U);
   struct Box {
@@ -63,12 +63,12 @@ TEST(GarmentSheet, ShowsPiecesAtTrueSizeApartFromEachOther) {
   }
 }
 
-TEST(GarmentSheet, NumbersBothSidesOfASeam) {
-  const std::vector<GarmentPiece> pieces = {piece("a", 4, 3, 0.0), piece("b", 2, 3, 4.0)};
+TEST(ProductSheet, NumbersBothSidesOfASeam) {
+  const std::vector<ProductPiece> pieces = {piece("a", 4, 3, 0.0), piece("b", 2, 3, 4.0)};
   const std::vector<TriMesh> patches = {pieces[0].mesh, pieces[1].mesh};
   const auto seams = find_seams(patches);
   ASSERT_EQ(seams.size(), 1U);
-  const Drawing sheet = garment_sheet(pieces, seams, Unit::cm, "coat");
+  const Drawing sheet = product_sheet(pieces, seams, Unit::cm, "coat");
   const auto lines = paths_of(sheet.layers.at(1));
   ASSERT_EQ(lines.size(), 2U);
   for (const Path& path : lines)
@@ -79,23 +79,23 @@ TEST(GarmentSheet, NumbersBothSidesOfASeam) {
       2);
 }
 
-TEST(GarmentSheet, ShowsMirroredPiecesMirroredToTheLastDigitWritten) {
+TEST(ProductSheet, ShowsMirroredPiecesMirroredToTheLastDigitWritten) {
   meshes::Random random(3);
-  GarmentPiece left = piece("left", 4, 3, 0.0);
+  ProductPiece left = piece("left", 4, 3, 0.0);
   for (Vec2& p : left.pattern)
     p = p + Vec2{3.0 * random.number(), 3.0 * random.number()};
   left.pattern[7].x = 12.3455;  // half way between two thousandths
-  GarmentPiece right{"right", meshes::mirrored(left.mesh), left.pattern};
+  ProductPiece right{"right", meshes::mirrored(left.mesh), left.pattern};
   PieceTwin twin{0, true, {}};
   for (Index v = 0; v < left.pattern.size(); ++v) {
     right.pattern[v].x = 0.0 - right.pattern[v].x;
     twin.vertex.push_back(v);
   }
   right.twin = twin;
-  GarmentPiece copy = left;
+  ProductPiece copy = left;
   copy.name = "copy";
   copy.twin = PieceTwin{0, false, twin.vertex};
-  const Drawing sheet = garment_sheet(std::vector{left, right, copy}, {}, Unit::mm, "coat");
+  const Drawing sheet = product_sheet(std::vector{left, right, copy}, {}, Unit::mm, "coat");
   const auto cuts = paths_of(sheet.layers.at(0));
   ASSERT_EQ(cuts.size(), 3U);
   const auto &first = cuts[0].lines.at(0), &mirror = cuts[1].lines.at(0),

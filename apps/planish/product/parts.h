@@ -13,7 +13,7 @@
 namespace planish::cli {
 
 /// One patch of a product.
-struct GarmentPatch {
+struct ProductPatch {
   std::string name;    ///< as the file has it
   std::string folder;  ///< safe name of its folder, unlike that of every other
   TriMesh mesh;
@@ -22,8 +22,8 @@ struct GarmentPatch {
 };
 
 /// What the main job is to be done on.
-struct GarmentInput {
-  std::vector<GarmentPatch> patches;
+struct ProductInput {
+  std::vector<ProductPatch> patches;
   std::string path;  ///< of the file where there is one patch
   ReadResult whole;  ///< where there is one patch: the file as it is
 };
@@ -33,12 +33,12 @@ struct GarmentInput {
 /// @throws Error what read_mesh() throws where the path is a file; file_unreadable for a folder
 /// that
 ///   holds no mesh file
-GarmentInput read_garment(Session& session, const std::string& path);
+ProductInput read_product(Session& session, const std::string& path);
 
 /// Cuts an input of one patch open as --cut says; where that divides it, it has several patches
 /// from then on.
 /// @throws UsageError for an input of several patches, Error as cut_as_asked()
-std::optional<CutDone> cut_garment(GarmentInput& input, const Arguments& arguments,
+std::optional<CutDone> cut_product(ProductInput& input, const Arguments& arguments,
                                    Session& session);
 
 /// Names of folders and files that are sound everywhere and lead nowhere else: letters, digits,

@@ -1,4 +1,4 @@
-#include "product/garment_state.h"
+#include "product/state.h"
 
 #include <algorithm>
 #include <array>
@@ -105,7 +105,7 @@ bool is_twin(const Json& twin) {
   return twin.at("of").is_string() && twin.at("mirrored").is_boolean();
 }
 
-/// Whether it has what is told of every patch (garment_text.h).
+/// Whether it has what is told of every patch (product_text.h).
 bool is_report(const std::string& text) try {
   const Json report = parse_shallow(text);
   const Json& unfold = report.at("unfold");
@@ -135,8 +135,8 @@ std::vector<Vec2> in_the_plane(const std::vector<Vec3>& positions) {
 
 }  // namespace
 
-std::string job_of(const GarmentPatch& patch, const PatternOptions& furniture,
-                   const Arguments& arguments, const GarmentPatch* twin_of) {
+std::string job_of(const ProductPatch& patch, const PatternOptions& furniture,
+                   const Arguments& arguments, const ProductPatch* twin_of) {
   Json flags = Json::object();
   for (const auto& [flag, value] : arguments.flags) {
     if (std::find(k_idle_flags.begin(), k_idle_flags.end(), flag) == k_idle_flags.end()) {

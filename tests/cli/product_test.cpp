@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 
 #include "cli_run.h"
-#include "product/garment_parts.h"
+#include "product/parts.h"
 #include "support/meshes.h"
 #include "support/products.h"
 
@@ -48,7 +48,7 @@ CliResult flatten_product(const std::string& input, const std::string& folder,
   return planish(args, context);
 }
 
-class Garment : public CliTest {
+class Product : public CliTest {
  protected:
   void SetUp() override {
     CliTest::SetUp();
@@ -57,7 +57,7 @@ class Garment : public CliTest {
   }
 };
 
-TEST_F(Garment, TellsOfEachPatchWhetherItsPatternKeepsTheLimit) {
+TEST_F(Product, TellsOfEachPatchWhetherItsPatternKeepsTheLimit) {
   write_product("two.obj", {sample("round", "dome", 120), sample("tube", "cylinder", 120)});
   const Names args = {"flatten",         "two.obj", "-o",           "out",
                       "--formats",       "svg",     "--max-strain", "1%",
@@ -76,7 +76,7 @@ TEST_F(Garment, TellsOfEachPatchWhetherItsPatternKeepsTheLimit) {
   EXPECT_EQ(planish(looser).exit_code, k_exit_done);
 }
 
-TEST_F(Garment, GivesEveryPatchAFolderInsideTheOne) {
+TEST_F(Product, GivesEveryPatchAFolderInsideTheOne) {
   const CliResult result = flatten_product("coat.obj", "out");
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   for (const char* name : {"front", "back_.._.._up", "Front-2"}) {
@@ -93,7 +93,7 @@ TEST_F(Garment, GivesEveryPatchAFolderInsideTheOne) {
   EXPECT_THAT(result.out, HasSubstr("garment.json"));
 }
 
-TEST_F(Garment, MakesOfEachPatchWhatItsOwnRunMakes) {
+TEST_F(Product, MakesOfEachPatchWhatItsOwnRunMakes) {
   ASSERT_EQ(flatten_product("coat.obj", "out").exit_code, k_exit_done);
   write_mesh("front.obj", make_shape("dome", 300));
   ASSERT_EQ(flatten_product("front.obj", "alone", {"--piece-name", "front"}).exit_code,
@@ -104,7 +104,7 @@ TEST_F(Garment, MakesOfEachPatchWhatItsOwnRunMakes) {
   EXPECT_FALSE(std::filesystem::exists("alone/job.json"));
 }
 
-TEST_F(Garment, DoesNotDependOnTheNumberOfThreads) {
+TEST_F(Product, DoesNotDependOnTheNumberOfThreads) {
   ASSERT_EQ(flatten_product("coat.obj", "one", {"--threads", "1"}).exit_code, k_exit_done);
   ASSERT_EQ(flatten_product("coat.obj", "four", {"--threads", "4"}).exit_code, k_exit_done);
   for (const char* name : {"front", "back_.._.._up", "Front-2"}) {
@@ -115,7 +115,7 @@ TEST_F(Garment, DoesNotDependOnTheNumberOfThreads) {
   }
 }
 
-TEST_F(Garment, TellsTheSeamsAndMakesThemMatchOnRequest) {
+TEST_F(Product, TellsTheSeamsAndMakesThemMatchOnRequest) {
   write_product("two.obj", halves());
   const auto plain = flatten_product("two.obj", "plain", {"--json"}).json();
   const auto matched = flatten_product("two.obj", "matched", {"--json", "--match-seams"}).json();
@@ -134,7 +134,7 @@ TEST_F(Garment, TellsTheSeamsAndMakesThemMatchOnRequest) {
   EXPECT_GT(plain["patches"][0]["unfold"]["border_strain"], 1e-6);
 }
 
-TEST_F(Garment, FindsTheSeamsOfPatchesWithFewerVerticesInside) {
+TEST_F(Product, FindsTheSeamsOfPatchesWithFewerVerticesInside) {
   write_product("two.obj", halves(12));
   const auto whole = flatten_product("two.obj", "whole", {"--json"}).json();
   const Names fewer = {"--json", "--match-seams", "--remesh"};
@@ -151,7 +151,7 @@ TEST_F(Garment, FindsTheSeamsOfPatchesWithFewerVerticesInside) {
   EXPECT_EQ(flatten_product("two.obj", "out", again).json()["seams"], result["seams"]);
 }
 
-TEST_F(Garment, GoesOnWhereOnePatchIsBad) {
+TEST_F(Product, GoesOnWhereOnePatchIsBad) {
   NamedPatch tube = {"tube", meshes::tube(8, 3), {}};
   write_product("coat.obj", {sample("front", "dome", 300), tube, sample("back", "saddle", 300)});
   const CliResult result = flatten_product("coat.obj", "out");
@@ -165,7 +165,7 @@ TEST_F(Garment, GoesOnWhereOnePatchIsBad) {
   EXPECT_TRUE(json["patches"][0]["error"].is_null());
 }
 
-TEST_F(Garment, ReadsFoldersOfMeshFiles) {
+TEST_F(Product, ReadsFoldersOfMeshFiles) {
   std::filesystem::create_directories("parts");
   write_mesh("parts/a.ply", make_shape("dome", 200));
   write_mesh("parts/b.obj", make_shape("saddle", 200));
@@ -180,7 +180,7 @@ TEST_F(Garment, ReadsFoldersOfMeshFiles) {
   EXPECT_THAT(flatten_product("none", "out2").err, HasSubstr("no mesh file"));
 }
 
-TEST_F(Garment, RefusesFlagsThatGoWithTheOtherKindOfInput) {
+TEST_F(Product, RefusesFlagsThatGoWithTheOtherKindOfInput) {
   std::ofstream("fixed.txt") << "0\n";
   EXPECT_EQ(flatten_product("coat.obj", "out", {"--fix", "fixed.txt"}).exit_code, k_exit_usage);
   EXPECT_EQ(flatten_product("panel.obj", "out", {"--resume"}).exit_code, k_exit_usage);
@@ -217,7 +217,7 @@ std::vector<std::string> lasting_contents(const std::string& folder) {
   return contents;
 }
 
-TEST_F(Garment, ResumesAnInterruptedRunWithTheSameResult) {
+TEST_F(Product, ResumesAnInterruptedRunWithTheSameResult) {
   std::filesystem::create_directories("a");
   std::filesystem::create_directories("b");
   std::filesystem::copy_file("coat.obj", "a/coat.obj");
@@ -250,7 +250,7 @@ TEST_F(Garment, ResumesAnInterruptedRunWithTheSameResult) {
   std::filesystem::current_path(here);
 }
 
-TEST_F(Garment, ResumesOnlyWhatIsOfTheSameJob) {
+TEST_F(Product, ResumesOnlyWhatIsOfTheSameJob) {
   ASSERT_EQ(flatten_product("coat.obj", "out").exit_code, k_exit_done);
   const auto kept = [](const std::string& err) {
     std::size_t count = 0;

@@ -8,15 +8,15 @@
 #include <planish/mesh/twins.h>
 #include <planish/pattern/pattern_options.h>
 
-#include "product/garment_parts.h"
+#include "product/parts.h"
 
 namespace planish::cli {
 
 /// By patch: the earlier one that it is the mirror image of, or equal to.
-using GarmentTwins = std::vector<std::optional<MeshTwin>>;
+using ProductTwins = std::vector<std::optional<MeshTwin>>;
 
 /// @param stopped as find_twins() has it
-GarmentTwins twins_among(const std::vector<GarmentPatch>& patches,
+ProductTwins twins_among(const std::vector<ProductPatch>& patches,
                          const std::function<bool()>& stopped);
 
 /// The options of a twin's own pattern: it is drawn as the other one.
@@ -29,6 +29,6 @@ using TwinGroup = std::vector<std::size_t>;
 /// Divides patches into groups; a twin whose other one is not among them is alone.
 /// @param numbers of patches, in any order; groups come in the order of their first ones
 std::vector<TwinGroup> groups_of(const std::vector<std::size_t>& numbers,
-                                 const GarmentTwins& twins);
+                                 const ProductTwins& twins);
 
 }  // namespace planish::cli

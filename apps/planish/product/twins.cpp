@@ -1,4 +1,4 @@
-#include "product/garment_twins.h"
+#include "product/twins.h"
 
 #include <utility>
 
@@ -6,11 +6,11 @@
 
 namespace planish::cli {
 
-GarmentTwins twins_among(const std::vector<GarmentPatch>& patches,
+ProductTwins twins_among(const std::vector<ProductPatch>& patches,
                          const std::function<bool()>& stopped) {
   std::vector<const TriMesh*> meshes;
   meshes.reserve(patches.size());
-  for (const GarmentPatch& patch : patches)
+  for (const ProductPatch& patch : patches)
     meshes.push_back(&patch.mesh);
   return find_twins(meshes, k_twin_tolerance, stopped);
 }
@@ -24,7 +24,7 @@ PatternOptions furniture_of_twin(PatternOptions own, const TriMesh& of, const Me
 }
 
 std::vector<TwinGroup> groups_of(const std::vector<std::size_t>& numbers,
-                                 const GarmentTwins& twins) {
+                                 const ProductTwins& twins) {
   std::vector<unsigned char> there(twins.size(), 0);
   for (const std::size_t p : numbers)
     there[p] = 1;

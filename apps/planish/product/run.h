@@ -8,8 +8,8 @@
 
 #include <planish/core/vec.h>
 
-#include "product/garment_job.h"
-#include "product/garment_twins.h"
+#include "product/job.h"
+#include "product/twins.h"
 
 namespace planish::cli {
 
@@ -35,7 +35,7 @@ PatchFailure current_failure();
 /// among the patches and does not fail.
 /// @param numbers of the patches to be flattened
 /// @param on_done false cancels the rest, which is handed on too
-void flatten_patches(const GarmentJob& job, const GarmentTwins& twins,
+void flatten_patches(const ProductJob& job, const ProductTwins& twins,
                      std::vector<std::size_t> numbers, unsigned threads,
                      const std::function<bool()>& interrupted,
                      const std::function<bool(std::size_t, FlattenedPatch)>& on_done);

@@ -10,7 +10,7 @@
 #include <planish/io/write_file.h>
 #include <planish/pattern/pattern_options.h>
 
-#include "product/garment_parts.h"
+#include "product/parts.h"
 #include "shell/command.h"
 #include "shell/session.h"
 
@@ -25,9 +25,9 @@ struct PatchFiles {
 struct NestRequest;
 
 /// The main job on a product of several patches.
-struct GarmentJob {
+struct ProductJob {
   std::string path;  ///< of the input, for people
-  std::vector<GarmentPatch> patches;
+  std::vector<ProductPatch> patches;
   std::filesystem::path folder;  ///< each patch's is in it
   FlattenOptions options;
   std::vector<PatternOptions> furniture;  ///< of each patch
@@ -40,7 +40,7 @@ struct GarmentJob {
 };
 
 /// --resume and --seam-tolerance.
-std::vector<Flag> garment_flags();
+std::vector<Flag> product_flags();
 
 /// @throws UsageError for flags that make sense only with several patches
 void refuse_garment_flags(const Arguments& arguments);
@@ -49,13 +49,13 @@ void refuse_garment_flags(const Arguments& arguments);
 /// seams.
 /// @throws UsageError for flags that make sense only with one patch, Error as seam_notches_from()
 std::vector<PatternOptions> furniture_of_patches(const PatternOptions& furniture,
-                                                 const std::vector<GarmentPatch>& patches,
+                                                 const std::vector<ProductPatch>& patches,
                                                  const Arguments& arguments);
 
 /// Flattens every patch, each on one thread, and writes each into its folder as it is done; then
 /// the seams of the whole into garment.json. A patch that fails is told by name and does not stop
 /// the others. Results do not depend on the number of threads.
 /// @throws Error as Session::write()
-Outcome run_garment(const GarmentJob& job, const Arguments& arguments, Session& session);
+Outcome run_product(const ProductJob& job, const Arguments& arguments, Session& session);
 
 }  // namespace planish::cli

@@ -1,4 +1,4 @@
-#include "product/garment_seams.h"
+#include "product/seams.h"
 
 #include <utility>
 

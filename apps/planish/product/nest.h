@@ -8,7 +8,7 @@
 #include <planish/sheet/nest_sheet.h>
 
 #include "output/pattern_output.h"
-#include "product/garment_run.h"
+#include "product/run.h"
 #include "shell/command.h"
 #include "shell/session.h"
 

@@ -1,5 +1,3 @@
-#include "product/garment_twins.h"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -11,6 +9,7 @@
 
 #include "cli_run.h"
 #include "oracle/drawn_lines.h"
+#include "product/twins.h"
 #include "support/products.h"
 #include "support/twins.h"
 
@@ -37,7 +36,7 @@ CliResult flatten_product(const std::string& folder, const std::vector<std::stri
   return planish(args);
 }
 
-class GarmentTwinsTest : public CliTest {
+class ProductTwinsTest : public CliTest {
  protected:
   void SetUp() override {
     CliTest::SetUp();
@@ -108,7 +107,7 @@ Lines pdf_cut(const std::string& path) {
   return lines;
 }
 
-TEST_F(GarmentTwinsTest, WriteTheMirrorImageToTheLastDigit) {
+TEST_F(ProductTwinsTest, WriteTheMirrorImageToTheLastDigit) {
   ASSERT_EQ(flatten_product("out", {"--allowance", "7mm"}).exit_code, k_exit_done);
   const auto file = [](const std::string& piece, const char* kind) {
     return "out/" + piece + "/pattern." + kind;
@@ -132,7 +131,7 @@ TEST_F(GarmentTwinsTest, WriteTheMirrorImageToTheLastDigit) {
   EXPECT_EQ(places("out/left/flat.obj", 1.0), places("out/right/flat.obj", -1.0));
 }
 
-TEST_F(GarmentTwinsTest, SayInWordsWhoseTheyAre) {
+TEST_F(ProductTwinsTest, SayInWordsWhoseTheyAre) {
   const CliResult result = flatten_product("out", {"--formats", "svg"});
   EXPECT_THAT(result.err, testing::ContainsRegex("right .* mirror image of left\n"));
   EXPECT_THAT(result.err, testing::ContainsRegex("spare .* equal to left\n"));
@@ -153,7 +152,7 @@ TEST_F(GarmentTwinsTest, SayInWordsWhoseTheyAre) {
   EXPECT_EQ(report["name"], "right");
 }
 
-TEST_F(GarmentTwinsTest, LieMirroredInTheDrawingOfTheProduct) {
+TEST_F(ProductTwinsTest, LieMirroredInTheDrawingOfTheProduct) {
   ASSERT_EQ(flatten_product("out", {"--formats", "svg"}).exit_code, k_exit_done);
   const Lines cuts = svg_layer("out/garment.svg", "cut");
   ASSERT_EQ(cuts.size(), 4U);
@@ -175,7 +174,7 @@ TEST_F(GarmentTwinsTest, LieMirroredInTheDrawingOfTheProduct) {
   EXPECT_EQ(outline(cuts[0], 1.0), outline(cuts[3], 1.0));
 }
 
-TEST_F(GarmentTwinsTest, AreTheSameOnAnyNumberOfThreads) {
+TEST_F(ProductTwinsTest, AreTheSameOnAnyNumberOfThreads) {
   for (const char* threads : {"1", "4"})
     ASSERT_EQ(flatten_product(threads, {"--threads", threads}).exit_code, k_exit_done);
   for (const char* name : {"left", "back", "right", "spare"}) {
@@ -186,7 +185,7 @@ TEST_F(GarmentTwinsTest, AreTheSameOnAnyNumberOfThreads) {
   }
 }
 
-TEST_F(GarmentTwinsTest, LeaveTheOtherOneAsItIsAlone) {
+TEST_F(ProductTwinsTest, LeaveTheOtherOneAsItIsAlone) {
   ASSERT_EQ(flatten_product("out", {"--formats", "svg"}).exit_code, k_exit_done);
   write_mesh("left.obj", sleeve());
   ASSERT_EQ(planish({"flatten", "left.obj", "-o", "alone", "--unit", "cm", "--method",
@@ -197,7 +196,7 @@ TEST_F(GarmentTwinsTest, LeaveTheOtherOneAsItIsAlone) {
     EXPECT_EQ(content_of(std::string("out/left") + file), content_of(std::string("alone") + file));
 }
 
-TEST_F(GarmentTwinsTest, AreKeptAndMadeAnewOnResume) {
+TEST_F(ProductTwinsTest, AreKeptAndMadeAnewOnResume) {
   ASSERT_EQ(flatten_product("out").exit_code, k_exit_done);
   const std::string pattern = content_of("out/right/pattern.svg");
   const std::string picture = content_of("out/garment.svg");
@@ -220,7 +219,7 @@ TEST_F(GarmentTwinsTest, AreKeptAndMadeAnewOnResume) {
   EXPECT_EQ(content_of("out/garment.svg"), picture);
 }
 
-TEST_F(GarmentTwinsTest, HaveTheGrainMirroredThatIsAnAngle) {
+TEST_F(ProductTwinsTest, HaveTheGrainMirroredThatIsAnAngle) {
   ASSERT_EQ(flatten_product("out", {"--grain", "20", "--formats", "svg"}).exit_code, k_exit_done);
   const auto direction = [](const std::string& piece) {
     const Lines lines = svg_layer("out/" + piece + "/pattern.svg", "grain");
@@ -232,7 +231,7 @@ TEST_F(GarmentTwinsTest, HaveTheGrainMirroredThatIsAnAngle) {
   EXPECT_NEAR(direction("spare"), direction("left"), 1e-3);
 }
 
-TEST_F(GarmentTwinsTest, AreWorkedOnAloneWhereTheOtherOneFails) {
+TEST_F(ProductTwinsTest, AreWorkedOnAloneWhereTheOtherOneFails) {
   write_product("coat.obj", {{"left", meshes::tube(8, 3), {}}, {"right", meshes::tube(8, 3), {}}});
   const CliResult result = flatten_product("out");
   EXPECT_EQ(result.exit_code, k_exit_failed);
@@ -240,7 +239,7 @@ TEST_F(GarmentTwinsTest, AreWorkedOnAloneWhereTheOtherOneFails) {
   EXPECT_THAT(result.err, HasSubstr("right: "));
 }
 
-TEST_F(GarmentTwinsTest, MayBeSingleTriangles) {
+TEST_F(ProductTwinsTest, MayBeSingleTriangles) {
   const TriMesh one{{{0, 0, 0}, {30, 0, 0}, {10, 10, 25}}, {{0, 1, 2}}};
   TriMesh pair = one;
   pair.positions.push_back({0, 30, 0});  // two triangles, or all would be loose
@@ -253,7 +252,7 @@ TEST_F(GarmentTwinsTest, MayBeSingleTriangles) {
                   svg_layer("out/right/pattern.svg", "cut"));
 }
 
-TEST_F(GarmentTwinsTest, KeepTheLengthsOfSeamsThatMatch) {
+TEST_F(ProductTwinsTest, KeepTheLengthsOfSeamsThatMatch) {
   // Left and right meet in the middle of the model, where x is 0.
   const TriMesh right = meshes::rough_grid(8, 6, 4, 0.2, 0.3);
   TriMesh straight = right;
@@ -269,7 +268,7 @@ TEST_F(GarmentTwinsTest, KeepTheLengthsOfSeamsThatMatch) {
 }
 
 TEST(TwinGroups, ComeInTheOrderOfTheirFirstOnes) {
-  GarmentTwins twins(5);
+  ProductTwins twins(5);
   twins[2] = MeshTwin{0, {}};
   twins[3] = MeshTwin{1, {}};
   twins[4] = MeshTwin{0, {}};

@@ -1,4 +1,4 @@
-#include "product/garment_text.h"
+#include "product/text.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t k_name_width = 20;
 
-Json seam_side(const GarmentJob& job, const SeamSide& side, const std::optional<double>& length) {
+Json seam_side(const ProductJob& job, const SeamSide& side, const std::optional<double>& length) {
   Json json = {{"patch", job.patches[side.patch].name},
                {"first_vertex", side.vertices.front()},
                {"last_vertex", side.vertices.back()},
@@ -27,7 +27,7 @@ Json seam_side(const GarmentJob& job, const SeamSide& side, const std::optional<
   return json;
 }
 
-Json seam_entry(const GarmentJob& job, const SeamLengths& seam, std::size_t number) {
+Json seam_entry(const ProductJob& job, const SeamLengths& seam, std::size_t number) {
   Json json = {{"number", number}, {"length_on_model", seam.on_model}};
   json["sides"] = {seam_side(job, seam.seam.sides[0], seam.in_pattern[0]),
                    seam_side(job, seam.seam.sides[1], seam.in_pattern[1])};
@@ -37,7 +37,7 @@ Json seam_entry(const GarmentJob& job, const SeamLengths& seam, std::size_t numb
   return json;
 }
 
-Json patch_entry(const GarmentPatch& patch, const PatchOutcome& outcome) {
+Json patch_entry(const ProductPatch& patch, const PatchOutcome& outcome) {
   Json json = {{"name", patch.name},
                {"folder", patch.folder},
                {"vertices", patch.mesh.positions.size()},
@@ -106,7 +106,7 @@ std::vector<SeamLengths> measure_seams(const std::vector<PatchOutcome>& outcomes
   return measured;
 }
 
-std::string garment_json(const GarmentJob& job, const std::vector<PatchOutcome>& outcomes,
+std::string product_json(const ProductJob& job, const std::vector<PatchOutcome>& outcomes,
                          const std::vector<SeamLengths>& seams) {
   Json patches = Json::array(), list = Json::array();
   for (std::size_t p = 0; p < outcomes.size(); ++p)
@@ -132,7 +132,7 @@ bool missed_limit(const PatchOutcome& outcome) {
   return report.is_object() && any_limit_is_missed(report["limits"]);
 }
 
-std::string patch_line(const GarmentPatch& patch, const PatchOutcome& outcome) {
+std::string patch_line(const ProductPatch& patch, const PatchOutcome& outcome) {
   const std::string name = left(short_name(patch.name), k_name_width) + " ";
   if (outcome.failure) return name + "failed: " + outcome.failure->message;
   const Json report = Json::parse(outcome.report, nullptr, false);
@@ -155,7 +155,7 @@ std::string twins_text(const std::vector<PatchOutcome>& outcomes) {
          (count == 1 ? " is" : " are") + " made from another one, of the same shape or mirrored.\n";
 }
 
-std::string seams_text(const GarmentJob& job, const std::vector<SeamLengths>& seams) {
+std::string seams_text(const ProductJob& job, const std::vector<SeamLengths>& seams) {
   if (seams.empty()) return "\nNo two borders lie at the same places: there are no seams.\n";
   std::string text = "\nSeams, in mm:   model     pattern of both sides   difference\n";
   for (std::size_t s = 0; s < seams.size(); ++s) {

@@ -1,4 +1,4 @@
-#include "product/garment_job.h"
+#include "product/job.h"
 
 #include <algorithm>
 #include <thread>
@@ -6,14 +6,14 @@
 
 #include <planish/draw/write_svg.h>
 #include <planish/platform/path.h>
-#include <planish/sheet/garment_sheet.h>
+#include <planish/sheet/product_sheet.h>
 
-#include "product/garment_nest.h"
-#include "product/garment_run.h"
-#include "product/garment_seams.h"
-#include "product/garment_state.h"
-#include "product/garment_text.h"
-#include "product/garment_twins.h"
+#include "product/nest.h"
+#include "product/run.h"
+#include "product/seams.h"
+#include "product/state.h"
+#include "product/text.h"
+#include "product/twins.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/text.h"
@@ -34,14 +34,14 @@ void refuse_single_patch_flags(const Arguments& arguments) {
 }
 
 /// One run over all patches.
-class GarmentRun {
+class ProductRun {
  public:
-  GarmentRun(const GarmentJob& job, const Arguments& arguments, Session& session)
+  ProductRun(const ProductJob& job, const Arguments& arguments, Session& session)
       : job_(job), arguments_(arguments), session_(session), outcomes_(job.patches.size()) {
     twins_ = twins_among(job.patches, [&] { return session.interrupted(); });
     jobs_.reserve(job.patches.size());
     for (std::size_t p = 0; p < job.patches.size(); ++p) {
-      const GarmentPatch* twin_of = twins_[p] ? &job.patches[twins_[p]->of] : nullptr;
+      const ProductPatch* twin_of = twins_[p] ? &job.patches[twins_[p]->of] : nullptr;
       jobs_.push_back(job_of(job.patches[p], job.furniture[p], arguments, twin_of));
       outcomes_[p].mesh = job.patches[p].mesh;
     }
@@ -61,7 +61,7 @@ class GarmentRun {
     const auto seams = measure_seams(outcomes_, seams_from(arguments_, meshes), job_.options.unit);
     const auto nesting = laid_on_sheets(meshes);
     if (session_.interrupted()) return cancelled();
-    const std::string json = json_with_nesting(garment_json(job_, outcomes_, seams), nesting);
+    const std::string json = json_with_nesting(product_json(job_, outcomes_, seams), nesting);
     std::vector<OutputFile> files = {{job_.folder / "garment.json", json},
                                      {job_.folder / "garment.svg", picture(seams)}};
     if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
@@ -77,7 +77,7 @@ class GarmentRun {
 
  private:
   std::string picture(const std::vector<SeamLengths>& measured) const {
-    std::vector<GarmentPiece> pieces;
+    std::vector<ProductPiece> pieces;
     std::vector<Seam> seams;
     pieces.reserve(outcomes_.size());
     seams.reserve(measured.size());
@@ -88,7 +88,7 @@ class GarmentRun {
     for (const SeamLengths& seam : measured)
       seams.push_back(seam.seam);
     const std::string title = stem_of(job_.path);
-    return write_svg(garment_sheet(pieces, seams, job_.options.unit, title));
+    return write_svg(product_sheet(pieces, seams, job_.options.unit, title));
   }
 
   /// Whose places a pattern has; nothing for others, nor where vertices have got other numbers.
@@ -115,7 +115,7 @@ class GarmentRun {
     if (!job_.nest) return std::nullopt;
     std::vector<std::string> names;
     names.reserve(job_.patches.size());
-    for (const GarmentPatch& patch : job_.patches)
+    for (const ProductPatch& patch : job_.patches)
       names.push_back(patch.name);
     std::vector<std::vector<Notch>> notches = seam_notches_from(arguments_, meshes, names);
     std::vector<NestPatch> patches;
@@ -137,7 +137,7 @@ class GarmentRun {
   }
 
   std::optional<PatchResults> kept_results(std::size_t p) const {
-    const GarmentPatch& patch = job_.patches[p];
+    const ProductPatch& patch = job_.patches[p];
     if (!arguments_.has("--resume") || patch.failure) return std::nullopt;
     return finished_results(jobs_[p], job_.folder / path_of(patch.folder));
   }
@@ -174,7 +174,7 @@ class GarmentRun {
 
   bool take(std::size_t p, FlattenedPatch done) {
     PatchOutcome& outcome = outcomes_[p];
-    const GarmentPatch& patch = job_.patches[p];
+    const ProductPatch& patch = job_.patches[p];
     outcome.failure = std::move(done.failure);
     if (!outcome.failure && !done.files) interrupted_ = true;
     if (done.files) write(p, std::move(done));
@@ -233,10 +233,10 @@ class GarmentRun {
     return outcome;
   }
 
-  const GarmentJob& job_;
+  const ProductJob& job_;
   const Arguments& arguments_;
   Session& session_;
-  GarmentTwins twins_;
+  ProductTwins twins_;
   std::vector<std::string> jobs_;
   std::vector<PatchOutcome> outcomes_;
   std::size_t finished_ = 0;
@@ -245,7 +245,7 @@ class GarmentRun {
 
 }  // namespace
 
-std::vector<Flag> garment_flags() {
+std::vector<Flag> product_flags() {
   return {
       {"--resume", "",
        "of several patches, keep those whose results are there, whole and of the same job"},
@@ -266,14 +266,14 @@ void refuse_garment_flags(const Arguments& arguments) {
 }
 
 std::vector<PatternOptions> furniture_of_patches(const PatternOptions& furniture,
-                                                 const std::vector<GarmentPatch>& patches,
+                                                 const std::vector<ProductPatch>& patches,
                                                  const Arguments& arguments) {
   refuse_single_patch_flags(arguments);
   std::vector<TriMesh> meshes;
   std::vector<std::string> names;
   meshes.reserve(patches.size());
   names.reserve(patches.size());
-  for (const GarmentPatch& patch : patches) {
+  for (const ProductPatch& patch : patches) {
     meshes.push_back(patch.mesh);
     names.push_back(patch.name);
   }
@@ -286,8 +286,8 @@ std::vector<PatternOptions> furniture_of_patches(const PatternOptions& furniture
   return result;
 }
 
-Outcome run_garment(const GarmentJob& job, const Arguments& arguments, Session& session) {
-  GarmentRun run(job, arguments, session);
+Outcome run_product(const ProductJob& job, const Arguments& arguments, Session& session) {
+  ProductRun run(job, arguments, session);
   run.flatten();
   return run.finish();
 }

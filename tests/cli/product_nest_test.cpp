@@ -16,7 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class GarmentNest : public CliTest {
+class ProductNest : public CliTest {
  protected:
   void SetUp() override {
     CliTest::SetUp();
@@ -69,7 +69,7 @@ oracle::OutlineBox box_as_told(const nlohmann::json& placement, const std::strin
   return oracle::outline_box(corners);
 }
 
-TEST_F(GarmentNest, TellsWhereThePiecesLieInTheDrawing) {
+TEST_F(ProductNest, TellsWhereThePiecesLieInTheDrawing) {
   const CliResult result = lay_out(
       "coat", {"--sheet", "6m", "--unit", "cm", "--quantity", "2", "--grain", "30deg", "--json"});
   ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
@@ -94,7 +94,7 @@ TEST_F(GarmentNest, TellsWhereThePiecesLieInTheDrawing) {
   EXPECT_NEAR(nesting["used_length"].get<double>(), farthest, 0.001);
 }
 
-TEST_F(GarmentNest, PlacesAreThoseOfTheFlatMeshes) {
+TEST_F(ProductNest, PlacesAreThoseOfTheFlatMeshes) {
   const auto nesting = lay_out("coat", {"--sheet", "600mm", "--json"}).json()["nesting"];
   const auto cuts = lines_in_dxf("out/layout.dxf", "cut");
   ASSERT_EQ(cuts.size(), nesting["placements"].size());
@@ -111,7 +111,7 @@ TEST_F(GarmentNest, PlacesAreThoseOfTheFlatMeshes) {
   EXPECT_EQ(nesting["placements"][0]["sheet"], 1);
 }
 
-TEST_F(GarmentNest, WritesADrawingForEachSheet) {
+TEST_F(ProductNest, WritesADrawingForEachSheet) {
   const auto one = lay_out("coat", {"--sheet", "600", "--json"}).json()["nesting"];
   ASSERT_TRUE(one["error"].is_null());
   double longest = 0.0;
@@ -132,7 +132,7 @@ TEST_F(GarmentNest, WritesADrawingForEachSheet) {
   EXPECT_EQ(drawn, 4U);
 }
 
-TEST_F(GarmentNest, NamesThePieceThatFitsOnNoSheetAndKeepsTheRest) {
+TEST_F(ProductNest, NamesThePieceThatFitsOnNoSheetAndKeepsTheRest) {
   const CliResult result = lay_out("coat", {"--sheet", "0.5mm", "--nest-gap", "0"});
   EXPECT_EQ(result.exit_code, k_exit_failed);
   EXPECT_THAT(result.err, HasSubstr("the pieces could not be laid on sheets: piece \"back\" is "));
@@ -144,7 +144,7 @@ TEST_F(GarmentNest, NamesThePieceThatFitsOnNoSheetAndKeepsTheRest) {
               HasSubstr("✗ does not fit a roll of width 0.5 mm</span>"));
 }
 
-TEST_F(GarmentNest, PagesOfPatchesSayWhetherTheyFit) {
+TEST_F(ProductNest, PagesOfPatchesSayWhetherTheyFit) {
   ASSERT_EQ(lay_out("coat", {"--sheet", "600", "--allowance", "10mm"}).exit_code, k_exit_done);
   for (const std::string name : {"back", "front"}) {
     const std::string page = content_of("out/" + name + "/report.html");
@@ -153,7 +153,7 @@ TEST_F(GarmentNest, PagesOfPatchesSayWhetherTheyFit) {
   }
 }
 
-TEST_F(GarmentNest, KeepsFinishedPatchesWhereOnlyTheSheetIsAnother) {
+TEST_F(ProductNest, KeepsFinishedPatchesWhereOnlyTheSheetIsAnother) {
   ASSERT_EQ(lay_out("coat", {"--sheet", "600"}).exit_code, k_exit_done);
   const std::string before = content_of("out/layout.dxf");
   const CliResult again = lay_out("coat", {"--sheet", "600", "--resume"});
@@ -164,7 +164,7 @@ TEST_F(GarmentNest, KeepsFinishedPatchesWhereOnlyTheSheetIsAnother) {
   EXPECT_NE(content_of("out/layout.dxf"), before);
 }
 
-TEST_F(GarmentNest, LeavesOutAndTellsWhatFailed) {
+TEST_F(ProductNest, LeavesOutAndTellsWhatFailed) {
   std::ofstream("coat/bad.obj") << "v 0 0\n";
   const CliResult result = lay_out("coat", {"--sheet", "600"});
   EXPECT_EQ(result.exit_code, k_exit_failed);
@@ -174,7 +174,7 @@ TEST_F(GarmentNest, LeavesOutAndTellsWhatFailed) {
   EXPECT_THAT(json["nesting"]["left_out"], ElementsAre("bad"));
 }
 
-TEST_F(GarmentNest, LaysCopiesOfASinglePatch) {
+TEST_F(ProductNest, LaysCopiesOfASinglePatch) {
   const CliResult result =
       lay_out("panel.obj", {"--sheet", "1m", "--quantity", "5", "--allowance", "10mm", "--json"});
   ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
@@ -184,7 +184,7 @@ TEST_F(GarmentNest, LaysCopiesOfASinglePatch) {
   EXPECT_EQ(lay_out("panel.obj", {"--sheet", "1mm"}).exit_code, k_exit_failed);
 }
 
-TEST_F(GarmentNest, RefusesFlagsThatMakeNoSense) {
+TEST_F(ProductNest, RefusesFlagsThatMakeNoSense) {
   const auto exit_code = [](const Names& flags) { return lay_out("coat", flags).exit_code; };
   EXPECT_EQ(exit_code({"--turn", "none"}), k_exit_usage);
   EXPECT_EQ(exit_code({"--nest-gap", "3mm"}), k_exit_usage);

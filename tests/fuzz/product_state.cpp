@@ -1,15 +1,14 @@
 // What --resume reads from the folder of an earlier run, which anybody may have written.
 
-#include "product/garment_state.h"
-
 #include <planish/core/fnv_hash.h>
 #include <planish/io/write_mesh.h>
 
 #include "fuzz/check.h"
 #include "fuzz/temporary_folder.h"
-#include "product/garment_job.h"
-#include "product/garment_seams.h"
-#include "product/garment_text.h"
+#include "product/job.h"
+#include "product/seams.h"
+#include "product/state.h"
+#include "product/text.h"
 #include "support/meshes.h"
 
 using namespace planish;
@@ -46,14 +45,14 @@ OutputFile job_of_all(const std::string& job, const std::map<std::string, std::s
 }
 
 /// What a run does with results that it keeps.
-void tell(const GarmentPatch& patch, const PatchResults& results) {
+void tell(const ProductPatch& patch, const PatchResults& results) {
   fuzz::check(results.pattern.size() == results.mesh.positions.size(),
               "a pattern has a place for every vertex");
   for (const Vec2 p : results.pattern)
     fuzz::check(fuzz::is_finite(p), "patterns are finite");
   const std::vector<PatchOutcome> outcomes = {
       {.failure = {}, .report = results.report, .mesh = results.mesh, .pattern = results.pattern}};
-  const GarmentJob job{.path = "product.obj",
+  const ProductJob job{.path = "product.obj",
                        .patches = {patch},
                        .folder = ".",
                        .options = {},
@@ -61,7 +60,7 @@ void tell(const GarmentPatch& patch, const PatchResults& results) {
                        .files_of = {}};
   const auto seams = measure_seams(outcomes, seams_from({}, {&results.mesh, 1}), Unit::mm);
   fuzz::check(!patch_line(patch, outcomes.front()).empty(), "every patch has a line");
-  fuzz::check(!garment_json(job, outcomes, seams).empty(), "the whole is told");
+  fuzz::check(!product_json(job, outcomes, seams).empty(), "the whole is told");
   missed_target(outcomes.front());
   seams_text(job, seams);
 }
@@ -71,7 +70,7 @@ void tell(const GarmentPatch& patch, const PatchResults& results) {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::TemporaryFolder folder;
   auto files = files_in({reinterpret_cast<const char*>(data), size});
-  const GarmentPatch patch{"piece", "piece", meshes::flat_grid(2, 2)};
+  const ProductPatch patch{"piece", "piece", meshes::flat_grid(2, 2)};
   const std::string job = job_of(patch, {}, {});
   // A file of that name in the input stands as it is.
   if (!files.contains("job.json")) files["job.json"] = job_of_all(job, files).content;

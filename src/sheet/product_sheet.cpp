@@ -5,7 +5,7 @@
 
 #include <planish/flatten/twin_report.h>
 #include <planish/mesh/connectivity.h>
-#include <planish/sheet/garment_sheet.h>
+#include <planish/sheet/product_sheet.h>
 
 #include "sheet/mirrored_place.h"
 
@@ -42,7 +42,7 @@ struct Layout {
 };
 
 /// Rows from the top of the sheet down, as wide as makes it about square.
-Layout lay_out(std::span<const GarmentPiece> pieces, double scale) {
+Layout lay_out(std::span<const ProductPiece> pieces, double scale) {
   Layout layout;
   layout.corners.resize(pieces.size());
   layout.name_at.resize(pieces.size());
@@ -102,7 +102,7 @@ void lay_like_twin(const PieceTwin& twin, std::size_t piece, Layout& layout) {
   }
 }
 
-std::string name_of(std::span<const GarmentPiece> pieces, std::size_t number) {
+std::string name_of(std::span<const ProductPiece> pieces, std::size_t number) {
   const auto& twin = pieces[number].twin;
   const std::string& name = pieces[number].name;
   return twin ? name + " (" + twin_text({pieces[twin->piece].name, twin->mirrored}) + ")" : name;
@@ -118,7 +118,7 @@ std::vector<Vec2> line_of(const std::vector<Index>& vertices, const std::vector<
 
 }  // namespace
 
-Drawing garment_sheet(std::span<const GarmentPiece> pieces, std::span<const Seam> seams, Unit unit,
+Drawing product_sheet(std::span<const ProductPiece> pieces, std::span<const Seam> seams, Unit unit,
                       const std::string& title) {
   Layout layout = lay_out(pieces, millimetres_per(unit));
   for (std::size_t p = 0; p < pieces.size(); ++p) {

@@ -1,4 +1,4 @@
-#include "product/garment_nest.h"
+#include "product/nest.h"
 
 #include <algorithm>
 #include <array>

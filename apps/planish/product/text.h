@@ -7,7 +7,7 @@
 
 #include <planish/mesh/seams.h>
 
-#include "product/garment_run.h"
+#include "product/run.h"
 
 namespace planish::cli {
 
@@ -35,7 +35,7 @@ std::vector<SeamLengths> measure_seams(const std::vector<PatchOutcome>& outcomes
                                        std::vector<Seam> seams, Unit unit);
 
 /// The content of garment.json.
-std::string garment_json(const GarmentJob& job, const std::vector<PatchOutcome>& outcomes,
+std::string product_json(const ProductJob& job, const std::vector<PatchOutcome>& outcomes,
                          const std::vector<SeamLengths>& seams);
 
 /// Whether a finished patch ended for another reason than that it reached its target.
@@ -45,12 +45,12 @@ bool missed_target(const PatchOutcome& outcome);
 bool missed_limit(const PatchOutcome& outcome);
 
 /// A line on a finished patch.
-std::string patch_line(const GarmentPatch& patch, const PatchOutcome& outcome);
+std::string patch_line(const ProductPatch& patch, const PatchOutcome& outcome);
 
 /// How many patches were made from others; empty where none was.
 std::string twins_text(const std::vector<PatchOutcome>& outcomes);
 
 /// The seams as people read them.
-std::string seams_text(const GarmentJob& job, const std::vector<SeamLengths>& seams);
+std::string seams_text(const ProductJob& job, const std::vector<SeamLengths>& seams);
 
 }  // namespace planish::cli

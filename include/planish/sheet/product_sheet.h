@@ -20,7 +20,7 @@ struct PieceTwin {
 };
 
 /// A patch of a product laid flat.
-struct GarmentPiece {
+struct ProductPiece {
   std::string name;
   TriMesh mesh;
   std::vector<Vec2> pattern;  ///< model units; empty where the patch has none: then it is left out
@@ -33,7 +33,7 @@ struct GarmentPiece {
 /// its number, from 1). What is written of twins in thousandths of a millimetre is mirrored digit
 /// by digit.
 /// @param seams of the pieces, by their numbers
-Drawing garment_sheet(std::span<const GarmentPiece> pieces, std::span<const Seam> seams, Unit unit,
+Drawing product_sheet(std::span<const ProductPiece> pieces, std::span<const Seam> seams, Unit unit,
                       const std::string& title);
 
 }  // namespace planish

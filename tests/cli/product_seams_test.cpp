@@ -147,9 +147,9 @@ void expect_seams_to_fit(const std::string& input, std::size_t seam_count, const
   }
 }
 
-using GarmentSeams = CliTest;
+using ProductSeams = CliTest;
 
-TEST_F(GarmentSeams, OfThreePatchesOfASampleFitAndTheirNotchesMeet) {
+TEST_F(ProductSeams, OfThreePatchesOfASampleFitAndTheirNotchesMeet) {
   for (const char* shape : {"saddle", "panel", "dome"}) {
     write_product("coat.obj", in_strips(make_shape(shape, 1500), 3));
     expect_seams_to_fit("coat.obj", 2, {"--unit", "mm"});
@@ -157,7 +157,7 @@ TEST_F(GarmentSeams, OfThreePatchesOfASampleFitAndTheirNotchesMeet) {
   }
 }
 
-TEST_F(GarmentSeams, OfARealPatchInTwoFitAndTheirNotchesMeet) {
+TEST_F(ProductSeams, OfARealPatchInTwoFitAndTheirNotchesMeet) {
   for (const PatchFacts& facts : patches()) {
     if (facts.name != "gc_front_4k" && facts.name != "boat_half") continue;
     write_product("coat.obj", in_strips(read_mesh(facts.path).mesh, 2));
@@ -166,7 +166,7 @@ TEST_F(GarmentSeams, OfARealPatchInTwoFitAndTheirNotchesMeet) {
   }
 }
 
-TEST_F(GarmentSeams, RefuseNotchesBeyondThem) {
+TEST_F(ProductSeams, RefuseNotchesBeyondThem) {
   write_product("coat.obj", in_strips(make_shape("saddle", 400), 2));
   std::ofstream("seams.txt") << "1 100m\n";
   const Names begin = {"flatten", "coat.obj", "-o", "out", "--seam-notches", "seams.txt"};
@@ -179,7 +179,7 @@ TEST_F(GarmentSeams, RefuseNotchesBeyondThem) {
   EXPECT_FALSE(std::filesystem::exists("out"));
 }
 
-TEST_F(GarmentSeams, AreKeptOnResumingOnlyWithTheSameNotches) {
+TEST_F(ProductSeams, AreKeptOnResumingOnlyWithTheSameNotches) {
   write_product("coat.obj", in_strips(make_shape("saddle", 400), 2));
   const Names args = {"flatten",      "coat.obj",      "-o", "out",      "--method",
                       "controllable", "--sweeps",      "1",  "--resume", "--seam-notches",

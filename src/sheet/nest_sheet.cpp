@@ -8,7 +8,7 @@
 
 #include "core/figure_text.h"
 #include "core/math.h"
-#include "sheet/furniture.h"
+#include "sheet/annotations.h"
 #include "sheet/placed_pattern.h"
 #include "sheet/sheet_layout.h"
 
@@ -19,11 +19,11 @@ namespace {
 constexpr Color k_black = {0, 0, 0}, k_dim = {80, 80, 80};
 
 PlacedPattern pattern_of(const NestJob& job, const NestPatch& patch) {
-  return placed_pattern(patch.mesh, patch.pattern, job.unit, patch.name, patch.furniture);
+  return placed_pattern(patch.mesh, patch.pattern, job.unit, patch.name, patch.annotations);
 }
 
 int copies_of(const NestPatch& patch) {
-  return std::max(1, patch.furniture.label.quantity);
+  return std::max(1, patch.annotations.label.quantity);
 }
 
 /// Which of several copies it is, for people; nothing for a single one.
@@ -34,17 +34,17 @@ std::string copy_text(const NestPatch& patch, int copy) {
 }
 
 /// What a copy gets where it lies: its own name, and the grain turned as it is.
-PatternOptions furniture_there(const NestJob& job, const NestPlacement& placement) {
+PatternOptions annotations_there(const NestJob& job, const NestPlacement& placement) {
   const NestPatch& patch = job.patches[placement.piece];
-  PatternOptions furniture = patch.furniture;
-  PieceLabel& label = furniture.label;
+  PatternOptions annotations = patch.annotations;
+  PieceLabel& label = annotations.label;
   if (label.name.empty()) label.name = patch.name;
   label.name += copy_text(patch, placement.copy);
   label.quantity = 0;
-  if (furniture.grain) {
-    if (auto* degrees = std::get_if<double>(&*furniture.grain)) *degrees += placement.angle;
+  if (annotations.grain) {
+    if (auto* degrees = std::get_if<double>(&*annotations.grain)) *degrees += placement.angle;
   }
-  return furniture;
+  return annotations;
 }
 
 Path box_line(Vec2 low, Vec2 size, Color color) {
@@ -66,7 +66,7 @@ std::string use_text(const NestJob& job, const Nesting& nesting) {
 /// Above the sheet, so that its corner stays the origin.
 Layer nest_label(const NestJob& job, const Nesting& nesting, std::size_t number,
                  const std::string& title, Vec2 size) {
-  const std::string date = job.patches.empty() ? "" : job.patches.front().furniture.date;
+  const std::string date = job.patches.empty() ? "" : job.patches.front().annotations.date;
   Layer layer{"label", {box_line({0.0, 0.0}, size, k_dim)}};
   const double low = size.y + sheet::k_gap, top = low + sheet::k_square;
   const auto line = [&](double below_top, double height, std::string text, Color color) {
@@ -103,8 +103,8 @@ std::vector<NestPiece> nest_pieces(const NestJob& job) {
     some.quantity = patch.pattern.empty() ? 0 : copies_of(patch);
     if (patch.pattern.empty()) continue;
     PlacedPattern pattern = pattern_of(job, patch);
-    if (patch.furniture.grain) {
-      const Vec2 grain = grain_on_sheet(*patch.furniture.grain, patch.mesh, pattern);
+    if (patch.annotations.grain) {
+      const Vec2 grain = grain_on_sheet(*patch.annotations.grain, patch.mesh, pattern);
       some.angle = -180.0 / std::numbers::pi * math::atan2(grain.y, grain.x);
     }
     some.outline.loops = std::move(pattern.cut);
@@ -128,11 +128,12 @@ Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t numbe
     if (!last || last->first != placement.piece) {
       last = {placement.piece, pattern_of(job, patch)};
     }
-    const PatternOptions furniture = furniture_there(job, placement);
-    std::vector<Layer> layers = piece_layers(patch.mesh, moved(last->second, placement), furniture);
+    const PatternOptions annotations = annotations_there(job, placement);
+    std::vector<Layer> layers =
+        piece_layers(patch.mesh, moved(last->second, placement), annotations);
     for (std::size_t k = 0; k < layers.size(); ++k)
       add_shapes(std::move(layers[k]), sheet.pieces.size(), sheet.layers[k]);
-    sheet.pieces.push_back({furniture.label.name, furniture.label.size, 1});
+    sheet.pieces.push_back({annotations.label.name, annotations.label.size, 1});
   }
   sheet.layers.push_back(nest_label(job, nesting, number, title, size));
   return sheet;

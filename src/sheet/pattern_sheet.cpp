@@ -6,7 +6,7 @@
 #include <planish/sheet/pattern_sheet.h>
 
 #include "draw/scale_limit.h"
-#include "sheet/furniture.h"
+#include "sheet/annotations.h"
 #include "sheet/limit_map.h"
 #include "sheet/outlines.h"
 #include "sheet/pattern_on_sheet.h"

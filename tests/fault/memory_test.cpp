@@ -68,7 +68,7 @@ bool is_whole(const std::string& name, const std::string& content, const std::st
   const bool is_about_as_long =
       content.size() + room >= expected.size() && content.size() <= expected.size() + room;
   return content.ends_with(expected.substr(expected.size() - end)) &&
-         ((of_parts && is_one_of({"out/product.", "out/layout.", "out/compare.", "out."})) ||
+         ((of_parts && is_one_of({"out/garment.", "out/layout.", "out/compare.", "out."})) ||
           (is_about_as_long && is_one_of({".html", ".json", ".csv"})));
 }
 

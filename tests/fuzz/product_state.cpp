@@ -56,7 +56,7 @@ void tell(const ProductPatch& patch, const PatchResults& results) {
                        .patches = {patch},
                        .folder = ".",
                        .options = {},
-                       .furniture = {},
+                       .annotations = {},
                        .files_of = {}};
   const auto seams = measure_seams(outcomes, seams_from({}, {&results.mesh, 1}), Unit::mm);
   fuzz::check(!patch_line(patch, outcomes.front()).empty(), "every patch has a line");

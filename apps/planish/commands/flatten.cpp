@@ -11,9 +11,9 @@
 #include <planish/sheet/pattern_sheet.h>
 
 #include "commands/commands.h"
+#include "flags/annotation_flags.h"
 #include "flags/constraint_flags.h"
 #include "flags/cut_flag.h"
-#include "flags/furniture_flags.h"
 #include "flags/limit_flags.h"
 #include "flags/match_seams_flag.h"
 #include "flags/method_flags.h"
@@ -81,12 +81,12 @@ fs::path folder_from(const Arguments& arguments) {
 struct PatternFiles {
   std::vector<PatternFormat> formats;
   PatternOutput output;
-  PatternOptions furniture;
+  PatternOptions annotations;
 };
 
 PatternFiles pattern_files_from(const Arguments& arguments) {
   PatternFiles pattern = {formats_from(arguments), pattern_output_from(arguments),
-                          furniture_from(arguments, true)};
+                          annotations_from(arguments, true)};
   std::vector<PatternFormat> written = pattern.formats;
   if (pattern.output.paper) written.push_back(PatternFormat::pdf);
   refuse_idle_pattern_flags(arguments, written);
@@ -126,20 +126,20 @@ void refuse_shared_places(const Places& places) {
   cli::refuse_shared_places(files);
 }
 
-/// Furniture by the numbers of the processed patch.
-PatternOptions on_processed(const PatternOptions& furniture, const FlattenReport& report) {
-  return report.source.empty() ? furniture : renumbered(furniture, report.source);
+/// Annotations by the numbers of the processed patch.
+PatternOptions on_processed(const PatternOptions& annotations, const FlattenReport& report) {
+  return report.source.empty() ? annotations : renumbered(annotations, report.source);
 }
 
-NestPatch nest_patch(const FlattenReport& report, const PatternOptions& furniture) {
+NestPatch nest_patch(const FlattenReport& report, const PatternOptions& annotations) {
   return {report.name, report.processed, report.unfold.pattern.positions,
-          on_processed(furniture, report)};
+          on_processed(annotations, report)};
 }
 
 std::vector<OutputFile> pattern_files(const FlattenReport& report, const Places& places,
                                       const PatternFiles& pattern) {
   const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name,
-                                      on_processed(pattern.furniture, report));
+                                      on_processed(pattern.annotations, report));
   std::vector<OutputFile> files;
   files.reserve(pattern.formats.size() + 1);
   for (const PatternFormat format : pattern.formats) {
@@ -163,7 +163,7 @@ std::vector<Vec2> in_millimetres(const UnfoldReport& unfold) {
 std::string page_of(const FlattenReport& report, const PatternFiles& pattern,
                     const PageWords& words) {
   return html_report(report, {.colors = words.colors,
-                              .furniture = on_processed(pattern.furniture, report),
+                              .annotations = on_processed(pattern.annotations, report),
                               .command = words.command,
                               .material = words.sheet.material,
                               .fits = words.sheet.fits,
@@ -214,23 +214,23 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   const std::optional<CutDone> cut = cut_product(read, arguments, session);
   if (read.patches.size() > 1) {
     const auto files = [&](const FlattenReport& report, MeshFormat input,
-                           const PatternOptions& furniture, const fs::path& place) {
+                           const PatternOptions& annotations, const fs::path& place) {
       const MeshFormat format = output_format(input);
       const Places places = places_in(place, format, pattern, arguments);
       std::string json = json_report(report, places);
-      const PatternFiles own = {pattern.formats, pattern.output, furniture};
+      const PatternFiles own = {pattern.formats, pattern.output, annotations};
       PageWords page = words;
       if (nest) {
-        page.sheet = fit_alone(nest_patch(report, furniture), options.unit, nest->sheets);
+        page.sheet = fit_alone(nest_patch(report, annotations), options.unit, nest->sheets);
       }
       return PatchFiles{files_of(report, places, format, own, page, json), json};
     };
-    auto furniture = furniture_of_patches(pattern.furniture, read.patches, arguments);
+    auto annotations = annotations_of_patches(pattern.annotations, read.patches, arguments);
     return run_product({arguments.operands.front(), std::move(read.patches), folder, options,
-                        std::move(furniture), files, nest},
+                        std::move(annotations), files, nest},
                        arguments, session);
   }
-  refuse_garment_flags(arguments);
+  refuse_product_flags(arguments);
   const std::string& path = read.path;
   ReadResult input = std::move(read.whole);
   const MeshFormat format = output_format(input.format);
@@ -245,8 +245,9 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   const auto report = about(path, [&] {
     note_obstruction(session, input.mesh);
     options.constraints = constraints_from(arguments, input.mesh, session);
-    pattern.furniture = furniture_on(std::move(pattern.furniture), arguments, input.mesh, name);
-    options.keep = named_vertices(pattern.furniture);
+    pattern.annotations =
+        annotations_on(std::move(pattern.annotations), arguments, input.mesh, name);
+    options.keep = named_vertices(pattern.annotations);
     return flatten(std::move(input.mesh), name, options, on_progress);
   });
   if (!report) throw Interrupted();
@@ -255,7 +256,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   std::optional<NestOutcome> nesting;
   if (nest) {
     nesting = about(path, [&] {
-      return nest_patches({nest_patch(*report, pattern.furniture)}, options.unit, *nest, folder,
+      return nest_patches({nest_patch(*report, pattern.annotations)}, options.unit, *nest, folder,
                           name, session);
     });
     json = json_with_nesting(json, nesting);
@@ -301,7 +302,7 @@ Command flatten_command() {
     groups.front().flags.push_back(std::move(flag));
   for (Flag& flag : product_flags())
     groups.front().flags.push_back(std::move(flag));
-  groups.push_back(furniture_flags());
+  groups.push_back(annotation_flags());
   groups.push_back(nest_flags());
   for (FlagGroup& group : method_flags(FlattenOptions{}.method))
     groups.push_back(std::move(group));

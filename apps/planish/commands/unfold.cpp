@@ -8,8 +8,8 @@
 #include <planish/sheet/pattern_sheet.h>
 
 #include "commands/commands.h"
+#include "flags/annotation_flags.h"
 #include "flags/cut_flag.h"
-#include "flags/furniture_flags.h"
 #include "flags/limit_flags.h"
 #include "flags/match_seams_flag.h"
 #include "flags/units.h"
@@ -50,11 +50,11 @@ PatternOutput output_from(const Arguments& arguments) {
 
 std::string content_of(const std::string& path, const std::string& input, const TriMesh& mesh,
                        const UnfoldReport& report, const PatternOutput& output,
-                       const PatternOptions& furniture) {
+                       const PatternOptions& annotations) {
   const auto format = pattern_format_of(path);
   if (!format) return format_mesh(flat_mesh(mesh, report.pattern), mesh_format_of(path_of(path)));
   const std::string name = stem_of(input);
-  const Drawing sheet = pattern_sheet(mesh, report, name, furniture);
+  const Drawing sheet = pattern_sheet(mesh, report, name, annotations);
   return output.paper ? tiled_file(sheet, output) : pattern_file(sheet, *format, output);
 }
 
@@ -66,7 +66,7 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
   const UnfoldOptions unfold_options = {.match_seams = arguments.has("--match-seams"),
                                         .threads = session.threads(),
                                         .limits = limits_from(arguments)};
-  PatternOptions furniture = furniture_from(arguments, pattern_format_of(output).has_value());
+  PatternOptions annotations = annotations_from(arguments, pattern_format_of(output).has_value());
 
   const std::string& path = arguments.operands.front();
   const CutInput input = cut_as_asked(session.read(path).mesh, path, arguments, session);
@@ -78,12 +78,12 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
   };
   const auto report = about(path, [&] {
     const std::string name = stem_of(path);
-    furniture = furniture_on(std::move(furniture), arguments, input.mesh, name);
+    annotations = annotations_on(std::move(annotations), arguments, input.mesh, name);
     return unfold_patch(input.mesh, unit, on_step, unfold_options);
   });
   if (!report) throw Interrupted();
   const std::string content =
-      about(path, [&] { return content_of(output, path, input.mesh, *report, how, furniture); });
+      about(path, [&] { return content_of(output, path, input.mesh, *report, how, annotations); });
   warn_of_pattern(session, *report);
   Outcome outcome = {
       path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(*report),
@@ -115,7 +115,7 @@ Command unfold_command() {
       "no handle. "
       "--cut opens one that is none.",
       {"INPUT"},
-      {{"Output", std::move(flags)}, {"Limits of the pattern", limit_flags()}, furniture_flags()},
+      {{"Output", std::move(flags)}, {"Limits of the pattern", limit_flags()}, annotation_flags()},
       {"planish unfold panel.obj -o pattern.svg",
        "planish unfold panel.obj -o pattern.svg --max-strain 8%",
        "planish unfold panel.obj -o pattern.pdf --paper a4",

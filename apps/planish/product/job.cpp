@@ -42,7 +42,7 @@ class ProductRun {
     jobs_.reserve(job.patches.size());
     for (std::size_t p = 0; p < job.patches.size(); ++p) {
       const ProductPatch* twin_of = twins_[p] ? &job.patches[twins_[p]->of] : nullptr;
-      jobs_.push_back(job_of(job.patches[p], job.furniture[p], arguments, twin_of));
+      jobs_.push_back(job_of(job.patches[p], job.annotations[p], arguments, twin_of));
       outcomes_[p].mesh = job.patches[p].mesh;
     }
   }
@@ -122,10 +122,10 @@ class ProductRun {
     patches.reserve(outcomes_.size());
     for (std::size_t p = 0; p < outcomes_.size(); ++p) {
       const bool is_mirrored = outcomes_[p].is_twin && twins_[p] && twins_[p]->match.mirrored;
-      PatternOptions furniture =
-          is_mirrored ? for_mirror_image(job_.furniture[p]) : job_.furniture[p];
-      furniture.notches = std::move(notches[p]);
-      patches.push_back({names[p], meshes[p], outcomes_[p].pattern, std::move(furniture)});
+      PatternOptions annotations =
+          is_mirrored ? for_mirror_image(job_.annotations[p]) : job_.annotations[p];
+      annotations.notches = std::move(notches[p]);
+      patches.push_back({names[p], meshes[p], outcomes_[p].pattern, std::move(annotations)});
     }
     const std::string title = stem_of(job_.path);
     try {
@@ -258,16 +258,16 @@ std::vector<Flag> product_flags() {
        {.range = {.min = 0.0}}}};
 }
 
-void refuse_garment_flags(const Arguments& arguments) {
+void refuse_product_flags(const Arguments& arguments) {
   for (const char* flag : {"--resume", "--seam-tolerance"}) {
     if (!arguments.has(flag)) continue;
     throw UsageError("flag " + std::string(flag) + " goes with several patches; the input has one");
   }
 }
 
-std::vector<PatternOptions> furniture_of_patches(const PatternOptions& furniture,
-                                                 const std::vector<ProductPatch>& patches,
-                                                 const Arguments& arguments) {
+std::vector<PatternOptions> annotations_of_patches(const PatternOptions& annotations,
+                                                   const std::vector<ProductPatch>& patches,
+                                                   const Arguments& arguments) {
   refuse_single_patch_flags(arguments);
   std::vector<TriMesh> meshes;
   std::vector<std::string> names;
@@ -278,7 +278,7 @@ std::vector<PatternOptions> furniture_of_patches(const PatternOptions& furniture
     names.push_back(patch.name);
   }
   std::vector<std::vector<Notch>> notches = seam_notches_from(arguments, meshes, names);
-  std::vector<PatternOptions> result(patches.size(), furniture);
+  std::vector<PatternOptions> result(patches.size(), annotations);
   for (std::size_t p = 0; p < patches.size(); ++p) {
     result[p].label.name = names[p];
     result[p].notches = std::move(notches[p]);

@@ -30,7 +30,7 @@ struct ProductJob {
   std::vector<ProductPatch> patches;
   std::filesystem::path folder;  ///< each patch's is in it
   FlattenOptions options;
-  std::vector<PatternOptions> furniture;  ///< of each patch
+  std::vector<PatternOptions> annotations;  ///< of each patch
   /// Makes the files of a patch that go into a folder. Called from any thread.
   std::function<PatchFiles(const FlattenReport&, MeshFormat, const PatternOptions&,
                            const std::filesystem::path& folder)>
@@ -43,14 +43,14 @@ struct ProductJob {
 std::vector<Flag> product_flags();
 
 /// @throws UsageError for flags that make sense only with several patches
-void refuse_garment_flags(const Arguments& arguments);
+void refuse_product_flags(const Arguments& arguments);
 
 /// What each patch gets on its pattern: what the flags ask of all, its name, and the notches on its
 /// seams.
 /// @throws UsageError for flags that make sense only with one patch, Error as seam_notches_from()
-std::vector<PatternOptions> furniture_of_patches(const PatternOptions& furniture,
-                                                 const std::vector<ProductPatch>& patches,
-                                                 const Arguments& arguments);
+std::vector<PatternOptions> annotations_of_patches(const PatternOptions& annotations,
+                                                   const std::vector<ProductPatch>& patches,
+                                                   const Arguments& arguments);
 
 /// Flattens every patch, each on one thread, and writes each into its folder as it is done; then
 /// the seams of the whole into garment.json. A patch that fails is told by name and does not stop

@@ -22,7 +22,7 @@ using Stopped = std::function<bool()>;
 FlattenOptions options_of(const ProductJob& job, std::size_t number) {
   FlattenOptions options = job.options;
   options.threads = 1;
-  options.keep = named_vertices(job.furniture[number]);
+  options.keep = named_vertices(job.annotations[number]);
   return options;
 }
 
@@ -36,10 +36,10 @@ std::optional<FlattenReport> report_of(const ProductJob& job, std::size_t number
 }
 
 FlattenedPatch files_and_all(const ProductJob& job, std::size_t number, const FlattenReport& report,
-                             const PatternOptions& furniture) {
+                             const PatternOptions& annotations) {
   const ProductPatch& patch = job.patches[number];
   return {{},
-          job.files_of(report, patch.format, furniture, job.folder / path_of(patch.folder)),
+          job.files_of(report, patch.format, annotations, job.folder / path_of(patch.folder)),
           report.processed,
           report.unfold.pattern.positions,
           report.twin_of.has_value()};
@@ -49,7 +49,7 @@ FlattenedPatch files_and_all(const ProductJob& job, std::size_t number, const Fl
 template <class MakeReport>
 FlattenedPatch finished(const ProductJob& job, std::size_t number, const MakeReport& make) try {
   const std::optional<FlattenReport>& report = make();
-  return report ? files_and_all(job, number, *report, job.furniture[number]) : FlattenedPatch{};
+  return report ? files_and_all(job, number, *report, job.annotations[number]) : FlattenedPatch{};
 } catch (...) {
   FlattenedPatch failed;
   failed.failure = current_failure();
@@ -65,7 +65,7 @@ FlattenedPatch finished_twin(const ProductJob& job, std::size_t number, const Me
   if (!report) return finished(job, number, [&] { return report_of(job, number, stopped); });
   return files_and_all(
       job, number, *report,
-      furniture_of_twin(job.furniture[number], job.patches[twin.of].mesh, twin.match));
+      annotations_of_twin(job.annotations[number], job.patches[twin.of].mesh, twin.match));
 } catch (...) {
   FlattenedPatch failed;
   failed.failure = current_failure();

@@ -4,7 +4,7 @@
 
 #include <planish/mesh/connectivity.h>
 #include <planish/mesh/inspect.h>
-#include <planish/pattern/read_furniture.h>
+#include <planish/pattern/read_annotations.h>
 #include <planish/pattern/seam_notches.h>
 #include <planish/platform/path.h>
 
@@ -54,17 +54,18 @@ std::vector<std::vector<Notch>> seam_notches_from(const Arguments& arguments,
   });
 }
 
-PatternOptions furniture_on(PatternOptions furniture, const Arguments& arguments,
-                            const TriMesh& mesh, const std::string& name) {
+PatternOptions annotations_on(PatternOptions annotations, const Arguments& arguments,
+                              const TriMesh& mesh, const std::string& name) {
   const bool seams = arguments.has("--seam-notches");
-  if (named_vertices(furniture).empty() && furniture.notches.empty() && !seams) return furniture;
+  if (named_vertices(annotations).empty() && annotations.notches.empty() && !seams)
+    return annotations;
   const Connectivity connectivity(mesh);
-  check_pattern_options(furniture, mesh.positions.size(), connectivity.border_loops(), name);
+  check_pattern_options(annotations, mesh.positions.size(), connectivity.border_loops(), name);
   const std::vector<std::vector<Notch>> on_seams =
       seam_notches_from(arguments, {&mesh, 1}, {&name, 1});
-  furniture.notches.insert(furniture.notches.end(), on_seams.front().begin(),
-                           on_seams.front().end());
-  return furniture;
+  annotations.notches.insert(annotations.notches.end(), on_seams.front().begin(),
+                             on_seams.front().end());
+  return annotations;
 }
 
 }  // namespace planish::cli

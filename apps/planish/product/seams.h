@@ -25,7 +25,7 @@ std::vector<std::vector<Notch>> seam_notches_from(const Arguments& arguments,
 /// What the one patch of a run gets, with the notches on its seams with itself, as far as that can
 /// be known before it is flat.
 /// @throws Error as seam_notches_from() and check_pattern_options()
-PatternOptions furniture_on(PatternOptions furniture, const Arguments& arguments,
-                            const TriMesh& mesh, const std::string& name);
+PatternOptions annotations_on(PatternOptions annotations, const Arguments& arguments,
+                              const TriMesh& mesh, const std::string& name);
 
 }  // namespace planish::cli

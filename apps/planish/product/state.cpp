@@ -135,7 +135,7 @@ std::vector<Vec2> in_the_plane(const std::vector<Vec3>& positions) {
 
 }  // namespace
 
-std::string job_of(const ProductPatch& patch, const PatternOptions& furniture,
+std::string job_of(const ProductPatch& patch, const PatternOptions& annotations,
                    const Arguments& arguments, const ProductPatch* twin_of) {
   Json flags = Json::object();
   for (const auto& [flag, value] : arguments.flags) {
@@ -147,7 +147,7 @@ std::string job_of(const ProductPatch& patch, const PatternOptions& furniture,
               {"name", patch.name},
               {"format", to_string(patch.format)},
               {"mesh", hash_of(patch.mesh)},
-              {"notches", to_json(furniture.notches)},
+              {"notches", to_json(annotations.notches)},
               {"flags", std::move(flags)}};
   if (twin_of != nullptr)
     job["twin_of"] = {{"name", twin_of->name}, {"mesh", hash_of(twin_of->mesh)}};

@@ -17,7 +17,7 @@ namespace planish::cli {
 /// What a patch's results are made from, as its job.json says it: the program's version, a hash of
 /// the mesh, the name, the notches and the flags that results depend on; of a twin also the name
 /// and the mesh of the other one.
-std::string job_of(const ProductPatch& patch, const PatternOptions& furniture,
+std::string job_of(const ProductPatch& patch, const PatternOptions& annotations,
                    const Arguments& arguments, const ProductPatch* twin_of = nullptr);
 
 /// The job.json that says that these files are the results of the job.

@@ -15,7 +15,7 @@ ProductTwins twins_among(const std::vector<ProductPatch>& patches,
   return find_twins(meshes, k_twin_tolerance, stopped);
 }
 
-PatternOptions furniture_of_twin(PatternOptions own, const TriMesh& of, const MeshMatch& match) {
+PatternOptions annotations_of_twin(PatternOptions own, const TriMesh& of, const MeshMatch& match) {
   if (match.mirrored) own = for_mirror_image(std::move(own));
   const Connectivity connectivity(of);
   // Where piece_outline() begins.

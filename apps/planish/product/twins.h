@@ -21,7 +21,7 @@ ProductTwins twins_among(const std::vector<ProductPatch>& patches,
 
 /// The options of a twin's own pattern: it is drawn as the other one.
 /// @param of the other one's mesh
-PatternOptions furniture_of_twin(PatternOptions own, const TriMesh& of, const MeshMatch& match);
+PatternOptions annotations_of_twin(PatternOptions own, const TriMesh& of, const MeshMatch& match);
 
 /// Patches that are worked on one after another: one and its twins.
 using TwinGroup = std::vector<std::size_t>;

@@ -14,7 +14,7 @@ namespace planish {
 /// What the page of the main job says besides the report.
 struct FlattenPage {
   ColorMap colors = ColorMap::diverging;  ///< paper: |defect|, blue to red as the 2010 paper has it
-  PatternOptions furniture = {};          ///< of the pattern, by the numbers of the processed patch
+  PatternOptions annotations = {};        ///< of the pattern, by the numbers of the processed patch
   std::string command = {};               ///< the command line that asked for it, plain text
   std::string material = {};      ///< what the pattern was laid on, plain text: "a roll of ..."
   bool fits = true;               ///< on that material

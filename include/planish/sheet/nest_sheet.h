@@ -18,7 +18,7 @@ struct NestPatch {
   std::string name;
   TriMesh mesh;
   std::vector<Vec2> pattern;  ///< model units; empty where the patch has none: then it is left out
-  PatternOptions furniture = {};  ///< it is cut as often as the label says, at least once
+  PatternOptions annotations = {};  ///< it is cut as often as the label says, at least once
 };
 
 /// Patches, and the sheets to cut them from.
@@ -35,7 +35,7 @@ std::vector<NestPiece> nest_pieces(const NestJob& job);
 
 /// One sheet with its pieces as they are laid on it, at true size: (0, 0) is a corner of the sheet
 /// itself, its length is along x. Layers as pattern_sheet() has them but for the strain map: each
-/// copy has its cut line and all that the furniture asks for, and is a piece of its own;
+/// copy has its cut line and all that the annotations asks for, and is a piece of its own;
 /// "annotation" has its name, and "label" the border of the sheet and above it the title, what is
 /// used of it, and a square of 50 mm.
 /// @param nesting of the job's nest_pieces() on the job's sheets

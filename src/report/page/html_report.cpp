@@ -64,7 +64,7 @@ std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut
     return significant_text(width, 3) + " × " + significant_text(height, 3) + unit;
   };
   std::string area = "area " + decimals_text(pattern.area_ratio, 3) + " of the patch's";
-  if (page.furniture.allowance && !pattern.overlaps)
+  if (page.annotations.allowance && !pattern.overlaps)
     area = sides(cut_size.x, cut_size.y) + " with the allowance; " + area;
   return "<dl class=\"tiles\">\n" +
          tile("Largest stretch", percent_text(after.max), percent_text(before.max) + " before",

@@ -108,7 +108,7 @@ FlatView flat_view(const FlattenReport& report, const FlattenPage& page,
   std::nth_element(sizes.begin(), long_one, sizes.end());
   const double longest = std::max(k_least_strain, *long_one);
   const double area = mm * mm * pattern.width * pattern.height;
-  return {pattern_sheet(report.processed, report.unfold, report.name, page.furniture),
+  return {pattern_sheet(report.processed, report.unfold, report.name, page.annotations),
           direction_layer(directions, longest, 0.9 * std::sqrt(area / k_direction_cells)),
           limit_of_edges(report.unfold.limits)};
 }
@@ -230,7 +230,7 @@ PatchViewer html_viewer(const FlattenReport& report, const FlattenPage& page) {
   const std::array<std::span<const Vec3>, 1> after = {report.processed.positions};
   const PatchPictures pictures = patch_pictures(report.input, after, page.colors, k_picture_width);
   const PatternOnSheet placed =
-      pattern_on_sheet(report.processed, report.unfold, report.name, page.furniture);
+      pattern_on_sheet(report.processed, report.unfold, report.name, page.annotations);
   const bool live = page_script().is_there();
   PatchViewer viewer;
   viewer.html =

@@ -19,8 +19,8 @@ using testing::HasSubstr;
 
 /// A flat box of columns x rows cells of 10 mm, cut as often as told.
 NestPatch flat_patch(const std::string& name, std::size_t columns, std::size_t rows,
-                     PatternOptions furniture = {}) {
-  NestPatch patch{name, meshes::flat_grid(columns, rows), {}, std::move(furniture)};
+                     PatternOptions annotations = {}) {
+  NestPatch patch{name, meshes::flat_grid(columns, rows), {}, std::move(annotations)};
   for (const Vec3& p : patch.mesh.positions)
     patch.pattern.push_back({10.0 * p.x, 10.0 * p.y});
   return patch;
@@ -48,13 +48,13 @@ std::vector<std::string> nest_texts(const Drawing& drawing, const std::string& n
 }
 
 NestJob jacket() {
-  PatternOptions furniture{.allowance = Allowance{.width = 10.0},
-                           .notches = {{.place = 0.1}},
-                           .grain = 90.0,
-                           .marks = {{.vertex = 7}},
-                           .label = {.quantity = 2}};
-  NestJob job{{flat_patch("front", 20, 30, furniture), flat_patch("failed", 2, 2),
-               flat_patch("sleeve", 15, 40, furniture)},
+  PatternOptions annotations{.allowance = Allowance{.width = 10.0},
+                             .notches = {{.place = 0.1}},
+                             .grain = 90.0,
+                             .marks = {{.vertex = 7}},
+                             .label = {.quantity = 2}};
+  NestJob job{{flat_patch("front", 20, 30, annotations), flat_patch("failed", 2, 2),
+               flat_patch("sleeve", 15, 40, annotations)},
               Unit::mm,
               {.width = 700.0, .gap = 8.0}};
   job.patches[1].pattern.clear();

@@ -142,7 +142,7 @@ TEST(HtmlReport, DrawsTheLinesOfThePattern) {
   EXPECT_EQ(count(plain, "data-layer=\"seam\""), 0U);
   EXPECT_EQ(count(plain, "<g id=\"directions\""), 1U);
   const std::string page =
-      html_report(report, {.furniture = {.allowance = Allowance{.width = 2.0}, .grain = 90.0}});
+      html_report(report, {.annotations = {.allowance = Allowance{.width = 2.0}, .grain = 90.0}});
   EXPECT_EQ(count(page, "data-layer=\"seam\""), 1U);
   EXPECT_EQ(count(page, "data-layer=\"grain\""), 1U);
   EXPECT_THAT(plain, Not(HasSubstr("with the allowance")));

@@ -1,5 +1,5 @@
 #include <planish/core/error.h>
-#include <planish/pattern/read_furniture.h>
+#include <planish/pattern/read_annotations.h>
 
 #include <gtest/gtest.h>
 

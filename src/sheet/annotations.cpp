@@ -1,4 +1,4 @@
-#include "sheet/furniture.h"
+#include "sheet/annotations.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -108,8 +108,8 @@ Vec2 grain_on_sheet(const Grain& grain, const TriMesh& mesh, const PlacedPattern
   return grain_direction(mesh, pattern.positions, std::get<Vec3>(grain), pattern.outline.piece);
 }
 
-std::vector<Layer> furniture_layers(const TriMesh& mesh, const PlacedPattern& pattern,
-                                    const PatternOptions& options) {
+std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& pattern,
+                                      const PatternOptions& options) {
   const PieceOutline& outline = pattern.outline;
   const std::vector<std::string> lines = lines_of(options.label);
   const LabelPlace place = lines.empty() ? LabelPlace{} : label_place(outline, lines);
@@ -135,7 +135,7 @@ std::vector<Layer> furniture_layers(const TriMesh& mesh, const PlacedPattern& pa
 std::vector<Layer> piece_layers(const TriMesh& mesh, const PlacedPattern& pattern,
                                 const PatternOptions& options) {
   std::vector<Layer> layers = {{"cut", {Path{pattern.cut, true, k_cut}}}};
-  for (Layer& layer : furniture_layers(mesh, pattern, options))
+  for (Layer& layer : annotations_layers(mesh, pattern, options))
     layers.push_back(std::move(layer));
   return layers;
 }

@@ -13,10 +13,10 @@ namespace planish {
 /// The layers seam, notch, grain, drill, internal and annotation, in that order; what was not asked
 /// for is empty.
 /// @throws Error as notch_lines(), grain_direction() and mark_lines()
-std::vector<Layer> furniture_layers(const TriMesh& mesh, const PlacedPattern& pattern,
-                                    const PatternOptions& options);
+std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& pattern,
+                                      const PatternOptions& options);
 
-/// The layer cut, and the furniture_layers() behind it: all that there is to a piece, wherever it
+/// The layer cut, and the annotations_layers() behind it: all that there is to a piece, wherever it
 /// lies.
 std::vector<Layer> piece_layers(const TriMesh& mesh, const PlacedPattern& pattern,
                                 const PatternOptions& options);

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <planish/pattern/read_furniture.h>
+#include <planish/pattern/read_annotations.h>
 
 #include "fuzz/check.h"
 

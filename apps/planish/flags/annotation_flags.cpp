@@ -1,11 +1,11 @@
-#include "flags/furniture_flags.h"
+#include "flags/annotation_flags.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include <planish/pattern/read_furniture.h>
+#include <planish/pattern/read_annotations.h>
 #include <planish/platform/path.h>
 
 #include <fast_float/fast_float.h>
@@ -107,7 +107,7 @@ void refuse_idle_flags(const Arguments& arguments, bool writes_sheet) {
   check("--edge-allowances", "--allowance");
   if (!arguments.has("--seam-notches")) check("--notch-depth", "--notches");
   if (writes_sheet) return;
-  for (const Flag& flag : furniture_flags().flags) {
+  for (const Flag& flag : annotation_flags().flags) {
     if (!arguments.has(flag.name)) continue;
     throw UsageError("flag " + flag.name + " goes with svg, dxf, pdf and plt only");
   }
@@ -115,7 +115,7 @@ void refuse_idle_flags(const Arguments& arguments, bool writes_sheet) {
 
 }  // namespace
 
-FlagGroup furniture_flags() {
+FlagGroup annotation_flags() {
   return {
       "What the pattern gets besides its outline",
       {{"--allowance",
@@ -154,7 +154,7 @@ FlagGroup furniture_flags() {
        {"--date", "TEXT", "written on the sheet as it is (default none)"}}};
 }
 
-PatternOptions furniture_from(const Arguments& arguments, bool writes_sheet) {
+PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet) {
   refuse_idle_flags(arguments, writes_sheet);
   PatternOptions options;
   options.allowance = allowance_from(arguments);

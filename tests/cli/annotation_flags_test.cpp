@@ -10,7 +10,7 @@ using testing::Not;
 
 using Flags = std::vector<std::string>;
 
-class FurnitureFlags : public CliTest {
+class AnnotationsFlags : public CliTest {
  protected:
   static CliResult unfold(const Flags& flags, const std::string& output = "out.dxf") {
     Flags args = {"unfold", "panel.obj", "-o", output, "--unit", "cm"};
@@ -29,7 +29,7 @@ class FurnitureFlags : public CliTest {
   }
 };
 
-TEST_F(FurnitureFlags, ReachTheSheetOfUnfold) {
+TEST_F(AnnotationsFlags, ReachTheSheetOfUnfold) {
   write("notches.txt", "0.25 v\n0.5 t double\n");
   write("marks.txt", "100 drill\n");
   const CliResult result = unfold(
@@ -45,7 +45,7 @@ TEST_F(FurnitureFlags, ReachTheSheetOfUnfold) {
     EXPECT_THAT(dxf, HasSubstr(text));
 }
 
-TEST_F(FurnitureFlags, ReachEveryFileOfFlatten) {
+TEST_F(AnnotationsFlags, ReachEveryFileOfFlatten) {
   const CliResult result = planish({"flatten", "panel.obj", "-o", "out", "--unit", "cm", "--method",
                                     "controllable", "--formats", "svg,plt", "--allowance", "10mm",
                                     "--grain", "1,0,0", "--quantity", "3"});
@@ -54,21 +54,21 @@ TEST_F(FurnitureFlags, ReachEveryFileOfFlatten) {
   EXPECT_THAT(content_of("out/pattern.plt"), HasSubstr("SP4"));
 }
 
-TEST_F(FurnitureFlags, GiveTheSameBytesAgain) {
+TEST_F(AnnotationsFlags, GiveTheSameBytesAgain) {
   const Flags flags = {"--allowance", "10mm", "--grain", "0,1,0", "--piece-name", "front"};
   ASSERT_EQ(unfold(flags, "a.pdf").exit_code, k_exit_done);
   ASSERT_EQ(unfold(flags, "b.pdf").exit_code, k_exit_done);
   EXPECT_EQ(content_of("a.pdf"), content_of("b.pdf"));
 }
 
-TEST_F(FurnitureFlags, AreRefusedWhereTheyDoNothing) {
+TEST_F(AnnotationsFlags, AreRefusedWhereTheyDoNothing) {
   expect_usage_error({"--allowance", "1cm"}, "--allowance goes with svg, dxf, pdf and plt only",
                      "flat.obj");
   expect_usage_error({"--corners", "round"}, "--corners goes with --allowance only");
   expect_usage_error({"--notch-depth", "3mm"}, "--notch-depth goes with --notches only");
 }
 
-TEST_F(FurnitureFlags, SayHowTheyMustLook) {
+TEST_F(AnnotationsFlags, SayHowTheyMustLook) {
   expect_usage_error({"--allowance", "10mm", "--corners", "sharp"}, "mitre, square or round");
   expect_usage_error({"--allowance", "wide"}, "must be a length");
   expect_usage_error({"--allowance", "0"}, "--allowance");
@@ -80,7 +80,7 @@ TEST_F(FurnitureFlags, SayHowTheyMustLook) {
   expect_usage_error({"--quantity", "0"}, "--quantity");
 }
 
-TEST_F(FurnitureFlags, NameTheFileThatIsAtFault) {
+TEST_F(AnnotationsFlags, NameTheFileThatIsAtFault) {
   write("notches.txt", "0.25 v\n0.5 q\n");
   const CliResult kind = unfold({"--notches", "notches.txt"});
   EXPECT_THAT(kind.err, HasSubstr("notches.txt:2: \"q\" is no kind of notch"));

@@ -48,13 +48,13 @@ std::vector<std::string> texts(const Drawing& drawing, const std::string& name) 
   return texts;
 }
 
-TEST(Furniture, IsNotThereUnlessAskedFor) {
+TEST(Annotations, IsNotThereUnlessAskedFor) {
   const Drawing sheet = sheet_with({});
   for (const char* name : {"seam", "notch", "grain", "drill", "internal", "annotation"})
     EXPECT_TRUE(layer(sheet, name).shapes.empty()) << name;
 }
 
-TEST(Furniture, MakesTheOutlineTheSeamWhereThereIsAnAllowance) {
+TEST(Annotations, MakesTheOutlineTheSeamWhereThereIsAnAllowance) {
   const Drawing sheet = sheet_with({.allowance = Allowance{.width = 12.0}});
   const Path &cut = path(sheet, "cut"), &seam = path(sheet, "seam");
   ASSERT_EQ(seam.lines.size(), 1U);
@@ -67,21 +67,21 @@ TEST(Furniture, MakesTheOutlineTheSeamWhereThereIsAnAllowance) {
   EXPECT_THAT(texts(sheet, "label"), Contains("200.0 × 200.0 mm + 12 mm allowance"));
 }
 
-TEST(Furniture, HasNoAllowanceAroundAPatternThatOverlapsItself) {
+TEST(Annotations, HasNoAllowanceAroundAPatternThatOverlapsItself) {
   const Drawing sheet = sheet_with({.allowance = Allowance{.width = 12.0}}, true);
   EXPECT_TRUE(layer(sheet, "seam").shapes.empty());
   EXPECT_NEAR(signed_area(path(sheet, "cut").lines.at(0)), 200.0 * 200.0, 1e-6);
   EXPECT_THAT(texts(sheet, "label"), Contains("200.0 × 200.0 mm"));
 }
 
-TEST(Furniture, HasOtherAllowancesAlongStretchesOfTheBorder) {
+TEST(Annotations, HasOtherAllowancesAlongStretchesOfTheBorder) {
   // Vertices 0 to 4 are the lower side, 24 to 20 the upper one.
   const Drawing sheet =
       sheet_with({.allowance = Allowance{.width = 10.0}, .edge_allowances = {{0, 4, 0.0}}});
   EXPECT_NEAR(signed_area(path(sheet, "cut").lines.at(0)), 220.0 * 210.0, 0.01);
 }
 
-TEST(Furniture, HasInnerLinesOnTheirLayer) {
+TEST(Annotations, HasInnerLinesOnTheirLayer) {
   const Drawing sheet = sheet_with({.inner_lines = {{6, 7, 12}}});
   const Path& line = path(sheet, "internal");
   EXPECT_FALSE(line.closed);
@@ -89,12 +89,12 @@ TEST(Furniture, HasInnerLinesOnTheirLayer) {
   EXPECT_NEAR(norm(line.lines[0][1] - line.lines[0][0]), 50.0, 1e-9);
 }
 
-TEST(Furniture, SaysTheAllowanceWithoutTheDustOfItsUnit) {
+TEST(Annotations, SaysTheAllowanceWithoutTheDustOfItsUnit) {
   const Drawing sheet = sheet_with({.allowance = Allowance{.width = 1.9999999999999998}});
   EXPECT_THAT(texts(sheet, "label"), Contains(testing::EndsWith("+ 2 mm allowance")));
 }
 
-TEST(Furniture, StaysOnTheSheetWithAMargin) {
+TEST(Annotations, StaysOnTheSheetWithAMargin) {
   const Drawing sheet = sheet_with({.allowance = Allowance{.width = 60.0}});
   for (const Vec2 p : path(sheet, "cut").lines.at(0)) {
     EXPECT_GE(std::min(p.x, p.y), 10.0 - 1e-4);
@@ -103,7 +103,7 @@ TEST(Furniture, StaysOnTheSheetWithAMargin) {
   }
 }
 
-TEST(Furniture, HasItsLayers) {
+TEST(Annotations, HasItsLayers) {
   const Drawing sheet = sheet_with({.allowance = Allowance{},
                                     .notches = {{0.125, NotchKind::v}, {Index{2}, NotchKind::slit}},
                                     .grain = Grain{Vec3{0, 1, 0}},
@@ -117,7 +117,7 @@ TEST(Furniture, HasItsLayers) {
   EXPECT_NEAR(grain.lines[0][0].x, grain.lines[0][1].x, 1e-9) << "upright";
 }
 
-TEST(Furniture, PutsTheLabelInsideThePieceAndClearOfTheGrain) {
+TEST(Annotations, PutsTheLabelInsideThePieceAndClearOfTheGrain) {
   const Drawing sheet = sheet_with({.grain = Grain{90.0}, .label = {"front", "42", 2}});
   const Path& cut = path(sheet, "cut");
   const Path& grain = path(sheet, "grain");
@@ -129,7 +129,7 @@ TEST(Furniture, PutsTheLabelInsideThePieceAndClearOfTheGrain) {
   }
 }
 
-TEST(Furniture, ShowsAHashOfThePatternAndADateOnlyIfGiven) {
+TEST(Annotations, ShowsAHashOfThePatternAndADateOnlyIfGiven) {
   const TriMesh mesh = meshes::flat_grid(4, 4);
   std::vector<Vec2> corners;
   for (const Vec3 p : mesh.positions)
@@ -143,14 +143,14 @@ TEST(Furniture, ShowsAHashOfThePatternAndADateOnlyIfGiven) {
   EXPECT_THAT(dated, Contains(testing::EndsWith(" · scale 1:1 · 2031-02-03")));
 }
 
-TEST(Furniture, HasATestSquareOfTwoInches) {
+TEST(Annotations, HasATestSquareOfTwoInches) {
   const Drawing sheet = sheet_with({});
   const Path& square = path(sheet, "label", 2);
   EXPECT_NEAR(square.lines[0][2].x - square.lines[0][0].x, 50.8, 1e-9);
   EXPECT_NEAR(square.lines[0][2].y - square.lines[0][0].y, 50.8, 1e-9);
 }
 
-TEST(Furniture, ReachesApparelProgramsByItsNumbers) {
+TEST(Annotations, ReachesApparelProgramsByItsNumbers) {
   const Drawing sheet = sheet_with({.allowance = Allowance{},
                                     .notches = {{0.125}},
                                     .grain = Grain{30.0},
@@ -162,7 +162,7 @@ TEST(Furniture, ReachesApparelProgramsByItsNumbers) {
     EXPECT_THAT(dxf, HasSubstr(text));
 }
 
-TEST(Furniture, NamesThePieceInErrors) {
+TEST(Annotations, NamesThePieceInErrors) {
   try {
     sheet_with({.notches = {{Index{12}}}, .label = {"front"}});
     FAIL();

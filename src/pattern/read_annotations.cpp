@@ -2,7 +2,7 @@
 #include <cmath>
 #include <optional>
 
-#include <planish/pattern/read_furniture.h>
+#include <planish/pattern/read_annotations.h>
 #include <planish/platform/path.h>
 
 #include <fast_float/fast_float.h>

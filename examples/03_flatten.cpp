@@ -2,7 +2,7 @@
 #include <array>
 #include <iostream>
 
-#include <planish/draw/write_svg.h>
+#include <planish/draw/format_drawing.h>
 #include <planish/io/write_file.h>
 #include <planish/mesh/shapes.h>
 #include <planish/report/html_report.h>
@@ -21,6 +21,6 @@ int main() {
 
   const planish::Drawing sheet = pattern_sheet(report->processed, report->unfold, report->name);
   planish::write_files(
-      std::array{planish::OutputFile{"panel.svg", write_svg(sheet)},
+      std::array{planish::OutputFile{"panel.svg", format_svg(sheet)},
                  planish::OutputFile{"panel.html", planish::html_report(*report)}});
 }

@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include <planish/draw/color_map.h>
-#include <planish/draw/write_svg.h>
+#include <planish/draw/color.h>
+#include <planish/draw/format_drawing.h>
 #include <planish/io/read_mesh.h>
 #include <planish/io/write_file.h>
 #include <planish/mesh/shapes.h>
@@ -114,5 +114,5 @@ int main(int count, char** arguments) {
     std::cout << caption << '\n';
   }
   drawing.layers.push_back(legend({0.5 * drawing.width - 52.0, 4.8}, limits.max));
-  planish::write_files(std::array{planish::OutputFile{"limits.svg", write_svg(drawing)}});
+  planish::write_files(std::array{planish::OutputFile{"limits.svg", format_svg(drawing)}});
 }

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include <planish/draw/color_map.h>
+#include <planish/draw/color.h>
 
 namespace planish {
 

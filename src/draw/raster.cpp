@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <limits>
 
-#include <planish/draw/image.h>
+#include "draw/image.h"
 
 namespace planish {
 

@@ -1,8 +1,8 @@
+#include "evolve/direction.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include <planish/evolve/direction.h>
-#include <planish/measure/angle_defect.h>
 #include <planish/measure/flattenability.h>
 
 #include "geometry/angle_gradient.h"

@@ -2,7 +2,6 @@
 #include <chrono>
 
 #include <planish/evolve/evolve.h>
-#include <planish/measure/angle_defect.h>
 #include <planish/measure/flattenability.h>
 
 namespace planish {

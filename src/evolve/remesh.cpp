@@ -5,11 +5,11 @@
 
 #include <planish/core/error.h>
 #include <planish/evolve/remesh.h>
-#include <planish/mesh/coarsen.h>
 #include <planish/mesh/connectivity.h>
 #include <planish/mesh/inspect.h>
 
 #include "evolve/state/fixed_marks.h"
+#include "mesh/coarsen/coarsen.h"
 
 namespace planish {
 

@@ -2,7 +2,8 @@
 #include <utility>
 
 #include <planish/flatten/compare.h>
-#include <planish/flatten/evolve_progress.h>
+
+#include "flatten/evolve_progress.h"
 
 namespace planish {
 

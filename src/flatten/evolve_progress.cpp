@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "flatten/evolve_progress.h"
 
-#include <planish/flatten/evolve_progress.h>
+#include <algorithm>
 
 namespace planish {
 

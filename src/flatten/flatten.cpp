@@ -6,11 +6,11 @@
 #include <span>
 #include <utility>
 
-#include <planish/flatten/evolve_progress.h>
 #include <planish/flatten/flatten.h>
-#include <planish/measure/ruling_defect.h>
 
 #include "core/aside.h"
+#include "flatten/evolve_progress.h"
+#include "measure/ruling_defect.h"
 
 namespace planish {
 

@@ -1,7 +1,7 @@
+#include "flatten/reference_sweeps.h"
+
 #include <algorithm>
 #include <variant>
-
-#include <planish/flatten/reference_sweeps.h>
 
 namespace planish {
 

@@ -1,7 +1,8 @@
 #include <utility>
 
 #include <planish/flatten/flatten.h>
-#include <planish/measure/smoothed.h>
+
+#include "measure/smoothed.h"
 
 namespace planish {
 

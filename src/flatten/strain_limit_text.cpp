@@ -1,6 +1,6 @@
-#include <charconv>
+#include "flatten/strain_limit_text.h"
 
-#include <planish/flatten/strain_limit_text.h>
+#include <charconv>
 
 namespace planish {
 

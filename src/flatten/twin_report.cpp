@@ -1,11 +1,11 @@
+#include "flatten/twin_report.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
-
-#include <planish/flatten/twin_report.h>
 
 #include "flatten/limit_checks.h"
 

@@ -3,7 +3,6 @@
 
 #include <planish/core/error.h>
 #include <planish/io/read_cuts.h>
-#include <planish/platform/path.h>
 
 #include "core/math.h"
 #include "core/number_text.h"
@@ -12,6 +11,7 @@
 #include "io/formats/formats.h"
 #include "io/line_drawing.h"
 #include "mesh/search/nearest_vertex.h"
+#include "platform/path.h"
 
 namespace planish {
 namespace {

@@ -5,7 +5,6 @@
 #include <planish/core/error.h>
 #include <planish/io/read_features.h>
 #include <planish/mesh/connectivity.h>
-#include <planish/platform/path.h>
 
 #include "core/math.h"
 #include "core/number_text.h"
@@ -15,6 +14,7 @@
 #include "io/line_drawing.h"
 #include "mesh/cut/edge_paths.h"
 #include "mesh/search/nearest_vertex.h"
+#include "platform/path.h"
 
 namespace planish {
 namespace {

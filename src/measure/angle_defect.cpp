@@ -1,6 +1,6 @@
 #include <vector>
 
-#include <planish/measure/angle_defect.h>
+#include <planish/measure/flattenability.h>
 
 #include "measure/star_batches.h"
 

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include <planish/measure/bending.h>
+#include <planish/measure/fairness.h>
 
 #include "core/careful_sum.h"
 #include "measure/area.h"

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include <planish/measure/bending.h>
+#include <planish/measure/fairness.h>
 
 #include "core/math.h"
 

@@ -4,13 +4,12 @@
 #include <utility>
 #include <vector>
 
-#include <planish/measure/bending.h>
 #include <planish/measure/fairness.h>
-#include <planish/measure/smoothed.h>
 
 #include "core/careful_sum.h"
 #include "geometry/angle_between.h"
 #include "measure/bends.h"
+#include "measure/smoothed.h"
 
 namespace planish {
 

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <planish/measure/angle_defect.h>
 #include <planish/measure/flattenability.h>
 
 #include "core/careful_sum.h"

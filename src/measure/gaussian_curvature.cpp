@@ -1,6 +1,6 @@
 #include <cstddef>
 
-#include <planish/measure/gaussian_curvature.h>
+#include <planish/measure/flattenability.h>
 
 namespace planish {
 

@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/measure/angle_defect.h>
+#include <planish/measure/flattenability.h>
 #include <planish/measure/obstruction.h>
 
 #include "core/careful_sum.h"

@@ -1,9 +1,9 @@
+#include "measure/ruling_defect.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
-
-#include <planish/measure/ruling_defect.h>
 
 #include "core/careful_sum.h"
 #include "geometry/angle_between.h"

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include <planish/measure/self_intersections.h>
+#include <planish/measure/fairness.h>
 
 #include "mesh/search/box_tree.h"
 

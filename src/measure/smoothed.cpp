@@ -1,3 +1,5 @@
+#include "measure/smoothed.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -5,9 +7,8 @@
 #include <numbers>
 #include <span>
 
-#include <planish/core/fields.h>
-#include <planish/measure/bending.h>
-#include <planish/measure/smoothed.h>
+#include <planish/core/range.h>
+#include <planish/measure/fairness.h>
 
 #include "core/careful_sum.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <planish/core/error.h>
-#include <planish/core/fields.h>
+#include <planish/core/range.h>
 #include <planish/mesh/shapes.h>
 
 #include "core/math.h"

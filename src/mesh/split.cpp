@@ -1,9 +1,10 @@
+#include "mesh/split.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 
 #include <planish/core/error.h>
-#include <planish/mesh/split.h>
 
 #include "mesh/disjoint_sets.h"
 

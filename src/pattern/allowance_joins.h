@@ -1,6 +1,6 @@
 #pragma once
 
-#include <planish/pattern/offset_outline.h>
+#include <planish/pattern/allowance.h>
 
 namespace planish {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include <planish/core/error.h>
-#include <planish/pattern/edge_allowances.h>
+#include <planish/pattern/allowance.h>
 
 namespace planish {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include <planish/core/error.h>
-#include <planish/core/fields.h>
+#include <planish/core/range.h>
 #include <planish/pattern/notches.h>
 
 #include "core/number_text.h"

@@ -3,8 +3,8 @@
 #include <cstddef>
 
 #include <planish/core/error.h>
-#include <planish/core/fields.h>
-#include <planish/pattern/offset_outline.h>
+#include <planish/core/range.h>
+#include <planish/pattern/allowance.h>
 
 #include "core/math.h"
 #include "core/number_text.h"

@@ -1,8 +1,9 @@
+#include "pattern/pattern_hash.h"
+
 #include <array>
 #include <cmath>
 
-#include <planish/core/fnv_hash.h>
-#include <planish/pattern/pattern_hash.h>
+#include "core/fnv_hash.h"
 
 namespace planish {
 

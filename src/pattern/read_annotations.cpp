@@ -3,12 +3,12 @@
 #include <optional>
 
 #include <planish/pattern/read_annotations.h>
-#include <planish/platform/path.h>
 
 #include <fast_float/fast_float.h>
 
 #include "io/file/file_bytes.h"
 #include "io/file/text_cursor.h"
+#include "platform/path.h"
 
 namespace planish {
 

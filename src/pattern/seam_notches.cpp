@@ -2,7 +2,7 @@
 #include <utility>
 
 #include <planish/core/error.h>
-#include <planish/pattern/seam_notches.h>
+#include <planish/pattern/notches.h>
 
 #include "core/number_text.h"
 

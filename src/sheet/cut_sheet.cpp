@@ -1,10 +1,11 @@
+#include "sheet/cut_sheet.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
-#include <planish/sheet/cut_sheet.h>
 #include <planish/sheet/pattern_sheet.h>
 
 #include "sheet/sheet_layout.h"

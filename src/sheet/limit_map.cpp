@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <planish/draw/color_map.h>
+#include <planish/draw/color.h>
 
 #include "core/number_text.h"
 #include "sheet/strain_map.h"

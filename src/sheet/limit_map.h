@@ -9,7 +9,7 @@
 #include <planish/draw/drawing.h>
 #include <planish/mesh/tri_mesh.h>
 #include <planish/sheet/pattern_sheet.h>
-#include <planish/unfold/strain_limits.h>
+#include <planish/unfold/strain.h>
 
 #include "sheet/outlines.h"
 

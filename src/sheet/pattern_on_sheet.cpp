@@ -4,8 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include <planish/pattern/pattern_hash.h>
-
+#include "pattern/pattern_hash.h"
 #include "pattern/polygon/loop_box.h"
 #include "sheet/mirrored_place.h"
 #include "sheet/sheet_layout.h"

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <utility>
 
-#include <planish/flatten/twin_report.h>
 #include <planish/mesh/connectivity.h>
 #include <planish/sheet/product_sheet.h>
 
+#include "flatten/twin_report.h"
 #include "sheet/mirrored_place.h"
 
 namespace planish {

@@ -5,12 +5,12 @@
 #include <string_view>
 #include <utility>
 
-#include <planish/core/fnv_hash.h>
 #include <planish/core/version.h>
-#include <planish/draw/color_map.h>
+#include <planish/draw/color.h>
 #include <planish/sheet/pattern_sheet.h>
 
 #include "core/figure_text.h"
+#include "core/fnv_hash.h"
 #include "core/number_text.h"
 #include "sheet/limit_map.h"
 #include "sheet/sheet_layout.h"

@@ -1,10 +1,9 @@
 #include "shell/file_name.h"
 
-#include <planish/platform/path.h>
-
 #include <gmock/gmock.h>
 
 #include "cli_run.h"
+#include "platform/path.h"
 
 namespace planish::cli {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <planish/io/read_mesh.h>
 #include <planish/mesh/connectivity.h>
-#include <planish/mesh/split.h>
 
 #include <gmock/gmock.h>
 
 #include "cli_run.h"
+#include "mesh/split.h"
 #include "support/products.h"
 #include "support/test_patches.h"
 

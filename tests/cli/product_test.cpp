@@ -3,11 +3,10 @@
 #include <cmath>
 #include <streambuf>
 
-#include <planish/mesh/split.h>
-
 #include <gmock/gmock.h>
 
 #include "cli_run.h"
+#include "mesh/split.h"
 #include "product/parts.h"
 #include "support/meshes.h"
 #include "support/products.h"

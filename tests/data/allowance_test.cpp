@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include <planish/io/read_mesh.h>
-#include <planish/pattern/offset_outline.h>
+#include <planish/pattern/allowance.h>
 #include <planish/unfold/unfold.h>
 
 #include <gtest/gtest.h>

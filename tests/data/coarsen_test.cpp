@@ -1,7 +1,8 @@
+#include "mesh/coarsen/coarsen.h"
+
 #include <algorithm>
 
 #include <planish/io/read_mesh.h>
-#include <planish/mesh/coarsen.h>
 
 #include <gtest/gtest.h>
 

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include <planish/io/read_mesh.h>
-#include <planish/mesh/twins.h>
 #include <planish/unfold/strain.h>
 #include <planish/unfold/unfold.h>
 
 #include <gtest/gtest.h>
 
+#include "mesh/match/twins.h"
 #include "support/test_patches.h"
 
 namespace planish {

@@ -1,8 +1,8 @@
 // Taking vertices out of any patch.
 
-#include <algorithm>
+#include "mesh/coarsen/coarsen.h"
 
-#include <planish/mesh/coarsen.h>
+#include <algorithm>
 
 #include "fuzz/bytes_to_patch.h"
 #include "fuzz/check.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string_view>
 
-#include <planish/core/fields.h>
-#include <planish/evolve/border_freedom.h>
+#include <planish/core/range.h>
+#include <planish/evolve/method.h>
 
 #include "fuzz/bytes.h"
 

@@ -5,10 +5,10 @@
 #include <planish/measure/flattenability.h>
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/seams.h>
-#include <planish/mesh/split.h>
 
 #include "fuzz/bytes_to_patch.h"
 #include "fuzz/check.h"
+#include "mesh/split.h"
 
 using namespace planish;
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <numbers>
 
-#include <planish/pattern/offset_outline.h>
+#include <planish/pattern/allowance.h>
 
 #include "fuzz/bytes_to_outline.h"
 #include "fuzz/check.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include <planish/draw/write_svg.h>
+#include <planish/draw/format_drawing.h>
 #include <planish/flatten/flatten.h>
 #include <planish/sheet/pattern_sheet.h>
 
@@ -78,7 +78,7 @@ void check_sheet(const Drawing& sheet) {
     for (const DrawingShape& shape : layer.shapes)
       std::visit([](const auto& some) { check_shape(some); }, shape);
   }
-  write_svg(sheet);
+  format_svg(sheet);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // What --resume reads from the folder of an earlier run, which anybody may have written.
 
-#include <planish/core/fnv_hash.h>
 #include <planish/io/write_mesh.h>
 
+#include "core/fnv_hash.h"
 #include "fuzz/check.h"
 #include "fuzz/temporary_folder.h"
 #include "product/job.h"

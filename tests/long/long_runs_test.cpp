@@ -9,7 +9,6 @@
 
 #include <planish/evolve/evolve.h>
 #include <planish/flatten/flatten.h>
-#include <planish/measure/angle_defect.h>
 #include <planish/measure/flattenability.h>
 #include <planish/mesh/connectivity.h>
 #include <planish/mesh/shapes.h>

@@ -1,7 +1,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <planish/measure/angle_defect.h>
 #include <planish/measure/flattenability.h>
 #include <planish/mesh/inspect.h>
 

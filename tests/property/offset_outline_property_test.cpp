@@ -2,7 +2,7 @@
 #include <numbers>
 #include <vector>
 
-#include <planish/pattern/offset_outline.h>
+#include <planish/pattern/allowance.h>
 
 #include <gtest/gtest.h>
 

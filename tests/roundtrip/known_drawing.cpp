@@ -5,10 +5,7 @@
 #include <iostream>
 #include <numbers>
 
-#include <planish/draw/write_dxf.h>
-#include <planish/draw/write_pdf.h>
-#include <planish/draw/write_plt.h>
-#include <planish/draw/write_svg.h>
+#include <planish/draw/format_drawing.h>
 #include <planish/io/write_file.h>
 
 namespace {
@@ -77,18 +74,18 @@ int main(int argc, char** argv) {
   Drawing large = drawing;
   large.width = 7000.0;
   std::vector<planish::OutputFile> files = {
-      {folder / "known.svg", planish::write_svg(drawing)},
-      {folder / "known.pdf", planish::write_pdf(drawing)},
-      {folder / "large.pdf", planish::write_pdf(large)},
-      {folder / "known-a4.pdf", planish::write_tiled_pdf(drawing, planish::Paper::a4)},
-      {folder / "known-letter.pdf", planish::write_tiled_pdf(large, planish::Paper::letter)},
-      {folder / "known.plt", planish::write_plt(drawing)},
-      {folder / "strokes.dxf", planish::write_dxf(drawing, {.stroked_text = true})},
+      {folder / "known.svg", planish::format_svg(drawing)},
+      {folder / "known.pdf", planish::format_pdf(drawing)},
+      {folder / "large.pdf", planish::format_pdf(large)},
+      {folder / "known-a4.pdf", planish::format_tiled_pdf(drawing, planish::Paper::a4)},
+      {folder / "known-letter.pdf", planish::format_tiled_pdf(large, planish::Paper::letter)},
+      {folder / "known.plt", planish::format_plt(drawing)},
+      {folder / "strokes.dxf", planish::format_dxf(drawing, {.stroked_text = true})},
       {folder / "renamed.dxf",
-       planish::write_dxf(drawing, {.layer_names = {{"cut", "LASER"}, {"seam", "LASER"}}})}};
+       planish::format_dxf(drawing, {.layer_names = {{"cut", "LASER"}, {"seam", "LASER"}}})}};
   for (const planish::DxfProfile profile : planish::k_dxf_profiles) {
     files.push_back({folder / (std::string(to_string(profile)) + ".dxf"),
-                     planish::write_dxf(drawing, {.profile = profile})});
+                     planish::format_dxf(drawing, {.profile = profile})});
   }
   planish::write_files(files);
 }

@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include <planish/mesh/coarsen.h>
 #include <planish/mesh/inspect.h>
 
 #include <gtest/gtest.h>
 
+#include "mesh/coarsen/coarsen.h"
 #include "mesh/search/closest_point.h"
 
 namespace planish {

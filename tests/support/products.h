@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <planish/mesh/split.h>
+#include "mesh/split.h"
 
 namespace planish {
 

@@ -2,7 +2,6 @@
 #include <filesystem>
 
 #include <planish/io/write_mesh.h>
-#include <planish/platform/path.h>
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
 
@@ -10,6 +9,7 @@
 #include "flags/constraint_flags.h"
 #include "flags/method_flags.h"
 #include "flags/units.h"
+#include "platform/path.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/output_folder.h"

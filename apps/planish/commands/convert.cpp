@@ -1,8 +1,8 @@
 #include <planish/io/mesh_format.h>
 #include <planish/io/write_mesh.h>
-#include <planish/platform/path.h>
 
 #include "commands/commands.h"
+#include "platform/path.h"
 #include "shell/session.h"
 #include "text/json_text.h"
 #include "text/summary.h"

@@ -1,7 +1,5 @@
-#include <planish/flatten/evolve_progress.h>
 #include <planish/io/mesh_format.h>
 #include <planish/io/write_mesh.h>
-#include <planish/platform/path.h>
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
@@ -9,6 +7,8 @@
 #include "flags/cut_flag.h"
 #include "flags/method_flags.h"
 #include "flags/units.h"
+#include "flatten/evolve_progress.h"
+#include "platform/path.h"
 #include "shell/failures.h"
 #include "shell/session.h"
 #include "shell/text.h"

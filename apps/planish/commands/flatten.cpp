@@ -3,9 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include <planish/flatten/reference_sweeps.h>
 #include <planish/io/write_mesh.h>
-#include <planish/platform/path.h>
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
 #include <planish/sheet/pattern_sheet.h>
@@ -18,7 +16,9 @@
 #include "flags/match_seams_flag.h"
 #include "flags/method_flags.h"
 #include "flags/units.h"
+#include "flatten/reference_sweeps.h"
 #include "output/pattern_output.h"
+#include "platform/path.h"
 #include "product/job.h"
 #include "product/nest.h"
 #include "product/parts.h"

@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include <planish/flatten/frontier.h>
-#include <planish/platform/path.h>
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
 
@@ -11,6 +10,7 @@
 #include "flags/method_flags.h"
 #include "flags/quantities.h"
 #include "flags/units.h"
+#include "platform/path.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/session.h"

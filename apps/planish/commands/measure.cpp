@@ -2,12 +2,12 @@
 #include <utility>
 
 #include <planish/flatten/strain_as_designed.h>
-#include <planish/platform/path.h>
-#include <planish/report/direction_map.h>
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
 #include "flags/limit_flags.h"
+#include "platform/path.h"
+#include "report/pictures/direction_map.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/session.h"

@@ -1,9 +1,9 @@
 #include <planish/io/mesh_format.h>
 #include <planish/io/write_mesh.h>
 #include <planish/mesh/shapes.h>
-#include <planish/platform/path.h>
 
 #include "commands/commands.h"
+#include "platform/path.h"
 #include "shell/session.h"
 #include "shell/text.h"
 #include "shell/values.h"

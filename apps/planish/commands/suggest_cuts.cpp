@@ -1,14 +1,14 @@
 #include <map>
 #include <utility>
 
-#include <planish/draw/write_svg.h>
+#include <planish/draw/format_drawing.h>
 #include <planish/io/write_mesh.h>
-#include <planish/platform/path.h>
-#include <planish/sheet/cut_sheet.h>
 
 #include "commands/commands.h"
 #include "flags/quantities.h"
 #include "flags/units.h"
+#include "platform/path.h"
+#include "sheet/cut_sheet.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/session.h"
@@ -64,7 +64,7 @@ std::vector<OutputFile> suggestion_files(const CutSuggestion& suggestion,
     if (role == "cuts") {
       files.push_back({path_of(path), suggestion_file(suggestion, unit)});
     } else if (role == "picture") {
-      files.push_back({path_of(path), write_svg(cut_sheet(suggestion, unit, name))});
+      files.push_back({path_of(path), format_svg(cut_sheet(suggestion, unit, name))});
     } else {
       files.push_back(
           {path_of(path), format_mesh(suggestion.last.cut.mesh, mesh_format_of(path_of(path)))});

@@ -3,7 +3,6 @@
 
 #include <planish/io/mesh_format.h>
 #include <planish/io/write_mesh.h>
-#include <planish/platform/path.h>
 #include <planish/report/json_report.h>
 #include <planish/sheet/pattern_sheet.h>
 
@@ -14,6 +13,7 @@
 #include "flags/match_seams_flag.h"
 #include "flags/units.h"
 #include "output/pattern_output.h"
+#include "platform/path.h"
 #include "product/seams.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"

@@ -6,12 +6,12 @@
 #include <limits>
 
 #include <planish/pattern/read_annotations.h>
-#include <planish/platform/path.h>
 
 #include <fast_float/fast_float.h>
 
 #include "flags/quantities.h"
 #include "flags/units.h"
+#include "platform/path.h"
 #include "shell/failures.h"
 #include "shell/values.h"
 

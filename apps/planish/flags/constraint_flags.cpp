@@ -1,9 +1,9 @@
 #include "flags/constraint_flags.h"
 
 #include <planish/io/read_features.h>
-#include <planish/platform/path.h>
 
 #include "flags/method_flags.h"
+#include "platform/path.h"
 #include "shell/failures.h"
 #include "shell/session.h"
 #include "shell/text.h"

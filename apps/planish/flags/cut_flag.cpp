@@ -3,11 +3,11 @@
 #include <utility>
 
 #include <planish/io/read_cuts.h>
-#include <planish/platform/path.h>
 
 #include <planish_json/json.h>
 
 #include "flags/units.h"
+#include "platform/path.h"
 #include "shell/failures.h"
 #include "shell/session.h"
 #include "shell/text.h"

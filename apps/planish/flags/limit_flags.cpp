@@ -2,10 +2,9 @@
 
 #include <string>
 
-#include <planish/flatten/strain_limit_text.h>
-
 #include "flags/material_flag.h"
 #include "flags/quantities.h"
+#include "flatten/strain_limit_text.h"
 #include "shell/failures.h"
 #include "shell/run_context.h"
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/unfold/strain_limits.h>
+#include <planish/unfold/strain.h>
 
 #include "shell/command.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include <planish/core/fields.h>
+#include <planish/core/range.h>
 
 #include "shell/command.h"
 

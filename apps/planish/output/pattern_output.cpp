@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include <planish/draw/stroke_text.h>
-#include <planish/draw/write_plt.h>
-#include <planish/draw/write_svg.h>
+#include <planish/draw/format_drawing.h>
 #include <planish/sheet/pattern_sheet.h>
 
+#include "draw/text/stroke_text.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/values.h"
@@ -175,19 +174,19 @@ std::string pattern_file(const Drawing& sheet, PatternFormat format, const Patte
   const Drawing drawing = prepared(sheet, output);
   switch (format) {
     case PatternFormat::svg:
-      return write_svg(drawing);
+      return format_svg(drawing);
     case PatternFormat::dxf:
-      return write_dxf(drawing, output.dxf);
+      return format_dxf(drawing, output.dxf);
     case PatternFormat::pdf:
-      return write_pdf(drawing);
+      return format_pdf(drawing);
     case PatternFormat::plt:
-      return write_plt(drawing);
+      return format_plt(drawing);
   }
   return {};
 }
 
 std::string tiled_file(const Drawing& sheet, const PatternOutput& output) {
-  return write_tiled_pdf(prepared(sheet, output), *output.paper);
+  return format_tiled_pdf(prepared(sheet, output), *output.paper);
 }
 
 }  // namespace planish::cli

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include <planish/draw/drawing.h>
-#include <planish/draw/write_dxf.h>
-#include <planish/draw/write_pdf.h>
+#include <planish/draw/format_drawing.h>
 
 #include "shell/command.h"
 

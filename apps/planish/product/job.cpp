@@ -4,10 +4,10 @@
 #include <thread>
 #include <utility>
 
-#include <planish/draw/write_svg.h>
-#include <planish/platform/path.h>
+#include <planish/draw/format_drawing.h>
 #include <planish/sheet/product_sheet.h>
 
+#include "platform/path.h"
 #include "product/nest.h"
 #include "product/run.h"
 #include "product/seams.h"
@@ -88,7 +88,7 @@ class ProductRun {
     for (const SeamLengths& seam : measured)
       seams.push_back(seam.seam);
     const std::string title = stem_of(job_.path);
-    return write_svg(product_sheet(pieces, seams, job_.options.unit, title));
+    return format_svg(product_sheet(pieces, seams, job_.options.unit, title));
   }
 
   /// Whose places a pattern has; nothing for others, nor where vertices have got other numbers.

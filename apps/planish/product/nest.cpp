@@ -5,12 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include <planish/platform/path.h>
-
 #include <planish_json/json.h>
 
 #include "flags/quantities.h"
 #include "flags/units.h"
+#include "platform/path.h"
 #include "shell/failures.h"
 #include "shell/text.h"
 #include "shell/values.h"

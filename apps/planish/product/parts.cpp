@@ -9,10 +9,10 @@
 #include <utility>
 
 #include <planish/mesh/inspect.h>
-#include <planish/mesh/split.h>
-#include <planish/platform/path.h>
 
+#include "mesh/split.h"
 #include "output/pattern_output.h"
+#include "platform/path.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/text.h"

@@ -10,8 +10,8 @@
 #include <thread>
 #include <utility>
 
-#include <planish/flatten/twin_report.h>
-#include <planish/platform/path.h>
+#include "flatten/twin_report.h"
+#include "platform/path.h"
 
 namespace planish::cli {
 

@@ -4,12 +4,12 @@
 
 #include <planish/mesh/connectivity.h>
 #include <planish/mesh/inspect.h>
+#include <planish/pattern/notches.h>
 #include <planish/pattern/read_annotations.h>
-#include <planish/pattern/seam_notches.h>
-#include <planish/platform/path.h>
 
 #include "flags/quantities.h"
 #include "flags/units.h"
+#include "platform/path.h"
 #include "shell/failures.h"
 
 namespace planish::cli {

@@ -9,12 +9,13 @@
 #include <string_view>
 #include <utility>
 
-#include <planish/core/fnv_hash.h>
 #include <planish/core/version.h>
 #include <planish/io/read_mesh.h>
-#include <planish/platform/path.h>
 
 #include <planish_json/json.h>
+
+#include "core/fnv_hash.h"
+#include "platform/path.h"
 
 namespace planish::cli {
 

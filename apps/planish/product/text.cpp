@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include <planish/core/version.h>
-#include <planish/flatten/twin_report.h>
 
 #include <planish_json/json.h>
 
+#include "flatten/twin_report.h"
 #include "shell/file_name.h"
 #include "shell/text.h"
 

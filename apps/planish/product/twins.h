@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include <planish/mesh/twins.h>
 #include <planish/pattern/pattern_options.h>
 
+#include "mesh/match/twins.h"
 #include "product/parts.h"
 
 namespace planish::cli {

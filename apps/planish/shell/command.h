@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <planish/core/fields.h>
+#include <planish/core/range.h>
 
 #include "shell/run_context.h"
 

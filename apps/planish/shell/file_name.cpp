@@ -1,6 +1,6 @@
 #include "shell/file_name.h"
 
-#include <planish/platform/path.h>
+#include "platform/path.h"
 
 namespace planish::cli {
 

@@ -3,7 +3,8 @@
 #include <system_error>
 
 #include <planish/core/error.h>
-#include <planish/platform/path.h>
+
+#include "platform/path.h"
 
 namespace planish::cli {
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include <planish/platform/path.h>
-
+#include "platform/path.h"
 #include "shell/failures.h"
 #include "shell/text.h"
 #include "shell/values.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <planish/core/fields.h>
+#include <planish/core/range.h>
 
 namespace planish::cli {
 

@@ -4,8 +4,9 @@
 #include <span>
 #include <string>
 
-#include <planish/evolve/direction.h>
 #include <planish/mesh/shapes.h>
+
+#include "evolve/direction.h"
 
 namespace planish::cli {
 

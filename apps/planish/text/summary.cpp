@@ -5,9 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include <planish/flatten/strain_limit_text.h>
-#include <planish/platform/path.h>
-
+#include "flatten/strain_limit_text.h"
+#include "platform/path.h"
 #include "shell/text.h"
 #include "shell/values.h"
 

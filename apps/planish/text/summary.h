@@ -3,11 +3,11 @@
 #include <optional>
 #include <string>
 
-#include <planish/evolve/direction.h>
 #include <planish/flatten/compare.h>
 #include <planish/flatten/flatten.h>
 #include <planish/flatten/strain_as_designed.h>
 
+#include "evolve/direction.h"
 #include "shell/command.h"
 #include "shell/session.h"
 

@@ -8,15 +8,12 @@
 #include <planish/core/unit.h>
 #include <planish/evolve/evolve.h>
 #include <planish/evolve/remesh.h>
-#include <planish/measure/bending.h>
 #include <planish/measure/deviation.h>
 #include <planish/measure/fairness.h>
 #include <planish/measure/flattenability.h>
 #include <planish/measure/obstruction.h>
-#include <planish/measure/self_intersections.h>
 #include <planish/mesh/inspect.h>
 #include <planish/unfold/strain.h>
-#include <planish/unfold/strain_limits.h>
 #include <planish/unfold/unfold.h>
 
 namespace planish {

@@ -5,7 +5,6 @@
 
 #include <planish/mesh/tri_mesh.h>
 #include <planish/unfold/strain.h>
-#include <planish/unfold/strain_limits.h>
 #include <planish/unfold/unfold.h>
 
 namespace planish {

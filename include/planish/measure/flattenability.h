@@ -9,6 +9,18 @@
 
 namespace planish {
 
+/// d_v = 2 pi - theta_v of every inner vertex, in radians; 0 for all other vertices. Zero-area
+/// triangles have angles 0, 0, pi. Angles come from the product of the corners as complex numbers:
+/// one arctangent a vertex and no loss of digits near 2 pi (docs/notation.md).
+std::vector<double> angle_defects(const TriMesh& mesh, const Connectivity& connectivity);
+
+/// Gaussian curvature of every inner vertex as Eq. 1 of the 2010 paper has it: d_v over a third of
+/// the area of the triangles around v, one over square model units. 0 for all other vertices;
+/// where there is no area, 0 for defect 0 and infinite for others.
+/// @param defects as from angle_defects()
+std::vector<double> gaussian_curvatures(const TriMesh& mesh, const Connectivity& connectivity,
+                                        std::span<const double> defects);
+
 /// How far a patch is from flattenable. Defects are over inner vertices only; with none, 0.
 struct Flattenability {
   double e_max = 0.0;           ///< max |d_v|, radians (Eq. 18)

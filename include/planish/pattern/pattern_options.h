@@ -7,11 +7,10 @@
 #include <variant>
 #include <vector>
 
-#include <planish/pattern/edge_allowances.h>
+#include <planish/pattern/allowance.h>
 #include <planish/pattern/grain.h>
 #include <planish/pattern/marks.h>
 #include <planish/pattern/notches.h>
-#include <planish/pattern/offset_outline.h>
 
 namespace planish {
 

@@ -5,10 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include <planish/pattern/edge_allowances.h>
+#include <planish/pattern/allowance.h>
 #include <planish/pattern/marks.h>
 #include <planish/pattern/notches.h>
-#include <planish/pattern/seam_notches.h>
 
 namespace planish {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <planish/draw/color_map.h>
+#include <planish/draw/color.h>
 #include <planish/flatten/compare.h>
 #include <planish/flatten/flatten.h>
 #include <planish/flatten/frontier.h>

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <planish/draw/color_map.h>
+#include <planish/draw/color.h>
 #include <planish/draw/drawing.h>
 #include <planish/flatten/flatten.h>
 #include <planish/pattern/pattern_options.h>

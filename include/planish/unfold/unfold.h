@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <planish/mesh/connectivity.h>
-#include <planish/unfold/strain_limits.h>
+#include <planish/unfold/strain.h>
 
 namespace planish {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <planish/draw/write_dxf.h>
+#include <planish/draw/format_drawing.h>
 
 namespace planish {
 

@@ -3,10 +3,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include <planish/draw/stroke_text.h>
-
 #include "core/number_text.h"
 #include "draw/pdf/pdf_text.h"
+#include "draw/text/stroke_text.h"
 #include "draw/whole_steps.h"
 
 namespace planish {

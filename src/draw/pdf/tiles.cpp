@@ -6,7 +6,8 @@
 #include <span>
 
 #include <planish/core/error.h>
-#include <planish/draw/stroke_text.h>
+
+#include "draw/text/stroke_text.h"
 
 namespace planish {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <planish/draw/drawing.h>
-#include <planish/draw/write_pdf.h>
+#include <planish/draw/format_drawing.h>
 
 namespace planish {
 

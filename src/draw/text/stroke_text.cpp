@@ -1,7 +1,7 @@
+#include "draw/text/stroke_text.h"
+
 #include <cmath>
 #include <utility>
-
-#include <planish/draw/stroke_text.h>
 
 #include "draw/text/stroke_font.h"
 #include "draw/text/utf8.h"

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/evolve/border_freedom.h>
+#include <planish/evolve/method.h>
 
 #include "evolve/state/patch_state.h"
 #include "evolve/systems/positions.h"

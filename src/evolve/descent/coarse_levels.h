@@ -5,11 +5,11 @@
 #include <vector>
 
 #include <planish/evolve/constraints.h>
-#include <planish/mesh/coarsen.h>
 
 #include "core/thread_pool.h"
 #include "evolve/descent/fairness_energy.h"
 #include "evolve/state/patch_state.h"
+#include "mesh/coarsen/coarsen.h"
 
 namespace planish {
 

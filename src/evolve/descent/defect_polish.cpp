@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include <planish/evolve/controllable_laplacian.h>
+#include <planish/evolve/method.h>
 
 #include "evolve/descent/fairness_energy.h"
 #include "evolve/descent/smallest_angle.h"

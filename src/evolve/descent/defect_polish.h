@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include <planish/evolve/stop_reason.h>
+#include <planish/evolve/evolver.h>
 #include <planish/measure/flattenability.h>
 
 #include "evolve/descent/descent_limits.h"

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include <planish/evolve/auto.h>
+#include <planish/evolve/method.h>
 
 #include "core/thread_pool.h"
 #include "evolve/state/patch_state.h"

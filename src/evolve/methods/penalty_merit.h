@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/evolve/global_penalty.h>
+#include <planish/evolve/method.h>
 
 #include "core/thread_pool.h"
 #include "evolve/state/patch_state.h"

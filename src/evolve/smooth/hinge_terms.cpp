@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <planish/measure/bending.h>
+#include <planish/measure/fairness.h>
 
 #include "core/careful_sum.h"
 #include "core/math.h"

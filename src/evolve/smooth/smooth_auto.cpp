@@ -5,9 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include <planish/measure/bending.h>
 #include <planish/measure/fairness.h>
-#include <planish/measure/smoothed.h>
 
 #include "evolve/descent/coarse_levels.h"
 #include "evolve/descent/defect_polish.h"
@@ -16,6 +14,7 @@
 #include "evolve/smooth/smooth_control.h"
 #include "evolve/smooth/smooth_descent.h"
 #include "evolve/systems/dense.h"
+#include "measure/smoothed.h"
 
 namespace planish {
 

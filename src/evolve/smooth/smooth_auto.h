@@ -1,6 +1,6 @@
 #pragma once
 
-#include <planish/evolve/auto.h>
+#include <planish/evolve/method.h>
 
 #include "core/thread_pool.h"
 #include "evolve/state/patch_state.h"

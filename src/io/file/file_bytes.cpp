@@ -1,7 +1,8 @@
 #include "io/file/file_bytes.h"
 
 #include <planish/core/error.h>
-#include <planish/platform/path.h>
+
+#include "platform/path.h"
 
 namespace planish {
 

@@ -5,9 +5,9 @@
 
 #include <planish/core/error.h>
 #include <planish/io/write_file.h>
-#include <planish/platform/path.h>
 
 #include "platform/file.h"
+#include "platform/path.h"
 
 namespace planish {
 namespace {

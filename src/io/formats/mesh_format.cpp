@@ -2,10 +2,10 @@
 
 #include <planish/core/error.h>
 #include <planish/io/mesh_format.h>
-#include <planish/platform/path.h>
 
 #include "io/file/cursor_error.h"
 #include "io/formats/formats.h"
+#include "platform/path.h"
 
 namespace planish {
 

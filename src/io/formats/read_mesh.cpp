@@ -1,10 +1,10 @@
 #include <planish/core/error.h>
 #include <planish/io/read_mesh.h>
-#include <planish/platform/path.h>
 
 #include "io/file/file_bytes.h"
 #include "io/file/foreign_file.h"
 #include "io/formats/formats.h"
+#include "platform/path.h"
 
 namespace planish {
 

@@ -1,7 +1,8 @@
+#include "mesh/coarsen/coarsen.h"
+
 #include <numeric>
 #include <utility>
 
-#include <planish/mesh/coarsen.h>
 #include <planish/mesh/inspect.h>
 
 #include "mesh/breadth_first.h"

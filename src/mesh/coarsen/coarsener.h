@@ -3,8 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <planish/mesh/coarsen.h>
-
+#include "mesh/coarsen/coarsen.h"
 #include "mesh/coarsen/fine_surface.h"
 #include "mesh/coarsen/triangle_grade.h"
 #include "mesh/coarsen/vertex_queue.h"

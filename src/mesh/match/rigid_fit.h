@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/mesh/twins.h>
+#include "mesh/match/twins.h"
 
 namespace planish {
 

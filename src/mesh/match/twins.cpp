@@ -1,8 +1,8 @@
+#include "mesh/match/twins.h"
+
 #include <cmath>
 #include <map>
 #include <utility>
-
-#include <planish/mesh/twins.h>
 
 #include "mesh/match/rigid_fit.h"
 #include "mesh/mesh_walk.h"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include <planish/core/error.h>
-#include <planish/core/fields.h>
+#include <planish/core/range.h>
 #include <planish/pattern/nest.h>
 
 #include "core/math.h"

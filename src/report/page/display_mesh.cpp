@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include <planish/mesh/coarsen.h>
+#include "mesh/coarsen/coarsen.h"
 
 namespace planish {
 

@@ -55,7 +55,7 @@ std::string html_script() {
 std::string html_picture(const Image& image, const std::string& alt, const std::string& caption) {
   return "<figure><div class=\"plate\"><img width=\"" + std::to_string(image.width) +
          "\" height=\"" + std::to_string(image.height) + "\" alt=\"" + alt +
-         "\" src=\"data:image/png;base64," + base64(write_png(image)) + "\"></div><figcaption>" +
+         "\" src=\"data:image/png;base64," + base64(format_png(image)) + "\"></div><figcaption>" +
          caption + "</figcaption></figure>\n";
 }
 

@@ -3,10 +3,10 @@
 #include <string>
 #include <string_view>
 
-#include <planish/draw/color_map.h>
-#include <planish/draw/image.h>
+#include <planish/draw/color.h>
 #include <planish/evolve/evolve.h>
 
+#include "draw/image.h"
 #include "report/page/legend.h"
 
 namespace planish {

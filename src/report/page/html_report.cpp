@@ -5,14 +5,14 @@
 #include <vector>
 
 #include <planish/core/version.h>
-#include <planish/flatten/strain_limit_text.h>
-#include <planish/flatten/twin_report.h>
-#include <planish/measure/angle_defect.h>
+#include <planish/measure/flattenability.h>
 #include <planish/report/html_report.h>
 
 #include "core/figure_text.h"
 #include "draw/text/markup_text.h"
 #include "flatten/limit_checks.h"
+#include "flatten/strain_limit_text.h"
+#include "flatten/twin_report.h"
 #include "flatten/verdict.h"
 #include "report/charts/convergence_chart.h"
 #include "report/charts/defect_histogram.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/measure/angle_defect.h>
+#include <planish/measure/flattenability.h>
 #include <planish/sheet/pattern_sheet.h>
 
 #include "core/figure_text.h"

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <planish/draw/color.h>
-#include <planish/draw/color_map.h>
 
 namespace planish {
 

@@ -6,10 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include <planish/draw/color_map.h>
-#include <planish/measure/angle_defect.h>
-#include <planish/measure/bending.h>
-#include <planish/measure/gaussian_curvature.h>
+#include <planish/draw/color.h>
+#include <planish/measure/fairness.h>
+#include <planish/measure/flattenability.h>
 #include <planish/mesh/connectivity.h>
 #include <planish/sheet/pattern_sheet.h>
 

@@ -8,7 +8,7 @@
 
 #include <planish/core/unit.h>
 #include <planish/mesh/tri_mesh.h>
-#include <planish/unfold/strain_limits.h>
+#include <planish/unfold/strain.h>
 
 namespace planish {
 

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include <planish/draw/color_map.h>
-#include <planish/report/direction_map.h>
+#include <planish/draw/color.h>
 
 #include "core/figure_text.h"
 #include "core/number_text.h"
 #include "draw/base64.h"
 #include "draw/svg/svg_layers.h"
 #include "draw/text/markup_text.h"
+#include "report/pictures/direction_map.h"
 #include "report/pictures/patch_view.h"
 
 namespace planish {
@@ -62,7 +62,7 @@ std::string column(const DirectionPicture& picture, double x, double y) {
   std::string svg = text(x, y + 14.0, 15.0, picture.title, true) + "<image x=\"" +
                     fixed_text(x, 1) + "\" y=\"" + fixed_text(y + 26.0, 1) + "\" width=\"" +
                     fixed_text(k_column, 1) + "\" height=\"" + fixed_text(height, 1) +
-                    "\" href=\"data:image/png;base64," + base64(write_png(picture.image)) +
+                    "\" href=\"data:image/png;base64," + base64(format_png(picture.image)) +
                     "\"/>\n";
   double line = y + 26.0 + height + 24.0;
   for (const DirectionKey& key : picture.keys) {

@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
-#include <planish/draw/image.h>
-#include <planish/evolve/direction.h>
 #include <planish/mesh/tri_mesh.h>
+
+#include "draw/image.h"
+#include "evolve/direction.h"
 
 namespace planish {
 

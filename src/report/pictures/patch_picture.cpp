@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include <planish/measure/angle_defect.h>
 #include <planish/measure/flattenability.h>
 #include <planish/mesh/connectivity.h>
 

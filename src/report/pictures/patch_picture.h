@@ -3,10 +3,11 @@
 #include <span>
 #include <vector>
 
-#include <planish/draw/color_map.h>
-#include <planish/draw/image.h>
+#include <planish/draw/color.h>
 #include <planish/mesh/connectivity.h>
 #include <planish/mesh/tri_mesh.h>
+
+#include "draw/image.h"
 
 namespace planish {
 

@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include <planish/draw/image.h>
 #include <planish/mesh/tri_mesh.h>
 
+#include "draw/image.h"
 #include "report/pictures/view.h"
 
 namespace planish {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include <planish/draw/color_map.h>
+#include <planish/draw/color.h>
 
 #include "unfold/strain/vertex_strain.h"
 

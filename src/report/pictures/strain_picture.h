@@ -3,9 +3,10 @@
 #include <span>
 #include <vector>
 
-#include <planish/draw/image.h>
 #include <planish/mesh/tri_mesh.h>
 #include <planish/unfold/unfold.h>
+
+#include "draw/image.h"
 
 namespace planish {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <planish/measure/angle_defect.h>
+#include <planish/measure/flattenability.h>
 #include <planish/mesh/inspect.h>
 
 #include "mesh/cut/inside_paths.h"

@@ -4,9 +4,9 @@
 #include <numeric>
 #include <utility>
 
-#include <planish/mesh/coarsen.h>
 #include <planish/unfold/suggest_cuts.h>
 
+#include "mesh/coarsen/coarsen.h"
 #include "mesh/cut/inside_paths.h"
 #include "unfold/cuts/dart_tips.h"
 #include "unfold/cuts/disk_cuts.h"

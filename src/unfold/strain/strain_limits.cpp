@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include <planish/unfold/strain.h>
-#include <planish/unfold/strain_limits.h>
 
 #include "core/careful_sum.h"
 #include "unfold/strain/strain_of_edges.h"

@@ -6,12 +6,9 @@
 #include <optional>
 #include <string>
 
-#include <planish/draw/stroke_text.h>
-#include <planish/draw/write_dxf.h>
-#include <planish/draw/write_pdf.h>
-#include <planish/draw/write_plt.h>
-#include <planish/draw/write_svg.h>
+#include <planish/draw/format_drawing.h>
 
+#include "draw/text/stroke_text.h"
 #include "fuzz/bytes.h"
 #include "fuzz/check.h"
 #include "oracle/drawn_lines.h"
@@ -101,7 +98,7 @@ void check_length(const oracle::Lines& lines, const Drawn& drawn, double step) {
 }
 
 void check_svg(const Drawing& drawing, bool anywhere) {
-  const oracle::Lines lines = oracle::lines_of_svg(write_svg(drawing));
+  const oracle::Lines lines = oracle::lines_of_svg(format_svg(drawing));
   if (!anywhere) check_length(lines, drawn_in(drawing, Wanted::all), 0.001);
 }
 
@@ -109,7 +106,7 @@ void check_dxf(const Drawing& drawing, bool anywhere) {
   for (const DxfProfile profile : k_dxf_profiles) {
     for (const bool stroked_text : {false, true}) {
       const DxfOptions options{.profile = profile, .stroked_text = stroked_text};
-      const oracle::Lines lines = oracle::lines_of_dxf(write_dxf(drawing, options));
+      const oracle::Lines lines = oracle::lines_of_dxf(format_dxf(drawing, options));
       if (anywhere || profile != DxfProfile::generic) continue;
       check_length(lines,
                    drawn_in(stroked_text ? with_stroked_text(drawing) : drawing, Wanted::stroked),
@@ -119,7 +116,7 @@ void check_dxf(const Drawing& drawing, bool anywhere) {
 }
 
 void check_plt(const Drawing& drawing, bool anywhere) {
-  const oracle::Lines lines = oracle::lines_of_plt(write_plt(drawing));
+  const oracle::Lines lines = oracle::lines_of_plt(format_plt(drawing));
   if (anywhere) return;
   check_length(lines, drawn_in(with_stroked_text(drawing), Wanted::stroked_and_visible), 0.025);
 }
@@ -134,7 +131,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   check_svg(drawing, anywhere);
   check_dxf(drawing, anywhere);
   check_plt(drawing, anywhere);
-  oracle::check_pdf(write_pdf(drawing));
-  fuzz::allow_refusal([&] { oracle::check_pdf(write_tiled_pdf(drawing, paper)); });
+  oracle::check_pdf(format_pdf(drawing));
+  fuzz::allow_refusal([&] { oracle::check_pdf(format_tiled_pdf(drawing, paper)); });
   return 0;
 }

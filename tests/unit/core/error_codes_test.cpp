@@ -10,11 +10,10 @@
 #include <planish/mesh/cut.h>
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/shapes.h>
-#include <planish/pattern/edge_allowances.h>
+#include <planish/pattern/allowance.h>
 #include <planish/pattern/grain.h>
 #include <planish/pattern/nest.h>
 #include <planish/pattern/notches.h>
-#include <planish/pattern/offset_outline.h>
 #include <planish/unfold/unfold.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include <planish/core/error.h>
-#include <planish/core/fields.h>
+#include <planish/core/range.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include <planish/draw/color_map.h>
+#include <planish/draw/color.h>
 
 #include <gtest/gtest.h>
 

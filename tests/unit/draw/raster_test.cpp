@@ -4,9 +4,9 @@
 #include <limits>
 #include <vector>
 
-#include <planish/draw/image.h>
-
 #include <gtest/gtest.h>
+
+#include "draw/image.h"
 
 namespace planish {
 namespace {

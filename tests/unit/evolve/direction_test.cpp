@@ -1,7 +1,8 @@
+#include "evolve/direction.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include <planish/evolve/direction.h>
 #include <planish/evolve/evolve.h>
 #include <planish/measure/flattenability.h>
 #include <planish/mesh/shapes.h>

@@ -1,4 +1,4 @@
-#include <planish/flatten/evolve_progress.h>
+#include "flatten/evolve_progress.h"
 
 #include <gtest/gtest.h>
 

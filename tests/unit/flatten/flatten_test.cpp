@@ -2,11 +2,11 @@
 
 #include <planish/flatten/flatten.h>
 #include <planish/measure/deviation.h>
-#include <planish/measure/smoothed.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>
 
+#include "measure/smoothed.h"
 #include "support/meshes.h"
 
 namespace planish {

@@ -1,4 +1,4 @@
-#include <planish/flatten/reference_sweeps.h>
+#include "flatten/reference_sweeps.h"
 
 #include <gtest/gtest.h>
 

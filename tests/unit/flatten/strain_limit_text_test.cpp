@@ -1,6 +1,7 @@
+#include "flatten/strain_limit_text.h"
+
 #include <cmath>
 
-#include <planish/flatten/strain_limit_text.h>
 #include <planish/report/html_report.h>
 
 #include <gmock/gmock.h>

@@ -1,3 +1,5 @@
+#include "flatten/twin_report.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -5,7 +7,6 @@
 #include <variant>
 #include <vector>
 
-#include <planish/flatten/twin_report.h>
 #include <planish/sheet/pattern_sheet.h>
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <planish/measure/bending.h>
+#include <planish/measure/fairness.h>
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,11 @@
 #include <limits>
 
 #include <planish/measure/deviation.h>
-#include <planish/mesh/coarsen.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>
+
+#include "mesh/coarsen/coarsen.h"
 
 namespace planish {
 namespace {

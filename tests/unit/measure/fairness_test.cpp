@@ -2,12 +2,11 @@
 #include <cmath>
 #include <numbers>
 
-#include <planish/measure/bending.h>
 #include <planish/measure/fairness.h>
-#include <planish/measure/smoothed.h>
 
 #include <gtest/gtest.h>
 
+#include "measure/smoothed.h"
 #include "support/bent_sheets.h"
 #include "support/meshes.h"
 

@@ -1,7 +1,6 @@
 #include <cmath>
 
-#include <planish/measure/angle_defect.h>
-#include <planish/measure/gaussian_curvature.h>
+#include <planish/measure/flattenability.h>
 
 #include <gtest/gtest.h>
 

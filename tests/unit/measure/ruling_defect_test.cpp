@@ -1,6 +1,7 @@
+#include "measure/ruling_defect.h"
+
 #include <numbers>
 
-#include <planish/measure/ruling_defect.h>
 #include <planish/mesh/shapes.h>
 
 #include <Eigen/Eigenvalues>

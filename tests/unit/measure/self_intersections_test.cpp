@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include <planish/measure/self_intersections.h>
+#include <planish/measure/fairness.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>

@@ -1,11 +1,12 @@
+#include "measure/smoothed.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
 #include <planish/core/error.h>
-#include <planish/measure/bending.h>
-#include <planish/measure/smoothed.h>
+#include <planish/measure/fairness.h>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

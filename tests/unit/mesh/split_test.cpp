@@ -1,8 +1,9 @@
+#include "mesh/split.h"
+
 #include <algorithm>
 
 #include <planish/core/error.h>
 #include <planish/mesh/connectivity.h>
-#include <planish/mesh/split.h>
 
 #include <gtest/gtest.h>
 

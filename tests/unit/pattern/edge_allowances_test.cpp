@@ -1,5 +1,5 @@
 #include <planish/core/error.h>
-#include <planish/pattern/edge_allowances.h>
+#include <planish/pattern/allowance.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

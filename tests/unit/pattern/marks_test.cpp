@@ -1,9 +1,10 @@
 #include <planish/core/error.h>
-#include <planish/core/fnv_hash.h>
 #include <planish/pattern/marks.h>
-#include <planish/pattern/pattern_hash.h>
 
 #include <gtest/gtest.h>
+
+#include "core/fnv_hash.h"
+#include "pattern/pattern_hash.h"
 
 namespace planish {
 namespace {

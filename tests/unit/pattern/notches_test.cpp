@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include <planish/core/error.h>
+#include <planish/pattern/allowance.h>
 #include <planish/pattern/notches.h>
-#include <planish/pattern/offset_outline.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include <string>
 
 #include <planish/core/error.h>
-#include <planish/pattern/offset_outline.h>
+#include <planish/pattern/allowance.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

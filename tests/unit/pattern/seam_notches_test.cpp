@@ -1,12 +1,12 @@
 #include <cmath>
 
 #include <planish/core/error.h>
-#include <planish/mesh/split.h>
-#include <planish/pattern/seam_notches.h>
+#include <planish/pattern/notches.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "mesh/split.h"
 #include "support/meshes.h"
 
 namespace planish {

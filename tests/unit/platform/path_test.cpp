@@ -1,4 +1,4 @@
-#include <planish/platform/path.h>
+#include "platform/path.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
+#include "report/pictures/direction_map.h"
+
 #include <cstdlib>
 #include <string>
-
-#include <planish/report/direction_map.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,15 +3,15 @@
 #include <string>
 
 #include <planish/core/error.h>
-#include <planish/core/fnv_hash.h>
-#include <planish/draw/write_dxf.h>
-#include <planish/pattern/pattern_hash.h>
+#include <planish/draw/format_drawing.h>
 #include <planish/sheet/pattern_sheet.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/fnv_hash.h"
 #include "oracle/outline_distance.h"
+#include "pattern/pattern_hash.h"
 #include "support/sample_report.h"
 
 namespace planish {
@@ -156,7 +156,7 @@ TEST(Annotations, ReachesApparelProgramsByItsNumbers) {
                                     .grain = Grain{30.0},
                                     .marks = {{12}},
                                     .label = {"front", "42", 2}});
-  const std::string dxf = write_dxf(sheet, {.profile = DxfProfile::aama});
+  const std::string dxf = format_dxf(sheet, {.profile = DxfProfile::aama});
   for (const char* text : {"PIECE NAME: front", "SIZE: 42", "QUANTITY: 2", "SAMPLE SIZE: 42",
                            "\n8\n14\n", "\n8\n4\n", "\n8\n7\n", "\n8\n13\n", "\n8\n15\n"})
     EXPECT_THAT(dxf, HasSubstr(text));

@@ -1,8 +1,9 @@
+#include "sheet/cut_sheet.h"
+
 #include <algorithm>
 #include <variant>
 
 #include <planish/mesh/shapes.h>
-#include <planish/sheet/cut_sheet.h>
 #include <planish/sheet/pattern_sheet.h>
 
 #include <gtest/gtest.h>

@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
-#include <planish/draw/color_map.h>
-#include <planish/draw/write_svg.h>
+#include <planish/draw/color.h>
+#include <planish/draw/format_drawing.h>
 #include <planish/mesh/connectivity.h>
 #include <planish/sheet/pattern_sheet.h>
 
@@ -160,7 +160,7 @@ TEST(LimitMap, IsOnTheSheetWithItsLegendWhereALimitWasAsked) {
   EXPECT_THAT(texts_of(missed), Contains("beyond"));
   EXPECT_THAT(texts_of(kept),
               Contains("limit of strain used up; the limit is 5 %, on 99 % of the area"));
-  EXPECT_EQ(write_svg(sheet_with({.rms = 0.02})), write_svg(sheet_with({})))
+  EXPECT_EQ(format_svg(sheet_with({.rms = 0.02})), format_svg(sheet_with({})))
       << "a limit that is for no place leaves the map as it is";
 }
 

@@ -3,7 +3,7 @@
 #include <set>
 #include <variant>
 
-#include <planish/draw/write_dxf.h>
+#include <planish/draw/format_drawing.h>
 #include <planish/sheet/nest_sheet.h>
 
 #include <gmock/gmock.h>
@@ -140,7 +140,7 @@ TEST(NestSheet, DrawsSheetsOneByOne) {
 TEST(NestSheet, GivesApparelProgramsABlockForEachCopy) {
   const NestJob job = jacket();
   const Drawing sheet = nest_sheet(job, *nest(nest_pieces(job), job.sheets), 0, "jacket");
-  const std::string dxf = write_dxf(sheet, {.profile = DxfProfile::aama});
+  const std::string dxf = format_dxf(sheet, {.profile = DxfProfile::aama});
   EXPECT_THAT(dxf, HasSubstr("PIECE NAME: front 1 of 2"));
   EXPECT_THAT(dxf, HasSubstr("PIECE NAME: sleeve 2 of 2"));
 }

@@ -3,8 +3,8 @@
 #include <limits>
 #include <string>
 
-#include <planish/draw/color_map.h>
-#include <planish/draw/write_svg.h>
+#include <planish/draw/color.h>
+#include <planish/draw/format_drawing.h>
 #include <planish/sheet/pattern_sheet.h>
 
 #include <gmock/gmock.h>
@@ -257,7 +257,7 @@ TEST(StrainMap, StaysSmallOnADenseMesh) {
   const TriMesh mesh = samples::bumpy_patch(columns, columns, 8.0);
   UnfoldReport unfold = samples::plane_below(mesh, 440.0, 440.0);
   unfold.strain = {0.02, 0.004, 0.01};
-  const std::string svg = write_svg(pattern_sheet(mesh, unfold, "dense"));
+  const std::string svg = format_svg(pattern_sheet(mesh, unfold, "dense"));
   EXPECT_LT(svg.size(), 2'000'000U);
   EXPECT_GT(svg.size(), 50'000U) << "there is a map at all";
 }

@@ -94,12 +94,12 @@ TEST(UsedTiles, HoldTheInsideOfWhatIsClosedButNotItsHoles) {
 TEST(WriteTiledPdf, HasAMapAndAPageForEveryTileThatIsUsed) {
   const Drawing drawing = {
       "t", 540.0, 801.0, {Layer{"cut", {Path{{{{5, 796}, {535, 5}}}, false, Stroke{}}}}}};
-  const std::string pdf = write_tiled_pdf(drawing, Paper::a4);
+  const std::string pdf = format_tiled_pdf(drawing, Paper::a4);
   EXPECT_THAT(pdf, HasSubstr("/Count 8 "));
   EXPECT_THAT(pdf, HasSubstr("(A3) Tj")) << "the map names all";
   EXPECT_THAT(pdf, testing::Not(HasSubstr("(A3: row")));
   EXPECT_THAT(pdf, HasSubstr("(B2: row 2 of 3, column 2 of 3. t) Tj"));
-  EXPECT_EQ(pdf, write_tiled_pdf(drawing, Paper::a4));
+  EXPECT_EQ(pdf, format_tiled_pdf(drawing, Paper::a4));
 }
 
 TEST(Papers, AreKnownByTheirNames) {

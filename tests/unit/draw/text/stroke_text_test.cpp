@@ -1,8 +1,8 @@
+#include "draw/text/stroke_text.h"
+
 #include <algorithm>
 #include <set>
 #include <string>
-
-#include <planish/draw/stroke_text.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,6 @@
 #include <limits>
 
 #include <planish/evolve/evolve.h>
-#include <planish/measure/angle_defect.h>
 #include <planish/measure/flattenability.h>
 #include <planish/mesh/shapes.h>
 

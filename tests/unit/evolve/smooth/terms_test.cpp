@@ -1,6 +1,6 @@
 #include <numbers>
 
-#include <planish/measure/bending.h>
+#include <planish/measure/fairness.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>

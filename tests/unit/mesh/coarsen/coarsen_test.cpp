@@ -1,9 +1,10 @@
+#include "mesh/coarsen/coarsen.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include <planish/mesh/coarsen.h>
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/shapes.h>
 

@@ -6,12 +6,12 @@
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/seams.h>
 #include <planish/mesh/shapes.h>
-#include <planish/mesh/split.h>
 #include <planish/unfold/strain.h>
 #include <planish/unfold/unfold.h>
 
 #include <gtest/gtest.h>
 
+#include "mesh/split.h"
 #include "support/meshes.h"
 #include "support/ringed_disk.h"
 

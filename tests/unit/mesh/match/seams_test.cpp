@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include <planish/mesh/seams.h>
-#include <planish/mesh/split.h>
 
 #include <gtest/gtest.h>
 
+#include "mesh/split.h"
 #include "support/meshes.h"
 
 namespace planish {

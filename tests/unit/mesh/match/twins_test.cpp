@@ -6,10 +6,10 @@
 #include <vector>
 
 #include <planish/mesh/shapes.h>
-#include <planish/mesh/twins.h>
 
 #include <gtest/gtest.h>
 
+#include "mesh/match/twins.h"
 #include "support/meshes.h"
 
 namespace planish {

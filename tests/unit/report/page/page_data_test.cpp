@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include <planish/measure/angle_defect.h>
-#include <planish/measure/bending.h>
+#include <planish/measure/fairness.h>
+#include <planish/measure/flattenability.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include <planish/draw/color_map.h>
+#include <planish/draw/color.h>
 
 #include <gtest/gtest.h>
 

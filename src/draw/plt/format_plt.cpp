@@ -1,10 +1,10 @@
 #include <cstddef>
 #include <span>
 
-#include <planish/draw/stroke_text.h>
-#include <planish/draw/write_plt.h>
+#include <planish/draw/format_drawing.h>
 
 #include "core/number_text.h"
+#include "draw/text/stroke_text.h"
 #include "draw/whole_steps.h"
 
 namespace planish {
@@ -48,7 +48,7 @@ std::string lines_of(const Layer& layer) {
 
 }  // namespace
 
-std::string write_plt(const Drawing& drawing) {
+std::string format_plt(const Drawing& drawing) {
   std::string plt = "IN;\n";
   int pen = 0;
   for (const Layer& layer : with_stroked_text(drawing).layers) {

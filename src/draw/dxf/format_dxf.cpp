@@ -3,12 +3,12 @@
 #include <set>
 #include <utility>
 
-#include <planish/draw/stroke_text.h>
-#include <planish/draw/write_dxf.h>
+#include <planish/draw/format_drawing.h>
 
 #include "draw/dxf/dxf_entities.h"
 #include "draw/dxf/dxf_profile.h"
 #include "draw/dxf/dxf_tags.h"
+#include "draw/text/stroke_text.h"
 
 namespace planish {
 
@@ -212,7 +212,7 @@ std::vector<std::string> style_notes(const Drawing& drawing, const DxfDialect& d
 
 }  // namespace
 
-std::string write_dxf(const Drawing& drawing, const DxfOptions& options) {
+std::string format_dxf(const Drawing& drawing, const DxfOptions& options) {
   const DxfDialect& dialect = dialect_of(options.profile);
   const DxfEntities entities =
       entities_of(options.stroked_text ? with_stroked_text(drawing) : drawing, options);

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include <planish/unfold/strain_limits.h>
+#include <planish/unfold/strain.h>
 
 namespace planish {
 

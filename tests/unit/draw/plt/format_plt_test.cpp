@@ -1,7 +1,7 @@
 #include <limits>
 #include <string>
 
-#include <planish/draw/write_plt.h>
+#include <planish/draw/format_drawing.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using testing::Not;
 const Path k_triangle{{{{0, 0}, {10, 0}, {10, 5.0124}}}, true, Stroke{}};
 
 std::string plt_of(Path path) {
-  return write_plt({"t", 100.0, 100.0, {Layer{"cut", {std::move(path)}}}});
+  return format_plt({"t", 100.0, 100.0, {Layer{"cut", {std::move(path)}}}});
 }
 
 TEST(WritePlt, CountsFortyUnitsAMillimetreAndClosesWhatIsClosed) {
@@ -29,7 +29,7 @@ TEST(WritePlt, GivesEachLayerWithLinesAPen) {
   Path area = k_triangle;
   area.stroke.reset();
   area.fill = Color{};
-  const std::string plt = write_plt(
+  const std::string plt = format_plt(
       {"t",
        1.0,
        1.0,

@@ -4,7 +4,7 @@
 #include <string>
 
 #include <planish/core/error.h>
-#include <planish/draw/write_pdf.h>
+#include <planish/draw/format_drawing.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ std::size_t count(const std::string& text, const std::string& word) {
 }
 
 TEST(WritePdf, HasThePageOfTheSheetAtTrueSize) {
-  const std::string pdf = write_pdf({"t", 210.0, 297.0, {}});
+  const std::string pdf = format_pdf({"t", 210.0, 297.0, {}});
   EXPECT_TRUE(pdf.starts_with("%PDF-1.6\n"));
   EXPECT_TRUE(pdf.ends_with("%%EOF\n"));
   EXPECT_THAT(pdf, HasSubstr("/MediaBox [0 0 595.2756 841.8898]"));
@@ -36,14 +36,14 @@ TEST(WritePdf, HasThePageOfTheSheetAtTrueSize) {
 }
 
 TEST(WritePdf, TakesALargerUnitForLongSheets) {
-  const std::string pdf = write_pdf({"t", 10161.0, 100.0, {}});
+  const std::string pdf = format_pdf({"t", 10161.0, 100.0, {}});
   EXPECT_THAT(pdf, HasSubstr("/UserUnit 3"));
   EXPECT_THAT(pdf, HasSubstr("/MediaBox [0 0 9600.9449 94.4882]"));
   EXPECT_THAT(pdf, HasSubstr("\n0.94488188976377"));
 }
 
 TEST(WritePdf, PointsToEveryObject) {
-  const std::string pdf = write_pdf(sheet_with(Path{{{{1, 2}, {3, 4}}}, false, Stroke{}}));
+  const std::string pdf = format_pdf(sheet_with(Path{{{{1, 2}, {3, 4}}}, false, Stroke{}}));
   const std::size_t table = std::strtoul(pdf.c_str() + pdf.rfind("startxref") + 10, nullptr, 10);
   ASSERT_EQ(pdf.substr(table, 7), "xref\n0 ");
   const std::size_t objects = std::strtoul(pdf.c_str() + table + 7, nullptr, 10);
@@ -57,7 +57,7 @@ TEST(WritePdf, PointsToEveryObject) {
 }
 
 TEST(WritePdf, MakesLayersThatCanBeHidden) {
-  const std::string pdf = write_pdf({"t", 9.0, 9.0, {Layer{"cut", {}}, Layer{"Ä", {}, false}}});
+  const std::string pdf = format_pdf({"t", 9.0, 9.0, {Layer{"cut", {}}, Layer{"Ä", {}, false}}});
   EXPECT_THAT(pdf, HasSubstr("/Type /OCG /Name <FEFF006300750074>"));
   EXPECT_THAT(pdf, HasSubstr("/Type /OCG /Name <FEFF00C4>"));
   EXPECT_THAT(pdf, HasSubstr("/OFF [ 6 0 R ]"));
@@ -67,24 +67,24 @@ TEST(WritePdf, MakesLayersThatCanBeHidden) {
 
 TEST(WritePdf, DrawsLinesDashesAndAreas) {
   const std::vector<std::vector<Vec2>> lines = {{{1, 1}, {2.0004, 1}, {2, 2}, {1, 1}}};
-  EXPECT_THAT(write_pdf(sheet_with(Path{lines, true, Stroke{{255, 0, 51}, 0.25, true}})),
+  EXPECT_THAT(format_pdf(sheet_with(Path{lines, true, Stroke{{255, 0, 51}, 0.25, true}})),
               HasSubstr("1 0 0.2 RG\n0.25 w\n[3 1.5 ] 0 d\n1 1 m\n2 1 l\n2 2 l\nh\nS\n"));
-  EXPECT_THAT(write_pdf(sheet_with(Path{lines, true, {}, Color{0, 255, 0}})),
+  EXPECT_THAT(format_pdf(sheet_with(Path{lines, true, {}, Color{0, 255, 0}})),
               HasSubstr("0 1 0 rg\n1 1 m\n2 1 l\n2 2 l\nh\nf*\n"));
-  EXPECT_THAT(write_pdf(sheet_with(Path{lines, false, Stroke{}, Color{}})),
+  EXPECT_THAT(format_pdf(sheet_with(Path{lines, false, Stroke{}, Color{}})),
               HasSubstr("2 2 l\n1 1 l\nB*\n"));
 }
 
 TEST(WritePdf, SetsTextByTheHeightOfItsCapitals) {
-  EXPECT_THAT(write_pdf(sheet_with(Text{{5.0, 7.0}, 3.59, "A(b)"})),
+  EXPECT_THAT(format_pdf(sheet_with(Text{{5.0, 7.0}, 3.59, "A(b)"})),
               HasSubstr("BT\n/F1 5 Tf\n5 7 Td\n(A\\(b\\)) Tj\nET\n"));
   // Two times 556 thousandths of 10 mm: the middle is 5.56 mm behind the start.
-  EXPECT_THAT(write_pdf(sheet_with(Text{{50.0, 7.0}, 7.18, "44", {}, true})),
+  EXPECT_THAT(format_pdf(sheet_with(Text{{50.0, 7.0}, 7.18, "44", {}, true})),
               HasSubstr("44.44 7 Td\n"));
 }
 
 TEST(WritePdf, DrawsTextThatTheFontHasNotGot) {
-  const std::string pdf = write_pdf(sheet_with(Text{{5.0, 7.0}, 8.0, "Ł"}));
+  const std::string pdf = format_pdf(sheet_with(Text{{5.0, 7.0}, 8.0, "Ł"}));
   EXPECT_THAT(pdf, Not(HasSubstr("BT\n")));
   EXPECT_THAT(pdf, HasSubstr("6 15 m\n6 7 l\n11 7 l\n"));
 }
@@ -113,7 +113,7 @@ TEST(WritePdf, LeavesOutWhatIsNowhere) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Drawing drawing = sheet_with(Path{{{{1, 2}, {nan, 2}, {4, 2}}}, false, Stroke{}});
   drawing.layers[0].shapes.emplace_back(Text{{nan, 0.0}, 3.0, "lost"});
-  const std::string pdf = write_pdf(drawing);
+  const std::string pdf = format_pdf(drawing);
   EXPECT_THAT(pdf, HasSubstr("1 2 m\n4 2 l\nS\n"));
   EXPECT_THAT(pdf, Not(HasSubstr("nan")));
   EXPECT_THAT(pdf, Not(HasSubstr("lost")));
@@ -121,9 +121,9 @@ TEST(WritePdf, LeavesOutWhatIsNowhere) {
 
 TEST(WritePdf, TellsFilesApartAndGivesTheSameBytesForTheSameDrawing) {
   const auto id = [](const std::string& pdf) { return pdf.substr(pdf.find("/ID ["), 40); };
-  const std::string one = write_pdf(sheet_with(Text{{}, 3.0, "a"}));
-  EXPECT_EQ(one, write_pdf(sheet_with(Text{{}, 3.0, "a"})));
-  EXPECT_NE(id(one), id(write_pdf(sheet_with(Text{{}, 3.0, "b"}))));
+  const std::string one = format_pdf(sheet_with(Text{{}, 3.0, "a"}));
+  EXPECT_EQ(one, format_pdf(sheet_with(Text{{}, 3.0, "a"})));
+  EXPECT_NE(id(one), id(format_pdf(sheet_with(Text{{}, 3.0, "b"}))));
 }
 
 }  // namespace

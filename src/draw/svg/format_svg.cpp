@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include <planish/draw/write_svg.h>
+#include <planish/draw/format_drawing.h>
 
 #include "core/number_text.h"
 #include "draw/svg/svg_layers.h"
@@ -135,7 +135,7 @@ std::string svg_layers(std::span<const Layer> layers, double height) {
   return std::move(svg).take();
 }
 
-std::string write_svg(const Drawing& drawing) {
+std::string format_svg(const Drawing& drawing) {
   const std::string width = fixed_text(drawing.width, k_decimals);
   const std::string height = fixed_text(drawing.height, k_decimals);
   std::string svg =

@@ -5,7 +5,8 @@
 #include <string>
 
 #include <planish/flatten/flatten.h>
-#include <planish/mesh/twins.h>
+
+#include "mesh/match/twins.h"
 
 namespace planish {
 

@@ -2,9 +2,9 @@
 #include <cstddef>
 #include <new>
 
-#include <planish/draw/image.h>
-
 #include <png.h>
+
+#include "draw/image.h"
 
 namespace planish {
 
@@ -25,7 +25,7 @@ std::string samples_of(const Image& image) {
 
 }  // namespace
 
-std::string write_png(const Image& image) {
+std::string format_png(const Image& image) {
   assert(image.width > 0 && image.height > 0);
   assert(image.pixels.size() == static_cast<std::size_t>(image.width) * image.height);
   assert(image.alpha.empty() || image.alpha.size() == image.pixels.size());

@@ -1,11 +1,11 @@
-#include <planish/draw/write_pdf.h>
+#include <planish/draw/format_drawing.h>
 
 #include "draw/pdf/pdf_content.h"
 #include "draw/pdf/pdf_document.h"
 
 namespace planish {
 
-std::string write_pdf(const Drawing& drawing) {
+std::string format_pdf(const Drawing& drawing) {
   PdfContent content;
   content.add_layers(drawing.layers);
   PdfDocument document(drawing);

@@ -37,6 +37,6 @@ Image render(const ShadedSurface& surface, int width, int height,
 
 /// The bytes of a PNG file: RGB, or RGBA where the image has alpha. The image has at least one
 /// pixel.
-std::string write_png(const Image& image);
+std::string format_png(const Image& image);
 
 }  // namespace planish

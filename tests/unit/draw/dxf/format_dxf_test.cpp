@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <planish/core/error.h>
-#include <planish/draw/write_dxf.h>
+#include <planish/draw/format_drawing.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -78,7 +78,7 @@ Drawing sheet() {
 }
 
 TEST(WriteDxf, BeginsWithVersionUnitsAndExtents) {
-  const std::string dxf = write_dxf(sheet());
+  const std::string dxf = format_dxf(sheet());
   EXPECT_THAT(dxf, HasSubstr("$ACADVER\n1\nAC1009\n"));
   EXPECT_THAT(dxf, HasSubstr("$INSUNITS\n70\n4\n"));
   EXPECT_THAT(dxf, HasSubstr("$EXTMIN\n10\n0.0\n20\n0.0\n"));
@@ -88,7 +88,7 @@ TEST(WriteDxf, BeginsWithVersionUnitsAndExtents) {
 }
 
 TEST(WriteDxf, WritesOldPolylinesThatAreClosedWhereTheLinesAre) {
-  const std::string dxf = write_dxf(sheet());
+  const std::string dxf = format_dxf(sheet());
   const auto lines = all_of_kind(dxf, "POLYLINE");
   EXPECT_THAT(values(lines, 70), ElementsAre("1", "0", "1"));
   EXPECT_THAT(values(lines, 66), Each("1")) << "vertices follow";
@@ -106,19 +106,19 @@ TEST(WriteDxf, ListsTheLayersThatAreUsedHiddenOnesNegative) {
   area.stroke.reset();
   area.fill = k_red;
   drawing.layers.push_back({"strain", {area}});
-  const auto layers = all_of_kind(write_dxf(drawing), "LAYER");
+  const auto layers = all_of_kind(format_dxf(drawing), "LAYER");
   EXPECT_THAT(values(layers, 2), ElementsAre("0", "cut", "my_notes", "label"));
   EXPECT_THAT(values(layers, 62), ElementsAre("7", "1", "-5", "5"));
 }
 
 TEST(WriteDxf, SetsTextOrDrawsIt) {
-  const auto texts = all_of_kind(write_dxf(sheet()), "TEXT");
+  const auto texts = all_of_kind(format_dxf(sheet()), "TEXT");
   ASSERT_EQ(texts.size(), 1U);
   EXPECT_EQ(value_of(texts[0], 1), "Ab");
   EXPECT_EQ(value_of(texts[0], 40), "3.0");
   EXPECT_EQ(value_of(texts[0], 72), "1");
   EXPECT_EQ(value_of(texts[0], 11), "1.0");
-  const std::string drawn = write_dxf(sheet(), {.stroked_text = true});
+  const std::string drawn = format_dxf(sheet(), {.stroked_text = true});
   EXPECT_TRUE(all_of_kind(drawn, "TEXT").empty());
   EXPECT_EQ(all_of_kind(drawn, "POLYLINE").size(), 3U + 2U + 2U) << "A and b have two lines each";
 }
@@ -137,14 +137,14 @@ TEST(DxfName, KeepsWhatR12Allows) {
 
 TEST(WriteDxf, RenamesLayersAndJoinsThoseOfOneName) {
   const std::string dxf =
-      write_dxf(sheet(), {.layer_names = {{"cut", "LASER"}, {"my notes", "LASER"}}});
+      format_dxf(sheet(), {.layer_names = {{"cut", "LASER"}, {"my notes", "LASER"}}});
   EXPECT_THAT(values(all_of_kind(dxf, "LAYER"), 2), ElementsAre("0", "LASER", "label"));
   EXPECT_THAT(values(all_of_kind(dxf, "LAYER"), 62), ElementsAre("7", "1", "5")) << "one shows";
 }
 
 TEST(WriteDxf, RefusesToRenameALayerThatIsNotThere) {
   try {
-    write_dxf(sheet(), {.layer_names = {{"cutt", "LASER"}}});
+    format_dxf(sheet(), {.layer_names = {{"cutt", "LASER"}}});
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::unknown_name);
@@ -165,7 +165,7 @@ TEST(WriteDxf, GivesApparelProgramsABlockPerPieceWithNumberedLayers) {
                            {DrawingPiece{""}, DrawingPiece{"back"}}};
   for (const DxfProfile profile : k_dxf_profiles) {
     if (profile == DxfProfile::generic) continue;
-    const std::string dxf = write_dxf(drawing, {.profile = profile});
+    const std::string dxf = format_dxf(drawing, {.profile = profile});
     EXPECT_THAT(values(all_of_kind(dxf, "BLOCK"), 2), ElementsAre("Gr__e_38", "back"));
     EXPECT_THAT(values(all_of_kind(dxf, "INSERT"), 2), ElementsAre("Gr__e_38", "back"));
     EXPECT_THAT(values(all_of_kind(dxf, "POLYLINE"), 8), ElementsAre("11", "1", "14", "1"));
@@ -184,7 +184,7 @@ TEST(WriteDxf, GivesEveryBlockANameOfItsOwn) {
   const Drawing drawing = {
       std::string(40, 'x'), 1.0, 1.0, {Layer{"cut", {triangle(k_red), second}}}};
   const auto names =
-      values(all_of_kind(write_dxf(drawing, {.profile = DxfProfile::astm}), "BLOCK"), 2);
+      values(all_of_kind(format_dxf(drawing, {.profile = DxfProfile::astm}), "BLOCK"), 2);
   EXPECT_THAT(names, ElementsAre(std::string(31, 'x'), std::string(29, 'x') + "_2"));
 }
 
@@ -202,14 +202,14 @@ TEST(WriteDxf, LeavesOutPointsThatAreNowhereAndLinesOfOne) {
       1.0,
       {Layer{"cut",
              {Path{{{{1, 1}, {nan, 2}}, {}}, true, Stroke{}}, Text{{nan, 0.0}, 3.0, "lost"}}}}};
-  const std::string dxf = write_dxf(drawing);
+  const std::string dxf = format_dxf(drawing);
   EXPECT_TRUE(all_of_kind(dxf, "POLYLINE").empty());
   EXPECT_THAT(dxf, Not(HasSubstr("nan")));
   EXPECT_THAT(dxf, Not(HasSubstr("lost")));
 }
 
 TEST(WriteDxf, GivesTheSameBytesForTheSameDrawing) {
-  EXPECT_EQ(write_dxf(sheet()), write_dxf(sheet()));
+  EXPECT_EQ(format_dxf(sheet()), format_dxf(sheet()));
 }
 
 }  // namespace

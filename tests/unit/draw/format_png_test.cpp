@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-#include <planish/draw/image.h>
-
 #include <gtest/gtest.h>
 #include <png.h>
+
+#include "draw/image.h"
 
 namespace planish {
 namespace {
@@ -37,7 +37,7 @@ TEST(WritePng, DecodesToTheSamePixels) {
   for (const auto& [width, height] : {std::pair{1, 1}, std::pair{37, 21}, std::pair{3, 200}}) {
     for (const bool with_alpha : {false, true}) {
       const Image image = some_image(width, height, with_alpha);
-      const auto samples = decode(write_png(image), width, height, with_alpha);
+      const auto samples = decode(format_png(image), width, height, with_alpha);
       const std::size_t channels = with_alpha ? 4 : 3;
       ASSERT_EQ(samples.size(), channels * image.pixels.size());
       for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -50,7 +50,7 @@ TEST(WritePng, DecodesToTheSamePixels) {
 }
 
 TEST(WritePng, GivesTheSameBytesForTheSameImage) {
-  EXPECT_EQ(write_png(some_image(16, 9, true)), write_png(some_image(16, 9, true)));
+  EXPECT_EQ(format_png(some_image(16, 9, true)), format_png(some_image(16, 9, true)));
 }
 
 }  // namespace

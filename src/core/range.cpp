@@ -1,5 +1,5 @@
 #include <planish/core/error.h>
-#include <planish/core/fields.h>
+#include <planish/core/range.h>
 
 #include "core/number_text.h"
 

@@ -3,8 +3,9 @@
 #include <span>
 #include <string>
 
-#include <planish/evolve/direction.h>
 #include <planish/mesh/tri_mesh.h>
+
+#include "evolve/direction.h"
 
 namespace planish {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <planish/draw/write_pdf.h>
+#include <planish/draw/format_drawing.h>
 
 #include "core/number_text.h"
 #include "draw/pdf/pdf_content.h"
@@ -190,7 +190,7 @@ void TiledPdf::add_crosses(PdfContent& page, std::size_t row, std::size_t column
 
 }  // namespace
 
-std::string write_tiled_pdf(const Drawing& drawing, Paper paper) {
+std::string format_tiled_pdf(const Drawing& drawing, Paper paper) {
   return TiledPdf(drawing, paper).write();
 }
 

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include <planish/draw/drawing.h>
+
+namespace planish {
+
+/// The drawing as a stand-alone SVG at true size: width and height in mm, one user unit = 1 mm,
+/// each layer a group that Inkscape shows as a layer; coordinates to 0.001 mm. The same drawing
+/// gives the same bytes. Text is escaped; bytes that are no UTF-8 become U+FFFD. Sizes and places
+/// are to be finite; points and texts that are nowhere are left out.
+std::string format_svg(const Drawing& drawing);
+
+/// The drawing as a PDF of one page at true size, with the sheet's size for a page and a word to
+/// viewers not to scale it when printing. Each layer is one that viewers can show and hide;
+/// coordinates to 0.001 mm. Text is set in Helvetica, which viewers have, as long as it keeps to
+/// the characters of Windows-1252 (a minus sign is set as an en dash); other text is drawn as
+/// strokes and cannot be searched for. Nothing is compressed and no date written: the same drawing
+/// gives the same bytes. Sheets longer than 5.08 m have a larger unit (PDF 1.6), which old viewers
+/// ignore.
+std::string format_pdf(const Drawing& drawing);
+
+enum class Paper { a4, a3, letter, a0 };
+
+inline constexpr std::array k_papers = {Paper::a4, Paper::a3, Paper::letter, Paper::a0};
+
+/// "a4", ...
+std::string_view to_string(Paper paper);
+
+/// @throws Error unknown_name
+Paper paper_named(std::string_view name);
+
+/// The drawing at true size on pages of a printer's paper, to be joined. The first page shows where
+/// each goes, and test squares. Pages are upright or across, whatever needs fewer; 10 mm at
+/// each edge stay free, neighbours overlap by 10 mm, and crosses in the overlap tell how they join.
+/// Rows have letters from the top, columns numbers. Pages with nothing on them are crossed out on
+/// the first page and left out. Otherwise as format_pdf().
+/// @throws Error too_large where it would take more than 10,000 pages
+std::string format_tiled_pdf(const Drawing& drawing, Paper paper);
+
+/// The drawing as HPGL for plotters and cutters, 40 units per millimetre, so coordinates to
+/// 0.025 mm. Each layer that is visible and has lines takes a pen, from pen 1 on; closed lines end
+/// where they began; text is drawn as strokes. HPGL has no areas: what is filled and has no outline
+/// is left out. Widths, colours and dashes are the pen's, not the file's. Plotters with 16-bit
+/// coordinates reach 819 mm. The same drawing gives the same bytes.
+std::string format_plt(const Drawing& drawing);
+
+/// For whom a DXF file is. None of the programs was at hand to try a file with: docs/formats.md.
+enum class DxfProfile {
+  generic,  ///< lasers, plotters, CAD: all layers under their own names, nothing in blocks
+  aama,     ///< apparel CAD, ANSI/AAMA-292: a block per piece, numbered layers
+  astm,     ///< apparel CAD, ASTM D6673: the same with its system texts
+  clo,      ///< as aama, marked as DXF R10
+  lectra,   ///< as aama
+  optitex,  ///< as astm
+  gerber,   ///< as astm
+};
+
+inline constexpr std::array k_dxf_profiles = {
+    DxfProfile::generic, DxfProfile::aama,    DxfProfile::astm,  DxfProfile::clo,
+    DxfProfile::lectra,  DxfProfile::optitex, DxfProfile::gerber};
+
+/// "generic", "aama", ...
+std::string_view to_string(DxfProfile profile);
+
+/// @throws Error unknown_name
+DxfProfile dxf_profile_named(std::string_view name);
+
+struct DxfOptions {
+  DxfProfile profile = DxfProfile::generic;
+  /// Other names for layers: name in the drawing -> name in the file. Layers with one name become
+  /// one layer.
+  std::map<std::string, std::string, std::less<>> layer_names = {};
+  bool stroked_text = false;  ///< letters as lines in place of TEXT
+};
+
+/// The drawing as DXF R12 (AC1009) in millimetres, coordinates to 0.001 mm: what the widest range
+/// of programs and machines reads. Lines become POLYLINEs, closed where they are closed. Areas that
+/// are filled and have no outline (the strain map) are left out, and so are layers without anything
+/// else; widths of lines are not kept. Colours become the nearest of AutoCAD's first nine, hidden
+/// layers stay hidden. Text becomes TEXT as high as asked; each UTF-16 unit beyond ASCII becomes
+/// \U+ and four hexadecimal digits, as in AutoCAD. Names of layers and blocks are cut to 31 of A-Z
+/// a-z 0-9 $ - _, as R12 wants them;
+/// every other character becomes _. The same drawing gives the same bytes.
+///
+/// The other profiles write every piece as a block and know these layers, by their names in the
+/// drawing: cut, notch, grain, internal, drill, seam and annotation. Others are left out unless
+/// layer_names names them.
+/// @throws Error unknown_name where layer_names names a layer that the drawing has not
+std::string format_dxf(const Drawing& drawing, const DxfOptions& options = {});
+
+}  // namespace planish

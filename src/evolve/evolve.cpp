@@ -89,9 +89,8 @@ EvolveResult evolve(const TriMesh& mesh, const Method& method, const Stopping& s
     const SweepRecord& record = result.history.emplace_back(evolver.step());
     e_max = record.e_max;
     if (met()) result.stop = StopReason::reached_target;
-    // A step on a coarser level moves nothing here.
-    if (!met() && record.moved == 0 && !record.level) result.stop = StopReason::stalled;
-    if (!met() && record.converged) result.stop = record.reason;
+    if (!met() && record.status == SweepStatus::stalled) result.stop = StopReason::stalled;
+    if (!met() && record.status == SweepStatus::converged) result.stop = record.reason;
     if (on_sweep && !on_sweep(record)) result.stop = StopReason::cancelled;
     if (result.stop != StopReason::sweep_limit) break;
   }

@@ -53,7 +53,7 @@ class Evolver::Impl {
     SweepRecord record;
     const SweepOutcome outcome = (*sweep_)();
     record.moved = outcome.moved;
-    record.converged = outcome.converged;
+    record.status = outcome.status;
     record.reason = outcome.reason;
     record.level = outcome.level;
     // Anew from the positions, so that the errors of many small updates cannot pile up. A step on a

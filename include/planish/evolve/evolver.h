@@ -29,6 +29,13 @@ std::string_view to_string(StopReason reason);
 /// In words: why it ended.
 std::string_view stop_text(StopReason reason);
 
+/// What comes after a sweep.
+enum class SweepStatus {
+  running,    ///< another one may gain something
+  converged,  ///< the method's own test says that none would gain anything more
+  stalled,    ///< the method found nothing to do, and would find nothing again
+};
+
 /// A step on a level of a method that goes from coarse to fine.
 struct LevelRecord {
   std::size_t inner_vertices = 0;          ///< of the level
@@ -40,10 +47,10 @@ struct LevelRecord {
 struct SweepRecord {
   int sweep = 0;  ///< from 1
   double e_max = 0.0, e_avg = 0.0, energy = 0.0;
-  std::size_t moved = 0;   ///< vertices that this sweep moved
-  double seconds = 0.0;    ///< since the evolver was made
-  bool converged = false;  ///< the method's own test says that no sweep would gain anything more
-  StopReason reason = StopReason::converged;  ///< if so, why
+  std::size_t moved = 0;  ///< vertices that this sweep moved
+  double seconds = 0.0;   ///< since the evolver was made
+  SweepStatus status = SweepStatus::running;
+  StopReason reason = StopReason::converged;  ///< if converged, why
   /// If the sweep was a step on a level: the other figures are those of the patch itself, which
   /// does not move before the last level.
   std::optional<LevelRecord> level = {};

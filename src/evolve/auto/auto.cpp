@@ -98,7 +98,7 @@ class AutoStepper {
   }
 
   SweepOutcome descend() {
-    SweepOutcome outcome;
+    SweepOutcome outcome = SweepOutcome().with(SweepStatus::running);
     if (!descent_->solvable() || (!reduction_ && descent_->strain_is_met())) {
       outcome.level = {level_state().inner_count()};
     } else if (const bool over = descent_step(outcome); !over) {
@@ -157,8 +157,7 @@ class AutoStepper {
     if (level_ > 0) return lift();
     const auto reason = reason_to_end();
     if (reason) {
-      outcome.converged = true;
-      outcome.reason = *reason;
+      outcome = outcome.ended(*reason);
       return;
     }
     descent_->release();
@@ -184,10 +183,14 @@ class AutoStepper {
 
   SweepOutcome polish() {
     const DefectPolish::Cycle cycle = polish_->cycle();
-    if (limit_is_met_after_all()) return {std::max<std::size_t>(cycle.moved, 1)};
-    if (cycle.flat) return {cycle.moved, true};
-    if (cycle.over && rounds_++ < k_most_rounds) return descend_again(cycle.moved);
-    return {cycle.moved, cycle.over, polish_->held_by().value_or(StopReason::stalled)};
+    const SweepOutcome outcome = cycle.moved;
+    if (limit_is_met_after_all()) return outcome.with(SweepStatus::running);
+    if (cycle.flat) return outcome.ended(StopReason::converged);
+    if (cycle.over && rounds_++ < k_most_rounds) {
+      descend_again();
+      return outcome.with(SweepStatus::running);
+    }
+    return outcome.ended_if(cycle.over, polish_->held_by().value_or(StopReason::stalled));
   }
 
   /// Steps may stall at single vertices before they come to a limit of strain. Cycles mend those;
@@ -201,12 +204,11 @@ class AutoStepper {
     return true;
   }
 
-  SweepOutcome descend_again(std::size_t moved) {
+  void descend_again() {
     polish_.reset();
     descent_->start(k_warm_start);
     steps_ = stagnant_steps_ = 0;
     best_at_limit_.reset();
-    return {std::max<std::size_t>(moved, 1)};  // who moves nothing is taken to be at the end
   }
 
   Auto options_;

@@ -40,7 +40,7 @@ class FairingStepper {
     const double rms =
         norm_of(sum_of(after, -1.0, before)) / std::sqrt(static_cast<double>(state_.inner_count()));
     const double smallest = options_.min_step * mean_edge(jacobian_, state_);
-    return {set_positions(after, jacobian_, state_), rms <= smallest};
+    return SweepOutcome(set_positions(after, jacobian_, state_)).ended_if(rms <= smallest);
   }
 
  private:

@@ -71,7 +71,7 @@ class FlattenableStepper {
     const std::size_t moved =
         set_positions(sum_of(inner_positions(state_), options_.tau, step), jacobian_, state_);
     const double rms = norm_of(step) / std::sqrt(static_cast<double>(step.size()));
-    return {moved, rms <= options_.min_step * mean_edge(jacobian_, state_)};
+    return SweepOutcome(moved).ended_if(rms <= options_.min_step * mean_edge(jacobian_, state_));
   }
 
  private:

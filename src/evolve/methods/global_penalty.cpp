@@ -174,12 +174,12 @@ std::size_t PenaltySolver::write_places() {
 SweepOutcome PenaltySolver::sweep() {
   const double before = at_.energy;
   if (before <= k_no_defect * k_no_defect * static_cast<double>(state_.inner_count()))
-    return {0, true};
+    return SweepOutcome().ended(StopReason::converged);
   rho_ = merit_.mean_squared_edge() / (before * before);
   run_conjugate_gradients();
   const std::size_t moved = write_places();
   const bool still = std::abs(at_.energy - before) <= options_.tolerance * energy_at_first_;
-  return {moved, moved > 0 && still};
+  return SweepOutcome(moved).ended_if(moved > 0 && still);
 }
 
 }  // namespace

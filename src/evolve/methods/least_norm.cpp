@@ -116,11 +116,11 @@ class LeastNormStepper {
         if (!(fall > std::max(least_share * share * curve.fall, least_fall * energy))) continue;
         if (halvings == 0) damping_ = std::max(ease * damping_, 1e-12);
         if (halvings >= 2) damping_ = std::min(tighten * damping_, most_damping);
-        return {count_differences(x, trial), tiny && halvings == 0};
+        return SweepOutcome(count_differences(x, trial)).ended_if(tiny && halvings == 0);
       }
       set_positions(x, least_.jacobian(), state_);
       state_.measure(pool_);
-      if (tiny) return {0, true};  // rounding is all that is left
+      if (tiny) return SweepOutcome().ended(StopReason::converged);  // rounding is all that is left
     }
     return {};
   }

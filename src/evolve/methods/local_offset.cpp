@@ -230,7 +230,7 @@ SweepOutcome OffsetMover::sweep() {
   bool done = true;
   for (Index v = 0; v < defects_.size(); ++v)
     done = done && is_enough(v);
-  return {std::accumulate(moved.begin(), moved.end(), std::size_t{0}), done};
+  return SweepOutcome(std::accumulate(moved.begin(), moved.end(), std::size_t{0})).ended_if(done);
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ Merit LocalPerturber::merit() const {
 }
 
 SweepOutcome LocalPerturber::round() {
-  if (is_enough()) return {0, true};
+  if (is_enough()) return SweepOutcome().ended(StopReason::converged);
   if (idle_rounds_ >= k_patience) return {};
   const std::vector<Site> before = sites_;
   // To get out is worth any defect.
@@ -129,7 +129,9 @@ SweepOutcome LocalPerturber::round() {
   std::size_t moved = 0;
   for (std::size_t v = 0; v < rings_.size(); ++v)
     moved += before[v].x != sites_[v].x || before[v].y != sites_[v].y || before[v].z != sites_[v].z;
-  return {idle_rounds_ < k_patience ? moved : 0, is_enough()};
+  const SweepOutcome outcome = moved;
+  if (is_enough()) return outcome.ended(StopReason::converged);
+  return idle_rounds_ < k_patience ? outcome : outcome.with(SweepStatus::stalled);
 }
 
 void LocalPerturber::take_all_above(double size, double most) {

@@ -60,11 +60,11 @@ class SmoothStepper {
 
   SweepOutcome step() {
     if (polish_) return polish();
-    SweepOutcome outcome;
+    SweepOutcome outcome = SweepOutcome().with(SweepStatus::running);
     outcome.level = {level_state().inner_count()};
-    if (!descent_->solvable()) return ended(outcome, StopReason::stalled);
+    if (!descent_->solvable()) return outcome.ended(StopReason::stalled);
     if (is_untouched_ && limit_.share_of(descent_->strain()) >= 1.0)
-      return ended(outcome, StopReason::strain_met);
+      return outcome.ended(StopReason::strain_met);
     is_untouched_ = false;
     const SmoothDescent::Step step = descent_->step(control_->weights());
     control_->after(step, descent_->strain(), descent_->bending());
@@ -89,12 +89,6 @@ class SmoothStepper {
  private:
   static constexpr int k_most_stagnant = 3;
   static constexpr double k_nearly = 1.03;  // of the limit
-
-  static SweepOutcome ended(SweepOutcome outcome, StopReason reason) {
-    outcome.converged = true;
-    outcome.reason = reason;
-    return outcome;
-  }
 
   /// Of the smooth positions of a level those with the least strain.
   void keep_best() {
@@ -123,7 +117,7 @@ class SmoothStepper {
       return outcome;
     }
     retreat();
-    return ended(outcome, reason_to_end());
+    return outcome.ended(reason_to_end());
   }
 
   StopReason reason_to_end() const {
@@ -164,8 +158,8 @@ class SmoothStepper {
                       ++steps_ >= k_most_strict_steps;
     if (!over) return outcome;
     if (descent_->strain().rms > k_blocked_strain)
-      return ended(outcome, descent_->at_deviation_limit() ? StopReason::deviation_limit
-                                                           : StopReason::stalled);
+      return outcome.ended(descent_->at_deviation_limit() ? StopReason::deviation_limit
+                                                          : StopReason::stalled);
     descent_->release();
     polish_.emplace(state_, pool_, limits_on(state_, options_, least_angle_));
     return outcome;
@@ -173,8 +167,9 @@ class SmoothStepper {
 
   SweepOutcome polish() {
     const DefectPolish::Cycle cycle = polish_->cycle();
-    if (cycle.flat) return {cycle.moved, true};
-    return {cycle.moved, cycle.over, polish_->held_by().value_or(StopReason::stalled)};
+    const SweepOutcome outcome = cycle.moved;
+    if (cycle.flat) return outcome.ended(StopReason::converged);
+    return outcome.ended_if(cycle.over, polish_->held_by().value_or(StopReason::stalled));
   }
 
   PatchState& level_state() const { return coarse_ ? *coarse_ : state_; }

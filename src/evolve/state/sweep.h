@@ -16,9 +16,28 @@ namespace planish {
 
 /// What a pass did.
 struct SweepOutcome {
-  std::size_t moved = 0;   ///< vertices
-  bool converged = false;  ///< the method's own test says that no more can be gained
-  StopReason reason = StopReason::converged;  ///< if so, why
+  /// A pass that moved nothing has stalled: the next one would do the same.
+  explicit(false) SweepOutcome(std::size_t vertices = 0)
+      : moved(vertices), status(vertices > 0 ? SweepStatus::running : SweepStatus::stalled) {}
+
+  SweepOutcome with(SweepStatus other) const {
+    SweepOutcome outcome = *this;
+    outcome.status = other;
+    return outcome;
+  }
+  SweepOutcome ended(StopReason why) const {
+    SweepOutcome outcome = with(SweepStatus::converged);
+    outcome.reason = why;
+    return outcome;
+  }
+  /// Ended as converged where that is true.
+  SweepOutcome ended_if(bool is_over, StopReason why = StopReason::converged) const {
+    return is_over ? ended(why) : *this;
+  }
+
+  std::size_t moved = 0;  ///< vertices
+  SweepStatus status = SweepStatus::running;
+  StopReason reason = StopReason::converged;  ///< if converged, why
   std::optional<LevelRecord> level = {};      ///< if it was a step of a level
   bool on_coarse_level = false;               ///< what moved was not the patch itself
 };
@@ -31,8 +50,9 @@ class Sweep {
   requires std::is_invocable_r_v<SweepOutcome, Pass> Sweep(
       Pass pass)  // NOLINT(google-explicit-constructor): a pass is all that most methods are
       : pass_(std::move(pass)) {}
-  /// @param settle puts what the method has found elsewhere into the positions, where it is ended
-  ///   early
+  /// @param prolong puts what the method has found on a coarse level into the positions, where it
+  /// is
+  ///   ended early
   Sweep(std::function<SweepOutcome()> pass, std::function<void()> prolong)
       : pass_(std::move(pass)), prolong_(std::move(prolong)) {}
 

@@ -200,7 +200,7 @@ TEST(GlobalPenalty, IsDoneWhereNothingIsBent) {
   Evolver evolver(flat, connectivity, GlobalPenalty{});
   const SweepRecord record = evolver.step();
   EXPECT_EQ(record.moved, 0U);
-  EXPECT_TRUE(record.converged);
+  EXPECT_EQ(record.status, SweepStatus::converged);
   EXPECT_EQ(evolver.positions(), flat.positions);
 }
 

@@ -58,7 +58,7 @@ TEST(LocalPerturbation, MakesNearlyFlattenablePatchesFlattenable) {
     const auto result = evolve(mesh, LocalPerturbation{}, usual_stopping(LocalPerturbation{}));
     EXPECT_EQ(result.stop, StopReason::converged) << shape;
     EXPECT_LE(e_max_of({result.positions, mesh.triangles}), 1e-3) << shape;
-    EXPECT_TRUE(result.history.back().converged);
+    EXPECT_EQ(result.history.back().status, SweepStatus::converged);
   }
 }
 

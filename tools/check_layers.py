@@ -46,7 +46,7 @@ FLOORS = {
     "evolve": [
         ["evolve/lanes"],
         ["evolve/state"],
-        ["evolve/kernels", "evolve/systems"],
+        ["evolve/vertex_step", "evolve/systems"],
         ["evolve/methods", "evolve/descent"],
         ["evolve/smooth"],
         ["evolve/auto"],

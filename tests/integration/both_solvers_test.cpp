@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "evolve/kernels/line_energy.h"
 #include "evolve/methods/controllable_laplacian.h"
+#include "evolve/vertex_step/ring_energy_on_line.h"
 #include "support/random_fans.h"
 
 namespace planish {
@@ -47,7 +47,7 @@ class Middle {
     line_.emplace(state_.sites().data(), star_, run.valence);
   }
 
-  const LineEnergy& line() const { return *line_; }
+  const RingEnergyOnLine& line() const { return *line_; }
 
   Move move(const ControllableLaplacian& options) {
     ControllableMover(options, state_).move(visit_, visit_ + 1);
@@ -61,7 +61,7 @@ class Middle {
   PatchState state_;
   std::size_t visit_ = 0;
   Star star_{};
-  std::optional<LineEnergy> line_;
+  std::optional<RingEnergyOnLine> line_;
 };
 
 /// What is lowest from 0 to `end`, and whether b falls up to there and rises behind.
@@ -70,7 +70,7 @@ struct Scan {
   bool one_minimum = true;
 };
 
-Scan scan(const LineEnergy& line, double b0, double end) {
+Scan scan(const RingEnergyOnLine& line, double b0, double end) {
   Scan seen{b0};
   bool falls = true;
   double last = b0;
@@ -85,7 +85,7 @@ Scan scan(const LineEnergy& line, double b0, double end) {
 }
 
 /// b at a place and a step to either side.
-double lowest_beside(const LineEnergy& line, double lambda, double step, Interval interval) {
+double lowest_beside(const RingEnergyOnLine& line, double lambda, double step, Interval interval) {
   double lowest = line.at(line.place(lambda)).b.value;
   for (const double beside : {lambda - step, lambda + step}) {
     const double at = std::clamp(beside, interval.low, interval.high);
@@ -102,7 +102,7 @@ BothMoves moves_of(const TriMesh& mesh, double lambda_min) {
   moves.trust_region = Middle(mesh).move(options);
 
   const Middle middle(mesh);
-  const LineEnergy& line = middle.line();
+  const RingEnergyOnLine& line = middle.line();
   const LineSample start = line.at(line.start()).b;
   moves.b0 = start.value;
   moves.curvature = line.at(line.place(moves.trust_region.lambda)).b.curvature;

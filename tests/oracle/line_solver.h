@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "evolve/kernels/interval.h"
+#include "evolve/vertex_step/interval.h"
 
 namespace planish {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "evolve/kernels/interval.h"
+#include "evolve/vertex_step/interval.h"
 #include "oracle/series.h"
 
 namespace planish::plain {

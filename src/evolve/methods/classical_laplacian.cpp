@@ -6,8 +6,8 @@
 
 #include <planish/evolve/method.h>
 
-#include "evolve/kernels/interval.h"
 #include "evolve/state/sweep.h"
+#include "evolve/vertex_step/interval.h"
 #include "geometry/laplacian.h"
 
 namespace planish {

@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "core/math.h"
-#include "evolve/kernels/move_by_trust_region.h"
 #include "evolve/state/sweep.h"
+#include "evolve/vertex_step/move_by_trust_region.h"
 
 namespace planish {
 

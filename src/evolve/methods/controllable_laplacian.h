@@ -9,9 +9,9 @@
 
 #include <planish/evolve/method.h>
 
-#include "evolve/kernels/move_check.h"
 #include "evolve/lanes/move_stars.h"
 #include "evolve/state/patch_state.h"
+#include "evolve/vertex_step/move_check.h"
 
 namespace planish {
 

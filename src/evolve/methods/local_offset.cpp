@@ -11,9 +11,9 @@
 #include <planish/evolve/method.h>
 
 #include "core/math.h"
-#include "evolve/kernels/move_check.h"
-#include "evolve/kernels/star_energy.h"
 #include "evolve/state/sweep.h"
+#include "evolve/vertex_step/move_check.h"
+#include "evolve/vertex_step/ring_energy_at.h"
 
 namespace planish {
 
@@ -150,7 +150,7 @@ std::optional<Index> OffsetMover::pop() {
 }
 
 std::optional<OffsetMover::Step> OffsetMover::falling_step(Index v) const {
-  const StarEnergy energy(state_, v, rings_[v], defects_);
+  const RingEnergyAt energy(state_, v, rings_[v], defects_);
   const Vec3 x = state_.position(v);
   const StarSample now = energy.along(x, lines_[v].normal);
   const double least = k_least_fall * now.value, rounding = k_rounding * std::sqrt(now.value);

@@ -18,11 +18,11 @@ struct StarSample {
 
 /// The ring energy of an inner vertex as a function of its place, all else staying. One arctangent
 /// per angle: for those who move one vertex at a time and ask a few positions each.
-class StarEnergy {
+class RingEnergyAt {
  public:
   /// @param defects of the inner vertices as the patch is now
-  StarEnergy(const PatchState& state, Index center, std::span<const Index> ring,
-             std::span<const double> defects);
+  RingEnergyAt(const PatchState& state, Index center, std::span<const Index> ring,
+               std::span<const double> defects);
 
   /// b_v with the centre at x.
   double value(Vec3 x) const;

@@ -1,11 +1,11 @@
-#include "evolve/kernels/move_by_trust_region.h"
+#include "evolve/vertex_step/move_by_trust_region.h"
 
 #include <cmath>
 
-#include "evolve/kernels/interval.h"
-#include "evolve/kernels/line_energy.h"
-#include "evolve/kernels/trust_region.h"
 #include "evolve/state/sweep.h"
+#include "evolve/vertex_step/interval.h"
+#include "evolve/vertex_step/ring_energy_on_line.h"
+#include "evolve/vertex_step/trust_region.h"
 
 namespace planish {
 
@@ -32,7 +32,7 @@ class Mover {
     double lambda = best_step(before.slope);
     for (int halvings = 0; lambda != 0.0 && halvings <= k_most_halvings; ++halvings) {
       const Vec3 target = line_.place(lambda);
-      const LineEnergy::Ring ring = line_.at(target);
+      const RingEnergyOnLine::Ring ring = line_.at(target);
       if (accepts(target, ring, before.value)) {
         line_.write(target, ring, star, sites, changes);
         return true;
@@ -59,7 +59,7 @@ class Mover {
 
   /// The guarantee: what is compared is the energy at the very place that the vertex would get, and
   /// the fall must be more than rounding can feign.
-  bool accepts(Vec3 target, const LineEnergy::Ring& ring, double before) const {
+  bool accepts(Vec3 target, const RingEnergyOnLine::Ring& ring, double before) const {
     const double after = ring.b.value;
     const Vec3 away = target - origin_;
     return ring.sound && target != line_.start() &&
@@ -68,7 +68,7 @@ class Mover {
   }
 
   const MoveOptions& options_;
-  LineEnergy line_;
+  RingEnergyOnLine line_;
   Vec3 origin_;
 };
 

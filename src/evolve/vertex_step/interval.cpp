@@ -1,4 +1,4 @@
-#include "evolve/kernels/interval.h"
+#include "evolve/vertex_step/interval.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "evolve/kernels/star_energy.h"
+#include "evolve/vertex_step/ring_energy_at.h"
 
 #include <numbers>
 
@@ -8,7 +8,7 @@
 
 namespace planish {
 
-StarEnergy::Corners StarEnergy::corners(Vec3 x, std::size_t j) const {
+RingEnergyAt::Corners RingEnergyAt::corners(Vec3 x, std::size_t j) const {
   const Vec3 p = ring_[j].place, q = ring_[next(j)].place;
   const Vec3 u = p - x, w = q - x, e = q - p;
   const double area = norm(cross(u, w));
@@ -17,7 +17,7 @@ StarEnergy::Corners StarEnergy::corners(Vec3 x, std::size_t j) const {
 }
 
 template <class Body>
-void StarEnergy::for_defects(Vec3 x, const Body& body) const {
+void RingEnergyAt::for_defects(Vec3 x, const Body& body) const {
   const std::size_t n = ring_.size();
   const Corners last = corners(x, n - 1);
   double before = last.at_next, own = 2.0 * std::numbers::pi;
@@ -30,8 +30,8 @@ void StarEnergy::for_defects(Vec3 x, const Body& body) const {
   body(own);
 }
 
-StarEnergy::StarEnergy(const PatchState& state, Index center, std::span<const Index> ring,
-                       std::span<const double> defects) {
+RingEnergyAt::RingEnergyAt(const PatchState& state, Index center, std::span<const Index> ring,
+                           std::span<const double> defects) {
   ring_.reserve(ring.size());
   for (const Index j : ring) {
     const bool inner = state.is_inner(j);
@@ -45,20 +45,20 @@ StarEnergy::StarEnergy(const PatchState& state, Index center, std::span<const In
   }
 }
 
-double StarEnergy::value(Vec3 x) const {
+double RingEnergyAt::value(Vec3 x) const {
   double energy = 0.0;
   for_defects(x, [&energy](double d) { energy += d * d; });
   return energy;
 }
 
-std::vector<double> StarEnergy::defects(Vec3 x) const {
+std::vector<double> RingEnergyAt::defects(Vec3 x) const {
   std::vector<double> defects;
   defects.reserve(ring_.size() + 1);
   for_defects(x, [&defects](double d) { defects.push_back(d); });
   return defects;
 }
 
-StarSample StarEnergy::along(Vec3 x, Vec3 direction) const {
+StarSample RingEnergyAt::along(Vec3 x, Vec3 direction) const {
   const std::size_t n = ring_.size();
   std::vector<double> rates(n + 1, 0.0);  // of the angle sums, in the order of defects()
   for (std::size_t j = 0; j < n; ++j) {
@@ -78,7 +78,7 @@ StarSample StarEnergy::along(Vec3 x, Vec3 direction) const {
   return energy;
 }
 
-bool StarEnergy::has_needle(Vec3 x) const {
+bool RingEnergyAt::has_needle(Vec3 x) const {
   for (std::size_t j = 0; j < ring_.size(); ++j) {
     // Also where the shape is no number.
     if (!(triangle_shape(x, ring_[j].place, ring_[next(j)].place) >= k_least_shape)) return true;

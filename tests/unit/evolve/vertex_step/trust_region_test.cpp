@@ -1,4 +1,4 @@
-#include "evolve/kernels/trust_region.h"
+#include "evolve/vertex_step/trust_region.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "evolve/kernels/move_check.h"
+#include "evolve/vertex_step/move_check.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "evolve/kernels/line_energy.h"
+#include "evolve/vertex_step/ring_energy_on_line.h"
 
 #include <cmath>
 
@@ -40,7 +40,7 @@ void for_each_line(Visit visit) {
     PatchState state(mesh, connectivity, pool);
     for (std::size_t i = 0; i < state.inner_count(); ++i) {
       const auto [star, valence] = position_of(state, i);
-      const LineEnergy line(state.sites().data(), star, valence);
+      const RingEnergyOnLine line(state.sites().data(), star, valence);
       visit(line, patch, state.vertex_of(star.center), state.scale());
     }
   }
@@ -49,8 +49,8 @@ void for_each_line(Visit visit) {
 /// Of a line: at the start, inside, at the ends and beyond.
 constexpr double k_steps[] = {0.0, 0.13, 0.5, 1.0, -0.4, 1.7};
 
-TEST(LineEnergy, IsTheRingEnergyAlongThePapersLaplacian) {
-  for_each_line([](const LineEnergy& line, const plain::Patch& patch, Index v, double scale) {
+TEST(RingEnergyOnLine, IsTheRingEnergyAlongThePapersLaplacian) {
+  for_each_line([](const RingEnergyOnLine& line, const plain::Patch& patch, Index v, double scale) {
     const Vec3 L = patch.laplacian(v), x = patch.mesh.positions[v];
     EXPECT_NEAR(norm(line.laplacian() - scale * L), 0.0, 1e-14);
     for (const double step : k_steps) {
@@ -59,8 +59,8 @@ TEST(LineEnergy, IsTheRingEnergyAlongThePapersLaplacian) {
   });
 }
 
-TEST(LineEnergy, HasTheDerivativesOfThePowerSeriesOfEveryAngle) {
-  for_each_line([](const LineEnergy& line, const plain::Patch& patch, Index v, double) {
+TEST(RingEnergyOnLine, HasTheDerivativesOfThePowerSeriesOfEveryAngle) {
+  for_each_line([](const RingEnergyOnLine& line, const plain::Patch& patch, Index v, double) {
     const Vec3 L = patch.laplacian(v), x = patch.mesh.positions[v];
     for (const double step : k_steps) {
       plain::Patch moved = patch;
@@ -79,8 +79,8 @@ TEST(LineEnergy, HasTheDerivativesOfThePowerSeriesOfEveryAngle) {
   });
 }
 
-TEST(LineEnergy, HasTheSlopeOfThePapersEquations15To17Corrected) {
-  for_each_line([](const LineEnergy& line, const plain::Patch& patch, Index v, double) {
+TEST(RingEnergyOnLine, HasTheSlopeOfThePapersEquations15To17Corrected) {
+  for_each_line([](const RingEnergyOnLine& line, const plain::Patch& patch, Index v, double) {
     const Vec3 L = patch.laplacian(v);
     for (const double step : k_steps) {
       const LinePoint expected = patch.along(v, L, step);
@@ -90,10 +90,10 @@ TEST(LineEnergy, HasTheSlopeOfThePapersEquations15To17Corrected) {
   });
 }
 
-TEST(LineEnergy, HasTheDerivativesOfDifferenceQuotients) {
+TEST(RingEnergyOnLine, HasTheDerivativesOfDifferenceQuotients) {
   constexpr double h = 1e-5;
   std::size_t compared = 0;
-  for_each_line([&](const LineEnergy& line, const plain::Patch&, Index, double) {
+  for_each_line([&](const RingEnergyOnLine& line, const plain::Patch&, Index, double) {
     for (const double step : k_steps) {
       const LineSample b = line.at(line.place(step)).b;
       const LineSample before = line.at(line.place(step - h)).b;
@@ -111,14 +111,14 @@ TEST(LineEnergy, HasTheDerivativesOfDifferenceQuotients) {
   EXPECT_GT(compared, 3000U);
 }
 
-TEST(LineEnergy, WritesTheDefectsThatMeasuringFinds) {
+TEST(RingEnergyOnLine, WritesTheDefectsThatMeasuringFinds) {
   const TriMesh mesh = meshes::rough_grid(9, 9, 4);
   const Connectivity connectivity(mesh);
   ThreadPool pool(1);
   PatchState state(mesh, connectivity, pool);
   for (std::size_t i = 0; i < state.inner_count(); ++i) {
     const auto [star, valence] = position_of(state, i);
-    const LineEnergy line(state.sites().data(), star, valence);
+    const RingEnergyOnLine line(state.sites().data(), star, valence);
     const Vec3 target = line.place(0.3);
     line.write(target, line.at(target), star, state.sites().data(), state.changes(0));
     EXPECT_EQ(state.position(star.center), target);
@@ -131,14 +131,14 @@ TEST(LineEnergy, WritesTheDefectsThatMeasuringFinds) {
     EXPECT_NEAR(written[v], state.defect(v), 1e-13);
 }
 
-TEST(LineEnergy, IsNoNumberOnANeighbourAndNotSoundBesideIt) {
+TEST(RingEnergyOnLine, IsNoNumberOnANeighbourAndNotSoundBesideIt) {
   const TriMesh mesh = meshes::fan(6, 0.3);
   const Connectivity connectivity(mesh);
   ThreadPool pool(1);
   PatchState state(mesh, connectivity, pool);
   const auto [star, valence] = position_of(state, 0);
   const double max_cotangent = 1.0 / std::tan(0.1);
-  const LineEnergy line(state.sites().data(), star, valence, max_cotangent);
+  const RingEnergyOnLine line(state.sites().data(), star, valence, max_cotangent);
   const Vec3 neighbour = state.position(star.ring[2]), start = line.start();
   EXPECT_TRUE(std::isnan(line.at(neighbour).b.value));
   EXPECT_FALSE(line.at(neighbour).sound);

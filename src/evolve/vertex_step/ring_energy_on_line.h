@@ -7,18 +7,18 @@
 #include <planish/core/vec.h>
 
 #include "core/lanes/stars.h"
-#include "evolve/kernels/trust_region.h"
 #include "evolve/lanes/move_stars.h"
+#include "evolve/vertex_step/trust_region.h"
 
 namespace planish {
 
 /// The ring energy b of one inner vertex as it moves along its Laplacian vector, with exact
 /// derivatives. What lanes/ring_energy.h has for several vertices at once, without a model.
-class LineEnergy {
+class RingEnergyOnLine {
  public:
   /// @param max_cotangent triangles whose angles are smaller than its may keep theirs
-  LineEnergy(const Site* sites, const Star& star, std::size_t valence,
-             double max_cotangent = std::numeric_limits<double>::infinity());
+  RingEnergyOnLine(const Site* sites, const Star& star, std::size_t valence,
+                   double max_cotangent = std::numeric_limits<double>::infinity());
 
   Vec3 start() const { return start_; }
   /// L(v) with edge-length weights (Eq. 9).

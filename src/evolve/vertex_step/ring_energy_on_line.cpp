@@ -1,7 +1,7 @@
 // The arctangent is the library's own, so that no two systems give different bits.
-#define PLANISH_ISA line_energy_lanes
+#define PLANISH_ISA ring_energy_on_line_lanes
 #define PLANISH_LANES 2
-#include "evolve/kernels/line_energy.h"
+#include "evolve/vertex_step/ring_energy_on_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,14 @@ namespace {
 
 /// -pi to pi; NaN of 0.
 double argument(double re, double im) {
-  using namespace line_energy_lanes;
-  return line_energy_lanes::argument({broadcast(re), broadcast(im)})[0];
+  using namespace ring_energy_on_line_lanes;
+  return ring_energy_on_line_lanes::argument({broadcast(re), broadcast(im)})[0];
 }
 
 }  // namespace
 
-LineEnergy::LineEnergy(const Site* sites, const Star& star, std::size_t valence,
-                       double max_cotangent)
+RingEnergyOnLine::RingEnergyOnLine(const Site* sites, const Star& star, std::size_t valence,
+                                   double max_cotangent)
     : own_(sites[star.center].defect), spokes_(valence) {
   const auto position_of = [&](std::uint32_t v) {
     return Vec3{sites[v].x, sites[v].y, sites[v].z};
@@ -46,7 +46,7 @@ LineEnergy::LineEnergy(const Site* sites, const Star& star, std::size_t valence,
   }
 }
 
-LineEnergy::Base LineEnergy::base_at(std::size_t j, Vec3 x) const {
+RingEnergyOnLine::Base RingEnergyOnLine::base_at(std::size_t j, Vec3 x) const {
   const Spoke& spoke = spokes_[j];
   const Vec3 u = spoke.place - x, u_next = spokes_[next(j)].place - x;
   Base base;
@@ -60,7 +60,7 @@ LineEnergy::Base LineEnergy::base_at(std::size_t j, Vec3 x) const {
   return base;
 }
 
-double LineEnergy::largest_cotangent(const Base& base) {
+double RingEnergyOnLine::largest_cotangent(const Base& base) {
   return std::max({base.apex, base.here.re, base.next.re}) / base.here.im;
 }
 
@@ -68,8 +68,9 @@ double LineEnergy::largest_cotangent(const Base& base) {
 ///   S' = N . N' / S,  S'' = (|N'|^2 - S'^2) / S,  C'' = 0,
 ///   angle' = (C S' - S C') / D,  angle'' = (C S'' - 2 (S S' + C C') angle') / D
 /// with D = C^2 + S^2. Where the triangle has no area, S has a kink: its slopes are taken as 0.
-LineEnergy::Turn LineEnergy::turn_of(const Corner& then, const Corner& now, double cosine_rate,
-                                     double size, const Base& base, Vec3 normal_rate) {
+RingEnergyOnLine::Turn RingEnergyOnLine::turn_of(const Corner& then, const Corner& now,
+                                                 double cosine_rate, double size, const Base& base,
+                                                 Vec3 normal_rate) {
   const double s = now.im, c = now.re;
   const double s_rate = s > 0.0 ? dot(base.normal, normal_rate) / s : 0.0;
   const double s_bend = s > 0.0 ? (dot(normal_rate, normal_rate) - s_rate * s_rate) / s : 0.0;
@@ -80,7 +81,7 @@ LineEnergy::Turn LineEnergy::turn_of(const Corner& then, const Corner& now, doub
   return turn;
 }
 
-LineEnergy::Ring LineEnergy::at(Vec3 x) const {
+RingEnergyOnLine::Ring RingEnergyOnLine::at(Vec3 x) const {
   const std::size_t n = spokes_.size();
   Ring ring;
   std::vector<Turn> turns(n);
@@ -112,15 +113,15 @@ LineEnergy::Ring LineEnergy::at(Vec3 x) const {
   return ring;
 }
 
-double LineEnergy::rounding_error(double value) const {
+double RingEnergyOnLine::rounding_error(double value) const {
   // As in lanes/ring_energy.h.
   constexpr double e = 1e-14;
   const auto count = static_cast<double>(spokes_.size() + 1);
   return 2.0 * e * std::sqrt(count * value) + count * (e * e);
 }
 
-void LineEnergy::write(Vec3 x, const Ring& ring, const Star& star, Site* sites,
-                       Changes changes) const {
+void RingEnergyOnLine::write(Vec3 x, const Ring& ring, const Star& star, Site* sites,
+                             Changes changes) const {
   sites[star.center] = {x.x, x.y, x.z, ring.own};
   changes.changed_at[star.center] = changes.now;
   for (std::size_t j = 0; j < spokes_.size(); ++j) {

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "evolve/kernels/interval.h"
+#include "evolve/vertex_step/interval.h"
 
 namespace planish {
 

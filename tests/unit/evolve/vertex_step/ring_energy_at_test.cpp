@@ -1,4 +1,4 @@
-#include "evolve/kernels/star_energy.h"
+#include "evolve/vertex_step/ring_energy_at.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ class Stars {
 
   const PatchState& state() const { return state_; }
   const plain::Patch& plain() const { return plain_; }
-  StarEnergy energy(Index v) const {
+  RingEnergyAt energy(Index v) const {
     return {state_, v, rings_by_vertex(state_.plan())[v], defects_};
   }
 
@@ -36,12 +36,12 @@ class Stars {
   std::vector<double> defects_;
 };
 
-TEST(StarEnergy, IsTheRingEnergyWhereverTheCentreIs) {
+TEST(RingEnergyAt, IsTheRingEnergyWhereverTheCentreIs) {
   const Stars stars(1);
   const double scale = stars.state().scale();
   meshes::Random random(7);
   for (Index v = 0; v < stars.state().inner_count(); ++v) {
-    const StarEnergy energy = stars.energy(v);
+    const RingEnergyAt energy = stars.energy(v);
     for (int place = 0; place < 5; ++place) {
       Vec3 x = stars.plain().mesh.positions[stars.state().vertex_of(v)];
       if (place > 0) x += 0.4 * Vec3{random.number(), random.number(), random.number()};
@@ -51,7 +51,7 @@ TEST(StarEnergy, IsTheRingEnergyWhereverTheCentreIs) {
   }
 }
 
-TEST(StarEnergy, KnowsTheDefectsOfTheStar) {
+TEST(RingEnergyAt, KnowsTheDefectsOfTheStar) {
   const Stars stars(2);
   const PatchState& state = stars.state();
   const Vec3 shift{0.1, -0.2, 0.15};
@@ -69,7 +69,7 @@ TEST(StarEnergy, KnowsTheDefectsOfTheStar) {
   }
 }
 
-TEST(StarEnergy, HasTheDerivativesOfThePowerSeries) {
+TEST(RingEnergyAt, HasTheDerivativesOfThePowerSeries) {
   const Stars stars(3);
   const PatchState& state = stars.state();
   meshes::Random random(5);
@@ -89,13 +89,13 @@ TEST(StarEnergy, HasTheDerivativesOfThePowerSeries) {
   }
 }
 
-TEST(StarEnergy, HasTheSlopeOfDifferenceQuotients) {
+TEST(RingEnergyAt, HasTheSlopeOfDifferenceQuotients) {
   const Stars stars(4);
   const PatchState& state = stars.state();
   const Vec3 direction{0.3, -0.5, 0.8};
   constexpr double h = 1e-6;
   for (Index v = 0; v < state.inner_count(); ++v) {
-    const StarEnergy energy = stars.energy(v);
+    const RingEnergyAt energy = stars.energy(v);
     const Vec3 x = state.position(v) + Vec3{0.01, 0.02, -0.01};
     const double slope =
         (energy.value(x + h * direction) - energy.value(x - h * direction)) / (2.0 * h);
@@ -103,13 +103,13 @@ TEST(StarEnergy, HasTheSlopeOfDifferenceQuotients) {
   }
 }
 
-TEST(StarEnergy, TellsWhereATriangleHasNoAngles) {
+TEST(RingEnergyAt, TellsWhereATriangleHasNoAngles) {
   const TriMesh mesh = meshes::fan(5, 0.4);
   const Connectivity connectivity(mesh);
   ThreadPool pool(1);
   const PatchState state(mesh, connectivity, pool);
   const auto ring = rings_by_vertex(state.plan())[0];
-  const StarEnergy energy(state, 0, ring, std::vector<double>{state.defect(0)});
+  const RingEnergyAt energy(state, 0, ring, std::vector<double>{state.defect(0)});
   EXPECT_FALSE(energy.has_needle(state.position(0)));
   EXPECT_TRUE(energy.has_needle(state.position(ring[2])));
   EXPECT_TRUE(energy.has_needle(2.0 * state.position(ring[1]) - state.position(ring[2])));

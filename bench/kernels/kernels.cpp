@@ -18,8 +18,8 @@
 #include <benchmark/benchmark.h>
 
 #include "core/lanes/arctangent.h"
-#include "evolve/state/coloring.h"
 #include "evolve/state/spatial_order.h"
+#include "evolve/state/vertex_coloring.h"
 #include "support/inner_rings.h"
 #include "support/sweeps.h"
 

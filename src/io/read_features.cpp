@@ -8,10 +8,10 @@
 
 #include "core/math.h"
 #include "core/number_text.h"
+#include "io/drawn_lines.h"
 #include "io/file/file_bytes.h"
 #include "io/file/text_cursor.h"
 #include "io/formats/formats.h"
-#include "io/line_drawing.h"
 #include "mesh/cut/edge_paths.h"
 #include "mesh/search/nearest_vertex.h"
 #include "platform/path.h"

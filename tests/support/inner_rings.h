@@ -5,7 +5,7 @@
 
 #include <planish/mesh/connectivity.h>
 
-#include "evolve/state/coloring.h"
+#include "evolve/state/vertex_coloring.h"
 
 namespace planish::meshes {
 

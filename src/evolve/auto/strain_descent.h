@@ -9,8 +9,8 @@
 #include "evolve/descent/border_motion.h"
 #include "evolve/descent/descent_limits.h"
 #include "evolve/descent/fairness_energy.h"
-#include "evolve/descent/strain_limit.h"
 #include "evolve/descent/strain_potential.h"
+#include "evolve/descent/surface_strain_limit.h"
 #include "evolve/systems/angle_jacobian.h"
 #include "evolve/systems/positions.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evolve/descent/strain_limit.h"
+#include "evolve/descent/surface_strain_limit.h"
 #include "evolve/smooth/smooth_descent.h"
 
 namespace planish {

@@ -10,7 +10,7 @@
 #include "core/buffer.h"
 #include "core/lanes/stars.h"
 #include "core/thread_pool.h"
-#include "evolve/state/coloring.h"
+#include "evolve/state/vertex_coloring.h"
 
 namespace planish {
 

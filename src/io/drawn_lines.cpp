@@ -1,4 +1,4 @@
-#include "io/line_drawing.h"
+#include "io/drawn_lines.h"
 
 #include <charconv>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "evolve/state/coloring.h"
+#include "evolve/state/vertex_coloring.h"
 
 #include <algorithm>
 #include <bit>

@@ -56,6 +56,7 @@ class Evolver::Impl {
     record.status = outcome.status;
     record.reason = outcome.reason;
     record.level = outcome.level;
+    record.in_double = outcome.in_double;
     // Anew from the positions, so that the errors of many small updates cannot pile up. A step on a
     // coarser level leaves them as they are.
     if (!outcome.on_coarse_level || sweeps_ == 0) figures_ = state_.measure(pool_);

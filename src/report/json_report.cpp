@@ -85,6 +85,7 @@ Json to_json(const std::vector<SweepRecord>& history) {
     Json json = {{"sweep", record.sweep},   {"e_max", record.e_max}, {"e_avg", record.e_avg},
                  {"energy", record.energy}, {"moved", record.moved}, {"seconds", record.seconds}};
     if (record.level) json["level"] = to_json(*record.level);
+    if (record.in_double) json["in_double"] = true;
     list.push_back(std::move(json));
   }
   return list;

@@ -8,8 +8,9 @@ namespace planish {
 
 namespace {
 
-// Of the right side: what the last solution may leave, or float does not do.
-constexpr double k_far_off = 0.1;
+// Of the right side: what the last solution may leave, or float does not do. Half is enough for a
+// step that a line search judges, and a million vertices leave more than a tenth.
+constexpr double k_far_off = 0.5;
 constexpr std::size_t k_most_solves = 12;
 
 /// The power of two nearest to one over the root; 1 for 0.
@@ -131,6 +132,7 @@ MixedLdlt::MixedLdlt(const SparseMatrix& lower, std::span<const Index> order, Pr
 }
 
 bool MixedLdlt::factor(const SparseMatrix& lower, ThreadPool& pool) {
+  is_solvable_ = true;
   if (!narrow_) return factor_in_double(lower, pool);
   scale_ = scale_of(lower);
   is_double_ = false;
@@ -139,6 +141,7 @@ bool MixedLdlt::factor(const SparseMatrix& lower, ThreadPool& pool) {
 
 bool MixedLdlt::factor_in_double(const SparseMatrix& lower, ThreadPool& pool) {
   is_double_ = true;
+  if (narrow_) narrow_->release();
   if (!wide_) wide_.emplace(lower, order_);
   return wide_->factor(lower, pool);
 }
@@ -166,11 +169,9 @@ Eigen::VectorXd MixedLdlt::solve(const SparseMatrix& lower, const Eigen::VectorX
                                  ThreadPool& pool, double accuracy) {
   if (!is_double_) {
     if (auto x = refined(lower, right, pool, accuracy)) return *std::move(x);
-    if (!factor_in_double(lower, pool)) {
-      is_double_ = false;
-      return Eigen::VectorXd::Zero(right.size());
-    }
+    is_solvable_ = factor_in_double(lower, pool);
   }
+  if (!is_solvable_) return Eigen::VectorXd::Zero(right.size());
   return wide_->solve(right, pool).col(0);
 }
 

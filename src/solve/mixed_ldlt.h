@@ -34,8 +34,9 @@ class MixedLdlt {
   /// Frees the factor, until the next one is made.
   void release();
 
-  /// Whether the last matrix had to be factored in double.
+  /// Whether the last matrix was factored in double, and whether it was to be in float.
   bool is_double() const { return is_double_; }
+  bool fell_back() const { return narrow_ && is_double_; }
 
  private:
   bool factor_in_double(const SparseMatrix& lower, ThreadPool& pool);
@@ -47,6 +48,7 @@ class MixedLdlt {
   Eigen::VectorXd scale_;                   // powers of two, so that scaling rounds nothing
   std::optional<SparseLdlt> wide_;
   bool is_double_ = false;
+  bool is_solvable_ = true;  // what had to be factored in double could be
 };
 
 }  // namespace planish

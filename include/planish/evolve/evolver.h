@@ -54,6 +54,9 @@ struct SweepRecord {
   /// If the sweep was a step on a level: the other figures are those of the patch itself, which
   /// does not move before the last level.
   std::optional<LevelRecord> level = {};
+  /// The matrix of the step was to be factored in float, as those of dense patches are, and had to
+  /// be in double: nearly singular, or of needles.
+  bool in_double = false;
 };
 
 /// Runs a method on a patch, one sweep at a time. evolve() is the loop over it; this is for those

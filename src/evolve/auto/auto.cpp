@@ -114,6 +114,7 @@ class AutoStepper {
   bool descent_step(SweepOutcome& outcome) {
     const StrainDescent::Step step = reduction_ ? reduction_->step() : descent_->step();
     outcome.moved = step.moved;
+    outcome.in_double = step.in_double;
     outcome.level = {level_state().inner_count(), step.merit_before, step.merit,
                      descent_->rms_strain()};
     if (reduction_) return reduction_->over();
@@ -183,7 +184,8 @@ class AutoStepper {
 
   SweepOutcome polish() {
     const DefectPolish::Cycle cycle = polish_->cycle();
-    const SweepOutcome outcome = cycle.moved;
+    SweepOutcome outcome = cycle.moved;
+    outcome.in_double = cycle.in_double;
     if (limit_is_met_after_all()) return outcome.with(SweepStatus::running);
     if (cycle.flat) return outcome.ended(StopReason::converged);
     if (cycle.over && rounds_++ < k_most_rounds) {

@@ -63,6 +63,8 @@ class NormalDirectionSystem {
 
   /// Frees the factor, until the next one is made.
   void release() { solver_.release(); }
+  /// Whether float did not do for the last matrix.
+  bool fell_back() const { return solver_.fell_back(); }
 
  private:
   const AngleJacobian& jacobian_;

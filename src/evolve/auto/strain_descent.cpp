@@ -236,6 +236,7 @@ StrainDescent::Step StrainDescent::step() {
       result.moved += state_.position(v) != x[v] ? 1 : 0;
     break;
   }
+  result.in_double = system_.fell_back();
   if (result.moved == 0) go_to(before_);
   update_damping(share, halvings, result);
   update_proximity_weight();

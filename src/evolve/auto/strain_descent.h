@@ -71,6 +71,7 @@ class StrainDescent {
   struct Step {
     std::size_t moved = 0;
     double merit_before = 0.0, merit = 0.0;
+    bool in_double = false;  ///< float did not do for the matrix
   };
   Step step();
 

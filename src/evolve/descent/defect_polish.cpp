@@ -71,6 +71,7 @@ DefectPolish::Cycle DefectPolish::cycle() {
   const double energy = state_.measure(pool_).energy;
   Cycle cycle{move()};
   const Flattenability figures = state_.measure(pool_);
+  cycle.in_double = least_.dual().fell_back();
   cycle.flat = is_surely_flattenable(figures);
   stagnant_cycles_ = figures.energy > slow_share * energy ? stagnant_cycles_ + 1 : 0;
   cycle.over = cycle.moved == 0 || stagnant_cycles_ >= most_slow || ++cycles_ >= most_cycles;

@@ -22,9 +22,10 @@ class DefectPolish {
   DefectPolish(PatchState& state, ThreadPool& pool, const DescentLimits& limits);
 
   struct Cycle {
-    std::size_t moved = 0;  ///< vertices
-    bool flat = false;      ///< the patch is surely flattenable
-    bool over = false;      ///< nothing moved, or cycles gain little more
+    std::size_t moved = 0;   ///< vertices
+    bool flat = false;       ///< the patch is surely flattenable
+    bool over = false;       ///< nothing moved, or cycles gain little more
+    bool in_double = false;  ///< float did not do for a matrix
   };
   Cycle cycle();
   /// The limit that held vertices in the last cycle.

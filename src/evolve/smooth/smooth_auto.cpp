@@ -69,6 +69,7 @@ class SmoothStepper {
     const SmoothDescent::Step step = descent_->step(control_->weights());
     control_->after(step, descent_->strain(), descent_->bending());
     outcome.moved = step.moved;
+    outcome.in_double = step.in_double;
     outcome.level = {level_state().inner_count(), step.merit_before, step.merit,
                      descent_->strain().rms};
     outcome.on_coarse_level = level_ > 0;
@@ -167,7 +168,8 @@ class SmoothStepper {
 
   SweepOutcome polish() {
     const DefectPolish::Cycle cycle = polish_->cycle();
-    const SweepOutcome outcome = cycle.moved;
+    SweepOutcome outcome = cycle.moved;
+    outcome.in_double = cycle.in_double;
     if (cycle.flat) return outcome.ended(StopReason::converged);
     return outcome.ended_if(cycle.over, polish_->held_by().value_or(StopReason::stalled));
   }

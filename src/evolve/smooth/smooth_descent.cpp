@@ -249,6 +249,7 @@ SmoothDescent::Step SmoothDescent::step(const SmoothWeights& weights) {
       result.moved += trial.positions[v] != before[v] ? 1 : 0;
     break;
   }
+  result.in_double = system_.fell_back();
   if (result.moved == 0) set_positions(before, jacobian_, state_);
   renew();
   at_deviation_limit_ = moves_.is_reached(sum_of(positions(), -1.0, origin_));

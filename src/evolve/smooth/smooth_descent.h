@@ -50,6 +50,7 @@ class SmoothDescent {
   struct Step {
     std::size_t moved = 0;
     double merit_before = 0.0, merit = 0.0;
+    bool in_double = false;  ///< float did not do for the matrix
   };
   /// F falls, or nothing moves.
   Step step(const SmoothWeights& weights);

@@ -70,6 +70,8 @@ class SmoothSystem {
 
   /// Frees the factor, until the next one is made.
   void release() { solver_->release(); }
+  /// Whether float did not do for the last matrix.
+  bool fell_back() const { return solver_->fell_back(); }
 
  private:
   /// Two vertices that share entries of the matrix; the first has the lower number. Entries of one

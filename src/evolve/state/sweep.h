@@ -40,6 +40,7 @@ struct SweepOutcome {
   StopReason reason = StopReason::converged;  ///< if converged, why
   std::optional<LevelRecord> level = {};      ///< if it was a step of a level
   bool on_coarse_level = false;               ///< what moved was not the patch itself
+  bool in_double = false;  ///< float did not do for a matrix that was to be factored in it
 };
 
 /// One pass of a method over all inner vertices. Positions are what counts when it returns: the

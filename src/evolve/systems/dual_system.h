@@ -35,6 +35,8 @@ class DualSystem {
   Eigen::VectorXd solve(const Eigen::VectorXd& right, ThreadPool& pool) {
     return solver_.solve(lower_, right, pool, k_step_accuracy);
   }
+  /// Whether float did not do for the last matrix.
+  bool fell_back() const { return solver_.fell_back(); }
 
  private:
   DualSystem(const AngleJacobian& jacobian, const PatchState& state, const Graph& rows,

@@ -75,6 +75,7 @@ FOR_THE_PROGRAM = {
     "flatten/twin_report.h",
     "mesh/match/twins.h",
     "mesh/split.h",
+    "platform/memory.h",
     "platform/path.h",
     "report/pictures/direction_map.h",
     "sheet/cut_sheet.h",

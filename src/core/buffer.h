@@ -9,14 +9,14 @@
 
 namespace planish {
 
-/// Memory that nobody clears. The system hands a large piece out in large pages where it can: by
-/// small ones, first touching it takes longer than many a loop over it.
+/// Uninitialised memory, in large pages where the system has them: with small ones, first touching
+/// it takes longer than many a loop over it.
 /// @throws std::bad_alloc
 void* allocate_pages(std::size_t bytes, std::size_t alignment);
 /// @param bytes,alignment as it was asked for by
 void free_pages(void* memory, std::size_t bytes, std::size_t alignment) noexcept;
 
-/// A fixed number of elements that nobody clears: for large arrays that several threads fill, where
+/// A fixed number of uninitialised elements: for large arrays that several threads fill, where
 /// clearing by one thread would take as long as the work of all.
 template <class T>
 class Buffer {

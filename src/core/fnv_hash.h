@@ -6,7 +6,7 @@
 
 namespace planish {
 
-/// FNV-1a of 64 bits (Fowler, Noll, Vo): tells contents apart, keeps out nobody.
+/// FNV-1a of 64 bits (Fowler, Noll, Vo): a checksum, not a cryptographic hash.
 class FnvHash {
  public:
   void add(std::string_view bytes) {

@@ -11,7 +11,7 @@ namespace planish {
 std::string verdict_text(const FlattenReport& report);
 
 /// Asks about the unit where a pattern of that size is unlikely: mesh files do not say their unit,
-/// and a wrong guess is common and dear. Empty elsewhere.
+/// and a wrong guess is common and costly. Empty elsewhere.
 std::string unit_question(const UnfoldReport& unfold);
 
 /// That the border of the patch as it came is too short for its surface, by how much and what to do

@@ -6,7 +6,7 @@ namespace planish {
 
 namespace {
 
-constexpr std::size_t k_block = 64;  // columns that are factored before the rest hears of it
+constexpr std::size_t k_block = 64;  // columns that are factored before the rest is updated
 static_assert(k_block % k_strip<double> == 0 && k_block % k_strip<float> == 0);
 
 /// Calls body(begin, end) for parts of [begin, end) on all threads if that is worth waking them.

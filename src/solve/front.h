@@ -33,7 +33,7 @@ struct FrontShape {
   std::size_t beside_size() const;
 };
 
-/// Room for numbers that nobody clears, from the start of a line of cache on.
+/// Uninitialised numbers, aligned to cache lines.
 template <class T>
 class FrontBuffer {
  public:

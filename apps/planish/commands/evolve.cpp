@@ -80,6 +80,7 @@ Outcome run_evolve(const Arguments& arguments, Session& session) {
   const CutInput input = cut_as_asked(session.read(path).mesh, path, arguments, session);
   const auto [evolved, report] = about(path, [&] {
     note_obstruction(session, input.mesh);
+    if (!arguments.has("--remesh")) note_memory(session, method, input.mesh);
     return evolve_with_progress(input.mesh, arguments, session);
   });
   files.front().content = format_mesh(evolved, format);

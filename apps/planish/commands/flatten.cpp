@@ -244,6 +244,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   };
   const auto report = about(path, [&] {
     note_obstruction(session, input.mesh);
+    if (!options.remesh) note_memory(session, options.method, input.mesh);
     options.constraints = constraints_from(arguments, input.mesh, session);
     pattern.annotations =
         annotations_on(std::move(pattern.annotations), arguments, input.mesh, name);

@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* k_job_file = "job.json";
 
-/// The flags that say where and how fast, not what.
-/// Those of seams come to the notches, which are told by themselves.
+/// Flags that do not change the results of a patch. Those of seams act through its notches, which
+/// are compared on their own.
 constexpr std::array<std::string_view, 12> k_idle_flags = {
     "--output", "--threads",  "--quiet",       "--json", "--resume",         "--require-target",
     "--sheet",  "--nest-gap", "--nest-margin", "--turn", "--seam-tolerance", "--seam-notches"};

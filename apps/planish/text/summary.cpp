@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "flatten/strain_limit_text.h"
+#include "platform/memory.h"
 #include "platform/path.h"
 #include "shell/text.h"
 #include "shell/values.h"
+#include "text/memory_text.h"
 
 namespace planish::cli {
 
@@ -354,6 +356,11 @@ Outcome with_target_checked(Outcome outcome, const Arguments& arguments,
 void note_obstruction(Session& session, const TriMesh& mesh) {
   const auto obstruction = find_obstruction(mesh, Connectivity(mesh));
   if (obstruction && obstruction->is_notable()) session.note(obstruction_advice(*obstruction));
+}
+
+void note_memory(Session& session, const Method& method, const TriMesh& mesh) {
+  const std::string text = memory_text(method, mesh.positions.size(), available_memory());
+  if (!text.empty()) session.note(text);
 }
 
 OnCompareProgress progress_of_methods(Session& session) {

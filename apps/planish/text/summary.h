@@ -41,6 +41,9 @@ Outcome with_target_checked(Outcome outcome, const Arguments& arguments,
 /// @throws Error as Connectivity
 void note_obstruction(Session& session, const TriMesh& mesh);
 
+/// Says before the work on a dense patch how much memory it will take.
+void note_memory(Session& session, const Method& method, const TriMesh& mesh);
+
 /// Draws the progress of a run of several methods.
 OnCompareProgress progress_of_methods(Session& session);
 /// Warns that one of several methods failed.

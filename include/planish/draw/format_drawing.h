@@ -75,7 +75,7 @@ struct DxfOptions {
   /// Other names for layers: name in the drawing -> name in the file. Layers with one name become
   /// one layer.
   std::map<std::string, std::string, std::less<>> layer_names = {};
-  bool stroked_text = false;  ///< letters as lines in place of TEXT
+  bool stroked_text = false;  ///< letters as lines instead of TEXT
 };
 
 /// The drawing as DXF R12 (AC1009) in millimetres, coordinates to 0.001 mm: what the widest range

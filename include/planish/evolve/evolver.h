@@ -79,8 +79,8 @@ class Evolver {
   /// One pass over all inner vertices, or one step that moves them all at once.
   SweepRecord step();
 
-  /// For who ends before the method does: puts what it has found elsewhere, as on coarser levels,
-  /// into the positions.
+  /// Call this before positions() when ending before the method does: prolongs the result of a
+  /// coarse level to the patch.
   void prolong_to_finest();
 
   /// Where the vertices are now, in the order of the mesh. Vertices that never moved keep the bits

@@ -23,7 +23,7 @@ struct Allowance {
   /// How far from the outline's corner a mitre may reach, in widths; sharper ones are squared.
   double mitre_limit = 2.5;
   bool holes = true;  ///< holes get it too and so become smaller
-  /// Where not empty, the width of each edge in millimetres, in place of `width`: by loop, and by
+  /// Where not empty, the width of each edge in millimetres, instead of `width`: by loop, and by
   /// the edge's first point. 0 for edges without, as along a fold.
   std::vector<std::vector<double>> edge_widths = {};
 };

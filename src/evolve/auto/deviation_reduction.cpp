@@ -16,7 +16,7 @@ StrainDescent::Step DeviationReduction::step() {
   ++stagnant_steps_;
   const double closeness = descent_.closeness();
   const StrainDescent::Step step = descent_.step();
-  // Where staying near still becomes dearer, more is to come.
+  // While the weight of proximity still grows, more is to come.
   if (descent_.closeness() > closeness) stagnant_steps_ = 0;
   const double deviation = descent_.deviation();
   const bool may_end = descent_.strain_is_met() && (may_be_rough_ || !descent_.is_too_rough());

@@ -110,8 +110,8 @@ void StrainDescent::track_strain_limit(double sigma) {
 
 void StrainDescent::update_strain() {
   state_.measure(pool_);
-  // With K as it was, steps find moves that deceive it: what lies between two vertices counts for
-  // strain by the square of the patch's size in edges.
+  // With K of the initial surface the estimate can be gamed: steps then lower it without lowering
+  // the strain of the pattern. So K follows the surface.
   if (potential_.border() == BoundaryCondition::free) potential_.update(pool_);
   if (potential_.solvable())
     phi_ = potential_.of(inner_defects(state_), pool_);
@@ -178,17 +178,17 @@ Positions StrainDescent::within_limits(Positions x) const {
 
 /// Tells the cost which vertices cannot go on, so that the next step finds another way.
 void StrainDescent::hold_far_vertices() {
-  constexpr double almost = 0.99, dearer = 10.0;
+  constexpr double almost = 0.99, heavier = 10.0;
   // Gently: a distance is short against what the border would go, and nearly all of it comes here.
-  constexpr double dearer_border = 4.0;
-  cost_.scale_proximity(border_.at_limit(), dearer_border);
+  constexpr double heavier_border = 4.0;
+  cost_.scale_proximity(border_.at_limit(), heavier_border);
   if (std::isinf(limits_.deviation)) return;
   std::vector<Index> far;
   for (Index v = 0; v < state_.inner_count(); ++v) {
     if (norm(state_.position(v) - cost_.origin()[v]) >= almost * limits_.deviation)
       far.push_back(v);
   }
-  cost_.scale_proximity(far, dearer);
+  cost_.scale_proximity(far, heavier);
   deviation_stopped_ = deviation_stopped_ || !far.empty();
 }
 

@@ -22,7 +22,7 @@ Positions positions_at_first(const PatchState& state, std::size_t count) {
   return positions;
 }
 
-/// The border's are dearer: it is the design's line, and where it may move, bending alone would
+/// The border's weigh more: it is the design's line, and where it may move, bending alone would
 /// straighten it early and for good. Sums along it go with the edges, those over the surface with
 /// their square.
 std::vector<double> pulls(const PatchState& state, std::size_t count, double closeness) {
@@ -173,7 +173,7 @@ Positions FairnessEnergy::gradient(const Positions& x) const {
 }
 
 void FairnessEnergy::scale_proximity(std::span<const Index> vertices, double factor) {
-  constexpr double dearest = 1e12;  // who was told so often stays anyway
+  constexpr double dearest = 1e12;  // the vertex is fixed in practice
   for (const Index v : vertices) {
     if (pull_[v] > dearest) continue;
     hessian_.coeffRef(static_cast<int>(v), static_cast<int>(v)) += (factor - 1.0) * pull_[v];

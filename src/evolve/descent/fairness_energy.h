@@ -37,9 +37,9 @@ class FairnessEnergy {
   Positions gradient(const Positions& x) const;
   /// L^T L + diag(a) + B^T B, both halves, on pairs of vertices two edges apart.
   const SparseMatrix& hessian() const { return hessian_; }
-  /// Makes the positions of some vertices dearer by a factor, from now on.
+  /// Multiplies the weights of proximity of some vertices, from now on.
   void scale_proximity(std::span<const Index> vertices, double factor);
-  /// Makes all positions dearer, or cheaper, by a factor.
+  /// Multiplies the weights of proximity of all vertices.
   void scale_closeness(double factor);
 
   /// Moves that are as given at some vertices, nearly, and smooth between them: the least

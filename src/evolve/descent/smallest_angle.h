@@ -12,7 +12,7 @@ namespace planish {
 double smallest_angle(const PatchState& state, std::span<const Triangle> triangles,
                       ThreadPool& pool);
 
-/// Of one: the angle across from its shortest edge.
+/// The smallest angle of one triangle: the one opposite its shortest edge.
 double smallest_angle(const PatchState& state, const Triangle& triangle);
 
 }  // namespace planish

@@ -40,7 +40,7 @@ MatrixXd gram_of(const MatrixXd& a) {
 VectorXd LocalStep::solve(double rank_threshold) const {
   constexpr int k_most_tries = 20;
   constexpr double k_slack = 1e-12;
-  // In y = W step all coordinates are equally dear.
+  // In y = W step all coordinates have equal weight.
   const VectorXd inverse = weights.cwiseInverse();
   const MatrixXd scaled = rows * inverse.asDiagonal();
   const VectorXd start = weights.cwiseProduct(pull);

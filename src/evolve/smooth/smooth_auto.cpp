@@ -26,7 +26,7 @@ constexpr double k_nearly_flat = 2e-4;
 // go, what a coarse patch misses is not made good later.
 constexpr std::size_t k_coarsest = 2500, k_coarsest_flat = 6000;
 constexpr int k_most_first_steps = 80;
-// On finer levels steps are dear, and what is left to do is little.
+// On finer levels steps are expensive, and what is left to do is little.
 constexpr std::size_t k_later_work = 150'000, k_least_later_steps = 5, k_most_later_steps = 30;
 // Where all strain is to go: steps, and strain above which polishing cannot do the rest.
 constexpr int k_most_strict_steps = 40;

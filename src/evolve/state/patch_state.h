@@ -59,7 +59,7 @@ class PatchState {
   const std::vector<Index>& border_starts() const { return border_starts_; }
   /// True if nothing may move the vertex, though it is measured.
   bool is_fixed(std::size_t v) const { return !fixed_.empty() && fixed_[v] != 0; }
-  /// How dear moving the vertex is.
+  /// The weight of the vertex's moves.
   double weight(std::size_t v) const { return weights_.empty() ? 1.0 : weights_[vertex_of_[v]]; }
   /// The triangles, in the numbers here and the order of the mesh.
   std::vector<Triangle> triangles() const;

@@ -21,7 +21,7 @@ class DualSystem {
   DualSystem(const AngleJacobian& jacobian, const PatchState& state,
              Precision precision = Precision::full);
 
-  /// What D is to be from now on, in place of the identity times that median: a symmetric matrix,
+  /// What D is to be from now on, instead of the identity times that median: a symmetric matrix,
   /// scaled so that the median of its diagonal is the same, and a share of the identity. Entries
   /// between rows that do not meet go to the diagonal.
   void damp_by(const SparseMatrix& symmetric, double share_of_identity);

@@ -76,7 +76,7 @@ const std::vector<Word>& not_finite() {
   return words;
 }
 
-/// A vertex's line with a word in place of one of its numbers.
+/// A vertex's line with a word instead of one of its numbers.
 Lines with_word(const SoundText& text, std::size_t vertex, std::size_t axis,
                 const std::string& word) {
   std::array<std::string, 3> words = {"0.5", "1", "2"};

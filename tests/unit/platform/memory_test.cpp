@@ -34,5 +34,12 @@ TEST(LargePages, MayBeAskedForLessThanOne) {
   prefer_large_pages(nullptr, 0);
 }
 
+TEST(Memory, WhatIsAvailableIsPlausible) {
+  // The page with this test needs some megabytes; no machine has an exabyte.
+  const std::size_t available = available_memory();
+  EXPECT_TRUE(available == 0 || available > std::size_t{1} << 20);
+  EXPECT_LT(available, std::size_t{1} << 60);
+}
+
 }  // namespace
 }  // namespace planish

@@ -214,15 +214,18 @@ class ProductRun {
 
   Outcome with_exit_code(Outcome outcome) const {
     std::string failed, missed, beyond;
+    std::size_t failures = 0;
     for (std::size_t p = 0; p < outcomes_.size(); ++p) {
       const std::string name = "\n  " + job_.patches[p].name;
-      if (outcomes_[p].failure) failed += name + ": " + outcomes_[p].failure->message;
+      if (outcomes_[p].failure) failed += (failures++ > 0 ? ", " : "") + job_.patches[p].name;
       if (missed_target(outcomes_[p])) missed += name;
       if (missed_limit(outcomes_[p])) beyond += name;
     }
     if (!failed.empty()) {
       outcome.exit_code = k_exit_failed;
-      outcome.complaint = "some patches could not be flattened:" + failed;
+      // Why is told in the line of each.
+      outcome.complaint = std::to_string(failures) + " of " + std::to_string(outcomes_.size()) +
+                          " patches could not be flattened: " + failed;
     } else if (!missed.empty() && arguments_.has("--require-target")) {
       outcome.exit_code = k_exit_target_missed;
       outcome.complaint = "target not met by:" + missed;

@@ -359,8 +359,9 @@ void note_obstruction(Session& session, const TriMesh& mesh) {
 }
 
 void note_memory(Session& session, const Method& method, const TriMesh& mesh) {
-  const std::string text = memory_text(method, mesh.positions.size(), available_memory());
-  if (!text.empty()) session.note(text);
+  const std::size_t vertices = mesh.positions.size();
+  if (memory_text(method, vertices, 0).empty()) return;
+  session.note(memory_text(method, vertices, available_memory()));
 }
 
 OnCompareProgress progress_of_methods(Session& session) {

@@ -167,6 +167,17 @@ TEST_F(Product, GoesOnWhereOnePatchIsBad) {
   EXPECT_TRUE(json["patches"][0]["error"].is_null());
 }
 
+TEST_F(Product, WritesNothingWhereEveryPatchIsBad) {
+  write_product("tubes.obj", {{"one", meshes::tube(8, 3), {}}, {"two", meshes::tube(6, 3), {}}});
+  const CliResult result = flatten_product("tubes.obj", "out", {"--json"});
+  EXPECT_EQ(result.exit_code, k_exit_failed);
+  EXPECT_THAT(result.err, HasSubstr("error: 2 of 2 patches could not be flattened: one, two\n"));
+  EXPECT_FALSE(std::filesystem::exists("out"));
+  const auto json = result.json();
+  EXPECT_EQ(json["patches"][0]["error"]["code"], "several_border_loops");
+  EXPECT_TRUE(json["nesting"].is_null());
+}
+
 TEST_F(Product, ReadsFoldersOfMeshFiles) {
   std::filesystem::create_directories("parts");
   write_mesh("parts/a.ply", make_shape("dome", 200));

@@ -57,6 +57,10 @@ class ProductRun {
 
   Outcome finish() {
     if (interrupted_ || session_.interrupted()) return cancelled();
+    if (std::all_of(outcomes_.begin(), outcomes_.end(),
+                    [](const PatchOutcome& outcome) { return outcome.failure.has_value(); })) {
+      return nothing_done();
+    }
     const std::vector<TriMesh> meshes = processed_meshes();
     const auto seams = measure_seams(outcomes_, seams_from(arguments_, meshes), job_.options.unit);
     const auto nesting = laid_on_sheets(meshes);
@@ -65,9 +69,7 @@ class ProductRun {
     std::vector<OutputFile> files = {{job_.folder / "garment.json", json},
                                      {job_.folder / "garment.svg", picture(seams)}};
     if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
-    std::string text = job_.path + "  (" + std::to_string(outcomes_.size()) + " patches)\n\n";
-    for (std::size_t p = 0; p < outcomes_.size(); ++p)
-      text += "  " + patch_line(job_.patches[p], outcomes_[p]) + "\n";
+    std::string text = patch_lines();
     text += twins_text(outcomes_) + seams_text(job_, seams) + (nesting ? nesting->text : "") +
             written_text(files) + "and a folder for each patch beside it\n";
     Outcome outcome = with_nesting_checked(with_exit_code({text, json}), nesting);
@@ -76,6 +78,19 @@ class ProductRun {
   }
 
  private:
+  std::string patch_lines() const {
+    std::string text = job_.path + "  (" + std::to_string(outcomes_.size()) + " patches)\n\n";
+    for (std::size_t p = 0; p < outcomes_.size(); ++p)
+      text += "  " + patch_line(job_.patches[p], outcomes_[p]) + "\n";
+    return text;
+  }
+
+  /// Where every patch failed: nothing is written.
+  Outcome nothing_done() const {
+    return with_exit_code(
+        {patch_lines(), json_with_nesting(product_json(job_, outcomes_, {}), std::nullopt)});
+  }
+
   std::string picture(const std::vector<SeamLengths>& measured) const {
     std::vector<ProductPiece> pieces;
     std::vector<Seam> seams;

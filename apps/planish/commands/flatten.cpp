@@ -39,7 +39,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What each file of the folder is for -> its path.
-using Places = std::map<std::string, std::string>;
+using OutputPaths = std::map<std::string, std::string>;
 
 /// What the page says besides the report.
 struct PageWords {
@@ -99,29 +99,29 @@ std::string role_of(PatternFormat format) {
   return format == PatternFormat::svg ? "pattern" : "pattern_" + name;
 }
 
-Places places_in(const fs::path& folder, MeshFormat format, const PatternFiles& pattern,
-                 const Arguments& arguments) {
+OutputPaths paths_in(const fs::path& folder, MeshFormat format, const PatternFiles& pattern,
+                     const Arguments& arguments) {
   const std::string extension = "." + std::string(to_string(format));
   const auto in_folder = [&](const std::string& name) { return utf8_of(folder / path_of(name)); };
-  Places places = {{"processed", in_folder("processed" + extension)},
-                   {"flat", in_folder("flat" + extension)},
-                   {"report_json", in_folder("report.json")},
-                   {"report_html", in_folder("report.html")}};
+  OutputPaths paths = {{"processed", in_folder("processed" + extension)},
+                       {"flat", in_folder("flat" + extension)},
+                       {"report_json", in_folder("report.json")},
+                       {"report_html", in_folder("report.html")}};
   for (const PatternFormat some : pattern.formats) {
-    places[role_of(some)] = in_folder("pattern." + std::string(to_string(some)));
+    paths[role_of(some)] = in_folder("pattern." + std::string(to_string(some)));
   }
   if (pattern.output.paper) {
     const std::string paper(to_string(*pattern.output.paper));
-    places["pattern_pages"] = in_folder("pattern-" + paper + ".pdf");
+    paths["pattern_pages"] = in_folder("pattern-" + paper + ".pdf");
   }
-  if (arguments.has("--textured")) places["textured"] = in_folder("textured.obj");
-  if (arguments.has("--history")) places["history"] = arguments.flags.at("--history");
-  return places;
+  if (arguments.has("--textured")) paths["textured"] = in_folder("textured.obj");
+  if (arguments.has("--history")) paths["history"] = arguments.flags.at("--history");
+  return paths;
 }
 
-void refuse_shared_places(const Places& places) {
+void refuse_shared_places(const OutputPaths& paths) {
   std::vector<OutputFile> files;
-  for (const auto& [role, path] : places)
+  for (const auto& [role, path] : paths)
     files.push_back({path_of(path), {}});
   cli::refuse_shared_places(files);
 }
@@ -136,7 +136,7 @@ NestPatch nest_patch(const FlattenReport& report, const PatternOptions& annotati
           on_processed(annotations, report)};
 }
 
-std::vector<OutputFile> pattern_files(const FlattenReport& report, const Places& places,
+std::vector<OutputFile> pattern_files(const FlattenReport& report, const OutputPaths& paths,
                                       const PatternFiles& pattern) {
   const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name,
                                       on_processed(pattern.annotations, report));
@@ -144,10 +144,10 @@ std::vector<OutputFile> pattern_files(const FlattenReport& report, const Places&
   files.reserve(pattern.formats.size() + 1);
   for (const PatternFormat format : pattern.formats) {
     files.push_back(
-        {path_of(places.at(role_of(format))), pattern_file(sheet, format, pattern.output)});
+        {path_of(paths.at(role_of(format))), pattern_file(sheet, format, pattern.output)});
   }
   if (pattern.output.paper) {
-    files.push_back({path_of(places.at("pattern_pages")), tiled_file(sheet, pattern.output)});
+    files.push_back({path_of(paths.at("pattern_pages")), tiled_file(sheet, pattern.output)});
   }
   return files;
 }
@@ -171,22 +171,22 @@ std::string page_of(const FlattenReport& report, const PatternFiles& pattern,
                               .reference = reference_sweeps(report, words.threads)});
 }
 
-std::vector<OutputFile> files_of(const FlattenReport& report, const Places& places,
+std::vector<OutputFile> files_of(const FlattenReport& report, const OutputPaths& paths,
                                  MeshFormat format, const PatternFiles& pattern,
                                  const PageWords& words, const std::string& json) {
   const TriMesh& mesh = report.processed;
-  std::vector<OutputFile> files = pattern_files(report, places, pattern);
-  files.push_back({path_of(places.at("processed")), format_mesh(mesh, format)});
+  std::vector<OutputFile> files = pattern_files(report, paths, pattern);
+  files.push_back({path_of(paths.at("processed")), format_mesh(mesh, format)});
   files.push_back(
-      {path_of(places.at("flat")), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)});
-  files.push_back({path_of(places.at("report_json")), json});
-  files.push_back({path_of(places.at("report_html")), page_of(report, pattern, words)});
-  if (places.contains("textured")) {
+      {path_of(paths.at("flat")), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)});
+  files.push_back({path_of(paths.at("report_json")), json});
+  files.push_back({path_of(paths.at("report_html")), page_of(report, pattern, words)});
+  if (paths.contains("textured")) {
     files.push_back(
-        {path_of(places.at("textured")), format_textured_obj(mesh, in_millimetres(report.unfold))});
+        {path_of(paths.at("textured")), format_textured_obj(mesh, in_millimetres(report.unfold))});
   }
-  const auto history = places.find("history");
-  if (history != places.end()) {
+  const auto history = paths.find("history");
+  if (history != paths.end()) {
     files.push_back({path_of(history->second), history_csv(report.evolve.result.history)});
   }
   return files;
@@ -216,14 +216,14 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
     const auto files = [&](const FlattenReport& report, MeshFormat input,
                            const PatternOptions& annotations, const fs::path& place) {
       const MeshFormat format = output_format(input);
-      const Places places = places_in(place, format, pattern, arguments);
-      std::string json = json_report(report, places);
+      const OutputPaths paths = paths_in(place, format, pattern, arguments);
+      std::string json = json_report(report, paths);
       const PatternFiles own = {pattern.formats, pattern.output, annotations};
       PageWords page = words;
       if (nest) {
         page.sheet = fit_alone(nest_patch(report, annotations), options.unit, nest->sheets);
       }
-      return PatchFiles{files_of(report, places, format, own, page, json), json};
+      return PatchFiles{files_of(report, paths, format, own, page, json), json};
     };
     auto annotations = annotations_of_patches(pattern.annotations, read.patches, arguments);
     return run_product({arguments.operands.front(), std::move(read.patches), folder, options,
@@ -234,8 +234,8 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   const std::string& path = read.path;
   ReadResult input = std::move(read.whole);
   const MeshFormat format = output_format(input.format);
-  const Places places = places_in(folder, format, pattern, arguments);
-  refuse_shared_places(places);
+  const OutputPaths paths = paths_in(folder, format, pattern, arguments);
+  refuse_shared_places(paths);
   const std::string size = size_text(input.mesh);
   const std::string name = stem_of(path);
   const auto on_progress = [&](FlattenStage stage, double share) {
@@ -253,7 +253,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   });
   if (!report) throw Interrupted();
 
-  std::string json = json_with_cut(json_report(*report, places), cut);
+  std::string json = json_with_cut(json_report(*report, paths), cut);
   std::optional<NestOutcome> nesting;
   if (nest) {
     nesting = about(path, [&] {
@@ -265,7 +265,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
                    nesting->use + "; drawn in " + utf8_of(nesting->files.front().path.filename())};
   }
   std::vector<OutputFile> files =
-      about(path, [&] { return files_of(*report, places, format, pattern, words, json); });
+      about(path, [&] { return files_of(*report, paths, format, pattern, words, json); });
   if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
   warn_of_pattern(session, report->unfold);
   const std::string text =

@@ -37,30 +37,30 @@ SuggestOptions suggest_options_from(const Arguments& arguments) {
 }
 
 /// What each file is for -> its path.
-std::map<std::string, std::string> suggestion_places(const Arguments& arguments) {
-  std::map<std::string, std::string> places;
+std::map<std::string, std::string> suggestion_paths(const Arguments& arguments) {
+  std::map<std::string, std::string> paths;
   for (const auto& [role, flag] : {std::pair{"cuts", "--output"}, std::pair{"picture", "--picture"},
                                    std::pair{"mesh", "--apply"}}) {
-    if (arguments.has(flag)) places[role] = arguments.flags.at(flag);
+    if (arguments.has(flag)) paths[role] = arguments.flags.at(flag);
   }
   std::vector<OutputFile> files;
-  files.reserve(places.size());
-  for (const auto& [role, path] : places)
+  files.reserve(paths.size());
+  for (const auto& [role, path] : paths)
     files.push_back({path_of(path), {}});
   refuse_shared_places(files);
-  if (places.contains("picture") && lower_extension(places.at("picture")) != ".svg") {
+  if (paths.contains("picture") && lower_extension(paths.at("picture")) != ".svg") {
     throw Error(ErrorCode::unsupported_format, "the picture is an .svg file",
-                {.path = places.at("picture")});
+                {.path = paths.at("picture")});
   }
-  if (places.contains("mesh")) mesh_format_of(path_of(places.at("mesh")));
-  return places;
+  if (paths.contains("mesh")) mesh_format_of(path_of(paths.at("mesh")));
+  return paths;
 }
 
 std::vector<OutputFile> suggestion_files(const CutSuggestion& suggestion,
-                                         const std::map<std::string, std::string>& places,
-                                         Unit unit, const std::string& name) {
+                                         const std::map<std::string, std::string>& paths, Unit unit,
+                                         const std::string& name) {
   std::vector<OutputFile> files;
-  for (const auto& [role, path] : places) {
+  for (const auto& [role, path] : paths) {
     if (role == "cuts") {
       files.push_back({path_of(path), suggestion_file(suggestion, unit)});
     } else if (role == "picture") {
@@ -77,7 +77,7 @@ Outcome run_suggest_cuts(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   const SuggestOptions options = suggest_options_from(arguments);
   const Unit unit = unit_from(arguments);
-  const auto places = suggestion_places(arguments);
+  const auto paths = suggestion_paths(arguments);
   const std::string& path = arguments.operands.front();
   const TriMesh mesh = session.read(path).mesh;
   const auto suggestion = about(path, [&] {
@@ -88,11 +88,11 @@ Outcome run_suggest_cuts(const Arguments& arguments, Session& session) {
   });
   if (!suggestion) throw Interrupted();
   const std::string name = stem_of(path);
-  const auto files = about(path, [&] { return suggestion_files(*suggestion, places, unit, name); });
+  const auto files = about(path, [&] { return suggestion_files(*suggestion, paths, unit, name); });
   std::string text = path + "  (" + size_text(mesh) + ")\n\n" +
                      suggestion_text(*suggestion, options.max_strain, unit);
   if (!files.empty()) text += written_text(files);
-  Outcome outcome = {text, suggestion_json(*suggestion, options.max_strain, unit, places)};
+  Outcome outcome = {text, suggestion_json(*suggestion, options.max_strain, unit, paths)};
   session.write(files);
   return outcome;
 }

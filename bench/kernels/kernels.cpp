@@ -108,7 +108,7 @@ void library_arctangent(benchmark::State& run) {
 
 /// The least lanes, so that it can be compiled for any processor.
 void arctangent_of_two(benchmark::State& run) {
-  bench_lanes::Complex z{bench_lanes::all(1.0), bench_lanes::all(0.1)};
+  bench_lanes::Complex z{bench_lanes::broadcast(1.0), bench_lanes::broadcast(0.1)};
   for (auto _ : run)
     benchmark::DoNotOptimize(z.im = bench_lanes::argument(z) + 0.1);
   run.SetItemsProcessed(2 * run.iterations());

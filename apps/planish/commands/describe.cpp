@@ -1,8 +1,8 @@
 // What verbs and flags there are, for programs that build on this one.
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <string>
+#include <vector>
 
 #include <planish/core/version.h>
 

@@ -156,7 +156,7 @@ TEST(Describe, GivesNumbersInTheUnitOfTheirType) {
       EXPECT_EQ(flag["unit"], "degrees");
       EXPECT_EQ(flag["max"], 60.0);
     }
-    if (type == "none") {
+    if (type == "switch") {
       EXPECT_EQ(flag["default"], false) << name;
     }
   });

@@ -46,7 +46,7 @@ Json standard_json(const std::string& text) {
 /// In the unit of the type: 0.02 for 2%.
 Json standard_json(const Flag& flag, ValueType type) {
   const std::string& text = flag.accepts.standard;
-  if (type == ValueType::none) return false;
+  if (type == ValueType::on_off) return false;
   if (type == ValueType::share && text.ends_with('%')) {
     const Json per_cent = standard_json(text.substr(0, text.size() - 1));
     return per_cent.get<double>() / 100.0;

@@ -6,7 +6,7 @@
 namespace planish::cli {
 
 std::string_view to_string(ValueType type) {
-  constexpr std::array<std::string_view, 12> names = {"none",   "integer", "number",  "share",
+  constexpr std::array<std::string_view, 12> names = {"switch", "integer", "number",  "share",
                                                       "length", "angle",   "radians", "name",
                                                       "names",  "text",    "file",    "folder"};
   return names.at(static_cast<std::size_t>(type));
@@ -15,7 +15,7 @@ std::string_view to_string(ValueType type) {
 ValueType type_of(const Flag& flag) {
   if (flag.accepts.type) return *flag.accepts.type;
   const std::map<std::string_view, ValueType> by_value = {
-      {"", ValueType::none},         {"N", ValueType::integer},    {"X", ValueType::number},
+      {"", ValueType::on_off},       {"N", ValueType::integer},    {"X", ValueType::number},
       {"LENGTH", ValueType::length}, {"NAME", ValueType::name},    {"KIND", ValueType::name},
       {"UNIT", ValueType::name},     {"PAPER", ValueType::name},   {"NAMES", ValueType::names},
       {"LIST", ValueType::names},    {"FILE", ValueType::file},    {"OUTPUT", ValueType::file},

@@ -14,7 +14,7 @@ namespace planish::cli {
 
 /// What may stand behind a flag.
 enum class ValueType {
-  none,  ///< the flag is there or not
+  on_off,  ///< the flag is there or not
   integer,
   number,
   share,   ///< a fraction, or per cent with %

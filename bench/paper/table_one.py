@@ -115,8 +115,9 @@ matters little: the columns on the right.
 vertex and sweep differ by a factor of {max(per_visit) / min(per_visit):.0f} from row to row.
 **Why:** `e_max` is that of one vertex, and how far it falls says how rough the mesh came rather than how well the method
 works: noise goes at once, form stays. Time:
-{MACHINE} there; here a processor of today, an arctangent a vertex instead of one a corner, one evaluation a step in
-place of a search, several vertices to a register ([performance](../performance.md)).
+{MACHINE} there; here a processor of today, an
+arctangent a vertex instead of one a corner, one evaluation a step instead of a search,
+several vertices to a register ([performance](../performance.md)).
 The strain of the pattern, which is what a workshop feels, ends at {strain_text} of what it was.
 """
     summary = [

@@ -64,7 +64,7 @@ FLOORS = {
     "report": [["report"], ["report/charts"], ["report/pictures"], ["report/page"]],
 }
 
-# Private headers that the program takes besides the public ones: what nobody else needs.
+# Private headers that the program may include: only the program needs them.
 FOR_THE_PROGRAM = {
     "core/fnv_hash.h",
     "draw/text/stroke_text.h",

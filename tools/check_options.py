@@ -39,11 +39,11 @@ def documented(text):
     return rows
 
 
-def is_same(told, default):
+def is_same(written, default):
     if default is None or isinstance(default, str):
-        return told == ("none" if default is None else default)
+        return written == ("none" if default is None else default)
     try:
-        return float(told) == default
+        return float(written) == default
     except ValueError:
         return False
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The rooms of the library and who includes whom, read from the code.
+"""The rooms of the library and the includes between them, read from the code.
 
 A room is a folder below src/, with the private headers in it. The public headers of a folder below
 include/planish/ are a room too, the face of that layer: faces include faces alone. A layer is a

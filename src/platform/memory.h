@@ -15,8 +15,8 @@ inline constexpr std::size_t k_large_page = std::size_t{1} << 21;
 /// @param bytes only whole large pages of them count
 void prefer_large_pages(void* memory, std::size_t bytes) noexcept;
 
-/// Bytes that the system could still give to this process without swapping: an estimate, 0 where it
-/// does not say. On Windows GlobalMemoryStatusEx() tells it.
+/// An estimate of the bytes that this process can still allocate without swapping; 0 if the system
+/// gives none. On Windows use GlobalMemoryStatusEx().
 std::size_t available_memory();
 
 }  // namespace planish

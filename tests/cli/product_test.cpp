@@ -158,7 +158,7 @@ TEST_F(Product, GoesOnWhereOnePatchIsBad) {
   EXPECT_THAT(result.err, HasSubstr("error: 1 of 3 patches could not be flattened: tube\n"));
   const std::string reason = "cut it open along a path";
   EXPECT_NE(result.err.find(reason), std::string::npos) << result.err;
-  EXPECT_EQ(result.err.find(reason), result.err.rfind(reason)) << "told once: " << result.err;
+  EXPECT_EQ(result.err.find(reason), result.err.rfind(reason)) << "given once: " << result.err;
   EXPECT_TRUE(std::filesystem::exists("out/front/pattern.svg"));
   EXPECT_TRUE(std::filesystem::exists("out/back/pattern.svg"));
   EXPECT_FALSE(std::filesystem::exists("out/tube"));

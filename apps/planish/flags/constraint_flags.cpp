@@ -39,7 +39,7 @@ FlagGroup constraint_flags() {
           {{"--fix", "FILE",
             "vertices that stay where they are: a list of numbers from 0, or an .obj whose lines "
             "and points are snapped to the mesh"},
-           {"--weights", "FILE", "how dear moving is: a vertex, from 0, and a weight a line"},
+           {"--weights", "FILE", "weights of moves: on each line a vertex, from 0, and its weight"},
            {"--obstacle", "FILE", "a closed mesh that must not be entered"}}};
 }
 

@@ -28,7 +28,8 @@ std::vector<std::string> names_with_strains() {
 Flag material_flag() {
   return {"--material",
           "NAME",
-          "in place of --max-strain, what this material takes up: " + list_of(names_with_strains()),
+          "instead of --max-strain: the strain that this material takes, " +
+              list_of(names_with_strains()),
           0,
           false,
           {.choices = material_names()}};

@@ -238,7 +238,7 @@ class ProductRun {
     }
     if (!failed.empty()) {
       outcome.exit_code = k_exit_failed;
-      // Why is told in the line of each.
+      // The line of each patch gives the reason.
       outcome.complaint = std::to_string(failures) + " of " + std::to_string(outcomes_.size()) +
                           " patches could not be flattened: " + failed;
     } else if (!missed.empty() && arguments_.has("--require-target")) {

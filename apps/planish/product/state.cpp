@@ -106,7 +106,7 @@ bool is_twin(const Json& twin) {
   return twin.at("of").is_string() && twin.at("mirrored").is_boolean();
 }
 
-/// Whether it has what is told of every patch (product_text.h).
+/// Whether the text is a report with all values that product/text.h prints for a patch.
 bool is_report(const std::string& text) try {
   const Json report = parse_shallow(text);
   const Json& unfold = report.at("unfold");

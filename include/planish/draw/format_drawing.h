@@ -36,9 +36,9 @@ Paper paper_named(std::string_view name);
 
 /// The drawing at true size on pages of a printer's paper, to be joined. The first page shows where
 /// each goes, and test squares. Pages are upright or across, whatever needs fewer; 10 mm at
-/// each edge stay free, neighbours overlap by 10 mm, and crosses in the overlap tell how they join.
-/// Rows have letters from the top, columns numbers. Pages with nothing on them are crossed out on
-/// the first page and left out. Otherwise as format_pdf().
+/// each edge stay free, neighbours overlap by 10 mm, and crosses in the overlap show how to align
+/// them. Rows have letters from the top, columns numbers. Pages with nothing on them are crossed
+/// out on the first page and left out. Otherwise as format_pdf().
 /// @throws Error too_large where it would take more than 10,000 pages
 std::string format_tiled_pdf(const Drawing& drawing, Paper paper);
 

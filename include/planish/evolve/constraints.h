@@ -12,7 +12,7 @@ namespace planish {
 struct Constraints {
   std::vector<Index> fixed = {};  ///< vertices that stay where they are
   std::vector<double> weights =
-      {};                 ///< one per vertex, 1e-6 to 1e6: how dear moving it is; none: 1
+      {};                 ///< one per vertex, 1e-6 to 1e6: the weight of its moves; none: 1
   TriMesh obstacle = {};  ///< closed surface, oriented outwards, not to be entered; may be none
 };
 

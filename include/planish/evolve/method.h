@@ -24,7 +24,7 @@ struct BorderFreedom {
   friend bool operator==(const BorderFreedom&, const BorderFreedom&) = default;
 };
 
-/// Of the rules that have one; `within` is told by its distance.
+/// The names of rules. `within` has none: a distance stands for it.
 inline constexpr std::array k_border_freedoms = {
     std::pair{BorderFreedom::Rule::fixed, std::string_view("fixed")},
     std::pair{BorderFreedom::Rule::slide, std::string_view("slide")}};
@@ -32,7 +32,7 @@ constexpr const auto& names_of(BorderFreedom::Rule) {
   return k_border_freedoms;
 }
 
-/// How the step that lowers the ring energy most is looked for.
+/// Which solver finds the step that minimises the ring energy.
 enum class LineSolver {
   model,         ///< by a model of the line that each evaluation betters; several vertices at once
   trust_region,  ///< by the interior-reflective trust-region Newton method that the paper names
@@ -150,7 +150,7 @@ void describe(LeastNorm& o, Visit&& visit) {
       "uniform",
       Range{0.0, 1e3});
   visit("border_weight", o.border_weight,
-        "how dear moving vertices next to the border is; 10 keeps the patch's slant there",
+        "weight of moves of vertices next to the border; 10 keeps the patch's slant there",
         Range{1e-3, 1e3});
   visit("max_step", o.max_step, "a direct step moves no vertex by more of its shortest edge",
         Range{1e-6, 10.0});

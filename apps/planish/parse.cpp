@@ -120,6 +120,15 @@ void refuse_leftovers(const std::vector<std::string>& words, const Command* comm
   }
 }
 
+/// An empty word, as a shell makes it of an empty variable, names no file and is no number.
+void refuse_empty_values(const FlagGroup& group, const Arguments& arguments) {
+  for (const Flag& flag : group.flags) {
+    if (flag.value.empty() || type_of(flag) == ValueType::text) continue;
+    if (arguments.has(flag.name) && arguments.flags.at(flag.name).empty())
+      throw UsageError("flag " + flag.name + " needs a value, and the one given is empty");
+  }
+}
+
 void check_complete(const Command& command, const Arguments& arguments) {
   const auto& given = arguments.operands;
   if (arguments.has("--list")) return;  // `sample --list` needs nothing else
@@ -186,7 +195,11 @@ Parsed parse(std::span<const std::string> args) {
   }
   if (parsed.arguments.has("--help") || parsed.arguments.has("--version")) return parsed;
   refuse_leftovers(app.remaining(true), parsed.command);
-  if (parsed.command != nullptr) check_complete(*parsed.command, parsed.arguments);
+  refuse_empty_values(global_flags(), parsed.arguments);
+  if (parsed.command == nullptr) return parsed;
+  for (const FlagGroup& group : parsed.command->groups)
+    refuse_empty_values(group, parsed.arguments);
+  check_complete(*parsed.command, parsed.arguments);
   return parsed;
 }
 

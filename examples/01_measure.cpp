@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
       std::cout << to_string(problem.code) << ": " << problem.message << "\n";
     }
 
-    const planish::Flattenability figures = planish::measure(mesh, planish::Connectivity(mesh));
+    const planish::Flattenability figures = planish::measure(planish::Patch(mesh));
     std::cout << "e_max " << figures.e_max << " rad, energy " << figures.energy << " rad^2, "
               << (planish::is_flattenable(figures, inspection) ? "flattenable\n"
                                                                : "not flattenable\n");

@@ -6,7 +6,7 @@
 #include <planish/mesh/shapes.h>
 
 int main() {
-  planish::TriMesh patch = planish::make_shape("panel", 2000);
+  const planish::Patch patch(planish::make_shape("panel", 2000));
 
   const planish::EvolveResult result =
       planish::evolve(patch, planish::ControllableLaplacian{.lambda_max = 0.9}, {.max_sweeps = 20});
@@ -15,6 +15,5 @@ int main() {
     std::cout << "sweep " << sweep.sweep << ": e_max " << sweep.e_max << ", energy " << sweep.energy
               << "\n";
   }
-  patch.positions = result.positions;
-  planish::write_mesh("evolved_panel.ply", patch);
+  planish::write_mesh("evolved_panel.ply", patch.with_positions(result.positions).mesh());
 }

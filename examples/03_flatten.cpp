@@ -11,7 +11,8 @@
 int main() {
   planish::FlattenOptions options;
   options.unit = planish::Unit::mm;
-  const auto report = planish::flatten(planish::make_shape("panel", 1000), "panel", options);
+  const auto report =
+      planish::flatten(planish::Patch(planish::make_shape("panel", 1000)), "panel", options);
   if (!report) return 1;  // only where a callback cancels
 
   const planish::EdgeStrain& before = report->unfold_before.strain;

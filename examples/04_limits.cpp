@@ -34,9 +34,9 @@ double scale_of(const planish::UnfoldReport& report) {
 }
 
 // The map and the outline of a pattern, as wide as all others.
-planish::Layer picture_of(const planish::TriMesh& mesh, const planish::UnfoldReport& report,
+planish::Layer picture_of(const planish::Patch& patch, const planish::UnfoldReport& report,
                           Vec2 corner) {
-  const planish::Drawing sheet = pattern_sheet(mesh, report, "");
+  const planish::Drawing sheet = pattern_sheet(patch, report, "");
   const double scale = scale_of(report);
   Vec2 low = {sheet.width, sheet.height};  // of the first shape, which is the whole pattern
   planish::Layer picture{"pattern", {}};
@@ -86,15 +86,15 @@ planish::Layer legend(Vec2 at, double limit) {
 
 int main(int count, char** arguments) {
   const bool is_given = count == 3;
-  const planish::TriMesh mesh =
-      is_given ? planish::read_mesh(arguments[1]).mesh : planish::make_shape("panel", 1000);
+  const planish::Patch patch(is_given ? planish::read_mesh(arguments[1]).mesh
+                                      : planish::make_shape("panel", 1000));
   const planish::StrainLimits limits = {.max = is_given ? std::atof(arguments[2]) : 0.02};
 
-  auto least = planish::unfold_patch(mesh, planish::Unit::mm);
-  auto within = planish::unfold_patch(mesh, planish::Unit::mm, {}, {.limits = limits});
+  auto least = planish::unfold_patch(patch, planish::Unit::mm);
+  auto within = planish::unfold_patch(patch, planish::Unit::mm, {}, {.limits = limits});
   if (!least || !within) return 1;  // only where a callback cancels
   // A limit that the pattern was not made for colours its map all the same.
-  least->limits = check_limits(mesh, planish::Connectivity(mesh), least->pattern.positions, limits);
+  least->limits = check_limits(patch, least->pattern.positions, limits);
 
   const std::array captions = {
       "least stretch: up to " + percent(least->strain.max),
@@ -103,7 +103,7 @@ int main(int count, char** arguments) {
   double left = k_gap;
   for (const auto& [report, caption] :
        {std::pair(&*least, captions[0]), std::pair(&*within, captions[1])}) {
-    planish::Layer picture = picture_of(mesh, *report, {left, k_foot});
+    planish::Layer picture = picture_of(patch, *report, {left, k_foot});
     picture.shapes.emplace_back(
         planish::Text{{left + 0.5 * k_width, k_foot - 6.0}, 3.4, caption, {30, 30, 30}, true});
     drawing.layers.push_back(std::move(picture));

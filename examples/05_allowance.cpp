@@ -9,7 +9,7 @@ int main() {
   FlattenOptions options;
   options.unit = Unit::mm;
   options.method = Auto{.max_rms_strain = 0.01};
-  const auto report = flatten(make_shape("panel", 1000), "panel", options);
+  const auto report = flatten(Patch(make_shape("panel", 1000)), "panel", options);
   if (!report) return 1;  // only where a callback cancels
 
   PatternOptions pattern;

@@ -6,8 +6,8 @@
 int main() {
   using namespace planish;
   const TriMesh mesh = make_shape("saddle", 2000);
-  const Connectivity connectivity(mesh);
-  Evolver evolver(mesh, connectivity, ControllableLaplacian{});
+  const Patch surface(mesh);
+  Evolver evolver(surface, ControllableLaplacian{});
   for (int frame = 0; frame < 20; ++frame) {
     const SweepRecord record = evolver.step();
     const TriMesh shown{evolver.positions(), mesh.triangles};  // for the view

@@ -9,12 +9,12 @@ using namespace planish;
 namespace {
 
 void judge(const char* name, const TriMesh& design, const std::vector<Vec3>& positions) {
-  const Connectivity connectivity(design);
+  const Patch patch(design);
   const TriMesh surface{positions, design.triangles};
-  const Pattern pattern = unfold(surface, connectivity);
-  const EdgeStrain strain = edge_strain(surface, connectivity, pattern.positions);
-  const Deviation deviation = measure_deviation(design, positions, connectivity);
-  const Fairness fairness = measure_fairness(design, connectivity, positions);
+  const Pattern pattern = unfold(Patch(surface));
+  const EdgeStrain strain = edge_strain(Patch(surface), pattern.positions);
+  const Deviation deviation = measure_deviation(patch, positions);
+  const Fairness fairness = measure_fairness(patch, positions);
   std::cout << name << ": rms strain " << 100.0 * strain.rms << " %, deviation "
             << 100.0 * deviation.rms_over_diagonal << " % of the diagonal, "
             << (fairness.is_smooth() ? "smooth" : "crumpled") << "\n";
@@ -24,7 +24,7 @@ void judge(const char* name, const TriMesh& design, const std::vector<Vec3>& pos
 
 int main() {
   const TriMesh design = make_shape("panel", 1000);
-  const EvolveResult flat = evolve(design, Auto{}, {.max_sweeps = Auto::usual_sweeps});
+  const EvolveResult flat = evolve(Patch(design), Auto{}, {.max_sweeps = Auto::usual_sweeps});
   std::vector<Vec3> own = design.positions;
   for (std::size_t v = 0; v < own.size(); ++v)
     own[v] = 0.5 * (own[v] + flat.positions[v]);

@@ -11,9 +11,9 @@
 int main() {
   using namespace planish;
   const TriMesh mesh = make_shape("panel", 5000);
-  const Connectivity connectivity(mesh);
+  const Patch surface(mesh);
   ThreadPool pool(1);
-  PatchState state(mesh, connectivity, pool);
+  PatchState state(surface, pool);
   ControllableMover mover({}, state, Isa::x86_64_v3);
   std::size_t moved = 0;
   for (int sweep = 0; sweep < 10; ++sweep) {

@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
   const double at_rest = peak_memory();
   const TriMesh mesh = make_shape(argc > 2 ? argv[2] : "panel", vertices);
   const auto n = static_cast<double>(mesh.positions.size());
-  evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 1});
+  evolve(Patch(mesh), ControllableLaplacian{}, {.max_sweeps = 1});
   const double bytes = (peak_memory() - at_rest) / n;
   const bench::SweepTimes times = bench::time_sweeps(mesh, vertices > 2'000'000 ? 1 : 5);
   const double each = 1e6 / n / bench::k_sweeps;

@@ -23,11 +23,11 @@ struct SweepTimes {
 constexpr int k_sweeps = 10;
 
 // What frees memory is not counted: the states outlive the clock.
-inline double ten_sweeps(const TriMesh& mesh, const Connectivity& connectivity, unsigned threads) {
+inline double ten_sweeps(const Patch& patch, unsigned threads) {
   ThreadPool pool(threads);
   std::optional<PatchState> state;
   return seconds_of([&] {
-    state.emplace(mesh, connectivity, pool);
+    state.emplace(patch, pool);
     const Sweep sweep = make_sweep(ControllableLaplacian{}, *state, pool);
     for (int i = 0; i < k_sweeps; ++i) {
       sweep();
@@ -36,12 +36,12 @@ inline double ten_sweeps(const TriMesh& mesh, const Connectivity& connectivity, 
   });
 }
 
-inline double ten_plain_sweeps(const TriMesh& mesh, const Connectivity& connectivity) {
+inline double ten_plain_sweeps(const Patch& patch) {
   std::optional<plain::Sweeper> sweeper;
   return seconds_of([&] {
-    sweeper.emplace(mesh.positions, connectivity);
+    sweeper.emplace(patch.positions(), patch.connectivity());
     for (int i = 0; i < k_sweeps; ++i)
-      sweeper->sweep(connectivity.inner_vertices(), {0.0, 1.0}, 1e-17);
+      sweeper->sweep(patch.inner_vertices(), {0.0, 1.0}, 1e-17);
   });
 }
 
@@ -49,12 +49,12 @@ inline double ten_plain_sweeps(const TriMesh& mesh, const Connectivity& connecti
 /// @param plain_repetitions of the plain sweeps alone, which take long; at most as many as the rest
 inline SweepTimes time_sweeps(const TriMesh& mesh, int plain_repetitions = 5) {
   constexpr int repetitions = 5;
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   std::vector<double> plain, one, two;
   for (int i = 0; i < repetitions; ++i) {
-    if (i < plain_repetitions) plain.push_back(ten_plain_sweeps(mesh, connectivity));
-    one.push_back(ten_sweeps(mesh, connectivity, 1));
-    two.push_back(ten_sweeps(mesh, connectivity, 2));
+    if (i < plain_repetitions) plain.push_back(ten_plain_sweeps(patch));
+    one.push_back(ten_sweeps(patch, 1));
+    two.push_back(ten_sweeps(patch, 2));
   }
   return {median(plain), median(one), median(two)};
 }

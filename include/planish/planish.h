@@ -29,9 +29,9 @@
 #include <planish/measure/flattenability.h>
 #include <planish/measure/material.h>
 #include <planish/measure/obstruction.h>
-#include <planish/mesh/connectivity.h>
 #include <planish/mesh/cut.h>
 #include <planish/mesh/inspect.h>
+#include <planish/mesh/patch.h>
 #include <planish/mesh/seams.h>
 #include <planish/mesh/shapes.h>
 #include <planish/mesh/tri_mesh.h>

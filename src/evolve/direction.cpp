@@ -82,22 +82,21 @@ double flat_defect(std::size_t inner_vertices) {
   return std::min(k_flattenable_e_max, share);
 }
 
-std::vector<VertexDirection> laplacian_directions(const TriMesh& mesh,
-                                                  const Connectivity& connectivity) {
-  const std::vector<double> defects = angle_defects(mesh, connectivity);
-  const double flat = flat_defect(connectivity.inner_vertices().size());
-  const double scale = unit_scale(mesh);
+std::vector<VertexDirection> laplacian_directions(const Patch& patch) {
+  const std::vector<double> defects = angle_defects(patch);
+  const double flat = flat_defect(patch.inner_vertices().size());
+  const double scale = patch.unit_scale();
   std::vector<Vec3> positions;
-  positions.reserve(mesh.positions.size());
-  for (const Vec3 p : mesh.positions)
+  positions.reserve(patch.vertex_count());
+  for (const Vec3 p : patch.positions())
     positions.push_back(scale * p);
 
-  std::vector<VertexDirection> directions(mesh.positions.size());
+  std::vector<VertexDirection> directions(patch.vertex_count());
   for (Index v = 0; v < directions.size(); ++v) {
-    if (connectivity.is_border(v)) directions[v].kind = VertexClass::border;
+    if (patch.is_border(v)) directions[v].kind = VertexClass::border;
   }
-  for (const Index v : connectivity.inner_vertices()) {
-    const SlopeSum sum = slope_at(v, positions, defects, connectivity);
+  for (const Index v : patch.inner_vertices()) {
+    const SlopeSum sum = slope_at(v, positions, defects, patch.connectivity());
     directions[v] = {class_of(defects[v], flat), defects[v], sum.slope, sum.slope < -sum.error};
   }
   return directions;

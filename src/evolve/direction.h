@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -32,9 +32,7 @@ struct VertexDirection {
 /// d_v^2 and the d_j^2 of the inner neighbours; the test that Fig. 11 of the paper makes with the
 /// vertex's own angle sum only. Where no vertex can be lowered, controllable evolution has only
 /// longer steps left. O(sum of the squares of the valences); the same for every size of the model.
-/// @param connectivity that of mesh
-std::vector<VertexDirection> laplacian_directions(const TriMesh& mesh,
-                                                  const Connectivity& connectivity);
+std::vector<VertexDirection> laplacian_directions(const Patch& patch);
 
 /// Up to which |defect| a vertex counts as flat, radians: a disk of flat vertices only meets both
 /// bounds of is_flattenable().

@@ -73,14 +73,13 @@ Stopping usual_stopping(const Method& method) {
   return stopping;
 }
 
-EvolveResult evolve(const TriMesh& mesh, const Method& method, const Stopping& stopping,
+EvolveResult evolve(const Patch& patch, const Method& method, const Stopping& stopping,
                     const OnSweep& on_sweep, unsigned threads, const Constraints& constraints) {
   const auto start = std::chrono::steady_clock::now();
   check_stopping(stopping);
-  const Connectivity connectivity(mesh);
-  Evolver evolver(mesh, connectivity, method, threads, constraints);
+  Evolver evolver(patch, method, threads, constraints);
   EvolveResult result;
-  double e_max = summarise_defects(angle_defects(mesh, connectivity), 0).e_max;
+  double e_max = summarise_defects(angle_defects(patch), 0).e_max;
   // What is flat to the last digits is not worked on.
   const double target = std::max(stopping.target_e_max, k_rounding_defect);
   const auto met = [&] { return e_max <= target; };

@@ -42,9 +42,8 @@ void check_neighbours(const Connectivity& connectivity, const Method& method) {
 
 class Evolver::Impl {
  public:
-  Impl(const TriMesh& mesh, const Connectivity& connectivity, const Method& method,
-       unsigned threads, const Constraints& constraints)
-      : pool_(threads), state_(mesh, connectivity, pool_, constraints) {
+  Impl(const Patch& patch, const Method& method, unsigned threads, const Constraints& constraints)
+      : pool_(threads), state_(patch, pool_, constraints) {
     sweep_.emplace(
         std::visit([this](const auto& m) { return make_sweep(m, state_, pool_); }, method));
   }
@@ -83,13 +82,13 @@ class Evolver::Impl {
   int sweeps_ = 0;
 };
 
-Evolver::Evolver(const TriMesh& mesh, const Connectivity& connectivity, const Method& method,
-                 unsigned threads, const Constraints& constraints) {
+Evolver::Evolver(const Patch& patch, const Method& method, unsigned threads,
+                 const Constraints& constraints) {
   check_options(method);
-  check_constraints(constraints, mesh.positions.size(), method);
-  require(inspect(mesh), Purpose::evolve);
-  check_neighbours(connectivity, method);
-  impl_ = std::make_unique<Impl>(mesh, connectivity, method, threads, constraints);
+  check_constraints(constraints, patch.vertex_count(), method);
+  require(patch.inspection(), Purpose::evolve);
+  check_neighbours(patch.connectivity(), method);
+  impl_ = std::make_unique<Impl>(patch, method, threads, constraints);
 }
 
 Evolver::~Evolver() = default;

@@ -5,8 +5,8 @@
 
 #include <planish/core/error.h>
 #include <planish/evolve/remesh.h>
-#include <planish/mesh/connectivity.h>
 #include <planish/mesh/inspect.h>
+#include <planish/mesh/patch.h>
 
 #include "evolve/state/fixed_marks.h"
 #include "mesh/coarsen/coarsen.h"
@@ -17,22 +17,22 @@ namespace {
 
 constexpr std::size_t k_enough = 5000, k_per_border_vertex = 3;
 
-std::size_t border_vertices(const Connectivity& connectivity) {
+std::size_t border_vertices(const Patch& patch) {
   std::size_t count = 0;
-  for (const auto& loop : connectivity.border_loops())
+  for (const auto& loop : patch.border_loops())
     count += loop.size();
   return count;
 }
 
-std::vector<unsigned char> kept_marks(const TriMesh& mesh, const Constraints& constraints,
+std::vector<unsigned char> kept_marks(const Patch& patch, const Constraints& constraints,
                                       std::span<const Index> keep) {
-  auto marks = fixed_marks(constraints, mesh.positions.size());
-  if (!keep.empty()) marks.resize(mesh.positions.size(), 0);
+  auto marks = fixed_marks(constraints, patch.vertex_count());
+  if (!keep.empty()) marks.resize(patch.vertex_count(), 0);
   for (const Index v : keep) {
-    if (v >= mesh.positions.size()) {
+    if (v >= patch.vertex_count()) {
       throw Error(ErrorCode::index_out_of_range,
                   "vertex " + std::to_string(v) + " is to be kept but there are " +
-                      std::to_string(mesh.positions.size()),
+                      std::to_string(patch.vertex_count()),
                   {.path = {}, .first = v});
     }
     marks[v] = 1;
@@ -40,26 +40,24 @@ std::vector<unsigned char> kept_marks(const TriMesh& mesh, const Constraints& co
   return marks;
 }
 
-RemeshedPatch whole(const TriMesh& mesh, const Constraints& constraints) {
-  std::vector<Index> source(mesh.positions.size());
+RemeshedPatch whole(const Patch& patch, const Constraints& constraints) {
+  std::vector<Index> source(patch.vertex_count());
   std::iota(source.begin(), source.end(), Index{0});
-  return {mesh, constraints, std::move(source)};
+  return {patch, constraints, std::move(source)};
 }
 
 }  // namespace
 
-RemeshedPatch remesh(const TriMesh& mesh, const Constraints& constraints,
+RemeshedPatch remesh(const Patch& patch, const Constraints& constraints,
                      std::span<const Index> keep) {
-  require(inspect(mesh), Purpose::measure);
-  const std::vector<unsigned char> marks = kept_marks(mesh, constraints, keep);
-  if (!can_be_coarsened(mesh)) return whole(mesh, constraints);
-  const Connectivity connectivity(mesh);
-  const std::size_t wanted =
-      std::max(k_enough, k_per_border_vertex * border_vertices(connectivity));
-  if (wanted >= mesh.positions.size()) return whole(mesh, constraints);
-  CoarsePatch coarse = coarsen(mesh, connectivity, wanted, CoarseBorder::kept, marks);
+  require(patch.inspection(), Purpose::measure);
+  const std::vector<unsigned char> marks = kept_marks(patch, constraints, keep);
+  if (!can_be_coarsened(patch)) return whole(patch, constraints);
+  const std::size_t wanted = std::max(k_enough, k_per_border_vertex * border_vertices(patch));
+  if (wanted >= patch.vertex_count()) return whole(patch, constraints);
+  CoarsePatch coarse = coarsen(patch, wanted, CoarseBorder::kept, marks);
   Constraints left = restricted_to(constraints, coarse.source);
-  return {std::move(coarse.mesh), std::move(left), std::move(coarse.source)};
+  return {Patch(std::move(coarse.mesh)), std::move(left), std::move(coarse.source)};
 }
 
 }  // namespace planish

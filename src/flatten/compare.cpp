@@ -67,7 +67,7 @@ class Comparison {
       ++done_;
       if (report_.unfold_before && !cancelled_) {
         compared.unfold =
-            unfolded({compared.evolve->result.positions, report_.input.triangles}, name);
+            unfolded(report_.input.with_positions(compared.evolve->result.positions), name);
       }
     } catch (...) {
       compared.failure = current_failure();
@@ -84,7 +84,7 @@ class Comparison {
   }
 
   EvolveReport evolved(const CompareRun& run, std::string_view name) {
-    EvolveProgress progress(run.stopping, report_.input.positions.size());
+    EvolveProgress progress(run.stopping, report_.input.vertex_count());
     return evolve_patch(
         report_.input, run.method, run.stopping,
         [&](const SweepRecord& record) {
@@ -93,9 +93,9 @@ class Comparison {
         options_.threads, options_.constraints);
   }
 
-  std::optional<UnfoldReport> unfolded(const TriMesh& mesh, std::string_view name) {
+  std::optional<UnfoldReport> unfolded(const Patch& patch, std::string_view name) {
     double left = 1.0;  // how many steps it will take is not known
-    return unfold_patch(mesh, options_.unit,
+    return unfold_patch(patch, options_.unit,
                         [&](int /*step*/, double /*energy*/) {
                           left *= 0.9;
                           return tell(FlattenStage::unfolding, name, 1.0 - left);
@@ -116,13 +116,13 @@ std::vector<CompareRun> runs_of_all_methods() {
   return runs_of_all(std::make_index_sequence<std::variant_size_v<Method>>());
 }
 
-std::optional<CompareReport> compare(TriMesh mesh, std::string name,
+std::optional<CompareReport> compare(const Patch& patch, std::string name,
                                      const std::vector<CompareRun>& runs,
                                      const CompareOptions& options,
                                      const OnCompareProgress& on_progress) {
   CompareReport report;
   report.name = std::move(name);
-  report.input = std::move(mesh);
+  report.input = patch;
   Comparison comparison(report, options, on_progress, 1 + 2 * runs.size());
   comparison.measure_input();
   for (const CompareRun& run : runs) {

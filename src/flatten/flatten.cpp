@@ -26,74 +26,69 @@ std::string_view to_string(FlattenStage stage) {
   return "unknown";
 }
 
-MeasuredPatch measure_patch(const TriMesh& mesh, unsigned threads) {
-  MeasuredPatch patch;
-  patch.inspection = inspect(mesh);
-  require(patch.inspection, Purpose::measure);
-  Aside intersections(threads != 1, [&] { return find_self_intersections(mesh); });
-  const Connectivity connectivity(mesh);
-  patch.figures = measure(mesh, connectivity);
-  patch.flattenable = is_flattenable(patch.figures, patch.inspection);
-  patch.obstruction = find_obstruction(mesh, connectivity);
-  patch.bending = measure_bending(mesh, connectivity);
-  patch.ruling_defect = ruling_defect(mesh, connectivity);
-  patch.self_intersections = intersections.result();
-  return patch;
+MeasuredPatch measure_patch(const Patch& patch, unsigned threads) {
+  MeasuredPatch measured;
+  measured.inspection = patch.inspection();
+  require(measured.inspection, Purpose::measure);
+  Aside intersections(threads != 1, [&] { return find_self_intersections(patch.mesh()); });
+  measured.figures = measure(patch);
+  measured.flattenable = is_flattenable(measured.figures, measured.inspection);
+  measured.obstruction = find_obstruction(patch);
+  measured.bending = measure_bending(patch);
+  measured.ruling_defect = ruling_defect(patch);
+  measured.self_intersections = intersections.result();
+  return measured;
 }
 
-EvolveReport evolve_patch(const TriMesh& mesh, const Method& method, const Stopping& stopping,
+EvolveReport evolve_patch(const Patch& patch, const Method& method, const Stopping& stopping,
                           const OnSweep& on_sweep, unsigned threads,
                           const Constraints& constraints) {
   EvolveReport report;
   report.method = method;
   report.stopping = stopping;
-  report.before = measure_patch(mesh, threads);
-  report.result = evolve(mesh, method, stopping, on_sweep, threads, constraints);
-  TriMesh after{report.result.positions, mesh.triangles};
-  const Connectivity connectivity(mesh);
-  Aside fairness(threads != 1,
-                 [&] { return measure_fairness(mesh, connectivity, after.positions); });
-  report.after = measure_patch(after, threads);
-  report.deviation = measure_deviation(mesh, after.positions, connectivity);
-  report.border = measure_border_change(mesh, after.positions, connectivity);
+  report.before = measure_patch(patch, threads);
+  report.result = evolve(patch, method, stopping, on_sweep, threads, constraints);
+  const std::vector<Vec3>& after = report.result.positions;
+  Aside fairness(threads != 1, [&] { return measure_fairness(patch, after); });
+  report.after = measure_patch(patch.with_positions(after), threads);
+  report.deviation = measure_deviation(patch, after);
+  report.border = measure_border_change(patch, after);
   report.fairness = fairness.result();
   return report;
 }
 
-EvolveReport evolve_remeshed(const TriMesh& original, const RemeshedPatch& patch,
+EvolveReport evolve_remeshed(const Patch& original, const RemeshedPatch& remeshed,
                              const Method& method, const Stopping& stopping,
                              const OnSweep& on_sweep, unsigned threads) {
   EvolveReport report =
-      evolve_patch(patch.mesh, method, stopping, on_sweep, threads, patch.constraints);
-  if (patch.mesh.positions.size() == original.positions.size()) return report;
-  report.remeshed_from = OriginalSize{original.positions.size(), original.triangles.size()};
-  const TriMesh after{report.result.positions, patch.mesh.triangles};
-  report.deviation = measure_surface_deviation(original, after);
+      evolve_patch(remeshed.patch, method, stopping, on_sweep, threads, remeshed.constraints);
+  if (remeshed.patch.vertex_count() == original.vertex_count()) return report;
+  report.remeshed_from = OriginalSize{original.vertex_count(), original.triangles().size()};
+  const Patch after = remeshed.patch.with_positions(report.result.positions);
+  report.deviation = measure_surface_deviation(original, after.mesh());
   report.fairness = measure_fairness(original, after);
   return report;
 }
 
-std::optional<UnfoldReport> unfold_patch(const TriMesh& mesh, Unit unit,
-                                         const OnUnfoldStep& on_step,
+std::optional<UnfoldReport> unfold_patch(const Patch& patch, Unit unit, const OnUnfoldStep& on_step,
                                          const UnfoldOptions& options) {
-  const Connectivity connectivity(mesh);
   bool cancelled = false;
   UnfoldReport report;
   report.unit = unit;
-  report.pattern = unfold(mesh, connectivity, options, [&](int step, double energy) {
+  report.pattern = unfold(patch, options, [&](int step, double energy) {
     cancelled = on_step && !on_step(step, energy);
     return !cancelled;
   });
   if (cancelled) return std::nullopt;
   const auto strain_of = [&](const std::vector<Vec2>& positions) {
-    return edge_strain(mesh, connectivity, positions);
+    return edge_strain(patch, positions);
   };
   report.strain = strain_of(report.pattern.positions);
-  report.border_strain = largest_border_strain(mesh, connectivity, report.pattern.positions);
+  report.border_strain = largest_border_strain(patch, report.pattern.positions);
   if (options.match_seams) report.unmatched_strain = strain_of(report.pattern.unmatched);
   if (!report.pattern.unlimited.empty())
     report.unlimited_strain = strain_of(report.pattern.unlimited);
-  report.limits = check_limits(mesh, connectivity, report.pattern.positions, options.limits);
+  report.limits = check_limits(patch, report.pattern.positions, options.limits);
   return report;
 }
 
@@ -115,11 +110,11 @@ class UnfoldBar {
   double left_ = 1.0;
 };
 
-/// Unfolds both meshes, at the same time where there are threads for it; only the second as asked,
+/// Unfolds both patches, at the same time where there are threads for it; only the second as asked,
 /// as matching the seams of what is far from flattenable takes long and tells little. Progress is
 /// told from the calling thread only.
-std::optional<std::pair<UnfoldReport, UnfoldReport>> unfold_both(const TriMesh& before,
-                                                                 const TriMesh& after, Unit unit,
+std::optional<std::pair<UnfoldReport, UnfoldReport>> unfold_both(const Patch& before,
+                                                                 const Patch& after, Unit unit,
                                                                  const UnfoldOptions& how,
                                                                  bool at_once,
                                                                  const OnProgress& on_progress) {
@@ -200,22 +195,21 @@ Method tightened(Method method, const StrainLimits& aim, double share) {
 }
 
 /// The report of a patch that needs no evolution.
-EvolveReport left_as_it_is(const TriMesh& mesh, const Method& method, const Stopping& stopping) {
+EvolveReport left_as_it_is(const Patch& patch, const Method& method, const Stopping& stopping) {
   EvolveReport report;
   report.method = method;
   report.stopping = stopping;
-  report.before = report.after = measure_patch(mesh);
-  report.result.positions = mesh.positions;
+  report.before = report.after = measure_patch(patch);
+  report.result.positions = patch.positions();
   report.result.stop = StopReason::strain_met;
-  const Connectivity connectivity(mesh);
-  report.deviation = measure_deviation(mesh, mesh.positions, connectivity);
-  report.fairness = measure_fairness(mesh, connectivity, mesh.positions);
+  report.deviation = measure_deviation(patch, patch.positions());
+  report.fairness = measure_fairness(patch, patch.positions());
   return report;
 }
 
-OnSweep on_sweep_of(const Stopping& stopping, const TriMesh& mesh, const OnProgress& on_progress) {
+OnSweep on_sweep_of(const Stopping& stopping, const Patch& patch, const OnProgress& on_progress) {
   if (!on_progress) return {};
-  const auto progress = std::make_shared<EvolveProgress>(stopping, mesh.positions.size());
+  const auto progress = std::make_shared<EvolveProgress>(stopping, patch.vertex_count());
   return [progress, on_progress](const SweepRecord& record) {
     return on_progress(FlattenStage::evolving, progress->after(record));
   };
@@ -232,37 +226,39 @@ class Flattening {
         stopping_(options.stopping.value_or(usual_stopping(method_))),
         aim_(aim_of(limits_, method_, stopping_)) {}
 
-  std::optional<FlattenReport> run(TriMesh mesh, std::string name) {
+  std::optional<FlattenReport> run(const Patch& patch, std::string name) {
     if (!tell(FlattenStage::measuring, 0.0)) return std::nullopt;
-    require(inspect(mesh), Purpose::unfold);
+    require(patch.inspection(), Purpose::unfold);
     report_.name = std::move(name);
-    check_constraints(options_.constraints, mesh.positions.size(), method_);
-    if (options_.smooth_first > 0.0) return run_smoothed(mesh);
-    if (options_.remesh) remeshed_ = remesh(mesh, options_.constraints, options_.keep);
-    if (!work_on(mesh)) return std::nullopt;
-    report_.input = remeshed_ ? std::move(remeshed_->mesh) : std::move(mesh);
+    check_constraints(options_.constraints, patch.vertex_count(), method_);
+    if (options_.smooth_first > 0.0) return run_smoothed(patch);
+    if (options_.remesh) remeshed_ = remesh(patch, options_.constraints, options_.keep);
+    if (!work_on(patch)) return std::nullopt;
     if (remeshed_) report_.source = std::move(remeshed_->source);
-    report_.processed = {report_.evolve.result.positions, report_.input.triangles};
-    return std::move(report_);
+    return finished(work_patch(patch));
   }
 
  private:
-  std::optional<FlattenReport> run_smoothed(const TriMesh& raw) {
+  std::optional<FlattenReport> run_smoothed(const Patch& raw) {
     if (options_.remesh || !options_.constraints.fixed.empty()) {
       throw Error(ErrorCode::unsupported_constraint,
                   "smooth_first does not go together with remesh, nor with fixed vertices");
     }
-    SmoothedDesign design = smooth_design(raw, options_.smooth_first);
-    if (!work_on(design.mesh)) return std::nullopt;
+    const SmoothedDesign design = smooth_design(raw, options_.smooth_first);
+    if (!work_on(design.patch)) return std::nullopt;
     report_.evolve = with_smoothing(std::move(report_.evolve), raw, design.done);
-    report_.input = std::move(design.mesh);
-    report_.processed = {report_.evolve.result.positions, report_.input.triangles};
+    return finished(design.patch);
+  }
+
+  FlattenReport finished(const Patch& worked_on) {
+    report_.input = worked_on;
+    report_.processed = worked_on.with_positions(report_.evolve.result.positions);
     return std::move(report_);
   }
 
   /// False when cancelled.
-  bool work_on(const TriMesh& mesh) {
-    return is_done_as_it_is(work_mesh(mesh)) ? !is_cancelled() : evolve_to_aim(mesh);
+  bool work_on(const Patch& patch) {
+    return is_done_as_it_is(work_patch(patch)) ? !is_cancelled() : evolve_to_aim(patch);
   }
 
   bool tell(FlattenStage stage, double share) {
@@ -270,40 +266,40 @@ class Flattening {
     return !cancelled_;
   }
   bool is_cancelled() const { return cancelled_; }
-  const TriMesh& work_mesh(const TriMesh& mesh) const { return remeshed_ ? remeshed_->mesh : mesh; }
+  const Patch& work_patch(const Patch& patch) const { return remeshed_ ? remeshed_->patch : patch; }
 
   UnfoldOptions with_limits() const {
     return {.match_seams = options_.match_seams, .threads = options_.threads, .limits = limits_};
   }
 
   /// Nothing when cancelled.
-  MaybeUnfolded unfolded(const TriMesh& mesh, const UnfoldOptions& how) {
+  MaybeUnfolded unfolded(const Patch& patch, const UnfoldOptions& how) {
     UnfoldBar bar;
     return unfold_patch(
-        mesh, options_.unit,
+        patch, options_.unit,
         [&](int, double) { return tell(FlattenStage::unfolding, bar.after_step()); }, how);
   }
 
   /// What a pattern has of the aim. Strain is measured against the surface that it is made from.
-  std::vector<StrainLimitCheck> checks_of_aim(const TriMesh& mesh,
+  std::vector<StrainLimitCheck> checks_of_aim(const Patch& patch,
                                               const UnfoldReport& report) const {
     if (limits_.any() || !aim_.any()) return report.limits;
-    return check_limits(mesh, Connectivity(mesh), report.pattern.positions, aim_);
+    return check_limits(patch, report.pattern.positions, aim_);
   }
 
   /// Lays the input flat and sees whether that is all that is to be done. True if that pattern is
   /// the result, or the work was cancelled.
-  bool is_done_as_it_is(const TriMesh& mesh) {
+  bool is_done_as_it_is(const Patch& patch) {
     if (!aim_.any()) return false;
-    MaybeUnfolded kept = unfolded(mesh, with_limits());
+    MaybeUnfolded kept = unfolded(patch, with_limits());
     if (!kept) return true;
-    const bool is_done = all_kept(checks_of_aim(mesh, *kept)),
+    const bool is_done = all_kept(checks_of_aim(patch, *kept)),
                is_plain = !limits_.any() && !options_.match_seams;
     if (is_plain) before_ = *kept;
     if (!is_done) return false;
-    MaybeUnfolded before = is_plain ? before_ : unfolded(mesh, {.threads = options_.threads});
+    MaybeUnfolded before = is_plain ? before_ : unfolded(patch, {.threads = options_.threads});
     if (!before) return true;
-    report_.evolve = left_as_it_is(mesh, method_, stopping_);
+    report_.evolve = left_as_it_is(patch, method_, stopping_);
     report_.unfold = *std::move(kept);
     report_.unfold_before = *std::move(before);
     return true;
@@ -311,31 +307,31 @@ class Flattening {
 
   /// Auto ends by its estimate of the strain. Where the pattern has a little more than that, it is
   /// run again with tighter limits. False when cancelled.
-  bool evolve_to_aim(const TriMesh& mesh) {
+  bool evolve_to_aim(const Patch& patch) {
     constexpr int most_runs = 3;
     Method method = method_;
     for (int run = 1;; ++run) {
-      if (!evolve_and_unfold(mesh, method)) return false;
+      if (!evolve_and_unfold(patch, method)) return false;
       const double share = share_of_limits(checks_of_aim(
-          {report_.evolve.result.positions, work_mesh(mesh).triangles}, report_.unfold));
+          work_patch(patch).with_positions(report_.evolve.result.positions), report_.unfold));
       const bool may_try = report_.evolve.result.stop == StopReason::strain_met && run < most_runs;
       if (!aim_.any() || share >= 1.0 || !may_try) break;
       method = tightened(method, aim_, share);
     }
     report_.evolve.method = method_;
-    return go_back(mesh);
+    return go_back(patch);
   }
 
   /// False when cancelled.
-  bool evolve_and_unfold(const TriMesh& mesh, const Method& method) {
-    const TriMesh& work = work_mesh(mesh);
+  bool evolve_and_unfold(const Patch& patch, const Method& method) {
+    const Patch& work = work_patch(patch);
     const OnSweep on_sweep = on_sweep_of(stopping_, work, on_progress_);
-    report_.evolve =
-        remeshed_ ? evolve_remeshed(mesh, *remeshed_, method, stopping_, on_sweep, options_.threads)
-                  : evolve_patch(mesh, method, stopping_, on_sweep, options_.threads,
-                                 options_.constraints);
+    report_.evolve = remeshed_ ? evolve_remeshed(patch, *remeshed_, method, stopping_, on_sweep,
+                                                 options_.threads)
+                               : evolve_patch(patch, method, stopping_, on_sweep, options_.threads,
+                                              options_.constraints);
     if (report_.evolve.result.stop == StopReason::cancelled) return false;
-    const TriMesh processed{report_.evolve.result.positions, work.triangles};
+    const Patch processed = work.with_positions(report_.evolve.result.positions);
     if (before_) {
       MaybeUnfolded after = unfolded(processed, with_limits());
       if (!after) return false;
@@ -353,17 +349,17 @@ class Flattening {
 
   /// If the pattern keeps the limits, finds by bisection the smallest share of the move from the
   /// input with which a pattern still keeps them. False when cancelled.
-  bool go_back(const TriMesh& mesh) {
+  bool go_back(const Patch& patch) {
     constexpr int halvings = 6;
     if (!aim_.any() || !limits_.any() || !all_kept(report_.unfold.limits)) return true;
     // Half way between two places on a curved border is beside it.
     if (std::get<Auto>(method_).border.rule != BorderFreedom::Rule::fixed) return true;
-    const TriMesh& work = work_mesh(mesh);
+    const Patch& work = work_patch(patch);
     const std::vector<Vec3> farthest = report_.evolve.result.positions;
     double fails = 0.0, keeps = 1.0;
     for (int k = 0; k < halvings; ++k) {
       const double share = 0.5 * (fails + keeps);
-      const TriMesh between{part_way(work.positions, farthest, share), work.triangles};
+      const Patch between = work.with_positions(part_way(work.positions(), farthest, share));
       MaybeUnfolded pattern = unfolded(between, with_limits());
       if (!pattern) return false;
       if (!all_kept(pattern->limits)) {
@@ -372,9 +368,9 @@ class Flattening {
       }
       keeps = share;
       report_.unfold = *std::move(pattern);
-      report_.evolve.result.positions = between.positions;
+      report_.evolve.result.positions = between.positions();
     }
-    if (keeps < 1.0) measure_again(mesh);
+    if (keeps < 1.0) measure_again(patch);
     return true;
   }
 
@@ -386,17 +382,16 @@ class Flattening {
     return positions;
   }
 
-  void measure_again(const TriMesh& mesh) {
-    const TriMesh& work = work_mesh(mesh);
-    const TriMesh now{report_.evolve.result.positions, work.triangles};
+  void measure_again(const Patch& patch) {
+    const Patch& work = work_patch(patch);
+    const Patch now = work.with_positions(report_.evolve.result.positions);
     report_.evolve.after = measure_patch(now, options_.threads);
     if (report_.evolve.remeshed_from) {
-      report_.evolve.deviation = measure_surface_deviation(mesh, now);
-      report_.evolve.fairness = measure_fairness(mesh, now);
+      report_.evolve.deviation = measure_surface_deviation(patch, now.mesh());
+      report_.evolve.fairness = measure_fairness(patch, now);
     } else {
-      const Connectivity connectivity(work);
-      report_.evolve.deviation = measure_deviation(work, now.positions, connectivity);
-      report_.evolve.fairness = measure_fairness(work, connectivity, now.positions);
+      report_.evolve.deviation = measure_deviation(work, now.positions());
+      report_.evolve.fairness = measure_fairness(work, now.positions());
     }
   }
 
@@ -414,9 +409,9 @@ class Flattening {
 
 }  // namespace
 
-std::optional<FlattenReport> flatten(TriMesh mesh, std::string name, const FlattenOptions& options,
-                                     const OnProgress& on_progress) {
-  return Flattening(options, on_progress).run(std::move(mesh), std::move(name));
+std::optional<FlattenReport> flatten(const Patch& patch, std::string name,
+                                     const FlattenOptions& options, const OnProgress& on_progress) {
+  return Flattening(options, on_progress).run(patch, std::move(name));
 }
 
 }  // namespace planish

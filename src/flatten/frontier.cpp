@@ -45,18 +45,18 @@ std::optional<std::size_t> FrontierReport::first_within_limit() const {
   return static_cast<std::size_t>(found - curve.begin());
 }
 
-std::optional<FrontierReport> frontier(TriMesh mesh, std::string name,
+std::optional<FrontierReport> frontier(const Patch& patch, std::string name,
                                        const FrontierOptions& options,
                                        const OnCompareProgress& on_progress) {
   check(options);
   const auto tell = [&] { return !on_progress || on_progress(FlattenStage::unfolding, "", 0.0); };
   if (!tell()) return std::nullopt;
   const auto before =
-      unfold_patch(mesh, options.unit, [&](int /*step*/, double /*energy*/) { return tell(); },
+      unfold_patch(patch, options.unit, [&](int /*step*/, double /*energy*/) { return tell(); },
                    {.threads = options.threads});
   if (!before) return std::nullopt;
 
-  auto compared = compare(std::move(mesh), std::move(name), runs_of(options, before->strain.rms),
+  auto compared = compare(patch, std::move(name), runs_of(options, before->strain.rms),
                           {options.unit, options.threads, options.constraints}, on_progress);
   if (!compared) return std::nullopt;
 
@@ -64,7 +64,7 @@ std::optional<FrontierReport> frontier(TriMesh mesh, std::string name,
   report.name = std::move(compared->name);
   report.unit = options.unit;
   report.before = before->strain;
-  report.bending_ratio_before = measure_fairness(compared->input, compared->input).bending_ratio;
+  report.bending_ratio_before = measure_fairness(patch, patch).bending_ratio;
   report.limit = options.limit;
   const std::size_t on_curve = compared->runs.size() - options.others.size();
   for (std::size_t i = 0; i < compared->runs.size(); ++i) {

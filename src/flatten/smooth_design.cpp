@@ -6,17 +6,14 @@
 
 namespace planish {
 
-SmoothedDesign smooth_design(const TriMesh& raw, double length) {
-  const Connectivity connectivity(raw);
-  SmoothedDesign design;
-  design.mesh = {smoothed_positions(raw, connectivity, length), raw.triangles};
-  design.done = {length, measure_deviation(raw, design.mesh.positions, connectivity)};
-  return design;
+SmoothedDesign smooth_design(const Patch& raw, double length) {
+  const Patch smooth = raw.with_positions(smoothed_positions(raw, length));
+  return {smooth, {length, measure_deviation(raw, smooth.positions())}};
 }
 
-EvolveReport with_smoothing(EvolveReport report, const TriMesh& raw, const SmoothedFirst& done) {
+EvolveReport with_smoothing(EvolveReport report, const Patch& raw, const SmoothedFirst& done) {
   report.smoothed_first = done;
-  report.deviation = measure_deviation(raw, report.result.positions, Connectivity(raw));
+  report.deviation = measure_deviation(raw, report.result.positions);
   return report;
 }
 

@@ -27,21 +27,19 @@ class Steps {
 
 }  // namespace
 
-std::optional<StrainAsDesigned> strain_as_designed(const TriMesh& mesh, const StrainLimits& limits,
+std::optional<StrainAsDesigned> strain_as_designed(const Patch& patch, const StrainLimits& limits,
                                                    unsigned threads, const OnUnfoldStep& on_step) {
-  const Connectivity connectivity(mesh);
   Steps steps(on_step);
-  const Pattern least = unfold(mesh, connectivity, {.threads = threads}, steps.counted());
+  const Pattern least = unfold(patch, {.threads = threads}, steps.counted());
   if (steps.cancelled()) return std::nullopt;
-  StrainAsDesigned strain = {edge_strain(mesh, connectivity, least.positions)};
+  StrainAsDesigned strain = {edge_strain(patch, least.positions)};
   if (limits.any()) {
-    const Pattern limited =
-        unfold(mesh, connectivity, {.threads = threads, .limits = limits}, steps.counted());
+    const Pattern limited = unfold(patch, {.threads = threads, .limits = limits}, steps.counted());
     if (steps.cancelled()) return std::nullopt;
-    strain.limits = check_limits(mesh, connectivity, limited.positions, limits);
+    strain.limits = check_limits(patch, limited.positions, limits);
   }
-  if (mesh.positions.size() > StrainAsDesigned::k_most_searched) return strain;
-  strain.smallest_limit = smallest_limit(mesh, connectivity, least, threads, steps.counted());
+  if (patch.vertex_count() > StrainAsDesigned::k_most_searched) return strain;
+  strain.smallest_limit = smallest_limit(patch, least, threads, steps.counted());
   if (steps.cancelled()) return std::nullopt;
   return strain;
 }

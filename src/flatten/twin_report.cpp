@@ -19,15 +19,16 @@ constexpr double k_most_mismatch = 1e-5;
 constexpr double k_limit_rounding = 0.01;
 
 /// The patch that is worked on, by the twin's.
-struct TwinMesh {
-  TriMesh mesh;
+struct TwinPatch {
+  Patch patch;
   std::vector<Index> source;  // as FlattenReport has it
   std::vector<Index> vertex;  // of the twin's patch -> of this one
 };
 
 /// Where the twin was remeshed: over the vertices that correspond to what is left there.
-TwinMesh remeshed_alike(const FlattenReport& twin, const TriMesh& mesh, const MeshMatch& match) {
-  TwinMesh alike;
+TwinPatch remeshed_alike(const FlattenReport& twin, const Patch& patch, const MeshMatch& match) {
+  TwinPatch alike;
+  TriMesh mesh;
   for (const Index v : twin.source)
     alike.source.push_back(match.vertex[v]);
   const std::vector<Index> unsorted = alike.source;
@@ -37,27 +38,29 @@ TwinMesh remeshed_alike(const FlattenReport& twin, const TriMesh& mesh, const Me
     alike.vertex.push_back(static_cast<Index>(found - alike.source.begin()));
   }
   for (const Index v : alike.source)
-    alike.mesh.positions.push_back(mesh.positions[v]);
-  for (Triangle t : twin.input.triangles) {
+    mesh.positions.push_back(patch.positions()[v]);
+  for (Triangle t : twin.input.triangles()) {
     for (Index& v : t)
       v = alike.vertex[v];
     if (match.mirrored) std::swap(t[1], t[2]);
-    alike.mesh.triangles.push_back(t);
+    mesh.triangles.push_back(t);
   }
+  alike.patch = Patch(std::move(mesh));
   return alike;
 }
 
-TwinMesh worked_on(const FlattenReport& twin, const TriMesh& mesh, const MeshMatch& match) {
-  return twin.source.empty() ? TwinMesh{mesh, {}, match.vertex} : remeshed_alike(twin, mesh, match);
+TwinPatch worked_on(const FlattenReport& twin, const Patch& patch, const MeshMatch& match) {
+  return twin.source.empty() ? TwinPatch{patch, {}, match.vertex}
+                             : remeshed_alike(twin, patch, match);
 }
 
 /// Moves are turned, not places: what did not move stays to the bit, so that borders still lie at
 /// the same places, and all others are as far from where they were as the twin's.
-std::vector<Vec3> moved_alike(const FlattenReport& twin, const TwinMesh& own,
+std::vector<Vec3> moved_alike(const FlattenReport& twin, const TwinPatch& own,
                               const RigidMotion& motion) {
-  std::vector<Vec3> positions = own.mesh.positions;
+  std::vector<Vec3> positions = own.patch.positions();
   for (std::size_t v = 0; v < own.vertex.size(); ++v) {
-    const Vec3 before = twin.input.positions[v], after = twin.processed.positions[v];
+    const Vec3 before = twin.input.positions()[v], after = twin.processed.positions()[v];
     if (!(after == before)) positions[own.vertex[v]] += motion.of_direction(after - before);
   }
   return positions;
@@ -65,15 +68,15 @@ std::vector<Vec3> moved_alike(const FlattenReport& twin, const TwinMesh& own,
 
 class TwinPattern {
  public:
-  TwinPattern(const TriMesh& mesh, const std::vector<Index>& vertex, bool mirrored)
-      : mesh_(mesh), connectivity_(mesh), vertex_(vertex), mirrored_(mirrored) {}
+  TwinPattern(const Patch& patch, const std::vector<Index>& vertex, bool mirrored)
+      : patch_(patch), vertex_(vertex), mirrored_(mirrored) {}
 
   UnfoldReport of(UnfoldReport report) const {
     Pattern& pattern = report.pattern;
     for (std::vector<Vec2>* places : {&pattern.positions, &pattern.unmatched, &pattern.unlimited})
       *places = laid_alike(*places);
     report.strain = strain_of(pattern.positions);
-    report.border_strain = largest_border_strain(mesh_, connectivity_, pattern.positions);
+    report.border_strain = largest_border_strain(patch_, pattern.positions);
     if (report.unmatched_strain) report.unmatched_strain = strain_of(pattern.unmatched);
     if (report.unlimited_strain) report.unlimited_strain = strain_of(pattern.unlimited);
     report.limits = limits_alike(report.limits, pattern.positions);
@@ -82,11 +85,12 @@ class TwinPattern {
 
   double mismatch_share(std::span<const Vec2> pattern) const {
     double length = 0.0;
-    for (const auto& loop : connectivity_.border_loops()) {
+    for (const auto& loop : patch_.border_loops()) {
       for (std::size_t k = 0; k < loop.size(); ++k)
-        length += norm(mesh_.positions[loop[(k + 1) % loop.size()]] - mesh_.positions[loop[k]]);
+        length +=
+            norm(patch_.positions()[loop[(k + 1) % loop.size()]] - patch_.positions()[loop[k]]);
     }
-    return border_mismatch(mesh_, connectivity_, pattern) / length;
+    return border_mismatch(patch_, pattern) / length;
   }
 
  private:
@@ -100,7 +104,7 @@ class TwinPattern {
   /// Those of this mesh, but where only the rounding of its file breaks one: then that of the twin.
   std::vector<StrainLimitCheck> limits_alike(std::span<const StrainLimitCheck> theirs,
                                              std::span<const Vec2> pattern) const {
-    auto checks = check_limits(mesh_, connectivity_, pattern, asked_for(theirs));
+    auto checks = check_limits(patch_, pattern, asked_for(theirs));
     for (std::size_t k = 0; k < checks.size(); ++k) {
       const double most = (1.0 + k_limit_rounding) * checks[k].asked;
       if (checks[k].kept() || !theirs[k].kept() || checks[k].reached > most) continue;
@@ -111,7 +115,7 @@ class TwinPattern {
   }
 
   EdgeStrain strain_of(const std::vector<Vec2>& pattern) const {
-    return edge_strain(mesh_, connectivity_, pattern);
+    return edge_strain(patch_, pattern);
   }
 
   static StrainLimits asked_for(std::span<const StrainLimitCheck> checks) {
@@ -132,31 +136,29 @@ class TwinPattern {
     return limits;
   }
 
-  const TriMesh& mesh_;
-  Connectivity connectivity_;
+  Patch patch_;
   const std::vector<Index>& vertex_;
   bool mirrored_;
 };
 
-EvolveReport evolved_alike(const EvolveReport& twin, const TriMesh& original, const TriMesh& before,
-                           const TriMesh& after) {
+EvolveReport evolved_alike(const EvolveReport& twin, const Patch& original, const Patch& before,
+                           const Patch& after) {
   EvolveReport report;
   report.method = twin.method;
   report.stopping = twin.stopping;
-  report.result = {after.positions, twin.result.history, twin.result.stop, twin.result.threads,
+  report.result = {after.positions(), twin.result.history, twin.result.stop, twin.result.threads,
                    0.0};
   report.before = measure_patch(before);
   report.after = measure_patch(after);
-  const Connectivity connectivity(before);
   report.remeshed_from = twin.remeshed_from;
   if (twin.remeshed_from) {
-    report.deviation = measure_surface_deviation(original, after);
+    report.deviation = measure_surface_deviation(original, after.mesh());
     report.fairness = measure_fairness(original, after);
   } else {
-    report.deviation = measure_deviation(before, after.positions, connectivity);
-    report.fairness = measure_fairness(before, connectivity, after.positions);
+    report.deviation = measure_deviation(before, after.positions());
+    report.fairness = measure_fairness(before, after.positions());
   }
-  if (twin.border) report.border = measure_border_change(before, after.positions, connectivity);
+  if (twin.border) report.border = measure_border_change(before, after.positions());
   return report;
 }
 
@@ -177,44 +179,43 @@ bool holds_all(std::span<const Index> source, std::span<const Index> keep) {
 
 }  // namespace
 
-std::optional<FlattenReport> twin_report(const FlattenReport& twin, const TriMesh& mesh,
+std::optional<FlattenReport> twin_report(const FlattenReport& twin, const Patch& patch,
                                          const MeshMatch& match, std::string name,
                                          const FlattenOptions& options) {
-  TwinMesh own = worked_on(twin, mesh, match);
+  TwinPatch own = worked_on(twin, patch, match);
   std::optional<SmoothedFirst> smoothed;
   if (options.smooth_first > 0.0) {
-    SmoothedDesign design = smooth_design(mesh, options.smooth_first);
-    own.mesh = std::move(design.mesh);
+    SmoothedDesign design = smooth_design(patch, options.smooth_first);
+    own.patch = design.patch;
     smoothed = design.done;
   }
   if (!holds_all(own.source, options.keep)) return std::nullopt;
   FlattenReport report;
   report.name = std::move(name);
   report.twin_of = TwinOf{twin.name, match.mirrored};
-  report.processed = {moved_alike(twin, own, match.motion), own.mesh.triangles};
-  report.evolve = evolved_alike(twin.evolve, mesh, own.mesh, report.processed);
-  if (smoothed) report.evolve = with_smoothing(std::move(report.evolve), mesh, *smoothed);
+  report.processed = own.patch.with_positions(moved_alike(twin, own, match.motion));
+  report.evolve = evolved_alike(twin.evolve, patch, own.patch, report.processed);
+  if (smoothed) report.evolve = with_smoothing(std::move(report.evolve), patch, *smoothed);
   const TwinPattern after(report.processed, own.vertex, match.mirrored);
   report.unfold = after.of(twin.unfold);
-  report.unfold_before = TwinPattern(own.mesh, own.vertex, match.mirrored).of(twin.unfold_before);
+  report.unfold_before = TwinPattern(own.patch, own.vertex, match.mirrored).of(twin.unfold_before);
   if (!has_all_of(twin, report)) return std::nullopt;
   const auto& pattern = report.unfold.pattern.positions;
   if (options.match_seams && !(after.mismatch_share(pattern) <= k_most_mismatch))
     return std::nullopt;
-  report.input = std::move(own.mesh);
+  report.input = own.patch;
   report.source = std::move(own.source);
   return report;
 }
 
-double border_mismatch(const TriMesh& mesh, const Connectivity& connectivity,
-                       std::span<const Vec2> pattern) {
+double border_mismatch(const Patch& patch, std::span<const Vec2> pattern) {
   double most = 0.0;
-  for (const std::vector<Index>& loop : connectivity.border_loops()) {
+  for (const std::vector<Index>& loop : patch.border_loops()) {
     // Of sums from the loop's beginning, the largest difference of two is that of a stretch.
     double sum = 0.0, low = 0.0, high = 0.0;
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const Index v = loop[k], w = loop[(k + 1) % loop.size()];
-      sum += norm(pattern[w] - pattern[v]) - norm(mesh.positions[w] - mesh.positions[v]);
+      sum += norm(pattern[w] - pattern[v]) - norm(patch.positions()[w] - patch.positions()[v]);
       low = std::min(low, sum);
       high = std::max(high, sum);
     }

@@ -24,18 +24,17 @@ namespace planish {
 /// with match_seams, a stretch of the border whose length in the pattern differs from that on the
 /// patch by more than 1e-5 of the whole border; with remesh, a vertex of options.keep that the twin
 /// has not. It is to be flattened by itself then.
-/// @param mesh the patch as it came
+/// @param patch as it came
 /// @param match from the twin's mesh as it came
 /// @param options that the twin was flattened with, and the vertices to keep of this patch
-std::optional<FlattenReport> twin_report(const FlattenReport& twin, const TriMesh& mesh,
+std::optional<FlattenReport> twin_report(const FlattenReport& twin, const Patch& patch,
                                          const MeshMatch& match, std::string name,
                                          const FlattenOptions& options);
 
 /// The largest difference between a stretch of the border on the patch and in its pattern, model
 /// units: of all stretches of each loop.
-/// @param pattern one position per vertex of the mesh
-double border_mismatch(const TriMesh& mesh, const Connectivity& connectivity,
-                       std::span<const Vec2> pattern);
+/// @param pattern one position per vertex
+double border_mismatch(const Patch& patch, std::span<const Vec2> pattern);
 
 /// In words: "mirror image of left_sleeve", or "equal to front-1".
 std::string twin_text(const TwinOf& twin);

@@ -4,7 +4,7 @@
 
 #include <planish/core/error.h>
 #include <planish/io/read_features.h>
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 #include "core/math.h"
 #include "core/number_text.h"
@@ -60,24 +60,23 @@ void trace(const LineDrawing::Line& line, std::span<const Index> corners, EdgePa
 }
 
 /// Fixes the vertices that a drawing stands for.
-FixedVertices snap(const LineDrawing& drawing, const TriMesh& mesh, const TextCursor& cursor) {
-  if (mesh.triangles.empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
-  const Connectivity connectivity(mesh);
+FixedVertices snap(const LineDrawing& drawing, const Patch& patch, const TextCursor& cursor) {
+  if (patch.triangles().empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
   std::vector<Vec3> places;
   for (const Index corner : drawing.corners)
     places.push_back(drawing.places[corner]);
-  const NearestVertex nearest(mesh, places);
+  const NearestVertex nearest(patch.mesh(), places);
   FixedVertices fixed;
   std::vector<Index> corners;
-  std::vector<unsigned char> marked(mesh.positions.size(), 0);
+  std::vector<unsigned char> marked(patch.vertex_count(), 0);
   for (const Vec3 place : places) {
     const Index v = nearest.of(place);
-    const Vec3 apart = mesh.positions[v] - place;
+    const Vec3 apart = patch.positions()[v] - place;
     fixed.farthest = std::max(fixed.farthest, math::hypot(apart.x, apart.y, apart.z));
     corners.push_back(v);
     marked[v] = 1;
   }
-  EdgePaths paths(mesh, connectivity);
+  EdgePaths paths(patch);
   for (const LineDrawing::Line& line : drawing.lines)
     trace(line, corners, paths, cursor, marked);
   for (std::size_t v = 0; v < marked.size(); ++v) {
@@ -88,19 +87,19 @@ FixedVertices snap(const LineDrawing& drawing, const TriMesh& mesh, const TextCu
 
 }  // namespace
 
-FixedVertices read_fixed_vertices(const std::filesystem::path& path, const TriMesh& mesh) {
+FixedVertices read_fixed_vertices(const std::filesystem::path& path, const Patch& patch) {
   const FileBytes file(path);
-  return parse_fixed_vertices(file.view(), mesh, utf8_of(path));
+  return parse_fixed_vertices(file.view(), patch, utf8_of(path));
 }
 
-FixedVertices parse_fixed_vertices(std::string_view bytes, const TriMesh& mesh,
+FixedVertices parse_fixed_vertices(std::string_view bytes, const Patch& patch,
                                    const std::string& name) {
   if (lower_extension(name) == ".obj") {
     TextCursor cursor(bytes, name, {.comments = true, .continuation = true});
     const LineDrawing drawing = parse_line_drawing(cursor);
-    return snap(drawing, mesh, cursor);
+    return snap(drawing, patch, cursor);
   }
-  std::vector<Index> vertices = parse_list(bytes, name, mesh.positions.size());
+  std::vector<Index> vertices = parse_list(bytes, name, patch.vertex_count());
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return {std::move(vertices)};

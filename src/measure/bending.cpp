@@ -8,11 +8,11 @@
 
 namespace planish {
 
-std::vector<Hinge> hinges_of(const Connectivity& connectivity) {
+std::vector<Hinge> hinges_of(const Patch& patch) {
   std::vector<Hinge> hinges;
   // About three edges a vertex.
-  hinges.reserve(3 * connectivity.vertex_count());
-  for_each_hinge(connectivity, [&](const Hinge& hinge) { hinges.push_back(hinge); });
+  hinges.reserve(3 * patch.vertex_count());
+  for_each_hinge(patch.connectivity(), [&](const Hinge& hinge) { hinges.push_back(hinge); });
   return hinges;
 }
 
@@ -29,28 +29,30 @@ Bend bend_of(const Hinge& hinge, std::span<const Vec3> positions) {
                  positions[hinge.right]);
 }
 
-std::vector<double> vertex_bends(const TriMesh& mesh, const Connectivity& connectivity) {
-  const double scale = unit_scale(mesh);
-  std::vector<double> bends(mesh.positions.size(), 0.0), areas(bends);
-  for_each_bend(mesh.positions, connectivity, scale, [&](const Hinge& hinge, const Bend& bend) {
-    for (const Index v : {hinge.from, hinge.to}) {
-      bends[v] += std::abs(bend.angle) * bend.length;
-      areas[v] += bend.area;
-    }
-  });
+std::vector<double> vertex_bends(const Patch& patch) {
+  const double scale = patch.unit_scale();
+  std::vector<double> bends(patch.vertex_count(), 0.0), areas(bends);
+  for_each_bend(patch.positions(), patch.connectivity(), scale,
+                [&](const Hinge& hinge, const Bend& bend) {
+                  for (const Index v : {hinge.from, hinge.to}) {
+                    bends[v] += std::abs(bend.angle) * bend.length;
+                    areas[v] += bend.area;
+                  }
+                });
   for (std::size_t v = 0; v < bends.size(); ++v)
     bends[v] = areas[v] > 0.0 ? scale * (bends[v] / areas[v]) : 0.0;
   return bends;
 }
 
-Bending measure_bending(const TriMesh& mesh, const Connectivity& connectivity) {
-  const double scale = unit_scale(mesh);
+Bending measure_bending(const Patch& patch) {
+  const double scale = patch.unit_scale();
   CarefulSum bending, turning;
-  for_each_bend(mesh.positions, connectivity, scale, [&](const Hinge&, const Bend& bend) {
-    bending.add(bend.bending());
-    turning.add(std::abs(bend.angle) * bend.length);
-  });
-  const double area = area_of(mesh, scale);
+  for_each_bend(patch.positions(), patch.connectivity(), scale,
+                [&](const Hinge&, const Bend& bend) {
+                  bending.add(bend.bending());
+                  turning.add(std::abs(bend.angle) * bend.length);
+                });
+  const double area = area_of(patch.mesh(), scale);
   if (!(area > 0.0)) return {};
   return {bending.value(), 0.5 * turning.value() / std::sqrt(area)};
 }

@@ -1,28 +1,20 @@
 #pragma once
 
-#include <cstddef>
 #include <span>
 
 #include <planish/measure/fairness.h>
 
 #include "core/math.h"
+#include "mesh/edges.h"
 
 namespace planish {
 
 /// Calls visit(hinge) for each inner edge once, in the order of hinges_of().
 template <class Visit>
 void for_each_hinge(const Connectivity& connectivity, const Visit& visit) {
-  for (Index v = 0; v < connectivity.vertex_count(); ++v) {
-    const auto ring = connectivity.ring(v);
-    const std::size_t n = ring.size();
-    // The ends of an open ring are border edges.
-    const std::size_t begin = connectivity.is_border(v) ? 1 : 0;
-    const std::size_t end = connectivity.is_border(v) ? n - 1 : n;
-    for (std::size_t j = begin; j < end && n > 0; ++j) {
-      if (ring[j] < v) continue;
-      visit(Hinge{v, ring[j], ring[j + 1 < n ? j + 1 : 0], ring[j > 0 ? j - 1 : n - 1]});
-    }
-  }
+  for_each_edge(connectivity, [&](const Edge& edge) {
+    if (!edge.is_border()) visit(Hinge{edge.from, edge.to, edge.left, edge.right});
+  });
 }
 
 /// Of the triangles a, b, left and b, a, right. The cross product of their normals lies along the

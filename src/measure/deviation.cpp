@@ -22,12 +22,13 @@ struct Distances {
   }
 };
 
-Deviation deviation_of(const Distances& distances, const TriMesh& before, double scale) {
+Deviation deviation_of(const Distances& distances, const Patch& before) {
   Deviation deviation;
   if (distances.count == 0.0) return deviation;
+  const double scale = before.unit_scale();
   deviation.rms = std::sqrt(distances.squares.value() / distances.count) / scale;
   deviation.max = distances.largest / scale;
-  const double diagonal = bounding_box_diagonal(before);
+  const double diagonal = bounding_box_diagonal(before.mesh());
   if (diagonal > 0.0) deviation.rms_over_diagonal = deviation.rms / diagonal;
   return deviation;
 }
@@ -40,28 +41,27 @@ TriMesh scaled(TriMesh mesh, double scale) {
 
 }  // namespace
 
-Deviation measure_deviation(const TriMesh& before, std::span<const Vec3> after,
-                            const Connectivity& connectivity) {
-  const double scale = unit_scale(before);
+Deviation measure_deviation(const Patch& before, std::span<const Vec3> after) {
+  const double scale = before.unit_scale();
   Distances distances;
-  for (Index v = 0; v < connectivity.vertex_count(); ++v) {
-    if (!connectivity.is_inner(v) && after[v] == before.positions[v]) continue;
-    const Vec3 moved = scale * after[v] - scale * before.positions[v];
+  for (Index v = 0; v < before.vertex_count(); ++v) {
+    const Vec3 from = before.positions()[v];
+    if (!before.is_inner(v) && after[v] == from) continue;
+    const Vec3 moved = scale * after[v] - scale * from;
     distances.add(dot(moved, moved));
   }
-  return deviation_of(distances, before, scale);
+  return deviation_of(distances, before);
 }
 
-std::optional<BoundaryChange> measure_border_change(const TriMesh& before,
-                                                    std::span<const Vec3> after,
-                                                    const Connectivity& connectivity) {
-  const double scale = unit_scale(before);
+std::optional<BoundaryChange> measure_border_change(const Patch& before,
+                                                    std::span<const Vec3> after) {
+  const double scale = before.unit_scale();
   const auto length = [scale](Vec3 from, Vec3 to) {
     return norm(scale * to - scale * from) / scale;
   };
-  const std::vector<Vec3>& origins = before.positions;
+  const std::vector<Vec3>& origins = before.positions();
   BoundaryChange change;
-  for (const auto& loop : connectivity.border_loops()) {
+  for (const auto& loop : before.border_loops()) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Index v = loop[i], next = loop[i + 1 < loop.size() ? i + 1 : 0];
       change.max = std::max(change.max, length(origins[v], after[v]));
@@ -73,20 +73,19 @@ std::optional<BoundaryChange> measure_border_change(const TriMesh& before,
   return change;
 }
 
-Deviation measure_surface_deviation(const TriMesh& before, const TriMesh& after) {
-  const double scale = unit_scale(before);
-  const TriMesh first = scaled(before, scale), second = scaled(after, scale);
+Deviation measure_surface_deviation(const Patch& before, const TriMesh& after) {
+  const double scale = before.unit_scale();
+  const TriMesh first = scaled(before.mesh(), scale), second = scaled(after, scale);
   Distances distances;
   const ClosestPointTree to_second(second);
-  const Connectivity connectivity(before);
-  for (const Index v : connectivity.inner_vertices())
+  for (const Index v : before.inner_vertices())
     distances.add(to_second.query(first.positions[v]).squared_distance);
   const ClosestPointTree to_first(first);
   for (const Vec3 p : second.positions) {
     const double distance = std::sqrt(to_first.query(p).squared_distance);
     distances.largest = std::max(distances.largest, distance);
   }
-  return deviation_of(distances, before, scale);
+  return deviation_of(distances, before);
 }
 
 }  // namespace planish

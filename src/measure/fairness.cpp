@@ -132,27 +132,25 @@ class RootMeanSquare {
   double count_ = 0.0;
 };
 
-double normal_turn(const TriMesh& design, const Connectivity& connectivity,
-                   std::span<const Vec3> after, double scale) {
-  const auto first = vertex_normals(design.triangles, design.positions, scale);
-  const auto second = vertex_normals(design.triangles, after, scale);
+double normal_turn(const Patch& design, std::span<const Vec3> after, double scale) {
+  const auto first = vertex_normals(design.triangles(), design.positions(), scale);
+  const auto second = vertex_normals(design.triangles(), after, scale);
   RootMeanSquare turn;
   for (Index v = 0; v < after.size(); ++v) {
-    if (!connectivity.ring(v).empty()) turn.add(angle_between(first[v], second[v]));
+    if (!design.ring(v).empty()) turn.add(angle_between(first[v], second[v]));
   }
   return turn.degrees();
 }
 
-double border_turn(const TriMesh& design, const Connectivity& connectivity,
-                   std::span<const Vec3> after, double scale) {
+double border_turn(const Patch& design, std::span<const Vec3> after, double scale) {
   // The ring of a border vertex begins with the next one.
   const auto is_border_edge = [&](Index a, Index b) {
-    return connectivity.is_border(a) && connectivity.ring(a).front() == b;
+    return design.is_border(a) && design.ring(a).front() == b;
   };
   RootMeanSquare turn;
-  for (const Triangle& t : design.triangles) {
+  for (const Triangle& t : design.triangles()) {
     if (is_border_edge(t[0], t[1]) || is_border_edge(t[1], t[2]) || is_border_edge(t[2], t[0]))
-      turn.add(angle_between(normal_of(t, design.positions, scale), normal_of(t, after, scale)));
+      turn.add(angle_between(normal_of(t, design.positions(), scale), normal_of(t, after, scale)));
   }
   return turn.degrees();
 }
@@ -169,18 +167,17 @@ bool Fairness::keeps_form() const {
   return bending_lost.value_or(0.0) <= k_kept_lost;
 }
 
-Fairness measure_fairness(const TriMesh& design, const Connectivity& connectivity,
-                          std::span<const Vec3> after) {
-  const double scale = unit_scale(design);
-  const std::vector<Bend> first = bends_of(design.positions, connectivity, scale);
-  const std::vector<Bend> second = bends_of(after, connectivity, scale);
+Fairness measure_fairness(const Patch& design, std::span<const Vec3> after) {
+  const double scale = design.unit_scale();
+  const std::vector<Bend> first = bends_of(design.positions(), design.connectivity(), scale);
+  const std::vector<Bend> second = bends_of(after, design.connectivity(), scale);
   Fairness fairness;
-  fairness.unchanged = std::equal(after.begin(), after.end(), design.positions.begin());
+  fairness.unchanged = std::equal(after.begin(), after.end(), design.positions().begin());
   fairness.sharp_share = sharp_share(second, usual_curvature(first));
-  fairness.normal_turn = normal_turn(design, connectivity, after, scale);
-  fairness.border_turn = border_turn(design, connectivity, after, scale);
-  fairness.sharpest_fold = sharpest_fold(after, connectivity, first, second);
-  const double b0 = design_bending(design, connectivity);
+  fairness.normal_turn = normal_turn(design, after, scale);
+  fairness.border_turn = border_turn(design, after, scale);
+  fairness.sharpest_fold = sharpest_fold(after, design.connectivity(), first, second);
+  const double b0 = design_bending(design);
   if (b0 == 0.0) return fairness;
   const auto [added, lost] = added_and_lost(first, second);
   fairness.bending_ratio = bending_of(second) / b0;
@@ -189,14 +186,13 @@ Fairness measure_fairness(const TriMesh& design, const Connectivity& connectivit
   return fairness;
 }
 
-Fairness measure_fairness(const TriMesh& design, const TriMesh& after) {
-  const double scale = unit_scale(design);
-  const Connectivity of_design(design);
-  const auto first = bends_of(design.positions, of_design, scale);
-  const auto second = bends_of(after.positions, Connectivity(after), scale);
+Fairness measure_fairness(const Patch& design, const Patch& after) {
+  const double scale = design.unit_scale();
+  const auto first = bends_of(design.positions(), design.connectivity(), scale);
+  const auto second = bends_of(after.positions(), after.connectivity(), scale);
   Fairness fairness;
   fairness.sharp_share = sharp_share(second, usual_curvature(first));
-  const double b0 = design_bending(design, of_design);
+  const double b0 = design_bending(design);
   if (b0 > 0.0) fairness.bending_ratio = bending_of(second) / b0;
   return fairness;
 }

@@ -7,6 +7,7 @@
 #include "core/careful_sum.h"
 #include "geometry/dihedral_angle.h"
 #include "geometry/smallest_angle.h"
+#include "mesh/edges.h"
 
 namespace planish {
 
@@ -21,24 +22,16 @@ double smallest_angle_of(const TriMesh& mesh, double scale) {
   return smallest;
 }
 
-double rms_dihedral_angle(const TriMesh& mesh, const Connectivity& connectivity, double scale) {
-  const auto at = [&](Index v) { return scale * mesh.positions[v]; };
+double rms_dihedral_angle(const Patch& patch, double scale) {
+  const auto at = [&](Index v) { return scale * patch.positions()[v]; };
   CarefulSum sum;
   std::size_t count = 0;
-  for (Index v = 0; v < mesh.positions.size(); ++v) {
-    const auto ring = connectivity.ring(v);
-    const std::size_t n = ring.size();
-    // The ends of an open ring are border edges.
-    const std::size_t begin = connectivity.is_border(v) ? 1 : 0;
-    const std::size_t end = connectivity.is_border(v) ? n - 1 : n;
-    for (std::size_t j = begin; j < end && n > 0; ++j) {
-      if (ring[j] < v) continue;  // every edge once
-      const double angle =
-          dihedral_angle(at(v), at(ring[j]), at(ring[(j + 1) % n]), at(ring[(j + n - 1) % n]));
-      sum.add(angle * angle);
-      ++count;
-    }
-  }
+  for_each_edge(patch.connectivity(), [&](const Edge& edge) {
+    if (edge.is_border()) return;
+    const double angle = dihedral_angle(at(edge.from), at(edge.to), at(edge.left), at(edge.right));
+    sum.add(angle * angle);
+    ++count;
+  });
   if (count == 0) return 0.0;
   return std::sqrt(sum.value() / static_cast<double>(count)) * 180.0 / std::numbers::pi;
 }
@@ -60,12 +53,11 @@ Flattenability summarise_defects(std::span<const double> defects, std::size_t in
   return figures;
 }
 
-Flattenability measure(const TriMesh& mesh, const Connectivity& connectivity) {
-  Flattenability figures =
-      summarise_defects(angle_defects(mesh, connectivity), connectivity.inner_vertices().size());
-  const double scale = unit_scale(mesh);
-  figures.min_angle = smallest_angle_of(mesh, scale);
-  figures.roughness = rms_dihedral_angle(mesh, connectivity, scale);
+Flattenability measure(const Patch& patch) {
+  Flattenability figures = summarise_defects(angle_defects(patch), patch.inner_vertices().size());
+  const double scale = patch.unit_scale();
+  figures.min_angle = smallest_angle_of(patch.mesh(), scale);
+  figures.roughness = rms_dihedral_angle(patch, scale);
   return figures;
 }
 

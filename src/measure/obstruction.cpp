@@ -41,14 +41,14 @@ std::size_t reached_from(Index first, const Connectivity& connectivity) {
   return count;
 }
 
-bool is_disk(const TriMesh& mesh, const Connectivity& connectivity) {
-  if (connectivity.border_loops().size() != 1) return false;
-  const auto& border = connectivity.border_loops().front();
-  const std::size_t used = connectivity.inner_vertices().size() + border.size();
+bool is_disk(const Patch& patch) {
+  if (patch.border_loops().size() != 1) return false;
+  const auto& border = patch.border_loops().front();
+  const std::size_t used = patch.inner_vertices().size() + border.size();
   // Three sides a triangle, two triangles an edge but at the border: V - E + F = 1.
-  const std::size_t edges = (3 * mesh.triangles.size() + border.size()) / 2;
-  return used + mesh.triangles.size() == edges + 1 &&
-         reached_from(border.front(), connectivity) == used;
+  const std::size_t edges = (3 * patch.triangles().size() + border.size()) / 2;
+  return used + patch.triangles().size() == edges + 1 &&
+         reached_from(border.front(), patch.connectivity()) == used;
 }
 
 double length_of(std::span<const Vec3> loop) {
@@ -80,10 +80,10 @@ double curvature_of(std::span<const Vec3> loop) {
 }
 
 /// theta_b: the ring of a border vertex is open.
-double border_angle(const TriMesh& mesh, const Connectivity& connectivity, double scale, Index b) {
-  const auto ring = connectivity.ring(b);
+double border_angle(const Patch& patch, double scale, Index b) {
+  const auto ring = patch.ring(b);
   const auto spoke = [&](std::size_t j) {
-    return scale * mesh.positions[ring[j]] - scale * mesh.positions[b];
+    return scale * patch.positions()[ring[j]] - scale * patch.positions()[b];
   };
   double sum = 0.0;
   for (std::size_t j = 0; j + 1 < ring.size(); ++j)
@@ -115,29 +115,29 @@ bool Obstruction::is_notable() const {
   return excess_share > k_notable_excess;
 }
 
-std::optional<Obstruction> find_obstruction(const TriMesh& mesh, const Connectivity& connectivity) {
-  if (!is_disk(mesh, connectivity)) return std::nullopt;
-  const auto& loop = connectivity.border_loops().front();
-  const double scale = unit_scale(mesh);
+std::optional<Obstruction> find_obstruction(const Patch& patch) {
+  if (!is_disk(patch)) return std::nullopt;
+  const auto& loop = patch.border_loops().front();
+  const double scale = patch.unit_scale();
   std::vector<Vec3> border;
   border.reserve(loop.size());
   for (const Index b : loop)
-    border.push_back(scale * mesh.positions[b]);
+    border.push_back(scale * patch.positions()[b]);
 
   Obstruction obstruction;
   obstruction.border_vertices = loop.size();
   obstruction.turning_most = curvature_of(border);
   CarefulSum defects, turning;
-  for (const double defect : angle_defects(mesh, connectivity))
+  for (const double defect : angle_defects(patch))
     defects.add(defect);
   for (const Index b : loop) {
-    turning.add(std::numbers::pi - border_angle(mesh, connectivity, scale, b));
-    if (is_fixed_angle(connectivity, b)) ++obstruction.fixed_angles;
+    turning.add(std::numbers::pi - border_angle(patch, scale, b));
+    if (is_fixed_angle(patch.connectivity(), b)) ++obstruction.fixed_angles;
   }
   obstruction.total_defect = defects.value();
   obstruction.border_turning = turning.value();
 
-  const double area = area_of(mesh, scale);
+  const double area = area_of(patch.mesh(), scale);
   const double limit = area_limit(area, border, obstruction.has_flat_border());
   const double share = area > 0.0 ? 1.0 - limit / area : 0.0;
   obstruction.excess_share = share > k_rounding ? share : 0.0;

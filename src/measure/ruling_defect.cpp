@@ -76,16 +76,16 @@ std::vector<Symmetric> normal_spreads(const TriMesh& mesh) {
 
 }  // namespace
 
-double ruling_defect(const TriMesh& mesh, const Connectivity& connectivity) {
-  const std::vector<Symmetric> spreads = normal_spreads(mesh);
+double ruling_defect(const Patch& patch) {
+  const std::vector<Symmetric> spreads = normal_spreads(patch.mesh());
   CarefulSum least, both;
-  for (const Index v : connectivity.inner_vertices()) {
+  for (const Index v : patch.inner_vertices()) {
     const auto [l1, l2, l3] = eigenvalues(spreads[v]);
     const double smallest = std::max(l1, 0.0);
     least.add(smallest);
     both.add(smallest + std::max(l2, 0.0));
   }
-  const auto count = static_cast<double>(connectivity.inner_vertices().size());
+  const auto count = static_cast<double>(patch.inner_vertices().size());
   return both.value() > k_rounding * count ? least.value() / both.value() : 0.0;
 }
 

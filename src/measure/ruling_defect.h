@@ -1,6 +1,6 @@
 #pragma once
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -10,6 +10,6 @@ namespace planish {
 /// eigenvalues l1 <= l2 <= l3; R = sum l1 / sum (l1 + l2) over inner vertices. Near 0 where the
 /// normals around each vertex lie in one plane: on cylinders and cones whose edges follow the
 /// rulings (up to 0.15 where they do not); 1/2 on a sphere. 0 for a plane. O(n).
-double ruling_defect(const TriMesh& mesh, const Connectivity& connectivity);
+double ruling_defect(const Patch& patch);
 
 }  // namespace planish

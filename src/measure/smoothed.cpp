@@ -217,23 +217,22 @@ bool is_finite(Vec3 p) {
 
 }  // namespace
 
-std::vector<Vec3> smoothed_positions(const TriMesh& mesh, const Connectivity& connectivity,
-                                     std::optional<double> wave) {
-  const std::span<const Index> inner = connectivity.inner_vertices();
-  if (inner.empty()) return mesh.positions;
-  const double scale = unit_scale(mesh);
-  Columns positions = mesh.positions;
+std::vector<Vec3> smoothed_positions(const Patch& patch, std::optional<double> wave) {
+  const std::span<const Index> inner = patch.inner_vertices();
+  if (inner.empty()) return patch.positions();
+  const double scale = patch.unit_scale();
+  Columns positions = patch.positions();
   for (Vec3& p : positions)
     p = scale * p;
-  const double edge = mean_edge(positions, connectivity);
+  const double edge = mean_edge(positions, patch.connectivity());
   if (wave) check_range("smooth_first", *wave, {0.0, k_longest_wave * edge / scale});
   const double length = wave ? *wave * scale : k_usual_wave * edge;
   const double root = 0.5 * length / std::numbers::pi, edges = length / (k_usual_wave * edge);
   const auto most_steps = static_cast<int>(k_most_steps * std::max(1.0, edges * edges));
   const Columns moves =
-      moves_of(rows_of(positions, connectivity), root * root * root * root, most_steps);
-  if (!std::all_of(moves.begin(), moves.end(), is_finite)) return mesh.positions;
-  std::vector<Vec3> result = mesh.positions;
+      moves_of(rows_of(positions, patch.connectivity()), root * root * root * root, most_steps);
+  if (!std::all_of(moves.begin(), moves.end(), is_finite)) return patch.positions();
+  std::vector<Vec3> result = patch.positions();
   for (std::size_t i = 0; i < inner.size(); ++i) {
     const Vec3 place = positions[inner[i]] + moves[i];
     result[inner[i]] = {place.x / scale, place.y / scale, place.z / scale};
@@ -241,10 +240,9 @@ std::vector<Vec3> smoothed_positions(const TriMesh& mesh, const Connectivity& co
   return result;
 }
 
-double design_bending(const TriMesh& mesh, const Connectivity& connectivity) {
-  const TriMesh smooth{smoothed_positions(mesh, connectivity), mesh.triangles};
-  const double bending = std::min(measure_bending(mesh, connectivity).bending,
-                                  measure_bending(smooth, connectivity).bending);
+double design_bending(const Patch& patch) {
+  const Patch smooth = patch.with_positions(smoothed_positions(patch));
+  const double bending = std::min(measure_bending(patch).bending, measure_bending(smooth).bending);
   return bending < k_no_bending ? 0.0 : bending;
 }
 

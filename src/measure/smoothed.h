@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -21,12 +21,11 @@ inline constexpr double k_longest_wave = 20.0;
 /// the wave.
 /// @param wave a length in model units; two mean edges where there is none
 /// @throws Error option_out_of_range: at least 0 and at most k_longest_wave mean edges
-std::vector<Vec3> smoothed_positions(const TriMesh& mesh, const Connectivity& connectivity,
-                                     std::optional<double> wave = {});
+std::vector<Vec3> smoothed_positions(const Patch& patch, std::optional<double> wave = {});
 
 /// B0: what bending is measured by beside a design: that of the smoothed design, so that noise does
 /// not count for form; where needles make that more, that of the design as it is. 0 for a plane
 /// (below k_no_bending). No unit.
-double design_bending(const TriMesh& mesh, const Connectivity& connectivity);
+double design_bending(const Patch& patch);
 
 }  // namespace planish

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 #include <planish/mesh/tri_mesh.h>
 
 namespace planish {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace planish {
@@ -11,8 +10,10 @@ namespace planish {
 template <class Number>
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), Number{0});
+  explicit DisjointSets(std::size_t count) {
+    parent_.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+      parent_.push_back(static_cast<Number>(i));
   }
   /// The smallest number of the set.
   Number first_of(Number number) {

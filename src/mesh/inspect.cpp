@@ -5,9 +5,10 @@
 #include <utility>
 
 #include <planish/mesh/inspect.h>
+#include <planish/mesh/patch.h>
 
+#include "mesh/inspect_manifold.h"
 #include "mesh/manifold_defects.h"
-#include "mesh/rings.h"
 
 namespace planish {
 
@@ -151,53 +152,36 @@ Parts find_parts(const TriMesh& mesh) {
   return parts;
 }
 
-struct Border {
-  std::size_t loops = 0, vertices = 0;
-  std::size_t first = 0, second = 0;      ///< a vertex of each of the first two loops
-  std::vector<unsigned char> has_border;  ///< per part
-};
-
-Border survey_border(const Rings& rings, const Parts& parts) {
-  Border border;
-  border.has_border.assign(parts.count, 0);
-  std::vector<unsigned char> seen(rings.border.size(), 0);
-  for (std::size_t v = 0; v < rings.border.size(); ++v) {
-    if (rings.border[v] == 0) continue;
-    ++border.vertices;
-    border.has_border[parts.part_of[v]] = 1;
-    if (seen[v] != 0) continue;
-    if (border.loops == 0) border.first = v;
-    if (border.loops == 1) border.second = v;
-    ++border.loops;
-    for (auto at = static_cast<Index>(v); seen[at] == 0; at = rings.vertices[rings.start[at]]) {
-      seen[at] = 1;
-    }
-  }
-  return border;
+std::size_t edge_count(const Connectivity& connectivity) {
+  std::size_t ends = 0;
+  for (Index v = 0; v < connectivity.vertex_count(); ++v)
+    ends += connectivity.ring(v).size();
+  return ends / 2;
 }
 
-void describe_manifold(const TriMesh& mesh, const Rings& rings, Inspection& result) {
+void describe_manifold(const TriMesh& mesh, const Connectivity& connectivity, Inspection& result) {
   Topology& topology = result.topology;
   const Parts parts = find_parts(mesh);
-  const Border border = survey_border(rings, parts);
+  const auto& loops = connectivity.border_loops();
+  std::vector<unsigned char> has_border(parts.count, 0);
+  for (const auto& loop : loops)
+    has_border[parts.part_of[loop.front()]] = 1;
   const auto used =
       static_cast<std::size_t>(std::count_if(parts.part_of.begin(), parts.part_of.end(),
                                              [](Index part) { return part != Parts::no_part; }));
   topology.components = parts.count;
-  topology.border_loops = border.loops;
-  topology.edges = rings.vertices.size() / 2;
-  topology.inner_vertices = used - border.vertices;
+  topology.border_loops = loops.size();
+  topology.edges = edge_count(connectivity);
+  topology.inner_vertices = connectivity.inner_vertices().size();
   topology.euler_characteristic =
       static_cast<long long>(used + topology.triangles) - static_cast<long long>(topology.edges);
   topology.genus = static_cast<std::size_t>(2 * static_cast<long long>(parts.count) -
-                                            static_cast<long long>(border.loops) -
+                                            static_cast<long long>(loops.size()) -
                                             topology.euler_characteristic) /
                    2;
-  const auto closed =
-      static_cast<std::size_t>(std::count(border.has_border.begin(), border.has_border.end(), 0));
-  const auto first_closed = parts.first_of(
-      static_cast<std::size_t>(std::find(border.has_border.begin(), border.has_border.end(), 0) -
-                               border.has_border.begin()));
+  const auto closed = static_cast<std::size_t>(std::count(has_border.begin(), has_border.end(), 0));
+  const auto first_closed = parts.first_of(static_cast<std::size_t>(
+      std::find(has_border.begin(), has_border.end(), 0) - has_border.begin()));
   add(result.problems, ErrorCode::closed_surface,
       (parts.count == 1 ? "the surface is closed"
                         : counted(closed, "component is", "components are") +
@@ -211,13 +195,13 @@ void describe_manifold(const TriMesh& mesh, const Rings& rings, Inspection& resu
             "; a pattern is made from one: put each into its own file",
         parts.count, parts.first_of(1));
   }
-  if (border.loops > parts.count - closed) {
+  if (loops.size() > parts.count - closed) {
     add(result.problems, ErrorCode::several_border_loops,
-        "the patch has " + std::to_string(border.loops) + " border loops, with vertices " +
-            std::to_string(border.first) + " and " + std::to_string(border.second) +
+        "the patch has " + std::to_string(loops.size()) + " border loops, with vertices " +
+            std::to_string(loops[0].front()) + " and " + std::to_string(loops[1].front()) +
             "; only one with a single loop can be laid flat: cut it open along a path from loop to "
             "loop",
-        border.loops, border.first);
+        loops.size(), loops[0].front());
   }
   add(result.problems, ErrorCode::handles,
       "the patch has " + counted(topology.genus, "handle", "handles") + " (Euler characteristic " +
@@ -267,35 +251,65 @@ void sort_worst_first(std::vector<Problem>& problems) {
                    [&](const Problem& a, const Problem& b) { return rank(a) < rank(b); });
 }
 
-}  // namespace
-
-Inspection inspect(const TriMesh& mesh) {
+/// Sizes, and problems of single numbers: with these nothing else can be looked for.
+Inspection inspect_entries(const TriMesh& mesh) {
   Inspection result;
   result.topology.vertices = mesh.positions.size();
   result.topology.triangles = mesh.triangles.size();
-  auto& problems = result.problems;
   if (mesh.triangles.empty()) {
-    add(problems, ErrorCode::no_triangles, "the mesh has no triangles", 1, 0);
+    add(result.problems, ErrorCode::no_triangles, "the mesh has no triangles", 1, 0);
     return result;
   }
-  find_bad_coordinates(mesh, problems);
-  find_bad_indices(mesh, problems);
-  if (!problems.empty()) return result;
-  if (const auto rings = build_rings(mesh)) {
-    find_zero_lengths_and_areas(mesh, problems);
-    describe_manifold(mesh, *rings, result);
-  } else {
-    const ManifoldDefects defects = find_manifold_defects(mesh);
-    problems = defects.problems;
-    result.topology.components = find_parts(mesh).count;
-    result.topology.edges = defects.edges;
-    result.topology.euler_characteristic =
-        static_cast<long long>(defects.used_vertices + mesh.triangles.size()) -
-        static_cast<long long>(defects.edges);
-    find_zero_lengths_and_areas(mesh, problems);
+  find_bad_coordinates(mesh, result.problems);
+  find_bad_indices(mesh, result.problems);
+  return result;
+}
+
+}  // namespace
+
+Inspection inspect(const TriMesh& mesh) {
+  Inspection result = inspect_entries(mesh);
+  if (!result.problems.empty()) return result;
+  if (const auto connectivity = Connectivity::build(mesh))
+    return inspect_manifold(mesh, *connectivity);
+  const ManifoldDefects defects = find_manifold_defects(mesh);
+  result.problems = defects.problems;
+  result.topology.components = find_parts(mesh).count;
+  result.topology.edges = defects.edges;
+  result.topology.euler_characteristic =
+      static_cast<long long>(defects.used_vertices + mesh.triangles.size()) -
+      static_cast<long long>(defects.edges);
+  find_zero_lengths_and_areas(mesh, result.problems);
+  find_unreferenced(mesh, result.problems);
+  sort_worst_first(result.problems);
+  return result;
+}
+
+Inspection inspect_manifold(const TriMesh& mesh, const Connectivity& connectivity) {
+  Inspection result = inspect_entries(mesh);
+  if (!result.problems.empty()) return result;
+  find_zero_lengths_and_areas(mesh, result.problems);
+  describe_manifold(mesh, connectivity, result);
+  find_unreferenced(mesh, result.problems);
+  sort_worst_first(result.problems);
+  return result;
+}
+
+Inspection inspect_moved(const Inspection& inspected, const TriMesh& mesh,
+                         const Connectivity& connectivity) {
+  const bool was_finite = std::none_of(
+      inspected.problems.begin(), inspected.problems.end(),
+      [](const Problem& problem) { return problem.code == ErrorCode::non_finite_coordinate; });
+  Inspection result = inspect_entries(mesh);
+  if (!result.problems.empty()) return result;
+  if (!was_finite) return inspect_manifold(mesh, connectivity);
+  result.topology = inspected.topology;
+  find_zero_lengths_and_areas(mesh, result.problems);
+  for (const Problem& problem : inspected.problems) {
+    if (problem.code != ErrorCode::zero_length_edge && problem.code != ErrorCode::zero_area)
+      result.problems.push_back(problem);
   }
-  find_unreferenced(mesh, problems);
-  sort_worst_first(problems);
+  sort_worst_first(result.problems);
   return result;
 }
 

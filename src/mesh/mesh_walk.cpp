@@ -108,9 +108,10 @@ bool borders_correspond(const WalkedMesh& first, const WalkedMesh& second, bool 
 
 }  // namespace
 
-std::optional<WalkedMesh> walked_mesh(const TriMesh& mesh) try {
-  Connectivity connectivity(mesh);  // first: it refuses what is no patch
-  WalkedMesh walked{unit_scale(mesh), mesh.positions, std::move(connectivity), {}};
+std::optional<WalkedMesh> walked_mesh(const TriMesh& mesh) {
+  auto connectivity = Connectivity::build(mesh);
+  if (!connectivity) return std::nullopt;
+  WalkedMesh walked{unit_scale(mesh), mesh.positions, *std::move(connectivity), {}};
   if (walked.connectivity.border_loops().size() != 1) return std::nullopt;
   for (Vec3& p : walked.positions)
     p = walked.scale * p;
@@ -122,8 +123,6 @@ std::optional<WalkedMesh> walked_mesh(const TriMesh& mesh) try {
     walked.perimeter += walked.border_lengths.back();
   }
   return walked;
-} catch (const Error&) {
-  return std::nullopt;
 }
 
 WalkedMesh rescaled(WalkedMesh mesh, double scale) {

@@ -66,11 +66,10 @@ std::vector<std::vector<Index>> chained(std::vector<std::array<Index, 2>> edges)
 Drawing cut_sheet(const CutSuggestion& suggestion, Unit unit, const std::string& name) {
   const CutPattern& first = suggestion.first;
   const double scale = millimetres_per(unit);
-  const Connectivity connectivity(first.cut.mesh);
-  const UnfoldReport report = {
-      first.pattern, first.strain, unit,
-      largest_border_strain(first.cut.mesh, connectivity, first.pattern.positions)};
-  Drawing sheet = pattern_sheet(first.cut.mesh, report, name);
+  const Patch opened(first.cut.mesh);
+  const UnfoldReport report = {first.pattern, first.strain, unit,
+                               largest_border_strain(opened, first.pattern.positions)};
+  Drawing sheet = pattern_sheet(opened, report, name);
   for (Layer& layer : sheet.layers) {
     if (layer.name != "cut") continue;
     for (DrawingShape& shape : layer.shapes)

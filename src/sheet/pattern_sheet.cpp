@@ -43,8 +43,9 @@ double strain_map_limit(const EdgeStrain& strain) {
   return round_up_125(strain.p99);
 }
 
-Drawing pattern_sheet(const TriMesh& mesh, const UnfoldReport& unfold, const std::string& name,
+Drawing pattern_sheet(const Patch& patch, const UnfoldReport& unfold, const std::string& name,
                       const PatternOptions& wanted) {
+  const TriMesh& mesh = patch.mesh();
   const PatternOnSheet placed = pattern_on_sheet(mesh, unfold, name, wanted);
   const PlacedPattern& pattern = placed.pattern;
   Drawing sheet{name, placed.size.x, placed.size.y, {}, {piece_of(placed.options.label)}};

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 #include <planish/sheet/product_sheet.h>
 
 #include "flatten/twin_report.h"
@@ -131,8 +131,8 @@ Drawing product_sheet(std::span<const ProductPiece> pieces, std::span<const Seam
     if (pieces[p].pattern.empty()) continue;
     Path border{{}, true, Stroke{k_red}};
     border.piece = p;
-    const Connectivity connectivity(pieces[p].mesh);
-    for (const std::vector<Index>& loop : connectivity.border_loops())
+    const Patch patch(pieces[p].mesh);
+    for (const std::vector<Index>& loop : patch.border_loops())
       border.lines.push_back(line_of(loop, layout.corners[p]));
     cut.shapes.emplace_back(std::move(border));
     Text name{layout.name_at[p], k_name_height, name_of(pieces, p), k_black};

@@ -81,9 +81,9 @@ Vec2 in_model_units(const Disk& disk, Vec2 p) {
 }
 
 /// The disk in model units, by the numbers of the mesh.
-std::vector<Vec2> in_mesh_order(const TriMesh& mesh, const Disk& disk,
+std::vector<Vec2> in_mesh_order(const Patch& patch, const Disk& disk,
                                 const std::vector<Vec2>& flat) {
-  std::vector<Vec2> positions(mesh.positions.size());
+  std::vector<Vec2> positions(patch.vertex_count());
   for (std::size_t v = 0; v < disk.vertex_count; ++v)
     positions[disk.vertex_of[v]] = in_model_units(disk, flat[v]);
   return positions;
@@ -91,16 +91,15 @@ std::vector<Vec2> in_mesh_order(const TriMesh& mesh, const Disk& disk,
 
 }  // namespace
 
-Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity, const UnfoldOptions& options,
-               const OnUnfoldStep& on_step) {
-  require(inspect(mesh), Purpose::unfold);
-  if (mesh.positions.size() > k_most_vertices) {
+Pattern unfold(const Patch& patch, const UnfoldOptions& options, const OnUnfoldStep& on_step) {
+  require(patch.inspection(), Purpose::unfold);
+  if (patch.vertex_count() > k_most_vertices) {
     throw Error(ErrorCode::too_large, "patterns are made of patches of up to " +
                                           std::to_string(k_most_vertices) +
                                           " vertices; simplify the mesh");
   }
   require_limits(options.limits);
-  const Disk disk = make_disk(mesh, connectivity);
+  const Disk disk = make_disk(patch);
   ThreadPool pool(options.threads);
   bool cancelled = false;
   const OnUnfoldStep on_any_step = [&](int step, double energy) {
@@ -111,13 +110,13 @@ Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity, const Unfo
       minimise_stretch(disk, find_start(disk), options.max_iterations, pool, on_any_step);
   Pattern pattern;
   if (options.match_seams) {
-    pattern.unmatched = in_mesh_order(mesh, disk, flat.flat);
-    flat = with_matched_border(mesh, disk, flat, options, pool, on_any_step);
+    pattern.unmatched = in_mesh_order(patch, disk, flat.flat);
+    flat = with_matched_border(patch.mesh(), disk, flat, options, pool, on_any_step);
   } else if ((options.limits.max > 0.0 || options.limits.p99 > 0.0) && !cancelled) {
-    LeastStretch limited =
-        within_limits(mesh, disk, flat, options.limits, options.max_iterations, pool, on_any_step);
+    LeastStretch limited = within_limits(patch.mesh(), disk, flat, options.limits,
+                                         options.max_iterations, pool, on_any_step);
     if (limited.iterations > flat.iterations) {
-      pattern.unlimited = in_mesh_order(mesh, disk, flat.flat);
+      pattern.unlimited = in_mesh_order(patch, disk, flat.flat);
       flat = std::move(limited);
     }
   }
@@ -136,7 +135,7 @@ Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity, const Unfo
     if (!(doubled > 0.0)) ++pattern.flipped_triangles;
   }
   pattern.area_ratio = area.value();  // the disk has area 1
-  pattern.positions.resize(mesh.positions.size());
+  pattern.positions.resize(patch.vertex_count());
   for (std::size_t v = 0; v < placed.size(); ++v) {
     const Vec2 p = in_model_units(disk, placed[v]);
     pattern.positions[disk.vertex_of[v]] = p;
@@ -146,16 +145,16 @@ Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity, const Unfo
   return pattern;
 }
 
-double smallest_limit(const TriMesh& mesh, const Connectivity& connectivity, const Pattern& least,
-                      unsigned threads, const OnUnfoldStep& on_step) {
-  const Disk disk = make_disk(mesh, connectivity);
+double smallest_limit(const Patch& patch, const Pattern& least, unsigned threads,
+                      const OnUnfoldStep& on_step) {
+  const Disk disk = make_disk(patch);
   ThreadPool pool(threads);
   std::vector<Vec2> flat;
   flat.reserve(disk.vertex_count);
   for (const Index v : disk.vertex_of)
     flat.push_back(disk.area_scale * (disk.box_scale * least.positions[v]));
-  return smallest_limit_of(mesh, disk, std::move(flat), UnfoldOptions{}.max_iterations, pool,
-                           on_step);
+  return smallest_limit_of(patch.mesh(), disk, std::move(flat), UnfoldOptions{}.max_iterations,
+                           pool, on_step);
 }
 
 TriMesh flat_mesh(const TriMesh& mesh, const Pattern& pattern) {

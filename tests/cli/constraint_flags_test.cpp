@@ -1,5 +1,5 @@
 #include <planish/io/read_mesh.h>
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 #include <gmock/gmock.h>
 
@@ -20,10 +20,10 @@ class ConstraintFlags : public CliTest {
 
 /// The numbers of the inner vertices, every third one.
 std::vector<Index> some_inner_vertices() {
-  const Connectivity connectivity(read_mesh("panel.obj").mesh);
+  const Patch patch(read_mesh("panel.obj").mesh);
   std::vector<Index> some;
-  for (std::size_t i = 0; i < connectivity.inner_vertices().size(); i += 3)
-    some.push_back(connectivity.inner_vertices()[i]);
+  for (std::size_t i = 0; i < patch.inner_vertices().size(); i += 3)
+    some.push_back(patch.inner_vertices()[i]);
   return some;
 }
 
@@ -44,7 +44,7 @@ TEST_F(ConstraintFlags, RemeshKeepsTheBorderAndTellsTheDeviationOfTheSurfaces) {
   ASSERT_EQ(evolved.exit_code, k_exit_done) << evolved.err;
   const TriMesh before = read_mesh("dense.obj").mesh, after = read_mesh("coarse.obj").mesh;
   EXPECT_LT(after.positions.size(), 6000U);
-  const Connectivity fine(before), coarse(after);
+  const Patch fine(before), coarse(after);
   EXPECT_EQ(fine.border_loops().front().size(), coarse.border_loops().front().size());
   EXPECT_THAT(evolved.out, HasSubstr("\"remeshed_from\": {"));
   EXPECT_THAT(evolved.out, HasSubstr("\"vertices\": " + std::to_string(before.positions.size())));

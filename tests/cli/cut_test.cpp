@@ -2,7 +2,7 @@
 #include <atomic>
 
 #include <planish/io/read_mesh.h>
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 #include <gmock/gmock.h>
 

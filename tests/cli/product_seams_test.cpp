@@ -4,7 +4,7 @@
 #include <map>
 
 #include <planish/io/read_mesh.h>
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 #include <gmock/gmock.h>
 
@@ -31,8 +31,8 @@ std::vector<Index> border_along(const TriMesh& mesh, const json& side) {
   const Index from = side["first_vertex"], to = side["last_vertex"];
   const std::size_t count = side["vertices"];
   const double length = side["length"];
-  const Connectivity connectivity(mesh);
-  for (const auto& loop : connectivity.border_loops()) {
+  const Patch patch(mesh);
+  for (const auto& loop : patch.border_loops()) {
     for (const bool ahead : {true, false}) {
       std::vector<Index> way(loop);
       if (!ahead) std::reverse(way.begin(), way.end());
@@ -93,9 +93,9 @@ std::vector<double> notch_ways(const std::string& folder, const json& side) {
   const TriMesh flat = read_mesh(folder + "/flat.obj").mesh;
   const auto cut = dxf_lines(folder + "/pattern.dxf", "cut").at(0);
   // The sheet's line begins at the border's vertex of the smallest number.
-  const Connectivity connectivity(flat);
+  const Patch patch(flat);
   Index first = static_cast<Index>(flat.positions.size());
-  for (const Index v : connectivity.border_loops().front())
+  for (const Index v : patch.border_loops().front())
     first = std::min(first, v);
   const Vec2 shift = cut.at(0) - Vec2{flat.positions[first].x, flat.positions[first].y};
   std::vector<Vec2> line;

@@ -1,5 +1,5 @@
 #include <planish/io/read_mesh.h>
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 #include <gmock/gmock.h>
 
@@ -72,11 +72,11 @@ TEST_F(Verbs, EvolveKeepsTrianglesOrderAndBorder) {
   const TriMesh after = read_mesh("out.obj").mesh;
   EXPECT_EQ(before.triangles, after.triangles);
   ASSERT_EQ(before.positions.size(), after.positions.size());
-  const Connectivity connectivity(before);
+  const Patch patch(before);
   std::size_t moved = 0;
   for (Index v = 0; v < before.positions.size(); ++v) {
     const bool same = before.positions[v] == after.positions[v];
-    EXPECT_TRUE(same || connectivity.is_inner(v)) << v;
+    EXPECT_TRUE(same || patch.is_inner(v)) << v;
     moved += same ? 0 : 1;
   }
   EXPECT_GT(moved, 0U);

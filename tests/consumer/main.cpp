@@ -6,7 +6,7 @@
 
 int main() {
   const planish::TriMesh mesh = planish::make_shape("panel", 400);
-  const planish::EvolveResult result = planish::evolve(mesh, {}, {.max_sweeps = 3});
+  const planish::EvolveResult result = planish::evolve(planish::Patch(mesh), {}, {.max_sweeps = 3});
   std::cout << "planish " << planish::k_version << ": " << result.history.size() << " sweeps, "
             << "energy " << result.history.back().energy << "\n";
 }

@@ -40,11 +40,12 @@ TEST(Patches, HaveAllowancesAtTheirDistance) {
   for (const PatchFacts& facts : patches()) {
     if (facts.vertices > 30'000) continue;  // slow to unfold
     const TriMesh mesh = read_mesh(facts.path).mesh;
-    const Connectivity connectivity(mesh);
-    if (connectivity.border_loops().size() != 1) continue;
-    const Pattern pattern = unfold(mesh, connectivity);
+    const Patch patch(mesh);
+    if (patch.border_loops().size() != 1) continue;
+    const Pattern pattern = unfold(patch);
     if (pattern.overlaps) continue;
-    expect_allowances_at_their_distance(connectivity, pattern.positions, pattern.width, facts.name);
+    expect_allowances_at_their_distance(patch.connectivity(), pattern.positions, pattern.width,
+                                        facts.name);
   }
 }
 
@@ -62,7 +63,8 @@ TEST(Patches, HaveAllowancesAtTheirDistanceOnceEvolved) {
       pattern.push_back({p.x, p.y});
       width = std::max(width, p.x);
     }
-    expect_allowances_at_their_distance(Connectivity(flat), pattern, width, entry.path().string());
+    expect_allowances_at_their_distance(Patch(flat).connectivity(), pattern, width,
+                                        entry.path().string());
     ++count;
   }
   EXPECT_GT(count, 0U) << "no flat.obj or flat.ply in " << folder;

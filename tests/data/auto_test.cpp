@@ -28,13 +28,12 @@ struct Ended {
 
 Ended run(const TriMesh& mesh, Method method) {
   if (auto* options = std::get_if<Auto>(&method)) options->prefer = Prefer::near;
-  const EvolveResult result = evolve(mesh, method, usual_stopping(method));
-  const Connectivity connectivity(mesh);
+  const EvolveResult result = evolve(Patch(mesh), method, usual_stopping(method));
+  const Patch patch(mesh);
   const TriMesh moved{result.positions, mesh.triangles};
-  const Pattern pattern = unfold(moved, connectivity);
-  return {result.stop, measure_deviation(mesh, result.positions, connectivity).rms,
-          measure(moved, connectivity).roughness,
-          edge_strain(moved, connectivity, pattern.positions).rms};
+  const Pattern pattern = unfold(Patch(moved));
+  return {result.stop, measure_deviation(patch, result.positions).rms,
+          measure(Patch(moved)).roughness, edge_strain(Patch(moved), pattern.positions).rms};
 }
 
 /// One mesh, or none where no folder is told.
@@ -97,12 +96,12 @@ TEST(FlattenOnPatches, KeepsTheAimByThePatternNotByTheEstimate) {
   for (const PatchFacts& facts : patches()) {
     if (facts.path.stem() != "mhf_calf_raw4k") continue;
     const TriMesh mesh = read_mesh(facts.path).mesh;
-    const auto report = flatten(mesh, "calf");
+    const auto report = flatten(Patch(mesh), "calf");
     ASSERT_TRUE(report);
     EXPECT_EQ(report->evolve.result.stop, StopReason::strain_met);
     EXPECT_LE(report->unfold.strain.rms, k_unmeasurable_strain);
     EXPECT_TRUE(report->evolve.fairness.is_smooth());
-    const auto limited = flatten(mesh, "calf", {.limits = {.rms = 0.01}});
+    const auto limited = flatten(Patch(mesh), "calf", {.limits = {.rms = 0.01}});
     ASSERT_TRUE(limited);
     EXPECT_TRUE(all_kept(limited->unfold.limits));
   }

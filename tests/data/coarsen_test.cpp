@@ -25,7 +25,7 @@ TEST(Coarsen, IsSoundOnRealPatches) {
               std::min(5.0, 0.5 * smallest_angles(mesh).front()));
     const CoarsePatch kept = coarse(mesh, mesh.positions.size() / 10, CoarseBorder::kept);
     expect_sound(mesh, kept);
-    EXPECT_EQ(loops_in_fine(kept), Connectivity(mesh).border_loops());
+    EXPECT_EQ(loops_in_fine(kept), Patch(mesh).border_loops());
   }
 }
 

@@ -14,9 +14,8 @@ TEST(SuggestCuts, GivesRealPatchesTheStrainThatItTells) {
     if (facts.vertices > 5'000) continue;
     SCOPED_TRACE(facts.name);
     const TriMesh mesh = read_mesh(facts.path).mesh;
-    const Connectivity connectivity(mesh);
-    const auto suggestion =
-        suggest_cuts(mesh, connectivity, {.max_darts = 2, .trial_vertices = 1500});
+    const Patch patch(mesh);
+    const auto suggestion = suggest_cuts(patch, {.max_darts = 2, .trial_vertices = 1500});
     ASSERT_TRUE(suggestion);
     std::vector<std::vector<Index>> paths;
     for (const SuggestedCut& cut : suggestion->cuts) {
@@ -25,9 +24,9 @@ TEST(SuggestCuts, GivesRealPatchesTheStrainThatItTells) {
     }
     if (paths.empty()) continue;
     const CutLines lines = parse_cuts(format_cuts(paths), mesh, "cuts.txt");
-    const CutMesh cut = cut_open(mesh, connectivity, lines.paths);
-    const Connectivity opened(cut.mesh);
-    const EdgeStrain strain = edge_strain(cut.mesh, opened, unfold(cut.mesh, opened).positions);
+    const CutMesh cut = cut_open(patch, lines.paths);
+    const Patch opened(cut.mesh);
+    const EdgeStrain strain = edge_strain(opened, unfold(opened).positions);
     EXPECT_EQ(strain.max, suggestion->last.strain.max);
     EXPECT_EQ(strain.rms, suggestion->last.strain.rms);
   }

@@ -18,14 +18,14 @@ std::vector<NestPiece> real_pieces() {
   for (const PatchFacts& facts : patches()) {
     if (facts.vertices > 6'000) continue;  // slow to unfold
     const TriMesh mesh = read_mesh(facts.path).mesh;
-    const Connectivity connectivity(mesh);
-    if (connectivity.border_loops().size() != 1) continue;
-    const Pattern pattern = unfold(mesh, connectivity);
+    const Patch surface(mesh);
+    if (surface.border_loops().size() != 1) continue;
+    const Pattern pattern = unfold(surface);
     std::vector<Vec2> positions;
     const double length = 200.0 + 80.0 * static_cast<double>(pieces.size() % 6);
     for (const Vec2 p : pattern.positions)
       positions.push_back(length / pattern.width * p);
-    NestPiece piece{piece_outline(connectivity.border_loops(), positions, facts.name),
+    NestPiece piece{piece_outline(surface.border_loops(), positions, facts.name),
                     1 + static_cast<int>(pieces.size() % 2)};
     piece.angle = 17.0 * static_cast<double>(pieces.size());
     pieces.push_back(std::move(piece));

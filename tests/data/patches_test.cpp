@@ -38,20 +38,20 @@ struct PlainFigures {
   double e_max = 0.0, energy = 0.0, gauss_bonnet = 0.0;
 };
 
-PlainFigures plain_figures(const TriMesh& mesh, const Connectivity& connectivity) {
-  std::vector<double> sums(mesh.positions.size(), 0.0);
-  for (const Triangle& t : mesh.triangles) {
+PlainFigures plain_figures(const Patch& patch) {
+  std::vector<double> sums(patch.vertex_count(), 0.0);
+  for (const Triangle& t : patch.triangles()) {
     for (int k = 0; k < 3; ++k) {
-      const Vec3 a = mesh.positions[t[(k + 1) % 3]] - mesh.positions[t[k]];
-      const Vec3 b = mesh.positions[t[(k + 2) % 3]] - mesh.positions[t[k]];
+      const Vec3 a = patch.positions()[t[(k + 1) % 3]] - patch.positions()[t[k]];
+      const Vec3 b = patch.positions()[t[(k + 2) % 3]] - patch.positions()[t[k]];
       sums[t[k]] += std::atan2(norm(cross(a, b)), dot(a, b));
     }
   }
   PlainFigures figures;
   for (Index v = 0; v < sums.size(); ++v) {
-    const double defect = (connectivity.is_inner(v) ? 2.0 : 1.0) * std::numbers::pi - sums[v];
+    const double defect = (patch.is_inner(v) ? 2.0 : 1.0) * std::numbers::pi - sums[v];
     figures.gauss_bonnet += defect;
-    if (!connectivity.is_inner(v)) continue;
+    if (!patch.is_inner(v)) continue;
     figures.e_max = std::max(figures.e_max, std::abs(defect));
     figures.energy += defect * defect;
   }
@@ -71,9 +71,9 @@ void expect_printed(double value, double printed, int digits, const std::string&
 TEST(Patches, MeasureAsTheirTableSays) {
   for (const PatchFacts& facts : patches()) {
     const TriMesh mesh = read_mesh(facts.path).mesh;
-    const Connectivity connectivity(mesh);
+    const Patch patch(mesh);
     const Inspection inspection = inspect(mesh);
-    const Flattenability figures = measure(mesh, connectivity);
+    const Flattenability figures = measure(patch);
     EXPECT_EQ(static_cast<double>(inspection.topology.vertices), facts.vertices) << facts.name;
     EXPECT_EQ(static_cast<double>(inspection.topology.triangles), facts.triangles) << facts.name;
     EXPECT_EQ(
@@ -86,7 +86,7 @@ TEST(Patches, MeasureAsTheirTableSays) {
     expect_printed(figures.e_max, facts.e_max, 4, facts.name + " e_max");
     expect_printed(figures.e_avg, facts.e_avg, 3, facts.name + " e_avg");
     EXPECT_NEAR(figures.min_angle * 180.0 / std::numbers::pi, facts.min_angle, 0.051) << facts.name;
-    const PlainFigures plain = plain_figures(mesh, connectivity);
+    const PlainFigures plain = plain_figures(patch);
     EXPECT_NEAR(figures.e_max, plain.e_max, 1e-12) << facts.name;
     EXPECT_NEAR(figures.energy, plain.energy, 1e-10 * plain.energy + 1e-20) << facts.name;
     EXPECT_NEAR(plain.gauss_bonnet, 2.0 * std::numbers::pi, 1e-9) << facts.name;
@@ -102,7 +102,7 @@ TEST(Patches, AreBlockedByTheirBorderWhereAStudySaysSo) {
       {"car_roof_13k", 0.01858},  {"gc_belly_raw", 0.01240},  {"hemisphere_2k", 0.49969}};
   for (const PatchFacts& facts : patches()) {
     const TriMesh mesh = read_mesh(facts.path).mesh;
-    const auto obstruction = find_obstruction(mesh, Connectivity(mesh));
+    const auto obstruction = find_obstruction(Patch(mesh));
     ASSERT_TRUE(obstruction.has_value()) << facts.name;
     const auto expected = blocked.find(facts.path.stem().string());
     EXPECT_EQ(obstruction->blocked(), expected != blocked.end()) << facts.name;
@@ -120,22 +120,20 @@ TEST(Patches, AreBlockedByTheirBorderWhereAStudySaysSo) {
 
 TEST(Patches, ControllableSweepsLowerTheEnergyAndKeepTheBorder) {
   for (const PatchFacts& facts : patches()) {
-    TriMesh mesh = read_mesh(facts.path).mesh;
-    const Connectivity connectivity(mesh);
-    double energy = measure(mesh, connectivity).energy;
-    const auto result = evolve(mesh, ControllableLaplacian{}, {}, [&](const SweepRecord& record) {
+    const Patch patch(read_mesh(facts.path).mesh);
+    double energy = measure(patch).energy;
+    const auto result = evolve(patch, ControllableLaplacian{}, {}, [&](const SweepRecord& record) {
       EXPECT_LE(record.energy, energy) << facts.name << " sweep " << record.sweep;
       energy = record.energy;
       return true;
     });
-    for (Index v = 0; v < mesh.positions.size(); ++v) {
-      if (connectivity.is_border(v)) {
-        ASSERT_EQ(result.positions[v], mesh.positions[v]) << facts.name;
+    for (Index v = 0; v < patch.vertex_count(); ++v) {
+      if (patch.is_border(v)) {
+        ASSERT_EQ(result.positions[v], patch.positions()[v]) << facts.name;
       }
     }
     if (result.history.empty()) continue;
-    mesh.positions = result.positions;
-    const PlainFigures plain = plain_figures(mesh, connectivity);
+    const PlainFigures plain = plain_figures(patch.with_positions(result.positions));
     EXPECT_NEAR(result.history.back().energy, plain.energy, 1e-9 * plain.energy) << facts.name;
     EXPECT_NEAR(result.history.back().e_max, plain.e_max, 1e-9 * plain.e_max) << facts.name;
   }
@@ -151,10 +149,10 @@ TEST(Patches, TenControllableSweepsReachWhatAStudyReached) {
     for (const auto& [name, bound] : bounds) {
       if (facts.name != name) continue;
       const TriMesh mesh = read_mesh(facts.path).mesh;
-      const Flattenability before = measure(mesh, Connectivity(mesh));
-      const auto result = evolve(mesh);
+      const Flattenability before = measure(Patch(mesh));
+      const auto result = evolve(Patch(mesh));
       EXPECT_LE(result.history.back().energy, bound * before.energy) << name;
-      const auto classical = evolve(mesh, ClassicalLaplacian{});
+      const auto classical = evolve(Patch(mesh), ClassicalLaplacian{});
       classical_raised_e_max =
           classical_raised_e_max || classical.history.back().e_max > before.e_max;
     }
@@ -177,12 +175,11 @@ TEST(Patches, LeastNormReachesWhatAStudyReachedInFiftySteps) {
     for (const Bound& bound : bounds) {
       if (facts.name != bound.name) continue;
       const TriMesh mesh = read_mesh(facts.path).mesh;
-      const Connectivity connectivity(mesh);
-      const auto result = evolve(mesh, LeastNorm{}, {.max_sweeps = 50});
-      EXPECT_LE(measure({result.positions, mesh.triangles}, connectivity).e_max, bound.e_max)
-          << facts.name;
-      const Deviation deviation = measure_deviation(mesh, result.positions, connectivity);
-      const double inner = static_cast<double>(connectivity.inner_vertices().size());
+      const Patch patch(mesh);
+      const auto result = evolve(patch, LeastNorm{}, {.max_sweeps = 50});
+      EXPECT_LE(measure(patch.with_positions(result.positions)).e_max, bound.e_max) << facts.name;
+      const Deviation deviation = measure_deviation(patch, result.positions);
+      const double inner = static_cast<double>(patch.inner_vertices().size());
       EXPECT_LE(100.0 * deviation.rms_over_diagonal * std::sqrt(inner / facts.vertices),
                 bound.deviation + rounding)
           << facts.name;
@@ -195,14 +192,13 @@ TEST(Patches, FlattenableLaplacianStaysSmootherThanLeastNormAndIsSlower) {
     const auto is = [&](const char* name) { return facts.name == name; };
     if (!is("mhf_knee_1k.obj") && !is("car_bonnet_4k.obj") && !is("gc_front_4k.obj")) continue;
     const TriMesh mesh = read_mesh(facts.path).mesh;
-    const Connectivity connectivity(mesh);
+    const Patch patch(mesh);
     const auto after = [&](const Method& method) {
-      return measure({evolve(mesh, method, {.max_sweeps = 50}).positions, mesh.triangles},
-                     connectivity);
+      return measure(patch.with_positions(evolve(patch, method, {.max_sweeps = 50}).positions));
     };
     const Flattenability fair = after(FlattenableLaplacian{}), least = after(LeastNorm{});
     EXPECT_LT(fair.roughness, least.roughness) << facts.name;
-    EXPECT_LT(fair.energy, 0.5 * measure(mesh, connectivity).energy) << facts.name;
+    EXPECT_LT(fair.energy, 0.5 * measure(patch).energy) << facts.name;
     EXPECT_GT(fair.energy, least.energy) << facts.name;
   }
 }
@@ -211,7 +207,7 @@ TEST(Patches, LocalOffsetKeepsItsBandExactly) {
   for (const PatchFacts& facts : small_patches()) {
     const TriMesh mesh = read_mesh(facts.path).mesh;
     const double band = 1e-3 * bounding_box_diagonal(mesh);
-    const auto result = evolve(mesh, LocalOffset{.band = band}, {.max_sweeps = 20});
+    const auto result = evolve(Patch(mesh), LocalOffset{.band = band}, {.max_sweeps = 20});
     std::size_t beyond = 0;
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
       beyond += norm(result.positions[v] - mesh.positions[v]) > band ? 1 : 0;
@@ -223,19 +219,19 @@ TEST(Patches, LocalPerturbationBringsNearlyFlattenableOnesFarDown) {
   for (const PatchFacts& facts : patches()) {
     // Evolved first, so that they are nearly flattenable.
     if (facts.name != "mhf_knee_1k.obj" && facts.name != "car_bonnet_4k.obj") continue;
-    TriMesh mesh = read_mesh(facts.path).mesh;
-    const Connectivity connectivity(mesh);
-    mesh.positions = evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 50}).positions;
-    double e_max = measure(mesh, connectivity).e_max;
+    const Patch raw(read_mesh(facts.path).mesh);
+    const Patch patch =
+        raw.with_positions(evolve(raw, ControllableLaplacian{}, {.max_sweeps = 50}).positions);
+    double e_max = measure(patch).e_max;
     const double before = e_max;
     const auto result =
-        evolve(mesh, LocalPerturbation{}, {.max_sweeps = 10}, [&](const SweepRecord& record) {
+        evolve(patch, LocalPerturbation{}, {.max_sweeps = 10}, [&](const SweepRecord& record) {
           EXPECT_LE(record.e_max, e_max) << facts.name << " sweep " << record.sweep;
           e_max = record.e_max;
           return true;
         });
-    mesh.positions = result.positions;
-    EXPECT_NEAR(measure(mesh, connectivity).e_max, e_max, 1e-12) << facts.name;
+    const Patch after = patch.with_positions(result.positions);
+    EXPECT_NEAR(measure(after).e_max, e_max, 1e-12) << facts.name;
     EXPECT_TRUE(e_max <= 1e-3 || e_max < 0.3 * before)
         << facts.name << " " << before << " " << e_max;
   }
@@ -244,9 +240,10 @@ TEST(Patches, LocalPerturbationBringsNearlyFlattenableOnesFarDown) {
 TEST(Patches, GiveTheSameBitsOnAnyNumberOfThreads) {
   for (const PatchFacts& facts : small_patches()) {
     const TriMesh mesh = read_mesh(facts.path).mesh;
-    const auto one = evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 3}, {}, 1);
+    const auto one = evolve(Patch(mesh), ControllableLaplacian{}, {.max_sweeps = 3}, {}, 1);
     for (const unsigned threads : {2U, 4U}) {
-      const auto other = evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 3}, {}, threads);
+      const auto other =
+          evolve(Patch(mesh), ControllableLaplacian{}, {.max_sweeps = 3}, {}, threads);
       EXPECT_EQ(one.positions == other.positions, true) << facts.name << " on " << threads;
     }
   }
@@ -255,8 +252,8 @@ TEST(Patches, GiveTheSameBitsOnAnyNumberOfThreads) {
 TEST(Patches, UnfoldWithoutAFlippedTriangle) {
   for (const PatchFacts& facts : small_patches()) {
     const TriMesh mesh = read_mesh(facts.path).mesh;
-    const Connectivity connectivity(mesh);
-    const Pattern pattern = unfold(mesh, connectivity);
+    const Patch patch(mesh);
+    const Pattern pattern = unfold(patch);
     EXPECT_TRUE(pattern.converged) << facts.name;
     EXPECT_EQ(pattern.flipped_triangles, 0U) << facts.name;
     double squares = 0.0, largest = 0.0, all = 0.0;
@@ -276,7 +273,7 @@ TEST(Patches, UnfoldWithoutAFlippedTriangle) {
         largest = std::max(largest, std::abs(strain));
       }
     }
-    const EdgeStrain strain = edge_strain(mesh, connectivity, pattern.positions);
+    const EdgeStrain strain = edge_strain(patch, pattern.positions);
     EXPECT_NEAR(strain.max, largest, 1e-12) << facts.name;
     EXPECT_NEAR(strain.rms, std::sqrt(squares / all), 1e-12) << facts.name;
   }
@@ -286,7 +283,7 @@ TEST(Patches, UnfoldWithTheirLengthsWhereTheyAreFlattenable) {
   for (const PatchFacts& facts : patches()) {
     if (facts.e_max > 1e-5) continue;  // lego_flat_2k and maze_6k
     const TriMesh mesh = read_mesh(facts.path).mesh;
-    const Pattern pattern = unfold(mesh, Connectivity(mesh));
+    const Pattern pattern = unfold(Patch(mesh));
     for (const Triangle& t : mesh.triangles) {
       for (int k = 0; k < 3; ++k) {
         const Index a = t[k], b = t[(k + 1) % 3];

@@ -32,7 +32,7 @@ std::vector<std::pair<std::string, TriMesh>> quick_patches() {
 }
 
 std::vector<Vec3> evolved(const TriMesh& mesh, const Method& method) {
-  return evolve(mesh, method, {.max_sweeps = 2}).positions;
+  return evolve(Patch(mesh), method, {.max_sweeps = 2}).positions;
 }
 
 TEST(Patches, AreReadAsTheyWereWritten) {

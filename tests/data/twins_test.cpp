@@ -84,12 +84,12 @@ TEST(TwinsOfPatches, HaveMirroredPatternsUnderABoundOfStrain) {
   for (const PatchFacts& facts : patches()) {
     if (std::find(names.begin(), names.end(), facts.path.stem().string()) == names.end()) continue;
     const TriMesh mesh = read_mesh(facts.path).mesh, other = twin_of(mesh);
-    const Connectivity connectivity(mesh);
-    const Pattern least = unfold(mesh, connectivity);
-    const double bound = share * edge_strain(mesh, connectivity, least.positions).max;
+    const Patch patch(mesh);
+    const Pattern least = unfold(patch);
+    const double bound = share * edge_strain(patch, least.positions).max;
     const UnfoldOptions bounded{.limits = {.max = bound}};
-    const Pattern pattern = unfold(mesh, connectivity, bounded);
-    const Pattern mirrored = unfold(other, Connectivity(other), bounded);
+    const Pattern pattern = unfold(patch, bounded);
+    const Pattern mirrored = unfold(Patch(other), bounded);
     const auto vertex = meshes::shuffled_numbers(mesh.positions.size(), k_seed);
     std::vector<Vec2> back;
     for (const Index v : vertex)

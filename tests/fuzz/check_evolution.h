@@ -7,7 +7,7 @@
 
 #include <planish/evolve/evolve.h>
 #include <planish/measure/flattenability.h>
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 #include "fuzz/bytes.h"
 #include "fuzz/check.h"
@@ -32,10 +32,9 @@ inline void check_evolution(const TriMesh& mesh, const EvolveResult& result,
     for (const double figure : {record.e_max, record.e_avg, record.energy})
       check(std::isfinite(figure) && figure >= 0.0, "figures of sweeps are finite");
   }
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   for (Index v = 0; border_stays && v < mesh.positions.size(); ++v) {
-    if (!connectivity.is_inner(v))
-      check(result.positions[v] == mesh.positions[v], "the border stays");
+    if (!patch.is_inner(v)) check(result.positions[v] == mesh.positions[v], "the border stays");
   }
   for (const Index v : constraints.fixed)
     check(result.positions[v] == mesh.positions[v], "fixed vertices stay");

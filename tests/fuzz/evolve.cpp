@@ -16,7 +16,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (!mesh) return 0;
   const Constraints constraints = fuzz::fixed_vertices_from(bytes, *mesh);
 
-  const double before = measure(*mesh, Connectivity(*mesh)).energy;
+  const double before = measure(Patch(*mesh)).energy;
   double energy = before;
   // Below that share of the patch's size, squares of areas are less than doubles hold.
   const bool is_exact = !fuzz::has_edges_below(1e-70, *mesh);
@@ -25,7 +25,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     energy = record.energy;
     return true;
   };
-  const EvolveResult result = evolve(*mesh, options, stopping, on_sweep, threads, constraints);
+  const EvolveResult result =
+      evolve(Patch(*mesh), options, stopping, on_sweep, threads, constraints);
   fuzz::check_evolution(*mesh, result, constraints, true);
   fuzz::check_deviation(*mesh, result, options.max_deviation);
   const TriMesh evolved{result.positions, mesh->triangles};

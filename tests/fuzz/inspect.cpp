@@ -31,16 +31,16 @@ TriMesh triangle_soup(fuzz::Bytes& bytes) {
 }
 
 void check_figures(const TriMesh& mesh, const Inspection& inspection) {
-  const Connectivity connectivity(mesh);
-  const Flattenability f = measure(mesh, connectivity);
+  const Patch patch(mesh);
+  const Flattenability f = measure(patch);
   for (const double figure :
        {f.e_max, f.e_avg, f.energy, f.sum_abs_defect, f.min_angle, f.roughness}) {
     fuzz::check(std::isfinite(figure) && figure >= 0.0, "figures are finite");
   }
   is_flattenable(f, inspection);
-  fuzz::check(connectivity.inner_vertices().size() == inspection.topology.inner_vertices,
+  fuzz::check(patch.inner_vertices().size() == inspection.topology.inner_vertices,
               "inner vertices are counted alike");
-  fuzz::check(connectivity.border_loops().size() == inspection.topology.border_loops,
+  fuzz::check(patch.border_loops().size() == inspection.topology.border_loops,
               "border loops are counted alike");
   find_seams({&mesh, 1});
 }

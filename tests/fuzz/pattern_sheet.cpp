@@ -90,10 +90,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (!mesh) return 0;
   fuzz::allow_refusal([&] {
     const PatternOptions options = options_from(bytes, *mesh);
-    const Connectivity connectivity(*mesh);
-    check_pattern_options(options, mesh->positions.size(), connectivity.border_loops(), "patch");
-    const auto unfolded = unfold_patch(*mesh, unit, {}, {.max_iterations = 30});
-    check_sheet(pattern_sheet(*mesh, *unfolded, "patch", options));
+    const Patch surface(*mesh);
+    check_pattern_options(options, mesh->positions.size(), surface.border_loops(), "patch");
+    const auto unfolded = unfold_patch(Patch(*mesh), unit, {}, {.max_iterations = 30});
+    check_sheet(pattern_sheet(surface, *unfolded, "patch", options));
   });
   return 0;
 }

@@ -46,7 +46,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const TriMesh mesh = bytes.whole(0, 3) == 0 ? spindle_from(bytes) : fuzz::mesh_from(bytes);
   if (blocking_problem(inspect(mesh), Purpose::measure)) return 0;
   fuzz::allow_refusal([&] {
-    const auto suggestion = suggest_cuts(mesh, Connectivity(mesh), options);
+    const auto suggestion = suggest_cuts(Patch(mesh), options);
     fuzz::check(suggestion.has_value(), "nobody cancelled");
     check_suggestion(mesh, *suggestion);
   });

@@ -34,28 +34,28 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (!mesh) return 0;
   const double limit = 0.3 * std::abs(bytes.fraction());
   (bytes.flag() ? options.limits.max : options.limits.p99) = limit;
-  const Connectivity connectivity(*mesh);
+  const Patch surface(*mesh);
   fuzz::allow_refusal([&] {
     Pattern pattern;
     try {
-      pattern = unfold(*mesh, connectivity, options);
+      pattern = unfold(surface, options);
     } catch (const Error& error) {
       fuzz::check(error.code() == ErrorCode::unfold_failed, "a sound patch can but fail to unfold");
       throw;
     }
     check_box(pattern);
     if (fuzz::has_edges_below(1e-6, *mesh)) return;
-    const EdgeStrain strain = edge_strain(*mesh, connectivity, pattern.positions);
+    const EdgeStrain strain = edge_strain(surface, pattern.positions);
     fuzz::check(std::isfinite(strain.max) && std::isfinite(strain.rms), "strain is finite");
     if (!pattern.unlimited.empty()) {
-      const EdgeStrain least = edge_strain(*mesh, connectivity, pattern.unlimited);
+      const EdgeStrain least = edge_strain(surface, pattern.unlimited);
       const bool is_less = options.limits.max > 0.0 ? strain.max < least.max * (1.0 + 1e-9)
                                                     : strain.p99 < least.p99 * (1.0 + 1e-9);
       fuzz::check(is_less, "a limit that changes a pattern makes its strain less");
       fuzz::check(pattern.flipped_triangles == 0, "limits flip no triangle");
     }
     if (options.match_seams) {
-      fuzz::check(largest_border_strain(*mesh, connectivity, pattern.positions) <= 1e-9,
+      fuzz::check(largest_border_strain(surface, pattern.positions) <= 1e-9,
                   "matched borders keep their lengths");
     }
   });

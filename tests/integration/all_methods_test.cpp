@@ -32,10 +32,10 @@ bool all_finite(const std::vector<Vec3>& positions) {
 
 TEST_P(AllMethods, GiveTheSameBitsOnEveryRunAndAnyNumberOfThreads) {
   const TriMesh mesh = make_shape("panel", 1500);
-  const auto first = evolve(mesh, GetParam(), {.max_sweeps = 4}, {}, 1);
+  const auto first = evolve(Patch(mesh), GetParam(), {.max_sweeps = 4}, {}, 1);
   EXPECT_NE(first.positions, mesh.positions);
   for (const unsigned threads : {1U, 2U, 4U}) {
-    const auto again = evolve(mesh, GetParam(), {.max_sweeps = 4}, {}, threads);
+    const auto again = evolve(Patch(mesh), GetParam(), {.max_sweeps = 4}, {}, threads);
     EXPECT_EQ(again.positions, first.positions) << threads;
     EXPECT_EQ(again.stop, first.stop);
     ASSERT_EQ(again.history.size(), first.history.size());
@@ -44,7 +44,7 @@ TEST_P(AllMethods, GiveTheSameBitsOnEveryRunAndAnyNumberOfThreads) {
 }
 
 TEST_P(AllMethods, StopWhenTheyAreToldTo) {
-  const auto result = evolve(make_shape("panel", 1500), GetParam(), {.max_sweeps = 50},
+  const auto result = evolve(Patch(make_shape("panel", 1500)), GetParam(), {.max_sweeps = 50},
                              [](const SweepRecord&) { return false; });
   EXPECT_EQ(result.stop, StopReason::cancelled);
   EXPECT_EQ(result.history.size(), 1U);
@@ -52,7 +52,7 @@ TEST_P(AllMethods, StopWhenTheyAreToldTo) {
 
 TEST_P(AllMethods, EndWithAReasonAndARecordOfEverySweep) {
   constexpr int most = 8;
-  const auto result = evolve(make_shape("dome", 100), GetParam(), {.max_sweeps = most});
+  const auto result = evolve(Patch(make_shape("dome", 100)), GetParam(), {.max_sweeps = most});
   ASSERT_FALSE(result.history.empty());
   for (std::size_t i = 0; i < result.history.size(); ++i) {
     EXPECT_EQ(result.history[i].sweep, static_cast<int>(i) + 1);
@@ -73,14 +73,14 @@ TEST_P(AllMethods, NeverReturnWhatIsNoNumber) {
     p.x *= 1e-6;
   nasty.push_back(needles);
   TriMesh spike = make_shape("panel", 150);
-  spike.positions[Connectivity(spike).inner_vertices()[40]].z += 1e6;
+  spike.positions[Patch(spike).inner_vertices()[40]].z += 1e6;
   nasty.push_back(spike);
   TriMesh folded = make_shape("panel", 150);
-  std::swap(folded.positions[Connectivity(folded).inner_vertices()[40]],
-            folded.positions[Connectivity(folded).inner_vertices()[60]]);
+  std::swap(folded.positions[Patch(folded).inner_vertices()[40]],
+            folded.positions[Patch(folded).inner_vertices()[60]]);
   nasty.push_back(folded);
   for (std::size_t i = 0; i < nasty.size(); ++i) {
-    const auto result = evolve(nasty[i], GetParam(), {.max_sweeps = 5});
+    const auto result = evolve(Patch(nasty[i]), GetParam(), {.max_sweeps = 5});
     EXPECT_TRUE(all_finite(result.positions)) << i;
     for (const SweepRecord& record : result.history)
       EXPECT_TRUE(std::isfinite(record.energy)) << i;
@@ -89,15 +89,15 @@ TEST_P(AllMethods, NeverReturnWhatIsNoNumber) {
 
 TEST_P(AllMethods, LeaveAFlatPatchAlone) {
   const TriMesh flat = meshes::flat_grid(8, 8);
-  const auto result = evolve(flat, GetParam(), {.max_sweeps = 5});
+  const auto result = evolve(Patch(flat), GetParam(), {.max_sweeps = 5});
   EXPECT_EQ(result.positions, flat.positions);
   EXPECT_EQ(result.stop, StopReason::reached_target);
 }
 
 TEST_P(AllMethods, WorkOnOneInnerVertex) {
   TriMesh pyramid = meshes::fan(5);
-  pyramid.positions[Connectivity(pyramid).inner_vertices()[0]].z += 0.2;
-  const auto result = evolve(pyramid, GetParam(), {.max_sweeps = 20});
+  pyramid.positions[Patch(pyramid).inner_vertices()[0]].z += 0.2;
+  const auto result = evolve(Patch(pyramid), GetParam(), {.max_sweeps = 20});
   EXPECT_TRUE(all_finite(result.positions));
   EXPECT_FALSE(result.history.empty());
 }

@@ -18,7 +18,7 @@ namespace {
 
 Flattenability figures_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
   const TriMesh moved{positions, mesh.triangles};
-  return measure(moved, Connectivity(moved));
+  return measure(Patch(moved));
 }
 
 /// The way that stays near; the other ways are in smooth/smooth_auto_test.cpp.
@@ -27,7 +27,7 @@ constexpr Auto k_near{.prefer = Prefer::near};
 EvolveResult run(const TriMesh& mesh, Auto method = {}, const OnSweep& on_sweep = {},
                  unsigned threads = 0, const Constraints& constraints = {}) {
   method.prefer = Prefer::near;
-  return evolve(mesh, method, usual_stopping(method), on_sweep, threads, constraints);
+  return evolve(Patch(mesh), method, usual_stopping(method), on_sweep, threads, constraints);
 }
 
 TEST(Auto, MakesShapesFlattenableWithoutNeedles) {
@@ -35,7 +35,7 @@ TEST(Auto, MakesShapesFlattenableWithoutNeedles) {
     const TriMesh mesh = make_shape(shape, 1500);
     const EvolveResult result = run(mesh);
     EXPECT_EQ(result.stop, StopReason::converged) << shape;
-    const Flattenability before = measure(mesh, Connectivity(mesh));
+    const Flattenability before = measure(Patch(mesh));
     const Flattenability after = figures_of(mesh, result.positions);
     EXPECT_LE(after.e_max, k_flattenable_e_max) << shape;
     EXPECT_LE(after.sum_abs_defect, k_flattenable_sum) << shape;
@@ -71,27 +71,26 @@ TEST(Auto, KeepsWhatCoarseLevelsFoundWhenCancelled) {
   EXPECT_EQ(result.stop, StopReason::cancelled);
   EXPECT_NE(result.positions, mesh.positions);
   // The border stays, and the strain that it is after fell, so the total curvature did.
-  const Connectivity connectivity(mesh);
-  for (const auto& loop : connectivity.border_loops()) {
+  const Patch patch(mesh);
+  for (const auto& loop : patch.border_loops()) {
     for (const Index v : loop)
       EXPECT_EQ(result.positions[v], mesh.positions[v]);
   }
-  EXPECT_LT(figures_of(mesh, result.positions).sum_abs_defect,
-            measure(mesh, Connectivity(mesh)).sum_abs_defect);
+  EXPECT_LT(figures_of(mesh, result.positions).sum_abs_defect, measure(patch).sum_abs_defect);
 }
 
 TEST(Auto, EndsWhenTheStrainIsMetWithLessDeviation) {
   const TriMesh mesh = make_shape("panel", 600);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   double last = std::numeric_limits<double>::infinity(), farthest = 0.0;
   const auto far = [&](const EvolveResult& result) {
-    return measure_deviation(mesh, result.positions, connectivity).rms;
+    return measure_deviation(patch, result.positions).rms;
   };
   for (const double strain : {0.02, 0.01, 0.005}) {
     const EvolveResult result = run(mesh, {.max_strain = strain});
     EXPECT_EQ(result.stop, StopReason::strain_met) << strain;
     const TriMesh moved{result.positions, mesh.triangles};
-    const double left = edge_strain(moved, connectivity, unfold(moved, connectivity).positions).rms;
+    const double left = edge_strain(Patch(moved), unfold(Patch(moved)).positions).rms;
     EXPECT_LT(left, last) << strain;
     last = left;
     EXPECT_GT(far(result), farthest) << strain;
@@ -102,18 +101,18 @@ TEST(Auto, EndsWhenTheStrainIsMetWithLessDeviation) {
 
 TEST(Auto, KeepsALimitOfTheRmsOfStrain) {
   const TriMesh mesh = make_shape("panel", 900);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   double last = std::numeric_limits<double>::infinity(), farthest = 0.0;
   for (const double limit : {0.006, 0.003, 0.0015}) {
     const EvolveResult result = run(mesh, {.max_rms_strain = limit});
     EXPECT_EQ(result.stop, StopReason::strain_met) << limit;
     const TriMesh moved{result.positions, mesh.triangles};
-    const EdgeStrain left = edge_strain(moved, connectivity, unfold(moved, connectivity).positions);
+    const EdgeStrain left = edge_strain(Patch(moved), unfold(Patch(moved)).positions);
     EXPECT_LE(left.rms, limit);
     EXPECT_GT(left.rms, 0.8 * limit) << "it goes no further than it need";
     EXPECT_LT(left.rms, last) << limit;
     last = left.rms;
-    const double far = measure_deviation(mesh, result.positions, connectivity).rms;
+    const double far = measure_deviation(patch, result.positions).rms;
     EXPECT_GT(far, farthest) << limit;
     farthest = far;
   }
@@ -147,16 +146,15 @@ TEST(Auto, KeepsTheDeviationWhereLimitsConflict) {
   constexpr double most = 10.0;  // millimetres
   const EvolveResult result = run(mesh, {.max_strain = 1e-3, .max_deviation = most});
   EXPECT_EQ(result.stop, StopReason::deviation_limit);
-  EXPECT_LE(measure_deviation(mesh, result.positions, Connectivity(mesh)).max,
-            most * (1.0 + 1e-12));
+  EXPECT_LE(measure_deviation(Patch(mesh), result.positions).max, most * (1.0 + 1e-12));
   EXPECT_LT(figures_of(mesh, result.positions).sum_abs_defect,
-            0.9 * measure(mesh, Connectivity(mesh)).sum_abs_defect);
+            0.9 * measure(Patch(mesh)).sum_abs_defect);
 }
 
 /// Some inner vertices, far apart.
 Constraints some_fixed(const TriMesh& mesh, std::size_t step) {
-  const Connectivity connectivity(mesh);
-  const auto inner = connectivity.inner_vertices();
+  const Patch patch(mesh);
+  const auto inner = patch.inner_vertices();
   Constraints constraints;
   for (std::size_t i = 0; i < inner.size(); i += step)
     constraints.fixed.push_back(inner[i]);
@@ -170,7 +168,7 @@ TEST(Auto, FlattensAroundFixedVertices) {
   for (const Index v : constraints.fixed)
     EXPECT_EQ(result.positions[v], mesh.positions[v]);
   EXPECT_LT(figures_of(mesh, result.positions).sum_abs_defect,
-            0.1 * measure(mesh, Connectivity(mesh)).sum_abs_defect);
+            0.1 * measure(Patch(mesh)).sum_abs_defect);
 }
 
 TEST(Auto, LeavesFixedVerticesOnAllLevels) {
@@ -178,7 +176,7 @@ TEST(Auto, LeavesFixedVerticesOnAllLevels) {
   const Constraints constraints = some_fixed(mesh, 1500);
   Stopping stopping = usual_stopping(k_near);
   stopping.max_sweeps = 25;  // the end is far from here, and has a test of its own
-  const EvolveResult result = evolve(mesh, k_near, stopping, {}, 0, constraints);
+  const EvolveResult result = evolve(Patch(mesh), k_near, stopping, {}, 0, constraints);
   EXPECT_LT(result.history.front().level->inner_vertices, 3000U);
   EXPECT_NE(result.positions, mesh.positions);
   for (const Index v : constraints.fixed)
@@ -187,9 +185,9 @@ TEST(Auto, LeavesFixedVerticesOnAllLevels) {
 
 TEST(CoarseLevels, LiftSmoothMovesNearlyAsTheyAre) {
   const TriMesh mesh = make_shape("saddle", 30000);
-  const Connectivity connectivity(mesh);
+  const Patch surface(mesh);
   ThreadPool pool(1);
-  PatchState fine(mesh, connectivity, pool);
+  PatchState fine(surface, pool);
   const CoarseLevels levels(fine, 6000);
   ASSERT_EQ(levels.coarsest(), 2U);
   EXPECT_EQ(CoarseLevels(*levels.make_state(2, pool), 6000).coarsest(), 0U);

@@ -36,8 +36,8 @@ struct Laid {
   Laid(TriMesh m, const BorderFreedom& freedom, const Constraints& constraints = {},
        double most_deviation = std::numeric_limits<double>::infinity())
       : mesh(std::move(m)),
-        connectivity(mesh),
-        state(mesh, connectivity, pool, constraints),
+        surface(mesh),
+        state(surface, pool, constraints),
         border(freedom, most_deviation, state),
         jacobian(state, border.movable()) {
     jacobian.update(pool);
@@ -47,7 +47,7 @@ struct Laid {
   Index first_border() const { return static_cast<Index>(state.inner_count()); }
 
   TriMesh mesh;
-  Connectivity connectivity;
+  Patch surface;
   ThreadPool pool{1};
   PatchState state;
   BorderMotion border;
@@ -72,9 +72,9 @@ OnPolygon on_polygon(const std::vector<Vec3>& polygon, Vec3 p) {
 }
 
 std::vector<Vec3> border_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   std::vector<Vec3> border;
-  for (const Index v : connectivity.border_loops().front())
+  for (const Index v : patch.border_loops().front())
     border.push_back(positions[v]);
   return border;
 }
@@ -134,7 +134,7 @@ TEST(BorderMotion, GoesToTheNearestPlaceOfTheBorder) {
 
 TEST(BorderMotion, KeepsCornersAndFixedVerticesWhereBordersSlide) {
   const TriMesh mesh = make_shape("panel", 600);
-  const Index held = Connectivity(mesh).border_loops().front()[5];
+  const Index held = Patch(mesh).border_loops().front()[5];
   const Laid laid(mesh, k_slide, {.fixed = {held}});
   int corners = 0;
   for (Index v = laid.first_border(); v < laid.count(); ++v) {
@@ -300,18 +300,18 @@ TEST(NormalDirectionSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
 EvolveResult run(const TriMesh& mesh, const BorderFreedom& border, unsigned threads = 0,
                  const Constraints& constraints = {}) {
   const Auto method{.prefer = Prefer::near, .border = border};
-  return evolve(mesh, method, usual_stopping(method), {}, threads, constraints);
+  return evolve(Patch(mesh), method, usual_stopping(method), {}, threads, constraints);
 }
 
 Deviation deviation_of(const TriMesh& mesh, const EvolveResult& result) {
-  return measure_deviation(mesh, result.positions, Connectivity(mesh));
+  return measure_deviation(Patch(mesh), result.positions);
 }
 
 /// The largest way that a vertex of the border went.
 double border_moved(const TriMesh& mesh, const EvolveResult& result) {
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   double most = 0.0;
-  for (const auto& loop : connectivity.border_loops()) {
+  for (const auto& loop : patch.border_loops()) {
     for (const Index v : loop)
       most = std::max(most, norm(result.positions[v] - mesh.positions[v]));
   }
@@ -344,7 +344,7 @@ TEST(Auto, SlidesTheBorderOnItself) {
 
 TEST(Auto, MovesBordersOnAllLevelsWithTheSameBitsOnAnyNumberOfThreads) {
   const TriMesh mesh = make_shape("panel", 6500);
-  const Index held = Connectivity(mesh).border_loops().front()[40];
+  const Index held = Patch(mesh).border_loops().front()[40];
   const std::vector<Vec3> before = border_of(mesh, mesh.positions);
   for (const BorderFreedom& freedom : {k_slide, within(3.0)}) {
     const EvolveResult result = run(mesh, freedom, 1, {.fixed = {held}});
@@ -363,9 +363,9 @@ TEST(Auto, MovesBordersOnAllLevelsWithTheSameBitsOnAnyNumberOfThreads) {
 
 TEST(Auto, KeepsJaggedBordersOnTheirCurveOnAllLevels) {
   TriMesh mesh = make_shape("panel", 6500);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   // Every third vertex of the border is a corner now, though hardly any is one on coarser levels.
-  const auto& loop = connectivity.border_loops().front();
+  const auto& loop = patch.border_loops().front();
   for (std::size_t i = 0; i < loop.size(); i += 3)
     mesh.positions[loop[i]].z += 1.5;
   const std::vector<Vec3> before = border_of(mesh, mesh.positions);
@@ -383,7 +383,7 @@ TEST(Auto, KeepsBordersWhereTheyMayBeWhenCancelledOnACoarseLevel) {
         std::pair{k_slide, Prefer::smooth}, std::pair{within(3.0), Prefer::smooth}}) {
     const Auto method{.max_deviation = 2.0, .prefer = prefer, .border = freedom};
     const auto soon = [](const SweepRecord& record) { return record.sweep < 4; };
-    const EvolveResult result = evolve(mesh, method, usual_stopping(method), soon);
+    const EvolveResult result = evolve(Patch(mesh), method, usual_stopping(method), soon);
     EXPECT_EQ(result.stop, StopReason::cancelled);
     EXPECT_GT(border_moved(mesh, result), 0.0);
     EXPECT_LE(border_moved(mesh, result), 2.0 * (1.0 + 1e-12));
@@ -397,7 +397,7 @@ TEST(Auto, KeepsBordersWhereTheyMayBeWhenCancelledOnACoarseLevel) {
 
 TEST(Evolver, GoesOnAfterItSettledOnTheWayBack) {
   const TriMesh mesh = make_shape("panel", 6500);
-  Evolver evolver(mesh, Connectivity(mesh), Auto{.max_strain = 0.004, .prefer = Prefer::near});
+  Evolver evolver(Patch(mesh), Auto{.max_strain = 0.004, .prefer = Prefer::near});
   for (int i = 0; i < 12; ++i)
     evolver.step();
   evolver.prolong_to_finest();

@@ -38,8 +38,7 @@ struct BothMoves {
 /// The patch laid out for sweeping and the middle of it.
 class Middle {
  public:
-  explicit Middle(const TriMesh& mesh)
-      : connectivity_(mesh), pool_(1), state_(mesh, connectivity_, pool_) {
+  explicit Middle(const TriMesh& mesh) : patch_(mesh), pool_(1), state_(patch_, pool_) {
     while (state_.vertex_of(state_.plan().visits[visit_]) != 0)
       ++visit_;
     const planish::Run& run = *state_.plan().run_of(visit_);
@@ -56,7 +55,7 @@ class Middle {
   }
 
  private:
-  Connectivity connectivity_;
+  Patch patch_;
   ThreadPool pool_;
   PatchState state_;
   std::size_t visit_ = 0;
@@ -176,7 +175,7 @@ INSTANTIATE_TEST_SUITE_P(LambdaMin, BothSolvers, testing::Values(0.0, -1.0));
 double energy_after_ten_sweeps(const TriMesh& mesh, ControllableLaplacian options,
                                LineSolver solver) {
   options.solver = solver;
-  return evolve(mesh, options, {.max_sweeps = 10}).history.back().energy;
+  return evolve(Patch(mesh), options, {.max_sweeps = 10}).history.back().energy;
 }
 
 TEST(BothSolversOnPatches, EndTenSweepsWithTheSameEnergyToAThousandth) {

@@ -16,13 +16,13 @@ namespace planish {
 namespace {
 
 Flattenability figures_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
-  return measure({positions, mesh.triangles}, Connectivity(mesh));
+  return measure(Patch(mesh).with_positions(positions));
 }
 
 TEST(LeastNorm, MakesADomeFlattenableWithEitherFairing) {
   const TriMesh mesh = make_shape("dome", 800);
   for (const LeastNormUpdate update : {LeastNormUpdate::uniform, LeastNormUpdate::cotangent}) {
-    const auto result = evolve(mesh, LeastNorm{.update = update}, {.max_sweeps = 200});
+    const auto result = evolve(Patch(mesh), LeastNorm{.update = update}, {.max_sweeps = 200});
     EXPECT_LT(figures_of(mesh, result.positions).e_max, 1e-5);
     EXPECT_NE(result.stop, StopReason::sweep_limit);
   }
@@ -45,8 +45,8 @@ TEST(LeastNorm, ReachesWhatAStudyReachedOnADomeAndASaddle) {
        {LeastNormUpdate::direct, LeastNormUpdate::uniform, LeastNormUpdate::cotangent}) {
     for (const auto& [mesh, e_max, degrees] : {std::tuple{quadric(-1.0, 1.0), 3e-4, 25.0},
                                                std::tuple{quadric(1.0, -1.0), 1.2e-3, 0.36}}) {
-      const auto result =
-          evolve(mesh, LeastNorm{.update = update}, {.max_sweeps = 50, .target_e_max = e_max});
+      const auto result = evolve(Patch(mesh), LeastNorm{.update = update},
+                                 {.max_sweeps = 50, .target_e_max = e_max});
       const Flattenability figures = figures_of(mesh, result.positions);
       EXPECT_LE(figures.e_max, e_max);
       EXPECT_GT(figures.min_angle, degrees * std::numbers::pi / 180.0);
@@ -57,7 +57,7 @@ TEST(LeastNorm, ReachesWhatAStudyReachedOnADomeAndASaddle) {
 /// The same study: a hundred controllable sweeps of the dome took 13 % of the energy.
 TEST(Controllable, StallsOnADomeThatLeastNormMakesFlattenable) {
   const TriMesh dome = quadric(-1.0, 1.0);
-  const auto result = evolve(dome, ControllableLaplacian{}, {.max_sweeps = 100});
+  const auto result = evolve(Patch(dome), ControllableLaplacian{}, {.max_sweeps = 100});
   const double share = result.history.back().energy / figures_of(dome, dome.positions).energy;
   EXPECT_GT(share, 0.85);
   EXPECT_LT(share, 1.0);
@@ -66,7 +66,7 @@ TEST(Controllable, StallsOnADomeThatLeastNormMakesFlattenable) {
 TEST(LeastNorm, LowersTheEnergyWithEveryDirectStep) {
   const TriMesh mesh = make_shape("panel", 1500);
   const auto result =
-      evolve(mesh, LeastNorm{.update = LeastNormUpdate::direct}, {.max_sweeps = 60});
+      evolve(Patch(mesh), LeastNorm{.update = LeastNormUpdate::direct}, {.max_sweeps = 60});
   double last = figures_of(mesh, mesh.positions).energy;
   for (const SweepRecord& record : result.history) {
     EXPECT_LT(record.energy, last);
@@ -80,11 +80,11 @@ TEST(LeastNorm, LowersTheEnergyWithEveryDirectStep) {
 TEST(LeastNorm, QuartersTheDefectOfAPyramidWithEachUndampedStep) {
   const TriMesh mesh = meshes::fan(6);
   TriMesh pyramid = mesh;
-  const Connectivity connectivity(mesh);
-  ASSERT_EQ(connectivity.inner_vertices().size(), 1U);
-  pyramid.positions[connectivity.inner_vertices()[0]].z += 0.1;
+  const Patch patch(mesh);
+  ASSERT_EQ(patch.inner_vertices().size(), 1U);
+  pyramid.positions[patch.inner_vertices()[0]].z += 0.1;
   const auto result =
-      evolve(pyramid, LeastNorm{.update = LeastNormUpdate::direct, .max_step = 10.0},
+      evolve(Patch(pyramid), LeastNorm{.update = LeastNormUpdate::direct, .max_step = 10.0},
              {.max_sweeps = 6, .target_e_max = 1e-9});
   ASSERT_GE(result.history.size(), 4U);
   // The bend of the step makes it better than the plain one.
@@ -94,12 +94,12 @@ TEST(LeastNorm, QuartersTheDefectOfAPyramidWithEachUndampedStep) {
 
 TEST(LeastNorm, MovesDearVerticesLess) {
   const TriMesh mesh = make_shape("panel", 800);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   Constraints constraints;
   constraints.weights.assign(mesh.positions.size(), 1.0);
   std::vector<Index> dear;
-  for (std::size_t i = 0; i < connectivity.inner_vertices().size(); i += 5)
-    dear.push_back(connectivity.inner_vertices()[i]);
+  for (std::size_t i = 0; i < patch.inner_vertices().size(); i += 5)
+    dear.push_back(patch.inner_vertices()[i]);
   for (const Index v : dear)
     constraints.weights[v] = 10.0;
   const LeastNorm direct{.update = LeastNormUpdate::direct};
@@ -109,18 +109,18 @@ TEST(LeastNorm, MovesDearVerticesLess) {
       sum += norm(positions[v] - mesh.positions[v]);
     return sum;
   };
-  const auto plain = evolve(mesh, direct, {.max_sweeps = 20});
-  const auto weighted = evolve(mesh, direct, {.max_sweeps = 20}, {}, 0, constraints);
+  const auto plain = evolve(patch, direct, {.max_sweeps = 20});
+  const auto weighted = evolve(patch, direct, {.max_sweeps = 20}, {}, 0, constraints);
   EXPECT_LT(moved(weighted.positions), 0.5 * moved(plain.positions));
   EXPECT_LT(weighted.history.back().energy, 0.1 * figures_of(mesh, mesh.positions).energy);
 }
 
 TEST(LeastNorm, StopsTheSameAtAnySize) {
   TriMesh mesh = make_shape("dome", 500);
-  const auto result = evolve(mesh, LeastNorm{}, {.max_sweeps = 100});
+  const auto result = evolve(Patch(mesh), LeastNorm{}, {.max_sweeps = 100});
   for (Vec3& p : mesh.positions)
     p = 1024.0 * p;
-  const auto large = evolve(mesh, LeastNorm{}, {.max_sweeps = 100});
+  const auto large = evolve(Patch(mesh), LeastNorm{}, {.max_sweeps = 100});
   ASSERT_EQ(large.history.size(), result.history.size());
   EXPECT_EQ(large.stop, result.stop);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
@@ -129,16 +129,16 @@ TEST(LeastNorm, StopsTheSameAtAnySize) {
 
 TEST(LeastNorm, KeepsTheSlantAtTheBorderWhereThatIsDear) {
   const TriMesh mesh = make_shape("dome", 800);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   // The least move by weights is not longer at the border than the least move without.
   const auto squares_at_border = [&](double weight) {
     const LeastNorm options{.update = LeastNormUpdate::direct, .border_weight = weight};
-    const auto result = evolve(mesh, options, {.max_sweeps = 1});
+    const auto result = evolve(patch, options, {.max_sweeps = 1});
     double sum = 0.0;
-    for (const Index v : connectivity.inner_vertices()) {
-      const auto ring = connectivity.ring(v);
+    for (const Index v : patch.inner_vertices()) {
+      const auto ring = patch.ring(v);
       const Vec3 move = result.positions[v] - mesh.positions[v];
-      if (std::any_of(ring.begin(), ring.end(), [&](Index w) { return connectivity.is_border(w); }))
+      if (std::any_of(ring.begin(), ring.end(), [&](Index w) { return patch.is_border(w); }))
         sum += dot(move, move);
     }
     return sum;
@@ -147,7 +147,8 @@ TEST(LeastNorm, KeepsTheSlantAtTheBorderWhereThatIsDear) {
 }
 
 TEST(LeastNorm, TakesAHubOfManyNeighbours) {
-  const auto result = evolve(meshes::ruffled_fan(2000, 0.01), LeastNorm{}, {.max_sweeps = 3});
+  const auto result =
+      evolve(Patch(meshes::ruffled_fan(2000, 0.01)), LeastNorm{}, {.max_sweeps = 3});
   EXPECT_EQ(result.stop, StopReason::stalled);  // the hub is all there is, and it is held
 }
 
@@ -156,7 +157,7 @@ TEST(FlattenableLaplacian, ClosesTheAngleSumsOfASmallPatch) {
   // With harder constraints, 1e-6 and below (1e-9 is printed), it ends in crumples or not as the
   // last bits of a factor have it.
   const FlattenableLaplacian nearly_hard{.damping = 1e-5};
-  const auto result = evolve(mesh, nearly_hard, {.max_sweeps = 100});
+  const auto result = evolve(Patch(mesh), nearly_hard, {.max_sweeps = 100});
   // What the paper of least norm has for this method on its patch of 142 vertices.
   EXPECT_LT(figures_of(mesh, result.positions).e_max, 2.11e-4);
 }
@@ -164,9 +165,9 @@ TEST(FlattenableLaplacian, ClosesTheAngleSumsOfASmallPatch) {
 TEST(FlattenableLaplacian, StaysSmootherThanDirectLeastNormAndIsSlower) {
   for (const char* name : {"panel", "saddle"}) {
     const TriMesh mesh = make_shape(name, 1500);
-    const auto fair = evolve(mesh, FlattenableLaplacian{}, {.max_sweeps = 15});
+    const auto fair = evolve(Patch(mesh), FlattenableLaplacian{}, {.max_sweeps = 15});
     const auto least =
-        evolve(mesh, LeastNorm{.update = LeastNormUpdate::direct}, {.max_sweeps = 15});
+        evolve(Patch(mesh), LeastNorm{.update = LeastNormUpdate::direct}, {.max_sweeps = 15});
     const Flattenability before = figures_of(mesh, mesh.positions);
     const Flattenability after_fair = figures_of(mesh, fair.positions);
     const Flattenability after_least = figures_of(mesh, least.positions);
@@ -178,12 +179,12 @@ TEST(FlattenableLaplacian, StaysSmootherThanDirectLeastNormAndIsSlower) {
 
 TEST(FlattenableLaplacian, StaysNearerWhereStayingIsDearer) {
   const TriMesh mesh = make_shape("panel", 800);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   double last = HUGE_VAL;
   for (const double position : {0.01, 0.1, 1.0}) {
     const auto result =
-        evolve(mesh, FlattenableLaplacian{.position = position}, {.max_sweeps = 60});
-    const double rms = measure_deviation(mesh, result.positions, connectivity).rms;
+        evolve(patch, FlattenableLaplacian{.position = position}, {.max_sweeps = 60});
+    const double rms = measure_deviation(patch, result.positions).rms;
     EXPECT_LT(rms, last) << position;
     last = rms;
   }
@@ -191,11 +192,11 @@ TEST(FlattenableLaplacian, StaysNearerWhereStayingIsDearer) {
 
 TEST(FlattenableLaplacian, GoesFurtherWhenItsBaseFollows) {
   const TriMesh mesh = make_shape("panel", 800);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   const auto rms = [&](int every) {
     const auto result =
-        evolve(mesh, FlattenableLaplacian{.rebase_every = every}, {.max_sweeps = 40});
-    return measure_deviation(mesh, result.positions, connectivity).rms;
+        evolve(patch, FlattenableLaplacian{.rebase_every = every}, {.max_sweeps = 40});
+    return measure_deviation(patch, result.positions).rms;
   };
   EXPECT_GT(rms(5), 1.2 * rms(0));
 }

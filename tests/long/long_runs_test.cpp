@@ -10,7 +10,7 @@
 #include <planish/evolve/evolve.h>
 #include <planish/flatten/flatten.h>
 #include <planish/measure/flattenability.h>
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>
@@ -34,11 +34,11 @@ constexpr std::size_t k_megabyte = std::size_t{1} << 20U;
 
 TEST(LongRuns, ThousandsOfSweepsNeitherGrowNorDrift) {
   const TriMesh mesh = make_shape("panel", is_long() ? 195'000 : 3'000);
-  const Connectivity connectivity(mesh);
-  double energy = measure(mesh, connectivity).energy;
+  const Patch patch(mesh);
+  double energy = measure(patch).energy;
   std::size_t early = 0, late = 0;
   const auto result =
-      evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 1000}, [&](const SweepRecord& record) {
+      evolve(patch, ControllableLaplacian{}, {.max_sweeps = 1000}, [&](const SweepRecord& record) {
         EXPECT_LE(record.energy, energy) << record.sweep;
         energy = record.energy;
         if (record.sweep == 100) early = resident_bytes();
@@ -51,9 +51,9 @@ TEST(LongRuns, ThousandsOfSweepsNeitherGrowNorDrift) {
   const TriMesh evolved{result.positions, mesh.triangles};
   EXPECT_TRUE(is_finite(evolved));
   // What was updated a thousand times is what is measured afresh.
-  EXPECT_NEAR(measure(evolved, connectivity).energy / energy, 1.0, 1e-9);
+  EXPECT_NEAR(measure(Patch(evolved)).energy / energy, 1.0, 1e-9);
   for (Index v = 0; v < mesh.positions.size(); ++v) {
-    if (!connectivity.is_inner(v)) {
+    if (!patch.is_inner(v)) {
       ASSERT_EQ(evolved.positions[v], mesh.positions[v]);
     }
   }
@@ -64,10 +64,11 @@ TEST(LongRuns, ManyPatchesInOneProcessDoNotGrow) {
   std::size_t early = 0;
   for (int i = 0; i < patches; ++i) {
     const char* shape = i % 2 == 0 ? "panel" : "dome";
-    const auto report = flatten(make_shape(shape, 200 + static_cast<std::size_t>(i % 7) * 50),
-                                shape, {.stopping = Stopping{.max_sweeps = 5}});
+    const auto report =
+        flatten(Patch(make_shape(shape, 200 + static_cast<std::size_t>(i % 7) * 50)), shape,
+                {.stopping = Stopping{.max_sweeps = 5}});
     ASSERT_TRUE(report);
-    ASSERT_TRUE(is_finite(report->processed));
+    ASSERT_TRUE(is_finite(report->processed.mesh()));
     if (i == patches / 3) early = resident_bytes();
   }
   EXPECT_LE(resident_bytes(), early + 4 * k_megabyte);
@@ -105,8 +106,7 @@ FarAway far_from(Vec3 middle, const TriMesh& sound, const std::vector<Vec3>& evo
   double size = 0.0;
   for (const Vec3 p : sound.positions)
     size = std::max(size, norm(p - middle));
-  const std::vector<double> defects =
-      angle_defects({evolved, sound.triangles}, Connectivity(sound));
+  const std::vector<double> defects = angle_defects(Patch(sound).with_positions(evolved));
   FarAway far;
   for (std::size_t v = 0; v < defects.size(); ++v) {
     if (norm(sound.positions[v] - middle) < 0.25 * size) continue;
@@ -119,17 +119,17 @@ FarAway far_from(Vec3 middle, const TriMesh& sound, const std::vector<Vec3>& evo
 /// Evolves both; the faulty one must lose energy in every sweep and be far away as if it were
 /// sound.
 void expect_no_spread(const Faulty& patch, int sweeps) {
-  const Connectivity connectivity(patch.sound);
+  const Patch surface(patch.sound);
   const Stopping stopping{.max_sweeps = sweeps};
-  double energy = measure(patch.faulty, connectivity).energy;
-  const auto faulty =
-      evolve(patch.faulty, ControllableLaplacian{}, stopping, [&](const SweepRecord& record) {
-        EXPECT_LE(record.energy, energy);
-        energy = record.energy;
-        return true;
-      });
+  double energy = measure(Patch(patch.faulty)).energy;
+  const auto faulty = evolve(Patch(patch.faulty), ControllableLaplacian{}, stopping,
+                             [&](const SweepRecord& record) {
+                               EXPECT_LE(record.energy, energy);
+                               energy = record.energy;
+                               return true;
+                             });
   EXPECT_TRUE(is_finite({faulty.positions, {}}));
-  const auto sound = evolve(patch.sound, ControllableLaplacian{}, stopping);
+  const auto sound = evolve(Patch(patch.sound), ControllableLaplacian{}, stopping);
   const FarAway after_fault = far_from(patch.middle, patch.sound, faulty.positions);
   const FarAway without = far_from(patch.middle, patch.sound, sound.positions);
   EXPECT_LE(after_fault.most_defect, 1.1 * without.most_defect);

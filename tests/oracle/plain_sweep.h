@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 #include "oracle/line_solver.h"
 

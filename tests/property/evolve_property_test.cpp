@@ -26,9 +26,9 @@ TriMesh arbitrary_patch() {
 PLANISH_PROPERTY(EvolveProperty, EnergyNeverRisesWhenASingleVertexMoves, 2'000) {
   const TriMesh mesh = arbitrary_patch();
   const ControllableLaplacian options{.lambda_min = -0.5 * *rc::gen::inRange(0, 3)};
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   ThreadPool pool(1);
-  PatchState state(mesh, connectivity, pool);
+  PatchState state(patch, pool);
   ControllableMover mover(options, state);
   double energy = plain::Patch(mesh).energy();
   for (std::size_t v = 0; v < state.inner_count(); ++v) {
@@ -43,15 +43,15 @@ PLANISH_PROPERTY(EvolveProperty, EnergyNeverRisesWhenASingleVertexMoves, 2'000) 
 PLANISH_PROPERTY(EvolveProperty, EnergyNeverRisesInASweepAndTheBorderStays, 3'000) {
   const TriMesh mesh = arbitrary_patch();
   const ControllableLaplacian options{.lambda_min = -0.5 * *rc::gen::inRange(0, 3)};
-  const Connectivity connectivity(mesh);
-  double energy = measure(mesh, connectivity).energy;
-  const auto result = evolve(mesh, options, {.max_sweeps = 15}, [&](const SweepRecord& record) {
+  const Patch patch(mesh);
+  double energy = measure(patch).energy;
+  const auto result = evolve(patch, options, {.max_sweeps = 15}, [&](const SweepRecord& record) {
     RC_ASSERT(record.energy <= energy);
     energy = record.energy;
     return true;
   });
   for (Index v = 0; v < mesh.positions.size(); ++v) {
-    if (!connectivity.is_inner(v)) RC_ASSERT(result.positions[v] == mesh.positions[v]);
+    if (!patch.is_inner(v)) RC_ASSERT(result.positions[v] == mesh.positions[v]);
   }
 }
 
@@ -60,7 +60,8 @@ PLANISH_PROPERTY(EvolveProperty, NothingIsEverNotFinite, 3'000) {
   const auto v = *rc::gen::inRange<std::size_t>(0, mesh.positions.size());
   const auto power = *rc::gen::inRange(-12, 12);
   mesh.positions[v] += std::pow(10.0, power) * Vec3{1.0, -2.0, 0.5};
-  const auto result = evolve(mesh, ControllableLaplacian{.lambda_min = -1.0}, {.max_sweeps = 10});
+  const auto result =
+      evolve(Patch(mesh), ControllableLaplacian{.lambda_min = -1.0}, {.max_sweeps = 10});
   for (const Vec3 p : result.positions)
     RC_ASSERT(std::isfinite(p.x + p.y + p.z));
 }
@@ -77,13 +78,13 @@ PLANISH_PROPERTY(EvolveProperty, EnergyNeverRisesOnLatticesFullOfStraightAndZero
   }
   const Inspection inspection = inspect(mesh);
   RC_PRE(!blocking_problem(inspection, Purpose::evolve));
-  double energy = measure(mesh, Connectivity(mesh)).energy;
-  const auto result =
-      evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 15}, [&](const SweepRecord& record) {
-        RC_ASSERT(record.energy <= energy);
-        energy = record.energy;
-        return true;
-      });
+  double energy = measure(Patch(mesh)).energy;
+  const auto result = evolve(Patch(mesh), ControllableLaplacian{}, {.max_sweeps = 15},
+                             [&](const SweepRecord& record) {
+                               RC_ASSERT(record.energy <= energy);
+                               energy = record.energy;
+                               return true;
+                             });
   RC_ASSERT(!blocking_problem(inspect({result.positions, mesh.triangles}), Purpose::evolve));
 }
 

@@ -117,7 +117,7 @@ PLANISH_PROPERTY(IoDamage, FeaturesOfAnyKindAreReadOrRefused, 1'000) {
   };
   for (const char* name : {"fixed.txt", "fixed.obj"}) {
     check([&] {
-      for (const Index v : parse_fixed_vertices(bytes, fan(), name).vertices)
+      for (const Index v : parse_fixed_vertices(bytes, Patch(fan()), name).vertices)
         RC_ASSERT(v < 5U);
     });
   }

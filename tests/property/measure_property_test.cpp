@@ -20,7 +20,7 @@ TriMesh arbitrary_patch() {
 }
 
 Flattenability measured(const TriMesh& mesh) {
-  return measure(mesh, Connectivity(mesh));
+  return measure(Patch(mesh));
 }
 
 void expect_same(const Flattenability& a, const Flattenability& b) {
@@ -66,7 +66,7 @@ PLANISH_PROPERTY(MeasureProperty, DoesNotChangeWithSize, 4'000) {
 PLANISH_PROPERTY(MeasureProperty, AgreesWithASumOfArctangents, 1'000) {
   const TriMesh mesh = arbitrary_patch();
   const plain::Patch patch(mesh);
-  const auto defects = angle_defects(mesh, Connectivity(mesh));
+  const auto defects = angle_defects(Patch(mesh));
   for (Index v = 0; v < mesh.positions.size(); ++v) {
     RC_ASSERT(std::abs(defects[v] - (patch.inner[v] ? patch.defect(v) : 0.0)) < 1e-12);
   }
@@ -83,7 +83,7 @@ PLANISH_PROPERTY(MeasureProperty, FulfilsGaussAndBonnet, 4'000) {
     p += 0.3 * Vec3{random.number(), random.number(), random.number()};
   const Topology topology = inspect(mesh).topology;
   const plain::Patch patch(mesh);
-  const auto defects = angle_defects(mesh, Connectivity(mesh));
+  const auto defects = angle_defects(Patch(mesh));
   double total = 0.0;
   for (Index v = 0; v < mesh.positions.size(); ++v)
     total += patch.inner[v] ? defects[v] : std::numbers::pi - patch.angle_sum(v);

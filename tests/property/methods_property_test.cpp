@@ -41,7 +41,7 @@ TriMesh arbitrary_patch(int least_height = 10) {
 }
 
 std::vector<Vec3> evolved(const TriMesh& mesh, const Method& method, unsigned threads = 1) {
-  return evolve(mesh, method, {.max_sweeps = 3}, {}, threads).positions;
+  return evolve(Patch(mesh), method, {.max_sweeps = 3}, {}, threads).positions;
 }
 
 /// A rotation about an arbitrary axis.
@@ -86,9 +86,9 @@ TEST_P(MethodsProperty, NeverMovesTheBorder) {
   check_cases(400, [&] {
     const TriMesh mesh = arbitrary_patch();
     const auto positions = evolved(mesh, GetParam());
-    const Connectivity connectivity(mesh);
+    const Patch patch(mesh);
     for (Index v = 0; v < mesh.positions.size(); ++v) {
-      if (connectivity.is_border(v)) RC_ASSERT(positions[v] == mesh.positions[v]);
+      if (patch.is_border(v)) RC_ASSERT(positions[v] == mesh.positions[v]);
       RC_ASSERT(std::isfinite(positions[v].x + positions[v].y + positions[v].z));
     }
   });

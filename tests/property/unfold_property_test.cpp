@@ -38,9 +38,9 @@ TriMesh flattenable_patch() {
 
 PLANISH_PROPERTY(UnfoldProperty, KeepsEveryLengthWhereNoVertexHasADefect, 200) {
   const TriMesh mesh = flattenable_patch();
-  const Connectivity connectivity(mesh);
-  RC_ASSERT(measure(mesh, connectivity).e_max < 1e-12);
-  const Pattern pattern = unfold(mesh, connectivity);
+  const Patch patch(mesh);
+  RC_ASSERT(measure(patch).e_max < 1e-12);
+  const Pattern pattern = unfold(patch);
   RC_ASSERT(pattern.flipped_triangles == 0U);
   for (const Triangle& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -57,17 +57,16 @@ PLANISH_PROPERTY(UnfoldProperty, GivesTheSameBitsAtEverySizeOfAPowerOfTwo, 100) 
   TriMesh scaled = mesh;
   for (Vec3& p : scaled.positions)
     p = size * p;
-  const Pattern one = unfold(mesh, Connectivity(mesh)),
-                other = unfold(scaled, Connectivity(scaled));
+  const Pattern one = unfold(Patch(mesh)), other = unfold(Patch(scaled));
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     RC_ASSERT(other.positions[v] == size * one.positions[v]);
 }
 
 PLANISH_PROPERTY(UnfoldProperty, FlatteningGivesTheSameBitsOnAnyNumberOfThreads, 30) {
   const TriMesh mesh = meshes::rough_grid(6, 6, *rc::gen::arbitrary<std::uint32_t>(), 0.2, 0.2);
-  const auto one = flatten(mesh, "a", {.threads = 1});
-  const auto other = flatten(mesh, "a", {.threads = *rc::gen::inRange(2U, 6U)});
-  RC_ASSERT(one->processed.positions == other->processed.positions);
+  const auto one = flatten(Patch(mesh), "a", {.threads = 1});
+  const auto other = flatten(Patch(mesh), "a", {.threads = *rc::gen::inRange(2U, 6U)});
+  RC_ASSERT(one->processed.positions() == other->processed.positions());
   RC_ASSERT(one->unfold.pattern.positions == other->unfold.pattern.positions);
 }
 

@@ -17,7 +17,7 @@ namespace planish {
 
 inline CoarsePatch coarse(const TriMesh& mesh, std::size_t vertices, CoarseBorder border,
                           std::span<const unsigned char> keep = {}) {
-  return coarsen(mesh, Connectivity(mesh), vertices, border, keep);
+  return coarsen(Patch(mesh), vertices, border, keep);
 }
 
 /// Degrees, the smallest of each triangle, in increasing order.
@@ -58,7 +58,7 @@ inline void expect_sound(const TriMesh& mesh, const CoarsePatch& patch) {
   EXPECT_EQ(is.topology.components, was.topology.components);
   EXPECT_EQ(is.topology.vertices, patch.mesh.positions.size());
   ASSERT_EQ(patch.source.size(), patch.mesh.positions.size());
-  const Connectivity fine(mesh), coarse(patch.mesh);
+  const Patch fine(mesh), coarse(patch.mesh);
   for (Index v = 0; v < patch.source.size(); ++v) {
     ASSERT_LT(patch.source[v], mesh.positions.size());
     EXPECT_TRUE(v == 0 || patch.source[v - 1] < patch.source[v]);
@@ -69,7 +69,7 @@ inline void expect_sound(const TriMesh& mesh, const CoarsePatch& patch) {
 
 /// The border loops in the numbers of the fine mesh.
 inline std::vector<std::vector<Index>> loops_in_fine(const CoarsePatch& patch) {
-  auto loops = Connectivity(patch.mesh).border_loops();
+  auto loops = Patch(patch.mesh).border_loops();
   for (auto& loop : loops) {
     for (Index& v : loop)
       v = patch.source[v];

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 #include "evolve/state/vertex_coloring.h"
 
@@ -13,14 +13,14 @@ namespace planish::meshes {
 class InnerRingsOf {
  public:
   explicit InnerRingsOf(const TriMesh& mesh) {
-    const Connectivity connectivity(mesh);
-    const auto inner = connectivity.inner_vertices();
+    const Patch surface(mesh);
+    const auto inner = surface.inner_vertices();
     vertex_of_.assign(inner.begin(), inner.end());
     std::vector<Index> number(mesh.positions.size(), static_cast<Index>(mesh.positions.size()));
     for (std::size_t i = 0; i < inner.size(); ++i)
       number[inner[i]] = static_cast<Index>(i);
     for (const Index v : inner) {
-      for (const Index w : connectivity.ring(v))
+      for (const Index w : surface.ring(v))
         vertices_.push_back(number[w]);
       start_.push_back(vertices_.size());
     }

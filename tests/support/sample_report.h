@@ -48,8 +48,8 @@ inline MeasuredPatch measured(double factor) {
 inline FlattenReport flatten_report() {
   FlattenReport report;
   report.name = "front panel";
-  report.input = bumpy_patch(30, 20, 2.0);
-  report.processed = bumpy_patch(30, 20, 1.5);
+  report.input = Patch(bumpy_patch(30, 20, 2.0));
+  report.processed = Patch(bumpy_patch(30, 20, 1.5));
   report.evolve.before = measured(1.0);
   report.evolve.after = measured(0.73);
   report.evolve.deviation = {0.1234, 0.5678, 0.00345};
@@ -60,7 +60,7 @@ inline FlattenReport flatten_report() {
                             .normal_turn = 3.4,
                             .border_turn = 5.6,
                             .sharpest_fold = Fold{40, 41, 9.5, {9.5, 1.0, 0.25}}};
-  report.evolve.result.positions = report.processed.positions;
+  report.evolve.result.positions = report.processed.positions();
   report.evolve.result.threads = 2;
   report.evolve.result.seconds = 0.25;
   const Flattenability& figures = report.evolve.before.figures;
@@ -69,10 +69,10 @@ inline FlattenReport flatten_report() {
     report.evolve.result.history.push_back({sweep, figures.e_max * factor, figures.e_avg * factor,
                                             figures.energy * factor, 549, 0.025 * sweep});
   }
-  report.unfold = plane_below(report.processed, 30.0, 20.0);
+  report.unfold = plane_below(report.processed.mesh(), 30.0, 20.0);
   report.unfold.strain = {0.3187, 0.0761, 0.2143};
   report.unfold.pattern.area_ratio = 1.0021;
-  report.unfold_before = plane_below(report.input, 30.5, 20.5);
+  report.unfold_before = plane_below(report.input.mesh(), 30.5, 20.5);
   report.unfold_before.strain = {0.3241, 0.0763, 0.2213};
   report.unfold_before.pattern.area_ratio = 1.0034;
   return report;

@@ -34,7 +34,7 @@ std::vector<OutputFile> files_of(const CompareReport& report, const fs::path& fo
                              std::string(to_string(format));
     files.push_back(
         {folder / path_of(name),
-         format_mesh({method.evolve->result.positions, report.input.triangles}, format)});
+         format_mesh({method.evolve->result.positions, report.input.triangles()}, format)});
   }
   return files;
 }
@@ -56,9 +56,9 @@ Outcome run_compare(const Arguments& arguments, Session& session) {
   ReadResult input = session.read(path);
   const std::string size = size_text(input.mesh);
   const auto report = about(path, [&] {
-    options.constraints = constraints_from(arguments, input.mesh, session);
-    return compare(std::move(input.mesh), stem_of(path), runs, options,
-                   progress_of_methods(session));
+    const Patch patch(std::move(input.mesh));
+    options.constraints = constraints_from(arguments, patch, session);
+    return compare(patch, stem_of(path), runs, options, progress_of_methods(session));
   });
   if (!report) throw Interrupted();
 

@@ -35,32 +35,32 @@ struct Evolved {
   EvolveReport report;
 };
 
-Evolved evolve_with_progress(const TriMesh& mesh, const Arguments& arguments, Session& session) {
+Evolved evolve_with_progress(const Patch& patch, const Arguments& arguments, Session& session) {
   const Method method = method_from(arguments, Method{});
   const Stopping stopping = stopping_from(arguments, method);
-  const Constraints constraints = constraints_from(arguments, mesh, session);
-  EvolveProgress progress(stopping, mesh.positions.size());
+  const Constraints constraints = constraints_from(arguments, patch, session);
+  EvolveProgress progress(stopping, patch.vertex_count());
   const auto on_sweep = [&](const SweepRecord& record) {
     session.show_progress("evolving", progress.after(record), sweep_text(record, stopping));
     return !session.interrupted();
   };
   if (const double length = smooth_first_from(arguments); length > 0.0) {
-    const SmoothedDesign design = smooth_design(mesh, length);
+    const SmoothedDesign design = smooth_design(patch, length);
     EvolveReport report = with_smoothing(
-        evolve_patch(design.mesh, method, stopping, on_sweep, session.threads(), constraints), mesh,
-        design.done);
-    return {{report.result.positions, mesh.triangles}, std::move(report)};
+        evolve_patch(design.patch, method, stopping, on_sweep, session.threads(), constraints),
+        patch, design.done);
+    return {{report.result.positions, patch.triangles()}, std::move(report)};
   }
   if (arguments.has("--remesh")) {
-    check_constraints(constraints, mesh.positions.size(), method);
-    const RemeshedPatch patch = remesh(mesh, constraints);
+    check_constraints(constraints, patch.vertex_count(), method);
+    const RemeshedPatch remeshed = remesh(patch, constraints);
     EvolveReport report =
-        evolve_remeshed(mesh, patch, method, stopping, on_sweep, session.threads());
-    return {{report.result.positions, patch.mesh.triangles}, std::move(report)};
+        evolve_remeshed(patch, remeshed, method, stopping, on_sweep, session.threads());
+    return {{report.result.positions, remeshed.patch.triangles()}, std::move(report)};
   }
   EvolveReport report =
-      evolve_patch(mesh, method, stopping, on_sweep, session.threads(), constraints);
-  return {{report.result.positions, mesh.triangles}, std::move(report)};
+      evolve_patch(patch, method, stopping, on_sweep, session.threads(), constraints);
+  return {{report.result.positions, patch.triangles()}, std::move(report)};
 }
 
 Outcome run_evolve(const Arguments& arguments, Session& session) {
@@ -79,9 +79,10 @@ Outcome run_evolve(const Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands.front();
   const CutInput input = cut_as_asked(session.read(path).mesh, path, arguments, session);
   const auto [evolved, report] = about(path, [&] {
-    note_obstruction(session, input.mesh);
-    if (!arguments.has("--remesh")) note_memory(session, method, input.mesh);
-    return evolve_with_progress(input.mesh, arguments, session);
+    const Patch patch(input.mesh);
+    note_obstruction(session, patch);
+    if (!arguments.has("--remesh")) note_memory(session, method, patch.vertex_count());
+    return evolve_with_progress(patch, arguments, session);
   });
   files.front().content = format_mesh(evolved, format);
   if (files.size() > 1) files.back().content = history_csv(report.result.history);

@@ -132,7 +132,7 @@ PatternOptions on_processed(const PatternOptions& annotations, const FlattenRepo
 }
 
 NestPatch nest_patch(const FlattenReport& report, const PatternOptions& annotations) {
-  return {report.name, report.processed, report.unfold.pattern.positions,
+  return {report.name, report.processed.mesh(), report.unfold.pattern.positions,
           on_processed(annotations, report)};
 }
 
@@ -174,7 +174,7 @@ std::string page_of(const FlattenReport& report, const PatternFiles& pattern,
 std::vector<OutputFile> files_of(const FlattenReport& report, const OutputPaths& paths,
                                  MeshFormat format, const PatternFiles& pattern,
                                  const PageWords& words, const std::string& json) {
-  const TriMesh& mesh = report.processed;
+  const TriMesh& mesh = report.processed.mesh();
   std::vector<OutputFile> files = pattern_files(report, paths, pattern);
   files.push_back({path_of(paths.at("processed")), format_mesh(mesh, format)});
   files.push_back(
@@ -243,13 +243,13 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
     return !session.interrupted();
   };
   const auto report = about(path, [&] {
-    note_obstruction(session, input.mesh);
-    if (!options.remesh) note_memory(session, options.method, input.mesh);
-    options.constraints = constraints_from(arguments, input.mesh, session);
-    pattern.annotations =
-        annotations_on(std::move(pattern.annotations), arguments, input.mesh, name);
+    const Patch patch(std::move(input.mesh));
+    note_obstruction(session, patch);
+    if (!options.remesh) note_memory(session, options.method, patch.vertex_count());
+    options.constraints = constraints_from(arguments, patch, session);
+    pattern.annotations = annotations_on(std::move(pattern.annotations), arguments, patch, name);
     options.keep = named_vertices(pattern.annotations);
-    return flatten(std::move(input.mesh), name, options, on_progress);
+    return flatten(patch, name, options, on_progress);
   });
   if (!report) throw Interrupted();
 

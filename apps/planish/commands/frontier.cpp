@@ -116,8 +116,9 @@ Outcome run_frontier(const Arguments& arguments, Session& session) {
   ReadResult input = session.read(path);
   const std::string size = size_text(input.mesh);
   const auto report = about(path, [&] {
-    options.constraints = constraints_from(arguments, input.mesh, session);
-    return frontier(std::move(input.mesh), stem_of(path), options, progress_of_methods(session));
+    const Patch patch(std::move(input.mesh));
+    options.constraints = constraints_from(arguments, patch, session);
+    return frontier(patch, stem_of(path), options, progress_of_methods(session));
   });
   if (!report) throw Interrupted();
 

@@ -40,12 +40,13 @@ std::vector<OutputFile> places_from(const Arguments& arguments) {
   return files;
 }
 
-Outcome with_directions(Outcome outcome, const TriMesh& mesh, std::vector<OutputFile> files,
+Outcome with_directions(Outcome outcome, const Patch& patch, std::vector<OutputFile> files,
                         const Arguments& arguments, Session& session) {
-  const auto directions = laplacian_directions(mesh, Connectivity(mesh));
+  const auto directions = laplacian_directions(patch);
   const std::string name = stem_of(arguments.operands.front());
   if (arguments.has("--map")) files.front().content = direction_csv(directions);
-  if (arguments.has("--picture")) files.back().content = direction_svg(mesh, directions, name);
+  if (arguments.has("--picture"))
+    files.back().content = direction_svg(patch.mesh(), directions, name);
   const DirectionCounts counts = count_directions(directions);
   outcome.text += directions_text(counts) + written_text(files);
   outcome.json = json_with_directions(outcome.json, counts);
@@ -55,9 +56,9 @@ Outcome with_directions(Outcome outcome, const TriMesh& mesh, std::vector<Output
 
 /// Of the patch laid flat as it is; nothing where that is not possible and no limit was asked for.
 /// @throws Error what stands in the way, where a limit was asked for
-std::optional<StrainAsDesigned> strain_of(const TriMesh& mesh, const MeasuredPatch& patch,
-                                          const StrainLimits& limits, Session& session) {
-  if (!limits.any() && blocking_problem(patch.inspection, Purpose::unfold)) return std::nullopt;
+std::optional<StrainAsDesigned> strain_of(const Patch& patch, const StrainLimits& limits,
+                                          Session& session) {
+  if (!limits.any() && blocking_problem(patch.inspection(), Purpose::unfold)) return std::nullopt;
   const auto on_step = [&](int step, double) {
     // How many steps it will take is not known: the bar comes nearer to its end with every one.
     session.show_progress("laying flat", 1.0 - 1.0 / (1.0 + 0.05 * step),
@@ -65,7 +66,7 @@ std::optional<StrainAsDesigned> strain_of(const TriMesh& mesh, const MeasuredPat
     return !session.interrupted();
   };
   try {
-    auto strain = strain_as_designed(mesh, limits, session.threads(), on_step);
+    auto strain = strain_as_designed(patch, limits, session.threads(), on_step);
     if (!strain) throw Interrupted();
     return strain;
   } catch (const Error& error) {
@@ -81,16 +82,20 @@ Outcome run_measure(const Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands.front();
   const StrainLimits limits = limits_from(arguments);
   const TriMesh mesh = session.read(path).mesh;
-  MeasuredPatch patch;
+  Patch patch;
+  MeasuredPatch measured;
   try {
-    patch = about(path, [&] { return measure_patch(mesh); });
+    about(path, [&] {
+      patch = Patch(mesh);
+      measured = measure_patch(patch);
+    });
   } catch (const Error& error) {
     return refused(path, mesh, error);
   }
-  const auto strain = about(path, [&] { return strain_of(mesh, patch, limits, session); });
-  Outcome outcome = {measure_text(path, patch, strain), json_report(patch, strain)};
+  const auto strain = about(path, [&] { return strain_of(patch, limits, session); });
+  Outcome outcome = {measure_text(path, measured, strain), json_report(measured, strain)};
   if (!files.empty())
-    outcome = with_directions(std::move(outcome), mesh, files, arguments, session);
+    outcome = with_directions(std::move(outcome), patch, files, arguments, session);
   return strain ? with_limits_checked(std::move(outcome), strain->limits) : outcome;
 }
 

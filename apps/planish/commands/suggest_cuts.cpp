@@ -81,7 +81,7 @@ Outcome run_suggest_cuts(const Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands.front();
   const TriMesh mesh = session.read(path).mesh;
   const auto suggestion = about(path, [&] {
-    return suggest_cuts(mesh, Connectivity(mesh), options, [&](double share) {
+    return suggest_cuts(Patch(mesh), options, [&](double share) {
       session.show_progress("trying cuts", share, path);
       return !session.interrupted();
     });

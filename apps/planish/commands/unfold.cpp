@@ -48,13 +48,14 @@ PatternOutput output_from(const Arguments& arguments) {
   return pattern_output_from(arguments);
 }
 
-std::string content_of(const std::string& path, const std::string& input, const TriMesh& mesh,
+std::string content_of(const std::string& path, const std::string& input, const Patch& patch,
                        const UnfoldReport& report, const PatternOutput& output,
                        const PatternOptions& annotations) {
   const auto format = pattern_format_of(path);
-  if (!format) return format_mesh(flat_mesh(mesh, report.pattern), mesh_format_of(path_of(path)));
+  if (!format)
+    return format_mesh(flat_mesh(patch.mesh(), report.pattern), mesh_format_of(path_of(path)));
   const std::string name = stem_of(input);
-  const Drawing sheet = pattern_sheet(mesh, report, name, annotations);
+  const Drawing sheet = pattern_sheet(patch, report, name, annotations);
   return output.paper ? tiled_file(sheet, output) : pattern_file(sheet, *format, output);
 }
 
@@ -76,14 +77,15 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
                           "step " + std::to_string(step) + "  energy " + digits(energy, 6));
     return !session.interrupted();
   };
+  const Patch patch = about(path, [&] { return Patch(input.mesh); });
   const auto report = about(path, [&] {
     const std::string name = stem_of(path);
-    annotations = annotations_on(std::move(annotations), arguments, input.mesh, name);
-    return unfold_patch(input.mesh, unit, on_step, unfold_options);
+    annotations = annotations_on(std::move(annotations), arguments, patch, name);
+    return unfold_patch(patch, unit, on_step, unfold_options);
   });
   if (!report) throw Interrupted();
   const std::string content =
-      about(path, [&] { return content_of(output, path, input.mesh, *report, how, annotations); });
+      about(path, [&] { return content_of(output, path, patch, *report, how, annotations); });
   warn_of_pattern(session, *report);
   Outcome outcome = {
       path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(*report),

@@ -22,8 +22,8 @@ void refuse(const std::string& flag, const Method& method, bool (*honours)(const
                    (able.empty() ? "; no method can" : "; take --method " + list_of(able)));
 }
 
-std::vector<Index> fixed_in(const std::string& path, const TriMesh& mesh, Session& session) {
-  const FixedVertices fixed = read_fixed_vertices(path_of(path), mesh);
+std::vector<Index> fixed_in(const std::string& path, const Patch& patch, Session& session) {
+  const FixedVertices fixed = read_fixed_vertices(path_of(path), patch);
   std::string text = path + ": fixed vertices: " + std::to_string(fixed.vertices.size());
   if (fixed.farthest > 0.0) {
     text += "; what is drawn is at most " + digits(fixed.farthest, 3) + " from them";
@@ -52,13 +52,13 @@ void refuse_unsupported_constraints(const Arguments& arguments, const Method& me
   }
 }
 
-Constraints constraints_from(const Arguments& arguments, const TriMesh& mesh, Session& session) {
+Constraints constraints_from(const Arguments& arguments, const Patch& patch, Session& session) {
   Constraints constraints;
   if (arguments.has("--fix")) {
-    constraints.fixed = fixed_in(arguments.flags.at("--fix"), mesh, session);
+    constraints.fixed = fixed_in(arguments.flags.at("--fix"), patch, session);
   }
   if (arguments.has("--weights")) {
-    constraints.weights = read_weights(path_of(arguments.flags.at("--weights")), mesh);
+    constraints.weights = read_weights(path_of(arguments.flags.at("--weights")), patch.mesh());
   }
   if (arguments.has("--obstacle")) {
     constraints.obstacle = session.read(arguments.flags.at("--obstacle")).mesh;

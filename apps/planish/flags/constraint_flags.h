@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/evolve/constraints.h>
+#include <planish/mesh/patch.h>
 
 #include "shell/command.h"
 
@@ -15,6 +16,6 @@ void refuse_unsupported_constraints(const Arguments& arguments, const Method& me
 
 /// What the flags' files say about a mesh.
 /// @throws Error as read_fixed_vertices(), read_weights() and read_mesh()
-Constraints constraints_from(const Arguments& arguments, const TriMesh& mesh, Session& session);
+Constraints constraints_from(const Arguments& arguments, const Patch& patch, Session& session);
 
 }  // namespace planish::cli

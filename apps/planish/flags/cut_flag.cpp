@@ -26,7 +26,7 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
   const std::string& file = arguments.flags.at("--cut");
   return about(path, [&]() -> CutInput {
     const CutLines lines = read_cuts(path_of(file), mesh);
-    CutMesh cut = cut_open(mesh, Connectivity(mesh), lines.paths);
+    CutMesh cut = cut_open(Patch(mesh), lines.paths);
     const std::string unit(to_string(unit_from(arguments)));
     std::string text = file + ": cut open along " + counted(cut.edges, "edge") + ", " +
                        digits(cut.length) + " " + unit;

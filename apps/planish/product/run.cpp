@@ -31,7 +31,7 @@ std::optional<FlattenReport> report_of(const ProductJob& job, std::size_t number
                                        const Stopped& stopped) {
   const ProductPatch& patch = job.patches[number];
   if (patch.failure) throw Error(*patch.failure);
-  return flatten(patch.mesh, patch.name, options_of(job, number),
+  return flatten(Patch(patch.mesh), patch.name, options_of(job, number),
                  [&](FlattenStage, double) { return !stopped(); });
 }
 
@@ -40,7 +40,7 @@ FlattenedPatch files_and_all(const ProductJob& job, std::size_t number, const Fl
   const ProductPatch& patch = job.patches[number];
   return {{},
           job.files_of(report, patch.format, annotations, job.folder / path_of(patch.folder)),
-          report.processed,
+          report.processed.mesh(),
           report.unfold.pattern.positions,
           report.twin_of.has_value()};
 }
@@ -61,7 +61,7 @@ FlattenedPatch finished_twin(const ProductJob& job, std::size_t number, const Me
                              const FlattenReport& other, const Stopped& stopped) try {
   const ProductPatch& patch = job.patches[number];
   const auto report =
-      twin_report(other, patch.mesh, twin.match, patch.name, options_of(job, number));
+      twin_report(other, Patch(patch.mesh), twin.match, patch.name, options_of(job, number));
   if (!report) return finished(job, number, [&] { return report_of(job, number, stopped); });
   return files_and_all(
       job, number, *report,

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include <planish/mesh/connectivity.h>
 #include <planish/mesh/inspect.h>
+#include <planish/mesh/patch.h>
 #include <planish/pattern/notches.h>
 #include <planish/pattern/read_annotations.h>
 
@@ -55,14 +55,13 @@ std::vector<std::vector<Notch>> seam_notches_from(const Arguments& arguments,
 }
 
 PatternOptions annotations_on(PatternOptions annotations, const Arguments& arguments,
-                              const TriMesh& mesh, const std::string& name) {
+                              const Patch& patch, const std::string& name) {
   const bool seams = arguments.has("--seam-notches");
   if (named_vertices(annotations).empty() && annotations.notches.empty() && !seams)
     return annotations;
-  const Connectivity connectivity(mesh);
-  check_pattern_options(annotations, mesh.positions.size(), connectivity.border_loops(), name);
+  check_pattern_options(annotations, patch.vertex_count(), patch.border_loops(), name);
   const std::vector<std::vector<Notch>> on_seams =
-      seam_notches_from(arguments, {&mesh, 1}, {&name, 1});
+      seam_notches_from(arguments, {&patch.mesh(), 1}, {&name, 1});
   annotations.notches.insert(annotations.notches.end(), on_seams.front().begin(),
                              on_seams.front().end());
   return annotations;

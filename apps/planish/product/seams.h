@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <planish/mesh/patch.h>
 #include <planish/mesh/seams.h>
 #include <planish/pattern/notches.h>
 #include <planish/pattern/pattern_options.h>
@@ -26,6 +27,6 @@ std::vector<std::vector<Notch>> seam_notches_from(const Arguments& arguments,
 /// be known before it is flat.
 /// @throws Error as seam_notches_from() and check_pattern_options()
 PatternOptions annotations_on(PatternOptions annotations, const Arguments& arguments,
-                              const TriMesh& mesh, const std::string& name);
+                              const Patch& patch, const std::string& name);
 
 }  // namespace planish::cli

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 namespace planish::cli {
 
@@ -17,9 +17,9 @@ ProductTwins twins_among(const std::vector<ProductPatch>& patches,
 
 PatternOptions annotations_of_twin(PatternOptions own, const TriMesh& of, const MeshMatch& match) {
   if (match.mirrored) own = for_mirror_image(std::move(own));
-  const Connectivity connectivity(of);
   // Where piece_outline() begins.
-  own.like = DrawnLike{match.mirrored, match.vertex[connectivity.border_loops().front().front()]};
+  const Index first = Patch(of).border_loops().front().front();
+  own.like = DrawnLike{match.mirrored, match.vertex[first]};
   return own;
 }
 

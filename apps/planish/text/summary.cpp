@@ -353,13 +353,12 @@ Outcome with_target_checked(Outcome outcome, const Arguments& arguments,
   return outcome;
 }
 
-void note_obstruction(Session& session, const TriMesh& mesh) {
-  const auto obstruction = find_obstruction(mesh, Connectivity(mesh));
+void note_obstruction(Session& session, const Patch& patch) {
+  const auto obstruction = find_obstruction(patch);
   if (obstruction && obstruction->is_notable()) session.note(obstruction_advice(*obstruction));
 }
 
-void note_memory(Session& session, const Method& method, const TriMesh& mesh) {
-  const std::size_t vertices = mesh.positions.size();
+void note_memory(Session& session, const Method& method, std::size_t vertices) {
   if (memory_text(method, vertices, 0).empty()) return;
   session.note(memory_text(method, vertices, available_memory()));
 }

@@ -39,10 +39,10 @@ Outcome with_target_checked(Outcome outcome, const Arguments& arguments,
 /// Tells, before any long work, that a patch cannot become flattenable as long as its border is
 /// what it is, and what to do; nothing where little area is at stake.
 /// @throws Error as Connectivity
-void note_obstruction(Session& session, const TriMesh& mesh);
+void note_obstruction(Session& session, const Patch& patch);
 
 /// Says before the work on a dense patch how much memory it will take.
-void note_memory(Session& session, const Method& method, const TriMesh& mesh);
+void note_memory(Session& session, const Method& method, std::size_t vertices);
 
 /// Draws the progress of a run of several methods.
 OnCompareProgress progress_of_methods(Session& session);

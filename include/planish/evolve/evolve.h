@@ -38,7 +38,7 @@ struct EvolveResult {
 /// @param threads 0 for all cores; the result is the same for every number
 /// @throws Error option_out_of_range, as check_constraints(), or what stands in the way of
 /// Purpose::evolve
-EvolveResult evolve(const TriMesh& mesh, const Method& method = ControllableLaplacian{},
+EvolveResult evolve(const Patch& patch, const Method& method = ControllableLaplacian{},
                     const Stopping& stopping = {}, const OnSweep& on_sweep = {},
                     unsigned threads = 0, const Constraints& constraints = {});
 

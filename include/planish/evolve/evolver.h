@@ -8,7 +8,7 @@
 
 #include <planish/evolve/constraints.h>
 #include <planish/evolve/method.h>
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -63,15 +63,11 @@ struct SweepRecord {
 /// who want to look in between.
 class Evolver {
  public:
-  /// @param mesh must outlive the evolver, which looks up in it where vertices were at first
-  /// @param connectivity that of mesh; not needed afterwards
   /// @param threads 0 for all cores; the result is the same for every number
   /// @throws Error option_out_of_range, as check_constraints(), or what stands in the way of
   /// Purpose::evolve
-  Evolver(const TriMesh& mesh, const Connectivity& connectivity, const Method& method,
-          unsigned threads = 0, const Constraints& constraints = {});
-  Evolver(TriMesh&& mesh, const Connectivity&, const Method&, unsigned = 0,
-          const Constraints& = {}) = delete;
+  Evolver(const Patch& patch, const Method& method, unsigned threads = 0,
+          const Constraints& constraints = {});
   ~Evolver();
   Evolver(Evolver&&) noexcept;
   Evolver& operator=(Evolver&&) noexcept;

@@ -5,15 +5,15 @@
 #include <vector>
 
 #include <planish/evolve/constraints.h>
-#include <planish/mesh/tri_mesh.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
 /// A patch to be worked on in the place of a denser one.
 struct RemeshedPatch {
-  TriMesh mesh;
+  Patch patch;
   Constraints constraints;    ///< of the vertices that are left
-  std::vector<Index> source;  ///< vertex of `mesh` -> vertex of the denser one, increasing
+  std::vector<Index> source;  ///< vertex of `patch` -> vertex of the denser one, increasing
 };
 
 /// Takes vertices out of the inside of a patch, for work that does not need its density: a coarse
@@ -25,7 +25,7 @@ struct RemeshedPatch {
 /// @pre check_constraints() accepts the constraints
 /// @throws Error what stands in the way of Purpose::measure; index_out_of_range for a vertex to be
 ///   kept that there is not
-RemeshedPatch remesh(const TriMesh& mesh, const Constraints& constraints = {},
+RemeshedPatch remesh(const Patch& patch, const Constraints& constraints = {},
                      std::span<const Index> keep = {});
 
 }  // namespace planish

@@ -42,7 +42,7 @@ struct ComparedMethod {
 /// Several methods, each tried on the same patch.
 struct CompareReport {
   std::string name;  ///< of the patch, for titles
-  TriMesh input;
+  Patch input;
   MeasuredPatch before;
   std::optional<UnfoldReport> unfold_before;  ///< of the input as it came
   std::string why_no_patterns;                ///< where the input cannot be laid flat
@@ -58,7 +58,7 @@ using OnCompareProgress = std::function<bool(FlattenStage, std::string_view meth
 /// are compared without patterns. A method that fails does not end the others. Nothing when
 /// cancelled.
 /// @throws Error what stands in the way of Purpose::evolve
-std::optional<CompareReport> compare(TriMesh mesh, std::string name,
+std::optional<CompareReport> compare(const Patch& patch, std::string name,
                                      const std::vector<CompareRun>& runs,
                                      const CompareOptions& options = {},
                                      const OnCompareProgress& on_progress = {});

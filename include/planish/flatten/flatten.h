@@ -29,10 +29,10 @@ struct MeasuredPatch {
   SelfIntersections self_intersections = {};
 };
 
-/// Inspects and measures.
+/// Measures a patch, with all figures.
 /// @param threads 1: on the calling one alone; the result is the same
 /// @throws Error what stands in the way of Purpose::measure
-MeasuredPatch measure_patch(const TriMesh& mesh, unsigned threads = 0);
+MeasuredPatch measure_patch(const Patch& patch, unsigned threads = 0);
 
 /// The size of a patch that was worked on with fewer vertices.
 struct OriginalSize {
@@ -47,7 +47,7 @@ struct SmoothedFirst {
 
 /// A design without its short waves.
 struct SmoothedDesign {
-  TriMesh mesh;
+  Patch patch;
   SmoothedFirst done;
 };
 
@@ -109,10 +109,10 @@ struct TwinOf {
 /// The main job's result: everything that the files of a `flatten` folder are made from.
 struct FlattenReport {
   std::string name;  ///< of the patch, for titles
-  TriMesh input;     ///< remeshed or smoothed, if that was asked for
+  Patch input;       ///< remeshed or smoothed, if that was asked for
   /// Vertex of `input` -> vertex of the patch as it came, increasing; empty: they are the same.
   std::vector<Index> source;
-  TriMesh processed;  ///< the input with the evolved positions
+  Patch processed;  ///< the input with the evolved positions
   EvolveReport evolve;
   UnfoldReport unfold;
   UnfoldReport unfold_before;          ///< of the input as it came: tells what evolving gained
@@ -128,33 +128,33 @@ using OnProgress = std::function<bool(FlattenStage, double)>;
 
 /// Evolves with all figures around it.
 /// @throws Error as evolve()
-EvolveReport evolve_patch(const TriMesh& mesh, const Method& method, const Stopping& stopping,
+EvolveReport evolve_patch(const Patch& patch, const Method& method, const Stopping& stopping,
                           const OnSweep& on_sweep = {}, unsigned threads = 0,
                           const Constraints& constraints = {});
 
 /// The same on a patch that was remeshed.
-/// @param original what `patch` was made from
-EvolveReport evolve_remeshed(const TriMesh& original, const RemeshedPatch& patch,
+/// @param original what `remeshed` was made from
+EvolveReport evolve_remeshed(const Patch& original, const RemeshedPatch& remeshed,
                              const Method& method, const Stopping& stopping,
                              const OnSweep& on_sweep = {}, unsigned threads = 0);
 
 /// Takes waves shorter than a length out of a design: the noise of a scan. The border stays.
 /// @param length in model units
 /// @throws Error option_out_of_range, as smoothed_positions()
-SmoothedDesign smooth_design(const TriMesh& raw, double length);
+SmoothedDesign smooth_design(const Patch& raw, double length);
 
 /// The report of an evolution of a smoothed design, with what smoothing did.
-EvolveReport with_smoothing(EvolveReport report, const TriMesh& raw, const SmoothedFirst& done);
+EvolveReport with_smoothing(EvolveReport report, const Patch& raw, const SmoothedFirst& done);
 
 /// Unfolds with all figures around it; nothing when cancelled.
 /// @throws Error as unfold()
-std::optional<UnfoldReport> unfold_patch(const TriMesh& mesh, Unit unit,
+std::optional<UnfoldReport> unfold_patch(const Patch& patch, Unit unit,
                                          const OnUnfoldStep& on_step = {},
                                          const UnfoldOptions& options = {});
 
 /// The main job: measure, evolve, measure, unfold; nothing when cancelled.
 /// @throws Error as evolve() and unfold(); what is not a disk is refused before any work
-std::optional<FlattenReport> flatten(TriMesh mesh, std::string name,
+std::optional<FlattenReport> flatten(const Patch& patch, std::string name,
                                      const FlattenOptions& options = {},
                                      const OnProgress& on_progress = {});
 

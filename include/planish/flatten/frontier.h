@@ -73,7 +73,7 @@ void mark_dominated(FrontierReport& report);
 /// the patch as designed, and lays every result flat. A run that fails does not end the others.
 /// Nothing when cancelled.
 /// @throws Error option_out_of_range; what is not a disk, as unfold()
-std::optional<FrontierReport> frontier(TriMesh mesh, std::string name,
+std::optional<FrontierReport> frontier(const Patch& patch, std::string name,
                                        const FrontierOptions& options = {},
                                        const OnCompareProgress& on_progress = {});
 

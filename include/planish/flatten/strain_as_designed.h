@@ -26,7 +26,7 @@ struct StrainAsDesigned {
 /// Lays a patch flat, with and without limits, and keeps the figures. Nothing when cancelled.
 /// @param threads 0 for all cores; the result is the same for every number
 /// @throws Error as unfold()
-std::optional<StrainAsDesigned> strain_as_designed(const TriMesh& mesh, const StrainLimits& limits,
+std::optional<StrainAsDesigned> strain_as_designed(const Patch& patch, const StrainLimits& limits,
                                                    unsigned threads = 0,
                                                    const OnUnfoldStep& on_step = {});
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <planish/mesh/tri_mesh.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -22,13 +22,12 @@ struct FixedVertices {
 /// comments from # to the end of the line.
 /// @throws Error file_not_found, file_unreadable, malformed_file, truncated_file, bad_number,
 ///   non_finite_coordinate, index_out_of_range, too_large, several_components for a line that no
-///   edges join; the place has path and line. Also, without a place, what Connectivity refuses the
-///   mesh for, and no_triangles
-FixedVertices read_fixed_vertices(const std::filesystem::path& path, const TriMesh& mesh);
+///   edges join; the place has path and line. Also, without a place, no_triangles
+FixedVertices read_fixed_vertices(const std::filesystem::path& path, const Patch& patch);
 
 /// The same from memory.
 /// @param name stands for the path in errors, and its extension tells what `bytes` are
-FixedVertices parse_fixed_vertices(std::string_view bytes, const TriMesh& mesh,
+FixedVertices parse_fixed_vertices(std::string_view bytes, const Patch& patch,
                                    const std::string& name);
 
 /// Reads the weights of the vertices of a mesh: on each line the number of a vertex, from 0, and

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -16,8 +16,7 @@ struct Deviation {
 };
 
 /// @param after one position per vertex of `before`
-Deviation measure_deviation(const TriMesh& before, std::span<const Vec3> after,
-                            const Connectivity& connectivity);
+Deviation measure_deviation(const Patch& before, std::span<const Vec3> after);
 
 /// What became of a border that moved, in model units.
 struct BoundaryChange {
@@ -27,13 +26,12 @@ struct BoundaryChange {
 
 /// None where no vertex of the border moved.
 /// @param after one position per vertex of `before`
-std::optional<BoundaryChange> measure_border_change(const TriMesh& before,
-                                                    std::span<const Vec3> after,
-                                                    const Connectivity& connectivity);
+std::optional<BoundaryChange> measure_border_change(const Patch& before,
+                                                    std::span<const Vec3> after);
 
 /// How far a surface is from another one with nearly the same border and other triangles: rms and
 /// largest over the inner vertices of `before`, to the nearest place of `after`; the largest also
 /// over the vertices of `after`, to `before`. Both have triangles. O(n log n) where they are near.
-Deviation measure_surface_deviation(const TriMesh& before, const TriMesh& after);
+Deviation measure_surface_deviation(const Patch& before, const TriMesh& after);
 
 }  // namespace planish

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 #include <planish/mesh/tri_mesh.h>
 
 namespace planish {
@@ -18,7 +18,7 @@ struct Hinge {
 };
 
 /// All hinges, by `from` and then in the order of its ring. O(n).
-std::vector<Hinge> hinges_of(const Connectivity& connectivity);
+std::vector<Hinge> hinges_of(const Patch& patch);
 
 /// How a hinge is bent.
 struct Bend {
@@ -48,12 +48,12 @@ struct Bending {
 };
 
 /// Sums run in the order of hinges_of(): the same bits every time. O(n).
-Bending measure_bending(const TriMesh& mesh, const Connectivity& connectivity);
+Bending measure_bending(const Patch& patch);
 
 /// How sharply a surface is bent at each vertex, one over model units: the mean |curvature| across
 /// its inner edges by their areas, |k1| + |k2| or up to 1.7 times that, by how the edges lie; 0
 /// where there is no such edge. O(n).
-std::vector<double> vertex_bends(const TriMesh& mesh, const Connectivity& connectivity);
+std::vector<double> vertex_bends(const Patch& patch);
 
 /// Less than this is a plane and rounding: a surface that turns by a millionth of a radian.
 inline constexpr double k_no_bending = 1e-12;
@@ -103,13 +103,11 @@ inline constexpr double k_smooth_sharp_share = 0.04;
 inline constexpr double k_kept_lost = 0.5;
 
 /// Compares a surface with its design, vertex by vertex. O(n log n).
-/// @param connectivity that of `design`
 /// @param after one position per vertex of `design`
-Fairness measure_fairness(const TriMesh& design, const Connectivity& connectivity,
-                          std::span<const Vec3> after);
+Fairness measure_fairness(const Patch& design, std::span<const Vec3> after);
 
 /// The same of a surface with other triangles: ratio and sharp share only.
-Fairness measure_fairness(const TriMesh& design, const TriMesh& after);
+Fairness measure_fairness(const Patch& design, const Patch& after);
 
 /// Where a surface goes through itself.
 struct SelfIntersections {

@@ -4,22 +4,21 @@
 #include <span>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
 #include <planish/mesh/inspect.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
 /// d_v = 2 pi - theta_v of every inner vertex, in radians; 0 for all other vertices. Zero-area
 /// triangles have angles 0, 0, pi. Angles come from the product of the corners as complex numbers:
 /// one arctangent a vertex and no loss of digits near 2 pi (docs/notation.md).
-std::vector<double> angle_defects(const TriMesh& mesh, const Connectivity& connectivity);
+std::vector<double> angle_defects(const Patch& patch);
 
 /// Gaussian curvature of every inner vertex as Eq. 1 of the 2010 paper has it: d_v over a third of
 /// the area of the triangles around v, one over square model units. 0 for all other vertices;
 /// where there is no area, 0 for defect 0 and infinite for others.
 /// @param defects as from angle_defects()
-std::vector<double> gaussian_curvatures(const TriMesh& mesh, const Connectivity& connectivity,
-                                        std::span<const double> defects);
+std::vector<double> gaussian_curvatures(const Patch& patch, std::span<const double> defects);
 
 /// How far a patch is from flattenable. Defects are over inner vertices only; with none, 0.
 struct Flattenability {
@@ -31,9 +30,8 @@ struct Flattenability {
   double roughness = 0.0;       ///< rms dihedral angle over inner edges, degrees
 };
 
-/// Measures a patch; `connectivity` must be that of `mesh`. Sums run in the order of the vertices:
-/// the same bits every time.
-Flattenability measure(const TriMesh& mesh, const Connectivity& connectivity);
+/// Measures a patch. Sums run in the order of the vertices: the same bits every time.
+Flattenability measure(const Patch& patch);
 
 /// The first four figures from defects that are at hand.
 /// @param defects as from angle_defects(): what is not inner has 0

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <optional>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -50,6 +50,6 @@ inline constexpr double k_notable_excess = 0.01;
 
 /// Nothing where the question does not arise: of what is not one disk (one component, one border
 /// loop, no handle). The share does not depend on the model's size. O(n + m).
-std::optional<Obstruction> find_obstruction(const TriMesh& mesh, const Connectivity& connectivity);
+std::optional<Obstruction> find_obstruction(const Patch& patch);
 
 }  // namespace planish

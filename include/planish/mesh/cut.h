@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <planish/core/error.h>
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -31,13 +31,11 @@ struct CutMesh {
 /// Cuts a mesh open: the triangles on the two sides of a path no longer share vertices, but for an
 /// end of a path that is inside. Paths may cross, branch and share edges, and may divide the mesh.
 /// The result depends only on which edges are cut. Positions keep their bits. O((n + m) log m).
-/// @pre connectivity is that of mesh
 /// @throws Error index_out_of_range, or misplaced_cut: a path of fewer than two vertices, along the
 ///   border, between vertices that nothing joins inside, or that together with the paths that it
 ///   meets does not touch the border of a part that has one, or is a single edge of a closed one.
 ///   The message counts the paths from 1, `first` is the vertex
-CutMesh cut_open(const TriMesh& mesh, const Connectivity& connectivity,
-                 std::span<const CutPath> paths);
+CutMesh cut_open(const Patch& patch, std::span<const CutPath> paths);
 
 /// Length of a path on the mesh, model units.
 double path_length(std::span<const Index> path, std::span<const Vec3> positions);

@@ -25,7 +25,7 @@ struct Seam {
 /// borders share a curve, there is a seam for every two of them.
 /// @param tolerance borders' vertices this close are at the same place; 0: exactly equal ones only.
 ///   It should be far below the lengths of edges.
-/// @throws Error as Connectivity
+/// @throws Error as Patch
 std::vector<Seam> find_seams(std::span<const TriMesh> patches, double tolerance = 0.0);
 
 /// Length of a side on its patch.

@@ -11,7 +11,7 @@ namespace planish {
 using Triangle = std::array<Index, 3>;
 
 /// A triangle mesh: n positions and m triangles over them, nothing else. It may be anything, also
-/// broken: inspect() says what, Connectivity refuses what cannot be worked with.
+/// broken: inspect() says what; a Patch refuses what is no oriented manifold.
 struct TriMesh {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;

@@ -22,7 +22,7 @@ struct PieceOutline {
 
 /// The outline of a pattern: the loop that encloses most comes first, each begins at its vertex of
 /// the smallest number.
-/// @param loops of vertices, the patch on their left, as Connectivity::border_loops() has them
+/// @param loops of vertices, the patch on their left, as Patch::border_loops() has them
 /// @param positions of all vertices, millimetres
 PieceOutline piece_outline(std::vector<std::vector<Index>> loops, std::span<const Vec2> positions,
                            std::string piece);

@@ -26,10 +26,10 @@ inline constexpr Color k_beyond_limit = {240, 82, 10};
 /// marks too), "internal" (inner lines) and "annotation" (the piece's own label) as the options
 /// ask, and "label" below it: name, sizes, unit, scale, a hash of the pattern, test squares of 50
 /// mm and 2 in, what the colours mean. A pattern that overlaps itself gets no allowance.
-/// @param mesh the patch that was unfolded
+/// @param patch that was unfolded
 /// @param name of the patch; that of the piece too where the options have none
 /// @throws Error as offset_outline(), notch_lines(), grain_direction() and mark_lines()
-Drawing pattern_sheet(const TriMesh& mesh, const UnfoldReport& unfold, const std::string& name,
+Drawing pattern_sheet(const Patch& patch, const UnfoldReport& unfold, const std::string& name,
                       const PatternOptions& options = {});
 
 /// The strain at which the strain map's colours end: the 99th percentile of the edges' strain,

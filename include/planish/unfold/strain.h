@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -20,13 +20,11 @@ struct EdgeStrain {
 };
 
 /// @param pattern one position per vertex of the mesh
-EdgeStrain edge_strain(const TriMesh& mesh, const Connectivity& connectivity,
-                       std::span<const Vec2> pattern);
+EdgeStrain edge_strain(const Patch& patch, std::span<const Vec2> pattern);
 
 /// The largest |strain| of the edges of the border.
 /// @param pattern one position per vertex of the mesh
-double largest_border_strain(const TriMesh& mesh, const Connectivity& connectivity,
-                             std::span<const Vec2> pattern);
+double largest_border_strain(const Patch& patch, std::span<const Vec2> pattern);
 
 /// The two principal stretches of a triangle, patch to pattern: 1 keeps length, 0.9 is 10 % shorter
 /// in the pattern. max >= |min|; min is negative where the triangle is flipped.
@@ -69,8 +67,7 @@ struct StrainLimitCheck {
 
 /// One for each limit, in the order of StrainLimitKind.
 /// @param pattern one position per vertex of the mesh
-std::vector<StrainLimitCheck> check_limits(const TriMesh& mesh, const Connectivity& connectivity,
-                                           std::span<const Vec2> pattern,
+std::vector<StrainLimitCheck> check_limits(const Patch& patch, std::span<const Vec2> pattern,
                                            const StrainLimits& limits);
 
 /// True if the pattern keeps all of them.

@@ -59,10 +59,8 @@ using OnSuggestProgress = std::function<bool(double share)>;
 /// that make a disk of it, then darts one after the other, each the best of a few that are tried.
 /// Not the shortest that there are: a greedy search. Nothing when cancelled. The same bits every
 /// time.
-/// @pre connectivity is that of mesh
 /// @throws Error several_components, handles, option_out_of_range, and as unfold()
-std::optional<CutSuggestion> suggest_cuts(const TriMesh& mesh, const Connectivity& connectivity,
-                                          const SuggestOptions& options = {},
+std::optional<CutSuggestion> suggest_cuts(const Patch& patch, const SuggestOptions& options = {},
                                           const OnSuggestProgress& on_progress = {});
 
 }  // namespace planish

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 #include <planish/unfold/strain.h>
 
 namespace planish {
@@ -48,18 +48,17 @@ using OnUnfoldStep = std::function<bool(int step, double energy)>;
 /// that is flattenable, edge lengths are kept. Limits are kept by an interior-point method from
 /// there. With match_seams, border edges keep theirs on any
 /// patch: to 1e-9 of each, as long as none is shorter than a millionth of the patch.
-/// @pre connectivity is that of mesh
 /// @throws Error what stands in the way of Purpose::unfold, too_large (above 2 million vertices),
 ///   option_out_of_range (a limit below 0 or not finite, or limits of max and p99 together) or
 ///   unfold_failed
-Pattern unfold(const TriMesh& mesh, const Connectivity& connectivity,
-               const UnfoldOptions& options = {}, const OnUnfoldStep& on_step = {});
+Pattern unfold(const Patch& patch, const UnfoldOptions& options = {},
+               const OnUnfoldStep& on_step = {});
 
 /// The smallest limit of the |strain| of every edge for which a pattern is found: least is the
 /// pattern of least stretch. To 1 % of itself: a smaller one may be possible by so much.
 /// @pre least is unfold() of the mesh without limits and match_seams
-double smallest_limit(const TriMesh& mesh, const Connectivity& connectivity, const Pattern& least,
-                      unsigned threads = 0, const OnUnfoldStep& on_step = {});
+double smallest_limit(const Patch& patch, const Pattern& least, unsigned threads = 0,
+                      const OnUnfoldStep& on_step = {});
 
 /// The pattern as a mesh in the plane z = 0, with the triangles and vertex numbers of `mesh`.
 TriMesh flat_mesh(const TriMesh& mesh, const Pattern& pattern);

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include <planish/mesh/inspect.h>
-
 #include "evolve/state/fixed_marks.h"
+#include "mesh/coarsen/coarsen.h"
 
 namespace planish {
 
@@ -47,36 +46,31 @@ std::vector<Index> numbers_in(const PatchState& state, std::size_t level, std::s
 
 CoarseLevels::CoarseLevels(const PatchState& patch, std::size_t small) {
   if (patch.inner_count() < small) return;
-  const TriMesh mesh = sorted_mesh(patch);
-  if (!can_be_coarsened(mesh)) return;
+  Patch fine(sorted_mesh(patch));
+  if (!can_be_coarsened(fine)) return;
   Constraints constraints = constraints_of(patch);
-  const TriMesh* fine = &mesh;
-  std::vector<Level> levels;
-  levels.reserve(16);  // a quarter each: more than there are numbers for, so that none moves
-  while (fine->positions.size() > small) {
-    const std::size_t count = fine->positions.size();
-    Level level{coarsen(*fine, Connectivity(*fine), count / k_thinning, CoarseBorder::thinned,
-                        fixed_marks(constraints, count)),
-                {}};
-    if (2 * level.patch.mesh.positions.size() > count) break;  // no worthwhile step
-    constraints = level.constraints = restricted_to(constraints, level.patch.source);
-    fine = &levels.emplace_back(std::move(level)).patch.mesh;
+  while (fine.vertex_count() > small) {
+    const std::size_t count = fine.vertex_count();
+    CoarsePatch coarse =
+        coarsen(fine, count / k_thinning, CoarseBorder::thinned, fixed_marks(constraints, count));
+    if (2 * coarse.source.size() > count) break;  // no worthwhile step
+    fine = Patch(std::move(coarse.mesh));
+    constraints = restricted_to(constraints, coarse.source);
+    levels_.push_back({fine, std::move(coarse.source), constraints});
   }
-  levels_ = std::move(levels);
 }
 
 std::unique_ptr<PatchState> CoarseLevels::make_state(std::size_t level, ThreadPool& pool) const {
   const Level& made = levels_[level - 1];
-  return std::make_unique<PatchState>(made.patch.mesh, Connectivity(made.patch.mesh), pool,
-                                      made.constraints);
+  return std::make_unique<PatchState>(made.patch, pool, made.constraints);
 }
 
 void CoarseLevels::lift(std::size_t level, const PatchState& coarse, const FairnessEnergy& cost,
                         PatchState& fine, ThreadPool& pool) const {
   const std::span<const unsigned char> movable = cost.movable();
-  const std::vector<Index>& source = levels_[level - 1].patch.source;
+  const std::vector<Index>& source = levels_[level - 1].source;
   const std::size_t fine_vertices =
-      level > 1 ? levels_[level - 2].patch.mesh.positions.size() : fine.vertex_count();
+      level > 1 ? levels_[level - 2].patch.vertex_count() : fine.vertex_count();
   const std::vector<Index> numbers = numbers_in(fine, level - 1, fine_vertices);
   const std::size_t count = cost.origin().size();
   std::vector<unsigned char> given(count, 0);

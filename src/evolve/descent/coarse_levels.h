@@ -9,7 +9,6 @@
 #include "core/thread_pool.h"
 #include "evolve/descent/fairness_energy.h"
 #include "evolve/state/patch_state.h"
-#include "mesh/coarsen/coarsen.h"
 
 namespace planish {
 
@@ -22,7 +21,7 @@ class CoarseLevels {
 
   /// Of the coarsest level; 0 where the patch is small.
   std::size_t coarsest() const { return levels_.size(); }
-  /// A level as it was at first, what is fixed held. It must not outlive this object.
+  /// A level as it was at first, what is fixed held.
   /// @param level from 1
   std::unique_ptr<PatchState> make_state(std::size_t level, ThreadPool& pool) const;
   /// Brings what was found on a level to the next finer one, which is where it was at first:
@@ -34,7 +33,8 @@ class CoarseLevels {
 
  private:
   struct Level {
-    CoarsePatch patch;
+    Patch patch;
+    std::vector<Index> source;  ///< vertex -> vertex of the level before
     Constraints constraints;
   };
   std::vector<Level> levels_;  // from fine to coarse

@@ -36,7 +36,7 @@ double angle_of(const Frame& frame) {
 }  // namespace
 
 HingeTerms::HingeTerms(const PatchState& state) : state_(state) {
-  for (const Hinge& hinge : hinges_of(Connectivity(mesh_at_first(state))))
+  for (const Hinge& hinge : hinges_of(Patch(mesh_at_first(state))))
     hinges_.push_back({hinge.from, hinge.to, hinge.left, hinge.right});
   weights_.resize(hinges_.size());
 }

@@ -40,8 +40,7 @@ StrainLimit limit_of(const Auto& options) {
 
 /// Above 0.
 double design_bending_of(const PatchState& patch) {
-  const TriMesh mesh = mesh_at_first(patch);
-  return std::max(k_no_bending, design_bending(mesh, Connectivity(mesh)));
+  return std::max(k_no_bending, design_bending(Patch(mesh_at_first(patch))));
 }
 
 class SmoothStepper {
@@ -132,15 +131,14 @@ class SmoothStepper {
   /// until it is: by tenths of the way, then by halves of the last tenth.
   void retreat() {
     constexpr int parts = 10, halvings = 3;
-    const TriMesh design = mesh_at_first(state_);
-    const Connectivity connectivity(design);
+    const Patch design(mesh_at_first(state_));
     const Positions origin = descent_->origin(), away = sum_of(descent_->positions(), -1.0, origin);
     const auto is_smooth_at = [&](double share) {
       descent_->go_to(sum_of(origin, share, away));
       std::vector<Vec3> after;
       for (std::size_t v = 0; v < state_.vertex_count(); ++v)
         after.push_back((1.0 / state_.scale()) * state_.position(v));
-      return measure_fairness(design, connectivity, after).is_smooth();
+      return measure_fairness(design, after).is_smooth();
     };
     int part = parts;
     while (part > 0 && !is_smooth_at(static_cast<double>(part) / parts))

@@ -10,24 +10,23 @@
 
 namespace planish {
 
-PatchState::PatchState(const TriMesh& mesh, const Connectivity& connectivity, ThreadPool& pool,
-                       const Constraints& constraints)
-    : origins_(mesh.positions), mesh_triangles_(mesh.triangles), weights_(constraints.weights) {
-  const auto inner = connectivity.inner_vertices();
-  Box box = bounding_box(origins_, inner, pool);
+PatchState::PatchState(const Patch& patch, ThreadPool& pool, const Constraints& constraints)
+    : patch_(patch), weights_(constraints.weights) {
+  const auto inner = patch.inner_vertices();
+  Box box = bounding_box(patch_.positions(), inner, pool);
   std::vector<Index> border;
-  for (const auto& loop : connectivity.border_loops()) {
+  for (const auto& loop : patch.border_loops()) {
     border_starts_.push_back(static_cast<Index>(inner.size() + border.size()));
     border.insert(border.end(), loop.begin(), loop.end());
   }
   border_starts_.push_back(static_cast<Index>(inner.size() + border.size()));
   for (const Index v : border)
-    box.add(origins_[v]);
+    box.add(patch_.positions()[v]);
   scale_ = unit_scale(box);
   box = {scale_ * box.low, scale_ * box.high};
-  vertex_of_ = spatial_order(origins_, inner, scale_, box, 0.0, pool);
+  vertex_of_ = spatial_order(patch_.positions(), inner, scale_, box, 0.0, pool);
   vertex_of_.insert(vertex_of_.end(), border.begin(), border.end());
-  plan_ = plan_for(connectivity, inner.size(), box, pool);
+  plan_ = plan_for(patch.connectivity(), inner.size(), box, pool);
   place_vertices(pool);
   fix(constraints.fixed);
   obstacle_ = constraints.obstacle;
@@ -39,7 +38,7 @@ PatchState::PatchState(const TriMesh& mesh, const Connectivity& connectivity, Th
 
 void PatchState::fix(std::span<const Index> vertices) {
   if (vertices.empty()) return;
-  std::vector<unsigned char> in_mesh(origins_.size(), 0);
+  std::vector<unsigned char> in_mesh(patch_.vertex_count(), 0);
   for (const Index v : vertices)
     in_mesh[v] = 1;
   for (const Index v : vertex_of_)
@@ -50,7 +49,7 @@ void PatchState::place_vertices(ThreadPool& pool) {
   sites_ = Buffer<Site>(vertex_of_.size());
   pool.for_ranges(vertex_of_.size(), 4096, [this](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      const Vec3 p = scale_ * origins_[vertex_of_[v]];
+      const Vec3 p = scale_ * patch_.positions()[vertex_of_[v]];
       sites_[v] = {p.x, p.y, p.z, is_inner(static_cast<Index>(v)) ? 0.0 : std::nan("")};
     }
   });
@@ -58,7 +57,7 @@ void PatchState::place_vertices(ThreadPool& pool) {
 
 VisitPlan PatchState::plan_for(const Connectivity& connectivity, std::size_t inner, const Box& box,
                                ThreadPool& pool) const {
-  std::vector<Index> number_of(origins_.size(), 0);
+  std::vector<Index> number_of(patch_.vertex_count(), 0);
   pool.for_ranges(vertex_of_.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v)
       number_of[vertex_of_[v]] = static_cast<Index>(v);
@@ -81,7 +80,7 @@ VisitPlan PatchState::plan_for(const Connectivity& connectivity, std::size_t inn
     for (Index& v : vertices)
       v = vertex_of_[v];
     constexpr double shift = 0.3;  // far from any half, quarter, eighth
-    vertices = spatial_order(origins_, vertices, scale_, box, shift, pool);
+    vertices = spatial_order(patch_.positions(), vertices, scale_, box, shift, pool);
     for (Index& v : vertices)
       v = number_of[v];
     return vertices;
@@ -134,10 +133,10 @@ Flattenability PatchState::measure(ThreadPool& pool) {
 }
 
 std::vector<Triangle> PatchState::triangles() const {
-  std::vector<Index> number_of(origins_.size(), 0);
+  std::vector<Index> number_of(patch_.vertex_count(), 0);
   for (std::size_t v = 0; v < vertex_count(); ++v)
     number_of[vertex_of_[v]] = static_cast<Index>(v);
-  std::vector<Triangle> triangles(mesh_triangles_.begin(), mesh_triangles_.end());
+  std::vector<Triangle> triangles(patch_.triangles().begin(), patch_.triangles().end());
   for (Triangle& t : triangles) {
     for (Index& v : t)
       v = number_of[v];
@@ -146,7 +145,7 @@ std::vector<Triangle> PatchState::triangles() const {
 }
 
 std::vector<Vec3> PatchState::positions_in_mesh_order() const {
-  std::vector<Vec3> positions(origins_.begin(), origins_.end());
+  std::vector<Vec3> positions(patch_.positions().begin(), patch_.positions().end());
   for (std::size_t v = 0; v < vertex_count(); ++v) {
     if (position(v) != origin(v)) positions[vertex_of_[v]] = (1.0 / scale_) * position(v);
   }

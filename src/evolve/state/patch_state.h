@@ -8,7 +8,7 @@
 
 #include <planish/evolve/constraints.h>
 #include <planish/measure/flattenability.h>
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 #include "core/buffer.h"
 #include "core/careful_sum.h"
@@ -46,9 +46,7 @@ struct DefectSums {
 /// exact both ways.
 class PatchState {
  public:
-  /// The mesh must outlive it; connectivity is that of the mesh and not needed afterwards.
-  PatchState(const TriMesh& mesh, const Connectivity& connectivity, ThreadPool& pool,
-             const Constraints& constraints = {});
+  PatchState(const Patch& patch, ThreadPool& pool, const Constraints& constraints = {});
 
   std::size_t inner_count() const { return plan_.visits.size(); }
   bool is_inner(Index v) const { return v < inner_count(); }
@@ -70,7 +68,7 @@ class PatchState {
 
   Vec3 position(std::size_t v) const { return {sites_[v].x, sites_[v].y, sites_[v].z}; }
   /// Where a vertex was at first.
-  Vec3 origin(std::size_t v) const { return scale_ * origins_[vertex_of_[v]]; }
+  Vec3 origin(std::size_t v) const { return scale_ * patch_.positions()[vertex_of_[v]]; }
   void move(std::size_t v, Vec3 to) { sites_[v].x = to.x, sites_[v].y = to.y, sites_[v].z = to.z; }
 
   /// Positions and defects.
@@ -110,8 +108,7 @@ class PatchState {
   std::uint32_t time_of(Index color) const { return sweep_began_ + color; }
   DefectSums measure_visits(std::size_t begin, std::size_t end);
 
-  std::span<const Vec3> origins_;  // the mesh's positions
-  std::span<const Triangle> mesh_triangles_;
+  Patch patch_;                  // as it was at first
   std::vector<double> weights_;  // as in Constraints
   TriMesh obstacle_;
   std::vector<unsigned char> fixed_;  // none where nothing is

@@ -3,8 +3,6 @@
 #include <numeric>
 #include <utility>
 
-#include <planish/mesh/inspect.h>
-
 #include "mesh/breadth_first.h"
 #include "mesh/coarsen/coarsener.h"
 
@@ -40,21 +38,21 @@ CoarsePatch patch_of(const TriMesh& mesh, const std::vector<Triangle>& triangles
 
 }  // namespace
 
-bool can_be_coarsened(const TriMesh& mesh) {
-  const Topology topology = inspect(mesh).topology;
+bool can_be_coarsened(const Patch& patch) {
+  const Topology& topology = patch.inspection().topology;
   return topology.components == 1 && topology.border_loops > 0;
 }
 
-CoarsePatch coarsen(const TriMesh& mesh, const Connectivity& connectivity, std::size_t vertices,
-                    CoarseBorder border, std::span<const unsigned char> keep) {
-  if (vertices >= mesh.positions.size()) return whole(mesh);
-  const std::vector<Index> order = breadth_first_order(connectivity);
+CoarsePatch coarsen(const Patch& patch, std::size_t vertices, CoarseBorder border,
+                    std::span<const unsigned char> keep) {
+  if (vertices >= patch.vertex_count()) return whole(patch.mesh());
+  const std::vector<Index> order = breadth_first_order(patch.connectivity());
   std::vector<unsigned char> kept(order.size(), 0);
   for (std::size_t i = 0; i < order.size() && !keep.empty(); ++i)
     kept[i] = keep[order[i]];
-  Coarsener coarsener(renumbered(mesh, order), vertices, border, std::move(kept));
+  Coarsener coarsener(renumbered(patch.mesh(), order), vertices, border, std::move(kept));
   coarsener.run();
-  return patch_of(mesh, coarsener.triangles(), order);
+  return patch_of(patch.mesh(), coarsener.triangles(), order);
 }
 
 }  // namespace planish

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 #include <planish/mesh/tri_mesh.h>
 
 namespace planish {
@@ -15,8 +15,8 @@ struct CoarsePatch {
   std::vector<Index> source;  ///< vertex of the coarse patch -> vertex of the fine one, increasing
 };
 
-/// True for meshes of one part with a border, which coarsen() can be sure to take.
-bool can_be_coarsened(const TriMesh& mesh);
+/// True for patches of one part with a border, which coarsen() can be sure to take.
+bool can_be_coarsened(const Patch& patch);
 
 enum class CoarseBorder {
   thinned,  ///< about as far apart along the border as inside, closer where it bends
@@ -28,11 +28,11 @@ enum class CoarseBorder {
 /// loop of the border stay. Triangles that turn by more than 60 degrees against the fine surface
 /// are not made, nor are needles, unless those that they replace are worse. The same bits every
 /// time. O(n log n).
-/// @param connectivity of the mesh; each part of it has a border
+/// @param patch each part of it has a border
 /// @param vertices about so many are left, of very few perhaps none inside; more where none can be
 ///   taken without harm; if the mesh has no more, it is returned as it is
 /// @param keep by vertex: 1 for those that must stay (empty: none)
-CoarsePatch coarsen(const TriMesh& mesh, const Connectivity& connectivity, std::size_t vertices,
-                    CoarseBorder border, std::span<const unsigned char> keep = {});
+CoarsePatch coarsen(const Patch& patch, std::size_t vertices, CoarseBorder border,
+                    std::span<const unsigned char> keep = {});
 
 }  // namespace planish

@@ -54,12 +54,11 @@ Fans fans_of(const TriMesh& mesh, std::span<const EdgeEnds> cut) {
 
 }  // namespace
 
-CutMesh cut_open(const TriMesh& mesh, const Connectivity& connectivity,
-                 std::span<const CutPath> paths) {
-  CutMesh cut{mesh, std::vector<Index>(mesh.positions.size()),
-              full_paths(mesh, connectivity, paths)};
+CutMesh cut_open(const Patch& patch, std::span<const CutPath> paths) {
+  const TriMesh& mesh = patch.mesh();
+  CutMesh cut{mesh, std::vector<Index>(mesh.positions.size()), full_paths(patch, paths)};
   std::iota(cut.source.begin(), cut.source.end(), Index{0});
-  refuse_idle_cuts(mesh, connectivity, paths, cut.paths);
+  refuse_idle_cuts(patch, paths, cut.paths);
   const std::vector<EdgeEnds> edges = edges_of(cut.paths);
   cut.edges = edges.size();
   for (const EdgeEnds& edge : edges)

@@ -13,8 +13,8 @@ namespace planish {
 
 namespace {
 
-std::string vertex_text(const TriMesh& mesh, Index v) {
-  const Vec3 p = mesh.positions[v];
+std::string vertex_text(const Patch& patch, Index v) {
+  const Vec3 p = patch.positions()[v];
   return "vertex " + std::to_string(v) + " at (" + number_text(p.x) + ", " + number_text(p.y) +
          ", " + number_text(p.z) + ")";
 }
@@ -28,20 +28,19 @@ std::string vertex_text(const TriMesh& mesh, Index v) {
 }
 
 /// The vertices of a path, checked, without what follows itself.
-std::vector<Index> corners_of(const TriMesh& mesh, const Connectivity& connectivity,
-                              const CutPath& path, std::size_t number) {
+std::vector<Index> corners_of(const Patch& patch, const CutPath& path, std::size_t number) {
   std::vector<Index> corners;
   corners.reserve(path.vertices.size());
   for (const Index v : path.vertices) {
-    if (v >= mesh.positions.size()) {
+    if (v >= patch.vertex_count()) {
       refuse_cut(path, number, ErrorCode::index_out_of_range,
                  "names vertex " + std::to_string(v) + ": the mesh has " +
-                     std::to_string(mesh.positions.size()) + " vertices, counted from 0",
+                     std::to_string(patch.vertex_count()) + " vertices, counted from 0",
                  v);
     }
-    if (connectivity.ring(v).empty()) {
+    if (patch.ring(v).empty()) {
       refuse_cut(path, number, ErrorCode::misplaced_cut,
-                 "names " + vertex_text(mesh, v) + ", which no triangle uses", v);
+                 "names " + vertex_text(patch, v) + ", which no triangle uses", v);
     }
     if (corners.empty() || corners.back() != v) corners.push_back(v);
   }
@@ -52,7 +51,7 @@ std::vector<Index> corners_of(const TriMesh& mesh, const Connectivity& connectiv
   }
   refuse_cut(
       path, number, ErrorCode::misplaced_cut,
-      "has one vertex only, " + vertex_text(mesh, corners.front()) + ": it needs two at least",
+      "has one vertex only, " + vertex_text(patch, corners.front()) + ": it needs two at least",
       corners.front());
 }
 
@@ -77,22 +76,21 @@ std::vector<unsigned char> in_open_part(const Connectivity& connectivity) {
 
 }  // namespace
 
-std::vector<std::vector<Index>> full_paths(const TriMesh& mesh, const Connectivity& connectivity,
-                                           std::span<const CutPath> paths) {
-  InsidePaths inside(mesh, connectivity);
+std::vector<std::vector<Index>> full_paths(const Patch& patch, std::span<const CutPath> paths) {
+  InsidePaths inside(patch);
   std::vector<std::vector<Index>> full;
   full.reserve(paths.size());
   for (std::size_t k = 0; k < paths.size(); ++k) {
-    const std::vector<Index> corners = corners_of(mesh, connectivity, paths[k], k);
+    const std::vector<Index> corners = corners_of(patch, paths[k], k);
     std::vector<Index>& path = full.emplace_back(1, corners.front());
     for (std::size_t i = 1; i < corners.size(); ++i) {
       const Index v = corners[i - 1], w = corners[i];
-      const auto ring = connectivity.ring(v);
+      const auto ring = patch.ring(v);
       if (std::find(ring.begin(), ring.end(), w) != ring.end()) {
-        if (is_border_edge(connectivity, v, w)) {
+        if (is_border_edge(patch.connectivity(), v, w)) {
           refuse_cut(paths[k], k, ErrorCode::misplaced_cut,
-                     "runs along the border from " + vertex_text(mesh, v) + " to " +
-                         vertex_text(mesh, w) + ": there is nothing to cut",
+                     "runs along the border from " + vertex_text(patch, v) + " to " +
+                         vertex_text(patch, w) + ": there is nothing to cut",
                      v);
         }
         path.push_back(w);
@@ -101,8 +99,8 @@ std::vector<std::vector<Index>> full_paths(const TriMesh& mesh, const Connectivi
       const auto way = inside.from(std::span(&v, 1), [w](Index at) { return at == w; });
       if (!way) {
         refuse_cut(paths[k], k, ErrorCode::misplaced_cut,
-                   "finds no way inside the mesh from " + vertex_text(mesh, v) + " to " +
-                       vertex_text(mesh, w),
+                   "finds no way inside the mesh from " + vertex_text(patch, v) + " to " +
+                       vertex_text(patch, w),
                    v);
       }
       path.insert(path.end(), way->begin() + 1, way->end());
@@ -127,34 +125,34 @@ std::vector<EdgeEnds> edges_of(std::span<const std::vector<Index>> paths) {
   return edges;
 }
 
-void refuse_idle_cuts(const TriMesh& mesh, const Connectivity& connectivity,
-                      std::span<const CutPath> paths, std::span<const std::vector<Index>> full) {
-  const std::vector<unsigned char> open = in_open_part(connectivity);
-  Parts together(mesh.positions.size());  // what the paths join
-  std::vector<unsigned char> touches(mesh.positions.size(), 0);
-  std::vector<std::size_t> edges(mesh.positions.size(), 0);
+void refuse_idle_cuts(const Patch& patch, std::span<const CutPath> paths,
+                      std::span<const std::vector<Index>> full) {
+  const std::vector<unsigned char> open = in_open_part(patch.connectivity());
+  Parts together(patch.vertex_count());  // what the paths join
+  std::vector<unsigned char> touches(patch.vertex_count(), 0);
+  std::vector<std::size_t> edges(patch.vertex_count(), 0);
   const std::vector<EdgeEnds> all = edges_of(full);
   for (const EdgeEnds& edge : all)
     together.join(edge[0], edge[1]);
   for (const EdgeEnds& edge : all) {
     const Index part = together.first_of(edge[0]);
     ++edges[part];
-    if (connectivity.is_border(edge[0]) || connectivity.is_border(edge[1])) touches[part] = 1;
+    if (patch.is_border(edge[0]) || patch.is_border(edge[1])) touches[part] = 1;
   }
   for (std::size_t k = 0; k < full.size(); ++k) {
     const Index first = full[k].front(), part = together.first_of(first);
     if (touches[part] != 0) continue;
     if (open[first] != 0) {
       refuse_cut(paths[k], k, ErrorCode::misplaced_cut,
-                 "from " + vertex_text(mesh, first) + " to " + vertex_text(mesh, full[k].back()) +
+                 "from " + vertex_text(patch, first) + " to " + vertex_text(patch, full[k].back()) +
                      " never meets the border and would only open a hole: let it begin or end at "
                      "the border",
                  first);
     }
     if (edges[part] < 2) {
       refuse_cut(paths[k], k, ErrorCode::misplaced_cut,
-                 "is the single edge from " + vertex_text(mesh, first) + " to " +
-                     vertex_text(mesh, full[k].back()) +
+                 "is the single edge from " + vertex_text(patch, first) + " to " +
+                     vertex_text(patch, full[k].back()) +
                      ", which opens nothing in a closed surface: two edges do",
                  first);
     }

@@ -10,8 +10,7 @@ namespace planish {
 
 /// Every vertex of each path, from end to end.
 /// @throws Error as cut_open()
-std::vector<std::vector<Index>> full_paths(const TriMesh& mesh, const Connectivity& connectivity,
-                                           std::span<const CutPath> paths);
+std::vector<std::vector<Index>> full_paths(const Patch& patch, std::span<const CutPath> paths);
 
 /// An edge by its two vertices, the smaller first.
 using EdgeEnds = std::array<Index, 2>;
@@ -22,7 +21,7 @@ std::vector<EdgeEnds> edges_of(std::span<const std::vector<Index>> paths);
 /// Refuses paths that would open a hole or nothing.
 /// @param full the paths with every vertex
 /// @throws Error misplaced_cut
-void refuse_idle_cuts(const TriMesh& mesh, const Connectivity& connectivity,
-                      std::span<const CutPath> paths, std::span<const std::vector<Index>> full);
+void refuse_idle_cuts(const Patch& patch, std::span<const CutPath> paths,
+                      std::span<const std::vector<Index>> full);
 
 }  // namespace planish

@@ -14,12 +14,11 @@ constexpr double k_unreached = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-EdgePaths::EdgePaths(const TriMesh& mesh, const Connectivity& connectivity)
-    : mesh_(mesh),
-      connectivity_(connectivity),
-      scale_(unit_scale(mesh)),
-      distance_(mesh.positions.size(), k_unreached),
-      previous_(mesh.positions.size(), 0) {}
+EdgePaths::EdgePaths(const Patch& patch)
+    : patch_(patch),
+      scale_(patch.unit_scale()),
+      distance_(patch.vertex_count(), k_unreached),
+      previous_(patch.vertex_count(), 0) {}
 
 std::optional<std::vector<Index>> EdgePaths::between(Index from, Index to) {
   spread(from, to);
@@ -50,8 +49,8 @@ void EdgePaths::spread(Index from, Index to) {
     queue.pop();
     ++looks_;
     if (distance > distance_[v]) continue;  // a shorter way was found since
-    for (const Index w : connectivity_.ring(v)) {
-      const Vec3 edge = scale_ * mesh_.positions[w] - scale_ * mesh_.positions[v];
+    for (const Index w : patch_.ring(v)) {
+      const Vec3 edge = scale_ * patch_.positions()[w] - scale_ * patch_.positions()[v];
       const double through_v = distance + norm(edge);
       if (!(through_v < distance_[w])) continue;
       if (distance_[w] == k_unreached) reached_.push_back(w);

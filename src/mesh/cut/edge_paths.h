@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -15,8 +15,7 @@ inline constexpr std::size_t k_most_looks = 50'000'000;
 /// Finds shortest paths along the edges of a mesh (Dijkstra 1959).
 class EdgePaths {
  public:
-  /// Both must outlive it.
-  EdgePaths(const TriMesh& mesh, const Connectivity& connectivity);
+  explicit EdgePaths(const Patch& patch);
 
   /// The vertices of a shortest path, ends included; nothing where the ends are on different parts
   /// of the mesh. Of several paths always the same. Looks no further than the path is long.
@@ -28,8 +27,7 @@ class EdgePaths {
  private:
   void spread(Index from, Index to);
 
-  const TriMesh& mesh_;
-  const Connectivity& connectivity_;
+  Patch patch_;
   double scale_;
   std::vector<double> distance_;  ///< infinite where nothing was reached yet
   std::vector<Index> previous_;

@@ -19,12 +19,11 @@ bool is_border_edge(const Connectivity& connectivity, Index v, Index w) {
   return ring.front() == w || ring.back() == w;
 }
 
-InsidePaths::InsidePaths(const TriMesh& mesh, const Connectivity& connectivity)
-    : mesh_(mesh),
-      connectivity_(connectivity),
-      scale_(unit_scale(mesh)),
-      distance_(mesh.positions.size(), k_not_reached),
-      previous_(mesh.positions.size(), 0) {}
+InsidePaths::InsidePaths(const Patch& patch)
+    : patch_(patch),
+      scale_(patch.unit_scale()),
+      distance_(patch.vertex_count(), k_not_reached),
+      previous_(patch.vertex_count(), 0) {}
 
 std::optional<std::vector<Index>> InsidePaths::from(std::span<const Index> first,
                                                     const std::function<bool(Index)>& is_wanted) {
@@ -69,11 +68,11 @@ std::optional<Index> InsidePaths::spread(std::span<const Index> first,
     ++looks_;
     if (distance > distance_[v]) continue;  // a shorter way was found since
     if (at_vertex(v)) return v;
-    if (connectivity_.is_border(v) && previous_[v] != v) continue;
-    for (const Index w : connectivity_.ring(v)) {
-      const Vec3 edge = scale_ * mesh_.positions[w] - scale_ * mesh_.positions[v];
+    if (patch_.is_border(v) && previous_[v] != v) continue;
+    for (const Index w : patch_.ring(v)) {
+      const Vec3 edge = scale_ * patch_.positions()[w] - scale_ * patch_.positions()[v];
       const double through_v = distance + norm(edge);
-      if (!(through_v < distance_[w]) || is_border_edge(connectivity_, v, w)) continue;
+      if (!(through_v < distance_[w]) || is_border_edge(patch_.connectivity(), v, w)) continue;
       if (distance_[w] == k_not_reached) reached_.push_back(w);
       distance_[w] = through_v;
       previous_[w] = v;

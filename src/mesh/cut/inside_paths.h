@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -16,8 +16,7 @@ bool is_border_edge(const Connectivity& connectivity, Index v, Index w);
 /// triangle on either side, and touching the border with their ends only.
 class InsidePaths {
  public:
-  /// Both must outlive it.
-  InsidePaths(const TriMesh& mesh, const Connectivity& connectivity);
+  explicit InsidePaths(const Patch& patch);
 
   /// The vertices of a shortest path from one of the first ones to one that is wanted, ends
   /// included; nothing where there is none. Of several paths always the same. Looks no further
@@ -37,8 +36,7 @@ class InsidePaths {
                               const std::function<bool(Index)>& at_vertex);
   void forget();
 
-  const TriMesh& mesh_;
-  const Connectivity& connectivity_;
+  Patch patch_;
   double scale_;
   std::vector<double> distance_;  ///< infinite where nothing was reached yet
   std::vector<Index> previous_;   ///< of a first vertex itself

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 #include <planish/mesh/seams.h>
 
 namespace planish {
@@ -28,8 +28,8 @@ struct Borders {
 Borders borders_of(std::span<const TriMesh> patches) {
   Borders borders;
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    const Connectivity connectivity(patches[p]);
-    for (const std::vector<Index>& loop : connectivity.border_loops()) {
+    const Patch patch(patches[p]);
+    for (const std::vector<Index>& loop : patch.border_loops()) {
       const std::size_t first = borders.edges.size(), n = loop.size();
       for (std::size_t k = 0; k < n; ++k) {
         borders.edges.push_back(

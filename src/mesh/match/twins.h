@@ -42,7 +42,7 @@ inline constexpr double k_twin_tolerance = 1e-5;
 /// equal and a mirror image, as of a symmetrical patch, counts as equal. Where several matches are
 /// possible, it is the one of the first vertices along the border: the same every time.
 ///
-/// Only meshes of one part with one border have twins; what Connectivity refuses has none. Each two
+/// Only meshes of one part with one border have twins; what Patch refuses has none. Each two
 /// meshes of equal numbers of vertices and triangles are compared in linear time: wrong starts
 /// along the border end early, and after some 64 walks' worth of steps there is no match.
 /// @param meshes none of them null

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 #include <planish/mesh/tri_mesh.h>
 
 namespace planish {
@@ -17,8 +17,6 @@ struct DisplayMesh {
 
 /// All that triangles use; of meshes with more vertices than `most` and a border about `most`, as
 /// coarsen() leaves them, among them all to be kept.
-/// @param connectivity of the mesh
-DisplayMesh display_mesh(const TriMesh& mesh, const Connectivity& connectivity, std::size_t most,
-                         std::span<const Index> keep);
+DisplayMesh display_mesh(const Patch& patch, std::size_t most, std::span<const Index> keep);
 
 }  // namespace planish

@@ -88,7 +88,7 @@ Pictures pictures_of(const CompareReport& report) {
   std::vector<std::span<const Vec3>> results;
   std::vector<PatternOfPatch> patterns;
   if (report.unfold_before) {
-    patterns.push_back({report.input.positions, report.unfold_before->pattern});
+    patterns.push_back({report.input.positions(), report.unfold_before->pattern});
   }
   for (const ComparedMethod& method : report.runs) {
     if (!method.evolve) continue;
@@ -101,7 +101,7 @@ Pictures pictures_of(const CompareReport& report) {
   if (report.unfold_before) {
     pictures.strain_limit = strain_map_limit(report.unfold_before->strain);
     pictures.patterns =
-        strain_pictures(report.input, patterns, pictures.strain_limit, k_picture_width);
+        strain_pictures(report.input.mesh(), patterns, pictures.strain_limit, k_picture_width);
   }
   return pictures;
 }
@@ -195,9 +195,9 @@ std::string key_list(const std::vector<DirectionKey>& keys) {
 }
 
 std::string directions_section(const CompareReport& report) {
-  const auto directions = laplacian_directions(report.input, Connectivity(report.input));
+  const auto directions = laplacian_directions(report.input);
   const DirectionPictures pictures =
-      direction_pictures(report.input, directions, 2 * k_picture_width);
+      direction_pictures(report.input.mesh(), directions, 2 * k_picture_width);
   const auto column = [](const DirectionPicture& picture) {
     return "<div>" +
            html_picture(picture.image, picture.title,

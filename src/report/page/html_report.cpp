@@ -181,19 +181,18 @@ std::string convergence_section(const FlattenReport& report, const FlattenPage& 
          "</dl></details>\n</section>\n";
 }
 
-std::vector<double> inner_defects(const TriMesh& mesh, const Connectivity& connectivity) {
-  const auto defects = angle_defects(mesh, connectivity);
+std::vector<double> inner_defects(const Patch& patch) {
+  const auto defects = angle_defects(patch);
   std::vector<double> inner;
-  inner.reserve(connectivity.inner_vertices().size());
-  for (const Index v : connectivity.inner_vertices())
+  inner.reserve(patch.inner_vertices().size());
+  for (const Index v : patch.inner_vertices())
     inner.push_back(defects[v]);
   return inner;
 }
 
 std::string histogram_section(const FlattenReport& report) {
-  const Connectivity connectivity(report.input);
-  const std::string chart = defect_histogram(inner_defects(report.input, connectivity),
-                                             inner_defects(report.processed, connectivity));
+  const std::string chart =
+      defect_histogram(inner_defects(report.input), inner_defects(report.processed));
   return "<section class=\"keep\">\n<h2>How flat all places are</h2>\n<p>" +
          (chart.empty() ? std::string("Nothing to show: the patch has no inner vertex.")
                         : std::string("How many places are how far from flat: the further left, "

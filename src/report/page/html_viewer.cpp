@@ -97,7 +97,8 @@ FlatView flat_view(const FlattenReport& report, const FlattenPage& page,
   const Pattern& pattern = report.unfold.pattern;
   const double mm = millimetres_per(report.unfold.unit);
   const Vec2 shift = placed.pattern.positions.front() - mm * pattern.positions.front();
-  auto directions = stretch_directions(report.processed, pattern.positions, k_direction_cells);
+  auto directions =
+      stretch_directions(report.processed.mesh(), pattern.positions, k_direction_cells);
   std::vector<double> sizes = {k_least_strain};
   for (StretchDirection& direction : directions) {
     direction.at = mm * direction.at + shift;
@@ -185,9 +186,8 @@ std::string data_of(const FlattenReport& report, const PatternOnSheet& placed,
   drawn.reserve(placed.pattern.positions.size());
   for (const Vec2 p : placed.pattern.positions)
     drawn.push_back({p.x, placed.size.y - p.y});
-  PageInput input{report.input,
-                  {{"before", report.input.positions, report.unfold_before.pattern.positions},
-                   {"after", report.processed.positions, report.unfold.pattern.positions}}};
+  PageInput input{{{"before", report.input, report.unfold_before.pattern.positions},
+                   {"after", report.processed, report.unfold.pattern.positions}}};
   input.unit = report.unfold.unit;
   input.defect_limit = defect_limit;
   input.strain_limit = strain_map_limit(report.unfold.strain);
@@ -201,9 +201,8 @@ std::string data_of(const FlattenReport& report, const PatternOnSheet& placed,
 
 PatchViewer html_viewer(const CompareReport& report) {
   if (!page_script().is_there()) return {};
-  PageInput input{report.input, {{"input", report.input.positions}}};
-  const Connectivity connectivity(report.input);
-  input.defect_limit = defect_limit(angle_defects(report.input, connectivity), connectivity);
+  PageInput input{{{"input", report.input}}};
+  input.defect_limit = defect_limit(angle_defects(report.input), report.input.connectivity());
   if (report.unfold_before) {
     input.unit = report.unfold_before->unit;
     input.states.front().pattern = report.unfold_before->pattern.positions;
@@ -213,7 +212,8 @@ PatchViewer html_viewer(const CompareReport& report) {
   for (const ComparedMethod& method : report.runs) {
     if (!method.evolve) continue;
     if (best && &method == &report.runs[*best]) input.shown = input.states.size();
-    PageState state{std::string(name_of(method.run.method)), method.evolve->result.positions};
+    PageState state{std::string(name_of(method.run.method)),
+                    report.input.with_positions(method.evolve->result.positions)};
     if (method.unfold) state.pattern = method.unfold->pattern.positions;
     input.states.push_back(std::move(state));
   }
@@ -227,10 +227,10 @@ PatchViewer html_viewer(const CompareReport& report) {
 }
 
 PatchViewer html_viewer(const FlattenReport& report, const FlattenPage& page) {
-  const std::array<std::span<const Vec3>, 1> after = {report.processed.positions};
+  const std::array<std::span<const Vec3>, 1> after = {report.processed.positions()};
   const PatchPictures pictures = patch_pictures(report.input, after, page.colors, k_picture_width);
   const PatternOnSheet placed =
-      pattern_on_sheet(report.processed, report.unfold, report.name, page.annotations);
+      pattern_on_sheet(report.processed.mesh(), report.unfold, report.name, page.annotations);
   const bool live = page_script().is_there();
   PatchViewer viewer;
   viewer.html =

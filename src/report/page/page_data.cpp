@@ -9,7 +9,7 @@
 #include <planish/draw/color.h>
 #include <planish/measure/fairness.h>
 #include <planish/measure/flattenability.h>
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 #include <planish/sheet/pattern_sheet.h>
 
 #include <planish_json/json.h>
@@ -61,9 +61,9 @@ double largest_limit(const Figure& figure, double least) {
 }
 
 /// NaN where nothing is measured.
-std::vector<double> of_inner(std::vector<double> values, const Connectivity& connectivity) {
+std::vector<double> of_inner(std::vector<double> values, const Patch& patch) {
   for (Index v = 0; v < values.size(); ++v) {
-    if (!connectivity.is_inner(v)) values[v] = k_nothing;
+    if (!patch.is_inner(v)) values[v] = k_nothing;
   }
   return values;
 }
@@ -85,8 +85,7 @@ std::array<Figure, 2> principal_figures(const PageInput& input) {
     auto& most = longest.by_state.emplace_back();
     auto& least = shortest.by_state.emplace_back();
     if (state.pattern.empty()) continue;
-    const TriMesh mesh{{state.positions.begin(), state.positions.end()}, input.mesh.triangles};
-    for (const PrincipalStretch& stretch : vertex_stretches(mesh, state.pattern)) {
+    for (const PrincipalStretch& stretch : vertex_stretches(state.patch.mesh(), state.pattern)) {
       most.push_back(stretch.max - 1.0);
       least.push_back(stretch.min - 1.0);
     }
@@ -94,7 +93,7 @@ std::array<Figure, 2> principal_figures(const PageInput& input) {
   return {std::move(longest), std::move(shortest)};
 }
 
-std::vector<Figure> figures_of(const PageInput& input, const Connectivity& connectivity) {
+std::vector<Figure> figures_of(const PageInput& input) {
   Figure defect{"defect", ColorMap::diverging, input.defect_limit};
   Figure curvature{"curvature", ColorMap::paper};
   Figure bent{"bent", ColorMap::sequential};
@@ -102,20 +101,18 @@ std::vector<Figure> figures_of(const PageInput& input, const Connectivity& conne
   Figure strain{"strain", ColorMap::diverging, input.strain_limit};
   Figure edge_strain{"edge_strain", ColorMap::diverging, input.strain_limit};
   for (const PageState& state : input.states) {
-    const TriMesh mesh{{state.positions.begin(), state.positions.end()}, input.mesh.triangles};
-    const auto defects = angle_defects(mesh, connectivity);
-    curvature.by_state.push_back(
-        of_inner(gaussian_curvatures(mesh, connectivity, defects), connectivity));
-    defect.by_state.push_back(of_inner(defects, connectivity));
-    bent.by_state.push_back(vertex_bends(mesh, connectivity));
-    deviation.by_state.push_back(moves(input.mesh.positions, state.positions));
+    const Patch& patch = state.patch;
+    const auto defects = angle_defects(patch);
+    curvature.by_state.push_back(of_inner(gaussian_curvatures(patch, defects), patch));
+    defect.by_state.push_back(of_inner(defects, patch));
+    bent.by_state.push_back(vertex_bends(patch));
+    deviation.by_state.push_back(moves(input.patch().positions(), patch.positions()));
     strain.by_state.push_back(state.pattern.empty() ? std::vector<double>()
-                                                    : vertex_strains(mesh, state.pattern));
-    edge_strain.by_state.push_back(state.pattern.empty()
-                                       ? std::vector<double>()
-                                       : largest_edge_strains(mesh, connectivity, state.pattern));
+                                                    : vertex_strains(patch.mesh(), state.pattern));
+    edge_strain.by_state.push_back(
+        state.pattern.empty() ? std::vector<double>() : largest_edge_strains(patch, state.pattern));
   }
-  const double size = bounding_box_diagonal(input.mesh);
+  const double size = bounding_box_diagonal(input.patch().mesh());
   curvature.limit = limit_of(curvature.by_state.front(), k_scale_share, 1e-6 / (size * size));
   // One scale for all states: what is darker than the design was is new.
   bent.limit = limit_of(bent.by_state.front(), k_scale_share, 1e-3 / size);
@@ -190,7 +187,7 @@ Json states_json(const PageInput& input, const DisplayMesh& shown) {
   std::vector<std::vector<Vec3>> positions;
   Json names = Json::array();
   for (const PageState& state : input.states) {
-    positions.push_back(picked(state.positions, shown.source));
+    positions.push_back(picked(std::span<const Vec3>(state.patch.positions()), shown.source));
     names.push_back(state.name);
   }
   const PackedPoints packed = packed_points(std::span<const std::vector<Vec3>>(positions));
@@ -245,18 +242,17 @@ std::string json_for_script(std::string json) {
 }
 
 std::string page_data(const PageInput& input) {
-  const Connectivity connectivity(input.mesh);
-  const std::vector<Figure> figures = figures_of(input, connectivity);
+  const std::vector<Figure> figures = figures_of(input);
   const std::size_t most = input.most_vertices > 0 ? input.most_vertices : usual_most(input);
-  const DisplayMesh shown = display_mesh(input.mesh, connectivity, most, worst_vertices(figures));
-  const View view = view_of(input.mesh);
+  const DisplayMesh shown = display_mesh(input.patch(), most, worst_vertices(figures));
+  const View view = view_of(input.patch().mesh());
   Json modes = Json::array();
   for (const Figure& figure : figures)
     modes.push_back(to_json(figure, shown.source));
   Json json = {{"format", 1},
                {"unit", to_string(input.unit)},
                {"vertices", shown.source.size()},
-               {"of", input.mesh.positions.size()},
+               {"of", input.patch().vertex_count()},
                {"view",
                 {{"right", to_json(view.right)},
                  {"up", to_json(view.up)},

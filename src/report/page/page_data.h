@@ -7,26 +7,25 @@
 #include <vector>
 
 #include <planish/core/unit.h>
-#include <planish/mesh/tri_mesh.h>
+#include <planish/mesh/patch.h>
 #include <planish/unfold/strain.h>
 
 namespace planish {
 
 /// A form of the patch that a page can show.
 struct PageState {
-  std::string name;                    ///< plain text
-  std::span<const Vec3> positions;     ///< of all vertices
+  std::string name;  ///< plain text
+  Patch patch;
   std::span<const Vec2> pattern = {};  ///< of all vertices, model units; may be none
 };
 
 /// What goes into a page for its script.
 struct PageInput {
-  const TriMesh& mesh;            ///< as it came: the first state
-  std::vector<PageState> states;  ///< the first is the patch as it came
+  std::vector<PageState> states;  ///< of one topology; the first is the patch as it came
   Unit unit = Unit::mm;
   double defect_limit = 0.0;           ///< |defect| at which colours end, radians
   double strain_limit = 0.001;         ///< |strain| at which colours end
-  std::span<const Index> source = {};  ///< vertex of the mesh -> number that people know it by
+  std::span<const Index> source = {};  ///< vertex of the patch -> number that people know it by
   /// Of all vertices in the drawing of the pattern, in its own coordinates; may be none.
   std::span<const Vec2> drawn = {};
   /// The limit that edges have; with one the page shows how much of it they use up, and the
@@ -36,6 +35,8 @@ struct PageInput {
   /// Meshes with more are simplified; 0: so many that the data take about four and a half
   /// megabytes, which are 50,000 for two states.
   std::size_t most_vertices = 0;
+
+  const Patch& patch() const { return states.front().patch; }
 };
 
 /// The data of a page as JSON in a <script> element that is never run: positions of 16 bits a

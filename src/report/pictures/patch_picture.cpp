@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <planish/measure/flattenability.h>
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 #include "draw/scale_limit.h"
 #include "report/pictures/patch_view.h"
@@ -59,19 +59,19 @@ double defect_limit(std::span<const double> defects, const Connectivity& connect
   return round_up_125(std::max(sizes[rank], k_flattenable_e_max));
 }
 
-PatchPictures patch_pictures(const TriMesh& before, std::span<const std::span<const Vec3>> after,
+PatchPictures patch_pictures(const Patch& before, std::span<const std::span<const Vec3>> after,
                              ColorMap colors, int width) {
-  const Connectivity connectivity(before);
-  const auto defects_before = angle_defects(before, connectivity);
+  const Connectivity& connectivity = before.connectivity();
+  const auto defects_before = angle_defects(before);
   const double limit = defect_limit(defects_before, connectivity);
-  const PatchView view(before, after, width);
+  const PatchView view(before.mesh(), after, width);
   const auto picture = [&](std::span<const Vec3> positions, std::span<const double> defects) {
     return view.picture(positions, colors_of(shown_defects(defects, connectivity), limit, colors));
   };
-  PatchPictures pictures{picture(before.positions, defects_before), {}, limit};
+  PatchPictures pictures{picture(before.positions(), defects_before), {}, limit};
   for (const std::span<const Vec3> positions : after) {
-    const TriMesh mesh{{positions.begin(), positions.end()}, before.triangles};
-    pictures.after.push_back(picture(positions, angle_defects(mesh, connectivity)));
+    const Patch moved = before.with_positions({positions.begin(), positions.end()});
+    pictures.after.push_back(picture(positions, angle_defects(moved)));
   }
   return pictures;
 }

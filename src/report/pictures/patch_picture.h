@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <planish/draw/color.h>
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 #include <planish/mesh/tri_mesh.h>
 
 #include "draw/image.h"
@@ -30,7 +30,7 @@ double defect_limit(std::span<const double> defects, const Connectivity& connect
 /// neighbours'.
 /// @param after the vertices of `before` at other positions
 /// @param width of the pictures, pixels
-PatchPictures patch_pictures(const TriMesh& before, std::span<const std::span<const Vec3>> after,
+PatchPictures patch_pictures(const Patch& before, std::span<const std::span<const Vec3>> after,
                              ColorMap colors, int width);
 
 }  // namespace planish

@@ -14,9 +14,9 @@ constexpr double k_least_gap = 0.1;  ///< between tips, over the bounding box's 
 constexpr double k_no_scale = 1e-9;  ///< below, the scale is 1 but for rounding
 
 /// |log scale| by vertex of the mesh; 0 at the border.
-std::vector<double> strength(const TriMesh& mesh, const Connectivity& connectivity) {
-  std::vector<double> strength(mesh.positions.size(), 0.0);
-  const Disk disk = make_disk(mesh, connectivity);
+std::vector<double> strength(const Patch& patch) {
+  std::vector<double> strength(patch.vertex_count(), 0.0);
+  const Disk disk = make_disk(patch);
   const DiskAngles angles = disk_angles(disk);
   const InnerSystem laplacian(disk, angles.half_cotangents);
   if (laplacian.inner_count() == 0 || !laplacian.solvable()) return strength;
@@ -30,12 +30,11 @@ std::vector<double> strength(const TriMesh& mesh, const Connectivity& connectivi
 
 }  // namespace
 
-std::vector<Index> dart_tips(const TriMesh& mesh, const Connectivity& connectivity,
-                             std::size_t most) {
-  const std::vector<double> strong = strength(mesh, connectivity);
+std::vector<Index> dart_tips(const Patch& patch, std::size_t most) {
+  const std::vector<double> strong = strength(patch);
   std::vector<Index> peaks;
-  for (const Index v : connectivity.inner_vertices()) {
-    const auto ring = connectivity.ring(v);
+  for (const Index v : patch.inner_vertices()) {
+    const auto ring = patch.ring(v);
     const auto lower = [&](Index w) {
       return strong[w] < strong[v] || (strong[w] == strong[v] && v < w);
     };
@@ -43,11 +42,13 @@ std::vector<Index> dart_tips(const TriMesh& mesh, const Connectivity& connectivi
   }
   std::stable_sort(peaks.begin(), peaks.end(),
                    [&](Index v, Index w) { return strong[v] > strong[w]; });
-  const double gap = k_least_gap * bounding_box_diagonal(mesh);
+  const double gap = k_least_gap * bounding_box_diagonal(patch.mesh());
   std::vector<Index> tips;
   for (const Index v : peaks) {
     if (tips.size() == most || strong[v] < k_weakest * strong[peaks.front()]) break;
-    const auto is_near = [&](Index w) { return norm(mesh.positions[v] - mesh.positions[w]) < gap; };
+    const auto is_near = [&](Index w) {
+      return norm(patch.positions()[v] - patch.positions()[w]) < gap;
+    };
     if (std::none_of(tips.begin(), tips.end(), is_near)) tips.push_back(v);
   }
   return tips;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -12,7 +12,6 @@ namespace planish {
 /// The strongest first, each far from those before it, none weaker than a fifth of the first.
 /// Of a patch without inner vertices or without curvature, none.
 /// @pre the mesh is a disk
-std::vector<Index> dart_tips(const TriMesh& mesh, const Connectivity& connectivity,
-                             std::size_t most);
+std::vector<Index> dart_tips(const Patch& patch, std::size_t most);
 
 }  // namespace planish

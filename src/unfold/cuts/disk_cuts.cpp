@@ -26,18 +26,18 @@ void check_topology(const Topology& topology) {
   }
 }
 
-std::vector<Index> cut_of_closed(const TriMesh& mesh, const Connectivity& connectivity) {
-  const std::vector<double> defects = angle_defects(mesh, connectivity);
+std::vector<Index> cut_of_closed(const Patch& patch) {
+  const std::vector<double> defects = angle_defects(patch);
   std::vector<double> around = defects;
-  for (const Index v : connectivity.inner_vertices()) {
-    for (const Index w : connectivity.ring(v))
+  for (const Index v : patch.inner_vertices()) {
+    for (const Index w : patch.ring(v))
       around[v] += defects[w];
   }
   const auto greatest = std::max_element(around.begin(), around.end());
   const auto from = static_cast<Index>(greatest - around.begin());
-  InsidePaths inside(mesh, connectivity);
+  InsidePaths inside(patch);
   // A single edge would open nothing.
-  const auto ring = connectivity.ring(from);
+  const auto ring = patch.ring(from);
   const auto is_apart = [&](Index v) {
     return std::find(ring.begin(), ring.end(), v) == ring.end();
   };
@@ -50,43 +50,41 @@ std::vector<Index> cut_of_closed(const TriMesh& mesh, const Connectivity& connec
   return *path;
 }
 
-std::vector<Index> cut_between_borders(const TriMesh& mesh, const Connectivity& connectivity) {
-  const auto& loops = connectivity.border_loops();
-  std::vector<unsigned char> on_other(mesh.positions.size(), 0);
+std::vector<Index> cut_between_borders(const Patch& patch) {
+  const auto& loops = patch.border_loops();
+  std::vector<unsigned char> on_other(patch.vertex_count(), 0);
   for (std::size_t k = 1; k < loops.size(); ++k) {
     for (const Index v : loops[k])
       on_other[v] = 1;
   }
-  InsidePaths inside(mesh, connectivity);
+  InsidePaths inside(patch);
   auto path = inside.from(loops.front(), [&](Index v) { return on_other[v] != 0; });
-  if (!path) require(inspect(mesh), Purpose::unfold);
+  if (!path) require(patch.inspection(), Purpose::unfold);
   return *path;
 }
 
 }  // namespace
 
-std::vector<std::vector<Index>> disk_cuts(const TriMesh& mesh, const Connectivity& connectivity) {
-  check_topology(inspect(mesh).topology);
+std::vector<std::vector<Index>> disk_cuts(const Patch& patch) {
+  check_topology(patch.inspection().topology);
   std::vector<std::vector<Index>> paths;
-  if (connectivity.border_loops().empty()) {
-    paths.push_back(cut_of_closed(mesh, connectivity));
+  if (patch.border_loops().empty()) {
+    paths.push_back(cut_of_closed(patch));
     return paths;
   }
-  while (paths.size() + 1 < connectivity.border_loops().size()) {
-    const CutMesh cut = cut_along(mesh, connectivity, paths);
-    const Connectivity opened(cut.mesh);
-    paths.push_back(on_source(cut_between_borders(cut.mesh, opened), cut));
+  while (paths.size() + 1 < patch.border_loops().size()) {
+    const CutMesh cut = cut_along(patch, paths);
+    paths.push_back(on_source(cut_between_borders(Patch(cut.mesh)), cut));
   }
   return paths;
 }
 
-CutMesh cut_along(const TriMesh& mesh, const Connectivity& connectivity,
-                  std::span<const std::vector<Index>> paths) {
+CutMesh cut_along(const Patch& patch, std::span<const std::vector<Index>> paths) {
   std::vector<CutPath> cuts;
   cuts.reserve(paths.size());
   for (const auto& path : paths)
     cuts.push_back({path});
-  return cut_open(mesh, connectivity, cuts);
+  return cut_open(patch, cuts);
 }
 
 std::vector<Index> on_source(std::span<const Index> path, const CutMesh& cut) {

@@ -11,11 +11,10 @@ namespace planish {
 /// of those with half as much; several borders are joined to the first by shortest paths, the
 /// nearest first.
 /// @throws Error several_components, handles
-std::vector<std::vector<Index>> disk_cuts(const TriMesh& mesh, const Connectivity& connectivity);
+std::vector<std::vector<Index>> disk_cuts(const Patch& patch);
 
 /// The mesh cut open along such paths.
-CutMesh cut_along(const TriMesh& mesh, const Connectivity& connectivity,
-                  std::span<const std::vector<Index>> paths);
+CutMesh cut_along(const Patch& patch, std::span<const std::vector<Index>> paths);
 
 /// The vertices of a path of a cut mesh on the mesh that it was made from.
 std::vector<Index> on_source(std::span<const Index> path, const CutMesh& cut);

@@ -31,7 +31,7 @@ struct Flat {
 
 /// A patch that darts are tried on.
 struct TrialPatch {
-  TriMesh mesh;
+  Patch patch;
   std::vector<Index> source;  ///< vertex -> vertex of the patch that is cut
 };
 
@@ -46,13 +46,12 @@ struct Dart {
   double weighed_strain() const { return weight() * flat.strain.rms; }
 };
 
-TrialPatch trial_patch(const TriMesh& mesh, const Connectivity& connectivity,
-                       std::size_t vertices) {
-  if (mesh.positions.size() > vertices && can_be_coarsened(mesh)) {
-    CoarsePatch coarse = coarsen(mesh, connectivity, vertices, CoarseBorder::thinned);
-    return {std::move(coarse.mesh), std::move(coarse.source)};
+TrialPatch trial_patch(const Patch& patch, std::size_t vertices) {
+  if (patch.vertex_count() > vertices && can_be_coarsened(patch)) {
+    CoarsePatch coarse = coarsen(patch, vertices, CoarseBorder::thinned);
+    return {Patch(std::move(coarse.mesh)), std::move(coarse.source)};
   }
-  TrialPatch same{mesh, std::vector<Index>(mesh.positions.size())};
+  TrialPatch same{patch, std::vector<Index>(patch.vertex_count())};
   std::iota(same.source.begin(), same.source.end(), Index{0});
   return same;
 }
@@ -60,22 +59,21 @@ TrialPatch trial_patch(const TriMesh& mesh, const Connectivity& connectivity,
 /// From each tip the shortest way to the border, and the shortest to the border of the mesh as it
 /// came, where that is another. Tips close to another cut are passed over: what is left between the
 /// two would be a sliver.
-std::vector<Dart> darts_from(const TriMesh& mesh, const std::function<bool(Index)>& on_old_border) {
-  const Connectivity connectivity(mesh);
-  InsidePaths inside(mesh, connectivity);
+std::vector<Dart> darts_from(const Patch& patch, const std::function<bool(Index)>& on_old_border) {
+  InsidePaths inside(patch);
   const auto dart_to = [&](Index tip, const std::function<bool(Index)>& is_end) {
     std::vector<Index> path =
         inside.from(std::span(&tip, 1), is_end).value_or(std::vector<Index>{});
     std::reverse(path.begin(), path.end());
-    const double length = path_length(path, mesh.positions);
+    const double length = path_length(path, patch.positions());
     const bool branches = !path.empty() && !on_old_border(path.front());
     return Dart{std::move(path), length, branches};
   };
-  const auto on_border = [&](Index v) { return connectivity.is_border(v); };
+  const auto on_border = [&](Index v) { return patch.is_border(v); };
   const auto on_both = [&](Index v) { return on_border(v) && on_old_border(v); };
-  const double sliver = k_sliver * bounding_box_diagonal(mesh);
+  const double sliver = k_sliver * bounding_box_diagonal(patch.mesh());
   std::vector<Dart> darts;
-  for (const Index tip : dart_tips(mesh, connectivity, k_most_tips)) {
+  for (const Index tip : dart_tips(patch, k_most_tips)) {
     Dart nearest = dart_to(tip, on_border);
     if (nearest.path.empty() || (nearest.branches && nearest.length < sliver)) continue;
     const bool branches = nearest.branches;
@@ -124,9 +122,8 @@ const Dart* best_of(const std::vector<Dart>& darts, double max_strain) {
 
 class CutSearch {
  public:
-  CutSearch(const TriMesh& mesh, const Connectivity& connectivity, const SuggestOptions& options,
-            const OnSuggestProgress& on_progress)
-      : mesh_(mesh), connectivity_(connectivity), options_(options), on_progress_(on_progress) {}
+  CutSearch(const Patch& patch, const SuggestOptions& options, const OnSuggestProgress& on_progress)
+      : patch_(patch), options_(options), on_progress_(on_progress) {}
 
   std::optional<CutSuggestion> run() {
     open_to_disk();
@@ -152,13 +149,11 @@ class CutSearch {
     return !cancelled_;
   }
 
-  Flat flatten(const TriMesh& mesh) {
-    const Connectivity connectivity(mesh);
+  Flat flatten(const Patch& patch) {
     Flat flat{{}, {.max = k_cannot_lie_flat, .rms = k_cannot_lie_flat, .p99 = k_cannot_lie_flat}};
     try {
-      flat.pattern =
-          unfold(mesh, connectivity, {.threads = 1}, [this](int, double) { return goes_on(); });
-      flat.strain = edge_strain(mesh, connectivity, flat.pattern.positions);
+      flat.pattern = unfold(patch, {.threads = 1}, [this](int, double) { return goes_on(); });
+      flat.strain = edge_strain(patch, flat.pattern.positions);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::unfold_failed) throw;
     }
@@ -167,19 +162,19 @@ class CutSearch {
 
   /// The mesh cut along all paths, laid flat.
   CutPattern with_paths() {
-    CutMesh cut = cut_along(mesh_, connectivity_, paths_);
-    Flat flat = flatten(cut.mesh);
+    CutMesh cut = cut_along(patch_, paths_);
+    Flat flat = flatten(Patch(cut.mesh));
     return {std::move(cut), std::move(flat.pattern), flat.strain};
   }
 
   void open_to_disk() {
-    paths_ = disk_cuts(mesh_, connectivity_);
+    paths_ = disk_cuts(patch_);
     for (const auto& path : paths_)
-      found_.cuts.push_back({path, path_length(path, mesh_.positions)});
+      found_.cuts.push_back({path, path_length(path, patch_.positions())});
     found_.first = with_paths();
     if (found_.first.pattern.positions.empty()) {
       // Nothing to begin with: the same words as without a search.
-      unfold(found_.first.cut.mesh, Connectivity(found_.first.cut.mesh), {.threads = 1});
+      unfold(Patch(found_.first.cut.mesh), {.threads = 1});
     }
     if (!found_.cuts.empty()) found_.cuts.back().after = found_.first.strain;
     found_.last = found_.first;
@@ -188,18 +183,17 @@ class CutSearch {
   /// The best dart on the patch as it is cut so far, by that patch's vertices.
   std::vector<Index> find_dart() {
     const CutMesh& now = found_.last.cut;
-    const Connectivity connectivity(now.mesh);
-    const TrialPatch trial = trial_patch(now.mesh, connectivity, options_.trial_vertices);
+    const Patch cut(now.mesh);
+    const TrialPatch trial = trial_patch(cut, options_.trial_vertices);
     const auto on_old_border = [&](Index v) {
-      return connectivity_.is_border(now.source[trial.source[v]]);
+      return patch_.is_border(now.source[trial.source[v]]);
     };
-    const bool is_same = trial.mesh.positions.size() == now.mesh.positions.size();
-    const EdgeStrain without = is_same ? found_.last.strain : flatten(trial.mesh).strain;
-    std::vector<Dart> darts = darts_from(trial.mesh, on_old_border);
-    const Connectivity trial_connectivity(trial.mesh);
+    const bool is_same = trial.patch.vertex_count() == cut.vertex_count();
+    const EdgeStrain without = is_same ? found_.last.strain : flatten(trial.patch).strain;
+    std::vector<Dart> darts = darts_from(trial.patch, on_old_border);
     for (Dart& dart : darts) {
       const std::vector<CutPath> one = {{dart.path}};
-      dart.flat = flatten(cut_open(trial.mesh, trial_connectivity, one).mesh);
+      dart.flat = flatten(Patch(cut_open(trial.patch, one).mesh));
       share_ += 1.0 / options_.max_darts / static_cast<double>(darts.size() + 1);
       if (!goes_on()) return {};
     }
@@ -207,7 +201,7 @@ class CutSearch {
     const Dart* best = best_of(darts, options_.max_strain);
     if (best == nullptr) return {};
     const Index end = trial.source[best->path.front()], tip = trial.source[best->path.back()];
-    InsidePaths inside(now.mesh, connectivity);
+    InsidePaths inside(cut);
     auto path = inside.from(std::span(&tip, 1), [end](Index v) { return v == end; });
     if (!path) return {};
     std::reverse(path->begin(), path->end());
@@ -226,7 +220,7 @@ class CutSearch {
     if (is_met(next.strain)) next = with_shorter_dart(std::move(next));
     path = paths_.back();
     found_.cuts.push_back(
-        {path, path_length(path, mesh_.positions), true, found_.last.strain, next.strain});
+        {path, path_length(path, patch_.positions()), true, found_.last.strain, next.strain});
     found_.last = std::move(next);
     return true;
   }
@@ -248,8 +242,7 @@ class CutSearch {
     return best;
   }
 
-  const TriMesh& mesh_;
-  const Connectivity& connectivity_;
+  const Patch& patch_;
   const SuggestOptions& options_;
   const OnSuggestProgress& on_progress_;
   std::vector<std::vector<Index>> paths_;
@@ -272,8 +265,7 @@ std::string_view to_string(SuggestStop stop) {
   return "unknown";
 }
 
-std::optional<CutSuggestion> suggest_cuts(const TriMesh& mesh, const Connectivity& connectivity,
-                                          const SuggestOptions& options,
+std::optional<CutSuggestion> suggest_cuts(const Patch& patch, const SuggestOptions& options,
                                           const OnSuggestProgress& on_progress) {
   if (!(options.max_strain > 0.0)) {
     throw Error(ErrorCode::option_out_of_range, "max_strain must be above 0");
@@ -281,7 +273,7 @@ std::optional<CutSuggestion> suggest_cuts(const TriMesh& mesh, const Connectivit
   if (options.max_darts < 0) {
     throw Error(ErrorCode::option_out_of_range, "max_darts must be at least 0");
   }
-  return CutSearch(mesh, connectivity, options, on_progress).run();
+  return CutSearch(patch, options, on_progress).run();
 }
 
 }  // namespace planish

@@ -38,19 +38,19 @@ std::vector<Index> elimination_order(std::span<const Vec3> positions,
 
 }  // namespace
 
-Disk make_disk(const TriMesh& mesh, const Connectivity& connectivity) {
+Disk make_disk(const Patch& patch) {
   Disk disk;
-  disk.vertex_of = elimination_order(mesh.positions, connectivity);
+  disk.vertex_of = elimination_order(patch.positions(), patch.connectivity());
   disk.vertex_count = disk.vertex_of.size();
-  std::vector<Index> number_of(mesh.positions.size(), 0);
+  std::vector<Index> number_of(patch.vertex_count(), 0);
   for (std::size_t i = 0; i < disk.vertex_count; ++i) {
     number_of[disk.vertex_of[i]] = static_cast<Index>(i);
-    disk.on_border.push_back(connectivity.is_border(disk.vertex_of[i]) ? 1 : 0);
+    disk.on_border.push_back(patch.is_border(disk.vertex_of[i]) ? 1 : 0);
   }
-  for (const Index v : connectivity.border_loops().front())
+  for (const Index v : patch.border_loops().front())
     disk.border.push_back(number_of[v]);
 
-  for (const Triangle& t : mesh.triangles)
+  for (const Triangle& t : patch.triangles())
     disk.triangles.push_back({number_of[t[0]], number_of[t[1]], number_of[t[2]]});
   // In the order of their vertices, so that those of one triangle after another lie close.
   std::stable_sort(disk.triangles.begin(), disk.triangles.end(),
@@ -58,10 +58,12 @@ Disk make_disk(const TriMesh& mesh, const Connectivity& connectivity) {
                      return std::min({a[0], a[1], a[2]}) < std::min({b[0], b[1], b[2]});
                    });
 
-  const double to_unit_box = unit_scale(mesh);
+  const double to_unit_box = patch.unit_scale();
   CarefulSum area;
   for (const Triangle& t : disk.triangles) {
-    const auto corner = [&](int k) { return to_unit_box * mesh.positions[disk.vertex_of[t[k]]]; };
+    const auto corner = [&](int k) {
+      return to_unit_box * patch.positions()[disk.vertex_of[t[k]]];
+    };
     disk.rest.push_back(rest_triangle(corner(0), corner(1), corner(2)));
     area.add(disk.rest.back().area());
   }

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -33,7 +33,7 @@ struct Disk {
 };
 
 /// @pre the mesh is a disk
-Disk make_disk(const TriMesh& mesh, const Connectivity& connectivity);
+Disk make_disk(const Patch& patch);
 
 /// The lengths on the patch of the sides from border[k] to border[k + 1], in the disk's units.
 std::vector<double> border_lengths(const TriMesh& mesh, const Disk& disk);

@@ -5,6 +5,7 @@
 
 #include "core/careful_sum.h"
 #include "core/math.h"
+#include "mesh/edges.h"
 #include "unfold/strain/strain_of_edge.h"
 #include "unfold/strain/strain_of_edges.h"
 
@@ -26,26 +27,16 @@ double total_area(const std::vector<StrainOfEdge>& edges) {
 
 }  // namespace
 
-std::vector<StrainOfEdge> strain_of_edges(const TriMesh& mesh, const Connectivity& connectivity,
-                                          std::span<const Vec2> pattern) {
-  const double scale = unit_scale(mesh);
+std::vector<StrainOfEdge> strain_of_edges(const Patch& patch, std::span<const Vec2> pattern) {
+  const double scale = patch.unit_scale();
   std::vector<StrainOfEdge> edges;
-  for (Index v = 0; v < mesh.positions.size(); ++v) {
-    const auto ring = connectivity.ring(v);
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Index w = ring[k];
-      if (w < v) continue;  // every edge once
-      const bool closed = !connectivity.is_border(v);
-      double area = 0.0;
-      if (closed || k > 0) {
-        area += area_of(mesh, scale, v, ring[(k + ring.size() - 1) % ring.size()], w);
-      }
-      if (closed || k + 1 < ring.size()) {
-        area += area_of(mesh, scale, v, w, ring[(k + 1) % ring.size()]);
-      }
-      edges.push_back({strain_of_edge(mesh, pattern, scale, v, w), area / 3.0, {v, w}});
-    }
-  }
+  for_each_edge(patch.connectivity(), [&](const Edge& edge) {
+    const auto [v, w, left, right] = edge;
+    double area = 0.0;
+    if (right != Edge::none) area += area_of(patch.mesh(), scale, v, right, w);
+    if (left != Edge::none) area += area_of(patch.mesh(), scale, v, w, left);
+    edges.push_back({strain_of_edge(patch.mesh(), pattern, scale, v, w), area / 3.0, {v, w}});
+  });
   if (!(total_area(edges) > 0.0)) {
     for (StrainOfEdge& edge : edges)
       edge.area = 1.0;
@@ -66,9 +57,8 @@ double strain_at_share(std::vector<StrainOfEdge> edges, double share) {
   return edges.empty() ? 0.0 : std::abs(edges.back().strain);
 }
 
-EdgeStrain edge_strain(const TriMesh& mesh, const Connectivity& connectivity,
-                       std::span<const Vec2> pattern) {
-  const std::vector<StrainOfEdge> edges = strain_of_edges(mesh, connectivity, pattern);
+EdgeStrain edge_strain(const Patch& patch, std::span<const Vec2> pattern) {
+  const std::vector<StrainOfEdge> edges = strain_of_edges(patch, pattern);
   EdgeStrain result;
   if (edges.empty()) return result;
   result.worst_edge = edges.front().edge;
@@ -85,14 +75,13 @@ EdgeStrain edge_strain(const TriMesh& mesh, const Connectivity& connectivity,
   return result;
 }
 
-double largest_border_strain(const TriMesh& mesh, const Connectivity& connectivity,
-                             std::span<const Vec2> pattern) {
-  const double scale = unit_scale(mesh);
+double largest_border_strain(const Patch& patch, std::span<const Vec2> pattern) {
+  const double scale = patch.unit_scale();
   double largest = 0.0;
-  for (const std::vector<Index>& loop : connectivity.border_loops()) {
+  for (const std::vector<Index>& loop : patch.border_loops()) {
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const Index v = loop[k], w = loop[(k + 1) % loop.size()];
-      largest = std::max(largest, std::abs(strain_of_edge(mesh, pattern, scale, v, w)));
+      largest = std::max(largest, std::abs(strain_of_edge(patch.mesh(), pattern, scale, v, w)));
     }
   }
   return largest;

@@ -33,14 +33,13 @@ std::string_view to_string(StrainLimitKind kind) {
   return "unknown";
 }
 
-std::vector<StrainLimitCheck> check_limits(const TriMesh& mesh, const Connectivity& connectivity,
-                                           std::span<const Vec2> pattern,
+std::vector<StrainLimitCheck> check_limits(const Patch& patch, std::span<const Vec2> pattern,
                                            const StrainLimits& limits) {
   if (!limits.any()) return {};
-  const EdgeStrain strain = edge_strain(mesh, connectivity, pattern);
-  const std::vector<StrainOfEdge> edges = strain_of_edges(mesh, connectivity, pattern);
+  const EdgeStrain strain = edge_strain(patch, pattern);
+  const std::vector<StrainOfEdge> edges = strain_of_edges(patch, pattern);
   const auto [v, w] = strain.worst_edge;
-  const Vec3 middle = 0.5 * mesh.positions[v] + 0.5 * mesh.positions[w];
+  const Vec3 middle = 0.5 * patch.positions()[v] + 0.5 * patch.positions()[w];
   std::vector<StrainLimitCheck> checks;
   const auto add = [&](StrainLimitKind kind, double asked, double reached) {
     if (!(asked > 0.0)) return;

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -18,8 +18,7 @@ struct StrainOfEdge {
 /// Of all edges, by their vertices. Areas are in units of unit_scale(); on a patch without any area
 /// all edges count alike.
 /// @param pattern one position per vertex of the mesh
-std::vector<StrainOfEdge> strain_of_edges(const TriMesh& mesh, const Connectivity& connectivity,
-                                          std::span<const Vec2> pattern);
+std::vector<StrainOfEdge> strain_of_edges(const Patch& patch, std::span<const Vec2> pattern);
 
 /// The smallest s so that edges with |strain| up to s make up this share of the area; 0 of none.
 double strain_at_share(std::vector<StrainOfEdge> edges, double share);

@@ -24,13 +24,12 @@ std::vector<double> vertex_strains(const TriMesh& mesh, std::span<const Vec2> pa
   return sums;
 }
 
-std::vector<double> largest_edge_strains(const TriMesh& mesh, const Connectivity& connectivity,
-                                         std::span<const Vec2> pattern) {
-  const double scale = unit_scale(mesh);
-  std::vector<double> largest(mesh.positions.size());
+std::vector<double> largest_edge_strains(const Patch& patch, std::span<const Vec2> pattern) {
+  const double scale = patch.unit_scale();
+  std::vector<double> largest(patch.vertex_count());
   for (Index v = 0; v < largest.size(); ++v) {
-    for (const Index w : connectivity.ring(v)) {
-      const double strain = strain_of_edge(mesh, pattern, scale, v, w);
+    for (const Index w : patch.ring(v)) {
+      const double strain = strain_of_edge(patch.mesh(), pattern, scale, v, w);
       if (std::abs(strain) > std::abs(largest[v])) largest[v] = strain;
     }
   }

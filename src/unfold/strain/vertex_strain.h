@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 #include <planish/unfold/strain.h>
 
 namespace planish {
@@ -16,8 +16,7 @@ std::vector<double> vertex_strains(const TriMesh& mesh, std::span<const Vec2> pa
 /// The strain of largest size among the edges of every vertex, with its sign; 0 for vertices
 /// without edges. The largest of all is edge_strain()'s.
 /// @param pattern one position per vertex of the mesh
-std::vector<double> largest_edge_strains(const TriMesh& mesh, const Connectivity& connectivity,
-                                         std::span<const Vec2> pattern);
+std::vector<double> largest_edge_strains(const Patch& patch, std::span<const Vec2> pattern);
 
 /// The strain of largest size among the three edges of every triangle, with its sign.
 /// @param pattern one position per vertex of the mesh

@@ -15,8 +15,8 @@ using namespace planish;
 namespace {
 
 void check_cut(const TriMesh& mesh, const std::vector<CutPath>& paths) {
-  const Connectivity connectivity(mesh);
-  const CutMesh cut = cut_open(mesh, connectivity, paths);
+  const Patch patch(mesh);
+  const CutMesh cut = cut_open(patch, paths);
   fuzz::check(cut.mesh.triangles.size() == mesh.triangles.size(), "cutting keeps triangles");
   fuzz::check(cut.source.size() == cut.mesh.positions.size(), "every vertex has a source");
   fuzz::check(std::isfinite(cut.length) && cut.length >= 0.0, "lengths are finite");
@@ -31,7 +31,7 @@ void check_cut(const TriMesh& mesh, const std::vector<CutPath>& paths) {
   fuzz::check(!blocking_problem(inspect(cut.mesh), Purpose::measure), "what is cut is sound");
   // What was cut and is written down cuts the same again.
   const CutLines again = parse_cuts(format_cuts(cut.paths), mesh, "cuts.txt");
-  fuzz::check(cut_open(mesh, connectivity, again.paths).mesh.triangles == cut.mesh.triangles,
+  fuzz::check(cut_open(patch, again.paths).mesh.triangles == cut.mesh.triangles,
               "cuts that are written and read again are the same");
 }
 

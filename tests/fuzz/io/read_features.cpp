@@ -16,7 +16,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::size_t vertices = mesh.positions.size();
   for (const std::string name : {"fixed.txt", "fixed.obj"}) {
     fuzz::allow_refusal_of(name, [&] {
-      const FixedVertices fixed = parse_fixed_vertices(bytes, mesh, name);
+      const FixedVertices fixed = parse_fixed_vertices(bytes, Patch(mesh), name);
       const auto& all = fixed.vertices;
       fuzz::check(std::adjacent_find(all.begin(), all.end(), std::greater_equal<>()) == all.end(),
                   "fixed vertices come in increasing order, each once");

@@ -108,25 +108,26 @@ const std::map<Code, Reproduction>& reproductions() {
       {Code::open_surface,
        [] {
          const TriMesh dome = make_shape("dome", 100);
-         evolve(dome, LocalPerturbation{}, {}, {}, 1, {.obstacle = grid});
+         evolve(Patch(dome), LocalPerturbation{}, {}, {}, 1, {.obstacle = grid});
        }},
       {Code::several_components, wanting(Purpose::unfold, meshes::side_by_side(grid, grid))},
       {Code::several_border_loops, wanting(Purpose::unfold, meshes::tube(6, 3))},
       {Code::handles, wanting(Purpose::unfold, torus_with_a_hole())},
       {Code::no_inner_vertex, wanting(Purpose::evolve, "v 5 0 0\nv 6 0 0\nf 1 2 3\nf 4 5 6\n")},
       {Code::unreferenced_vertex, telling(Code::unreferenced_vertex, triangle)},
-      {Code::option_out_of_range, [] { evolve(grid, ControllableLaplacian{.lambda_max = -1.0}); }},
+      {Code::option_out_of_range,
+       [] { evolve(Patch(grid), ControllableLaplacian{.lambda_max = -1.0}); }},
       {Code::unknown_name, [] { make_shape("ball", 100); }},
       {Code::unsupported_constraint,
-       [] { evolve(grid, ControllableLaplacian{}, {}, {}, 1, {.obstacle = grid}); }},
+       [] { evolve(Patch(grid), ControllableLaplacian{}, {}, {}, 1, {.obstacle = grid}); }},
       {Code::misplaced_cut,
        [] {
-         cut_open(grid, Connectivity(grid), std::vector<CutPath>{{{0, 1}, {}}});
+         cut_open(Patch(grid), std::vector<CutPath>{{{0, 1}, {}}});
        }},
       {Code::unfold_failed,
        [] {
          const TriMesh mesh = bag();
-         unfold(mesh, Connectivity(mesh));
+         unfold(Patch(mesh));
        }},
       {Code::overlapping_outline,
        [] {

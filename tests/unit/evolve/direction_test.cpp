@@ -16,7 +16,7 @@ namespace planish {
 namespace {
 
 std::vector<VertexDirection> directions_of(const TriMesh& mesh) {
-  return laplacian_directions(mesh, Connectivity(mesh));
+  return laplacian_directions(Patch(mesh));
 }
 
 DirectionCounts counts_of(const TriMesh& mesh) {
@@ -166,7 +166,7 @@ TEST(Direction, APatchOfFlatVerticesIsFlattenable) {
 
 TEST(Direction, AgreesWithWhatAControllableSweepFinds) {
   const auto moved_in = [](const TriMesh& mesh) {
-    return evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 1}).history.front().moved;
+    return evolve(Patch(mesh), ControllableLaplacian{}, {.max_sweeps = 1}).history.front().moved;
   };
   EXPECT_EQ(moved_in(hexagonal_surface(20, [](double x, double y) { return 0.4 * x * y; })), 0U);
   EXPECT_EQ(moved_in(meshes::fan(7, 0.3)), 1U);

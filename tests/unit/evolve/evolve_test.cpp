@@ -23,7 +23,8 @@ ErrorCode error_of(const std::function<void()>& action) {
 }
 
 TEST(Evolve, StopsAtTheSweepLimit) {
-  const auto result = evolve(make_shape("dome", 500), ControllableLaplacian{}, {.max_sweeps = 4});
+  const auto result =
+      evolve(Patch(make_shape("dome", 500)), ControllableLaplacian{}, {.max_sweeps = 4});
   EXPECT_EQ(result.stop, StopReason::sweep_limit);
   EXPECT_EQ(result.history.size(), 4U);
 }
@@ -31,7 +32,7 @@ TEST(Evolve, StopsAtTheSweepLimit) {
 TEST(Evolve, StopsAtTheTarget) {
   const TriMesh mesh = make_shape("panel", 2000);
   const auto result =
-      evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 500, .target_e_max = 0.004});
+      evolve(Patch(mesh), ControllableLaplacian{}, {.max_sweeps = 500, .target_e_max = 0.004});
   EXPECT_EQ(result.stop, StopReason::reached_target);
   ASSERT_GE(result.history.size(), 2U);
   EXPECT_LE(result.history.back().e_max, 0.004);
@@ -40,7 +41,7 @@ TEST(Evolve, StopsAtTheTarget) {
 
 TEST(Evolve, DoesNothingWhereTheTargetIsMetAlready) {
   const TriMesh flat = meshes::flat_grid(8, 8);
-  const auto result = evolve(flat);
+  const auto result = evolve(Patch(flat));
   EXPECT_EQ(result.stop, StopReason::reached_target);
   EXPECT_TRUE(result.history.empty());
   EXPECT_EQ(result.positions, flat.positions);
@@ -48,52 +49,53 @@ TEST(Evolve, DoesNothingWhereTheTargetIsMetAlready) {
 
 TEST(Evolve, StopsWhenNothingMoves) {
   const auto result =
-      evolve(meshes::ruffled_fan(6, 0.3), ControllableLaplacian{}, {.max_sweeps = 9});
+      evolve(Patch(meshes::ruffled_fan(6, 0.3)), ControllableLaplacian{}, {.max_sweeps = 9});
   EXPECT_EQ(result.stop, StopReason::stalled);
   EXPECT_EQ(result.history.size(), 1U);
   EXPECT_EQ(result.history[0].moved, 0U);
 }
 
 TEST(Evolve, CanBeCancelledAfterAnySweep) {
-  const auto result = evolve(make_shape("dome", 500), ControllableLaplacian{}, {.max_sweeps = 50},
-                             [](const SweepRecord& record) { return record.sweep < 3; });
+  const auto result =
+      evolve(Patch(make_shape("dome", 500)), ControllableLaplacian{}, {.max_sweeps = 50},
+             [](const SweepRecord& record) { return record.sweep < 3; });
   EXPECT_EQ(result.stop, StopReason::cancelled);
   EXPECT_EQ(result.history.size(), 3U);
 }
 
 TEST(Evolve, WithoutSweepsReturnsTheInput) {
   const TriMesh mesh = make_shape("dome", 300);
-  const auto result = evolve(mesh, ClassicalLaplacian{}, {.max_sweeps = 0});
+  const auto result = evolve(Patch(mesh), ClassicalLaplacian{}, {.max_sweeps = 0});
   EXPECT_EQ(result.positions, mesh.positions);
   EXPECT_EQ(result.stop, StopReason::sweep_limit);
 }
 
 TEST(Evolve, IsTheLoopOverItsEvolver) {
   const TriMesh mesh = make_shape("panel", 900);
-  const Connectivity connectivity(mesh);
-  Evolver evolver(mesh, connectivity, ControllableLaplacian{});
+  const Patch patch(mesh);
+  Evolver evolver(patch, ControllableLaplacian{});
   for (int sweep = 0; sweep < 5; ++sweep)
     evolver.step();
   EXPECT_EQ(evolver.positions(),
-            evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 5}).positions);
+            evolve(patch, ControllableLaplacian{}, {.max_sweeps = 5}).positions);
 }
 
 TEST(Evolve, WorksOnTubesAndOnSeveralComponents) {
   TriMesh mesh = meshes::side_by_side(meshes::tube(9, 5), meshes::rough_grid(6, 6, 3));
   mesh.positions[20] = 1.3 * mesh.positions[20];
-  const auto result = evolve(mesh);
+  const auto result = evolve(Patch(mesh));
   EXPECT_LT(result.history.back().energy, result.history.front().energy);
 }
 
 TEST(Evolve, LeavesASingleTriangleAlone) {
   const TriMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  const auto result = evolve(mesh);
+  const auto result = evolve(Patch(mesh));
   EXPECT_EQ(result.positions, mesh.positions);
   EXPECT_EQ(result.stop, StopReason::reached_target);
 }
 
 TEST(Evolve, RefusesClosedSurfaces) {
-  EXPECT_EQ(error_of([] { evolve(meshes::tetrahedron()); }), ErrorCode::closed_surface);
+  EXPECT_EQ(error_of([] { evolve(Patch(meshes::tetrahedron())); }), ErrorCode::closed_surface);
 }
 
 TEST(Evolve, RefusesOptionsOutOfRange) {
@@ -105,11 +107,11 @@ TEST(Evolve, RefusesOptionsOutOfRange) {
         Method{ControllableLaplacian{.lambda_max = -0.1}},
         Method{ControllableLaplacian{.min_angle = 61.0}},
         Method{ControllableLaplacian{.max_deviation = -1.0}}}) {
-    EXPECT_EQ(error_of([&] { evolve(mesh, method); }), ErrorCode::option_out_of_range);
+    EXPECT_EQ(error_of([&] { evolve(Patch(mesh), method); }), ErrorCode::option_out_of_range);
   }
-  EXPECT_EQ(error_of([&] { evolve(mesh, ClassicalLaplacian{}, {.max_sweeps = -1}); }),
+  EXPECT_EQ(error_of([&] { evolve(Patch(mesh), ClassicalLaplacian{}, {.max_sweeps = -1}); }),
             ErrorCode::option_out_of_range);
-  EXPECT_EQ(error_of([&] { evolve(mesh, ClassicalLaplacian{}, {.target_e_max = nan}); }),
+  EXPECT_EQ(error_of([&] { evolve(Patch(mesh), ClassicalLaplacian{}, {.target_e_max = nan}); }),
             ErrorCode::option_out_of_range);
 }
 

@@ -13,7 +13,7 @@ namespace planish {
 namespace {
 
 FlattenReport flattened(const TriMesh& mesh, const FlattenOptions& options) {
-  auto report = flatten(mesh, "patch", options);
+  auto report = flatten(Patch(mesh), "patch", options);
   EXPECT_TRUE(report.has_value());
   return report.value_or(FlattenReport{});
 }
@@ -21,7 +21,7 @@ FlattenReport flattened(const TriMesh& mesh, const FlattenOptions& options) {
 TEST(FlattenWithLimits, LeavesAPatchWhosePatternKeepsThemToTheBit) {
   const TriMesh mesh = make_shape("panel", 400);
   const FlattenReport report = flattened(mesh, {.limits = {.max = 0.05}});
-  EXPECT_EQ(report.processed.positions, mesh.positions);
+  EXPECT_EQ(report.processed.positions(), mesh.positions);
   EXPECT_TRUE(report.evolve.result.history.empty());
   EXPECT_EQ(report.evolve.result.stop, StopReason::strain_met);
   EXPECT_EQ(report.evolve.deviation.max, 0.0);
@@ -33,10 +33,10 @@ TEST(FlattenWithLimits, LeavesAPatchWhosePatternKeepsThemToTheBit) {
 
 TEST(FlattenWithLimits, ChangesAPatchOnlyAsFarAsItsPatternNeeds) {
   const TriMesh mesh = make_shape("dome", 400);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   const Auto by_estimate{.max_strain = 0.06, .prefer = Prefer::near};
-  const auto all_the_way = evolve(mesh, by_estimate, usual_stopping(by_estimate));
-  const double far = measure_deviation(mesh, all_the_way.positions, connectivity).rms;
+  const auto all_the_way = evolve(patch, by_estimate, usual_stopping(by_estimate));
+  const double far = measure_deviation(patch, all_the_way.positions).rms;
   for (const StrainLimits& limits : {StrainLimits{.max = 0.06}, StrainLimits{.p99 = 0.06}}) {
     const FlattenReport report =
         flattened(mesh, {.method = Auto{.prefer = Prefer::near}, .limits = limits});
@@ -44,15 +44,15 @@ TEST(FlattenWithLimits, ChangesAPatchOnlyAsFarAsItsPatternNeeds) {
     EXPECT_GT(report.evolve.deviation.rms, 0.0);
     EXPECT_LT(report.evolve.deviation.rms, 0.8 * far);
     EXPECT_EQ(report.evolve.deviation.rms,
-              measure_deviation(mesh, report.processed.positions, connectivity).rms);
-    EXPECT_EQ(report.evolve.after.figures.e_max, measure(report.processed, connectivity).e_max);
+              measure_deviation(patch, report.processed.positions()).rms);
+    EXPECT_EQ(report.evolve.after.figures.e_max, measure(report.processed).e_max);
     // A little less far it would not do.
     TriMesh nearer = mesh;
     for (std::size_t v = 0; v < nearer.positions.size(); ++v) {
       nearer.positions[v] =
-          mesh.positions[v] + 0.9 * (report.processed.positions[v] - mesh.positions[v]);
+          mesh.positions[v] + 0.9 * (report.processed.positions()[v] - mesh.positions[v]);
     }
-    EXPECT_FALSE(all_kept(unfold_patch(nearer, Unit::mm, {}, {.limits = limits})->limits));
+    EXPECT_FALSE(all_kept(unfold_patch(Patch(nearer), Unit::mm, {}, {.limits = limits})->limits));
   }
 }
 
@@ -68,7 +68,7 @@ TEST(FlattenWithLimits, TakesThoseOfTheMethodWhereThereAreNoOthers) {
 TEST(FlattenWithLimits, ComesToATargetThatIsAskedForBesides) {
   const TriMesh mesh = make_shape("panel", 400);
   Stopping stopping = usual_stopping(Auto{});
-  stopping.target_e_max = 0.5 * measure(mesh, Connectivity(mesh)).e_max;
+  stopping.target_e_max = 0.5 * measure(Patch(mesh)).e_max;
   const FlattenReport report = flattened(mesh, {.stopping = stopping, .limits = {.max = 0.5}});
   EXPECT_NE(report.evolve.result.stop, StopReason::cancelled);
   EXPECT_FALSE(report.evolve.result.history.empty());
@@ -78,21 +78,22 @@ TEST(Flatten, OfASmoothedDesignMeasuresTheDeviationFromTheRawOne) {
   const TriMesh raw = meshes::rough_grid(12, 10, 4);
   const FlattenReport report =
       flattened(raw, {.method = ControllableLaplacian{}, .smooth_first = 4.0});
-  const Connectivity connectivity(raw);
+  const Patch surface(raw);
   ASSERT_TRUE(report.evolve.smoothed_first);
   EXPECT_EQ(report.evolve.smoothed_first->length, 4.0);
-  EXPECT_EQ(report.input.positions, smoothed_positions(raw, connectivity, 4.0));
+  EXPECT_EQ(report.input.positions(), smoothed_positions(surface, 4.0));
   EXPECT_EQ(report.evolve.smoothed_first->moved.rms,
-            measure_deviation(raw, report.input.positions, connectivity).rms);
+            measure_deviation(surface, report.input.positions()).rms);
   EXPECT_EQ(report.evolve.deviation.rms,
-            measure_deviation(raw, report.processed.positions, connectivity).rms);
-  EXPECT_EQ(report.evolve.before.figures.e_max, measure(report.input, connectivity).e_max);
+            measure_deviation(surface, report.processed.positions()).rms);
+  EXPECT_EQ(report.evolve.before.figures.e_max, measure(report.input).e_max);
   EXPECT_EQ(report.evolve.fairness.bending_ratio,
-            measure_fairness(report.input, connectivity, report.processed.positions).bending_ratio);
+            measure_fairness(report.input, report.processed.positions()).bending_ratio);
   const FlattenReport plain = flattened(raw, {.method = ControllableLaplacian{}});
   EXPECT_FALSE(plain.evolve.smoothed_first);
-  EXPECT_THROW(flatten(raw, "patch", {.smooth_first = 4.0, .remesh = true}), Error);
-  EXPECT_THROW(flatten(raw, "patch", {.constraints = {.fixed = {30}}, .smooth_first = 4.0}), Error);
+  EXPECT_THROW(flatten(surface, "patch", {.smooth_first = 4.0, .remesh = true}), Error);
+  EXPECT_THROW(flatten(surface, "patch", {.constraints = {.fixed = {30}}, .smooth_first = 4.0}),
+               Error);
   EXPECT_LT(report.evolve.before.figures.e_avg, 0.5 * plain.evolve.before.figures.e_avg);
 }
 
@@ -100,11 +101,11 @@ TEST(FlattenWithLimits, CanBeCancelledAnywhere) {
   const TriMesh mesh = make_shape("dome", 200);
   const FlattenOptions options{.limits = {.max = 0.06}};
   int calls = 0;
-  flatten(mesh, "patch", options, [&](FlattenStage, double) { return ++calls > 0; });
+  flatten(Patch(mesh), "patch", options, [&](FlattenStage, double) { return ++calls > 0; });
   EXPECT_GT(calls, 20);
   for (int last = 1; last < calls; last += calls / 10) {
     int told = 0;
-    EXPECT_FALSE(flatten(mesh, "patch", options, [&](FlattenStage, double) {
+    EXPECT_FALSE(flatten(Patch(mesh), "patch", options, [&](FlattenStage, double) {
       return ++told < last;
     })) << last;
   }

@@ -19,7 +19,7 @@ using testing::Not;
 
 const FrontierReport& panel_frontier() {
   static const FrontierReport report =
-      *frontier(make_shape("panel", 200), "panel",
+      *frontier(Patch(make_shape("panel", 200)), "panel",
                 {.limit = 0.01,
                  .others = {{ClassicalLaplacian{}, {.max_sweeps = 3}},
                             {BilaplacianFairing{}, usual_stopping(BilaplacianFairing{})}}});
@@ -129,7 +129,7 @@ TEST(Frontier, HasAPointForEveryLimitAndMethod) {
 }
 
 TEST(Frontier, LosesStrainAsDeviationGrows) {
-  const FrontierReport report = *frontier(make_shape("panel", 200), "panel");
+  const FrontierReport report = *frontier(Patch(make_shape("panel", 200)), "panel");
   EXPECT_GE(report.curve.size(), 4U);
   double deviation = 0.0, strain = report.before.rms;
   for (const FrontierPoint& point : report.curve) {
@@ -157,8 +157,9 @@ TEST(Frontier, HasTheFiguresOfTheSameRunsAlone) {
   const FrontierReport& report = panel_frontier();
   for (const std::size_t i : {report.curve.size() / 2, report.curve.size() - 1}) {
     const FrontierPoint& point = report.curve[i];
-    const EvolveReport evolve = evolve_patch(mesh, point.method, usual_stopping(point.method));
-    const auto unfold = unfold_patch({evolve.result.positions, mesh.triangles}, Unit::mm);
+    const EvolveReport evolve =
+        evolve_patch(Patch(mesh), point.method, usual_stopping(point.method));
+    const auto unfold = unfold_patch(Patch({evolve.result.positions, mesh.triangles}), Unit::mm);
     EXPECT_EQ(point.deviation.rms, evolve.deviation.rms);
     EXPECT_EQ(point.deviation.max, evolve.deviation.max);
     EXPECT_EQ(point.deviation.rms_over_diagonal, evolve.deviation.rms_over_diagonal);
@@ -167,7 +168,7 @@ TEST(Frontier, HasTheFiguresOfTheSameRunsAlone) {
     EXPECT_EQ(point.stop, evolve.result.stop);
     EXPECT_EQ(point.sweeps, evolve.result.history.size());
   }
-  EXPECT_EQ(report.before.rms, unfold_patch(mesh, Unit::mm)->strain.rms);
+  EXPECT_EQ(report.before.rms, unfold_patch(Patch(mesh), Unit::mm)->strain.rms);
 }
 
 TEST(Frontier, FindsTheFirstPointWithinTheLimit) {
@@ -187,7 +188,7 @@ TEST(Frontier, KeepsRunsThatFailApart) {
   FrontierOptions options = {.points = 2, .others = {{ClassicalLaplacian{}, {.max_sweeps = 1}}}};
   options.constraints.weights.assign(make_shape("panel", 200).positions.size(), 1.0);
   options.constraints.weights.front() = 2.0;
-  const auto report = frontier(make_shape("panel", 200), "panel", options);
+  const auto report = frontier(Patch(make_shape("panel", 200)), "panel", options);
   EXPECT_TRUE(report->others.empty());
   ASSERT_EQ(report->failures.size(), 1U);
   EXPECT_EQ(report->failures[0].failure.code, "unsupported_constraint");
@@ -197,7 +198,7 @@ TEST(Frontier, KeepsRunsThatFailApart) {
 TEST(Frontier, EndsWithNothingWhenCancelledAndNeverTellsLessThanBefore) {
   double last = 0.0;
   int calls = 0;
-  const auto report = frontier(make_shape("panel", 200), "panel", {.points = 3},
+  const auto report = frontier(Patch(make_shape("panel", 200)), "panel", {.points = 3},
                                [&](FlattenStage, std::string_view, double share) {
                                  EXPECT_GE(share, last);
                                  last = share;
@@ -207,17 +208,17 @@ TEST(Frontier, EndsWithNothingWhenCancelledAndNeverTellsLessThanBefore) {
   EXPECT_TRUE(report);
   for (const int end : {1, calls / 2, calls}) {
     int left = end;
-    EXPECT_FALSE(frontier(make_shape("panel", 200), "panel", {.points = 3},
+    EXPECT_FALSE(frontier(Patch(make_shape("panel", 200)), "panel", {.points = 3},
                           [&](FlattenStage, std::string_view, double) { return --left > 0; }))
         << end;
   }
 }
 
 TEST(Frontier, RefusesWhatCannotBeDone) {
-  EXPECT_THROW(frontier(make_shape("panel", 200), "", {.points = 1}), Error);
-  EXPECT_THROW(frontier(make_shape("panel", 200), "", {.limit = 0.0}), Error);
-  EXPECT_THROW(frontier({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                         {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}},
+  EXPECT_THROW(frontier(Patch(make_shape("panel", 200)), "", {.points = 1}), Error);
+  EXPECT_THROW(frontier(Patch(make_shape("panel", 200)), "", {.limit = 0.0}), Error);
+  EXPECT_THROW(frontier(Patch({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                               {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}),
                         "closed"),
                Error);
 }
@@ -263,7 +264,7 @@ TEST(Frontier, CsvHasALineForEveryPoint) {
 }
 
 TEST(Frontier, OfAFlattenablePatchIsOnePointAndNoChart) {
-  const auto report = frontier(make_shape("cylinder", 200), "cylinder");
+  const auto report = frontier(Patch(make_shape("cylinder", 200)), "cylinder");
   ASSERT_EQ(report->curve.size(), 1U);
   EXPECT_TRUE(report->curve[0].flattenable);
   for (const std::string& text : {frontier_svg(*report), html_report(*report)})

@@ -9,21 +9,21 @@ namespace {
 
 TEST(StrainAsDesigned, IsThatOfPatternsOfThePatchAsItCame) {
   const TriMesh panel = make_shape("panel", 300);
-  const Connectivity connectivity(panel);
-  const Pattern least = unfold(panel, connectivity);
-  const auto strain = strain_as_designed(panel, {}, 1);
+  const Patch patch(panel);
+  const Pattern least = unfold(patch);
+  const auto strain = strain_as_designed(patch, {}, 1);
   ASSERT_TRUE(strain && strain->smallest_limit);
-  EXPECT_EQ(strain->least_stretch.max, edge_strain(panel, connectivity, least.positions).max);
-  EXPECT_EQ(*strain->smallest_limit, smallest_limit(panel, connectivity, least));
+  EXPECT_EQ(strain->least_stretch.max, edge_strain(patch, least.positions).max);
+  EXPECT_EQ(*strain->smallest_limit, smallest_limit(patch, least));
   EXPECT_LT(*strain->smallest_limit, strain->least_stretch.max);
   EXPECT_TRUE(strain->limits.empty());
 }
 
 TEST(StrainAsDesigned, LimitsAreKeptFromTheSmallestOn) {
   const TriMesh panel = make_shape("panel", 300);
-  const double smallest = *strain_as_designed(panel, {}, 1)->smallest_limit;
+  const double smallest = *strain_as_designed(Patch(panel), {}, 1)->smallest_limit;
   for (const auto& [factor, kept] : {std::pair{1.02, true}, std::pair{0.9, false}}) {
-    const auto strain = strain_as_designed(panel, {.max = factor * smallest}, 1);
+    const auto strain = strain_as_designed(Patch(panel), {.max = factor * smallest}, 1);
     ASSERT_EQ(strain->limits.size(), 1U);
     EXPECT_EQ(strain->limits.front().kept(), kept) << factor;
   }
@@ -38,7 +38,8 @@ TEST(StrainAsDesigned, EndsWhenCancelled) {
       last = step;
       return step <= allowed;
     };
-    EXPECT_FALSE(strain_as_designed(panel, {.max = 0.01}, 1, on_step).has_value()) << allowed;
+    EXPECT_FALSE(strain_as_designed(Patch(panel), {.max = 0.01}, 1, on_step).has_value())
+        << allowed;
     EXPECT_EQ(last, allowed + 1);
   }
 }
@@ -51,7 +52,7 @@ TEST(StrainAsDesigned, RefusesWhatIsNoDisk) {
     two.positions.push_back(p + Vec3{100.0, 0.0, 0.0});
   for (const Triangle& t : one.triangles)
     two.triangles.push_back({t[0] + count, t[1] + count, t[2] + count});
-  EXPECT_THROW(strain_as_designed(two, {}, 1), Error);
+  EXPECT_THROW(strain_as_designed(Patch(two), {}, 1), Error);
 }
 
 }  // namespace

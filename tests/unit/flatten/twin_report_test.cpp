@@ -29,14 +29,14 @@ struct Pair {
   MeshMatch match;
 
   std::optional<FlattenReport> twin(const FlattenOptions& options = quick()) const {
-    return twin_report(report, second, match, "right", options);
+    return twin_report(report, Patch(second), match, "right", options);
   }
 };
 
 Pair pair_of(TriMesh first, TriMesh second, const FlattenOptions& options = quick()) {
   const std::vector<const TriMesh*> both = {&first, &second};
   MeshMatch match = find_twins(both).at(1).value().match;
-  FlattenReport report = flatten(first, "left", options).value();
+  FlattenReport report = flatten(Patch(first), "left", options).value();
   return {std::move(first), std::move(second), std::move(report), std::move(match)};
 }
 
@@ -65,7 +65,7 @@ TEST(TwinReport, HasThePatternMirroredToTheBit) {
   ASSERT_TRUE(twin.twin_of);
   EXPECT_EQ(twin_text(*twin.twin_of), "mirror image of left");
   // Face up: on the right side of its own triangles.
-  for (const Triangle& t : twin.input.triangles) {
+  for (const Triangle& t : twin.input.triangles()) {
     const Vec2 a = own.positions[t[0]], b = own.positions[t[1]], c = own.positions[t[2]];
     EXPECT_GT(cross(b - a, c - a), 0.0);
   }
@@ -74,35 +74,33 @@ TEST(TwinReport, HasThePatternMirroredToTheBit) {
 TEST(TwinReport, HasItsOwnBorderAndTheMirroredInside) {
   const Pair pair = mirrored_pair();
   const FlattenReport twin = pair.twin().value();
-  const Connectivity connectivity(pair.first);
+  const Patch patch(pair.first);
   std::size_t moved = 0;
   for (Index v = 0; v < pair.first.positions.size(); ++v) {
     const Index w = pair.match.vertex[v];
-    const bool stayed = pair.report.processed.positions[v] == pair.first.positions[v];
-    EXPECT_TRUE(stayed || !connectivity.is_border(v));
+    const bool stayed = pair.report.processed.positions()[v] == pair.first.positions[v];
+    EXPECT_TRUE(stayed || !patch.is_border(v));
     if (stayed) {
-      EXPECT_EQ(twin.processed.positions[w], pair.second.positions[w]);
+      EXPECT_EQ(twin.processed.positions()[w], pair.second.positions[w]);
     } else {
       ++moved;
-      const Vec3 move = pair.report.processed.positions[v] - pair.first.positions[v];
-      EXPECT_EQ(twin.processed.positions[w],
+      const Vec3 move = pair.report.processed.positions()[v] - pair.first.positions[v];
+      EXPECT_EQ(twin.processed.positions()[w],
                 pair.second.positions[w] + pair.match.motion.of_direction(move));
-      EXPECT_LE(
-          norm(twin.processed.positions[w] - pair.match.motion(pair.report.processed.positions[v])),
-          2e-6);
+      EXPECT_LE(norm(twin.processed.positions()[w] -
+                     pair.match.motion(pair.report.processed.positions()[v])),
+                2e-6);
     }
   }
   EXPECT_GT(moved, 0U);
-  EXPECT_EQ(twin.processed.triangles, pair.second.triangles);
-  EXPECT_EQ(twin.input.positions, pair.second.positions);
+  EXPECT_EQ(twin.processed.triangles(), pair.second.triangles);
+  EXPECT_EQ(twin.input.positions(), pair.second.positions);
 }
 
 TEST(TwinReport, HasFiguresOfItsOwn) {
   const Pair pair = mirrored_pair();
   const FlattenReport twin = pair.twin().value();
-  const Connectivity connectivity(twin.processed);
-  const EdgeStrain strain =
-      edge_strain(twin.processed, connectivity, twin.unfold.pattern.positions);
+  const EdgeStrain strain = edge_strain(twin.processed, twin.unfold.pattern.positions);
   EXPECT_EQ(twin.unfold.strain.max, strain.max);
   EXPECT_EQ(twin.unfold.strain.worst_edge, strain.worst_edge);
   EXPECT_NE(twin.unfold.strain.max, pair.report.unfold.strain.max);
@@ -113,8 +111,7 @@ TEST(TwinReport, HasFiguresOfItsOwn) {
   EXPECT_EQ(twin.evolve.result.history.size(), pair.report.evolve.result.history.size());
   EXPECT_EQ(twin.evolve.result.stop, pair.report.evolve.result.stop);
   EXPECT_EQ(twin.evolve.result.seconds, 0.0);
-  const Fairness fairness =
-      measure_fairness(twin.input, Connectivity(twin.input), twin.processed.positions);
+  const Fairness fairness = measure_fairness(twin.input, twin.processed.positions());
   ASSERT_TRUE(fairness.bending_ratio);
   EXPECT_EQ(twin.evolve.fairness.bending_ratio, fairness.bending_ratio);
 }
@@ -134,7 +131,7 @@ TEST(TwinReport, OfARemeshedPatchHasTheSameVerticesLeft) {
   options.remesh = true;
   const TriMesh dense = meshes::rough_grid(90, 80, 5, 0.1, 0.05);
   const Pair pair = pair_of(dense, meshes::renumbered(meshes::mirrored(dense)), options);
-  ASSERT_LT(pair.report.input.positions.size(), dense.positions.size());
+  ASSERT_LT(pair.report.input.positions().size(), dense.positions.size());
   const FlattenReport twin = pair.twin(options).value();
   ASSERT_EQ(twin.source.size(), pair.report.source.size());
   EXPECT_TRUE(std::is_sorted(twin.source.begin(), twin.source.end()));
@@ -144,7 +141,7 @@ TEST(TwinReport, OfARemeshedPatchHasTheSameVerticesLeft) {
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(twin.source, expected);
   for (std::size_t v = 0; v < twin.source.size(); ++v)
-    EXPECT_EQ(twin.input.positions[v], pair.second.positions[twin.source[v]]);
+    EXPECT_EQ(twin.input.positions()[v], pair.second.positions[twin.source[v]]);
   EXPECT_NEAR(twin.unfold.strain.rms, pair.report.unfold.strain.rms, 1e-12);
   EXPECT_EQ(twin.unfold.pattern.flipped_triangles, 0U);
   // A vertex that is to stay and did not in the other one.
@@ -236,16 +233,16 @@ TEST(TwinReport, KeepsALimitOfDeviation) {
 
 TEST(BorderMismatch, IsOfTheStretchThatDiffersMost) {
   const TriMesh square = meshes::flat_grid(2, 2);
-  const Connectivity connectivity(square);
+  const Patch patch(square);
   std::vector<Vec2> pattern;
   for (const Vec3 p : square.positions)
     pattern.push_back({p.x, p.y});
-  EXPECT_EQ(border_mismatch(square, connectivity, pattern), 0.0);
+  EXPECT_EQ(border_mismatch(patch, pattern), 0.0);
   pattern[1].x += 0.25;  // one edge of the border longer, the next shorter
-  EXPECT_NEAR(border_mismatch(square, connectivity, pattern), 0.25, 1e-15);
+  EXPECT_NEAR(border_mismatch(patch, pattern), 0.25, 1e-15);
   for (Vec2& p : pattern)
     p = 2.0 * p;
-  EXPECT_NEAR(border_mismatch(square, connectivity, pattern), 8.0, 1e-15);
+  EXPECT_NEAR(border_mismatch(patch, pattern), 8.0, 1e-15);
 }
 
 TEST(MirroredPlace, AddsUpInWholeThousandths) {
@@ -284,7 +281,7 @@ TEST(TwinReport, IsDrawnAsTheMirrorImageOnItsSheet) {
   const Pair pair = mirrored_pair();
   const FlattenReport twin = pair.twin().value();
   PatternOptions options;
-  const std::vector<Index> loop = Connectivity(pair.first).border_loops().front();
+  const std::vector<Index> loop = Patch(pair.first).border_loops().front();
   for (const double allowance : {0.0, 0.3}) {
     if (allowance > 0.0) options.allowance = Allowance{.width = allowance};
     options.like.reset();

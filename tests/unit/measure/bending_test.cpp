@@ -16,7 +16,7 @@ namespace {
 constexpr double k_pi = std::numbers::pi;
 
 Bending measured(const TriMesh& mesh) {
-  return measure_bending(mesh, Connectivity(mesh));
+  return measure_bending(Patch(mesh));
 }
 
 double area_of(const TriMesh& mesh) {
@@ -39,7 +39,7 @@ TriMesh hinge(double angle) {
 TEST(Bends, HaveTheSignOfValleyAndRidge) {
   for (const double angle : {-3.0, -1.0, -1e-9, 0.0, 1e-9, 0.5, 2.0, 3.1}) {
     const TriMesh mesh = hinge(angle);
-    const std::vector<Hinge> hinges = hinges_of(Connectivity(mesh));
+    const std::vector<Hinge> hinges = hinges_of(Patch(mesh));
     ASSERT_EQ(hinges.size(), 1U);
     const Bend bend = bend_of(hinges.front(), mesh.positions);
     EXPECT_NEAR(bend.angle, angle, 1e-15 + 1e-15 * std::abs(angle));
@@ -55,11 +55,11 @@ TEST(Bends, HaveTheSignOfValleyAndRidge) {
 TEST(Bends, AreOfEachInnerEdgeOnce) {
   for (const TriMesh& mesh :
        {meshes::rough_grid(7, 5, 1), meshes::tube(7, 4), meshes::torus(9, 8), meshes::fan(5)}) {
-    const Connectivity connectivity(mesh);
+    const Patch patch(mesh);
     std::size_t border = 0;
-    for (const auto& loop : connectivity.border_loops())
+    for (const auto& loop : patch.border_loops())
       border += loop.size();
-    const std::vector<Hinge> hinges = hinges_of(connectivity);
+    const std::vector<Hinge> hinges = hinges_of(patch);
     EXPECT_EQ(2 * hinges.size(), 3 * mesh.triangles.size() - border);
     for (const Hinge& hinge : hinges) {
       const auto has = [&](Index a, Index b, Index c) {
@@ -138,12 +138,12 @@ TEST(Bending, MeanCurvatureOfACylinderIsHalfItsTurnTimesItsLength) {
 
 TEST(Bends, AtAVertexAreAboutOneOverTheRadius) {
   const auto check = [](const TriMesh& mesh, double expected, double room = 0.1) {
-    const Connectivity connectivity(mesh);
-    const std::vector<double> bends = vertex_bends(mesh, connectivity);
-    for (const Index v : connectivity.inner_vertices()) {
-      const auto ring = connectivity.ring(v);
-      const bool inside = std::none_of(ring.begin(), ring.end(),
-                                       [&](Index w) { return connectivity.is_border(w); });
+    const Patch patch(mesh);
+    const std::vector<double> bends = vertex_bends(patch);
+    for (const Index v : patch.inner_vertices()) {
+      const auto ring = patch.ring(v);
+      const bool inside =
+          std::none_of(ring.begin(), ring.end(), [&](Index w) { return patch.is_border(w); });
       if (!inside) continue;
       ASSERT_NEAR(bends[v], expected, room * expected) << v;
     }

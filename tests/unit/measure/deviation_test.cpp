@@ -20,18 +20,18 @@ TriMesh moved(TriMesh mesh, Vec3 by) {
 
 TEST(BoundaryChange, IsNoneWhereOnlyInnerVerticesMoved) {
   const TriMesh mesh = make_shape("dome", 300);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   TriMesh after = mesh;
-  for (const Index v : connectivity.inner_vertices())
+  for (const Index v : patch.inner_vertices())
     after.positions[v].z += 1.0;
-  EXPECT_FALSE(measure_border_change(mesh, after.positions, connectivity).has_value());
+  EXPECT_FALSE(measure_border_change(patch, after.positions).has_value());
 }
 
 TEST(BoundaryChange, TellsTheFurthestMoveAndBothLengthsAtAnySize) {
   const TriMesh dome = make_shape("dome", 300);
-  const Connectivity connectivity(dome);
+  const Patch patch(dome);
   double radius = 0.0, length = 0.0;
-  for (const auto& loop : connectivity.border_loops()) {
+  for (const auto& loop : patch.border_loops()) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Vec3 p = dome.positions[loop[i]], q = dome.positions[loop[(i + 1) % loop.size()]];
       radius = std::max(radius, std::hypot(p.x, p.y));
@@ -45,7 +45,7 @@ TEST(BoundaryChange, TellsTheFurthestMoveAndBothLengthsAtAnySize) {
       before.positions[v] = size * p;
       after.positions[v] = size * Vec3{1.25 * p.x, 1.25 * p.y, p.z};
     }
-    const auto change = measure_border_change(before, after.positions, connectivity);
+    const auto change = measure_border_change(Patch(before), after.positions);
     ASSERT_TRUE(change.has_value());
     EXPECT_NEAR(change->max, 0.25 * radius * size, 1e-9 * radius * size);
     EXPECT_NEAR(change->length_before, length * size, 1e-12 * length * size);
@@ -55,7 +55,7 @@ TEST(BoundaryChange, TellsTheFurthestMoveAndBothLengthsAtAnySize) {
 
 TEST(SurfaceDeviation, IsNoneBetweenASurfaceAndItself) {
   const TriMesh mesh = make_shape("dome", 500);
-  const Deviation deviation = measure_surface_deviation(mesh, mesh);
+  const Deviation deviation = measure_surface_deviation(Patch(mesh), mesh);
   EXPECT_EQ(deviation.max, 0.0);
   EXPECT_EQ(deviation.rms_over_diagonal, 0.0);
 }
@@ -64,9 +64,10 @@ TEST(SurfaceDeviation, IsTheDistanceOfPlanesWhateverTheirTriangles) {
   TriMesh plane = make_shape("panel", 2000);
   for (Vec3& p : plane.positions)
     p.z = 0.0;
-  const TriMesh coarse = coarsen(plane, Connectivity(plane), 500, CoarseBorder::kept).mesh;
+  const TriMesh coarse = coarsen(Patch(plane), 500, CoarseBorder::kept).mesh;
   ASSERT_LT(coarse.positions.size(), 900U);
-  const Deviation deviation = measure_surface_deviation(plane, moved(coarse, {0.0, 0.0, 3.0}));
+  const Deviation deviation =
+      measure_surface_deviation(Patch(plane), moved(coarse, {0.0, 0.0, 3.0}));
   EXPECT_NEAR(deviation.rms, 3.0, 1e-9);
   EXPECT_NEAR(deviation.max, 3.0, 1e-9);
 }
@@ -75,7 +76,7 @@ TEST(SurfaceDeviation, IsTheDistanceOfPlanesWhateverTheirTriangles) {
 /// takes many points of every coarse triangle.
 TEST(SurfaceDeviation, IsWhatManyPointsOfTheTrianglesSay) {
   const TriMesh fine = make_shape("dome", 400);
-  const TriMesh coarse = coarsen(fine, Connectivity(fine), 120, CoarseBorder::kept).mesh;
+  const TriMesh coarse = coarsen(Patch(fine), 120, CoarseBorder::kept).mesh;
   std::vector<Vec3> points;
   constexpr int cuts = 24;
   for (const Triangle& t : coarse.triangles) {
@@ -87,17 +88,17 @@ TEST(SurfaceDeviation, IsWhatManyPointsOfTheTrianglesSay) {
       }
     }
   }
-  const Connectivity connectivity(fine);
+  const Patch patch(fine);
   double squares = 0.0, most = 0.0;
-  for (const Index v : connectivity.inner_vertices()) {
+  for (const Index v : patch.inner_vertices()) {
     double least = std::numeric_limits<double>::infinity();
     for (const Vec3 p : points)
       least = std::min(least, norm(p - fine.positions[v]));
     squares += least * least;
     most = std::max(most, least);
   }
-  const double rms = std::sqrt(squares / static_cast<double>(connectivity.inner_vertices().size()));
-  const Deviation deviation = measure_surface_deviation(fine, coarse);
+  const double rms = std::sqrt(squares / static_cast<double>(patch.inner_vertices().size()));
+  const Deviation deviation = measure_surface_deviation(patch, coarse);
   EXPECT_GT(most, 0.1);  // millimetres
   EXPECT_NEAR(deviation.rms, rms, 0.05 * rms);
   EXPECT_NEAR(deviation.max, most, 0.05 * most);

@@ -16,7 +16,7 @@ namespace {
 constexpr double k_pi = std::numbers::pi;
 
 Fairness compared(const TriMesh& design, const TriMesh& after) {
-  return measure_fairness(design, Connectivity(design), after.positions);
+  return measure_fairness(Patch(design), after.positions);
 }
 
 /// A grid over [0, 40] x [0, 20] on a cylinder of this radius, its axis along y.
@@ -58,7 +58,7 @@ TEST(Fairness, TellsAFoldMadeByHand) {
     folded.positions[i] = {out * p.x, 10.0 + over, out * p.z};
   }
   const Fairness found = compared(design, folded);
-  const double b0 = design_bending(design, Connectivity(design));
+  const double b0 = design_bending(Patch(design));
   EXPECT_NEAR(*found.bending_added * b0 / (40.0 * 3.0 * turn * turn), 1.0, 0.1);
   EXPECT_LT(*found.bending_lost, 0.1);
   EXPECT_NEAR(found.sharpest_fold->degrees, turn * 180.0 / k_pi, 1.0);
@@ -146,12 +146,14 @@ TEST(Fairness, HardlyDependsOnTheDensityOfTheMesh) {
 }
 
 TEST(Fairness, OfOtherTrianglesIsRatioAndSharpShare) {
-  const Fairness found = measure_fairness(meshes::folded_strip(160), meshes::folded_strip(80));
+  const Fairness found =
+      measure_fairness(Patch(meshes::folded_strip(160)), Patch(meshes::folded_strip(80)));
   EXPECT_NEAR(*found.bending_ratio, 1.0, 0.08);
   EXPECT_FALSE(found.bending_added || found.bending_lost || found.normal_turn ||
                found.border_turn || found.sharpest_fold);
   EXPECT_TRUE(found.is_smooth());
-  EXPECT_FALSE(measure_fairness(meshes::bent_sphere(60), meshes::crumpled_sheet(60)).is_smooth());
+  EXPECT_FALSE(measure_fairness(Patch(meshes::bent_sphere(60)), Patch(meshes::crumpled_sheet(60)))
+                   .is_smooth());
 }
 
 TEST(Fairness, DoesNotDependOnTheSizeOfTheModel) {

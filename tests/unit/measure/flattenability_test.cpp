@@ -16,20 +16,20 @@ namespace {
 constexpr double k_pi = std::numbers::pi;
 
 Flattenability measured(const TriMesh& mesh) {
-  return measure(mesh, Connectivity(mesh));
+  return measure(Patch(mesh));
 }
 
 TEST(AngleDefects, OfACubeCornerIsAQuarterTurn) {
   TriMesh corner = meshes::fan(3);
   corner.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  EXPECT_NEAR(angle_defects(corner, Connectivity(corner))[0], 0.5 * k_pi, 1e-15);
+  EXPECT_NEAR(angle_defects(Patch(corner))[0], 0.5 * k_pi, 1e-15);
 }
 
 TEST(AngleDefects, FarBelowZeroWhereTheStarIsRuffled) {
   // A sum beyond 4 pi: turns must be counted.
   const TriMesh mesh = meshes::ruffled_fan(24, 4.0);
   const plain::Patch patch(mesh);
-  const double defect = angle_defects(mesh, Connectivity(mesh))[0];
+  const double defect = angle_defects(Patch(mesh))[0];
   EXPECT_LT(defect, -2.0 * k_pi);
   EXPECT_NEAR(defect, patch.defect(0), 1e-12);
 }
@@ -38,7 +38,7 @@ TEST(AngleDefects, AgreeWithSumsOfArctangents) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const TriMesh mesh = meshes::rough_grid(9, 7, seed);
     const plain::Patch patch(mesh);
-    const auto defects = angle_defects(mesh, Connectivity(mesh));
+    const auto defects = angle_defects(Patch(mesh));
     for (Index v = 0; v < mesh.positions.size(); ++v) {
       ASSERT_NEAR(defects[v], patch.inner[v] ? patch.defect(v) : 0.0, 1e-13) << seed << " " << v;
     }
@@ -49,11 +49,11 @@ TEST(AngleDefects, AndBorderTurningsAddUpToEulersCharacteristic) {
   // Gauss-Bonnet, on surfaces of every kind.
   const auto total = [](const TriMesh& mesh) {
     const plain::Patch patch(mesh);
-    const Connectivity connectivity(mesh);
+    const Patch surface(mesh);
     double sum = 0.0;
-    for (const double d : angle_defects(mesh, connectivity))
+    for (const double d : angle_defects(surface))
       sum += d;
-    for (const auto& loop : connectivity.border_loops()) {
+    for (const auto& loop : surface.border_loops()) {
       for (const Index v : loop)
         sum += k_pi - patch.angle_sum(v);
     }
@@ -144,7 +144,7 @@ TEST(MeasureDeviation, IsTheDistanceOfInnerVertices) {
   const TriMesh mesh = meshes::flat_grid(3, 2);  // two inner vertices: 5 and 6
   std::vector<Vec3> after = mesh.positions;
   after[5] += {0.0, 0.3, 0.4};
-  const Deviation deviation = measure_deviation(mesh, after, Connectivity(mesh));
+  const Deviation deviation = measure_deviation(Patch(mesh), after);
   EXPECT_NEAR(deviation.max, 0.5, 1e-15);
   EXPECT_NEAR(deviation.rms, 0.5 / std::sqrt(2.0), 1e-15);
   EXPECT_NEAR(deviation.rms_over_diagonal, deviation.rms / std::sqrt(13.0), 1e-15);

@@ -10,8 +10,8 @@ namespace planish {
 namespace {
 
 std::vector<double> curvatures_of(const TriMesh& mesh) {
-  const Connectivity connectivity(mesh);
-  return gaussian_curvatures(mesh, connectivity, angle_defects(mesh, connectivity));
+  const Patch patch(mesh);
+  return gaussian_curvatures(patch, angle_defects(patch));
 }
 
 TriMesh cap_of_sphere(double radius) {

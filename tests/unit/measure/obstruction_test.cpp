@@ -16,7 +16,7 @@ namespace {
 constexpr double k_pi = std::numbers::pi;
 
 Obstruction found(const TriMesh& mesh) {
-  const auto obstruction = find_obstruction(mesh, Connectivity(mesh));
+  const auto obstruction = find_obstruction(Patch(mesh));
   EXPECT_TRUE(obstruction.has_value());
   return obstruction.value_or(Obstruction{});
 }
@@ -202,7 +202,7 @@ TEST(Obstruction, IsAskedOfDisksOnly) {
        {meshes::tube(7, 4), meshes::torus(9, 11), meshes::tetrahedron(),
         meshes::side_by_side(grid, grid), meshes::side_by_side(grid, meshes::tetrahedron()),
         meshes::side_by_side(grid, meshes::torus(9, 11))}) {
-    EXPECT_FALSE(find_obstruction(mesh, Connectivity(mesh)).has_value());
+    EXPECT_FALSE(find_obstruction(Patch(mesh)).has_value());
   }
   TriMesh with_stray = grid;
   with_stray.positions.push_back({100.0, 100.0, 100.0});

@@ -15,7 +15,7 @@ namespace planish {
 namespace {
 
 double measured(const TriMesh& mesh) {
-  return ruling_defect(mesh, Connectivity(mesh));
+  return ruling_defect(Patch(mesh));
 }
 
 /// Vertex by vertex, with the eigenvalues of a library.

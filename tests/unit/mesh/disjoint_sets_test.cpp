@@ -1,5 +1,7 @@
 #include "mesh/disjoint_sets.h"
 
+#include <numeric>
+
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include <planish/mesh/connectivity.h>
 #include <planish/mesh/inspect.h>
+#include <planish/mesh/patch.h>
 
 #include <gtest/gtest.h>
 
@@ -24,15 +24,15 @@ TriMesh left_of(const TriMesh& mesh, const HalfEdges& half_edges) {
 
 /// The same rings, up to where a closed one begins, as those of the triangles that are left.
 void expect_consistent(const TriMesh& mesh, const HalfEdges& half_edges) {
-  const Connectivity connectivity(left_of(mesh, half_edges));
+  const Patch patch(left_of(mesh, half_edges));
   for (Index v = 0; v < mesh.positions.size(); ++v) {
-    const auto expected = connectivity.ring(v);
+    const auto expected = patch.ring(v);
     ASSERT_EQ(half_edges.is_used(v), !expected.empty());
     if (expected.empty()) continue;
-    ASSERT_EQ(half_edges.is_border(v), connectivity.is_border(v));
+    ASSERT_EQ(half_edges.is_border(v), patch.is_border(v));
     std::vector<Index> ring;
     half_edges.for_each_neighbor(v, [&](Index w) { ring.push_back(w); });
-    if (!connectivity.is_border(v)) {
+    if (!patch.is_border(v)) {
       std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), expected.front()), ring.end());
     } else {
       EXPECT_EQ(half_edges.next_on_border(v), expected.front());

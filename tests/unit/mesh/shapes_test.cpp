@@ -23,7 +23,7 @@ TEST(Shapes, AreFlattenableWhenTheySaySo) {
   for (const Shape& shape : shapes()) {
     for (const std::size_t n : {100U, 3000U}) {
       const TriMesh mesh = make_shape(shape.name, n);
-      const double e_max = measure(mesh, Connectivity(mesh)).e_max;
+      const double e_max = measure(Patch(mesh)).e_max;
       EXPECT_EQ(e_max < 1e-13, shape.flattenable) << shape.name << " " << e_max;
       EXPECT_EQ(e_max > 1e-4, !shape.flattenable) << shape.name << " " << e_max;
     }
@@ -33,7 +33,7 @@ TEST(Shapes, AreFlattenableWhenTheySaySo) {
 TEST(Shapes, AreBentAndUnevenLikeRealMeshes) {
   for (const Shape& shape : shapes()) {
     const TriMesh mesh = make_shape(shape.name, 2000);
-    const Flattenability figures = measure(mesh, Connectivity(mesh));
+    const Flattenability figures = measure(Patch(mesh));
     EXPECT_GT(figures.roughness, 0.3) << shape.name;
     EXPECT_GT(figures.min_angle, 0.1) << shape.name;
     EXPECT_LT(figures.min_angle, 0.6) << shape.name;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include <planish/core/error.h>
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ TEST(Split, DividesByGroupsAndKeepsEveryBit) {
     ASSERT_EQ(patch.vertices.size(), patch.mesh.positions.size());
     for (std::size_t v = 0; v < patch.vertices.size(); ++v)
       EXPECT_EQ(patch.mesh.positions[v], mesh.positions[patch.vertices[v]]);
-    EXPECT_EQ(Connectivity(patch.mesh).border_loops().size(), 1U);
+    EXPECT_EQ(Patch(patch.mesh).border_loops().size(), 1U);
   }
   EXPECT_EQ(triangles, mesh.triangles.size());
   // The column in the middle is in both.

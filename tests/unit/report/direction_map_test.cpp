@@ -41,7 +41,7 @@ std::size_t pixels_like(const Image& image, Color color) {
 
 TEST(DirectionPictures, HaveTheColoursOfTheirKeysAndTheCounts) {
   const TriMesh mesh = meshes::rough_grid(20, 20, 5, 0.0, 0.05);
-  const auto directions = laplacian_directions(mesh, Connectivity(mesh));
+  const auto directions = laplacian_directions(Patch(mesh));
   const DirectionPictures pictures = direction_pictures(mesh, directions, 300);
   const DirectionCounts counts = count_directions(directions);
   ASSERT_EQ(counts.inner, 361U);
@@ -63,7 +63,7 @@ TEST(DirectionPictures, HaveTheColoursOfTheirKeysAndTheCounts) {
 
 TEST(DirectionSvg, IsOneFileWithTwoPicturesAndEscapedWords) {
   const TriMesh mesh = meshes::rough_grid(6, 6, 1);
-  const auto directions = laplacian_directions(mesh, Connectivity(mesh));
+  const auto directions = laplacian_directions(Patch(mesh));
   const std::string svg = direction_svg(mesh, directions, "<a&b>");
   EXPECT_THAT(svg, HasSubstr("<title>&lt;a&amp;b&gt;: where"));
   EXPECT_EQ(pages::count(svg, "href=\"data:image/png;base64,"), 2U);

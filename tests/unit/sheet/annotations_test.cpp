@@ -28,7 +28,7 @@ Drawing sheet_with(const PatternOptions& options, bool overlaps = false) {
   for (Vec2& p : unfold.pattern.positions)
     p = 50.0 * p;
   unfold.pattern.overlaps = overlaps;
-  return pattern_sheet(mesh, unfold, "panel", options);
+  return pattern_sheet(Patch(mesh), unfold, "panel", options);
 }
 
 const Layer& layer(const Drawing& drawing, const std::string& name) {

@@ -18,8 +18,7 @@ const Layer& layer_of(const Drawing& sheet, const std::string& name) {
 
 TEST(CutSheet, DrawsEveryDartOnThePatternWithoutThem) {
   const TriMesh dome = make_shape("dome", 500);
-  const auto suggestion =
-      suggest_cuts(dome, Connectivity(dome), {.max_strain = 0.001, .max_darts = 2});
+  const auto suggestion = suggest_cuts(Patch(dome), {.max_strain = 0.001, .max_darts = 2});
   ASSERT_TRUE(suggestion);
   ASSERT_EQ(suggestion->cuts.size(), 2U);
   const Drawing sheet = cut_sheet(*suggestion, Unit::cm, "dome");

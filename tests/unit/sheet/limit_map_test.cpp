@@ -8,7 +8,7 @@
 
 #include <planish/draw/color.h>
 #include <planish/draw/format_drawing.h>
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 #include <planish/sheet/pattern_sheet.h>
 
 #include <gmock/gmock.h>
@@ -44,9 +44,9 @@ UnfoldReport with_limits(const TriMesh& mesh, std::vector<Vec2> pattern,
                          const StrainLimits& limits) {
   UnfoldReport unfold = samples::plane_below(mesh, 4.0, 2.0);
   unfold.pattern.positions = std::move(pattern);
-  const Connectivity connectivity(mesh);
-  unfold.strain = edge_strain(mesh, connectivity, unfold.pattern.positions);
-  unfold.limits = check_limits(mesh, connectivity, unfold.pattern.positions, limits);
+  const Patch patch(mesh);
+  unfold.strain = edge_strain(patch, unfold.pattern.positions);
+  unfold.limits = check_limits(patch, unfold.pattern.positions, limits);
   return unfold;
 }
 
@@ -118,7 +118,7 @@ TEST(LargestEdgeStrains, OfTrianglesHaveTheirEdgesAndNoMore) {
     EXPECT_NEAR(strain, 0.04, 1e-12);
   // Aslant no edge lies along the longest line, so each is below the principal stretch.
   const std::vector<Vec2> pattern = stretched(mesh, 0.3);
-  const double largest = edge_strain(mesh, Connectivity(mesh), pattern).max;
+  const double largest = edge_strain(Patch(mesh), pattern).max;
   EXPECT_LT(largest, 0.0399);
   const auto strains = largest_edge_strains_of_triangles(mesh, pattern);
   EXPECT_EQ(*std::max_element(strains.begin(), strains.end()), largest);
@@ -143,7 +143,7 @@ TEST(LimitMap, PaintsWhatIsBeyondAndNothingThatKeepsTheLimit) {
 TEST(LimitMap, IsOnTheSheetWithItsLegendWhereALimitWasAsked) {
   const TriMesh mesh = meshes::flat_grid(4, 2);
   const auto sheet_with = [&](const StrainLimits& limits) {
-    return pattern_sheet(mesh, with_limits(mesh, stretched(mesh, 0.0), limits), "");
+    return pattern_sheet(Patch(mesh), with_limits(mesh, stretched(mesh, 0.0), limits), "");
   };
   const auto texts_of = [](const Drawing& sheet) {
     std::vector<std::string> texts;

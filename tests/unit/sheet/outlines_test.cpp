@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ TEST(Outlines, OfTheWholeAreTheBorderLoops) {
   ASSERT_EQ(loops.size(), 1U);
   std::vector<Index> loop = loops.front();
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
-  EXPECT_EQ(loop, Connectivity(mesh).border_loops().front());
+  EXPECT_EQ(loop, Patch(mesh).border_loops().front());
 }
 
 TEST(Outlines, OfNothingAreNone) {

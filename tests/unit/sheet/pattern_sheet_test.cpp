@@ -66,7 +66,7 @@ Drawing sheet_of(double size_in_mm, const std::string& name = "panel") {
   UnfoldReport unfold = samples::plane_below(mesh, size_in_mm, size_in_mm);
   for (Vec2& p : unfold.pattern.positions)
     p = size_in_mm / 4.0 * p;
-  return pattern_sheet(mesh, unfold, name);
+  return pattern_sheet(Patch(mesh), unfold, name);
 }
 
 TEST(PatternSheet, HasTheCutLineOverTheStrainMapAndTheLabelLast) {
@@ -82,7 +82,7 @@ TEST(PatternSheet, IsTrueToScaleInEveryUnit) {
   for (const Unit unit : {Unit::mm, Unit::cm, Unit::m, Unit::in}) {
     UnfoldReport unfold = samples::plane_below(mesh, 4.0, 3.0);
     unfold.unit = unit;
-    const Box box = box_of(cut_path(pattern_sheet(mesh, unfold, "")));
+    const Box box = box_of(cut_path(pattern_sheet(Patch(mesh), unfold, "")));
     EXPECT_NEAR(box.right - box.left, 4.0 * millimetres_per(unit), 1e-9);
     EXPECT_NEAR(box.top - box.bottom, 3.0 * millimetres_per(unit), 1e-9);
   }
@@ -133,7 +133,7 @@ TEST(PatternSheet, StatesNameSizeUnitAndTheEndsOfTheColours) {
   UnfoldReport unfold = samples::plane_below(mesh, 4.0, 3.0);
   unfold.unit = Unit::in;
   unfold.strain.p99 = 0.031;
-  const auto texts = texts_of(layer(pattern_sheet(mesh, unfold, "collar"), "label"));
+  const auto texts = texts_of(layer(pattern_sheet(Patch(mesh), unfold, "collar"), "label"));
   EXPECT_THAT(texts, Contains("collar"));
   EXPECT_THAT(texts, Contains("101.6 × 76.2 mm"));
   EXPECT_THAT(texts, Contains("model unit: in (1 in = 25.4 mm)"));
@@ -145,11 +145,11 @@ TEST(PatternSheet, WarnsOfAPatternThatIsNotToBeCut) {
   const TriMesh mesh = meshes::flat_grid(4, 3);
   UnfoldReport unfold = samples::plane_below(mesh, 4.0, 3.0);
   unfold.pattern.overlaps = true;
-  EXPECT_THAT(texts_of(layer(pattern_sheet(mesh, unfold, ""), "label")),
+  EXPECT_THAT(texts_of(layer(pattern_sheet(Patch(mesh), unfold, ""), "label")),
               Contains(HasSubstr("overlaps itself")));
   unfold.pattern.overlaps = false;
   unfold.pattern.flipped_triangles = 2;
-  EXPECT_THAT(texts_of(layer(pattern_sheet(mesh, unfold, ""), "label")),
+  EXPECT_THAT(texts_of(layer(pattern_sheet(Patch(mesh), unfold, ""), "label")),
               Contains(HasSubstr("flipped")));
 }
 
@@ -257,7 +257,7 @@ TEST(StrainMap, StaysSmallOnADenseMesh) {
   const TriMesh mesh = samples::bumpy_patch(columns, columns, 8.0);
   UnfoldReport unfold = samples::plane_below(mesh, 440.0, 440.0);
   unfold.strain = {0.02, 0.004, 0.01};
-  const std::string svg = format_svg(pattern_sheet(mesh, unfold, "dense"));
+  const std::string svg = format_svg(pattern_sheet(Patch(mesh), unfold, "dense"));
   EXPECT_LT(svg.size(), 2'000'000U);
   EXPECT_GT(svg.size(), 50'000U) << "there is a map at all";
 }

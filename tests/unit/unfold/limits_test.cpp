@@ -24,15 +24,15 @@ namespace {
 
 struct Unfolded {
   TriMesh mesh;
-  Connectivity connectivity;
+  Patch surface;
   Pattern pattern;
   EdgeStrain strain;
 
   Unfolded(const TriMesh& patch, const StrainLimits& limits, unsigned threads = 0)
       : mesh(patch),
-        connectivity(mesh),
-        pattern(unfold(mesh, connectivity, {.threads = threads, .limits = limits})),
-        strain(edge_strain(mesh, connectivity, pattern.positions)) {}
+        surface(mesh),
+        pattern(unfold(surface, {.threads = threads, .limits = limits})),
+        strain(edge_strain(surface, pattern.positions)) {}
 };
 
 TriMesh panel() {
@@ -69,7 +69,7 @@ TEST(StrainLimits, ThatLeastStretchKeepsChangeNothing) {
 
 TEST(StrainLimits, LeaveThePatternOfLeastStretchBeside) {
   const Unfolded least(panel(), {}), kept(panel(), {.max = 0.7 * least.strain.max});
-  const EdgeStrain unlimited = edge_strain(kept.mesh, kept.connectivity, kept.pattern.unlimited);
+  const EdgeStrain unlimited = edge_strain(kept.surface, kept.pattern.unlimited);
   EXPECT_NEAR(unlimited.max, least.strain.max, 1e-12);
   EXPECT_NEAR(unlimited.rms, least.strain.rms, 1e-12);
 }
@@ -81,8 +81,7 @@ TEST(StrainLimits, OfTheAreaAreKeptOnNinetyNinePerCentOfIt) {
     const Unfolded kept(panel(), {.p99 = limit});
     EXPECT_LE(kept.strain.p99, limit);
     EXPECT_LE(kept.strain.max, std::max(3.0 * limit, least.strain.max));
-    const auto checks =
-        check_limits(kept.mesh, kept.connectivity, kept.pattern.positions, {.p99 = limit});
+    const auto checks = check_limits(kept.surface, kept.pattern.positions, {.p99 = limit});
     ASSERT_EQ(checks.size(), 1U);
     EXPECT_TRUE(checks[0].kept());
     EXPECT_LE(checks[0].share_beyond, 0.01);
@@ -92,14 +91,13 @@ TEST(StrainLimits, OfTheAreaAreKeptOnNinetyNinePerCentOfIt) {
 
 TEST(StrainLimits, ThatNoPatternKeepsEndNearTheSmallestThatOneDoes) {
   const Unfolded least(panel(), {});
-  const double smallest = smallest_limit(least.mesh, least.connectivity, least.pattern);
+  const double smallest = smallest_limit(least.surface, least.pattern);
   EXPECT_LT(smallest, least.strain.max);
   const Unfolded near(panel(), {.max = 0.5 * smallest});
   EXPECT_GT(near.strain.max, 0.5 * smallest);
   EXPECT_LT(near.strain.max, 1.05 * smallest);
   EXPECT_EQ(near.pattern.flipped_triangles, 0U);
-  const auto checks =
-      check_limits(near.mesh, near.connectivity, near.pattern.positions, {.max = 0.5 * smallest});
+  const auto checks = check_limits(near.surface, near.pattern.positions, {.max = 0.5 * smallest});
   EXPECT_FALSE(all_kept(checks));
   EXPECT_EQ(checks[0].edge, near.strain.worst_edge);
   EXPECT_GT(checks[0].share_beyond, 0.0);
@@ -113,8 +111,7 @@ TEST(StrainLimits, ArePassedOverWhereThereIsNoStrainButRounding) {
   ASSERT_LT(least.strain.max, 1e-6);
   int steps = 0;
   const auto count = [&](int, double) { return ++steps > 0; };
-  EXPECT_NEAR(smallest_limit(flat, least.connectivity, least.pattern, 0, count), least.strain.max,
-              1e-12);
+  EXPECT_NEAR(smallest_limit(least.surface, least.pattern, 0, count), least.strain.max, 1e-12);
   EXPECT_EQ(steps, 0);
 }
 
@@ -140,10 +137,10 @@ double less_by_chance(std::vector<Vec2> flat, double reach, int tries, const Fig
 TEST(StrainLimits, TheSmallestIsNotMadeSmallerByChance) {
   const TriMesh mesh = make_shape("dome", 100);
   const Unfolded least(mesh, {});
-  const double smallest = smallest_limit(least.mesh, least.connectivity, least.pattern);
+  const double smallest = smallest_limit(least.surface, least.pattern);
   const Unfolded found(mesh, {.max = 0.9 * smallest});
   const auto largest = [&](const std::vector<Vec2>& flat) {
-    return edge_strain(mesh, least.connectivity, flat).max;
+    return edge_strain(least.surface, flat).max;
   };
   for (const double reach : {1e-1, 1e-2, 1e-3}) {
     EXPECT_GT(
@@ -154,11 +151,11 @@ TEST(StrainLimits, TheSmallestIsNotMadeSmallerByChance) {
 
 TEST(StrainLimits, NoOtherPatternWithinThemHasLessStretch) {
   const TriMesh mesh = make_shape("dome", 100);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   const Unfolded least(mesh, {});
   const double limit = 0.75 * least.strain.max;
   const Unfolded kept(mesh, {.max = limit});
-  const Disk disk = make_disk(mesh, connectivity);
+  const Disk disk = make_disk(patch);
   const auto on_disk = [&](const std::vector<Vec2>& pattern) {
     std::vector<Vec2> flat;
     for (const Index v : disk.vertex_of)
@@ -182,10 +179,10 @@ TEST(StrainLimits, NoOtherPatternWithinThemHasLessStretch) {
 TEST(StretchSystem, TermsOfEdgesAreDerivatives) {
   // f(d) = |d|^3 of each edge vector d, by differences of the gradient and of the value.
   const TriMesh mesh = make_shape("saddle", 100);
-  const Connectivity connectivity(mesh);
-  const Disk disk = make_disk(mesh, connectivity);
+  const Patch patch(mesh);
+  const Disk disk = make_disk(patch);
   const auto edges = flat_edges(mesh, disk);
-  const Pattern pattern = unfold(mesh, connectivity);
+  const Pattern pattern = unfold(patch);
   std::vector<Vec2> flat;
   for (const Index v : disk.vertex_of)
     flat.push_back(disk.area_scale * (disk.box_scale * pattern.positions[v]));
@@ -225,8 +222,8 @@ TEST(StretchSystem, TermsOfEdgesAreDerivatives) {
 
 TEST(FlatEdges, AreAllOfTheMeshWithTheirLengthsAndAreas) {
   const TriMesh mesh = panel();
-  const Connectivity connectivity(mesh);
-  const Disk disk = make_disk(mesh, connectivity);
+  const Patch patch(mesh);
+  const Disk disk = make_disk(patch);
   const auto edges = flat_edges(mesh, disk);
   EXPECT_EQ(edges.size(), disk.vertex_count + disk.triangles.size() - 1) << "Euler's formula";
   double area = 0.0;
@@ -281,10 +278,10 @@ TEST(StrainLimits, GiveTwinsTheSamePattern) {
 TEST(StrainLimits, PassByNeedles) {
   // Vertices pushed nearly onto an opposite side: angles down to a tenth of a degree.
   TriMesh mesh = panel();
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   for (std::size_t k = 40; k < mesh.triangles.size(); k += 150) {
     const Triangle& t = mesh.triangles[k];
-    if (!connectivity.is_inner(t[0])) continue;
+    if (!patch.is_inner(t[0])) continue;
     const Vec3 middle = 0.5 * mesh.positions[t[1]] + 0.5 * mesh.positions[t[2]];
     mesh.positions[t[0]] = mesh.positions[t[0]] + 0.97 * (middle - mesh.positions[t[0]]);
   }
@@ -302,16 +299,15 @@ TEST(StrainLimits, AreTakenOfATriangleAndOfWhatIsFlat) {
 
 TEST(StrainLimits, CanBeCancelledAtEveryStep) {
   const TriMesh mesh = panel();
-  const Connectivity connectivity(mesh);
-  const int steps = unfold(mesh, connectivity, {.limits = {.max = 0.03}}).iterations;
+  const Patch patch(mesh);
+  const int steps = unfold(patch, {.limits = {.max = 0.03}}).iterations;
   EXPECT_GT(steps, 8);
   for (int last = 1; last <= steps; last += 3) {
     int told = 0;
-    const Pattern pattern =
-        unfold(mesh, connectivity, {.limits = {.max = 0.03}}, [&](int step, double) {
-          EXPECT_EQ(step, ++told);
-          return step < last;
-        });
+    const Pattern pattern = unfold(patch, {.limits = {.max = 0.03}}, [&](int step, double) {
+      EXPECT_EQ(step, ++told);
+      return step < last;
+    });
     EXPECT_EQ(told, last);
     EXPECT_EQ(pattern.flipped_triangles, 0U);
   }
@@ -319,13 +315,13 @@ TEST(StrainLimits, CanBeCancelledAtEveryStep) {
 
 TEST(StrainLimits, RefuseWhatIsNoLimit) {
   const TriMesh mesh = panel();
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const StrainLimits& limits :
        {StrainLimits{.max = -0.1}, StrainLimits{.p99 = infinity}, StrainLimits{.rms = -infinity},
         StrainLimits{.max = std::nan("")}, StrainLimits{.max = 0.1, .p99 = 0.1}}) {
     try {
-      unfold(mesh, connectivity, {.limits = limits});
+      unfold(patch, {.limits = limits});
       ADD_FAILURE() << "no error";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::option_out_of_range);

@@ -16,14 +16,14 @@ namespace planish {
 namespace {
 
 Pattern matched(const TriMesh& mesh) {
-  return unfold(mesh, Connectivity(mesh), {.match_seams = true});
+  return unfold(Patch(mesh), {.match_seams = true});
 }
 
 /// Measured without the library's help.
 double worst_border_edge(const TriMesh& mesh, const std::vector<Vec2>& flat) {
   double worst = 0.0;
-  const Connectivity connectivity(mesh);
-  for (const auto& loop : connectivity.border_loops()) {
+  const Patch patch(mesh);
+  for (const auto& loop : patch.border_loops()) {
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const Index a = loop[k], b = loop[(k + 1) % loop.size()];
       const double length = norm(mesh.positions[b] - mesh.positions[a]);
@@ -62,8 +62,8 @@ TEST(MatchSeams, KeepsEveryBorderLengthHoweverCurvedThePatch) {
 
 TEST(MatchSeams, LeavesTheOrdinaryPatternAsItIs) {
   const TriMesh mesh = make_shape("saddle", 500);
-  const Connectivity connectivity(mesh);
-  const Pattern plain = unfold(mesh, connectivity);
+  const Patch patch(mesh);
+  const Pattern plain = unfold(patch);
   EXPECT_TRUE(plain.unmatched.empty());
   EXPECT_GT(worst_border_edge(mesh, plain.positions), 1e-4);
   const Pattern pattern = matched(mesh);
@@ -98,7 +98,7 @@ TEST(MatchSeams, LeavesNothingToGainAmongPatternsOfThatBorder) {
       gradient[i] = (above - energy_of(mesh, flat)) / (2.0 * h);
       coordinate = at;
     }
-    const auto loop = Connectivity(mesh).border_loops().front();
+    const auto loop = Patch(mesh).border_loops().front();
     Eigen::MatrixXd normals =
         Eigen::MatrixXd::Zero(unknowns, static_cast<Eigen::Index>(loop.size()));
     for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -130,7 +130,7 @@ TEST(MatchSeams, GivesTwoPatchesEquallyLongSidesOfTheirSeam) {
     return length;
   };
   EXPECT_NEAR(side(matched(left), 8), side(matched(right), 0), 1e-10);
-  const auto plain = [](const TriMesh& mesh) { return unfold(mesh, Connectivity(mesh)); };
+  const auto plain = [](const TriMesh& mesh) { return unfold(Patch(mesh)); };
   EXPECT_GT(std::abs(side(plain(left), 8) - side(plain(right), 0)), 1e-3);
 }
 
@@ -139,7 +139,7 @@ TEST(MatchSeams, HasAStartForAnyBorder) {
   TriMesh fans[] = {meshes::fan(7, 0.3), meshes::ruffled_fan(8, 1.5), meshes::fan(9, 0.0)};
   fans[2].positions[1] = {6.0, -1.0, 0.0};
   for (const TriMesh& mesh : fans) {
-    const Disk disk = make_disk(mesh, Connectivity(mesh));
+    const Disk disk = make_disk(Patch(mesh));
     const auto lengths = border_lengths(mesh, disk);
     const auto flat = circle_start(disk, lengths);
     EXPECT_TRUE(all_upright(disk, flat));
@@ -153,18 +153,17 @@ TEST(MatchSeams, HasAStartForAnyBorder) {
 TEST(MatchSeams, TellsEveryStepAndStopsWhenAskedTo) {
   const TriMesh mesh = make_shape("dome", 1000);
   int last = 0;
-  const Pattern whole = unfold(mesh, Connectivity(mesh), {.match_seams = true},
-                               [&](int step, double) { return ++last == step; });
+  const Pattern whole =
+      unfold(Patch(mesh), {.match_seams = true}, [&](int step, double) { return ++last == step; });
   EXPECT_EQ(last, whole.iterations);
-  const Pattern stopped = unfold(mesh, Connectivity(mesh), {.match_seams = true},
-                                 [&](int step, double) { return step < last; });
+  const Pattern stopped =
+      unfold(Patch(mesh), {.match_seams = true}, [&](int step, double) { return step < last; });
   EXPECT_FALSE(stopped.converged);
 }
 
 TEST(MatchSeams, DoesWithoutAnyStep) {
   for (const TriMesh& mesh : {meshes::flat_grid(3, 2), make_shape("dome", 100)}) {
-    const Pattern pattern =
-        unfold(mesh, Connectivity(mesh), {.max_iterations = 0, .match_seams = true});
+    const Pattern pattern = unfold(Patch(mesh), {.max_iterations = 0, .match_seams = true});
     EXPECT_LT(worst_border_edge(mesh, pattern.positions), 1e-9);
     EXPECT_EQ(pattern.flipped_triangles, 0U);
   }

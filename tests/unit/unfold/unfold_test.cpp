@@ -19,11 +19,11 @@ namespace planish {
 namespace {
 
 Pattern unfolded(const TriMesh& mesh) {
-  return unfold(mesh, Connectivity(mesh));
+  return unfold(Patch(mesh));
 }
 
 EdgeStrain strain_of(const TriMesh& mesh, const Pattern& pattern) {
-  return edge_strain(mesh, Connectivity(mesh), pattern.positions);
+  return edge_strain(Patch(mesh), pattern.positions);
 }
 
 /// Counted without the library's help.
@@ -81,7 +81,7 @@ TEST(Unfold, FlipsNoTriangleHoweverCurvedThePatch) {
 
 TEST(Unfold, FindsTheSameMinimumFromBothStarts) {
   const TriMesh mesh = make_shape("dome", 700);
-  const Disk disk = make_disk(mesh, Connectivity(mesh));
+  const Disk disk = make_disk(Patch(mesh));
   const auto conformal = conformal_start(disk), tutte = tutte_start(disk);
   ASSERT_TRUE(all_upright(disk, conformal));
   ASSERT_TRUE(all_upright(disk, tutte));
@@ -102,13 +102,13 @@ TEST(Unfold, FindsTheSameMinimumFromBothStarts) {
 
 TEST(Unfold, HasLessStretchThanTheConformalStart) {
   const TriMesh mesh = make_shape("dome", 1500);
-  const Connectivity connectivity(mesh);
-  const Disk disk = make_disk(mesh, connectivity);
+  const Patch patch(mesh);
+  const Disk disk = make_disk(patch);
   std::vector<Vec2> start(mesh.positions.size());
   const auto flat = conformal_start(disk);
   for (std::size_t v = 0; v < flat.size(); ++v)
     start[disk.vertex_of[v]] = (1.0 / (disk.box_scale * disk.area_scale)) * flat[v];
-  EXPECT_LT(strain_of(mesh, unfolded(mesh)).rms, 0.9 * edge_strain(mesh, connectivity, start).rms);
+  EXPECT_LT(strain_of(mesh, unfolded(mesh)).rms, 0.9 * edge_strain(patch, start).rms);
 }
 
 TEST(Unfold, FacesUpAndFitsItsBox) {
@@ -183,7 +183,7 @@ TEST(Unfold, SurvivesATriangleWithoutArea) {
 TEST(Unfold, CanBeCancelled) {
   int steps = 0;
   const TriMesh mesh = make_shape("dome", 600);
-  const Pattern pattern = unfold(mesh, Connectivity(mesh), {}, [&](int, double) {
+  const Pattern pattern = unfold(Patch(mesh), {}, [&](int, double) {
     ++steps;
     return false;
   });
@@ -195,7 +195,7 @@ TEST(Unfold, CanBeCancelled) {
 TEST(Unfold, RefusesWhatIsNotADisk) {
   const auto code_of = [](const TriMesh& mesh) {
     try {
-      unfold(mesh, Connectivity(mesh));
+      unfold(Patch(mesh));
     } catch (const Error& error) {
       return error.code();
     }
@@ -212,10 +212,10 @@ TEST(Unfold, RefusesWhatIsNotADisk) {
 
 TEST(Unfold, GivesTheSameBitsForEveryNumberOfThreads) {
   const TriMesh mesh = make_shape("panel", 6000);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   for (const bool match_seams : {false, true}) {
     const auto on_threads = [&](unsigned threads) {
-      return unfold(mesh, connectivity, {.match_seams = match_seams, .threads = threads}).positions;
+      return unfold(patch, {.match_seams = match_seams, .threads = threads}).positions;
     };
     const std::vector<Vec2> alone = on_threads(1);
     EXPECT_EQ(on_threads(2), alone);

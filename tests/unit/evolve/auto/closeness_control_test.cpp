@@ -11,7 +11,7 @@ namespace planish {
 namespace {
 
 struct Laid {
-  explicit Laid(TriMesh m) : mesh(std::move(m)), state(mesh, Connectivity(mesh), pool) {}
+  explicit Laid(TriMesh m) : mesh(std::move(m)), state(Patch(mesh), pool) {}
 
   /// Lifts every other vertex; edges are some 20 mm long.
   void crumple(double millimetres) {
@@ -28,10 +28,10 @@ TEST(Roughness, IsThatOfTheFigures) {
   for (const char* shape : {"panel", "dome", "saddle", "cylinder"}) {
     Laid laid(make_shape(shape, 300));
     const Roughness roughness(laid.state);
-    EXPECT_NEAR(roughness.now(), measure(laid.mesh, Connectivity(laid.mesh)).roughness, 1e-9);
+    EXPECT_NEAR(roughness.now(), measure(Patch(laid.mesh)).roughness, 1e-9);
     laid.crumple(1.0);
     const TriMesh moved{laid.state.positions_in_mesh_order(), laid.mesh.triangles};
-    EXPECT_NEAR(roughness.now(), measure(moved, Connectivity(moved)).roughness, 1e-9) << shape;
+    EXPECT_NEAR(roughness.now(), measure(Patch(moved)).roughness, 1e-9) << shape;
   }
 }
 

@@ -25,13 +25,13 @@ using Eigen::VectorXd;
 
 struct Laid {
   explicit Laid(const TriMesh& m, const Constraints& constraints = {})
-      : mesh(m), connectivity(mesh), state(mesh, connectivity, pool, constraints), jacobian(state) {
+      : mesh(m), surface(mesh), state(surface, pool, constraints), jacobian(state) {
     jacobian.update(pool);
   }
   Eigen::Index count() const { return static_cast<Eigen::Index>(state.inner_count()); }
 
   TriMesh mesh;
-  Connectivity connectivity;
+  Patch surface;
   ThreadPool pool{1};
   PatchState state;
   AngleJacobian jacobian;
@@ -47,7 +47,7 @@ Positions moves_where_free(const Laid& laid, double size) {
 }
 
 Constraints one_held(const TriMesh& mesh) {
-  return {.fixed = {Connectivity(mesh).inner_vertices()[20]}};
+  return {.fixed = {Patch(mesh).inner_vertices()[20]}};
 }
 
 TEST(FairnessEnergy, HasTheGradientAndTheHessianOfItsValue) {
@@ -165,8 +165,8 @@ TEST(StrainPotential, TellsTheStrainOfThePatternWhereTheBorderIsFree) {
     const StrainPotential potential(laid.jacobian, laid.state, laid.pool, BoundaryCondition::free);
     const VectorXd phi = potential.of(inner_defects(laid.state), laid.pool);
     const double told = edge_strain_of(phi.norm() / std::sqrt(static_cast<double>(phi.size())));
-    const Pattern pattern = unfold(mesh, laid.connectivity);
-    const double strain = edge_strain(mesh, laid.connectivity, pattern.positions).rms;
+    const Pattern pattern = unfold(laid.surface);
+    const double strain = edge_strain(laid.surface, pattern.positions).rms;
     EXPECT_NEAR(told, strain, 0.05 * strain) << shape;
   }
 }

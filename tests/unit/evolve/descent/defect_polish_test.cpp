@@ -17,11 +17,11 @@ namespace {
 /// A panel that lies flat but for kinks at single vertices and one dent.
 TriMesh kinked_panel() {
   TriMesh mesh = make_shape("panel", 1200);
-  mesh.positions = evolve(mesh, Auto{.prefer = Prefer::near}).positions;
-  const Connectivity connectivity(mesh);
-  const Vec3 middle = mesh.positions[connectivity.inner_vertices()[400]];
+  mesh.positions = evolve(Patch(mesh), Auto{.prefer = Prefer::near}).positions;
+  const Patch patch(mesh);
+  const Vec3 middle = mesh.positions[patch.inner_vertices()[400]];
   const double size = norm(mesh.positions.front() - mesh.positions.back());
-  for (const Index v : connectivity.inner_vertices()) {
+  for (const Index v : patch.inner_vertices()) {
     const double r = norm(mesh.positions[v] - middle) / size;
     mesh.positions[v].z +=
         size * (1e-3 * std::exp(-100.0 * r * r) + 1e-4 * std::sin(1.7 * static_cast<double>(v)));
@@ -32,7 +32,7 @@ TriMesh kinked_panel() {
 struct Polished {
   explicit Polished(const TriMesh& mesh, const DescentLimits& limits = {},
                     const Constraints& constraints = {})
-      : state(mesh, Connectivity(mesh), pool, constraints), polish(state, pool, limits) {}
+      : state(Patch(mesh), pool, constraints), polish(state, pool, limits) {}
   ThreadPool pool{1};
   PatchState state;
   DefectPolish polish;
@@ -56,7 +56,7 @@ TEST(DefectPolish, TakesOutKinksAndDents) {
 
 TEST(DefectPolish, KeepsLimitsAndWhatIsFixed) {
   const TriMesh mesh = kinked_panel();
-  const std::vector<Index> fixed = {Connectivity(mesh).inner_vertices()[300]};
+  const std::vector<Index> fixed = {Patch(mesh).inner_vertices()[300]};
   const double edge =
       norm(mesh.positions[mesh.triangles[0][0]] - mesh.positions[mesh.triangles[0][1]]);
   Polished loose(mesh, {}, {.fixed = fixed});

@@ -41,9 +41,9 @@ struct Outcome {
 
 Outcome sweeps_with(Isa isa, const TriMesh& mesh, const ControllableLaplacian& options,
                     bool with_skipping = true, int sweeps = 12) {
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   ThreadPool pool(1);
-  PatchState state(mesh, connectivity, pool);
+  PatchState state(patch, pool);
   ControllableMover mover(options, state, isa);
   Outcome outcome;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -96,17 +96,17 @@ TEST(MoveStars, SkippingWhatCannotHaveChangedChangesNothing) {
 
 TEST(StarDefects, GivesTheSameBitsWithEverySetOfInstructions) {
   const TriMesh mesh = many_valences();
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   std::vector<Site> sites;
   for (const Vec3 p : mesh.positions)
     sites.push_back({p.x, p.y, p.z, 0.0});
-  for (const Index v : connectivity.inner_vertices()) {
-    const Star star{connectivity.ring(v).data(), v};
+  for (const Index v : patch.inner_vertices()) {
+    const Star star{patch.ring(v).data(), v};
     const Star stars[] = {star, star, star};
     double expected[3], found[3];
-    star_defects_for(Isa::baseline)(sites.data(), stars, 3, connectivity.ring(v).size(), expected);
+    star_defects_for(Isa::baseline)(sites.data(), stars, 3, patch.ring(v).size(), expected);
     for (const Isa isa : available_isas()) {
-      star_defects_for(isa)(sites.data(), stars, 3, connectivity.ring(v).size(), found);
+      star_defects_for(isa)(sites.data(), stars, 3, patch.ring(v).size(), found);
       EXPECT_EQ(std::memcmp(expected, found, sizeof found), 0) << to_string(isa);
     }
   }

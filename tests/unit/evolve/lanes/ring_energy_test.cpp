@@ -67,9 +67,9 @@ class OneRing {
 template <class Visit>
 void for_each_ring(const TriMesh& mesh, Visit visit) {
   const plain::Patch patch(mesh);
-  const Connectivity connectivity(mesh);
+  const Patch surface(mesh);
   ThreadPool pool(1);
-  PatchState state(mesh, connectivity, pool);
+  PatchState state(surface, pool);
   for (std::size_t v = 0; v < state.inner_count(); ++v) {
     OneRing ring(state, v);
     visit(ring, patch, state.vertex_of(state.plan().visits[v]), state.scale());
@@ -185,9 +185,9 @@ TEST(RingEnergy, FollowsDefectsThroughLargeTurns) {
 
 TEST(RingEnergy, WritesBackTheDefectsOfTheWholeRing) {
   const TriMesh mesh = meshes::rough_grid(6, 6, 9);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   ThreadPool pool(1);
-  PatchState state(mesh, connectivity, pool);
+  PatchState state(patch, pool);
   for (std::size_t v = 0; v < state.inner_count(); ++v) {
     OneRing ring(state, v);
     ring.move_to(ring.start() + 0.3 * ring.laplacian(), state);
@@ -200,9 +200,9 @@ TEST(RingEnergy, WritesBackTheDefectsOfTheWholeRing) {
 
 TEST(RingEnergy, KeepsAnglesAboveTheLimitOrWhatTheyAre) {
   const TriMesh mesh = meshes::fan(6);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   ThreadPool pool(1);
-  PatchState state(mesh, connectivity, pool);
+  PatchState state(patch, pool);
   const auto cotangent = [](double degrees) {
     return 1.0 / std::tan(degrees * std::numbers::pi / 180.0);
   };
@@ -215,9 +215,9 @@ TEST(RingEnergy, KeepsAnglesAboveTheLimitOrWhatTheyAre) {
 
 TEST(RingEnergy, RefusesTheNeighboursPlaces) {
   const TriMesh mesh = meshes::fan(6);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   ThreadPool pool(1);
-  PatchState state(mesh, connectivity, pool);
+  PatchState state(patch, pool);
   OneRing ring(state, 0);
   EXPECT_TRUE(ring.sound_at(0.5 * state.position(3)));
   EXPECT_FALSE(ring.sound_at(state.position(3)));

@@ -33,8 +33,8 @@ bool is_next_to_border(const Connectivity& connectivity, Index v) {
 
 /// The positions after one sweep, by dense least squares over all vertices of the mesh.
 MatrixXd dense_sweep(const TriMesh& mesh, double pull) {
-  const Connectivity connectivity(mesh);
-  const auto inner = connectivity.inner_vertices();
+  const Patch patch(mesh);
+  const auto inner = patch.inner_vertices();
   const auto n = static_cast<Eigen::Index>(mesh.positions.size());
   const auto rows = static_cast<Eigen::Index>(inner.size());
   MatrixXd laplacian = MatrixXd::Zero(rows, n), positions(n, 3);
@@ -42,10 +42,10 @@ MatrixXd dense_sweep(const TriMesh& mesh, double pull) {
   for (Eigen::Index v = 0; v < n; ++v)
     positions.row(v) << mesh.positions[v].x, mesh.positions[v].y, mesh.positions[v].z;
   for (const Index v : inner)
-    total += mixed_area(mesh.positions[v], places_of(mesh, connectivity.ring(v)));
+    total += mixed_area(mesh.positions[v], places_of(mesh, patch.ring(v)));
   for (Eigen::Index i = 0; i < rows; ++i) {
     const Index v = inner[i];
-    const auto ring = connectivity.ring(v);
+    const auto ring = patch.ring(v);
     const auto at = places_of(mesh, ring);
     const auto weights = cotangent_weights(mesh.positions[v], at);
     const double scale =
@@ -57,7 +57,7 @@ MatrixXd dense_sweep(const TriMesh& mesh, double pull) {
   }
   std::vector<Index> movable;
   for (const Index v : inner) {
-    if (!is_next_to_border(connectivity, v)) movable.push_back(v);
+    if (!is_next_to_border(patch.connectivity(), v)) movable.push_back(v);
   }
   const auto count = static_cast<Eigen::Index>(movable.size());
   MatrixXd matrix = MatrixXd::Zero(rows + count, count);
@@ -77,7 +77,7 @@ TEST(BilaplacianFairing, TakesTheStepThatADenseSolveTakes) {
   const TriMesh mesh = make_shape("panel", 300);
   const double size = norm(mesh.positions.front() - mesh.positions.back());
   for (const double pull : {0.0, 10.0, 300.0}) {
-    Evolver evolver(mesh, Connectivity(mesh), BilaplacianFairing{.pull = pull});
+    Evolver evolver(Patch(mesh), BilaplacianFairing{.pull = pull});
     evolver.step();
     const auto ours = evolver.positions();
     const MatrixXd expected = dense_sweep(mesh, pull);
@@ -91,8 +91,8 @@ TEST(BilaplacianFairing, TakesTheStepThatADenseSolveTakes) {
 /// The cylinder sample with a few dents of several edges across.
 TriMesh dented_cylinder(std::size_t vertices) {
   TriMesh mesh = make_shape("cylinder", vertices);
-  const Connectivity connectivity(mesh);
-  const auto inner = connectivity.inner_vertices();
+  const Patch patch(mesh);
+  const auto inner = patch.inner_vertices();
   Vec3 middle;
   for (const Vec3 p : mesh.positions)
     middle += (1.0 / static_cast<double>(mesh.positions.size())) * p;
@@ -100,7 +100,7 @@ TriMesh dented_cylinder(std::size_t vertices) {
   for (const std::size_t share : {3U, 5U, 8U, 11U, 14U})
     dents.push_back(mesh.positions[inner[inner.size() * share / 17]]);
   for (const Index v : inner) {
-    if (is_next_to_border(connectivity, v)) continue;
+    if (is_next_to_border(patch.connectivity(), v)) continue;
     const Vec3 p = mesh.positions[v];
     for (const Vec3 dent : dents) {
       const double r = norm(p - dent) / 12.0;
@@ -113,32 +113,32 @@ TriMesh dented_cylinder(std::size_t vertices) {
 
 TEST(BilaplacianFairing, TakesDentsOutOfACylinder) {
   const TriMesh mesh = dented_cylinder(3000);
-  const auto faired = evolve(mesh, BilaplacianFairing{}, {.max_sweeps = 1}).history.back();
+  const auto faired = evolve(Patch(mesh), BilaplacianFairing{}, {.max_sweeps = 1}).history.back();
   const auto controllable =
-      evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 10}).history.back();
+      evolve(Patch(mesh), ControllableLaplacian{}, {.max_sweeps = 10}).history.back();
   EXPECT_LT(faired.energy, controllable.energy / 20.0);
   EXPECT_LT(faired.e_max, controllable.e_max / 10.0);
 }
 
 TEST(BilaplacianFairing, LeavesAPlaneAndACylinderAlone) {
   TriMesh plane = meshes::rough_grid(20, 20, 5, 0.25, 0.0);
-  Evolver evolver(plane, Connectivity(plane), BilaplacianFairing{.pull = 0.0});
+  Evolver evolver(Patch(plane), BilaplacianFairing{.pull = 0.0});
   evolver.step();
   const auto after = evolver.positions();
   for (std::size_t v = 0; v < after.size(); ++v)
     EXPECT_LT(norm(after[v] - plane.positions[v]), 1e-10);
   const TriMesh cylinder = make_shape("cylinder", 2000);
-  const auto result = evolve(cylinder, BilaplacianFairing{}, {.max_sweeps = 10});
+  const auto result = evolve(Patch(cylinder), BilaplacianFairing{}, {.max_sweeps = 10});
   EXPECT_EQ(result.positions, cylinder.positions);
   EXPECT_EQ(result.stop, StopReason::reached_target);
 }
 
 TEST(BilaplacianFairing, KeepsTheBorderAndTheRingNextToIt) {
   const TriMesh mesh = make_shape("saddle", 800);
-  const Connectivity connectivity(mesh);
-  const auto result = evolve(mesh, BilaplacianFairing{}, {.max_sweeps = 3});
+  const Patch patch(mesh);
+  const auto result = evolve(patch, BilaplacianFairing{}, {.max_sweeps = 3});
   for (Index v = 0; v < mesh.positions.size(); ++v) {
-    const bool held = connectivity.is_border(v) || is_next_to_border(connectivity, v);
+    const bool held = patch.is_border(v) || is_next_to_border(patch.connectivity(), v);
     EXPECT_EQ(result.positions[v] == mesh.positions[v], held) << v;
   }
 }
@@ -147,7 +147,7 @@ TEST(BilaplacianFairing, GoesTheFurtherTheLessItPulls) {
   const TriMesh mesh = make_shape("dome", 1500);
   double last = 0.0;
   for (const double pull : {1e9, 1000.0, 100.0, 10.0, 0.0}) {
-    const auto result = evolve(mesh, BilaplacianFairing{.pull = pull}, {.max_sweeps = 1});
+    const auto result = evolve(Patch(mesh), BilaplacianFairing{.pull = pull}, {.max_sweeps = 1});
     double furthest = 0.0;
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
       furthest = std::max(furthest, norm(result.positions[v] - mesh.positions[v]));
@@ -157,23 +157,23 @@ TEST(BilaplacianFairing, GoesTheFurtherTheLessItPulls) {
 }
 
 TEST(BilaplacianFairing, SaysWhereItConverges) {
-  const auto result =
-      evolve(make_shape("dome", 1500), BilaplacianFairing{.pull = 1000.0}, {.max_sweeps = 40});
+  const auto result = evolve(Patch(make_shape("dome", 1500)), BilaplacianFairing{.pull = 1000.0},
+                             {.max_sweeps = 40});
   EXPECT_EQ(result.stop, StopReason::converged);
 }
 
 TEST(BilaplacianFairing, HonoursFixedVerticesAndWeights) {
   const TriMesh mesh = make_shape("panel", 800);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   std::vector<Index> free;
-  for (const Index v : connectivity.inner_vertices()) {
-    if (!is_next_to_border(connectivity, v)) free.push_back(v);
+  for (const Index v : patch.inner_vertices()) {
+    if (!is_next_to_border(patch.connectivity(), v)) free.push_back(v);
   }
   const Index dear = free[free.size() / 2], fixed = free[free.size() / 3];
   Constraints constraints{.fixed = {fixed}};
   constraints.weights.assign(mesh.positions.size(), 1.0);
   const auto moved = [&](Index v) {
-    const auto result = evolve(mesh, BilaplacianFairing{}, {.max_sweeps = 2}, {}, 1, constraints);
+    const auto result = evolve(patch, BilaplacianFairing{}, {.max_sweeps = 2}, {}, 1, constraints);
     return norm(result.positions[v] - mesh.positions[v]);
   };
   const double freely = moved(dear);

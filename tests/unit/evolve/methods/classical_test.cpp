@@ -29,22 +29,22 @@ TEST(Classical, SimultaneousIsEquation10AtAllVerticesAtOnce) {
     patch.mesh.positions = next;
   }
   const auto result =
-      evolve(mesh, ClassicalLaplacian{.lambda = 0.3, .order = SweepOrder::simultaneous},
+      evolve(Patch(mesh), ClassicalLaplacian{.lambda = 0.3, .order = SweepOrder::simultaneous},
              {.max_sweeps = 3});
   EXPECT_LT(farthest(result.positions, patch.mesh.positions), 1e-13);
 }
 
 TEST(Classical, SequentialSeesTheMovesMadeBefore) {
   const TriMesh mesh = meshes::rough_grid(9, 9, 6);
-  const Connectivity connectivity(mesh);
+  const Patch surface(mesh);
   ThreadPool pool(1);
-  const PatchState state(mesh, connectivity, pool);
+  const PatchState state(surface, pool);
   plain::Patch patch(mesh);
   for (std::size_t v = 0; v < state.inner_count(); ++v) {
     const Index vertex = state.vertex_of(state.plan().visits[v]);
     patch.mesh.positions[vertex] += 0.5 * patch.laplacian(vertex);
   }
-  const auto result = evolve(mesh, ClassicalLaplacian{}, {.max_sweeps = 1});
+  const auto result = evolve(surface, ClassicalLaplacian{}, {.max_sweeps = 1});
   EXPECT_LT(farthest(result.positions, patch.mesh.positions), 1e-13);
 }
 
@@ -52,8 +52,8 @@ TEST(Classical, MayRaiseTheEnergyAsThePaperShows) {
   // One vertex lifted out of a plane: the others are dragged along.
   TriMesh mesh = meshes::ruffled_fan(8, 0.3);
   mesh.positions[0].z = 0.2;
-  const double before = measure(mesh, Connectivity(mesh)).energy;
-  const auto result = evolve(mesh, ClassicalLaplacian{}, {.max_sweeps = 20});
+  const double before = measure(Patch(mesh)).energy;
+  const auto result = evolve(Patch(mesh), ClassicalLaplacian{}, {.max_sweeps = 20});
   EXPECT_GT(result.history.back().energy, before);
 }
 
@@ -61,17 +61,17 @@ TEST(Classical, GivesTheSameBitsOnAnyNumberOfThreads) {
   const TriMesh mesh = make_shape("panel", 10'000);
   for (const auto& order : k_sweep_orders) {
     const ClassicalLaplacian method{.order = order.first};
-    const auto one = evolve(mesh, method, {.max_sweeps = 3}, {}, 1);
-    EXPECT_EQ(evolve(mesh, method, {.max_sweeps = 3}, {}, 4).positions, one.positions);
+    const auto one = evolve(Patch(mesh), method, {.max_sweeps = 3}, {}, 1);
+    EXPECT_EQ(evolve(Patch(mesh), method, {.max_sweeps = 3}, {}, 4).positions, one.positions);
   }
 }
 
 TEST(Classical, NeverMovesTheBorder) {
   const TriMesh mesh = meshes::rough_grid(7, 7, 2);
-  const Connectivity connectivity(mesh);
-  const auto result = evolve(mesh, ClassicalLaplacian{.lambda = 1.0});
+  const Patch patch(mesh);
+  const auto result = evolve(patch, ClassicalLaplacian{.lambda = 1.0});
   for (Index v = 0; v < mesh.positions.size(); ++v) {
-    if (!connectivity.is_inner(v)) {
+    if (!patch.is_inner(v)) {
       EXPECT_EQ(result.positions[v], mesh.positions[v]);
     }
   }

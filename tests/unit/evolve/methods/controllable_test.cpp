@@ -18,18 +18,19 @@ namespace {
 constexpr LineSolver k_solvers[] = {LineSolver::model, LineSolver::trust_region};
 
 double energy_of(const TriMesh& mesh) {
-  return measure(mesh, Connectivity(mesh)).energy;
+  return measure(Patch(mesh)).energy;
 }
 
 TriMesh evolved(const TriMesh& mesh, const Method& method, int sweeps, unsigned threads = 1) {
-  return {evolve(mesh, method, {.max_sweeps = sweeps}, {}, threads).positions, mesh.triangles};
+  return {evolve(Patch(mesh), method, {.max_sweeps = sweeps}, {}, threads).positions,
+          mesh.triangles};
 }
 
 /// The order in which the library visits the inner vertices.
 std::vector<Index> visiting_order(const TriMesh& mesh) {
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   ThreadPool pool(1);
-  const PatchState state(mesh, connectivity, pool);
+  const PatchState state(patch, pool);
   std::vector<Index> order;
   for (std::size_t v = 0; v < state.inner_count(); ++v)
     order.push_back(state.vertex_of(state.plan().visits[v]));
@@ -88,7 +89,7 @@ TEST(Controllable, EnergyNeverRisesInASweep) {
         const TriMesh mesh = meshes::rough_grid(12, 12, seed, 0.3, 0.6);
         double energy = energy_of(mesh);
         const ControllableLaplacian options{.lambda_min = lambda_min, .solver = solver};
-        evolve(mesh, options, {.max_sweeps = 40}, [&](const SweepRecord& record) {
+        evolve(Patch(mesh), options, {.max_sweeps = 40}, [&](const SweepRecord& record) {
           EXPECT_LE(record.energy, energy);
           energy = record.energy;
           return true;
@@ -100,9 +101,9 @@ TEST(Controllable, EnergyNeverRisesInASweep) {
 
 TEST(Controllable, RecordsWhatMeasuringSays) {
   const TriMesh mesh = meshes::rough_grid(10, 10, 3);
-  const EvolveResult result = evolve(mesh, ControllableLaplacian{}, {.max_sweeps = 5});
+  const EvolveResult result = evolve(Patch(mesh), ControllableLaplacian{}, {.max_sweeps = 5});
   const TriMesh after{result.positions, mesh.triangles};
-  const Flattenability figures = measure(after, Connectivity(after));
+  const Flattenability figures = measure(Patch(after));
   ASSERT_EQ(result.history.size(), 5U);
   EXPECT_EQ(result.history.back().energy, figures.energy);
   EXPECT_EQ(result.history.back().e_max, figures.e_max);
@@ -113,11 +114,11 @@ TEST(Controllable, RecordsWhatMeasuringSays) {
 TEST(Controllable, NeverMovesTheBorderNorUnusedVertices) {
   TriMesh mesh = meshes::rough_grid(8, 8, 1);
   mesh.positions.push_back({1e9, 0.1, 0.3});
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   const TriMesh after = evolved(mesh, ControllableLaplacian{.lambda_min = -1.0}, 10);
   ASSERT_EQ(after.positions.size(), mesh.positions.size());
   for (Index v = 0; v < mesh.positions.size(); ++v) {
-    if (!connectivity.is_inner(v)) {
+    if (!patch.is_inner(v)) {
       EXPECT_EQ(after.positions[v], mesh.positions[v]) << v;
     }
   }
@@ -139,11 +140,11 @@ TEST(Controllable, LeavesFlattenableSurfacesAsTheyAre) {
   for (const Shape& shape : shapes()) {
     if (!shape.flattenable) continue;
     const TriMesh mesh = make_shape(shape.name, 1500);
-    const Connectivity connectivity(mesh);
+    const Patch patch(mesh);
     for (const ControllableLaplacian& options :
          {ControllableLaplacian{}, ControllableLaplacian{.lambda_min = -1.0},
           ControllableLaplacian{.lambda_min = -1.0, .solver = LineSolver::trust_region}}) {
-      Evolver evolver(mesh, connectivity, options);
+      Evolver evolver(patch, options);
       for (int sweep = 0; sweep < 3; ++sweep)
         EXPECT_EQ(evolver.step().moved, 0U) << shape.name;
       EXPECT_EQ(evolver.positions(), mesh.positions);
@@ -187,12 +188,12 @@ TEST(Controllable, LeavesASaddleInsideTheHullOfItsRingWhereItIs) {
 
 TEST(Controllable, WithNegativeStepsGetsFurtherAndKeepsTheSmallestAngle) {
   const TriMesh mesh = make_shape("panel", 1000);
-  const Flattenability before = measure(mesh, Connectivity(mesh));
+  const Flattenability before = measure(Patch(mesh));
   const TriMesh forward = evolved(mesh, ControllableLaplacian{}, 30);
   for (const LineSolver solver : k_solvers) {
     const ControllableLaplacian options{.lambda_min = -1.0, .min_angle = 5.0, .solver = solver};
     const TriMesh both = evolved(mesh, options, 30);
-    const Flattenability after = measure(both, Connectivity(both));
+    const Flattenability after = measure(Patch(both));
     EXPECT_LT(after.energy, energy_of(forward));
     EXPECT_GE(after.min_angle, std::min(before.min_angle, 5.0 * std::numbers::pi / 180.0) - 1e-12);
   }
@@ -242,7 +243,7 @@ TEST(Controllable, SurvivesASpikeAMillionTimesTheSizeOfThePatch) {
   mesh.positions[40] = {1e6, -2e6, 3e6};
   for (const LineSolver solver : k_solvers) {
     const ControllableLaplacian options{.solver = solver};
-    const EvolveResult result = evolve(mesh, options, {.max_sweeps = 20});
+    const EvolveResult result = evolve(Patch(mesh), options, {.max_sweeps = 20});
     double energy = energy_of(mesh);
     for (const SweepRecord& record : result.history) {
       EXPECT_LE(record.energy, energy);

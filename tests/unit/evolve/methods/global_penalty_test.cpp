@@ -21,7 +21,7 @@ constexpr GlobalPenalty k_linked{.border = BorderRule::linked};
 
 Flattenability figures_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
   const TriMesh after{positions, mesh.triangles};
-  return measure(after, Connectivity(after));
+  return measure(Patch(after));
 }
 
 /// E_s, the mean of the squared lengths and how many edges there are.
@@ -49,19 +49,19 @@ Edges edges_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
 /// A flattenable shape with dents: without them it could be laid flat.
 TriMesh dented(std::string_view shape) {
   TriMesh mesh = make_shape(shape, 900);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   meshes::Random random(11);
-  for (const Index v : connectivity.inner_vertices())
+  for (const Index v : patch.inner_vertices())
     mesh.positions[v].z += 1.5 * random.number();
   return mesh;
 }
 
 /// For each place where several border vertices came: whether they are at one place still.
 void expect_closed_seams(const TriMesh& mesh, const std::vector<Vec3>& positions) {
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   std::map<std::array<double, 3>, Vec3> place_of;
   for (Index v = 0; v < mesh.positions.size(); ++v) {
-    if (!connectivity.is_border(v)) continue;
+    if (!patch.is_border(v)) continue;
     const Vec3 p = mesh.positions[v];
     // Adding 0 makes +0 of -0.
     const auto [it, is_new] = place_of.insert({{p.x + 0.0, p.y + 0.0, p.z + 0.0}, positions[v]});
@@ -75,8 +75,8 @@ TEST(GlobalPenalty, NeverRaisesItsMeritWhileRhoStays) {
       {meshes::rough_grid(12, 12, 4), {.cg_steps = 1}},
       {meshes::opened_vase(15, 10), k_linked}};
   for (const auto& [mesh, options] : cases) {
-    const Connectivity connectivity(mesh);
-    Evolver evolver(mesh, connectivity, options);
+    const Patch patch(mesh);
+    Evolver evolver(patch, options);
     std::vector<Vec3> now = mesh.positions;
     for (int sweep = 0; sweep < 15; ++sweep) {
       const Edges before = edges_of(mesh, now);
@@ -94,12 +94,12 @@ TEST(GlobalPenalty, NeverRaisesItsMeritWhileRhoStays) {
 
 TEST(GlobalPenalty, DoesNotDependOnTheSizeOfTheModel) {
   const TriMesh mesh = meshes::rough_grid(10, 10, 12);
-  const auto after = evolve(mesh, GlobalPenalty{}, {.max_sweeps = 8});
+  const auto after = evolve(Patch(mesh), GlobalPenalty{}, {.max_sweeps = 8});
   for (const double size : {0x1p-400, 0x1p+40, 0x1p+700, 3.7}) {
     TriMesh scaled = mesh;
     for (Vec3& p : scaled.positions)
       p = size * p;
-    const auto scaled_after = evolve(scaled, GlobalPenalty{}, {.max_sweeps = 8});
+    const auto scaled_after = evolve(Patch(scaled), GlobalPenalty{}, {.max_sweeps = 8});
     const bool is_exact = size != 3.7;
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
       const Vec3 expected = size * after.positions[v];
@@ -114,10 +114,10 @@ TEST(GlobalPenalty, DoesNotDependOnTheSizeOfTheModel) {
 
 TEST(GlobalPenalty, LeavesTheBorderUnlessLinked) {
   const TriMesh mesh = meshes::opened_vase(15, 10);
-  const Connectivity connectivity(mesh);
-  const auto result = evolve(mesh, GlobalPenalty{}, {.max_sweeps = 20});
+  const Patch patch(mesh);
+  const auto result = evolve(patch, GlobalPenalty{}, {.max_sweeps = 20});
   for (Index v = 0; v < mesh.positions.size(); ++v) {
-    if (connectivity.is_border(v)) {
+    if (patch.is_border(v)) {
       EXPECT_EQ(result.positions[v], mesh.positions[v]);
     }
   }
@@ -127,17 +127,17 @@ TEST(GlobalPenalty, LeavesTheBorderUnlessLinked) {
 TEST(GlobalPenalty, MovesLinkedVerticesAsOne) {
   const TriMesh vase = meshes::opened_vase(15, 10);
   for (const TriMesh& mesh : {vase, meshes::book(2, 6, 7), meshes::book(5, 6, 7)}) {
-    const Connectivity connectivity(mesh);
-    const auto result = evolve(mesh, k_linked, {.max_sweeps = 20});
+    const Patch patch(mesh);
+    const auto result = evolve(patch, k_linked, {.max_sweeps = 20});
     expect_closed_seams(mesh, result.positions);
     std::size_t moved = 0;
     for (Index v = 0; v < mesh.positions.size(); ++v)
-      moved += connectivity.is_border(v) && result.positions[v] != mesh.positions[v];
+      moved += patch.is_border(v) && result.positions[v] != mesh.positions[v];
     EXPECT_GE(moved, 10U);
     EXPECT_LT(result.history.back().energy, figures_of(mesh, mesh.positions).energy);
   }
   // Those on the rims have no partner.
-  const auto result = evolve(vase, k_linked, {.max_sweeps = 20});
+  const auto result = evolve(Patch(vase), k_linked, {.max_sweeps = 20});
   for (Index v = 1; v < 15; ++v)
     EXPECT_EQ(result.positions[v], vase.positions[v]);
 }
@@ -146,7 +146,7 @@ TEST(GlobalPenalty, LeavesPartnersOfFixedVertices) {
   const TriMesh mesh = meshes::opened_vase(15, 10);
   // The right side of the seam from the third row to the fifth, the left side in the seventh.
   const std::vector<Index> fixed = {2 * 16 + 15, 3 * 16 + 15, 4 * 16 + 15, 6 * 16};
-  const auto result = evolve(mesh, k_linked, {.max_sweeps = 20}, {}, 0, {.fixed = fixed});
+  const auto result = evolve(Patch(mesh), k_linked, {.max_sweeps = 20}, {}, 0, {.fixed = fixed});
   expect_closed_seams(mesh, result.positions);
   for (const Index row : {2U, 3U, 4U, 6U}) {
     EXPECT_EQ(result.positions[16 * row], mesh.positions[16 * row]);
@@ -158,15 +158,15 @@ TEST(GlobalPenalty, LeavesPartnersOfFixedVertices) {
 TEST(GlobalPenalty, IsMeasuredWithTheBorderThatItMoves) {
   // A seam with a kink, and nothing else to move but the seam.
   const TriMesh mesh = meshes::opened_vase(12, 6);
-  const Connectivity connectivity(mesh);
-  const auto inner = connectivity.inner_vertices();
+  const Patch patch(mesh);
+  const auto inner = patch.inner_vertices();
   const auto result =
-      evolve(mesh, k_linked, {.max_sweeps = 10}, {}, 0, {.fixed = {inner.begin(), inner.end()}});
+      evolve(patch, k_linked, {.max_sweeps = 10}, {}, 0, {.fixed = {inner.begin(), inner.end()}});
   double farthest = 0.0;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     farthest = std::max(farthest, norm(result.positions[v] - mesh.positions[v]));
   ASSERT_GT(farthest, 0.0);
-  const Deviation deviation = measure_deviation(mesh, result.positions, connectivity);
+  const Deviation deviation = measure_deviation(patch, result.positions);
   EXPECT_NEAR(deviation.max, farthest, 1e-15);
   EXPECT_GT(deviation.rms, 0.0);
 }
@@ -174,7 +174,7 @@ TEST(GlobalPenalty, IsMeasuredWithTheBorderThatItMoves) {
 TEST(GlobalPenalty, LowersTheEnergyByAnOrderOrTwoAndThenItsOwnTestEndsIt) {
   for (const char* name : {"cylinder", "cone", "tangent"}) {
     const TriMesh mesh = dented(name);
-    const auto result = evolve(mesh, GlobalPenalty{}, {.max_sweeps = 2000});
+    const auto result = evolve(Patch(mesh), GlobalPenalty{}, {.max_sweeps = 2000});
     EXPECT_EQ(result.stop, StopReason::converged) << name;
     EXPECT_LT(result.history.back().energy, 0.1 * figures_of(mesh, mesh.positions).energy) << name;
     const std::size_t n = result.history.size();
@@ -188,7 +188,7 @@ TEST(GlobalPenalty, LowersTheLargestDefectAsFarAsPublished) {
   // In 200 steps the paper's three examples have g^2 fall to 1/67, 1/85 and 1/146 of what it was.
   for (const char* name : {"cylinder", "cone", "tangent"}) {
     const TriMesh mesh = dented(name);
-    const auto result = evolve(mesh, GlobalPenalty{}, {.max_sweeps = 200});
+    const auto result = evolve(Patch(mesh), GlobalPenalty{}, {.max_sweeps = 200});
     const double e_max = figures_of(mesh, mesh.positions).e_max;
     EXPECT_LT(std::pow(result.history.back().e_max / e_max, 2.0), 1.0 / 67.0) << name;
   }
@@ -196,8 +196,8 @@ TEST(GlobalPenalty, LowersTheLargestDefectAsFarAsPublished) {
 
 TEST(GlobalPenalty, IsDoneWhereNothingIsBent) {
   const TriMesh flat = meshes::flat_grid(6, 6);
-  const Connectivity connectivity(flat);
-  Evolver evolver(flat, connectivity, GlobalPenalty{});
+  const Patch patch(flat);
+  Evolver evolver(patch, GlobalPenalty{});
   const SweepRecord record = evolver.step();
   EXPECT_EQ(record.moved, 0U);
   EXPECT_EQ(record.status, SweepStatus::converged);
@@ -206,9 +206,9 @@ TEST(GlobalPenalty, IsDoneWhereNothingIsBent) {
 
 TEST(GlobalPenalty, GivesTheSameBitsOnAnyNumberOfThreads) {
   const TriMesh mesh = make_shape("panel", 5000);
-  const auto one = evolve(mesh, GlobalPenalty{}, {.max_sweeps = 4}, {}, 1);
+  const auto one = evolve(Patch(mesh), GlobalPenalty{}, {.max_sweeps = 4}, {}, 1);
   for (const unsigned threads : {2U, 3U, 8U})
-    EXPECT_EQ(evolve(mesh, GlobalPenalty{}, {.max_sweeps = 4}, {}, threads).positions,
+    EXPECT_EQ(evolve(Patch(mesh), GlobalPenalty{}, {.max_sweeps = 4}, {}, threads).positions,
               one.positions);
 }
 
@@ -216,7 +216,7 @@ TEST(GlobalPenalty, CollapsesNoTriangle) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     TriMesh mesh = meshes::rough_grid(9, 9, seed, 0.35, 1.0);
     if (seed > 3) mesh.positions[40] += 1e6 * Vec3{1.0, -2.0, 3.0};
-    const auto result = evolve(mesh, GlobalPenalty{}, {.max_sweeps = 60});
+    const auto result = evolve(Patch(mesh), GlobalPenalty{}, {.max_sweeps = 60});
     for (const Vec3 p : result.positions)
       EXPECT_TRUE(std::isfinite(p.x + p.y + p.z));
     const TriMesh after{result.positions, mesh.triangles};

@@ -19,10 +19,10 @@ constexpr Stopping k_to_the_end{.max_sweeps = 100'000};
 TriMesh dented_cylinder(double dent) {
   TriMesh mesh = make_shape("cylinder", 900);
   meshes::Random random(11);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   const std::vector<Vec3> smooth = mesh.positions;
-  for (const Index v : connectivity.inner_vertices()) {
-    const auto ring = connectivity.ring(v);
+  for (const Index v : patch.inner_vertices()) {
+    const auto ring = patch.ring(v);
     const Vec3 normal = cross(smooth[ring[0]] - smooth[v], smooth[ring[1]] - smooth[v]);
     mesh.positions[v] += (dent * random.number() / norm(normal)) * normal;
   }
@@ -31,7 +31,7 @@ TriMesh dented_cylinder(double dent) {
 
 Flattenability figures_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
   const TriMesh after{positions, mesh.triangles};
-  return measure(after, Connectivity(after));
+  return measure(Patch(after));
 }
 
 double e_max_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
@@ -53,7 +53,7 @@ TEST(LocalOffset, KeepsTheBandToTheLastBit) {
     for (Vec3& p : mesh.positions)
       p += place;
     for (const double band : {1e-9, 0.01, 0.1, 1.0 / 3.0}) {
-      const auto result = evolve(mesh, LocalOffset{.band = band}, {.max_sweeps = 30});
+      const auto result = evolve(Patch(mesh), LocalOffset{.band = band}, {.max_sweeps = 30});
       const auto largest = static_cast<long double>(band);
       std::size_t on_band = 0;
       for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -71,7 +71,7 @@ TEST(LocalOffset, MovesAlongTheNormalsOfTheInput) {
   // Of a pyramid over a regular ring the normal is the axis, and the apex ends in the plane.
   for (const std::size_t valence : {3U, 5U, 8U}) {
     const TriMesh mesh = meshes::fan(valence, 0.5);
-    const auto result = evolve(mesh, LocalOffset{.band = 1.0, .enough = 1e-6}, k_to_the_end);
+    const auto result = evolve(Patch(mesh), LocalOffset{.band = 1.0, .enough = 1e-6}, k_to_the_end);
     EXPECT_EQ(result.stop, StopReason::converged);
     EXPECT_NEAR(result.positions[0].x, 0.0, 1e-12);
     EXPECT_NEAR(result.positions[0].y, 0.0, 1e-12);
@@ -81,10 +81,10 @@ TEST(LocalOffset, MovesAlongTheNormalsOfTheInput) {
 
 TEST(LocalOffset, BeginsWithTheLargestDefect) {
   const TriMesh mesh = make_shape("panel", 900);
-  const auto defects = angle_defects(mesh, Connectivity(mesh));
+  const auto defects = angle_defects(Patch(mesh));
   const auto is_smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const auto worst = std::max_element(defects.begin(), defects.end(), is_smaller);
-  const auto result = evolve(mesh, LocalOffset{.enough = 0.0, .max_updates = 1});
+  const auto result = evolve(Patch(mesh), LocalOffset{.enough = 0.0, .max_updates = 1});
   for (std::size_t v = 0; v < defects.size(); ++v) {
     const bool is_worst = v == static_cast<std::size_t>(worst - defects.begin());
     EXPECT_EQ(result.positions[v] != mesh.positions[v], is_worst) << v;
@@ -96,7 +96,7 @@ TEST(LocalOffset, EnergyNeverRisesInASweep) {
     const TriMesh mesh = meshes::rough_grid(12, 12, seed, 0.3, 0.6);
     for (const double band : {0.0, 0.1, 5.0}) {
       double energy = figures_of(mesh, mesh.positions).energy;
-      evolve(mesh, LocalOffset{.band = band, .enough = 0.0}, {.max_sweeps = 40},
+      evolve(Patch(mesh), LocalOffset{.band = band, .enough = 0.0}, {.max_sweeps = 40},
              [&](const SweepRecord& record) {
                EXPECT_LE(record.energy, energy);
                energy = record.energy;
@@ -110,7 +110,7 @@ TEST(LocalOffset, EndsWithVerticesOnTheBandWhereThatIsSmall) {
   // As printed the first vertex on the band would be tried for ever.
   const TriMesh mesh = dented_cylinder(4.0);
   for (const double band : {1e-3, 0.3, 1.0}) {
-    const auto result = evolve(mesh, LocalOffset{.band = band}, k_to_the_end);
+    const auto result = evolve(Patch(mesh), LocalOffset{.band = band}, k_to_the_end);
     EXPECT_EQ(result.stop, StopReason::stalled) << band;
     EXPECT_GT(e_max_of(mesh, result.positions), 1e-2) << band;
     std::size_t on_band = 0;
@@ -124,7 +124,7 @@ TEST(LocalOffset, BringsEveryDefectToAHundredthWhereTheBandHasRoom) {
   for (const double dent : {0.5, 1.0, 2.0}) {
     const TriMesh mesh = dented_cylinder(dent);
     ASSERT_GT(e_max_of(mesh, mesh.positions), 0.03);
-    const auto result = evolve(mesh, LocalOffset{}, k_to_the_end);
+    const auto result = evolve(Patch(mesh), LocalOffset{}, k_to_the_end);
     EXPECT_EQ(result.stop, StopReason::converged);
     EXPECT_LE(e_max_of(mesh, result.positions), 1e-2);
   }
@@ -133,7 +133,7 @@ TEST(LocalOffset, BringsEveryDefectToAHundredthWhereTheBandHasRoom) {
 TEST(LocalOffset, LeavesADefectOfAtMostEnoughAlone) {
   const TriMesh mesh = make_shape("panel", 900);
   const double e_max = e_max_of(mesh, mesh.positions);
-  const auto result = evolve(mesh, LocalOffset{.enough = 1.001 * e_max});
+  const auto result = evolve(Patch(mesh), LocalOffset{.enough = 1.001 * e_max});
   EXPECT_EQ(result.positions, mesh.positions);
   EXPECT_EQ(result.stop, StopReason::converged);
 }
@@ -141,7 +141,7 @@ TEST(LocalOffset, LeavesADefectOfAtMostEnoughAlone) {
 TEST(LocalOffset, TriesNoMoreVerticesThanAllowed) {
   const TriMesh mesh = meshes::rough_grid(12, 12, 3);
   for (const int tries : {0, 20, 150}) {
-    const auto result = evolve(mesh, LocalOffset{.max_updates = tries}, k_to_the_end);
+    const auto result = evolve(Patch(mesh), LocalOffset{.max_updates = tries}, k_to_the_end);
     std::size_t moved = 0;
     for (const SweepRecord& record : result.history)
       moved += record.moved;
@@ -154,19 +154,20 @@ TEST(LocalOffset, TriesNoMoreVerticesThanAllowed) {
 TEST(LocalOffset, GivesTheSameBitsEveryTime) {
   const TriMesh mesh = make_shape("panel", 2000);
   const LocalOffset method{.enough = 1e-3};
-  const auto one = evolve(mesh, method, {.max_sweeps = 5}, {}, 1);
+  const auto one = evolve(Patch(mesh), method, {.max_sweeps = 5}, {}, 1);
   for (const unsigned threads : {1U, 2U, 4U})
-    EXPECT_EQ(evolve(mesh, method, {.max_sweeps = 5}, {}, threads).positions, one.positions);
+    EXPECT_EQ(evolve(Patch(mesh), method, {.max_sweeps = 5}, {}, threads).positions, one.positions);
 }
 
 TEST(LocalOffset, DoesNotDependOnTheSizeOfTheModel) {
   const TriMesh mesh = meshes::rough_grid(10, 10, 12);
-  const auto after = evolve(mesh, LocalOffset{.band = 0.3}, {.max_sweeps = 5});
+  const auto after = evolve(Patch(mesh), LocalOffset{.band = 0.3}, {.max_sweeps = 5});
   for (const double size : {0x1p-400, 0x1p+40, 0x1p+700}) {
     TriMesh scaled = mesh;
     for (Vec3& p : scaled.positions)
       p = size * p;
-    const auto scaled_after = evolve(scaled, LocalOffset{.band = 0.3 * size}, {.max_sweeps = 5});
+    const auto scaled_after =
+        evolve(Patch(scaled), LocalOffset{.band = 0.3 * size}, {.max_sweeps = 5});
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
       ASSERT_EQ(scaled_after.positions[v], size * after.positions[v]) << size;
     }
@@ -177,7 +178,7 @@ TEST(LocalOffset, SurvivesASpikeAMillionTimesTheSizeOfThePatch) {
   TriMesh mesh = meshes::rough_grid(8, 8, 2);
   mesh.positions[40] = {1e6, -2e6, 3e6};
   for (const double band : {0.0, 1e300, std::numeric_limits<double>::infinity()}) {
-    const auto result = evolve(mesh, LocalOffset{.band = band}, {.max_sweeps = 20});
+    const auto result = evolve(Patch(mesh), LocalOffset{.band = band}, {.max_sweeps = 20});
     for (const Vec3 p : result.positions)
       EXPECT_TRUE(std::isfinite(p.x + p.y + p.z));
     EXPECT_LT(figures_of(mesh, result.positions).energy, figures_of(mesh, mesh.positions).energy);

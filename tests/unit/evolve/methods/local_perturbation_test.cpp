@@ -18,15 +18,15 @@ namespace planish {
 namespace {
 
 double e_max_of(const TriMesh& mesh) {
-  return measure(mesh, Connectivity(mesh)).e_max;
+  return measure(Patch(mesh)).e_max;
 }
 
 /// A flattenable patch, its inner vertices a little out of place.
 TriMesh dented(std::string_view shape, std::size_t vertices = 500, double by = 0.3) {
   TriMesh mesh = make_shape(shape, vertices);
-  const Connectivity connectivity(mesh);
+  const Patch surface(mesh);
   meshes::Random random(1);
-  for (const Index v : connectivity.inner_vertices())
+  for (const Index v : surface.inner_vertices())
     mesh.positions[v] += by * Vec3{random.number(), random.number(), random.number()};
   return mesh;
 }
@@ -44,9 +44,9 @@ TriMesh draped(double above) {
 }
 
 double least_distance(const TriMesh& mesh, const SignedDistance& obstacle) {
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   double least = std::numeric_limits<double>::infinity();
-  for (const Index v : connectivity.inner_vertices())
+  for (const Index v : patch.inner_vertices())
     least = std::min(least, obstacle.at(mesh.positions[v]).value);
   return least;
 }
@@ -55,7 +55,8 @@ TEST(LocalPerturbation, MakesNearlyFlattenablePatchesFlattenable) {
   for (const char* shape : {"cylinder", "cone", "tangent"}) {
     const TriMesh mesh = dented(shape);
     EXPECT_GT(e_max_of(mesh), 5e-3) << shape;
-    const auto result = evolve(mesh, LocalPerturbation{}, usual_stopping(LocalPerturbation{}));
+    const auto result =
+        evolve(Patch(mesh), LocalPerturbation{}, usual_stopping(LocalPerturbation{}));
     EXPECT_EQ(result.stop, StopReason::converged) << shape;
     EXPECT_LE(e_max_of({result.positions, mesh.triangles}), 1e-3) << shape;
     EXPECT_EQ(result.history.back().status, SweepStatus::converged);
@@ -67,8 +68,8 @@ TEST(LocalPerturbation, LeavesTheBestStateAndTellsItTruly) {
   double best = e_max_of(mesh);
   int idle = 0, better_after_idle = 0;
   TriMesh now = mesh;
-  const Connectivity connectivity(mesh);
-  Evolver evolver(mesh, connectivity, LocalPerturbation{});
+  const Patch patch(mesh);
+  Evolver evolver(patch, LocalPerturbation{});
   for (int sweep = 0; sweep < 10 && better_after_idle == 0; ++sweep) {
     const SweepRecord record = evolver.step();
     now.positions = evolver.positions();
@@ -87,7 +88,7 @@ TEST(LocalPerturbation, EndsWhereNothingBetterIsFound) {
   // Steps as long as they may be, on what is far from flattenable.
   for (const char* shape : {"dome", "saddle"}) {
     const TriMesh mesh = make_shape(shape, 100);
-    const auto result = evolve(mesh, LocalPerturbation{.tau = 1.0}, {.max_sweeps = 500});
+    const auto result = evolve(Patch(mesh), LocalPerturbation{.tau = 1.0}, {.max_sweeps = 500});
     EXPECT_TRUE(result.stop == StopReason::converged || result.stop == StopReason::stalled);
     EXPECT_LE(e_max_of({result.positions, mesh.triangles}), e_max_of(mesh));
   }
@@ -95,7 +96,7 @@ TEST(LocalPerturbation, EndsWhereNothingBetterIsFound) {
 
 TEST(LocalPerturbation, IsDoneAtOnceWhereLittleIsWrong) {
   const TriMesh mesh = dented("cone", 300, 0.001);
-  const auto result = evolve(mesh, LocalPerturbation{.enough = 2.0 * e_max_of(mesh)});
+  const auto result = evolve(Patch(mesh), LocalPerturbation{.enough = 2.0 * e_max_of(mesh)});
   EXPECT_EQ(result.stop, StopReason::converged);
   EXPECT_EQ(result.positions, mesh.positions);
   EXPECT_EQ(result.history.size(), 1U);
@@ -113,7 +114,7 @@ TEST(LocalPerturbation, KeepsEveryTriangleAnArea) {
     }
     return least;
   };
-  const auto result = evolve(mesh, LocalPerturbation{.tau = 1.0}, {.max_sweeps = 5});
+  const auto result = evolve(Patch(mesh), LocalPerturbation{.tau = 1.0}, {.max_sweeps = 5});
   EXPECT_NE(result.positions, mesh.positions);
   EXPECT_GT(smallest_height({result.positions, mesh.triangles}), 0.0);
   for (const Vec3 p : result.positions)
@@ -122,7 +123,8 @@ TEST(LocalPerturbation, KeepsEveryTriangleAnArea) {
 
 TEST(LocalPerturbation, StaysWithinTheDeviation) {
   const TriMesh mesh = dented("cylinder", 200);
-  const auto result = evolve(mesh, LocalPerturbation{.max_deviation = 0.05}, {.max_sweeps = 10});
+  const auto result =
+      evolve(Patch(mesh), LocalPerturbation{.max_deviation = 0.05}, {.max_sweeps = 10});
   double farthest = 0.0;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     farthest = std::max(farthest, norm(result.positions[v] - mesh.positions[v]));
@@ -136,7 +138,8 @@ TEST(LocalPerturbation, MovesTheDearLess) {
     Constraints constraints{.weights = std::vector<double>(mesh.positions.size(), 1.0)};
     for (std::size_t v = 0; v < mesh.positions.size(); v += 2)
       constraints.weights[v] = weight;
-    const auto result = evolve(mesh, LocalPerturbation{}, {.max_sweeps = 5}, {}, 0, constraints);
+    const auto result =
+        evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 5}, {}, 0, constraints);
     double dear = 0.0;
     for (std::size_t v = 0; v < mesh.positions.size(); v += 2)
       dear += norm(result.positions[v] - mesh.positions[v]);
@@ -150,9 +153,10 @@ TEST(LocalPerturbation, OfEqualWeightsDoesNotDependOnTheirSize) {
   const TriMesh mesh = dented("cone", 150);
   const auto with = [&](double weight) {
     const Constraints constraints{.weights = std::vector(mesh.positions.size(), weight)};
-    return evolve(mesh, LocalPerturbation{}, {.max_sweeps = 3}, {}, 0, constraints).positions;
+    return evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 3}, {}, 0, constraints)
+        .positions;
   };
-  EXPECT_EQ(with(1.0), evolve(mesh, LocalPerturbation{}, {.max_sweeps = 3}).positions);
+  EXPECT_EQ(with(1.0), evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 3}).positions);
   EXPECT_EQ(with(4.0), with(1.0));
 }
 
@@ -160,7 +164,8 @@ TEST(LocalPerturbation, GivesTheSameBitsAlways) {
   const TriMesh mesh = draped(0.01);
   const Constraints constraints{.obstacle = solids::cube()};
   const auto run = [&](unsigned threads) {
-    return evolve(mesh, LocalPerturbation{}, {.max_sweeps = 4}, {}, threads, constraints).positions;
+    return evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 4}, {}, threads, constraints)
+        .positions;
   };
   const auto once = run(1);
   EXPECT_NE(once, mesh.positions);
@@ -171,14 +176,14 @@ TEST(LocalPerturbation, GivesTheSameBitsAlways) {
 TEST(LocalPerturbation, DoesTheSameToAPatchOfAnotherSize) {
   TriMesh mesh = draped(0.01), larger = mesh;
   Constraints constraints{.obstacle = solids::cube()};
-  const auto small =
-      evolve(mesh, LocalPerturbation{.clearance = 0.005}, {.max_sweeps = 3}, {}, 0, constraints);
+  const auto small = evolve(Patch(mesh), LocalPerturbation{.clearance = 0.005}, {.max_sweeps = 3},
+                            {}, 0, constraints);
   for (Vec3& p : larger.positions)
     p = 1024.0 * p;
   for (Vec3& p : constraints.obstacle.positions)
     p = 1024.0 * p;
-  const auto large =
-      evolve(larger, LocalPerturbation{.clearance = 5.12}, {.max_sweeps = 3}, {}, 0, constraints);
+  const auto large = evolve(Patch(larger), LocalPerturbation{.clearance = 5.12}, {.max_sweeps = 3},
+                            {}, 0, constraints);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     EXPECT_EQ(large.positions[v], 1024.0 * small.positions[v]);
 }
@@ -206,10 +211,10 @@ TEST_P(Obstacles, AreNotEntered) {
   const TriMesh mesh = patch(0.0);
   const SignedDistance distance(obstacle());
   ASSERT_GE(least_distance(mesh, distance), 0.0);
-  const auto free = evolve(mesh, LocalPerturbation{}, {.max_sweeps = 8});
+  const auto free = evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 8});
   EXPECT_LT(least_distance({free.positions, mesh.triangles}, distance), -1e-4);
   const auto kept =
-      evolve(mesh, LocalPerturbation{}, {.max_sweeps = 8}, {}, 0, {.obstacle = obstacle()});
+      evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 8}, {}, 0, {.obstacle = obstacle()});
   EXPECT_GE(least_distance({kept.positions, mesh.triangles}, distance), 0.0);
   // It still does something for the patch.
   EXPECT_LT(kept.history.back().e_max, 0.8 * e_max_of(mesh));
@@ -219,8 +224,8 @@ TEST_P(Obstacles, KeepTheirClearance) {
   const TriMesh mesh = patch(0.02);
   const SignedDistance distance(obstacle());
   ASSERT_GE(least_distance(mesh, distance), 0.015);
-  const auto kept = evolve(mesh, LocalPerturbation{.clearance = 0.015}, {.max_sweeps = 8}, {}, 0,
-                           {.obstacle = obstacle()});
+  const auto kept = evolve(Patch(mesh), LocalPerturbation{.clearance = 0.015}, {.max_sweeps = 8},
+                           {}, 0, {.obstacle = obstacle()});
   EXPECT_NE(kept.positions, mesh.positions);
   // But for rounding, as the method computes in another unit.
   EXPECT_GE(least_distance({kept.positions, mesh.triangles}, distance), 0.015 - 1e-14);
@@ -231,14 +236,14 @@ TEST_P(Obstacles, PushOutWhatBeginsInside) {
   const SignedDistance distance(obstacle());
   ASSERT_LT(least_distance(mesh, distance), -0.02);
   TriMesh now = mesh;
-  const Connectivity connectivity(mesh);
+  const Patch surface(mesh);
   const Constraints constraints{.obstacle = obstacle()};
-  Evolver evolver(mesh, connectivity, LocalPerturbation{}, 0, constraints);
+  Evolver evolver(surface, LocalPerturbation{}, 0, constraints);
   for (int sweep = 0; sweep < 5; ++sweep) {
     const std::vector<Vec3> before = evolver.positions();
     evolver.step();
     now.positions = evolver.positions();
-    for (const Index v : connectivity.inner_vertices()) {
+    for (const Index v : surface.inner_vertices()) {
       const double was = distance.at(before[v]).value, is = distance.at(now.positions[v]).value;
       EXPECT_GE(is, std::min(was, 0.0) - 1e-15);
     }
@@ -248,12 +253,12 @@ TEST_P(Obstacles, PushOutWhatBeginsInside) {
 
 TEST_P(Obstacles, LeaveFixedVerticesWhereTheyAre) {
   const TriMesh mesh = patch(-0.03);
-  const Connectivity connectivity(mesh);
+  const Patch surface(mesh);
   Constraints constraints{.obstacle = obstacle()};
-  for (const Index v : connectivity.inner_vertices()) {
+  for (const Index v : surface.inner_vertices()) {
     if (v % 2 == 0) constraints.fixed.push_back(v);
   }
-  const auto result = evolve(mesh, LocalPerturbation{}, {.max_sweeps = 5}, {}, 0, constraints);
+  const auto result = evolve(surface, LocalPerturbation{}, {.max_sweeps = 5}, {}, 0, constraints);
   EXPECT_NE(result.positions, mesh.positions);
   for (const Index v : constraints.fixed)
     EXPECT_EQ(result.positions[v], mesh.positions[v]);
@@ -265,7 +270,7 @@ INSTANTIATE_TEST_SUITE_P(LocalPerturbation, Obstacles, testing::Values("cube", "
 TEST(LocalPerturbation, RefusesAnObstacleWithoutAnInside) {
   const TriMesh mesh = draped(0.1);
   try {
-    evolve(mesh, LocalPerturbation{}, {}, {}, 0, {.obstacle = meshes::flat_grid(4, 4)});
+    evolve(Patch(mesh), LocalPerturbation{}, {}, {}, 0, {.obstacle = meshes::flat_grid(4, 4)});
     ADD_FAILURE() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::open_surface);

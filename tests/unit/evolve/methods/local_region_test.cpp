@@ -3,7 +3,7 @@
 #include <map>
 #include <queue>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 
 #include <gtest/gtest.h>
 
@@ -15,10 +15,10 @@ namespace planish {
 namespace {
 
 /// A patch with what regions of it need.
-struct Patch {
+struct Prepared {
   TriMesh mesh = meshes::rough_grid(11, 9, 3, 0.2, 0.2);
   ThreadPool pool{1};
-  PatchState state{mesh, Connectivity(mesh), pool};
+  PatchState state{Patch(mesh), pool};
   std::vector<std::span<const Index>> rings = rings_by_vertex(state.plan());
 
   LocalRegion region(Index center, int radius, const std::function<bool(Index)>& may_move) {
@@ -31,7 +31,7 @@ bool any(Index) {
 }
 
 TEST(LocalRegion, IsAllThatIsSoManyEdgesAway) {
-  Patch patch;
+  Prepared patch;
   for (const int radius : {1, 2, 3}) {
     for (Index center = 0; center < patch.rings.size(); center += 5) {
       std::map<Index, int> distance{{center, 0}};
@@ -55,7 +55,7 @@ TEST(LocalRegion, IsAllThatIsSoManyEdgesAway) {
 }
 
 TEST(LocalRegion, MovesOnlyWhatMayMoveButConstrainsAll) {
-  Patch patch;
+  Prepared patch;
   const LocalRegion whole = patch.region(7, 2, any);
   const LocalRegion even = patch.region(7, 2, [](Index v) { return v % 2 == 0; });
   EXPECT_EQ(even.constrained, whole.constrained);
@@ -68,7 +68,7 @@ TEST(LocalRegion, MovesOnlyWhatMayMoveButConstrainsAll) {
 }
 
 TEST(AngleRows, AreTheDifferenceQuotientsOfTheAngleSums) {
-  Patch patch;
+  Prepared patch;
   const PatchState& state = patch.state;
   const LocalRegion region = patch.region(40, 1, [](Index v) { return v % 3 != 0; });
   const Eigen::MatrixXd rows = angle_rows(region, patch.rings, patch.state.sites());
@@ -94,7 +94,7 @@ TEST(AngleRows, AreTheDifferenceQuotientsOfTheAngleSums) {
 
 TEST(AngleRows, SumToNothingWhereNoBorderIsNear) {
   // Moving a vertex conserves the total of the angle sums.
-  Patch patch;
+  Prepared patch;
   for (Index center = 0; center < patch.rings.size(); ++center) {
     const LocalRegion region = patch.region(center, 1, any);
     const bool is_inside =

@@ -19,9 +19,9 @@ class Laid {
  public:
   Laid(const TriMesh& mesh, BorderRule border, const Constraints& constraints = {})
       : mesh_(mesh),
-        connectivity_(mesh_),
+        patch_(mesh_),
         pool_(2),
-        state_(mesh_, connectivity_, pool_, constraints),
+        state_(patch_, pool_, constraints),
         merit_(state_, border, pool_) {}
 
   const TriMesh& mesh() const { return mesh_; }
@@ -52,7 +52,7 @@ class Laid {
 
  private:
   TriMesh mesh_;
-  Connectivity connectivity_;
+  Patch patch_;
   ThreadPool pool_;
   PatchState state_;
   PenaltyMerit merit_;

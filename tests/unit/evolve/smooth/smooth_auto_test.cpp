@@ -20,20 +20,20 @@ Auto smooth() {
 }
 
 EvolveResult run(const TriMesh& mesh, const Auto& method, unsigned threads = 1) {
-  return evolve(mesh, method, usual_stopping(method), {}, threads);
+  return evolve(Patch(mesh), method, usual_stopping(method), {}, threads);
 }
 
 double rms_strain(const TriMesh& mesh, const std::vector<Vec3>& positions) {
   const TriMesh after{positions, mesh.triangles};
-  const Connectivity connectivity(after);
-  return edge_strain(after, connectivity, unfold(after, connectivity).positions).rms;
+  const Patch patch(after);
+  return edge_strain(patch, unfold(patch).positions).rms;
 }
 
 double farthest(const TriMesh& mesh, const std::vector<Vec3>& positions, bool of_border) {
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   double most = 0.0;
   for (Index v = 0; v < positions.size(); ++v) {
-    if (connectivity.is_border(v) == of_border)
+    if (patch.is_border(v) == of_border)
       most = std::max(most, norm(positions[v] - mesh.positions[v]));
   }
   return most;
@@ -45,7 +45,7 @@ TEST(SmoothAuto, LeavesNoMeasurableStrainAndNoCrumples) {
     const EvolveResult result = run(mesh, smooth());
     EXPECT_EQ(result.stop, StopReason::strain_met) << size;
     EXPECT_LE(rms_strain(mesh, result.positions), 1.1 * k_no_strain) << size;
-    EXPECT_TRUE(measure_fairness(mesh, Connectivity(mesh), result.positions).is_smooth()) << size;
+    EXPECT_TRUE(measure_fairness(Patch(mesh), result.positions).is_smooth()) << size;
     EXPECT_EQ(farthest(mesh, result.positions, true), 0.0) << size;
   }
 }
@@ -54,7 +54,7 @@ TEST(SmoothAuto, GoesFromCoarseToFine) {
   const TriMesh mesh = make_shape("panel", 6000);
   const EvolveResult result = run(mesh, smooth(), 2);
   EXPECT_LE(rms_strain(mesh, result.positions), 1.1 * k_no_strain);
-  EXPECT_TRUE(measure_fairness(mesh, Connectivity(mesh), result.positions).is_smooth());
+  EXPECT_TRUE(measure_fairness(Patch(mesh), result.positions).is_smooth());
   EXPECT_LT(result.history.front().level->inner_vertices,
             result.history.back().level->inner_vertices);
   EXPECT_EQ(run(mesh, smooth(), 1).positions, result.positions);
@@ -64,21 +64,21 @@ TEST(SmoothAuto, KeepsWhatCoarseLevelsFoundWhenCancelled) {
   const TriMesh mesh = make_shape("panel", 6000);
   const Auto method = smooth();
   const auto on_sweep = [](const SweepRecord& record) { return record.sweep < 6; };
-  const EvolveResult result = evolve(mesh, method, usual_stopping(method), on_sweep, 1);
+  const EvolveResult result = evolve(Patch(mesh), method, usual_stopping(method), on_sweep, 1);
   EXPECT_EQ(result.stop, StopReason::cancelled);
   EXPECT_LT(rms_strain(mesh, result.positions), 0.8 * rms_strain(mesh, mesh.positions));
 }
 
 TEST(SmoothAuto, StaysNearerTheMoreStrainMayStay) {
   const TriMesh mesh = make_shape("panel", 800);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   double before = 1e300;
   for (const double limit : {0.001, 0.002, 0.004}) {
     Auto method = smooth();
     method.max_rms_strain = limit;
     const EvolveResult result = run(mesh, method);
     EXPECT_LE(rms_strain(mesh, result.positions), 1.1 * limit) << limit;
-    const double away = measure_deviation(mesh, result.positions, connectivity).rms;
+    const double away = measure_deviation(patch, result.positions).rms;
     EXPECT_LT(away, before) << limit;
     before = away;
   }
@@ -88,18 +88,18 @@ TEST(SmoothAuto, StaysSmoothWhereTheBorderForbidsFlatness) {
   const TriMesh dome = make_shape("dome", 500);
   const EvolveResult result = run(dome, smooth());
   EXPECT_NE(result.stop, StopReason::strain_met);
-  EXPECT_TRUE(measure_fairness(dome, Connectivity(dome), result.positions).is_smooth());
+  EXPECT_TRUE(measure_fairness(Patch(dome), result.positions).is_smooth());
   EXPECT_LE(rms_strain(dome, result.positions), rms_strain(dome, dome.positions) + 1e-12);
 }
 
 TEST(SmoothAuto, BecomesFlattenableWhereThatIsPreferred) {
   const TriMesh mesh = make_shape("panel", 800);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   const EvolveResult result = run(mesh, {.prefer = Prefer::flat});
   EXPECT_EQ(result.stop, StopReason::converged);
   const TriMesh after{result.positions, mesh.triangles};
-  EXPECT_LE(measure(after, connectivity).e_max, k_flattenable_e_max);
-  EXPECT_LE(*measure_fairness(mesh, connectivity, result.positions).bending_ratio, 1.6);
+  EXPECT_LE(measure(Patch(after)).e_max, k_flattenable_e_max);
+  EXPECT_LE(*measure_fairness(patch, result.positions).bending_ratio, 1.6);
 }
 
 TEST(SmoothAuto, KeepsTheLimitOfDeviation) {
@@ -114,8 +114,8 @@ TEST(SmoothAuto, KeepsTheLimitOfDeviation) {
 
 TEST(SmoothAuto, MovesTheBorderWithinItsDistance) {
   const TriMesh mesh = make_shape("panel", 800);
-  const Connectivity connectivity(mesh);
-  const double held = measure_deviation(mesh, run(mesh, smooth()).positions, connectivity).rms;
+  const Patch patch(mesh);
+  const double held = measure_deviation(patch, run(mesh, smooth()).positions).rms;
   Auto method = smooth();
   method.border = {BorderFreedom::Rule::within,
                    0.02 * norm(mesh.positions.front() - mesh.positions.back())};
@@ -124,7 +124,7 @@ TEST(SmoothAuto, MovesTheBorderWithinItsDistance) {
   const double far = farthest(mesh, result.positions, true);
   EXPECT_GT(far, 0.0);
   EXPECT_LE(far, method.border.distance * (1.0 + 1e-12));
-  EXPECT_LT(measure_deviation(mesh, result.positions, connectivity).rms, held);
+  EXPECT_LT(measure_deviation(patch, result.positions).rms, held);
 }
 
 TEST(SmoothAuto, MovesTheDearLess) {
@@ -140,19 +140,21 @@ TEST(SmoothAuto, MovesTheDearLess) {
   Constraints constraints;
   constraints.weights.assign(mesh.positions.size(), 1.0);
   constraints.weights[farthest_vertex] = 1e4;
-  const auto dear = evolve(mesh, smooth(), usual_stopping(smooth()), {}, 1, constraints).positions;
+  const auto dear =
+      evolve(Patch(mesh), smooth(), usual_stopping(smooth()), {}, 1, constraints).positions;
   EXPECT_LT(away(dear, farthest_vertex), 0.5 * away(plain, farthest_vertex));
 }
 
 TEST(SmoothAuto, LeavesFixedVertices) {
   const TriMesh mesh = make_shape("panel", 400);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   Constraints constraints;
   for (Index v = 0; v < mesh.positions.size(); v += 40) {
-    if (!connectivity.is_border(v)) constraints.fixed.push_back(v);
+    if (!patch.is_border(v)) constraints.fixed.push_back(v);
   }
   ASSERT_FALSE(constraints.fixed.empty());
-  const auto after = evolve(mesh, smooth(), usual_stopping(smooth()), {}, 1, constraints).positions;
+  const auto after =
+      evolve(patch, smooth(), usual_stopping(smooth()), {}, 1, constraints).positions;
   for (const Index v : constraints.fixed)
     EXPECT_EQ(after[v], mesh.positions[v]);
   EXPECT_NE(after, mesh.positions);
@@ -185,7 +187,7 @@ TEST(SmoothAuto, WorksOnFewInnerVertices) {
     cap.triangles.push_back({6 + k, 6 + next, 12});
   }
   const EvolveResult result = run(cap, smooth());
-  EXPECT_TRUE(measure_fairness(cap, Connectivity(cap), result.positions).is_smooth());
+  EXPECT_TRUE(measure_fairness(Patch(cap), result.positions).is_smooth());
   EXPECT_LE(rms_strain(cap, result.positions), rms_strain(cap, cap.positions) + 1e-12);
 }
 

@@ -92,9 +92,9 @@ void expect_solved_as_dense(const Constraints& constraints,
                             std::span<const unsigned char> border_movable,
                             SmoothMoves moves = SmoothMoves::free) {
   const TriMesh mesh = make_shape("panel", 100);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   ThreadPool pool(1);
-  const PatchState state(mesh, connectivity, pool, constraints);
+  const PatchState state(patch, pool, constraints);
   AngleJacobian jacobian(state, border_movable);
   jacobian.update(pool);
   const HingeTerms hinges(state);
@@ -143,10 +143,10 @@ TEST(SmoothSystem, SolvesAsTheDenseMatrixDoes) {
 
 TEST(SmoothSystem, HoldsWhatIsFixed) {
   const TriMesh mesh = make_shape("panel", 100);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   std::vector<Index> inner;
   for (Index v = 0; v < mesh.positions.size(); ++v) {
-    if (!connectivity.is_border(v)) inner.push_back(v);
+    if (!patch.is_border(v)) inner.push_back(v);
   }
   expect_solved_as_dense({.fixed = {inner[3], inner[20]}}, {});
   expect_solved_as_dense({.fixed = {inner[3], inner[20]}}, {}, SmoothMoves::along_normals);
@@ -154,10 +154,10 @@ TEST(SmoothSystem, HoldsWhatIsFixed) {
 
 TEST(SmoothSystem, MovesTheBorderWhereItMay) {
   const TriMesh mesh = make_shape("panel", 100);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   std::vector<unsigned char> movable;
   for (Index v = 0; v < mesh.positions.size(); ++v) {
-    if (connectivity.is_border(v)) movable.push_back(movable.size() % 3 != 0 ? 1 : 0);
+    if (patch.is_border(v)) movable.push_back(movable.size() % 3 != 0 ? 1 : 0);
   }
   expect_solved_as_dense({}, movable);
   expect_solved_as_dense({}, movable, SmoothMoves::along_normals);

@@ -11,13 +11,13 @@
 namespace planish {
 namespace {
 
-struct Patch {
-  explicit Patch(TriMesh of) : mesh(std::move(of)) {}
+struct Prepared {
+  explicit Prepared(TriMesh of) : mesh(std::move(of)) {}
 
   TriMesh mesh;
-  Connectivity connectivity{mesh};
+  Patch surface{mesh};
   ThreadPool pool{1};
-  PatchState state{mesh, connectivity, pool};
+  PatchState state{surface, pool};
 };
 
 /// The difference quotient of a function by the place of a vertex.
@@ -44,17 +44,15 @@ void expect_near(Vec3 a, Vec3 b, double most) {
 
 TEST(HingeTerms, HaveTheBendingOfTheMesh) {
   for (const char* name : {"panel", "saddle", "cylinder"}) {
-    Patch patch(make_shape(name, 300));
+    Prepared patch(make_shape(name, 300));
     HingeTerms hinges(patch.state);
     hinges.take_weights(patch.pool);
-    EXPECT_NEAR(hinges.bending(patch.pool), measure_bending(patch.mesh, patch.connectivity).bending,
-                1e-9)
-        << name;
+    EXPECT_NEAR(hinges.bending(patch.pool), measure_bending(patch.surface).bending, 1e-9) << name;
   }
 }
 
 TEST(HingeTerms, SlopesAreDifferenceQuotients) {
-  Patch patch(make_shape("panel", 100));
+  Prepared patch(make_shape("panel", 100));
   const HingeTerms hinges(patch.state);
   for (std::size_t h = 0; h < hinges.size(); ++h) {
     const HingeTerms::Slope slope = hinges.slope(h);
@@ -67,7 +65,7 @@ TEST(HingeTerms, SlopesAreDifferenceQuotients) {
 }
 
 TEST(HingeTerms, AreZeroWhereATriangleHasNoArea) {
-  Patch patch({{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 0}}, {{0, 1, 2}, {1, 0, 3}}});
+  Prepared patch({{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 0}}, {{0, 1, 2}, {1, 0, 3}}});
   HingeTerms hinges(patch.state);
   ASSERT_EQ(hinges.size(), 1U);
   hinges.take_weights(patch.pool);
@@ -82,7 +80,7 @@ void squeeze(PatchState& state) {
 }
 
 TEST(ShapeGuard, IsNothingForTheDesign) {
-  Patch patch(make_shape("panel", 100));
+  Prepared patch(make_shape("panel", 100));
   const ShapeGuard guard(patch.state, 0.05);
   EXPECT_LT(guard.value(patch.pool), 1e-25);
   for (std::size_t c = 0; c < guard.corner_count(); ++c)
@@ -90,7 +88,7 @@ TEST(ShapeGuard, IsNothingForTheDesign) {
 }
 
 TEST(ShapeGuard, CountsStrainByArea) {
-  Patch patch(make_shape("panel", 100));
+  Prepared patch(make_shape("panel", 100));
   const ShapeGuard guard(patch.state, 0.05);
   // All edges are 3 % longer.
   for (std::size_t v = 0; v < patch.state.vertex_count(); ++v)
@@ -100,7 +98,7 @@ TEST(ShapeGuard, CountsStrainByArea) {
 }
 
 TEST(ShapeGuard, SlopesAreDifferenceQuotients) {
-  Patch patch(make_shape("panel", 100));
+  Prepared patch(make_shape("panel", 100));
   const ShapeGuard guard(patch.state, 0.05);
   squeeze(patch.state);
   const auto value = [&] { return guard.value(patch.pool); };

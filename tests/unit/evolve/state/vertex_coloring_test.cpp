@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include <planish/mesh/connectivity.h>
+#include <planish/mesh/patch.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>

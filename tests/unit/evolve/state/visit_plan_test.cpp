@@ -17,9 +17,9 @@ namespace {
 
 struct Planned {
   TriMesh mesh;
-  Connectivity connectivity{mesh};
+  Patch surface{mesh};
   ThreadPool pool;
-  PatchState state{mesh, connectivity, pool};
+  PatchState state{surface, pool};
 
   explicit Planned(TriMesh m, unsigned threads = 2) : mesh(std::move(m)), pool(threads) {}
   const VisitPlan& plan() const { return state.plan(); }
@@ -42,7 +42,7 @@ TEST(VisitPlan, VisitsEveryInnerVertexOnceWithItsRing) {
       const Index v = plan.visits[i];
       ++visits[v];
       // The same neighbours in the same order as in the mesh.
-      const auto expected = planned.connectivity.ring(planned.state.vertex_of(v));
+      const auto expected = planned.surface.ring(planned.state.vertex_of(v));
       ASSERT_EQ(run.valence, expected.size());
       for (std::size_t j = 0; j < expected.size(); ++j)
         EXPECT_EQ(planned.state.vertex_of(plan.ring(run, i)[j]), expected[j]);
@@ -137,7 +137,7 @@ TEST(VisitPlan, TakesVerticesThatAllLieInOnePlace) {
   TriMesh mesh = make_shape("panel", 20'000);
   for (Vec3& p : mesh.positions)
     p = 1e-9 * p;
-  mesh.positions[Connectivity(mesh).border_loops()[0][0]] = {1e3, 0.0, 0.0};
+  mesh.positions[Patch(mesh).border_loops()[0][0]] = {1e3, 0.0, 0.0};
   const Planned planned(mesh);
   std::set<Index> visited(planned.plan().visits.begin(), planned.plan().visits.end());
   EXPECT_EQ(visited.size(), planned.state.inner_count());

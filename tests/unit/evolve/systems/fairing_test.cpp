@@ -13,11 +13,11 @@
 namespace planish {
 namespace {
 
-struct Patch {
-  explicit Patch(const char* name) : mesh(make_shape(name, 300)), state(mesh, connectivity, pool) {}
+struct Prepared {
+  explicit Prepared(const char* name) : mesh(make_shape(name, 300)), state(surface, pool) {}
 
   TriMesh mesh;
-  Connectivity connectivity{mesh};
+  Patch surface{mesh};
   ThreadPool pool{1};
   PatchState state;
   std::vector<unsigned char> movable = std::vector<unsigned char>(state.inner_count(), 1);
@@ -78,7 +78,7 @@ TEST(MixedArea, IsAThirdOfARegularHexagonAndHalfOfObtuseTriangles) {
 }
 
 /// What the fairing makes smallest, written out.
-double merit(const Patch& patch, const Positions& targets, const Positions& positions,
+double merit(const Prepared& patch, const Positions& targets, const Positions& positions,
              LaplacianWeights kind) {
   // L is that of the patch as it was.
   double area = 0.0;
@@ -110,7 +110,7 @@ double merit(const Patch& patch, const Positions& targets, const Positions& posi
 class FairingKinds : public testing::TestWithParam<LaplacianWeights> {};
 
 TEST_P(FairingKinds, EndAtTheMinimumOfWhatTheyMakeSmall) {
-  Patch patch("dome");
+  Prepared patch("dome");
   for (std::size_t v = 0; v < patch.weights.size(); v += 3)
     patch.weights[v] = 4.0;
   const Fairing fairing(patch.state, patch.movable, GetParam(), patch.weights, patch.pool);
@@ -134,7 +134,7 @@ TEST_P(FairingKinds, EndAtTheMinimumOfWhatTheyMakeSmall) {
 }
 
 TEST_P(FairingKinds, LeaveWhatIsHeldAtItsTarget) {
-  Patch patch("saddle");
+  Prepared patch("saddle");
   patch.movable[5] = patch.movable[50] = 0;
   const Fairing fairing(patch.state, patch.movable, GetParam(), patch.weights, patch.pool);
   const Positions targets = inner_positions(patch.state);

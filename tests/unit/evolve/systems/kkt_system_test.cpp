@@ -16,11 +16,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// A patch laid out, with its Jacobian, sparse and dense.
-struct Patch {
-  explicit Patch(const Constraints& constraints = {})
+struct Prepared {
+  explicit Prepared(const Constraints& constraints = {})
       : mesh(make_shape("panel", 150)),
-        connectivity(mesh),
-        state(mesh, connectivity, pool, constraints),
+        surface(mesh),
+        state(surface, pool, constraints),
         jacobian(state) {
     jacobian.update(pool);
     const auto n = static_cast<Eigen::Index>(state.inner_count());
@@ -41,7 +41,7 @@ struct Patch {
   }
 
   TriMesh mesh;
-  Connectivity connectivity;
+  Patch surface;
   ThreadPool pool{1};
   PatchState state;
   AngleJacobian jacobian;
@@ -74,7 +74,7 @@ Positions some_forces(std::size_t count) {
 }
 
 TEST(KktSystem, SolvesWhatADenseSolverSolves) {
-  Patch patch;
+  Prepared patch;
   const auto n = static_cast<Eigen::Index>(patch.state.inner_count());
   const SparseMatrix hessian = spring_matrix(patch.state);
   KktSystem system(patch.jacobian, patch.state, hessian);
@@ -82,7 +82,7 @@ TEST(KktSystem, SolvesWhatADenseSolverSolves) {
   ASSERT_TRUE(system.factor(mu, patch.pool));
   const Positions forces = some_forces(patch.state.inner_count());
   const VectorXd turn = VectorXd::LinSpaced(n, -0.1, 0.2);
-  const VectorXd move = Patch::flat(system.solve(forces, turn, patch.pool));
+  const VectorXd move = Prepared::flat(system.solve(forces, turn, patch.pool));
 
   const MatrixXd h = MatrixXd(hessian).selfadjointView<Eigen::Lower>();
   MatrixXd kkt = MatrixXd::Zero(4 * n, 4 * n);
@@ -95,13 +95,13 @@ TEST(KktSystem, SolvesWhatADenseSolverSolves) {
   const double mean = patch.dense.squaredNorm() / static_cast<double>(n);
   kkt.bottomRightCorner(n, n).diagonal().setConstant(-mu * mean);
   VectorXd right(4 * n);
-  right << Patch::flat(forces), turn;
+  right << Prepared::flat(forces), turn;
   const VectorXd expected = kkt.fullPivLu().solve(right).head(3 * n);
   EXPECT_LT((move - expected).norm(), 1e-9 * expected.norm());
 }
 
 TEST(DualSystem, SolvesWhatADenseSolverSolves) {
-  Patch patch;
+  Prepared patch;
   const auto n = static_cast<Eigen::Index>(patch.state.inner_count());
   std::vector<double> inverse_weights;
   VectorXd s(3 * n);
@@ -123,7 +123,7 @@ TEST(DualSystem, SolvesWhatADenseSolverSolves) {
 }
 
 TEST(DualSystem, IsDampedByWhatItIsTold) {
-  Patch patch;
+  Prepared patch;
   const auto n = static_cast<Eigen::Index>(patch.state.inner_count());
   const std::vector<double> inverse_weights(patch.state.inner_count(), 1.0);
   // Rows 0 and n - 1 do not meet: what is between them goes to the diagonal.
@@ -155,18 +155,18 @@ TEST(DualSystem, IsDampedByWhatItIsTold) {
 }
 
 TEST(AngleJacobian, MultipliesAsItsDenseTwin) {
-  Patch patch;
+  Prepared patch;
   const Positions moves = some_forces(patch.state.inner_count());
-  const VectorXd product = patch.dense * Patch::flat(moves);
+  const VectorXd product = patch.dense * Prepared::flat(moves);
   EXPECT_LT((patch.jacobian.times(moves) - product).norm(), 1e-13 * product.norm());
   const VectorXd y = VectorXd::LinSpaced(product.size(), 1.0, 3.0);
   const VectorXd transposed = patch.dense.transpose() * y;
-  EXPECT_LT((Patch::flat(patch.jacobian.transposed_times(y)) - transposed).norm(),
+  EXPECT_LT((Prepared::flat(patch.jacobian.transposed_times(y)) - transposed).norm(),
             1e-13 * transposed.norm());
 }
 
 TEST(AngleJacobian, IsTheDerivativeOfTheAngleSums) {
-  Patch patch;
+  Prepared patch;
   const Positions directions = some_forces(patch.state.inner_count());
   const Positions start = inner_positions(patch.state);
   const auto defects_at = [&](double t) {
@@ -183,9 +183,9 @@ TEST(AngleJacobian, IsTheDerivativeOfTheAngleSums) {
 TEST(AngleJacobian, HasNoColumnsForWhatMayNotMove) {
   Constraints constraints;
   const TriMesh mesh = make_shape("panel", 150);
-  const Connectivity connectivity(mesh);
-  constraints.fixed = {connectivity.inner_vertices()[10], connectivity.inner_vertices()[11]};
-  Patch patch(constraints);
+  const Patch surface(mesh);
+  constraints.fixed = {surface.inner_vertices()[10], surface.inner_vertices()[11]};
+  Prepared patch(constraints);
   std::size_t held = 0;
   for (Index v = 0; v < patch.state.inner_count(); ++v) {
     if (!patch.state.is_fixed(v)) continue;

@@ -18,9 +18,9 @@ namespace {
 class MoveCheckTest : public testing::Test {
  protected:
   const TriMesh mesh_ = meshes::rough_grid(6, 6, 3);
-  const Connectivity connectivity_{mesh_};
+  const Patch patch_{mesh_};
   ThreadPool pool_{1};
-  PatchState state_{mesh_, connectivity_, pool_};
+  PatchState state_{patch_, pool_};
   const MoveCheck check_{state_};
 };
 
@@ -74,9 +74,9 @@ TEST_F(MoveCheckTest, StopsAMoveThatRaisesItByMoreThanRoundingAlone) {
 TEST(MoveCheckOfShortEdges, ClaimsNothingWhereAreasHaveNoDigits) {
   TriMesh mesh = meshes::rough_grid(6, 6, 3);
   mesh.positions[0] = {-1e78, -1e78, 0.0};
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   ThreadPool pool(1);
-  const PatchState state(mesh, connectivity, pool);
+  const PatchState state(patch, pool);
   const MoveCheck check(state);
   for (std::size_t v = 0; v < state.inner_count(); ++v)
     EXPECT_TRUE(std::isinf(check.energy(v).rounding)) << v;

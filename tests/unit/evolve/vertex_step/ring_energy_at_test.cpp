@@ -14,9 +14,9 @@ class Stars {
   explicit Stars(std::uint64_t seed)
       : mesh_(meshes::rough_grid(7, 6, seed)),
         plain_(mesh_),
-        connectivity_(mesh_),
+        patch_(mesh_),
         pool_(1),
-        state_(mesh_, connectivity_, pool_) {
+        state_(patch_, pool_) {
     for (Index v = 0; v < state_.inner_count(); ++v)
       defects_.push_back(state_.defect(v));
   }
@@ -30,7 +30,7 @@ class Stars {
  private:
   TriMesh mesh_;
   plain::Patch plain_;
-  Connectivity connectivity_;
+  Patch patch_;
   ThreadPool pool_;
   PatchState state_;
   std::vector<double> defects_;
@@ -105,9 +105,9 @@ TEST(RingEnergyAt, HasTheSlopeOfDifferenceQuotients) {
 
 TEST(RingEnergyAt, TellsWhereATriangleHasNoAngles) {
   const TriMesh mesh = meshes::fan(5, 0.4);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   ThreadPool pool(1);
-  const PatchState state(mesh, connectivity, pool);
+  const PatchState state(patch, pool);
   const auto ring = rings_by_vertex(state.plan())[0];
   const RingEnergyAt energy(state, 0, ring, std::vector<double>{state.defect(0)});
   EXPECT_FALSE(energy.has_needle(state.position(0)));

@@ -35,9 +35,9 @@ void for_each_line(Visit visit) {
     meshes.push_back(meshes::RandomFan(random, static_cast<meshes::FanKind>(i % 3)).mesh());
   for (const TriMesh& mesh : meshes) {
     const plain::Patch patch(mesh);
-    const Connectivity connectivity(mesh);
+    const Patch surface(mesh);
     ThreadPool pool(1);
-    PatchState state(mesh, connectivity, pool);
+    PatchState state(surface, pool);
     for (std::size_t i = 0; i < state.inner_count(); ++i) {
       const auto [star, valence] = position_of(state, i);
       const RingEnergyOnLine line(state.sites().data(), star, valence);
@@ -113,9 +113,9 @@ TEST(RingEnergyOnLine, HasTheDerivativesOfDifferenceQuotients) {
 
 TEST(RingEnergyOnLine, WritesTheDefectsThatMeasuringFinds) {
   const TriMesh mesh = meshes::rough_grid(9, 9, 4);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   ThreadPool pool(1);
-  PatchState state(mesh, connectivity, pool);
+  PatchState state(patch, pool);
   for (std::size_t i = 0; i < state.inner_count(); ++i) {
     const auto [star, valence] = position_of(state, i);
     const RingEnergyOnLine line(state.sites().data(), star, valence);
@@ -133,9 +133,9 @@ TEST(RingEnergyOnLine, WritesTheDefectsThatMeasuringFinds) {
 
 TEST(RingEnergyOnLine, IsNoNumberOnANeighbourAndNotSoundBesideIt) {
   const TriMesh mesh = meshes::fan(6, 0.3);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   ThreadPool pool(1);
-  PatchState state(mesh, connectivity, pool);
+  PatchState state(patch, pool);
   const auto [star, valence] = position_of(state, 0);
   const double max_cotangent = 1.0 / std::tan(0.1);
   const RingEnergyOnLine line(state.sites().data(), star, valence, max_cotangent);

@@ -77,7 +77,7 @@ TEST(Coarsen, KeepsEveryLoop) {
 TEST(Coarsen, CanKeepTheBorder) {
   const TriMesh mesh = grid_with_holes(40);
   const CoarsePatch patch = coarse(mesh, 700, CoarseBorder::kept);
-  EXPECT_EQ(loops_in_fine(patch), Connectivity(mesh).border_loops());
+  EXPECT_EQ(loops_in_fine(patch), Patch(mesh).border_loops());
 }
 
 TEST(Coarsen, GradesTheInsideOfAKeptBorder) {
@@ -85,15 +85,15 @@ TEST(Coarsen, GradesTheInsideOfAKeptBorder) {
   const CoarsePatch patch = coarse(mesh, 1200, CoarseBorder::kept);
   EXPECT_EQ(patch.source.size(), 1200U);
   EXPECT_GT(smallest_angles(patch.mesh).front(), 12.0);
-  const Connectivity connectivity(patch.mesh);
+  const Patch surface(patch.mesh);
   double outer = 0.0, inner = HUGE_VAL;  // extreme means of the edges around
-  for (const Index v : connectivity.inner_vertices()) {
+  for (const Index v : surface.inner_vertices()) {
     const Vec3 p = patch.mesh.positions[v];
     const double depth = std::min({p.x, p.y, 100.0 - p.x, 100.0 - p.y});
     double mean = 0.0;
-    for (const Index w : connectivity.ring(v))
+    for (const Index w : surface.ring(v))
       mean += norm(patch.mesh.positions[w] - p);
-    mean /= static_cast<double>(connectivity.ring(v).size());
+    mean /= static_cast<double>(surface.ring(v).size());
     if (depth < 1.5) outer = std::max(outer, mean);
     if (depth > 25.0) inner = std::min(inner, mean);
   }
@@ -184,7 +184,7 @@ TEST(Coarsen, JoinsNoTwoVerticesAtOnePlace) {
       keep.push_back(random.number() > 0.6 ? 1 : 0);
     }
     if (blocking_problem(inspect(mesh), Purpose::evolve)) continue;
-    const CoarsePatch patch = coarsen(mesh, Connectivity(mesh), 15, CoarseBorder::kept, keep);
+    const CoarsePatch patch = coarsen(Patch(mesh), 15, CoarseBorder::kept, keep);
     EXPECT_FALSE(blocking_problem(inspect(patch.mesh), Purpose::measure)) << seed;
   }
 }

@@ -28,7 +28,7 @@ std::vector<CutPath> paths_of(const std::vector<Indices>& lines) {
 }
 
 CutMesh cut(const TriMesh& mesh, const std::vector<Indices>& lines) {
-  return cut_open(mesh, Connectivity(mesh), paths_of(lines));
+  return cut_open(Patch(mesh), paths_of(lines));
 }
 
 bool is_disk(const TriMesh& mesh) {
@@ -112,8 +112,8 @@ TEST(Cut, OpensATubeToADisk) {
 TEST(Cut, OfADartToTheApexLetsAConeLieFlat) {
   const TriMesh cone = ringed_cone(16, 6);
   const auto strain = [](const TriMesh& mesh) {
-    const Connectivity connectivity(mesh);
-    return edge_strain(mesh, connectivity, unfold(mesh, connectivity).positions);
+    const Patch patch(mesh);
+    return edge_strain(patch, unfold(patch).positions);
   };
   EXPECT_GT(strain(cone).max, 0.01);
   const CutMesh dart = cut(cone, {{0, 1 + 5 * 16}});
@@ -130,15 +130,15 @@ TEST(Cut, OfADartToTheApexLetsAConeLieFlat) {
 TEST(Cut, LowersTheStrainOfADome) {
   const TriMesh dome = make_shape("dome", 600);
   const auto rms = [](const TriMesh& mesh) {
-    const Connectivity connectivity(mesh);
-    return edge_strain(mesh, connectivity, unfold(mesh, connectivity).positions).rms;
+    const Patch patch(mesh);
+    return edge_strain(patch, unfold(patch).positions).rms;
   };
-  const Connectivity connectivity(dome);
+  const Patch surface(dome);
   const Vec3 top = *std::max_element(dome.positions.begin(), dome.positions.end(),
                                      [](Vec3 a, Vec3 b) { return a.z < b.z; });
   const auto apex = static_cast<Index>(
       std::find(dome.positions.begin(), dome.positions.end(), top) - dome.positions.begin());
-  const CutMesh dart = cut(dome, {{connectivity.border_loops().front()[5], apex}});
+  const CutMesh dart = cut(dome, {{surface.border_loops().front()[5], apex}});
   expect_sound(dart, dome);
   EXPECT_LT(rms(dart.mesh), 0.8 * rms(dome));
 }
@@ -168,9 +168,9 @@ TEST(Cut, OfABoxAlongSevenEdgesLaysItOutFlat) {
   expect_sound(net, box);
   ASSERT_TRUE(is_disk(net.mesh));
   EXPECT_EQ(net.edges, 21U);
-  const Connectivity connectivity(net.mesh);
-  const Pattern flat = unfold(net.mesh, connectivity);
-  EXPECT_LT(edge_strain(net.mesh, connectivity, flat.positions).max, 1e-9);
+  const Patch patch(net.mesh);
+  const Pattern flat = unfold(patch);
+  EXPECT_LT(edge_strain(patch, flat.positions).max, 1e-9);
   EXPECT_FALSE(flat.overlaps);
 }
 
@@ -229,7 +229,7 @@ TEST(Cut, KeepsOffTheBorderWhereItFindsItsOwnWay) {
   const CutMesh bow = cut(grid, {{1, 5}});
   expect_sound(bow, grid);
   for (std::size_t i = 1; i + 1 < bow.paths.front().size(); ++i)
-    EXPECT_FALSE(Connectivity(grid).is_border(bow.paths.front()[i]));
+    EXPECT_FALSE(Patch(grid).is_border(bow.paths.front()[i]));
   EXPECT_EQ(split(bow.mesh, "piece").size(), 2U);
 }
 
@@ -245,7 +245,7 @@ TEST(Cut, HasALengthAtAnySize) {
 void expect_misplaced(const TriMesh& mesh, const std::vector<CutPath>& paths, ErrorCode code,
                       const std::string& part) {
   try {
-    cut_open(mesh, Connectivity(mesh), paths);
+    cut_open(Patch(mesh), paths);
     FAIL() << "no error: " << part;
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), code) << error.what();
@@ -278,10 +278,10 @@ TEST(Cut, RefusesWhatOpensNothing) {
 
 TEST(Cut, OfRandomPathsIsSound) {
   const TriMesh grid = meshes::rough_grid(12, 12, 3);
-  const Connectivity connectivity(grid);
-  Indices rim = connectivity.border_loops().front();
+  const Patch patch(grid);
+  Indices rim = patch.border_loops().front();
   // No cut can begin at the corner of a single triangle.
-  std::erase_if(rim, [&](Index v) { return connectivity.ring(v).size() < 3; });
+  std::erase_if(rim, [&](Index v) { return patch.ring(v).size() < 3; });
   meshes::Random random(5);
   const auto pick = [&](std::size_t count) {
     return static_cast<std::size_t>(0.4999999 * (random.number() + 1.0) *
@@ -290,9 +290,9 @@ TEST(Cut, OfRandomPathsIsSound) {
   for (int round = 0; round < 100; ++round) {
     std::vector<Indices> lines;
     for (std::size_t k = 0; k <= pick(4); ++k) {
-      const Index inner = connectivity.inner_vertices()[pick(connectivity.inner_vertices().size())];
+      const Index inner = patch.inner_vertices()[pick(patch.inner_vertices().size())];
       lines.push_back({rim[pick(rim.size())], inner});
-      if (pick(2) == 0) lines.back().push_back(connectivity.inner_vertices()[pick(100)]);
+      if (pick(2) == 0) lines.back().push_back(patch.inner_vertices()[pick(100)]);
     }
     const CutMesh open = cut(grid, lines);
     expect_sound(open, grid);

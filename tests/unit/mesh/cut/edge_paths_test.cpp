@@ -35,8 +35,8 @@ std::vector<double> plain_distances(const TriMesh& mesh, Index from) {
 
 TEST(EdgePaths, FollowTheRowsColumnsAndDiagonalsOfAGrid) {
   const TriMesh mesh = meshes::flat_grid(4, 4);  // diagonals go up to the right
-  const Connectivity connectivity(mesh);
-  EdgePaths paths(mesh, connectivity);
+  const Patch patch(mesh);
+  EdgePaths paths(patch);
   EXPECT_EQ(paths.between(5, 8), (std::vector<Index>{5, 6, 7, 8}));
   EXPECT_EQ(paths.between(22, 2), (std::vector<Index>{22, 17, 12, 7, 2}));
   EXPECT_EQ(paths.between(0, 24), (std::vector<Index>{0, 6, 12, 18, 24}));
@@ -45,8 +45,8 @@ TEST(EdgePaths, FollowTheRowsColumnsAndDiagonalsOfAGrid) {
 
 TEST(EdgePaths, AreAsShortAsCanBe) {
   const TriMesh mesh = meshes::rough_grid(9, 7, 5);
-  const Connectivity connectivity(mesh);
-  EdgePaths paths(mesh, connectivity);
+  const Patch patch(mesh);
+  EdgePaths paths(patch);
   for (const Index from : {0U, 33U, 79U}) {
     const auto distances = plain_distances(mesh, from);
     for (Index to = 0; to < mesh.positions.size(); ++to) {
@@ -56,7 +56,7 @@ TEST(EdgePaths, AreAsShortAsCanBe) {
       EXPECT_EQ(path->back(), to);
       EXPECT_NEAR(length_of(*path, mesh), distances[to], 1e-12);
       for (std::size_t i = 1; i < path->size(); ++i) {
-        const auto ring = connectivity.ring((*path)[i - 1]);
+        const auto ring = patch.ring((*path)[i - 1]);
         EXPECT_NE(std::find(ring.begin(), ring.end(), (*path)[i]), ring.end());
       }
     }
@@ -65,8 +65,8 @@ TEST(EdgePaths, AreAsShortAsCanBe) {
 
 TEST(EdgePaths, AreNoneBetweenPartsOfAMesh) {
   const TriMesh mesh = meshes::side_by_side(meshes::flat_grid(2, 2), meshes::flat_grid(2, 2));
-  const Connectivity connectivity(mesh);
-  EdgePaths paths(mesh, connectivity);
+  const Patch patch(mesh);
+  EdgePaths paths(patch);
   EXPECT_FALSE(paths.between(0, 12));
   EXPECT_EQ(paths.between(9, 11), (std::vector<Index>{9, 10, 11}));
 }

@@ -30,9 +30,8 @@ json content_of(const std::string& block) {
 }
 
 PageInput input_of(const FlattenReport& report) {
-  PageInput input{report.input,
-                  {{"before", report.input.positions, report.unfold_before.pattern.positions},
-                   {"after", report.processed.positions, report.unfold.pattern.positions}}};
+  PageInput input{{{"before", report.input, report.unfold_before.pattern.positions},
+                   {"after", report.processed, report.unfold.pattern.positions}}};
   input.defect_limit = 0.05;
   return input;
 }
@@ -48,20 +47,21 @@ TEST(PageData, HasThePatchToHalfAStep) {
   for (std::size_t v = 0; v < 651; ++v) {
     const double step = states["step"][2],
                  z = states["low"][2].get<double>() + step * places[3 * v + 2];
-    EXPECT_NEAR(z, report.processed.positions[v].z, 0.5001 * step) << v;
+    EXPECT_NEAR(z, report.processed.positions()[v].z, 0.5001 * step) << v;
   }
   const auto corners = pages::small_numbers_of(data["triangles"]["data"]);
   ASSERT_EQ(corners.size(), 3U * 1200U);
-  EXPECT_EQ(corners[4], report.input.triangles[1][1]);
+  EXPECT_EQ(corners[4], report.input.triangles()[1][1]);
 }
 
 TEST(PageData, HasScalesForPatchesOfAnySize) {
   const FlattenReport report = samples::flatten_report();
   for (const double size : {1e-180, 1e180}) {
-    TriMesh mesh = report.input;
-    for (Vec3& p : mesh.positions)
+    std::vector<Vec3> positions = report.input.positions();
+    for (Vec3& p : positions)
       p = size * p;
-    PageInput input{mesh, {{"before", mesh.positions}, {"after", mesh.positions}}};
+    const Patch patch = report.input.with_positions(positions);
+    PageInput input{{{"before", patch}, {"after", patch}}};
     input.defect_limit = 0.05;
     const json data = content_of(page_data(input));
     for (const json& figure : data["figures"]) {
@@ -75,12 +75,11 @@ TEST(PageData, HasTheStrainThatLimitsAreFor) {
   const FlattenReport report = samples::flatten_report();
   const json data = content_of(page_data(input_of(report)));
   ASSERT_EQ(data["figures"][5]["id"], "edge_strain");
-  const Connectivity connectivity(report.input);
   const std::array states = {std::pair(&report.input, &report.unfold_before),
                              std::pair(&report.processed, &report.unfold)};
   for (std::size_t state = 0; state < states.size(); ++state) {
-    const auto [mesh, unfold] = states[state];
-    const EdgeStrain strain = edge_strain(*mesh, connectivity, unfold->pattern.positions);
+    const auto [patch, unfold] = states[state];
+    const EdgeStrain strain = edge_strain(*patch, unfold->pattern.positions);
     const auto shown = pages::floats_of(data["figures"][5]["values"][state]);
     double largest = 0.0;
     for (const float value : shown)
@@ -96,7 +95,8 @@ TEST(PageData, HasPrincipalStretchesAndTheLimitWhereOneWasAsked) {
   std::vector<Vec2> pattern;
   for (const Vec3 p : mesh.positions)
     pattern.push_back({-0.97 * p.y, 1.02 * p.x});
-  PageInput input{mesh, {{"before", mesh.positions, pattern}, {"after", mesh.positions}}};
+  const Patch patch(mesh);
+  PageInput input{{{"before", patch, pattern}, {"after", patch}}};
   input.defect_limit = 0.05;
   EXPECT_FALSE(content_of(page_data(input)).contains("limit"));
   EXPECT_EQ(content_of(page_data(input))["figures"].size(), 6U);
@@ -118,21 +118,21 @@ TEST(PageData, HasPrincipalStretchesAndTheLimitWhereOneWasAsked) {
 TEST(PageData, HasTheFiguresOfEveryVertex) {
   const FlattenReport report = samples::flatten_report();
   const json data = content_of(page_data(input_of(report)));
-  const Connectivity connectivity(report.input);
-  const auto defects = angle_defects(report.processed, connectivity);
+  const Patch& patch = report.input;
+  const auto defects = angle_defects(report.processed);
   const auto shown = pages::floats_of(data["figures"][0]["values"][1]);
   const auto moved = pages::floats_of(data["figures"][3]["values"][1]);
   ASSERT_EQ(shown.size(), defects.size());
   for (Index v = 0; v < defects.size(); ++v) {
-    if (connectivity.is_border(v)) {
+    if (patch.is_border(v)) {
       EXPECT_TRUE(std::isnan(shown[v])) << v;
     } else {
       EXPECT_NEAR(shown[v], defects[v], 1e-7 * std::abs(defects[v])) << v;
     }
-    EXPECT_NEAR(moved[v], std::abs(report.processed.positions[v].z - report.input.positions[v].z),
-                1e-6);
+    EXPECT_NEAR(moved[v],
+                std::abs(report.processed.positions()[v].z - report.input.positions()[v].z), 1e-6);
   }
-  const auto bends = vertex_bends(report.processed, connectivity);
+  const auto bends = vertex_bends(report.processed);
   const auto bent = pages::floats_of(data["figures"][2]["values"][1]);
   for (Index v = 0; v < bends.size(); ++v)
     EXPECT_NEAR(bent[v], bends[v], 1e-7 * bends[v]) << v;
@@ -143,12 +143,10 @@ TEST(PageData, HasTheFiguresOfEveryVertex) {
 }
 
 TEST(PageData, DrawsLargeMeshesWithFewerVerticesTheWorstAmongThem) {
-  FlattenReport report = samples::flatten_report();
-  report.input = samples::bumpy_patch(60, 50, 2.0);
-  report.processed = report.input;
-  report.processed.positions[61 * 20 + 13].z += 3.0;
-  PageInput input{report.input,
-                  {{"before", report.input.positions}, {"after", report.processed.positions}}};
+  const Patch before(samples::bumpy_patch(60, 50, 2.0));
+  std::vector<Vec3> moved_positions = before.positions();
+  moved_positions[61 * 20 + 13].z += 3.0;
+  PageInput input{{{"before", before}, {"after", before.with_positions(moved_positions)}}};
   input.most_vertices = 500;
   const json data = content_of(page_data(input));
   EXPECT_EQ(data["of"], 61U * 51U);
@@ -187,8 +185,8 @@ TEST(PageData, CannotBeLeftByItsText) {
 }
 
 TEST(PageData, StaysSmall) {
-  const TriMesh mesh = samples::bumpy_patch(220, 220, 5.0);
-  const PageInput input{mesh, {{"before", mesh.positions}, {"after", mesh.positions}}};
+  const Patch patch(samples::bumpy_patch(220, 220, 5.0));
+  const PageInput input{{{"before", patch}, {"after", patch}}};
   EXPECT_LT(page_data(input).size(), 5'000'000U) << "48 841 vertices, each drawn";
 }
 

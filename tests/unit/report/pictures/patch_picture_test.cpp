@@ -65,7 +65,7 @@ std::size_t covered(const Image& image) {
 // Of a patch and one thing that became of it.
 PatchPictures pictures_of(const TriMesh& before, const TriMesh& after, ColorMap colors) {
   const std::vector<std::span<const Vec3>> positions = {after.positions};
-  return patch_pictures(before, positions, colors, 880);
+  return patch_pictures(Patch(before), positions, colors, 880);
 }
 
 TEST(PatchPictures, ShowBothPatchesAlikeAndFillThePicture) {

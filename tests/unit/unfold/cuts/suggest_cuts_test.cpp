@@ -14,7 +14,7 @@ namespace planish {
 namespace {
 
 CutSuggestion suggest(const TriMesh& mesh, const SuggestOptions& options = {}) {
-  auto suggestion = suggest_cuts(mesh, Connectivity(mesh), options);
+  auto suggestion = suggest_cuts(Patch(mesh), options);
   EXPECT_TRUE(suggestion);
   return suggestion ? std::move(*suggestion) : CutSuggestion{};
 }
@@ -42,9 +42,9 @@ double strain_of(const TriMesh& mesh, const CutSuggestion& suggestion) {
   std::vector<CutPath> paths;
   for (const SuggestedCut& cut : suggestion.cuts)
     paths.push_back({cut.path});
-  const CutMesh cut = cut_open(mesh, Connectivity(mesh), paths);
-  const Connectivity connectivity(cut.mesh);
-  return edge_strain(cut.mesh, connectivity, unfold(cut.mesh, connectivity).positions).max;
+  const CutMesh cut = cut_open(Patch(mesh), paths);
+  const Patch patch(cut.mesh);
+  return edge_strain(patch, unfold(patch).positions).max;
 }
 
 TEST(SuggestCuts, FindsTheApexOfACone) {
@@ -58,7 +58,7 @@ TEST(SuggestCuts, FindsTheApexOfACone) {
   EXPECT_GT(dart.before->max, 0.02);
   EXPECT_LE(dart.after->max, 0.02);
   // Up the side, straight; perhaps not all the way, as a limit of 2 % leaves room.
-  EXPECT_TRUE(Connectivity(cone).is_border(dart.path.front()));
+  EXPECT_TRUE(Patch(cone).is_border(dart.path.front()));
   EXPECT_NEAR(dart.length,
               norm(cone.positions[dart.path.front()] - cone.positions[dart.path.back()]), 1e-12);
   const CutSuggestion strict = suggest(cone, {.max_strain = 1e-6});
@@ -142,8 +142,7 @@ TEST(SuggestCuts, CanSpreadASaddle) {
   ASSERT_FALSE(suggestion.cuts.empty());
   EXPECT_LT(suggestion.last.strain.rms, 0.8 * suggestion.first.strain.rms);
   // Where its legs need more room than there is, that is told.
-  EXPECT_EQ(suggestion.last.pattern.overlaps,
-            unfold(suggestion.last.cut.mesh, Connectivity(suggestion.last.cut.mesh)).overlaps);
+  EXPECT_EQ(suggestion.last.pattern.overlaps, unfold(Patch(suggestion.last.cut.mesh)).overlaps);
 }
 
 TEST(SuggestCuts, SaysWhyItEnds) {
@@ -159,12 +158,11 @@ TEST(SuggestCuts, CanBeCancelled) {
   const TriMesh dome = make_shape("dome", 300);
   for (int calls : {1, 5, 20}) {
     int left = calls;
-    const auto suggestion =
-        suggest_cuts(dome, Connectivity(dome), {.max_strain = 1e-6}, [&](double share) {
-          EXPECT_GE(share, 0.0);
-          EXPECT_LE(share, 1.0);
-          return --left > 0;
-        });
+    const auto suggestion = suggest_cuts(Patch(dome), {.max_strain = 1e-6}, [&](double share) {
+      EXPECT_GE(share, 0.0);
+      EXPECT_LE(share, 1.0);
+      return --left > 0;
+    });
     EXPECT_FALSE(suggestion);
     EXPECT_EQ(left, 0);
   }
@@ -173,7 +171,7 @@ TEST(SuggestCuts, CanBeCancelled) {
 TEST(SuggestCuts, RefusesWhatItCannotOpen) {
   const auto code_of = [](const TriMesh& mesh, const SuggestOptions& options = {}) {
     try {
-      suggest_cuts(mesh, Connectivity(mesh), options);
+      suggest_cuts(Patch(mesh), options);
     } catch (const Error& error) {
       return error.code();
     }

@@ -22,7 +22,7 @@ std::vector<Vec2> mapped(const TriMesh& mesh, double xx, double xy, double yx, d
 
 TEST(EdgeStrain, IsZeroForTheSameLengths) {
   const TriMesh mesh = meshes::flat_grid(4, 3);
-  const EdgeStrain strain = edge_strain(mesh, Connectivity(mesh), mapped(mesh, 1, 0, 0, 1));
+  const EdgeStrain strain = edge_strain(Patch(mesh), mapped(mesh, 1, 0, 0, 1));
   EXPECT_EQ(strain.max, 0.0);
   EXPECT_EQ(strain.rms, 0.0);
 }
@@ -31,7 +31,7 @@ TEST(EdgeStrain, WeighsEdgesByTheAreaOfTheirTriangles) {
   // 2 x 1 cells: 2 + 2 edges along x, 3 along y, 2 diagonals. Only x is stretched, by 10 %. Edges
   // inside have two triangles, those of the border one: 4 along x and 2 diagonals count 4 + 4.
   const TriMesh mesh = meshes::flat_grid(2, 1);
-  const EdgeStrain strain = edge_strain(mesh, Connectivity(mesh), mapped(mesh, 1.1, 0, 0, 1));
+  const EdgeStrain strain = edge_strain(Patch(mesh), mapped(mesh, 1.1, 0, 0, 1));
   const double diagonal = std::sqrt(2.21 / 2.0) - 1.0;
   EXPECT_NEAR(strain.max, 0.1, 1e-15);
   EXPECT_NEAR(strain.rms, std::sqrt((4 * 0.01 + 4 * diagonal * diagonal) / 12.0), 1e-15);
@@ -77,7 +77,7 @@ TEST(EdgeStrain, IsWhatLookingAtEveryTriangleGives) {
     std::size_t k = 0;
     while (beyond + edges[k].area <= 0.01 * area)
       beyond += edges[k++].area;
-    const EdgeStrain strain = edge_strain(mesh, Connectivity(mesh), flat);
+    const EdgeStrain strain = edge_strain(Patch(mesh), flat);
     EXPECT_NEAR(strain.rms, std::sqrt(squares / area), 1e-13);
     EXPECT_NEAR(strain.max, std::abs(edges.front().strain), 1e-13);
     EXPECT_NEAR(strain.p99, std::abs(edges[k].strain), 1e-13);
@@ -95,7 +95,7 @@ TEST(EdgeStrain, DoesNotDependOnWhereTheMeshIsFine) {
       const double radius = 100.0 * std::exp(0.01 * p.x);
       flat.push_back({radius * std::cos(0.01 * p.y), radius * std::sin(0.01 * p.y)});
     }
-    return edge_strain(mesh, Connectivity(mesh), flat).rms;
+    return edge_strain(Patch(mesh), flat).rms;
   };
   const double before = rms();
   for (int round = 0; round < 2; ++round) {
@@ -117,10 +117,10 @@ TEST(EdgeStrain, DoesNotDependOnWhereTheMeshIsFine) {
 
 TEST(EdgeStrain, P99LeavesOutTheWorstHundredthOfTheArea) {
   TriMesh mesh = meshes::flat_grid(20, 20);
-  const Connectivity connectivity(mesh);
+  const Patch patch(mesh);
   auto flat = mapped(mesh, 1, 0, 0, 1);
   flat[0] = {-0.5, 0.0};  // three of 1,240 edges
-  const EdgeStrain strain = edge_strain(mesh, connectivity, flat);
+  const EdgeStrain strain = edge_strain(patch, flat);
   EXPECT_GT(strain.max, 0.2);
   EXPECT_EQ(strain.worst_edge[0], 0U) << "the vertex that was moved";
   EXPECT_EQ(strain.p99, 0.0);

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <planish/mesh/inspect.h>
+#include <planish/mesh/tri_mesh.h>
+
+namespace planish {
+
+/// An edge with the triangles on its sides: from, to, left and to, from, right.
+struct Edge {
+  static constexpr Index none = static_cast<Index>(-1);
+
+  Index from, to;     ///< from < to
+  Index left, right;  ///< the third corners of the triangles; none where there is no triangle
+
+  bool is_border() const { return left == none || right == none; }
+};
+
+/// The topology of a patch: the neighbours of every vertex in a manifold, consistently oriented
+/// triangle mesh, as compressed rows. Immutable; a Patch builds it once.
+class Connectivity {
+ public:
+  /// In linear time and memory. Nothing where the triangles are not a manifold of one orientation,
+  /// name a vertex twice, or one that does not exist.
+  static std::optional<Connectivity> build(const TriMesh& mesh);
+
+  std::size_t vertex_count() const { return ring_start_.size() - 1; }
+
+  /// The one-ring of v, counter-clockwise. Inner vertex: closed, v with ring[j] and ring[j + 1]
+  /// (cyclic) is a triangle. Border vertex: open, from the next to the previous border vertex.
+  /// Unused vertex: empty.
+  std::span<const Index> ring(Index v) const {
+    return {rings_.data() + ring_start_[v], ring_start_[v + 1] - ring_start_[v]};
+  }
+
+  bool is_border(Index v) const { return border_[v] != 0; }
+  /// Used by a triangle and not on the border: only these vertices are measured and moved.
+  bool is_inner(Index v) const { return border_[v] == 0 && ring_start_[v + 1] != ring_start_[v]; }
+
+  /// In increasing order.
+  std::span<const Index> inner_vertices() const { return inner_; }
+
+  /// Each closed curve of the border, the patch on its left, beginning at its smallest vertex;
+  /// loops in the order of these.
+  const std::vector<std::vector<Index>>& border_loops() const { return loops_; }
+
+ private:
+  Connectivity() = default;
+
+  std::vector<std::size_t> ring_start_;  // vertex_count + 1
+  std::vector<Index> rings_;
+  std::vector<unsigned char> border_;
+  std::vector<Index> inner_;
+  std::vector<std::vector<Index>> loops_;
+};
+
+/// A triangle mesh that is an oriented manifold, with its topology and what inspect() finds in it.
+/// Immutable: copies share all of it and are cheap, patches made by with_positions() share the
+/// topology.
+class Patch {
+ public:
+  /// Of no vertices.
+  Patch() : Patch(TriMesh{}) {}
+
+  /// Takes time and memory linear in the size of the mesh.
+  /// @throws Error with the code of the first problem that inspect() finds and that leaves no
+  ///   manifold: an index out of range, a repeated index, a duplicate triangle, an edge or vertex
+  ///   that is not manifold, triangles of clashing orientation. Other problems are in inspection().
+  explicit Patch(TriMesh mesh);
+
+  /// The same triangles over other positions. Topology is shared; inspection() is of the new ones.
+  /// @param positions one per vertex, model units
+  Patch with_positions(std::vector<Vec3> positions) const;
+
+  const TriMesh& mesh() const { return *mesh_; }
+  /// In model units.
+  const std::vector<Vec3>& positions() const { return mesh_->positions; }
+  const std::vector<Triangle>& triangles() const { return mesh_->triangles; }
+  const Connectivity& connectivity() const { return *connectivity_; }
+  /// As inspect() gives it.
+  const Inspection& inspection() const { return inspection_; }
+  /// As unit_scale() of the mesh gives it.
+  double unit_scale() const { return unit_scale_; }
+
+  // Of the topology.
+  std::size_t vertex_count() const { return mesh_->positions.size(); }
+  std::span<const Index> ring(Index v) const { return connectivity_->ring(v); }
+  bool is_border(Index v) const { return connectivity_->is_border(v); }
+  bool is_inner(Index v) const { return connectivity_->is_inner(v); }
+  std::span<const Index> inner_vertices() const { return connectivity_->inner_vertices(); }
+  const std::vector<std::vector<Index>>& border_loops() const {
+    return connectivity_->border_loops();
+  }
+  /// Every edge once, by `from` and then in the order of its ring. O(n).
+  std::vector<Edge> edges() const;
+
+ private:
+  Patch(const Patch& other, std::vector<Vec3> positions);
+
+  std::shared_ptr<const TriMesh> mesh_;
+  std::shared_ptr<const Connectivity> connectivity_;
+  Inspection inspection_;
+  double unit_scale_ = 1.0;
+};
+
+}  // namespace planish

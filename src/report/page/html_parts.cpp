@@ -8,9 +8,8 @@
 #include "draw/base64.h"
 #include "draw/text/markup_text.h"
 #include "report/enumerator_name.h"
-#include "report/page/html_style.h"
-#include "report/page/html_viewer_style.h"
 #include "report/page/page_script.h"
+#include "report/page/page_style.h"
 
 namespace planish {
 
@@ -25,8 +24,8 @@ std::string html_head(const std::string& title, std::string_view more_style) {
          scripts +
          "style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action "
          "'none'\">\n<title>" +
-         title + " – Planish</title>\n<style>" + std::string(k_html_style) +
-         std::string(k_html_viewer_style) + std::string(more_style) + "</style>\n</head>\n";
+         title + " – Planish</title>\n<style>" + std::string(page_style()) +
+         std::string(more_style) + "</style>\n</head>\n";
 }
 
 std::string html_title(const std::string& name) {

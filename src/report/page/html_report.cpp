@@ -19,7 +19,7 @@
 #include "report/page/figures_table.h"
 #include "report/page/html_parts.h"
 #include "report/page/html_viewer.h"
-#include "report/page/html_viewer_style.h"
+#include "report/page/page_style.h"
 #include "sheet/limit_map.h"
 
 namespace planish {
@@ -243,8 +243,8 @@ std::string html_report(const FlattenReport& report, const FlattenPage& page) {
   const std::string verdict = verdict_text(report) + (limits.empty() ? "" : " " + limits) +
                               (border.empty() ? "" : " " + border);
   const bool has_limit = limit_of_edges(report.unfold.limits).has_value();
-  return html_head(html_title(report.name), has_limit ? k_html_limit_style : "") +
-         "<body>\n<main>\n" + html_header("report", report.name, verdict, checks(report)) +
+  return html_head(html_title(report.name), has_limit ? limit_style() : "") + "<body>\n<main>\n" +
+         html_header("report", report.name, verdict, checks(report)) +
          tiles(report, page, viewer.cut_size) + viewer.html + "<div class=\"wide\">\n" +
          convergence_section(report, page) + histogram_section(report) +
          "</div>\n<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" +

@@ -17,7 +17,7 @@ struct LegendLabels {
 std::string legend(std::span<const Color> fields, const LegendLabels& labels);
 
 /// The legend of a map of the limit used up: ten fields up to the limit, and one apart for what is
-/// beyond. Its labels stand where k_html_limit_style puts them.
+/// beyond. Its labels stand where limit_style() puts them.
 std::string limit_legend();
 
 /// The whole of a colour map, finely divided.

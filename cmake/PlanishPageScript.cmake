@@ -1,9 +1,9 @@
-# The script of the report pages. It is made of web/report where Node and the packages that
+# The script of the report pages. It is made of web/ where Node and the packages that
 # scripts/run and scripts/test install under build/npm are there; nothing is downloaded here.
 # Without them pages show still pictures only.
 # Called where the target is made: elsewhere CMake would not see how the source comes about.
 function(planish_page_script target)
-  set(source "${PROJECT_SOURCE_DIR}/web/report")
+  set(web "${PROJECT_SOURCE_DIR}/web")
   set(packages "${PROJECT_SOURCE_DIR}/build/npm/report")
   find_program(PLANISH_NODE node)
   if(NOT PLANISH_NODE OR NOT EXISTS "${packages}/installed")
@@ -12,11 +12,11 @@ function(planish_page_script target)
     return()
   endif()
   set(script "${PROJECT_BINARY_DIR}/generated/page_script.cpp")
-  file(GLOB modules "${source}/*.js" "${source}/*.mjs")
+  file(GLOB modules CONFIGURE_DEPENDS "${web}/report/*.js" "${web}/viewer/*.js")
   add_custom_command(
     OUTPUT "${script}"
-    COMMAND "${PLANISH_NODE}" "${source}/build.mjs" "${packages}/node_modules" "${script}"
-    DEPENDS ${modules} "${packages}/installed"
+    COMMAND "${PLANISH_NODE}" "${web}/build.mjs" "${packages}/node_modules" "${script}"
+    DEPENDS ${modules} "${web}/build.mjs" "${packages}/installed"
     COMMENT "Bundling the script of the report pages"
     VERBATIM)
   target_sources(${target} PRIVATE "${script}")

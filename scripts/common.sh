@@ -104,7 +104,7 @@ install_packages() { # tables as above
 
 # What the report pages are bundled with. Where it cannot be had, they are built without 3D view.
 install_page_tools() {
-  (install_packages "$page_packages") && install_npm web/report report ||
+  (install_packages "$page_packages") && install_npm web report ||
     say "without Node.js and its packages, reports have still pictures only"
 }
 

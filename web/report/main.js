@@ -1,13 +1,13 @@
 // The page of a report: turns the still pictures of the patch into a view that can be turned, and
 // links it with the pattern.
-import { filled, nextScale } from './colours.js';
+import { filled, nextScale } from '../viewer/colors.js';
 import { unpack } from './data.js';
-import { namedFigures, worstOf } from './figures.js';
+import { namedFigures, worstOf } from '../viewer/figures.js';
 import { Readout, Scale, figureChoice, make } from './panel.js';
-import { PatternView, addLayerSwitches } from './pattern.js';
-import { pick } from './picking.js';
-import { PatchScene } from './scene.js';
-import { Turning } from './turning.js';
+import { PatternView, addLayerSwitches } from '../viewer/pattern_view.js';
+import { pick } from '../viewer/picking.js';
+import { PatchScene } from '../viewer/patch_scene.js';
+import { Turning } from '../viewer/turning.js';
 
 class Page {
   constructor(stage, data, canvas, context) {
@@ -130,7 +130,7 @@ class Page {
   choose(figure) {
     this.figure = figure;
     this.limit = figure.limit;
-    this.scene.colour(
+    this.scene.color(
       figure.values.map((values) => values && filled(values, this.data.triangles)),
       figure.map,
       this.limit,
@@ -140,7 +140,7 @@ class Page {
     // How far a place moved is shown on both sides.
     if (figure.id === 'deviation') {
       const moved = figure.values[this.scene.shown[1]];
-      this.scene.colour(figure.values.map((values, i) => (i === 0 ? moved : values)), figure.map, this.limit, false);
+      this.scene.color(figure.values.map((values, i) => (i === 0 ? moved : values)), figure.map, this.limit, false);
     }
     this.scaleBar.show(figure, this.limit);
     this.redraw(false);

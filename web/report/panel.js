@@ -1,7 +1,7 @@
 // What stands around the view of the patch: which figure is shown, its scale, the split, and what
 // the figures of a vertex are.
-import { colourOf, gradientOf } from './colours.js';
-import { labelsOf, textOf } from './figures.js';
+import { colorOf, gradientOf } from '../viewer/colors.js';
+import { labelsOf, textOf } from '../viewer/figures.js';
 
 export function make(name, properties = {}, ...children) {
   const made = document.createElement(name);
@@ -70,11 +70,11 @@ export class Scale {
   }
 
   // For what is beyond a limit a field of its own, right of the bar.
-  setApart(colour) {
-    this.root.classList.toggle('bounded', colour !== undefined);
+  setApart(color) {
+    this.root.classList.toggle('bounded', color !== undefined);
     this.beyond.remove();
-    if (!colour) return;
-    const field = colourOf(colour);
+    if (!color) return;
+    const field = colorOf(color);
     this.row.append(this.beyond);
     this.bar.style.background =
       `linear-gradient(${field}, ${field}) right / 21% 100% no-repeat, ` +

@@ -5,7 +5,7 @@
 
 namespace planish {
 
-/// The script of the pages, made of web/report when the program is built, with what it needs of
+/// The script of the pages, made of web/ when the program is built, with what it needs of
 /// three.js. Where the program was built without Node, there is none, and pages show still
 /// pictures.
 struct PageScript {

@@ -24,11 +24,11 @@ export function filled(values, triangles) {
 // A colour map as a style sheet has it.
 export function gradientOf(map) {
   const stops = [];
-  for (let i = 0; i < map.length; i += 3) stops.push(colourOf(map.subarray(i, i + 3)));
+  for (let i = 0; i < map.length; i += 3) stops.push(colorOf(map.subarray(i, i + 3)));
   return `linear-gradient(to right, ${stops.join(', ')})`;
 }
 
-export function colourOf([red, green, blue]) {
+export function colorOf([red, green, blue]) {
   return `rgb(${red} ${green} ${blue})`;
 }
 

@@ -11,7 +11,7 @@ const here = dirname(fileURLToPath(import.meta.url));
 const esbuild = createRequire(join(modules, 'none.js'))('esbuild');
 
 const { outputFiles } = await esbuild.build({
-  entryPoints: [join(here, 'main.js')],
+  entryPoints: [join(here, 'report/main.js')],
   nodePaths: [modules],
   bundle: true,
   write: false,

@@ -28,7 +28,7 @@ void main() {
 
 // Light comes from over the shoulder and both sides of the patch are lit alike.
 const fragmentShader = `
-uniform sampler2D colours;
+uniform sampler2D colors;
 uniform float limit;
 uniform bool bothWays;
 uniform bool isBounded;
@@ -38,12 +38,12 @@ varying vec3 facing;
 void main() {
   float share = clamp(shown / limit, -1.0, 1.0);
   float place = bothWays ? 0.5 + 0.5 * share : abs(share);
-  vec3 colour = texture2D(colours, vec2(place * 0.992 + 0.004, 0.5)).rgb;
-  if (isBounded && abs(shown) > limit * (1.0 + ${rounding})) colour = beyond;
+  vec3 color = texture2D(colors, vec2(place * 0.992 + 0.004, 0.5)).rgb;
+  if (isBounded && abs(shown) > limit * (1.0 + ${rounding})) color = beyond;
   vec3 normal = normalize(facing);
   normal *= sign(normal.z + 1e-6);
   float light = 0.5 + 0.5 * clamp(dot(normal, vec3(0.28, 0.38, 0.88)), 0.0, 1.0);
-  gl_FragColor = vec4(colour * light, 1.0);
+  gl_FragColor = vec4(color * light, 1.0);
 }`;
 
 const margin = 1.12; // of the picture over the patch
@@ -108,7 +108,7 @@ export class PatchScene {
       fragmentShader,
       side: DoubleSide,
       uniforms: {
-        colours: { value: null },
+        colors: { value: null },
         limit: { value: 1 },
         bothWays: { value: true },
         isBounded: { value: false },
@@ -139,14 +139,14 @@ export class PatchScene {
 
   // Values of every state, and how they are coloured: what is beyond the limit by a colour of its
   // own, where there is one.
-  colour(values, map, limit, bothWays, beyond) {
+  color(values, map, limit, bothWays, beyond) {
     this.scenes.forEach((scene, state) => {
       const attribute = scene.children[0].geometry.getAttribute('value');
       if (values[state]) attribute.array.set(values[state]);
       else attribute.array.fill(NaN);
       attribute.needsUpdate = true;
     });
-    this.material.uniforms.colours.value = this.textures.get(map);
+    this.material.uniforms.colors.value = this.textures.get(map);
     this.material.uniforms.bothWays.value = bothWays;
     this.material.uniforms.isBounded.value = beyond !== undefined;
     if (beyond) this.material.uniforms.beyond.value.fromArray(beyond).divideScalar(255);

@@ -1,11 +1,11 @@
-// The modules of web/report that need no browser.
+// The modules of web/ that need no browser.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 
-import { filled, nextScale } from '../../web/report/colours.js';
+import { filled, nextScale } from '../../web/viewer/colors.js';
 import { unpack } from '../../web/report/data.js';
-import { labelsOf, namedFigures, textOf, worstOf, written } from '../../web/report/figures.js';
-import { pick } from '../../web/report/picking.js';
+import { labelsOf, namedFigures, textOf, worstOf, written } from '../../web/viewer/figures.js';
+import { pick } from '../../web/viewer/picking.js';
 
 test('numbers are written as the program writes them', () => {
   const cases = [
@@ -31,7 +31,7 @@ test('scales go up and down by 1, 2, 5', () => {
   assert.equal(nextScale(5e-9, 1), 1e-8);
 });
 
-test('what is not measured takes the colour of its neighbours and says so', () => {
+test('what is not measured takes the color of its neighbours and says so', () => {
   const values = new Float32Array([NaN, 2, 4, NaN]);
   assert.deepEqual([...filled(values, [0, 1, 2])], [3, 2, 4, 0]);
   const figure = { text: (value) => `${value}!` };

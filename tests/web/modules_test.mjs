@@ -74,6 +74,14 @@ test('the limit used up is the strain of the edges over the limit', () => {
   assert.deepEqual(labelsOf(figure, figure.limit, 'mm'), ['0', '50 % used up', '100 %, limit of 5 %']);
 });
 
+test('only what has a limit has a colour beyond it', () => {
+  const values = [new Float32Array([0, 0.5, -4])];
+  const figures = new Map([['curvature', { id: 'curvature', map: 'pale', limit: 1, values }]]);
+  const [figure] = namedFigures({ figures });
+  assert.equal(figure.beyond, undefined);
+  assert.deepEqual(labelsOf(figure, 1, 'mm'), ['0 flat', '', 'ball of 1.0 mm radius or less']);
+});
+
 test('packed data come out as they went in', () => {
   const text = (array) => Buffer.from(array.buffer).toString('base64');
   const data = unpack({

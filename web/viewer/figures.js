@@ -83,7 +83,7 @@ const words = {
     isSigned: false,
     text: curvatureText,
     ends: (limit, unit) => ['0 flat', '', `ball of ${written(1 / Math.sqrt(limit), 2)} ${unit} radius`],
-    beyond: 'or less',
+    further: 'or less',
   },
   bent: {
     name: 'Bent',
@@ -91,7 +91,7 @@ const words = {
     isSigned: false,
     text: bendText,
     ends: (limit, unit) => ['0 flat', '', `radius ${written(1 / limit, 2)} ${unit}`],
-    beyond: 'or less',
+    further: 'or less',
   },
   deviation: {
     name: 'Moved',
@@ -143,8 +143,8 @@ export function labelsOf(figure, limit, unit) {
   if (figure.isFixed) return [low, middle, high];
   const largest = Math.max(...figure.values.map((values) => (values ? Math.abs(values[worstOf(values)]) : 0)));
   if (!(largest > limit * 1.000001)) return [low, middle, high];
-  const beyond = (text) => `${text} ${figure.beyond ?? 'or more'}`;
-  return [figure.isSigned ? beyond(low) : low, middle, beyond(high)];
+  const further = (text) => `${text} ${figure.further ?? 'or more'}`;
+  return [figure.isSigned ? further(low) : low, middle, further(high)];
 }
 
 // The figure of one vertex in words; what is not measured on the edge says so.

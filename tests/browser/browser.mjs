@@ -8,7 +8,7 @@ import { join, resolve } from 'node:path';
 const skipped = 77; // exit code for ctest
 const chromium = '/usr/bin/chromium';
 
-function skip(reason) {
+export function skip(reason) {
   console.log(`skipped: ${reason}`);
   process.exit(skipped);
 }

@@ -22,7 +22,7 @@ execFileSync(program, ['sample', 'panel', '--vertices', '3000', '-o', input]);
 const flags = ['--max-strain', '2%', '--allowance', '10mm', '--grain', '0,0,1', '--sheet', '1500mm'];
 execFileSync(program, ['flatten', input, '-o', output, ...flags]);
 const url = pathToFileURL(join(output, 'report.html')).href;
-const html = readPage(join(output, 'report.html'));
+readPage(join(output, 'report.html'));
 const report = JSON.parse(readFileSync(join(output, 'report.json'), 'utf8'));
 
 let browser;

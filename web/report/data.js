@@ -1,5 +1,56 @@
-// The block of data that the program wrote into the page, unpacked.
+// The block of data that the program wrote into the page, unpacked. docs/report.md has its format.
 
+/** @typedef {import('../viewer/figures.js').Figure} Figure */
+/** @typedef {import('../viewer/patch_scene.js').Viewpoint} Viewpoint */
+
+/**
+ * Texts are base64 of little-endian arrays.
+ * @typedef {object} PackedFigure
+ * @property {string} id
+ * @property {string} map
+ * @property {number} limit
+ * @property {(string | null)[]} values
+ */
+
+/**
+ * @typedef {object} PackedLimit
+ * @property {number} asked
+ * @property {[number, number, number]} beyond
+ */
+
+/**
+ * @typedef {object} PackedData
+ * @property {string} unit
+ * @property {number} vertices
+ * @property {number} of
+ * @property {Viewpoint} view
+ * @property {string} numbers
+ * @property {{bits: number, data: string}} triangles
+ * @property {{names: string[], shown: number, low: number[], step: number[], positions: string[]}} states
+ * @property {PackedFigure[]} figures
+ * @property {PackedLimit} [limit]
+ * @property {Record<string, string>} maps
+ * @property {{positions: string, low: number[], step: number[]} | null} pattern
+ */
+
+/**
+ * What a page shows of a patch.
+ * @typedef {object} ReportData
+ * @property {string} unit of the model
+ * @property {number} count vertices drawn
+ * @property {number} whole vertices of the patch
+ * @property {Viewpoint} view from where it is seen at first
+ * @property {string[]} names of the states; the first is the patch as it came
+ * @property {number} shown the state beside the first at the start
+ * @property {Uint32Array} numbers of the vertices in the file that was read
+ * @property {Uint16Array | Uint32Array} triangles three vertices each
+ * @property {Float32Array[]} positions x, y, z of the vertices, by state; model units
+ * @property {Map<string, Figure>} figures by id, in the order in which they are shown
+ * @property {Map<string, Uint8Array>} maps colour maps by name
+ * @property {Float32Array | null} drawn x, y of the vertices in the drawing of the pattern
+ */
+
+/** @param {string} text */
 function bytesOf(text) {
   const letters = atob(text);
   const bytes = new Uint8Array(letters.length);
@@ -7,7 +58,12 @@ function bytesOf(text) {
   return bytes.buffer;
 }
 
-// Points on a grid of 65536 places along each axis.
+/**
+ * Points on a grid of 65536 places along each axis.
+ * @param {string} text
+ * @param {number[]} low
+ * @param {number[]} step
+ */
 function pointsOf(text, low, step) {
   const places = new Uint16Array(bytesOf(text));
   const axes = low.length;
@@ -16,40 +72,55 @@ function pointsOf(text, low, step) {
   return points;
 }
 
+/**
+ * @param {PackedFigure} figure
+ * @returns {Figure}
+ */
 function figureOf({ id, map, limit, values }) {
-  return { id, map, limit, values: values.map((text) => text && new Float32Array(bytesOf(text))) };
+  return { id, map, limit, values: values.map((text) => (text === null ? null : new Float32Array(bytesOf(text)))) };
 }
 
-// How much of its limit the edge there uses up whose length differs most: 1 is the limit.
+/**
+ * How much of its limit the edge there uses up whose length differs most: 1 is the limit.
+ * @param {PackedLimit} limit
+ * @param {Figure} edgeStrain
+ * @returns {Figure}
+ */
 function limitUsed({ asked, beyond }, edgeStrain) {
   const values = edgeStrain.values.map((strains) => strains && strains.map((strain) => Math.abs(strain) / asked));
   return { id: 'limit_used', map: 'pale', limit: 1, values, asked, beyond };
 }
 
-// With a limit, what it is about comes first.
-function figuresOf(json) {
-  const figures = json.figures.map(figureOf);
-  if (json.limit) figures.unshift(limitUsed(json.limit, figures.find(({ id }) => id === 'edge_strain')));
+/**
+ * With a limit, what it is about comes first.
+ * @param {PackedData} packed
+ */
+function figuresOf(packed) {
+  const figures = packed.figures.map(figureOf);
+  const edgeStrain = figures.find(({ id }) => id === 'edge_strain');
+  if (packed.limit && edgeStrain) figures.unshift(limitUsed(packed.limit, edgeStrain));
   return new Map(figures.map((figure) => [figure.id, figure]));
 }
 
-export function unpack(json) {
-  const { states, triangles, pattern } = json;
+/**
+ * @param {PackedData} packed
+ * @returns {ReportData}
+ */
+export function unpack(packed) {
+  const { states, triangles, pattern } = packed;
   const Indices = triangles.bits === 16 ? Uint16Array : Uint32Array;
   return {
-    unit: json.unit,
-    count: json.vertices,
-    whole: json.of,
-    view: json.view,
+    unit: packed.unit,
+    count: packed.vertices,
+    whole: packed.of,
+    view: packed.view,
     names: states.names,
     shown: states.shown,
-    numbers: new Uint32Array(bytesOf(json.numbers)),
+    numbers: new Uint32Array(bytesOf(packed.numbers)),
     triangles: new Indices(bytesOf(triangles.data)),
     positions: states.positions.map((text) => pointsOf(text, states.low, states.step)),
-    figures: figuresOf(json),
-    maps: new Map(
-      Object.entries(json.maps).map(([name, text]) => [name, new Uint8Array(bytesOf(text))]),
-    ),
-    drawn: pattern && pointsOf(pattern.positions, pattern.low, pattern.step),
+    figures: figuresOf(packed),
+    maps: new Map(Object.entries(packed.maps).map(([name, text]) => [name, new Uint8Array(bytesOf(text))])),
+    drawn: pattern ? pointsOf(pattern.positions, pattern.low, pattern.step) : null,
   };
 }

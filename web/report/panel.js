@@ -1,18 +1,17 @@
 // What stands around the view of the patch: which figure is shown, its scale, the split, and what
 // the figures of a vertex are.
 import { colorOf, gradientOf } from '../viewer/colors.js';
+import { countText, make } from '../viewer/dom.js';
 import { labelsOf, textOf } from '../viewer/figures.js';
 
-export function make(name, properties = {}, ...children) {
-  const made = document.createElement(name);
-  const { dataset, ...plain } = properties;
-  Object.assign(made, plain);
-  Object.assign(made.dataset, dataset);
-  made.append(...children);
-  return made;
-}
+/** @typedef {import('../viewer/colors.js').Color} Color */
+/** @typedef {import('../viewer/figures.js').NamedFigure} NamedFigure */
 
-// One of several figures to choose: a row of radio buttons.
+/**
+ * One of several figures to choose: a row of radio buttons.
+ * @param {NamedFigure[]} figures
+ * @param {(figure: NamedFigure) => void} chosen
+ */
 export function figureChoice(figures, chosen) {
   const group = make('fieldset', { className: 'choice' });
   group.append(make('legend', { className: 'unseen', textContent: 'Colour by' }));
@@ -31,8 +30,13 @@ export function figureChoice(figures, chosen) {
   return group;
 }
 
-// The colour scale with buttons that make it finer and coarser.
+/** The colour scale with buttons that make it finer and coarser. */
 export class Scale {
+  /**
+   * @param {Map<string, Uint8Array>} maps colour maps by name
+   * @param {string} unit of the model
+   * @param {(step: number) => void} stepped called with -1 for finer, 1 for coarser
+   */
   constructor(maps, unit, stepped) {
     this.maps = maps;
     this.unit = unit;
@@ -63,13 +67,20 @@ export class Scale {
     );
   }
 
+  /**
+   * @param {NamedFigure} figure
+   * @param {number} limit |value| at which its colours end, above 0
+   */
   show(figure, limit) {
-    this.bar.style.background = gradientOf(this.maps.get(figure.map));
+    this.bar.style.background = gradientOf(this.maps.get(figure.map) ?? new Uint8Array());
     labelsOf(figure, limit, this.unit).forEach((text, i) => (this.labels[i].textContent = text));
     this.setApart(figure.beyond);
   }
 
-  // For what is beyond a limit a field of its own, right of the bar.
+  /**
+   * For what is beyond a limit a field of its own, right of the bar.
+   * @param {Color} [color]
+   */
   setApart(color) {
     this.root.classList.toggle('bounded', color !== undefined);
     this.beyond.remove();
@@ -82,8 +93,12 @@ export class Scale {
   }
 }
 
-// The figures of one vertex, before and after.
+/** The figures of one vertex, before and after. */
 export class Readout {
+  /**
+   * @param {NamedFigure[]} figures
+   * @param {{unit: string, numbers: Uint32Array}} data unit of the model; numbers that vertices are known by
+   */
   constructor(figures, data) {
     this.figures = figures;
     this.data = data;
@@ -125,11 +140,16 @@ export class Readout {
     this.show(-1, [0, 1]);
   }
 
+  /**
+   * @param {number} vertex -1 for none
+   * @param {number[]} states the one before, the one after
+   */
   show(vertex, states) {
     this.root.classList.toggle('empty', vertex < 0);
     this.vertex.textContent =
-      vertex < 0 ? 'Point at a place' : `Vertex ${this.data.numbers[vertex].toLocaleString('en').replaceAll(',', '\u202f')}`;
+      vertex < 0 ? 'Point at a place' : `Vertex ${countText(this.data.numbers[vertex])}`;
     for (const { figure, before, after } of this.rows) {
+      /** @param {number} state */
       const text = (state) =>
         vertex < 0 ? '–' : textOf(figure, figure.values[state], vertex, this.data.unit);
       // Where a place was before it moved needs no figure.

@@ -1,14 +1,46 @@
 // What a pattern maker calls the figures of a vertex, and how they are written.
 
+/**
+ * What is measured at vertices, by states of the patch.
+ * @typedef {object} Figure
+ * @property {string} id as in `words` below
+ * @property {string} map the name of its colour map
+ * @property {number} limit |value| at which colours end, above 0
+ * @property {(Float32Array | null)[]} values of each state one for each vertex, NaN where nothing is
+ *   measured; null where the state has none
+ * @property {number} [asked] the limit of strain, where the figure is what is used up of it
+ * @property {import('./colors.js').Color} [beyond] the colour of what is beyond the limit
+ */
+
+/**
+ * How a figure is named and written.
+ * @typedef {object} Words
+ * @property {string} name
+ * @property {string} term the paper's
+ * @property {boolean} isSigned whether colours go both ways from 0
+ * @property {boolean} [isFixed] whether the scale cannot be made finer or coarser
+ * @property {(value: number, unit: string) => string} text what a value reads
+ * @property {(limit: number, unit: string, asked: number) => string[]} [ends] what the scale's low
+ *   end, middle and high end read; a figure without stands in the table alone
+ * @property {string} [further] what is beyond an end, if not "or more"
+ * @property {string} [worst] which figure has the worst place, where it is another one
+ */
+
+/** @typedef {Figure & Words} NamedFigure */
+
 const superscripts = '⁰¹²³⁴⁵⁶⁷⁸⁹';
 
+/** @param {number} power */
 function powerOfTen(power) {
-  const digits = [...String(Math.abs(power))].map((digit) => superscripts[digit]).join('');
+  const digits = [...String(Math.abs(power))].map((digit) => superscripts[Number(digit)]).join('');
   return `10${power < 0 ? '⁻' : ''}${digits}`;
 }
 
-// Three significant digits, with a true minus; powers of ten where numbers are out of the usual
-// range.
+/**
+ * A number with a true minus; with a power of ten where it is out of the usual range.
+ * @param {number} value
+ * @param {number} digits significant ones
+ */
 export function written(value, digits = 3) {
   if (value === 0) return '0';
   const [mantissa, exponent] = Math.abs(value).toExponential(digits - 1).split('e');
@@ -18,6 +50,10 @@ export function written(value, digits = 3) {
   return sign + Math.abs(value).toFixed(Math.max(0, digits - 1 - power));
 }
 
+/**
+ * @param {number} value
+ * @param {number} [digits]
+ */
 function signed(value, digits) {
   return (value > 0 ? '+' : '') + written(value, digits);
 }
@@ -25,42 +61,52 @@ function signed(value, digits) {
 const flatEnough = 1e-4; // radians, as the program counts
 const unstretched = 1e-6;
 
+/** @param {number} value radians */
 function defectText(value) {
   const kind = Math.abs(value) <= flatEnough ? 'flat' : value > 0 ? 'dome' : 'saddle';
   return `${signed(value)} rad, ${kind}`;
 }
 
+/**
+ * @param {number} value one over the square of a length
+ * @param {string} unit
+ */
 function curvatureText(value, unit) {
   const size = Math.abs(value);
   if (!(size > 0)) return 'flat';
   return `ball of radius ${written(1 / Math.sqrt(size), 2)} ${unit}`;
 }
 
+/**
+ * @param {number} value one over a length
+ * @param {string} unit
+ */
 function bendText(value, unit) {
   if (!(value > 0)) return 'flat';
   return `as a cylinder of radius ${written(1 / value, 2)} ${unit}`;
 }
 
+/** @param {number} value 0.01 for one percent longer */
 function strainText(value) {
   if (Math.abs(value) < unstretched) return 'none';
   return `${signed(100 * value, 2)} %, ${value > 0 ? 'longer' : 'shorter'}`;
 }
 
+/** @param {number} limit */
 function strainEnds(limit) {
   const end = `${written(100 * limit, 1)} %`;
   return [`shorter −${end}`, '0 keeps its length', `longer +${end}`];
 }
 
-// Values are of 32 bits, and what keeps a limit exactly must not seem to be beyond it.
+/** Values are of 32 bits, and what keeps a limit exactly must not seem to be beyond it. */
 export const rounding = 1e-6;
 
+/** @param {number} value share of the limit that is used up */
 function limitText(value) {
   return `${written(100 * value, 2)} %${value > 1 + rounding ? ', beyond the limit' : ''}`;
 }
 
-// Each: a name, the paper's term, what a value reads, what the scale's ends and middle read, what
-// is beyond an end; which figure tells the worst place, where it is another one. Without ends it
-// stands in the table alone. A fixed scale cannot be made finer or coarser.
+/** @type {Record<string, Words>} */
 const words = {
   limit_used: {
     name: 'Limit used up',
@@ -130,31 +176,49 @@ const words = {
   },
 };
 
-// Figures of which the page has values, with their words.
-export function namedFigures(data) {
-  return [...data.figures.values()]
+/**
+ * Figures that have values in some state, with their words.
+ * @param {Iterable<Figure>} figures
+ * @returns {NamedFigure[]}
+ */
+export function namedFigures(figures) {
+  return [...figures]
     .filter((figure) => figure.values.some((values) => values !== null))
     .map((figure) => ({ ...figure, ...words[figure.id] }));
 }
 
-// What the scale's ends and middle read; where more lies beyond the ends, they say so.
+/**
+ * What the scale's low end, middle and high end read; where more lies beyond the ends, they say so.
+ * @param {NamedFigure} figure
+ * @param {number} limit |value| at which its colours end now
+ * @param {string} unit
+ */
 export function labelsOf(figure, limit, unit) {
-  const [low, middle, high] = figure.ends(limit, unit, figure.asked);
+  const [low, middle, high] = figure.ends?.(limit, unit, figure.asked ?? 0) ?? ['', '', ''];
   if (figure.isFixed) return [low, middle, high];
   const largest = Math.max(...figure.values.map((values) => (values ? Math.abs(values[worstOf(values)]) : 0)));
   if (!(largest > limit * 1.000001)) return [low, middle, high];
-  const further = (text) => `${text} ${figure.further ?? 'or more'}`;
-  return [figure.isSigned ? further(low) : low, middle, further(high)];
+  const further = ` ${figure.further ?? 'or more'}`;
+  return [figure.isSigned ? low + further : low, middle, high + further];
 }
 
-// The figure of one vertex in words; what is not measured on the edge says so.
+/**
+ * The figure of one vertex in words; what is not measured on the edge says so.
+ * @param {Pick<Words, 'text'>} figure
+ * @param {Float32Array | null} values of the state that is asked for
+ * @param {number} vertex
+ * @param {string} unit
+ */
 export function textOf(figure, values, vertex, unit) {
   if (!values) return '–';
   const value = values[vertex];
   return Number.isNaN(value) ? 'edge' : figure.text(value, unit);
 }
 
-// The vertex where the figure is largest.
+/**
+ * The vertex where |value| is largest; the first if there is no value.
+ * @param {Float32Array} values
+ */
 export function worstOf(values) {
   let worst = 0;
   let largest = -1;

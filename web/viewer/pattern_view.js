@@ -1,112 +1,73 @@
-// The drawing of the pattern: which vertex is under the pointer, a mark on a vertex, layers.
+// A drawing of the pattern in which a vertex can be pointed at and marked.
+import { makeSvg } from './dom.js';
+import { PointGrid } from './picking.js';
+
+/** @typedef {import('./patch_view.js').VertexListener} VertexListener */
 
 const markSize = 7; // pixels
 const reach = 24; // pixels: what is further away from any vertex is not meant
 
-// Vertices by the cells of a grid, so that the nearest is found at once.
-class Grid {
-  constructor(points) {
-    this.points = points;
-    const count = points.length / 2;
-    const xs = points.filter((_, i) => i % 2 === 0);
-    const ys = points.filter((_, i) => i % 2 === 1);
-    const extent = (list) => list.reduce(([l, h], x) => [Math.min(l, x), Math.max(h, x)], [Infinity, -Infinity]);
-    const [left, right] = extent(xs);
-    const [top, bottom] = extent(ys);
-    Object.assign(this, { left, top });
-    this.size = Math.sqrt(((right - left) * (bottom - top)) / Math.max(1, count)) * 1.5 || 1;
-    this.cells = new Map();
-    for (let i = 0; i < count; ++i) {
-      const key = this.key(points[2 * i], points[2 * i + 1]);
-      const cell = this.cells.get(key);
-      if (cell) cell.push(i);
-      else this.cells.set(key, [i]);
-    }
-  }
-
-  column(x) {
-    return Math.floor((x - this.left) / this.size);
-  }
-
-  row(y) {
-    return Math.floor((y - this.top) / this.size);
-  }
-
-  key(x, y) {
-    return this.row(y) * 65536 + this.column(x);
-  }
-
-  // Within the distance, or -1.
-  nearest(x, y, distance) {
-    let best = -1;
-    let least = distance;
-    const [column, row] = [this.column(x), this.row(y)];
-    const rings = Math.min(64, Math.ceil(distance / this.size));
-    for (let ring = 0; ring <= rings && (ring - 1) * this.size <= least; ++ring) {
-      for (let j = -ring; j <= ring; ++j) {
-        const step = Math.abs(j) === ring || ring === 0 ? 1 : 2 * ring;
-        for (let i = -ring; i <= ring; i += step) {
-          for (const vertex of this.cells.get((row + j) * 65536 + column + i) ?? []) {
-            const apart = Math.hypot(this.points[2 * vertex] - x, this.points[2 * vertex + 1] - y);
-            if (apart > least) continue;
-            least = apart;
-            best = vertex;
-          }
-        }
-      }
-    }
-    return best;
-  }
-}
-
-function element(name, attributes) {
-  const made = document.createElementNS('http://www.w3.org/2000/svg', name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  return made;
-}
-
 export class PatternView {
-  // hovered(vertex or -1), clicked(vertex)
-  constructor(svg, drawn, hovered, clicked) {
+  /**
+   * @param {SVGSVGElement} svg the drawing; a mark is added to it
+   * @param {Float32Array} positions x, y of all vertices in the coordinates of the drawing
+   * @param {VertexListener} listener
+   */
+  constructor(svg, positions, listener) {
     this.svg = svg;
-    this.drawn = drawn;
-    this.grid = new Grid(drawn);
-    this.mark = element('g', { class: 'mark', visibility: 'hidden' });
-    this.mark.append(element('circle', { class: 'halo' }), element('circle', { class: 'ring' }));
-    svg.append(this.mark);
-    svg.addEventListener('pointermove', (event) => hovered(this.vertexAt(event)));
-    svg.addEventListener('pointerleave', () => hovered(-1));
-    svg.addEventListener('click', (event) => clicked(this.vertexAt(event)));
+    this.grid = new PointGrid(positions);
+    this.marked = -1;
+    this.circles = [makeSvg('circle', { class: 'halo' }), makeSvg('circle', { class: 'ring' })];
+    this.root = makeSvg('g', { class: 'mark', visibility: 'hidden' }, ...this.circles);
+    svg.append(this.root);
+    this.listening = new AbortController();
+    const { signal } = this.listening;
+    svg.addEventListener('pointermove', (event) => listener.hovered(this.vertexAt(event)), { signal });
+    svg.addEventListener('pointerleave', () => listener.hovered(-1), { signal });
+    svg.addEventListener('click', (event) => listener.clicked(this.vertexAt(event)), { signal });
   }
 
+  /**
+   * Says where the vertices are in the drawing now. What is drawn is not the view's: it stays.
+   * @param {Float32Array} positions x, y of all vertices in the coordinates of the drawing
+   * @throws {RangeError} if it is of another number of vertices
+   */
+  update(positions) {
+    const { length } = this.grid.points;
+    if (positions.length !== length) {
+      throw new RangeError(`positions of ${positions.length / 2} vertices, not of ${length / 2}`);
+    }
+    this.grid = new PointGrid(positions);
+    this.mark(this.marked);
+  }
+
+  /**
+   * The vertex that is meant by a place in the drawing, or -1.
+   * @param {MouseEvent} event
+   */
   vertexAt(event) {
     const matrix = this.svg.getScreenCTM();
+    if (!matrix) return -1;
     const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
     return this.grid.nearest(x, y, Math.max(reach / matrix.a, this.grid.size));
   }
 
-  show(vertex) {
-    this.mark.setAttribute('visibility', vertex < 0 ? 'hidden' : 'visible');
-    if (vertex < 0) return;
-    const size = markSize / this.svg.getScreenCTM().a;
-    for (const circle of this.mark.children) {
-      circle.setAttribute('cx', this.drawn[2 * vertex]);
-      circle.setAttribute('cy', this.drawn[2 * vertex + 1]);
-      circle.setAttribute('r', size);
+  /** @param {number} vertex -1 for none */
+  mark(vertex) {
+    this.marked = vertex;
+    const matrix = vertex < 0 ? null : this.svg.getScreenCTM();
+    this.root.setAttribute('visibility', matrix ? 'visible' : 'hidden');
+    if (!matrix) return;
+    for (const circle of this.circles) {
+      circle.setAttribute('cx', String(this.grid.points[2 * vertex]));
+      circle.setAttribute('cy', String(this.grid.points[2 * vertex + 1]));
+      circle.setAttribute('r', String(markSize / matrix.a));
     }
   }
-}
 
-// A box to tick in front of each line of the key of the drawing.
-export function addLayerSwitches(svg, keys) {
-  for (const item of keys.querySelectorAll('li[data-layer]')) {
-    const layer = svg.querySelector(`#${item.dataset.layer}`);
-    const box = document.createElement('input');
-    box.type = 'checkbox';
-    box.checked = true;
-    box.addEventListener('change', () => layer.style.setProperty('display', box.checked ? '' : 'none'));
-    const label = document.createElement('label');
-    label.append(box, ...item.childNodes);
-    item.append(label);
+  /** Leaves the drawing as it was. */
+  dispose() {
+    this.listening.abort();
+    this.root.remove();
   }
 }

@@ -1,0 +1,216 @@
+// A patch that can be turned, in two states beside each other with a split between them that can be
+// moved. Its styles are in viewer.css, which takes colours from variables of the page: --ground,
+// --card, --ink and --blue.
+import { make } from './dom.js';
+import { PatchScene } from './patch_scene.js';
+import { pick } from './picking.js';
+import { Turning } from './turning.js';
+
+/** @typedef {import('./patch_scene.js').Coloring} Coloring */
+/** @typedef {import('./patch_scene.js').Patch} Patch */
+
+/**
+ * What a view calls.
+ * @typedef {object} VertexListener
+ * @property {(vertex: number) => void} hovered the vertex under the pointer, or -1
+ * @property {(vertex: number) => void} clicked the vertex that was clicked, or -1
+ */
+
+/**
+ * A canvas to draw in space on; null where the browser cannot.
+ * @returns {{canvas: HTMLCanvasElement, context: WebGL2RenderingContext} | null}
+ */
+export function spaceCanvas() {
+  const canvas = make('canvas');
+  const context = canvas.getContext('webgl2', { antialias: true, alpha: true });
+  return context && { canvas, context };
+}
+
+export class PatchView {
+  /**
+   * The view is drawn as soon as its root has a place in the page.
+   * @param {{canvas: HTMLCanvasElement, context: WebGL2RenderingContext}} space of `spaceCanvas()`
+   * @param {Patch} patch
+   * @param {VertexListener} listener
+   */
+  constructor({ canvas, context }, patch, listener) {
+    this.canvas = canvas;
+    this.triangles = patch.triangles;
+    this.marked = -1;
+    /**
+     * Where the vertices of a state are in the picture, kept until it changes.
+     * @type {Map<number, Float32Array>}
+     */
+    this.kept = new Map();
+    this.waiting = 0;
+    canvas.tabIndex = 0;
+    canvas.setAttribute('role', 'application');
+    canvas.setAttribute('aria-label', 'Patch in space. Arrow keys turn it, plus and minus zoom, 0 resets.');
+    this.slider = make('input', { type: 'range', className: 'split', min: 0, max: 100, step: 1, value: 50 });
+    this.slider.setAttribute('aria-label', 'How much is shown as before');
+    this.spot = make('div', { className: 'spot', hidden: true });
+    this.tags = ['before', 'after'].map((name) => make('span', { className: `tag ${name}`, textContent: name }));
+    const line = make('div', { className: 'split-line' });
+    /** To be put into the page. */
+    this.root = make('div', { className: 'view' }, canvas, line, ...this.tags, this.spot, this.slider);
+    this.scene = new PatchScene(canvas, context, patch);
+    this.turning = new Turning(
+      canvas,
+      this.scene,
+      () => this.moved(),
+      (event) => listener.clicked(this.vertexAt(event)),
+    );
+    this.listening = new AbortController();
+    this.listen(listener);
+    this.sizes = new ResizeObserver(() => this.fit());
+    this.sizes.observe(this.root);
+  }
+
+  /** @param {VertexListener} listener */
+  listen({ hovered }) {
+    const { signal } = this.listening;
+    const { canvas, slider } = this;
+    canvas.addEventListener(
+      'pointermove',
+      (event) => {
+        if (!this.turning.isDragging) hovered(this.vertexAt(event));
+      },
+      { signal },
+    );
+    canvas.addEventListener('pointerleave', () => hovered(-1), { signal });
+    slider.addEventListener('input', () => this.redraw(), { signal });
+  }
+
+  /** The states left and right of the split. */
+  get shown() {
+    return this.scene.shown;
+  }
+
+  /**
+   * Shows another state right of the split.
+   * @param {number} state
+   * @param {string} name plain text
+   */
+  show(state, name) {
+    this.scene.shown = [0, state];
+    this.tags[1].textContent = name;
+    this.redraw();
+  }
+
+  /**
+   * Moves the vertices of a state; the camera stays until it is reset.
+   * @param {Float32Array} positions x, y, z of all vertices, model units; copied
+   * @param {number} [state] by default the one right of the split
+   * @throws {RangeError} if it is of another number of vertices
+   */
+  update(positions, state) {
+    this.scene.update(positions, state);
+    this.moved();
+  }
+
+  /** @param {Coloring} coloring */
+  color(coloring) {
+    this.scene.color(coloring);
+    this.redraw();
+  }
+
+  /** @param {number} limit |value| at which colours end, above 0 */
+  scale(limit) {
+    this.scene.scale(limit);
+    this.redraw();
+  }
+
+  /** Shows the whole patch from where it was seen at first. */
+  reset() {
+    this.turning.reset();
+  }
+
+  /**
+   * Marks a vertex on the side on which it is seen; where it is on both, right of the split.
+   * @param {number} vertex -1 for none
+   */
+  mark(vertex) {
+    this.marked = vertex;
+    this.placeSpot();
+  }
+
+  /**
+   * The vertex that is meant by a place in the view, or -1.
+   * @param {MouseEvent} event
+   */
+  vertexAt(event) {
+    const box = this.canvas.getBoundingClientRect();
+    const x = event.clientX - box.left;
+    const y = event.clientY - box.top;
+    const side = x < this.scene.split * this.scene.width ? 0 : 1;
+    return pick(this.places(side), this.triangles, x, y);
+  }
+
+  /**
+   * Where the vertices of one side are.
+   * @param {number} side 0 left, 1 right
+   */
+  places(side) {
+    const state = this.scene.shown[side];
+    const places = this.kept.get(state) ?? this.scene.projected(state);
+    this.kept.set(state, places);
+    return places;
+  }
+
+  placeSpot() {
+    const vertex = this.marked;
+    const at = this.scene.split * this.scene.width;
+    const place = [1, 0]
+      .map((side) => ({ side, x: this.places(side)[3 * vertex], y: this.places(side)[3 * vertex + 1] }))
+      .find(({ side, x }) => (side === 0 ? x < at : x >= at));
+    this.spot.hidden = vertex < 0 || !place;
+    if (vertex >= 0 && place) this.spot.style.transform = `translate(${place.x}px, ${place.y}px)`;
+  }
+
+  /** Draws in the size that the view has in the page; nothing where it has none yet. */
+  fit() {
+    const { clientWidth, clientHeight } = this.root;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.scene.resize(clientWidth, clientHeight, Math.min(2, window.devicePixelRatio));
+    this.kept.clear();
+    this.paint();
+  }
+
+  /** Camera or vertices did. */
+  moved() {
+    this.kept.clear();
+    this.redraw();
+  }
+
+  redraw() {
+    this.waiting ||= requestAnimationFrame(() => {
+      this.waiting = 0;
+      this.paint();
+    });
+  }
+
+  paint() {
+    if (!this.scene.width) return;
+    const { root, slider } = this;
+    const share = Number(slider.value) / 100;
+    this.scene.split = share;
+    root.style.setProperty('--split', `${slider.value}%`);
+    root.classList.toggle('only-after', share < 0.14);
+    root.classList.toggle('only-before', share > 0.86);
+    slider.setAttribute('aria-valuetext', `${slider.value} % before`);
+    this.scene.draw();
+    this.placeSpot();
+    root.dataset.ready ??= String(Math.round(performance.now()));
+  }
+
+  /** Takes the view from the page and frees all that it holds; it cannot be used again. */
+  dispose() {
+    cancelAnimationFrame(this.waiting);
+    this.sizes.disconnect();
+    this.listening.abort();
+    this.turning.dispose();
+    this.scene.dispose();
+    this.kept.clear();
+    this.root.remove();
+  }
+}

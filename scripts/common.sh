@@ -104,19 +104,24 @@ install_packages() { # tables as above
 
 # What the report pages are bundled with. Where it cannot be had, they are built without 3D view.
 install_page_tools() {
-  (install_packages "$page_packages") && install_npm web report ||
+  (install_packages "$page_packages") && install_npm web report --omit=dev ||
     say "without Node.js and its packages, reports have still pictures only"
+}
+
+# What type-checks and lints web/, for scripts/test only. Where it cannot be had, these tests are skipped.
+install_web_tools() {
+  install_npm web web || true
 }
 
 # Installs what a package.json names, as its lock file has it, under build/npm/NAME. Where that
 # cannot be, what needs it is left out by itself.
-install_npm() { # folder of package.json, NAME
-  local from=$repo/$1 to=$repo/build/npm/$2
+install_npm() { # folder of package.json, NAME, flags of npm
+  local from=$repo/$1 to=$repo/build/npm/$2 flags=("${@:3}")
   cmp -s "$from/package-lock.json" "$to/installed" && return 0
   say "installing Node packages of $1 (log: build/npm-$2.log)"
   mkdir -p "$to"
   cp "$from/package.json" "$from/package-lock.json" "$to"
-  if npm ci --prefix "$to" --ignore-scripts --no-audit --no-fund >"$repo/build/npm-$2.log" 2>&1; then
+  if npm ci --prefix "$to" --ignore-scripts --no-audit --no-fund "${flags[@]}" >"$repo/build/npm-$2.log" 2>&1; then
     cp "$from/package-lock.json" "$to/installed"
   else
     say "npm could not install them: what needs them is left out"

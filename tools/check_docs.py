@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Checks that the docs say what is there: the example in README.md is the one that is built,
-every link to a file of the project leads to one, and every code of an error has its paragraph."""
+every link to a file of the project leads to one and to a heading that it has, and every code of an
+error has its paragraph."""
 
 import pathlib
 import re
@@ -26,6 +27,29 @@ def error_faults():
     ]
 
 
+def anchors(text):
+    """The names under which links reach the headings of a page."""
+    found = set()
+    for heading in re.findall(r"^#+ (.*)$", re.sub(r"```.*?```", "", text, flags=re.DOTALL), re.M):
+        words = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading.strip().lower())
+        name = re.sub(r"[^\w\- ]", "", words).replace(" ", "-")
+        copies = [f"{name}-{k}" for k in range(1, len(found) + 1)]
+        found.add(next(n for n in [name, *copies] if n not in found))
+    return found
+
+
+def link_faults(page):
+    for link, anchor in re.findall(r"\]\(([^)#]*)(?:#([^)]*))?\)", page.read_text(encoding="utf-8")):
+        if ":" in link:
+            continue
+        target = page.parent / link if link else page
+        if not target.exists():
+            yield f"{page.relative_to(REPO)}: no file at {link}"
+        elif anchor and target.suffix == ".md":
+            if anchor not in anchors(target.read_text(encoding="utf-8")):
+                yield f"{page.relative_to(REPO)}: no heading at {link}#{anchor}"
+
+
 def main():
     faults = error_faults()
     readme = (REPO / "README.md").read_text(encoding="utf-8")
@@ -35,10 +59,7 @@ def main():
     if example is None or example.strip() != shown[2].strip():
         faults.append("README.md: the example in C++ is not that of examples/")
     for page in PAGES:
-        text = page.read_text(encoding="utf-8")
-        for link in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", text):
-            if ":" not in link and not (page.parent / link).exists():
-                faults.append(f"{page.relative_to(REPO)}: no file at {link}")
+        faults.extend(link_faults(page))
     for fault in faults:
         print(fault)
     return 1 if faults else 0

@@ -17,10 +17,8 @@ namespace planish::cli {
 
 namespace {
 
-// Written out, so that nothing has to be allocated to say it.
+// A constant, so that nothing has to be allocated to say it.
 constexpr const char* k_out_of_memory = "out of memory";
-constexpr const char* k_out_of_memory_json =
-    R"({"error": {"code": "out_of_memory", "message": "out of memory"}})";
 
 Outcome usage_failure(const std::string& message, const std::string& json) {
   return {{}, json, k_exit_usage, message};

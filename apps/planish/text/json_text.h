@@ -13,6 +13,9 @@ namespace planish::cli {
 /// A failure that is none of the library's: {"error": {"code", "message"}}.
 std::string json_failure(const std::string& code, const std::string& message);
 
+/// The failure of a run that has used up its memory, which may not even have enough to make text.
+extern const char* const k_out_of_memory_json;
+
 /// {"version"}
 std::string json_version(const std::string& version);
 

@@ -1,6 +1,10 @@
 #pragma once
 
+/// @file
 /// All of the library.
+
+/// @namespace planish
+/// Everything that the library has.
 
 #include <planish/core/error.h>
 #include <planish/core/range.h>

@@ -70,9 +70,12 @@ struct ErrorPlace {
 /// do, and the place. Not converging is never an error; faults of ours are assertions.
 class Error : public std::runtime_error {
  public:
+  /// @param message one line, without the place, which what() puts in front
   Error(ErrorCode code, const std::string& message, ErrorPlace place = {});
 
+  /// The kind of fault, for programs to act on.
   ErrorCode code() const noexcept { return code_; }
+  /// Where it is, as far as that is known.
   const ErrorPlace& place() const noexcept { return place_; }
   /// The message without the place; what() has "path:line: message".
   const std::string& message() const noexcept { return message_; }

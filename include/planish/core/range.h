@@ -8,8 +8,8 @@ namespace planish {
 
 /// Closed range of the values that a number may take.
 struct Range {
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
+  double min = -std::numeric_limits<double>::infinity();  ///< smallest value
+  double max = std::numeric_limits<double>::infinity();   ///< largest value
 };
 
 /// Throws Error(option_out_of_range) naming the option, unless value is a number within range.

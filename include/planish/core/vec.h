@@ -9,8 +9,9 @@ namespace planish {
 /// Number of a vertex or a triangle, counted from 0.
 using Index = std::uint32_t;
 
+/// A place or a vector in the plane, with sums, differences and multiples.
 struct Vec2 {
-  double x = 0.0, y = 0.0;
+  double x = 0.0, y = 0.0;  ///< Cartesian coordinate
 
   friend constexpr Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
   friend constexpr Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
@@ -18,9 +19,11 @@ struct Vec2 {
   friend constexpr bool operator==(const Vec2&, const Vec2&) = default;
 };
 
+/// A place or a vector in space, with sums, differences and multiples.
 struct Vec3 {
-  double x = 0.0, y = 0.0, z = 0.0;
+  double x = 0.0, y = 0.0, z = 0.0;  ///< Cartesian coordinate
 
+  /// Adds b, coordinate by coordinate.
   constexpr Vec3& operator+=(Vec3 b) { return x += b.x, y += b.y, z += b.z, *this; }
   friend constexpr Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -29,9 +32,11 @@ struct Vec3 {
   friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
 };
 
+/// The scalar product.
 constexpr double dot(Vec2 a, Vec2 b) {
   return a.x * b.x + a.y * b.y;
 }
+/// The scalar product.
 constexpr double dot(Vec3 a, Vec3 b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
@@ -39,12 +44,15 @@ constexpr double dot(Vec3 a, Vec3 b) {
 constexpr double cross(Vec2 a, Vec2 b) {
   return a.x * b.y - a.y * b.x;
 }
+/// The vector product: normal to a and b, as long as the area that they span.
 constexpr Vec3 cross(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+/// The length of a vector.
 inline double norm(Vec2 a) {
   return std::sqrt(dot(a, a));
 }
+/// The length of a vector.
 inline double norm(Vec3 a) {
   return std::sqrt(dot(a, a));
 }

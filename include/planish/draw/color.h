@@ -7,10 +7,11 @@ namespace planish {
 
 /// sRGB.
 struct Color {
-  std::uint8_t r = 0, g = 0, b = 0;
+  std::uint8_t r = 0, g = 0, b = 0;  ///< red, green or blue, 0 to 255
   friend constexpr bool operator==(const Color&, const Color&) = default;
 };
 
+/// How a value becomes a colour.
 enum class ColorMap {
   diverging,   ///< signed values: blue below 0, white at 0, red above; safe for colour-blind eyes
   paper,       ///< sizes as the 2010 paper shows them: blue at 0 over green and yellow to red

@@ -13,52 +13,53 @@ namespace planish {
 
 /// A line's looks. Width in millimetres.
 struct Stroke {
-  Color color;
-  double width = 0.25;
-  bool dashed = false;
+  Color color;          ///< of the line
+  double width = 0.25;  ///< millimetres, above 0
+  bool dashed = false;  ///< in dashes instead of solid
 };
 
 /// One or more polylines as one thing: an outline, or with a fill the area inside them (even-odd).
 struct Path {
-  std::vector<std::vector<Vec2>> lines;
-  bool closed = false;
-  std::optional<Stroke> stroke = {};
-  std::optional<Color> fill = {};
-  std::size_t piece = 0;  ///< that it belongs to, see Drawing::pieces
+  std::vector<std::vector<Vec2>> lines;  ///< points of each polyline, millimetres
+  bool closed = false;                   ///< each line returns from its last point to its first
+  std::optional<Stroke> stroke = {};     ///< none: no outline is drawn
+  std::optional<Color> fill = {};        ///< none: nothing is filled
+  std::size_t piece = 0;                 ///< that it belongs to, see Drawing::pieces
 };
 
 /// One line of UTF-8 text. `at` is the left (or middle) end of its baseline.
 struct Text {
-  Vec2 at;
-  double height = 4.0;  ///< of capital letters' line, millimetres
-  std::string text;
-  Color color = {};
-  bool centred = false;
+  Vec2 at;                ///< millimetres
+  double height = 4.0;    ///< of capital letters' line, millimetres
+  std::string text;       ///< UTF-8, one line
+  Color color = {};       ///< of the letters
+  bool centred = false;   ///< `at` is the middle of the line, else its left end
   std::size_t piece = 0;  ///< that it belongs to, see Drawing::pieces
 };
 
+/// What a layer consists of.
 using DrawingShape = std::variant<Path, Text>;
 
 /// Shapes with one meaning, to be shown, hidden or sent to a tool together.
 struct Layer {
-  std::string name;
-  std::vector<DrawingShape> shapes;
-  bool visible = true;
+  std::string name;                  ///< UTF-8, as in k_sheet_layers
+  std::vector<DrawingShape> shapes;  ///< in the order in which they are drawn
+  bool visible = true;               ///< false: written, but hidden at first
 };
 
 /// What formats that know pieces tell of one.
 struct DrawingPiece {
-  std::string name;  ///< empty: the drawing's title
-  std::string size = {};
-  int quantity = 1;
+  std::string name;       ///< empty: the drawing's title
+  std::string size = {};  ///< as "40"; empty: none is given
+  int quantity = 1;       ///< how many are to be cut
 };
 
 /// A sheet in millimetres: x to the right, y up, (0, 0) at the lower left. What every writer of
 /// pattern files consumes. Layers are drawn in order.
 struct Drawing {
-  std::string title;
-  double width = 0.0, height = 0.0;
-  std::vector<Layer> layers;
+  std::string title;                 ///< UTF-8; what viewers show as the name of the file
+  double width = 0.0, height = 0.0;  ///< of the sheet, millimetres
+  std::vector<Layer> layers;         ///< the first one lies below all others
   /// The pieces on the sheet by number. One that is missing goes by the title, once, in no size.
   std::vector<DrawingPiece> pieces = {};
 };

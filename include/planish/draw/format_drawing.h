@@ -24,8 +24,10 @@ std::string format_svg(const Drawing& drawing);
 /// ignore.
 std::string format_pdf(const Drawing& drawing);
 
+/// Sizes of paper: ISO 216, and US letter, 8.5 by 11 inches.
 enum class Paper { a4, a3, letter, a0 };
 
+/// All sizes of paper.
 inline constexpr std::array k_papers = {Paper::a4, Paper::a3, Paper::letter, Paper::a0};
 
 /// "a4", ...
@@ -60,6 +62,7 @@ enum class DxfProfile {
   gerber,   ///< as astm
 };
 
+/// All profiles.
 inline constexpr std::array k_dxf_profiles = {
     DxfProfile::generic, DxfProfile::aama,    DxfProfile::astm,  DxfProfile::clo,
     DxfProfile::lectra,  DxfProfile::optitex, DxfProfile::gerber};
@@ -70,8 +73,9 @@ std::string_view to_string(DxfProfile profile);
 /// @throws Error unknown_name
 DxfProfile dxf_profile_named(std::string_view name);
 
+/// How a drawing is written as DXF.
 struct DxfOptions {
-  DxfProfile profile = DxfProfile::generic;
+  DxfProfile profile = DxfProfile::generic;  ///< the program that is to read it
   /// Other names for layers: name in the drawing -> name in the file. Layers with one name become
   /// one layer.
   std::map<std::string, std::string, std::less<>> layer_names = {};

@@ -23,6 +23,7 @@ Constraints restricted_to(const Constraints& constraints, std::span<const Index>
 /// Whether a method does something with weights, or with an obstacle. Every method honours fixed
 /// vertices.
 bool honours_weights(const Method& method);
+/// Likewise of an obstacle.
 bool honours_obstacle(const Method& method);
 
 /// @throws Error index_out_of_range, option_out_of_range for weights that are too few or out of

@@ -14,6 +14,7 @@ struct Stopping {
   double target_e_max = 0.0;  ///< radians
 };
 
+/// Calls visit(name, member, words, range) for both, as describe() of a method does.
 template <class Visit>
 void describe(Stopping& o, Visit&& visit) {
   visit("sweeps", o.max_sweeps, "at most so many passes over all inner vertices", Range{0.0, 1e9});
@@ -24,12 +25,13 @@ void describe(Stopping& o, Visit&& visit) {
 /// Called after every sweep; returning false ends the run as cancelled.
 using OnSweep = std::function<bool(const SweepRecord&)>;
 
+/// What an evolution ends with.
 struct EvolveResult {
-  std::vector<Vec3> positions;       ///< one per vertex of the mesh, in its order
-  std::vector<SweepRecord> history;  ///< one per sweep
-  StopReason stop = StopReason::sweep_limit;
-  unsigned threads = 1;
-  double seconds = 0.0;
+  std::vector<Vec3> positions;                ///< one per vertex of the mesh, in its order
+  std::vector<SweepRecord> history;           ///< one per sweep
+  StopReason stop = StopReason::sweep_limit;  ///< why it ended
+  unsigned threads = 1;                       ///< that were in use
+  double seconds = 0.0;                       ///< of wall-clock time
 };
 
 /// Moves the inner vertices of a patch so that it gets closer to flattenable; triangles stay, and

@@ -24,6 +24,7 @@ enum class StopReason {
   sweep_limit,
   cancelled,
 };
+/// "reached_target", ...: as in reports.
 std::string_view to_string(StopReason reason);
 
 /// In words: why it ended.
@@ -46,10 +47,11 @@ struct LevelRecord {
 /// The state after one sweep: figures as in Flattenability, radians.
 struct SweepRecord {
   int sweep = 0;  ///< from 1
+  /// As in Flattenability, after the sweep.
   double e_max = 0.0, e_avg = 0.0, energy = 0.0;
-  std::size_t moved = 0;  ///< vertices that this sweep moved
-  double seconds = 0.0;   ///< since the evolver was made
-  SweepStatus status = SweepStatus::running;
+  std::size_t moved = 0;                      ///< vertices that this sweep moved
+  double seconds = 0.0;                       ///< since the evolver was made
+  SweepStatus status = SweepStatus::running;  ///< whether another sweep may gain something
   StopReason reason = StopReason::converged;  ///< if converged, why
   /// If the sweep was a step on a level: the other figures are those of the patch itself, which
   /// does not move before the last level.

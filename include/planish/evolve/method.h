@@ -12,14 +12,16 @@ namespace planish {
 
 /// What the vertices of the border may do while the inner ones move.
 struct BorderFreedom {
+  /// How far the border is free.
   enum class Rule {
     fixed,   ///< stay where they are
     slide,   ///< go along the border as it was, not past its corners nor one another
     within,  ///< go anywhere within a distance of where they were
   };
-  Rule rule = Rule::fixed;
-  double distance = 0.0;  ///< model units; for `within` alone
+  Rule rule = Rule::fixed;  ///< how far it is free
+  double distance = 0.0;    ///< model units; for `within` alone
 
+  /// Whether any vertex of the border may move.
   bool moves() const { return rule == Rule::slide || (rule == Rule::within && distance > 0.0); }
   friend bool operator==(const BorderFreedom&, const BorderFreedom&) = default;
 };

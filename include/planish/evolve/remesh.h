@@ -11,7 +11,7 @@ namespace planish {
 
 /// A patch to be worked on in the place of a denser one.
 struct RemeshedPatch {
-  Patch patch;
+  Patch patch;                ///< with fewer vertices
   Constraints constraints;    ///< of the vertices that are left
   std::vector<Index> source;  ///< vertex of `patch` -> vertex of the denser one, increasing
 };

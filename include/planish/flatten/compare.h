@@ -12,28 +12,29 @@ namespace planish {
 
 /// A method and when it ends.
 struct CompareRun {
-  Method method;
-  Stopping stopping;
+  Method method;      ///< with its options
+  Stopping stopping;  ///< sweeps and e_max at which it ends
 };
 
 /// Every method with its default options and usual_stopping().
 std::vector<CompareRun> runs_of_all_methods();
 
+/// How compare() runs every method.
 struct CompareOptions {
-  Unit unit = Unit::mm;
-  unsigned threads = 0;
-  Constraints constraints = {};
+  Unit unit = Unit::mm;          ///< one unit of the model, for the patterns
+  unsigned threads = 0;          ///< 0 for all cores; the result is the same for every number
+  Constraints constraints = {};  ///< for every method
 };
 
 /// Why a run has no result.
 struct CompareFailure {
-  std::string code;  ///< as of Error, or out_of_memory or internal_error
-  std::string message;
+  std::string code;     ///< as of Error, or out_of_memory or internal_error
+  std::string message;  ///< one line that names the cause
 };
 
 /// What one method made of the patch.
 struct ComparedMethod {
-  CompareRun run;
+  CompareRun run;                         ///< what was asked for
   std::optional<EvolveReport> evolve;     ///< none where evolving failed
   std::optional<UnfoldReport> unfold;     ///< of the result; none where there is no pattern
   std::optional<CompareFailure> failure;  ///< of evolving or unfolding
@@ -41,9 +42,9 @@ struct ComparedMethod {
 
 /// Several methods, each tried on the same patch.
 struct CompareReport {
-  std::string name;  ///< of the patch, for titles
-  Patch input;
-  MeasuredPatch before;
+  std::string name;                           ///< of the patch, for titles
+  Patch input;                                ///< on which every method began
+  MeasuredPatch before;                       ///< figures of the input
   std::optional<UnfoldReport> unfold_before;  ///< of the input as it came
   std::string why_no_patterns;                ///< where the input cannot be laid flat
   std::vector<ComparedMethod> runs;           ///< in the order asked for

@@ -20,13 +20,13 @@ namespace planish {
 
 /// A patch and all that measuring says of it.
 struct MeasuredPatch {
-  Inspection inspection;
-  Flattenability figures;
-  bool flattenable = false;
+  Inspection inspection;                        ///< topology and problems
+  Flattenability figures;                       ///< angle defects
+  bool flattenable = false;                     ///< as is_flattenable() of the two above
   std::optional<Obstruction> obstruction = {};  ///< of a disk only
-  Bending bending = {};
-  double ruling_defect = 0.0;
-  SelfIntersections self_intersections = {};
+  Bending bending = {};                         ///< as measure_bending()
+  double ruling_defect = 0.0;                   ///< as docs/fairness.md defines it
+  SelfIntersections self_intersections = {};    ///< as find_self_intersections()
 };
 
 /// Measures a patch, with all figures.
@@ -36,7 +36,7 @@ MeasuredPatch measure_patch(const Patch& patch, unsigned threads = 0);
 
 /// The size of a patch that was worked on with fewer vertices.
 struct OriginalSize {
-  std::size_t vertices = 0, triangles = 0;
+  std::size_t vertices = 0, triangles = 0;  ///< how many the patch had
 };
 
 /// What was done to a design before all else.
@@ -47,17 +47,17 @@ struct SmoothedFirst {
 
 /// A design without its short waves.
 struct SmoothedDesign {
-  Patch patch;
-  SmoothedFirst done;
+  Patch patch;         ///< with the triangles of the raw design
+  SmoothedFirst done;  ///< how much smoothing changed
 };
 
 /// An evolution with the figures around it.
 struct EvolveReport {
-  Method method;
-  Stopping stopping;
-  EvolveResult result;
-  MeasuredPatch before, after;
-  Deviation deviation;
+  Method method;                ///< with its options
+  Stopping stopping;            ///< what was asked for
+  EvolveResult result;          ///< positions and history
+  MeasuredPatch before, after;  ///< figures of the patch before the first sweep and after the last
+  Deviation deviation;          ///< of the result from the patch as it came
   std::optional<BoundaryChange> border = {};  ///< where the border moved
   /// Of the patch as it came, where remeshing took vertices out of it: then `before` is what it
   /// left, and the deviation that of the surfaces.
@@ -70,9 +70,9 @@ struct EvolveReport {
 
 /// An unfolding with the figures of its pattern.
 struct UnfoldReport {
-  Pattern pattern;  ///< model units
-  EdgeStrain strain;
-  Unit unit = Unit::mm;
+  Pattern pattern;             ///< model units
+  EdgeStrain strain;           ///< of the pattern beside the patch
+  Unit unit = Unit::mm;        ///< one unit of the model
   double border_strain = 0.0;  ///< largest |strain| of the border's edges
   /// Where border edges were to keep their lengths: the strain without that.
   std::optional<EdgeStrain> unmatched_strain = {};
@@ -84,11 +84,11 @@ struct UnfoldReport {
 
 /// What the main job is asked for.
 struct FlattenOptions {
-  Method method = Auto{};
+  Method method = Auto{};                 ///< with its options
   std::optional<Stopping> stopping = {};  ///< usual_stopping() of the method where none is given
-  Unit unit = Unit::mm;
-  unsigned threads = 0;
-  Constraints constraints = {};
+  Unit unit = Unit::mm;                   ///< one unit of the model
+  unsigned threads = 0;          ///< 0 for all cores; the result is the same for every number
+  Constraints constraints = {};  ///< of evolving
   /// Above 0: waves of the design that are shorter, in model units, are taken out first
   /// (smooth_design()); with remesh or fixed vertices an Error unsupported_constraint.
   double smooth_first = 0.0;
@@ -112,14 +112,16 @@ struct FlattenReport {
   Patch input;       ///< remeshed or smoothed, if that was asked for
   /// Vertex of `input` -> vertex of the patch as it came, increasing; empty: they are the same.
   std::vector<Index> source;
-  Patch processed;  ///< the input with the evolved positions
-  EvolveReport evolve;
-  UnfoldReport unfold;
+  Patch processed;                     ///< the input with the evolved positions
+  EvolveReport evolve;                 ///< from `input` to `processed`
+  UnfoldReport unfold;                 ///< of `processed`
   UnfoldReport unfold_before;          ///< of the input as it came: tells what evolving gained
   std::optional<TwinOf> twin_of = {};  ///< where twin_report() made it
 };
 
+/// The parts of the main job, as they follow one another.
 enum class FlattenStage { measuring, evolving, unfolding };
+/// "measuring", "evolving" or "unfolding".
 std::string_view to_string(FlattenStage stage);
 
 /// Called as the work goes on with the share of the stage that is done, 0 to 1, always from the

@@ -11,14 +11,14 @@ namespace planish {
 
 /// What one run made of a patch: how strained its pattern is, and how far its vertices went for it.
 struct FrontierPoint {
-  Method method;
-  StopReason stop = StopReason::sweep_limit;
-  std::size_t sweeps = 0;
-  double seconds = 0.0;      ///< of evolving
-  EdgeStrain strain = {};    ///< of the pattern of the result
-  Deviation deviation = {};  ///< of the result from the patch
-  bool flattenable = false;
-  Fairness fairness = {};  ///< of the result beside the patch
+  Method method;                              ///< with the limits of the run among its options
+  StopReason stop = StopReason::sweep_limit;  ///< why the run ended
+  std::size_t sweeps = 0;                     ///< that the run made
+  double seconds = 0.0;                       ///< of evolving
+  EdgeStrain strain = {};                     ///< of the pattern of the result
+  Deviation deviation = {};                   ///< of the result from the patch
+  bool flattenable = false;                   ///< of the result, as is_flattenable()
+  Fairness fairness = {};                     ///< of the result beside the patch
   /// Another point of the curve, or the patch as designed, has less of one of rms strain, rms
   /// deviation and bending_ratio, and no more of the others.
   bool dominated = false;
@@ -26,32 +26,33 @@ struct FrontierPoint {
 
 /// A run without a result.
 struct FrontierFailure {
-  Method method;
-  CompareFailure failure;
+  Method method;           ///< that was run, with its options
+  CompareFailure failure;  ///< why there is no result
 };
 
 /// What strain costs: of one patch many results, from the patch as designed to flattenable.
 struct FrontierReport {
-  std::string name;  ///< of the patch, for titles
-  Unit unit = Unit::mm;
+  std::string name;                                 ///< of the patch, for titles
+  Unit unit = Unit::mm;                             ///< one unit of the model
   EdgeStrain before;                                ///< of the pattern of the patch as designed
   std::optional<double> bending_ratio_before = {};  ///< of the patch as designed, as of Fairness
   std::vector<FrontierPoint> curve;                 ///< by Auto, by growing rms deviation
-  std::vector<FrontierPoint> others;
-  std::vector<FrontierFailure> failures;
-  std::optional<double> limit;  ///< that was asked for
+  std::vector<FrontierPoint> others;                ///< by other methods, in the order asked for
+  std::vector<FrontierFailure> failures;            ///< runs without a result
+  std::optional<double> limit;                      ///< that was asked for
 
   /// The first point of the curve whose largest strain keeps the limit; nothing without one.
   std::optional<std::size_t> first_within_limit() const;
 };
 
+/// Which points a frontier has.
 struct FrontierOptions {
   std::optional<int> points = {};    ///< on the curve, at least 2; default: the usual stops
   std::optional<double> limit = {};  ///< of largest strain, above 0: the curve has a point for it
   std::vector<CompareRun> others = {};  ///< to compare with
-  Unit unit = Unit::mm;
-  unsigned threads = 0;
-  Constraints constraints = {};
+  Unit unit = Unit::mm;                 ///< one unit of the model, for the report
+  unsigned threads = 0;          ///< 0 for all cores; the result is the same for every number
+  Constraints constraints = {};  ///< for every run
 };
 
 /// Where the curve stops: limits of rms strain, falling, then 0, which is flattenable. The usual

@@ -9,6 +9,7 @@ namespace planish {
 /// The mesh files that are read and written.
 enum class MeshFormat { obj, ply, stl, off };
 
+/// All of them.
 inline constexpr std::array k_mesh_formats = {MeshFormat::obj, MeshFormat::ply, MeshFormat::stl,
                                               MeshFormat::off};
 

@@ -20,8 +20,8 @@ struct FaceGroups {
 
 /// A mesh as the file has it, and what the reader did that a user may want to know.
 struct ReadResult {
-  TriMesh mesh;  ///< vertices in the order of the file; finite, indices in range
-  MeshFormat format;
+  TriMesh mesh;                    ///< vertices in the order of the file; finite, indices in range
+  MeshFormat format;               ///< of the file
   std::vector<std::string> notes;  ///< "welded 2280 corners to 401 vertices", ...
   FaceGroups groups = {};          ///< none where the file has fewer than two
 };

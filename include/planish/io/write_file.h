@@ -6,9 +6,10 @@
 
 namespace planish {
 
+/// A file to be written.
 struct OutputFile {
-  std::filesystem::path path;
-  std::string content;
+  std::filesystem::path path;  ///< missing folders are made
+  std::string content;         ///< bytes
 };
 
 /// Writes all files or none: each goes beside its place under a passing name, and all are renamed

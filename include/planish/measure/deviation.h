@@ -10,8 +10,8 @@ namespace planish {
 /// How far vertices are from where they were, in model units: all inner vertices, and those of the
 /// border that moved.
 struct Deviation {
-  double rms = 0.0;
-  double max = 0.0;
+  double rms = 0.0;                ///< root mean square of the distances
+  double max = 0.0;                ///< largest distance
   double rms_over_diagonal = 0.0;  ///< rms as a share of the bounding-box diagonal of `before`
 };
 

@@ -33,6 +33,7 @@ struct Bend {
   double bending() const;
 };
 
+/// Angle, length and area of a hinge with its vertices at these positions.
 Bend bend_of(const Hinge& hinge, std::span<const Vec3> positions);
 
 /// How much a surface is bent in all; both figures are those of the surface, not of its triangles:
@@ -96,8 +97,11 @@ struct Fairness {
   bool keeps_form() const;
 };
 
+/// Largest bending_ratio of what is smooth.
 inline constexpr double k_smooth_ratio = 1.3;
+/// Largest bending_added of what is smooth.
 inline constexpr double k_smooth_added = 1.0;
+/// Largest sharp_share of what is smooth.
 inline constexpr double k_smooth_sharp_share = 0.04;
 /// Of the bending of the design half at most is gone.
 inline constexpr double k_kept_lost = 0.5;
@@ -117,10 +121,10 @@ struct SelfIntersections {
   std::size_t pairs = 0;
   /// The first pair, by the lower and then the higher number, and where it crosses.
   struct Place {
-    std::array<Index, 2> triangles;
-    Vec3 at;  ///< model units
+    std::array<Index, 2> triangles;  ///< the lower number first
+    Vec3 at;                         ///< model units
   };
-  std::optional<Place> first = {};
+  std::optional<Place> first = {};  ///< none where nothing crosses
   /// False where so many triangles lie upon one another that the search was given up: then `pairs`
   /// is only what had been found.
   bool complete = true;

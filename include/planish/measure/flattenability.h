@@ -41,7 +41,9 @@ Flattenability summarise_defects(std::span<const double> defects, std::size_t in
 /// e_max <= k_flattenable_e_max and sum_abs_defect <= k_flattenable_sum. The second bound is there
 /// as e_max alone falls with mesh density on one and the same curved surface (docs/notation.md).
 bool is_flattenable(const Flattenability& figures, const Inspection& inspection);
+/// Largest e_max of what is flattenable, radians.
 inline constexpr double k_flattenable_e_max = 1e-4;
+/// Largest sum_abs_defect of what is flattenable, radians.
 inline constexpr double k_flattenable_sum = 1e-2;
 
 }  // namespace planish

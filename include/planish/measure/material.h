@@ -7,7 +7,7 @@ namespace planish {
 
 /// What a pattern is cut from, by how far it may be stretched or squeezed.
 struct Material {
-  std::string_view name;
+  std::string_view name;    ///< as `--material` takes it
   double max_strain;        ///< largest |strain| that it takes up, a fraction: 0.01 is 1 %
   std::string_view source;  ///< where that figure comes from, one line
 };

@@ -26,7 +26,7 @@ struct Obstruction {
   /// How far the border can turn at most on any surface: its total curvature as a curve in space,
   /// as theta_b is at least the angle between the two border edges. At least 2 pi (Fenchel).
   double turning_most = 0.0;
-  std::size_t border_vertices = 0;
+  std::size_t border_vertices = 0;  ///< how many there are
   /// Border vertices at which every triangle has its three corners on the border, as at an ear:
   /// their angle is the same whatever the inner vertices do.
   std::size_t fixed_angles = 0;

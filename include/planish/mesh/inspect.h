@@ -12,22 +12,23 @@ namespace planish {
 
 /// One kind of fault or oddity of a mesh, with how often it occurs and where first.
 struct Problem {
-  ErrorCode code;
-  std::string message;  ///< names the first element and says what to do
-  std::size_t count = 0;
+  ErrorCode code;         ///< its kind
+  std::string message;    ///< names the first element and says what to do
+  std::size_t count = 0;  ///< how many elements have it
   std::size_t first = 0;  ///< vertex or triangle number, from 0, as the message says
 };
 
 /// Sizes and topology, without unreferenced vertices from components on. inner_vertices,
 /// border_loops and genus are 0 where the mesh is not an oriented manifold.
 struct Topology {
-  std::size_t vertices = 0, triangles = 0, inner_vertices = 0, edges = 0;
-  std::size_t components = 0, border_loops = 0, genus = 0;
-  long long euler_characteristic = 0;
+  std::size_t vertices = 0, triangles = 0, inner_vertices = 0, edges = 0;  ///< how many there are
+  std::size_t components = 0, border_loops = 0, genus = 0;  ///< how many; genus: handles
+  long long euler_characteristic = 0;                       ///< vertices - edges + triangles
 };
 
+/// What inspect() finds.
 struct Inspection {
-  Topology topology;
+  Topology topology;              ///< sizes and connectedness
   std::vector<Problem> problems;  ///< what blocks measuring first; one of each code at most
 };
 

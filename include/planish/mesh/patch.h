@@ -13,11 +13,13 @@ namespace planish {
 
 /// An edge with the triangles on its sides: from, to, left and to, from, right.
 struct Edge {
+  /// In `left` and `right`: no triangle there.
   static constexpr Index none = static_cast<Index>(-1);
 
   Index from, to;     ///< from < to
   Index left, right;  ///< the third corners of the triangles; none where there is no triangle
 
+  /// Whether it has one triangle only.
   bool is_border() const { return left == none || right == none; }
 };
 
@@ -29,6 +31,7 @@ class Connectivity {
   /// name a vertex twice, or one that does not exist.
   static std::optional<Connectivity> build(const TriMesh& mesh);
 
+  /// Of the mesh, unused vertices too.
   std::size_t vertex_count() const { return ring_start_.size() - 1; }
 
   /// The one-ring of v, counter-clockwise. Inner vertex: closed, v with ring[j] and ring[j + 1]
@@ -38,6 +41,7 @@ class Connectivity {
     return {rings_.data() + ring_start_[v], ring_start_[v + 1] - ring_start_[v]};
   }
 
+  /// At the end of an edge that only one triangle has.
   bool is_border(Index v) const { return border_[v] != 0; }
   /// Used by a triangle and not on the border: only these vertices are measured and moved.
   bool is_inner(Index v) const { return border_[v] == 0 && ring_start_[v + 1] != ring_start_[v]; }
@@ -77,22 +81,30 @@ class Patch {
   /// @param positions one per vertex, model units
   Patch with_positions(std::vector<Vec3> positions) const;
 
+  /// Positions and triangles.
   const TriMesh& mesh() const { return *mesh_; }
   /// In model units.
   const std::vector<Vec3>& positions() const { return mesh_->positions; }
+  /// In the order of the mesh.
   const std::vector<Triangle>& triangles() const { return mesh_->triangles; }
+  /// Shared by all patches that with_positions() makes.
   const Connectivity& connectivity() const { return *connectivity_; }
   /// As inspect() gives it.
   const Inspection& inspection() const { return inspection_; }
   /// As unit_scale() of the mesh gives it.
   double unit_scale() const { return unit_scale_; }
 
-  // Of the topology.
+  /// Unused vertices too.
   std::size_t vertex_count() const { return mesh_->positions.size(); }
+  /// As Connectivity::ring().
   std::span<const Index> ring(Index v) const { return connectivity_->ring(v); }
+  /// As Connectivity::is_border().
   bool is_border(Index v) const { return connectivity_->is_border(v); }
+  /// As Connectivity::is_inner().
   bool is_inner(Index v) const { return connectivity_->is_inner(v); }
+  /// As Connectivity::inner_vertices().
   std::span<const Index> inner_vertices() const { return connectivity_->inner_vertices(); }
+  /// As Connectivity::border_loops().
   const std::vector<std::vector<Index>>& border_loops() const {
     return connectivity_->border_loops();
   }

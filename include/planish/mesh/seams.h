@@ -11,14 +11,14 @@ namespace planish {
 
 /// A stretch of the border of a patch.
 struct SeamSide {
-  std::size_t patch = 0;
+  std::size_t patch = 0;        ///< its number in what find_seams() was given, from 0
   std::vector<Index> vertices;  ///< of the patch, from end to end; a closed one ends as it begins
 };
 
 /// A curve that two borders share, or a border with itself, as the sides of a dart: as long as it
 /// can be. Both sides have as many vertices, which lie at the same places one by one.
 struct Seam {
-  std::array<SeamSide, 2> sides;
+  std::array<SeamSide, 2> sides;  ///< of two patches, or of one
 };
 
 /// Finds the seams of patches: by patches, then along the first side's border. Where more than two

@@ -10,8 +10,8 @@ namespace planish {
 
 /// A built-in patch made by formula.
 struct Shape {
-  std::string_view name;
-  std::string_view description;
+  std::string_view name;         ///< as make_shape() takes it
+  std::string_view description;  ///< a few words
   /// True where the triangle mesh itself can be laid flat without stretch.
   bool flattenable;
 };

@@ -13,8 +13,8 @@ using Triangle = std::array<Index, 3>;
 /// A triangle mesh: n positions and m triangles over them, nothing else. It may be anything, also
 /// broken: inspect() says what; a Patch refuses what is no oriented manifold.
 struct TriMesh {
-  std::vector<Vec3> positions;
-  std::vector<Triangle> triangles;
+  std::vector<Vec3> positions;      ///< model units
+  std::vector<Triangle> triangles;  ///< by numbers of positions
 };
 
 /// Length of the diagonal of the bounding box of the vertices that triangles use, computed without

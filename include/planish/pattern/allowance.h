@@ -14,12 +14,13 @@ enum class Corners {
   square,  ///< cut off at right angles to the middle of the corner, as far out as the sides
   round,   ///< an arc
 };
+/// "mitre", "square" or "round".
 std::string_view to_string(Corners corners);
 
 /// Material to be left beyond the outline of a piece.
 struct Allowance {
-  double width = 10.0;  ///< millimetres
-  Corners corners = Corners::mitre;
+  double width = 10.0;               ///< millimetres
+  Corners corners = Corners::mitre;  ///< how those that stand out are finished
   /// How far from the outline's corner a mitre may reach, in widths; sharper ones are squared.
   double mitre_limit = 2.5;
   bool holes = true;  ///< holes get it too and so become smaller
@@ -43,8 +44,8 @@ std::vector<Polygon> offset_outline(const PieceOutline& outline, const Allowance
 /// The allowance of a stretch of the border: from a vertex on, the piece on the left, to another
 /// one; all around where both are the same.
 struct EdgeAllowance {
-  Index from = 0, to = 0;
-  double width = 0.0;  ///< millimetres; 0 for none, as along a fold
+  Index from = 0, to = 0;  ///< vertex at which the stretch begins or ends
+  double width = 0.0;      ///< millimetres; 0 for none, as along a fold
 };
 
 /// Checks that the ends are on one loop of the border, which needs no pattern.

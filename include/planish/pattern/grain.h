@@ -19,7 +19,7 @@ Vec2 grain_direction(const TriMesh& mesh, std::span<const Vec2> positions, Vec3 
 
 /// A box that lines keep clear of.
 struct ClearBox {
-  Vec2 low, high;
+  Vec2 low, high;  ///< corner with the least or largest x and y, millimetres
 };
 
 /// A line with an arrow head at each end in the direction of the grain, inside the piece and clear

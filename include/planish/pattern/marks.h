@@ -9,16 +9,18 @@
 
 namespace planish {
 
+/// What is drawn at a mark.
 enum class MarkKind {
   cross,  ///< a match mark
   drill,  ///< a hole
 };
+/// "cross" or "drill".
 std::string_view to_string(MarkKind kind);
 
 /// A place that is carried over from a vertex of the patch.
 struct Mark {
-  Index vertex = 0;
-  MarkKind kind = MarkKind::cross;
+  Index vertex = 0;                 ///< of the patch
+  MarkKind kind = MarkKind::cross;  ///< what is drawn there
 };
 
 /// A line inside a piece, as the leg of a dart or a line to be stitched, by the vertices of the

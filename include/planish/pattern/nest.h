@@ -18,6 +18,7 @@ enum class Turns {
   quarter,  ///< or turned by 90, 180 or 270 degrees
   free,     ///< or turned by any multiple of 15 degrees
 };
+/// "none", "half", "quarter" or "free".
 std::string_view to_string(Turns turns);
 
 /// A piece to be cut from a sheet.
@@ -30,11 +31,11 @@ struct NestPiece {
 
 /// The sheets, in millimetres: a sheet's length is along x, its width along y.
 struct NestOptions {
-  double width = 1500.0;
+  double width = 1500.0;              ///< of each sheet
   std::optional<double> length = {};  ///< of each sheet; without, one roll of any length
   double gap = 5.0;                   ///< that is left between any two pieces
   double margin = 0.0;                ///< that is left free along every edge of a sheet
-  Turns turns = Turns::half;
+  Turns turns = Turns::half;          ///< of every piece
   /// Places along the length are multiples of it: finer is tighter and slower. 0: chosen by the
   /// sizes of the pieces.
   double step = 0.0;
@@ -45,7 +46,7 @@ struct NestOptions {
 
 /// Where a copy of a piece lies: turned about the origin of its outline, then shifted.
 struct NestPlacement {
-  std::size_t piece = 0;
+  std::size_t piece = 0;  ///< its number in what nest() was given, from 0
   int copy = 0;           ///< from 0
   std::size_t sheet = 0;  ///< from 0
   double angle = 0.0;     ///< degrees, counter-clockwise, at least 0 and less than 360

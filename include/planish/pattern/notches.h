@@ -13,13 +13,15 @@
 
 namespace planish {
 
+/// The form of a notch: one line, two that meet, or one with a bar.
 enum class NotchKind { slit, v, t };
+/// "slit", "v" or "t".
 std::string_view to_string(NotchKind kind);
 
 /// A place on an edge of the border, which may run either way.
 struct PlaceOnEdge {
-  Index from = 0, to = 0;
-  double share = 0.0;  ///< of the edge's length, 0 to 1, from `from`
+  Index from = 0, to = 0;  ///< vertex at an end of the edge
+  double share = 0.0;      ///< of the edge's length, 0 to 1, from `from`
 };
 
 /// A mark in the edge that tells which places of two pieces are sewn together.
@@ -27,13 +29,13 @@ struct Notch {
   /// A vertex on the border, or a share of the outer border's length in the pattern, 0 to 1, from
   /// its vertex of the smallest number on, counter-clockwise, or a place on an edge.
   std::variant<Index, double, PlaceOnEdge> place;
-  NotchKind kind = NotchKind::slit;
-  bool is_double = false;
+  NotchKind kind = NotchKind::slit;  ///< its form
+  bool is_double = false;            ///< two side by side, NotchSizes::spacing apart
 };
 
 /// Millimetres.
 struct NotchSizes {
-  double depth = 5.0;
+  double depth = 5.0;    ///< from the line that is cut towards the seam
   double width = 4.0;    ///< of a V at the edge, of a T's bar
   double spacing = 6.0;  ///< of a double notch's two, along the seam
 };
@@ -59,8 +61,8 @@ struct SeamNotch {
   std::optional<std::size_t> seam = {};  ///< counted from 0; none: every seam
   double place = 0.5;                    ///< along the first side of the seam from its first vertex
   bool in_millimetres = false;           ///< the place; else it is a share of the length, 0 to 1
-  NotchKind kind = NotchKind::slit;
-  bool is_double = false;
+  NotchKind kind = NotchKind::slit;      ///< its form, on both sides
+  bool is_double = false;                ///< two side by side, on both sides
 };
 
 /// The notches of every patch that those of the seams come to. The two of a pair are at one place

@@ -16,11 +16,11 @@ namespace planish {
 
 /// What is written inside a piece; nothing where all is empty.
 struct PieceLabel {
-  std::string name = {};
-  std::string size = {};
-  int quantity = 0;  ///< how many to cut; 0: not said, which for machines is one
-  std::string fabric = {};
-  std::string note = {};  ///< as "cut on fold" or "one mirrored"
+  std::string name = {};    ///< of the piece
+  std::string size = {};    ///< as "40"
+  int quantity = 0;         ///< how many to cut; 0: not said, which for machines is one
+  std::string fabric = {};  ///< what it is cut from
+  std::string note = {};    ///< as "cut on fold" or "one mirrored"
 };
 
 /// The grain of a pattern: a direction on the model, or one in the pattern by its angle to the
@@ -31,22 +31,22 @@ using Grain = std::variant<Vec3, double>;
 /// are drawn from the same point on, and what is written of the outline in thousandths of a
 /// millimetre is the mirror image of what is written of the other's, digit by digit.
 struct DrawnLike {
-  bool mirrored = false;
-  Index start = 0;  ///< vertex of this mesh that the other's outline begins at
+  bool mirrored = false;  ///< the other one is the mirror image
+  Index start = 0;        ///< vertex of this mesh that the other's outline begins at
 };
 
 /// What a pattern gets besides its outline.
 struct PatternOptions {
-  std::optional<Allowance> allowance = {};
+  std::optional<Allowance> allowance = {};          ///< none: the outline is what is cut
   std::vector<EdgeAllowance> edge_allowances = {};  ///< where it is another; idle without allowance
-  std::vector<Notch> notches = {};
-  NotchSizes notch_sizes = {};
-  std::optional<Grain> grain = {};
-  std::vector<Mark> marks = {};
-  std::vector<InnerLine> inner_lines = {};
-  PieceLabel label = {};
-  std::string date = {};  ///< for the sheet's label; never taken from a clock
-  std::optional<DrawnLike> like = {};
+  std::vector<Notch> notches = {};                  ///< on the border
+  NotchSizes notch_sizes = {};                      ///< of all notches
+  std::optional<Grain> grain = {};                  ///< none: no grain line is drawn
+  std::vector<Mark> marks = {};                     ///< at vertices
+  std::vector<InnerLine> inner_lines = {};          ///< from vertex to vertex
+  PieceLabel label = {};                            ///< written inside the piece
+  std::string date = {};               ///< for the sheet's label; never taken from a clock
+  std::optional<DrawnLike> like = {};  ///< of a twin: how its lines follow those of the other one
 };
 
 /// The options of a piece for the mirror image of it: a grain that is told by its angle is

@@ -41,9 +41,13 @@ std::vector<EdgeAllowance> read_edge_allowances(const std::filesystem::path& pat
 /// The same from memory.
 /// @param name stands for the path in errors
 std::vector<Notch> parse_notches(std::string_view bytes, const std::string& name);
+/// As read_marks() from memory.
 std::vector<Mark> parse_marks(std::string_view bytes, const std::string& name);
+/// As read_inner_lines() from memory.
 std::vector<InnerLine> parse_inner_lines(std::string_view bytes, const std::string& name);
+/// As read_edge_allowances() from memory.
 std::vector<EdgeAllowance> parse_edge_allowances(std::string_view bytes, const std::string& name);
+/// As read_seam_notches() from memory.
 std::vector<SeamNotch> parse_seam_notches(std::string_view bytes, const std::string& name);
 
 }  // namespace planish

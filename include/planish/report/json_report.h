@@ -18,12 +18,16 @@ namespace planish {
 /// With "strain" and "limits"; without a strain, as of what cannot be laid flat, null and empty.
 std::string json_report(const MeasuredPatch& patch,
                         const std::optional<StrainAsDesigned>& strain = {});
+/// With before and after, deviation and history.
 std::string json_report(const EvolveReport& report);
+/// With strain, sizes and limits.
 std::string json_report(const UnfoldReport& report);
 /// @param files role -> path of what was written
 std::string json_report(const FlattenReport& report,
                         const std::map<std::string, std::string>& files);
+/// With the runs in their order.
 std::string json_report(const CompareReport& report);
+/// With the points of the curve and of other methods.
 std::string json_report(const FrontierReport& report);
 /// {"error": {code, message, path, line, byte, first, count}}, keys that are not known left out.
 std::string json_report(const Error& error);

@@ -15,17 +15,17 @@ namespace planish {
 
 /// A patch laid flat, to be cut from a sheet.
 struct NestPatch {
-  std::string name;
-  TriMesh mesh;
+  std::string name;           ///< written on each copy
+  TriMesh mesh;               ///< that was laid flat
   std::vector<Vec2> pattern;  ///< model units; empty where the patch has none: then it is left out
   PatternOptions annotations = {};  ///< it is cut as often as the label says, at least once
 };
 
 /// Patches, and the sheets to cut them from.
 struct NestJob {
-  std::vector<NestPatch> patches;
-  Unit unit = Unit::mm;
-  NestOptions sheets = {};
+  std::vector<NestPatch> patches;  ///< by number from 0
+  Unit unit = Unit::mm;            ///< one unit of the models
+  NestOptions sheets = {};         ///< their size, and how pieces may lie on them
 };
 
 /// The patches by their numbers as nest() takes them: what is cut, with its allowance, and the turn

@@ -14,17 +14,17 @@ namespace planish {
 
 /// Whose places a pattern has, mirrored or not, and which vertices correspond.
 struct PieceTwin {
-  std::size_t piece = 0;  ///< number of the other one, whose pattern is there
-  bool mirrored = false;
+  std::size_t piece = 0;      ///< number of the other one, whose pattern is there
+  bool mirrored = false;      ///< else it is a copy
   std::vector<Index> vertex;  ///< of the other one -> of this one, both as they are drawn
 };
 
 /// A patch of a product laid flat.
 struct ProductPiece {
-  std::string name;
-  TriMesh mesh;
+  std::string name;           ///< written above it
+  TriMesh mesh;               ///< that was laid flat
   std::vector<Vec2> pattern;  ///< model units; empty where the patch has none: then it is left out
-  std::optional<PieceTwin> twin = {};
+  std::optional<PieceTwin> twin = {};  ///< whose pattern it has; none: its own
 };
 
 /// All pieces of a product side by side at true size in rows, the highest first, each under its

@@ -13,8 +13,8 @@ namespace planish {
 /// edge counts by a third of the area of its triangles on the patch, so that they do not depend on
 /// where the mesh is fine.
 struct EdgeStrain {
-  double max = 0.0;  ///< largest |strain|
-  double rms = 0.0;
+  double max = 0.0;                      ///< largest |strain|
+  double rms = 0.0;                      ///< root mean square of the strain
   double p99 = 0.0;                      ///< |strain| that edges of 99 % of the area do not exceed
   std::array<Index, 2> worst_edge = {};  ///< vertices of the first edge with the largest |strain|
 };
@@ -29,7 +29,7 @@ double largest_border_strain(const Patch& patch, std::span<const Vec2> pattern);
 /// The two principal stretches of a triangle, patch to pattern: 1 keeps length, 0.9 is 10 % shorter
 /// in the pattern. max >= |min|; min is negative where the triangle is flipped.
 struct PrincipalStretch {
-  double max = 1.0, min = 1.0;
+  double max = 1.0, min = 1.0;  ///< stretch in the direction where it is largest or smallest
 };
 
 /// One per triangle; zero-area triangles count as not stretched.
@@ -46,22 +46,25 @@ struct StrainLimits {
   double p99 = 0.0;  ///< for the |strain| on 99 % of the area
   double rms = 0.0;  ///< for the root mean square of the strain
 
+  /// Whether there is any limit.
   bool any() const { return max > 0.0 || p99 > 0.0 || rms > 0.0; }
   bool operator==(const StrainLimits&) const = default;
 };
 
 /// What a limit bounds.
 enum class StrainLimitKind { max, p99, rms };
+/// "max", "p99" or "rms".
 std::string_view to_string(StrainLimitKind kind);
 
 /// A limit that was asked for beside what a pattern has.
 struct StrainLimitCheck {
-  StrainLimitKind kind = StrainLimitKind::max;
-  double asked = 0.0, reached = 0.0;
-  double share_beyond = 0.0;       ///< of the area; more strain than `asked`
-  std::array<Index, 2> edge = {};  ///< the first edge with the largest |strain|, by its vertices
-  Vec3 at = {};                    ///< the middle of that edge on the patch, model units
+  StrainLimitKind kind = StrainLimitKind::max;  ///< what it bounds
+  double asked = 0.0, reached = 0.0;  ///< the limit, or what the pattern has; shares of length
+  double share_beyond = 0.0;          ///< of the area; more strain than `asked`
+  std::array<Index, 2> edge = {};     ///< the first edge with the largest |strain|, by its vertices
+  Vec3 at = {};                       ///< the middle of that edge on the patch, model units
 
+  /// Whether the pattern keeps the limit.
   bool kept() const { return reached <= asked; }
 };
 

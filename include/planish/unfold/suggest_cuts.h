@@ -12,6 +12,7 @@
 
 namespace planish {
 
+/// What a suggestion of cuts aims at, and how long it looks.
 struct SuggestOptions {
   double max_strain = 0.02;  ///< that no edge of the pattern may exceed; a share of length, above 0
   int max_darts = 6;         ///< at most so many, besides what makes the mesh a disk
@@ -29,26 +30,30 @@ struct SuggestedCut {
   std::optional<EdgeStrain> before = {}, after = {};
 };
 
+/// Why a search for cuts ended.
 enum class SuggestStop {
   strain_met,  ///< no edge is strained by more than the limit
   dart_limit,  ///< all darts that were allowed are there
   no_gain,     ///< no dart that was tried lowers the rms strain by 5 % more
 };
+/// "strain_met", "dart_limit" or "no_gain".
 std::string_view to_string(SuggestStop stop);
 
 /// A mesh cut open to a disk and what its pattern is like.
 struct CutPattern {
-  CutMesh cut;
-  Pattern pattern;
-  EdgeStrain strain;
+  CutMesh cut;        ///< the mesh after cutting
+  Pattern pattern;    ///< of the mesh after cutting, model units
+  EdgeStrain strain;  ///< of that pattern
 };
 
+/// What a search for cuts found.
 struct CutSuggestion {
-  std::vector<SuggestedCut> cuts;
-  CutPattern first;  ///< without darts
-  CutPattern last;   ///< with all cuts
-  SuggestStop stop = SuggestStop::no_gain;
+  std::vector<SuggestedCut> cuts;           ///< in the order in which they are made
+  CutPattern first;                         ///< without darts
+  CutPattern last;                          ///< with all cuts
+  SuggestStop stop = SuggestStop::no_gain;  ///< why there are no more
 
+  /// Whether the pattern with all cuts keeps SuggestOptions::max_strain.
   bool met() const { return stop == SuggestStop::strain_met; }
 };
 

@@ -8,6 +8,7 @@
 
 namespace planish {
 
+/// How a patch is laid flat.
 struct UnfoldOptions {
   int max_iterations = 200;  ///< Newton steps at most
   /// Every border edge keeps its length, so that borders which are sewn together stay equally long;
@@ -25,12 +26,12 @@ struct UnfoldOptions {
 /// bounding box is smallest, the longer side along x, the lower left corner at the origin; the
 /// outer side of the patch faces up.
 struct Pattern {
-  std::vector<Vec2> positions;  ///< one per vertex of the mesh; unused vertices at the origin
-  double width = 0.0, height = 0.0;
+  std::vector<Vec2> positions;        ///< one per vertex of the mesh; unused vertices at the origin
+  double width = 0.0, height = 0.0;   ///< of the bounding box, model units
   double area_ratio = 1.0;            ///< area of the pattern over area of the patch
   std::size_t flipped_triangles = 0;  ///< triangles whose area is not positive
-  bool overlaps = false;  ///< the border crosses itself: cut the patch before cutting cloth
-  int iterations = 0;
+  bool overlaps = false;   ///< the border crosses itself: cut the patch before cutting cloth
+  int iterations = 0;      ///< Newton steps that were made
   bool converged = false;  ///< false: stopped at max_iterations or by on_step
   /// With match_seams: the pattern of least stretch without it, of the same size, turned and
   /// shifted somehow. Tells what matching costs.

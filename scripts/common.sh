@@ -36,6 +36,7 @@ valgrind            command valgrind
 check_packages="
 clang-14            command clang++-14
 clang-tidy-14       command clang-tidy-14
+doxygen             command doxygen
 libclang-rt-14-dev  header sanitizer/asan_interface.h
 llvm-14             command llvm-symbolizer-14
 "

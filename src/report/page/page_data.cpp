@@ -249,7 +249,7 @@ std::string page_data(const PageInput& input) {
   Json modes = Json::array();
   for (const Figure& figure : figures)
     modes.push_back(to_json(figure, shown.source));
-  Json json = {{"format", 1},
+  Json json = {{"schema", k_json_schema},
                {"unit", to_string(input.unit)},
                {"vertices", shown.source.size()},
                {"of", input.patch().vertex_count()},

@@ -51,6 +51,11 @@ std::optional<Connectivity> Connectivity::build(const TriMesh& mesh) {
   return built;
 }
 
+Patch::Patch()
+    : mesh_(std::make_shared<const TriMesh>()),
+      connectivity_(std::make_shared<const Connectivity>()),
+      inspection_(inspect(*mesh_)) {}
+
 Patch::Patch(TriMesh mesh)
     : mesh_(std::make_shared<const TriMesh>(std::move(mesh))),
       connectivity_(connectivity_of(*mesh_)),

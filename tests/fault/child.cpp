@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 
 #include <fcntl.h>
@@ -78,6 +79,14 @@ Ended waited_for(pid_t id) {
   return ended;
 }
 
+std::string under_callgrind(const std::vector<std::string>& args, const std::string& out) {
+  std::string command =
+      "valgrind --tool=callgrind --callgrind-out-file=" + out + " " PLANISH_PROGRAM;
+  for (const std::string& word : args)
+    command += " '" + word + "'";
+  return command;
+}
+
 }  // namespace
 
 std::string told(const Ended& ended) {
@@ -87,15 +96,36 @@ std::string told(const Ended& ended) {
 }
 
 std::uint64_t instructions_of(const std::vector<std::string>& args) {
-  std::string command = "valgrind --tool=callgrind --callgrind-out-file=/dev/null " PLANISH_PROGRAM;
-  for (const std::string& word : args)
-    command += " '" + word + "'";
-  command += " 2>&1 >/dev/null | sed -n 's/.*Collected : //p'";
+  const std::string command =
+      under_callgrind(args, "/dev/null") + " 2>&1 >/dev/null | sed -n 's/.*Collected : //p'";
   FILE* const pipe = popen(command.c_str(), "r");
   unsigned long long count = 0;
   if (pipe == nullptr || fscanf(pipe, "%llu", &count) != 1) count = 0;
   if (pipe != nullptr) pclose(pipe);
   return count;
+}
+
+// "cfn=(7) name" says which function the next line "calls=N ..." is about; later only "cfn=(7)".
+std::uint64_t calls_of(const std::string& function, const std::vector<std::string>& args) {
+  const fs::path out = fs::temp_directory_path() / ("planish_calls_" + std::to_string(getpid()));
+  const std::string command = under_callgrind(args, out.string()) + " >/dev/null 2>&1";
+  if (std::system(command.c_str()) != 0) return 0;
+  std::ifstream profile(out);
+  std::set<std::string> numbers;  // of the function
+  std::uint64_t calls = 0;
+  bool is_called = false;
+  for (std::string line; std::getline(profile, line);) {
+    const auto begin = line.find("fn=("), end = line.find(')');
+    if (begin != line.npos && begin <= 1) {
+      const std::string number = line.substr(begin + 3, end - begin - 2);
+      if (line.compare(end + 1, 1 + function.size(), " " + function) == 0) numbers.insert(number);
+      is_called = begin == 1 && numbers.count(number) != 0;
+    } else if (is_called && line.starts_with("calls=")) {
+      calls += std::stoull(line.substr(6));
+    }
+  }
+  fs::remove(out);
+  return calls;
 }
 
 Ended run_program(const std::vector<std::string>& args, const Limits& limits,

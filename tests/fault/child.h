@@ -38,6 +38,10 @@ struct Standard {
 /// The instructions that the program needs, as callgrind counts them; 0 where it cannot.
 std::uint64_t instructions_of(const std::vector<std::string>& args);
 
+/// How often the program calls a function, as callgrind counts it; 0 where it cannot.
+/// @param function as the demangled name begins, as in "planish::inspect("
+std::uint64_t calls_of(const std::string& function, const std::vector<std::string>& args);
+
 /// The planish program, in a process of its own.
 Ended run_program(const std::vector<std::string>& args, const Limits& limits = {},
                   const Standard& standard = {});

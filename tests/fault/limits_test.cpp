@@ -119,6 +119,16 @@ TEST_F(LimitsTest, WorkDoublesWithTheFile) {
   EXPECT_GE(compared, 10U);
 }
 
+// Once by the numbers of the file and once by those of the sweeps. Everything else takes the patch
+// that has it, the report's pages too.
+TEST_F(LimitsTest, FlattenFindsTopologyOnceForEachNumbering) {
+  ASSERT_EQ(fault::run_program({"sample", "panel", "--vertices", "300", "-o", "p.obj"}).exit_code,
+            0);
+  const Names flatten = {"flatten", "p.obj", "-o", "out", "--threads", "1"};
+  EXPECT_EQ(fault::calls_of("planish::build_rings(", flatten), 2U);
+  EXPECT_EQ(fault::calls_of("planish::inspect_manifold(", flatten), 2U);
+}
+
 const Names k_evolve = {"evolve", "panel.obj", "-o", "o.obj", "--method", "fairing"};
 const Names k_unfold = {"unfold", "panel.obj", "-o", "o.svg", "--allowance", "10mm"};
 

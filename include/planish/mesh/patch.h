@@ -27,6 +27,9 @@ struct Edge {
 /// triangle mesh, as compressed rows. Immutable; a Patch builds it once.
 class Connectivity {
  public:
+  /// Of no vertices.
+  Connectivity() = default;
+
   /// In linear time and memory. Nothing where the triangles are not a manifold of one orientation,
   /// name a vertex twice, or one that does not exist.
   static std::optional<Connectivity> build(const TriMesh& mesh);
@@ -54,9 +57,7 @@ class Connectivity {
   const std::vector<std::vector<Index>>& border_loops() const { return loops_; }
 
  private:
-  Connectivity() = default;
-
-  std::vector<std::size_t> ring_start_;  // vertex_count + 1
+  std::vector<std::size_t> ring_start_ = {0};  // vertex_count + 1
   std::vector<Index> rings_;
   std::vector<unsigned char> border_;
   std::vector<Index> inner_;
@@ -69,7 +70,7 @@ class Connectivity {
 class Patch {
  public:
   /// Of no vertices.
-  Patch() : Patch(TriMesh{}) {}
+  Patch();
 
   /// Takes time and memory linear in the size of the mesh.
   /// @throws Error with the code of the first problem that inspect() finds and that leaves no

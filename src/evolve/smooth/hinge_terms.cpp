@@ -6,7 +6,6 @@
 
 #include "core/careful_sum.h"
 #include "core/math.h"
-#include "evolve/systems/positions.h"
 
 namespace planish {
 
@@ -35,8 +34,8 @@ double angle_of(const Frame& frame) {
 
 }  // namespace
 
-HingeTerms::HingeTerms(const PatchState& state) : state_(state) {
-  for (const Hinge& hinge : hinges_of(Patch(mesh_at_first(state))))
+HingeTerms::HingeTerms(const Patch& design, const PatchState& state) : state_(state) {
+  for (const Hinge& hinge : hinges_of(design))
     hinges_.push_back({hinge.from, hinge.to, hinge.left, hinge.right});
   weights_.resize(hinges_.size());
 }

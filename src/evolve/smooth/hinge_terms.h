@@ -13,8 +13,9 @@ namespace planish {
 /// sum w t^2, w = 3 l^2 / (A1 + A2) (Grinspun and others 2003; docs/fairness.md).
 class HingeTerms {
  public:
+  /// @param design any patch with the topology of the state, by its numbers
   /// @param state must outlive it
-  explicit HingeTerms(const PatchState& state);
+  HingeTerms(const Patch& design, const PatchState& state);
 
   std::size_t size() const { return hinges_.size(); }
   /// The ends of an inner edge, then the tips of its triangles, in the numbers of the state.

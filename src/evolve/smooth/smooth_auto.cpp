@@ -14,7 +14,6 @@
 #include "evolve/smooth/smooth_control.h"
 #include "evolve/smooth/smooth_descent.h"
 #include "evolve/systems/dense.h"
-#include "measure/smoothed.h"
 
 namespace planish {
 
@@ -36,11 +35,6 @@ StrainLimit limit_of(const Auto& options) {
   if (options.prefer == Prefer::flat) return {0.0, k_nearly_flat};
   const StrainLimit limit = {options.max_strain, options.max_rms_strain};
   return limit.given() ? limit : StrainLimit{0.0, k_unmeasurable_strain};
-}
-
-/// Above 0.
-double design_bending_of(const PatchState& patch) {
-  return std::max(k_no_bending, design_bending(Patch(mesh_at_first(patch))));
 }
 
 class SmoothStepper {
@@ -131,14 +125,13 @@ class SmoothStepper {
   /// until it is: by tenths of the way, then by halves of the last tenth.
   void retreat() {
     constexpr int parts = 10, halvings = 3;
-    const Patch design(mesh_at_first(state_));
     const Positions origin = descent_->origin(), away = sum_of(descent_->positions(), -1.0, origin);
     const auto is_smooth_at = [&](double share) {
       descent_->go_to(sum_of(origin, share, away));
       std::vector<Vec3> after;
       for (std::size_t v = 0; v < state_.vertex_count(); ++v)
         after.push_back((1.0 / state_.scale()) * state_.position(v));
-      return measure_fairness(design, after).is_smooth();
+      return measure_fairness(design_, after).is_smooth();
     };
     int part = parts;
     while (part > 0 && !is_smooth_at(static_cast<double>(part) / parts))
@@ -179,9 +172,9 @@ class SmoothStepper {
     const bool normals_only =
         state_.inner_count() > k_normals_only && is_dense(level_state().inner_count());
     const SmoothMoves moves = normals_only ? SmoothMoves::along_normals : SmoothMoves::free;
-    descent_ =
-        std::make_unique<SmoothDescent>(level_state(), pool_, design_bending_of(level_state()),
-                                        limits_on(level_state(), options_, least_angle_), moves);
+    design_ = Patch(mesh_at_first(level_state()));
+    descent_ = std::make_unique<SmoothDescent>(
+        level_state(), pool_, design_, limits_on(level_state(), options_, least_angle_), moves);
     steps_ = stagnant_steps_ = 0;
   }
 
@@ -205,6 +198,7 @@ class SmoothStepper {
   CoarseLevels levels_;
   std::size_t level_;
   std::unique_ptr<PatchState> coarse_;  // of the level, none at the patch itself
+  Patch design_;                        // the level at first, by the numbers of its state
   std::unique_ptr<SmoothDescent> descent_;
   std::optional<SmoothControl> control_;
   struct Best {

@@ -5,8 +5,11 @@
 #include <limits>
 #include <utility>
 
+#include <planish/measure/fairness.h>
+
 #include "core/careful_sum.h"
 #include "evolve/descent/smallest_angle.h"
+#include "measure/smoothed.h"
 
 namespace planish {
 
@@ -35,17 +38,17 @@ double diagonal_of(const PatchState& state, const Eigen::VectorXd& area_shares) 
 
 }  // namespace
 
-SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, double design_bending,
+SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& design,
                              const DescentLimits& limits, SmoothMoves moves)
     : state_(state),
       pool_(pool),
-      design_bending_(design_bending),
+      design_bending_(std::max(k_no_bending, planish::design_bending(design))),
       limits_(limits),
       along_normals_(moves == SmoothMoves::along_normals),
       triangles_(state.triangles()),
       border_(limits.border, limits.deviation, state),
       jacobian_(state, border_.movable()),
-      hinges_(state),
+      hinges_(design, state),
       guard_(state, limits.angle),
       potential_(jacobian_, state, pool, BoundaryCondition::free),
       system_(jacobian_, state, hinges_, guard_, potential_.square(), moves, border_.bends()),

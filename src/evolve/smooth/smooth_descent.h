@@ -35,10 +35,10 @@ struct SmoothWeights {
 /// of hinges and the matrix K of phi are those of the patch before a step, renewed after it.
 class SmoothDescent {
  public:
-  /// @param design_bending B0, above 0
   /// @param state as it was at first or later; must outlive it, as must the pool
+  /// @param design the patch as it was at first, by the numbers of the state
   /// @param moves of inner vertices: along their normals steps take a quarter of the memory
-  SmoothDescent(PatchState& state, ThreadPool& pool, double design_bending,
+  SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& design,
                 const DescentLimits& limits, SmoothMoves moves = SmoothMoves::free);
 
   /// False where the patch allows no matrices.

@@ -118,6 +118,14 @@ TEST(Patch, HasTheInspectionOfItsMesh) {
     expect_same(Patch(mesh).inspection(), inspect(mesh));
 }
 
+TEST(Patch, IsOfNoVerticesWithoutAMesh) {
+  const Patch patch;
+  expect_same(patch.inspection(), Patch(TriMesh{}).inspection());
+  EXPECT_EQ(patch.unit_scale(), Patch(TriMesh{}).unit_scale());
+  EXPECT_EQ(patch.connectivity().vertex_count(), 0U);
+  EXPECT_TRUE(patch.edges().empty());
+}
+
 TEST(Patch, SharesItsTopologyWithCopiesAndMovedPatches) {
   const Patch patch(make_shape("panel", 300));
   const Patch copy = patch;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "evolve/descent/strain_potential.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 namespace {
@@ -97,7 +98,7 @@ void expect_solved_as_dense(const Constraints& constraints,
   const PatchState state(patch, pool, constraints);
   AngleJacobian jacobian(state, border_movable);
   jacobian.update(pool);
-  const HingeTerms hinges(state);
+  const HingeTerms hinges(Patch(mesh_at_first(state)), state);
   const ShapeGuard guard(state, 0.05);
   const StrainPotential potential(jacobian, state, pool, BoundaryCondition::free);
   SmoothSystem system(jacobian, state, hinges, guard, potential.square(), moves);

@@ -7,6 +7,7 @@
 
 #include "evolve/smooth/hinge_terms.h"
 #include "evolve/smooth/shape_guard.h"
+#include "evolve/systems/positions.h"
 
 namespace planish {
 namespace {
@@ -45,7 +46,7 @@ void expect_near(Vec3 a, Vec3 b, double most) {
 TEST(HingeTerms, HaveTheBendingOfTheMesh) {
   for (const char* name : {"panel", "saddle", "cylinder"}) {
     Prepared patch(make_shape(name, 300));
-    HingeTerms hinges(patch.state);
+    HingeTerms hinges(Patch(mesh_at_first(patch.state)), patch.state);
     hinges.take_weights(patch.pool);
     EXPECT_NEAR(hinges.bending(patch.pool), measure_bending(patch.surface).bending, 1e-9) << name;
   }
@@ -53,7 +54,7 @@ TEST(HingeTerms, HaveTheBendingOfTheMesh) {
 
 TEST(HingeTerms, SlopesAreDifferenceQuotients) {
   Prepared patch(make_shape("panel", 100));
-  const HingeTerms hinges(patch.state);
+  const HingeTerms hinges(Patch(mesh_at_first(patch.state)), patch.state);
   for (std::size_t h = 0; h < hinges.size(); ++h) {
     const HingeTerms::Slope slope = hinges.slope(h);
     EXPECT_NE(slope.angle, 0.0);
@@ -66,7 +67,7 @@ TEST(HingeTerms, SlopesAreDifferenceQuotients) {
 
 TEST(HingeTerms, AreZeroWhereATriangleHasNoArea) {
   Prepared patch({{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 0}}, {{0, 1, 2}, {1, 0, 3}}});
-  HingeTerms hinges(patch.state);
+  HingeTerms hinges(Patch(mesh_at_first(patch.state)), patch.state);
   ASSERT_EQ(hinges.size(), 1U);
   hinges.take_weights(patch.pool);
   EXPECT_EQ(hinges.bending(patch.pool), 0.0);

@@ -21,7 +21,6 @@
 #include <planish/flatten/compare.h>
 #include <planish/flatten/flatten.h>
 #include <planish/flatten/frontier.h>
-#include <planish/flatten/strain_as_designed.h>
 #include <planish/io/mesh_format.h>
 #include <planish/io/read_cuts.h>
 #include <planish/io/read_features.h>

@@ -1,4 +1,3 @@
-#include <new>
 #include <utility>
 
 #include <planish/flatten/compare.h>
@@ -16,19 +15,6 @@ std::vector<CompareRun> runs_of_all(std::index_sequence<I...>) {
                    usual_stopping(std::variant_alternative_t<I, Method>{})}),
    ...);
   return runs;
-}
-
-/// The failure that is being handled.
-CompareFailure current_failure() {
-  try {
-    throw;
-  } catch (const Error& error) {
-    return {std::string(to_string(error.code())), error.message()};
-  } catch (const std::bad_alloc&) {
-    return {"out_of_memory", "out of memory"};
-  } catch (const std::exception& error) {
-    return {"internal_error", error.what()};
-  }
 }
 
 /// Does the work of compare(), one part after the other.

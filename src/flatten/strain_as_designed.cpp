@@ -1,6 +1,6 @@
 #include <utility>
 
-#include <planish/flatten/strain_as_designed.h>
+#include <planish/flatten/flatten.h>
 
 namespace planish {
 

@@ -219,7 +219,7 @@ Json to_json(const std::optional<UnfoldReport>& report) {
   return report ? to_json(*report) : Json(nullptr);
 }
 
-Json to_json(const CompareFailure& failure) {
+Json to_json(const Failure& failure) {
   return {{"code", failure.code}, {"message", failure.message}};
 }
 

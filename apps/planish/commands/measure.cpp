@@ -1,7 +1,6 @@
 #include <optional>
 #include <utility>
 
-#include <planish/flatten/strain_as_designed.h>
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"

@@ -35,7 +35,7 @@ struct NestOutcome {
   std::string text;               ///< as people read it
   std::string material = {};      ///< what the pieces are laid on, in words
   std::string use = {};           ///< how much of it they take
-  std::optional<PatchFailure> failure = {};
+  std::optional<Failure> failure = {};
 };
 
 /// Whether one patch alone fits on a sheet, in words.

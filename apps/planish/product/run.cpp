@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
-#include <exception>
 #include <mutex>
 #include <new>
 #include <system_error>
@@ -148,20 +147,6 @@ class Workers {
 };
 
 }  // namespace
-
-PatchFailure current_failure() try {
-  try {
-    throw;
-  } catch (const Error& error) {
-    return {std::string(to_string(error.code())), error.what()};
-  } catch (const std::bad_alloc&) {
-    return {"out_of_memory", "out of memory"};
-  } catch (const std::exception& error) {
-    return {"internal_error", error.what()};
-  }
-} catch (const std::bad_alloc&) {  // not even for the words
-  return {"out_of_memory", "out of memory"};
-}
 
 void flatten_patches(const ProductJob& job, const ProductTwins& twins,
                      std::vector<std::size_t> numbers, unsigned threads,

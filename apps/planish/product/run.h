@@ -13,22 +13,14 @@
 
 namespace planish::cli {
 
-/// Why a patch has no results.
-struct PatchFailure {
-  std::string code, message;
-};
-
 /// What became of a patch. Without failure and files it was cancelled.
 struct FlattenedPatch {
-  std::optional<PatchFailure> failure;
+  std::optional<Failure> failure;
   std::optional<PatchFiles> files;
   TriMesh mesh;               ///< as it was processed
   std::vector<Vec2> pattern;  ///< of that, model units
   bool is_twin = false;       ///< made from what was made of another one
 };
-
-/// The failure of the exception that is being handled.
-PatchFailure current_failure();
 
 /// Flattens patches on threads, the largest first, and hands each to `on_done` on the calling
 /// thread as it is finished, by its number. Twins get what was made of the other one, where that is

@@ -13,7 +13,7 @@ namespace planish::cli {
 
 /// What is known of a patch in the end.
 struct PatchOutcome {
-  std::optional<PatchFailure> failure;
+  std::optional<Failure> failure;
   std::string report;         ///< report.json; empty where it was not reached
   TriMesh mesh;               ///< as it was processed; as it came where it was not reached
   std::vector<Vec2> pattern;  ///< of that, model units; empty where it was not reached

@@ -370,7 +370,7 @@ OnCompareProgress progress_of_methods(Session& session) {
   };
 }
 
-void warn_of_method(Session& session, const Method& method, const CompareFailure& failure) {
+void warn_of_method(Session& session, const Method& method, const Failure& failure) {
   session.warn(std::string(name_of(method)) + ": " + failure.message);
 }
 

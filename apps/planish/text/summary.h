@@ -5,7 +5,6 @@
 
 #include <planish/flatten/compare.h>
 #include <planish/flatten/flatten.h>
-#include <planish/flatten/strain_as_designed.h>
 
 #include "evolve/direction.h"
 #include "shell/command.h"
@@ -47,7 +46,7 @@ void note_memory(Session& session, const Method& method, std::size_t vertices);
 /// Draws the progress of a run of several methods.
 OnCompareProgress progress_of_methods(Session& session);
 /// Warns that one of several methods failed.
-void warn_of_method(Session& session, const Method& method, const CompareFailure& failure);
+void warn_of_method(Session& session, const Method& method, const Failure& failure);
 
 /// Warns of what makes a pattern unfit for cutting.
 void warn_of_pattern(Session& session, const UnfoldReport& report);

@@ -26,18 +26,12 @@ struct CompareOptions {
   Constraints constraints = {};  ///< for every method
 };
 
-/// Why a run has no result.
-struct CompareFailure {
-  std::string code;     ///< as of Error, or out_of_memory or internal_error
-  std::string message;  ///< one line that names the cause
-};
-
 /// What one method made of the patch.
 struct ComparedMethod {
-  CompareRun run;                         ///< what was asked for
-  std::optional<EvolveReport> evolve;     ///< none where evolving failed
-  std::optional<UnfoldReport> unfold;     ///< of the result; none where there is no pattern
-  std::optional<CompareFailure> failure;  ///< of evolving or unfolding
+  CompareRun run;                      ///< what was asked for
+  std::optional<EvolveReport> evolve;  ///< none where evolving failed
+  std::optional<UnfoldReport> unfold;  ///< of the result; none where there is no pattern
+  std::optional<Failure> failure;      ///< of evolving or unfolding
 };
 
 /// Several methods, each tried on the same patch.

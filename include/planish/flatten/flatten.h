@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <planish/core/unit.h>
 #include <planish/evolve/evolve.h>
@@ -17,6 +18,17 @@
 #include <planish/unfold/unfold.h>
 
 namespace planish {
+
+/// Why one of several jobs has no result, where the others go on.
+struct Failure {
+  std::string code;     ///< as of Error, or out_of_memory or internal_error
+  std::string message;  ///< one line that names the cause
+};
+
+/// The failure of the exception that is being handled, its message with the place that an Error
+/// has.
+/// @pre called in a handler
+Failure current_failure();
 
 /// A patch and all that measuring says of it.
 struct MeasuredPatch {
@@ -106,6 +118,20 @@ struct TwinOf {
   bool mirrored = false;  ///< mirrored, else taken as they are
 };
 
+/// The strain of patterns of a patch as it came: what its material has to take if the surface is
+/// not changed. As shares of length.
+struct StrainAsDesigned {
+  EdgeStrain least_stretch;  ///< of the pattern of least stretch
+  /// Of all edges, smallest_limit(); nothing above k_most_searched vertices.
+  std::optional<double> smallest_limit = {};
+  /// One for each limit that was asked for: of the pattern that keeps them best.
+  std::vector<StrainLimitCheck> limits = {};
+
+  /// Patches with more vertices have no search for the smallest limit, which takes some 15 times as
+  /// long as laying flat.
+  static constexpr std::size_t k_most_searched = 100'000;
+};
+
 /// The main job's result: everything that the files of a `flatten` folder are made from.
 struct FlattenReport {
   std::string name;  ///< of the patch, for titles
@@ -153,6 +179,13 @@ EvolveReport with_smoothing(EvolveReport report, const Patch& raw, const Smoothe
 std::optional<UnfoldReport> unfold_patch(const Patch& patch, Unit unit,
                                          const OnUnfoldStep& on_step = {},
                                          const UnfoldOptions& options = {});
+
+/// Lays a patch flat, with and without limits, and keeps the figures. Nothing when cancelled.
+/// @param threads 0 for all cores; the result is the same for every number
+/// @throws Error as unfold()
+std::optional<StrainAsDesigned> strain_as_designed(const Patch& patch, const StrainLimits& limits,
+                                                   unsigned threads = 0,
+                                                   const OnUnfoldStep& on_step = {});
 
 /// The main job: measure, evolve, measure, unfold; nothing when cancelled.
 /// @throws Error as evolve() and unfold(); what is not a disk is refused before any work

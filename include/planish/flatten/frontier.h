@@ -26,8 +26,8 @@ struct FrontierPoint {
 
 /// A run without a result.
 struct FrontierFailure {
-  Method method;           ///< that was run, with its options
-  CompareFailure failure;  ///< why there is no result
+  Method method;    ///< that was run, with its options
+  Failure failure;  ///< why there is no result
 };
 
 /// What strain costs: of one patch many results, from the patch as designed to flattenable.

@@ -8,7 +8,6 @@
 #include <planish/flatten/compare.h>
 #include <planish/flatten/flatten.h>
 #include <planish/flatten/frontier.h>
-#include <planish/flatten/strain_as_designed.h>
 
 namespace planish {
 

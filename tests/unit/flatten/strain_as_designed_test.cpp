@@ -1,5 +1,5 @@
 #include <planish/core/error.h>
-#include <planish/flatten/strain_as_designed.h>
+#include <planish/flatten/flatten.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>

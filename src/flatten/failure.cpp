@@ -1,0 +1,22 @@
+#include <exception>
+#include <new>
+
+#include <planish/flatten/flatten.h>
+
+namespace planish {
+
+Failure current_failure() try {
+  try {
+    throw;
+  } catch (const Error& error) {
+    return {std::string(to_string(error.code())), error.what()};
+  } catch (const std::bad_alloc&) {
+    return {"out_of_memory", "out of memory"};
+  } catch (const std::exception& error) {
+    return {"internal_error", error.what()};
+  }
+} catch (const std::bad_alloc&) {  // not even for the words
+  return {"out_of_memory", "out of memory"};
+}
+
+}  // namespace planish

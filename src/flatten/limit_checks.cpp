@@ -53,14 +53,11 @@ LimitOf limit_of(StrainLimitKind kind) {
 
 }  // namespace
 
-std::vector<LimitCheck> limit_checks(const FlattenReport& report) {
-  const EvolveReport& evolve = report.evolve;
+std::vector<LimitCheck> limit_checks(const EvolveReport& evolve) {
   std::vector<LimitCheck> checks;
   const auto at_most = [&](LimitOf what, double limit, double value) {
     checks.push_back({what, limit, value, value <= limit * (1.0 + k_rounding)});
   };
-  for (const StrainLimitCheck& check : report.unfold.limits)
-    checks.push_back({limit_of(check.kind), check.asked, check.reached, check.kept()});
   if (const auto limit = given(evolve.method, "max_deviation"))
     at_most(LimitOf::deviation, *limit, evolve.deviation.max);
   if (const auto limit = given(evolve.method, "min_angle")) {
@@ -71,6 +68,15 @@ std::vector<LimitCheck> limit_checks(const FlattenReport& report) {
   }
   if (evolve.stopping.target_e_max > 0.0)
     at_most(LimitOf::defect, evolve.stopping.target_e_max, evolve.after.figures.e_max);
+  return checks;
+}
+
+std::vector<LimitCheck> limit_checks(const FlattenReport& report) {
+  std::vector<LimitCheck> checks;
+  for (const StrainLimitCheck& check : report.unfold.limits)
+    checks.push_back({limit_of(check.kind), check.asked, check.reached, check.kept()});
+  const std::vector<LimitCheck> others = limit_checks(report.evolve);
+  checks.insert(checks.end(), others.begin(), others.end());
   return checks;
 }
 

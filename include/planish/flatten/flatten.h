@@ -63,6 +63,31 @@ struct SmoothedDesign {
   SmoothedFirst done;  ///< how much smoothing changed
 };
 
+/// What a limit is of.
+enum class LimitOf { strain, p99_strain, rms_strain, deviation, angle, defect };
+
+/// A limit or target that was asked for, and whether the result keeps it.
+struct LimitCheck {
+  LimitOf what = LimitOf::strain;  ///< that is limited
+  double limit = 0.0;              ///< a share of length, model units, degrees, radians
+  double value = 0.0;              ///< what the result has: the largest, of angles the smallest
+  bool met = false;                ///< value within limit
+};
+
+/// Whether a result is what was asked for. It says more than the reason to stop: a run may end for
+/// good reasons and miss its target, or keep every limit at the end of its sweeps.
+struct Outcome {
+  bool met = true;  ///< every limit and target; true where none was asked for
+  /// Why evolving ended; where something is missed, why no more was done about it.
+  StopReason reason = StopReason::sweep_limit;
+  /// What is missed by the largest share, or where all is met, what is nearest to its limit.
+  /// Nothing where nothing was asked for.
+  std::optional<LimitCheck> worst = {};
+
+  /// Whether e_max is at the target; without one, whether it is 0 but for rounding.
+  bool target_met() const { return reason == StopReason::reached_target; }
+};
+
 /// An evolution with the figures around it.
 struct EvolveReport {
   Method method;                ///< with its options
@@ -78,6 +103,10 @@ struct EvolveReport {
   /// Where the design was smoothed first: then `before` and `fairness` are of the smoothed one, the
   /// deviation is that from the raw one.
   std::optional<SmoothedFirst> smoothed_first = {};
+
+  /// By the target of e_max and the limits of deviation and angles. Limits of strain count as met
+  /// where the method's own estimate of the strain keeps them: there is no pattern to measure.
+  Outcome outcome() const;
 };
 
 /// An unfolding with the figures of its pattern.
@@ -142,7 +171,11 @@ struct FlattenReport {
   EvolveReport evolve;                 ///< from `input` to `processed`
   UnfoldReport unfold;                 ///< of `processed`
   UnfoldReport unfold_before;          ///< of the input as it came: tells what evolving gained
-  std::optional<TwinOf> twin_of = {};  ///< where twin_report() made it
+  std::optional<TwinOf> twin_of = {};  ///< where it is made from the report of another patch
+
+  /// By all that was asked for: the target of e_max, limits of deviation and angles, and limits of
+  /// strain, by the pattern.
+  Outcome outcome() const;
 };
 
 /// The parts of the main job, as they follow one another.

@@ -20,12 +20,13 @@ namespace {
 // A constant, so that nothing has to be allocated to say it.
 constexpr const char* k_out_of_memory = "out of memory";
 
-Outcome usage_failure(const std::string& message, const std::string& json) {
+CommandResult usage_failure(const std::string& message, const std::string& json) {
   return {{}, json, k_exit_usage, message};
 }
 
 /// Does what the command line asks for; failures come out as exceptions.
-Outcome obey(std::span<const std::string> args, std::ostream& err, const RunContext& context) {
+CommandResult obey(std::span<const std::string> args, std::ostream& err,
+                   const RunContext& context) {
   const Parsed parsed = parse(args);
   if (parsed.arguments.has("--help")) {
     return {parsed.command == nullptr ? program_help() : verb_help(*parsed.command), {}};
@@ -39,7 +40,7 @@ Outcome obey(std::span<const std::string> args, std::ostream& err, const RunCont
 }
 
 /// The outcome of a failed run. To be called while its exception is being handled.
-Outcome outcome_of_failure() {
+CommandResult outcome_of_failure() {
   try {
     throw;
   } catch (const UsageError& error) {
@@ -59,7 +60,7 @@ Outcome outcome_of_failure() {
   }
 }
 
-void print(const Outcome& outcome, bool as_json, std::ostream& out, std::ostream& err) {
+void print(const CommandResult& outcome, bool as_json, std::ostream& out, std::ostream& err) {
   if (!outcome.complaint.empty()) err << "error: " << Shown{outcome.complaint} << "\n";
   if (outcome.exit_code == k_exit_usage)
     err << "planish --help and planish VERB --help tell more\n";
@@ -88,7 +89,7 @@ int run(std::span<const std::string> args, std::ostream& out, std::ostream& err,
     err << short_help();
     return k_exit_usage;
   }
-  Outcome outcome;
+  CommandResult outcome;
   try {
     outcome = obey(args, err, context);
   } catch (...) {

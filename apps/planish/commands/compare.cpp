@@ -45,7 +45,7 @@ void warn_of_failures(Session& session, const CompareReport& report) {
   }
 }
 
-Outcome run_compare(const Arguments& arguments, Session& session) {
+CommandResult run_compare(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   const std::string& path = arguments.operands.front();
   const std::vector<CompareRun> runs = runs_from(arguments);
@@ -72,7 +72,7 @@ Outcome run_compare(const Arguments& arguments, Session& session) {
   std::vector<OutputFile> files;
   if (writes) files = files_of(*report, folder, output_format(input.format), json);
   if (writes) text += written_text(files);
-  Outcome outcome = {std::move(text), std::move(json)};
+  CommandResult outcome = {std::move(text), std::move(json)};
   session.write(files, folder);
   return outcome;
 }

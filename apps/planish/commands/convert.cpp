@@ -11,7 +11,7 @@ namespace planish::cli {
 
 namespace {
 
-Outcome run_convert(const Arguments& arguments, Session& session) {
+CommandResult run_convert(const Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands[0];
   const std::string& output = arguments.operands[1];
   const MeshFormat format = mesh_format_of(path_of(output));
@@ -19,8 +19,8 @@ Outcome run_convert(const Arguments& arguments, Session& session) {
   if (format == MeshFormat::stl) {
     session.note("STL rounds positions to single precision and loses the order of the vertices");
   }
-  Outcome outcome = {path + " -> " + output + "  (" + size_text(mesh) + ")\n",
-                     json_written(mesh, output)};
+  CommandResult outcome = {path + " -> " + output + "  (" + size_text(mesh) + ")\n",
+                           json_written(mesh, output)};
   session.write({{path_of(output), format_mesh(mesh, format)}});
   return outcome;
 }

@@ -127,7 +127,7 @@ std::string verb_text(const Command& command) {
   return text + "\n";
 }
 
-Outcome run_describe(const Arguments& arguments, Session&) {
+CommandResult run_describe(const Arguments& arguments, Session&) {
   std::string text;
   Json verbs = Json::array();
   for (const Command* command : described(arguments)) {

@@ -63,7 +63,7 @@ Evolved evolve_with_progress(const Patch& patch, const Arguments& arguments, Ses
   return {{report.result.positions, patch.triangles()}, std::move(report)};
 }
 
-Outcome run_evolve(const Arguments& arguments, Session& session) {
+CommandResult run_evolve(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   unit_from(arguments);
   const std::string& output = arguments.flags.at("--output");
@@ -89,7 +89,8 @@ Outcome run_evolve(const Arguments& arguments, Session& session) {
 
   std::string text = path + " -> " + output + "  (" + size_text(evolved) + ")\n";
   const std::string json = json_with_cut(json_report(report), input.cut);
-  Outcome outcome = with_target_checked({text + evolve_text(report), json}, arguments, report);
+  CommandResult outcome =
+      with_target_checked({text + evolve_text(report), json}, arguments, report);
   session.write(files);
   return outcome;
 }

@@ -200,7 +200,7 @@ std::shared_ptr<const NestRequest> nest_from(const Arguments& arguments,
   return std::make_shared<NestRequest>(NestRequest{*sheets, pattern.formats, pattern.output});
 }
 
-Outcome run_flatten(const Arguments& arguments, Session& session) {
+CommandResult run_flatten(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   FlattenOptions options = options_from(arguments, session);
   PageWords words{.colors = colors_from(arguments),
@@ -270,7 +270,7 @@ Outcome run_flatten(const Arguments& arguments, Session& session) {
   warn_of_pattern(session, report->unfold);
   const std::string text =
       path + "  (" + size + ")\n" + flatten_text(*report) + (nesting ? nesting->text : "");
-  Outcome outcome =
+  CommandResult outcome =
       with_target_checked({text + written_text(files), json}, arguments, report->evolve);
   session.write(files, folder);
   return with_limits_checked(std::move(outcome), report->unfold.limits);

@@ -105,7 +105,7 @@ void warn_of_failures(Session& session, const FrontierReport& report) {
     warn_of_method(session, failed.method, failed.failure);
 }
 
-Outcome run_frontier(const Arguments& arguments, Session& session) {
+CommandResult run_frontier(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   const std::string& path = arguments.operands.front();
   FrontierOptions options = options_from(arguments, session);
@@ -128,7 +128,7 @@ Outcome run_frontier(const Arguments& arguments, Session& session) {
   if (report->curve.empty()) {
     return {text, json, k_exit_failed, path + ": no run of auto had a result"};
   }
-  Outcome outcome = {std::move(text), std::move(json)};
+  CommandResult outcome = {std::move(text), std::move(json)};
   if (!writes) return outcome;
   const std::vector<OutputFile> files = {{path_of(output), writer(*report)}};
   outcome.text += written_text(files);

@@ -18,7 +18,7 @@ namespace planish::cli {
 namespace {
 
 /// The mesh cannot be measured: tells all that is wrong with it, not only what came first.
-Outcome refused(const std::string& path, const TriMesh& mesh, const Error& error) {
+CommandResult refused(const std::string& path, const TriMesh& mesh, const Error& error) {
   return {refused_text(path, inspect(mesh)), json_report(error), k_exit_failed, error.what()};
 }
 
@@ -39,8 +39,9 @@ std::vector<OutputFile> places_from(const Arguments& arguments) {
   return files;
 }
 
-Outcome with_directions(Outcome outcome, const Patch& patch, std::vector<OutputFile> files,
-                        const Arguments& arguments, Session& session) {
+CommandResult with_directions(CommandResult outcome, const Patch& patch,
+                              std::vector<OutputFile> files, const Arguments& arguments,
+                              Session& session) {
   const auto directions = laplacian_directions(patch);
   const std::string name = stem_of(arguments.operands.front());
   if (arguments.has("--map")) files.front().content = direction_csv(directions);
@@ -76,7 +77,7 @@ std::optional<StrainAsDesigned> strain_of(const Patch& patch, const StrainLimits
   }
 }
 
-Outcome run_measure(const Arguments& arguments, Session& session) {
+CommandResult run_measure(const Arguments& arguments, Session& session) {
   const std::vector<OutputFile> files = places_from(arguments);
   const std::string& path = arguments.operands.front();
   const StrainLimits limits = limits_from(arguments);
@@ -92,7 +93,7 @@ Outcome run_measure(const Arguments& arguments, Session& session) {
     return refused(path, mesh, error);
   }
   const auto strain = about(path, [&] { return strain_of(patch, limits, session); });
-  Outcome outcome = {measure_text(path, measured, strain), json_report(measured, strain)};
+  CommandResult outcome = {measure_text(path, measured, strain), json_report(measured, strain)};
   if (!files.empty())
     outcome = with_directions(std::move(outcome), patch, files, arguments, session);
   return strain ? with_limits_checked(std::move(outcome), strain->limits) : outcome;

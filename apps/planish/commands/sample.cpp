@@ -23,7 +23,7 @@ std::vector<std::string> shape_names() {
   return names;
 }
 
-Outcome list_samples() {
+CommandResult list_samples() {
   std::string text;
   for (const Shape& shape : shapes()) {
     text += left(std::string(shape.name), 12) + wrapped(shape.description, 12) + "\n";
@@ -31,7 +31,7 @@ Outcome list_samples() {
   return {text, json_samples(shapes())};
 }
 
-Outcome run_sample(const Arguments& arguments, Session& session) {
+CommandResult run_sample(const Arguments& arguments, Session& session) {
   if (arguments.has("--list")) return list_samples();
   const std::string& output = arguments.flags.at("--output");
   const MeshFormat format = mesh_format_of(path_of(output));
@@ -39,8 +39,8 @@ Outcome run_sample(const Arguments& arguments, Session& session) {
   const std::string vertices = arguments.value_or("--vertices", "5000");
   const TriMesh mesh = make_shape(
       name, static_cast<std::size_t>(whole_number_of("--vertices", vertices, k_vertices)));
-  Outcome outcome = {name + " -> " + output + "  (" + size_text(mesh) + ")\n",
-                     json_written(mesh, output)};
+  CommandResult outcome = {name + " -> " + output + "  (" + size_text(mesh) + ")\n",
+                           json_written(mesh, output)};
   session.write({{path_of(output), format_mesh(mesh, format)}});
   return outcome;
 }

@@ -73,7 +73,7 @@ std::vector<OutputFile> suggestion_files(const CutSuggestion& suggestion,
   return files;
 }
 
-Outcome run_suggest_cuts(const Arguments& arguments, Session& session) {
+CommandResult run_suggest_cuts(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   const SuggestOptions options = suggest_options_from(arguments);
   const Unit unit = unit_from(arguments);
@@ -92,7 +92,7 @@ Outcome run_suggest_cuts(const Arguments& arguments, Session& session) {
   std::string text = path + "  (" + size_text(mesh) + ")\n\n" +
                      suggestion_text(*suggestion, options.max_strain, unit);
   if (!files.empty()) text += written_text(files);
-  Outcome outcome = {text, suggestion_json(*suggestion, options.max_strain, unit, paths)};
+  CommandResult outcome = {text, suggestion_json(*suggestion, options.max_strain, unit, paths)};
   session.write(files);
   return outcome;
 }

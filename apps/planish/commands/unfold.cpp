@@ -59,7 +59,7 @@ std::string content_of(const std::string& path, const std::string& input, const 
   return output.paper ? tiled_file(sheet, output) : pattern_file(sheet, *format, output);
 }
 
-Outcome run_unfold(const Arguments& arguments, Session& session) {
+CommandResult run_unfold(const Arguments& arguments, Session& session) {
   const std::string& output = arguments.flags.at("--output");
   check_format(output);
   const Unit unit = unit_from(arguments);
@@ -87,7 +87,7 @@ Outcome run_unfold(const Arguments& arguments, Session& session) {
   const std::string content =
       about(path, [&] { return content_of(output, path, patch, *report, how, annotations); });
   warn_of_pattern(session, *report);
-  Outcome outcome = {
+  CommandResult outcome = {
       path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(*report),
       json_with_cut(json_report(*report), input.cut)};
   session.write({{path_of(output), content}});

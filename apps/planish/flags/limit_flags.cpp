@@ -61,7 +61,7 @@ StrainLimits limits_from(const Arguments& arguments) {
   return limits;
 }
 
-Outcome with_limits_checked(Outcome outcome, std::span<const StrainLimitCheck> checks) {
+CommandResult with_limits_checked(CommandResult outcome, std::span<const StrainLimitCheck> checks) {
   if (all_kept(checks) || outcome.exit_code != k_exit_done) return outcome;
   outcome.exit_code = k_exit_target_missed;
   for (const StrainLimitCheck& check : checks) {

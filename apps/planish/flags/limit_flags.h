@@ -18,6 +18,6 @@ std::vector<Flag> limit_flags();
 StrainLimits limits_from(const Arguments& arguments);
 
 /// Ends with exit code 3 where a limit is not kept.
-Outcome with_limits_checked(Outcome outcome, std::span<const StrainLimitCheck> checks);
+CommandResult with_limits_checked(CommandResult outcome, std::span<const StrainLimitCheck> checks);
 
 }  // namespace planish::cli

@@ -55,7 +55,7 @@ class ProductRun {
         [this](std::size_t p, FlattenedPatch done) { return take(p, std::move(done)); });
   }
 
-  Outcome finish() {
+  CommandResult finish() {
     if (interrupted_ || session_.interrupted()) return cancelled();
     if (std::all_of(outcomes_.begin(), outcomes_.end(),
                     [](const PatchOutcome& outcome) { return outcome.failure.has_value(); })) {
@@ -72,7 +72,7 @@ class ProductRun {
     std::string text = patch_lines();
     text += twins_text(outcomes_) + seams_text(job_, seams) + (nesting ? nesting->text : "") +
             written_text(files) + "and a folder for each patch beside it\n";
-    Outcome outcome = with_nesting_checked(with_exit_code({text, json}), nesting);
+    CommandResult outcome = with_nesting_checked(with_exit_code({text, json}), nesting);
     session_.write(files, job_.folder);
     return outcome;
   }
@@ -86,7 +86,7 @@ class ProductRun {
   }
 
   /// Where every patch failed: nothing is written.
-  Outcome nothing_done() const {
+  CommandResult nothing_done() const {
     return with_exit_code(
         {patch_lines(), json_with_nesting(product_json(job_, outcomes_, {}), std::nullopt)});
   }
@@ -220,14 +220,14 @@ class ProductRun {
     }
   }
 
-  Outcome cancelled() const {
+  CommandResult cancelled() const {
     const std::string message = "interrupted; " + std::to_string(finished_) + " of " +
                                 std::to_string(outcomes_.size()) +
                                 " patches are done, --resume does the rest";
     return {{}, json_failure("interrupted", message), k_exit_interrupted, message};
   }
 
-  Outcome with_exit_code(Outcome outcome) const {
+  CommandResult with_exit_code(CommandResult outcome) const {
     std::string failed, missed, beyond;
     std::size_t failures = 0;
     for (std::size_t p = 0; p < outcomes_.size(); ++p) {
@@ -304,7 +304,7 @@ std::vector<PatternOptions> annotations_of_patches(const PatternOptions& annotat
   return result;
 }
 
-Outcome run_product(const ProductJob& job, const Arguments& arguments, Session& session) {
+CommandResult run_product(const ProductJob& job, const Arguments& arguments, Session& session) {
   ProductRun run(job, arguments, session);
   run.flatten();
   return run.finish();

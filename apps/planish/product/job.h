@@ -56,6 +56,6 @@ std::vector<PatternOptions> annotations_of_patches(const PatternOptions& annotat
 /// the seams of the whole into garment.json. A patch that fails is told by name and does not stop
 /// the others. Results do not depend on the number of threads.
 /// @throws Error as Session::write()
-Outcome run_product(const ProductJob& job, const Arguments& arguments, Session& session);
+CommandResult run_product(const ProductJob& job, const Arguments& arguments, Session& session);
 
 }  // namespace planish::cli

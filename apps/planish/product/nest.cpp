@@ -236,7 +236,8 @@ std::string json_with_nesting(const std::string& report,
   return json_text(json) + "\n";
 }
 
-Outcome with_nesting_checked(Outcome outcome, const std::optional<NestOutcome>& nesting) {
+CommandResult with_nesting_checked(CommandResult outcome,
+                                   const std::optional<NestOutcome>& nesting) {
   if (!nesting || !nesting->failure) return outcome;
   outcome.exit_code = k_exit_failed;
   if (!outcome.complaint.empty()) outcome.complaint += "\n";

@@ -64,6 +64,7 @@ NestOutcome try_nest_patches(std::vector<NestPatch> patches, Unit unit, const Ne
 std::string json_with_nesting(const std::string& report, const std::optional<NestOutcome>& outcome);
 
 /// Ends with exit code 1 where the patches could not be laid on the sheets.
-Outcome with_nesting_checked(Outcome outcome, const std::optional<NestOutcome>& nesting);
+CommandResult with_nesting_checked(CommandResult outcome,
+                                   const std::optional<NestOutcome>& nesting);
 
 }  // namespace planish::cli

@@ -73,7 +73,7 @@ struct Arguments {
 /// What a verb says and how it ended. run() alone prints it, so that --json is one object always.
 /// Verbs make it before they write their files, the last that they do: nothing can fail behind
 /// that.
-struct Outcome {
+struct CommandResult {
   std::string text;  ///< for people
   std::string json;
   int exit_code = k_exit_done;
@@ -91,7 +91,7 @@ struct Command {
   std::vector<std::string> operands;
   std::vector<FlagGroup> groups;
   std::vector<std::string> examples;
-  Outcome (*run)(const Arguments&, Session&);
+  CommandResult (*run)(const Arguments&, Session&);
   bool operands_optional = false;
 };
 

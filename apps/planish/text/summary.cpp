@@ -341,10 +341,9 @@ std::string written_text(const std::vector<OutputFile>& files) {
   return text;
 }
 
-Outcome with_target_checked(Outcome outcome, const Arguments& arguments,
-                            const EvolveReport& report) {
-  const bool met = report.result.stop == StopReason::reached_target;
-  if (met || !arguments.has("--require-target")) return outcome;
+CommandResult with_target_checked(CommandResult outcome, const Arguments& arguments,
+                                  const EvolveReport& report) {
+  if (!arguments.has("--require-target") || report.outcome().target_met()) return outcome;
   outcome.exit_code = k_exit_target_missed;
   outcome.complaint = "target not met: e_max is " + digits(report.after.figures.e_max) + " after " +
                       counted(report.result.history.size(), "sweep") + " (" +

@@ -32,8 +32,8 @@ std::string written_text(const std::vector<OutputFile>& files);
 
 /// Ends with exit code 3 where the target was asked for and not met.
 /// @param outcome of a verb that evolved
-Outcome with_target_checked(Outcome outcome, const Arguments& arguments,
-                            const EvolveReport& report);
+CommandResult with_target_checked(CommandResult outcome, const Arguments& arguments,
+                                  const EvolveReport& report);
 
 /// Tells, before any long work, that a patch cannot become flattenable as long as its border is
 /// what it is, and what to do; nothing where little area is at stake.

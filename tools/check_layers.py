@@ -59,7 +59,7 @@ FLOORS = {
         ["unfold/cuts"],
     ],
     "pattern": [["pattern/polygon"], ["pattern", "pattern/nest"]],
-    "flatten": [["flatten"]],
+    "flatten": [["flatten"], ["flatten/product"]],
     "sheet": [["sheet"]],
     "report": [["report"], ["report/charts"], ["report/pictures"], ["report/page"]],
 }

@@ -21,6 +21,7 @@
 #include <planish/flatten/compare.h>
 #include <planish/flatten/flatten.h>
 #include <planish/flatten/frontier.h>
+#include <planish/flatten/product.h>
 #include <planish/io/mesh_format.h>
 #include <planish/io/read_cuts.h>
 #include <planish/io/read_features.h>

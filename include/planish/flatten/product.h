@@ -1,0 +1,123 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <planish/flatten/flatten.h>
+#include <planish/mesh/seams.h>
+
+namespace planish {
+
+/// A patch of a product, as it comes.
+struct ProductPatch {
+  std::string name;              ///< for people; names may be equal
+  TriMesh mesh;                  ///< anything that was read: what is wrong with it is a failure
+  std::vector<Index> keep = {};  ///< vertices that remeshing leaves
+  /// Why there is nothing to be done, as where its file could not be read: it becomes the result.
+  std::optional<Failure> failure = {};
+};
+
+/// How flatten_product() works.
+struct ProductOptions {
+  /// How every patch is flattened. `threads` is the number of patches that are worked on at a time,
+  /// each on one thread, 0 for all cores. `constraints` and `keep` name vertices of one mesh and
+  /// must be empty.
+  FlattenOptions flatten = {};
+  double seam_tolerance = 0.0;  ///< as find_seams() has it, model units
+};
+
+/// Another patch of the product that a patch is the mirror image of, or equal to.
+struct PatchTwin {
+  std::size_t patch = 0;  ///< number of the other one, which comes earlier and is no twin itself
+  bool mirrored = false;  ///< else it is a copy
+  std::vector<Index> vertex;  ///< of the other one -> of this one
+};
+
+/// What the product as a whole needs of a patch that was flattened; a full report is many times as
+/// large.
+struct FinishedPatch {
+  TriMesh processed;     ///< the patch that the pattern is of
+  UnfoldReport unfold;   ///< without the patterns that the pattern is only compared with
+  Deviation deviation;   ///< of `processed` from the patch as it came
+  Outcome outcome = {};  ///< whether it is what was asked for
+  std::optional<TwinOf> twin_of = {};  ///< where it is made from the results of another patch
+};
+
+/// That of a report.
+FinishedPatch finished_patch(const FlattenReport& report);
+
+/// What became of a patch. Neither finished nor failed: the work was cancelled before.
+struct PatchResult {
+  std::string name;                            ///< of ProductPatch
+  std::size_t vertices = 0, triangles = 0;     ///< of the patch as it came
+  std::optional<FinishedPatch> finished = {};  ///< its result
+  std::optional<Failure> failure = {};         ///< why it has none
+  bool resumed = false;                        ///< finished in an earlier run
+};
+
+/// A seam with its lengths in millimetres.
+struct MeasuredSeam {
+  Seam seam;              ///< by the numbers of the processed patches
+  double on_model = 0.0;  ///< on the processed patches
+  std::array<std::optional<double>, 2> in_pattern = {};  ///< none where a patch has no pattern
+
+  /// Of the lengths in both patterns, at least 0.
+  std::optional<double> difference() const;
+};
+
+/// What became of a product.
+struct ProductReport {
+  Unit unit = Unit::mm;                         ///< one unit of the model
+  std::vector<PatchResult> patches;             ///< by the numbers of the patches that came
+  std::vector<std::optional<PatchTwin>> twins;  ///< one for each patch, by the patches as they came
+  std::vector<MeasuredSeam> seams;              ///< none where no patch is finished
+  bool cancelled = false;                       ///< then seams are not measured
+
+  /// How many patches are finished.
+  std::size_t finished() const;
+};
+
+/// Functions that flatten_product() calls. All may be empty.
+struct ProductCallbacks {
+  /// What an earlier run made of a patch; nothing where it is to be flattened. Called once for each
+  /// patch before the work begins, from the calling thread, with its twin or nullptr: what is made
+  /// of a twin depends on the mesh of the other one as well. Patterns must have a place for every
+  /// vertex of the processed patch.
+  std::function<std::optional<FinishedPatch>(std::size_t patch, const PatchTwin* twin)> earlier =
+      {};
+  /// Receives the full report of a patch as soon as it is there, to make what is kept of it: it is
+  /// gone afterwards. Called from the thread that flattened the patch, so that this work is divided
+  /// among threads too, for several patches at the same time; with threads = 1 from the calling
+  /// thread. What it throws becomes the failure of the patch.
+  /// @param twin that the report was made from, else nullptr
+  std::function<void(std::size_t patch, const FlattenReport& report, const PatchTwin* twin)>
+      on_report = {};
+  /// Called from the calling thread once for each patch that is finished or failed, first for those
+  /// of an earlier run. It may change the result: a patch whose files could not be written is one
+  /// that failed. False cancels.
+  std::function<bool(std::size_t patch, PatchResult& result)> on_done = {};
+  /// Asked often, from any thread; true cancels.
+  std::function<bool()> stopped = {};
+};
+
+/// Flattens the patches of a product, the largest first, each on one thread; twins get what was
+/// made of the other one. A patch that fails does not stop the others. A result of an earlier run
+/// whose twin is still to be made is made again, as only its full report will do for that.
+/// Results do not depend on the number of threads.
+/// @throws Error unsupported_constraint, and option_out_of_range for a tolerance below 0
+ProductReport flatten_product(std::span<const ProductPatch> patches,
+                              const ProductOptions& options = {},
+                              const ProductCallbacks& callbacks = {});
+
+/// The meshes of a product as they are now: processed where a patch is finished, else as they came.
+std::vector<TriMesh> meshes_now(std::span<const ProductPatch> patches, const ProductReport& report);
+
+/// find_seams() of the patches that can be measured; the others take part in no seam.
+std::vector<Seam> find_sound_seams(std::span<const TriMesh> patches, double tolerance = 0.0);
+
+}  // namespace planish

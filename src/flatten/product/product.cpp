@@ -1,0 +1,270 @@
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <utility>
+
+#include <planish/flatten/product.h>
+
+#include "flatten/product/product_seams.h"
+#include "flatten/product/twin_groups.h"
+#include "flatten/product/workers.h"
+#include "flatten/twin_report.h"
+
+namespace planish {
+
+namespace {
+
+using MeshTwins = std::vector<std::optional<MeshTwin>>;
+
+void check(const ProductOptions& options) {
+  const Constraints& constraints = options.flatten.constraints;
+  const bool names_vertices = !constraints.fixed.empty() || !constraints.weights.empty() ||
+                              !constraints.obstacle.triangles.empty() ||
+                              !options.flatten.keep.empty();
+  if (names_vertices) {
+    throw Error(ErrorCode::unsupported_constraint,
+                "constraints and vertices to keep are of one patch; a product has several");
+  }
+  if (!(options.seam_tolerance >= 0.0)) {
+    throw Error(ErrorCode::option_out_of_range, "seam_tolerance must be at least 0");
+  }
+}
+
+/// What a thread makes of a patch. Without either it was cancelled. Of a failure nothing else is
+/// known: there may be no memory for more.
+struct PatchMade {
+  std::optional<FinishedPatch> finished = {};
+  std::optional<Failure> failure = {};
+};
+
+/// Flattens patches, from any thread.
+class PatchWork {
+ public:
+  PatchWork(std::span<const ProductPatch> patches, const FlattenOptions& options,
+            const ProductCallbacks& callbacks, const MeshTwins& meshes_alike,
+            const ProductReport& report, std::function<bool()> stopped)
+      : patches_(patches),
+        options_(options),
+        callbacks_(callbacks),
+        meshes_alike_(meshes_alike),
+        report_(report),
+        stopped_(std::move(stopped)) {}
+
+  /// Flattens the first patch of a group and makes the others from it.
+  /// @param put is handed each result with its number
+  template <class Put>
+  void do_group(const TwinGroup& group, const Put& put) const {
+    std::optional<FlattenReport> first;
+    put(group.front(), guarded(group.front(), [&] {
+          first = flattened(group.front());
+          return finished(group.front(), first, nullptr);
+        }));
+    for (std::size_t k = 1; k < group.size(); ++k) {
+      const std::size_t p = group[k];
+      put(p, guarded(p, [&] { return stopped_() ? PatchMade{} : as_twin(p, first); }));
+    }
+  }
+
+ private:
+  template <class Work>
+  PatchMade guarded(std::size_t p, const Work& work) const try {
+    if (patches_[p].failure) return {{}, patches_[p].failure};
+    return work();
+  } catch (...) {
+    return {{}, current_failure()};
+  }
+
+  FlattenOptions options_of(std::size_t p) const {
+    FlattenOptions options = options_;
+    options.threads = 1;
+    options.keep = patches_[p].keep;
+    return options;
+  }
+
+  /// Nothing when cancelled.
+  std::optional<FlattenReport> flattened(std::size_t p) const {
+    return flatten(Patch(patches_[p].mesh), patches_[p].name, options_of(p),
+                   [&](FlattenStage, double) { return !stopped_(); });
+  }
+
+  /// What was made of the other one, or else what flattening makes of it.
+  PatchMade as_twin(std::size_t p, const std::optional<FlattenReport>& other) const {
+    if (other) {
+      const auto report = twin_report(*other, Patch(patches_[p].mesh), meshes_alike_[p]->match,
+                                      patches_[p].name, options_of(p));
+      if (report) return finished(p, report, &*report_.twins[p]);
+    }
+    return finished(p, flattened(p), nullptr);
+  }
+
+  PatchMade finished(std::size_t p, const std::optional<FlattenReport>& report,
+                     const PatchTwin* twin) const {
+    if (!report) return {};
+    if (callbacks_.on_report) callbacks_.on_report(p, *report, twin);
+    return {finished_patch(*report)};
+  }
+
+  std::span<const ProductPatch> patches_;
+  const FlattenOptions& options_;
+  const ProductCallbacks& callbacks_;
+  const MeshTwins& meshes_alike_;
+  const ProductReport& report_;
+  std::function<bool()> stopped_;
+};
+
+/// One run over a product.
+class ProductWork {
+ public:
+  ProductWork(std::span<const ProductPatch> patches, const ProductOptions& options,
+              const ProductCallbacks& callbacks)
+      : patches_(patches), options_(options), callbacks_(callbacks) {
+    report_.unit = options.flatten.unit;
+    for (const auto& [name, mesh, keep, failure] : patches)
+      report_.patches.push_back({name, mesh.positions.size(), mesh.triangles.size()});
+    find_alike();
+  }
+
+  ProductReport run() {
+    flatten_all(to_be_flattened());
+    report_.cancelled = is_cancelled();
+    if (!report_.cancelled && report_.finished() > 0) {
+      report_.seams = measure_seams(meshes_now(patches_, report_), report_.patches,
+                                    options_.seam_tolerance, report_.unit);
+    }
+    return std::move(report_);
+  }
+
+ private:
+  bool is_cancelled() const { return cancelled_ || (callbacks_.stopped && callbacks_.stopped()); }
+
+  void find_alike() {
+    std::vector<const TriMesh*> meshes;
+    meshes.reserve(patches_.size());
+    for (const ProductPatch& patch : patches_)
+      meshes.push_back(&patch.mesh);
+    alike_ = find_twins(meshes, k_twin_tolerance, [this] { return is_cancelled(); });
+    report_.twins.reserve(alike_.size());
+    for (const auto& twin : alike_) {
+      auto& known = report_.twins.emplace_back();
+      if (twin) known = PatchTwin{twin->of, twin->match.mirrored, twin->match.vertex};
+    }
+  }
+
+  std::vector<std::optional<FinishedPatch>> from_earlier_runs() const {
+    std::vector<std::optional<FinishedPatch>> earlier(patches_.size());
+    if (!callbacks_.earlier) return earlier;
+    for (std::size_t p = 0; p < patches_.size(); ++p) {
+      const auto& twin = report_.twins[p];
+      if (!patches_[p].failure) earlier[p] = callbacks_.earlier(p, twin ? &*twin : nullptr);
+    }
+    return earlier;
+  }
+
+  /// Keeps what is there already; the numbers of the other patches.
+  std::vector<std::size_t> to_be_flattened() {
+    std::vector<std::optional<FinishedPatch>> earlier = from_earlier_runs();
+    for (std::size_t p = 0; p < patches_.size(); ++p) {
+      // Its full report is needed once more.
+      if (!earlier[p] && alike_[p]) earlier[alike_[p]->of].reset();
+    }
+    std::vector<std::size_t> numbers;
+    numbers.reserve(patches_.size());
+    for (std::size_t p = 0; p < patches_.size(); ++p) {
+      if (!earlier[p]) {
+        numbers.push_back(p);
+        continue;
+      }
+      report_.patches[p].resumed = true;
+      take(p, {std::move(earlier[p])});
+    }
+    return numbers;
+  }
+
+  void take(std::size_t p, PatchMade made) {
+    PatchResult& result = report_.patches[p];
+    result.finished = std::move(made.finished);
+    result.failure = std::move(made.failure);
+    const bool is_over = result.finished || result.failure;
+    if (!is_over || (callbacks_.on_done && !callbacks_.on_done(p, result))) cancelled_ = true;
+  }
+
+  void flatten_all(std::vector<std::size_t> numbers) {
+    std::stable_sort(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) {
+      return patches_[a].mesh.triangles.size() > patches_[b].mesh.triangles.size();
+    });
+    const std::vector<TwinGroup> groups = groups_of(numbers, alike_);
+    std::atomic<std::size_t> next = 0;
+    Handover<std::pair<std::size_t, PatchMade>> results(numbers.size());
+    const PatchWork work(patches_, options_.flatten, callbacks_, alike_, report_,
+                         [this] { return abandoned_ || is_cancelled(); });
+    const auto work_on_next = [&] {
+      const std::size_t k = next++;
+      if (k >= groups.size()) return false;
+      work.do_group(groups[k], [&](std::size_t p, PatchMade done) {
+        results.put({p, std::move(done)});
+      });
+      return true;
+    };
+    Workers workers(abandoned_);
+    const std::size_t threads = std::min<std::size_t>(most_threads(), groups.size());
+    if (threads > 1) {
+      workers.start(threads, [&] {
+        while (work_on_next()) {
+        }
+      });
+    }
+    for (std::size_t taken = 0; taken < numbers.size(); ++taken) {
+      if (workers.empty()) work_on_next();
+      auto [p, made] = results.take();
+      take(p, std::move(made));
+    }
+  }
+
+  std::size_t most_threads() const {
+    const unsigned asked = options_.flatten.threads;
+    return asked == 0 ? std::max(1U, std::thread::hardware_concurrency()) : asked;
+  }
+
+  std::span<const ProductPatch> patches_;
+  const ProductOptions& options_;
+  const ProductCallbacks& callbacks_;
+  MeshTwins alike_;
+  ProductReport report_;
+  std::atomic<bool> cancelled_ = false;
+  std::atomic<bool> abandoned_ = false;  // no result is taken any more
+};
+
+}  // namespace
+
+FinishedPatch finished_patch(const FlattenReport& report) {
+  FinishedPatch patch{report.processed.mesh(), report.unfold, report.evolve.deviation,
+                      report.outcome(), report.twin_of};
+  patch.unfold.pattern.unmatched.clear();
+  patch.unfold.pattern.unlimited.clear();
+  return patch;
+}
+
+std::size_t ProductReport::finished() const {
+  return static_cast<std::size_t>(
+      std::count_if(patches.begin(), patches.end(),
+                    [](const PatchResult& patch) { return patch.finished.has_value(); }));
+}
+
+std::vector<TriMesh> meshes_now(std::span<const ProductPatch> patches,
+                                const ProductReport& report) {
+  std::vector<TriMesh> meshes;
+  meshes.reserve(patches.size());
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const auto& finished = report.patches[p].finished;
+    meshes.push_back(finished ? finished->processed : patches[p].mesh);
+  }
+  return meshes;
+}
+
+ProductReport flatten_product(std::span<const ProductPatch> patches, const ProductOptions& options,
+                              const ProductCallbacks& callbacks) {
+  check(options);
+  return ProductWork(patches, options, callbacks).run();
+}
+
+}  // namespace planish

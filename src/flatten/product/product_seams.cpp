@@ -1,0 +1,57 @@
+#include "flatten/product/product_seams.h"
+
+#include <cmath>
+#include <utility>
+
+#include <planish/mesh/inspect.h>
+
+namespace planish {
+
+std::optional<double> MeasuredSeam::difference() const {
+  if (!in_pattern[0] || !in_pattern[1]) return std::nullopt;
+  return std::abs(*in_pattern[0] - *in_pattern[1]);
+}
+
+std::vector<Seam> find_sound_seams(std::span<const TriMesh> patches, double tolerance) {
+  std::vector<std::size_t> numbers;
+  std::vector<TriMesh> sound;
+  numbers.reserve(patches.size());
+  sound.reserve(patches.size());
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    if (blocking_problem(inspect(patches[p]), Purpose::measure)) continue;
+    numbers.push_back(p);
+    sound.push_back(patches[p]);
+  }
+  std::vector<Seam> seams = find_seams(sound, tolerance);
+  for (Seam& seam : seams) {
+    for (SeamSide& side : seam.sides)
+      side.patch = numbers[side.patch];
+  }
+  return seams;
+}
+
+std::vector<MeasuredSeam> measure_seams(std::span<const TriMesh> meshes,
+                                        std::span<const PatchResult> results, double tolerance,
+                                        Unit unit) {
+  const double scale = millimetres_per(unit);
+  std::vector<Seam> seams = find_sound_seams(meshes, tolerance);
+  std::vector<MeasuredSeam> measured;
+  measured.reserve(seams.size());
+  for (Seam& seam : seams) {
+    MeasuredSeam lengths;
+    const SeamSide& first = seam.sides[0];
+    const std::vector<Vec3>& positions = meshes[first.patch].positions;
+    lengths.on_model = scale * length_of(first, std::span<const Vec3>(positions));
+    for (std::size_t s = 0; s < 2; ++s) {
+      const auto& finished = results[seam.sides[s].patch].finished;
+      if (!finished) continue;
+      const std::vector<Vec2>& pattern = finished->unfold.pattern.positions;
+      lengths.in_pattern[s] = scale * length_of(seam.sides[s], std::span<const Vec2>(pattern));
+    }
+    lengths.seam = std::move(seam);
+    measured.push_back(std::move(lengths));
+  }
+  return measured;
+}
+
+}  // namespace planish

@@ -1,0 +1,276 @@
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include <planish/flatten/product.h>
+#include <planish/mesh/shapes.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+#include "support/products.h"
+#include "support/twins.h"
+
+namespace planish {
+namespace {
+
+using testing::ElementsAre;
+using testing::UnorderedElementsAre;
+
+/// Three strips with two seams.
+std::vector<ProductPatch> strips() {
+  std::vector<ProductPatch> patches;
+  for (NamedPatch& strip : in_strips(make_shape("saddle", 300), 3))
+    patches.push_back({strip.name, std::move(strip.mesh)});
+  return patches;
+}
+
+/// A pair, something else, and a tube, which cannot be laid flat.
+std::vector<ProductPatch> coat() {
+  const TriMesh sleeve = meshes::rough_grid(8, 6, 3, 0.2, 0.3);
+  return {{"left", sleeve},
+          {"tube", meshes::tube(8, 3)},
+          {"right", meshes::mirrored(sleeve)},
+          {"back", make_shape("dome", 150)}};
+}
+
+ProductOptions quick(unsigned threads = 2) {
+  ProductOptions options;
+  options.flatten.method = ControllableLaplacian{};
+  options.flatten.stopping = Stopping{.max_sweeps = 2};
+  options.flatten.threads = threads;
+  return options;
+}
+
+void expect_same(const ProductReport& report, const ProductReport& other) {
+  ASSERT_EQ(report.patches.size(), other.patches.size());
+  for (std::size_t p = 0; p < report.patches.size(); ++p) {
+    const PatchResult &one = report.patches[p], &two = other.patches[p];
+    EXPECT_EQ(one.name, two.name);
+    EXPECT_EQ(one.failure.has_value(), two.failure.has_value()) << one.name;
+    ASSERT_EQ(one.finished.has_value(), two.finished.has_value()) << one.name;
+    if (!one.finished) continue;
+    EXPECT_EQ(one.finished->processed.positions, two.finished->processed.positions) << one.name;
+    EXPECT_EQ(one.finished->unfold.pattern.positions, two.finished->unfold.pattern.positions);
+    EXPECT_EQ(one.finished->twin_of.has_value(), two.finished->twin_of.has_value());
+  }
+  ASSERT_EQ(report.seams.size(), other.seams.size());
+  for (std::size_t s = 0; s < report.seams.size(); ++s)
+    EXPECT_EQ(report.seams[s].in_pattern, other.seams[s].in_pattern);
+}
+
+TEST(FlattenProduct, GoesOnWhereAPatchFails) {
+  std::vector<ProductPatch> patches = coat();
+  patches.push_back({"lost", {}, {}, Failure{"file_unreadable", "lost.obj: no such file"}});
+  std::vector<std::string> told;
+  const ProductReport report =
+      flatten_product(patches, quick(), {.on_done = [&](std::size_t p, PatchResult& result) {
+                        EXPECT_EQ(result.name, patches[p].name);
+                        told.push_back(result.name);
+                        return true;
+                      }});
+  EXPECT_FALSE(report.cancelled);
+  EXPECT_EQ(report.finished(), 3U);
+  EXPECT_THAT(told, UnorderedElementsAre("left", "tube", "right", "back", "lost"));
+  ASSERT_TRUE(report.patches[1].failure);
+  EXPECT_EQ(report.patches[1].failure->code, "several_border_loops");
+  EXPECT_EQ(report.patches[4].failure->message, "lost.obj: no such file");
+  EXPECT_EQ(report.patches[3].vertices, patches[3].mesh.positions.size());
+  EXPECT_EQ(report.patches[3].finished->outcome.reason, StopReason::sweep_limit);
+}
+
+TEST(FlattenProduct, TakesWhatFlattenMakesOfEachPatch) {
+  const std::vector<ProductPatch> patches = coat();
+  const ProductReport report = flatten_product(patches, quick());
+  for (const std::size_t p : {0U, 3U}) {
+    const auto alone = flatten(Patch(patches[p].mesh), patches[p].name, quick().flatten);
+    EXPECT_EQ(report.patches[p].finished->processed.positions, alone->processed.positions());
+    EXPECT_EQ(report.patches[p].finished->unfold.pattern.positions,
+              alone->unfold.pattern.positions);
+  }
+}
+
+TEST(FlattenProduct, MakesTwinsFromTheirOthers) {
+  const std::vector<ProductPatch> patches = coat();
+  std::mutex mutex;
+  std::map<std::size_t, std::optional<PatchTwin>> reports;
+  const ProductReport report = flatten_product(
+      patches, quick(),
+      {.on_report = [&](std::size_t p, const FlattenReport& full, const PatchTwin* twin) {
+        const std::lock_guard lock(mutex);
+        EXPECT_EQ(full.name, patches[p].name);
+        EXPECT_EQ(full.twin_of.has_value(), twin != nullptr);
+        reports[p] = twin ? std::optional(*twin) : std::nullopt;
+      }});
+  ASSERT_EQ(reports.size(), 3U);
+  ASSERT_TRUE(reports[2]);
+  EXPECT_EQ(reports[2]->patch, 0U);
+  EXPECT_TRUE(reports[2]->mirrored);
+  ASSERT_TRUE(report.twins[2]);
+  EXPECT_EQ(report.twins[2]->vertex, reports[2]->vertex);
+  EXPECT_FALSE(report.twins[0] || report.twins[1] || report.twins[3]);
+  EXPECT_EQ(report.patches[2].finished->twin_of->name, "left");
+  const auto& left = report.patches[0].finished->unfold.pattern.positions;
+  const auto& right = report.patches[2].finished->unfold.pattern.positions;
+  for (std::size_t v = 0; v < left.size(); ++v) {
+    EXPECT_EQ(right[reports[2]->vertex[v]].x, -left[v].x);
+    EXPECT_EQ(right[reports[2]->vertex[v]].y, left[v].y);
+  }
+}
+
+TEST(FlattenProduct, DoesNotDependOnTheNumberOfThreads) {
+  for (const auto& patches : {coat(), strips()}) {
+    const ProductReport one = flatten_product(patches, quick(1));
+    expect_same(one, flatten_product(patches, quick(4)));
+    expect_same(one, flatten_product(patches, quick(0)));
+  }
+}
+
+TEST(FlattenProduct, WorksOnTheCallingThreadWhereThereIsToBeOne) {
+  const auto here = std::this_thread::get_id();
+  flatten_product(
+      coat(), quick(1),
+      {.on_report = [&](std::size_t, const FlattenReport&,
+                        const PatchTwin*) { EXPECT_EQ(std::this_thread::get_id(), here); },
+       .stopped =
+           [&] {
+             EXPECT_EQ(std::this_thread::get_id(), here);
+             return false;
+           }});
+}
+
+TEST(FlattenProduct, EndsWhereThatIsAskedFor) {
+  for (const unsigned threads : {1U, 3U}) {
+    std::size_t told = 0;
+    const ProductReport report =
+        flatten_product(strips(), quick(threads), {.on_done = [&](std::size_t, PatchResult&) {
+                          ++told;
+                          return false;
+                        }});
+    EXPECT_TRUE(report.cancelled);
+    EXPECT_GE(told, 1U);
+    EXPECT_TRUE(report.seams.empty());
+    const ProductReport at_once =
+        flatten_product(strips(), quick(threads), {.stopped = [] { return true; }});
+    EXPECT_TRUE(at_once.cancelled);
+    EXPECT_EQ(at_once.finished(), 0U);
+    for (const PatchResult& patch : at_once.patches)
+      EXPECT_FALSE(patch.failure);
+  }
+}
+
+/// Runs again with the finished patches of a report, but for some; returns what was flattened.
+std::vector<std::string> flattened_anew(const std::vector<ProductPatch>& patches,
+                                        const ProductReport& before, std::size_t missing) {
+  std::mutex mutex;
+  std::vector<std::string> anew;
+  const ProductReport report =
+      flatten_product(patches, quick(),
+                      {.earlier =
+                           [&](std::size_t p, const PatchTwin* twin) {
+                             EXPECT_EQ(twin != nullptr, before.twins[p].has_value());
+                             return p == missing ? std::nullopt : before.patches[p].finished;
+                           },
+                       .on_report =
+                           [&](std::size_t, const FlattenReport& full, const PatchTwin*) {
+                             const std::lock_guard lock(mutex);
+                             anew.push_back(full.name);
+                           }});
+  expect_same(report, before);
+  for (const PatchResult& patch : report.patches)
+    EXPECT_EQ(patch.resumed,
+              patch.finished && std::find(anew.begin(), anew.end(), patch.name) == anew.end());
+  return anew;
+}
+
+TEST(FlattenProduct, KeepsWhatAnEarlierRunMade) {
+  const std::vector<ProductPatch> patches = coat();
+  const ProductReport before = flatten_product(patches, quick());
+  EXPECT_THAT(flattened_anew(patches, before, patches.size()), ElementsAre());
+  EXPECT_THAT(flattened_anew(patches, before, 3), ElementsAre("back"));
+  EXPECT_THAT(flattened_anew(patches, before, 2), UnorderedElementsAre("left", "right"))
+      << "the twin is made from the full report";
+}
+
+TEST(FlattenProduct, TakesWhatACallbackThrowsForTheFailureOfThatPatch) {
+  const ProductReport report =
+      flatten_product(strips(), quick(),
+                      {.on_report =
+                           [](std::size_t p, const FlattenReport&, const PatchTwin*) {
+                             if (p == 1) throw Error(ErrorCode::allowance_too_wide, "too wide");
+                             if (p == 2) throw std::runtime_error("lost");
+                           },
+                       .on_done =
+                           [](std::size_t p, PatchResult& result) {
+                             if (p == 0) result.finished.reset();
+                             if (p == 0) result.failure = Failure{"file_unwritable", "full"};
+                             return true;
+                           }});
+  EXPECT_EQ(report.finished(), 0U);
+  EXPECT_EQ(report.patches[0].failure->code, "file_unwritable");
+  EXPECT_EQ(report.patches[1].failure->code, "allowance_too_wide");
+  EXPECT_EQ(report.patches[2].failure->code, "internal_error");
+}
+
+TEST(FlattenProduct, MeasuresSeamsOnTheModelAndInBothPatterns) {
+  const std::vector<ProductPatch> patches = strips();
+  ProductOptions options = quick();
+  options.flatten.unit = Unit::cm;
+  const ProductReport plain = flatten_product(patches, options);
+  ASSERT_EQ(plain.seams.size(), 2U);
+  const SeamSide& side = plain.seams[0].seam.sides[0];
+  EXPECT_NEAR(plain.seams[0].on_model,
+              10.0 * length_of(side, std::span<const Vec3>(patches[0].mesh.positions)), 1e-9);
+  EXPECT_GT(*plain.seams[0].difference(), 1e-6);
+  options.flatten.match_seams = true;
+  const ProductReport matched = flatten_product(patches, options);
+  for (const MeasuredSeam& seam : matched.seams)
+    EXPECT_LT(*seam.difference(), 1e-8 * seam.on_model);
+}
+
+TEST(FlattenProduct, KnowsNoLengthInThePatternOfAPatchThatFailed) {
+  std::vector<ProductPatch> patches = strips();
+  patches[1].failure = Failure{"unfold_failed", "as a test has it"};
+  const ProductReport report = flatten_product(patches, quick());
+  ASSERT_EQ(report.seams.size(), 2U);
+  for (const MeasuredSeam& seam : report.seams) {
+    EXPECT_GT(seam.on_model, 0.0);
+    EXPECT_FALSE(seam.difference());
+    EXPECT_NE(seam.in_pattern[0].has_value(), seam.in_pattern[1].has_value());
+  }
+}
+
+TEST(FlattenProduct, RefusesWhatNamesTheVerticesOfOneMesh) {
+  ProductOptions options = quick();
+  options.flatten.constraints.fixed = {0};
+  EXPECT_THROW(flatten_product(strips(), options), Error);
+  options = quick();
+  options.flatten.keep = {0};
+  EXPECT_THROW(flatten_product(strips(), options), Error);
+  options = quick();
+  options.seam_tolerance = -1.0;
+  EXPECT_THROW(flatten_product(strips(), options), Error);
+}
+
+TEST(FlattenProduct, IsOfNothingWhereThereIsNothing) {
+  const ProductReport report = flatten_product({}, quick());
+  EXPECT_TRUE(report.patches.empty());
+  EXPECT_FALSE(report.cancelled);
+}
+
+TEST(FinishedPatch, LeavesOutPatternsThatAreOnlyComparedWith) {
+  FlattenOptions options = quick().flatten;
+  options.match_seams = true;
+  const auto report = flatten(Patch(make_shape("dome", 150)), "dome", options);
+  const FinishedPatch patch = finished_patch(*report);
+  EXPECT_FALSE(report->unfold.pattern.unmatched.empty());
+  EXPECT_TRUE(patch.unfold.pattern.unmatched.empty());
+  EXPECT_EQ(patch.unfold.unmatched_strain->max, report->unfold.unmatched_strain->max);
+  EXPECT_EQ(patch.outcome.reason, report->evolve.result.stop);
+}
+
+}  // namespace
+}  // namespace planish

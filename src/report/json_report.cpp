@@ -7,12 +7,22 @@
 #include <planish_json/json.h>
 
 #include "report/enumerator_name.h"
+#include "report/json_parts.h"
 
 namespace planish {
 
 namespace {
 
-std::string text_of(const Json& json) {
+Json to_json(const MoreFigures& more) {
+  Json json = Json::object();
+  for (const auto& [name, figure] : more.figures)
+    json[name] = std::visit([](auto value) { return Json(value); }, figure);
+  return json;
+}
+
+std::string text_of(Json json, const std::vector<MoreFigures>& more = {}) {
+  for (const MoreFigures& some : more)
+    json[some.key] = to_json(some);
   return json_document(json) + '\n';
 }
 
@@ -112,12 +122,6 @@ Json options_of(const Method& method) {
   return options;
 }
 
-Json to_json(const Deviation& deviation) {
-  return {{"rms", deviation.rms},
-          {"max", deviation.max},
-          {"rms_over_diagonal", deviation.rms_over_diagonal}};
-}
-
 Json to_json(const std::optional<OriginalSize>& size) {
   if (!size) return nullptr;
   return {{"vertices", size->vertices}, {"triangles", size->triangles}};
@@ -169,58 +173,14 @@ Json to_json(const EvolveReport& report) {
   return json;
 }
 
-Json to_json(const EdgeStrain& strain) {
-  return {{"max", strain.max}, {"rms", strain.rms}, {"p99", strain.p99}};
-}
-
-Json to_json(const std::optional<EdgeStrain>& strain) {
-  return strain ? to_json(*strain) : Json(nullptr);
-}
-
 Json to_json(const StrainAsDesigned& strain) {
   Json json = to_json(strain.least_stretch);
   json["smallest_limit"] = strain.smallest_limit ? Json(*strain.smallest_limit) : Json(nullptr);
   return json;
 }
 
-Json to_json(const std::vector<StrainLimitCheck>& checks) {
-  Json list = Json::array();
-  for (const StrainLimitCheck& check : checks) {
-    list.push_back(
-        {{"kind", to_string(check.kind)},
-         {"asked", check.asked},
-         {"kept", check.kept()},
-         {"reached", check.reached},
-         {"share_beyond", check.share_beyond},
-         {"where", {{"edge", check.edge}, {"at", {check.at.x, check.at.y, check.at.z}}}}});
-  }
-  return list;
-}
-
-Json to_json(const UnfoldReport& report) {
-  const Pattern& pattern = report.pattern;
-  return {{"strain", to_json(report.strain)},
-          {"area_ratio", pattern.area_ratio},
-          {"flipped_triangles", pattern.flipped_triangles},
-          {"overlaps", pattern.overlaps},
-          {"width", pattern.width},
-          {"height", pattern.height},
-          {"unit", to_string(report.unit)},
-          {"iterations", pattern.iterations},
-          {"converged", pattern.converged},
-          {"border_strain", report.border_strain},
-          {"match_seams", report.unmatched_strain.has_value()},
-          {"unmatched_strain", to_json(report.unmatched_strain)},
-          {"unlimited_strain", to_json(report.unlimited_strain)},
-          {"limits", to_json(report.limits)}};
-}
-
 Json to_json(const std::optional<UnfoldReport>& report) {
   return report ? to_json(*report) : Json(nullptr);
-}
-
-Json to_json(const Failure& failure) {
-  return {{"code", failure.code}, {"message", failure.message}};
 }
 
 Json to_json(const CompareReport& report, const ComparedMethod& method) {
@@ -261,23 +221,25 @@ Json limit_of(const FrontierReport& report) {
 
 }  // namespace
 
-std::string json_report(const MeasuredPatch& patch, const std::optional<StrainAsDesigned>& strain) {
+std::string json_report(const MeasuredPatch& patch, const std::optional<StrainAsDesigned>& strain,
+                        const std::vector<MoreFigures>& more) {
   Json json = to_json(patch);
   json["strain"] = strain ? to_json(*strain) : Json(nullptr);
   json["limits"] = to_json(strain ? strain->limits : std::vector<StrainLimitCheck>{});
-  return text_of(json);
+  return text_of(std::move(json), more);
 }
 
-std::string json_report(const EvolveReport& report) {
-  return text_of(to_json(report));
+std::string json_report(const EvolveReport& report, const std::vector<MoreFigures>& more) {
+  return text_of(to_json(report), more);
 }
 
-std::string json_report(const UnfoldReport& report) {
-  return text_of(to_json(report));
+std::string json_report(const UnfoldReport& report, const std::vector<MoreFigures>& more) {
+  return text_of(to_json(report), more);
 }
 
-std::string json_report(const FlattenReport& report,
-                        const std::map<std::string, std::string>& files) {
+std::string json_report(const FlattenReport& report, const WrittenFiles& files,
+                        const std::vector<MoreFigures>& more,
+                        const std::optional<LayoutReport>& layout) {
   Json json = {{"name", report.name},
                {"version", k_version},
                {"evolve", to_json(report.evolve)},
@@ -285,8 +247,10 @@ std::string json_report(const FlattenReport& report,
                {"unfold_before", to_json(report.unfold_before)},
                {"limits", to_json(report.unfold.limits)},
                {"files", Json(files)}};
-  if (const auto& twin = report.twin_of)
-    json["twin"] = {{"of", twin->name}, {"mirrored", twin->mirrored}};
+  if (report.twin_of) json["twin"] = to_json(*report.twin_of);
+  for (const MoreFigures& some : more)
+    json[some.key] = to_json(some);
+  if (layout) json["nesting"] = to_json(*layout);
   return text_of(json);
 }
 

@@ -1,29 +1,71 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include <planish/core/error.h>
 #include <planish/flatten/compare.h>
 #include <planish/flatten/flatten.h>
 #include <planish/flatten/frontier.h>
+#include <planish/flatten/product.h>
+#include <planish/sheet/nest_sheet.h>
 
 namespace planish {
+
+/// Figures of a program's own, an object at the end of a report.
+struct MoreFigures {
+  std::string key;  ///< of the object
+  /// What is in it, in this order: key and number.
+  std::vector<std::pair<std::string, std::variant<std::size_t, double>>> figures;
+};
+
+/// Role -> path of what was written.
+using WrittenFiles = std::map<std::string, std::string>;
+
+/// Where patches were laid on sheets, or why they could not be.
+struct LayoutReport {
+  NestOptions sheets = {};                 ///< what was asked for
+  std::vector<std::string> names = {};     ///< of the patches, by their numbers
+  std::vector<std::string> left_out = {};  ///< those without a pattern
+  Nesting nesting = {};                    ///< where the pieces lie
+  std::vector<std::string> files = {};     ///< paths of the drawings
+  std::optional<Failure> failure = {};     ///< then all above but the sheets is not known
+};
+
+/// The names in a job and how its pieces were laid; no files yet.
+LayoutReport layout_report(const NestJob& job, Nesting nesting);
+
+/// What was written of a product.
+struct ProductFiles {
+  std::vector<std::string> folders;  ///< of the patches, by their numbers
+  std::vector<WrittenFiles> files;   ///< likewise
+};
 
 /// Reports as JSON text, keys as the command line documents them (docs/command-line.md): one
 /// object, UTF-8, numbers in the shortest digits that read back to the same doubles, numbers that
 /// are not finite as null.
 /// With "strain" and "limits"; without a strain, as of what cannot be laid flat, null and empty.
 std::string json_report(const MeasuredPatch& patch,
-                        const std::optional<StrainAsDesigned>& strain = {});
+                        const std::optional<StrainAsDesigned>& strain = {},
+                        const std::vector<MoreFigures>& more = {});
 /// With before and after, deviation and history.
-std::string json_report(const EvolveReport& report);
+std::string json_report(const EvolveReport& report, const std::vector<MoreFigures>& more = {});
 /// With strain, sizes and limits.
-std::string json_report(const UnfoldReport& report);
-/// @param files role -> path of what was written
-std::string json_report(const FlattenReport& report,
-                        const std::map<std::string, std::string>& files);
+std::string json_report(const UnfoldReport& report, const std::vector<MoreFigures>& more = {});
+/// @param layout as "nesting", where there is one
+std::string json_report(const FlattenReport& report, const WrittenFiles& files,
+                        const std::vector<MoreFigures>& more = {},
+                        const std::optional<LayoutReport>& layout = {});
+/// As docs/garments.md has it.
+/// @param name of the product
+/// @param layout as "nesting"; null without
+std::string json_report(const ProductReport& report, const std::string& name,
+                        const ProductFiles& files, const std::optional<LayoutReport>& layout = {});
 /// With the runs in their order.
 std::string json_report(const CompareReport& report);
 /// With the points of the curve and of other methods.

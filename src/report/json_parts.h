@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <planish/report/json_report.h>
+
+#include <planish_json/json.h>
+
+namespace planish {
+
+// What several reports have, as JSON.
+
+Json to_json(const Deviation& deviation);
+Json to_json(const EdgeStrain& strain);
+/// Null where there is none.
+Json to_json(const std::optional<EdgeStrain>& strain);
+Json to_json(const std::vector<StrainLimitCheck>& checks);
+Json to_json(const UnfoldReport& report);
+Json to_json(const Failure& failure);
+Json to_json(const TwinOf& twin);
+Json to_json(const LayoutReport& layout);
+
+}  // namespace planish

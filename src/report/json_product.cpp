@@ -1,0 +1,108 @@
+#include <utility>
+
+#include <planish/core/version.h>
+
+#include "report/json_parts.h"
+
+namespace planish {
+
+namespace {
+
+Json seam_side(const ProductReport& report, const SeamSide& side,
+               const std::optional<double>& length) {
+  Json json = {{"patch", report.patches[side.patch].name},
+               {"first_vertex", side.vertices.front()},
+               {"last_vertex", side.vertices.back()},
+               {"vertices", side.vertices.size()}};
+  json["length"] = length ? Json(*length) : Json(nullptr);
+  return json;
+}
+
+Json seam_entry(const ProductReport& report, const MeasuredSeam& seam, std::size_t number) {
+  Json json = {{"number", number}, {"length_on_model", seam.on_model}};
+  json["sides"] = {seam_side(report, seam.seam.sides[0], seam.in_pattern[0]),
+                   seam_side(report, seam.seam.sides[1], seam.in_pattern[1])};
+  const auto difference = seam.difference();
+  json["difference"] = difference ? Json(*difference) : Json(nullptr);
+  json["difference_share"] = difference ? Json(*difference / seam.on_model) : Json(nullptr);
+  return json;
+}
+
+Json patch_entry(const PatchResult& patch, const std::string& folder, const WrittenFiles& files) {
+  const auto& finished = patch.finished;
+  Json json = {{"name", patch.name},
+               {"folder", folder},
+               {"vertices", patch.vertices},
+               {"triangles", patch.triangles}};
+  json["unfold"] = finished ? to_json(finished->unfold) : Json(nullptr);
+  json["stop"] = finished ? Json(to_string(finished->outcome.reason)) : Json(nullptr);
+  json["deviation"] = finished ? to_json(finished->deviation) : Json(nullptr);
+  json["files"] = finished ? Json(files) : Json(nullptr);
+  if (finished && finished->twin_of) json["twin"] = to_json(*finished->twin_of);
+  json["error"] = patch.failure ? to_json(*patch.failure) : Json(nullptr);
+  return json;
+}
+
+/// Where the pieces lie, in the order of nest().
+Json to_json(const std::vector<NestPlacement>& placements, const std::vector<std::string>& names) {
+  Json list = Json::array();
+  for (const NestPlacement& placement : placements) {
+    list.push_back({{"patch", names[placement.piece]},
+                    {"copy", placement.copy + 1},
+                    {"sheet", placement.sheet + 1},
+                    {"angle", placement.angle},
+                    {"x", placement.shift.x},
+                    {"y", placement.shift.y}});
+  }
+  return list;
+}
+
+}  // namespace
+
+LayoutReport layout_report(const NestJob& job, Nesting nesting) {
+  LayoutReport layout{.sheets = job.sheets, .nesting = std::move(nesting)};
+  for (const NestPatch& patch : job.patches) {
+    layout.names.push_back(patch.name);
+    if (patch.pattern.empty()) layout.left_out.push_back(patch.name);
+  }
+  return layout;
+}
+
+Json to_json(const LayoutReport& layout) {
+  const NestOptions& sheets = layout.sheets;
+  Json json = {{"sheet_width", sheets.width},
+               {"sheet_length", sheets.length ? Json(*sheets.length) : Json(nullptr)},
+               {"gap", sheets.gap},
+               {"margin", sheets.margin},
+               {"turn", to_string(sheets.turns)}};
+  if (layout.failure) {
+    json["error"] = to_json(*layout.failure);
+    return json;
+  }
+  json["sheets"] = layout.nesting.sheets;
+  json["used_length"] = layout.nesting.used_length;
+  json["used_share"] = layout.nesting.used_share();
+  json["left_out"] = layout.left_out;
+  json["files"] = layout.files;
+  json["placements"] = to_json(layout.nesting.placements, layout.names);
+  json["error"] = nullptr;
+  return json;
+}
+
+std::string json_report(const ProductReport& report, const std::string& name,
+                        const ProductFiles& files, const std::optional<LayoutReport>& layout) {
+  Json patches = Json::array(), seams = Json::array();
+  for (std::size_t p = 0; p < report.patches.size(); ++p)
+    patches.push_back(patch_entry(report.patches[p], files.folders[p], files.files[p]));
+  for (std::size_t s = 0; s < report.seams.size(); ++s)
+    seams.push_back(seam_entry(report, report.seams[s], s + 1));
+  const Json json = {{"name", name},
+                     {"version", k_version},
+                     {"unit", to_string(report.unit)},
+                     {"patches", std::move(patches)},
+                     {"seams", std::move(seams)},
+                     {"nesting", layout ? to_json(*layout) : Json(nullptr)}};
+  return json_document(json) + '\n';
+}
+
+}  // namespace planish

@@ -1,0 +1,71 @@
+#include <planish/report/json_report.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/sample_report.h"
+
+namespace planish {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+ProductReport product() {
+  ProductReport report;
+  report.patches = {{"front", 10, 12, finished_patch(samples::flatten_report())},
+                    {"back", 20, 22, {}, Failure{"zero_area", "none"}},
+                    {"rest", 30, 32}};
+  report.seams = {{{{SeamSide{0, {3, 4, 5}}, SeamSide{1, {7, 8, 9}}}}, 50.0, {49.0, std::nullopt}},
+                  {{{SeamSide{0, {3, 4}}, SeamSide{0, {8, 9}}}}, 40.0, {41.0, 39.0}}};
+  return report;
+}
+
+TEST(JsonReport, OfAProductHasWhatReportsOfPatchesHave) {
+  const FlattenReport front = samples::flatten_report();
+  const WrittenFiles files = {{"flat", "out/front/flat.obj"}};
+  const Json json =
+      Json::parse(json_report(product(), "coat", {{"front", "back", "rest"}, {files, {}, {}}}));
+  const Json of_front = Json::parse(json_report(front, files));
+  EXPECT_EQ(json["name"], "coat");
+  EXPECT_EQ(json["patches"][0]["unfold"], of_front["unfold"]);
+  EXPECT_EQ(json["patches"][0]["stop"], of_front["evolve"]["stop"]);
+  EXPECT_EQ(json["patches"][0]["deviation"], of_front["evolve"]["deviation"]);
+  EXPECT_EQ(json["patches"][0]["files"], of_front["files"]);
+  EXPECT_EQ(json["patches"][0]["error"], Json(nullptr));
+  EXPECT_EQ(json["patches"][0]["vertices"], 10);
+  EXPECT_EQ(json["patches"][1]["error"]["code"], "zero_area");
+  for (const char* key : {"unfold", "stop", "deviation", "files"})
+    EXPECT_EQ(json["patches"][1][key], Json(nullptr)) << key;
+  EXPECT_EQ(json["patches"][2]["error"], Json(nullptr));
+  EXPECT_EQ(json["seams"][0]["sides"][1]["patch"], "back");
+  EXPECT_EQ(json["seams"][0]["difference"], Json(nullptr));
+  EXPECT_EQ(json["seams"][1]["number"], 2);
+  EXPECT_EQ(json["seams"][1]["difference_share"], 0.05);
+  EXPECT_EQ(json["nesting"], Json(nullptr));
+}
+
+TEST(JsonReport, OfALayoutSaysWhereThePiecesLieOrWhyNot) {
+  const NestJob job{{{"front", {}, {{0, 0}}}, {"lost", {}, {}}}, Unit::mm, {.width = 700.0}};
+  LayoutReport layout = layout_report(job, {{{0, 1, 0, 90.0, {3.0, 4.0}}}, 1, 500.0});
+  const auto nesting = [&] {
+    return Json::parse(
+        json_report(product(), "coat", {{"", "", ""}, {{}, {}, {}}}, layout))["nesting"];
+  };
+  EXPECT_EQ(nesting()["sheet_width"], 700.0);
+  EXPECT_EQ(nesting()["left_out"], Json::array({"lost"}));
+  EXPECT_EQ(nesting()["placements"][0]["patch"], "front");
+  EXPECT_EQ(nesting()["placements"][0]["copy"], 2);
+  layout.failure = Failure{"piece_too_large", "large"};
+  EXPECT_EQ(nesting()["error"]["message"], "large");
+  EXPECT_FALSE(nesting().contains("placements"));
+}
+
+TEST(JsonReport, HasFiguresOfAProgramsOwnAtItsEnd) {
+  const std::vector<MoreFigures> more = {{"cut", {{"edges", std::size_t{3}}, {"length", 2.0}}}};
+  const Json json = Json::parse(json_report(samples::flatten_report().unfold, more));
+  EXPECT_EQ(json.back(), Json::parse(R"({"edges": 3, "length": 2.0})"));
+  EXPECT_EQ(json.items().begin().key(), "schema");
+}
+
+}  // namespace
+}  // namespace planish

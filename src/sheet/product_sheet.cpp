@@ -88,8 +88,8 @@ Layout lay_out(std::span<const ProductPiece> pieces, double scale) {
 }
 
 /// Lays a piece anew at about the same place, from where its twin lies: see mirrored_place().
-void lay_like_twin(const PieceTwin& twin, std::size_t piece, Layout& layout) {
-  const std::vector<Vec2>& theirs = layout.corners[twin.piece];
+void lay_like_twin(const PatchTwin& twin, std::size_t piece, Layout& layout) {
+  const std::vector<Vec2>& theirs = layout.corners[twin.patch];
   std::vector<Vec2>& own = layout.corners[piece];
   if (theirs.empty() || own.empty()) return;
   const Box there = box_of(theirs), here = box_of(own);
@@ -105,7 +105,7 @@ void lay_like_twin(const PieceTwin& twin, std::size_t piece, Layout& layout) {
 std::string name_of(std::span<const ProductPiece> pieces, std::size_t number) {
   const auto& twin = pieces[number].twin;
   const std::string& name = pieces[number].name;
-  return twin ? name + " (" + twin_text({pieces[twin->piece].name, twin->mirrored}) + ")" : name;
+  return twin ? name + " (" + twin_text({pieces[twin->patch].name, twin->mirrored}) + ")" : name;
 }
 
 std::vector<Vec2> line_of(const std::vector<Index>& vertices, const std::vector<Vec2>& corners) {

@@ -1,67 +1,131 @@
 #include <gtest/gtest.h>
+#include <planish_json/json.h>
 
 #include "cli_run.h"
+#include "product/figures.h"
 #include "product/state.h"
 
 namespace planish::cli {
 namespace {
 
-const std::string k_report =
-    R"({"unfold": {"width": 1, "height": 1, "unit": "mm", "overlaps": false,)"
-    R"( "strain": {"rms": 0, "max": 0}}, "evolve": {"stop": "stalled", "deviation": {}},)"
-    R"( "limits": [], "files": {}})";
-
 const std::string k_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+/// Figures that all differ.
+FinishedPatch results() {
+  FinishedPatch patch;
+  Pattern& pattern = patch.unfold.pattern;
+  pattern.width = 12.5;
+  pattern.height = 0.1 + 0.2;
+  pattern.area_ratio = 1.0 / 3.0;
+  pattern.flipped_triangles = 3;
+  pattern.overlaps = true;
+  pattern.iterations = 17;
+  pattern.converged = true;
+  patch.unfold.unit = Unit::cm;
+  patch.unfold.strain = {0.03, 1e-17, 0.02, {7, 9}};
+  patch.unfold.border_strain = 0.004;
+  patch.unfold.unmatched_strain = EdgeStrain{0.05, 0.006, 0.04, {1, 2}};
+  patch.unfold.limits = {{StrainLimitKind::p99, 0.08, 0.09, 0.01, {3, 4}, {1.5, -2.5, 3.5}},
+                         {StrainLimitKind::rms, 0.01, 0.02, 0.5, {5, 6}, {}}};
+  patch.deviation = {0.7, 1.9, 1e-4};
+  patch.outcome = {false, StopReason::angle_limit, LimitCheck{LimitOf::angle, 10.0, 9.0, false}};
+  patch.twin_of = TwinOf{"left \u00FC", true};
+  return patch;
+}
 
 /// A folder that some earlier run, or somebody else, left.
 class ProductState : public CliTest {
  protected:
   /// Writes the files and a job.json that says that they are as they were written.
-  void write(const std::string& report, const std::string& processed, const std::string& flat) {
+  void write(const std::string& processed, const std::string& flat) {
     std::vector<OutputFile> files = {
-        {"report.json", report}, {"processed.obj", processed}, {"flat.obj", flat}};
-    files.push_back(job_file(job_, files, ""));
+        {"report.json", "{}"}, {"processed.obj", processed}, {"flat.obj", flat}};
+    files.push_back(job_file(job_, results(), files, ""));
     write_files(files);
   }
+  void write_job(const Json& json) { std::ofstream("job.json") << json.dump(); }
+  Json read_job() const { return Json::parse(content_of("job.json")); }
   bool is_kept() const { return finished_results(job_, ".").has_value(); }
 
-  const std::string job_ = job_of({.name = "piece", .folder = "piece", .mesh = {}}, {}, {});
+  const PatchJob job_ = job_of({.name = "piece", .mesh = {}}, MeshFormat::obj, {}, {});
 };
 
 TEST_F(ProductState, KeepsWhatIsWhole) {
-  write(k_report, k_triangle, k_triangle);
-  EXPECT_TRUE(is_kept());
+  write(k_triangle, k_triangle);
+  const auto kept = finished_results(job_, ".");
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->processed.positions.size(), 3U);
+  EXPECT_EQ(kept->unfold.pattern.positions.size(), 3U);
+  EXPECT_EQ(figures_json(*kept), figures_json(results()));
+  EXPECT_EQ(kept->unfold.pattern.height, 0.1 + 0.2) << "to the bit";
+  EXPECT_EQ(kept->twin_of->name, "left \u00FC");
+  EXPECT_FALSE(kept->unfold.unlimited_strain);
 }
 
 TEST_F(ProductState, RefusesAPatternThatIsNotThatOfThePatch) {
-  write(k_report, k_triangle, "v 2 2 2\n" + k_triangle);
+  write(k_triangle, "v 2 2 2\n" + k_triangle);
   EXPECT_FALSE(is_kept());
-  write(k_report, "v 2 2 2\n" + k_triangle, k_triangle);
+  write("v 2 2 2\n" + k_triangle, k_triangle);
   EXPECT_FALSE(is_kept());
 }
 
-TEST_F(ProductState, RefusesAReportThatLacksWhatIsToldOfIt) {
-  for (const char* report :
-       {"{}", "[]", "3", R"({"unfold": 1, "evolve": [], "files": {}})",
-        R"({"unfold": {"width": "wide"}, "evolve": {"stop": 3}, "files": {}})"}) {
-    write(report, k_triangle, k_triangle);
-    EXPECT_FALSE(is_kept()) << report;
-  }
-  std::string endless = k_report;
-  endless.replace(endless.find("\"mm\""), 4, "null");
-  write(endless, k_triangle, k_triangle);
-  EXPECT_FALSE(is_kept()) << endless;
+TEST_F(ProductState, RefusesFiguresThatOneIsMissingFrom) {
+  write(k_triangle, k_triangle);
+  const Json whole = read_job();
+  const auto refuses_without = [&](const Json::json_pointer& place) {
+    Json less = whole;
+    less[place.parent_pointer()].erase(place.back());
+    write_job(less);
+    return !is_kept();
+  };
+  write_job(whole);
+  EXPECT_TRUE(is_kept());
+  for (const char* figure :
+       {"", "/unfold", "/deviation", "/outcome", "/twin_of", "/unfold/pattern", "/unfold/limits",
+        "/unfold/pattern/width", "/unfold/strain/worst_edge", "/unfold/unmatched_strain/p99",
+        "/unfold/limits/1/at/z", "/outcome/reason", "/outcome/worst/met", "/twin_of/mirrored"})
+    EXPECT_TRUE(refuses_without(Json::json_pointer("/figures" + std::string(figure)))) << figure;
 }
 
-TEST_F(ProductState, RefusesAJobOrReportThatIsNestedWithoutEnd) {
+TEST_F(ProductState, RefusesFiguresThatCannotBe) {
+  write(k_triangle, k_triangle);
+  const Json whole = read_job();
+  const auto refuses = [&](const char* figure, const Json& value) {
+    Json other = whole;
+    other[Json::json_pointer("/figures" + std::string(figure))] = value;
+    write_job(other);
+    return !is_kept();
+  };
+  EXPECT_FALSE(refuses("/unfold/pattern/width", 3));
+  for (const Json& value : {Json(nullptr), Json("wide"), Json(true), Json::array({1.0})})
+    EXPECT_TRUE(refuses("/unfold/pattern/width", value)) << value;
+  for (const Json& value : {Json(-1), Json(0.5), Json(99), Json(nullptr), Json("angle_limit")})
+    EXPECT_TRUE(refuses("/outcome/reason", value)) << value;
+  for (const Json& value : {Json(1), Json(nullptr), Json("true")})
+    EXPECT_TRUE(refuses("/unfold/pattern/overlaps", value)) << value;
+  for (const Json& value : {Json::array(), Json::array({1}), Json::array({1, 2, 3}),
+                            Json::array({1, -2}), Json::array({1, 1ULL << 40U}), Json(4)})
+    EXPECT_TRUE(refuses("/unfold/strain/worst_edge", value)) << value;
+  for (const Json& value : {Json::object(), Json(nullptr), Json::array({Json::object()})})
+    EXPECT_TRUE(refuses("/unfold/limits", value)) << value;
+  for (const Json& value : {Json::object(), Json("left")})
+    EXPECT_TRUE(refuses("/twin_of", value)) << value;
+  for (const Json& value : {Json::array(), Json(nullptr), Json(1)})
+    EXPECT_TRUE(refuses("", value)) << value;
+}
+
+TEST_F(ProductState, RefusesAFolderWithoutAReport) {
+  std::vector<OutputFile> files = {{"processed.obj", k_triangle}, {"flat.obj", k_triangle}};
+  files.push_back(job_file(job_, results(), files, ""));
+  write_files(files);
+  EXPECT_FALSE(is_kept());
+}
+
+TEST_F(ProductState, RefusesAJobThatIsNestedWithoutEnd) {
   constexpr std::size_t depth = 200'000;
   const std::string nested = std::string(depth, '[') + std::string(depth, ']');
-  write(k_report, k_triangle, k_triangle);
+  write(k_triangle, k_triangle);
   std::ofstream("job.json") << "{\"files\": {}, \"a\": " << nested << "}";
-  EXPECT_FALSE(is_kept());
-  std::string report = k_report;
-  report.replace(report.find("\"deviation\": {}"), 15, "\"deviation\": " + nested);
-  write(report, k_triangle, k_triangle);
   EXPECT_FALSE(is_kept());
 }
 

@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
+#include <planish/io/read_mesh.h>
+
 #include <gmock/gmock.h>
 
 #include "cli_run.h"
 #include "oracle/drawn_lines.h"
-#include "product/twins.h"
 #include "support/products.h"
 #include "support/twins.h"
 
@@ -17,7 +18,6 @@ namespace planish::cli {
 namespace {
 
 using oracle::Lines;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -264,16 +264,6 @@ TEST_F(ProductTwinsTest, KeepTheLengthsOfSeamsThatMatch) {
   ASSERT_EQ(json["seams"].size(), 1U);
   EXPECT_LT(json["seams"][0]["difference"], 1e-9);
   EXPECT_NEAR(json["seams"][0]["sides"][1]["length"], json["seams"][0]["length_on_model"], 1e-8);
-}
-
-TEST(TwinGroups, ComeInTheOrderOfTheirFirstOnes) {
-  ProductTwins twins(5);
-  twins[2] = MeshTwin{0, {}};
-  twins[3] = MeshTwin{1, {}};
-  twins[4] = MeshTwin{0, {}};
-  EXPECT_THAT(groups_of({4, 1, 2, 0, 3}, twins),
-              ElementsAre(ElementsAre(1, 3), ElementsAre(0, 4, 2)));
-  EXPECT_THAT(groups_of({4, 3, 1}, twins), ElementsAre(ElementsAre(4), ElementsAre(1, 3)));
 }
 
 }  // namespace

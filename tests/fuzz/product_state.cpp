@@ -1,12 +1,14 @@
 // What --resume reads from the folder of an earlier run, which anybody may have written.
 
 #include <planish/io/write_mesh.h>
+#include <planish/report/json_report.h>
+
+#include <planish_json/json.h>
 
 #include "core/fnv_hash.h"
 #include "fuzz/check.h"
 #include "fuzz/temporary_folder.h"
-#include "product/job.h"
-#include "product/seams.h"
+#include "product/figures.h"
 #include "product/state.h"
 #include "product/text.h"
 #include "support/meshes.h"
@@ -36,33 +38,36 @@ std::map<std::string, std::string> files_in(std::string_view input) {
   return files;
 }
 
-/// The job.json that says that all of them are as they were written.
-OutputFile job_of_all(const std::string& job, const std::map<std::string, std::string>& files) {
+/// The job.json that says that all of them are as they were written, with the figures that the
+/// input has in a file of that name.
+OutputFile job_of_all(const PatchJob& job, const std::map<std::string, std::string>& files) {
   std::vector<OutputFile> written;
   for (const auto& [name, content] : files)
     written.push_back({name, content});
-  return job_file(job, written, "");
+  OutputFile file = job_file(job, {}, written, "");
+  const auto figures = files.find("figures.json");
+  if (figures == files.end()) return file;
+  Json json = Json::parse(file.content);
+  json["figures"] = parse_shallow(figures->second);
+  file.content = json_text(json);
+  return file;
 }
 
 /// What a run does with results that it keeps.
-void tell(const ProductPatch& patch, const PatchResults& results) {
-  fuzz::check(results.pattern.size() == results.mesh.positions.size(),
+void tell(const ProductPatch& patch, FinishedPatch results) {
+  const std::size_t vertices = results.processed.positions.size();
+  fuzz::check(results.unfold.pattern.positions.size() == vertices,
               "a pattern has a place for every vertex");
-  for (const Vec2 p : results.pattern)
+  for (const Vec2 p : results.unfold.pattern.positions)
     fuzz::check(fuzz::is_finite(p), "patterns are finite");
-  const std::vector<PatchOutcome> outcomes = {
-      {.failure = {}, .report = results.report, .mesh = results.mesh, .pattern = results.pattern}};
-  const ProductJob job{.path = "product.obj",
-                       .patches = {patch},
-                       .folder = ".",
-                       .options = {},
-                       .annotations = {},
-                       .files_of = {}};
-  const auto seams = measure_seams(outcomes, seams_from({}, {&results.mesh, 1}), Unit::mm);
-  fuzz::check(!patch_line(patch, outcomes.front()).empty(), "every patch has a line");
-  fuzz::check(!product_json(job, outcomes, seams).empty(), "the whole is told");
-  missed_target(outcomes.front());
-  seams_text(job, seams);
+  ProductCallbacks callbacks;
+  callbacks.earlier = [&](std::size_t, const PatchTwin*) { return std::optional(results); };
+  const ProductReport report = flatten_product({&patch, 1}, {}, callbacks);
+  fuzz::check(report.finished() == 1, "nothing is done again");
+  fuzz::check(!patch_line(report.patches.front()).empty(), "every patch has a line");
+  fuzz::check(!json_report(report, "product", {{"piece"}, {{}}}).empty(), "the whole is told");
+  report.patches.front().finished->outcome.target_met();
+  seams_text(report);
 }
 
 }  // namespace
@@ -70,12 +75,12 @@ void tell(const ProductPatch& patch, const PatchResults& results) {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::TemporaryFolder folder;
   auto files = files_in({reinterpret_cast<const char*>(data), size});
-  const ProductPatch patch{"piece", "piece", meshes::flat_grid(2, 2)};
-  const std::string job = job_of(patch, {}, {});
+  const ProductPatch patch{"piece", meshes::flat_grid(2, 2)};
+  const PatchJob job = job_of(patch, MeshFormat::obj, {}, {});
   // A file of that name in the input stands as it is.
   if (!files.contains("job.json")) files["job.json"] = job_of_all(job, files).content;
   folder.fill(files);
-  const auto results = finished_results(job, ".");
-  if (results) tell(patch, *results);
+  auto results = finished_results(job, ".");
+  if (results) tell(patch, *std::move(results));
   return 0;
 }

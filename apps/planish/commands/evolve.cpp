@@ -88,7 +88,7 @@ CommandResult run_evolve(const Arguments& arguments, Session& session) {
   if (files.size() > 1) files.back().content = history_csv(report.result.history);
 
   std::string text = path + " -> " + output + "  (" + size_text(evolved) + ")\n";
-  const std::string json = json_with_cut(json_report(report), input.cut);
+  const std::string json = json_report(report, figures_of_cut(input.cut));
   CommandResult outcome =
       with_target_checked({text + evolve_text(report), json}, arguments, report);
   session.write(files);

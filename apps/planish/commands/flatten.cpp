@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -37,9 +36,6 @@ namespace planish::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What each file of the folder is for -> its path.
-using OutputPaths = std::map<std::string, std::string>;
 
 /// What the page says besides the report.
 struct PageWords {
@@ -99,14 +95,14 @@ std::string role_of(PatternFormat format) {
   return format == PatternFormat::svg ? "pattern" : "pattern_" + name;
 }
 
-OutputPaths paths_in(const fs::path& folder, MeshFormat format, const PatternFiles& pattern,
-                     const Arguments& arguments) {
+WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFiles& pattern,
+                      const Arguments& arguments) {
   const std::string extension = "." + std::string(to_string(format));
   const auto in_folder = [&](const std::string& name) { return utf8_of(folder / path_of(name)); };
-  OutputPaths paths = {{"processed", in_folder("processed" + extension)},
-                       {"flat", in_folder("flat" + extension)},
-                       {"report_json", in_folder("report.json")},
-                       {"report_html", in_folder("report.html")}};
+  WrittenFiles paths = {{"processed", in_folder("processed" + extension)},
+                        {"flat", in_folder("flat" + extension)},
+                        {"report_json", in_folder("report.json")},
+                        {"report_html", in_folder("report.html")}};
   for (const PatternFormat some : pattern.formats) {
     paths[role_of(some)] = in_folder("pattern." + std::string(to_string(some)));
   }
@@ -119,7 +115,7 @@ OutputPaths paths_in(const fs::path& folder, MeshFormat format, const PatternFil
   return paths;
 }
 
-void refuse_shared_places(const OutputPaths& paths) {
+void refuse_shared_places(const WrittenFiles& paths) {
   std::vector<OutputFile> files;
   for (const auto& [role, path] : paths)
     files.push_back({path_of(path), {}});
@@ -136,7 +132,7 @@ NestPatch nest_patch(const FlattenReport& report, const PatternOptions& annotati
           on_processed(annotations, report)};
 }
 
-std::vector<OutputFile> pattern_files(const FlattenReport& report, const OutputPaths& paths,
+std::vector<OutputFile> pattern_files(const FlattenReport& report, const WrittenFiles& paths,
                                       const PatternFiles& pattern) {
   const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name,
                                       on_processed(pattern.annotations, report));
@@ -171,7 +167,7 @@ std::string page_of(const FlattenReport& report, const PatternFiles& pattern,
                               .reference = reference_sweeps(report, words.threads)});
 }
 
-std::vector<OutputFile> files_of(const FlattenReport& report, const OutputPaths& paths,
+std::vector<OutputFile> files_of(const FlattenReport& report, const WrittenFiles& paths,
                                  MeshFormat format, const PatternFiles& pattern,
                                  const PageWords& words, const std::string& json) {
   const TriMesh& mesh = report.processed.mesh();
@@ -200,6 +196,48 @@ std::shared_ptr<const NestRequest> nest_from(const Arguments& arguments,
   return std::make_shared<NestRequest>(NestRequest{*sheets, pattern.formats, pattern.output});
 }
 
+/// What the flags ask for, of one patch as of several.
+struct FlattenRequest {
+  fs::path folder;
+  FlattenOptions options;
+  PatternFiles pattern;
+  PageWords words;
+  std::shared_ptr<const NestRequest> nest;
+};
+
+ProductJob product_job(const FlattenRequest& request, ProductInput input,
+                       const Arguments& arguments) {
+  ProductJob job{.path = arguments.operands.front(),
+                 .patches = std::move(input.patches),
+                 .places = std::move(input.places),
+                 .folder = request.folder,
+                 .options = {request.options, seam_tolerance_from(arguments)},
+                 .annotations = {},
+                 .paths = {},
+                 .files_of = {},
+                 .nest = request.nest};
+  job.annotations = annotations_of_patches(request.pattern.annotations, job.patches, arguments);
+  std::vector<MeshFormat> formats;
+  for (std::size_t p = 0; p < job.patches.size(); ++p) {
+    job.patches[p].keep = named_vertices(job.annotations[p]);
+    formats.push_back(output_format(job.places[p].format));
+    job.paths.push_back(paths_in(request.folder / path_of(job.places[p].folder), formats[p],
+                                 request.pattern, arguments));
+  }
+  job.files_of = [request, formats, paths = job.paths](const FlattenReport& report, std::size_t p,
+                                                       const PatternOptions& annotations) {
+    PageWords words = request.words;
+    if (request.nest) {
+      words.sheet =
+          fit_alone(nest_patch(report, annotations), request.options.unit, request.nest->sheets);
+    }
+    return files_of(report, paths[p], formats[p],
+                    {request.pattern.formats, request.pattern.output, annotations}, words,
+                    json_report(report, paths[p]));
+  };
+  return job;
+}
+
 CommandResult run_flatten(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   FlattenOptions options = options_from(arguments, session);
@@ -213,28 +251,15 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   ProductInput read = read_product(session, arguments.operands.front());
   const std::optional<CutDone> cut = cut_product(read, arguments, session);
   if (read.patches.size() > 1) {
-    const auto files = [&](const FlattenReport& report, MeshFormat input,
-                           const PatternOptions& annotations, const fs::path& place) {
-      const MeshFormat format = output_format(input);
-      const OutputPaths paths = paths_in(place, format, pattern, arguments);
-      std::string json = json_report(report, paths);
-      const PatternFiles own = {pattern.formats, pattern.output, annotations};
-      PageWords page = words;
-      if (nest) {
-        page.sheet = fit_alone(nest_patch(report, annotations), options.unit, nest->sheets);
-      }
-      return PatchFiles{files_of(report, paths, format, own, page, json), json};
-    };
-    auto annotations = annotations_of_patches(pattern.annotations, read.patches, arguments);
-    return run_product({arguments.operands.front(), std::move(read.patches), folder, options,
-                        std::move(annotations), files, nest},
+    return run_product(product_job({folder, options, std::move(pattern), std::move(words), nest},
+                                   std::move(read), arguments),
                        arguments, session);
   }
   refuse_product_flags(arguments);
   const std::string& path = read.path;
   ReadResult input = std::move(read.whole);
   const MeshFormat format = output_format(input.format);
-  const OutputPaths paths = paths_in(folder, format, pattern, arguments);
+  const WrittenFiles paths = paths_in(folder, format, pattern, arguments);
   refuse_shared_places(paths);
   const std::string size = size_text(input.mesh);
   const std::string name = stem_of(path);
@@ -253,17 +278,18 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   });
   if (!report) throw Interrupted();
 
-  std::string json = json_with_cut(json_report(*report, paths), cut);
   std::optional<NestOutcome> nesting;
+  std::optional<LayoutReport> layout;
   if (nest) {
     nesting = about(path, [&] {
       return nest_patches({nest_patch(*report, pattern.annotations)}, options.unit, *nest, folder,
                           name, session);
     });
-    json = json_with_nesting(json, nesting);
+    layout = nesting->layout;
     words.sheet = {true, nesting->material,
                    nesting->use + "; drawn in " + utf8_of(nesting->files.front().path.filename())};
   }
+  const std::string json = json_report(*report, paths, figures_of_cut(cut), layout);
   std::vector<OutputFile> files =
       about(path, [&] { return files_of(*report, paths, format, pattern, words, json); });
   if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());

@@ -39,19 +39,20 @@ std::vector<OutputFile> places_from(const Arguments& arguments) {
   return files;
 }
 
-CommandResult with_directions(CommandResult outcome, const Patch& patch,
-                              std::vector<OutputFile> files, const Arguments& arguments,
-                              Session& session) {
+struct DrawnDirections {
+  std::vector<OutputFile> files;
+  DirectionCounts counts;
+};
+
+/// @param files without content
+DrawnDirections directions_of(const Patch& patch, std::vector<OutputFile> files,
+                              const Arguments& arguments) {
   const auto directions = laplacian_directions(patch);
   const std::string name = stem_of(arguments.operands.front());
   if (arguments.has("--map")) files.front().content = direction_csv(directions);
   if (arguments.has("--picture"))
     files.back().content = direction_svg(patch.mesh(), directions, name);
-  const DirectionCounts counts = count_directions(directions);
-  outcome.text += directions_text(counts) + written_text(files);
-  outcome.json = json_with_directions(outcome.json, counts);
-  session.write(files);
-  return outcome;
+  return {std::move(files), count_directions(directions)};
 }
 
 /// Of the patch laid flat as it is; nothing where that is not possible and no limit was asked for.
@@ -78,7 +79,7 @@ std::optional<StrainAsDesigned> strain_of(const Patch& patch, const StrainLimits
 }
 
 CommandResult run_measure(const Arguments& arguments, Session& session) {
-  const std::vector<OutputFile> files = places_from(arguments);
+  std::vector<OutputFile> files = places_from(arguments);
   const std::string& path = arguments.operands.front();
   const StrainLimits limits = limits_from(arguments);
   const TriMesh mesh = session.read(path).mesh;
@@ -93,9 +94,16 @@ CommandResult run_measure(const Arguments& arguments, Session& session) {
     return refused(path, mesh, error);
   }
   const auto strain = about(path, [&] { return strain_of(patch, limits, session); });
-  CommandResult outcome = {measure_text(path, measured, strain), json_report(measured, strain)};
-  if (!files.empty())
-    outcome = with_directions(std::move(outcome), patch, files, arguments, session);
+  std::string text = measure_text(path, measured, strain);
+  std::vector<MoreFigures> more;
+  if (!files.empty()) {
+    DrawnDirections drawn = directions_of(patch, std::move(files), arguments);
+    files = std::move(drawn.files);
+    text += directions_text(drawn.counts) + written_text(files);
+    more.push_back(figures_of(drawn.counts));
+  }
+  CommandResult outcome = {std::move(text), json_report(measured, strain, more)};
+  if (!files.empty()) session.write(files);
   return strain ? with_limits_checked(std::move(outcome), strain->limits) : outcome;
 }
 

@@ -89,7 +89,7 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
   warn_of_pattern(session, *report);
   CommandResult outcome = {
       path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(*report),
-      json_with_cut(json_report(*report), input.cut)};
+      json_report(*report, figures_of_cut(input.cut))};
   session.write({{path_of(output), content}});
   return with_limits_checked(std::move(outcome), report->limits);
 }

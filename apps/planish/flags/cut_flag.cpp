@@ -4,8 +4,6 @@
 
 #include <planish/io/read_cuts.h>
 
-#include <planish_json/json.h>
-
 #include "flags/units.h"
 #include "platform/path.h"
 #include "shell/failures.h"
@@ -39,11 +37,9 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
   });
 }
 
-std::string json_with_cut(const std::string& report, const std::optional<CutDone>& cut) {
-  if (!cut) return report;
-  auto object = Json::parse(report);
-  object["cut"] = {{"edges", cut->edges}, {"length", cut->length}};
-  return json_text(object) + "\n";
+std::vector<MoreFigures> figures_of_cut(const std::optional<CutDone>& cut) {
+  if (!cut) return {};
+  return {{"cut", {{"edges", cut->edges}, {"length", cut->length}}}};
 }
 
 }  // namespace planish::cli

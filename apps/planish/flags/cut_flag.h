@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <planish/mesh/tri_mesh.h>
+#include <planish/report/json_report.h>
 
 #include "shell/command.h"
 
@@ -29,7 +31,7 @@ struct CutInput {
 CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& arguments,
                       Session& session);
 
-/// A report with what --cut did as "cut": {"edges", "length"}, or as it is without the flag.
-std::string json_with_cut(const std::string& report, const std::optional<CutDone>& cut);
+/// What --cut did as "cut": {"edges", "length"}, for a report; nothing without the flag.
+std::vector<MoreFigures> figures_of_cut(const std::optional<CutDone>& cut);
 
 }  // namespace planish::cli

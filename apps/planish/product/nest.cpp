@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include <planish_json/json.h>
-
 #include "flags/quantities.h"
 #include "flags/units.h"
 #include "platform/path.h"
@@ -48,51 +46,6 @@ double nest_length(const Arguments& arguments, const std::string& flag, const st
   return scale * quantity_value(flag, text, Quantity::length, range, arguments);
 }
 
-/// Where the pieces lie, in the order of nest().
-Json placements_json(const NestJob& job, const Nesting& nesting) {
-  Json list = Json::array();
-  for (const NestPlacement& placement : nesting.placements) {
-    list.push_back({{"patch", job.patches[placement.piece].name},
-                    {"copy", placement.copy + 1},
-                    {"sheet", placement.sheet + 1},
-                    {"angle", placement.angle},
-                    {"x", placement.shift.x},
-                    {"y", placement.shift.y}});
-  }
-  return list;
-}
-
-Json left_out_json(const NestJob& job) {
-  Json names = Json::array();
-  for (const NestPatch& patch : job.patches) {
-    if (patch.pattern.empty()) names.push_back(patch.name);
-  }
-  return names;
-}
-
-Json request_json(const NestOptions& sheets) {
-  return {{"sheet_width", sheets.width},
-          {"sheet_length", sheets.length ? Json(*sheets.length) : Json(nullptr)},
-          {"gap", sheets.gap},
-          {"margin", sheets.margin},
-          {"turn", to_string(sheets.turns)}};
-}
-
-Json nesting_json(const NestJob& job, const Nesting& nesting,
-                  const std::vector<OutputFile>& files) {
-  Json json = request_json(job.sheets);
-  json["sheets"] = nesting.sheets;
-  json["used_length"] = nesting.used_length;
-  json["used_share"] = nesting.used_share();
-  json["left_out"] = left_out_json(job);
-  json["files"] = Json::array();
-  for (const OutputFile& file : files)
-    json["files"].push_back(utf8_of(file.path));
-  json["placements"] = placements_json(job, nesting);
-  json["error"] = nullptr;
-  return json;
-}
-
 std::string material_text(const NestOptions& sheets, std::size_t count) {
   if (!sheets.length) return "a roll of width " + fixed(sheets.width, 1) + " mm";
   return counted(count, "sheet") + " " + fixed(sheets.width, 1) + " mm wide and " +
@@ -104,13 +57,14 @@ std::string use_text(const NestOptions& sheets, const Nesting& nesting) {
          percent(nesting.used_share()) + " of the area in pieces";
 }
 
-std::string nesting_text(const NestJob& job, const Nesting& nesting) {
+std::string nesting_text(const LayoutReport& layout) {
+  const Nesting& nesting = layout.nesting;
   std::string text = "\n" + counted(nesting.placements.size(), "piece") +
                      (nesting.placements.size() == 1 ? " fits on " : " fit on ") +
-                     material_text(job.sheets, nesting.sheets) + ": " +
-                     use_text(job.sheets, nesting) + "\n";
-  for (const Json& name : left_out_json(job))
-    text += "  without " + name.get<std::string>() + "\n";
+                     material_text(layout.sheets, nesting.sheets) + ": " +
+                     use_text(layout.sheets, nesting) + "\n";
+  for (const std::string& name : layout.left_out)
+    text += "  without " + name + "\n";
   return text;
 }
 
@@ -201,16 +155,20 @@ NestOutcome nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRe
                          Session& session) {
   NestJob job{std::move(patches), unit, request.sheets};
   const std::vector<NestPiece> pieces = nest_pieces(job);
-  const auto nesting = nest(pieces, job.sheets, [&](double share) {
+  auto nesting = nest(pieces, job.sheets, [&](double share) {
     session.show_progress("laying pieces on sheets", share, title);
     return !session.interrupted();
   });
   if (!nesting) throw Interrupted();
-  NestOutcome outcome{layout_files(job, *nesting, request, folder, title), {}, {}};
-  outcome.json = json_text(nesting_json(job, *nesting, outcome.files), -1);
-  outcome.text = nesting_text(job, *nesting);
-  outcome.material = material_text(job.sheets, nesting->sheets);
-  outcome.use = use_text(job.sheets, *nesting);
+  NestOutcome outcome;
+  outcome.files = layout_files(job, *nesting, request, folder, title);
+  outcome.layout = layout_report(job, *std::move(nesting));
+  for (const OutputFile& file : outcome.files)
+    outcome.layout.files.push_back(utf8_of(file.path));
+  const Nesting& laid = outcome.layout.nesting;
+  outcome.text = nesting_text(outcome.layout);
+  outcome.material = material_text(job.sheets, laid.sheets);
+  outcome.use = use_text(job.sheets, laid);
   return outcome;
 }
 
@@ -221,27 +179,19 @@ NestOutcome try_nest_patches(std::vector<NestPatch> patches, Unit unit, const Ne
     return nest_patches(std::move(patches), unit, request, folder, title, session);
   } catch (const Error&) {
     NestOutcome outcome;
-    outcome.failure = current_failure();
-    Json json = request_json(request.sheets);
-    json["error"] = {{"code", outcome.failure->code}, {"message", outcome.failure->message}};
-    outcome.json = json_text(json, -1);
+    outcome.layout.sheets = request.sheets;
+    outcome.layout.failure = current_failure();
     return outcome;
   }
 }
 
-std::string json_with_nesting(const std::string& report,
-                              const std::optional<NestOutcome>& outcome) {
-  Json json = Json::parse(report);
-  json["nesting"] = outcome ? Json::parse(outcome->json) : Json(nullptr);
-  return json_text(json) + "\n";
-}
-
 CommandResult with_nesting_checked(CommandResult outcome,
                                    const std::optional<NestOutcome>& nesting) {
-  if (!nesting || !nesting->failure) return outcome;
+  if (!nesting || !nesting->layout.failure) return outcome;
   outcome.exit_code = k_exit_failed;
   if (!outcome.complaint.empty()) outcome.complaint += "\n";
-  outcome.complaint += "the pieces could not be laid on sheets: " + nesting->failure->message;
+  outcome.complaint +=
+      "the pieces could not be laid on sheets: " + nesting->layout.failure->message;
   return outcome;
 }
 

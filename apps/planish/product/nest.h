@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
+#include <planish/flatten/flatten.h>
+#include <planish/report/json_report.h>
 #include <planish/sheet/nest_sheet.h>
 
 #include "output/pattern_output.h"
-#include "product/run.h"
 #include "shell/command.h"
 #include "shell/session.h"
 
@@ -31,11 +32,10 @@ std::optional<NestOptions> sheets_from(const Arguments& arguments);
 /// What came of laying patches on sheets.
 struct NestOutcome {
   std::vector<OutputFile> files;  ///< a drawing of each sheet, in every format
-  std::string json;               ///< an object: of the files, or of the failure
+  LayoutReport layout;            ///< or why there is none
   std::string text;               ///< as people read it
   std::string material = {};      ///< what the pieces are laid on, in words
   std::string use = {};           ///< how much of it they take
-  std::optional<Failure> failure = {};
 };
 
 /// Whether one patch alone fits on a sheet, in words.
@@ -59,9 +59,6 @@ NestOutcome nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRe
 NestOutcome try_nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRequest& request,
                              const std::filesystem::path& folder, const std::string& title,
                              Session& session);
-
-/// A report with what came of it as "nesting": null where nothing was asked for.
-std::string json_with_nesting(const std::string& report, const std::optional<NestOutcome>& outcome);
 
 /// Ends with exit code 1 where the patches could not be laid on the sheets.
 CommandResult with_nesting_checked(CommandResult outcome,

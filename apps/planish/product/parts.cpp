@@ -61,27 +61,68 @@ void refuse_loose_triangles(const TriMesh& mesh, std::size_t parts, const std::s
   }
 }
 
-/// The patches of one file, their folders not named yet.
-std::vector<ProductPatch> patches_of(const ReadResult& input, const std::string& path) {
+/// The patches of one file.
+std::vector<ProductPatch> patches_of(const ReadResult& file, const std::string& path) {
   std::vector<NamedPatch> parts =
-      input.groups.names.empty() ? split(input.mesh, stem_of(path))
-                                 : split(input.mesh, input.groups.of_triangle, input.groups.names);
-  refuse_loose_triangles(input.mesh, parts.size(), path);
+      file.groups.names.empty() ? split(file.mesh, stem_of(path))
+                                : split(file.mesh, file.groups.of_triangle, file.groups.names);
+  refuse_loose_triangles(file.mesh, parts.size(), path);
   std::vector<ProductPatch> patches;
   patches.reserve(parts.size());
   for (NamedPatch& part : parts)
-    patches.push_back({std::move(part.name), {}, std::move(part.mesh), input.format});
+    patches.push_back({std::move(part.name), std::move(part.mesh)});
   return patches;
 }
 
-void name_folders(std::vector<ProductPatch>& patches) {
+/// Safe folders for all patches.
+std::vector<PatchPlace> places_of(const std::vector<ProductPatch>& patches,
+                                  const std::vector<MeshFormat>& formats) {
   std::vector<std::string> names;
   names.reserve(patches.size());
   for (const ProductPatch& patch : patches)
     names.push_back(patch.name);
   const std::vector<std::string> folders = safe_names(names);
+  std::vector<PatchPlace> places;
+  places.reserve(patches.size());
   for (std::size_t p = 0; p < patches.size(); ++p)
-    patches[p].folder = folders[p];
+    places.push_back({folders[p], formats[p]});
+  return places;
+}
+
+ProductInput read_folder(Session& session, const std::string& folder) {
+  ProductInput input;
+  std::vector<MeshFormat> formats;
+  const std::vector<std::string> files = mesh_files_in(folder);
+  for (const std::string& file : files) {
+    input.path = file;
+    try {
+      ReadResult whole = session.read(file);
+      std::vector<ProductPatch> patches = patches_of(whole, file);
+      std::move(patches.begin(), patches.end(), std::back_inserter(input.patches));
+      formats.resize(input.patches.size(), whole.format);
+      input.whole = std::move(whole);
+    } catch (const Error&) {
+      if (files.size() == 1) throw;
+      input.patches.push_back({stem_of(file), {}, {}, current_failure()});
+      formats.push_back(MeshFormat::obj);
+    }
+  }
+  input.places = places_of(input.patches, formats);
+  return input;
+}
+
+ProductInput read_file(Session& session, const std::string& path) {
+  ProductInput input;
+  input.path = path;
+  input.whole = session.read(path);
+  input.patches = patches_of(input.whole, path);
+  input.places = places_of(input.patches, std::vector(input.patches.size(), input.whole.format));
+  if (input.patches.size() > 1) {
+    const std::string& kind = input.whole.groups.kind;
+    session.note(path + ": " + std::to_string(input.patches.size()) + " patches" +
+                 (kind.empty() ? "" : ", divided by " + kind));
+  }
+  return input;
 }
 
 bool is_plain(char c) {
@@ -171,35 +212,9 @@ std::vector<std::string> safe_names(const std::vector<std::string>& names) {
 }
 
 ProductInput read_product(Session& session, const std::string& path) {
-  ProductInput input;
-  input.path = path;
   std::error_code ignored;
-  if (!fs::is_directory(path_of(path), ignored)) {
-    input.whole = session.read(path);
-    input.patches = patches_of(input.whole, path);
-    if (input.patches.size() > 1) {
-      const std::string& kind = input.whole.groups.kind;
-      session.note(path + ": " + std::to_string(input.patches.size()) + " patches" +
-                   (kind.empty() ? "" : ", divided by " + kind));
-    }
-  } else {
-    for (const std::string& file : mesh_files_in(path)) {
-      try {
-        ReadResult whole = session.read(file);
-        std::vector<ProductPatch> patches = patches_of(whole, file);
-        std::move(patches.begin(), patches.end(), std::back_inserter(input.patches));
-        input.whole = std::move(whole);
-      } catch (const Error& error) {
-        input.patches.push_back({stem_of(file), {}, {}, MeshFormat::obj, error});
-      }
-      input.path = file;
-    }
-    if (input.patches.size() == 1 && input.patches.front().failure) {
-      throw Error(*input.patches.front().failure);
-    }
-  }
-  name_folders(input.patches);
-  return input;
+  const bool is_folder = fs::is_directory(path_of(path), ignored);
+  return is_folder ? read_folder(session, path) : read_file(session, path);
 }
 
 std::optional<CutDone> cut_product(ProductInput& input, const Arguments& arguments,
@@ -211,11 +226,11 @@ std::optional<CutDone> cut_product(ProductInput& input, const Arguments& argumen
   CutInput cut = cut_as_asked(std::move(input.whole.mesh), input.path, arguments, session);
   input.whole.mesh = std::move(cut.mesh);
   input.whole.groups = {};
-  std::vector<ProductPatch> patches = patches_of(input.whole, input.path);
-  if (patches.size() > 1) {
-    session.note(input.path + ": the cut makes " + std::to_string(patches.size()) + " patches");
-    input.patches = std::move(patches);
-    name_folders(input.patches);
+  input.patches = patches_of(input.whole, input.path);
+  input.places = places_of(input.patches, std::vector(input.patches.size(), input.whole.format));
+  if (input.patches.size() > 1) {
+    session.note(input.path + ": the cut makes " + std::to_string(input.patches.size()) +
+                 " patches");
   }
   return cut.cut;
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <planish/core/error.h>
+#include <planish/flatten/product.h>
 #include <planish/io/read_mesh.h>
 
 #include "flags/cut_flag.h"
@@ -12,27 +12,25 @@
 
 namespace planish::cli {
 
-/// One patch of a product.
-struct ProductPatch {
-  std::string name;    ///< as the file has it
+/// Where a patch comes from and goes to.
+struct PatchPlace {
   std::string folder;  ///< safe name of its folder, unlike that of every other
-  TriMesh mesh;
   MeshFormat format = MeshFormat::obj;
-  std::optional<Error> failure = {};  ///< its file could not be read
 };
 
 /// What the main job is to be done on.
 struct ProductInput {
-  std::vector<ProductPatch> patches;
-  std::string path;  ///< of the file where there is one patch
-  ReadResult whole;  ///< where there is one patch: the file as it is
+  std::vector<ProductPatch> patches;  ///< names as the files have them
+  std::vector<PatchPlace> places;     ///< of the patches
+  std::string path;                   ///< of the file where there is one patch
+  ReadResult whole;                   ///< where there is one patch: the file as it is
 };
 
 /// Reads a mesh file, or all mesh files of a folder in the order of their names, and divides what
 /// it reads into patches: by the groups that the files have, then into pieces that hang together.
-/// @throws Error what read_mesh() throws where the path is a file; file_unreadable for a folder
-/// that
-///   holds no mesh file
+/// A file of several that cannot be read is a patch with that failure.
+/// @throws Error what read_mesh() throws of the only file; file_unreadable for a folder that holds
+///   no mesh file
 ProductInput read_product(Session& session, const std::string& path);
 
 /// Cuts an input of one patch open as --cut says; where that divides it, it has several patches

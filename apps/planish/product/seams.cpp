@@ -1,9 +1,6 @@
 #include "product/seams.h"
 
-#include <utility>
-
-#include <planish/mesh/inspect.h>
-#include <planish/mesh/patch.h>
+#include <planish/flatten/product.h>
 #include <planish/pattern/notches.h>
 #include <planish/pattern/read_annotations.h>
 
@@ -14,43 +11,25 @@
 
 namespace planish::cli {
 
-namespace {
-
-double tolerance_from(const Arguments& arguments) {
+double seam_tolerance_from(const Arguments& arguments) {
   if (!arguments.has("--seam-tolerance")) return 0.0;
   return quantity_value("--seam-tolerance", arguments.flags.at("--seam-tolerance"),
                         Quantity::length, {.min = 0.0}, arguments);
 }
 
-}  // namespace
-
-std::vector<Seam> seams_from(const Arguments& arguments, std::span<const TriMesh> meshes) {
-  std::vector<std::size_t> numbers;
-  std::vector<TriMesh> sound;
-  numbers.reserve(meshes.size());
-  sound.reserve(meshes.size());
-  for (std::size_t p = 0; p < meshes.size(); ++p) {
-    if (blocking_problem(inspect(meshes[p]), Purpose::measure)) continue;
-    numbers.push_back(p);
-    sound.push_back(meshes[p]);
-  }
-  std::vector<Seam> seams = find_seams(sound, tolerance_from(arguments));
-  for (Seam& seam : seams) {
-    for (SeamSide& side : seam.sides)
-      side.patch = numbers[side.patch];
-  }
-  return seams;
+std::vector<SeamNotch> seam_notches_from(const Arguments& arguments) {
+  if (!arguments.has("--seam-notches")) return {};
+  return read_seam_notches(path_of(arguments.flags.at("--seam-notches")));
 }
 
-std::vector<std::vector<Notch>> seam_notches_from(const Arguments& arguments,
-                                                  std::span<const TriMesh> meshes,
-                                                  std::span<const std::string> names) {
+std::vector<std::vector<Notch>> notches_on_seams(const Arguments& arguments,
+                                                 std::span<const TriMesh> meshes,
+                                                 std::span<const std::string> names) {
   if (!arguments.has("--seam-notches")) return std::vector<std::vector<Notch>>(meshes.size());
-  const std::string& path = arguments.flags.at("--seam-notches");
-  const std::vector<SeamNotch> notches = read_seam_notches(path_of(path));
-  return about(path, [&] {
-    return notches_of_patches(notches, seams_from(arguments, meshes), meshes, names,
-                              millimetres_per(unit_from(arguments)));
+  const std::vector<SeamNotch> notches = seam_notches_from(arguments);
+  return about(arguments.flags.at("--seam-notches"), [&] {
+    return notches_of_patches(notches, find_sound_seams(meshes, seam_tolerance_from(arguments)),
+                              meshes, names, millimetres_per(unit_from(arguments)));
   });
 }
 
@@ -61,7 +40,7 @@ PatternOptions annotations_on(PatternOptions annotations, const Arguments& argum
     return annotations;
   check_pattern_options(annotations, patch.vertex_count(), patch.border_loops(), name);
   const std::vector<std::vector<Notch>> on_seams =
-      seam_notches_from(arguments, {&patch.mesh(), 1}, {&name, 1});
+      notches_on_seams(arguments, {&patch.mesh(), 1}, {&name, 1});
   annotations.notches.insert(annotations.notches.end(), on_seams.front().begin(),
                              on_seams.front().end());
   return annotations;

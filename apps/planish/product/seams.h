@@ -13,19 +13,22 @@
 
 namespace planish::cli {
 
-/// The seams of patches by --seam-tolerance. Borders of patches that cannot be measured take part
-/// in none.
-std::vector<Seam> seams_from(const Arguments& arguments, std::span<const TriMesh> meshes);
+/// --seam-tolerance, model units; 0 without.
+double seam_tolerance_from(const Arguments& arguments);
+
+/// What the file of --seam-notches asks for; nothing without that flag.
+/// @throws Error as read_seam_notches()
+std::vector<SeamNotch> seam_notches_from(const Arguments& arguments);
 
 /// Of each patch the notches that --seam-notches puts on its seams; none without that flag.
 /// @throws Error as read_seam_notches() and notches_of_patches()
-std::vector<std::vector<Notch>> seam_notches_from(const Arguments& arguments,
-                                                  std::span<const TriMesh> meshes,
-                                                  std::span<const std::string> names);
+std::vector<std::vector<Notch>> notches_on_seams(const Arguments& arguments,
+                                                 std::span<const TriMesh> meshes,
+                                                 std::span<const std::string> names);
 
 /// What the one patch of a run gets, with the notches on its seams with itself, as far as that can
 /// be known before it is flat.
-/// @throws Error as seam_notches_from() and check_pattern_options()
+/// @throws Error as notches_on_seams() and check_pattern_options()
 PatternOptions annotations_on(PatternOptions annotations, const Arguments& arguments,
                               const Patch& patch, const std::string& name);
 

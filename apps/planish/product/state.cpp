@@ -16,6 +16,7 @@
 
 #include "core/fnv_hash.h"
 #include "platform/path.h"
+#include "product/figures.h"
 
 namespace planish::cli {
 
@@ -64,6 +65,20 @@ Json to_json(const std::vector<Notch>& notches) {
   return list;
 }
 
+Json to_json(const PatchJob& job) {
+  Json flags = Json::object();
+  for (const auto& [flag, value] : job.flags)
+    flags[flag] = value;
+  Json json = {{"version", k_version},
+               {"name", job.name},
+               {"format", to_string(job.format)},
+               {"mesh", job.mesh},
+               {"notches", to_json(job.notches)},
+               {"flags", std::move(flags)}};
+  if (job.twin_of) json["twin_of"] = {{"name", job.twin_of->name}, {"mesh", job.twin_of->mesh}};
+  return json;
+}
+
 std::string text_of(const Json& json) {
   return json_text(json) + "\n";
 }
@@ -96,36 +111,6 @@ bool are_as_written(const Json& files, const fs::path& folder) {
   return true;
 }
 
-bool are_limits(const Json& limits) {
-  return limits.is_array() && std::all_of(limits.begin(), limits.end(), [](const Json& limit) {
-           return limit.at("kept").is_boolean();
-         });
-}
-
-bool is_twin(const Json& twin) {
-  return twin.at("of").is_string() && twin.at("mirrored").is_boolean();
-}
-
-/// Whether the text is a report with all values that product/text.h prints for a patch.
-bool is_report(const std::string& text) try {
-  const Json report = parse_shallow(text);
-  const Json& unfold = report.at("unfold");
-  const Json& evolve = report.at("evolve");
-  return unfold.at("width").is_number() && unfold.at("height").is_number() &&
-         unfold.at("unit").is_string() && unfold.at("overlaps").is_boolean() &&
-         unfold.at("strain").at("rms").is_number() && unfold.at("strain").at("max").is_number() &&
-         evolve.at("stop").is_string() && evolve.at("deviation").is_object() &&
-         report.at("files").is_object() && are_limits(report.at("limits")) &&
-         (!report.contains("twin") || is_twin(report.at("twin")));
-} catch (const Json::exception&) {
-  return false;
-}
-
-/// @pre is_report()
-bool is_of_twin(const std::string& text) {
-  return parse_shallow(text).contains("twin");
-}
-
 std::vector<Vec2> in_the_plane(const std::vector<Vec3>& positions) {
   std::vector<Vec2> pattern;
   pattern.reserve(positions.size());
@@ -134,30 +119,32 @@ std::vector<Vec2> in_the_plane(const std::vector<Vec3>& positions) {
   return pattern;
 }
 
-}  // namespace
-
-std::string job_of(const ProductPatch& patch, const PatternOptions& annotations,
-                   const Arguments& arguments, const ProductPatch* twin_of) {
-  Json flags = Json::object();
-  for (const auto& [flag, value] : arguments.flags) {
-    if (std::find(k_idle_flags.begin(), k_idle_flags.end(), flag) == k_idle_flags.end()) {
-      flags[flag] = value;
-    }
+/// The format that the meshes of a folder are in.
+std::optional<MeshFormat> format_among(const Json& files) {
+  for (const MeshFormat format : k_mesh_formats) {
+    if (files.contains("flat." + std::string(to_string(format)))) return format;
   }
-  Json job = {{"version", k_version},
-              {"name", patch.name},
-              {"format", to_string(patch.format)},
-              {"mesh", hash_of(patch.mesh)},
-              {"notches", to_json(annotations.notches)},
-              {"flags", std::move(flags)}};
-  if (twin_of != nullptr)
-    job["twin_of"] = {{"name", twin_of->name}, {"mesh", hash_of(twin_of->mesh)}};
-  return text_of(job);
+  return std::nullopt;
 }
 
-OutputFile job_file(const std::string& job, const std::vector<OutputFile>& files,
-                    const fs::path& folder) {
-  Json json = Json::parse(job);
+}  // namespace
+
+PatchJob job_of(const ProductPatch& patch, MeshFormat format, const PatternOptions& annotations,
+                const Arguments& arguments, const ProductPatch* twin_of) {
+  PatchJob job{patch.name, format, hash_of(patch.mesh), annotations.notches};
+  for (const auto& [flag, value] : arguments.flags) {
+    if (std::find(k_idle_flags.begin(), k_idle_flags.end(), flag) == k_idle_flags.end()) {
+      job.flags[flag] = value;
+    }
+  }
+  if (twin_of != nullptr) job.twin_of = {twin_of->name, hash_of(twin_of->mesh)};
+  return job;
+}
+
+OutputFile job_file(const PatchJob& job, const FinishedPatch& results,
+                    const std::vector<OutputFile>& files, const fs::path& folder) {
+  Json json = to_json(job);
+  json["figures"] = figures_json(results);
   json["files"] = Json::object();
   for (const OutputFile& file : files) {
     json["files"][utf8_of(file.path.lexically_relative(folder))] = hash_of(file.content);
@@ -165,31 +152,32 @@ OutputFile job_file(const std::string& job, const std::vector<OutputFile>& files
   return {folder / k_job_file, text_of(json)};
 }
 
-std::optional<PatchResults> finished_results(const std::string& job, const fs::path& folder) {
+std::optional<FinishedPatch> finished_results(const PatchJob& job, const fs::path& folder) {
   Json found = json_in(folder / k_job_file);
-  if (found.is_null() || !found.contains("files")) return std::nullopt;
+  if (found.is_null() || !found.contains("files") || !found.contains("figures"))
+    return std::nullopt;
   const Json files = std::move(found["files"]);
+  const Json figures = std::move(found["figures"]);
   found.erase("files");
-  if (text_of(found) != job || !are_as_written(files, folder)) return std::nullopt;
-  const auto report = content_of(folder / "report.json");
-  const auto format = std::find_if(k_mesh_formats.begin(), k_mesh_formats.end(), [&](MeshFormat f) {
-    return files.contains("flat." + std::string(to_string(f)));
-  });
-  if (!report || !is_report(*report)) return std::nullopt;
-  if (format == k_mesh_formats.end()) return std::nullopt;
+  found.erase("figures");
+  if (text_of(found) != text_of(to_json(job)) || !are_as_written(files, folder))
+    return std::nullopt;
+  const auto format = format_among(files);
+  std::optional<FinishedPatch> results = patch_of_figures(figures);
+  if (!results || !format || !files.contains("report.json")) return std::nullopt;
   try {
     const std::string extension = "." + std::string(to_string(*format));
     const auto mesh_in = [&](const std::string& name) {
       return read_mesh(folder / path_of(name + extension)).mesh;
     };
-    TriMesh processed = mesh_in("processed");
-    const TriMesh flat = mesh_in("flat");
-    if (processed.positions.size() != flat.positions.size()) return std::nullopt;
-    return PatchResults{*report, std::move(processed), in_the_plane(flat.positions),
-                        is_of_twin(*report)};
+    results->processed = mesh_in("processed");
+    results->unfold.pattern.positions = in_the_plane(mesh_in("flat").positions);
   } catch (const Error&) {
     return std::nullopt;
   }
+  const bool is_whole =
+      results->processed.positions.size() == results->unfold.pattern.positions.size();
+  return is_whole ? std::move(results) : std::nullopt;
 }
 
 }  // namespace planish::cli

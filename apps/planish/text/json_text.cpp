@@ -44,14 +44,13 @@ std::string json_samples(std::span<const Shape> shapes) {
   return text_of(object);
 }
 
-std::string json_with_directions(const std::string& measure, const DirectionCounts& counts) {
-  Json object = Json::parse(measure);
-  object["directions"] = {{"flat", counts.flat},
-                          {"dome_or_cup", counts.dome_or_cup},
-                          {"saddle", counts.saddle},
-                          {"can_lower", counts.can_lower},
-                          {"stuck", counts.stuck}};
-  return text_of(object);
+MoreFigures figures_of(const DirectionCounts& counts) {
+  return {"directions",
+          {{"flat", counts.flat},
+           {"dome_or_cup", counts.dome_or_cup},
+           {"saddle", counts.saddle},
+           {"can_lower", counts.can_lower},
+           {"stuck", counts.stuck}}};
 }
 
 }  // namespace planish::cli

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <planish/mesh/shapes.h>
+#include <planish/report/json_report.h>
 
 #include "evolve/direction.h"
 
@@ -25,7 +26,7 @@ std::string json_written(const TriMesh& mesh, const std::string& output);
 /// {"samples": [{"name", "description", "flattenable"}]}
 std::string json_samples(std::span<const Shape> shapes);
 
-/// A measure with a count of "directions": {"flat", "dome_or_cup", "saddle", "can_lower", "stuck"}.
-std::string json_with_directions(const std::string& measure, const DirectionCounts& counts);
+/// A count of "directions": {"flat", "dome_or_cup", "saddle", "can_lower", "stuck"}, for a report.
+MoreFigures figures_of(const DirectionCounts& counts);
 
 }  // namespace planish::cli

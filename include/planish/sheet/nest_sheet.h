@@ -7,6 +7,7 @@
 
 #include <planish/core/unit.h>
 #include <planish/draw/drawing.h>
+#include <planish/flatten/product.h>
 #include <planish/mesh/tri_mesh.h>
 #include <planish/pattern/nest.h>
 #include <planish/pattern/pattern_options.h>
@@ -27,6 +28,17 @@ struct NestJob {
   Unit unit = Unit::mm;            ///< one unit of the models
   NestOptions sheets = {};         ///< their size, and how pieces may lie on them
 };
+
+/// The patches of a product as they are to be cut, by their numbers; those that are not finished
+/// have no pattern. Mirror images of others get mirrored annotations.
+/// @param annotations one for each patch, as for a patch that is no twin; all that they name is
+///   numbered as in the processed patches
+/// @param on_seams put on the seams of the processed patches, besides other notches
+/// @throws Error as notches_of_patches()
+std::vector<NestPatch> patches_to_cut(std::span<const ProductPatch> patches,
+                                      const ProductReport& report,
+                                      std::vector<PatternOptions> annotations,
+                                      std::span<const SeamNotch> on_seams = {});
 
 /// The patches by their numbers as nest() takes them: what is cut, with its allowance, and the turn
 /// that lays the grain along the length of the sheet; without a grain the pattern's x axis.

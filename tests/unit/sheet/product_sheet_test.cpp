@@ -86,7 +86,7 @@ TEST(ProductSheet, ShowsMirroredPiecesMirroredToTheLastDigitWritten) {
     p = p + Vec2{3.0 * random.number(), 3.0 * random.number()};
   left.pattern[7].x = 12.3455;  // half way between two thousandths
   ProductPiece right{"right", meshes::mirrored(left.mesh), left.pattern};
-  PieceTwin twin{0, true, {}};
+  PatchTwin twin{0, true, {}};
   for (Index v = 0; v < left.pattern.size(); ++v) {
     right.pattern[v].x = 0.0 - right.pattern[v].x;
     twin.vertex.push_back(v);
@@ -94,7 +94,7 @@ TEST(ProductSheet, ShowsMirroredPiecesMirroredToTheLastDigitWritten) {
   right.twin = twin;
   ProductPiece copy = left;
   copy.name = "copy";
-  copy.twin = PieceTwin{0, false, twin.vertex};
+  copy.twin = PatchTwin{0, false, twin.vertex};
   const Drawing sheet = product_sheet(std::vector{left, right, copy}, {}, Unit::mm, "coat");
   const auto cuts = paths_of(sheet.layers.at(0));
   ASSERT_EQ(cuts.size(), 3U);

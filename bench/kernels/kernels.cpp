@@ -27,14 +27,13 @@ namespace {
 
 using namespace planish;
 
-const TriMesh& panel() {
-  static const TriMesh mesh = make_shape("panel", 200'000);
-  return mesh;
+const Patch& panel_patch() {
+  static const Patch patch(make_shape("panel", 200'000));
+  return patch;
 }
 
-const Connectivity& panel_connectivity() {
-  static const Patch patch(panel());
-  return patch.connectivity();
+const TriMesh& panel() {
+  return panel_patch().mesh();
 }
 
 void per_vertex(benchmark::State& run) {
@@ -45,7 +44,7 @@ void controllable_sweep(benchmark::State& run) {
   ThreadPool pool(1);
   for (auto _ : run) {
     run.PauseTiming();
-    PatchState state(panel(), panel_connectivity(), pool);
+    PatchState state(panel_patch(), pool);
     ControllableMover mover({}, state, static_cast<Isa>(run.range(0)));
     run.ResumeTiming();
     visit_all(state.plan(), pool,
@@ -58,16 +57,16 @@ void controllable_sweep(benchmark::State& run) {
 void plain_sweep(benchmark::State& run) {
   for (auto _ : run) {
     run.PauseTiming();
-    plain::Sweeper sweeper(panel().positions, panel_connectivity());
+    plain::Sweeper sweeper(panel().positions, panel_patch().connectivity());
     run.ResumeTiming();
-    sweeper.sweep(panel_connectivity().inner_vertices(), {0.0, 1.0}, 1e-17);
+    sweeper.sweep(panel_patch().inner_vertices(), {0.0, 1.0}, 1e-17);
   }
   per_vertex(run);
 }
 
 void defects_anew(benchmark::State& run) {
   ThreadPool pool(1);
-  PatchState state(panel(), panel_connectivity(), pool);
+  PatchState state(panel_patch(), pool);
   for (auto _ : run)
     state.measure(pool);
   per_vertex(run);
@@ -134,14 +133,14 @@ void coloring(benchmark::State& run) {
 void layout(benchmark::State& run) {  // order, rings, colours, sites
   ThreadPool pool(1);
   for (auto _ : run)
-    PatchState(panel(), panel_connectivity(), pool);
+    PatchState(panel_patch(), pool);
   per_vertex(run);
 }
 
 void order_along_curve(benchmark::State& run) {
   ThreadPool pool(1);
   for (auto _ : run) {
-    const auto inner = panel_connectivity().inner_vertices();
+    const auto inner = panel_patch().inner_vertices();
     const Box box = bounding_box(panel().positions, inner, pool);
     benchmark::DoNotOptimize(spatial_order(panel().positions, inner, 1.0, box, 0.0, pool));
   }
@@ -162,7 +161,7 @@ void inspection(benchmark::State& run) {
 
 void measuring(benchmark::State& run) {
   for (auto _ : run)
-    benchmark::DoNotOptimize(measure(panel(), panel_connectivity()));
+    benchmark::DoNotOptimize(measure(panel_patch()));
   per_vertex(run);
 }
 

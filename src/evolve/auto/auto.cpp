@@ -13,6 +13,7 @@
 #include "evolve/auto/strain_descent.h"
 #include "evolve/descent/coarse_levels.h"
 #include "evolve/descent/defect_polish.h"
+#include "evolve/descent/tuning.h"
 #include "evolve/smooth/smooth_auto.h"
 #include "evolve/state/sweep.h"
 
@@ -20,25 +21,7 @@ namespace planish {
 
 namespace {
 
-// Strain, rms, at which a level is done: what lifting to the next one brings is more; and at which
-// polishing ends the work on the patch itself sooner.
-constexpr double k_coarse_strain = 1e-4, k_polish_strain = 3e-4;
-// A level that ends above this has met with what the border forbids: on finer ones a few steps mend
-// what lifting did, no more.
-constexpr double k_blocked_strain = 1e-2;
-constexpr int k_blocked_steps = 5;
-// Where vertices are held by the limit of deviation, so many steps in a row that leave more of the
-// strain than this are the last.
-constexpr double k_gain_at_limit = 0.98;
-constexpr int k_most_at_limit = 5;
-constexpr int k_most_first_steps = 150, k_most_steps = 100, k_most_stagnant = 3;
-// So often polishing that ends early gives way to another round of the descent.
-constexpr int k_most_rounds = 6;
-// A coarsest level that ends too rough is done again, roughness allowed later each time.
-constexpr int k_most_tries = 3;
-// A patch of so many vertices is worked on as it is.
-constexpr std::size_t k_small = 6000;
-constexpr double k_exponent_decay = 0.8;
+using namespace tuning::near_way;
 
 class AutoStepper {
  public:
@@ -47,7 +30,7 @@ class AutoStepper {
         state_(state),
         pool_(pool),
         least_angle_(angle_to_keep(options, state, pool)),
-        levels_(state, k_small),
+        levels_(state, k_coarsest),
         level_(levels_.coarsest()) {
     open_level();
     descent_->start(k_cold_start);
@@ -126,7 +109,7 @@ class AutoStepper {
     stagnant_steps_ = step.moved > 0 ? 0 : stagnant_steps_ + 1;
     const double enough = level_ > 0 ? k_coarse_strain : k_polish_strain;
     const bool over = held || descent_->rms_strain() <= enough ||
-                      stagnant_steps_ >= k_most_stagnant || ++steps_ >= most_steps();
+                      stagnant_steps_ >= tuning::k_most_stagnant || ++steps_ >= most_steps();
     const bool was_less = best_at_limit_ && best_at_limit_->strain < descent_->rms_strain();
     if (held || (over && was_less)) descent_->go_to(best_at_limit_->positions);
     return over;
@@ -152,7 +135,8 @@ class AutoStepper {
   void end_level(SweepOutcome& outcome) {
     if (reduction_) reduction_->finish();
     reduction_.reset();
-    blocked_by_boundary_ = !descent_->strain_is_met() && descent_->rms_strain() > k_blocked_strain;
+    blocked_by_boundary_ =
+        !descent_->strain_is_met() && descent_->rms_strain() > tuning::k_blocked_strain;
     const bool may_try = tries_ < k_most_tries && rounds_ == 0 && level_ == levels_.coarsest();
     if (may_try && !blocked_by_boundary_ && descent_->is_too_rough()) return start_smoother();
     if (level_ > 0) return lift();

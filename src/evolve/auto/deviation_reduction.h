@@ -1,6 +1,7 @@
 #pragma once
 
 #include "evolve/auto/strain_descent.h"
+#include "evolve/descent/tuning.h"
 
 namespace planish {
 
@@ -14,13 +15,14 @@ class DeviationReduction {
 
   StrainDescent::Step step();
   /// True where going on would bring little.
-  bool over() const { return stagnant_steps_ >= k_most_stagnant || steps_ >= k_most_steps; }
+  bool over() const {
+    return stagnant_steps_ >= tuning::near_way::k_most_idle_reduction_steps ||
+           steps_ >= tuning::near_way::k_most_reduction_steps;
+  }
   /// Goes to the nearest place found.
   void finish() { descent_.go_to(nearest_); }
 
  private:
-  static constexpr int k_most_steps = 60, k_most_stagnant = 15;
-
   StrainDescent& descent_;
   bool may_be_rough_;  // as it was already
   Positions nearest_;

@@ -9,6 +9,8 @@
 
 namespace planish {
 
+using namespace tuning::near_way;
+
 namespace {
 
 /// |phi|^2 is a sum over vertices: on denser patches the same strain weighs more. Sigma goes along.
@@ -30,9 +32,8 @@ BoundaryCondition pattern_border(const DescentAims& aims) {
 /// and what it may stretch hardly counts any more.
 /// @param stays share of the strain at first
 double ease_for(double stays) {
-  constexpr double much = 0.2, least = 1e-4;
-  const double share = std::min(1.0, stays / much);
-  return std::max(least, share * share);
+  const double share = std::min(1.0, stays / k_much_strain);
+  return std::max(k_least_ease, share * share);
 }
 
 /// @param stays share of the strain at first
@@ -46,8 +47,7 @@ ClosenessPace pace_for(const DescentAims& aims, const DescentLimits& limits, dou
     schedule.first = std::max(schedule.first, k_first_near * stays * stays);
   }
   // Much room is not filled by weights that are right for a little.
-  constexpr double most_room = 10.0;
-  const double room = std::clamp(aims.room, 1.0, most_room);
+  const double room = std::clamp(aims.room, 1.0, k_most_room);
   schedule.most *= room * room;
   schedule.allowance_exponent *= aims.allowance_exponent;
   return schedule;
@@ -83,15 +83,14 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
 
 void StrainDescent::start(const StepSchedule& schedule) {
   if (!solvable()) return;
-  constexpr double least_sigma = 1e-4;
   const Positions away = sum_of(positions(), -1.0, cost_.origin());
-  for (double share = 1.0; share > 1e-3; share *= 0.5) {
+  for (double share = 1.0; share > k_least_start; share *= 0.5) {
     set_positions(within_limits(sum_of(cost_.origin(), share, away)), jacobian_, state_);
     if (angles_hold_after_slides()) break;
   }
   update_strain();
   sigma_ = std::min(1.0, schedule.sigma_per_strain * strain_.rms) * sigma_unit(state_);
-  least_sigma_ = least_sigma * sigma_unit(state_);
+  least_sigma_ = k_least_sigma * sigma_unit(state_);
   sigma_ = std::max(sigma_, least_sigma_);
   longest_step_ = schedule.longest_step * cost_.unit();
   fall_of_sigma_ = schedule.fall_of_sigma;
@@ -178,24 +177,20 @@ Positions StrainDescent::within_limits(Positions x) const {
 
 /// Tells the cost which vertices cannot go on, so that the next step finds another way.
 void StrainDescent::hold_far_vertices() {
-  constexpr double almost = 0.99, heavier = 10.0;
-  // Gently: a distance is short against what the border would go, and nearly all of it comes here.
-  constexpr double heavier_border = 4.0;
-  cost_.scale_proximity(border_.at_limit(), heavier_border);
+  cost_.scale_proximity(border_.at_limit(), k_heavier_border);
   if (std::isinf(limits_.deviation)) return;
   std::vector<Index> far;
   for (Index v = 0; v < state_.inner_count(); ++v) {
-    if (norm(state_.position(v) - cost_.origin()[v]) >= almost * limits_.deviation)
+    if (norm(state_.position(v) - cost_.origin()[v]) >= tuning::k_at_limit * limits_.deviation)
       far.push_back(v);
   }
-  cost_.scale_proximity(far, heavier);
+  cost_.scale_proximity(far, k_heavier);
   deviation_stopped_ = deviation_stopped_ || !far.empty();
 }
 
 /// Slides make angles hold if only a few did not.
 bool StrainDescent::angles_hold_after_slides() {
-  constexpr int most_slides = 10;
-  for (int i = 0; i < most_slides && !angles_hold(); ++i) {
+  for (int i = 0; i < k_most_slides && !angles_hold(); ++i) {
     if (relaxation_.relax() == 0) break;
     set_positions(within_limits(positions()), jacobian_, state_);
   }
@@ -207,7 +202,6 @@ bool StrainDescent::angles_hold() {
 }
 
 StrainDescent::Step StrainDescent::step() {
-  constexpr int most_halvings = 12;
   const Positions& x = before_ = positions();
   Step result;
   result.merit_before = result.merit = merit();
@@ -219,7 +213,7 @@ StrainDescent::Step StrainDescent::step() {
   double share = first_share;
   int halvings = 0;
   angle_stopped_ = false;
-  for (; halvings < most_halvings; ++halvings, share *= 0.5) {
+  for (; halvings < tuning::k_most_halvings; ++halvings, share *= 0.5) {
     const Positions trial = within_limits(sum_of(x, share, newton));
     const double merit = merit_at(trial);
     if (!(merit < result.merit_before)) continue;
@@ -256,29 +250,26 @@ double StrainDescent::deviation() const {
 
 /// What the step was worth says how stiff the next one is and which sigma it is for.
 void StrainDescent::update_damping(double share, int halvings, const Step& step) {
-  constexpr double least_stiffening = 0.3, ease = 0.25, tighten = 4.0;
-  if (halvings >= 2) stiffening_ = std::max(1.0, tighten * stiffening_);
-  if (halvings == 0) stiffening_ = stiffening_ < least_stiffening ? 0.0 : ease * stiffening_;
+  if (halvings >= 2) stiffening_ = std::max(1.0, k_tighten * stiffening_);
+  if (halvings == 0) stiffening_ = stiffening_ < k_least_stiffening ? 0.0 : k_ease * stiffening_;
   sigma_ = next_sigma(share, step);
 }
 
 double StrainDescent::next_sigma(double share, const Step& step) const {
-  constexpr double slow = 0.9, failed = 0.7, far_enough = 0.3, small_fall = 0.05;
   if (tracks_limit_) {
-    constexpr double most_fall = 1.5, most_growth = 4.0;
-    if (step.moved == 0) return failed * sigma_;
+    if (step.moved == 0) return k_failed * sigma_;
     const double room = aims_.strain.share_of(strain_);
-    return std::clamp(room < 1.0 ? room : std::sqrt(room), 1.0 / most_fall, most_growth) * sigma_;
+    return std::clamp(room < 1.0 ? room : std::sqrt(room), 1.0 / k_most_fall, k_most_growth) *
+           sigma_;
   }
-  // Where much strain cannot fall, a small sigma would buy some of it with crumples.
-  constexpr double large_strain = 0.02;
-  const double least_per_strain = strain_.rms > large_strain ? 0.3 : 0.02;
+  const double least_per_strain =
+      strain_.rms > k_large_strain ? k_least_per_large_strain : k_least_per_strain;
   const double least = std::max(least_sigma_, least_per_strain * strain_.rms * sigma_unit(state_));
-  if (step.moved == 0) return std::max(failed * sigma_, least);
-  const bool full = share > 0.99;
-  const bool settled = step.merit_before - step.merit < small_fall * step.merit_before;
+  if (step.moved == 0) return std::max(k_failed * sigma_, least);
+  const bool full = share > k_full_step;
+  const bool settled = step.merit_before - step.merit < k_small_fall * step.merit_before;
   if (full || settled) return std::max(fall_of_sigma_ * sigma_, least);
-  return std::max(share > far_enough ? slow * sigma_ : sigma_, least);
+  return std::max(share > k_far_enough ? k_slow * sigma_ : sigma_, least);
 }
 
 /// What is left, rms: down to where it is expected once the strain is at its limit. The largest
@@ -290,10 +281,9 @@ double StrainDescent::strain_to_go() const {
 
 /// Lets the next step stay closer where there is room for roughness, or be smoother.
 void StrainDescent::update_proximity_weight() {
-  constexpr double stiff = 4.0;
   const bool on_the_way = !tracks_limit_, was_found = aims_.closeness > 0.0;
   const double strain_left = on_the_way && !was_found ? strain_to_go() : 0.0;
-  double next = control_.after_step(closeness_, strain_left, stiffening_ < stiff);
+  double next = control_.after_step(closeness_, strain_left, stiffening_ < k_stiff);
   if (on_the_way && was_found) next = std::min(next, closeness_);
   cost_.scale_closeness(next / closeness_);
   // Between closeness and strain the balance is sigma's.

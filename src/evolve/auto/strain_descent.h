@@ -11,6 +11,7 @@
 #include "evolve/descent/fairness_energy.h"
 #include "evolve/descent/strain_potential.h"
 #include "evolve/descent/surface_strain_limit.h"
+#include "evolve/descent/tuning.h"
 #include "evolve/systems/angle_jacobian.h"
 #include "evolve/systems/positions.h"
 
@@ -26,15 +27,7 @@ struct DescentAims {
   double allowance_exponent = 1.0;  ///< of the usual one; see ClosenessPace
 };
 
-/// Where a descent begins and how far its steps go.
-struct StepSchedule {
-  double sigma_per_strain;  ///< of the first sigma to the rms strain at first
-  double longest_step;      ///< of a vertex, in mean edges
-  double fall_of_sigma;     ///< factor after a step that was not cut
-};
-inline constexpr StepSchedule k_cold_start{20.0, 0.6, 0.8};
-/// From positions that a coarser level has found: what is left to do is little and smooth.
-inline constexpr StepSchedule k_warm_start{0.5, 3.0, 0.25};
+using tuning::near_way::StepSchedule;
 
 /// Brings a patch to where it is flattenable, smoothly and near where it began, all inner vertices
 /// at once (docs/methods/auto.md): makes smaller and smaller, for sigma that falls from step to

@@ -2,19 +2,13 @@
 
 #include <algorithm>
 
+#include "evolve/descent/tuning.h"
 #include "evolve/systems/positions.h"
 #include "geometry/triangle_shape.h"
 
 namespace planish {
 
-namespace {
-
-/// A triangle of this shape, about 14 degrees at its sharpest, is poor.
-constexpr double k_poor = 0.4 / 3.4641016151377544;
-/// So is one that has lost this share of the shape that it had.
-constexpr double k_worse = 0.95;
-
-}  // namespace
+using tuning::near_way::k_poor, tuning::near_way::k_worse;
 
 TangentialRelaxation::TangentialRelaxation(const AngleJacobian& jacobian, PatchState& state)
     : jacobian_(jacobian), state_(state) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evolve/descent/tuning.h"
 #include "geometry/angle_between.h"
 
 namespace planish {
@@ -10,13 +11,6 @@ namespace planish {
 namespace {
 
 using Rule = BorderFreedom::Rule;
-
-/// The border turns by more than this at a corner, which would be lost if it did not stay.
-constexpr double k_corner = 0.5235987755982988;  // 30 degrees
-/// How far along its loop a vertex slides, as a share of the loop's length.
-constexpr double k_window = 0.05;
-/// Of the way between two vertices: as far as each may come towards the other.
-constexpr double k_approach = 0.4;
 
 Vec3 unit(Vec3 a) {
   const double length = norm(a);
@@ -41,7 +35,8 @@ void keep_order(std::vector<double>& slides, const Behind& behind, const Gap& ga
   std::size_t i = 0;
   for (std::size_t k = 0; k < 2 * slides.size(); ++k) {
     const std::size_t follower = behind(i);
-    slides[follower] = std::min(slides[follower], slides[i] + k_approach * gap(follower));
+    slides[follower] =
+        std::min(slides[follower], slides[i] + tuning::border::k_approach * gap(follower));
     i = follower;
   }
 }
@@ -80,7 +75,7 @@ int BorderMotion::direction_count() const {
 bool BorderMotion::is_corner(const Loop& loop, std::size_t i) const {
   const Vec3 at = origin_of(loop, i);
   const Vec3 in = at - origin_of(loop, i + loop.size() - 1), out = origin_of(loop, i + 1) - at;
-  return !(angle_between(in, out) <= k_corner);
+  return !(angle_between(in, out) <= tuning::border::k_corner);
 }
 
 const BorderMotion::Loop& BorderMotion::loop_of(Index v) const {
@@ -139,10 +134,11 @@ double BorderMotion::slid_to(const Loop& loop, std::size_t i, Vec3 place) const 
   for (const bool forwards : {true, false}) {
     const std::size_t stride = forwards ? 1 : loop.size() - 1;
     std::size_t at = i;
-    for (double walked = 0.0; walked < k_window * loop.length;) {
+    for (double walked = 0.0; walked < tuning::border::k_window * loop.length;) {
       const std::size_t to = (at + stride) % loop.size();
       const double gap = loop.gaps[forwards ? at : to];
-      const double most = gap > 0.0 ? std::min(1.0, (k_window * loop.length - walked) / gap) : 0.0;
+      const double most =
+          gap > 0.0 ? std::min(1.0, (tuning::border::k_window * loop.length - walked) / gap) : 0.0;
       const Vec3 a = origin_of(loop, at), b = origin_of(loop, to);
       const double share = std::min(nearest_share(a, b, place), most);
       const double far = norm(place - (a + share * (b - a)));
@@ -177,11 +173,11 @@ Vec3 BorderMotion::place_at(const Loop& loop, std::size_t i, double slide) const
 }
 
 std::vector<Index> BorderMotion::at_limit() const {
-  constexpr double almost = 0.99;
   std::vector<Index> vertices;
   if (rule_ != Rule::within) return vertices;
   for (auto v = static_cast<Index>(state_.inner_count()); v < vertex_count(); ++v) {
-    if (norm(state_.position(v) - state_.origin(v)) >= almost * reach_) vertices.push_back(v);
+    if (norm(state_.position(v) - state_.origin(v)) >= tuning::k_at_limit * reach_)
+      vertices.push_back(v);
   }
   return vertices;
 }

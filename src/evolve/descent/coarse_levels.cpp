@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "evolve/descent/tuning.h"
 #include "evolve/state/fixed_marks.h"
 #include "mesh/coarsen/coarsen.h"
 
 namespace planish {
 
 namespace {
-
-// Of the vertices of a level one in so many is on the next.
-constexpr std::size_t k_thinning = 4;
 
 /// Triangles are sorted, so that levels do not depend on the order in the file.
 TriMesh sorted_mesh(const PatchState& patch) {
@@ -51,8 +49,8 @@ CoarseLevels::CoarseLevels(const PatchState& patch, std::size_t small) {
   Constraints constraints = constraints_of(patch);
   while (fine.vertex_count() > small) {
     const std::size_t count = fine.vertex_count();
-    CoarsePatch coarse =
-        coarsen(fine, count / k_thinning, CoarseBorder::thinned, fixed_marks(constraints, count));
+    CoarsePatch coarse = coarsen(fine, count / tuning::k_thinning, CoarseBorder::thinned,
+                                 fixed_marks(constraints, count));
     if (2 * coarse.source.size() > count) break;  // no worthwhile step
     fine = Patch(std::move(coarse.mesh));
     constraints = restricted_to(constraints, coarse.source);

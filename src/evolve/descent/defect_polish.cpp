@@ -8,14 +8,15 @@
 
 #include "evolve/descent/fairness_energy.h"
 #include "evolve/descent/smallest_angle.h"
+#include "evolve/descent/tuning.h"
 #include "evolve/state/sweep.h"
 #include "evolve/systems/dense.h"
 
 namespace planish {
 
-namespace {
+using namespace tuning::polish;
 
-constexpr double k_max_step = 0.5;
+namespace {
 
 /// 1/w^2 by inner vertex.
 std::vector<double> inverse_weights_of(const PatchState& state) {
@@ -45,9 +46,8 @@ SparseMatrix graph_laplacian(const AngleJacobian& jacobian) {
 
 /// By so much that it counts as flattenable on rounding too.
 bool is_surely_flattenable(const Flattenability& figures) {
-  constexpr double of_e_max = 0.5, of_sum = 0.8;
-  return figures.e_max <= of_e_max * k_flattenable_e_max &&
-         figures.sum_abs_defect <= of_sum * k_flattenable_sum;
+  return figures.e_max <= k_of_e_max * k_flattenable_e_max &&
+         figures.sum_abs_defect <= k_of_sum * k_flattenable_sum;
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ DefectPolish::DefectPolish(PatchState& state, ThreadPool& pool, const DescentLim
       pool_(pool),
       triangles_(state.triangles()),
       limits_(limits),
-      least_(state, inverse_weights_of(state), k_max_step, pool,
+      least_(state, inverse_weights_of(state), k_longest_step, pool,
              step_precision(state.inner_count())) {
   limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
   const SparseMatrix graph = graph_laplacian(least_.jacobian());
@@ -65,36 +65,31 @@ DefectPolish::DefectPolish(PatchState& state, ThreadPool& pool, const DescentLim
 }
 
 DefectPolish::Cycle DefectPolish::cycle() {
-  // So often a cycle may leave more than this share of the energy.
-  constexpr double slow_share = 0.9;
-  constexpr int most_slow = 8, most_cycles = 100;
   const double energy = state_.measure(pool_).energy;
   Cycle cycle{move()};
   const Flattenability figures = state_.measure(pool_);
   cycle.in_double = least_.dual().fell_back();
   cycle.flat = is_surely_flattenable(figures);
-  stagnant_cycles_ = figures.energy > slow_share * energy ? stagnant_cycles_ + 1 : 0;
-  cycle.over = cycle.moved == 0 || stagnant_cycles_ >= most_slow || ++cycles_ >= most_cycles;
+  stagnant_cycles_ = figures.energy > k_slow_share * energy ? stagnant_cycles_ + 1 : 0;
+  cycle.over = cycle.moved == 0 || stagnant_cycles_ >= k_most_slow || ++cycles_ >= k_most_cycles;
   return cycle;
 }
 
 std::size_t DefectPolish::move() {
-  constexpr int most_dampings = 8, most_halvings = 6;
-  constexpr double ease = 0.3, tighten = 4.0, tighten_much = 10.0, least_damping = 1e-6;
   const Positions before = inner_positions(state_);
   const double energy = state_.measure(pool_).energy;
   const bool only_sweeps = std::exchange(first_, false);
-  for (int i = 0; i < most_dampings; ++i, damping_ *= tighten_much) {
+  for (int i = 0; i < k_most_dampings; ++i, damping_ *= k_tighten_much) {
     const Positions step = only_sweeps ? Positions(before.size()) : least_norm_step();
     double share = 1.0;
-    for (int halvings = 0; halvings < most_halvings; ++halvings, share *= 0.5) {
+    for (int halvings = 0; halvings < k_most_halvings; ++halvings, share *= 0.5) {
       put(sum_of(before, share, step));
       sweep();
       held_by_.reset();
       keep_limits(before);
       if (!(state_.measure(pool_).energy < energy)) continue;
-      if (halvings == 0) damping_ = std::max(ease * damping_, least_damping);
-      if (halvings >= 2) damping_ *= tighten;
+      if (halvings == 0) damping_ = std::max(k_ease * damping_, k_least_damping);
+      if (halvings >= 2) damping_ *= k_tighten;
       return moved_from(before);
     }
     put(before);
@@ -123,16 +118,14 @@ void DefectPolish::put(const Positions& positions) {
 }
 
 void DefectPolish::sweep() {
-  constexpr int sweeps = 20;
   const Sweep sweep = make_sweep(ControllableLaplacian{}, state_, pool_);
-  for (int i = 0; i < sweeps; ++i)
+  for (int i = 0; i < k_sweeps; ++i)
     sweep();
 }
 
 void DefectPolish::keep_limits(const Positions& before) {
-  constexpr int most_rounds = 20;
   stop_at_deviation();
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < k_most_rounds; ++round) {
     const std::vector<Index> sharp = at_sharp_triangles();
     if (sharp.empty()) return;
     held_by_ = StopReason::angle_limit;

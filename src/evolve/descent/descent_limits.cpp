@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "evolve/descent/smallest_angle.h"
+#include "evolve/descent/tuning.h"
 
 namespace planish {
 
@@ -16,9 +17,8 @@ double radians(double degrees) {
 }  // namespace
 
 double angle_to_keep(const Auto& options, const PatchState& state, ThreadPool& pool) {
-  constexpr double needle = 5.0;  // degrees
   if (options.min_angle > 0.0) return radians(options.min_angle);
-  return std::min(radians(needle), 0.5 * smallest_angle(state, state.triangles(), pool));
+  return std::min(radians(tuning::k_needle), 0.5 * smallest_angle(state, state.triangles(), pool));
 }
 
 DescentLimits limits_on(const PatchState& level, const Auto& options, double angle) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "evolve/descent/tuning.h"
 #include "evolve/systems/fairing.h"
 #include "solve/dissection.h"
 #include "solve/sparse_pattern.h"
@@ -11,9 +12,6 @@
 namespace planish {
 
 namespace {
-
-/// Keeps matrices definite where nothing else does.
-constexpr double k_anchor = 1e-9;
 
 Positions positions_at_first(const PatchState& state, std::size_t count) {
   Positions positions;
@@ -26,10 +24,9 @@ Positions positions_at_first(const PatchState& state, std::size_t count) {
 /// straighten it early and for good. Sums along it go with the edges, those over the surface with
 /// their square.
 std::vector<double> pulls(const PatchState& state, std::size_t count, double closeness) {
-  constexpr double border_to_inner = 30.0;
   const double density = relative_density(state);
   const double inner = closeness / (density * density);
-  const double border = border_to_inner * std::sqrt(density) * inner;
+  const double border = tuning::k_border_to_inner * std::sqrt(density) * inner;
   std::vector<double> pulls;
   for (Index v = 0; v < count; ++v)
     pulls.push_back((state.is_inner(v) ? inner : border) * state.weight(v) * state.weight(v));
@@ -93,8 +90,7 @@ SparseMatrix diagonal_matrix(const std::vector<double>& values) {
 }  // namespace
 
 double relative_density(const PatchState& state) {
-  constexpr double usual_count = 4000.0;
-  return static_cast<double>(state.inner_count()) / usual_count;
+  return static_cast<double>(state.inner_count()) / tuning::k_usual_count;
 }
 
 FairnessEnergy::FairnessEnergy(const AngleJacobian& jacobian, const PatchState& state,
@@ -173,9 +169,8 @@ Positions FairnessEnergy::gradient(const Positions& x) const {
 }
 
 void FairnessEnergy::scale_proximity(std::span<const Index> vertices, double factor) {
-  constexpr double dearest = 1e12;  // the vertex is fixed in practice
   for (const Index v : vertices) {
-    if (pull_[v] > dearest) continue;
+    if (pull_[v] > tuning::k_heaviest) continue;
     hessian_.coeffRef(static_cast<int>(v), static_cast<int>(v)) += (factor - 1.0) * pull_[v];
     pull_[v] *= factor;
   }
@@ -195,7 +190,7 @@ Positions FairnessEnergy::spread(std::span<const unsigned char> given, const Pos
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, 3);
   for (int v = 0; v < n; ++v) {
     const bool pinned = given[v] != 0 || !jacobian_.is_movable(static_cast<Index>(v));
-    matrix.coeffRef(v, v) += (pinned ? 1.0 : k_anchor) - pull_[v];
+    matrix.coeffRef(v, v) += (pinned ? 1.0 : tuning::k_anchor) - pull_[v];
     if (given[v] != 0) right.row(v) << moves[v].x, moves[v].y, moves[v].z;
   }
   const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();

@@ -5,12 +5,14 @@
 #include <limits>
 
 #include "core/careful_sum.h"
+#include "evolve/descent/tuning.h"
 
 namespace planish {
 
+using namespace tuning::smooth;
+
 namespace {
 
-constexpr double k_weight = 0.3, k_share = 0.85, k_bend = 0.05;
 constexpr double k_infinity = std::numeric_limits<double>::infinity();
 
 double eighth_power(double x) {
@@ -28,13 +30,14 @@ MoveLimits::MoveLimits(const DescentLimits& limits, const BorderMotion& border,
   const double border_reach =
       within ? std::min(limits.deviation, limits.border.distance) : limits.deviation;
   reach_.assign(count, limits.deviation);
-  weight_.assign(count, k_weight / static_cast<double>(std::max<std::size_t>(inner_count, 1)));
+  weight_.assign(count,
+                 k_barrier_weight / static_cast<double>(std::max<std::size_t>(inner_count, 1)));
   for (std::size_t v = inner_count; v < count; ++v) {
     reach_[v] = border_reach;
-    weight_[v] = k_weight / static_cast<double>(of_border);
+    weight_[v] = k_barrier_weight / static_cast<double>(of_border);
   }
   if (bends_.empty()) return;
-  const double length = k_bend * unit;
+  const double length = k_border_bend * unit;
   bend_weight_ = 1.0 / (static_cast<double>(bends_.size()) * length * length);
 }
 
@@ -50,7 +53,7 @@ double MoveLimits::value(const Positions& moves) const {
   CarefulSum sum;
   for (std::size_t v = 0; v < moves.size(); ++v) {
     if (reach_[v] < k_infinity)
-      sum.add(weight_[v] * eighth_power(norm(moves[v]) / (k_share * reach_[v])));
+      sum.add(weight_[v] * eighth_power(norm(moves[v]) / (k_barrier_share * reach_[v])));
   }
   for (const BorderMotion::Bend& bend : bends_) {
     const Vec3 f = bend_of(bend, moves);
@@ -62,7 +65,7 @@ double MoveLimits::value(const Positions& moves) const {
 void MoveLimits::add_to(SmoothSystem& system, Positions& force, const Positions& moves,
                         double stiff) const {
   for (Index v = 0; v < moves.size(); ++v) {
-    const double length = norm(moves[v]), unit = 1.0 / (k_share * reach_[v]);
+    const double length = norm(moves[v]), unit = 1.0 / (k_barrier_share * reach_[v]);
     if (!(reach_[v] < k_infinity) || !(length > 0.0)) continue;
     const double q = length * unit, sixth = q * q * q * q * q * q;
     const double across = 8.0 * weight_[v] * sixth * unit * unit;
@@ -83,9 +86,8 @@ void MoveLimits::add_to(SmoothSystem& system, Positions& force, const Positions&
 }
 
 bool MoveLimits::is_reached(const Positions& moves) const {
-  constexpr double nearly = 0.95;
   for (std::size_t v = 0; v < moves.size(); ++v) {
-    if (norm(moves[v]) > nearly * reach_[v]) return true;
+    if (norm(moves[v]) > k_reached * reach_[v]) return true;
   }
   return false;
 }

@@ -6,15 +6,15 @@
 
 #include "core/careful_sum.h"
 #include "core/math.h"
+#include "evolve/descent/tuning.h"
 
 namespace planish {
+
+using namespace tuning::smooth;
 
 namespace {
 
 constexpr std::size_t k_grain = 2048;
-constexpr double k_strain = 0.15, k_of_square = 0.02;
-constexpr double k_of_corner = 0.01, k_of_eighth = 0.3, k_sharp = 12.0 * std::numbers::pi / 180.0,
-                 k_of_first = 0.8;
 
 double corner_angle(Vec3 at, Vec3 b, Vec3 c) {
   const Vec3 u = b - at, w = c - at;
@@ -62,7 +62,7 @@ ShapeGuard::ShapeGuard(const PatchState& state, double least_angle) : state_(sta
 
 double ShapeGuard::edge_value(const Edge& edge) const {
   const double length = norm(state_.position(edge.ends[1]) - state_.position(edge.ends[0]));
-  const double s = (length / edge.length - 1.0) / k_strain, square = s * s;
+  const double s = (length / edge.length - 1.0) / k_edge_strain, square = s * s;
   return edge.share * square * (square + k_of_square);
 }
 
@@ -96,7 +96,7 @@ double ShapeGuard::value(ThreadPool& pool) const {
 ShapeGuard::Slope<2> ShapeGuard::edge_slope(std::size_t e) const {
   const Edge& edge = edges_[e];
   const Vec3 along = state_.position(edge.ends[1]) - state_.position(edge.ends[0]);
-  const double length = norm(along), unit = 1.0 / (k_strain * edge.length);
+  const double length = norm(along), unit = 1.0 / (k_edge_strain * edge.length);
   if (!(length > 0.0)) return {};
   const double s = (length - edge.length) * unit;
   const Vec3 outward = (1.0 / length) * along;

@@ -11,25 +11,16 @@
 #include "evolve/descent/defect_polish.h"
 #include "evolve/descent/descent_limits.h"
 #include "evolve/descent/fairness_energy.h"
+#include "evolve/descent/tuning.h"
 #include "evolve/smooth/smooth_control.h"
 #include "evolve/smooth/smooth_descent.h"
 #include "evolve/systems/dense.h"
 
 namespace planish {
 
-namespace {
+using namespace tuning::smooth;
 
-// At which the last steps of `flat` begin.
-constexpr double k_nearly_flat = 2e-4;
-// Coarse patches have so many vertices at most: there the whole way is gone. Where all strain is to
-// go, what a coarse patch misses is not made good later.
-constexpr std::size_t k_coarsest = 2500, k_coarsest_flat = 6000;
-constexpr int k_most_first_steps = 80;
-// On finer levels steps are expensive, and what is left to do is little.
-constexpr std::size_t k_later_work = 150'000, k_least_later_steps = 5, k_most_later_steps = 30;
-// Where all strain is to go: steps, and strain above which polishing cannot do the rest.
-constexpr int k_most_strict_steps = 40;
-constexpr double k_blocked_strain = 1e-2;
+namespace {
 
 StrainLimit limit_of(const Auto& options) {
   if (options.prefer == Prefer::flat) return {0.0, k_nearly_flat};
@@ -69,8 +60,8 @@ class SmoothStepper {
     stagnant_steps_ = step.moved > 0 ? 0 : stagnant_steps_ + 1;
     if (is_strict_) return follow_strict(outcome);
     keep_best();
-    const bool over =
-        control_->is_over() || ++steps_ >= most_steps() || stagnant_steps_ >= k_most_stagnant;
+    const bool over = control_->is_over() || ++steps_ >= most_steps() ||
+                      stagnant_steps_ >= tuning::k_most_stagnant;
     return over ? end_level(outcome) : outcome;
   }
 
@@ -81,9 +72,6 @@ class SmoothStepper {
   }
 
  private:
-  static constexpr int k_most_stagnant = 3;
-  static constexpr double k_nearly = 1.03;  // of the limit
-
   /// Of the smooth positions of a level those with the least strain.
   void keep_best() {
     if (!control_->is_smooth()) return;
@@ -124,7 +112,6 @@ class SmoothStepper {
   /// Where the surface is not smooth by the rule that judges results, goes back towards the design
   /// until it is: by tenths of the way, then by halves of the last tenth.
   void retreat() {
-    constexpr int parts = 10, halvings = 3;
     const Positions origin = descent_->origin(), away = sum_of(descent_->positions(), -1.0, origin);
     const auto is_smooth_at = [&](double share) {
       descent_->go_to(sum_of(origin, share, away));
@@ -133,12 +120,13 @@ class SmoothStepper {
         after.push_back((1.0 / state_.scale()) * state_.position(v));
       return measure_fairness(design_, after).is_smooth();
     };
-    int part = parts;
-    while (part > 0 && !is_smooth_at(static_cast<double>(part) / parts))
+    int part = k_retreat_parts;
+    while (part > 0 && !is_smooth_at(static_cast<double>(part) / k_retreat_parts))
       --part;
-    if (part == parts) return;
-    double smooth = static_cast<double>(part) / parts, step = 0.5 / parts, last = -1.0;
-    for (int halving = 0; halving < halvings; ++halving, step *= 0.5) {
+    if (part == k_retreat_parts) return;
+    double smooth = static_cast<double>(part) / k_retreat_parts, step = 0.5 / k_retreat_parts,
+           last = -1.0;
+    for (int halving = 0; halving < k_retreat_halvings; ++halving, step *= 0.5) {
       last = smooth + step;
       if (is_smooth_at(last)) smooth = last;
     }
@@ -146,10 +134,10 @@ class SmoothStepper {
   }
 
   SweepOutcome follow_strict(SweepOutcome outcome) {
-    const bool over = control_->is_over() || stagnant_steps_ >= k_most_stagnant ||
+    const bool over = control_->is_over() || stagnant_steps_ >= tuning::k_most_stagnant ||
                       ++steps_ >= k_most_strict_steps;
     if (!over) return outcome;
-    if (descent_->strain().rms > k_blocked_strain)
+    if (descent_->strain().rms > tuning::k_blocked_strain)
       return outcome.ended(descent_->at_deviation_limit() ? StopReason::deviation_limit
                                                           : StopReason::stalled);
     descent_->release();

@@ -4,23 +4,13 @@
 #include <cmath>
 
 #include "core/math.h"
+#include "evolve/descent/tuning.h"
 
 namespace planish {
 
-namespace {
+using namespace tuning::smooth;
 
-// As shares of length: a limit that leaves so little, or so much and more.
-constexpr double k_tight = 1e-3, k_loose = 5e-3;
-constexpr double k_most_delta = 0.1;
-// Of sigma over the strain: where much strain cannot go, less would buy little of it with much.
-constexpr double k_least_sigma = 0.3;
-// Of the limit, so that steps end within it; and of the ceiling, which may be passed by a little.
-constexpr double k_within = 1.03;
-// Steps with the weights of the coarser level, until what lifting broke is mended.
-constexpr int k_steps_lifted = 3;
-// Where all strain is to go.
-constexpr double k_strict_delta = 0.025, k_first_strict_sigma = 5e-4, k_last_strict_sigma = 1e-4;
-constexpr int k_steps_first_strict = 10;
+namespace {
 
 /// 0 where little strain may stay, 1 where much may.
 double looseness(const StrainLimit& limit, const DescentStrain& at_first) {
@@ -37,9 +27,9 @@ double between(double tight, double loose, double looseness) {
 SmoothControl::SmoothControl(const StrainLimit& limit, const DescentStrain& at_first)
     : limit_(limit) {
   const double loose = looseness(limit, at_first);
-  ceiling_ = between(1.2, 1.06, loose);
-  least_delta_ = between(0.005, 0.0025, loose);
-  weights_ = {2.0 * least_delta_, 0.02};
+  ceiling_ = between(k_tight_ceiling, k_loose_ceiling, loose);
+  least_delta_ = between(k_tight_delta, k_loose_delta, loose);
+  weights_ = {2.0 * least_delta_, k_first_sigma};
   if (loose >= 1.0) stage_ = Stage::led;
 }
 
@@ -58,15 +48,13 @@ void SmoothControl::start_strict() {
 
 void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& strain,
                           double bending) {
-  constexpr int most_of_stage = 8;
-  constexpr double small_fall = 0.05, settled_fall = 1e-2;
   const double fall = step.merit_before - step.merit;
-  settled_ = fall < settled_fall * step.merit_before ? settled_ + 1 : 0;
-  const bool stage_is_over = ++steps_ >= most_of_stage || fall < small_fall * step.merit_before;
+  settled_ = fall < k_settled_fall * step.merit_before ? settled_ + 1 : 0;
+  const bool stage_is_over = ++steps_ >= k_most_of_stage || fall < k_stage_fall * step.merit_before;
   if (stage_ == Stage::loose && stage_is_over) {
     stage_ = Stage::closer;
     steps_ = 0;
-    weights_.sigma = 0.005;
+    weights_.sigma = k_closer_sigma;
   } else if (stage_ == Stage::closer && stage_is_over) {
     stage_ = Stage::led;
   }
@@ -80,28 +68,27 @@ void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& 
 
 void SmoothControl::lead(const DescentStrain& strain, double bending) {
   const double share = limit_.share_of(strain), excess = bending / ceiling_;
-  const bool bends_too_much = excess > k_within, gives_way = weights_.delta >= k_most_delta;
-  left_ = share * k_within < 1.0 && (gives_way || is_stuck(strain));
+  const bool bends_too_much = excess > k_nearly, gives_way = weights_.delta >= k_most_delta;
+  left_ = share * k_nearly < 1.0 && (gives_way || is_stuck(strain));
   is_smooth_ = !bends_too_much;
-  met_ = is_smooth_ && (share * k_within >= 1.0 || left_);
+  met_ = is_smooth_ && (share * k_nearly >= 1.0 || left_);
   if (bends_too_much && gives_way)
-    weights_.sigma *= std::min(std::sqrt(excess), 1.4);
+    weights_.sigma *= std::min(std::sqrt(excess), k_most_factor);
   else
-    weights_.sigma *= std::clamp(std::sqrt(share), 0.7, 1.4);
+    weights_.sigma *= std::clamp(std::sqrt(share), k_least_factor, k_most_factor);
   weights_.sigma = std::max(weights_.sigma, k_least_sigma * strain.rms);
   // Closeness must not push strain out again that is still above its limit.
-  const double nearest = share * k_within < 1.0 ? 1.0 : 0.85;
-  weights_.delta = std::clamp(weights_.delta * std::clamp(math::pow(excess, 0.35), nearest, 1.18),
+  const double nearest = share * k_nearly < 1.0 ? 1.0 : k_least_delta_factor;
+  weights_.delta = std::clamp(weights_.delta * std::clamp(math::pow(excess, k_delta_exponent),
+                                                          nearest, k_most_delta_factor),
                               least_delta_, k_most_delta);
 }
 
 /// True where a smaller and smaller sigma takes no more strain out.
 bool SmoothControl::is_stuck(const DescentStrain& strain) {
-  constexpr double small_fall = 0.02;
-  constexpr int many = 6;
-  stuck_ = strain.rms > (1.0 - small_fall) * last_strain_ ? stuck_ + 1 : 0;
+  stuck_ = strain.rms > (1.0 - k_stuck_fall) * last_strain_ ? stuck_ + 1 : 0;
   last_strain_ = strain.rms;
-  return stuck_ >= many;
+  return stuck_ >= k_stuck_steps;
 }
 
 }  // namespace planish

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "evolve/descent/surface_strain_limit.h"
+#include "evolve/descent/tuning.h"
 #include "evolve/smooth/smooth_descent.h"
 
 namespace planish {
@@ -26,14 +27,13 @@ class SmoothControl {
   void start_strict();
 
   /// Both aims hold, and steps gain little more.
-  bool is_over() const { return met_ && settled_ >= k_settled; }
+  bool is_over() const { return met_ && settled_ >= tuning::smooth::k_settled_steps; }
   /// True if the bending of the last step is within the ceiling, nearly.
   bool is_smooth() const { return is_smooth_; }
   /// True if strain beyond the limit is left, as only crumples would take it out.
   bool leaves_strain() const { return left_; }
 
  private:
-  static constexpr int k_settled = 2;
   enum class Stage { loose, closer, lifted, led, strict };
 
   void lead(const DescentStrain& strain, double bending);

@@ -9,18 +9,14 @@
 
 #include "core/careful_sum.h"
 #include "evolve/descent/smallest_angle.h"
+#include "evolve/descent/tuning.h"
 #include "measure/smoothed.h"
 
 namespace planish {
 
-namespace {
+using namespace tuning::smooth;
 
-// Moves along the surface change its form little, so they are held more, as lengths over D.
-constexpr double k_slide = 0.01;
-// So much more beside the border where vertices slide along it.
-constexpr double k_off_curve = 1e6;
-constexpr double k_longest_step = 1.0;  // mean edges
-constexpr int k_most_halvings = 12, k_corrected_trials = 2;
+namespace {
 
 /// The diagonal of a flat rectangle that is as far spread: unlike that of a box it does not depend
 /// on how the patch is turned.
@@ -239,7 +235,7 @@ SmoothDescent::Step SmoothDescent::step(const SmoothWeights& weights) {
   double share = 1.0;
   int halvings = 0;
   at_angle_limit_ = false;
-  for (; halvings < k_most_halvings; ++halvings, share *= 0.5) {
+  for (; halvings < tuning::k_most_halvings; ++halvings, share *= 0.5) {
     const Trial trial = try_step(before, defects, full, share, halvings < k_corrected_trials);
     if (!(trial.parts.merit < result.merit_before)) continue;
     set_positions(trial.positions, jacobian_, state_);

@@ -10,6 +10,8 @@
 namespace planish {
 namespace {
 
+using namespace tuning::near_way;
+
 struct Laid {
   explicit Laid(TriMesh m) : mesh(std::move(m)), state(Patch(mesh), pool) {}
 

@@ -20,6 +20,8 @@
 namespace planish {
 namespace {
 
+using namespace tuning::near_way;
+
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 

@@ -24,7 +24,7 @@ namespace planish {
 /// with match_seams, a stretch of the border whose length in the pattern differs from that on the
 /// patch by more than 1e-5 of the whole border; with remesh, a vertex of options.keep that the twin
 /// has not. It is to be flattened by itself then.
-/// @param patch as it came
+/// @param patch the input, before smoothing and remeshing
 /// @param match from the twin's mesh as it came
 /// @param options that the twin was flattened with, and the vertices to keep of this patch
 std::optional<FlattenReport> twin_report(const FlattenReport& twin, const Patch& patch,

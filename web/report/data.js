@@ -40,7 +40,7 @@
  * @property {number} count vertices drawn
  * @property {number} whole vertices of the patch
  * @property {Viewpoint} view from where it is seen at first
- * @property {string[]} names of the states; the first is the patch as it came
+ * @property {string[]} names of the states; the first is the input patch
  * @property {number} shown the state beside the first at the start
  * @property {Uint32Array} numbers of the vertices in the file that was read
  * @property {Uint16Array | Uint32Array} triangles three vertices each

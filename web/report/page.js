@@ -71,7 +71,7 @@ export class Page {
     );
   }
 
-  // Which result stands beside the patch as it came, where there are several.
+  // Which result is compared with the input patch, if there are several.
   stateChoice() {
     const { names, shown } = this.data;
     if (names.length <= 2) return [];

@@ -39,7 +39,7 @@ struct CompareReport {
   std::string name;                           ///< of the patch, for titles
   Patch input;                                ///< on which every method began
   MeasuredPatch before;                       ///< figures of the input
-  std::optional<UnfoldReport> unfold_before;  ///< of the input as it came
+  std::optional<UnfoldReport> unfold_before;  ///< of the input itself
   std::string why_no_patterns;                ///< where the input cannot be laid flat
   std::vector<ComparedMethod> runs;           ///< in the order asked for
 };

@@ -94,12 +94,12 @@ struct EvolveReport {
   Stopping stopping;            ///< what was asked for
   EvolveResult result;          ///< positions and history
   MeasuredPatch before, after;  ///< figures of the patch before the first sweep and after the last
-  Deviation deviation;          ///< of the result from the patch as it came
+  Deviation deviation;          ///< of the result from the input patch
   std::optional<BoundaryChange> border = {};  ///< where the border moved
-  /// Of the patch as it came, where remeshing took vertices out of it: then `before` is what it
-  /// left, and the deviation that of the surfaces.
+  /// Of the input patch, if remeshing removed vertices: then `before` is measured after remeshing,
+  /// and the deviation is that between the surfaces.
   std::optional<OriginalSize> remeshed_from = {};
-  Fairness fairness = {};  ///< beside the patch as it came
+  Fairness fairness = {};  ///< compared with the input patch
   /// Where the design was smoothed first: then `before` and `fairness` are of the smoothed one, the
   /// deviation is that from the raw one.
   std::optional<SmoothedFirst> smoothed_first = {};
@@ -147,8 +147,8 @@ struct TwinOf {
   bool mirrored = false;  ///< mirrored, else taken as they are
 };
 
-/// The strain of patterns of a patch as it came: what its material has to take if the surface is
-/// not changed. As shares of length.
+/// The strain of patterns of the unchanged patch: what its material has to take if the surface is
+/// not evolved. Shares of length.
 struct StrainAsDesigned {
   EdgeStrain least_stretch;  ///< of the pattern of least stretch
   /// Of all edges, smallest_limit(); nothing above k_most_searched vertices.
@@ -165,12 +165,12 @@ struct StrainAsDesigned {
 struct FlattenReport {
   std::string name;  ///< of the patch, for titles
   Patch input;       ///< remeshed or smoothed, if that was asked for
-  /// Vertex of `input` -> vertex of the patch as it came, increasing; empty: they are the same.
+  /// Vertex of `input` -> vertex of the original patch, increasing; empty: they are the same.
   std::vector<Index> source;
   Patch processed;                     ///< the input with the evolved positions
   EvolveReport evolve;                 ///< from `input` to `processed`
   UnfoldReport unfold;                 ///< of `processed`
-  UnfoldReport unfold_before;          ///< of the input as it came: tells what evolving gained
+  UnfoldReport unfold_before;          ///< of `input`: the difference is what evolving gained
   std::optional<TwinOf> twin_of = {};  ///< where it is made from the report of another patch
 
   /// By all that was asked for: the target of e_max, limits of deviation and angles, and limits of

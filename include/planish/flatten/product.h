@@ -43,7 +43,7 @@ struct PatchTwin {
 struct FinishedPatch {
   TriMesh processed;     ///< the patch that the pattern is of
   UnfoldReport unfold;   ///< without the patterns that the pattern is only compared with
-  Deviation deviation;   ///< of `processed` from the patch as it came
+  Deviation deviation;   ///< of `processed` from the input patch
   Outcome outcome = {};  ///< whether it is what was asked for
   std::optional<TwinOf> twin_of = {};  ///< where it is made from the results of another patch
 };
@@ -54,7 +54,7 @@ FinishedPatch finished_patch(const FlattenReport& report);
 /// What became of a patch. Neither finished nor failed: the work was cancelled before.
 struct PatchResult {
   std::string name;                            ///< of ProductPatch
-  std::size_t vertices = 0, triangles = 0;     ///< of the patch as it came
+  std::size_t vertices = 0, triangles = 0;     ///< of the input patch
   std::optional<FinishedPatch> finished = {};  ///< its result
   std::optional<Failure> failure = {};         ///< why it has none
   bool resumed = false;                        ///< finished in an earlier run

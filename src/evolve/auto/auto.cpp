@@ -21,7 +21,7 @@ namespace planish {
 
 namespace {
 
-using namespace tuning::near_way;
+using namespace tuning::prefer_near;
 
 class AutoStepper {
  public:

@@ -13,7 +13,7 @@ ClosenessControl::ClosenessControl(const PatchState& state, double room,
 }
 
 double ClosenessControl::after_step(double closeness, double strain_left, bool may_grow) {
-  using namespace tuning::near_way;
+  using namespace tuning::prefer_near;
   const double roughness = roughness_.now();
   least_ = std::min(least_, roughness);
   first_strain_ = std::max(first_strain_, strain_left);

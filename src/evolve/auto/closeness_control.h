@@ -5,7 +5,7 @@
 
 namespace planish {
 
-using tuning::near_way::ClosenessPace;
+using tuning::prefer_near::ClosenessPace;
 
 /// Spends the roughness that a patch may have on staying close to where it was. Crumples that are
 /// made early stay for good, so the allowance grows with the strain that is gone

@@ -20,7 +20,7 @@ StrainDescent::Step DeviationReduction::step() {
   const double deviation = descent_.deviation();
   const bool may_end = descent_.strain_is_met() && (may_be_rough_ || !descent_.is_too_rough());
   if (may_end && deviation < deviation_) {
-    if (deviation < tuning::near_way::k_worth_it * deviation_) stagnant_steps_ = 0;
+    if (deviation < tuning::prefer_near::k_worth_it * deviation_) stagnant_steps_ = 0;
     nearest_ = descent_.positions();
     deviation_ = deviation;
   }

@@ -16,8 +16,8 @@ class DeviationReduction {
   StrainDescent::Step step();
   /// True where going on would bring little.
   bool over() const {
-    return stagnant_steps_ >= tuning::near_way::k_most_idle_reduction_steps ||
-           steps_ >= tuning::near_way::k_most_reduction_steps;
+    return stagnant_steps_ >= tuning::prefer_near::k_most_idle_reduction_steps ||
+           steps_ >= tuning::prefer_near::k_most_reduction_steps;
   }
   /// Goes to the nearest place found.
   void finish() { descent_.go_to(nearest_); }

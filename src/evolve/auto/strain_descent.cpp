@@ -9,7 +9,7 @@
 
 namespace planish {
 
-using namespace tuning::near_way;
+using namespace tuning::prefer_near;
 
 namespace {
 

@@ -27,7 +27,7 @@ struct DescentAims {
   double allowance_exponent = 1.0;  ///< of the usual one; see ClosenessPace
 };
 
-using tuning::near_way::StepSchedule;
+using tuning::prefer_near::StepSchedule;
 
 /// Brings a patch to where it is flattenable, smoothly and near where it began, all inner vertices
 /// at once (docs/methods/auto.md): makes smaller and smaller, for sigma that falls from step to

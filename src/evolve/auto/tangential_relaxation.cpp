@@ -8,7 +8,7 @@
 
 namespace planish {
 
-using tuning::near_way::k_poor, tuning::near_way::k_worse;
+using tuning::prefer_near::k_poor, tuning::prefer_near::k_worse;
 
 TangentialRelaxation::TangentialRelaxation(const AngleJacobian& jacobian, PatchState& state)
     : jacobian_(jacobian), state_(state) {

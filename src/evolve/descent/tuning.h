@@ -5,13 +5,12 @@
 
 namespace planish {
 
-/// The numbers that the ways of `auto` go by, all in one place (docs/methods/smooth.md,
-/// docs/methods/auto.md). They were found by trying values on the real patches and looking at
-/// bending, strain, deviation and time together; none depends on the size of the model. A strain is
-/// a share of length, a share is of 1, angles are in the unit that is given.
+/// The constants of `auto` (docs/methods/smooth.md, docs/methods/auto.md). They were chosen by
+/// trial on real patches, by bending, strain, deviation and time; none depends on the size of the
+/// model. Strains and shares are fractions of 1; each angle names its unit.
 namespace tuning {
 
-/// Both ways.
+// Of both methods.
 
 /// Of the vertices of a level one in so many is on the next coarser one.
 inline constexpr std::size_t k_thinning = 4;
@@ -38,7 +37,7 @@ inline constexpr double k_border_to_inner = 30.0;
 /// FairnessEnergy: on the diagonal of matrices that nothing else makes definite.
 inline constexpr double k_anchor = 1e-9;
 
-/// The border, where it may move.
+/// Of a border that may move.
 namespace border {
 /// Where the border turns by more than this it has a corner, which stays: radians.
 inline constexpr double k_corner = 0.5235987755982988;
@@ -49,10 +48,10 @@ inline constexpr double k_approach = 0.4;
 }  // namespace border
 
 /// `--prefer smooth` and `flat`.
-namespace smooth {
-/// Inner vertices of the coarsest level at most: there the whole way is gone.
+namespace prefer_smooth {
+/// Inner vertices of the coarsest level at most: most of the work is done there.
 inline constexpr std::size_t k_coarsest = 2500;
-/// The same where all strain is to go: what a coarse level misses is not made good later.
+/// The same where all strain is to go: finer levels do not make up for what it misses.
 inline constexpr std::size_t k_coarsest_flat = 6000;
 /// Steps on the coarsest level at most.
 inline constexpr int k_most_first_steps = 80;
@@ -112,13 +111,14 @@ inline constexpr double k_strict_delta = 0.025, k_first_strict_sigma = 5e-4,
                         k_last_strict_sigma = 1e-4;
 inline constexpr int k_steps_first_strict = 10;
 
-/// Way back to the design where the surface is not smooth: parts of the way, halvings of the last.
+/// Steps back towards the design where the surface is not smooth: tenths of the move, then halvings
+/// of the last tenth.
 inline constexpr int k_retreat_parts = 10, k_retreat_halvings = 3;
 
 /// MoveLimits: weight of the barrier, share of a limit at which it is 1, and how far the bends of a
 /// border that moves may go, in mean edges.
 inline constexpr double k_barrier_weight = 0.3, k_barrier_share = 0.85, k_border_bend = 0.05;
-/// A limit is told as reached from this share of it on.
+/// A move counts as at its limit from this share of the limit on.
 inline constexpr double k_reached = 0.95;
 
 /// ShapeGuard, edges: a strain over the first adds its fourth power and this share of its square.
@@ -127,10 +127,10 @@ inline constexpr double k_edge_strain = 0.15, k_of_square = 0.02;
 inline constexpr double k_of_corner = 0.01, k_of_eighth = 0.3;
 /// A corner is guarded below this angle (radians), or below this share of its first one.
 inline constexpr double k_sharp = 12.0 * std::numbers::pi / 180.0, k_of_first = 0.8;
-}  // namespace smooth
+}  // namespace prefer_smooth
 
 /// `--prefer near`.
-namespace near_way {
+namespace prefer_near {
 /// A patch of so many vertices at most is worked on as it is.
 inline constexpr std::size_t k_coarsest = 6000;
 /// Strain, rms, at which a coarse level is done: lifting brings more than that. At the second one
@@ -171,7 +171,7 @@ inline constexpr double k_failed = 0.7, k_slow = 0.9, k_far_enough = 0.3;
 /// A step was not cut from this share on. Sigma also falls after one that takes less than
 /// k_small_fall of the merit off.
 inline constexpr double k_full_step = 0.99, k_small_fall = 0.05;
-/// On the way along a limit of strain: sigma in a step falls and grows by these factors at most.
+/// While the strain is kept at its limit: sigma in a step falls and grows by these factors at most.
 inline constexpr double k_most_fall = 1.5, k_most_growth = 4.0;
 /// Damping of steps: eased after a whole step, tightened after two halvings, 0 below the least.
 inline constexpr double k_ease = 0.25, k_tighten = 4.0, k_least_stiffening = 0.3;
@@ -190,11 +190,11 @@ struct ClosenessPace {
                               ///< is room
   double more;                ///< degrees by which r_most exceeds r_first (1 + room), over room
 };
-/// On the way to flattenable, where weights beyond `most` cost steps and bring little.
+/// Where the aim is flattenable: weights beyond `most` cost steps and bring little.
 inline constexpr ClosenessPace k_usual_closeness{0.05, 8.0, 0.8, 2.5};
 /// What closeness grows to where steps fall short already.
 inline constexpr double k_most_if_stiff = 0.5;
-/// Where the way ends at a limit of strain, on patches of 4,000 vertices: what closeness begins
+/// Where the aim is a limit of strain, on patches of 4,000 vertices: what closeness begins
 /// with where hardly any strain has to go, what it grows to, and its allowance_exponent.
 inline constexpr double k_first_near = 2.0, k_most_near = 50.0, k_earliness_near = 1.3;
 /// More room for roughness than this is not filled.
@@ -214,9 +214,9 @@ inline constexpr double k_worth_it = 0.995;
 /// Shape, 1 for equilateral, of a triangle that is poor (about 14 degrees at its sharpest), and the
 /// share of the shape that it had at first below which it is poor too.
 inline constexpr double k_poor = 0.4 / 3.4641016151377544, k_worse = 0.95;
-}  // namespace near_way
+}  // namespace prefer_near
 
-/// DefectPolish, which ends both ways where all strain is to go.
+/// DefectPolish, which ends both methods where all strain has to go.
 namespace polish {
 /// Longest step, over the shortest edge at a vertex.
 inline constexpr double k_longest_step = 0.5;

@@ -9,7 +9,7 @@
 
 namespace planish {
 
-using namespace tuning::smooth;
+using namespace tuning::prefer_smooth;
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 namespace planish {
 
-using namespace tuning::smooth;
+using namespace tuning::prefer_smooth;
 
 namespace {
 

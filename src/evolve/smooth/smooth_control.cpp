@@ -8,7 +8,7 @@
 
 namespace planish {
 
-using namespace tuning::smooth;
+using namespace tuning::prefer_smooth;
 
 namespace {
 

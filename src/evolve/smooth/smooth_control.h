@@ -27,7 +27,7 @@ class SmoothControl {
   void start_strict();
 
   /// Both aims hold, and steps gain little more.
-  bool is_over() const { return met_ && settled_ >= tuning::smooth::k_settled_steps; }
+  bool is_over() const { return met_ && settled_ >= tuning::prefer_smooth::k_settled_steps; }
   /// True if the bending of the last step is within the ceiling, nearly.
   bool is_smooth() const { return is_smooth_; }
   /// True if strain beyond the limit is left, as only crumples would take it out.

@@ -14,7 +14,7 @@
 
 namespace planish {
 
-using namespace tuning::smooth;
+using namespace tuning::prefer_smooth;
 
 namespace {
 

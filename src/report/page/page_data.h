@@ -21,7 +21,7 @@ struct PageState {
 
 /// What goes into a page for its script.
 struct PageInput {
-  std::vector<PageState> states;  ///< of one topology; the first is the patch as it came
+  std::vector<PageState> states;  ///< of one topology; the first is the input patch
   Unit unit = Unit::mm;
   double defect_limit = 0.0;           ///< |defect| at which colours end, radians
   double strain_limit = 0.001;         ///< |strain| at which colours end

@@ -10,7 +10,7 @@
 namespace planish {
 namespace {
 
-using namespace tuning::near_way;
+using namespace tuning::prefer_near;
 
 struct Laid {
   explicit Laid(TriMesh m) : mesh(std::move(m)), state(Patch(mesh), pool) {}

@@ -20,7 +20,7 @@
 namespace planish {
 namespace {
 
-using namespace tuning::near_way;
+using namespace tuning::prefer_near;
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;

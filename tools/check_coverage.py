@@ -4,8 +4,8 @@
     check_coverage.py FOLDER PROGRAM...
 
 FOLDER holds the .profraw files that instrumented test programs left; the programs are those. Needs
-llvm-profdata and llvm-cov of clang 14. Branches are those of the source, so that ways out by
-exceptions that nothing throws do not count.
+llvm-profdata and llvm-cov of clang 14. Branches are those of the source, so that exits by exceptions
+that nothing throws do not count. On a processor without AVX-512 the code for it does not count.
 """
 
 import collections
@@ -25,6 +25,32 @@ FLOORS = [
     # Not what chooses between them.
     ("kernels", r"(core|measure|evolve|solve)/lanes/(?!isa)", 100.0, 0.0),
 ]
+
+
+# What available_isas() in src/core/lanes/isa.cpp asks of a processor for x86-64-v4.
+FLAGS_OF_V4 = {"avx512f", "avx512dq", "avx512vl"}
+
+
+def processor_runs_v4():
+    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("flags"):
+            return FLAGS_OF_V4 <= set(line.split())
+    return False
+
+
+def lines_for_v4(name):
+    """The lines of a source that only AVX-512 runs: all of a *_v4.cpp, or the branches of the
+    preprocessor that ask for it."""
+    path = REPO / "src" / name
+    if not path.is_file():
+        return set()
+    inside, found = name.endswith("_v4.cpp"), set()
+    for number, line in enumerate(path.read_text().splitlines(), start=1):
+        if not name.endswith("_v4.cpp") and re.match(r"#(if|elif|else|endif)", line):
+            inside = "__AVX512" in line
+        if inside:
+            found.add(number)
+    return found
 
 
 def exported(profiles, programs):
@@ -80,6 +106,11 @@ def main():
     folders = collections.defaultdict(lambda: [0, 0, 0, 0])
 
     lines_of = {name: counts_by_line(entry["segments"]) for name, entry in files.items()}
+    if not processor_runs_v4():
+        print("this processor has no AVX-512: the code for it does not count")
+        for name, counts in lines_of.items():
+            for line in lines_for_v4(name):
+                counts.pop(line, None)
 
     def add(row, name):
         counts = lines_of[name].values()

@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include <planish/evolve/evolve.h>
-#include <planish/io/write_mesh.h>
+#include <planish/io/mesh_format.h>
 #include <planish/mesh/shapes.h>
 
 int main() {

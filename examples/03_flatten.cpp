@@ -13,15 +13,13 @@ int main() {
   options.unit = planish::Unit::mm;
   const auto report =
       planish::flatten(planish::Patch(planish::make_shape("panel", 1000)), "panel", options);
-  if (!report) return 1;  // only where a callback cancels
 
-  const planish::EdgeStrain& before = report->unfold_before.strain;
-  const planish::EdgeStrain& after = report->unfold.strain;
+  const planish::EdgeStrain& before = report.unfold_before.strain;
+  const planish::EdgeStrain& after = report.unfold.strain;
   std::cout << "rms strain of the pattern " << 100 * before.rms << " % -> " << 100 * after.rms
-            << " %\nlargest move " << report->evolve.deviation.max << " mm\n";
+            << " %\nlargest move " << report.evolve.deviation.max << " mm\n";
 
-  const planish::Drawing sheet = pattern_sheet(report->processed, report->unfold, report->name);
-  planish::write_files(
-      std::array{planish::OutputFile{"panel.svg", format_svg(sheet)},
-                 planish::OutputFile{"panel.html", planish::html_report(*report)}});
+  const planish::Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name);
+  planish::write_files(std::array{planish::OutputFile{"panel.svg", format_svg(sheet)},
+                                  planish::OutputFile{"panel.html", planish::html_report(report)}});
 }

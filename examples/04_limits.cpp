@@ -91,18 +91,17 @@ int main(int count, char** arguments) {
   const planish::StrainLimits limits = {.max = is_given ? std::atof(arguments[2]) : 0.02};
 
   auto least = planish::unfold_patch(patch, planish::Unit::mm);
-  auto within = planish::unfold_patch(patch, planish::Unit::mm, {}, {.limits = limits});
-  if (!least || !within) return 1;  // only where a callback cancels
+  auto within = planish::unfold_patch(patch, planish::Unit::mm, {.limits = limits});
   // A limit that the pattern was not made for colours its map all the same.
-  least->limits = check_limits(patch, least->pattern.positions, limits);
+  least.limits = check_limits(patch, least.pattern.positions, limits);
 
   const std::array captions = {
-      "least stretch: up to " + percent(least->strain.max),
-      "every edge within " + percent(limits.max) + ": up to " + percent(within->strain.max)};
+      "least stretch: up to " + percent(least.strain.max),
+      "every edge within " + percent(limits.max) + ": up to " + percent(within.strain.max)};
   planish::Drawing drawing{"Limits of strain", 2.0 * k_width + 3.0 * k_gap, 0.0, {}};
   double left = k_gap;
   for (const auto& [report, caption] :
-       {std::pair(&*least, captions[0]), std::pair(&*within, captions[1])}) {
+       {std::pair(&least, captions[0]), std::pair(&within, captions[1])}) {
     planish::Layer picture = picture_of(patch, *report, {left, k_foot});
     picture.shapes.emplace_back(
         planish::Text{{left + 0.5 * k_width, k_foot - 6.0}, 3.4, caption, {30, 30, 30}, true});

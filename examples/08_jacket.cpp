@@ -31,7 +31,6 @@ int main() {
   const PatternOptions annotations{.allowance = Allowance{.width = 10.0}};
   const NestJob job{patches_to_cut(patches, jacket, {3, annotations}), jacket.unit, {}};
   const auto nesting = nest(nest_pieces(job), job.sheets);
-  if (!nesting) return 1;  // only where a callback cancels
-  write_files(std::array{OutputFile{"jacket.dxf", format_dxf(nest_sheet(job, *nesting, 0, ""))}});
-  std::cout << nesting->used_length << " mm of the roll, written to jacket.dxf\n";
+  write_files(std::array{OutputFile{"jacket.dxf", format_dxf(nest_sheet(job, nesting, 0, ""))}});
+  std::cout << nesting.used_length << " mm of the roll, written to jacket.dxf\n";
 }

@@ -45,7 +45,7 @@ CommandResult outcome_of_failure() {
     throw;
   } catch (const UsageError& error) {
     return usage_failure(error.what(), json_failure("usage", error.what()));
-  } catch (const Interrupted&) {
+  } catch (const Cancelled&) {
     const std::string message = "interrupted; nothing was written";
     return {{}, json_failure("interrupted", message), k_exit_interrupted, message};
   } catch (const Error& error) {

@@ -10,7 +10,6 @@
 
 #include <planish/io/mesh_format.h>
 #include <planish/io/read_mesh.h>
-#include <planish/io/write_mesh.h>
 #include <planish/measure/flattenability.h>
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/shapes.h>

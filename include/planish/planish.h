@@ -6,6 +6,7 @@
 /// @namespace planish
 /// Everything that the library has.
 
+#include <planish/core/context.h>
 #include <planish/core/error.h>
 #include <planish/core/range.h>
 #include <planish/core/unit.h>
@@ -27,7 +28,6 @@
 #include <planish/io/read_features.h>
 #include <planish/io/read_mesh.h>
 #include <planish/io/write_file.h>
-#include <planish/io/write_mesh.h>
 #include <planish/measure/deviation.h>
 #include <planish/measure/fairness.h>
 #include <planish/measure/flattenability.h>

@@ -20,6 +20,10 @@ ThreadPool::ThreadPool(unsigned threads) {
   }
 }
 
+ThreadPool::ThreadPool(const Context& context) : ThreadPool(context.threads) {
+  is_cancelled_ = context.is_cancelled;
+}
+
 ThreadPool::~ThreadPool() {
   {
     const std::lock_guard lock(mutex_);
@@ -33,6 +37,7 @@ ThreadPool::~ThreadPool() {
 void ThreadPool::for_ranges(std::size_t count, std::size_t grain,
                             const std::function<void(std::size_t, std::size_t)>& body) {
   if (count == 0) return;
+  if (is_cancelled_ && is_cancelled_()) throw Cancelled();
   if (workers_.empty() || count < 2 * grain) return body(0, count);
   std::unique_lock lock(mutex_);
   body_ = &body;

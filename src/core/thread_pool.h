@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include <planish/core/context.h>
+
 namespace planish {
 
 /// A few threads that sleep until a loop is handed to them. Which thread does which part never
@@ -16,6 +18,8 @@ class ThreadPool {
  public:
   /// @param threads 0 for all cores
   explicit ThreadPool(unsigned threads);
+  /// A pool whose loops do not begin once the job is cancelled.
+  explicit ThreadPool(const Context& context);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
@@ -25,6 +29,7 @@ class ThreadPool {
   /// Calls body(begin, end) for consecutive parts of [0, count) and returns when all are done. The
   /// caller works too; fewer than two grains of work are done by the caller alone.
   /// What a part throws is thrown on when the parts that have begun are done; the rest is left.
+  /// @throws Cancelled
   void for_ranges(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body);
 
@@ -32,6 +37,7 @@ class ThreadPool {
   void work();
   void run_parts(std::unique_lock<std::mutex>& lock);
 
+  std::function<bool()> is_cancelled_;
   std::vector<std::thread> workers_;
   std::mutex mutex_;
   std::condition_variable wake_, done_;

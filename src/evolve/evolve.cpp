@@ -4,6 +4,9 @@
 #include <planish/evolve/evolve.h>
 #include <planish/measure/flattenability.h>
 
+#include "core/job.h"
+#include "evolve/evolve_progress.h"
+
 namespace planish {
 
 namespace {
@@ -37,8 +40,6 @@ std::string_view to_string(StopReason reason) {
       return "smooth_limit";
     case StopReason::sweep_limit:
       return "sweep_limit";
-    case StopReason::cancelled:
-      return "cancelled";
   }
   return "unknown";
 }
@@ -61,8 +62,6 @@ std::string_view stop_text(StopReason reason) {
       return "taking out more strain would crumple the surface";
     case StopReason::sweep_limit:
       return "all sweeps asked for were made";
-    case StopReason::cancelled:
-      return "it was cancelled";
   }
   return "unknown";
 }
@@ -74,10 +73,11 @@ Stopping usual_stopping(const Method& method) {
 }
 
 EvolveResult evolve(const Patch& patch, const Method& method, const Stopping& stopping,
-                    const OnSweep& on_sweep, unsigned threads, const Constraints& constraints) {
+                    const Constraints& constraints, const Context& context) {
   const auto start = std::chrono::steady_clock::now();
   check_stopping(stopping);
-  Evolver evolver(patch, method, threads, constraints);
+  Evolver evolver(patch, method, constraints, context);
+  EvolveProgress progress(stopping, patch.vertex_count());
   EvolveResult result;
   double e_max = summarise_defects(angle_defects(patch), 0).e_max;
   // What is flat to the last digits is not worked on.
@@ -90,11 +90,10 @@ EvolveResult evolve(const Patch& patch, const Method& method, const Stopping& st
     if (met()) result.stop = StopReason::reached_target;
     if (!met() && record.status == SweepStatus::stalled) result.stop = StopReason::stalled;
     if (!met() && record.status == SweepStatus::converged) result.stop = record.reason;
-    if (on_sweep && !on_sweep(record)) result.stop = StopReason::cancelled;
+    report_progress(context, {"evolving", progress.after(record)});
     if (result.stop != StopReason::sweep_limit) break;
   }
-  if (result.stop == StopReason::sweep_limit || result.stop == StopReason::cancelled)
-    evolver.prolong_to_finest();
+  if (result.stop == StopReason::sweep_limit) evolver.prolong_to_finest();
   result.positions = evolver.positions();
   result.threads = evolver.threads();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

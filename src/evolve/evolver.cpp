@@ -42,8 +42,9 @@ void check_neighbours(const Connectivity& connectivity, const Method& method) {
 
 class Evolver::Impl {
  public:
-  Impl(const Patch& patch, const Method& method, unsigned threads, const Constraints& constraints)
-      : pool_(threads), state_(patch, pool_, constraints) {
+  Impl(const Patch& patch, const Method& method, const Constraints& constraints,
+       const Context& context)
+      : pool_(context), state_(patch, pool_, constraints) {
     sweep_.emplace(
         std::visit([this](const auto& m) { return make_sweep(m, state_, pool_); }, method));
   }
@@ -82,13 +83,13 @@ class Evolver::Impl {
   int sweeps_ = 0;
 };
 
-Evolver::Evolver(const Patch& patch, const Method& method, unsigned threads,
-                 const Constraints& constraints) {
+Evolver::Evolver(const Patch& patch, const Method& method, const Constraints& constraints,
+                 const Context& context) {
   check_options(method);
   check_constraints(constraints, patch.vertex_count(), method);
   require(patch.inspection(), Purpose::evolve);
   check_neighbours(patch.connectivity(), method);
-  impl_ = std::make_unique<Impl>(patch, method, threads, constraints);
+  impl_ = std::make_unique<Impl>(patch, method, constraints, context);
 }
 
 Evolver::~Evolver() = default;

@@ -2,7 +2,7 @@
 
 #include <planish/flatten/compare.h>
 
-#include "flatten/evolve_progress.h"
+#include "core/job.h"
 
 namespace planish {
 
@@ -20,80 +20,55 @@ std::vector<CompareRun> runs_of_all(std::index_sequence<I...>) {
 /// Does the work of compare(), one part after the other.
 class Comparison {
  public:
-  Comparison(CompareReport& report, const CompareOptions& options,
-             const OnCompareProgress& on_progress, std::size_t parts)
-      : report_(report), options_(options), on_progress_(on_progress), parts_(parts) {}
-
-  bool cancelled() const { return cancelled_; }
+  Comparison(CompareReport& report, const CompareOptions& options, const Context& context,
+             std::size_t parts)
+      : report_(report), options_(options), context_(context), parts_(parts) {}
 
   void measure_input() {
-    if (!tell(FlattenStage::measuring, "", 0.0)) return;
+    report_progress(context_, {"measuring", 0.0});
     report_.before = measure_patch(report_.input);
     require(report_.before.inspection, Purpose::evolve);
     const auto problem = blocking_problem(report_.before.inspection, Purpose::unfold);
+    const Context part = next_part("");
     if (problem) {
       report_.why_no_patterns = problem->message;
-    } else {
-      try {
-        report_.unfold_before = unfolded(report_.input, "");
-      } catch (...) {
-        report_.why_no_patterns = current_failure().message;
-      }
+      return;
     }
-    ++done_;
+    try {
+      report_.unfold_before = unfold_patch(report_.input, options_.unit, {}, part);
+    } catch (...) {
+      report_.why_no_patterns = current_failure().message;
+    }
   }
 
   void add(const CompareRun& run) {
     const std::string_view name = name_of(run.method);
-    if (!tell(FlattenStage::evolving, name, 0.0)) return;
+    const Context evolving = next_part(name), unfolding = next_part(name);
     ComparedMethod& compared = report_.runs.emplace_back();
     compared.run = run;
     try {
-      compared.evolve = evolved(run, name);
-      ++done_;
-      if (report_.unfold_before && !cancelled_) {
-        compared.unfold =
-            unfolded(report_.input.with_positions(compared.evolve->result.positions), name);
-      }
+      compared.evolve =
+          evolve_patch(report_.input, run.method, run.stopping, options_.constraints, evolving);
+      if (!report_.unfold_before) return;
+      const std::vector<Vec3>& evolved = compared.evolve->result.positions;
+      compared.unfold =
+          unfold_patch(report_.input.with_positions(evolved), options_.unit, {}, unfolding);
     } catch (...) {
       compared.failure = current_failure();
-      if (!compared.evolve) ++done_;
     }
-    ++done_;
   }
 
  private:
-  bool tell(FlattenStage stage, std::string_view method, double share) {
-    const double whole = (static_cast<double>(done_) + share) / static_cast<double>(parts_);
-    if (on_progress_ && !on_progress_(stage, method, whole)) cancelled_ = true;
-    return !cancelled_;
-  }
-
-  EvolveReport evolved(const CompareRun& run, std::string_view name) {
-    EvolveProgress progress(run.stopping, report_.input.vertex_count());
-    return evolve_patch(
-        report_.input, run.method, run.stopping,
-        [&](const SweepRecord& record) {
-          return tell(FlattenStage::evolving, name, progress.after(record));
-        },
-        options_.threads, options_.constraints);
-  }
-
-  std::optional<UnfoldReport> unfolded(const Patch& patch, std::string_view name) {
-    double left = 1.0;  // how many steps it will take is not known
-    return unfold_patch(patch, options_.unit,
-                        [&](int /*step*/, double /*energy*/) {
-                          left *= 0.9;
-                          return tell(FlattenStage::unfolding, name, 1.0 - left);
-                        },
-                        {.threads = options_.threads});
+  Context next_part(std::string_view method) {
+    const auto parts = static_cast<double>(parts_);
+    const double begin = static_cast<double>(done_++) / parts;
+    return part_of(context_, begin, static_cast<double>(done_) / parts, method);
   }
 
   CompareReport& report_;
   const CompareOptions& options_;
-  const OnCompareProgress& on_progress_;
+  const Context& context_;
   std::size_t parts_, done_ = 0;
-  bool cancelled_ = false;
 };
 
 }  // namespace
@@ -102,20 +77,15 @@ std::vector<CompareRun> runs_of_all_methods() {
   return runs_of_all(std::make_index_sequence<std::variant_size_v<Method>>());
 }
 
-std::optional<CompareReport> compare(const Patch& patch, std::string name,
-                                     const std::vector<CompareRun>& runs,
-                                     const CompareOptions& options,
-                                     const OnCompareProgress& on_progress) {
+CompareReport compare(const Patch& patch, std::string name, const std::vector<CompareRun>& runs,
+                      const CompareOptions& options, const Context& context) {
   CompareReport report;
   report.name = std::move(name);
   report.input = patch;
-  Comparison comparison(report, options, on_progress, 1 + 2 * runs.size());
+  Comparison comparison(report, options, context, 1 + 2 * runs.size());
   comparison.measure_input();
-  for (const CompareRun& run : runs) {
-    if (comparison.cancelled()) break;
+  for (const CompareRun& run : runs)
     comparison.add(run);
-  }
-  if (comparison.cancelled()) return std::nullopt;
   return report;
 }
 

@@ -8,6 +8,8 @@ namespace planish {
 Failure current_failure() try {
   try {
     throw;
+  } catch (const Cancelled&) {
+    throw;
   } catch (const Error& error) {
     return {std::string(to_string(error.code())), error.what()};
   } catch (const std::bad_alloc&) {

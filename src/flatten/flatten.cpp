@@ -9,28 +9,16 @@
 #include <planish/flatten/flatten.h>
 
 #include "core/aside.h"
-#include "flatten/evolve_progress.h"
+#include "core/job.h"
 #include "measure/ruling_defect.h"
 
 namespace planish {
 
-std::string_view to_string(FlattenStage stage) {
-  switch (stage) {
-    case FlattenStage::measuring:
-      return "measuring";
-    case FlattenStage::evolving:
-      return "evolving";
-    case FlattenStage::unfolding:
-      return "unfolding";
-  }
-  return "unknown";
-}
-
-MeasuredPatch measure_patch(const Patch& patch, unsigned threads) {
+MeasuredPatch measure_patch(const Patch& patch, const Context& context) {
   MeasuredPatch measured;
   measured.inspection = patch.inspection();
   require(measured.inspection, Purpose::measure);
-  Aside intersections(threads != 1, [&] { return find_self_intersections(patch.mesh()); });
+  Aside intersections(context.threads != 1, [&] { return find_self_intersections(patch.mesh()); });
   measured.figures = measure(patch);
   measured.flattenable = is_flattenable(measured.figures, measured.inspection);
   measured.obstruction = find_obstruction(patch);
@@ -41,16 +29,16 @@ MeasuredPatch measure_patch(const Patch& patch, unsigned threads) {
 }
 
 EvolveReport evolve_patch(const Patch& patch, const Method& method, const Stopping& stopping,
-                          const OnSweep& on_sweep, unsigned threads,
-                          const Constraints& constraints) {
+                          const Constraints& constraints, const Context& context) {
+  report_progress(context, {"measuring", 0.0});
   EvolveReport report;
   report.method = method;
   report.stopping = stopping;
-  report.before = measure_patch(patch, threads);
-  report.result = evolve(patch, method, stopping, on_sweep, threads, constraints);
+  report.before = measure_patch(patch, context);
+  report.result = evolve(patch, method, stopping, constraints, context);
   const std::vector<Vec3>& after = report.result.positions;
-  Aside fairness(threads != 1, [&] { return measure_fairness(patch, after); });
-  report.after = measure_patch(patch.with_positions(after), threads);
+  Aside fairness(context.threads != 1, [&] { return measure_fairness(patch, after); });
+  report.after = measure_patch(patch.with_positions(after), context);
   report.deviation = measure_deviation(patch, after);
   report.border = measure_border_change(patch, after);
   report.fairness = fairness.result();
@@ -59,9 +47,9 @@ EvolveReport evolve_patch(const Patch& patch, const Method& method, const Stoppi
 
 EvolveReport evolve_remeshed(const Patch& original, const RemeshedPatch& remeshed,
                              const Method& method, const Stopping& stopping,
-                             const OnSweep& on_sweep, unsigned threads) {
+                             const Context& context) {
   EvolveReport report =
-      evolve_patch(remeshed.patch, method, stopping, on_sweep, threads, remeshed.constraints);
+      evolve_patch(remeshed.patch, method, stopping, remeshed.constraints, context);
   if (remeshed.patch.vertex_count() == original.vertex_count()) return report;
   report.remeshed_from = OriginalSize{original.vertex_count(), original.triangles().size()};
   const Patch after = remeshed.patch.with_positions(report.result.positions);
@@ -70,16 +58,11 @@ EvolveReport evolve_remeshed(const Patch& original, const RemeshedPatch& remeshe
   return report;
 }
 
-std::optional<UnfoldReport> unfold_patch(const Patch& patch, Unit unit, const OnUnfoldStep& on_step,
-                                         const UnfoldOptions& options) {
-  bool cancelled = false;
+UnfoldReport unfold_patch(const Patch& patch, Unit unit, const UnfoldOptions& options,
+                          const Context& context) {
   UnfoldReport report;
   report.unit = unit;
-  report.pattern = unfold(patch, options, [&](int step, double energy) {
-    cancelled = on_step && !on_step(step, energy);
-    return !cancelled;
-  });
-  if (cancelled) return std::nullopt;
+  report.pattern = unfold(patch, options, context);
   const auto strain_of = [&](const std::vector<Vec2>& positions) {
     return edge_strain(patch, positions);
   };
@@ -94,59 +77,32 @@ std::optional<UnfoldReport> unfold_patch(const Patch& patch, Unit unit, const On
 
 namespace {
 
-using MaybeUnfolded = std::optional<UnfoldReport>;
-
-/// How far unfolding is said to be. The number of steps is not known: each takes the bar a tenth of
-/// the way that is left.
-class UnfoldBar {
- public:
-  double share() const { return 1.0 - left_; }
-  double after_step() {
-    left_ *= 0.9;
-    return share();
-  }
-
- private:
-  double left_ = 1.0;
-};
-
 /// Unfolds both patches, at the same time where there are threads for it; only the second as asked,
 /// as matching the seams of what is far from flattenable takes long and tells little. Progress is
-/// told from the calling thread only.
-std::optional<std::pair<UnfoldReport, UnfoldReport>> unfold_both(const Patch& before,
-                                                                 const Patch& after, Unit unit,
-                                                                 const UnfoldOptions& how,
-                                                                 bool at_once,
-                                                                 const OnProgress& on_progress) {
-  std::atomic<bool> cancelled = false;
-  UnfoldBar bar;
-  const auto tell = [&](double share) {
-    if (on_progress && !on_progress(FlattenStage::unfolding, share)) cancelled = true;
-    return !cancelled;
+/// reported from the calling thread only.
+std::pair<UnfoldReport, UnfoldReport> unfold_both(const Patch& before, const Patch& after,
+                                                  Unit unit, const UnfoldOptions& how, bool at_once,
+                                                  const Context& context) {
+  std::atomic<bool> abandoned = false;
+  Context quiet = context;
+  quiet.on_progress = {};
+  quiet.is_cancelled = [&] {
+    return abandoned || (context.is_cancelled && context.is_cancelled());
   };
-  const auto on_step = [&](int, double) { return tell(bar.after_step()); };
-  const auto unfold_before = [&] {
-    return unfold_patch(before, unit, [&](int, double) { return !cancelled; },
-                        {.threads = how.threads});
-  };
-  std::future<MaybeUnfolded> aside;
-  if (at_once) aside = start_aside(unfold_before);
-  MaybeUnfolded first, second;
+  const auto unfold_before = [&] { return unfold_patch(before, unit, {}, quiet); };
+  PartsOfJob parts(context);
+  if (!at_once) {
+    UnfoldReport second = unfold_patch(after, unit, how, parts.next(0.5));
+    return {unfold_patch(before, unit, {}, parts.next(1.0)), std::move(second)};
+  }
+  std::future<UnfoldReport> aside = start_aside(unfold_before);
   try {
-    second = unfold_patch(after, unit, on_step, how);
+    UnfoldReport second = unfold_patch(after, unit, how, context);
+    return {aside.valid() ? aside.get() : unfold_before(), std::move(second)};
   } catch (...) {
-    cancelled = true;  // the other one need not go on
+    abandoned = true;  // the other one need not go on; the destructor of `aside` waits for it
     throw;
   }
-  if (aside.valid()) {
-    while (aside.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready)
-      tell(bar.share());
-    first = aside.get();
-  } else if (second) {
-    first = unfold_patch(before, unit, on_step, {.threads = how.threads});
-  }
-  if (!first || !second) return std::nullopt;
-  return std::pair{*std::move(first), *std::move(second)};
 }
 
 /// Those asked for, or else those of the method.
@@ -195,11 +151,12 @@ Method tightened(Method method, const StrainLimits& aim, double share) {
 }
 
 /// The report of a patch that needs no evolution.
-EvolveReport left_as_it_is(const Patch& patch, const Method& method, const Stopping& stopping) {
+EvolveReport left_as_it_is(const Patch& patch, const Method& method, const Stopping& stopping,
+                           const Context& context) {
   EvolveReport report;
   report.method = method;
   report.stopping = stopping;
-  report.before = report.after = measure_patch(patch);
+  report.before = report.after = measure_patch(patch, context);
   report.result.positions = patch.positions();
   report.result.stop = StopReason::strain_met;
   report.deviation = measure_deviation(patch, patch.positions());
@@ -207,45 +164,41 @@ EvolveReport left_as_it_is(const Patch& patch, const Method& method, const Stopp
   return report;
 }
 
-OnSweep on_sweep_of(const Stopping& stopping, const Patch& patch, const OnProgress& on_progress) {
-  if (!on_progress) return {};
-  const auto progress = std::make_shared<EvolveProgress>(stopping, patch.vertex_count());
-  return [progress, on_progress](const SweepRecord& record) {
-    return on_progress(FlattenStage::evolving, progress->after(record));
-  };
-}
+// Of the work that is left, how much an evolution and how much a pattern is said to take.
+constexpr double k_share_of_evolution = 0.7, k_share_of_pattern = 0.3;
 
 /// One run of the main job.
 class Flattening {
  public:
-  Flattening(const FlattenOptions& options, const OnProgress& on_progress)
+  Flattening(const FlattenOptions& options, const Context& context)
       : options_(options),
-        on_progress_(on_progress),
+        context_(context),
+        parts_(context_),
         limits_(limits_of(options)),
         method_(aimed_at(limits_, options.method)),
         stopping_(options.stopping.value_or(usual_stopping(method_))),
         aim_(aim_of(limits_, method_, stopping_)) {}
 
-  std::optional<FlattenReport> run(const Patch& patch, std::string name) {
-    if (!tell(FlattenStage::measuring, 0.0)) return std::nullopt;
+  FlattenReport run(const Patch& patch, std::string name) {
+    report_progress(context_, {"measuring", 0.0});
     require(patch.inspection(), Purpose::unfold);
     report_.name = std::move(name);
     check_constraints(options_.constraints, patch.vertex_count(), method_);
     if (options_.smooth_first > 0.0) return run_smoothed(patch);
     if (options_.remesh) remeshed_ = remesh(patch, options_.constraints, options_.keep);
-    if (!work_on(patch)) return std::nullopt;
+    work_on(patch);
     if (remeshed_) report_.source = std::move(remeshed_->source);
     return finished(work_patch(patch));
   }
 
  private:
-  std::optional<FlattenReport> run_smoothed(const Patch& raw) {
+  FlattenReport run_smoothed(const Patch& raw) {
     if (options_.remesh || !options_.constraints.fixed.empty()) {
       throw Error(ErrorCode::unsupported_constraint,
                   "smooth_first does not go together with remesh, nor with fixed vertices");
     }
     const SmoothedDesign design = smooth_design(raw, options_.smooth_first);
-    if (!work_on(design.patch)) return std::nullopt;
+    work_on(design.patch);
     report_.evolve = with_smoothing(std::move(report_.evolve), raw, design.done);
     return finished(design.patch);
   }
@@ -256,28 +209,18 @@ class Flattening {
     return std::move(report_);
   }
 
-  /// False when cancelled.
-  bool work_on(const Patch& patch) {
-    return is_done_as_it_is(work_patch(patch)) ? !is_cancelled() : evolve_to_aim(patch);
+  void work_on(const Patch& patch) {
+    if (!is_done_as_it_is(work_patch(patch))) evolve_to_aim(patch);
   }
 
-  bool tell(FlattenStage stage, double share) {
-    cancelled_ = cancelled_ || (on_progress_ && !on_progress_(stage, share));
-    return !cancelled_;
-  }
-  bool is_cancelled() const { return cancelled_; }
   const Patch& work_patch(const Patch& patch) const { return remeshed_ ? remeshed_->patch : patch; }
 
   UnfoldOptions with_limits() const {
-    return {.match_seams = options_.match_seams, .threads = options_.threads, .limits = limits_};
+    return {.match_seams = options_.match_seams, .limits = limits_};
   }
 
-  /// Nothing when cancelled.
-  MaybeUnfolded unfolded(const Patch& patch, const UnfoldOptions& how) {
-    UnfoldBar bar;
-    return unfold_patch(
-        patch, options_.unit,
-        [&](int, double) { return tell(FlattenStage::unfolding, bar.after_step()); }, how);
+  UnfoldReport unfolded(const Patch& patch, const UnfoldOptions& how) {
+    return unfold_patch(patch, options_.unit, how, parts_.next(k_share_of_pattern));
   }
 
   /// What a pattern has of the aim. Strain is measured against the surface that it is made from.
@@ -288,30 +231,27 @@ class Flattening {
   }
 
   /// Lays the input flat and sees whether that is all that is to be done. True if that pattern is
-  /// the result, or the work was cancelled.
+  /// the result.
   bool is_done_as_it_is(const Patch& patch) {
     if (!aim_.any()) return false;
-    MaybeUnfolded kept = unfolded(patch, with_limits());
-    if (!kept) return true;
-    const bool is_done = all_kept(checks_of_aim(patch, *kept)),
+    UnfoldReport kept = unfolded(patch, with_limits());
+    const bool is_done = all_kept(checks_of_aim(patch, kept)),
                is_plain = !limits_.any() && !options_.match_seams;
-    if (is_plain) before_ = *kept;
+    if (is_plain) before_ = kept;
     if (!is_done) return false;
-    MaybeUnfolded before = is_plain ? before_ : unfolded(patch, {.threads = options_.threads});
-    if (!before) return true;
-    report_.evolve = left_as_it_is(patch, method_, stopping_);
-    report_.unfold = *std::move(kept);
-    report_.unfold_before = *std::move(before);
+    report_.unfold_before = is_plain ? *before_ : unfolded(patch, {});
+    report_.evolve = left_as_it_is(patch, method_, stopping_, context_);
+    report_.unfold = std::move(kept);
     return true;
   }
 
   /// Auto ends by its estimate of the strain. Where the pattern has a little more than that, it is
-  /// run again with tighter limits. False when cancelled.
-  bool evolve_to_aim(const Patch& patch) {
+  /// run again with tighter limits.
+  void evolve_to_aim(const Patch& patch) {
     constexpr int most_runs = 3;
     Method method = method_;
     for (int run = 1;; ++run) {
-      if (!evolve_and_unfold(patch, method)) return false;
+      evolve_and_unfold(patch, method);
       const double share = share_of_limits(checks_of_aim(
           work_patch(patch).with_positions(report_.evolve.result.positions), report_.unfold));
       const bool may_try = report_.evolve.result.stop == StopReason::strain_met && run < most_runs;
@@ -319,59 +259,50 @@ class Flattening {
       method = tightened(method, aim_, share);
     }
     report_.evolve.method = method_;
-    return go_back(patch);
+    go_back(patch);
   }
 
-  /// False when cancelled.
-  bool evolve_and_unfold(const Patch& patch, const Method& method) {
+  void evolve_and_unfold(const Patch& patch, const Method& method) {
     const Patch& work = work_patch(patch);
-    const OnSweep on_sweep = on_sweep_of(stopping_, work, on_progress_);
-    report_.evolve = remeshed_ ? evolve_remeshed(patch, *remeshed_, method, stopping_, on_sweep,
-                                                 options_.threads)
-                               : evolve_patch(patch, method, stopping_, on_sweep, options_.threads,
-                                              options_.constraints);
-    if (report_.evolve.result.stop == StopReason::cancelled) return false;
+    const Context part = parts_.next(k_share_of_evolution);
+    report_.evolve = remeshed_ ? evolve_remeshed(patch, *remeshed_, method, stopping_, part)
+                               : evolve_patch(patch, method, stopping_, options_.constraints, part);
     const Patch processed = work.with_positions(report_.evolve.result.positions);
     if (before_) {
-      MaybeUnfolded after = unfolded(processed, with_limits());
-      if (!after) return false;
       report_.unfold_before = *before_;
-      report_.unfold = *std::move(after);
-      return true;
+      report_.unfold = unfolded(processed, with_limits());
+      return;
     }
-    auto patterns = unfold_both(work, processed, options_.unit, with_limits(),
-                                report_.evolve.result.threads > 1, on_progress_);
-    if (!patterns) return false;
-    before_ = report_.unfold_before = std::move(patterns->first);
-    report_.unfold = std::move(patterns->second);
-    return true;
+    auto [before, after] =
+        unfold_both(work, processed, options_.unit, with_limits(),
+                    report_.evolve.result.threads > 1, parts_.next(k_share_of_pattern));
+    before_ = report_.unfold_before = std::move(before);
+    report_.unfold = std::move(after);
   }
 
   /// If the pattern keeps the limits, finds by bisection the smallest share of the move from the
-  /// input with which a pattern still keeps them. False when cancelled.
-  bool go_back(const Patch& patch) {
+  /// input with which a pattern still keeps them.
+  void go_back(const Patch& patch) {
     constexpr int halvings = 6;
-    if (!aim_.any() || !limits_.any() || !all_kept(report_.unfold.limits)) return true;
+    if (!aim_.any() || !limits_.any() || !all_kept(report_.unfold.limits)) return;
     // Half way between two places on a curved border is beside it.
-    if (std::get<Auto>(method_).border.rule != BorderFreedom::Rule::fixed) return true;
+    if (std::get<Auto>(method_).border.rule != BorderFreedom::Rule::fixed) return;
     const Patch& work = work_patch(patch);
     const std::vector<Vec3> farthest = report_.evolve.result.positions;
     double fails = 0.0, keeps = 1.0;
     for (int k = 0; k < halvings; ++k) {
       const double share = 0.5 * (fails + keeps);
       const Patch between = work.with_positions(part_way(work.positions(), farthest, share));
-      MaybeUnfolded pattern = unfolded(between, with_limits());
-      if (!pattern) return false;
-      if (!all_kept(pattern->limits)) {
+      UnfoldReport pattern = unfolded(between, with_limits());
+      if (!all_kept(pattern.limits)) {
         fails = share;
         continue;
       }
       keeps = share;
-      report_.unfold = *std::move(pattern);
+      report_.unfold = std::move(pattern);
       report_.evolve.result.positions = between.positions();
     }
     if (keeps < 1.0) measure_again(patch);
-    return true;
   }
 
   static std::vector<Vec3> part_way(const std::vector<Vec3>& from, const std::vector<Vec3>& to,
@@ -385,7 +316,7 @@ class Flattening {
   void measure_again(const Patch& patch) {
     const Patch& work = work_patch(patch);
     const Patch now = work.with_positions(report_.evolve.result.positions);
-    report_.evolve.after = measure_patch(now, options_.threads);
+    report_.evolve.after = measure_patch(now, context_);
     if (report_.evolve.remeshed_from) {
       report_.evolve.deviation = measure_surface_deviation(patch, now.mesh());
       report_.evolve.fairness = measure_fairness(patch, now);
@@ -396,22 +327,24 @@ class Flattening {
   }
 
   const FlattenOptions& options_;
-  const OnProgress& on_progress_;
+  const Context& context_;
+  PartsOfJob parts_;
   StrainLimits limits_;
   Method method_;
   Stopping stopping_;
   StrainLimits aim_;
   std::optional<RemeshedPatch> remeshed_;
   FlattenReport report_;
-  MaybeUnfolded before_;  // the input without limits, where that is known already
-  bool cancelled_ = false;
+  std::optional<UnfoldReport> before_;  // the input without limits, where that is known already
 };
 
 }  // namespace
 
-std::optional<FlattenReport> flatten(const Patch& patch, std::string name,
-                                     const FlattenOptions& options, const OnProgress& on_progress) {
-  return Flattening(options, on_progress).run(patch, std::move(name));
+FlattenReport flatten(const Patch& patch, std::string name, const FlattenOptions& options,
+                      const Context& context) {
+  FlattenReport report = Flattening(options, context).run(patch, std::move(name));
+  report_progress(context, {"unfolding", 1.0});
+  return report;
 }
 
 }  // namespace planish

@@ -4,6 +4,8 @@
 
 #include <planish/flatten/frontier.h>
 
+#include "core/job.h"
+
 namespace planish {
 
 namespace {
@@ -45,30 +47,23 @@ std::optional<std::size_t> FrontierReport::first_within_limit() const {
   return static_cast<std::size_t>(found - curve.begin());
 }
 
-std::optional<FrontierReport> frontier(const Patch& patch, std::string name,
-                                       const FrontierOptions& options,
-                                       const OnCompareProgress& on_progress) {
+FrontierReport frontier(const Patch& patch, std::string name, const FrontierOptions& options,
+                        const Context& context) {
   check(options);
-  const auto tell = [&] { return !on_progress || on_progress(FlattenStage::unfolding, "", 0.0); };
-  if (!tell()) return std::nullopt;
-  const auto before =
-      unfold_patch(patch, options.unit, [&](int /*step*/, double /*energy*/) { return tell(); },
-                   {.threads = options.threads});
-  if (!before) return std::nullopt;
-
-  auto compared = compare(patch, std::move(name), runs_of(options, before->strain.rms),
-                          {options.unit, options.threads, options.constraints}, on_progress);
-  if (!compared) return std::nullopt;
+  PartsOfJob parts(context);
+  const UnfoldReport before = unfold_patch(patch, options.unit, {}, parts.next(0.05));
+  CompareReport compared = compare(patch, std::move(name), runs_of(options, before.strain.rms),
+                                   {options.unit, options.constraints}, parts.next(1.0));
 
   FrontierReport report;
-  report.name = std::move(compared->name);
+  report.name = std::move(compared.name);
   report.unit = options.unit;
-  report.before = before->strain;
+  report.before = before.strain;
   report.bending_ratio_before = measure_fairness(patch, patch).bending_ratio;
   report.limit = options.limit;
-  const std::size_t on_curve = compared->runs.size() - options.others.size();
-  for (std::size_t i = 0; i < compared->runs.size(); ++i) {
-    const ComparedMethod& run = compared->runs[i];
+  const std::size_t on_curve = compared.runs.size() - options.others.size();
+  for (std::size_t i = 0; i < compared.runs.size(); ++i) {
+    const ComparedMethod& run = compared.runs[i];
     if (run.failure) {
       report.failures.push_back({run.run.method, *run.failure});
     } else {

@@ -23,7 +23,7 @@ bool is_better(const LimitCheck& a, const LimitCheck& b) {
 }
 
 Outcome outcome_of(std::span<const LimitCheck> checks, StopReason reason) {
-  Outcome outcome{reason != StopReason::cancelled, reason};
+  Outcome outcome{true, reason};
   for (const LimitCheck& check : checks)
     outcome.met = outcome.met && check.met;
   const auto worst = std::max_element(checks.begin(), checks.end(), is_better);

@@ -5,6 +5,7 @@
 #include <planish/unfold/unfold.h>
 
 #include "core/careful_sum.h"
+#include "core/job.h"
 #include "geometry/crosses_itself.h"
 #include "unfold/disk/disk.h"
 #include "unfold/placement.h"
@@ -34,24 +35,22 @@ std::vector<Vec2> find_start(const Disk& disk) {
 /// Goes on from the pattern of least stretch to the one that keeps the border's lengths.
 LeastStretch with_matched_border(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
                                  const UnfoldOptions& options, ThreadPool& pool,
-                                 const OnUnfoldStep& on_step) {
+                                 const std::function<void()>& after_step) {
   const std::vector<double> lengths = border_lengths(mesh, disk);
   int steps = least.iterations;
-  bool cancelled = false;
-  const auto count = [&](int, double energy) {
+  const auto count = [&] {
     ++steps;
-    cancelled = on_step && !on_step(steps, energy);
-    return !cancelled;
+    after_step();
   };
   MatchedBorder matched =
       match_border(disk, lengths, least.flat, options.max_iterations, pool, count);
-  if (!matched.matched && !cancelled) {
+  if (!matched.matched) {
     std::vector<Vec2> start = circle_start(disk, lengths);
     if (all_upright(disk, start)) {
       matched = match_border(disk, lengths, std::move(start), options.max_iterations, pool, count);
     }
   }
-  if (!matched.matched && !cancelled) {
+  if (!matched.matched) {
     throw Error(ErrorCode::unfold_failed,
                 "the border cannot keep its lengths in the plane to within rounding; remesh the "
                 "patch more evenly, or do without matched seams");
@@ -69,6 +68,13 @@ void require_limits(const StrainLimits& limits) {
     throw Error(ErrorCode::option_out_of_range,
                 "a limit is of every edge or of 99 % of the area: give one of them");
   }
+}
+
+/// What is called after each step.
+std::function<void()> unfolding_steps(const Context& context) {
+  return [&context, progress = StepProgress()]() mutable {
+    report_progress(context, {"unfolding", progress.after_step()});
+  };
 }
 
 /// A length or place of the disk in model units.
@@ -91,7 +97,7 @@ std::vector<Vec2> in_mesh_order(const Patch& patch, const Disk& disk,
 
 }  // namespace
 
-Pattern unfold(const Patch& patch, const UnfoldOptions& options, const OnUnfoldStep& on_step) {
+Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& context) {
   require(patch.inspection(), Purpose::unfold);
   if (patch.vertex_count() > k_most_vertices) {
     throw Error(ErrorCode::too_large, "patterns are made of patches of up to " +
@@ -100,21 +106,17 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const OnUnfoldS
   }
   require_limits(options.limits);
   const Disk disk = make_disk(patch);
-  ThreadPool pool(options.threads);
-  bool cancelled = false;
-  const OnUnfoldStep on_any_step = [&](int step, double energy) {
-    cancelled = on_step && !on_step(step, energy);
-    return !cancelled;
-  };
+  ThreadPool pool(context);
+  const std::function<void()> after_step = unfolding_steps(context);
   LeastStretch flat =
-      minimise_stretch(disk, find_start(disk), options.max_iterations, pool, on_any_step);
+      minimise_stretch(disk, find_start(disk), options.max_iterations, pool, after_step);
   Pattern pattern;
   if (options.match_seams) {
     pattern.unmatched = in_mesh_order(patch, disk, flat.flat);
-    flat = with_matched_border(patch.mesh(), disk, flat, options, pool, on_any_step);
-  } else if ((options.limits.max > 0.0 || options.limits.p99 > 0.0) && !cancelled) {
+    flat = with_matched_border(patch.mesh(), disk, flat, options, pool, after_step);
+  } else if (options.limits.max > 0.0 || options.limits.p99 > 0.0) {
     LeastStretch limited = within_limits(patch.mesh(), disk, flat, options.limits,
-                                         options.max_iterations, pool, on_any_step);
+                                         options.max_iterations, pool, after_step);
     if (limited.iterations > flat.iterations) {
       pattern.unlimited = in_mesh_order(patch, disk, flat.flat);
       flat = std::move(limited);
@@ -145,16 +147,15 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const OnUnfoldS
   return pattern;
 }
 
-double smallest_limit(const Patch& patch, const Pattern& least, unsigned threads,
-                      const OnUnfoldStep& on_step) {
+double smallest_limit(const Patch& patch, const Pattern& least, const Context& context) {
   const Disk disk = make_disk(patch);
-  ThreadPool pool(threads);
+  ThreadPool pool(context);
   std::vector<Vec2> flat;
   flat.reserve(disk.vertex_count);
   for (const Index v : disk.vertex_of)
     flat.push_back(disk.area_scale * (disk.box_scale * least.positions[v]));
   return smallest_limit_of(patch.mesh(), disk, std::move(flat), UnfoldOptions{}.max_iterations,
-                           pool, on_step);
+                           pool, unfolding_steps(context));
 }
 
 TriMesh flat_mesh(const TriMesh& mesh, const Pattern& pattern) {

@@ -42,12 +42,12 @@ double p99_of(std::span<const FlatEdge> edges, const std::vector<double>& strain
 class LimitedUnfolding {
  public:
   LimitedUnfolding(const TriMesh& mesh, const Disk& disk, int max_iterations, ThreadPool& pool,
-                   const OnUnfoldStep& on_step, int iterations)
+                   const std::function<void()>& after_step, int iterations)
       : disk_(disk),
         edges_(flat_edges(mesh, disk)),
         max_iterations_(max_iterations),
         pool_(pool),
-        on_step_(on_step),
+        after_step_(after_step),
         iterations_(iterations) {}
 
   const std::vector<FlatEdge>& edges() const { return edges_; }
@@ -55,12 +55,10 @@ class LimitedUnfolding {
 
   BoundedStretch run(std::span<const double> bounds, std::vector<Vec2> start, BoundedAims aims) {
     aims.max_iterations = max_iterations_;
-    return minimise_stretch_within(disk_, edges_, bounds, std::move(start), aims, pool_,
-                                   [&](int, double energy) {
-                                     ++iterations_;
-                                     cancelled_ = on_step_ && !on_step_(iterations_, energy);
-                                     return !cancelled_;
-                                   });
+    return minimise_stretch_within(disk_, edges_, bounds, std::move(start), aims, pool_, [&] {
+      ++iterations_;
+      if (after_step_) after_step_();
+    });
   }
 
   /// Every edge within the limit, or as near to that as it gets.
@@ -75,7 +73,7 @@ class LimitedUnfolding {
     double best_p99 = p99_of(edges_, strains_of(edges_, best.flat));
     const double most = std::max(k_freed_limits * limit, largest(strains_of(edges_, start)));
     std::vector<Vec2> flat = start;
-    for (int round = 0; round < k_most_rounds && best_p99 > limit && !cancelled_; ++round) {
+    for (int round = 0; round < k_most_rounds && best_p99 > limit; ++round) {
       const auto bounds = with_worst_freed(limit, strains_of(edges_, flat), most);
       BoundedStretch found = run(bounds, flat, aims());
       flat = found.flat;
@@ -112,17 +110,16 @@ class LimitedUnfolding {
   std::vector<FlatEdge> edges_;
   int max_iterations_;
   ThreadPool& pool_;
-  const OnUnfoldStep& on_step_;
+  const std::function<void()>& after_step_;
   int iterations_;
-  bool cancelled_ = false;
 };
 
 }  // namespace
 
 LeastStretch within_limits(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
                            const StrainLimits& limits, int max_iterations, ThreadPool& pool,
-                           const OnUnfoldStep& on_step) {
-  LimitedUnfolding unfolding(mesh, disk, max_iterations, pool, on_step, least.iterations);
+                           const std::function<void()>& after_step) {
+  LimitedUnfolding unfolding(mesh, disk, max_iterations, pool, after_step, least.iterations);
   const bool bounds_all = limits.max > 0.0;
   const double limit = bounds_all ? limits.max : limits.p99;
   const auto strain_of = [&](const std::vector<Vec2>& flat) {
@@ -133,15 +130,16 @@ LeastStretch within_limits(const TriMesh& mesh, const Disk& disk, const LeastStr
   if (strain <= limit) return least;
   BoundedStretch found = bounds_all ? unfolding.keep(limit, least.flat)
                                     : unfolding.keep_on_99_percent(limit, least.flat);
-  // A run that was ended early may have come to less than it began with.
+  // A run that ended at max_iterations may have reached less than it began with.
   if (!(strain_of(found.flat) < strain)) return least;
   return {std::move(found.flat), unfolding.iterations(), found.converged};
 }
 
 double smallest_limit_of(const TriMesh& mesh, const Disk& disk, std::vector<Vec2> least,
-                         int max_iterations, ThreadPool& pool, const OnUnfoldStep& on_step) {
+                         int max_iterations, ThreadPool& pool,
+                         const std::function<void()>& after_step) {
   constexpr double weight = 300.0;
-  LimitedUnfolding unfolding(mesh, disk, max_iterations, pool, on_step, 0);
+  LimitedUnfolding unfolding(mesh, disk, max_iterations, pool, after_step, 0);
   const double largest_now = largest(strains_of(unfolding.edges(), least));
   if (!(largest_now > k_no_strain)) return largest_now;
   const std::vector<double> bounds(unfolding.edges().size(), largest_now);

@@ -13,10 +13,11 @@ namespace planish {
 /// @param least of least stretch; it is returned as it is where it keeps the limit
 LeastStretch within_limits(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
                            const StrainLimits& limits, int max_iterations, ThreadPool& pool,
-                           const OnUnfoldStep& on_step);
+                           const std::function<void()>& after_step);
 
 /// The smallest limit of all |strain| that is found to be kept.
 double smallest_limit_of(const TriMesh& mesh, const Disk& disk, std::vector<Vec2> least,
-                         int max_iterations, ThreadPool& pool, const OnUnfoldStep& on_step);
+                         int max_iterations, ThreadPool& pool,
+                         const std::function<void()>& after_step);
 
 }  // namespace planish

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <planish/io/write_mesh.h>
+#include <planish/io/mesh_format.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>

@@ -179,7 +179,7 @@ TEST_F(Failures, ProgressIsDrawnOnTerminalsOnlyAndCleared) {
   EXPECT_EQ(planish(args).err, "");
   const RunContext terminal = {.err_is_terminal = true};
   const std::string drawn = planish(args, terminal).err;
-  EXPECT_THAT(drawn, HasSubstr("sweep 1 of 10"));
+  EXPECT_THAT(drawn, HasSubstr("measuring [              ]   0 %  panel.obj"));
   EXPECT_EQ(drawn.find('\n'), std::string::npos);
   EXPECT_EQ(drawn.substr(drawn.size() - 3), "  \r");
   Names quiet = args;

@@ -196,15 +196,6 @@ TEST_F(LimitFlags, RefuseWhatIsNoLimit) {
   }
 }
 
-TEST_F(LimitFlags, ProgressOnLevelsTellsTheLevelAndItsStrain) {
-  write_mesh("large.obj", make_shape("panel", 3000));
-  const RunContext terminal = {.err_is_terminal = true};
-  const CliResult result =
-      planish({"evolve", "large.obj", "-o", "out.obj", "--method", "auto"}, terminal);
-  EXPECT_THAT(result.err, HasSubstr("sweep 1  level of "));
-  EXPECT_THAT(result.err, HasSubstr(" vertices  strain "));
-}
-
 TEST_F(LimitFlags, OfMeasureTellWhetherSomePatternKeepsThem) {
   const auto strain = planish({"measure", "panel.obj", "--json"}).json()["strain"];
   const double smallest = strain["smallest_limit"];

@@ -97,13 +97,11 @@ TEST(FlattenOnPatches, KeepsTheAimByThePatternNotByTheEstimate) {
     if (facts.path.stem() != "mhf_calf_raw4k") continue;
     const TriMesh mesh = read_mesh(facts.path).mesh;
     const auto report = flatten(Patch(mesh), "calf");
-    ASSERT_TRUE(report);
-    EXPECT_EQ(report->evolve.result.stop, StopReason::strain_met);
-    EXPECT_LE(report->unfold.strain.rms, k_unmeasurable_strain);
-    EXPECT_TRUE(report->evolve.fairness.is_smooth());
+    EXPECT_EQ(report.evolve.result.stop, StopReason::strain_met);
+    EXPECT_LE(report.unfold.strain.rms, k_unmeasurable_strain);
+    EXPECT_TRUE(report.evolve.fairness.is_smooth());
     const auto limited = flatten(Patch(mesh), "calf", {.limits = {.rms = 0.01}});
-    ASSERT_TRUE(limited);
-    EXPECT_TRUE(all_kept(limited->unfold.limits));
+    EXPECT_TRUE(all_kept(limited.unfold.limits));
   }
 }
 

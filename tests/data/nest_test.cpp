@@ -40,7 +40,7 @@ TEST(Patches, LieApartOnSheets) {
     const NestOptions options{.gap = 4.0, .margin = 10.0, .turns = turns, .tries = 4};
     const auto nesting = nest(pieces, options);
     std::vector<oracle::Loops> laid;
-    for (const NestPlacement& placement : nesting->placements) {
+    for (const NestPlacement& placement : nesting.placements) {
       laid.push_back(pieces[placement.piece].outline.loops);
       for (auto& loop : laid.back()) {
         for (Vec2& p : loop)
@@ -49,8 +49,8 @@ TEST(Patches, LieApartOnSheets) {
       for (std::size_t j = 0; j + 1 < laid.size(); ++j)
         EXPECT_GE(oracle::gap_between(laid.back(), laid[j], 5.0), 4.0 - 1e-6);
     }
-    EXPECT_GT(nesting->used_share(), 0.6);
-    RecordProperty("share_" + std::string(to_string(turns)), std::to_string(nesting->used_share()));
+    EXPECT_GT(nesting.used_share(), 0.6);
+    RecordProperty("share_" + std::string(to_string(turns)), std::to_string(nesting.used_share()));
   }
 }
 

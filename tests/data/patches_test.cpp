@@ -122,11 +122,11 @@ TEST(Patches, ControllableSweepsLowerTheEnergyAndKeepTheBorder) {
   for (const PatchFacts& facts : patches()) {
     const Patch patch(read_mesh(facts.path).mesh);
     double energy = measure(patch).energy;
-    const auto result = evolve(patch, ControllableLaplacian{}, {}, [&](const SweepRecord& record) {
+    const auto result = evolve(patch, ControllableLaplacian{});
+    for (const SweepRecord& record : result.history) {
       EXPECT_LE(record.energy, energy) << facts.name << " sweep " << record.sweep;
       energy = record.energy;
-      return true;
-    });
+    }
     for (Index v = 0; v < patch.vertex_count(); ++v) {
       if (patch.is_border(v)) {
         ASSERT_EQ(result.positions[v], patch.positions()[v]) << facts.name;
@@ -224,12 +224,11 @@ TEST(Patches, LocalPerturbationBringsNearlyFlattenableOnesFarDown) {
         raw.with_positions(evolve(raw, ControllableLaplacian{}, {.max_sweeps = 50}).positions);
     double e_max = measure(patch).e_max;
     const double before = e_max;
-    const auto result =
-        evolve(patch, LocalPerturbation{}, {.max_sweeps = 10}, [&](const SweepRecord& record) {
-          EXPECT_LE(record.e_max, e_max) << facts.name << " sweep " << record.sweep;
-          e_max = record.e_max;
-          return true;
-        });
+    const auto result = evolve(patch, LocalPerturbation{}, {.max_sweeps = 10});
+    for (const SweepRecord& record : result.history) {
+      EXPECT_LE(record.e_max, e_max) << facts.name << " sweep " << record.sweep;
+      e_max = record.e_max;
+    }
     const Patch after = patch.with_positions(result.positions);
     EXPECT_NEAR(measure(after).e_max, e_max, 1e-12) << facts.name;
     EXPECT_TRUE(e_max <= 1e-3 || e_max < 0.3 * before)
@@ -240,10 +239,11 @@ TEST(Patches, LocalPerturbationBringsNearlyFlattenableOnesFarDown) {
 TEST(Patches, GiveTheSameBitsOnAnyNumberOfThreads) {
   for (const PatchFacts& facts : small_patches()) {
     const TriMesh mesh = read_mesh(facts.path).mesh;
-    const auto one = evolve(Patch(mesh), ControllableLaplacian{}, {.max_sweeps = 3}, {}, 1);
+    const auto one =
+        evolve(Patch(mesh), ControllableLaplacian{}, {.max_sweeps = 3}, {}, {.threads = 1});
     for (const unsigned threads : {2U, 4U}) {
       const auto other =
-          evolve(Patch(mesh), ControllableLaplacian{}, {.max_sweeps = 3}, {}, threads);
+          evolve(Patch(mesh), ControllableLaplacian{}, {.max_sweeps = 3}, {}, {.threads = threads});
       EXPECT_EQ(one.positions == other.positions, true) << facts.name << " on " << threads;
     }
   }

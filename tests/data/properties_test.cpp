@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <planish/evolve/evolve.h>
+#include <planish/io/mesh_format.h>
 #include <planish/io/read_mesh.h>
-#include <planish/io/write_mesh.h>
 #include <planish/mesh/inspect.h>
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-#include <planish/io/write_mesh.h>
+#include <planish/io/mesh_format.h>
 
 #include <nlohmann/json.hpp>
 

@@ -46,7 +46,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       constraints.weights.push_back(std::ldexp(1.0, static_cast<int>(bytes.whole(0, 38)) - 19));
   }
 
-  const EvolveResult result = evolve(Patch(*mesh), method, stopping, {}, 1, constraints);
+  const EvolveResult result = evolve(Patch(*mesh), method, stopping, constraints, {.threads = 1});
   fuzz::check_evolution(*mesh, result, constraints, border_stays(method));
   fuzz::check_deviation(*mesh, result,
                         std::visit([](const auto& o) { return deviation_limit(o); }, method));

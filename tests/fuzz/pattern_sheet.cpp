@@ -92,8 +92,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const PatternOptions options = options_from(bytes, *mesh);
     const Patch surface(*mesh);
     check_pattern_options(options, mesh->positions.size(), surface.border_loops(), "patch");
-    const auto unfolded = unfold_patch(Patch(*mesh), unit, {}, {.max_iterations = 30});
-    check_sheet(pattern_sheet(surface, *unfolded, "patch", options));
+    const auto unfolded = unfold_patch(Patch(*mesh), unit, {.max_iterations = 30});
+    check_sheet(pattern_sheet(surface, unfolded, "patch", options));
   });
   return 0;
 }

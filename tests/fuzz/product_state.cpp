@@ -1,6 +1,6 @@
 // What --resume reads from the folder of an earlier run, which anybody may have written.
 
-#include <planish/io/write_mesh.h>
+#include <planish/io/mesh_format.h>
 #include <planish/report/json_report.h>
 
 #include <planish_json/json.h>

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include <planish/io/mesh_format.h>
 #include <planish/io/read_mesh.h>
-#include <planish/io/write_mesh.h>
 #include <planish/mesh/inspect.h>
 
 #include "fuzz/check.h"

@@ -47,8 +47,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (blocking_problem(inspect(mesh), Purpose::measure)) return 0;
   fuzz::allow_refusal([&] {
     const auto suggestion = suggest_cuts(Patch(mesh), options);
-    fuzz::check(suggestion.has_value(), "nobody cancelled");
-    check_suggestion(mesh, *suggestion);
+    check_suggestion(mesh, suggestion);
   });
   return 0;
 }

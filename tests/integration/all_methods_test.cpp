@@ -32,10 +32,10 @@ bool all_finite(const std::vector<Vec3>& positions) {
 
 TEST_P(AllMethods, GiveTheSameBitsOnEveryRunAndAnyNumberOfThreads) {
   const TriMesh mesh = make_shape("panel", 1500);
-  const auto first = evolve(Patch(mesh), GetParam(), {.max_sweeps = 4}, {}, 1);
+  const auto first = evolve(Patch(mesh), GetParam(), {.max_sweeps = 4}, {}, {.threads = 1});
   EXPECT_NE(first.positions, mesh.positions);
   for (const unsigned threads : {1U, 2U, 4U}) {
-    const auto again = evolve(Patch(mesh), GetParam(), {.max_sweeps = 4}, {}, threads);
+    const auto again = evolve(Patch(mesh), GetParam(), {.max_sweeps = 4}, {}, {.threads = threads});
     EXPECT_EQ(again.positions, first.positions) << threads;
     EXPECT_EQ(again.stop, first.stop);
     ASSERT_EQ(again.history.size(), first.history.size());
@@ -43,11 +43,13 @@ TEST_P(AllMethods, GiveTheSameBitsOnEveryRunAndAnyNumberOfThreads) {
   }
 }
 
-TEST_P(AllMethods, StopWhenTheyAreToldTo) {
-  const auto result = evolve(Patch(make_shape("panel", 1500)), GetParam(), {.max_sweeps = 50},
-                             [](const SweepRecord&) { return false; });
-  EXPECT_EQ(result.stop, StopReason::cancelled);
-  EXPECT_EQ(result.history.size(), 1U);
+TEST_P(AllMethods, CanBeCancelled) {
+  const Patch patch(make_shape("panel", 1500));
+  int reports = 0;
+  const Context context{.on_progress = [&](const Progress&) { ++reports; },
+                        .is_cancelled = [&] { return reports > 0; }};
+  EXPECT_THROW(evolve(patch, GetParam(), {.max_sweeps = 50}, {}, context), Cancelled);
+  EXPECT_EQ(reports, 1);
 }
 
 TEST_P(AllMethods, EndWithAReasonAndARecordOfEverySweep) {

@@ -24,10 +24,10 @@ Flattenability figures_of(const TriMesh& mesh, const std::vector<Vec3>& position
 /// The way that stays near; the other ways are in smooth/smooth_auto_test.cpp.
 constexpr Auto k_near{.prefer = Prefer::near};
 
-EvolveResult run(const TriMesh& mesh, Auto method = {}, const OnSweep& on_sweep = {},
-                 unsigned threads = 0, const Constraints& constraints = {}) {
+EvolveResult run(const TriMesh& mesh, Auto method = {}, const Constraints& constraints = {},
+                 unsigned threads = 0) {
   method.prefer = Prefer::near;
-  return evolve(Patch(mesh), method, usual_stopping(method), on_sweep, threads, constraints);
+  return evolve(Patch(mesh), method, usual_stopping(method), constraints, {.threads = threads});
 }
 
 TEST(Auto, MakesShapesFlattenableWithoutNeedles) {
@@ -64,11 +64,10 @@ TEST(Auto, GoesFromCoarseToFineWithTheSameBitsOnAnyNumberOfThreads) {
   }
 }
 
-TEST(Auto, KeepsWhatCoarseLevelsFoundWhenCancelled) {
+TEST(Auto, KeepsWhatCoarseLevelsFoundAtTheLimitOfSweeps) {
   const TriMesh mesh = make_shape("panel", 6500);
-  const EvolveResult result =
-      run(mesh, {}, [](const SweepRecord& record) { return record.sweep < 6; });
-  EXPECT_EQ(result.stop, StopReason::cancelled);
+  const EvolveResult result = evolve(Patch(mesh), k_near, {.max_sweeps = 6});
+  EXPECT_EQ(result.stop, StopReason::sweep_limit);
   EXPECT_NE(result.positions, mesh.positions);
   // The border stays, and the strain that it is after fell, so the total curvature did.
   const Patch patch(mesh);
@@ -164,7 +163,7 @@ Constraints some_fixed(const TriMesh& mesh, std::size_t step) {
 TEST(Auto, FlattensAroundFixedVertices) {
   const TriMesh mesh = make_shape("panel", 600);
   const Constraints constraints = some_fixed(mesh, 200);
-  const EvolveResult result = run(mesh, {}, {}, 0, constraints);
+  const EvolveResult result = run(mesh, {}, constraints);
   for (const Index v : constraints.fixed)
     EXPECT_EQ(result.positions[v], mesh.positions[v]);
   EXPECT_LT(figures_of(mesh, result.positions).sum_abs_defect,
@@ -176,7 +175,7 @@ TEST(Auto, LeavesFixedVerticesOnAllLevels) {
   const Constraints constraints = some_fixed(mesh, 1500);
   Stopping stopping = usual_stopping(k_near);
   stopping.max_sweeps = 25;  // the end is far from here, and has a test of its own
-  const EvolveResult result = evolve(Patch(mesh), k_near, stopping, {}, 0, constraints);
+  const EvolveResult result = evolve(Patch(mesh), k_near, stopping, constraints);
   EXPECT_LT(result.history.front().level->inner_vertices, 3000U);
   EXPECT_NE(result.positions, mesh.positions);
   for (const Index v : constraints.fixed)

@@ -110,7 +110,7 @@ TEST(LeastNorm, MovesDearVerticesLess) {
     return sum;
   };
   const auto plain = evolve(patch, direct, {.max_sweeps = 20});
-  const auto weighted = evolve(patch, direct, {.max_sweeps = 20}, {}, 0, constraints);
+  const auto weighted = evolve(patch, direct, {.max_sweeps = 20}, constraints);
   EXPECT_LT(moved(weighted.positions), 0.5 * moved(plain.positions));
   EXPECT_LT(weighted.history.back().energy, 0.1 * figures_of(mesh, mesh.positions).energy);
 }

@@ -45,11 +45,11 @@ PLANISH_PROPERTY(EvolveProperty, EnergyNeverRisesInASweepAndTheBorderStays, 3'00
   const ControllableLaplacian options{.lambda_min = -0.5 * *rc::gen::inRange(0, 3)};
   const Patch patch(mesh);
   double energy = measure(patch).energy;
-  const auto result = evolve(patch, options, {.max_sweeps = 15}, [&](const SweepRecord& record) {
+  const auto result = evolve(patch, options, {.max_sweeps = 15});
+  for (const SweepRecord& record : result.history) {
     RC_ASSERT(record.energy <= energy);
     energy = record.energy;
-    return true;
-  });
+  }
   for (Index v = 0; v < mesh.positions.size(); ++v) {
     if (!patch.is_inner(v)) RC_ASSERT(result.positions[v] == mesh.positions[v]);
   }
@@ -79,12 +79,11 @@ PLANISH_PROPERTY(EvolveProperty, EnergyNeverRisesOnLatticesFullOfStraightAndZero
   const Inspection inspection = inspect(mesh);
   RC_PRE(!blocking_problem(inspection, Purpose::evolve));
   double energy = measure(Patch(mesh)).energy;
-  const auto result = evolve(Patch(mesh), ControllableLaplacian{}, {.max_sweeps = 15},
-                             [&](const SweepRecord& record) {
-                               RC_ASSERT(record.energy <= energy);
-                               energy = record.energy;
-                               return true;
-                             });
+  const auto result = evolve(Patch(mesh), ControllableLaplacian{}, {.max_sweeps = 15});
+  for (const SweepRecord& record : result.history) {
+    RC_ASSERT(record.energy <= energy);
+    energy = record.energy;
+  }
   RC_ASSERT(!blocking_problem(inspect({result.positions, mesh.triangles}), Purpose::evolve));
 }
 

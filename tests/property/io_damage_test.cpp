@@ -4,9 +4,9 @@
 #include <vector>
 
 #include <planish/core/error.h>
+#include <planish/io/mesh_format.h>
 #include <planish/io/read_features.h>
 #include <planish/io/read_mesh.h>
-#include <planish/io/write_mesh.h>
 
 #include <gtest/gtest.h>
 

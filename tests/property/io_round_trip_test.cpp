@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include <planish/io/mesh_format.h>
 #include <planish/io/read_mesh.h>
-#include <planish/io/write_mesh.h>
 
 #include <gtest/gtest.h>
 

@@ -41,7 +41,7 @@ TriMesh arbitrary_patch(int least_height = 10) {
 }
 
 std::vector<Vec3> evolved(const TriMesh& mesh, const Method& method, unsigned threads = 1) {
-  return evolve(Patch(mesh), method, {.max_sweeps = 3}, {}, threads).positions;
+  return evolve(Patch(mesh), method, {.max_sweeps = 3}, {}, {.threads = threads}).positions;
 }
 
 /// A rotation about an arbitrary axis.

@@ -39,7 +39,7 @@ PLANISH_PROPERTY(NestProperty, NoTwoPiecesAreNearerThanTheGap, 100) {
   options.step = 0.25 * *rc::gen::inRange(0, 80);
   options.turns = *rc::gen::element(Turns::none, Turns::half, Turns::quarter, Turns::free);
   if (*rc::gen::inRange(0, 2) == 1) options.length = 210.0 + *rc::gen::inRange(0, 300);
-  const Nesting nesting = *nest(pieces, options);
+  const Nesting nesting = nest(pieces, options);
   RC_ASSERT(nesting.placements.size() == copies);
   std::vector<oracle::Loops> loops;
   for (const NestPlacement& placement : nesting.placements) {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <planish/io/write_mesh.h>
+#include <planish/io/mesh_format.h>
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
 
@@ -49,7 +49,7 @@ CommandResult run_compare(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   const std::string& path = arguments.operands.front();
   const std::vector<CompareRun> runs = runs_from(arguments);
-  CompareOptions options = {.unit = unit_from(arguments), .threads = session.threads()};
+  CompareOptions options = {.unit = unit_from(arguments)};
   const bool writes = arguments.has("--output");
   const fs::path folder = output_folder(arguments.value_or("--output", ""));
 
@@ -58,19 +58,18 @@ CommandResult run_compare(const Arguments& arguments, Session& session) {
   const auto report = about(path, [&] {
     const Patch patch(std::move(input.mesh));
     options.constraints = constraints_from(arguments, patch, session);
-    return compare(patch, stem_of(path), runs, options, progress_of_methods(session));
+    return compare(patch, stem_of(path), runs, options, session.job_context({}));
   });
-  if (!report) throw Interrupted();
 
-  std::string json = json_report(*report);
-  std::string text = path + "  (" + size + ")\n\n" + compare_text(*report);
-  warn_of_failures(session, *report);
-  if (std::none_of(report->runs.begin(), report->runs.end(),
+  std::string json = json_report(report);
+  std::string text = path + "  (" + size + ")\n\n" + compare_text(report);
+  warn_of_failures(session, report);
+  if (std::none_of(report.runs.begin(), report.runs.end(),
                    [](const ComparedMethod& method) { return method.evolve.has_value(); })) {
     return {text, json, k_exit_failed, path + ": no method could be run"};
   }
   std::vector<OutputFile> files;
-  if (writes) files = files_of(*report, folder, output_format(input.format), json);
+  if (writes) files = files_of(report, folder, output_format(input.format), json);
   if (writes) text += written_text(files);
   CommandResult outcome = {std::move(text), std::move(json)};
   session.write(files, folder);

@@ -1,5 +1,4 @@
 #include <planish/io/mesh_format.h>
-#include <planish/io/write_mesh.h>
 
 #include "commands/commands.h"
 #include "platform/path.h"

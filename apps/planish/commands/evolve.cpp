@@ -1,5 +1,4 @@
 #include <planish/io/mesh_format.h>
-#include <planish/io/write_mesh.h>
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
@@ -7,7 +6,6 @@
 #include "flags/cut_flag.h"
 #include "flags/method_flags.h"
 #include "flags/units.h"
-#include "flatten/evolve_progress.h"
 #include "platform/path.h"
 #include "shell/failures.h"
 #include "shell/session.h"
@@ -18,18 +16,6 @@ namespace planish::cli {
 
 namespace {
 
-/// What the sweep did, for the line of progress: on a coarse level the figures of the patch itself
-/// tell nothing yet.
-std::string sweep_text(const SweepRecord& record, const Stopping& stopping) {
-  const std::string sweep = "sweep " + std::to_string(record.sweep);
-  if (record.level) {
-    return sweep + "  level of " + std::to_string(record.level->inner_vertices) +
-           " vertices  strain " + percent(record.level->strain);
-  }
-  return sweep + " of " + std::to_string(stopping.max_sweeps) + "  e_max " + digits(record.e_max) +
-         "  energy " + digits(record.energy, 3);
-}
-
 struct Evolved {
   TriMesh mesh;  ///< with the evolved positions
   EvolveReport report;
@@ -39,27 +25,20 @@ Evolved evolve_with_progress(const Patch& patch, const Arguments& arguments, Ses
   const Method method = method_from(arguments, Method{});
   const Stopping stopping = stopping_from(arguments, method);
   const Constraints constraints = constraints_from(arguments, patch, session);
-  EvolveProgress progress(stopping, patch.vertex_count());
-  const auto on_sweep = [&](const SweepRecord& record) {
-    session.show_progress("evolving", progress.after(record), sweep_text(record, stopping));
-    return !session.interrupted();
-  };
+  const Context context = session.job_context(arguments.operands.front());
   if (const double length = smooth_first_from(arguments); length > 0.0) {
     const SmoothedDesign design = smooth_design(patch, length);
     EvolveReport report = with_smoothing(
-        evolve_patch(design.patch, method, stopping, on_sweep, session.threads(), constraints),
-        patch, design.done);
+        evolve_patch(design.patch, method, stopping, constraints, context), patch, design.done);
     return {{report.result.positions, patch.triangles()}, std::move(report)};
   }
   if (arguments.has("--remesh")) {
     check_constraints(constraints, patch.vertex_count(), method);
     const RemeshedPatch remeshed = remesh(patch, constraints);
-    EvolveReport report =
-        evolve_remeshed(patch, remeshed, method, stopping, on_sweep, session.threads());
+    EvolveReport report = evolve_remeshed(patch, remeshed, method, stopping, context);
     return {{report.result.positions, remeshed.patch.triangles()}, std::move(report)};
   }
-  EvolveReport report =
-      evolve_patch(patch, method, stopping, on_sweep, session.threads(), constraints);
+  EvolveReport report = evolve_patch(patch, method, stopping, constraints, context);
   return {{report.result.positions, patch.triangles()}, std::move(report)};
 }
 

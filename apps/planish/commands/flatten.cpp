@@ -2,7 +2,7 @@
 #include <memory>
 #include <optional>
 
-#include <planish/io/write_mesh.h>
+#include <planish/io/mesh_format.h>
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
 #include <planish/sheet/pattern_sheet.h>
@@ -41,8 +41,8 @@ namespace fs = std::filesystem;
 struct PageWords {
   ColorMap colors = ColorMap::diverging;
   std::string command;
-  SheetFit sheet = {};  // no material where none was named
-  unsigned threads = 0;
+  SheetFit sheet = {};     // no material where none was named
+  Context reference = {};  // that the sweeps for comparison are run with
 };
 
 std::vector<std::string> color_names() {
@@ -55,13 +55,12 @@ ColorMap colors_from(const Arguments& arguments) {
                                                                  : ColorMap::diverging;
 }
 
-FlattenOptions options_from(const Arguments& arguments, const Session& session) {
+FlattenOptions options_from(const Arguments& arguments) {
   const Method method = method_from(arguments, FlattenOptions{}.method);
   refuse_unsupported_constraints(arguments, method);
   return {.method = method,
           .stopping = stopping_from(arguments, method),
           .unit = unit_from(arguments),
-          .threads = session.threads(),
           .smooth_first = smooth_first_from(arguments),
           .remesh = arguments.has("--remesh"),
           .match_seams = arguments.has("--match-seams"),
@@ -164,7 +163,7 @@ std::string page_of(const FlattenReport& report, const PatternFiles& pattern,
                               .material = words.sheet.material,
                               .fits = words.sheet.fits,
                               .material_use = words.sheet.use,
-                              .reference = reference_sweeps(report, words.threads)});
+                              .reference = reference_sweeps(report, words.reference)});
 }
 
 std::vector<OutputFile> files_of(const FlattenReport& report, const WrittenFiles& paths,
@@ -240,10 +239,10 @@ ProductJob product_job(const FlattenRequest& request, ProductInput input,
 
 CommandResult run_flatten(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
-  FlattenOptions options = options_from(arguments, session);
+  FlattenOptions options = options_from(arguments);
   PageWords words{.colors = colors_from(arguments),
                   .command = command_line("flatten", arguments),
-                  .threads = session.threads()};
+                  .reference = session.silent_context()};
   PatternFiles pattern = pattern_files_from(arguments);
   const auto nest = nest_from(arguments, pattern);
   const fs::path folder = folder_from(arguments);
@@ -263,10 +262,6 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   refuse_shared_places(paths);
   const std::string size = size_text(input.mesh);
   const std::string name = stem_of(path);
-  const auto on_progress = [&](FlattenStage stage, double share) {
-    session.show_progress(std::string(to_string(stage)), share, path);
-    return !session.interrupted();
-  };
   const auto report = about(path, [&] {
     const Patch patch(std::move(input.mesh));
     note_obstruction(session, patch);
@@ -274,32 +269,31 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
     options.constraints = constraints_from(arguments, patch, session);
     pattern.annotations = annotations_on(std::move(pattern.annotations), arguments, patch, name);
     options.keep = named_vertices(pattern.annotations);
-    return flatten(patch, name, options, on_progress);
+    return flatten(patch, name, options, session.job_context(path));
   });
-  if (!report) throw Interrupted();
 
   std::optional<NestOutcome> nesting;
   std::optional<LayoutReport> layout;
   if (nest) {
     nesting = about(path, [&] {
-      return nest_patches({nest_patch(*report, pattern.annotations)}, options.unit, *nest, folder,
+      return nest_patches({nest_patch(report, pattern.annotations)}, options.unit, *nest, folder,
                           name, session);
     });
     layout = nesting->layout;
     words.sheet = {true, nesting->material,
                    nesting->use + "; drawn in " + utf8_of(nesting->files.front().path.filename())};
   }
-  const std::string json = json_report(*report, paths, figures_of_cut(cut), layout);
+  const std::string json = json_report(report, paths, figures_of_cut(cut), layout);
   std::vector<OutputFile> files =
-      about(path, [&] { return files_of(*report, paths, format, pattern, words, json); });
+      about(path, [&] { return files_of(report, paths, format, pattern, words, json); });
   if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
-  warn_of_pattern(session, report->unfold);
+  warn_of_pattern(session, report.unfold);
   const std::string text =
-      path + "  (" + size + ")\n" + flatten_text(*report) + (nesting ? nesting->text : "");
+      path + "  (" + size + ")\n" + flatten_text(report) + (nesting ? nesting->text : "");
   CommandResult outcome =
-      with_target_checked({text + written_text(files), json}, arguments, report->evolve);
+      with_target_checked({text + written_text(files), json}, arguments, report.evolve);
   session.write(files, folder);
-  return with_limits_checked(std::move(outcome), report->unfold.limits);
+  return with_limits_checked(std::move(outcome), report.unfold.limits);
 }
 
 }  // namespace

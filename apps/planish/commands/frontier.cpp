@@ -89,14 +89,13 @@ Writer writer_of(const std::string& output) {
               {.path = output});
 }
 
-FrontierOptions options_from(const Arguments& arguments, const Session& session) {
+FrontierOptions options_from(const Arguments& arguments) {
   FrontierOptions options;
   if (arguments.has("--points"))
     options.points = whole_number_of("--points", arguments.flags.at("--points"), k_points);
   options.limit = limit_from(arguments);
   options.others = others_from(arguments);
   options.unit = unit_from(arguments);
-  options.threads = session.threads();
   return options;
 }
 
@@ -108,7 +107,7 @@ void warn_of_failures(Session& session, const FrontierReport& report) {
 CommandResult run_frontier(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   const std::string& path = arguments.operands.front();
-  FrontierOptions options = options_from(arguments, session);
+  FrontierOptions options = options_from(arguments);
   const bool writes = arguments.has("--output");
   const std::string output = arguments.value_or("--output", "");
   const Writer writer = writes ? writer_of(output) : nullptr;
@@ -118,19 +117,18 @@ CommandResult run_frontier(const Arguments& arguments, Session& session) {
   const auto report = about(path, [&] {
     const Patch patch(std::move(input.mesh));
     options.constraints = constraints_from(arguments, patch, session);
-    return frontier(patch, stem_of(path), options, progress_of_methods(session));
+    return frontier(patch, stem_of(path), options, session.job_context({}));
   });
-  if (!report) throw Interrupted();
 
-  std::string json = json_report(*report);
-  std::string text = path + "  (" + size + ")\n\n" + frontier_text(*report);
-  warn_of_failures(session, *report);
-  if (report->curve.empty()) {
+  std::string json = json_report(report);
+  std::string text = path + "  (" + size + ")\n\n" + frontier_text(report);
+  warn_of_failures(session, report);
+  if (report.curve.empty()) {
     return {text, json, k_exit_failed, path + ": no run of auto had a result"};
   }
   CommandResult outcome = {std::move(text), std::move(json)};
   if (!writes) return outcome;
-  const std::vector<OutputFile> files = {{path_of(output), writer(*report)}};
+  const std::vector<OutputFile> files = {{path_of(output), writer(report)}};
   outcome.text += written_text(files);
   session.write(files);
   return outcome;

@@ -60,16 +60,8 @@ DrawnDirections directions_of(const Patch& patch, std::vector<OutputFile> files,
 std::optional<StrainAsDesigned> strain_of(const Patch& patch, const StrainLimits& limits,
                                           Session& session) {
   if (!limits.any() && blocking_problem(patch.inspection(), Purpose::unfold)) return std::nullopt;
-  const auto on_step = [&](int step, double) {
-    // How many steps it will take is not known: the bar comes nearer to its end with every one.
-    session.show_progress("laying flat", 1.0 - 1.0 / (1.0 + 0.05 * step),
-                          "step " + std::to_string(step));
-    return !session.interrupted();
-  };
   try {
-    auto strain = strain_as_designed(patch, limits, session.threads(), on_step);
-    if (!strain) throw Interrupted();
-    return strain;
+    return strain_as_designed(patch, limits, session.job_context({}));
   } catch (const Error& error) {
     const bool is_no_fault =
         error.code() == ErrorCode::unfold_failed || error.code() == ErrorCode::too_large;

@@ -1,5 +1,4 @@
 #include <planish/io/mesh_format.h>
-#include <planish/io/write_mesh.h>
 #include <planish/mesh/shapes.h>
 
 #include "commands/commands.h"

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include <planish/draw/format_drawing.h>
-#include <planish/io/write_mesh.h>
+#include <planish/io/mesh_format.h>
 
 #include "commands/commands.h"
 #include "flags/quantities.h"
@@ -80,19 +80,14 @@ CommandResult run_suggest_cuts(const Arguments& arguments, Session& session) {
   const auto paths = suggestion_paths(arguments);
   const std::string& path = arguments.operands.front();
   const TriMesh mesh = session.read(path).mesh;
-  const auto suggestion = about(path, [&] {
-    return suggest_cuts(Patch(mesh), options, [&](double share) {
-      session.show_progress("trying cuts", share, path);
-      return !session.interrupted();
-    });
-  });
-  if (!suggestion) throw Interrupted();
+  const auto suggestion =
+      about(path, [&] { return suggest_cuts(Patch(mesh), options, session.job_context(path)); });
   const std::string name = stem_of(path);
-  const auto files = about(path, [&] { return suggestion_files(*suggestion, paths, unit, name); });
+  const auto files = about(path, [&] { return suggestion_files(suggestion, paths, unit, name); });
   std::string text = path + "  (" + size_text(mesh) + ")\n\n" +
-                     suggestion_text(*suggestion, options.max_strain, unit);
+                     suggestion_text(suggestion, options.max_strain, unit);
   if (!files.empty()) text += written_text(files);
-  CommandResult outcome = {text, suggestion_json(*suggestion, options.max_strain, unit, paths)};
+  CommandResult outcome = {text, suggestion_json(suggestion, options.max_strain, unit, paths)};
   session.write(files);
   return outcome;
 }

@@ -2,7 +2,6 @@
 #include <utility>
 
 #include <planish/io/mesh_format.h>
-#include <planish/io/write_mesh.h>
 #include <planish/report/json_report.h>
 #include <planish/sheet/pattern_sheet.h>
 
@@ -65,33 +64,25 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
   const Unit unit = unit_from(arguments);
   const PatternOutput how = output_from(arguments);
   const UnfoldOptions unfold_options = {.match_seams = arguments.has("--match-seams"),
-                                        .threads = session.threads(),
                                         .limits = limits_from(arguments)};
   PatternOptions annotations = annotations_from(arguments, pattern_format_of(output).has_value());
 
   const std::string& path = arguments.operands.front();
   const CutInput input = cut_as_asked(session.read(path).mesh, path, arguments, session);
-  const auto on_step = [&](int step, double energy) {
-    // How many steps it will take is not known: the bar comes nearer to its end with every one.
-    session.show_progress("unfolding", 1.0 - 1.0 / (1.0 + 0.25 * step),
-                          "step " + std::to_string(step) + "  energy " + digits(energy, 6));
-    return !session.interrupted();
-  };
   const Patch patch = about(path, [&] { return Patch(input.mesh); });
   const auto report = about(path, [&] {
     const std::string name = stem_of(path);
     annotations = annotations_on(std::move(annotations), arguments, patch, name);
-    return unfold_patch(patch, unit, on_step, unfold_options);
+    return unfold_patch(patch, unit, unfold_options, session.job_context(path));
   });
-  if (!report) throw Interrupted();
   const std::string content =
-      about(path, [&] { return content_of(output, path, patch, *report, how, annotations); });
-  warn_of_pattern(session, *report);
+      about(path, [&] { return content_of(output, path, patch, report, how, annotations); });
+  warn_of_pattern(session, report);
   CommandResult outcome = {
-      path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(*report),
-      json_report(*report, figures_of_cut(input.cut))};
+      path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(report),
+      json_report(report, figures_of_cut(input.cut))};
   session.write({{path_of(output), content}});
-  return with_limits_checked(std::move(outcome), report->limits);
+  return with_limits_checked(std::move(outcome), report.limits);
 }
 
 }  // namespace

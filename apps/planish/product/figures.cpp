@@ -97,7 +97,7 @@ void list(FinishedPatch& patch, const Visit& visit) {
 }
 
 constexpr StopReason last_of(StopReason) {
-  return StopReason::cancelled;
+  return StopReason::sweep_limit;
 }
 constexpr StrainLimitKind last_of(StrainLimitKind) {
   return StrainLimitKind::rms;

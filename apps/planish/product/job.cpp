@@ -46,15 +46,20 @@ class ProductRun {
         {.earlier = [this](std::size_t p, const PatchTwin* twin) { return kept(p, twin); },
          .on_report = [this](std::size_t p, const FlattenReport& report,
                              const PatchTwin* twin) { make_files(p, report, twin); },
-         .on_done = [this](std::size_t p, PatchResult& result) { return take(p, result); },
-         .stopped = [this] { return session_.interrupted(); }});
+         .on_done = [this](std::size_t p, PatchResult& result) { take(p, result); }},
+        session_.job_context({}));
+  }
+
+  CommandResult cancelled() const {
+    const std::string message = "interrupted; " + std::to_string(finished_) + " of " +
+                                std::to_string(job_.patches.size()) +
+                                " patches are done, --resume does the rest";
+    return {{}, json_failure("interrupted", message), k_exit_interrupted, message};
   }
 
   CommandResult finish() {
-    if (report_.cancelled || session_.interrupted()) return cancelled();
     if (report_.finished() == 0) return with_exit_code({patch_lines(), json({})});
     const auto nesting = laid_on_sheets();
-    if (session_.interrupted()) return cancelled();
     const std::string garment =
         json(nesting ? std::optional(nesting->layout) : std::optional<LayoutReport>());
     const std::string picture = format_svg(product_sheet(report_, stem_of(job_.path)));
@@ -99,12 +104,8 @@ class ProductRun {
     std::vector<NestPatch> patches = about(arguments_.value_or("--seam-notches", ""), [&] {
       return patches_to_cut(job_.patches, report_, std::move(annotations), notches);
     });
-    try {
-      return try_nest_patches(std::move(patches), report_.unit, *job_.nest, job_.folder,
-                              stem_of(job_.path), session_);
-    } catch (const Interrupted&) {
-      return std::nullopt;
-    }
+    return try_nest_patches(std::move(patches), report_.unit, *job_.nest, job_.folder,
+                            stem_of(job_.path), session_);
   }
 
   std::optional<FinishedPatch> kept(std::size_t p, const PatchTwin* twin) {
@@ -122,39 +123,22 @@ class ProductRun {
         report, p, twin ? annotations_of_twin(own, job_.patches[twin->patch].mesh, *twin) : own);
   }
 
-  bool take(std::size_t p, PatchResult& result) {
-    if (result.finished && !result.resumed && !write(p, result)) return false;
+  void take(std::size_t p, PatchResult& result) {
+    if (result.finished && !result.resumed) write(p, result);
     session_.tell(patch_line(result));
     ++finished_;
-    if (!result.resumed) {
-      session_.show_progress(
-          "patches", static_cast<double>(finished_) / static_cast<double>(job_.patches.size()),
-          std::to_string(finished_) + " of " + std::to_string(job_.patches.size()));
-    }
-    return true;
   }
 
-  /// False where the user asked to stop.
-  bool write(std::size_t p, PatchResult& result) {
+  void write(std::size_t p, PatchResult& result) {
     std::vector<OutputFile> files = std::move(files_[p]);
     // Last, so that it never speaks of files that are not there yet.
     files.push_back(job_file(jobs_[p], *result.finished, files, folder_of(p)));
     try {
       session_.write(files, job_.folder);
-    } catch (const Interrupted&) {
-      return false;
     } catch (const Error&) {
       result.finished.reset();
       result.failure = current_failure();
     }
-    return true;
-  }
-
-  CommandResult cancelled() const {
-    const std::string message = "interrupted; " + std::to_string(finished_) + " of " +
-                                std::to_string(job_.patches.size()) +
-                                " patches are done, --resume does the rest";
-    return {{}, json_failure("interrupted", message), k_exit_interrupted, message};
   }
 
   CommandResult with_exit_code(CommandResult outcome) const {
@@ -237,8 +221,12 @@ std::vector<PatternOptions> annotations_of_patches(const PatternOptions& annotat
 
 CommandResult run_product(const ProductJob& job, const Arguments& arguments, Session& session) {
   ProductRun run(job, arguments, session);
-  run.flatten();
-  return run.finish();
+  try {
+    run.flatten();
+    return run.finish();
+  } catch (const Cancelled&) {
+    return run.cancelled();
+  }
 }
 
 }  // namespace planish::cli

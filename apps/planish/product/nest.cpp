@@ -142,7 +142,7 @@ std::optional<NestOptions> sheets_from(const Arguments& arguments) {
 SheetFit fit_alone(NestPatch patch, Unit unit, const NestOptions& sheets) {
   const NestJob job{{std::move(patch)}, unit, sheets};
   try {
-    const Nesting nesting = *nest(nest_pieces(job), sheets, [](double) { return true; });
+    const Nesting nesting = nest(nest_pieces(job), sheets);
     return {true, material_text(sheets, nesting.sheets), "alone, " + use_text(sheets, nesting)};
   } catch (const Error& error) {
     if (error.code() != ErrorCode::piece_too_large) return {};
@@ -155,14 +155,10 @@ NestOutcome nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRe
                          Session& session) {
   NestJob job{std::move(patches), unit, request.sheets};
   const std::vector<NestPiece> pieces = nest_pieces(job);
-  auto nesting = nest(pieces, job.sheets, [&](double share) {
-    session.show_progress("laying pieces on sheets", share, title);
-    return !session.interrupted();
-  });
-  if (!nesting) throw Interrupted();
+  Nesting nesting = nest(pieces, job.sheets, session.job_context(title));
   NestOutcome outcome;
-  outcome.files = layout_files(job, *nesting, request, folder, title);
-  outcome.layout = layout_report(job, *std::move(nesting));
+  outcome.files = layout_files(job, nesting, request, folder, title);
+  outcome.layout = layout_report(job, std::move(nesting));
   for (const OutputFile& file : outcome.files)
     outcome.layout.files.push_back(utf8_of(file.path));
   const Nesting& laid = outcome.layout.nesting;

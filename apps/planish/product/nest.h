@@ -50,7 +50,7 @@ SheetFit fit_alone(NestPatch patch, Unit unit, const NestOptions& sheets);
 
 /// Lays patches on sheets.
 /// @param folder of the drawings
-/// @throws Interrupted; Error as nest(), nest_pieces() and nest_sheet()
+/// @throws Cancelled; Error as nest(), nest_pieces() and nest_sheet()
 NestOutcome nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRequest& request,
                          const std::filesystem::path& folder, const std::string& title,
                          Session& session);

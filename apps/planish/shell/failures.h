@@ -13,9 +13,6 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The user asked to stop: exit code 130, nothing written.
-class Interrupted {};
-
 /// Whether the command line alone is at fault: what files and meshes hold has other codes.
 inline bool is_of_usage(const Error& error) {
   return error.code() == ErrorCode::option_out_of_range ||

@@ -73,12 +73,25 @@ void Session::clear_progress() {
   drawn_ = 0;
 }
 
+Context Session::job_context(std::string detail) {
+  Context context = silent_context();
+  context.on_progress = [this, detail = std::move(detail)](const Progress& progress) {
+    show_progress(std::string(progress.stage), progress.share,
+                  progress.subject.empty() ? detail : std::string(progress.subject));
+  };
+  return context;
+}
+
+Context Session::silent_context() const {
+  return {threads_, {}, [this] { return interrupted(); }};
+}
+
 bool Session::interrupted() const {
   return context_.interrupted != nullptr && context_.interrupted->load();
 }
 
 void Session::stop_if_interrupted() const {
-  if (interrupted()) throw Interrupted();
+  if (interrupted()) throw Cancelled();
 }
 
 ReadResult Session::read(const std::string& path) {

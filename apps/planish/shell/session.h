@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <planish/core/context.h>
 #include <planish/io/read_mesh.h>
 #include <planish/io/write_file.h>
 
@@ -22,7 +23,12 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  unsigned threads() const { return threads_; }
+  /// What long jobs are run with: threads of --threads, a line of progress, and an end where the
+  /// user asks to stop. Must not outlive the session.
+  /// @param detail beside the bar, where a job does not say what it works on
+  Context job_context(std::string detail);
+  /// The same without a line of progress, for jobs on any thread.
+  Context silent_context() const;
 
   /// Says what a user may want to know; nothing with --quiet.
   void note(const std::string& message);
@@ -31,22 +37,20 @@ class Session {
   /// Says what a user must know.
   void warn(const std::string& message);
 
-  /// Draws the line of progress anew, on a terminal only and not too often.
-  /// @param share done, 0 to 1
-  void show_progress(const std::string& stage, double share, const std::string& detail);
-
-  /// True from the moment on that the user asked to stop.
-  bool interrupted() const;
-
   /// Reads a mesh and passes on what the reader noticed.
   ReadResult read(const std::string& path);
   /// Writes all files or none; below the folder no symbolic link is followed, as write_files()
   /// tells.
-  /// @throws Interrupted where the user asked to stop
+  /// @throws Cancelled where the user asked to stop
   void write(const std::vector<OutputFile>& files, const std::filesystem::path& folder = {});
 
  private:
+  /// Draws the line of progress anew, on a terminal only and not too often.
+  /// @param share done, 0 to 1
+  void show_progress(const std::string& stage, double share, const std::string& detail);
   void clear_progress();
+  /// True from the moment on that the user asked to stop.
+  bool interrupted() const;
   void stop_if_interrupted() const;
 
   std::ostream& err_;

@@ -362,13 +362,6 @@ void note_memory(Session& session, const Method& method, std::size_t vertices) {
   session.note(memory_text(method, vertices, available_memory()));
 }
 
-OnCompareProgress progress_of_methods(Session& session) {
-  return [&session](FlattenStage stage, std::string_view method, double share) {
-    session.show_progress(std::string(to_string(stage)), share, std::string(method));
-    return !session.interrupted();
-  };
-}
-
 void warn_of_method(Session& session, const Method& method, const Failure& failure) {
   session.warn(std::string(name_of(method)) + ": " + failure.message);
 }

@@ -43,8 +43,6 @@ void note_obstruction(Session& session, const Patch& patch);
 /// Says before the work on a dense patch how much memory it will take.
 void note_memory(Session& session, const Method& method, std::size_t vertices);
 
-/// Draws the progress of a run of several methods.
-OnCompareProgress progress_of_methods(Session& session);
 /// Warns that one of several methods failed.
 void warn_of_method(Session& session, const Method& method, const Failure& failure);
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <string_view>
 #include <vector>
 
+#include <planish/core/context.h>
 #include <planish/evolve/evolver.h>
 
 namespace planish {
@@ -22,9 +22,6 @@ void describe(Stopping& o, Visit&& visit) {
         Range{0.0});
 }
 
-/// Called after every sweep; returning false ends the run as cancelled.
-using OnSweep = std::function<bool(const SweepRecord&)>;
-
 /// What an evolution ends with.
 struct EvolveResult {
   std::vector<Vec3> positions;                ///< one per vertex of the mesh, in its order
@@ -37,12 +34,12 @@ struct EvolveResult {
 /// Moves the inner vertices of a patch so that it gets closer to flattenable; triangles stay, and
 /// the border unless GlobalPenalty::border or Auto::border says otherwise. A patch that already
 /// meets the target is returned as it came, bit for bit.
-/// @param threads 0 for all cores; the result is the same for every number
+/// To look at the surface after each sweep, or to end early and keep it, use Evolver.
 /// @throws Error option_out_of_range, as check_constraints(), or what stands in the way of
-/// Purpose::evolve
+/// Purpose::evolve; Cancelled
 EvolveResult evolve(const Patch& patch, const Method& method = ControllableLaplacian{},
-                    const Stopping& stopping = {}, const OnSweep& on_sweep = {},
-                    unsigned threads = 0, const Constraints& constraints = {});
+                    const Stopping& stopping = {}, const Constraints& constraints = {},
+                    const Context& context = {});
 
 /// When to end where nobody said: after as many sweeps as the method usually takes.
 Stopping usual_stopping(const Method& method);

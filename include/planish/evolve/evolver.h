@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <planish/core/context.h>
 #include <planish/evolve/constraints.h>
 #include <planish/evolve/method.h>
 #include <planish/mesh/patch.h>
@@ -22,7 +23,6 @@ enum class StopReason {
   angle_limit,      ///< more would make angles smaller than is allowed
   smooth_limit,     ///< more would crumple the surface
   sweep_limit,
-  cancelled,
 };
 /// "reached_target", ...: as in reports.
 std::string_view to_string(StopReason reason);
@@ -65,16 +65,17 @@ struct SweepRecord {
 /// who want to look in between.
 class Evolver {
  public:
-  /// @param threads 0 for all cores; the result is the same for every number
+  /// @param context without progress, as what a step is a share of is not known
   /// @throws Error option_out_of_range, as check_constraints(), or what stands in the way of
-  /// Purpose::evolve
-  Evolver(const Patch& patch, const Method& method, unsigned threads = 0,
-          const Constraints& constraints = {});
+  /// Purpose::evolve; Cancelled
+  Evolver(const Patch& patch, const Method& method, const Constraints& constraints = {},
+          const Context& context = {});
   ~Evolver();
   Evolver(Evolver&&) noexcept;
   Evolver& operator=(Evolver&&) noexcept;
 
   /// One pass over all inner vertices, or one step that moves them all at once.
+  /// @throws Cancelled in the midst of it: then nothing else may be called
   SweepRecord step();
 
   /// Call this before positions() when ending before the method does: prolongs the result of a

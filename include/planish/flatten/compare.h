@@ -22,7 +22,6 @@ std::vector<CompareRun> runs_of_all_methods();
 /// How compare() runs every method.
 struct CompareOptions {
   Unit unit = Unit::mm;          ///< one unit of the model, for the patterns
-  unsigned threads = 0;          ///< 0 for all cores; the result is the same for every number
   Constraints constraints = {};  ///< for every method
 };
 
@@ -44,19 +43,12 @@ struct CompareReport {
   std::vector<ComparedMethod> runs;           ///< in the order asked for
 };
 
-/// Called as the work goes on with what is done, with which method ("" for the input) and the share
-/// of the whole, 0 to 1; false cancels.
-using OnCompareProgress = std::function<bool(FlattenStage, std::string_view method, double share)>;
-
 /// Runs one method after the other, so that none takes time from another, each on the patch as it
 /// came. Where the input can be laid flat, so is every result; where not, as it is no disk, methods
-/// are compared without patterns. A method that fails does not end the others. Nothing when
-/// cancelled.
-/// @throws Error what stands in the way of Purpose::evolve
-std::optional<CompareReport> compare(const Patch& patch, std::string name,
-                                     const std::vector<CompareRun>& runs,
-                                     const CompareOptions& options = {},
-                                     const OnCompareProgress& on_progress = {});
+/// are compared without patterns. A method that fails does not end the others.
+/// @throws Error what stands in the way of Purpose::evolve; Cancelled
+CompareReport compare(const Patch& patch, std::string name, const std::vector<CompareRun>& runs,
+                      const CompareOptions& options = {}, const Context& context = {});
 
 /// What a method did for the pattern and at what price, in a few plain words of ASCII, as in
 /// "better pattern: strain 7.6 % -> 1.2 %; needles: smallest angle 0.01 deg". Without patterns it

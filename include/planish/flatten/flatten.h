@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,9 +41,8 @@ struct MeasuredPatch {
 };
 
 /// Measures a patch, with all figures.
-/// @param threads 1: on the calling one alone; the result is the same
 /// @throws Error what stands in the way of Purpose::measure
-MeasuredPatch measure_patch(const Patch& patch, unsigned threads = 0);
+MeasuredPatch measure_patch(const Patch& patch, const Context& context = {});
 
 /// The size of a patch that was worked on with fewer vertices.
 struct OriginalSize {
@@ -128,8 +126,7 @@ struct FlattenOptions {
   Method method = Auto{};                 ///< with its options
   std::optional<Stopping> stopping = {};  ///< usual_stopping() of the method where none is given
   Unit unit = Unit::mm;                   ///< one unit of the model
-  unsigned threads = 0;          ///< 0 for all cores; the result is the same for every number
-  Constraints constraints = {};  ///< of evolving
+  Constraints constraints = {};           ///< of evolving
   /// Above 0: waves of the design that are shorter, in model units, are taken out first
   /// (smooth_design()); with remesh or fixed vertices an Error unsupported_constraint.
   double smooth_first = 0.0;
@@ -178,26 +175,16 @@ struct FlattenReport {
   Outcome outcome() const;
 };
 
-/// The parts of the main job, as they follow one another.
-enum class FlattenStage { measuring, evolving, unfolding };
-/// "measuring", "evolving" or "unfolding".
-std::string_view to_string(FlattenStage stage);
-
-/// Called as the work goes on with the share of the stage that is done, 0 to 1, always from the
-/// thread that called; false cancels.
-using OnProgress = std::function<bool(FlattenStage, double)>;
-
 /// Evolves with all figures around it.
-/// @throws Error as evolve()
+/// @throws as evolve()
 EvolveReport evolve_patch(const Patch& patch, const Method& method, const Stopping& stopping,
-                          const OnSweep& on_sweep = {}, unsigned threads = 0,
-                          const Constraints& constraints = {});
+                          const Constraints& constraints = {}, const Context& context = {});
 
 /// The same on a patch that was remeshed.
 /// @param original what `remeshed` was made from
 EvolveReport evolve_remeshed(const Patch& original, const RemeshedPatch& remeshed,
                              const Method& method, const Stopping& stopping,
-                             const OnSweep& on_sweep = {}, unsigned threads = 0);
+                             const Context& context = {});
 
 /// Takes waves shorter than a length out of a design: the noise of a scan. The border stays.
 /// @param length in model units
@@ -207,23 +194,19 @@ SmoothedDesign smooth_design(const Patch& raw, double length);
 /// The report of an evolution of a smoothed design, with what smoothing did.
 EvolveReport with_smoothing(EvolveReport report, const Patch& raw, const SmoothedFirst& done);
 
-/// Unfolds with all figures around it; nothing when cancelled.
-/// @throws Error as unfold()
-std::optional<UnfoldReport> unfold_patch(const Patch& patch, Unit unit,
-                                         const OnUnfoldStep& on_step = {},
-                                         const UnfoldOptions& options = {});
+/// Unfolds with all figures around it.
+/// @throws as unfold()
+UnfoldReport unfold_patch(const Patch& patch, Unit unit, const UnfoldOptions& options = {},
+                          const Context& context = {});
 
-/// Lays a patch flat, with and without limits, and keeps the figures. Nothing when cancelled.
-/// @param threads 0 for all cores; the result is the same for every number
-/// @throws Error as unfold()
-std::optional<StrainAsDesigned> strain_as_designed(const Patch& patch, const StrainLimits& limits,
-                                                   unsigned threads = 0,
-                                                   const OnUnfoldStep& on_step = {});
+/// Lays a patch flat, with and without limits, and keeps the figures.
+/// @throws as unfold()
+StrainAsDesigned strain_as_designed(const Patch& patch, const StrainLimits& limits,
+                                    const Context& context = {});
 
-/// The main job: measure, evolve, measure, unfold; nothing when cancelled.
-/// @throws Error as evolve() and unfold(); what is not a disk is refused before any work
-std::optional<FlattenReport> flatten(const Patch& patch, std::string name,
-                                     const FlattenOptions& options = {},
-                                     const OnProgress& on_progress = {});
+/// The main job: measure, evolve, measure, unfold.
+/// @throws as evolve() and unfold(); what is not a disk is refused before any work
+FlattenReport flatten(const Patch& patch, std::string name, const FlattenOptions& options = {},
+                      const Context& context = {});
 
 }  // namespace planish

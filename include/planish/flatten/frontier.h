@@ -51,8 +51,7 @@ struct FrontierOptions {
   std::optional<double> limit = {};  ///< of largest strain, above 0: the curve has a point for it
   std::vector<CompareRun> others = {};  ///< to compare with
   Unit unit = Unit::mm;                 ///< one unit of the model, for the report
-  unsigned threads = 0;          ///< 0 for all cores; the result is the same for every number
-  Constraints constraints = {};  ///< for every run
+  Constraints constraints = {};         ///< for every run
 };
 
 /// Where the curve stops: limits of rms strain, falling, then 0, which is flattenable. The usual
@@ -72,11 +71,9 @@ void mark_dominated(FrontierReport& report);
 
 /// Runs Auto once for every limit, as smooth as can be, and to flat, and the other methods, each on
 /// the patch as designed, and lays every result flat. A run that fails does not end the others.
-/// Nothing when cancelled.
-/// @throws Error option_out_of_range; what is not a disk, as unfold()
-std::optional<FrontierReport> frontier(const Patch& patch, std::string name,
-                                       const FrontierOptions& options = {},
-                                       const OnCompareProgress& on_progress = {});
+/// @throws Error option_out_of_range; what is not a disk, as unfold(); Cancelled
+FrontierReport frontier(const Patch& patch, std::string name, const FrontierOptions& options = {},
+                        const Context& context = {});
 
 /// A line per point: method, limits of strain (empty where a run has none), strain, deviation, run.
 std::string frontier_csv(const FrontierReport& report);

@@ -24,9 +24,8 @@ struct ProductPatch {
 
 /// How flatten_product() works.
 struct ProductOptions {
-  /// How every patch is flattened. `threads` is the number of patches that are worked on at a time,
-  /// each on one thread, 0 for all cores. `constraints` and `keep` name vertices of one mesh and
-  /// must be empty.
+  /// How every patch is flattened. `constraints` and `keep` name vertices of one mesh and must be
+  /// empty.
   FlattenOptions flatten = {};
   double seam_tolerance = 0.0;  ///< as find_seams() has it, model units
 };
@@ -51,7 +50,7 @@ struct FinishedPatch {
 /// That of a report.
 FinishedPatch finished_patch(const FlattenReport& report);
 
-/// What became of a patch. Neither finished nor failed: the work was cancelled before.
+/// What became of a patch: it is finished or failed.
 struct PatchResult {
   std::string name;                            ///< of ProductPatch
   std::size_t vertices = 0, triangles = 0;     ///< of the input patch
@@ -76,7 +75,6 @@ struct ProductReport {
   std::vector<PatchResult> patches;             ///< by the numbers of the patches that came
   std::vector<std::optional<PatchTwin>> twins;  ///< one for each patch, by the patches as they came
   std::vector<MeasuredSeam> seams;              ///< none where no patch is finished
-  bool cancelled = false;                       ///< then seams are not measured
 
   /// How many patches are finished.
   std::size_t finished() const;
@@ -92,27 +90,25 @@ struct ProductCallbacks {
       {};
   /// Receives the full report of a patch as soon as it is there, to make what is kept of it: it is
   /// gone afterwards. Called from the thread that flattened the patch, so that this work is divided
-  /// among threads too, for several patches at the same time; with threads = 1 from the calling
+  /// among threads too, for several patches at the same time; with one thread from the calling
   /// thread. What it throws becomes the failure of the patch.
   /// @param twin that the report was made from, else nullptr
   std::function<void(std::size_t patch, const FlattenReport& report, const PatchTwin* twin)>
       on_report = {};
   /// Called from the calling thread once for each patch that is finished or failed, first for those
   /// of an earlier run. It may change the result: a patch whose files could not be written is one
-  /// that failed. False cancels.
-  std::function<bool(std::size_t patch, PatchResult& result)> on_done = {};
-  /// Asked often, from any thread; true cancels.
-  std::function<bool()> stopped = {};
+  /// that failed.
+  std::function<void(std::size_t patch, PatchResult& result)> on_done = {};
 };
 
 /// Flattens the patches of a product, the largest first, each on one thread; twins get what was
 /// made of the other one. A patch that fails does not stop the others. A result of an earlier run
 /// whose twin is still to be made is made again, as only its full report will do for that.
-/// Results do not depend on the number of threads.
-/// @throws Error unsupported_constraint, and option_out_of_range for a tolerance below 0
+/// @param context its threads are the number of patches that are worked on at a time
+/// @throws Error unsupported_constraint, and option_out_of_range for a tolerance below 0; Cancelled
 ProductReport flatten_product(std::span<const ProductPatch> patches,
                               const ProductOptions& options = {},
-                              const ProductCallbacks& callbacks = {});
+                              const ProductCallbacks& callbacks = {}, const Context& context = {});
 
 /// The meshes of a product as they are now: processed where a patch is finished, else as they came.
 std::vector<TriMesh> meshes_now(std::span<const ProductPatch> patches, const ProductReport& report);

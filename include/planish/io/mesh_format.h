@@ -2,7 +2,11 @@
 
 #include <array>
 #include <filesystem>
+#include <span>
+#include <string>
 #include <string_view>
+
+#include <planish/mesh/tri_mesh.h>
 
 namespace planish {
 
@@ -19,5 +23,21 @@ std::string_view to_string(MeshFormat format);
 /// The format that the extension of a path names, in either case.
 /// @throws Error unsupported_format naming the extensions that are known
 MeshFormat mesh_format_of(const std::filesystem::path& path);
+
+/// The bytes of a mesh file. OBJ and OFF: text, shortest digits that read back to the same doubles.
+/// PLY: binary little-endian, doubles. STL: binary, floats as the format has it, so that positions
+/// are rounded and vertex numbers are lost. Vertices and triangles keep their order.
+/// @throws Error non_finite_coordinate (also for what is too large for STL's floats),
+///   index_out_of_range
+std::string format_mesh(const TriMesh& mesh, MeshFormat format);
+
+/// The bytes of an OBJ file with a texture coordinate at each vertex.
+/// @param texture one per vertex
+/// @throws Error as format_mesh(), also for coordinates that are not finite
+std::string format_textured_obj(const TriMesh& mesh, std::span<const Vec2> texture);
+
+/// Writes format_mesh() in the format that the extension names, whole or not at all.
+/// @throws Error as format_mesh(), unsupported_format, file_unwritable
+void write_mesh(const std::filesystem::path& path, const TriMesh& mesh);
 
 }  // namespace planish

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include <planish/core/context.h>
 #include <planish/pattern/piece_outline.h>
 
 namespace planish {
@@ -67,18 +67,14 @@ struct Nesting {
   double used_share() const { return sheet_area > 0.0 ? piece_area / sheet_area : 0.0; }
 };
 
-/// Told as the work goes on with the share that is done, 0 to 1; false cancels.
-using OnNestProgress = std::function<bool(double)>;
-
 /// Lays pieces on sheets so that none is nearer to another one than the gap, nor to an edge of its
 /// sheet than the margin, both to 0.000001 mm; every copy is laid. Each goes as far towards the
 /// beginning of the sheet as it can in the turns that it may take, in several orders, of which the
 /// one is kept that needs the least. The result depends on nothing but what is given.
 /// docs/nesting.md says why none overlap, and how long it takes.
-/// @returns nothing when cancelled
 /// @throws Error option_out_of_range, piece_too_large for one that fits on no sheet in any of its
-///   turns, no_triangles for one without an area, too_large for more than 10,000 copies
-std::optional<Nesting> nest(std::span<const NestPiece> pieces, const NestOptions& options = {},
-                            const OnNestProgress& on_progress = {});
+///   turns, no_triangles for one without an area, too_large for more than 10,000 copies; Cancelled
+Nesting nest(std::span<const NestPiece> pieces, const NestOptions& options = {},
+             const Context& context = {});
 
 }  // namespace planish

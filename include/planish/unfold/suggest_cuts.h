@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -57,15 +56,11 @@ struct CutSuggestion {
   bool met() const { return stop == SuggestStop::strain_met; }
 };
 
-/// Called as the search goes on with the share of it that is done at most; false cancels.
-using OnSuggestProgress = std::function<bool(double share)>;
-
 /// Looks for short cuts that let a mesh lie flat with little strain (docs/cuts.md): first those
 /// that make a disk of it, then darts one after the other, each the best of a few that are tried.
-/// Not the shortest that there are: a greedy search. Nothing when cancelled. The same bits every
-/// time.
-/// @throws Error several_components, handles, option_out_of_range, and as unfold()
-std::optional<CutSuggestion> suggest_cuts(const Patch& patch, const SuggestOptions& options = {},
-                                          const OnSuggestProgress& on_progress = {});
+/// Not the shortest that there are: a greedy search. The same bits every time. On one thread.
+/// @throws Error several_components, handles, option_out_of_range, and as unfold(); Cancelled
+CutSuggestion suggest_cuts(const Patch& patch, const SuggestOptions& options = {},
+                           const Context& context = {});
 
 }  // namespace planish

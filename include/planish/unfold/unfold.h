@@ -1,8 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
+#include <planish/core/context.h>
 #include <planish/mesh/patch.h>
 #include <planish/unfold/strain.h>
 
@@ -14,7 +14,6 @@ struct UnfoldOptions {
   /// Every border edge keeps its length, so that borders which are sewn together stay equally long;
   /// what stretch there is lies inside.
   bool match_seams = false;
-  unsigned threads = 0;  ///< 0 for all cores; the result is the same for every number
   /// The result is the pattern of least stretch that keeps limits.max or limits.p99; if none does,
   /// one whose largest strain is nearly the smallest. limits.rms is not optimised, as least stretch
   /// has nearly the least rms. With match_seams no limit is optimised. check_limits() tells what
@@ -32,17 +31,13 @@ struct Pattern {
   std::size_t flipped_triangles = 0;  ///< triangles whose area is not positive
   bool overlaps = false;   ///< the border crosses itself: cut the patch before cutting cloth
   int iterations = 0;      ///< Newton steps that were made
-  bool converged = false;  ///< false: stopped at max_iterations or by on_step
+  bool converged = false;  ///< false: stopped at max_iterations
   /// With match_seams: the pattern of least stretch without it, of the same size, turned and
   /// shifted somehow. Tells what matching costs.
   std::vector<Vec2> unmatched = {};
   /// Where a limit changed the pattern: the one of least stretch, turned and shifted somehow.
   std::vector<Vec2> unlimited = {};
 };
-
-/// Called after every step with its number and the energy per area; false ends the unfolding with
-/// the pattern reached so far.
-using OnUnfoldStep = std::function<bool(int step, double energy)>;
 
 /// Lays a disk patch flat with the least stretch and no flipped triangle: minimises the symmetric
 /// Dirichlet energy by projected Newton steps from a conformal start (docs/unfold.md). On a patch
@@ -51,15 +46,14 @@ using OnUnfoldStep = std::function<bool(int step, double energy)>;
 /// patch: to 1e-9 of each, as long as none is shorter than a millionth of the patch.
 /// @throws Error what stands in the way of Purpose::unfold, too_large (above 2 million vertices),
 ///   option_out_of_range (a limit below 0 or not finite, or limits of max and p99 together) or
-///   unfold_failed
-Pattern unfold(const Patch& patch, const UnfoldOptions& options = {},
-               const OnUnfoldStep& on_step = {});
+///   unfold_failed; Cancelled
+Pattern unfold(const Patch& patch, const UnfoldOptions& options = {}, const Context& context = {});
 
 /// The smallest limit of the |strain| of every edge for which a pattern is found: least is the
 /// pattern of least stretch. To 1 % of itself: a smaller one may be possible by so much.
 /// @pre least is unfold() of the mesh without limits and match_seams
-double smallest_limit(const Patch& patch, const Pattern& least, unsigned threads = 0,
-                      const OnUnfoldStep& on_step = {});
+/// @throws Cancelled
+double smallest_limit(const Patch& patch, const Pattern& least, const Context& context = {});
 
 /// The pattern as a mesh in the plane z = 0, with the triangles and vertex numbers of `mesh`.
 TriMesh flat_mesh(const TriMesh& mesh, const Pattern& pattern);

@@ -5,6 +5,7 @@
 
 #include <planish/flatten/product.h>
 
+#include "core/job.h"
 #include "flatten/product/product_seams.h"
 #include "flatten/product/twin_groups.h"
 #include "flatten/product/workers.h"
@@ -57,7 +58,7 @@ class PatchWork {
     std::optional<FlattenReport> first;
     put(group.front(), guarded(group.front(), [&] {
           first = flattened(group.front());
-          return finished(group.front(), first, nullptr);
+          return finished(group.front(), *first, nullptr);
         }));
     for (std::size_t k = 1; k < group.size(); ++k) {
       const std::size_t p = group[k];
@@ -70,21 +71,20 @@ class PatchWork {
   PatchMade guarded(std::size_t p, const Work& work) const try {
     if (patches_[p].failure) return {{}, patches_[p].failure};
     return work();
+  } catch (const Cancelled&) {
+    return {};
   } catch (...) {
     return {{}, current_failure()};
   }
 
   FlattenOptions options_of(std::size_t p) const {
     FlattenOptions options = options_;
-    options.threads = 1;
     options.keep = patches_[p].keep;
     return options;
   }
 
-  /// Nothing when cancelled.
-  std::optional<FlattenReport> flattened(std::size_t p) const {
-    return flatten(Patch(patches_[p].mesh), patches_[p].name, options_of(p),
-                   [&](FlattenStage, double) { return !stopped_(); });
+  FlattenReport flattened(std::size_t p) const {
+    return flatten(Patch(patches_[p].mesh), patches_[p].name, options_of(p), {1, {}, stopped_});
   }
 
   /// What was made of the other one, or else what flattening makes of it.
@@ -92,16 +92,14 @@ class PatchWork {
     if (other) {
       const auto report = twin_report(*other, Patch(patches_[p].mesh), meshes_alike_[p]->match,
                                       patches_[p].name, options_of(p));
-      if (report) return finished(p, report, &*report_.twins[p]);
+      if (report) return finished(p, *report, &*report_.twins[p]);
     }
     return finished(p, flattened(p), nullptr);
   }
 
-  PatchMade finished(std::size_t p, const std::optional<FlattenReport>& report,
-                     const PatchTwin* twin) const {
-    if (!report) return {};
-    if (callbacks_.on_report) callbacks_.on_report(p, *report, twin);
-    return {finished_patch(*report)};
+  PatchMade finished(std::size_t p, const FlattenReport& report, const PatchTwin* twin) const {
+    if (callbacks_.on_report) callbacks_.on_report(p, report, twin);
+    return {finished_patch(report)};
   }
 
   std::span<const ProductPatch> patches_;
@@ -116,8 +114,8 @@ class PatchWork {
 class ProductWork {
  public:
   ProductWork(std::span<const ProductPatch> patches, const ProductOptions& options,
-              const ProductCallbacks& callbacks)
-      : patches_(patches), options_(options), callbacks_(callbacks) {
+              const ProductCallbacks& callbacks, const Context& context)
+      : patches_(patches), options_(options), callbacks_(callbacks), context_(context) {
     report_.unit = options.flatten.unit;
     for (const auto& [name, mesh, keep, failure] : patches)
       report_.patches.push_back({name, mesh.positions.size(), mesh.triangles.size()});
@@ -126,8 +124,8 @@ class ProductWork {
 
   ProductReport run() {
     flatten_all(to_be_flattened());
-    report_.cancelled = is_cancelled();
-    if (!report_.cancelled && report_.finished() > 0) {
+    stop_if_cancelled(context_);
+    if (report_.finished() > 0) {
       report_.seams = measure_seams(meshes_now(patches_, report_), report_.patches,
                                     options_.seam_tolerance, report_.unit);
     }
@@ -135,14 +133,14 @@ class ProductWork {
   }
 
  private:
-  bool is_cancelled() const { return cancelled_ || (callbacks_.stopped && callbacks_.stopped()); }
+  bool is_cancelled() const { return context_.is_cancelled && context_.is_cancelled(); }
 
   void find_alike() {
     std::vector<const TriMesh*> meshes;
     meshes.reserve(patches_.size());
     for (const ProductPatch& patch : patches_)
       meshes.push_back(&patch.mesh);
-    alike_ = find_twins(meshes, k_twin_tolerance, [this] { return is_cancelled(); });
+    alike_ = find_twins(meshes, k_twin_tolerance, context_);
     report_.twins.reserve(alike_.size());
     for (const auto& twin : alike_) {
       auto& known = report_.twins.emplace_back();
@@ -184,8 +182,10 @@ class ProductWork {
     PatchResult& result = report_.patches[p];
     result.finished = std::move(made.finished);
     result.failure = std::move(made.failure);
-    const bool is_over = result.finished || result.failure;
-    if (!is_over || (callbacks_.on_done && !callbacks_.on_done(p, result))) cancelled_ = true;
+    if (!result.finished && !result.failure) throw Cancelled();
+    if (callbacks_.on_done) callbacks_.on_done(p, result);
+    const auto all = static_cast<double>(patches_.size());
+    report_progress(context_, {"flattening", static_cast<double>(++done_) / all, result.name});
   }
 
   void flatten_all(std::vector<std::size_t> numbers) {
@@ -221,7 +221,7 @@ class ProductWork {
   }
 
   std::size_t most_threads() const {
-    const unsigned asked = options_.flatten.threads;
+    const unsigned asked = context_.threads;
     return asked == 0 ? std::max(1U, std::thread::hardware_concurrency()) : asked;
   }
 
@@ -230,7 +230,8 @@ class ProductWork {
   const ProductCallbacks& callbacks_;
   MeshTwins alike_;
   ProductReport report_;
-  std::atomic<bool> cancelled_ = false;
+  const Context& context_;
+  std::size_t done_ = 0;
   std::atomic<bool> abandoned_ = false;  // no result is taken any more
 };
 
@@ -262,9 +263,9 @@ std::vector<TriMesh> meshes_now(std::span<const ProductPatch> patches,
 }
 
 ProductReport flatten_product(std::span<const ProductPatch> patches, const ProductOptions& options,
-                              const ProductCallbacks& callbacks) {
+                              const ProductCallbacks& callbacks, const Context& context) {
   check(options);
-  return ProductWork(patches, options, callbacks).run();
+  return ProductWork(patches, options, callbacks, context).run();
 }
 
 }  // namespace planish

@@ -3,8 +3,8 @@
 #include <limits>
 
 #include <planish/core/error.h>
+#include <planish/io/mesh_format.h>
 #include <planish/io/write_file.h>
-#include <planish/io/write_mesh.h>
 
 #include "io/formats/formats.h"
 

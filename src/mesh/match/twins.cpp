@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "core/job.h"
 #include "mesh/match/rigid_fit.h"
 #include "mesh/mesh_walk.h"
 
@@ -67,8 +68,7 @@ std::optional<MeshTwin> twin_of(const std::vector<Kind>& kinds, const WalkedMesh
 }  // namespace
 
 std::vector<std::optional<MeshTwin>> find_twins(std::span<const TriMesh* const> meshes,
-                                                double tolerance,
-                                                const std::function<bool()>& stopped) {
+                                                double tolerance, const Context& context) {
   std::vector<std::optional<MeshTwin>> twins(meshes.size());
   std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> of_size;
   for (std::size_t m = 0; m < meshes.size(); ++m)
@@ -77,7 +77,7 @@ std::vector<std::optional<MeshTwin>> find_twins(std::span<const TriMesh* const> 
     if (numbers.size() < 2 || size.second == 0) continue;
     std::vector<Kind> kinds;
     for (const std::size_t m : numbers) {
-      if (stopped && stopped()) return twins;
+      stop_if_cancelled(context);
       auto mesh = walked_mesh(*meshes[m]);
       if (!mesh) continue;
       twins[m] = twin_of(kinds, *mesh);

@@ -2,11 +2,11 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include <planish/core/context.h>
 #include <planish/mesh/tri_mesh.h>
 
 namespace planish {
@@ -47,10 +47,10 @@ inline constexpr double k_twin_tolerance = 1e-5;
 /// along the border end early, and after some 64 walks' worth of steps there is no match.
 /// @param meshes none of them null
 /// @param tolerance as a share of the diagonal of the bounding box of the earlier mesh
-/// @param stopped asked now and then; true ends the search with what was found so far
+/// @throws Cancelled
 /// @return one for each mesh; none for the first of its kind
 std::vector<std::optional<MeshTwin>> find_twins(std::span<const TriMesh* const> meshes,
                                                 double tolerance = k_twin_tolerance,
-                                                const std::function<bool()>& stopped = {});
+                                                const Context& context = {});
 
 }  // namespace planish

@@ -13,6 +13,7 @@
 #include <planish/core/range.h>
 #include <planish/pattern/nest.h>
 
+#include "core/job.h"
 #include "core/math.h"
 #include "pattern/nest/nest_shapes.h"
 #include "pattern/nest/sheet_columns.h"
@@ -95,13 +96,13 @@ class NestEngine {
   double step() const { return step_; }
 
   /// Lays copies in an order, by the numbers of their pieces.
-  /// @param on_copy called before each with how many are laid; false ends it: then nothing
-  std::optional<LaidSheets> lay(const std::vector<std::size_t>& order,
-                                const std::function<bool(std::size_t)>& on_copy) const {
+  /// @param on_copy called before each with how many are laid
+  LaidSheets lay(const std::vector<std::size_t>& order,
+                 const std::function<void(std::size_t)>& on_copy) const {
     LaidSheets laid;
     std::vector<OpenSheet> sheets;
     for (const std::size_t piece : order) {
-      if (!on_copy(laid.copies.size())) return std::nullopt;
+      on_copy(laid.copies.size());
       LaidCopy copy;
       for (std::size_t s = 0; !std::isfinite(copy.end); ++s) {
         if (s == sheets.size()) sheets.push_back(open_sheet());
@@ -283,8 +284,8 @@ Vec2 NestPlacement::operator()(Vec2 p) const {
   return Vec2{p.x * x.x - p.y * x.y, p.x * x.y + p.y * x.x} + shift;
 }
 
-std::optional<Nesting> nest(std::span<const NestPiece> pieces, const NestOptions& options,
-                            const OnNestProgress& on_progress) {
+Nesting nest(std::span<const NestPiece> pieces, const NestOptions& options,
+             const Context& context) {
   check(pieces, options);
   const NestEngine shop(pieces, options);
   LaidSheets best;
@@ -298,12 +299,11 @@ std::optional<Nesting> nest(std::span<const NestPiece> pieces, const NestOptions
     if (!known.insert(order).second) continue;
     const auto on_copy = [&](std::size_t laid) {
       const double share = static_cast<double>(laid) / static_cast<double>(order.size());
-      return !on_progress || on_progress((number + share) / tries);
+      report_progress(context, {"nesting", (number + share) / tries});
     };
-    std::optional<LaidSheets> laid = shop.lay(order, on_copy);
-    if (!laid) return std::nullopt;
-    if (number > 0 && !laid->needs_less_than(best)) continue;
-    best = std::move(*laid);
+    LaidSheets laid = shop.lay(order, on_copy);
+    if (number > 0 && !laid.needs_less_than(best)) continue;
+    best = std::move(laid);
     best_order = std::move(order);
   }
   return nesting_of(best, shop, pieces, options);

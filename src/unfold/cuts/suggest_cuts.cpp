@@ -6,6 +6,7 @@
 
 #include <planish/unfold/suggest_cuts.h>
 
+#include "core/job.h"
 #include "mesh/coarsen/coarsen.h"
 #include "mesh/cut/inside_paths.h"
 #include "unfold/cuts/dart_tips.h"
@@ -122,18 +123,17 @@ const Dart* best_of(const std::vector<Dart>& darts, double max_strain) {
 
 class CutSearch {
  public:
-  CutSearch(const Patch& patch, const SuggestOptions& options, const OnSuggestProgress& on_progress)
-      : patch_(patch), options_(options), on_progress_(on_progress) {}
+  CutSearch(const Patch& patch, const SuggestOptions& options, const Context& context)
+      : patch_(patch), options_(options), context_(context), unfolding_{1, {}, [this] {
+                                                                          return is_cancelled();
+                                                                        }} {}
 
-  std::optional<CutSuggestion> run() {
+  CutSuggestion run() {
     open_to_disk();
-    if (cancelled_) return std::nullopt;
     found_.stop = is_met(found_.last.strain) ? SuggestStop::strain_met : SuggestStop::dart_limit;
     for (int dart = 0; dart < options_.max_darts && !is_met(found_.last.strain); ++dart) {
       share_ = static_cast<double>(dart) / options_.max_darts;
-      const bool added = add_dart();
-      if (cancelled_) return std::nullopt;
-      if (added) continue;
+      if (add_dart()) continue;
       found_.stop = SuggestStop::no_gain;
       break;
     }
@@ -144,15 +144,12 @@ class CutSearch {
  private:
   bool is_met(const EdgeStrain& strain) const { return strain.max <= options_.max_strain; }
 
-  bool goes_on() {
-    if (!cancelled_ && on_progress_ && !on_progress_(share_)) cancelled_ = true;
-    return !cancelled_;
-  }
+  bool is_cancelled() const { return context_.is_cancelled && context_.is_cancelled(); }
 
   Flat flatten(const Patch& patch) {
     Flat flat{{}, {.max = k_cannot_lie_flat, .rms = k_cannot_lie_flat, .p99 = k_cannot_lie_flat}};
     try {
-      flat.pattern = unfold(patch, {.threads = 1}, [this](int, double) { return goes_on(); });
+      flat.pattern = unfold(patch, {}, unfolding_);
       flat.strain = edge_strain(patch, flat.pattern.positions);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::unfold_failed) throw;
@@ -174,7 +171,7 @@ class CutSearch {
     found_.first = with_paths();
     if (found_.first.pattern.positions.empty()) {
       // Nothing to begin with: the same words as without a search.
-      unfold(Patch(found_.first.cut.mesh), {.threads = 1});
+      unfold(Patch(found_.first.cut.mesh), {}, unfolding_);
     }
     if (!found_.cuts.empty()) found_.cuts.back().after = found_.first.strain;
     found_.last = found_.first;
@@ -195,7 +192,7 @@ class CutSearch {
       const std::vector<CutPath> one = {{dart.path}};
       dart.flat = flatten(Patch(cut_open(trial.patch, one).mesh));
       share_ += 1.0 / options_.max_darts / static_cast<double>(darts.size() + 1);
-      if (!goes_on()) return {};
+      report_progress(context_, {"cutting", share_});
     }
     darts = worthwhile(std::move(darts), without, options_.max_strain);
     const Dart* best = best_of(darts, options_.max_strain);
@@ -211,12 +208,11 @@ class CutSearch {
   /// False where no dart helps.
   bool add_dart() {
     const std::vector<Index> dart = find_dart();
-    if (cancelled_ || dart.empty()) return false;
+    if (dart.empty()) return false;
     std::vector<Index> path = on_source(dart, found_.last.cut);
     paths_.push_back(path);
     CutPattern next = with_paths();
-    if (cancelled_ || !(gains(next.strain, found_.last.strain) || is_met(next.strain)))
-      return false;
+    if (!gains(next.strain, found_.last.strain) && !is_met(next.strain)) return false;
     if (is_met(next.strain)) next = with_shorter_dart(std::move(next));
     path = paths_.back();
     found_.cuts.push_back(
@@ -233,7 +229,6 @@ class CutSearch {
       const std::size_t middle = too_few + (enough - too_few) / 2;
       paths_.back().assign(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(middle));
       CutPattern some = with_paths();
-      if (cancelled_) break;
       const bool is_fit = is_met(some.strain) && (best.pattern.overlaps || !some.pattern.overlaps);
       (is_fit ? enough : too_few) = middle;
       if (is_fit) best = std::move(some);
@@ -244,11 +239,11 @@ class CutSearch {
 
   const Patch& patch_;
   const SuggestOptions& options_;
-  const OnSuggestProgress& on_progress_;
+  const Context& context_;
+  Context unfolding_;
   std::vector<std::vector<Index>> paths_;
   CutSuggestion found_;
   double share_ = 0.0;
-  bool cancelled_ = false;
 };
 
 }  // namespace
@@ -265,15 +260,15 @@ std::string_view to_string(SuggestStop stop) {
   return "unknown";
 }
 
-std::optional<CutSuggestion> suggest_cuts(const Patch& patch, const SuggestOptions& options,
-                                          const OnSuggestProgress& on_progress) {
+CutSuggestion suggest_cuts(const Patch& patch, const SuggestOptions& options,
+                           const Context& context) {
   if (!(options.max_strain > 0.0)) {
     throw Error(ErrorCode::option_out_of_range, "max_strain must be above 0");
   }
   if (options.max_darts < 0) {
     throw Error(ErrorCode::option_out_of_range, "max_darts must be at least 0");
   }
-  return CutSearch(patch, options, on_progress).run();
+  return CutSearch(patch, options, context).run();
 }
 
 }  // namespace planish

@@ -368,14 +368,14 @@ class BoundedDescent {
 BoundedStretch minimise_stretch_within(const Disk& disk, std::span<const FlatEdge> edges,
                                        std::span<const double> bounds, std::vector<Vec2> start,
                                        const BoundedAims& aims, ThreadPool& pool,
-                                       const std::function<bool(int, double)>& on_step) {
+                                       const std::function<void()>& after_step) {
   BoundedStretch result;
   BoundedDescent descent(disk, edges, bounds, std::move(start), aims, pool);
   while (result.iterations < aims.max_iterations && !result.converged) {
     if (!descent.step()) break;
     ++result.iterations;
     result.converged = descent.is_done();
-    if (on_step && !on_step(result.iterations, descent.energy())) break;
+    if (after_step) after_step();
   }
   result.scale = descent.scale();
   result.flat = descent.take_flat();

@@ -31,10 +31,10 @@ struct BoundedStretch {
 /// (docs/unfold.md, "Patterns within limits"). Every step keeps the orientation of all triangles.
 /// @param bounds one per edge, above 0; infinite where there is none
 /// @param start no triangle flipped; best of least stretch
-/// @param on_step called after each step with its number and the energy (area 1); false ends
+/// @param after_step called after each step; what it throws is passed on
 BoundedStretch minimise_stretch_within(const Disk& disk, std::span<const FlatEdge> edges,
                                        std::span<const double> bounds, std::vector<Vec2> start,
                                        const BoundedAims& aims, ThreadPool& pool,
-                                       const std::function<bool(int, double)>& on_step);
+                                       const std::function<void()>& after_step);
 
 }  // namespace planish

@@ -65,7 +65,7 @@ class LaggedSolver {
 }  // namespace
 
 LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max_iterations,
-                              ThreadPool& pool, const std::function<bool(int, double)>& on_step) {
+                              ThreadPool& pool, const std::function<void()>& after_step) {
   // A stretch of 1e-9 everywhere is none; and what a further step would gain must be worth it.
   constexpr double no_energy = 4e-18, least_gain = 1e-6, least_fall = 1e-4;
   LeastStretch result{turn_to_axis(disk, std::move(start)), 0, false};
@@ -97,7 +97,7 @@ LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max
       result.converged = -slope <= least_fall * energy;  // rounding is all that is left
       break;
     }
-    if (on_step && !on_step(result.iterations + 1, energy)) break;
+    if (after_step) after_step();
   }
   return result;
 }

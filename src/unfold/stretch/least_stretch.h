@@ -18,8 +18,8 @@ struct LeastStretch {
 /// without: projected Newton steps, each cut short of the first flip and then until the energy
 /// falls. Once the projected Hessian is factored, steps come from conjugate gradients on the full
 /// one, preconditioned by that factor, until it no longer serves.
-/// @param on_step called after each step with its number and the energy (area 1); false ends
+/// @param after_step called after each step; what it throws is passed on
 LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max_iterations,
-                              ThreadPool& pool, const std::function<bool(int, double)>& on_step);
+                              ThreadPool& pool, const std::function<void()>& after_step);
 
 }  // namespace planish

@@ -180,7 +180,7 @@ std::vector<Vec2> circle_start(const Disk& disk, std::span<const double> lengths
 
 MatchedBorder match_border(const Disk& disk, std::span<const double> lengths,
                            std::vector<Vec2> start, int max_iterations, ThreadPool& pool,
-                           const std::function<bool(int, double)>& on_step) {
+                           const std::function<void()>& after_step) {
   // As for the pattern of least stretch.
   constexpr double no_energy = 4e-18, least_gain = 1e-6, least_fall = 1e-4;
   Descent descent(disk, lengths, std::move(start), pool);
@@ -200,7 +200,7 @@ MatchedBorder match_border(const Disk& disk, std::span<const double> lengths,
       break;
     }
     ++taken;
-    if (on_step && !on_step(taken, descent.at().energy)) break;
+    if (after_step) after_step();
   }
   descent.settle();
   matched.matched = all_kept(descent.at().gaps, lengths) && all_upright(disk, descent.at().flat);

@@ -20,7 +20,7 @@ struct MatchedBorder {
 };
 MatchedBorder match_border(const Disk& disk, std::span<const double> lengths,
                            std::vector<Vec2> start, int max_iterations, ThreadPool& pool,
-                           const std::function<bool(int, double)>& on_step);
+                           const std::function<void()>& after_step);
 
 /// A flat disk whose border edges have the lengths given, however stretched the inside is: the
 /// border inscribed in a circle, every inner vertex at the mean of its neighbours. Triangles may

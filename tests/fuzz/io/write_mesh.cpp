@@ -3,8 +3,8 @@
 #include <cstring>
 #include <vector>
 
+#include <planish/io/mesh_format.h>
 #include <planish/io/read_mesh.h>
-#include <planish/io/write_mesh.h>
 
 #include "fuzz/bytes.h"
 #include "fuzz/check.h"

@@ -5,8 +5,8 @@
 #include <map>
 
 #include <planish/evolve/evolve.h>
+#include <planish/io/mesh_format.h>
 #include <planish/io/read_mesh.h>
-#include <planish/io/write_mesh.h>
 #include <planish/mesh/cut.h>
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/shapes.h>
@@ -108,7 +108,7 @@ const std::map<Code, Reproduction>& reproductions() {
       {Code::open_surface,
        [] {
          const TriMesh dome = make_shape("dome", 100);
-         evolve(Patch(dome), LocalPerturbation{}, {}, {}, 1, {.obstacle = grid});
+         evolve(Patch(dome), LocalPerturbation{}, {}, {.obstacle = grid}, {.threads = 1});
        }},
       {Code::several_components, wanting(Purpose::unfold, meshes::side_by_side(grid, grid))},
       {Code::several_border_loops, wanting(Purpose::unfold, meshes::tube(6, 3))},
@@ -119,7 +119,9 @@ const std::map<Code, Reproduction>& reproductions() {
        [] { evolve(Patch(grid), ControllableLaplacian{.lambda_max = -1.0}); }},
       {Code::unknown_name, [] { make_shape("ball", 100); }},
       {Code::unsupported_constraint,
-       [] { evolve(Patch(grid), ControllableLaplacian{}, {}, {}, 1, {.obstacle = grid}); }},
+       [] {
+         evolve(Patch(grid), ControllableLaplacian{}, {}, {.obstacle = grid}, {.threads = 1});
+       }},
       {Code::misplaced_cut,
        [] {
          cut_open(Patch(grid), std::vector<CutPath>{{{0, 1}, {}}});

@@ -53,5 +53,19 @@ TEST(ThreadPool, ThrowsOnWhatAPartThrowsAndStaysUsable) {
   }
 }
 
+TEST(ThreadPool, BeginsNoLoopOnceTheJobIsCancelled) {
+  for (const unsigned threads : {1U, 4U}) {
+    bool cancelled = false;
+    ThreadPool pool(Context{.threads = threads, .is_cancelled = [&] { return cancelled; }});
+    EXPECT_EQ(pool.size(), threads);
+    std::atomic<std::size_t> visits = 0;
+    const auto visit = [&](std::size_t begin, std::size_t end) { visits += end - begin; };
+    pool.for_ranges(100, 1, visit);
+    cancelled = true;
+    EXPECT_THROW(pool.for_ranges(100, 1, visit), Cancelled);
+    EXPECT_EQ(visits.load(), 100U);
+  }
+}
+
 }  // namespace
 }  // namespace planish

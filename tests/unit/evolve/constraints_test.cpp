@@ -32,7 +32,7 @@ TEST_P(FixedVertices, StayWhereTheyAreWhileOthersMove) {
   const TriMesh mesh = patch();
   const Constraints constraints{.fixed = every_other_moved(mesh, GetParam())};
   EXPECT_GT(constraints.fixed.size(), 10U);
-  const auto held = evolve(Patch(mesh), GetParam(), {.max_sweeps = 3}, {}, 0, constraints);
+  const auto held = evolve(Patch(mesh), GetParam(), {.max_sweeps = 3}, constraints);
   for (const Index v : constraints.fixed)
     EXPECT_EQ(held.positions[v], mesh.positions[v]);
   EXPECT_NE(held.positions, mesh.positions);
@@ -42,7 +42,7 @@ TEST(FixedVerticesOfControllable, StayWithTheOtherSolverToo) {
   const TriMesh mesh = patch();
   const ControllableLaplacian options{.solver = LineSolver::trust_region};
   const Constraints constraints{.fixed = every_other_moved(mesh, options)};
-  const auto held = evolve(Patch(mesh), options, {.max_sweeps = 3}, {}, 0, constraints);
+  const auto held = evolve(Patch(mesh), options, {.max_sweeps = 3}, constraints);
   for (const Index v : constraints.fixed)
     EXPECT_EQ(held.positions[v], mesh.positions[v]);
   EXPECT_NE(held.positions, mesh.positions);
@@ -53,7 +53,7 @@ TEST_P(FixedVertices, MayBeAll) {
   Constraints constraints;
   for (Index v = 0; v < mesh.positions.size(); ++v)
     constraints.fixed.push_back(v);
-  const auto result = evolve(Patch(mesh), GetParam(), {.max_sweeps = 3}, {}, 0, constraints);
+  const auto result = evolve(Patch(mesh), GetParam(), {.max_sweeps = 3}, constraints);
   EXPECT_EQ(result.positions, mesh.positions);
   EXPECT_NE(result.stop, StopReason::reached_target);
 }
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 ErrorCode error_of(const Constraints& constraints, const Method& method = {}) {
   try {
-    evolve(Patch(patch()), method, {}, {}, 0, constraints);
+    evolve(Patch(patch()), method, {}, constraints);
   } catch (const Error& error) {
     return error.code();
   }

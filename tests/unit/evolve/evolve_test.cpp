@@ -55,12 +55,23 @@ TEST(Evolve, StopsWhenNothingMoves) {
   EXPECT_EQ(result.history[0].moved, 0U);
 }
 
-TEST(Evolve, CanBeCancelledAfterAnySweep) {
-  const auto result =
-      evolve(Patch(make_shape("dome", 500)), ControllableLaplacian{}, {.max_sweeps = 50},
-             [](const SweepRecord& record) { return record.sweep < 3; });
-  EXPECT_EQ(result.stop, StopReason::cancelled);
-  EXPECT_EQ(result.history.size(), 3U);
+TEST(Evolve, ReportsProgressAfterEachSweepAndCanBeCancelledAfterAny) {
+  std::vector<double> shares;
+  const Context context{.on_progress =
+                            [&](const Progress& progress) {
+                              EXPECT_EQ(progress.stage, "evolving");
+                              shares.push_back(progress.share);
+                            },
+                        .is_cancelled = [&] { return shares.size() == 3; }};
+  EXPECT_THROW(evolve(Patch(make_shape("dome", 500)), ControllableLaplacian{}, {.max_sweeps = 50},
+                      {}, context),
+               Cancelled);
+  EXPECT_THAT(shares, testing::ElementsAre(1.0 / 50, 2.0 / 50, 3.0 / 50));
+}
+
+TEST(Evolve, CanBeCancelledBeforeTheFirstSweep) {
+  const Context context{.is_cancelled = [] { return true; }};
+  EXPECT_THROW(evolve(Patch(make_shape("dome", 500)), Auto{}, {}, {}, context), Cancelled);
 }
 
 TEST(Evolve, WithoutSweepsReturnsTheInput) {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/sample_comparison.h"
+#include "support/watched_job.h"
 
 namespace planish {
 namespace {
@@ -32,21 +33,20 @@ TEST(Compare, GivesEachMethodWhatItGivesAlone) {
   const std::vector<CompareRun> runs = {{ControllableLaplacian{}, {.max_sweeps = 5}},
                                         {ClassicalLaplacian{}, {.max_sweeps = 3}}};
   const auto report = compare(Patch(mesh), "panel", runs, {.unit = Unit::cm});
-  ASSERT_TRUE(report);
-  ASSERT_EQ(report->runs.size(), 2U);
-  ASSERT_TRUE(report->unfold_before);
+  ASSERT_EQ(report.runs.size(), 2U);
+  ASSERT_TRUE(report.unfold_before);
   const auto before = unfold_patch(Patch(mesh), Unit::cm);
-  EXPECT_EQ(report->unfold_before->strain.rms, before->strain.rms);
-  EXPECT_EQ(report->before.figures.energy, measure_patch(Patch(mesh)).figures.energy);
+  EXPECT_EQ(report.unfold_before->strain.rms, before.strain.rms);
+  EXPECT_EQ(report.before.figures.energy, measure_patch(Patch(mesh)).figures.energy);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const ComparedMethod& method = report->runs[i];
+    const ComparedMethod& method = report.runs[i];
     const EvolveReport alone = evolve_patch(Patch(mesh), runs[i].method, runs[i].stopping);
     ASSERT_TRUE(method.evolve && method.unfold);
     EXPECT_FALSE(method.failure);
     EXPECT_EQ(method.evolve->result.positions, alone.result.positions);
     EXPECT_EQ(method.evolve->after.figures.energy, alone.after.figures.energy);
     const auto unfolded = unfold_patch(Patch({alone.result.positions, mesh.triangles}), Unit::cm);
-    EXPECT_EQ(method.unfold->strain.rms, unfolded->strain.rms);
+    EXPECT_EQ(method.unfold->strain.rms, unfolded.strain.rms);
     EXPECT_EQ(method.unfold->unit, Unit::cm);
   }
 }
@@ -55,51 +55,33 @@ TEST(Compare, GoesOnWhereAMethodFails) {
   const auto report = compare(
       Patch(make_shape("dome", 200)), "dome",
       {{ClassicalLaplacian{.lambda = 7.0}, {}}, {ControllableLaplacian{}, {.max_sweeps = 2}}});
-  ASSERT_TRUE(report);
-  ASSERT_TRUE(report->runs[0].failure);
-  EXPECT_EQ(report->runs[0].failure->code, "option_out_of_range");
-  EXPECT_FALSE(report->runs[0].evolve);
-  EXPECT_THAT(verdict_text(*report, report->runs[0]), StartsWith("failed: lambda is 7"));
-  EXPECT_FALSE(report->runs[1].failure);
-  EXPECT_TRUE(report->runs[1].evolve);
+  ASSERT_TRUE(report.runs[0].failure);
+  EXPECT_EQ(report.runs[0].failure->code, "option_out_of_range");
+  EXPECT_FALSE(report.runs[0].evolve);
+  EXPECT_THAT(verdict_text(report, report.runs[0]), StartsWith("failed: lambda is 7"));
+  EXPECT_FALSE(report.runs[1].failure);
+  EXPECT_TRUE(report.runs[1].evolve);
 }
 
 TEST(Compare, DoesWithoutPatternsWhereThePatchIsNoDisk) {
   const auto report = compare(Patch(meshes::tube(12, 8)), "tube", {{ControllableLaplacian{}, {}}});
-  ASSERT_TRUE(report);
-  EXPECT_FALSE(report->unfold_before);
-  EXPECT_THAT(report->why_no_patterns, HasSubstr("border"));
-  EXPECT_TRUE(report->runs[0].evolve);
-  EXPECT_FALSE(report->runs[0].unfold);
-  EXPECT_FALSE(report->runs[0].failure);
+  EXPECT_FALSE(report.unfold_before);
+  EXPECT_THAT(report.why_no_patterns, HasSubstr("border"));
+  EXPECT_TRUE(report.runs[0].evolve);
+  EXPECT_FALSE(report.runs[0].unfold);
+  EXPECT_FALSE(report.runs[0].failure);
   EXPECT_THROW(compare(Patch(meshes::tetrahedron()), "", {{ControllableLaplacian{}, {}}}), Error)
       << "nothing would hold a closed surface";
 }
 
-TEST(Compare, TellsRisingProgressAndCanBeCancelledAnywhere) {
-  const TriMesh mesh = make_shape("dome", 200);
+TEST(Compare, ReportsRisingProgressAndCanBeCancelledAnywhere) {
+  const Patch patch(make_shape("dome", 200));
   const std::vector<CompareRun> runs = {{ControllableLaplacian{}, {.max_sweeps = 3}},
                                         {ClassicalLaplacian{}, {.max_sweeps = 3}}};
-  int calls = 0;
-  double last = 0.0;
-  std::set<std::string> methods;
-  ASSERT_TRUE(
-      compare(Patch(mesh), "", runs, {}, [&](FlattenStage, std::string_view method, double share) {
-        EXPECT_GE(share, last);
-        EXPECT_LE(share, 1.0);
-        last = share;
-        methods.emplace(method);
-        ++calls;
-        return true;
-      }));
-  EXPECT_THAT(methods, ElementsAre("", "classical", "controllable"));
-  for (int stop = 1; stop <= calls; ++stop) {
-    int call = 0;
-    EXPECT_FALSE(compare(Patch(mesh), "", runs, {}, [&](FlattenStage, std::string_view, double) {
-      EXPECT_LE(++call, stop) << "none after it was cancelled";
-      return call < stop;
-    })) << stop;
-  }
+  WatchedJob job;
+  compare(patch, "", runs, {}, job.context());
+  EXPECT_THAT(job.subjects(), ElementsAre("", "classical", "controllable"));
+  expect_cancellable([&](const Context& context) { compare(patch, "", runs, {}, context); });
 }
 
 TEST(CompareVerdict, GoesByTheStrainAndNamesThePrice) {

@@ -8,14 +8,13 @@
 
 #include "measure/smoothed.h"
 #include "support/meshes.h"
+#include "support/watched_job.h"
 
 namespace planish {
 namespace {
 
 FlattenReport flattened(const TriMesh& mesh, const FlattenOptions& options) {
-  auto report = flatten(Patch(mesh), "patch", options);
-  EXPECT_TRUE(report.has_value());
-  return report.value_or(FlattenReport{});
+  return flatten(Patch(mesh), "patch", options);
 }
 
 TEST(FlattenWithLimits, LeavesAPatchWhosePatternKeepsThemToTheBit) {
@@ -52,7 +51,7 @@ TEST(FlattenWithLimits, ChangesAPatchOnlyAsFarAsItsPatternNeeds) {
       nearer.positions[v] =
           mesh.positions[v] + 0.9 * (report.processed.positions()[v] - mesh.positions[v]);
     }
-    EXPECT_FALSE(all_kept(unfold_patch(Patch(nearer), Unit::mm, {}, {.limits = limits})->limits));
+    EXPECT_FALSE(all_kept(unfold_patch(Patch(nearer), Unit::mm, {.limits = limits}).limits));
   }
 }
 
@@ -70,7 +69,6 @@ TEST(FlattenWithLimits, ComesToATargetThatIsAskedForBesides) {
   Stopping stopping = usual_stopping(Auto{});
   stopping.target_e_max = 0.5 * measure(Patch(mesh)).e_max;
   const FlattenReport report = flattened(mesh, {.stopping = stopping, .limits = {.max = 0.5}});
-  EXPECT_NE(report.evolve.result.stop, StopReason::cancelled);
   EXPECT_FALSE(report.evolve.result.history.empty());
 }
 
@@ -97,17 +95,24 @@ TEST(Flatten, OfASmoothedDesignMeasuresTheDeviationFromTheRawOne) {
   EXPECT_LT(report.evolve.before.figures.e_avg, 0.5 * plain.evolve.before.figures.e_avg);
 }
 
-TEST(FlattenWithLimits, CanBeCancelledAnywhere) {
-  const TriMesh mesh = make_shape("dome", 200);
+TEST(FlattenWithLimits, ReportRisingProgressAndCanBeCancelledAnywhere) {
+  const Patch patch(make_shape("dome", 200));
   const FlattenOptions options{.limits = {.max = 0.06}};
-  int calls = 0;
-  flatten(Patch(mesh), "patch", options, [&](FlattenStage, double) { return ++calls > 0; });
-  EXPECT_GT(calls, 20);
-  for (int last = 1; last < calls; last += calls / 10) {
-    int told = 0;
-    EXPECT_FALSE(flatten(Patch(mesh), "patch", options, [&](FlattenStage, double) {
-      return ++told < last;
-    })) << last;
+  WatchedJob job;
+  flatten(patch, "patch", options, job.context());
+  EXPECT_GT(job.reports(), 20);
+  EXPECT_EQ(job.share(), 1.0);
+  expect_cancellable([&](const Context& context) { flatten(patch, "patch", options, context); });
+}
+
+TEST(Flatten, CanBeCancelledWhileBothPatternsAreMade) {
+  const Patch patch(make_shape("dome", 200));
+  const FlattenOptions options{.method = ControllableLaplacian{}};
+  for (const unsigned threads : {1U, 2U}) {
+    expect_cancellable([&](Context context) {
+      context.threads = threads;
+      flatten(patch, "patch", options, context);
+    });
   }
 }
 

@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "support/watched_job.h"
+
 namespace planish {
 namespace {
 
@@ -19,10 +21,10 @@ using testing::Not;
 
 const FrontierReport& panel_frontier() {
   static const FrontierReport report =
-      *frontier(Patch(make_shape("panel", 200)), "panel",
-                {.limit = 0.01,
-                 .others = {{ClassicalLaplacian{}, {.max_sweeps = 3}},
-                            {BilaplacianFairing{}, usual_stopping(BilaplacianFairing{})}}});
+      frontier(Patch(make_shape("panel", 200)), "panel",
+               {.limit = 0.01,
+                .others = {{ClassicalLaplacian{}, {.max_sweeps = 3}},
+                           {BilaplacianFairing{}, usual_stopping(BilaplacianFairing{})}}});
   return report;
 }
 
@@ -129,7 +131,7 @@ TEST(Frontier, HasAPointForEveryLimitAndMethod) {
 }
 
 TEST(Frontier, LosesStrainAsDeviationGrows) {
-  const FrontierReport report = *frontier(Patch(make_shape("panel", 200)), "panel");
+  const FrontierReport report = frontier(Patch(make_shape("panel", 200)), "panel");
   EXPECT_GE(report.curve.size(), 4U);
   double deviation = 0.0, strain = report.before.rms;
   for (const FrontierPoint& point : report.curve) {
@@ -163,12 +165,12 @@ TEST(Frontier, HasTheFiguresOfTheSameRunsAlone) {
     EXPECT_EQ(point.deviation.rms, evolve.deviation.rms);
     EXPECT_EQ(point.deviation.max, evolve.deviation.max);
     EXPECT_EQ(point.deviation.rms_over_diagonal, evolve.deviation.rms_over_diagonal);
-    EXPECT_EQ(point.strain.rms, unfold->strain.rms);
-    EXPECT_EQ(point.strain.max, unfold->strain.max);
+    EXPECT_EQ(point.strain.rms, unfold.strain.rms);
+    EXPECT_EQ(point.strain.max, unfold.strain.max);
     EXPECT_EQ(point.stop, evolve.result.stop);
     EXPECT_EQ(point.sweeps, evolve.result.history.size());
   }
-  EXPECT_EQ(report.before.rms, unfold_patch(Patch(mesh), Unit::mm)->strain.rms);
+  EXPECT_EQ(report.before.rms, unfold_patch(Patch(mesh), Unit::mm).strain.rms);
 }
 
 TEST(Frontier, FindsTheFirstPointWithinTheLimit) {
@@ -189,29 +191,16 @@ TEST(Frontier, KeepsRunsThatFailApart) {
   options.constraints.weights.assign(make_shape("panel", 200).positions.size(), 1.0);
   options.constraints.weights.front() = 2.0;
   const auto report = frontier(Patch(make_shape("panel", 200)), "panel", options);
-  EXPECT_TRUE(report->others.empty());
-  ASSERT_EQ(report->failures.size(), 1U);
-  EXPECT_EQ(report->failures[0].failure.code, "unsupported_constraint");
-  EXPECT_EQ(report->curve.size(), 2U);
+  EXPECT_TRUE(report.others.empty());
+  ASSERT_EQ(report.failures.size(), 1U);
+  EXPECT_EQ(report.failures[0].failure.code, "unsupported_constraint");
+  EXPECT_EQ(report.curve.size(), 2U);
 }
 
-TEST(Frontier, EndsWithNothingWhenCancelledAndNeverTellsLessThanBefore) {
-  double last = 0.0;
-  int calls = 0;
-  const auto report = frontier(Patch(make_shape("panel", 200)), "panel", {.points = 3},
-                               [&](FlattenStage, std::string_view, double share) {
-                                 EXPECT_GE(share, last);
-                                 last = share;
-                                 ++calls;
-                                 return true;
-                               });
-  EXPECT_TRUE(report);
-  for (const int end : {1, calls / 2, calls}) {
-    int left = end;
-    EXPECT_FALSE(frontier(Patch(make_shape("panel", 200)), "panel", {.points = 3},
-                          [&](FlattenStage, std::string_view, double) { return --left > 0; }))
-        << end;
-  }
+TEST(Frontier, ReportsRisingProgressAndCanBeCancelled) {
+  const Patch panel(make_shape("panel", 200));
+  expect_cancellable(
+      [&](const Context& context) { frontier(panel, "panel", {.points = 3}, context); }, 4);
 }
 
 TEST(Frontier, RefusesWhatCannotBeDone) {
@@ -238,7 +227,7 @@ TEST(Frontier, JsonHasEveryPoint) {
   EXPECT_EQ(json["others"][1]["method"], "fairing");
   EXPECT_EQ(json["strain_before"]["max"], report.before.max);
   EXPECT_EQ(json["limit"]["max_strain"], 0.01);
-  EXPECT_EQ(json["limit"]["first_within"], *report.first_within_limit());
+  EXPECT_EQ(json["limit"]["first_within"], report.first_within_limit());
 }
 
 TEST(Frontier, CsvHasALineForEveryPoint) {
@@ -265,9 +254,9 @@ TEST(Frontier, CsvHasALineForEveryPoint) {
 
 TEST(Frontier, OfAFlattenablePatchIsOnePointAndNoChart) {
   const auto report = frontier(Patch(make_shape("cylinder", 200)), "cylinder");
-  ASSERT_EQ(report->curve.size(), 1U);
-  EXPECT_TRUE(report->curve[0].flattenable);
-  for (const std::string& text : {frontier_svg(*report), html_report(*report)})
+  ASSERT_EQ(report.curve.size(), 1U);
+  EXPECT_TRUE(report.curve[0].flattenable);
+  for (const std::string& text : {frontier_svg(report), html_report(report)})
     EXPECT_THAT(text, HasSubstr("Nothing to show"));
 }
 

@@ -36,7 +36,7 @@ TEST(Outcome, OfAnEvolutionGoesByTheEstimateOfItsStrain) {
   for (const auto& [stop, met] :
        {std::pair{StopReason::strain_met, true}, std::pair{StopReason::converged, true},
         std::pair{StopReason::reached_target, true}, std::pair{StopReason::deviation_limit, false},
-        std::pair{StopReason::sweep_limit, false}, std::pair{StopReason::cancelled, false}}) {
+        std::pair{StopReason::sweep_limit, false}}) {
     report.result.stop = stop;
     EXPECT_EQ(report.outcome().met, met) << to_string(stop);
   }

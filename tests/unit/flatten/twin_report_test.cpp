@@ -36,7 +36,7 @@ struct Pair {
 Pair pair_of(TriMesh first, TriMesh second, const FlattenOptions& options = quick()) {
   const std::vector<const TriMesh*> both = {&first, &second};
   MeshMatch match = find_twins(both).at(1).value().match;
-  FlattenReport report = flatten(Patch(first), "left", options).value();
+  FlattenReport report = flatten(Patch(first), "left", options);
   return {std::move(first), std::move(second), std::move(report), std::move(match)};
 }
 

@@ -64,7 +64,7 @@ NestJob jacket() {
 TEST(NestSheet, DrawsEveryCopyWhereItWasLaid) {
   const NestJob job = jacket();
   const auto pieces = nest_pieces(job);
-  const Nesting nesting = *nest(pieces, job.sheets);
+  const Nesting nesting = nest(pieces, job.sheets);
   ASSERT_EQ(nesting.placements.size(), 4U);
   const Drawing sheet = nest_sheet(job, nesting, 0, "jacket");
   const auto cuts = nest_paths(sheet, "cut"), seams = nest_paths(sheet, "seam");
@@ -97,7 +97,7 @@ TEST(NestSheet, LaysTheGrainAlongTheSheet) {
   for (const Turns turns : {Turns::none, Turns::half}) {
     NestJob job = jacket();
     job.sheets.turns = turns;
-    const Nesting nesting = *nest(nest_pieces(job), job.sheets);
+    const Nesting nesting = nest(nest_pieces(job), job.sheets);
     const Drawing sheet = nest_sheet(job, nesting, 0, "jacket");
     std::size_t lines = 0;
     for (const Path& path : nest_paths(sheet, "grain")) {
@@ -116,7 +116,7 @@ TEST(NestSheet, TakesTheGrainFromTheModelToo) {
   NestJob job{{flat_patch("panel", 20, 5, {.grain = Vec3{0.0, 1.0, 0.0}})}, Unit::cm, {}};
   const auto pieces = nest_pieces(job);
   EXPECT_NEAR(pieces[0].angle, -90.0, 1e-9);
-  const Nesting nesting = *nest(pieces, {.width = 2500.0});
+  const Nesting nesting = nest(pieces, {.width = 2500.0});
   EXPECT_NEAR(nesting.used_length, 500.0, 1e-6) << "10 cm to a cell, the short side along";
 }
 
@@ -124,7 +124,7 @@ TEST(NestSheet, DrawsSheetsOneByOne) {
   NestJob job{{flat_patch("plate", 30, 20, {.label = {.quantity = 3}})},
               Unit::mm,
               {.width = 220.0, .length = 400.0}};
-  const Nesting nesting = *nest(nest_pieces(job), job.sheets);
+  const Nesting nesting = nest(nest_pieces(job), job.sheets);
   ASSERT_EQ(nesting.sheets, 3U);
   for (std::size_t s = 0; s < 3; ++s) {
     const Drawing sheet = nest_sheet(job, nesting, s, "hull");
@@ -139,7 +139,7 @@ TEST(NestSheet, DrawsSheetsOneByOne) {
 
 TEST(NestSheet, GivesApparelProgramsABlockForEachCopy) {
   const NestJob job = jacket();
-  const Drawing sheet = nest_sheet(job, *nest(nest_pieces(job), job.sheets), 0, "jacket");
+  const Drawing sheet = nest_sheet(job, nest(nest_pieces(job), job.sheets), 0, "jacket");
   const std::string dxf = format_dxf(sheet, {.profile = DxfProfile::aama});
   EXPECT_THAT(dxf, HasSubstr("PIECE NAME: front 1 of 2"));
   EXPECT_THAT(dxf, HasSubstr("PIECE NAME: sleeve 2 of 2"));

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
+#include "support/watched_job.h"
 #include "unfold/disk/disk.h"
 #include "unfold/stretch/matched_border.h"
 
@@ -150,15 +151,12 @@ TEST(MatchSeams, HasAStartForAnyBorder) {
   }
 }
 
-TEST(MatchSeams, TellsEveryStepAndStopsWhenAskedTo) {
-  const TriMesh mesh = make_shape("dome", 1000);
-  int last = 0;
-  const Pattern whole =
-      unfold(Patch(mesh), {.match_seams = true}, [&](int step, double) { return ++last == step; });
-  EXPECT_EQ(last, whole.iterations);
-  const Pattern stopped =
-      unfold(Patch(mesh), {.match_seams = true}, [&](int step, double) { return step < last; });
-  EXPECT_FALSE(stopped.converged);
+TEST(MatchSeams, ReportsEveryStepAndCanBeCancelledAfterAny) {
+  const Patch dome(make_shape("dome", 1000));
+  WatchedJob job;
+  const Pattern pattern = unfold(dome, {.match_seams = true}, job.context());
+  EXPECT_EQ(job.reports(), pattern.iterations);
+  expect_cancellable([&](const Context& context) { unfold(dome, {.match_seams = true}, context); });
 }
 
 TEST(MatchSeams, DoesWithoutAnyStep) {

@@ -11,8 +11,10 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
+#include "support/watched_job.h"
 #include "unfold/disk/disk.h"
 #include "unfold/start/start.h"
+#include "unfold/stretch/flat_steps.h"
 #include "unfold/stretch/least_stretch.h"
 
 namespace planish {
@@ -91,10 +93,9 @@ TEST(Unfold, FindsTheSameMinimumFromBothStarts) {
   EXPECT_GT(apart, 0.01) << "the starts are to differ";
   ThreadPool pool(1);
   const auto energy_from = [&](const std::vector<Vec2>& start) {
-    double last = 0.0;
-    const auto on_step = [&last](int, double energy) { return last = energy, true; };
-    EXPECT_TRUE(minimise_stretch(disk, start, 200, pool, on_step).converged);
-    return last;
+    const LeastStretch result = minimise_stretch(disk, start, 200, pool, {});
+    EXPECT_TRUE(result.converged);
+    return total_energy(disk, result.flat);
   };
   const double energy = energy_from(conformal);
   EXPECT_NEAR(energy_from(tutte), energy, 1e-5 * energy);
@@ -180,16 +181,20 @@ TEST(Unfold, SurvivesATriangleWithoutArea) {
   EXPECT_EQ(flips_in(mesh, pattern), pattern.flipped_triangles);
 }
 
-TEST(Unfold, CanBeCancelled) {
-  int steps = 0;
-  const TriMesh mesh = make_shape("dome", 600);
-  const Pattern pattern = unfold(Patch(mesh), {}, [&](int, double) {
-    ++steps;
-    return false;
-  });
-  EXPECT_EQ(steps, 1);
-  EXPECT_FALSE(pattern.converged);
-  EXPECT_EQ(pattern.flipped_triangles, 0U);
+TEST(Unfold, ReportsEveryStepAndCanBeCancelledAfterAny) {
+  const Patch dome(make_shape("dome", 600));
+  WatchedJob job;
+  const Pattern pattern = unfold(dome, {}, job.context());
+  EXPECT_EQ(job.reports(), pattern.iterations);
+  expect_cancellable([&](const Context& context) { unfold(dome, {}, context); });
+}
+
+TEST(Unfold, CanBeCancelledWithinAStep) {
+  const Patch dome(make_shape("dome", 600));
+  int asked = 0;
+  const auto is_cancelled = [&] { return ++asked == 3; };
+  EXPECT_THROW(unfold(dome, {}, {.threads = 1, .is_cancelled = is_cancelled}), Cancelled);
+  EXPECT_EQ(asked, 3);
 }
 
 TEST(Unfold, RefusesWhatIsNotADisk) {
@@ -215,7 +220,7 @@ TEST(Unfold, GivesTheSameBitsForEveryNumberOfThreads) {
   const Patch patch(mesh);
   for (const bool match_seams : {false, true}) {
     const auto on_threads = [&](unsigned threads) {
-      return unfold(patch, {.match_seams = match_seams, .threads = threads}).positions;
+      return unfold(patch, {.match_seams = match_seams}, {.threads = threads}).positions;
     };
     const std::vector<Vec2> alone = on_threads(1);
     EXPECT_EQ(on_threads(2), alone);

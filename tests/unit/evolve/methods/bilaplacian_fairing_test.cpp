@@ -173,7 +173,8 @@ TEST(BilaplacianFairing, HonoursFixedVerticesAndWeights) {
   Constraints constraints{.fixed = {fixed}};
   constraints.weights.assign(mesh.positions.size(), 1.0);
   const auto moved = [&](Index v) {
-    const auto result = evolve(patch, BilaplacianFairing{}, {.max_sweeps = 2}, {}, 1, constraints);
+    const auto result =
+        evolve(patch, BilaplacianFairing{}, {.max_sweeps = 2}, constraints, {.threads = 1});
     return norm(result.positions[v] - mesh.positions[v]);
   };
   const double freely = moved(dear);

@@ -22,7 +22,7 @@ double energy_of(const TriMesh& mesh) {
 }
 
 TriMesh evolved(const TriMesh& mesh, const Method& method, int sweeps, unsigned threads = 1) {
-  return {evolve(Patch(mesh), method, {.max_sweeps = sweeps}, {}, threads).positions,
+  return {evolve(Patch(mesh), method, {.max_sweeps = sweeps}, {}, {.threads = threads}).positions,
           mesh.triangles};
 }
 
@@ -89,11 +89,11 @@ TEST(Controllable, EnergyNeverRisesInASweep) {
         const TriMesh mesh = meshes::rough_grid(12, 12, seed, 0.3, 0.6);
         double energy = energy_of(mesh);
         const ControllableLaplacian options{.lambda_min = lambda_min, .solver = solver};
-        evolve(Patch(mesh), options, {.max_sweeps = 40}, [&](const SweepRecord& record) {
+        const auto result = evolve(Patch(mesh), options, {.max_sweeps = 40});
+        for (const SweepRecord& record : result.history) {
           EXPECT_LE(record.energy, energy);
           energy = record.energy;
-          return true;
-        });
+        }
       }
     }
   }

@@ -146,7 +146,7 @@ TEST(GlobalPenalty, LeavesPartnersOfFixedVertices) {
   const TriMesh mesh = meshes::opened_vase(15, 10);
   // The right side of the seam from the third row to the fifth, the left side in the seventh.
   const std::vector<Index> fixed = {2 * 16 + 15, 3 * 16 + 15, 4 * 16 + 15, 6 * 16};
-  const auto result = evolve(Patch(mesh), k_linked, {.max_sweeps = 20}, {}, 0, {.fixed = fixed});
+  const auto result = evolve(Patch(mesh), k_linked, {.max_sweeps = 20}, {.fixed = fixed});
   expect_closed_seams(mesh, result.positions);
   for (const Index row : {2U, 3U, 4U, 6U}) {
     EXPECT_EQ(result.positions[16 * row], mesh.positions[16 * row]);
@@ -161,7 +161,7 @@ TEST(GlobalPenalty, IsMeasuredWithTheBorderThatItMoves) {
   const Patch patch(mesh);
   const auto inner = patch.inner_vertices();
   const auto result =
-      evolve(patch, k_linked, {.max_sweeps = 10}, {}, 0, {.fixed = {inner.begin(), inner.end()}});
+      evolve(patch, k_linked, {.max_sweeps = 10}, {.fixed = {inner.begin(), inner.end()}});
   double farthest = 0.0;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     farthest = std::max(farthest, norm(result.positions[v] - mesh.positions[v]));
@@ -206,10 +206,11 @@ TEST(GlobalPenalty, IsDoneWhereNothingIsBent) {
 
 TEST(GlobalPenalty, GivesTheSameBitsOnAnyNumberOfThreads) {
   const TriMesh mesh = make_shape("panel", 5000);
-  const auto one = evolve(Patch(mesh), GlobalPenalty{}, {.max_sweeps = 4}, {}, 1);
+  const auto one = evolve(Patch(mesh), GlobalPenalty{}, {.max_sweeps = 4}, {}, {.threads = 1});
   for (const unsigned threads : {2U, 3U, 8U})
-    EXPECT_EQ(evolve(Patch(mesh), GlobalPenalty{}, {.max_sweeps = 4}, {}, threads).positions,
-              one.positions);
+    EXPECT_EQ(
+        evolve(Patch(mesh), GlobalPenalty{}, {.max_sweeps = 4}, {}, {.threads = threads}).positions,
+        one.positions);
 }
 
 TEST(GlobalPenalty, CollapsesNoTriangle) {

@@ -96,12 +96,12 @@ TEST(LocalOffset, EnergyNeverRisesInASweep) {
     const TriMesh mesh = meshes::rough_grid(12, 12, seed, 0.3, 0.6);
     for (const double band : {0.0, 0.1, 5.0}) {
       double energy = figures_of(mesh, mesh.positions).energy;
-      evolve(Patch(mesh), LocalOffset{.band = band, .enough = 0.0}, {.max_sweeps = 40},
-             [&](const SweepRecord& record) {
-               EXPECT_LE(record.energy, energy);
-               energy = record.energy;
-               return true;
-             });
+      const auto result =
+          evolve(Patch(mesh), LocalOffset{.band = band, .enough = 0.0}, {.max_sweeps = 40});
+      for (const SweepRecord& record : result.history) {
+        EXPECT_LE(record.energy, energy);
+        energy = record.energy;
+      }
     }
   }
 }
@@ -154,9 +154,10 @@ TEST(LocalOffset, TriesNoMoreVerticesThanAllowed) {
 TEST(LocalOffset, GivesTheSameBitsEveryTime) {
   const TriMesh mesh = make_shape("panel", 2000);
   const LocalOffset method{.enough = 1e-3};
-  const auto one = evolve(Patch(mesh), method, {.max_sweeps = 5}, {}, 1);
+  const auto one = evolve(Patch(mesh), method, {.max_sweeps = 5}, {}, {.threads = 1});
   for (const unsigned threads : {1U, 2U, 4U})
-    EXPECT_EQ(evolve(Patch(mesh), method, {.max_sweeps = 5}, {}, threads).positions, one.positions);
+    EXPECT_EQ(evolve(Patch(mesh), method, {.max_sweeps = 5}, {}, {.threads = threads}).positions,
+              one.positions);
 }
 
 TEST(LocalOffset, DoesNotDependOnTheSizeOfTheModel) {

@@ -138,8 +138,7 @@ TEST(LocalPerturbation, MovesTheDearLess) {
     Constraints constraints{.weights = std::vector<double>(mesh.positions.size(), 1.0)};
     for (std::size_t v = 0; v < mesh.positions.size(); v += 2)
       constraints.weights[v] = weight;
-    const auto result =
-        evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 5}, {}, 0, constraints);
+    const auto result = evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 5}, constraints);
     double dear = 0.0;
     for (std::size_t v = 0; v < mesh.positions.size(); v += 2)
       dear += norm(result.positions[v] - mesh.positions[v]);
@@ -153,8 +152,7 @@ TEST(LocalPerturbation, OfEqualWeightsDoesNotDependOnTheirSize) {
   const TriMesh mesh = dented("cone", 150);
   const auto with = [&](double weight) {
     const Constraints constraints{.weights = std::vector(mesh.positions.size(), weight)};
-    return evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 3}, {}, 0, constraints)
-        .positions;
+    return evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 3}, constraints).positions;
   };
   EXPECT_EQ(with(1.0), evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 3}).positions);
   EXPECT_EQ(with(4.0), with(1.0));
@@ -164,7 +162,8 @@ TEST(LocalPerturbation, GivesTheSameBitsAlways) {
   const TriMesh mesh = draped(0.01);
   const Constraints constraints{.obstacle = solids::cube()};
   const auto run = [&](unsigned threads) {
-    return evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 4}, {}, threads, constraints)
+    return evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 4}, constraints,
+                  {.threads = threads})
         .positions;
   };
   const auto once = run(1);
@@ -176,14 +175,14 @@ TEST(LocalPerturbation, GivesTheSameBitsAlways) {
 TEST(LocalPerturbation, DoesTheSameToAPatchOfAnotherSize) {
   TriMesh mesh = draped(0.01), larger = mesh;
   Constraints constraints{.obstacle = solids::cube()};
-  const auto small = evolve(Patch(mesh), LocalPerturbation{.clearance = 0.005}, {.max_sweeps = 3},
-                            {}, 0, constraints);
+  const auto small =
+      evolve(Patch(mesh), LocalPerturbation{.clearance = 0.005}, {.max_sweeps = 3}, constraints);
   for (Vec3& p : larger.positions)
     p = 1024.0 * p;
   for (Vec3& p : constraints.obstacle.positions)
     p = 1024.0 * p;
-  const auto large = evolve(Patch(larger), LocalPerturbation{.clearance = 5.12}, {.max_sweeps = 3},
-                            {}, 0, constraints);
+  const auto large =
+      evolve(Patch(larger), LocalPerturbation{.clearance = 5.12}, {.max_sweeps = 3}, constraints);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     EXPECT_EQ(large.positions[v], 1024.0 * small.positions[v]);
 }
@@ -214,7 +213,7 @@ TEST_P(Obstacles, AreNotEntered) {
   const auto free = evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 8});
   EXPECT_LT(least_distance({free.positions, mesh.triangles}, distance), -1e-4);
   const auto kept =
-      evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 8}, {}, 0, {.obstacle = obstacle()});
+      evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 8}, {.obstacle = obstacle()});
   EXPECT_GE(least_distance({kept.positions, mesh.triangles}, distance), 0.0);
   // It still does something for the patch.
   EXPECT_LT(kept.history.back().e_max, 0.8 * e_max_of(mesh));
@@ -225,7 +224,7 @@ TEST_P(Obstacles, KeepTheirClearance) {
   const SignedDistance distance(obstacle());
   ASSERT_GE(least_distance(mesh, distance), 0.015);
   const auto kept = evolve(Patch(mesh), LocalPerturbation{.clearance = 0.015}, {.max_sweeps = 8},
-                           {}, 0, {.obstacle = obstacle()});
+                           {.obstacle = obstacle()});
   EXPECT_NE(kept.positions, mesh.positions);
   // But for rounding, as the method computes in another unit.
   EXPECT_GE(least_distance({kept.positions, mesh.triangles}, distance), 0.015 - 1e-14);
@@ -238,7 +237,7 @@ TEST_P(Obstacles, PushOutWhatBeginsInside) {
   TriMesh now = mesh;
   const Patch surface(mesh);
   const Constraints constraints{.obstacle = obstacle()};
-  Evolver evolver(surface, LocalPerturbation{}, 0, constraints);
+  Evolver evolver(surface, LocalPerturbation{}, constraints);
   for (int sweep = 0; sweep < 5; ++sweep) {
     const std::vector<Vec3> before = evolver.positions();
     evolver.step();
@@ -258,7 +257,7 @@ TEST_P(Obstacles, LeaveFixedVerticesWhereTheyAre) {
   for (const Index v : surface.inner_vertices()) {
     if (v % 2 == 0) constraints.fixed.push_back(v);
   }
-  const auto result = evolve(surface, LocalPerturbation{}, {.max_sweeps = 5}, {}, 0, constraints);
+  const auto result = evolve(surface, LocalPerturbation{}, {.max_sweeps = 5}, constraints);
   EXPECT_NE(result.positions, mesh.positions);
   for (const Index v : constraints.fixed)
     EXPECT_EQ(result.positions[v], mesh.positions[v]);
@@ -270,7 +269,7 @@ INSTANTIATE_TEST_SUITE_P(LocalPerturbation, Obstacles, testing::Values("cube", "
 TEST(LocalPerturbation, RefusesAnObstacleWithoutAnInside) {
   const TriMesh mesh = draped(0.1);
   try {
-    evolve(Patch(mesh), LocalPerturbation{}, {}, {}, 0, {.obstacle = meshes::flat_grid(4, 4)});
+    evolve(Patch(mesh), LocalPerturbation{}, {}, {.obstacle = meshes::flat_grid(4, 4)});
     ADD_FAILURE() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::open_surface);

@@ -13,6 +13,7 @@
 #include "support/meshes.h"
 #include "support/products.h"
 #include "support/twins.h"
+#include "support/watched_job.h"
 
 namespace planish {
 namespace {
@@ -37,11 +38,10 @@ std::vector<ProductPatch> coat() {
           {"back", make_shape("dome", 150)}};
 }
 
-ProductOptions quick(unsigned threads = 2) {
+ProductOptions quick() {
   ProductOptions options;
   options.flatten.method = ControllableLaplacian{};
   options.flatten.stopping = Stopping{.max_sweeps = 2};
-  options.flatten.threads = threads;
   return options;
 }
 
@@ -70,9 +70,7 @@ TEST(FlattenProduct, GoesOnWhereAPatchFails) {
       flatten_product(patches, quick(), {.on_done = [&](std::size_t p, PatchResult& result) {
                         EXPECT_EQ(result.name, patches[p].name);
                         told.push_back(result.name);
-                        return true;
                       }});
-  EXPECT_FALSE(report.cancelled);
   EXPECT_EQ(report.finished(), 3U);
   EXPECT_THAT(told, UnorderedElementsAre("left", "tube", "right", "back", "lost"));
   ASSERT_TRUE(report.patches[1].failure);
@@ -87,9 +85,8 @@ TEST(FlattenProduct, TakesWhatFlattenMakesOfEachPatch) {
   const ProductReport report = flatten_product(patches, quick());
   for (const std::size_t p : {0U, 3U}) {
     const auto alone = flatten(Patch(patches[p].mesh), patches[p].name, quick().flatten);
-    EXPECT_EQ(report.patches[p].finished->processed.positions, alone->processed.positions());
-    EXPECT_EQ(report.patches[p].finished->unfold.pattern.positions,
-              alone->unfold.pattern.positions);
+    EXPECT_EQ(report.patches[p].finished->processed.positions, alone.processed.positions());
+    EXPECT_EQ(report.patches[p].finished->unfold.pattern.positions, alone.unfold.pattern.positions);
   }
 }
 
@@ -123,42 +120,41 @@ TEST(FlattenProduct, MakesTwinsFromTheirOthers) {
 
 TEST(FlattenProduct, DoesNotDependOnTheNumberOfThreads) {
   for (const auto& patches : {coat(), strips()}) {
-    const ProductReport one = flatten_product(patches, quick(1));
-    expect_same(one, flatten_product(patches, quick(4)));
-    expect_same(one, flatten_product(patches, quick(0)));
+    const ProductReport one = flatten_product(patches, quick(), {}, {.threads = 1});
+    expect_same(one, flatten_product(patches, quick(), {}, {.threads = 4}));
+    expect_same(one, flatten_product(patches, quick()));
   }
 }
 
 TEST(FlattenProduct, WorksOnTheCallingThreadWhereThereIsToBeOne) {
   const auto here = std::this_thread::get_id();
   flatten_product(
-      coat(), quick(1),
+      coat(), quick(),
       {.on_report = [&](std::size_t, const FlattenReport&,
-                        const PatchTwin*) { EXPECT_EQ(std::this_thread::get_id(), here); },
-       .stopped =
-           [&] {
-             EXPECT_EQ(std::this_thread::get_id(), here);
-             return false;
-           }});
+                        const PatchTwin*) { EXPECT_EQ(std::this_thread::get_id(), here); }},
+      {.threads = 1});
 }
 
-TEST(FlattenProduct, EndsWhereThatIsAskedFor) {
+TEST(FlattenProduct, ReportsProgressByPatchAndCanBeCancelled) {
   for (const unsigned threads : {1U, 3U}) {
-    std::size_t told = 0;
-    const ProductReport report =
-        flatten_product(strips(), quick(threads), {.on_done = [&](std::size_t, PatchResult&) {
-                          ++told;
-                          return false;
-                        }});
-    EXPECT_TRUE(report.cancelled);
-    EXPECT_GE(told, 1U);
-    EXPECT_TRUE(report.seams.empty());
-    const ProductReport at_once =
-        flatten_product(strips(), quick(threads), {.stopped = [] { return true; }});
-    EXPECT_TRUE(at_once.cancelled);
-    EXPECT_EQ(at_once.finished(), 0U);
-    for (const PatchResult& patch : at_once.patches)
-      EXPECT_FALSE(patch.failure);
+    WatchedJob job;
+    flatten_product(strips(), quick(), {}, job.context(threads));
+    EXPECT_EQ(job.reports(), 3);
+    EXPECT_EQ(job.share(), 1.0);
+    EXPECT_THAT(job.subjects(), ElementsAre(strips()[0].name, strips()[1].name, strips()[2].name));
+    for (const int most : {0, 1, 2}) {
+      WatchedJob cut(most);
+      EXPECT_THROW(flatten_product(strips(), quick(), {}, cut.context(threads)), Cancelled);
+      EXPECT_EQ(cut.reports(), most);
+    }
+  }
+}
+
+TEST(FlattenProduct, EndsWithWhatItsCallbackForResultsThrows) {
+  for (const unsigned threads : {1U, 3U}) {
+    const auto cancel = [](std::size_t, PatchResult&) { throw Cancelled(); };
+    EXPECT_THROW(flatten_product(strips(), quick(), {.on_done = cancel}, {.threads = threads}),
+                 Cancelled);
   }
 }
 
@@ -207,7 +203,6 @@ TEST(FlattenProduct, TakesWhatACallbackThrowsForTheFailureOfThatPatch) {
                            [](std::size_t p, PatchResult& result) {
                              if (p == 0) result.finished.reset();
                              if (p == 0) result.failure = Failure{"file_unwritable", "full"};
-                             return true;
                            }});
   EXPECT_EQ(report.finished(), 0U);
   EXPECT_EQ(report.patches[0].failure->code, "file_unwritable");
@@ -258,18 +253,17 @@ TEST(FlattenProduct, RefusesWhatNamesTheVerticesOfOneMesh) {
 TEST(FlattenProduct, IsOfNothingWhereThereIsNothing) {
   const ProductReport report = flatten_product({}, quick());
   EXPECT_TRUE(report.patches.empty());
-  EXPECT_FALSE(report.cancelled);
 }
 
 TEST(FinishedPatch, LeavesOutPatternsThatAreOnlyComparedWith) {
   FlattenOptions options = quick().flatten;
   options.match_seams = true;
   const auto report = flatten(Patch(make_shape("dome", 150)), "dome", options);
-  const FinishedPatch patch = finished_patch(*report);
-  EXPECT_FALSE(report->unfold.pattern.unmatched.empty());
+  const FinishedPatch patch = finished_patch(report);
+  EXPECT_FALSE(report.unfold.pattern.unmatched.empty());
   EXPECT_TRUE(patch.unfold.pattern.unmatched.empty());
-  EXPECT_EQ(patch.unfold.unmatched_strain->max, report->unfold.unmatched_strain->max);
-  EXPECT_EQ(patch.outcome.reason, report->evolve.result.stop);
+  EXPECT_EQ(patch.unfold.unmatched_strain->max, report.unfold.unmatched_strain->max);
+  EXPECT_EQ(patch.outcome.reason, report.evolve.result.stop);
 }
 
 }  // namespace

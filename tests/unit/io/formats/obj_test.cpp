@@ -1,7 +1,7 @@
 #include <chrono>
 #include <string>
 
-#include <planish/io/write_mesh.h>
+#include <planish/io/mesh_format.h>
 
 #include <gtest/gtest.h>
 

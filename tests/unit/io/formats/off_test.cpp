@@ -1,6 +1,6 @@
 #include <string>
 
-#include <planish/io/write_mesh.h>
+#include <planish/io/mesh_format.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <thread>
 
+#include <planish/io/mesh_format.h>
 #include <planish/io/read_mesh.h>
-#include <planish/io/write_mesh.h>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include <planish/io/write_mesh.h>
+#include <planish/io/mesh_format.h>
 
 #include <gtest/gtest.h>
 

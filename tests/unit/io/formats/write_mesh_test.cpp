@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include <planish/io/write_mesh.h>
+#include <planish/io/mesh_format.h>
 
 #include <gtest/gtest.h>
 

@@ -193,13 +193,13 @@ TEST(Twins, AreOfTheFirstOfTheirKind) {
   EXPECT_FALSE(twins[4]->match.mirrored);
 }
 
-TEST(Twins, StopWhenToldTo) {
+TEST(Twins, SearchCanBeCancelled) {
   const TriMesh a = meshes::rough_grid(5, 5, 1);
   const std::vector<const TriMesh*> all = {&a, &a, &a};
   int asked = 0;
-  const auto twins = find_twins(all, k_twin_tolerance, [&] { return ++asked > 2; });
-  EXPECT_TRUE(twins[1]);
-  EXPECT_FALSE(twins[2]);
+  EXPECT_THROW(find_twins(all, k_twin_tolerance, {.is_cancelled = [&] { return ++asked > 2; }}),
+               Cancelled);
+  EXPECT_EQ(asked, 3);
 }
 
 TEST(Twins, OfMeshesThatLookAlikeEverywhereTakeNoSquareOfTheirSize) {

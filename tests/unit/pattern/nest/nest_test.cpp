@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 
 #include "oracle/outline_gap.h"
+#include "support/watched_job.h"
 
 namespace planish {
 namespace {
@@ -105,10 +106,10 @@ TEST(Nest, KeepsPiecesApartAndOnTheSheetInAnyTurns) {
     for (const double gap : {0.0, 0.7, 12.0}) {
       const auto pieces = ragged_pieces(9, 3 * static_cast<unsigned>(turns) + 1);
       NestOptions options{.width = 500.0, .gap = gap, .margin = gap, .turns = turns, .tries = 5};
-      expect_sound(pieces, options, *nest(pieces, options));
+      expect_sound(pieces, options, nest(pieces, options));
       options.length = 420.0;
       options.step = 7.0;
-      const Nesting several = *nest(pieces, options);
+      const Nesting several = nest(pieces, options);
       EXPECT_GT(several.sheets, 1U);
       expect_sound(pieces, options, several);
     }
@@ -121,7 +122,7 @@ TEST(Nest, TurnsPiecesOnlyAsTheyMayBe) {
     std::set<double> angles;
     const NestOptions options{.width = 500.0, .turns = turns, .tries = 4};
     const auto nesting = nest(pieces, options);
-    for (const NestPlacement& placement : nesting->placements) {
+    for (const NestPlacement& placement : nesting.placements) {
       const double turn = placement.angle - pieces[placement.piece].angle;
       angles.insert(std::round(1e6 * (turn < -1e-6 ? turn + 360.0 : turn)) / 1e6);
       EXPECT_GE(placement.angle, 0.0);
@@ -138,15 +139,15 @@ TEST(Nest, TurnsPiecesOnlyAsTheyMayBe) {
 
 TEST(Nest, WastesNothingOnBoxesThatFit) {
   const std::vector<NestPiece> pieces = {box_piece("box", 200.0, 100.0, 12)};
-  const Nesting nesting = *nest(pieces, {.width = 300.0, .gap = 0.0, .step = 2.0});
+  const Nesting nesting = nest(pieces, {.width = 300.0, .gap = 0.0, .step = 2.0});
   EXPECT_NEAR(nesting.used_length, 800.0, 1e-6);
   EXPECT_NEAR(nesting.used_share(), 1.0, 1e-8);
   // With gaps each box takes no more than its own, the gap and a step.
-  const Nesting apart = *nest(pieces, {.width = 310.0, .gap = 5.0, .step = 2.0});
+  const Nesting apart = nest(pieces, {.width = 310.0, .gap = 5.0, .step = 2.0});
   EXPECT_LE(apart.used_length, 4 * (200.0 + 5.0 + 2.0));
   expect_sound(pieces, {.width = 310.0, .gap = 5.0}, apart);
-  const Nesting turned = *nest(std::vector<NestPiece>{box_piece("box", 100.0, 300.0, 3)},
-                               {.width = 100.0, .gap = 0.0, .turns = Turns::quarter});
+  const Nesting turned = nest(std::vector<NestPiece>{box_piece("box", 100.0, 300.0, 3)},
+                              {.width = 100.0, .gap = 0.0, .turns = Turns::quarter});
   EXPECT_NEAR(turned.used_length, 900.0, 6.0);
 }
 
@@ -156,7 +157,7 @@ TEST(Nest, FillsHolesOfOtherPieces) {
                            {{50.0, 50.0}, {50.0, 250.0}, {250.0, 250.0}, {250.0, 50.0}}}),
       box_piece("inside", 180.0, 90.0, 2)};
   const NestOptions options{.width = 300.0, .gap = 5.0};
-  const Nesting nesting = *nest(pieces, options);
+  const Nesting nesting = nest(pieces, options);
   EXPECT_NEAR(nesting.used_length, 300.0, 1e-6);
   EXPECT_NEAR(nesting.piece_area, 300.0 * 300.0 - 200.0 * 200.0 + 2 * 180.0 * 90.0, 1e-6);
   expect_sound(pieces, options, nesting);
@@ -166,7 +167,7 @@ TEST(Nest, TurnsTheGrainAlongTheSheet) {
   NestPiece piece = box_piece("strap", 30.0, 400.0);
   piece.angle = -90.0;
   const Nesting nesting =
-      *nest(std::vector<NestPiece>{piece}, {.width = 100.0, .turns = Turns::none});
+      nest(std::vector<NestPiece>{piece}, {.width = 100.0, .turns = Turns::none});
   EXPECT_EQ(nesting.placements.at(0).angle, 270.0);
   EXPECT_NEAR(nesting.used_length, 400.0, 1e-9);
 }
@@ -174,7 +175,7 @@ TEST(Nest, TurnsTheGrainAlongTheSheet) {
 TEST(Nest, UsesSeveralSheetsWherePiecesHaveAnEnd) {
   const std::vector<NestPiece> pieces = {box_piece("plate", 400.0, 300.0, 5)};
   const NestOptions options{.width = 620.0, .length = 500.0, .gap = 10.0, .margin = 5.0};
-  const Nesting nesting = *nest(pieces, options);
+  const Nesting nesting = nest(pieces, options);
   EXPECT_EQ(nesting.sheets, 3U);
   EXPECT_NEAR(nesting.used_length, 410.0, 1e-6);
   EXPECT_NEAR(nesting.sheet_area, 620.0 * (2 * 500.0 + 410.0), 1e-3);
@@ -184,7 +185,7 @@ TEST(Nest, UsesSeveralSheetsWherePiecesHaveAnEnd) {
 TEST(Nest, GivesTheSameResultEveryTime) {
   const auto pieces = ragged_pieces(8, 9);
   const NestOptions options{.width = 600.0, .turns = Turns::free, .tries = 8};
-  const Nesting first = *nest(pieces, options), second = *nest(pieces, options);
+  const Nesting first = nest(pieces, options), second = nest(pieces, options);
   ASSERT_EQ(first.placements.size(), second.placements.size());
   for (std::size_t i = 0; i < first.placements.size(); ++i) {
     EXPECT_EQ(first.placements[i].shift, second.placements[i].shift);
@@ -196,7 +197,7 @@ TEST(Nest, NeedsNoMoreWithMoreTries) {
   const auto pieces = ragged_pieces(12, 4);
   double last = 1e9;
   for (const int tries : {1, 4, 30}) {
-    const double used = nest(pieces, {.width = 500.0, .tries = tries})->used_length;
+    const double used = nest(pieces, {.width = 500.0, .tries = tries}).used_length;
     EXPECT_LE(used, last);
     last = used;
   }
@@ -245,24 +246,16 @@ TEST(Nest, RefusesOptionsAndPiecesThatMakeNoSense) {
 
 TEST(Nest, LaysNothingWhereNothingIsAsked) {
   const std::vector<NestPiece> none = {nest_piece("none", {}, 0)};
-  const Nesting nesting = *nest(none);
+  const Nesting nesting = nest(none);
   EXPECT_TRUE(nesting.placements.empty());
   EXPECT_EQ(nesting.sheets, 0U);
   EXPECT_EQ(nesting.used_share(), 0.0);
 }
 
-TEST(Nest, TellsHowFarItIsAndEndsOnRequest) {
+TEST(Nest, ReportsRisingProgressAndCanBeCancelled) {
   const auto pieces = ragged_pieces(4, 2);
-  double last = -1.0;
-  const auto growing = [&](double share) {
-    EXPECT_GE(share, last);
-    EXPECT_LE(share, 1.0);
-    last = share;
-    return true;
-  };
-  EXPECT_TRUE(nest(pieces, {.width = 500.0, .tries = 5}, growing));
-  EXPECT_GT(last, 0.1);
-  EXPECT_FALSE(nest(pieces, {.width = 500.0}, [](double share) { return share < 0.3; }));
+  expect_cancellable(
+      [&](const Context& context) { nest(pieces, {.width = 500.0, .tries = 5}, context); });
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "flatten/evolve_progress.h"
+#include "evolve/evolve_progress.h"
 
 #include <algorithm>
 

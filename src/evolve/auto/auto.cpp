@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include <planish/evolve/method.h>
 #include <planish/measure/flattenability.h>
@@ -23,6 +24,20 @@ namespace {
 
 using namespace tuning::prefer_near;
 
+/// The place of least strain since vertices came to the limit of deviation.
+struct BestAtLimit {
+  double strain;
+  Positions positions;
+  int steps;  // since then
+};
+
+/// The first phase of a level: strain is taken out of it. DeviationReduction, where a limit of
+/// strain is met, and DefectPolish, on the patch itself, are the others.
+struct Descending {
+  int steps = 0, stagnant_steps = 0;
+  std::optional<BestAtLimit> best_at_limit = {};
+};
+
 class AutoStepper {
  public:
   AutoStepper(const Auto& options, PatchState& state, ThreadPool& pool)
@@ -36,12 +51,13 @@ class AutoStepper {
     descent_->start(k_cold_start);
   }
 
-  SweepOutcome step() { return polish_ ? polish() : descend(); }
+  SweepOutcome step() {
+    return std::visit([this](auto& phase) { return step_in(phase); }, phase_);
+  }
 
   /// Brings what coarse levels have found so far to the patch itself.
   void prolong_to_finest() {
-    if (reduction_) reduction_->finish();
-    reduction_.reset();
+    finish_reduction();
     while (level_ > 0)
       lift();
   }
@@ -54,8 +70,6 @@ class AutoStepper {
     descent_ = std::make_unique<StrainDescent>(
         level_state(), pool_,
         DescentAims{strain_limit(), options_.closeness, closeness, allowance_exponent_}, limits());
-    steps_ = stagnant_steps_ = 0;
-    best_at_limit_.reset();
   }
 
   StrainLimit strain_limit() const { return {options_.max_strain, options_.max_rms_strain}; }
@@ -69,7 +83,7 @@ class AutoStepper {
     const std::unique_ptr<PatchState> found = std::move(coarse_);
     const double closeness = descent_->closeness(), sigma = descent_->sigma();
     const bool was_met = descent_->strain_is_met();
-    reduction_.reset();
+    phase_.emplace<Descending>();
     descent_.reset();  // before the next: it is large
     --level_;
     open_level(closeness);
@@ -77,53 +91,66 @@ class AutoStepper {
     descent_->start(k_warm_start);
     // What lifting broke of the limit is mended without going far beyond it.
     if (was_met) descent_->track_strain_limit(sigma);
-    if (was_met && descent_->strain_is_met()) reduction_.emplace(*descent_);
+    if (was_met && descent_->strain_is_met()) phase_.emplace<DeviationReduction>(*descent_);
   }
 
-  SweepOutcome descend() {
-    SweepOutcome outcome = SweepOutcome().with(SweepStatus::running);
-    if (!descent_->solvable() || (!reduction_ && descent_->strain_is_met())) {
-      outcome.level = {level_state().inner_count()};
-    } else if (const bool over = descent_step(outcome); !over) {
-      outcome.on_coarse_level = level_ > 0;
+  SweepOutcome step_in(Descending& phase) {
+    SweepOutcome outcome = of_level();
+    if (!descent_->solvable() || descent_->strain_is_met()) return end_level(outcome);
+    const StrainDescent::Step step = descent_->step();
+    outcome = of_level(step);
+    if (descent_->strain_is_met()) {
+      phase_.emplace<DeviationReduction>(*descent_);
       return outcome;
     }
-    end_level(outcome);
+    return is_over(phase, step) ? end_level(outcome) : outcome;
+  }
+
+  SweepOutcome step_in(DeviationReduction& phase) {
+    if (!descent_->solvable()) return end_level(of_level());
+    const SweepOutcome outcome = of_level(phase.step());
+    return phase.over() ? end_level(outcome) : outcome;
+  }
+
+  /// Of a step on the present level.
+  SweepOutcome of_level() const {
+    SweepOutcome outcome = SweepOutcome().with(SweepStatus::running);
+    outcome.level = {level_state().inner_count()};
     outcome.on_coarse_level = level_ > 0;
     return outcome;
   }
 
-  /// @return true if it was the last of the level
-  bool descent_step(SweepOutcome& outcome) {
-    const StrainDescent::Step step = reduction_ ? reduction_->step() : descent_->step();
+  SweepOutcome of_level(const StrainDescent::Step& step) const {
+    SweepOutcome outcome = of_level();
     outcome.moved = step.moved;
     outcome.in_double = step.in_double;
     outcome.level = {level_state().inner_count(), step.merit_before, step.merit,
                      descent_->rms_strain()};
-    if (reduction_) return reduction_->over();
-    if (descent_->strain_is_met()) {
-      reduction_.emplace(*descent_);
-      return false;
-    }
-    const bool held = is_held();
-    stagnant_steps_ = step.moved > 0 ? 0 : stagnant_steps_ + 1;
+    return outcome;
+  }
+
+  /// True if the step was the last of the level.
+  bool is_over(Descending& phase, const StrainDescent::Step& step) {
+    const bool held = is_held(phase.best_at_limit);
+    phase.stagnant_steps = step.moved > 0 ? 0 : phase.stagnant_steps + 1;
     const double enough = level_ > 0 ? k_coarse_strain : k_polish_strain;
     const bool over = held || descent_->rms_strain() <= enough ||
-                      stagnant_steps_ >= tuning::k_most_stagnant || ++steps_ >= most_steps();
-    const bool was_less = best_at_limit_ && best_at_limit_->strain < descent_->rms_strain();
-    if (held || (over && was_less)) descent_->go_to(best_at_limit_->positions);
+                      phase.stagnant_steps >= tuning::k_most_stagnant ||
+                      ++phase.steps >= most_steps();
+    const auto& best = phase.best_at_limit;
+    const bool was_less = best && best->strain < descent_->rms_strain();
+    if (held || (over && was_less)) descent_->go_to(best->positions);
     return over;
   }
 
   /// True where vertices are at the limit of deviation and strain hardly falls any more: what goes
   /// on there only crumples.
-  bool is_held() {
+  bool is_held(std::optional<BestAtLimit>& best) const {
     if (!descent_->at_deviation_limit()) return false;
-    const bool less =
-        !best_at_limit_ || descent_->rms_strain() < k_gain_at_limit * best_at_limit_->strain;
-    if (less && (!best_at_limit_ || !descent_->is_too_rough()))
-      best_at_limit_ = BestAtLimit{descent_->rms_strain(), descent_->positions(), -1};
-    return ++best_at_limit_->steps >= k_most_at_limit;
+    const bool less = !best || descent_->rms_strain() < k_gain_at_limit * best->strain;
+    if (less && (!best || !descent_->is_too_rough()))
+      best = BestAtLimit{descent_->rms_strain(), descent_->positions(), -1};
+    return ++best->steps >= k_most_at_limit;
   }
 
   int most_steps() const {
@@ -132,21 +159,28 @@ class AutoStepper {
   }
 
   /// What comes after a level: the next one, polishing, or the end.
-  void end_level(SweepOutcome& outcome) {
-    if (reduction_) reduction_->finish();
-    reduction_.reset();
+  SweepOutcome end_level(SweepOutcome outcome) {
+    finish_reduction();
     blocked_by_boundary_ =
         !descent_->strain_is_met() && descent_->rms_strain() > tuning::k_blocked_strain;
     const bool may_try = tries_ < k_most_tries && rounds_ == 0 && level_ == levels_.coarsest();
-    if (may_try && !blocked_by_boundary_ && descent_->is_too_rough()) return start_smoother();
-    if (level_ > 0) return lift();
-    const auto reason = reason_to_end();
-    if (reason) {
+    if (may_try && !blocked_by_boundary_ && descent_->is_too_rough()) {
+      start_smoother();
+    } else if (level_ > 0) {
+      lift();
+    } else if (const auto reason = reason_to_end()) {
       outcome = outcome.ended(*reason);
-      return;
+    } else {
+      descent_->release();
+      phase_.emplace<DefectPolish>(state_, pool_, limits());
     }
-    descent_->release();
-    polish_.emplace(state_, pool_, limits());
+    outcome.on_coarse_level = level_ > 0;
+    return outcome;
+  }
+
+  void finish_reduction() {
+    if (auto* reduction = std::get_if<DeviationReduction>(&phase_)) reduction->finish();
+    phase_.emplace<Descending>();
   }
 
   /// The coarsest level once more, from where the vertices were at first.
@@ -166,17 +200,21 @@ class AutoStepper {
     return descent_->at_angle_limit() ? StopReason::angle_limit : StopReason::stalled;
   }
 
-  SweepOutcome polish() {
-    const DefectPolish::Cycle cycle = polish_->cycle();
+  SweepOutcome step_in(DefectPolish& phase) {
+    const DefectPolish::Cycle cycle = phase.cycle();
     SweepOutcome outcome = cycle.moved;
     outcome.in_double = cycle.in_double;
-    if (limit_is_met_after_all()) return outcome.with(SweepStatus::running);
-    if (cycle.flat) return outcome.ended(StopReason::converged);
-    if (cycle.over && rounds_++ < k_most_rounds) {
-      descend_again();
+    if (limit_is_met_after_all()) {
+      phase_.emplace<DeviationReduction>(*descent_);
       return outcome.with(SweepStatus::running);
     }
-    return outcome.ended_if(cycle.over, polish_->held_by().value_or(StopReason::stalled));
+    if (cycle.flat) return outcome.ended(StopReason::converged);
+    if (cycle.over && rounds_++ < k_most_rounds) {
+      phase_.emplace<Descending>();
+      descent_->start(k_warm_start);
+      return outcome.with(SweepStatus::running);
+    }
+    return outcome.ended_if(cycle.over, phase.held_by().value_or(StopReason::stalled));
   }
 
   /// Steps may stall at single vertices before they come to a limit of strain. Cycles mend those;
@@ -184,17 +222,7 @@ class AutoStepper {
   bool limit_is_met_after_all() {
     if (!strain_limit().given()) return false;
     descent_->go_to(descent_->positions());
-    if (!descent_->strain_is_met()) return false;
-    polish_.reset();
-    reduction_.emplace(*descent_);
-    return true;
-  }
-
-  void descend_again() {
-    polish_.reset();
-    descent_->start(k_warm_start);
-    steps_ = stagnant_steps_ = 0;
-    best_at_limit_.reset();
+    return descent_->strain_is_met();
   }
 
   Auto options_;
@@ -205,16 +233,8 @@ class AutoStepper {
   std::size_t level_;
   std::unique_ptr<PatchState> coarse_;  // of the level, none at the patch itself
   std::unique_ptr<StrainDescent> descent_;
-  std::optional<DeviationReduction> reduction_;
-  std::optional<DefectPolish> polish_;
-  /// The place of least strain since vertices came to the limit of deviation.
-  struct BestAtLimit {
-    double strain;
-    Positions positions;
-    int steps;  // since then
-  };
-  std::optional<BestAtLimit> best_at_limit_;
-  int tries_ = 1, steps_ = 0, stagnant_steps_ = 0, rounds_ = 0;
+  std::variant<Descending, DeviationReduction, DefectPolish> phase_;
+  int tries_ = 1, rounds_ = 0;       // on the coarsest level; of polishing
   double allowance_exponent_ = 1.0;  // of the usual one
   bool blocked_by_boundary_ = false;
 };

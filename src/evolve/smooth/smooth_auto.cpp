@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include <planish/measure/fairness.h>
 
@@ -28,6 +29,26 @@ StrainLimit limit_of(const Auto& options) {
   return limit.given() ? limit : StrainLimit{0.0, k_unmeasurable_strain};
 }
 
+/// Of the smooth positions of a level those with the least strain.
+struct Best {
+  double share;  // of the limit, over the strain
+  Positions positions;
+};
+
+// The phases, DefectPolish is the last.
+
+/// No step was made.
+struct Untouched {};
+/// As little strain as a smooth surface can have, level by level.
+struct Smoothing {
+  int steps = 0, stagnant_steps = 0;
+  std::optional<Best> best = {};
+};
+/// On to flattenable, as smooth as that can be.
+struct Strict {
+  int steps = 0, stagnant_steps = 0;
+};
+
 class SmoothStepper {
  public:
   SmoothStepper(const Auto& options, PatchState& state, ThreadPool& pool)
@@ -43,26 +64,7 @@ class SmoothStepper {
   }
 
   SweepOutcome step() {
-    if (polish_) return polish();
-    SweepOutcome outcome = SweepOutcome().with(SweepStatus::running);
-    outcome.level = {level_state().inner_count()};
-    if (!descent_->solvable()) return outcome.ended(StopReason::stalled);
-    if (is_untouched_ && limit_.share_of(descent_->strain()) >= 1.0)
-      return outcome.ended(StopReason::strain_met);
-    is_untouched_ = false;
-    const SmoothDescent::Step step = descent_->step(control_->weights());
-    control_->after(step, descent_->strain(), descent_->bending());
-    outcome.moved = step.moved;
-    outcome.in_double = step.in_double;
-    outcome.level = {level_state().inner_count(), step.merit_before, step.merit,
-                     descent_->strain().rms};
-    outcome.on_coarse_level = level_ > 0;
-    stagnant_steps_ = step.moved > 0 ? 0 : stagnant_steps_ + 1;
-    if (is_strict_) return follow_strict(outcome);
-    keep_best();
-    const bool over = control_->is_over() || ++steps_ >= most_steps() ||
-                      stagnant_steps_ >= tuning::k_most_stagnant;
-    return over ? end_level(outcome) : outcome;
+    return std::visit([this](auto& phase) { return step_in(phase); }, phase_);
   }
 
   /// Brings what coarse levels have found so far to the patch itself.
@@ -72,11 +74,66 @@ class SmoothStepper {
   }
 
  private:
-  /// Of the smooth positions of a level those with the least strain.
-  void keep_best() {
+  SweepOutcome step_in(Untouched& /*phase*/) {
+    if (descent_->solvable() && limit_.share_of(descent_->strain()) >= 1.0)
+      return of_level().ended(StopReason::strain_met);
+    return step_in(phase_.emplace<Smoothing>());
+  }
+
+  SweepOutcome step_in(Smoothing& phase) {
+    if (!descent_->solvable()) return of_level().ended(StopReason::stalled);
+    const SweepOutcome outcome = descend(phase.stagnant_steps);
+    keep_best(phase.best);
+    const bool over = control_->is_over() || ++phase.steps >= most_steps() ||
+                      phase.stagnant_steps >= tuning::k_most_stagnant;
+    return over ? end_level(phase, outcome) : outcome;
+  }
+
+  SweepOutcome step_in(Strict& phase) {
+    const SweepOutcome outcome = descend(phase.stagnant_steps);
+    const bool over = control_->is_over() || phase.stagnant_steps >= tuning::k_most_stagnant ||
+                      ++phase.steps >= k_most_strict_steps;
+    if (!over) return outcome;
+    if (descent_->strain().rms > tuning::k_blocked_strain)
+      return outcome.ended(descent_->at_deviation_limit() ? StopReason::deviation_limit
+                                                          : StopReason::stalled);
+    descent_->release();
+    phase_.emplace<DefectPolish>(state_, pool_, limits_on(state_, options_, least_angle_));
+    return outcome;
+  }
+
+  SweepOutcome step_in(DefectPolish& phase) {
+    const DefectPolish::Cycle cycle = phase.cycle();
+    SweepOutcome outcome = cycle.moved;
+    outcome.in_double = cycle.in_double;
+    if (cycle.flat) return outcome.ended(StopReason::converged);
+    return outcome.ended_if(cycle.over, phase.held_by().value_or(StopReason::stalled));
+  }
+
+  SweepOutcome of_level() const {
+    SweepOutcome outcome = SweepOutcome().with(SweepStatus::running);
+    outcome.level = {level_state().inner_count()};
+    return outcome;
+  }
+
+  /// One step on the present level.
+  SweepOutcome descend(int& stagnant_steps) {
+    const SmoothDescent::Step step = descent_->step(control_->weights());
+    control_->after(step, descent_->strain(), descent_->bending());
+    stagnant_steps = step.moved > 0 ? 0 : stagnant_steps + 1;
+    SweepOutcome outcome = of_level();
+    outcome.moved = step.moved;
+    outcome.in_double = step.in_double;
+    outcome.level = {level_state().inner_count(), step.merit_before, step.merit,
+                     descent_->strain().rms};
+    outcome.on_coarse_level = level_ > 0;
+    return outcome;
+  }
+
+  void keep_best(std::optional<Best>& best) const {
     if (!control_->is_smooth()) return;
     const double share = limit_.share_of(descent_->strain());
-    if (!best_ || share > best_->share) best_ = Best{share, descent_->positions()};
+    if (!best || share > best->share) best = Best{share, descent_->positions()};
   }
 
   int most_steps() const {
@@ -85,16 +142,14 @@ class SmoothStepper {
                                        k_least_later_steps, k_most_later_steps));
   }
 
-  SweepOutcome end_level(SweepOutcome outcome) {
-    if (best_ && !control_->is_over()) descent_->go_to(best_->positions);
-    best_.reset();
+  SweepOutcome end_level(const Smoothing& phase, const SweepOutcome& outcome) {
+    if (phase.best && !control_->is_over()) descent_->go_to(phase.best->positions);
     if (level_ > 0) {
       lift();
       return outcome;
     }
     if (options_.prefer == Prefer::flat) {
-      is_strict_ = true;
-      steps_ = stagnant_steps_ = 0;
+      phase_.emplace<Strict>();
       control_->start_strict();
       return outcome;
     }
@@ -133,26 +188,6 @@ class SmoothStepper {
     if (last != smooth) descent_->go_to(sum_of(origin, smooth, away));
   }
 
-  SweepOutcome follow_strict(SweepOutcome outcome) {
-    const bool over = control_->is_over() || stagnant_steps_ >= tuning::k_most_stagnant ||
-                      ++steps_ >= k_most_strict_steps;
-    if (!over) return outcome;
-    if (descent_->strain().rms > tuning::k_blocked_strain)
-      return outcome.ended(descent_->at_deviation_limit() ? StopReason::deviation_limit
-                                                          : StopReason::stalled);
-    descent_->release();
-    polish_.emplace(state_, pool_, limits_on(state_, options_, least_angle_));
-    return outcome;
-  }
-
-  SweepOutcome polish() {
-    const DefectPolish::Cycle cycle = polish_->cycle();
-    SweepOutcome outcome = cycle.moved;
-    outcome.in_double = cycle.in_double;
-    if (cycle.flat) return outcome.ended(StopReason::converged);
-    return outcome.ended_if(cycle.over, polish_->held_by().value_or(StopReason::stalled));
-  }
-
   PatchState& level_state() const { return coarse_ ? *coarse_ : state_; }
 
   void open_level() {
@@ -163,7 +198,6 @@ class SmoothStepper {
     design_ = Patch(mesh_at_first(level_state()));
     descent_ = std::make_unique<SmoothDescent>(
         level_state(), pool_, design_, limits_on(level_state(), options_, least_angle_), moves);
-    steps_ = stagnant_steps_ = 0;
   }
 
   /// On to the next finer level.
@@ -172,6 +206,7 @@ class SmoothStepper {
     descent_.reset();  // before the next: it is large
     --level_;
     open_level();
+    phase_.emplace<Smoothing>();
     const FairnessEnergy cost(descent_->jacobian(), level_state(), 1.0, descent_->border().bends());
     levels_.lift(level_ + 1, *found, cost, level_state(), pool_);
     descent_->go_to(descent_->positions());
@@ -189,14 +224,7 @@ class SmoothStepper {
   Patch design_;                        // the level at first, by the numbers of its state
   std::unique_ptr<SmoothDescent> descent_;
   std::optional<SmoothControl> control_;
-  struct Best {
-    double share;  // of the limit, over the strain
-    Positions positions;
-  };
-  std::optional<Best> best_;
-  std::optional<DefectPolish> polish_;
-  bool is_untouched_ = true, is_strict_ = false;
-  int steps_ = 0, stagnant_steps_ = 0;
+  std::variant<Untouched, Smoothing, Strict, DefectPolish> phase_;
 };
 
 }  // namespace

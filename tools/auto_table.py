@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs `planish flatten` on all patches of a folder and writes the table of docs/methods/auto.md.
+"""Runs `planish flatten` on all patches of a folder and writes a table of
+docs/methods/auto_tried.md.
 
     tools/auto_table.py PLANISH FOLDER RESULTS
 
@@ -16,7 +17,7 @@ import subprocess
 import sys
 import tempfile
 
-PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs" / "methods" / "auto.md"
+PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs" / "methods" / "auto_tried.md"
 BEGIN, END = "<!-- table: begin -->", "<!-- table: end -->"
 PATIENCE = 1800
 

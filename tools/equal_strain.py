@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Sets auto beside least_norm at equal strain, and writes the table of docs/methods/auto.md.
+"""Sets auto beside least_norm at equal strain, and writes a table of
+docs/methods/auto_tried.md.
 
     tools/equal_strain.py PLANISH FOLDER RESULTS [NAME...]
 

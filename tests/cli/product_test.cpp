@@ -193,6 +193,20 @@ TEST_F(Product, ReadsFoldersOfMeshFiles) {
   EXPECT_THAT(flatten_product("none", "out2").err, HasSubstr("no mesh file"));
 }
 
+TEST_F(Product, NamesTheModelsOfAFolderThatItCannotRead) {
+  std::filesystem::create_directory("mixed");
+  for (const char* name : {"mixed/b.step", "mixed/a.GLB", "mixed/notes.txt"})
+    std::ofstream(name) << "x";
+  const CliResult none = planish({"flatten", "mixed", "-o", "out"});
+  EXPECT_EQ(none.exit_code, k_exit_failed);
+  EXPECT_THAT(none.err, HasSubstr("; of a.GLB, b.step export a mesh as OBJ or STL"));
+  write_mesh("mixed/c.obj", make_shape("cylinder", 120));
+  const CliResult result = planish({"flatten", "mixed", "-o", "out", "--formats", "svg"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("note: mixed: skipped a.GLB, b.step, which cannot be read"));
+  EXPECT_THAT(result.err, testing::Not(HasSubstr("notes.txt")));
+}
+
 TEST_F(Product, RefusesFlagsThatGoWithTheOtherKindOfInput) {
   std::ofstream("fixed.txt") << "0\n";
   EXPECT_EQ(flatten_product("coat.obj", "out", {"--fix", "fixed.txt"}).exit_code, k_exit_usage);

@@ -95,11 +95,11 @@ std::vector<const Command*> described(const Arguments& arguments) {
   std::vector<std::string> names;
   for (const Command& command : commands())
     names.push_back(command.name);
-  if (!arguments.operands.empty()) known_name("verb", arguments.operands.front(), names);
+  const std::string asked =
+      arguments.operands.empty() ? "" : known_name("verb", arguments.operands.front(), names);
   std::vector<const Command*> chosen;
   for (const Command& command : commands()) {
-    if (arguments.operands.empty() || arguments.operands.front() == command.name)
-      chosen.push_back(&command);
+    if (asked.empty() || asked == command.name) chosen.push_back(&command);
   }
   return chosen;
 }

@@ -193,7 +193,9 @@ Parsed parse(std::span<const std::string> args) {
       parsed.arguments.operands.insert(parsed.arguments.operands.end(), given.begin(), given.end());
     }
   }
-  if (parsed.arguments.has("--help") || parsed.arguments.has("--version")) return parsed;
+  for (const char* flag : {"--help", "--help-all", "--version"}) {
+    if (parsed.arguments.has(flag)) return parsed;
+  }
   refuse_leftovers(app.remaining(true), parsed.command);
   refuse_empty_values(global_flags(), parsed.arguments);
   if (parsed.command == nullptr) return parsed;

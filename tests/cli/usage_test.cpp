@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include <gmock/gmock.h>
 
@@ -191,14 +193,42 @@ TEST(Help, IsAsWrittenDown) {
     EXPECT_EQ(result.exit_code, k_exit_done);
     EXPECT_EQ(result.err, "");
     expect_golden("help_" + command.name + ".txt", result.out);
+    const std::string all = planish({command.name, "--help-all"}).out;
+    if (has_first_flags(command)) {
+      expect_golden("help_all_" + command.name + ".txt", all);
+    } else {
+      EXPECT_EQ(all, result.out);
+    }
     EXPECT_EQ(planish({"--help", command.name}).out, result.out);
+  }
+}
+
+TEST(Help, ShowsTheUsualFlagsOfVerbsWithMany) {
+  constexpr std::size_t many = 25;
+  for (const Command& command : commands()) {
+    std::set<std::string> all, first;
+    for (const FlagGroup& group : command.groups) {
+      for (const Flag& flag : group.flags) {
+        all.insert(flag.name);
+        if (flag.first) first.insert(flag.name);
+      }
+    }
+    EXPECT_EQ(has_first_flags(command), all.size() > many) << command.name << all.size();
+    if (first.empty()) continue;
+    EXPECT_EQ(first.size(), 12U) << command.name;
+    const std::string help = planish({command.name, "--help"}).out;
+    EXPECT_LE(std::count(help.begin(), help.end(), '\n'), 60) << command.name;
+    EXPECT_TRUE(help.ends_with("All: planish " + command.name + " --help-all\n")) << help;
+    for (const std::string& flag : first)
+      EXPECT_THAT(help, HasSubstr(flag));
   }
 }
 
 TEST(Help, FitsEightyColumns) {
   std::vector<Names> all = {{"--help"}};
   for (const Command& command : commands())
-    all.push_back({command.name, "--help"});
+    for (const char* flag : {"--help", "--help-all"})
+      all.push_back({command.name, flag});
   for (const Names& args : all) {
     std::istringstream lines(planish(args).out);
     for (std::string line; std::getline(lines, line);)

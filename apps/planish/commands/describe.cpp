@@ -68,6 +68,7 @@ Json flag_json(const Flag& flag) {
           {"max", bound(flag.accepts.range.max)},
           {"default", standard_json(flag, type)},
           {"required", flag.required},
+          {"first", flag.first},
           {"placeholder", text_or_null(flag.value)},
           {"help", flag.doc}};
 }
@@ -146,7 +147,7 @@ Command describe_command() {
           "what all flags take, for programs that build on this one",
           "[VERB]",
           "Prints of each verb, or of the one named, what its flags take: type, range, choices and "
-          "default. With --json everything that --help says too, to build forms and bindings from.",
+          "default. With --json everything that --help-all says too, to build forms and bindings from.",
           {"VERB"},
           {},
           {"planish describe --json", "planish describe flatten"},

@@ -1,5 +1,7 @@
 #include "help.h"
 
+#include <algorithm>
+
 #include "commands/commands.h"
 #include "shell/text.h"
 
@@ -8,6 +10,7 @@ namespace planish::cli {
 namespace {
 
 constexpr std::size_t k_doc_column = 26;
+constexpr std::size_t k_first_examples = 5;
 
 /// A term at the left and its meaning beside it, or below where the term is long.
 std::string entry(const std::string& term, const std::string& doc) {
@@ -34,6 +37,15 @@ std::string group_text(const FlagGroup& group) {
   return text;
 }
 
+/// Of a group those flags that come first; nothing where there are none.
+std::string first_text(const FlagGroup& group) {
+  FlagGroup few = {group.first_title.empty() ? group.title : group.first_title, {}};
+  for (const Flag& flag : group.flags) {
+    if (flag.first) few.flags.push_back(flag);
+  }
+  return few.flags.empty() ? "" : group_text(few);
+}
+
 }  // namespace
 
 std::string program_help() {
@@ -47,23 +59,27 @@ std::string program_help() {
       "\nExamples:\n"
       "  planish flatten panel.obj -o panel-pattern\n"
       "  planish measure panel.obj --json\n"
-      "\nplanish VERB --help tells the flags of a verb.\n"
+      "\nplanish VERB --help shows the usual flags of a verb, --help-all all of them.\n"
       "Exit codes: 0 done; 1 input, output or unusable mesh; 2 usage;\n"
       "3 target or limit missed; 130 interrupted. Nothing is written after a "
       "failure.\n";
   return text;
 }
 
-std::string verb_help(const Command& command) {
+std::string verb_help(const Command& command, bool all) {
+  const bool few = !all && has_first_flags(command);
   std::string text = "planish " + command.name + ": " + command.summary + "\n\n";
   text += "Usage: planish " + command.name + " " + command.usage + " [flags]\n\n";
   text += wrapped(command.description, 0) + "\n";
   for (const FlagGroup& group : command.groups)
-    text += group_text(group);
-  text += group_text(global_flags());
+    text += few ? first_text(group) : group_text(group);
+  if (!few) text += group_text(global_flags());
   text += "\nExamples:\n";
-  for (const std::string& example : command.examples)
-    text += "  " + example + "\n";
+  const std::size_t count =
+      std::min(command.examples.size(), few ? k_first_examples : command.examples.size());
+  for (std::size_t i = 0; i < count; ++i)
+    text += "  " + command.examples[i] + "\n";
+  if (few) text += "\nThese are the usual flags. All: planish " + command.name + " --help-all\n";
   return text;
 }
 

@@ -10,7 +10,8 @@ namespace planish::cli {
 std::string program_help();
 
 /// A verb's usage, flags and examples.
-std::string verb_help(const Command& command);
+/// @param all false: those flags only that come first, where the verb marks any
+std::string verb_help(const Command& command, bool all);
 
 /// What to type, for those who typed nothing.
 std::string short_help();

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
 #include "commands/commands.h"
+#include "flags/synonyms.h"
 #include "shell/failures.h"
 #include "shell/nearest.h"
 #include "shell/values.h"
@@ -21,6 +23,14 @@ std::string cli11_name(const Flag& flag) {
   return flag.letter == 0 ? flag.name : std::string("-") + flag.letter + "," + flag.name;
 }
 
+/// With all names that mean the same.
+std::string cli11_names(const Flag& flag) {
+  std::string names = cli11_name(flag);
+  for (const std::string& alias : aliases_of(flag.name))
+    names += "," + alias;
+  return names;
+}
+
 /// Options by their full names. CLI11 could be asked for them, but ends the program where memory
 /// ends while it looks.
 using Options = std::map<std::string, CLI::Option*>;
@@ -30,9 +40,9 @@ void add_flag(CLI::App& app, const Flag& flag, Options& options) {
   if (options.find(flag.name) != options.end()) return;
   CLI::Option*& option = options[flag.name];
   if (flag.value.empty()) {
-    option = app.add_flag(cli11_name(flag))->disable_flag_override();
+    option = app.add_flag(cli11_names(flag))->disable_flag_override();
   } else {
-    option = app.add_option(cli11_name(flag))
+    option = app.add_option(cli11_names(flag))
                  ->expected(1)
                  ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   }
@@ -62,16 +72,32 @@ void read_flags(const Options& options, const FlagGroup& group, Arguments& argum
 std::vector<std::string> flag_names(const Command* command) {
   std::vector<std::string> names;
   const auto add = [&](const FlagGroup& group) {
-    for (const Flag& flag : group.flags)
+    for (const Flag& flag : group.flags) {
       names.push_back(flag.name);
+      for (std::string& alias : aliases_of(flag.name))
+        names.push_back(std::move(alias));
+    }
   };
   add(global_flags());
   if (command != nullptr) std::for_each(command->groups.begin(), command->groups.end(), add);
   return names;
 }
 
+/// Why there is no such flag, where that is known; else nothing.
+std::string reason_of_absence(const std::string& flag, const Command* command) {
+  constexpr std::string_view no = "--no-";
+  if (flag.starts_with(no) && command != nullptr) {
+    const std::string other = "--" + flag.substr(no.size());
+    const Flag* const found = find_flag(*command, other);
+    if (found != nullptr && found->value.empty()) return other + " is off unless given";
+  }
+  return std::string(missing_flag_advice(flag));
+}
+
 [[noreturn]] void refuse_flag(const std::string& word, const Command* command) {
-  const std::string flag = word.substr(0, word.find('='));
+  const std::string typed = word.substr(0, word.find('='));
+  const std::string flag(without_alias(typed));
+  const std::string shown = flag == typed ? flag : typed + " (" + flag + ")";
   if (command != nullptr && find_flag(*command, flag) != nullptr) {
     throw UsageError("flag " + flag + " must stand behind the verb: planish " + command->name +
                      " " + flag + " ...");
@@ -81,9 +107,11 @@ std::vector<std::string> flag_names(const Command* command) {
     if (find_flag(other, flag) != nullptr) owners.push_back(other.name);
   }
   if (!owners.empty()) {
-    throw UsageError("flag " + flag + " belongs to " + list_of(owners) +
+    throw UsageError("flag " + shown + " belongs to " + list_of(owners) +
                      (command == nullptr ? "" : ", not " + command->name));
   }
+  const std::string reason = reason_of_absence(flag, command);
+  if (!reason.empty()) throw UsageError("there is no flag " + flag + ": " + reason);
   throw UsageError("unknown flag " + flag + nearest_hint(flag, flag_names(command)));
 }
 
@@ -193,7 +221,9 @@ Parsed parse(std::span<const std::string> args) {
       parsed.arguments.operands.insert(parsed.arguments.operands.end(), given.begin(), given.end());
     }
   }
-  if (parsed.arguments.has("--help") || parsed.arguments.has("--version")) return parsed;
+  for (const char* flag : {"--help", "--help-all", "--version"}) {
+    if (parsed.arguments.has(flag)) return parsed;
+  }
   refuse_leftovers(app.remaining(true), parsed.command);
   refuse_empty_values(global_flags(), parsed.arguments);
   if (parsed.command == nullptr) return parsed;

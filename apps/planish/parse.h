@@ -14,7 +14,7 @@ struct Parsed {
 };
 
 /// Takes a command line apart. Asking for help or the version wins over every other fault.
-/// @throws UsageError for unknown verbs and flags, naming the nearest, for flags without their
+/// @throws UsageError for unknown verbs and flags, naming one that is near, for flags without their
 ///   value and for a wrong number of operands
 Parsed parse(std::span<const std::string> args);
 

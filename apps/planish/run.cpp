@@ -28,8 +28,9 @@ CommandResult usage_failure(const std::string& message, const std::string& json)
 CommandResult obey(std::span<const std::string> args, std::ostream& err,
                    const RunContext& context) {
   const Parsed parsed = parse(args);
-  if (parsed.arguments.has("--help")) {
-    return {parsed.command == nullptr ? program_help() : verb_help(*parsed.command), {}};
+  const bool all = parsed.arguments.has("--help-all");
+  if (all || parsed.arguments.has("--help")) {
+    return {parsed.command == nullptr ? program_help() : verb_help(*parsed.command, all), {}};
   }
   if (parsed.arguments.has("--version")) {
     return {"planish " + std::string(k_version) + "\n", json_version(k_version)};

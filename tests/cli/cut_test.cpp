@@ -49,7 +49,7 @@ TEST_F(Cut, LetsATubeBeLaidFlat) {
   const CliResult result =
       planish({"unfold", "tube.obj", "-o", "a.svg", "--cut", "seam.txt", "--json", "--unit", "cm"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("seam.txt: cut open along 5 edges, 5.000 cm"));
+  EXPECT_THAT(result.err, HasSubstr("seam.txt: cut open along 5 edges, 50.0 mm"));
   const auto json = result.json();
   EXPECT_EQ(json["cut"]["edges"], 5);
   EXPECT_EQ(json["cut"]["length"], 5.0);

@@ -44,7 +44,7 @@ TEST(Describe, NamesEveryVerbAndFlagOfTheHelp) {
     described.emplace(verb["name"].get<std::string>(), flag["name"].get<std::string>());
   });
   for (const Command& command : commands()) {
-    const std::string help = planish({command.name, "--help"}).out;
+    const std::string help = planish({command.name, "--help-all"}).out;
     for (std::size_t at = help.find("      --"); at != std::string::npos;
          at = help.find("      --", at + 1)) {
       const std::string name = help.substr(at + 6, help.find_first_of(" \n", at + 6) - at - 6);

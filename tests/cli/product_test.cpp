@@ -193,6 +193,31 @@ TEST_F(Product, ReadsFoldersOfMeshFiles) {
   EXPECT_THAT(flatten_product("none", "out2").err, HasSubstr("no mesh file"));
 }
 
+TEST_F(Product, NotesTheSizeOfEachPieceThatIsUnusual) {
+  write_product("two.obj", {sample("small", "dome", 120), sample("other", "cylinder", 120)});
+  const Names args = {"flatten", "two.obj", "-o", "out", "--formats", "svg", "--unit", "m"};
+  const CliResult result = planish(args);
+  EXPECT_THAT(result.err, testing::ContainsRegex("note: small: the pattern is [0-9]* m long; .*"
+                                                 "with --unit mm it would be [0-9]* mm"));
+  EXPECT_THAT(result.err, HasSubstr("note: other: the pattern is "));
+  EXPECT_THAT(planish({"flatten", "two.obj", "-o", "out2", "--formats", "svg"}).err,
+              testing::Not(HasSubstr("the pattern is ")));
+}
+
+TEST_F(Product, NamesTheModelsOfAFolderThatItCannotRead) {
+  std::filesystem::create_directory("mixed");
+  for (const char* name : {"mixed/b.step", "mixed/a.GLB", "mixed/notes.txt"})
+    std::ofstream(name) << "x";
+  const CliResult none = planish({"flatten", "mixed", "-o", "out"});
+  EXPECT_EQ(none.exit_code, k_exit_failed);
+  EXPECT_THAT(none.err, HasSubstr("; of a.GLB, b.step export a mesh as OBJ or STL"));
+  write_mesh("mixed/c.obj", make_shape("cylinder", 120));
+  const CliResult result = planish({"flatten", "mixed", "-o", "out", "--formats", "svg"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("note: mixed: skipped a.GLB, b.step, which cannot be read"));
+  EXPECT_THAT(result.err, testing::Not(HasSubstr("notes.txt")));
+}
+
 TEST_F(Product, RefusesFlagsThatGoWithTheOtherKindOfInput) {
   std::ofstream("fixed.txt") << "0\n";
   EXPECT_EQ(flatten_product("coat.obj", "out", {"--fix", "fixed.txt"}).exit_code, k_exit_usage);

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include <gmock/gmock.h>
 
@@ -47,8 +49,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"evolve", "a.obj", "-o", "b.obj", "--sweps=3"},
                 "unknown flag --sweps; did you mean --sweeps?"},
         Mistake{{"--jsn", "measure", "a.obj"}, "unknown flag --jsn; did you mean --json?"},
-        Mistake{{"measure", "a.obj", "--foo"}, "unknown flag --foo; the nearest is --"},
-        Mistake{{"measure", "a.obj", "-x"}, "unknown flag -x; the nearest is --"},
+        Mistake{{"measure", "a.obj", "--foo"}, "unknown flag --foo"},
+        Mistake{{"measure", "a.obj", "-x"}, "unknown flag -x"},
         Mistake{{"measure", "a.obj", "--sweeps", "3"},
                 "flag --sweeps belongs to flatten, evolve or compare, not measure"},
         Mistake{{"--sweeps", "3", "evolve", "a.obj"},
@@ -130,6 +132,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"flatten", "a.obj", "--closeness", "2%"}, "must be a number"},
         Mistake{{"flatten", "a.obj", "--material", "lether"},
                 "unknown material lether; did you mean leather?"},
+        Mistake{{"flatten", "a.obj", "--material", "10%"}, "give --max-strain 10%, or"},
+        Mistake{{"flatten", "a.obj", "--unit", "kilometre"}, "unknown unit kilometre (there are"},
         Mistake{{"flatten", "a.obj", "--material", "leather", "--max-strain", "1%"},
                 "--material and --max-strain both say what strain is allowed"},
         Mistake{{"evolve", "a.obj", "-o", "b.obj", "--material", "leather"},
@@ -139,6 +143,25 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{{"sample", "panl", "-o", "a.obj"}, "unknown sample panl; did you mean panel?"},
         Mistake{{"sample", "panel", "-o", "a.obj", "--vertices", "99"}, "--vertices is 99"},
         Mistake{{"sample", "panel", "-o", "a.obj", "--vertices", "1e5"}, "whole number"}));
+
+class Words : public CliTest {};
+
+TEST_F(Words, NameUnitsAndChoicesInCapitalsAndInFull) {
+  const auto pattern = [](const std::string& unit) {
+    return planish({"unfold", "panel.obj", "-o", "a.svg", "--unit", unit, "--json"}).json();
+  };
+  const auto expect_same = [&](const std::string& unit, const Names& words) {
+    for (const std::string& word : words)
+      EXPECT_EQ(pattern(word)["unit"], unit) << word;
+  };
+  expect_same("mm", {"MM", "millimetre", "millimeters"});
+  expect_same("cm", {"cm", "Centimetres", "centimeter"});
+  expect_same("m", {"M", "metre", "meter", "metres", "Meters"});
+  expect_same("in", {"inch", "Inches", "\""});
+  const Names args = {"unfold", "panel.obj",  "-o",       "a.pdf",       "--paper",
+                      "A4",     "--material", "Neoprene", "--allowance", "1 Inch"};
+  EXPECT_EQ(planish(args).exit_code, k_exit_done) << planish(args).err;
+}
 
 TEST(Usage, NoArgumentsGiveAShortHelpOnStandardError) {
   const CliResult result = planish({});
@@ -170,14 +193,42 @@ TEST(Help, IsAsWrittenDown) {
     EXPECT_EQ(result.exit_code, k_exit_done);
     EXPECT_EQ(result.err, "");
     expect_golden("help_" + command.name + ".txt", result.out);
+    const std::string all = planish({command.name, "--help-all"}).out;
+    if (has_first_flags(command)) {
+      expect_golden("help_all_" + command.name + ".txt", all);
+    } else {
+      EXPECT_EQ(all, result.out);
+    }
     EXPECT_EQ(planish({"--help", command.name}).out, result.out);
+  }
+}
+
+TEST(Help, ShowsTheUsualFlagsOfVerbsWithMany) {
+  constexpr std::size_t many = 25;
+  for (const Command& command : commands()) {
+    std::set<std::string> all, first;
+    for (const FlagGroup& group : command.groups) {
+      for (const Flag& flag : group.flags) {
+        all.insert(flag.name);
+        if (flag.first) first.insert(flag.name);
+      }
+    }
+    EXPECT_EQ(has_first_flags(command), all.size() > many) << command.name << all.size();
+    if (first.empty()) continue;
+    EXPECT_EQ(first.size(), 12U) << command.name;
+    const std::string help = planish({command.name, "--help"}).out;
+    EXPECT_LE(std::count(help.begin(), help.end(), '\n'), 60) << command.name;
+    EXPECT_TRUE(help.ends_with("All: planish " + command.name + " --help-all\n")) << help;
+    for (const std::string& flag : first)
+      EXPECT_THAT(help, HasSubstr(flag));
   }
 }
 
 TEST(Help, FitsEightyColumns) {
   std::vector<Names> all = {{"--help"}};
   for (const Command& command : commands())
-    all.push_back({command.name, "--help"});
+    for (const char* flag : {"--help", "--help-all"})
+      all.push_back({command.name, flag});
   for (const Names& args : all) {
     std::istringstream lines(planish(args).out);
     for (std::string line; std::getline(lines, line);)

@@ -79,7 +79,7 @@ std::map<std::string, std::string> inputs(const std::string& given) {
 
 /// Short flags may stand in one word: -qh.
 bool is_help(const std::vector<std::string>& args) {
-  return asks_for(args, "--help") ||
+  return asks_for(args, "--help") || asks_for(args, "--help-all") ||
          std::any_of(args.begin(), args.end(), [](const std::string& arg) {
            return arg.starts_with('-') && !arg.starts_with("--") && arg.find('h') != arg.npos;
          });

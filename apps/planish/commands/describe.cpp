@@ -9,6 +9,7 @@
 #include <planish_json/json.h>
 
 #include "commands/commands.h"
+#include "flags/synonyms.h"
 #include "shell/session.h"
 #include "shell/text.h"
 #include "shell/values.h"
@@ -60,6 +61,7 @@ Json flag_json(const Flag& flag) {
     return text.empty() ? Json(nullptr) : Json(text);
   };
   return {{"name", flag.name},
+          {"aliases", aliases_of(flag.name)},
           {"short", text_or_null(flag.letter == 0 ? "" : std::string("-") + flag.letter)},
           {"type", to_string(type)},
           {"unit", text_or_null(std::string(unit_of(type)))},
@@ -68,6 +70,7 @@ Json flag_json(const Flag& flag) {
           {"max", bound(flag.accepts.range.max)},
           {"default", standard_json(flag, type)},
           {"required", flag.required},
+          {"first", flag.first},
           {"placeholder", text_or_null(flag.value)},
           {"help", flag.doc}};
 }
@@ -95,11 +98,11 @@ std::vector<const Command*> described(const Arguments& arguments) {
   std::vector<std::string> names;
   for (const Command& command : commands())
     names.push_back(command.name);
-  if (!arguments.operands.empty()) known_name("verb", arguments.operands.front(), names);
+  const std::string asked =
+      arguments.operands.empty() ? "" : known_name("verb", arguments.operands.front(), names);
   std::vector<const Command*> chosen;
   for (const Command& command : commands()) {
-    if (arguments.operands.empty() || arguments.operands.front() == command.name)
-      chosen.push_back(&command);
+    if (asked.empty() || asked == command.name) chosen.push_back(&command);
   }
   return chosen;
 }
@@ -142,16 +145,17 @@ CommandResult run_describe(const Arguments& arguments, Session&) {
 }  // namespace
 
 Command describe_command() {
-  return {"describe",
-          "what all flags take, for programs that build on this one",
-          "[VERB]",
-          "Prints of each verb, or of the one named, what its flags take: type, range, choices and "
-          "default. With --json everything that --help says too, to build forms and bindings from.",
-          {"VERB"},
-          {},
-          {"planish describe --json", "planish describe flatten"},
-          run_describe,
-          true};
+  return {
+      "describe",
+      "what all flags take, for programs that build on this one",
+      "[VERB]",
+      "Prints of each verb, or of the one named, what its flags take: type, range, choices and "
+      "default. With --json everything that --help-all says too, to build forms and bindings from.",
+      {"VERB"},
+      {},
+      {"planish describe --json", "planish describe flatten"},
+      run_describe,
+      true};
 }
 
 }  // namespace planish::cli

@@ -89,6 +89,9 @@ Command evolve_command() {
   for (FlagGroup& group : method_flags(Method{}))
     groups.push_back(std::move(group));
   groups.push_back(constraint_flags());
+  mark_first(groups,
+             {"--output", "--unit", "--cut", "--remesh", "--history", "--method", "--sweeps",
+              "--target-e-max", "--max-deviation", "--max-strain", "--prefer", "--fix"});
   return {
       "evolve",
       "change a patch as little as needed towards flattenable",

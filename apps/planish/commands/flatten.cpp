@@ -325,9 +325,14 @@ Command flatten_command() {
     groups.front().flags.push_back(std::move(flag));
   groups.push_back(annotation_flags());
   groups.push_back(nest_flags());
-  for (FlagGroup& group : method_flags(FlattenOptions{}.method))
+  for (FlagGroup& group : method_flags(FlattenOptions{}.method)) {
+    if (group.method == name_of(FlattenOptions{}.method)) group.first_title = "How to evolve";
     groups.push_back(std::move(group));
+  }
   groups.push_back(constraint_flags());
+  mark_first(groups,
+             {"--output", "--unit", "--cut", "--remesh", "--formats", "--paper", "--allowance",
+              "--notches", "--grain", "--max-strain", "--material", "--prefer"});
   return {
       "flatten",
       "the whole job: evolve a patch, lay it flat, write its pattern",

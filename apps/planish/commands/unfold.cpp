@@ -98,6 +98,11 @@ Command unfold_command() {
       match_seams_flag()};
   for (Flag& flag : pattern_flags("divide the .pdf into pages to be joined"))
     flags.push_back(std::move(flag));
+  std::vector<FlagGroup> groups = {
+      {"Output", std::move(flags)}, {"Limits of the pattern", limit_flags()}, annotation_flags()};
+  mark_first(groups,
+             {"--output", "--unit", "--cut", "--match-seams", "--paper", "--allowance", "--notches",
+              "--grain", "--piece-name", "--quantity", "--max-strain", "--material"});
   return {
       "unfold",
       "lay a patch flat as it is",
@@ -108,7 +113,7 @@ Command unfold_command() {
       "no handle. "
       "--cut opens one that is none.",
       {"INPUT"},
-      {{"Output", std::move(flags)}, {"Limits of the pattern", limit_flags()}, annotation_flags()},
+      std::move(groups),
       {"planish unfold panel.obj -o pattern.svg",
        "planish unfold panel.obj -o pattern.svg --max-strain 8%",
        "planish unfold panel.obj -o pattern.pdf --paper a4",

@@ -42,8 +42,8 @@ std::optional<Allowance> allowance_from(const Arguments& arguments) {
   if (!arguments.has("--allowance")) return std::nullopt;
   Allowance allowance{.width = length_from(arguments, "--allowance")};
   const std::vector<std::string> names = corner_names();
-  const std::string name = arguments.value_or("--corners", names.front());
-  known_name("kind of corners", name, names);
+  const std::string name =
+      known_name("kind of corners", arguments.value_or("--corners", names.front()), names);
   allowance.corners = k_corners[static_cast<std::size_t>(
       std::find(names.begin(), names.end(), name) - names.begin())];
   return allowance;

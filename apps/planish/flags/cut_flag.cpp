@@ -9,6 +9,7 @@
 #include "shell/failures.h"
 #include "shell/session.h"
 #include "shell/text.h"
+#include "text/lengths.h"
 
 namespace planish::cli {
 
@@ -25,11 +26,11 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
   return about(path, [&]() -> CutInput {
     const CutLines lines = read_cuts(path_of(file), mesh);
     CutMesh cut = cut_open(Patch(mesh), lines.paths);
-    const std::string unit(to_string(unit_from(arguments)));
-    std::string text = file + ": cut open along " + counted(cut.edges, "edge") + ", " +
-                       digits(cut.length) + " " + unit;
+    const ShownLengths lengths(unit_from(arguments));
+    std::string text =
+        file + ": cut open along " + counted(cut.edges, "edge") + ", " + lengths.text(cut.length);
     if (lines.farthest > 0.0) {
-      text += "; what is drawn is at most " + digits(lines.farthest, 3) + " " + unit +
+      text += "; what is drawn is at most " + lengths.text(lines.farthest) +
               " from the vertices that stand for it";
     }
     session.note(text);

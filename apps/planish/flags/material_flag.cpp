@@ -41,6 +41,11 @@ double strain_of_material(const Arguments& arguments) {
         "--material and --max-strain both say what strain is allowed: give one of them");
   }
   const std::string& name = arguments.flags.at("--material");
+  if (!name.empty() && name.find_first_not_of("0123456789.,%") == std::string::npos) {
+    throw UsageError("--material is " + name + " but must be a name, " + list_of(material_names()) +
+                     "; for another strain give --max-strain " + name + ", or --max-strain " +
+                     name + "@p99 for 99 % of the area as with a material");
+  }
   return material_named(known_name("material", name, material_names())).max_strain;
 }
 

@@ -129,18 +129,18 @@ struct OptionSetter {
                 quantity_value(flag, *text, quantity_of(name), Range{0.0}, arguments)};
       return;
     }
-    known_name(std::string(name), *text, border_names(border));
+    const std::string known = known_name(std::string(name), *text, border_names(border));
     for (const auto& [rule, rule_name] : names_of(border.rule)) {
-      if (rule_name == *text) border = {rule};
+      if (rule_name == known) border = {rule};
     }
   }
   template <class Enum>
   void operator()(std::string_view name, Enum& value, const char*) const {
     const std::string* text = text_of(flag_name(name));
     if (text == nullptr) return;
-    known_name(std::string(name), *text, names_in(value));
+    const std::string known = known_name(std::string(name), *text, names_in(value));
     for (const auto& entry : names_of(value)) {
-      if (entry.second == *text) value = entry.first;
+      if (entry.second == known) value = entry.first;
     }
   }
 };
@@ -269,8 +269,9 @@ std::vector<FlagGroup> method_flags(const Method& standard) {
 }
 
 Method method_from(const Arguments& arguments, const Method& standard) {
-  const std::string name = arguments.value_or("--method", std::string(name_of(standard)));
-  Method method = method_named(known_name("method", name, method_names()));
+  const std::string name = known_name(
+      "method", arguments.value_or("--method", std::string(name_of(standard))), method_names());
+  Method method = method_named(name);
   refuse_flags_of_other_methods(name, arguments);
   std::visit([&](auto& options) { describe(options, OptionSetter{arguments}); }, method);
   if (auto* options = std::get_if<Auto>(&method)) imply_preference(*options, arguments);
@@ -330,7 +331,8 @@ std::vector<CompareRun> runs_from(const Arguments& arguments) {
     for (const std::string& name : split_at_commas(arguments.flags.at("--methods"))) {
       const Method method = method_named(known_name("method", name, method_names()));
       for (const CompareRun& run : runs) {
-        if (name_of(run.method) == name) throw UsageError("method " + name + " is named twice");
+        if (name_of(run.method) == name_of(method))
+          throw UsageError("method " + name + " is named twice");
       }
       runs.push_back({method, usual_stopping(method)});
     }

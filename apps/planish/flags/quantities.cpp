@@ -49,18 +49,17 @@ NumberAndSuffix taken_apart(const std::string& flag, const std::string& text, Qu
   if (parsed.ec != std::errc()) {
     throw UsageError(flag + " is \"" + text + "\" but must be " + demand_of(quantity));
   }
-  result.suffix = std::string(parsed.ptr, end);
+  const bool has_blank = end - parsed.ptr > 1 && *parsed.ptr == ' ';  // as in "10 mm"
+  result.suffix = std::string(parsed.ptr + (has_blank ? 1 : 0), end);
   return result;
 }
 
 /// What one of the suffix is in model units; 0 for what is no unit.
 double model_units_per(const std::string& suffix, const Arguments& arguments) {
   const Unit model = unit_from(arguments);
-  for (const Unit unit : k_units) {
-    if (suffix != to_string(unit)) continue;
-    return unit == model ? 1.0 : millimetres_per(unit) / millimetres_per(model);
-  }
-  return 0.0;
+  const auto unit = unit_of_word(suffix);
+  if (!unit) return 0.0;
+  return *unit == model ? 1.0 : millimetres_per(*unit) / millimetres_per(model);
 }
 
 /// What a number with the suffix is to be multiplied with; 0 where the suffix does not fit.

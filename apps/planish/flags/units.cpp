@@ -1,7 +1,9 @@
 #include "flags/units.h"
 
+#include <array>
 #include <vector>
 
+#include "shell/nearest.h"
 #include "shell/values.h"
 
 namespace planish::cli {
@@ -17,7 +19,39 @@ std::vector<std::string> unit_names() {
   return names;
 }
 
+struct UnitWord {
+  std::string_view word;
+  Unit unit;
+};
+
+/// What people write instead of the short names.
+constexpr std::array<UnitWord, 15> k_unit_words = {{{"millimetre", Unit::mm},
+                                                    {"millimeter", Unit::mm},
+                                                    {"millimetres", Unit::mm},
+                                                    {"millimeters", Unit::mm},
+                                                    {"centimetre", Unit::cm},
+                                                    {"centimeter", Unit::cm},
+                                                    {"centimetres", Unit::cm},
+                                                    {"centimeters", Unit::cm},
+                                                    {"metre", Unit::m},
+                                                    {"meter", Unit::m},
+                                                    {"metres", Unit::m},
+                                                    {"meters", Unit::m},
+                                                    {"inch", Unit::in},
+                                                    {"inches", Unit::in},
+                                                    {"\"", Unit::in}}};
+
 }  // namespace
+
+std::optional<Unit> unit_of_word(std::string_view word) {
+  for (const Unit unit : k_units) {
+    if (same_word(word, to_string(unit))) return unit;
+  }
+  for (const UnitWord& known : k_unit_words) {
+    if (same_word(word, known.word)) return known.unit;
+  }
+  return std::nullopt;
+}
 
 Flag unit_flag() {
   return {
@@ -26,7 +60,9 @@ Flag unit_flag() {
 }
 
 Unit unit_from(const Arguments& arguments) {
-  return unit_named(known_name("unit", arguments.value_or("--unit", "mm"), unit_names()));
+  const std::string word = arguments.value_or("--unit", "mm");
+  const auto unit = unit_of_word(word);
+  return unit ? *unit : unit_named(known_name("unit", word, unit_names()));
 }
 
 }  // namespace planish::cli

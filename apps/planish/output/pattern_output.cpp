@@ -42,9 +42,8 @@ std::vector<std::string> split(const std::string& text) {
 
 PatternFormat format_named(const std::string& name) {
   const std::vector<std::string> names = names_of(k_formats);
-  known_name("format", name, names);
-  return k_formats[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) -
-                                            names.begin())];
+  const auto found = std::find(names.begin(), names.end(), known_name("format", name, names));
+  return k_formats[static_cast<std::size_t>(found - names.begin())];
 }
 
 // "cut=LASER,label=NOTES"

@@ -15,6 +15,7 @@
 #include "shell/file_name.h"
 #include "shell/text.h"
 #include "text/json_text.h"
+#include "text/lengths.h"
 #include "text/summary.h"
 
 namespace planish::cli {
@@ -70,11 +71,21 @@ class ProductRun {
     text += twins_text(report_) + seams_text(report_) + (nesting ? nesting->text : "") +
             written_text(files) + "and a folder for each patch beside it\n";
     CommandResult outcome = with_nesting_checked(with_exit_code({text, garment}), nesting);
+    note_unusual_sizes();
     session_.write(files, job_.folder);
     return outcome;
   }
 
  private:
+  void note_unusual_sizes() const {
+    for (const PatchResult& patch : report_.patches) {
+      if (!patch.finished) continue;
+      const UnfoldReport& unfold = patch.finished->unfold;
+      if (const auto size = unusual_size_text(unfold.pattern, unfold.unit))
+        session_.note(patch.name + ": " + *size);
+    }
+  }
+
   std::filesystem::path folder_of(std::size_t p) const {
     return job_.folder / path_of(job_.places[p].folder);
   }

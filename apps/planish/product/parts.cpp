@@ -30,18 +30,39 @@ bool is_mesh_file(const fs::path& path) {
   });
 }
 
-std::vector<std::string> mesh_files_in(const std::string& folder) {
+/// "a.glb, b.step and 3 more"
+std::string names_of(const std::vector<fs::path>& files) {
+  constexpr std::size_t k_most = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(files.size(), k_most); ++i)
+    text += (i > 0 ? ", " : "") + utf8_of(files[i].filename());
+  if (files.size() > k_most) text += " and " + std::to_string(files.size() - k_most) + " more";
+  return text;
+}
+
+/// The meshes of a folder. A note names models that cannot be read.
+std::vector<std::string> mesh_files_in(Session& session, const std::string& folder) {
   std::error_code failure;
-  std::vector<fs::path> files;
+  std::vector<fs::path> files, others;
   for (fs::directory_iterator at(path_of(folder), failure), end; !failure && at != end;
        at.increment(failure)) {
     std::error_code ignored;
-    if (at->is_regular_file(ignored) && is_mesh_file(at->path())) files.push_back(at->path());
+    if (!at->is_regular_file(ignored)) continue;
+    if (is_mesh_file(at->path())) files.push_back(at->path());
+    if (is_other_model(at->path())) others.push_back(at->path());
   }
   if (failure) throw Error(ErrorCode::file_unreadable, failure.message(), {.path = folder});
+  std::sort(others.begin(), others.end());
+  const std::string advice = "export a mesh as OBJ or STL from the program that made it";
   if (files.empty()) {
     throw Error(ErrorCode::file_unreadable,
-                "the folder holds no mesh file: .obj, .ply, .stl or .off", {.path = folder});
+                "the folder holds no mesh file: .obj, .ply, .stl or .off" +
+                    (others.empty() ? "" : "; of " + names_of(others) + " " + advice),
+                {.path = folder});
+  }
+  if (!others.empty()) {
+    session.note(folder + ": skipped " + names_of(others) + ", which cannot be read; of each " +
+                 advice);
   }
   std::sort(files.begin(), files.end());
   std::vector<std::string> names;
@@ -92,7 +113,7 @@ std::vector<PatchPlace> places_of(const std::vector<ProductPatch>& patches,
 ProductInput read_folder(Session& session, const std::string& folder) {
   ProductInput input;
   std::vector<MeshFormat> formats;
-  const std::vector<std::string> files = mesh_files_in(folder);
+  const std::vector<std::string> files = mesh_files_in(session, folder);
   for (const std::string& file : files) {
     input.path = file;
     try {

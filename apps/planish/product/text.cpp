@@ -5,6 +5,7 @@
 
 #include "flatten/twin_report.h"
 #include "shell/text.h"
+#include "text/lengths.h"
 
 namespace planish::cli {
 
@@ -32,8 +33,9 @@ std::string patch_line(const PatchResult& patch) {
   const UnfoldReport& unfold = patch.finished->unfold;
   const Pattern& pattern = unfold.pattern;
   const auto& twin = patch.finished->twin_of;
-  return name + right(digits(pattern.width), 7) + " x " + right(digits(pattern.height), 7) + " " +
-         std::string(to_string(unfold.unit)) + "  strain rms " +
+  const ShownLengths lengths(unfold.unit);
+  return name + right(lengths.number(pattern.width), 7) + " x " +
+         right(lengths.number(pattern.height), 7) + " " + lengths.unit() + "  strain rms " +
          right(percent(unfold.strain.rms), 8) + ", largest " +
          right(percent(unfold.strain.max), 8) + limits_mark(unfold.limits) +
          (pattern.overlaps ? "  overlaps itself" : "") + (twin ? "  " + twin_text(*twin) : "") +

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 namespace planish::cli {
 
@@ -29,6 +30,26 @@ std::string Arguments::value_or(std::string_view flag, const std::string& other)
   return found == flags.end() ? other : found->second;
 }
 
+void mark_first(std::vector<FlagGroup>& groups, const std::vector<std::string>& names) {
+  const auto flag_named = [&](const std::string& name) -> Flag& {
+    for (FlagGroup& group : groups) {
+      for (Flag& flag : group.flags) {
+        if (flag.name == name) return flag;
+      }
+    }
+    throw std::out_of_range("no flag " + name);
+  };
+  for (const std::string& name : names)
+    flag_named(name).first = true;
+}
+
+bool has_first_flags(const Command& command) {
+  return std::any_of(command.groups.begin(), command.groups.end(), [](const FlagGroup& group) {
+    return std::any_of(group.flags.begin(), group.flags.end(),
+                       [](const Flag& flag) { return flag.first; });
+  });
+}
+
 const FlagGroup& global_flags() {
   static const FlagGroup group = {
       "Flags of every verb",
@@ -41,6 +62,7 @@ const FlagGroup& global_flags() {
         false,
         {.range = k_threads}},
        {"--help", "", "print help and end", 'h'},
+       {"--help-all", "", "print help with all flags and end"},
        {"--version", "", "print the version and end"}}};
   return group;
 }

@@ -49,6 +49,7 @@ struct Flag {
   char letter = 0;  ///< of the short form; 0 for none
   bool required = false;
   FlagValue accepts = {};
+  bool first = false;  ///< one of the few that most people need; --help shows these alone
 };
 
 ValueType type_of(const Flag& flag);
@@ -56,7 +57,8 @@ ValueType type_of(const Flag& flag);
 struct FlagGroup {
   std::string title;
   std::vector<Flag> flags;
-  std::string method = {};  ///< that alone takes them; empty for all
+  std::string method = {};       ///< that alone takes them; empty for all
+  std::string first_title = {};  ///< above the flags that come first; empty for the same
 };
 
 /// What the user typed behind the verb.
@@ -97,6 +99,13 @@ struct Command {
 
 /// What --threads takes; 0 for all cores.
 inline constexpr Range k_threads = {0.0, 1024.0};
+
+/// Marks the flags that --help shows first; of several with one name, the first one.
+/// @throws std::out_of_range where the verb has none of that name
+void mark_first(std::vector<FlagGroup>& groups, const std::vector<std::string>& names);
+
+/// Whether --help shows some flags only, and --help-all the rest.
+bool has_first_flags(const Command& command);
 
 /// The flags that every verb takes, before or behind it.
 const FlagGroup& global_flags();

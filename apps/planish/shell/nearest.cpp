@@ -8,8 +8,12 @@ namespace planish::cli {
 
 namespace {
 
+char small_letter(char c) {
+  return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+}
+
 bool same_letter(char a, char b) {
-  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  return small_letter(a) == small_letter(b);
 }
 
 bool starts_with(std::string_view word, std::string_view start) {
@@ -17,7 +21,18 @@ bool starts_with(std::string_view word, std::string_view start) {
          std::equal(start.begin(), start.end(), word.begin(), same_letter);
 }
 
+/// How far a word may be from the one that was meant. In words of one or two letters, as units and
+/// sizes of paper, every letter counts.
+std::size_t near_enough(std::string_view word) {
+  const std::size_t letters = word.size() - std::min(word.find_first_not_of('-'), word.size());
+  return letters < 3 ? 0 : std::max<std::size_t>(1, letters / 4);
+}
+
 }  // namespace
+
+bool same_word(std::string_view a, std::string_view b) {
+  return a.size() == b.size() && starts_with(a, b);
+}
 
 // Optimal string alignment, three rows of the table at a time.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -52,9 +67,8 @@ std::string nearest_hint(std::string_view word, std::span<const std::string> kno
     nearest = &candidate;
     smallest = distance;
   }
-  if (nearest == nullptr) return {};
-  const bool close = smallest <= std::max<std::size_t>(1, word.size() / 3);
-  return close ? "; did you mean " + *nearest + "?" : "; the nearest is " + *nearest;
+  if (nearest == nullptr || smallest > near_enough(word)) return {};
+  return "; did you mean " + *nearest + "?";
 }
 
 }  // namespace planish::cli

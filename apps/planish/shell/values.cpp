@@ -33,9 +33,11 @@ int whole_number_of(const std::string& flag, const std::string& text, Range rang
   return value;
 }
 
-const std::string& known_name(const std::string& what, const std::string& text,
-                              std::span<const std::string> known) {
-  if (std::find(known.begin(), known.end(), text) != known.end()) return text;
+std::string known_name(const std::string& what, const std::string& text,
+                       std::span<const std::string> known) {
+  const auto found = std::find_if(known.begin(), known.end(),
+                                  [&](const std::string& name) { return same_word(name, text); });
+  if (found != known.end()) return *found;
   throw UsageError("unknown " + what + " " + text + nearest_hint(text, known) + " (there are " +
                    list_of(known) + ")");
 }

@@ -18,10 +18,10 @@ std::string plain(double value);
 /// @throws UsageError where it is none, Error option_out_of_range
 int whole_number_of(const std::string& flag, const std::string& text, Range range);
 
-/// Passes on a text that is one of the known names.
-/// @throws UsageError that says which names there are and which is nearest
-const std::string& known_name(const std::string& what, const std::string& text,
-                              std::span<const std::string> known);
+/// The one of the known names that the text is, in capitals or not.
+/// @throws UsageError that says which names there are and which is near
+std::string known_name(const std::string& what, const std::string& text,
+                       std::span<const std::string> known);
 
 /// "a, b or c"
 std::string list_of(std::span<const std::string> names);

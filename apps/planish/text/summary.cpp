@@ -10,15 +10,12 @@
 #include "platform/path.h"
 #include "shell/text.h"
 #include "shell/values.h"
+#include "text/lengths.h"
 #include "text/memory_text.h"
 
 namespace planish::cli {
 
 namespace {
-
-// Lengths in mm beyond which the unit is probably not the one meant.
-constexpr double k_small_pattern = 10.0;
-constexpr double k_large_pattern = 50'000.0;
 
 constexpr double k_degrees = 57.295779513082320877;
 
@@ -188,16 +185,16 @@ std::string form_lines(const EvolveReport& report) {
   return text;
 }
 
-std::string deviation_lines(const Deviation& deviation, const std::string& unit) {
-  return "  deviation   rms " + digits(deviation.rms, 3) + ", largest " + digits(deviation.max, 3) +
-         " " + unit + "\n              rms is " + percent(deviation.rms_over_diagonal) +
-         " of the bounding box's diagonal\n";
+std::string deviation_lines(const Deviation& deviation, const ShownLengths& lengths) {
+  return "  deviation   rms " + lengths.number(deviation.rms) + ", largest " +
+         lengths.text(deviation.max) + "\n              rms is " +
+         percent(deviation.rms_over_diagonal) + " of the bounding box's diagonal\n";
 }
 
-std::string border_line(const std::optional<BoundaryChange>& border, const std::string& unit) {
+std::string border_line(const std::optional<BoundaryChange>& border, const ShownLengths& lengths) {
   if (!border) return {};
   const double change = border->length_after / border->length_before - 1.0;
-  return "  border      moved by at most " + digits(border->max, 3) + " " + unit + ", its length " +
+  return "  border      moved by at most " + lengths.text(border->max) + ", its length " +
          (change < 0.0 ? "-" : "+") + percent(std::abs(change)) + "\n";
 }
 
@@ -208,17 +205,16 @@ std::string remeshing_line(const EvolveReport& report) {
          " vertices; the border keeps all of its own\n";
 }
 
-std::string smoothing_line(const EvolveReport& report, const std::string& unit) {
+std::string smoothing_line(const EvolveReport& report, const ShownLengths& lengths) {
   const auto& smoothed = report.smoothed_first;
   if (!smoothed) return {};
-  const auto length = [&](double value) { return digits(value, 3) + " " + unit; };
-  return "design smoothed first: waves shorter than " + length(smoothed->length) +
-         " taken out, moved " + length(smoothed->moved.rms) + " rms, at most " +
-         length(smoothed->moved.max) + "\n";
+  return "design smoothed first: waves shorter than " + lengths.text(smoothed->length) +
+         " taken out, moved " + lengths.text(smoothed->moved.rms) + " rms, at most " +
+         lengths.text(smoothed->moved.max) + "\n";
 }
 
-std::string run_line(const EvolveReport& report, const std::string& unit) {
-  return remeshing_line(report) + smoothing_line(report, unit) +
+std::string run_line(const EvolveReport& report, const ShownLengths& lengths) {
+  return remeshing_line(report) + smoothing_line(report, lengths) +
          std::string(name_of(report.method)) + ": " +
          counted(report.result.history.size(), "sweep") + " in " + fixed(report.result.seconds, 2) +
          " s on " + counted(report.result.threads, "thread") + ", ended as\n  " +
@@ -227,9 +223,9 @@ std::string run_line(const EvolveReport& report, const std::string& unit) {
 
 std::string pattern_lines(const UnfoldReport& report) {
   const Pattern& pattern = report.pattern;
-  return "  pattern     " + digits(pattern.width) + " x " + digits(pattern.height) + " " +
-         std::string(to_string(report.unit)) + ", " + percent(pattern.area_ratio) +
-         " of the patch's area\n" + "              " +
+  const ShownLengths lengths(report.unit);
+  return "  pattern     " + lengths.number(pattern.width) + " x " + lengths.text(pattern.height) +
+         ", " + percent(pattern.area_ratio) + " of the patch's area\n" + "              " +
          (pattern.flipped_triangles == 0 ? "no flipped triangle"
                                          : counted(pattern.flipped_triangles, "flipped triangle")) +
          (pattern.overlaps ? ", overlaps itself\n" : ", no overlap\n");
@@ -291,10 +287,11 @@ std::string refused_text(const std::string& path, const Inspection& inspection) 
 }
 
 std::string evolve_text(const EvolveReport& report) {
-  return run_line(report, "model units") + comparison_head() +
+  const ShownLengths lengths = ShownLengths::in_model_units();
+  return run_line(report, lengths) + comparison_head() +
          comparison(figure_rows(report.before.figures, report.after.figures)) + "\n" +
-         deviation_lines(report.deviation, "model units") +
-         border_line(report.border, "model units") + form_lines(report);
+         deviation_lines(report.deviation, lengths) + border_line(report.border, lengths) +
+         form_lines(report);
 }
 
 std::string unfold_text(const UnfoldReport& report) {
@@ -307,12 +304,13 @@ std::string unfold_text(const UnfoldReport& report) {
 
 std::string flatten_text(const FlattenReport& report) {
   const std::string limits = strain_limits_text(report.unfold.limits);
-  return run_line(report.evolve, std::string(to_string(report.unfold.unit))) + comparison_head() +
+  const ShownLengths lengths(report.unfold.unit);
+  return run_line(report.evolve, lengths) + comparison_head() +
          comparison(figure_rows(report.evolve.before.figures, report.evolve.after.figures)) +
          comparison(strain_rows(report.unfold_before.strain, report.unfold.strain)) + "\n" +
-         deviation_lines(report.evolve.deviation, std::string(to_string(report.unfold.unit))) +
-         border_line(report.evolve.border, std::string(to_string(report.unfold.unit))) +
-         form_lines(report.evolve) + pattern_lines(report.unfold) + unlimited_lines(report.unfold) +
+         deviation_lines(report.evolve.deviation, lengths) +
+         border_line(report.evolve.border, lengths) + form_lines(report.evolve) +
+         pattern_lines(report.unfold) + unlimited_lines(report.unfold) +
          matching_lines(report.unfold) + (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");
 }
 
@@ -380,13 +378,7 @@ void warn_of_pattern(Session& session, const UnfoldReport& report) {
     session.warn(
         "laying flat ended before it converged: the pattern may be stretched more than need be");
   }
-  const double longest = std::max(pattern.width, pattern.height);
-  const double millimetres = longest * millimetres_per(report.unit);
-  if (millimetres < k_small_pattern || millimetres > k_large_pattern) {
-    session.note("the pattern is " + digits(longest, 3) + " " +
-                 std::string(to_string(report.unit)) +
-                 " long; if the mesh is in another unit, tell it with --unit");
-  }
+  if (const auto size = unusual_size_text(pattern, report.unit)) session.note(*size);
 }
 
 }  // namespace planish::cli

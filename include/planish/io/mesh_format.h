@@ -24,6 +24,10 @@ std::string_view to_string(MeshFormat format);
 /// @throws Error unsupported_format naming the extensions that are known
 MeshFormat mesh_format_of(const std::filesystem::path& path);
 
+/// Whether the extension, in either case, is one of the usual ones of models that cannot be read
+/// here, such as .step, .glb and .3mf.
+bool is_other_model(const std::filesystem::path& path);
+
 /// The bytes of a mesh file. OBJ and OFF: text, shortest digits that read back to the same doubles.
 /// PLY: binary little-endian, doubles. STL: binary, floats as the format has it, so that positions
 /// are rounded and vertex numbers are lost. Vertices and triangles keep their order.

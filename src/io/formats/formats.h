@@ -12,6 +12,11 @@ namespace planish {
 /// ".obj" of part.OBJ.
 std::string lower_extension(const std::filesystem::path& path);
 
+/// As mesh_format_of(). Where another program wrote the file, the error says what to export
+/// instead.
+/// @throws Error unsupported_format
+MeshFormat readable_format_of(const std::filesystem::path& path);
+
 // One pair a format. Readers take the bytes of a file that is not empty; writers take a mesh whose
 // positions are finite and whose indices are in range.
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include <planish/core/error.h>
@@ -8,6 +10,16 @@
 #include "platform/path.h"
 
 namespace planish {
+
+namespace {
+
+/// Of models that other programs write, and that no reader here reads.
+constexpr std::array<std::string_view, 24> k_other_models = {
+    ".glb", ".gltf", ".fbx", ".dae", ".3ds",    ".blend", ".usd",  ".usdz",
+    ".3mf", ".amf",  ".wrl", ".x3d", ".step",   ".stp",   ".iges", ".igs",
+    ".3dm", ".brep", ".x_t", ".sat", ".sldprt", ".ipt",   ".f3d",  ".fcstd"};
+
+}  // namespace
 
 std::string_view to_string(MeshFormat format) {
   switch (format) {
@@ -41,6 +53,19 @@ MeshFormat mesh_format_of(const std::filesystem::path& path) {
               (extension.empty() ? "the name has no extension"
                                  : "the extension " + in_quotes(extension) + " is not known") +
                   std::string("; known are .obj, .ply, .stl and .off"),
+              {.path = utf8_of(path)});
+}
+
+bool is_other_model(const std::filesystem::path& path) {
+  const std::string lower = lower_extension(path);
+  return std::find(k_other_models.begin(), k_other_models.end(), lower) != k_other_models.end();
+}
+
+MeshFormat readable_format_of(const std::filesystem::path& path) {
+  if (!is_other_model(path)) return mesh_format_of(path);
+  throw Error(ErrorCode::unsupported_format,
+              "files of the kind " + in_quotes(utf8_of(path.extension())) +
+                  " cannot be read; export a mesh as OBJ or STL from the program that made it",
               {.path = utf8_of(path)});
 }
 

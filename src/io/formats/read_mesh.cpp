@@ -9,7 +9,7 @@
 namespace planish {
 
 ReadResult read_mesh(const std::filesystem::path& path) {
-  const MeshFormat format = mesh_format_of(path);
+  const MeshFormat format = readable_format_of(path);
   const FileBytes file(path);
   return parse_mesh(file.view(), format, utf8_of(path));
 }

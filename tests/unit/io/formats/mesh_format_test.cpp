@@ -31,5 +31,12 @@ TEST(MeshFormat, RefusesOthersAndNamesThoseThatAreKnown) {
             "the extension \".gz\" is not known; known are .obj, .ply, .stl and .off");
 }
 
+TEST(MeshFormat, KnowsModelsThatOtherProgramsWrite) {
+  for (const char* path : {"a.glb", "a.STEP", "a.3mf", "a.fbx", "a.dae", "a.3dm"})
+    EXPECT_TRUE(is_other_model(path)) << path;
+  for (const char* path : {"a.obj", "a.txt", "a", ".step", ""})
+    EXPECT_FALSE(is_other_model(path)) << path;
+}
+
 }  // namespace
 }  // namespace planish

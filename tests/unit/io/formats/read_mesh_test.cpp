@@ -77,7 +77,12 @@ TEST_F(ReadMesh, RefusesEmptyFiles) {
 }
 
 TEST_F(ReadMesh, RefusesUnknownExtensionsBeforeItLooksForTheFile) {
-  EXPECT_EQ(error_of([] { read_mesh("none.fbx"); }).code(), ErrorCode::unsupported_format);
+  EXPECT_EQ(error_of([] { read_mesh("none.xyz"); }).code(), ErrorCode::unsupported_format);
+  const Error other = error_of([] { read_mesh("none.STEP"); });
+  EXPECT_EQ(other.code(), ErrorCode::unsupported_format);
+  EXPECT_EQ(other.message(),
+            "files of the kind \".STEP\" cannot be read; export a mesh as OBJ or STL from the "
+            "program that made it");
 }
 
 /// Files of every format: as written, and with what readers pass over or split.

@@ -29,7 +29,7 @@ ALLOWED = {
     "pattern": {"platform", "core", "geometry", "mesh", "io"},
     "flatten": {"core", "mesh", "measure", "evolve", "unfold"},
     "sheet": {"core", "mesh", "draw", "unfold", "pattern", "flatten"},
-    "report": {"core", "mesh", "measure", "draw", "evolve", "unfold", "pattern", "flatten", "sheet"},
+    "report": {"core", "mesh", "io", "measure", "draw", "evolve", "unfold", "pattern", "flatten", "sheet"},
 }
 
 # Layer -> its floors, lowest first. A room includes those of lower floors; the layer's face, its

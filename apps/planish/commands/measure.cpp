@@ -1,9 +1,11 @@
+#include <iterator>
 #include <optional>
 #include <utility>
 
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
+#include "flags/fields_flag.h"
 #include "flags/limit_flags.h"
 #include "platform/path.h"
 #include "report/pictures/direction_map.h"
@@ -28,14 +30,18 @@ void check_picture_format(const std::string& path) {
   throw Error(ErrorCode::unsupported_format, "the picture is an .svg file", {.path = path});
 }
 
-/// The files that the flags ask for, without content.
+/// The files of directions that the flags ask for, without content.
+/// @throws UsageError where one of them has the path of another output
 std::vector<OutputFile> places_from(const Arguments& arguments) {
   std::vector<OutputFile> files;
   for (const char* flag : {"--map", "--picture"}) {
     if (arguments.has(flag)) files.push_back({path_of(arguments.flags.at(flag)), {}});
   }
   if (arguments.has("--picture")) check_picture_format(arguments.flags.at("--picture"));
-  refuse_shared_places(files);
+  std::vector<OutputFile> all = files;
+  for (const auto& [role, path] : fields_paths(arguments))
+    all.push_back({path_of(path), {}});
+  refuse_shared_places(all);
   return files;
 }
 
@@ -70,6 +76,14 @@ std::optional<StrainAsDesigned> strain_of(const Patch& patch, const StrainLimits
   }
 }
 
+/// The fields of the patch as it is; those of strain where it can be laid flat.
+std::vector<OutputFile> fields_of_input(const Patch& patch, bool has_pattern,
+                                        const Arguments& arguments, Session& session) {
+  Pattern pattern;
+  if (has_pattern) pattern = unfold(patch, {}, session.job_context({}));
+  return fields_files(patch.mesh(), fields_of(patch, pattern.positions), fields_paths(arguments));
+}
+
 CommandResult run_measure(const Arguments& arguments, Session& session) {
   std::vector<OutputFile> files = places_from(arguments);
   const std::string& path = arguments.operands.front();
@@ -91,9 +105,15 @@ CommandResult run_measure(const Arguments& arguments, Session& session) {
   if (!files.empty()) {
     DrawnDirections drawn = directions_of(patch, std::move(files), arguments);
     files = std::move(drawn.files);
-    text += directions_text(drawn.counts) + written_text(files);
+    text += directions_text(drawn.counts);
     more.push_back(figures_of(drawn.counts));
   }
+  if (arguments.has("--fields")) {
+    std::vector<OutputFile> fields =
+        about(path, [&] { return fields_of_input(patch, strain.has_value(), arguments, session); });
+    std::move(fields.begin(), fields.end(), std::back_inserter(files));
+  }
+  if (!files.empty()) text += written_text(files);
   CommandResult outcome = {std::move(text), json_report(measured, strain, more)};
   if (!files.empty()) session.write(files);
   return strain ? with_limits_checked(std::move(outcome), strain->limits) : outcome;
@@ -116,11 +136,13 @@ Command measure_command() {
       {"INPUT"},
       {{"Output",
         {{"--map", "FILE", "classes and directions of all vertices, as comma-separated values"},
-         {"--picture", "FILE", "the same as pictures side by side: .svg"}}},
+         {"--picture", "FILE", "the same as pictures side by side: .svg"},
+         fields_flag()}},
        {"Limits of the pattern", limit_flags()}},
       {"planish measure panel.obj", "planish measure panel.obj --json",
        "planish measure panel.obj --material neoprene",
-       "planish measure panel.obj --map panel.csv --picture panel.svg"},
+       "planish measure panel.obj --map panel.csv --picture panel.svg",
+       "planish measure panel.obj --fields panel-fields.vtp"},
       run_measure};
 }
 

@@ -5,6 +5,7 @@
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
+#include "commands/measure_files.h"
 #include "flags/fields_flag.h"
 #include "flags/limit_flags.h"
 #include "platform/path.h"
@@ -61,21 +62,6 @@ DrawnDirections directions_of(const Patch& patch, std::vector<OutputFile> files,
   return {std::move(files), count_directions(directions)};
 }
 
-/// Of the patch laid flat as it is; nothing where that is not possible and no limit was asked for.
-/// @throws Error what stands in the way, where a limit was asked for
-std::optional<StrainAsDesigned> strain_of(const Patch& patch, const StrainLimits& limits,
-                                          Session& session) {
-  if (!limits.any() && blocking_problem(patch.inspection(), Purpose::unfold)) return std::nullopt;
-  try {
-    return strain_as_designed(patch, limits, session.job_context({}));
-  } catch (const Error& error) {
-    const bool is_no_fault =
-        error.code() == ErrorCode::unfold_failed || error.code() == ErrorCode::too_large;
-    if (limits.any() || !is_no_fault) throw;
-    return std::nullopt;
-  }
-}
-
 /// The fields of the patch as it is; those of strain where it can be laid flat.
 std::vector<OutputFile> fields_of_input(const Patch& patch, bool has_pattern,
                                         const Arguments& arguments, Session& session) {
@@ -85,6 +71,7 @@ std::vector<OutputFile> fields_of_input(const Patch& patch, bool has_pattern,
 }
 
 CommandResult run_measure(const Arguments& arguments, Session& session) {
+  if (measures_several(arguments)) return measure_files(arguments, session);
   std::vector<OutputFile> files = places_from(arguments);
   const std::string& path = arguments.operands.front();
   const StrainLimits limits = limits_from(arguments);
@@ -125,25 +112,31 @@ Command measure_command() {
   return {
       "measure",
       "report how far a patch is from flattenable",
-      "INPUT",
+      "INPUT ...",
       "Prints sizes, topology and the figures of the angle defects of a triangle mesh (.obj, "
       ".ply, .stl or .off), and every problem that stands in the way of evolving it or laying "
       "it flat. With --map or --picture also tells of each vertex whether it is flat, on a "
       "dome or cup or on a saddle, and whether its Laplacian direction lowers the energy of "
       "its ring; else nothing is written. Also lays the patch flat as it is, tells the strain of "
       "that pattern, and how much a sheet must take for the patch to be cut from it as it is. "
-      "Ends with exit code 3 if no pattern keeps a limit that was asked for.",
+      "Ends with exit code 3 if no pattern keeps a limit that was asked for. Of several inputs, or "
+      "of all mesh files of a folder, prints a line each; one that fails does not end the others, "
+      "but the exit code is 1 at the end.",
       {"INPUT"},
       {{"Output",
         {{"--map", "FILE", "classes and directions of all vertices, as comma-separated values"},
          {"--picture", "FILE", "the same as pictures side by side: .svg"},
-         fields_flag()}},
+         fields_flag(),
+         {"--csv", "FILE", "the figures of all inputs as comma-separated values, a line a file"}}},
        {"Limits of the pattern", limit_flags()}},
       {"planish measure panel.obj", "planish measure panel.obj --json",
        "planish measure panel.obj --material neoprene",
        "planish measure panel.obj --map panel.csv --picture panel.svg",
-       "planish measure panel.obj --fields panel-fields.vtp"},
-      run_measure};
+       "planish measure panel.obj --fields panel-fields.vtp",
+       "planish measure front.obj back.ply patches --csv figures.csv"},
+      run_measure,
+      false,
+      true};
 }
 
 }  // namespace planish::cli

@@ -30,6 +30,8 @@ bool is_mesh_file(const fs::path& path) {
   });
 }
 
+}  // namespace
+
 std::vector<std::string> mesh_files_in(const std::string& folder) {
   std::error_code failure;
   std::vector<fs::path> files;
@@ -50,6 +52,8 @@ std::vector<std::string> mesh_files_in(const std::string& folder) {
     names.push_back(utf8_of(file));
   return names;
 }
+
+namespace {
 
 /// Triangles that share no edges are no product but one patch that was written without joining
 /// them.

@@ -30,6 +30,7 @@ librsvg2-bin        command rsvg-convert
 poppler-utils       command pdftoppm
 python3             command python3
 python3-ezdxf       python ezdxf
+python3-meshio      python meshio
 qpdf                command qpdf
 valgrind            command valgrind
 "

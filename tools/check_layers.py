@@ -29,7 +29,7 @@ ALLOWED = {
     "pattern": {"platform", "core", "geometry", "mesh", "io"},
     "flatten": {"core", "mesh", "measure", "evolve", "unfold"},
     "sheet": {"core", "mesh", "draw", "unfold", "pattern", "flatten"},
-    "report": {"core", "mesh", "measure", "draw", "evolve", "unfold", "pattern", "flatten", "sheet"},
+    "report": {"core", "mesh", "io", "measure", "draw", "evolve", "unfold", "pattern", "flatten", "sheet"},
 }
 
 # Layer -> its floors, lowest first. A room includes those of lower floors; the layer's face, its
@@ -77,6 +77,7 @@ FOR_THE_PROGRAM = {
     "mesh/split.h",
     "platform/memory.h",
     "platform/path.h",
+    "report/measured_files.h",
     "report/pictures/direction_map.h",
     "sheet/cut_sheet.h",
 }

@@ -1,29 +1,27 @@
 #!/usr/bin/env python3
-"""Runs all methods on all patches of a folder and writes docs/comparison.csv and the tables of
+"""Runs every method on every patch of a folder and writes a table of figures.
+
+RESULTS keeps the answer of `planish compare --json` for each patch and method; a run whose answer
+is there is not made again. Into RESULTS go comparison.csv, a row for each run, and comparison.md,
+tables of medians and counts; with --update-docs also docs/comparison.csv and the tables of
 docs/comparison.md.
 
-    tools/compare_patches.py PLANISH FOLDER RESULTS
-
-RESULTS is a folder where the answer of `planish compare --json` for each patch is kept; a patch
-whose answer lies there is not run again. Patches above LARGE vertices get FEW_SWEEPS sweeps of
-every method, as global methods on them take long; all others what each method usually takes.
-local_perturbation gets FEW_SWEEPS rounds everywhere, and is given up after PATIENCE seconds.
+Patches above LARGE vertices get FEW_SWEEPS sweeps of every method but auto, as global methods on
+them take long; all others what each method usually takes. local_perturbation gets FEW_SWEEPS rounds
+everywhere, and is given up after PATIENCE seconds.
 """
 
+import argparse
 import csv
 import json
 import pathlib
 import subprocess
-import sys
 
 import comparison_tables
 
 LARGE, FEW_SWEEPS, PATIENCE = 20_000, 10, 60
 SLOW = "local_perturbation"
-METHODS = [
-    "controllable", "classical", "least_norm", "flattenable_laplacian", "local_offset",
-    "global_penalty", "fairing",
-]  # fmt: skip
+ENDS_BY_ITSELF = "auto"
 COLUMNS = [
     "patch", "vertices", "method", "sweeps", "stop", "seconds", "e_max", "e_avg", "energy",
     "sum_abs_defect", "strain_rms", "strain_max", "rms_deviation_over_diagonal", "min_angle",
@@ -31,11 +29,29 @@ COLUMNS = [
 ]  # fmt: skip
 
 
-def ask(planish, patch, *flags, patience=None):
-    """What `planish compare` says of a patch; where every method failed it says why in each row."""
-    command = [planish, "compare", patch, "--json", "--quiet", "--threads", "1", *flags]
-    run = subprocess.run(command, capture_output=True, text=True, timeout=patience)
-    answer = json.loads(run.stdout)
+def ask(planish, *words, patience=None):
+    run = subprocess.run(
+        [planish, *words, "--json", "--quiet"], capture_output=True, text=True, timeout=patience
+    )
+    return json.loads(run.stdout)
+
+
+def all_methods(planish):
+    """The names of all methods, as the program describes itself."""
+    groups = ask(planish, "describe", "evolve")["verbs"][0]["groups"]
+    return [group["method"] for group in groups if group["method"]]
+
+
+def compared(planish, patch, vertices, method):
+    """What `planish compare` says of a patch; where the method failed it says why."""
+    few = method == SLOW or (vertices > LARGE and method != ENDS_BY_ITSELF)
+    flags = ["--sweeps", str(FEW_SWEEPS)] if few else []
+    patience = PATIENCE if method == SLOW else None
+    try:
+        words = ["compare", patch, "--threads", "1", "--methods", method, *flags]
+        answer = ask(planish, *words, patience=patience)
+    except subprocess.TimeoutExpired:
+        return {"runs": [{"method": method, "error": {"message": f"given up after {PATIENCE} s"}}]}
     if "runs" not in answer:
         raise SystemExit(f"{patch}: {answer['error']['message']}")
     return answer
@@ -48,22 +64,21 @@ def kept(place, make):
     return json.loads(place.read_text(encoding="utf-8"))
 
 
-def answer_of_slow(planish, patch):
-    few = ["--sweeps", str(FEW_SWEEPS)]
-    try:
-        return ask(planish, patch, "--methods", SLOW, *few, patience=PATIENCE)["runs"]
-    except subprocess.TimeoutExpired:
-        return [{"method": SLOW, "error": {"message": f"given up after {PATIENCE} s"}}]
-
-
-def answer_of_others(planish, patch):
-    vertices = json.loads(
-        subprocess.run(
-            [planish, "measure", patch, "--json"], capture_output=True, text=True, check=True
-        ).stdout
-    )["vertices"]
-    few = ["--sweeps", str(FEW_SWEEPS)] if vertices > LARGE else []
-    return ask(planish, patch, "--methods", ",".join(METHODS), *few)
+def answer_of(planish, patch, methods, results):
+    """The answers for all methods as one; the input as the first that has it says."""
+    measured = kept(results / f"{patch.name}-input.json", lambda: ask(planish, "measure", patch))
+    if "error" in measured:
+        raise SystemExit(f"{patch}: {measured['error']['message']}")
+    answers = [
+        kept(
+            results / f"{patch.name}-{method}.json",
+            lambda method=method: compared(planish, patch, measured["vertices"], method),
+        )
+        for method in methods
+    ]
+    unfolded = next((a["unfold_before"] for a in answers if "unfold_before" in a), None)
+    runs = [run for answer in answers for run in answer["runs"]]
+    return {"input": measured, "unfold_before": unfolded, "runs": runs}
 
 
 def figures(measured, unfolded):
@@ -96,21 +111,51 @@ def rounded(row):
     return {k: f"{v:.4g}" if isinstance(v, float) else v for k, v in row.items()}
 
 
-def main():
-    planish, folder, results = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
-    results.mkdir(parents=True, exist_ok=True)
-    patches = [p for p in folder.iterdir() if p.suffix in (".obj", ".ply")]
-    lines = []
-    for patch in sorted(patches, key=lambda p: (p.stat().st_size, p.name)):
-        slow = kept(results / f"{patch.name}-slow.json", lambda: answer_of_slow(planish, patch))
-        answer = kept(results / f"{patch.name}.json", lambda: answer_of_others(planish, patch))
-        answer["runs"] += slow
-        lines += map(rounded, rows(patch.stem, answer))
-    with open(comparison_tables.DOCS / "comparison.csv", "w", encoding="utf-8") as file:
+def arguments():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("planish", metavar="PLANISH", help="the program")
+    add = parser.add_argument
+    add("folder", metavar="FOLDER", type=pathlib.Path, help="of .obj and .ply files")
+    add("results", metavar="RESULTS", type=pathlib.Path, help="folder to write into")
+    add("--methods", metavar="LIST", help="names with commas (default: all methods)")
+    add("--update-docs", action="store_true", help="write docs/comparison.* too")
+    given = parser.parse_args()
+    if comparison_tables.DOCS in [given.results.resolve(), *given.results.resolve().parents]:
+        parser.error("RESULTS is in docs/; to write there use --update-docs")
+    known = all_methods(given.planish)
+    given.methods = given.methods.split(",") if given.methods else known
+    for method in given.methods:
+        if method not in known:
+            parser.error(f"unknown method {method}; known are {', '.join(known)}")
+    return given
+
+
+def write_table(path, lines):
+    with open(path, "w", encoding="utf-8") as file:
         table = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         table.writeheader()
         table.writerows(lines)
-    comparison_tables.main()
+
+
+def main():
+    given = arguments()
+    given.results.mkdir(parents=True, exist_ok=True)
+    patches = [p for p in given.folder.iterdir() if p.suffix in (".obj", ".ply")]
+    if not patches:
+        raise SystemExit(f"{given.folder}: no .obj or .ply file in it")
+    lines = []
+    for patch in sorted(patches, key=lambda p: (p.stat().st_size, p.name)):
+        answer = answer_of(given.planish, patch, given.methods, given.results)
+        lines += map(rounded, rows(patch.stem, answer))
+    table = given.results / "comparison.csv"
+    write_table(table, lines)
+    text = comparison_tables.tables(table)
+    (given.results / "comparison.md").write_text(text + "\n", encoding="utf-8")
+    if given.update_docs:
+        write_table(comparison_tables.DOCS / "comparison.csv", lines)
+        comparison_tables.main()
 
 
 if __name__ == "__main__":

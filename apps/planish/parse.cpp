@@ -148,6 +148,17 @@ void refuse_leftovers(const std::vector<std::string>& words, const Command* comm
   }
 }
 
+/// Takes what is no flag for more operands, in the order of the command line.
+std::vector<std::string> with_operands_taken(std::vector<std::string> words, Arguments& arguments) {
+  const auto is_flag = [](const std::string& word) {
+    return word.size() > 1 && word.front() == '-';
+  };
+  const auto operands = std::stable_partition(words.begin(), words.end(), is_flag);
+  arguments.operands.insert(arguments.operands.end(), operands, words.end());
+  words.erase(operands, words.end());
+  return words;
+}
+
 /// An empty word, as a shell makes it of an empty variable, names no file and is no number.
 void refuse_empty_values(const FlagGroup& group, const Arguments& arguments) {
   for (const Flag& flag : group.flags) {
@@ -224,7 +235,10 @@ Parsed parse(std::span<const std::string> args) {
   for (const char* flag : {"--help", "--help-all", "--version"}) {
     if (parsed.arguments.has(flag)) return parsed;
   }
-  refuse_leftovers(app.remaining(true), parsed.command);
+  std::vector<std::string> leftovers = app.remaining(true);
+  if (parsed.command != nullptr && parsed.command->operands_repeat)
+    leftovers = with_operands_taken(std::move(leftovers), parsed.arguments);
+  refuse_leftovers(leftovers, parsed.command);
   refuse_empty_values(global_flags(), parsed.arguments);
   if (parsed.command == nullptr) return parsed;
   for (const FlagGroup& group : parsed.command->groups)

@@ -44,6 +44,23 @@ std::vector<double> vertex_bends(const Patch& patch) {
   return bends;
 }
 
+std::vector<double> vertex_mean_curvatures(const Patch& patch) {
+  const double scale = patch.unit_scale();
+  std::vector<double> curvatures(patch.vertex_count(), 0.0), areas(curvatures);
+  for_each_bend(patch.positions(), patch.connectivity(), scale,
+                [&](const Hinge& hinge, const Bend& bend) {
+                  for (const Index v : {hinge.from, hinge.to}) {
+                    curvatures[v] -= bend.angle * bend.length;
+                    areas[v] += bend.area;  // in all 2/3 of the area of its triangles
+                  }
+                });
+  for (Index v = 0; v < curvatures.size(); ++v) {
+    curvatures[v] =
+        patch.is_inner(v) && areas[v] > 0.0 ? scale * (curvatures[v] / (2.0 * areas[v])) : 0.0;
+  }
+  return curvatures;
+}
+
 Bending measure_bending(const Patch& patch) {
   const double scale = patch.unit_scale();
   CarefulSum bending, turning;

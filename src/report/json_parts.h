@@ -20,5 +20,8 @@ Json to_json(const UnfoldReport& report);
 Json to_json(const Failure& failure);
 Json to_json(const TwinOf& twin);
 Json to_json(const LayoutReport& layout);
+Json to_json(const MeasuredPatch& patch);
+/// "strain" and "limits" of a measured patch: null and empty where it cannot be laid flat.
+Json strain_and_limits(const std::optional<StrainAsDesigned>& strain);
 
 }  // namespace planish

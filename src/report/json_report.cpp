@@ -26,62 +26,6 @@ std::string text_of(Json json, const std::vector<MoreFigures>& more = {}) {
   return json_document(json) + '\n';
 }
 
-Json to_json(const std::vector<Problem>& problems) {
-  Json list = Json::array();
-  for (const Problem& problem : problems) {
-    list.push_back({{"code", to_string(problem.code)},
-                    {"message", problem.message},
-                    {"count", problem.count},
-                    {"first", problem.first}});
-  }
-  return list;
-}
-
-Json to_json(const std::optional<Obstruction>& obstruction) {
-  if (!obstruction) return nullptr;
-  return {{"blocked", obstruction->blocked()},
-          {"area", obstruction->area},
-          {"border_length", obstruction->border_length},
-          {"area_limit", obstruction->area_limit},
-          {"area_excess", obstruction->area_excess},
-          {"excess_share", obstruction->excess_share},
-          {"flat_border", obstruction->has_flat_border()},
-          {"total_defect", obstruction->total_defect},
-          {"border_turning", obstruction->border_turning},
-          {"turning_needed", k_flat_turning},
-          {"turning_most", obstruction->turning_most},
-          {"border_vertices", obstruction->border_vertices},
-          {"fixed_angles", obstruction->fixed_angles}};
-}
-
-Json to_json(const SelfIntersections& found) {
-  return found.complete ? Json(found.pairs) : Json(nullptr);
-}
-
-Json to_json(const MeasuredPatch& patch) {
-  const Topology& topology = patch.inspection.topology;
-  const Flattenability& figures = patch.figures;
-  return {{"vertices", topology.vertices},
-          {"triangles", topology.triangles},
-          {"inner_vertices", topology.inner_vertices},
-          {"components", topology.components},
-          {"boundary_loops", topology.border_loops},
-          {"euler_characteristic", topology.euler_characteristic},
-          {"e_max", figures.e_max},
-          {"e_avg", figures.e_avg},
-          {"energy", figures.energy},
-          {"sum_abs_defect", figures.sum_abs_defect},
-          {"min_angle", figures.min_angle},
-          {"roughness", figures.roughness},
-          {"flattenable", patch.flattenable},
-          {"bending", patch.bending.bending},
-          {"mean_curvature", patch.bending.mean_curvature},
-          {"ruling_defect", patch.ruling_defect},
-          {"self_intersections", to_json(patch.self_intersections)},
-          {"obstruction", to_json(patch.obstruction)},
-          {"problems", to_json(patch.inspection.problems)}};
-}
-
 Json to_json(const LevelRecord& level) {
   return {{"inner_vertices", level.inner_vertices},
           {"merit_before", level.merit_before},
@@ -173,12 +117,6 @@ Json to_json(const EvolveReport& report) {
   return json;
 }
 
-Json to_json(const StrainAsDesigned& strain) {
-  Json json = to_json(strain.least_stretch);
-  json["smallest_limit"] = strain.smallest_limit ? Json(*strain.smallest_limit) : Json(nullptr);
-  return json;
-}
-
 Json to_json(const std::optional<UnfoldReport>& report) {
   return report ? to_json(*report) : Json(nullptr);
 }
@@ -224,8 +162,7 @@ Json limit_of(const FrontierReport& report) {
 std::string json_report(const MeasuredPatch& patch, const std::optional<StrainAsDesigned>& strain,
                         const std::vector<MoreFigures>& more) {
   Json json = to_json(patch);
-  json["strain"] = strain ? to_json(*strain) : Json(nullptr);
-  json["limits"] = to_json(strain ? strain->limits : std::vector<StrainLimitCheck>{});
+  json.update(strain_and_limits(strain));
   return text_of(std::move(json), more);
 }
 

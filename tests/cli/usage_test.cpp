@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{{"a.obj"}, "did you mean planish flatten a.obj?"},
                     Mistake{{"measure"}, "missing INPUT: planish measure INPUT"},
                     Mistake{{"convert", "a.obj"}, "missing OUTPUT"},
-                    Mistake{{"measure", "a.obj", "b.obj"}, "unexpected argument b.obj"},
+                    Mistake{{"convert", "a.obj", "a.ply", "b.obj"}, "unexpected argument b.obj"},
                     Mistake{{"evolve", "a.obj"}, "missing flag -o"},
                     Mistake{{"sample", "panel"}, "missing flag -o"},
                     Mistake{{"evolve", "a.obj", "-o", "b.obj", "--history", "./b.obj"},

@@ -107,8 +107,9 @@ void check_output(const Input& input, int exit_code, const std::string& out,
 }
 
 bool is_of_several_patches(const Input& input) {
-  return std::any_of(input.args.begin(), input.args.end(),
-                     [](const std::string& arg) { return arg == "flatten" || arg == "unfold"; });
+  return std::any_of(input.args.begin(), input.args.end(), [](const std::string& arg) {
+    return arg == "flatten" || arg == "unfold" || arg == "measure";
+  });
 }
 
 }  // namespace
@@ -123,7 +124,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   check_output(input, exit_code, out.str(), err.str());
   const auto after = fuzz::files_here();
   const bool failed = exit_code == k_exit_usage || exit_code == k_exit_failed;
-  // Of several patches those that can be flattened are.
+  // Of several patches those that can be flattened or measured are.
   fuzz::check(!failed || is_of_several_patches(input) || after == before,
               "nothing is written after a failure");
   for (const auto& [name, bytes] : after)

@@ -88,9 +88,13 @@ Json verb_json(const Command& command) {
   Json groups = Json::array();
   for (const FlagGroup& group : command.groups)
     groups.push_back(group_json(group));
-  return {{"name", command.name},         {"summary", command.summary},
-          {"usage", command.usage},       {"description", command.description},
-          {"operands", command.operands}, {"groups", groups},
+  return {{"name", command.name},
+          {"summary", command.summary},
+          {"usage", command.usage},
+          {"description", command.description},
+          {"operands", command.operands},
+          {"operands_repeat", command.operands_repeat},
+          {"groups", groups},
           {"examples", command.examples}};
 }
 

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -11,6 +12,7 @@
 #include "flags/annotation_flags.h"
 #include "flags/constraint_flags.h"
 #include "flags/cut_flag.h"
+#include "flags/fields_flag.h"
 #include "flags/limit_flags.h"
 #include "flags/match_seams_flag.h"
 #include "flags/method_flags.h"
@@ -111,6 +113,7 @@ WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFi
   }
   if (arguments.has("--textured")) paths["textured"] = in_folder("textured.obj");
   if (arguments.has("--history")) paths["history"] = arguments.flags.at("--history");
+  paths.merge(fields_paths(arguments));
   return paths;
 }
 
@@ -183,6 +186,10 @@ std::vector<OutputFile> files_of(const FlattenReport& report, const WrittenFiles
   const auto history = paths.find("history");
   if (history != paths.end()) {
     files.push_back({path_of(history->second), history_csv(report.evolve.result.history)});
+  }
+  if (paths.contains("fields") || paths.contains("fields_vertices")) {
+    std::vector<OutputFile> more = fields_files(mesh, fields_of(report), paths);
+    std::move(more.begin(), more.end(), std::back_inserter(files));
   }
   return files;
 }
@@ -318,6 +325,7 @@ Command flatten_command() {
          "also write the processed patch as textured.obj, with the pattern in millimetres for "
          "texture coordinates"},
         {"--history", "FILE", "the figures of every sweep, as comma-separated values"},
+        fields_flag(),
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
   for (Flag& flag : pattern_flags("also write the pattern as a .pdf of pages to be joined"))
     groups.front().flags.push_back(std::move(flag));

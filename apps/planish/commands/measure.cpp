@@ -1,9 +1,12 @@
+#include <iterator>
 #include <optional>
 #include <utility>
 
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
+#include "commands/measure_files.h"
+#include "flags/fields_flag.h"
 #include "flags/limit_flags.h"
 #include "platform/path.h"
 #include "report/pictures/direction_map.h"
@@ -28,14 +31,18 @@ void check_picture_format(const std::string& path) {
   throw Error(ErrorCode::unsupported_format, "the picture is an .svg file", {.path = path});
 }
 
-/// The files that the flags ask for, without content.
+/// The files of directions that the flags ask for, without content.
+/// @throws UsageError where one of them has the path of another output
 std::vector<OutputFile> places_from(const Arguments& arguments) {
   std::vector<OutputFile> files;
   for (const char* flag : {"--map", "--picture"}) {
     if (arguments.has(flag)) files.push_back({path_of(arguments.flags.at(flag)), {}});
   }
   if (arguments.has("--picture")) check_picture_format(arguments.flags.at("--picture"));
-  refuse_shared_places(files);
+  std::vector<OutputFile> all = files;
+  for (const auto& [role, path] : fields_paths(arguments))
+    all.push_back({path_of(path), {}});
+  refuse_shared_places(all);
   return files;
 }
 
@@ -55,22 +62,16 @@ DrawnDirections directions_of(const Patch& patch, std::vector<OutputFile> files,
   return {std::move(files), count_directions(directions)};
 }
 
-/// Of the patch laid flat as it is; nothing where that is not possible and no limit was asked for.
-/// @throws Error what stands in the way, where a limit was asked for
-std::optional<StrainAsDesigned> strain_of(const Patch& patch, const StrainLimits& limits,
-                                          Session& session) {
-  if (!limits.any() && blocking_problem(patch.inspection(), Purpose::unfold)) return std::nullopt;
-  try {
-    return strain_as_designed(patch, limits, session.job_context({}));
-  } catch (const Error& error) {
-    const bool is_no_fault =
-        error.code() == ErrorCode::unfold_failed || error.code() == ErrorCode::too_large;
-    if (limits.any() || !is_no_fault) throw;
-    return std::nullopt;
-  }
+/// The fields of the patch as it is; those of strain where it can be laid flat.
+std::vector<OutputFile> fields_of_input(const Patch& patch, bool has_pattern,
+                                        const Arguments& arguments, Session& session) {
+  Pattern pattern;
+  if (has_pattern) pattern = unfold(patch, {}, session.job_context({}));
+  return fields_files(patch.mesh(), fields_of(patch, pattern.positions), fields_paths(arguments));
 }
 
 CommandResult run_measure(const Arguments& arguments, Session& session) {
+  if (measures_several(arguments)) return measure_files(arguments, session);
   std::vector<OutputFile> files = places_from(arguments);
   const std::string& path = arguments.operands.front();
   const StrainLimits limits = limits_from(arguments);
@@ -91,9 +92,15 @@ CommandResult run_measure(const Arguments& arguments, Session& session) {
   if (!files.empty()) {
     DrawnDirections drawn = directions_of(patch, std::move(files), arguments);
     files = std::move(drawn.files);
-    text += directions_text(drawn.counts) + written_text(files);
+    text += directions_text(drawn.counts);
     more.push_back(figures_of(drawn.counts));
   }
+  if (arguments.has("--fields")) {
+    std::vector<OutputFile> fields =
+        about(path, [&] { return fields_of_input(patch, strain.has_value(), arguments, session); });
+    std::move(fields.begin(), fields.end(), std::back_inserter(files));
+  }
+  if (!files.empty()) text += written_text(files);
   CommandResult outcome = {std::move(text), json_report(measured, strain, more)};
   if (!files.empty()) session.write(files);
   return strain ? with_limits_checked(std::move(outcome), strain->limits) : outcome;
@@ -105,23 +112,31 @@ Command measure_command() {
   return {
       "measure",
       "report how far a patch is from flattenable",
-      "INPUT",
+      "INPUT ...",
       "Prints sizes, topology and the figures of the angle defects of a triangle mesh (.obj, "
       ".ply, .stl or .off), and every problem that stands in the way of evolving it or laying "
       "it flat. With --map or --picture also tells of each vertex whether it is flat, on a "
       "dome or cup or on a saddle, and whether its Laplacian direction lowers the energy of "
       "its ring; else nothing is written. Also lays the patch flat as it is, tells the strain of "
       "that pattern, and how much a sheet must take for the patch to be cut from it as it is. "
-      "Ends with exit code 3 if no pattern keeps a limit that was asked for.",
+      "Ends with exit code 3 if no pattern keeps a limit that was asked for. Of several inputs, or "
+      "of all mesh files of a folder, prints a line each; one that fails does not end the others, "
+      "but the exit code is 1 at the end.",
       {"INPUT"},
       {{"Output",
         {{"--map", "FILE", "classes and directions of all vertices, as comma-separated values"},
-         {"--picture", "FILE", "the same as pictures side by side: .svg"}}},
+         {"--picture", "FILE", "the same as pictures side by side: .svg"},
+         fields_flag(),
+         {"--csv", "FILE", "the figures of all inputs as comma-separated values, a line a file"}}},
        {"Limits of the pattern", limit_flags()}},
       {"planish measure panel.obj", "planish measure panel.obj --json",
        "planish measure panel.obj --material neoprene",
-       "planish measure panel.obj --map panel.csv --picture panel.svg"},
-      run_measure};
+       "planish measure panel.obj --map panel.csv --picture panel.svg",
+       "planish measure panel.obj --fields panel-fields.vtp",
+       "planish measure front.obj back.ply patches --csv figures.csv"},
+      run_measure,
+      false,
+      true};
 }
 
 }  // namespace planish::cli

@@ -40,7 +40,8 @@ std::string names_of(const std::vector<fs::path>& files) {
   return text;
 }
 
-/// The meshes of a folder. A note names models that cannot be read.
+}  // namespace
+
 std::vector<std::string> mesh_files_in(Session& session, const std::string& folder) {
   std::error_code failure;
   std::vector<fs::path> files, others;
@@ -71,6 +72,8 @@ std::vector<std::string> mesh_files_in(Session& session, const std::string& fold
     names.push_back(utf8_of(file));
   return names;
 }
+
+namespace {
 
 /// Triangles that share no edges are no product but one patch that was written without joining
 /// them.

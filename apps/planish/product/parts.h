@@ -39,6 +39,11 @@ ProductInput read_product(Session& session, const std::string& path);
 std::optional<CutDone> cut_product(ProductInput& input, const Arguments& arguments,
                                    Session& session);
 
+/// The mesh files in a folder, not in folders below, in the order of their names. A note names
+/// models that cannot be read.
+/// @throws Error file_unreadable where it cannot be read or holds no mesh file
+std::vector<std::string> mesh_files_in(Session& session, const std::string& folder);
+
 /// Names of folders and files that are sound everywhere and lead nowhere else: letters, digits,
 /// dots, hyphens, underscores and what is not ASCII; other characters become underscores. No two
 /// are equal, also where the system takes small and large letters for the same.

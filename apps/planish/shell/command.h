@@ -95,6 +95,7 @@ struct Command {
   std::vector<std::string> examples;
   CommandResult (*run)(const Arguments&, Session&);
   bool operands_optional = false;
+  bool operands_repeat = false;  ///< the last may be given several times
 };
 
 /// What --threads takes; 0 for all cores.

@@ -56,6 +56,12 @@ Bending measure_bending(const Patch& patch);
 /// where there is no such edge. O(n).
 std::vector<double> vertex_bends(const Patch& patch);
 
+/// The mean curvature (k1 + k2) / 2 of every inner vertex, one over model units, positive where the
+/// surface is convex seen from outside: 1/R on a sphere. Minus the sum of t l / 4 over its edges,
+/// over a third of the area of its triangles; 0 for all other vertices and where there is no area.
+/// O(n).
+std::vector<double> vertex_mean_curvatures(const Patch& patch);
+
 /// Less than this is a plane and rounding: a surface that turns by a millionth of a radian.
 inline constexpr double k_no_bending = 1e-12;
 

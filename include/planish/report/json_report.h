@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -13,6 +14,7 @@
 #include <planish/flatten/flatten.h>
 #include <planish/flatten/frontier.h>
 #include <planish/flatten/product.h>
+#include <planish/io/mesh_format.h>
 #include <planish/sheet/nest_sheet.h>
 
 namespace planish {
@@ -72,6 +74,19 @@ std::string json_report(const CompareReport& report);
 std::string json_report(const FrontierReport& report);
 /// {"error": {code, message, path, line, byte, first, count}}, keys that are not known left out.
 std::string json_report(const Error& error);
+
+/// The figures of vertices and triangles of a patch that JSON has the largest and the sums of.
+/// Vertices: inner (1 or 0), defect, mean_curvature (vertex_mean_curvatures()) and, with a pattern,
+/// edge_strain, the strain of largest size of the edges of the vertex with its sign. Triangles,
+/// with a pattern: strain_max and strain_min, the principal stretches minus 1. Units and
+/// definitions are in docs/fields.md.
+/// @param pattern one position per vertex of the mesh, model units; none where there is no pattern
+MeshFields fields_of(const Patch& patch, std::span<const Vec2> pattern = {});
+
+/// The same of the processed patch, and of the input with "input_" before the name; of vertices
+/// also offset, how far the vertex went along the normal of the input, and move, how far in all,
+/// model units.
+MeshFields fields_of(const FlattenReport& report);
 
 /// The history as comma-separated values: a header line, then a line a sweep.
 std::string history_csv(const std::vector<SweepRecord>& history);

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include <planish/io/mesh_format.h>
 #include <planish/io/read_mesh.h>
 
 namespace planish {
@@ -30,5 +31,9 @@ std::string format_obj(const TriMesh& mesh, std::span<const Vec2> texture = {});
 std::string format_ply(const TriMesh& mesh);
 std::string format_stl(const TriMesh& mesh);
 std::string format_off(const TriMesh& mesh);
+
+/// Refuses what would be read back as something else, or not at all.
+/// @throws Error as format_mesh()
+void check_writable(const TriMesh& mesh, MeshFormat format);
 
 }  // namespace planish

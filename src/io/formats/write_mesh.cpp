@@ -17,7 +17,8 @@ double largest_of(MeshFormat format) {
                                    : std::numeric_limits<double>::max();
 }
 
-/// Refuses what would be read back as something else, or not at all.
+}  // namespace
+
 void check_writable(const TriMesh& mesh, MeshFormat format) {
   const double largest = largest_of(format);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -40,8 +41,6 @@ void check_writable(const TriMesh& mesh, MeshFormat format) {
     }
   }
 }
-
-}  // namespace
 
 std::string format_mesh(const TriMesh& mesh, MeshFormat format) {
   check_writable(mesh, format);

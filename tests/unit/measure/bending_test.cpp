@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <planish/measure/fairness.h>
 
@@ -176,6 +177,35 @@ TEST(Bending, IsFiniteWhereTrianglesHaveNoArea) {
   EXPECT_EQ(measured(mesh).bending, 0.0);
   EXPECT_EQ(measured(mesh).mean_curvature, 0.0);
   EXPECT_EQ(measured({}).bending, 0.0);
+}
+
+TEST(VertexMeanCurvatures, AreThoseOfSpheresFromBothSides) {
+  TriMesh mesh = solids::sphere(7.0, 40);
+  const auto mean = [](const TriMesh& of) {
+    double sum = 0.0;
+    const auto curvatures = vertex_mean_curvatures(Patch(of));
+    for (const double curvature : curvatures)
+      sum += curvature;
+    return sum / static_cast<double>(curvatures.size());
+  };
+  EXPECT_NEAR(7.0 * mean(mesh), 1.0, 0.02);
+  for (Triangle& t : mesh.triangles)
+    std::swap(t[0], t[1]);
+  EXPECT_NEAR(7.0 * mean(mesh), -1.0, 0.02);
+}
+
+TEST(VertexMeanCurvatures, AreHalfOneOverTheRadiusOnTubesAndNothingOnBorders) {
+  const Patch patch(meshes::tube(40, 9));
+  const auto curvatures = vertex_mean_curvatures(patch);
+  const Vec3 p = patch.positions().front();
+  const double radius = std::hypot(p.x, p.y);
+  for (Index v = 0; v < patch.vertex_count(); ++v) {
+    if (patch.is_inner(v)) {
+      EXPECT_NEAR(radius * curvatures[v], 0.5, 0.01);
+    } else {
+      EXPECT_EQ(curvatures[v], 0.0);
+    }
+  }
 }
 
 }  // namespace

@@ -29,34 +29,37 @@ Bend bend_of(const Hinge& hinge, std::span<const Vec3> positions) {
                  positions[hinge.right]);
 }
 
-std::vector<double> vertex_bends(const Patch& patch) {
+namespace {
+
+/// At each vertex the sum of a figure over the edges of it, over the area around those edges: 2/3
+/// of that of its triangles. 0 where there is no area.
+template <class Figure>
+std::vector<double> per_area(const Patch& patch, const Figure& figure) {
   const double scale = patch.unit_scale();
-  std::vector<double> bends(patch.vertex_count(), 0.0), areas(bends);
+  std::vector<double> sums(patch.vertex_count(), 0.0), areas(sums);
   for_each_bend(patch.positions(), patch.connectivity(), scale,
                 [&](const Hinge& hinge, const Bend& bend) {
                   for (const Index v : {hinge.from, hinge.to}) {
-                    bends[v] += std::abs(bend.angle) * bend.length;
+                    sums[v] += figure(bend);
                     areas[v] += bend.area;
                   }
                 });
-  for (std::size_t v = 0; v < bends.size(); ++v)
-    bends[v] = areas[v] > 0.0 ? scale * (bends[v] / areas[v]) : 0.0;
-  return bends;
+  for (std::size_t v = 0; v < sums.size(); ++v)
+    sums[v] = areas[v] > 0.0 ? scale * (sums[v] / areas[v]) : 0.0;
+  return sums;
+}
+
+}  // namespace
+
+std::vector<double> vertex_bends(const Patch& patch) {
+  return per_area(patch, [](const Bend& bend) { return std::abs(bend.angle) * bend.length; });
 }
 
 std::vector<double> vertex_mean_curvatures(const Patch& patch) {
-  const double scale = patch.unit_scale();
-  std::vector<double> curvatures(patch.vertex_count(), 0.0), areas(curvatures);
-  for_each_bend(patch.positions(), patch.connectivity(), scale,
-                [&](const Hinge& hinge, const Bend& bend) {
-                  for (const Index v : {hinge.from, hinge.to}) {
-                    curvatures[v] -= bend.angle * bend.length;
-                    areas[v] += bend.area;  // in all 2/3 of the area of its triangles
-                  }
-                });
+  auto curvatures =
+      per_area(patch, [](const Bend& bend) { return -0.5 * bend.angle * bend.length; });
   for (Index v = 0; v < curvatures.size(); ++v) {
-    curvatures[v] =
-        patch.is_inner(v) && areas[v] > 0.0 ? scale * (curvatures[v] / (2.0 * areas[v])) : 0.0;
+    if (!patch.is_inner(v)) curvatures[v] = 0.0;
   }
   return curvatures;
 }

@@ -9,6 +9,7 @@
 #include "core/careful_sum.h"
 #include "geometry/angle_between.h"
 #include "measure/bends.h"
+#include "measure/normals.h"
 #include "measure/smoothed.h"
 
 namespace planish {
@@ -99,23 +100,6 @@ std::optional<Fold> sharpest_fold(std::span<const Vec3> positions, const Connect
   return fold;
 }
 
-Vec3 normal_of(const Triangle& t, std::span<const Vec3> positions, double scale) {
-  const Vec3 a = scale * positions[t[0]];
-  return cross(scale * positions[t[1]] - a, scale * positions[t[2]] - a);
-}
-
-/// At each vertex, its triangles weighing as their areas.
-std::vector<Vec3> vertex_normals(const std::vector<Triangle>& triangles,
-                                 std::span<const Vec3> positions, double scale) {
-  std::vector<Vec3> normals(positions.size());
-  for (const Triangle& t : triangles) {
-    const Vec3 normal = normal_of(t, positions, scale);
-    for (const Index v : t)
-      normals[v] += normal;
-  }
-  return normals;
-}
-
 /// Of some angles, in degrees.
 class RootMeanSquare {
  public:
@@ -150,7 +134,8 @@ double border_turn(const Patch& design, std::span<const Vec3> after, double scal
   RootMeanSquare turn;
   for (const Triangle& t : design.triangles()) {
     if (is_border_edge(t[0], t[1]) || is_border_edge(t[1], t[2]) || is_border_edge(t[2], t[0]))
-      turn.add(angle_between(normal_of(t, design.positions(), scale), normal_of(t, after, scale)));
+      turn.add(angle_between(triangle_normal(t, design.positions(), scale),
+                             triangle_normal(t, after, scale)));
   }
   return turn.degrees();
 }

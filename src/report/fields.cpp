@@ -4,6 +4,7 @@
 #include <planish/measure/flattenability.h>
 #include <planish/report/json_report.h>
 
+#include "measure/normals.h"
 #include "unfold/strain/vertex_strain.h"
 
 namespace planish {
@@ -18,33 +19,16 @@ MeshField inner_of(const Patch& patch) {
   return field;
 }
 
-/// The normals of all vertices, also of the border, triangles weighing as their areas; zero where
-/// they cancel. Of a surface times its unit scale, so that no area overflows.
-std::vector<Vec3> vertex_normals(const Patch& patch) {
-  const double scale = patch.unit_scale();
-  std::vector<Vec3> normals(patch.vertex_count());
-  for (const Triangle& t : patch.triangles()) {
-    const Vec3 a = scale * patch.positions()[t[0]];
-    const Vec3 normal =
-        cross(scale * patch.positions()[t[1]] - a, scale * patch.positions()[t[2]] - a);
-    for (const Index v : t)
-      normals[v] += normal;
-  }
-  for (Vec3& normal : normals) {
-    const double length = norm(normal);
-    normal = length > 0.0 ? (1.0 / length) * normal : Vec3{};
-  }
-  return normals;
-}
-
 /// How far vertices went: along the normals of the input, and in all.
 std::pair<MeshField, MeshField> moves_of(const Patch& input, const Patch& processed) {
   const double scale = input.unit_scale();
-  const std::vector<Vec3> normals = vertex_normals(input);
+  const std::vector<Vec3> normals = vertex_normals(input.triangles(), input.positions(), scale);
   MeshField offset{"offset", {}}, move{"move", {}};
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const Vec3 moved = scale * processed.positions()[v] - scale * input.positions()[v];
-    offset.values.push_back(dot(moved, normals[v]) / scale);
+    const double length = norm(normals[v]);
+    const Vec3 normal = length > 0.0 ? (1.0 / length) * normals[v] : Vec3{};
+    offset.values.push_back(dot(moved, normal) / scale);
     move.values.push_back(norm(moved) / scale);
   }
   return {std::move(offset), std::move(move)};

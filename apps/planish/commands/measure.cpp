@@ -62,14 +62,6 @@ DrawnDirections directions_of(const Patch& patch, std::vector<OutputFile> files,
   return {std::move(files), count_directions(directions)};
 }
 
-/// The fields of the patch as it is; those of strain where it can be laid flat.
-std::vector<OutputFile> fields_of_input(const Patch& patch, bool has_pattern,
-                                        const Arguments& arguments, Session& session) {
-  Pattern pattern;
-  if (has_pattern) pattern = unfold(patch, {}, session.job_context({}));
-  return fields_files(patch.mesh(), fields_of(patch, pattern.positions), fields_paths(arguments));
-}
-
 CommandResult run_measure(const Arguments& arguments, Session& session) {
   if (measures_several(arguments)) return measure_files(arguments, session);
   std::vector<OutputFile> files = places_from(arguments);
@@ -96,8 +88,9 @@ CommandResult run_measure(const Arguments& arguments, Session& session) {
     more.push_back(figures_of(drawn.counts));
   }
   if (arguments.has("--fields")) {
+    const Pattern pattern = strain ? strain->pattern : Pattern{};
     std::vector<OutputFile> fields =
-        about(path, [&] { return fields_of_input(patch, strain.has_value(), arguments, session); });
+        fields_files(mesh, fields_of(patch, pattern.positions), fields_paths(arguments));
     std::move(fields.begin(), fields.end(), std::back_inserter(files));
   }
   if (!files.empty()) text += written_text(files);

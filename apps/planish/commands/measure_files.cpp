@@ -35,6 +35,7 @@ void measure_into(MeasuredFile& file, const StrainLimits& limits, Session& sessi
     about(file.path, [&] {
       file.patch = measure_patch(patch, session.job_context(file.path));
       file.strain = strain_of(patch, limits, session);
+      if (file.strain) file.strain->pattern = {};  // the table has figures only
     });
   } catch (const std::exception&) {
     file.failure = current_failure();

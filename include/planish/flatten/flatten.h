@@ -152,6 +152,7 @@ struct StrainAsDesigned {
   std::optional<double> smallest_limit = {};
   /// One for each limit that was asked for: of the pattern that keeps them best.
   std::vector<StrainLimitCheck> limits = {};
+  Pattern pattern = {};  ///< of least stretch
 
   /// Patches with more vertices have no search for the smallest limit, which takes some 15 times as
   /// long as laying flat.

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <planish/mesh/tri_mesh.h>
+
+namespace planish {
+
+/// Normal to a triangle, as long as twice its area.
+/// @param scale that positions are multiplied by, so that no area overflows: Patch::unit_scale()
+inline Vec3 triangle_normal(const Triangle& t, std::span<const Vec3> positions, double scale) {
+  const Vec3 a = scale * positions[t[0]];
+  return cross(scale * positions[t[1]] - a, scale * positions[t[2]] - a);
+}
+
+/// At each vertex, also of the border, the sum over its triangles; not of length 1.
+inline std::vector<Vec3> vertex_normals(std::span<const Triangle> triangles,
+                                        std::span<const Vec3> positions, double scale) {
+  std::vector<Vec3> normals(positions.size());
+  for (const Triangle& t : triangles) {
+    const Vec3 normal = triangle_normal(t, positions, scale);
+    for (const Index v : t)
+      normals[v] += normal;
+  }
+  return normals;
+}
+
+}  // namespace planish

@@ -1,6 +1,6 @@
 // The page of a report: the patch as a view that can be turned, linked with the pattern, the scale
 // and the table of figures.
-import { filled, nextScale } from '../viewer/colors.js';
+import { filled, nextScale } from '../viewer/color_scale.js';
 import { countText, make } from '../viewer/dom.js';
 import { namedFigures, worstOf } from '../viewer/figures.js';
 import { PatchView } from '../viewer/patch_view.js';

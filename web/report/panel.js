@@ -1,10 +1,10 @@
 // What stands around the view of the patch: which figure is shown, its scale, the split, and what
 // the figures of a vertex are.
-import { colorOf, gradientOf } from '../viewer/colors.js';
+import { colorOf, gradientOf } from '../viewer/color_scale.js';
 import { countText, make } from '../viewer/dom.js';
 import { labelsOf, textOf } from '../viewer/figures.js';
 
-/** @typedef {import('../viewer/colors.js').Color} Color */
+/** @typedef {import('../viewer/color_scale.js').Color} Color */
 /** @typedef {import('../viewer/figures.js').NamedFigure} NamedFigure */
 
 /**

@@ -9,7 +9,7 @@
  * @property {(Float32Array | null)[]} values of each state one for each vertex, NaN where nothing is
  *   measured; null where the state has none
  * @property {number} [asked] the limit of strain, where the figure is what is used up of it
- * @property {import('./colors.js').Color} [beyond] the colour of what is beyond the limit
+ * @property {import('./color_scale.js').Color} [beyond] the colour of what is beyond the limit
  */
 
 /**

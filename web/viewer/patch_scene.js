@@ -41,7 +41,7 @@ import { rounding } from './figures.js';
  * @property {string} map the name of the colour map
  * @property {number} limit |value| at which its colours end, above 0
  * @property {boolean} isSigned whether the middle of the map is 0, not its low end
- * @property {import('./colors.js').Color} [beyond] the colour of what is beyond the limit; without,
+ * @property {import('./color_scale.js').Color} [beyond] the colour beyond the limit; without,
  *   it is that of the map's end
  */
 

@@ -362,8 +362,8 @@ void describe(Auto& o, Visit&& visit) {
         "from where they were as this, in model units");
 }
 
-/// A method is a value: its options say which one it is. Each has its header, its source file and
-/// its page under docs/methods; it says there
+/// A method is a value: its options say which one it is. Each has its struct above, its source file
+/// in src/evolve and its page under docs/methods; the struct says
 ///   name             on the command line and in reports,
 ///   usual_sweeps     how many sweeps it is given where nobody said,
 ///   honours_weights, honours_obstacle   see Constraints,

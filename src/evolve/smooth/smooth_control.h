@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evolve/descent/surface_strain_limit.h"
+#include "evolve/descent/strain_limit.h"
 #include "evolve/descent/tuning.h"
 #include "evolve/smooth/smooth_descent.h"
 

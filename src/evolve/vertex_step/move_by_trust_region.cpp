@@ -4,8 +4,8 @@
 
 #include "evolve/state/sweep.h"
 #include "evolve/vertex_step/interval.h"
+#include "evolve/vertex_step/line_trust_region.h"
 #include "evolve/vertex_step/ring_energy_on_line.h"
-#include "evolve/vertex_step/trust_region.h"
 
 namespace planish {
 

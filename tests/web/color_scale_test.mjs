@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 
-import { colorOf, filled, gradientOf, nextScale } from '../../web/viewer/colors.js';
+import { colorOf, filled, gradientOf, nextScale } from '../../web/viewer/color_scale.js';
 
 test('what is not measured takes the colour of its neighbours', () => {
   const values = new Float32Array([NaN, 2, 4, NaN]);

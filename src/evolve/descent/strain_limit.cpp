@@ -1,4 +1,4 @@
-#include "evolve/descent/surface_strain_limit.h"
+#include "evolve/descent/strain_limit.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "evolve/vertex_step/trust_region.h"
+#include "evolve/vertex_step/line_trust_region.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,7 @@
 // Bi-Laplacian fairing with the border and its slant held: equations in docs/methods/fairing.md.
 
+#include "evolve/systems/fairing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -8,7 +10,6 @@
 #include <planish/evolve/method.h>
 
 #include "evolve/state/sweep.h"
-#include "evolve/systems/fairing.h"
 #include "evolve/systems/positions.h"
 
 namespace planish {

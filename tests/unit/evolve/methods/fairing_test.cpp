@@ -1,5 +1,7 @@
 // Fairing with the border and its slant held.
 
+#include "evolve/systems/fairing.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,6 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "evolve/systems/fairing.h"
 #include "geometry/cotangents.h"
 #include "support/meshes.h"
 

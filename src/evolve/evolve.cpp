@@ -40,6 +40,8 @@ std::string_view to_string(StopReason reason) {
       return "smooth_limit";
     case StopReason::sweep_limit:
       return "sweep_limit";
+    case StopReason::design_kept:
+      return "design_kept";
   }
   return "unknown";
 }
@@ -62,6 +64,8 @@ std::string_view stop_text(StopReason reason) {
       return "taking out more strain would crumple the surface";
     case StopReason::sweep_limit:
       return "all sweeps asked for were made";
+    case StopReason::design_kept:
+      return "the design was kept";
   }
   return "unknown";
 }

@@ -114,7 +114,7 @@ StrainLimits limits_of(const FlattenOptions& options) {
 }
 
 /// What a pattern has to keep for the work to be done: the limits, or where none is given and the
-/// surface is to stay smooth, a strain that nobody can measure. Nothing where another aim leads.
+/// surface is to stay smooth, a strain too small to measure. Nothing where another aim leads.
 StrainLimits aim_of(const StrainLimits& limits, const Method& method, const Stopping& stopping) {
   const auto* options = std::get_if<Auto>(&method);
   const bool goes_on = stopping.target_e_max > 0.0;
@@ -150,15 +150,15 @@ Method tightened(Method method, const StrainLimits& aim, double share) {
   return method;
 }
 
-/// The report of a patch that needs no evolution.
+/// The report of a patch that is not evolved.
 EvolveReport left_as_it_is(const Patch& patch, const Method& method, const Stopping& stopping,
-                           const Context& context) {
+                           StopReason reason, const Context& context) {
   EvolveReport report;
   report.method = method;
   report.stopping = stopping;
   report.before = report.after = measure_patch(patch, context);
   report.result.positions = patch.positions();
-  report.result.stop = StopReason::strain_met;
+  report.result.stop = reason;
   report.deviation = measure_deviation(patch, patch.positions());
   report.fairness = measure_fairness(patch, patch.positions());
   return report;
@@ -210,7 +210,10 @@ class Flattening {
   }
 
   void work_on(const Patch& patch) {
-    if (!is_done_as_it_is(work_patch(patch))) evolve_to_aim(patch);
+    if (options_.keep_design) return keep_design(patch);
+    if (is_done_as_it_is(patch)) return;
+    evolve_to_aim(patch);
+    if (is_worse_than_design()) return_to_design(patch);
   }
 
   const Patch& work_patch(const Patch& patch) const { return remeshed_ ? remeshed_->patch : patch; }
@@ -230,19 +233,58 @@ class Flattening {
     return check_limits(patch, report.pattern.positions, aim_);
   }
 
+  /// Lays the input flat, as asked and with least stretch: without limits and matching these are
+  /// the same.
+  void unfold_input(const Patch& patch) {
+    report_.as_designed = unfolded(work_patch(patch), with_limits());
+    const bool is_plain = !limits_.any() && !options_.match_seams;
+    before_ = is_plain ? report_.as_designed : unfolded(work_patch(patch), {});
+  }
+
+  void keep_design(const Patch& patch) {
+    unfold_input(patch);
+    take_design(patch, StopReason::design_kept);
+  }
+
+  /// The result is the input with its pattern.
+  void take_design(const Patch& patch, StopReason reason) {
+    const Patch& work = work_patch(patch);
+    report_.unfold_before = *before_;
+    report_.unfold = report_.as_designed;
+    report_.evolve = left_as_it_is(work, method_, stopping_, reason, context_);
+    compare_with_original(patch, work);
+  }
+
   /// Lays the input flat and sees whether that is all that is to be done. True if that pattern is
   /// the result.
   bool is_done_as_it_is(const Patch& patch) {
     if (!aim_.any()) return false;
-    UnfoldReport kept = unfolded(patch, with_limits());
-    const bool is_done = all_kept(checks_of_aim(patch, kept)),
-               is_plain = !limits_.any() && !options_.match_seams;
-    if (is_plain) before_ = kept;
-    if (!is_done) return false;
-    report_.unfold_before = is_plain ? *before_ : unfolded(patch, {});
-    report_.evolve = left_as_it_is(patch, method_, stopping_, context_);
-    report_.unfold = std::move(kept);
+    unfold_input(patch);
+    if (!all_kept(checks_of_aim(work_patch(patch), report_.as_designed))) return false;
+    take_design(patch, StopReason::strain_met);
     return true;
+  }
+
+  /// Whether evolving stretched the pattern of least stretch by more than is worth a word. One that
+  /// keeps the limits is not worse, as these are what was asked for.
+  bool is_worse_than_design() const {
+    constexpr double same = 0.02, not_measurable = 1e-6;
+    if (limits_.any() && all_kept(report_.unfold.limits)) return false;
+    const UnfoldReport& result = report_.unfold;
+    const EdgeStrain after =
+        result.unlimited_strain.value_or(result.unmatched_strain.value_or(result.strain));
+    const double before = report_.unfold_before.strain.rms;
+    return after.rms - before > std::max(same * before, not_measurable);
+  }
+
+  /// Drops what evolving made; the history says what was tried.
+  void return_to_design(const Patch& patch) {
+    report_.rejected = report_.unfold.strain;
+    EvolveResult tried = std::move(report_.evolve.result);
+    take_design(patch, StopReason::design_kept);
+    report_.evolve.result.history = std::move(tried.history);
+    report_.evolve.result.threads = tried.threads;
+    report_.evolve.result.seconds = tried.seconds;
   }
 
   /// Auto ends by its estimate of the strain. Where the pattern has a little more than that, it is
@@ -276,7 +318,8 @@ class Flattening {
     auto [before, after] =
         unfold_both(work, processed, options_.unit, with_limits(),
                     report_.evolve.result.threads > 1, parts_.next(k_share_of_pattern));
-    before_ = report_.unfold_before = std::move(before);
+    report_.unfold_before = report_.as_designed = std::move(before);
+    before_ = report_.unfold_before;
     report_.unfold = std::move(after);
   }
 
@@ -317,13 +360,18 @@ class Flattening {
     const Patch& work = work_patch(patch);
     const Patch now = work.with_positions(report_.evolve.result.positions);
     report_.evolve.after = measure_patch(now, context_);
-    if (report_.evolve.remeshed_from) {
-      report_.evolve.deviation = measure_surface_deviation(patch, now.mesh());
-      report_.evolve.fairness = measure_fairness(patch, now);
-    } else {
-      report_.evolve.deviation = measure_deviation(work, now.positions());
-      report_.evolve.fairness = measure_fairness(work, now.positions());
-    }
+    report_.evolve.deviation = measure_deviation(work, now.positions());
+    report_.evolve.fairness = measure_fairness(work, now.positions());
+    compare_with_original(patch, now);
+  }
+
+  /// Where vertices were removed, the result is compared with the surface that had all of them.
+  void compare_with_original(const Patch& original, const Patch& now) {
+    if (!remeshed_ || now.vertex_count() == original.vertex_count()) return;
+    report_.evolve.remeshed_from =
+        OriginalSize{original.vertex_count(), original.triangles().size()};
+    report_.evolve.deviation = measure_surface_deviation(original, now.mesh());
+    report_.evolve.fairness = measure_fairness(original, now);
   }
 
   const FlattenOptions& options_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include <planish/flatten/frontier.h>
@@ -12,24 +13,91 @@ namespace {
 
 constexpr double k_most_points = 1000;
 
-std::vector<CompareRun> runs_of(const FrontierOptions& options, double rms_strain) {
-  std::vector<CompareRun> runs;
-  const auto add = [&](const Auto& method) { runs.push_back({method, usual_stopping(method)}); };
+/// What flatten() is asked for, for every point of the curve.
+std::vector<FlattenOptions> stops_of(const FrontierOptions& options, double rms_strain) {
+  const FlattenOptions common = {.unit = options.unit, .constraints = options.constraints};
+  std::vector<FlattenOptions> stops;
   for (const double limit : frontier_limits(rms_strain, options.points)) {
-    add(limit > 0.0 ? Auto{.max_rms_strain = limit, .prefer = Prefer::smooth}
-                    : Auto{.prefer = Prefer::flat});
+    const auto usual = std::find(k_candidate_strains.begin(), k_candidate_strains.end(), limit);
+    if (limit == 0.0) {
+      stops.push_back(pick(k_candidates, common));
+    } else if (usual != k_candidate_strains.end()) {
+      const auto place = static_cast<int>(usual - k_candidate_strains.begin());
+      stops.push_back(pick(place + 2, common));
+    } else {
+      stops.push_back(common);
+      stops.back().limits.rms = limit;
+    }
   }
-  if (options.limit) add({.max_strain = *options.limit, .prefer = Prefer::smooth});
-  runs.insert(runs.end(), options.others.begin(), options.others.end());
-  return runs;
+  if (options.limit) {
+    stops.push_back(common);
+    stops.back().limits.max = *options.limit;
+  }
+  return stops;
 }
 
-FrontierPoint point_of(const ComparedMethod& compared) {
+Candidate candidate_of(const ComparedMethod& compared) {
   const EvolveReport& evolve = *compared.evolve;
-  return {compared.run.method,      evolve.result.stop,      evolve.result.history.size(),
-          evolve.result.seconds,    compared.unfold->strain, evolve.deviation,
-          evolve.after.flattenable, evolve.fairness};
+  return {.method = compared.run.method,
+          .stop = evolve.result.stop,
+          .sweeps = evolve.result.history.size(),
+          .seconds = evolve.result.seconds,
+          .strain = compared.unfold->strain,
+          .deviation = evolve.deviation,
+          .flattenable = evolve.after.flattenable,
+          .fairness = evolve.fairness};
 }
+
+/// Does the work of frontier(), one run after the other.
+class FrontierRuns {
+ public:
+  FrontierRuns(const Patch& patch, FrontierReport& report, const Context& context)
+      : patch_(patch), report_(report), parts_(context) {}
+
+  void add_design(const FrontierOptions& options) {
+    const FlattenOptions as_designed =
+        pick(1, {.unit = options.unit, .constraints = options.constraints});
+    report_.design =
+        flatten(patch_, report_.name, as_designed, parts_.next(0.05)).candidates().front();
+  }
+
+  /// @param share of the work that is left, 0 to 1: the same for every stop
+  void add_curve(const std::vector<FlattenOptions>& stops, double share) {
+    const double part = share / static_cast<double>(stops.size());
+    for (std::size_t k = 0; k < stops.size(); ++k)
+      add_stop(stops[k], parts_.next(part / (1.0 - static_cast<double>(k) * part)));
+    std::stable_sort(
+        report_.curve.begin(), report_.curve.end(),
+        [](const Candidate& a, const Candidate& b) { return a.deviation.rms < b.deviation.rms; });
+  }
+
+  void add_others(const FrontierOptions& options) {
+    if (options.others.empty()) return;
+    const CompareReport compared = compare(patch_, report_.name, options.others,
+                                           {options.unit, options.constraints}, parts_.next(1.0));
+    for (const ComparedMethod& run : compared.runs) {
+      if (run.failure) {
+        report_.failures.push_back({run.run.method, *run.failure});
+      } else {
+        report_.others.push_back(candidate_of(run));
+      }
+    }
+  }
+
+ private:
+  void add_stop(const FlattenOptions& stop, const Context& context) {
+    try {
+      const FlattenReport made = flatten(patch_, report_.name, stop, context);
+      if (!made.evolve.fairness.unchanged) report_.curve.push_back(made.candidates().back());
+    } catch (...) {
+      report_.failures.push_back({stop.method, current_failure()});
+    }
+  }
+
+  const Patch& patch_;
+  FrontierReport& report_;
+  PartsOfJob parts_;
+};
 
 void check(const FrontierOptions& options) {
   if (options.points) check_range("points", *options.points, {2.0, k_most_points});
@@ -40,7 +108,7 @@ void check(const FrontierOptions& options) {
 
 std::optional<std::size_t> FrontierReport::first_within_limit() const {
   if (!limit) return std::nullopt;
-  const auto found = std::find_if(curve.begin(), curve.end(), [&](const FrontierPoint& point) {
+  const auto found = std::find_if(curve.begin(), curve.end(), [&](const Candidate& point) {
     return point.strain.max <= *limit;
   });
   if (found == curve.end()) return std::nullopt;
@@ -50,30 +118,14 @@ std::optional<std::size_t> FrontierReport::first_within_limit() const {
 FrontierReport frontier(const Patch& patch, std::string name, const FrontierOptions& options,
                         const Context& context) {
   check(options);
-  PartsOfJob parts(context);
-  const UnfoldReport before = unfold_patch(patch, options.unit, {}, parts.next(0.05));
-  CompareReport compared = compare(patch, std::move(name), runs_of(options, before.strain.rms),
-                                   {options.unit, options.constraints}, parts.next(1.0));
-
   FrontierReport report;
-  report.name = std::move(compared.name);
+  report.name = std::move(name);
   report.unit = options.unit;
-  report.before = before.strain;
-  report.bending_ratio_before = measure_fairness(patch, patch).bending_ratio;
   report.limit = options.limit;
-  const std::size_t on_curve = compared.runs.size() - options.others.size();
-  for (std::size_t i = 0; i < compared.runs.size(); ++i) {
-    const ComparedMethod& run = compared.runs[i];
-    if (run.failure) {
-      report.failures.push_back({run.run.method, *run.failure});
-    } else {
-      (i < on_curve ? report.curve : report.others).push_back(point_of(run));
-    }
-  }
-  std::stable_sort(report.curve.begin(), report.curve.end(),
-                   [](const FrontierPoint& a, const FrontierPoint& b) {
-                     return a.deviation.rms < b.deviation.rms;
-                   });
+  FrontierRuns runs(patch, report, context);
+  runs.add_design(options);
+  runs.add_curve(stops_of(options, report.design.strain.rms), options.others.empty() ? 1.0 : 0.5);
+  runs.add_others(options);
   mark_dominated(report);
   return report;
 }

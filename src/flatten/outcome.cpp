@@ -49,7 +49,9 @@ Outcome EvolveReport::outcome() const {
 }
 
 Outcome FlattenReport::outcome() const {
-  return outcome_of(limit_checks(*this), evolve.result.stop);
+  Outcome outcome = outcome_of(limit_checks(*this), evolve.result.stop);
+  outcome.met = outcome.met && !rejected;
+  return outcome;
 }
 
 }  // namespace planish

@@ -198,7 +198,10 @@ std::optional<FlattenReport> twin_report(const FlattenReport& twin, const Patch&
   if (smoothed) report.evolve = with_smoothing(std::move(report.evolve), patch, *smoothed);
   const TwinPattern after(report.processed, own.vertex, match.mirrored);
   report.unfold = after.of(twin.unfold);
-  report.unfold_before = TwinPattern(own.patch, own.vertex, match.mirrored).of(twin.unfold_before);
+  const TwinPattern before(own.patch, own.vertex, match.mirrored);
+  report.unfold_before = before.of(twin.unfold_before);
+  report.as_designed = before.of(twin.as_designed);
+  report.rejected = twin.rejected;
   if (!has_all_of(twin, report)) return std::nullopt;
   const auto& pattern = report.unfold.pattern.positions;
   if (options.match_seams && !(after.mismatch_share(pattern) <= k_most_mismatch))

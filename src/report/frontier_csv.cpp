@@ -11,7 +11,7 @@ void append_limit(std::string& csv, double limit) {
   if (limit > 0.0) append_number(csv, limit);
 }
 
-void append_point(std::string& csv, const FrontierPoint& point) {
+void append_point(std::string& csv, const Candidate& point) {
   csv += std::string(name_of(point.method)) + ',';
   const auto* options = std::get_if<Auto>(&point.method);
   append_limit(csv, options != nullptr ? options->max_strain : 0.0);
@@ -46,7 +46,7 @@ std::string frontier_csv(const FrontierReport& report) {
       "rms_over_diagonal,flattenable,bending_ratio,bending_added,smooth,sweeps,stop,seconds,"
       "max_rms_strain,prefer,dominated\n";
   for (const auto* points : {&report.curve, &report.others}) {
-    for (const FrontierPoint& point : *points)
+    for (const Candidate& point : *points)
       append_point(csv, point);
   }
   return csv;

@@ -132,21 +132,37 @@ Json to_json(const CompareReport& report, const ComparedMethod& method) {
   return json;
 }
 
-Json to_json(const std::vector<FrontierPoint>& points) {
+Json to_json(const Candidate& candidate) {
+  Json json = {{"name", candidate_name(candidate)},
+               {"pick", candidate.pick ? Json(*candidate.pick) : Json(nullptr)},
+               {"strain", to_json(candidate.strain)},
+               {"limits_kept", candidate.limits_kept},
+               {"deviation", to_json(candidate.deviation)},
+               {"flattenable", candidate.flattenable},
+               {"sharp_share", candidate.fairness.sharp_share}};
+  add_fairness(candidate.fairness, json);
+  return json;
+}
+
+/// Those of a run, the result marked.
+Json to_json(const std::vector<Candidate>& candidates) {
   Json list = Json::array();
-  for (const FrontierPoint& point : points) {
-    list.push_back({{"method", name_of(point.method)},
-                    {"options", options_of(point.method)},
-                    {"strain", to_json(point.strain)},
-                    {"deviation", to_json(point.deviation)},
-                    {"flattenable", point.flattenable},
-                    {"bending_ratio", to_json(point.fairness.bending_ratio)},
-                    {"bending_added", to_json(point.fairness.bending_added)},
-                    {"smooth", point.fairness.is_smooth()},
-                    {"sweeps", point.sweeps},
-                    {"stop", to_string(point.stop)},
-                    {"seconds", point.seconds},
-                    {"dominated", point.dominated}});
+  for (const Candidate& candidate : candidates) {
+    Json json = to_json(candidate);
+    json["result"] = &candidate == &candidates.back();
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Json points_of(const std::vector<Candidate>& candidates) {
+  Json list = Json::array();
+  for (const Candidate& candidate : candidates) {
+    Json json = {{"method", name_of(candidate.method)}, {"options", options_of(candidate.method)},
+                 {"sweeps", candidate.sweeps},          {"stop", to_string(candidate.stop)},
+                 {"seconds", candidate.seconds},        {"dominated", candidate.dominated}};
+    json.update(to_json(candidate));
+    list.push_back(std::move(json));
   }
   return list;
 }
@@ -183,7 +199,9 @@ std::string json_report(const FlattenReport& report, const WrittenFiles& files,
                {"unfold", to_json(report.unfold)},
                {"unfold_before", to_json(report.unfold_before)},
                {"limits", to_json(report.unfold.limits)},
+               {"candidates", to_json(report.candidates())},
                {"files", Json(files)}};
+  if (report.rejected) json["rejected_strain"] = to_json(*report.rejected);
   if (report.twin_of) json["twin"] = to_json(*report.twin_of);
   for (const MoreFigures& some : more)
     json[some.key] = to_json(some);
@@ -214,10 +232,11 @@ std::string json_report(const FrontierReport& report) {
   return text_of({{"name", report.name},
                   {"version", k_version},
                   {"unit", to_string(report.unit)},
-                  {"strain_before", to_json(report.before)},
+                  {"strain_before", to_json(report.design.strain)},
+                  {"design", to_json(report.design)},
                   {"limit", limit_of(report)},
-                  {"curve", to_json(report.curve)},
-                  {"others", to_json(report.others)},
+                  {"curve", points_of(report.curve)},
+                  {"others", points_of(report.others)},
                   {"failures", std::move(failures)}});
 }
 

@@ -15,7 +15,7 @@ TEST_F(Frontier, PrintsATableAndWritesNothing) {
   const CliResult result = planish({"frontier", "panel.obj", "--methods", "classical,fairing"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   for (const char* row :
-       {"\nas designed ", "\n  0.1 % rms ", "\n  flat ", "\nclassical ", "\nfairing "})
+       {"\n  1 as designed ", "\n  5 0.1 % rms ", "\n  6 flat ", " classical ", " fairing "})
     EXPECT_THAT(result.out, HasSubstr(row));
   std::istringstream lines(result.out);
   for (std::string line; std::getline(lines, line);)
@@ -25,10 +25,11 @@ TEST_F(Frontier, PrintsATableAndWritesNothing) {
 
 TEST_F(Frontier, HasTheUsualStopsOrAsManyPointsAsAskedForAndAllOtherMethods) {
   const auto json = planish({"frontier", "panel.obj", "--json"}).json();
-  std::vector<double> limits;
+  std::vector<int> picks;
   for (const auto& point : json["curve"])
-    limits.push_back(point["options"]["max_rms_strain"]);
-  EXPECT_THAT(limits, ElementsAre(0.01, 0.005, 0.002, 0.001, 0.0));
+    picks.push_back(point["pick"]);
+  EXPECT_THAT(picks, ElementsAre(3, 4, 5, 6));
+  EXPECT_EQ(json["design"]["pick"], 1);
   EXPECT_EQ(json["others"].size() + json["failures"].size(), 8U);
   const auto more =
       planish({"frontier", "panel.obj", "--points", "9", "--methods", "classical", "--json"})
@@ -43,7 +44,7 @@ TEST_F(Frontier, HasAPointForAMaterial) {
   Names with_json = args;
   with_json.push_back("--json");
   const auto json = planish(with_json).json();
-  EXPECT_EQ(json["curve"].size(), 6U);
+  EXPECT_EQ(json["curve"].size(), 5U);
   EXPECT_EQ(json["limit"]["max_strain"], 0.01);
   const std::size_t first = json["limit"]["first_within"];
   EXPECT_LE(json["curve"][first]["strain"]["max"], 0.01);

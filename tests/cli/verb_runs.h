@@ -62,6 +62,8 @@ inline void expect_numbers(const nlohmann::json& json, const std::string& key = 
   static const std::set<std::string> may_be_null = {
       "max_deviation", "remeshed_from", "unlimited_strain", "unmatched_strain", "obstruction",
       "nesting",
+      // of candidates outside of the fixed order
+      "pick",
       // beside a plane
       "bending_ratio", "bending_added", "bending_lost",
       // with other triangles, or where nothing is bent more

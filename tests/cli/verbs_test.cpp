@@ -173,7 +173,8 @@ TEST_F(Verbs, FlattenWritesTheWholeFolder) {
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_THAT(
       names(),
-      ElementsAre("out", "out/folder", "out/folder/flat.obj", "out/folder/pattern.dxf",
+      ElementsAre("out", "out/folder", "out/folder/as-designed.dxf", "out/folder/as-designed.pdf",
+                  "out/folder/as-designed.svg", "out/folder/flat.obj", "out/folder/pattern.dxf",
                   "out/folder/pattern.pdf", "out/folder/pattern.svg", "out/folder/processed.obj",
                   "out/folder/report.html", "out/folder/report.json", "panel.obj"));
   const auto json = result.json();
@@ -184,7 +185,9 @@ TEST_F(Verbs, FlattenWritesTheWholeFolder) {
   EXPECT_EQ(json["files"]["pattern"], "out/folder/pattern.svg");
   EXPECT_EQ(json["files"]["pattern_dxf"], "out/folder/pattern.dxf");
   EXPECT_EQ(json["files"]["pattern_pdf"], "out/folder/pattern.pdf");
-  EXPECT_EQ(json["files"].size(), 7U);
+  EXPECT_EQ(json["files"]["as_designed"], "out/folder/as-designed.svg");
+  EXPECT_EQ(json["files"]["as_designed_dxf"], "out/folder/as-designed.dxf");
+  EXPECT_EQ(json["files"].size(), 10U);
   EXPECT_EQ(json, nlohmann::json::parse(content_of("out/folder/report.json")));
 }
 
@@ -193,13 +196,53 @@ TEST_F(Verbs, FlattenWritesTheFormatsThatAreAskedFor) {
       planish({"flatten", "panel.obj", "-o", "out", "--sweeps", "1", "--formats", "plt,dxf,plt",
                "--paper", "a3", "--dxf-profile", "astm", "--text", "strokes", "--json"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
-  EXPECT_THAT(names(), ElementsAre("out", "out/flat.obj", "out/pattern-a3.pdf", "out/pattern.dxf",
-                                   "out/pattern.plt", "out/processed.obj", "out/report.html",
-                                   "out/report.json", "panel.obj"));
+  EXPECT_THAT(names(),
+              ElementsAre("out", "out/as-designed.dxf", "out/as-designed.plt", "out/flat.obj",
+                          "out/pattern-a3.pdf", "out/pattern.dxf", "out/pattern.plt",
+                          "out/processed.obj", "out/report.html", "out/report.json", "panel.obj"));
   const auto json = result.json();
   EXPECT_EQ(json["files"]["pattern_pages"], "out/pattern-a3.pdf");
   EXPECT_FALSE(json["files"].contains("pattern"));
   EXPECT_THAT(content_of("out/pattern.dxf"), HasSubstr("PIECE NAME: panel"));
+}
+
+TEST_F(Verbs, FlattenWritesWhatIsPickedAndTheDesignBesideIt) {
+  const auto picked = planish({"flatten", "panel.obj", "-o", "out", "--pick", "1", "--json"});
+  EXPECT_EQ(picked.exit_code, k_exit_done) << picked.err;
+  EXPECT_EQ(picked.json()["evolve"]["stop"], "design_kept");
+  ASSERT_EQ(picked.json()["candidates"].size(), 1U);
+  EXPECT_EQ(picked.json()["candidates"][0]["name"], "as designed");
+  const std::string design = content_of("out/as-designed.dxf");
+  const auto flat = planish({"flatten", "panel.obj", "-o", "out", "--pick", "6", "--json"}).json();
+  ASSERT_EQ(flat["candidates"].size(), 2U);
+  EXPECT_EQ(flat["candidates"][1]["name"], "flat");
+  EXPECT_EQ(flat["candidates"][1]["pick"], 6);
+  EXPECT_TRUE(flat["candidates"][1]["result"]);
+  EXPECT_EQ(flat["candidates"][1]["strain"], flat["unfold"]["strain"]);
+  EXPECT_EQ(content_of("out/as-designed.dxf"), design);
+  EXPECT_NE(content_of("out/pattern.dxf"), design);
+}
+
+TEST_F(Verbs, FlattenRefusesTwoChoicesAtOnce) {
+  for (const Names& more :
+       {Names{"--pick", "7"}, Names{"--pick", "2", "--material", "leather"},
+        Names{"--pick", "2", "--prefer", "flat"}, Names{"--pick", "2", "--method", "classical"}}) {
+    Names args = {"flatten", "panel.obj"};
+    args.insert(args.end(), more.begin(), more.end());
+    const CliResult result = planish(args);
+    EXPECT_EQ(result.exit_code, k_exit_usage) << more.back();
+    EXPECT_THAT(result.err, HasSubstr("--pick")) << more.back();
+  }
+}
+
+TEST_F(Verbs, FlattenHandsOutTheDesignWhereEvolvingMakesThePatternWorse) {
+  ASSERT_EQ(planish({"flatten", "panel.obj", "-o", "flat", "--pick", "6"}).exit_code, k_exit_done);
+  const CliResult result = planish({"flatten", "flat/processed.obj", "-o", "out", "--method",
+                                    "classical", "--sweeps", "50", "--json"});
+  EXPECT_EQ(result.exit_code, k_exit_target_missed);
+  EXPECT_THAT(result.err, HasSubstr("the pattern of the design was written"));
+  EXPECT_GT(result.json()["rejected_strain"]["rms"], result.json()["unfold"]["strain"]["rms"]);
+  EXPECT_EQ(content_of("out/processed.obj"), content_of("flat/processed.obj"));
 }
 
 TEST_F(Verbs, FlattenWritesThePatternAsTextureCoordinatesInMillimetres) {

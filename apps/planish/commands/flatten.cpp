@@ -16,6 +16,7 @@
 #include "flags/limit_flags.h"
 #include "flags/match_seams_flag.h"
 #include "flags/method_flags.h"
+#include "flags/pick_flag.h"
 #include "flags/units.h"
 #include "flatten/reference_sweeps.h"
 #include "output/pattern_output.h"
@@ -60,13 +61,14 @@ ColorMap colors_from(const Arguments& arguments) {
 FlattenOptions options_from(const Arguments& arguments) {
   const Method method = method_from(arguments, FlattenOptions{}.method);
   refuse_unsupported_constraints(arguments, method);
-  return {.method = method,
-          .stopping = stopping_from(arguments, method),
-          .unit = unit_from(arguments),
-          .smooth_first = smooth_first_from(arguments),
-          .remesh = arguments.has("--remesh"),
-          .match_seams = arguments.has("--match-seams"),
-          .limits = limits_from(arguments)};
+  return picked({.method = method,
+                 .stopping = stopping_from(arguments, method),
+                 .unit = unit_from(arguments),
+                 .smooth_first = smooth_first_from(arguments),
+                 .remesh = arguments.has("--remesh"),
+                 .match_seams = arguments.has("--match-seams"),
+                 .limits = limits_from(arguments)},
+                arguments);
 }
 
 fs::path folder_from(const Arguments& arguments) {
@@ -90,10 +92,9 @@ PatternFiles pattern_files_from(const Arguments& arguments) {
   return pattern;
 }
 
-/// What the file of a format is for: the first that was, "pattern", is the SVG.
-std::string role_of(PatternFormat format) {
-  const std::string name(to_string(format));
-  return format == PatternFormat::svg ? "pattern" : "pattern_" + name;
+/// What the file of a format is for: "pattern" and "as_designed" are the SVG.
+std::string role_of(const std::string& pattern, PatternFormat format) {
+  return pattern + (format == PatternFormat::svg ? "" : "_" + std::string(to_string(format)));
 }
 
 WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFiles& pattern,
@@ -105,7 +106,9 @@ WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFi
                         {"report_json", in_folder("report.json")},
                         {"report_html", in_folder("report.html")}};
   for (const PatternFormat some : pattern.formats) {
-    paths[role_of(some)] = in_folder("pattern." + std::string(to_string(some)));
+    const std::string ending = "." + std::string(to_string(some));
+    paths[role_of("pattern", some)] = in_folder("pattern" + ending);
+    paths[role_of("as_designed", some)] = in_folder("as-designed" + ending);
   }
   if (pattern.output.paper) {
     const std::string paper(to_string(*pattern.output.paper));
@@ -134,15 +137,20 @@ NestPatch nest_patch(const FlattenReport& report, const PatternOptions& annotati
           on_processed(annotations, report)};
 }
 
+/// The pattern of the result and that of the design.
 std::vector<OutputFile> pattern_files(const FlattenReport& report, const WrittenFiles& paths,
                                       const PatternFiles& pattern) {
-  const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name,
-                                      on_processed(pattern.annotations, report));
+  const PatternOptions annotations = on_processed(pattern.annotations, report);
+  const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name, annotations);
+  const Drawing as_designed =
+      pattern_sheet(report.input, report.as_designed, report.name + ", as designed", annotations);
   std::vector<OutputFile> files;
-  files.reserve(pattern.formats.size() + 1);
+  files.reserve(2 * pattern.formats.size() + 1);
   for (const PatternFormat format : pattern.formats) {
-    files.push_back(
-        {path_of(paths.at(role_of(format))), pattern_file(sheet, format, pattern.output)});
+    files.push_back({path_of(paths.at(role_of("pattern", format))),
+                     pattern_file(sheet, format, pattern.output)});
+    files.push_back({path_of(paths.at(role_of("as_designed", format))),
+                     pattern_file(as_designed, format, pattern.output)});
   }
   if (pattern.output.paper) {
     files.push_back({path_of(paths.at("pattern_pages")), tiled_file(sheet, pattern.output)});
@@ -300,7 +308,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   CommandResult outcome =
       with_target_checked({text + written_text(files), json}, arguments, report.evolve);
   session.write(files, folder);
-  return with_limits_checked(std::move(outcome), report.unfold.limits);
+  return with_design_checked(with_limits_checked(std::move(outcome), report.unfold.limits), report);
 }
 
 }  // namespace
@@ -314,6 +322,7 @@ Command flatten_command() {
         remesh_flag(),
         smooth_first_flag(),
         match_seams_flag(),
+        pick_flag(),
         formats_flag(),
         {"--colors",
          "NAME",
@@ -340,15 +349,16 @@ Command flatten_command() {
   groups.push_back(constraint_flags());
   mark_first(groups,
              {"--output", "--unit", "--cut", "--remesh", "--formats", "--paper", "--allowance",
-              "--notches", "--grain", "--max-strain", "--material", "--prefer"});
+              "--notches", "--grain", "--max-strain", "--material", "--pick"});
   return {
       "flatten",
-      "the whole job: evolve a patch, lay it flat, write its pattern",
+      "the whole job: from a patch to its pattern at true size",
       "INPUT [-o FOLDER]",
-      "Measures a patch, evolves it towards flattenable and lays it flat. Writes into FOLDER: "
-      "the pattern at true size (pattern.svg, .dxf and .pdf), the processed patch and the flat "
-      "pattern as meshes, and a report with pictures (report.html, report.json). All files are "
-      "written or none.",
+      "Lays a patch flat as it is, and where that stretches the pattern too much, changes its "
+      "form as little as needed. Writes into FOLDER: the pattern at true size (pattern.svg, .dxf "
+      "and .pdf), that of the design (as-designed.*), the processed patch and the flat pattern as "
+      "meshes, and a report with pictures (report.html, report.json). All files are written or "
+      "none.",
       {"INPUT"},
       std::move(groups),
       {"planish flatten panel.obj", "planish flatten panel.obj -o out --unit cm --max-strain 2%",

@@ -3,53 +3,23 @@
 #include <algorithm>
 
 #include "shell/text.h"
+#include "text/candidates_text.h"
+#include "text/lengths.h"
 
 namespace planish::cli {
 
 namespace {
 
-constexpr std::size_t k_name_width = 23, k_width = 9, k_narrow_width = 7;
-
-/// In per cent and without the sign: the heads have it.
-std::string in_percent(double share) {
-  const std::string text = percent(share);
-  return text.substr(0, text.size() - 2);
-}
-
-std::string row(const std::string& name, const std::string& rms, const std::string& largest,
-                const std::string& deviation, const std::string& far, const std::string& bending,
-                const std::string& added, const std::string& smooth) {
-  return left(name, k_name_width) + right(rms, k_width) + right(largest, k_width) +
-         right(deviation, k_width) + right(far, k_width) + right(bending, k_width - 1) +
-         right(added, k_narrow_width - 1) + right(smooth, k_narrow_width) + "\n";
-}
-
-std::string ratio(const std::optional<double>& value) {
-  return value ? fixed(*value, 2) : "-";
-}
-
-std::string point_row(const std::string& name, const FrontierPoint& point) {
-  return row(name, in_percent(point.strain.rms), in_percent(point.strain.max),
-             in_percent(point.deviation.rms_over_diagonal), digits(point.deviation.max, 3),
-             ratio(point.fairness.bending_ratio), ratio(point.fairness.bending_added),
-             point.fairness.is_smooth() ? "yes" : "no");
-}
-
-/// With a star where it is dominated.
-std::string starred_name(const FrontierPoint& point) {
-  return stop_name(point) + (point.dominated ? " *" : "");
-}
-
 /// What the star means, where there is one.
 std::string star_text(const FrontierReport& report) {
-  const auto is_dominated = [](const FrontierPoint& point) { return point.dominated; };
+  const auto is_dominated = [](const Candidate& point) { return point.dominated; };
   if (std::none_of(report.curve.begin(), report.curve.end(), is_dominated) &&
       std::none_of(report.others.begin(), report.others.end(), is_dominated))
     return {};
   return "\n" +
          wrapped(
              "* dominated: another point of auto, or the patch as designed, has less rms strain, "
-             "rms deviation or bending, and no more of the others.",
+             "rms move or bending, and no more of the others.",
              0) +
          "\n";
 }
@@ -59,7 +29,7 @@ std::string limit_text(const FrontierReport& report) {
   const auto within = report.first_within_limit();
   const std::string limit = percent(*report.limit);
   if (!within) return "\nNo point of the curve keeps the limit of " + limit + ".\n";
-  const FrontierPoint& point = report.curve[*within];
+  const Candidate& point = report.curve[*within];
   return "\n" +
          wrapped("The limit of " + limit + " is kept at an rms deviation of " +
                      percent(point.deviation.rms_over_diagonal) + " of the diagonal, " +
@@ -72,21 +42,21 @@ std::string limit_text(const FrontierReport& report) {
 }  // namespace
 
 std::string frontier_text(const FrontierReport& report) {
-  const std::string unit(to_string(report.unit));
-  std::string text =
-      row("", "strain", "strain", "moved", "moved", "bending", "added", "smooth") +
-      row("", "rms %", "most %", "rms %", "most " + unit, "ratio", "ratio", "") +
-      row("as designed", in_percent(report.before.rms), in_percent(report.before.max), "0", "0",
-          ratio(report.bending_ratio_before), "-", "-") +
-      "auto\n";
-  for (const FrontierPoint& point : report.curve)
-    text += point_row("  " + starred_name(point), point);
-  for (const FrontierPoint& point : report.others)
-    text += point_row(starred_name(point), point);
+  const ShownLengths lengths(report.unit);
+  const auto row_of = [&](const Candidate& point) {
+    return candidate_row(point.dominated ? "* " : "", point, lengths);
+  };
+  std::string text = candidate_head(lengths) + row_of(report.design);
+  for (const Candidate& point : report.curve)
+    text += row_of(point);
+  if (!report.others.empty()) text += "\nOther methods:\n";
+  for (const Candidate& point : report.others)
+    text += row_of(point);
   return text + "\n" +
          wrapped(
-             "Moved, rms, is in per cent of the bounding box's diagonal; bending is that of the "
-             "result over that of the patch, added what of it is new.",
+             "Moved is the distance from the design. Bending is that of the result over that of "
+             "the design; added and lost are its parts. Fold is the sharpest new one. ! marks what "
+             "is crumpled.",
              0) +
          "\n" + star_text(report) + limit_text(report);
 }

@@ -10,6 +10,7 @@
 #include "platform/path.h"
 #include "shell/text.h"
 #include "shell/values.h"
+#include "text/candidates_text.h"
 #include "text/lengths.h"
 #include "text/memory_text.h"
 
@@ -305,7 +306,8 @@ std::string unfold_text(const UnfoldReport& report) {
 std::string flatten_text(const FlattenReport& report) {
   const std::string limits = strain_limits_text(report.unfold.limits);
   const ShownLengths lengths(report.unfold.unit);
-  return run_line(report.evolve, lengths) + comparison_head() +
+  return "\n" + candidates_text(report) + "\n" + run_line(report.evolve, lengths) +
+         comparison_head() +
          comparison(figure_rows(report.evolve.before.figures, report.evolve.after.figures)) +
          comparison(strain_rows(report.unfold_before.strain, report.unfold.strain)) + "\n" +
          deviation_lines(report.evolve.deviation, lengths) +

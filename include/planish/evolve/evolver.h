@@ -23,6 +23,7 @@ enum class StopReason {
   angle_limit,      ///< more would make angles smaller than is allowed
   smooth_limit,     ///< more would crumple the surface
   sweep_limit,
+  design_kept,  ///< of flatten(): the result is the design, by choice or as evolving made it worse
 };
 /// "reached_target", ...: as in reports.
 std::string_view to_string(StopReason reason);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -133,6 +135,7 @@ struct FlattenOptions {
   bool remesh = false;           ///< work on fewer vertices: see remesh()
   std::vector<Index> keep = {};  ///< vertices that remeshing leaves, besides fixed ones
   bool match_seams = false;      ///< of the evolved patch's pattern, as UnfoldOptions has it
+  bool keep_design = false;      ///< lay the design flat and change nothing
   /// What the pattern is to keep. Auto leaves a patch as it is where its pattern keeps them, and
   /// else changes it as far as that needs.
   StrainLimits limits = {};
@@ -159,21 +162,67 @@ struct StrainAsDesigned {
   static constexpr std::size_t k_most_searched = 100'000;
 };
 
+/// A surface to choose from, and what it costs.
+struct Candidate {
+  Method method;  ///< of the run, with its limits among the options
+  /// The place in the fixed order of candidates, from 1, as pick() takes it; none where other
+  /// limits were asked for.
+  std::optional<int> pick = {};
+  StopReason stop = StopReason::sweep_limit;  ///< why the run ended; of the design design_kept
+  std::size_t sweeps = 0;                     ///< that the run made
+  double seconds = 0.0;                       ///< of evolving
+  EdgeStrain strain = {};                     ///< of the pattern
+  bool limits_kept = true;                    ///< by the pattern, of those that were asked for
+  Deviation deviation = {};                   ///< from the design
+  bool flattenable = false;                   ///< as is_flattenable()
+  Fairness fairness = {};                     ///< beside the design
+  /// Another candidate has less of one of rms strain, rms deviation and bending_ratio, and no more
+  /// of the others: mark_dominated().
+  bool dominated = false;
+
+  /// The design itself.
+  bool is_design() const { return stop == StopReason::design_kept; }
+};
+
+/// The limits of rms strain of the candidates between the design and a flattenable surface, shares
+/// of length. The last is the default end of Auto.
+inline constexpr std::array k_candidate_strains = {0.02, 0.01, 0.005, k_unmeasurable_strain};
+/// How many candidates the fixed order has: the design, those of k_candidate_strains, flat.
+inline constexpr int k_candidates = static_cast<int>(k_candidate_strains.size()) + 2;
+
+/// What makes flatten() give a candidate of the fixed order.
+/// @param number from 1 to k_candidates
+/// @param options all that has nothing to do with the choice
+/// @throws Error option_out_of_range
+FlattenOptions pick(int number, FlattenOptions options = {});
+
+/// What a candidate is called: "as designed", "0.5 % rms", "limit 1 %" by the largest strain,
+/// "flat", of another method its name; with ", missed" where the limit is not kept.
+std::string candidate_name(const Candidate& candidate);
+
 /// The main job's result: everything that the files of a `flatten` folder are made from.
 struct FlattenReport {
   std::string name;  ///< of the patch, for titles
   Patch input;       ///< remeshed or smoothed, if that was asked for
   /// Vertex of `input` -> vertex of the original patch, increasing; empty: they are the same.
   std::vector<Index> source;
-  Patch processed;                     ///< the input with the evolved positions
-  EvolveReport evolve;                 ///< from `input` to `processed`
-  UnfoldReport unfold;                 ///< of `processed`
-  UnfoldReport unfold_before;          ///< of `input`: the difference is what evolving gained
+  Patch processed;             ///< the input with the evolved positions
+  EvolveReport evolve;         ///< from `input` to `processed`
+  UnfoldReport unfold;         ///< of `processed`
+  UnfoldReport unfold_before;  ///< of `input`: the difference is what evolving gained
+  /// Of `input`: where Auto was to keep limits, the pattern that keeps them best; else
+  /// `unfold_before`.
+  UnfoldReport as_designed;
   std::optional<TwinOf> twin_of = {};  ///< where it is made from the report of another patch
+  /// Where evolving made the pattern worse, and the design is the result: the strain it came to.
+  std::optional<EdgeStrain> rejected = {};
 
   /// By all that was asked for: the target of e_max, limits of deviation and angles, and limits of
   /// strain, by the pattern.
   Outcome outcome() const;
+  /// The surfaces to choose from that this run computed: the design first, the result last. Only
+  /// one where they are the same.
+  std::vector<Candidate> candidates() const;
 };
 
 /// Evolves with all figures around it.

@@ -9,21 +9,6 @@
 
 namespace planish {
 
-/// What one run made of a patch: how strained its pattern is, and how far its vertices went for it.
-struct FrontierPoint {
-  Method method;                              ///< with the limits of the run among its options
-  StopReason stop = StopReason::sweep_limit;  ///< why the run ended
-  std::size_t sweeps = 0;                     ///< that the run made
-  double seconds = 0.0;                       ///< of evolving
-  EdgeStrain strain = {};                     ///< of the pattern of the result
-  Deviation deviation = {};                   ///< of the result from the patch
-  bool flattenable = false;                   ///< of the result, as is_flattenable()
-  Fairness fairness = {};                     ///< of the result beside the patch
-  /// Another point of the curve, or the patch as designed, has less of one of rms strain, rms
-  /// deviation and bending_ratio, and no more of the others.
-  bool dominated = false;
-};
-
 /// A run without a result.
 struct FrontierFailure {
   Method method;    ///< that was run, with its options
@@ -32,14 +17,13 @@ struct FrontierFailure {
 
 /// What strain costs: of one patch many results, from the patch as designed to flattenable.
 struct FrontierReport {
-  std::string name;                                 ///< of the patch, for titles
-  Unit unit = Unit::mm;                             ///< one unit of the model
-  EdgeStrain before;                                ///< of the pattern of the patch as designed
-  std::optional<double> bending_ratio_before = {};  ///< of the patch as designed, as of Fairness
-  std::vector<FrontierPoint> curve;                 ///< by Auto, by growing rms deviation
-  std::vector<FrontierPoint> others;                ///< by other methods, in the order asked for
-  std::vector<FrontierFailure> failures;            ///< runs without a result
-  std::optional<double> limit;                      ///< that was asked for
+  std::string name;                       ///< of the patch, for titles
+  Unit unit = Unit::mm;                   ///< one unit of the model
+  Candidate design;                       ///< the patch as designed
+  std::vector<Candidate> curve;           ///< by flatten() with Auto, by growing rms deviation
+  std::vector<Candidate> others;          ///< by other methods, in the order asked for
+  std::vector<FrontierFailure> failures;  ///< runs without a result
+  std::optional<double> limit;            ///< that was asked for
 
   /// The first point of the curve whose largest strain keeps the limit; nothing without one.
   std::optional<std::size_t> first_within_limit() const;
@@ -55,22 +39,20 @@ struct FrontierOptions {
 };
 
 /// Where the curve stops: limits of rms strain, falling, then 0, which is flattenable. The usual
-/// ones are those of 5, 2, 1, 0.5, 0.2 and 0.1 % that are below the strain of the patch's own
-/// pattern. With a number of points they are evenly spaced on a logarithmic scale from there, which
-/// is not one of them, to 0.1 %, or a tenth of it if that is less.
+/// ones are those of k_candidate_strains that are below the strain of the patch's own pattern. With
+/// a number of points they are evenly spaced on a logarithmic scale from there, which is not one of
+/// them, to 0.1 %, or a tenth of it if that is less.
 /// @param rms_strain of the patch's own pattern: where there is none there is only the 0
 /// @param points 2 at least, the 0 among them
 std::vector<double> frontier_limits(double rms_strain, std::optional<int> points = {});
 
-/// What a point is called: "0.5 % rms", "flat", "limit 1 %" by the largest strain; with
-/// ", not met" where the run ended before. Of another method its name.
-std::string stop_name(const FrontierPoint& point);
-
-/// Sets FrontierPoint::dominated of all points.
+/// Sets Candidate::dominated of all points.
 void mark_dominated(FrontierReport& report);
 
-/// Runs Auto once for every limit, as smooth as can be, and to flat, and the other methods, each on
-/// the patch as designed, and lays every result flat. A run that fails does not end the others.
+/// Runs flatten() for the patch as designed, for every limit, as smooth as can be, and to flat, and
+/// the other methods, each on the patch as designed. Of the usual stops every point is what
+/// flatten() makes of its pick(). A run that fails does not end the others, and one whose result is
+/// the design makes no point.
 /// @throws Error option_out_of_range; what is not a disk, as unfold(); Cancelled
 FrontierReport frontier(const Patch& patch, std::string name, const FrontierOptions& options = {},
                         const Context& context = {});

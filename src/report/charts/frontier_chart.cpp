@@ -18,18 +18,18 @@ Vec2 place_of(const Deviation& deviation, double strain) {
 }
 
 /// None of the point for the limit: the limit has a line of its own.
-std::string name_on_line(const FrontierPoint& point) {
+std::string name_on_line(const Candidate& point) {
   const auto* options = std::get_if<Auto>(&point.method);
-  return options != nullptr && options->max_strain > 0.0 ? std::string() : stop_name(point);
+  return options != nullptr && options->max_strain > 0.0 ? std::string() : candidate_name(point);
 }
 
 /// The curve from the patch as designed on: through what nothing nearer beats. The rest is aside.
 ChartLine curve(const FrontierReport& report, double EdgeStrain::*figure, std::string name,
                 std::string css_class) {
   ChartLine line{
-      std::move(name), std::move(css_class), {place_of({}, report.before.*figure)}, true};
+      std::move(name), std::move(css_class), {place_of({}, report.design.strain.*figure)}, true};
   line.point_names = {"as designed"};
-  for (const FrontierPoint& point : report.curve) {
+  for (const Candidate& point : report.curve) {
     const Vec2 place = place_of(point.deviation, point.strain.*figure);
     if (point.dominated || !(place.y < line.points.back().y)) {
       line.aside.push_back(place);
@@ -58,7 +58,7 @@ std::string frontier_chart(const FrontierReport& report) {
                                   curve(report, &EdgeStrain::max, "auto, largest", "line-1")};
   // Styles 0 to 2 are those of the curves and the limit.
   std::size_t style = 3;
-  for (const FrontierPoint& point : report.others) {
+  for (const Candidate& point : report.others) {
     lines.push_back({std::string(name_of(point.method)),
                      "line-" + std::to_string(style),
                      {place_of(point.deviation, point.strain.rms)}});

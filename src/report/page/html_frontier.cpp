@@ -30,9 +30,10 @@ std::string fairness_cells(const Fairness& fairness) {
          cell(fairness.is_smooth() ? "✓ yes" : "no");
 }
 
-std::string name_of_point(const FrontierPoint& point) {
+std::string name_of_point(const Candidate& point) {
   const bool is_auto = std::holds_alternative<Auto>(point.method);
-  return (is_auto ? "auto, " : "") + stop_name(point) + (point.dominated ? " (dominated)" : "");
+  return (is_auto ? "auto, " : "") + candidate_name(point) +
+         (point.dominated ? " (dominated)" : "");
 }
 
 std::string table(const FrontierReport& report) {
@@ -45,11 +46,11 @@ std::string table(const FrontierReport& report) {
       "design's</small></th><th>Smooth</th><th>Sweeps</th><th>Time<small>s</small></th><th>Ended "
       "as</th></tr></thead>\n"
       "<tbody>\n" +
-      row("as designed", report.before, {},
-          figure_cell(report.bending_ratio_before) +
+      row("as designed", report.design.strain, {},
+          figure_cell(report.design.fairness.bending_ratio) +
               "<td></td><td></td><td></td><td></td><td></td>");
   for (const auto* points : {&report.curve, &report.others}) {
-    for (const FrontierPoint& point : *points) {
+    for (const Candidate& point : *points) {
       html += row(name_of_point(point), point.strain, point.deviation,
                   fairness_cells(point.fairness) + cell(count_text(point.sweeps)) +
                       cell(significant_text(point.seconds, 2)) +

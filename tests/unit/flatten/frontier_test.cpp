@@ -29,9 +29,8 @@ const FrontierReport& panel_frontier() {
 }
 
 TEST(FrontierLimits, AreTheUsualOnesBelowTheStrainOfThePatternAndThen0) {
-  EXPECT_EQ(frontier_limits(0.1),
-            (std::vector<double>{0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0}));
-  EXPECT_EQ(frontier_limits(0.01), (std::vector<double>{0.005, 0.002, 0.001, 0.0}));
+  EXPECT_EQ(frontier_limits(0.1), (std::vector<double>{0.02, 0.01, 0.005, 0.001, 0.0}));
+  EXPECT_EQ(frontier_limits(0.01), (std::vector<double>{0.005, 0.001, 0.0}));
   EXPECT_EQ(frontier_limits(0.0005), std::vector<double>{0.0});
   EXPECT_EQ(frontier_limits(0.0), std::vector<double>{0.0});
 }
@@ -53,8 +52,8 @@ TEST(FrontierLimits, OfANumberFallAlsoWhereThereIsLittleStrainOrNone) {
   EXPECT_LE(frontier_limits(30.0, 8).front(), 1.0) << "what Auto takes";
 }
 
-FrontierPoint made_point(double strain, double deviation, double bending) {
-  FrontierPoint point;
+Candidate made_point(double strain, double deviation, double bending) {
+  Candidate point;
   point.method = Auto{.max_rms_strain = 0.01};
   point.strain = {strain, strain, strain};
   point.deviation = {deviation, deviation, deviation};
@@ -64,14 +63,14 @@ FrontierPoint made_point(double strain, double deviation, double bending) {
 
 TEST(FrontierDominated, IsWhatAnotherPointBeatsInSomethingAndIsNotBeatenByInAnything) {
   FrontierReport report;
-  report.before.rms = 0.1;
-  report.bending_ratio_before = 1.0;
+  report.design.strain.rms = 0.1;
+  report.design.fairness.bending_ratio = 1.0;
   report.curve = {made_point(0.05, 1.0, 1.1), made_point(0.06, 2.0, 1.2),
                   made_point(0.06, 2.0, 1.05), made_point(0.01, 3.0, 1.1),
                   made_point(0.01, 3.0, 1.1)};
   mark_dominated(report);
   std::vector<bool> dominated;
-  for (const FrontierPoint& point : report.curve)
+  for (const Candidate& point : report.curve)
     dominated.push_back(point.dominated);
   EXPECT_EQ(dominated, (std::vector<bool>{false, true, false, false, false}))
       << "less bending excuses the third; equal points do not beat each other";
@@ -79,8 +78,8 @@ TEST(FrontierDominated, IsWhatAnotherPointBeatsInSomethingAndIsNotBeatenByInAnyt
 
 TEST(FrontierDominated, IsWhatIsWorseThanThePatchAsDesignedAndOtherMethodsAreJudgedToo) {
   FrontierReport report;
-  report.before.rms = 0.1;
-  report.bending_ratio_before = 1.0;
+  report.design.strain.rms = 0.1;
+  report.design.fairness.bending_ratio = 1.0;
   report.curve = {made_point(0.2, 1.0, 1.5), made_point(0.05, 2.0, 1.1)};
   report.others = {made_point(0.05, 3.0, 1.1), made_point(0.0, 3.0, 9.0)};
   mark_dominated(report);
@@ -92,38 +91,18 @@ TEST(FrontierDominated, IsWhatIsWorseThanThePatchAsDesignedAndOtherMethodsAreJud
 
 TEST(FrontierDominated, GoesByStrainAndDeviationWhereBendingIsNotKnown) {
   FrontierReport report;
-  report.before.rms = 0.1;
+  report.design.strain.rms = 0.1;
   report.curve = {made_point(0.05, 1.0, 0.0), made_point(0.06, 2.0, 0.0)};
-  for (FrontierPoint& point : report.curve)
+  for (Candidate& point : report.curve)
     point.fairness.bending_ratio.reset();
   mark_dominated(report);
   EXPECT_FALSE(report.curve[0].dominated);
   EXPECT_TRUE(report.curve[1].dominated);
 }
 
-TEST(FrontierStopName, TellsTheLimitInFewDigits) {
-  FrontierPoint point;
-  point.stop = StopReason::strain_met;
-  const auto name_of_stop = [&](const Auto& method) {
-    point.method = method;
-    return stop_name(point);
-  };
-  EXPECT_EQ(name_of_stop({.max_rms_strain = 0.005}), "0.5 % rms");
-  EXPECT_EQ(name_of_stop({.max_rms_strain = 0.02}), "2 % rms");
-  EXPECT_EQ(name_of_stop({.max_rms_strain = 0.0123456}), "1.23 % rms");
-  EXPECT_EQ(name_of_stop({.max_strain = 0.01}), "limit 1 %");
-  point.stop = StopReason::smooth_limit;
-  EXPECT_EQ(name_of_stop({.max_rms_strain = 0.005}), "0.5 % rms, not met");
-  EXPECT_EQ(name_of_stop({.prefer = Prefer::flat}), "as flat as it gets");
-  point.flattenable = true;
-  EXPECT_EQ(name_of_stop({.prefer = Prefer::flat}), "flat");
-  point.method = ClassicalLaplacian{};
-  EXPECT_EQ(stop_name(point), "classical");
-}
-
 TEST(Frontier, HasAPointForEveryLimitAndMethod) {
   const FrontierReport& report = panel_frontier();
-  EXPECT_EQ(report.curve.size(), frontier_limits(report.before.rms).size() + 1);
+  EXPECT_EQ(report.curve.size(), frontier_limits(report.design.strain.rms).size() + 1);
   ASSERT_EQ(report.others.size(), 2U);
   EXPECT_EQ(name_of(report.others[0].method), "classical");
   EXPECT_EQ(report.others[0].sweeps, 3U);
@@ -133,44 +112,41 @@ TEST(Frontier, HasAPointForEveryLimitAndMethod) {
 TEST(Frontier, LosesStrainAsDeviationGrows) {
   const FrontierReport report = frontier(Patch(make_shape("panel", 200)), "panel");
   EXPECT_GE(report.curve.size(), 4U);
-  double deviation = 0.0, strain = report.before.rms;
-  for (const FrontierPoint& point : report.curve) {
-    EXPECT_GT(point.deviation.rms, deviation) << stop_name(point);
-    EXPECT_LT(point.strain.rms, strain) << stop_name(point);
-    EXPECT_FALSE(point.dominated) << stop_name(point);
+  double deviation = 0.0, strain = report.design.strain.rms;
+  for (const Candidate& point : report.curve) {
+    EXPECT_GT(point.deviation.rms, deviation) << candidate_name(point);
+    EXPECT_LT(point.strain.rms, strain) << candidate_name(point);
+    EXPECT_FALSE(point.dominated) << candidate_name(point);
     deviation = point.deviation.rms;
     strain = point.strain.rms;
   }
-  EXPECT_EQ(stop_name(report.curve.back()), "flat");
+  EXPECT_EQ(candidate_name(report.curve.back()), "flat");
   EXPECT_LT(report.curve.back().strain.max, 1e-3);
 }
 
 TEST(Frontier, StaysSmoothUpToFlat) {
-  for (const FrontierPoint& point : panel_frontier().curve) {
+  for (const Candidate& point : panel_frontier().curve) {
     const auto& options = std::get<Auto>(point.method);
-    const bool is_flat = options.max_rms_strain == 0.0 && options.max_strain == 0.0;
-    EXPECT_EQ(options.prefer, is_flat ? Prefer::flat : Prefer::smooth);
-    EXPECT_TRUE(is_flat || point.fairness.is_smooth()) << stop_name(point);
+    EXPECT_TRUE(options.prefer == Prefer::flat || point.fairness.is_smooth())
+        << candidate_name(point);
   }
 }
 
-TEST(Frontier, HasTheFiguresOfTheSameRunsAlone) {
-  const TriMesh mesh = make_shape("panel", 200);
-  const FrontierReport& report = panel_frontier();
-  for (const std::size_t i : {report.curve.size() / 2, report.curve.size() - 1}) {
-    const FrontierPoint& point = report.curve[i];
-    const EvolveReport evolve =
-        evolve_patch(Patch(mesh), point.method, usual_stopping(point.method));
-    const auto unfold = unfold_patch(Patch({evolve.result.positions, mesh.triangles}), Unit::mm);
-    EXPECT_EQ(point.deviation.rms, evolve.deviation.rms);
-    EXPECT_EQ(point.deviation.max, evolve.deviation.max);
-    EXPECT_EQ(point.deviation.rms_over_diagonal, evolve.deviation.rms_over_diagonal);
-    EXPECT_EQ(point.strain.rms, unfold.strain.rms);
-    EXPECT_EQ(point.strain.max, unfold.strain.max);
-    EXPECT_EQ(point.stop, evolve.result.stop);
-    EXPECT_EQ(point.sweeps, evolve.result.history.size());
+TEST(Frontier, HasWhatFlattenMakesOfEveryPick) {
+  const Patch panel(make_shape("panel", 200));
+  for (const Candidate& point : panel_frontier().curve) {
+    if (!point.pick) continue;
+    const FlattenReport report = flatten(panel, "panel", pick(*point.pick));
+    const Candidate alone = report.candidates().back();
+    EXPECT_EQ(point.deviation.rms, alone.deviation.rms) << *point.pick;
+    EXPECT_EQ(point.deviation.rms_over_diagonal, alone.deviation.rms_over_diagonal);
+    EXPECT_EQ(point.strain.rms, alone.strain.rms);
+    EXPECT_EQ(point.strain.max, alone.strain.max);
+    EXPECT_EQ(point.fairness.bending_ratio, alone.fairness.bending_ratio);
+    EXPECT_EQ(point.stop, alone.stop);
+    EXPECT_EQ(point.sweeps, alone.sweeps);
   }
-  EXPECT_EQ(report.before.rms, unfold_patch(Patch(mesh), Unit::mm).strain.rms);
+  EXPECT_EQ(panel_frontier().design.strain.rms, unfold_patch(panel, Unit::mm).strain.rms);
 }
 
 TEST(Frontier, FindsTheFirstPointWithinTheLimit) {
@@ -216,7 +192,7 @@ TEST(Frontier, JsonHasEveryPoint) {
   const FrontierReport& report = panel_frontier();
   const auto json = nlohmann::json::parse(json_report(report));
   ASSERT_EQ(json["curve"].size(), report.curve.size());
-  const FrontierPoint& point = report.curve[3];
+  const Candidate& point = report.curve[3];
   const auto& options = std::get<Auto>(point.method);
   EXPECT_EQ(json["curve"][3]["options"]["max_strain"], options.max_strain);
   EXPECT_EQ(json["curve"][3]["options"]["max_rms_strain"], options.max_rms_strain);
@@ -225,24 +201,24 @@ TEST(Frontier, JsonHasEveryPoint) {
   EXPECT_EQ(json["curve"][3]["strain"]["rms"], point.strain.rms);
   EXPECT_EQ(json["curve"][3]["deviation"]["rms_over_diagonal"], point.deviation.rms_over_diagonal);
   EXPECT_EQ(json["others"][1]["method"], "fairing");
-  EXPECT_EQ(json["strain_before"]["max"], report.before.max);
+  EXPECT_EQ(json["strain_before"]["max"], report.design.strain.max);
   EXPECT_EQ(json["limit"]["max_strain"], 0.01);
   EXPECT_EQ(json["limit"]["first_within"], report.first_within_limit());
 }
 
 TEST(Frontier, CsvHasALineForEveryPoint) {
   FrontierReport report;
-  report.curve.push_back({Auto{.max_rms_strain = 0.25},
-                          StopReason::strain_met,
-                          7,
-                          0.5,
-                          EdgeStrain{0.5, 0.125, 0.375},
-                          {1.0, 2.0, 0.0625},
-                          false,
-                          {.bending_ratio = 1.25, .bending_added = 0.5},
-                          true});
-  report.curve.push_back({Auto{.max_strain = 0.5, .prefer = Prefer::flat}});
-  report.others.push_back({ClassicalLaplacian{}, StopReason::sweep_limit, 10, 0.25, {}, {}, true});
+  report.curve.push_back({.method = Auto{.max_rms_strain = 0.25},
+                          .stop = StopReason::strain_met,
+                          .sweeps = 7,
+                          .seconds = 0.5,
+                          .strain = {0.5, 0.125, 0.375},
+                          .deviation = {1.0, 2.0, 0.0625},
+                          .fairness = {.bending_ratio = 1.25, .bending_added = 0.5},
+                          .dominated = true});
+  report.curve.push_back({.method = Auto{.max_strain = 0.5, .prefer = Prefer::flat}});
+  report.others.push_back(
+      {.method = ClassicalLaplacian{}, .sweeps = 10, .seconds = 0.25, .flattenable = true});
   EXPECT_EQ(frontier_csv(report),
             "method,max_strain,strain_rms,strain_p99,strain_max,deviation_rms,deviation_max,"
             "rms_over_diagonal,flattenable,bending_ratio,bending_added,smooth,sweeps,stop,"
@@ -252,18 +228,19 @@ TEST(Frontier, CsvHasALineForEveryPoint) {
             "classical,,0,0,0,0,0,0,1,,,0,10,sweep_limit,0.25,,,0\n");
 }
 
-TEST(Frontier, OfAFlattenablePatchIsOnePointAndNoChart) {
+TEST(Frontier, OfAFlattenablePatchIsTheDesignAndNoChart) {
   const auto report = frontier(Patch(make_shape("cylinder", 200)), "cylinder");
-  ASSERT_EQ(report.curve.size(), 1U);
-  EXPECT_TRUE(report.curve[0].flattenable);
+  EXPECT_TRUE(report.curve.empty());
+  EXPECT_TRUE(report.failures.empty());
+  EXPECT_TRUE(report.design.flattenable);
   for (const std::string& text : {frontier_svg(report), html_report(report)})
     EXPECT_THAT(text, HasSubstr("Nothing to show"));
 }
 
 TEST(Frontier, ShowsInTheChartWhereEveryPointIs) {
   FrontierReport report;
-  report.before = {1.0, 1.0, 1.0};
-  FrontierPoint middle, end;
+  report.design.strain = {1.0, 1.0, 1.0};
+  Candidate middle, end;
   middle.strain = {0.1, 0.01, 0.1};  // largest 10 %, rms 1 %
   middle.deviation.rms_over_diagonal = 0.01;
   end.strain = {0.0, 0.0, 0.0};  // at the lower edge
@@ -282,9 +259,9 @@ TEST(Frontier, ShowsInTheChartWhereEveryPointIs) {
 
 TEST(Frontier, DrawsTheLineThroughWhatNothingNearerBeats) {
   FrontierReport report;
-  report.before = {1.0, 1.0, 1.0};
+  report.design.strain = {1.0, 1.0, 1.0};
   const auto point = [](double deviation, double strain) {
-    FrontierPoint made;
+    Candidate made;
     made.strain = {strain, strain, strain};
     made.deviation.rms_over_diagonal = deviation;
     return made;

@@ -1,0 +1,59 @@
+#include "flags/pick_flag.h"
+
+#include <string>
+#include <utility>
+
+#include "flags/quantities.h"
+#include "shell/failures.h"
+#include "shell/run_context.h"
+#include "shell/text.h"
+#include "shell/values.h"
+
+namespace planish::cli {
+
+namespace {
+
+constexpr Range k_numbers = {1.0, static_cast<double>(k_candidates)};
+
+void refuse_other_choices(const Arguments& arguments) {
+  for (const char* flag : {"--prefer", "--max-strain", "--material", "--max-rms-strain",
+                           "--closeness", "--target-e-max", "--max-sweeps"}) {
+    if (!arguments.has(flag)) continue;
+    throw UsageError("flags --pick and " + std::string(flag) +
+                     " both say how far to go: use one of them");
+  }
+}
+
+}  // namespace
+
+Flag pick_flag() {
+  return {
+      "--pick",
+      "N",
+      "how much strain to leave: 1 as designed, 2, 3, 4, 5 at most 2, 1, 0.5, 0.1 % rms, 6 flat "
+      "(default 5)",
+      0,
+      false,
+      {.type = ValueType::integer, .range = k_numbers}};
+}
+
+FlattenOptions picked(FlattenOptions options, const Arguments& arguments) {
+  if (!arguments.has("--pick")) return options;
+  refuse_other_choices(arguments);
+  if (!std::holds_alternative<Auto>(options.method))
+    throw UsageError("flag --pick goes with method auto only");
+  const int number = whole_number_of("--pick", arguments.flags.at("--pick"), k_numbers);
+  return pick(number, std::move(options));
+}
+
+CommandResult with_design_checked(CommandResult outcome, const FlattenReport& report) {
+  if (!report.rejected || outcome.exit_code != k_exit_done) return outcome;
+  outcome.exit_code = k_exit_target_missed;
+  outcome.complaint = "evolving would have stretched the pattern more, to " +
+                      percent(report.rejected->rms) + " rms where the design has " +
+                      percent(report.unfold_before.strain.rms) +
+                      ": the pattern of the design was written";
+  return outcome;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,96 @@
+#include "text/candidates_text.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "shell/text.h"
+
+namespace planish::cli {
+
+namespace {
+
+constexpr std::size_t k_name = 21, k_length = 8, k_strain = 8, k_ratio = 6, k_least = 5;
+
+/// In per cent without the sign, which the head has.
+std::string in_percent(double share) {
+  constexpr double least = 5e-6, little = 1e-4;
+  if (share < least) return "0";
+  return share < little ? fixed(100.0 * share, 3) : digits(100.0 * share, 3);
+}
+
+std::string ratio(const std::optional<double>& value) {
+  return value ? fixed(*value, 2) : "-";
+}
+
+struct Cells {
+  std::string name, strain, most_strain, moved, most_moved, bending, added, lost, fold, smooth;
+};
+
+std::string row(const Cells& cells) {
+  const std::string text = left(cells.name, k_name) + right(cells.strain, k_strain) +
+                           right(cells.most_strain, k_strain) + right(cells.moved, k_length) +
+                           right(cells.most_moved, k_length) + right(cells.bending, k_length) +
+                           right(cells.added, k_ratio) + right(cells.lost, k_least) +
+                           right(cells.fold, k_least);
+  return text + (cells.smooth.empty() ? "" : "  " + cells.smooth) + "\n";
+}
+
+/// The numbers and names of those that were not computed and are not the design again.
+std::string others_text(const std::vector<Candidate>& computed) {
+  const auto is_computed = [&](int number) {
+    return std::any_of(computed.begin(), computed.end(),
+                       [&](const Candidate& candidate) { return candidate.pick == number; });
+  };
+  std::string text;
+  for (int number = 1; number <= k_candidates; ++number) {
+    const FlattenOptions options = pick(number);
+    if (is_computed(number) || options.limits.rms >= computed.front().strain.rms) continue;
+    Candidate other;
+    auto method = std::get<Auto>(options.method);
+    method.max_rms_strain = options.limits.rms;
+    other.method = method;
+    other.flattenable = true;
+    if (options.keep_design) other.stop = StopReason::design_kept;
+    text +=
+        (text.empty() ? "" : ", ") + std::to_string(number) + " (" + candidate_name(other) + ")";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string candidate_head(const ShownLengths& lengths) {
+  return row({"", "strain", "most", "moved", "most", "bending", "added", "lost", "fold", ""}) +
+         row({"", "rms %", "%", "rms " + lengths.unit(), lengths.unit(), "ratio", "", "", "deg",
+              ""});
+}
+
+std::string candidate_row(const std::string& mark, const Candidate& candidate,
+                          const ShownLengths& lengths) {
+  const Fairness& form = candidate.fairness;
+  const std::string number = candidate.pick ? std::to_string(*candidate.pick) + " " : "";
+  return row({left(mark, 2) + number + candidate_name(candidate), in_percent(candidate.strain.rms),
+              in_percent(candidate.strain.max), lengths.number(candidate.deviation.rms),
+              lengths.number(candidate.deviation.max), ratio(form.bending_ratio),
+              ratio(form.bending_added), ratio(form.bending_lost),
+              form.sharpest_fold ? fixed(form.sharpest_fold->degrees, 0) : "-",
+              form.is_smooth() ? "" : "!"});
+}
+
+std::string candidates_text(const FlattenReport& report) {
+  const std::vector<Candidate> candidates = report.candidates();
+  const ShownLengths lengths(report.unfold.unit);
+  std::string text = candidate_head(lengths);
+  for (const Candidate& candidate : candidates)
+    text += candidate_row(&candidate == &candidates.back() ? "> " : "", candidate, lengths);
+  const bool is_crumpled = !candidates.back().fairness.is_smooth();
+  const std::string others = others_text(candidates);
+  return text + "\n" +
+         wrapped(std::string("> is what was written.") + (is_crumpled ? " ! is crumpled." : "") +
+                     " Others to choose: --pick " + others +
+                     "; \"planish frontier\" computes them all.",
+                 0) +
+         "\n";
+}
+
+}  // namespace planish::cli

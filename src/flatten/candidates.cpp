@@ -1,0 +1,113 @@
+#include <charconv>
+#include <cstddef>
+#include <utility>
+
+#include <planish/flatten/flatten.h>
+
+namespace planish {
+
+namespace {
+
+constexpr int k_flat = k_candidates;
+
+/// In per cent with at most three digits: "0.5 %".
+std::string short_percent(double share) {
+  char digits[32];
+  const auto end =
+      std::to_chars(digits, digits + sizeof digits, 100.0 * share, std::chars_format::general, 3)
+          .ptr;
+  return std::string(digits, end) + " %";
+}
+
+/// Auto with its other options as they are.
+Auto auto_of(const Method& method, Prefer prefer) {
+  const auto* given = std::get_if<Auto>(&method);
+  Auto options = given != nullptr ? *given : Auto{};
+  options.prefer = prefer;
+  options.max_strain = options.max_rms_strain = 0.0;
+  return options;
+}
+
+/// The limit of rms strain of a run of Auto, 0 where it goes on to flattenable. Without limits a
+/// smooth surface has the default one.
+double rms_limit_of(const Auto& options) {
+  const bool has_default = options.prefer == Prefer::smooth && options.max_strain == 0.0 &&
+                           options.max_rms_strain == 0.0;
+  return has_default ? k_unmeasurable_strain : options.max_rms_strain;
+}
+
+/// The number of what a run was asked for.
+std::optional<int> number_of(const Method& method) {
+  const auto* options = std::get_if<Auto>(&method);
+  if (options == nullptr || options->max_strain > 0.0) return std::nullopt;
+  if (options->prefer == Prefer::flat) return k_flat;
+  if (options->prefer != Prefer::smooth) return std::nullopt;
+  for (std::size_t k = 0; k < k_candidate_strains.size(); ++k) {
+    if (rms_limit_of(*options) == k_candidate_strains[k]) return static_cast<int>(k) + 2;
+  }
+  return std::nullopt;
+}
+
+/// Whether the pattern is strained as little as was asked for.
+bool keeps_limits(const FlattenReport& report) {
+  if (!report.unfold.limits.empty()) return all_kept(report.unfold.limits);
+  const auto* options = std::get_if<Auto>(&report.evolve.method);
+  if (options == nullptr || options->prefer != Prefer::smooth) return true;
+  return report.evolve.result.stop == StopReason::strain_met;
+}
+
+Candidate design_of(const FlattenReport& report) {
+  const Patch& design = report.input;
+  return {.method = report.evolve.method,
+          .pick = 1,
+          .stop = StopReason::design_kept,
+          .strain = report.as_designed.strain,
+          .limits_kept = all_kept(report.as_designed.limits),
+          .flattenable = report.evolve.before.flattenable,
+          .fairness = measure_fairness(design, design.positions())};
+}
+
+Candidate result_of(const FlattenReport& report) {
+  const EvolveReport& evolve = report.evolve;
+  return {.method = evolve.method,
+          .pick = number_of(evolve.method),
+          .stop = evolve.result.stop,
+          .sweeps = evolve.result.history.size(),
+          .seconds = evolve.result.seconds,
+          .strain = report.unfold.strain,
+          .limits_kept = keeps_limits(report),
+          .deviation = evolve.deviation,
+          .flattenable = evolve.after.flattenable,
+          .fairness = evolve.fairness};
+}
+
+}  // namespace
+
+FlattenOptions pick(int number, FlattenOptions options) {
+  check_range("pick", number, {1.0, static_cast<double>(k_candidates)});
+  options.method = auto_of(options.method, number == k_flat ? Prefer::flat : Prefer::smooth);
+  options.keep_design = number == 1;
+  const bool has_limit = number > 1 && number < k_flat - 1;
+  options.limits = {};
+  if (has_limit) options.limits.rms = k_candidate_strains[static_cast<std::size_t>(number) - 2];
+  return options;
+}
+
+std::vector<Candidate> FlattenReport::candidates() const {
+  std::vector<Candidate> all = {design_of(*this)};
+  if (!evolve.fairness.unchanged) all.push_back(result_of(*this));
+  return all;
+}
+
+std::string candidate_name(const Candidate& candidate) {
+  if (candidate.is_design()) return "as designed";
+  const auto* options = std::get_if<Auto>(&candidate.method);
+  if (options == nullptr) return std::string(name_of(candidate.method));
+  const std::string end = candidate.limits_kept ? "" : ", missed";
+  if (options->max_strain > 0.0) return "limit " + short_percent(options->max_strain) + end;
+  const double rms = rms_limit_of(*options);
+  if (rms > 0.0) return short_percent(rms) + " rms" + end;
+  return candidate.flattenable ? "flat" : "as flat as it gets";
+}
+
+}  // namespace planish

@@ -83,6 +83,12 @@ std::string signed_percent_text(double fraction) {
   return (fraction > 0.0 ? "+" : "") + percent_text(fraction);
 }
 
+std::string length_text(double length, Unit unit) {
+  const bool is_imperial = unit == Unit::in;
+  const double shown = is_imperial ? length : millimetres_per(unit) * length;
+  return significant_text(shown, 2) + std::string(k_blank) + (is_imperial ? "in" : "mm");
+}
+
 std::string power_of_ten_text(int power) {
   return "10" + superscript(std::to_string(power));
 }

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <string>
 
+#include <planish/core/unit.h>
+
 namespace planish {
 
 /// What people read, in every locale alike: a blank before the unit, a true minus, and for numbers
@@ -25,6 +27,10 @@ std::string percent_text(double fraction);
 
 /// The same with a sign in front of what is not zero: "+7.6 %".
 std::string signed_percent_text(double fraction);
+
+/// A length of the model in millimetres, or of a model in inches in inches, two significant digits:
+/// "26 mm", "0.35 in".
+std::string length_text(double length, Unit unit);
 
 /// "10⁻⁴".
 std::string power_of_ten_text(int power);

@@ -68,11 +68,12 @@ export async function openPage(browser, url, options = {}) {
   return { page, context, complaints, requests };
 }
 
-// Runs with a page whose view is ready; complaints and requests fail the test.
+// Runs with a page whose view is ready and in the window; complaints and requests fail the test.
 export async function withReadyPage(browser, url, options, run) {
   const { page, context, complaints, requests } = await openPage(browser, url, options);
   try {
     await page.waitForSelector('.view[data-ready]');
+    await page.$eval('.view[data-ready]', (view) => view.scrollIntoView({ block: 'center' }));
     await run(page);
     assert.deepEqual(complaints, [], 'console');
     assert.deepEqual(requests, [], 'network');

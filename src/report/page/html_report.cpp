@@ -16,6 +16,7 @@
 #include "flatten/verdict.h"
 #include "report/charts/convergence_chart.h"
 #include "report/charts/defect_histogram.h"
+#include "report/page/candidate_tiles.h"
 #include "report/page/figures_table.h"
 #include "report/page/html_parts.h"
 #include "report/page/html_viewer.h"
@@ -244,8 +245,8 @@ std::string html_report(const FlattenReport& report, const FlattenPage& page) {
                               (border.empty() ? "" : " " + border);
   const bool has_limit = limit_of_edges(report.unfold.limits).has_value();
   return html_head(html_title(report.name), has_limit ? limit_style() : "") + "<body>\n<main>\n" +
-         html_header("report", report.name, verdict, checks(report)) +
-         tiles(report, page, viewer.cut_size) + viewer.html + "<div class=\"wide\">\n" +
+         html_header("report", report.name, verdict, checks(report)) + candidate_tiles(report) +
+         viewer.html + tiles(report, page, viewer.cut_size) + "<div class=\"wide\">\n" +
          convergence_section(report, page) + histogram_section(report) +
          "</div>\n<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" +
          figures_table(report) + "</div>\n</section>\n" + problems_section(report) +

@@ -66,6 +66,14 @@ TEST(FigureText, GroupsCountsByThousands) {
   EXPECT_EQ(count_text(1234567), "1\u202F234\u202F567");
 }
 
+TEST(FigureText, HasLengthsInMillimetresOrInches) {
+  EXPECT_EQ(length_text(0.0264, Unit::m), "26\u00A0mm");
+  EXPECT_EQ(length_text(0.35, Unit::cm), "3.5\u00A0mm");
+  EXPECT_EQ(length_text(1234.0, Unit::mm), "1234\u00A0mm");
+  EXPECT_EQ(length_text(0.352, Unit::in), "0.35\u00A0in");
+  EXPECT_EQ(length_text(0.0, Unit::mm), "0\u00A0mm");
+}
+
 TEST(RoundUp125, GivesTheNextOfOneTwoFive) {
   EXPECT_EQ(round_up_125(0.0011), 0.002);
   EXPECT_EQ(round_up_125(0.002), 0.002);

@@ -32,15 +32,17 @@ inline Context part_of(const Context& context, double begin, double end,
   return part;
 }
 
-/// Progress of a job whose number of steps is not known: each step takes the share a tenth of what
-/// is left.
+/// Progress of a job whose number of steps is not known.
 class StepProgress {
  public:
-  double after_step() { return share_ += 0.1 * (1.0 - share_); }
+  /// @param of_rest what a step takes of what is left
+  explicit StepProgress(double of_rest = 0.1) : of_rest_(of_rest) {}
+
+  double after_step() { return share_ += of_rest_ * (1.0 - share_); }
   double share() const { return share_; }
 
  private:
-  double share_ = 0.0;
+  double of_rest_, share_ = 0.0;
 };
 
 /// Divides a job into parts whose number is not known: each takes its share of what is left.

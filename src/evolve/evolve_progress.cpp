@@ -12,12 +12,14 @@ double EvolveProgress::after(const SweepRecord& record) {
   if (record.level || has_levels_) {
     const std::size_t level = record.level ? record.level->inner_vertices : 0;
     if (!has_levels_ || level != level_) {
+      // Finer levels take some ten steps where the first takes some twenty.
+      of_rest_ = has_levels_ ? 0.2 : 0.1;
       share_ = std::max(share_, end_);
       end_ = record.level ? static_cast<double>(level) / vertices_ : 1.0;
       level_ = level;
       has_levels_ = true;
     }
-    share_ += 0.1 * std::max(0.0, end_ - share_);
+    share_ += of_rest_ * std::max(0.0, end_ - share_);
   }
   share_ = std::max(share_, static_cast<double>(record.sweep) / max_sweeps_);
   return share_ = std::min(share_, 1.0);

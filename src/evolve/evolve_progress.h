@@ -7,9 +7,9 @@
 namespace planish {
 
 /// How much of an evolution is done, as far as its records tell; for bars of progress. It never
-/// goes back. Sweeps count as a share of the most that are allowed; on levels, of which nobody
-/// knows how many steps each will take, the vertices of the level do, as steps cost by them: each
-/// step takes the share a tenth of the way that is left to what the level's end is worth.
+/// goes back. Sweeps count as a share of the most that are allowed. A level counts by its vertices,
+/// as its steps cost by them. How many steps it will take is not known: each takes a tenth of what
+/// is left of the first level, a fifth of what is left of a finer one.
 class EvolveProgress {
  public:
   /// @param vertices of the patch
@@ -22,7 +22,8 @@ class EvolveProgress {
   double max_sweeps_, vertices_;
   std::size_t level_ = 0;  // its inner vertices; 0 for the patch without a level
   bool has_levels_ = false;
-  double share_ = 0.0, end_ = 0.0;
+  double share_ = 0.0, end_ = 0.0;  // now, and at the end of the level
+  double of_rest_ = 0.1;            // of the level, what a step takes
 };
 
 }  // namespace planish

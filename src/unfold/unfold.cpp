@@ -12,7 +12,7 @@
 #include "unfold/start/start.h"
 #include "unfold/stretch/least_stretch.h"
 #include "unfold/stretch/matched_border.h"
-#include "unfold/within_limits.h"
+#include "unfold/unfold_within_limits.h"
 
 namespace planish {
 
@@ -70,12 +70,15 @@ void require_limits(const StrainLimits& limits) {
   }
 }
 
-/// What is called after each step.
-std::function<void()> unfolding_steps(const Context& context) {
-  return [&context, progress = StepProgress()]() mutable {
+/// What is called after each step. Laying flat takes some 15 steps, keeping limits or the border
+/// some 60.
+std::function<void()> unfolding_steps(const Context& context, double of_rest) {
+  return [context, progress = StepProgress(of_rest)]() mutable {
     report_progress(context, {"unfolding", progress.after_step()});
   };
 }
+
+constexpr double k_step_of_stretch = 0.1, k_step_of_limits = 0.03;
 
 /// A length or place of the disk in model units.
 Vec2 in_model_units(const Disk& disk, Vec2 p) {
@@ -107,16 +110,19 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   require_limits(options.limits);
   const Disk disk = make_disk(patch);
   ThreadPool pool(context);
-  const std::function<void()> after_step = unfolding_steps(context);
+  const bool goes_on = options.match_seams || options.limits.max > 0.0 || options.limits.p99 > 0.0;
+  PartsOfJob parts(context);
   LeastStretch flat =
-      minimise_stretch(disk, find_start(disk), options.max_iterations, pool, after_step);
+      minimise_stretch(disk, find_start(disk), options.max_iterations, pool,
+                       unfolding_steps(parts.next(goes_on ? 0.2 : 1.0), k_step_of_stretch));
+  const std::function<void()> after_step = unfolding_steps(parts.next(1.0), k_step_of_limits);
   Pattern pattern;
   if (options.match_seams) {
     pattern.unmatched = in_mesh_order(patch, disk, flat.flat);
     flat = with_matched_border(patch.mesh(), disk, flat, options, pool, after_step);
   } else if (options.limits.max > 0.0 || options.limits.p99 > 0.0) {
-    LeastStretch limited = within_limits(patch.mesh(), disk, flat, options.limits,
-                                         options.max_iterations, pool, after_step);
+    LeastStretch limited = unfold_within_limits(patch.mesh(), disk, flat, options.limits,
+                                                options.max_iterations, pool, after_step);
     if (limited.iterations > flat.iterations) {
       pattern.unlimited = in_mesh_order(patch, disk, flat.flat);
       flat = std::move(limited);
@@ -155,7 +161,7 @@ double smallest_limit(const Patch& patch, const Pattern& least, const Context& c
   for (const Index v : disk.vertex_of)
     flat.push_back(disk.area_scale * (disk.box_scale * least.positions[v]));
   return smallest_limit_of(patch.mesh(), disk, std::move(flat), UnfoldOptions{}.max_iterations,
-                           pool, unfolding_steps(context));
+                           pool, unfolding_steps(context, k_step_of_limits));
 }
 
 TriMesh flat_mesh(const TriMesh& mesh, const Pattern& pattern) {

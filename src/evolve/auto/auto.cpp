@@ -72,7 +72,7 @@ class AutoStepper {
         DescentAims{strain_limit(), options_.closeness, closeness, allowance_exponent_}, limits());
   }
 
-  StrainLimit strain_limit() const { return {options_.max_strain, options_.max_rms_strain}; }
+  SurfaceStrainLimit strain_limit() const { return {options_.max_strain, options_.max_rms_strain}; }
 
   PatchState& level_state() const { return coarse_ ? *coarse_ : state_; }
 

@@ -9,8 +9,8 @@
 #include "evolve/descent/border_motion.h"
 #include "evolve/descent/descent_limits.h"
 #include "evolve/descent/fairness_energy.h"
-#include "evolve/descent/strain_limit.h"
 #include "evolve/descent/strain_potential.h"
+#include "evolve/descent/surface_strain_limit.h"
 #include "evolve/descent/tuning.h"
 #include "evolve/systems/angle_jacobian.h"
 #include "evolve/systems/positions.h"
@@ -19,8 +19,8 @@ namespace planish {
 
 /// What a descent is to reach.
 struct DescentAims {
-  StrainLimit strain = {};  ///< at which it is to end, if given
-  double room = 1.0;        ///< for roughness, spent on staying close; see ClosenessControl
+  SurfaceStrainLimit strain = {};  ///< at which it is to end, if given
+  double room = 1.0;               ///< for roughness, spent on staying close; see ClosenessControl
   /// That a coarser level ended with: weights are found there, where steps cost little, and only
   /// lowered on the way here. 0: there is none.
   double closeness = 0.0;

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "evolve/descent/tuning.h"
-#include "evolve/systems/fairing.h"
+#include "evolve/systems/fairing_system.h"
 #include "solve/dissection.h"
 #include "solve/sparse_pattern.h"
 

@@ -1,7 +1,5 @@
 // Bi-Laplacian fairing with the border and its slant held: equations in docs/methods/fairing.md.
 
-#include "evolve/systems/fairing.h"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -10,6 +8,7 @@
 #include <planish/evolve/method.h>
 
 #include "evolve/state/sweep.h"
+#include "evolve/systems/fairing_system.h"
 #include "evolve/systems/positions.h"
 
 namespace planish {
@@ -35,7 +34,7 @@ class FairingStepper {
   }
 
   SweepOutcome step() {
-    const Fairing fairing(state_, movable_, LaplacianWeights::thin_plate, pulls_, pool_);
+    const FairingSystem fairing(state_, movable_, LaplacianWeights::thin_plate, pulls_, pool_);
     if (!fairing.solvable()) return {};
     const Positions before = inner_positions(state_), after = fairing.apply(origins_, pool_);
     const double rms =

@@ -11,7 +11,7 @@
 #include <planish/evolve/method.h>
 
 #include "evolve/state/sweep.h"
-#include "evolve/systems/fairing.h"
+#include "evolve/systems/fairing_system.h"
 #include "evolve/systems/least_norm_step.h"
 #include "evolve/systems/positions.h"
 
@@ -136,7 +136,7 @@ class LeastNormStepper {
   ThreadPool& pool_;
   std::vector<double> weights_;
   LeastNormStep least_;
-  std::optional<Fairing> fairing_;
+  std::optional<FairingSystem> fairing_;
   double fairing_damping_ = 0.0, damping_ = 1e-3;
   double last_e_max_ = std::numeric_limits<double>::infinity();
   int steps_ = 0;

@@ -23,10 +23,10 @@ using namespace tuning::prefer_smooth;
 
 namespace {
 
-StrainLimit limit_of(const Auto& options) {
+SurfaceStrainLimit limit_of(const Auto& options) {
   if (options.prefer == Prefer::flat) return {0.0, k_nearly_flat};
-  const StrainLimit limit = {options.max_strain, options.max_rms_strain};
-  return limit.given() ? limit : StrainLimit{0.0, k_unmeasurable_strain};
+  const SurfaceStrainLimit limit = {options.max_strain, options.max_rms_strain};
+  return limit.given() ? limit : SurfaceStrainLimit{0.0, k_unmeasurable_strain};
 }
 
 /// Of the smooth positions of a level those with the least strain.
@@ -214,7 +214,7 @@ class SmoothStepper {
   }
 
   Auto options_;
-  StrainLimit limit_;
+  SurfaceStrainLimit limit_;
   PatchState& state_;
   ThreadPool& pool_;
   double least_angle_;

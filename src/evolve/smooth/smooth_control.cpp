@@ -13,7 +13,7 @@ using namespace tuning::prefer_smooth;
 namespace {
 
 /// 0 where little strain may stay, 1 where much may.
-double looseness(const StrainLimit& limit, const DescentStrain& at_first) {
+double looseness(const SurfaceStrainLimit& limit, const DescentStrain& at_first) {
   const double left = std::min(1.0, limit.share_of(at_first)) * at_first.rms;
   return std::clamp(math::log(left / k_tight) / math::log(k_loose / k_tight), 0.0, 1.0);
 }
@@ -24,7 +24,7 @@ double between(double tight, double loose, double looseness) {
 
 }  // namespace
 
-SmoothControl::SmoothControl(const StrainLimit& limit, const DescentStrain& at_first)
+SmoothControl::SmoothControl(const SurfaceStrainLimit& limit, const DescentStrain& at_first)
     : limit_(limit) {
   const double loose = looseness(limit, at_first);
   ceiling_ = between(k_tight_ceiling, k_loose_ceiling, loose);

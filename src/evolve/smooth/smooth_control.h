@@ -1,6 +1,6 @@
 #pragma once
 
-#include "evolve/descent/strain_limit.h"
+#include "evolve/descent/surface_strain_limit.h"
 #include "evolve/descent/tuning.h"
 #include "evolve/smooth/smooth_descent.h"
 
@@ -14,7 +14,7 @@ class SmoothControl {
  public:
   /// @param limit given
   /// @param at_first of the design
-  SmoothControl(const StrainLimit& limit, const DescentStrain& at_first);
+  SmoothControl(const SurfaceStrainLimit& limit, const DescentStrain& at_first);
 
   /// Of the next step.
   SmoothWeights weights() const { return weights_; }
@@ -39,7 +39,7 @@ class SmoothControl {
   void lead(const DescentStrain& strain, double bending);
   bool is_stuck(const DescentStrain& strain);
 
-  StrainLimit limit_;
+  SurfaceStrainLimit limit_;
   double ceiling_, least_delta_;
   SmoothWeights weights_;
   Stage stage_ = Stage::loose;

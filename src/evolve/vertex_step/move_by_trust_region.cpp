@@ -4,7 +4,7 @@
 
 #include "evolve/state/sweep.h"
 #include "evolve/vertex_step/interval.h"
-#include "evolve/vertex_step/line_trust_region.h"
+#include "evolve/vertex_step/minimise_on_line.h"
 #include "evolve/vertex_step/ring_energy_on_line.h"
 
 namespace planish {
@@ -54,7 +54,7 @@ class Mover {
     const bool inside = steps.low < 0.0 && steps.high > 0.0;
     const double start = inside ? 0.0 : std::copysign(k_start_in_bounds * room, -slope);
     const auto b = [this](double lambda) { return line_.at(line_.place(lambda)).b; };
-    return minimise_inside(b, steps, start).at;
+    return minimise_on_line(b, steps, start).at;
   }
 
   /// The guarantee: what is compared is the energy at the very place that the vertex would get, and

@@ -8,7 +8,7 @@
 
 #include "core/lanes/stars.h"
 #include "evolve/lanes/move_stars.h"
-#include "evolve/vertex_step/line_trust_region.h"
+#include "evolve/vertex_step/minimise_on_line.h"
 
 namespace planish {
 

@@ -1,7 +1,5 @@
 // Fairing with the border and its slant held.
 
-#include "evolve/systems/fairing.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +10,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "evolve/systems/fairing_system.h"
 #include "geometry/cotangents.h"
 #include "support/meshes.h"
 

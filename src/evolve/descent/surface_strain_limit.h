@@ -11,7 +11,7 @@ struct DescentStrain {
 };
 
 /// The strain that is allowed; 0: no limit.
-struct StrainLimit {
+struct SurfaceStrainLimit {
   double most = 0.0, rms = 0.0;
 
   bool given() const { return most > 0.0 || rms > 0.0; }

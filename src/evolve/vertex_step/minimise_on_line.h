@@ -24,6 +24,6 @@ struct LineMinimum {
 /// inside the interval; f never rises; a place where f is not a number is none to go to. Ends after
 /// at most 100 evaluations.
 /// @pre start is strictly inside
-LineMinimum minimise_inside(const LineFunction& f, Interval interval, double start);
+LineMinimum minimise_on_line(const LineFunction& f, Interval interval, double start);
 
 }  // namespace planish

@@ -1,4 +1,4 @@
-#include "evolve/systems/fairing.h"
+#include "evolve/systems/fairing_system.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,8 +51,9 @@ std::vector<std::vector<double>> rows_of_laplacian(const PatchState& state, Lapl
   return rows;
 }
 
-Fairing::Fairing(const PatchState& state, std::span<const unsigned char> movable,
-                 LaplacianWeights kind, std::span<const double> weights, ThreadPool& pool) {
+FairingSystem::FairingSystem(const PatchState& state, std::span<const unsigned char> movable,
+                             LaplacianWeights kind, std::span<const double> weights,
+                             ThreadPool& pool) {
   constexpr int held = -1;
   std::vector<int> number(state.vertex_count(), held);
   std::vector<Vec3> positions;
@@ -90,7 +91,7 @@ Fairing::Fairing(const PatchState& state, std::span<const unsigned char> movable
   solvable_ = solver_->factor(lower, pool);
 }
 
-std::vector<Vec3> Fairing::apply(std::vector<Vec3> targets, ThreadPool& pool) const {
+std::vector<Vec3> FairingSystem::apply(std::vector<Vec3> targets, ThreadPool& pool) const {
   Eigen::MatrixXd right = -held_share_;
   for (std::size_t i = 0; i < movable_.size(); ++i)
     right.row(static_cast<Eigen::Index>(i)) += pull_[i] * row_of(targets[movable_[i]]);

@@ -4,7 +4,7 @@
 //   psi(t) = D f' t + (w f'' + |f'|) t^2 / 2,
 // Newton's model of w f' = 0, which holds at a minimum inside as well as at one on a bound.
 
-#include "evolve/vertex_step/line_trust_region.h"
+#include "evolve/vertex_step/minimise_on_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,7 +111,7 @@ class TrustRegion {
 
 }  // namespace
 
-LineMinimum minimise_inside(const LineFunction& f, Interval interval, double start) {
+LineMinimum minimise_on_line(const LineFunction& f, Interval interval, double start) {
   return TrustRegion(f, interval, start).minimise();
 }
 

@@ -1,4 +1,4 @@
-#include "unfold/within_limits.h"
+#include "unfold/unfold_within_limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -116,9 +116,9 @@ class LimitedUnfolding {
 
 }  // namespace
 
-LeastStretch within_limits(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
-                           const StrainLimits& limits, int max_iterations, ThreadPool& pool,
-                           const std::function<void()>& after_step) {
+LeastStretch unfold_within_limits(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
+                                  const StrainLimits& limits, int max_iterations, ThreadPool& pool,
+                                  const std::function<void()>& after_step) {
   LimitedUnfolding unfolding(mesh, disk, max_iterations, pool, after_step, least.iterations);
   const bool bounds_all = limits.max > 0.0;
   const double limit = bounds_all ? limits.max : limits.p99;

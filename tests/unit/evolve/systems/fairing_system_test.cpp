@@ -1,4 +1,4 @@
-#include "evolve/systems/fairing.h"
+#include "evolve/systems/fairing_system.h"
 
 #include <cmath>
 #include <numbers>
@@ -113,7 +113,7 @@ TEST_P(FairingKinds, EndAtTheMinimumOfWhatTheyMakeSmall) {
   Prepared patch("dome");
   for (std::size_t v = 0; v < patch.weights.size(); v += 3)
     patch.weights[v] = 4.0;
-  const Fairing fairing(patch.state, patch.movable, GetParam(), patch.weights, patch.pool);
+  const FairingSystem fairing(patch.state, patch.movable, GetParam(), patch.weights, patch.pool);
   ASSERT_TRUE(fairing.solvable());
   Positions targets = inner_positions(patch.state);
   for (std::size_t v = 0; v < targets.size(); ++v)
@@ -136,7 +136,7 @@ TEST_P(FairingKinds, EndAtTheMinimumOfWhatTheyMakeSmall) {
 TEST_P(FairingKinds, LeaveWhatIsHeldAtItsTarget) {
   Prepared patch("saddle");
   patch.movable[5] = patch.movable[50] = 0;
-  const Fairing fairing(patch.state, patch.movable, GetParam(), patch.weights, patch.pool);
+  const FairingSystem fairing(patch.state, patch.movable, GetParam(), patch.weights, patch.pool);
   const Positions targets = inner_positions(patch.state);
   const Positions faired = fairing.apply(targets, patch.pool);
   EXPECT_EQ(faired[5], targets[5]);

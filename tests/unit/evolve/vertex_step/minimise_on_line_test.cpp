@@ -1,4 +1,4 @@
-#include "evolve/vertex_step/line_trust_region.h"
+#include "evolve/vertex_step/minimise_on_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ LineMinimum minimum_of(const F& f, Interval interval, double start) {
     EXPECT_LT(x, interval.high);
     return f(x);
   };
-  const LineMinimum found = minimise_inside(watched, interval, start);
+  const LineMinimum found = minimise_on_line(watched, interval, start);
   EXPECT_EQ(found.evaluations, calls);
   EXPECT_LE(found.evaluations, 101);
   EXPECT_LE(found.sample.value, f(start).value);

@@ -24,11 +24,11 @@ enum class LaplacianWeights {
 /// the positions asked for, L a Laplacian with a row for each inner vertex. L is that of the patch
 /// as it is when this is made, and so is the factor: (L^T L + W^2) v = W^2 v* - L^T g, g the share
 /// in L v of vertices that are held.
-class Fairing {
+class FairingSystem {
  public:
   /// @param movable,weights by inner vertex
-  Fairing(const PatchState& state, std::span<const unsigned char> movable, LaplacianWeights kind,
-          std::span<const double> weights, ThreadPool& pool);
+  FairingSystem(const PatchState& state, std::span<const unsigned char> movable,
+                LaplacianWeights kind, std::span<const double> weights, ThreadPool& pool);
 
   /// False where the system cannot be solved.
   bool solvable() const { return solvable_; }

@@ -1,4 +1,4 @@
-#include "evolve/descent/strain_limit.h"
+#include "evolve/descent/surface_strain_limit.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,7 +7,7 @@
 
 namespace planish {
 
-double StrainLimit::share_of(const DescentStrain& strain) const {
+double SurfaceStrainLimit::share_of(const DescentStrain& strain) const {
   double share = std::numeric_limits<double>::infinity();
   if (most > 0.0) share = std::min(share, most / strain.most);
   if (rms > 0.0) share = std::min(share, tuning::k_of_rms_limit * rms / strain.rms);

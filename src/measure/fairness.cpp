@@ -144,7 +144,7 @@ double border_turn(const Patch& design, std::span<const Vec3> after, double scal
 
 bool Fairness::is_smooth() const {
   if (unchanged) return true;
-  return bending_ratio && *bending_ratio <= k_smooth_ratio &&
+  return bending_ratio && *bending_ratio <= std::max(k_smooth_ratio, design_ratio) &&
          bending_added.value_or(0.0) <= k_smooth_added && sharp_share <= k_smooth_sharp_share;
 }
 
@@ -165,6 +165,7 @@ Fairness measure_fairness(const Patch& design, std::span<const Vec3> after) {
   const double b0 = design_bending(design);
   if (b0 == 0.0) return fairness;
   const auto [added, lost] = added_and_lost(first, second);
+  fairness.design_ratio = bending_of(first) / b0;
   fairness.bending_ratio = bending_of(second) / b0;
   fairness.bending_added = added / b0;
   fairness.bending_lost = lost / b0;
@@ -178,7 +179,9 @@ Fairness measure_fairness(const Patch& design, const Patch& after) {
   Fairness fairness;
   fairness.sharp_share = sharp_share(second, usual_curvature(first));
   const double b0 = design_bending(design);
-  if (b0 > 0.0) fairness.bending_ratio = bending_of(second) / b0;
+  if (b0 == 0.0) return fairness;
+  fairness.design_ratio = bending_of(first) / b0;
+  fairness.bending_ratio = bending_of(second) / b0;
   return fairness;
 }
 

@@ -304,16 +304,16 @@ std::string unfold_text(const UnfoldReport& report) {
 }
 
 std::string flatten_text(const FlattenReport& report) {
+  const EvolveReport& evolve = report.evolve;
   const std::string limits = strain_limits_text(report.unfold.limits);
   const ShownLengths lengths(report.unfold.unit);
-  return "\n" + candidates_text(report) + "\n" + run_line(report.evolve, lengths) +
-         comparison_head() +
-         comparison(figure_rows(report.evolve.before.figures, report.evolve.after.figures)) +
-         comparison(strain_rows(report.unfold_before.strain, report.unfold.strain)) + "\n" +
-         deviation_lines(report.evolve.deviation, lengths) +
-         border_line(report.evolve.border, lengths) + form_lines(report.evolve) +
-         pattern_lines(report.unfold) + unlimited_lines(report.unfold) +
-         matching_lines(report.unfold) + (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");
+  const std::string answer = limits.empty() ? "" : wrapped(limits, 0) + "\n\n";
+  return "\n" + answer + candidates_text(report) + "\n" + pattern_lines(report.unfold) +
+         unlimited_lines(report.unfold) + matching_lines(report.unfold) + form_lines(evolve) +
+         deviation_lines(evolve.deviation, lengths) + border_line(evolve.border, lengths) + "\n" +
+         run_line(evolve, lengths) + comparison_head() +
+         comparison(figure_rows(evolve.before.figures, evolve.after.figures)) +
+         comparison(strain_rows(report.unfold_before.strain, report.unfold.strain));
 }
 
 std::string directions_text(const DirectionCounts& counts) {

@@ -79,6 +79,8 @@ struct Fold {
 struct Fairness {
   /// B / B0: bending over design_bending(). None where the design is a plane.
   std::optional<double> bending_ratio = {};
+  /// The same of the design: above 1 by the short waves of its noise.
+  double design_ratio = 1.0;
   /// Bending that came and went, edge by edge, each over B0: with k0 and k1 the curvatures across
   /// an edge, (|k1| - |k0|)^2 of its area where their signs agree; where they do not, all of k1
   /// came and all of k0 went. A fold counts as added, a flattened dome as lost. None where the
@@ -94,9 +96,10 @@ struct Fairness {
   std::optional<Fold> sharpest_fold = {};
   bool unchanged = false;  ///< the design itself, to the last digit
 
-  /// A designer would take it: bending_ratio, bending_added and sharp_share within k_smooth_*. The
-  /// design itself is smooth; beside a plane nothing else is. What is not smooth is crumpled: the
-  /// one rule of everything that says so.
+  /// A designer would take it: bending_ratio, bending_added and sharp_share within k_smooth_*,
+  /// where a design with noise may have a larger bending_ratio and its result the same. The design
+  /// itself is smooth; beside a plane nothing else is. What is not smooth is crumpled: the one rule
+  /// of everything that says so.
   bool is_smooth() const;
   /// Whether it still bends where the design does: bending_lost within k_kept_lost; also where that
   /// is not known.

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <planish/measure/fairness.h>
+#include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>
 
@@ -40,6 +41,22 @@ TEST(Fairness, OfTheDesignItselfIsSmooth) {
   EXPECT_EQ(*same.border_turn, 0.0);
   EXPECT_FALSE(same.sharpest_fold);
   EXPECT_LE(same.sharp_share, 0.0101);
+}
+
+TEST(Fairness, OfADesignWithNoiseAllowsTheNoise) {
+  const TriMesh design = make_shape("panel", 2000);
+  TriMesh flatter = design, rougher = design;
+  for (std::size_t v = 0; v < design.positions.size(); ++v) {
+    flatter.positions[v].z *= 0.98;
+    rougher.positions[v].z *= 1.05;
+  }
+  const Fairness less = compared(design, flatter), more = compared(design, rougher);
+  EXPECT_GT(less.design_ratio, k_smooth_ratio) << "the noise of the design";
+  EXPECT_GT(*less.bending_ratio, k_smooth_ratio);
+  EXPECT_LT(*less.bending_ratio, less.design_ratio);
+  EXPECT_TRUE(less.is_smooth());
+  EXPECT_FALSE(more.is_smooth());
+  EXPECT_EQ(compared(design, design).bending_ratio, less.design_ratio);
 }
 
 TEST(Fairness, TellsAFoldMadeByHand) {

@@ -210,6 +210,9 @@ class Flattening {
   }
 
   void work_on(const Patch& patch) {
+    // What a later step would refuse by its size is refused before the first.
+    require_unfoldable(work_patch(patch));
+    check_size(work_patch(patch), method_);
     if (!is_done_as_it_is(work_patch(patch))) evolve_to_aim(patch);
   }
 

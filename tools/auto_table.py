@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs `planish flatten` on all patches of a folder and writes a table of
+"""Runs `planish flatten --prefer near` on all patches of a folder and writes a table of
 docs/methods/auto_tried.md.
 
     tools/auto_table.py PLANISH FOLDER RESULTS
@@ -45,7 +45,7 @@ def figures(answer):
         "max": strain["max"],
         "deviation": answer["evolve"]["deviation"]["rms_over_diagonal"],
         "angles": [math.degrees(m["min_angle"]) for m in (before, after)],
-        "bending": answer["evolve"]["bending_ratio"],
+        "roughness": [m["roughness"] for m in (before, after)],
         "smooth": answer["evolve"]["smooth"],
     }
 
@@ -67,7 +67,7 @@ def line(cells):
 def table(rows):
     head = [
         "patch", "vertices", "ended", "e_max", "strain rms, %", "strain max, %", "rms deviation, %",
-        "smallest angle", "bending", "steps", "s", "met",
+        "smallest angle", "roughness", "steps", "s", "met",
     ]  # fmt: skip
     out = [line(head), line(["---"] * len(head))]
     for name, row in rows.items():
@@ -78,7 +78,7 @@ def table(rows):
                     f"{100 * row['rms']:.3f}", f"{100 * row['max']:.2f}",
                     f"{100 * row['deviation']:.2f}",
                     " -> ".join(f"{angle:.1f}" for angle in row["angles"]),
-                    "" if row["bending"] is None else f"{row['bending']:.2f}",
+                    " -> ".join(f"{degrees:.1f}" for degrees in row["roughness"]),
                     str(row["steps"]), f"{row['seconds']:.1f}", "yes" if is_met(row) else "no",
                 ]  # fmt: skip
             )
@@ -94,7 +94,7 @@ def main():
     for patch in sorted([*folder.glob("*.obj"), *folder.glob("*.ply")]):
         answer = kept / (patch.stem + ".json")
         if not answer.exists():
-            answer.write_text(json.dumps(flatten(planish, str(patch))), encoding="utf-8")
+            answer.write_text(json.dumps(flatten(planish, str(patch), "--prefer", "near")), encoding="utf-8")
         rows[patch.stem] = figures(json.loads(answer.read_text(encoding="utf-8")))
         print(line([patch.stem, rows[patch.stem]["stop"]]), flush=True)
     before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)

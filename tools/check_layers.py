@@ -77,7 +77,7 @@ FOR_THE_PROGRAM = {
     "mesh/split.h",
     "platform/memory.h",
     "platform/path.h",
-    "report/measured_files.h",
+    "report/several_files.h",
     "report/pictures/direction_map.h",
     "sheet/cut_sheet.h",
 }

@@ -139,10 +139,24 @@ std::string reason_of_absence(const std::string& flag, const Command* command) {
   throw UsageError("flag " + last.substr(0, last.find('=')) + " needs a value");
 }
 
+bool is_flag(const std::string& word) {
+  return word.size() > 1 && word.front() == '-';
+}
+
+/// Takes the words behind "--" for operands, whatever they begin with.
+void take_operands(std::span<const std::string> words, const Command* command,
+                   Arguments& arguments) {
+  if (words.empty()) return;
+  if (command == nullptr) refuse_verb(words.front());
+  arguments.operands.insert(arguments.operands.end(), words.begin(), words.end());
+  const std::size_t most = command->operands.size();
+  if (!command->operands_repeat && arguments.operands.size() > most)
+    throw UsageError("unexpected argument " + arguments.operands[most]);
+}
+
 void refuse_leftovers(const std::vector<std::string>& words, const Command* command) {
   for (const std::string& word : words) {
-    if (word == "--") continue;
-    if (word.size() > 1 && word.front() == '-') refuse_flag(word, command);
+    if (is_flag(word)) refuse_flag(word, command);
     if (command == nullptr) refuse_verb(word);
     throw UsageError("unexpected argument " + word);
   }
@@ -150,9 +164,6 @@ void refuse_leftovers(const std::vector<std::string>& words, const Command* comm
 
 /// Takes what is no flag for more operands, in the order of the command line.
 std::vector<std::string> with_operands_taken(std::vector<std::string> words, Arguments& arguments) {
-  const auto is_flag = [](const std::string& word) {
-    return word.size() > 1 && word.front() == '-';
-  };
   const auto operands = std::stable_partition(words.begin(), words.end(), is_flag);
   arguments.operands.insert(arguments.operands.end(), operands, words.end());
   words.erase(operands, words.end());
@@ -177,7 +188,8 @@ void check_complete(const Command& command, const Arguments& arguments) {
   }
   for (const FlagGroup& group : command.groups) {
     for (const Flag& flag : group.flags) {
-      if (flag.required && !arguments.has(flag.name)) {
+      // A table of figures may be all that is wanted of several files.
+      if (flag.required && !arguments.has(flag.name) && !arguments.has("--csv")) {
         throw UsageError("missing flag -" + std::string(1, flag.letter) + usage);
       }
     }
@@ -199,6 +211,10 @@ bool asks_for(std::span<const std::string> args, std::string_view flag) {
 }
 
 Parsed parse(std::span<const std::string> args) {
+  // Words behind "--" are operands; CLI11 would lose which of its leftovers were.
+  const auto mark = std::find(args.begin(), args.end(), "--");
+  const auto before = args.first(static_cast<std::size_t>(mark - args.begin()));
+  const auto behind = args.subspan(std::min(before.size() + 1, args.size()));
   CLI::App app;
   const Options global = add_flags(app, {});
   app.allow_windows_style_options(false);  // a word like /a.obj is a path; verbs inherit it
@@ -213,9 +229,10 @@ Parsed parse(std::span<const std::string> args) {
       verb.operands.push_back(app_of_verb.add_option(operand)->expected(1));
   }
   try {
-    app.parse(std::vector<std::string>(args.rbegin(), args.rend()));  // CLI11 wants them reversed
+    // CLI11 wants them reversed.
+    app.parse(std::vector<std::string>(before.rbegin(), before.rend()));
   } catch (const CLI::ParseError&) {
-    refuse_value(args);
+    refuse_value(before);
   }
 
   Parsed parsed;
@@ -239,6 +256,7 @@ Parsed parse(std::span<const std::string> args) {
   if (parsed.command != nullptr && parsed.command->operands_repeat)
     leftovers = with_operands_taken(std::move(leftovers), parsed.arguments);
   refuse_leftovers(leftovers, parsed.command);
+  take_operands(behind, parsed.command, parsed.arguments);
   refuse_empty_values(global_flags(), parsed.arguments);
   if (parsed.command == nullptr) return parsed;
   for (const FlagGroup& group : parsed.command->groups)

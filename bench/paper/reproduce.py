@@ -2,11 +2,13 @@
 """The evaluation of the 2010 paper in our own data: writes README.md, pictures and figures.json.
 
     reproduce.py PLANISH OUT [FOLDER OF PATCHES]
+    reproduce.py --update-docs PLANISH [FOLDER OF PATCHES]
 
-Without the folder, or for a patch that is not in it, built-in samples are taken. Called by
-bench/paper/reproduce, which builds the program first.
+Into docs/ it writes with --update-docs only. Without the folder of patches, or for a patch that is
+not in it, built-in samples are taken. Called by bench/paper/reproduce, which builds the program first.
 """
 
+import argparse
 import json
 import os
 import pathlib
@@ -25,6 +27,7 @@ from markdown import table
 from patches import Patches
 from program import Program
 
+DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
 SECTIONS = [convergence, table_one, least_norm, directions, measures]
 
 
@@ -82,9 +85,26 @@ is the same, what differs, and why.
 {chr(10).join(sections)}"""
 
 
+def arguments():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--update-docs", action="store_true", help="write docs/paper")
+    parser.add_argument("planish", type=pathlib.Path, help="the program")
+    parser.add_argument("paths", type=pathlib.Path, nargs="*", help=argparse.SUPPRESS)
+    given = parser.parse_args()
+    if given.update_docs:
+        given.paths.insert(0, DOCS / "paper")
+    if not 1 <= len(given.paths) <= 2:
+        parser.error("name the folder to write, or give --update-docs")
+    out, folder = given.paths[0], given.paths[1] if len(given.paths) > 1 else None
+    if not given.update_docs and out.resolve().is_relative_to(DOCS):
+        parser.error(f"{out} is in docs/; to write docs/paper use --update-docs")
+    return given.planish.resolve(), out, folder
+
+
 def main():
-    planish, out = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
-    folder = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else None
+    planish, out, folder = arguments()
     out.mkdir(parents=True, exist_ok=True)
     for kind in ("*.png", "*.svg"):  # of an earlier run, whose names may have been others
         for old in out.glob(kind):

@@ -83,12 +83,16 @@ class Evolver::Impl {
   int sweeps_ = 0;
 };
 
+void check_size(const Patch& patch, const Method& method) {
+  require(patch.inspection(), Purpose::evolve);
+  check_neighbours(patch.connectivity(), method);
+}
+
 Evolver::Evolver(const Patch& patch, const Method& method, const Constraints& constraints,
                  const Context& context) {
   check_options(method);
   check_constraints(constraints, patch.vertex_count(), method);
-  require(patch.inspection(), Purpose::evolve);
-  check_neighbours(patch.connectivity(), method);
+  check_size(patch, method);
   impl_ = std::make_unique<Impl>(patch, method, constraints, context);
 }
 

@@ -220,7 +220,10 @@ class Flattening {
   }
 
   void work_on(const Patch& patch) {
+    // What a later step would refuse by its size is refused before the first.
+    require_unfoldable(work_patch(patch));
     if (options_.keep_design) return keep_design(patch);
+    check_size(work_patch(patch), method_);
     if (is_done_as_it_is(patch)) return;
     evolve_to_aim(patch);
     if (is_worse_than_design()) return_to_design(patch);

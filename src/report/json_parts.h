@@ -16,7 +16,9 @@ Json to_json(const EdgeStrain& strain);
 /// Null where there is none.
 Json to_json(const std::optional<EdgeStrain>& strain);
 Json to_json(const std::vector<StrainLimitCheck>& checks);
+Json to_json(const EvolveReport& report);
 Json to_json(const UnfoldReport& report);
+Json to_json(const CompareReport& report);
 Json to_json(const Failure& failure);
 Json to_json(const TwinOf& twin);
 Json to_json(const LayoutReport& layout);

@@ -100,6 +100,8 @@ void add_fairness(const Fairness& fairness, Json& json) {
   json["form_kept"] = fairness.keeps_form();
 }
 
+}  // namespace
+
 Json to_json(const EvolveReport& report) {
   Json after = to_json(report.after);
   after["sharp_share"] = report.fairness.sharp_share;
@@ -116,6 +118,8 @@ Json to_json(const EvolveReport& report) {
     json["smoothed_first"] = {{"length", smoothed->length}, {"moved", to_json(smoothed->moved)}};
   return json;
 }
+
+namespace {
 
 Json to_json(const std::optional<UnfoldReport>& report) {
   return report ? to_json(*report) : Json(nullptr);
@@ -209,17 +213,21 @@ std::string json_report(const FlattenReport& report, const WrittenFiles& files,
   return text_of(json);
 }
 
-std::string json_report(const CompareReport& report) {
+Json to_json(const CompareReport& report) {
   Json runs = Json::array();
   for (const ComparedMethod& method : report.runs)
     runs.push_back(to_json(report, method));
   const auto best = best_run(report);
-  return text_of({{"name", report.name},
-                  {"version", k_version},
-                  {"input", to_json(report.before)},
-                  {"unfold_before", to_json(report.unfold_before)},
-                  {"best", best ? Json(name_of(report.runs[*best].run.method)) : Json(nullptr)},
-                  {"runs", std::move(runs)}});
+  return {{"name", report.name},
+          {"version", k_version},
+          {"input", to_json(report.before)},
+          {"unfold_before", to_json(report.unfold_before)},
+          {"best", best ? Json(name_of(report.runs[*best].run.method)) : Json(nullptr)},
+          {"runs", std::move(runs)}};
+}
+
+std::string json_report(const CompareReport& report) {
+  return text_of(to_json(report));
 }
 
 std::string json_report(const FrontierReport& report) {

@@ -100,13 +100,17 @@ std::vector<Vec2> in_mesh_order(const Patch& patch, const Disk& disk,
 
 }  // namespace
 
-Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& context) {
+void require_unfoldable(const Patch& patch) {
   require(patch.inspection(), Purpose::unfold);
   if (patch.vertex_count() > k_most_vertices) {
     throw Error(ErrorCode::too_large, "patterns are made of patches of up to " +
                                           std::to_string(k_most_vertices) +
                                           " vertices; simplify the mesh");
   }
+}
+
+Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& context) {
+  require_unfoldable(patch);
   require_limits(options.limits);
   const Disk disk = make_disk(patch);
   ThreadPool pool(context);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include <planish/io/mesh_format.h>
@@ -10,10 +11,12 @@
 #include "flags/method_flags.h"
 #include "flags/units.h"
 #include "platform/path.h"
+#include "several/several_files.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/output_folder.h"
 #include "shell/session.h"
+#include "shell/text.h"
 #include "text/compare_text.h"
 #include "text/summary.h"
 
@@ -45,7 +48,72 @@ void warn_of_failures(Session& session, const CompareReport& report) {
   }
 }
 
+bool has_result(const CompareReport& report) {
+  return std::any_of(report.runs.begin(), report.runs.end(),
+                     [](const ComparedMethod& method) { return method.evolve.has_value(); });
+}
+
+std::string line_of(const std::string& name, const Flattenability& figures,
+                    const std::optional<UnfoldReport>& unfold, const std::string& rest) {
+  return left(name, 21) + right(short_number(figures.e_max), 8) +
+         right(unfold ? short_number(100.0 * unfold->strain.rms) : "-", 8) + rest + "\n";
+}
+
+/// The figures of one of several files for people: a line for the input and for each method.
+std::string lines_of(const CompareReport& report) {
+  std::string text = line_of("input", report.before.figures, report.unfold_before, "");
+  for (const ComparedMethod& method : report.runs) {
+    const std::string name(name_of(method.run.method));
+    text += std::string(27, ' ');
+    if (!method.evolve) {
+      text += left(name, 21) + "  failed\n";
+      continue;
+    }
+    text += line_of(name, method.evolve->after.figures, method.unfold,
+                    right(short_number(100.0 * method.evolve->deviation.rms_over_diagonal), 8) +
+                        right(method.evolve->fairness.is_smooth() ? "yes" : "no", 8));
+  }
+  return text;
+}
+
+void compare_into(WorkFile& file, const fs::path& place, const std::vector<CompareRun>& runs,
+                  const Arguments& arguments, Session& session) {
+  const std::string& path = file.report.path;
+  ReadResult input = session.read(path);
+  const CompareReport report = about(path, [&] {
+    const Patch patch(std::move(input.mesh));
+    const CompareOptions options = {unit_from(arguments),
+                                    constraints_from(arguments, patch, session)};
+    return compare(patch, stem_of(path), runs, options, session.job_context({}));
+  });
+  for (const ComparedMethod& method : report.runs)
+    file.report.lines.push_back({compared_cells(&report, &method), method.failure});
+  file.report.figures = compared_figures(report);
+  file.text = lines_of(report);
+  if (!has_result(report)) {
+    file.report.failure = report.runs.front().failure;
+  } else if (!place.empty()) {
+    file.files = files_of(report, place, output_format(input.format), json_report(report));
+  }
+}
+
+CommandResult compare_several(const Arguments& arguments, Session& session) {
+  refuse_single_file_flags(arguments, std::array{"--fix", "--weights"});
+  const std::vector<CompareRun> runs = runs_from(arguments);
+  unit_from(arguments);
+  const SeveralFiles job = {
+      .columns = compared_cells(nullptr, nullptr),
+      .heads = "method                  e_max  strain deviat.  smooth",
+      .missed_before = {},
+      .missed_behind = {},
+      .extension = [](const std::string&) { return std::string(); },
+      .work = [&](WorkFile& file,
+                  const auto& place) { compare_into(file, place, runs, arguments, session); }};
+  return run_several(job, arguments, session);
+}
+
 CommandResult run_compare(const Arguments& arguments, Session& session) {
+  if (takes_several(arguments)) return compare_several(arguments, session);
   // What can be wrong with the request is told before any work.
   const std::string& path = arguments.operands.front();
   const std::vector<CompareRun> runs = runs_from(arguments);
@@ -64,8 +132,7 @@ CommandResult run_compare(const Arguments& arguments, Session& session) {
   std::string json = json_report(report);
   std::string text = path + "  (" + size + ")\n\n" + compare_text(report);
   warn_of_failures(session, report);
-  if (std::none_of(report.runs.begin(), report.runs.end(),
-                   [](const ComparedMethod& method) { return method.evolve.has_value(); })) {
+  if (!has_result(report)) {
     return {text, json, k_exit_failed, path + ": no method could be run"};
   }
   std::vector<OutputFile> files;
@@ -79,23 +146,32 @@ CommandResult run_compare(const Arguments& arguments, Session& session) {
 }  // namespace
 
 Command compare_command() {
-  return {"compare",
-          "try several methods on a patch, side by side",
-          "INPUT [-o FOLDER]",
-          "Evolves a patch by one method after the other, each from the patch as it came, lays "
-          "every result flat, and prints what each did to defects, strain, form and time. With -o "
-          "also writes a page with charts and pictures (compare.html), every sweep "
-          "(compare.csv), all figures (compare.json) and the evolved meshes. What is not a disk "
-          "is compared without patterns.",
-          {"INPUT"},
-          {{"Output",
-            {{"--output", "FOLDER", "where to write; without it nothing is written", 'o'},
-             unit_flag()}},
-           compare_flags(),
-           constraint_flags()},
-          {"planish compare panel.obj",
-           "planish compare panel.obj --methods controllable,classical -o compared"},
-          run_compare};
+  return {
+      "compare",
+      "try several methods on a patch, side by side",
+      "INPUT ... [-o FOLDER]",
+      "Evolves a patch by one method after the other, each from the patch as it came, lays "
+      "every result flat, and prints what each did to defects, strain, form and time. With -o "
+      "also writes a page with charts and pictures (compare.html), every sweep "
+      "(compare.csv), all figures (compare.json) and the evolved meshes. What is not a disk "
+      "is compared without patterns. Of several inputs, or of all mesh files of a folder, prints "
+      "a line for each file and method, and writes into a folder for each below FOLDER. One "
+      "that fails does not end the others, but the exit code is 1 at the end.",
+      {"INPUT"},
+      {{"Output",
+        {{"--output", "FOLDER", "where to write; without it nothing is written", 'o'},
+         unit_flag(),
+         {"--csv", "FILE",
+          "the figures of all inputs as comma-separated values, a line for each file and "
+          "method"}}},
+       compare_flags(),
+       constraint_flags()},
+      {"planish compare panel.obj",
+       "planish compare panel.obj --methods controllable,classical -o compared",
+       "planish compare patches --csv figures.csv"},
+      run_compare,
+      false,
+      true};
 }
 
 }  // namespace planish::cli

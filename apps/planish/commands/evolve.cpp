@@ -1,3 +1,5 @@
+#include <array>
+
 #include <planish/io/mesh_format.h>
 #include <planish/report/json_report.h>
 
@@ -7,7 +9,9 @@
 #include "flags/method_flags.h"
 #include "flags/units.h"
 #include "platform/path.h"
+#include "several/several_files.h"
 #include "shell/failures.h"
+#include "shell/output_folder.h"
 #include "shell/session.h"
 #include "shell/text.h"
 #include "text/summary.h"
@@ -21,11 +25,12 @@ struct Evolved {
   EvolveReport report;
 };
 
-Evolved evolve_with_progress(const Patch& patch, const Arguments& arguments, Session& session) {
+Evolved evolve_with_progress(const Patch& patch, const std::string& path,
+                             const Arguments& arguments, Session& session) {
   const Method method = method_from(arguments, Method{});
   const Stopping stopping = stopping_from(arguments, method);
   const Constraints constraints = constraints_from(arguments, patch, session);
-  const Context context = session.job_context(arguments.operands.front());
+  const Context context = session.job_context(path);
   if (const double length = smooth_first_from(arguments); length > 0.0) {
     const SmoothedDesign design = smooth_design(patch, length);
     EvolveReport report = with_smoothing(
@@ -42,18 +47,84 @@ Evolved evolve_with_progress(const Patch& patch, const Arguments& arguments, Ses
   return {{report.result.positions, patch.triangles()}, std::move(report)};
 }
 
-CommandResult run_evolve(const Arguments& arguments, Session& session) {
-  // What can be wrong with the request is told before any work.
+/// Refuses what can be wrong with the request, before any work.
+void check_request(const Arguments& arguments) {
   unit_from(arguments);
+  const Method method = method_from(arguments, Method{});
+  smooth_first_from(arguments);
+  refuse_unsupported_constraints(arguments, method);
+  stopping_from(arguments, method);
+}
+
+std::vector<std::string> mesh_format_names() {
+  std::vector<std::string> names;
+  for (const MeshFormat format : k_mesh_formats)
+    names.emplace_back(to_string(format));
+  return names;
+}
+
+/// The name of the format that the mesh of an input is written in.
+std::string mesh_format_for(const std::string& input) {
+  try {
+    return std::string(to_string(output_format(mesh_format_of(path_of(input)))));
+  } catch (const Error&) {  // that reading it will throw again
+    return "obj";
+  }
+}
+
+/// The figures of one of several files for people.
+std::string line_of(const EvolveReport& report) {
+  const auto ratio = [](const std::optional<double>& value) {
+    return value ? shorter_number(*value) : "-";
+  };
+  return right(short_number(report.before.figures.e_max), 8) +
+         right(short_number(report.after.figures.e_max), 9) +
+         right(short_number(report.deviation.rms), 9) +
+         right(ratio(report.fairness.bending_added), 7) +
+         right(ratio(report.fairness.bending_lost), 6) +
+         right(report.fairness.is_smooth() ? "yes" : "no", 7) +
+         right(shorter_number(report.result.seconds), 7) + "\n";
+}
+
+void evolve_into(WorkFile& file, const std::filesystem::path& place, const Arguments& arguments,
+                 Session& session) {
+  const std::string& path = file.report.path;
+  const TriMesh mesh = session.read(path).mesh;
+  const auto [evolved, report] =
+      about(path, [&] { return evolve_with_progress(Patch(mesh), path, arguments, session); });
+  file.report.lines = {{evolved_cells(&report)}};
+  file.report.figures = evolved_figures(report);
+  file.text = line_of(report);
+  file.misses = arguments.has("--require-target") && !report.outcome().target_met();
+  if (!place.empty()) file.files = {{place, format_mesh(evolved, mesh_format_of(place))}};
+}
+
+CommandResult evolve_several(const Arguments& arguments, Session& session) {
+  refuse_single_file_flags(arguments, std::array{"--cut", "--history", "--fix", "--weights"});
+  check_request(arguments);
+  const auto format = output_format_from(arguments, mesh_format_names());
+  const SeveralFiles job = {
+      .columns = evolved_cells(nullptr),
+      .heads = "  e_max    after  deviat.  added  lost smooth   time",
+      .missed_before = "the target is missed by ",
+      .missed_behind = "",
+      .extension =
+          [&](const std::string& path) { return "." + format.value_or(mesh_format_for(path)); },
+      .work = [&](WorkFile& file,
+                  const auto& place) { evolve_into(file, place, arguments, session); }};
+  return run_several(job, arguments, session);
+}
+
+CommandResult run_evolve(const Arguments& arguments, Session& session) {
+  if (takes_several(arguments)) return evolve_several(arguments, session);
+  output_format_from(arguments, mesh_format_names());
+  check_request(arguments);
   const std::string& output = arguments.flags.at("--output");
   const MeshFormat format = mesh_format_of(path_of(output));
   std::vector<OutputFile> files = {{path_of(output), {}}};
   if (arguments.has("--history")) files.push_back({path_of(arguments.flags.at("--history")), {}});
   refuse_shared_places(files);
   const Method method = method_from(arguments, Method{});
-  smooth_first_from(arguments);
-  refuse_unsupported_constraints(arguments, method);
-  stopping_from(arguments, method);
 
   const std::string& path = arguments.operands.front();
   const CutInput input = cut_as_asked(session.read(path).mesh, path, arguments, session);
@@ -61,7 +132,7 @@ CommandResult run_evolve(const Arguments& arguments, Session& session) {
     const Patch patch(input.mesh);
     note_obstruction(session, patch);
     if (!arguments.has("--remesh")) note_memory(session, method, patch.vertex_count());
-    return evolve_with_progress(patch, arguments, session);
+    return evolve_with_progress(patch, path, arguments, session);
   });
   files.front().content = format_mesh(evolved, format);
   if (files.size() > 1) files.back().content = history_csv(report.result.history);
@@ -79,13 +150,17 @@ CommandResult run_evolve(const Arguments& arguments, Session& session) {
 Command evolve_command() {
   std::vector<FlagGroup> groups = {
       {"Output",
-       {{"--output", "OUTPUT", "the evolved mesh: .obj, .ply, .stl or .off", 'o', true},
+       {{"--output", "OUTPUT",
+         "the evolved mesh: .obj, .ply, .stl or .off; of several inputs the folder for theirs", 'o',
+         true},
         unit_flag(),
         cut_flag(),
         remesh_flag(),
         smooth_first_flag(),
         {"--history", "FILE", "the figures of every sweep, as comma-separated values"},
-        {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
+        {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"},
+        csv_flag(),
+        output_format_flag(mesh_format_names(), "as the input, obj for .stl")}}};
   for (FlagGroup& group : method_flags(Method{}))
     groups.push_back(std::move(group));
   groups.push_back(constraint_flags());
@@ -95,17 +170,23 @@ Command evolve_command() {
   return {
       "evolve",
       "change a patch as little as needed towards flattenable",
-      "INPUT -o OUTPUT",
+      "INPUT ... -o OUTPUT",
       "Moves the inner vertices of a patch by one method. The border, the triangles and the "
-      "order of the vertices stay as they are, but for --cut and --remesh. OUTPUT may be INPUT.",
+      "order of the vertices stay as they are, but for --cut and --remesh. OUTPUT may be INPUT. "
+      "Of several inputs, or of all mesh files of a folder, prints a line each and writes the "
+      "meshes into the folder OUTPUT; with --csv they may be left out. One that fails does not end "
+      "the others, but the exit code is 1 at the end.",
       {"INPUT"},
       std::move(groups),
       {"planish evolve panel.obj -o evolved.obj",
        "planish evolve panel.obj -o evolved.ply --sweeps 100 --max-deviation 2mm",
        "planish evolve panel.obj -o evolved.obj --method classical --lambda 0.5",
        "planish evolve panel.obj -o evolved.obj --method auto --max-strain 2%",
-       "planish evolve panel.obj -o evolved.obj --fix seams.obj"},
-      run_evolve};
+       "planish evolve panel.obj -o evolved.obj --fix seams.obj",
+       "planish evolve patches -o evolved --method auto --csv figures.csv"},
+      run_evolve,
+      false,
+      true};
 }
 
 }  // namespace planish::cli

@@ -25,6 +25,7 @@
 #include "product/nest.h"
 #include "product/parts.h"
 #include "product/seams.h"
+#include "product/sizes.h"
 #include "shell/command_line.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
@@ -252,6 +253,10 @@ ProductJob product_job(const FlattenRequest& request, ProductInput input,
   return job;
 }
 
+PatternPlan plan_of(const PatternFiles& pattern, Unit unit, const NestRequest* nest) {
+  return {unit, pattern.output, pattern.annotations, nest ? &nest->sheets : nullptr};
+}
+
 CommandResult run_flatten(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   FlattenOptions options = options_from(arguments);
@@ -265,6 +270,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   ProductInput read = read_product(session, arguments.operands.front());
   const std::optional<CutDone> cut = cut_product(read, arguments, session);
   if (read.patches.size() > 1) {
+    check_copies_of(read.patches.size(), plan_of(pattern, options.unit, nest.get()));
     return run_product(product_job({folder, options, std::move(pattern), std::move(words), nest},
                                    std::move(read), arguments),
                        arguments, session);
@@ -284,6 +290,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
     options.constraints = constraints_from(arguments, patch, session);
     pattern.annotations = annotations_on(std::move(pattern.annotations), arguments, patch, name);
     options.keep = named_vertices(pattern.annotations);
+    check_pattern_size(patch, name, plan_of(pattern, options.unit, nest.get()), session);
     return flatten(patch, name, options, session.job_context(path));
   });
 

@@ -1,3 +1,4 @@
+#include <array>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -5,20 +6,77 @@
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
-#include "commands/measure_files.h"
 #include "flags/fields_flag.h"
 #include "flags/limit_flags.h"
 #include "platform/path.h"
 #include "report/pictures/direction_map.h"
+#include "several/several_files.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/session.h"
+#include "shell/text.h"
 #include "text/json_text.h"
 #include "text/summary.h"
 
 namespace planish::cli {
 
 namespace {
+
+/// Of the patch laid flat as it is; nothing where that is not possible and no limit was asked for.
+/// @throws Error what stands in the way, where a limit was asked for
+std::optional<StrainAsDesigned> strain_of(const Patch& patch, const StrainLimits& limits,
+                                          Session& session) {
+  if (!limits.any() && blocking_problem(patch.inspection(), Purpose::unfold)) return std::nullopt;
+  try {
+    return strain_as_designed(patch, limits, session.job_context({}));
+  } catch (const Error& error) {
+    const bool is_no_fault =
+        error.code() == ErrorCode::unfold_failed || error.code() == ErrorCode::too_large;
+    if (limits.any() || !is_no_fault) throw;
+    return std::nullopt;
+  }
+}
+
+/// The figures of one of several files for people.
+std::string line_of(const MeasuredPatch& patch, const std::optional<StrainAsDesigned>& strain) {
+  const auto share = [&](double EdgeStrain::*figure, std::size_t width) {
+    return right(strain ? percent(strain->least_stretch.*figure) : "-", width);
+  };
+  return right(std::to_string(patch.inspection.topology.vertices), 9) + " " +
+         right(digits(patch.figures.e_max), 10) + " " +
+         right(digits(patch.figures.sum_abs_defect), 10) + share(&EdgeStrain::rms, 12) +
+         share(&EdgeStrain::max, 10) + "\n";
+}
+
+/// @param file gets what can be measured before something fails
+void measure_into(WorkFile& file, const StrainLimits& limits, Session& session) {
+  const std::string& path = file.report.path;
+  const auto take = [&](const MeasuredPatch& measured,
+                        const std::optional<StrainAsDesigned>& strain) {
+    file.report.lines = {{measured_cells(&measured, strain ? &*strain : nullptr)}};
+    file.report.figures = measured_figures(measured, strain);
+    file.text = line_of(measured, strain);
+    file.misses = strain && !all_kept(strain->limits);
+  };
+  const Patch patch = about(path, [&] { return Patch(session.read(path).mesh); });
+  about(path, [&] {
+    const MeasuredPatch measured = measure_patch(patch, session.job_context(path));
+    take(measured, std::nullopt);
+    take(measured, strain_of(patch, limits, session));
+  });
+}
+
+CommandResult measure_several(const Arguments& arguments, Session& session) {
+  refuse_single_file_flags(arguments, std::array{"--map", "--picture", "--fields"});
+  const StrainLimits limits = limits_from(arguments);
+  const SeveralFiles job = {
+      .columns = measured_cells(nullptr, nullptr),
+      .heads = " vertices      e_max  sum |d_v|  rms strain   largest",
+      .missed_before = "no pattern of ",
+      .missed_behind = " keeps the limit",
+      .work = [&](WorkFile& file, const auto&) { measure_into(file, limits, session); }};
+  return run_several(job, arguments, session);
+}
 
 /// The mesh cannot be measured: tells all that is wrong with it, not only what came first.
 CommandResult refused(const std::string& path, const TriMesh& mesh, const Error& error) {
@@ -63,7 +121,7 @@ DrawnDirections directions_of(const Patch& patch, std::vector<OutputFile> files,
 }
 
 CommandResult run_measure(const Arguments& arguments, Session& session) {
-  if (measures_several(arguments)) return measure_files(arguments, session);
+  if (takes_several(arguments)) return measure_several(arguments, session);
   std::vector<OutputFile> files = places_from(arguments);
   const std::string& path = arguments.operands.front();
   const StrainLimits limits = limits_from(arguments);
@@ -120,7 +178,7 @@ Command measure_command() {
         {{"--map", "FILE", "classes and directions of all vertices, as comma-separated values"},
          {"--picture", "FILE", "the same as pictures side by side: .svg"},
          fields_flag(),
-         {"--csv", "FILE", "the figures of all inputs as comma-separated values, a line a file"}}},
+         csv_flag()}},
        {"Limits of the pattern", limit_flags()}},
       {"planish measure panel.obj", "planish measure panel.obj --json",
        "planish measure panel.obj --material neoprene",

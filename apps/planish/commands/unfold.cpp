@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <planish/io/mesh_format.h>
@@ -14,6 +15,7 @@
 #include "output/pattern_output.h"
 #include "platform/path.h"
 #include "product/seams.h"
+#include "several/several_files.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/session.h"
@@ -39,8 +41,8 @@ void check_format(const std::string& path) {
               {.path = path});
 }
 
-PatternOutput output_from(const Arguments& arguments) {
-  const auto format = pattern_format_of(arguments.flags.at("--output"));
+/// @param format of what is written; none for meshes
+PatternOutput output_from(const Arguments& arguments, std::optional<PatternFormat> format) {
   std::vector<PatternFormat> formats;
   if (format) formats.push_back(*format);
   refuse_idle_pattern_flags(arguments, formats);
@@ -58,25 +60,92 @@ std::string content_of(const std::string& path, const std::string& input, const 
   return output.paper ? tiled_file(sheet, output) : pattern_file(sheet, *format, output);
 }
 
-CommandResult run_unfold(const Arguments& arguments, Session& session) {
-  const std::string& output = arguments.flags.at("--output");
+std::vector<std::string> output_names() {
+  return {"svg", "dxf", "pdf", "plt", "obj", "ply", "stl", "off"};
+}
+
+/// What the flags ask for, of one patch as of several.
+struct UnfoldRequest {
+  Unit unit = Unit::mm;
+  PatternOutput output;
+  UnfoldOptions options;
+  PatternOptions annotations;
+};
+
+/// @param output a path that has the extension of what is written
+UnfoldRequest request_from(const Arguments& arguments, const std::string& output) {
   check_format(output);
-  const Unit unit = unit_from(arguments);
-  const PatternOutput how = output_from(arguments);
-  const UnfoldOptions unfold_options = {.match_seams = arguments.has("--match-seams"),
-                                        .limits = limits_from(arguments)};
-  PatternOptions annotations = annotations_from(arguments, pattern_format_of(output).has_value());
+  const auto format = pattern_format_of(output);
+  return {unit_from(arguments),
+          output_from(arguments, format),
+          {.match_seams = arguments.has("--match-seams"), .limits = limits_from(arguments)},
+          annotations_from(arguments, format.has_value())};
+}
+
+/// The figures of one of several files for people.
+std::string line_of(const UnfoldReport& report) {
+  const Pattern& pattern = report.pattern;
+  const std::string size =
+      right(short_number(pattern.width), 9) + right(short_number(pattern.height), 9);
+  return right(percent(report.strain.rms), 10) + right(percent(report.strain.p99), 9) +
+         right(percent(report.strain.max), 9) + size + " " + std::string(to_string(report.unit)) +
+         (pattern.overlaps ? " laps" : "") + "\n";
+}
+
+void unfold_into(WorkFile& file, const std::filesystem::path& place, const UnfoldRequest& request,
+                 const Arguments& arguments, Session& session) {
+  const std::string& path = file.report.path;
+  const TriMesh mesh = session.read(path).mesh;
+  about(path, [&] {
+    const Patch patch(mesh);
+    const PatternOptions annotations =
+        annotations_on(request.annotations, arguments, patch, stem_of(path));
+    const UnfoldReport report =
+        unfold_patch(patch, request.unit, request.options, session.job_context(path));
+    file.report.lines = {{unfolded_cells(&report)}};
+    file.report.figures = unfolded_figures(report);
+    file.text = line_of(report);
+    file.misses = !all_kept(report.limits);
+    if (place.empty()) return;
+    file.files = {
+        {place, content_of(utf8_of(place), path, patch, report, request.output, annotations)}};
+  });
+}
+
+CommandResult unfold_several(const Arguments& arguments, Session& session) {
+  refuse_single_file_flags(
+      arguments, std::array{"--cut", "--notches", "--marks", "--edge-allowances", "--inner-lines",
+                            "--piece-name"});
+  const std::string extension = "." + output_format_from(arguments, output_names()).value_or("svg");
+  const UnfoldRequest request = request_from(arguments, "pattern" + extension);
+  const SeveralFiles job = {
+      .columns = unfolded_cells(nullptr),
+      .heads = "rms strain     99 %  largest    width   height",
+      .missed_before = "a limit of strain is missed by ",
+      .missed_behind = "",
+      .extension = [&](const std::string&) { return extension; },
+      .work = [&](WorkFile& file,
+                  const auto& place) { unfold_into(file, place, request, arguments, session); }};
+  return run_several(job, arguments, session);
+}
+
+CommandResult run_unfold(const Arguments& arguments, Session& session) {
+  if (takes_several(arguments)) return unfold_several(arguments, session);
+  output_format_from(arguments, output_names());
+  const std::string& output = arguments.flags.at("--output");
+  UnfoldRequest request = request_from(arguments, output);
 
   const std::string& path = arguments.operands.front();
   const CutInput input = cut_as_asked(session.read(path).mesh, path, arguments, session);
   const Patch patch = about(path, [&] { return Patch(input.mesh); });
   const auto report = about(path, [&] {
     const std::string name = stem_of(path);
-    annotations = annotations_on(std::move(annotations), arguments, patch, name);
-    return unfold_patch(patch, unit, unfold_options, session.job_context(path));
+    request.annotations = annotations_on(std::move(request.annotations), arguments, patch, name);
+    return unfold_patch(patch, request.unit, request.options, session.job_context(path));
   });
-  const std::string content =
-      about(path, [&] { return content_of(output, path, patch, report, how, annotations); });
+  const std::string content = about(path, [&] {
+    return content_of(output, path, patch, report, request.output, request.annotations);
+  });
   warn_of_pattern(session, report);
   CommandResult outcome = {
       path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(report),
@@ -91,11 +160,13 @@ Command unfold_command() {
   std::vector<Flag> flags = {
       {"--output", "OUTPUT",
        "the pattern at true size (.svg, .dxf, .pdf or .plt), or a flat mesh with z = 0 (.obj, "
-       ".ply, .stl or .off)",
+       ".ply, .stl or .off); of several inputs the folder for theirs",
        'o', true},
       unit_flag(),
       cut_flag(),
-      match_seams_flag()};
+      match_seams_flag(),
+      csv_flag(),
+      output_format_flag(output_names(), "svg")};
   for (Flag& flag : pattern_flags("divide the .pdf into pages to be joined"))
     flags.push_back(std::move(flag));
   std::vector<FlagGroup> groups = {
@@ -106,12 +177,14 @@ Command unfold_command() {
   return {
       "unfold",
       "lay a patch flat as it is",
-      "INPUT -o OUTPUT",
+      "INPUT ... -o OUTPUT",
       "Lays a patch flat with the least stretch and no flipped triangle. With a limit of "
       "strain, finds the pattern of least stretch that keeps it; if none does, writes the closest "
       "one and ends with exit code 3. The patch must be a topological disk: one piece, one border, "
       "no handle. "
-      "--cut opens one that is none.",
+      "--cut opens one that is none. Of several inputs, or of all mesh files of a folder, prints a "
+      "line each and writes the patterns into the folder OUTPUT; with --csv they may be left out. "
+      "One that fails does not end the others, but the exit code is 1 at the end.",
       {"INPUT"},
       std::move(groups),
       {"planish unfold panel.obj -o pattern.svg",
@@ -119,8 +192,11 @@ Command unfold_command() {
        "planish unfold panel.obj -o pattern.pdf --paper a4",
        "planish unfold sleeve.obj -o pattern.svg --cut seam.txt",
        "planish unfold panel.obj -o pattern.dxf --allowance 10mm --notches notches.txt",
-       "planish unfold panel.obj -o flat.obj --unit cm"},
-      run_unfold};
+       "planish unfold panel.obj -o flat.obj --unit cm",
+       "planish unfold patches -o patterns --csv figures.csv"},
+      run_unfold,
+      false,
+      true};
 }
 
 }  // namespace planish::cli

@@ -14,6 +14,14 @@ std::string printed(const char* format, int precision, double value) {
   return {buffer, static_cast<std::size_t>(length)};
 }
 
+/// By its power of ten, as in "2e-06".
+std::string power_number(double value) {
+  std::string text = printed("%#.*g", 1, value);  // "2.e-06"
+  const std::size_t point = text.find(".e");
+  if (point != std::string::npos) text.erase(point, 1);
+  return text;
+}
+
 }  // namespace
 
 std::string wrapped(std::string_view text, std::size_t indent) {
@@ -51,6 +59,23 @@ std::string percent(double share) {
   const double value = 100.0 * share;
   if (value != 0.0 && std::abs(value) < 0.01) return digits(value, 2) + " %";
   return fixed(value, std::abs(value) < 10.0 ? 2 : 1) + " %";
+}
+
+std::string short_number(double value) {
+  const double size = std::abs(value);
+  if (value == 0.0) return "0";
+  if (size < 0.00095 || size >= 99'999.5) return power_number(value);
+  return size >= 999.5 ? fixed(value, 0) : digits(value, 3);
+}
+
+std::string shorter_number(double value) {
+  const double size = std::abs(value);
+  if (size >= 99'999.5) return power_number(value);
+  return fixed(value, size < 0.00095  ? 2
+                      : size < 0.0095 ? 3
+                      : size < 9.95   ? 2
+                      : size < 99.5   ? 1
+                                      : 0);
 }
 
 std::string left(std::string text, std::size_t width) {

@@ -19,6 +19,10 @@ std::string digits(double value, int significant = 4);
 std::string fixed(double value, int decimals);
 /// A share in per cent, as in "7.60 %".
 std::string percent(double share);
+/// A number in at most seven characters.
+std::string short_number(double value);
+/// A number that is never tiny, or need not be told then, in at most five characters.
+std::string shorter_number(double value);
 
 /// Text padded to a width.
 std::string left(std::string text, std::size_t width);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 
 #include "shell/text.h"
@@ -22,33 +21,6 @@ constexpr std::array<std::string_view, 8> k_units = {"rad",   "rms %", "rms %", 
                                                      "ratio", "ratio", "",      "s"};
 
 using Cells = std::array<std::string, 8>;
-
-/// By its power of ten, as in "2e-06".
-std::string power_number(double value) {
-  std::string text = digits(value, 1);  // "2.e-06"
-  const std::size_t point = text.find(".e");
-  if (point != std::string::npos) text.erase(point, 1);
-  return text;
-}
-
-/// A number in at most seven characters.
-std::string short_number(double value) {
-  const double size = std::abs(value);
-  if (value == 0.0) return "0";
-  if (size < 0.00095 || size >= 99'999.5) return power_number(value);
-  return size >= 999.5 ? fixed(value, 0) : digits(value, 3);
-}
-
-/// A number that is never tiny, or need not be told then, in at most five.
-std::string shorter_number(double value) {
-  const double size = std::abs(value);
-  if (size >= 99'999.5) return power_number(value);
-  return fixed(value, size < 0.00095  ? 2
-                      : size < 0.0095 ? 3
-                      : size < 9.95   ? 2
-                      : size < 99.5   ? 1
-                                      : 0);
-}
 
 std::string ratio_cell(const std::optional<double>& ratio) {
   return ratio ? shorter_number(*ratio) : "-";

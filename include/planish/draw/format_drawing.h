@@ -44,6 +44,12 @@ Paper paper_named(std::string_view name);
 /// @throws Error too_large where it would take more than 10,000 pages
 std::string format_tiled_pdf(const Drawing& drawing, Paper paper);
 
+/// For callers who make a drawing with long work: its area alone may say that it takes too many
+/// pages.
+/// @param area of what is drawn, square millimetres
+/// @throws Error too_large where format_tiled_pdf() would, whatever the shape
+void check_page_area(double area, Paper paper);
+
 /// The drawing as HPGL for plotters and cutters, 40 units per millimetre, so coordinates to
 /// 0.025 mm. Each layer that is visible and has lines takes a pen, from pen 1 on; closed lines end
 /// where they began; text is drawn as strokes. HPGL has no areas: what is filled and has no outline

@@ -62,13 +62,17 @@ struct SweepRecord {
   bool in_double = false;
 };
 
+/// Whether a method takes a patch of this kind and size.
+/// @throws Error what stands in the way of Purpose::evolve; too_large for an inner vertex with more
+///   than 4,000 neighbours where the method joins each two of them in one matrix
+void check_size(const Patch& patch, const Method& method);
+
 /// Runs a method on a patch, one sweep at a time. evolve() is the loop over it; this is for those
 /// who want to look in between.
 class Evolver {
  public:
   /// @param context without progress, as what a step is a share of is not known
-  /// @throws Error option_out_of_range, as check_constraints(), or what stands in the way of
-  /// Purpose::evolve; Cancelled
+  /// @throws Error option_out_of_range, as check_constraints() and check_size(); Cancelled
   Evolver(const Patch& patch, const Method& method, const Constraints& constraints = {},
           const Context& context = {});
   ~Evolver();

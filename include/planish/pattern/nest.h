@@ -67,6 +67,10 @@ struct Nesting {
   double used_share() const { return sheet_area > 0.0 ? piece_area / sheet_area : 0.0; }
 };
 
+/// Whether nest() takes so many pieces, each copy counted.
+/// @throws Error too_large for more than 10,000
+void check_copies(double copies);
+
 /// Lays pieces on sheets so that none is nearer to another one than the gap, nor to an edge of its
 /// sheet than the margin, both to 0.000001 mm; every copy is laid. Each goes as far towards the
 /// beginning of the sheet as it can in the turns that it may take, in several orders, of which the

@@ -39,13 +39,17 @@ struct Pattern {
   std::vector<Vec2> unlimited = {};
 };
 
+/// Whether unfold() takes a patch of this kind and size. For callers who change it first.
+/// @throws Error what stands in the way of Purpose::unfold, too_large (above 2 million vertices)
+void require_unfoldable(const Patch& patch);
+
 /// Lays a disk patch flat with the least stretch and no flipped triangle: minimises the symmetric
 /// Dirichlet energy by projected Newton steps from a conformal start (docs/unfold.md). On a patch
 /// that is flattenable, edge lengths are kept. Limits are kept by an interior-point method from
 /// there. With match_seams, border edges keep theirs on any
 /// patch: to 1e-9 of each, as long as none is shorter than a millionth of the patch.
-/// @throws Error what stands in the way of Purpose::unfold, too_large (above 2 million vertices),
-///   option_out_of_range (a limit below 0 or not finite, or limits of max and p99 together) or
+/// @throws Error as require_unfoldable(), option_out_of_range (a limit below 0 or not finite, or
+/// limits of max and p99 together) or
 ///   unfold_failed; Cancelled
 Pattern unfold(const Patch& patch, const UnfoldOptions& options = {}, const Context& context = {});
 

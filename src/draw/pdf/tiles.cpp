@@ -34,14 +34,21 @@ double count_along(double length, double frame) {
   return 1.0 + std::max(0.0, std::ceil(more));
 }
 
+Vec2 frame_of(Vec2 page) {
+  return page - 2.0 * Vec2{k_tile_margin, k_tile_margin};
+}
+
+void check_count(double tiles) {
+  if (tiles <= k_most_tiles) return;
+  throw Error(ErrorCode::too_large,
+              "the pattern would take more than 10,000 pages: check its unit, or take larger "
+              "paper");
+}
+
 TileGrid grid_on(Vec2 sheet, Vec2 page) {
-  const Vec2 frame = page - 2.0 * Vec2{k_tile_margin, k_tile_margin};
+  const Vec2 frame = frame_of(page);
   const double columns = count_along(sheet.x, frame.x), rows = count_along(sheet.y, frame.y);
-  if (!(columns * rows <= k_most_tiles)) {
-    throw Error(ErrorCode::too_large,
-                "the pattern would take more than 10,000 pages: check its unit, or take larger "
-                "paper");
-  }
+  check_count(columns * rows);
   return {page, frame, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), sheet.y};
 }
 
@@ -168,6 +175,11 @@ Vec2 TileGrid::low_of(std::size_t row, std::size_t column) const {
 Vec2 TileGrid::size() const {
   return {static_cast<double>(columns) * step().x + k_tile_overlap,
           static_cast<double>(rows) * step().y + k_tile_overlap};
+}
+
+void check_page_area(double area, Paper paper) {
+  const Vec2 frame = frame_of(k_entries[static_cast<std::size_t>(paper)].size);
+  check_count(area / (frame.x * frame.y));
 }
 
 std::string tile_name(std::size_t row, std::size_t column) {

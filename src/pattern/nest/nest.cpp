@@ -34,14 +34,12 @@ void check(std::span<const NestPiece> pieces, const NestOptions& options) {
   check_range("margin", options.margin, {0.0, 0.5 * shorter});
   check_range("step", options.step, {0.0, most});
   check_range("tries", options.tries, {0.0, 1'000'000.0});
-  int copies = 0;
+  double copies = 0.0;
   for (const NestPiece& piece : pieces) {
     check_range("quantity", piece.quantity, {0.0, 1'000'000.0});
     check_range("angle", piece.angle, {-1e6, 1e6});
-    copies += std::min(piece.quantity, k_most_copies + 1);
-    if (copies > k_most_copies) {
-      throw Error(ErrorCode::too_large, "there are more than 10000 pieces to be laid on sheets");
-    }
+    copies += piece.quantity;
+    check_copies(copies);
     const bool has_area = piece.quantity == 0 || (!piece.outline.loops.empty() &&
                                                   signed_area(piece.outline.loops.front()) != 0.0);
     if (has_area) continue;
@@ -282,6 +280,11 @@ Vec2 NestPlacement::operator()(Vec2 p) const {
   const Vec2 x = is_exact ? quarters[static_cast<std::size_t>(quarter)]
                           : Vec2{math::cos(radians), math::sin(radians)};
   return Vec2{p.x * x.x - p.y * x.y, p.x * x.y + p.y * x.x} + shift;
+}
+
+void check_copies(double copies) {
+  if (copies <= k_most_copies) return;
+  throw Error(ErrorCode::too_large, "there are more than 10000 pieces to be laid on sheets");
 }
 
 Nesting nest(std::span<const NestPiece> pieces, const NestOptions& options,

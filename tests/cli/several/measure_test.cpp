@@ -7,7 +7,8 @@
 
 #include <gmock/gmock.h>
 
-#include "cli_run.h"
+#include "cli/cli_run.h"
+#include "cli/several/csv_table.h"
 #include "support/meshes.h"
 #include "support/products.h"
 
@@ -106,19 +107,6 @@ class MeasureSeveral : public CliTest {
     std::ofstream("bad.obj") << "v 0 0\n";
   }
 };
-
-/// The cells of each line; texts without commas or quotes in them.
-std::vector<Names> table_in(const std::string& csv) {
-  std::vector<Names> rows;
-  std::istringstream lines(csv);
-  for (std::string line; std::getline(lines, line);) {
-    Names& row = rows.emplace_back();
-    std::istringstream cells(line + ',');
-    for (std::string cell; std::getline(cells, cell, ',');)
-      row.push_back(cell);
-  }
-  return rows;
-}
 
 TEST_F(MeasureSeveral, WritesALineAFileOfFilesAndFolders) {
   const CliResult result = planish({"measure", "panel.obj", "more", "--csv", "out/figures.csv"});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -26,24 +27,20 @@ constexpr double k_flat_strain = 1.1 * k_unmeasurable_strain;
 // Relative changes below these are not worth a word.
 constexpr double k_same_energy = 0.005, k_same_strain = 0.02;
 
-std::string strain_text(const EdgeStrain& strain) {
-  return percent_text(strain.rms) + " rms (" + percent_text(strain.max) + " at worst)";
+bool is_of_strain(LimitOf what) {
+  return what == LimitOf::strain || what == LimitOf::p99_strain || what == LimitOf::rms_strain;
 }
 
-/// What a limit of strain that was given says of the pattern; empty where there is none.
-std::string limit_words(const FlattenReport& report) {
-  std::string words;
-  for (const LimitCheck& check : limit_checks(report)) {
-    const bool is_of_area = check.what == LimitOf::p99_strain;
-    const bool is_of_rms = check.what == LimitOf::rms_strain;
-    if (check.what != LimitOf::strain && !is_of_area && !is_of_rms) continue;
-    const std::string limit = percent_text(check.limit) + (is_of_rms    ? " (rms)"
-                                                           : is_of_area ? " on 99 % of the area"
-                                                                        : "");
-    if (!check.met) return "Not within the limit of " + limit;
-    if (words.empty()) words = "Not without stretch, but within the limit of " + limit;
+/// The only material that takes just this strain on 99 % of the area; empty where there is none.
+std::string_view material_of(const LimitCheck& check) {
+  if (check.what != LimitOf::p99_strain) return {};
+  std::string_view name;
+  for (const Material& material : materials()) {
+    if (material.max_strain != check.limit) continue;
+    if (!name.empty()) return {};
+    name = material.name;
   }
-  return words;
+  return name;
 }
 
 /// Who could be cut to the pattern all the same.
@@ -60,10 +57,12 @@ std::string takers_text(const EdgeStrain& strain) {
   return text + (names.size() == 1 ? " takes that." : " take that.");
 }
 
-/// What would take the rest of the strain out, where it was left for the sake of the form.
+/// What would take more of the strain out, where it was left for the sake of the form.
 std::string way_on(const FlattenReport& report) {
   const auto* options = std::get_if<Auto>(&report.evolve.method);
-  if (options == nullptr || options->prefer != Prefer::smooth) return {};
+  if (options == nullptr || options->prefer != Prefer::smooth ||
+      is_too_small_to_measure(report.unfold.strain))
+    return {};
   if (report.evolve.result.stop == StopReason::smooth_limit)
     return " Less would crumple the form: let the border move (--border), cut the patch "
            "(suggest-cuts), or take folds (--prefer flat).";
@@ -71,34 +70,76 @@ std::string way_on(const FlattenReport& report) {
   return " --prefer flat takes the rest out.";
 }
 
-std::string state_sentence(const FlattenReport& report) {
-  const Pattern& pattern = report.unfold.pattern;
-  const EdgeStrain& strain = report.unfold.strain;
-  if (pattern.overlaps) {
-    return "Not to be cut from one piece: the pattern overlaps itself, so divide the patch. It is "
-           "strained by " +
-           strain_text(strain) + ".";
+std::string moved_sentence(const FlattenReport& report) {
+  if (report.evolve.fairness.unchanged || report.evolve.result.history.empty())
+    return " The form was not changed.";
+  const double most = millimetres_per(report.unfold.unit) * report.evolve.deviation.max;
+  return " No place moved further than " + significant_text(most, 2) + "\u00A0mm.";
+}
+
+/// The first words: whether it lies flat, or may be cut at all.
+std::string state_words(const FlattenReport& report) {
+  if (report.unfold.pattern.overlaps) return "Do not cut this pattern: it overlaps itself";
+  if (report.unfold.pattern.flipped_triangles > 0)
+    return "Do not cut this pattern: parts of it are flipped over";
+  switch (flatness_of(report)) {
+    case Flatness::flat:
+      return "Lies flat without stretch";
+    case Flatness::unmeasurable:
+      return "Flat but for a stretch too small to measure";
+    case Flatness::stretched:
+      return "Does not lie flat without stretch";
+    case Flatness::limit_kept:
+    case Flatness::limit_missed:
+      break;
   }
-  if (pattern.flipped_triangles > 0) {
-    return "Not to be cut: " + count_text(pattern.flipped_triangles) +
-           (pattern.flipped_triangles == 1 ? " triangle" : " triangles") +
-           " of the pattern lie face down. It is strained by " + strain_text(strain) + ".";
+  const std::vector<LimitCheck> limits = strain_limits_of(report);
+  const auto missed = std::find_if(limits.begin(), limits.end(),
+                                   [](const LimitCheck& check) { return !check.met; });
+  return missed == limits.end() ? "Within " + strain_limit_name(limits.front())
+                                : "Not within " + strain_limit_name(*missed);
+}
+
+/// Where the form is not as it should be: that, to follow the first words.
+std::string form_clause(const FlattenReport& report) {
+  const Fairness& fairness = report.evolve.fairness;
+  const bool crumpled = !fairness.is_smooth(), lost = !fairness.keeps_form();
+  if (!crumpled && !lost) return {};
+  const Flatness flatness = flatness_of(report);
+  const bool is_bad = flatness == Flatness::limit_missed || flatness == Flatness::stretched ||
+                      report.unfold.pattern.overlaps || report.unfold.pattern.flipped_triangles > 0;
+  const std::string link = is_bad                               ? ", and"
+                           : flatness == Flatness::unmeasurable ? ", yet"
+                                                                : ", but";
+  return link + " the form is " +
+         (crumpled && lost ? "crumpled and lost"
+          : crumpled       ? "crumpled"
+                           : "lost");
+}
+
+std::string stretch_sentence(const FlattenReport& report) {
+  const EdgeStrain &before = report.unfold_before.strain, &after = report.unfold.strain;
+  if (flatness_of(report) == Flatness::flat) {
+    return after.max < k_not_measurable
+               ? " The pattern keeps every length."
+               : " The pattern keeps every length to within " + percent_text(after.max) + ".";
   }
-  if (report.evolve.after.flattenable) {
-    if (strain.max < k_not_measurable) return "Flattenable: the pattern keeps every length.";
-    if (strain.max <= k_no_strain) {
-      return "Flattenable: the pattern keeps every length to within " + percent_text(strain.max) +
-             ".";
-    }
-    return "Flattenable by its angles, yet the pattern is strained by " + strain_text(strain) + ".";
-  }
-  const std::string limits = limit_words(report);
-  if (!limits.empty()) return limits + ": the pattern is strained by " + strain_text(strain) + ".";
-  const bool is_flat = strain.rms <= k_flat_strain;
-  return std::string(is_flat ? "Flat but for a stretch that nobody can measure"
-                             : "Not flat without stretch") +
-         ": the pattern is strained by " + strain_text(strain) + ". " + takers_text(strain) +
-         way_on(report);
+  std::string text = " The usual stretch is " + percent_text(after.rms) + ", the largest " +
+                     percent_text(after.max);
+  if (std::abs(after.rms - before.rms) > std::max(k_same_strain * before.rms, k_not_measurable))
+    text += "; for the design as it is " + percent_text(before.rms) + " and " +
+            percent_text(before.max);
+  return text + ".";
+}
+
+/// What can be done with a pattern that is stretched and has no limit to keep.
+std::string use_sentences(const FlattenReport& report) {
+  if (report.unfold.pattern.overlaps) return " Divide the patch.";
+  const Flatness flatness = flatness_of(report);
+  if (report.unfold.pattern.flipped_triangles > 0 || flatness == Flatness::flat ||
+      flatness == Flatness::limit_kept || flatness == Flatness::limit_missed)
+    return {};
+  return " " + takers_text(report.unfold.strain) + way_on(report);
 }
 
 std::string energy_phrase(double before, double after) {
@@ -122,7 +163,104 @@ std::string strain_phrase(double before, double after) {
          percent_text(before) + " to " + percent_text(after) + " rms";
 }
 
-std::string effort_sentence(const FlattenReport& report) {
+/// Whether a designer would take the form; empty where it is as it came.
+std::string form_sentence(const FlattenReport& report) {
+  const Fairness& fairness = report.evolve.fairness;
+  if (fairness.unchanged) return {};
+  const std::string loss = form_loss_text(fairness);
+  const std::string lost = loss.empty() ? "" : " Much of the form is lost: " + loss + ".";
+  if (fairness.is_smooth()) return " The form stayed smooth." + lost;
+  if (!fairness.bending_ratio) return " The form was a plane, and is bent now.";
+  std::string text = " The form is crumpled: it is bent " +
+                     significant_text(*fairness.bending_ratio, 2) + " times as much as it was";
+  if (fairness.sharpest_fold) {
+    text += ", and the sharpest new fold has " +
+            significant_text(fairness.sharpest_fold->degrees, 2) + "°";
+  }
+  return text + "." + lost;
+}
+
+/// The unit in which a model of that many units would be of a usual size, if there is one.
+std::optional<Unit> likely_unit(double size_in_units) {
+  constexpr double smallest = 100.0, largest = 5000.0;  // millimetres
+  for (const Unit unit : {Unit::mm, Unit::m, Unit::cm, Unit::in}) {
+    const double size = millimetres_per(unit) * size_in_units;
+    if (size >= smallest && size <= largest) return unit;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Flatness flatness_of(const FlattenReport& report) {
+  const EdgeStrain& strain = report.unfold.strain;
+  if (report.evolve.after.flattenable && strain.max <= k_no_strain) return Flatness::flat;
+  const std::vector<LimitCheck> limits = strain_limits_of(report);
+  if (!limits.empty()) {
+    const bool kept = std::all_of(limits.begin(), limits.end(),
+                                  [](const LimitCheck& check) { return check.met; });
+    return kept ? Flatness::limit_kept : Flatness::limit_missed;
+  }
+  return is_too_small_to_measure(strain) ? Flatness::unmeasurable : Flatness::stretched;
+}
+
+bool is_too_small_to_measure(const EdgeStrain& strain) {
+  return strain.rms <= k_flat_strain;
+}
+
+std::vector<LimitCheck> strain_limits_of(const FlattenReport& report) {
+  std::vector<LimitCheck> limits;
+  for (const LimitCheck& check : limit_checks(report)) {
+    if (is_of_strain(check.what)) limits.push_back(check);
+  }
+  return limits;
+}
+
+std::string strain_limit_name(const LimitCheck& check) {
+  const std::string_view material = material_of(check);
+  const std::string limit = percent_text(check.limit);
+  if (!material.empty()) return "the " + limit + " that " + std::string(material) + " takes";
+  return "the limit of " + limit +
+         (check.what == LimitOf::rms_strain   ? " (rms)"
+          : check.what == LimitOf::p99_strain ? " on 99 % of the area"
+                                              : "");
+}
+
+std::string form_loss_text(const Fairness& fairness) {
+  std::string text;
+  if (fairness.height_ratio.value_or(1.0) < k_kept_height)
+    text = "height " + percent_text(*fairness.height_ratio) + " of the design's";
+  if (fairness.bending_lost.value_or(0.0) > k_kept_lost) {
+    text += (text.empty() ? "" : ", ") + percent_text(std::min(1.0, *fairness.bending_lost)) +
+            " of its curvature is gone";
+  }
+  return text;
+}
+
+std::string unit_question(const UnfoldReport& unfold) {
+  constexpr double smallest = 5.0, largest = 50000.0;  // millimetres that anyone cuts
+  const double size =
+      millimetres_per(unfold.unit) * std::max(unfold.pattern.width, unfold.pattern.height);
+  if (size >= smallest && size <= largest) return {};
+  const std::string start = "The pattern is " + significant_text(size, 2) + "\u00A0mm long: is ";
+  const auto likely = likely_unit(size / millimetres_per(unfold.unit));
+  if (!likely || *likely == unfold.unit)
+    return start + "the model's unit really " + std::string(to_string(unfold.unit)) + "?";
+  const std::string name(to_string(*likely));
+  return start + "the model in " + name + "? Then give --unit " + name + ".";
+}
+
+std::string verdict_text(const FlattenReport& report) {
+  std::string text = state_words(report) + form_clause(report) + "." + stretch_sentence(report) +
+                     use_sentences(report) + moved_sentence(report) + form_sentence(report);
+  if (!report.unfold.pattern.converged) {
+    text += " Unfolding stopped before it was done: the stretch may be more than it need be.";
+  }
+  const std::string question = unit_question(report.unfold);
+  return question.empty() ? text : text + " " + question;
+}
+
+std::string computed_text(const FlattenReport& report) {
   const EvolveReport& evolve = report.evolve;
   const auto& history = evolve.result.history;
   if (history.empty()) {
@@ -143,47 +281,7 @@ std::string effort_sentence(const FlattenReport& report) {
   const std::string strain = strain_phrase(strain_before, strain_after);
   const bool apart = (energy_after < energy_before && strain.starts_with("raised")) ||
                      (energy_after > energy_before && strain.starts_with("lowered"));
-  return sweeps + " " + energy + (apart ? " but " : " and ") + strain +
-         "; no vertex moved further than " + significant_text(evolve.deviation.max, 2) + " " +
-         std::string(to_string(report.unfold.unit)) + ".";
-}
-
-/// Whether a designer would take the form; empty where it is as it came.
-std::string form_sentence(const FlattenReport& report) {
-  const Fairness& fairness = report.evolve.fairness;
-  if (fairness.unchanged) return {};
-  if (fairness.is_smooth()) {
-    return fairness.keeps_form() ? " The form stayed smooth."
-                                 : " The form stayed smooth, but much of its curvature is gone.";
-  }
-  if (!fairness.bending_ratio) return " The form was a plane, and is bent now.";
-  std::string text = " The form is crumpled: it is bent " +
-                     significant_text(*fairness.bending_ratio, 2) + " times as much as it was";
-  if (fairness.sharpest_fold) {
-    text += ", and the sharpest new fold has " +
-            significant_text(fairness.sharpest_fold->degrees, 2) + "°";
-  }
-  return text + ".";
-}
-
-}  // namespace
-
-std::string unit_question(const UnfoldReport& unfold) {
-  constexpr double smallest = 5.0, largest = 50000.0;  // millimetres that anyone cuts
-  const double size =
-      millimetres_per(unfold.unit) * std::max(unfold.pattern.width, unfold.pattern.height);
-  if (size >= smallest && size <= largest) return {};
-  return "The pattern is " + significant_text(size, 2) + " mm long: is the model's unit really " +
-         std::string(to_string(unfold.unit)) + "?";
-}
-
-std::string verdict_text(const FlattenReport& report) {
-  std::string text = state_sentence(report) + " " + effort_sentence(report) + form_sentence(report);
-  if (!report.unfold.pattern.converged) {
-    text += " Unfolding stopped before it was done: the strain may be more than it need be.";
-  }
-  const std::string question = unit_question(report.unfold);
-  return question.empty() ? text : text + " " + question;
+  return sweeps + " " + energy + (apart ? " but " : " and ") + strain + ".";
 }
 
 std::string border_text(const FlattenReport& report) {

@@ -1,17 +1,46 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <planish/flatten/flatten.h>
 
 namespace planish {
 
-/// What came out, in plain words: whether the pattern can be cut, how much it is strained, and what
-/// the sweeps did to energy and strain. Plain UTF-8 text.
+/// How much the pattern is stretched, for everything that says so: headline, ticks and marks.
+enum class Flatness {
+  flat,          ///< every length is kept to within 0.1 %
+  limit_kept,    ///< stretched, within all limits of strain that were given
+  limit_missed,  ///< not within some limit of strain that was given
+  unmeasurable,  ///< no limit was given, and the rms strain is too small to measure
+  stretched      ///< no limit was given, and the pattern is stretched more than that
+};
+
+Flatness flatness_of(const FlattenReport& report);
+
+/// The rms is that of the usual end of auto, or less: no material shows it.
+bool is_too_small_to_measure(const EdgeStrain& strain);
+
+/// Those of limit_checks() that are about strain.
+std::vector<LimitCheck> strain_limits_of(const FlattenReport& report);
+
+/// "the 10 % that neoprene takes" where the limit is that of one material alone, else "the limit of
+/// 2.0 %". Plain UTF-8 text.
+/// @param check of strain_limits_of()
+std::string strain_limit_name(const LimitCheck& check);
+
+/// What came out, in plain words: whether the pattern can be cut, how much it is stretched, and
+/// what became of the form. Plain UTF-8 text; its first sentence is short.
 std::string verdict_text(const FlattenReport& report);
 
-/// Asks about the unit where a pattern of that size is unlikely: mesh files do not say their unit,
-/// and a wrong guess is common and costly. Empty elsewhere.
+/// What the sweeps did to energy and strain, in the terms of the paper. Plain UTF-8 text.
+std::string computed_text(const FlattenReport& report);
+
+/// Why Fairness::keeps_form() is false: "height 25 % of the design's". Empty where it is true.
+std::string form_loss_text(const Fairness& fairness);
+
+/// Asks about the unit where a pattern of that size is unlikely, and names a likelier one: mesh
+/// files do not say their unit, and a wrong guess is common and costly. Empty elsewhere.
 std::string unit_question(const UnfoldReport& unfold);
 
 /// That the border of the patch as it came is too short for its surface, by how much and what to do

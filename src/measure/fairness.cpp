@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "core/careful_sum.h"
 #include "geometry/angle_between.h"
 #include "measure/bends.h"
+#include "measure/moments.h"
 #include "measure/normals.h"
 #include "measure/smoothed.h"
 
@@ -140,6 +142,36 @@ double border_turn(const Patch& design, std::span<const Vec3> after, double scal
   return turn.degrees();
 }
 
+/// Of the corners of the triangles along a direction.
+double extent(std::span<const Triangle> triangles, std::span<const Vec3> positions, Vec3 direction,
+              double scale) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double low = infinity, high = -infinity;
+  for (const Triangle& t : triangles) {
+    for (const Index v : t) {
+      const double along = dot(direction, scale * positions[v]);
+      low = std::min(low, along);
+      high = std::max(high, along);
+    }
+  }
+  return high - low;
+}
+
+std::optional<double> height_ratio(const Patch& design, std::span<const Triangle> triangles,
+                                   std::span<const Vec3> after) {
+  const double scale = design.unit_scale();
+  const auto moments = moments_of(design.triangles(), design.positions(), scale);
+  const auto axes = principal_axes(moments.covariance);
+  const auto axis = [&](int i) { return Vec3{axes(0, i), axes(1, i), axes(2, i)}; };
+  const auto design_extent = [&](int i) {
+    return extent(design.triangles(), design.positions(), axis(i), scale);
+  };
+  const double height = design_extent(0);
+  const double longest = std::max(design_extent(1), design_extent(2));
+  if (!(height >= k_least_height * longest) || height == 0.0) return std::nullopt;
+  return extent(triangles, after, axis(0), scale) / height;
+}
+
 }  // namespace
 
 bool Fairness::is_smooth() const {
@@ -149,7 +181,7 @@ bool Fairness::is_smooth() const {
 }
 
 bool Fairness::keeps_form() const {
-  return bending_lost.value_or(0.0) <= k_kept_lost;
+  return bending_lost.value_or(0.0) <= k_kept_lost && height_ratio.value_or(1.0) >= k_kept_height;
 }
 
 Fairness measure_fairness(const Patch& design, std::span<const Vec3> after) {
@@ -162,6 +194,7 @@ Fairness measure_fairness(const Patch& design, std::span<const Vec3> after) {
   fairness.normal_turn = normal_turn(design, after, scale);
   fairness.border_turn = border_turn(design, after, scale);
   fairness.sharpest_fold = sharpest_fold(after, design.connectivity(), first, second);
+  fairness.height_ratio = height_ratio(design, design.triangles(), after);
   const double b0 = design_bending(design);
   if (b0 == 0.0) return fairness;
   const auto [added, lost] = added_and_lost(first, second);
@@ -178,6 +211,7 @@ Fairness measure_fairness(const Patch& design, const Patch& after) {
   const auto second = bends_of(after.positions(), after.connectivity(), scale);
   Fairness fairness;
   fairness.sharp_share = sharp_share(second, usual_curvature(first));
+  fairness.height_ratio = height_ratio(design, after.triangles(), after.positions());
   const double b0 = design_bending(design);
   if (b0 == 0.0) return fairness;
   fairness.design_ratio = bending_of(first) / b0;

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
-#include <planish/mesh/tri_mesh.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -24,6 +25,21 @@ inline std::vector<Vec3> vertex_normals(std::span<const Triangle> triangles,
       normals[v] += normal;
   }
   return normals;
+}
+
+/// How far each vertex went along the normals of the design, positive to their side; model units.
+inline std::vector<double> normal_offsets(const Patch& design, std::span<const Vec3> after) {
+  const double scale = design.unit_scale();
+  const auto normals = vertex_normals(design.triangles(), design.positions(), scale);
+  std::vector<double> offsets;
+  offsets.reserve(normals.size());
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    const Vec3 moved = scale * after[v] - scale * design.positions()[v];
+    const double length = norm(normals[v]);
+    const Vec3 normal = length > 0.0 ? (1.0 / length) * normals[v] : Vec3{};
+    offsets.push_back(dot(moved, normal) / scale);
+  }
+  return offsets;
 }
 
 }  // namespace planish

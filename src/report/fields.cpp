@@ -22,13 +22,9 @@ MeshField inner_of(const Patch& patch) {
 /// How far vertices went: along the normals of the input, and in all.
 std::pair<MeshField, MeshField> moves_of(const Patch& input, const Patch& processed) {
   const double scale = input.unit_scale();
-  const std::vector<Vec3> normals = vertex_normals(input.triangles(), input.positions(), scale);
-  MeshField offset{"offset", {}}, move{"move", {}};
-  for (std::size_t v = 0; v < normals.size(); ++v) {
+  MeshField offset{"offset", normal_offsets(input, processed.positions())}, move{"move", {}};
+  for (std::size_t v = 0; v < offset.values.size(); ++v) {
     const Vec3 moved = scale * processed.positions()[v] - scale * input.positions()[v];
-    const double length = norm(normals[v]);
-    const Vec3 normal = length > 0.0 ? (1.0 / length) * normals[v] : Vec3{};
-    offset.values.push_back(dot(moved, normal) / scale);
     move.values.push_back(norm(moved) / scale);
   }
   return {std::move(offset), std::move(move)};

@@ -51,6 +51,8 @@ const percent = (text) => (text === 'none' ? 0 : Number(text.match(/^[+−]?[\d.
 
 // The share of the picture that is in the colour of what is beyond, in any light.
 async function shareBeyond(page, split) {
+  await page.locator('.choice label', { hasText: 'Limit used up' }).click();
+  await page.locator('.choice label', { hasText: 'Slider' }).click();
   await page.locator('input.split').evaluate((slider, share) => {
     slider.value = share;
     slider.dispatchEvent(new Event('input', { bubbles: true }));
@@ -65,9 +67,9 @@ async function shareBeyond(page, split) {
   return count / (width * height);
 }
 
-test('what is shown first is how much of the limit is used up', async () => {
+test('how much of the limit is used up is one click away, with a scale that ends at the limit', async () => {
   await withPage(kept, {}, async (page) => {
-    assert.equal(await page.locator('.choice input:checked').inputValue(), 'limit_used');
+    await page.locator('.choice label', { hasText: 'Limit used up' }).click();
     const labels = await page.locator('.scale .labels span').allInnerTexts();
     assert.deepEqual(labels, ['0', '50 % used up', '100 %, limit of 5 %', 'beyond']);
     assert.equal(await page.getByRole('button', { name: 'Finer scale' }).isVisible(), false);
@@ -93,6 +95,7 @@ test('what is beyond the limit has a colour of its own, and only that', async ()
 test('the worst place has the strain of the worst edge over the limit', async () => {
   for (const result of [kept, missed]) {
     await withPage(result, {}, async (page) => {
+      await page.locator('.choice label', { hasText: 'Limit used up' }).click();
       await page.getByRole('button', { name: 'Worst place' }).click();
       const text = await readout(page, 'limit_used', 'after');
       const used = (100 * result.report.unfold.strain.max) / asked;
@@ -123,7 +126,7 @@ test('a place tells how much longer and shorter the pattern is there, each way',
   await withPage(kept, {}, async (page) => {
     const { patch, pattern } = kept;
     const box = await page.locator('.view').boundingBox();
-    for (const [right, down] of [[0.6, 0.5], [0.55, 0.65], [0.65, 0.4]]) {
+    for (const [right, down] of [[0.75, 0.5], [0.7, 0.55], [0.8, 0.45]]) {
       await page.mouse.move(box.x + right * box.width, box.y + down * box.height);
       const vertex = Number((await page.locator('.readout [data-figure="vertex"]').innerText()).replace(/\D/g, ''));
       const around = patch.triangles.filter((triangle) => triangle.includes(vertex));
@@ -146,9 +149,9 @@ test('it fits a phone', async () => {
 
 test('without a limit all is as it was', async () => {
   await withPage(without, {}, async (page) => {
-    const figures = await page.locator('.choice input').evaluateAll((list) => list.map(({ value }) => value));
-    assert.deepEqual(figures, ['defect', 'curvature', 'bent', 'deviation', 'strain']);
-    assert.equal(await page.locator('.readout tbody tr').count(), 6);
+    const figures = await page.locator('.choice.figure input').evaluateAll((list) => list.map(({ value }) => value));
+    assert.deepEqual(figures, ['form', 'offset', 'strain', 'deviation', 'bent', 'defect', 'curvature']);
+    assert.equal(await page.locator('.readout tbody tr').count(), 7);
     assert.equal(await page.locator('.bounded').count(), 0);
     // One scale for the patch and its pattern.
     await page.locator('.choice label', { hasText: 'Stretch' }).click();

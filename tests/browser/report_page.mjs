@@ -49,6 +49,7 @@ async function hoverAt(page, selector, right, down) {
 }
 
 async function setSplit(page, value) {
+  await page.locator('.choice label', { hasText: 'Slider' }).click();
   await page.locator('input.split').evaluate((slider, share) => {
     slider.value = share;
     slider.dispatchEvent(new Event('input', { bubbles: true }));
@@ -68,6 +69,7 @@ test('a hostile name is text', async () => {
   await withPage({}, async (page) => {
     assert.equal(await page.locator('h1').innerText(), hostile);
     assert.equal(await page.locator('img[src="x"]').count(), 0);
+    await page.locator('summary', { hasText: 'How it was computed' }).click();
     assert.match(await page.locator('.run code').innerText(), /planish flatten '.*<img src=x onerror=alert\(1\)>\.obj'/);
   });
 });
@@ -93,16 +95,19 @@ test('every figure colours the patch in its own way, and says what its scale mea
   await withPage({}, async (page) => {
     const pictures = [];
     const labels = new Set();
-    const figures = await page.locator('.choice input').evaluateAll((list) => list.map(({ value }) => value));
-    assert.deepEqual(figures, ['limit_used', 'defect', 'curvature', 'bent', 'deviation', 'strain', 'longest', 'shortest']);
+    const buttons = page.locator('.choice.figure label');
+    const figures = await page.locator('.choice.figure input').evaluateAll((list) => list.map(({ value }) => value));
+    const ofPaper = ['bent', 'defect', 'curvature'];
+    assert.deepEqual(figures, ['form', 'offset', 'limit_used', 'strain', 'deviation', ...ofPaper, 'longest', 'shortest']);
     const count = figures.length;
     for (let i = 0; i < count; ++i) {
-      await page.locator('.choice label').nth(i).click();
+      await buttons.nth(i).click();
       await page.waitForTimeout(60);
       pictures.push(await picture(page));
-      labels.add(await page.locator('.scale .labels').innerText());
+      if (figures[i] === 'form') assert.equal(await page.locator('.scale').isVisible(), false);
+      else labels.add(await page.locator('.scale .labels').innerText());
     }
-    assert.equal(labels.size, count - 2, 'the three ways to show stretch have one scale');
+    assert.equal(labels.size, count - 3, 'the three ways to show stretch have one scale, the form has none');
     for (let i = 0; i < count; ++i) {
       for (let j = 0; j < i; ++j) assert.ok(shareChanged(pictures[i], pictures[j]) > 0.05, `${i} ${j}`);
     }
@@ -117,7 +122,7 @@ test('hovering tells the figures of a vertex and marks it on the pattern', async
   const [patch, processed, flat] = [input, join(output, 'processed.obj'), join(output, 'flat.obj')].map(readObj);
   await withPage({}, async (page) => {
     const seen = [];
-    for (const [right, down] of [[0.62, 0.5], [0.45, 0.35], [0.55, 0.7]]) {
+    for (const [right, down] of [[0.75, 0.5], [0.24, 0.45], [0.7, 0.56]]) {
       await hoverAt(page, '.view', right, down);
       const vertex = await vertexShown(page);
       assert.ok(vertex >= 0 && vertex < patch.positions.length);
@@ -157,7 +162,7 @@ test('a click keeps a place, Escape lets it go, and the worst place is one click
     assert.ok(Math.abs(Math.abs(worst) - report.evolve.after.e_max) <= 0.01 * report.evolve.after.e_max);
     await page.keyboard.press('Escape');
     assert.equal(await page.locator('.readout.empty').count(), 1);
-    await hoverAt(page, '.view', 0.6, 0.5);
+    await hoverAt(page, '.view', 0.75, 0.5);
     await page.mouse.down();
     await page.mouse.up();
     const vertex = await vertexShown(page);
@@ -194,22 +199,26 @@ test('everything can be done by keys', async () => {
     await page.keyboard.press('0');
     await page.waitForTimeout(60);
     assert.ok(shareChanged(home, await picture(page)) < 0.001, 'reset');
+    await page.locator('.choice.arrangement input').first().focus();
+    for (let i = 0; i < 2; ++i) await page.keyboard.press('ArrowRight');
+    assert.equal(await page.locator('.view').getAttribute('data-arrangement'), 'split');
     await reach('split');
     await page.keyboard.press('ArrowRight');
     await page.keyboard.press('ArrowRight');
     assert.equal(await page.locator('input.split').inputValue(), '52');
-    await page.locator('.choice input').first().focus();
+    await page.locator('.choice.figure input').first().focus();
     await page.keyboard.press('ArrowRight');
-    assert.equal(await page.locator('.choice input:checked').inputValue(), 'defect');
+    assert.equal(await page.locator('.choice.figure input:checked').inputValue(), 'offset');
   });
 });
 
 test('dragging turns the patch, layers of the pattern can be hidden', async () => {
   await withPage({}, async (page) => {
     const home = await picture(page);
-    await hoverAt(page, '.view', 0.5, 0.4);
+    const box = await page.locator('.view').boundingBox();
+    await hoverAt(page, '.view', 0.25, 0.5);
     await page.mouse.down();
-    await page.mouse.move(500, 500, { steps: 4 });
+    await page.mouse.move(box.x + 0.25 * box.width + 90, box.y + 0.5 * box.height + 40, { steps: 4 });
     await page.mouse.up();
     await page.waitForTimeout(60);
     assert.ok(shareChanged(home, await picture(page)) > 0.02);
@@ -294,7 +303,7 @@ const contrasts = (page) =>
       const color = rgb(getComputedStyle(element).backgroundColor);
       return color.length === 4 && color[3] === 0 && element.parentElement ? ground(element.parentElement) : color;
     };
-    return [...document.querySelectorAll('h1, h2, h3, p, small, td, th, dt, dd, summary, .choice span, .met, .missed, .labels span')]
+    return [...document.querySelectorAll('h1, h2, h3, p, small, td, th, dt, dd, summary, .choice span, .toggle, .met, .missed, .neutral, .labels span')]
       .filter((element) => element.offsetParent)
       .map((element) => {
         const [a, b] = [light(rgb(getComputedStyle(element).color)), light(ground(element))];
@@ -308,6 +317,7 @@ for (const colorScheme of ['light', 'dark']) {
       const body = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
       const ground = Number(body.match(/\d+/)[0]);
       assert.ok(colorScheme === 'dark' ? ground < 60 : ground > 200, body);
+      for (const summary of await page.locator('main > details > summary').all()) await summary.click();
       for (const { text, ratio } of await contrasts(page)) assert.ok(ratio >= 4.5, `${text}: ${ratio}`);
     });
   });
@@ -318,11 +328,12 @@ test('a phone shows it without scrolling sideways, all in reach of a thumb', asy
   await withPage(phone, async (page) => {
     const [inner, whole] = await page.evaluate(() => [innerWidth, document.documentElement.scrollWidth]);
     assert.ok(whole <= inner, `${whole} in ${inner}`);
+    await page.locator('.choice label', { hasText: 'Offset' }).click();
     for (const button of await page.locator('#stage button').all()) {
       assert.ok((await button.boundingBox()).height >= 36);
     }
     const box = await page.locator('.view').boundingBox();
-    await page.touchscreen.tap(box.x + 0.6 * box.width, box.y + 0.45 * box.height);
+    await page.touchscreen.tap(box.x + 0.5 * box.width, box.y + 0.75 * box.height);
     assert.ok((await vertexShown(page)) >= 0);
   });
 });

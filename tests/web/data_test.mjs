@@ -63,3 +63,19 @@ test('the limit used up is the strain of the edges over the limit', () => {
   assert.deepEqual([...figure.values[1]], [1, 0.5, 2]);
   assert.deepEqual(figure.beyond, [240, 82, 10]);
 });
+
+test('lengths are in millimetres whatever the unit of the model', () => {
+  const of = (id, value) => ({ id, map: 'pale', limit: 2, values: [null, text(new Float32Array([value]))] });
+  const figures = [of('offset', -0.5), of('deviation', 0.5), of('bent', 4), of('curvature', 8), of('strain', 0.25)];
+  const data = unpack({ ...least, unit: 'm', figures });
+  assert.equal(data.unit, 'mm');
+  const shown = [...data.figures.values()].map(({ id, limit, values }) => [id, limit, values[1][0]]);
+  const small = [Math.fround(4 * 1e-3), Math.fround(8 * 1e-6)];
+  assert.deepEqual(shown, [
+    ['offset', 2000, -500],
+    ['deviation', 2000, 500],
+    ['bent', 2 * 1e-3, small[0]],
+    ['curvature', 2 * 1000 ** -2, small[1]],
+    ['strain', 2, 0.25],
+  ]);
+});

@@ -38,6 +38,8 @@ test('values say what they mean on a patch', () => {
   assert.deepEqual(textsOf(named('bent', [0, 0.25])), ['flat', 'as a cylinder of radius 4.0 mm']);
   assert.deepEqual(textsOf(named('strain', [0, 0.0125, -0.5])), ['none', '+1.3 %, longer', '−50 %, shorter']);
   assert.deepEqual(textsOf(named('deviation', [1.25])), ['1.3 mm']);
+  assert.deepEqual(textsOf(named('offset', [0, 2.5, -0.75])), ['0 mm', '+2.5 mm, outwards', '−0.75 mm, inwards']);
+  assert.deepEqual(labelsOf(named('offset', [2.5]), 2.6, 'mm'), ['inwards −2.6 mm', '0 where it was', 'outwards +2.6 mm']);
 });
 
 test('what is not measured says so', () => {
@@ -86,4 +88,13 @@ test('what is used up of a limit', () => {
   const figure = named('limit_used', [1, 0.2, 1.6], { asked: 0.05, beyond: [240, 82, 10] });
   assert.deepEqual(textsOf(figure), ['100 %', '20 %', '160 %, beyond the limit']);
   assert.deepEqual(labelsOf(figure, figure.limit, 'mm'), ['0', '50 % used up', '100 %, limit of 5 %']);
+});
+
+test('what became of the form stands first, terms of the paper last', () => {
+  const ids = ['curvature', 'defect', 'longest', 'strain', 'offset', 'limit_used'];
+  const figures = ids.map((id) => ({ id, map: 'pale', limit: 1, values: [new Float32Array([1])] }));
+  assert.deepEqual(
+    namedFigures(figures).map(({ id }) => id),
+    ['offset', 'limit_used', 'strain', 'defect', 'curvature', 'longest'],
+  );
 });

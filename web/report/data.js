@@ -36,7 +36,7 @@
 /**
  * What a page shows of a patch.
  * @typedef {object} ReportData
- * @property {string} unit of the model
+ * @property {string} unit of lengths in figures
  * @property {number} count vertices drawn
  * @property {number} whole vertices of the patch
  * @property {Viewpoint} view from where it is seen at first
@@ -80,6 +80,35 @@ function figureOf({ id, map, limit, values }) {
   return { id, map, limit, values: values.map((text) => (text === null ? null : new Float32Array(bytesOf(text)))) };
 }
 
+/** Millimetres in the unit of a model. */
+const millimetres = new Map([
+  ['mm', 1],
+  ['cm', 10],
+  ['m', 1000],
+  ['in', 25.4],
+]);
+
+/** Which power of a length figures are of; the others have no unit. */
+const powers = new Map([
+  ['offset', 1],
+  ['deviation', 1],
+  ['bent', -1],
+  ['curvature', -2],
+]);
+
+/**
+ * A figure of lengths in millimetres.
+ * @param {Figure} figure
+ * @param {string} unit of the model
+ * @returns {Figure}
+ */
+function inMillimetres(figure, unit) {
+  const factor = (millimetres.get(unit) ?? 1) ** (powers.get(figure.id) ?? 0);
+  if (factor === 1) return figure;
+  const values = figure.values.map((some) => some && some.map((value) => factor * value));
+  return { ...figure, limit: factor * figure.limit, values };
+}
+
 /**
  * How much of its limit the edge there uses up whose length differs most: 1 is the limit.
  * @param {PackedLimit} limit
@@ -96,7 +125,7 @@ function limitUsed({ asked, beyond }, edgeStrain) {
  * @param {PackedData} packed
  */
 function figuresOf(packed) {
-  const figures = packed.figures.map(figureOf);
+  const figures = packed.figures.map(figureOf).map((figure) => inMillimetres(figure, packed.unit));
   const edgeStrain = figures.find(({ id }) => id === 'edge_strain');
   if (packed.limit && edgeStrain) figures.unshift(limitUsed(packed.limit, edgeStrain));
   return new Map(figures.map((figure) => [figure.id, figure]));
@@ -110,7 +139,7 @@ export function unpack(packed) {
   const { states, triangles, pattern } = packed;
   const Indices = triangles.bits === 16 ? Uint16Array : Uint32Array;
   return {
-    unit: packed.unit,
+    unit: 'mm',
     count: packed.vertices,
     whole: packed.of,
     view: packed.view,

@@ -2,11 +2,11 @@
 // and the table of figures.
 import { filled, nextScale } from '../viewer/color_scale.js';
 import { countText, make } from '../viewer/dom.js';
-import { namedFigures, worstOf } from '../viewer/figures.js';
+import { isOfMove, namedFigures, worstOf } from '../viewer/figures.js';
 import { PatchView } from '../viewer/patch_view.js';
 import { PatternView } from '../viewer/pattern_view.js';
 import { addLayerSwitches } from './layers.js';
-import { Readout, Scale, figureChoice } from './panel.js';
+import { Readout, Scale, arrangementChoice, figureChoice, toggle } from './panel.js';
 
 /** @typedef {import('../viewer/figures.js').NamedFigure} NamedFigure */
 /** @typedef {import('./data.js').ReportData} ReportData */
@@ -22,6 +22,8 @@ function button(text, title, action) {
   return made;
 }
 
+const heights = { least: 250, most: 440 }; // of the view, pixels
+
 export class Page {
   /**
    * @param {HTMLElement} stage where the view and all around it go
@@ -31,8 +33,9 @@ export class Page {
   constructor(stage, data, space) {
     this.data = data;
     this.figures = namedFigures(data.figures.values());
-    this.figure = this.figures[0];
-    this.limit = this.figure.limit;
+    /** The figure that colours the patch; null where its form alone is shown. */
+    this.figure = /** @type {NamedFigure | null} */ (null);
+    this.limit = 1;
     this.pinned = -1;
     this.hovered = -1;
     const listener = {
@@ -42,9 +45,19 @@ export class Page {
       clicked: (vertex) => this.pin(vertex),
     };
     this.view = new PatchView(space, data, listener);
+    this.view.heights = heights;
+    this.view.arrange('beside');
     this.scale = new Scale(data.maps, data.unit, (step) => this.rescale(step));
     this.readout = new Readout(this.figures, data);
-    stage.append(this.tools(), this.view.root, this.scale.root, this.readout.root, this.hint(), ...this.simplified());
+    stage.append(
+      this.tools(),
+      this.view.root,
+      figureChoice(this.figures, (figure) => this.choose(figure)),
+      this.scale.root,
+      this.readout.root,
+      this.hint(),
+      ...this.simplified(),
+    );
     document.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') this.pin(-1);
     });
@@ -52,7 +65,7 @@ export class Page {
     const key = document.querySelector('ul.lines');
     this.pattern = svg && data.drawn && new PatternView(svg, data.drawn, listener);
     if (svg && data.drawn && key) addLayerSwitches(svg, key);
-    this.choose(this.figure);
+    this.choose(null);
     this.view.fit();
   }
 
@@ -60,12 +73,17 @@ export class Page {
     return make(
       'div',
       { className: 'tools' },
-      figureChoice(this.figures, (figure) => this.choose(figure)),
+      arrangementChoice((arrangement) => this.view.arrange(arrangement)),
+      toggle('Zebra stripes', 'As a polished surface mirrors them: where they break, the surface does', (isOn) =>
+        this.view.zebra(isOn),
+      ),
       ...this.stateChoice(),
       make(
         'div',
         { className: 'actions' },
-        button('Worst place', 'Mark where the figure shown is largest after evolving', () => this.showWorst()),
+        button('Worst place', 'Where the figure shown is largest after; for the form, where it went furthest', () =>
+          this.showWorst(),
+        ),
         button('Reset view', 'Key 0', () => this.view.reset()),
       ),
     );
@@ -111,12 +129,17 @@ export class Page {
     ];
   }
 
-  /** @param {NamedFigure} figure */
+  /** @param {NamedFigure | null} figure null for the form alone */
   choose(figure) {
     this.figure = figure;
+    this.scale.root.hidden = figure === null;
+    if (!figure) {
+      this.view.plain();
+      return;
+    }
     this.limit = figure.limit;
     // How far a place moved is shown on both sides.
-    const moved = figure.id === 'deviation' ? figure.values[this.view.shown[1]] : null;
+    const moved = isOfMove(figure) ? figure.values[this.view.shown[1]] : null;
     const values = figure.values.map((own, state) => (state === 0 && moved) || own);
     this.view.color({ ...figure, values: values.map((some) => some && filled(some, this.data.triangles)) });
     this.scale.show(figure, this.limit);
@@ -124,6 +147,7 @@ export class Page {
 
   /** @param {number} step */
   rescale(step) {
+    if (!this.figure) return;
     this.limit = nextScale(this.limit, step);
     this.view.scale(this.limit);
     this.scale.show(this.figure, this.limit);
@@ -143,8 +167,9 @@ export class Page {
   }
 
   showWorst() {
-    const judge = this.figures.find(({ id }) => id === this.figure.worst) ?? this.figure;
-    const values = judge.values[this.view.shown[1]];
+    const worst = this.figure ? this.figure.worst : 'deviation';
+    const judge = this.figures.find(({ id }) => id === worst) ?? this.figure;
+    const values = judge?.values[this.view.shown[1]];
     this.pin(values ? worstOf(values) : -1);
   }
 

@@ -2,39 +2,85 @@
 // the figures of a vertex are.
 import { colorOf, gradientOf } from '../viewer/color_scale.js';
 import { countText, make } from '../viewer/dom.js';
-import { labelsOf, textOf } from '../viewer/figures.js';
+import { isOfMove, labelsOf, textOf } from '../viewer/figures.js';
 
 /** @typedef {import('../viewer/color_scale.js').Color} Color */
 /** @typedef {import('../viewer/figures.js').NamedFigure} NamedFigure */
 
 /**
- * One of several figures to choose: a row of radio buttons.
- * @param {NamedFigure[]} figures
- * @param {(figure: NamedFigure) => void} chosen
+ * One of several things to choose, the first at the start: a row of radio buttons.
+ * @template Item
+ * @param {string} name of the group
+ * @param {string} title what is chosen, for who cannot see it
+ * @param {{value: string, text: string, title: string, item: Item}[]} options
+ * @param {(item: Item) => void} chosen
  */
-export function figureChoice(figures, chosen) {
-  const group = make('fieldset', { className: 'choice' });
-  group.append(make('legend', { className: 'unseen', textContent: 'Colour by' }));
-  figures.filter((figure) => figure.ends).forEach((figure, index) => {
-    const button = make('input', {
-      type: 'radio',
-      name: 'figure',
-      value: figure.id,
-      checked: index === 0,
-    });
-    button.addEventListener('change', () => chosen(figure));
-    group.append(
-      make('label', { title: `Term of the paper: ${figure.term}` }, button, make('span', { textContent: figure.name })),
-    );
+function choice(name, title, options, chosen) {
+  const group = make('fieldset', { className: `choice ${name}` });
+  group.append(make('legend', { className: 'unseen', textContent: title }));
+  options.forEach(({ value, text, title: words, item }, index) => {
+    const button = make('input', { type: 'radio', name, value, checked: index === 0 });
+    button.addEventListener('change', () => chosen(item));
+    group.append(make('label', { title: words }, button, make('span', { textContent: text })));
   });
   return group;
+}
+
+/**
+ * The form alone or a figure that colours it.
+ * @param {NamedFigure[]} figures
+ * @param {(figure: NamedFigure | null) => void} chosen called with null for the form
+ */
+export function figureChoice(figures, chosen) {
+  /** @type {{value: string, text: string, title: string, item: NamedFigure | null}} */
+  const form = { value: 'form', text: 'Form', title: 'No colours: the surface in plain light', item: null };
+  const options = figures
+    .filter((figure) => figure.ends)
+    .map((figure) => ({
+      value: figure.id,
+      text: figure.name,
+      title: `Term of the paper: ${figure.term}`,
+      item: figure,
+    }));
+  return choice('figure', 'Colour by', [form, ...options], chosen);
+}
+
+/** @typedef {import('../viewer/patch_scene.js').Arrangement} Arrangement */
+
+/** @type {{value: string, text: string, title: string, item: Arrangement}[]} */
+const arrangements = [
+  { value: 'beside', text: 'Side by side', title: 'Before and after, each whole', item: 'beside' },
+  {
+    value: 'overlay',
+    text: 'Overlay',
+    title: 'The result is solid, the design blue and seen through, with its contour',
+    item: 'overlay',
+  },
+  { value: 'split', text: 'Slider', title: 'One picture: before left of the slider, after right', item: 'split' },
+];
+
+/** @param {(arrangement: Arrangement) => void} chosen */
+export function arrangementChoice(chosen) {
+  return choice('arrangement', 'Show the two forms', arrangements, chosen);
+}
+
+/**
+ * A box to tick.
+ * @param {string} text
+ * @param {string} title
+ * @param {(isOn: boolean) => void} changed
+ */
+export function toggle(text, title, changed) {
+  const box = make('input', { type: 'checkbox' });
+  box.addEventListener('change', () => changed(box.checked));
+  return make('label', { className: 'toggle', title }, box, text);
 }
 
 /** The colour scale with buttons that make it finer and coarser. */
 export class Scale {
   /**
    * @param {Map<string, Uint8Array>} maps colour maps by name
-   * @param {string} unit of the model
+   * @param {string} unit of lengths
    * @param {(step: number) => void} stepped called with -1 for finer, 1 for coarser
    */
   constructor(maps, unit, stepped) {
@@ -97,7 +143,7 @@ export class Scale {
 export class Readout {
   /**
    * @param {NamedFigure[]} figures
-   * @param {{unit: string, numbers: Uint32Array}} data unit of the model; numbers that vertices are known by
+   * @param {{unit: string, numbers: Uint32Array}} data unit of lengths; numbers that vertices are known by
    */
   constructor(figures, data) {
     this.figures = figures;
@@ -153,7 +199,7 @@ export class Readout {
       const text = (state) =>
         vertex < 0 ? '–' : textOf(figure, figure.values[state], vertex, this.data.unit);
       // Where a place was before it moved needs no figure.
-      before.textContent = figure.id === 'deviation' ? '–' : text(states[0]);
+      before.textContent = isOfMove(figure) ? '–' : text(states[0]);
       after.textContent = text(states[1]);
     }
   }

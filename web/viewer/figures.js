@@ -92,6 +92,15 @@ function strainText(value) {
   return `${signed(100 * value, 2)} %, ${value > 0 ? 'longer' : 'shorter'}`;
 }
 
+/**
+ * @param {number} value a length, positive to the side of the normal
+ * @param {string} unit
+ */
+function offsetText(value, unit) {
+  if (value === 0) return `0 ${unit}`;
+  return `${signed(value, 2)} ${unit}, ${value > 0 ? 'outwards' : 'inwards'}`;
+}
+
 /** @param {number} limit */
 function strainEnds(limit) {
   const end = `${written(100 * limit, 1)} %`;
@@ -139,6 +148,17 @@ const words = {
     ends: (limit, unit) => ['0 flat', '', `radius ${written(1 / limit, 2)} ${unit}`],
     further: 'or less',
   },
+  offset: {
+    name: 'Offset',
+    term: 'move along the normal of the design',
+    isSigned: true,
+    text: offsetText,
+    ends: (limit, unit) => [
+      `inwards −${written(limit, 2)} ${unit}`,
+      '0 where it was',
+      `outwards +${written(limit, 2)} ${unit}`,
+    ],
+  },
   deviation: {
     name: 'Moved',
     term: 'deviation',
@@ -176,16 +196,24 @@ const words = {
   },
 };
 
+/** In which order figures stand; those that are not named follow. */
+const order = ['offset', 'limit_used', 'strain', 'deviation', 'bent', 'defect', 'curvature'];
+
 /**
  * Figures that have values in some state, with their words.
  * @param {Iterable<Figure>} figures
  * @returns {NamedFigure[]}
  */
 export function namedFigures(figures) {
+  const place = (/** @type {Figure} */ { id }) => (order.includes(id) ? order.indexOf(id) : order.length);
   return [...figures]
     .filter((figure) => figure.values.some((values) => values !== null))
+    .sort((a, b) => place(a) - place(b))
     .map((figure) => ({ ...figure, ...words[figure.id] }));
 }
+
+/** Whether a figure says what became of a place: it belongs to the result, and none to the design. */
+export const isOfMove = (/** @type {{id: string}} */ { id }) => id === 'deviation' || id === 'offset';
 
 /**
  * What the scale's low end, middle and high end read; where more lies beyond the ends, they say so.

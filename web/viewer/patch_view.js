@@ -1,11 +1,12 @@
-// A patch that can be turned, in two states beside each other with a split between them that can be
-// moved. Its styles are in viewer.css, which takes colours from variables of the page: --ground,
+// A patch that can be turned, in two states: side by side, with a split between them that can be
+// moved, or one over the other. Its styles are in viewer.css, which takes colours from variables of the page: --ground,
 // --card, --ink and --blue.
 import { make } from './dom.js';
 import { PatchScene } from './patch_scene.js';
 import { pick } from './picking.js';
 import { Turning } from './turning.js';
 
+/** @typedef {import('./patch_scene.js').Arrangement} Arrangement */
 /** @typedef {import('./patch_scene.js').Coloring} Coloring */
 /** @typedef {import('./patch_scene.js').Patch} Patch */
 
@@ -37,8 +38,10 @@ export class PatchView {
     this.canvas = canvas;
     this.triangles = patch.triangles;
     this.marked = -1;
+    /** Pixels that the height of the view stays between; without, it is that of its style sheet. */
+    this.heights = /** @type {{least: number, most: number} | null} */ (null);
     /**
-     * Where the vertices of a state are in the picture, kept until it changes.
+     * Where the vertices of a side are in the picture, kept until it changes.
      * @type {Map<number, Float32Array>}
      */
     this.kept = new Map();
@@ -49,10 +52,21 @@ export class PatchView {
     this.slider = make('input', { type: 'range', className: 'split', min: 0, max: 100, step: 1, value: 50 });
     this.slider.setAttribute('aria-label', 'How much is shown as before');
     this.spot = make('div', { className: 'spot', hidden: true });
+    this.spotBefore = make('div', { className: 'spot-before', hidden: true });
     this.tags = ['before', 'after'].map((name) => make('span', { className: `tag ${name}`, textContent: name }));
     const line = make('div', { className: 'split-line' });
     /** To be put into the page. */
-    this.root = make('div', { className: 'view' }, canvas, line, ...this.tags, this.spot, this.slider);
+    this.root = make(
+      'div',
+      { className: 'view' },
+      canvas,
+      line,
+      ...this.tags,
+      this.spotBefore,
+      this.spot,
+      this.slider,
+    );
+    this.root.dataset.arrangement = 'split';
     this.scene = new PatchScene(canvas, context, patch);
     this.turning = new Turning(
       canvas,
@@ -81,19 +95,38 @@ export class PatchView {
     slider.addEventListener('input', () => this.redraw(), { signal });
   }
 
-  /** The states left and right of the split. */
+  /** The states before and after. */
   get shown() {
     return this.scene.shown;
   }
 
   /**
-   * Shows another state right of the split.
+   * Shows another state as the one after.
    * @param {number} state
    * @param {string} name plain text
    */
   show(state, name) {
     this.scene.shown = [0, state];
     this.tags[1].textContent = name;
+    this.moved();
+  }
+
+  /** @param {Arrangement} arrangement */
+  arrange(arrangement) {
+    this.scene.arrangement = arrangement;
+    this.root.dataset.arrangement = arrangement;
+    this.moved();
+  }
+
+  /** No colours: the form alone, as light shows it. */
+  plain() {
+    this.scene.plain();
+    this.redraw();
+  }
+
+  /** @param {boolean} shown whether stripes are mirrored in the surface */
+  zebra(shown) {
+    this.scene.zebra(shown);
     this.redraw();
   }
 
@@ -126,7 +159,8 @@ export class PatchView {
   }
 
   /**
-   * Marks a vertex on the side on which it is seen; where it is on both, right of the split.
+   * Marks a vertex on both pictures; with a split on the side on which it is seen, and where that is
+   * both, right of it.
    * @param {number} vertex -1 for none
    */
   mark(vertex) {
@@ -142,33 +176,56 @@ export class PatchView {
     const box = this.canvas.getBoundingClientRect();
     const x = event.clientX - box.left;
     const y = event.clientY - box.top;
-    const side = x < this.scene.split * this.scene.width ? 0 : 1;
-    return pick(this.places(side), this.triangles, x, y);
+    return pick(this.places(this.scene.paneAt(x, y).side), this.triangles, x, y);
   }
 
   /**
    * Where the vertices of one side are.
-   * @param {number} side 0 left, 1 right
+   * @param {number} side 0 before, 1 after
    */
   places(side) {
-    const state = this.scene.shown[side];
-    const places = this.kept.get(state) ?? this.scene.projected(state);
-    this.kept.set(state, places);
+    const panes = this.scene.panes();
+    const pane = panes.find((one) => one.side === side) ?? panes[0];
+    const places = this.kept.get(side) ?? this.scene.projected(pane);
+    this.kept.set(side, places);
     return places;
   }
 
   placeSpot() {
-    const vertex = this.marked;
-    const at = this.scene.split * this.scene.width;
-    const place = [1, 0]
-      .map((side) => ({ side, x: this.places(side)[3 * vertex], y: this.places(side)[3 * vertex + 1] }))
-      .find(({ side, x }) => (side === 0 ? x < at : x >= at));
-    this.spot.hidden = vertex < 0 || !place;
-    if (vertex >= 0 && place) this.spot.style.transform = `translate(${place.x}px, ${place.y}px)`;
+    const [before, after] = [0, 1].map((side) => this.spotIn(side));
+    const isBeside = this.scene.arrangement === 'beside';
+    for (const [spot, at] of /** @type {const} */ ([
+      [this.spot, isBeside ? after : (after ?? before)],
+      [this.spotBefore, isBeside ? before : null],
+    ])) {
+      spot.hidden = !at;
+      if (at) spot.style.transform = `translate(${at[0]}px, ${at[1]}px)`;
+    }
+  }
+
+  /**
+   * Where the marked vertex is on a side; null where it is not seen.
+   * @param {number} side 0 before, 1 after
+   */
+  spotIn(side) {
+    const pane = this.scene.panes().find((one) => one.side === side);
+    if (!pane || this.marked < 0) return null;
+    const { clip } = pane;
+    const places = this.places(side);
+    const [x, y] = [places[3 * this.marked], places[3 * this.marked + 1]];
+    const isSeen = x >= clip.left && x < clip.left + clip.width && y >= clip.top && y < clip.top + clip.height;
+    return isSeen ? [x, y] : null;
   }
 
   /** Draws in the size that the view has in the page; nothing where it has none yet. */
   fit() {
+    if (this.heights && this.root.clientWidth > 0) {
+      const { least, most } = this.heights;
+      const { isStacked, height } = this.scene.suited(this.root.clientWidth, least, most);
+      this.scene.isStacked = isStacked;
+      this.root.classList.toggle('stacked', isStacked);
+      this.root.style.height = `${height}px`;
+    }
     const { clientWidth, clientHeight } = this.root;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.scene.resize(clientWidth, clientHeight, Math.min(2, window.devicePixelRatio));

@@ -94,6 +94,9 @@ struct Fairness {
   std::optional<double> normal_turn = {}, border_turn = {};
   /// None where nothing is bent more sharply, or the design has other triangles.
   std::optional<Fold> sharpest_fold = {};
+  /// Height over the design's: of the corners, along the direction in which the design extends
+  /// least. None where the design is lower than k_least_height.
+  std::optional<double> height_ratio = {};
   bool unchanged = false;  ///< the design itself, to the last digit
 
   /// A designer would take it: bending_ratio, bending_added and sharp_share within k_smooth_*,
@@ -101,8 +104,8 @@ struct Fairness {
   /// itself is smooth; beside a plane nothing else is. What is not smooth is crumpled: the one rule
   /// of everything that says so.
   bool is_smooth() const;
-  /// Whether it still bends where the design does: bending_lost within k_kept_lost; also where that
-  /// is not known.
+  /// Whether it still bends where the design does, and is as high: bending_lost within k_kept_lost
+  /// and height_ratio not below k_kept_height. What is not known is taken as kept.
   bool keeps_form() const;
 };
 
@@ -114,12 +117,16 @@ inline constexpr double k_smooth_added = 1.0;
 inline constexpr double k_smooth_sharp_share = 0.04;
 /// Of the bending of the design half at most is gone.
 inline constexpr double k_kept_lost = 0.5;
+/// Of the height of the design three quarters stay at least.
+inline constexpr double k_kept_height = 0.75;
+/// A design has a height where it extends by this share of its longest extent at least.
+inline constexpr double k_least_height = 0.02;
 
 /// Compares a surface with its design, vertex by vertex. O(n log n).
 /// @param after one position per vertex of `design`
 Fairness measure_fairness(const Patch& design, std::span<const Vec3> after);
 
-/// The same of a surface with other triangles: ratio and sharp share only.
+/// The same of a surface with other triangles: ratio, sharp share and height only.
 Fairness measure_fairness(const Patch& design, const Patch& after);
 
 /// Where a surface goes through itself.

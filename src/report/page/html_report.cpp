@@ -80,41 +80,62 @@ std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut
          "</dl>\n";
 }
 
-// Whether a designer would take the form.
+/// What is neither right nor wrong.
+std::string neutral_mark(const std::string& words) {
+  return "<span class=\"neutral\">• " + words + "</span>";
+}
+
+/// Limits of strain that were asked for, and whether it lies flat.
+std::vector<std::string> flatness_checks(const FlattenReport& report) {
+  std::vector<std::string> items;
+  for (const LimitCheck& check : strain_limits_of(report)) {
+    items.push_back(mark(check.met, (check.met ? "within " : "not within ") +
+                                        escape_markup(strain_limit_name(check))));
+  }
+  const std::string stretched = "does not lie flat without stretch";
+  if (flatness_of(report) == Flatness::flat)
+    items.push_back(mark(true, "lies flat without stretch"));
+  else if (is_too_small_to_measure(report.unfold.strain))
+    items.push_back(mark(true, "flat but for a stretch too small to measure"));
+  else
+    items.push_back(items.empty() ? mark(false, stretched) : neutral_mark(stretched));
+  return items;
+}
+
+/// Whether a designer would take the form.
 std::vector<std::string> form_checks(const EvolveReport& evolve) {
-  const bool smooth = evolve.fairness.is_smooth(), kept = evolve.fairness.keeps_form();
+  const bool smooth = evolve.fairness.is_smooth();
+  const std::string loss = form_loss_text(evolve.fairness);
   std::vector<std::string> items = {mark(smooth, smooth ? "smooth" : "crumpled")};
-  if (evolve.fairness.bending_lost)
-    items.push_back(mark(kept, kept ? "form kept" : "much of the form is gone"));
+  if (!loss.empty())
+    items.push_back(mark(false, "form lost: " + loss));
+  else if (evolve.fairness.bending_lost)
+    items.push_back(mark(true, "form kept"));
   if (evolve.after.self_intersections.pairs > 0)
     items.push_back(mark(false, "the form goes through itself"));
   return items;
 }
 
-// All that is either right or wrong.
+/// All that is either right or wrong, what was asked for first.
 std::string checks(const FlattenReport& report) {
   const Pattern& pattern = report.unfold.pattern;
-  std::vector<std::string> items = {
-      mark(report.evolve.after.flattenable, report.evolve.after.flattenable
-                                                ? "lies flat without stretch"
-                                                : "does not lie flat without stretch"),
-      mark(!pattern.overlaps, pattern.overlaps ? "overlaps itself" : "does not overlap itself"),
-      mark(pattern.flipped_triangles == 0,
-           pattern.flipped_triangles == 0 ? "nothing is face down" : "parts are face down")};
+  std::vector<std::string> items = flatness_checks(report);
   for (const std::string& item : form_checks(report.evolve))
     items.push_back(item);
-  if (!unit_question(report.unfold).empty())
-    items.insert(items.begin(), mark(false, "unit of the model to be checked"));
-  constexpr std::array<std::pair<LimitOf, std::string_view>, 6> names = {
-      {{LimitOf::strain, "stretch "},
-       {LimitOf::p99_strain, "stretch "},
-       {LimitOf::rms_strain, "usual stretch "},
-       {LimitOf::deviation, "moves "},
+  const bool flipped = pattern.flipped_triangles > 0;
+  items.push_back(
+      mark(!pattern.overlaps, pattern.overlaps ? "overlaps itself" : "does not overlap itself"));
+  items.push_back(mark(
+      !flipped, flipped ? "parts of the pattern are flipped over" : "no part is flipped over"));
+  if (!unit_question(report.unfold).empty()) items.push_back(mark(false, "check the model's unit"));
+  constexpr std::array<std::pair<LimitOf, std::string_view>, 3> names = {
+      {{LimitOf::deviation, "moves "},
        {LimitOf::angle, "angles of triangles "},
        {LimitOf::defect, "worst place "}}};
   for (const LimitCheck& check : limit_checks(report)) {
     const auto name = std::find_if(names.begin(), names.end(),
                                    [&](const auto& some) { return some.first == check.what; });
+    if (name == names.end()) continue;
     items.push_back(mark(check.met, std::string(name->second) +
                                         escape_markup(limit_text(check, report.unfold.unit))));
   }
@@ -129,7 +150,7 @@ std::string run_section(const FlattenReport& report, const FlattenPage& page) {
   const Topology& topology = report.evolve.before.inspection.topology;
   const EvolveResult& result = report.evolve.result;
   std::string html =
-      "<section class=\"keep\">\n<h2>How it was made</h2>\n<dl class=\"run\">\n" +
+      "<section class=\"keep\">\n<h2>The run</h2>\n<dl class=\"run\">\n" +
       html_entry("Patch", count_text(topology.vertices) + " vertices, " +
                               count_text(topology.inner_vertices) + " of them inner; " +
                               count_text(topology.triangles) + " triangles") +
@@ -230,6 +251,15 @@ std::string problems_section(const FlattenReport& report) {
          "</ul>\n</section>\n";
 }
 
+/// All that is for those who know the method, in the terms of the paper.
+std::string computed_section(const FlattenReport& report, const FlattenPage& page) {
+  const std::string limits = strain_limits_text(report.unfold.limits);
+  return "<details class=\"computed\">\n<summary>How it was computed</summary>\n<p>" +
+         escape_markup(computed_text(report) + (limits.empty() ? "" : " " + limits)) +
+         "</p>\n<div class=\"wide\">\n" + convergence_section(report, page) +
+         histogram_section(report) + "</div>\n" + run_section(report, page) + "</details>\n";
+}
+
 std::string footer(const FlattenReport& report) {
   return std::string("<footer>Made by planish ") + k_version +
          ". Model unit: " + unit_name(report) + ".</footer>\n";
@@ -239,19 +269,15 @@ std::string footer(const FlattenReport& report) {
 
 std::string html_report(const FlattenReport& report, const FlattenPage& page) {
   const std::string border = border_text(report);
-  const std::string limits = strain_limits_text(report.unfold.limits);
   const PatchViewer viewer = html_viewer(report, page);
-  const std::string verdict = verdict_text(report) + (limits.empty() ? "" : " " + limits) +
-                              (border.empty() ? "" : " " + border);
+  const std::string verdict = verdict_text(report) + (border.empty() ? "" : " " + border);
   const bool has_limit = limit_of_edges(report.unfold.limits).has_value();
   return html_head(html_title(report.name), has_limit ? limit_style() : "") + "<body>\n<main>\n" +
          html_header("report", report.name, verdict, checks(report)) + candidate_tiles(report) +
-         viewer.html + tiles(report, page, viewer.cut_size) + "<div class=\"wide\">\n" +
-         convergence_section(report, page) + histogram_section(report) +
-         "</div>\n<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" +
-         figures_table(report) + "</div>\n</section>\n" + problems_section(report) +
-         run_section(report, page) + footer(report) + "</main>\n" + viewer.data +
-         (viewer.data.empty() ? "" : html_script()) + "</body>\n</html>\n";
+         viewer.html + tiles(report, page, viewer.cut_size) + "<section>\n<h2>All figures</h2>\n" +
+         "<div class=\"scroll\">\n" + figures_table(report) + "</div>\n</section>\n" +
+         problems_section(report) + computed_section(report, page) + footer(report) + "</main>\n" +
+         viewer.data + (viewer.data.empty() ? "" : html_script()) + "</body>\n</html>\n";
 }
 
 }  // namespace planish

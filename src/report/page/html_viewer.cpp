@@ -126,16 +126,17 @@ std::string pattern_part(const FlattenReport& report, const FlatView& view) {
       pattern_picture(view.sheet, view.directions,
                       view.limit ? "The pattern, coloured by the limit used up, with its lines"
                                  : "The pattern, coloured by strain, with its lines");
-  const std::string note = view.limit ? "Colours tell how much of the limit of strain (" +
+  const std::string note = view.limit ? "Colours show how much of the limit of strain (" +
                                             limit_words(*view.limit) + ") the edges use up. "
                                       : "";
   const Pattern& pattern = report.unfold.pattern;
-  return "<div class=\"flat\">\n<h3>Pattern <small>" + significant_text(pattern.width, 4) + " × " +
-         significant_text(pattern.height, 4) + "\u00A0" +
-         std::string(to_string(report.unfold.unit)) + "; the bar is " + number_text(picture.bar) +
-         "\u00A0mm</small></h3>\n<div class=\"sheet\">" + picture.svg + "</div>\n" +
-         line_keys(view) + (view.limit ? limit_legend() : strain_legend(report.unfold)) +
-         "<p class=\"note\">" + note +
+  const double mm = millimetres_per(report.unfold.unit);
+  return "<div class=\"flat\">\n<h3>Pattern <small>" + significant_text(mm * pattern.width, 4) +
+         " × " + significant_text(mm * pattern.height, 4) + "\u00A0mm; the bar is " +
+         number_text(picture.bar) + "\u00A0mm</small></h3>\n<div class=\"sheet\">" + picture.svg +
+         "</div>\n" + line_keys(view) +
+         (view.limit ? limit_legend() : strain_legend(report.unfold)) + "<p class=\"note\">" +
+         note +
          "Where the pattern is shorter than the patch, the material is stretched "
          "when it is made up; where it is longer, it is pressed together or "
          "gathered.</p>\n</div>\n";
@@ -169,7 +170,10 @@ std::string color_terms(const std::optional<StrainLimitCheck>& limit = {}) {
              "Bent",
              "Curvature across the edges, as of a cylinder of the radius given, on one scale: "
              "what is darker after than before is new.") +
-         html_entry("Moved", "Deviation: how far the place went from where it was.") +
+         html_entry("Offset",
+                    "How far the place went along the normal of the design: outwards (+) to the "
+                    "side that the normals point to, inwards (−) to the other.") +
+         html_entry("Moved", "Deviation: how far the place went from where it was, any way.") +
          html_entry(
              "Stretch",
              "Strain: how much longer (+) or shorter (−) the pattern is there than the patch, "
@@ -234,8 +238,9 @@ PatchViewer html_viewer(const FlattenReport& report, const FlattenPage& page) {
   const bool live = page_script().is_there();
   PatchViewer viewer;
   viewer.html =
-      "<section class=\"bench keep\" id=\"bench\">\n<div class=\"patch\">\n<h3>Patch <small>before "
-      "and after, in one view and with one scale</small></h3>\n<div id=\"stage\"></div>\n" +
+      "<section class=\"bench keep\" id=\"bench\">\n<div class=\"patch\">\n<h3>Form <small>the "
+      "design "
+      "before, the result after; both turn together</small></h3>\n<div id=\"stage\"></div>\n" +
       still_pictures(report, pictures, page.colors) +
       (live ? ""
             : "<p class=\"note\">The view that can be turned was left out when this program "

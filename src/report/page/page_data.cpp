@@ -16,6 +16,7 @@
 
 #include "draw/base64.h"
 #include "draw/scale_limit.h"
+#include "measure/normals.h"
 #include "report/page/display_mesh.h"
 #include "report/page/packed_array.h"
 #include "report/pictures/view.h"
@@ -60,6 +61,19 @@ double largest_limit(const Figure& figure, double least) {
   return limit;
 }
 
+/// The largest size of all values of all states, with two digits rounded up: a scale that fits.
+double fitted_limit(const Figure& figure, double least) {
+  double largest = least;
+  for (const auto& values : figure.by_state) {
+    for (const double value : values) {
+      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    }
+  }
+  const double step = round_up_125(largest) / 100.0;
+  const double fitted = std::ceil(largest / step * (1.0 - 1e-12)) * step;
+  return std::isfinite(fitted) && fitted > 0.0 ? fitted : largest;
+}
+
 /// NaN where nothing is measured.
 std::vector<double> of_inner(std::vector<double> values, const Patch& patch) {
   for (Index v = 0; v < values.size(); ++v) {
@@ -98,6 +112,7 @@ std::vector<Figure> figures_of(const PageInput& input) {
   Figure curvature{"curvature", ColorMap::paper};
   Figure bent{"bent", ColorMap::sequential};
   Figure deviation{"deviation", ColorMap::sequential};
+  Figure offset{"offset", ColorMap::diverging};
   Figure strain{"strain", ColorMap::diverging, input.strain_limit};
   Figure edge_strain{"edge_strain", ColorMap::diverging, input.strain_limit};
   for (const PageState& state : input.states) {
@@ -107,6 +122,10 @@ std::vector<Figure> figures_of(const PageInput& input) {
     defect.by_state.push_back(of_inner(defects, patch));
     bent.by_state.push_back(vertex_bends(patch));
     deviation.by_state.push_back(moves(input.patch().positions(), patch.positions()));
+    // The design itself has none.
+    offset.by_state.push_back(&state == &input.states.front()
+                                  ? std::vector<double>()
+                                  : normal_offsets(input.patch(), patch.positions()));
     strain.by_state.push_back(state.pattern.empty() ? std::vector<double>()
                                                     : vertex_strains(patch.mesh(), state.pattern));
     edge_strain.by_state.push_back(
@@ -117,6 +136,7 @@ std::vector<Figure> figures_of(const PageInput& input) {
   // One scale for all states: what is darker than the design was is new.
   bent.limit = limit_of(bent.by_state.front(), k_scale_share, 1e-3 / size);
   deviation.limit = largest_limit(deviation, 1e-6 * size);
+  offset.limit = fitted_limit(offset, 1e-6 * size);
   std::vector<Figure> figures = {std::move(defect), std::move(curvature),
                                  std::move(bent),   std::move(deviation),
                                  std::move(strain), std::move(edge_strain)};
@@ -124,6 +144,7 @@ std::vector<Figure> figures_of(const PageInput& input) {
     for (Figure& figure : principal_figures(input))
       figures.push_back(std::move(figure));
   }
+  figures.push_back(std::move(offset));
   return figures;
 }
 
@@ -217,10 +238,10 @@ std::string map_bytes(ColorMap map) {
 
 std::size_t usual_most(const PageInput& input) {
   constexpr std::size_t bytes = 3'400'000;  // base64 makes four of three
-  // Positions and six figures by state, eight with a limit; number, place in the pattern and two
-  // triangles.
-  const std::size_t figures = input.limit ? 8 : 6;
-  return bytes / ((6 + 4 * figures) * input.states.size() + 16);
+  // Positions and six figures by state, eight with a limit; offsets of all but the first; number,
+  // place in the pattern and two triangles.
+  const std::size_t figures = input.limit ? 8 : 6, states = input.states.size();
+  return bytes / ((6 + 4 * figures) * states + 4 * (states - 1) + 16);
 }
 
 Json limit_json(const StrainLimitCheck& limit) {

@@ -33,7 +33,7 @@ struct PageInput {
   std::optional<StrainLimitCheck> limit = {};
   std::size_t shown = 1;  ///< the state that is shown beside the first at the start
   /// Meshes with more are simplified; 0: so many that the data take about four and a half
-  /// megabytes, which are 50,000 for two states.
+  /// megabytes, which are some 42,000 for two states.
   std::size_t most_vertices = 0;
 
   const Patch& patch() const { return states.front().patch; }

@@ -24,10 +24,9 @@ struct PatchPictures {
 /// @param defects as from angle_defects()
 double defect_limit(std::span<const double> defects, const Connectivity& connectivity);
 
-/// The view is made by formula: against the mean normal of the patch as it was, tilted a little,
-/// its longest extent upright. The scale ends at the defect_limit() of
-/// the patch before. Border vertices, which have no defect, take the mean of their inner
-/// neighbours'.
+/// The view is that of view_of() for the patch as it was: its longest extent lies level. The scale
+/// ends at the defect_limit() of the patch before. Border vertices, which have no defect, take the
+/// mean of their inner neighbours'.
 /// @param after the vertices of `before` at other positions
 /// @param width of the pictures, pixels
 PatchPictures patch_pictures(const Patch& before, std::span<const std::span<const Vec3>> after,

@@ -11,7 +11,7 @@ namespace planish {
 
 namespace {
 
-constexpr double k_flattest = 0.5, k_tallest = 1.15;  // height over width
+constexpr double k_flattest = 0.4, k_tallest = 1.15;  // height over width
 constexpr double k_padding = 12.0 / 880.0;            // of the width
 constexpr double k_least_brightness = 0.5;            // of what faces away from the light
 constexpr std::size_t k_most_split_triangles = 200'000;

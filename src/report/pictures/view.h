@@ -10,8 +10,10 @@ struct View {
   Vec3 towards;  ///< from the patch to the eye
 };
 
-/// Against the mean normal by area, tilted so that the form shows, with the longest extent of the
-/// patch upright. Where the normals cancel out, along the direction of least extent.
+/// Against the mean normal by area, turned so that the patch lies level and fills an upright
+/// picture, its longer side to the right. The eye is lifted from there so that the form shows: a
+/// little for shallow patches, more for high ones. Where the normals cancel out, along the
+/// direction of least extent.
 View view_of(const TriMesh& mesh);
 
 }  // namespace planish

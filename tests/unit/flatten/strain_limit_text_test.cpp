@@ -55,7 +55,9 @@ TEST(StrainLimitText, OfSeveralIsOneAfterTheOther) {
             strain_limit_text(checks[0]) + " " + strain_limit_text(checks[1]));
   FlattenReport report = samples::flatten_report();
   report.unfold.limits = checks;
-  EXPECT_THAT(html_report(report), HasSubstr("usual stretch at most 1.0\u00A0% (rms)"));
+  const std::string page = html_report(report);
+  EXPECT_THAT(page, HasSubstr("✗ not within the limit of 1.0\u00A0% (rms)"));
+  EXPECT_THAT(page, HasSubstr(strain_limits_text(checks)));
 }
 
 }  // namespace

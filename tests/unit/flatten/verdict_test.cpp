@@ -13,12 +13,19 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-// The verdict without the blanks that keep number and unit together.
-std::string verdict(const FlattenReport& report) {
-  std::string text = verdict_text(report);
+// A text without the blanks that keep number and unit together.
+std::string with_plain_blanks(std::string text) {
   for (std::size_t at; (at = text.find("\u00A0")) != std::string::npos;)
     text.replace(at, 2, " ");
   return text;
+}
+
+std::string verdict(const FlattenReport& report) {
+  return with_plain_blanks(verdict_text(report));
+}
+
+std::string computed(const FlattenReport& report) {
+  return with_plain_blanks(computed_text(report));
 }
 
 FlattenReport report() {
@@ -48,10 +55,45 @@ FlattenReport flattenable_with_strain(double max) {
 
 TEST(Verdict, SaysHowTheStrainIsAndWhatTheSweepsDid) {
   EXPECT_EQ(verdict(report()),
-            "Not flat without stretch: the pattern is strained by 7.6 % rms (32 % at worst). "
-            "No material that is known here takes that. 10 controllable sweeps lowered the energy "
-            "by 27 % and left the strain where it was; "
-            "no vertex moved further than 0.57 mm. The form stayed smooth.");
+            "Does not lie flat without stretch. The usual stretch is 7.6 %, the largest 32 %. No "
+            "material that is known here takes that. No place moved further than 0.57 mm. The form "
+            "stayed smooth.");
+  EXPECT_EQ(computed(report()),
+            "10 controllable sweeps lowered the energy by 27 % and left the strain where it was.");
+}
+
+TEST(Verdict, ComparesTheStretchWithThatOfTheDesign) {
+  EXPECT_THAT(verdict(with_strain(0.12, 0.0085)),
+              HasSubstr("The usual stretch is 0.85 %, the largest 32 %; for the design as it is "
+                        "12 % and 32 %. "));
+}
+
+TEST(Verdict, SaysInItsFirstSentenceWhatBecameOfTheForm) {
+  FlattenReport some = report();
+  Fairness& fairness = some.evolve.fairness;
+  fairness.height_ratio = 0.254;
+  EXPECT_THAT(verdict(some),
+              StartsWith("Does not lie flat without stretch, and the form is lost. "));
+  some.unfold.limits = {{StrainLimitKind::p99, 0.01, 0.00999}};
+  EXPECT_THAT(verdict(some),
+              StartsWith("Within the 1.0 % that leather takes, but the form is lost. "));
+  EXPECT_THAT(verdict(some), EndsWith("The form stayed smooth. Much of the form is lost: height "
+                                      "25 % of the design's."));
+  fairness.bending_ratio = 3.26;
+  EXPECT_THAT(verdict(some), StartsWith("Within the 1.0 % that leather takes, but the form is "
+                                        "crumpled and lost. "));
+  fairness.height_ratio = k_kept_height;
+  EXPECT_THAT(verdict(some),
+              StartsWith("Within the 1.0 % that leather takes, but the form is crumpled. "));
+}
+
+TEST(FormLoss, SaysWhatIsLost) {
+  EXPECT_EQ(form_loss_text({}), "");
+  EXPECT_EQ(form_loss_text({.bending_lost = k_kept_lost, .height_ratio = k_kept_height}), "");
+  EXPECT_EQ(form_loss_text({.height_ratio = 0.254}), "height 25\u00A0% of the design's");
+  EXPECT_EQ(form_loss_text({.bending_lost = 0.61}), "61\u00A0% of its curvature is gone");
+  EXPECT_EQ(form_loss_text({.bending_lost = 1.2, .height_ratio = 0.5}),
+            "height 50\u00A0% of the design's, 100\u00A0% of its curvature is gone");
 }
 
 TEST(Verdict, SaysWhetherTheFormIsSmooth) {
@@ -63,29 +105,31 @@ TEST(Verdict, SaysWhetherTheFormIsSmooth) {
   Fairness fairness = some.evolve.fairness;
   fairness.bending_lost = 0.6;
   EXPECT_THAT(with(fairness),
-              EndsWith("The form stayed smooth, but much of its curvature is gone."));
+              EndsWith("The form stayed smooth. Much of the form is lost: 60 % of its curvature is "
+                       "gone."));
+  fairness.bending_lost = 0.3;
   fairness.bending_ratio = 4.24;
   EXPECT_THAT(with(fairness), EndsWith("The form is crumpled: it is bent 4.2 times as much as it "
                                        "was, and the sharpest new fold has 9.5°."));
   EXPECT_THAT(with({}), EndsWith("The form was a plane, and is bent now."));
-  EXPECT_THAT(with({.unchanged = true}), EndsWith("no vertex moved further than 0.57 mm."));
+  EXPECT_THAT(with({.unchanged = true}), EndsWith("The form was not changed."));
 }
 
-TEST(Verdict, TellsFlattenableFromNearlyAndNotYet) {
+TEST(Verdict, TellsFlatFromNearlyAndNotYet) {
   EXPECT_THAT(verdict(flattenable_with_strain(0.0)),
-              StartsWith("Flattenable: the pattern keeps every length. "));
+              StartsWith("Lies flat without stretch. The pattern keeps every length. "));
   EXPECT_THAT(verdict(flattenable_with_strain(1e-9)),
-              StartsWith("Flattenable: the pattern keeps every length. "));
-  EXPECT_THAT(verdict(flattenable_with_strain(0.0005)),
-              StartsWith("Flattenable: the pattern keeps every length to within 0.050 %. "));
+              StartsWith("Lies flat without stretch. The pattern keeps every length. "));
+  EXPECT_THAT(
+      verdict(flattenable_with_strain(0.0005)),
+      StartsWith("Lies flat without stretch. The pattern keeps every length to within 0.050 %. "));
   EXPECT_THAT(verdict(flattenable_with_strain(0.02)),
-              StartsWith("Flattenable by its angles, yet the pattern is strained by 0.50 % rms "));
+              StartsWith("Does not lie flat without stretch. The usual stretch is 0.50 %"))
+      << "flattenable by its angles alone";
   FlattenReport near = report();
   near.unfold.strain = {0.003, 0.0005, 0.001};
-  EXPECT_THAT(
-      verdict(near),
-      StartsWith("Flat but for a stretch that nobody can measure: the pattern is strained by "
-                 "0.050 % rms (0.30 % at worst). "));
+  EXPECT_THAT(verdict(near), StartsWith("Flat but for a stretch too small to measure. The usual "
+                                        "stretch is 0.050 %, the largest 0.30 %"));
 }
 
 TEST(Verdict, MeasuresStrainByTheLimitThatWasGiven) {
@@ -98,74 +142,72 @@ TEST(Verdict, MeasuresStrainByTheLimitThatWasGiven) {
   const StrainLimitCheck kept{StrainLimitKind::max, 0.02, 0.018},
       missed{StrainLimitKind::max, 0.02, 0.03};
   const StrainLimitCheck rms{StrainLimitKind::rms, 0.01, 0.006};
-  EXPECT_THAT(with({kept}), StartsWith("Not without stretch, but within the limit of 2.0 %: the "
-                                       "pattern is strained by 0.60 % rms (1.8 % at worst). "));
-  EXPECT_THAT(
-      with({{StrainLimitKind::p99, 0.02, 0.018}}),
-      StartsWith("Not without stretch, but within the limit of 2.0 % on 99 % of the area: "));
-  EXPECT_THAT(with({missed}), StartsWith("Not within the limit of 2.0 %: the pattern is strained "
-                                         "by 0.60 % rms (1.8 % at worst). "));
-  EXPECT_THAT(with({missed, rms}), StartsWith("Not within the limit of 2.0 %: "));
+  EXPECT_THAT(with({kept}), StartsWith("Within the limit of 2.0 %. The usual stretch is 0.60 %, "
+                                       "the largest 1.8 %; for the design as it is "));
+  EXPECT_THAT(with({{StrainLimitKind::p99, 0.02, 0.018}}),
+              StartsWith("Within the limit of 2.0 % on 99 % of the area. "));
+  EXPECT_THAT(with({{StrainLimitKind::p99, 0.1, 0.018}}),
+              StartsWith("Within the 10 % that neoprene takes. "));
+  EXPECT_THAT(with({missed}), StartsWith("Not within the limit of 2.0 %. "));
+  EXPECT_THAT(with({missed, rms}), StartsWith("Not within the limit of 2.0 %. "));
   EXPECT_THAT(with({kept, {StrainLimitKind::rms, 0.005, 0.006}}),
-              StartsWith("Not within the limit of 0.50 % (rms): "));
-  EXPECT_THAT(with({rms}),
-              StartsWith("Not without stretch, but within the limit of 1.0 % (rms): "));
+              StartsWith("Not within the limit of 0.50 % (rms). "));
+  EXPECT_THAT(with({rms}), StartsWith("Within the limit of 1.0 % (rms). "));
   some.evolve.after.flattenable = true;
-  EXPECT_THAT(verdict(some), StartsWith("Flattenable by its angles, yet"));
+  EXPECT_THAT(verdict(some), StartsWith("Within the limit")) << "flattenable by its angles alone";
+  EXPECT_THAT(with({rms}), Not(HasSubstr("take"))) << "materials are not asked for";
 }
 
 TEST(Verdict, WarnsFirstOfAPatternThatIsNotToBeCut) {
   FlattenReport some = flattenable_with_strain(0.0);
   some.unfold.pattern.flipped_triangles = 1;
-  EXPECT_THAT(verdict(some), StartsWith("Not to be cut: 1 triangle of the pattern"));
-  some.unfold.pattern.flipped_triangles = 1200;
-  EXPECT_THAT(verdict(some), StartsWith("Not to be cut: 1\u202F200 triangles of the pattern"));
+  EXPECT_THAT(verdict(some), StartsWith("Do not cut this pattern: parts of it are flipped over. "));
   some.unfold.pattern.overlaps = true;
-  EXPECT_THAT(verdict(some),
-              StartsWith("Not to be cut from one piece: the pattern overlaps itself"));
+  EXPECT_THAT(verdict(some), StartsWith("Do not cut this pattern: it overlaps itself. "));
+  EXPECT_THAT(verdict(some), HasSubstr(" Divide the patch. "));
 }
 
-TEST(Verdict, SaysWhatBecameOfTheEnergy) {
-  EXPECT_THAT(verdict(with_energy(1.0, 0.73)), HasSubstr("lowered the energy by 27 % and"));
-  EXPECT_THAT(verdict(with_energy(1.0, 0.998)), HasSubstr("left the energy where it was and"));
-  EXPECT_THAT(verdict(with_energy(1.0, 0.00085)),
+TEST(Computed, SaysWhatBecameOfTheEnergy) {
+  EXPECT_THAT(computed(with_energy(1.0, 0.73)), HasSubstr("lowered the energy by 27 % and"));
+  EXPECT_THAT(computed(with_energy(1.0, 0.998)), HasSubstr("left the energy where it was and"));
+  EXPECT_THAT(computed(with_energy(1.0, 0.00085)),
               HasSubstr("brought the energy down to 1/1200 of what it was and"));
-  EXPECT_THAT(verdict(with_energy(1.0, 0.0)), HasSubstr("brought the energy to 0 and"));
-  EXPECT_THAT(verdict(with_energy(1.0, 1.5)), HasSubstr("raised the energy by 50 % and"));
-  EXPECT_THAT(verdict(with_energy(1.0, 12.0)),
+  EXPECT_THAT(computed(with_energy(1.0, 0.0)), HasSubstr("brought the energy to 0 and"));
+  EXPECT_THAT(computed(with_energy(1.0, 1.5)), HasSubstr("raised the energy by 50 % and"));
+  EXPECT_THAT(computed(with_energy(1.0, 12.0)),
               HasSubstr("raised the energy to 12 times what it was and"));
-  EXPECT_THAT(verdict(with_energy(0.0, 1.0)), HasSubstr("raised the energy from 0 and"));
-  EXPECT_THAT(verdict(with_energy(0.0, 0.0)), HasSubstr("left the energy where it was and"));
+  EXPECT_THAT(computed(with_energy(0.0, 1.0)), HasSubstr("raised the energy from 0 and"));
+  EXPECT_THAT(computed(with_energy(0.0, 0.0)), HasSubstr("left the energy where it was and"));
 }
 
-TEST(Verdict, SaysWhatBecameOfTheStrain) {
-  EXPECT_THAT(verdict(with_strain(0.076, 0.0005)),
-              HasSubstr("by 27 % and lowered the strain from 7.6 % to 0.050 % rms;"));
-  EXPECT_THAT(verdict(with_strain(0.05, 0.076)),
-              HasSubstr("by 27 % but raised the strain from 5.0 % to 7.6 % rms;"));
-  EXPECT_THAT(verdict(with_strain(0.076, 0.0755)), HasSubstr("left the strain where it was;"));
-  EXPECT_THAT(verdict(with_strain(1e-9, 2e-9)), HasSubstr("left the strain where it was;"))
+TEST(Computed, SaysWhatBecameOfTheStrain) {
+  EXPECT_THAT(computed(with_strain(0.076, 0.0005)),
+              HasSubstr("by 27 % and lowered the strain from 7.6 % to 0.050 % rms."));
+  EXPECT_THAT(computed(with_strain(0.05, 0.076)),
+              HasSubstr("by 27 % but raised the strain from 5.0 % to 7.6 % rms."));
+  EXPECT_THAT(computed(with_strain(0.076, 0.0755)), HasSubstr("left the strain where it was."));
+  EXPECT_THAT(computed(with_strain(1e-9, 2e-9)), HasSubstr("left the strain where it was."))
       << "rounding is no change";
 }
 
-TEST(Verdict, SaysWhenNothingWasDone) {
+TEST(Computed, SaysWhenNothingWasDone) {
   FlattenReport some = flattenable_with_strain(0.0);
   some.evolve.result.history.clear();
   some.evolve.fairness.unchanged = true;
   some.evolve.before.flattenable = true;
-  EXPECT_THAT(verdict(some), EndsWith("It came so, and no vertex was moved."));
+  EXPECT_THAT(computed(some), EndsWith("It came so, and no vertex was moved."));
   some.evolve.before.flattenable = false;
-  EXPECT_THAT(verdict(some), EndsWith("No sweep was made, and no vertex was moved."));
+  EXPECT_THAT(computed(some), EndsWith("No sweep was made, and no vertex was moved."));
   some.evolve.result.history = {{1, 0.1, 0.1, 0.1, 0, 0.0}};
-  EXPECT_THAT(verdict(some), EndsWith("1 controllable sweep found no vertex to move."));
+  EXPECT_THAT(computed(some), EndsWith("1 controllable sweep found no vertex to move."));
 }
 
 TEST(Verdict, NamesTheMethodAndTheUnit) {
   FlattenReport some = report();
   some.evolve.method = ClassicalLaplacian{};
   some.unfold.unit = Unit::cm;
-  EXPECT_THAT(verdict(some), HasSubstr("10 classical sweeps"));
-  EXPECT_THAT(verdict(some), HasSubstr("no vertex moved further than 0.57 cm."));
+  EXPECT_THAT(computed(some), HasSubstr("10 classical sweeps"));
+  EXPECT_THAT(verdict(some), HasSubstr("No place moved further than 5.7 mm."));
 }
 
 TEST(Verdict, OwnsUpToAnUnfoldingThatDidNotEnd) {
@@ -180,10 +222,12 @@ TEST(Verdict, AsksAboutTheUnitWhereTheSizeIsUnlikely) {
   some.unfold.pattern.width = 0.609;
   some.unfold.pattern.height = 0.514;
   EXPECT_THAT(verdict(some),
-              EndsWith("The pattern is 0.61 mm long: is the model's unit really mm?"));
+              EndsWith("The pattern is 0.61 mm long: is the model in m? Then give --unit m."));
   some.unfold.unit = Unit::m;
   EXPECT_THAT(verdict(some), Not(HasSubstr("really")));
   some.unfold.pattern.width = 609.0;
+  EXPECT_THAT(verdict(some), EndsWith("is the model in mm? Then give --unit mm."));
+  some.unfold.pattern.width = 6e6;
   EXPECT_THAT(verdict(some), EndsWith("is the model's unit really m?"));
 }
 

@@ -109,6 +109,32 @@ TEST(Fairness, TellsWhatWasFlattened) {
   EXPECT_NEAR(*turned.bending_lost, 1.0, 2e-3);
 }
 
+TEST(Fairness, TellsAFormThatSank) {
+  const auto dome = [](double height) {
+    TriMesh mesh = meshes::flat_grid(20, 20);
+    for (Vec3& p : mesh.positions)
+      p.z = height * std::sin(k_pi * p.x / 20.0) * std::sin(k_pi * p.y / 20.0);
+    return mesh;
+  };
+  const Fairness sunk = compared(dome(6.0), dome(4.4));
+  EXPECT_NEAR(*sunk.height_ratio, 4.4 / 6.0, 1e-12);
+  EXPECT_LT(*sunk.bending_lost, k_kept_lost) << "the bending alone does not show it";
+  EXPECT_FALSE(sunk.keeps_form());
+  EXPECT_TRUE(compared(dome(6.0), dome(4.6)).keeps_form());
+  EXPECT_TRUE(compared(dome(6.0), dome(9.0)).keeps_form());
+  EXPECT_FALSE(compared(dome(0.3), dome(0.1)).height_ratio) << "it had no height";
+  const Fairness other = measure_fairness(Patch(dome(6.0)), Patch(dome(3.0)));
+  EXPECT_NEAR(*other.height_ratio, 0.5, 1e-12);
+  EXPECT_FALSE(other.keeps_form());
+  // In any place and size.
+  TriMesh far = dome(6.0), low = dome(3.0);
+  for (TriMesh* mesh : {&far, &low}) {
+    for (Vec3& p : mesh->positions)
+      p = {1e-6 * p.z + 1e-3, 1e-6 * p.x, 1e-6 * p.y};
+  }
+  EXPECT_NEAR(*compared(far, low).height_ratio, 0.5, 1e-9);
+}
+
 TEST(Fairness, TellsHowNormalsTurned) {
   const TriMesh design = rolled(40.0);
   TriMesh turned = design;

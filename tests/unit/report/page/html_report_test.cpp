@@ -125,7 +125,60 @@ TEST(HtmlReport, SaysWhatItWasAskedForAndWhetherItFits) {
   EXPECT_THAT(page, HasSubstr("<dd>&lt;a&gt; roll; half</dd>"));
   EXPECT_THAT(page, HasSubstr("<span class=\"met\">✓ at most 50\u00A0%</span>"));
   EXPECT_THAT(page, HasSubstr("<span class=\"missed\">✗ at most 0.500 mm</span>"));
-  EXPECT_THAT(page, HasSubstr("✗ does not lie flat without stretch"));
+  EXPECT_THAT(page,
+              HasSubstr("<li><span class=\"met\">✓ within the limit of 50\u00A0%</span></li>"));
+  EXPECT_THAT(page, HasSubstr("<span class=\"neutral\">• does not lie flat without stretch</span>"))
+      << "a limit that is kept makes it no fault";
+  EXPECT_THAT(sample_page(),
+              HasSubstr("<span class=\"missed\">✗ does not lie flat without stretch</span>"));
+}
+
+// From the top of the page to the end of the views.
+std::string first_screen(const std::string& page) {
+  return page.substr(page.find("<body>"), page.find("id=\"stage\"") - page.find("<body>"));
+}
+
+TEST(HtmlReport, MarksAgreeWithTheVerdict) {
+  FlattenReport report = samples::flatten_report();
+  report.unfold.strain = {0.018, 0.0005, 0.001};
+  std::string top = first_screen(html_report(report));
+  EXPECT_THAT(top, HasSubstr("<b>Flat but for a stretch too small to measure.</b>"));
+  EXPECT_THAT(top, HasSubstr("✓ flat but for a stretch too small to measure"));
+  report.unfold.limits = {{StrainLimitKind::p99, 0.1, 0.018}};
+  report.unfold.strain = {0.018, 0.01, 0.018};
+  top = first_screen(html_report(report));
+  EXPECT_THAT(top, HasSubstr("<b>Within the 10\u00A0% that neoprene takes.</b>"));
+  EXPECT_THAT(
+      top, HasSubstr("<ul class=\"checks\">\n<li><span class=\"met\">✓ within the 10\u00A0% that "
+                     "neoprene takes</span></li>"))
+      << "what was asked for comes first";
+  EXPECT_THAT(top, HasSubstr("• does not lie flat without stretch"));
+  EXPECT_THAT(top, Not(HasSubstr("✗")));
+  report.unfold.limits.front().reached = 0.2;
+  top = first_screen(html_report(report));
+  EXPECT_THAT(top, HasSubstr("<b>Not within the 10\u00A0% that neoprene takes.</b>"));
+  EXPECT_THAT(top, HasSubstr("✗ not within the 10\u00A0% that neoprene takes"));
+}
+
+TEST(HtmlReport, MarksAFormThatIsLost) {
+  FlattenReport report = samples::flatten_report();
+  EXPECT_THAT(html_report(report), HasSubstr("✓ form kept"));
+  report.evolve.fairness.height_ratio = 0.254;
+  const std::string page = html_report(report);
+  EXPECT_THAT(page, HasSubstr("✗ form lost: height 25\u00A0% of the design's"));
+  EXPECT_THAT(page, Not(HasSubstr("✓ form kept")));
+}
+
+TEST(HtmlReport, NeedsNoTermOfThePaperOnItsFirstScreen) {
+  FlattenReport report = samples::flatten_report();
+  report.unfold.pattern.flipped_triangles = 3;
+  const std::string top = first_screen(html_report(report));
+  for (const std::string term :
+       {"sweep", "energy", "e_max", "e_avg", "defect", "face down", "vertex", "rms"})
+    EXPECT_THAT(top, Not(HasSubstr(term)));
+  EXPECT_THAT(top, HasSubstr("✗ parts of the pattern are flipped over"));
+  EXPECT_GT(sample_page().find("How it went, sweep by sweep"),
+            sample_page().find("<summary>How it was computed</summary>"));
 }
 
 TEST(HtmlReport, SaysWhyItDoesNotFit) {

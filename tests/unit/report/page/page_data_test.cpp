@@ -99,12 +99,12 @@ TEST(PageData, HasPrincipalStretchesAndTheLimitWhereOneWasAsked) {
   PageInput input{{{"before", patch, pattern}, {"after", patch}}};
   input.defect_limit = 0.05;
   EXPECT_FALSE(content_of(page_data(input)).contains("limit"));
-  EXPECT_EQ(content_of(page_data(input))["figures"].size(), 6U);
+  EXPECT_EQ(content_of(page_data(input))["figures"].size(), 7U);
   input.limit.emplace().asked = 0.025;
   const json data = content_of(page_data(input));
   EXPECT_EQ(data["limit"]["asked"], 0.025);
   EXPECT_EQ(data["limit"]["beyond"], json::array({240, 82, 10}));
-  ASSERT_EQ(data["figures"].size(), 8U);
+  ASSERT_EQ(data["figures"].size(), 9U);
   EXPECT_EQ(data["figures"][6]["id"], "longest");
   EXPECT_EQ(data["figures"][7]["id"], "shortest");
   for (std::size_t i = 0; i < 2; ++i) {
@@ -140,6 +140,26 @@ TEST(PageData, HasTheFiguresOfEveryVertex) {
   EXPECT_EQ(data["figures"][1]["id"], "curvature");
   EXPECT_EQ(data["figures"][2]["id"], "bent");
   EXPECT_EQ(data["figures"][4]["id"], "strain");
+}
+
+TEST(PageData, HasOffsetsAlongTheNormalsOnAScaleThatFits) {
+  const Patch patch(meshes::flat_grid(5, 4));
+  std::vector<Vec3> after = patch.positions();
+  for (Vec3& p : after)
+    p = {p.x + 0.3, p.y, -0.1 * p.x};
+  after[0].z = 0.137;
+  PageInput input{{{"before", patch}, {"after", patch.with_positions(after)}}};
+  input.defect_limit = 0.05;
+  const json data = content_of(page_data(input));
+  const json& offset = data["figures"].back();
+  ASSERT_EQ(offset["id"], "offset");
+  const auto shown = pages::floats_of(offset["values"][1]);
+  for (std::size_t v = 0; v < shown.size(); ++v)
+    EXPECT_NEAR(shown[v], after[v].z, 1e-7) << "the move along the surface does not count";
+  EXPECT_TRUE(offset["values"][0].is_null()) << "the design has none";
+  const double limit = offset["limit"];
+  EXPECT_GE(limit, 0.5);
+  EXPECT_LE(limit, 0.51) << "the largest offset";
 }
 
 TEST(PageData, DrawsLargeMeshesWithFewerVerticesTheWorstAmongThem) {

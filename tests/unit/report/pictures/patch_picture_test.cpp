@@ -23,9 +23,17 @@ TEST(View, IsThreeDirectionsAtRightAnglesSeenFromOutside) {
   EXPECT_GT(view.towards.z, 0.8) << "the outer side of a grid over the plane is up";
 }
 
-TEST(View, HasTheLongestExtentUpright) {
-  EXPECT_GT(view_of(meshes::flat_grid(10, 40)).up.y, 0.9);
-  EXPECT_GT(view_of(meshes::flat_grid(40, 10)).up.x, 0.9);
+TEST(View, HasTheLongestExtentLevel) {
+  EXPECT_NEAR(view_of(meshes::flat_grid(10, 40)).right.y, 1.0, 1e-5);
+  EXPECT_NEAR(view_of(meshes::flat_grid(40, 10)).right.x, 1.0, 1e-5);
+}
+
+TEST(View, LiftsTheEyeMoreOverAHighPatch) {
+  const View flat = view_of(meshes::flat_grid(20, 60));
+  const View high = view_of(samples::bumpy_patch(20, 60, 20.0));
+  EXPECT_GT(flat.up.z, 0.3) << "the outer side is up";
+  EXPECT_GT(high.up.z, flat.up.z + 0.1);
+  EXPECT_NEAR(high.right.z, 0.0, 0.1);
 }
 
 TEST(View, IsDefinedWhereTheNormalsCancelOut) {
@@ -43,7 +51,7 @@ TEST(View, IsDefinedWhereTheNormalsCancelOut) {
   }
   const View view = view_of(tube);
   EXPECT_NEAR(norm(view.towards), 1.0, 1e-12);
-  EXPECT_GT(view.up.z, 0.9);
+  EXPECT_GT(view.right.z, 0.9);
 }
 
 TEST(View, DoesNotHangOnTheSizeOfTheModel) {

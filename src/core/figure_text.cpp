@@ -83,10 +83,10 @@ std::string signed_percent_text(double fraction) {
   return (fraction > 0.0 ? "+" : "") + percent_text(fraction);
 }
 
-std::string length_text(double length, Unit unit) {
+std::string length_text(double length, Unit unit, int digits) {
   const bool is_imperial = unit == Unit::in;
   const double shown = is_imperial ? length : millimetres_per(unit) * length;
-  return significant_text(shown, 2) + std::string(k_blank) + (is_imperial ? "in" : "mm");
+  return significant_text(shown, digits) + std::string(k_blank) + (is_imperial ? "in" : "mm");
 }
 
 std::string power_of_ten_text(int power) {

@@ -28,9 +28,8 @@ std::string percent_text(double fraction);
 /// The same with a sign in front of what is not zero: "+7.6 %".
 std::string signed_percent_text(double fraction);
 
-/// A length of the model in millimetres, or of a model in inches in inches, two significant digits:
-/// "26 mm", "0.35 in".
-std::string length_text(double length, Unit unit);
+/// A length of the model in millimetres, or of a model in inches in inches: "26 mm", "0.35 in".
+std::string length_text(double length, Unit unit, int digits = 2);
 
 /// "10⁻⁴".
 std::string power_of_ten_text(int power);

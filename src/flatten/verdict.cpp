@@ -73,8 +73,8 @@ std::string way_on(const FlattenReport& report) {
 std::string moved_sentence(const FlattenReport& report) {
   if (report.evolve.fairness.unchanged || report.evolve.result.history.empty())
     return " The form was not changed.";
-  const double most = millimetres_per(report.unfold.unit) * report.evolve.deviation.max;
-  return " No place moved further than " + significant_text(most, 2) + "\u00A0mm.";
+  return " No place moved further than " +
+         length_text(report.evolve.deviation.max, report.unfold.unit) + ".";
 }
 
 /// The first words: whether it lies flat, or may be cut at all.

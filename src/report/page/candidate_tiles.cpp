@@ -108,7 +108,7 @@ std::string form_words(const Fairness& form) {
   std::string text = form.is_smooth() ? " Smooth" : " Crumpled";
   if (!form.is_smooth() && form.sharpest_fold)
     text += ": a new fold of " + significant_text(form.sharpest_fold->degrees, 2) + "°";
-  if (form.is_smooth() && !form.keeps_form()) text += ", but much of the form is gone";
+  if (form.is_smooth() && !form.keeps_form()) text += ", but the form is lost";
   return text + ".";
 }
 

@@ -60,9 +60,9 @@ std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut
   const EdgeStrain& after = report.unfold.strain;
   const Deviation& deviation = report.evolve.deviation;
   const Pattern& pattern = report.unfold.pattern;
-  const std::string unit = "\u00A0" + unit_name(report);
+  const Unit unit = report.unfold.unit;
   const auto sides = [&](double width, double height) {
-    return significant_text(width, 3) + " × " + significant_text(height, 3) + unit;
+    return length_text(width, unit, 3) + " × " + length_text(height, unit, 3);
   };
   std::string area = "area " + decimals_text(pattern.area_ratio, 3) + " of the patch's";
   if (page.annotations.allowance && !pattern.overlaps)
@@ -72,8 +72,8 @@ std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut
               limit_mark(report, LimitOf::strain)) +
          tile("Usual stretch", percent_text(after.rms), percent_text(before.rms) + " before (rms)",
               limit_mark(report, LimitOf::rms_strain)) +
-         tile("Furthest move", significant_text(deviation.max, 2) + unit,
-              significant_text(deviation.rms, 2) + unit + " is usual (rms)",
+         tile("Furthest move", length_text(deviation.max, unit),
+              length_text(deviation.rms, unit) + " is usual (rms)",
               limit_mark(report, LimitOf::deviation)) +
          tile("Size of the pattern", sides(pattern.width, pattern.height), area,
               material_mark(page)) +

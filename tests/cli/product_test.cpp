@@ -178,6 +178,44 @@ TEST_F(Product, WritesNothingWhereEveryPatchIsBad) {
   EXPECT_TRUE(json["nesting"].is_null());
 }
 
+TEST_F(Product, SearchesForSeamsBetweenFilesOnlyOnRequest) {
+  std::filesystem::create_directories("parts");
+  for (const NamedPatch& half : halves())
+    write_mesh("parts/" + half.name + ".obj", half.mesh);
+  const CliResult batch = flatten_product("parts", "batch");
+  EXPECT_EQ(batch.exit_code, k_exit_done) << batch.err;
+  EXPECT_THAT(batch.out, HasSubstr("Each file by itself; --product searches for seams"));
+  EXPECT_TRUE(nlohmann::json::parse(content_of("batch/garment.json"))["seams"].empty());
+  const auto product = flatten_product("parts", "product", {"--product", "--json"}).json();
+  ASSERT_EQ(product["seams"].size(), 1U);
+  EXPECT_EQ(product["seams"][0]["sides"][1]["patch"], "right");
+}
+
+TEST_F(Product, FindsTheSeamsWithinAFileOfABatch) {
+  std::filesystem::create_directories("parts");
+  write_product("parts/one.obj", halves());
+  write_product("parts/two.obj", halves());
+  const auto batch = flatten_product("parts", "batch", {"--json"}).json();
+  EXPECT_EQ(batch["seams"].size(), 2U);
+  EXPECT_EQ(flatten_product("parts", "all", {"--json", "--product"}).json()["seams"].size(), 6U);
+}
+
+TEST_F(Product, RefusesFlagsOfSeamsForABatch) {
+  std::filesystem::create_directories("parts");
+  for (const NamedPatch& half : halves())
+    write_mesh("parts/" + half.name + ".obj", half.mesh);
+  std::ofstream("seams.txt") << "* 50%\n";
+  for (const Names& flag : {Names{"--seam-notches", "seams.txt"}, {"--seam-tolerance", "1mm"}}) {
+    const CliResult result = flatten_product("parts", "out", flag);
+    EXPECT_EQ(result.exit_code, k_exit_usage) << flag.front();
+    EXPECT_THAT(result.err, HasSubstr(flag.front()));
+    EXPECT_THAT(result.err, HasSubstr("--product"));
+  }
+  EXPECT_FALSE(std::filesystem::exists("out"));
+  EXPECT_EQ(flatten_product("parts", "out", {"--product", "--seam-notches", "seams.txt"}).exit_code,
+            k_exit_done);
+}
+
 TEST_F(Product, ReadsFoldersOfMeshFiles) {
   std::filesystem::create_directories("parts");
   write_mesh("parts/a.ply", make_shape("dome", 200));

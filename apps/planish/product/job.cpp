@@ -68,8 +68,9 @@ class ProductRun {
                                      {job_.folder / "garment.svg", picture}};
     if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
     std::string text = patch_lines();
-    text += twins_text(report_) + seams_text(report_) + (nesting ? nesting->text : "") +
-            written_text(files) + "and a folder for each patch beside it\n";
+    text += twins_text(report_) + seams_text(report_, job_.is_batch) +
+            (nesting ? nesting->text : "") + written_text(files) +
+            "and a folder for each patch beside it\n";
     CommandResult outcome = with_nesting_checked(with_exit_code({text, garment}), nesting);
     note_unusual_sizes();
     session_.write(files, job_.folder);
@@ -191,6 +192,8 @@ class ProductRun {
 
 std::vector<Flag> product_flags() {
   return {
+      {"--product", "",
+       "take the files of a folder for the parts of one product: search for seams between them"},
       {"--resume", "",
        "of several patches, keep those whose results are there, whole and of the same job"},
       {"--seam-tolerance",
@@ -203,9 +206,18 @@ std::vector<Flag> product_flags() {
 }
 
 void refuse_product_flags(const Arguments& arguments) {
-  for (const char* flag : {"--resume", "--seam-tolerance"}) {
+  for (const char* flag : {"--product", "--resume", "--seam-tolerance"}) {
     if (!arguments.has(flag)) continue;
     throw UsageError("flag " + std::string(flag) + " goes with several patches; the input has one");
+  }
+}
+
+void refuse_seam_flags(const Arguments& arguments) {
+  for (const char* flag : {"--seam-notches", "--seam-tolerance"}) {
+    if (!arguments.has(flag)) continue;
+    throw UsageError("flag " + std::string(flag) +
+                     " goes with seams, and between the files of a folder none are searched; add "
+                     "--product where they are the parts of one product");
   }
 }
 

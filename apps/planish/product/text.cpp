@@ -51,8 +51,10 @@ std::string twins_text(const ProductReport& report) {
          (count == 1 ? " is" : " are") + " made from another one, of the same shape or mirrored.\n";
 }
 
-std::string seams_text(const ProductReport& report) {
+std::string seams_text(const ProductReport& report, bool is_batch) {
   const std::vector<MeasuredSeam>& seams = report.seams;
+  if (seams.empty() && is_batch)
+    return "\nEach file by itself; --product searches for seams between them.\n";
   if (seams.empty()) return "\nNo two borders lie at the same places: there are no seams.\n";
   std::string text = "\nSeams, in mm:   model     pattern of both sides   difference\n";
   for (std::size_t s = 0; s < seams.size(); ++s) {

@@ -13,6 +13,7 @@ std::string patch_line(const PatchResult& patch);
 std::string twins_text(const ProductReport& report);
 
 /// The seams as people read them.
-std::string seams_text(const ProductReport& report);
+/// @param is_batch seams between files were not searched
+std::string seams_text(const ProductReport& report, bool is_batch);
 
 }  // namespace planish::cli

@@ -20,6 +20,8 @@ struct ProductPatch {
   std::vector<Index> keep = {};  ///< vertices that remeshing leaves
   /// Why there is nothing to be done, as where its file could not be read: it becomes the result.
   std::optional<Failure> failure = {};
+  /// Seams are searched only between patches of the same number, like that of the file.
+  std::size_t group = 0;
 };
 
 /// How flatten_product() works.

@@ -70,6 +70,7 @@ FOR_THE_PROGRAM = {
     "draw/text/stroke_text.h",
     "evolve/direction.h",
     "flatten/evolve_progress.h",
+    "flatten/product/piece_verdict.h",
     "flatten/reference_sweeps.h",
     "flatten/strain_limit_text.h",
     "flatten/twin_report.h",

@@ -47,6 +47,9 @@ struct FinishedPatch {
   Deviation deviation;   ///< of `processed` from the input patch
   Outcome outcome = {};  ///< whether it is what was asked for
   std::optional<TwinOf> twin_of = {};  ///< where it is made from the results of another patch
+  /// Where evolving made the pattern worse, and the design was kept: the strain it came to.
+  std::optional<EdgeStrain> rejected = {};
+  std::vector<LimitCheck> limits = {};  ///< every limit and target that was asked for
 };
 
 /// That of a report.

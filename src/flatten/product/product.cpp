@@ -6,6 +6,7 @@
 #include <planish/flatten/product.h>
 
 #include "core/job.h"
+#include "flatten/limit_checks.h"
 #include "flatten/product/product_seams.h"
 #include "flatten/product/twin_groups.h"
 #include "flatten/product/workers.h"
@@ -249,8 +250,9 @@ class ProductWork {
 }  // namespace
 
 FinishedPatch finished_patch(const FlattenReport& report) {
-  FinishedPatch patch{report.processed.mesh(), report.unfold, report.evolve.deviation,
-                      report.outcome(), report.twin_of};
+  FinishedPatch patch{report.processed.mesh(), report.unfold,  report.evolve.deviation,
+                      report.outcome(),        report.twin_of, report.rejected,
+                      limit_checks(report)};
   patch.unfold.pattern.unmatched.clear();
   patch.unfold.pattern.unlimited.clear();
   return patch;

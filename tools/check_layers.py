@@ -61,7 +61,7 @@ FLOORS = {
     "pattern": [["pattern/polygon"], ["pattern", "pattern/nest"]],
     "flatten": [["flatten"], ["flatten/product"]],
     "sheet": [["sheet"]],
-    "report": [["report"], ["report/charts"], ["report/pictures"], ["report/page"]],
+    "report": [["report"], ["report/charts"], ["report/pictures"], ["report/page"], ["report/product"]],
 }
 
 # Private headers that the program may include: only the program needs them.

@@ -128,6 +128,17 @@ TEST_F(Product, EndsWith3WhereTheDesignOfAPieceWasKept) {
   EXPECT_EQ(planish(again).exit_code, k_exit_target_missed) << "of results that were there too";
 }
 
+TEST_F(Product, HasOnePageForAllPieces) {
+  const CliResult result = flatten_product("coat.obj", "out");
+  EXPECT_THAT(result.out, HasSubstr("garment.html"));
+  const std::string page = content_of("out/garment.html");
+  for (const char* name : {"front", "back_.._.._up", "Front-2"}) {
+    const std::string link = std::string(name) + "/report.html";
+    EXPECT_THAT(page, HasSubstr("<a href=\"" + link + "\">"));
+    EXPECT_TRUE(std::filesystem::exists("out/" + link));
+  }
+}
+
 TEST_F(Product, DoesNotDependOnTheNumberOfThreads) {
   ASSERT_EQ(flatten_product("coat.obj", "one", {"--threads", "1"}).exit_code, k_exit_done);
   ASSERT_EQ(flatten_product("coat.obj", "four", {"--threads", "4"}).exit_code, k_exit_done);

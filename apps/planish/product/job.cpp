@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <planish/draw/format_drawing.h>
+#include <planish/report/html_report.h>
 #include <planish/sheet/product_sheet.h>
 
 #include "platform/path.h"
@@ -65,6 +66,7 @@ class ProductRun {
         json(nesting ? std::optional(nesting->layout) : std::optional<LayoutReport>());
     const std::string picture = format_svg(product_sheet(report_, stem_of(job_.path)));
     std::vector<OutputFile> files = {{job_.folder / "garment.json", garment},
+                                     {job_.folder / "garment.html", page()},
                                      {job_.folder / "garment.svg", picture}};
     if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
     std::string text = patch_lines();
@@ -92,6 +94,13 @@ class ProductRun {
   }
 
   std::string patch_lines() const { return job_.path + "  " + pieces_text(report_); }
+
+  std::string page() const {
+    ProductPage page{stem_of(job_.path), {}};
+    for (const PatchPlace& place : job_.places)
+      page.reports.push_back(place.folder + "/report.html");
+    return html_report(report_, page);
+  }
 
   std::string json(const std::optional<LayoutReport>& layout) const {
     ProductFiles files{{}, job_.paths};

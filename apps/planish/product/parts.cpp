@@ -200,7 +200,7 @@ bool is_device(const std::string& name) {
 /// Whether a file beside the folders of patches could have the name: garment.json, layout-1.svg.
 bool is_like_a_file(const std::string& name) {
   const std::string extension = lower_extension(name);
-  constexpr std::array kinds = {".json", ".svg", ".dxf", ".pdf", ".plt"};
+  constexpr std::array kinds = {".json", ".html", ".svg", ".dxf", ".pdf", ".plt"};
   return std::find(kinds.begin(), kinds.end(), extension) != kinds.end();
 }
 

@@ -61,7 +61,7 @@ FLOORS = {
     "pattern": [["pattern/polygon"], ["pattern", "pattern/nest"]],
     "flatten": [["flatten"], ["flatten/product"]],
     "sheet": [["sheet"]],
-    "report": [["report"], ["report/charts"], ["report/pictures"], ["report/page"]],
+    "report": [["report"], ["report/charts"], ["report/pictures"], ["report/page"], ["report/product"]],
 }
 
 # Private headers that the program may include: only the program needs them.
@@ -70,6 +70,7 @@ FOR_THE_PROGRAM = {
     "draw/text/stroke_text.h",
     "evolve/direction.h",
     "flatten/evolve_progress.h",
+    "flatten/product/piece_verdict.h",
     "flatten/reference_sweeps.h",
     "flatten/strain_limit_text.h",
     "flatten/twin_report.h",

@@ -2,6 +2,7 @@
 
 #include <planish/core/version.h>
 
+#include "flatten/product/piece_verdict.h"
 #include "report/json_parts.h"
 
 namespace planish {
@@ -28,6 +29,13 @@ Json seam_entry(const ProductReport& report, const MeasuredSeam& seam, std::size
   return json;
 }
 
+Json checks_of(const PatchResult& patch) {
+  Json checks = Json::array();
+  for (const PieceCheck& check : piece_checks(patch))
+    checks.push_back({{"what", to_string(check.what)}, {"met", check.met}, {"text", check.text}});
+  return checks;
+}
+
 Json patch_entry(const PatchResult& patch, const std::string& folder, const WrittenFiles& files) {
   const auto& finished = patch.finished;
   Json json = {{"name", patch.name},
@@ -37,6 +45,10 @@ Json patch_entry(const PatchResult& patch, const std::string& folder, const Writ
   json["unfold"] = finished ? to_json(finished->unfold) : Json(nullptr);
   json["stop"] = finished ? Json(to_string(finished->outcome.reason)) : Json(nullptr);
   json["deviation"] = finished ? to_json(finished->deviation) : Json(nullptr);
+  json["met"] = is_met(patch);
+  json["checks"] = checks_of(patch);
+  json["rejected_strain"] =
+      finished && finished->rejected ? to_json(*finished->rejected) : Json(nullptr);
   json["files"] = finished ? Json(files) : Json(nullptr);
   if (finished && finished->twin_of) json["twin"] = to_json(*finished->twin_of);
   json["error"] = patch.failure ? to_json(*patch.failure) : Json(nullptr);

@@ -157,10 +157,10 @@ TEST_F(ProductNest, KeepsFinishedPatchesWhereOnlyTheSheetIsAnother) {
   ASSERT_EQ(lay_out("coat", {"--sheet", "600"}).exit_code, k_exit_done);
   const std::string before = content_of("out/layout.dxf");
   const CliResult again = lay_out("coat", {"--sheet", "600", "--resume"});
-  EXPECT_THAT(again.err, HasSubstr("kept"));
+  EXPECT_THAT(again.err, HasSubstr("from the earlier run"));
   EXPECT_EQ(content_of("out/layout.dxf"), before);
   const CliResult other = lay_out("coat", {"--sheet", "900", "--turn", "free", "--resume"});
-  EXPECT_THAT(other.err, HasSubstr("kept"));
+  EXPECT_THAT(other.err, HasSubstr("from the earlier run"));
   EXPECT_NE(content_of("out/layout.dxf"), before);
 }
 

@@ -30,6 +30,8 @@ FinishedPatch results() {
   patch.deviation = {0.7, 1.9, 1e-4};
   patch.outcome = {false, StopReason::angle_limit, LimitCheck{LimitOf::angle, 10.0, 9.0, false}};
   patch.twin_of = TwinOf{"left \u00FC", true};
+  patch.rejected = EdgeStrain{0.5, 0.25, 0.4, {8, 9}};
+  patch.limits = {{LimitOf::p99_strain, 0.08, 0.09, false}, {LimitOf::angle, 10.0, 9.0, false}};
   return patch;
 }
 

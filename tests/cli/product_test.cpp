@@ -63,8 +63,14 @@ TEST_F(Product, TellsOfEachPatchWhetherItsPatternKeepsTheLimit) {
                       "--max-deviation", "0.01mm"};
   const CliResult result = planish(args);
   EXPECT_EQ(result.exit_code, k_exit_target_missed);
-  EXPECT_THAT(result.err, testing::ContainsRegex("round .* \u2717 limit"));
-  EXPECT_THAT(result.err, testing::ContainsRegex("tube .* \u2713 limit"));
+  EXPECT_THAT(result.err, testing::ContainsRegex("\\[ \\] round .* strain limit of 1.*% missed: "));
+  EXPECT_THAT(result.err, testing::ContainsRegex("\\[x\\] tube .* strain limit of 1.*% kept: 0"));
+  EXPECT_THAT(result.out, HasSubstr("2 pieces; model in mm; 1 to look at, first\n\n  [ ] round"));
+  const auto json = nlohmann::json::parse(content_of("out/garment.json"));
+  EXPECT_FALSE(json["patches"][0]["met"]);
+  EXPECT_EQ(json["patches"][0]["checks"][0]["what"], "strain");
+  EXPECT_TRUE(json["patches"][1]["met"]);
+  EXPECT_TRUE(json["patches"][1]["rejected_strain"].is_null());
   EXPECT_THAT(result.err, HasSubstr("not kept by the pattern of:\n  round\n"));
   EXPECT_TRUE(std::filesystem::exists("out/round/pattern.svg"));
   Names again = args;
@@ -101,6 +107,36 @@ TEST_F(Product, MakesOfEachPatchWhatItsOwnRunMakes) {
     EXPECT_EQ(content_of(std::string("out/front/") + file),
               content_of(std::string("alone/") + file));
   EXPECT_FALSE(std::filesystem::exists("alone/job.json"));
+}
+
+TEST_F(Product, EndsWith3WhereTheDesignOfAPieceWasKept) {
+  ASSERT_EQ(planish({"flatten", "panel.obj", "-o", "made", "--pick", "6"}).exit_code, k_exit_done);
+  std::filesystem::create_directories("parts");
+  std::filesystem::copy_file("made/processed.obj", "parts/flat.obj");
+  write_mesh("parts/tube.obj", make_shape("cylinder", 120));
+  const Names args = {"flatten",   "parts",    "-o", "out",       "--method",
+                      "classical", "--sweeps", "50", "--formats", "svg"};
+  const CliResult result = planish(args);
+  EXPECT_EQ(result.exit_code, k_exit_target_missed);
+  EXPECT_THAT(result.err, HasSubstr("the pattern of the design was written, of:\n  flat\n"));
+  EXPECT_THAT(result.out, HasSubstr("[ ] flat"));
+  const auto piece = nlohmann::json::parse(content_of("out/garment.json"))["patches"][0];
+  EXPECT_EQ(piece["checks"][0]["what"], "rejected");
+  EXPECT_GT(piece["rejected_strain"]["rms"], piece["unfold"]["strain"]["rms"]);
+  Names again = args;
+  again.push_back("--resume");
+  EXPECT_EQ(planish(again).exit_code, k_exit_target_missed) << "of results that were there too";
+}
+
+TEST_F(Product, HasOnePageForAllPieces) {
+  const CliResult result = flatten_product("coat.obj", "out");
+  EXPECT_THAT(result.out, HasSubstr("garment.html"));
+  const std::string page = content_of("out/garment.html");
+  for (const char* name : {"front", "back_.._.._up", "Front-2"}) {
+    const std::string link = std::string(name) + "/report.html";
+    EXPECT_THAT(page, HasSubstr("<a href=\"" + link + "\">"));
+    EXPECT_TRUE(std::filesystem::exists("out/" + link));
+  }
 }
 
 TEST_F(Product, DoesNotDependOnTheNumberOfThreads) {
@@ -176,6 +212,44 @@ TEST_F(Product, WritesNothingWhereEveryPatchIsBad) {
   const auto json = result.json();
   EXPECT_EQ(json["patches"][0]["error"]["code"], "several_border_loops");
   EXPECT_TRUE(json["nesting"].is_null());
+}
+
+TEST_F(Product, SearchesForSeamsBetweenFilesOnlyOnRequest) {
+  std::filesystem::create_directories("parts");
+  for (const NamedPatch& half : halves())
+    write_mesh("parts/" + half.name + ".obj", half.mesh);
+  const CliResult batch = flatten_product("parts", "batch");
+  EXPECT_EQ(batch.exit_code, k_exit_done) << batch.err;
+  EXPECT_THAT(batch.out, HasSubstr("Each file by itself; --product searches for seams"));
+  EXPECT_TRUE(nlohmann::json::parse(content_of("batch/garment.json"))["seams"].empty());
+  const auto product = flatten_product("parts", "product", {"--product", "--json"}).json();
+  ASSERT_EQ(product["seams"].size(), 1U);
+  EXPECT_EQ(product["seams"][0]["sides"][1]["patch"], "right");
+}
+
+TEST_F(Product, FindsTheSeamsWithinAFileOfABatch) {
+  std::filesystem::create_directories("parts");
+  write_product("parts/one.obj", halves());
+  write_product("parts/two.obj", halves());
+  const auto batch = flatten_product("parts", "batch", {"--json"}).json();
+  EXPECT_EQ(batch["seams"].size(), 2U);
+  EXPECT_EQ(flatten_product("parts", "all", {"--json", "--product"}).json()["seams"].size(), 6U);
+}
+
+TEST_F(Product, RefusesFlagsOfSeamsForABatch) {
+  std::filesystem::create_directories("parts");
+  for (const NamedPatch& half : halves())
+    write_mesh("parts/" + half.name + ".obj", half.mesh);
+  std::ofstream("seams.txt") << "* 50%\n";
+  for (const Names& flag : {Names{"--seam-notches", "seams.txt"}, {"--seam-tolerance", "1mm"}}) {
+    const CliResult result = flatten_product("parts", "out", flag);
+    EXPECT_EQ(result.exit_code, k_exit_usage) << flag.front();
+    EXPECT_THAT(result.err, HasSubstr(flag.front()));
+    EXPECT_THAT(result.err, HasSubstr("--product"));
+  }
+  EXPECT_FALSE(std::filesystem::exists("out"));
+  EXPECT_EQ(flatten_product("parts", "out", {"--product", "--seam-notches", "seams.txt"}).exit_code,
+            k_exit_done);
 }
 
 TEST_F(Product, ReadsFoldersOfMeshFiles) {
@@ -282,7 +356,7 @@ TEST_F(Product, ResumesAnInterruptedRunWithTheSameResult) {
 
   const CliResult resumed = flatten_product("coat.obj", "out", {"--resume"});
   EXPECT_EQ(resumed.exit_code, k_exit_done) << resumed.err;
-  EXPECT_THAT(resumed.err, HasSubstr("kept"));
+  EXPECT_THAT(resumed.err, HasSubstr("from the earlier run"));
   EXPECT_EQ(std::filesystem::last_write_time("out/back_.._.._up/report.json"), time);
   EXPECT_EQ(lasting_contents("out"), lasting_contents("../a/out"));
   std::filesystem::current_path(here);
@@ -292,7 +366,8 @@ TEST_F(Product, ResumesOnlyWhatIsOfTheSameJob) {
   ASSERT_EQ(flatten_product("coat.obj", "out").exit_code, k_exit_done);
   const auto kept = [](const std::string& err) {
     std::size_t count = 0;
-    for (std::size_t at = err.find("kept"); at != std::string::npos; at = err.find("kept", at + 1))
+    const std::string words = "from the earlier run";
+    for (std::size_t at = err.find(words); at != std::string::npos; at = err.find(words, at + 1))
       ++count;
     return count;
   };

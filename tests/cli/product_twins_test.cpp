@@ -202,14 +202,15 @@ TEST_F(ProductTwinsTest, AreKeptAndMadeAnewOnResume) {
   const std::string picture = content_of("out/garment.svg");
   const auto kept = [&](const std::string& err) {
     std::size_t count = 0;
-    for (std::size_t at = err.find("  kept"); at != std::string::npos;
-         at = err.find("  kept", at + 1))
+    for (std::size_t at = err.find("(from the earlier run)"); at != std::string::npos;
+         at = err.find("(from the earlier run)", at + 1))
       ++count;
     return count;
   };
   const CliResult all = flatten_product("out", {"--resume"});
   EXPECT_EQ(kept(all.err), 4U);
-  EXPECT_THAT(all.err, testing::ContainsRegex("right .* mirror image of left  kept"));
+  EXPECT_THAT(all.err,
+              testing::ContainsRegex("right .* mirror image of left  .from the earlier run."));
   EXPECT_EQ(content_of("out/garment.svg"), picture);
   std::filesystem::remove_all("out/right");
   EXPECT_EQ(kept(flatten_product("out", {"--resume"}).err), 2U) << "back and spare";

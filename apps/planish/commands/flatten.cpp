@@ -225,6 +225,7 @@ ProductJob product_job(const FlattenRequest& request, ProductInput input,
   ProductJob job{.path = arguments.operands.front(),
                  .patches = std::move(input.patches),
                  .places = std::move(input.places),
+                 .is_batch = input.is_batch,
                  .folder = request.folder,
                  .options = {request.options, seam_tolerance_from(arguments)},
                  .annotations = {},
@@ -267,7 +268,8 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   const auto nest = nest_from(arguments, pattern);
   const fs::path folder = folder_from(arguments);
 
-  ProductInput read = read_product(session, arguments.operands.front());
+  ProductInput read = read_product(session, arguments.operands.front(), arguments.has("--product"));
+  if (read.is_batch) refuse_seam_flags(arguments);
   const std::optional<CutDone> cut = cut_product(read, arguments, session);
   if (read.patches.size() > 1) {
     check_copies_of(read.patches.size(), plan_of(pattern, options.unit, nest.get()));

@@ -94,6 +94,8 @@ void list(FinishedPatch& patch, const Visit& visit) {
   visit("deviation", patch.deviation);
   visit("outcome", patch.outcome);
   visit("twin_of", patch.twin_of);
+  visit("rejected", patch.rejected);
+  visit("limits", patch.limits);
 }
 
 constexpr StopReason last_of(StopReason) {
@@ -218,7 +220,9 @@ class Reader {
 }  // namespace
 
 Json figures_json(const FinishedPatch& patch) {
-  FinishedPatch figures{{}, patch.unfold, patch.deviation, patch.outcome, patch.twin_of};
+  FinishedPatch figures{
+      {},          patch.unfold, patch.deviation, patch.outcome, patch.twin_of, patch.rejected,
+      patch.limits};
   Json json;
   list(figures, Writer(json));
   return json;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <planish/draw/format_drawing.h>
+#include <planish/report/html_report.h>
 #include <planish/sheet/product_sheet.h>
 
 #include "platform/path.h"
@@ -65,11 +66,13 @@ class ProductRun {
         json(nesting ? std::optional(nesting->layout) : std::optional<LayoutReport>());
     const std::string picture = format_svg(product_sheet(report_, stem_of(job_.path)));
     std::vector<OutputFile> files = {{job_.folder / "garment.json", garment},
+                                     {job_.folder / "garment.html", page()},
                                      {job_.folder / "garment.svg", picture}};
     if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
     std::string text = patch_lines();
-    text += twins_text(report_) + seams_text(report_) + (nesting ? nesting->text : "") +
-            written_text(files) + "and a folder for each patch beside it\n";
+    text += twins_text(report_) + seams_text(report_, job_.is_batch) +
+            (nesting ? nesting->text : "") + written_text(files) +
+            "Each patch has a folder of its own beside these.\n";
     CommandResult outcome = with_nesting_checked(with_exit_code({text, garment}), nesting);
     note_unusual_sizes();
     session_.write(files, job_.folder);
@@ -90,11 +93,13 @@ class ProductRun {
     return job_.folder / path_of(job_.places[p].folder);
   }
 
-  std::string patch_lines() const {
-    std::string text = job_.path + "  (" + std::to_string(job_.patches.size()) + " patches)\n\n";
-    for (const PatchResult& patch : report_.patches)
-      text += "  " + patch_line(patch) + "\n";
-    return text;
+  std::string patch_lines() const { return job_.path + "  " + pieces_text(report_); }
+
+  std::string page() const {
+    ProductPage page{stem_of(job_.path), {}};
+    for (const PatchPlace& place : job_.places)
+      page.reports.push_back(place.folder + "/report.html");
+    return html_report(report_, page);
   }
 
   std::string json(const std::optional<LayoutReport>& layout) const {
@@ -152,29 +157,57 @@ class ProductRun {
     }
   }
 
-  CommandResult with_exit_code(CommandResult outcome) const {
-    std::string failed, missed, beyond;
-    std::size_t failures = 0;
+  /// The names of those pieces, a line each.
+  template <class IsOne>
+  std::string names_where(const IsOne& is_one) const {
+    std::string names;
     for (const PatchResult& patch : report_.patches) {
-      if (patch.failure) failed += (failures++ > 0 ? ", " : "") + patch.name;
-      if (!patch.finished) continue;
-      const std::string name = "\n  " + patch.name;
-      if (!patch.finished->outcome.target_met()) missed += name;
-      if (!all_kept(patch.finished->unfold.limits)) beyond += name;
+      if (patch.finished && is_one(*patch.finished)) names += "\n  " + patch.name;
     }
-    if (!failed.empty()) {
+    return names;
+  }
+
+  std::string failures() const {
+    std::string names;
+    std::size_t count = 0;
+    for (const PatchResult& patch : report_.patches) {
+      if (patch.failure) names += (count++ > 0 ? ", " : "") + patch.name;
+    }
+    if (count == 0) return {};
+    // The line of each patch gives the reason.
+    return std::to_string(count) + " of " + std::to_string(report_.patches.size()) +
+           " patches could not be flattened: " + names;
+  }
+
+  /// What was asked for and is missed, and by which pieces.
+  std::string complaints() const {
+    const std::string off_target =
+        names_where([](const FinishedPatch& patch) { return !patch.outcome.target_met(); });
+    const std::string beyond =
+        names_where([](const FinishedPatch& patch) { return !all_kept(patch.unfold.limits); });
+    const std::string rejected =
+        names_where([](const FinishedPatch& patch) { return patch.rejected.has_value(); });
+    if (!off_target.empty() && arguments_.has("--require-target"))
+      return "target not met by:" + off_target;
+    std::string text;
+    if (!beyond.empty()) text = "a limit of strain is not kept by the pattern of:" + beyond;
+    if (!rejected.empty()) {
+      text += (text.empty() ? "" : "\n") +
+              std::string(
+                  "evolving would have stretched the pattern more, and the pattern of the "
+                  "design was written, of:") +
+              rejected;
+    }
+    return text;
+  }
+
+  CommandResult with_exit_code(CommandResult outcome) const {
+    const std::string failed = failures();
+    outcome.complaint = failed.empty() ? complaints() : failed;
+    if (!failed.empty())
       outcome.exit_code = k_exit_failed;
-      // The line of each patch gives the reason.
-      outcome.complaint = std::to_string(failures) + " of " +
-                          std::to_string(report_.patches.size()) +
-                          " patches could not be flattened: " + failed;
-    } else if (!missed.empty() && arguments_.has("--require-target")) {
+    else if (!outcome.complaint.empty())
       outcome.exit_code = k_exit_target_missed;
-      outcome.complaint = "target not met by:" + missed;
-    } else if (!beyond.empty()) {
-      outcome.exit_code = k_exit_target_missed;
-      outcome.complaint = "a limit of strain is not kept by the pattern of:" + beyond;
-    }
     return outcome;
   }
 
@@ -191,6 +224,8 @@ class ProductRun {
 
 std::vector<Flag> product_flags() {
   return {
+      {"--product", "",
+       "take the files of a folder for the parts of one product: search for seams between them"},
       {"--resume", "",
        "of several patches, keep those whose results are there, whole and of the same job"},
       {"--seam-tolerance",
@@ -203,9 +238,18 @@ std::vector<Flag> product_flags() {
 }
 
 void refuse_product_flags(const Arguments& arguments) {
-  for (const char* flag : {"--resume", "--seam-tolerance"}) {
+  for (const char* flag : {"--product", "--resume", "--seam-tolerance"}) {
     if (!arguments.has(flag)) continue;
     throw UsageError("flag " + std::string(flag) + " goes with several patches; the input has one");
+  }
+}
+
+void refuse_seam_flags(const Arguments& arguments) {
+  for (const char* flag : {"--seam-notches", "--seam-tolerance"}) {
+    if (!arguments.has(flag)) continue;
+    throw UsageError("flag " + std::string(flag) +
+                     " goes with seams, and between the files of a folder none are searched; add "
+                     "--product where they are the parts of one product");
   }
 }
 

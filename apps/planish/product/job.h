@@ -24,6 +24,7 @@ struct ProductJob {
   std::string path;  ///< of the input, for people
   std::vector<ProductPatch> patches;
   std::vector<PatchPlace> places;  ///< of each patch
+  bool is_batch = false;           ///< as ProductInput has it
   std::filesystem::path folder;    ///< each patch's is in it
   ProductOptions options;
   std::vector<PatternOptions> annotations;  ///< of each patch
@@ -36,11 +37,14 @@ struct ProductJob {
   std::shared_ptr<const NestRequest> nest = {};
 };
 
-/// --resume and --seam-tolerance.
+/// --product, --resume and --seam-tolerance.
 std::vector<Flag> product_flags();
 
 /// @throws UsageError for flags that make sense only with several patches
 void refuse_product_flags(const Arguments& arguments);
+
+/// @throws UsageError for flags of seams, which are not searched between the files of a batch
+void refuse_seam_flags(const Arguments& arguments);
 
 /// What each patch gets on its pattern: what the flags ask of all, its name, and the notches on its
 /// seams.

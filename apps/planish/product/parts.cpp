@@ -113,9 +113,10 @@ std::vector<PatchPlace> places_of(const std::vector<ProductPatch>& patches,
   return places;
 }
 
-ProductInput read_folder(Session& session, const std::string& folder) {
+ProductInput read_folder(Session& session, const std::string& folder, bool as_product) {
   ProductInput input;
   std::vector<MeshFormat> formats;
+  std::vector<std::size_t> groups;  // number of the file, of each patch
   const std::vector<std::string> files = mesh_files_in(session, folder);
   for (const std::string& file : files) {
     input.path = file;
@@ -130,8 +131,12 @@ ProductInput read_folder(Session& session, const std::string& folder) {
       input.patches.push_back({stem_of(file), {}, {}, current_failure()});
       formats.push_back(MeshFormat::obj);
     }
+    groups.resize(input.patches.size(), groups.empty() ? 0 : groups.back() + 1);
   }
   input.places = places_of(input.patches, formats);
+  input.is_batch = files.size() > 1 && !as_product;
+  for (std::size_t p = 0; input.is_batch && p < groups.size(); ++p)
+    input.patches[p].group = groups[p];
   return input;
 }
 
@@ -195,7 +200,7 @@ bool is_device(const std::string& name) {
 /// Whether a file beside the folders of patches could have the name: garment.json, layout-1.svg.
 bool is_like_a_file(const std::string& name) {
   const std::string extension = lower_extension(name);
-  constexpr std::array kinds = {".json", ".svg", ".dxf", ".pdf", ".plt"};
+  constexpr std::array kinds = {".json", ".html", ".svg", ".dxf", ".pdf", ".plt"};
   return std::find(kinds.begin(), kinds.end(), extension) != kinds.end();
 }
 
@@ -235,10 +240,10 @@ std::vector<std::string> safe_names(const std::vector<std::string>& names) {
   return safe;
 }
 
-ProductInput read_product(Session& session, const std::string& path) {
+ProductInput read_product(Session& session, const std::string& path, bool as_product) {
   std::error_code ignored;
   const bool is_folder = fs::is_directory(path_of(path), ignored);
-  return is_folder ? read_folder(session, path) : read_file(session, path);
+  return is_folder ? read_folder(session, path, as_product) : read_file(session, path);
 }
 
 std::optional<CutDone> cut_product(ProductInput& input, const Arguments& arguments,

@@ -24,14 +24,17 @@ struct ProductInput {
   std::vector<PatchPlace> places;     ///< of the patches
   std::string path;                   ///< of the file where there is one patch
   ReadResult whole;                   ///< where there is one patch: the file as it is
+  /// Files that have nothing to do with each other: each is its own group of patches.
+  bool is_batch = false;
 };
 
 /// Reads a mesh file, or all mesh files of a folder in the order of their names, and divides what
 /// it reads into patches: by the groups that the files have, then into pieces that hang together.
 /// A file of several that cannot be read is a patch with that failure.
+/// @param as_product the files of a folder are parts of one product; else they are a batch
 /// @throws Error what read_mesh() throws of the only file; file_unreadable for a folder that holds
 ///   no mesh file
-ProductInput read_product(Session& session, const std::string& path);
+ProductInput read_product(Session& session, const std::string& path, bool as_product);
 
 /// Cuts an input of one patch open as --cut says; where that divides it, it has several patches
 /// from then on.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "flatten/product/piece_verdict.h"
 #include "flatten/twin_report.h"
 #include "shell/text.h"
 #include "text/lengths.h"
@@ -13,23 +14,26 @@ namespace {
 
 constexpr std::size_t k_name_width = 20;
 
-/// A tick where all limits are kept, a cross where one is not.
-std::string limits_mark(const std::vector<StrainLimitCheck>& limits) {
-  if (limits.empty()) return {};
-  return all_kept(limits) ? "  \u2713 limit" : "  \u2717 limit";
-}
-
 /// A name cut to the width of its column.
 std::string short_name(const std::string& name) {
   return name.size() <= k_name_width ? name : beginning(name, k_name_width - 1) + "~";
 }
 
+/// What the piece is judged by: "strain limit of 5 % kept: 3.2 %; ...".
+std::string checks_text(const PatchResult& patch) {
+  std::string text;
+  for (const PieceCheck& check : piece_checks(patch))
+    text += (text.empty() ? "" : "; ") + check.text;
+  return text;
+}
+
 }  // namespace
 
 std::string patch_line(const PatchResult& patch) {
-  const std::string name = left(short_name(patch.name), k_name_width) + " ";
-  if (patch.failure) return name + "failed: " + patch.failure->message;
-  if (!patch.finished) return name + "not done";
+  const std::string name = std::string(is_met(patch) ? "[x] " : "[ ] ") +
+                           left(short_name(patch.name), k_name_width) + " ";
+  const std::string checks = checks_text(patch);
+  if (!patch.finished) return name + checks;
   const UnfoldReport& unfold = patch.finished->unfold;
   const Pattern& pattern = unfold.pattern;
   const auto& twin = patch.finished->twin_of;
@@ -37,9 +41,21 @@ std::string patch_line(const PatchResult& patch) {
   return name + right(lengths.number(pattern.width), 7) + " x " +
          right(lengths.number(pattern.height), 7) + " " + lengths.unit() + "  strain rms " +
          right(percent(unfold.strain.rms), 8) + ", largest " +
-         right(percent(unfold.strain.max), 8) + limits_mark(unfold.limits) +
-         (pattern.overlaps ? "  overlaps itself" : "") + (twin ? "  " + twin_text(*twin) : "") +
-         (patch.resumed ? "  kept" : "");
+         right(percent(unfold.strain.max), 8) + (checks.empty() ? "" : "  " + checks) +
+         (twin ? "  " + twin_text(*twin) : "") + (patch.resumed ? "  (from the earlier run)" : "");
+}
+
+std::string pieces_text(const ProductReport& report) {
+  std::string text;
+  std::size_t missing = 0;
+  for (const std::size_t p : missed_first(report)) {
+    text += "  " + patch_line(report.patches[p]) + "\n";
+    missing += is_met(report.patches[p]) ? 0 : 1;
+  }
+  const std::string unit = "; model in " + std::string(to_string(report.unit));
+  return counted(report.patches.size(), "piece") + unit +
+         (missing == 0 ? "" : "; " + std::to_string(missing) + " to look at, first") + "\n\n" +
+         text;
 }
 
 std::string twins_text(const ProductReport& report) {
@@ -51,8 +67,10 @@ std::string twins_text(const ProductReport& report) {
          (count == 1 ? " is" : " are") + " made from another one, of the same shape or mirrored.\n";
 }
 
-std::string seams_text(const ProductReport& report) {
+std::string seams_text(const ProductReport& report, bool is_batch) {
   const std::vector<MeasuredSeam>& seams = report.seams;
+  if (seams.empty() && is_batch)
+    return "\nEach file by itself; --product searches for seams between them.\n";
   if (seams.empty()) return "\nNo two borders lie at the same places: there are no seams.\n";
   std::string text = "\nSeams, in mm:   model     pattern of both sides   difference\n";
   for (std::size_t s = 0; s < seams.size(); ++s) {

@@ -6,13 +6,19 @@
 
 namespace planish::cli {
 
-/// A line on a finished patch.
+/// A line on a patch: a tick or not, its size and strain, and what it is judged by, what is missed
+/// first.
 std::string patch_line(const PatchResult& patch);
+
+/// How many pieces have all that was asked for, and the lines of all, those that miss something
+/// first.
+std::string pieces_text(const ProductReport& report);
 
 /// How many patches were made from others; empty where none was.
 std::string twins_text(const ProductReport& report);
 
 /// The seams as people read them.
-std::string seams_text(const ProductReport& report);
+/// @param is_batch seams between files were not searched
+std::string seams_text(const ProductReport& report, bool is_batch);
 
 }  // namespace planish::cli

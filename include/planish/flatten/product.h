@@ -20,6 +20,8 @@ struct ProductPatch {
   std::vector<Index> keep = {};  ///< vertices that remeshing leaves
   /// Why there is nothing to be done, as where its file could not be read: it becomes the result.
   std::optional<Failure> failure = {};
+  /// Seams are searched only between patches of the same number, like that of the file.
+  std::size_t group = 0;
 };
 
 /// How flatten_product() works.
@@ -45,6 +47,9 @@ struct FinishedPatch {
   Deviation deviation;   ///< of `processed` from the input patch
   Outcome outcome = {};  ///< whether it is what was asked for
   std::optional<TwinOf> twin_of = {};  ///< where it is made from the results of another patch
+  /// Where evolving made the pattern worse, and the design was kept: the strain it came to.
+  std::optional<EdgeStrain> rejected = {};
+  std::vector<LimitCheck> limits = {};  ///< every limit and target that was asked for
 };
 
 /// That of a report.

@@ -7,6 +7,7 @@
 #include <planish/flatten/compare.h>
 #include <planish/flatten/flatten.h>
 #include <planish/flatten/frontier.h>
+#include <planish/flatten/product.h>
 #include <planish/pattern/pattern_options.h>
 
 namespace planish {
@@ -29,6 +30,18 @@ struct FlattenPage {
 /// paper, it has still pictures. Text from outside is escaped.
 /// @throws Error as pattern_sheet()
 std::string html_report(const FlattenReport& report, const FlattenPage& page = {});
+
+/// What the page of a product says besides the report.
+struct ProductPage {
+  std::string name = {};  ///< of the product, plain text
+  /// Of each patch, the path from the page to its own report, with slashes; empty: no link.
+  std::vector<std::string> reports = {};
+};
+
+/// What became of a product as a page without scripts: a tile for each piece, those that miss
+/// something first, with a picture of its surface, its outline with the seams in colour and
+/// numbered, what it is judged by and a link to its own report; below them a table of the seams.
+std::string html_report(const ProductReport& report, const ProductPage& page);
 
 /// A comparison as such a page: the table of all methods, charts of energy, e_max and e_avg against
 /// sweeps and seconds, pictures of what each method made of patch and pattern at one scale, and

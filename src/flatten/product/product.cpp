@@ -6,6 +6,7 @@
 #include <planish/flatten/product.h>
 
 #include "core/job.h"
+#include "flatten/limit_checks.h"
 #include "flatten/product/product_seams.h"
 #include "flatten/product/twin_groups.h"
 #include "flatten/product/workers.h"
@@ -117,8 +118,10 @@ class ProductWork {
               const ProductCallbacks& callbacks, const Context& context)
       : patches_(patches), options_(options), callbacks_(callbacks), context_(context) {
     report_.unit = options.flatten.unit;
-    for (const auto& [name, mesh, keep, failure] : patches)
-      report_.patches.push_back({name, mesh.positions.size(), mesh.triangles.size()});
+    for (const ProductPatch& patch : patches) {
+      const TriMesh& mesh = patch.mesh;
+      report_.patches.push_back({patch.name, mesh.positions.size(), mesh.triangles.size()});
+    }
     find_alike();
   }
 
@@ -126,14 +129,23 @@ class ProductWork {
     flatten_all(to_be_flattened());
     stop_if_cancelled(context_);
     if (report_.finished() > 0) {
-      report_.seams = measure_seams(meshes_now(patches_, report_), report_.patches,
-                                    options_.seam_tolerance, report_.unit);
+      const std::vector<TriMesh> meshes = meshes_now(patches_, report_);
+      report_.seams = measure_seams(found_seams(meshes), meshes, report_.patches, report_.unit);
     }
     return std::move(report_);
   }
 
  private:
   bool is_cancelled() const { return context_.is_cancelled && context_.is_cancelled(); }
+
+  /// Between patches of the same group.
+  std::vector<Seam> found_seams(const std::vector<TriMesh>& meshes) const {
+    std::vector<std::size_t> groups;
+    groups.reserve(patches_.size());
+    for (const ProductPatch& patch : patches_)
+      groups.push_back(patch.group);
+    return find_seams_in_groups(meshes, groups, options_.seam_tolerance);
+  }
 
   void find_alike() {
     std::vector<const TriMesh*> meshes;
@@ -238,8 +250,9 @@ class ProductWork {
 }  // namespace
 
 FinishedPatch finished_patch(const FlattenReport& report) {
-  FinishedPatch patch{report.processed.mesh(), report.unfold, report.evolve.deviation,
-                      report.outcome(), report.twin_of};
+  FinishedPatch patch{report.processed.mesh(), report.unfold,  report.evolve.deviation,
+                      report.outcome(),        report.twin_of, report.rejected,
+                      limit_checks(report)};
   patch.unfold.pattern.unmatched.clear();
   patch.unfold.pattern.unlimited.clear();
   return patch;

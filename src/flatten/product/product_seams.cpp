@@ -1,6 +1,9 @@
 #include "flatten/product/product_seams.h"
 
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <numeric>
 #include <utility>
 
 #include <planish/mesh/inspect.h>
@@ -12,12 +15,16 @@ std::optional<double> MeasuredSeam::difference() const {
   return std::abs(*in_pattern[0] - *in_pattern[1]);
 }
 
-std::vector<Seam> find_sound_seams(std::span<const TriMesh> patches, double tolerance) {
+namespace {
+
+/// Of those patches that can be measured.
+std::vector<Seam> seams_among(std::span<const TriMesh> patches, std::span<const std::size_t> some,
+                              double tolerance) {
   std::vector<std::size_t> numbers;
   std::vector<TriMesh> sound;
-  numbers.reserve(patches.size());
-  sound.reserve(patches.size());
-  for (std::size_t p = 0; p < patches.size(); ++p) {
+  numbers.reserve(some.size());
+  sound.reserve(some.size());
+  for (const std::size_t p : some) {
     if (blocking_problem(inspect(patches[p]), Purpose::measure)) continue;
     numbers.push_back(p);
     sound.push_back(patches[p]);
@@ -30,11 +37,30 @@ std::vector<Seam> find_sound_seams(std::span<const TriMesh> patches, double tole
   return seams;
 }
 
-std::vector<MeasuredSeam> measure_seams(std::span<const TriMesh> meshes,
-                                        std::span<const PatchResult> results, double tolerance,
-                                        Unit unit) {
+}  // namespace
+
+std::vector<Seam> find_sound_seams(std::span<const TriMesh> patches, double tolerance) {
+  std::vector<std::size_t> all(patches.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return seams_among(patches, all, tolerance);
+}
+
+std::vector<Seam> find_seams_in_groups(std::span<const TriMesh> patches,
+                                       std::span<const std::size_t> groups, double tolerance) {
+  std::map<std::size_t, std::vector<std::size_t>> members;
+  for (std::size_t p = 0; p < groups.size(); ++p)
+    members[groups[p]].push_back(p);
+  std::vector<Seam> seams;
+  for (const auto& [group, some] : members) {
+    std::vector<Seam> found = seams_among(patches, some, tolerance);
+    std::move(found.begin(), found.end(), std::back_inserter(seams));
+  }
+  return seams;
+}
+
+std::vector<MeasuredSeam> measure_seams(std::vector<Seam> seams, std::span<const TriMesh> meshes,
+                                        std::span<const PatchResult> results, Unit unit) {
   const double scale = millimetres_per(unit);
-  std::vector<Seam> seams = find_sound_seams(meshes, tolerance);
   std::vector<MeasuredSeam> measured;
   measured.reserve(seams.size());
   for (Seam& seam : seams) {

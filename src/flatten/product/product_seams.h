@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -7,10 +8,14 @@
 
 namespace planish {
 
-/// The seams of the patches as they are now, with their lengths.
+/// find_sound_seams() of each group of patches by itself, the groups by their numbers.
+/// @param groups number of the group that a patch is in, of each patch
+std::vector<Seam> find_seams_in_groups(std::span<const TriMesh> patches,
+                                       std::span<const std::size_t> groups, double tolerance);
+
+/// The seams with their lengths.
 /// @param meshes as meshes_now() has them
-std::vector<MeasuredSeam> measure_seams(std::span<const TriMesh> meshes,
-                                        std::span<const PatchResult> results, double tolerance,
-                                        Unit unit);
+std::vector<MeasuredSeam> measure_seams(std::vector<Seam> seams, std::span<const TriMesh> meshes,
+                                        std::span<const PatchResult> results, Unit unit);
 
 }  // namespace planish

@@ -33,7 +33,12 @@ TEST(JsonReport, OfAProductHasWhatReportsOfPatchesHave) {
   EXPECT_EQ(json["patches"][0]["files"], of_front["files"]);
   EXPECT_EQ(json["patches"][0]["error"], Json(nullptr));
   EXPECT_EQ(json["patches"][0]["vertices"], 10);
+  EXPECT_TRUE(json["patches"][0]["met"]);
+  EXPECT_EQ(json["patches"][0]["rejected_strain"], Json(nullptr));
   EXPECT_EQ(json["patches"][1]["error"]["code"], "zero_area");
+  EXPECT_FALSE(json["patches"][1]["met"]);
+  EXPECT_EQ(json["patches"][1]["checks"],
+            Json::parse(R"([{"what": "failure", "met": false, "text": "failed: none"}])"));
   for (const char* key : {"unfold", "stop", "deviation", "files"})
     EXPECT_EQ(json["patches"][1][key], Json(nullptr)) << key;
   EXPECT_EQ(json["patches"][2]["error"], Json(nullptr));
@@ -42,6 +47,16 @@ TEST(JsonReport, OfAProductHasWhatReportsOfPatchesHave) {
   EXPECT_EQ(json["seams"][1]["number"], 2);
   EXPECT_EQ(json["seams"][1]["difference_share"], 0.05);
   EXPECT_EQ(json["nesting"], Json(nullptr));
+}
+
+TEST(JsonReport, OfAProductSaysWhereTheDesignWasKept) {
+  ProductReport report = product();
+  report.patches[0].finished->rejected = EdgeStrain{.max = 0.5, .rms = 0.25};
+  const Json patch =
+      Json::parse(json_report(report, "coat", {{"", "", ""}, {{}, {}, {}}}))["patches"][0];
+  EXPECT_FALSE(patch["met"]);
+  EXPECT_EQ(patch["rejected_strain"]["rms"], 0.25);
+  EXPECT_EQ(patch["checks"][0]["what"], "rejected");
 }
 
 TEST(JsonReport, OfALayoutSaysWhereThePiecesLieOrWhyNot) {

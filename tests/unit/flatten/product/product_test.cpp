@@ -62,6 +62,16 @@ void expect_same(const ProductReport& report, const ProductReport& other) {
     EXPECT_EQ(report.seams[s].in_pattern, other.seams[s].in_pattern);
 }
 
+TEST(FlattenProduct, SearchesForSeamsOnlyInAGroup) {
+  std::vector<ProductPatch> patches = strips();
+  EXPECT_EQ(flatten_product(patches, quick()).seams.size(), 2U);
+  patches[2].group = 1;
+  const ProductReport report = flatten_product(patches, quick());
+  ASSERT_EQ(report.seams.size(), 1U);
+  EXPECT_EQ(report.seams[0].seam.sides[0].patch, 0U);
+  EXPECT_EQ(report.seams[0].seam.sides[1].patch, 1U);
+}
+
 TEST(FlattenProduct, GoesOnWhereAPatchFails) {
   std::vector<ProductPatch> patches = coat();
   patches.push_back({"lost", {}, {}, Failure{"file_unreadable", "lost.obj: no such file"}});

@@ -1,0 +1,124 @@
+#include "report/pictures/piece_outline.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include <planish/mesh/patch.h>
+
+#include "core/number_text.h"
+#include "draw/text/markup_text.h"
+
+namespace planish {
+
+namespace {
+
+// The window, and what is left free for the discs with numbers. Its unit is about 1.7 pixels.
+constexpr double k_width = 104.0, k_height = 100.0, k_margin = 8.0;
+constexpr double k_disc = 5.8;      // radius
+constexpr double k_nearest = 0.15;  // of two points of a line: nearer ones cannot be told apart
+
+/// Places in the pattern to places in the window, where y points down.
+class Fit {
+ public:
+  explicit Fit(std::span<const Vec2> pattern) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Vec2 low = {infinity, infinity}, high = {-infinity, -infinity};
+    for (const Vec2 p : pattern) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    const Vec2 size = high - low;
+    middle_ = 0.5 * (low + high);
+    const double x = (k_width - 2.0 * k_margin) / size.x, y = (k_height - 2.0 * k_margin) / size.y;
+    scale_ = std::min(size.x > 0.0 ? x : infinity, size.y > 0.0 ? y : infinity);
+    if (scale_ == infinity) scale_ = 1.0;
+  }
+
+  Vec2 operator()(Vec2 p) const {
+    const Vec2 shift = scale_ * (p - middle_);
+    return {0.5 * k_width + shift.x, 0.5 * k_height - shift.y};
+  }
+
+ private:
+  Vec2 middle_;
+  double scale_ = 1.0;
+};
+
+std::vector<Vec2> line_of(std::span<const Index> vertices, std::span<const Vec2> pattern,
+                          const Fit& fit) {
+  std::vector<Vec2> line;
+  line.reserve(vertices.size());
+  for (const Index v : vertices)
+    line.push_back(fit(pattern[v]));
+  return line;
+}
+
+std::string path_of(const std::vector<Vec2>& line) {
+  std::string path;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    path +=
+        std::string(k == 0 ? "M" : " ") + fixed_text(line[k].x, 2) + " " + fixed_text(line[k].y, 2);
+  }
+  return path;
+}
+
+/// Without points that lie too near to the one before; both ends stay.
+std::vector<Vec2> thinned(const std::vector<Vec2>& line) {
+  std::vector<Vec2> kept;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const bool is_end = k == 0 || k + 1 == line.size();
+    if (is_end || norm(line[k] - kept.back()) >= k_nearest) kept.push_back(line[k]);
+  }
+  return kept;
+}
+
+/// Half way along.
+Vec2 middle_of(const std::vector<Vec2>& line) {
+  double left = 0.0;
+  for (std::size_t k = 1; k < line.size(); ++k)
+    left += 0.5 * norm(line[k] - line[k - 1]);
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const double length = norm(line[k] - line[k - 1]);
+    if (length > 0.0 && left <= length)
+      return line[k - 1] + (left / length) * (line[k] - line[k - 1]);
+    left -= length;
+  }
+  return line.back();
+}
+
+std::string number_at(Vec2 middle, std::size_t number) {
+  const std::string x = fixed_text(middle.x, 2), y = fixed_text(middle.y, 2);
+  return "<circle cx=\"" + x + "\" cy=\"" + y + "\" r=\"" + fixed_text(k_disc, 1) +
+         "\"/><text x=\"" + x + "\" y=\"" + y + "\" dy=\".36em\">" + std::to_string(number) +
+         "</text>";
+}
+
+}  // namespace
+
+std::string seam_class(std::size_t number) {
+  // Of page.css: blue, green, orange, purple, sky, olive, red, brown.
+  constexpr std::array<int, 8> lines = {1, 3, 2, 4, 6, 5, 8, 7};
+  return "line-" + std::to_string(lines.at((number - 1) % lines.size()));
+}
+
+std::string piece_outline(const TriMesh& mesh, std::span<const Vec2> pattern,
+                          std::span<const OutlinedSeam> seams, const std::string& alt) {
+  const Fit fit(pattern);
+  std::string border, lines, numbers;
+  const Patch patch(mesh);
+  for (const std::vector<Index>& loop : patch.border_loops())
+    border += path_of(thinned(line_of(loop, pattern, fit))) + "z";
+  for (const OutlinedSeam& seam : seams) {
+    const std::vector<Vec2> line = line_of(seam.vertices, pattern, fit);
+    const std::string group = "<g class=\"" + seam_class(seam.number) + "\">";
+    lines += group + "<path d=\"" + path_of(thinned(line)) + "\"/></g>";
+    numbers += group + number_at(middle_of(line), seam.number) + "</g>";
+  }
+  return "<svg class=\"outline\" role=\"img\" aria-label=\"" + escape_markup(alt) +
+         "\" viewBox=\"0 0 " + fixed_text(k_width, 0) + " " + fixed_text(k_height, 0) +
+         "\"><path class=\"border\" d=\"" + border + "\"/>" + lines + numbers + "</svg>";
+}
+
+}  // namespace planish

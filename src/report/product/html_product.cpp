@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include <planish/core/version.h>
+#include <planish/report/html_report.h>
+
+#include "core/figure_text.h"
+#include "core/number_text.h"
+#include "draw/base64.h"
+#include "draw/text/markup_text.h"
+#include "flatten/product/piece_verdict.h"
+#include "flatten/twin_report.h"
+#include "report/page/html_parts.h"
+#include "report/pictures/patch_view.h"
+#include "report/pictures/piece_outline.h"
+
+namespace planish {
+
+namespace {
+
+constexpr int k_picture_width = 420;  // pixels: twice as wide as it is shown
+constexpr Color k_surface = {196, 200, 204};
+
+/// Beside that of all pages.
+constexpr std::string_view k_style = R"(
+.pieces { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 380px), 1fr)); gap: 16px;
+          list-style: none; margin: 0 0 20px; padding: 0; }
+.pieces > li { min-width: 0; padding: 14px 18px 16px; border: 1px solid var(--rule); border-radius: 10px;
+               background: var(--card); break-inside: avoid; }
+.pieces > .lacking { border: 2px solid var(--worse); padding: 13px 17px 15px; }
+.pieces .views { display: grid; grid-template-columns: 1fr 1fr; gap: 14px; align-items: center; }
+.pieces img, .outline { display: block; width: 100%; height: 170px; object-fit: contain; }
+.pieces .none { height: 60px; }
+.pieces h3 { margin: 12px 0 4px; overflow-wrap: anywhere; }
+.pieces h3 small { display: block; margin: 1px 0 0; }
+.pieces p { margin: 0; font-size: 15px; overflow-wrap: anywhere; }
+.pieces p + p { margin-top: 6px; font-size: 14px; }
+.pieces a { color: var(--blue); }
+.outline path { fill: none; stroke: var(--line); stroke-width: 4px; vector-effect: non-scaling-stroke;
+                stroke-linejoin: round; stroke-linecap: round; }
+.outline .border { fill: var(--plate); stroke: var(--ink); stroke-width: 1.3px; }
+.outline circle { fill: var(--card); stroke: var(--line); stroke-width: .8px; }
+.outline text { fill: var(--line); font-size: 7.6px; font-weight: 700; text-anchor: middle; }
+.seams .swatch { width: 26px; height: 10px; }
+.seams th small { margin: 0; }
+.seams .swatch polyline { stroke-width: 6; stroke-dasharray: none; }
+.seams td.sewn, .seams th.sewn { text-align: left; white-space: normal; }
+@media screen and (max-width: 760px) {
+  .seams .swatch { width: 14px; margin-right: 4px; }
+  .seams th, .seams td { padding-left: 8px; }
+  section > .scroll > table.seams:not(.compare) th:first-child { width: auto; white-space: nowrap; }
+}
+)";
+
+/// "12.3 mm", or inches of a model in inches.
+std::string size_words(const UnfoldReport& unfold) {
+  const bool inches = unfold.unit == Unit::in;
+  const double scale = inches ? 1.0 : millimetres_per(unfold.unit);
+  const auto number = [&](double length) { return significant_text(scale * length, 3); };
+  return number(unfold.pattern.width) + " \u00D7 " + number(unfold.pattern.height) +
+         (inches ? "\u00A0in" : "\u00A0mm");
+}
+
+/// As the start of a sentence.
+std::string capital(std::string text) {
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text;
+}
+
+/// What is missed, or else that nothing is: one sentence, plain text.
+std::string sentence_on(const PatchResult& piece) {
+  std::string missed, kept;
+  for (const PieceCheck& check : piece_checks(piece)) {
+    std::string& text = check.met ? kept : missed;
+    text += (text.empty() ? "" : "; ") + check.text;
+  }
+  std::string text = missed.empty() ? kept : missed;
+  if (text.empty()) {
+    const EdgeStrain& strain = piece.finished->unfold.strain;
+    return "No limit was asked for; the pattern stretches " + percent_text(strain.max) +
+           " at most, " + percent_text(strain.rms) + " rms.";
+  }
+  if (text.back() != '.') text += '.';
+  return capital(text);
+}
+
+std::string picture_of(const TriMesh& mesh, const std::string& name) {
+  const PatchView view(mesh, {}, k_picture_width);
+  const std::vector<Color> colors(mesh.positions.size(), k_surface);
+  const Image image = view.picture(mesh.positions, colors);
+  return "<img width=\"" + std::to_string(image.width / 2) + "\" height=\"" +
+         std::to_string(image.height / 2) + "\" alt=\"" + escape_markup(name) +
+         ": the surface, shaded\" src=\"data:image/png;base64," + base64(format_png(image)) + "\">";
+}
+
+/// Path of a file as the address of a link: what has a meaning there, and bytes beyond ASCII, by
+/// their numbers.
+std::string address_of(std::string_view path) {
+  constexpr std::string_view hex = "0123456789ABCDEF";
+  std::string address;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.' || c == '/';
+    if (is_plain)
+      address += c;
+    else
+      address += {'%', hex[byte >> 4U], hex[byte & 15U]};
+  }
+  return address;
+}
+
+std::vector<OutlinedSeam> seams_of_piece(const ProductReport& report, std::size_t piece) {
+  std::vector<OutlinedSeam> seams;
+  for (std::size_t s = 0; s < report.seams.size(); ++s) {
+    for (const SeamSide& side : report.seams[s].seam.sides) {
+      if (side.patch == piece) seams.push_back({s + 1, side.vertices});
+    }
+  }
+  return seams;
+}
+
+std::string views_of(const ProductReport& report, std::size_t p) {
+  const PatchResult& piece = report.patches[p];
+  if (!piece.finished) return "<div class=\"none\"></div>";
+  const TriMesh& mesh = piece.finished->processed;
+  return "<div class=\"views\">" + picture_of(mesh, piece.name) +
+         piece_outline(mesh, piece.finished->unfold.pattern.positions, seams_of_piece(report, p),
+                       piece.name + ": outline of the pattern") +
+         "</div>";
+}
+
+/// Size and kin, plain text.
+std::string facts_of(const PatchResult& piece) {
+  std::vector<std::string> facts;
+  if (piece.finished) facts.push_back(size_words(piece.finished->unfold));
+  if (piece.finished && piece.finished->twin_of)
+    facts.push_back(twin_text(*piece.finished->twin_of));
+  std::string text;
+  for (const std::string& fact : facts)
+    text += (text.empty() ? "" : "; ") + fact;
+  return text;
+}
+
+std::string tile_of(const ProductReport& report, std::size_t p, const std::string& link) {
+  const PatchResult& piece = report.patches[p];
+  const bool met = is_met(piece);
+  const std::string small = facts_of(piece);
+  const std::string mark =
+      met ? "<span class=\"met\">\u2713</span> " : "<span class=\"missed\">\u2717</span> ";
+  return std::string("<li") + (met ? "" : " class=\"lacking\"") + ">" + views_of(report, p) +
+         "<h3>" + mark + escape_markup(piece.name) +
+         (small.empty() ? "" : "<small>" + escape_markup(small) + "</small>") + "</h3><p>" +
+         escape_markup(sentence_on(piece)) + "</p>" +
+         (piece.finished && !link.empty()
+              ? "<p><a href=\"" + address_of(link) + "\">Report of this piece</a></p>"
+              : "") +
+         "</li>\n";
+}
+
+std::string swatch(std::size_t number) {
+  return "<svg class=\"swatch " + seam_class(number) +
+         "\" viewBox=\"0 0 36 10\" aria-hidden=\"true\"><polyline points=\"0,5 36,5\"/></svg>";
+}
+
+std::string millimetres(const std::optional<double>& length) {
+  return "<td>" + (length ? decimals_text(*length, 2) : "\u2013") + "</td>";
+}
+
+std::string seam_row(const ProductReport& report, std::size_t s) {
+  const MeasuredSeam& seam = report.seams[s];
+  const auto name = [&](std::size_t side) {
+    return escape_markup(report.patches[seam.seam.sides[side].patch].name);
+  };
+  return "<tr><th>" + swatch(s + 1) + std::to_string(s + 1) + "</th><td class=\"sewn\">" + name(0) +
+         " \u2013 " + name(1) + "</td>" + millimetres(seam.difference()) +
+         millimetres(seam.on_model) + millimetres(seam.in_pattern[0]) +
+         millimetres(seam.in_pattern[1]) + "</tr>\n";
+}
+
+std::string seam_table(const ProductReport& report) {
+  if (report.seams.empty()) return {};
+  std::string html =
+      "<section>\n<h2>Seams</h2>\n<p>A seam has one colour and one number on both sides. Lengths "
+      "in mm; where the sides differ, the longer one must be eased in. <code>--match-seams</code> "
+      "gives both the length that they have on the model.</p>\n<div class=\"scroll\">\n"
+      "<table class=\"seams\">\n<thead><tr><th>Seam</th><th class=\"sewn\">Pieces</th>"
+      "<th>Difference</th><th>On the model</th><th>First piece</th><th>Second piece</th></tr>"
+      "</thead>\n<tbody>\n";
+  for (std::size_t s = 0; s < report.seams.size(); ++s)
+    html += seam_row(report, s);
+  return html + "</tbody>\n</table>\n</div>\n</section>\n";
+}
+
+std::string pieces_words(const ProductReport& report) {
+  const auto all = report.patches.size();
+  const auto missing = static_cast<std::size_t>(
+      std::count_if(report.patches.begin(), report.patches.end(),
+                    [](const PatchResult& piece) { return !is_met(piece); }));
+  if (missing == 0)
+    return (all == 1 ? "The piece is" : "All " + count_text(all) + " pieces are") +
+           std::string(" as asked for.");
+  return count_text(missing) + " of " + count_text(all) +
+         (missing == 1 ? " pieces needs a look, and is shown first."
+                       : " pieces need a look, and are shown first.");
+}
+
+std::string seams_words(const ProductReport& report) {
+  std::optional<double> largest;
+  std::size_t number = 0;
+  for (std::size_t s = 0; s < report.seams.size(); ++s) {
+    const auto difference = report.seams[s].difference();
+    if (!difference || (largest && *difference <= *largest)) continue;
+    largest = difference;
+    number = s + 1;
+  }
+  if (!largest) return {};
+  return " Of " + count_text(report.seams.size()) +
+         (report.seams.size() == 1 ? " seam" : " seams") + " the two sides differ by " +
+         decimals_text(*largest, 2) + "\u00A0mm at most (seam " + std::to_string(number) + ").";
+}
+
+}  // namespace
+
+std::string html_report(const ProductReport& report, const ProductPage& page) {
+  std::string tiles = "<ol class=\"pieces\">\n";
+  for (const std::size_t p : missed_first(report))
+    tiles += tile_of(report, p, p < page.reports.size() ? page.reports[p] : std::string());
+  return html_head(html_title(page.name), k_style) + "<body>\n<main>\n" +
+         html_header("product", page.name, pieces_words(report) + seams_words(report)) + tiles +
+         "</ol>\n" + seam_table(report) + "<footer>Made by planish " + std::string(k_version) +
+         ".</footer>\n</main>\n</body>\n</html>\n";
+}
+
+}  // namespace planish

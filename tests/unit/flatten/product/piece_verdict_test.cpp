@@ -1,0 +1,80 @@
+#include "flatten/product/piece_verdict.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace planish {
+namespace {
+
+using testing::ElementsAre;
+
+PatchResult finished() {
+  PatchResult piece{"front", 10, 12, FinishedPatch{}};
+  piece.finished->unfold.unit = Unit::cm;
+  return piece;
+}
+
+std::vector<std::string> texts_of(const PatchResult& piece) {
+  std::vector<std::string> texts;
+  for (const PieceCheck& check : piece_checks(piece))
+    texts.push_back(check.text);
+  return texts;
+}
+
+TEST(PieceVerdict, IsMetWhereNothingWasAskedForAndNothingIsWrong) {
+  EXPECT_TRUE(is_met(finished()));
+  EXPECT_TRUE(piece_checks(finished()).empty());
+}
+
+TEST(PieceVerdict, NamesEveryLimitWithItsFigures) {
+  PatchResult piece = finished();
+  piece.finished->limits = {
+      {LimitOf::strain, 0.05, 0.0321, true},     {LimitOf::p99_strain, 0.02, 0.01, true},
+      {LimitOf::rms_strain, 0.005, 0.004, true}, {LimitOf::deviation, 0.2, 0.15, true},
+      {LimitOf::angle, 10.0, 12.5, true},        {LimitOf::defect, 0.001, 0.0005, true}};
+  EXPECT_TRUE(is_met(piece));
+  EXPECT_THAT(texts_of(piece),
+              ElementsAre("strain limit of 5\u00A0% kept: 3.21\u00A0%",
+                          "strain limit of 2\u00A0% on 99\u00A0% of the area kept: 1\u00A0%",
+                          "strain limit of 0.5\u00A0% rms kept: 0.4\u00A0%",
+                          "deviation limit of 2\u00A0mm kept: 1.5\u00A0mm",
+                          "smallest-angle limit of 10° kept: 12.5°",
+                          "e_max target of 0.001\u00A0rad kept: 0.0005\u00A0rad"));
+}
+
+TEST(PieceVerdict, HasWhatIsMissedFirst) {
+  PatchResult piece = finished();
+  piece.finished->limits = {{LimitOf::strain, 0.05, 0.03, true},
+                            {LimitOf::deviation, 0.2, 0.31, false}};
+  piece.finished->unfold.pattern.overlaps = true;
+  piece.finished->unfold.pattern.flipped_triangles = 1;
+  EXPECT_FALSE(is_met(piece));
+  EXPECT_THAT(texts_of(piece),
+              ElementsAre("deviation limit of 2\u00A0mm missed: 3.1\u00A0mm",
+                          "the pattern overlaps itself", "1 triangle lies face down in the pattern",
+                          "strain limit of 5\u00A0% kept: 3\u00A0%"));
+}
+
+TEST(PieceVerdict, TellsALimitFromAValueThatIsHardlyBeyond) {
+  PatchResult piece = finished();
+  piece.finished->limits = {{LimitOf::strain, 0.05, 0.050001, false}};
+  EXPECT_THAT(texts_of(piece), ElementsAre("strain limit of 5\u00A0% missed: 5.0001\u00A0%"));
+}
+
+TEST(PieceVerdict, SaysWhenTheDesignWasKept) {
+  PatchResult piece = finished();
+  piece.finished->rejected = EdgeStrain{.rms = 0.08};
+  EXPECT_FALSE(is_met(piece));
+  EXPECT_EQ(piece_checks(piece).front().what, PieceCheckOf::rejected);
+  EXPECT_THAT(texts_of(piece).front(), testing::HasSubstr("to 8\u00A0% rms: the design was kept"));
+}
+
+TEST(PieceVerdict, OfAFailureIsItsReason) {
+  ProductReport report;
+  report.patches = {finished(), {"tube", 1, 1, {}, Failure{"handles", "has a handle"}}, finished()};
+  EXPECT_THAT(texts_of(report.patches[1]), ElementsAre("failed: has a handle"));
+  EXPECT_THAT(missed_first(report), ElementsAre(1U, 0U, 2U));
+}
+
+}  // namespace
+}  // namespace planish

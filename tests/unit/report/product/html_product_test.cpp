@@ -1,0 +1,113 @@
+#include <regex>
+#include <set>
+#include <string>
+
+#include <planish/mesh/shapes.h>
+#include <planish/report/html_report.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/figure_text.h"
+#include "support/page.h"
+#include "support/products.h"
+
+namespace planish {
+namespace {
+
+using pages::count;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Three strips with two seams, and a piece that failed.
+const ProductReport& product() {
+  static const ProductReport report = [] {
+    std::vector<ProductPatch> patches;
+    for (NamedPatch& strip : in_strips(make_shape("saddle", 300), 3))
+      patches.push_back({strip.name, std::move(strip.mesh)});
+    patches.push_back({"lost & <found>", {}, {}, Failure{"file_unreadable", "no such file"}});
+    ProductOptions options;
+    options.flatten.method = ControllableLaplacian{};
+    options.flatten.stopping = Stopping{.max_sweeps = 2};
+    return flatten_product(patches, options);
+  }();
+  return report;
+}
+
+std::string page(const ProductReport& report = product()) {
+  return html_report(report,
+                     {"coat", {"a/report.html", "b c/report.html", "\u00FC/report.html", ""}});
+}
+
+TEST(HtmlProduct, IsAWholePageWithoutScripts) {
+  const std::string html = page();
+  pages::expect_closed_tags(html);
+  pages::expect_nothing_from_outside(html);
+  EXPECT_EQ(count(html, "<script"), 0U);
+  EXPECT_EQ(count(html, "<img "), 3U);
+  EXPECT_EQ(count(html, "<svg class=\"outline\""), 3U);
+  EXPECT_THAT(html, HasSubstr("<title>coat"));
+}
+
+TEST(HtmlProduct, ShowsWhatIsMissedFirst) {
+  const std::string html = page();
+  EXPECT_THAT(html, HasSubstr("1 of 4 pieces needs a look"));
+  const std::size_t tiles = html.find("<ol class=\"pieces\">");
+  EXPECT_LT(html.find("lost &amp; &lt;found&gt;", tiles), html.find("strip-1", tiles));
+  EXPECT_EQ(count(html, "class=\"lacking\""), 1U);
+  EXPECT_EQ(count(html, "<span class=\"met\">\u2713</span>"), 3U);
+  EXPECT_EQ(count(html, "<span class=\"missed\">\u2717</span>"), 1U);
+  EXPECT_THAT(html, HasSubstr("<p>Failed: no such file.</p>"));
+}
+
+TEST(HtmlProduct, ColoursBothSidesOfASeamAlikeWithOneNumber) {
+  const std::string html = page();
+  ASSERT_EQ(product().seams.size(), 2U);
+  std::set<std::string> classes;
+  for (const std::string number : {"1", "2"}) {
+    const std::regex disc("<g class=\"(line-[0-9])\"><circle [^>]*/><text [^>]*>" + number +
+                          "</text>");
+    std::smatch found;
+    std::string rest = html;
+    std::size_t sides = 0;
+    std::string first;
+    for (; std::regex_search(rest, found, disc); rest = found.suffix(), ++sides) {
+      if (sides == 0) first = found[1];
+      EXPECT_EQ(found[1], first);
+    }
+    EXPECT_EQ(sides, 2U) << number;
+    EXPECT_THAT(html, HasSubstr("<tr><th><svg class=\"swatch " + first + "\""));
+    EXPECT_EQ(count(html, "<g class=\"" + first + "\"><path d=\"M"), 2U);
+    classes.insert(first);
+  }
+  EXPECT_EQ(classes.size(), 2U);
+}
+
+TEST(HtmlProduct, LinksToTheReportOfEachFinishedPiece) {
+  const std::string html = page();
+  EXPECT_THAT(html, HasSubstr("<a href=\"a/report.html\">"));
+  EXPECT_THAT(html, HasSubstr("<a href=\"b%20c/report.html\">"));
+  EXPECT_THAT(html, HasSubstr("<a href=\"%C3%BC/report.html\">"));
+  EXPECT_EQ(count(html, "<a href"), 3U);
+}
+
+TEST(HtmlProduct, ListsTheSeamsWithTheirDifference) {
+  const std::string html = page();
+  EXPECT_THAT(html, HasSubstr("strip-1 \u2013 strip-2"));
+  const MeasuredSeam& first = product().seams[0];
+  const std::string cells = "</td><td>" + decimals_text(*first.difference(), 2) + "</td><td>" +
+                            decimals_text(first.on_model, 2) + "</td><td>" +
+                            decimals_text(*first.in_pattern[0], 2) + "</td>";
+  EXPECT_LT(html.find("<th>Difference</th><th>On the model</th><th>First piece</th>"),
+            html.find("strip-1 \u2013 strip-2" + cells));
+  EXPECT_THAT(html, HasSubstr("strip-1 \u2013 strip-2" + cells));
+  EXPECT_THAT(html, HasSubstr("Of 2 seams the two sides differ by "));
+  ProductReport without = product();
+  without.seams.clear();
+  const std::string other = page(without);
+  pages::expect_closed_tags(other);
+  EXPECT_THAT(other, Not(HasSubstr("<h2>Seams</h2>")));
+}
+
+}  // namespace
+}  // namespace planish

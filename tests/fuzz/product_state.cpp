@@ -67,7 +67,7 @@ void tell(const ProductPatch& patch, FinishedPatch results) {
   fuzz::check(!patch_line(report.patches.front()).empty(), "every patch has a line");
   fuzz::check(!json_report(report, "product", {{"piece"}, {{}}}).empty(), "the whole is told");
   report.patches.front().finished->outcome.target_met();
-  seams_text(report);
+  seams_text(report, false);
 }
 
 }  // namespace

@@ -20,7 +20,9 @@ Json seam_side(const ProductReport& report, const SeamSide& side,
 }
 
 Json seam_entry(const ProductReport& report, const MeasuredSeam& seam, std::size_t number) {
-  Json json = {{"number", number}, {"length_on_model", seam.on_model}};
+  Json json = {{"number", number},
+               {"name", seam.name.empty() ? Json(nullptr) : Json(seam.name)},
+               {"length_on_model", seam.on_model}};
   json["sides"] = {seam_side(report, seam.seam.sides[0], seam.in_pattern[0]),
                    seam_side(report, seam.seam.sides[1], seam.in_pattern[1])};
   const auto difference = seam.difference();
@@ -38,10 +40,13 @@ Json checks_of(const PatchResult& patch) {
 
 Json patch_entry(const PatchResult& patch, const std::string& folder, const WrittenFiles& files) {
   const auto& finished = patch.finished;
-  Json json = {{"name", patch.name},
-               {"folder", folder},
-               {"vertices", patch.vertices},
-               {"triangles", patch.triangles}};
+  Json json = {
+      {"name", patch.name},
+      {"folder", folder},
+      {"material", patch.words.material.empty() ? Json(nullptr) : Json(patch.words.material)},
+      {"quantity", patch.words.quantity == 0 ? Json(nullptr) : Json(patch.words.quantity)},
+      {"vertices", patch.vertices},
+      {"triangles", patch.triangles}};
   json["unfold"] = finished ? to_json(finished->unfold) : Json(nullptr);
   json["stop"] = finished ? Json(to_string(finished->outcome.reason)) : Json(nullptr);
   json["deviation"] = finished ? to_json(finished->deviation) : Json(nullptr);

@@ -226,6 +226,7 @@ ProductJob product_job(const FlattenRequest& request, ProductInput input,
                  .patches = std::move(input.patches),
                  .places = std::move(input.places),
                  .is_batch = input.is_batch,
+                 .seams = std::move(input.seams),
                  .folder = request.folder,
                  .options = {request.options, seam_tolerance_from(arguments)},
                  .annotations = {},
@@ -268,10 +269,11 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   const auto nest = nest_from(arguments, pattern);
   const fs::path folder = folder_from(arguments);
 
-  ProductInput read = read_product(session, arguments.operands.front(), arguments.has("--product"));
+  ProductInput read =
+      read_product(session, arguments.operands.front(), options.unit, arguments.has("--product"));
   if (read.is_batch) refuse_seam_flags(arguments);
   const std::optional<CutDone> cut = cut_product(read, arguments, session);
-  if (read.patches.size() > 1) {
+  if (read.patches.size() > 1 || read.is_described) {
     check_copies_of(read.patches.size(), plan_of(pattern, options.unit, nest.get()));
     return run_product(product_job({folder, options, std::move(pattern), std::move(words), nest},
                                    std::move(read), arguments),
@@ -375,6 +377,7 @@ Command flatten_command() {
        "planish flatten panel.obj --paper a4 --dxf-profile lectra",
        "planish flatten panel.obj --allowance 10mm --grain 0,0,1 --quantity 2",
        "planish flatten jacket.obj --allowance 10mm --grain 0,0,1 --sheet 1500mm",
+       "planish flatten suit.json -o out",
        "planish flatten panel.obj --material leather --max-deviation 5mm",
        "planish flatten panel.obj --target-e-max 0.001 --require-target"},
       run_flatten};

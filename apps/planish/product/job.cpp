@@ -1,5 +1,6 @@
 #include "product/job.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -32,6 +33,17 @@ void refuse_single_patch_flags(const Arguments& arguments) {
   }
 }
 
+/// The seams of a mirror image are not known, as nothing says where it lies.
+void refuse_notches_of_mirrored(const std::vector<ProductPatch>& patches,
+                                const Arguments& arguments) {
+  const bool are_of_one_group = std::all_of(
+      patches.begin(), patches.end(), [](const ProductPatch& patch) { return patch.group == 0; });
+  if (are_of_one_group || !arguments.has("--seam-notches")) return;
+  throw UsageError(
+      "flag --seam-notches does not go with \"mirrored\" pieces: list the other one as a file of "
+      "its own");
+}
+
 /// One run over all patches.
 class ProductRun {
  public:
@@ -50,6 +62,7 @@ class ProductRun {
                              const PatchTwin* twin) { make_files(p, report, twin); },
          .on_done = [this](std::size_t p, PatchResult& result) { take(p, result); }},
         session_.job_context({}));
+    report_.seams = with_names(std::move(report_.seams), report_.patches, job_.seams, session_);
   }
 
   CommandResult cancelled() const {
@@ -257,6 +270,7 @@ std::vector<PatternOptions> annotations_of_patches(const PatternOptions& annotat
                                                    const std::vector<ProductPatch>& patches,
                                                    const Arguments& arguments) {
   refuse_single_patch_flags(arguments);
+  refuse_notches_of_mirrored(patches, arguments);
   std::vector<TriMesh> meshes;
   std::vector<std::string> names;
   meshes.reserve(patches.size());
@@ -268,7 +282,10 @@ std::vector<PatternOptions> annotations_of_patches(const PatternOptions& annotat
   std::vector<std::vector<Notch>> notches = notches_on_seams(arguments, meshes, names);
   std::vector<PatternOptions> result(patches.size(), annotations);
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    result[p].label.name = names[p];
+    PieceLabel& label = result[p].label;
+    label.name = names[p];
+    if (label.fabric.empty()) label.fabric = patches[p].words.material;
+    if (patches[p].words.quantity > 0) label.quantity = patches[p].words.quantity;
     result[p].notches = std::move(notches[p]);
   }
   return result;

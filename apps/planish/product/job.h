@@ -23,9 +23,10 @@ struct NestRequest;
 struct ProductJob {
   std::string path;  ///< of the input, for people
   std::vector<ProductPatch> patches;
-  std::vector<PatchPlace> places;  ///< of each patch
-  bool is_batch = false;           ///< as ProductInput has it
-  std::filesystem::path folder;    ///< each patch's is in it
+  std::vector<PatchPlace> places;     ///< of each patch
+  bool is_batch = false;              ///< as ProductInput has it
+  std::vector<NamedSeam> seams = {};  ///< as ProductInput has them
+  std::filesystem::path folder;       ///< each patch's is in it
   ProductOptions options;
   std::vector<PatternOptions> annotations;  ///< of each patch
   std::vector<WrittenFiles> paths;          ///< of each patch, what is written of it

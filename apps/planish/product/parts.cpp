@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include <planish/measure/material.h>
 #include <planish/mesh/inspect.h>
 
 #include "mesh/split.h"
@@ -16,6 +17,7 @@
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/text.h"
+#include "shell/values.h"
 
 namespace planish::cli {
 
@@ -154,6 +156,81 @@ ProductInput read_file(Session& session, const std::string& path) {
   return input;
 }
 
+/// The patches of the file of a piece under the names of the piece, in the unit of the product.
+std::vector<ProductPatch> patches_of(const RequestedPiece& piece, Session& session, Unit unit) {
+  std::vector<ProductPatch> patches = patches_of(session.read(piece.file), piece.file);
+  const double scale = millimetres_per(piece.unit.value_or(unit)) / millimetres_per(unit);
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    ProductPatch& patch = patches[k];
+    if (piece.name)
+      patch.name = *piece.name + (patches.size() > 1 ? "-" + std::to_string(k + 1) : "");
+    if (scale == 1.0) continue;
+    for (Vec3& p : patch.mesh.positions)
+      p = scale * p;
+  }
+  return patches;
+}
+
+/// What a product file says of a piece besides its form.
+ProductPatch with_words(ProductPatch patch, const RequestedPiece& piece) {
+  const int all = piece.quantity.value_or(piece.mirrored ? 2 : 0);
+  patch.words = {piece.material.value_or(""), piece.mirrored ? all / 2 : all};
+  if (piece.material)
+    patch.limits = StrainLimits{.p99 = material_named(*piece.material).max_strain};
+  return patch;
+}
+
+/// Its mirror image, which is sewn to nothing: where it will lie is not known.
+ProductPatch mirrored(ProductPatch patch, std::size_t group) {
+  patch.name += ", mirrored";
+  for (Vec3& p : patch.mesh.positions)
+    p.x = -p.x;
+  for (Triangle& t : patch.mesh.triangles)
+    std::swap(t[1], t[2]);
+  patch.group = group;
+  return patch;
+}
+
+void check_seams(const ProductInput& input, const std::string& path) {
+  std::set<std::string> names;
+  for (const ProductPatch& patch : input.patches)
+    names.insert(patch.name);
+  for (std::size_t s = 0; s < input.seams.size(); ++s) {
+    for (const std::string& name : input.seams[s].between) {
+      if (names.contains(name)) continue;
+      throw Error(ErrorCode::malformed_file,
+                  "seams[" + std::to_string(s) + "].between: no piece is called \"" + name +
+                      "\"; there are " +
+                      list_of(std::vector<std::string>(names.begin(), names.end())),
+                  {.path = path});
+    }
+  }
+}
+
+ProductInput read_described(Session& session, const std::string& path, Unit unit) {
+  const ProductFile product = read_product_file(path);
+  ProductInput input;
+  input.path = path;
+  input.is_described = true;
+  input.seams = product.seams;
+  for (const RequestedPiece& piece : product.pieces) {
+    std::vector<ProductPatch> patches;
+    try {
+      patches = patches_of(piece, session, unit);
+    } catch (const Error&) {
+      patches.push_back({piece.name.value_or(stem_of(piece.file)), {}, {}, current_failure()});
+    }
+    for (ProductPatch& patch : patches) {
+      input.patches.push_back(with_words(std::move(patch), piece));
+      if (!piece.mirrored || input.patches.back().failure) continue;
+      input.patches.push_back(mirrored(input.patches.back(), input.patches.size()));
+    }
+  }
+  input.places = places_of(input.patches, std::vector(input.patches.size(), MeshFormat::obj));
+  check_seams(input, path);
+  return input;
+}
+
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
          c == '_' || c == '.';
@@ -240,16 +317,16 @@ std::vector<std::string> safe_names(const std::vector<std::string>& names) {
   return safe;
 }
 
-ProductInput read_product(Session& session, const std::string& path, bool as_product) {
+ProductInput read_product(Session& session, const std::string& path, Unit unit, bool as_product) {
   std::error_code ignored;
-  const bool is_folder = fs::is_directory(path_of(path), ignored);
-  return is_folder ? read_folder(session, path, as_product) : read_file(session, path);
+  if (fs::is_directory(path_of(path), ignored)) return read_folder(session, path, as_product);
+  return is_product_file(path) ? read_described(session, path, unit) : read_file(session, path);
 }
 
 std::optional<CutDone> cut_product(ProductInput& input, const Arguments& arguments,
                                    Session& session) {
   if (!arguments.has("--cut")) return std::nullopt;
-  if (input.patches.size() > 1) {
+  if (input.patches.size() > 1 || input.is_described) {
     throw UsageError("flag --cut goes with one patch only; the input has several");
   }
   CutInput cut = cut_as_asked(std::move(input.whole.mesh), input.path, arguments, session);

@@ -8,6 +8,7 @@
 #include <planish/io/read_mesh.h>
 
 #include "flags/cut_flag.h"
+#include "product/product_file.h"
 #include "shell/session.h"
 
 namespace planish::cli {
@@ -26,19 +27,26 @@ struct ProductInput {
   ReadResult whole;                   ///< where there is one patch: the file as it is
   /// Files that have nothing to do with each other: each is its own group of patches.
   bool is_batch = false;
+  /// It is described by a file: several patches by its own account, even where it lists one.
+  bool is_described = false;
+  std::vector<NamedSeam> seams = {};  ///< of a product that is described
 };
 
-/// Reads a mesh file, or all mesh files of a folder in the order of their names, and divides what
-/// it reads into patches: by the groups that the files have, then into pieces that hang together.
-/// A file of several that cannot be read is a patch with that failure.
+/// Reads a mesh file, all mesh files of a folder in the order of their names, or those that a
+/// product file lists, and divides what it reads into patches: by the groups that the files have,
+/// then into pieces that hang together. A file of several that cannot be read is a patch with that
+/// failure.
+/// @param unit of the product: pieces in another one are scaled to it
 /// @param as_product the files of a folder are parts of one product; else they are a batch
 /// @throws Error what read_mesh() throws of the only file; file_unreadable for a folder that holds
-///   no mesh file
-ProductInput read_product(Session& session, const std::string& path, bool as_product);
+///   no mesh file; as read_product_file(), malformed_file for a seam between pieces that are not
+///   there
+ProductInput read_product(Session& session, const std::string& path, Unit unit, bool as_product);
 
 /// Cuts an input of one patch open as --cut says; where that divides it, it has several patches
 /// from then on.
-/// @throws UsageError for an input of several patches, Error as cut_as_asked()
+/// @throws UsageError for an input of several patches and for a product file, Error as
+/// cut_as_asked()
 std::optional<CutDone> cut_product(ProductInput& input, const Arguments& arguments,
                                    Session& session);
 

@@ -1,5 +1,7 @@
 #include "product/seams.h"
 
+#include <algorithm>
+
 #include <planish/flatten/product.h>
 #include <planish/pattern/notches.h>
 #include <planish/pattern/read_annotations.h>
@@ -31,6 +33,28 @@ std::vector<std::vector<Notch>> notches_on_seams(const Arguments& arguments,
     return notches_of_patches(notches, find_sound_seams(meshes, seam_tolerance_from(arguments)),
                               meshes, names, millimetres_per(unit_from(arguments)));
   });
+}
+
+std::vector<MeasuredSeam> with_names(std::vector<MeasuredSeam> seams,
+                                     const std::vector<PatchResult>& patches,
+                                     const std::vector<NamedSeam>& names, Session& session) {
+  for (const NamedSeam& named : names) {
+    const auto is_between = [&](const MeasuredSeam& seam) {
+      const std::string& one = patches[seam.seam.sides[0].patch].name;
+      const std::string& other = patches[seam.seam.sides[1].patch].name;
+      return (one == named.between[0] && other == named.between[1]) ||
+             (one == named.between[1] && other == named.between[0]);
+    };
+    const auto found = std::find_if(seams.begin(), seams.end(), [&](const MeasuredSeam& seam) {
+      return seam.name.empty() && is_between(seam);
+    });
+    if (found != seams.end())
+      found->name = named.name;
+    else
+      session.note("seam \"" + named.name + "\": " + named.between[0] + " and " + named.between[1] +
+                   " share no border that is still without a name");
+  }
+  return seams;
 }
 
 PatternOptions annotations_on(PatternOptions annotations, const Arguments& arguments,

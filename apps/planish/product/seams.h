@@ -4,12 +4,15 @@
 #include <string>
 #include <vector>
 
+#include <planish/flatten/product.h>
 #include <planish/mesh/patch.h>
 #include <planish/mesh/seams.h>
 #include <planish/pattern/notches.h>
 #include <planish/pattern/pattern_options.h>
 
+#include "product/product_file.h"
 #include "shell/command.h"
+#include "shell/session.h"
 
 namespace planish::cli {
 
@@ -25,6 +28,12 @@ std::vector<SeamNotch> seam_notches_from(const Arguments& arguments);
 std::vector<std::vector<Notch>> notches_on_seams(const Arguments& arguments,
                                                  std::span<const TriMesh> meshes,
                                                  std::span<const std::string> names);
+
+/// Seams with the names that a product file gives them: those between two pieces in the order of
+/// their numbers. A note says which names are left over.
+std::vector<MeasuredSeam> with_names(std::vector<MeasuredSeam> seams,
+                                     const std::vector<PatchResult>& patches,
+                                     const std::vector<NamedSeam>& names, Session& session);
 
 /// What the one patch of a run gets, with the notches on its seams with itself, as far as that can
 /// be known before it is flat.

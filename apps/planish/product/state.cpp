@@ -138,6 +138,9 @@ PatchJob job_of(const ProductPatch& patch, MeshFormat format, const PatternOptio
       job.flags[flag] = value;
     }
   }
+  // What a product file says. No flag is called so.
+  if (!patch.words.material.empty()) job.flags["material"] = patch.words.material;
+  if (patch.words.quantity > 0) job.flags["quantity"] = std::to_string(patch.words.quantity);
   if (twin_of != nullptr) job.twin_of = {twin_of->name, hash_of(twin_of->mesh)};
   return job;
 }

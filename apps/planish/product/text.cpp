@@ -85,7 +85,8 @@ std::string seams_text(const ProductReport& report, bool is_batch) {
                               fixed(100.0 * *difference / seam.on_model, 3) + " %"
                         : right("-", 8)) +
             "\n      " + report.patches[seam.seam.sides[0].patch].name + " - " +
-            report.patches[seam.seam.sides[1].patch].name + "\n";
+            report.patches[seam.seam.sides[1].patch].name +
+            (seam.name.empty() ? "" : "  (" + seam.name + ")") + "\n";
   }
   return text;
 }

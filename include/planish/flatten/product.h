@@ -13,6 +13,12 @@
 
 namespace planish {
 
+/// What people say of a piece beside its form, as a product file does.
+struct PieceWords {
+  std::string material = {};  ///< what it is cut from; empty: not said
+  int quantity = 0;           ///< how many to cut; 0: not said
+};
+
 /// A patch of a product, as it comes.
 struct ProductPatch {
   std::string name;              ///< for people; names may be equal
@@ -22,6 +28,9 @@ struct ProductPatch {
   std::optional<Failure> failure = {};
   /// Seams are searched only between patches of the same number, like that of the file.
   std::size_t group = 0;
+  PieceWords words = {};  ///< become those of the result
+  /// Instead of those of ProductOptions.
+  std::optional<StrainLimits> limits = {};
 };
 
 /// How flatten_product() works.
@@ -62,6 +71,7 @@ struct PatchResult {
   std::optional<FinishedPatch> finished = {};  ///< its result
   std::optional<Failure> failure = {};         ///< why it has none
   bool resumed = false;                        ///< finished in an earlier run
+  PieceWords words = {};                       ///< of ProductPatch
 };
 
 /// A seam with its lengths in millimetres.
@@ -69,6 +79,7 @@ struct MeasuredSeam {
   Seam seam;              ///< by the numbers of the processed patches
   double on_model = 0.0;  ///< on the processed patches
   std::array<std::optional<double>, 2> in_pattern = {};  ///< none where a patch has no pattern
+  std::string name = {};                                 ///< for people; empty: none
 
   /// Of the lengths in both patterns, at least 0.
   std::optional<double> difference() const;
@@ -106,9 +117,10 @@ struct ProductCallbacks {
   std::function<void(std::size_t patch, PatchResult& result)> on_done = {};
 };
 
-/// Flattens the patches of a product, the largest first, each on one thread; twins get what was
-/// made of the other one. A patch that fails does not stop the others. A result of an earlier run
-/// whose twin is still to be made is made again, as only its full report will do for that.
+/// Flattens the patches of a product, the largest first, each on one thread; twins with the same
+/// limits get what was made of the other one. A patch that fails does not stop the others. A result
+/// of an earlier run whose twin is still to be made is made again, as only its full report will do
+/// for that.
 /// @param context its threads are the number of patches that are worked on at a time
 /// @throws Error unsupported_constraint, and option_out_of_range for a tolerance below 0; Cancelled
 ProductReport flatten_product(std::span<const ProductPatch> patches,

@@ -81,6 +81,7 @@ class PatchWork {
   FlattenOptions options_of(std::size_t p) const {
     FlattenOptions options = options_;
     options.keep = patches_[p].keep;
+    if (patches_[p].limits) options.limits = *patches_[p].limits;
     return options;
   }
 
@@ -121,6 +122,7 @@ class ProductWork {
     for (const ProductPatch& patch : patches) {
       const TriMesh& mesh = patch.mesh;
       report_.patches.push_back({patch.name, mesh.positions.size(), mesh.triangles.size()});
+      report_.patches.back().words = patch.words;
     }
     find_alike();
   }
@@ -153,6 +155,9 @@ class ProductWork {
     for (const ProductPatch& patch : patches_)
       meshes.push_back(&patch.mesh);
     alike_ = find_twins(meshes, k_twin_tolerance, context_);
+    for (std::size_t p = 0; p < patches_.size(); ++p) {
+      if (alike_[p] && patches_[p].limits != patches_[alike_[p]->of].limits) alike_[p].reset();
+    }
     report_.twins.reserve(alike_.size());
     for (const auto& twin : alike_) {
       auto& known = report_.twins.emplace_back();

@@ -32,7 +32,6 @@ constexpr std::string_view k_style = R"(
 .pieces > .lacking { border: 2px solid var(--worse); padding: 13px 17px 15px; }
 .pieces .views { display: grid; grid-template-columns: 1fr 1fr; gap: 14px; align-items: center; }
 .pieces img, .outline { display: block; width: 100%; height: 170px; object-fit: contain; }
-.pieces .none { height: 60px; }
 .pieces h3 { margin: 12px 0 4px; overflow-wrap: anywhere; }
 .pieces h3 small { display: block; margin: 1px 0 0; }
 .pieces p { margin: 0; font-size: 15px; overflow-wrap: anywhere; }
@@ -125,7 +124,7 @@ std::vector<OutlinedSeam> seams_of_piece(const ProductReport& report, std::size_
 
 std::string views_of(const ProductReport& report, std::size_t p) {
   const PatchResult& piece = report.patches[p];
-  if (!piece.finished) return "<div class=\"none\"></div>";
+  if (!piece.finished) return {};
   const TriMesh& mesh = piece.finished->processed;
   return "<div class=\"views\">" + picture_of(mesh, piece.name) +
          piece_outline(mesh, piece.finished->unfold.pattern.positions, seams_of_piece(report, p),
@@ -133,9 +132,12 @@ std::string views_of(const ProductReport& report, std::size_t p) {
          "</div>";
 }
 
-/// Size and kin, plain text.
+/// How many of what material, size and kin, plain text.
 std::string facts_of(const PatchResult& piece) {
   std::vector<std::string> facts;
+  if (piece.words.quantity > 0)
+    facts.push_back("cut " + count_text(static_cast<std::size_t>(piece.words.quantity)));
+  if (!piece.words.material.empty()) facts.push_back(piece.words.material);
   if (piece.finished) facts.push_back(size_words(piece.finished->unfold));
   if (piece.finished && piece.finished->twin_of)
     facts.push_back(twin_text(*piece.finished->twin_of));
@@ -175,8 +177,10 @@ std::string seam_row(const ProductReport& report, std::size_t s) {
   const auto name = [&](std::size_t side) {
     return escape_markup(report.patches[seam.seam.sides[side].patch].name);
   };
-  return "<tr><th>" + swatch(s + 1) + std::to_string(s + 1) + "</th><td class=\"sewn\">" + name(0) +
-         " \u2013 " + name(1) + "</td>" + millimetres(seam.difference()) +
+  const std::string label =
+      seam.name.empty() ? "" : "<small>" + escape_markup(seam.name) + "</small>";
+  return "<tr><th>" + swatch(s + 1) + std::to_string(s + 1) + label + "</th><td class=\"sewn\">" +
+         name(0) + " \u2013 " + name(1) + "</td>" + millimetres(seam.difference()) +
          millimetres(seam.on_model) + millimetres(seam.in_pattern[0]) +
          millimetres(seam.in_pattern[1]) + "</tr>\n";
 }

@@ -49,6 +49,19 @@ TEST(JsonReport, OfAProductHasWhatReportsOfPatchesHave) {
   EXPECT_EQ(json["nesting"], Json(nullptr));
 }
 
+TEST(JsonReport, OfAProductHasTheWordsOfAProductFile) {
+  ProductReport report = product();
+  report.patches[0].words = {"neoprene", 2};
+  report.seams[1].name = "side";
+  const Json json = Json::parse(json_report(report, "coat", {{"", "", ""}, {{}, {}, {}}}));
+  EXPECT_EQ(json["patches"][0]["material"], "neoprene");
+  EXPECT_EQ(json["patches"][0]["quantity"], 2);
+  EXPECT_EQ(json["patches"][1]["material"], Json(nullptr));
+  EXPECT_EQ(json["patches"][1]["quantity"], Json(nullptr));
+  EXPECT_EQ(json["seams"][0]["name"], Json(nullptr));
+  EXPECT_EQ(json["seams"][1]["name"], "side");
+}
+
 TEST(JsonReport, OfAProductSaysWhereTheDesignWasKept) {
   ProductReport report = product();
   report.patches[0].finished->rejected = EdgeStrain{.max = 0.5, .rms = 0.25};

@@ -72,6 +72,21 @@ TEST(FlattenProduct, SearchesForSeamsOnlyInAGroup) {
   EXPECT_EQ(report.seams[0].seam.sides[1].patch, 1U);
 }
 
+TEST(FlattenProduct, TakesLimitsAndWordsOfAPatch) {
+  std::vector<ProductPatch> patches = coat();
+  patches[2].limits = StrainLimits{.p99 = 0.25};
+  patches[2].words = {"neoprene", 3};
+  const ProductReport report = flatten_product(patches, quick());
+  EXPECT_FALSE(report.twins[2]) << "it may stretch more than the other one";
+  EXPECT_TRUE(report.patches[0].finished->unfold.limits.empty());
+  ASSERT_EQ(report.patches[2].finished->unfold.limits.size(), 1U);
+  EXPECT_EQ(report.patches[2].finished->unfold.limits[0].asked, 0.25);
+  EXPECT_EQ(report.patches[2].words.material, "neoprene");
+  EXPECT_EQ(report.patches[2].words.quantity, 3);
+  patches[0].limits = patches[2].limits;
+  EXPECT_TRUE(flatten_product(patches, quick()).twins[2]);
+}
+
 TEST(FlattenProduct, GoesOnWhereAPatchFails) {
   std::vector<ProductPatch> patches = coat();
   patches.push_back({"lost", {}, {}, Failure{"file_unreadable", "lost.obj: no such file"}});

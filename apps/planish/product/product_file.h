@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <planish/core/unit.h>
+
+namespace planish::cli {
+
+/// A piece as a product file has it. What it does not say, the flags of the command line say.
+struct RequestedPiece {
+  std::string file;                     ///< path of its mesh file
+  std::optional<std::string> name;      ///< for label, folder and reports
+  std::optional<std::string> material;  ///< of materials(): its limit of strain
+  std::optional<Unit> unit;             ///< of the numbers in the file
+  std::optional<int> quantity;          ///< how many to cut, the mirrored ones among them
+  bool mirrored = false;                ///< half of them are mirror images
+};
+
+/// The name of a seam between two pieces.
+struct NamedSeam {
+  std::string name;
+  std::array<std::string, 2> between;  ///< names of the pieces; equal for a dart
+};
+
+/// A product as a file describes it.
+struct ProductFile {
+  std::vector<RequestedPiece> pieces;  ///< at least one
+  std::vector<NamedSeam> seams;        ///< in the order in which seams between two pieces get them
+};
+
+/// Whether the path is that of a product file: one that ends with .json.
+bool is_product_file(const std::string& path);
+
+/// Reads a product file (docs/product_file.md), strictly: keys that are not known are errors.
+/// Paths in it are relative to its folder.
+/// @throws Error file_unreadable, malformed_file naming the place in the file, as in "pieces[1]"
+ProductFile read_product_file(const std::string& path);
+
+}  // namespace planish::cli

@@ -1,0 +1,192 @@
+#include "product/product_file.h"
+
+#include <fstream>
+
+#include <planish/core/error.h>
+#include <planish/measure/material.h>
+
+#include <gmock/gmock.h>
+
+#include "cli_run.h"
+#include "mesh/split.h"
+#include "support/products.h"
+
+namespace planish::cli {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class ProductFileTest : public CliTest {
+ protected:
+  static void write(const std::string& content) { std::ofstream("suit.json") << content; }
+  static ProductFile read(const std::string& content) {
+    write(content);
+    return read_product_file("suit.json");
+  }
+  /// What the reader says is wrong.
+  static std::string refusal(const std::string& content) {
+    try {
+      read(content);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.place().path, "suit.json");
+      return error.message();
+    }
+    return "read";
+  }
+};
+
+TEST_F(ProductFileTest, HasAllThatIsSaid) {
+  const ProductFile product = read(R"({
+    "pieces": [{"file": "parts/front.obj", "name": "Front", "material": "neoprene",
+                "quantity": 2, "mirrored": true, "unit": "cm"},
+               {"file": "back.obj"}],
+    "seams": [{"name": "side", "between": ["Front", "back"]}]})");
+  ASSERT_EQ(product.pieces.size(), 2U);
+  const RequestedPiece& front = product.pieces[0];
+  EXPECT_EQ(front.file, "parts/front.obj");
+  EXPECT_EQ(front.name, "Front");
+  EXPECT_EQ(front.material, "neoprene");
+  EXPECT_EQ(front.quantity, 2);
+  EXPECT_TRUE(front.mirrored);
+  EXPECT_EQ(front.unit, Unit::cm);
+  const RequestedPiece& back = product.pieces[1];
+  EXPECT_FALSE(back.name || back.material || back.quantity || back.unit || back.mirrored);
+  ASSERT_EQ(product.seams.size(), 1U);
+  EXPECT_EQ(product.seams[0].name, "side");
+  EXPECT_THAT(product.seams[0].between, ElementsAre("Front", "back"));
+}
+
+TEST_F(ProductFileTest, HasPathsRelativeToItself) {
+  std::filesystem::create_directories("suits");
+  std::ofstream("suits/suit.json") << R"({"pieces": [{"file": "front.obj"}]})";
+  EXPECT_EQ(read_product_file("suits/suit.json").pieces[0].file, "suits/front.obj");
+}
+
+TEST_F(ProductFileTest, NamesKeysThatAreNotKnownAndThoseThatAre) {
+  EXPECT_EQ(refusal(R"({"pieces": [{"file": "a.obj", "matrial": "neoprene"}]})"),
+            "pieces[0]: unknown key \"matrial\"; known are file, name, material, quantity, "
+            "mirrored or unit");
+  EXPECT_THAT(refusal(R"({"parts": []})"), HasSubstr("product: unknown key \"parts\""));
+  EXPECT_THAT(refusal(R"({"pieces": [{"file": "a"}], "seams": [{"nam": "x"}]})"),
+              HasSubstr("seams[0]: unknown key \"nam\""));
+}
+
+TEST_F(ProductFileTest, SaysWhereAValueCannotBe) {
+  const auto piece = [](const std::string& rest) {
+    return refusal(R"({"pieces": [{"file": "a.obj"}, {"file": "b.obj", )" + rest + "}]}");
+  };
+  EXPECT_THAT(piece(R"("unit": "ell")"), HasSubstr("pieces[1].unit: is \"ell\""));
+  EXPECT_THAT(piece(R"("material": "wood")"), HasSubstr("pieces[1].material: is \"wood\""));
+  for (const char* quantity : {"0", "-1", "1.5", "1000001", "\"2\"", "null"})
+    EXPECT_THAT(piece("\"quantity\": " + std::string(quantity)), HasSubstr("whole number from 1"));
+  EXPECT_THAT(piece(R"("mirrored": 1)"), HasSubstr("pieces[1].mirrored: must be true or false"));
+  EXPECT_THAT(piece(R"("mirrored": true, "quantity": 3)"), HasSubstr("must be even"));
+  EXPECT_THAT(piece(R"("name": "")"), HasSubstr("pieces[1].name: must be a text"));
+}
+
+TEST_F(ProductFileTest, RefusesWhatIsNoProduct) {
+  for (const char* content : {"", "{", "[]", "3", "null"})
+    EXPECT_NE(refusal(content), "read") << content;
+  EXPECT_THAT(refusal("{}"), HasSubstr("at least one piece"));
+  EXPECT_THAT(refusal(R"({"pieces": {}})"), HasSubstr("pieces: must be a list"));
+  EXPECT_THAT(refusal(R"({"pieces": ["a.obj"]})"), HasSubstr("pieces[0]: must be an object"));
+  EXPECT_THAT(refusal(R"({"pieces": [{"name": "Front"}]})"), HasSubstr("needs \"file\""));
+  EXPECT_THAT(refusal(R"({"pieces": [{"file": "a", "name": "A"}, {"file": "b", "name": "A"}]})"),
+              HasSubstr("pieces[1].name: \"A\" is already taken"));
+  EXPECT_THAT(refusal(R"({"pieces": [{"file": "a"}], "seams": [{"name": "x", "between": ["A"]}]})"),
+              HasSubstr("seams[0].between: must be the names of two pieces"));
+  EXPECT_THROW(read_product_file("none.json"), Error);
+}
+
+/// A saddle in two strips, and a file that says what they are.
+class ProductOfAFile : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    std::vector<NamedPatch> strips = in_strips(make_shape("saddle", 300), 2);
+    write_mesh("one.obj", strips[0].mesh);
+    write_mesh("two.obj", strips[1].mesh);
+    std::ofstream("suit.json") << R"({
+      "pieces": [{"file": "one.obj", "name": "Front", "material": "neoprene", "quantity": 4,
+                  "mirrored": true},
+                 {"file": "two.obj", "name": "Back"}],
+      "seams": [{"name": "side", "between": ["Back", "Front"]},
+                {"name": "other", "between": ["Back", "Front"]}]})";
+  }
+
+  static CliResult flatten(const Names& more = {}) {
+    Names args = {"flatten",      "suit.json", "-o", "out",       "--method",
+                  "controllable", "--sweeps",  "2",  "--formats", "svg"};
+    args.insert(args.end(), more.begin(), more.end());
+    return planish(args);
+  }
+};
+
+TEST_F(ProductOfAFile, GetsNamesQuantitiesMaterialsAndSeams) {
+  std::ofstream("suit.json") << R"({
+      "pieces": [{"file": "one.obj", "name": "Front", "material": "neoprene", "quantity": 4,
+                  "mirrored": true, "unit": "mm"},
+                 {"file": "one.obj", "name": "Large", "unit": "cm"},
+                 {"file": "two.obj", "name": "Back"}],
+      "seams": [{"name": "side", "between": ["Back", "Front"]}]})";
+  const CliResult result =
+      planish({"flatten", "suit.json", "-o", "out", "--formats", "svg", "--max-strain", "90%"});
+  ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
+  const auto json = nlohmann::json::parse(content_of("out/garment.json"));
+  const auto& pieces = json["patches"];
+  ASSERT_EQ(pieces.size(), 4U);
+  EXPECT_EQ(pieces[0]["name"], "Front");
+  EXPECT_EQ(pieces[0]["quantity"], 2) << "the other two are mirrored";
+  EXPECT_EQ(pieces[0]["material"], "neoprene");
+  EXPECT_EQ(pieces[0]["unfold"]["limits"][0]["asked"], material_named("neoprene").max_strain);
+  EXPECT_EQ(pieces[1]["name"], "Front, mirrored");
+  EXPECT_EQ(pieces[1]["twin"], nlohmann::json::parse(R"({"of": "Front", "mirrored": true})"));
+  EXPECT_TRUE(pieces[2]["quantity"].is_null());
+  EXPECT_EQ(pieces[2]["unfold"]["limits"][0]["asked"], 0.9) << "of the command line";
+  EXPECT_NEAR(pieces[2]["unfold"]["width"], 10.0 * pieces[0]["unfold"]["width"].get<double>(),
+              1e-6 * pieces[2]["unfold"]["width"].get<double>());
+  ASSERT_EQ(json["seams"].size(), 1U);
+  EXPECT_EQ(json["seams"][0]["name"], "side");
+  const std::string pattern = content_of("out/Front/pattern.svg");
+  EXPECT_THAT(pattern, HasSubstr("Front"));
+  EXPECT_THAT(pattern, HasSubstr("neoprene"));
+  EXPECT_THAT(content_of("out/garment.html"), HasSubstr("<small>side</small>"));
+}
+
+TEST_F(ProductOfAFile, ResumesWhereTheFileSaysTheSame) {
+  ASSERT_EQ(flatten().exit_code, k_exit_done);
+  const CliResult again = flatten({"--resume"});
+  EXPECT_THAT(again.err, HasSubstr("from the earlier run"));
+  std::ofstream("suit.json")
+      << R"({"pieces": [{"file": "one.obj", "name": "Front", "quantity": 3}]})";
+  EXPECT_THAT(flatten({"--resume"}).err, testing::Not(HasSubstr("from the earlier run")));
+}
+
+TEST_F(ProductOfAFile, SaysWhichSeamIsNotThere) {
+  const CliResult result = flatten();
+  EXPECT_THAT(result.err, HasSubstr("seam \"other\": Back and Front share no border"));
+  std::ofstream("suit.json") << R"({"pieces": [{"file": "one.obj", "name": "Front"}],
+                                    "seams": [{"name": "side", "between": ["Front", "Bak"]}]})";
+  const CliResult wrong = flatten();
+  EXPECT_EQ(wrong.exit_code, k_exit_failed);
+  EXPECT_THAT(wrong.err, HasSubstr("no piece is called \"Bak\""));
+}
+
+TEST_F(ProductOfAFile, GoesOnWhereAFileIsMissing) {
+  std::filesystem::remove("two.obj");
+  const CliResult result = flatten();
+  EXPECT_EQ(result.exit_code, k_exit_failed);
+  EXPECT_THAT(result.err, HasSubstr("1 of 3 patches could not be flattened: Back"));
+  EXPECT_TRUE(std::filesystem::exists("out/Front/pattern.svg"));
+}
+
+TEST_F(ProductOfAFile, RefusesNotchesOnSeamsOfMirroredPieces) {
+  std::ofstream("seams.txt") << "* 50%\n";
+  const CliResult result = flatten({"--seam-notches", "seams.txt"});
+  EXPECT_EQ(result.exit_code, k_exit_usage);
+  EXPECT_THAT(result.err, HasSubstr("\"mirrored\""));
+}
+
+}  // namespace
+}  // namespace planish::cli

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -36,12 +37,21 @@ std::vector<Shown> shown_candidates(const FlattenReport& report) {
   return shown;
 }
 
+/// The name of a candidate, without terms of measuring.
+std::string plain_name(const Candidate& candidate) {
+  constexpr std::string_view term = " rms";
+  std::string name = candidate_name(candidate);
+  const std::size_t at = name.find(term);
+  if (at != std::string::npos) name.replace(at, term.size(), " usual stretch");
+  return name;
+}
+
 std::string picture_of(const PatchView& view, const Shown& shown) {
   const std::vector<Color> colors(shown.surface.vertex_count(), k_surface);
   const Image image = view.picture(shown.surface.positions(), colors);
   return "<img width=\"" + std::to_string(image.width / 2) + "\" height=\"" +
          std::to_string(image.height / 2) +
-         "\" alt=\"the surface, shaded: " + escape_markup(candidate_name(shown.candidate)) +
+         "\" alt=\"the surface, shaded: " + escape_markup(plain_name(shown.candidate)) +
          "\" src=\"data:image/png;base64," + base64(format_png(image)) + "\">";
 }
 
@@ -116,7 +126,7 @@ std::string form_words(const Fairness& form) {
 std::string heading_of(const Candidate& candidate, bool is_result) {
   const std::string files = is_result ? "the result, pattern.*" : "as-designed.*";
   if (candidate.is_design()) return "The design as it is<small>" + files + "</small>";
-  return "Changed<small>" + escape_markup(candidate_name(candidate)) + "; " + files + "</small>";
+  return "Changed<small>" + escape_markup(plain_name(candidate)) + "; " + files + "</small>";
 }
 
 std::string tile_of(const Shown& shown, const PatchView& view, Vec2 size, bool is_result,
@@ -144,8 +154,10 @@ std::string candidate_tiles(const FlattenReport& report) {
   for (const Shown& some : shown)
     html += tile_of(some, view, size, &some == &shown.back(), report.unfold.unit);
   return html +
-         "</ol>\n<p>Less or more stretch: <code>--pick 1</code> is the design, 2 to 5 leave 2, 1, "
-         "0.5 and 0.1 % (rms), 6 is flat. <code>planish frontier</code> computes them all.</p>\n"
+         "</ol>\n<p>Less or more stretch: <code>--pick 1</code> is the design, 2 to 5 leave a "
+         "usual "
+         "stretch of 2, 1, 0.5 and 0.1 %, 6 is flat. <code>planish frontier</code> computes them "
+         "all.</p>\n"
          "</section>\n";
 }
 

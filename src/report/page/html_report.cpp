@@ -62,7 +62,8 @@ std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut
   const Pattern& pattern = report.unfold.pattern;
   const Unit unit = report.unfold.unit;
   const auto sides = [&](double width, double height) {
-    return length_text(width, unit, 3) + " × " + length_text(height, unit, 3);
+    const std::string first = length_text(width, unit, 3);
+    return first.substr(0, first.rfind("\u00A0")) + " × " + length_text(height, unit, 3);
   };
   std::string area = "area " + decimals_text(pattern.area_ratio, 3) + " of the patch's";
   if (page.annotations.allowance && !pattern.overlaps)

@@ -71,6 +71,10 @@ std::string way_on(const FlattenReport& report) {
 }
 
 std::string moved_sentence(const FlattenReport& report) {
+  if (report.rejected) {
+    return " Changing the form would have stretched the pattern more, to " +
+           percent_text(report.rejected->rms) + " as a rule, so this is the design as it is.";
+  }
   if (report.evolve.fairness.unchanged || report.evolve.result.history.empty())
     return " The form was not changed.";
   return " No place moved further than " +

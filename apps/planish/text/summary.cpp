@@ -374,7 +374,7 @@ void warn_of_pattern(Session& session, const UnfoldReport& report) {
         "cutting cloth");
   }
   if (pattern.flipped_triangles > 0) {
-    session.warn(counted(pattern.flipped_triangles, "triangle") + " of the pattern lie face down");
+    session.warn(counted(pattern.flipped_triangles, "triangle") + " of the pattern are flipped over: do not cut it");
   }
   if (!pattern.converged) {
     session.warn(

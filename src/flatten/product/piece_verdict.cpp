@@ -89,8 +89,8 @@ void add_faults(const Pattern& pattern, std::vector<PieceCheck>& checks) {
   const std::size_t flipped = pattern.flipped_triangles;
   if (flipped == 0) return;
   checks.push_back({PieceCheckOf::flipped_triangles, false,
-                    count_text(flipped) + (flipped == 1 ? " triangle lies" : " triangles lie") +
-                        " face down in the pattern"});
+                    count_text(flipped) + (flipped == 1 ? " triangle is" : " triangles are") +
+                        " flipped over in the pattern"});
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ enum class PieceCheckOf {
   angle,              ///< the limit of the smallest angle
   defect,             ///< the target of e_max
   overlap,            ///< whether the pattern lies over itself
-  flipped_triangles,  ///< whether triangles of the pattern lie face down
+  flipped_triangles,  ///< whether triangles of the pattern are flipped over
 };
 
 /// Lower case with underscores: "flipped_triangles".

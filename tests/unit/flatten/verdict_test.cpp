@@ -53,6 +53,14 @@ FlattenReport flattenable_with_strain(double max) {
   return some;
 }
 
+TEST(Verdict, SaysWhyTheDesignWasKept) {
+  FlattenReport some = report();
+  some.rejected = EdgeStrain{.max = 0.5, .rms = 0.084, .p99 = 0.2};
+  EXPECT_THAT(verdict(some),
+              HasSubstr("Changing the form would have stretched the pattern more, to "
+                        "8.4 % as a rule, so this is the design as it is."));
+}
+
 TEST(Verdict, SaysHowTheStrainIsAndWhatTheSweepsDid) {
   EXPECT_EQ(verdict(report()),
             "Does not lie flat without stretch. The usual stretch is 7.6 %, the largest 32 %. No "

@@ -49,10 +49,10 @@ TEST(PieceVerdict, HasWhatIsMissedFirst) {
   piece.finished->unfold.pattern.overlaps = true;
   piece.finished->unfold.pattern.flipped_triangles = 1;
   EXPECT_FALSE(is_met(piece));
-  EXPECT_THAT(texts_of(piece),
-              ElementsAre("deviation limit of 2\u00A0mm missed: 3.1\u00A0mm",
-                          "the pattern overlaps itself", "1 triangle lies face down in the pattern",
-                          "strain limit of 5\u00A0% kept: 3\u00A0%"));
+  EXPECT_THAT(texts_of(piece), ElementsAre("deviation limit of 2\u00A0mm missed: 3.1\u00A0mm",
+                                           "the pattern overlaps itself",
+                                           "1 triangle is flipped over in the pattern",
+                                           "strain limit of 5\u00A0% kept: 3\u00A0%"));
 }
 
 TEST(PieceVerdict, TellsALimitFromAValueThatIsHardlyBeyond) {

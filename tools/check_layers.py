@@ -74,6 +74,7 @@ FOR_THE_PROGRAM = {
     "flatten/reference_sweeps.h",
     "flatten/strain_limit_text.h",
     "flatten/twin_report.h",
+    "flatten/verdict.h",
     "mesh/match/twins.h",
     "mesh/split.h",
     "platform/memory.h",

@@ -36,18 +36,6 @@ double rms_limit_of(const Auto& options) {
   return has_default ? k_unmeasurable_strain : options.max_rms_strain;
 }
 
-/// The number of what a run was asked for.
-std::optional<int> number_of(const Method& method) {
-  const auto* options = std::get_if<Auto>(&method);
-  if (options == nullptr || options->max_strain > 0.0) return std::nullopt;
-  if (options->prefer == Prefer::flat) return k_flat;
-  if (options->prefer != Prefer::smooth) return std::nullopt;
-  for (std::size_t k = 0; k < k_candidate_strains.size(); ++k) {
-    if (rms_limit_of(*options) == k_candidate_strains[k]) return static_cast<int>(k) + 2;
-  }
-  return std::nullopt;
-}
-
 /// Whether the pattern is strained as little as was asked for.
 bool keeps_limits(const FlattenReport& report) {
   if (!report.unfold.limits.empty()) return all_kept(report.unfold.limits);
@@ -70,7 +58,7 @@ Candidate design_of(const FlattenReport& report) {
 Candidate result_of(const FlattenReport& report) {
   const EvolveReport& evolve = report.evolve;
   return {.method = evolve.method,
-          .pick = number_of(evolve.method),
+          .pick = pick_of(evolve.method),
           .stop = evolve.result.stop,
           .sweeps = evolve.result.history.size(),
           .seconds = evolve.result.seconds,
@@ -82,6 +70,17 @@ Candidate result_of(const FlattenReport& report) {
 }
 
 }  // namespace
+
+std::optional<int> pick_of(const Method& method) {
+  const auto* options = std::get_if<Auto>(&method);
+  if (options == nullptr || options->max_strain > 0.0) return std::nullopt;
+  if (options->prefer == Prefer::flat) return k_flat;
+  if (options->prefer != Prefer::smooth) return std::nullopt;
+  for (std::size_t k = 0; k < k_candidate_strains.size(); ++k) {
+    if (rms_limit_of(*options) == k_candidate_strains[k]) return static_cast<int>(k) + 2;
+  }
+  return std::nullopt;
+}
 
 FlattenOptions pick(int number, FlattenOptions options) {
   check_range("pick", number, {1.0, static_cast<double>(k_candidates)});

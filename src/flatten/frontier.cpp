@@ -31,7 +31,7 @@ std::vector<FlattenOptions> stops_of(const FrontierOptions& options, double rms_
   }
   if (options.limit) {
     stops.push_back(common);
-    stops.back().limits.max = *options.limit;
+    (options.limit_of_area ? stops.back().limits.p99 : stops.back().limits.max) = *options.limit;
   }
   return stops;
 }
@@ -109,7 +109,7 @@ void check(const FrontierOptions& options) {
 std::optional<std::size_t> FrontierReport::first_within_limit() const {
   if (!limit) return std::nullopt;
   const auto found = std::find_if(curve.begin(), curve.end(), [&](const Candidate& point) {
-    return point.strain.max <= *limit;
+    return (limit_of_area ? point.strain.p99 : point.strain.max) <= *limit;
   });
   if (found == curve.end()) return std::nullopt;
   return static_cast<std::size_t>(found - curve.begin());
@@ -122,6 +122,7 @@ FrontierReport frontier(const Patch& patch, std::string name, const FrontierOpti
   report.name = std::move(name);
   report.unit = options.unit;
   report.limit = options.limit;
+  report.limit_of_area = options.limit_of_area;
   FrontierRuns runs(patch, report, context);
   runs.add_design(options);
   runs.add_curve(stops_of(options, report.design.strain.rms), options.others.empty() ? 1.0 : 0.5);

@@ -24,6 +24,8 @@ constexpr double k_no_strain = 0.001;
 // Of the rms: that of the usual end of auto, as its estimate has it.
 constexpr double k_flat_strain = 1.1 * k_unmeasurable_strain;
 
+constexpr double k_limit_rounding = 1e-9;
+
 // Relative changes below these are not worth a word.
 constexpr double k_same_energy = 0.005, k_same_strain = 0.02;
 
@@ -100,8 +102,9 @@ std::string state_words(const FlattenReport& report) {
   const std::vector<LimitCheck> limits = strain_limits_of(report);
   const auto missed = std::find_if(limits.begin(), limits.end(),
                                    [](const LimitCheck& check) { return !check.met; });
-  return missed == limits.end() ? "Within " + strain_limit_name(limits.front())
-                                : "Not within " + strain_limit_name(*missed);
+  return missed == limits.end()
+             ? "Within " + strain_limit_name(limits.front(), report.unfold.strain)
+             : "Not within " + strain_limit_name(*missed, report.unfold.strain);
 }
 
 /// Where the form is not as it should be: that, to follow the first words.
@@ -122,7 +125,7 @@ std::string form_clause(const FlattenReport& report) {
 }
 
 std::string stretch_sentence(const FlattenReport& report) {
-  const EdgeStrain &before = report.unfold_before.strain, &after = report.unfold.strain;
+  const EdgeStrain &before = report.as_designed.strain, &after = report.unfold.strain;
   if (flatness_of(report) == Flatness::flat) {
     return after.max < k_not_measurable
                ? " The pattern keeps every length."
@@ -187,7 +190,7 @@ std::string form_sentence(const FlattenReport& report) {
 /// The unit in which a model of that many units would be of a usual size, if there is one.
 std::optional<Unit> likely_unit(double size_in_units) {
   constexpr double smallest = 100.0, largest = 5000.0;  // millimetres
-  for (const Unit unit : {Unit::mm, Unit::m, Unit::cm, Unit::in}) {
+  for (const Unit unit : {Unit::mm, Unit::m, Unit::cm, Unit::dm, Unit::in}) {
     const double size = millimetres_per(unit) * size_in_units;
     if (size >= smallest && size <= largest) return unit;
   }
@@ -220,10 +223,14 @@ std::vector<LimitCheck> strain_limits_of(const FlattenReport& report) {
   return limits;
 }
 
-std::string strain_limit_name(const LimitCheck& check) {
+std::string strain_limit_name(const LimitCheck& check, const EdgeStrain& strain) {
   const std::string_view material = material_of(check);
   const std::string limit = percent_text(check.limit);
-  if (!material.empty()) return "the " + limit + " that " + std::string(material) + " takes";
+  if (!material.empty()) {
+    const bool is_beyond = strain.max > check.limit * (1.0 + k_limit_rounding);
+    return "the " + limit + " that " + std::string(material) + " takes" +
+           (is_beyond ? " on 99 % of the area" : "");
+  }
   return "the limit of " + limit +
          (check.what == LimitOf::rms_strain   ? " (rms)"
           : check.what == LimitOf::p99_strain ? " on 99 % of the area"

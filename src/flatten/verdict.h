@@ -27,7 +27,9 @@ std::vector<LimitCheck> strain_limits_of(const FlattenReport& report);
 /// "the 10 % that neoprene takes" where the limit is that of one material alone, else "the limit of
 /// 2.0 %". Plain UTF-8 text.
 /// @param check of strain_limits_of()
-std::string strain_limit_name(const LimitCheck& check);
+/// @param strain of the pattern: where an edge is beyond it, the area is named that the limit is
+/// for
+std::string strain_limit_name(const LimitCheck& check, const EdgeStrain& strain);
 
 /// What came out, in plain words: whether the pattern can be cut, how much it is stretched, and
 /// what became of the form. Plain UTF-8 text; its first sentence is short.

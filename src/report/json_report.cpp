@@ -174,7 +174,9 @@ Json points_of(const std::vector<Candidate>& candidates) {
 Json limit_of(const FrontierReport& report) {
   if (!report.limit) return nullptr;
   const auto first = report.first_within_limit();
-  return {{"max_strain", *report.limit}, {"first_within", first ? Json(*first) : Json(nullptr)}};
+  return {{"max_strain", *report.limit},
+          {"kind", report.limit_of_area ? "p99" : "max"},
+          {"first_within", first ? Json(*first) : Json(nullptr)}};
 }
 
 }  // namespace

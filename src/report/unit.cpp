@@ -14,9 +14,10 @@ struct UnitEntry {
   double millimetres;
 };
 
-constexpr std::array<UnitEntry, 4> k_units = {{
+constexpr std::array<UnitEntry, 5> k_units = {{
     {Unit::mm, "mm", 1.0},
     {Unit::cm, "cm", 10.0},
+    {Unit::dm, "dm", 100.0},
     {Unit::m, "m", 1000.0},
     {Unit::in, "in", 25.4},
 }};
@@ -40,7 +41,7 @@ Unit unit_named(std::string_view name) {
     if (entry.name == name) return entry.unit;
   }
   throw Error(ErrorCode::unknown_name,
-              "no unit is called '" + std::string(name) + "'; there are mm, cm, m and in");
+              "no unit is called '" + std::string(name) + "'; there are mm, cm, dm, m and in");
 }
 
 }  // namespace planish

@@ -47,7 +47,8 @@ TEST_F(Frontier, HasAPointForAMaterial) {
   EXPECT_EQ(json["curve"].size(), 5U);
   EXPECT_EQ(json["limit"]["max_strain"], 0.01);
   const std::size_t first = json["limit"]["first_within"];
-  EXPECT_LE(json["curve"][first]["strain"]["max"], 0.01);
+  EXPECT_EQ(json["limit"]["kind"], "p99");
+  EXPECT_LE(json["curve"][first]["strain"]["p99"], 0.01);
 }
 
 TEST_F(Frontier, WritesAChartAPageOrAllFigures) {

@@ -94,6 +94,7 @@ FrontierOptions options_from(const Arguments& arguments) {
   if (arguments.has("--points"))
     options.points = whole_number_of("--points", arguments.flags.at("--points"), k_points);
   options.limit = limit_from(arguments);
+  options.limit_of_area = arguments.has("--material");
   options.others = others_from(arguments);
   options.unit = unit_from(arguments);
   return options;

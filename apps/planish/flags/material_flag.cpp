@@ -46,7 +46,12 @@ double strain_of_material(const Arguments& arguments) {
                      "; for another strain give --max-strain " + name + ", or --max-strain " +
                      name + "@p99 for 99 % of the area as with a material");
   }
-  return material_named(known_name("material", name, material_names())).max_strain;
+  try {
+    return material_named(known_name("material", name, material_names())).max_strain;
+  } catch (const UsageError& error) {
+    throw UsageError(std::string(error.what()) +
+                     "; for another one give its strain, as --max-strain 0.5%@p99");
+  }
 }
 
 }  // namespace planish::cli

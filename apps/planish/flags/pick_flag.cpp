@@ -1,6 +1,7 @@
 #include "flags/pick_flag.h"
 
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "flags/quantities.h"
@@ -14,6 +15,8 @@ namespace planish::cli {
 namespace {
 
 constexpr Range k_numbers = {1.0, static_cast<double>(k_candidates)};
+constexpr std::string_view k_choices =
+    "1 as designed, 2, 3, 4, 5 at most 2, 1, 0.5, 0.1 % rms, 6 flat";
 
 void refuse_other_choices(const Arguments& arguments) {
   for (const char* flag : {"--prefer", "--max-strain", "--material", "--max-rms-strain",
@@ -24,17 +27,19 @@ void refuse_other_choices(const Arguments& arguments) {
   }
 }
 
+int number_from(const std::string& text) {
+  if (text.find_first_not_of("0123456789") != std::string::npos) {
+    throw UsageError("--pick is \"" + text + "\" but must be a number from 1 to " +
+                     std::to_string(k_candidates) + ": " + std::string(k_choices));
+  }
+  return whole_number_of("--pick", text, k_numbers);
+}
+
 }  // namespace
 
 Flag pick_flag() {
-  return {
-      "--pick",
-      "N",
-      "how much strain to leave: 1 as designed, 2, 3, 4, 5 at most 2, 1, 0.5, 0.1 % rms, 6 flat "
-      "(default 5)",
-      0,
-      false,
-      {.type = ValueType::integer, .range = k_numbers}};
+  return {"--pick", "N",   "how much strain to leave: " + std::string(k_choices) + " (default 5)",
+          0,        false, {.type = ValueType::integer, .range = k_numbers}};
 }
 
 FlattenOptions picked(FlattenOptions options, const Arguments& arguments) {
@@ -42,17 +47,17 @@ FlattenOptions picked(FlattenOptions options, const Arguments& arguments) {
   refuse_other_choices(arguments);
   if (!std::holds_alternative<Auto>(options.method))
     throw UsageError("flag --pick goes with method auto only");
-  const int number = whole_number_of("--pick", arguments.flags.at("--pick"), k_numbers);
-  return pick(number, std::move(options));
+  return pick(number_from(arguments.flags.at("--pick")), std::move(options));
 }
 
 CommandResult with_design_checked(CommandResult outcome, const FlattenReport& report) {
-  if (!report.rejected || outcome.exit_code != k_exit_done) return outcome;
+  if (!report.rejected) return outcome;
   outcome.exit_code = k_exit_target_missed;
   outcome.complaint = "evolving would have stretched the pattern more, to " +
                       percent(report.rejected->rms) + " rms where the design has " +
-                      percent(report.unfold_before.strain.rms) +
-                      ": the pattern of the design was written";
+                      percent(report.as_designed.strain.rms) +
+                      ": the pattern of the design was written" +
+                      (outcome.complaint.empty() ? "" : ". " + outcome.complaint);
   return outcome;
 }
 

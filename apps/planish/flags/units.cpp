@@ -25,7 +25,7 @@ struct UnitWord {
 };
 
 /// What people write instead of the short names.
-constexpr std::array<UnitWord, 15> k_unit_words = {{{"millimetre", Unit::mm},
+constexpr std::array<UnitWord, 19> k_unit_words = {{{"millimetre", Unit::mm},
                                                     {"millimeter", Unit::mm},
                                                     {"millimetres", Unit::mm},
                                                     {"millimeters", Unit::mm},
@@ -33,6 +33,10 @@ constexpr std::array<UnitWord, 15> k_unit_words = {{{"millimetre", Unit::mm},
                                                     {"centimeter", Unit::cm},
                                                     {"centimetres", Unit::cm},
                                                     {"centimeters", Unit::cm},
+                                                    {"decimetre", Unit::dm},
+                                                    {"decimeter", Unit::dm},
+                                                    {"decimetres", Unit::dm},
+                                                    {"decimeters", Unit::dm},
                                                     {"metre", Unit::m},
                                                     {"meter", Unit::m},
                                                     {"metres", Unit::m},

@@ -10,7 +10,7 @@
 
 namespace planish::cli {
 
-inline constexpr std::array k_units = {Unit::mm, Unit::cm, Unit::m, Unit::in};
+inline constexpr std::array k_units = {Unit::mm, Unit::cm, Unit::dm, Unit::m, Unit::in};
 
 /// --unit, for verbs that write patterns or take lengths.
 Flag unit_flag();

@@ -99,7 +99,7 @@ void list(FinishedPatch& patch, const Visit& visit) {
 }
 
 constexpr StopReason last_of(StopReason) {
-  return StopReason::sweep_limit;
+  return StopReason::design_kept;
 }
 constexpr StrainLimitKind last_of(StrainLimitKind) {
   return StrainLimitKind::rms;

@@ -111,7 +111,7 @@ std::optional<Unit> unit_of(const Entry& entry) {
   const auto word = entry.text("unit");
   if (!word) return std::nullopt;
   const auto unit = unit_of_word(*word);
-  if (!unit) refuse(entry.where("unit"), "is \"" + *word + "\" but must be mm, cm, m or in");
+  if (!unit) refuse(entry.where("unit"), "is \"" + *word + "\" but must be mm, cm, dm, m or in");
   return unit;
 }
 

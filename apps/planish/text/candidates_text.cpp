@@ -35,8 +35,10 @@ std::string row(const Cells& cells) {
   return text + (cells.smooth.empty() ? "" : "  " + cells.smooth) + "\n";
 }
 
-/// The numbers and names of those that were not computed and are not the design again.
-std::string others_text(const std::vector<Candidate>& computed) {
+/// The numbers and names of those that were not computed and would not be the design again.
+std::string others_text(const FlattenReport& report, const std::vector<Candidate>& computed) {
+  const double least_stretch = report.unfold_before.strain.rms;
+  const std::optional<int> dropped = report.rejected ? pick_of(report.evolve.method) : std::nullopt;
   const auto is_computed = [&](int number) {
     return std::any_of(computed.begin(), computed.end(),
                        [&](const Candidate& candidate) { return candidate.pick == number; });
@@ -44,7 +46,7 @@ std::string others_text(const std::vector<Candidate>& computed) {
   std::string text;
   for (int number = 1; number <= k_candidates; ++number) {
     const FlattenOptions options = pick(number);
-    if (is_computed(number) || options.limits.rms >= computed.front().strain.rms) continue;
+    if (is_computed(number) || number == dropped || options.limits.rms >= least_stretch) continue;
     Candidate other;
     auto method = std::get<Auto>(options.method);
     method.max_rms_strain = options.limits.rms;
@@ -68,11 +70,14 @@ std::string candidate_head(const ShownLengths& lengths) {
 std::string candidate_row(const std::string& mark, const Candidate& candidate,
                           const ShownLengths& lengths) {
   const Fairness& form = candidate.fairness;
+  const auto beside_design = [&](const std::optional<double>& value) {
+    return candidate.is_design() ? "-" : ratio(value);
+  };
   const std::string number = candidate.pick ? std::to_string(*candidate.pick) + " " : "";
   return row({left(mark, 2) + number + candidate_name(candidate), in_percent(candidate.strain.rms),
               in_percent(candidate.strain.max), lengths.number(candidate.deviation.rms),
-              lengths.number(candidate.deviation.max), ratio(form.bending_ratio),
-              ratio(form.bending_added), ratio(form.bending_lost),
+              lengths.number(candidate.deviation.max), beside_design(form.bending_ratio),
+              beside_design(form.bending_added), beside_design(form.bending_lost),
               form.sharpest_fold ? fixed(form.sharpest_fold->degrees, 0) : "-",
               form.is_smooth() ? "" : "!"});
 }
@@ -84,7 +89,7 @@ std::string candidates_text(const FlattenReport& report) {
   for (const Candidate& candidate : candidates)
     text += candidate_row(&candidate == &candidates.back() ? "> " : "", candidate, lengths);
   const bool is_crumpled = !candidates.back().fairness.is_smooth();
-  const std::string others = others_text(candidates);
+  const std::string others = others_text(report, candidates);
   return text + "\n" +
          wrapped(std::string("> is what was written.") + (is_crumpled ? " ! is crumpled." : "") +
                      " Others to choose: --pick " + others +

@@ -16,7 +16,7 @@ constexpr double k_small_pattern = 50.0;
 constexpr double k_large_pattern = 5'000.0;
 
 /// The likeliest first: programs that model in other units than mm mostly do so in m.
-constexpr std::array k_likely_units = {Unit::m, Unit::cm, Unit::in, Unit::mm};
+constexpr std::array k_likely_units = {Unit::m, Unit::cm, Unit::dm, Unit::in, Unit::mm};
 
 bool is_usual(double millimetres) {
   return k_small_pattern <= millimetres && millimetres <= k_large_pattern;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "flatten/strain_limit_text.h"
+#include "flatten/verdict.h"
 #include "platform/memory.h"
 #include "platform/path.h"
 #include "shell/text.h"
@@ -166,7 +167,7 @@ std::string form_lines(const EvolveReport& report) {
   std::string text = "  form        " + tick(fairness.is_smooth(), "smooth");
   if (fairness.bending_lost) text += "  " + tick(fairness.keeps_form(), "form kept");
   text += "\n";
-  if (fairness.bending_ratio) {
+  if (fairness.bending_ratio && !fairness.unchanged) {
     text += indent + "bending " + digits(*fairness.bending_ratio, 3) + " times that of the design";
     if (fairness.bending_added) {
       text += ": added " + digits(*fairness.bending_added, 2) + ", lost " +
@@ -260,6 +261,14 @@ std::string as_designed_lines(const StrainAsDesigned& strain) {
   return text + (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");
 }
 
+/// Without the blanks that keep number and unit together in pages: lines are wrapped at blanks.
+std::string with_plain_blanks(std::string text) {
+  constexpr std::string_view blank = "\u00A0";
+  for (std::size_t at = 0; (at = text.find(blank, at)) != std::string::npos;)
+    text.replace(at, blank.size(), " ");
+  return text;
+}
+
 }  // namespace
 
 std::string size_text(const TriMesh& mesh) {
@@ -307,13 +316,14 @@ std::string flatten_text(const FlattenReport& report) {
   const EvolveReport& evolve = report.evolve;
   const std::string limits = strain_limits_text(report.unfold.limits);
   const ShownLengths lengths(report.unfold.unit);
-  const std::string answer = limits.empty() ? "" : wrapped(limits, 0) + "\n\n";
+  const std::string answer = wrapped(with_plain_blanks(verdict_text(report)), 0) + "\n\n" +
+                             (limits.empty() ? "" : wrapped(limits, 0) + "\n\n");
   return "\n" + answer + candidates_text(report) + "\n" + pattern_lines(report.unfold) +
          unlimited_lines(report.unfold) + matching_lines(report.unfold) + form_lines(evolve) +
          deviation_lines(evolve.deviation, lengths) + border_line(evolve.border, lengths) + "\n" +
          run_line(evolve, lengths) + comparison_head() +
          comparison(figure_rows(evolve.before.figures, evolve.after.figures)) +
-         comparison(strain_rows(report.unfold_before.strain, report.unfold.strain));
+         comparison(strain_rows(report.as_designed.strain, report.unfold.strain));
 }
 
 std::string directions_text(const DirectionCounts& counts) {
@@ -374,7 +384,8 @@ void warn_of_pattern(Session& session, const UnfoldReport& report) {
         "cutting cloth");
   }
   if (pattern.flipped_triangles > 0) {
-    session.warn(counted(pattern.flipped_triangles, "triangle") + " of the pattern are flipped over: do not cut it");
+    session.warn(counted(pattern.flipped_triangles, "triangle") +
+                 " of the pattern are flipped over: do not cut it");
   }
   if (!pattern.converged) {
     session.warn(

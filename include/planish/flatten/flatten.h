@@ -196,6 +196,10 @@ inline constexpr int k_candidates = static_cast<int>(k_candidate_strains.size())
 /// @throws Error option_out_of_range
 FlattenOptions pick(int number, FlattenOptions options = {});
 
+/// The number of what a run with this method was asked for, as of pick(); none where it is not of
+/// the fixed order. The design, for which no method runs, has 1.
+std::optional<int> pick_of(const Method& method);
+
 /// What a candidate is called: "as designed", "0.5 % rms", "limit 1 %" by the largest strain,
 /// "flat", of another method its name; with ", missed" where the limit is not kept.
 std::string candidate_name(const Candidate& candidate);

@@ -23,16 +23,18 @@ struct FrontierReport {
   std::vector<Candidate> curve;           ///< by flatten() with Auto, by growing rms deviation
   std::vector<Candidate> others;          ///< by other methods, in the order asked for
   std::vector<FrontierFailure> failures;  ///< runs without a result
-  std::optional<double> limit;            ///< that was asked for
+  std::optional<double> limit;            ///< of strain, that was asked for
+  bool limit_of_area = false;             ///< on 99 % of the area, else of every edge
 
-  /// The first point of the curve whose largest strain keeps the limit; nothing without one.
+  /// The first point of the curve whose strain keeps the limit; nothing without one.
   std::optional<std::size_t> first_within_limit() const;
 };
 
 /// Which points a frontier has.
 struct FrontierOptions {
-  std::optional<int> points = {};    ///< on the curve, at least 2; default: the usual stops
-  std::optional<double> limit = {};  ///< of largest strain, above 0: the curve has a point for it
+  std::optional<int> points = {};       ///< on the curve, at least 2; default: the usual stops
+  std::optional<double> limit = {};     ///< of strain, above 0: the curve has a point for it
+  bool limit_of_area = false;           ///< on 99 % of the area, else of every edge
   std::vector<CompareRun> others = {};  ///< to compare with
   Unit unit = Unit::mm;                 ///< one unit of the model, for the report
   Constraints constraints = {};         ///< for every run

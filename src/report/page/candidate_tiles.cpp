@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/figure_text.h"
+#include "core/math.h"
 #include "core/number_text.h"
 #include "draw/base64.h"
 #include "draw/text/markup_text.h"
@@ -26,14 +27,41 @@ constexpr Color k_surface = {196, 200, 204};
 struct Shown {
   Candidate candidate;
   const Patch& surface;
-  const Pattern& pattern;
+  std::vector<Vec2> pattern;
 };
+
+/// Turned so that it lies as another pattern of the same vertices does, by least squares.
+std::vector<Vec2> turned_like(std::span<const Vec2> other, const std::vector<Vec2>& pattern) {
+  Vec2 middle, other_middle;
+  const double share = 1.0 / static_cast<double>(pattern.size());
+  for (std::size_t v = 0; v < pattern.size(); ++v) {
+    middle = middle + share * pattern[v];
+    other_middle = other_middle + share * other[v];
+  }
+  double along = 0.0, across = 0.0;
+  for (std::size_t v = 0; v < pattern.size(); ++v) {
+    const Vec2 p = pattern[v] - middle, q = other[v] - other_middle;
+    along += p.x * q.x + p.y * q.y;
+    across += p.x * q.y - p.y * q.x;
+  }
+  const double length = math::hypot(along, across);
+  if (!(length > 0.0)) return pattern;
+  const double cos = along / length, sin = across / length;
+  std::vector<Vec2> turned;
+  turned.reserve(pattern.size());
+  for (const Vec2 p : pattern)
+    turned.push_back({cos * p.x - sin * p.y, sin * p.x + cos * p.y});
+  return turned;
+}
 
 std::vector<Shown> shown_candidates(const FlattenReport& report) {
   const std::vector<Candidate> candidates = report.candidates();
-  std::vector<Shown> shown = {{candidates.front(), report.input, report.as_designed.pattern}};
-  if (candidates.size() > 1)
-    shown.push_back({candidates.back(), report.processed, report.unfold.pattern});
+  const std::vector<Vec2>& design = report.as_designed.pattern.positions;
+  std::vector<Shown> shown = {{candidates.front(), report.input, design}};
+  if (candidates.size() > 1) {
+    shown.push_back({candidates.back(), report.processed,
+                     turned_like(design, report.unfold.pattern.positions)});
+  }
   return shown;
 }
 
@@ -73,7 +101,7 @@ Box box_of(std::span<const Vec2> positions) {
 Vec2 size_of_all(const std::vector<Shown>& shown) {
   Vec2 size;
   for (const Shown& some : shown) {
-    const Box box = box_of(some.pattern.positions);
+    const Box box = box_of(some.pattern);
     size = {std::max(size.x, box.high.x - box.low.x), std::max(size.y, box.high.y - box.low.y)};
   }
   return size;
@@ -83,13 +111,13 @@ Vec2 size_of_all(const std::vector<Shown>& shown) {
 std::string outline_of(const Shown& shown, Vec2 size) {
   constexpr double k_units = 100.0, k_margin = 2.0;
   const double larger = std::max(size.x, size.y), scale = larger > 0.0 ? k_units / larger : 1.0;
-  const Box box = box_of(shown.pattern.positions);
+  const Box box = box_of(shown.pattern);
   const Vec2 middle = 0.5 * (box.low + box.high);
   const Vec2 room = {scale * size.x + 2.0 * k_margin, scale * size.y + 2.0 * k_margin};
   std::string path;
   for (const std::vector<Index>& loop : shown.surface.border_loops()) {
     for (std::size_t k = 0; k < loop.size(); ++k) {
-      const Vec2 p = scale * (shown.pattern.positions[loop[k]] - middle);
+      const Vec2 p = scale * (shown.pattern[loop[k]] - middle);
       path += std::string(k == 0 ? "M" : " ") + fixed_text(0.5 * room.x + p.x, 1) + " " +
               fixed_text(0.5 * room.y - p.y, 1);
     }

@@ -316,8 +316,8 @@ std::string figures_table(const FlattenReport& report) {
   return "<table>\n<thead><tr><th scope=\"col\">Figure</th><th scope=\"col\">Before</th>"
          "<th scope=\"col\">After</th><th scope=\"col\">Change</th></tr></thead>\n" +
          section("Pattern: what the material feels",
-                 joined(strain_rows(report.unfold_before.strain, report.unfold.strain),
-                        pattern_rows(report.unfold_before.pattern, report.unfold.pattern, unit))) +
+                 joined(strain_rows(report.as_designed.strain, report.unfold.strain),
+                        pattern_rows(report.as_designed.pattern, report.unfold.pattern, unit))) +
          section("Patch: how far from flattenable", defect_rows(before, after)) +
          section("Form: what it cost",
                  joined(joined(deviation_rows(report.evolve.deviation, unit),

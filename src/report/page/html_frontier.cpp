@@ -15,10 +15,10 @@ std::string cell(const std::string& text) {
 }
 
 std::string row(const std::string& name, const EdgeStrain& strain, const Deviation& deviation,
-                const std::string& rest) {
+                Unit unit, const std::string& rest) {
   return "<tr><th>" + escape_markup(name) + "</th>" + cell(percent_text(strain.rms)) +
          cell(percent_text(strain.max)) + cell(percent_text(deviation.rms_over_diagonal)) +
-         cell(significant_text(deviation.max, 2)) + rest + "</tr>\n";
+         cell(length_text(deviation.max, unit)) + rest + "</tr>\n";
 }
 
 std::string figure_cell(const std::optional<double>& value) {
@@ -40,18 +40,17 @@ std::string table(const FrontierReport& report) {
   std::string html =
       "<table class=\"compare\">\n<thead><tr><th>Method and stop</th><th>Strain, rms</th>"
       "<th>Strain, largest</th><th>Deviation, rms<small>of the diagonal</small></th>"
-      "<th>Deviation, largest<small>" +
-      std::string(to_string(report.unit)) +
-      "</small></th><th>Bending<small>of the design's</small></th><th>Bending added<small>of the "
+      "<th>Deviation, largest</th><th>Bending<small>of the design's</small></th><th>Bending "
+      "added<small>of the "
       "design's</small></th><th>Smooth</th><th>Sweeps</th><th>Time<small>s</small></th><th>Ended "
       "as</th></tr></thead>\n"
       "<tbody>\n" +
-      row("as designed", report.design.strain, {},
+      row("as designed", report.design.strain, {}, report.unit,
           figure_cell(report.design.fairness.bending_ratio) +
               "<td></td><td></td><td></td><td></td><td></td>");
   for (const auto* points : {&report.curve, &report.others}) {
     for (const Candidate& point : *points) {
-      html += row(name_of_point(point), point.strain, point.deviation,
+      html += row(name_of_point(point), point.strain, point.deviation, report.unit,
                   fairness_cells(point.fairness) + cell(count_text(point.sweeps)) +
                       cell(significant_text(point.seconds, 2)) +
                       cell(std::string(stop_text(point.stop))));
@@ -68,8 +67,10 @@ std::string limit_words(const FrontierReport& report) {
   const auto within = report.first_within_limit();
   const std::string limit = percent_text(*report.limit);
   if (!within) return "No point of the curve keeps the limit of " + limit + ".";
-  return "The limit of " + limit + " is kept from an rms deviation of " +
-         percent_text(report.curve[*within].deviation.rms_over_diagonal) + " of the diagonal on.";
+  const Deviation& deviation = report.curve[*within].deviation;
+  return "The limit of " + limit + " is kept if the form may move by " +
+         length_text(deviation.max, report.unit) + ", by " +
+         length_text(deviation.rms, report.unit) + " as a rule.";
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ std::string material_mark(const FlattenPage& page) {
 }
 
 std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut_size) {
-  const EdgeStrain& before = report.unfold_before.strain;
+  const EdgeStrain& before = report.as_designed.strain;
   const EdgeStrain& after = report.unfold.strain;
   const Deviation& deviation = report.evolve.deviation;
   const Pattern& pattern = report.unfold.pattern;
@@ -90,8 +90,9 @@ std::string neutral_mark(const std::string& words) {
 std::vector<std::string> flatness_checks(const FlattenReport& report) {
   std::vector<std::string> items;
   for (const LimitCheck& check : strain_limits_of(report)) {
-    items.push_back(mark(check.met, (check.met ? "within " : "not within ") +
-                                        escape_markup(strain_limit_name(check))));
+    items.push_back(
+        mark(check.met, (check.met ? "within " : "not within ") +
+                            escape_markup(strain_limit_name(check, report.unfold.strain))));
   }
   const std::string stretched = "does not lie flat without stretch";
   if (flatness_of(report) == Flatness::flat)

@@ -190,7 +190,7 @@ std::string data_of(const FlattenReport& report, const PatternOnSheet& placed,
   drawn.reserve(placed.pattern.positions.size());
   for (const Vec2 p : placed.pattern.positions)
     drawn.push_back({p.x, placed.size.y - p.y});
-  PageInput input{{{"before", report.input, report.unfold_before.pattern.positions},
+  PageInput input{{{"before", report.input, report.as_designed.pattern.positions},
                    {"after", report.processed, report.unfold.pattern.positions}}};
   input.unit = report.unfold.unit;
   input.defect_limit = defect_limit;

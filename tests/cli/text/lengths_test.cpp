@@ -30,10 +30,11 @@ TEST(UnusualSize, IsNotNotedOfPiecesOfUsualSize) {
 
 TEST(UnusualSize, NamesTheUnitsUnderWhichItWouldBeUsual) {
   EXPECT_EQ(of_size(0.2, 0.593, Unit::mm),
-            "the pattern is 0.593 mm long; with --unit m it would be 593 mm");
+            "the pattern is 0.593 mm long; with --unit m it would be 593 mm, with --unit dm it "
+            "would be 59.3 mm");
   EXPECT_EQ(of_size(24.0, 3.0, Unit::mm),
-            "the pattern is 24.0 mm long; with --unit cm it would be 240 mm, with --unit in it "
-            "would be 610 mm");
+            "the pattern is 24.0 mm long; with --unit cm it would be 240 mm, with --unit dm it "
+            "would be 2400 mm, with --unit in it would be 610 mm");
   EXPECT_EQ(of_size(320.0, 3.0, Unit::m),
             "the pattern is 320 m long; with --unit cm it would be 3200 mm, with --unit mm it "
             "would be 320 mm");

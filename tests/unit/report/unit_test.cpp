@@ -28,7 +28,7 @@ TEST(Unit, NamesTheKnownOnesWhenAskedForAnother) {
       ADD_FAILURE() << name;
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::unknown_name);
-      EXPECT_EQ(error.message(), "no unit is called '" + name + "'; there are mm, cm, m and in");
+      EXPECT_EQ(error.message(), "no unit is called '" + name + "'; there are mm, cm, dm, m and in");
     }
   }
 }

@@ -254,7 +254,7 @@ std::vector<double> numbers_of(const std::string& table, const std::string& name
 
 TEST(FiguresTable, HasTheFiguresOfTheReportToTheLastDigit) {
   FlattenReport report = samples::flatten_report();
-  report.unfold_before.pattern.flipped_triangles = 3;
+  report.as_designed.pattern.flipped_triangles = 3;
   report.unfold.pattern.overlaps = true;
   const std::string table = figures_table(report);
   const auto& before = report.evolve.before.figures;
@@ -321,7 +321,7 @@ TEST(FiguresTable, JudgesAChangeByWhatTheFigureShouldBe) {
   EXPECT_EQ(change_of(report, "Energy"), "× 5.3 worse");
   report.unfold.pattern.flipped_triangles = 2;
   EXPECT_EQ(change_of(report, "Flipped triangles"), "from 0 worse");
-  report.unfold_before.strain.max = 1e-9;
+  report.as_designed.strain.max = 1e-9;
   report.unfold.strain.max = 5e-9;
   EXPECT_EQ(change_of(report, "Strain, worst edge"), "same") << "rounding is no change";
 }

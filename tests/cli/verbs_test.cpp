@@ -225,8 +225,9 @@ TEST_F(Verbs, FlattenWritesWhatIsPickedAndTheDesignBesideIt) {
 
 TEST_F(Verbs, FlattenRefusesTwoChoicesAtOnce) {
   for (const Names& more :
-       {Names{"--pick", "7"}, Names{"--pick", "2", "--material", "leather"},
-        Names{"--pick", "2", "--prefer", "flat"}, Names{"--pick", "2", "--method", "classical"}}) {
+       {Names{"--pick", "7"}, Names{"--pick", "flat"},
+        Names{"--pick", "2", "--material", "leather"}, Names{"--pick", "2", "--prefer", "flat"},
+        Names{"--pick", "2", "--method", "classical"}}) {
     Names args = {"flatten", "panel.obj"};
     args.insert(args.end(), more.begin(), more.end());
     const CliResult result = planish(args);

@@ -204,6 +204,7 @@ std::string json_report(const FlattenReport& report, const WrittenFiles& files,
                {"evolve", to_json(report.evolve)},
                {"unfold", to_json(report.unfold)},
                {"unfold_before", to_json(report.unfold_before)},
+               {"as_designed", to_json(report.as_designed)},
                {"limits", to_json(report.unfold.limits)},
                {"candidates", to_json(report.candidates())},
                {"files", Json(files)}};

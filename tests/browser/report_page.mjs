@@ -233,7 +233,7 @@ test('dragging turns the patch, layers of the pattern can be hidden', async () =
 
 // Rows of the table with what report.json has for them: before, after.
 function expectedRows() {
-  const { evolve, unfold, unfold_before: first } = report;
+  const { evolve, unfold, as_designed: first } = report;
   const degrees = 180 / Math.PI;
   const both = (pick) => [pick(evolve.before), pick(evolve.after)];
   return {

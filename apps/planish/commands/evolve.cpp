@@ -58,6 +58,7 @@ void check_request(const Arguments& arguments) {
 
 std::vector<std::string> mesh_format_names() {
   std::vector<std::string> names;
+  names.reserve(k_mesh_formats.size());
   for (const MeshFormat format : k_mesh_formats)
     names.emplace_back(to_string(format));
   return names;

@@ -123,7 +123,7 @@ CommandResult unfold_several(const Arguments& arguments, Session& session) {
       .heads = "rms strain     99 %  largest    width   height",
       .missed_before = "a limit of strain is missed by ",
       .missed_behind = "",
-      .extension = [&](const std::string&) { return extension; },
+      .extension = [&](const std::string&) { return std::string(extension); },
       .work = [&](WorkFile& file,
                   const auto& place) { unfold_into(file, place, request, arguments, session); }};
   return run_several(job, arguments, session);

@@ -208,8 +208,9 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
 TEST(JsonReport, OfTheMainJobHasItsPartsAndFiles) {
   const FlattenReport report = samples::flatten_report();
   const Json json = Json::parse(json_report(report, {{"pattern", "out/pattern.svg"}}));
-  EXPECT_THAT(keys_of(json), ElementsAre("schema", "name", "version", "evolve", "unfold",
-                                         "unfold_before", "limits", "candidates", "files"));
+  EXPECT_THAT(keys_of(json),
+              ElementsAre("schema", "name", "version", "evolve", "unfold", "unfold_before",
+                          "as_designed", "limits", "candidates", "files"));
   EXPECT_EQ(json["name"], "front panel");
   EXPECT_EQ(json["version"], k_version);
   EXPECT_EQ(json["evolve"], samples::part_of(json_report(report.evolve)));

@@ -165,13 +165,15 @@ std::vector<Cell> compared_cells(const CompareReport* report, const ComparedMeth
                                  .take();
   cells = std::move(cells) + unfolded_cells(run && run->unfold ? &*run->unfold : nullptr);
   const auto is_best = [&](const ComparedMethod& some) {
+    if (report == nullptr) return false;
     const auto best = best_run(*report);
     return best && &report->runs[*best] == &some;
   };
   return std::move(cells) +
          CellsOf(run)
              .add("best", is_best)
-             .add("verdict", [&](auto& some) { return verdict_text(*report, some); })
+             .add("verdict",
+                  [&](auto& some) { return report ? verdict_text(*report, some) : std::string(); })
              .take();
 }
 

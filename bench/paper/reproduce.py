@@ -23,7 +23,7 @@ import errata
 import least_norm
 import measures
 import table_one
-from markdown import table
+from markdown import table, wrapped
 from patches import Patches
 from program import Program
 
@@ -122,7 +122,7 @@ def main():
         version = program.ask("--version")["version"]
     figures["errata"] = job.errata
     texts.append(errata_text(job.errata))
-    (out / "README.md").write_text(page(version, summary, texts, folder is None), encoding="utf-8")
+    (out / "README.md").write_text(wrapped(page(version, summary, texts, folder is None)), encoding="utf-8")
     (out / "figures.json").write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
 
 

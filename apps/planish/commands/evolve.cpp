@@ -14,6 +14,7 @@
 #include "shell/output_folder.h"
 #include "shell/session.h"
 #include "shell/text.h"
+#include "shell/values.h"
 #include "text/summary.h"
 
 namespace planish::cli {
@@ -56,14 +57,6 @@ void check_request(const Arguments& arguments) {
   stopping_from(arguments, method);
 }
 
-std::vector<std::string> mesh_format_names() {
-  std::vector<std::string> names;
-  names.reserve(k_mesh_formats.size());
-  for (const MeshFormat format : k_mesh_formats)
-    names.emplace_back(to_string(format));
-  return names;
-}
-
 /// The name of the format that the mesh of an input is written in.
 std::string mesh_format_for(const std::string& input) {
   try {
@@ -103,7 +96,7 @@ void evolve_into(WorkFile& file, const std::filesystem::path& place, const Argum
 CommandResult evolve_several(const Arguments& arguments, Session& session) {
   refuse_single_file_flags(arguments, std::array{"--cut", "--history", "--fix", "--weights"});
   check_request(arguments);
-  const auto format = output_format_from(arguments, mesh_format_names());
+  const auto format = output_format_from(arguments, names_of(k_mesh_formats));
   const SeveralFiles job = {
       .columns = evolved_cells(nullptr),
       .heads = "  e_max    after  deviat.  added  lost smooth   time",
@@ -118,7 +111,7 @@ CommandResult evolve_several(const Arguments& arguments, Session& session) {
 
 CommandResult run_evolve(const Arguments& arguments, Session& session) {
   if (takes_several(arguments)) return evolve_several(arguments, session);
-  output_format_from(arguments, mesh_format_names());
+  output_format_from(arguments, names_of(k_mesh_formats));
   check_request(arguments);
   const std::string& output = arguments.flags.at("--output");
   const MeshFormat format = mesh_format_of(path_of(output));
@@ -161,7 +154,7 @@ Command evolve_command() {
         {"--history", "FILE", "the figures of every sweep, as comma-separated values"},
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"},
         csv_flag(),
-        output_format_flag(mesh_format_names(), "as the input, obj for .stl")}}};
+        output_format_flag(names_of(k_mesh_formats), "as the input, obj for .stl")}}};
   for (FlagGroup& group : method_flags(Method{}))
     groups.push_back(std::move(group));
   groups.push_back(constraint_flags());

@@ -23,14 +23,6 @@ constexpr std::array k_corners = {Corners::mitre, Corners::square, Corners::roun
 
 constexpr Range k_quantity = {1.0, 1'000'000.0};
 
-std::vector<std::string> corner_names() {
-  std::vector<std::string> names;
-  names.reserve(k_corners.size());
-  for (const Corners corners : k_corners)
-    names.emplace_back(to_string(corners));
-  return names;
-}
-
 /// Millimetres on the sheet.
 double length_from(const Arguments& arguments, const std::string& flag) {
   constexpr Range positive = {.min = std::numeric_limits<double>::min()};
@@ -41,11 +33,9 @@ double length_from(const Arguments& arguments, const std::string& flag) {
 std::optional<Allowance> allowance_from(const Arguments& arguments) {
   if (!arguments.has("--allowance")) return std::nullopt;
   Allowance allowance{.width = length_from(arguments, "--allowance")};
-  const std::vector<std::string> names = corner_names();
-  const std::string name =
-      known_name("kind of corners", arguments.value_or("--corners", names.front()), names);
-  allowance.corners = k_corners[static_cast<std::size_t>(
-      std::find(names.begin(), names.end(), name) - names.begin())];
+  if (arguments.has("--corners")) {
+    allowance.corners = value_named("kind of corners", arguments.flags.at("--corners"), k_corners);
+  }
   return allowance;
 }
 
@@ -126,10 +116,10 @@ FlagGroup annotation_flags() {
         {.range = {.min = 0.0}}},
        {"--corners",
         "KIND",
-        "of the allowance: " + list_of(corner_names()) + " (default mitre)",
+        "of the allowance: " + list_of(names_of(k_corners)) + " (default mitre)",
         0,
         false,
-        {.choices = corner_names(), .standard = corner_names().front()}},
+        {.choices = names_of(k_corners), .standard = std::string(to_string(k_corners.front()))}},
        {"--edge-allowances", "FILE",
         "other ones for stretches of the border, a line each: from vertex, to vertex, width in mm"},
        {"--notches", "FILE",

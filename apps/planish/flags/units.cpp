@@ -10,15 +10,6 @@ namespace planish::cli {
 
 namespace {
 
-std::vector<std::string> unit_names() {
-  std::vector<std::string> names;
-  names.reserve(k_units.size());
-  for (const Unit unit : k_units) {
-    names.emplace_back(to_string(unit));
-  }
-  return names;
-}
-
 struct UnitWord {
   std::string_view word;
   Unit unit;
@@ -58,15 +49,18 @@ std::optional<Unit> unit_of_word(std::string_view word) {
 }
 
 Flag unit_flag() {
-  return {
-      "--unit", "UNIT", "what one unit of the mesh is: " + list_of(unit_names()) + " (default mm)",
-      0,        false,  {.choices = unit_names(), .standard = "mm"}};
+  return {"--unit",
+          "UNIT",
+          "what one unit of the mesh is: " + list_of(names_of(k_units)) + " (default mm)",
+          0,
+          false,
+          {.choices = names_of(k_units), .standard = "mm"}};
 }
 
 Unit unit_from(const Arguments& arguments) {
   const std::string word = arguments.value_or("--unit", "mm");
   const auto unit = unit_of_word(word);
-  return unit ? *unit : unit_named(known_name("unit", word, unit_names()));
+  return unit ? *unit : unit_named(known_name("unit", word, names_of(k_units)));
 }
 
 }  // namespace planish::cli

@@ -19,15 +19,6 @@ constexpr std::array k_formats = {PatternFormat::svg, PatternFormat::dxf, Patter
                                   PatternFormat::plt};
 constexpr const char* k_usual_formats = "svg,dxf,pdf";
 
-template <class Values>
-std::vector<std::string> names_of(const Values& values) {
-  std::vector<std::string> names;
-  names.reserve(values.size());
-  for (const auto value : values)
-    names.emplace_back(to_string(value));
-  return names;
-}
-
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> parts = {""};
   for (const char c : text) {
@@ -38,12 +29,6 @@ std::vector<std::string> split(const std::string& text) {
     }
   }
   return parts;
-}
-
-PatternFormat format_named(const std::string& name) {
-  const std::vector<std::string> names = names_of(k_formats);
-  const auto found = std::find(names.begin(), names.end(), known_name("format", name, names));
-  return k_formats[static_cast<std::size_t>(found - names.begin())];
 }
 
 // "cut=LASER,label=NOTES"
@@ -161,7 +146,7 @@ Flag formats_flag() {
 std::vector<PatternFormat> formats_from(const Arguments& arguments) {
   std::vector<PatternFormat> formats;
   for (const std::string& name : split(arguments.value_or("--formats", k_usual_formats))) {
-    const PatternFormat format = format_named(name);
+    const PatternFormat format = value_named("format", name, k_formats);
     if (std::find(formats.begin(), formats.end(), format) == formats.end()) {
       formats.push_back(format);
     }

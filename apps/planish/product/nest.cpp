@@ -18,21 +18,9 @@ namespace {
 
 constexpr std::array k_turns = {Turns::half, Turns::none, Turns::quarter, Turns::free};
 
-std::vector<std::string> turn_names() {
-  std::vector<std::string> names;
-  names.reserve(k_turns.size());
-  for (const Turns turns : k_turns)
-    names.emplace_back(to_string(turns));
-  return names;
-}
-
 Turns turns_from(const Arguments& arguments) {
-  const std::vector<std::string> names = turn_names();
-  const std::string name = known_name("turn", arguments.value_or("--turn", names.front()), names);
-  for (const Turns turns : k_turns) {
-    if (name == to_string(turns)) return turns;
-  }
-  return k_turns.front();
+  if (!arguments.has("--turn")) return k_turns.front();
+  return value_named("turn", arguments.flags.at("--turn"), k_turns);
 }
 
 /// Millimetres, as nest() has it: 10 km.
@@ -104,11 +92,11 @@ FlagGroup nest_flags() {
             {.range = {.min = 0.0}, .standard = "0"}},
            {"--turn",
             "KIND",
-            "how pieces may be turned against their grain: " + list_of(turn_names()) +
+            "how pieces may be turned against their grain: " + list_of(names_of(k_turns)) +
                 " (default half)",
             0,
             false,
-            {.choices = turn_names(), .standard = "half"}}}};
+            {.choices = names_of(k_turns), .standard = "half"}}}};
 }
 
 std::optional<NestOptions> sheets_from(const Arguments& arguments) {

@@ -67,6 +67,7 @@ FLOORS = {
 # Private headers that the program may include: only the program needs them.
 FOR_THE_PROGRAM = {
     "core/fnv_hash.h",
+    "core/likely_units.h",
     "draw/text/stroke_text.h",
     "evolve/direction.h",
     "flatten/evolve_progress.h",

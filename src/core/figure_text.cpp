@@ -35,6 +35,14 @@ std::string superscript(std::string_view number) {
   return text;
 }
 
+double shown_per(Unit unit) {
+  return unit == Unit::in ? 1.0 : millimetres_per(unit);
+}
+
+std::string shown_unit(Unit unit) {
+  return std::string(k_blank) + (unit == Unit::in ? "in" : "mm");
+}
+
 std::string not_finite_text(double value) {
   return std::isnan(value) ? "not a number" : value > 0 ? "infinite" : "minus infinite";
 }
@@ -84,9 +92,12 @@ std::string signed_percent_text(double fraction) {
 }
 
 std::string length_text(double length, Unit unit, int digits) {
-  const bool is_imperial = unit == Unit::in;
-  const double shown = is_imperial ? length : millimetres_per(unit) * length;
-  return significant_text(shown, digits) + std::string(k_blank) + (is_imperial ? "in" : "mm");
+  return significant_text(shown_per(unit) * length, digits) + shown_unit(unit);
+}
+
+std::string size_text(double width, double height, Unit unit) {
+  return significant_text(shown_per(unit) * width) + " × " +
+         significant_text(shown_per(unit) * height) + shown_unit(unit);
 }
 
 std::string power_of_ten_text(int power) {

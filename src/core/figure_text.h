@@ -31,6 +31,9 @@ std::string signed_percent_text(double fraction);
 /// A length of the model in millimetres, or of a model in inches in inches: "26 mm", "0.35 in".
 std::string length_text(double length, Unit unit, int digits = 2);
 
+/// "512 × 790 mm", as length_text() with three digits.
+std::string size_text(double width, double height, Unit unit);
+
 /// "10⁻⁴".
 std::string power_of_ten_text(int power);
 

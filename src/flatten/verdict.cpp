@@ -11,6 +11,7 @@
 #include <planish/measure/material.h>
 
 #include "core/figure_text.h"
+#include "core/likely_units.h"
 #include "flatten/limit_checks.h"
 
 namespace planish {
@@ -170,7 +171,7 @@ std::string strain_phrase(double before, double after) {
          percent_text(before) + " to " + percent_text(after) + " rms";
 }
 
-/// Whether a designer would take the form; empty where it is as it came.
+/// Whether a designer would take the form; empty where it is that of the design.
 std::string form_sentence(const FlattenReport& report) {
   const Fairness& fairness = report.evolve.fairness;
   if (fairness.unchanged) return {};
@@ -185,16 +186,6 @@ std::string form_sentence(const FlattenReport& report) {
             significant_text(fairness.sharpest_fold->degrees, 2) + "°";
   }
   return text + "." + lost;
-}
-
-/// The unit in which a model of that many units would be of a usual size, if there is one.
-std::optional<Unit> likely_unit(double size_in_units) {
-  constexpr double smallest = 100.0, largest = 5000.0;  // millimetres
-  for (const Unit unit : {Unit::mm, Unit::m, Unit::cm, Unit::dm, Unit::in}) {
-    const double size = millimetres_per(unit) * size_in_units;
-    if (size >= smallest && size <= largest) return unit;
-  }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -254,10 +245,11 @@ std::string unit_question(const UnfoldReport& unfold) {
       millimetres_per(unfold.unit) * std::max(unfold.pattern.width, unfold.pattern.height);
   if (size >= smallest && size <= largest) return {};
   const std::string start = "The pattern is " + significant_text(size, 2) + "\u00A0mm long: is ";
-  const auto likely = likely_unit(size / millimetres_per(unfold.unit));
-  if (!likely || *likely == unfold.unit)
+  const std::vector<Unit> likely = likely_units(size / millimetres_per(unfold.unit), unfold.unit);
+  if (likely.empty()) {
     return start + "the model's unit really " + std::string(to_string(unfold.unit)) + "?";
-  const std::string name(to_string(*likely));
+  }
+  const std::string name(to_string(likely.front()));
   return start + "the model in " + name + "? Then give --unit " + name + ".";
 }
 
@@ -302,7 +294,8 @@ std::string border_text(const FlattenReport& report) {
                          ? "The edge lies in a plane and only a plane piece fits it: "
                          : "The edge is too short for so much surface: ") +
          "at least " + percent_text(obstruction->excess_share) +
-         " of the area as it came must go for a piece with this edge to lie flat, so put in a dart "
+         " of the area of the design must go for a piece with this edge to lie flat, so put in a "
+         "dart "
          "or a cut to keep the form.";
 }
 

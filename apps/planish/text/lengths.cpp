@@ -1,26 +1,15 @@
 #include "text/lengths.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
+#include "core/likely_units.h"
 #include "shell/text.h"
 
 namespace planish::cli {
 
 namespace {
-
-// Of the longer side of a pattern, in mm.
-constexpr double k_small_pattern = 50.0;
-constexpr double k_large_pattern = 5'000.0;
-
-/// The likeliest first: programs that model in other units than mm mostly do so in m.
-constexpr std::array k_likely_units = {Unit::m, Unit::cm, Unit::dm, Unit::in, Unit::mm};
-
-bool is_usual(double millimetres) {
-  return k_small_pattern <= millimetres && millimetres <= k_large_pattern;
-}
 
 /// "0.593 mm", "593 mm", "12.3 m"
 std::string metric_text(double millimetres) {
@@ -52,14 +41,14 @@ std::string ShownLengths::number(double length) const {
 std::optional<std::string> unusual_size_text(const Pattern& pattern, Unit unit) {
   const double longest = std::max(pattern.width, pattern.height);
   const double millimetres = longest * millimetres_per(unit);
-  if (is_usual(millimetres) || !(millimetres > 0.0)) return std::nullopt;
+  const bool is_usual = k_small_piece <= millimetres && millimetres <= k_large_piece;
+  if (is_usual || !(millimetres > 0.0)) return std::nullopt;
   std::string text = "the pattern is " + metric_text(millimetres) + " long";
   std::string others;
-  for (const Unit likely : k_likely_units) {
-    const double length = longest * millimetres_per(likely);
-    if (likely == unit || !is_usual(length)) continue;
+  for (const Unit likely : likely_units(longest, unit)) {
     others += (others.empty() ? "with " : ", with ") + std::string("--unit ") +
-              std::string(to_string(likely)) + " it would be " + metric_text(length);
+              std::string(to_string(likely)) + " it would be " +
+              metric_text(longest * millimetres_per(likely));
   }
   return text + (others.empty() ? "; if the mesh is not in " + std::string(to_string(unit)) +
                                       ", give its unit with --unit"

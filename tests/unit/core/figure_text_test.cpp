@@ -74,6 +74,11 @@ TEST(FigureText, HasLengthsInMillimetresOrInches) {
   EXPECT_EQ(length_text(0.0, Unit::mm), "0\u00A0mm");
 }
 
+TEST(FigureText, HasSizesInMillimetresOrInches) {
+  EXPECT_EQ(size_text(0.512, 0.79, Unit::m), "512 × 790\u00A0mm");
+  EXPECT_EQ(size_text(12.0, 3.456, Unit::in), "12.0 × 3.46\u00A0in");
+}
+
 TEST(RoundUp125, GivesTheNextOfOneTwoFive) {
   EXPECT_EQ(round_up_125(0.0011), 0.002);
   EXPECT_EQ(round_up_125(0.002), 0.002);

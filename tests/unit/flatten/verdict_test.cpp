@@ -253,10 +253,11 @@ TEST(BorderText, IsOneSentenceWhereMuchAreaMustGo) {
   some.evolve.before.obstruction = obstruction;
   EXPECT_EQ(border_text(some), "");
   some.evolve.before.obstruction->excess_share = 0.329;
-  EXPECT_EQ(border_text(some),
-            "The edge is too short for so much surface: at least 33\u00A0% of the area as it came "
-            "must go for a piece with this edge to lie flat, so put in a dart or a cut to keep the "
-            "form.");
+  EXPECT_EQ(
+      border_text(some),
+      "The edge is too short for so much surface: at least 33\u00A0% of the area of the design "
+      "must go for a piece with this edge to lie flat, so put in a dart or a cut to keep the "
+      "form.");
   some.evolve.before.obstruction->turning_most = k_flat_turning;
   EXPECT_THAT(border_text(some),
               StartsWith("The edge lies in a plane and only a plane piece fits it: at least 33"));

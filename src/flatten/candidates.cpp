@@ -9,6 +9,11 @@ namespace planish {
 namespace {
 
 constexpr int k_flat = k_candidates;
+constexpr const char* k_name_of_design = "as designed";
+
+void check_pick(int number) {
+  check_range("pick", number, {1.0, static_cast<double>(k_candidates)});
+}
 
 /// In per cent with at most three digits: "0.5 %".
 std::string short_percent(double share) {
@@ -17,6 +22,10 @@ std::string short_percent(double share) {
       std::to_chars(digits, digits + sizeof digits, 100.0 * share, std::chars_format::general, 3)
           .ptr;
   return std::string(digits, end) + " %";
+}
+
+std::string rms_name(double strain) {
+  return short_percent(strain) + " rms";
 }
 
 /// Auto with its other options as they are.
@@ -45,14 +54,13 @@ bool keeps_limits(const FlattenReport& report) {
 }
 
 Candidate design_of(const FlattenReport& report) {
-  const Patch& design = report.input;
   return {.method = report.evolve.method,
           .pick = 1,
           .stop = StopReason::design_kept,
           .strain = report.as_designed.strain,
           .limits_kept = all_kept(report.as_designed.limits),
           .flattenable = report.evolve.before.flattenable,
-          .fairness = measure_fairness(design, design.positions())};
+          .fairness = fairness_of_design(report.evolve.fairness)};
 }
 
 Candidate result_of(const FlattenReport& report) {
@@ -83,12 +91,12 @@ std::optional<int> pick_of(const Method& method) {
 }
 
 FlattenOptions pick(int number, FlattenOptions options) {
-  check_range("pick", number, {1.0, static_cast<double>(k_candidates)});
+  check_pick(number);
   options.method = auto_of(options.method, number == k_flat ? Prefer::flat : Prefer::smooth);
   options.keep_design = number == 1;
-  const bool has_limit = number > 1 && number < k_flat - 1;
   options.limits = {};
-  if (has_limit) options.limits.rms = k_candidate_strains[static_cast<std::size_t>(number) - 2];
+  if (number > 1 && number < k_flat - 1)
+    options.limits.rms = k_candidate_strains[static_cast<std::size_t>(number) - 2];
   return options;
 }
 
@@ -98,14 +106,21 @@ std::vector<Candidate> FlattenReport::candidates() const {
   return all;
 }
 
+std::string pick_name(int number) {
+  check_pick(number);
+  if (number == 1) return k_name_of_design;
+  if (number == k_flat) return "flat";
+  return rms_name(k_candidate_strains[static_cast<std::size_t>(number) - 2]);
+}
+
 std::string candidate_name(const Candidate& candidate) {
-  if (candidate.is_design()) return "as designed";
+  if (candidate.is_design()) return k_name_of_design;
   const auto* options = std::get_if<Auto>(&candidate.method);
   if (options == nullptr) return std::string(name_of(candidate.method));
   const std::string end = candidate.limits_kept ? "" : ", missed";
   if (options->max_strain > 0.0) return "limit " + short_percent(options->max_strain) + end;
   const double rms = rms_limit_of(*options);
-  if (rms > 0.0) return short_percent(rms) + " rms" + end;
+  if (rms > 0.0) return rms_name(rms) + end;
   return candidate.flattenable ? "flat" : "as flat as it gets";
 }
 

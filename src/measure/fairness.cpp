@@ -184,13 +184,28 @@ bool Fairness::keeps_form() const {
   return bending_lost.value_or(0.0) <= k_kept_lost && height_ratio.value_or(1.0) >= k_kept_height;
 }
 
+Fairness fairness_of_design(const Fairness& of_result) {
+  Fairness fairness;
+  fairness.unchanged = true;
+  fairness.design_ratio = of_result.design_ratio;
+  fairness.sharp_share = fairness.design_sharp_share = of_result.design_sharp_share;
+  fairness.normal_turn = fairness.border_turn = 0.0;
+  if (of_result.height_ratio) fairness.height_ratio = 1.0;
+  if (!of_result.bending_ratio) return fairness;
+  fairness.bending_ratio = of_result.design_ratio;
+  fairness.bending_added = fairness.bending_lost = 0.0;
+  return fairness;
+}
+
 Fairness measure_fairness(const Patch& design, std::span<const Vec3> after) {
   const double scale = design.unit_scale();
   const std::vector<Bend> first = bends_of(design.positions(), design.connectivity(), scale);
   const std::vector<Bend> second = bends_of(after, design.connectivity(), scale);
   Fairness fairness;
   fairness.unchanged = std::equal(after.begin(), after.end(), design.positions().begin());
-  fairness.sharp_share = sharp_share(second, usual_curvature(first));
+  const double usual = usual_curvature(first);
+  fairness.sharp_share = sharp_share(second, usual);
+  fairness.design_sharp_share = sharp_share(first, usual);
   fairness.normal_turn = normal_turn(design, after, scale);
   fairness.border_turn = border_turn(design, after, scale);
   fairness.sharpest_fold = sharpest_fold(after, design.connectivity(), first, second);
@@ -210,7 +225,9 @@ Fairness measure_fairness(const Patch& design, const Patch& after) {
   const auto first = bends_of(design.positions(), design.connectivity(), scale);
   const auto second = bends_of(after.positions(), after.connectivity(), scale);
   Fairness fairness;
-  fairness.sharp_share = sharp_share(second, usual_curvature(first));
+  const double usual = usual_curvature(first);
+  fairness.sharp_share = sharp_share(second, usual);
+  fairness.design_sharp_share = sharp_share(first, usual);
   fairness.height_ratio = height_ratio(design, after.triangles(), after.positions());
   const double b0 = design_bending(design);
   if (b0 == 0.0) return fairness;

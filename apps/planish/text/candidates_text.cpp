@@ -45,16 +45,9 @@ std::string others_text(const FlattenReport& report, const std::vector<Candidate
   };
   std::string text;
   for (int number = 1; number <= k_candidates; ++number) {
-    const FlattenOptions options = pick(number);
-    if (is_computed(number) || number == dropped || options.limits.rms >= least_stretch) continue;
-    Candidate other;
-    auto method = std::get<Auto>(options.method);
-    method.max_rms_strain = options.limits.rms;
-    other.method = method;
-    other.flattenable = true;
-    if (options.keep_design) other.stop = StopReason::design_kept;
-    text +=
-        (text.empty() ? "" : ", ") + std::to_string(number) + " (" + candidate_name(other) + ")";
+    const bool is_design_again = pick(number).limits.rms >= least_stretch;
+    if (is_computed(number) || number == dropped || is_design_again) continue;
+    text += (text.empty() ? "" : ", ") + std::to_string(number) + " (" + pick_name(number) + ")";
   }
   return text;
 }

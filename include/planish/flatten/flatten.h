@@ -200,6 +200,11 @@ FlattenOptions pick(int number, FlattenOptions options = {});
 /// the fixed order. The design, for which no method runs, has 1.
 std::optional<int> pick_of(const Method& method);
 
+/// What the candidate of that number is called where its run keeps what it was asked for, as
+/// candidate_name(): "as designed", "0.5 % rms", "flat".
+/// @throws Error option_out_of_range
+std::string pick_name(int number);
+
 /// What a candidate is called: "as designed", "0.5 % rms", "limit 1 %" by the largest strain,
 /// "flat", of another method its name; with ", missed" where the limit is not kept.
 std::string candidate_name(const Candidate& candidate);

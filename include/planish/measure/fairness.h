@@ -86,9 +86,11 @@ struct Fairness {
   /// came and all of k0 went. A fold counts as added, a flattened dome as lost. None where the
   /// design is a plane or has other triangles.
   std::optional<double> bending_added = {}, bending_lost = {};
-  /// Share of the area, 0 to 1, that is bent more sharply than 99 % of the design: 0.01 for the
-  /// design itself.
+  /// Share of the area, 0 to 1, that is bent more sharply than 99 % of the design: at most 0.01 for
+  /// the design itself.
   double sharp_share = 0.0;
+  /// That of the design beside itself.
+  double design_sharp_share = 0.0;
   /// Turn of the vertex normals, and of the normals of the triangles along the border, against the
   /// design; rms, degrees. None where the design has other triangles.
   std::optional<double> normal_turn = {}, border_turn = {};
@@ -128,6 +130,9 @@ Fairness measure_fairness(const Patch& design, std::span<const Vec3> after);
 
 /// The same of a surface with other triangles: ratio, sharp share and height only.
 Fairness measure_fairness(const Patch& design, const Patch& after);
+
+/// The design beside itself, as measure_fairness() would find it, from what a result of it has.
+Fairness fairness_of_design(const Fairness& of_result);
 
 /// Where a surface goes through itself.
 struct SelfIntersections {

@@ -48,6 +48,9 @@ TEST(Pick, GivesTheSurfaceOfItsNumberWithLessStrainAndFurtherAwayEachTime) {
   for (int number = 1; number <= k_candidates; ++number) {
     const FlattenReport report = flatten(panel(), "panel", pick(number));
     const Candidate result = report.candidates().back();
+    if (result.pick == number) {
+      EXPECT_EQ(candidate_name(result), pick_name(number));
+    }
     // Stops above the strain of the design give the design.
     const bool is_between = number > 1 && number < k_candidates;
     const double limit =
@@ -83,6 +86,7 @@ TEST(Pick, KeepsOtherOptions) {
 TEST(Pick, RefusesNumbersOutOfOrder) {
   EXPECT_THROW(pick(0), Error);
   EXPECT_THROW(pick(k_candidates + 1), Error);
+  EXPECT_THROW(pick_name(0), Error);
 }
 
 TEST(CandidateName, HasTheLimitInFewDigits) {

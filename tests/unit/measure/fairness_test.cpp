@@ -59,6 +59,27 @@ TEST(Fairness, OfADesignWithNoiseAllowsTheNoise) {
   EXPECT_EQ(compared(design, design).bending_ratio, less.design_ratio);
 }
 
+TEST(Fairness, OfTheDesignIsKnownFromAnyResult) {
+  const TriMesh flat = meshes::flat_grid(12, 8);
+  for (const TriMesh& design : {meshes::bent_sphere(30), make_shape("panel", 2000), flat}) {
+    TriMesh result = design;
+    for (Vec3& p : result.positions)
+      p.z = 0.9 * p.z + 0.01 * p.x * p.x;
+    const Fairness measured = compared(design, design);
+    const Fairness known = fairness_of_design(compared(design, result));
+    EXPECT_EQ(known.unchanged, measured.unchanged);
+    EXPECT_EQ(known.bending_ratio, measured.bending_ratio);
+    EXPECT_EQ(known.design_ratio, measured.design_ratio);
+    EXPECT_EQ(known.bending_added, measured.bending_added);
+    EXPECT_EQ(known.bending_lost, measured.bending_lost);
+    EXPECT_EQ(known.height_ratio, measured.height_ratio);
+    EXPECT_EQ(known.normal_turn, measured.normal_turn);
+    EXPECT_EQ(known.border_turn, measured.border_turn);
+    EXPECT_EQ(known.sharpest_fold.has_value(), measured.sharpest_fold.has_value());
+    EXPECT_EQ(known.sharp_share, measured.sharp_share);
+  }
+}
+
 TEST(Fairness, TellsAFoldMadeByHand) {
   // A cylinder, folded along the row of edges y = 10 by half a radian: each edge there has length 1
   // and a share of 1/3 of the area, so the fold adds 40 x 3 x 1/4 to the bending.

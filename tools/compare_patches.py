@@ -82,7 +82,7 @@ def answer_of(planish, patch, methods, results):
 
 
 def figures(measured, unfolded):
-    """The columns that the patch as it came and every result have."""
+    """The columns that the input patch and every result have."""
     strain = unfolded["strain"] if unfolded else {"rms": None, "max": None}
     return {
         **{k: measured[k] for k in ("e_max", "e_avg", "energy", "sum_abs_defect")},
@@ -93,7 +93,7 @@ def figures(measured, unfolded):
 
 
 def rows(name, answer):
-    """A row for the patch as it came and one for each method."""
+    """A row for the input patch and one for each method."""
     shared = {"patch": name, "vertices": answer["input"]["vertices"]}
     yield {**shared, "method": "input", **figures(answer["input"], answer["unfold_before"])}
     for run in answer["runs"]:

@@ -25,7 +25,7 @@ namespace planish {
 /// patch by more than 1e-5 of the whole border; with remesh, a vertex of options.keep that the twin
 /// has not. It is to be flattened by itself then.
 /// @param patch the input, before smoothing and remeshing
-/// @param match from the twin's mesh as it came
+/// @param match from the twin's input mesh
 /// @param options that the twin was flattened with, and the vertices to keep of this patch
 std::optional<FlattenReport> twin_report(const FlattenReport& twin, const Patch& patch,
                                          const MeshMatch& match, std::string name,

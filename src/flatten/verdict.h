@@ -45,7 +45,7 @@ std::string form_loss_text(const Fairness& fairness);
 /// files do not say their unit, and a wrong guess is common and costly. Empty elsewhere.
 std::string unit_question(const UnfoldReport& unfold);
 
-/// That the border of the patch as it came is too short for its surface, by how much and what to do
+/// That the border of the design is too short for its surface, by how much and what to do
 /// about it: one sentence, plain UTF-8 text. Empty where little area is at stake.
 std::string border_text(const FlattenReport& report);
 

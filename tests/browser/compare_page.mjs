@@ -28,7 +28,7 @@ before(async () => {
 });
 after(() => browser?.close());
 
-test('every result can be seen beside the patch as it came, the best first', async () => {
+test('every result can be seen beside the input patch, the best first', async () => {
   const { page, context, complaints, requests } = await openPage(browser, url);
   await page.waitForSelector('.view[data-ready]');
   const select = page.locator('#stage select');

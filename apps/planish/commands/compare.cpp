@@ -150,7 +150,7 @@ Command compare_command() {
       "compare",
       "try several methods on a patch, side by side",
       "INPUT ... [-o FOLDER]",
-      "Evolves a patch by one method after the other, each from the patch as it came, lays "
+      "Evolves a patch by one method after the other, each from the input patch, lays "
       "every result flat, and prints what each did to defects, strain, form and time. With -o "
       "also writes a page with charts and pictures (compare.html), every sweep "
       "(compare.csv), all figures (compare.json) and the evolved meshes. What is not a disk "

@@ -33,7 +33,7 @@ struct EvolveResult {
 
 /// Moves the inner vertices of a patch so that it gets closer to flattenable; triangles stay, and
 /// the border unless GlobalPenalty::border or Auto::border says otherwise. A patch that already
-/// meets the target is returned as it came, bit for bit.
+/// meets the target is returned unchanged, bit for bit.
 /// To look at the surface after each sweep, or to end early and keep it, use Evolver.
 /// @throws Error option_out_of_range, as check_constraints(), or what stands in the way of
 /// Purpose::evolve; Cancelled

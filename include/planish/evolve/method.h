@@ -161,7 +161,7 @@ void describe(LeastNorm& o, Visit&& visit) {
 }
 
 /// Flattenable Laplacian mesh (Wang 2008, Computer-Aided Design): the fairest surface near the
-/// patch as it came whose angle sums are all closed, by Newton's method for the Lagrangian without
+/// input patch whose angle sums are all closed, by Newton's method for the Lagrangian without
 /// the second derivatives of the angles. docs/methods/flattenable_laplacian.md
 struct FlattenableLaplacian {
   static constexpr std::string_view name = "flattenable_laplacian";

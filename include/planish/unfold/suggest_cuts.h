@@ -21,7 +21,7 @@ struct SuggestOptions {
 
 /// One cut of a suggestion.
 struct SuggestedCut {
-  std::vector<Index> path;  ///< vertices of the mesh as it came; of a dart, the tip is last
+  std::vector<Index> path;  ///< vertices of the input mesh; of a dart, the tip is last
   double length = 0.0;      ///< model units
   bool is_dart = false;     ///< false for what makes a disk of the mesh
   /// Strain of the pattern without this cut and those after it, and with it; nothing as long as the

@@ -169,7 +169,7 @@ std::string cards_section(const CompareReport& report) {
            count_text(topology.vertices) + " vertices, " + count_text(topology.inner_vertices) +
                " of them inner; all pictures have its view and its scales",
            pictures_of_one(pictures.patches.before, next_pattern(report.unfold_before.has_value()),
-                           "as it came") +
+                           "input") +
                scales(pictures));
   for (std::size_t i = 0; i < report.runs.size(); ++i) {
     const ComparedMethod& method = report.runs[i];

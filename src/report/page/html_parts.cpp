@@ -13,6 +13,18 @@
 
 namespace planish {
 
+namespace {
+
+/// @param pixels of the picture in one of the page
+/// @param alt markup
+std::string image_element(const Image& image, int pixels, const std::string& alt) {
+  return "<img width=\"" + std::to_string(image.width / pixels) + "\" height=\"" +
+         std::to_string(image.height / pixels) + "\" alt=\"" + alt +
+         "\" src=\"data:image/png;base64," + base64(format_png(image)) + "\">";
+}
+
+}  // namespace
+
 std::string html_head(const std::string& title, std::string_view more_style) {
   const PageScript script = page_script();
   const std::string scripts =
@@ -52,10 +64,12 @@ std::string html_script() {
 }
 
 std::string html_picture(const Image& image, const std::string& alt, const std::string& caption) {
-  return "<figure><div class=\"plate\"><img width=\"" + std::to_string(image.width) +
-         "\" height=\"" + std::to_string(image.height) + "\" alt=\"" + alt +
-         "\" src=\"data:image/png;base64," + base64(format_png(image)) + "\"></div><figcaption>" +
+  return "<figure><div class=\"plate\">" + image_element(image, 1, alt) + "</div><figcaption>" +
          caption + "</figcaption></figure>\n";
+}
+
+std::string html_tile_picture(const Image& image, const std::string& alt) {
+  return image_element(image, 2, escape_markup(alt));
 }
 
 std::string html_entry(std::string_view name, std::string_view text) {

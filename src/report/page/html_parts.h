@@ -36,6 +36,13 @@ std::string html_script();
 /// @param alt, caption markup
 std::string html_picture(const Image& image, const std::string& alt, const std::string& caption);
 
+/// Pixels of a picture in a tile, which is twice as wide as it is shown.
+inline constexpr int k_tile_width = 420;
+
+/// A picture in a tile.
+/// @param alt plain text
+std::string html_tile_picture(const Image& image, const std::string& alt);
+
 /// A term of a list and what is said of it, plain text.
 std::string html_entry(std::string_view name, std::string_view text);
 

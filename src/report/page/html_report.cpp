@@ -61,13 +61,9 @@ std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut
   const Deviation& deviation = report.evolve.deviation;
   const Pattern& pattern = report.unfold.pattern;
   const Unit unit = report.unfold.unit;
-  const auto sides = [&](double width, double height) {
-    const std::string first = length_text(width, unit, 3);
-    return first.substr(0, first.rfind("\u00A0")) + " × " + length_text(height, unit, 3);
-  };
   std::string area = "area " + decimals_text(pattern.area_ratio, 3) + " of the patch's";
   if (page.annotations.allowance && !pattern.overlaps)
-    area = sides(cut_size.x, cut_size.y) + " with the allowance; " + area;
+    area = size_text(cut_size.x, cut_size.y, unit) + " with the allowance; " + area;
   return "<dl class=\"tiles\">\n" +
          tile("Largest stretch", percent_text(after.max), percent_text(before.max) + " before",
               limit_mark(report, LimitOf::strain)) +
@@ -76,7 +72,7 @@ std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut
          tile("Furthest move", length_text(deviation.max, unit),
               length_text(deviation.rms, unit) + " is usual (rms)",
               limit_mark(report, LimitOf::deviation)) +
-         tile("Size of the pattern", sides(pattern.width, pattern.height), area,
+         tile("Size of the pattern", size_text(pattern.width, pattern.height, unit), area,
               material_mark(page)) +
          "</dl>\n";
 }
@@ -231,7 +227,7 @@ std::string histogram_section(const FlattenReport& report) {
          "</dl></details>\n</section>\n";
 }
 
-// Those of the patch as it came, and after them what evolving brought.
+// Those of the input patch, and after them what evolving changed.
 std::string problems_section(const FlattenReport& report) {
   const auto& before = report.evolve.before.inspection.problems;
   std::string items;

@@ -40,7 +40,7 @@ std::string figures_caption(std::string_view when, const Flattenability& figures
 std::string still_pictures(const FlattenReport& report, const PatchPictures& pictures,
                            ColorMap colors) {
   return "<div class=\"still\">\n<div class=\"pair\">\n" +
-         html_picture(pictures.before, "The patch as it came, coloured by angle defect",
+         html_picture(pictures.before, "The input patch, coloured by angle defect",
                       figures_caption("Before:", report.evolve.before.figures)) +
          html_picture(pictures.after.front(), "The patch after evolving, coloured by angle defect",
                       figures_caption("After:", report.evolve.after.figures)) +
@@ -224,7 +224,7 @@ PatchViewer html_viewer(const CompareReport& report) {
   if (input.states.size() < 2) return {};
   return {
       "<section class=\"bench solo\" id=\"bench\">\n<div class=\"patch\">\n<h2>The results in "
-      "space</h2>\n<p>The patch as it came on one side, what a method made of it on the other, in "
+      "space</h2>\n<p>The input patch on one side, what a method made of it on the other, in "
       "one view and with one scale.</p>\n<div id=\"stage\"></div>\n</div>\n" +
           color_terms() + "</section>\n",
       page_data(input)};

@@ -82,6 +82,11 @@ Image PatchView::picture(std::span<const Vec3> positions, std::span<const Color>
   return render({vertices, mesh_.triangles, colors, brightness}, width_, height_);
 }
 
+Image PatchView::shaded(std::span<const Vec3> positions) const {
+  constexpr Color grey = {196, 200, 204};
+  return picture(positions, std::vector<Color>(positions.size(), grey));
+}
+
 Image PatchView::picture_of_kinds(std::span<const Color> colors) const {
   if (mesh_.triangles.size() > k_most_split_triangles) return picture(mesh_.positions, colors);
   const auto corners = projected(mesh_.positions);

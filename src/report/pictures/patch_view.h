@@ -21,6 +21,9 @@ class PatchView {
   /// @param positions, colors one per vertex of the mesh
   Image picture(std::span<const Vec3> positions, std::span<const Color> colors) const;
 
+  /// The surface alone, in a light grey.
+  Image shaded(std::span<const Vec3> positions) const;
+
   /// The mesh itself with a colour for every vertex, and all that is nearer to this vertex than to
   /// the other corners of its triangles in that colour: for colours that stand for kinds, where
   /// none between two of them has a meaning. Large meshes are drawn as picture() does, as their

@@ -5,10 +5,9 @@
 #include <limits>
 #include <utility>
 
-#include <planish/mesh/patch.h>
-
 #include "core/number_text.h"
 #include "draw/text/markup_text.h"
+#include "pattern/polygon/loop_box.h"
 
 namespace planish {
 
@@ -19,21 +18,17 @@ constexpr double k_width = 104.0, k_height = 100.0, k_margin = 8.0;
 constexpr double k_disc = 5.8;      // radius
 constexpr double k_nearest = 0.15;  // of two points of a line: nearer ones cannot be told apart
 
+LoopBox box_of(std::span<const Vec2> pattern) {
+  const Polygon points(pattern.begin(), pattern.end());
+  return loop_box({&points, 1});
+}
+
 /// Places in the pattern to places in the window, where y points down.
 class Fit {
  public:
-  explicit Fit(std::span<const Vec2> pattern) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Vec2 low = {infinity, infinity}, high = {-infinity, -infinity};
-    for (const Vec2 p : pattern) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    const Vec2 size = high - low;
-    middle_ = 0.5 * (low + high);
-    const double x = (k_width - 2.0 * k_margin) / size.x, y = (k_height - 2.0 * k_margin) / size.y;
-    scale_ = std::min(size.x > 0.0 ? x : infinity, size.y > 0.0 ? y : infinity);
-    if (scale_ == infinity) scale_ = 1.0;
+  Fit(std::span<const Vec2> pattern, double scale) : scale_(scale) {
+    const LoopBox box = box_of(pattern);
+    middle_ = 0.5 * (box.low + box.high);
   }
 
   Vec2 operator()(Vec2 p) const {
@@ -42,8 +37,8 @@ class Fit {
   }
 
  private:
+  double scale_;
   Vec2 middle_;
-  double scale_ = 1.0;
 };
 
 std::vector<Vec2> line_of(std::span<const Index> vertices, std::span<const Vec2> pattern,
@@ -103,11 +98,24 @@ std::string seam_class(std::size_t number) {
   return "line-" + std::to_string(lines.at((number - 1) % lines.size()));
 }
 
-std::string piece_outline(const TriMesh& mesh, std::span<const Vec2> pattern,
-                          std::span<const OutlinedSeam> seams, const std::string& alt) {
-  const Fit fit(pattern);
+OutlineWindow::OutlineWindow(std::span<const std::vector<Vec2>> patterns) {
+  Vec2 largest;
+  for (const std::vector<Vec2>& pattern : patterns) {
+    const Vec2 size = box_of(pattern).size();
+    largest = {std::max(largest.x, size.x), std::max(largest.y, size.y)};
+  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double x = (k_width - 2.0 * k_margin) / largest.x;
+  const double y = (k_height - 2.0 * k_margin) / largest.y;
+  const double scale = std::min(largest.x > 0.0 ? x : infinity, largest.y > 0.0 ? y : infinity);
+  if (scale < infinity) scale_ = scale;
+}
+
+std::string piece_outline(const Patch& patch, std::span<const Vec2> pattern,
+                          const OutlineWindow& window, const std::string& alt,
+                          std::span<const OutlinedSeam> seams) {
+  const Fit fit(pattern, window.scale());
   std::string border, lines, numbers;
-  const Patch patch(mesh);
   for (const std::vector<Index>& loop : patch.border_loops())
     border += path_of(thinned(line_of(loop, pattern, fit))) + "z";
   for (const OutlinedSeam& seam : seams) {

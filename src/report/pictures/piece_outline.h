@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <planish/flatten/product.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -18,12 +18,25 @@ struct OutlinedSeam {
 /// The class that gives a seam its colour on a page, of eight in turn.
 std::string seam_class(std::size_t number);
 
-/// The outline of a pattern as SVG for a page, fitted into a window that is alike for all pieces:
-/// the border, and over it each seam in its colour with its number.
-/// @param mesh of the piece, a patch
+/// How outlines of patterns are drawn: in a window of one size for all pages, at a scale that fits
+/// all patterns that are given.
+class OutlineWindow {
+ public:
+  explicit OutlineWindow(std::span<const std::vector<Vec2>> patterns);
+
+  double scale() const { return scale_; }  ///< units of the window per unit of the pattern
+
+ private:
+  double scale_ = 1.0;
+};
+
+/// The outline of a pattern as SVG for a page, in the middle of the window: the border, and over it
+/// each seam in its colour with its number.
+/// @param patch the piece
 /// @param pattern a position for each vertex
 /// @param alt what it shows, plain text
-std::string piece_outline(const TriMesh& mesh, std::span<const Vec2> pattern,
-                          std::span<const OutlinedSeam> seams, const std::string& alt);
+std::string piece_outline(const Patch& patch, std::span<const Vec2> pattern,
+                          const OutlineWindow& window, const std::string& alt,
+                          std::span<const OutlinedSeam> seams = {});
 
 }  // namespace planish

@@ -8,7 +8,6 @@
 
 #include "core/figure_text.h"
 #include "core/number_text.h"
-#include "draw/base64.h"
 #include "draw/text/markup_text.h"
 #include "flatten/product/piece_verdict.h"
 #include "flatten/twin_report.h"
@@ -20,28 +19,10 @@ namespace planish {
 
 namespace {
 
-constexpr int k_picture_width = 420;  // pixels: twice as wide as it is shown
-constexpr Color k_surface = {196, 200, 204};
-
 /// Beside that of all pages.
 constexpr std::string_view k_style = R"(
-.pieces { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 380px), 1fr)); gap: 16px;
-          list-style: none; margin: 0 0 20px; padding: 0; }
-.pieces > li { min-width: 0; padding: 14px 18px 16px; border: 1px solid var(--rule); border-radius: 10px;
-               background: var(--card); break-inside: avoid; }
 .pieces > .lacking { border: 2px solid var(--worse); padding: 13px 17px 15px; }
-.pieces .views { display: grid; grid-template-columns: 1fr 1fr; gap: 14px; align-items: center; }
-.pieces img, .outline { display: block; width: 100%; height: 170px; object-fit: contain; }
-.pieces h3 { margin: 12px 0 4px; overflow-wrap: anywhere; }
-.pieces h3 small { display: block; margin: 1px 0 0; }
-.pieces p { margin: 0; font-size: 15px; overflow-wrap: anywhere; }
 .pieces p + p { margin-top: 6px; font-size: 14px; }
-.pieces a { color: var(--blue); }
-.outline path { fill: none; stroke: var(--line); stroke-width: 4px; vector-effect: non-scaling-stroke;
-                stroke-linejoin: round; stroke-linecap: round; }
-.outline .border { fill: var(--plate); stroke: var(--ink); stroke-width: 1.3px; }
-.outline circle { fill: var(--card); stroke: var(--line); stroke-width: .8px; }
-.outline text { fill: var(--line); font-size: 7.6px; font-weight: 700; text-anchor: middle; }
 .seams .swatch { width: 26px; height: 10px; }
 .seams th small { margin: 0; }
 .seams .swatch polyline { stroke-width: 6; stroke-dasharray: none; }
@@ -52,15 +33,6 @@ constexpr std::string_view k_style = R"(
   section > .scroll > table.seams:not(.compare) th:first-child { width: auto; white-space: nowrap; }
 }
 )";
-
-/// "12.3 mm", or inches of a model in inches.
-std::string size_words(const UnfoldReport& unfold) {
-  const bool inches = unfold.unit == Unit::in;
-  const double scale = inches ? 1.0 : millimetres_per(unfold.unit);
-  const auto number = [&](double length) { return significant_text(scale * length, 3); };
-  return number(unfold.pattern.width) + " \u00D7 " + number(unfold.pattern.height) +
-         (inches ? "\u00A0in" : "\u00A0mm");
-}
 
 /// As the start of a sentence.
 std::string capital(std::string text) {
@@ -84,15 +56,6 @@ std::string sentence_on(const PatchResult& piece) {
   }
   if (text.back() != '.') text += '.';
   return capital(text);
-}
-
-std::string picture_of(const TriMesh& mesh, const std::string& name) {
-  const PatchView view(mesh, {}, k_picture_width);
-  const std::vector<Color> colors(mesh.positions.size(), k_surface);
-  const Image image = view.picture(mesh.positions, colors);
-  return "<img width=\"" + std::to_string(image.width / 2) + "\" height=\"" +
-         std::to_string(image.height / 2) + "\" alt=\"" + escape_markup(name) +
-         ": the surface, shaded\" src=\"data:image/png;base64," + base64(format_png(image)) + "\">";
 }
 
 /// Path of a file as the address of a link: what has a meaning there, and bytes beyond ASCII, by
@@ -126,9 +89,12 @@ std::string views_of(const ProductReport& report, std::size_t p) {
   const PatchResult& piece = report.patches[p];
   if (!piece.finished) return {};
   const TriMesh& mesh = piece.finished->processed;
-  return "<div class=\"views\">" + picture_of(mesh, piece.name) +
-         piece_outline(mesh, piece.finished->unfold.pattern.positions, seams_of_piece(report, p),
-                       piece.name + ": outline of the pattern") +
+  const std::vector<Vec2>& pattern = piece.finished->unfold.pattern.positions;
+  const PatchView view(mesh, {}, k_tile_width);
+  return "<div class=\"views\">" +
+         html_tile_picture(view.shaded(mesh.positions), piece.name + ": the surface, shaded") +
+         piece_outline(Patch(mesh), pattern, OutlineWindow({&pattern, 1}),
+                       piece.name + ": outline of the pattern", seams_of_piece(report, p)) +
          "</div>";
 }
 
@@ -138,7 +104,10 @@ std::string facts_of(const PatchResult& piece) {
   if (piece.words.quantity > 0)
     facts.push_back("cut " + count_text(static_cast<std::size_t>(piece.words.quantity)));
   if (!piece.words.material.empty()) facts.push_back(piece.words.material);
-  if (piece.finished) facts.push_back(size_words(piece.finished->unfold));
+  if (piece.finished) {
+    const UnfoldReport& unfold = piece.finished->unfold;
+    facts.push_back(size_text(unfold.pattern.width, unfold.pattern.height, unfold.unit));
+  }
   if (piece.finished && piece.finished->twin_of)
     facts.push_back(twin_text(*piece.finished->twin_of));
   std::string text;
@@ -205,7 +174,9 @@ std::string pieces_words(const ProductReport& report) {
       std::count_if(report.patches.begin(), report.patches.end(),
                     [](const PatchResult& piece) { return !is_met(piece); }));
   if (missing == 0)
-    return (all == 1 ? "The piece is" : "All " + count_text(all) + " pieces are") +
+    return (all == 1   ? "The piece is"
+            : all == 2 ? "Both pieces are"
+                       : "All " + count_text(all) + " pieces are") +
            std::string(" as asked for.");
   return count_text(missing) + " of " + count_text(all) +
          (missing == 1 ? " pieces needs a look, and is shown first."

@@ -39,7 +39,7 @@ struct TrialPatch {
 struct Dart {
   std::vector<Index> path;  ///< from the border to the tip
   double length = 0.0;
-  bool branches = false;  ///< begins at another cut, not at the border of the mesh as it came
+  bool branches = false;  ///< begins at another cut, not at the border of the input mesh
   Flat flat = {};         ///< of the trial patch with it
 
   double weight() const { return branches ? k_branching : 1.0; }

@@ -28,10 +28,10 @@ TEST(CandidateTiles, AreTheDesignAndTheResult) {
   EXPECT_EQ(count(html, "<li"), 2U);
   EXPECT_EQ(count(html, "class=\"chosen\""), 1U);
   EXPECT_LT(html.find("The design as it is<small>as-designed.*"),
-            html.find("Changed<small>0.1 % usual stretch; the result, pattern.*"));
+            html.find("Changed<small>the result, pattern.*"));
   EXPECT_THAT(html, HasSubstr("Nothing moved."));
   EXPECT_THAT(html, HasSubstr("\u00A0mm at most"));
-  EXPECT_EQ(count(html, "aria-label=\"outline of the pattern\""), 2U);
+  EXPECT_EQ(count(html, "outline of the pattern\""), 2U);
 }
 
 TEST(CandidateTiles, AreOneWhereTheMaterialTakesTheDesign) {

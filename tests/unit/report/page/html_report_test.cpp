@@ -89,8 +89,9 @@ TEST(HtmlReport, ListsProblemsAndMarksThoseSinceEvolving) {
 TEST(HtmlReport, HasPicturesOfTheSameSizeWithWordsForThem) {
   const std::string& page = sample_page();
   EXPECT_EQ(count(page, "<img "), 4U);
-  EXPECT_EQ(count(page, " alt=\"The patch "), 2U);
-  EXPECT_EQ(count(page, " alt=\"the surface, shaded: "), 2U);
+  EXPECT_EQ(count(page, " alt=\"The input patch, "), 1U);
+  EXPECT_EQ(count(page, " alt=\"The patch after "), 1U);
+  EXPECT_EQ(count(page, ": the surface, shaded\""), 2U);
   EXPECT_EQ(count(page, "data:image/png;base64,iVBORw0KGgo"), 4U) << "PNG by its first bytes";
   EXPECT_EQ(count(page, "role=\"img\" aria-label="), 5U) << "pattern, curve, bars, outlines";
 }

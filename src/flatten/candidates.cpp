@@ -94,7 +94,7 @@ FlattenOptions pick(int number, FlattenOptions options) {
   check_pick(number);
   options.method = auto_of(options.method, number == k_flat ? Prefer::flat : Prefer::smooth);
   options.keep_design = number == 1;
-  options.limits = {};
+  if (!options.keep_design) options.limits = {};
   if (number > 1 && number < k_flat - 1)
     options.limits.rms = k_candidate_strains[static_cast<std::size_t>(number) - 2];
   return options;

@@ -171,19 +171,27 @@ std::string strain_phrase(double before, double after) {
          percent_text(before) + " to " + percent_text(after) + " rms";
 }
 
+std::string degrees_of(const Fold& fold) {
+  return significant_text(fold.degrees, 2) + "°";
+}
+
 /// Whether a designer would take the form; empty where it is that of the design.
 std::string form_sentence(const FlattenReport& report) {
   const Fairness& fairness = report.evolve.fairness;
   if (fairness.unchanged) return {};
   const std::string loss = form_loss_text(fairness);
   const std::string lost = loss.empty() ? "" : " Much of the form is lost: " + loss + ".";
-  if (fairness.is_smooth()) return " The form stayed smooth." + lost;
+  if (fairness.is_smooth()) {
+    return (fairness.has_seen_fold() ? " The form stayed smooth but for a new fold of " +
+                                           degrees_of(*fairness.sharpest_fold)
+                                     : std::string(" The form stayed smooth")) +
+           "." + lost;
+  }
   if (!fairness.bending_ratio) return " The form was a plane, and is bent now.";
   std::string text = " The form is crumpled: it is bent " +
                      significant_text(*fairness.bending_ratio, 2) + " times as much as it was";
   if (fairness.sharpest_fold) {
-    text += ", and the sharpest new fold has " +
-            significant_text(fairness.sharpest_fold->degrees, 2) + "°";
+    text += ", and the sharpest new fold has " + degrees_of(*fairness.sharpest_fold);
   }
   return text + "." + lost;
 }

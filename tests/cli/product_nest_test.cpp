@@ -15,6 +15,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 class ProductNest : public CliTest {
  protected:
@@ -130,6 +131,27 @@ TEST_F(ProductNest, WritesADrawingForEachSheet) {
   for (int s = 1; s <= count; ++s)
     drawn += lines_in_dxf("out/layout-" + std::to_string(s) + ".dxf", "cut").size();
   EXPECT_EQ(drawn, 4U);
+  const std::string page = content_of("out/garment.html");
+  const std::string of = " of " + std::to_string(count) + "</figcaption>";
+  EXPECT_THAT(page, HasSubstr("aria-label=\"sheet 1 with its pieces\""));
+  EXPECT_THAT(page, HasSubstr("<figcaption>Sheet " + std::to_string(std::min(count, 6)) + of));
+}
+
+TEST_F(ProductNest, ShowsTheSheetOnThePageOfTheProduct) {
+  lay_out("coat", {"--sheet", "600"});
+  const std::string page = content_of("out/garment.html");
+  EXPECT_THAT(page, HasSubstr("A roll of width 600.0 mm: "));
+  EXPECT_THAT(page, HasSubstr("aria-label=\"sheet with its pieces\""));
+  lay_out("coat", {});
+  EXPECT_THAT(content_of("out/garment.html"), Not(HasSubstr("On the sheet")));
+}
+
+TEST_F(ProductNest, AsksForTheUnitWhereTheSheetIsWiderThanAnyOnSale) {
+  const CliResult result = lay_out("coat", {"--sheet", "1500x3000", "--unit", "m"});
+  EXPECT_EQ(result.exit_code, k_exit_usage);
+  EXPECT_THAT(result.err, HasSubstr("1500 m wide"));
+  EXPECT_THAT(result.err, HasSubstr("write 1500mm"));
+  EXPECT_NE(lay_out("coat", {"--sheet", "1500m", "--unit", "m"}).exit_code, k_exit_usage);
 }
 
 TEST_F(ProductNest, NamesThePieceThatFitsOnNoSheetAndKeepsTheRest) {

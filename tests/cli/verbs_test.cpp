@@ -223,6 +223,31 @@ TEST_F(Verbs, FlattenWritesWhatIsPickedAndTheDesignBesideIt) {
   EXPECT_NE(content_of("out/pattern.dxf"), design);
 }
 
+TEST_F(Verbs, FlattenJudgesTheDesignByAMaterial) {
+  const auto judged = [](const std::string& limit) {
+    return planish(
+        {"flatten", "panel.obj", "-o", "out", "--pick", "1", "--max-strain", limit, "--json"});
+  };
+  const CliResult taken = judged("50%"), not_taken = judged("0.01%");
+  EXPECT_EQ(taken.exit_code, k_exit_done) << taken.err;
+  EXPECT_EQ(not_taken.exit_code, k_exit_target_missed);
+  for (const CliResult* result : {&taken, &not_taken}) {
+    const auto json = result->json();
+    EXPECT_EQ(json["evolve"]["stop"], "design_kept");
+    EXPECT_EQ(json["evolve"]["deviation"]["max"], 0.0);
+    EXPECT_EQ(json["unfold"]["limits"].size(), 1U);
+  }
+}
+
+TEST_F(Verbs, FlattenRefusesTheNameOfAFileForItsFolder) {
+  const CliResult result = planish({"flatten", "panel.obj", "-o", "vamp.pdf"});
+  EXPECT_EQ(result.exit_code, k_exit_usage);
+  EXPECT_THAT(result.err, HasSubstr("use \"vamp\""));
+  EXPECT_FALSE(std::filesystem::exists("vamp.pdf"));
+  std::filesystem::create_directory("old.pdf");
+  EXPECT_EQ(planish({"flatten", "panel.obj", "-o", "old.pdf"}).exit_code, k_exit_done);
+}
+
 TEST_F(Verbs, FlattenRefusesTwoChoicesAtOnce) {
   for (const Names& more :
        {Names{"--pick", "7"}, Names{"--pick", "flat"},

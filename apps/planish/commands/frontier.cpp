@@ -27,6 +27,8 @@ constexpr Range k_points = {8.0, 100.0};
 FlagGroup frontier_flags() {
   std::vector<std::string> methods = method_names();
   methods.erase(std::remove(methods.begin(), methods.end(), Auto::name), methods.end());
+  std::vector<std::string> choices = methods;
+  choices.emplace_back(k_all_methods);
   return {
       "What to run",
       {{"--points",
@@ -45,10 +47,10 @@ FlagGroup frontier_flags() {
        material_flag(),
        {"--methods",
         "NAMES",
-        "which to compare with, with commas between: " + list_of(methods) + " (default: all)",
+        "which to compare with, with commas between: " + list_of(methods) + "; all (default: none)",
         0,
         false,
-        {.choices = methods}}}};
+        {.choices = choices}}}};
 }
 
 /// The limit that --max-strain or --material names.
@@ -62,9 +64,10 @@ std::optional<double> limit_from(const Arguments& arguments) {
 }
 
 std::vector<CompareRun> others_from(const Arguments& arguments) {
+  if (!arguments.has("--methods")) return {};
   std::vector<CompareRun> runs = runs_from(arguments);
   const auto is_auto = [](const CompareRun& run) { return name_of(run.method) == Auto::name; };
-  if (arguments.has("--methods") && std::any_of(runs.begin(), runs.end(), is_auto)) {
+  if (!asks_for_all_methods(arguments) && std::any_of(runs.begin(), runs.end(), is_auto)) {
     throw UsageError("method auto draws the curve: --methods names others");
   }
   runs.erase(std::remove_if(runs.begin(), runs.end(), is_auto), runs.end());

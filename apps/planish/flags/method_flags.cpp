@@ -8,6 +8,7 @@
 #include "flags/material_flag.h"
 #include "flags/quantities.h"
 #include "shell/failures.h"
+#include "shell/nearest.h"
 #include "shell/values.h"
 
 namespace planish::cli {
@@ -323,9 +324,13 @@ FlagGroup compare_flags() {
   return group;
 }
 
+bool asks_for_all_methods(const Arguments& arguments) {
+  return same_word(arguments.value_or("--methods", k_all_methods), k_all_methods);
+}
+
 std::vector<CompareRun> runs_from(const Arguments& arguments) {
   std::vector<CompareRun> runs;
-  if (!arguments.has("--methods")) {
+  if (asks_for_all_methods(arguments)) {
     runs = runs_of_all_methods();
   } else {
     for (const std::string& name : split_at_commas(arguments.flags.at("--methods"))) {

@@ -40,6 +40,12 @@ double smooth_first_from(const Arguments& arguments);
 /// --methods and the flags of Stopping, which hold for all methods.
 FlagGroup compare_flags();
 
+/// The word for all methods.
+inline constexpr const char* k_all_methods = "all";
+
+/// Whether --methods says so, or is not there.
+bool asks_for_all_methods(const Arguments& arguments);
+
 /// The methods that --methods names, in its order, or all; each with its usual stopping but for
 /// what the flags say.
 /// @throws UsageError for names that are unknown or come twice, bad values; Error

@@ -18,10 +18,15 @@ constexpr Range k_numbers = {1.0, static_cast<double>(k_candidates)};
 constexpr std::string_view k_choices =
     "1 as designed, 2, 3, 4, 5 at most 2, 1, 0.5, 0.1 % rms, 6 flat";
 
-void refuse_other_choices(const Arguments& arguments) {
+/// Limits judge the design, too.
+bool is_limit(std::string_view flag) {
+  return flag == "--max-strain" || flag == "--material" || flag == "--max-rms-strain";
+}
+
+void refuse_other_choices(const Arguments& arguments, int number) {
   for (const char* flag : {"--prefer", "--max-strain", "--material", "--max-rms-strain",
                            "--closeness", "--target-e-max", "--max-sweeps"}) {
-    if (!arguments.has(flag)) continue;
+    if (!arguments.has(flag) || (number == 1 && is_limit(flag))) continue;
     throw UsageError("flags --pick and " + std::string(flag) +
                      " both say how far to go: use one of them");
   }
@@ -44,10 +49,11 @@ Flag pick_flag() {
 
 FlattenOptions picked(FlattenOptions options, const Arguments& arguments) {
   if (!arguments.has("--pick")) return options;
-  refuse_other_choices(arguments);
+  const int number = number_from(arguments.flags.at("--pick"));
+  refuse_other_choices(arguments, number);
   if (!std::holds_alternative<Auto>(options.method))
     throw UsageError("flag --pick goes with method auto only");
-  return pick(number_from(arguments.flags.at("--pick")), std::move(options));
+  return pick(number, std::move(options));
 }
 
 CommandResult with_design_checked(CommandResult outcome, const FlattenReport& report) {

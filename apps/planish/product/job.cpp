@@ -79,7 +79,7 @@ class ProductRun {
         json(nesting ? std::optional(nesting->layout) : std::optional<LayoutReport>());
     const std::string picture = format_svg(product_sheet(report_, stem_of(job_.path)));
     std::vector<OutputFile> files = {{job_.folder / "garment.json", garment},
-                                     {job_.folder / "garment.html", page()},
+                                     {job_.folder / "garment.html", page(nesting)},
                                      {job_.folder / "garment.svg", picture}};
     if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
     std::string text = patch_lines();
@@ -108,8 +108,12 @@ class ProductRun {
 
   std::string patch_lines() const { return job_.path + "  " + pieces_text(report_); }
 
-  std::string page() const {
-    ProductPage page{stem_of(job_.path), {}};
+  std::string page(const std::optional<NestOutcome>& nesting) const {
+    ProductPage page{.name = stem_of(job_.path)};
+    if (nesting) {
+      page.sheets = nesting->sheets;
+      page.on_sheets = nesting->material + ": " + nesting->use;
+    }
     for (const PatchPlace& place : job_.places)
       page.reports.push_back(place.folder + "/report.html");
     return html_report(report_, page);

@@ -56,17 +56,14 @@ std::string nesting_text(const LayoutReport& layout) {
   return text;
 }
 
-std::vector<OutputFile> layout_files(const NestJob& job, const Nesting& nesting,
-                                     const NestRequest& request,
-                                     const std::filesystem::path& folder,
-                                     const std::string& title) {
+std::vector<OutputFile> layout_files(const std::vector<Drawing>& sheets, const NestRequest& request,
+                                     const std::filesystem::path& folder) {
   std::vector<OutputFile> files;
-  for (std::size_t s = 0; s < nesting.sheets; ++s) {
-    const Drawing sheet = nest_sheet(job, nesting, s, title);
-    const std::string number = nesting.sheets > 1 ? "-" + std::to_string(s + 1) : "";
+  for (std::size_t s = 0; s < sheets.size(); ++s) {
+    const std::string number = sheets.size() > 1 ? "-" + std::to_string(s + 1) : "";
     for (const PatternFormat format : request.formats) {
       files.push_back({folder / path_of("layout" + number + "." + std::string(to_string(format))),
-                       pattern_file(sheet, format, request.output)});
+                       pattern_file(sheets[s], format, request.output)});
     }
   }
   return files;
@@ -99,6 +96,20 @@ FlagGroup nest_flags() {
             {.choices = names_of(k_turns), .standard = "half"}}}};
 }
 
+/// The width in millimetres. A number without a unit is in that of the mesh, which is not what is
+/// meant where it gives a sheet that nobody sells.
+double sheet_width(const Arguments& arguments, const std::string& text) {
+  constexpr double above_zero = std::numeric_limits<double>::min(), widest = 20'000.0;
+  const double width = nest_length(arguments, "--sheet", text, above_zero);
+  const bool has_unit = text.find_first_not_of("0123456789.+-eE") != std::string::npos;
+  if (width > widest && !has_unit) {
+    throw UsageError("--sheet is " + fixed(width / 1000.0, 0) +
+                     " m wide, as numbers are in the unit of --unit: write " + text +
+                     "mm if millimetres are meant");
+  }
+  return width;
+}
+
 std::optional<NestOptions> sheets_from(const Arguments& arguments) {
   if (!arguments.has("--sheet")) {
     for (const char* flag : {"--nest-gap", "--nest-margin", "--turn"}) {
@@ -111,7 +122,7 @@ std::optional<NestOptions> sheets_from(const Arguments& arguments) {
   const std::string& text = arguments.flags.at("--sheet");
   const std::size_t sign = text.find('x');
   NestOptions sheets;
-  sheets.width = nest_length(arguments, "--sheet", text.substr(0, sign), above_zero);
+  sheets.width = sheet_width(arguments, text.substr(0, sign));
   if (sign != std::string::npos) {
     sheets.length = nest_length(arguments, "--sheet", text.substr(sign + 1), above_zero);
   }
@@ -145,7 +156,9 @@ NestOutcome nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRe
   const std::vector<NestPiece> pieces = nest_pieces(job);
   Nesting nesting = nest(pieces, job.sheets, session.job_context(title));
   NestOutcome outcome;
-  outcome.files = layout_files(job, nesting, request, folder, title);
+  for (std::size_t s = 0; s < nesting.sheets; ++s)
+    outcome.sheets.push_back(nest_sheet(job, nesting, s, title));
+  outcome.files = layout_files(outcome.sheets, request, folder);
   outcome.layout = layout_report(job, std::move(nesting));
   for (const OutputFile& file : outcome.files)
     outcome.layout.files.push_back(utf8_of(file.path));

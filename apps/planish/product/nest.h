@@ -31,7 +31,8 @@ std::optional<NestOptions> sheets_from(const Arguments& arguments);
 
 /// What came of laying patches on sheets.
 struct NestOutcome {
-  std::vector<OutputFile> files;  ///< a drawing of each sheet, in every format
+  std::vector<Drawing> sheets;    ///< a drawing of each
+  std::vector<OutputFile> files;  ///< of these, in every format
   LayoutReport layout;            ///< or why there is none
   std::string text;               ///< as people read it
   std::string material = {};      ///< what the pieces are laid on, in words

@@ -1,19 +1,42 @@
 #include "shell/output_folder.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <system_error>
 
 #include <planish/core/error.h>
 
 #include "platform/path.h"
+#include "shell/failures.h"
+#include "shell/file_name.h"
 
 namespace planish::cli {
+
+namespace {
+
+/// Of drawings, one of which is what such a name asks for.
+constexpr std::array<std::string_view, 4> k_extensions = {".svg", ".dxf", ".pdf", ".plt"};
+
+bool is_like_a_drawing(const std::string& name) {
+  return std::find(k_extensions.begin(), k_extensions.end(), extension_of(name)) !=
+         k_extensions.end();
+}
+
+}  // namespace
 
 std::filesystem::path output_folder(const std::string& folder) {
   std::filesystem::path path = path_of(folder);
   std::error_code ignored;
-  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_directory(path, ignored)) {
+  if (std::filesystem::is_directory(path, ignored)) return path;
+  if (std::filesystem::exists(path, ignored)) {
     throw Error(ErrorCode::file_unwritable, "is a file, but a folder is to be written there",
                 {.path = folder});
+  }
+  if (is_like_a_drawing(folder)) {
+    const std::string stem = folder.substr(0, folder.rfind('.'));
+    throw UsageError("--output is \"" + folder + "\" but names a folder for several files: use \"" +
+                     stem + "\", or \"planish unfold\" for one file with the pattern");
   }
   return path;
 }

@@ -192,7 +192,8 @@ inline constexpr int k_candidates = static_cast<int>(k_candidate_strains.size())
 
 /// What makes flatten() give a candidate of the fixed order.
 /// @param number from 1 to k_candidates
-/// @param options all that has nothing to do with the choice
+/// @param options all that has nothing to do with the choice, and limits that the design's pattern
+///   is to keep; the other candidates have none but their own
 /// @throws Error option_out_of_range
 FlattenOptions pick(int number, FlattenOptions options = {});
 

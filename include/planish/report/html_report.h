@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <planish/draw/color.h>
+#include <planish/draw/drawing.h>
 #include <planish/flatten/compare.h>
 #include <planish/flatten/flatten.h>
 #include <planish/flatten/frontier.h>
@@ -36,11 +37,14 @@ struct ProductPage {
   std::string name = {};  ///< of the product, plain text
   /// Of each patch, the path from the page to its own report, with slashes; empty: no link.
   std::vector<std::string> reports = {};
+  std::vector<Drawing> sheets = {};  ///< with the pieces on them, nest_sheet()
+  std::string on_sheets = {};        ///< what they are and how well they are used, plain text
 };
 
 /// What became of a product as a page without scripts: a tile for each piece, those that miss
 /// something first, with a picture of its surface, its outline with the seams in colour and
-/// numbered, what it is judged by and a link to its own report; below them a table of the seams.
+/// numbered, what it is judged by and a link to its own report; below them the sheets and a table
+/// of the seams.
 std::string html_report(const ProductReport& report, const ProductPage& page);
 
 /// A comparison as such a page: the table of all methods, charts of energy, e_max and e_avg against

@@ -75,8 +75,10 @@ std::string move_words(const Candidate& candidate, Unit unit) {
 std::string form_words(const Fairness& form) {
   if (form.unchanged) return {};
   std::string text = form.is_smooth() ? " Smooth" : " Crumpled";
-  if (!form.is_smooth() && form.sharpest_fold)
-    text += ": a new fold of " + significant_text(form.sharpest_fold->degrees, 2) + "°";
+  if (form.has_seen_fold() || (!form.is_smooth() && form.sharpest_fold)) {
+    text += std::string(form.is_smooth() ? " but for" : ":") + " a new fold of " +
+            significant_text(form.sharpest_fold->degrees, 2) + "°";
+  }
   if (form.is_smooth() && !form.keeps_form()) text += ", but the form is lost";
   return text + ".";
 }

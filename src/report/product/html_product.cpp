@@ -14,6 +14,7 @@
 #include "report/page/html_parts.h"
 #include "report/pictures/patch_view.h"
 #include "report/pictures/piece_outline.h"
+#include "report/pictures/sheet_picture.h"
 
 namespace planish {
 
@@ -23,6 +24,11 @@ namespace {
 constexpr std::string_view k_style = R"(
 .pieces > .lacking { border: 2px solid var(--worse); padding: 13px 17px 15px; }
 .pieces p + p { margin-top: 6px; font-size: 14px; }
+.sheets { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 380px), 1fr)); gap: 16px; }
+.sheet { display: block; width: 100%; max-height: 520px; padding: 10px; background: #fff; border-radius: 8px;
+         border: 1px solid var(--rule); }
+.sheet path { vector-effect: non-scaling-stroke; stroke-width: 1.3px; }
+.sheet text { font-size: var(--text); }
 .seams .swatch { width: 26px; height: 10px; }
 .seams th small { margin: 0; }
 .seams .swatch polyline { stroke-width: 6; stroke-dasharray: none; }
@@ -168,6 +174,27 @@ std::string seam_table(const ProductReport& report) {
   return html + "</tbody>\n</table>\n</div>\n</section>\n";
 }
 
+/// A few of them: a page with a hundred would be of no use.
+std::string sheets_section(const ProductPage& page) {
+  constexpr std::size_t most = 6;
+  if (page.sheets.empty()) return {};
+  std::string html = "<section>\n<h2>On the sheet</h2>\n<p>" +
+                     escape_markup(capital(page.on_sheets)) +
+                     ". Files: <code>layout</code>.</p>\n<div class=\"sheets\">\n";
+  const std::size_t count = page.sheets.size(), shown = std::min(count, most);
+  for (std::size_t s = 0; s < shown; ++s) {
+    const std::string number = count == 1 ? "" : " " + std::to_string(s + 1);
+    html +=
+        "<figure>" + sheet_picture(page.sheets[s], s + 1, "sheet" + number + " with its pieces") +
+        (count == 1 ? ""
+                    : "<figcaption>Sheet" + number + " of " + count_text(count) + "</figcaption>") +
+        "</figure>\n";
+  }
+  return html + "</div>\n" +
+         (shown < count ? "<p>The first " + count_text(shown) + " are shown.</p>\n" : "") +
+         "</section>\n";
+}
+
 std::string pieces_words(const ProductReport& report) {
   const auto all = report.patches.size();
   const auto missing = static_cast<std::size_t>(
@@ -206,8 +233,8 @@ std::string html_report(const ProductReport& report, const ProductPage& page) {
     tiles += tile_of(report, p, p < page.reports.size() ? page.reports[p] : std::string());
   return html_head(html_title(page.name), k_style) + "<body>\n<main>\n" +
          html_header("product", page.name, pieces_words(report) + seams_words(report)) + tiles +
-         "</ol>\n" + seam_table(report) + "<footer>Made by planish " + std::string(k_version) +
-         ".</footer>\n</main>\n</body>\n</html>\n";
+         "</ol>\n" + sheets_section(page) + seam_table(report) + "<footer>Made by planish " +
+         std::string(k_version) + ".</footer>\n</main>\n</body>\n</html>\n";
 }
 
 }  // namespace planish

@@ -121,6 +121,12 @@ TEST(Verdict, SaysWhetherTheFormIsSmooth) {
               EndsWith("The form stayed smooth. Much of the form is lost: 60 % of its curvature is "
                        "gone."));
   fairness.bending_lost = 0.3;
+  const auto fold = fairness.sharpest_fold;
+  fairness.sharpest_fold = Fold{.degrees = k_seen_fold - 1.0};
+  EXPECT_THAT(with(fairness), EndsWith("The form stayed smooth."));
+  fairness.sharpest_fold = Fold{.degrees = 63.4};
+  EXPECT_THAT(with(fairness), EndsWith("The form stayed smooth but for a new fold of 63°."));
+  fairness.sharpest_fold = fold;
   fairness.bending_ratio = 4.24;
   EXPECT_THAT(with(fairness), EndsWith("The form is crumpled: it is bent 4.2 times as much as it "
                                        "was, and the sharpest new fold has 9.5°."));

@@ -22,6 +22,7 @@ ThreadPool::ThreadPool(unsigned threads) {
 
 ThreadPool::ThreadPool(const Context& context) : ThreadPool(context.threads) {
   is_cancelled_ = context.is_cancelled;
+  on_progress_ = context.on_progress;
 }
 
 ThreadPool::~ThreadPool() {
@@ -37,8 +38,8 @@ ThreadPool::~ThreadPool() {
 void ThreadPool::for_ranges(std::size_t count, std::size_t grain,
                             const std::function<void(std::size_t, std::size_t)>& body) {
   if (count == 0) return;
-  if (is_cancelled_ && is_cancelled_()) throw Cancelled();
-  if (workers_.empty() || count < 2 * grain) return body(0, count);
+  stop_if_cancelled();
+  if (count < 2 * grain) return body(0, count);
   std::unique_lock lock(mutex_);
   body_ = &body;
   count_ = count;
@@ -52,6 +53,15 @@ void ThreadPool::for_ranges(std::size_t count, std::size_t grain,
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
+void ThreadPool::stop_if_cancelled() const {
+  if (is_cancelled_ && is_cancelled_()) throw Cancelled();
+}
+
+void ThreadPool::report(double share) const {
+  if (on_progress_) on_progress_({{}, share});
+  stop_if_cancelled();
+}
+
 void ThreadPool::run_parts(std::unique_lock<std::mutex>& lock) {
   ++busy_;
   while (next_ < count_) {
@@ -60,6 +70,7 @@ void ThreadPool::run_parts(std::unique_lock<std::mutex>& lock) {
     lock.unlock();
     std::exception_ptr failure;
     try {
+      stop_if_cancelled();
       (*body_)(begin, end);
     } catch (...) {
       failure = std::current_exception();

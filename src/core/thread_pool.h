@@ -18,11 +18,19 @@ class ThreadPool {
  public:
   /// @param threads 0 for all cores
   explicit ThreadPool(unsigned threads);
-  /// A pool whose loops do not begin once the job is cancelled.
+  /// A pool whose loops end early once the job is cancelled.
   explicit ThreadPool(const Context& context);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
+
+  /// For work between loops.
+  /// @throws Cancelled
+  void stop_if_cancelled() const;
+
+  /// Tells the job how much of its present step is done, 0 to 1. From the thread of the job.
+  /// @throws Cancelled
+  void report(double share) const;
 
   unsigned size() const { return static_cast<unsigned>(workers_.size()) + 1; }
 
@@ -38,6 +46,7 @@ class ThreadPool {
   void run_parts(std::unique_lock<std::mutex>& lock);
 
   std::function<bool()> is_cancelled_;
+  std::function<void(const Progress&)> on_progress_;
   std::vector<std::thread> workers_;
   std::mutex mutex_;
   std::condition_variable wake_, done_;

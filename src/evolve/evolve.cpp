@@ -80,8 +80,14 @@ EvolveResult evolve(const Patch& patch, const Method& method, const Stopping& st
                     const Constraints& constraints, const Context& context) {
   const auto start = std::chrono::steady_clock::now();
   check_stopping(stopping);
-  Evolver evolver(patch, method, constraints, context);
   EvolveProgress progress(stopping, patch.vertex_count());
+  Context of_step = context;
+  if (context.on_progress) {
+    of_step.on_progress = [&](const Progress& part) {
+      context.on_progress({"evolving", progress.while_opening(part.share)});
+    };
+  }
+  Evolver evolver(patch, method, constraints, of_step);
   EvolveResult result;
   double e_max = summarise_defects(angle_defects(patch), 0).e_max;
   // What is flat to the last digits is not worked on.

@@ -126,9 +126,10 @@ class FlexibleGmres {
 
 }  // namespace
 
-MixedLdlt::MixedLdlt(const SparseMatrix& lower, std::span<const Index> order, Precision precision)
+MixedLdlt::MixedLdlt(const SparseMatrix& lower, std::span<const Index> order, Precision precision,
+                     const ThreadPool* pool)
     : order_(order.begin(), order.end()) {
-  if (precision == Precision::mixed) narrow_.emplace(lower, order);
+  if (precision == Precision::mixed) narrow_.emplace(lower, order, pool);
 }
 
 bool MixedLdlt::factor(const SparseMatrix& lower, ThreadPool& pool) {
@@ -142,7 +143,7 @@ bool MixedLdlt::factor(const SparseMatrix& lower, ThreadPool& pool) {
 bool MixedLdlt::factor_in_double(const SparseMatrix& lower, ThreadPool& pool) {
   is_double_ = true;
   if (narrow_) narrow_->release();
-  if (!wide_) wide_.emplace(lower, order_);
+  if (!wide_) wide_.emplace(lower, order_, &pool);
   return wide_->factor(lower, pool);
 }
 

@@ -18,8 +18,9 @@ enum class Precision { full, mixed };
 /// factored in double. Which of the two it is follows from the matrix and the right side alone.
 class MixedLdlt {
  public:
-  /// @param lower,order as of SparseLdlt
-  MixedLdlt(const SparseMatrix& lower, std::span<const Index> order, Precision precision);
+  /// @param lower,order,pool as of SparseLdlt
+  MixedLdlt(const SparseMatrix& lower, std::span<const Index> order, Precision precision,
+            const ThreadPool* pool = {});
 
   /// Factors a matrix of the pattern. False where that cannot be in double either.
   bool factor(const SparseMatrix& lower, ThreadPool& pool);

@@ -65,8 +65,13 @@ std::vector<Index> nodes_of(const Supernodes& tree) {
 }  // namespace
 
 template <class T>
-BasicLdlt<T>::BasicLdlt(const SparseMatrix& lower, std::span<const Index> order)
+BasicLdlt<T>::BasicLdlt(const SparseMatrix& lower, std::span<const Index> order,
+                        const ThreadPool* pool)
     : place_(rank_of(order)) {
+  const auto stop_if_cancelled = [&] {
+    if (pool != nullptr) pool->stop_if_cancelled();
+  };
+  stop_if_cancelled();
   {
     // Children right before their parents, so that bundles of columns are contiguous.
     const auto parent = elimination_tree(rows_under(lower, place_));
@@ -74,9 +79,11 @@ BasicLdlt<T>::BasicLdlt(const SparseMatrix& lower, std::span<const Index> order)
     for (Index& place : place_)
       place = later[place];
   }
+  stop_if_cancelled();
   const LowerRows rows = rows_under(lower, place_);
   tree_ = find_supernodes(rows, elimination_tree(rows));
 
+  stop_if_cancelled();
   panel_start_.push_back(0);
   for (std::size_t s = 0; s < tree_.count(); ++s) {
     const std::size_t size = tree_.width(s) + tree_.rows(s).size();
@@ -117,8 +124,8 @@ BasicLdlt<T>::BasicLdlt(const SparseMatrix& lower, std::span<const Index> order)
 }
 
 template <class T>
-BasicLdlt<T>::BasicLdlt(const SparseMatrix& lower)
-    : BasicLdlt(lower, natural_order(lower.cols())) {}
+BasicLdlt<T>::BasicLdlt(const SparseMatrix& lower, const ThreadPool* pool)
+    : BasicLdlt(lower, natural_order(lower.cols()), pool) {}
 
 template <class T>
 Index BasicLdlt<T>::place_in_front(std::size_t node, Index row) const {
@@ -232,17 +239,21 @@ bool BasicLdlt<T>::factor(const T* values, ThreadPool& pool) {
     }
   });
   FrontSpace<T> own = space();
-  return sound && std::all_of(split_.top.begin(), split_.top.end(),
-                              [&](Index s) { return factor_node(values, s, own, updates, pool); });
+  return sound && std::all_of(split_.top.begin(), split_.top.end(), [&](Index s) {
+           pool.stop_if_cancelled();
+           return factor_node(values, s, own, updates, pool);
+         });
 }
 
-template BasicLdlt<double>::BasicLdlt(const SparseMatrix&, std::span<const Index>);
-template BasicLdlt<double>::BasicLdlt(const SparseMatrix&);
+template BasicLdlt<double>::BasicLdlt(const SparseMatrix&, std::span<const Index>,
+                                      const ThreadPool*);
+template BasicLdlt<double>::BasicLdlt(const SparseMatrix&, const ThreadPool*);
 template Panel<double> BasicLdlt<double>::panel(std::size_t) const;
 template FrontShape<double> BasicLdlt<double>::shape_of(std::size_t) const;
 template bool BasicLdlt<double>::factor(const double*, ThreadPool&);
-template BasicLdlt<float>::BasicLdlt(const SparseMatrix&, std::span<const Index>);
-template BasicLdlt<float>::BasicLdlt(const SparseMatrix&);
+template BasicLdlt<float>::BasicLdlt(const SparseMatrix&, std::span<const Index>,
+                                     const ThreadPool*);
+template BasicLdlt<float>::BasicLdlt(const SparseMatrix&, const ThreadPool*);
 template Panel<float> BasicLdlt<float>::panel(std::size_t) const;
 template FrontShape<float> BasicLdlt<float>::shape_of(std::size_t) const;
 template bool BasicLdlt<float>::factor(const float*, ThreadPool&);

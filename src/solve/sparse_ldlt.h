@@ -32,9 +32,11 @@ class BasicLdlt {
  public:
   /// @param lower the lower half of a matrix; values do not matter
   /// @param order the unknowns in order of elimination, as by nested_dissection()
-  BasicLdlt(const SparseMatrix& lower, std::span<const Index> order);
+  /// @param pool of the job that the matrix is of
+  /// @throws Cancelled
+  BasicLdlt(const SparseMatrix& lower, std::span<const Index> order, const ThreadPool* pool = {});
   /// The same for unknowns that are numbered in order of elimination.
-  explicit BasicLdlt(const SparseMatrix& lower);
+  explicit BasicLdlt(const SparseMatrix& lower, const ThreadPool* pool = {});
 
   /// Factors a matrix of the pattern. False where a pivot or its reciprocal is zero or not finite:
   /// then nothing can be solved.

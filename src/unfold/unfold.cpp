@@ -22,10 +22,10 @@ namespace {
 constexpr std::size_t k_most_vertices = 2'000'000;
 
 /// The conformal start where it is sound, else one that always is.
-std::vector<Vec2> find_start(const Disk& disk) {
-  std::vector<Vec2> flat = conformal_start(disk);
+std::vector<Vec2> find_start(const Disk& disk, ThreadPool& pool) {
+  std::vector<Vec2> flat = conformal_start(disk, pool);
   if (!flat.empty() && all_upright(disk, flat)) return flat;
-  flat = tutte_start(disk);
+  flat = tutte_start(disk, pool);
   if (all_upright(disk, flat)) return flat;
   throw Error(ErrorCode::unfold_failed,
               "the patch cannot be laid flat: its inner vertices come too close together when the "
@@ -45,7 +45,7 @@ LeastStretch with_matched_border(const TriMesh& mesh, const Disk& disk, const Le
   MatchedBorder matched =
       match_border(disk, lengths, least.flat, options.max_iterations, pool, count);
   if (!matched.matched) {
-    std::vector<Vec2> start = circle_start(disk, lengths);
+    std::vector<Vec2> start = circle_start(disk, lengths, pool);
     if (all_upright(disk, start)) {
       matched = match_border(disk, lengths, std::move(start), options.max_iterations, pool, count);
     }
@@ -112,12 +112,14 @@ void require_unfoldable(const Patch& patch) {
 Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& context) {
   require_unfoldable(patch);
   require_limits(options.limits);
-  const Disk disk = make_disk(patch);
   ThreadPool pool(context);
+  pool.stop_if_cancelled();
+  const Disk disk = make_disk(patch);
+  pool.stop_if_cancelled();
   const bool goes_on = options.match_seams || options.limits.max > 0.0 || options.limits.p99 > 0.0;
   PartsOfJob parts(context);
   LeastStretch flat =
-      minimise_stretch(disk, find_start(disk), options.max_iterations, pool,
+      minimise_stretch(disk, find_start(disk, pool), options.max_iterations, pool,
                        unfolding_steps(parts.next(goes_on ? 0.2 : 1.0), k_step_of_stretch));
   const std::function<void()> after_step = unfolding_steps(parts.next(1.0), k_step_of_limits);
   Pattern pattern;
@@ -158,8 +160,10 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
 }
 
 double smallest_limit(const Patch& patch, const Pattern& least, const Context& context) {
-  const Disk disk = make_disk(patch);
   ThreadPool pool(context);
+  pool.stop_if_cancelled();
+  const Disk disk = make_disk(patch);
+  pool.stop_if_cancelled();
   std::vector<Vec2> flat;
   flat.reserve(disk.vertex_count);
   for (const Index v : disk.vertex_of)

@@ -71,7 +71,7 @@ void check_size(const Patch& patch, const Method& method);
 /// who want to look in between.
 class Evolver {
  public:
-  /// @param context without progress, as what a step is a share of is not known
+  /// @param context its progress is that of a step, and is told while a level is opened
   /// @throws Error option_out_of_range, as check_constraints() and check_size(); Cancelled
   Evolver(const Patch& patch, const Method& method, const Constraints& constraints = {},
           const Context& context = {});

@@ -45,7 +45,7 @@ class AutoStepper {
         state_(state),
         pool_(pool),
         least_angle_(angle_to_keep(options, state, pool)),
-        levels_(state, k_coarsest),
+        levels_(state, k_coarsest, pool),
         level_(levels_.coarsest()) {
     open_level();
     descent_->start(k_cold_start);

@@ -42,7 +42,7 @@ std::vector<Index> numbers_in(const PatchState& state, std::size_t level, std::s
 
 }  // namespace
 
-CoarseLevels::CoarseLevels(const PatchState& patch, std::size_t small) {
+CoarseLevels::CoarseLevels(const PatchState& patch, std::size_t small, const ThreadPool& pool) {
   if (patch.inner_count() < small) return;
   Patch fine(sorted_mesh(patch));
   if (!can_be_coarsened(fine)) return;
@@ -50,7 +50,7 @@ CoarseLevels::CoarseLevels(const PatchState& patch, std::size_t small) {
   while (fine.vertex_count() > small) {
     const std::size_t count = fine.vertex_count();
     CoarsePatch coarse = coarsen(fine, count / tuning::k_thinning, CoarseBorder::thinned,
-                                 fixed_marks(constraints, count));
+                                 fixed_marks(constraints, count), &pool);
     if (2 * coarse.source.size() > count) break;  // no worthwhile step
     fine = Patch(std::move(coarse.mesh));
     constraints = restricted_to(constraints, coarse.source);

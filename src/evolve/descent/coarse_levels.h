@@ -17,7 +17,7 @@ namespace planish {
 class CoarseLevels {
  public:
   /// @param small patches of so many vertices have no coarser level
-  CoarseLevels(const PatchState& patch, std::size_t small);
+  CoarseLevels(const PatchState& patch, std::size_t small, const ThreadPool& pool);
 
   /// Of the coarsest level; 0 where the patch is small.
   std::size_t coarsest() const { return levels_.size(); }

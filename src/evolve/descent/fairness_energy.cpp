@@ -194,7 +194,8 @@ Positions FairnessEnergy::spread(std::span<const unsigned char> given, const Pos
     if (given[v] != 0) right.row(v) << moves[v].x, moves[v].y, moves[v].z;
   }
   const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
-  SparseLdlt solver(lower, nested_dissection(origin_, graph_of(matrix)));
+  pool.stop_if_cancelled();
+  SparseLdlt solver(lower, nested_dissection(origin_, graph_of(matrix)), &pool);
   if (!solver.factor(lower, pool)) return Positions(moves.size());
   const Eigen::MatrixXd spread = solver.solve(right, pool);
   Positions result(moves.size());

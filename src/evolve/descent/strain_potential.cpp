@@ -80,7 +80,8 @@ StrainPotential::StrainPotential(const AngleJacobian& jacobian, const PatchState
   const bool free = border == BoundaryCondition::free;
   const SparseMatrix& matrix = free ? square_ : stiffness_;
   const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
-  solver_.emplace(lower, nested_dissection(inner_positions(state), graph_of(matrix)));
+  pool.stop_if_cancelled();
+  solver_.emplace(lower, nested_dissection(inner_positions(state), graph_of(matrix)), &pool);
   solvable_ = solver_->factor(lower, pool);
 }
 

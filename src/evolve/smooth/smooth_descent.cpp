@@ -32,13 +32,19 @@ double diagonal_of(const PatchState& state, const Eigen::VectorXd& area_shares) 
   return std::sqrt(12.0 * mean([&](Vec3 p) { return dot(p - middle, p - middle); }));
 }
 
+double bending_to_compare(const Patch& design, const ThreadPool& pool) {
+  const double bending = std::max(k_no_bending, design_bending(design));
+  pool.stop_if_cancelled();
+  return bending;
+}
+
 }  // namespace
 
 SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& design,
                              const DescentLimits& limits, SmoothMoves moves)
     : state_(state),
       pool_(pool),
-      design_bending_(std::max(k_no_bending, planish::design_bending(design))),
+      design_bending_(bending_to_compare(design, pool)),
       limits_(limits),
       along_normals_(moves == SmoothMoves::along_normals),
       triangles_(state.triangles()),
@@ -47,7 +53,7 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& d
       hinges_(design, state),
       guard_(state, limits.angle),
       potential_(jacobian_, state, pool, BoundaryCondition::free),
-      system_(jacobian_, state, hinges_, guard_, potential_.square(), moves, border_.bends()),
+      system_(jacobian_, state, hinges_, guard_, potential_.square(), moves, pool, border_.bends()),
       area_shares_(area_shares(state)),
       diagonal_(diagonal_of(state, area_shares_)),
       unit_(mean_edge(jacobian_, state)),

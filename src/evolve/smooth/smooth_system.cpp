@@ -22,7 +22,7 @@ void for_pairs(std::size_t corners, Visit visit) {
 
 SmoothSystem::SmoothSystem(const AngleJacobian& jacobian, const PatchState& state,
                            const HingeTerms& hinges, const ShapeGuard& guard,
-                           const SparseMatrix& square, SmoothMoves moves,
+                           const SparseMatrix& square, SmoothMoves moves, const ThreadPool& pool,
                            std::vector<BorderMotion::Bend> bends)
     : jacobian_(jacobian),
       hinges_(hinges),
@@ -31,9 +31,12 @@ SmoothSystem::SmoothSystem(const AngleJacobian& jacobian, const PatchState& stat
       inner_(static_cast<Index>(jacobian.row_count())),
       count_(static_cast<Index>(jacobian.column_count())),
       inner_moves_(moves == SmoothMoves::free ? 3 : 1) {
+  pool.stop_if_cancelled();
   find_pairs(hinges, guard, square);
+  pool.stop_if_cancelled();
   lay_out();
   find_terms(hinges, guard);
+  pool.stop_if_cancelled();
   for (int v = 0; v < square.outerSize(); ++v) {
     for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry) {
       if (entry.row() < v) continue;
@@ -42,19 +45,16 @@ SmoothSystem::SmoothSystem(const AngleJacobian& jacobian, const PatchState& stat
     }
   }
   square_entries_.shrink_to_fit();
-  solver_.emplace(lower_, elimination_order(state), step_precision(inner_));
+  solver_.emplace(lower_, elimination_order(state), step_precision(inner_), &pool);
 }
 
-void SmoothSystem::find_pairs(const HingeTerms& hinges, const ShapeGuard& guard,
-                              const SparseMatrix& square) {
-  struct Found {
-    Index first, second;
-    bool full;
-  };
-  std::vector<Found> found;
+/// Calls visit(v, w, full) for the vertices of every term, also for those that meet in another
+/// term.
+template <class Visit>
+void SmoothSystem::for_pairs_of_terms(const HingeTerms& hinges, const ShapeGuard& guard,
+                                      const SparseMatrix& square, Visit visit) const {
   const auto add = [&](Index v, Index w, bool full) {
-    if (v == w || v >= count_ || w >= count_) return;
-    found.push_back({std::min(v, w), std::max(v, w), full});
+    if (v != w && v < count_ && w < count_) visit(std::min(v, w), std::max(v, w), full);
   };
   for (std::size_t h = 0; h < hinges.size(); ++h) {
     const auto& corners = hinges.corners(h);
@@ -73,22 +73,36 @@ void SmoothSystem::find_pairs(const HingeTerms& hinges, const ShapeGuard& guard,
     for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry)
       add(static_cast<Index>(v), static_cast<Index>(entry.row()), false);
   }
-  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
-    return std::pair{a.first, a.second} < std::pair{b.first, b.second};
+}
+
+void SmoothSystem::find_pairs(const HingeTerms& hinges, const ShapeGuard& guard,
+                              const SparseMatrix& square) {
+  struct Partner {
+    Index vertex;
+    bool full;
+  };
+  std::vector<std::size_t> start(count_ + 1, 0);
+  for_pairs_of_terms(hinges, guard, square, [&](Index first, Index, bool) { ++start[first + 1]; });
+  for (Index v = 0; v < count_; ++v)
+    start[v + 1] += start[v];
+  std::vector<Partner> partners(start.back());
+  std::vector<std::size_t> next(start.begin(), start.end() - 1);
+  for_pairs_of_terms(hinges, guard, square, [&](Index first, Index second, bool full) {
+    partners[next[first]++] = {second, full};
   });
   pair_start_.assign(count_ + 1, 0);
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    const bool again =
-        k > 0 && found[k].first == found[k - 1].first && found[k].second == found[k - 1].second;
-    if (!again) {
-      pairs_.push_back({found[k].second, false});
-      ++pair_start_[found[k].first + 1];
+  for (Index v = 0; v < count_; ++v) {
+    const std::span<Partner> own(partners.data() + start[v], start[v + 1] - start[v]);
+    std::sort(own.begin(), own.end(),
+              [](const Partner& a, const Partner& b) { return a.vertex < b.vertex; });
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      const bool again = k > 0 && own[k].vertex == own[k - 1].vertex;
+      if (!again) pairs_.push_back({own[k].vertex, false});
+      pairs_.back().full = pairs_.back().full || own[k].full;
     }
-    pairs_.back().full = pairs_.back().full || found[k].full;
+    pair_start_[v + 1] = pairs_.size();
   }
   pairs_.shrink_to_fit();
-  for (Index v = 0; v < count_; ++v)
-    pair_start_[v + 1] += pair_start_[v];
 }
 
 /// The lower half, column by column, zero but for ones where what is held meets itself.

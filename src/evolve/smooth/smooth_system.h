@@ -41,9 +41,10 @@ class SmoothSystem {
   /// @param moves of inner vertices
   /// @param bends along the border, if that moves
   /// @param jacobian,hinges,guard must outlive it
+  /// @throws Cancelled
   SmoothSystem(const AngleJacobian& jacobian, const PatchState& state, const HingeTerms& hinges,
                const ShapeGuard& guard, const SparseMatrix& square, SmoothMoves moves,
-               std::vector<BorderMotion::Bend> bends = {});
+               const ThreadPool& pool, std::vector<BorderMotion::Bend> bends = {});
 
   /// Everything in H is zero.
   /// @param normals of inner vertices, of length 1; none where they move freely
@@ -100,6 +101,9 @@ class SmoothSystem {
     return {a.x, a.y, a.z};
   }
   Vec3 move_of(Index v, const Eigen::VectorXd& solution) const;
+  template <class Visit>
+  void for_pairs_of_terms(const HingeTerms& hinges, const ShapeGuard& guard,
+                          const SparseMatrix& square, Visit visit) const;
   void find_pairs(const HingeTerms& hinges, const ShapeGuard& guard, const SparseMatrix& square);
   void lay_out();
   void find_terms(const HingeTerms& hinges, const ShapeGuard& guard);

@@ -44,14 +44,14 @@ bool can_be_coarsened(const Patch& patch) {
 }
 
 CoarsePatch coarsen(const Patch& patch, std::size_t vertices, CoarseBorder border,
-                    std::span<const unsigned char> keep) {
+                    std::span<const unsigned char> keep, const ThreadPool* pool) {
   if (vertices >= patch.vertex_count()) return whole(patch.mesh());
   const std::vector<Index> order = breadth_first_order(patch.connectivity());
   std::vector<unsigned char> kept(order.size(), 0);
   for (std::size_t i = 0; i < order.size() && !keep.empty(); ++i)
     kept[i] = keep[order[i]];
   Coarsener coarsener(renumbered(patch.mesh(), order), vertices, border, std::move(kept));
-  coarsener.run();
+  coarsener.run(pool);
   return patch_of(patch.mesh(), coarsener.triangles(), order);
 }
 

@@ -7,6 +7,8 @@
 #include <planish/mesh/patch.h>
 #include <planish/mesh/tri_mesh.h>
 
+#include "core/thread_pool.h"
+
 namespace planish {
 
 /// A patch over some of the vertices of a finer one.
@@ -32,7 +34,9 @@ enum class CoarseBorder {
 /// @param vertices about so many are left, of very few perhaps none inside; more where none can be
 ///   taken without harm; if the mesh has no more, it is returned as it is
 /// @param keep by vertex: 1 for those that must stay (empty: none)
+/// @param pool of the job that it is a part of
+/// @throws Cancelled
 CoarsePatch coarsen(const Patch& patch, std::size_t vertices, CoarseBorder border,
-                    std::span<const unsigned char> keep = {});
+                    std::span<const unsigned char> keep = {}, const ThreadPool* pool = {});
 
 }  // namespace planish

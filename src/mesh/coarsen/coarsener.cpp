@@ -232,8 +232,11 @@ void Coarsener::update_touched() {
 
 /// Keys are bounds from below, of growing cost: how crowded a vertex is, what taking it out costs
 /// at least, and what it costs.
-void Coarsener::run() {
-  while (left_ > wanted_ && !queue_.empty() && queue_.top_key() < limit_) {
+void Coarsener::run(const ThreadPool* pool) {
+  constexpr std::size_t often = 1024;
+  for (std::size_t step = 0; left_ > wanted_ && !queue_.empty() && queue_.top_key() < limit_;
+       ++step) {
+    if (pool != nullptr && step % often == 0) pool->stop_if_cancelled();
     const Index v = queue_.top();
     const double key = queue_.top_key(), least = level_of(least_cost(v));
     if (least > key) {

@@ -17,7 +17,8 @@ class Coarsener {
   Coarsener(const TriMesh& mesh, std::size_t vertices, CoarseBorder border,
             std::vector<unsigned char> keep);
 
-  void run();
+  /// @throws Cancelled
+  void run(const ThreadPool* pool);
   /// The triangles that are left.
   std::vector<Triangle> triangles() const;
 

@@ -18,7 +18,8 @@ std::vector<double> strength(const Patch& patch) {
   std::vector<double> strength(patch.vertex_count(), 0.0);
   const Disk disk = make_disk(patch);
   const DiskAngles angles = disk_angles(disk);
-  const InnerSystem laplacian(disk, angles.half_cotangents);
+  ThreadPool alone(1);
+  const InnerSystem laplacian(disk, angles.half_cotangents, alone);
   if (laplacian.inner_count() == 0 || !laplacian.solvable()) return strength;
   const Eigen::VectorXd scale = log_scale(laplacian, angles);
   for (std::size_t v = 0; v < disk.vertex_count; ++v) {

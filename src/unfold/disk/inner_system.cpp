@@ -10,7 +10,7 @@ constexpr int k_border = -1;
 
 }  // namespace
 
-InnerSystem::InnerSystem(const Disk& disk, std::span<const SideWeights> weights) {
+InnerSystem::InnerSystem(const Disk& disk, std::span<const SideWeights> weights, ThreadPool& pool) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t t = 0; t < disk.triangles.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
@@ -43,8 +43,8 @@ InnerSystem::InnerSystem(const Disk& disk, std::span<const SideWeights> weights)
     }
   }
   inner.finalize();
-  solver_.emplace(inner);  // the disk's vertices are in order of elimination
-  solvable_ = solver_->factor(inner);
+  solver_.emplace(inner, &pool);  // the disk's vertices are in order of elimination
+  solvable_ = solver_->factor(inner, pool);
 }
 
 Eigen::MatrixXd InnerSystem::solve(const Eigen::MatrixXd& border,

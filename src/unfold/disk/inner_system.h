@@ -19,7 +19,8 @@ using SideWeights = std::array<double, 3>;
 class InnerSystem {
  public:
   /// @param weights one per triangle; the weight of an edge is the sum over its triangles
-  InnerSystem(const Disk& disk, std::span<const SideWeights> weights);
+  /// @throws Cancelled
+  InnerSystem(const Disk& disk, std::span<const SideWeights> weights, ThreadPool& pool);
 
   bool solvable() const { return solvable_; }
   std::size_t inner_count() const { return vertices_.size(); }

@@ -61,9 +61,9 @@ std::vector<Vec2> closed_polygon(const std::vector<double>& turns, std::vector<d
 
 }  // namespace
 
-std::vector<Vec2> conformal_start(const Disk& disk) {
+std::vector<Vec2> conformal_start(const Disk& disk, ThreadPool& pool) {
   const DiskAngles angles = disk_angles(disk);
-  const InnerSystem laplacian(disk, angles.half_cotangents);
+  const InnerSystem laplacian(disk, angles.half_cotangents, pool);
   if (laplacian.inner_count() > 0 && !laplacian.solvable()) return {};
 
   const Eigen::VectorXd flux = laplacian.apply(log_scale(laplacian, angles));

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/thread_pool.h"
 #include "unfold/disk/disk.h"
 
 namespace planish {
@@ -11,10 +12,10 @@ namespace planish {
 /// border, turn the border by its normal derivative, close the curve, extend into the inside. Exact
 /// where the disk is flattenable. Triangles may be flipped where it is far from it. Empty where the
 /// matrix cannot be factored.
-std::vector<Vec2> conformal_start(const Disk& disk);
+std::vector<Vec2> conformal_start(const Disk& disk, ThreadPool& pool);
 
 /// Lays the disk flat with no triangle flipped, however far it is from flattenable (Tutte 1963):
 /// the border on a circle, every inner vertex at the mean of its neighbours. Area 1.
-std::vector<Vec2> tutte_start(const Disk& disk);
+std::vector<Vec2> tutte_start(const Disk& disk, ThreadPool& pool);
 
 }  // namespace planish

@@ -7,9 +7,9 @@
 
 namespace planish {
 
-std::vector<Vec2> tutte_start(const Disk& disk) {
+std::vector<Vec2> tutte_start(const Disk& disk, ThreadPool& pool) {
   const std::vector<SideWeights> weights(disk.triangles.size(), SideWeights{1.0, 1.0, 1.0});
-  const InnerSystem laplacian(disk, weights);
+  const InnerSystem laplacian(disk, weights, pool);
   std::vector<Vec2> circle;
   const double radius = 1.0 / std::sqrt(std::numbers::pi);
   for (std::size_t k = 0; k < disk.border.size(); ++k) {

@@ -217,7 +217,7 @@ class BoundedDescent {
 
   /// The scale is eliminated last: [H, m; m^T, c] [x; t] = -[g; h].
   std::optional<Direction> solve() {
-    if (!factor_) factor_.emplace(system_.hessian());
+    if (!factor_) factor_.emplace(system_.hessian(), &pool_);
     if (!factor_->factor(system_.hessian(), pool_)) return std::nullopt;
     Eigen::MatrixXd right(mixed_.size(), 2);
     right.col(0) = -system_.gradient();

@@ -26,7 +26,7 @@ class LaggedSolver {
       if (step.size() > 0) return step;
     }
     system.assemble(flat, Curvature::projected);
-    if (!factor_) factor_.emplace(system.hessian());
+    if (!factor_) factor_.emplace(system.hessian(), &pool_);
     factored_ = factor_->factor(system.hessian(), pool_);
     if (!factored_) return {};
     return factor_->solve(-system.gradient(), pool_);
@@ -69,7 +69,9 @@ LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max
   // A stretch of 1e-9 everywhere is none; and what a further step would gain must be worth it.
   constexpr double no_energy = 4e-18, least_gain = 1e-6, least_fall = 1e-4;
   LeastStretch result{turn_to_axis(disk, std::move(start)), 0, false};
+  pool.stop_if_cancelled();
   StretchSystem system(disk);
+  pool.stop_if_cancelled();
   LaggedSolver solver(pool);
   double energy = total_energy(disk, result.flat);
   for (; result.iterations < max_iterations; ++result.iterations) {

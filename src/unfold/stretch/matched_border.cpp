@@ -162,7 +162,8 @@ std::vector<double> inscribed_angles(std::span<const double> sides) {
 
 }  // namespace
 
-std::vector<Vec2> circle_start(const Disk& disk, std::span<const double> lengths) {
+std::vector<Vec2> circle_start(const Disk& disk, std::span<const double> lengths,
+                               ThreadPool& pool) {
   const std::vector<double> angles = inscribed_angles(lengths);
   std::vector<Vec2> polygon;
   polygon.reserve(lengths.size());
@@ -175,7 +176,7 @@ std::vector<Vec2> circle_start(const Disk& disk, std::span<const double> lengths
     heading += angles[k];
   }
   const std::vector<SideWeights> weights(disk.triangles.size(), SideWeights{1.0, 1.0, 1.0});
-  return InnerSystem(disk, weights).extend(disk, polygon);
+  return InnerSystem(disk, weights, pool).extend(disk, polygon);
 }
 
 MatchedBorder match_border(const Disk& disk, std::span<const double> lengths,

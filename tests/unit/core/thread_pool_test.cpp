@@ -1,8 +1,10 @@
 #include "core/thread_pool.h"
 
 #include <atomic>
+#include <chrono>
 #include <new>
 #include <numeric>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -51,6 +53,35 @@ TEST(ThreadPool, ThrowsOnWhatAPartThrowsAndStaysUsable) {
       ASSERT_EQ(visits.load(), 100U);
     }
   }
+}
+
+TEST(ThreadPool, EndsALoopBetweenItsPartsOnceTheJobIsCancelled) {
+  for (const unsigned threads : {1U, 2U, 4U}) {
+    std::atomic<bool> cancelled = false;
+    std::atomic<std::size_t> done = 0;
+    ThreadPool pool(Context{.threads = threads, .is_cancelled = [&] { return cancelled.load(); }});
+    const auto body = [&](std::size_t begin, std::size_t end) {
+      done += end - begin;
+      cancelled = true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    };
+    EXPECT_THROW(pool.for_ranges(10'000, 1, body), Cancelled);
+    EXPECT_LT(done, 10'000U) << threads;
+    EXPECT_THROW(pool.stop_if_cancelled(), Cancelled);
+    EXPECT_THROW(pool.report(0.5), Cancelled);
+    cancelled = false;
+    EXPECT_NO_THROW(pool.for_ranges(100, 1, [](std::size_t, std::size_t) {})) << "usable again";
+  }
+}
+
+TEST(ThreadPool, ReportsTheShareOfAStep) {
+  std::vector<double> shares;
+  const ThreadPool pool(Context{
+      .threads = 1, .on_progress = [&](const Progress& step) { shares.push_back(step.share); }});
+  pool.report(0.25);
+  pool.report(1.0);
+  EXPECT_EQ(shares, (std::vector<double>{0.25, 1.0}));
+  EXPECT_NO_THROW(ThreadPool(1).report(0.5));
 }
 
 TEST(ThreadPool, BeginsNoLoopOnceTheJobIsCancelled) {

@@ -136,13 +136,14 @@ TEST(MatchSeams, GivesTwoPatchesEquallyLongSidesOfTheirSeam) {
 }
 
 TEST(MatchSeams, HasAStartForAnyBorder) {
+  ThreadPool alone(1);
   // Also a border with one long side, which the circle's centre lies beyond.
   TriMesh fans[] = {meshes::fan(7, 0.3), meshes::ruffled_fan(8, 1.5), meshes::fan(9, 0.0)};
   fans[2].positions[1] = {6.0, -1.0, 0.0};
   for (const TriMesh& mesh : fans) {
     const Disk disk = make_disk(Patch(mesh));
     const auto lengths = border_lengths(mesh, disk);
-    const auto flat = circle_start(disk, lengths);
+    const auto flat = circle_start(disk, lengths, alone);
     EXPECT_TRUE(all_upright(disk, flat));
     for (std::size_t k = 0; k < lengths.size(); ++k) {
       const Vec2 a = flat[disk.border[k]], b = flat[disk.border[(k + 1) % lengths.size()]];

@@ -101,7 +101,7 @@ void expect_solved_as_dense(const Constraints& constraints,
   const HingeTerms hinges(Patch(mesh_at_first(state)), state);
   const ShapeGuard guard(state, 0.05);
   const StrainPotential potential(jacobian, state, pool, BoundaryCondition::free);
-  SmoothSystem system(jacobian, state, hinges, guard, potential.square(), moves);
+  SmoothSystem system(jacobian, state, hinges, guard, potential.square(), moves, pool);
   const Positions normals =
       moves == SmoothMoves::along_normals ? some_normals(jacobian) : Positions{};
   system.clear(normals);

@@ -198,6 +198,7 @@ class Flattening {
     report_progress(context_, {"measuring", 0.0});
     require(patch.inspection(), Purpose::unfold);
     report_.name = std::move(name);
+    report_.material = options_.material;
     check_constraints(options_.constraints, patch.vertex_count(), method_);
     if (options_.smooth_first > 0.0) return run_smoothed(patch);
     if (options_.remesh) remeshed_ = remesh(patch, options_.constraints, options_.keep);

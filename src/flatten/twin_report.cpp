@@ -192,6 +192,7 @@ std::optional<FlattenReport> twin_report(const FlattenReport& twin, const Patch&
   if (!holds_all(own.source, options.keep)) return std::nullopt;
   FlattenReport report;
   report.name = std::move(name);
+  report.material = options.material;
   report.twin_of = TwinOf{twin.name, match.mirrored};
   report.processed = own.patch.with_positions(moved_alike(twin, own, match.motion));
   report.evolve = evolved_alike(twin.evolve, patch, own.patch, report.processed);

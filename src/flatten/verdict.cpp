@@ -34,30 +34,26 @@ bool is_of_strain(LimitOf what) {
   return what == LimitOf::strain || what == LimitOf::p99_strain || what == LimitOf::rms_strain;
 }
 
-/// The only material that takes just this strain on 99 % of the area; empty where there is none.
-std::string_view material_of(const LimitCheck& check) {
-  if (check.what != LimitOf::p99_strain) return {};
-  std::string_view name;
-  for (const Material& material : materials()) {
-    if (material.max_strain != check.limit) continue;
-    if (!name.empty()) return {};
-    name = material.name;
-  }
-  return name;
+std::string degrees_of(const Fold& fold) {
+  return significant_text(fold.degrees, 2) + "°";
 }
 
-/// Who could be cut to the pattern all the same.
+/// What could be cut to the pattern all the same.
 std::string takers_text(const EdgeStrain& strain) {
   std::vector<std::string_view> names;
+  bool is_beyond = false;  // somewhere on the last hundredth of the area
   for (const Material& material : materials()) {
-    if (strain.p99 <= material.max_strain) names.push_back(material.name);
+    if (strain.p99 > material.max_strain) continue;
+    names.push_back(material.name);
+    is_beyond = is_beyond || strain.max > material.max_strain;
   }
   if (names.empty()) return "No material that is known here takes that.";
   std::string text(names.front());
   for (std::size_t k = 1; k < names.size(); ++k)
     text += (k + 1 < names.size() ? ", " : " and ") + std::string(names[k]);
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text + (names.size() == 1 ? " takes that." : " take that.");
+  return text + (names.size() == 1 ? " takes that" : " take that") +
+         (is_beyond ? " on 99 % of the area." : ".");
 }
 
 /// What would take more of the strain out, where it was left for the sake of the form.
@@ -103,26 +99,36 @@ std::string state_words(const FlattenReport& report) {
   const std::vector<LimitCheck> limits = strain_limits_of(report);
   const auto missed = std::find_if(limits.begin(), limits.end(),
                                    [](const LimitCheck& check) { return !check.met; });
-  return missed == limits.end()
-             ? "Within " + strain_limit_name(limits.front(), report.unfold.strain)
-             : "Not within " + strain_limit_name(*missed, report.unfold.strain);
+  return missed == limits.end() ? "Within " + strain_limit_name(limits.front(), report)
+                                : "Not within " + strain_limit_name(*missed, report);
+}
+
+/// What is wrong with the form, after "the form": "is crumpled and lost"; empty where nothing is.
+std::string form_faults(const EvolveReport& evolve) {
+  const Fairness& fairness = evolve.fairness;
+  const bool crumpled = !fairness.is_smooth(), lost = !fairness.keeps_form();
+  std::string text = crumpled && lost ? "is crumpled and lost"
+                     : crumpled       ? "is crumpled"
+                     : lost           ? "is lost"
+                                      : "";
+  const auto add = [&](const std::string& fault) { text += (text.empty() ? "" : " and ") + fault; };
+  if (!crumpled && fairness.has_sharp_fold()) add("has " + new_fold_text(*fairness.sharpest_fold));
+  if (evolve.after.self_intersections.pairs > evolve.before.self_intersections.pairs)
+    add("goes through itself");
+  return text;
 }
 
 /// Where the form is not as it should be: that, to follow the first words.
 std::string form_clause(const FlattenReport& report) {
-  const Fairness& fairness = report.evolve.fairness;
-  const bool crumpled = !fairness.is_smooth(), lost = !fairness.keeps_form();
-  if (!crumpled && !lost) return {};
+  const std::string faults = form_faults(report.evolve);
+  if (faults.empty()) return {};
   const Flatness flatness = flatness_of(report);
   const bool is_bad = flatness == Flatness::limit_missed || flatness == Flatness::stretched ||
                       report.unfold.pattern.overlaps || report.unfold.pattern.flipped_triangles > 0;
   const std::string link = is_bad                               ? ", and"
                            : flatness == Flatness::unmeasurable ? ", yet"
                                                                 : ", but";
-  return link + " the form is " +
-         (crumpled && lost ? "crumpled and lost"
-          : crumpled       ? "crumpled"
-                           : "lost");
+  return link + " the form " + faults;
 }
 
 std::string stretch_sentence(const FlattenReport& report) {
@@ -171,10 +177,6 @@ std::string strain_phrase(double before, double after) {
          percent_text(before) + " to " + percent_text(after) + " rms";
 }
 
-std::string degrees_of(const Fold& fold) {
-  return significant_text(fold.degrees, 2) + "°";
-}
-
 /// Whether a designer would take the form; empty where it is that of the design.
 std::string form_sentence(const FlattenReport& report) {
   const Fairness& fairness = report.evolve.fairness;
@@ -182,9 +184,9 @@ std::string form_sentence(const FlattenReport& report) {
   const std::string loss = form_loss_text(fairness);
   const std::string lost = loss.empty() ? "" : " Much of the form is lost: " + loss + ".";
   if (fairness.is_smooth()) {
-    return (fairness.has_seen_fold() ? " The form stayed smooth but for a new fold of " +
-                                           degrees_of(*fairness.sharpest_fold)
-                                     : std::string(" The form stayed smooth")) +
+    return (fairness.has_seen_fold()
+                ? " The form stayed smooth but for " + new_fold_text(*fairness.sharpest_fold)
+                : std::string(" The form stayed smooth")) +
            "." + lost;
   }
   if (!fairness.bending_ratio) return " The form was a plane, and is bent now.";
@@ -197,6 +199,10 @@ std::string form_sentence(const FlattenReport& report) {
 }
 
 }  // namespace
+
+std::string new_fold_text(const Fold& fold) {
+  return "a new fold of " + degrees_of(fold);
+}
 
 Flatness flatness_of(const FlattenReport& report) {
   const EdgeStrain& strain = report.unfold.strain;
@@ -222,12 +228,11 @@ std::vector<LimitCheck> strain_limits_of(const FlattenReport& report) {
   return limits;
 }
 
-std::string strain_limit_name(const LimitCheck& check, const EdgeStrain& strain) {
-  const std::string_view material = material_of(check);
+std::string strain_limit_name(const LimitCheck& check, const FlattenReport& report) {
   const std::string limit = percent_text(check.limit);
-  if (!material.empty()) {
-    const bool is_beyond = strain.max > check.limit * (1.0 + k_limit_rounding);
-    return "the " + limit + " that " + std::string(material) + " takes" +
+  if (check.what == LimitOf::p99_strain && !report.material.empty()) {
+    const bool is_beyond = report.unfold.strain.max > check.limit * (1.0 + k_limit_rounding);
+    return "the " + limit + " that " + report.material + " takes" +
            (is_beyond ? " on 99 % of the area" : "");
   }
   return "the limit of " + limit +
@@ -248,10 +253,10 @@ std::string form_loss_text(const Fairness& fairness) {
 }
 
 std::string unit_question(const UnfoldReport& unfold) {
-  constexpr double smallest = 5.0, largest = 50000.0;  // millimetres that anyone cuts
+  constexpr double smallest = 5.0;  // millimetres; smaller than most, but not absurd
   const double size =
       millimetres_per(unfold.unit) * std::max(unfold.pattern.width, unfold.pattern.height);
-  if (size >= smallest && size <= largest) return {};
+  if (size >= smallest && size <= k_large_piece) return {};
   const std::string start = "The pattern is " + significant_text(size, 2) + "\u00A0mm long: is ";
   const std::vector<Unit> likely = likely_units(size / millimetres_per(unfold.unit), unfold.unit);
   if (likely.empty()) {
@@ -298,6 +303,9 @@ std::string computed_text(const FlattenReport& report) {
 std::string border_text(const FlattenReport& report) {
   const auto& obstruction = report.evolve.before.obstruction;
   if (!obstruction || !obstruction->is_notable()) return {};
+  const Flatness flatness = flatness_of(report);
+  const bool is_flat = flatness == Flatness::flat || flatness == Flatness::unmeasurable;
+  if (is_flat && report.evolve.fairness.keeps_form()) return {};  // it has gone, without harm
   return std::string(obstruction->has_flat_border()
                          ? "The edge lies in a plane and only a plane piece fits it: "
                          : "The edge is too short for so much surface: ") +

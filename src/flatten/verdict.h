@@ -24,12 +24,14 @@ bool is_too_small_to_measure(const EdgeStrain& strain);
 /// Those of limit_checks() that are about strain.
 std::vector<LimitCheck> strain_limits_of(const FlattenReport& report);
 
-/// "the 10 % that neoprene takes" where the limit is that of one material alone, else "the limit of
-/// 2.0 %". Plain UTF-8 text.
+/// "a new fold of 63°"
+std::string new_fold_text(const Fold& fold);
+
+/// "the 10 % that neoprene takes" where the limit is that of a material that was named, else "the
+/// limit of 2.0 %". The area that the limit is for is named where an edge of the pattern is beyond
+/// it. Plain UTF-8 text.
 /// @param check of strain_limits_of()
-/// @param strain of the pattern: where an edge is beyond it, the area is named that the limit is
-/// for
-std::string strain_limit_name(const LimitCheck& check, const EdgeStrain& strain);
+std::string strain_limit_name(const LimitCheck& check, const FlattenReport& report);
 
 /// What came out, in plain words: whether the pattern can be cut, how much it is stretched, and
 /// what became of the form. Plain UTF-8 text; its first sentence is short.

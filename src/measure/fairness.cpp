@@ -184,6 +184,10 @@ bool Fairness::has_seen_fold() const {
   return sharpest_fold && sharpest_fold->degrees >= k_seen_fold;
 }
 
+bool Fairness::has_sharp_fold() const {
+  return sharpest_fold && sharpest_fold->degrees >= k_sharp_fold;
+}
+
 bool Fairness::keeps_form() const {
   return bending_lost.value_or(0.0) <= k_kept_lost && height_ratio.value_or(1.0) >= k_kept_height;
 }

@@ -74,6 +74,16 @@ Json to_json(const std::vector<NestPlacement>& placements, const std::vector<std
   return list;
 }
 
+Json to_json(const std::vector<NearBorders>& all, const ProductReport& report) {
+  Json list = Json::array();
+  for (const NearBorders& near : all) {
+    list.push_back(
+        {{"patches", {report.patches[near.patches[0]].name, report.patches[near.patches[1]].name}},
+         {"length", near.length}});
+  }
+  return list;
+}
+
 }  // namespace
 
 LayoutReport layout_report(const NestJob& job, Nesting nesting) {
@@ -118,6 +128,7 @@ std::string json_report(const ProductReport& report, const std::string& name,
                      {"unit", to_string(report.unit)},
                      {"patches", std::move(patches)},
                      {"seams", std::move(seams)},
+                     {"near_borders", to_json(report.near_borders, report)},
                      {"nesting", layout ? to_json(*layout) : Json(nullptr)}};
   return json_document(json) + '\n';
 }

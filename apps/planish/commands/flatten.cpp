@@ -68,7 +68,8 @@ FlattenOptions options_from(const Arguments& arguments) {
                  .smooth_first = smooth_first_from(arguments),
                  .remesh = arguments.has("--remesh"),
                  .match_seams = arguments.has("--match-seams"),
-                 .limits = limits_from(arguments)},
+                 .limits = limits_from(arguments),
+                 .material = arguments.value_or("--material", "")},
                 arguments);
 }
 

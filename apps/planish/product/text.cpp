@@ -67,11 +67,30 @@ std::string twins_text(const ProductReport& report) {
          (count == 1 ? " is" : " are") + " made from another one, of the same shape or mirrored.\n";
 }
 
+namespace {
+
+/// Borders that look like seams and are none.
+std::string near_text(const ProductReport& report) {
+  if (report.near_borders.empty()) return {};
+  std::string text =
+      "\nBorders beside each other that are no seams, as their vertices differ, in mm:\n";
+  for (const NearBorders& near : report.near_borders) {
+    text += right(fixed(near.length, 0), 8) + "  " + report.patches[near.patches[0]].name + " - " +
+            report.patches[near.patches[1]].name + "\n";
+  }
+  return text + "Divide one mesh into the pieces to have seams there.\n";
+}
+
+}  // namespace
+
 std::string seams_text(const ProductReport& report, bool is_batch) {
   const std::vector<MeasuredSeam>& seams = report.seams;
+  const std::string near = near_text(report);
   if (seams.empty() && is_batch)
-    return "\nEach file by itself; --product searches for seams between them.\n";
-  if (seams.empty()) return "\nNo two borders lie at the same places: there are no seams.\n";
+    return "\nEach file by itself; --product searches for seams between them.\n" + near;
+  if (seams.empty() && near.empty())
+    return "\nNo two borders lie at the same places: there are no seams.\n";
+  if (seams.empty()) return "\nThere are no seams.\n" + near;
   std::string text = "\nSeams, in mm:   model     pattern of both sides   difference\n";
   for (std::size_t s = 0; s < seams.size(); ++s) {
     const MeasuredSeam& seam = seams[s];
@@ -88,7 +107,7 @@ std::string seams_text(const ProductReport& report, bool is_batch) {
             report.patches[seam.seam.sides[1].patch].name +
             (seam.name.empty() ? "" : "  (" + seam.name + ")") + "\n";
   }
-  return text;
+  return text + near;
 }
 
 }  // namespace planish::cli

@@ -139,6 +139,7 @@ struct FlattenOptions {
   /// What the pattern is to keep. Auto leaves a patch as it is where its pattern keeps them, and
   /// else changes it as far as that needs.
   StrainLimits limits = {};
+  std::string material = {};  ///< that limits.p99 is of, for words; empty: of none that is known
 };
 
 /// A patch whose results are those of another one (find_twins()).
@@ -212,8 +213,9 @@ std::string candidate_name(const Candidate& candidate);
 
 /// The main job's result: everything that the files of a `flatten` folder are made from.
 struct FlattenReport {
-  std::string name;  ///< of the patch, for titles
-  Patch input;       ///< remeshed or smoothed, if that was asked for
+  std::string name;      ///< of the patch, for titles
+  std::string material;  ///< of FlattenOptions
+  Patch input;           ///< remeshed or smoothed, if that was asked for
   /// Vertex of `input` -> vertex of the original patch, increasing; empty: they are the same.
   std::vector<Index> source;
   Patch processed;             ///< the input with the evolved positions

@@ -91,6 +91,7 @@ struct ProductReport {
   std::vector<PatchResult> patches;             ///< by the numbers of the patches that came
   std::vector<std::optional<PatchTwin>> twins;  ///< one for each patch, by the patches as they came
   std::vector<MeasuredSeam> seams;              ///< none where no patch is finished
+  std::vector<NearBorders> near_borders;        ///< that are no seams; lengths in millimetres
 
   /// How many patches are finished.
   std::size_t finished() const;

@@ -108,6 +108,8 @@ struct Fairness {
   bool is_smooth() const;
   /// Whether there is a new fold that is seen on a surface that is smooth elsewhere: k_seen_fold.
   bool has_seen_fold() const;
+  /// Whether that is so sharp that nobody takes it: k_sharp_fold.
+  bool has_sharp_fold() const;
   /// Whether it still bends where the design does, and is as high: bending_lost within k_kept_lost
   /// and height_ratio not below k_kept_height. What is not known is taken as kept.
   bool keeps_form() const;
@@ -117,8 +119,9 @@ struct Fairness {
 inline constexpr double k_smooth_ratio = 1.3;
 /// Largest bending_added of what is smooth.
 inline constexpr double k_smooth_added = 1.0;
-/// Degrees from which a new fold is mentioned, however smooth the rest is.
-inline constexpr double k_seen_fold = 30.0;
+/// Degrees from which a new fold is mentioned, and from which it is a fault, however smooth the
+/// rest is.
+inline constexpr double k_seen_fold = 30.0, k_sharp_fold = 60.0;
 /// Largest sharp_share of what is smooth.
 inline constexpr double k_smooth_sharp_share = 0.04;
 /// Of the bending of the design half at most is gone.

@@ -28,6 +28,20 @@ struct Seam {
 /// @throws Error as Patch
 std::vector<Seam> find_seams(std::span<const TriMesh> patches, double tolerance = 0.0);
 
+/// Borders that lie beside each other without being a seam, as their vertices are not at the same
+/// places.
+struct NearBorders {
+  std::array<std::size_t, 2> patches;  ///< the lower number first; the same for one border's sides
+  double length = 0.0;                 ///< along which they do, model units
+};
+
+/// Finds such borders by patches. An edge lies beside another border if that is within a tenth of
+/// the edge's length of its middle and runs along it; fewer than eight edges are left out.
+/// @param seams what find_seams() found among the patches
+/// @throws Error as Patch
+std::vector<NearBorders> find_near_borders(std::span<const TriMesh> patches,
+                                           std::span<const Seam> seams);
+
 /// Length of a side on its patch.
 double length_of(const SeamSide& side, std::span<const Vec3> positions);
 /// Length of a side in the pattern of its patch.

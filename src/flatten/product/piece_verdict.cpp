@@ -9,6 +9,7 @@
 
 #include "core/figure_text.h"
 #include "core/number_text.h"
+#include "flatten/verdict.h"
 
 namespace planish {
 
@@ -83,6 +84,17 @@ PieceCheck check_of(const LimitCheck& limit, Unit unit) {
   return {};
 }
 
+/// Without a limit of strain, a changed surface is to lie flat.
+void add_stretch(const FinishedPatch& finished, std::vector<PieceCheck>& checks) {
+  const bool has_limit = std::any_of(checks.begin(), checks.end(), [](const PieceCheck& check) {
+    return check.what == PieceCheckOf::strain || check.what == PieceCheckOf::rejected;
+  });
+  const EdgeStrain& strain = finished.unfold.strain;
+  if (has_limit || finished.deviation.max == 0.0 || is_too_small_to_measure(strain)) return;
+  checks.push_back({PieceCheckOf::strain, false,
+                    "does not lie flat without stretch, and no limit was asked for"});
+}
+
 void add_faults(const Pattern& pattern, std::vector<PieceCheck>& checks) {
   if (pattern.overlaps)
     checks.push_back({PieceCheckOf::overlap, false, "the pattern overlaps itself"});
@@ -129,6 +141,7 @@ std::vector<PieceCheck> piece_checks(const PatchResult& piece) {
   }
   for (const LimitCheck& limit : finished.limits)
     checks.push_back(check_of(limit, finished.unfold.unit));
+  add_stretch(finished, checks);
   add_faults(finished.unfold.pattern, checks);
   std::stable_partition(checks.begin(), checks.end(),
                         [](const PieceCheck& check) { return !check.met; });
@@ -144,7 +157,9 @@ bool is_met(const PatchResult& piece) {
 std::vector<std::size_t> missed_first(const ProductReport& report) {
   std::vector<std::size_t> numbers(report.patches.size());
   std::iota(numbers.begin(), numbers.end(), std::size_t{0});
-  std::stable_partition(numbers.begin(), numbers.end(),
+  const auto failed = std::stable_partition(
+      numbers.begin(), numbers.end(), [&](std::size_t p) { return !report.patches[p].finished; });
+  std::stable_partition(failed, numbers.end(),
                         [&](std::size_t p) { return !is_met(report.patches[p]); });
   return numbers;
 }

@@ -38,7 +38,8 @@ std::vector<PieceCheck> piece_checks(const PatchResult& piece);
 /// Whether a pattern can be handed out as it was asked for: it is there and no check is missed.
 bool is_met(const PatchResult& piece);
 
-/// The numbers of the pieces, those that miss something first, else in their order.
+/// The numbers of the pieces: those that failed, those that miss something, the others; in their
+/// order.
 std::vector<std::size_t> missed_first(const ProductReport& report);
 
 }  // namespace planish

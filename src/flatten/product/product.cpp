@@ -81,7 +81,10 @@ class PatchWork {
   FlattenOptions options_of(std::size_t p) const {
     FlattenOptions options = options_;
     options.keep = patches_[p].keep;
-    if (patches_[p].limits) options.limits = *patches_[p].limits;
+    if (patches_[p].limits) {
+      options.limits = *patches_[p].limits;
+      options.material = patches_[p].words.material;
+    }
     return options;
   }
 
@@ -132,7 +135,11 @@ class ProductWork {
     stop_if_cancelled(context_);
     if (report_.finished() > 0) {
       const std::vector<TriMesh> meshes = meshes_now(patches_, report_);
-      report_.seams = measure_seams(found_seams(meshes), meshes, report_.patches, report_.unit);
+      ProductSeams found = found_seams(meshes);
+      report_.seams = measure_seams(std::move(found.seams), meshes, report_.patches, report_.unit);
+      report_.near_borders = std::move(found.near);
+      for (NearBorders& near : report_.near_borders)
+        near.length *= millimetres_per(report_.unit);
     }
     return std::move(report_);
   }
@@ -141,7 +148,7 @@ class ProductWork {
   bool is_cancelled() const { return context_.is_cancelled && context_.is_cancelled(); }
 
   /// Between patches of the same group.
-  std::vector<Seam> found_seams(const std::vector<TriMesh>& meshes) const {
+  ProductSeams found_seams(const std::vector<TriMesh>& meshes) const {
     std::vector<std::size_t> groups;
     groups.reserve(patches_.size());
     for (const ProductPatch& patch : patches_)

@@ -17,24 +17,35 @@ std::optional<double> MeasuredSeam::difference() const {
 
 namespace {
 
-/// Of those patches that can be measured.
-std::vector<Seam> seams_among(std::span<const TriMesh> patches, std::span<const std::size_t> some,
-                              double tolerance) {
+/// Those of some patches that can be measured.
+struct SoundPatches {
   std::vector<std::size_t> numbers;
-  std::vector<TriMesh> sound;
-  numbers.reserve(some.size());
-  sound.reserve(some.size());
+  std::vector<TriMesh> meshes;
+};
+
+SoundPatches sound_ones(std::span<const TriMesh> patches, std::span<const std::size_t> some) {
+  SoundPatches sound;
   for (const std::size_t p : some) {
     if (blocking_problem(inspect(patches[p]), Purpose::measure)) continue;
-    numbers.push_back(p);
-    sound.push_back(patches[p]);
+    sound.numbers.push_back(p);
+    sound.meshes.push_back(patches[p]);
   }
-  std::vector<Seam> seams = find_seams(sound, tolerance);
-  for (Seam& seam : seams) {
+  return sound;
+}
+
+ProductSeams seams_among(const SoundPatches& sound, double tolerance) {
+  ProductSeams found;
+  found.seams = find_seams(sound.meshes, tolerance);
+  found.near = find_near_borders(sound.meshes, found.seams);
+  for (Seam& seam : found.seams) {
     for (SeamSide& side : seam.sides)
-      side.patch = numbers[side.patch];
+      side.patch = sound.numbers[side.patch];
   }
-  return seams;
+  for (NearBorders& near : found.near) {
+    for (std::size_t& patch : near.patches)
+      patch = sound.numbers[patch];
+  }
+  return found;
 }
 
 }  // namespace
@@ -42,20 +53,21 @@ std::vector<Seam> seams_among(std::span<const TriMesh> patches, std::span<const 
 std::vector<Seam> find_sound_seams(std::span<const TriMesh> patches, double tolerance) {
   std::vector<std::size_t> all(patches.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  return seams_among(patches, all, tolerance);
+  return seams_among(sound_ones(patches, all), tolerance).seams;
 }
 
-std::vector<Seam> find_seams_in_groups(std::span<const TriMesh> patches,
-                                       std::span<const std::size_t> groups, double tolerance) {
+ProductSeams find_seams_in_groups(std::span<const TriMesh> patches,
+                                  std::span<const std::size_t> groups, double tolerance) {
   std::map<std::size_t, std::vector<std::size_t>> members;
   for (std::size_t p = 0; p < groups.size(); ++p)
     members[groups[p]].push_back(p);
-  std::vector<Seam> seams;
+  ProductSeams all;
   for (const auto& [group, some] : members) {
-    std::vector<Seam> found = seams_among(patches, some, tolerance);
-    std::move(found.begin(), found.end(), std::back_inserter(seams));
+    ProductSeams found = seams_among(sound_ones(patches, some), tolerance);
+    std::move(found.seams.begin(), found.seams.end(), std::back_inserter(all.seams));
+    all.near.insert(all.near.end(), found.near.begin(), found.near.end());
   }
-  return seams;
+  return all;
 }
 
 std::vector<MeasuredSeam> measure_seams(std::vector<Seam> seams, std::span<const TriMesh> meshes,

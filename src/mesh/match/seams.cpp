@@ -6,39 +6,15 @@
 #include <set>
 #include <utility>
 
-#include <planish/mesh/patch.h>
 #include <planish/mesh/seams.h>
+
+#include "mesh/match/borders.h"
 
 namespace planish {
 
 namespace {
 
 using Pair = std::pair<std::size_t, std::size_t>;  // of border edges at one place, the lower first
-
-/// All edges of all borders in one row, loop after loop.
-struct Borders {
-  struct Edge {
-    std::size_t patch;
-    Index from, to;
-    std::size_t next, previous;
-  };
-  std::vector<Edge> edges;
-};
-
-Borders borders_of(std::span<const TriMesh> patches) {
-  Borders borders;
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    const Patch patch(patches[p]);
-    for (const std::vector<Index>& loop : patch.border_loops()) {
-      const std::size_t first = borders.edges.size(), n = loop.size();
-      for (std::size_t k = 0; k < n; ++k) {
-        borders.edges.push_back(
-            {p, loop[k], loop[(k + 1) % n], first + (k + 1) % n, first + (k + n - 1) % n});
-      }
-    }
-  }
-  return borders;
-}
 
 /// Numbers places in space: the same number for what is at the same one.
 class PlaceNumbers {
@@ -91,22 +67,23 @@ class PlaceNumbers {
 };
 
 /// The place where each border edge begins.
-std::vector<std::size_t> starts_of(const Borders& borders, std::span<const TriMesh> patches,
-                                   double tolerance) {
+std::vector<std::size_t> starts_of(const std::vector<BorderEdge>& borders,
+                                   std::span<const TriMesh> patches, double tolerance) {
   PlaceNumbers places(tolerance);
   std::vector<std::size_t> starts;
-  starts.reserve(borders.edges.size());
-  for (const Borders::Edge& edge : borders.edges)
+  starts.reserve(borders.size());
+  for (const BorderEdge& edge : borders)
     starts.push_back(places.number_of(patches[edge.patch].positions[edge.from]));
   return starts;
 }
 
 /// Which border edges lie at one place, two by two.
-std::set<Pair> edges_at_one_place(const Borders& borders, const std::vector<std::size_t>& starts) {
+std::set<Pair> edges_at_one_place(const std::vector<BorderEdge>& borders,
+                                  const std::vector<std::size_t>& starts) {
   std::map<Pair, std::vector<std::size_t>> edges_at;
   std::set<Pair> pairs;
-  for (std::size_t e = 0; e < borders.edges.size(); ++e) {
-    const std::size_t a = starts[e], b = starts[borders.edges[e].next];
+  for (std::size_t e = 0; e < borders.size(); ++e) {
+    const std::size_t a = starts[e], b = starts[borders[e].next];
     if (a == b) continue;  // shorter than the tolerance
     std::vector<std::size_t>& here = edges_at[std::minmax(a, b)];
     for (const std::size_t other : here)
@@ -120,7 +97,7 @@ std::set<Pair> edges_at_one_place(const Borders& borders, const std::vector<std:
 class SeamWalk {
  public:
   SeamWalk(std::span<const TriMesh> patches, double tolerance)
-      : borders_(borders_of(patches)),
+      : borders_(border_edges(patches)),
         starts_(starts_of(borders_, patches, tolerance)),
         left_(edges_at_one_place(borders_, starts_)) {}
 
@@ -135,7 +112,7 @@ class SeamWalk {
   }
 
  private:
-  const Borders::Edge& edge(std::size_t e) const { return borders_.edges[e]; }
+  const BorderEdge& edge(std::size_t e) const { return borders_[e]; }
 
   /// Whether the second border goes the other way, as it does where both have the same side out.
   bool is_reversed(Pair pair) const { return starts_[pair.first] != starts_[pair.second]; }
@@ -163,7 +140,7 @@ class SeamWalk {
     seam.sides[1].patch = edge(pair.second).patch;
     const bool reversed = is_reversed(pair);
     const auto second = [&](bool end) {
-      const Borders::Edge& e = edge(pair.second);
+      const BorderEdge& e = edge(pair.second);
       return end == reversed ? e.from : e.to;
     };
     seam.sides[0].vertices.push_back(edge(pair.first).from);
@@ -178,7 +155,7 @@ class SeamWalk {
     return seam;
   }
 
-  Borders borders_;
+  std::vector<BorderEdge> borders_;
   std::vector<std::size_t> starts_;
   std::set<Pair> left_;  // not in a seam yet
 };

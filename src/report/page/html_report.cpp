@@ -86,9 +86,8 @@ std::string neutral_mark(const std::string& words) {
 std::vector<std::string> flatness_checks(const FlattenReport& report) {
   std::vector<std::string> items;
   for (const LimitCheck& check : strain_limits_of(report)) {
-    items.push_back(
-        mark(check.met, (check.met ? "within " : "not within ") +
-                            escape_markup(strain_limit_name(check, report.unfold.strain))));
+    items.push_back(mark(check.met, (check.met ? "within " : "not within ") +
+                                        escape_markup(strain_limit_name(check, report))));
   }
   const std::string stretched = "does not lie flat without stretch";
   if (flatness_of(report) == Flatness::flat)
@@ -102,12 +101,18 @@ std::vector<std::string> flatness_checks(const FlattenReport& report) {
 
 /// Whether a designer would take the form.
 std::vector<std::string> form_checks(const EvolveReport& evolve) {
-  const bool smooth = evolve.fairness.is_smooth();
-  const std::string loss = form_loss_text(evolve.fairness);
-  std::vector<std::string> items = {mark(smooth, smooth ? "smooth" : "crumpled")};
+  const Fairness& fairness = evolve.fairness;
+  const bool smooth = fairness.is_smooth(), sharp = smooth && fairness.has_sharp_fold();
+  const std::string loss = form_loss_text(fairness);
+  std::vector<std::string> items;
+  if (!sharp) items.push_back(mark(smooth, smooth ? "smooth" : "crumpled"));
+  if (smooth && fairness.has_seen_fold()) {
+    const std::string fold = new_fold_text(*fairness.sharpest_fold);
+    items.push_back(sharp ? mark(false, fold) : neutral_mark(fold));
+  }
   if (!loss.empty())
     items.push_back(mark(false, "form lost: " + loss));
-  else if (evolve.fairness.bending_lost)
+  else if (fairness.bending_lost)
     items.push_back(mark(true, "form kept"));
   if (evolve.after.self_intersections.pairs > 0)
     items.push_back(mark(false, "the form goes through itself"));
@@ -125,7 +130,8 @@ std::string checks(const FlattenReport& report) {
       mark(!pattern.overlaps, pattern.overlaps ? "overlaps itself" : "does not overlap itself"));
   items.push_back(mark(
       !flipped, flipped ? "parts of the pattern are flipped over" : "no part is flipped over"));
-  if (!unit_question(report.unfold).empty()) items.push_back(mark(false, "check the model's unit"));
+  if (!unit_question(report.unfold).empty())
+    items.push_back(neutral_mark("check the model's unit"));
   constexpr std::array<std::pair<LimitOf, std::string_view>, 3> names = {
       {{LimitOf::deviation, "moves "},
        {LimitOf::angle, "angles of triangles "},

@@ -1,6 +1,7 @@
 #include "report/pictures/sheet_picture.h"
 
 #include <algorithm>
+#include <set>
 #include <variant>
 #include <vector>
 
@@ -12,11 +13,15 @@ namespace planish {
 
 namespace {
 
-Layer without_text(Layer layer) {
-  const auto is_text = [](const DrawingShape& shape) {
-    return std::holds_alternative<Text>(shape);
+/// The names of the pieces are the first text of each. Further lines would lie over them, as names
+/// are larger here than on the sheet.
+Layer with_names_only(Layer layer) {
+  std::set<std::size_t> named;
+  const auto is_left_out = [&](const DrawingShape& shape) {
+    const auto* text = std::get_if<Text>(&shape);
+    return text != nullptr && (layer.name != "annotation" || !named.insert(text->piece).second);
   };
-  layer.shapes.erase(std::remove_if(layer.shapes.begin(), layer.shapes.end(), is_text),
+  layer.shapes.erase(std::remove_if(layer.shapes.begin(), layer.shapes.end(), is_left_out),
                      layer.shapes.end());
   return layer;
 }
@@ -24,11 +29,11 @@ Layer without_text(Layer layer) {
 }  // namespace
 
 std::string sheet_picture(const Drawing& sheet, std::size_t number, const std::string& label) {
-  constexpr double lines_of_text = 18.0;  // in the shorter side
+  constexpr double lines_of_text = 24.0;  // in the shorter side
   const std::string prefix = "sheet-" + std::to_string(number) + "-";
   std::vector<Layer> layers;
   for (const Layer& layer : sheet.layers) {
-    layers.push_back(layer.name == "label" ? without_text(layer) : layer);
+    layers.push_back(with_names_only(layer));
     layers.back().name = prefix + layer.name;
   }
   const std::string width = fixed_text(sheet.width, 3), height = fixed_text(sheet.height, 3);

@@ -55,13 +55,20 @@ std::string sentence_on(const PatchResult& piece) {
     text += (text.empty() ? "" : "; ") + check.text;
   }
   std::string text = missed.empty() ? kept : missed;
-  if (text.empty()) {
-    const EdgeStrain& strain = piece.finished->unfold.strain;
-    return "No limit was asked for; the pattern stretches " + percent_text(strain.max) +
-           " at most, " + percent_text(strain.rms) + " rms.";
-  }
+  if (text.empty()) return "No limit was asked for.";
   if (text.back() != '.') text += '.';
   return capital(text);
+}
+
+/// What the pattern and the form cost, plain text.
+std::string cost_of(const FinishedPatch& piece) {
+  const EdgeStrain& strain = piece.unfold.strain;
+  return " The pattern stretches " + percent_text(strain.max) + " at most, " +
+         percent_text(strain.rms) + " rms. " +
+         (piece.deviation.max == 0.0
+              ? "The form is the design's."
+              : "The form moved by " + length_text(piece.deviation.max, piece.unfold.unit) +
+                    " at most.");
 }
 
 /// Path of a file as the address of a link: what has a meaning there, and bytes beyond ASCII, by
@@ -131,7 +138,8 @@ std::string tile_of(const ProductReport& report, std::size_t p, const std::strin
   return std::string("<li") + (met ? "" : " class=\"lacking\"") + ">" + views_of(report, p) +
          "<h3>" + mark + escape_markup(piece.name) +
          (small.empty() ? "" : "<small>" + escape_markup(small) + "</small>") + "</h3><p>" +
-         escape_markup(sentence_on(piece)) + "</p>" +
+         escape_markup(sentence_on(piece) + (piece.finished ? cost_of(*piece.finished) : "")) +
+         "</p>" +
          (piece.finished && !link.empty()
               ? "<p><a href=\"" + address_of(link) + "\">Report of this piece</a></p>"
               : "") +
@@ -160,8 +168,24 @@ std::string seam_row(const ProductReport& report, std::size_t s) {
          millimetres(seam.in_pattern[1]) + "</tr>\n";
 }
 
+/// Borders that look like seams and are none.
+std::string near_section(const ProductReport& report) {
+  if (report.near_borders.empty()) return {};
+  std::string html =
+      "<section>\n<h2>Borders without a seam</h2>\n<p>These lie beside each other, but their "
+      "vertices are not at the same places, so no seam was found. Divide one mesh into the pieces "
+      "to have seams there.</p>\n<ul>\n";
+  for (const NearBorders& near : report.near_borders) {
+    html += "<li>" + escape_markup(report.patches[near.patches[0]].name) + " \u2013 " +
+            escape_markup(report.patches[near.patches[1]].name) + ": " +
+            significant_text(near.length, 3) + "\u00A0mm</li>\n";
+  }
+  return html + "</ul>\n</section>\n";
+}
+
 std::string seam_table(const ProductReport& report) {
-  if (report.seams.empty()) return {};
+  const std::string near = near_section(report);
+  if (report.seams.empty()) return near;
   std::string html =
       "<section>\n<h2>Seams</h2>\n<p>A seam has one colour and one number on both sides. Lengths "
       "in mm; where the sides differ, the longer one must be eased in. <code>--match-seams</code> "
@@ -171,7 +195,7 @@ std::string seam_table(const ProductReport& report) {
       "</thead>\n<tbody>\n";
   for (std::size_t s = 0; s < report.seams.size(); ++s)
     html += seam_row(report, s);
-  return html + "</tbody>\n</table>\n</div>\n</section>\n";
+  return html + "</tbody>\n</table>\n</div>\n</section>\n" + near;
 }
 
 /// A few of them: a page with a hundred would be of no use.
@@ -210,6 +234,15 @@ std::string pieces_words(const ProductReport& report) {
                        : " pieces need a look, and are shown first.");
 }
 
+std::string near_words(const ProductReport& report) {
+  double length = 0.0;
+  for (const NearBorders& near : report.near_borders)
+    length += near.length;
+  if (length == 0.0) return {};
+  return " Borders lie beside each other along " + significant_text(length, 3) +
+         "\u00A0mm without a seam.";
+}
+
 std::string seams_words(const ProductReport& report) {
   std::optional<double> largest;
   std::size_t number = 0;
@@ -219,10 +252,11 @@ std::string seams_words(const ProductReport& report) {
     largest = difference;
     number = s + 1;
   }
-  if (!largest) return {};
+  if (!largest) return near_words(report);
   return " Of " + count_text(report.seams.size()) +
          (report.seams.size() == 1 ? " seam" : " seams") + " the two sides differ by " +
-         decimals_text(*largest, 2) + "\u00A0mm at most (seam " + std::to_string(number) + ").";
+         decimals_text(*largest, 2) + "\u00A0mm at most (seam " + std::to_string(number) + ")." +
+         near_words(report);
 }
 
 }  // namespace

@@ -82,6 +82,7 @@ TEST(Verdict, SaysInItsFirstSentenceWhatBecameOfTheForm) {
   fairness.height_ratio = 0.254;
   EXPECT_THAT(verdict(some),
               StartsWith("Does not lie flat without stretch, and the form is lost. "));
+  some.material = "leather";
   some.unfold.limits = {{StrainLimitKind::p99, 0.01, 0.00999}};
   EXPECT_THAT(
       verdict(some),
@@ -98,6 +99,20 @@ TEST(Verdict, SaysInItsFirstSentenceWhatBecameOfTheForm) {
       verdict(some),
       StartsWith(
           "Within the 1.0 % that leather takes on 99 % of the area, but the form is crumpled. "));
+}
+
+TEST(Verdict, SaysInItsFirstSentenceThatTheFormIsFoldedOrGoesThroughItself) {
+  FlattenReport some = report();
+  some.evolve.fairness.sharpest_fold = Fold{.degrees = k_sharp_fold - 1.0};
+  EXPECT_THAT(verdict(some), StartsWith("Does not lie flat without stretch. "));
+  some.evolve.fairness.sharpest_fold = Fold{.degrees = 173.2};
+  EXPECT_THAT(verdict(some), StartsWith("Does not lie flat without stretch, and the form has a new "
+                                        "fold of 173°. "));
+  some.evolve.after.self_intersections.pairs = 5;
+  EXPECT_THAT(verdict(some), StartsWith("Does not lie flat without stretch, and the form has a new "
+                                        "fold of 173° and goes through itself. "));
+  some.evolve.before.self_intersections.pairs = 5;
+  EXPECT_THAT(verdict(some), Not(HasSubstr("goes through itself"))) << "the design does, too";
 }
 
 TEST(FormLoss, SaysWhatIsLost) {
@@ -165,6 +180,10 @@ TEST(Verdict, MeasuresStrainByTheLimitThatWasGiven) {
                                        "the largest 1.8 %; for the design as it is "));
   EXPECT_THAT(with({{StrainLimitKind::p99, 0.02, 0.018}}),
               StartsWith("Within the limit of 2.0 % on 99 % of the area. "));
+  EXPECT_THAT(with({{StrainLimitKind::p99, 0.1, 0.018}}),
+              StartsWith("Within the limit of 10 % on 99 % of the area. "))
+      << "no material was named";
+  some.material = "neoprene";
   EXPECT_THAT(with({{StrainLimitKind::p99, 0.1, 0.018}}),
               StartsWith("Within the 10 % that neoprene takes. "));
   EXPECT_THAT(with({missed}), StartsWith("Not within the limit of 2.0 %. "));
@@ -264,6 +283,10 @@ TEST(BorderText, IsOneSentenceWhereMuchAreaMustGo) {
       "The edge is too short for so much surface: at least 33\u00A0% of the area of the design "
       "must go for a piece with this edge to lie flat, so put in a dart or a cut to keep the "
       "form.");
+  const EdgeStrain stretched = some.unfold.strain;
+  some.unfold.strain = {};
+  EXPECT_EQ(border_text(some), "") << "the area has gone, and the form is kept";
+  some.unfold.strain = stretched;
   some.evolve.before.obstruction->turning_most = k_flat_turning;
   EXPECT_THAT(border_text(some),
               StartsWith("The edge lies in a plane and only a plane piece fits it: at least 33"));

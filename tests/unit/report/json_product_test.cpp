@@ -17,6 +17,7 @@ ProductReport product() {
                     {"rest", 30, 32}};
   report.seams = {{{{SeamSide{0, {3, 4, 5}}, SeamSide{1, {7, 8, 9}}}}, 50.0, {49.0, std::nullopt}},
                   {{{SeamSide{0, {3, 4}}, SeamSide{0, {8, 9}}}}, 40.0, {41.0, 39.0}}};
+  report.near_borders = {{{0, 1}, 12.5}};
   return report;
 }
 
@@ -33,7 +34,9 @@ TEST(JsonReport, OfAProductHasWhatReportsOfPatchesHave) {
   EXPECT_EQ(json["patches"][0]["files"], of_front["files"]);
   EXPECT_EQ(json["patches"][0]["error"], Json(nullptr));
   EXPECT_EQ(json["patches"][0]["vertices"], 10);
-  EXPECT_TRUE(json["patches"][0]["met"]);
+  EXPECT_FALSE(json["patches"][0]["met"]) << "it is stretched without a limit";
+  EXPECT_EQ(json["near_borders"],
+            Json::parse(R"([{"patches": ["front", "back"], "length": 12.5}])"));
   EXPECT_EQ(json["patches"][0]["rejected_strain"], Json(nullptr));
   EXPECT_EQ(json["patches"][1]["error"]["code"], "zero_area");
   EXPECT_FALSE(json["patches"][1]["met"]);

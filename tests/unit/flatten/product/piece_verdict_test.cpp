@@ -26,6 +26,21 @@ TEST(PieceVerdict, IsMetWhereNothingWasAskedForAndNothingIsWrong) {
   EXPECT_TRUE(piece_checks(finished()).empty());
 }
 
+TEST(PieceVerdict, IsMissedWhereAChangedSurfaceIsStretchedWithoutALimit) {
+  PatchResult piece = finished();
+  piece.finished->unfold.strain = {0.9, 0.61, 0.8};
+  EXPECT_TRUE(is_met(piece)) << "the design itself, as it was asked for";
+  piece.finished->deviation.max = 0.5;
+  EXPECT_THAT(texts_of(piece),
+              ElementsAre("does not lie flat without stretch, and no limit was asked for"));
+  EXPECT_FALSE(is_met(piece));
+  piece.finished->unfold.strain = {0.02, 0.0009, 0.01};
+  EXPECT_TRUE(is_met(piece)) << "too little to measure";
+  piece.finished->unfold.strain = {0.9, 0.61, 0.8};
+  piece.finished->limits = {{LimitOf::strain, 1.0, 0.9, true}};
+  EXPECT_TRUE(is_met(piece));
+}
+
 TEST(PieceVerdict, NamesEveryLimitWithItsFigures) {
   PatchResult piece = finished();
   piece.finished->limits = {

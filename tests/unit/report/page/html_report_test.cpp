@@ -18,6 +18,7 @@ namespace planish {
 namespace {
 
 using pages::count;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -149,6 +150,7 @@ TEST(HtmlReport, MarksAgreeWithTheVerdict) {
   std::string top = first_screen(html_report(report));
   EXPECT_THAT(top, HasSubstr("<b>Flat but for a stretch too small to measure.</b>"));
   EXPECT_THAT(top, HasSubstr("✓ flat but for a stretch too small to measure"));
+  report.material = "neoprene";
   report.unfold.limits = {{StrainLimitKind::p99, 0.1, 0.018}};
   report.unfold.strain = {0.018, 0.01, 0.018};
   top = first_screen(html_report(report));
@@ -163,6 +165,17 @@ TEST(HtmlReport, MarksAgreeWithTheVerdict) {
   top = first_screen(html_report(report));
   EXPECT_THAT(top, HasSubstr("<b>Not within the 10\u00A0% that neoprene takes.</b>"));
   EXPECT_THAT(top, HasSubstr("✗ not within the 10\u00A0% that neoprene takes"));
+}
+
+TEST(HtmlReport, MarksANewFoldByItsSharpness) {
+  FlattenReport report = samples::flatten_report();
+  const auto marks = [&](double degrees) {
+    report.evolve.fairness.sharpest_fold = Fold{.degrees = degrees};
+    return first_screen(html_report(report));
+  };
+  EXPECT_THAT(marks(20.0), AllOf(HasSubstr("✓ smooth"), Not(HasSubstr("a new fold"))));
+  EXPECT_THAT(marks(45.0), AllOf(HasSubstr("✓ smooth"), HasSubstr("• a new fold of 45°")));
+  EXPECT_THAT(marks(75.0), AllOf(Not(HasSubstr("✓ smooth")), HasSubstr("✗ a new fold of 75°")));
 }
 
 TEST(HtmlReport, MarksAFormThatIsLost) {

@@ -29,6 +29,7 @@ const ProductReport& product() {
     ProductOptions options;
     options.flatten.method = ControllableLaplacian{};
     options.flatten.stopping = Stopping{.max_sweeps = 2};
+    options.flatten.limits.max = 0.05;
     return flatten_product(patches, options);
   }();
   return report;

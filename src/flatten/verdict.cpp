@@ -184,10 +184,11 @@ std::string form_sentence(const FlattenReport& report) {
   const std::string loss = form_loss_text(fairness);
   const std::string lost = loss.empty() ? "" : " Much of the form is lost: " + loss + ".";
   if (fairness.is_smooth()) {
-    return (fairness.has_seen_fold()
-                ? " The form stayed smooth but for " + new_fold_text(*fairness.sharpest_fold)
-                : std::string(" The form stayed smooth")) +
-           "." + lost;
+    const std::string fold = fairness.has_sharp_fold() ? " but for that fold"
+                             : fairness.has_seen_fold()
+                                 ? " but for " + new_fold_text(*fairness.sharpest_fold)
+                                 : "";
+    return " The form stayed smooth" + fold + "." + lost;
   }
   if (!fairness.bending_ratio) return " The form was a plane, and is bent now.";
   std::string text = " The form is crumpled: it is bent " +

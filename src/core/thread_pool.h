@@ -24,7 +24,7 @@ class ThreadPool {
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
-  /// For work between loops.
+  /// Ends the job if it is cancelled: for long work outside loops.
   /// @throws Cancelled
   void stop_if_cancelled() const;
 

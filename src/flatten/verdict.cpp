@@ -113,8 +113,7 @@ std::string form_faults(const EvolveReport& evolve) {
                                       : "";
   const auto add = [&](const std::string& fault) { text += (text.empty() ? "" : " and ") + fault; };
   if (!crumpled && fairness.has_sharp_fold()) add("has " + new_fold_text(*fairness.sharpest_fold));
-  if (evolve.after.self_intersections.pairs > evolve.before.self_intersections.pairs)
-    add("goes through itself");
+  if (evolve.after.self_intersections.pairs > 0) add("goes through itself");
   return text;
 }
 
@@ -254,7 +253,8 @@ std::string form_loss_text(const Fairness& fairness) {
 }
 
 std::string unit_question(const UnfoldReport& unfold) {
-  constexpr double smallest = 5.0;  // millimetres; smaller than most, but not absurd
+  // Millimetres. Below, a pattern is absurd. Above k_large_piece the question is worth a glance.
+  constexpr double smallest = 5.0;
   const double size =
       millimetres_per(unfold.unit) * std::max(unfold.pattern.width, unfold.pattern.height);
   if (size >= smallest && size <= k_large_piece) return {};
@@ -306,7 +306,7 @@ std::string border_text(const FlattenReport& report) {
   if (!obstruction || !obstruction->is_notable()) return {};
   const Flatness flatness = flatness_of(report);
   const bool is_flat = flatness == Flatness::flat || flatness == Flatness::unmeasurable;
-  if (is_flat && report.evolve.fairness.keeps_form()) return {};  // it has gone, without harm
+  if (is_flat && form_faults(report.evolve).empty()) return {};  // it has gone, without harm
   return std::string(obstruction->has_flat_border()
                          ? "The edge lies in a plane and only a plane piece fits it: "
                          : "The edge is too short for so much surface: ") +

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include <planish/io/read_mesh.h>
 #include <planish/mesh/patch.h>
@@ -10,6 +11,7 @@
 
 #include "cli_run.h"
 #include "mesh/split.h"
+#include "support/meshes.h"
 #include "support/products.h"
 #include "support/test_patches.h"
 
@@ -189,6 +191,27 @@ TEST_F(ProductSeams, AreKeptOnResumingOnlyWithTheSameNotches) {
   EXPECT_THAT(planish(args).err, HasSubstr("from the earlier run"));
   std::ofstream("seams.txt") << "* 40%\n";
   EXPECT_THAT(planish(args).err, testing::Not(HasSubstr("from the earlier run")));
+}
+
+TEST_F(ProductSeams, NamesBordersWhoseVerticesDiffer) {
+  std::filesystem::create_directories("apart");
+  for (const auto& [name, rows, first] :
+       {std::tuple{"left", 20, 0.0}, std::tuple{"right", 27, 40.0}}) {
+    TriMesh mesh = meshes::flat_grid(20, rows);
+    for (Vec3& p : mesh.positions)
+      p = {first + 2.0 * p.x, 80.0 * p.y / rows, 0.0};
+    write_mesh(std::string("apart/") + name + ".obj", mesh);
+  }
+  const CliResult result = planish({"flatten", "apart", "--product", "-o", "out"});
+  EXPECT_THAT(result.out, HasSubstr("There are no seams.\n"));
+  EXPECT_THAT(result.out, HasSubstr("    80.0  left - right\n"));
+  const json near = json::parse(content_of("out/garment.json"))["near_borders"];
+  ASSERT_EQ(near.size(), 1U);
+  EXPECT_EQ(near[0]["patches"], (json{"left", "right"}));
+  EXPECT_NEAR(near[0]["length"].get<double>(), 80.0, 1e-9);
+  const std::string page = content_of("out/garment.html");
+  EXPECT_THAT(page, HasSubstr("Borders lie beside each other along 80.0\u00A0mm without a seam."));
+  EXPECT_THAT(page, HasSubstr("<li>left - right: 80.0\u00A0mm</li>"));
 }
 
 }  // namespace

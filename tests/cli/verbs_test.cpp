@@ -239,11 +239,21 @@ TEST_F(Verbs, FlattenJudgesTheDesignByAMaterial) {
   }
 }
 
+TEST_F(Verbs, FlattenNamesTheMaterialThatWasNamed) {
+  const auto said = [](const Names& limit) {
+    Names args = {"flatten", "panel.obj", "-o", "out", "--pick", "1"};
+    args.insert(args.end(), limit.begin(), limit.end());
+    return planish(args).out;
+  };
+  EXPECT_THAT(said({"--material", "NEOPRENE"}), HasSubstr("that neoprene takes"));
+  EXPECT_THAT(said({"--max-strain", "10%@p99"}), Not(HasSubstr("neoprene")));
+}
+
 TEST_F(Verbs, FlattenRefusesTheNameOfAFileForItsFolder) {
-  const CliResult result = planish({"flatten", "panel.obj", "-o", "vamp.pdf"});
+  const CliResult result = planish({"flatten", "panel.obj", "-o", "vamp.PDF"});
   EXPECT_EQ(result.exit_code, k_exit_usage);
   EXPECT_THAT(result.err, HasSubstr("use \"vamp\""));
-  EXPECT_FALSE(std::filesystem::exists("vamp.pdf"));
+  EXPECT_FALSE(std::filesystem::exists("vamp.PDF"));
   std::filesystem::create_directory("old.pdf");
   EXPECT_EQ(planish({"flatten", "panel.obj", "-o", "old.pdf"}).exit_code, k_exit_done);
 }

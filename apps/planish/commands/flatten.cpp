@@ -15,6 +15,7 @@
 #include "flags/fields_flag.h"
 #include "flags/limit_flags.h"
 #include "flags/match_seams_flag.h"
+#include "flags/material_flag.h"
 #include "flags/method_flags.h"
 #include "flags/pick_flag.h"
 #include "flags/units.h"
@@ -69,7 +70,7 @@ FlattenOptions options_from(const Arguments& arguments) {
                  .remesh = arguments.has("--remesh"),
                  .match_seams = arguments.has("--match-seams"),
                  .limits = limits_from(arguments),
-                 .material = arguments.value_or("--material", "")},
+                 .material = material_from(arguments)},
                 arguments);
 }
 

@@ -35,11 +35,8 @@ Flag material_flag() {
           {.choices = material_names()}};
 }
 
-double strain_of_material(const Arguments& arguments) {
-  if (arguments.has("--max-strain")) {
-    throw UsageError(
-        "--material and --max-strain both say what strain is allowed: give one of them");
-  }
+std::string material_from(const Arguments& arguments) {
+  if (!arguments.has("--material")) return {};
   const std::string& name = arguments.flags.at("--material");
   if (!name.empty() && name.find_first_not_of("0123456789.,%") == std::string::npos) {
     throw UsageError("--material is " + name + " but must be a name, " + list_of(material_names()) +
@@ -47,11 +44,19 @@ double strain_of_material(const Arguments& arguments) {
                      name + "@p99 for 99 % of the area as with a material");
   }
   try {
-    return material_named(known_name("material", name, material_names())).max_strain;
+    return known_name("material", name, material_names());
   } catch (const UsageError& error) {
     throw UsageError(std::string(error.what()) +
                      "; for another one give its strain, as --max-strain 0.5%@p99");
   }
+}
+
+double strain_of_material(const Arguments& arguments) {
+  if (arguments.has("--max-strain")) {
+    throw UsageError(
+        "--material and --max-strain both say what strain is allowed: give one of them");
+  }
+  return material_named(material_from(arguments)).max_strain;
 }
 
 }  // namespace planish::cli

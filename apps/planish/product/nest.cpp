@@ -97,7 +97,7 @@ FlagGroup nest_flags() {
 }
 
 /// The width in millimetres. A number without a unit is in that of the mesh, which is not what is
-/// meant where it gives a sheet that nobody sells.
+/// meant where it gives a sheet wider than any on sale.
 double sheet_width(const Arguments& arguments, const std::string& text) {
   constexpr double above_zero = std::numeric_limits<double>::min(), widest = 20'000.0;
   const double width = nest_length(arguments, "--sheet", text, above_zero);

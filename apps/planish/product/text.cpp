@@ -75,10 +75,9 @@ std::string near_text(const ProductReport& report) {
   std::string text =
       "\nBorders beside each other that are no seams, as their vertices differ, in mm:\n";
   for (const NearBorders& near : report.near_borders) {
-    text += right(fixed(near.length, 0), 8) + "  " + report.patches[near.patches[0]].name + " - " +
-            report.patches[near.patches[1]].name + "\n";
+    text += right(digits(near.length, 3), 8) + "  " + near_borders_name(report, near) + "\n";
   }
-  return text + "Divide one mesh into the pieces to have seams there.\n";
+  return text + "Mesh the product first, then cut it, to have seams there.\n";
 }
 
 }  // namespace

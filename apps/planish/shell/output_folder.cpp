@@ -19,7 +19,7 @@ namespace {
 constexpr std::array<std::string_view, 4> k_extensions = {".svg", ".dxf", ".pdf", ".plt"};
 
 bool is_like_a_drawing(const std::string& name) {
-  return std::find(k_extensions.begin(), k_extensions.end(), extension_of(name)) !=
+  return std::find(k_extensions.begin(), k_extensions.end(), lower_extension(name)) !=
          k_extensions.end();
 }
 
@@ -36,7 +36,7 @@ std::filesystem::path output_folder(const std::string& folder) {
   if (is_like_a_drawing(folder)) {
     const std::string stem = folder.substr(0, folder.rfind('.'));
     throw UsageError("--output is \"" + folder + "\" but names a folder for several files: use \"" +
-                     stem + "\", or \"planish unfold\" for one file with the pattern");
+                     stem + "\"");
   }
   return path;
 }

@@ -72,7 +72,7 @@ std::string candidate_row(const std::string& mark, const Candidate& candidate,
               lengths.number(candidate.deviation.max), beside_design(form.bending_ratio),
               beside_design(form.bending_added), beside_design(form.bending_lost),
               form.sharpest_fold ? fixed(form.sharpest_fold->degrees, 0) : "-",
-              form.is_smooth() ? "" : "!"});
+              form.is_sound() ? "" : "!"});
 }
 
 std::string candidates_text(const FlattenReport& report) {
@@ -81,10 +81,11 @@ std::string candidates_text(const FlattenReport& report) {
   std::string text = candidate_head(lengths);
   for (const Candidate& candidate : candidates)
     text += candidate_row(&candidate == &candidates.back() ? "> " : "", candidate, lengths);
-  const bool is_crumpled = !candidates.back().fairness.is_smooth();
+  const bool is_faulty = !candidates.back().fairness.is_sound();
   const std::string others = others_text(report, candidates);
   return text + "\n" +
-         wrapped(std::string("> is what was written.") + (is_crumpled ? " ! is crumpled." : "") +
+         wrapped(std::string("> is what was written.") +
+                     (is_faulty ? " ! is crumpled or sharply folded." : "") +
                      " Others to choose: --pick " + others +
                      "; \"planish frontier\" computes them all.",
                  0) +

@@ -164,8 +164,7 @@ std::string place_text(Vec3 at) {
 std::string form_lines(const EvolveReport& report) {
   const Fairness& fairness = report.fairness;
   const std::string indent(14, ' ');
-  std::string text =
-      "  form        " + tick(fairness.is_smooth() && !fairness.has_sharp_fold(), "smooth");
+  std::string text = "  form        " + tick(fairness.is_sound(), "smooth");
   if (fairness.bending_lost) text += "  " + tick(fairness.keeps_form(), "form kept");
   text += "\n";
   if (fairness.bending_ratio && !fairness.unchanged) {

@@ -71,7 +71,8 @@ void check_size(const Patch& patch, const Method& method);
 /// who want to look in between.
 class Evolver {
  public:
-  /// @param context its progress is that of a step, and is told while a level is opened
+  /// @param context its on_progress is called with an empty stage while a level of the smooth
+  ///   method is opened, with the share of that opening
   /// @throws Error option_out_of_range, as check_constraints() and check_size(); Cancelled
   Evolver(const Patch& patch, const Method& method, const Constraints& constraints = {},
           const Context& context = {});

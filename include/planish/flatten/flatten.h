@@ -139,7 +139,7 @@ struct FlattenOptions {
   /// What the pattern is to keep. Auto leaves a patch as it is where its pattern keeps them, and
   /// else changes it as far as that needs.
   StrainLimits limits = {};
-  std::string material = {};  ///< that limits.p99 is of, for words; empty: of none that is known
+  std::string material = {};  ///< name of that which limits.p99 is for, used in texts; may be empty
 };
 
 /// A patch whose results are those of another one (find_twins()).

@@ -91,7 +91,7 @@ struct ProductReport {
   std::vector<PatchResult> patches;             ///< by the numbers of the patches that came
   std::vector<std::optional<PatchTwin>> twins;  ///< one for each patch, by the patches as they came
   std::vector<MeasuredSeam> seams;              ///< none where no patch is finished
-  std::vector<NearBorders> near_borders;        ///< that are no seams; lengths in millimetres
+  std::vector<NearBorders> near_borders;        ///< of the input patches; lengths in millimetres
 
   /// How many patches are finished.
   std::size_t finished() const;
@@ -128,7 +128,7 @@ ProductReport flatten_product(std::span<const ProductPatch> patches,
                               const ProductOptions& options = {},
                               const ProductCallbacks& callbacks = {}, const Context& context = {});
 
-/// The meshes of a product as they are now: processed where a patch is finished, else as they came.
+/// The meshes of a product as they are now: processed where a patch is finished, else the input.
 std::vector<TriMesh> meshes_now(std::span<const ProductPatch> patches, const ProductReport& report);
 
 /// find_seams() of the patches that can be measured; the others take part in no seam.

@@ -89,7 +89,7 @@ struct Fairness {
   /// Share of the area, 0 to 1, that is bent more sharply than 99 % of the design: at most 0.01 for
   /// the design itself.
   double sharp_share = 0.0;
-  /// That of the design beside itself.
+  /// sharp_share of the design itself.
   double design_sharp_share = 0.0;
   /// Turn of the vertex normals, and of the normals of the triangles along the border, against the
   /// design; rms, degrees. None where the design has other triangles.
@@ -106,10 +106,12 @@ struct Fairness {
   /// itself is smooth; beside a plane nothing else is. What is not smooth is crumpled: the one rule
   /// of everything that says so.
   bool is_smooth() const;
-  /// Whether there is a new fold that is seen on a surface that is smooth elsewhere: k_seen_fold.
+  /// Whether the sharpest new fold has k_seen_fold or more.
   bool has_seen_fold() const;
-  /// Whether that is so sharp that nobody takes it: k_sharp_fold.
+  /// Whether it has k_sharp_fold or more: a fault, however smooth the rest is.
   bool has_sharp_fold() const;
+  /// Smooth and without a sharp fold: what gets the tick for smooth.
+  bool is_sound() const { return is_smooth() && !has_sharp_fold(); }
   /// Whether it still bends where the design does, and is as high: bending_lost within k_kept_lost
   /// and height_ratio not below k_kept_height. What is not known is taken as kept.
   bool keeps_form() const;

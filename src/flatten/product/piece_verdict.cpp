@@ -154,6 +154,12 @@ bool is_met(const PatchResult& piece) {
                      [](const PieceCheck& check) { return check.met; });
 }
 
+std::string near_borders_name(const ProductReport& report, const NearBorders& near) {
+  const std::string& first = report.patches[near.patches[0]].name;
+  if (near.patches[0] == near.patches[1]) return "two sides of " + first;
+  return first + " - " + report.patches[near.patches[1]].name;
+}
+
 std::vector<std::size_t> missed_first(const ProductReport& report) {
   std::vector<std::size_t> numbers(report.patches.size());
   std::iota(numbers.begin(), numbers.end(), std::size_t{0});

@@ -38,6 +38,9 @@ std::vector<PieceCheck> piece_checks(const PatchResult& piece);
 /// Whether a pattern can be handed out as it was asked for: it is there and no check is missed.
 bool is_met(const PatchResult& piece);
 
+/// "front - back", or of one piece "two sides of sleeve". Plain text.
+std::string near_borders_name(const ProductReport& report, const NearBorders& near);
+
 /// The numbers of the pieces: those that failed, those that miss something, the others; in their
 /// order.
 std::vector<std::size_t> missed_first(const ProductReport& report);

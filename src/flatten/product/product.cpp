@@ -135,9 +135,10 @@ class ProductWork {
     stop_if_cancelled(context_);
     if (report_.finished() > 0) {
       const std::vector<TriMesh> meshes = meshes_now(patches_, report_);
-      ProductSeams found = found_seams(meshes);
-      report_.seams = measure_seams(std::move(found.seams), meshes, report_.patches, report_.unit);
-      report_.near_borders = std::move(found.near);
+      report_.seams =
+          measure_seams(found_seams(meshes).seams, meshes, report_.patches, report_.unit);
+      // Borders that moved are no longer beside each other.
+      report_.near_borders = found_seams(input_meshes()).near;
       for (NearBorders& near : report_.near_borders)
         near.length *= millimetres_per(report_.unit);
     }
@@ -146,6 +147,14 @@ class ProductWork {
 
  private:
   bool is_cancelled() const { return context_.is_cancelled && context_.is_cancelled(); }
+
+  std::vector<TriMesh> input_meshes() const {
+    std::vector<TriMesh> meshes;
+    meshes.reserve(patches_.size());
+    for (const ProductPatch& patch : patches_)
+      meshes.push_back(patch.mesh);
+    return meshes;
+  }
 
   /// Between patches of the same group.
   ProductSeams found_seams(const std::vector<TriMesh>& meshes) const {

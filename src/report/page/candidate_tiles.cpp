@@ -9,6 +9,7 @@
 #include "core/figure_text.h"
 #include "core/math.h"
 #include "draw/text/markup_text.h"
+#include "flatten/verdict.h"
 #include "report/page/html_parts.h"
 #include "report/pictures/patch_view.h"
 #include "report/pictures/piece_outline.h"
@@ -74,10 +75,11 @@ std::string move_words(const Candidate& candidate, Unit unit) {
 
 std::string form_words(const Fairness& form) {
   if (form.unchanged) return {};
+  if (form.is_smooth() && form.has_sharp_fold())
+    return " It has " + new_fold_text(*form.sharpest_fold) + ".";
   std::string text = form.is_smooth() ? " Smooth" : " Crumpled";
-  if (form.has_seen_fold() || (!form.is_smooth() && form.sharpest_fold)) {
-    text += std::string(form.is_smooth() ? " but for" : ":") + " a new fold of " +
-            significant_text(form.sharpest_fold->degrees, 2) + "°";
+  if (form.has_seen_fold()) {
+    text += (form.is_smooth() ? " but for " : ": ") + new_fold_text(*form.sharpest_fold);
   }
   if (form.is_smooth() && !form.keeps_form()) text += ", but the form is lost";
   return text + ".";

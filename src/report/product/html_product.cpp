@@ -173,11 +173,10 @@ std::string near_section(const ProductReport& report) {
   if (report.near_borders.empty()) return {};
   std::string html =
       "<section>\n<h2>Borders without a seam</h2>\n<p>These lie beside each other, but their "
-      "vertices are not at the same places, so no seam was found. Divide one mesh into the pieces "
-      "to have seams there.</p>\n<ul>\n";
+      "vertices are not at the same places, so no seam was found. Mesh the product first, then "
+      "cut it, to have seams there.</p>\n<ul>\n";
   for (const NearBorders& near : report.near_borders) {
-    html += "<li>" + escape_markup(report.patches[near.patches[0]].name) + " \u2013 " +
-            escape_markup(report.patches[near.patches[1]].name) + ": " +
+    html += "<li>" + escape_markup(near_borders_name(report, near)) + ": " +
             significant_text(near.length, 3) + "\u00A0mm</li>\n";
   }
   return html + "</ul>\n</section>\n";
@@ -204,7 +203,7 @@ std::string sheets_section(const ProductPage& page) {
   if (page.sheets.empty()) return {};
   std::string html = "<section>\n<h2>On the sheet</h2>\n<p>" +
                      escape_markup(capital(page.on_sheets)) +
-                     ". Files: <code>layout</code>.</p>\n<div class=\"sheets\">\n";
+                     ". The files are <code>layout.*</code>.</p>\n<div class=\"sheets\">\n";
   const std::size_t count = page.sheets.size(), shown = std::min(count, most);
   for (std::size_t s = 0; s < shown; ++s) {
     const std::string number = count == 1 ? "" : " " + std::to_string(s + 1);

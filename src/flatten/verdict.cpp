@@ -113,7 +113,8 @@ std::string form_faults(const EvolveReport& evolve) {
                                       : "";
   const auto add = [&](const std::string& fault) { text += (text.empty() ? "" : " and ") + fault; };
   if (!crumpled && fairness.has_sharp_fold()) add("has " + new_fold_text(*fairness.sharpest_fold));
-  if (evolve.after.self_intersections.pairs > 0) add("goes through itself");
+  if (evolve.after.self_intersections.pairs > evolve.before.self_intersections.pairs)
+    add("goes through itself");
   return text;
 }
 

@@ -113,6 +113,7 @@ std::string candidate_tiles(const FlattenReport& report) {
   const std::array<std::span<const Vec3>, 1> others = {report.processed.positions()};
   const PatchView view(report.input.mesh(), others, k_tile_width);
   std::vector<std::vector<Vec2>> patterns;
+  patterns.reserve(shown.size());
   for (const Shown& some : shown)
     patterns.push_back(some.pattern);
   const OutlineWindow window(patterns);

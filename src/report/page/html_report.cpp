@@ -114,8 +114,12 @@ std::vector<std::string> form_checks(const EvolveReport& evolve) {
     items.push_back(mark(false, "form lost: " + loss));
   else if (fairness.bending_lost)
     items.push_back(mark(true, "form kept"));
-  if (evolve.after.self_intersections.pairs > 0)
+  const std::size_t before = evolve.before.self_intersections.pairs,
+                    after = evolve.after.self_intersections.pairs;
+  if (after > before)
     items.push_back(mark(false, "the form goes through itself"));
+  else if (after > 0)
+    items.push_back(neutral_mark("the design goes through itself"));
   return items;
 }
 

@@ -183,7 +183,7 @@ std::string near_section(const ProductReport& report) {
 }
 
 std::string seam_table(const ProductReport& report) {
-  const std::string near = near_section(report);
+  std::string near = near_section(report);
   if (report.seams.empty()) return near;
   std::string html =
       "<section>\n<h2>Seams</h2>\n<p>A seam has one colour and one number on both sides. Lengths "

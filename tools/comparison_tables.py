@@ -69,7 +69,7 @@ def method_table(patches, methods):
 
 def patch_table(table, methods):
     """Strain of the pattern, rms in percent, of every patch under every method."""
-    out = [line(["patch", "vertices", "as it came", *methods]), line(["---"] * (len(methods) + 3))]
+    out = [line(["patch", "vertices", "input", *methods]), line(["---"] * (len(methods) + 3))]
     for name, rows in table.items():
         cells = [name, rows["input"]["vertices"]]
         for method in ["input", *methods]:

@@ -104,8 +104,8 @@ def make(job):
         lines += [
             verdict(patch, found[patch.name]) + "\n",
             picture(f"fig5-{role}.svg", f"e_max of {patch.name} over sweeps and seconds"),
-            picture(f"fig6-{role}.png", f"{patch.name} as it came, controllable, classical"),
-            f"From the left: as it came, after controllable, after classical evolution. {red}\n",
+            picture(f"fig6-{role}.png", f"{patch.name}: input, controllable, classical"),
+            f"From the left: input, after controllable, after classical evolution. {red}\n",
         ]
     head = [
         "", "`e_max`", "`energy`", "`sum_abs_defect`", "strain, rms", "roughness", "deviation", "s",

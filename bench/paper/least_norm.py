@@ -42,7 +42,7 @@ def cells(name, values):
     ]
 
 
-def as_it_came(job, patch):
+def input_figures(job, patch):
     found = job.program.measure(patch.path)
     return {
         "e_max": found["e_max"],
@@ -87,7 +87,7 @@ def make(job):
     found, parts = {}, []
     for index, role in enumerate(ROLES):
         patch = job.patches.in_role(role)
-        values, runs = {"as it came": as_it_came(job, patch)}, []
+        values, runs = {"input": input_figures(job, patch)}, []
         for method, flags in METHODS.items():
             run, values[method] = measured(job, patch, method, flags)
             runs.append(run)
@@ -100,8 +100,8 @@ def make(job):
         ]  # fmt: skip
         parts += [
             table(head, [cells(name, v) for name, v in values.items()]),
-            picture(file, f"{patch.name} as it came, controllable, least_norm, auto"),
-            f"{patch.name} ({patch.what}) as it came, by controllable, least_norm, auto. {red}\n",
+            picture(file, f"{patch.name}: input, controllable, least_norm, auto"),
+            f"{patch.name} ({patch.what}): input, by controllable, least_norm, auto. {red}\n",
         ]
     stalled = [number(v["controllable"]["e_max"]) for v in found.values()]
     text = f"""## Fig. 10: against the least-norm method

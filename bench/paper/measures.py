@@ -122,7 +122,7 @@ Left: what {SWEEPS[-1]} controllable sweeps leave on {patch.name}. Ten take {per
 {len(patches["controllable"])} patches and three methods with their usual options (what is below {LEAST:g} is drawn there).
 
 {table(["method", "patches", "energy left, median", "halved on", "strain left, median", "halved on"], patch_rows(patches))}
-The figures depend on the mesh, too. One surface at several densities, as it came:
+The figures depend on the mesh, too. The same input surface at several densities:
 
 {table(["patch", "vertices", "`e_max`", "`e_avg`", "`energy`", "`sum_abs_defect`", "strain, rms"], density_rows(densities))}
 From {saddles[0]["vertices"]} to {saddles[-1]["vertices"]} vertices the saddle's `e_max` falls by a factor of {number(saddles[0]["e_max"] / saddles[-1]["e_max"], 2)} and its energy by

@@ -113,7 +113,7 @@ What the paper does not print. Its solver is the interior-reflective Newton meth
 matters little: the columns on the right.
 **Differs:** how much. {sentence_on_means(found)} A sweep takes {faster_text} times less time; the paper's own times per
 vertex and sweep differ by a factor of {max(per_visit) / min(per_visit):.0f} from row to row.
-**Why:** `e_max` is that of one vertex, and how far it falls says how rough the mesh came rather than how well the method
+**Why:** `e_max` is that of one vertex, and how far it falls says how rough the input is rather than how well the method
 works: noise goes at once, form stays. Time:
 {MACHINE} there; here a processor of today, an
 arctangent a vertex instead of one a corner, one evaluation a step instead of a search,

@@ -313,8 +313,7 @@ std::string border_text(const FlattenReport& report) {
                          : "The edge is too short for so much surface: ") +
          "at least " + percent_text(obstruction->excess_share) +
          " of the area of the design must go for a piece with this edge to lie flat, so put in a "
-         "dart "
-         "or a cut to keep the form.";
+         "dart or a cut to keep the form.";
 }
 
 }  // namespace planish

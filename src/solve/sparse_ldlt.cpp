@@ -258,9 +258,4 @@ template Panel<float> BasicLdlt<float>::panel(std::size_t) const;
 template FrontShape<float> BasicLdlt<float>::shape_of(std::size_t) const;
 template bool BasicLdlt<float>::factor(const float*, ThreadPool&);
 
-bool SparseLdlt::factor(const SparseMatrix& lower) {
-  ThreadPool alone(1);
-  return factor(lower, alone);
-}
-
 }  // namespace planish

@@ -107,8 +107,6 @@ class SparseLdlt : public BasicLdlt<double> {
   bool factor(const SparseMatrix& lower, ThreadPool& pool) {
     return factor(lower.valuePtr(), pool);
   }
-  /// The same on one thread.
-  bool factor(const SparseMatrix& lower);
 };
 
 }  // namespace planish

@@ -135,10 +135,12 @@ class ProductWork {
     stop_if_cancelled(context_);
     if (report_.finished() > 0) {
       const std::vector<TriMesh> meshes = meshes_now(patches_, report_);
-      report_.seams =
-          measure_seams(found_seams(meshes).seams, meshes, report_.patches, report_.unit);
-      // Borders that moved are no longer beside each other.
-      report_.near_borders = found_seams(input_meshes()).near;
+      const std::vector<std::size_t> groups = groups_of_patches();
+      report_.seams = measure_seams(find_seams_in_groups(meshes, groups, options_.seam_tolerance),
+                                    meshes, report_.patches, report_.unit);
+      // Borders that moved may no longer lie beside each other.
+      report_.near_borders =
+          find_near_borders_in_groups(input_meshes(), groups, options_.seam_tolerance);
       for (NearBorders& near : report_.near_borders)
         near.length *= millimetres_per(report_.unit);
     }
@@ -156,13 +158,12 @@ class ProductWork {
     return meshes;
   }
 
-  /// Between patches of the same group.
-  ProductSeams found_seams(const std::vector<TriMesh>& meshes) const {
+  std::vector<std::size_t> groups_of_patches() const {
     std::vector<std::size_t> groups;
     groups.reserve(patches_.size());
     for (const ProductPatch& patch : patches_)
       groups.push_back(patch.group);
-    return find_seams_in_groups(meshes, groups, options_.seam_tolerance);
+    return groups;
   }
 
   void find_alike() {

@@ -33,19 +33,38 @@ SoundPatches sound_ones(std::span<const TriMesh> patches, std::span<const std::s
   return sound;
 }
 
-ProductSeams seams_among(const SoundPatches& sound, double tolerance) {
-  ProductSeams found;
-  found.seams = find_seams(sound.meshes, tolerance);
-  found.near = find_near_borders(sound.meshes, found.seams);
-  for (Seam& seam : found.seams) {
+std::vector<Seam> seams_among(const SoundPatches& sound, double tolerance) {
+  std::vector<Seam> seams = find_seams(sound.meshes, tolerance);
+  for (Seam& seam : seams) {
     for (SeamSide& side : seam.sides)
       side.patch = sound.numbers[side.patch];
   }
-  for (NearBorders& near : found.near) {
-    for (std::size_t& patch : near.patches)
+  return seams;
+}
+
+std::vector<NearBorders> near_borders_among(const SoundPatches& sound, double tolerance) {
+  std::vector<NearBorders> near =
+      find_near_borders(sound.meshes, find_seams(sound.meshes, tolerance));
+  for (NearBorders& some : near) {
+    for (std::size_t& patch : some.patches)
       patch = sound.numbers[patch];
   }
-  return found;
+  return near;
+}
+
+/// What a function finds in each group of patches, one after another.
+template <class Find>
+auto found_in_groups(std::span<const TriMesh> patches, std::span<const std::size_t> groups,
+                     Find find) {
+  std::map<std::size_t, std::vector<std::size_t>> members;
+  for (std::size_t p = 0; p < groups.size(); ++p)
+    members[groups[p]].push_back(p);
+  decltype(find(SoundPatches{})) all;
+  for (const auto& [group, some] : members) {
+    auto found = find(sound_ones(patches, some));
+    std::move(found.begin(), found.end(), std::back_inserter(all));
+  }
+  return all;
 }
 
 }  // namespace
@@ -53,21 +72,22 @@ ProductSeams seams_among(const SoundPatches& sound, double tolerance) {
 std::vector<Seam> find_sound_seams(std::span<const TriMesh> patches, double tolerance) {
   std::vector<std::size_t> all(patches.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  return seams_among(sound_ones(patches, all), tolerance).seams;
+  return seams_among(sound_ones(patches, all), tolerance);
 }
 
-ProductSeams find_seams_in_groups(std::span<const TriMesh> patches,
-                                  std::span<const std::size_t> groups, double tolerance) {
-  std::map<std::size_t, std::vector<std::size_t>> members;
-  for (std::size_t p = 0; p < groups.size(); ++p)
-    members[groups[p]].push_back(p);
-  ProductSeams all;
-  for (const auto& [group, some] : members) {
-    ProductSeams found = seams_among(sound_ones(patches, some), tolerance);
-    std::move(found.seams.begin(), found.seams.end(), std::back_inserter(all.seams));
-    all.near.insert(all.near.end(), found.near.begin(), found.near.end());
-  }
-  return all;
+std::vector<Seam> find_seams_in_groups(std::span<const TriMesh> patches,
+                                       std::span<const std::size_t> groups, double tolerance) {
+  return found_in_groups(patches, groups, [tolerance](const SoundPatches& sound) {
+    return seams_among(sound, tolerance);
+  });
+}
+
+std::vector<NearBorders> find_near_borders_in_groups(std::span<const TriMesh> patches,
+                                                     std::span<const std::size_t> groups,
+                                                     double tolerance) {
+  return found_in_groups(patches, groups, [tolerance](const SoundPatches& sound) {
+    return near_borders_among(sound, tolerance);
+  });
 }
 
 std::vector<MeasuredSeam> measure_seams(std::vector<Seam> seams, std::span<const TriMesh> meshes,

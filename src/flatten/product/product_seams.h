@@ -8,16 +8,15 @@
 
 namespace planish {
 
-/// What two borders share, and where they only lie beside each other.
-struct ProductSeams {
-  std::vector<Seam> seams;
-  std::vector<NearBorders> near;
-};
-
-/// Of each group of patches by itself, as find_sound_seams(), the groups by their numbers.
+/// find_sound_seams() of each group of patches by itself, the groups by their numbers.
 /// @param groups number of the group that a patch is in, of each patch
-ProductSeams find_seams_in_groups(std::span<const TriMesh> patches,
-                                  std::span<const std::size_t> groups, double tolerance);
+std::vector<Seam> find_seams_in_groups(std::span<const TriMesh> patches,
+                                       std::span<const std::size_t> groups, double tolerance);
+
+/// The same for find_near_borders(), with the seams found first.
+std::vector<NearBorders> find_near_borders_in_groups(std::span<const TriMesh> patches,
+                                                     std::span<const std::size_t> groups,
+                                                     double tolerance);
 
 /// The seams with their lengths.
 /// @param meshes as meshes_now() has them

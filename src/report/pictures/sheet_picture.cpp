@@ -29,7 +29,7 @@ Layer with_names_only(Layer layer) {
 }  // namespace
 
 std::string sheet_picture(const Drawing& sheet, std::size_t number, const std::string& label) {
-  constexpr double lines_of_text = 24.0;  // in the shorter side
+  constexpr double lines_of_text = 36.0;  // in the shorter side
   const std::string prefix = "sheet-" + std::to_string(number) + "-";
   std::vector<Layer> layers;
   for (const Layer& layer : sheet.layers) {

@@ -227,6 +227,33 @@ TEST_F(Product, SearchesForSeamsBetweenFilesOnlyOnRequest) {
   EXPECT_EQ(product["seams"][0]["sides"][1]["patch"], "right");
 }
 
+TEST_F(Product, TakesSeveralFilesLikeThoseOfAFolder) {
+  std::filesystem::create_directories("parts");
+  for (const NamedPatch& half : halves())
+    write_mesh("parts/" + half.name + ".obj", half.mesh);
+  const CliResult folder = flatten_product("parts", "folder", {"--product", "--json"});
+  const Names more = {"parts/right.obj", "--json"};
+  const CliResult files =
+      flatten_product("parts/left.obj", "files", {more[0], "--product", "--json"});
+  ASSERT_EQ(files.exit_code, k_exit_done) << files.err;
+  EXPECT_EQ(files.json()["seams"], folder.json()["seams"]);
+  EXPECT_EQ(files.json()["name"], "files");
+  EXPECT_EQ(content_of("files/left/pattern.svg"), content_of("folder/left/pattern.svg"));
+  EXPECT_TRUE(flatten_product("parts/left.obj", "batch", more).json()["seams"].empty());
+}
+
+TEST_F(Product, RefusesSeveralFilesWithoutAFolderAndBesideAProductFile) {
+  write_mesh("a.obj", make_shape("dome", 200));
+  std::ofstream("suit.json") << R"({"pieces": [{"file": "a.obj"}]})";
+  const CliResult nowhere = planish({"flatten", "a.obj", "a.obj"});
+  EXPECT_EQ(nowhere.exit_code, k_exit_usage);
+  EXPECT_THAT(nowhere.err, HasSubstr("--output FOLDER"));
+  const CliResult described = planish({"flatten", "a.obj", "suit.json", "-o", "out"});
+  EXPECT_EQ(described.exit_code, k_exit_usage);
+  EXPECT_THAT(described.err, HasSubstr("suit.json"));
+  EXPECT_FALSE(std::filesystem::exists("out"));
+}
+
 TEST_F(Product, FindsTheSeamsWithinAFileOfABatch) {
   std::filesystem::create_directories("parts");
   write_product("parts/one.obj", halves());

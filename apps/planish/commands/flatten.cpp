@@ -75,6 +75,8 @@ FlattenOptions options_from(const Arguments& arguments) {
 }
 
 fs::path folder_from(const Arguments& arguments) {
+  if (arguments.operands.size() > 1 && !arguments.has("--output"))
+    throw UsageError("with several files, say where to write: --output FOLDER");
   const std::string stem = stem_of(arguments.operands.front());
   return output_folder(arguments.value_or("--output", stem + "-pattern"));
 }
@@ -224,7 +226,8 @@ struct FlattenRequest {
 
 ProductJob product_job(const FlattenRequest& request, ProductInput input,
                        const Arguments& arguments) {
-  ProductJob job{.path = arguments.operands.front(),
+  const std::vector<std::string>& inputs = arguments.operands;
+  ProductJob job{.path = inputs.size() > 1 ? utf8_of(request.folder) : inputs.front(),
                  .patches = std::move(input.patches),
                  .places = std::move(input.places),
                  .is_batch = input.is_batch,
@@ -272,7 +275,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   const fs::path folder = folder_from(arguments);
 
   ProductInput read =
-      read_product(session, arguments.operands.front(), options.unit, arguments.has("--product"));
+      read_product(session, arguments.operands, options.unit, arguments.has("--product"));
   if (read.is_batch) refuse_seam_flags(arguments);
   const std::optional<CutDone> cut = cut_product(read, arguments, session);
   if (read.patches.size() > 1 || read.is_described) {
@@ -366,7 +369,7 @@ Command flatten_command() {
   return {
       "flatten",
       "the whole job: from a patch to its pattern at true size",
-      "INPUT [-o FOLDER]",
+      "INPUT... [-o FOLDER]",
       "Lays a patch flat as it is, and where that stretches the pattern too much, changes its "
       "form as little as needed. Writes into FOLDER: the pattern at true size (pattern.svg, .dxf "
       "and .pdf), that of the design (as-designed.*), the processed patch and the flat pattern as "
@@ -375,6 +378,7 @@ Command flatten_command() {
       {"INPUT"},
       std::move(groups),
       {"planish flatten panel.obj", "planish flatten panel.obj -o out --unit cm --max-strain 2%",
+       "planish flatten front.obj back.obj -o out --product",
        "planish flatten panel.obj --cut darts.txt",
        "planish flatten panel.obj --paper a4 --dxf-profile lectra",
        "planish flatten panel.obj --allowance 10mm --grain 0,0,1 --quantity 2",
@@ -382,7 +386,9 @@ Command flatten_command() {
        "planish flatten suit.json -o out",
        "planish flatten panel.obj --material leather --max-deviation 5mm",
        "planish flatten panel.obj --target-e-max 0.001 --require-target"},
-      run_flatten};
+      run_flatten,
+      false,
+      true};
 }
 
 }  // namespace planish::cli

@@ -43,7 +43,9 @@ WrittenFiles fields_paths(const Arguments& arguments) {
   const std::string& path = arguments.flags.at("--fields");
   if (format_of(path)) return {{"fields", path}};
   if (lower_extension(path) != ".csv") {
-    throw Error(ErrorCode::unsupported_format, "fields are written as .ply, .vtp, .vtu or .csv",
+    throw Error(ErrorCode::unsupported_format,
+                "--fields names the file that holds all fields: .ply, .vtp, .vtu or .csv, as "
+                "fields.ply",
                 {.path = path});
   }
   return {{"fields_vertices", with_suffix(path, "-vertices")},

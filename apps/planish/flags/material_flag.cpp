@@ -47,7 +47,8 @@ std::string material_from(const Arguments& arguments) {
     return known_name("material", name, material_names());
   } catch (const UsageError& error) {
     throw UsageError(std::string(error.what()) +
-                     "; for another one give its strain, as --max-strain 0.5%@p99");
+                     "; for another one give its strain, as --max-strain 0.5%@p99; plywood, card "
+                     "and sheet metal hardly stretch: begin with steel");
   }
 }
 

@@ -242,7 +242,7 @@ class ProductRun {
 std::vector<Flag> product_flags() {
   return {
       {"--product", "",
-       "take the files of a folder for the parts of one product: search for seams between them"},
+       "take several files for the parts of one product: search for seams between them"},
       {"--resume", "",
        "of several patches, keep those whose results are there, whole and of the same job"},
       {"--seam-tolerance",
@@ -265,7 +265,7 @@ void refuse_seam_flags(const Arguments& arguments) {
   for (const char* flag : {"--seam-notches", "--seam-tolerance"}) {
     if (!arguments.has(flag)) continue;
     throw UsageError("flag " + std::string(flag) +
-                     " goes with seams, and between the files of a folder none are searched; add "
+                     " goes with seams, and between the files of a batch none are searched; add "
                      "--product where they are the parts of one product");
   }
 }

@@ -115,11 +115,31 @@ std::vector<PatchPlace> places_of(const std::vector<ProductPatch>& patches,
   return places;
 }
 
-ProductInput read_folder(Session& session, const std::string& folder, bool as_product) {
+bool is_folder(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_directory(path_of(path), ignored);
+}
+
+/// The files that are named, and those in folders that are.
+std::vector<std::string> mesh_files(Session& session, const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    if (is_product_file(path)) {
+      throw UsageError("a product file lists its files itself: give " + path +
+                       " without any others");
+    }
+    const std::vector<std::string> here =
+        is_folder(path) ? mesh_files_in(session, path) : std::vector<std::string>{path};
+    files.insert(files.end(), here.begin(), here.end());
+  }
+  return files;
+}
+
+ProductInput read_files(Session& session, const std::vector<std::string>& paths, bool as_product) {
   ProductInput input;
   std::vector<MeshFormat> formats;
   std::vector<std::size_t> groups;  // number of the file, of each patch
-  const std::vector<std::string> files = mesh_files_in(session, folder);
+  const std::vector<std::string> files = mesh_files(session, paths);
   for (const std::string& file : files) {
     input.path = file;
     try {
@@ -317,9 +337,10 @@ std::vector<std::string> safe_names(const std::vector<std::string>& names) {
   return safe;
 }
 
-ProductInput read_product(Session& session, const std::string& path, Unit unit, bool as_product) {
-  std::error_code ignored;
-  if (fs::is_directory(path_of(path), ignored)) return read_folder(session, path, as_product);
+ProductInput read_product(Session& session, const std::vector<std::string>& paths, Unit unit,
+                          bool as_product) {
+  const std::string& path = paths.front();
+  if (paths.size() > 1 || is_folder(path)) return read_files(session, paths, as_product);
   return is_product_file(path) ? read_described(session, path, unit) : read_file(session, path);
 }
 

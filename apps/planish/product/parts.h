@@ -32,16 +32,17 @@ struct ProductInput {
   std::vector<NamedSeam> seams = {};  ///< of a product that is described
 };
 
-/// Reads a mesh file, all mesh files of a folder in the order of their names, or those that a
-/// product file lists, and divides what it reads into patches: by the groups that the files have,
-/// then into pieces that hang together. A file of several that cannot be read is a patch with that
-/// failure.
+/// Reads mesh files, all mesh files of folders in the order of their names, or those that a product
+/// file lists, and divides what it reads into patches: by the groups that the files have, then into
+/// pieces that hang together. A file of several that cannot be read is a patch with that failure.
+/// @param paths one at least; a product file must be the only one
 /// @param unit of the product: pieces in another one are scaled to it
-/// @param as_product the files of a folder are parts of one product; else they are a batch
-/// @throws Error what read_mesh() throws of the only file; file_unreadable for a folder that holds
-///   no mesh file; as read_product_file(), malformed_file for a seam between pieces that are not
-///   there
-ProductInput read_product(Session& session, const std::string& path, Unit unit, bool as_product);
+/// @param as_product several files are parts of one product; else they are a batch
+/// @throws UsageError for a product file beside others; Error what read_mesh() throws of the only
+///   file; file_unreadable for a folder that holds no mesh file; as read_product_file(),
+///   malformed_file for a seam between pieces that are not there
+ProductInput read_product(Session& session, const std::vector<std::string>& paths, Unit unit,
+                          bool as_product);
 
 /// Cuts an input of one patch open as --cut says; where that divides it, it has several patches
 /// from then on.

@@ -40,7 +40,7 @@
 #include <planish/mesh/shapes.h>
 #include <planish/mesh/tri_mesh.h>
 #include <planish/pattern/allowance.h>
-#include <planish/pattern/grain.h>
+#include <planish/pattern/curve.h>
 #include <planish/pattern/marks.h>
 #include <planish/pattern/nest.h>
 #include <planish/pattern/notches.h>

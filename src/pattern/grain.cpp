@@ -5,7 +5,7 @@
 #include <string>
 
 #include <planish/core/error.h>
-#include <planish/pattern/grain.h>
+#include <planish/pattern/marks.h>
 
 #include "pattern/polygon/free_strip.h"
 

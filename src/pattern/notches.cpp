@@ -9,7 +9,7 @@
 #include <planish/pattern/notches.h>
 
 #include "core/number_text.h"
-#include "pattern/border_walk.h"
+#include "pattern/polygon/border_walk.h"
 #include "pattern/polygon/polygon_rays.h"
 
 namespace planish {
@@ -128,18 +128,22 @@ Vec2 base(const Frame& frame, std::span<const Polygon> cut, double aside, double
   return from - reach * frame.inward;
 }
 
-void append_notch(NotchKind kind, const Frame& frame, std::span<const Polygon> cut,
-                  const NotchSizes& sizes, std::vector<Polygon>& lines) {
+PlacedNotch placed_notch(NotchKind kind, const Frame& frame, std::span<const Polygon> cut,
+                         const NotchSizes& sizes) {
   const Vec2 start = frame.seam - frame.reach * frame.inward;
   const Vec2 tip = start + sizes.depth * frame.inward;
   const double half = 0.5 * sizes.width;
+  PlacedNotch notch = {kind, start, frame.inward, sizes.depth,
+                       kind == NotchKind::slit ? 0.0 : sizes.width};
   if (kind == NotchKind::v) {
-    lines.push_back(
-        {base(frame, cut, -half, sizes.depth), tip, base(frame, cut, half, sizes.depth)});
-    return;
+    notch.strokes = {
+        {base(frame, cut, -half, sizes.depth), tip, base(frame, cut, half, sizes.depth)}};
+  } else {
+    notch.strokes = {{start, tip}};
+    if (kind == NotchKind::t)
+      notch.strokes.push_back({tip - half * frame.along, tip + half * frame.along});
   }
-  lines.push_back({start, tip});
-  if (kind == NotchKind::t) lines.push_back({tip - half * frame.along, tip + half * frame.along});
+  return notch;
 }
 
 void check_sizes(const NotchSizes& sizes) {
@@ -189,13 +193,13 @@ void check_notches(std::span<const std::vector<Index>> border, std::span<const N
   }
 }
 
-std::vector<Polygon> notch_lines(const PieceOutline& outline, std::span<const Polygon> cut,
-                                 std::span<const Notch> notches, const NotchSizes& sizes) {
+std::vector<PlacedNotch> place_notches(const PieceOutline& outline, std::span<const Polygon> cut,
+                                       std::span<const Notch> notches, const NotchSizes& sizes) {
   check_sizes(sizes);
   check_notches(outline.vertices, notches, outline.piece);
   const std::vector<BorderWalk> walks = walks_along(outline);
   const bool with_allowance = has_allowance(outline, cut);
-  std::vector<Polygon> lines;
+  std::vector<PlacedNotch> placed;
   for (const Notch& notch : notches) {
     const Seat seat = seat_of(outline, notch, walks);
     const double aside = notch.is_double ? 0.5 * sizes.spacing : 0.0;
@@ -207,11 +211,11 @@ std::vector<Polygon> notch_lines(const PieceOutline& outline, std::span<const Po
         frame.reach = hit == k_no_hit ? 0.0 : hit;
       }
       check_depth(outline, notch, frame, sizes.depth, with_allowance);
-      append_notch(notch.kind, frame, cut, sizes, lines);
+      placed.push_back(placed_notch(notch.kind, frame, cut, sizes));
       if (!notch.is_double) break;
     }
   }
-  return lines;
+  return placed;
 }
 
 }  // namespace planish

@@ -10,7 +10,7 @@
 #include "core/number_text.h"
 #include "geometry/crosses_itself.h"
 #include "pattern/allowance_joins.h"
-#include "pattern/border_walk.h"
+#include "pattern/polygon/border_walk.h"
 #include "pattern/polygon/loop_box.h"
 #include "pattern/polygon/polygon_rays.h"
 #include "pattern/polygon/winding_union.h"

@@ -28,9 +28,51 @@ Layer layer_of(std::string name, std::vector<Polygon> lines, const Stroke& strok
   return layer;
 }
 
+Path outline_path(const std::vector<Polygon>& loops, const FittedLines& fitted,
+                  const Stroke& stroke) {
+  Path path{loops, true, stroke};
+  path.fitted = fitted;
+  return path;
+}
+
 Layer seam_layer(const PlacedPattern& pattern, const PatternOptions& options) {
   Layer layer{"seam", {}};
-  if (options.allowance) layer.shapes.emplace_back(Path{pattern.outline.loops, true, k_seam});
+  if (options.allowance)
+    layer.shapes.emplace_back(outline_path(pattern.outline.loops, pattern.fitted_outline, k_seam));
+  return layer;
+}
+
+double degrees_of(Vec2 direction) {
+  return 180.0 / std::numbers::pi * math::atan2(direction.y, direction.x);
+}
+
+Layer notch_layer(const PlacedPattern& pattern) {
+  Layer layer{"notch", {}};
+  for (const PlacedNotch& notch : pattern.notches) {
+    Path path{notch.strokes, false, k_notch};
+    path.mark = NotchMark{notch.at, degrees_of(notch.inward), notch.depth, notch.width, notch.kind};
+    layer.shapes.emplace_back(std::move(path));
+  }
+  return layer;
+}
+
+Layer grain_layer(std::vector<Polygon> lines) {
+  Layer layer{"grain", {}};
+  if (lines.empty()) return layer;
+  const GrainMark mark = {lines.front().front(), lines.front().back()};
+  Path path{std::move(lines), false, k_grain};
+  path.mark = mark;
+  layer.shapes.emplace_back(std::move(path));
+  return layer;
+}
+
+Layer drill_layer(const PlacedPattern& pattern, const std::vector<Mark>& marks) {
+  Layer layer{"drill", {}};
+  for (const Mark& mark : marks) {
+    Path path{mark_lines(pattern.positions, {&mark, 1}, pattern.outline.piece), false, k_drill};
+    path.mark = DrillMark{pattern.positions[mark.vertex]};
+    layer.shapes.emplace_back(std::move(path));
+  }
   return layer;
 }
 
@@ -121,11 +163,9 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
   std::vector<Layer> layers;
   layers.reserve(6);
   layers.push_back(seam_layer(pattern, options));
-  layers.push_back(layer_of(
-      "notch", notch_lines(outline, pattern.cut, options.notches, options.notch_sizes), k_notch));
-  layers.push_back(layer_of("grain", std::move(grain), k_grain));
-  layers.push_back(
-      layer_of("drill", mark_lines(pattern.positions, options.marks, outline.piece), k_drill));
+  layers.push_back(notch_layer(pattern));
+  layers.push_back(grain_layer(std::move(grain)));
+  layers.push_back(drill_layer(pattern, options.marks));
   layers.push_back(layer_of(
       "internal", inner_lines(pattern.positions, options.inner_lines, outline.piece), k_internal));
   layers.push_back(annotation_layer(place, lines));
@@ -134,7 +174,7 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
 
 std::vector<Layer> piece_layers(const TriMesh& mesh, const PlacedPattern& pattern,
                                 const PatternOptions& options) {
-  std::vector<Layer> layers = {{"cut", {Path{pattern.cut, true, k_cut}}}};
+  std::vector<Layer> layers = {{"cut", {outline_path(pattern.cut, pattern.fitted_cut, k_cut)}}};
   for (Layer& layer : annotations_layers(mesh, pattern, options))
     layers.push_back(std::move(layer));
   return layers;

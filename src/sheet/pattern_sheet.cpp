@@ -19,7 +19,7 @@ namespace planish {
 namespace {
 
 DrawingPiece piece_of(const PieceLabel& label) {
-  return {label.name, label.size, std::max(1, label.quantity)};
+  return {label.name, label.size, std::max(1, label.quantity), 0, label.fabric, label.note};
 }
 
 /// Beside the limit where one was asked for, else strain itself.
@@ -48,13 +48,26 @@ Drawing pattern_sheet(const Patch& patch, const UnfoldReport& unfold, const std:
   const TriMesh& mesh = patch.mesh();
   const PatternOnSheet placed = pattern_on_sheet(mesh, unfold, name, wanted);
   const PlacedPattern& pattern = placed.pattern;
-  Drawing sheet{name, placed.size.x, placed.size.y, {}, {piece_of(placed.options.label)}};
+  Drawing sheet{name,
+                placed.size.x,
+                placed.size.y,
+                {},
+                {piece_of(placed.options.label)},
+                placed.options.date};
   sheet.layers.reserve(k_sheet_layers.size());
   sheet.layers.push_back(map_layer(mesh, unfold, pattern.positions));
   // The cut line comes later than the map, so that it lies on top.
   for (Layer& layer : piece_layers(mesh, pattern, placed.options))
     sheet.layers.push_back(std::move(layer));
   sheet.layers.push_back(sheet_label(unfold, placed.facts));
+  sheet.layers.push_back(map_legend(unfold));
+  return sheet;
+}
+
+Drawing without_map(Drawing sheet) {
+  for (Layer& layer : sheet.layers) {
+    if (layer.name == "strain" || layer.name == "legend") layer.shapes.clear();
+  }
   return sheet;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "pattern/curves/piece_math.h"
 #include "sheet/outlines.h"
 
 namespace planish {
@@ -44,17 +45,71 @@ std::vector<EdgeAllowance> turned_round(std::vector<EdgeAllowance> edges) {
   return edges;
 }
 
+Vec2 mirrored_in_y_axis(Vec2 p) {
+  return {0.0 - p.x, p.y};
+}
+
+/// The other way round from the same point on.
+template <class Loop>
+void reverse_loops(std::vector<Loop>& loops) {
+  for (Loop& loop : loops) {
+    if (!loop.empty()) std::reverse(loop.begin() + 1, loop.end());
+  }
+}
+
+void reverse_curves(std::vector<Curve>& curves) {
+  for (Curve& curve : curves)
+    curve = reversed(curve);
+}
+
+void move_lines(FittedLines& lines, const std::function<Vec2(Vec2)>& motion) {
+  for (Polygon& line : lines.few) {
+    for (Vec2& p : line)
+      p = motion(p);
+  }
+  for (Curve& curve : lines.curves)
+    curve = moved(curve, motion);
+}
+
 /// The mirror image in the line x = 0, every line beginning at the same point.
 PlacedPattern mirror_image(PlacedPattern pattern) {
-  pattern = moved(std::move(pattern), [](Vec2 p) { return Vec2{0.0 - p.x, p.y}; });
-  const auto reverse = [](auto& loops) {
-    for (auto& loop : loops) {
-      if (!loop.empty()) std::reverse(loop.begin() + 1, loop.end());
-    }
-  };
-  reverse(pattern.outline.loops);
-  reverse(pattern.outline.vertices);
-  reverse(pattern.cut);
+  pattern = moved(std::move(pattern), mirrored_in_y_axis);
+  reverse_loops(pattern.outline.loops);
+  reverse_loops(pattern.outline.vertices);
+  reverse_loops(pattern.cut);
+  for (FittedLines* lines : {&pattern.fitted_cut, &pattern.fitted_outline}) {
+    reverse_loops(lines->few);
+    reverse_curves(lines->curves);
+  }
+  return pattern;
+}
+
+FittedLines fitted_lines(const std::vector<Polygon>& loops, const LineFit& fit,
+                         std::span<const Vec2> kept) {
+  if (!(fit.tolerance > 0.0)) return {};
+  constexpr double few_share = 1.5;  // a polyline stays as near to its line as apparel programs ask
+  FittedLines lines{{}, fit_curves(loops, fit)};
+  for (const Polygon& loop : loops)
+    lines.few.push_back(few_points(loop, {few_share * fit.tolerance, fit.length_tolerance}, kept));
+  return lines;
+}
+
+/// The places of notches on the cut line.
+std::vector<Vec2> places_of(const std::vector<PlacedNotch>& notches) {
+  std::vector<Vec2> places;
+  places.reserve(notches.size());
+  for (const PlacedNotch& notch : notches)
+    places.push_back(notch.at);
+  return places;
+}
+
+/// @param notches on the cut line of the pattern
+PlacedPattern with_fitted_lines(PlacedPattern pattern, std::span<const Vec2> notches,
+                                const PatternOptions& options) {
+  pattern.fitted_cut = fitted_lines(pattern.cut, options.curves, notches);
+  pattern.fitted_outline = options.allowance
+                               ? fitted_lines(pattern.outline.loops, options.curves, {})
+                               : pattern.fitted_cut;
   return pattern;
 }
 
@@ -75,7 +130,20 @@ PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> position
     pattern.cut = offset_outline(pattern.outline,
                                  with_edge_allowances(*options.allowance, pattern.outline, edges));
   }
-  return mirrored ? mirror_image(std::move(pattern)) : pattern;
+  const auto notches_of = [&](const PlacedPattern& some) {
+    return place_notches(some.outline, some.cut, options.notches, options.notch_sizes);
+  };
+  if (!mirrored) {
+    pattern.notches = notches_of(pattern);
+    return with_fitted_lines(std::move(pattern), places_of(pattern.notches), options);
+  }
+  // Notches are placed on the mirrored pattern; lines are fitted on the other one.
+  std::vector<PlacedNotch> notches = notches_of(mirror_image(pattern));
+  std::vector<Vec2> places = places_of(notches);
+  std::transform(places.begin(), places.end(), places.begin(), mirrored_in_y_axis);
+  pattern = mirror_image(with_fitted_lines(std::move(pattern), places, options));
+  pattern.notches = std::move(notches);
+  return pattern;
 }
 
 PlacedPattern moved(PlacedPattern pattern, const std::function<Vec2(Vec2)>& motion) {
@@ -88,6 +156,15 @@ PlacedPattern moved(PlacedPattern pattern, const std::function<Vec2(Vec2)>& moti
   for (Polygon& loop : pattern.cut)
     move(loop);
   move(pattern.positions);
+  move_lines(pattern.fitted_cut, motion);
+  move_lines(pattern.fitted_outline, motion);
+  for (PlacedNotch& notch : pattern.notches) {
+    const Vec2 at = motion(notch.at);
+    notch.inward = motion(notch.at + notch.inward) - at;
+    notch.at = at;
+    for (Polygon& stroke : notch.strokes)
+      move(stroke);
+  }
   return pattern;
 }
 

@@ -158,6 +158,11 @@ Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
   if (std::string warning = warning_text(unfold.pattern); !warning.empty()) {
     line(33.0, 3.0, std::move(warning), k_red);
   }
+  return layer;
+}
+
+Layer map_legend(const UnfoldReport& unfold) {
+  Layer layer{"legend", {}};
   if (const auto limit = limit_of_edges(unfold.limits)) {
     add_limit_legend(layer, *limit);
   } else {

@@ -17,7 +17,10 @@ struct SheetFacts {
   std::string date;
 };
 
-/// The layer "label": two test squares, name, sizes, unit, scale and hash, the legend of the map.
+/// The layer "label": two test squares, name, sizes, unit, scale and hash.
 Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts);
+
+/// The layer "legend": what the colours of the strain map mean, beside the label.
+Layer map_legend(const UnfoldReport& unfold);
 
 }  // namespace planish

@@ -83,9 +83,9 @@ std::vector<std::string> command_with(const json& verb, const json& group, const
   if (name != "measure") {
     words.emplace_back("--output");
     const bool draws = name == "unfold" || name == "frontier";
-    const std::string drawing = flag == "--paper"         ? "out.pdf"
-                                : flag == "--dxf-profile" ? "out.dxf"
-                                                          : "out.svg";
+    const std::string drawing = flag == "--paper"            ? "out.pdf"
+                                : flag.starts_with("--dxf-") ? "out.dxf"
+                                                             : "out.svg";
     words.push_back(draws ? drawing : "out.obj");
   }
   if (group["method"].is_string()) {
@@ -95,7 +95,8 @@ std::vector<std::string> command_with(const json& verb, const json& group, const
   for (const auto& [dependent, other, with] :
        {std::tuple{"--corners", "--allowance", "5"}, std::tuple{"--nest-gap", "--sheet", "1500mm"},
         std::tuple{"--nest-margin", "--sheet", "1500mm"}, std::tuple{"--turn", "--sheet", "1500mm"},
-        std::tuple{"--seam-tolerance", "--sheet", "1500mm"}}) {
+        std::tuple{"--seam-tolerance", "--sheet", "1500mm"},
+        std::tuple{"--dxf-notches", "--dxf-profile", "aama"}}) {
     if (flag != dependent) continue;
     words.emplace_back(other);
     words.emplace_back(with);

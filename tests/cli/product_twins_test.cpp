@@ -76,15 +76,6 @@ Lines svg_layer(const std::string& path, const std::string& name) {
   return oracle::lines_of_svg(svg.substr(begin, end + 4 - begin));
 }
 
-/// The closed lines with that many corners of the whole drawing.
-Lines with_corners(const Lines& lines, std::size_t count) {
-  Lines some;
-  for (const auto& line : lines) {
-    if (line.size() == count + 1 && line.front() == line.back()) some.push_back(line);
-  }
-  return some;
-}
-
 /// The lines of the PDF's second layer, "cut".
 Lines pdf_cut(const std::string& path) {
   const std::string pdf = content_of(path);
@@ -100,8 +91,10 @@ Lines pdf_cut(const std::string& path) {
       continue;
     }
     if (word == "m") lines.emplace_back();
-    if (word == "m" || word == "l")
-      lines.back().push_back({numbers[numbers.size() - 2], numbers.back()});
+    const std::size_t points = word == "c" ? 3 : word == "m" || word == "l" ? 1 : 0;
+    for (std::size_t k = points; k > 0; --k)
+      lines.back().push_back(
+          {numbers[numbers.size() - 2 * k], numbers[numbers.size() - 2 * k + 1]});
     if (word == "h") lines.back().push_back(lines.back().front());
   }
   return lines;
@@ -115,9 +108,12 @@ TEST_F(ProductTwinsTest, WriteTheMirrorImageToTheLastDigit) {
   for (const char* layer : {"cut", "seam"})
     expect_mirrored(svg_layer(file("left", "svg"), layer), svg_layer(file("right", "svg"), layer));
   expect_mirrored(pdf_cut(file("left", "pdf")), pdf_cut(file("right", "pdf")));
-  const std::size_t corners = svg_layer(file("left", "svg"), "seam").at(0).size() - 1;
-  expect_mirrored(with_corners(oracle::lines_of_dxf(content_of(file("left", "dxf"))), corners),
-                  with_corners(oracle::lines_of_dxf(content_of(file("right", "dxf"))), corners));
+  const auto dxf_lines = [&](const char* piece) {
+    Lines lines = oracle::lines_of_dxf(content_of(file(piece, "dxf")));
+    lines.resize(2);  // cut and seam
+    return lines;
+  };
+  expect_mirrored(dxf_lines("left"), dxf_lines("right"));
   // Of the equal one they are the same.
   EXPECT_EQ(svg_layer(file("left", "svg"), "cut"), svg_layer(file("spare", "svg"), "cut"));
   // The pattern as a mesh: the same numbers with another sign, in another order.

@@ -203,7 +203,7 @@ TEST_F(Verbs, FlattenWritesTheFormatsThatAreAskedFor) {
   const auto json = result.json();
   EXPECT_EQ(json["files"]["pattern_pages"], "out/pattern-a3.pdf");
   EXPECT_FALSE(json["files"].contains("pattern"));
-  EXPECT_THAT(content_of("out/pattern.dxf"), HasSubstr("PIECE NAME: panel"));
+  EXPECT_THAT(content_of("out/pattern.dxf"), HasSubstr("Piece Name: panel"));
 }
 
 TEST_F(Verbs, FlattenWritesWhatIsPickedAndTheDesignBesideIt) {

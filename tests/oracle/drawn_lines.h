@@ -37,24 +37,32 @@ inline std::string_view take_to(std::string_view& text, std::string_view marks) 
   return taken;
 }
 
-/// M, l and z of an SVG path.
+/// M, l, L, C, A and z of an SVG path. Of curves the control points, of arcs the ends.
 inline Lines lines_of_svg_path(std::string_view d) {
+  constexpr std::string_view commands = "MlLCAz";
   Lines lines;
   Vec2 pen;
-  bool relative = false;
+  char command = 0;
   while (!d.empty()) {
-    const char c = d.front();
-    if (c == 'M' || c == 'l' || c == 'z' || c == ' ') d.remove_prefix(1);
-    if (c == 'M') lines.emplace_back();
-    if (c == 'M' || c == 'l') relative = c == 'l';
-    if (c == 'z') lines.back().push_back(lines.back().front());
-    if (c == 'z') continue;
+    if (commands.find(d.front()) != commands.npos) {
+      command = d.front();
+      d.remove_prefix(1);
+    } else if (d.front() == ' ') {
+      d.remove_prefix(1);
+    }
+    if (command == 'M') lines.emplace_back();
+    if (lines.empty()) throw std::runtime_error("SVG: a path does not begin with M");
+    if (command == 'z') lines.back().push_back(lines.back().front());
+    if (command == 'z') continue;
+    if (command == 'A') {
+      for (int k = 0; k < 4; ++k)  // radii, angle, and which of four arcs
+        take_to(d, " ");
+    }
     const double x = number_in(take_to(d, ","));
-    const std::size_t end = d.find_first_of("Mlz ");
+    const std::size_t end = d.find_first_of("MlLCAz ");
     const double y = number_in(d.substr(0, end));
     d.remove_prefix(std::min(end, d.size()));
-    pen = relative ? pen + Vec2{x, y} : Vec2{x, y};
-    if (lines.empty()) throw std::runtime_error("SVG: a path does not begin with M");
+    pen = command == 'l' ? pen + Vec2{x, y} : Vec2{x, y};
     lines.back().push_back(pen);
   }
   return lines;

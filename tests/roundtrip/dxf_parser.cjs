@@ -61,16 +61,15 @@ function checkGeneric(document, cut, name) {
 }
 
 function checkBlocks(document, name) {
-  check(document.header.$INSUNITS === MILLIMETRES, `${name}: $INSUNITS`);
   const inserts = document.entities.filter((e) => e.type === "INSERT").map((e) => e.name);
-  check(inserts.join() === "front,back", `${name}: pieces ${inserts}`);
+  check(inserts.join() === "front_ONE,back_ONE", `${name}: pieces ${inserts}`);
   check(polylines(document.entities).length === 0, `${name}: a line outside of the blocks`);
-  const front = document.blocks.front.entities;
-  for (const layer of ["1", "11", "14", "7"]) {
+  const front = document.blocks.front_ONE.entities;
+  for (const layer of ["1", "11", "14"]) {
     check(polylines(front, layer).length === 1, `${name}: layer ${layer}`);
   }
   checkBox(polylines(front, "1"), [20, 30, 120, 130], `${name}: boundary`);
-  checkBox(polylines(document.blocks.back.entities, "1"), [160, 40, 280, 160], `${name}: back`);
+  checkBox(polylines(document.blocks.back_ONE.entities, "1"), [160, 40, 280, 160], `${name}: back`);
 }
 
 function checkAll(folder) {

@@ -79,6 +79,17 @@ PieceLabel label_from(const Arguments& arguments) {
   return label;
 }
 
+/// Where seams are to match, lengths are kept so well that both sides stay within 0.01 mm.
+LineFit line_fit_from(const Arguments& arguments) {
+  LineFit fit;
+  if (arguments.has("--match-seams")) fit.length_tolerance = 0.003;
+  if (!arguments.has("--curve-tolerance")) return fit;
+  fit.tolerance = millimetres_per(unit_from(arguments)) *
+                  quantity_value("--curve-tolerance", arguments.flags.at("--curve-tolerance"),
+                                 Quantity::length, {.min = 0.0, .max = 1e6}, arguments);
+  return fit;
+}
+
 NotchSizes notch_sizes_from(const Arguments& arguments, const std::optional<Allowance>& allowance) {
   NotchSizes sizes;
   // As deep as leaves half of the allowance whole.
@@ -141,7 +152,14 @@ FlagGroup annotation_flags() {
        {"--quantity", "N", "how many to cut", 0, false, {.range = k_quantity}},
        {"--fabric", "TEXT", "what to cut it from"},
        {"--note", "TEXT", "anything else, as \"one mirrored\" or \"cut on fold\""},
-       {"--date", "TEXT", "written on the sheet as it is (default none)"}}};
+       {"--date", "TEXT", "written on the sheet as it is (default none)"},
+       {"--curve-tolerance",
+        "LENGTH",
+        "how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from "
+        "vertex to vertex)",
+        0,
+        false,
+        {.range = {.min = 0.0}}}}};
 }
 
 PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet) {
@@ -152,6 +170,7 @@ PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet) {
   options.grain = grain_from(arguments);
   options.label = label_from(arguments);
   options.date = arguments.value_or("--date", "");
+  options.curves = line_fit_from(arguments);
   if (arguments.has("--notches"))
     options.notches = read_notches(path_of(arguments.flags.at("--notches")));
   if (arguments.has("--inner-lines")) {

@@ -49,8 +49,15 @@ std::vector<std::string> text_kinds() {
   return {"letters", "strokes"};
 }
 
-Drawing prepared(const Drawing& sheet, const PatternOutput& output) {
-  return output.stroked_text ? with_stroked_text(sheet) : sheet;
+std::vector<std::string> notch_kinds() {
+  return {"points", "strokes"};
+}
+
+/// What a format shows of the sheet: the strain map, and its legend, on screens and on request.
+Drawing prepared(Drawing sheet, PatternFormat format, const PatternOutput& output) {
+  const bool has_map = format == PatternFormat::svg || (format == PatternFormat::pdf && output.map);
+  if (!has_map) sheet = without_map(std::move(sheet));
+  return output.stroked_text ? with_stroked_text(std::move(sheet)) : sheet;
 }
 
 }  // namespace
@@ -84,6 +91,7 @@ std::vector<Flag> pattern_flags(const std::string& paper_doc) {
            0,
            false,
            {.choices = names_of(k_papers)}},
+          {"--map", "", "draw the strain map on paper too: in .pdf and on the pages of --paper"},
           {"--text",
            "KIND",
            "letters, or strokes for machines without them (default letters)",
@@ -96,6 +104,19 @@ std::vector<Flag> pattern_flags(const std::string& paper_doc) {
            0,
            false,
            {.choices = names_of(k_dxf_profiles), .standard = "generic"}},
+          {"--dxf-version",
+           "NAME",
+           "r12, which nearly everything reads, or r2000, with arcs and splines (default r12)",
+           0,
+           false,
+           {.choices = names_of(k_dxf_versions), .standard = "r12"}},
+          {"--dxf-notches",
+           "KIND",
+           "in profiles for apparel: points, or strokes for cutters that ignore points (default "
+           "points)",
+           0,
+           false,
+           {.choices = notch_kinds(), .standard = "points"}},
           {"--dxf-layers", "A=B,...",
            "other names in the .dxf for the layers " +
                list_of(std::vector<std::string>(k_sheet_layers.begin(), k_sheet_layers.end()))}};
@@ -107,6 +128,12 @@ PatternOutput pattern_output_from(const Arguments& arguments) {
                                    text_kinds()) == "strokes";
   output.dxf.profile = dxf_profile_named(known_name(
       "profile", arguments.value_or("--dxf-profile", "generic"), names_of(k_dxf_profiles)));
+  output.map = arguments.has("--map");
+  output.dxf.version =
+      value_named("version of DXF", arguments.value_or("--dxf-version", "r12"), k_dxf_versions);
+  output.dxf.notch_strokes =
+      known_name("kind of notches", arguments.value_or("--dxf-notches", "points"), notch_kinds()) ==
+      "strokes";
   if (arguments.has("--dxf-layers")) {
     output.dxf.layer_names = layer_names_from(arguments.flags.at("--dxf-layers"));
   }
@@ -131,6 +158,11 @@ void refuse_idle_pattern_flags(const Arguments& arguments,
   check("--text", !formats.empty(), "svg, dxf, pdf and plt");
   check("--dxf-profile", writes(PatternFormat::dxf), "dxf");
   check("--dxf-layers", writes(PatternFormat::dxf), "dxf");
+  check("--map", writes(PatternFormat::pdf), "pdf");
+  const bool is_apparel =
+      arguments.value_or("--dxf-profile", "generic") != to_string(DxfProfile::generic);
+  check("--dxf-version", writes(PatternFormat::dxf) && !is_apparel, "dxf of the profile generic");
+  check("--dxf-notches", writes(PatternFormat::dxf) && is_apparel, "a --dxf-profile for apparel");
 }
 
 Flag formats_flag() {
@@ -155,7 +187,7 @@ std::vector<PatternFormat> formats_from(const Arguments& arguments) {
 }
 
 std::string pattern_file(const Drawing& sheet, PatternFormat format, const PatternOutput& output) {
-  const Drawing drawing = prepared(sheet, output);
+  const Drawing drawing = prepared(sheet, format, output);
   switch (format) {
     case PatternFormat::svg:
       return format_svg(drawing);
@@ -170,7 +202,7 @@ std::string pattern_file(const Drawing& sheet, PatternFormat format, const Patte
 }
 
 std::string tiled_file(const Drawing& sheet, const PatternOutput& output) {
-  return format_tiled_pdf(prepared(sheet, output), *output.paper);
+  return format_tiled_pdf(prepared(sheet, PatternFormat::pdf, output), *output.paper);
 }
 
 }  // namespace planish::cli

@@ -24,9 +24,10 @@ struct PatternOutput {
   DxfOptions dxf;
   std::optional<Paper> paper;  ///< of pages to be joined
   bool stroked_text = false;
+  bool map = false;  ///< the strain map is on paper too
 };
 
-/// --paper, --text, --dxf-profile and --dxf-layers, for verbs that write patterns.
+/// --paper, --map, --text, and how a .dxf is written, for verbs that write patterns.
 /// @param paper_doc what --paper does there
 std::vector<Flag> pattern_flags(const std::string& paper_doc);
 

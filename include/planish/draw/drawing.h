@@ -8,6 +8,8 @@
 
 #include <planish/core/vec.h>
 #include <planish/draw/color.h>
+#include <planish/pattern/curve.h>
+#include <planish/pattern/notches.h>
 
 namespace planish {
 
@@ -18,6 +20,34 @@ struct Stroke {
   bool dashed = false;  ///< in dashes instead of solid
 };
 
+/// The strokes of a path are a notch.
+struct NotchMark {
+  Vec2 at;                           ///< on the line that is cut, millimetres
+  double angle = 0.0;                ///< into the piece: degrees, counter-clockwise from the x axis
+  double depth = 0.0;                ///< millimetres
+  double width = 0.0;                ///< of a V at the edge, of a T's bar; 0 of a slit; millimetres
+  NotchKind kind = NotchKind::slit;  ///< its form
+};
+
+/// The strokes of a path are a match mark or a drill hole.
+struct DrillMark {
+  Vec2 at;  ///< millimetres
+};
+
+/// The strokes of a path are the grain line.
+struct GrainMark {
+  Vec2 from, to;  ///< its ends, millimetres
+};
+
+/// The strokes of a path are the line along which the material is folded.
+struct FoldMark {
+  Vec2 from, to;  ///< its ends, millimetres
+};
+
+/// What a path stands for. Formats that have an entity for it write that; in all others its strokes
+/// are drawn.
+using PieceMark = std::variant<std::monostate, NotchMark, DrillMark, GrainMark, FoldMark>;
+
 /// One or more polylines as one thing: an outline, or with a fill the area inside them (even-odd).
 struct Path {
   std::vector<std::vector<Vec2>> lines;  ///< points of each polyline, millimetres
@@ -25,6 +55,8 @@ struct Path {
   std::optional<Stroke> stroke = {};     ///< none: no outline is drawn
   std::optional<Color> fill = {};        ///< none: nothing is filled
   std::size_t piece = 0;                 ///< that it belongs to, see Drawing::pieces
+  PieceMark mark = {};                   ///< what the path stands for
+  FittedLines fitted = {};               ///< what may be drawn instead of the lines
 };
 
 /// One line of UTF-8 text. `at` is the left (or middle) end of its baseline.
@@ -47,11 +79,14 @@ struct Layer {
   bool visible = true;               ///< false: written, but hidden at first
 };
 
-/// What formats that know pieces tell of one.
+/// What formats that know pieces write of one.
 struct DrawingPiece {
-  std::string name;       ///< empty: the drawing's title
-  std::string size = {};  ///< as "40"; empty: none is given
-  int quantity = 1;       ///< how many are to be cut
+  std::string name;           ///< empty: the drawing's title
+  std::string size = {};      ///< as "40"; empty: none is given
+  int quantity = 1;           ///< how many are to be cut as drawn
+  int mirrored = 0;           ///< how many more as mirror images
+  std::string material = {};  ///< that it is cut from; empty: none is given
+  std::string note = {};      ///< as "one mirrored"; empty: none is given
 };
 
 /// A sheet in millimetres: x to the right, y up, (0, 0) at the lower left. What every writer of
@@ -62,6 +97,7 @@ struct Drawing {
   std::vector<Layer> layers;         ///< the first one lies below all others
   /// The pieces on the sheet by number. One that is missing goes by the title, once, in no size.
   std::vector<DrawingPiece> pieces = {};
+  std::string date = {};  ///< for formats that have a place for it; empty: none
 };
 
 }  // namespace planish

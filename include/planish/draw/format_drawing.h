@@ -79,17 +79,34 @@ std::string_view to_string(DxfProfile profile);
 /// @throws Error unknown_name
 DxfProfile dxf_profile_named(std::string_view name);
 
+/// The dialect of a DXF file.
+enum class DxfVersion {
+  r12,    ///< AC1009, what the widest range of programs and machines reads: lines as polylines
+  r2000,  ///< AC1015: curves as arcs and splines
+};
+
+/// All versions.
+inline constexpr std::array k_dxf_versions = {DxfVersion::r12, DxfVersion::r2000};
+
+/// "r12" or "r2000".
+std::string_view to_string(DxfVersion version);
+
 /// How a drawing is written as DXF.
 struct DxfOptions {
   DxfProfile profile = DxfProfile::generic;  ///< the program that is to read it
   /// Other names for layers: name in the drawing -> name in the file. Layers with one name become
   /// one layer.
   std::map<std::string, std::string, std::less<>> layer_names = {};
-  bool stroked_text = false;  ///< letters as lines instead of TEXT
+  bool stroked_text = false;  ///< letters as lines instead of TEXT; in no profile for apparel
+  DxfVersion version = DxfVersion::r12;  ///< of the generic profile
+  /// Profiles for apparel: notches, match marks and drill holes as lines, for cutters that ignore
+  /// points.
+  bool notch_strokes = false;
 };
 
-/// The drawing as DXF R12 (AC1009) in millimetres, coordinates to 0.001 mm: what the widest range
-/// of programs and machines reads. Lines become POLYLINEs, closed where they are closed. Areas that
+/// The drawing as DXF in millimetres, coordinates to 0.001 mm. Lines become POLYLINEs, closed where
+/// they are closed, with few points where these were fitted; in R2000 outlines become LWPOLYLINEs,
+/// whose arcs are arcs, and SPLINEs. Areas that
 /// are filled and have no outline (the strain map) are left out, and so are layers without anything
 /// else; widths of lines are not kept. Colours become the nearest of AutoCAD's first nine, hidden
 /// layers stay hidden. Text becomes TEXT as high as asked; each UTF-16 unit beyond ASCII becomes
@@ -97,9 +114,11 @@ struct DxfOptions {
 /// a-z 0-9 $ - _, as R12 wants them;
 /// every other character becomes _. The same drawing gives the same bytes.
 ///
-/// The other profiles write every piece as a block and know these layers, by their names in the
-/// drawing: cut, notch, grain, internal, drill, seam and annotation. Others are left out unless
-/// layer_names names them.
+/// The other profiles write every piece as a block, in ASCII. They have numbers for these layers,
+/// by their names in the drawing: cut, notch, grain, fold, internal, drill and seam; others are
+/// left out unless layer_names names them. A path's mark becomes a POINT or a LINE, and every
+/// vertex of an outline or inner line has a POINT that says whether it is a corner:
+/// docs/formats.md.
 /// @throws Error unknown_name where layer_names names a layer that the drawing has not
 std::string format_dxf(const Drawing& drawing, const DxfOptions& options = {});
 

@@ -46,15 +46,25 @@ struct NotchSizes {
 void check_notches(std::span<const std::vector<Index>> border, std::span<const Notch> notches,
                    std::string_view piece);
 
-/// Notches as open lines: each begins at the line that is cut and runs at right angles to the seam
-/// towards it. A T has a second line, its bar.
+/// A notch where it is cut. A double one is two of them.
+struct PlacedNotch {
+  NotchKind kind = NotchKind::slit;  ///< its form
+  Vec2 at;                           ///< where it begins, on the line that is cut; millimetres
+  Vec2 inward;                       ///< its direction, at right angles to the seam; length 1
+  double depth = 0.0;                ///< millimetres
+  double width = 0.0;                ///< of a V at the edge, of a T's bar; 0 of a slit; millimetres
+  std::vector<Polygon> strokes = {};  ///< as open lines; a T has a second one, its bar
+};
+
+/// Notches begin at the line that is cut and run at right angles to the seam towards it.
 /// @param cut what offset_outline() made of the outline, or the outline's own loops
 /// @param outline with vertices where notches name any
 /// @throws Error option_out_of_range for sizes that are not above 0; misplaced_notch for places off
 ///   the border and for notches that reach through the seam, or where there is no allowance to
 ///   where the piece is not
-std::vector<Polygon> notch_lines(const PieceOutline& outline, std::span<const Polygon> cut,
-                                 std::span<const Notch> notches, const NotchSizes& sizes = {});
+std::vector<PlacedNotch> place_notches(const PieceOutline& outline, std::span<const Polygon> cut,
+                                       std::span<const Notch> notches,
+                                       const NotchSizes& sizes = {});
 
 /// A notch on both sides of a seam.
 struct SeamNotch {

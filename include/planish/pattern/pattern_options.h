@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <planish/pattern/allowance.h>
-#include <planish/pattern/grain.h>
+#include <planish/pattern/curve.h>
 #include <planish/pattern/marks.h>
 #include <planish/pattern/notches.h>
 
@@ -45,6 +45,7 @@ struct PatternOptions {
   std::vector<Mark> marks = {};                     ///< at vertices
   std::vector<InnerLine> inner_lines = {};          ///< from vertex to vertex
   PieceLabel label = {};                            ///< written inside the piece
+  LineFit curves = {};                 ///< how near curves stay to lines; tolerance 0: no curves
   std::string date = {};               ///< for the sheet's label; never taken from a clock
   std::optional<DrawnLike> like = {};  ///< of a twin: how its lines follow those of the other one
 };

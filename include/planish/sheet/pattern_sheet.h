@@ -12,8 +12,9 @@
 namespace planish {
 
 /// The layers of pattern_sheet(), in the order that they are drawn. All are always there.
-inline constexpr std::array<std::string_view, 9> k_sheet_layers = {
-    "strain", "cut", "seam", "notch", "grain", "drill", "internal", "annotation", "label"};
+inline constexpr std::array<std::string_view, 10> k_sheet_layers = {
+    "strain", "cut",      "seam",       "notch", "grain",
+    "drill",  "internal", "annotation", "label", "legend"};
 
 /// In maps of the limit used up, the colour of what is beyond. Eyes without red, green or blue
 /// cones too tell orange from all colours of ColorMap::pale, which what is within has.
@@ -24,13 +25,16 @@ inline constexpr Color k_beyond_limit = {240, 82, 10};
 /// up; neighbours of one colour joined), on top of it "cut" (the outline, or with an
 /// allowance the line around that, and the outline as "seam"), "notch", "grain", "drill" (match
 /// marks too), "internal" (inner lines) and "annotation" (the piece's own label) as the options
-/// ask, and "label" below it: name, sizes, unit, scale, a hash of the pattern, test squares of 50
-/// mm and 2 in, what the colours mean. A pattern that overlaps itself gets no allowance.
+/// ask, below it "label": name, sizes, unit, scale, a hash of the pattern, test squares of 50 mm
+/// and 2 in; and "legend", what the colours mean. A pattern that overlaps itself gets no allowance.
 /// @param patch that was unfolded
 /// @param name of the patch; that of the piece too where the options have none
-/// @throws Error as offset_outline(), notch_lines(), grain_direction() and mark_lines()
+/// @throws Error as offset_outline(), place_notches(), grain_direction() and mark_lines()
 Drawing pattern_sheet(const Patch& patch, const UnfoldReport& unfold, const std::string& name,
                       const PatternOptions& options = {});
+
+/// The sheet without the strain map and its legend, whose layers stay and are empty.
+Drawing without_map(Drawing sheet);
 
 /// The strain at which the strain map's colours end: the 99th percentile of the edges' strain,
 /// rounded up to 1, 2 or 5 times a power of ten, at least 0.1 %.

@@ -13,33 +13,32 @@ namespace planish {
 
 namespace {
 
-constexpr std::string_view k_r10 = "AC1006", k_r12 = "AC1009";
-constexpr std::string_view k_aama = "ANSI/AAMA VERSION: 292", k_astm = "ASTM VERSION: D6673";
-
 constexpr std::array<DxfDialect, k_dxf_profiles.size()> k_dialects = {{
-    {DxfProfile::generic, "generic", k_r12, false, {}},
-    {DxfProfile::aama, "aama", k_r12, true, k_aama},
-    {DxfProfile::astm, "astm", k_r12, true, k_astm},
-    {DxfProfile::clo, "clo", k_r10, true, k_aama},
-    {DxfProfile::lectra, "lectra", k_r12, true, k_aama},
-    {DxfProfile::optitex, "optitex", k_r12, true, k_astm},
-    {DxfProfile::gerber, "gerber", k_r12, true, k_astm},
+    {DxfProfile::generic, "generic", DxfFamily::none},
+    {DxfProfile::aama, "aama", DxfFamily::aama},
+    {DxfProfile::astm, "astm", DxfFamily::astm},
+    {DxfProfile::clo, "clo", DxfFamily::aama, "AC1006", true},
+    {DxfProfile::lectra, "lectra", DxfFamily::aama},
+    {DxfProfile::optitex, "optitex", DxfFamily::astm},
+    {DxfProfile::gerber, "gerber", DxfFamily::astm, {}, false, "Fabric"},
 }};
 
 // Our names for what the layers of apparel CAD are for.
 constexpr std::pair<std::string_view, std::string_view> k_numbers[] = {
-    {"cut", k_boundary_layer}, {"notch", "4"}, {"grain", "7"},       {"internal", "8"},
-    {"drill", "13"},           {"seam", "14"}, {"annotation", "15"},
+    {"cut", k_boundary_layer}, {"notch", "4"},  {"fold", "6"},  {"grain", "7"},
+    {"internal", "8"},         {"drill", "13"}, {"seam", "14"},
 };
 
-std::optional<std::string> number_of(const std::string& layer) {
+std::optional<std::string> number_of(std::string_view layer) {
   const auto* const found = std::find_if(std::begin(k_numbers), std::end(k_numbers),
                                          [&](const auto& entry) { return entry.first == layer; });
   if (found == std::end(k_numbers)) return std::nullopt;
   return std::string(found->second);
 }
 
-void check_names(const Drawing& drawing, const DxfOptions& options) {
+}  // namespace
+
+void check_layer_names(const Drawing& drawing, const DxfOptions& options) {
   for (const auto& [name, other] : options.layer_names) {
     const auto is_it = [&, &wanted = name](const Layer& layer) { return layer.name == wanted; };
     if (std::any_of(drawing.layers.begin(), drawing.layers.end(), is_it)) continue;
@@ -50,8 +49,6 @@ void check_names(const Drawing& drawing, const DxfOptions& options) {
                 "the drawing has no layer called '" + name + "'; there are " + known);
   }
 }
-
-}  // namespace
 
 const DxfDialect& dialect_of(DxfProfile profile) {
   return k_dialects[static_cast<std::size_t>(profile)];
@@ -71,21 +68,15 @@ DxfProfile dxf_profile_named(std::string_view name) {
               "no profile is called '" + std::string(name) + "'; there are " + known);
 }
 
-std::vector<std::optional<std::string>> dxf_layer_names(const Drawing& drawing,
-                                                        const DxfOptions& options) {
-  check_names(drawing, options);
-  const bool by_number = dialect_of(options.profile).has_pieces;
-  std::vector<std::optional<std::string>> names;
-  names.reserve(drawing.layers.size());
-  for (const Layer& layer : drawing.layers) {
-    const auto renamed = options.layer_names.find(layer.name);
-    if (renamed != options.layer_names.end()) {
-      names.emplace_back(dxf_name(renamed->second));
-    } else {
-      names.push_back(by_number ? number_of(layer.name) : dxf_name(layer.name));
-    }
-  }
-  return names;
+std::string_view to_string(DxfVersion version) {
+  return version == DxfVersion::r12 ? "r12" : "r2000";
+}
+
+std::optional<std::string> dxf_layer_name(std::string_view layer, const DxfOptions& options) {
+  const auto renamed = options.layer_names.find(layer);
+  if (renamed != options.layer_names.end()) return dxf_name(renamed->second);
+  if (dialect_of(options.profile).family != DxfFamily::none) return number_of(layer);
+  return dxf_name(layer);
 }
 
 }  // namespace planish

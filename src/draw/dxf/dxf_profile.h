@@ -9,24 +9,32 @@
 
 namespace planish {
 
-/// What tells one profile from another.
+/// Which standard of apparel programs a file follows.
+enum class DxfFamily {
+  none,
+  aama,  ///< ANSI/AAMA-292
+  astm,  ///< ASTM D6673
+};
+
+/// How the profiles differ.
 struct DxfDialect {
   DxfProfile profile;
   std::string_view name;
-  std::string_view version;  ///< $ACADVER
-  bool has_pieces;           ///< blocks, numbered layers and the texts of apparel CAD
-  std::string_view norm;     ///< that the style's text names; empty for none
+  DxfFamily family;
+  std::string_view version = {};  ///< $ACADVER of a file with pieces; empty: its header is empty
+  bool in_capitals = false;       ///< the keys of texts
+  std::string_view material = "Material";  ///< the key of what a piece is cut from
 };
 
 const DxfDialect& dialect_of(DxfProfile profile);
 
 /// Layers of apparel CAD by number.
 inline constexpr std::string_view k_boundary_layer = "1";
-inline constexpr std::string_view k_cutout_layer = "11";
 
-/// For each layer of the drawing its name in the file; nothing for those to be left out.
+/// The name in the file of a layer of the drawing; nothing if it is left out.
+std::optional<std::string> dxf_layer_name(std::string_view layer, const DxfOptions& options);
+
 /// @throws Error unknown_name where the options name a layer that the drawing has not
-std::vector<std::optional<std::string>> dxf_layer_names(const Drawing& drawing,
-                                                        const DxfOptions& options);
+void check_layer_names(const Drawing& drawing, const DxfOptions& options);
 
 }  // namespace planish

@@ -47,6 +47,48 @@ void DxfTags::add_point(int code, Vec2 place) {
   add_real(code + 20, 0.0);
 }
 
+void DxfTags::begin_section(std::string_view name) {
+  add(0, "SECTION");
+  add(2, name);
+}
+
+void DxfTags::end_section() {
+  add(0, "ENDSEC");
+}
+
+void DxfTags::add_point_entity(std::string_view layer, Vec2 place, double height) {
+  add(0, "POINT");
+  add(8, layer);
+  add_real(10, place.x);
+  add_real(20, place.y);
+  add_real(30, height);
+}
+
+void DxfTags::add_text(std::string_view layer, Vec2 at, double height, std::string_view text) {
+  add(0, "TEXT");
+  add(8, layer);
+  add_point(10, at);
+  add_real(40, height);
+  add(1, dxf_text(text));
+}
+
+void DxfTags::add_polyline(std::string_view layer, std::span<const Vec2> places, bool closed,
+                           const DxfTags& looks) {
+  add(0, "POLYLINE");
+  add(8, layer);
+  append(looks);
+  add(66, 1);  // vertices follow
+  add_point(10, {});
+  add(70, closed ? 1 : 0);
+  for (const Vec2 place : places) {
+    add(0, "VERTEX");
+    add(8, layer);
+    add_point(10, place);
+  }
+  add(0, "SEQEND");
+  add(8, layer);
+}
+
 std::string dxf_text(std::string_view text) {
   const std::u32string points = code_points(text);
   std::string escaped;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,17 @@ class DxfTags {
   void add_real(int code, double value);
   /// A point with z = 0, the codes `code`, `code` + 10 and `code` + 20.
   void add_point(int code, Vec2 place);
+
+  void begin_section(std::string_view name);
+  void end_section();
+  /// A POINT; `height` is its z coordinate.
+  void add_point_entity(std::string_view layer, Vec2 place, double height = 0.0);
+  /// A TEXT whose line begins at the place.
+  void add_text(std::string_view layer, Vec2 at, double height, std::string_view text);
+  /// A POLYLINE with its VERTEX entities and SEQEND.
+  /// @param looks tags of colour and line type
+  void add_polyline(std::string_view layer, std::span<const Vec2> places, bool closed,
+                    const DxfTags& looks);
 
   void append(const DxfTags& other) { text_ += other.text_; }
   bool is_empty() const { return text_.empty(); }

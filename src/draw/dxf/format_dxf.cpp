@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <cstddef>
-#include <set>
 #include <utility>
+#include <vector>
 
 #include <planish/draw/format_drawing.h>
 
+#include "draw/dxf/apparel_dxf.h"
 #include "draw/dxf/dxf_entities.h"
 #include "draw/dxf/dxf_profile.h"
+#include "draw/dxf/dxf_r2000.h"
 #include "draw/dxf/dxf_tags.h"
 #include "draw/text/stroke_text.h"
 
@@ -15,24 +17,13 @@ namespace planish {
 namespace {
 
 constexpr int k_millimetres = 4;       // as $INSUNITS counts units
-constexpr double k_note_height = 3.0;  // of the texts that apparel CAD reads
+constexpr double k_text_height = 3.0;  // that programs begin with
 
 DxfEntities entities_of(const Drawing& drawing, const DxfOptions& options) {
-  const auto names = dxf_layer_names(drawing, options);
-  DxfEntities entities(dialect_of(options.profile).has_pieces);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i]) entities.add(drawing.layers[i], *names[i]);
-  }
+  DxfEntities entities;
+  for (const Layer& layer : drawing.layers)
+    entities.add(layer, *dxf_layer_name(layer.name, options));
   return entities;
-}
-
-void begin_section(DxfTags& tags, std::string_view name) {
-  tags.add(0, "SECTION");
-  tags.add(2, name);
-}
-
-void end_section(DxfTags& tags) {
-  tags.add(0, "ENDSEC");
 }
 
 void add_corner(DxfTags& tags, std::string_view variable, Vec2 corner) {
@@ -41,13 +32,12 @@ void add_corner(DxfTags& tags, std::string_view variable, Vec2 corner) {
   tags.add_real(20, corner.y);
 }
 
-void add_header(DxfTags& tags, const Drawing& drawing, const DxfEntities& entities,
-                const DxfDialect& dialect) {
+void add_header(DxfTags& tags, const Drawing& drawing, const DxfEntities& entities) {
   const Vec2 sheet = {drawing.width, drawing.height};
   const auto box = entities.box().value_or(std::pair{Vec2{}, sheet});
-  begin_section(tags, "HEADER");
+  tags.begin_section("HEADER");
   tags.add(9, "$ACADVER");
-  tags.add(1, dialect.version);
+  tags.add(1, "AC1009");
   tags.add(9, "$INSUNITS");
   tags.add(70, k_millimetres);
   tags.add(9, "$MEASUREMENT");
@@ -56,7 +46,7 @@ void add_header(DxfTags& tags, const Drawing& drawing, const DxfEntities& entiti
   add_corner(tags, "$EXTMAX", box.second);
   add_corner(tags, "$LIMMIN", {});
   add_corner(tags, "$LIMMAX", sheet);
-  end_section(tags);
+  tags.end_section();
 }
 
 void begin_table(DxfTags& tags, std::string_view name, std::size_t entries) {
@@ -82,28 +72,22 @@ void add_line_type(DxfTags& tags, std::string_view name, std::string_view pictur
     tags.add_real(49, dash);
 }
 
-// The layers that there are, and those that are there whatever is drawn.
-std::vector<DxfLayer> table_of(const DxfEntities& entities, bool numbered) {
+// The layers that there are, and layer 0, which every file has.
+std::vector<DxfLayer> table_of(const DxfEntities& entities) {
   std::vector<DxfLayer> layers = entities.layers();
-  const auto require = [&](std::string_view name) {
-    const auto is_it = [&](const DxfLayer& layer) { return layer.name == name; };
-    if (std::none_of(layers.begin(), layers.end(), is_it)) {
-      layers.insert(layers.begin(), DxfLayer{std::string(name), 7, true});
-    }
-  };
-  if (numbered) require(k_boundary_layer);
-  require("0");
+  const auto is_it = [](const DxfLayer& layer) { return layer.name == "0"; };
+  if (std::none_of(layers.begin(), layers.end(), is_it)) layers.insert(layers.begin(), {"0"});
   return layers;
 }
 
-void add_tables(DxfTags& tags, const DxfEntities& entities, bool numbered) {
-  begin_section(tags, "TABLES");
+void add_tables(DxfTags& tags, const DxfEntities& entities) {
+  tags.begin_section("TABLES");
   begin_table(tags, "LTYPE", 2);
   add_line_type(tags, "CONTINUOUS", "Solid line", {});
   add_line_type(tags, "DASHED", "__ __ __ __", {3.0, -1.5});
   tags.add(0, "ENDTAB");
 
-  const std::vector<DxfLayer> layers = table_of(entities, numbered);
+  const std::vector<DxfLayer> layers = table_of(entities);
   begin_table(tags, "LAYER", layers.size());
   for (const DxfLayer& layer : layers) {
     tags.add(0, "LAYER");
@@ -122,117 +106,34 @@ void add_tables(DxfTags& tags, const DxfEntities& entities, bool numbered) {
   tags.add_real(41, 1.0);
   tags.add_real(50, 0.0);
   tags.add(71, 0);
-  tags.add_real(42, k_note_height);
+  tags.add_real(42, k_text_height);
   tags.add(3, "txt");
   tags.add(4, "");
   tags.add(0, "ENDTAB");
-  end_section(tags);
+  tags.end_section();
 }
 
-struct Piece {
-  std::size_t number;
-  DrawingPiece facts;
-  std::string block;  // different for every piece
-};
-
-std::string size_of(const DrawingPiece& piece) {
-  return piece.size.empty() ? "ONE" : piece.size;
-}
-
-std::vector<Piece> pieces_of(const Drawing& drawing, const DxfEntities& entities) {
-  std::vector<Piece> pieces;
-  std::set<std::string> taken;
-  for (const auto& [number, tags] : entities.pieces()) {
-    DrawingPiece facts;
-    if (number < drawing.pieces.size()) facts = drawing.pieces[number];
-    if (facts.name.empty()) facts.name = drawing.title;
-    std::string block = dxf_name(facts.name);
-    for (int copy = 2; !taken.insert(block).second; ++copy) {
-      const std::string end = "_" + std::to_string(copy);
-      block = dxf_name(facts.name);
-      block = block.substr(0, 31 - end.size()) + end;
-    }
-    pieces.push_back({number, std::move(facts), std::move(block)});
-  }
-  return pieces;
-}
-
-void add_note(DxfTags& tags, Vec2 at, const std::string& text) {
-  tags.add(0, "TEXT");
-  tags.add(8, k_boundary_layer);
-  tags.add_point(10, at);
-  tags.add_real(40, k_note_height);
-  tags.add(1, dxf_text(text));
-}
-
-// Notes under each other, from a corner upwards.
-void add_notes(DxfTags& tags, Vec2 at, const std::vector<std::string>& notes) {
-  for (std::size_t i = 0; i < notes.size(); ++i) {
-    const auto above = static_cast<double>(notes.size() - 1 - i);
-    add_note(tags, {at.x, at.y + 2.0 * k_note_height * above}, notes[i]);
-  }
-}
-
-void add_blocks(DxfTags& tags, const std::vector<Piece>& pieces, const DxfEntities& entities) {
-  begin_section(tags, "BLOCKS");
-  for (const Piece& piece : pieces) {
-    tags.add(0, "BLOCK");
-    tags.add(8, k_boundary_layer);
-    tags.add(2, piece.block);
-    tags.add(70, 0);
-    tags.add_point(10, {});
-    tags.add(3, piece.block);
-    const auto box = entities.box_of(piece.number).value_or(std::pair<Vec2, Vec2>{});
-    const Vec2 middle = 0.5 * (box.first + box.second);
-    add_notes(tags, middle,
-              {"PIECE NAME: " + piece.facts.name, "SIZE: " + size_of(piece.facts),
-               "QUANTITY: " + std::to_string(piece.facts.quantity)});
-    tags.append(entities.pieces().at(piece.number));
-    tags.add(0, "ENDBLK");
-    tags.add(8, k_boundary_layer);
-  }
-  end_section(tags);
-}
-
-void add_inserts(DxfTags& tags, const std::vector<Piece>& pieces) {
-  for (const Piece& piece : pieces) {
-    tags.add(0, "INSERT");
-    tags.add(8, k_boundary_layer);
-    tags.add(2, piece.block);
-    tags.add_point(10, {});
-  }
-}
-
-std::vector<std::string> style_notes(const Drawing& drawing, const DxfDialect& dialect) {
-  return {
-      std::string(dialect.norm), "STYLE NAME: " + drawing.title, "AUTHOR: PLANISH",
-      "SAMPLE SIZE: " + size_of(drawing.pieces.empty() ? DrawingPiece{} : drawing.pieces.front()),
-      "UNITS: METRIC"};
+std::string format_r12(const Drawing& drawing, const DxfOptions& options) {
+  const DxfEntities entities =
+      entities_of(options.stroked_text ? with_stroked_text(drawing) : drawing, options);
+  DxfTags tags;
+  add_header(tags, drawing, entities);
+  add_tables(tags, entities);
+  tags.begin_section("ENTITIES");
+  tags.append(entities.tags());
+  tags.end_section();
+  tags.add(0, "EOF");
+  return tags.text();
 }
 
 }  // namespace
 
 std::string format_dxf(const Drawing& drawing, const DxfOptions& options) {
-  const DxfDialect& dialect = dialect_of(options.profile);
-  const DxfEntities entities =
-      entities_of(options.stroked_text ? with_stroked_text(drawing) : drawing, options);
-  DxfTags tags;
-  add_header(tags, drawing, entities, dialect);
-  add_tables(tags, entities, dialect.has_pieces);
-  if (dialect.has_pieces) {
-    const std::vector<Piece> pieces = pieces_of(drawing, entities);
-    add_blocks(tags, pieces, entities);
-    begin_section(tags, "ENTITIES");
-    add_notes(tags, {}, style_notes(drawing, dialect));
-    add_inserts(tags, pieces);
-  } else {
-    begin_section(tags, "ENTITIES");
-    for (const auto& [piece, shapes] : entities.pieces())
-      tags.append(shapes);
-  }
-  end_section(tags);
-  tags.add(0, "EOF");
-  return tags.text();
+  check_layer_names(drawing, options);
+  if (dialect_of(options.profile).family != DxfFamily::none)
+    return format_apparel_dxf(drawing, options);
+  return options.version == DxfVersion::r12 ? format_r12(drawing, options)
+                                            : format_dxf_r2000(drawing, options);
 }
 
 }  // namespace planish

@@ -7,6 +7,7 @@
 #include "draw/pdf/pdf_text.h"
 #include "draw/text/stroke_text.h"
 #include "draw/whole_steps.h"
+#include "pattern/curves/piece_math.h"
 
 namespace planish {
 
@@ -86,8 +87,12 @@ void PdfContent::add(const Path& path) {
     }
     text_ += "] 0 d\n";
   }
-  for (const auto& line : path.lines)
-    add_line(line, path.closed);
+  if (path.fitted.curves.empty()) {
+    for (const auto& line : path.lines)
+      add_line(line, path.closed);
+  }
+  for (const Curve& curve : path.fitted.curves)
+    add_curve(curve);
   text_ += painting(path);
 }
 
@@ -98,6 +103,29 @@ void PdfContent::add_line(std::span<const Vec2> line, bool closed) {
     begun = true;
   }
   if (begun && closed) text_ += "h\n";
+}
+
+void PdfContent::add_curve(const Curve& curve) {
+  if (curve.pieces.empty()) return;
+  const auto add_cubic = [this](const CubicTo& cubic) {
+    const auto& [first, second, end] = cubic;
+    numbers({first.x, first.y, second.x, second.y, end.x, end.y}, "c");
+  };
+  numbers({curve.start.x, curve.start.y}, "m");
+  Vec2 from = curve.start;
+  for (const CurvePiece& piece : curve.pieces) {
+    const Vec2 end = end_of(piece);
+    if (const auto* cubic = std::get_if<CubicTo>(&piece)) {
+      add_cubic(*cubic);
+    } else if (const auto* arc = std::get_if<ArcTo>(&piece)) {
+      for (const CubicTo& part : cubics_along(from, *arc))
+        add_cubic(part);
+    } else {
+      numbers({end.x, end.y}, "l");
+    }
+    from = end;
+  }
+  text_ += "h\n";
 }
 
 void PdfContent::add(const Text& text) {

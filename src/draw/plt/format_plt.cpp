@@ -40,7 +40,7 @@ std::string lines_of(const Layer& layer) {
   for (const DrawingShape& shape : layer.shapes) {
     const auto* path = std::get_if<Path>(&shape);
     if (path == nullptr || !path->stroke) continue;
-    for (const auto& line : path->lines)
+    for (const auto& line : path->fitted.few.empty() ? path->lines : path->fitted.few)
       append_line(plt, whole_steps(line, k_units, path->closed), path->closed);
   }
   return plt;

@@ -1,10 +1,13 @@
 #include <cmath>
+#include <initializer_list>
+#include <numbers>
 
 #include <planish/draw/format_drawing.h>
 
 #include "core/number_text.h"
 #include "draw/svg/svg_layers.h"
 #include "draw/text/markup_text.h"
+#include "pattern/curves/piece_math.h"
 
 namespace planish {
 
@@ -53,8 +56,12 @@ class SvgLayers {
 
   void add(const Path& path) {
     svg_ += "<path d=\"";
-    for (const auto& line : path.lines)
-      add_line(line, path.closed);
+    if (path.fitted.curves.empty()) {
+      for (const auto& line : path.lines)
+        add_line(line, path.closed);
+    }
+    for (const Curve& curve : path.fitted.curves)
+      add_curve(curve);
     svg_ += "\" fill=\"";
     svg_ += path.fill ? hex_text(*path.fill) : "none";
     svg_ += '"';
@@ -83,6 +90,41 @@ class SvgLayers {
       last = place;
     }
     if (begun && closed) svg_ += 'z';
+  }
+
+  void add_places(char command, std::initializer_list<Vec2> points) {
+    svg_ += command;
+    for (const Vec2 point : points) {
+      if (svg_.back() != command) svg_ += ' ';
+      append_place(svg_, place_of(point));
+    }
+  }
+
+  void add_arc(Vec2 start, const ArcTo& arc) {
+    const Circle circle = circle_of(start, arc);
+    svg_ += 'A';
+    append_place(svg_, {k_steps * circle.radius, k_steps * circle.radius});
+    svg_ += std::abs(circle.angle) > std::numbers::pi ? " 0 1 " : " 0 0 ";
+    // The y axis is turned over: what turns left on the sheet turns right here.
+    svg_ += circle.angle > 0.0 ? "0 " : "1 ";
+    append_place(svg_, place_of(arc.end));
+  }
+
+  void add_curve(const Curve& curve) {
+    if (curve.pieces.empty()) return;
+    add_places('M', {curve.start});
+    Vec2 from = curve.start;
+    for (const CurvePiece& piece : curve.pieces) {
+      if (const auto* cubic = std::get_if<CubicTo>(&piece)) {
+        add_places('C', {cubic->first, cubic->second, cubic->end});
+      } else if (const auto* arc = std::get_if<ArcTo>(&piece)) {
+        add_arc(from, *arc);
+      } else {
+        add_places('L', {end_of(piece)});
+      }
+      from = end_of(piece);
+    }
+    svg_ += 'z';
   }
 
   void add_stroke(const Stroke& stroke) {

@@ -44,7 +44,7 @@ PatternPicture pattern_picture(const Drawing& sheet, const Layer& directions,
       box = box_of(layer);
       layers.push_back(directions);
     }
-    if (layer.name != "label") layers.push_back(layer);
+    if (layer.name != "label" && layer.name != "legend") layers.push_back(layer);
   }
   const double width = box.right - box.left, height = box.top - box.bottom;
   const double pad = 0.012 * std::max(width, height);

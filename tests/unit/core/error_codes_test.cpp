@@ -11,7 +11,7 @@
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/shapes.h>
 #include <planish/pattern/allowance.h>
-#include <planish/pattern/grain.h>
+#include <planish/pattern/marks.h>
 #include <planish/pattern/nest.h>
 #include <planish/pattern/notches.h>
 #include <planish/unfold/unfold.h>
@@ -143,7 +143,7 @@ const std::map<Code, Reproduction>& reproductions() {
       {Code::misplaced_notch,
        [] {
          const PieceOutline piece = square_piece(100);
-         notch_lines(piece, piece.loops, std::vector<Notch>{{1.5}}, {});
+         place_notches(piece, piece.loops, std::vector<Notch>{{1.5}}, {});
        }},
       {Code::no_grain_direction,
        [] {

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include <planish/core/error.h>
-#include <planish/pattern/grain.h>
+#include <planish/pattern/marks.h>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,6 @@
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include <planish/core/error.h>
 #include <planish/pattern/allowance.h>
@@ -21,6 +23,15 @@ void expect_line(const Polygon& line, const Polygon& expected) {
   ASSERT_EQ(line.size(), expected.size());
   for (std::size_t i = 0; i < line.size(); ++i)
     EXPECT_NEAR(norm(line[i] - expected[i]), 0.0, 1e-4) << i;
+}
+
+/// The strokes of all notches.
+std::vector<Polygon> notch_lines(const PieceOutline& outline, std::span<const Polygon> cut,
+                                 std::span<const Notch> notches, const NotchSizes& sizes = {}) {
+  std::vector<Polygon> lines;
+  for (const PlacedNotch& notch : place_notches(outline, cut, notches, sizes))
+    lines.insert(lines.end(), notch.strokes.begin(), notch.strokes.end());
+  return lines;
 }
 
 Error error_of(const PieceOutline& outline, std::span<const Polygon> cut, const Notch& notch,
@@ -72,6 +83,20 @@ TEST(Notches, ComeInPairsAlongTheSeam) {
   ASSERT_EQ(lines.size(), 2U);
   expect_line(lines[0], {{26, 0}, {26, 3}});
   expect_line(lines[1], {{34, 0}, {34, 3}});
+}
+
+TEST(Notches, SayWhereTheyBeginAndInWhichDirectionTheyRun) {
+  const PieceOutline outline = panel();
+  const auto cut = offset_outline(outline, {.width = 10.0});
+  const std::vector<Notch> notches{{0.1, NotchKind::slit}, {0.4, NotchKind::t, true}};
+  const auto placed = place_notches(outline, cut, notches, {.depth = 4.0, .width = 3.0});
+  ASSERT_EQ(placed.size(), 3U);
+  expect_line({placed[0].at, placed[0].inward}, {{30, -10}, {0, 1}});
+  EXPECT_EQ(placed[0].depth, 4.0);
+  EXPECT_EQ(placed[0].width, 0.0) << "a slit has none";
+  expect_line({placed[1].at, placed[1].inward}, {{110, 17}, {-1, 0}});
+  expect_line({placed[2].at, placed[2].inward}, {{110, 23}, {-1, 0}});
+  EXPECT_EQ(placed[1].width, 3.0);
 }
 
 TEST(Notches, AreNotTurnedByJags) {

@@ -110,7 +110,7 @@ TEST(Annotations, HasItsLayers) {
                                     .marks = {{6}, {18, MarkKind::drill}},
                                     .label = {"front", "42", 2, "neoprene", "one mirrored"}});
   EXPECT_EQ(layer(sheet, "notch").shapes.size(), 2U);
-  EXPECT_EQ(layer(sheet, "drill").shapes.size(), 3U);
+  EXPECT_EQ(layer(sheet, "drill").shapes.size(), 2U);
   EXPECT_THAT(texts(sheet, "annotation"),
               ElementsAre("front", "size 42", "cut 2 ×", "neoprene", "one mirrored"));
   const Path& grain = path(sheet, "grain");
@@ -157,8 +157,8 @@ TEST(Annotations, ReachesApparelProgramsByItsNumbers) {
                                     .marks = {{12}},
                                     .label = {"front", "42", 2}});
   const std::string dxf = format_dxf(sheet, {.profile = DxfProfile::aama});
-  for (const char* text : {"PIECE NAME: front", "SIZE: 42", "QUANTITY: 2", "SAMPLE SIZE: 42",
-                           "\n8\n14\n", "\n8\n4\n", "\n8\n7\n", "\n8\n13\n", "\n8\n15\n"})
+  for (const char* text : {"Piece Name: front", "Size: 42", "Quantity: 2", "Sample Size: 42",
+                           "POLYLINE\n8\n14\n", "POINT\n8\n4\n", "LINE\n8\n7\n", "POINT\n8\n13\n"})
     EXPECT_THAT(dxf, HasSubstr(text));
 }
 

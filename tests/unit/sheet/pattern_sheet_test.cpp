@@ -133,12 +133,18 @@ TEST(PatternSheet, StatesNameSizeUnitAndTheEndsOfTheColours) {
   UnfoldReport unfold = samples::plane_below(mesh, 4.0, 3.0);
   unfold.unit = Unit::in;
   unfold.strain.p99 = 0.031;
-  const auto texts = texts_of(layer(pattern_sheet(Patch(mesh), unfold, "collar"), "label"));
+  const Drawing sheet = pattern_sheet(Patch(mesh), unfold, "collar");
+  const auto texts = texts_of(layer(sheet, "label")), legend = texts_of(layer(sheet, "legend"));
   EXPECT_THAT(texts, Contains("collar"));
   EXPECT_THAT(texts, Contains("101.6 × 76.2 mm"));
   EXPECT_THAT(texts, Contains("model unit: in (1 in = 25.4 mm)"));
-  EXPECT_THAT(texts, Contains("−5 %"));
-  EXPECT_THAT(texts, Contains("+5 %"));
+  EXPECT_THAT(legend, Contains("−5 %"));
+  EXPECT_THAT(legend, Contains("+5 %"));
+  const Drawing plain = without_map(sheet);
+  EXPECT_EQ(plain.layers.size(), sheet.layers.size());
+  EXPECT_TRUE(layer(plain, "strain").shapes.empty());
+  EXPECT_TRUE(layer(plain, "legend").shapes.empty());
+  EXPECT_EQ(texts_of(layer(plain, "label")), texts);
 }
 
 TEST(PatternSheet, WarnsOfAPatternThatIsNotToBeCut) {

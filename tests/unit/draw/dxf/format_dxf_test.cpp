@@ -1,7 +1,4 @@
-#include <algorithm>
 #include <limits>
-#include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -12,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "draw/dxf/dxf_tags.h"
+#include "unit/draw/dxf/read_dxf.h"
 
 namespace planish {
 namespace {
@@ -22,45 +20,6 @@ using testing::HasSubstr;
 using testing::Not;
 
 constexpr Color k_red = {255, 0, 0}, k_blue = {10, 0, 240};
-
-// A tag as text, and all that belongs to one "0".
-struct Tag {
-  int code;
-  std::string value;
-};
-using Entity = std::vector<Tag>;
-
-std::vector<Entity> read(const std::string& dxf) {
-  std::vector<Entity> entities;
-  std::istringstream lines(dxf);
-  for (std::string code, value; std::getline(lines, code) && std::getline(lines, value);) {
-    if (code == "0") entities.emplace_back();
-    entities.back().push_back({std::stoi(code), value});
-  }
-  return entities;
-}
-
-std::string value_of(const Entity& entity, int code) {
-  const auto found =
-      std::find_if(entity.begin(), entity.end(), [&](const Tag& tag) { return tag.code == code; });
-  return found == entity.end() ? "" : found->value;
-}
-
-std::vector<Entity> all_of_kind(const std::string& dxf, const std::string& kind) {
-  std::vector<Entity> found;
-  for (const Entity& entity : read(dxf)) {
-    if (entity.front().value == kind) found.push_back(entity);
-  }
-  return found;
-}
-
-std::vector<std::string> values(const std::vector<Entity>& entities, int code) {
-  std::vector<std::string> found;
-  found.reserve(entities.size());
-  for (const Entity& entity : entities)
-    found.push_back(value_of(entity, code));
-  return found;
-}
 
 Path triangle(Color color) {
   return {{{{0, 0}, {10, 0}, {10, 5.01249}, {0, 0}}}, true, Stroke{color}};
@@ -85,6 +44,13 @@ TEST(WriteDxf, BeginsWithVersionUnitsAndExtents) {
   EXPECT_THAT(dxf, HasSubstr("$EXTMAX\n10\n10.0\n20\n5.012\n"));
   EXPECT_THAT(dxf, HasSubstr("$LIMMAX\n10\n100.0\n20\n50.0\n"));
   EXPECT_TRUE(dxf.ends_with("0\nENDSEC\n0\nEOF\n"));
+}
+
+TEST(WriteDxf, DrawsOutlinesWithFewPointsWhereTheseWereFitted) {
+  Path path = triangle(k_red);
+  path.fitted.few = {{{0, 0}, {10, 0}, {10, 5}}};
+  const std::string dxf = format_dxf({"t", 20.0, 20.0, {Layer{"cut", {path}}}});
+  EXPECT_THAT(values(all_of_kind(dxf, "VERTEX"), 20), ElementsAre("0.0", "0.0", "5.0"));
 }
 
 TEST(WriteDxf, WritesOldPolylinesThatAreClosedWhereTheLinesAre) {
@@ -150,42 +116,6 @@ TEST(WriteDxf, RefusesToRenameALayerThatIsNotThere) {
     EXPECT_EQ(error.code(), ErrorCode::unknown_name);
     EXPECT_THAT(error.what(), HasSubstr("'cutt'; there are cut, my notes, label"));
   }
-}
-
-TEST(WriteDxf, GivesApparelProgramsABlockPerPieceWithNumberedLayers) {
-  Path second = triangle(k_red);
-  second.piece = 1;
-  Path holed = triangle(k_red);
-  holed.lines.insert(holed.lines.begin(), {{8, 1}, {9, 1}, {9, 2}});
-  const Drawing drawing = {"Größe 38",
-                           100.0,
-                           50.0,
-                           {Layer{"cut", {holed, second}}, Layer{"seam", {triangle(k_blue)}},
-                            Layer{"label", {triangle(k_red)}}},
-                           {DrawingPiece{""}, DrawingPiece{"back"}}};
-  for (const DxfProfile profile : k_dxf_profiles) {
-    if (profile == DxfProfile::generic) continue;
-    const std::string dxf = format_dxf(drawing, {.profile = profile});
-    EXPECT_THAT(values(all_of_kind(dxf, "BLOCK"), 2), ElementsAre("Gr__e_38", "back"));
-    EXPECT_THAT(values(all_of_kind(dxf, "INSERT"), 2), ElementsAre("Gr__e_38", "back"));
-    EXPECT_THAT(values(all_of_kind(dxf, "POLYLINE"), 8), ElementsAre("11", "1", "14", "1"));
-    EXPECT_THAT(dxf, HasSubstr("PIECE NAME: back"));
-    EXPECT_THAT(dxf, HasSubstr("UNITS: METRIC"));
-    EXPECT_GT(dxf.find("INSERT"), dxf.find("ENTITIES"));
-    EXPECT_LT(dxf.rfind("POLYLINE"), dxf.find("ENTITIES")) << "all lines are in blocks";
-    const bool is_r10 = dxf.find("AC1006") != std::string::npos;
-    EXPECT_EQ(is_r10, profile == DxfProfile::clo);
-  }
-}
-
-TEST(WriteDxf, GivesEveryBlockANameOfItsOwn) {
-  Path second = triangle(k_red);
-  second.piece = 5;
-  const Drawing drawing = {
-      std::string(40, 'x'), 1.0, 1.0, {Layer{"cut", {triangle(k_red), second}}}};
-  const auto names =
-      values(all_of_kind(format_dxf(drawing, {.profile = DxfProfile::astm}), "BLOCK"), 2);
-  EXPECT_THAT(names, ElementsAre(std::string(31, 'x'), std::string(29, 'x') + "_2"));
 }
 
 TEST(DxfProfiles, AreKnownByTheirNames) {

@@ -1,4 +1,4 @@
-#include "pattern/border_walk.h"
+#include "pattern/polygon/border_walk.h"
 
 #include <gtest/gtest.h>
 

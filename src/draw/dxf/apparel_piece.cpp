@@ -1,0 +1,124 @@
+#include "draw/dxf/apparel_piece.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "core/math.h"
+#include "draw/dxf/dxf_places.h"
+#include "draw/dxf/dxf_profile.h"
+
+namespace planish {
+
+namespace {
+
+// Layers by number, as in both standards; from 80 on in ASTM D6673 only.
+constexpr std::string_view k_turn_point = "2", k_curve_point = "3", k_grade_reference = "5",
+                           k_fold = "6", k_cutout = "11", k_t_notch = "80";
+
+/// From this turn on a vertex is a turn point. Of points that apparel programs call curve points,
+/// 95 % turn by less than 19 degrees.
+constexpr double k_least_turn = 22.5 * std::numbers::pi / 180.0;
+
+/// Where the vertices of an outline in full number go.
+std::string_view dense_layer(std::string_view number) {
+  if (number == "1") return "84";
+  if (number == "8") return "85";
+  return number == "14" ? "87" : std::string_view();
+}
+
+bool is_turn(Vec2 before, Vec2 at, Vec2 after) {
+  const Vec2 in = at - before, out = after - at;
+  return std::abs(math::atan2(cross(in, out), dot(in, out))) >= k_least_turn;
+}
+
+}  // namespace
+
+ApparelPiece::ApparelPiece(const DxfOptions& options)
+    : options_(options), is_astm_(dialect_of(options.profile).family == DxfFamily::astm) {}
+
+void ApparelPiece::add(const Layer& layer, const Path& path) {
+  const auto number = dxf_layer_name(layer.name, options_);
+  if (!number || !path.stroke) return;
+  if (options_.notch_strokes && !std::holds_alternative<GrainMark>(path.mark)) {
+    // As strokes below.
+  } else if (const auto* notch = std::get_if<NotchMark>(&path.mark)) {
+    return add_notch(*number, *notch);
+  } else if (const auto* drill = std::get_if<DrillMark>(&path.mark)) {
+    return tags_.add_point_entity(*number, drill->at);
+  }
+  if (const auto* grain = std::get_if<GrainMark>(&path.mark)) {
+    add_straight(*number, grain->from, grain->to);
+    // What pieces of other sizes are turned by.
+    add_straight(std::string(k_grade_reference), grain->from, grain->to);
+  } else if (const auto* fold = std::get_if<FoldMark>(&path.mark)) {
+    add_straight(std::string(k_fold), fold->from, fold->to);
+  } else {
+    add_outline(layer, path, *number);
+  }
+}
+
+void ApparelPiece::add(const Layer& layer, const Text& text) {
+  if (!options_.layer_names.contains(layer.name)) return;
+  if (!std::isfinite(text.at.x) || !std::isfinite(text.at.y)) return;
+  tags_.add_text(*dxf_layer_name(layer.name, options_), text.at, text.height, text.text);
+  stretch_box(text.at);
+}
+
+void ApparelPiece::add_outline(const Layer& layer, const Path& path, const std::string& number) {
+  const std::vector<std::vector<Vec2>> lines =
+      dxf_places(path.fitted.few.empty() ? path.lines : path.fitted.few, path.closed);
+  const std::size_t boundary =
+      path.closed && layer.name == "cut" ? largest_of(lines) : lines.size();
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool is_cutout = boundary < lines.size() && i != boundary;
+    add_line(is_cutout ? std::string(k_cutout) : number, lines[i], path.closed);
+    add_corner_points(lines[i], path.closed);
+  }
+  const std::string_view dense = dense_layer(number);
+  if (!is_astm_ || dense.empty()) return;
+  for (const std::vector<Vec2>& line : dxf_places(path.lines, path.closed))
+    add_line(std::string(dense), line, path.closed);
+}
+
+void ApparelPiece::add_line(const std::string& layer, const std::vector<Vec2>& places,
+                            bool closed) {
+  tags_.add_polyline(layer, places, closed, {});
+  for (const Vec2 place : places)
+    stretch_box(place);
+}
+
+void ApparelPiece::add_corner_points(const std::vector<Vec2>& places, bool closed) {
+  const std::size_t n = places.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool is_end = !closed && (i == 0 || i + 1 == n);
+    const bool turns = is_end || is_turn(places[(i + n - 1) % n], places[i], places[(i + 1) % n]);
+    tags_.add_point_entity(std::string(turns ? k_turn_point : k_curve_point), places[i]);
+  }
+}
+
+void ApparelPiece::add_notch(const std::string& number, const NotchMark& notch) {
+  const bool is_t = notch.kind == NotchKind::t && is_astm_;
+  tags_.add_point_entity(is_t ? std::string(k_t_notch) : number, notch.at, notch.depth);
+  tags_.add_real(39, notch.width);
+  tags_.add_real(50, notch.angle < 0.0 ? notch.angle + 360.0 : notch.angle);
+}
+
+void ApparelPiece::add_straight(const std::string& layer, Vec2 from, Vec2 to) {
+  tags_.add(0, "LINE");
+  tags_.add(8, layer);
+  tags_.add_point(10, from);
+  tags_.add_point(11, to);
+  stretch_box(from);
+  stretch_box(to);
+}
+
+void ApparelPiece::stretch_box(Vec2 place) {
+  if (!box_) box_ = std::pair(place, place);
+  auto& [low, high] = *box_;
+  low = {std::min(low.x, place.x), std::min(low.y, place.y)};
+  high = {std::max(high.x, place.x), std::max(high.y, place.y)};
+}
+
+}  // namespace planish

@@ -1,0 +1,41 @@
+#include "draw/dxf/dxf_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "draw/whole_steps.h"
+
+namespace planish {
+
+namespace {
+
+double area(const std::vector<Vec2>& loop) {
+  double doubled = 0.0;
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+    doubled += cross(loop[i] - loop[0], loop[i + 1] - loop[0]);
+  return 0.5 * std::abs(doubled);
+}
+
+}  // namespace
+
+std::vector<std::vector<Vec2>> dxf_places(std::span<const std::vector<Vec2>> lines, bool closed) {
+  constexpr double steps = 1000.0;  // per millimetre
+  std::vector<std::vector<Vec2>> result;
+  result.reserve(lines.size());
+  for (const auto& line : lines) {
+    std::vector<Vec2> places = whole_steps(line, steps, closed);
+    for (Vec2& place : places)
+      place = {place.x / steps, place.y / steps};
+    if (places.size() > 1) result.push_back(std::move(places));
+  }
+  return result;
+}
+
+std::size_t largest_of(std::span<const std::vector<Vec2>> loops) {
+  const auto largest = std::max_element(
+      loops.begin(), loops.end(), [](const auto& a, const auto& b) { return area(a) < area(b); });
+  return static_cast<std::size_t>(largest - loops.begin());
+}
+
+}  // namespace planish

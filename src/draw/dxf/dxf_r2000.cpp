@@ -1,0 +1,408 @@
+#include "draw/dxf/dxf_r2000.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/math.h"
+#include "core/number_text.h"
+#include "draw/dxf/dxf_entities.h"
+#include "draw/dxf/dxf_places.h"
+#include "draw/dxf/dxf_profile.h"
+#include "draw/dxf/dxf_tags.h"
+#include "draw/text/stroke_text.h"
+#include "pattern/curves/piece_math.h"
+
+namespace planish {
+
+namespace {
+
+constexpr std::string_view k_version = "AC1015";
+constexpr int k_millimetres = 4;  // as $INSUNITS counts units
+constexpr double k_text_height = 3.0;
+
+/// The numbers by which entries of a file refer to each other, in hexadecimal digits.
+class Handles {
+ public:
+  std::string next() {
+    std::string text;
+    for (std::size_t rest = ++last_; rest > 0; rest >>= 4U)
+      text.insert(text.begin(), "0123456789ABCDEF"[rest & 15U]);
+    return text;
+  }
+
+ private:
+  std::size_t last_ = 0;
+};
+
+/// A corner of a LWPOLYLINE and the bulge of what follows: the tangent of a quarter of its angle,
+/// > 0 where it turns left.
+struct BulgedPoint {
+  Vec2 at;
+  double bulge = 0.0;
+};
+
+/// Lines and arcs, or cubics, that follow each other.
+struct Run {
+  Vec2 start;
+  bool is_spline = false;
+  std::vector<CurvePiece> pieces;
+};
+
+std::vector<Run> runs_of(const Curve& curve) {
+  std::vector<Run> runs;
+  Vec2 from = curve.start;
+  const CurvePiece* before = nullptr;
+  Vec2 start_of_before;
+  for (const CurvePiece& piece : curve.pieces) {
+    const bool is_spline = std::holds_alternative<CubicTo>(piece);
+    bool goes_on = !runs.empty() && runs.back().is_spline == is_spline;
+    if (goes_on && is_spline) {
+      // Splines end at corners.
+      const Vec2 in = place_on(start_of_before, *before, 1.0).speed;
+      const Vec2 out = place_on(from, piece, 0.0).speed;
+      goes_on = dot(in, out) > 0.9999 * norm(in) * norm(out);
+    }
+    if (!goes_on) runs.push_back({from, is_spline, {}});
+    runs.back().pieces.push_back(piece);
+    before = &piece;
+    start_of_before = from;
+    from = end_of(piece);
+  }
+  return runs;
+}
+
+class R2000File {
+ public:
+  R2000File(const Drawing& drawing, const DxfOptions& options) : drawing_(drawing) {
+    for (const Layer& layer : drawing.layers) {
+      const std::string name = *dxf_layer_name(layer.name, options);
+      for (const DrawingShape& shape : layer.shapes) {
+        std::visit([&](const auto& some) { add(some, name, layer.visible); }, shape);
+      }
+    }
+  }
+
+  std::string text() {
+    DxfTags tables = tables_and_blocks();
+    DxfTags objects = objects_section();
+    DxfTags tags = header();  // last, as it names the next free handle
+    tags.append(tables);
+    tags.begin_section("ENTITIES");
+    tags.append(entities_);
+    tags.end_section();
+    tags.append(objects);
+    tags.add(0, "EOF");
+    return tags.text();
+  }
+
+ private:
+  void begin_entity(std::string_view kind, const std::string& layer, Color color, bool dashed,
+                    bool visible) {
+    entities_.add(0, kind);
+    entities_.add(5, handles_.next());
+    entities_.add(330, model_space_);
+    entities_.add(100, "AcDbEntity");
+    entities_.add(8, layer);
+    const int number = color_number(color);
+    auto found = std::find_if(layers_.begin(), layers_.end(),
+                              [&](const DxfLayer& some) { return some.name == layer; });
+    if (found == layers_.end()) found = layers_.insert(found, {layer, number, false});
+    found->visible = found->visible || visible;
+    if (dashed) entities_.add(6, "DASHED");
+    if (number != found->color) entities_.add(62, number);
+  }
+
+  void add(const Path& path, const std::string& layer, bool visible) {
+    if (!path.stroke) return;
+    const auto begin = [&](std::string_view kind) {
+      begin_entity(kind, layer, path.stroke->color, path.stroke->dashed, visible);
+    };
+    for (const Curve& curve : path.fitted.curves) {
+      const std::vector<Run> runs = runs_of(curve);
+      for (const Run& run : runs) {
+        begin(run.is_spline ? "SPLINE" : "LWPOLYLINE");
+        if (run.is_spline)
+          add_spline(run);
+        else
+          add_polyline(bulged_points(run), path.closed && runs.size() == 1);
+      }
+    }
+    if (!path.fitted.curves.empty()) return;
+    for (const std::vector<Vec2>& line : dxf_places(path.lines, path.closed)) {
+      std::vector<BulgedPoint> points;
+      for (const Vec2 place : line)
+        points.push_back({place});
+      begin("LWPOLYLINE");
+      add_polyline(points, path.closed);
+    }
+  }
+
+  static std::vector<BulgedPoint> bulged_points(const Run& run) {
+    std::vector<BulgedPoint> points = {{run.start}};
+    for (const CurvePiece& piece : run.pieces) {
+      const Vec2 from = points.back().at;
+      if (const auto* arc = std::get_if<ArcTo>(&piece))
+        points.back().bulge = math::tan(0.25 * circle_of(from, *arc).angle);
+      points.push_back({end_of(piece)});
+    }
+    return points;
+  }
+
+  void add_polyline(std::vector<BulgedPoint> points, bool closed) {
+    if (closed && points.size() > 2 && points.front().at == points.back().at) points.pop_back();
+    entities_.add(100, "AcDbPolyline");
+    entities_.add(90, static_cast<int>(points.size()));
+    entities_.add(70, closed ? 1 : 0);
+    for (const BulgedPoint& point : points) {
+      entities_.add_real(10, point.at.x);
+      entities_.add_real(20, point.at.y);
+      if (point.bulge != 0.0) entities_.add(42, number_text(point.bulge));
+      stretch_box(point.at);
+    }
+  }
+
+  /// Bezier curves as a B-spline of degree 3, each knot between two of them three times.
+  void add_spline(const Run& run) {
+    std::vector<Vec2> controls = {run.start};
+    for (const CurvePiece& piece : run.pieces) {
+      const auto& cubic = std::get<CubicTo>(piece);
+      controls.insert(controls.end(), {cubic.first, cubic.second, cubic.end});
+    }
+    const auto count = static_cast<int>(run.pieces.size());
+    entities_.add(100, "AcDbSpline");
+    entities_.add(70, 8);  // in a plane
+    entities_.add(71, 3);
+    entities_.add(72, 3 * count + 5);
+    entities_.add(73, static_cast<int>(controls.size()));
+    entities_.add(74, 0);
+    for (int knot = 0; knot <= count; ++knot) {
+      const int times = knot == 0 || knot == count ? 4 : 3;
+      for (int k = 0; k < times; ++k)
+        entities_.add_real(40, knot);
+    }
+    for (const Vec2 control : controls) {
+      entities_.add_point(10, control);
+      stretch_box(control);
+    }
+  }
+
+  void add(const Text& text, const std::string& layer, bool visible) {
+    if (text.text.empty() || !std::isfinite(text.at.x) || !std::isfinite(text.at.y)) return;
+    begin_entity("TEXT", layer, text.color, false, visible);
+    entities_.add(100, "AcDbText");
+    entities_.add_point(10, text.at);
+    entities_.add_real(40, text.height);
+    entities_.add(1, dxf_text(text.text));
+    if (text.centred) {
+      entities_.add(72, 1);
+      entities_.add_point(11, text.at);
+    }
+    entities_.add(100, "AcDbText");
+    stretch_box(text.at);
+  }
+
+  void stretch_box(Vec2 point) {
+    if (!box_) box_ = std::pair(point, point);
+    auto& [low, high] = *box_;
+    low = {std::min(low.x, point.x), std::min(low.y, point.y)};
+    high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+  }
+
+  DxfTags header() {
+    const Vec2 sheet = {drawing_.width, drawing_.height};
+    const auto box = box_.value_or(std::pair(Vec2{}, sheet));
+    DxfTags tags;
+    tags.begin_section("HEADER");
+    const auto add = [&](std::string_view name, int code, std::string_view value) {
+      tags.add(9, name);
+      tags.add(code, value);
+    };
+    add("$ACADVER", 1, k_version);
+    add("$HANDSEED", 5, handles_.next());
+    add("$INSUNITS", 70, std::to_string(k_millimetres));
+    add("$MEASUREMENT", 70, "1");
+    const auto add_corner = [&](std::string_view name, Vec2 corner, bool has_height) {
+      tags.add(9, name);
+      tags.add_real(10, corner.x);
+      tags.add_real(20, corner.y);
+      if (has_height) tags.add_real(30, 0.0);
+    };
+    add_corner("$EXTMIN", box.first, true);
+    add_corner("$EXTMAX", box.second, true);
+    add_corner("$LIMMIN", {}, false);
+    add_corner("$LIMMAX", sheet, false);
+    tags.end_section();
+    return tags;
+  }
+
+  /// @return the handle of the table
+  std::string begin_table(DxfTags& tags, std::string_view name, std::size_t entries) {
+    tags.add(0, "TABLE");
+    tags.add(2, name);
+    std::string handle = handles_.next();
+    tags.add(5, handle);
+    tags.add(330, "0");
+    tags.add(100, "AcDbSymbolTable");
+    tags.add(70, static_cast<int>(entries));
+    return handle;
+  }
+
+  void begin_entry(DxfTags& tags, std::string_view kind, const std::string& table,
+                   std::string_view subclass, std::string_view name,
+                   const std::optional<std::string>& handle = {}) {
+    tags.add(0, kind);
+    tags.add(5, handle ? *handle : handles_.next());
+    tags.add(330, table);
+    tags.add(100, "AcDbSymbolTableRecord");
+    tags.add(100, subclass);
+    tags.add(2, name);
+  }
+
+  void add_line_types(DxfTags& tags) {
+    const std::string table = begin_table(tags, "LTYPE", 4);
+    struct Dashes {
+      std::string_view name, picture;
+      double drawn, gap;
+    };
+    constexpr std::array<Dashes, 4> kinds = {{{"ByBlock", "", 0.0, 0.0},
+                                              {"ByLayer", "", 0.0, 0.0},
+                                              {"Continuous", "Solid line", 0.0, 0.0},
+                                              {"DASHED", "__ __ __ __", 3.0, 1.5}}};
+    for (const Dashes& dashes : kinds) {
+      begin_entry(tags, "LTYPE", table, "AcDbLinetypeTableRecord", dashes.name);
+      tags.add(70, 0);
+      tags.add(3, dashes.picture);
+      tags.add(72, 65);
+      tags.add(73, dashes.drawn > 0.0 ? 2 : 0);
+      tags.add_real(40, dashes.drawn + dashes.gap);
+      if (!(dashes.drawn > 0.0)) continue;
+      tags.add_real(49, dashes.drawn);
+      tags.add(74, 0);
+      tags.add_real(49, -dashes.gap);
+      tags.add(74, 0);
+    }
+    tags.add(0, "ENDTAB");
+  }
+
+  void add_layers(DxfTags& tags) {
+    std::vector<DxfLayer> layers = layers_;
+    const auto is_zero = [](const DxfLayer& layer) { return layer.name == "0"; };
+    if (std::none_of(layers.begin(), layers.end(), is_zero)) layers.insert(layers.begin(), {"0"});
+    const std::string table = begin_table(tags, "LAYER", layers.size());
+    for (const DxfLayer& layer : layers) {
+      begin_entry(tags, "LAYER", table, "AcDbLayerTableRecord", layer.name);
+      tags.add(70, 0);
+      tags.add(62, layer.visible ? layer.color : -layer.color);
+      tags.add(6, "Continuous");
+    }
+    tags.add(0, "ENDTAB");
+  }
+
+  void add_styles(DxfTags& tags) {
+    std::string table = begin_table(tags, "STYLE", 1);
+    begin_entry(tags, "STYLE", table, "AcDbTextStyleTableRecord", "Standard");
+    tags.add(70, 0);
+    tags.add_real(40, 0.0);  // no height of its own
+    tags.add_real(41, 1.0);
+    tags.add_real(50, 0.0);
+    tags.add(71, 0);
+    tags.add_real(42, k_text_height);
+    tags.add(3, "txt");
+    tags.add(4, "");
+    tags.add(0, "ENDTAB");
+    for (const char* empty : {"VIEW", "UCS"}) {
+      begin_table(tags, empty, 0);
+      tags.add(0, "ENDTAB");
+    }
+    table = begin_table(tags, "APPID", 1);
+    begin_entry(tags, "APPID", table, "AcDbRegAppTableRecord", "ACAD");
+    tags.add(70, 0);
+    tags.add(0, "ENDTAB");
+    begin_table(tags, "DIMSTYLE", 0);
+    tags.add(100, "AcDbDimStyleTable");
+    tags.add(0, "ENDTAB");
+  }
+
+  void add_block(DxfTags& tags, std::string_view name, const std::string& record) {
+    tags.add(0, "BLOCK");
+    tags.add(5, handles_.next());
+    tags.add(330, record);
+    tags.add(100, "AcDbEntity");
+    tags.add(8, "0");
+    tags.add(100, "AcDbBlockBegin");
+    tags.add(2, name);
+    tags.add(70, 0);
+    tags.add_point(10, {});
+    tags.add(3, name);
+    tags.add(1, "");
+    tags.add(0, "ENDBLK");
+    tags.add(5, handles_.next());
+    tags.add(330, record);
+    tags.add(100, "AcDbEntity");
+    tags.add(8, "0");
+    tags.add(100, "AcDbBlockEnd");
+  }
+
+  DxfTags tables_and_blocks() {
+    DxfTags tags;
+    tags.begin_section("TABLES");
+    begin_table(tags, "VPORT", 0);
+    tags.add(0, "ENDTAB");
+    add_line_types(tags);
+    add_layers(tags);
+    add_styles(tags);
+    const std::string table = begin_table(tags, "BLOCK_RECORD", 2);
+    begin_entry(tags, "BLOCK_RECORD", table, "AcDbBlockTableRecord", "*Model_Space", model_space_);
+    begin_entry(tags, "BLOCK_RECORD", table, "AcDbBlockTableRecord", "*Paper_Space", paper_space_);
+    tags.add(0, "ENDTAB");
+    tags.end_section();
+    tags.begin_section("BLOCKS");
+    add_block(tags, "*Model_Space", model_space_);
+    add_block(tags, "*Paper_Space", paper_space_);
+    tags.end_section();
+    return tags;
+  }
+
+  DxfTags objects_section() {
+    DxfTags tags;
+    tags.begin_section("OBJECTS");
+    const std::string root = handles_.next(), groups = handles_.next();
+    const auto add_dictionary = [&](const std::string& handle, const std::string& owner) {
+      tags.add(0, "DICTIONARY");
+      tags.add(5, handle);
+      tags.add(330, owner);
+      tags.add(100, "AcDbDictionary");
+      tags.add(281, 1);
+    };
+    add_dictionary(root, "0");
+    tags.add(3, "ACAD_GROUP");
+    tags.add(350, groups);
+    add_dictionary(groups, root);
+    tags.end_section();
+    return tags;
+  }
+
+  const Drawing& drawing_;
+  Handles handles_;
+  std::string model_space_ = handles_.next(), paper_space_ = handles_.next();
+  DxfTags entities_;
+  std::vector<DxfLayer> layers_;
+  std::optional<std::pair<Vec2, Vec2>> box_;
+};
+
+}  // namespace
+
+std::string format_dxf_r2000(const Drawing& drawing, const DxfOptions& options) {
+  if (options.stroked_text) {
+    const Drawing stroked = with_stroked_text(drawing);
+    return R2000File(stroked, options).text();
+  }
+  return R2000File(drawing, options).text();
+}
+
+}  // namespace planish

@@ -136,6 +136,7 @@ Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t numbe
     sheet.pieces.push_back({annotations.label.name, annotations.label.size, 1});
   }
   sheet.layers.push_back(nest_label(job, nesting, number, title, size));
+  sheet.notes = {use_text(job, nesting)};
   return sheet;
 }
 

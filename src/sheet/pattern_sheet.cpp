@@ -61,6 +61,7 @@ Drawing pattern_sheet(const Patch& patch, const UnfoldReport& unfold, const std:
     sheet.layers.push_back(std::move(layer));
   sheet.layers.push_back(sheet_label(unfold, placed.facts));
   sheet.layers.push_back(map_legend(unfold));
+  sheet.notes = sheet_notes(unfold, placed.facts);
   return sheet;
 }
 

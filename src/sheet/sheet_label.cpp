@@ -161,6 +161,14 @@ Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
   return layer;
 }
 
+std::vector<std::string> sheet_notes(const UnfoldReport& unfold, const SheetFacts& facts) {
+  std::vector<std::string> notes = {size_text(facts), unit_note(unfold.unit), origin_text(facts),
+                                    "pattern " + hash_text(facts.hash)};
+  if (std::string warning = warning_text(unfold.pattern); !warning.empty())
+    notes.push_back(std::move(warning));
+  return notes;
+}
+
 Layer map_legend(const UnfoldReport& unfold) {
   Layer layer{"legend", {}};
   if (const auto limit = limit_of_edges(unfold.limits)) {

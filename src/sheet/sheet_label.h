@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <planish/draw/drawing.h>
 #include <planish/flatten/flatten.h>
@@ -19,6 +20,9 @@ struct SheetFacts {
 
 /// The layer "label": two test squares, name, sizes, unit, scale and hash.
 Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts);
+
+/// The words of the layer "label" but for the name.
+std::vector<std::string> sheet_notes(const UnfoldReport& unfold, const SheetFacts& facts);
 
 /// The layer "legend": what the colours of the strain map mean, beside the label.
 Layer map_legend(const UnfoldReport& unfold);

@@ -98,6 +98,8 @@ struct Drawing {
   /// The pieces on the sheet by number. One that is missing goes by the title, once, in no size.
   std::vector<DrawingPiece> pieces = {};
   std::string date = {};  ///< for formats that have a place for it; empty: none
+  /// What the layer "label" says of the pieces, for formats that lay out words themselves.
+  std::vector<std::string> notes = {};
 };
 
 }  // namespace planish

@@ -37,7 +37,8 @@ std::string_view to_string(Paper paper);
 Paper paper_named(std::string_view name);
 
 /// The drawing at true size on pages of a printer's paper, to be joined. The first page shows where
-/// each goes, and test squares. Pages are upright or across, whatever needs fewer; 10 mm at
+/// each goes, the drawing's notes, and test squares; so the layer "label" is left out, unless the
+/// layer "legend" is there. Pages are upright or across, whatever needs fewer; 10 mm at
 /// each edge stay free, neighbours overlap by 10 mm, and crosses in the overlap show how to align
 /// them. Rows have letters from the top, columns numbers. Pages with nothing on them are crossed
 /// out on the first page and left out. Otherwise as format_pdf().

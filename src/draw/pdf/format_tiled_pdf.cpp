@@ -18,7 +18,8 @@ namespace {
 // Everything in millimetres.
 constexpr double k_cross = 4.0;        // half of a registration mark
 constexpr double k_note_height = 2.5;  // of texts in the margin
-constexpr double k_map_top = 48.0;     // of the first page, for title and advice
+constexpr double k_title = 14.0;       // of the first page, down to the advice
+constexpr double k_line = 6.0;         // of the advice
 constexpr double k_map_bottom = 64.0;  // of the first page, for the test squares
 constexpr double k_inch = 25.4;
 
@@ -54,7 +55,7 @@ class TiledPdf {
   TiledPdf(const Drawing& drawing, Paper paper)
       : drawing_(drawing),
         paper_(paper),
-        grid_(tile_grid({drawing.width, drawing.height}, paper)),
+        grid_(tile_grid(drawing, paper)),
         used_(used_tiles(drawing, grid_)),
         document_(drawing) {}
 
@@ -77,6 +78,8 @@ class TiledPdf {
   }
 
   void add_first_page();
+  std::vector<std::string> notes() const;
+  std::vector<std::string> advice() const;
   void add_advice(PdfContent& page) const;
   void add_map(PdfContent& page) const;
   void add_tile(std::size_t row, std::size_t column);
@@ -102,33 +105,55 @@ void TiledPdf::add_first_page() {
   document_.add_page(grid_.page, page.text());
 }
 
+/// The drawing's notes, as many in a line as fit.
+std::vector<std::string> TiledPdf::notes() const {
+  constexpr std::size_t most_letters = 90;
+  std::vector<std::string> lines;
+  for (const std::string& note : drawing_.notes) {
+    if (lines.empty() || lines.back().size() + note.size() > most_letters) {
+      lines.push_back(note);
+    } else {
+      lines.back() += " · " + note;
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> TiledPdf::advice() const {
+  std::vector<std::string> lines = notes();
+  const auto count = std::count(used_.begin(), used_.end(), true);
+  lines.insert(
+      lines.end(),
+      {size_text(grid_.area) + " on " + std::to_string(count) +
+           (count == 1 ? " page of " : " pages of ") + paper_text(paper_) +
+           " besides this one. Crossed out: empty and left out.",
+       "Print at 100 % (\"actual size\"), not fitted to the page. Measure the squares before "
+       "cutting.",
+       "Pages overlap by 10 mm: lay them so that their crosses meet.",
+       "The map below is not at true size, the squares at the bottom are."});
+  return lines;
+}
+
 void TiledPdf::add_advice(PdfContent& page) const {
   const double top = grid_.page.y - k_tile_margin;
   page.add(Text{{k_tile_margin, top - 6.0}, 6.0, drawing_.title});
-  const auto count = std::count(used_.begin(), used_.end(), true);
-  const std::vector<std::string> lines = {
-      size_text({drawing_.width, drawing_.height}) + " on " + std::to_string(count) +
-          (count == 1 ? " page of " : " pages of ") + paper_text(paper_) +
-          " besides this one. Crossed out: empty and left out.",
-      "Print at 100 % (\"actual size\"), not fitted to the page. Measure the squares before "
-      "cutting.",
-      "Pages overlap by 10 mm: lay them so that their crosses meet.",
-      "The map below is not at true size, the squares at the bottom are."};
-  double y = top - 14.0;
-  for (const std::string& line : lines) {
+  double y = top - k_title;
+  for (const std::string& line : advice()) {
     page.add(Text{{k_tile_margin, y}, 2.8, line});
-    y -= 6.0;
+    y -= k_line;
   }
 }
 
 void TiledPdf::add_map(PdfContent& page) const {
   const Vec2 size = grid_.size();
+  const double map_top = k_tile_margin + k_title + k_line * static_cast<double>(advice().size());
   const Vec2 room = {grid_.page.x - 2.0 * k_tile_margin,
-                     grid_.page.y - k_map_top - k_map_bottom - k_tile_margin};
+                     grid_.page.y - map_top - k_map_bottom - k_tile_margin};
   const double scale = std::min({room.x / size.x, room.y / size.y, 1.0});
   // The sheet hangs from the upper left corner of the map.
-  const Vec2 top_left = {k_tile_margin, grid_.page.y - k_map_top};
-  const auto on_map = [&](Vec2 p) { return top_left + scale * (p - Vec2{0.0, drawing_.height}); };
+  const Vec2 top_left = {k_tile_margin, grid_.page.y - map_top};
+  const Vec2 upper_left = grid_.low + Vec2{0.0, grid_.area.y};
+  const auto on_map = [&](Vec2 p) { return top_left + scale * (p - upper_left); };
   page.add_form(k_sheet, on_map({0.0, 0.0}), scale);
   const double name_height = std::min(8.0, 0.2 * scale * std::min(grid_.frame.x, grid_.frame.y));
   for (std::size_t row = 0; row < grid_.rows; ++row) {
@@ -191,7 +216,16 @@ void TiledPdf::add_crosses(PdfContent& page, std::size_t row, std::size_t column
 }  // namespace
 
 std::string format_tiled_pdf(const Drawing& drawing, Paper paper) {
-  return TiledPdf(drawing, paper).write();
+  const auto has_shapes = [](const Layer& layer) {
+    return layer.name == "legend" && !layer.shapes.empty();
+  };
+  if (std::any_of(drawing.layers.begin(), drawing.layers.end(), has_shapes))
+    return TiledPdf(drawing, paper).write();
+  Drawing pieces = drawing;
+  for (Layer& layer : pieces.layers) {
+    if (layer.name == "label") layer.shapes.clear();
+  }
+  return TiledPdf(pieces, paper).write();
 }
 
 }  // namespace planish

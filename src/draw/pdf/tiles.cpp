@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include <planish/core/error.h>
@@ -49,8 +50,28 @@ TileGrid grid_on(Vec2 sheet, Vec2 page) {
   const Vec2 frame = frame_of(page);
   const double columns = count_along(sheet.x, frame.x), rows = count_along(sheet.y, frame.y);
   check_count(columns * rows);
-  return {page, frame, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), sheet.y};
+  return {page, frame, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), sheet};
 }
+
+// The box around all that shows.
+struct Box {
+  static constexpr double k_far = std::numeric_limits<double>::infinity();
+  Vec2 low = {k_far, k_far}, high = {-k_far, -k_far};
+
+  bool is_empty() const { return !(low.x <= high.x); }
+
+  void add(const Path& path) {
+    if (!path.stroke && !path.fill) return;
+    for (const auto& line : path.lines) {
+      for (const Vec2 p : line) {
+        if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      }
+    }
+  }
+  void add(const Text& text) { add(Path{.lines = text_strokes(text), .stroke = Stroke{}}); }
+};
 
 // Which tiles something is on.
 class Marks {
@@ -113,14 +134,16 @@ TileSpan tiles_between(double low, double high, double step, double frame, std::
 void Marks::add_segment(Vec2 a, Vec2 b) {
   if (!std::isfinite(a.x + a.y) || !std::isfinite(b.x + b.y)) return;
   const Vec2 step = grid_.step(), frame = grid_.frame;
-  const double top = grid_.sheet_height;
+  const double top = grid_.area.y;
+  a = a - grid_.low;
+  b = b - grid_.low;
   const TileSpan columns =
       tiles_between(std::min(a.x, b.x), std::max(a.x, b.x), step.x, frame.x, grid_.columns);
   const TileSpan rows = tiles_between(top - std::max(a.y, b.y), top - std::min(a.y, b.y), step.y,
                                       frame.y, grid_.rows);
   for (std::size_t row = rows.from; row < rows.to; ++row) {
     for (std::size_t column = columns.from; column < columns.to; ++column) {
-      const Vec2 low = grid_.low_of(row, column);
+      const Vec2 low = grid_.low_of(row, column) - grid_.low;
       if (meets(a, b, low, low + frame)) used_[row * grid_.columns + column] = true;
     }
   }
@@ -168,8 +191,8 @@ Paper paper_named(std::string_view name) {
 }
 
 Vec2 TileGrid::low_of(std::size_t row, std::size_t column) const {
-  return {static_cast<double>(column) * step().x,
-          sheet_height - static_cast<double>(row) * step().y - frame.y};
+  return low + Vec2{static_cast<double>(column) * step().x,
+                    area.y - static_cast<double>(row) * step().y - frame.y};
 }
 
 Vec2 TileGrid::size() const {
@@ -189,14 +212,28 @@ std::string tile_name(std::size_t row, std::size_t column) {
   return letters + std::to_string(column + 1);
 }
 
-TileGrid tile_grid(Vec2 sheet, Paper paper) {
+TileGrid tile_grid(Vec2 area, Paper paper) {
   const Vec2 size = k_entries[static_cast<std::size_t>(paper)].size;
   const auto tiles = [&](Vec2 page) {
-    return count_along(sheet.x, page.x - 2.0 * k_tile_margin) *
-           count_along(sheet.y, page.y - 2.0 * k_tile_margin);
+    return count_along(area.x, page.x - 2.0 * k_tile_margin) *
+           count_along(area.y, page.y - 2.0 * k_tile_margin);
   };
   const Vec2 across = {size.y, size.x};
-  return grid_on(sheet, tiles(across) < tiles(size) ? across : size);
+  return grid_on(area, tiles(across) < tiles(size) ? across : size);
+}
+
+TileGrid tile_grid(const Drawing& drawing, Paper paper) {
+  constexpr double margin = 2.0;
+  Box box;
+  for (const Layer& layer : drawing.layers) {
+    for (const DrawingShape& shape : layer.shapes)
+      std::visit([&](const auto& some) { box.add(some); }, shape);
+  }
+  if (box.is_empty()) return tile_grid({drawing.width, drawing.height}, paper);
+  const Vec2 around = {margin, margin};
+  TileGrid grid = tile_grid(box.high - box.low + 2.0 * around, paper);
+  grid.low = box.low - around;
+  return grid;
 }
 
 std::vector<bool> used_tiles(const Drawing& drawing, const TileGrid& grid) {

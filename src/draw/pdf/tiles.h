@@ -17,7 +17,8 @@ struct TileGrid {
   Vec2 page;   ///< size of the paper
   Vec2 frame;  ///< what a page shows of the sheet
   std::size_t columns = 1, rows = 1;
-  double sheet_height = 0.0;
+  Vec2 area;      ///< size of the part of the sheet that is shown
+  Vec2 low = {};  ///< its lower left corner on the sheet
 
   /// From one tile to the next.
   Vec2 step() const { return frame - Vec2{k_tile_overlap, k_tile_overlap}; }
@@ -30,8 +31,12 @@ struct TileGrid {
 /// "B3"
 std::string tile_name(std::size_t row, std::size_t column);
 
-/// The grid with the fewest tiles, the paper upright or across.
-TileGrid tile_grid(Vec2 sheet, Paper paper);
+/// The grid with the fewest tiles over an area of that size, the paper upright or across.
+TileGrid tile_grid(Vec2 area, Paper paper);
+
+/// The same over all that is drawn, with 2 mm around it; of a drawing where nothing is over the
+/// sheet.
+TileGrid tile_grid(const Drawing& drawing, Paper paper);
 
 /// For each tile, row by row, whether anything of the drawing is on it: a line, a text, or the
 /// inside of what is closed.

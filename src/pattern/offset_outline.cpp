@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <optional>
+#include <utility>
 
 #include <planish/core/error.h>
 #include <planish/core/range.h>
@@ -118,14 +121,15 @@ double turn_between(Vec2 before, Vec2 after) {
   return math::atan2(cross(before, after), dot(before, after));
 }
 
-/// Whether a point is a corner also when seen from as far off as the allowance is wide.
-bool stands_out(const WideLoop& wide, const BorderWalk& walk, std::size_t i, double turn) {
+/// Whether the outline turns from one point to another one also when seen from as far off as the
+/// allowance is wide. The points may be the same.
+bool stands_out(const WideLoop& wide, const BorderWalk& walk, std::size_t first, std::size_t last,
+                double turn) {
   const double width =
-      std::max(wide.widths[i], wide.widths[i == 0 ? wide.widths.size() - 1 : i - 1]);
+      std::max(wide.widths[last], wide.widths[first == 0 ? wide.widths.size() - 1 : first - 1]);
   const double far = std::min(width, 0.25 * walk.length());
-  const double way = walk.way_to(i);
-  const Vec2 before = direction(walk.at(way - far), wide.points[i]);
-  const Vec2 after = direction(wide.points[i], walk.at(way + far));
+  const Vec2 before = direction(walk.at(walk.way_to(first) - far), wide.points[first]);
+  const Vec2 after = direction(wide.points[last], walk.at(walk.way_to(last) + far));
   return turn_between(before, after) >= 0.5 * turn;
 }
 
@@ -145,10 +149,69 @@ Polygon raw_line(const WideLoop& wide, const Allowance& allowance) {
                             allowance.corners,
                             allowance.mitre_limit};
     const double turn = turn_between(corner.before, corner.after);
-    if (turn > 0.0 && !stands_out(wide, walk, i, turn)) corner.corners = Corners::round;
+    if (turn > 0.0 && !stands_out(wide, walk, i, i, turn)) corner.corners = Corners::round;
     append_join(corner, line);
   }
   return line;
+}
+
+/// Where two lines meet, given by a point and a direction each; nothing where they are parallel.
+std::optional<Vec2> meeting_point(Vec2 a, Vec2 along_a, Vec2 b, Vec2 along_b) {
+  const double sine = cross(along_a, along_b);
+  if (!(std::abs(sine) > 1e-6)) return std::nullopt;
+  return a + cross(b - a, along_b) / sine * along_a;
+}
+
+/// What mitres lack at a corner that one or two short edges cut off: the area between the corner
+/// and where the offset lines of the edges beside it meet, counter-clockwise. Empty where there is
+/// no such corner from this point on.
+/// @param edges how many cut it off
+Polygon area_of_blunt_corner(const WideLoop& wide, const BorderWalk& walk, std::size_t first,
+                             std::size_t edges, const Allowance& allowance) {
+  constexpr double k_short = 0.5;  // of the allowance: all edges
+  constexpr double k_least_turn = std::numbers::pi / 4.0, k_most_turn = 0.9 * std::numbers::pi;
+  const std::size_t count = wide.points.size(), last = (first + edges) % count;
+  const double width = wide.widths[first];
+  const Vec2 before = direction(wide.points[(first + count - 1) % count], wide.points[first]);
+  const Vec2 after = direction(wide.points[last], wide.points[(last + 1) % count]);
+  double length = 0.0, turned = 0.0;
+  Vec2 along = before;
+  for (std::size_t k = 0; k <= edges; ++k) {
+    const std::size_t at = (first + k) % count, next = (at + 1) % count;
+    const Vec2 way = direction(wide.points[at], wide.points[next]);
+    const double turn = turn_between(along, way);
+    if (!(turn > 0.0) || wide.widths[at] != width) return {};
+    turned += turn;
+    if (k < edges) length += norm(wide.points[next] - wide.points[at]);
+    along = way;
+  }
+  if (wide.widths[(first + count - 1) % count] != width || length > k_short * width) return {};
+  if (turned < k_least_turn || turned > k_most_turn) return {};
+  if (!stands_out(wide, walk, first, last, turned)) return {};
+  const auto outwards = [](Vec2 d) { return Vec2{d.y, -d.x}; };
+  const Vec2 from = wide.points[first] + width * outwards(before);
+  const Vec2 to = wide.points[last] + width * outwards(after);
+  const auto tip = meeting_point(from, before, to, after);
+  const Vec2 middle = 0.5 * (wide.points[first] + wide.points[last]);
+  if (!tip || norm(*tip - middle) > allowance.mitre_limit * width + length) return {};
+  Polygon area = {wide.points[first], from, *tip, to};
+  for (std::size_t k = edges + 1; k-- > 1;)
+    area.push_back(wide.points[(first + k) % count]);
+  return area;
+}
+
+/// A corner of a mesh is often cut off by an edge or two; mitres of each alone would leave a
+/// chipped corner. Areas that are counter-clockwise may be added to the raw line: docs/pattern.md.
+void append_blunt_corners(const WideLoop& wide, const Allowance& allowance,
+                          std::vector<Polygon>& lines) {
+  if (allowance.corners != Corners::mitre || wide.points.size() < 5) return;
+  const BorderWalk walk(wide.points);
+  for (std::size_t i = 0; i < wide.points.size(); ++i) {
+    for (const std::size_t edges : {std::size_t{1}, std::size_t{2}}) {
+      Polygon area = area_of_blunt_corner(wide, walk, i, edges, allowance);
+      if (!area.empty() && signed_area(area) > 0.0) lines.push_back(std::move(area));
+    }
+  }
 }
 
 Vec2 middle_of(std::span<const Vec2> loop) {
@@ -193,8 +256,11 @@ std::vector<Polygon> offset_outline(const PieceOutline& outline, const Allowance
   const std::size_t widened = allowance.holes ? outline.loops.size() : 1;
   std::vector<Polygon> lines;
   lines.reserve(widened);
-  for (std::size_t k = 0; k < widened; ++k)
-    lines.push_back(raw_line(wide_loop(outline, k, allowance), allowance));
+  for (std::size_t k = 0; k < widened; ++k) {
+    const WideLoop wide = wide_loop(outline, k, allowance);
+    lines.push_back(raw_line(wide, allowance));
+    append_blunt_corners(wide, allowance, lines);
+  }
   std::vector<Polygon> result = winding_union(lines);
   if (allowance.holes) check_holes(outline, result);
   result.insert(result.end(), outline.loops.begin() + static_cast<std::ptrdiff_t>(widened),

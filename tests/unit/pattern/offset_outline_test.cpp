@@ -126,6 +126,21 @@ TEST(OffsetOutline, SquaresMitresBeyondTheLimit) {
   EXPECT_LT(reach({.width = 5.0, .mitre_limit = 10.0}), 5.0 * 1.5) << "as the wide corners";
 }
 
+TEST(OffsetOutline, MakesOneCornerWhereAShortEdgeOrTwoCutItOff) {
+  // The lower right corner of 100 x 50 mm is cut off by one edge, the upper right one by two.
+  PieceOutline outline = rectangle(100.0, 50.0);
+  outline.loops[0] = {{0, 0}, {98, 0}, {100, 2}, {100, 49}, {99.5, 49.7}, {98, 50}, {0, 50}};
+  const double full = 120.0 * 70.0;
+  const auto mitred = offset_outline(outline, {.width = 10.0});
+  ASSERT_EQ(mitred.size(), 1U);
+  EXPECT_NEAR(area_of(mitred), full, 0.01) << "as without what is cut off";
+  const auto round = offset_outline(outline, {.width = 10.0, .corners = Corners::round});
+  EXPECT_LT(area_of(round), full - 60.0);
+  // A long edge is a side of its own.
+  outline.loops[0] = {{0, 0}, {90, 0}, {100, 10}, {100, 50}, {0, 50}};
+  EXPECT_LT(area_of(offset_outline(outline, {.width = 10.0})), full - 30.0);
+}
+
 TEST(OffsetOutline, MayHaveAWidthForEachEdge) {
   const PieceOutline piece = rectangle(300.0, 200.0);
   const auto cut = offset_outline(piece, {.edge_widths = {{40.0, 10.0, 0.0, 10.0}}});

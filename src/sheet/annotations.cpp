@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -107,17 +108,54 @@ struct LabelPlace {
   double height = 0.0;
 };
 
-/// As large as fits into the piece; where nothing fits, small and as near to inside as can be.
-LabelPlace label_place(const PieceOutline& outline, const std::vector<std::string>& lines) {
-  LabelPlace place{outline.loops.front().front(), 2.0};
+/// An open line as a closed one that encloses nothing.
+Polygon there_and_back(Polygon line) {
+  for (std::size_t i = line.size(); i-- > 1;)
+    line.push_back(line[i - 1]);
+  return line;
+}
+
+/// The outline, and what words and the grain line keep clear of: marks, notches and inner lines.
+std::vector<Polygon> free_loops(const PlacedPattern& pattern, const PatternOptions& options) {
+  constexpr double half = 0.5 * k_cross_size + 1.0;
+  std::vector<Polygon> loops = pattern.outline.loops;
+  for (const Mark& mark : options.marks) {
+    const Vec2 at = pattern.positions[mark.vertex];
+    loops.push_back({at + Vec2{-half, -half}, at + Vec2{half, -half}, at + Vec2{half, half},
+                     at + Vec2{-half, half}});
+  }
+  for (Polygon& line : inner_lines(pattern.positions, options.inner_lines, pattern.outline.piece))
+    loops.push_back(there_and_back(std::move(line)));
+  for (const PlacedNotch& notch : pattern.notches) {
+    for (const Polygon& stroke : notch.strokes)
+      loops.push_back(there_and_back(stroke));
+  }
+  return loops;
+}
+
+struct FittingLabel {
+  LabelPlace place;
+  bool fits = false;
+};
+
+/// As large as fits between the loops; where nothing fits, small and as near to inside as can be.
+FittingLabel label_between(std::span<const Polygon> loops, const std::vector<std::string>& lines) {
+  FittingLabel label{{loops.front().front(), 2.0}};
   for (const double height : {6.0, 5.0, 4.0, 3.0, 2.5, 2.0}) {
     const double half = 0.5 * k_line_pitch * height * static_cast<double>(lines.size());
     const double width = width_of(lines) * height;
-    const FreeStrip strip = longest_strip(outline.loops, {1.0, 0.0}, half, width + 2.0 * height);
-    if (strip.length > 0.0) place = {strip.middle, height};
-    if (strip.length >= width) break;
+    const FreeStrip strip = longest_strip(loops, {1.0, 0.0}, half, width + 2.0 * height);
+    if (strip.length > 0.0) label.place = {strip.middle, height};
+    label.fits = strip.length >= width;
+    if (label.fits) break;
   }
-  return place;
+  return label;
+}
+
+LabelPlace label_place(const PieceOutline& outline, std::span<const Polygon> free,
+                       const std::vector<std::string>& lines) {
+  const FittingLabel clear = label_between(free, lines);
+  return clear.fits ? clear.place : label_between(outline.loops, lines).place;
 }
 
 std::optional<ClearBox> box_of(const LabelPlace& place, const std::vector<std::string>& lines) {
@@ -154,7 +192,9 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
                                       const PatternOptions& options) {
   const PieceOutline& outline = pattern.outline;
   const std::vector<std::string> lines = lines_of(options.label);
-  const LabelPlace place = lines.empty() ? LabelPlace{} : label_place(outline, lines);
+  check_marks(pattern.positions.size(), options.marks, outline.piece);
+  const std::vector<Polygon> free = free_loops(pattern, options);
+  const LabelPlace place = lines.empty() ? LabelPlace{} : label_place(outline, free, lines);
   std::vector<Polygon> grain;
   if (options.grain) {
     grain =

@@ -129,6 +129,24 @@ TEST(Annotations, PutsTheLabelInsideThePieceAndClearOfTheGrain) {
   }
 }
 
+TEST(Annotations, PutsTheLabelClearOfMarksAndInnerLines) {
+  const PatternOptions plain = {.label = {"front", "42", 2}};
+  const auto& before = std::get<Text>(layer(sheet_with(plain), "annotation").shapes.at(1));
+  PatternOptions marked = plain;
+  marked.marks = {{12}, {11, MarkKind::drill}, {13}};
+  marked.inner_lines = {{7, 17}};
+  const Drawing sheet = sheet_with(marked);
+  const Path& mark = path(sheet, "drill");
+  EXPECT_LT(std::abs(before.at.y - mark.lines[0][0].y), 20.0) << "it would lie over the mark";
+  double least = 1e9;
+  for (const DrawingShape& shape : layer(sheet, "annotation").shapes) {
+    const auto& text = std::get<Text>(shape);
+    EXPECT_EQ(text.height, 6.0);
+    least = std::min(least, std::abs(text.at.y + 3.0 - mark.lines[0][0].y));
+  }
+  EXPECT_GT(least, 6.0) << "a half of the mark and of a letter";
+}
+
 TEST(Annotations, ShowsAHashOfThePatternAndADateOnlyIfGiven) {
   const TriMesh mesh = meshes::flat_grid(4, 4);
   std::vector<Vec2> corners;

@@ -77,6 +77,13 @@ Layer drill_layer(const PlacedPattern& pattern, const std::vector<Mark>& marks) 
   return layer;
 }
 
+std::string quantity_text(const PieceLabel& label) {
+  if (label.quantity <= 0) return {};
+  const std::string mirrored =
+      label.mirrored > 0 ? ", " + std::to_string(label.mirrored) + " mirrored" : "";
+  return std::to_string(label.quantity) + " ×" + mirrored;
+}
+
 std::vector<std::string> lines_of(const PieceLabel& label) {
   std::vector<std::string> lines;
   const auto add = [&](const std::string& before, const std::string& text) {
@@ -84,7 +91,7 @@ std::vector<std::string> lines_of(const PieceLabel& label) {
   };
   add("", label.name);
   add("size ", label.size);
-  add("cut ", label.quantity > 0 ? std::to_string(label.quantity) + " ×" : "");
+  add("cut ", quantity_text(label));
   add("", label.fabric);
   add("", label.note);
   return lines;

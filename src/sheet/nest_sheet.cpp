@@ -8,6 +8,7 @@
 
 #include "core/figure_text.h"
 #include "core/math.h"
+#include "pattern/polygon/loop_box.h"
 #include "sheet/annotations.h"
 #include "sheet/placed_pattern.h"
 #include "sheet/sheet_layout.h"
@@ -85,6 +86,33 @@ Layer nest_label(const NestJob& job, const Nesting& nesting, std::size_t number,
   return layer;
 }
 
+NestPatch mirror_image(NestPatch patch) {
+  for (Triangle& t : patch.mesh.triangles)
+    std::swap(t[1], t[2]);
+  for (Vec2& p : patch.pattern)
+    p.x = 0.0 - p.x;
+  PatternOptions own = for_mirror_image(std::move(patch.annotations));
+  for (Notch& notch : own.notches) {
+    if (auto* share = std::get_if<double>(&notch.place)) *share = 1.0 - *share;
+  }
+  for (EdgeAllowance& edge : own.edge_allowances)
+    std::swap(edge.from, edge.to);
+  own.like.reset();
+  own.label.quantity = own.label.mirrored;
+  own.label.mirrored = 0;
+  if (!own.label.name.empty()) own.label.name += ", mirrored";
+  patch.name += ", mirrored";
+  patch.annotations = std::move(own);
+  return patch;
+}
+
+std::vector<Layer> empty_piece_layers() {
+  std::vector<Layer> layers;
+  for (const char* name : {"cut", "seam", "notch", "grain", "drill", "internal", "annotation"})
+    layers.push_back({name, {}});
+  return layers;
+}
+
 void add_shapes(Layer layer, std::size_t piece, Layer& to) {
   for (DrawingShape& shape : layer.shapes) {
     std::visit([&](auto& some) { some.piece = piece; }, shape);
@@ -93,6 +121,27 @@ void add_shapes(Layer layer, std::size_t piece, Layer& to) {
 }
 
 }  // namespace
+
+std::vector<NestPatch> with_mirror_images(std::vector<NestPatch> patches) {
+  std::vector<NestPatch> result;
+  result.reserve(patches.size());
+  for (NestPatch& patch : patches) {
+    const PieceLabel label = patch.annotations.label;
+    const int mirrored = std::min(label.mirrored, std::max(1, label.quantity));
+    const int as_drawn = std::max(1, label.quantity) - mirrored;
+    if (mirrored == 0) {
+      result.push_back(std::move(patch));
+      continue;
+    }
+    NestPatch image = mirror_image(patch);
+    image.annotations.label.quantity = mirrored;
+    patch.annotations.label.quantity = as_drawn;
+    patch.annotations.label.mirrored = 0;
+    if (as_drawn > 0) result.push_back(std::move(patch));
+    result.push_back(std::move(image));
+  }
+  return result;
+}
 
 std::vector<NestPiece> nest_pieces(const NestJob& job) {
   std::vector<NestPiece> result;
@@ -119,8 +168,7 @@ Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t numbe
                 std::max(size.x, 240.0),
                 size.y + sheet::k_gap + sheet::k_square + sheet::k_margin,
                 {}};
-  for (const char* name : {"cut", "seam", "notch", "grain", "drill", "internal", "annotation"})
-    sheet.layers.push_back({name, {}});
+  sheet.layers = empty_piece_layers();
   std::optional<std::pair<std::size_t, PlacedPattern>> last;  // copies of a piece come together
   for (const NestPlacement& placement : nesting.placements) {
     if (placement.sheet != number) continue;
@@ -137,6 +185,43 @@ Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t numbe
   }
   sheet.layers.push_back(nest_label(job, nesting, number, title, size));
   sheet.notes = {use_text(job, nesting)};
+  return sheet;
+}
+
+Drawing pieces_sheet(const NestJob& job, std::span<const std::optional<PatchTwin>> twins,
+                     const std::string& title) {
+  constexpr double gap = 20.0;
+  Drawing sheet{title, 0.0, 0.0, empty_piece_layers()};
+  std::vector<std::size_t> number(job.patches.size());  // of its piece on the sheet
+  Vec2 corner;
+  for (std::size_t p = 0; p < job.patches.size(); ++p) {
+    const NestPatch& patch = job.patches[p];
+    if (patch.pattern.empty()) continue;
+    const PieceLabel& label = patch.annotations.label;
+    const int copies = copies_of(patch), mirrored = std::min(label.mirrored, copies);
+    const auto& twin = twins[p];
+    if (twin && !job.patches[twin->patch].pattern.empty()) {
+      number[p] = number[twin->patch];
+      DrawingPiece& other = sheet.pieces[number[p]];
+      other.quantity += twin->mirrored ? mirrored : copies - mirrored;
+      other.mirrored += twin->mirrored ? copies - mirrored : mirrored;
+      continue;
+    }
+    number[p] = sheet.pieces.size();
+    PlacedPattern pattern = pattern_of(job, patch);
+    const LoopBox box = loop_box(pattern.cut);
+    const Vec2 shift = corner - box.low;
+    corner.x += box.size().x + gap;
+    sheet.width = corner.x;
+    sheet.height = std::max(sheet.height, box.size().y);
+    pattern = moved(std::move(pattern), [&](Vec2 at) { return at + shift; });
+    std::vector<Layer> layers = piece_layers(patch.mesh, pattern, patch.annotations);
+    for (std::size_t k = 0; k < layers.size(); ++k)
+      add_shapes(std::move(layers[k]), number[p], sheet.layers[k]);
+    sheet.pieces.push_back({label.name.empty() ? patch.name : label.name, label.size,
+                            copies - mirrored, mirrored, label.fabric, label.note});
+    sheet.date = patch.annotations.date;
+  }
   return sheet;
 }
 

@@ -19,7 +19,8 @@ namespace planish {
 namespace {
 
 DrawingPiece piece_of(const PieceLabel& label) {
-  return {label.name, label.size, std::max(1, label.quantity), 0, label.fabric, label.note};
+  const int quantity = std::max(1, label.quantity), mirrored = std::min(label.mirrored, quantity);
+  return {label.name, label.size, quantity - mirrored, mirrored, label.fabric, label.note};
 }
 
 /// Beside the limit where one was asked for, else strain itself.

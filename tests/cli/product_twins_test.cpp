@@ -95,7 +95,8 @@ Lines pdf_cut(const std::string& path) {
     for (std::size_t k = points; k > 0; --k)
       lines.back().push_back(
           {numbers[numbers.size() - 2 * k], numbers[numbers.size() - 2 * k + 1]});
-    if (word == "h") lines.back().push_back(lines.back().front());
+    if (word == "h" && !(lines.back().back() == lines.back().front()))
+      lines.back().push_back(lines.back().front());
   }
   return lines;
 }
@@ -125,6 +126,18 @@ TEST_F(ProductTwinsTest, WriteTheMirrorImageToTheLastDigit) {
     return all;
   };
   EXPECT_EQ(places("out/left/flat.obj", 1.0), places("out/right/flat.obj", -1.0));
+}
+
+TEST_F(ProductTwinsTest, AreOnePieceInTheFileForApparelPrograms) {
+  const Names profile = {"--formats", "dxf", "--dxf-profile", "astm", "--quantity", "2"};
+  ASSERT_EQ(flatten_product("out", profile).exit_code, k_exit_done);
+  const std::string dxf = content_of("out/garment.dxf");
+  EXPECT_EQ(oracle::tags_of_dxf(dxf).back().second, "EOF");
+  EXPECT_THAT(dxf, HasSubstr("Piece Name: left\n"));
+  EXPECT_THAT(dxf, Not(HasSubstr("Piece Name: right\n")));
+  EXPECT_THAT(dxf, HasSubstr("Quantity: 4,2\n")) << "left, spare, and right mirrored";
+  ASSERT_EQ(flatten_product("plain", {"--formats", "dxf"}).exit_code, k_exit_done);
+  EXPECT_FALSE(std::filesystem::exists("plain/garment.dxf")) << "generic files have no pieces";
 }
 
 TEST_F(ProductTwinsTest, SayInWordsWhoseTheyAre) {

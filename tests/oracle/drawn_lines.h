@@ -52,8 +52,11 @@ inline Lines lines_of_svg_path(std::string_view d) {
     }
     if (command == 'M') lines.emplace_back();
     if (lines.empty()) throw std::runtime_error("SVG: a path does not begin with M");
-    if (command == 'z') lines.back().push_back(lines.back().front());
-    if (command == 'z') continue;
+    if (command == 'z') {
+      std::vector<Vec2>& line = lines.back();
+      if (!(line.back() == line.front()) || line.size() == 1) line.push_back(line.front());
+      continue;
+    }
     if (command == 'A') {
       for (int k = 0; k < 4; ++k)  // radii, angle, and which of four arcs
         take_to(d, " ");

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <iterator>
 #include <memory>
@@ -238,6 +239,11 @@ ProductJob product_job(const FlattenRequest& request, ProductInput input,
                  .paths = {},
                  .files_of = {},
                  .nest = request.nest};
+  const std::vector<PatternFormat>& formats_asked = request.pattern.formats;
+  const bool writes_dxf = std::find(formats_asked.begin(), formats_asked.end(),
+                                    PatternFormat::dxf) != formats_asked.end();
+  if (writes_dxf && request.pattern.output.dxf.profile != DxfProfile::generic)
+    job.pieces_in_dxf = request.pattern.output;
   job.annotations = annotations_of_patches(request.pattern.annotations, job.patches, arguments);
   std::vector<MeshFormat> formats;
   for (std::size_t p = 0; p < job.patches.size(); ++p) {

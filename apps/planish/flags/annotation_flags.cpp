@@ -76,6 +76,10 @@ PieceLabel label_from(const Arguments& arguments) {
   if (arguments.has("--quantity")) {
     label.quantity = whole_number_of("--quantity", arguments.flags.at("--quantity"), k_quantity);
   }
+  if (arguments.has("--mirrored")) {
+    const Range range = {.min = 0.0, .max = static_cast<double>(std::max(1, label.quantity))};
+    label.mirrored = whole_number_of("--mirrored", arguments.flags.at("--mirrored"), range);
+  }
   return label;
 }
 
@@ -147,9 +151,15 @@ FlagGroup annotation_flags() {
         "direction of the grain on the model, or its angle in the pattern"},
        {"--marks", "FILE", "a line each: vertex; cross or drill"},
        {"--inner-lines", "FILE", "as legs of darts, a line each by its vertices"},
-       {"--piece-name", "TEXT", "written inside the piece, as are the next four"},
+       {"--piece-name", "TEXT", "written inside the piece, as are the next five"},
        {"--size", "TEXT", "that the piece is for"},
        {"--quantity", "N", "how many to cut", 0, false, {.range = k_quantity}},
+       {"--mirrored",
+        "N",
+        "how many of --quantity to cut as mirror images",
+        0,
+        false,
+        {.range = {.min = 0.0, .max = k_quantity.max}}},
        {"--fabric", "TEXT", "what to cut it from"},
        {"--note", "TEXT", "anything else, as \"one mirrored\" or \"cut on fold\""},
        {"--date", "TEXT", "written on the sheet as it is (default none)"},

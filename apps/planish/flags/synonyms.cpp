@@ -49,22 +49,22 @@ constexpr std::string_view k_no_scale =
 constexpr std::string_view k_no_radius =
     "the radius of bends has no limit; --prefer smooth, the default of method auto, is nearest in "
     "purpose";
-constexpr std::string_view k_no_map_switch =
-    "the strain map is always drawn, on the layer strain, which other programs can hide";
+constexpr std::string_view k_map_switch =
+    "the strain map is on screens only: in .svg and the report; --map draws it in .pdf too";
 constexpr std::string_view k_sections =
     "sections are not computed; --inner-lines FILE draws lines that you name by their vertices";
 constexpr std::string_view k_one_direction =
     "a material has one limit in all directions; --max-strain sets it, --grain draws the direction";
 constexpr std::string_view k_darts =
     "planish suggest-cuts INPUT -o CUTS finds where to cut, and --cut CUTS cuts there";
-constexpr std::string_view k_no_mirror =
-    "pieces are not mirrored; --note \"one mirrored\" writes it in the piece";
+constexpr std::string_view k_mirrored_flag =
+    "--quantity 2 --mirrored 1 cuts a piece and its mirror image";
 constexpr std::string_view k_fewer =
     "--remesh works on fewer vertices, and chooses their number itself";
 constexpr std::string_view k_smooth =
     "--prefer smooth is the default of method auto; --smooth-first LENGTH smooths the design";
 
-constexpr std::array<Missing, 31> k_missing = {{
+constexpr std::array<Missing, 30> k_missing = {{
     {"--bend-lines", k_no_bends},
     {"--bends", k_no_bends},
     {"--fold-lines", k_no_bends},
@@ -77,9 +77,9 @@ constexpr std::array<Missing, 31> k_missing = {{
     {"--bend-radius", k_no_radius},
     {"--min-radius", k_no_radius},
     {"--min-bend-radius", k_no_radius},
-    {"--no-strain-map", k_no_map_switch},
-    {"--no-map", k_no_map_switch},
-    {"--strain-map", k_no_map_switch},
+    {"--no-strain-map", k_map_switch},
+    {"--no-map", k_map_switch},
+    {"--strain-map", k_map_switch},
     {"--stations", k_sections},
     {"--waterlines", k_sections},
     {"--sections", k_sections},
@@ -87,8 +87,7 @@ constexpr std::array<Missing, 31> k_missing = {{
     {"--weft", k_one_direction},
     {"--darts", k_darts},
     {"--auto-cut", k_darts},
-    {"--mirror", k_no_mirror},
-    {"--mirrored", k_no_mirror},
+    {"--mirror", k_mirrored_flag},
     {"--decimate", k_fewer},
     {"--simplify", k_fewer},
     {"--smooth", k_smooth},

@@ -82,6 +82,8 @@ class ProductRun {
                                      {job_.folder / "garment.html", page(nesting)},
                                      {job_.folder / "garment.svg", picture}};
     if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
+    if (job_.pieces_in_dxf)
+      files.push_back({job_.folder / "garment.dxf", pieces_in_dxf(*job_.pieces_in_dxf)});
     std::string text = patch_lines();
     text += twins_text(report_) + seams_text(report_, job_.is_batch) +
             (nesting ? nesting->text : "") + written_text(files) +
@@ -126,19 +128,28 @@ class ProductRun {
     return json_report(report_, stem_of(job_.path), files, layout);
   }
 
-  /// All patches on sheets, if that was asked for. Notches are put on seams anew: processed patches
-  /// may have other numbers of vertices.
-  std::optional<NestOutcome> laid_on_sheets() const {
-    if (!job_.nest) return std::nullopt;
+  /// Notches are put on seams anew: processed patches may have other numbers of vertices.
+  std::vector<NestPatch> patches_with_notches() const {
     std::vector<PatternOptions> annotations = job_.annotations;
     for (PatternOptions& own : annotations)
       own.notches.clear();
     const std::vector<SeamNotch> notches = seam_notches_from(arguments_);
-    std::vector<NestPatch> patches = about(arguments_.value_or("--seam-notches", ""), [&] {
+    return about(arguments_.value_or("--seam-notches", ""), [&] {
       return patches_to_cut(job_.patches, report_, std::move(annotations), notches);
     });
-    return try_nest_patches(std::move(patches), report_.unit, *job_.nest, job_.folder,
+  }
+
+  /// All patches on sheets, if that was asked for.
+  std::optional<NestOutcome> laid_on_sheets() const {
+    if (!job_.nest) return std::nullopt;
+    return try_nest_patches(patches_with_notches(), report_.unit, *job_.nest, job_.folder,
                             stem_of(job_.path), session_);
+  }
+
+  std::string pieces_in_dxf(const PatternOutput& output) const {
+    const NestJob pieces{patches_with_notches(), report_.unit};
+    return pattern_file(pieces_sheet(pieces, report_.twins, stem_of(job_.path)), PatternFormat::dxf,
+                        output);
   }
 
   std::optional<FinishedPatch> kept(std::size_t p, const PatchTwin* twin) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include <planish/pattern/pattern_options.h>
 #include <planish/report/json_report.h>
 
+#include "output/pattern_output.h"
 #include "product/parts.h"
 #include "shell/command.h"
 #include "shell/session.h"
@@ -36,6 +38,8 @@ struct ProductJob {
       files_of;
   /// How all patches are laid on sheets together; nothing where they are not.
   std::shared_ptr<const NestRequest> nest = {};
+  /// How a file with all pieces, as apparel programs read it, is written; nothing for none.
+  std::optional<PatternOutput> pieces_in_dxf = {};
 };
 
 /// --product, --resume and --seam-tolerance.

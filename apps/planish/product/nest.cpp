@@ -139,7 +139,7 @@ std::optional<NestOptions> sheets_from(const Arguments& arguments) {
 }
 
 SheetFit fit_alone(NestPatch patch, Unit unit, const NestOptions& sheets) {
-  const NestJob job{{std::move(patch)}, unit, sheets};
+  const NestJob job{with_mirror_images({std::move(patch)}), unit, sheets};
   try {
     const Nesting nesting = nest(nest_pieces(job), sheets);
     return {true, material_text(sheets, nesting.sheets), "alone, " + use_text(sheets, nesting)};
@@ -152,7 +152,7 @@ SheetFit fit_alone(NestPatch patch, Unit unit, const NestOptions& sheets) {
 NestOutcome nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRequest& request,
                          const std::filesystem::path& folder, const std::string& title,
                          Session& session) {
-  NestJob job{std::move(patches), unit, request.sheets};
+  NestJob job{with_mirror_images(std::move(patches)), unit, request.sheets};
   const std::vector<NestPiece> pieces = nest_pieces(job);
   Nesting nesting = nest(pieces, job.sheets, session.job_context(title));
   NestOutcome outcome;

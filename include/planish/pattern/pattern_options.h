@@ -20,7 +20,8 @@ struct PieceLabel {
   std::string size = {};    ///< as "40"
   int quantity = 0;         ///< how many to cut; 0: not said, which for machines is one
   std::string fabric = {};  ///< what it is cut from
-  std::string note = {};    ///< as "cut on fold" or "one mirrored"
+  std::string note = {};    ///< as "cut on fold"
+  int mirrored = 0;         ///< how many of the quantity are mirror images
 };
 
 /// The grain of a pattern: a direction on the model, or one in the pattern by its angle to the

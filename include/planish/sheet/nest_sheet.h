@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,8 +20,13 @@ struct NestPatch {
   std::string name;           ///< written on each copy
   TriMesh mesh;               ///< that was laid flat
   std::vector<Vec2> pattern;  ///< model units; empty where the patch has none: then it is left out
-  PatternOptions annotations = {};  ///< it is cut as often as the label says, at least once
+  PatternOptions annotations = {};  ///< it is cut as often as the label says, at least once;
+                                    ///< none of these is mirrored
 };
+
+/// The patches, and behind each one the mirror image of it that its label asks for, which is a
+/// patch by itself.
+std::vector<NestPatch> with_mirror_images(std::vector<NestPatch> patches);
 
 /// Patches, and the sheets to cut them from.
 struct NestJob {
@@ -55,5 +61,13 @@ std::vector<NestPiece> nest_pieces(const NestJob& job);
 /// @throws Error as pattern_sheet()
 Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t number,
                    const std::string& title);
+
+/// Every piece once, side by side, with all that its annotations ask for and how many are
+/// cut: for formats that keep pieces as blocks. A twin is no piece by itself but a copy, or a
+/// mirror image, of the other one.
+/// @param twins one for each patch
+/// @throws Error as pattern_sheet()
+Drawing pieces_sheet(const NestJob& job, std::span<const std::optional<PatchTwin>> twins,
+                     const std::string& title);
 
 }  // namespace planish

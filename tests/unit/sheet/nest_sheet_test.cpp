@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <variant>
+#include <vector>
 
 #include <planish/draw/format_drawing.h>
 #include <planish/sheet/nest_sheet.h>
@@ -143,6 +145,74 @@ TEST(NestSheet, GivesApparelProgramsABlockForEachCopy) {
   const std::string dxf = format_dxf(sheet, {.profile = DxfProfile::aama});
   EXPECT_THAT(dxf, HasSubstr("Piece Name: front 1 of 2"));
   EXPECT_THAT(dxf, HasSubstr("Piece Name: sleeve 2 of 2"));
+}
+
+/// An L, which no turn makes its own mirror image, with a notch near one end of its long side.
+NestPatch l_shape(PatternOptions annotations) {
+  NestPatch patch = flat_patch("hook", 3, 5, std::move(annotations));
+  auto& triangles = patch.mesh.triangles;
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                                 [&](const Triangle& t) {
+                                   const Vec3 sum = patch.mesh.positions[t[0]] +
+                                                    patch.mesh.positions[t[1]] +
+                                                    patch.mesh.positions[t[2]];
+                                   return sum.x > 3.0 && sum.y > 3.0;
+                                 }),
+                  triangles.end());
+  return patch;
+}
+
+TEST(NestSheet, CutsMirrorImagesAsOftenAsTheLabelSays) {
+  const NestPatch hook =
+      l_shape({.notches = {{.place = 0.04}}, .label = {.quantity = 3, .mirrored = 1}});
+  const auto patches = with_mirror_images({hook});
+  ASSERT_EQ(patches.size(), 2U);
+  EXPECT_EQ(patches[0].annotations.label.quantity, 2);
+  EXPECT_EQ(patches[1].annotations.label.quantity, 1);
+  EXPECT_EQ(patches[1].name, "hook, mirrored");
+  NestJob job{patches, Unit::mm, {.width = 300.0, .turns = Turns::none}};
+  const Drawing sheet = nest_sheet(job, nest(nest_pieces(job), job.sheets), 0, "hooks");
+  const auto cuts = nest_paths(sheet, "cut"), notches = nest_paths(sheet, "notch");
+  ASSERT_EQ(cuts.size(), 3U);
+  ASSERT_EQ(notches.size(), 3U);
+  // Of a piece and its mirror image the notch is as far from one side as from the other.
+  const auto from_left = [&](std::size_t k) {
+    return std::get<NotchMark>(notches[k].mark).at.x - oracle::outline_box(cuts[k].lines).low.x;
+  };
+  const auto from_right = [&](std::size_t k) {
+    return oracle::outline_box(cuts[k].lines).high.x - std::get<NotchMark>(notches[k].mark).at.x;
+  };
+  EXPECT_NEAR(from_left(0), from_left(1), 1e-9) << "two copies";
+  EXPECT_NEAR(from_left(0), from_right(2), 1e-9) << "the mirror image";
+  EXPECT_GT(std::abs(from_left(0) - from_left(2)), 1.0);
+  EXPECT_EQ(sheet.pieces[2].name, "hook, mirrored");
+}
+
+TEST(NestSheet, LeavesPatchesWithoutMirrorImagesAsTheyAre) {
+  const auto patches = with_mirror_images(jacket().patches);
+  EXPECT_EQ(patches.size(), 3U);
+  EXPECT_EQ(patches[2].annotations.label.quantity, 2);
+  const auto all = with_mirror_images({l_shape({.label = {.quantity = 1, .mirrored = 5}})});
+  ASSERT_EQ(all.size(), 1U) << "only the mirror image";
+  EXPECT_EQ(all[0].annotations.label.quantity, 1);
+}
+
+TEST(PiecesSheet, HasEveryPieceOnceAndCountsItsTwins) {
+  NestJob job = jacket();
+  job.patches.push_back(flat_patch("sleeve, right", 15, 40, job.patches[2].annotations));
+  const std::vector<std::optional<PatchTwin>> twins = {{}, {}, {}, PatchTwin{2, true, {}}};
+  const Drawing sheet = pieces_sheet(job, twins, "jacket");
+  ASSERT_EQ(sheet.pieces.size(), 2U);
+  EXPECT_EQ(sheet.pieces[0].name, "front");
+  EXPECT_EQ(sheet.pieces[1].name, "sleeve");
+  EXPECT_EQ(sheet.pieces[1].quantity, 2);
+  EXPECT_EQ(sheet.pieces[1].mirrored, 2);
+  const auto cuts = nest_paths(sheet, "cut");
+  ASSERT_EQ(cuts.size(), 2U);
+  EXPECT_LT(oracle::outline_box(cuts[0].lines).high.x, oracle::outline_box(cuts[1].lines).low.x);
+  EXPECT_NEAR(oracle::outline_box(cuts[1].lines).low.y, 0.0, 1e-9);
+  const std::string dxf = format_dxf(sheet, {.profile = DxfProfile::astm});
+  EXPECT_THAT(dxf, HasSubstr("Quantity: 2,2"));
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <planish/core/error.h>
 #include <planish/pattern/allowance.h>
 
+#include "core/number_text.h"
+
 namespace planish {
 
 namespace {
@@ -29,6 +31,25 @@ std::optional<Stretch> stretch_of(const EdgeAllowance& edge,
   return std::nullopt;
 }
 
+std::string fold_text(std::string_view piece, const FoldLine& fold) {
+  return "piece \"" + std::string(piece) + "\": the fold from vertex " + std::to_string(fold.from) +
+         " to " + std::to_string(fold.to);
+}
+
+/// The largest distance of a stretch from the line between its ends.
+double bow_of(const PieceOutline& outline, const Stretch& stretch) {
+  const Polygon& loop = outline.loops[stretch.loop];
+  const Vec2 from = loop[stretch.from], chord = loop[stretch.to] - from;
+  const double length = norm(chord);
+  double bow = 0.0;
+  for (std::size_t at = stretch.from; at != stretch.to; at = (at + 1) % loop.size()) {
+    const Vec2 apart = loop[at] - from;
+    const double share = std::clamp(dot(apart, chord) / (length * length), 0.0, 1.0);
+    bow = std::max(bow, norm(apart - share * chord));
+  }
+  return bow;
+}
+
 }  // namespace
 
 void check_edge_allowances(std::span<const std::vector<Index>> border,
@@ -41,6 +62,33 @@ void check_edge_allowances(std::span<const std::vector<Index>> border,
                     " is off the border: both must be on one border of the piece",
                 {.path = {}, .first = edge.from});
   }
+}
+
+void check_fold(std::span<const std::vector<Index>> border, const FoldLine& fold,
+                std::string_view piece) {
+  if (fold.from != fold.to && stretch_of({fold.from, fold.to}, border)) return;
+  throw Error(ErrorCode::misplaced_allowance,
+              fold_text(piece, fold) +
+                  " is off the border: its ends must be two vertices of one border of the piece",
+              {.path = {}, .first = fold.from});
+}
+
+EdgeAllowance fold_stretch(const PieceOutline& outline, const FoldLine& fold) {
+  constexpr double k_straight = 0.5, k_share = 0.001;
+  check_fold(outline.vertices, fold, outline.piece);
+  const Stretch ahead = *stretch_of({fold.from, fold.to}, outline.vertices);
+  const Stretch back = {ahead.loop, ahead.to, ahead.from};
+  const double bow = bow_of(outline, ahead), bow_back = bow_of(outline, back);
+  const Polygon& loop = outline.loops[ahead.loop];
+  const double length = norm(loop[ahead.to] - loop[ahead.from]);
+  if (std::min(bow, bow_back) > std::max(k_straight, k_share * length)) {
+    throw Error(ErrorCode::misplaced_allowance,
+                fold_text(outline.piece, fold) + " is not straight: it is " +
+                    fixed_text(std::min(bow, bow_back), 1) +
+                    " mm off the line between its ends; material folds along a straight line only",
+                {.path = {}, .first = fold.from});
+  }
+  return bow <= bow_back ? EdgeAllowance{fold.from, fold.to} : EdgeAllowance{fold.to, fold.from};
 }
 
 Allowance with_edge_allowances(Allowance allowance, const PieceOutline& outline,

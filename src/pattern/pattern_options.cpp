@@ -26,6 +26,10 @@ void for_vertices(Options& options, Visit visit) {
     visit(edge.from);
     visit(edge.to);
   }
+  if (options.fold) {
+    visit(options.fold->from);
+    visit(options.fold->to);
+  }
   if (options.like) visit(options.like->start);
 }
 
@@ -43,6 +47,7 @@ void check_pattern_options(const PatternOptions& options, std::size_t vertex_cou
   const std::string& piece = options.label.name.empty() ? name : options.label.name;
   check_notches(border, options.notches, piece);
   check_edge_allowances(border, options.edge_allowances, piece);
+  if (options.fold) check_fold(border, *options.fold, piece);
   check_marks(vertex_count, options.marks, piece);
   check_inner_lines(vertex_count, options.inner_lines, piece);
 }

@@ -18,6 +18,7 @@ namespace {
 
 constexpr Stroke k_cut{{255, 0, 0}}, k_seam{{80, 80, 80}, 0.25, true}, k_notch{{255, 0, 255}},
     k_grain{{0, 128, 0}}, k_drill{{0, 0, 255}}, k_internal{{0, 160, 160}};
+constexpr Stroke k_fold{{230, 120, 0}, 0.35, true};
 constexpr Color k_black = {0, 0, 0};
 constexpr double k_line_pitch = 1.6;  // of a label's lines, over their height
 
@@ -67,6 +68,16 @@ Layer grain_layer(std::vector<Polygon> lines) {
   return layer;
 }
 
+Layer fold_layer(const PlacedPattern& pattern, const std::optional<FoldLine>& fold) {
+  Layer layer{"fold", {}};
+  if (!fold) return layer;
+  const Vec2 from = pattern.positions[fold->from], to = pattern.positions[fold->to];
+  Path path{{{from, to}}, false, k_fold};
+  path.mark = FoldMark{from, to};
+  layer.shapes.emplace_back(std::move(path));
+  return layer;
+}
+
 Layer drill_layer(const PlacedPattern& pattern, const std::vector<Mark>& marks) {
   Layer layer{"drill", {}};
   for (const Mark& mark : marks) {
@@ -84,7 +95,7 @@ std::string quantity_text(const PieceLabel& label) {
   return std::to_string(label.quantity) + " ×" + mirrored;
 }
 
-std::vector<std::string> lines_of(const PieceLabel& label) {
+std::vector<std::string> lines_of(const PieceLabel& label, bool on_fold) {
   std::vector<std::string> lines;
   const auto add = [&](const std::string& before, const std::string& text) {
     if (!text.empty()) lines.push_back(before + text);
@@ -93,6 +104,7 @@ std::vector<std::string> lines_of(const PieceLabel& label) {
   add("size ", label.size);
   add("cut ", quantity_text(label));
   add("", label.fabric);
+  add("", on_fold ? "on the fold" : "");
   add("", label.note);
   return lines;
 }
@@ -198,7 +210,7 @@ Vec2 grain_on_sheet(const Grain& grain, const TriMesh& mesh, const PlacedPattern
 std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& pattern,
                                       const PatternOptions& options) {
   const PieceOutline& outline = pattern.outline;
-  const std::vector<std::string> lines = lines_of(options.label);
+  const std::vector<std::string> lines = lines_of(options.label, options.fold.has_value());
   check_marks(pattern.positions.size(), options.marks, outline.piece);
   const std::vector<Polygon> free = free_loops(pattern, options);
   const LabelPlace place = lines.empty() ? LabelPlace{} : label_place(outline, free, lines);
@@ -208,10 +220,11 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
         grain_lines(outline, grain_on_sheet(*options.grain, mesh, pattern), box_of(place, lines));
   }
   std::vector<Layer> layers;
-  layers.reserve(6);
+  layers.reserve(7);
   layers.push_back(seam_layer(pattern, options));
   layers.push_back(notch_layer(pattern));
   layers.push_back(grain_layer(std::move(grain)));
+  layers.push_back(fold_layer(pattern, options.fold));
   layers.push_back(drill_layer(pattern, options.marks));
   layers.push_back(layer_of(
       "internal", inner_lines(pattern.positions, options.inner_lines, outline.piece), k_internal));

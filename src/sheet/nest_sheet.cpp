@@ -108,7 +108,8 @@ NestPatch mirror_image(NestPatch patch) {
 
 std::vector<Layer> empty_piece_layers() {
   std::vector<Layer> layers;
-  for (const char* name : {"cut", "seam", "notch", "grain", "drill", "internal", "annotation"})
+  for (const char* name :
+       {"cut", "seam", "notch", "grain", "fold", "drill", "internal", "annotation"})
     layers.push_back({name, {}});
   return layers;
 }

@@ -124,9 +124,10 @@ PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> position
   pattern.outline = piece_outline(border_loops(mesh, mirrored), pattern.positions, piece);
   if (options.like) begin_at(options.like->start, pattern.outline);
   pattern.cut = pattern.outline.loops;
+  std::vector<EdgeAllowance> edges =
+      mirrored ? turned_round(options.edge_allowances) : options.edge_allowances;
+  if (options.fold) edges.push_back(fold_stretch(pattern.outline, *options.fold));
   if (options.allowance) {
-    const std::vector<EdgeAllowance> edges =
-        mirrored ? turned_round(options.edge_allowances) : options.edge_allowances;
     pattern.cut = offset_outline(pattern.outline,
                                  with_edge_allowances(*options.allowance, pattern.outline, edges));
   }

@@ -24,7 +24,8 @@ struct PlacedPattern {
 /// Where the unfolding put it.
 /// @param positions of all vertices in the pattern, model units
 /// @param piece what messages call it
-/// @throws Error as offset_outline(), with_edge_allowances() and place_notches()
+/// @throws Error as offset_outline(), with_edge_allowances(), fold_stretch() and
+/// place_notches()
 PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> positions, Unit unit,
                              const std::string& piece, const PatternOptions& options);
 

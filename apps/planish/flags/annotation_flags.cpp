@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include <planish/pattern/read_annotations.h>
@@ -66,6 +67,20 @@ std::optional<Grain> grain_from(const Arguments& arguments) {
                      "\" but must be a direction such as 0,0,1 or an angle such as 30deg");
   }
   return *direction;
+}
+
+/// Two numbers of vertices with a comma between them.
+std::optional<FoldLine> fold_from(const Arguments& arguments) {
+  if (!arguments.has("--fold")) return std::nullopt;
+  const std::string& text = arguments.flags.at("--fold");
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos)
+    throw UsageError("--fold is \"" + text + "\" but must be two vertices, as 12,57");
+  constexpr Range range = {.min = 0.0, .max = std::numeric_limits<std::int32_t>::max()};
+  const auto vertex = [&](const std::string& word) {
+    return static_cast<Index>(whole_number_of("--fold", word, range));
+  };
+  return FoldLine{vertex(text.substr(0, comma)), vertex(text.substr(comma + 1))};
 }
 
 PieceLabel label_from(const Arguments& arguments) {
@@ -137,6 +152,9 @@ FlagGroup annotation_flags() {
         {.choices = names_of(k_corners), .standard = std::string(to_string(k_corners.front()))}},
        {"--edge-allowances", "FILE",
         "other ones for stretches of the border, a line each: from vertex, to vertex, width in mm"},
+       {"--fold", "V,W",
+        "vertices at the ends of a straight stretch of the border: the piece is cut on the fold "
+        "there, without an allowance"},
        {"--notches", "FILE",
         "a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double"},
        {"--seam-notches", "FILE",
@@ -177,6 +195,7 @@ PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet) {
   PatternOptions options;
   options.allowance = allowance_from(arguments);
   options.notch_sizes = notch_sizes_from(arguments, options.allowance);
+  options.fold = fold_from(arguments);
   options.grain = grain_from(arguments);
   options.label = label_from(arguments);
   options.date = arguments.value_or("--date", "");

@@ -25,8 +25,9 @@ namespace planish::cli {
 namespace {
 
 void refuse_single_patch_flags(const Arguments& arguments) {
-  for (const char* flag : {"--fix", "--weights", "--obstacle", "--history", "--fields", "--notches",
-                           "--marks", "--edge-allowances", "--inner-lines", "--piece-name"}) {
+  for (const char* flag :
+       {"--fix", "--weights", "--obstacle", "--history", "--fields", "--notches", "--marks",
+        "--edge-allowances", "--fold", "--inner-lines", "--piece-name"}) {
     if (!arguments.has(flag)) continue;
     throw UsageError("flag " + std::string(flag) +
                      " goes with one patch only; the input has several");

@@ -54,6 +54,22 @@ struct EdgeAllowance {
 void check_edge_allowances(std::span<const std::vector<Index>> border,
                            std::span<const EdgeAllowance> edges, std::string_view piece);
 
+/// A straight stretch of the border along which the material is folded: half of the piece is drawn.
+struct FoldLine {
+  Index from = 0, to = 0;  ///< vertices at its ends, in either order
+};
+
+/// Checks that the ends are on one loop of the border, which needs no pattern.
+/// @throws Error misplaced_allowance naming the piece and the vertices
+void check_fold(std::span<const std::vector<Index>> border, const FoldLine& fold,
+                std::string_view piece);
+
+/// The stretch between the ends of a fold that is straight in the pattern, without an allowance.
+/// @param outline with vertices
+/// @throws Error as check_fold(); misplaced_allowance where a point of either stretch is farther
+///   from the line than 0.5 mm and a thousandth of its length
+EdgeAllowance fold_stretch(const PieceOutline& outline, const FoldLine& fold);
+
 /// The allowance with other widths along stretches; where they overlap, the last one counts.
 /// @param outline with vertices
 /// @throws Error as check_edge_allowances()

@@ -40,6 +40,7 @@ struct DrawnLike {
 struct PatternOptions {
   std::optional<Allowance> allowance = {};          ///< none: the outline is what is cut
   std::vector<EdgeAllowance> edge_allowances = {};  ///< where it is another; idle without allowance
+  std::optional<FoldLine> fold = {};                ///< none: the piece is drawn whole
   std::vector<Notch> notches = {};                  ///< on the border
   NotchSizes notch_sizes = {};                      ///< of all notches
   std::optional<Grain> grain = {};                  ///< none: no grain line is drawn

@@ -68,10 +68,11 @@ std::string line_keys(const FlatView& view) {
   struct Line {
     std::string_view layer, words;
   };
-  constexpr std::array<Line, 6> lines = {{{"cut", "cut line"},
+  constexpr std::array<Line, 7> lines = {{{"cut", "cut line"},
                                           {"seam", "seam line"},
                                           {"notch", "notch"},
                                           {"grain", "grain"},
+                                          {"fold", "fold line"},
                                           {"drill", "drill hole"},
                                           {"internal", "inner line"}}};
   std::string html = "<ul class=\"lines\">\n";

@@ -89,6 +89,31 @@ TEST(Annotations, HasInnerLinesOnTheirLayer) {
   EXPECT_NEAR(norm(line.lines[0][1] - line.lines[0][0]), 50.0, 1e-9);
 }
 
+TEST(Annotations, DrawsAFoldAndLeavesTheAllowanceOutThere) {
+  // Vertices 0 to 4 are the lower side; either order will do.
+  for (const FoldLine fold : {FoldLine{0, 4}, FoldLine{4, 0}}) {
+    const Drawing sheet = sheet_with(
+        {.allowance = Allowance{.width = 10.0}, .fold = fold, .label = {.name = "half"}});
+    EXPECT_NEAR(signed_area(path(sheet, "cut").lines.at(0)), 220.0 * 210.0, 0.01);
+    const Path& line = path(sheet, "fold");
+    EXPECT_NEAR(norm(line.lines[0][1] - line.lines[0][0]), 200.0, 1e-9);
+    EXPECT_EQ(std::get<FoldMark>(line.mark).from, line.lines[0][0]);
+    EXPECT_THAT(texts(sheet, "annotation"), ElementsAre("half", "on the fold"));
+  }
+}
+
+TEST(Annotations, RefusesAFoldThatIsNotStraight) {
+  for (const FoldLine fold : {FoldLine{0, 9}, FoldLine{0, 0}, FoldLine{0, 12}, FoldLine{0, 99}}) {
+    try {
+      sheet_with({.fold = fold, .label = {"front"}});
+      FAIL() << fold.to;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::misplaced_allowance);
+      EXPECT_THAT(error.message(), HasSubstr("piece \"front\": the fold from vertex 0 to "));
+    }
+  }
+}
+
 TEST(Annotations, SaysTheAllowanceWithoutTheDustOfItsUnit) {
   const Drawing sheet = sheet_with({.allowance = Allowance{.width = 1.9999999999999998}});
   EXPECT_THAT(texts(sheet, "label"), Contains(testing::EndsWith("+ 2 mm allowance")));

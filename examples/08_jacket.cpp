@@ -25,7 +25,7 @@ int main() {
     std::cout << patch.name << ": strain " << 100.0 * patch.finished->unfold.strain.rms << " %\n";
   }
   for (const MeasuredSeam& seam : jacket.seams)
-    std::cout << "a seam of " << seam.on_model << " mm, in the patterns " << *seam.in_pattern[0]
+    std::cout << "a seam of " << seam.on_model[0] << " mm, in the patterns " << *seam.in_pattern[0]
               << " and " << *seam.in_pattern[1] << " mm\n";
 
   const PatternOptions annotations{.allowance = Allowance{.width = 10.0}};

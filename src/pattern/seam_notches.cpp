@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <planish/core/error.h>
@@ -17,14 +18,36 @@ struct EdgeOfSeam {
 };
 
 EdgeOfSeam edge_at(const SeamSide& side, std::span<const Vec3> positions, double way) {
+  const auto length_of_edge = [&](std::size_t k) {
+    return norm(positions[side.vertices[k + 1]] - positions[side.vertices[k]]);
+  };
+  way += side.first_share * length_of_edge(0);
   for (std::size_t k = 0; k + 2 < side.vertices.size(); ++k) {
-    const double length = norm(positions[side.vertices[k + 1]] - positions[side.vertices[k]]);
+    const double length = length_of_edge(k);
     if (way < length) return {k, way / length};
     way -= length;
   }
   const std::size_t last = side.vertices.size() - 2;
-  const double length = norm(positions[side.vertices[last + 1]] - positions[side.vertices[last]]);
-  return {last, std::clamp(way / length, 0.0, 1.0)};
+  return {last, std::clamp(way / length_of_edge(last), 0.0, side.last_share)};
+}
+
+Notch notch_at(const SeamNotch& notch, const SeamSide& side, const EdgeOfSeam& at) {
+  const PlaceOnEdge place = {side.vertices[at.edge], side.vertices[at.edge + 1], at.share};
+  return {place, notch.kind, notch.is_double};
+}
+
+/// On both sides of a seam.
+/// @param way along the first side, model units
+std::array<Notch, 2> notches_at(const SeamNotch& notch, const Seam& seam, double way,
+                                std::span<const TriMesh> patches) {
+  const auto& [first, second] = seam.sides;
+  const std::span<const Vec3> positions = patches[first.patch].positions;
+  const EdgeOfSeam at = edge_at(first, positions, way);
+  if (!seam.is_curve()) return {notch_at(notch, first, at), notch_at(notch, second, at)};
+  const std::span<const Vec3> others = patches[second.patch].positions;
+  const double share = matched_share(seam, way / length_of(first, positions));
+  const EdgeOfSeam beside = edge_at(second, others, share * length_of(second, others));
+  return {notch_at(notch, first, at), notch_at(notch, second, beside)};
 }
 
 std::string name_of(std::size_t number, const Seam& seam, std::span<const std::string> names) {
@@ -49,7 +72,7 @@ void check_seam(const SeamNotch& notch, std::size_t seam_count) {
   const std::string last = std::to_string(seam_count);
   throw Error(ErrorCode::misplaced_notch,
               "there is no seam " + std::to_string(*notch.seam + 1) + " for a notch: " +
-                  (seam_count == 0 ? "no two borders lie at the same places"
+                  (seam_count == 0 ? "no two borders run along each other"
                                    : "seams are numbered from 1 to " + last));
 }
 
@@ -69,11 +92,9 @@ std::vector<std::vector<Notch>> notches_of_patches(std::span<const SeamNotch> no
       const std::span<const Vec3> positions = patches[first.patch].positions;
       const double length = unit * length_of(first, positions);
       const double way = way_of(notch, length, name_of(s, seams[s], names));
-      const EdgeOfSeam at = edge_at(first, positions, way / unit);
-      for (const SeamSide& side : seams[s].sides) {
-        const PlaceOnEdge place = {side.vertices[at.edge], side.vertices[at.edge + 1], at.share};
-        result[side.patch].push_back({place, notch.kind, notch.is_double});
-      }
+      const std::array<Notch, 2> both = notches_at(notch, seams[s], way / unit, patches);
+      for (std::size_t side = 0; side < 2; ++side)
+        result[seams[s].sides[side].patch].push_back(both[side]);
     }
   }
   return result;

@@ -9,25 +9,37 @@ namespace planish {
 
 namespace {
 
-Json seam_side(const ProductReport& report, const SeamSide& side,
-               const std::optional<double>& length) {
+Json seam_side(const ProductReport& report, const MeasuredSeam& seam, std::size_t number) {
+  const SeamSide& side = seam.seam.sides[number];
+  const auto& length = seam.in_pattern[number];
   Json json = {{"patch", report.patches[side.patch].name},
                {"first_vertex", side.vertices.front()},
                {"last_vertex", side.vertices.back()},
                {"vertices", side.vertices.size()}};
   json["length"] = length ? Json(*length) : Json(nullptr);
+  json["first_share"] = side.first_share;
+  json["last_share"] = side.last_share;
+  json["length_on_model"] = seam.on_model[number];
   return json;
+}
+
+/// 1 or 2.
+Json side_number(const std::optional<std::size_t>& side) {
+  return side ? Json(*side + 1) : Json(nullptr);
 }
 
 Json seam_entry(const ProductReport& report, const MeasuredSeam& seam, std::size_t number) {
   Json json = {{"number", number},
                {"name", seam.name.empty() ? Json(nullptr) : Json(seam.name)},
-               {"length_on_model", seam.on_model}};
-  json["sides"] = {seam_side(report, seam.seam.sides[0], seam.in_pattern[0]),
-                   seam_side(report, seam.seam.sides[1], seam.in_pattern[1])};
+               {"length_on_model", seam.on_model[0]}};
+  json["sides"] = {seam_side(report, seam, 0), seam_side(report, seam, 1)};
   const auto difference = seam.difference();
   json["difference"] = difference ? Json(*difference) : Json(nullptr);
-  json["difference_share"] = difference ? Json(*difference / seam.on_model) : Json(nullptr);
+  json["difference_share"] = difference ? Json(*difference / seam.on_model[0]) : Json(nullptr);
+  json["matched"] = seam.seam.is_curve() ? "curve" : "vertices";
+  json["longer"] = side_number(seam.longer());
+  json["difference_on_model"] = seam.difference_on_model();
+  json["longer_on_model"] = side_number(seam.longer_on_model());
   return json;
 }
 

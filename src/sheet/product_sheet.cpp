@@ -108,14 +108,6 @@ std::string name_of(std::span<const ProductPiece> pieces, std::size_t number) {
   return twin ? name + " (" + twin_text({pieces[twin->patch].name, twin->mirrored}) + ")" : name;
 }
 
-std::vector<Vec2> line_of(const std::vector<Index>& vertices, const std::vector<Vec2>& corners) {
-  std::vector<Vec2> line;
-  line.reserve(vertices.size());
-  for (const Index v : vertices)
-    line.push_back(corners[v]);
-  return line;
-}
-
 }  // namespace
 
 Drawing product_sheet(std::span<const ProductPiece> pieces, std::span<const Seam> seams, Unit unit,
@@ -133,7 +125,7 @@ Drawing product_sheet(std::span<const ProductPiece> pieces, std::span<const Seam
     border.piece = p;
     const Patch patch(pieces[p].mesh);
     for (const std::vector<Index>& loop : patch.border_loops())
-      border.lines.push_back(line_of(loop, layout.corners[p]));
+      border.lines.push_back(line_of({p, loop}, layout.corners[p]));
     cut.shapes.emplace_back(std::move(border));
     Text name{layout.name_at[p], k_name_height, name_of(pieces, p), k_black};
     name.piece = p;
@@ -143,7 +135,7 @@ Drawing product_sheet(std::span<const ProductPiece> pieces, std::span<const Seam
     const Color color = k_seam_colors[s % k_seam_colors.size()];
     for (const SeamSide& side : seams[s].sides) {
       if (pieces[side.patch].pattern.empty()) continue;
-      Path line{{line_of(side.vertices, layout.corners[side.patch])}, false, Stroke{color, 0.8}};
+      Path line{{line_of(side, layout.corners[side.patch])}, false, Stroke{color, 0.8}};
       line.piece = side.patch;
       seam_lines.shapes.emplace_back(std::move(line));
       const Vec2 middle = layout.corners[side.patch][side.vertices[side.vertices.size() / 2]];

@@ -193,16 +193,36 @@ TEST_F(ProductSeams, AreKeptOnResumingOnlyWithTheSameNotches) {
   EXPECT_THAT(planish(args).err, testing::Not(HasSubstr("from the earlier run")));
 }
 
-TEST_F(ProductSeams, NamesBordersWhoseVerticesDiffer) {
+/// Two sheets side by side, a tenth of a millimetre apart, with other vertices at the gap.
+void write_sheets_side_by_side() {
   std::filesystem::create_directories("apart");
   for (const auto& [name, rows, first] :
-       {std::tuple{"left", 20, 0.0}, std::tuple{"right", 27, 40.0}}) {
+       {std::tuple{"left", 20, 0.0}, std::tuple{"right", 27, 40.1}}) {
     TriMesh mesh = meshes::flat_grid(20, rows);
     for (Vec3& p : mesh.positions)
       p = {first + 2.0 * p.x, 80.0 * p.y / rows, 0.0};
     write_mesh(std::string("apart/") + name + ".obj", mesh);
   }
+}
+
+TEST_F(ProductSeams, MatchBordersWhoseVerticesDiffer) {
+  write_sheets_side_by_side();
   const CliResult result = planish({"flatten", "apart", "--product", "-o", "out"});
+  EXPECT_THAT(result.out, HasSubstr("left - right\n"));
+  const json seams = json::parse(content_of("out/garment.json"))["seams"];
+  ASSERT_EQ(seams.size(), 1U);
+  EXPECT_EQ(seams[0]["matched"], "curve");
+  EXPECT_EQ(seams[0]["longer"], json(nullptr));
+  for (const json& side : seams[0]["sides"])
+    EXPECT_NEAR(side["length_on_model"].get<double>(), 80.0, 1e-9);
+  EXPECT_THAT(planish({"flatten", "apart", "-o", "batch"}).out,
+              HasSubstr("--product searches for seams"));
+}
+
+TEST_F(ProductSeams, NamesBordersThatCouldNotBeMatched) {
+  write_sheets_side_by_side();
+  const CliResult result =
+      planish({"flatten", "apart", "--product", "-o", "out", "--seam-tolerance", "0.05mm"});
   EXPECT_THAT(result.out, HasSubstr("There are no seams.\n"));
   EXPECT_THAT(result.out, HasSubstr("    80.0  left - right\n"));
   const json near = json::parse(content_of("out/garment.json"))["near_borders"];

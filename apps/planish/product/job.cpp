@@ -259,8 +259,8 @@ std::vector<Flag> product_flags() {
        "of several patches, keep those whose results are there, whole and of the same job"},
       {"--seam-tolerance",
        "LENGTH",
-       "how close borders of several patches must lie to be sewn together, like 0.01mm (default: "
-       "at equal places)",
+       "largest distance at which borders are one seam, like 0.5mm (default: a tenth of an edge's "
+       "length)",
        0,
        false,
        {.range = {.min = 0.0}}}};

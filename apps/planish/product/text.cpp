@@ -72,12 +72,11 @@ namespace {
 /// Borders that look like seams and are none.
 std::string near_text(const ProductReport& report) {
   if (report.near_borders.empty()) return {};
-  std::string text =
-      "\nBorders beside each other that are no seams, as their vertices differ, in mm:\n";
+  std::string text = "\nBorders beside each other that could not be matched to seams, in mm:\n";
   for (const NearBorders& near : report.near_borders) {
     text += right(digits(near.length, 3), 8) + "  " + near_borders_name(report, near) + "\n";
   }
-  return text + "Mesh the product first, then cut it, to have seams there.\n";
+  return text + "They are too short, too ragged or too far apart (--seam-tolerance).\n";
 }
 
 }  // namespace
@@ -88,7 +87,7 @@ std::string seams_text(const ProductReport& report, bool is_batch) {
   if (seams.empty() && is_batch)
     return "\nEach file by itself; --product searches for seams between them.\n" + near;
   if (seams.empty() && near.empty())
-    return "\nNo two borders lie at the same places: there are no seams.\n";
+    return "\nNo two borders run along each other: there are no seams.\n";
   if (seams.empty()) return "\nThere are no seams.\n" + near;
   std::string text = "\nSeams, in mm:   model     pattern of both sides   difference\n";
   for (std::size_t s = 0; s < seams.size(); ++s) {
@@ -97,14 +96,16 @@ std::string seams_text(const ProductReport& report, bool is_batch) {
       return right(value ? fixed(*value, 2) : "-", 11);
     };
     const auto difference = seam.difference();
-    text += right(std::to_string(s + 1), 4) + "  " + right(fixed(seam.on_model, 2), 15) + " " +
+    const std::string easing = easing_text(report, seam);
+    text += right(std::to_string(s + 1), 4) + "  " + right(fixed(seam.on_model[0], 2), 15) + " " +
             length(seam.in_pattern[0]) + " " + length(seam.in_pattern[1]) + "   " +
             (difference ? right(fixed(*difference, 2), 8) + "  " +
-                              fixed(100.0 * *difference / seam.on_model, 3) + " %"
+                              fixed(100.0 * *difference / seam.on_model[0], 3) + " %"
                         : right("-", 8)) +
             "\n      " + report.patches[seam.seam.sides[0].patch].name + " - " +
             report.patches[seam.seam.sides[1].patch].name +
-            (seam.name.empty() ? "" : "  (" + seam.name + ")") + "\n";
+            (seam.name.empty() ? "" : "  (" + seam.name + ")") + "\n" +
+            (easing.empty() ? "" : "      " + easing + "\n");
   }
   return text + near;
 }

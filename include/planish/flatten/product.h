@@ -74,15 +74,21 @@ struct PatchResult {
   PieceWords words = {};                       ///< of ProductPatch
 };
 
-/// A seam with its lengths in millimetres.
+/// A seam with its lengths in millimetres, the first side's first.
 struct MeasuredSeam {
-  Seam seam;              ///< by the numbers of the processed patches
-  double on_model = 0.0;  ///< on the processed patches
+  Seam seam;                            ///< by the numbers of the processed patches
+  std::array<double, 2> on_model = {};  ///< on the processed patches
   std::array<std::optional<double>, 2> in_pattern = {};  ///< none where a patch has no pattern
   std::string name = {};                                 ///< for people; empty: none
 
   /// Of the lengths in both patterns, at least 0.
   std::optional<double> difference() const;
+  /// Of the lengths on the model, at least 0. Sides with equal vertices have none but rounding.
+  double difference_on_model() const;
+  /// The side that is longer in its pattern, 0 or 1; none where they differ by less than 0.01 mm.
+  std::optional<std::size_t> longer() const;
+  /// The same on the model.
+  std::optional<std::size_t> longer_on_model() const;
 };
 
 /// What became of a product.

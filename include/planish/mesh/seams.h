@@ -11,25 +11,46 @@ namespace planish {
 
 /// A stretch of the border of a patch.
 struct SeamSide {
-  std::size_t patch = 0;        ///< its number in what find_seams() was given, from 0
-  std::vector<Index> vertices;  ///< of the patch, from end to end; a closed one ends as it begins
+  std::size_t patch = 0;  ///< its number in what find_seams() was given, from 0
+  /// Of the patch, from end to end; a closed one ends as it begins. Where an end lies within an
+  /// edge, both vertices of that edge are among them.
+  std::vector<Index> vertices;
+  double first_share = 0.0;  ///< of the first edge, 0 to below 1: where the side begins on it
+  double last_share = 1.0;   ///< of the last edge, above 0 to 1: where the side ends on it
 };
 
 /// A curve that two borders share, or a border with itself, as the sides of a dart: as long as it
-/// can be. Both sides have as many vertices, which lie at the same places one by one.
+/// can be.
 struct Seam {
   std::array<SeamSide, 2> sides;  ///< of two patches, or of one
+  /// Empty where both sides have as many vertices, which lie at the same places one by one. Else
+  /// the sides are matched as curves: places of both that lie beside each other, as shares of the
+  /// sides' lengths, each at least as large as the one before, from 0, 0 to 1, 1.
+  std::vector<std::array<double, 2>> matches = {};
+
+  /// Whether the sides are matched as curves.
+  bool is_curve() const { return !matches.empty(); }
 };
 
 /// Finds the seams of patches: by patches, then along the first side's border. Where more than two
-/// borders share a curve, there is a seam for every two of them.
-/// @param tolerance borders' vertices this close are at the same place; 0: exactly equal ones only.
-///   It should be far below the lengths of edges.
+/// borders share a curve, there is a seam for every two of them. Sides whose vertices lie at the
+/// same places come first; where that leaves a curve matched in part only, the sides are matched as
+/// curves: each vertex with the nearest place of the other border, within the tolerance and in
+/// nearly the same direction. Such a seam has five edges or more on its finer side and is longer
+/// than 0.2 % of the shorter border and 25 tolerances. O(n log n) in the vertices of borders.
+/// @param tolerance the largest distance of borders that are one curve, and of vertices at the same
+///   place, which are nearer than a tenth of the borders' mean edge too. It counts up to 25 edges.
+///   0: vertices at exactly equal places, and curves within a tenth of the length of the edge that
+///   a vertex lies beside, or of that of a longer neighbour.
 /// @throws Error as Patch
 std::vector<Seam> find_seams(std::span<const TriMesh> patches, double tolerance = 0.0);
 
-/// Borders that lie beside each other without being a seam, as their vertices are not at the same
-/// places.
+/// The share of the second side's length, 0 to 1, at the place that lies beside a share of the
+/// first one's; between matched places in proportion. Of sides with equal vertices the same share.
+double matched_share(const Seam& seam, double share);
+
+/// Borders that lie beside each other without being a seam: too short, too ragged or farther apart
+/// than the tolerance.
 struct NearBorders {
   std::array<std::size_t, 2> patches;  ///< the lower number first; the same for one border's sides
   double length = 0.0;                 ///< along which they do, model units
@@ -47,5 +68,10 @@ std::vector<NearBorders> find_near_borders(std::span<const TriMesh> patches,
 double length_of(const SeamSide& side, std::span<const Vec3> positions);
 /// Length of a side in the pattern of its patch.
 double length_of(const SeamSide& side, std::span<const Vec2> pattern);
+
+/// The side as a line, with its ends where they are, on its patch.
+std::vector<Vec3> line_of(const SeamSide& side, std::span<const Vec3> positions);
+/// The same in the pattern of its patch.
+std::vector<Vec2> line_of(const SeamSide& side, std::span<const Vec2> pattern);
 
 }  // namespace planish

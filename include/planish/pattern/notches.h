@@ -76,8 +76,9 @@ struct SeamNotch {
 };
 
 /// The notches of every patch that those of the seams come to. The two of a pair are at one place
-/// of the model: on the same edge at the same share of it. In patterns whose seams match they are
-/// at the same length from the end of the seam.
+/// of the model: on the same edge at the same share of it; of sides matched as curves, at
+/// matched_share(). In patterns whose seams match they are at the same length from the end of the
+/// seam, but for the difference that such sides have on the model.
 /// @param patches whose seams they are; lengths are measured on them
 /// @param names of the patches, for messages
 /// @param unit millimetres in a model unit

@@ -160,6 +160,25 @@ std::string near_borders_name(const ProductReport& report, const NearBorders& ne
   return first + " - " + report.patches[near.patches[1]].name;
 }
 
+std::string easing_text(const ProductReport& report, const MeasuredSeam& seam) {
+  const auto side_name = [&](std::size_t side) {
+    const auto& sides = seam.seam.sides;
+    if (sides[0].patch == sides[1].patch)
+      return std::string(side == 0 ? "the first side" : "the second side");
+    return report.patches[sides[side].patch].name;
+  };
+  std::string text;
+  const auto add = [&](const std::optional<std::size_t>& longer, double difference,
+                       const char* where) {
+    if (!longer) return;
+    text += (text.empty() ? "" : "; ") + side_name(*longer) + " is " + fixed_text(difference, 2) +
+            "\u00A0mm longer " + where;
+  };
+  add(seam.longer(), seam.difference().value_or(0.0), "in the pattern");
+  add(seam.longer_on_model(), seam.difference_on_model(), "on the model");
+  return text;
+}
+
 std::vector<std::size_t> missed_first(const ProductReport& report) {
   std::vector<std::size_t> numbers(report.patches.size());
   std::iota(numbers.begin(), numbers.end(), std::size_t{0});

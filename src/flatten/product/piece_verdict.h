@@ -41,6 +41,10 @@ bool is_met(const PatchResult& piece);
 /// "front - back", or of one piece "two sides of sleeve". Plain text.
 std::string near_borders_name(const ProductReport& report, const NearBorders& near);
 
+/// Which side of a seam is longer and by how much, in the pattern and on the model: "back is 3.02
+/// mm longer in the pattern". Empty where both are equal. Plain text.
+std::string easing_text(const ProductReport& report, const MeasuredSeam& seam);
+
 /// The numbers of the pieces: those that failed, those that miss something, the others; in their
 /// order.
 std::vector<std::size_t> missed_first(const ProductReport& report);

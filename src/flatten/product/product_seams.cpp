@@ -10,9 +10,33 @@
 
 namespace planish {
 
+namespace {
+
+/// Of two lengths in millimetres the number of the longer one; none where they count as equal.
+std::optional<std::size_t> longer_of(double first, double second) {
+  constexpr double k_equal = 0.01;
+  if (std::abs(first - second) < k_equal) return std::nullopt;
+  return first > second ? 0 : 1;
+}
+
+}  // namespace
+
 std::optional<double> MeasuredSeam::difference() const {
   if (!in_pattern[0] || !in_pattern[1]) return std::nullopt;
   return std::abs(*in_pattern[0] - *in_pattern[1]);
+}
+
+double MeasuredSeam::difference_on_model() const {
+  return std::abs(on_model[0] - on_model[1]);
+}
+
+std::optional<std::size_t> MeasuredSeam::longer() const {
+  if (!in_pattern[0] || !in_pattern[1]) return std::nullopt;
+  return longer_of(*in_pattern[0], *in_pattern[1]);
+}
+
+std::optional<std::size_t> MeasuredSeam::longer_on_model() const {
+  return longer_of(on_model[0], on_model[1]);
 }
 
 namespace {
@@ -97,14 +121,14 @@ std::vector<MeasuredSeam> measure_seams(std::vector<Seam> seams, std::span<const
   measured.reserve(seams.size());
   for (Seam& seam : seams) {
     MeasuredSeam lengths;
-    const SeamSide& first = seam.sides[0];
-    const std::vector<Vec3>& positions = meshes[first.patch].positions;
-    lengths.on_model = scale * length_of(first, std::span<const Vec3>(positions));
     for (std::size_t s = 0; s < 2; ++s) {
-      const auto& finished = results[seam.sides[s].patch].finished;
+      const SeamSide& side = seam.sides[s];
+      const std::vector<Vec3>& positions = meshes[side.patch].positions;
+      lengths.on_model[s] = scale * length_of(side, std::span<const Vec3>(positions));
+      const auto& finished = results[side.patch].finished;
       if (!finished) continue;
       const std::vector<Vec2>& pattern = finished->unfold.pattern.positions;
-      lengths.in_pattern[s] = scale * length_of(seam.sides[s], std::span<const Vec2>(pattern));
+      lengths.in_pattern[s] = scale * length_of(side, std::span<const Vec2>(pattern));
     }
     lengths.seam = std::move(seam);
     measured.push_back(std::move(lengths));

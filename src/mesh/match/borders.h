@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <planish/mesh/tri_mesh.h>
+#include <planish/mesh/patch.h>
 
 namespace planish {
 
@@ -18,5 +18,6 @@ struct BorderEdge {
 
 /// @throws Error as Patch
 std::vector<BorderEdge> border_edges(std::span<const TriMesh> patches);
+std::vector<BorderEdge> border_edges(std::span<const Patch> patches);
 
 }  // namespace planish

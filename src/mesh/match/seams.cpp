@@ -8,7 +8,8 @@
 
 #include <planish/mesh/seams.h>
 
-#include "mesh/match/borders.h"
+#include "mesh/match/border_lines.h"
+#include "mesh/match/curve_seams.h"
 
 namespace planish {
 
@@ -67,13 +68,12 @@ class PlaceNumbers {
 };
 
 /// The place where each border edge begins.
-std::vector<std::size_t> starts_of(const std::vector<BorderEdge>& borders,
-                                   std::span<const TriMesh> patches, double tolerance) {
+std::vector<std::size_t> starts_of(const BorderLines& borders, double tolerance) {
   PlaceNumbers places(tolerance);
   std::vector<std::size_t> starts;
-  starts.reserve(borders.size());
-  for (const BorderEdge& edge : borders)
-    starts.push_back(places.number_of(patches[edge.patch].positions[edge.from]));
+  starts.reserve(borders.edges().size());
+  for (std::size_t e = 0; e < borders.edges().size(); ++e)
+    starts.push_back(places.number_of(borders.start(e)));
   return starts;
 }
 
@@ -93,21 +93,24 @@ std::set<Pair> edges_at_one_place(const std::vector<BorderEdge>& borders,
   return pairs;
 }
 
+/// A seam with equal vertices on both sides, and the pairs of edges that it is made of.
+struct VertexSeam {
+  Seam seam;
+  std::vector<Pair> pairs;
+};
+
 /// The pairs of edges put together to curves.
 class SeamWalk {
  public:
-  SeamWalk(std::span<const TriMesh> patches, double tolerance)
-      : borders_(border_edges(patches)),
-        starts_(starts_of(borders_, patches, tolerance)),
+  SeamWalk(const BorderLines& borders, double tolerance)
+      : borders_(borders.edges()),
+        starts_(starts_of(borders, tolerance)),
         left_(edges_at_one_place(borders_, starts_)) {}
 
-  std::vector<Seam> walk() {
-    std::vector<Seam> seams;
+  std::vector<VertexSeam> walk() {
+    std::vector<VertexSeam> seams;
     while (!left_.empty())
       seams.push_back(take(*left_.begin()));
-    std::stable_sort(seams.begin(), seams.end(), [](const Seam& a, const Seam& b) {
-      return Pair(a.sides[0].patch, a.sides[1].patch) < Pair(b.sides[0].patch, b.sides[1].patch);
-    });
     return seams;
   }
 
@@ -129,13 +132,14 @@ class SeamWalk {
     return goes_on ? std::optional(to) : std::nullopt;
   }
 
-  Seam take(Pair pair) {
+  VertexSeam take(Pair pair) {
     const Pair begin = pair;
     while (const auto before = step(pair, false)) {
       pair = *before;
       if (pair == begin) break;  // it is closed
     }
-    Seam seam;
+    VertexSeam found;
+    Seam& seam = found.seam;
     seam.sides[0].patch = edge(pair.first).patch;
     seam.sides[1].patch = edge(pair.second).patch;
     const bool reversed = is_reversed(pair);
@@ -150,36 +154,183 @@ class SeamWalk {
       seam.sides[0].vertices.push_back(edge(pair.first).to);
       seam.sides[1].vertices.push_back(second(true));
       left_.erase(pair);
+      found.pairs.push_back(pair);
       at = step(pair, true);
     }
-    return seam;
+    return found;
   }
 
-  std::vector<BorderEdge> borders_;
+  const std::vector<BorderEdge>& borders_;
   std::vector<std::size_t> starts_;
   std::set<Pair> left_;  // not in a seam yet
 };
 
-template <class Point>
-double polyline_length(const std::vector<Index>& vertices, std::span<const Point> points) {
+using Patches = std::pair<std::size_t, std::size_t>;
+
+Patches patches_of(const Seam& seam) {
+  return {seam.sides[0].patch, seam.sides[1].patch};
+}
+
+/// Seams with equal vertices, and seams as curves where those leave a curve matched in part.
+class SeamChoice {
+ public:
+  SeamChoice(const BorderLines& borders, double tolerance, std::vector<VertexSeam> seams)
+      : borders_(borders), tolerance_(tolerance) {
+    for (VertexSeam& seam : seams) {
+      const std::size_t first = std::min_element(seam.pairs.begin(), seam.pairs.end())->first;
+      const Patches patches = patches_of(seam.seam);
+      by_patches_[patches].push_back({first, std::move(seam), true});
+    }
+  }
+
+  void add(CurveSeam curve) {
+    const Patches patches = patches_of(curve.seam);
+    std::vector<Exact>& exact = by_patches_[patches];
+    const std::set<std::size_t> first(curve.edges[0].begin(), curve.edges[0].end());
+    const std::set<std::size_t> second(curve.edges[1].begin(), curve.edges[1].end());
+    const auto is_inside = [&](Pair pair) {
+      return (first.count(pair.first) > 0 && second.count(pair.second) > 0) ||
+             (first.count(pair.second) > 0 && second.count(pair.first) > 0);
+    };
+    std::set<std::size_t> matched;  // edges of both sides
+    std::vector<Exact*> inside;
+    for (Exact& other : exact) {
+      const std::vector<Pair>& pairs = other.found.pairs;
+      const auto count =
+          static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), is_inside));
+      if (2 * count < pairs.size() || !other.is_kept) continue;
+      inside.push_back(&other);
+      for (const Pair& pair : pairs)
+        matched.insert({pair.first, pair.second});
+    }
+    if (inside.size() == 1 && !leaves_a_seam(curve, matched)) return;
+    for (Exact* other : inside)
+      other->is_kept = false;
+    const std::size_t start = *first.begin();
+    curves_.push_back({start, std::move(curve.seam)});
+  }
+
+  std::vector<Seam> seams() {
+    std::vector<Placed> all = std::move(curves_);
+    for (auto& [patches, exact] : by_patches_) {
+      for (Exact& seam : exact)
+        if (seam.is_kept) all.push_back({seam.first, std::move(seam.found.seam)});
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Placed& a, const Placed& b) {
+      return std::pair(patches_of(a.seam), a.first) < std::pair(patches_of(b.seam), b.first);
+    });
+    std::vector<Seam> seams;
+    seams.reserve(all.size());
+    for (Placed& placed : all)
+      seams.push_back(std::move(placed.seam));
+    return seams;
+  }
+
+ private:
+  struct Placed {
+    std::size_t first;  // edge of the first side
+    Seam seam;
+  };
+  struct Exact {
+    std::size_t first;
+    VertexSeam found;
+    bool is_kept;
+  };
+
+  /// Whether a stretch of the curve that is not matched by vertices could be a seam.
+  bool leaves_a_seam(const CurveSeam& curve, const std::set<std::size_t>& matched) const {
+    const std::array<const BorderLoop*, 2> loops = {&borders_.loop_of(curve.edges[0].front()),
+                                                    &borders_.loop_of(curve.edges[1].front())};
+    for (const std::vector<std::size_t>& side : curve.edges) {
+      double length = 0.0;
+      std::size_t edges = 0;
+      for (const std::size_t edge : side) {
+        const bool is_matched = matched.count(edge) > 0;
+        length = is_matched ? 0.0 : length + borders_.length(edge);
+        edges = is_matched ? 0 : edges + 1;
+        if (!is_fragment(loops, {length, length}, {edges, edges}, tolerance_)) return true;
+      }
+    }
+    return false;
+  }
+
+  const BorderLines& borders_;
+  double tolerance_;
+  std::map<Patches, std::vector<Exact>> by_patches_;
+  std::vector<Placed> curves_;
+};
+
+/// Vertices nearer than this are at the same place.
+double vertex_tolerance(const BorderLines& borders, double tolerance) {
+  constexpr double k_of_edge = 0.1;
   double length = 0.0;
-  for (std::size_t k = 1; k < vertices.size(); ++k)
-    length += norm(points[vertices[k]] - points[vertices[k - 1]]);
+  for (const BorderLoop& loop : borders.loops())
+    length += loop.length;
+  return std::min(tolerance, k_of_edge * length / static_cast<double>(borders.edges().size()));
+}
+
+template <class Point>
+std::vector<Point> points_along(const SeamSide& side, std::span<const Point> points) {
+  std::vector<Point> line;
+  line.reserve(side.vertices.size());
+  for (const Index v : side.vertices)
+    line.push_back(points[v]);
+  // The ends of a side within one edge are both of that edge.
+  const auto at = [](Point a, Point b, double share) { return a + share * (b - a); };
+  const std::size_t n = line.size();
+  const Point first = at(line[0], line[1], side.first_share);
+  const Point last = at(line[n - 2], line[n - 1], side.last_share);
+  if (side.first_share != 0.0) line.front() = first;
+  if (side.last_share != 1.0) line.back() = last;
+  return line;
+}
+
+template <class Point>
+double polyline_length(const std::vector<Point>& line) {
+  double length = 0.0;
+  for (std::size_t k = 1; k < line.size(); ++k)
+    length += norm(line[k] - line[k - 1]);
   return length;
 }
 
 }  // namespace
 
 std::vector<Seam> find_seams(std::span<const TriMesh> patches, double tolerance) {
-  return SeamWalk(patches, tolerance).walk();
+  const BorderLines borders(patches);
+  if (borders.edges().empty()) return {};
+  SeamWalk walk(borders, vertex_tolerance(borders, tolerance));
+  SeamChoice choice(borders, tolerance, walk.walk());
+  for (CurveSeam& curve : find_curve_seams(borders, tolerance))
+    choice.add(std::move(curve));
+  return choice.seams();
+}
+
+double matched_share(const Seam& seam, double share) {
+  const auto& matches = seam.matches;
+  if (matches.empty()) return share;
+  const auto next =
+      std::find_if(matches.begin() + 1, matches.end() - 1,
+                   [&](const std::array<double, 2>& match) { return match[0] >= share; });
+  const std::array<double, 2>&before = *(next - 1), &after = *next;
+  const double step = after[0] - before[0];
+  const double part = step > 0.0 ? std::clamp((share - before[0]) / step, 0.0, 1.0) : 0.0;
+  return before[1] + part * (after[1] - before[1]);
 }
 
 double length_of(const SeamSide& side, std::span<const Vec3> positions) {
-  return polyline_length(side.vertices, positions);
+  return polyline_length(line_of(side, positions));
 }
 
 double length_of(const SeamSide& side, std::span<const Vec2> pattern) {
-  return polyline_length(side.vertices, pattern);
+  return polyline_length(line_of(side, pattern));
+}
+
+std::vector<Vec3> line_of(const SeamSide& side, std::span<const Vec3> positions) {
+  return points_along(side, positions);
+}
+
+std::vector<Vec2> line_of(const SeamSide& side, std::span<const Vec2> pattern) {
+  return points_along(side, pattern);
 }
 
 }  // namespace planish

@@ -41,12 +41,11 @@ class Fit {
   Vec2 middle_;
 };
 
-std::vector<Vec2> line_of(std::span<const Index> vertices, std::span<const Vec2> pattern,
-                          const Fit& fit) {
-  std::vector<Vec2> line;
-  line.reserve(vertices.size());
-  for (const Index v : vertices)
-    line.push_back(fit(pattern[v]));
+std::vector<Vec2> line_in_window(const SeamSide& side, std::span<const Vec2> pattern,
+                                 const Fit& fit) {
+  std::vector<Vec2> line = line_of(side, pattern);
+  for (Vec2& p : line)
+    p = fit(p);
   return line;
 }
 
@@ -117,9 +116,9 @@ std::string piece_outline(const Patch& patch, std::span<const Vec2> pattern,
   const Fit fit(pattern, window.scale());
   std::string border, lines, numbers;
   for (const std::vector<Index>& loop : patch.border_loops())
-    border += path_of(thinned(line_of(loop, pattern, fit))) + "z";
+    border += path_of(thinned(line_in_window({0, loop}, pattern, fit))) + "z";
   for (const OutlinedSeam& seam : seams) {
-    const std::vector<Vec2> line = line_of(seam.vertices, pattern, fit);
+    const std::vector<Vec2> line = line_in_window(seam.side, pattern, fit);
     const std::string group = "<g class=\"" + seam_class(seam.number) + "\">";
     lines += group + "<path d=\"" + path_of(thinned(line)) + "\"/></g>";
     numbers += group + number_at(middle_of(line), seam.number) + "</g>";

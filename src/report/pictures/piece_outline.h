@@ -6,13 +6,14 @@
 #include <vector>
 
 #include <planish/mesh/patch.h>
+#include <planish/mesh/seams.h>
 
 namespace planish {
 
 /// A side of a seam along the border of a piece.
 struct OutlinedSeam {
-  std::size_t number = 1;       ///< from 1, written at its middle
-  std::vector<Index> vertices;  ///< of the piece, from end to end
+  std::size_t number = 1;  ///< from 1, written at its middle
+  SeamSide side;           ///< of the piece
 };
 
 /// The class that gives a seam its colour on a page, of eight in turn.

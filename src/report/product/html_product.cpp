@@ -92,7 +92,7 @@ std::vector<OutlinedSeam> seams_of_piece(const ProductReport& report, std::size_
   std::vector<OutlinedSeam> seams;
   for (std::size_t s = 0; s < report.seams.size(); ++s) {
     for (const SeamSide& side : report.seams[s].seam.sides) {
-      if (side.patch == piece) seams.push_back({s + 1, side.vertices});
+      if (side.patch == piece) seams.push_back({s + 1, side});
     }
   }
   return seams;
@@ -155,6 +155,12 @@ std::string millimetres(const std::optional<double>& length) {
   return "<td>" + (length ? decimals_text(*length, 2) : "\u2013") + "</td>";
 }
 
+/// Which side is longer.
+std::string easing_note(const ProductReport& report, const MeasuredSeam& seam) {
+  const std::string text = easing_text(report, seam);
+  return text.empty() ? "" : "<small>" + escape_markup(text) + "</small>";
+}
+
 std::string seam_row(const ProductReport& report, std::size_t s) {
   const MeasuredSeam& seam = report.seams[s];
   const auto name = [&](std::size_t side) {
@@ -163,18 +169,20 @@ std::string seam_row(const ProductReport& report, std::size_t s) {
   const std::string label =
       seam.name.empty() ? "" : "<small>" + escape_markup(seam.name) + "</small>";
   return "<tr><th>" + swatch(s + 1) + std::to_string(s + 1) + label + "</th><td class=\"sewn\">" +
-         name(0) + " \u2013 " + name(1) + "</td>" + millimetres(seam.difference()) +
-         millimetres(seam.on_model) + millimetres(seam.in_pattern[0]) +
-         millimetres(seam.in_pattern[1]) + "</tr>\n";
+         name(0) + " \u2013 " + name(1) + easing_note(report, seam) + "</td>" +
+         millimetres(seam.difference()) + millimetres(seam.on_model[0]) +
+         millimetres(seam.in_pattern[0]) + millimetres(seam.in_pattern[1]) + "</tr>\n";
 }
 
 /// Borders that look like seams and are none.
 std::string near_section(const ProductReport& report) {
   if (report.near_borders.empty()) return {};
   std::string html =
-      "<section>\n<h2>Borders without a seam</h2>\n<p>These lie beside each other, but their "
-      "vertices are not at the same places, so no seam was found. Mesh the product first, then "
-      "cut it, to have seams there.</p>\n<ul>\n";
+      "<section>\n<h2>Borders without a seam</h2>\n<p>These lie beside each other, but could not "
+      "be "
+      "matched: they are too short, too ragged or too far apart. <code>--seam-tolerance</code> "
+      "says "
+      "how far apart borders may be.</p>\n<ul>\n";
   for (const NearBorders& near : report.near_borders) {
     html += "<li>" + escape_markup(near_borders_name(report, near)) + ": " +
             significant_text(near.length, 3) + "\u00A0mm</li>\n";

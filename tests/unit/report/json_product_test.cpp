@@ -15,8 +15,8 @@ ProductReport product() {
   report.patches = {{"front", 10, 12, finished_patch(samples::flatten_report())},
                     {"back", 20, 22, {}, Failure{"zero_area", "none"}},
                     {"rest", 30, 32}};
-  report.seams = {{{{SeamSide{0, {3, 4, 5}}, SeamSide{1, {7, 8, 9}}}}, 50.0, {49.0, std::nullopt}},
-                  {{{SeamSide{0, {3, 4}}, SeamSide{0, {8, 9}}}}, 40.0, {41.0, 39.0}}};
+  report.seams = {{{{SeamSide{0, {3, 4, 5}}, SeamSide{1, {7, 8, 9}}}}, {50.0, 50.0}, {49.0, std::nullopt}},
+                  {{{SeamSide{0, {3, 4}}, SeamSide{0, {8, 9}}}}, {40.0, 40.25}, {41.0, 39.0}}};
   report.near_borders = {{{0, 1}, 12.5}};
   return report;
 }

@@ -242,13 +242,13 @@ TEST(FlattenProduct, MeasuresSeamsOnTheModelAndInBothPatterns) {
   const ProductReport plain = flatten_product(patches, options);
   ASSERT_EQ(plain.seams.size(), 2U);
   const SeamSide& side = plain.seams[0].seam.sides[0];
-  EXPECT_NEAR(plain.seams[0].on_model,
+  EXPECT_NEAR(plain.seams[0].on_model[0],
               10.0 * length_of(side, std::span<const Vec3>(patches[0].mesh.positions)), 1e-9);
   EXPECT_GT(*plain.seams[0].difference(), 1e-6);
   options.flatten.match_seams = true;
   const ProductReport matched = flatten_product(patches, options);
   for (const MeasuredSeam& seam : matched.seams)
-    EXPECT_LT(*seam.difference(), 1e-8 * seam.on_model);
+    EXPECT_LT(*seam.difference(), 1e-8 * seam.on_model[0]);
 }
 
 TEST(FlattenProduct, KnowsNoLengthInThePatternOfAPatchThatFailed) {
@@ -257,7 +257,7 @@ TEST(FlattenProduct, KnowsNoLengthInThePatternOfAPatchThatFailed) {
   const ProductReport report = flatten_product(patches, quick());
   ASSERT_EQ(report.seams.size(), 2U);
   for (const MeasuredSeam& seam : report.seams) {
-    EXPECT_GT(seam.on_model, 0.0);
+    EXPECT_GT(seam.on_model[0], 0.0);
     EXPECT_FALSE(seam.difference());
     EXPECT_NE(seam.in_pattern[0].has_value(), seam.in_pattern[1].has_value());
   }

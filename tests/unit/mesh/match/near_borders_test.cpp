@@ -22,12 +22,15 @@ TriMesh strip(double x0, int rows) {
   return mesh;
 }
 
-std::vector<NearBorders> near_borders(const std::vector<TriMesh>& patches) {
-  return find_near_borders(patches, find_seams(patches));
+/// A tolerance that only equal vertices keep.
+constexpr double k_equal = 1e-12;
+
+std::vector<NearBorders> near_borders(const std::vector<TriMesh>& patches, double tolerance = 0.0) {
+  return find_near_borders(patches, find_seams(patches, tolerance));
 }
 
-TEST(NearBorders, AreFoundWhereVerticesDiffer) {
-  const auto near = near_borders({strip(0.0, 20), strip(10.0, 27)});
+TEST(NearBorders, AreFoundWhereTheToleranceIsTooSmall) {
+  const auto near = near_borders({strip(0.0, 20), strip(10.02, 27)}, k_equal);
   ASSERT_EQ(near.size(), 1U);
   EXPECT_EQ(near[0].patches[0], 0U);
   EXPECT_EQ(near[0].patches[1], 1U);
@@ -36,6 +39,7 @@ TEST(NearBorders, AreFoundWhereVerticesDiffer) {
 
 TEST(NearBorders, AreNoneWhereThereIsASeamOrADistance) {
   EXPECT_TRUE(near_borders({strip(0.0, 20), strip(10.0, 20)}).empty()) << "a seam";
+  EXPECT_TRUE(near_borders({strip(0.0, 20), strip(10.0, 27)}).empty()) << "a seam as curve";
   EXPECT_TRUE(near_borders({strip(0.0, 20), strip(10.3, 27)}).empty()) << "apart";
   EXPECT_TRUE(near_borders({strip(0.0, 20)}).empty());
   EXPECT_TRUE(near_borders({}).empty());
@@ -49,21 +53,22 @@ TEST(NearBorders, AreTwoSidesOfOnePatch) {
     const double angle = turn * p.x / 40.0;
     const bool is_last = p.x == 40.0;
     const double shift = is_last && p.y > 0.0 && p.y < 20.0 ? 0.4 : 0.0;
-    p = {8.0 * std::sin(angle), p.y + shift, 8.0 * std::cos(angle)};
+    p = {(is_last ? 8.02 : 8.0) * std::sin(angle), p.y + shift,
+         (is_last ? 8.02 : 8.0) * std::cos(angle)};
   }
-  const auto near = near_borders({tube});
+  const auto near = near_borders({tube}, k_equal);
   ASSERT_EQ(near.size(), 1U);
   EXPECT_EQ(near[0].patches[0], near[0].patches[1]);
   EXPECT_NEAR(near[0].length, 20.0, 3.0) << "but for the ends, where edges are neighbours";
 }
 
 TEST(NearBorders, DoNotDependOnTheSizeOfTheModel) {
-  std::vector<TriMesh> patches = {strip(0.0, 20), strip(10.0, 27)};
+  std::vector<TriMesh> patches = {strip(0.0, 20), strip(10.02, 27)};
   for (TriMesh& patch : patches) {
     for (Vec3& p : patch.positions)
       p = 1e-9 * p;
   }
-  const auto near = near_borders(patches);
+  const auto near = near_borders(patches, 1e-9 * k_equal);
   ASSERT_EQ(near.size(), 1U);
   EXPECT_NEAR(near[0].length, 20e-9, 1e-17);
 }

@@ -96,8 +96,10 @@ TEST(HtmlProduct, ListsTheSeamsWithTheirDifference) {
   const std::string html = page();
   EXPECT_THAT(html, HasSubstr("strip-1 \u2013 strip-2"));
   const MeasuredSeam& first = product().seams[0];
-  const std::string cells = "</td><td>" + decimals_text(*first.difference(), 2) + "</td><td>" +
-                            decimals_text(first.on_model, 2) + "</td><td>" +
+  const std::string cells = "<small>strip-1 is " + decimals_text(*first.difference(), 2) +
+                            "\u00A0mm longer in the pattern</small></td><td>" +
+                            decimals_text(*first.difference(), 2) + "</td><td>" +
+                            decimals_text(first.on_model[0], 2) + "</td><td>" +
                             decimals_text(*first.in_pattern[0], 2) + "</td>";
   EXPECT_LT(html.find("<th>Difference</th><th>On the model</th><th>First piece</th>"),
             html.find("strip-1 \u2013 strip-2" + cells));

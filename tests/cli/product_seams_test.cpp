@@ -11,6 +11,7 @@
 
 #include "cli_run.h"
 #include "mesh/split.h"
+#include "support/jacket.h"
 #include "support/meshes.h"
 #include "support/products.h"
 #include "support/test_patches.h"
@@ -161,10 +162,60 @@ TEST_F(ProductSeams, OfThreePatchesOfASampleFitAndTheirNotchesMeet) {
 
 TEST_F(ProductSeams, OfARealPatchInTwoFitAndTheirNotchesMeet) {
   for (const PatchFacts& facts : patches()) {
-    if (facts.name != "gc_front_4k" && facts.name != "boat_half") continue;
-    write_product("coat.obj", in_strips(read_mesh(facts.path).mesh, 2));
+    if (facts.name != "gc_front_4k.obj") continue;
+    TriMesh mesh = read_mesh(facts.path).mesh;
+    for (Vec3& p : mesh.positions)
+      p = 1000.0 * p;  // metres
+    write_product("coat.obj", in_strips(mesh, 2));
     expect_seams_to_fit("coat.obj", 1, {});
     std::filesystem::remove_all("out");
+  }
+}
+
+TEST_F(ProductSeams, OfAJacketMeshedPanelByPanelAreFoundAndTheirNotchesMeet) {
+  write_product("jacket.obj", meshes::Jacket::panels());
+  std::ofstream("seams.txt") << "* 30%\n* 50%\n";
+  const CliResult run = planish({"flatten", "jacket.obj", "-o", "out", "--match-seams", "--json",
+                                 "--seam-notches", "seams.txt", "--formats", "dxf"});
+  ASSERT_EQ(run.exit_code, k_exit_done) << run.err;
+  const json result = run.json();
+  ASSERT_EQ(result["seams"].size(), meshes::Jacket::seams().size());
+  EXPECT_TRUE(result["near_borders"].empty());
+  for (const json& seam : result["seams"]) {
+    EXPECT_EQ(seam["matched"], "curve");
+    EXPECT_NEAR(seam["difference"], seam["difference_on_model"], 0.01);
+    EXPECT_EQ(seam["longer"].is_null(), seam["difference"] < 0.01);
+    for (const json& side : seam["sides"]) {
+      EXPECT_NEAR(side["length"], side["length_on_model"], 0.01);
+      const std::string folder = "out/" + side["patch"].get<std::string>();
+      const auto ways = notch_ways(folder, side);
+      const double length = side["length"];
+      ASSERT_GE(ways.size(), 2U);
+      EXPECT_NEAR(ways[0], 0.3 * length, 1e-3 * length);
+      EXPECT_NEAR(ways[1], 0.5 * length, 1e-3 * length);
+    }
+  }
+  const std::string page = content_of("out/garment.html");
+  EXPECT_THAT(page, HasSubstr("mm longer in the pattern and on the model</small>"));
+}
+
+TEST_F(ProductSeams, OfRealPanelsMeshedApartAreFound) {
+  std::map<std::string, std::string> paths;
+  for (const PatchFacts& facts : patches())
+    paths[facts.name] = facts.path;
+  if (paths.count("gc_front_4k.obj") == 0 || paths.count("gc_back_5k.obj") == 0) GTEST_SKIP();
+  std::vector<NamedPatch> panels;
+  for (const char* name : {"gc_front_4k.obj", "gc_back_5k.obj"})
+    panels.push_back({name, read_mesh(paths[name]).mesh, {}});
+  write_product("body.obj", panels);
+  const json result = planish({"flatten", "body.obj", "-o", "out", "--match-seams", "--json",
+                               "--unit", "m", "--sweeps", "1", "--formats", "svg"})
+                          .json();
+  ASSERT_EQ(result["seams"].size(), 4U);
+  const std::vector<double> lengths = {92.4, 38.8, 390.0, 371.8};  // two shoulders, two sides
+  for (std::size_t s = 0; s < 4; ++s) {
+    EXPECT_NEAR(result["seams"][s]["length_on_model"], lengths[s], 0.1);
+    EXPECT_LT(result["seams"][s]["difference_on_model"], 0.05);
   }
 }
 

@@ -167,16 +167,16 @@ std::string easing_text(const ProductReport& report, const MeasuredSeam& seam) {
       return std::string(side == 0 ? "the first side" : "the second side");
     return report.patches[sides[side].patch].name;
   };
-  std::string text;
-  const auto add = [&](const std::optional<std::size_t>& longer, double difference,
-                       const char* where) {
-    if (!longer) return;
-    text += (text.empty() ? "" : "; ") + side_name(*longer) + " is " + fixed_text(difference, 2) +
-            "\u00A0mm longer " + where;
+  const auto words = [&](const std::optional<std::size_t>& longer, double difference) {
+    if (!longer) return std::string();
+    return side_name(*longer) + " is " + decimals_text(difference, 2) + "\u00A0mm longer";
   };
-  add(seam.longer(), seam.difference().value_or(0.0), "in the pattern");
-  add(seam.longer_on_model(), seam.difference_on_model(), "on the model");
-  return text;
+  const std::string in_pattern = words(seam.longer(), seam.difference().value_or(0.0));
+  const std::string on_model = words(seam.longer_on_model(), seam.difference_on_model());
+  if (in_pattern.empty()) return on_model.empty() ? "" : on_model + " on the model";
+  if (in_pattern == on_model) return in_pattern + " in the pattern and on the model";
+  return in_pattern + " in the pattern" +
+         (on_model.empty() ? "" : "; " + on_model + " on the model");
 }
 
 std::vector<std::size_t> missed_first(const ProductReport& report) {

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 
 #include <planish/core/error.h>
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/split.h"
+#include "support/jacket.h"
 #include "support/meshes.h"
 
 namespace planish {
@@ -43,6 +45,19 @@ Vec3 place_of(const Notch& notch, const TriMesh& mesh) {
   const auto& place = std::get<PlaceOnEdge>(notch.place);
   const Vec3 a = mesh.positions[place.from], b = mesh.positions[place.to];
   return a + place.share * (b - a);
+}
+
+/// Of a side's length, where a notch on it is.
+double share_of(const Notch& notch, const SeamSide& side, const TriMesh& mesh) {
+  const auto& place = std::get<PlaceOnEdge>(notch.place);
+  double way = 0.0;
+  for (std::size_t k = 0; k + 1 < side.vertices.size(); ++k) {
+    const Vec3 edge = mesh.positions[side.vertices[k + 1]] - mesh.positions[side.vertices[k]];
+    const bool is_it = side.vertices[k] == place.from && side.vertices[k + 1] == place.to;
+    way += (is_it ? place.share : 1.0) * norm(edge);
+    if (is_it) break;
+  }
+  return way / length_of(side, std::span<const Vec3>(mesh.positions));
 }
 
 /// Along the seam of the halves, which is at x = 3.
@@ -97,6 +112,31 @@ TEST(SeamNotches, AreOnBothEdgesOfADart) {
   EXPECT_EQ(place_of(notches[0][0], mesh), place_of(notches[0][1], mesh));
   EXPECT_NE(std::get<PlaceOnEdge>(notches[0][0].place).from,
             std::get<PlaceOnEdge>(notches[0][1].place).from);
+}
+
+TEST(SeamNotches, MeetOnSidesThatWereMeshedApart) {
+  std::vector<TriMesh> patches;
+  std::vector<std::string> names;
+  for (const NamedPatch& panel : meshes::Jacket::panels()) {
+    patches.push_back(panel.mesh);
+    names.push_back(panel.name);
+  }
+  const std::vector<Seam> seams = find_seams(patches);
+  for (std::size_t s = 0; s < seams.size(); ++s) {
+    const auto& sides = seams[s].sides;
+    for (const double share : {0.0, 0.13, 0.5, 0.77, 1.0}) {
+      const std::vector<SeamNotch> asked = {{.seam = s, .place = share}};
+      const auto notches = notches_of_patches(asked, seams, patches, names, 1.0);
+      const Notch first = notches[sides[0].patch].front(), second = notches[sides[1].patch].back();
+      const Vec3 place = place_of(first, patches[sides[0].patch]);
+      EXPECT_LT(norm(place - place_of(second, patches[sides[1].patch])), 0.4) << s;
+      std::array<double, 2> shares{};
+      for (std::size_t k = 0; k < 2; ++k)
+        shares[k] = share_of(k == 0 ? first : second, sides[k], patches[sides[k].patch]);
+      EXPECT_NEAR(shares[0], share, 1e-9);
+      EXPECT_NEAR(shares[1], share, 1e-3) << s;
+    }
+  }
 }
 
 std::string error_of(const SeamNotch& notch) {

@@ -15,8 +15,11 @@ ProductReport product() {
   report.patches = {{"front", 10, 12, finished_patch(samples::flatten_report())},
                     {"back", 20, 22, {}, Failure{"zero_area", "none"}},
                     {"rest", 30, 32}};
-  report.seams = {{{{SeamSide{0, {3, 4, 5}}, SeamSide{1, {7, 8, 9}}}}, {50.0, 50.0}, {49.0, std::nullopt}},
-                  {{{SeamSide{0, {3, 4}}, SeamSide{0, {8, 9}}}}, {40.0, 40.25}, {41.0, 39.0}}};
+  report.seams = {
+      {{{SeamSide{0, {3, 4, 5}}, SeamSide{1, {7, 8, 9}}}}, {50.0, 50.0}, {49.0, std::nullopt}},
+      {{{SeamSide{0, {3, 4}}, SeamSide{0, {8, 9}}}}, {40.0, 40.25}, {41.0, 39.0}}};
+  report.seams[1].seam.matches = {{0.0, 0.0}, {1.0, 1.0}};
+  report.seams[1].seam.sides[0].first_share = 0.25;
   report.near_borders = {{{0, 1}, 12.5}};
   return report;
 }
@@ -49,6 +52,16 @@ TEST(JsonReport, OfAProductHasWhatReportsOfPatchesHave) {
   EXPECT_EQ(json["seams"][0]["difference"], Json(nullptr));
   EXPECT_EQ(json["seams"][1]["number"], 2);
   EXPECT_EQ(json["seams"][1]["difference_share"], 0.05);
+  EXPECT_EQ(json["seams"][0]["longer"], Json(nullptr));
+  EXPECT_EQ(json["seams"][1]["longer"], 1);
+  EXPECT_EQ(json["seams"][1]["longer_on_model"], 2);
+  EXPECT_EQ(json["seams"][1]["difference_on_model"], 0.25);
+  EXPECT_EQ(json["seams"][1]["length_on_model"], 40.0);
+  EXPECT_EQ(json["seams"][1]["sides"][1]["length_on_model"], 40.25);
+  EXPECT_EQ(json["seams"][0]["matched"], "vertices");
+  EXPECT_EQ(json["seams"][1]["matched"], "curve");
+  EXPECT_EQ(json["seams"][1]["sides"][0]["first_share"], 0.25);
+  EXPECT_EQ(json["seams"][1]["sides"][0]["last_share"], 1.0);
   EXPECT_EQ(json["nesting"], Json(nullptr));
 }
 

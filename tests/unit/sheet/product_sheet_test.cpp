@@ -79,6 +79,19 @@ TEST(ProductSheet, NumbersBothSidesOfASeam) {
       2);
 }
 
+TEST(ProductSheet, ShowsSidesThatEndWithinAnEdge) {
+  const std::vector<ProductPiece> pieces = {piece("a", 4, 3, 0.0), piece("b", 2, 3, 4.0)};
+  const Seam seam = {{{SeamSide{0, {4, 9, 14, 19}, 0.5, 0.75}, SeamSide{1, {0, 3}, 0.25, 0.5}}},
+                     {{0.0, 0.0}, {1.0, 1.0}}};
+  const Drawing sheet = product_sheet(pieces, {{seam}}, Unit::mm, "coat");
+  const auto lines = paths_of(sheet.layers.at(1));
+  ASSERT_EQ(lines.size(), 2U);
+  ASSERT_EQ(lines[0].lines.at(0).size(), 4U);
+  EXPECT_NEAR(norm(lines[0].lines[0].back() - lines[0].lines[0].front()), 22.5, 1e-12);
+  ASSERT_EQ(lines[1].lines.at(0).size(), 2U);
+  EXPECT_NEAR(norm(lines[1].lines[0].back() - lines[1].lines[0].front()), 2.5, 1e-12);
+}
+
 TEST(ProductSheet, ShowsMirroredPiecesMirroredToTheLastDigitWritten) {
   meshes::Random random(3);
   ProductPiece left = piece("left", 4, 3, 0.0);

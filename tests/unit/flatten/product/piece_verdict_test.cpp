@@ -84,6 +84,27 @@ TEST(PieceVerdict, SaysWhenTheDesignWasKept) {
   EXPECT_THAT(texts_of(piece).front(), testing::HasSubstr("to 8\u00A0% rms: the design was kept"));
 }
 
+TEST(PieceVerdict, SaysWhichSideOfASeamIsLonger) {
+  ProductReport report;
+  report.patches = {{"front"}, {"back"}};
+  MeasuredSeam seam{{{{SeamSide{0, {0, 1}}, SeamSide{1, {0, 1}}}}}, {50.0, 50.0}, {49.0, 52.02}};
+  EXPECT_EQ(easing_text(report, seam), "back is 3.02\u00A0mm longer in the pattern");
+  seam.on_model = {50.4, 50.0};
+  EXPECT_EQ(
+      easing_text(report, seam),
+      "back is 3.02\u00A0mm longer in the pattern; front is 0.40\u00A0mm longer on the model");
+  seam.in_pattern = {50.4, 50.0};
+  EXPECT_EQ(easing_text(report, seam),
+            "front is 0.40\u00A0mm longer in the pattern and on the model");
+  seam.in_pattern = {50.0, 50.009};
+  EXPECT_EQ(easing_text(report, seam), "front is 0.40\u00A0mm longer on the model");
+  seam.on_model = {50.0, 50.009};
+  EXPECT_EQ(easing_text(report, seam), "") << "less than a hundredth counts as equal";
+  seam.seam.sides[1].patch = 0;
+  seam.in_pattern[1] = 51.0;
+  EXPECT_EQ(easing_text(report, seam), "the second side is 1.00\u00A0mm longer in the pattern");
+}
+
 TEST(PieceVerdict, OfAFailureIsItsReason) {
   ProductReport report;
   report.patches = {finished(), {"tube", 1, 1, {}, Failure{"handles", "has a handle"}}, finished()};

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/jacket.h"
 #include "support/meshes.h"
 #include "support/products.h"
 #include "support/twins.h"
@@ -249,6 +250,29 @@ TEST(FlattenProduct, MeasuresSeamsOnTheModelAndInBothPatterns) {
   const ProductReport matched = flatten_product(patches, options);
   for (const MeasuredSeam& seam : matched.seams)
     EXPECT_LT(*seam.difference(), 1e-8 * seam.on_model[0]);
+}
+
+TEST(FlattenProduct, ReportsTheEasingOfSeamsThatWereMeshedApart) {
+  std::vector<ProductPatch> patches;
+  for (NamedPatch& panel : meshes::Jacket::panels())
+    patches.push_back({panel.name, std::move(panel.mesh)});
+  ProductOptions options = quick();
+  options.flatten.stopping = Stopping{.max_sweeps = 0};
+  options.flatten.match_seams = true;
+  const ProductReport report = flatten_product(patches, options);
+  ASSERT_EQ(report.seams.size(), meshes::Jacket::seams().size());
+  std::size_t eased = 0;
+  for (const MeasuredSeam& seam : report.seams) {
+    // Every side is as long as on the model.
+    EXPECT_NEAR(*seam.difference(), seam.difference_on_model(), 1e-6);
+    EXPECT_EQ(seam.longer(), seam.longer_on_model());
+    EXPECT_EQ(seam.longer().has_value(), *seam.difference() >= 0.01);
+    if (!seam.longer()) continue;
+    ++eased;
+    EXPECT_GT(*seam.in_pattern[*seam.longer()], *seam.in_pattern[1 - *seam.longer()]);
+  }
+  EXPECT_EQ(eased, 4U) << "the armholes, whose edges cut their bends";
+  EXPECT_TRUE(report.near_borders.empty());
 }
 
 TEST(FlattenProduct, KnowsNoLengthInThePatternOfAPatchThatFailed) {

@@ -135,11 +135,11 @@ Drawing product_sheet(std::span<const ProductPiece> pieces, std::span<const Seam
     const Color color = k_seam_colors[s % k_seam_colors.size()];
     for (const SeamSide& side : seams[s].sides) {
       if (pieces[side.patch].pattern.empty()) continue;
-      Path line{{line_of(side, layout.corners[side.patch])}, false, Stroke{color, 0.8}};
+      const std::vector<Vec2> along = line_of(side, layout.corners[side.patch]);
+      Path line{{along}, false, Stroke{color, 0.8}};
       line.piece = side.patch;
       seam_lines.shapes.emplace_back(std::move(line));
-      const Vec2 middle = layout.corners[side.patch][side.vertices[side.vertices.size() / 2]];
-      Text number{middle, k_number_height, std::to_string(s + 1), color, true};
+      Text number{along[along.size() / 2], k_number_height, std::to_string(s + 1), color, true};
       number.piece = side.patch;
       label.shapes.emplace_back(std::move(number));
     }

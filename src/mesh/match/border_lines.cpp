@@ -35,11 +35,18 @@ std::size_t BorderLines::edge_at(const BorderLoop& loop, double place) const {
   return loop.first + std::min(edge, loop.count - 1);
 }
 
+Vec3 BorderLines::point_at(const BorderLoop& loop, double place) const {
+  const auto count = static_cast<double>(loop.count);
+  const std::size_t edge = edge_at(loop, place);
+  const double share = place - count * std::floor(place / count) - place_of(edge);
+  return start(edge) + share * (end(edge) - start(edge));
+}
+
 double BorderLines::way_to(const BorderLoop& loop, double place) const {
   const auto count = static_cast<double>(loop.count);
   const double turn = std::floor(place / count);
   const std::size_t edge = edge_at(loop, place);
-  const double share = place - turn * count - static_cast<double>(edge - loop.first);
+  const double share = place - turn * count - place_of(edge);
   return turn * loop.length + before_[edge] + share * lengths_[edge];
 }
 

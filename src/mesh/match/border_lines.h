@@ -46,6 +46,7 @@ class BorderLines {
 
   /// The edge that a place is on, or begins.
   std::size_t edge_at(const BorderLoop& loop, double place) const;
+  Vec3 point_at(const BorderLoop& loop, double place) const;
   /// Length along the loop from its first vertex to a place, with whole turns.
   double way_to(const BorderLoop& loop, double place) const;
   /// Whether the border turns by more than 30 degrees at the vertex where an edge begins.

@@ -127,11 +127,11 @@ class LoopPair {
   }
 
   struct Link {
-    double gap;
+    double length, gap;  // of the shorter chain; between the two
     std::size_t from, to;
   };
 
-  /// What goes on with each chain, the nearest first.
+  /// What may go on with each chain, long ones first.
   std::vector<Link> links(const std::vector<CurveChain>& chains) const {
     std::vector<Link> links;
     for (std::size_t c = 0; c < chains.size(); ++c) {
@@ -141,13 +141,15 @@ class LoopPair {
             chains.begin(), chains.end(), end,
             [](const CurveChain& chain, double place) { return chain.at.front()[0] < place; });
         for (; to != chains.end() && to->at.front()[0] <= end + k_jag_vertices; ++to) {
-          if (const auto way = gap(chains[c], *to))
-            links.push_back({*way, c, static_cast<std::size_t>(to - chains.begin())});
+          const auto way = gap(chains[c], *to);
+          if (!way) continue;
+          const double length = std::min(chains[c].length(borders_, 0), to->length(borders_, 0));
+          links.push_back({length, *way, c, static_cast<std::size_t>(to - chains.begin())});
         }
       }
     }
     std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
-      return std::tie(a.gap, a.from, a.to) < std::tie(b.gap, b.from, b.to);
+      return std::tie(b.length, a.gap, a.from, a.to) < std::tie(a.length, b.gap, b.from, b.to);
     });
     return links;
   }

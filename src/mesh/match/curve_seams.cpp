@@ -14,12 +14,12 @@ namespace {
 
 using Place = std::array<double, 2>;
 
-constexpr std::size_t k_fewest = 5;    // edges of the finer side
-constexpr double k_shortest = 0.002;   // of the shorter loop
-constexpr double k_tolerances = 25.0;  // a seam is longer than so many
-constexpr double k_matched = 0.6;      // of the vertices of each side
-constexpr double k_at_vertex = 0.01;   // of an edge, within which a seam ends at its vertex
-constexpr double k_tip_edges = 4.0;    // a dart's tip is so near to the last places of its sides
+constexpr std::size_t k_fewest = 5;   // edges of the finer side
+constexpr double k_shortest = 0.002;  // of the shorter loop
+constexpr double k_distances = 25.0;  // a seam is longer than so many times its distance
+constexpr double k_matched = 0.6;     // of the vertices of each side
+constexpr double k_at_vertex = 0.01;  // of an edge, within which a seam ends at its vertex
+constexpr double k_tip_edges = 4.0;   // a dart's tip is so near to the last places of its sides
 
 /// A chain with ends where the curves end.
 class CurveEnds {
@@ -202,7 +202,22 @@ bool is_matched(const CurveChain& chain) {
   return true;
 }
 
-bool is_seam(const BorderLines& borders, const CurveChain& chain, double tolerance) {
+/// Whether the borders lie beside each other for long, as they do not where they cross.
+bool is_long(const BorderLines& borders, const CurveChain& chain) {
+  std::vector<double> distances;
+  distances.reserve(chain.at.size());
+  for (const Place& place : chain.at) {
+    const Vec3 first = borders.point_at(borders.loops()[chain.loops[0]], place[0]);
+    const Vec3 second = borders.point_at(borders.loops()[chain.loops[1]], place[1]);
+    distances.push_back(norm(first - second));
+  }
+  // The others may be of jags.
+  const auto most = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 9 / 10);
+  std::nth_element(distances.begin(), most, distances.end());
+  return std::min(chain.length(borders, 0), chain.length(borders, 1)) > k_distances * *most;
+}
+
+bool is_seam(const BorderLines& borders, const CurveChain& chain) {
   std::array<const BorderLoop*, 2> loops{};
   std::array<double, 2> lengths{};
   std::array<std::size_t, 2> edges{};
@@ -213,16 +228,14 @@ bool is_seam(const BorderLines& borders, const CurveChain& chain, double toleran
     edges[side] =
         static_cast<std::size_t>(std::ceil(std::max(from, to)) - std::floor(std::min(from, to)));
   }
-  return !is_fragment(loops, lengths, edges, tolerance) && is_matched(chain);
+  return !is_fragment(loops, lengths, edges) && is_matched(chain) && is_long(borders, chain);
 }
 
 }  // namespace
 
 bool is_fragment(const std::array<const BorderLoop*, 2>& loops,
-                 const std::array<double, 2>& lengths, const std::array<std::size_t, 2>& edges,
-                 double tolerance) {
-  const double shortest =
-      std::max(k_shortest * std::min(loops[0]->length, loops[1]->length), k_tolerances * tolerance);
+                 const std::array<double, 2>& lengths, const std::array<std::size_t, 2>& edges) {
+  const double shortest = k_shortest * std::min(loops[0]->length, loops[1]->length);
   return !(std::min(lengths[0], lengths[1]) > shortest) || std::max(edges[0], edges[1]) < k_fewest;
 }
 
@@ -231,7 +244,7 @@ std::vector<CurveSeam> find_curve_seams(const BorderLines& borders, double toler
   for (CurveChain& chain : find_curve_chains(borders, find_places_beside(borders, tolerance))) {
     if (chain.at.size() < 2) continue;
     const CurveChain refined = CurveEnds(borders, std::move(chain), tolerance).refined();
-    if (is_seam(borders, refined, tolerance)) seams.push_back(seam_of(borders, refined));
+    if (is_seam(borders, refined)) seams.push_back(seam_of(borders, refined));
   }
   return seams;
 }

@@ -21,8 +21,7 @@ struct CurveSeam {
 /// @param lengths of both
 /// @param edges how many of each border
 bool is_fragment(const std::array<const BorderLoop*, 2>& loops,
-                 const std::array<double, 2>& lengths, const std::array<std::size_t, 2>& edges,
-                 double tolerance);
+                 const std::array<double, 2>& lengths, const std::array<std::size_t, 2>& edges);
 
 /// Finds such seams, also where vertices lie at the same places, by the first side's border.
 /// @param tolerance as find_seams() has it

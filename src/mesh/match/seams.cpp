@@ -174,8 +174,7 @@ Patches patches_of(const Seam& seam) {
 /// Seams with equal vertices, and seams as curves where those leave a curve matched in part.
 class SeamChoice {
  public:
-  SeamChoice(const BorderLines& borders, double tolerance, std::vector<VertexSeam> seams)
-      : borders_(borders), tolerance_(tolerance) {
+  SeamChoice(const BorderLines& borders, std::vector<VertexSeam> seams) : borders_(borders) {
     for (VertexSeam& seam : seams) {
       const std::size_t first = std::min_element(seam.pairs.begin(), seam.pairs.end())->first;
       const Patches patches = patches_of(seam.seam);
@@ -206,6 +205,8 @@ class SeamChoice {
     if (inside.size() == 1 && !leaves_a_seam(curve, matched)) return;
     for (Exact* other : inside)
       other->is_kept = false;
+    for (Exact& other : exact)
+      other.is_kept = other.is_kept && !is_stray(other.found);
     const std::size_t start = *first.begin();
     curves_.push_back({start, std::move(curve.seam)});
   }
@@ -237,6 +238,18 @@ class SeamChoice {
     bool is_kept;
   };
 
+  /// Whether a few vertices only happen to lie at the same places, of patches meshed apart.
+  bool is_stray(const VertexSeam& seam) const {
+    constexpr std::size_t k_fewest = 5;
+    constexpr double k_shortest = 0.01;  // of the shorter border
+    double length = 0.0;
+    for (const Pair& pair : seam.pairs)
+      length += borders_.length(pair.first);
+    const auto [first, second] = seam.pairs.front();
+    const double border = std::min(borders_.loop_of(first).length, borders_.loop_of(second).length);
+    return seam.pairs.size() < k_fewest && length < k_shortest * border;
+  }
+
   /// Whether a stretch of the curve that is not matched by vertices could be a seam.
   bool leaves_a_seam(const CurveSeam& curve, const std::set<std::size_t>& matched) const {
     const std::array<const BorderLoop*, 2> loops = {&borders_.loop_of(curve.edges[0].front()),
@@ -248,14 +261,13 @@ class SeamChoice {
         const bool is_matched = matched.count(edge) > 0;
         length = is_matched ? 0.0 : length + borders_.length(edge);
         edges = is_matched ? 0 : edges + 1;
-        if (!is_fragment(loops, {length, length}, {edges, edges}, tolerance_)) return true;
+        if (!is_fragment(loops, {length, length}, {edges, edges})) return true;
       }
     }
     return false;
   }
 
   const BorderLines& borders_;
-  double tolerance_;
   std::map<Patches, std::vector<Exact>> by_patches_;
   std::vector<Placed> curves_;
 };
@@ -299,7 +311,7 @@ std::vector<Seam> find_seams(std::span<const TriMesh> patches, double tolerance)
   const BorderLines borders(patches);
   if (borders.edges().empty()) return {};
   SeamWalk walk(borders, vertex_tolerance(borders, tolerance));
-  SeamChoice choice(borders, tolerance, walk.walk());
+  SeamChoice choice(borders, walk.walk());
   for (CurveSeam& curve : find_curve_seams(borders, tolerance))
     choice.add(std::move(curve));
   return choice.seams();

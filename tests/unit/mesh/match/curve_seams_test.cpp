@@ -290,6 +290,36 @@ TEST(CurveSeams, GoOnOverAJag) {
   expect_sound(seams[0], patches, 0.9);
 }
 
+TEST(CurveSeams, DoNotNeedATightTolerance) {
+  Patches patches;
+  for (const NamedPatch& panel : meshes::Jacket::panels())
+    patches.push_back(panel.mesh);
+  const std::vector<Seam> seams = find_seams(patches);
+  for (const double tolerance : {1.0, 3.0, 8.0}) {
+    const std::vector<Seam> others = find_seams(patches, tolerance);
+    ASSERT_EQ(others.size(), seams.size()) << tolerance;
+    for (std::size_t s = 0; s < seams.size(); ++s) {
+      EXPECT_NEAR(length_on(others[s].sides[0], patches), length_on(seams[s].sides[0], patches),
+                  1e-9)
+          << tolerance << " " << s;
+    }
+  }
+}
+
+TEST(CurveSeams, LeaveOutVerticesThatHappenToBeEqual) {
+  // Along the first half the vertices differ, and in the second only a pair of edges lies together.
+  Patches patches = {sheet(0, 10, 0, 20, 10, 200), sheet(10, 14, 0, 20, 5, 400)};
+  for (std::size_t row = 1; row < 401; ++row) {
+    Vec3& p = patches[1].positions[row * 6];
+    if (row < 200) p.y += 0.01;
+    if (row > 200 && row != 300 && row != 301 && row != 302) p.x += 0.5;
+  }
+  const std::vector<Seam> seams = find_seams(patches);
+  ASSERT_EQ(seams.size(), 1U);
+  expect_sound(seams[0], patches, 1e-12);
+  EXPECT_NEAR(length_on(seams[0].sides[0], patches), 10.0, 1e-12);
+}
+
 TEST(CurveSeams, TakeTheRestWhereOnlyAPartHasEqualVertices) {
   Patches patches = {sheet(0, 10, 0, 20, 10, 20), sheet(10, 14, 0, 20, 5, 20)};
   for (std::size_t row = 8; row < 20; ++row)

@@ -38,7 +38,8 @@ struct Seam {
 /// curves: each vertex with the nearest place of the other border, within the tolerance and in
 /// nearly the same direction. Such a seam has five edges or more on its finer side and is longer
 /// than 0.2 % of the shorter border and 25 times the distance that nine tenths of its places keep.
-/// O(n log n) in the vertices of borders.
+/// There is none between two sides that have seams with equal vertices of their own. O(n log n) in
+/// the vertices of borders.
 /// @param tolerance the largest distance of borders that are one curve, and of vertices at the same
 ///   place, which are nearer than a tenth of the borders' mean edge too. It counts up to 25 edges.
 ///   0: vertices at exactly equal places, and curves within a tenth of the length of the edge that

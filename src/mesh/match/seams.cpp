@@ -174,41 +174,29 @@ Patches patches_of(const Seam& seam) {
 /// Seams with equal vertices, and seams as curves where those leave a curve matched in part.
 class SeamChoice {
  public:
-  SeamChoice(const BorderLines& borders, std::vector<VertexSeam> seams) : borders_(borders) {
+  SeamChoice(const BorderLines& borders, std::vector<VertexSeam> seams)
+      : borders_(borders), sewn_(borders.edges().size(), false) {
     for (VertexSeam& seam : seams) {
       const std::size_t first = std::min_element(seam.pairs.begin(), seam.pairs.end())->first;
+      for (const Pair& pair : seam.pairs)
+        sewn_[pair.first] = sewn_[pair.second] = true;
       const Patches patches = patches_of(seam.seam);
       by_patches_[patches].push_back({first, std::move(seam), true});
     }
   }
 
   void add(CurveSeam curve) {
-    const Patches patches = patches_of(curve.seam);
-    std::vector<Exact>& exact = by_patches_[patches];
-    const std::set<std::size_t> first(curve.edges[0].begin(), curve.edges[0].end());
-    const std::set<std::size_t> second(curve.edges[1].begin(), curve.edges[1].end());
-    const auto is_inside = [&](Pair pair) {
-      return (first.count(pair.first) > 0 && second.count(pair.second) > 0) ||
-             (first.count(pair.second) > 0 && second.count(pair.first) > 0);
-    };
-    std::set<std::size_t> matched;  // edges of both sides
-    std::vector<Exact*> inside;
-    for (Exact& other : exact) {
-      const std::vector<Pair>& pairs = other.found.pairs;
-      const auto count =
-          static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), is_inside));
-      if (2 * count < pairs.size() || !other.is_kept) continue;
-      inside.push_back(&other);
-      for (const Pair& pair : pairs)
-        matched.insert({pair.first, pair.second});
-    }
-    if (inside.size() == 1 && !leaves_a_seam(curve, matched)) return;
-    for (Exact* other : inside)
+    std::vector<Exact>& exact = by_patches_[patches_of(curve.seam)];
+    const Overlap overlap = overlap_of(curve, exact);
+    if (!overlap.is_any() && is_sewn(curve.edges[0]) && is_sewn(curve.edges[1])) return;
+    const bool divides_it = overlap.inside.size() > 1 && !overlap.has_other;
+    if (overlap.is_any() && !divides_it && !leaves_a_seam(curve, overlap.matched)) return;
+    for (Exact* other : overlap.inside)
       other->is_kept = false;
     for (Exact& other : exact)
       other.is_kept = other.is_kept && !is_stray(other.found);
-    const std::size_t start = *first.begin();
-    curves_.push_back({start, std::move(curve.seam)});
+    const std::size_t first = *std::min_element(curve.edges[0].begin(), curve.edges[0].end());
+    curves_.push_back({first, std::move(curve.seam)});
   }
 
   std::vector<Seam> seams() {
@@ -237,6 +225,47 @@ class SeamChoice {
     VertexSeam found;
     bool is_kept;
   };
+
+  /// Whether nearly all of the edges are in seams with equal vertices: then what lies beside them
+  /// is another layer.
+  bool is_sewn(const std::vector<std::size_t>& edges) const {
+    constexpr double k_nearly_all = 0.9;
+    const auto count =
+        std::count_if(edges.begin(), edges.end(), [&](std::size_t edge) { return sewn_[edge]; });
+    return static_cast<double>(count) >= k_nearly_all * static_cast<double>(edges.size());
+  }
+
+  /// Seams with equal vertices along a curve.
+  struct Overlap {
+    std::vector<Exact*> inside;     // with half of their edges or more
+    bool has_other = false;         // with less
+    std::set<std::size_t> matched;  // edges of both sides
+
+    bool is_any() const { return has_other || !inside.empty(); }
+  };
+
+  static Overlap overlap_of(const CurveSeam& curve, std::vector<Exact>& exact) {
+    const std::set<std::size_t> first(curve.edges[0].begin(), curve.edges[0].end());
+    const std::set<std::size_t> second(curve.edges[1].begin(), curve.edges[1].end());
+    const auto is_inside = [&](const Pair& pair) {
+      return (first.count(pair.first) > 0 && second.count(pair.second) > 0) ||
+             (first.count(pair.second) > 0 && second.count(pair.first) > 0);
+    };
+    Overlap overlap;
+    for (Exact& other : exact) {
+      const std::vector<Pair>& pairs = other.found.pairs;
+      const auto count =
+          static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), is_inside));
+      if (count == 0 || !other.is_kept) continue;
+      if (2 * count >= pairs.size())
+        overlap.inside.push_back(&other);
+      else
+        overlap.has_other = true;
+      for (const Pair& pair : pairs)
+        overlap.matched.insert({pair.first, pair.second});
+    }
+    return overlap;
+  }
 
   /// Whether a few vertices only happen to lie at the same places, of patches meshed apart.
   bool is_stray(const VertexSeam& seam) const {
@@ -268,6 +297,7 @@ class SeamChoice {
   }
 
   const BorderLines& borders_;
+  std::vector<bool> sewn_;  // of each edge, in a seam with equal vertices
   std::map<Patches, std::vector<Exact>> by_patches_;
   std::vector<Placed> curves_;
 };
@@ -281,30 +311,6 @@ double vertex_tolerance(const BorderLines& borders, double tolerance) {
   return std::min(tolerance, k_of_edge * length / static_cast<double>(borders.edges().size()));
 }
 
-template <class Point>
-std::vector<Point> points_along(const SeamSide& side, std::span<const Point> points) {
-  std::vector<Point> line;
-  line.reserve(side.vertices.size());
-  for (const Index v : side.vertices)
-    line.push_back(points[v]);
-  // The ends of a side within one edge are both of that edge.
-  const auto at = [](Point a, Point b, double share) { return a + share * (b - a); };
-  const std::size_t n = line.size();
-  const Point first = at(line[0], line[1], side.first_share);
-  const Point last = at(line[n - 2], line[n - 1], side.last_share);
-  if (side.first_share != 0.0) line.front() = first;
-  if (side.last_share != 1.0) line.back() = last;
-  return line;
-}
-
-template <class Point>
-double polyline_length(const std::vector<Point>& line) {
-  double length = 0.0;
-  for (std::size_t k = 1; k < line.size(); ++k)
-    length += norm(line[k] - line[k - 1]);
-  return length;
-}
-
 }  // namespace
 
 std::vector<Seam> find_seams(std::span<const TriMesh> patches, double tolerance) {
@@ -315,34 +321,6 @@ std::vector<Seam> find_seams(std::span<const TriMesh> patches, double tolerance)
   for (CurveSeam& curve : find_curve_seams(borders, tolerance))
     choice.add(std::move(curve));
   return choice.seams();
-}
-
-double matched_share(const Seam& seam, double share) {
-  const auto& matches = seam.matches;
-  if (matches.empty()) return share;
-  const auto next =
-      std::find_if(matches.begin() + 1, matches.end() - 1,
-                   [&](const std::array<double, 2>& match) { return match[0] >= share; });
-  const std::array<double, 2>&before = *(next - 1), &after = *next;
-  const double step = after[0] - before[0];
-  const double part = step > 0.0 ? std::clamp((share - before[0]) / step, 0.0, 1.0) : 0.0;
-  return before[1] + part * (after[1] - before[1]);
-}
-
-double length_of(const SeamSide& side, std::span<const Vec3> positions) {
-  return polyline_length(line_of(side, positions));
-}
-
-double length_of(const SeamSide& side, std::span<const Vec2> pattern) {
-  return polyline_length(line_of(side, pattern));
-}
-
-std::vector<Vec3> line_of(const SeamSide& side, std::span<const Vec3> positions) {
-  return points_along(side, positions);
-}
-
-std::vector<Vec2> line_of(const SeamSide& side, std::span<const Vec2> pattern) {
-  return points_along(side, pattern);
 }
 
 }  // namespace planish

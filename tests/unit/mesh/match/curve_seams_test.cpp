@@ -306,6 +306,22 @@ TEST(CurveSeams, DoNotNeedATightTolerance) {
   }
 }
 
+TEST(CurveSeams, AreNoneBetweenTwoLayersThatAreSewnThemselves) {
+  // Two pairs with equal vertices, one above the other.
+  Patches patches = {sheet(0, 10, 0, 20, 10, 20), sheet(10, 14, 0, 20, 5, 20),
+                     sheet(2, 10, -1, 21, 8, 29), sheet(10, 17, -1, 21, 5, 29)};
+  for (const std::size_t upper : {2U, 3U}) {
+    for (Vec3& p : patches[upper].positions)
+      p.z = 0.05;
+  }
+  const std::vector<Seam> seams = find_seams(patches);
+  ASSERT_EQ(seams.size(), 2U);
+  for (const Seam& seam : seams)
+    EXPECT_FALSE(seam.is_curve());
+  patches.pop_back();
+  EXPECT_EQ(find_seams(patches).size(), 3U) << "the third one has no seam of its own";
+}
+
 TEST(CurveSeams, LeaveOutVerticesThatHappenToBeEqual) {
   // Along the first half the vertices differ, and in the second only a pair of edges lies together.
   Patches patches = {sheet(0, 10, 0, 20, 10, 200), sheet(10, 14, 0, 20, 5, 400)};

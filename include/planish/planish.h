@@ -24,7 +24,6 @@
 #include <planish/flatten/frontier.h>
 #include <planish/flatten/product.h>
 #include <planish/io/mesh_format.h>
-#include <planish/io/read_cuts.h>
 #include <planish/io/read_features.h>
 #include <planish/io/read_mesh.h>
 #include <planish/io/write_file.h>

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include <planish/core/error.h>
-#include <planish/io/read_cuts.h>
+#include <planish/io/read_features.h>
 
 #include "core/math.h"
 #include "core/number_text.h"

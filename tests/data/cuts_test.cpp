@@ -1,4 +1,4 @@
-#include <planish/io/read_cuts.h>
+#include <planish/io/read_features.h>
 #include <planish/io/read_mesh.h>
 #include <planish/unfold/suggest_cuts.h>
 

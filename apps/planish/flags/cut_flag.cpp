@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include <planish/io/read_cuts.h>
+#include <planish/io/read_features.h>
 
 #include "flags/units.h"
 #include "platform/path.h"

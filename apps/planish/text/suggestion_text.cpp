@@ -3,7 +3,7 @@
 #include <optional>
 
 #include <planish/core/version.h>
-#include <planish/io/read_cuts.h>
+#include <planish/io/read_features.h>
 
 #include <planish_json/json.h>
 

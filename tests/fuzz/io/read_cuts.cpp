@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <planish/io/read_cuts.h>
+#include <planish/io/read_features.h>
 #include <planish/mesh/cut.h>
 #include <planish/mesh/inspect.h>
 

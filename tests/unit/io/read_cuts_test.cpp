@@ -1,4 +1,4 @@
-#include <planish/io/read_cuts.h>
+#include <planish/io/read_features.h>
 
 #include "support/meshes.h"
 #include "unit/io/io_testing.h"

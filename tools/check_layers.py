@@ -39,7 +39,7 @@ FLOORS = {
     "core": [["core"], ["core/lanes"]],
     "geometry": [["geometry"]],
     "solve": [["solve/lanes"], ["solve"]],
-    "mesh": [["mesh"], ["mesh/search", "mesh/coarsen", "mesh/cut"], ["mesh/match"]],
+    "mesh": [["mesh"], ["mesh/search", "mesh/coarsen", "mesh/cut"], ["mesh/match", "mesh/carry"]],
     "io": [["io/file"], ["io/formats"], ["io"]],
     "measure": [["measure/lanes"], ["measure"]],
     "draw": [["draw"], ["draw/text"], ["draw/svg", "draw/dxf", "draw/pdf", "draw/plt"]],

@@ -32,6 +32,7 @@
 #include <planish/measure/flattenability.h>
 #include <planish/measure/material.h>
 #include <planish/measure/obstruction.h>
+#include <planish/mesh/carry.h>
 #include <planish/mesh/cut.h>
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/patch.h>

@@ -58,6 +58,8 @@ ClosestPoint closest_inside(const std::array<Vec3, 3>& corners, Vec3 p) {
   return {corners[0], 0, {1.0, 0.0, 0.0}};
 }
 
+}  // namespace
+
 /// All candidates are points of the triangle, so the nearest of them is right also where the
 /// triangle is a needle and its foot is badly known.
 ClosestPoint closest_on_triangle(const std::array<Vec3, 3>& corners, Vec3 p) {
@@ -76,8 +78,6 @@ ClosestPoint closest_on_triangle(const std::array<Vec3, 3>& corners, Vec3 p) {
   offer(closest_inside(corners, p));
   return closest;
 }
-
-}  // namespace
 
 ClosestPoint ClosestPointTree::query(Vec3 p) const {
   ClosestPoint best;

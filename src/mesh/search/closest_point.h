@@ -18,6 +18,9 @@ struct ClosestPoint {
   double squared_distance = 0.0;
 };
 
+/// The point of one triangle nearest to p; its number is left 0.
+ClosestPoint closest_on_triangle(const std::array<Vec3, 3>& corners, Vec3 p);
+
 /// Finds closest points on the triangles of a mesh, which may be of any kind: open, not manifold,
 /// with triangles without area or length. In the units of the mesh, whose coordinates must be
 /// finite numbers with squares that neither vanish nor overflow. A tree of boxes: O(n log n) to

@@ -40,7 +40,7 @@ FLOORS = {
     "geometry": [["geometry"]],
     "solve": [["solve/lanes"], ["solve"]],
     "mesh": [["mesh"], ["mesh/search", "mesh/coarsen", "mesh/cut"], ["mesh/match", "mesh/carry"]],
-    "io": [["io/file"], ["io/formats"], ["io"]],
+    "io": [["io/file"], ["io/formats", "io/svg"], ["io"]],
     "measure": [["measure/lanes"], ["measure"]],
     "draw": [["draw"], ["draw/text"], ["draw/svg", "draw/dxf", "draw/pdf", "draw/plt"]],
     "evolve": [
@@ -60,7 +60,7 @@ FLOORS = {
     ],
     "pattern": [["pattern/polygon"], ["pattern/curves"], ["pattern", "pattern/nest"]],
     "flatten": [["flatten"], ["flatten/product"]],
-    "sheet": [["sheet"]],
+    "sheet": [["sheet"], ["sheet/carry"]],
     "report": [["report"], ["report/charts"], ["report/pictures"], ["report/page"], ["report/product"]],
 }
 
@@ -76,12 +76,15 @@ FOR_THE_PROGRAM = {
     "flatten/strain_limit_text.h",
     "flatten/twin_report.h",
     "flatten/verdict.h",
+    "io/read_drawing.h",
+    "io/svg/svg_drawing.h",
     "mesh/match/twins.h",
     "mesh/split.h",
     "platform/memory.h",
     "platform/path.h",
     "report/several_files.h",
     "report/pictures/direction_map.h",
+    "sheet/carry/drawing_on_sheet.h",
     "sheet/cut_sheet.h",
 }
 MOST_PUBLIC_HEADERS = 50

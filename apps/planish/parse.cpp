@@ -190,7 +190,8 @@ void check_complete(const Command& command, const Arguments& arguments) {
     for (const Flag& flag : group.flags) {
       // A table of figures may be all that is wanted of several files.
       if (flag.required && !arguments.has(flag.name) && !arguments.has("--csv")) {
-        throw UsageError("missing flag -" + std::string(1, flag.letter) + usage);
+        const std::string name = flag.letter == 0 ? flag.name : "-" + std::string(1, flag.letter);
+        throw UsageError("missing flag " + name + usage);
       }
     }
   }

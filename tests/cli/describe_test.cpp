@@ -80,6 +80,7 @@ std::vector<std::string> command_with(const json& verb, const json& group, const
   std::vector<std::string> words = {name};
   if (name == "sample") words.emplace_back("panel");
   if (name != "sample") words.emplace_back("patch.obj");
+  if (name == "carry") words.insert(words.end(), {"--from", "patch.obj", "--to", "patch.obj"});
   if (name != "measure") {
     words.emplace_back("--output");
     const bool draws = name == "unfold" || name == "frontier";

@@ -30,6 +30,9 @@ class JsonSchema : public CliTest {
                                {"back", make_shape("saddle", 100), {}}});
     write_mesh("tube.obj", meshes::tube(12, 5));
     std::ofstream("cut.txt") << "0 60\n";
+    const TriMesh panel = make_shape("panel", 300);
+    write_mesh("panel-line.obj", panel);
+    std::ofstream("line.obj") << content_of("panel-line.obj") << "l 1 2\n";
   }
 };
 
@@ -51,6 +54,7 @@ TEST_F(JsonSchema, IsFirstInWhatEveryVerbPrints) {
       {"compare", {"compare", "panel.obj", "-o", "compared", "--methods", "fairing"}},
       {"frontier", {"frontier", "panel.obj", "--methods", "fairing"}},
       {"suggest-cuts", {"suggest-cuts", "panel.obj", "--max-strain", "50%"}},
+      {"carry", {"carry", "line.obj", "--from", "panel.obj", "--to", "panel.obj", "-o", "on.obj"}},
       {"convert", {"convert", "panel.obj", "panel.ply"}},
       {"sample", {"sample", "dome", "-o", "dome.ply"}},
       {"describe", {"describe"}}};

@@ -68,6 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{{"a.obj"}, "did you mean planish flatten a.obj?"},
                     Mistake{{"measure"}, "missing INPUT: planish measure INPUT"},
                     Mistake{{"convert", "a.obj"}, "missing OUTPUT"},
+                    Mistake{{"carry", "a.obj", "-o", "b.obj"}, "missing flag --from"},
                     Mistake{{"convert", "a.obj", "a.ply", "b.obj"}, "unexpected argument b.obj"},
                     Mistake{{"evolve", "a.obj"}, "missing flag -o"},
                     Mistake{{"sample", "panel"}, "missing flag -o"},

@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <planish/draw/format_drawing.h>
+#include <planish/mesh/carry.h>
+#include <planish/sheet/pattern_sheet.h>
+
+#include "commands/commands.h"
+#include "flags/units.h"
+#include "io/read_drawing.h"
+#include "platform/path.h"
+#include "sheet/carry/drawing_on_sheet.h"
+#include "shell/failures.h"
+#include "shell/file_name.h"
+#include "shell/session.h"
+#include "shell/text.h"
+#include "text/carry_text.h"
+#include "text/summary.h"
+
+namespace planish::cli {
+
+namespace {
+
+/// The two meshes between which lines are carried.
+struct CarryPair {
+  std::string from_path, to_path;
+  Patch from, to;
+};
+
+/// What is to be carried, in model units over the first mesh.
+struct ReadDrawing {
+  DrawnLines drawn;
+  std::map<std::string, std::size_t> left_out;
+};
+
+bool is_svg(const std::string& path) {
+  return lower_extension(path) == ".svg";
+}
+
+/// @throws Error unsupported_format
+void check_extension(const std::string& path, const std::string& what) {
+  if (is_svg(path) || lower_extension(path) == ".obj") return;
+  throw Error(ErrorCode::unsupported_format, what + " must be an .svg or an .obj file",
+              {.path = path});
+}
+
+Patch patch_of(const std::string& path, Session& session) {
+  const TriMesh mesh = session.read(path).mesh;
+  return about(path, [&] { return Patch(mesh); });
+}
+
+CarryPair pair_from(const Arguments& arguments, Session& session) {
+  const std::string &from = arguments.flags.at("--from"), &to = arguments.flags.at("--to");
+  CarryPair pair{from, to, patch_of(from, session), patch_of(to, session)};
+  about(to, [&] { check_same_triangles(pair.from.mesh(), pair.to.mesh()); });
+  const auto check_flat = [](const std::string& drawing, const std::string& path,
+                             const Patch& patch, const std::string& flag) {
+    if (!is_svg(drawing) || is_flat(patch.mesh())) return;
+    throw Error(ErrorCode::unsupported_format,
+                "lines of an .svg lie on a flat mesh, but " + path + " of " + flag +
+                    " is a surface in space; take an .obj, or exchange --from and --to",
+                {.path = drawing});
+  };
+  check_flat(arguments.operands.front(), from, pair.from, "--from");
+  check_flat(arguments.flags.at("--output"), to, pair.to, "--to");
+  return pair;
+}
+
+/// Of the outline where an allowance surrounds it, else of what is cut.
+std::vector<std::vector<Vec2>> outline_in(const SvgDrawing& drawing) {
+  for (const std::string_view layer : {"seam", "cut"}) {
+    std::vector<std::vector<Vec2>> lines;
+    for (const SvgLine& line : drawing.lines) {
+      if (line.layer == layer) lines.push_back(line.points);
+    }
+    if (!lines.empty()) return lines;
+  }
+  return {};
+}
+
+/// What was added to a pattern's sheet, where it lies over the flat mesh.
+ReadDrawing drawing_on_sheet(const std::string& path, const Patch& flat, Unit unit) {
+  SvgDrawing drawing = read_svg(path_of(path), k_sheet_layers);
+  const Vec2 origin = origin_on_sheet(outline_in(drawing), flat, unit, path);
+  const double z = flat.positions()[flat.triangles().front().front()].z;
+  const auto place = [&](Vec2 p) {
+    const Vec2 q = 1.0 / millimetres_per(unit) * (p - origin);
+    return Vec3{q.x, q.y, z};
+  };
+  ReadDrawing read{{}, std::move(drawing.left_out)};
+  for (const SvgLine& line : drawing.lines) {
+    if (!line.layer.empty()) continue;
+    if (line.points.size() == 1) {
+      read.drawn.points.push_back(place(line.points.front()));
+      continue;
+    }
+    DrawnLine& some = read.drawn.lines.emplace_back(DrawnLine{{}, {path, line.line}});
+    for (const Vec2 p : line.points)
+      some.points.push_back(place(p));
+  }
+  if (read.drawn.lines.empty() && read.drawn.points.empty()) {
+    throw Error(ErrorCode::malformed_file,
+                "the file shows no lines besides those of the pattern's own layers; draw on a "
+                "layer of your own",
+                {.path = path});
+  }
+  return read;
+}
+
+ReadDrawing read_drawing(const std::string& path, const CarryPair& pair, Unit unit) {
+  if (is_svg(path)) return drawing_on_sheet(path, pair.from, unit);
+  return {read_obj_lines(path_of(path)), {}};
+}
+
+double length_of(const TracedLines& traced, const Patch& patch) {
+  double sum = 0.0;
+  for (const auto& line : traced.lines) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      sum += norm(position_of(line[i], patch.positions()) -
+                  position_of(line[i - 1], patch.positions()));
+    }
+  }
+  return sum;
+}
+
+DrawnLines placed_on(const Patch& patch, const TracedLines& traced) {
+  DrawnLines drawn;
+  for (const auto& line : traced.lines) {
+    std::vector<Vec3>& points = drawn.lines.emplace_back().points;
+    for (const SurfacePlace& place : line)
+      points.push_back(position_of(place, patch.positions()));
+  }
+  for (const SurfacePlace& place : traced.points)
+    drawn.points.push_back(position_of(place, patch.positions()));
+  return drawn;
+}
+
+CarryFigures figures_of(const TracedLines& traced, const CarryPair& pair, ReadDrawing read) {
+  return {traced.lines.size(),
+          traced.points.size(),
+          length_of(traced, pair.from),
+          length_of(traced, pair.to),
+          traced.outside_length,
+          traced.outside_points,
+          traced.farthest,
+          std::move(read.left_out)};
+}
+
+void note_left_out(Session& session, const std::string& path, const CarryFigures& figures) {
+  std::string text;
+  for (const auto& [kind, count] : figures.left_out)
+    text += (text.empty() ? "" : ", ") + kind + " (" + std::to_string(count) + ")";
+  if (!text.empty()) session.note(path + ": left out what is no line: " + text);
+}
+
+CommandResult run_carry(const Arguments& arguments, Session& session) {
+  const std::string& path = arguments.operands.front();
+  const std::string& output = arguments.flags.at("--output");
+  check_extension(path, "the file of lines");
+  check_extension(output, "what is written");
+  const Unit unit = unit_from(arguments);
+  const CarryPair pair = pair_from(arguments, session);
+  ReadDrawing read = read_drawing(path, pair, unit);
+  const TracedLines traced = about(path, [&] { return trace_lines(pair.from, read.drawn); });
+  if (traced.lines.empty() && traced.points.empty()) {
+    throw Error(ErrorCode::malformed_file,
+                "all that it draws lies off " + pair.from_path +
+                    ": is it the mesh that was drawn on, in the same units?",
+                {.path = path});
+  }
+  const CarryFigures figures = figures_of(traced, pair, std::move(read));
+  note_left_out(session, path, figures);
+  const DrawnLines drawn = placed_on(pair.to, traced);
+  const std::string content = is_svg(output)
+                                  ? format_svg(carried_sheet(pair.to, drawn, unit, stem_of(path)))
+                                  : format_obj_lines(drawn);
+  CommandResult outcome = {
+      path + " -> " + output + "\n" + carry_text(figures, pair.from_path, unit),
+      carry_json(figures, unit, output)};
+  session.write({{path_of(output), content}});
+  return outcome;
+}
+
+}  // namespace
+
+Command carry_command() {
+  return {"carry",
+          "lines from a pattern to its surface, and back",
+          "LINES --from MESH --to MESH -o OUT",
+          "Takes lines and points that lie on one mesh to the same places of another one with the "
+          "same triangles, as flat.obj and processed.obj that flatten writes. LINES is an .obj "
+          "with lines (l) and points (p) in the coordinates of the mesh, or a copy of pattern.svg "
+          "with lines on a layer of your own. OUT is an .obj, or where --to is flat an .svg at "
+          "true size. What lies off the mesh is left out, and its length is printed.",
+          {"LINES"},
+          {{"Output",
+            {{"--from", "MESH", "the mesh that the lines are drawn on", 0, true},
+             {"--to", "MESH", "the mesh that they go to", 0, true},
+             {"--output", "OUT", "the lines there: .obj, or .svg where --to is flat", 'o', true},
+             unit_flag()}}},
+          {"planish carry drawn.svg --from flat.obj --to processed.obj -o logo.obj",
+           "planish carry logo.obj --from processed.obj --to flat.obj -o drawn.svg"},
+          run_carry};
+}
+
+}  // namespace planish::cli

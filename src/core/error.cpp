@@ -74,6 +74,8 @@ std::string_view to_string(ErrorCode code) {
       return "misplaced_allowance";
     case ErrorCode::misplaced_notch:
       return "misplaced_notch";
+    case ErrorCode::misplaced_mark:
+      return "misplaced_mark";
     case ErrorCode::no_grain_direction:
       return "no_grain_direction";
     case ErrorCode::piece_too_large:

@@ -35,6 +35,7 @@ LineDrawing parse_line_drawing(TextCursor& cursor) {
     while (!cursor.at_line_end()) {
       drawing.corners.push_back(
           references.vertex(cursor.token(), element, drawing.places.size(), cursor));
+      drawing.line_of_corner.push_back(cursor.line());
     }
     return drawing.corners.size() - begin;
   };

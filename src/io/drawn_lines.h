@@ -22,7 +22,8 @@ struct LineDrawing {
   };
 
   std::vector<Vec3> places;
-  std::vector<Index> corners;  ///< of the lines and points, one after the other
+  std::vector<Index> corners;               ///< of the lines and points, one after the other
+  std::vector<std::size_t> line_of_corner;  ///< of the file
   std::vector<Line> lines;
 };
 

@@ -10,24 +10,12 @@
 #include "io/file/file_bytes.h"
 #include "io/file/text_cursor.h"
 #include "io/formats/formats.h"
+#include "mesh/mean_edge.h"
 #include "mesh/search/nearest_vertex.h"
 #include "platform/path.h"
 
 namespace planish {
 namespace {
-
-/// How far a drawn point may be from its vertex, in mean edges.
-constexpr double k_most_edges_off = 3.0;
-
-double mean_edge(const TriMesh& mesh) {
-  const double scale = unit_scale(mesh);
-  double sum = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i)
-      sum += norm(scale * mesh.positions[t[(i + 1) % 3]] - scale * mesh.positions[t[i]]);
-  }
-  return sum / (3.0 * static_cast<double>(mesh.triangles.size())) / scale;
-}
 
 double distance_of(Vec3 a, Vec3 b) {
   return math::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
@@ -44,7 +32,7 @@ CutLines snap_cuts(const LineDrawing& drawing, const TriMesh& mesh, const TextCu
                         "the file has no line (l), and points (p) cut nothing");
   }
   const NearestVertex nearest(mesh, drawing.places);
-  const double most = k_most_edges_off * mean_edge(mesh);
+  const double most = k_most_edges_off * mean_edge_length(mesh);
   CutLines cuts;
   for (const LineDrawing::Line& line : drawing.lines) {
     CutPath& path = cuts.paths.emplace_back(CutPath{{}, {.path = name, .line = line.line}});

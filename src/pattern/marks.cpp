@@ -39,15 +39,27 @@ void check_vertex(Index vertex, std::size_t vertex_count, std::string_view piece
               {.path = {}, .first = vertex});
 }
 
+void check_place(const SurfacePlace& place, std::size_t vertex_count, std::string_view piece,
+                 const std::string& what) {
+  for (const Index corner : place.corners)
+    check_vertex(corner, vertex_count, piece, what);
+}
+
 }  // namespace
 
 std::string_view to_string(MarkKind kind) {
   return kind == MarkKind::cross ? "cross" : "drill";
 }
 
+Vec2 place_of(const Mark& mark, std::span<const Vec2> positions) {
+  return mark.place ? position_of(*mark.place, positions) : positions[mark.vertex];
+}
+
 void check_marks(std::size_t vertex_count, std::span<const Mark> marks, std::string_view piece) {
-  for (const Mark& mark : marks)
+  for (const Mark& mark : marks) {
     check_vertex(mark.vertex, vertex_count, piece, "a mark is at");
+    if (mark.place) check_place(*mark.place, vertex_count, piece, "a mark is near");
+  }
 }
 
 void check_inner_lines(std::size_t vertex_count, std::span<const InnerLine> lines,
@@ -72,13 +84,35 @@ std::vector<Polygon> inner_lines(std::span<const Vec2> positions, std::span<cons
   return result;
 }
 
+void check_inner_lines(std::size_t vertex_count, std::span<const SurfaceLine> lines,
+                       std::string_view piece) {
+  for (const SurfaceLine& line : lines) {
+    for (const SurfacePlace& place : line)
+      check_place(place, vertex_count, piece, "an inner line goes near");
+  }
+}
+
+std::vector<Polygon> inner_lines(std::span<const Vec2> positions,
+                                 std::span<const SurfaceLine> lines, std::string_view piece) {
+  check_inner_lines(positions.size(), lines, piece);
+  std::vector<Polygon> result;
+  result.reserve(lines.size());
+  for (const SurfaceLine& line : lines) {
+    Polygon& points = result.emplace_back();
+    points.reserve(line.size());
+    for (const SurfacePlace& place : line)
+      points.push_back(position_of(place, positions));
+  }
+  return result;
+}
+
 std::vector<Polygon> mark_lines(std::span<const Vec2> positions, std::span<const Mark> marks,
                                 std::string_view piece) {
   check_marks(positions.size(), marks, piece);
   std::vector<Polygon> lines;
   lines.reserve(2 * marks.size());
   for (const Mark& mark : marks) {
-    const Vec2 at = positions[mark.vertex];
+    const Vec2 at = place_of(mark, positions);
     if (mark.kind == MarkKind::cross) {
       append_cross(at, lines);
     } else {

@@ -16,8 +16,18 @@ void for_vertices(Options& options, Visit visit) {
       visit(edge->to);
     }
   }
-  for (auto& mark : options.marks)
+  const auto visit_corners = [&](auto& place) {
+    for (auto& corner : place.corners)
+      visit(corner);
+  };
+  for (auto& mark : options.marks) {
     visit(mark.vertex);
+    if (mark.place) visit_corners(*mark.place);
+  }
+  for (auto& line : options.drawn_lines) {
+    for (auto& place : line)
+      visit_corners(place);
+  }
   for (auto& line : options.inner_lines) {
     for (auto& vertex : line)
       visit(vertex);
@@ -50,6 +60,7 @@ void check_pattern_options(const PatternOptions& options, std::size_t vertex_cou
   if (options.fold) check_fold(border, *options.fold, piece);
   check_marks(vertex_count, options.marks, piece);
   check_inner_lines(vertex_count, options.inner_lines, piece);
+  check_inner_lines(vertex_count, options.drawn_lines, piece);
 }
 
 std::vector<Index> named_vertices(const PatternOptions& options) {

@@ -82,7 +82,7 @@ Layer drill_layer(const PlacedPattern& pattern, const std::vector<Mark>& marks) 
   Layer layer{"drill", {}};
   for (const Mark& mark : marks) {
     Path path{mark_lines(pattern.positions, {&mark, 1}, pattern.outline.piece), false, k_drill};
-    path.mark = DrillMark{pattern.positions[mark.vertex]};
+    path.mark = DrillMark{place_of(mark, pattern.positions)};
     layer.shapes.emplace_back(std::move(path));
   }
   return layer;
@@ -134,16 +134,25 @@ Polygon there_and_back(Polygon line) {
   return line;
 }
 
+/// By vertices, and drawn.
+std::vector<Polygon> all_inner_lines(const PlacedPattern& pattern, const PatternOptions& options) {
+  std::vector<Polygon> lines =
+      inner_lines(pattern.positions, options.inner_lines, pattern.outline.piece);
+  for (Polygon& line : inner_lines(pattern.positions, options.drawn_lines, pattern.outline.piece))
+    lines.push_back(std::move(line));
+  return lines;
+}
+
 /// The outline, and what words and the grain line keep clear of: marks, notches and inner lines.
 std::vector<Polygon> free_loops(const PlacedPattern& pattern, const PatternOptions& options) {
   constexpr double half = 0.5 * k_cross_size + 1.0;
   std::vector<Polygon> loops = pattern.outline.loops;
   for (const Mark& mark : options.marks) {
-    const Vec2 at = pattern.positions[mark.vertex];
+    const Vec2 at = place_of(mark, pattern.positions);
     loops.push_back({at + Vec2{-half, -half}, at + Vec2{half, -half}, at + Vec2{half, half},
                      at + Vec2{-half, half}});
   }
-  for (Polygon& line : inner_lines(pattern.positions, options.inner_lines, pattern.outline.piece))
+  for (Polygon& line : all_inner_lines(pattern, options))
     loops.push_back(there_and_back(std::move(line)));
   for (const PlacedNotch& notch : pattern.notches) {
     for (const Polygon& stroke : notch.strokes)
@@ -226,8 +235,7 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
   layers.push_back(grain_layer(std::move(grain)));
   layers.push_back(fold_layer(pattern, options.fold));
   layers.push_back(drill_layer(pattern, options.marks));
-  layers.push_back(layer_of(
-      "internal", inner_lines(pattern.positions, options.inner_lines, outline.piece), k_internal));
+  layers.push_back(layer_of("internal", all_inner_lines(pattern, options), k_internal));
   layers.push_back(annotation_layer(place, lines));
   return layers;
 }

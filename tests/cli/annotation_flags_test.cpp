@@ -1,3 +1,5 @@
+#include <planish/mesh/patch.h>
+
 #include <gmock/gmock.h>
 
 #include "cli_run.h"
@@ -43,6 +45,41 @@ TEST_F(AnnotationsFlags, ReachTheSheetOfUnfold) {
                            "\n1\nfront\n", "\n1\nsize 42\n", "\n1\nneoprene\n",
                            "\n1\none mirrored\n", "2031-02-03", "+ 10 mm allowance"})
     EXPECT_THAT(dxf, HasSubstr(text));
+}
+
+TEST_F(AnnotationsFlags, MayBeDrawnOnTheModel) {
+  const TriMesh panel = make_shape("panel", 300);
+  const Patch patch(panel);
+  const auto text = [](Vec3 p) {
+    return "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) +
+           "\n";
+  };
+  const Vec3 inside = panel.positions[patch.inner_vertices()[40]];
+  const Vec3 other = panel.positions[patch.inner_vertices()[90]];
+  const Vec3 border = panel.positions[patch.border_loops()[0][5]];
+  write("drawn.obj", text(inside) + text(other) + "l 1 2\n");
+  write("border.obj", text(border) + "p 1\n");
+  const auto layer = [](const std::string& svg, const std::string& name) {
+    const std::size_t begin = svg.find("<g id=\"" + name + "\"");
+    return svg.substr(begin, svg.find("</g>", begin) - begin);
+  };
+  const CliResult result = unfold(
+      {"--notches", "border.obj", "--marks", "drawn.obj", "--inner-lines", "drawn.obj"}, "out.svg");
+  ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
+  const std::string svg = content_of("out.svg");
+  EXPECT_THAT(layer(svg, "notch"), HasSubstr("<path"));
+  EXPECT_THAT(layer(svg, "drill"), HasSubstr("<path"));
+  EXPECT_THAT(layer(svg, "internal"), HasSubstr("<path"));
+  const CliResult remeshed =
+      planish({"flatten", "panel.obj", "-o", "out", "--unit", "cm", "--remesh", "--formats", "svg",
+               "--notches", "border.obj", "--marks", "drawn.obj", "--inner-lines", "drawn.obj"});
+  ASSERT_EQ(remeshed.exit_code, k_exit_done) << remeshed.err;
+  EXPECT_THAT(layer(content_of("out/pattern.svg"), "internal"), HasSubstr("<path"));
+  write("far.obj", "v 0 0 0\nv 1e5 0 0\nl 1 2\n");
+  const CliResult far = unfold({"--inner-lines", "far.obj"}, "far.svg");
+  EXPECT_EQ(far.exit_code, k_exit_failed);
+  EXPECT_THAT(far.err, HasSubstr("far.obj:3: what is drawn at (0, 0, 0) is farther"));
+  EXPECT_FALSE(std::filesystem::exists("far.svg"));
 }
 
 TEST_F(AnnotationsFlags, ReachEveryFileOfFlatten) {

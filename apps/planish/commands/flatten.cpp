@@ -303,7 +303,8 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
     note_obstruction(session, patch);
     if (!options.remesh) note_memory(session, options.method, patch.vertex_count());
     options.constraints = constraints_from(arguments, patch, session);
-    pattern.annotations = annotations_on(std::move(pattern.annotations), arguments, patch, name);
+    pattern.annotations =
+        annotations_on(std::move(pattern.annotations), arguments, patch, name, session);
     options.keep = named_vertices(pattern.annotations);
     check_pattern_size(patch, name, plan_of(pattern, options.unit, nest.get()), session);
     return flatten(patch, name, options, session.job_context(path));

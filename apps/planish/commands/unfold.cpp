@@ -99,7 +99,7 @@ void unfold_into(WorkFile& file, const std::filesystem::path& place, const Unfol
   about(path, [&] {
     const Patch patch(mesh);
     const PatternOptions annotations =
-        annotations_on(request.annotations, arguments, patch, stem_of(path));
+        annotations_on(request.annotations, arguments, patch, stem_of(path), session);
     const UnfoldReport report =
         unfold_patch(patch, request.unit, request.options, session.job_context(path));
     file.report.lines = {{unfolded_cells(&report)}};
@@ -140,7 +140,8 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
   const Patch patch = about(path, [&] { return Patch(input.mesh); });
   const auto report = about(path, [&] {
     const std::string name = stem_of(path);
-    request.annotations = annotations_on(std::move(request.annotations), arguments, patch, name);
+    request.annotations =
+        annotations_on(std::move(request.annotations), arguments, patch, name, session);
     return unfold_patch(patch, request.unit, request.options, session.job_context(path));
   });
   const std::string content = about(path, [&] {

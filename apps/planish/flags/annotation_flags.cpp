@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
+#include <optional>
 
 #include <planish/pattern/read_annotations.h>
 
@@ -14,7 +16,9 @@
 #include "flags/units.h"
 #include "platform/path.h"
 #include "shell/failures.h"
+#include "shell/file_name.h"
 #include "shell/values.h"
+#include "text/lengths.h"
 
 namespace planish::cli {
 
@@ -117,6 +121,18 @@ NotchSizes notch_sizes_from(const Arguments& arguments, const std::optional<Allo
   return sizes;
 }
 
+/// Whether the file of a flag is a drawing, which can be read only when there is a mesh.
+bool is_drawn(const std::string& flag, const Arguments& arguments) {
+  return arguments.has(flag) && lower_extension(arguments.flags.at(flag)) == ".obj";
+}
+
+/// The path of a flag's file; nothing without the flag, and where the file is a drawing.
+std::optional<std::filesystem::path> list_of_flag(const std::string& flag,
+                                                  const Arguments& arguments) {
+  if (!arguments.has(flag) || is_drawn(flag, arguments)) return std::nullopt;
+  return path_of(arguments.flags.at(flag));
+}
+
 void refuse_idle_flags(const Arguments& arguments, bool writes_sheet) {
   const auto check = [&](const std::string& flag, const std::string& other) {
     if (arguments.has(flag) && !arguments.has(other)) {
@@ -156,7 +172,9 @@ FlagGroup annotation_flags() {
         "vertices at the ends of a straight stretch of the border: the piece is cut on the fold "
         "there, without an allowance"},
        {"--notches", "FILE",
-        "a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double"},
+        "a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double; or an "
+        ".obj "
+        "drawn on the model"},
        {"--seam-notches", "FILE",
         "on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double"},
        {"--notch-depth",
@@ -167,8 +185,9 @@ FlagGroup annotation_flags() {
         {.range = {.min = 0.0}}},
        {"--grain", "X,Y,Z|ANGLE",
         "direction of the grain on the model, or its angle in the pattern"},
-       {"--marks", "FILE", "a line each: vertex; cross or drill"},
-       {"--inner-lines", "FILE", "as legs of darts, a line each by its vertices"},
+       {"--marks", "FILE", "a line each: vertex; cross or drill; or an .obj drawn on the model"},
+       {"--inner-lines", "FILE",
+        "as legs of darts, a line each by its vertices; or an .obj drawn on the model"},
        {"--piece-name", "TEXT", "written inside the piece, as are the next five"},
        {"--size", "TEXT", "that the piece is for"},
        {"--quantity", "N", "how many to cut", 0, false, {.range = k_quantity}},
@@ -200,16 +219,40 @@ PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet) {
   options.label = label_from(arguments);
   options.date = arguments.value_or("--date", "");
   options.curves = line_fit_from(arguments);
-  if (arguments.has("--notches"))
-    options.notches = read_notches(path_of(arguments.flags.at("--notches")));
-  if (arguments.has("--inner-lines")) {
-    options.inner_lines = read_inner_lines(path_of(arguments.flags.at("--inner-lines")));
+  if (const auto path = list_of_flag("--notches", arguments)) options.notches = read_notches(*path);
+  if (const auto path = list_of_flag("--inner-lines", arguments)) {
+    options.inner_lines = read_inner_lines(*path);
   }
   if (arguments.has("--edge-allowances")) {
     options.edge_allowances =
         read_edge_allowances(path_of(arguments.flags.at("--edge-allowances")));
   }
-  if (arguments.has("--marks")) options.marks = read_marks(path_of(arguments.flags.at("--marks")));
+  if (const auto path = list_of_flag("--marks", arguments)) options.marks = read_marks(*path);
+  return options;
+}
+
+PatternOptions with_drawn_annotations(PatternOptions options, const Arguments& arguments,
+                                      const Patch& patch, Session& session) {
+  const ShownLengths lengths(unit_from(arguments));
+  const auto add = [&](const std::string& flag, auto read) {
+    if (!is_drawn(flag, arguments)) return;
+    const std::string& file = arguments.flags.at(flag);
+    const DrawnAnnotations drawn = read(path_of(file), patch);
+    options.notches.insert(options.notches.end(), drawn.notches.begin(), drawn.notches.end());
+    options.marks.insert(options.marks.end(), drawn.marks.begin(), drawn.marks.end());
+    options.drawn_lines.insert(options.drawn_lines.end(), drawn.lines.begin(), drawn.lines.end());
+    if (drawn.farthest > 0.0) {
+      session.note(file + ": what is drawn is at most " + lengths.text(drawn.farthest) +
+                   " from its places on the model");
+    }
+    if (drawn.outside_length > 0.0) {
+      session.note(file + ": " + lengths.text(drawn.outside_length) +
+                   " of line lie off the model and are left out");
+    }
+  };
+  add("--notches", read_drawn_notches);
+  add("--marks", read_drawn_marks);
+  add("--inner-lines", read_drawn_lines);
   return options;
 }
 

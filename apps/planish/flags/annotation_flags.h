@@ -1,17 +1,24 @@
 #pragma once
 
+#include <planish/mesh/patch.h>
 #include <planish/pattern/pattern_options.h>
 
 #include "shell/command.h"
+#include "shell/session.h"
 
 namespace planish::cli {
 
 /// Allowance, notches, grain, marks and labels, for verbs that write patterns.
 FlagGroup annotation_flags();
 
-/// What the flags and their files ask for.
+/// What the flags and their files ask for, but for files that are drawings.
 /// @param writes_sheet whether a pattern is drawn at all
 /// @throws UsageError, Error option_out_of_range, and as read_notches() and read_marks()
 PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet);
+
+/// Adds what the files of --notches, --marks and --inner-lines that are drawings (.obj) ask for.
+/// @throws Error as read_drawn_notches(), read_drawn_marks() and read_drawn_lines()
+PatternOptions with_drawn_annotations(PatternOptions options, const Arguments& arguments,
+                                      const Patch& patch, Session& session);
 
 }  // namespace planish::cli

@@ -1,11 +1,13 @@
 #include "product/seams.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <planish/flatten/product.h>
 #include <planish/pattern/notches.h>
 #include <planish/pattern/read_annotations.h>
 
+#include "flags/annotation_flags.h"
 #include "flags/quantities.h"
 #include "flags/units.h"
 #include "platform/path.h"
@@ -58,7 +60,8 @@ std::vector<MeasuredSeam> with_names(std::vector<MeasuredSeam> seams,
 }
 
 PatternOptions annotations_on(PatternOptions annotations, const Arguments& arguments,
-                              const Patch& patch, const std::string& name) {
+                              const Patch& patch, const std::string& name, Session& session) {
+  annotations = with_drawn_annotations(std::move(annotations), arguments, patch, session);
   const bool seams = arguments.has("--seam-notches");
   if (named_vertices(annotations).empty() && annotations.notches.empty() && !seams)
     return annotations;

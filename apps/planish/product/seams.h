@@ -35,10 +35,10 @@ std::vector<MeasuredSeam> with_names(std::vector<MeasuredSeam> seams,
                                      const std::vector<PatchResult>& patches,
                                      const std::vector<NamedSeam>& names, Session& session);
 
-/// What the one patch of a run gets, with the notches on its seams with itself, as far as that can
-/// be known before it is flat.
+/// What the one patch of a run gets, with what is drawn on the model and the notches on its seams
+/// with itself, as far as that can be known before it is flat.
 /// @throws Error as notches_on_seams() and check_pattern_options()
 PatternOptions annotations_on(PatternOptions annotations, const Arguments& arguments,
-                              const Patch& patch, const std::string& name);
+                              const Patch& patch, const std::string& name, Session& session);
 
 }  // namespace planish::cli

@@ -50,6 +50,7 @@ enum class ErrorCode {
   allowance_too_wide,
   misplaced_allowance,
   misplaced_notch,
+  misplaced_mark,
   no_grain_direction,
   piece_too_large,
 };

@@ -18,6 +18,8 @@ struct SurfacePlace {
 
 /// Where the place is on a mesh with these vertices.
 Vec3 position_of(const SurfacePlace& place, std::span<const Vec3> positions);
+/// The same in a pattern.
+Vec2 position_of(const SurfacePlace& place, std::span<const Vec2> positions);
 
 /// A line that was drawn over a mesh, straight from point to point. A closed one ends in its first
 /// point.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <planish/mesh/carry.h>
 #include <planish/mesh/tri_mesh.h>
 #include <planish/pattern/piece_outline.h>
 
@@ -21,13 +22,22 @@ std::string_view to_string(MarkKind kind);
 
 /// A place that is carried over from a vertex of the patch.
 struct Mark {
-  Index vertex = 0;                 ///< of the patch
-  MarkKind kind = MarkKind::cross;  ///< what is drawn there
+  Index vertex = 0;                        ///< of the patch
+  MarkKind kind = MarkKind::cross;         ///< what is drawn there
+  std::optional<SurfacePlace> place = {};  ///< where it is, if not at the vertex
 };
+
+/// Where a mark is in the pattern.
+/// @param positions of all vertices, in the unit of the result
+/// @pre its vertices are among them
+Vec2 place_of(const Mark& mark, std::span<const Vec2> positions);
 
 /// A line inside a piece, as the leg of a dart or a line to be stitched, by the vertices of the
 /// patch that it goes through.
 using InnerLine = std::vector<Index>;
+
+/// The same by places on the triangles of the patch.
+using SurfaceLine = std::vector<SurfacePlace>;
 
 /// The size of marks from side to side, millimetres.
 inline constexpr double k_cross_size = 6.0, k_drill_size = 3.0;
@@ -38,6 +48,16 @@ void check_marks(std::size_t vertex_count, std::span<const Mark> marks, std::str
 /// @throws Error index_out_of_range naming the piece
 void check_inner_lines(std::size_t vertex_count, std::span<const InnerLine> lines,
                        std::string_view piece);
+
+/// @throws Error index_out_of_range naming the piece
+void check_inner_lines(std::size_t vertex_count, std::span<const SurfaceLine> lines,
+                       std::string_view piece);
+
+/// Inner lines in the pattern, straight from place to place.
+/// @param positions of all vertices on the sheet, millimetres
+/// @throws Error index_out_of_range naming the piece
+std::vector<Polygon> inner_lines(std::span<const Vec2> positions,
+                                 std::span<const SurfaceLine> lines, std::string_view piece);
 
 /// Inner lines in the pattern, straight from vertex to vertex.
 /// @param positions of all vertices on the sheet, millimetres

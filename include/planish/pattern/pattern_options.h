@@ -46,6 +46,7 @@ struct PatternOptions {
   std::optional<Grain> grain = {};                  ///< none: no grain line is drawn
   std::vector<Mark> marks = {};                     ///< at vertices
   std::vector<InnerLine> inner_lines = {};          ///< from vertex to vertex
+  std::vector<SurfaceLine> drawn_lines = {};        ///< inner lines from place to place
   PieceLabel label = {};                            ///< written inside the piece
   LineFit curves = {};                 ///< how near curves stay to lines; tolerance 0: no curves
   std::string date = {};               ///< for the sheet's label; never taken from a clock

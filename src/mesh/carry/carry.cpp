@@ -11,23 +11,15 @@
 #include "mesh/carry/line_pieces.h"
 #include "mesh/carry/planar_trace.h"
 #include "mesh/carry/surface_trace.h"
+#include "mesh/mean_edge.h"
 
 namespace planish {
 
 namespace {
 
-constexpr double k_reach = 1e-3, k_most_off = 3.0;  // in mean edges
-constexpr double k_farthest = 1e6;                  // in sizes of the mesh
+constexpr double k_reach = 1e-3;    // in mean edges
+constexpr double k_farthest = 1e6;  // in sizes of the mesh
 constexpr std::size_t k_most_places = 20'000'000;
-
-double mean_edge(const TriMesh& mesh) {
-  double sum = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i)
-      sum += norm(mesh.positions[t[(i + 1) % 3]] - mesh.positions[t[i]]);
-  }
-  return sum / (3.0 * static_cast<double>(mesh.triangles.size()));
-}
 
 TriMesh scaled(TriMesh mesh, double scale) {
   for (Vec3& p : mesh.positions)
@@ -135,17 +127,23 @@ Vec3 position_of(const SurfacePlace& place, std::span<const Vec3> positions) {
          place.shares[2] * positions[place.corners[2]];
 }
 
+Vec2 position_of(const SurfacePlace& place, std::span<const Vec2> positions) {
+  return place.shares[0] * positions[place.corners[0]] +
+         place.shares[1] * positions[place.corners[1]] +
+         place.shares[2] * positions[place.corners[2]];
+}
+
 TracedLines trace_lines(const Patch& patch, const DrawnLines& drawn) {
   if (patch.triangles().empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
   const double scale = patch.unit_scale();
   const TriMesh mesh = scaled(patch.mesh(), scale);
-  const double edge = mean_edge(mesh);
+  const double edge = mean_edge_length(mesh);
   const Vec3 some = mesh.positions[mesh.triangles.front().front()];
   check_near(drawn, some, scale);
   const double reach = k_reach * edge;
   if (is_flat(mesh) && is_in_plane(drawn, some.z, scale, reach))
     return traced(mesh, drawn, scale, PlanarTrace(mesh, reach));
-  return traced(mesh, drawn, scale, SurfaceTrace(mesh, reach, k_most_off * edge, 0.5 * edge));
+  return traced(mesh, drawn, scale, SurfaceTrace(mesh, reach, k_most_edges_off * edge, 0.5 * edge));
 }
 
 bool is_flat(const TriMesh& mesh) {

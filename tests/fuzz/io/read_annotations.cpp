@@ -1,10 +1,14 @@
-// The readers of notches, marks, inner lines, allowances of edges and notches on seams.
+// The readers of notches, marks, inner lines, allowances of edges and notches on seams, and of
+// those that are drawn on a patch.
 
 #include <cmath>
 
+#include <planish/mesh/patch.h>
+#include <planish/pattern/pattern_options.h>
 #include <planish/pattern/read_annotations.h>
 
 #include "fuzz/check.h"
+#include "support/meshes.h"
 
 using namespace planish;
 
@@ -30,5 +34,16 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     for (const SeamNotch& notch : parse_seam_notches(bytes, "file"))
       fuzz::check(std::isfinite(notch.place), "positions are finite");
   });
+  const Patch patch(meshes::rough_grid(5, 4, 3));
+  for (const auto parse : {parse_drawn_notches, parse_drawn_marks, parse_drawn_lines}) {
+    fuzz::allow_refusal_of("file", [&] {
+      const DrawnAnnotations drawn = parse(bytes, patch, "file");
+      const PatternOptions options{
+          .notches = drawn.notches, .marks = drawn.marks, .drawn_lines = drawn.lines};
+      check_pattern_options(options, patch.vertex_count(), patch.border_loops(), "patch");
+      fuzz::check(std::isfinite(drawn.farthest) && std::isfinite(drawn.outside_length),
+                  "lengths are finite");
+    });
+  }
   return 0;
 }

@@ -14,6 +14,7 @@
 #include <planish/pattern/marks.h>
 #include <planish/pattern/nest.h>
 #include <planish/pattern/notches.h>
+#include <planish/pattern/read_annotations.h>
 #include <planish/unfold/unfold.h>
 
 #include <gtest/gtest.h>
@@ -140,6 +141,7 @@ const std::map<Code, Reproduction>& reproductions() {
        [] {
          with_edge_allowances({}, square_piece(100), std::vector<EdgeAllowance>{{3, 8, 1.0}});
        }},
+      {Code::misplaced_mark, [] { parse_drawn_marks("v 0 0 99\np 1\n", Patch(grid), "m.obj"); }},
       {Code::misplaced_notch,
        [] {
          const PieceOutline piece = square_piece(100);

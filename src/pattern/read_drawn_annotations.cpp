@@ -1,0 +1,185 @@
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include <planish/core/error.h>
+#include <planish/pattern/read_annotations.h>
+
+#include "core/math.h"
+#include "core/number_text.h"
+#include "io/drawn_lines.h"
+#include "io/file/file_bytes.h"
+#include "io/file/text_cursor.h"
+#include "io/read_drawing.h"
+#include "mesh/mean_edge.h"
+#include "mesh/search/closest_point.h"
+#include "platform/path.h"
+
+namespace planish {
+
+namespace {
+
+/// A point of a drawing that is drawn there as often as lines go through it.
+struct DrawnPoint {
+  Vec3 at;
+  ErrorPlace place;
+};
+
+/// Of lines and points, each once, in the order of the file.
+std::vector<DrawnPoint> points_in(std::string_view bytes, const std::string& name) {
+  TextCursor cursor(bytes, name, {.comments = true, .continuation = true});
+  const LineDrawing drawing = parse_line_drawing(cursor);
+  std::vector<unsigned char> seen(drawing.places.size(), 0);
+  std::vector<DrawnPoint> points;
+  for (std::size_t i = 0; i < drawing.corners.size(); ++i) {
+    const Index corner = drawing.corners[i];
+    if (seen[corner] == 0) {
+      points.push_back({drawing.places[corner], {.path = name, .line = drawing.line_of_corner[i]}});
+    }
+    seen[corner] = 1;
+  }
+  return points;
+}
+
+double distance_of(Vec3 a, Vec3 b) {
+  return math::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+std::string point_text(Vec3 p) {
+  return "(" + number_text(p.x) + ", " + number_text(p.y) + ", " + number_text(p.z) + ")";
+}
+
+/// Refuses a point that is too far from its place.
+class Reach {
+ public:
+  Reach(const Patch& patch, ErrorCode code, std::string what)
+      : most_(k_most_edges_off * mean_edge_length(patch.mesh())),
+        code_(code),
+        what_(std::move(what)) {}
+
+  double check(Vec3 drawn, Vec3 found, const ErrorPlace& place) const {
+    const double apart = distance_of(drawn, found);
+    if (apart <= most_) return apart;
+    throw Error(code_,
+                "what is drawn at " + point_text(drawn) + " is farther than three edges from " +
+                    what_ + ": the nearest place is " + point_text(found) +
+                    "; is the drawing in other units?",
+                place);
+  }
+
+ private:
+  double most_;
+  ErrorCode code_;
+  std::string what_;
+};
+
+void check_triangles(const Patch& patch) {
+  if (patch.triangles().empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
+}
+
+/// The nearest place of the border to a point, of several the first along it.
+struct BorderPlace {
+  PlaceOnEdge place;
+  Vec3 point;
+};
+
+BorderPlace nearest_on_border(const Patch& patch, Vec3 drawn) {
+  const double scale = patch.unit_scale();
+  BorderPlace nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<Index>& loop : patch.border_loops()) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Index from = loop[i], to = loop[(i + 1) % loop.size()];
+      const Vec3 a = patch.positions()[from], b = patch.positions()[to];
+      const Vec3 edge = scale * b - scale * a, way = scale * drawn - scale * a;
+      const double whole = dot(edge, edge);
+      const double share = whole > 0.0 ? std::clamp(dot(way, edge) / whole, 0.0, 1.0) : 0.0;
+      const Vec3 apart = share * edge - way;
+      if (!(dot(apart, apart) < least)) continue;
+      least = dot(apart, apart);
+      nearest = {{from, to, share}, (1.0 - share) * a + share * b};
+    }
+  }
+  return nearest;
+}
+
+Mark mark_at(const ClosestPoint& closest, const Patch& patch) {
+  const Triangle& corners = patch.triangles()[closest.triangle];
+  const auto& shares = closest.barycentric;
+  const auto nearest = std::max_element(shares.begin(), shares.end()) - shares.begin();
+  return {corners[static_cast<std::size_t>(nearest)], MarkKind::cross,
+          SurfacePlace{corners, shares}};
+}
+
+/// Of what the file at a path draws.
+template <class Parse>
+DrawnAnnotations parsed(const std::filesystem::path& path, const Patch& patch, Parse parse) {
+  const FileBytes file(path);
+  return parse(file.view(), patch, utf8_of(path));
+}
+
+}  // namespace
+
+DrawnAnnotations parse_drawn_notches(std::string_view bytes, const Patch& patch,
+                                     const std::string& name) {
+  check_triangles(patch);
+  const Reach reach(patch, ErrorCode::misplaced_notch, "the border");
+  DrawnAnnotations drawn;
+  for (const DrawnPoint& point : points_in(bytes, name)) {
+    const BorderPlace nearest = nearest_on_border(patch, point.at);
+    drawn.farthest = std::max(drawn.farthest, reach.check(point.at, nearest.point, point.place));
+    drawn.notches.push_back({nearest.place});
+  }
+  return drawn;
+}
+
+DrawnAnnotations parse_drawn_marks(std::string_view bytes, const Patch& patch,
+                                   const std::string& name) {
+  check_triangles(patch);
+  const Reach reach(patch, ErrorCode::misplaced_mark, "the mesh");
+  const ClosestPointTree tree(patch.mesh());
+  DrawnAnnotations drawn;
+  for (const DrawnPoint& point : points_in(bytes, name)) {
+    const ClosestPoint closest = tree.query(point.at);
+    drawn.farthest = std::max(drawn.farthest, reach.check(point.at, closest.point, point.place));
+    drawn.marks.push_back(mark_at(closest, patch));
+  }
+  return drawn;
+}
+
+DrawnAnnotations parse_drawn_lines(std::string_view bytes, const Patch& patch,
+                                   const std::string& name) {
+  check_triangles(patch);
+  const DrawnLines lines = parse_obj_lines(bytes, name);
+  if (lines.lines.empty()) {
+    throw Error(ErrorCode::malformed_file,
+                "the file has no line (l), and points (p) are no inner lines",
+                {.path = name, .line = 1});
+  }
+  const Reach reach(patch, ErrorCode::misplaced_mark, "the mesh");
+  const ClosestPointTree tree(patch.mesh());
+  DrawnAnnotations drawn;
+  for (const DrawnLine& line : lines.lines) {
+    for (const Vec3 p : line.points)
+      drawn.farthest = std::max(drawn.farthest, reach.check(p, tree.query(p).point, line.place));
+  }
+  TracedLines traced = trace_lines(patch, {lines.lines, {}});
+  drawn.lines = std::move(traced.lines);
+  drawn.outside_length = traced.outside_length;
+  return drawn;
+}
+
+DrawnAnnotations read_drawn_notches(const std::filesystem::path& path, const Patch& patch) {
+  return parsed(path, patch, parse_drawn_notches);
+}
+
+DrawnAnnotations read_drawn_marks(const std::filesystem::path& path, const Patch& patch) {
+  return parsed(path, patch, parse_drawn_marks);
+}
+
+DrawnAnnotations read_drawn_lines(const std::filesystem::path& path, const Patch& patch) {
+  return parsed(path, patch, parse_drawn_lines);
+}
+
+}  // namespace planish

@@ -76,8 +76,8 @@ TEST(Aliases, AreDescribed) {
 }
 
 TEST(MissingFlags, AreExplainedAndNeverMistakenForOthers) {
-  for (const char* flag : {"--bend-lines", "--rulings", "--thickness", "--scale", "--no-strain-map",
-                           "--bend-radius", "--scale=2", "--smooth"}) {
+  for (const char* flag : {"--bend-lines", "--rulings", "--thickness", "--no-strain-map",
+                           "--bend-radius", "--thickness=2", "--smooth"}) {
     const CliResult result = planish({"flatten", "a.obj", flag});
     EXPECT_EQ(result.exit_code, k_exit_usage);
     EXPECT_THAT(result.err, HasSubstr("there is no flag --")) << flag;

@@ -9,6 +9,7 @@
 #include "commands/commands.h"
 #include "flags/constraint_flags.h"
 #include "flags/method_flags.h"
+#include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "platform/path.h"
 #include "several/several_files.h"
@@ -79,7 +80,7 @@ std::string lines_of(const CompareReport& report) {
 void compare_into(WorkFile& file, const fs::path& place, const std::vector<CompareRun>& runs,
                   const Arguments& arguments, Session& session) {
   const std::string& path = file.report.path;
-  ReadResult input = session.read(path);
+  ReadResult input = read_model(path, arguments, session);
   const CompareReport report = about(path, [&] {
     const Patch patch(std::move(input.mesh));
     const CompareOptions options = {unit_from(arguments),
@@ -121,7 +122,7 @@ CommandResult run_compare(const Arguments& arguments, Session& session) {
   const bool writes = arguments.has("--output");
   const fs::path folder = output_folder(arguments.value_or("--output", ""));
 
-  ReadResult input = session.read(path);
+  ReadResult input = read_model(path, arguments, session);
   const std::string size = size_text(input.mesh);
   const auto report = about(path, [&] {
     const Patch patch(std::move(input.mesh));
@@ -161,6 +162,7 @@ Command compare_command() {
       {{"Output",
         {{"--output", "FOLDER", "where to write; without it nothing is written", 'o'},
          unit_flag(),
+         scale_flag(),
          {"--csv", "FILE",
           "the figures of all inputs as comma-separated values, a line for each file and "
           "method"}}},

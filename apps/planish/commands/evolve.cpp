@@ -7,6 +7,7 @@
 #include "flags/constraint_flags.h"
 #include "flags/cut_flag.h"
 #include "flags/method_flags.h"
+#include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "platform/path.h"
 #include "several/several_files.h"
@@ -83,7 +84,7 @@ std::string line_of(const EvolveReport& report) {
 void evolve_into(WorkFile& file, const std::filesystem::path& place, const Arguments& arguments,
                  Session& session) {
   const std::string& path = file.report.path;
-  const TriMesh mesh = session.read(path).mesh;
+  const TriMesh mesh = read_model(path, arguments, session).mesh;
   const auto [evolved, report] =
       about(path, [&] { return evolve_with_progress(Patch(mesh), path, arguments, session); });
   file.report.lines = {{evolved_cells(&report)}};
@@ -121,7 +122,8 @@ CommandResult run_evolve(const Arguments& arguments, Session& session) {
   const Method method = method_from(arguments, Method{});
 
   const std::string& path = arguments.operands.front();
-  const CutInput input = cut_as_asked(session.read(path).mesh, path, arguments, session);
+  const CutInput input =
+      cut_as_asked(read_model(path, arguments, session).mesh, path, arguments, session);
   const auto [evolved, report] = about(path, [&] {
     const Patch patch(input.mesh);
     note_obstruction(session, patch);
@@ -148,6 +150,7 @@ Command evolve_command() {
          "the evolved mesh: .obj, .ply, .stl or .off; of several inputs the folder for theirs", 'o',
          true},
         unit_flag(),
+        scale_flag(),
         cut_flag(),
         remesh_flag(),
         smooth_first_flag(),

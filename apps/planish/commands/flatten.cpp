@@ -19,6 +19,7 @@
 #include "flags/material_flag.h"
 #include "flags/method_flags.h"
 #include "flags/pick_flag.h"
+#include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "flatten/reference_sweeps.h"
 #include "output/pattern_output.h"
@@ -280,8 +281,9 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   const auto nest = nest_from(arguments, pattern);
   const fs::path folder = folder_from(arguments);
 
-  ProductInput read =
-      read_product(session, arguments.operands, options.unit, arguments.has("--product"));
+  ProductInput read = scaled(
+      read_product(session, arguments.operands, options.unit, arguments.has("--product")),
+      scale_from(arguments));
   if (read.is_batch) refuse_seam_flags(arguments);
   const std::optional<CutDone> cut = cut_product(read, arguments, session);
   if (read.patches.size() > 1 || read.is_described) {
@@ -341,6 +343,7 @@ Command flatten_command() {
       {"Output",
        {{"--output", "FOLDER", "where to write (default: the input's name with -pattern)", 'o'},
         unit_flag(),
+        scale_flag(),
         cut_flag(),
         remesh_flag(),
         smooth_first_flag(),

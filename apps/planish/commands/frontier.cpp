@@ -9,6 +9,7 @@
 #include "flags/material_flag.h"
 #include "flags/method_flags.h"
 #include "flags/quantities.h"
+#include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "platform/path.h"
 #include "shell/failures.h"
@@ -116,7 +117,7 @@ CommandResult run_frontier(const Arguments& arguments, Session& session) {
   const std::string output = arguments.value_or("--output", "");
   const Writer writer = writes ? writer_of(output) : nullptr;
 
-  ReadResult input = session.read(path);
+  ReadResult input = read_model(path, arguments, session);
   const std::string size = size_text(input.mesh);
   const auto report = about(path, [&] {
     const Patch patch(std::move(input.mesh));
@@ -152,7 +153,8 @@ Command frontier_command() {
           {"INPUT"},
           {{"Output",
             {{"--output", "FILE", "a chart (.svg), a page (.html) or all figures (.csv)", 'o'},
-             unit_flag()}},
+             unit_flag(),
+             scale_flag()}},
            frontier_flags(),
            constraint_flags()},
           {"planish frontier panel.obj", "planish frontier panel.obj -o frontier.svg --points 12",

@@ -8,6 +8,7 @@
 #include "commands/commands.h"
 #include "flags/fields_flag.h"
 #include "flags/limit_flags.h"
+#include "flags/scale_flag.h"
 #include "platform/path.h"
 #include "report/pictures/direction_map.h"
 #include "several/several_files.h"
@@ -49,7 +50,8 @@ std::string line_of(const MeasuredPatch& patch, const std::optional<StrainAsDesi
 }
 
 /// @param file gets what can be measured before something fails
-void measure_into(WorkFile& file, const StrainLimits& limits, Session& session) {
+void measure_into(WorkFile& file, const StrainLimits& limits, const Arguments& arguments,
+                  Session& session) {
   const std::string& path = file.report.path;
   const auto take = [&](const MeasuredPatch& measured,
                         const std::optional<StrainAsDesigned>& strain) {
@@ -58,7 +60,7 @@ void measure_into(WorkFile& file, const StrainLimits& limits, Session& session) 
     file.text = line_of(measured, strain);
     file.misses = strain && !all_kept(strain->limits);
   };
-  const Patch patch = about(path, [&] { return Patch(session.read(path).mesh); });
+  const Patch patch = about(path, [&] { return Patch(read_model(path, arguments, session).mesh); });
   about(path, [&] {
     const MeasuredPatch measured = measure_patch(patch, session.job_context(path));
     take(measured, std::nullopt);
@@ -74,7 +76,7 @@ CommandResult measure_several(const Arguments& arguments, Session& session) {
       .heads = " vertices      e_max  sum |d_v|  rms strain   largest",
       .missed_before = "no pattern of ",
       .missed_behind = " keeps the limit",
-      .work = [&](WorkFile& file, const auto&) { measure_into(file, limits, session); }};
+      .work = [&](WorkFile& file, const auto&) { measure_into(file, limits, arguments, session); }};
   return run_several(job, arguments, session);
 }
 
@@ -125,7 +127,7 @@ CommandResult run_measure(const Arguments& arguments, Session& session) {
   std::vector<OutputFile> files = places_from(arguments);
   const std::string& path = arguments.operands.front();
   const StrainLimits limits = limits_from(arguments);
-  const TriMesh mesh = session.read(path).mesh;
+  const TriMesh mesh = read_model(path, arguments, session).mesh;
   Patch patch;
   MeasuredPatch measured;
   try {
@@ -177,6 +179,7 @@ Command measure_command() {
       {{"Output",
         {{"--map", "FILE", "classes and directions of all vertices, as comma-separated values"},
          {"--picture", "FILE", "the same as pictures side by side: .svg"},
+         scale_flag(),
          fields_flag(),
          csv_flag()}},
        {"Limits of the pattern", limit_flags()}},

@@ -6,6 +6,7 @@
 
 #include "commands/commands.h"
 #include "flags/quantities.h"
+#include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "platform/path.h"
 #include "sheet/cut_sheet.h"
@@ -79,7 +80,7 @@ CommandResult run_suggest_cuts(const Arguments& arguments, Session& session) {
   const Unit unit = unit_from(arguments);
   const auto paths = suggestion_paths(arguments);
   const std::string& path = arguments.operands.front();
-  const TriMesh mesh = session.read(path).mesh;
+  const TriMesh mesh = read_model(path, arguments, session).mesh;
   const auto suggestion =
       about(path, [&] { return suggest_cuts(Patch(mesh), options, session.job_context(path)); });
   const std::string name = stem_of(path);
@@ -109,7 +110,8 @@ Command suggest_cuts_command() {
         {{"--output", "CUTS", "the cuts, one a line by its vertices", 'o'},
          {"--picture", "FILE", "the pattern without the darts, the darts drawn on it: .svg"},
          {"--apply", "FILE", "the mesh cut open: .obj, .ply, .stl or .off"},
-         unit_flag()}},
+         unit_flag(),
+         scale_flag()}},
        {"What to look for",
         {{"--max-strain",
           "X",

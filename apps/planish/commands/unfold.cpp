@@ -11,6 +11,7 @@
 #include "flags/cut_flag.h"
 #include "flags/limit_flags.h"
 #include "flags/match_seams_flag.h"
+#include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "output/pattern_output.h"
 #include "platform/path.h"
@@ -95,7 +96,7 @@ std::string line_of(const UnfoldReport& report) {
 void unfold_into(WorkFile& file, const std::filesystem::path& place, const UnfoldRequest& request,
                  const Arguments& arguments, Session& session) {
   const std::string& path = file.report.path;
-  const TriMesh mesh = session.read(path).mesh;
+  const TriMesh mesh = read_model(path, arguments, session).mesh;
   about(path, [&] {
     const Patch patch(mesh);
     const PatternOptions annotations =
@@ -136,7 +137,8 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
   UnfoldRequest request = request_from(arguments, output);
 
   const std::string& path = arguments.operands.front();
-  const CutInput input = cut_as_asked(session.read(path).mesh, path, arguments, session);
+  const CutInput input =
+      cut_as_asked(read_model(path, arguments, session).mesh, path, arguments, session);
   const Patch patch = about(path, [&] { return Patch(input.mesh); });
   const auto report = about(path, [&] {
     const std::string name = stem_of(path);
@@ -164,6 +166,7 @@ Command unfold_command() {
        ".ply, .stl or .off); of several inputs the folder for theirs",
        'o', true},
       unit_flag(),
+      scale_flag(),
       cut_flag(),
       match_seams_flag(),
       csv_flag(),

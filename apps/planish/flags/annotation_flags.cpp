@@ -13,6 +13,7 @@
 #include <fast_float/fast_float.h>
 
 #include "flags/quantities.h"
+#include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "platform/path.h"
 #include "shell/failures.h"
@@ -234,19 +235,21 @@ PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet) {
 PatternOptions with_drawn_annotations(PatternOptions options, const Arguments& arguments,
                                       const Patch& patch, Session& session) {
   const ShownLengths lengths(unit_from(arguments));
+  const double scale = scale_from(arguments);
+  const Patch in_file = as_in_file(patch, arguments);
   const auto add = [&](const std::string& flag, auto read) {
     if (!is_drawn(flag, arguments)) return;
     const std::string& file = arguments.flags.at(flag);
-    const DrawnAnnotations drawn = read(path_of(file), patch);
+    const DrawnAnnotations drawn = read(path_of(file), in_file);
     options.notches.insert(options.notches.end(), drawn.notches.begin(), drawn.notches.end());
     options.marks.insert(options.marks.end(), drawn.marks.begin(), drawn.marks.end());
     options.drawn_lines.insert(options.drawn_lines.end(), drawn.lines.begin(), drawn.lines.end());
     if (drawn.farthest > 0.0) {
-      session.note(file + ": what is drawn is at most " + lengths.text(drawn.farthest) +
+      session.note(file + ": what is drawn is at most " + lengths.text(scale * drawn.farthest) +
                    " from its places on the model");
     }
     if (drawn.outside_length > 0.0) {
-      session.note(file + ": " + lengths.text(drawn.outside_length) +
+      session.note(file + ": " + lengths.text(scale * drawn.outside_length) +
                    " of line lie off the model and are left out");
     }
   };

@@ -3,6 +3,7 @@
 #include <planish/io/read_features.h>
 
 #include "flags/method_flags.h"
+#include "flags/scale_flag.h"
 #include "platform/path.h"
 #include "shell/failures.h"
 #include "shell/session.h"
@@ -22,11 +23,13 @@ void refuse(const std::string& flag, const Method& method, bool (*honours)(const
                    (able.empty() ? "; no method can" : "; take --method " + list_of(able)));
 }
 
-std::vector<Index> fixed_in(const std::string& path, const Patch& patch, Session& session) {
-  const FixedVertices fixed = read_fixed_vertices(path_of(path), patch);
+std::vector<Index> fixed_in(const Arguments& arguments, const Patch& patch, Session& session) {
+  const std::string& path = arguments.flags.at("--fix");
+  const FixedVertices fixed = read_fixed_vertices(path_of(path), as_in_file(patch, arguments));
   std::string text = path + ": fixed vertices: " + std::to_string(fixed.vertices.size());
   if (fixed.farthest > 0.0) {
-    text += "; what is drawn is at most " + digits(fixed.farthest, 3) + " from them";
+    text += "; what is drawn is at most " + digits(scale_from(arguments) * fixed.farthest, 3) +
+            " from them";
   }
   session.note(text);
   return fixed.vertices;
@@ -55,13 +58,13 @@ void refuse_unsupported_constraints(const Arguments& arguments, const Method& me
 Constraints constraints_from(const Arguments& arguments, const Patch& patch, Session& session) {
   Constraints constraints;
   if (arguments.has("--fix")) {
-    constraints.fixed = fixed_in(arguments.flags.at("--fix"), patch, session);
+    constraints.fixed = fixed_in(arguments, patch, session);
   }
   if (arguments.has("--weights")) {
     constraints.weights = read_weights(path_of(arguments.flags.at("--weights")), patch.mesh());
   }
   if (arguments.has("--obstacle")) {
-    constraints.obstacle = session.read(arguments.flags.at("--obstacle")).mesh;
+    constraints.obstacle = read_model(arguments.flags.at("--obstacle"), arguments, session).mesh;
   }
   return constraints;
 }

@@ -4,6 +4,7 @@
 
 #include <planish/io/read_features.h>
 
+#include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "platform/path.h"
 #include "shell/failures.h"
@@ -24,13 +25,13 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
   if (!arguments.has("--cut")) return {std::move(mesh)};
   const std::string& file = arguments.flags.at("--cut");
   return about(path, [&]() -> CutInput {
-    const CutLines lines = read_cuts(path_of(file), mesh);
+    const CutLines lines = read_cuts(path_of(file), as_in_file(mesh, arguments));
     CutMesh cut = cut_open(Patch(mesh), lines.paths);
     const ShownLengths lengths(unit_from(arguments));
     std::string text =
         file + ": cut open along " + counted(cut.edges, "edge") + ", " + lengths.text(cut.length);
     if (lines.farthest > 0.0) {
-      text += "; what is drawn is at most " + lengths.text(lines.farthest) +
+      text += "; what is drawn is at most " + lengths.text(scale_from(arguments) * lines.farthest) +
               " from the vertices that stand for it";
     }
     session.note(text);

@@ -11,7 +11,7 @@ struct Alias {
   std::string_view name, flag;
 };
 
-constexpr std::array<Alias, 22> k_aliases = {{{"--seam-allowance", "--allowance"},
+constexpr std::array<Alias, 23> k_aliases = {{{"--seam-allowance", "--allowance"},
                                               {"--stretch", "--max-strain"},
                                               {"--max-stretch", "--max-strain"},
                                               {"--strain", "--max-strain"},
@@ -32,7 +32,8 @@ constexpr std::array<Alias, 22> k_aliases = {{{"--seam-allowance", "--allowance"
                                               {"--grainline", "--grain"},
                                               {"--grain-line", "--grain"},
                                               {"--colours", "--colors"},
-                                              {"--fixed", "--fix"}}};
+                                              {"--fixed", "--fix"},
+                                              {"--scale-factor", "--scale"}}};
 
 struct Missing {
   std::string_view name, advice;
@@ -43,9 +44,6 @@ constexpr std::string_view k_no_bends =
 constexpr std::string_view k_no_thickness =
     "the material has no thickness here; give the face that keeps its length when bent, usually "
     "the middle one";
-constexpr std::string_view k_no_scale =
-    "nothing is scaled; --unit says what one unit of the mesh is, and a model to scale must be "
-    "enlarged before";
 constexpr std::string_view k_no_radius =
     "the radius of bends has no limit; --prefer smooth, the default of method auto, is nearest in "
     "purpose";
@@ -64,7 +62,7 @@ constexpr std::string_view k_fewer =
 constexpr std::string_view k_smooth =
     "--prefer smooth is the default of method auto; --smooth-first LENGTH smooths the design";
 
-constexpr std::array<Missing, 30> k_missing = {{
+constexpr std::array<Missing, 28> k_missing = {{
     {"--bend-lines", k_no_bends},
     {"--bends", k_no_bends},
     {"--fold-lines", k_no_bends},
@@ -72,8 +70,6 @@ constexpr std::array<Missing, 30> k_missing = {{
     {"--ruling-lines", k_no_bends},
     {"--thickness", k_no_thickness},
     {"--plate-thickness", k_no_thickness},
-    {"--scale", k_no_scale},
-    {"--scale-factor", k_no_scale},
     {"--bend-radius", k_no_radius},
     {"--min-radius", k_no_radius},
     {"--min-bend-radius", k_no_radius},

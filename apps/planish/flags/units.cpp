@@ -1,8 +1,11 @@
 #include "flags/units.h"
 
 #include <array>
+#include <cstddef>
+#include <string>
 #include <vector>
 
+#include "shell/failures.h"
 #include "shell/nearest.h"
 #include "shell/values.h"
 
@@ -36,6 +39,19 @@ constexpr std::array<UnitWord, 19> k_unit_words = {{{"millimetre", Unit::mm},
                                                     {"inches", Unit::in},
                                                     {"\"", Unit::in}}};
 
+/// A unit of several others, as 0.5m, is one of them and a factor.
+/// @throws UsageError
+void refuse_number_with_unit(const std::string& word) {
+  const std::size_t end = word.find_first_not_of("0123456789.");
+  const std::size_t begin = word.find_first_not_of(" 0123456789.");
+  if (end == 0 || begin == std::string::npos) return;
+  const auto unit = unit_of_word(std::string_view(word).substr(begin));
+  if (!unit) return;
+  throw UsageError("unknown unit " + word + "; if one unit of the mesh is " + word +
+                   ", give --unit " + std::string(to_string(*unit)) + " --scale " +
+                   word.substr(0, end));
+}
+
 }  // namespace
 
 std::optional<Unit> unit_of_word(std::string_view word) {
@@ -60,6 +76,7 @@ Flag unit_flag() {
 Unit unit_from(const Arguments& arguments) {
   const std::string word = arguments.value_or("--unit", "mm");
   const auto unit = unit_of_word(word);
+  if (!unit) refuse_number_with_unit(word);
   return unit ? *unit : unit_named(known_name("unit", word, names_of(k_units)));
 }
 

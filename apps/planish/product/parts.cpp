@@ -11,6 +11,7 @@
 #include <planish/measure/material.h>
 #include <planish/mesh/inspect.h>
 
+#include "flags/scale_flag.h"
 #include "mesh/split.h"
 #include "output/pattern_output.h"
 #include "platform/path.h"
@@ -342,6 +343,13 @@ ProductInput read_product(Session& session, const std::vector<std::string>& path
   const std::string& path = paths.front();
   if (paths.size() > 1 || is_folder(path)) return read_files(session, paths, as_product);
   return is_product_file(path) ? read_described(session, path, unit) : read_file(session, path);
+}
+
+ProductInput scaled(ProductInput input, double scale) {
+  for (ProductPatch& patch : input.patches)
+    patch.mesh = scaled(std::move(patch.mesh), scale, patch.name);
+  input.whole.mesh = scaled(std::move(input.whole.mesh), scale, input.path);
+  return input;
 }
 
 std::optional<CutDone> cut_product(ProductInput& input, const Arguments& arguments,

@@ -44,6 +44,10 @@ struct ProductInput {
 ProductInput read_product(Session& session, const std::vector<std::string>& paths, Unit unit,
                           bool as_product);
 
+/// The same with all coordinates multiplied.
+/// @throws Error non_finite_coordinate
+ProductInput scaled(ProductInput input, double scale);
+
 /// Cuts an input of one patch open as --cut says; where that divides it, it has several patches
 /// from then on.
 /// @throws UsageError for an input of several patches and for a product file, Error as

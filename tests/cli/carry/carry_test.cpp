@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "cli_run.h"
+#include "cli/cli_run.h"
 #include "io/read_drawing.h"
 #include "support/meshes.h"
 

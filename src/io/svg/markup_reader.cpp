@@ -174,7 +174,7 @@ MarkupTag MarkupReader::end_tag() {
 MarkupTag MarkupReader::next() {
   if (is_empty_) {
     is_empty_ = false;
-    const MarkupTag tag{MarkupTag::Kind::end, open_.back(), line_};
+    MarkupTag tag{MarkupTag::Kind::end, open_.back(), line_};
     open_.pop_back();
     return tag;
   }

@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include <planish/core/error.h>
 
@@ -15,8 +18,11 @@ namespace planish {
 
 namespace {
 
-constexpr double k_near =
-    0.02;  // millimetres: sheets have thousandths, other programs fewer digits
+// Millimetres: sheets have thousandths, other programs fewer digits.
+constexpr double k_near = 0.02;
+// Millimetres that a fitted outline may be off the border, with something to spare.
+constexpr double k_fitted = 0.5;
+constexpr std::size_t k_fewest_common = 3;
 constexpr double k_half_cross = 3.0;
 constexpr Color k_red = {255, 0, 0}, k_blue = {0, 60, 200};
 constexpr std::array k_units = {Unit::mm, Unit::cm, Unit::dm, Unit::m, Unit::in};
@@ -45,16 +51,75 @@ std::vector<Vec2> border_of(const Patch& flat, double scale) {
   return points;
 }
 
-/// Finds a point near a place among points that are sorted by x.
-std::optional<Vec2> nearest_of(std::span<const Vec2> sorted, Vec2 place) {
-  const auto begin = std::lower_bound(sorted.begin(), sorted.end(), place.x - k_near,
-                                      [](Vec2 p, double x) { return p.x < x; });
-  std::optional<Vec2> nearest;
-  for (auto p = begin; p != sorted.end() && p->x <= place.x + k_near; ++p) {
-    const double apart = norm(*p - place);
-    if (apart <= k_near && (!nearest || apart < norm(*nearest - place))) nearest = *p;
+/// Where many of the vectors lie together, by squares of a fifth of k_near; their mean.
+std::optional<Vec2> common_offset(std::span<const Vec2> offsets) {
+  constexpr double cell = 0.2 * k_near;
+  const auto cell_of = [](Vec2 v) {
+    return std::pair(std::floor(v.x / cell), std::floor(v.y / cell));
+  };
+  std::map<std::pair<double, double>, std::size_t> counts;
+  for (const Vec2 v : offsets)
+    ++counts[cell_of(v)];
+  std::pair<double, double> best;
+  std::size_t most = 0;
+  for (const auto& [at, count] : counts) {
+    std::size_t around = 0;
+    for (const double dx : {-1.0, 0.0, 1.0}) {
+      for (const double dy : {-1.0, 0.0, 1.0}) {
+        const auto found = counts.find({at.first + dx, at.second + dy});
+        if (found != counts.end()) around += found->second;
+      }
+    }
+    if (around <= most) continue;
+    most = around;
+    best = at;
   }
-  return nearest;
+  if (most < k_fewest_common) return std::nullopt;
+  Vec2 sum;
+  std::size_t count = 0;
+  for (const Vec2 v : offsets) {
+    const auto [x, y] = cell_of(v);
+    if (std::abs(x - best.first) > 1.0 || std::abs(y - best.second) > 1.0) continue;
+    sum = sum + v;
+    ++count;
+  }
+  return 1.0 / static_cast<double>(count) * sum;
+}
+
+/// From each vertex of the border to all points of the outline near it, where the origin would lie.
+std::vector<Vec2> offsets_near(std::span<const Vec2> border, std::span<const Vec2> sorted,
+                               Vec2 origin) {
+  std::vector<Vec2> offsets;
+  for (const Vec2 p : border) {
+    const Vec2 place = origin + p;
+    const auto begin = std::lower_bound(sorted.begin(), sorted.end(), place.x - k_fitted,
+                                        [](Vec2 q, double x) { return q.x < x; });
+    for (auto q = begin; q != sorted.end() && q->x <= place.x + k_fitted; ++q) {
+      if (norm(*q - place) <= k_fitted) offsets.push_back(*q - place);
+    }
+  }
+  return offsets;
+}
+
+/// The largest distance of some hundred vertices of the border from the outline.
+double distance_from(std::span<const Vec2> border, std::span<const std::vector<Vec2>> outline,
+                     Vec2 origin) {
+  const std::size_t step = 1 + border.size() / 400;
+  double most = 0.0;
+  for (std::size_t i = 0; i < border.size(); i += step) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::vector<Vec2>& line : outline) {
+      for (std::size_t k = 0; k < line.size(); ++k) {
+        const Vec2 a = line[k], way = line[(k + 1) % line.size()] - a;
+        const Vec2 apart = origin + border[i] - a;
+        const double square = dot(way, way);
+        const double share = square > 0.0 ? std::clamp(dot(apart, way) / square, 0.0, 1.0) : 0.0;
+        least = std::min(least, norm(apart - share * way));
+      }
+    }
+    most = std::max(most, least);
+  }
+  return most;
 }
 
 bool are_close(double a, double b) {
@@ -104,14 +169,11 @@ Vec2 origin_on_sheet(std::span<const std::vector<Vec2>> outline, const Patch& fl
   std::sort(drawn.begin(), drawn.end(),
             [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   const Vec2 origin = there.low - here.low;
-  // The mean of all points is nearer than the least of them, which were rounded.
-  Vec2 sum;
-  for (const Vec2 p : border) {
-    const auto found = nearest_of(drawn, origin + p);
-    if (!found) refuse(there.size(), here.size(), unit, name);
-    sum = sum + (*found - (origin + p));
-  }
-  return origin + 1.0 / static_cast<double>(border.size()) * sum;
+  // Curves begin and end at vertices of the border, between which they leave it a little.
+  const auto offset = common_offset(offsets_near(border, drawn, origin));
+  if (!offset || distance_from(border, outline, origin + *offset) > k_fitted)
+    refuse(there.size(), here.size(), unit, name);
+  return origin + *offset;
 }
 
 Drawing carried_sheet(const Patch& flat, const DrawnLines& drawn, Unit unit,

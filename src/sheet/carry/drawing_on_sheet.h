@@ -12,7 +12,7 @@ namespace planish {
 
 /// Where the origin of a flat mesh lies on a sheet, found by the pattern's outline there: a place p
 /// of the mesh is at the origin plus the millimetres of p. Known to about a thousandth of a
-/// millimetre.
+/// millimetre, also where curves were fitted, as these begin and end at vertices of the border.
 /// @param outline lines of the border on the sheet, millimetres, y upwards
 /// @param name of the sheet's file, for errors
 /// @throws Error malformed_file where the outline is not that of the mesh: in another unit, scaled,

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "core/figure_text.h"
 #include "core/math.h"
 #include "pattern/polygon/free_strip.h"
 #include "sheet/sheet_layout.h"
@@ -193,6 +194,21 @@ std::optional<ClearBox> box_of(const LabelPlace& place, const std::vector<std::s
   return ClearBox{place.middle - half, place.middle + half};
 }
 
+/// The lengths from corner to corner, each beside the middle of its edge, inside.
+void add_edge_lengths(const PieceOutline& outline, Layer& layer) {
+  constexpr double height = 2.5, inside = 4.0, shortest = 5.0;
+  for (const OutlineEdge& edge : edges_between_corners(outline)) {
+    if (edge.length < shortest) continue;
+    const Polygon& loop = outline.loops[edge.loop];
+    const std::size_t k = edge.points.size() / 2;
+    const Vec2 a = loop[edge.points[k - 1]], b = loop[edge.points[k]], way = b - a;
+    if (!(norm(way) > 0.0)) continue;
+    const Vec2 at = a + 0.5 * way + inside / norm(way) * Vec2{-way.y, way.x};
+    layer.shapes.emplace_back(Text{
+        {at.x, at.y - 0.5 * height}, height, decimals_text(edge.length, 1), k_seam.color, true});
+  }
+}
+
 Layer annotation_layer(const LabelPlace& place, const std::vector<std::string>& lines) {
   Layer layer{"annotation", {}};
   layer.shapes.reserve(lines.size());
@@ -237,6 +253,7 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
   layers.push_back(drill_layer(pattern, options.marks));
   layers.push_back(layer_of("internal", all_inner_lines(pattern, options), k_internal));
   layers.push_back(annotation_layer(place, lines));
+  if (options.edge_lengths) add_edge_lengths(outline, layers.back());
   return layers;
 }
 

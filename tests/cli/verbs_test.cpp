@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <planish/io/read_mesh.h>
 #include <planish/mesh/patch.h>
 
@@ -204,6 +206,16 @@ TEST_F(Verbs, FlattenWritesTheFormatsThatAreAskedFor) {
   EXPECT_EQ(json["files"]["pattern_pages"], "out/pattern-a3.pdf");
   EXPECT_FALSE(json["files"].contains("pattern"));
   EXPECT_THAT(content_of("out/pattern.dxf"), HasSubstr("Piece Name: panel"));
+}
+
+TEST_F(Verbs, FlattenWritesTheLengthsOfEdges) {
+  const CliResult result = planish({"flatten", "panel.obj", "-o", "out", "--sweeps", "1",
+                                    "--edge-lengths", "--formats", "svg", "--json"});
+  ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_EQ(result.json()["files"]["edge_lengths"], "out/edge-lengths.csv");
+  const std::string csv = content_of("out/edge-lengths.csv");
+  EXPECT_THAT(csv, testing::StartsWith("loop,from_vertex,to_vertex,length,length_on_model\n0,"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5) << "a panel has four corners";
 }
 
 TEST_F(Verbs, FlattenWritesWhatIsPickedAndTheDesignBesideIt) {

@@ -121,6 +121,7 @@ WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFi
     const std::string paper(to_string(*pattern.output.paper));
     paths["pattern_pages"] = in_folder("pattern-" + paper + ".pdf");
   }
+  if (arguments.has("--edge-lengths")) paths["edge_lengths"] = in_folder("edge-lengths.csv");
   if (arguments.has("--textured")) paths["textured"] = in_folder("textured.obj");
   if (arguments.has("--history")) paths["history"] = arguments.flags.at("--history");
   paths.merge(fields_paths(arguments));
@@ -197,6 +198,11 @@ std::vector<OutputFile> files_of(const FlattenReport& report, const WrittenFiles
   if (paths.contains("textured")) {
     files.push_back(
         {path_of(paths.at("textured")), format_textured_obj(mesh, in_millimetres(report.unfold))});
+  }
+  if (paths.contains("edge_lengths")) {
+    files.push_back(
+        {path_of(paths.at("edge_lengths")),
+         edge_lengths_csv(report.processed, report.unfold.pattern.positions, report.unfold.unit)});
   }
   const auto history = paths.find("history");
   if (history != paths.end()) {

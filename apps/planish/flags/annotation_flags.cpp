@@ -201,6 +201,9 @@ FlagGroup annotation_flags() {
        {"--fabric", "TEXT", "what to cut it from"},
        {"--note", "TEXT", "anything else, as \"one mirrored\" or \"cut on fold\""},
        {"--date", "TEXT", "written on the sheet as it is (default none)"},
+       {"--edge-lengths", "",
+        "write the lengths from corner to corner along the outline, and with flatten into "
+        "edge-lengths.csv"},
        {"--curve-tolerance",
         "LENGTH",
         "how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from "
@@ -219,6 +222,7 @@ PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet) {
   options.grain = grain_from(arguments);
   options.label = label_from(arguments);
   options.date = arguments.value_or("--date", "");
+  options.edge_lengths = arguments.has("--edge-lengths");
   options.curves = line_fit_from(arguments);
   if (const auto path = list_of_flag("--notches", arguments)) options.notches = read_notches(*path);
   if (const auto path = list_of_flag("--inner-lines", arguments)) {

@@ -48,6 +48,7 @@ struct PatternOptions {
   std::vector<InnerLine> inner_lines = {};          ///< from vertex to vertex
   std::vector<SurfaceLine> drawn_lines = {};        ///< inner lines from place to place
   PieceLabel label = {};                            ///< written inside the piece
+  bool edge_lengths = false;           ///< written along the outline, from corner to corner
   LineFit curves = {};                 ///< how near curves stay to lines; tolerance 0: no curves
   std::string date = {};               ///< for the sheet's label; never taken from a clock
   std::optional<DrawnLike> like = {};  ///< of a twin: how its lines follow those of the other one

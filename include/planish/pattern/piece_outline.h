@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,17 @@ struct PieceOutline {
 /// @param positions of all vertices, millimetres
 PieceOutline piece_outline(std::vector<std::vector<Index>> loops, std::span<const Vec2> positions,
                            std::string piece);
+
+/// A stretch of an outline from one corner to the next one.
+struct OutlineEdge {
+  std::size_t loop = 0;                  ///< of the outline
+  std::vector<std::size_t> points = {};  ///< of the loop, from corner to corner
+  double length = 0.0;                   ///< millimetres
+};
+
+/// The outline from corner to corner, loop by loop; one stretch all around where there is none.
+/// docs/pattern.md says what counts as a corner.
+std::vector<OutlineEdge> edges_between_corners(const PieceOutline& outline);
 
 /// > 0 where the loop runs counter-clockwise. Square millimetres.
 double signed_area(std::span<const Vec2> loop);

@@ -94,4 +94,9 @@ std::string history_csv(const std::vector<SweepRecord>& history);
 /// The histories of all methods likewise, a line a sweep, methods in their order.
 std::string history_csv(const CompareReport& report);
 
+/// The border from corner to corner, as comma-separated values: loop, from_vertex, to_vertex,
+/// length, length_on_model. Vertices from 0, lengths in millimetres.
+/// @param pattern a place for every vertex, model units
+std::string edge_lengths_csv(const Patch& patch, std::span<const Vec2> pattern, Unit unit);
+
 }  // namespace planish

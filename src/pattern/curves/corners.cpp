@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "pattern/curves/piece_math.h"
 #include "pattern/polygon/border_walk.h"
@@ -19,6 +20,21 @@ constexpr double k_share_at_point = 0.6;
 double turn(Vec2 before, Vec2 after) {
   if (!(norm(before) > 0.0) || !(norm(after) > 0.0)) return 0.0;
   return turn_between(before, after);
+}
+
+/// The numbers of the points from each break to the next one; without breaks all around.
+std::vector<std::vector<std::size_t>> points_between(std::size_t count,
+                                                     std::vector<std::size_t> breaks) {
+  if (breaks.empty()) breaks.push_back(0);
+  std::vector<std::vector<std::size_t>> runs;
+  runs.reserve(breaks.size());
+  for (std::size_t k = 0; k < breaks.size(); ++k) {
+    const std::size_t to = k + 1 < breaks.size() ? breaks[k + 1] : breaks.front() + count;
+    std::vector<std::size_t>& run = runs.emplace_back();
+    for (std::size_t i = breaks[k]; i <= to; ++i)
+      run.push_back(i % count);
+  }
+  return runs;
 }
 
 }  // namespace
@@ -44,15 +60,26 @@ std::vector<std::size_t> corners_of(const Polygon& loop) {
   return corners;
 }
 
+std::vector<OutlineEdge> edges_between_corners(const PieceOutline& outline) {
+  std::vector<OutlineEdge> edges;
+  for (std::size_t k = 0; k < outline.loops.size(); ++k) {
+    const Polygon& loop = outline.loops[k];
+    for (std::vector<std::size_t>& points : points_between(loop.size(), corners_of(loop))) {
+      OutlineEdge& edge = edges.emplace_back(OutlineEdge{k, std::move(points)});
+      for (std::size_t i = 1; i < edge.points.size(); ++i)
+        edge.length += norm(loop[edge.points[i]] - loop[edge.points[i - 1]]);
+    }
+  }
+  return edges;
+}
+
 std::vector<Polygon> stretches_of(const Polygon& loop, std::vector<std::size_t> breaks) {
-  if (breaks.empty()) breaks.push_back(0);
   std::vector<Polygon> stretches;
-  stretches.reserve(breaks.size());
-  for (std::size_t k = 0; k < breaks.size(); ++k) {
-    const std::size_t to = k + 1 < breaks.size() ? breaks[k + 1] : breaks.front() + loop.size();
+  for (const std::vector<std::size_t>& points : points_between(loop.size(), std::move(breaks))) {
     Polygon& stretch = stretches.emplace_back();
-    for (std::size_t i = breaks[k]; i <= to; ++i)
-      stretch.push_back(loop[i % loop.size()]);
+    stretch.reserve(points.size());
+    for (const std::size_t i : points)
+      stretch.push_back(loop[i]);
   }
   return stretches;
 }

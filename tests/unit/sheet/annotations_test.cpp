@@ -172,6 +172,13 @@ TEST(Annotations, PutsTheLabelClearOfMarksAndInnerLines) {
   EXPECT_GT(least, 6.0) << "a half of the mark and of a letter";
 }
 
+TEST(Annotations, WritesTheLengthsOfEdgesInsideThePiece) {
+  const Drawing sheet = sheet_with({.allowance = Allowance{.width = 12.0}, .edge_lengths = true});
+  EXPECT_THAT(texts(sheet, "annotation"), ElementsAre("200.0", "200.0", "200.0", "200.0"));
+  for (const DrawingShape& shape : layer(sheet, "annotation").shapes)
+    EXPECT_TRUE(oracle::is_inside(std::get<Text>(shape).at, path(sheet, "seam").lines));
+}
+
 TEST(Annotations, ShowsAHashOfThePatternAndADateOnlyIfGiven) {
   const TriMesh mesh = meshes::flat_grid(4, 4);
   std::vector<Vec2> corners;

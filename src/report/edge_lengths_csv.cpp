@@ -1,0 +1,34 @@
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <planish/pattern/piece_outline.h>
+#include <planish/report/json_report.h>
+
+#include "core/number_text.h"
+
+namespace planish {
+
+std::string edge_lengths_csv(const Patch& patch, std::span<const Vec2> pattern, Unit unit) {
+  const double scale = millimetres_per(unit);
+  std::vector<Vec2> places;
+  places.reserve(pattern.size());
+  for (const Vec2 p : pattern)
+    places.push_back(scale * p);
+  const PieceOutline outline = piece_outline(patch.border_loops(), places, "");
+  std::string csv = "loop,from_vertex,to_vertex,length,length_on_model\n";
+  for (const OutlineEdge& edge : edges_between_corners(outline)) {
+    const std::vector<Index>& vertices = outline.vertices[edge.loop];
+    double on_model = 0.0;
+    for (std::size_t k = 1; k < edge.points.size(); ++k) {
+      const Vec3 a = patch.positions()[vertices[edge.points[k - 1]]];
+      on_model += scale * norm(patch.positions()[vertices[edge.points[k]]] - a);
+    }
+    csv += std::to_string(edge.loop) + ',' + std::to_string(vertices[edge.points.front()]) + ',' +
+           std::to_string(vertices[edge.points.back()]) + ',' + fixed_text(edge.length, 3) + ',' +
+           fixed_text(on_model, 3) + '\n';
+  }
+  return csv;
+}
+
+}  // namespace planish

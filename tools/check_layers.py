@@ -28,7 +28,7 @@ ALLOWED = {
     "unfold": {"core", "geometry", "solve", "mesh", "measure"},
     "pattern": {"platform", "core", "geometry", "mesh", "io"},
     "flatten": {"core", "mesh", "measure", "evolve", "unfold"},
-    "sheet": {"core", "mesh", "draw", "unfold", "pattern", "flatten"},
+    "sheet": {"core", "geometry", "mesh", "draw", "unfold", "pattern", "flatten"},
     "report": {"core", "mesh", "io", "measure", "draw", "evolve", "unfold", "pattern", "flatten", "sheet"},
 }
 

@@ -15,9 +15,21 @@ bool cross_properly(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
          ((a_side < 0.0 && b_side > 0.0) || (a_side > 0.0 && b_side < 0.0));
 }
 
+/// Of sides that cross properly.
+Vec2 crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const double share = cross(c - a, d - c) / cross(b - a, d - c);
+  return a + share * (b - a);
+}
+
 }  // namespace
 
 bool crosses_itself(std::span<const Vec2> polygon) {
+  return !self_crossings(polygon, 1).empty();
+}
+
+std::vector<Vec2> self_crossings(std::span<const Vec2> polygon, std::size_t most) {
+  std::vector<Vec2> places;
+  if (most == 0) return places;
   const std::size_t n = polygon.size();
   struct Side {
     Vec2 begin, end;
@@ -49,12 +61,13 @@ bool crosses_itself(std::span<const Vec2> polygon) {
       if (other->high < side.low || other->low > side.high) continue;
       if (!neighbours(side.number, other->number) &&
           cross_properly(side.begin, side.end, other->begin, other->end)) {
-        return true;
+        places.push_back(crossing(side.begin, side.end, other->begin, other->end));
+        if (places.size() == most) return places;
       }
     }
     open.push_back(&side);
   }
-  return false;
+  return places;
 }
 
 }  // namespace planish

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include <planish/core/vec.h>
 
@@ -9,5 +11,8 @@ namespace planish {
 /// True if two sides of a closed polygon that share no end cross each other. Sides that only touch,
 /// as those of a slit do, do not count. Time n log n and n times the sides that a line meets.
 bool crosses_itself(std::span<const Vec2> polygon);
+
+/// Where such sides cross, as far as there are so many places, in no special order.
+std::vector<Vec2> self_crossings(std::span<const Vec2> polygon, std::size_t most);
 
 }  // namespace planish

@@ -10,8 +10,8 @@
 
 namespace planish {
 
-/// The layers seam, notch, grain, fold, drill, internal and annotation, in that order; what was not asked
-/// for is empty.
+/// The layers seam, notch, grain, fold, drill, internal and annotation, in that order; what was not
+/// asked for is empty.
 /// @throws Error as grain_direction() and mark_lines()
 std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& pattern,
                                       const PatternOptions& options);

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
+#include "geometry/crosses_itself.h"
 #include "pattern/pattern_hash.h"
 #include "pattern/polygon/loop_box.h"
 #include "sheet/mirrored_place.h"
@@ -28,6 +31,18 @@ double widest_allowance(const PatternOptions& options) {
 PatternOptions possible_options(PatternOptions options, const Pattern& pattern) {
   if (pattern.overlaps) options.allowance.reset();
   return options;
+}
+
+std::optional<std::pair<Vec2, Vec2>> overlap_box(const std::vector<Polygon>& loops) {
+  constexpr std::size_t most = 1000;
+  std::vector<Polygon> places(1);
+  for (const Polygon& loop : loops) {
+    for (const Vec2 p : self_crossings(loop, most - places[0].size()))
+      places[0].push_back(p);
+  }
+  if (places[0].empty()) return std::nullopt;
+  const LoopBox box = loop_box(places);
+  return std::pair(box.low, box.high);
 }
 
 /// Puts the pattern above the sheet's block, in its margins. Of a mirrored one every x is that of
@@ -57,7 +72,10 @@ PatternOnSheet pattern_on_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
   SheetFacts facts = {name, piece_box.size(), widest_allowance(options),
                       pattern_hash(pattern.positions), options.date};
   const bool mirrored = options.like && options.like->mirrored;
-  return put_on_sheet({std::move(pattern), std::move(options), std::move(facts), {}}, mirrored);
+  PatternOnSheet sheet =
+      put_on_sheet({std::move(pattern), std::move(options), std::move(facts), {}}, mirrored);
+  if (unfold.pattern.overlaps) sheet.facts.overlap = overlap_box(sheet.pattern.outline.loops);
+  return sheet;
 }
 
 }  // namespace planish

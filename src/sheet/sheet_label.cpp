@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numbers>
 #include <string_view>
 #include <utility>
 
@@ -11,6 +12,7 @@
 
 #include "core/figure_text.h"
 #include "core/fnv_hash.h"
+#include "core/math.h"
 #include "core/number_text.h"
 #include "sheet/limit_map.h"
 #include "sheet/sheet_layout.h"
@@ -112,6 +114,19 @@ void add_limit_legend(Layer& layer, const StrainLimitCheck& limit) {
   label(apart + 0.5 * beyond, k_margin, "beyond", true);
 }
 
+/// What the eye is to find: a ring around a box, at least 20 mm wide.
+Path ring_around(const std::pair<Vec2, Vec2>& box) {
+  constexpr int corners = 48;
+  const Vec2 middle = 0.5 * (box.first + box.second);
+  const double radius = std::max(10.0, 0.5 * norm(box.second - box.first) + 5.0);
+  Path ring{{{}}, true, Stroke{k_red, 0.5}};
+  for (int k = 0; k < corners; ++k) {
+    const auto [sine, cosine] = math::sincos(2.0 * std::numbers::pi * k / corners);
+    ring.lines[0].push_back(middle + radius * Vec2{cosine, sine});
+  }
+  return ring;
+}
+
 std::string unit_note(Unit unit) {
   const std::string name(to_string(unit));
   if (unit == Unit::mm) return "model unit: mm";
@@ -121,7 +136,7 @@ std::string unit_note(Unit unit) {
 
 // A line of what is wrong with the pattern; empty where nothing is.
 std::string warning_text(const Pattern& pattern) {
-  if (pattern.overlaps) return "The pattern overlaps itself: divide the patch before cutting.";
+  if (pattern.overlaps) return "The pattern overlaps itself (red ring): divide the patch.";
   if (pattern.flipped_triangles > 0) return "Triangles of the pattern are flipped: do not cut.";
   return {};
 }
@@ -158,6 +173,7 @@ Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
   if (std::string warning = warning_text(unfold.pattern); !warning.empty()) {
     line(33.0, 3.0, std::move(warning), k_red);
   }
+  if (facts.overlap) layer.shapes.emplace_back(ring_around(*facts.overlap));
   return layer;
 }
 

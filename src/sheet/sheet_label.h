@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <planish/draw/drawing.h>
@@ -16,6 +18,8 @@ struct SheetFacts {
   double allowance = 0.0;  ///< the widest, millimetres; 0 without
   std::uint64_t hash = 0;
   std::string date;
+  /// Two corners of the box around the places where the outline crosses itself, on the sheet.
+  std::optional<std::pair<Vec2, Vec2>> overlap = {};
 };
 
 /// The layer "label": two test squares, name, sizes, unit, scale and hash.

@@ -376,12 +376,22 @@ void warn_of_method(Session& session, const Method& method, const Failure& failu
   session.warn(std::string(name_of(method)) + ": " + failure.message);
 }
 
-void warn_of_pattern(Session& session, const UnfoldReport& report) {
+/// Where a pattern overlaps itself, from its lower left corner; empty where that is not known.
+std::string overlap_text(const Patch& patch, const UnfoldReport& report) {
+  const auto overlap = overlap_of(patch, report.pattern);
+  if (!overlap) return {};
+  const ShownLengths lengths(report.unit);
+  const Vec2 middle = 0.5 * (overlap->low + overlap->high), size = overlap->high - overlap->low;
+  return " around (" + lengths.number(middle.x) + ", " + lengths.text(middle.y) + ") over " +
+         lengths.number(size.x) + " x " + lengths.text(size.y) +
+         ", where its border crosses itself " + counted(overlap->crossings, "time");
+}
+
+void warn_of_pattern(Session& session, const Patch& patch, const UnfoldReport& report) {
   const Pattern& pattern = report.pattern;
   if (pattern.overlaps) {
-    session.warn(
-        "the pattern overlaps itself, and gets no seam allowance: cut the patch open before "
-        "cutting cloth");
+    session.warn("the pattern overlaps itself" + overlap_text(patch, report) +
+                 ", and gets no seam allowance: cut the patch open before cutting material");
   }
   if (pattern.flipped_triangles > 0) {
     session.warn(counted(pattern.flipped_triangles, "triangle") +

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <planish/core/context.h>
@@ -61,5 +63,14 @@ double smallest_limit(const Patch& patch, const Pattern& least, const Context& c
 
 /// The pattern as a mesh in the plane z = 0, with the triangles and vertex numbers of `mesh`.
 TriMesh flat_mesh(const TriMesh& mesh, const Pattern& pattern);
+
+/// Where the border of a pattern crosses itself.
+struct Overlap {
+  Vec2 low, high;             ///< box around these places, model units
+  std::size_t crossings = 0;  ///< how many there are; a thousand are counted at most
+};
+
+/// Nothing where the border does not cross itself.
+std::optional<Overlap> overlap_of(const Patch& patch, const Pattern& pattern);
 
 }  // namespace planish

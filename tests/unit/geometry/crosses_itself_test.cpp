@@ -46,6 +46,18 @@ TEST(CrossesItself, AgreesWithTryingAllPairs) {
   EXPECT_LT(crossing, 360);
 }
 
+TEST(SelfCrossings, AreWhereSidesMeet) {
+  const std::vector<Vec2> eight = {{0, 0}, {2, 1}, {2, 0}, {0, 1}};
+  const auto places = self_crossings(eight, 10);
+  ASSERT_EQ(places.size(), 1U);
+  EXPECT_NEAR(norm(places[0] - Vec2{1.0, 0.5}), 0.0, 1e-12);
+  EXPECT_TRUE(self_crossings(eight, 0).empty());
+  // A bar that two spikes cross twice each.
+  const std::vector<Vec2> comb = {{0, 0}, {10, 0}, {10, 2}, {7, -1}, {4, 2}, {2, -2}, {0, 2}};
+  EXPECT_EQ(self_crossings(comb, 10).size(), 4U);
+  EXPECT_EQ(self_crossings(comb, 3).size(), 3U);
+}
+
 TEST(CrossesItself, TakesNearLinearTime) {
   // 200,000 sides: all pairs would be 2 * 10^10.
   std::vector<Vec2> polygon;

@@ -74,6 +74,30 @@ TEST(Annotations, HasNoAllowanceAroundAPatternThatOverlapsItself) {
   EXPECT_THAT(texts(sheet, "label"), Contains("200.0 × 200.0 mm"));
 }
 
+TEST(Annotations, RingsThePlaceWhereAPatternOverlapsItself) {
+  const TriMesh mesh = meshes::flat_grid(4, 4);
+  UnfoldReport unfold = samples::plane_below(mesh, 200.0, 200.0);
+  for (Vec2& p : unfold.pattern.positions)
+    p = 50.0 * p;
+  unfold.pattern.positions[2] = {110.0, 230.0};  // from the lower side through the upper one
+  unfold.pattern.overlaps = true;
+  const auto overlap = overlap_of(Patch(mesh), unfold.pattern);
+  ASSERT_TRUE(overlap);
+  EXPECT_EQ(overlap->crossings, 2U);
+  EXPECT_NEAR(overlap->low.y, 200.0, 1e-9);
+  EXPECT_NEAR(overlap->high.y, 200.0, 1e-9);
+  EXPECT_GT(overlap->low.x, 90.0);
+  EXPECT_LT(overlap->high.x, 125.0);
+  const Drawing sheet = pattern_sheet(Patch(mesh), unfold, "panel", {});
+  const auto& ring = std::get<Path>(layer(sheet, "label").shapes.back());
+  Vec2 middle;
+  for (const Vec2 p : ring.lines.at(0))
+    middle = middle + 1.0 / static_cast<double>(ring.lines[0].size()) * p;
+  const Vec2 shift = path(sheet, "cut").lines[0][0] - unfold.pattern.positions[0];
+  const Vec2 wanted = 0.5 * (overlap->low + overlap->high) + shift;
+  EXPECT_NEAR(norm(middle - wanted), 0.0, 1e-9);
+}
+
 TEST(Annotations, HasOtherAllowancesAlongStretchesOfTheBorder) {
   // Vertices 0 to 4 are the lower side, 24 to 20 the upper one.
   const Drawing sheet =

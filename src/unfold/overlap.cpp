@@ -1,0 +1,31 @@
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include <planish/unfold/unfold.h>
+
+#include "geometry/crosses_itself.h"
+
+namespace planish {
+
+std::optional<Overlap> overlap_of(const Patch& patch, const Pattern& pattern) {
+  constexpr std::size_t most = 1000;
+  std::vector<Vec2> places;
+  for (const std::vector<Index>& loop : patch.border_loops()) {
+    std::vector<Vec2> line;
+    line.reserve(loop.size());
+    for (const Index v : loop)
+      line.push_back(pattern.positions[v]);
+    const std::vector<Vec2> here = self_crossings(line, most - places.size());
+    places.insert(places.end(), here.begin(), here.end());
+  }
+  if (places.empty()) return std::nullopt;
+  Overlap overlap{places.front(), places.front(), places.size()};
+  for (const Vec2 p : places) {
+    overlap.low = {std::min(overlap.low.x, p.x), std::min(overlap.low.y, p.y)};
+    overlap.high = {std::max(overlap.high.x, p.x), std::max(overlap.high.y, p.y)};
+  }
+  return overlap;
+}
+
+}  // namespace planish

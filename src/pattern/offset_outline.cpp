@@ -32,7 +32,7 @@ std::string about(const PieceOutline& outline) {
   return "piece \"" + outline.piece + "\": ";
 }
 
-/// Millimetres with some decimals, but of lengths that nobody can mean as few digits as there are.
+/// Millimetres with some decimals, but of absurdly large lengths as few digits as there are.
 std::string length_text(double length, int decimals) {
   return std::abs(length) < 1e9 ? fixed_text(length, decimals) : number_text(length);
 }
@@ -193,7 +193,7 @@ Polygon area_of_blunt_corner(const WideLoop& wide, const BorderWalk& walk, std::
   const Vec2 to = wide.points[last] + width * outwards(after);
   const auto tip = meeting_point(from, before, to, after);
   const Vec2 middle = 0.5 * (wide.points[first] + wide.points[last]);
-  if (!tip || norm(*tip - middle) > allowance.mitre_limit * width + length) return {};
+  if (!tip || norm(*tip - middle) > allowance.mitre_limit * width) return {};
   Polygon area = {wide.points[first], from, *tip, to};
   for (std::size_t k = edges + 1; k-- > 1;)
     area.push_back(wide.points[(first + k) % count]);
@@ -204,7 +204,7 @@ Polygon area_of_blunt_corner(const WideLoop& wide, const BorderWalk& walk, std::
 /// chipped corner. Areas that are counter-clockwise may be added to the raw line: docs/pattern.md.
 void append_blunt_corners(const WideLoop& wide, const Allowance& allowance,
                           std::vector<Polygon>& lines) {
-  if (allowance.corners != Corners::mitre || wide.points.size() < 5) return;
+  if (allowance.corners != Corners::mitre || wide.points.size() < 4) return;
   const BorderWalk walk(wide.points);
   for (std::size_t i = 0; i < wide.points.size(); ++i) {
     for (const std::size_t edges : {std::size_t{1}, std::size_t{2}}) {

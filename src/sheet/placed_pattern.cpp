@@ -136,7 +136,8 @@ PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> position
   };
   if (!mirrored) {
     pattern.notches = notches_of(pattern);
-    return with_fitted_lines(std::move(pattern), places_of(pattern.notches), options);
+    const std::vector<Vec2> places = places_of(pattern.notches);
+    return with_fitted_lines(std::move(pattern), places, options);
   }
   // Notches are placed on the mirrored pattern; lines are fitted on the other one.
   std::vector<PlacedNotch> notches = notches_of(mirror_image(pattern));

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <fast_float/fast_float.h>
+
 #include "shell/failures.h"
 #include "shell/nearest.h"
 #include "shell/values.h"
@@ -46,7 +48,10 @@ void refuse_number_with_unit(const std::string& word) {
   const std::size_t begin = word.find_first_not_of(" 0123456789.");
   if (end == 0 || begin == std::string::npos) return;
   const auto unit = unit_of_word(std::string_view(word).substr(begin));
-  if (!unit) return;
+  double factor = 0.0;
+  const auto parsed = fast_float::from_chars(word.data(), word.data() + end, factor);
+  if (!unit || parsed.ec != std::errc() || parsed.ptr != word.data() + end || !(factor > 0.0))
+    return;
   throw UsageError("unknown unit " + word + "; if one unit of the mesh is " + word +
                    ", give --unit " + std::string(to_string(*unit)) + " --scale " +
                    word.substr(0, end));

@@ -120,7 +120,7 @@ struct DxfOptions {
 /// left out unless layer_names names them. A path's mark becomes a POINT or a LINE, and every
 /// vertex of an outline or inner line has a POINT that says whether it is a corner:
 /// docs/formats.md.
-/// @throws Error unknown_name where layer_names names a layer that the drawing has not
+/// @throws Error unknown_name where layer_names names a layer that the drawing does not have
 std::string format_dxf(const Drawing& drawing, const DxfOptions& options = {});
 
 }  // namespace planish

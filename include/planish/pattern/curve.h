@@ -56,7 +56,9 @@ std::vector<Curve> fit_curves(std::span<const Polygon> loops, const LineFit& fit
 /// A closed line of few points along another one, with the same corners. Between two corners its
 /// points lie a little outside of a bend and the middles of its chords inside, so that the length
 /// stays. Where no line of fewer points keeps both tolerances, a stretch stays as it is.
-/// @param kept places on the line that are to be points, such as those of notches; millimetres
+/// @param kept places that are to be points where they are on the line, to 0.001 mm, such as those
+/// of
+///   notches; millimetres
 Polygon few_points(const Polygon& loop, const LineFit& fit = {.tolerance = 0.15},
                    std::span<const Vec2> kept = {});
 

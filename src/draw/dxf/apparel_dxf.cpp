@@ -43,7 +43,7 @@ std::string block_name(const DrawingPiece& piece, std::set<std::string>& taken) 
   for (int copy = 1;; ++copy) {
     const std::string end = (copy > 1 ? "_" + std::to_string(copy) : "") + size;
     const std::size_t room = end.size() < k_longest_name ? k_longest_name - end.size() : 1;
-    const std::string name =
+    std::string name =
         (dxf_name(ascii_text(piece.name)).substr(0, room) + end).substr(0, k_longest_name);
     if (taken.insert(name).second) return name;
   }

@@ -25,7 +25,19 @@ constexpr double k_least_turn = 22.5 * std::numbers::pi / 180.0;
 std::string_view dense_layer(std::string_view number) {
   if (number == "1") return "84";
   if (number == "8") return "85";
+  if (number == k_cutout) return "86";
   return number == "14" ? "87" : std::string_view();
+}
+
+/// The layer of each closed line on the cut layer: all but the one that encloses most are holes.
+std::vector<std::string> layers_of(const std::vector<std::vector<Vec2>>& lines, bool have_holes,
+                                   const std::string& number) {
+  std::vector<std::string> layers(lines.size(), number);
+  const std::size_t boundary = have_holes ? largest_of(lines) : lines.size();
+  for (std::size_t i = 0; have_holes && i < lines.size(); ++i) {
+    if (i != boundary) layers[i] = k_cutout;
+  }
+  return layers;
 }
 
 bool is_turn(Vec2 before, Vec2 at, Vec2 after) {
@@ -63,30 +75,32 @@ void ApparelPiece::add(const Layer& layer, const Text& text) {
   if (!options_.layer_names.contains(layer.name)) return;
   if (!std::isfinite(text.at.x) || !std::isfinite(text.at.y)) return;
   tags_.add_text(*dxf_layer_name(layer.name, options_), text.at, text.height, text.text);
-  stretch_box(text.at);
+  box_.add(text.at);
 }
 
 void ApparelPiece::add_outline(const Layer& layer, const Path& path, const std::string& number) {
   const std::vector<std::vector<Vec2>> lines =
       dxf_places(path.fitted.few.empty() ? path.lines : path.fitted.few, path.closed);
-  const std::size_t boundary =
-      path.closed && layer.name == "cut" ? largest_of(lines) : lines.size();
+  const bool have_holes = path.closed && layer.name == "cut";
+  const std::vector<std::string> layers = layers_of(lines, have_holes, number);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const bool is_cutout = boundary < lines.size() && i != boundary;
-    add_line(is_cutout ? std::string(k_cutout) : number, lines[i], path.closed);
+    add_line(layers[i], lines[i], path.closed);
     add_corner_points(lines[i], path.closed);
   }
-  const std::string_view dense = dense_layer(number);
-  if (!is_astm_ || dense.empty()) return;
-  for (const std::vector<Vec2>& line : dxf_places(path.lines, path.closed))
-    add_line(std::string(dense), line, path.closed);
+  if (!is_astm_) return;
+  const std::vector<std::vector<Vec2>> dense = dxf_places(path.lines, path.closed);
+  const std::vector<std::string> all = layers_of(dense, have_holes, number);
+  for (std::size_t i = 0; i < dense.size(); ++i) {
+    const std::string_view other = dense_layer(all[i]);
+    if (!other.empty()) add_line(std::string(other), dense[i], path.closed);
+  }
 }
 
 void ApparelPiece::add_line(const std::string& layer, const std::vector<Vec2>& places,
                             bool closed) {
   tags_.add_polyline(layer, places, closed, {});
   for (const Vec2 place : places)
-    stretch_box(place);
+    box_.add(place);
 }
 
 void ApparelPiece::add_corner_points(const std::vector<Vec2>& places, bool closed) {
@@ -110,15 +124,8 @@ void ApparelPiece::add_straight(const std::string& layer, Vec2 from, Vec2 to) {
   tags_.add(8, layer);
   tags_.add_point(10, from);
   tags_.add_point(11, to);
-  stretch_box(from);
-  stretch_box(to);
-}
-
-void ApparelPiece::stretch_box(Vec2 place) {
-  if (!box_) box_ = std::pair(place, place);
-  auto& [low, high] = *box_;
-  low = {std::min(low.x, place.x), std::min(low.y, place.y)};
-  high = {std::max(high.x, place.x), std::max(high.y, place.y)};
+  box_.add(from);
+  box_.add(to);
 }
 
 }  // namespace planish

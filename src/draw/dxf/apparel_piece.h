@@ -8,6 +8,7 @@
 
 #include <planish/draw/format_drawing.h>
 
+#include "draw/dxf/dxf_places.h"
 #include "draw/dxf/dxf_tags.h"
 
 namespace planish {
@@ -25,21 +26,19 @@ class ApparelPiece {
 
   const DxfTags& tags() const { return tags_; }
   /// Two corners of the box around all of it; nothing where there is nothing.
-  const std::optional<std::pair<Vec2, Vec2>>& box() const { return box_; }
+  const std::optional<std::pair<Vec2, Vec2>>& box() const { return box_.corners(); }
 
  private:
-  void add_lines(const std::string& layer, const Path& path);
   void add_outline(const Layer& layer, const Path& path, const std::string& number);
   void add_line(const std::string& layer, const std::vector<Vec2>& places, bool closed);
   void add_corner_points(const std::vector<Vec2>& places, bool closed);
   void add_notch(const std::string& number, const NotchMark& notch);
   void add_straight(const std::string& layer, Vec2 from, Vec2 to);
-  void stretch_box(Vec2 place);
 
   const DxfOptions& options_;
   bool is_astm_;
   DxfTags tags_;
-  std::optional<std::pair<Vec2, Vec2>> box_;
+  DxfBox box_;
 };
 
 }  // namespace planish

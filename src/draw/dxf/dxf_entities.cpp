@@ -62,7 +62,7 @@ void DxfEntities::add(const Path& path, const std::string& layer, bool visible) 
     tags.add_polyline(layer, line, path.closed,
                       looks_on(layer, path.stroke->color, path.stroke->dashed, visible));
     for (const Vec2 place : line)
-      stretch_box(place);
+      box_.add(place);
   }
 }
 
@@ -79,7 +79,7 @@ void DxfEntities::add(const Text& text, const std::string& layer, bool visible) 
     tags.add(72, 1);
     tags.add_point(11, text.at);
   }
-  stretch_box(text.at);
+  box_.add(text.at);
 }
 
 DxfTags DxfEntities::tags() const {
@@ -87,13 +87,6 @@ DxfTags DxfEntities::tags() const {
   for (const auto& [piece, tags] : pieces_)
     all.append(tags);
   return all;
-}
-
-void DxfEntities::stretch_box(Vec2 point) {
-  if (!box_) box_ = std::pair(point, point);
-  auto& [low, high] = *box_;
-  low = {std::min(low.x, point.x), std::min(low.y, point.y)};
-  high = {std::max(high.x, point.x), std::max(high.y, point.y)};
 }
 
 }  // namespace planish

@@ -9,6 +9,7 @@
 
 #include <planish/draw/drawing.h>
 
+#include "draw/dxf/dxf_places.h"
 #include "draw/dxf/dxf_tags.h"
 
 namespace planish {
@@ -33,16 +34,15 @@ class DxfEntities {
   /// All layers that have entities, in the order of their first.
   const std::vector<DxfLayer>& layers() const { return layers_; }
   /// Two corners of the box around all; nothing where there is nothing.
-  const std::optional<std::pair<Vec2, Vec2>>& box() const { return box_; }
+  const std::optional<std::pair<Vec2, Vec2>>& box() const { return box_.corners(); }
 
  private:
   void add(const Path& path, const std::string& layer, bool visible);
   void add(const Text& text, const std::string& layer, bool visible);
   DxfTags looks_on(const std::string& layer, Color color, bool dashed, bool visible);
-  void stretch_box(Vec2 point);
 
   std::map<std::size_t, DxfTags> pieces_;
-  std::optional<std::pair<Vec2, Vec2>> box_;
+  DxfBox box_;
   std::vector<DxfLayer> layers_;
 };
 

@@ -34,7 +34,7 @@ inline constexpr std::string_view k_boundary_layer = "1";
 /// The name in the file of a layer of the drawing; nothing if it is left out.
 std::optional<std::string> dxf_layer_name(std::string_view layer, const DxfOptions& options);
 
-/// @throws Error unknown_name where the options name a layer that the drawing has not
+/// @throws Error unknown_name where the options name a layer that the drawing does not have
 void check_layer_names(const Drawing& drawing, const DxfOptions& options);
 
 }  // namespace planish

@@ -22,8 +22,6 @@ namespace planish {
 namespace {
 
 constexpr std::string_view k_version = "AC1015";
-constexpr int k_millimetres = 4;  // as $INSUNITS counts units
-constexpr double k_text_height = 3.0;
 
 /// The numbers by which entries of a file refer to each other, in hexadecimal digits.
 class Handles {
@@ -135,6 +133,7 @@ class R2000File {
     if (!path.fitted.curves.empty()) return;
     for (const std::vector<Vec2>& line : dxf_places(path.lines, path.closed)) {
       std::vector<BulgedPoint> points;
+      points.reserve(line.size());
       for (const Vec2 place : line)
         points.push_back({place});
       begin("LWPOLYLINE");
@@ -162,7 +161,7 @@ class R2000File {
       entities_.add_real(10, point.at.x);
       entities_.add_real(20, point.at.y);
       if (point.bulge != 0.0) entities_.add(42, number_text(point.bulge));
-      stretch_box(point.at);
+      box_.add(point.at);
     }
   }
 
@@ -187,7 +186,7 @@ class R2000File {
     }
     for (const Vec2 control : controls) {
       entities_.add_point(10, control);
-      stretch_box(control);
+      box_.add(control);
     }
   }
 
@@ -203,19 +202,12 @@ class R2000File {
       entities_.add_point(11, text.at);
     }
     entities_.add(100, "AcDbText");
-    stretch_box(text.at);
-  }
-
-  void stretch_box(Vec2 point) {
-    if (!box_) box_ = std::pair(point, point);
-    auto& [low, high] = *box_;
-    low = {std::min(low.x, point.x), std::min(low.y, point.y)};
-    high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+    box_.add(text.at);
   }
 
   DxfTags header() {
     const Vec2 sheet = {drawing_.width, drawing_.height};
-    const auto box = box_.value_or(std::pair(Vec2{}, sheet));
+    const auto box = box_.corners().value_or(std::pair(Vec2{}, sheet));
     DxfTags tags;
     tags.begin_section("HEADER");
     const auto add = [&](std::string_view name, int code, std::string_view value) {
@@ -392,7 +384,7 @@ class R2000File {
   std::string model_space_ = handles_.next(), paper_space_ = handles_.next();
   DxfTags entities_;
   std::vector<DxfLayer> layers_;
-  std::optional<std::pair<Vec2, Vec2>> box_;
+  DxfBox box_;
 };
 
 }  // namespace

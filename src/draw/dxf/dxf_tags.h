@@ -8,6 +8,9 @@
 
 namespace planish {
 
+inline constexpr int k_millimetres = 4;       // as $INSUNITS counts units
+inline constexpr double k_text_height = 3.0;  // that programs begin with, millimetres
+
 /// The lines of a DXF file: each value below the code of what it is.
 class DxfTags {
  public:

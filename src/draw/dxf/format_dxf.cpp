@@ -16,9 +16,6 @@ namespace planish {
 
 namespace {
 
-constexpr int k_millimetres = 4;       // as $INSUNITS counts units
-constexpr double k_text_height = 3.0;  // that programs begin with
-
 DxfEntities entities_of(const Drawing& drawing, const DxfOptions& options) {
   DxfEntities entities;
   for (const Layer& layer : drawing.layers)

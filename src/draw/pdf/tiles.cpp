@@ -161,7 +161,7 @@ std::vector<double> Marks::crossings(const Path& path, double y) const {
   return places;
 }
 
-// Tiles that no line meets are inside or outside as a whole: their middles tell.
+// Tiles that no line meets are inside or outside as a whole: their middles show which.
 void Marks::add_inside(const Path& path) {
   for (std::size_t row = 0; row < grid_.rows; ++row) {
     const double y = grid_.low_of(row, 0).y + 0.5 * grid_.frame.y;

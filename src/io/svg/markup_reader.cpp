@@ -91,8 +91,9 @@ void MarkupReader::skip_past(std::string_view end, const char* what) {
 
 /// <!DOCTYPE ...>, which may declare entities in square brackets. They are not used.
 void MarkupReader::skip_declaration() {
-  const std::size_t close = bytes_.find('>', offset_), bracket = bytes_.find('[', offset_);
-  if (bracket < close) skip_past("]", "a declaration");
+  const std::size_t close = bytes_.find('>', offset_);
+  const std::string_view head = bytes_.substr(offset_, close - offset_);
+  if (head.find('[') != std::string_view::npos) skip_past("]", "a declaration");
   skip_past(">", "a declaration");
 }
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,6 +16,7 @@ namespace {
 
 constexpr int k_tries = 5;             // each with less of the tolerance than the one before
 constexpr double k_same = 1e-6;        // millimetres: two places are one
+constexpr double k_on_line = 1e-3;     // millimetres: a place is on a line
 constexpr double k_for_chords = 0.83;  // of the tolerance: moving points outwards takes up the rest
 
 double distance_to(Vec2 p, Vec2 a, Vec2 b) {
@@ -150,10 +151,10 @@ Polygon fewer_points(const Polygon& points, const LineFit& fit) {
   return points;
 }
 
-/// The number of the edge of a closed line that is nearest to a place.
-std::size_t nearest_edge(const Polygon& loop, Vec2 place) {
-  std::size_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
+/// The number of the edge of a closed line that a place is on; nothing where it is on none.
+std::optional<std::size_t> edge_at(const Polygon& loop, Vec2 place) {
+  std::optional<std::size_t> nearest;
+  double least = k_on_line;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const double distance = distance_to(place, loop[i], loop[(i + 1) % loop.size()]);
     if (!(distance < least)) continue;
@@ -163,14 +164,15 @@ std::size_t nearest_edge(const Polygon& loop, Vec2 place) {
   return nearest;
 }
 
-/// The closed line with a point at each place that has none, and the numbers of these points.
+/// The closed line with a point at each place on it, and the numbers of these points.
 std::pair<Polygon, std::vector<std::size_t>> with_points(Polygon loop,
                                                          std::span<const Vec2> places) {
   for (const Vec2 place : places) {
-    const std::size_t edge = nearest_edge(loop, place);
-    const Vec2 a = loop[edge], b = loop[(edge + 1) % loop.size()];
+    const auto edge = edge_at(loop, place);
+    if (!edge) continue;
+    const Vec2 a = loop[*edge], b = loop[(*edge + 1) % loop.size()];
     const bool is_there = norm(place - a) < k_same || norm(place - b) < k_same;
-    if (!is_there) loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(edge) + 1, place);
+    if (!is_there) loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(*edge) + 1, place);
   }
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < loop.size(); ++i) {

@@ -143,9 +143,9 @@ FittedCubic fit_cubic(std::span<const Vec2> points, const EndDirections& ends, d
   for (int step = 0; step < k_most_steps && best.distance > tolerance; ++step) {
     if (step >= 2 && best.distance > k_hopeless * tolerance) break;
     fit.improve_parameters(best.cubic);
-    FittedCubic next = fit.measured(fit.best());
+    const FittedCubic next = fit.measured(fit.best());
     const bool is_better = next.distance < best.distance;
-    if (is_better) best = std::move(next);
+    if (is_better) best = next;
     if (!is_better && step >= 4) break;
   }
   return best;

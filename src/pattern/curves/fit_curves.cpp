@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <utility>
 
 #include <planish/pattern/curve.h>
 
@@ -153,13 +152,13 @@ EndDirections directions_at_start(const Polygon& loop) {
 Curve fit_curve(const Polygon& line, const LineFit& fit) {
   const Polygon loop = without_repeats(line);
   if (loop.size() < 3) return {loop.empty() ? Vec2{} : loop.front(), {}};
-  const std::vector<Polygon> stretches = stretches_of(loop, corners_of(loop));
-  const bool has_corners = !(stretches.front().front() == stretches.front().back());
-  const EndDirections ends = has_corners ? EndDirections{} : directions_at_start(loop);
+  const std::vector<std::size_t> corners = corners_of(loop);
+  const std::vector<Polygon> stretches = stretches_of(loop, corners);
+  const EndDirections ends = corners.empty() ? directions_at_start(loop) : EndDirections{};
   Curve curve{stretches.front().front(), {}};
   for (const Polygon& points : stretches) {
-    for (CurvePiece& piece : fit_stretch(points, ends, fit))
-      curve.pieces.push_back(std::move(piece));
+    const std::vector<CurvePiece> pieces = fit_stretch(points, ends, fit);
+    curve.pieces.insert(curve.pieces.end(), pieces.begin(), pieces.end());
   }
   return curve;
 }

@@ -86,16 +86,28 @@ std::optional<Vec2> common_offset(std::span<const Vec2> offsets) {
   return 1.0 / static_cast<double>(count) * sum;
 }
 
-/// From each vertex of the border to all points of the outline near it, where the origin would lie.
-std::vector<Vec2> offsets_near(std::span<const Vec2> border, std::span<const Vec2> sorted,
+/// From each vertex of the border to all points of the outline near it, by squares.
+std::vector<Vec2> offsets_near(std::span<const Vec2> border, std::span<const Vec2> outline,
                                Vec2 origin) {
+  using Cell = std::pair<double, double>;
+  const auto cell_of = [](Vec2 p) {
+    return Cell{std::floor(p.x / k_fitted), std::floor(p.y / k_fitted)};
+  };
+  std::map<Cell, std::vector<Vec2>> cells;
+  for (const Vec2 p : outline)
+    cells[cell_of(p)].push_back(p);
   std::vector<Vec2> offsets;
   for (const Vec2 p : border) {
     const Vec2 place = origin + p;
-    const auto begin = std::lower_bound(sorted.begin(), sorted.end(), place.x - k_fitted,
-                                        [](Vec2 q, double x) { return q.x < x; });
-    for (auto q = begin; q != sorted.end() && q->x <= place.x + k_fitted; ++q) {
-      if (norm(*q - place) <= k_fitted) offsets.push_back(*q - place);
+    const Cell own = cell_of(place);
+    for (const double dx : {-1.0, 0.0, 1.0}) {
+      for (const double dy : {-1.0, 0.0, 1.0}) {
+        const auto found = cells.find({own.first + dx, own.second + dy});
+        if (found == cells.end()) continue;
+        for (const Vec2 q : found->second) {
+          if (norm(q - place) <= k_fitted) offsets.push_back(q - place);
+        }
+      }
     }
   }
   return offsets;
@@ -166,8 +178,6 @@ Vec2 origin_on_sheet(std::span<const std::vector<Vec2>> outline, const Patch& fl
   const std::vector<Vec2> border = border_of(flat, millimetres_per(unit));
   if (border.empty()) fail(name, "the flat mesh has no border to find in the drawing");
   const PlaneBox there = box_of(drawn), here = box_of(border);
-  std::sort(drawn.begin(), drawn.end(),
-            [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   const Vec2 origin = there.low - here.low;
   // Curves begin and end at vertices of the border, between which they leave it a little.
   const auto offset = common_offset(offsets_near(border, drawn, origin));
@@ -179,7 +189,9 @@ Vec2 origin_on_sheet(std::span<const std::vector<Vec2>> outline, const Patch& fl
 Drawing carried_sheet(const Patch& flat, const DrawnLines& drawn, Unit unit,
                       const std::string& title) {
   const double scale = millimetres_per(unit);
-  const PlaneBox box = box_of(border_of(flat, scale));
+  const std::vector<Vec2> around = border_of(flat, scale);
+  if (around.empty()) fail(title, "the flat mesh has no border, so it is no pattern");
+  const PlaneBox box = box_of(around);
   const Vec2 corner = {sheet::k_margin, sheet::k_margin + sheet::k_block_height + sheet::k_gap};
   const Vec2 origin = corner - box.low;
   const auto place = [&](Vec3 p) { return origin + scale * Vec2{p.x, p.y}; };

@@ -23,6 +23,7 @@ Vec2 origin_on_sheet(std::span<const std::vector<Vec2>> outline, const Patch& fl
 /// A sheet in millimetres with lines and points of a flat mesh, as layer "carried": points as
 /// crosses. Layer "cut" has the border of the mesh, and lies where pattern_sheet() lays a pattern
 /// without an allowance.
+/// @throws Error malformed_file, with the title for a name, where the mesh has no border
 Drawing carried_sheet(const Patch& flat, const DrawnLines& drawn, Unit unit,
                       const std::string& title);
 

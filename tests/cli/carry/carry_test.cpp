@@ -142,6 +142,17 @@ TEST_F(Carry, SaysWhatLiesOff) {
   EXPECT_EQ(json["outside"]["points"], 1);
 }
 
+TEST_F(Carry, RefusesToDrawOnAFlatMeshWithoutABorder) {
+  write_text("closed.obj",
+             "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 0\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  write_text("point.obj", "v 1 0.5 0\np 1\n");
+  const CliResult result =
+      planish({"carry", "point.obj", "--from", "closed.obj", "--to", "closed.obj", "-o", "o.svg"});
+  EXPECT_EQ(result.exit_code, k_exit_failed);
+  EXPECT_THAT(result.err, HasSubstr("no border"));
+  EXPECT_FALSE(std::filesystem::exists("o.svg"));
+}
+
 TEST_F(Carry, RefusesWhatItCannotCarry) {
   const auto expect = [](const CliResult& result, const std::string& text) {
     EXPECT_EQ(result.exit_code, k_exit_failed) << result.out;

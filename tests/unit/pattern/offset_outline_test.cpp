@@ -136,6 +136,17 @@ TEST(OffsetOutline, MakesOneCornerWhereAShortEdgeOrTwoCutItOff) {
   EXPECT_NEAR(area_of(mitred), full, 0.01) << "as without what is cut off";
   const auto round = offset_outline(outline, {.width = 10.0, .corners = Corners::round});
   EXPECT_LT(area_of(round), full - 60.0);
+  // Of a wedge of 52 degrees the tip would be farther off than mitres may be.
+  const double half = 26.0 * std::numbers::pi / 180.0;
+  const auto at = [&](double way, double side) {
+    return Vec2{100.0 - way * std::cos(half), side * way * std::sin(half)};
+  };
+  const PieceOutline wedge{"wedge",
+                           {{at(100.0, -1.0), at(5.6, -1.0), at(5.6, 1.0), at(100.0, 1.0)}}};
+  for (const Polygon& loop : offset_outline(wedge, {.width = 10.0})) {
+    for (const Vec2 p : loop)
+      EXPECT_LE(p.x, at(5.6, 1.0).x + 25.0);
+  }
   // A long edge is a side of its own.
   outline.loops[0] = {{0, 0}, {90, 0}, {100, 10}, {100, 50}, {0, 50}};
   EXPECT_LT(area_of(offset_outline(outline, {.width = 10.0})), full - 30.0);

@@ -188,6 +188,8 @@ TEST(ApparelDxf, PutsHolesOnLayer11) {
   holed.lines.insert(holed.lines.begin(), {{8, 1}, {9, 1}, {9, 2}});
   const std::string dxf = format_dxf(with_cut(holed), {.profile = DxfProfile::aama});
   EXPECT_THAT(values(all_of_kind(dxf, "POLYLINE"), 8), ElementsAre("11", "1"));
+  const std::string astm = format_dxf(with_cut(holed), {.profile = DxfProfile::astm});
+  EXPECT_THAT(values(all_of_kind(astm, "POLYLINE"), 8), ElementsAre("11", "1", "86", "84"));
 }
 
 TEST(ApparelDxf, HasTheDenseLinesBesideTheFewPointsInAstmOnly) {

@@ -170,6 +170,28 @@ TEST(FitCurves, FollowsALineWithoutCornersSmoothly) {
     EXPECT_GT(dot(in[k], out[(k + 1) % out.size()]), 0.99999);
 }
 
+TEST(FitCurves, FitsADropWithOneCornerAlikeFromEveryFirstPoint) {
+  // Two straight legs from a corner at the origin to an arc of radius 30 about (60, 0).
+  Polygon drop;
+  const double half = std::asin(0.5), leg = 60.0 * std::cos(half);
+  for (int k = 0; k < 20; ++k)
+    drop.push_back(leg * k / 20.0 * Vec2{std::cos(half), -std::sin(half)});
+  for (int k = 0; k < 60; ++k) {
+    const double angle = -0.5 * k_pi - half + (k_pi + 2.0 * half) * k / 60.0;
+    drop.push_back({60.0 + 30.0 * std::cos(angle), 30.0 * std::sin(angle)});
+  }
+  for (int k = 0; k < 20; ++k)
+    drop.push_back(leg * (20 - k) / 20.0 * Vec2{std::cos(half), std::sin(half)});
+  const Curve curve = fit_curves({&drop, 1}).at(0);
+  EXPECT_EQ(curve.start, (Vec2{0, 0}));
+  EXPECT_LE(curve.pieces.size(), 8U);
+  EXPECT_LE(apart(sampled(curve), drop), 0.1);
+  std::rotate(drop.begin(), drop.begin() + 37, drop.end());
+  const Curve turned = fit_curves({&drop, 1}).at(0);
+  EXPECT_EQ(turned.start, (Vec2{0, 0}));
+  EXPECT_EQ(turned.pieces.size(), curve.pieces.size());
+}
+
 TEST(FitCurves, KeepsToANoisyLineAndItsLength) {
   for (const double noise : {0.02, 0.05, 0.3}) {
     const Polygon loop = panel(noise);
@@ -209,6 +231,12 @@ TEST(FewPoints, KeepCornersAndThePlacesThatAreAskedFor) {
   const Polygon few = few_points(loop, {.tolerance = 0.15}, kept);
   for (const Vec2 place : {loop[0], loop[100], loop[150], loop[250], kept[0], kept[1]})
     EXPECT_EQ(std::count(few.begin(), few.end(), place), 1) << place.x << " " << place.y;
+}
+
+TEST(FewPoints, HaveNoPointAtAPlaceThatIsNotOnTheLine) {
+  const Polygon loop = panel();
+  const std::vector<Vec2> kept = {{121.3, 5.0}, {500.0, 100.0}};
+  EXPECT_EQ(few_points(loop, {.tolerance = 0.15}, kept), few_points(loop)) << "of another loop";
 }
 
 TEST(FewPoints, LeaveSmallLoopsAlone) {

@@ -103,21 +103,6 @@ std::string state_words(const FlattenReport& report) {
                                 : "Not within " + strain_limit_name(*missed, report);
 }
 
-/// What is wrong with the form, after "the form": "is crumpled and lost"; empty where nothing is.
-std::string form_faults(const EvolveReport& evolve) {
-  const Fairness& fairness = evolve.fairness;
-  const bool crumpled = !fairness.is_smooth(), lost = !fairness.keeps_form();
-  std::string text = crumpled && lost ? "is crumpled and lost"
-                     : crumpled       ? "is crumpled"
-                     : lost           ? "is lost"
-                                      : "";
-  const auto add = [&](const std::string& fault) { text += (text.empty() ? "" : " and ") + fault; };
-  if (!crumpled && fairness.has_sharp_fold()) add("has " + new_fold_text(*fairness.sharpest_fold));
-  if (evolve.after.self_intersections.pairs > evolve.before.self_intersections.pairs)
-    add("goes through itself");
-  return text;
-}
-
 /// Where the form is not as it should be: that, to follow the first words.
 std::string form_clause(const FlattenReport& report) {
   const std::string faults = form_faults(report.evolve);
@@ -200,6 +185,20 @@ std::string form_sentence(const FlattenReport& report) {
 }
 
 }  // namespace
+
+std::string form_faults(const EvolveReport& evolve) {
+  const Fairness& fairness = evolve.fairness;
+  const bool crumpled = !fairness.is_smooth(), lost = !fairness.keeps_form();
+  std::string text = crumpled && lost ? "is crumpled and lost"
+                     : crumpled       ? "is crumpled"
+                     : lost           ? "is lost"
+                                      : "";
+  const auto add = [&](const std::string& fault) { text += (text.empty() ? "" : " and ") + fault; };
+  if (!crumpled && fairness.has_sharp_fold()) add("has " + new_fold_text(*fairness.sharpest_fold));
+  if (evolve.after.self_intersections.pairs > evolve.before.self_intersections.pairs)
+    add("goes through itself");
+  return text;
+}
 
 std::string new_fold_text(const Fold& fold) {
   return "a new fold of " + degrees_of(fold);

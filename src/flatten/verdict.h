@@ -51,4 +51,7 @@ std::string unit_question(const UnfoldReport& unfold);
 /// about it: one sentence, plain UTF-8 text. Empty where little area is at stake.
 std::string border_text(const FlattenReport& report);
 
+/// What is wrong with the form, after "the form": "is crumpled and lost"; empty where nothing is.
+std::string form_faults(const EvolveReport& evolve);
+
 }  // namespace planish

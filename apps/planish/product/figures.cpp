@@ -96,6 +96,7 @@ void list(FinishedPatch& patch, const Visit& visit) {
   visit("twin_of", patch.twin_of);
   visit("rejected", patch.rejected);
   visit("limits", patch.limits);
+  visit("form_faults", patch.form_faults);
 }
 
 constexpr StopReason last_of(StopReason) {

@@ -121,6 +121,8 @@ std::string_view to_string(PieceCheckOf what) {
       return "angle";
     case PieceCheckOf::defect:
       return "defect";
+    case PieceCheckOf::form:
+      return "form";
     case PieceCheckOf::overlap:
       return "overlap";
     case PieceCheckOf::flipped_triangles:
@@ -142,6 +144,8 @@ std::vector<PieceCheck> piece_checks(const PatchResult& piece) {
   for (const LimitCheck& limit : finished.limits)
     checks.push_back(check_of(limit, finished.unfold.unit));
   add_stretch(finished, checks);
+  if (!finished.form_faults.empty())
+    checks.push_back({PieceCheckOf::form, false, "the form " + finished.form_faults});
   add_faults(finished.unfold.pattern, checks);
   std::stable_partition(checks.begin(), checks.end(),
                         [](const PieceCheck& check) { return !check.met; });

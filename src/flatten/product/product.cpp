@@ -11,6 +11,7 @@
 #include "flatten/product/twin_groups.h"
 #include "flatten/product/workers.h"
 #include "flatten/twin_report.h"
+#include "flatten/verdict.h"
 
 namespace planish {
 
@@ -272,9 +273,10 @@ class ProductWork {
 }  // namespace
 
 FinishedPatch finished_patch(const FlattenReport& report) {
-  FinishedPatch patch{report.processed.mesh(), report.unfold,  report.evolve.deviation,
-                      report.outcome(),        report.twin_of, report.rejected,
-                      limit_checks(report)};
+  FinishedPatch patch{report.processed.mesh(), report.unfold,
+                      report.evolve.deviation, report.outcome(),
+                      report.twin_of,          report.rejected,
+                      limit_checks(report),    form_faults(report.evolve)};
   patch.unfold.pattern.unmatched.clear();
   patch.unfold.pattern.unlimited.clear();
   return patch;

@@ -41,6 +41,15 @@ TEST(PieceVerdict, IsMissedWhereAChangedSurfaceIsStretchedWithoutALimit) {
   EXPECT_TRUE(is_met(piece));
 }
 
+TEST(PieceVerdict, IsMissedWhereTheFormIsNotAsItShouldBe) {
+  PatchResult piece = finished();
+  piece.finished->limits = {{LimitOf::strain, 1.0, 0.9, true}};
+  piece.finished->form_faults = "is lost";
+  EXPECT_FALSE(is_met(piece));
+  EXPECT_EQ(texts_of(piece).front(), "the form is lost");
+  EXPECT_EQ(piece_checks(piece).front().what, PieceCheckOf::form);
+}
+
 TEST(PieceVerdict, NamesEveryLimitWithItsFigures) {
   PatchResult piece = finished();
   piece.finished->limits = {

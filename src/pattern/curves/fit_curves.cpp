@@ -13,7 +13,8 @@ namespace planish {
 
 namespace {
 
-constexpr int k_tries = 4;             // each with half the tolerance of the one before
+// Millimetres: where the length is missed the tolerance is halved down to it.
+constexpr double k_least_tolerance = 0.0125;
 constexpr double k_straight = 0.9998;  // cosine between a line and the direction at its end
 
 bool is_straight(std::span<const Vec2> points, double tolerance) {
@@ -127,7 +128,7 @@ std::vector<CurvePiece> fit_stretch(std::span<const Vec2> points, const EndDirec
                                     const LineFit& fit) {
   const double length = length_of_line(points);
   double tolerance = fit.tolerance;
-  for (int k = 0; k < k_tries && tolerance > 0.0; ++k, tolerance *= 0.5) {
+  for (; tolerance > 0.0; tolerance = tolerance > k_least_tolerance ? 0.5 * tolerance : 0.0) {
     std::vector<CurvePiece> pieces = pieces_along(points, ends, tolerance);
     if (std::abs(length_of(Curve{points.front(), pieces}) - length) <= fit.length_tolerance)
       return pieces;

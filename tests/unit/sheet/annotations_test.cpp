@@ -180,7 +180,8 @@ TEST(Annotations, PutsTheLabelInsideThePieceAndClearOfTheGrain) {
 
 TEST(Annotations, PutsTheLabelClearOfMarksAndInnerLines) {
   const PatternOptions plain = {.label = {"front", "42", 2}};
-  const auto& before = std::get<Text>(layer(sheet_with(plain), "annotation").shapes.at(1));
+  const Drawing unmarked = sheet_with(plain);
+  const auto& before = std::get<Text>(layer(unmarked, "annotation").shapes.at(1));
   PatternOptions marked = plain;
   marked.marks = {{12}, {11, MarkKind::drill}, {13}};
   marked.inner_lines = {{7, 17}};

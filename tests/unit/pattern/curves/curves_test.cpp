@@ -204,6 +204,15 @@ TEST(FitCurves, KeepsToANoisyLineAndItsLength) {
   }
 }
 
+TEST(FitCurves, FindsATighterFitWhereALargeToleranceMissesTheLength) {
+  const Polygon loop = panel(0.02);
+  for (const double tolerance : {0.1, 0.5, 5.0, 500.0}) {
+    const Curve curve = fit_curves({&loop, 1}, {.tolerance = tolerance})[0];
+    EXPECT_LT(curve.pieces.size(), loop.size() / 2) << tolerance;
+    EXPECT_NEAR(length_of(curve), length_around(loop), 4 * 0.02) << tolerance;
+  }
+}
+
 TEST(FitCurves, WithoutAToleranceIsTheLineItself) {
   const Polygon loop = panel();
   const Curve curve = fit_curves({&loop, 1}, {.tolerance = 0.0}).at(0);

@@ -77,16 +77,18 @@ def check_tiles(path):
     )
     near((box[2] - box[0]) / PER_MM, 50.25, 0.2, f"{path.name}: width of the test square")
     near((box[3] - box[1]) / PER_MM, 50.25, 0.2, f"{path.name}: height of the test square")
-    # The sheet hangs from the upper left corner of the first frame, 10 mm from the paper's edges.
+    # What is drawn but for the label, from x = 1 to y = 160, has 2 mm around it. This area hangs from
+    # the upper left corner of the first frame, 10 mm from the paper's edges.
+    left, top = 1.0 - 2.0, 160.0 + 2.0
     box = tiles[0].box(
         is_red, right=int(140 * PER_MM), top=int(60 * PER_MM), bottom=int(200 * PER_MM)
     )
-    near(box[0] / PER_MM, 10.0 + 20.0, 0.2, f"{path.name}: left of the square")
+    near(box[0] / PER_MM, 10.0 + 20.0 - left, 0.2, f"{path.name}: left of the square")
     near((box[2] - box[0]) / PER_MM, 100.2, 0.2, f"{path.name}: width of the square")
-    near(box[3] / PER_MM, 10.0 + 170.0, 0.2, f"{path.name}: bottom of the square")
-    # The circle's right end is at x = 280 of the sheet, and the second frame begins at 180.
+    near(box[3] / PER_MM, 10.0 + top - 30.0, 0.2, f"{path.name}: bottom of the square")
+    # The circle's right end is at x = 280 of the sheet, and the second frame begins 180 mm to the right.
     box = tiles[1].box(is_red)
-    near(box[2] / PER_MM, 10.0 + 280.0 - 180.0, 0.2, f"{path.name}: right end on the second tile")
+    near(box[2] / PER_MM, 10.0 + 280.0 - 180.0 - left, 0.2, f"{path.name}: right end on the second tile")
 
 
 def main():

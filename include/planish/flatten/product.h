@@ -59,7 +59,7 @@ struct FinishedPatch {
   /// Where evolving made the pattern worse, and the design was kept: the strain it came to.
   std::optional<EdgeStrain> rejected = {};
   std::vector<LimitCheck> limits = {};  ///< every limit and target that was asked for
-  std::string form_faults = {};  ///< as "is crumpled and lost", of the form; empty for none
+  std::string form_faults = {};         ///< as "is crumpled and lost", of the form; empty for none
 };
 
 /// That of a report.

@@ -6,6 +6,8 @@
 
 #include <planish/core/error.h>
 
+#include "core/math.h"
+#include "core/number_text.h"
 #include "io/formats/face_list.h"
 #include "io/formats/obj_references.h"
 
@@ -59,6 +61,14 @@ LineDrawing parse_line_drawing(TextCursor& cursor) {
                         "the file draws nothing: it has no lines (l) and no points (p)");
   }
   return drawing;
+}
+
+double distance_of(Vec3 a, Vec3 b) {
+  return math::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+std::string point_text(Vec3 p) {
+  return "(" + number_text(p.x) + ", " + number_text(p.y) + ", " + number_text(p.z) + ")";
 }
 
 }  // namespace planish

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,5 +32,11 @@ struct LineDrawing {
 /// @throws Error malformed_file (also where nothing is drawn), truncated_file, bad_number,
 ///   non_finite_coordinate, index_out_of_range, too_large
 LineDrawing parse_line_drawing(TextCursor& cursor);
+
+/// The distance of two places, also where its square would overflow or vanish.
+double distance_of(Vec3 a, Vec3 b);
+
+/// "(1, 2.5, -3)", for messages.
+std::string point_text(Vec3 p);
 
 }  // namespace planish

@@ -4,8 +4,6 @@
 #include <planish/core/error.h>
 #include <planish/io/read_features.h>
 
-#include "core/math.h"
-#include "core/number_text.h"
 #include "io/drawn_lines.h"
 #include "io/file/file_bytes.h"
 #include "io/file/text_cursor.h"
@@ -16,14 +14,6 @@
 
 namespace planish {
 namespace {
-
-double distance_of(Vec3 a, Vec3 b) {
-  return math::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
-}
-
-std::string point_text(Vec3 p) {
-  return "(" + number_text(p.x) + ", " + number_text(p.y) + ", " + number_text(p.z) + ")";
-}
 
 CutLines snap_cuts(const LineDrawing& drawing, const TriMesh& mesh, const TextCursor& cursor,
                    const std::string& name) {

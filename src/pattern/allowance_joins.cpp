@@ -5,17 +5,13 @@
 #include <numbers>
 
 #include "core/math.h"
+#include "pattern/polygon/plane.h"
 
 namespace planish {
 
 namespace {
 
 constexpr double k_sagitta = 0.005;  // millimetres that a chord may be inside its arc
-
-// To the right of a direction, which is outside.
-Vec2 outwards(Vec2 direction) {
-  return {direction.y, -direction.x};
-}
 
 Vec2 turned(Vec2 v, double angle) {
   const double c = math::cos(angle), s = math::sin(angle);
@@ -24,8 +20,7 @@ Vec2 turned(Vec2 v, double angle) {
 
 /// Left turns are > 0; half a turn counts as left, so that the tip of a slit is gone around.
 double turn_of(const OutlineCorner& corner) {
-  const double turn =
-      math::atan2(cross(corner.before, corner.after), dot(corner.before, corner.after));
+  const double turn = turn_between(corner.before, corner.after);
   return turn <= -std::numbers::pi ? std::numbers::pi : turn;
 }
 

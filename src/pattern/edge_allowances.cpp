@@ -8,6 +8,7 @@
 #include <planish/pattern/allowance.h>
 
 #include "core/number_text.h"
+#include "pattern/polygon/plane.h"
 
 namespace planish {
 
@@ -39,13 +40,9 @@ std::string fold_text(std::string_view piece, const FoldLine& fold) {
 /// The largest distance of a stretch from the line between its ends.
 double bow_of(const PieceOutline& outline, const Stretch& stretch) {
   const Polygon& loop = outline.loops[stretch.loop];
-  const Vec2 from = loop[stretch.from], chord = loop[stretch.to] - from;
-  const double length = norm(chord);
   double bow = 0.0;
   for (std::size_t at = stretch.from; at != stretch.to; at = (at + 1) % loop.size()) {
-    const Vec2 apart = loop[at] - from;
-    const double share = std::clamp(dot(apart, chord) / (length * length), 0.0, 1.0);
-    bow = std::max(bow, norm(apart - share * chord));
+    bow = std::max(bow, distance_to_segment(loop[at], loop[stretch.from], loop[stretch.to]));
   }
   return bow;
 }

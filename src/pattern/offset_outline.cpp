@@ -9,12 +9,12 @@
 #include <planish/core/range.h>
 #include <planish/pattern/allowance.h>
 
-#include "core/math.h"
 #include "core/number_text.h"
 #include "geometry/crosses_itself.h"
 #include "pattern/allowance_joins.h"
 #include "pattern/polygon/border_walk.h"
 #include "pattern/polygon/loop_box.h"
+#include "pattern/polygon/plane.h"
 #include "pattern/polygon/polygon_rays.h"
 #include "pattern/polygon/winding_union.h"
 
@@ -117,10 +117,6 @@ Vec2 direction(Vec2 from, Vec2 to) {
   return length > 0.0 ? 1.0 / length * (to - from) : Vec2{};
 }
 
-double turn_between(Vec2 before, Vec2 after) {
-  return math::atan2(cross(before, after), dot(before, after));
-}
-
 /// Whether the outline turns from one point to another one also when seen from as far off as the
 /// allowance is wide. The points may be the same.
 bool stands_out(const WideLoop& wide, const BorderWalk& walk, std::size_t first, std::size_t last,
@@ -188,7 +184,6 @@ Polygon area_of_blunt_corner(const WideLoop& wide, const BorderWalk& walk, std::
   if (wide.widths[(first + count - 1) % count] != width || length > k_short * width) return {};
   if (turned < k_least_turn || turned > k_most_turn) return {};
   if (!stands_out(wide, walk, first, last, turned)) return {};
-  const auto outwards = [](Vec2 d) { return Vec2{d.y, -d.x}; };
   const Vec2 from = wide.points[first] + width * outwards(before);
   const Vec2 to = wide.points[last] + width * outwards(after);
   const auto tip = meeting_point(from, before, to, after);

@@ -1,13 +1,10 @@
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include <planish/core/error.h>
 #include <planish/pattern/read_annotations.h>
 
-#include "core/math.h"
-#include "core/number_text.h"
 #include "io/drawn_lines.h"
 #include "io/file/file_bytes.h"
 #include "io/file/text_cursor.h"
@@ -42,14 +39,6 @@ std::vector<DrawnPoint> points_in(std::string_view bytes, const std::string& nam
   return points;
 }
 
-double distance_of(Vec3 a, Vec3 b) {
-  return math::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
-}
-
-std::string point_text(Vec3 p) {
-  return "(" + number_text(p.x) + ", " + number_text(p.y) + ", " + number_text(p.z) + ")";
-}
-
 /// Refuses a point that is too far from its place.
 class Reach {
  public:
@@ -78,31 +67,47 @@ void check_triangles(const Patch& patch) {
   if (patch.triangles().empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
 }
 
-/// The nearest place of the border to a point, of several the first along it.
+/// The nearest place of the border to a point.
 struct BorderPlace {
   PlaceOnEdge place;
   Vec3 point;
 };
 
-BorderPlace nearest_on_border(const Patch& patch, Vec3 drawn) {
-  const double scale = patch.unit_scale();
-  BorderPlace nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::vector<Index>& loop : patch.border_loops()) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Index from = loop[i], to = loop[(i + 1) % loop.size()];
-      const Vec3 a = patch.positions()[from], b = patch.positions()[to];
-      const Vec3 edge = scale * b - scale * a, way = scale * drawn - scale * a;
-      const double whole = dot(edge, edge);
-      const double share = whole > 0.0 ? std::clamp(dot(way, edge) / whole, 0.0, 1.0) : 0.0;
-      const Vec3 apart = share * edge - way;
-      if (!(dot(apart, apart) < least)) continue;
-      least = dot(apart, apart);
-      nearest = {{from, to, share}, (1.0 - share) * a + share * b};
-    }
+/// Finds places on the border, whose edges are triangles without area to the tree.
+class BorderPlaces {
+ public:
+  /// @pre the patch has a border
+  explicit BorderPlaces(const Patch& patch)
+      : patch_(patch), edges_(edges_of(patch)), tree_(edges_) {}
+
+  /// Of several equally near edges the first along the border.
+  BorderPlace nearest(Vec3 p) const {
+    const ClosestPoint closest = tree_.query(patch_.unit_scale() * p);
+    const Triangle& edge = edges_.triangles[closest.triangle];
+    const double share = 1.0 - closest.barycentric[0];
+    return {{edge[0], edge[1], share},
+            (1.0 - share) * patch_.positions()[edge[0]] + share * patch_.positions()[edge[1]]};
   }
-  return nearest;
-}
+
+ private:
+  static TriMesh edges_of(const Patch& patch) {
+    TriMesh edges;
+    edges.positions.reserve(patch.vertex_count());
+    for (const Vec3 p : patch.positions())
+      edges.positions.push_back(patch.unit_scale() * p);
+    for (const std::vector<Index>& loop : patch.border_loops()) {
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Index to = loop[(i + 1) % loop.size()];
+        edges.triangles.push_back({loop[i], to, to});
+      }
+    }
+    return edges;
+  }
+
+  const Patch& patch_;
+  TriMesh edges_;  // in coordinates of about 1
+  ClosestPointTree tree_;
+};
 
 Mark mark_at(const ClosestPoint& closest, const Patch& patch) {
   const Triangle& corners = patch.triangles()[closest.triangle];
@@ -125,9 +130,14 @@ DrawnAnnotations parse_drawn_notches(std::string_view bytes, const Patch& patch,
                                      const std::string& name) {
   check_triangles(patch);
   const Reach reach(patch, ErrorCode::misplaced_notch, "the border");
+  if (patch.border_loops().empty()) {
+    throw Error(ErrorCode::misplaced_notch, "the mesh has no border that a notch could be on",
+                {.path = name});
+  }
+  const BorderPlaces border(patch);
   DrawnAnnotations drawn;
   for (const DrawnPoint& point : points_in(bytes, name)) {
-    const BorderPlace nearest = nearest_on_border(patch, point.at);
+    const BorderPlace nearest = border.nearest(point.at);
     drawn.farthest = std::max(drawn.farthest, reach.check(point.at, nearest.point, point.place));
     drawn.notches.push_back({nearest.place});
   }

@@ -145,7 +145,8 @@ std::vector<Polygon> all_inner_lines(const PlacedPattern& pattern, const Pattern
 }
 
 /// The outline, and what words and the grain line keep clear of: marks, notches and inner lines.
-std::vector<Polygon> free_loops(const PlacedPattern& pattern, const PatternOptions& options) {
+std::vector<Polygon> free_loops(const PlacedPattern& pattern, const PatternOptions& options,
+                                std::span<const Polygon> inner) {
   constexpr double half = 0.5 * k_cross_size + 1.0;
   std::vector<Polygon> loops = pattern.outline.loops;
   for (const Mark& mark : options.marks) {
@@ -153,8 +154,8 @@ std::vector<Polygon> free_loops(const PlacedPattern& pattern, const PatternOptio
     loops.push_back({at + Vec2{-half, -half}, at + Vec2{half, -half}, at + Vec2{half, half},
                      at + Vec2{-half, half}});
   }
-  for (Polygon& line : all_inner_lines(pattern, options))
-    loops.push_back(there_and_back(std::move(line)));
+  for (const Polygon& line : inner)
+    loops.push_back(there_and_back(line));
   for (const PlacedNotch& notch : pattern.notches) {
     for (const Polygon& stroke : notch.strokes)
       loops.push_back(there_and_back(stroke));
@@ -237,7 +238,8 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
   const PieceOutline& outline = pattern.outline;
   const std::vector<std::string> lines = lines_of(options.label, options.fold.has_value());
   check_marks(pattern.positions.size(), options.marks, outline.piece);
-  const std::vector<Polygon> free = free_loops(pattern, options);
+  std::vector<Polygon> inner = all_inner_lines(pattern, options);
+  const std::vector<Polygon> free = free_loops(pattern, options, inner);
   const LabelPlace place = lines.empty() ? LabelPlace{} : label_place(outline, free, lines);
   std::vector<Polygon> grain;
   if (options.grain) {
@@ -251,7 +253,7 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
   layers.push_back(grain_layer(std::move(grain)));
   layers.push_back(fold_layer(pattern, options.fold));
   layers.push_back(drill_layer(pattern, options.marks));
-  layers.push_back(layer_of("internal", all_inner_lines(pattern, options), k_internal));
+  layers.push_back(layer_of("internal", std::move(inner), k_internal));
   layers.push_back(annotation_layer(place, lines));
   if (options.edge_lengths) add_edge_lengths(outline, layers.back());
   return layers;

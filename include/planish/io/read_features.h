@@ -29,7 +29,7 @@ struct FixedVertices {
 FixedVertices read_fixed_vertices(const std::filesystem::path& path, const Patch& patch);
 
 /// The same from memory.
-/// @param name stands for the path in errors, and its extension tells what `bytes` are
+/// @param name used as the path in errors; its extension says which format `bytes` have
 FixedVertices parse_fixed_vertices(std::string_view bytes, const Patch& patch,
                                    const std::string& name);
 
@@ -63,7 +63,7 @@ struct CutLines {
 CutLines read_cuts(const std::filesystem::path& path, const TriMesh& mesh);
 
 /// The same from memory.
-/// @param name stands for the path in errors, and its extension tells what `bytes` are
+/// @param name used as the path in errors; its extension says which format `bytes` have
 CutLines parse_cuts(std::string_view bytes, const TriMesh& mesh, const std::string& name);
 
 /// Such a file for paths with every vertex, a cut a line.

@@ -1,19 +1,16 @@
 #include "draw/dxf/dxf_r2000.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/math.h"
 #include "core/number_text.h"
-#include "draw/dxf/dxf_entities.h"
+#include "draw/dxf/dxf_layers.h"
 #include "draw/dxf/dxf_places.h"
 #include "draw/dxf/dxf_profile.h"
 #include "draw/dxf/dxf_tags.h"
+#include "draw/dxf/r2000_frame.h"
 #include "draw/text/stroke_text.h"
 #include "pattern/curves/piece_math.h"
 
@@ -22,20 +19,6 @@ namespace planish {
 namespace {
 
 constexpr std::string_view k_version = "AC1015";
-
-/// The numbers by which entries of a file refer to each other, in hexadecimal digits.
-class Handles {
- public:
-  std::string next() {
-    std::string text;
-    for (std::size_t rest = ++last_; rest > 0; rest >>= 4U)
-      text.insert(text.begin(), "0123456789ABCDEF"[rest & 15U]);
-    return text;
-  }
-
- private:
-  std::size_t last_ = 0;
-};
 
 /// A corner of a LWPOLYLINE and the bulge of what follows: the tangent of a quarter of its angle,
 /// > 0 where it turns left.
@@ -86,8 +69,8 @@ class R2000File {
   }
 
   std::string text() {
-    DxfTags tables = tables_and_blocks();
-    DxfTags objects = objects_section();
+    DxfTags tables = frame_.tables_and_blocks(layers_.with_layer_0());
+    DxfTags objects = frame_.objects_section();
     DxfTags tags = header();  // last, as it names the next free handle
     tags.append(tables);
     tags.begin_section("ENTITIES");
@@ -102,17 +85,11 @@ class R2000File {
   void begin_entity(std::string_view kind, const std::string& layer, Color color, bool dashed,
                     bool visible) {
     entities_.add(0, kind);
-    entities_.add(5, handles_.next());
-    entities_.add(330, model_space_);
+    entities_.add(5, frame_.next_handle());
+    entities_.add(330, frame_.model_space());
     entities_.add(100, "AcDbEntity");
     entities_.add(8, layer);
-    const int number = color_number(color);
-    auto found = std::find_if(layers_.begin(), layers_.end(),
-                              [&](const DxfLayer& some) { return some.name == layer; });
-    if (found == layers_.end()) found = layers_.insert(found, {layer, number, false});
-    found->visible = found->visible || visible;
-    if (dashed) entities_.add(6, "DASHED");
-    if (number != found->color) entities_.add(62, number);
+    entities_.append(layers_.looks_on(layer, color, dashed, visible));
   }
 
   void add(const Path& path, const std::string& layer, bool visible) {
@@ -194,13 +171,7 @@ class R2000File {
     if (text.text.empty() || !std::isfinite(text.at.x) || !std::isfinite(text.at.y)) return;
     begin_entity("TEXT", layer, text.color, false, visible);
     entities_.add(100, "AcDbText");
-    entities_.add_point(10, text.at);
-    entities_.add_real(40, text.height);
-    entities_.add(1, dxf_text(text.text));
-    if (text.centred) {
-      entities_.add(72, 1);
-      entities_.add_point(11, text.at);
-    }
+    entities_.add_words(text);
     entities_.add(100, "AcDbText");
     box_.add(text.at);
   }
@@ -215,7 +186,7 @@ class R2000File {
       tags.add(code, value);
     };
     add("$ACADVER", 1, k_version);
-    add("$HANDSEED", 5, handles_.next());
+    add("$HANDSEED", 5, frame_.next_handle());
     add("$INSUNITS", 70, std::to_string(k_millimetres));
     add("$MEASUREMENT", 70, "1");
     const auto add_corner = [&](std::string_view name, Vec2 corner, bool has_height) {
@@ -232,158 +203,10 @@ class R2000File {
     return tags;
   }
 
-  /// @return the handle of the table
-  std::string begin_table(DxfTags& tags, std::string_view name, std::size_t entries) {
-    tags.add(0, "TABLE");
-    tags.add(2, name);
-    std::string handle = handles_.next();
-    tags.add(5, handle);
-    tags.add(330, "0");
-    tags.add(100, "AcDbSymbolTable");
-    tags.add(70, static_cast<int>(entries));
-    return handle;
-  }
-
-  void begin_entry(DxfTags& tags, std::string_view kind, const std::string& table,
-                   std::string_view subclass, std::string_view name,
-                   const std::optional<std::string>& handle = {}) {
-    tags.add(0, kind);
-    tags.add(5, handle ? *handle : handles_.next());
-    tags.add(330, table);
-    tags.add(100, "AcDbSymbolTableRecord");
-    tags.add(100, subclass);
-    tags.add(2, name);
-  }
-
-  void add_line_types(DxfTags& tags) {
-    const std::string table = begin_table(tags, "LTYPE", 4);
-    struct Dashes {
-      std::string_view name, picture;
-      double drawn, gap;
-    };
-    constexpr std::array<Dashes, 4> kinds = {{{"ByBlock", "", 0.0, 0.0},
-                                              {"ByLayer", "", 0.0, 0.0},
-                                              {"Continuous", "Solid line", 0.0, 0.0},
-                                              {"DASHED", "__ __ __ __", 3.0, 1.5}}};
-    for (const Dashes& dashes : kinds) {
-      begin_entry(tags, "LTYPE", table, "AcDbLinetypeTableRecord", dashes.name);
-      tags.add(70, 0);
-      tags.add(3, dashes.picture);
-      tags.add(72, 65);
-      tags.add(73, dashes.drawn > 0.0 ? 2 : 0);
-      tags.add_real(40, dashes.drawn + dashes.gap);
-      if (!(dashes.drawn > 0.0)) continue;
-      tags.add_real(49, dashes.drawn);
-      tags.add(74, 0);
-      tags.add_real(49, -dashes.gap);
-      tags.add(74, 0);
-    }
-    tags.add(0, "ENDTAB");
-  }
-
-  void add_layers(DxfTags& tags) {
-    std::vector<DxfLayer> layers = layers_;
-    const auto is_zero = [](const DxfLayer& layer) { return layer.name == "0"; };
-    if (std::none_of(layers.begin(), layers.end(), is_zero)) layers.insert(layers.begin(), {"0"});
-    const std::string table = begin_table(tags, "LAYER", layers.size());
-    for (const DxfLayer& layer : layers) {
-      begin_entry(tags, "LAYER", table, "AcDbLayerTableRecord", layer.name);
-      tags.add(70, 0);
-      tags.add(62, layer.visible ? layer.color : -layer.color);
-      tags.add(6, "Continuous");
-    }
-    tags.add(0, "ENDTAB");
-  }
-
-  void add_styles(DxfTags& tags) {
-    std::string table = begin_table(tags, "STYLE", 1);
-    begin_entry(tags, "STYLE", table, "AcDbTextStyleTableRecord", "Standard");
-    tags.add(70, 0);
-    tags.add_real(40, 0.0);  // no height of its own
-    tags.add_real(41, 1.0);
-    tags.add_real(50, 0.0);
-    tags.add(71, 0);
-    tags.add_real(42, k_text_height);
-    tags.add(3, "txt");
-    tags.add(4, "");
-    tags.add(0, "ENDTAB");
-    for (const char* empty : {"VIEW", "UCS"}) {
-      begin_table(tags, empty, 0);
-      tags.add(0, "ENDTAB");
-    }
-    table = begin_table(tags, "APPID", 1);
-    begin_entry(tags, "APPID", table, "AcDbRegAppTableRecord", "ACAD");
-    tags.add(70, 0);
-    tags.add(0, "ENDTAB");
-    begin_table(tags, "DIMSTYLE", 0);
-    tags.add(100, "AcDbDimStyleTable");
-    tags.add(0, "ENDTAB");
-  }
-
-  void add_block(DxfTags& tags, std::string_view name, const std::string& record) {
-    tags.add(0, "BLOCK");
-    tags.add(5, handles_.next());
-    tags.add(330, record);
-    tags.add(100, "AcDbEntity");
-    tags.add(8, "0");
-    tags.add(100, "AcDbBlockBegin");
-    tags.add(2, name);
-    tags.add(70, 0);
-    tags.add_point(10, {});
-    tags.add(3, name);
-    tags.add(1, "");
-    tags.add(0, "ENDBLK");
-    tags.add(5, handles_.next());
-    tags.add(330, record);
-    tags.add(100, "AcDbEntity");
-    tags.add(8, "0");
-    tags.add(100, "AcDbBlockEnd");
-  }
-
-  DxfTags tables_and_blocks() {
-    DxfTags tags;
-    tags.begin_section("TABLES");
-    begin_table(tags, "VPORT", 0);
-    tags.add(0, "ENDTAB");
-    add_line_types(tags);
-    add_layers(tags);
-    add_styles(tags);
-    const std::string table = begin_table(tags, "BLOCK_RECORD", 2);
-    begin_entry(tags, "BLOCK_RECORD", table, "AcDbBlockTableRecord", "*Model_Space", model_space_);
-    begin_entry(tags, "BLOCK_RECORD", table, "AcDbBlockTableRecord", "*Paper_Space", paper_space_);
-    tags.add(0, "ENDTAB");
-    tags.end_section();
-    tags.begin_section("BLOCKS");
-    add_block(tags, "*Model_Space", model_space_);
-    add_block(tags, "*Paper_Space", paper_space_);
-    tags.end_section();
-    return tags;
-  }
-
-  DxfTags objects_section() {
-    DxfTags tags;
-    tags.begin_section("OBJECTS");
-    const std::string root = handles_.next(), groups = handles_.next();
-    const auto add_dictionary = [&](const std::string& handle, const std::string& owner) {
-      tags.add(0, "DICTIONARY");
-      tags.add(5, handle);
-      tags.add(330, owner);
-      tags.add(100, "AcDbDictionary");
-      tags.add(281, 1);
-    };
-    add_dictionary(root, "0");
-    tags.add(3, "ACAD_GROUP");
-    tags.add(350, groups);
-    add_dictionary(groups, root);
-    tags.end_section();
-    return tags;
-  }
-
   const Drawing& drawing_;
-  Handles handles_;
-  std::string model_space_ = handles_.next(), paper_space_ = handles_.next();
+  R2000Frame frame_;
   DxfTags entities_;
-  std::vector<DxfLayer> layers_;
+  DxfLayers layers_;
   DxfBox box_;
 };
 

@@ -9,6 +9,7 @@ namespace planish {
 namespace {
 
 constexpr std::size_t k_longest_name = 31;
+constexpr double k_text_height = 3.0;  // that programs begin with, millimetres
 
 void append_escaped(std::string& text, char32_t value) {
   for (const char16_t unit : utf16_units(value)) {
@@ -70,6 +71,26 @@ void DxfTags::add_text(std::string_view layer, Vec2 at, double height, std::stri
   add_point(10, at);
   add_real(40, height);
   add(1, dxf_text(text));
+}
+
+void DxfTags::add_words(const Text& text) {
+  add_point(10, text.at);
+  add_real(40, text.height);
+  add(1, dxf_text(text.text));
+  if (!text.centred) return;
+  add(72, 1);
+  add_point(11, text.at);
+}
+
+void DxfTags::add_text_style() {
+  add(70, 0);
+  add_real(40, 0.0);  // no height of its own
+  add_real(41, 1.0);
+  add_real(50, 0.0);
+  add(71, 0);
+  add_real(42, k_text_height);
+  add(3, "txt");
+  add(4, "");
 }
 
 void DxfTags::add_polyline(std::string_view layer, std::span<const Vec2> places, bool closed,

@@ -5,11 +5,11 @@
 #include <string_view>
 
 #include <planish/core/vec.h>
+#include <planish/draw/drawing.h>
 
 namespace planish {
 
-inline constexpr int k_millimetres = 4;       // as $INSUNITS counts units
-inline constexpr double k_text_height = 3.0;  // that programs begin with, millimetres
+inline constexpr int k_millimetres = 4;  // as $INSUNITS counts units
 
 /// The lines of a DXF file: each value below the code of what it is.
 class DxfTags {
@@ -27,6 +27,10 @@ class DxfTags {
   void add_point_entity(std::string_view layer, Vec2 place, double height = 0.0);
   /// A TEXT whose line begins at the place.
   void add_text(std::string_view layer, Vec2 at, double height, std::string_view text);
+  /// Place, height, words and alignment of a TEXT.
+  void add_words(const Text& text);
+  /// What follows the name of the text style that every file has.
+  void add_text_style();
   /// A POLYLINE with its VERTEX entities and SEQEND.
   /// @param looks tags of colour and line type
   void add_polyline(std::string_view layer, std::span<const Vec2> places, bool closed,

@@ -69,14 +69,6 @@ void add_line_type(DxfTags& tags, std::string_view name, std::string_view pictur
     tags.add_real(49, dash);
 }
 
-// The layers that there are, and layer 0, which every file has.
-std::vector<DxfLayer> table_of(const DxfEntities& entities) {
-  std::vector<DxfLayer> layers = entities.layers();
-  const auto is_it = [](const DxfLayer& layer) { return layer.name == "0"; };
-  if (std::none_of(layers.begin(), layers.end(), is_it)) layers.insert(layers.begin(), {"0"});
-  return layers;
-}
-
 void add_tables(DxfTags& tags, const DxfEntities& entities) {
   tags.begin_section("TABLES");
   begin_table(tags, "LTYPE", 2);
@@ -84,7 +76,7 @@ void add_tables(DxfTags& tags, const DxfEntities& entities) {
   add_line_type(tags, "DASHED", "__ __ __ __", {3.0, -1.5});
   tags.add(0, "ENDTAB");
 
-  const std::vector<DxfLayer> layers = table_of(entities);
+  const std::vector<DxfLayer> layers = entities.layers().with_layer_0();
   begin_table(tags, "LAYER", layers.size());
   for (const DxfLayer& layer : layers) {
     tags.add(0, "LAYER");
@@ -98,14 +90,7 @@ void add_tables(DxfTags& tags, const DxfEntities& entities) {
   begin_table(tags, "STYLE", 1);
   tags.add(0, "STYLE");
   tags.add(2, "STANDARD");
-  tags.add(70, 0);
-  tags.add_real(40, 0.0);  // no height of its own
-  tags.add_real(41, 1.0);
-  tags.add_real(50, 0.0);
-  tags.add(71, 0);
-  tags.add_real(42, k_text_height);
-  tags.add(3, "txt");
-  tags.add(4, "");
+  tags.add_text_style();
   tags.add(0, "ENDTAB");
   tags.end_section();
 }

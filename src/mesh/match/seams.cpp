@@ -180,21 +180,24 @@ class SeamChoice {
       const std::size_t first = std::min_element(seam.pairs.begin(), seam.pairs.end())->first;
       for (const Pair& pair : seam.pairs)
         sewn_[pair.first] = sewn_[pair.second] = true;
-      const Patches patches = patches_of(seam.seam);
-      by_patches_[patches].push_back({first, std::move(seam), true});
+      ExactSeams& exact = by_patches_[patches_of(seam.seam)];
+      for (const Pair& pair : seam.pairs) {
+        exact.at_edge[pair.first].push_back(exact.seams.size());
+        exact.at_edge[pair.second].push_back(exact.seams.size());
+      }
+      exact.seams.push_back({first, std::move(seam), true});
     }
   }
 
   void add(CurveSeam curve) {
-    std::vector<Exact>& exact = by_patches_[patches_of(curve.seam)];
+    ExactSeams& exact = by_patches_[patches_of(curve.seam)];
     const Overlap overlap = overlap_of(curve, exact);
     if (!overlap.is_any() && is_sewn(curve.edges[0]) && is_sewn(curve.edges[1])) return;
     const bool divides_it = overlap.inside.size() > 1 && !overlap.has_other;
     if (overlap.is_any() && !divides_it && !leaves_a_seam(curve, overlap.matched)) return;
     for (Exact* other : overlap.inside)
       other->is_kept = false;
-    for (Exact& other : exact)
-      other.is_kept = other.is_kept && !is_stray(other.found);
+    drop_strays(exact);
     const std::size_t first = *std::min_element(curve.edges[0].begin(), curve.edges[0].end());
     curves_.push_back({first, std::move(curve.seam)});
   }
@@ -202,7 +205,7 @@ class SeamChoice {
   std::vector<Seam> seams() {
     std::vector<Placed> all = std::move(curves_);
     for (auto& [patches, exact] : by_patches_) {
-      for (Exact& seam : exact)
+      for (Exact& seam : exact.seams)
         if (seam.is_kept) all.push_back({seam.first, std::move(seam.found.seam)});
     }
     std::stable_sort(all.begin(), all.end(), [](const Placed& a, const Placed& b) {
@@ -225,6 +228,19 @@ class SeamChoice {
     VertexSeam found;
     bool is_kept;
   };
+  /// Those of two patches.
+  struct ExactSeams {
+    std::vector<Exact> seams;
+    std::map<std::size_t, std::vector<std::size_t>> at_edge;  // numbers of the seams on it
+    bool has_no_strays = false;
+  };
+
+  void drop_strays(ExactSeams& exact) const {
+    if (exact.has_no_strays) return;
+    for (Exact& seam : exact.seams)
+      seam.is_kept = seam.is_kept && !is_stray(seam.found);
+    exact.has_no_strays = true;
+  }
 
   /// Whether nearly all of the edges are in seams with equal vertices: then what lies beside them
   /// is another layer.
@@ -244,15 +260,23 @@ class SeamChoice {
     bool is_any() const { return has_other || !inside.empty(); }
   };
 
-  static Overlap overlap_of(const CurveSeam& curve, std::vector<Exact>& exact) {
+  static Overlap overlap_of(const CurveSeam& curve, ExactSeams& exact) {
     const std::set<std::size_t> first(curve.edges[0].begin(), curve.edges[0].end());
     const std::set<std::size_t> second(curve.edges[1].begin(), curve.edges[1].end());
     const auto is_inside = [&](const Pair& pair) {
       return (first.count(pair.first) > 0 && second.count(pair.second) > 0) ||
              (first.count(pair.second) > 0 && second.count(pair.first) > 0);
     };
+    std::set<std::size_t> along;
+    for (const std::vector<std::size_t>& side : curve.edges) {
+      for (const std::size_t edge : side) {
+        const auto found = exact.at_edge.find(edge);
+        if (found != exact.at_edge.end()) along.insert(found->second.begin(), found->second.end());
+      }
+    }
     Overlap overlap;
-    for (Exact& other : exact) {
+    for (const std::size_t number : along) {
+      Exact& other = exact.seams[number];
       const std::vector<Pair>& pairs = other.found.pairs;
       const auto count =
           static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), is_inside));
@@ -298,7 +322,7 @@ class SeamChoice {
 
   const BorderLines& borders_;
   std::vector<bool> sewn_;  // of each edge, in a seam with equal vertices
-  std::map<Patches, std::vector<Exact>> by_patches_;
+  std::map<Patches, ExactSeams> by_patches_;
   std::vector<Placed> curves_;
 };
 

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include "pattern/curves/piece_math.h"
 #include "pattern/polygon/border_walk.h"
+#include "pattern/polygon/plane.h"
 
 namespace planish {
 

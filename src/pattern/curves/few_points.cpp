@@ -8,7 +8,7 @@
 #include <planish/pattern/curve.h>
 
 #include "pattern/curves/corners.h"
-#include "pattern/curves/piece_math.h"
+#include "pattern/polygon/plane.h"
 
 namespace planish {
 
@@ -18,13 +18,6 @@ constexpr double k_least_tolerance = 0.016;  // millimetres: tries go down to it
 constexpr double k_same = 1e-6;              // millimetres: two places are one
 constexpr double k_on_line = 1e-3;           // millimetres: a place is on a line
 constexpr double k_for_chords = 0.83;  // of the tolerance: moving points outwards takes up the rest
-
-double distance_to(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 way = b - a;
-  const double square = dot(way, way);
-  const double share = square > 0.0 ? std::clamp(dot(p - a, way) / square, 0.0, 1.0) : 0.0;
-  return norm(p - (a + share * way));
-}
 
 /// The directions in which a line from a point passes near others.
 class Wedge {
@@ -128,7 +121,7 @@ bool is_near(std::span<const Vec2> points, const std::vector<std::size_t>& chose
              const Polygon& chords, double tolerance) {
   for (std::size_t k = 1; k < chosen.size(); ++k) {
     for (std::size_t i = chosen[k - 1]; i <= chosen[k]; ++i) {
-      if (distance_to(points[i], chords[k - 1], chords[k]) > tolerance) return false;
+      if (distance_to_segment(points[i], chords[k - 1], chords[k]) > tolerance) return false;
     }
   }
   return true;
@@ -156,7 +149,7 @@ std::optional<std::size_t> edge_at(const Polygon& loop, Vec2 place) {
   std::optional<std::size_t> nearest;
   double least = k_on_line;
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    const double distance = distance_to(place, loop[i], loop[(i + 1) % loop.size()]);
+    const double distance = distance_to_segment(place, loop[i], loop[(i + 1) % loop.size()]);
     if (!(distance < least)) continue;
     least = distance;
     nearest = i;

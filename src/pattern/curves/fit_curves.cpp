@@ -8,6 +8,7 @@
 #include "pattern/curves/corners.h"
 #include "pattern/curves/fit_cubic.h"
 #include "pattern/curves/piece_math.h"
+#include "pattern/polygon/plane.h"
 
 namespace planish {
 

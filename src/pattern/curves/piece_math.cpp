@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "core/math.h"
+#include "pattern/polygon/plane.h"
 
 namespace planish {
 
@@ -132,14 +133,6 @@ Curve moved(const Curve& curve, const std::function<Vec2(Vec2)>& motion) {
     }
   }
   return other;
-}
-
-Vec2 direction_of(Vec2 v) {
-  return 1.0 / norm(v) * v;
-}
-
-double turn_between(Vec2 a, Vec2 b) {
-  return math::atan2(cross(a, b), dot(a, b));
 }
 
 }  // namespace planish

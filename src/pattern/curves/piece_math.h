@@ -39,10 +39,4 @@ Curve reversed(const Curve& curve);
 /// @param motion that keeps lengths
 Curve moved(const Curve& curve, const std::function<Vec2(Vec2)>& motion);
 
-/// @pre the vector is not 0
-Vec2 direction_of(Vec2 v);
-
-/// The angle from a to b, -pi to pi, > 0 where b is to the left.
-double turn_between(Vec2 a, Vec2 b);
-
 }  // namespace planish

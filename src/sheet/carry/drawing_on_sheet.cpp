@@ -12,6 +12,7 @@
 #include <planish/core/error.h>
 
 #include "core/figure_text.h"
+#include "pattern/polygon/plane.h"
 #include "sheet/sheet_layout.h"
 
 namespace planish {
@@ -122,11 +123,8 @@ double distance_from(std::span<const Vec2> border, std::span<const std::vector<V
     double least = std::numeric_limits<double>::infinity();
     for (const std::vector<Vec2>& line : outline) {
       for (std::size_t k = 0; k < line.size(); ++k) {
-        const Vec2 a = line[k], way = line[(k + 1) % line.size()] - a;
-        const Vec2 apart = origin + border[i] - a;
-        const double square = dot(way, way);
-        const double share = square > 0.0 ? std::clamp(dot(apart, way) / square, 0.0, 1.0) : 0.0;
-        least = std::min(least, norm(apart - share * way));
+        const Vec2 a = line[k], b = line[(k + 1) % line.size()];
+        least = std::min(least, distance_to_segment(origin + border[i], a, b));
       }
     }
     most = std::max(most, least);

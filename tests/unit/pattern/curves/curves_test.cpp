@@ -11,6 +11,7 @@
 #include "oracle/outline_distance.h"
 #include "pattern/curves/corners.h"
 #include "pattern/curves/piece_math.h"
+#include "pattern/polygon/plane.h"
 
 namespace planish {
 namespace {

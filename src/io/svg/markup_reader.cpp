@@ -21,7 +21,8 @@ bool ends_name(char c) {
   return is_blank(c) || c == '=' || c == '>' || c == '/' || c == '<' || c == '"' || c == '\'';
 }
 
-/// What an entity stands for; nothing for unknown ones. Letters that are not ASCII matter nowhere.
+/// The character that an entity means; nothing for unknown ones. No letter beyond ASCII has a meaning
+/// in what is read.
 std::optional<char> meaning_of(std::string_view entity) {
   constexpr std::pair<std::string_view, char> known[] = {
       {"amp", '&'}, {"lt", '<'}, {"gt", '>'}, {"quot", '"'}, {"apos", '\''}};

@@ -21,8 +21,7 @@ bool ends_name(char c) {
   return is_blank(c) || c == '=' || c == '>' || c == '/' || c == '<' || c == '"' || c == '\'';
 }
 
-/// The character that an entity means; nothing for unknown ones. No letter beyond ASCII has a meaning
-/// in what is read.
+/// The character of an entity, '?' for any beyond ASCII; nothing for unknown entities.
 std::optional<char> meaning_of(std::string_view entity) {
   constexpr std::pair<std::string_view, char> known[] = {
       {"amp", '&'}, {"lt", '<'}, {"gt", '>'}, {"quot", '"'}, {"apos", '\''}};

@@ -63,11 +63,15 @@ EvolveReport evolve_remeshed(const Patch& original, const RemeshedPatch& remeshe
   return report;
 }
 
-UnfoldReport unfold_patch(const Patch& patch, Unit unit, const UnfoldOptions& options,
+UnfoldReport unfold_patch(const Patch& patch, Unit unit, const UnfoldOptions& wanted,
                           const Context& context) {
+  constexpr double k_hair = 0.1;  // millimetres
+  UnfoldOptions options = wanted;
+  options.open_crossings = k_hair / millimetres_per(unit);
   UnfoldReport report;
   report.unit = unit;
   report.pattern = unfold(patch, options, context);
+  report.overlap = overlap_of(patch, report.pattern);
   const auto strain_of = [&](const std::vector<Vec2>& positions) {
     return edge_strain(patch, positions);
   };

@@ -77,6 +77,8 @@ class TwinPattern {
       *places = laid_alike(*places);
     report.strain = strain_of(pattern.positions);
     report.border_strain = largest_border_strain(patch_, pattern.positions);
+    report.overlap = overlap_of(patch_, pattern);
+    if (pattern.opened) pattern.opened->vertex = vertex_[pattern.opened->vertex];
     if (report.unmatched_strain) report.unmatched_strain = strain_of(pattern.unmatched);
     if (report.unlimited_strain) report.unlimited_strain = strain_of(pattern.unlimited);
     report.limits = limits_alike(report.limits, pattern.positions);

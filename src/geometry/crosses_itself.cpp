@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace planish {
@@ -24,12 +25,22 @@ Vec2 crossing(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 }  // namespace
 
 bool crosses_itself(std::span<const Vec2> polygon) {
-  return !self_crossings(polygon, 1).empty();
+  return !crossing_sides(polygon, 1).empty();
 }
 
 std::vector<Vec2> self_crossings(std::span<const Vec2> polygon, std::size_t most) {
+  const std::size_t n = polygon.size();
   std::vector<Vec2> places;
-  if (most == 0) return places;
+  for (const auto& [p, q] : crossing_sides(polygon, most)) {
+    places.push_back(crossing(polygon[p], polygon[(p + 1) % n], polygon[q], polygon[(q + 1) % n]));
+  }
+  return places;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> crossing_sides(std::span<const Vec2> polygon,
+                                                                std::size_t most) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  if (most == 0) return pairs;
   const std::size_t n = polygon.size();
   struct Side {
     Vec2 begin, end;
@@ -61,13 +72,13 @@ std::vector<Vec2> self_crossings(std::span<const Vec2> polygon, std::size_t most
       if (other->high < side.low || other->low > side.high) continue;
       if (!neighbours(side.number, other->number) &&
           cross_properly(side.begin, side.end, other->begin, other->end)) {
-        places.push_back(crossing(side.begin, side.end, other->begin, other->end));
-        if (places.size() == most) return places;
+        pairs.emplace_back(side.number, other->number);
+        if (pairs.size() == most) return pairs;
       }
     }
     open.push_back(&side);
   }
-  return places;
+  return pairs;
 }
 
 }  // namespace planish

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <planish/core/vec.h>
@@ -11,6 +12,11 @@ namespace planish {
 /// True if two sides of a closed polygon that share no end cross each other. Sides that only touch,
 /// as those of a slit do, do not count. Time n log n and n times the sides that a line meets.
 bool crosses_itself(std::span<const Vec2> polygon);
+
+/// Such sides, by the number of their first end, as far as there are so many pairs, in no special
+/// order.
+std::vector<std::pair<std::size_t, std::size_t>> crossing_sides(std::span<const Vec2> polygon,
+                                                                std::size_t most);
 
 /// Where such sides cross, as far as there are so many places, in no special order.
 std::vector<Vec2> self_crossings(std::span<const Vec2> polygon, std::size_t most);

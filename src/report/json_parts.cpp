@@ -72,12 +72,28 @@ Json to_json(const std::vector<StrainLimitCheck>& checks) {
   return list;
 }
 
+Json to_json(const std::optional<Overlap>& overlap) {
+  if (!overlap) return nullptr;
+  return {{"low", {overlap->low.x, overlap->low.y}},
+          {"high", {overlap->high.x, overlap->high.y}},
+          {"crossings", overlap->crossings}};
+}
+
+Json to_json(const std::optional<OpenedCrossings>& opened) {
+  if (!opened) return nullptr;
+  return {{"crossings", opened->crossings},
+          {"largest_move", opened->largest_move},
+          {"vertex", opened->vertex}};
+}
+
 Json to_json(const UnfoldReport& report) {
   const Pattern& pattern = report.pattern;
   return {{"strain", to_json(report.strain)},
           {"area_ratio", pattern.area_ratio},
           {"flipped_triangles", pattern.flipped_triangles},
           {"overlaps", pattern.overlaps},
+          {"overlap", to_json(report.overlap)},
+          {"opened", to_json(pattern.opened)},
           {"width", pattern.width},
           {"height", pattern.height},
           {"unit", to_string(report.unit)},

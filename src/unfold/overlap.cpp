@@ -9,6 +9,7 @@
 namespace planish {
 
 std::optional<Overlap> overlap_of(const Patch& patch, const Pattern& pattern) {
+  if (!pattern.overlaps) return std::nullopt;
   constexpr std::size_t most = 1000;
   std::vector<Vec2> places;
   for (const std::vector<Index>& loop : patch.border_loops()) {

@@ -8,6 +8,7 @@
 #include "core/job.h"
 #include "geometry/crosses_itself.h"
 #include "unfold/disk/disk.h"
+#include "unfold/open_border.h"
 #include "unfold/placement.h"
 #include "unfold/start/start.h"
 #include "unfold/stretch/least_stretch.h"
@@ -135,12 +136,19 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
     }
   }
 
-  std::vector<Vec2> outline;
-  for (const Index v : disk.border)
-    outline.push_back(flat.flat[v]);
   pattern.iterations = flat.iterations;
   pattern.converged = flat.converged;
-  pattern.overlaps = crosses_itself(outline);
+  pattern.overlaps = crosses_itself(border_of(disk, flat.flat));
+  if (pattern.overlaps && !options.match_seams) {
+    const double most = disk.area_scale * (disk.box_scale * options.open_crossings);
+    if (std::optional<OpenBorder> open = open_border(disk, flat.flat, most)) {
+      flat.flat = std::move(open->flat);
+      pattern.overlaps = false;
+      pattern.opened = {open->crossings, in_model_units(disk, {open->largest_move, 0.0}).x,
+                        disk.vertex_of[open->vertex]};
+    }
+  }
+  const std::vector<Vec2> outline = border_of(disk, flat.flat);
   const std::vector<Vec2> placed = place_in_smallest_box(std::move(flat.flat), outline);
   CarefulSum area;
   for (const Triangle& t : disk.triangles) {

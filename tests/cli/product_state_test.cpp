@@ -19,6 +19,8 @@ FinishedPatch results() {
   pattern.area_ratio = 1.0 / 3.0;
   pattern.flipped_triangles = 3;
   pattern.overlaps = true;
+  pattern.opened = OpenedCrossings{4, 0.0625, 2};
+  patch.unfold.overlap = Overlap{{1.0, 2.5}, {3.0, 4.5}, 5};
   pattern.iterations = 17;
   pattern.converged = true;
   patch.unfold.unit = Unit::cm;

@@ -333,7 +333,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   std::vector<OutputFile> files =
       about(path, [&] { return files_of(report, paths, format, pattern, words, json); });
   if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
-  warn_of_pattern(session, report.processed, report.unfold);
+  warn_of_pattern(session, report.unfold);
   const std::string text =
       path + "  (" + size + ")\n" + flatten_text(report) + (nesting ? nesting->text : "");
   CommandResult outcome =

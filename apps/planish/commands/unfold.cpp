@@ -149,7 +149,7 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
   const std::string content = about(path, [&] {
     return content_of(output, path, patch, report, request.output, request.annotations);
   });
-  warn_of_pattern(session, patch, report);
+  warn_of_pattern(session, report);
   CommandResult outcome = {
       path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(report),
       json_report(report, figures_of_cut(input.cut))};

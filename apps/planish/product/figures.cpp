@@ -39,6 +39,26 @@ void list(StrainLimitCheck& check, const Visit& visit) {
 }
 
 template <class Visit>
+void list(Vec2& place, const Visit& visit) {
+  visit("x", place.x);
+  visit("y", place.y);
+}
+
+template <class Visit>
+void list(Overlap& overlap, const Visit& visit) {
+  visit("low", overlap.low);
+  visit("high", overlap.high);
+  visit("crossings", overlap.crossings);
+}
+
+template <class Visit>
+void list(OpenedCrossings& opened, const Visit& visit) {
+  visit("crossings", opened.crossings);
+  visit("largest_move", opened.largest_move);
+  visit("vertex", opened.vertex);
+}
+
+template <class Visit>
 void list(Pattern& pattern, const Visit& visit) {
   visit("width", pattern.width);
   visit("height", pattern.height);
@@ -47,6 +67,7 @@ void list(Pattern& pattern, const Visit& visit) {
   visit("overlaps", pattern.overlaps);
   visit("iterations", pattern.iterations);
   visit("converged", pattern.converged);
+  visit("opened", pattern.opened);
 }
 
 template <class Visit>
@@ -58,6 +79,7 @@ void list(UnfoldReport& unfold, const Visit& visit) {
   visit("unmatched_strain", unfold.unmatched_strain);
   visit("limits", unfold.limits);
   visit("unlimited_strain", unfold.unlimited_strain);
+  visit("overlap", unfold.overlap);
 }
 
 template <class Visit>

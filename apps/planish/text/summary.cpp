@@ -377,8 +377,8 @@ void warn_of_method(Session& session, const Method& method, const Failure& failu
 }
 
 /// Where a pattern overlaps itself, from its lower left corner; empty where that is not known.
-std::string overlap_text(const Patch& patch, const UnfoldReport& report) {
-  const auto overlap = overlap_of(patch, report.pattern);
+std::string overlap_text(const UnfoldReport& report) {
+  const auto& overlap = report.overlap;
   if (!overlap) return {};
   const ShownLengths lengths(report.unit);
   const Vec2 middle = 0.5 * (overlap->low + overlap->high), size = overlap->high - overlap->low;
@@ -387,12 +387,24 @@ std::string overlap_text(const Patch& patch, const UnfoldReport& report) {
          ", where its border crosses itself " + counted(overlap->crossings, "time");
 }
 
-void warn_of_pattern(Session& session, const Patch& patch, const UnfoldReport& report) {
+/// Of a border that crossed itself by a hair.
+std::string opened_text(const UnfoldReport& report) {
+  const OpenedCrossings& opened = *report.pattern.opened;
+  const ShownLengths lengths(report.unit);
+  const Vec2 place = report.pattern.positions[opened.vertex];
+  return "the border of the pattern crossed itself by a hair, " +
+         counted(opened.crossings, "time") + ": it was moved apart by " +
+         lengths.text(opened.largest_move) + " at most, at (" + lengths.number(place.x) + ", " +
+         lengths.text(place.y) + ") most";
+}
+
+void warn_of_pattern(Session& session, const UnfoldReport& report) {
   const Pattern& pattern = report.pattern;
   if (pattern.overlaps) {
-    session.warn("the pattern overlaps itself" + overlap_text(patch, report) +
+    session.warn("the pattern overlaps itself" + overlap_text(report) +
                  ", and gets no seam allowance: cut the patch open before cutting material");
   }
+  if (pattern.opened) session.note(opened_text(report));
   if (pattern.flipped_triangles > 0) {
     session.warn(counted(pattern.flipped_triangles, "triangle") +
                  " of the pattern are flipped over: do not cut it");

@@ -47,6 +47,6 @@ void note_memory(Session& session, const Method& method, std::size_t vertices);
 void warn_of_method(Session& session, const Method& method, const Failure& failure);
 
 /// Warns of what makes a pattern unfit for cutting.
-void warn_of_pattern(Session& session, const Patch& patch, const UnfoldReport& report);
+void warn_of_pattern(Session& session, const UnfoldReport& report);
 
 }  // namespace planish::cli

@@ -121,6 +121,7 @@ struct UnfoldReport {
   std::vector<StrainLimitCheck> limits = {};
   /// Where a limit changed the pattern: the strain of the one of least stretch.
   std::optional<EdgeStrain> unlimited_strain = {};
+  std::optional<Overlap> overlap = {};  ///< where pattern.overlaps
 };
 
 /// What the main job is asked for.
@@ -256,7 +257,7 @@ SmoothedDesign smooth_design(const Patch& raw, double length);
 /// The report of an evolution of a smoothed design, with what smoothing did.
 EvolveReport with_smoothing(EvolveReport report, const Patch& raw, const SmoothedFirst& done);
 
-/// Unfolds with all figures around it.
+/// Unfolds with all figures around it. Crossings of the border are opened by 0.1 mm at most.
 /// @throws as unfold()
 UnfoldReport unfold_patch(const Patch& patch, Unit unit, const UnfoldOptions& options = {},
                           const Context& context = {});

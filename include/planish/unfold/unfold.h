@@ -21,6 +21,16 @@ struct UnfoldOptions {
   /// has nearly the least rms. With match_seams no limit is optimised. check_limits() tells what
   /// is kept.
   StrainLimits limits = {};
+  /// Where the border crosses itself by a hair, its vertices are moved apart by this at most, model
+  /// units; 0 leaves them. With match_seams none is moved, as that would change lengths.
+  double open_crossings = 0.0;
+};
+
+/// Where the border of a pattern crossed itself by a hair and was moved apart.
+struct OpenedCrossings {
+  std::size_t crossings = 0;  ///< how many there were; a hundred are opened at most
+  double largest_move = 0.0;  ///< of a border vertex, model units
+  Index vertex = 0;           ///< of the mesh: the one that moved most
 };
 
 /// A patch laid flat, in the plane and true to scale, in model units. It is turned so that its
@@ -39,6 +49,7 @@ struct Pattern {
   std::vector<Vec2> unmatched = {};
   /// Where a limit changed the pattern: the one of least stretch, turned and shifted somehow.
   std::vector<Vec2> unlimited = {};
+  std::optional<OpenedCrossings> opened = {};  ///< see UnfoldOptions::open_crossings
 };
 
 /// Whether unfold() takes a patch of this kind and size. For callers who change it first.

@@ -88,6 +88,14 @@ std::vector<double> border_lengths(const TriMesh& mesh, const Disk& disk) {
   return lengths;
 }
 
+std::vector<Vec2> border_of(const Disk& disk, std::span<const Vec2> flat) {
+  std::vector<Vec2> outline;
+  outline.reserve(disk.border.size());
+  for (const Index v : disk.border)
+    outline.push_back(flat[v]);
+  return outline;
+}
+
 bool all_upright(const Disk& disk, std::span<const Vec2> flat) {
   return std::all_of(disk.triangles.begin(), disk.triangles.end(), [&](const Triangle& t) {
     const Vec2 a = flat[t[1]] - flat[t[0]], b = flat[t[2]] - flat[t[0]], c = b - a;

@@ -38,6 +38,9 @@ Disk make_disk(const Patch& patch);
 /// The lengths on the patch of the sides from border[k] to border[k + 1], in the disk's units.
 std::vector<double> border_lengths(const TriMesh& mesh, const Disk& disk);
 
+/// The border laid flat, vertex by vertex.
+std::vector<Vec2> border_of(const Disk& disk, std::span<const Vec2> flat);
+
 /// Twice the signed area of a triangle laid flat.
 inline double doubled_area(const Triangle& t, std::span<const Vec2> flat) {
   return cross(flat[t[1]] - flat[t[0]], flat[t[2]] - flat[t[0]]);

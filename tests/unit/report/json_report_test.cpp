@@ -189,6 +189,8 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
                         {"area_ratio", 1.0021},
                         {"flipped_triangles", 2},
                         {"overlaps", true},
+                        {"overlap", nullptr},
+                        {"opened", nullptr},
                         {"width", 30.0},
                         {"height", 20.0},
                         {"unit", "cm"},
@@ -202,6 +204,12 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
   report.unmatched_strain = EdgeStrain{.max = 0.5, .rms = 0.125, .p99 = 0.375};
   const Json matched = Json::parse(json_report(report));
   EXPECT_EQ(matched["match_seams"], true);
+  report.overlap = Overlap{{1.0, 2.0}, {3.0, 4.0}, 5};
+  report.pattern.opened = OpenedCrossings{2, 0.0625, 7};
+  const Json crossing = Json::parse(json_report(report));
+  EXPECT_EQ(crossing["overlap"],
+            Json({{"low", {1.0, 2.0}}, {"high", {3.0, 4.0}}, {"crossings", 5}}));
+  EXPECT_EQ(crossing["opened"], Json({{"crossings", 2}, {"largest_move", 0.0625}, {"vertex", 7}}));
   EXPECT_EQ(matched["unmatched_strain"], Json({{"max", 0.5}, {"rms", 0.125}, {"p99", 0.375}}));
 }
 

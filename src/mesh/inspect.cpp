@@ -327,9 +327,29 @@ std::optional<Problem> blocking_problem(const Inspection& inspection, Purpose pu
   return std::nullopt;
 }
 
+namespace {
+
+/// Of a mesh that lacks so many triangles that its file may have been cut short; else nothing.
+std::string unused_vertices_text(const Inspection& inspection) {
+  constexpr double k_many = 0.05;
+  for (const Problem& problem : inspection.problems) {
+    const double most = k_many * static_cast<double>(inspection.topology.vertices);
+    if (problem.code != ErrorCode::unreferenced_vertex ||
+        static_cast<double>(problem.count) <= most) {
+      continue;
+    }
+    return ". " + std::to_string(problem.count) + " of " +
+           counted(inspection.topology.vertices, "vertex is", "vertices are") +
+           " used by no triangle: is the file whole?";
+  }
+  return {};
+}
+
+}  // namespace
+
 void require(const Inspection& inspection, Purpose purpose) {
   if (const auto problem = blocking_problem(inspection, purpose)) {
-    throw Error(problem->code, problem->message,
+    throw Error(problem->code, problem->message + unused_vertices_text(inspection),
                 {.path = {}, .first = problem->first, .count = problem->count});
   }
 }

@@ -12,8 +12,8 @@ void append_limit(std::string& csv, double limit) {
 }
 
 void append_point(std::string& csv, const Candidate& point) {
-  csv += std::string(name_of(point.method)) + ',';
-  const auto* options = std::get_if<Auto>(&point.method);
+  csv += std::string(point.is_design() ? "design" : name_of(point.method)) + ',';
+  const auto* options = point.is_design() ? nullptr : std::get_if<Auto>(&point.method);
   append_limit(csv, options != nullptr ? options->max_strain : 0.0);
   for (const double value :
        {point.strain.rms, point.strain.p99, point.strain.max, point.deviation.rms,
@@ -45,6 +45,7 @@ std::string frontier_csv(const FrontierReport& report) {
       "method,max_strain,strain_rms,strain_p99,strain_max,deviation_rms,deviation_max,"
       "rms_over_diagonal,flattenable,bending_ratio,bending_added,smooth,sweeps,stop,seconds,"
       "max_rms_strain,prefer,dominated\n";
+  append_point(csv, report.design);
   for (const auto* points : {&report.curve, &report.others}) {
     for (const Candidate& point : *points)
       append_point(csv, point);

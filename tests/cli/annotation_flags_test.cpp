@@ -106,6 +106,9 @@ TEST_F(AnnotationsFlags, AreRefusedWhereTheyDoNothing) {
 }
 
 TEST_F(AnnotationsFlags, SayHowTheyMustLook) {
+  expect_usage_error({"--quantity", "2", "--mirrored", "3"},
+                     "--mirrored is 3 but --quantity is 2: no more pieces than there are can be "
+                     "mirrored");
   expect_usage_error({"--allowance", "10mm", "--corners", "sharp"}, "mitre, square or round");
   expect_usage_error({"--allowance", "wide"}, "must be a length");
   expect_usage_error({"--allowance", "0"}, "--allowance");

@@ -57,6 +57,24 @@ TEST_F(Cut, LetsATubeBeLaidFlat) {
   EXPECT_FALSE(planish({"unfold", "panel.obj", "-o", "b.svg", "--json"}).json().contains("cut"));
 }
 
+TEST_F(Cut, LeavesSidesOfOtherLengthsAndSaysSo) {
+  TriMesh tube = meshes::tube(24, 8);
+  // A bulge beside the seam: its near side is stretched, the other one is not.
+  for (const Index v : {3 * 24 + 1, 4 * 24 + 1, 5 * 24 + 1, 4 * 24 + 2})
+    tube.positions[v] = 1.4 * tube.positions[v];
+  write_mesh("bulge.obj", tube);
+  write_text("bulge.txt", "0 192\n");
+  const Names unfold = {"unfold", "bulge.obj", "-o", "a.svg", "--cut", "bulge.txt", "--unit", "cm"};
+  const CliResult result = planish(unfold);
+  EXPECT_THAT(result.err, HasSubstr("two stretches of the border meet on the model"));
+  EXPECT_THAT(result.err, HasSubstr("--match-seams makes such stretches equally long"));
+  Names matched = unfold;
+  matched.emplace_back("--match-seams");
+  EXPECT_THAT(planish(matched).err, Not(HasSubstr("two stretches")));
+  EXPECT_THAT(planish({"unfold", "tube.obj", "-o", "a.svg", "--cut", "seam.txt"}).err,
+              Not(HasSubstr("two stretches")));
+}
+
 TEST_F(Cut, TakesADrawing) {
   write_text("seam.obj", "v 1.1 0 0\nv 1 0 5.2\nl 1 2\n");
   const CliResult result = planish({"unfold", "tube.obj", "-o", "a.svg", "--cut", "seam.obj"});
@@ -165,7 +183,10 @@ TEST_F(SuggestCuts, TellsInWordsAndWritesNothingUnasked) {
   const CliResult met = planish({"suggest-cuts", "hill.obj", "--max-strain", "4%"});
   EXPECT_EQ(met.exit_code, k_exit_done) << met.err;
   EXPECT_THAT(met.out, HasSubstr("dart, "));
-  EXPECT_THAT(met.out, HasSubstr("Met: with these cuts"));
+  EXPECT_THAT(met.out, HasSubstr("Met with these cuts: no edge of the pattern"));
+  const CliResult leather =
+      planish({"suggest-cuts", "hill.obj", "--material", "leather", "--max-cuts", "1"});
+  EXPECT_THAT(leather.out, HasSubstr("99 % of the pattern's area is still strained by up to"));
   const CliResult missed =
       planish({"suggest-cuts", "hill.obj", "--max-strain", "0.01%", "--max-cuts", "1"});
   EXPECT_EQ(missed.exit_code, k_exit_done);
@@ -186,6 +207,7 @@ TEST_F(SuggestCuts, RefusesWhatMakesNoSense) {
     return planish(args).exit_code;
   };
   EXPECT_EQ(code_of({"--max-strain", "0"}), k_exit_usage);
+  EXPECT_EQ(code_of({"--max-strain", "1%", "--material", "leather"}), k_exit_usage);
   EXPECT_EQ(code_of({"--max-strain", "2mm"}), k_exit_usage);
   EXPECT_EQ(code_of({"--max-cuts", "-1"}), k_exit_usage);
   EXPECT_EQ(code_of({"-o", "a.obj", "--apply", "a.obj"}), k_exit_usage);

@@ -151,6 +151,14 @@ TEST_F(Verbs, UnfoldWritesWhatTheExtensionNames) {
   EXPECT_THAT(content_of("t.pdf"), HasSubstr("(A1: row 1 of "));
 }
 
+TEST_F(Verbs, SaysWhereAPlotFileReachesBeyond16Bits) {
+  const std::string note = "the .plt file reaches beyond 819 mm";
+  EXPECT_THAT(planish({"unfold", "panel.obj", "-o", "p.plt"}).err, Not(HasSubstr(note)));
+  EXPECT_THAT(planish({"unfold", "panel.obj", "-o", "p.plt", "--unit", "m"}).err, HasSubstr(note));
+  EXPECT_THAT(planish({"unfold", "panel.obj", "-o", "p.svg", "--unit", "m"}).err,
+              Not(HasSubstr(note)));
+}
+
 TEST_F(Verbs, UnfoldTakesOtherNamesForLayersAndStrokesForLetters) {
   planish({"unfold", "panel.obj", "-o", "p.dxf", "--dxf-layers", "cut=KNIFE,label=PEN", "--text",
            "strokes"});

@@ -36,6 +36,7 @@
 #include "shell/session.h"
 #include "shell/text.h"
 #include "shell/values.h"
+#include "text/own_seams.h"
 #include "text/summary.h"
 
 namespace planish::cli {
@@ -334,6 +335,10 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
       about(path, [&] { return files_of(report, paths, format, pattern, words, json); });
   if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
   warn_of_pattern(session, report.unfold);
+  const Patch& design = report.evolve.remeshed_from ? report.processed : report.input;
+  note_unequal_seams(session, design.mesh(), report.unfold);
+  if (paths.contains(role_of("pattern", PatternFormat::plt)))
+    note_plotter_reach(session, report.unfold);
   const std::string text =
       path + "  (" + size + ")\n" + flatten_text(report) + (nesting ? nesting->text : "");
   CommandResult outcome =

@@ -5,7 +5,8 @@
 #include <planish/io/mesh_format.h>
 
 #include "commands/commands.h"
-#include "flags/quantities.h"
+#include "flags/limit_flags.h"
+#include "flags/material_flag.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "platform/path.h"
@@ -25,13 +26,10 @@ constexpr Range k_darts = {0.0, 50.0};
 
 SuggestOptions suggest_options_from(const Arguments& arguments) {
   SuggestOptions options;
-  if (arguments.has("--max-strain")) {
-    options.max_strain = quantity_value("--max-strain", arguments.flags.at("--max-strain"),
-                                        Quantity::share, {0.0, 1.0}, arguments);
-    if (options.max_strain == 0.0) {
-      throw UsageError("--max-strain is 0 but must be more: no pattern has none at all");
-    }
-  }
+  const StrainLimits limits = limits_from(arguments);
+  options.limit_of_area = limits.p99 > 0.0;
+  if (limits.max > 0.0 || options.limit_of_area)
+    options.max_strain = options.limit_of_area ? limits.p99 : limits.max;
   options.max_darts = whole_number_of(
       "--max-cuts", arguments.value_or("--max-cuts", std::to_string(options.max_darts)), k_darts);
   return options;
@@ -85,10 +83,10 @@ CommandResult run_suggest_cuts(const Arguments& arguments, Session& session) {
       about(path, [&] { return suggest_cuts(Patch(mesh), options, session.job_context(path)); });
   const std::string name = stem_of(path);
   const auto files = about(path, [&] { return suggestion_files(suggestion, paths, unit, name); });
-  std::string text = path + "  (" + size_text(mesh) + ")\n\n" +
-                     suggestion_text(suggestion, options.max_strain, unit);
+  std::string text =
+      path + "  (" + size_text(mesh) + ")\n\n" + suggestion_text(suggestion, options, unit);
   if (!files.empty()) text += written_text(files);
-  CommandResult outcome = {text, suggestion_json(suggestion, options.max_strain, unit, paths)};
+  CommandResult outcome = {text, suggestion_json(suggestion, options, unit, paths)};
   session.write(files);
   return outcome;
 }
@@ -100,8 +98,8 @@ Command suggest_cuts_command() {
       "suggest-cuts",
       "where to cut a patch open so that it lies flat",
       "INPUT [-o CUTS]",
-      "Looks for short cuts along edges that let a mesh lie flat with no edge of the pattern "
-      "strained by more than a limit: first seams that make one piece with one border of it, "
+      "Looks for short cuts along edges that let a mesh lie flat with a pattern that keeps a "
+      "limit of strain: first seams that make one piece with one border of it, "
       "then darts, one after the other, the best of a few that are tried. CUTS is what --cut "
       "of other verbs takes. Without -o, --picture or --apply nothing is written. Ends with "
       "exit code 0 also where the limit is not met.",
@@ -115,10 +113,12 @@ Command suggest_cuts_command() {
        {"What to look for",
         {{"--max-strain",
           "X",
-          "the limit of the largest strain of an edge (0.02 or 2%, default 2%)",
+          "the limit of the largest strain of an edge (0.02 or 2%, default 2%); 2%@p99: on 99 % "
+          "of the area",
           0,
           false,
           {.type = ValueType::share, .range = {0.0, 1.0}, .standard = "2%"}},
+         material_flag(),
          {"--max-cuts",
           "N",
           "at most so many darts (0 to 50, default " + std::to_string(SuggestOptions{}.max_darts) +

@@ -21,6 +21,7 @@
 #include "shell/file_name.h"
 #include "shell/session.h"
 #include "shell/text.h"
+#include "text/own_seams.h"
 #include "text/summary.h"
 
 namespace planish::cli {
@@ -150,6 +151,8 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
     return content_of(output, path, patch, report, request.output, request.annotations);
   });
   warn_of_pattern(session, report);
+  note_unequal_seams(session, patch.mesh(), report);
+  if (lower_extension(output) == ".plt") note_plotter_reach(session, report);
   CommandResult outcome = {
       path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(report),
       json_report(report, figures_of_cut(input.cut))};

@@ -97,8 +97,12 @@ PieceLabel label_from(const Arguments& arguments) {
     label.quantity = whole_number_of("--quantity", arguments.flags.at("--quantity"), k_quantity);
   }
   if (arguments.has("--mirrored")) {
-    const Range range = {.min = 0.0, .max = static_cast<double>(std::max(1, label.quantity))};
-    label.mirrored = whole_number_of("--mirrored", arguments.flags.at("--mirrored"), range);
+    label.mirrored = whole_number_of("--mirrored", arguments.flags.at("--mirrored"),
+                                     {.min = 0.0, .max = k_quantity.max});
+    if (const int pieces = std::max(1, label.quantity); label.mirrored > pieces) {
+      throw UsageError("--mirrored is " + std::to_string(label.mirrored) + " but --quantity is " +
+                       std::to_string(pieces) + ": no more pieces than there are can be mirrored");
+    }
   }
   return label;
 }

@@ -26,19 +26,24 @@ std::string cut_text(const SuggestedCut& cut, const std::string& unit) {
          strain_text(*cut.after);
 }
 
-std::string ending_text(const CutSuggestion& suggestion, double max_strain) {
-  const std::string limit = percent(max_strain);
+std::string ending_text(const CutSuggestion& suggestion, const SuggestOptions& options) {
+  const std::string limit = percent(options.max_strain);
   if (suggestion.met()) {
-    return suggestion.cuts.empty()
-               ? "Met without a cut: no edge of the pattern is strained by more than " + limit + "."
-               : "Met: with these cuts no edge of the pattern is strained by more than " + limit +
-                     ".";
+    const std::string how =
+        suggestion.cuts.empty() ? "Met without a cut: " : "Met with these cuts: ";
+    return how + (options.limit_of_area
+                      ? "99 % of the pattern's area is strained by " + limit + " at most."
+                      : "no edge of the pattern is strained by more than " + limit + ".");
   }
   const std::string why = suggestion.stop == SuggestStop::dart_limit
                               ? "all darts of --max-cuts are there"
                               : "no dart that was tried lowers the rms strain by 5 % more";
-  return "Not met: an edge of the pattern is still strained by " +
-         percent(suggestion.last.strain.max) + ", the limit is " + limit + "; " + why + ".";
+  const EdgeStrain& strain = suggestion.last.strain;
+  const std::string reached =
+      options.limit_of_area
+          ? "99 % of the pattern's area is still strained by up to " + percent(strain.p99)
+          : "an edge of the pattern is still strained by " + percent(strain.max);
+  return "Not met: " + reached + ", the limit is " + limit + "; " + why + ".";
 }
 
 Json to_json(const EdgeStrain& strain) {
@@ -51,7 +56,8 @@ Json to_json(const std::optional<EdgeStrain>& strain) {
 
 }  // namespace
 
-std::string suggestion_text(const CutSuggestion& suggestion, double max_strain, Unit unit) {
+std::string suggestion_text(const CutSuggestion& suggestion, const SuggestOptions& options,
+                            Unit unit) {
   std::string text;
   if (!suggestion.cuts.empty()) {
     text += "Cuts, with the largest strain of an edge of the pattern before and after:\n";
@@ -61,15 +67,15 @@ std::string suggestion_text(const CutSuggestion& suggestion, double max_strain, 
             wrapped(cut_text(suggestion.cuts[k], std::string(to_string(unit))), 5) + "\n";
   }
   if (!suggestion.cuts.empty()) text += "\n";
-  text += wrapped(ending_text(suggestion, max_strain), 0) + "\n";
+  text += wrapped(ending_text(suggestion, options), 0) + "\n";
   if (suggestion.last.pattern.overlaps) {
     text += wrapped("The pattern overlaps itself: it cannot be cut from one sheet.", 0) + "\n";
   }
   return text;
 }
 
-std::string suggestion_json(const CutSuggestion& suggestion, double max_strain, Unit unit,
-                            const std::map<std::string, std::string>& files) {
+std::string suggestion_json(const CutSuggestion& suggestion, const SuggestOptions& options,
+                            Unit unit, const std::map<std::string, std::string>& files) {
   Json cuts = Json::array();
   for (const SuggestedCut& cut : suggestion.cuts) {
     cuts.push_back({{"kind", cut.is_dart ? "dart" : "seam"},
@@ -80,7 +86,8 @@ std::string suggestion_json(const CutSuggestion& suggestion, double max_strain, 
   }
   const Json object = {{"version", k_version},
                        {"unit", to_string(unit)},
-                       {"max_strain", max_strain},
+                       {"max_strain", options.max_strain},
+                       {"limit_of_area", options.limit_of_area},
                        {"met", suggestion.met()},
                        {"stop", to_string(suggestion.stop)},
                        {"cuts", std::move(cuts)},

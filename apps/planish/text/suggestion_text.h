@@ -9,13 +9,14 @@
 namespace planish::cli {
 
 /// What was suggested, as people read it.
-/// @param max_strain the limit
-std::string suggestion_text(const CutSuggestion& suggestion, double max_strain, Unit unit);
+/// @param options what was looked for
+std::string suggestion_text(const CutSuggestion& suggestion, const SuggestOptions& options,
+                            Unit unit);
 
 /// The same as one JSON object (docs/command-line.md).
 /// @param files role -> path of what was written
-std::string suggestion_json(const CutSuggestion& suggestion, double max_strain, Unit unit,
-                            const std::map<std::string, std::string>& files);
+std::string suggestion_json(const CutSuggestion& suggestion, const SuggestOptions& options,
+                            Unit unit, const std::map<std::string, std::string>& files);
 
 /// The file that --cut takes: a cut a line, what it is for in comments.
 std::string suggestion_file(const CutSuggestion& suggestion, Unit unit);

@@ -152,8 +152,8 @@ std::string form_text(const MeasuredPatch& patch) {
               "pairs of triangles that cross");
 }
 
-std::string tick(bool yes, const std::string& words) {
-  return (yes ? "[x] " : "[ ] ") + words;
+std::string answer(bool yes, const std::string& words) {
+  return words + ": " + (yes ? "yes" : "no");
 }
 
 std::string place_text(Vec3 at) {
@@ -164,8 +164,8 @@ std::string place_text(Vec3 at) {
 std::string form_lines(const EvolveReport& report) {
   const Fairness& fairness = report.fairness;
   const std::string indent(14, ' ');
-  std::string text = "  form        " + tick(fairness.is_sound(), "smooth");
-  if (fairness.bending_lost) text += "  " + tick(fairness.keeps_form(), "form kept");
+  std::string text = "  form        " + answer(fairness.is_sound(), "smooth");
+  if (fairness.bending_lost) text += ", " + answer(fairness.keeps_form(), "form kept");
   text += "\n";
   if (fairness.bending_ratio && !fairness.unchanged) {
     text += indent + "bending " + digits(*fairness.bending_ratio, 3) + " times that of the design";
@@ -381,9 +381,15 @@ std::string overlap_text(const UnfoldReport& report) {
   const auto& overlap = report.overlap;
   if (!overlap) return {};
   const ShownLengths lengths(report.unit);
-  const Vec2 middle = 0.5 * (overlap->low + overlap->high), size = overlap->high - overlap->low;
+  const Vec2 middle = 0.5 * (overlap->low + overlap->high);
+  // Crossings that lie on one line make a box without a width.
+  const double least = 0.005 / millimetres_per(report.unit);
+  const auto extent = [&](double low, double high) {
+    return high - low < least ? 0.0 : high - low;
+  };
   return " around (" + lengths.number(middle.x) + ", " + lengths.text(middle.y) + ") over " +
-         lengths.number(size.x) + " x " + lengths.text(size.y) +
+         lengths.number(extent(overlap->low.x, overlap->high.x)) + " x " +
+         lengths.text(extent(overlap->low.y, overlap->high.y)) +
          ", where its border crosses itself " + counted(overlap->crossings, "time");
 }
 
@@ -392,10 +398,20 @@ std::string opened_text(const UnfoldReport& report) {
   const OpenedCrossings& opened = *report.pattern.opened;
   const ShownLengths lengths(report.unit);
   const Vec2 place = report.pattern.positions[opened.vertex];
-  return "the border of the pattern crossed itself by a hair, " +
-         counted(opened.crossings, "time") + ": it was moved apart by " +
-         lengths.text(opened.largest_move) + " at most, at (" + lengths.number(place.x) + ", " +
-         lengths.text(place.y) + ") most";
+  return "the border of the pattern crossed itself by less than 0.1 mm, " +
+         counted(opened.crossings, "time") + ": vertices were moved apart by up to " +
+         lengths.text(opened.largest_move) + ", most at (" + lengths.number(place.x) + ", " +
+         lengths.text(place.y) + ")";
+}
+
+void note_plotter_reach(Session& session, const UnfoldReport& report) {
+  constexpr double k_reach = 32767.0 / 40.0;  // millimetres, of 16-bit coordinates
+  const Pattern& pattern = report.pattern;
+  if (millimetres_per(report.unit) * std::max(pattern.width, pattern.height) <= k_reach) return;
+  session.note(
+      "the .plt file reaches beyond 819 mm: plotters whose coordinates have 16 bits cut the "
+      "drawing "
+      "off there");
 }
 
 void warn_of_pattern(Session& session, const UnfoldReport& report) {

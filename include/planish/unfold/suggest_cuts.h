@@ -13,10 +13,16 @@ namespace planish {
 
 /// What a suggestion of cuts aims at, and how long it looks.
 struct SuggestOptions {
-  double max_strain = 0.02;  ///< that no edge of the pattern may exceed; a share of length, above 0
-  int max_darts = 6;         ///< at most so many, besides what makes the mesh a disk
+  double max_strain = 0.02;    ///< limit of the pattern's strain; a share of length, above 0
+  bool limit_of_area = false;  ///< the limit is for 99 % of the area, else for every edge
+  int max_darts = 6;           ///< at most so many, besides what makes the mesh a disk
   /// Darts are tried on a patch of about so many vertices, if the mesh has more.
   std::size_t trial_vertices = 3000;
+
+  /// Whether a pattern's strain keeps the limit.
+  bool kept_by(const EdgeStrain& strain) const {
+    return (limit_of_area ? strain.p99 : strain.max) <= max_strain;
+  }
 };
 
 /// One cut of a suggestion.
@@ -31,7 +37,7 @@ struct SuggestedCut {
 
 /// Why a search for cuts ended.
 enum class SuggestStop {
-  strain_met,  ///< no edge is strained by more than the limit
+  strain_met,  ///< the limit is kept
   dart_limit,  ///< all darts that were allowed are there
   no_gain,     ///< no dart that was tried lowers the rms strain by 5 % more
 };
@@ -52,7 +58,7 @@ struct CutSuggestion {
   CutPattern last;                          ///< with all cuts
   SuggestStop stop = SuggestStop::no_gain;  ///< why there are no more
 
-  /// Whether the pattern with all cuts keeps SuggestOptions::max_strain.
+  /// Whether the pattern with all cuts keeps the limit.
   bool met() const { return stop == SuggestStop::strain_met; }
 };
 

@@ -93,9 +93,9 @@ bool gains(const EdgeStrain& strain, const EdgeStrain& before) {
 /// The darts that gain or keep the limit; of these, where there are any, those whose pattern does
 /// not overlap itself.
 std::vector<Dart> worthwhile(std::vector<Dart> darts, const EdgeStrain& without,
-                             double max_strain) {
+                             const SuggestOptions& options) {
   std::erase_if(darts, [&](const Dart& dart) {
-    return !(gains(dart.flat.strain, without) || dart.flat.strain.max <= max_strain);
+    return !(gains(dart.flat.strain, without) || options.kept_by(dart.flat.strain));
   });
   const auto overlaps = [](const Dart& dart) { return dart.flat.pattern.overlaps; };
   if (!std::all_of(darts.begin(), darts.end(), overlaps)) std::erase_if(darts, overlaps);
@@ -104,9 +104,9 @@ std::vector<Dart> worthwhile(std::vector<Dart> darts, const EdgeStrain& without,
 
 /// Of the darts that keep the limit the shortest; where none does, of those with about the least
 /// strain the shortest. Nothing where there are none.
-const Dart* best_of(const std::vector<Dart>& darts, double max_strain) {
+const Dart* best_of(const std::vector<Dart>& darts, const SuggestOptions& options) {
   const bool any_meets = std::any_of(darts.begin(), darts.end(), [&](const Dart& dart) {
-    return dart.flat.strain.max <= max_strain;
+    return options.kept_by(dart.flat.strain);
   });
   const auto least = std::min_element(darts.begin(), darts.end(), [](const Dart& a, const Dart& b) {
     return a.weighed_strain() < b.weighed_strain();
@@ -114,7 +114,7 @@ const Dart* best_of(const std::vector<Dart>& darts, double max_strain) {
   const Dart* best = nullptr;
   for (const Dart& dart : darts) {
     const bool good = any_meets
-                          ? dart.flat.strain.max <= max_strain
+                          ? options.kept_by(dart.flat.strain)
                           : dart.weighed_strain() <= (1.0 + k_as_good) * least->weighed_strain();
     if (good && (best == nullptr || dart.weighed_length() < best->weighed_length())) best = &dart;
   }
@@ -142,7 +142,7 @@ class CutSearch {
   }
 
  private:
-  bool is_met(const EdgeStrain& strain) const { return strain.max <= options_.max_strain; }
+  bool is_met(const EdgeStrain& strain) const { return options_.kept_by(strain); }
 
   bool is_cancelled() const { return context_.is_cancelled && context_.is_cancelled(); }
 
@@ -194,8 +194,8 @@ class CutSearch {
       share_ += 1.0 / options_.max_darts / static_cast<double>(darts.size() + 1);
       report_progress(context_, {"cutting", share_});
     }
-    darts = worthwhile(std::move(darts), without, options_.max_strain);
-    const Dart* best = best_of(darts, options_.max_strain);
+    darts = worthwhile(std::move(darts), without, options_);
+    const Dart* best = best_of(darts, options_);
     if (best == nullptr) return {};
     const Index end = trial.source[best->path.front()], tip = trial.source[best->path.back()];
     InsidePaths inside(cut);

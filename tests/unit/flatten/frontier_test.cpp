@@ -208,6 +208,8 @@ TEST(Frontier, JsonHasEveryPoint) {
 
 TEST(Frontier, CsvHasALineForEveryPoint) {
   FrontierReport report;
+  report.design.stop = StopReason::design_kept;
+  report.design.strain = {1.0, 0.25, 0.75};
   report.curve.push_back({.method = Auto{.max_rms_strain = 0.25},
                           .stop = StopReason::strain_met,
                           .sweeps = 7,
@@ -223,6 +225,7 @@ TEST(Frontier, CsvHasALineForEveryPoint) {
             "method,max_strain,strain_rms,strain_p99,strain_max,deviation_rms,deviation_max,"
             "rms_over_diagonal,flattenable,bending_ratio,bending_added,smooth,sweeps,stop,"
             "seconds,max_rms_strain,prefer,dominated\n"
+            "design,,0.25,0.75,1,0,0,0,0,,,0,0,design_kept,0,,,0\n"
             "auto,,0.125,0.375,0.5,1,2,0.0625,0,1.25,0.5,1,7,strain_met,0.5,0.25,smooth,1\n"
             "auto,0.5,0,0,0,0,0,0,0,,,0,0,sweep_limit,0,,flat,0\n"
             "classical,,0,0,0,0,0,0,1,,,0,10,sweep_limit,0.25,,,0\n");

@@ -66,6 +66,18 @@ TEST(SuggestCuts, FindsTheApexOfACone) {
   EXPECT_LT(strict.last.strain.max, 1e-9);
 }
 
+TEST(SuggestCuts, KeepsALimitOnMostOfTheAreaWithFewerCuts) {
+  const TriMesh mesh = bowl(40, 12, 0.35);
+  const CutSuggestion every = suggest(mesh, {.max_strain = 0.04, .max_darts = 8});
+  const CutSuggestion most =
+      suggest(mesh, {.max_strain = 0.04, .limit_of_area = true, .max_darts = 8});
+  EXPECT_TRUE(most.met());
+  EXPECT_GT(most.first.strain.p99, 0.04);
+  EXPECT_LE(most.last.strain.p99, 0.04);
+  EXPECT_GT(most.last.strain.max, 0.04);
+  EXPECT_LT(most.cuts.size(), every.cuts.size());
+}
+
 TEST(SuggestCuts, GivesTheStrainThatItTells) {
   const TriMesh mesh = bowl(40, 12, 0.35);
   const CutSuggestion suggestion = suggest(mesh, {.max_strain = 0.05, .max_darts = 8});

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include <planish/pattern/pattern_options.h>
 
@@ -43,6 +44,18 @@ void for_vertices(Options& options, Visit visit) {
   if (options.like) visit(options.like->start);
 }
 
+/// Numbers of seams are not visited above: a coarser mesh may lack their vertices.
+std::vector<SeamNumber> renumbered(std::vector<SeamNumber> numbers, std::span<const Index> source) {
+  std::erase_if(numbers, [&](const SeamNumber& seam) {
+    return !std::binary_search(source.begin(), source.end(), seam.vertex);
+  });
+  for (SeamNumber& seam : numbers) {
+    const auto found = std::lower_bound(source.begin(), source.end(), seam.vertex);
+    seam.vertex = static_cast<Index>(found - source.begin());
+  }
+  return numbers;
+}
+
 }  // namespace
 
 PatternOptions for_mirror_image(PatternOptions options) {
@@ -74,6 +87,7 @@ PatternOptions renumbered(PatternOptions options, std::span<const Index> source)
     const auto found = std::lower_bound(source.begin(), source.end(), vertex);
     vertex = static_cast<Index>(found - source.begin());
   });
+  options.seam_numbers = renumbered(std::move(options.seam_numbers), source);
   return options;
 }
 

@@ -210,6 +210,29 @@ void add_edge_lengths(const PieceOutline& outline, Layer& layer) {
   }
 }
 
+/// The numbers of seams, each farther inside than a length of its edge would be.
+void add_seam_numbers(const PieceOutline& outline, const std::vector<SeamNumber>& numbers,
+                      Layer& layer) {
+  constexpr double height = 4.0, inside = 8.0;
+  for (const SeamNumber& seam : numbers) {
+    for (std::size_t l = 0; l < outline.vertices.size(); ++l) {
+      const std::vector<Index>& vertices = outline.vertices[l];
+      const auto found = std::find(vertices.begin(), vertices.end(), seam.vertex);
+      if (found == vertices.end()) continue;
+      const Polygon& loop = outline.loops[l];
+      const std::size_t n = loop.size(), k = static_cast<std::size_t>(found - vertices.begin());
+      const Vec2 way = loop[(k + 1) % n] - loop[(k + n - 1) % n];
+      if (!(norm(way) > 0.0)) continue;
+      const Vec2 at = loop[k] + inside / norm(way) * Vec2{-way.y, way.x};
+      layer.shapes.emplace_back(Text{{at.x, at.y - 0.5 * height},
+                                     height,
+                                     "seam " + std::to_string(seam.number),
+                                     k_seam.color,
+                                     true});
+    }
+  }
+}
+
 Layer annotation_layer(const LabelPlace& place, const std::vector<std::string>& lines) {
   Layer layer{"annotation", {}};
   layer.shapes.reserve(lines.size());
@@ -256,6 +279,7 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
   layers.push_back(layer_of("internal", std::move(inner), k_internal));
   layers.push_back(annotation_layer(place, lines));
   if (options.edge_lengths) add_edge_lengths(outline, layers.back());
+  add_seam_numbers(outline, options.seam_numbers, layers.back());
   return layers;
 }
 

@@ -188,6 +188,8 @@ TEST_F(ProductSeams, OfAJacketMeshedPanelByPanelAreFoundAndTheirNotchesMeet) {
     for (const json& side : seam["sides"]) {
       EXPECT_NEAR(side["length"], side["length_on_model"], 0.01);
       const std::string folder = "out/" + side["patch"].get<std::string>();
+      EXPECT_THAT(content_of(folder + "/pattern.dxf"),
+                  HasSubstr("\nseam " + seam["number"].dump() + "\n"));
       const auto ways = notch_ways(folder, side);
       const double length = side["length"];
       ASSERT_GE(ways.size(), 2U);

@@ -289,13 +289,17 @@ std::vector<PatternOptions> annotations_of_patches(const PatternOptions& annotat
   refuse_notches_of_mirrored(patches, arguments);
   std::vector<TriMesh> meshes;
   std::vector<std::string> names;
+  std::vector<std::size_t> groups;
   meshes.reserve(patches.size());
   names.reserve(patches.size());
+  groups.reserve(patches.size());
   for (const ProductPatch& patch : patches) {
     meshes.push_back(patch.mesh);
     names.push_back(patch.name);
+    groups.push_back(patch.group);
   }
   std::vector<std::vector<Notch>> notches = notches_on_seams(arguments, meshes, names);
+  std::vector<std::vector<SeamNumber>> numbers = numbers_of_seams(arguments, meshes, groups);
   std::vector<PatternOptions> result(patches.size(), annotations);
   for (std::size_t p = 0; p < patches.size(); ++p) {
     PieceLabel& label = result[p].label;
@@ -303,6 +307,7 @@ std::vector<PatternOptions> annotations_of_patches(const PatternOptions& annotat
     if (label.fabric.empty()) label.fabric = patches[p].words.material;
     if (patches[p].words.quantity > 0) label.quantity = patches[p].words.quantity;
     result[p].notches = std::move(notches[p]);
+    result[p].seam_numbers = std::move(numbers[p]);
   }
   return result;
 }

@@ -52,7 +52,7 @@ void refuse_product_flags(const Arguments& arguments);
 void refuse_seam_flags(const Arguments& arguments);
 
 /// What each patch gets on its pattern: what the flags ask of all, its name, and the notches on its
-/// seams.
+/// seams and their numbers.
 /// @throws UsageError for flags that make sense only with one patch, Error as notches_on_seams()
 std::vector<PatternOptions> annotations_of_patches(const PatternOptions& annotations,
                                                    const std::vector<ProductPatch>& patches,

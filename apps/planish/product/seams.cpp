@@ -37,6 +37,41 @@ std::vector<std::vector<Notch>> notches_on_seams(const Arguments& arguments,
   });
 }
 
+namespace {
+
+/// The vertex of a side that is nearest to half of its length.
+Index middle_vertex(const SeamSide& side, std::span<const Vec3> positions, double length) {
+  double way = 0.0;
+  std::size_t k = 0;
+  while (k + 1 < side.vertices.size()) {
+    const double edge = norm(positions[side.vertices[k + 1]] - positions[side.vertices[k]]);
+    if (way + 0.5 * edge >= 0.5 * length) break;
+    way += edge;
+    ++k;
+  }
+  return side.vertices[k];
+}
+
+}  // namespace
+
+std::vector<std::vector<SeamNumber>> numbers_of_seams(const Arguments& arguments,
+                                                      std::span<const TriMesh> meshes,
+                                                      std::span<const std::size_t> groups) {
+  const double least = 15.0 / millimetres_per(unit_from(arguments));
+  std::vector<std::vector<SeamNumber>> numbers(meshes.size());
+  int number = 0;
+  for (const Seam& seam : find_seams_in_groups(meshes, groups, seam_tolerance_from(arguments))) {
+    ++number;
+    for (const SeamSide& side : seam.sides) {
+      const std::vector<Vec3>& positions = meshes[side.patch].positions;
+      const double length = length_of(side, std::span<const Vec3>(positions));
+      if (length >= least)
+        numbers[side.patch].push_back({number, middle_vertex(side, positions, length)});
+    }
+  }
+  return numbers;
+}
+
 std::vector<MeasuredSeam> with_names(std::vector<MeasuredSeam> seams,
                                      const std::vector<PatchResult>& patches,
                                      const std::vector<NamedSeam>& names, Session& session) {

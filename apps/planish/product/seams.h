@@ -29,6 +29,12 @@ std::vector<std::vector<Notch>> notches_on_seams(const Arguments& arguments,
                                                  std::span<const TriMesh> meshes,
                                                  std::span<const std::string> names);
 
+/// Of each patch where the numbers of its seams are written: at the middle of each side that is at
+/// least 15 mm long.
+std::vector<std::vector<SeamNumber>> numbers_of_seams(const Arguments& arguments,
+                                                      std::span<const TriMesh> meshes,
+                                                      std::span<const std::size_t> groups);
+
 /// Seams with the names that a product file gives them: those between two pieces in the order of
 /// their numbers. A note says which names are left over.
 std::vector<MeasuredSeam> with_names(std::vector<MeasuredSeam> seams,

@@ -66,6 +66,13 @@ Json to_json(const std::vector<Notch>& notches) {
   return list;
 }
 
+Json to_json(const std::vector<SeamNumber>& numbers) {
+  Json list = Json::array();
+  for (const SeamNumber& seam : numbers)
+    list.push_back({seam.number, seam.vertex});
+  return list;
+}
+
 Json to_json(const PatchJob& job) {
   Json flags = Json::object();
   for (const auto& [flag, value] : job.flags)
@@ -75,6 +82,7 @@ Json to_json(const PatchJob& job) {
                {"format", to_string(job.format)},
                {"mesh", job.mesh},
                {"notches", to_json(job.notches)},
+               {"seam_numbers", to_json(job.seam_numbers)},
                {"flags", std::move(flags)}};
   if (job.twin_of) json["twin_of"] = {{"name", job.twin_of->name}, {"mesh", job.twin_of->mesh}};
   return json;
@@ -132,7 +140,8 @@ std::optional<MeshFormat> format_among(const Json& files) {
 
 PatchJob job_of(const ProductPatch& patch, MeshFormat format, const PatternOptions& annotations,
                 const Arguments& arguments, const ProductPatch* twin_of) {
-  PatchJob job{patch.name, format, hash_of(patch.mesh), annotations.notches};
+  PatchJob job{patch.name, format, hash_of(patch.mesh), annotations.notches,
+               annotations.seam_numbers};
   for (const auto& [flag, value] : arguments.flags) {
     if (std::find(k_idle_flags.begin(), k_idle_flags.end(), flag) == k_idle_flags.end()) {
       job.flags[flag] = value;

@@ -21,6 +21,7 @@ struct PatchJob {
   MeshFormat format = MeshFormat::obj;
   std::string mesh;  ///< a hash of it
   std::vector<Notch> notches = {};
+  std::vector<SeamNumber> seam_numbers = {};
   std::map<std::string, std::string, std::less<>> flags = {};  ///< that results depend on
 
   struct Other {

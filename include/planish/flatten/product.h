@@ -141,4 +141,9 @@ std::vector<TriMesh> meshes_now(std::span<const ProductPatch> patches, const Pro
 /// find_seams() of the patches that can be measured; the others take part in no seam.
 std::vector<Seam> find_sound_seams(std::span<const TriMesh> patches, double tolerance = 0.0);
 
+/// find_sound_seams() of each group of patches by itself, the groups by their numbers.
+/// @param groups number of the group that a patch is in, of each patch
+std::vector<Seam> find_seams_in_groups(std::span<const TriMesh> patches,
+                                       std::span<const std::size_t> groups, double tolerance = 0.0);
+
 }  // namespace planish

@@ -28,6 +28,12 @@ struct PieceLabel {
 /// sheet's x axis, in degrees, counter-clockwise.
 using Grain = std::variant<Vec3, double>;
 
+/// Where the number of a seam is written: inside the piece, beside a vertex of its border.
+struct SeamNumber {
+  int number = 0;
+  Index vertex = 0;
+};
+
 /// Where a pattern's places are those of another one, mirrored or not (twin_report()): its lines
 /// are drawn from the same point on, and what is written of the outline in thousandths of a
 /// millimetre is the mirror image of what is written of the other's, digit by digit.
@@ -47,6 +53,7 @@ struct PatternOptions {
   std::vector<Mark> marks = {};                     ///< at vertices
   std::vector<InnerLine> inner_lines = {};          ///< from vertex to vertex
   std::vector<SurfaceLine> drawn_lines = {};        ///< inner lines from place to place
+  std::vector<SeamNumber> seam_numbers = {};        ///< of a product's seams
   PieceLabel label = {};                            ///< written inside the piece
   bool edge_lengths = false;           ///< written along the outline, from corner to corner
   LineFit curves = {};                 ///< how near curves stay to lines; tolerance 0: no curves
@@ -72,7 +79,7 @@ std::vector<Index> named_vertices(const PatternOptions& options);
 
 /// The same options for a mesh over some of the vertices.
 /// @param source vertex of that mesh -> vertex that the options speak of, increasing, with all that
-///   they name
+///   they name; numbers of seams beside other vertices are left out
 PatternOptions renumbered(PatternOptions options, std::span<const Index> source);
 
 }  // namespace planish

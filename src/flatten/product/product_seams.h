@@ -8,12 +8,8 @@
 
 namespace planish {
 
-/// find_sound_seams() of each group of patches by itself, the groups by their numbers.
-/// @param groups number of the group that a patch is in, of each patch
-std::vector<Seam> find_seams_in_groups(std::span<const TriMesh> patches,
-                                       std::span<const std::size_t> groups, double tolerance);
-
-/// The same for find_near_borders(), with the seams found first.
+/// find_near_borders() of each group of patches by itself, as find_seams_in_groups(), with the
+/// seams found first.
 std::vector<NearBorders> find_near_borders_in_groups(std::span<const TriMesh> patches,
                                                      std::span<const std::size_t> groups,
                                                      double tolerance);

@@ -77,5 +77,18 @@ TEST(PatternOptions, OfAMirrorImageHaveTheAngleOfTheGrainMirrored) {
   EXPECT_EQ(renumbered(options, source).like->start, 1U);
 }
 
+TEST(PatternOptions, LeavesOutNumbersOfSeamsWhoseVerticesAreGone) {
+  PatternOptions options;
+  options.seam_numbers = {{1, 20}, {2, 21}, {3, 30}};
+  EXPECT_TRUE(named_vertices(options).empty()) << "a coarser mesh need not keep them";
+  const std::vector<Index> source = {10, 20, 30};
+  const auto left = renumbered(options, source).seam_numbers;
+  ASSERT_EQ(left.size(), 2U);
+  EXPECT_EQ(left[0].number, 1);
+  EXPECT_EQ(left[0].vertex, 1U);
+  EXPECT_EQ(left[1].number, 3);
+  EXPECT_EQ(left[1].vertex, 2U);
+}
+
 }  // namespace
 }  // namespace planish

@@ -204,6 +204,19 @@ TEST(Annotations, WritesTheLengthsOfEdgesInsideThePiece) {
     EXPECT_TRUE(oracle::is_inside(std::get<Text>(shape).at, path(sheet, "seam").lines));
 }
 
+TEST(Annotations, WritesTheNumbersOfSeamsInsideBesideTheirVertices) {
+  // Vertex 2 is in the middle of the lower side, 10 in that of the left one, 12 inside.
+  const Drawing sheet = sheet_with({.seam_numbers = {{3, 2}, {7, 10}, {9, 12}}});
+  EXPECT_THAT(texts(sheet, "annotation"), ElementsAre("seam 3", "seam 7"));
+  const Path& cut = path(sheet, "cut");
+  const std::vector<Vec2> beside = {cut.lines[0][0] + Vec2{100.0, 8.0},
+                                    cut.lines[0][0] + Vec2{8.0, 100.0}};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto& text = std::get<Text>(layer(sheet, "annotation").shapes[k]);
+    EXPECT_NEAR(norm(text.at + Vec2{0.0, 0.5 * text.height} - beside[k]), 0.0, 1e-9);
+  }
+}
+
 TEST(Annotations, ShowsAHashOfThePatternAndADateOnlyIfGiven) {
   const TriMesh mesh = meshes::flat_grid(4, 4);
   std::vector<Vec2> corners;

@@ -73,6 +73,29 @@ TEST(Describe, SaysTheDefaultAndTheChoicesThatTheHelpTells) {
   }
 }
 
+TEST(Describe, SaysOfEveryOperandWhatItTakes) {
+  for (const json& verb : description()["verbs"]) {
+    EXPECT_EQ(verb["operand_values"].size(), verb["operands"].size()) << verb["name"];
+    for (const json& operand : verb["operand_values"]) {
+      EXPECT_EQ(operand["type"] == "name", !operand["choices"].empty()) << verb["name"];
+      EXPECT_EQ(operand["type"] == "file", !operand["extensions"].empty()) << verb["name"];
+    }
+  }
+}
+
+TEST(Describe, NamesEndingsOfFilesThatTheHelpTells) {
+  for_each_flag(description(), [&](const json& verb, const json&, const json& flag) {
+    const std::string help = flag["help"];
+    for (const std::string extension : flag["extensions"]) {
+      EXPECT_EQ(flag["type"], "file") << flag["name"];
+      const bool is_told = help.find("." + extension) != std::string::npos ||
+                           help.find("comma-separated") != std::string::npos ||
+                           help.find("mesh") != std::string::npos;
+      EXPECT_TRUE(is_told) << verb["name"] << flag["name"] << extension;
+    }
+  });
+}
+
 /// The verb at work on a small patch, and the flag with a value.
 std::vector<std::string> command_with(const json& verb, const json& group, const std::string& flag,
                                       const std::string& value) {

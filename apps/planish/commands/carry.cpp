@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <planish/draw/format_drawing.h>
+#include <planish/io/mesh_format.h>
 #include <planish/mesh/carry.h>
 #include <planish/sheet/pattern_sheet.h>
 
@@ -17,6 +18,7 @@
 #include "shell/file_name.h"
 #include "shell/session.h"
 #include "shell/text.h"
+#include "shell/values.h"
 #include "text/carry_text.h"
 #include "text/summary.h"
 
@@ -197,13 +199,31 @@ Command carry_command() {
           "true size. What lies off the mesh is left out, and its length is printed.",
           {"LINES"},
           {{"Output",
-            {{"--from", "MESH", "the mesh that the lines are drawn on", 0, true},
-             {"--to", "MESH", "the mesh that they go to", 0, true},
-             {"--output", "OUT", "the lines there: .obj, or .svg where --to is flat", 'o', true},
+            {{"--from",
+              "MESH",
+              "the mesh that the lines are drawn on",
+              0,
+              true,
+              {.extensions = names_of(k_mesh_formats)}},
+             {"--to",
+              "MESH",
+              "the mesh that they go to",
+              0,
+              true,
+              {.extensions = names_of(k_mesh_formats)}},
+             {"--output",
+              "OUT",
+              "the lines there: .obj, or .svg where --to is flat",
+              'o',
+              true,
+              {.extensions = {"obj", "svg"}}},
              unit_flag()}}},
           {"planish carry drawn.svg --from flat.obj --to processed.obj -o logo.obj",
            "planish carry logo.obj --from processed.obj --to flat.obj -o drawn.svg"},
-          run_carry};
+          run_carry,
+          false,
+          false,
+          {{.extensions = {"obj", "svg"}}}};
 }
 
 }  // namespace planish::cli

@@ -11,6 +11,7 @@
 #include "flags/method_flags.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
+#include "output/open_page.h"
 #include "platform/path.h"
 #include "several/several_files.h"
 #include "shell/failures.h"
@@ -18,6 +19,7 @@
 #include "shell/output_folder.h"
 #include "shell/session.h"
 #include "shell/text.h"
+#include "shell/values.h"
 #include "text/compare_text.h"
 #include "text/summary.h"
 
@@ -99,7 +101,7 @@ void compare_into(WorkFile& file, const fs::path& place, const std::vector<Compa
 }
 
 CommandResult compare_several(const Arguments& arguments, Session& session) {
-  refuse_single_file_flags(arguments, std::array{"--fix", "--weights"});
+  refuse_single_file_flags(arguments, std::array{"--fix", "--weights", "--open"});
   const std::vector<CompareRun> runs = runs_from(arguments);
   unit_from(arguments);
   const SeveralFiles job = {
@@ -120,6 +122,8 @@ CommandResult run_compare(const Arguments& arguments, Session& session) {
   const std::vector<CompareRun> runs = runs_from(arguments);
   CompareOptions options = {.unit = unit_from(arguments)};
   const bool writes = arguments.has("--output");
+  if (arguments.has("--open") && !writes)
+    throw UsageError("flag --open opens a page that is written: say where, with --output FOLDER");
   const fs::path folder = output_folder(arguments.value_or("--output", ""));
 
   ReadResult input = read_model(path, arguments, session);
@@ -141,6 +145,7 @@ CommandResult run_compare(const Arguments& arguments, Session& session) {
   if (writes) text += written_text(files);
   CommandResult outcome = {std::move(text), std::move(json)};
   session.write(files, folder);
+  open_if_asked(arguments, folder / "compare.html", session);
   return outcome;
 }
 
@@ -163,9 +168,13 @@ Command compare_command() {
         {{"--output", "FOLDER", "where to write; without it nothing is written", 'o'},
          unit_flag(),
          scale_flag(),
-         {"--csv", "FILE",
-          "the figures of all inputs as comma-separated values, a line for each file and "
-          "method"}}},
+         open_flag(),
+         {"--csv",
+          "FILE",
+          "the figures of all inputs as comma-separated values, a line for each file and method",
+          0,
+          false,
+          {.extensions = {"csv"}}}}},
        compare_flags(),
        constraint_flags()},
       {"planish compare panel.obj",
@@ -173,7 +182,8 @@ Command compare_command() {
        "planish compare patches --csv figures.csv"},
       run_compare,
       false,
-      true};
+      true,
+      {{.extensions = names_of(k_mesh_formats)}}};
 }
 
 }  // namespace planish::cli

@@ -3,6 +3,7 @@
 #include "commands/commands.h"
 #include "platform/path.h"
 #include "shell/session.h"
+#include "shell/values.h"
 #include "text/json_text.h"
 #include "text/summary.h"
 
@@ -36,7 +37,10 @@ Command convert_command() {
           {"INPUT", "OUTPUT"},
           {},
           {"planish convert panel.stl panel.obj"},
-          run_convert};
+          run_convert,
+          false,
+          false,
+          {{.extensions = names_of(k_mesh_formats)}, {.extensions = names_of(k_mesh_formats)}}};
 }
 
 }  // namespace planish::cli

@@ -69,10 +69,17 @@ Json flag_json(const Flag& flag) {
           {"min", bound(flag.accepts.range.min)},
           {"max", bound(flag.accepts.range.max)},
           {"default", standard_json(flag, type)},
+          {"extensions", flag.accepts.extensions},
           {"required", flag.required},
           {"first", flag.first},
           {"placeholder", text_or_null(flag.value)},
           {"help", flag.doc}};
+}
+
+Json operand_json(const FlagValue& operand) {
+  return {{"type", to_string(type_of(operand))},
+          {"choices", operand.choices},
+          {"extensions", operand.extensions}};
 }
 
 Json group_json(const FlagGroup& group) {
@@ -85,7 +92,9 @@ Json group_json(const FlagGroup& group) {
 }
 
 Json verb_json(const Command& command) {
-  Json groups = Json::array();
+  Json groups = Json::array(), operand_values = Json::array();
+  for (const FlagValue& operand : command.operand_values)
+    operand_values.push_back(operand_json(operand));
   for (const FlagGroup& group : command.groups)
     groups.push_back(group_json(group));
   return {{"name", command.name},
@@ -94,6 +103,7 @@ Json verb_json(const Command& command) {
           {"description", command.description},
           {"operands", command.operands},
           {"operands_repeat", command.operands_repeat},
+          {"operand_values", operand_values},
           {"groups", groups},
           {"examples", command.examples}};
 }
@@ -159,7 +169,9 @@ Command describe_command() {
       {},
       {"planish describe --json", "planish describe flatten"},
       run_describe,
-      true};
+      true,
+      false,
+      {{.type = ValueType::name}}};
 }
 
 }  // namespace planish::cli

@@ -146,15 +146,23 @@ CommandResult run_evolve(const Arguments& arguments, Session& session) {
 Command evolve_command() {
   std::vector<FlagGroup> groups = {
       {"Output",
-       {{"--output", "OUTPUT",
-         "the evolved mesh: .obj, .ply, .stl or .off; of several inputs the folder for theirs", 'o',
-         true},
+       {{"--output",
+         "OUTPUT",
+         "the evolved mesh: .obj, .ply, .stl or .off; of several inputs the folder for theirs",
+         'o',
+         true,
+         {.extensions = names_of(k_mesh_formats)}},
         unit_flag(),
         scale_flag(),
         cut_flag(),
         remesh_flag(),
         smooth_first_flag(),
-        {"--history", "FILE", "the figures of every sweep, as comma-separated values"},
+        {"--history",
+         "FILE",
+         "the figures of every sweep, as comma-separated values",
+         0,
+         false,
+         {.extensions = {"csv"}}},
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"},
         csv_flag(),
         output_format_flag(names_of(k_mesh_formats), "as the input, obj for .stl")}}};
@@ -183,7 +191,8 @@ Command evolve_command() {
        "planish evolve patches -o evolved --method auto --csv figures.csv"},
       run_evolve,
       false,
-      true};
+      true,
+      {{.extensions = names_of(k_mesh_formats)}}};
 }
 
 }  // namespace planish::cli

@@ -22,6 +22,7 @@
 #include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "flatten/reference_sweeps.h"
+#include "output/open_page.h"
 #include "output/pattern_output.h"
 #include "platform/path.h"
 #include "product/job.h"
@@ -278,6 +279,13 @@ PatternPlan plan_of(const PatternFiles& pattern, Unit unit, const NestRequest* n
   return {unit, pattern.output, pattern.annotations, nest ? &nest->sheets : nullptr};
 }
 
+/// Of a patch, and of a product file.
+std::vector<std::string> input_extensions() {
+  std::vector<std::string> extensions = names_of(k_mesh_formats);
+  extensions.emplace_back("json");
+  return extensions;
+}
+
 CommandResult run_flatten(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   FlattenOptions options = options_from(arguments);
@@ -344,6 +352,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   CommandResult outcome =
       with_target_checked({text + written_text(files), json}, arguments, report.evolve);
   session.write(files, folder);
+  open_if_asked(arguments, path_of(paths.at("report_html")), session);
   return with_design_checked(with_limits_checked(std::move(outcome), report.unfold.limits), report);
 }
 
@@ -370,8 +379,14 @@ Command flatten_command() {
         {"--textured", "",
          "also write the processed patch as textured.obj, with the pattern in millimetres for "
          "texture coordinates"},
-        {"--history", "FILE", "the figures of every sweep, as comma-separated values"},
+        {"--history",
+         "FILE",
+         "the figures of every sweep, as comma-separated values",
+         0,
+         false,
+         {.extensions = {"csv"}}},
         fields_flag(),
+        open_flag(),
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"}}}};
   for (Flag& flag : pattern_flags("also write the pattern as a .pdf of pages to be joined"))
     groups.front().flags.push_back(std::move(flag));
@@ -409,7 +424,8 @@ Command flatten_command() {
        "planish flatten panel.obj --target-e-max 0.001 --require-target"},
       run_flatten,
       false,
-      true};
+      true,
+      {{.extensions = input_extensions()}}};
 }
 
 }  // namespace planish::cli

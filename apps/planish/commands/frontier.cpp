@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <planish/flatten/frontier.h>
+#include <planish/io/mesh_format.h>
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
 
@@ -11,6 +12,7 @@
 #include "flags/quantities.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
+#include "output/open_page.h"
 #include "platform/path.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
@@ -116,6 +118,8 @@ CommandResult run_frontier(const Arguments& arguments, Session& session) {
   const bool writes = arguments.has("--output");
   const std::string output = arguments.value_or("--output", "");
   const Writer writer = writes ? writer_of(output) : nullptr;
+  if (arguments.has("--open") && extension_of(output) != ".html")
+    throw UsageError("flag --open opens a page that is written: say where, with --output X.html");
 
   ReadResult input = read_model(path, arguments, session);
   const std::string size = size_text(input.mesh);
@@ -136,6 +140,7 @@ CommandResult run_frontier(const Arguments& arguments, Session& session) {
   const std::vector<OutputFile> files = {{path_of(output), writer(report)}};
   outcome.text += written_text(files);
   session.write(files);
+  open_if_asked(arguments, path_of(output), session);
   return outcome;
 }
 
@@ -152,14 +157,23 @@ Command frontier_command() {
           "usually takes.",
           {"INPUT"},
           {{"Output",
-            {{"--output", "FILE", "a chart (.svg), a page (.html) or all figures (.csv)", 'o'},
+            {{"--output",
+              "FILE",
+              "a chart (.svg), a page (.html) or all figures (.csv)",
+              'o',
+              false,
+              {.extensions = {"svg", "html", "csv"}}},
              unit_flag(),
-             scale_flag()}},
+             scale_flag(),
+             open_flag()}},
            frontier_flags(),
            constraint_flags()},
           {"planish frontier panel.obj", "planish frontier panel.obj -o frontier.svg --points 12",
            "planish frontier panel.obj --material leather -o frontier.html"},
-          run_frontier};
+          run_frontier,
+          false,
+          false,
+          {{.extensions = names_of(k_mesh_formats)}}};
 }
 
 }  // namespace planish::cli

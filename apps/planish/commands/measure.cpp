@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include <planish/io/mesh_format.h>
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
@@ -16,6 +17,7 @@
 #include "shell/file_name.h"
 #include "shell/session.h"
 #include "shell/text.h"
+#include "shell/values.h"
 #include "text/json_text.h"
 #include "text/summary.h"
 
@@ -177,8 +179,18 @@ Command measure_command() {
       "but the exit code is 1 at the end.",
       {"INPUT"},
       {{"Output",
-        {{"--map", "FILE", "classes and directions of all vertices, as comma-separated values"},
-         {"--picture", "FILE", "the same as pictures side by side: .svg"},
+        {{"--map",
+          "FILE",
+          "classes and directions of all vertices, as comma-separated values",
+          0,
+          false,
+          {.extensions = {"csv"}}},
+         {"--picture",
+          "FILE",
+          "the same as pictures side by side: .svg",
+          0,
+          false,
+          {.extensions = {"svg"}}},
          scale_flag(),
          fields_flag(),
          csv_flag()}},
@@ -190,7 +202,8 @@ Command measure_command() {
        "planish measure front.obj back.ply patches --csv figures.csv"},
       run_measure,
       false,
-      true};
+      true,
+      {{.extensions = names_of(k_mesh_formats)}}};
 }
 
 }  // namespace planish::cli

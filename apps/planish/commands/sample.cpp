@@ -55,7 +55,12 @@ Command sample_command() {
               "same name and size always give the same mesh.",
           {"NAME"},
           {{"Output",
-            {{"--output", "OUTPUT", "the mesh: .obj, .ply, .stl or .off", 'o', true},
+            {{"--output",
+              "OUTPUT",
+              "the mesh: .obj, .ply, .stl or .off",
+              'o',
+              true,
+              {.extensions = names_of(k_mesh_formats)}},
              {"--vertices",
               "N",
               "about how many vertices (100 to 10000000, default 5000)",
@@ -65,7 +70,10 @@ Command sample_command() {
              {"--list", "", "list the names and what they are, and end"}}}},
           {"planish sample panel -o panel.obj", "planish sample dome --vertices 100000 -o dome.ply",
            "planish sample --list"},
-          run_sample};
+          run_sample,
+          false,
+          false,
+          {{.choices = shape_names()}}};
 }
 
 }  // namespace planish::cli

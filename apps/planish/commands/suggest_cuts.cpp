@@ -106,8 +106,18 @@ Command suggest_cuts_command() {
       {"INPUT"},
       {{"Output",
         {{"--output", "CUTS", "the cuts, one a line by its vertices", 'o'},
-         {"--picture", "FILE", "the pattern without the darts, the darts drawn on it: .svg"},
-         {"--apply", "FILE", "the mesh cut open: .obj, .ply, .stl or .off"},
+         {"--picture",
+          "FILE",
+          "the pattern without the darts, the darts drawn on it: .svg",
+          0,
+          false,
+          {.extensions = {"svg"}}},
+         {"--apply",
+          "FILE",
+          "the mesh cut open: .obj, .ply, .stl or .off",
+          0,
+          false,
+          {.extensions = names_of(k_mesh_formats)}},
          unit_flag(),
          scale_flag()}},
        {"What to look for",
@@ -128,7 +138,10 @@ Command suggest_cuts_command() {
           {.range = k_darts, .standard = std::to_string(SuggestOptions{}.max_darts)}}}}},
       {"planish suggest-cuts hat.obj", "planish suggest-cuts hat.obj -o cuts.txt --max-strain 5%",
        "planish flatten hat.obj --cut cuts.txt"},
-      run_suggest_cuts};
+      run_suggest_cuts,
+      false,
+      false,
+      {{.extensions = names_of(k_mesh_formats)}}};
 }
 
 }  // namespace planish::cli

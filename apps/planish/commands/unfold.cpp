@@ -21,6 +21,7 @@
 #include "shell/file_name.h"
 #include "shell/session.h"
 #include "shell/text.h"
+#include "shell/values.h"
 #include "text/own_seams.h"
 #include "text/summary.h"
 
@@ -164,10 +165,13 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
 
 Command unfold_command() {
   std::vector<Flag> flags = {
-      {"--output", "OUTPUT",
+      {"--output",
+       "OUTPUT",
        "the pattern at true size (.svg, .dxf, .pdf or .plt), or a flat mesh with z = 0 (.obj, "
        ".ply, .stl or .off); of several inputs the folder for theirs",
-       'o', true},
+       'o',
+       true,
+       {.extensions = output_names()}},
       unit_flag(),
       scale_flag(),
       cut_flag(),
@@ -203,7 +207,8 @@ Command unfold_command() {
        "planish unfold patches -o patterns --csv figures.csv"},
       run_unfold,
       false,
-      true};
+      true,
+      {{.extensions = names_of(k_mesh_formats)}}};
 }
 
 }  // namespace planish::cli

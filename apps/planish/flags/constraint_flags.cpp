@@ -1,5 +1,6 @@
 #include "flags/constraint_flags.h"
 
+#include <planish/io/mesh_format.h>
 #include <planish/io/read_features.h>
 
 #include "flags/method_flags.h"
@@ -43,7 +44,12 @@ FlagGroup constraint_flags() {
             "vertices that stay where they are: a list of numbers from 0, or an .obj whose lines "
             "and points are snapped to the mesh"},
            {"--weights", "FILE", "weights of moves: on each line a vertex, from 0, and its weight"},
-           {"--obstacle", "FILE", "a closed mesh that must not be entered"}}};
+           {"--obstacle",
+            "FILE",
+            "a closed mesh that must not be entered",
+            0,
+            false,
+            {.extensions = names_of(k_mesh_formats)}}}};
 }
 
 void refuse_unsupported_constraints(const Arguments& arguments, const Method& method) {

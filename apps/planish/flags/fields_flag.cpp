@@ -32,10 +32,14 @@ std::string with_suffix(const std::string& path, const std::string& suffix) {
 }  // namespace
 
 Flag fields_flag() {
-  return {"--fields", "FILE",
+  return {"--fields",
+          "FILE",
           "figures of every vertex and triangle (defect, mean curvature, strain, and with flatten "
           "the move from the design): .ply, .vtp, .vtu, or .csv for NAME-vertices.csv and "
-          "NAME-triangles.csv"};
+          "NAME-triangles.csv",
+          0,
+          false,
+          {.extensions = {"ply", "vtp", "vtu", "csv"}}};
 }
 
 WrittenFiles fields_paths(const Arguments& arguments) {

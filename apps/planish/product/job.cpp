@@ -8,6 +8,7 @@
 #include <planish/report/html_report.h>
 #include <planish/sheet/product_sheet.h>
 
+#include "output/open_page.h"
 #include "platform/path.h"
 #include "product/nest.h"
 #include "product/seams.h"
@@ -92,6 +93,7 @@ class ProductRun {
     CommandResult outcome = with_nesting_checked(with_exit_code({text, garment}), nesting);
     note_unusual_sizes();
     session_.write(files, job_.folder);
+    open_if_asked(arguments_, job_.folder / "garment.html", session_);
     return outcome;
   }
 

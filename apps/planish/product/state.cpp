@@ -28,10 +28,10 @@ constexpr const char* k_job_file = "job.json";
 
 /// Flags that do not change the results of a patch. Those of seams act through its notches, which
 /// are compared on their own.
-constexpr std::array<std::string_view, 13> k_idle_flags = {
+constexpr std::array<std::string_view, 14> k_idle_flags = {
     "--output",         "--threads",      "--quiet",    "--json",        "--resume",
     "--require-target", "--sheet",        "--nest-gap", "--nest-margin", "--turn",
-    "--seam-tolerance", "--seam-notches", "--product"};
+    "--seam-tolerance", "--seam-notches", "--product",  "--open"};
 
 template <class Value>
 void add_value(FnvHash& hash, const Value& value) {

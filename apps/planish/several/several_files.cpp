@@ -133,7 +133,8 @@ class SeveralRun {
 }  // namespace
 
 Flag csv_flag() {
-  return {"--csv", "FILE", "the figures of all inputs as comma-separated values, a line a file"};
+  return {"--csv", "FILE", "the figures of all inputs as comma-separated values, a line a file",
+          0,       false,  {.extensions = {"csv"}}};
 }
 
 Flag output_format_flag(std::vector<std::string> names, const std::string& standard) {

@@ -16,13 +16,18 @@ std::string_view to_string(ValueType type) {
 ValueType type_of(const Flag& flag) {
   if (flag.accepts.type) return *flag.accepts.type;
   const std::map<std::string_view, ValueType> by_value = {
-      {"", ValueType::on_off},       {"N", ValueType::integer},    {"X", ValueType::number},
-      {"LENGTH", ValueType::length}, {"NAME", ValueType::name},    {"KIND", ValueType::name},
-      {"UNIT", ValueType::name},     {"PAPER", ValueType::name},   {"NAMES", ValueType::names},
-      {"LIST", ValueType::names},    {"FILE", ValueType::file},    {"OUTPUT", ValueType::file},
-      {"CUTS", ValueType::file},     {"FOLDER", ValueType::folder}};
+      {"", ValueType::on_off},       {"N", ValueType::integer},  {"X", ValueType::number},
+      {"LENGTH", ValueType::length}, {"NAME", ValueType::name},  {"KIND", ValueType::name},
+      {"UNIT", ValueType::name},     {"PAPER", ValueType::name}, {"NAMES", ValueType::names},
+      {"LIST", ValueType::names},    {"FILE", ValueType::file},  {"OUTPUT", ValueType::file},
+      {"CUTS", ValueType::file},     {"MESH", ValueType::file},  {"OUT", ValueType::file},
+      {"FOLDER", ValueType::folder}};
   const auto found = by_value.find(flag.value);
   return found == by_value.end() ? ValueType::text : found->second;
+}
+
+ValueType type_of(const FlagValue& operand) {
+  return operand.type.value_or(operand.choices.empty() ? ValueType::file : ValueType::name);
 }
 
 std::string Arguments::value_or(std::string_view flag, const std::string& other) const {

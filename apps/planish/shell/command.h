@@ -39,6 +39,8 @@ struct FlagValue {
   Range range = {};                       ///< of numbers, in the unit of their type
   /// As it would be typed. Empty where there is none, or where it depends on something else.
   std::string standard = {};
+  /// Of the files that it may name: "obj". Empty for files of any name.
+  std::vector<std::string> extensions = {};
 };
 
 /// One flag, as the parser, the help and `planish describe` see it.
@@ -53,6 +55,8 @@ struct Flag {
 };
 
 ValueType type_of(const Flag& flag);
+/// Of an operand: a name where there are choices, else a file.
+ValueType type_of(const FlagValue& operand);
 
 struct FlagGroup {
   std::string title;
@@ -96,6 +100,8 @@ struct Command {
   CommandResult (*run)(const Arguments&, Session&);
   bool operands_optional = false;
   bool operands_repeat = false;  ///< the last may be given several times
+  /// What each of the operands takes.
+  std::vector<FlagValue> operand_values = {};
 };
 
 /// What --threads takes; 0 for all cores.

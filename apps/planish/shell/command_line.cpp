@@ -12,6 +12,12 @@ std::string word(const std::string& text) {
   constexpr std::string_view plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./%@";
   if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+  return in_quotes(text);
+}
+
+}  // namespace
+
+std::string in_quotes(std::string_view text) {
   std::string quoted = "'";
   for (const char c : text) {
     if (c == '\'') {
@@ -23,10 +29,9 @@ std::string word(const std::string& text) {
   return quoted + "'";
 }
 
-}  // namespace
-
 std::string command_line(std::string_view verb, const Arguments& arguments) {
-  constexpr std::array<std::string_view, 4> silent = {"--json", "--quiet", "--resume", "--threads"};
+  constexpr std::array<std::string_view, 5> silent = {"--json", "--quiet", "--open", "--resume",
+                                                      "--threads"};
   std::string line = "planish " + std::string(verb);
   for (const std::string& operand : arguments.operands)
     line += " " + word(operand);

@@ -7,6 +7,9 @@
 
 namespace planish::cli {
 
+/// The text between single quotes, as shells take it for one word.
+std::string in_quotes(std::string_view text);
+
 /// A command line that asks for the same, for a shell: the verb, what it works on and its flags by
 /// their full names, without those that change nothing of what is written.
 std::string command_line(std::string_view verb, const Arguments& arguments);

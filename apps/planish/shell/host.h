@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,16 @@ RunContext prepare_process();
 /// The words of the command line behind the program's name, in UTF-8.
 /// @param argc,argv of main(); on Windows they have lost letters, and the system is asked instead
 std::vector<std::string> command_words(int argc, char** argv);
+
+/// Opens a page in the program that the user has for such files, usually the browser, and does not
+/// wait for it. That program outlives this one and shares no standard file with it. On Windows use
+/// ShellExecuteEx().
+/// @param path absolute
+/// @return why it cannot be opened, for a note: "xdg-open is not installed"; empty where it can
+std::string open_document(const std::filesystem::path& path);
+
+/// What `planish doctor` says of the system.
+SystemFacts system_facts();
 
 /// Says something on standard error and ends the program, without destructors and without memory.
 [[noreturn]] void end_at_once(std::string_view message, int exit_code) noexcept;

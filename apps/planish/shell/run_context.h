@@ -1,13 +1,25 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
+#include <string>
 
 namespace planish::cli {
+
+/// What a bug report has to say of the system.
+struct SystemFacts {
+  std::string name = "not known";  ///< "Linux 6.1.0 x86_64, glibc 2.36"
+  std::string processor;           ///< the maker's name for it; empty where it is not known
+  std::string document_opener;     ///< what open_document() starts; empty where it is missing
+};
 
 /// What the process around the program is like.
 struct RunContext {
   bool err_is_terminal = false;                    ///< draws the progress line
   const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal: stop, write nothing
+  /// Those of host.h; null where the program runs inside another process.
+  std::string (*open_document)(const std::filesystem::path&) = nullptr;
+  SystemFacts (*system_facts)() = nullptr;
 };
 
 inline constexpr int k_exit_done = 0;

@@ -1,6 +1,7 @@
 #include "shell/session.h"
 
 #include <algorithm>
+#include <exception>
 #include <set>
 
 #include "platform/path.h"
@@ -100,6 +101,21 @@ ReadResult Session::read(const std::string& path) {
     note(path + ": " + message);
   stop_if_interrupted();
   return result;
+}
+
+void Session::open(const std::filesystem::path& page) noexcept {
+  try {
+    const std::string fault = context_.open_document == nullptr
+                                  ? "this program has no way to"
+                                  : context_.open_document(std::filesystem::absolute(page));
+    if (!fault.empty()) note("cannot open " + utf8_of(page) + ": " + fault);
+  } catch (const std::exception&) {
+    // Without memory even for the note, the page is there all the same.
+  }
+}
+
+SystemFacts Session::system_facts() const {
+  return context_.system_facts == nullptr ? SystemFacts() : context_.system_facts();
 }
 
 void Session::write(const std::vector<OutputFile>& files, const std::filesystem::path& folder) {

@@ -39,6 +39,11 @@ class Session {
 
   /// Reads a mesh and passes on what the reader noticed.
   ReadResult read(const std::string& path);
+  /// Opens a page that was written in the browser, or says in a note why that cannot be. Never
+  /// fails: what the run was for is done by then.
+  void open(const std::filesystem::path& page) noexcept;
+  SystemFacts system_facts() const;
+
   /// Writes all files or none; below the folder no symbolic link is followed, as write_files()
   /// tells.
   /// @throws Cancelled where the user asked to stop

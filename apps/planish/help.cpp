@@ -1,6 +1,7 @@
 #include "help.h"
 
 #include <algorithm>
+#include <array>
 
 #include "commands/commands.h"
 #include "shell/text.h"
@@ -46,24 +47,43 @@ std::string first_text(const FlagGroup& group) {
   return few.flags.empty() ? "" : group_text(few);
 }
 
+/// "Exit codes: 0 done; 1 ... "
+std::string exit_codes_line() {
+  std::string text;
+  for (const ExitCode& code : exit_codes()) {
+    text += text.empty() ? "Exit codes: " : "; ";
+    text += std::to_string(code.number) + " " + std::string(code.meaning);
+  }
+  return text + ". " + std::string(k_nothing_after_failure);
+}
+
 }  // namespace
 
+std::span<const ExitCode> exit_codes() {
+  static constexpr std::array<ExitCode, 5> all = {
+      {{k_exit_done, "done"},
+       {k_exit_failed, "input, output or unusable mesh"},
+       {k_exit_usage, "usage"},
+       {k_exit_target_missed, "target or limit missed"},
+       {k_exit_interrupted, "interrupted"}}};
+  return all;
+}
+
+std::vector<std::string> program_examples() {
+  return {"planish flatten panel.obj -o panel-pattern", "planish measure panel.obj --json"};
+}
+
 std::string program_help() {
-  std::string text =
-      "planish: makes curved patches flattenable and writes their true-size patterns\n\n"
-      "Usage: planish VERB [flags] INPUT ...\n\nVerbs:\n";
+  std::string text = "planish: " + std::string(k_program_summary) +
+                     "\n\nUsage: planish VERB [flags] INPUT ...\n\nVerbs:\n";
   for (const Command& command : commands())
     text += entry(command.name, command.summary);
   text += group_text(global_flags());
-  text +=
-      "\nExamples:\n"
-      "  planish flatten panel.obj -o panel-pattern\n"
-      "  planish measure panel.obj --json\n"
-      "\nplanish VERB --help shows the usual flags of a verb, --help-all all of them.\n"
-      "Exit codes: 0 done; 1 input, output or unusable mesh; 2 usage;\n"
-      "3 target or limit missed; 130 interrupted. Nothing is written after a "
-      "failure.\n";
-  return text;
+  text += "\nExamples:\n";
+  for (const std::string& example : program_examples())
+    text += "  " + example + "\n";
+  text += "\nplanish VERB --help shows the usual flags of a verb, --help-all all of them.\n";
+  return text + wrapped(exit_codes_line(), 0) + "\n";
 }
 
 std::string verb_help(const Command& command, bool all) {

@@ -1,10 +1,29 @@
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "shell/command.h"
 
 namespace planish::cli {
+
+// What the help and the manual pages both say.
+
+inline constexpr std::string_view k_program_summary =
+    "makes curved patches flattenable and writes their true-size patterns";
+inline constexpr std::string_view k_nothing_after_failure = "Nothing is written after a failure.";
+
+struct ExitCode {
+  int number = 0;
+  std::string_view meaning;
+};
+
+std::span<const ExitCode> exit_codes();
+
+/// Command lines to begin with.
+std::vector<std::string> program_examples();
 
 /// What the program does and its verbs.
 std::string program_help();

@@ -57,7 +57,9 @@ TEST_F(JsonSchema, IsFirstInWhatEveryVerbPrints) {
       {"carry", {"carry", "line.obj", "--from", "panel.obj", "--to", "panel.obj", "-o", "on.obj"}},
       {"convert", {"convert", "panel.obj", "panel.ply"}},
       {"sample", {"sample", "dome", "-o", "dome.ply"}},
-      {"describe", {"describe"}}};
+      {"describe", {"describe"}},
+      {"completion", {"completion", "fish"}},
+      {"man", {"man", "flatten"}}};
   for (const Command& command : commands()) {
     ASSERT_TRUE(runs.contains(command.name)) << command.name;
     Names args = runs.at(command.name);

@@ -17,6 +17,8 @@ Command carry_command();
 Command convert_command();
 Command sample_command();
 Command describe_command();
+Command completion_command();
+Command man_command();
 
 /// All verbs, in the order of the help.
 const std::vector<Command>& commands();

@@ -1,0 +1,44 @@
+#include "manual/completion.h"
+
+#include <planish_json/json.h>
+
+#include "commands/commands.h"
+#include "shell/values.h"
+
+namespace planish::cli {
+
+namespace {
+
+std::vector<std::string> shell_names() {
+  return {"bash", "zsh", "fish"};
+}
+
+CommandResult run_completion(const Arguments& arguments, Session&) {
+  const std::string shell = known_name("shell", arguments.operands.front(), shell_names());
+  const std::string script = shell == "bash"  ? bash_completion()
+                             : shell == "zsh" ? zsh_completion()
+                                              : fish_completion();
+  return {script, json_document({{"shell", shell}, {"script", script}})};
+}
+
+}  // namespace
+
+Command completion_command() {
+  return {"completion",
+          "a script with which a shell completes verbs, flags and files",
+          "SHELL",
+          "Prints a script for " + list_of(shell_names()) +
+              ". Loaded by the shell, it completes verbs, flags, the names that flags choose from, "
+              "and files of the kinds that a flag takes. Debian packages of planish bring the "
+              "scripts with them.",
+          {"SHELL"},
+          {},
+          {"source <(planish completion bash)", "planish completion zsh > ~/.zfunc/_planish",
+           "planish completion fish > ~/.config/fish/completions/planish.fish"},
+          run_completion,
+          false,
+          false,
+          {{.choices = shell_names()}}};
+}
+
+}  // namespace planish::cli

@@ -67,6 +67,7 @@ FLOORS = {
 # Private headers that the program may include: only the program needs them.
 FOR_THE_PROGRAM = {
     "core/fnv_hash.h",
+    "core/lanes/isa.h",
     "core/likely_units.h",
     "draw/text/stroke_text.h",
     "evolve/direction.h",
@@ -82,6 +83,7 @@ FOR_THE_PROGRAM = {
     "mesh/split.h",
     "platform/memory.h",
     "platform/path.h",
+    "report/page/page_script.h",
     "report/several_files.h",
     "report/pictures/direction_map.h",
     "sheet/carry/drawing_on_sheet.h",

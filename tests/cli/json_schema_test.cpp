@@ -59,7 +59,8 @@ TEST_F(JsonSchema, IsFirstInWhatEveryVerbPrints) {
       {"sample", {"sample", "dome", "-o", "dome.ply"}},
       {"describe", {"describe"}},
       {"completion", {"completion", "fish"}},
-      {"man", {"man", "flatten"}}};
+      {"man", {"man", "flatten"}},
+      {"doctor", {"doctor"}}};
   for (const Command& command : commands()) {
     ASSERT_TRUE(runs.contains(command.name)) << command.name;
     Names args = runs.at(command.name);

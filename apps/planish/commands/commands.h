@@ -19,6 +19,7 @@ Command sample_command();
 Command describe_command();
 Command completion_command();
 Command man_command();
+Command doctor_command();
 
 /// All verbs, in the order of the help.
 const std::vector<Command>& commands();

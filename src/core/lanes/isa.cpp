@@ -34,4 +34,19 @@ Isa best_isa() {
   return best;
 }
 
+std::vector<std::string_view> processor_features() {
+  std::vector<std::string_view> features;
+#if defined(PLANISH_X86_64_LANES)
+  // The compiler takes literals only.
+  if (__builtin_cpu_supports("sse4.2")) features.emplace_back("sse4.2");
+  if (__builtin_cpu_supports("avx")) features.emplace_back("avx");
+  if (__builtin_cpu_supports("avx2")) features.emplace_back("avx2");
+  if (__builtin_cpu_supports("fma")) features.emplace_back("fma");
+  if (__builtin_cpu_supports("avx512f")) features.emplace_back("avx512f");
+  if (__builtin_cpu_supports("avx512dq")) features.emplace_back("avx512dq");
+  if (__builtin_cpu_supports("avx512vl")) features.emplace_back("avx512vl");
+#endif
+  return features;
+}
+
 }  // namespace planish

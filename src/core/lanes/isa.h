@@ -17,4 +17,8 @@ std::vector<Isa> available_isas();
 /// The last of available_isas().
 Isa best_isa();
 
+/// Which of the instructions that bear on speed this processor has: "avx2", "fma", "avx512f".
+/// Empty on processors of other kinds than x86-64.
+std::vector<std::string_view> processor_features();
+
 }  // namespace planish

@@ -37,7 +37,7 @@ json description() {
 TEST(Describe, NamesEveryVerbAndFlagOfTheHelp) {
   const json all = description();
   EXPECT_EQ(all["schema"], 1);
-  EXPECT_EQ(all["version"], "0.1.0");
+  EXPECT_EQ(all["version"], "0.2.0");
   ASSERT_EQ(all["verbs"].size(), commands().size());
   std::set<std::pair<std::string, std::string>> described;
   for_each_flag(all, [&](const json& verb, const json&, const json& flag) {

@@ -177,9 +177,9 @@ TEST(Usage, NoArgumentsGiveAShortHelpOnStandardError) {
 }
 
 TEST(Usage, VersionIsOneLine) {
-  EXPECT_EQ(planish({"--version"}).out, "planish 0.1.0\n");
+  EXPECT_EQ(planish({"--version"}).out, "planish 0.2.0\n");
   EXPECT_EQ(planish({"evolve", "--version"}).exit_code, k_exit_done);
-  EXPECT_EQ(planish({"--json", "--version"}).json()["version"], "0.1.0");
+  EXPECT_EQ(planish({"--json", "--version"}).json()["version"], "0.2.0");
 }
 
 /// Compares with tests/golden/NAME; with PLANISH_UPDATE_GOLDENS set, writes it.

@@ -70,7 +70,7 @@ std::string quoted(const std::string& text) {
 
 /// What completes a value, for complete -a; empty for what has no candidates.
 std::string action(const Candidates& candidates) {
-  const std::string words = joined(candidates.words, " ");
+  std::string words = joined(candidates.words, " ");
   switch (candidates.kind) {
     case Candidates::Kind::nothing:
       break;

@@ -67,7 +67,7 @@ std::string operand_lines(const Command& command, const std::string& indent) {
 }
 
 /// A command of lines that each end with a backslash; the last one may not.
-std::string closed(std::string text) {
+std::string closed(const std::string& text) {
   return text.substr(0, text.size() - 3) + "\n";
 }
 

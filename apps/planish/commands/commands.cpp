@@ -7,6 +7,7 @@ namespace {
 /// What VERB stands for is known once all verbs are.
 std::vector<Command> with_verbs_named(std::vector<Command> all) {
   std::vector<std::string> names;
+  names.reserve(all.size());
   for (const Command& command : all)
     names.push_back(command.name);
   for (Command& command : all) {

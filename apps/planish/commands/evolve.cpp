@@ -4,6 +4,7 @@
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
+#include "commands/jobs.h"
 #include "flags/constraint_flags.h"
 #include "flags/cut_flag.h"
 #include "flags/method_flags.h"
@@ -21,42 +22,6 @@
 namespace planish::cli {
 
 namespace {
-
-struct Evolved {
-  TriMesh mesh;  ///< with the evolved positions
-  EvolveReport report;
-};
-
-Evolved evolve_with_progress(const Patch& patch, const std::string& path,
-                             const Arguments& arguments, Session& session) {
-  const Method method = method_from(arguments, Method{});
-  const Stopping stopping = stopping_from(arguments, method);
-  const Constraints constraints = constraints_from(arguments, patch, session);
-  const Context context = session.job_context(path);
-  if (const double length = smooth_first_from(arguments); length > 0.0) {
-    const SmoothedDesign design = smooth_design(patch, length);
-    EvolveReport report = with_smoothing(
-        evolve_patch(design.patch, method, stopping, constraints, context), patch, design.done);
-    return {{report.result.positions, patch.triangles()}, std::move(report)};
-  }
-  if (arguments.has("--remesh")) {
-    check_constraints(constraints, patch.vertex_count(), method);
-    const RemeshedPatch remeshed = remesh(patch, constraints);
-    EvolveReport report = evolve_remeshed(patch, remeshed, method, stopping, context);
-    return {{report.result.positions, remeshed.patch.triangles()}, std::move(report)};
-  }
-  EvolveReport report = evolve_patch(patch, method, stopping, constraints, context);
-  return {{report.result.positions, patch.triangles()}, std::move(report)};
-}
-
-/// Refuses what can be wrong with the request, before any work.
-void check_request(const Arguments& arguments) {
-  unit_from(arguments);
-  const Method method = method_from(arguments, Method{});
-  smooth_first_from(arguments);
-  refuse_unsupported_constraints(arguments, method);
-  stopping_from(arguments, method);
-}
 
 /// The name of the format that the mesh of an input is written in.
 std::string mesh_format_for(const std::string& input) {
@@ -86,7 +51,7 @@ void evolve_into(WorkFile& file, const std::filesystem::path& place, const Argum
   const std::string& path = file.report.path;
   const TriMesh mesh = read_model(path, arguments, session).mesh;
   const auto [evolved, report] =
-      about(path, [&] { return evolve_with_progress(Patch(mesh), path, arguments, session); });
+      about(path, [&] { return evolve_as_asked(Patch(mesh), path, arguments, session); });
   file.report.lines = {{evolved_cells(&report)}};
   file.report.figures = evolved_figures(report);
   file.text = line_of(report);
@@ -96,7 +61,7 @@ void evolve_into(WorkFile& file, const std::filesystem::path& place, const Argum
 
 CommandResult evolve_several(const Arguments& arguments, Session& session) {
   refuse_single_file_flags(arguments, std::array{"--cut", "--history", "--fix", "--weights"});
-  check_request(arguments);
+  check_evolve_request(arguments);
   const auto format = output_format_from(arguments, names_of(k_mesh_formats));
   const SeveralFiles job = {
       .columns = evolved_cells(nullptr),
@@ -113,7 +78,7 @@ CommandResult evolve_several(const Arguments& arguments, Session& session) {
 CommandResult run_evolve(const Arguments& arguments, Session& session) {
   if (takes_several(arguments)) return evolve_several(arguments, session);
   output_format_from(arguments, names_of(k_mesh_formats));
-  check_request(arguments);
+  check_evolve_request(arguments);
   const std::string& output = arguments.flags.at("--output");
   const MeshFormat format = mesh_format_of(path_of(output));
   std::vector<OutputFile> files = {{path_of(output), {}}};
@@ -128,7 +93,7 @@ CommandResult run_evolve(const Arguments& arguments, Session& session) {
     const Patch patch(input.mesh);
     note_obstruction(session, patch);
     if (!arguments.has("--remesh")) note_memory(session, method, patch.vertex_count());
-    return evolve_with_progress(patch, path, arguments, session);
+    return evolve_as_asked(patch, path, arguments, session);
   });
   files.front().content = format_mesh(evolved, format);
   if (files.size() > 1) files.back().content = history_csv(report.result.history);
@@ -142,6 +107,36 @@ CommandResult run_evolve(const Arguments& arguments, Session& session) {
 }
 
 }  // namespace
+
+void check_evolve_request(const Arguments& arguments) {
+  unit_from(arguments);
+  const Method method = method_from(arguments, Method{});
+  smooth_first_from(arguments);
+  refuse_unsupported_constraints(arguments, method);
+  stopping_from(arguments, method);
+}
+
+Evolved evolve_as_asked(const Patch& patch, const std::string& path, const Arguments& arguments,
+                        Session& session) {
+  const Method method = method_from(arguments, Method{});
+  const Stopping stopping = stopping_from(arguments, method);
+  const Constraints constraints = constraints_from(arguments, patch, session);
+  const Context context = session.job_context(path);
+  if (const double length = smooth_first_from(arguments); length > 0.0) {
+    const SmoothedDesign design = smooth_design(patch, length);
+    EvolveReport report = with_smoothing(
+        evolve_patch(design.patch, method, stopping, constraints, context), patch, design.done);
+    return {{report.result.positions, patch.triangles()}, std::move(report)};
+  }
+  if (arguments.has("--remesh")) {
+    check_constraints(constraints, patch.vertex_count(), method);
+    const RemeshedPatch remeshed = remesh(patch, constraints);
+    EvolveReport report = evolve_remeshed(patch, remeshed, method, stopping, context);
+    return {{report.result.positions, remeshed.patch.triangles()}, std::move(report)};
+  }
+  EvolveReport report = evolve_patch(patch, method, stopping, constraints, context);
+  return {{report.result.positions, patch.triangles()}, std::move(report)};
+}
 
 Command evolve_command() {
   std::vector<FlagGroup> groups = {

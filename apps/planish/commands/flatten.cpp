@@ -1,15 +1,13 @@
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <optional>
 
 #include <planish/io/mesh_format.h>
-#include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
-#include <planish/sheet/pattern_sheet.h>
 
 #include "commands/commands.h"
+#include "commands/jobs.h"
 #include "flags/annotation_flags.h"
 #include "flags/constraint_flags.h"
 #include "flags/cut_flag.h"
@@ -21,7 +19,7 @@
 #include "flags/pick_flag.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
-#include "flatten/reference_sweeps.h"
+#include "output/flatten_files.h"
 #include "output/open_page.h"
 #include "output/pattern_output.h"
 #include "platform/path.h"
@@ -46,36 +44,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the page says besides the report.
-struct PageWords {
-  ColorMap colors = ColorMap::diverging;
-  std::string command;
-  SheetFit sheet = {};     // no material where none was named
-  Context reference = {};  // that the sweeps for comparison are run with
-};
-
 std::vector<std::string> color_names() {
   return {"diverging", "paper"};
-}
-
-ColorMap colors_from(const Arguments& arguments) {
-  const std::string name = arguments.value_or("--colors", "diverging");
-  return known_name("color map", name, color_names()) == "paper" ? ColorMap::paper
-                                                                 : ColorMap::diverging;
-}
-
-FlattenOptions options_from(const Arguments& arguments) {
-  const Method method = method_from(arguments, FlattenOptions{}.method);
-  refuse_unsupported_constraints(arguments, method);
-  return picked({.method = method,
-                 .stopping = stopping_from(arguments, method),
-                 .unit = unit_from(arguments),
-                 .smooth_first = smooth_first_from(arguments),
-                 .remesh = arguments.has("--remesh"),
-                 .match_seams = arguments.has("--match-seams"),
-                 .limits = limits_from(arguments),
-                 .material = material_from(arguments)},
-                arguments);
 }
 
 fs::path folder_from(const Arguments& arguments) {
@@ -85,51 +55,6 @@ fs::path folder_from(const Arguments& arguments) {
   return output_folder(arguments.value_or("--output", stem + "-pattern"));
 }
 
-/// What of the pattern is written, and how.
-struct PatternFiles {
-  std::vector<PatternFormat> formats;
-  PatternOutput output;
-  PatternOptions annotations;
-};
-
-PatternFiles pattern_files_from(const Arguments& arguments) {
-  PatternFiles pattern = {formats_from(arguments), pattern_output_from(arguments),
-                          annotations_from(arguments, true)};
-  std::vector<PatternFormat> written = pattern.formats;
-  if (pattern.output.paper) written.push_back(PatternFormat::pdf);
-  refuse_idle_pattern_flags(arguments, written);
-  return pattern;
-}
-
-/// What the file of a format is for: "pattern" and "as_designed" are the SVG.
-std::string role_of(const std::string& pattern, PatternFormat format) {
-  return pattern + (format == PatternFormat::svg ? "" : "_" + std::string(to_string(format)));
-}
-
-WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFiles& pattern,
-                      const Arguments& arguments) {
-  const std::string extension = "." + std::string(to_string(format));
-  const auto in_folder = [&](const std::string& name) { return utf8_of(folder / path_of(name)); };
-  WrittenFiles paths = {{"processed", in_folder("processed" + extension)},
-                        {"flat", in_folder("flat" + extension)},
-                        {"report_json", in_folder("report.json")},
-                        {"report_html", in_folder("report.html")}};
-  for (const PatternFormat some : pattern.formats) {
-    const std::string ending = "." + std::string(to_string(some));
-    paths[role_of("pattern", some)] = in_folder("pattern" + ending);
-    paths[role_of("as_designed", some)] = in_folder("as-designed" + ending);
-  }
-  if (pattern.output.paper) {
-    const std::string paper(to_string(*pattern.output.paper));
-    paths["pattern_pages"] = in_folder("pattern-" + paper + ".pdf");
-  }
-  if (arguments.has("--edge-lengths")) paths["edge_lengths"] = in_folder("edge-lengths.csv");
-  if (arguments.has("--textured")) paths["textured"] = in_folder("textured.obj");
-  if (arguments.has("--history")) paths["history"] = arguments.flags.at("--history");
-  paths.merge(fields_paths(arguments));
-  return paths;
-}
-
 void refuse_shared_places(const WrittenFiles& paths) {
   std::vector<OutputFile> files;
   for (const auto& [role, path] : paths)
@@ -137,84 +62,9 @@ void refuse_shared_places(const WrittenFiles& paths) {
   cli::refuse_shared_places(files);
 }
 
-/// Annotations by the numbers of the processed patch.
-PatternOptions on_processed(const PatternOptions& annotations, const FlattenReport& report) {
-  return report.source.empty() ? annotations : renumbered(annotations, report.source);
-}
-
 NestPatch nest_patch(const FlattenReport& report, const PatternOptions& annotations) {
   return {report.name, report.processed.mesh(), report.unfold.pattern.positions,
           on_processed(annotations, report)};
-}
-
-/// The pattern of the result and that of the design.
-std::vector<OutputFile> pattern_files(const FlattenReport& report, const WrittenFiles& paths,
-                                      const PatternFiles& pattern) {
-  const PatternOptions annotations = on_processed(pattern.annotations, report);
-  const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name, annotations);
-  const Drawing as_designed =
-      pattern_sheet(report.input, report.as_designed, report.name + ", as designed", annotations);
-  std::vector<OutputFile> files;
-  files.reserve(2 * pattern.formats.size() + 1);
-  for (const PatternFormat format : pattern.formats) {
-    files.push_back({path_of(paths.at(role_of("pattern", format))),
-                     pattern_file(sheet, format, pattern.output)});
-    files.push_back({path_of(paths.at(role_of("as_designed", format))),
-                     pattern_file(as_designed, format, pattern.output)});
-  }
-  if (pattern.output.paper) {
-    files.push_back({path_of(paths.at("pattern_pages")), tiled_file(sheet, pattern.output)});
-  }
-  return files;
-}
-
-std::vector<Vec2> in_millimetres(const UnfoldReport& unfold) {
-  std::vector<Vec2> positions;
-  positions.reserve(unfold.pattern.positions.size());
-  for (const Vec2 p : unfold.pattern.positions)
-    positions.push_back(millimetres_per(unfold.unit) * p);
-  return positions;
-}
-
-std::string page_of(const FlattenReport& report, const PatternFiles& pattern,
-                    const PageWords& words) {
-  return html_report(report, {.colors = words.colors,
-                              .annotations = on_processed(pattern.annotations, report),
-                              .command = words.command,
-                              .material = words.sheet.material,
-                              .fits = words.sheet.fits,
-                              .material_use = words.sheet.use,
-                              .reference = reference_sweeps(report, words.reference)});
-}
-
-std::vector<OutputFile> files_of(const FlattenReport& report, const WrittenFiles& paths,
-                                 MeshFormat format, const PatternFiles& pattern,
-                                 const PageWords& words, const std::string& json) {
-  const TriMesh& mesh = report.processed.mesh();
-  std::vector<OutputFile> files = pattern_files(report, paths, pattern);
-  files.push_back({path_of(paths.at("processed")), format_mesh(mesh, format)});
-  files.push_back(
-      {path_of(paths.at("flat")), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)});
-  files.push_back({path_of(paths.at("report_json")), json});
-  files.push_back({path_of(paths.at("report_html")), page_of(report, pattern, words)});
-  if (paths.contains("textured")) {
-    files.push_back(
-        {path_of(paths.at("textured")), format_textured_obj(mesh, in_millimetres(report.unfold))});
-  }
-  if (paths.contains("edge_lengths")) {
-    files.push_back(
-        {path_of(paths.at("edge_lengths")),
-         edge_lengths_csv(report.processed, report.unfold.pattern.positions, report.unfold.unit)});
-  }
-  const auto history = paths.find("history");
-  if (history != paths.end()) {
-    files.push_back({path_of(history->second), history_csv(report.evolve.result.history)});
-  }
-  if (paths.contains("fields") || paths.contains("fields_vertices")) {
-    std::vector<OutputFile> more = fields_files(mesh, fields_of(report), paths);
-    std::move(more.begin(), more.end(), std::back_inserter(files));
-  }
-  return files;
 }
 
 /// How the pieces are laid on sheets; null where they are not.
@@ -288,7 +138,7 @@ std::vector<std::string> input_extensions() {
 
 CommandResult run_flatten(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
-  FlattenOptions options = options_from(arguments);
+  FlattenOptions options = flatten_options_from(arguments);
   PageWords words{.colors = colors_from(arguments),
                   .command = command_line("flatten", arguments),
                   .reference = session.silent_context()};
@@ -357,6 +207,26 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
 }
 
 }  // namespace
+
+ColorMap colors_from(const Arguments& arguments) {
+  const std::string name = arguments.value_or("--colors", "diverging");
+  return known_name("color map", name, color_names()) == "paper" ? ColorMap::paper
+                                                                 : ColorMap::diverging;
+}
+
+FlattenOptions flatten_options_from(const Arguments& arguments) {
+  const Method method = method_from(arguments, FlattenOptions{}.method);
+  refuse_unsupported_constraints(arguments, method);
+  return picked({.method = method,
+                 .stopping = stopping_from(arguments, method),
+                 .unit = unit_from(arguments),
+                 .smooth_first = smooth_first_from(arguments),
+                 .remesh = arguments.has("--remesh"),
+                 .match_seams = arguments.has("--match-seams"),
+                 .limits = limits_from(arguments),
+                 .material = material_from(arguments)},
+                arguments);
+}
 
 Command flatten_command() {
   std::vector<FlagGroup> groups = {

@@ -7,6 +7,7 @@
 #include <planish/report/json_report.h>
 
 #include "commands/commands.h"
+#include "commands/jobs.h"
 #include "flags/fields_flag.h"
 #include "flags/limit_flags.h"
 #include "flags/scale_flag.h"
@@ -24,21 +25,6 @@
 namespace planish::cli {
 
 namespace {
-
-/// Of the patch laid flat as it is; nothing where that is not possible and no limit was asked for.
-/// @throws Error what stands in the way, where a limit was asked for
-std::optional<StrainAsDesigned> strain_of(const Patch& patch, const StrainLimits& limits,
-                                          Session& session) {
-  if (!limits.any() && blocking_problem(patch.inspection(), Purpose::unfold)) return std::nullopt;
-  try {
-    return strain_as_designed(patch, limits, session.job_context({}));
-  } catch (const Error& error) {
-    const bool is_no_fault =
-        error.code() == ErrorCode::unfold_failed || error.code() == ErrorCode::too_large;
-    if (limits.any() || !is_no_fault) throw;
-    return std::nullopt;
-  }
-}
 
 /// The figures of one of several files for people.
 std::string line_of(const MeasuredPatch& patch, const std::optional<StrainAsDesigned>& strain) {
@@ -66,7 +52,7 @@ void measure_into(WorkFile& file, const StrainLimits& limits, const Arguments& a
   about(path, [&] {
     const MeasuredPatch measured = measure_patch(patch, session.job_context(path));
     take(measured, std::nullopt);
-    take(measured, strain_of(patch, limits, session));
+    take(measured, strain_as_asked(patch, limits, session));
   });
 }
 
@@ -140,7 +126,7 @@ CommandResult run_measure(const Arguments& arguments, Session& session) {
   } catch (const Error& error) {
     return refused(path, mesh, error);
   }
-  const auto strain = about(path, [&] { return strain_of(patch, limits, session); });
+  const auto strain = about(path, [&] { return strain_as_asked(patch, limits, session); });
   std::string text = measure_text(path, measured, strain);
   std::vector<MoreFigures> more;
   if (!files.empty()) {
@@ -162,6 +148,19 @@ CommandResult run_measure(const Arguments& arguments, Session& session) {
 }
 
 }  // namespace
+
+std::optional<StrainAsDesigned> strain_as_asked(const Patch& patch, const StrainLimits& limits,
+                                                Session& session) {
+  if (!limits.any() && blocking_problem(patch.inspection(), Purpose::unfold)) return std::nullopt;
+  try {
+    return strain_as_designed(patch, limits, session.job_context({}));
+  } catch (const Error& error) {
+    const bool is_no_fault =
+        error.code() == ErrorCode::unfold_failed || error.code() == ErrorCode::too_large;
+    if (limits.any() || !is_no_fault) throw;
+    return std::nullopt;
+  }
+}
 
 Command measure_command() {
   return {

@@ -5,6 +5,7 @@
 #include <planish/io/mesh_format.h>
 
 #include "commands/commands.h"
+#include "commands/jobs.h"
 #include "flags/limit_flags.h"
 #include "flags/material_flag.h"
 #include "flags/scale_flag.h"
@@ -23,17 +24,6 @@ namespace planish::cli {
 namespace {
 
 constexpr Range k_darts = {0.0, 50.0};
-
-SuggestOptions suggest_options_from(const Arguments& arguments) {
-  SuggestOptions options;
-  const StrainLimits limits = limits_from(arguments);
-  options.limit_of_area = limits.p99 > 0.0;
-  if (limits.max > 0.0 || options.limit_of_area)
-    options.max_strain = options.limit_of_area ? limits.p99 : limits.max;
-  options.max_darts = whole_number_of(
-      "--max-cuts", arguments.value_or("--max-cuts", std::to_string(options.max_darts)), k_darts);
-  return options;
-}
 
 /// What each file is for -> its path.
 std::map<std::string, std::string> suggestion_paths(const Arguments& arguments) {
@@ -92,6 +82,17 @@ CommandResult run_suggest_cuts(const Arguments& arguments, Session& session) {
 }
 
 }  // namespace
+
+SuggestOptions suggest_options_from(const Arguments& arguments) {
+  SuggestOptions options;
+  const StrainLimits limits = limits_from(arguments);
+  options.limit_of_area = limits.p99 > 0.0;
+  if (limits.max > 0.0 || options.limit_of_area)
+    options.max_strain = options.limit_of_area ? limits.p99 : limits.max;
+  options.max_darts = whole_number_of(
+      "--max-cuts", arguments.value_or("--max-cuts", std::to_string(options.max_darts)), k_darts);
+  return options;
+}
 
 Command suggest_cuts_command() {
   return {

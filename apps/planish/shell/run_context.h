@@ -2,7 +2,10 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <string>
+
+#include <planish/core/context.h>
 
 namespace planish::cli {
 
@@ -20,6 +23,8 @@ struct RunContext {
   /// Those of host.h; null where the program runs inside another process.
   std::string (*open_document)(const std::filesystem::path&) = nullptr;
   SystemFacts (*system_facts)() = nullptr;
+  /// Gets the progress of jobs that have a line of progress, from their thread; may be empty.
+  std::function<void(const Progress&)> on_progress = {};
 };
 
 inline constexpr int k_exit_done = 0;

@@ -79,6 +79,7 @@ Context Session::job_context(std::string detail) {
   context.on_progress = [this, detail = std::move(detail)](const Progress& progress) {
     show_progress(std::string(progress.stage), progress.share,
                   progress.subject.empty() ? detail : std::string(progress.subject));
+    if (context_.on_progress) context_.on_progress(progress);
   };
   return context;
 }

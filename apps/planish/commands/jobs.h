@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <planish/draw/color.h>
+#include <planish/flatten/flatten.h>
+#include <planish/mesh/patch.h>
+#include <planish/unfold/suggest_cuts.h>
+
+#include "shell/command.h"
+#include "shell/session.h"
+
+namespace planish::cli {
+
+// What verbs do with a patch and their flags, without files: for the verbs, and for the Python
+// package, which has the patch in memory.
+
+/// What the flags of `flatten` ask for, but for constraints.
+/// @throws UsageError, Error option_out_of_range
+FlattenOptions flatten_options_from(const Arguments& arguments);
+
+/// The colors of a report's pictures, as --colors says.
+/// @throws UsageError for unknown names
+ColorMap colors_from(const Arguments& arguments);
+
+/// Refuses what can be wrong with the flags of `evolve`, before any work.
+/// @throws UsageError, Error option_out_of_range
+void check_evolve_request(const Arguments& arguments);
+
+/// What `evolve` made of a patch.
+struct Evolved {
+  TriMesh mesh;  ///< with the evolved positions
+  EvolveReport report;
+};
+
+/// Evolves a patch as the flags of `evolve` ask.
+/// @param path of its file, for the line of progress
+/// @throws UsageError, Error as evolve_patch(); Cancelled
+Evolved evolve_as_asked(const Patch& patch, const std::string& path, const Arguments& arguments,
+                        Session& session);
+
+/// Of the patch laid flat as it is; nothing where that is not possible and no limit was asked for.
+/// @throws Error what stands in the way, where a limit was asked for; Cancelled
+std::optional<StrainAsDesigned> strain_as_asked(const Patch& patch, const StrainLimits& limits,
+                                                Session& session);
+
+/// What the flags of `suggest-cuts` ask for.
+/// @throws UsageError, Error option_out_of_range
+SuggestOptions suggest_options_from(const Arguments& arguments);
+
+}  // namespace planish::cli

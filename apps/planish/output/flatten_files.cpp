@@ -1,0 +1,134 @@
+#include "output/flatten_files.h"
+
+#include <iterator>
+#include <utility>
+
+#include <planish/draw/drawing.h>
+#include <planish/report/html_report.h>
+#include <planish/sheet/pattern_sheet.h>
+
+#include "flags/annotation_flags.h"
+#include "flags/fields_flag.h"
+#include "flatten/reference_sweeps.h"
+#include "platform/path.h"
+
+namespace planish::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The pattern of the result and that of the design.
+std::vector<OutputFile> pattern_files(const FlattenReport& report, const WrittenFiles& paths,
+                                      const PatternFiles& pattern) {
+  const PatternOptions annotations = on_processed(pattern.annotations, report);
+  const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name, annotations);
+  const Drawing as_designed =
+      pattern_sheet(report.input, report.as_designed, report.name + ", as designed", annotations);
+  std::vector<OutputFile> files;
+  files.reserve(2 * pattern.formats.size() + 1);
+  for (const PatternFormat format : pattern.formats) {
+    files.push_back({path_of(paths.at(role_of("pattern", format))),
+                     pattern_file(sheet, format, pattern.output)});
+    files.push_back({path_of(paths.at(role_of("as_designed", format))),
+                     pattern_file(as_designed, format, pattern.output)});
+  }
+  if (pattern.output.paper) {
+    files.push_back({path_of(paths.at("pattern_pages")), tiled_file(sheet, pattern.output)});
+  }
+  return files;
+}
+
+std::vector<Vec2> in_millimetres(const UnfoldReport& unfold) {
+  std::vector<Vec2> positions;
+  positions.reserve(unfold.pattern.positions.size());
+  for (const Vec2 p : unfold.pattern.positions)
+    positions.push_back(millimetres_per(unfold.unit) * p);
+  return positions;
+}
+
+}  // namespace
+
+std::string role_of(const std::string& pattern, PatternFormat format) {
+  return pattern + (format == PatternFormat::svg ? "" : "_" + std::string(to_string(format)));
+}
+
+PatternFiles pattern_files_from(const Arguments& arguments) {
+  PatternFiles pattern = {formats_from(arguments), pattern_output_from(arguments),
+                          annotations_from(arguments, true)};
+  std::vector<PatternFormat> written = pattern.formats;
+  if (pattern.output.paper) written.push_back(PatternFormat::pdf);
+  refuse_idle_pattern_flags(arguments, written);
+  return pattern;
+}
+
+PatternOptions on_processed(const PatternOptions& annotations, const FlattenReport& report) {
+  return report.source.empty() ? annotations : renumbered(annotations, report.source);
+}
+
+WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFiles& pattern,
+                      const Arguments& arguments) {
+  const std::string extension = "." + std::string(to_string(format));
+  const auto in_folder = [&](const std::string& name) { return utf8_of(folder / path_of(name)); };
+  WrittenFiles paths = {{"processed", in_folder("processed" + extension)},
+                        {"flat", in_folder("flat" + extension)},
+                        {"report_json", in_folder("report.json")},
+                        {"report_html", in_folder("report.html")}};
+  for (const PatternFormat some : pattern.formats) {
+    const std::string ending = "." + std::string(to_string(some));
+    paths[role_of("pattern", some)] = in_folder("pattern" + ending);
+    paths[role_of("as_designed", some)] = in_folder("as-designed" + ending);
+  }
+  if (pattern.output.paper) {
+    const std::string paper(to_string(*pattern.output.paper));
+    paths["pattern_pages"] = in_folder("pattern-" + paper + ".pdf");
+  }
+  if (arguments.has("--edge-lengths")) paths["edge_lengths"] = in_folder("edge-lengths.csv");
+  if (arguments.has("--textured")) paths["textured"] = in_folder("textured.obj");
+  if (arguments.has("--history")) paths["history"] = arguments.flags.at("--history");
+  paths.merge(fields_paths(arguments));
+  return paths;
+}
+
+std::string page_of(const FlattenReport& report, const PatternFiles& pattern,
+                    const PageWords& words) {
+  return html_report(report, {.colors = words.colors,
+                              .annotations = on_processed(pattern.annotations, report),
+                              .command = words.command,
+                              .material = words.sheet.material,
+                              .fits = words.sheet.fits,
+                              .material_use = words.sheet.use,
+                              .reference = reference_sweeps(report, words.reference)});
+}
+
+std::vector<OutputFile> files_of(const FlattenReport& report, const WrittenFiles& paths,
+                                 MeshFormat format, const PatternFiles& pattern,
+                                 const PageWords& words, const std::string& json) {
+  const TriMesh& mesh = report.processed.mesh();
+  std::vector<OutputFile> files = pattern_files(report, paths, pattern);
+  files.push_back({path_of(paths.at("processed")), format_mesh(mesh, format)});
+  files.push_back(
+      {path_of(paths.at("flat")), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)});
+  files.push_back({path_of(paths.at("report_json")), json});
+  files.push_back({path_of(paths.at("report_html")), page_of(report, pattern, words)});
+  if (paths.contains("textured")) {
+    files.push_back(
+        {path_of(paths.at("textured")), format_textured_obj(mesh, in_millimetres(report.unfold))});
+  }
+  if (paths.contains("edge_lengths")) {
+    files.push_back(
+        {path_of(paths.at("edge_lengths")),
+         edge_lengths_csv(report.processed, report.unfold.pattern.positions, report.unfold.unit)});
+  }
+  const auto history = paths.find("history");
+  if (history != paths.end()) {
+    files.push_back({path_of(history->second), history_csv(report.evolve.result.history)});
+  }
+  if (paths.contains("fields") || paths.contains("fields_vertices")) {
+    std::vector<OutputFile> more = fields_files(mesh, fields_of(report), paths);
+    std::move(more.begin(), more.end(), std::back_inserter(files));
+  }
+  return files;
+}
+
+}  // namespace planish::cli

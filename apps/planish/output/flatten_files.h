@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <planish/core/context.h>
+#include <planish/draw/color.h>
+#include <planish/flatten/flatten.h>
+#include <planish/io/mesh_format.h>
+#include <planish/io/write_file.h>
+#include <planish/pattern/pattern_options.h>
+#include <planish/report/json_report.h>
+
+#include "output/pattern_output.h"
+#include "product/nest.h"
+#include "shell/command.h"
+
+namespace planish::cli {
+
+/// What of the pattern is written, and how.
+struct PatternFiles {
+  std::vector<PatternFormat> formats;
+  PatternOutput output;
+  PatternOptions annotations;
+};
+
+/// What --formats, --paper and the flags of pattern and annotations ask for.
+/// @throws UsageError, and as annotations_from()
+PatternFiles pattern_files_from(const Arguments& arguments);
+
+/// What the page says besides the report.
+struct PageWords {
+  ColorMap colors = ColorMap::diverging;
+  std::string command;
+  SheetFit sheet = {};     ///< no material where none was named
+  Context reference = {};  ///< that the sweeps for comparison are run with
+};
+
+/// What the file of a format is for: "pattern" and "as_designed" are the SVG.
+std::string role_of(const std::string& pattern, PatternFormat format);
+
+/// Annotations by the numbers of the processed patch.
+PatternOptions on_processed(const PatternOptions& annotations, const FlattenReport& report);
+
+/// Role -> path of all that `flatten` writes of a patch into a folder.
+/// @param format of the meshes
+WrittenFiles paths_in(const std::filesystem::path& folder, MeshFormat format,
+                      const PatternFiles& pattern, const Arguments& arguments);
+
+/// These files with their content.
+/// @param paths as from paths_in()
+/// @param json the content of report.json
+std::vector<OutputFile> files_of(const FlattenReport& report, const WrittenFiles& paths,
+                                 MeshFormat format, const PatternFiles& pattern,
+                                 const PageWords& words, const std::string& json);
+
+/// The page of a report, report.html.
+std::string page_of(const FlattenReport& report, const PatternFiles& pattern,
+                    const PageWords& words);
+
+}  // namespace planish::cli

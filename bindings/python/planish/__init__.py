@@ -1,0 +1,113 @@
+"""Planish: curved patches changed as little as they need, laid flat, and written as true-size patterns."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from . import _core, _meshes, _verbs
+from ._core import (
+    ComparedMethod,
+    CompareResult,
+    CutResult,
+    EvolveResult,
+    FlattenResult,
+    MeasureResult,
+    Mesh,
+    ProductResult,
+    Sweep,
+    Sweeps,
+    UnfoldResult,
+)
+from ._meshes import read, write
+from ._verbs import (
+    compare,
+    dxf,
+    evolve,
+    evolve_sweeps,
+    flatten,
+    flatten_product,
+    measure,
+    pdf,
+    plt,
+    sample,
+    suggest_cuts,
+    svg,
+    unfold,
+)
+from .errors import Cancelled, Error, FileError, FormatError, MeshError, PatternError, Place, RequestError
+
+__version__ = _core.__version__
+
+__all__ = [
+    "Cancelled",
+    "ComparedMethod",
+    "CompareResult",
+    "CutResult",
+    "Error",
+    "EvolveResult",
+    "FileError",
+    "FlattenResult",
+    "FormatError",
+    "MeasureResult",
+    "Mesh",
+    "MeshError",
+    "PatternError",
+    "Place",
+    "ProductResult",
+    "RequestError",
+    "Sweep",
+    "Sweeps",
+    "UnfoldResult",
+    "compare",
+    "describe",
+    "dxf",
+    "evolve",
+    "evolve_sweeps",
+    "flatten",
+    "flatten_product",
+    "measure",
+    "pdf",
+    "plt",
+    "read",
+    "sample",
+    "suggest_cuts",
+    "svg",
+    "unfold",
+    "write",
+]
+
+
+def describe() -> dict[str, Any]:
+    """All verbs and flags of the program, as `planish describe --json` prints them."""
+    import json
+
+    description: dict[str, Any] = json.loads(_core.description())
+    return description
+
+
+def _report_in_frame(self: Any) -> str:
+    """The report, for notebooks."""
+    import html
+
+    page = html.escape(self.report_html(), quote=True)
+    return f'<iframe srcdoc="{page}" style="width: 100%; height: 640px; border: 0"></iframe>'
+
+
+def _pattern_in_page(self: Any) -> str:
+    """The pattern, for notebooks."""
+    return f'<div style="max-width: 640px; overflow: auto">{_verbs.svg(self)}</div>'
+
+
+def _add_methods() -> None:
+    for shown in (Mesh, MeasureResult, EvolveResult, UnfoldResult, FlattenResult, CutResult):
+        for method in (_meshes.to_trimesh, _meshes.to_pyvista, _meshes.to_meshio):
+            setattr(shown, method.__name__, method)
+    for reported in (FlattenResult, CompareResult, ProductResult):
+        setattr(reported, "_repr_html_", _report_in_frame)
+    setattr(UnfoldResult, "_repr_html_", _pattern_in_page)
+    for drawn in (FlattenResult, UnfoldResult):
+        for writer in (svg, dxf, pdf, plt):
+            setattr(drawn, writer.__name__, writer)
+
+
+_add_methods()

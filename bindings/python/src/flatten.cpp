@@ -1,0 +1,326 @@
+#include <utility>
+
+#include <planish/report/json_report.h>
+#include <planish/sheet/pattern_sheet.h>
+
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "commands/jobs.h"
+#include "fields.h"
+#include "flags/annotation_flags.h"
+#include "flags/constraint_flags.h"
+#include "flags/limit_flags.h"
+#include "flags/scale_flag.h"
+#include "flags/units.h"
+#include "job.h"
+#include "keywords.h"
+#include "pattern_data.h"
+#include "platform/path.h"
+#include "product/seams.h"
+#include "shell/output_folder.h"
+#include "text/own_seams.h"
+#include "text/summary.h"
+
+namespace planish::python {
+
+namespace {
+
+struct UnfoldResult {
+  std::string name;
+  Patch patch;
+  UnfoldReport report;
+  cli::PatternFiles pattern;
+  std::optional<cli::CutDone> cut = {};
+  std::vector<std::string> notes = {};
+};
+
+/// A pattern as it can be drawn.
+struct Drawable {
+  const Patch& model;  ///< that lines were drawn over
+  const Patch& patch;
+  const UnfoldReport& unfold;
+  std::string name;
+  cli::PatternFiles pattern;  ///< by the vertices of `patch`
+};
+
+cli::CutInput cut_input(const MeshData& data, const cli::Arguments& arguments,
+                        cli::Session& session) {
+  return cli::cut_as_asked(cli::scaled(data.mesh, cli::scale_from(arguments), {}), data.name,
+                           arguments, session);
+}
+
+FlattenResult flatten_mesh(const MeshData& data, const py::dict& keywords, py::object progress) {
+  const cli::Arguments arguments = arguments_of("flatten", keywords);
+  FlattenOptions options = cli::flatten_options_from(arguments);
+  cli::colors_from(arguments);
+  cli::PatternFiles pattern = cli::pattern_files_from(arguments);
+  Job job(arguments, std::move(progress));
+  FlattenResult result = job.run([&](cli::Session& session) {
+    cli::CutInput input = cut_input(data, arguments, session);
+    const Patch patch(std::move(input.mesh));
+    cli::note_obstruction(session, patch);
+    options.constraints = cli::constraints_from(arguments, patch, session);
+    pattern.annotations =
+        cli::annotations_on(std::move(pattern.annotations), arguments, patch, data.name, session);
+    options.keep = named_vertices(pattern.annotations);
+    FlattenReport report = flatten(patch, data.name, options, session.job_context({}));
+    cli::warn_of_pattern(session, report.unfold);
+    const Patch& design = report.evolve.remeshed_from ? report.processed : report.input;
+    cli::note_unequal_seams(session, design.mesh(), report.unfold);
+    return FlattenResult{std::move(report), pattern, arguments, input.cut,
+                         cli::output_format(data.format)};
+  });
+  result.notes = job.notes();
+  return result;
+}
+
+UnfoldResult unfold_mesh(const MeshData& data, const py::dict& keywords, py::object progress) {
+  const cli::Arguments arguments = arguments_of("unfold", keywords);
+  const Unit unit = cli::unit_from(arguments);
+  const UnfoldOptions options = {.match_seams = arguments.has("--match-seams"),
+                                 .limits = cli::limits_from(arguments)};
+  cli::PatternFiles pattern = {
+      {}, cli::pattern_output_from(arguments), cli::annotations_from(arguments, true)};
+  Job job(arguments, std::move(progress));
+  UnfoldResult result = job.run([&](cli::Session& session) {
+    cli::CutInput input = cut_input(data, arguments, session);
+    const Patch patch(std::move(input.mesh));
+    pattern.annotations =
+        cli::annotations_on(std::move(pattern.annotations), arguments, patch, data.name, session);
+    UnfoldReport report = unfold_patch(patch, unit, options, session.job_context({}));
+    cli::warn_of_pattern(session, report);
+    cli::note_unequal_seams(session, patch.mesh(), report);
+    return UnfoldResult{data.name, patch, std::move(report), pattern, input.cut};
+  });
+  result.notes = job.notes();
+  return result;
+}
+
+cli::PatternFormat format_named(const std::string& name) {
+  return *cli::pattern_format_of("pattern." + name);
+}
+
+/// What keywords ask of a drawing, instead of what its result was made with.
+cli::PatternFiles pattern_files_of(const Drawable& drawable, cli::PatternFormat format,
+                                   const py::dict& keywords) {
+  py::dict all(keywords);
+  all["unit"] = std::string(to_string(drawable.unfold.unit));
+  const cli::Arguments arguments = arguments_of("unfold", all);
+  cli::refuse_idle_pattern_flags(arguments, {format});
+  cli::PatternFiles files = {
+      {}, cli::pattern_output_from(arguments), cli::annotations_from(arguments, true)};
+  files.annotations = Job(arguments, py::none()).run([&](cli::Session& session) {
+    return cli::annotations_on(std::move(files.annotations), arguments, drawable.model,
+                               drawable.name, session);
+  });
+  return files;
+}
+
+py::bytes drawing_of(const Drawable& drawable, const std::string& format_name,
+                     const py::dict& keywords) {
+  const cli::PatternFormat format = format_named(format_name);
+  const cli::PatternFiles files =
+      keywords.empty() ? drawable.pattern : pattern_files_of(drawable, format, keywords);
+  std::string content;
+  {
+    const py::gil_scoped_release no_python;
+    const Drawing sheet =
+        pattern_sheet(drawable.patch, drawable.unfold, drawable.name, files.annotations);
+    const bool is_tiled = files.output.paper && format == cli::PatternFormat::pdf;
+    content = is_tiled ? cli::tiled_file(sheet, files.output)
+                       : cli::pattern_file(sheet, format, files.output);
+  }
+  return py::bytes(content);
+}
+
+/// The pattern of the result, or that of the design. Pages of paper are a file of their own, made
+/// where `paper` stands among the keywords.
+py::bytes drawing_of_flatten(const FlattenResult& result, const std::string& format,
+                             bool as_designed, const py::dict& keywords) {
+  const FlattenReport& report = result.report;
+  cli::PatternFiles own = result.pattern;
+  own.annotations = cli::on_processed(own.annotations, report);
+  own.output.paper.reset();
+  if (as_designed)
+    return drawing_of({report.input, report.input, report.as_designed,
+                       report.name + ", as designed", std::move(own)},
+                      format, keywords);
+  return drawing_of({report.input, report.processed, report.unfold, report.name, std::move(own)},
+                    format, keywords);
+}
+
+py::bytes drawing_of_unfold(const UnfoldResult& result, const std::string& format,
+                            const py::dict& keywords) {
+  return drawing_of({result.patch, result.patch, result.report, result.name, result.pattern},
+                    format, keywords);
+}
+
+/// Writes what `flatten` of the program writes: role -> path.
+WrittenFiles save(const FlattenResult& result, const py::object& path) {
+  const auto folder = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+  const py::gil_scoped_release no_python;
+  const auto place = cli::output_folder(folder);
+  const WrittenFiles paths = cli::paths_in(place, result.format, result.pattern, result.arguments);
+  const std::string json = json_report(result.report, paths, cli::figures_of_cut(result.cut));
+  write_files(cli::files_of(result.report, paths, result.format, result.pattern,
+                            {cli::colors_from(result.arguments), {}}, json),
+              place);
+  return paths;
+}
+
+std::vector<std::string> missed_limits(const std::vector<StrainLimitCheck>& checks) {
+  std::vector<std::string> missed;
+  for (const StrainLimitCheck& check : checks) {
+    if (!check.kept()) missed.emplace_back(to_string(check.kind));
+  }
+  return missed;
+}
+
+template <class Result, class Get>
+auto view_getter(Get get) {
+  return [get](const py::object& self) { return view_of(get(self.cast<const Result&>()), self); };
+}
+
+template <class Result, class Class>
+void add_unfold_figures(Class& type, const UnfoldReport& (*report)(const Result&)) {
+  type.def_property_readonly(
+          "uv",
+          [report](const py::object& self) {
+            return view_of(report(self.cast<const Result&>()).pattern.positions, self);
+          },
+          "The pattern, shape (n, 2), model units; a read-only view.")
+      .def_property_readonly(
+          "width", [report](const Result& result) { return report(result).pattern.width; },
+          "Of the pattern, model units.")
+      .def_property_readonly(
+          "height", [report](const Result& result) { return report(result).pattern.height; },
+          "Of the pattern, model units.")
+      .def_property_readonly(
+          "unit",
+          [report](const Result& result) { return std::string(to_string(report(result).unit)); },
+          "What one model unit is: mm, cm, dm, m or in.")
+      .def_property_readonly(
+          "overlaps", [report](const Result& result) { return report(result).pattern.overlaps; },
+          "Whether the border of the pattern crosses itself.")
+      .def_property_readonly(
+          "strain_max", [report](const Result& result) { return report(result).strain.max; },
+          "Largest |strain| of an edge, a share of length.")
+      .def_property_readonly(
+          "strain_rms", [report](const Result& result) { return report(result).strain.rms; },
+          "Root mean square of the strain, a share of length.")
+      .def_property_readonly(
+          "missed_limits",
+          [report](const Result& result) { return missed_limits(report(result).limits); },
+          "Which limits of strain the pattern does not keep: max, p99, rms.");
+}
+
+void register_flatten(py::module_& module) {
+  using Result = FlattenResult;
+  py::class_<Result, std::shared_ptr<Result>> type(module, "FlattenResult",
+                                                   "A patch that was flattened, with its pattern.");
+  type.def_property_readonly(
+          "name", [](const Result& result) { return result.report.name; }, "Of the patch.")
+      .def_readwrite("notes", &Result::notes, "What the program said on the way.")
+      .def_property_readonly(
+          "vertices", view_getter<Result>([](const Result& result) -> auto& {
+            return result.report.processed.positions();
+          }),
+          "Places of the processed patch, shape (n, 3), model units; a read-only "
+          "view.")
+      .def_property_readonly("faces", view_getter<Result>([](const Result& result) -> auto& {
+                               return result.report.processed.triangles();
+                             }),
+                             "Vertices of the triangles, shape (m, 3); a read-only view.")
+      .def_property_readonly("input_vertices",
+                             view_getter<Result>([](const Result& result) -> auto& {
+                               return result.report.input.positions();
+                             }),
+                             "Places before, remeshed or smoothed if that was asked for, shape "
+                             "(n, 3), model units; a read-only view.")
+      .def_property_readonly("uv_as_designed",
+                             view_getter<Result>([](const Result& result) -> auto& {
+                               return result.report.as_designed.pattern.positions;
+                             }),
+                             "The pattern of the design, shape (n, 2), model units; a read-only "
+                             "view.")
+      .def_property_readonly(
+          "source",
+          [](const py::object& self) -> std::optional<Indices> {
+            const auto& source = self.cast<const Result&>().report.source;
+            if (source.empty()) return std::nullopt;
+            return view_of(source, self);
+          },
+          "Of each vertex the one of the mesh before remeshing, shape (n,); None where they are "
+          "the "
+          "same.")
+      .def_property_readonly(
+          "met", [](const Result& result) { return result.report.outcome().met; },
+          "Whether every limit and target that was asked for is met.")
+      .def_property_readonly(
+          "fields", [](const Result& result) { return fields_dict(fields_of(result.report)); },
+          "Figures of every vertex and triangle by their names in docs/fields.md.")
+      .def_property_readonly(
+          "figures",
+          [](const Result& result) {
+            return figures_of(json_report(result.report, {}, cli::figures_of_cut(result.cut)));
+          },
+          "All figures, with the keys of the program's report.json.")
+      .def(
+          "report_html",
+          [](const Result& result) {
+            const py::gil_scoped_release no_python;
+            return page_of(result);
+          },
+          "The report, report.html of the program: one page that needs no network.")
+      .def("save", save, py::arg("folder"),
+           "Writes all files that the program writes into the folder; role -> path.")
+      .def("_drawing", drawing_of_flatten);
+  add_unfold_figures<Result>(
+      type, [](const Result& result) -> const UnfoldReport& { return result.report.unfold; });
+  module.def("flatten", flatten_mesh, py::arg("mesh"), py::arg("keywords"), py::arg("progress"));
+}
+
+void register_unfold(py::module_& module) {
+  using Result = UnfoldResult;
+  py::class_<Result> type(module, "UnfoldResult", "The pattern of a patch as it is.");
+  type.def_readonly("name", &Result::name, "Of the patch.")
+      .def_readwrite("notes", &Result::notes, "What the program said on the way.")
+      .def_property_readonly("vertices", view_getter<Result>([](const Result& result) -> auto& {
+                               return result.patch.positions();
+                             }),
+                             "Places of the patch, shape (n, 3), model units; a read-only view.")
+      .def_property_readonly("faces", view_getter<Result>([](const Result& result) -> auto& {
+                               return result.patch.triangles();
+                             }),
+                             "Vertices of the triangles, shape (m, 3); a read-only view.")
+      .def_property_readonly(
+          "fields",
+          [](const Result& result) {
+            return fields_dict(fields_of(result.patch, result.report.pattern.positions));
+          },
+          "Figures of every vertex and triangle by their names in docs/fields.md.")
+      .def_property_readonly(
+          "figures",
+          [](const Result& result) {
+            return figures_of(json_report(result.report, cli::figures_of_cut(result.cut)));
+          },
+          "All figures, with the keys of the program's --json.")
+      .def("_drawing", drawing_of_unfold);
+  add_unfold_figures<Result>(
+      type, [](const Result& result) -> const UnfoldReport& { return result.report; });
+  module.def("unfold", unfold_mesh, py::arg("mesh"), py::arg("keywords"), py::arg("progress"));
+}
+
+}  // namespace
+
+std::string page_of(const FlattenResult& result) {
+  return cli::page_of(result.report, result.pattern, {cli::colors_from(result.arguments), {}});
+}
+
+void register_patterns(py::module_& module) {
+  register_flatten(module);
+  register_unfold(module);
+}
+
+}  // namespace planish::python

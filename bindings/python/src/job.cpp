@@ -1,0 +1,97 @@
+#include "job.h"
+
+#include <chrono>
+#include <thread>
+
+namespace planish::python {
+
+namespace {
+
+/// How often Python is asked for anything. Taking its lock may make another thread wait.
+constexpr auto k_interval = std::chrono::milliseconds(50);
+
+}  // namespace
+
+Job::Job(const cli::Arguments& arguments, py::object on_progress)
+    : on_progress_(std::move(on_progress)),
+      context_{.interrupted = &cancelled_,
+               .on_progress = [this](const Progress& progress) { post(progress); }},
+      session_(arguments, said_, context_) {
+  if (!on_progress_.is_none() && !PyCallable_Check(on_progress_.ptr()))
+    throw py::type_error("progress must be a function, or None");
+}
+
+void Job::post(const Progress& progress) {
+  const std::scoped_lock lock(mutex_);
+  latest_ = Step{std::string(progress.stage), progress.share, std::string(progress.subject)};
+  changed_.notify_one();
+}
+
+void Job::attend(const std::optional<Step>& step) {
+  try {
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (!step || on_progress_.is_none()) return;
+    const py::object answer = on_progress_(step->stage, step->share, step->subject);
+    if (answer.is(py::bool_(false))) cancelled_ = true;
+  } catch (py::error_already_set& error) {
+    own_.emplace(std::move(error));
+    cancelled_ = true;
+  }
+}
+
+void Job::wait() {
+  auto next = std::chrono::steady_clock::now();
+  std::unique_lock lock(mutex_);
+  while (!done_) {
+    changed_.wait_for(lock, k_interval, [&] {
+      return done_ || (latest_ && std::chrono::steady_clock::now() >= next);
+    });
+    const std::optional<Step> step = std::exchange(latest_, std::nullopt);
+    if (cancelled_ || (done_ && !step)) continue;
+    lock.unlock();
+    {
+      const py::gil_scoped_acquire python;
+      attend(step);
+    }
+    next = std::chrono::steady_clock::now() + k_interval;
+    lock.lock();
+  }
+}
+
+void Job::run_on_thread(const std::function<void(cli::Session&)>& work) {
+  done_ = false;
+  latest_.reset();
+  {
+    const py::gil_scoped_release no_python;
+    std::thread worker([&] {
+      try {
+        work(session_);
+      } catch (...) {
+        failure_ = std::current_exception();
+      }
+      const std::scoped_lock lock(mutex_);
+      done_ = true;
+      changed_.notify_one();
+    });
+    wait();
+    worker.join();
+  }
+  if (own_) throw py::error_already_set(std::move(*own_));
+  if (cancelled_) throw Cancelled();
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+  take_notes();
+}
+
+void Job::take_notes() {
+  std::istringstream lines(said_.str());
+  said_.str({});
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t colon = line.find(": ");
+    const std::string words = colon == std::string::npos ? line : line.substr(colon + 2);
+    notes_.push_back(words);
+    if (!line.starts_with("warning: ")) continue;
+    if (PyErr_WarnEx(PyExc_UserWarning, words.c_str(), 1) != 0) throw py::error_already_set();
+  }
+}
+
+}  // namespace planish::python

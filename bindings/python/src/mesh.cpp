@@ -1,0 +1,121 @@
+#include <sstream>
+
+#include <planish/io/write_file.h>
+#include <planish/mesh/inspect.h>
+#include <planish/mesh/shapes.h>
+
+#include <pybind11/stl.h>
+
+#include "arrays.h"
+#include "job.h"
+#include "keywords.h"
+#include "mesh_data.h"
+#include "platform/path.h"
+#include "shell/file_name.h"
+#include "shell/values.h"
+
+namespace planish::python {
+
+namespace {
+
+MeshData mesh_from_file(const std::string& path) {
+  const py::gil_scoped_release no_python;
+  ReadResult read = read_mesh(path_of(path));
+  return {std::move(read.mesh), cli::stem_of(path), read.format, std::move(read.notes),
+          std::move(read.groups)};
+}
+
+void mesh_to_file(const std::string& path, const MeshData& data) {
+  const py::gil_scoped_release no_python;
+  write_mesh(path_of(path), data.mesh);
+}
+
+void bytes_to_file(const std::string& path, const py::bytes& content) {
+  const std::vector<OutputFile> files = {{path_of(path), std::string(content)}};
+  const py::gil_scoped_release no_python;
+  write_files(files);
+}
+
+MeshData made_sample(const std::string& name, const py::dict& keywords) {
+  const cli::Arguments arguments = arguments_of("sample", keywords);
+  std::vector<std::string> names;
+  for (const Shape& shape : shapes())
+    names.emplace_back(shape.name);
+  const std::string known = cli::known_name("sample", name, names);
+  const int vertices = cli::whole_number_of("--vertices", arguments.value_or("--vertices", "5000"),
+                                            {100, 10'000'000});
+  return {make_shape(known, static_cast<std::size_t>(vertices)), known};
+}
+
+std::string described_mesh(const MeshData& data) {
+  return "<planish.Mesh " + data.name + ": " + std::to_string(data.mesh.positions.size()) +
+         " vertices, " + std::to_string(data.mesh.triangles.size()) + " triangles>";
+}
+
+py::list problems_of(const MeshData& data) {
+  py::list problems;
+  for (const Problem& problem : inspect(data.mesh).problems) {
+    py::dict entry;
+    entry["code"] = std::string(to_string(problem.code));
+    entry["message"] = problem.message;
+    entry["count"] = problem.count;
+    entry["first"] = problem.first;
+    problems.append(entry);
+  }
+  return problems;
+}
+
+}  // namespace
+
+py::dict figures_of(const std::string& json) {
+  return py::module_::import("json").attr("loads")(json);
+}
+
+void register_mesh(py::module_& module) {
+  py::class_<MeshData>(module, "Mesh", "A triangle mesh: places of vertices, and triangles.")
+      .def(py::init([](const py::object& vertices, const py::object& faces, std::string name) {
+             return MeshData{mesh_of(vertices, faces), std::move(name)};
+           }),
+           py::arg("vertices"), py::arg("faces"), py::arg("name") = "mesh",
+           "A copy of arrays: (n, 3) numbers, and (m, 3) whole numbers of vertices from 0.")
+      .def_readonly("name", &MeshData::name, "What drawings and reports call it.")
+      .def_readonly("notes", &MeshData::notes, "What the reader of its file did.")
+      .def_property_readonly(
+          "vertices",
+          [](const py::object& self) {
+            return view_of(self.cast<const MeshData&>().mesh.positions, self);
+          },
+          "Places, shape (n, 3), model units; a read-only view.")
+      .def_property_readonly(
+          "faces",
+          [](const py::object& self) {
+            return view_of(self.cast<const MeshData&>().mesh.triangles, self);
+          },
+          "Vertices of the triangles, shape (m, 3), from 0; a read-only view.")
+      .def_property_readonly(
+          "group_names", [](const MeshData& data) { return data.groups.names; },
+          "The groups, objects or materials of its file; empty where there are fewer than two.")
+      .def_property_readonly(
+          "face_groups",
+          [](const py::object& self) {
+            return view_of(self.cast<const MeshData&>().groups.of_triangle, self);
+          },
+          "Of each triangle the number of its group; empty where there are none.")
+      .def_property_readonly("problems", problems_of,
+                             "Every fault and oddity by kind: code, message, count, first.")
+      .def(
+          "renamed",
+          [](const MeshData& data, std::string name) {
+            MeshData renamed = data;
+            renamed.name = std::move(name);
+            return renamed;
+          },
+          py::arg("name"), "The same mesh under another name.")
+      .def("__repr__", described_mesh);
+  module.def("read", mesh_from_file, py::arg("path"));
+  module.def("write", mesh_to_file, py::arg("path"), py::arg("mesh"));
+  module.def("write_bytes", bytes_to_file, py::arg("path"), py::arg("content"));
+  module.def("sample", made_sample, py::arg("name"), py::arg("keywords"));
+}
+
+}  // namespace planish::python

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <planish/io/mesh_format.h>
+#include <planish/io/read_mesh.h>
+#include <planish/mesh/tri_mesh.h>
+
+#include <pybind11/pybind11.h>
+
+namespace planish::python {
+
+namespace py = pybind11;
+
+/// A mesh that Python holds.
+struct MeshData {
+  TriMesh mesh;
+  std::string name;                     ///< of its file without folder and extension, or "mesh"
+  MeshFormat format = MeshFormat::obj;  ///< of its file
+  std::vector<std::string> notes = {};  ///< what the reader did
+  FaceGroups groups = {};               ///< of its file
+};
+
+/// A dictionary of a JSON text.
+py::dict figures_of(const std::string& json);
+
+/// Mesh, and functions that read, write and make meshes.
+void register_mesh(py::module_& module);
+/// What one patch is made into.
+void register_measure(py::module_& module);
+void register_evolve(py::module_& module);
+void register_patterns(py::module_& module);
+void register_compare(py::module_& module);
+void register_product(py::module_& module);
+
+}  // namespace planish::python

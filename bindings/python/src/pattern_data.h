@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <planish/draw/color.h>
+#include <planish/flatten/flatten.h>
+
+#include <pybind11/pybind11.h>
+
+#include "flags/cut_flag.h"
+#include "mesh_data.h"
+#include "output/flatten_files.h"
+#include "shell/command.h"
+
+namespace planish::python {
+
+/// What `flatten` made of a patch, with what its flags ask of drawings.
+struct FlattenResult {
+  FlattenReport report;
+  cli::PatternFiles pattern;
+  cli::Arguments arguments;
+  std::optional<cli::CutDone> cut = {};
+  MeshFormat format = MeshFormat::obj;  ///< of the meshes that it writes
+  std::vector<std::string> notes = {};
+};
+
+/// The page of a result.
+std::string page_of(const FlattenResult& result);
+
+}  // namespace planish::python

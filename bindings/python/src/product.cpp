@@ -1,0 +1,165 @@
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include <planish/draw/format_drawing.h>
+#include <planish/flatten/product.h>
+#include <planish/report/html_report.h>
+#include <planish/report/json_report.h>
+#include <planish/sheet/product_sheet.h>
+
+#include <pybind11/stl.h>
+
+#include "commands/jobs.h"
+#include "flags/scale_flag.h"
+#include "job.h"
+#include "keywords.h"
+#include "pattern_data.h"
+#include "product/job.h"
+#include "product/parts.h"
+#include "product/seams.h"
+
+namespace planish::python {
+
+namespace {
+
+struct ProductResult {
+  std::string name;
+  ProductReport report;
+  std::vector<std::shared_ptr<FlattenResult>> results;  ///< of the patches; null of a failed one
+  std::vector<std::string> notes = {};
+};
+
+/// The patches of a product, and the seams that its file names.
+struct Patches {
+  std::vector<ProductPatch> patches;
+  std::vector<cli::NamedSeam> seams = {};
+};
+
+Patches scaled(Patches patches, double scale) {
+  for (ProductPatch& patch : patches.patches)
+    patch.mesh = cli::scaled(std::move(patch.mesh), scale, patch.name);
+  return patches;
+}
+
+/// Of a twin, what is drawn follows the other one.
+cli::PatternFiles files_of(const cli::PatternFiles& pattern, const PatternOptions& own,
+                           const ProductPatch* other, const PatchTwin* twin) {
+  cli::PatternFiles files = pattern;
+  files.annotations = twin == nullptr ? own : annotations_of_twin(own, other->mesh, *twin);
+  return files;
+}
+
+/// @param patches gives what is to be flattened; called with the session
+ProductResult flatten_patches(const std::string& name, const py::dict& keywords,
+                              py::object progress,
+                              const std::function<Patches(cli::Session&, Unit)>& patches_of) {
+  const cli::Arguments arguments = arguments_of("flatten", keywords);
+  const FlattenOptions options = cli::flatten_options_from(arguments);
+  const double tolerance = cli::seam_tolerance_from(arguments);
+  const double scale = cli::scale_from(arguments);
+  cli::colors_from(arguments);
+  const cli::PatternFiles pattern = cli::pattern_files_from(arguments);
+  Job job(arguments, std::move(progress));
+  ProductResult result = job.run([&](cli::Session& session) {
+    Patches input = scaled(patches_of(session, options.unit), scale);
+    std::vector<ProductPatch>& patches = input.patches;
+    const auto annotations = cli::annotations_of_patches(pattern.annotations, patches, arguments);
+    for (std::size_t p = 0; p < patches.size(); ++p)
+      patches[p].keep = named_vertices(annotations[p]);
+    ProductResult made{name, {}, {}};
+    made.results.resize(patches.size());
+    const auto keep = [&](std::size_t p, const FlattenReport& report, const PatchTwin* twin) {
+      const ProductPatch* other = twin == nullptr ? nullptr : &patches[twin->patch];
+      made.results[p] = std::make_shared<FlattenResult>(
+          FlattenResult{report, files_of(pattern, annotations[p], other, twin), arguments});
+    };
+    made.report = flatten_product(patches, {options, tolerance}, {.on_report = keep},
+                                  session.job_context({}));
+    made.report.seams =
+        cli::with_names(std::move(made.report.seams), made.report.patches, input.seams, session);
+    return made;
+  });
+  result.notes = job.notes();
+  return result;
+}
+
+ProductResult flatten_files(const std::string& name, const std::vector<std::string>& paths,
+                            const py::dict& keywords, py::object progress) {
+  return flatten_patches(name, keywords, std::move(progress),
+                         [&](cli::Session& session, Unit unit) {
+                           cli::ProductInput input = cli::read_product(session, paths, unit, true);
+                           return Patches{std::move(input.patches), std::move(input.seams)};
+                         });
+}
+
+ProductResult flatten_meshes(const std::string& name,
+                             const std::vector<std::pair<std::string, const MeshData*>>& meshes,
+                             const py::dict& keywords, py::object progress) {
+  return flatten_patches(name, keywords, std::move(progress), [&](cli::Session&, Unit) {
+    Patches input;
+    for (const auto& [patch, data] : meshes)
+      input.patches.push_back({.name = patch, .mesh = data->mesh});
+    return input;
+  });
+}
+
+std::string json_of(const ProductResult& result) {
+  ProductFiles none;
+  none.folders.resize(result.report.patches.size());
+  none.files.resize(result.report.patches.size());
+  return json_report(result.report, result.name, none);
+}
+
+}  // namespace
+
+void register_product(py::module_& module) {
+  py::class_<ProductResult>(module, "ProductResult", "The patches of a product, flattened.")
+      .def_readonly("name", &ProductResult::name, "Of the product.")
+      .def_readwrite("notes", &ProductResult::notes, "What the program said on the way.")
+      .def_property_readonly(
+          "names",
+          [](const ProductResult& result) {
+            std::vector<std::string> names;
+            for (const PatchResult& patch : result.report.patches)
+              names.push_back(patch.name);
+            return names;
+          },
+          "Of the patches, in their order.")
+      .def_property_readonly(
+          "patches", [](const ProductResult& result) { return result.results; },
+          "A FlattenResult of each, None of one that failed.")
+      .def_property_readonly(
+          "failures",
+          [](const ProductResult& result) {
+            std::map<std::string, std::string> failures;
+            for (const PatchResult& patch : result.report.patches) {
+              if (patch.failure) failures[patch.name] = patch.failure->message;
+            }
+            return failures;
+          },
+          "Of each patch that failed, by its name, why.")
+      .def(
+          "report_html",
+          [](const ProductResult& result) {
+            const py::gil_scoped_release no_python;
+            return html_report(result.report, ProductPage{.name = result.name});
+          },
+          "All pieces and their seams as one page that needs no network.")
+      .def(
+          "layout_svg",
+          [](const ProductResult& result) {
+            return format_svg(product_sheet(result.report, result.name));
+          },
+          "All pieces side by side at true size, seams in colours: garment.svg of the program.")
+      .def_property_readonly(
+          "figures", [](const ProductResult& result) { return figures_of(json_of(result)); },
+          "All figures, with the keys of the program's garment.json.");
+  module.def("flatten_files", flatten_files, py::arg("name"), py::arg("paths"), py::arg("keywords"),
+             py::arg("progress"));
+  module.def("flatten_meshes", flatten_meshes, py::arg("name"), py::arg("meshes"),
+             py::arg("keywords"), py::arg("progress"));
+}
+
+}  // namespace planish::python

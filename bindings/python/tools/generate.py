@@ -1,0 +1,467 @@
+#!/usr/bin/env python3
+"""Writes what follows from the program's one description of flags and from the module's classes:
+planish/_verbs.py (the functions), planish/_core.pyi (types of the module) and the second half of
+docs/python.md.
+
+    bindings/python/tools/generate.py PACKAGES            writes them
+    bindings/python/tools/generate.py PACKAGES --check    ends with 1 where they are not up to date
+
+PACKAGES is the folder with the built package: build/python/python.
+"""
+
+import importlib.machinery
+import importlib.util
+import inspect
+import json
+import pathlib
+import re
+import sys
+import textwrap
+
+HERE = pathlib.Path(__file__).resolve().parent.parent
+REPO = HERE.parent.parent
+MARK = "<!-- What follows is written by bindings/python/tools/generate.py. -->\n"
+HEAD = '"""Written by tools/generate.py from `planish describe --json`. Change that."""\n'
+
+# Flags that are no keywords, and why.
+LEFT_OUT = {
+    "output": "results are returned; result.save(), write() and the drawing writers write files",
+    "output_format": "as output",
+    "csv": "figures are in result.figures",
+    "history": "sweeps are in result.figures",
+    "fields": "result.fields",
+    "require_target": "result.target_met and result.met",
+    "product": "flatten_product()",
+    "resume": "nothing is written before the end",
+    "picture": "directions and cuts are not drawn from Python",
+    "apply": "result.vertices and result.faces",
+    "list": "an unknown name says which there are",
+    "sheet": "laying pieces on material is the program's",
+    "nest_gap": "as sheet",
+    "nest_margin": "as sheet",
+    "turn": "as sheet",
+    "json": "result.figures",
+    "quiet": "result.notes",
+    "help": "help()",
+    "help_all": "help()",
+    "version": "planish.__version__",
+}
+# The same of one function.
+LEFT_OUT_OF = {
+    "measure": {"map": "result.fields"},
+    "flatten": {"seam_tolerance": "of a product"},
+    "flatten_product": {
+        name: "of one patch"
+        for name in "cut fix weights obstacle notches marks edge_allowances fold inner_lines piece_name".split()
+    },
+    "evolve_sweeps": {"remesh": "not with single sweeps", "smooth_first": "not with single sweeps"},
+}
+# Which flags a writer of drawings takes.
+DRAWING_GROUP = "What the pattern gets besides its outline"
+DRAWING_FLAGS = {
+    "svg": {"map", "text"},
+    "dxf": {"text", "dxf_profile", "dxf_version", "dxf_notches", "dxf_layers"},
+    "pdf": {"map", "paper"},
+    "plt": set(),
+}
+MESH = "mesh: MeshLike, faces: Optional[ArrayLike] = None, *, name: Optional[str] = None"
+PROGRESS = "progress: Optional[Progress] = None"
+RUN = "return _run.run(_core.{verb}, _meshes.as_mesh(mesh, faces, name), given, progress)"
+
+# Function -> verb, parameters before the flags, result, body, summary.
+FUNCTIONS = {
+    "measure": (
+        "measure",
+        f"{MESH}, {PROGRESS}",
+        "_core.MeasureResult",
+        RUN.format(verb="measure"),
+        "Measures how far a patch is from flat, and what strain its pattern needs as it is.",
+    ),
+    "flatten": (
+        "flatten",
+        f"{MESH}, {PROGRESS}",
+        "_core.FlattenResult",
+        RUN.format(verb="flatten"),
+        "The whole job: lays a patch flat, changed as little as its limits need.",
+    ),
+    "flatten_product": (
+        "flatten",
+        "patches: Path | Sequence[Path | MeshLike] | Mapping[str, MeshLike], *, name: Optional[str] = None, " + PROGRESS,
+        "_core.ProductResult",
+        "return _run.run_product(patches, name, given, progress)",
+        "Flattens the patches of a product together: mesh files or one product file, which are divided into patches "
+        "as the program does, or meshes, each one patch, by their names.",
+    ),
+    "evolve": (
+        "evolve",
+        f"{MESH}, {PROGRESS}",
+        "_core.EvolveResult",
+        RUN.format(verb="evolve"),
+        "Changes a patch by one method towards flattenable; it stays in space.",
+    ),
+    "evolve_sweeps": (
+        "evolve",
+        MESH,
+        "_core.Sweeps",
+        "return _run.with_files(given, lambda files: _core.sweeps(_meshes.as_mesh(mesh, faces, name), files))",
+        "The same as an iterator: a Sweep after each sweep, until evolve() would end.",
+    ),
+    "unfold": (
+        "unfold",
+        f"{MESH}, {PROGRESS}",
+        "_core.UnfoldResult",
+        RUN.format(verb="unfold"),
+        "Lays a patch flat as it is, with the least stretch or within limits of strain.",
+    ),
+    "compare": (
+        "compare",
+        f"{MESH}, {PROGRESS}",
+        "_core.CompareResult",
+        RUN.format(verb="compare"),
+        "Tries several methods on a patch, one after the other.",
+    ),
+    "suggest_cuts": (
+        "suggest-cuts",
+        f"{MESH}, {PROGRESS}",
+        "_core.CutResult",
+        RUN.format(verb="suggest_cuts"),
+        "Looks for short cuts that let a mesh lie flat.",
+    ),
+    "sample": (
+        "sample",
+        "name: str, *",
+        "_core.Mesh",
+        "return _core.sample(name, given)",
+        "A built-in patch made by formula, in millimetres.",
+    ),
+}
+DRAWN = "result: _core.FlattenResult | _core.UnfoldResult, path: Optional[Path] = None, *, as_designed: bool = False"
+for form, kind in {"svg": "SVG", "dxf": "DXF", "pdf": "PDF", "plt": "HPGL"}.items():
+    FUNCTIONS[form] = (
+        "unfold",
+        DRAWN,
+        "bytes" if form == "pdf" else "str",
+        f'return _run.draw(result, "{form}", path, as_designed, given)' + ("" if form == "pdf" else ".decode()"),
+        f"The pattern of a result at true size as {kind}, which is also written where there is a path. Keywords stand "
+        "for those that the result was made with; without any, the drawing is the program's. With as_designed it is "
+        "the pattern of the unchanged design.",
+    )
+
+FILE_ROWS = {"cut", "fix", "weights", "notches", "seam_notches", "marks", "inner_lines", "edge_allowances"}
+# Types that docstrings of the module do not say.
+PROPERTY_TYPES = {
+    "fields": "dict[str, npt.NDArray[np.float64]]",
+    "figures": "dict[str, Any]",
+    "cuts": "list[npt.NDArray[np.uint32]]",
+    "problems": "list[dict[str, Any]]",
+    "runs": "list[ComparedMethod]",
+    "patches": "list[Optional[FlattenResult]]",
+}
+
+
+def keyword_of(flag):
+    name = flag["name"].lstrip("-").replace("-", "_")
+    return name + "_" if name == "lambda" else name
+
+
+def flags_of(description, function):
+    """Keyword -> its flags, one or several methods may have it: (flag, method)."""
+    verb, *_ = FUNCTIONS[function]
+    groups = next(v for v in description["verbs"] if v["name"] == verb)["groups"]
+    found = {}
+    for group in [*groups, {"title": "", "method": None, "flags": description["every_verb"]}]:
+        for flag in group["flags"]:
+            keyword = keyword_of(flag)
+            if keyword in LEFT_OUT or keyword in LEFT_OUT_OF.get(function, {}):
+                continue
+            if function in DRAWING_FLAGS and group["title"] != DRAWING_GROUP:
+                if keyword not in DRAWING_FLAGS[function]:
+                    continue
+            if function in {"sample", *DRAWING_FLAGS} and keyword == "threads":
+                continue
+            found.setdefault(keyword, []).append((flag, group["method"]))
+    return found
+
+
+def type_of(keyword, flags):
+    kinds = set()
+    for flag, _ in flags:
+        kind = flag["type"]
+        if keyword == "obstacle":
+            kinds.add("MeshLike")
+        elif keyword in FILE_ROWS:
+            kinds.add("Rows")
+        elif kind == "name" and flag["choices"]:
+            kinds.add("Literal[" + ", ".join(f'"{choice}"' for choice in flag["choices"]) + "]")
+        elif kind == "names":
+            kinds.add("str | Sequence[str]")
+        elif keyword in {"grain", "fold"}:
+            kinds.add("str | float | Sequence[float]" if keyword == "grain" else "str | Sequence[int]")
+        else:
+            kinds.add(
+                {"switch": "bool", "integer": "int", "number": "float", "radians": "float"}.get(
+                    kind, "Amount" if kind in {"share", "length", "angle"} else "str"
+                )
+            )
+    return "Optional[" + " | ".join(sorted(kinds)) + "]"
+
+
+def wrapped(text, indent, width=118):
+    return "\n".join(textwrap.wrap(text, width, initial_indent=indent, subsequent_indent=indent + "    "))
+
+
+def documentation(flags):
+    lines = []
+    for keyword, given in flags.items():
+        words = dict.fromkeys(flag["help"] for flag, _ in given)
+        lines.append(wrapped(f"{keyword}: {'; or '.join(words)}", "        "))
+    return "\n".join(lines)
+
+
+def function_text(description, function):
+    verb, parameters, result, body, summary = FUNCTIONS[function]
+    flags = flags_of(description, function)
+    given = [f"    {part.strip()}," for part in re.split(r", (?=\*|\w+:)", parameters)]
+    given += [f"    {keyword}: {type_of(keyword, found)} = None," for keyword, found in flags.items()]
+    # The wrapped lines of a docstring must not end in a quote.
+    doc = wrapped(summary, "    ").strip() + "\n\n    Keywords, as flags of the program:\n" + documentation(flags)
+    doc = doc.replace("\\", "\\\\").replace('"""', "'''")
+    return (
+        f"def {function}(\n" + "\n".join(given) + f"\n) -> {result}:\n"
+        f'    """{doc}\n    """\n    given = _run.keywords_of(locals())\n    {body}\n'
+    )
+
+
+def verbs_source(description):
+    head = HEAD + textwrap.dedent(
+        """
+        # ruff: noqa
+        from __future__ import annotations
+
+        from typing import TYPE_CHECKING, Literal, Mapping, Optional, Sequence
+
+        from . import _core, _meshes, _run
+
+        if TYPE_CHECKING:
+            from numpy.typing import ArrayLike
+
+            from ._types import Amount, MeshLike, Path, Progress, Rows
+        """
+    ).replace("# ruff: noqa\n", "")
+    return head + "".join("\n\n" + function_text(description, name) for name in FUNCTIONS)
+
+
+def python_type(text):
+    """The type that a docstring of pybind11 says, as Python writes it."""
+    text = text.replace("planish._core.", "").replace("numpy.ndarray[numpy.", "npt.NDArray[np.")
+    for old, new in {"Dict": "dict", "List": "list", "Tuple": "tuple"}.items():
+        text = re.sub(rf"\b{old}\b", new, text)
+    text = re.sub(r"\bdict$", "dict[str, Any]", text)
+    return re.sub(r"\bobject\b", "Any", text)
+
+
+def signature(doc):
+    """(parameters, result) of the first line of a docstring of pybind11."""
+    match = re.match(r"\w+\((.*)\) -> (.*)$", doc.splitlines()[0]) if doc else None
+    if match is None:
+        return "self", "Any"
+    given = re.sub(r"\b(self|arg0): [\w.]+", "self", match[1], count=1)
+    given = re.sub(r": dict\b", ": dict[str, Any]", given)
+    return python_type(given), python_type(match[2])
+
+
+def members(cls):
+    """(name, kind, object) of a class, in the order of their definition."""
+    for name, member in vars(cls).items():
+        if name.startswith("__") and name not in {"__init__", "__iter__", "__next__"}:
+            continue
+        if name.startswith("_pybind"):
+            continue
+        yield name, "property" if isinstance(member, property) else "function", member
+
+
+def words_of(member):
+    """A docstring without the signature that pybind11 puts before it."""
+    return "\n".join(line for line in (member.__doc__ or "").splitlines() if "->" not in line).strip()
+
+
+def property_type(name, member):
+    if name in PROPERTY_TYPES:
+        return PROPERTY_TYPES[name]
+    doc = member.fget.__doc__ or ""
+    return python_type(doc.splitlines()[0].rpartition("-> ")[2]) if "->" in doc else "Any"
+
+
+def class_stub(cls):
+    lines = [f"class {cls.__name__}:"]
+    for name, kind, member in members(cls):
+        if kind == "property":
+            lines += ["    @property", f"    def {name}(self) -> {property_type(name, member)}: ..."]
+        elif inspect.isfunction(member) and name == member.__name__:
+            lines.append(f"    {name} = {member.__module__.rpartition('.')[2]}.{name}")
+        elif inspect.isfunction(member):
+            lines.append(f"    def {name}(self) -> str: ...")
+        elif name == "_drawing":
+            flatten = "as_designed: bool, " if cls.__name__ == "FlattenResult" else ""
+            lines.append(f"    def _drawing(self, format: str, {flatten}keywords: dict[str, Any]) -> bytes: ...")
+        elif name == "save":
+            lines.append("    def save(self, folder: Path) -> dict[str, str]: ...")
+        elif name == "__init__":
+            if "vertices" in (member.__doc__ or ""):
+                lines.append("    def __init__(self, vertices: Any, faces: Any, name: str = ...) -> None: ...")
+        else:
+            given, result = signature(member.__doc__)
+            result = {"__iter__": "Sweeps", "__next__": "Sweep"}.get(name, result)
+            given = "self" if name.startswith("__") else given
+            lines.append(f"    def {name}({given}) -> {result}: ...")
+    return "\n".join(lines) + "\n"
+
+
+def classes(core):
+    return [cls for cls in vars(core).values() if inspect.isclass(cls)]
+
+
+def core_stub(core):
+    text = HEAD + textwrap.dedent(
+        """
+        from typing import Any, Optional
+
+        import numpy as np
+        import numpy.typing as npt
+
+        from . import _meshes, _verbs
+        from ._types import Path
+
+        __version__: str
+        """
+    )
+    for cls in classes(core):
+        text += "\n" + class_stub(cls)
+    text += "\n"
+    for name, member in vars(core).items():
+        if inspect.isbuiltin(member):
+            given, result = signature(member.__doc__)
+            text += f"def {name}({given}) -> {result}: ...\n"
+    return text
+
+
+def takes(flag, keyword):
+    """What stands behind a keyword, for the docs."""
+    if keyword in FILE_ROWS:
+        return "file or rows"
+    if keyword == "obstacle":
+        return "mesh or file"
+    kind = {"switch": "bool", "file": "file", "names": "names"}.get(flag["type"], flag["type"])
+    low, high = flag["min"], flag["max"]
+    if low is not None and high is not None:
+        kind += f", {low:g} to {high:g}"
+    elif low is not None:
+        kind += f", from {low:g}"
+    if flag["default"] not in {None, False}:
+        kind += f"; default {flag['default']}"
+    return kind
+
+
+def keyword_table(description):
+    """A paragraph for each keyword: of which functions, what it takes, what it means."""
+    rows = {}
+    for function in FUNCTIONS:
+        for keyword, flags in flags_of(description, function).items():
+            for flag, method in flags:
+                key = (takes(flag, keyword), flag["help"])
+                entry = rows.setdefault(keyword, {}).setdefault(key, {})
+                entry.setdefault(method, []).append(function)
+    lines = []
+    for keyword in sorted(rows):
+        for (kind, words), of in rows[keyword].items():
+            methods = [m for m in of if m]
+            note = f" With method {', '.join(methods)}." if methods and None not in of else ""
+            lines.append(
+                "\n".join(
+                    textwrap.wrap(
+                        f"* `{keyword}` ({kind}): {words}.{note}",
+                        118,
+                        subsequent_indent="  ",
+                        break_long_words=False,
+                        break_on_hyphens=False,
+                    )
+                )
+            )
+    return "\n".join(lines) + "\n"
+
+
+def paragraph(text):
+    return "\n".join(textwrap.wrap(text, 118, break_long_words=False, break_on_hyphens=False)) + "\n"
+
+
+def reference(description, core, planish):
+    text = "\n## Functions\n"
+    for function, (_, parameters, result, _, summary) in FUNCTIONS.items():
+        short = re.sub(r": (?:[^,=\[]|\[[^]]*\])+(?= =|,|$)", "", parameters).replace(" = ", "=")
+        text += f"\n### {function}\n\n`planish.{function}({short}, ...)` -> `{result.replace('_core.', '')}`\n\n"
+        names = ", ".join(f"`{keyword}`" for keyword in flags_of(description, function))
+        text += paragraph(summary) + "\n" + paragraph(f"Keywords: {names}.")
+    for function in ("read", "write", "describe"):
+        member = getattr(planish, function)
+        given = re.sub(r": '[^']*'", "", str(inspect.signature(member)).partition(" ->")[0]).replace(" = ", "=")
+        text += f"\n### {function}\n\n`planish.{function}{given}`\n\n" + paragraph(inspect.getdoc(member))
+    text += "\n## Results\n"
+    for cls in classes(core):
+        text += f"\n### {cls.__name__}\n\n" + paragraph(inspect.getdoc(cls))
+        entries = []
+        for name, kind, member in members(cls):
+            if name.startswith("_") or not words_of(member):
+                continue
+            shown = name if kind == "property" else f"{name}()"
+            words = " ".join(words_of(member).split("\n\n    Keywords")[0].split())
+            entries.append(textwrap.fill(f"* `{shown}`: {words}", 118, subsequent_indent="  "))
+        text += "\n" + "\n".join(entries) + "\n"
+    text += "\n## What each keyword takes\n\n"
+    text += paragraph(
+        "What each takes, by the program's one description of its flags. A length, share or angle is a number, in "
+        "model units, as a fraction and in degrees, or a text with a unit. Rows are the lines of the file: texts, or "
+        "sequences of the items of a line."
+    )
+    text += "\n" + keyword_table(description)
+    text += "\nFlags of the program that are no keywords:\n\n"
+    for keyword, why in LEFT_OUT.items():
+        text += f"* `--{keyword.replace('_', '-')}`: {why}.\n"
+    return text
+
+
+def load_core(packages):
+    path = next(pathlib.Path(packages, "planish").glob("_core*.so"))
+    loader = importlib.machinery.ExtensionFileLoader("planish._core", str(path))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("planish._core", loader))
+    loader.exec_module(module)
+    return module
+
+
+def main():
+    packages, checks = sys.argv[1], "--check" in sys.argv
+    stale = []
+
+    def put(path, text):
+        if path.exists() and path.read_text(encoding="utf-8") == text:
+            return
+        stale.append(path)
+        if not checks:
+            path.write_text(text, encoding="utf-8")
+
+    core = load_core(packages)
+    description = json.loads(core.description())
+    put(HERE / "planish/_verbs.py", verbs_source(description))
+    sys.path.insert(0, packages)
+    import planish
+
+    put(HERE / "planish/_core.pyi", core_stub(planish._core))
+    page = REPO / "docs/python.md"
+    head = page.read_text(encoding="utf-8").partition(MARK)[0]
+    put(page, head + MARK + reference(description, planish._core, planish))
+    for path in stale:
+        print(f"{path.relative_to(REPO)}: " + ("not up to date: run bindings/python/tools/generate.py" if checks else "written"))
+    return 1 if checks and stale else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

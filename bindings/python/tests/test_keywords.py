@@ -1,0 +1,124 @@
+"""Keywords are the program's flags: each has one, or a reason why not."""
+
+import inspect
+import pathlib
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+
+import planish
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "tools"))
+import generate  # noqa: E402
+
+OWN = {"mesh", "faces", "name", "progress", "patches", "result", "path", "as_designed"}
+VERBS = ["measure", "flatten", "evolve", "unfold", "compare", "suggest_cuts", "sample"]
+
+
+class Keywords(unittest.TestCase):
+    def keywords_of(self, function):
+        return set(inspect.signature(getattr(planish, function)).parameters) - OWN
+
+    def test_every_flag_is_a_keyword_or_left_out(self):
+        description = planish.describe()
+        globals_ = {generate.keyword_of(flag) for flag in description["every_verb"]}
+        for function in VERBS:
+            verb = next(v for v in description["verbs"] if v["name"] == function.replace("_", "-"))
+            flags = {generate.keyword_of(flag) for group in verb["groups"] for flag in group["flags"]} | globals_
+            left_out = set(generate.LEFT_OUT) | set(generate.LEFT_OUT_OF.get(function, {}))
+            keywords = self.keywords_of(function)
+            self.assertEqual(keywords - flags, set(), function)
+            self.assertEqual(flags - keywords - left_out, set() if function != "sample" else {"threads"}, function)
+            self.assertEqual(keywords & left_out, set(), function)
+
+    def test_left_out_flags_are_there(self):
+        description = planish.describe()
+        flags = {generate.keyword_of(flag) for flag in description["every_verb"]}
+        flags |= {generate.keyword_of(f) for v in description["verbs"] for g in v["groups"] for f in g["flags"]}
+        self.assertEqual(set(generate.LEFT_OUT) - flags, set())
+
+    def test_product_has_the_flags_of_several_patches(self):
+        given = self.keywords_of("flatten") - set(generate.LEFT_OUT_OF["flatten_product"]) | {"seam_tolerance"}
+        self.assertEqual(self.keywords_of("flatten_product"), given)
+
+    def test_sources_are_up_to_date(self):
+        packages = pathlib.Path(planish._core.__file__).parent.parent
+        tool = HERE.parent / "tools/generate.py"
+        done = subprocess.run([sys.executable, tool, packages, "--check"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+
+class Values(unittest.TestCase):
+    def setUp(self):
+        self.mesh = planish.sample("panel", vertices=300)
+
+    def refuse(self, words, **keywords):
+        with self.assertRaisesRegex(planish.RequestError, words) as caught:
+            planish.evolve(self.mesh, **keywords)
+        self.assertIsInstance(caught.exception, ValueError)
+
+    def test_numbers_keep_all_digits(self):
+        for third in (1 / 3, np.float64(1 / 3), "0.3333333333333333", np.array(1 / 3)):
+            result = planish.evolve(self.mesh, method="classical", lambda_=third, sweeps=np.int32(1))
+            self.assertEqual(result.figures["options"]["lambda"], 1 / 3)
+
+    def test_ranges_are_the_programs(self):
+        self.refuse("--lambda-max", lambda_max=11.0)
+        self.refuse("--sweeps", sweeps=-1)
+        self.refuse("--sweeps", sweeps=1.5)
+        self.refuse("--lambda-max", lambda_max=float("nan"))
+        self.refuse("--threads", threads=5000)
+        self.refuse("unknown method clasical; did you mean classical", method="clasical")
+        self.refuse("method controllable has no flag --tau", tau=0.5)
+        self.refuse("--method needs a value", method="")
+
+    def test_types(self):
+        for value in ({}, object(), True, 1j, [None]):
+            with self.assertRaises(TypeError):
+                planish.evolve(self.mesh, lambda_max=value)
+        with self.assertRaisesRegex(TypeError, "remesh must be True or False, not of type int"):
+            planish.evolve(self.mesh, remesh=1)
+        with self.assertRaisesRegex(TypeError, "unexpected keyword"):
+            planish.evolve(self.mesh, lambda_maxx=1.0)
+        with self.assertRaisesRegex(ValueError, "number 0"):
+            planish.unfold(self.mesh, piece_name="a\0b")
+
+    def test_none_and_false_are_left_out(self):
+        one = planish.evolve(self.mesh, remesh=False, max_deviation=None)
+        np.testing.assert_array_equal(one.vertices, planish.evolve(self.mesh).vertices)
+
+    def test_text_of_any_kind(self):
+        for text in ("-x", "--note", "a=b", "日本 ö Ж", "{}", "[1,2]", " ", '"'):
+            svg = planish.unfold(self.mesh, note=text, piece_name="front").svg()
+            self.assertIn("front", svg)
+
+    def test_rows_and_files_say_the_same(self):
+        by_rows = planish.evolve(self.mesh, fix=[150, 151], sweeps=3)
+        by_array = planish.evolve(self.mesh, fix=np.array([150, 151]), sweeps=3)
+        np.testing.assert_array_equal(by_rows.vertices, by_array.vertices)
+        np.testing.assert_array_equal(by_rows.vertices[150], self.mesh.vertices[150])
+        weights = np.ones(len(self.mesh.vertices))
+        weights[100] = 5.0
+        by_list = planish.evolve(self.mesh, method="least_norm", weights=weights)
+        by_map = planish.evolve(self.mesh, method="least_norm", weights={100: 5.0})
+        np.testing.assert_array_equal(by_list.vertices, by_map.vertices)
+
+    def test_bad_rows_name_the_keyword(self):
+        with self.assertRaises(planish.FormatError) as caught:
+            planish.evolve(self.mesh, fix=[0, 300_000])
+        self.assertEqual((caught.exception.place.path, caught.exception.place.line), ("fix", 2))
+        self.assertTrue(str(caught.exception).startswith("fix:2: "))
+
+    def test_cuts_of_a_suggestion(self):
+        dome = planish.sample("dome", vertices=400)
+        cuts = planish.suggest_cuts(dome, max_strain="5%")
+        result = planish.unfold(dome, cut=cuts.cuts)
+        np.testing.assert_array_equal(result.uv, cuts.uv)
+        self.assertTrue(all(note.startswith("cut: ") for note in result.notes))
+
+
+if __name__ == "__main__":
+    unittest.main()

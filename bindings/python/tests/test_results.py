@@ -1,0 +1,216 @@
+"""Results: figures, drawings, files, reports, products, errors."""
+
+import gc
+import pathlib
+import resource
+import sys
+import tempfile
+import types
+import unittest
+import warnings
+
+import numpy as np
+
+import planish
+from planish import errors
+
+REPO = pathlib.Path(__file__).resolve().parent.parent.parent.parent
+
+
+class Results(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.panel = planish.sample("panel", vertices=400)
+        cls.result = planish.flatten(cls.panel, max_strain="2%", allowance="10mm")
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.path = pathlib.Path(cls.folder.name)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_flatten(self):
+        result = self.result
+        n, m = len(self.panel.vertices), len(self.panel.faces)
+        self.assertEqual(result.uv.shape, (n, 2))
+        self.assertEqual(result.faces.shape, (m, 3))
+        self.assertEqual(result.met, result.missed_limits == [])
+        self.assertLessEqual(result.strain_max, 0.02)
+        self.assertAlmostEqual(np.ptp(result.uv[:, 0]), result.width)
+        self.assertEqual(result.figures["schema"], 1)
+        self.assertEqual(result.fields["defect"].shape, (n,))
+        self.assertEqual(result.fields["strain_max"].shape, (m,))
+
+    def test_remesh_says_where_vertices_come_from(self):
+        result = planish.flatten(planish.sample("panel", vertices=6000), remesh=True)
+        self.assertEqual(len(result.source), len(result.vertices))
+        self.assertIsNone(self.result.source)
+
+    def test_drawings(self):
+        for form, start in {"svg": "<?xml", "dxf": "  0\n", "plt": "IN;"}.items():
+            text = getattr(self.result, form)(self.path / f"own.{form}")
+            self.assertTrue(text.startswith(start), text[:20])
+            self.assertEqual((self.path / f"own.{form}").read_bytes().decode(), text)
+        self.assertTrue(self.result.pdf().startswith(b"%PDF"))
+        self.assertNotEqual(self.result.pdf(paper="a4"), self.result.pdf())
+        self.assertNotEqual(self.result.svg(as_designed=True), self.result.svg())
+        self.assertEqual(planish.svg(self.result), self.result.svg())
+        self.assertNotEqual(self.result.svg(grain=(0, 0, 1)), self.result.svg())
+        unfolded = planish.unfold(self.panel, allowance="10mm", grain=[0, 0, 1])
+        self.assertEqual(unfolded.svg(), planish.unfold(self.panel).svg(allowance="10mm", grain="0,0,1"))
+
+    def test_drawings_that_cannot_be(self):
+        with self.assertRaisesRegex(TypeError, "has a pattern to draw"):
+            planish.svg(planish.evolve(self.panel))
+        with self.assertRaisesRegex(ValueError, "as_designed goes with"):
+            planish.svg(planish.unfold(self.panel), as_designed=True)
+        with self.assertRaises(planish.FileError) as caught:
+            self.result.svg("/proc/nowhere/pattern.svg")
+        self.assertEqual(caught.exception.code, "file_unwritable")
+        with self.assertRaisesRegex(planish.RequestError, "allowance is 10000 mm"):
+            self.result.svg(allowance="10m")
+
+    def test_reports(self):
+        compared = planish.compare(self.panel, methods=["controllable", "fairing"])
+        for result in (self.result, compared):
+            page = result._repr_html_()
+            self.assertTrue(page.startswith("<iframe srcdoc="))
+            self.assertNotIn("<html", page)
+            self.assertIn("<html", result.report_html())
+        self.assertIn("<svg", planish.unfold(self.panel)._repr_html_())
+
+    def test_compare(self):
+        compared = planish.compare(self.panel, methods=["controllable", "fairing"], sweeps=3)
+        self.assertEqual([run.method for run in compared.runs], ["controllable", "fairing"])
+        alone = planish.evolve(self.panel, method="controllable", sweeps=3)
+        np.testing.assert_array_equal(compared.runs[0].vertices, alone.vertices)
+        self.assertTrue(compared.history_csv().startswith("method,"))
+        self.assertIn(compared.best.method if compared.best else "", ["", "controllable", "fairing"])
+
+    def test_product(self):
+        meshes = {"front": self.panel, "back": planish.sample("saddle", vertices=300), "broken": self.panel}
+        faces = np.concatenate([self.panel.faces, self.panel.faces[:1]])
+        meshes["broken"] = planish.Mesh(self.panel.vertices, faces)
+        product = planish.flatten_product(meshes, name="suit", max_strain="2%")
+        self.assertEqual(product.names, ["front", "back", "broken"])
+        self.assertEqual(list(product.failures), ["broken"])
+        self.assertIsNone(product.patches[2])
+        alone = planish.flatten(meshes["front"], name="front", max_strain="2%")
+        np.testing.assert_array_equal(product.patches[0].uv, alone.uv)
+        self.assertIn("<svg", product.layout_svg())
+        self.assertEqual(product.figures["name"], "suit")
+
+    def test_product_of_files(self):
+        paths = [self.path / name for name in ("one.obj", "two.ply")]
+        for path in paths:
+            planish.write(path, self.panel)
+        product = planish.flatten_product(paths)
+        self.assertEqual(len(product.patches), 2)
+        np.testing.assert_array_equal(product.patches[0].uv, product.patches[1].uv)
+
+    def test_product_of_nothing(self):
+        with self.assertRaises(planish.FormatError):
+            planish.flatten_product([])
+        with self.assertRaises(planish.RequestError):
+            planish.flatten_product([self.panel], match_seams=True, seam_tolerance=-1.0)
+
+    def test_read_and_write(self):
+        for form in ("obj", "ply", "off"):
+            planish.write(self.path / f"panel.{form}", self.panel)
+            mesh = planish.read(self.path / f"panel.{form}")
+            self.assertEqual(mesh.name, "panel")
+            np.testing.assert_array_equal(mesh.vertices, self.panel.vertices)
+        with self.assertRaises(planish.FileError):
+            planish.write(self.path / "panel.step", self.panel)
+        bad = self.path / "bad.obj"
+        bad.write_text("v 0 0 0\nv 1 0 x\n")
+        with self.assertRaises(planish.FormatError) as caught:
+            planish.flatten(bad)
+        self.assertEqual((caught.exception.place.path, caught.exception.place.line), (str(bad), 2))
+        with self.assertRaises(planish.FileError) as caught:
+            planish.read(self.path / "none.obj")
+        self.assertEqual(caught.exception.code, "file_not_found")
+
+    def test_bytes_that_are_no_text(self):
+        bad = self.path / "bad_bytes.obj"
+        bad.write_bytes(b"v 0 0 0\nv 1 0 \xff\xfe\n")
+        with self.assertRaises(planish.FormatError):
+            planish.read(bad)
+        with self.assertRaises((planish.FileError, UnicodeError)):
+            planish.read("none-\udcff.obj")
+
+    def test_names_of_files_in_any_script(self):
+        for name in ("ö", "日本", "Ж"):
+            path = self.path / f"{name}.obj"
+            planish.write(path, self.panel)
+            self.assertEqual(planish.read(path).name, name)
+            self.assertIn(name, planish.unfold(path).svg())
+        with self.assertRaisesRegex(planish.FileError, "日本-none"):
+            planish.read(self.path / "日本-none.obj")
+
+    def test_warnings_are_pythons(self):
+        wide = planish.sample("cone", vertices=300)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            planish.unfold(wide)
+
+    def test_other_packages_are_imported_late(self):
+        self.assertFalse({"trimesh", "pyvista", "matplotlib"} & set(sys.modules))
+        made = {}
+        trimesh = types.SimpleNamespace(Trimesh=lambda **given: made.update(given) or "made")
+        pyvista = types.SimpleNamespace(PolyData=lambda points, faces: (points, faces))
+        sys.modules.update(trimesh=trimesh, pyvista=pyvista)
+        try:
+            self.assertEqual(self.result.to_trimesh(), "made")
+            self.assertIs(made["vertices"].base, self.result)
+            points, faces = self.result.to_pyvista(flat=True)
+        finally:
+            del sys.modules["trimesh"], sys.modules["pyvista"]
+        np.testing.assert_array_equal(points[:, :2], self.result.uv)
+        np.testing.assert_array_equal(faces.reshape(-1, 4)[:, 1:], self.result.faces)
+        with self.assertRaisesRegex(ValueError, "no pattern"):
+            self.panel.to_meshio(flat=True)
+
+
+class Errors(unittest.TestCase):
+    def test_every_code_has_a_family(self):
+        page = (REPO / "docs/errors.md").read_text(encoding="utf-8")
+        codes = {line[4:] for line in page.splitlines() if line.startswith("### ")}
+        families = {code for codes_ in errors.FAMILIES.values() for code in codes_.split()}
+        self.assertEqual(codes - families, {"internal_error", "out_of_memory"})
+        self.assertEqual(families - codes, set())
+
+    def test_a_place_shows_what_is_known(self):
+        self.assertEqual(repr(errors.Place("a.obj", 3)), "Place(path='a.obj', line=3)")
+
+
+class Leaks(unittest.TestCase):
+    def test_a_thousand_calls(self):
+        panel = planish.sample("panel", vertices=100)
+        bad = np.array([[0, 1, 999]])
+
+        def call():
+            planish.evolve(panel.vertices, panel.faces, sweeps=1, fix=[50])
+            result = planish.unfold(panel)
+            result.uv, result.faces, result.figures, result.svg()
+            for wrong in (lambda: planish.evolve(panel, lambda_max=99.0), lambda: planish.Mesh(panel.vertices, bad)):
+                try:
+                    wrong()
+                except planish.Error:
+                    pass
+
+        for _ in range(100):
+            call()
+        gc.collect()
+        before, objects = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, len(gc.get_objects())
+        for _ in range(1000):
+            call()
+        gc.collect()
+        grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
+        # A leak of one array of the mesh in each call would be 2.4 MB; that of a result a hundred.
+        self.assertLess(grown, 2000, "KiB")
+        self.assertLess(len(gc.get_objects()) - objects, 100)
+
+
+if __name__ == "__main__":
+    unittest.main()

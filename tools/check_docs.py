@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that the docs say what is there: the example in README.md is the one that is built,
+"""Checks that the docs say what is there: the examples in README.md are those of examples/,
 every link to a file of the project leads to one and to a heading that it has, and every code of an
 error has its paragraph."""
 
@@ -50,14 +50,20 @@ def link_faults(page):
                 yield f"{page.relative_to(REPO)}: no heading at {link}#{anchor}"
 
 
+def example_faults(readme):
+    """Whether README.md shows an example in each language, as it is in examples/ but for its first line."""
+    for ending, language in {"cpp": "C++", "py": "Python"}.items():
+        shown = re.search(rf"`(examples/[\w/]+\.{ending})`\):\n\n```\w+\n(.*?)```", readme, re.DOTALL)
+        # The file's first line tells what it is for.
+        example = (REPO / shown[1]).read_text(encoding="utf-8").split("\n", 1)[1] if shown else None
+        if example is None or example.strip() != shown[2].strip():
+            yield f"README.md: the example in {language} is not that of examples/"
+
+
 def main():
     faults = error_faults()
     readme = (REPO / "README.md").read_text(encoding="utf-8")
-    shown = re.search(r"`(examples/\w+\.cpp)`\):\n\n```cpp\n(.*?)```", readme, re.DOTALL)
-    # The file's first line tells what it is for.
-    example = (REPO / shown[1]).read_text(encoding="utf-8").split("\n", 1)[1] if shown else None
-    if example is None or example.strip() != shown[2].strip():
-        faults.append("README.md: the example in C++ is not that of examples/")
+    faults.extend(example_faults(readme))
     for page in PAGES:
         faults.extend(link_faults(page))
     for fault in faults:

@@ -7,6 +7,7 @@
 
 #include "cli_run.h"
 #include "mesh/split.h"
+#include "platform/path.h"
 #include "product/parts.h"
 #include "support/meshes.h"
 #include "support/products.h"
@@ -346,9 +347,9 @@ class StopAt : public std::stringbuf {
 std::vector<std::string> lasting_contents(const std::string& folder) {
   std::vector<std::string> paths, contents;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
+    const std::string name = utf8_of(entry.path().filename());
     const bool is_timed = name == "report.json" || name == "report.html" || name == "job.json";
-    if (entry.is_regular_file() && !is_timed) paths.push_back(entry.path().string());
+    if (entry.is_regular_file() && !is_timed) paths.push_back(utf8_of(entry.path()));
   }
   std::sort(paths.begin(), paths.end());
   for (const std::string& path : paths)

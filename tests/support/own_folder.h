@@ -9,7 +9,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
+
+#include "platform/file.h"
+#include "platform/path.h"
 
 namespace planish {
 
@@ -28,9 +30,9 @@ class OwnFolder : public testing::Test {
   void SetUp() override {
     const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
     std::string name =
-        std::to_string(getpid()) + "_" + test->test_suite_name() + "_" + test->name();
+        std::to_string(process_number()) + "_" + test->test_suite_name() + "_" + test->name();
     std::replace(name.begin(), name.end(), '/', '_');  // of tests with parameters
-    folder_ = std::filesystem::path(testing::TempDir()) / ("planish_" + name);
+    folder_ = path_of(testing::TempDir()) / ("planish_" + name);
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
@@ -40,7 +42,7 @@ class OwnFolder : public testing::Test {
   std::vector<std::string> names() const {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
-      names.push_back(std::filesystem::relative(entry.path(), folder_).string());
+      names.push_back(utf8_of(std::filesystem::relative(entry.path(), folder_)));
     }
     std::sort(names.begin(), names.end());
     return names;

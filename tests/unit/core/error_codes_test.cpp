@@ -19,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include "platform/path.h"
 #include "support/meshes.h"
 
 namespace planish {
@@ -74,18 +75,19 @@ TriMesh torus_with_a_hole() {
   return mesh;
 }
 
+std::filesystem::path folder_that_is_there() {
+  const auto folder = path_of(testing::TempDir()) / "planish_folder.obj";
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
 const std::map<Code, Reproduction>& reproductions() {
   static const TriMesh grid = meshes::flat_grid(4, 4);
   static const std::string triangle = k_corners + "f 1 2 3\n";
   static const std::map<Code, Reproduction> all = {
       {Code::file_not_found, [] { read_mesh("no such file.obj"); }},
-      {Code::file_unreadable,
-       [] {
-         const auto folder = std::filesystem::path(testing::TempDir()) / "planish_folder.obj";
-         std::filesystem::create_directories(folder);
-         read_mesh(folder);
-       }},
-      {Code::file_unwritable, [] { write_mesh("/dev/null/a.obj", grid); }},
+      {Code::file_unreadable, [] { read_mesh(folder_that_is_there()); }},
+      {Code::file_unwritable, [] { write_mesh(folder_that_is_there(), grid); }},
       {Code::unsupported_format, [] { read_mesh("a.xyz"); }},
       {Code::malformed_file, reading("A letter.\n")},
       {Code::truncated_file, [] { parse_mesh("ply\nformat ascii 1.0\n", MeshFormat::ply); }},

@@ -1,5 +1,6 @@
 #include <planish/io/read_features.h>
 
+#include "platform/path.h"
 #include "support/meshes.h"
 #include "unit/io/io_testing.h"
 
@@ -144,7 +145,7 @@ TEST_F(ReadFeatures, ReadFilesAndNameThem) {
   for (const Error& error : {error_of([&] { read_fixed_vertices(missing, grid()); }),
                              error_of([&] { read_weights(missing, grid().mesh()); })}) {
     EXPECT_EQ(error.code(), ErrorCode::file_not_found);
-    EXPECT_EQ(error.place().path, missing.string());
+    EXPECT_EQ(error.place().path, utf8_of(missing));
   }
 }
 

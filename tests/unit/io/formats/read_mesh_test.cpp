@@ -1,11 +1,9 @@
-#include <thread>
-
 #include <planish/io/mesh_format.h>
 #include <planish/io/read_mesh.h>
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
+#include "platform/path.h"
 #include "unit/io/io_testing.h"
 
 namespace planish {
@@ -23,47 +21,27 @@ TEST_F(ReadMesh, ReadsAFileOfEveryFormat) {
   }
 }
 
-TEST_F(ReadMesh, ReadsFromAPipe) {
-  const auto path = folder_ / "pipe.obj";
-  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-  TriMesh mesh = square();
-  mesh.positions.resize(20'000);  // more than a pipe holds at once
-  std::thread writer([&] { put_file(path, format_mesh(mesh, MeshFormat::obj)); });
-  EXPECT_TRUE(same_bits(read_mesh(path).mesh, mesh));
-  writer.join();
-}
-
-TEST_F(ReadMesh, ReadsThroughASymbolicLink) {
-  put_file(folder_ / "a.obj", format_mesh(square(), MeshFormat::obj));
-  std::filesystem::create_symlink("a.obj", folder_ / "link.obj");
-  EXPECT_TRUE(same_bits(read_mesh(folder_ / "link.obj").mesh, square()));
-}
-
 TEST_F(ReadMesh, NamesThePathAndTheLine) {
   const auto path = folder_ / "a.obj";
   put_file(path, "v 0 0 0\nv 0 0 x\n");
   const Error error = error_of([&] { read_mesh(path); });
-  EXPECT_EQ(error.what(), path.string() + ":2: \"x\" is not a number");
+  EXPECT_EQ(error.what(), utf8_of(path) + ":2: \"x\" is not a number");
 }
 
 TEST_F(ReadMesh, RefusesMissingFiles) {
   put_file(folder_ / "file", "");
-  std::filesystem::create_symlink("nowhere", folder_ / "dangling.obj");
-  for (const auto& path : {folder_ / "none.obj", folder_ / "none" / "a.obj",
-                           folder_ / "file" / "a.obj", folder_ / "dangling.obj"}) {
+  for (const auto& path :
+       {folder_ / "none.obj", folder_ / "none" / "a.obj", folder_ / "file" / "a.obj"}) {
     const Error error = error_of([&] { read_mesh(path); });
     EXPECT_EQ(error.code(), ErrorCode::file_not_found) << path;
-    EXPECT_EQ(error.place().path, path.string());
+    EXPECT_EQ(error.place().path, utf8_of(path));
   }
 }
 
-TEST_F(ReadMesh, RefusesFoldersDevicesAndLoops) {
+TEST_F(ReadMesh, RefusesFolders) {
   std::filesystem::create_directory(folder_ / "folder.obj");
-  std::filesystem::create_symlink("/dev/zero", folder_ / "zero.obj");
-  std::filesystem::create_symlink("loop.obj", folder_ / "loop.obj");
-  for (const std::string name : {"folder.obj", "zero.obj", "loop.obj"}) {
-    EXPECT_EQ(error_of([&] { read_mesh(folder_ / name); }).code(), ErrorCode::file_unreadable);
-  }
+  EXPECT_EQ(error_of([&] { read_mesh(folder_ / "folder.obj"); }).code(),
+            ErrorCode::file_unreadable);
 }
 
 TEST_F(ReadMesh, RefusesEmptyFiles) {

@@ -76,7 +76,8 @@ CutLines read_cuts(const std::filesystem::path& path, const TriMesh& mesh) {
 
 CutLines parse_cuts(std::string_view bytes, const TriMesh& mesh, const std::string& name) {
   if (mesh.triangles.empty()) throw Error(ErrorCode::no_triangles, "the mesh has no triangles");
-  if (lower_extension(name) != ".obj") return listed_cuts(bytes, name, mesh.positions.size());
+  if (lower_extension(path_of(name)) != ".obj")
+    return listed_cuts(bytes, name, mesh.positions.size());
   TextCursor cursor(bytes, name, {.comments = true, .continuation = true});
   const LineDrawing drawing = parse_line_drawing(cursor);
   return snap_cuts(drawing, mesh, cursor, name);

@@ -94,7 +94,7 @@ FixedVertices read_fixed_vertices(const std::filesystem::path& path, const Patch
 
 FixedVertices parse_fixed_vertices(std::string_view bytes, const Patch& patch,
                                    const std::string& name) {
-  if (lower_extension(name) == ".obj") {
+  if (lower_extension(path_of(name)) == ".obj") {
     TextCursor cursor(bytes, name, {.comments = true, .continuation = true});
     const LineDrawing drawing = parse_line_drawing(cursor);
     return snap(drawing, patch, cursor);

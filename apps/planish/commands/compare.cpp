@@ -31,9 +31,9 @@ namespace fs = std::filesystem;
 
 std::vector<OutputFile> files_of(const CompareReport& report, const fs::path& folder,
                                  MeshFormat format, const std::string& json) {
-  std::vector<OutputFile> files = {{folder / "compare.html", html_report(report)},
-                                   {folder / "compare.csv", history_csv(report)},
-                                   {folder / "compare.json", json}};
+  std::vector<OutputFile> files = {{folder / path_of("compare.html"), html_report(report)},
+                                   {folder / path_of("compare.csv"), history_csv(report)},
+                                   {folder / path_of("compare.json"), json}};
   for (const ComparedMethod& method : report.runs) {
     if (!method.evolve) continue;
     const std::string name = report.name + "-" + std::string(name_of(method.run.method)) + "." +

@@ -80,12 +80,12 @@ class ProductRun {
     const std::string garment =
         json(nesting ? std::optional(nesting->layout) : std::optional<LayoutReport>());
     const std::string picture = format_svg(product_sheet(report_, stem_of(job_.path)));
-    std::vector<OutputFile> files = {{job_.folder / "garment.json", garment},
-                                     {job_.folder / "garment.html", page(nesting)},
-                                     {job_.folder / "garment.svg", picture}};
+    std::vector<OutputFile> files = {{job_.folder / path_of("garment.json"), garment},
+                                     {job_.folder / path_of("garment.html"), page(nesting)},
+                                     {job_.folder / path_of("garment.svg"), picture}};
     if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
     if (job_.pieces_in_dxf)
-      files.push_back({job_.folder / "garment.dxf", pieces_in_dxf(*job_.pieces_in_dxf)});
+      files.push_back({job_.folder / path_of("garment.dxf"), pieces_in_dxf(*job_.pieces_in_dxf)});
     std::string text = patch_lines();
     text += twins_text(report_) + seams_text(report_, job_.is_batch) +
             (nesting ? nesting->text : "") + written_text(files) +

@@ -136,7 +136,8 @@ fs::path Transaction::free_name(const fs::path& place) {
   std::error_code none;
   do {
     name = place;
-    name += ".planish-partial-" + std::to_string(process_number()) + "-" + std::to_string(names_++);
+    name += path_of(".planish-partial-" + std::to_string(process_number()) + "-" +
+                    std::to_string(names_++));
   } while (fs::exists(fs::symlink_status(name, none)));
   return name;
 }

@@ -35,7 +35,7 @@ ALLOWED = {
 # Layer -> its floors, lowest first. A room includes those of lower floors; the layer's face, its
 # public headers, is below them all.
 FLOORS = {
-    "platform": [["platform"], ["platform/posix"]],
+    "platform": [["platform"], ["platform/posix", "platform/windows"]],
     "core": [["core"], ["core/lanes"]],
     "geometry": [["geometry"]],
     "solve": [["solve/lanes"], ["solve"]],
@@ -84,6 +84,7 @@ FOR_THE_PROGRAM = {
     "platform/memory.h",
     "platform/path.h",
     "report/page/page_script.h",
+    "platform/windows/wide.h",
     "report/several_files.h",
     "report/pictures/direction_map.h",
     "sheet/carry/drawing_on_sheet.h",

@@ -1,8 +1,11 @@
 #include <exception>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "run.h"
 #include "shell/host.h"
+#include "shell/own_window.h"
 
 namespace {
 
@@ -18,5 +21,10 @@ namespace {
 int main(int argc, char** argv) {
   std::set_terminate(end_after_failure);
   const planish::cli::RunContext context = planish::cli::prepare_process();
-  return planish::cli::run(planish::cli::command_words(argc, argv), std::cout, std::cerr, context);
+  const std::vector<std::string> words = planish::cli::command_words(argc, argv);
+  if (planish::cli::has_own_window()) {
+    return planish::cli::run_in_own_window(
+        words, {std::cin, std::cout, std::cerr, planish::cli::open_document}, context);
+  }
+  return planish::cli::run(words, std::cout, std::cerr, context);
 }

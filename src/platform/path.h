@@ -12,7 +12,8 @@ namespace planish {
 /// Where names are bytes, as on Linux, any text is taken as it is.
 std::filesystem::path path_of(std::string_view utf8);
 
-/// The text of a path: utf8_of(path_of(text)) is the text.
+/// The text of a path: utf8_of(path_of(text)) is the text. On Windows folders come out with a slash
+/// between them, whatever they went in with, and what is no UTF-8 comes out as U+FFFD.
 std::string utf8_of(const std::filesystem::path& path);
 
 }  // namespace planish

@@ -31,14 +31,17 @@ RunContext prepare_process();
 std::vector<std::string> command_words(int argc, char** argv);
 
 /// Opens a page in the program that the user has for such files, usually the browser, and does not
-/// wait for it. That program outlives this one and shares no standard file with it. On Windows use
-/// ShellExecuteEx().
+/// wait for it. That program outlives this one and shares no standard file with it.
 /// @param path absolute
 /// @return why it cannot be opened, for a note: "xdg-open is not installed"; empty where it can
 std::string open_document(const std::filesystem::path& path);
 
 /// What `planish doctor` says of the system.
 SystemFacts system_facts();
+
+/// Whether the system made a window for this run alone, which closes when it ends: after a click on
+/// the program's icon, or files dropped onto it. On Windows only.
+bool has_own_window();
 
 /// Says something on standard error and ends the program, without destructors and without memory.
 [[noreturn]] void end_at_once(std::string_view message, int exit_code) noexcept;

@@ -150,6 +150,10 @@ SystemFacts system_facts() {
   return facts;
 }
 
+bool has_own_window() {
+  return false;
+}
+
 void end_at_once(std::string_view message, int exit_code) noexcept {
   [[maybe_unused]] const auto written = write(STDERR_FILENO, message.data(), message.size());
   _exit(exit_code);

@@ -1,0 +1,21 @@
+#include "platform/path.h"
+
+#include <algorithm>
+
+#include "platform/windows/wide.h"
+
+namespace planish {
+
+std::filesystem::path path_of(std::string_view utf8) {
+  return wide_of(utf8);
+}
+
+/// Folders are separated by slashes, as on other systems: what is printed and written into reports
+/// is then the same. Windows takes them too, but for names that begin with \\?\.
+std::string utf8_of(const std::filesystem::path& path) {
+  std::wstring wide = path.native();
+  if (!wide.starts_with(L"\\\\?\\")) std::replace(wide.begin(), wide.end(), L'\\', L'/');
+  return utf8_of_wide(wide);
+}
+
+}  // namespace planish

@@ -1,0 +1,101 @@
+#include "shell/own_window.h"
+
+#include <gmock/gmock.h>
+
+#include "cli/cli_run.h"
+#include "platform/path.h"
+
+namespace planish::cli {
+namespace {
+
+using testing::HasSubstr;
+
+std::vector<std::string> opened;
+
+std::string open_well(const std::filesystem::path& page) {
+  opened.push_back(utf8_of(page));
+  return {};
+}
+
+std::string open_badly(const std::filesystem::path&) {
+  return "no browser";
+}
+
+class OwnWindowTest : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    opened.clear();
+  }
+
+  /// @return exit code; what was said is in err
+  int run(const std::vector<std::string>& words,
+          std::string (*open)(const std::filesystem::path&)) {
+    std::istringstream in("\n");
+    std::ostringstream out, all;
+    const int exit_code = run_in_own_window(words, {in, out, all, open}, {});
+    waited = in.peek() == std::istream::traits_type::eof();
+    err = all.str();
+    return exit_code;
+  }
+  std::string in_folder(const std::string& name) const { return utf8_of(folder_ / path_of(name)); }
+
+  bool waited = false;
+  std::string err;
+};
+
+TEST_F(OwnWindowTest, WithoutWordsSaysWhatToDoAndWaits) {
+  EXPECT_EQ(run({}, open_well), k_exit_usage);
+  EXPECT_TRUE(waited);
+  EXPECT_THAT(err, HasSubstr("Drop a mesh"));
+}
+
+TEST_F(OwnWindowTest, FlattensADroppedFileBesideItselfAndOpensThePage) {
+  std::filesystem::create_directory(folder_ / path_of("\xE6\x97\xA5"));
+  const std::string mesh = in_folder("\xE6\x97\xA5/\xC3\xB6 b.obj");
+  std::filesystem::rename("panel.obj", path_of(mesh));
+  EXPECT_EQ(run({mesh}, open_well), k_exit_done) << err;
+  const std::string folder = in_folder("\xE6\x97\xA5/\xC3\xB6 b-pattern");
+  EXPECT_TRUE(std::filesystem::exists(path_of(folder + "/pattern.svg")));
+  EXPECT_EQ(opened, std::vector<std::string>{folder + "/report.html"});
+  EXPECT_FALSE(waited);
+}
+
+TEST_F(OwnWindowTest, FlattensSeveralDroppedFilesAsOneProduct) {
+  std::filesystem::copy_file("panel.obj", "second.obj");
+  EXPECT_EQ(run({in_folder("panel.obj"), in_folder("second.obj")}, open_well), k_exit_done) << err;
+  EXPECT_EQ(opened, std::vector<std::string>{in_folder("panel-pattern/garment.html")});
+}
+
+TEST_F(OwnWindowTest, SaysWhereThePageIsIfItCannotBeOpened) {
+  EXPECT_EQ(run({in_folder("panel.obj")}, open_badly), k_exit_done);
+  EXPECT_TRUE(waited);
+  EXPECT_THAT(err,
+              HasSubstr(in_folder("panel-pattern/report.html") + " in a browser (no browser)"));
+}
+
+TEST_F(OwnWindowTest, WaitsAfterAFailure) {
+  std::ofstream("bad.obj") << "v 0 0 nan\n";
+  EXPECT_EQ(run({in_folder("bad.obj")}, open_well), k_exit_failed);
+  EXPECT_TRUE(waited);
+  EXPECT_TRUE(opened.empty());
+  EXPECT_THAT(err, HasSubstr("error: "));
+}
+
+TEST_F(OwnWindowTest, DoesAllElseWithoutWaiting) {
+  EXPECT_EQ(run({"measure", "panel.obj"}, open_well), k_exit_done);
+  EXPECT_FALSE(waited);
+  EXPECT_EQ(run({"none.obj"}, open_well), k_exit_usage);
+  EXPECT_FALSE(waited);
+}
+
+TEST_F(OwnWindowTest, TellsDroppedFilesByTheirBeingThere) {
+  EXPECT_TRUE(are_dropped(Names{in_folder("panel.obj")}));
+  EXPECT_FALSE(are_dropped(Names{in_folder("panel.obj"), "--json"}));
+  EXPECT_FALSE(are_dropped(Names{"flatten", in_folder("panel.obj")}));
+  EXPECT_FALSE(are_dropped(Names{"panel.obj"}));
+  EXPECT_FALSE(are_dropped(Names{}));
+}
+
+}  // namespace
+}  // namespace planish::cli

@@ -54,11 +54,15 @@ class FileContent {
 /// on. A symbolic link there is replaced, not followed. Where a failure comes back, nothing has
 /// changed.
 ///
-/// Windows does not replace a file that another program has open. What to do then is to be decided
-/// with that build: to retry for a moment, as virus scanners hold new files open, and then to say
-/// that another program has the file open, both for a sharing violation and for a refused access.
+/// Windows does not replace a file that another program has open. Virus scanners hold new files
+/// open for a moment, so it tries again for a second.
 std::error_code replace_file(const std::filesystem::path& from,
                              const std::filesystem::path& to) noexcept;
+
+/// Why a file that is there cannot lose its name now: on Windows another program may have it open,
+/// which is std::errc::text_file_busy, or it is read-only. No error where it can, or where nothing
+/// is there. Ask before it gets a second name, which could not be removed then.
+std::error_code hold_on(const std::filesystem::path& path) noexcept;
 
 /// A number that no other running process has.
 long process_number() noexcept;

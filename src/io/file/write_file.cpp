@@ -147,6 +147,8 @@ void Transaction::keep_previous(Pending& pending) {
   std::error_code fault;
   const fs::file_status status = fs::symlink_status(pending.place, fault);
   if (!fs::is_regular_file(status) && !fs::is_symlink(status)) return;
+  const std::error_code hold = hold_on(pending.place);
+  if (hold) fail(pending.path, hold);
   fs::path previous = free_name(pending.place);
   fs::create_hard_link(pending.place, previous, fault);
   // Some file systems have no second names: there the first one goes.

@@ -86,6 +86,10 @@ std::error_code replace_file(const std::filesystem::path& from,
   return std::rename(from.c_str(), to.c_str()) == 0 ? std::error_code() : last_fault();
 }
 
+std::error_code hold_on(const std::filesystem::path&) noexcept {
+  return {};
+}
+
 long process_number() noexcept {
   return ::getpid();
 }

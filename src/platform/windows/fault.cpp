@@ -6,21 +6,26 @@ namespace planish {
 
 namespace {
 
-/// A file that another program has open. The C library has no words for it.
-class InUse : public std::error_category {
+enum class Cause { in_use = 1, device };
+
+/// Causes that the C library has no words for.
+class OfWindows : public std::error_category {
  public:
-  const char* name() const noexcept override { return "file in use"; }
-  std::string message(int) const override {
-    return "another program has it open; close it there and try again";
+  const char* name() const noexcept override { return "windows"; }
+  std::string message(int cause) const override {
+    return cause == static_cast<int>(Cause::in_use)
+               ? "another program has it open; close it there and try again"
+               : "Windows keeps this name for a device; choose another one";
   }
-  std::error_condition default_error_condition(int) const noexcept override {
-    return std::errc::text_file_busy;
+  std::error_condition default_error_condition(int cause) const noexcept override {
+    return cause == static_cast<int>(Cause::in_use) ? std::errc::text_file_busy
+                                                    : std::errc::invalid_argument;
   }
 };
 
-std::error_code in_use() noexcept {
-  static const InUse category;
-  return {1, category};
+std::error_code fault_of(Cause cause) noexcept {
+  static const OfWindows category;
+  return {static_cast<int>(cause), category};
 }
 
 std::errc generic_cause(DWORD error) noexcept {
@@ -66,7 +71,11 @@ std::errc generic_cause(DWORD error) noexcept {
 std::error_code fault_of(DWORD error) noexcept {
   const bool is_held = error == ERROR_SHARING_VIOLATION || error == ERROR_LOCK_VIOLATION ||
                        error == ERROR_USER_MAPPED_FILE;
-  return is_held ? in_use() : std::make_error_code(generic_cause(error));
+  return is_held ? fault_of(Cause::in_use) : std::make_error_code(generic_cause(error));
+}
+
+std::error_code fault_of_device_name() noexcept {
+  return fault_of(Cause::device);
 }
 
 }  // namespace planish

@@ -1,6 +1,7 @@
 #include "platform/file.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <windows.h>
@@ -56,25 +57,25 @@ std::error_code write_all(const Handle& file, std::string_view content) {
   return {};
 }
 
-/// Why a file cannot lose its name, where that is a refused access: another program has it open, or
-/// the user may not. No fault where it can by now.
-std::error_code hold_on(const fs::path& path) noexcept {
-  const Handle file(CreateFileW(path.c_str(), DELETE, k_share_all, nullptr, OPEN_EXISTING,
-                                FILE_FLAG_BACKUP_SEMANTICS | FILE_FLAG_OPEN_REPARSE_POINT,
-                                nullptr));
-  return file || GetLastError() == ERROR_FILE_NOT_FOUND ? std::error_code() : last_fault();
-}
-
 bool is_read_only(const fs::path& path) noexcept {
   const DWORD attributes = GetFileAttributesW(path.c_str());
   return attributes != INVALID_FILE_ATTRIBUTES && (attributes & FILE_ATTRIBUTE_READONLY) != 0;
 }
 
+/// Whether the system puts a device for the name, whatever its folder and extension.
+bool is_device_name(const fs::path& path) {
+  std::array<wchar_t, MAX_PATH> full = {};
+  const fs::path name = path.filename();
+  const DWORD size = GetFullPathNameW(name.c_str(), MAX_PATH, full.data(), nullptr);
+  return size < MAX_PATH && std::wstring_view(full.data(), size).starts_with(L"\\\\.\\");
+}
+
 /// One try. Some systems say that access is refused where another program has a file open.
 std::error_code try_to_replace(const fs::path& from, const fs::path& to) noexcept {
+  if (is_read_only(to)) return std::make_error_code(std::errc::permission_denied);
   if (MoveFileExW(from.c_str(), to.c_str(), MOVEFILE_REPLACE_EXISTING) != 0) return {};
   const std::error_code fault = last_fault();
-  if (fault != std::errc::permission_denied || is_read_only(to)) return fault;
+  if (fault != std::errc::permission_denied) return fault;
   for (const fs::path* const path : {&to, &from}) {
     const std::error_code hold = hold_on(*path);
     if (hold) return hold;
@@ -115,6 +116,7 @@ FileContent::~FileContent() {
 }
 
 std::error_code write_new_file(const fs::path& path, std::string_view content) {
+  if (is_device_name(path)) return fault_of_device_name();
   return write_all(Handle(CreateFileW(path.c_str(), GENERIC_WRITE, FILE_SHARE_READ, nullptr,
                                       CREATE_NEW, FILE_ATTRIBUTE_NORMAL, nullptr)),
                    content);
@@ -134,6 +136,14 @@ std::error_code replace_file(const fs::path& from, const fs::path& to) noexcept 
     fault = try_to_replace(from, to);
   }
   return fault;
+}
+
+std::error_code hold_on(const fs::path& path) noexcept {
+  if (is_read_only(path)) return std::make_error_code(std::errc::permission_denied);
+  const Handle file(CreateFileW(path.c_str(), DELETE, k_share_all, nullptr, OPEN_EXISTING,
+                                FILE_FLAG_BACKUP_SEMANTICS | FILE_FLAG_OPEN_REPARSE_POINT,
+                                nullptr));
+  return file || GetLastError() == ERROR_FILE_NOT_FOUND ? std::error_code() : last_fault();
 }
 
 long process_number() noexcept {

@@ -10,6 +10,9 @@ namespace planish {
 /// and in UTF-8. A file that another program holds open is std::errc::text_file_busy.
 std::error_code fault_of(DWORD error) noexcept;
 
+/// A name like NUL or COM1.txt, which stands for a device: no file can have it.
+std::error_code fault_of_device_name() noexcept;
+
 /// The cause that the last call of the system left.
 inline std::error_code last_fault() noexcept {
   return fault_of(GetLastError());

@@ -50,6 +50,8 @@ TEST_F(WindowsFile, ThatAnotherProgramDoesNotShareHasItsCause) {
   ASSERT_TRUE(held);
   EXPECT_EQ(FileContent(folder_ / "a").fault(), std::errc::text_file_busy);
   EXPECT_EQ(write_into(folder_ / "a", "1"), std::errc::text_file_busy);
+  EXPECT_EQ(hold_on(folder_ / "a"), std::errc::text_file_busy);
+  EXPECT_FALSE(hold_on(folder_ / "none"));
 }
 
 TEST_F(WindowsFile, ThatIsReadOnlyIsNotReplaced) {
@@ -66,6 +68,15 @@ TEST_F(WindowsFile, IsADeviceByItsName) {
   EXPECT_TRUE(file.is_device());
   EXPECT_FALSE(file.fault());
   EXPECT_FALSE(write_into("NUL", "1"));
+}
+
+TEST_F(WindowsFile, IsNotMadeWithTheNameOfADevice) {
+  for (const char* name : {"NUL", "nul.obj", "COM1", "con.svg"}) {
+    const std::error_code fault = write_new_file(folder_ / name, "1");
+    EXPECT_EQ(fault, std::errc::invalid_argument) << name;
+    EXPECT_NE(fault.message().find("device"), std::string::npos) << fault.message();
+  }
+  EXPECT_FALSE(write_new_file(folder_ / "null.obj", "1"));
 }
 
 TEST_F(WindowsFile, IsNotMadeByWritingInto) {

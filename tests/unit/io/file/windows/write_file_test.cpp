@@ -30,8 +30,12 @@ TEST_F(WriteFilesOnWindows, NamesTheFileThatAnotherProgramHasOpenAndTakesTheOthe
   EXPECT_EQ(names(), (std::vector<std::string>{"a", "b"}));
 }
 
-TEST_F(WriteFilesOnWindows, AcceptsTheNullDevice) {
-  EXPECT_NO_THROW(write_files(std::vector<OutputFile>{{"NUL", "1"}}));
+TEST_F(WriteFilesOnWindows, RefusesNamesOfDevices) {
+  for (const char* const name : {"NUL", "nul.obj", "COM1"}) {
+    const Error error = error_of([&] { write_files(std::vector<OutputFile>{{name, "1"}}); });
+    EXPECT_EQ(error.code(), ErrorCode::file_unwritable);
+    EXPECT_NE(error.message().find("device"), std::string::npos) << error.message();
+  }
 }
 
 }  // namespace

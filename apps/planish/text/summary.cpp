@@ -344,7 +344,7 @@ std::string written_text(const std::vector<OutputFile>& files) {
   for (const OutputFile& file : files)
     text += "  " + utf8_of(file.path) + "\n";
   for (const OutputFile& file : files) {
-    if (file.path.extension() == ".html") {
+    if (file.path.extension() == path_of(".html")) {
       return text + "\nOpen " + utf8_of(file.path) + " in a browser to see the result.\n";
     }
   }

@@ -36,8 +36,8 @@ fs::path place_of(const fs::path& path) {
 fs::path below(const fs::path& folder, const fs::path& path) {
   if (folder.empty()) return {};
   fs::path rest = fs::absolute(path).lexically_normal().lexically_relative(
-      (fs::absolute(folder) / "").lexically_normal());
-  return rest.empty() || *rest.begin() == ".." ? fs::path() : rest;
+      (fs::absolute(folder) / fs::path()).lexically_normal());
+  return rest.empty() || *rest.begin() == path_of("..") ? fs::path() : rest;
 }
 
 /// Nothing below the output folder may lead out of it.

@@ -1,6 +1,7 @@
 #include "job.h"
 
 #include <chrono>
+#include <set>
 #include <thread>
 
 namespace planish::python {
@@ -10,7 +11,43 @@ namespace {
 /// How often Python is asked for anything. Taking its lock may make another thread wait.
 constexpr auto k_interval = std::chrono::milliseconds(50);
 
+/// The jobs of all threads that are at work. Read and written with Python's lock held.
+struct AtWork {
+  std::set<Job*> jobs;
+  bool may_begin = true;
+};
+
+AtWork& at_work() {
+  static AtWork all;
+  return all;
+}
+
+/// Names a job among those at work.
+class Entry {
+ public:
+  explicit Entry(Job& job) : job_(job) {
+    if (!at_work().may_begin) throw Cancelled();
+    at_work().jobs.insert(&job_);
+  }
+  ~Entry() { at_work().jobs.erase(&job_); }
+  Entry(const Entry&) = delete;
+  Entry& operator=(const Entry&) = delete;
+
+ private:
+  Job& job_;
+};
+
 }  // namespace
+
+void end_jobs() {
+  at_work().may_begin = false;
+  while (!at_work().jobs.empty()) {
+    for (Job* const job : at_work().jobs)
+      job->cancelled_ = true;
+    const py::gil_scoped_release no_python;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
 
 Job::Job(const cli::Arguments& arguments, py::object on_progress)
     : on_progress_(std::move(on_progress)),
@@ -59,6 +96,7 @@ void Job::wait() {
 }
 
 void Job::run_on_thread(const std::function<void(cli::Session&)>& work) {
+  const Entry entry(*this);
   done_ = false;
   latest_.reset();
   {

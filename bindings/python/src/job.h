@@ -50,6 +50,8 @@ class Job {
     std::string subject;
   };
 
+  friend void end_jobs();
+
   void run_on_thread(const std::function<void(cli::Session&)>& work);
   void wait();
   /// Calls Python, with its lock held.
@@ -71,5 +73,9 @@ class Job {
   std::exception_ptr failure_;                // of the work
   std::optional<py::error_already_set> own_;  // that Python raised in the calling thread
 };
+
+/// Cancels all jobs and waits for their threads, for Python's end: behind it no thread gets
+/// Python's lock any more. No job can begin from then on.
+void end_jobs();
 
 }  // namespace planish::python

@@ -7,6 +7,7 @@
 #include <pybind11/pybind11.h>
 
 #include "errors.h"
+#include "job.h"
 #include "mesh_data.h"
 #include "run.h"
 
@@ -32,6 +33,7 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The library of Planish; import planish instead.";
   module.attr("__version__") = planish::k_version;
   module.def("description", description);
+  py::module_::import("atexit").attr("register")(py::cpp_function(end_jobs));
   register_errors();
   register_mesh(module);
   register_measure(module);

@@ -2,6 +2,8 @@
 
 import os
 import signal
+import subprocess
+import sys
 import threading
 import unittest
 
@@ -108,6 +110,17 @@ class Progress(unittest.TestCase):
         stop.set()
         ticker.join()
         self.assertGreaterEqual(len(ticks), 1000)
+
+    def test_python_ends_while_a_thread_works(self):
+        code = (
+            "import threading, time, planish\n"
+            "mesh = planish.sample('saddle', vertices=3000)\n"
+            "def work(): planish.evolve(mesh, method='classical', lambda_=1e-6, sweeps=10**6)\n"
+            "threading.Thread(target=work, daemon=True).start()\n"
+            "time.sleep(0.2)\n"
+        )
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_any_number_of_threads_gives_the_same(self):
         results = [planish.flatten(self.mesh, threads=threads).uv for threads in (1, 2, 0)]

@@ -27,6 +27,7 @@ HEAD = '"""Written by tools/generate.py from `planish describe --json`. Change t
 LEFT_OUT = {
     "output": "results are returned; result.save(), write() and the drawing writers write files",
     "output_format": "as output",
+    "open": "a result shows its report in a notebook; result.report_html() is the page",
     "csv": "figures are in result.figures",
     "history": "sweeps are in result.figures",
     "fields": "result.fields",

@@ -68,6 +68,9 @@ class Progress(unittest.TestCase):
         self.assertTrue(seen)
 
     def test_control_c(self):
+        # A shell that starts this in the background has it ignored.
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
         timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
         timer.start()
         with self.assertRaises(KeyboardInterrupt):

@@ -47,6 +47,15 @@ bool is_console(DWORD standard_handle) {
   return GetConsoleMode(GetStdHandle(standard_handle), &mode) != 0;
 }
 
+/// A text of the registry; empty where it has none.
+std::string registry_text(const wchar_t* key, const wchar_t* name) {
+  std::array<wchar_t, 256> text = {};
+  DWORD bytes = sizeof text;
+  const LSTATUS status =
+      RegGetValueW(HKEY_LOCAL_MACHINE, key, name, RRF_RT_REG_SZ, nullptr, text.data(), &bytes);
+  return status == ERROR_SUCCESS ? utf8_of_wide(text.data()) : std::string();
+}
+
 }  // namespace
 
 RunContext prepare_process() {
@@ -56,7 +65,10 @@ RunContext prepare_process() {
       SEM_FAILCRITICALERRORS);  // an empty drive is an error and not a question in a window
   print_in_utf8();
   SetConsoleCtrlHandler(on_console_event, TRUE);
-  return {.err_is_terminal = is_console(STD_ERROR_HANDLE), .interrupted = &interrupted};
+  return {.err_is_terminal = is_console(STD_ERROR_HANDLE),
+          .interrupted = &interrupted,
+          .open_document = open_document,
+          .system_facts = system_facts};
 }
 
 std::vector<std::string> command_words(int, char**) {
@@ -67,6 +79,17 @@ std::vector<std::string> command_words(int, char**) {
     texts.push_back(utf8_of_wide(words[w]));
   LocalFree(static_cast<void*>(words));
   return texts;
+}
+
+SystemFacts system_facts() {
+  const wchar_t* const system = L"SOFTWARE\\Microsoft\\Windows NT\\CurrentVersion";
+  SystemFacts facts;
+  facts.name = registry_text(system, L"ProductName") + ", build " +
+               registry_text(system, L"CurrentBuild") + ", x86_64";
+  facts.processor =
+      registry_text(L"HARDWARE\\DESCRIPTION\\System\\CentralProcessor\\0", L"ProcessorNameString");
+  facts.document_opener = "Windows";  // ShellExecuteEx() is always there
+  return facts;
 }
 
 std::string open_document(const std::filesystem::path& path) {

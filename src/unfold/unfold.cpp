@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -79,6 +80,9 @@ std::function<void()> unfolding_steps(const Context& context, double of_rest) {
   };
 }
 
+/// Of the square root of the patch's area: more is no hair, whatever the unit.
+constexpr double k_most_opened = 1e-3;
+
 constexpr double k_step_of_stretch = 0.1, k_step_of_limits = 0.03;
 
 /// A length or place of the disk in model units.
@@ -140,7 +144,8 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   pattern.converged = flat.converged;
   pattern.overlaps = crosses_itself(border_of(disk, flat.flat));
   if (pattern.overlaps && !options.match_seams) {
-    const double most = disk.area_scale * (disk.box_scale * options.open_crossings);
+    const double wanted = disk.area_scale * (disk.box_scale * options.open_crossings);
+    const double most = std::min(wanted, k_most_opened);
     if (std::optional<OpenBorder> open = open_border(disk, flat.flat, most)) {
       flat.flat = std::move(open->flat);
       pattern.overlaps = false;

@@ -22,7 +22,8 @@ struct UnfoldOptions {
   /// is kept.
   StrainLimits limits = {};
   /// Where the border crosses itself by a hair, its vertices are moved apart by this at most, model
-  /// units; 0 leaves them. With match_seams none is moved, as that would change lengths.
+  /// units, and by a thousandth of the square root of the patch's area; 0 leaves them. With
+  /// match_seams none is moved, as that would change lengths.
   double open_crossings = 0.0;
 };
 

@@ -131,6 +131,16 @@ TEST(OpenBorder, IsDoneByAJobForATenthOfAMillimetre) {
   EXPECT_NEAR(report.pattern.opened->largest_move, 0.03, 0.01);
   EXPECT_FALSE(overlap_of(patch, report.pattern));
 
+  TriMesh small = pushed_square(0.08);
+  for (Vec3& p : small.positions)
+    p = 0.1 * p;
+  EXPECT_TRUE(unfold_patch(Patch(small), Unit::cm).pattern.opened);
+  TriMesh thick = pushed_square(0.3);
+  for (Vec3& p : thick.positions)
+    p = 0.1 * p;
+  EXPECT_FALSE(unfold_patch(Patch(thick), Unit::mm).pattern.opened)
+      << "by 0.03 mm, but of a piece of 10 mm";
+
   const UnfoldReport in_metres = unfold_patch(patch, Unit::m);
   EXPECT_TRUE(in_metres.pattern.overlaps) << "by 60 mm";
   EXPECT_FALSE(in_metres.pattern.opened);

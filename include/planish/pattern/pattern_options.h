@@ -30,8 +30,8 @@ using Grain = std::variant<Vec3, double>;
 
 /// Where the number of a seam is written: inside the piece, beside a vertex of its border.
 struct SeamNumber {
-  int number = 0;
-  Index vertex = 0;
+  int number = 0;    ///< of the seam, from 1
+  Index vertex = 0;  ///< of the mesh
 };
 
 /// Where a pattern's places are those of another one, mirrored or not (twin_report()): its lines

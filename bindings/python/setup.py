@@ -19,7 +19,7 @@ BUILD = pathlib.Path(os.environ.get("PLANISH_BUILD", REPO / "build/python"))
 
 class BuildWithCMake(build_ext):
     def build_extension(self, ext):
-        configure = ["cmake", "-S", str(REPO), "-B", str(BUILD), "-DCMAKE_BUILD_TYPE=Release", "-DPLANISH_PYTHON=ON"]
+        configure = ["cmake", "-S", str(REPO), "-B", str(BUILD), "-DCMAKE_BUILD_TYPE=Release", "-DPLANISH_BUILD_PYTHON=ON"]
         if shutil.which("ninja") and not (BUILD / "CMakeCache.txt").exists():
             configure += ["-G", "Ninja"]
         subprocess.run([*configure, f"-DPython3_EXECUTABLE={sys.executable}"], check=True)

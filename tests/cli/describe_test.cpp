@@ -74,7 +74,8 @@ TEST(Describe, SaysTheDefaultAndTheChoicesThatTheHelpTells) {
 }
 
 TEST(Describe, SaysOfEveryOperandWhatItTakes) {
-  for (const json& verb : description()["verbs"]) {
+  const json all = description();
+  for (const json& verb : all["verbs"]) {
     EXPECT_EQ(verb["operand_values"].size(), verb["operands"].size()) << verb["name"];
     for (const json& operand : verb["operand_values"]) {
       EXPECT_EQ(operand["type"] == "name", !operand["choices"].empty()) << verb["name"];

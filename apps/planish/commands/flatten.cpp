@@ -194,7 +194,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
   warn_of_pattern(session, report.unfold);
   const Patch& design = report.evolve.remeshed_from ? report.processed : report.input;
-  note_unequal_seams(session, design.mesh(), report.unfold);
+  note_unequal_seams(session, design, report.unfold);
   if (paths.contains(role_of("pattern", PatternFormat::plt)))
     note_plotter_reach(session, report.unfold);
   const std::string text =

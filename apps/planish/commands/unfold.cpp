@@ -152,7 +152,7 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
     return content_of(output, path, patch, report, request.output, request.annotations);
   });
   warn_of_pattern(session, report);
-  note_unequal_seams(session, patch.mesh(), report);
+  note_unequal_seams(session, patch, report);
   if (lower_extension(output) == ".plt") note_plotter_reach(session, report);
   CommandResult outcome = {
       path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(report),

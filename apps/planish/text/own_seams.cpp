@@ -1,6 +1,7 @@
 #include "text/own_seams.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <string>
@@ -25,12 +26,27 @@ std::string ends_text(const SeamSide& side) {
   return std::to_string(side.vertices.front()) + " to " + std::to_string(side.vertices.back());
 }
 
+/// Whether two border vertices are at the same place, as those of an edge that is sewn to another
+/// one are. Most patches have none, and need no search for seams.
+bool meets_itself(const Patch& patch) {
+  std::vector<std::array<double, 3>> places;
+  for (const std::vector<Index>& loop : patch.border_loops()) {
+    for (const Index v : loop) {
+      const Vec3& p = patch.positions()[v];
+      places.push_back({p.x, p.y, p.z});
+    }
+  }
+  std::sort(places.begin(), places.end());
+  return std::adjacent_find(places.begin(), places.end()) != places.end();
+}
+
 }  // namespace
 
-void note_unequal_seams(Session& session, const TriMesh& design, const UnfoldReport& report) {
+void note_unequal_seams(Session& session, const Patch& design, const UnfoldReport& report) {
+  if (!meets_itself(design)) return;
   const double least = 0.5 / millimetres_per(report.unit);
   std::vector<UnequalSeam> unequal;
-  for (Seam& seam : find_seams(std::span(&design, 1))) {
+  for (Seam& seam : find_seams(std::span(&design.mesh(), 1))) {
     const double first = length_of(seam.sides[0], report.pattern.positions);
     const double second = length_of(seam.sides[1], report.pattern.positions);
     const double difference = std::abs(first - second);

@@ -9,6 +9,6 @@ namespace planish::cli {
 /// Says where two stretches of a patch's border that lie on each other on the model, and so are
 /// sewn together, get unequally long in its pattern: by 0.5 mm and 0.5 % at least.
 /// @param design with the vertices of the pattern
-void note_unequal_seams(Session& session, const TriMesh& design, const UnfoldReport& report);
+void note_unequal_seams(Session& session, const Patch& design, const UnfoldReport& report);
 
 }  // namespace planish::cli

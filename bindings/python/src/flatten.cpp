@@ -67,7 +67,7 @@ FlattenResult flatten_mesh(const MeshData& data, const py::dict& keywords, py::o
     FlattenReport report = flatten(patch, data.name, options, session.job_context({}));
     cli::warn_of_pattern(session, report.unfold);
     const Patch& design = report.evolve.remeshed_from ? report.processed : report.input;
-    cli::note_unequal_seams(session, design.mesh(), report.unfold);
+    cli::note_unequal_seams(session, design, report.unfold);
     return FlattenResult{std::move(report), pattern, arguments, input.cut,
                          cli::output_format(data.format)};
   });
@@ -90,7 +90,7 @@ UnfoldResult unfold_mesh(const MeshData& data, const py::dict& keywords, py::obj
         cli::annotations_on(std::move(pattern.annotations), arguments, patch, data.name, session);
     UnfoldReport report = unfold_patch(patch, unit, options, session.job_context({}));
     cli::warn_of_pattern(session, report);
-    cli::note_unequal_seams(session, patch.mesh(), report);
+    cli::note_unequal_seams(session, patch, report);
     return UnfoldResult{data.name, patch, std::move(report), pattern, input.cut};
   });
   result.notes = job.notes();

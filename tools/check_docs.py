@@ -54,7 +54,7 @@ def example_faults(readme):
     """Whether README.md shows an example in each language, as it is in examples/ but for its first line."""
     for ending, language in {"cpp": "C++", "py": "Python"}.items():
         shown = re.search(rf"`(examples/[\w/]+\.{ending})`\):\n\n```\w+\n(.*?)```", readme, re.DOTALL)
-        # The file's first line tells what it is for.
+        # The file's first line says what it is for.
         example = (REPO / shown[1]).read_text(encoding="utf-8").split("\n", 1)[1] if shown else None
         if example is None or example.strip() != shown[2].strip():
             yield f"README.md: the example in {language} is not that of examples/"

@@ -9,7 +9,7 @@
 namespace planish::cli {
 
 /// What was suggested, as people read it.
-/// @param options what was looked for
+/// @param options of the search
 std::string suggestion_text(const CutSuggestion& suggestion, const SuggestOptions& options,
                             Unit unit);
 

@@ -5,8 +5,9 @@
 #   EIGEN_DONT_VECTORIZE  Eigen sums one after the other: in packets the order of its sums would
 #                         depend on the width of registers, and on ARM packets fuse. What has to be
 #                         fast has loops of its own (solve/panel_products.h).
-# Two flags let the compiler turn square roots into single instructions and vectorise them; neither
-# changes a result.
+# Three flags cost nothing of that: -fno-math-errno and -fno-trapping-math let the compiler turn square
+# roots into single instructions and vectorise them, and -fno-semantic-interposition lets it inline
+# functions in code for shared libraries.
 function(planish_compile target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
@@ -16,6 +17,7 @@ function(planish_compile target)
     PRIVATE -ffp-contract=off
             -fno-math-errno
             -fno-trapping-math
+            -fno-semantic-interposition
             -Wall
             -Wextra
             -Wpedantic

@@ -44,19 +44,21 @@ llvm-14             command llvm-symbolizer-14
 bench_packages="
 libbenchmark-dev    header benchmark/benchmark.h
 "
-# For the Python package and its notebooks; the stage python of .ci/run alone needs them.
+# For the Python package, and for checking it and its notebooks.
 python_packages="
-mypy                command mypy
 pybind11-dev        header pybind11/pybind11.h
 python3-dev         command python3-config
-python3-ipykernel   python ipykernel
-python3-matplotlib  python matplotlib
-python3-nbclient    python nbclient
 python3-numpy       python numpy
 python3-pip         python pip
 python3-setuptools  python setuptools
-python3-venv        python ensurepip
 python3-wheel       python wheel
+"
+notebook_packages="
+mypy                command mypy
+python3-ipykernel   python ipykernel
+python3-matplotlib  python matplotlib
+python3-nbclient    python nbclient
+python3-venv        python ensurepip
 "
 
 paper_packages="

@@ -9,18 +9,24 @@ package_version() { # folder of a build
   sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' "$1/CMakeCache.txt"
 }
 
-# Builds the program with its manual pages and completions.
-build_for_package() { # folder of the build, flags of CMake
-  local folder=$1 log=$1.log
+# The build that packages for this processor come from. PLANISH_BUILD can name one that is there: it is
+# configured further.
+package_build=${PLANISH_BUILD:-$repo/build/package}
+
+# Builds these targets.
+build_for_package() { # folder of the build, flags of CMake, --, targets
+  local folder=$1 flags=() && shift
+  while [[ $1 != -- ]]; do flags+=("$1") && shift; done
+  shift
   mkdir -p "$folder" "$packages"
-  say "building ${folder#"$repo/"} (log: ${log#"$repo/"})"
-  { cmake -S "$repo" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "${@:2}" &&
-    cmake --build "$folder" --target planish_app planish_manual -j "$(nproc)"; } >"$log" 2>&1 ||
-    { tail -n 40 "$log" >&2 && return 1; }
+  say "building ${folder#"$repo/"} (log: ${folder#"$repo/"}.log)"
+  { cmake -S "$repo" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "${flags[@]}" &&
+    cmake --build "$folder" --target "$@" -j "$(nproc)"; } >"$folder.log" 2>&1 ||
+    { tail -n 40 "$folder.log" >&2 && return 1; }
 }
 
-install_component() { # folder of the build, component, flags of cmake --install
-  cmake --install "$1" --component "$2" "${@:3}" >"$1.install.log" 2>&1 ||
+install_component() { # folder of the build, component, prefix
+  cmake --install "$1" --component "$2" --prefix "$3" >"$1.install.log" 2>&1 ||
     { cat "$1.install.log" >&2 && return 1; }
 }
 

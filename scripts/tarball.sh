@@ -9,13 +9,13 @@ dpkg-dev            command dpkg-source
 tarball_parts="libc6-dev libcli11-dev libeigen3-dev libfast-float-dev libpng-dev libpolyclipping-dev
   libstdc++-12-dev nlohmann-json3-dev zlib1g-dev"
 
-make_tarball() { # folder of the build, processor, strip program
+make_tarball() { # folder of the build, processor, strip program, program
   local name part folder
   name=planish-$(package_version "$1")-linux-$2
   folder=$packages/$name
   rm -rf "$folder" "$folder.tar.gz"
-  install_component "$1" program --prefix "$folder" || return 1
-  "$3" "$folder/bin/planish"
+  install_component "$1" program "$folder" || return 1
+  "$3" -o "$folder/bin/planish" "$4"
   if readelf -d "$folder/bin/planish" | grep -q NEEDED; then
     say "$name needs libraries of the system" && return 1
   fi

@@ -1,4 +1,4 @@
-"""Builds the extension module with CMake, in build/python of the repository, and makes the wheel of it.
+"""Builds the extension module with CMake, in build/package of the repository, and makes the wheel of it.
 
 The environment variable PLANISH_BUILD names another folder to build in.
 """
@@ -14,7 +14,7 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 REPO = pathlib.Path(__file__).resolve().parent.parent.parent
-BUILD = pathlib.Path(os.environ.get("PLANISH_BUILD", REPO / "build/python"))
+BUILD = pathlib.Path(os.environ.get("PLANISH_BUILD", REPO / "build/package"))
 
 
 class BuildWithCMake(build_ext):

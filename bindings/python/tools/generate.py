@@ -6,7 +6,7 @@ docs/python.md.
     bindings/python/tools/generate.py PACKAGES            writes them
     bindings/python/tools/generate.py PACKAGES --check    ends with 1 where they are not up to date
 
-PACKAGES is the folder with the built package: build/python/python.
+PACKAGES is the folder with the built package: build/package/python.
 """
 
 import importlib.machinery
@@ -49,7 +49,7 @@ LEFT_OUT = {
 }
 # The same of one function.
 LEFT_OUT_OF = {
-    "measure": {"map": "result.fields"},
+    "measure": {"map": "result.fields", "unit": "figures are in model units"},
     "flatten": {"seam_tolerance": "of a product"},
     "flatten_product": {
         name: "of one patch"

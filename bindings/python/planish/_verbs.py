@@ -198,7 +198,7 @@ def flatten(
             all others stay (fixed or linked, default fixed)
         lambda_min: smallest step along the Laplacian vector; below 0 saddles can improve (-10 to 0, default 0)
         lambda_max: largest step along the Laplacian vector (0 to 10, default 1)
-        solver: how the best step is looked for; trust_region is the paper's (model or trust_region, default model)
+        solver: how the best step is computed; trust_region is the paper's (model or trust_region, default model)
         lambda_: share of the Laplacian vector that every vertex moves (0 to 1, default 0.5)
         order: order of the moves in a sweep (sequential or simultaneous, default sequential)
         update: how a step becomes positions until direct steps take over (direct, uniform or cotangent, default
@@ -385,7 +385,7 @@ def flatten_product(
             all others stay (fixed or linked, default fixed)
         lambda_min: smallest step along the Laplacian vector; below 0 saddles can improve (-10 to 0, default 0)
         lambda_max: largest step along the Laplacian vector (0 to 10, default 1)
-        solver: how the best step is looked for; trust_region is the paper's (model or trust_region, default model)
+        solver: how the best step is computed; trust_region is the paper's (model or trust_region, default model)
         lambda_: share of the Laplacian vector that every vertex moves (0 to 1, default 0.5)
         order: order of the moves in a sweep (sequential or simultaneous, default sequential)
         update: how a step becomes positions until direct steps take over (direct, uniform or cotangent, default
@@ -502,7 +502,7 @@ def evolve(
             smallest one at first if that is smaller, in degrees (5 or 5deg; 0 to 60, default 0)
         max_deviation: no vertex ends further than this from where it began, in model units (1.5 or 1.5mm; at least 0,
             default no limit)
-        solver: how the best step is looked for; trust_region is the paper's (model or trust_region, default model)
+        solver: how the best step is computed; trust_region is the paper's (model or trust_region, default model)
         lambda_: share of the Laplacian vector that every vertex moves (0 to 1, default 0.5)
         order: order of the moves in a sweep (sequential or simultaneous, default sequential)
         update: how a step becomes positions until direct steps take over (direct, uniform or cotangent, default
@@ -632,7 +632,7 @@ def evolve_sweeps(
             smallest one at first if that is smaller, in degrees (5 or 5deg; 0 to 60, default 0)
         max_deviation: no vertex ends further than this from where it began, in model units (1.5 or 1.5mm; at least 0,
             default no limit)
-        solver: how the best step is looked for; trust_region is the paper's (model or trust_region, default model)
+        solver: how the best step is computed; trust_region is the paper's (model or trust_region, default model)
         lambda_: share of the Laplacian vector that every vertex moves (0 to 1, default 0.5)
         order: order of the moves in a sweep (sequential or simultaneous, default sequential)
         update: how a step becomes positions until direct steps take over (direct, uniform or cotangent, default

@@ -11,9 +11,7 @@
 #include "arrays.h"
 #include "commands/jobs.h"
 #include "flags/constraint_flags.h"
-#include "flags/cut_flag.h"
 #include "flags/method_flags.h"
-#include "flags/scale_flag.h"
 #include "job.h"
 #include "keywords.h"
 #include "mesh_data.h"
@@ -30,12 +28,6 @@ struct EvolveOutcome {
   std::optional<cli::CutDone> cut;
   std::vector<std::string> notes = {};
 };
-
-cli::CutInput cut_input(const MeshData& data, const cli::Arguments& arguments,
-                        cli::Session& session) {
-  return cli::cut_as_asked(cli::scaled(data.mesh, cli::scale_from(arguments), {}), data.name,
-                           arguments, session);
-}
 
 EvolveOutcome evolve_mesh(const MeshData& data, const py::dict& keywords, py::object progress) {
   const cli::Arguments arguments = arguments_of("evolve", keywords);

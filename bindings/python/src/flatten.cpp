@@ -11,7 +11,6 @@
 #include "flags/annotation_flags.h"
 #include "flags/constraint_flags.h"
 #include "flags/limit_flags.h"
-#include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "job.h"
 #include "keywords.h"
@@ -43,12 +42,6 @@ struct Drawable {
   std::string name;
   cli::PatternFiles pattern;  ///< by the vertices of `patch`
 };
-
-cli::CutInput cut_input(const MeshData& data, const cli::Arguments& arguments,
-                        cli::Session& session) {
-  return cli::cut_as_asked(cli::scaled(data.mesh, cli::scale_from(arguments), {}), data.name,
-                           arguments, session);
-}
 
 FlattenResult flatten_mesh(const MeshData& data, const py::dict& keywords, py::object progress) {
   const cli::Arguments arguments = arguments_of("flatten", keywords);

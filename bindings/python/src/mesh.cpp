@@ -7,6 +7,7 @@
 #include <pybind11/stl.h>
 
 #include "arrays.h"
+#include "flags/scale_flag.h"
 #include "job.h"
 #include "keywords.h"
 #include "mesh_data.h"
@@ -66,6 +67,12 @@ py::list problems_of(const MeshData& data) {
 }
 
 }  // namespace
+
+cli::CutInput cut_input(const MeshData& data, const cli::Arguments& arguments,
+                        cli::Session& session) {
+  return cli::cut_as_asked(cli::scaled(data.mesh, cli::scale_from(arguments), {}), data.name,
+                           arguments, session);
+}
 
 py::dict figures_of(const std::string& json) {
   return py::module_::import("json").attr("loads")(json);

@@ -9,6 +9,9 @@
 
 #include <pybind11/pybind11.h>
 
+#include "flags/cut_flag.h"
+#include "shell/session.h"
+
 namespace planish::python {
 
 namespace py = pybind11;
@@ -21,6 +24,10 @@ struct MeshData {
   std::vector<std::string> notes = {};  ///< what the reader did
   FaceGroups groups = {};               ///< of its file
 };
+
+/// The mesh in its unit and, where --cut asks for it, cut.
+cli::CutInput cut_input(const MeshData& data, const cli::Arguments& arguments,
+                        cli::Session& session);
 
 /// A dictionary of a JSON text.
 py::dict figures_of(const std::string& json);

@@ -71,7 +71,7 @@ void describe(ControllableLaplacian& o, Visit&& visit) {
         Range{0.0, 60.0});
   visit("max_deviation", o.max_deviation,
         "no vertex ends further than this from where it began, in model units", Range{0.0});
-  visit("solver", o.solver, "how the best step is looked for; trust_region is the paper's");
+  visit("solver", o.solver, "how the best step is computed; trust_region is the paper's");
 }
 
 /// In what order a sweep moves the vertices.

@@ -249,6 +249,10 @@ std::string form_loss_text(const Fairness& fairness) {
     text += (text.empty() ? "" : ", ") + percent_text(std::min(1.0, *fairness.bending_lost)) +
             " of its curvature is gone";
   }
+  if (fairness.largest_move.value_or(0.0) > k_kept_move) {
+    text += (text.empty() ? "a part moved by " : ", a part moved by ") +
+            percent_text(*fairness.largest_move) + " of the whole size";
+  }
   return text;
 }
 

@@ -157,6 +157,17 @@ double extent(std::span<const Triangle> triangles, std::span<const Vec3> positio
   return high - low;
 }
 
+double largest_move(const Patch& design, std::span<const Vec3> after) {
+  const double scale = design.unit_scale();
+  double largest = 0.0;
+  for (const Triangle& t : design.triangles()) {
+    for (const Index v : t)
+      largest = std::max(largest, norm(scale * after[v] - scale * design.positions()[v]));
+  }
+  const double diagonal = scale * bounding_box_diagonal(design.mesh());
+  return diagonal > 0.0 ? largest / diagonal : 0.0;
+}
+
 std::optional<double> height_ratio(const Patch& design, std::span<const Triangle> triangles,
                                    std::span<const Vec3> after) {
   const double scale = design.unit_scale();
@@ -189,7 +200,8 @@ bool Fairness::has_sharp_fold() const {
 }
 
 bool Fairness::keeps_form() const {
-  return bending_lost.value_or(0.0) <= k_kept_lost && height_ratio.value_or(1.0) >= k_kept_height;
+  return bending_lost.value_or(0.0) <= k_kept_lost && height_ratio.value_or(1.0) >= k_kept_height &&
+         largest_move.value_or(0.0) <= k_kept_move;
 }
 
 Fairness fairness_of_design(const Fairness& of_result) {
@@ -199,6 +211,7 @@ Fairness fairness_of_design(const Fairness& of_result) {
   fairness.sharp_share = fairness.design_sharp_share = of_result.design_sharp_share;
   fairness.normal_turn = fairness.border_turn = 0.0;
   if (of_result.height_ratio) fairness.height_ratio = 1.0;
+  fairness.largest_move = 0.0;
   if (!of_result.bending_ratio) return fairness;
   fairness.bending_ratio = of_result.design_ratio;
   fairness.bending_added = fairness.bending_lost = 0.0;
@@ -206,6 +219,10 @@ Fairness fairness_of_design(const Fairness& of_result) {
 }
 
 Fairness measure_fairness(const Patch& design, std::span<const Vec3> after) {
+  return fairness_beside(design, design_bending(design), after);
+}
+
+Fairness fairness_beside(const Patch& design, double b0, std::span<const Vec3> after) {
   const double scale = design.unit_scale();
   const std::vector<Bend> first = bends_of(design.positions(), design.connectivity(), scale);
   const std::vector<Bend> second = bends_of(after, design.connectivity(), scale);
@@ -218,8 +235,8 @@ Fairness measure_fairness(const Patch& design, std::span<const Vec3> after) {
   fairness.border_turn = border_turn(design, after, scale);
   fairness.sharpest_fold = sharpest_fold(after, design.connectivity(), first, second);
   fairness.height_ratio = height_ratio(design, design.triangles(), after);
-  const double b0 = design_bending(design);
-  if (b0 == 0.0) return fairness;
+  fairness.largest_move = largest_move(design, after);
+  if (b0 <= k_no_bending) return fairness;
   const auto [added, lost] = added_and_lost(first, second);
   fairness.design_ratio = bending_of(first) / b0;
   fairness.bending_ratio = bending_of(second) / b0;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
+#include <planish/measure/fairness.h>
 #include <planish/mesh/patch.h>
 
 namespace planish {
@@ -27,5 +29,9 @@ std::vector<Vec3> smoothed_positions(const Patch& patch, std::optional<double> w
 /// not count for form; where needles make that more, that of the design as it is. 0 for a plane
 /// (below k_no_bending). No unit.
 double design_bending(const Patch& patch);
+
+/// As measure_fairness(design, after), of which design_bending(design) is most of the work.
+/// @param b0 design_bending(design); up to k_no_bending for a plane
+Fairness fairness_beside(const Patch& design, double b0, std::span<const Vec3> after);
 
 }  // namespace planish

@@ -99,6 +99,9 @@ struct Fairness {
   /// Height over the design's: of the corners, along the direction in which the design extends
   /// least. None where the design is lower than k_least_height.
   std::optional<double> height_ratio = {};
+  /// The largest move of a vertex over the diagonal of the design's bounding box. None where the
+  /// design has other triangles.
+  std::optional<double> largest_move = {};
   bool unchanged = false;  ///< the design itself, to the last digit
 
   /// A designer would take it: bending_ratio, bending_added and sharp_share within k_smooth_*,
@@ -112,8 +115,9 @@ struct Fairness {
   bool has_sharp_fold() const;
   /// Smooth and without a sharp fold: what gets the tick for smooth.
   bool is_sound() const { return is_smooth() && !has_sharp_fold(); }
-  /// Whether it still bends where the design does, and is as high: bending_lost within k_kept_lost
-  /// and height_ratio not below k_kept_height. What is not known is taken as kept.
+  /// Whether it still bends where the design does, is as high, and lost no part: bending_lost
+  /// within k_kept_lost, height_ratio not below k_kept_height, and largest_move within k_kept_move.
+  /// What is not known is taken as kept.
   bool keeps_form() const;
 };
 
@@ -130,6 +134,8 @@ inline constexpr double k_smooth_sharp_share = 0.04;
 inline constexpr double k_kept_lost = 0.5;
 /// Of the height of the design three quarters stay at least.
 inline constexpr double k_kept_height = 0.75;
+/// No place is further from its design than a tenth of the diagonal.
+inline constexpr double k_kept_move = 0.1;
 /// A design has a height where it extends by this share of its longest extent at least.
 inline constexpr double k_least_height = 0.02;
 

@@ -6,8 +6,6 @@
 #include <utility>
 #include <variant>
 
-#include <planish/measure/fairness.h>
-
 #include "evolve/descent/coarse_levels.h"
 #include "evolve/descent/defect_polish.h"
 #include "evolve/descent/descent_limits.h"
@@ -16,6 +14,7 @@
 #include "evolve/smooth/smooth_control.h"
 #include "evolve/smooth/smooth_descent.h"
 #include "evolve/systems/dense.h"
+#include "measure/smoothed.h"
 
 namespace planish {
 
@@ -177,7 +176,7 @@ class SmoothStepper {
       for (std::size_t v = 0; v < state_.vertex_count(); ++v)
         after.push_back((1.0 / state_.scale()) * state_.position(v));
       pool_.stop_if_cancelled();
-      return measure_fairness(design_, after).is_smooth();
+      return fairness_beside(design_, descent_->design_bending(), after).is_smooth();
     };
     int part = k_retreat_parts;
     while (part > 0 && !is_smooth_at(static_cast<double>(part) / k_retreat_parts))

@@ -59,6 +59,8 @@ class SmoothDescent {
   /// bending over that of the design; rms move of the inner vertices over the diagonal.
   const DescentStrain& strain() const { return strain_; }
   double bending() const { return bending_; }
+  /// B0, k_no_bending at least.
+  double design_bending() const { return design_bending_; }
   double deviation() const;
 
   /// Of all vertices that may move, now and at first.

@@ -122,6 +122,8 @@ TEST(FormLoss, SaysWhatIsLost) {
   EXPECT_EQ(form_loss_text({.bending_lost = 0.61}), "61\u00A0% of its curvature is gone");
   EXPECT_EQ(form_loss_text({.bending_lost = 1.2, .height_ratio = 0.5}),
             "height 50\u00A0% of the design's, 100\u00A0% of its curvature is gone");
+  EXPECT_EQ(form_loss_text({.largest_move = k_kept_move}), "");
+  EXPECT_EQ(form_loss_text({.largest_move = 0.222}), "a part moved by 22\u00A0% of the whole size");
 }
 
 TEST(Verdict, SaysWhetherTheFormIsSmooth) {

@@ -19,6 +19,7 @@ MeasuredPatch measure_patch(const Patch& patch, const Context& context) {
   measured.inspection = patch.inspection();
   require(measured.inspection, Purpose::measure);
   Aside intersections(context.threads != 1, [&] { return find_self_intersections(patch.mesh()); });
+  measured.size = measure_size(patch);
   measured.figures = measure(patch);
   measured.flattenable = is_flattenable(measured.figures, measured.inspection);
   measured.obstruction = find_obstruction(patch);

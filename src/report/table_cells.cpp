@@ -79,6 +79,8 @@ std::vector<Cell> cells_of(const MeasuredPatch* patch) {
              const SelfIntersections& found = p.self_intersections;
              return found.complete ? std::to_string(found.pairs) : std::string();
            })
+      .add("area", [](auto& p) { return p.size.area; })
+      .add("border_length", [](auto& p) { return p.size.border_length; })
       .take();
 }
 

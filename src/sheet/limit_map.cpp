@@ -26,8 +26,16 @@ std::optional<StrainLimitCheck> limit_of_edges(std::span<const StrainLimitCheck>
 }
 
 std::string limit_words(const StrainLimitCheck& limit) {
-  return fixed_text(100.0 * limit.asked, 6) + " %" +
-         (limit.kind == StrainLimitKind::p99 ? ", on 99 % of the area" : ", for every edge");
+  const std::string share = fixed_text(100.0 * limit.asked, 6) + " %";
+  switch (limit.kind) {
+    case StrainLimitKind::max:
+      return share + ", for every edge";
+    case StrainLimitKind::p99:
+      return share + ", on 99 % of the area";
+    case StrainLimitKind::rms:
+      return share + ", rms";
+  }
+  return share;
 }
 
 int limit_band(double strain, double limit) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -134,11 +135,33 @@ std::string unit_note(Unit unit) {
          " mm)";
 }
 
-// A line of what is wrong with the pattern; empty where nothing is.
-std::string warning_text(const Pattern& pattern) {
-  if (pattern.overlaps) return "The pattern overlaps itself (red ring): divide the patch.";
-  if (pattern.flipped_triangles > 0) return "Triangles of the pattern are flipped: do not cut.";
-  return {};
+std::string percent_text(double share) {
+  return fixed_text(100.0 * share, 2) + " %";
+}
+
+std::string strain_text(const EdgeStrain& strain) {
+  return "strain rms " + percent_text(strain.rms) + " · largest " + percent_text(strain.max);
+}
+
+/// Whether the pattern may be cut.
+struct Verdict {
+  std::string text;
+  bool is_bad = false;
+};
+
+/// What speaks most against cutting the pattern, or else that it keeps its limit; none without.
+std::optional<Verdict> verdict_of(const UnfoldReport& unfold) {
+  if (unfold.pattern.overlaps)
+    return Verdict{"The pattern overlaps itself (red ring): divide the patch.", true};
+  if (unfold.pattern.flipped_triangles > 0)
+    return Verdict{"Triangles of the pattern are flipped: do not cut.", true};
+  if (unfold.limits.empty()) return std::nullopt;
+  const auto missed = std::find_if(unfold.limits.begin(), unfold.limits.end(),
+                                   [](const StrainLimitCheck& limit) { return !limit.kept(); });
+  if (missed == unfold.limits.end())
+    return Verdict{"keeps the limit " + limit_words(unfold.limits.front())};
+  return Verdict{"Beyond the limit " + limit_words(*missed) + ": " + percent_text(missed->reached),
+                 true};
 }
 
 std::string size_text(const SheetFacts& facts) {
@@ -170,18 +193,18 @@ Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
   line(18.0, 2.5, unit_note(unfold.unit), k_dim);
   line(22.5, 2.5, origin_text(facts), k_dim);
   line(27.0, 2.5, "pattern " + hash_text(facts.hash), k_dim);
-  if (std::string warning = warning_text(unfold.pattern); !warning.empty()) {
-    line(33.0, 3.0, std::move(warning), k_red);
-  }
+  line(31.0, 2.5, strain_text(unfold.strain), k_dim);
+  if (std::optional<Verdict> verdict = verdict_of(unfold))
+    line(35.5, 2.5, std::move(verdict->text), verdict->is_bad ? k_red : k_dim);
   if (facts.overlap) layer.shapes.emplace_back(ring_around(*facts.overlap));
   return layer;
 }
 
 std::vector<std::string> sheet_notes(const UnfoldReport& unfold, const SheetFacts& facts) {
   std::vector<std::string> notes = {size_text(facts), unit_note(unfold.unit), origin_text(facts),
-                                    "pattern " + hash_text(facts.hash)};
-  if (std::string warning = warning_text(unfold.pattern); !warning.empty())
-    notes.push_back(std::move(warning));
+                                    "pattern " + hash_text(facts.hash), strain_text(unfold.strain)};
+  if (std::optional<Verdict> verdict = verdict_of(unfold))
+    notes.push_back(std::move(verdict->text));
   return notes;
 }
 

@@ -31,12 +31,37 @@ TEST_F(Verbs, MeasureTellsFiguresAndWritesNothing) {
 
 TEST_F(Verbs, MeasureHasTheKeysOfTheContract) {
   const auto json = planish({"measure", "panel.obj", "--json"}).json();
-  for (const char* key : {"vertices", "triangles", "inner_vertices", "components", "boundary_loops",
-                          "euler_characteristic", "e_max", "e_avg", "energy", "sum_abs_defect",
-                          "min_angle", "roughness", "flattenable", "bending", "mean_curvature",
-                          "ruling_defect", "self_intersections", "obstruction", "problems"}) {
+  for (const char* key : {"vertices",       "triangles",
+                          "inner_vertices", "components",
+                          "boundary_loops", "euler_characteristic",
+                          "e_max",          "e_avg",
+                          "energy",         "sum_abs_defect",
+                          "min_angle",      "roughness",
+                          "flattenable",    "extent",
+                          "area",           "border_length",
+                          "bending",        "mean_curvature",
+                          "ruling_defect",  "self_intersections",
+                          "obstruction",    "problems"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
+}
+
+TEST_F(Verbs, MeasureTellsSizesInMillimetresOfTheUnitGiven) {
+  const auto json = planish({"measure", "panel.obj", "--json"}).json();
+  const double area = json["area"].get<double>();
+  const auto shown = [&](const std::string& unit, const std::string& name) {
+    const std::string text = planish({"measure", "panel.obj", "--unit", unit}).out;
+    const std::size_t at = text.find(name);
+    return at == std::string::npos ? 0.0 : std::stod(text.substr(at + name.size()));
+  };
+  EXPECT_NEAR(shown("cm", "area "), area, 1e-3 * area);
+  EXPECT_NEAR(shown("mm", "area "), 0.01 * area, 1e-5 * area);
+  EXPECT_NEAR(shown("m", "area "), 1e4 * area, 10.0 * area);
+  EXPECT_NEAR(shown("cm", "border length "), 10.0 * json["border_length"].get<double>(), 0.1);
+  EXPECT_THAT(planish({"measure", "panel.obj", "--unit", "in"}).out, HasSubstr(" in^2\n"));
+  const CliResult several = planish({"measure", "panel.obj", "panel.obj", "--unit", "m"});
+  EXPECT_EQ(several.exit_code, k_exit_usage);
+  EXPECT_THAT(several.err, HasSubstr("flag --unit goes with one file only"));
 }
 
 TEST_F(Verbs, TellAtOnceWhatABorderForbids) {

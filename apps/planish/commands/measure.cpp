@@ -11,6 +11,7 @@
 #include "flags/fields_flag.h"
 #include "flags/limit_flags.h"
 #include "flags/scale_flag.h"
+#include "flags/units.h"
 #include "platform/path.h"
 #include "report/pictures/direction_map.h"
 #include "several/several_files.h"
@@ -57,7 +58,7 @@ void measure_into(WorkFile& file, const StrainLimits& limits, const Arguments& a
 }
 
 CommandResult measure_several(const Arguments& arguments, Session& session) {
-  refuse_single_file_flags(arguments, std::array{"--map", "--picture", "--fields"});
+  refuse_single_file_flags(arguments, std::array{"--map", "--picture", "--fields", "--unit"});
   const StrainLimits limits = limits_from(arguments);
   const SeveralFiles job = {
       .columns = measured_cells(nullptr, nullptr),
@@ -115,6 +116,7 @@ CommandResult run_measure(const Arguments& arguments, Session& session) {
   std::vector<OutputFile> files = places_from(arguments);
   const std::string& path = arguments.operands.front();
   const StrainLimits limits = limits_from(arguments);
+  const Unit unit = unit_from(arguments);
   const TriMesh mesh = read_model(path, arguments, session).mesh;
   Patch patch;
   MeasuredPatch measured;
@@ -127,7 +129,7 @@ CommandResult run_measure(const Arguments& arguments, Session& session) {
     return refused(path, mesh, error);
   }
   const auto strain = about(path, [&] { return strain_as_asked(patch, limits, session); });
-  std::string text = measure_text(path, measured, strain);
+  std::string text = measure_text(path, measured, strain, unit);
   std::vector<MoreFigures> more;
   if (!files.empty()) {
     DrawnDirections drawn = directions_of(patch, std::move(files), arguments);
@@ -190,6 +192,7 @@ Command measure_command() {
           0,
           false,
           {.extensions = {"svg"}}},
+         unit_flag(),
          scale_flag(),
          fields_flag(),
          csv_flag()}},

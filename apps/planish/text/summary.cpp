@@ -88,6 +88,22 @@ std::string sizes_text(const std::string& path, const Topology& t) {
          count_line("Euler characteristic", t.euler_characteristic);
 }
 
+/// How large the patch is; an area in square centimetres, or in square inches.
+std::string extent_text(const PatchSize& size, Unit unit) {
+  const ShownLengths lengths(unit);
+  const double millimetres = millimetres_per(unit);
+  const bool in_inches = unit == Unit::in;
+  const double area = in_inches ? size.area : 0.01 * millimetres * millimetres * size.area;
+  const auto line = [](const std::string& name, const std::string& figures) {
+    return "  " + left(name, 24) + right(figures, 11);
+  };
+  return line("extent in x, y, z", lengths.number(size.extent.x) + " x " +
+                                       lengths.number(size.extent.y) + " x " +
+                                       lengths.text(size.extent.z)) +
+         "\n" + line("area", digits(area)) + (in_inches ? " in^2\n" : " cm^2\n") +
+         line("border length", lengths.number(size.border_length)) + " " + lengths.unit() + "\n";
+}
+
 std::string problems_text(const Inspection& inspection) {
   if (inspection.problems.empty()) return {};
   std::string text = "\nProblems:\n";
@@ -277,8 +293,9 @@ std::string size_text(const TriMesh& mesh) {
 }
 
 std::string measure_text(const std::string& path, const MeasuredPatch& patch,
-                         const std::optional<StrainAsDesigned>& strain) {
-  std::string text = sizes_text(path, patch.inspection.topology) + "\n";
+                         const std::optional<StrainAsDesigned>& strain, Unit unit) {
+  std::string text =
+      sizes_text(path, patch.inspection.topology) + extent_text(patch.size, unit) + "\n";
   for (const Row& row : figure_rows(patch.figures, patch.figures)) {
     std::string line = "  " + left(row.name, 24) + right(digits(row.before), 11) + " " +
                        (row.meaning.empty() ? row.unit : left(row.unit, 7) + row.meaning);

@@ -16,8 +16,9 @@ namespace planish::cli {
 std::string size_text(const TriMesh& mesh);
 
 /// The results of the verbs as people read them, at most 80 columns wide.
+/// @param unit of the mesh
 std::string measure_text(const std::string& path, const MeasuredPatch& patch,
-                         const std::optional<StrainAsDesigned>& strain);
+                         const std::optional<StrainAsDesigned>& strain, Unit unit);
 /// Of a mesh that cannot be measured: sizes and what is wrong.
 std::string refused_text(const std::string& path, const Inspection& inspection);
 std::string evolve_text(const EvolveReport& report);

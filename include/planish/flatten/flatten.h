@@ -34,6 +34,7 @@ Failure current_failure();
 /// A patch and all that measuring says of it.
 struct MeasuredPatch {
   Inspection inspection;                        ///< topology and problems
+  PatchSize size = {};                          ///< as measure_size()
   Flattenability figures;                       ///< angle defects
   bool flattenable = false;                     ///< as is_flattenable() of the two above
   std::optional<Obstruction> obstruction = {};  ///< of a disk only

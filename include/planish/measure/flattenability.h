@@ -20,6 +20,15 @@ std::vector<double> angle_defects(const Patch& patch);
 /// @param defects as from angle_defects()
 std::vector<double> gaussian_curvatures(const Patch& patch, std::span<const double> defects);
 
+/// How large a patch is.
+struct PatchSize {
+  Vec3 extent = {};            ///< of the bounding box of what triangles use, model units
+  double area = 0.0;           ///< of all triangles, square model units
+  double border_length = 0.0;  ///< of all border loops, model units
+};
+
+PatchSize measure_size(const Patch& patch);
+
 /// How far a patch is from flattenable. Defects are over inner vertices only; with none, 0.
 struct Flattenability {
   double e_max = 0.0;           ///< max |d_v|, radians (Eq. 18)

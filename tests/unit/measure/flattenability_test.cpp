@@ -19,6 +19,31 @@ Flattenability measured(const TriMesh& mesh) {
   return measure(Patch(mesh));
 }
 
+TEST(Size, OfATubeOfFlatStrips) {
+  TriMesh tube = meshes::tube(4, 3);           // a square of side sqrt 2 around the z axis, 3 high
+  tube.positions.push_back({50.0, 0.0, 0.0});  // used by no triangle
+  const PatchSize size = measure_size(Patch(tube));
+  EXPECT_NEAR(size.extent.x, 2.0, 1e-15);
+  EXPECT_NEAR(size.extent.y, 2.0, 1e-15);
+  EXPECT_EQ(size.extent.z, 3.0);
+  EXPECT_NEAR(size.area, 12.0 * std::numbers::sqrt2, 1e-14);
+  EXPECT_NEAR(size.border_length, 8.0 * std::numbers::sqrt2, 1e-14);
+}
+
+TEST(Size, OfHugeAndTinyPatchesHasTheSameDigits) {
+  const TriMesh mesh = meshes::rough_grid(5, 4, 1);
+  const PatchSize plain = measure_size(Patch(mesh));
+  for (const double scale : {0x1p-300, 0x1p300}) {
+    TriMesh other = mesh;
+    for (Vec3& p : other.positions)
+      p = scale * p;
+    const PatchSize size = measure_size(Patch(other));
+    EXPECT_NEAR(size.extent.x / scale, plain.extent.x, 1e-14);
+    EXPECT_NEAR(size.area / scale / scale, plain.area, 1e-13);
+    EXPECT_NEAR(size.border_length / scale, plain.border_length, 1e-13);
+  }
+}
+
 TEST(AngleDefects, OfACubeCornerIsAQuarterTurn) {
   TriMesh corner = meshes::fan(3);
   corner.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

@@ -32,9 +32,9 @@ TEST(JsonReport, OfAMeasuredPatchHasTheKeysOfTheContract) {
   EXPECT_THAT(keys_of(json),
               ElementsAre("schema", "vertices", "triangles", "inner_vertices", "components",
                           "boundary_loops", "euler_characteristic", "e_max", "e_avg", "energy",
-                          "sum_abs_defect", "min_angle", "roughness", "flattenable", "bending",
-                          "mean_curvature", "ruling_defect", "self_intersections", "obstruction",
-                          "problems", "strain", "limits"));
+                          "sum_abs_defect", "min_angle", "roughness", "flattenable", "extent",
+                          "area", "border_length", "bending", "mean_curvature", "ruling_defect",
+                          "self_intersections", "obstruction", "problems", "strain", "limits"));
   EXPECT_EQ(json["strain"], Json(nullptr));
   EXPECT_EQ(json["limits"], Json::array());
   EXPECT_EQ(json["vertices"], 651);

@@ -160,7 +160,14 @@ TEST(LimitMap, IsOnTheSheetWithItsLegendWhereALimitWasAsked) {
   EXPECT_THAT(texts_of(missed), Contains("beyond"));
   EXPECT_THAT(texts_of(kept),
               Contains("limit of strain used up; the limit is 5 %, on 99 % of the area"));
-  EXPECT_EQ(format_svg(sheet_with({.rms = 0.02})), format_svg(sheet_with({})))
+  const auto map_of = [&](const StrainLimits& limits) {
+    Drawing sheet = sheet_with(limits);
+    for (Layer& some : sheet.layers) {
+      if (some.name == "label") some.shapes.clear();
+    }
+    return format_svg(sheet);
+  };
+  EXPECT_EQ(map_of({.rms = 0.02}), map_of({}))
       << "a limit that is for no place leaves the map as it is";
 }
 

@@ -18,6 +18,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 struct Box {
   double left = 1e300, bottom = 1e300, right = -1e300, top = -1e300;
@@ -157,6 +158,24 @@ TEST(PatternSheet, WarnsOfAPatternThatIsNotToBeCut) {
   unfold.pattern.flipped_triangles = 2;
   EXPECT_THAT(texts_of(layer(pattern_sheet(Patch(mesh), unfold, ""), "label")),
               Contains(HasSubstr("flipped")));
+}
+
+TEST(PatternSheet, SaysWhatStrainThePatternHasAndWhetherItKeepsItsLimit) {
+  const TriMesh mesh = meshes::flat_grid(4, 3);
+  UnfoldReport unfold = samples::plane_below(mesh, 4.0, 3.0);
+  unfold.strain.rms = 0.00512;
+  unfold.strain.max = 0.0231;
+  const auto label = [&] {
+    return texts_of(layer(pattern_sheet(Patch(mesh), unfold, ""), "label"));
+  };
+  EXPECT_THAT(label(), Contains("strain rms 0.51 % · largest 2.31 %"));
+  EXPECT_THAT(label(), Not(Contains(HasSubstr("limit"))));
+  unfold.limits = {{StrainLimitKind::max, 0.025, 0.0231}};
+  EXPECT_THAT(label(), Contains("keeps the limit 2.5 %, for every edge"));
+  unfold.limits.push_back({StrainLimitKind::rms, 0.005, 0.00512});
+  EXPECT_THAT(label(), Contains("Beyond the limit 0.5 %, rms: 0.51 %"));
+  EXPECT_THAT(pattern_sheet(Patch(mesh), unfold, "").notes,
+              Contains("Beyond the limit 0.5 %, rms: 0.51 %"));
 }
 
 TEST(PatternSheet, ShortensANameThatIsTooLongBetweenItsLetters) {

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any, Optional
 
-from . import _core
+from . import _core, errors
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -13,16 +13,26 @@ if TYPE_CHECKING:
     from ._types import MeshLike, Path
 
 
+def text_of(path: Path) -> str:
+    """A path as the module takes it; labels and reports hold the name, so it has to be text."""
+    text = os.fsdecode(path)
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        raise errors.make("file_unreadable", f"the name {text!r} is not UTF-8 text: rename the file") from None
+    return text
+
+
 def read(path: Path) -> _core.Mesh:
     """Reads an OBJ, PLY, STL or OFF file.
 
     Polygons are divided into fans; vertices keep their numbers."""
-    return _core.read(os.fspath(path))
+    return _core.read(text_of(path))
 
 
 def write(path: Path, mesh: MeshLike, faces: Optional[ArrayLike] = None) -> None:
     """Writes a mesh as .obj, .ply, .stl or .off, whole or not at all."""
-    _core.write(os.fspath(path), as_mesh(mesh, faces))
+    _core.write(text_of(path), as_mesh(mesh, faces))
 
 
 def triangles_of_cells(cells: Any) -> Any:
@@ -49,7 +59,7 @@ def faces_of(mesh: Any) -> Any:
 def as_mesh(mesh: MeshLike, faces: Optional[ArrayLike] = None, name: Optional[str] = None) -> _core.Mesh:
     """The mesh that was given: arrays, a pair of them, a path, or a mesh of this or another package."""
     if faces is None and isinstance(mesh, (str, os.PathLike)):
-        mesh = _core.read(os.fspath(mesh))
+        mesh = _core.read(text_of(mesh))
     if faces is None and isinstance(mesh, _core.Mesh):
         return mesh if name is None else mesh.renamed(name)
     if faces is not None:

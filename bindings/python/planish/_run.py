@@ -6,7 +6,7 @@ import os
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Sequence, TypeVar
 
 from . import _core, errors
-from ._meshes import as_mesh
+from ._meshes import as_mesh, text_of
 
 if TYPE_CHECKING:
     from ._types import MeshLike, Path, Progress
@@ -108,7 +108,7 @@ def run_product(
     else:
         paths = list(patches.values() if isinstance(patches, Mapping) else patches)
     if not isinstance(patches, Mapping) and paths and all(is_path(path) for path in paths):
-        texts = [os.fspath(path) for path in paths]
+        texts = [text_of(path) for path in paths]
         title = name or os.path.splitext(os.path.basename(texts[0]))[0]
         return with_files(keywords, lambda given: _core.flatten_files(title, texts, given, progress))
     meshes = [as_mesh(mesh) for mesh in paths]
@@ -133,5 +133,5 @@ def draw(result: Any, format_name: str, path: Optional[Path], as_designed: bool,
 
     content = with_files(keywords, work)
     if path is not None:
-        _core.write_bytes(os.fspath(path), content)
+        _core.write_bytes(text_of(path), content)
     return content

@@ -261,8 +261,10 @@ std::string matching_lines(const UnfoldReport& report) {
 /// What keeping a limit costs.
 std::string unlimited_lines(const UnfoldReport& report) {
   if (!report.unlimited_strain) return {};
-  return "              least stretch has rms " + percent(report.unlimited_strain->rms) +
-         ", largest " + percent(report.unlimited_strain->max) + "\n";
+  return "              evened out to keep the limit; with least stretch it would be\n"
+         "              rms " +
+         percent(report.unlimited_strain->rms) + ", largest " +
+         percent(report.unlimited_strain->max) + "\n";
 }
 
 std::string as_designed_lines(const StrainAsDesigned& strain) {
@@ -270,8 +272,10 @@ std::string as_designed_lines(const StrainAsDesigned& strain) {
   std::string text = "\n  strain      rms " + percent(least.rms) + ", 99 % of the area within " +
                      percent(least.p99) + ", largest " + percent(least.max) + "\n";
   if (strain.smallest_limit) {
-    text += "              could be cut from a sheet that takes " +
-            percent(*strain.smallest_limit) + " at every edge\n";
+    text +=
+        "              in the pattern of least stretch; evened out, it could be cut\n"
+        "              from a sheet that takes " +
+        percent(*strain.smallest_limit) + " at every edge\n";
   }
   const std::string limits = strain_limits_text(strain.limits);
   return text + (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");

@@ -35,7 +35,10 @@ configure_file(cmake/planish.pc.in "${PROJECT_BINARY_DIR}/planish.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/planish.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
         COMPONENT development)
 
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/planish-doc COMPONENT documentation
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/planish-doc/docs COMPONENT documentation
         FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.png" PATTERN "*.csv" PATTERN "*.json")
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/planish-doc/examples
-        COMPONENT documentation FILES_MATCHING PATTERN "*.cpp")
+        COMPONENT documentation FILES_MATCHING PATTERN "*.cpp" PATTERN "*.py" PATTERN "*.ipynb")
+# Beside them as in the sources, so that their links lead there.
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md NOTICE
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/planish-doc COMPONENT documentation)

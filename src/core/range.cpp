@@ -10,6 +10,7 @@ namespace {
 std::string describe_range(Range range) {
   const bool from = range.min > -std::numeric_limits<double>::infinity();
   const bool to = range.max < std::numeric_limits<double>::infinity();
+  if (range.min == std::numeric_limits<double>::min() && !to) return "above 0";
   if (from && to) return "from " + number_text(range.min) + " to " + number_text(range.max);
   if (from) return "at least " + number_text(range.min);
   if (to) return "at most " + number_text(range.max);

@@ -69,8 +69,10 @@ PatternOnSheet pattern_on_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
   PlacedPattern pattern =
       placed_pattern(mesh, unfold.pattern.positions, unfold.unit, piece, options);
   const LoopBox piece_box = loop_box(pattern.outline.loops);
-  SheetFacts facts = {name, piece_box.size(), widest_allowance(options),
-                      pattern_hash(pattern.positions), options.date};
+  SheetFacts facts = {
+      name,         piece_box.size(),   widest_allowance(options), pattern_hash(pattern.positions),
+      options.date, options.model_scale};
+  if (options.moved) facts.moved = millimetres_per(unfold.unit) * *options.moved;
   const bool mirrored = options.like && options.like->mirrored;
   PatternOnSheet sheet =
       put_on_sheet({std::move(pattern), std::move(options), std::move(facts), {}}, mirrored);

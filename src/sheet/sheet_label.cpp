@@ -128,19 +128,23 @@ Path ring_around(const std::pair<Vec2, Vec2>& box) {
   return ring;
 }
 
-std::string unit_note(Unit unit) {
+std::string unit_note(Unit unit, double model_scale) {
   const std::string name(to_string(unit));
-  if (unit == Unit::mm) return "model unit: mm";
-  return "model unit: " + name + " (1 " + name + " = " + number_text(millimetres_per(unit)) +
-         " mm)";
+  std::string text = "model unit: " + name;
+  if (unit != Unit::mm) text += " (1 " + name + " = " + number_text(millimetres_per(unit)) + " mm)";
+  if (model_scale != 1.0) text += ", model multiplied by " + number_text(model_scale);
+  return text;
 }
 
 std::string percent_text(double share) {
   return fixed_text(100.0 * share, 2) + " %";
 }
 
-std::string strain_text(const EdgeStrain& strain) {
-  return "strain rms " + percent_text(strain.rms) + " · largest " + percent_text(strain.max);
+std::string strain_text(const EdgeStrain& strain, std::optional<double> moved) {
+  std::string text =
+      "strain rms " + percent_text(strain.rms) + " · largest " + percent_text(strain.max);
+  if (moved) text += " · moved up to " + fixed_text(*moved, 1) + " mm from the design";
+  return text;
 }
 
 /// Whether the pattern may be cut.
@@ -190,19 +194,20 @@ Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
     layer.shapes.emplace_back(Text{{k_column, top - below_top}, height, std::move(text), color});
   };
   line(12.5, 4.0, size_text(facts), k_black);
-  line(18.0, 2.5, unit_note(unfold.unit), k_dim);
-  line(22.5, 2.5, origin_text(facts), k_dim);
-  line(27.0, 2.5, "pattern " + hash_text(facts.hash), k_dim);
-  line(31.0, 2.5, strain_text(unfold.strain), k_dim);
+  line(17.5, 2.5, unit_note(unfold.unit, facts.model_scale), k_dim);
+  line(21.5, 2.5, origin_text(facts), k_dim);
+  line(25.5, 2.5, "pattern " + hash_text(facts.hash), k_dim);
+  line(29.5, 2.5, strain_text(unfold.strain, facts.moved), k_dim);
   if (std::optional<Verdict> verdict = verdict_of(unfold))
-    line(35.5, 2.5, std::move(verdict->text), verdict->is_bad ? k_red : k_dim);
+    line(33.5, 2.5, std::move(verdict->text), verdict->is_bad ? k_red : k_dim);
   if (facts.overlap) layer.shapes.emplace_back(ring_around(*facts.overlap));
   return layer;
 }
 
 std::vector<std::string> sheet_notes(const UnfoldReport& unfold, const SheetFacts& facts) {
-  std::vector<std::string> notes = {size_text(facts), unit_note(unfold.unit), origin_text(facts),
-                                    "pattern " + hash_text(facts.hash), strain_text(unfold.strain)};
+  std::vector<std::string> notes = {size_text(facts), unit_note(unfold.unit, facts.model_scale),
+                                    origin_text(facts), "pattern " + hash_text(facts.hash),
+                                    strain_text(unfold.strain, facts.moved)};
   if (std::optional<Verdict> verdict = verdict_of(unfold))
     notes.push_back(std::move(verdict->text));
   return notes;

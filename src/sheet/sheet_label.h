@@ -18,6 +18,8 @@ struct SheetFacts {
   double allowance = 0.0;  ///< the widest, millimetres; 0 without
   std::uint64_t hash = 0;
   std::string date;
+  double model_scale = 1.0;          ///< what the model was multiplied with
+  std::optional<double> moved = {};  ///< from the design at most, millimetres
   /// Two corners of the box around the places where the outline crosses itself, on the sheet.
   std::optional<std::pair<Vec2, Vec2>> overlap = {};
 };

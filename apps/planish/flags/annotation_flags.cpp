@@ -226,6 +226,7 @@ PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet) {
   options.grain = grain_from(arguments);
   options.label = label_from(arguments);
   options.date = arguments.value_or("--date", "");
+  options.model_scale = scale_from(arguments);
   options.edge_lengths = arguments.has("--edge-lengths");
   options.curves = line_fit_from(arguments);
   if (const auto path = list_of_flag("--notches", arguments)) options.notches = read_notches(*path);

@@ -123,7 +123,8 @@ double quantity_value(const std::string& flag, const std::string& text, Quantity
   }
   // Divided, 2% is the same number as 0.02.
   const double value = suffix == "%" ? number / 100.0 : number * factor;
-  if (quantity == Quantity::share && suffix.empty() && value > range.max) {
+  // 1 is meant as 1 % more often than as 100 %.
+  if (quantity == Quantity::share && suffix.empty() && value >= range.max) {
     throw UsageError(flag + " is " + text + " but must be " + demand_of(quantity) +
                      "; did you mean " + text + "%?");
   }

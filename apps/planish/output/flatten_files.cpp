@@ -21,10 +21,11 @@ namespace fs = std::filesystem;
 /// The pattern of the result and that of the design.
 std::vector<OutputFile> pattern_files(const FlattenReport& report, const WrittenFiles& paths,
                                       const PatternFiles& pattern) {
-  const PatternOptions annotations = on_processed(pattern.annotations, report);
-  const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name, annotations);
+  PatternOptions annotations = on_processed(pattern.annotations, report);
   const Drawing as_designed =
       pattern_sheet(report.input, report.as_designed, report.name + ", as designed", annotations);
+  if (report.evolve.deviation.max > 0.0) annotations.moved = report.evolve.deviation.max;
+  const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name, annotations);
   std::vector<OutputFile> files;
   files.reserve(2 * pattern.formats.size() + 1);
   for (const PatternFormat format : pattern.formats) {

@@ -23,12 +23,28 @@ bool is_like_a_drawing(const std::string& name) {
          k_extensions.end();
 }
 
+/// Refuses before the work what could not be written after it. Where it cannot be known, as for
+/// folders that others share on a network, writing will say so.
+void refuse_closed_folder(std::filesystem::path path, const std::string& folder) {
+  std::error_code ignored;
+  path = std::filesystem::absolute(path, ignored);
+  while (path.has_relative_path() && !std::filesystem::exists(path, ignored))
+    path = path.parent_path();
+  if (!std::filesystem::is_directory(path, ignored) || may_write_into(path)) return;
+  throw Error(ErrorCode::file_unwritable,
+              "cannot be written: Permission denied for the folder " + utf8_of(path),
+              {.path = folder});
+}
+
 }  // namespace
 
 std::filesystem::path output_folder(const std::string& folder) {
   std::filesystem::path path = path_of(folder);
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return path;
+  if (std::filesystem::is_directory(path, ignored)) {
+    refuse_closed_folder(path, folder);
+    return path;
+  }
   if (std::filesystem::exists(path, ignored)) {
     throw Error(ErrorCode::file_unwritable, "is a file, but a folder is to be written there",
                 {.path = folder});
@@ -38,6 +54,7 @@ std::filesystem::path output_folder(const std::string& folder) {
     throw UsageError("--output is \"" + folder + "\" but names a folder for several files: use \"" +
                      stem + "\"");
   }
+  refuse_closed_folder(path, folder);
   return path;
 }
 

@@ -30,6 +30,10 @@ def word(item: Any) -> str:
     return str(item.__index__()) if hasattr(item, "__index__") else repr(float(item))
 
 
+def is_numpy_bool(item: Any) -> bool:
+    return getattr(getattr(item, "dtype", None), "kind", "") == "b"
+
+
 def line(row: Any) -> str:
     return row if isinstance(row, str) else " ".join(word(item) for item in row)
 
@@ -39,6 +43,8 @@ def lines(keyword: str, rows: Any) -> list[str]:
     if isinstance(rows, Mapping):
         return [line(row) for row in rows.items()]
     items = list(rows)
+    if keyword == "fix" and items and all(isinstance(item, bool) or is_numpy_bool(item) for item in items):
+        return [line([vertex]) for vertex, is_fixed in enumerate(items) if is_fixed]
     if keyword == "weights":
         return [line(row) for row in enumerate(items)]
     are_single = bool(items) and not any(isinstance(item, str) or hasattr(item, "__len__") for item in items)
@@ -95,6 +101,11 @@ def run(
     return with_files(keywords, lambda given: work(mesh, given, progress))
 
 
+def told_apart(names: list[str]) -> list[str]:
+    """The names, with numbers where one stands for several meshes."""
+    return [f"{name}-{place}" if names.count(name) > 1 else name for place, name in enumerate(names, start=1)]
+
+
 def run_product(
     patches: Path | Sequence[Path | MeshLike] | Mapping[str, MeshLike],
     name: Optional[str],
@@ -113,7 +124,7 @@ def run_product(
         return with_files(keywords, lambda given: _core.flatten_files(title, texts, given, progress))
     meshes = [as_mesh(mesh) for mesh in paths]
     names: Iterable[Any] = patches if isinstance(patches, Mapping) else (mesh.name for mesh in meshes)
-    pairs = [(str(own), mesh) for own, mesh in zip(names, meshes)]
+    pairs = list(zip(told_apart([str(own) for own in names]), meshes))
     if not pairs:
         raise errors.make("no_triangles", "the product has no patches")
     return with_files(keywords, lambda given: _core.flatten_meshes(name or "product", pairs, given, progress))

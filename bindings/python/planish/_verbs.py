@@ -891,9 +891,9 @@ def svg(
     edge_lengths: Optional[bool] = None,
     curve_tolerance: Optional[Amount] = None,
 ) -> str:
-    """The pattern of a result at true size as SVG, which is also written where there is a path. Keywords stand for those
-        that the result was made with; without any, the drawing is the program's. With as_designed it is the pattern
-        of the unchanged design.
+    """The pattern of a result at true size as SVG, which is also written where there is a path. Without keywords it is
+        as the result was made; with any, all that are not given here have their defaults, an allowance too. With
+        as_designed it is the pattern of the unchanged design.
 
     Keywords, as flags of the program:
         map: draw the strain map on paper too: in .pdf and on the pages of --paper
@@ -956,9 +956,9 @@ def dxf(
     edge_lengths: Optional[bool] = None,
     curve_tolerance: Optional[Amount] = None,
 ) -> str:
-    """The pattern of a result at true size as DXF, which is also written where there is a path. Keywords stand for those
-        that the result was made with; without any, the drawing is the program's. With as_designed it is the pattern
-        of the unchanged design.
+    """The pattern of a result at true size as DXF, which is also written where there is a path. Without keywords it is
+        as the result was made; with any, all that are not given here have their defaults, an allowance too. With
+        as_designed it is the pattern of the unchanged design.
 
     Keywords, as flags of the program:
         text: letters, or strokes for machines without them (default letters)
@@ -1022,9 +1022,9 @@ def pdf(
     edge_lengths: Optional[bool] = None,
     curve_tolerance: Optional[Amount] = None,
 ) -> bytes:
-    """The pattern of a result at true size as PDF, which is also written where there is a path. Keywords stand for those
-        that the result was made with; without any, the drawing is the program's. With as_designed it is the pattern
-        of the unchanged design.
+    """The pattern of a result at true size as PDF, which is also written where there is a path. Without keywords it is
+        as the result was made; with any, all that are not given here have their defaults, an allowance too. With
+        as_designed it is the pattern of the unchanged design.
 
     Keywords, as flags of the program:
         paper: divide the .pdf into pages to be joined: a4, a3, letter or a0
@@ -1082,9 +1082,9 @@ def plt(
     edge_lengths: Optional[bool] = None,
     curve_tolerance: Optional[Amount] = None,
 ) -> str:
-    """The pattern of a result at true size as HPGL, which is also written where there is a path. Keywords stand for
-        those that the result was made with; without any, the drawing is the program's. With as_designed it is the
-        pattern of the unchanged design.
+    """The pattern of a result at true size as HPGL, which is also written where there is a path. Without keywords it is
+        as the result was made; with any, all that are not given here have their defaults, an allowance too. With
+        as_designed it is the pattern of the unchanged design.
 
     Keywords, as flags of the program:
         allowance: material beyond the seam, as 10mm

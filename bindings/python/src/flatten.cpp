@@ -175,9 +175,29 @@ auto view_getter(Get get) {
   return [get](const py::object& self) { return view_of(get(self.cast<const Result&>()), self); };
 }
 
+std::string described_pattern(const py::object& self, const UnfoldReport& report) {
+  const auto shown = [](double value, int digits) {
+    return py::str("{:." + std::to_string(digits) + "f}").format(value).cast<std::string>();
+  };
+  const auto kind = py::type::of(self).attr("__name__").cast<std::string>();
+  std::string text = "<planish." + kind + " " + self.attr("name").cast<std::string>() + ": " +
+                     shown(report.pattern.width, 1) + " x " + shown(report.pattern.height, 1) +
+                     " " + std::string(to_string(report.unit)) + ", strain rms " +
+                     shown(100.0 * report.strain.rms, 2) + " %, largest " +
+                     shown(100.0 * report.strain.max, 2) + " %";
+  if (!report.limits.empty())
+    text += all_kept(report.limits) ? ", limits kept" : ", limits NOT kept";
+  if (report.pattern.overlaps) text += ", overlaps itself";
+  return text + ">";
+}
+
 template <class Result, class Class>
 void add_unfold_figures(Class& type, const UnfoldReport& (*report)(const Result&)) {
-  type.def_property_readonly(
+  type.def("__repr__",
+           [report](const py::object& self) {
+             return described_pattern(self, report(self.cast<const Result&>()));
+           })
+      .def_property_readonly(
           "uv",
           [report](const py::object& self) {
             return view_of(report(self.cast<const Result&>()).pattern.positions, self);

@@ -22,6 +22,14 @@ AtWork& at_work() {
   return all;
 }
 
+/// Python's False, and NumPy's.
+bool is_false(const py::object& answer) {
+  if (answer.is(py::bool_(false))) return true;
+  return py::getattr(py::getattr(answer, "dtype", py::none()), "kind", py::none())
+             .equal(py::str("b")) &&
+         !answer.cast<bool>();
+}
+
 /// Names a job among those at work.
 class Entry {
  public:
@@ -69,7 +77,7 @@ void Job::attend(const std::optional<Step>& step) {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     if (!step || on_progress_.is_none()) return;
     const py::object answer = on_progress_(step->stage, step->share, step->subject);
-    if (answer.is(py::bool_(false))) cancelled_ = true;
+    if (is_false(answer)) cancelled_ = true;
   } catch (py::error_already_set& error) {
     own_.emplace(std::move(error));
     cancelled_ = true;

@@ -98,6 +98,9 @@ class Values(unittest.TestCase):
     def test_rows_and_files_say_the_same(self):
         by_rows = planish.evolve(self.mesh, fix=[150, 151], sweeps=3)
         by_array = planish.evolve(self.mesh, fix=np.array([150, 151]), sweeps=3)
+        mask = np.isin(np.arange(len(self.mesh.vertices)), [150, 151])
+        for by_mask in (planish.evolve(self.mesh, fix=mask, sweeps=3), planish.evolve(self.mesh, fix=list(mask), sweeps=3)):
+            np.testing.assert_array_equal(by_mask.vertices, by_rows.vertices)
         np.testing.assert_array_equal(by_rows.vertices, by_array.vertices)
         np.testing.assert_array_equal(by_rows.vertices[150], self.mesh.vertices[150])
         weights = np.ones(len(self.mesh.vertices))

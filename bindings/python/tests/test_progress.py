@@ -18,6 +18,10 @@ class Progress(unittest.TestCase):
         cls.mesh = planish.sample("saddle", vertices=3000)
         cls.long = dict(method="classical", lambda_=1e-6, sweeps=1_000_000)
 
+    def test_numpys_false_cancels_too(self):
+        with self.assertRaises(planish.Cancelled):
+            planish.evolve(self.mesh, progress=lambda *_: np.bool_(False), **self.long)
+
     def test_shares_rise(self):
         steps = []
         planish.flatten(self.mesh, progress=lambda stage, share, subject: steps.append((stage, share, subject)))

@@ -143,9 +143,9 @@ for form, kind in {"svg": "SVG", "dxf": "DXF", "pdf": "PDF", "plt": "HPGL"}.item
         DRAWN,
         "bytes" if form == "pdf" else "str",
         f'return _run.draw(result, "{form}", path, as_designed, given)' + ("" if form == "pdf" else ".decode()"),
-        f"The pattern of a result at true size as {kind}, which is also written where there is a path. Keywords stand "
-        "for those that the result was made with; without any, the drawing is the program's. With as_designed it is "
-        "the pattern of the unchanged design.",
+        f"The pattern of a result at true size as {kind}, which is also written where there is a path. Without "
+        "keywords it is as the result was made; with any, all that are not given here have their defaults, an allowance "
+        "too. With as_designed it is the pattern of the unchanged design.",
     )
 
 FILE_ROWS = {"cut", "fix", "weights", "notches", "seam_notches", "marks", "inner_lines", "edge_allowances"}

@@ -55,9 +55,12 @@ struct PatternOptions {
   std::vector<SurfaceLine> drawn_lines = {};        ///< inner lines from place to place
   std::vector<SeamNumber> seam_numbers = {};        ///< of a product's seams
   PieceLabel label = {};                            ///< written inside the piece
-  bool edge_lengths = false;           ///< written along the outline, from corner to corner
-  LineFit curves = {};                 ///< how near curves stay to lines; tolerance 0: no curves
-  std::string date = {};               ///< for the sheet's label; never taken from a clock
+  bool edge_lengths = false;  ///< written along the outline, from corner to corner
+  LineFit curves = {};        ///< how near curves stay to lines; tolerance 0: no curves
+  std::string date = {};      ///< for the sheet's label; never taken from a clock
+  double model_scale = 1.0;   ///< for the label: what the model was multiplied with
+  /// For the label: how far a place of the surface is from its design at most, model units.
+  std::optional<double> moved = {};
   std::optional<DrawnLike> like = {};  ///< of a twin: how its lines follow those of the other one
 };
 

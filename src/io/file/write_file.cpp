@@ -117,7 +117,9 @@ void Transaction::prepare(const OutputFile& file) {
 void Transaction::make_folders(const fs::path& folder, const fs::path& path) {
   std::vector<fs::path> missing;
   std::error_code fault;
-  for (fs::path at = folder; !at.empty() && !fs::exists(at, fault); at = at.parent_path()) {
+  // The parent of a drive is the drive itself, also where there is none.
+  for (fs::path at = folder; at.has_relative_path() && !fs::exists(at, fault);
+       at = at.parent_path()) {
     if (fault) fail(path, fault);
     if (at.has_filename()) missing.push_back(at);
   }

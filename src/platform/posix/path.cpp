@@ -1,5 +1,7 @@
 #include "platform/path.h"
 
+#include <unistd.h>
+
 namespace planish {
 
 std::filesystem::path path_of(std::string_view utf8) {
@@ -8,6 +10,10 @@ std::filesystem::path path_of(std::string_view utf8) {
 
 std::string utf8_of(const std::filesystem::path& path) {
   return path.native();
+}
+
+bool may_write_into(const std::filesystem::path& folder) {
+  return access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
 }  // namespace planish

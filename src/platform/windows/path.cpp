@@ -18,4 +18,8 @@ std::string utf8_of(const std::filesystem::path& path) {
   return utf8_of_wide(wide);
 }
 
+bool may_write_into(const std::filesystem::path&) {
+  return true;
+}
+
 }  // namespace planish

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/cli_run.h"
+#include "platform/path.h"
 
 namespace planish::cli {
 namespace {
@@ -36,7 +37,7 @@ TEST_F(Doctor, SaysInTenLinesOrSoWhatABugReportNeeds) {
   EXPECT_LE(std::count(result.out.begin(), result.out.end(), '\n'), 12);
   for (const char* words : {"Plan 9", "a processor", "plumb", "threads", "lanes"})
     EXPECT_THAT(result.out, HasSubstr(words));
-  EXPECT_THAT(result.out, HasSubstr(std::filesystem::current_path().string()));
+  EXPECT_THAT(result.out, HasSubstr(utf8_of(std::filesystem::current_path())));
   EXPECT_TRUE(std::filesystem::is_empty(".")) << "the file that it tried with is left";
 }
 

@@ -18,6 +18,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
 using testing::Not;
 
 struct Box {
@@ -169,6 +170,16 @@ TEST(PatternSheet, SaysWhatStrainThePatternHasAndWhetherItKeepsItsLimit) {
     return texts_of(layer(pattern_sheet(Patch(mesh), unfold, ""), "label"));
   };
   EXPECT_THAT(label(), Contains("strain rms 0.51 % · largest 2.31 %"));
+  PatternOptions options;
+  options.model_scale = 0.5;
+  options.moved = 0.0042;
+  unfold.unit = Unit::m;
+  const Drawing changed = pattern_sheet(Patch(mesh), unfold, "", options);
+  EXPECT_THAT(
+      texts_of(layer(changed, "label")),
+      IsSupersetOf({"strain rms 0.51 % · largest 2.31 % · moved up to 4.2 mm from the design",
+                    "model unit: m (1 m = 1000 mm), model multiplied by 0.5"}));
+  unfold.unit = Unit::mm;
   EXPECT_THAT(label(), Not(Contains(HasSubstr("limit"))));
   unfold.limits = {{StrainLimitKind::max, 0.025, 0.0231}};
   EXPECT_THAT(label(), Contains("keeps the limit 2.5 %, for every edge"));

@@ -143,7 +143,7 @@ std::string percent_text(double share) {
 std::string strain_text(const EdgeStrain& strain, std::optional<double> moved) {
   std::string text =
       "strain rms " + percent_text(strain.rms) + " · largest " + percent_text(strain.max);
-  if (moved) text += " · moved up to " + fixed_text(*moved, 1) + " mm from the design";
+  if (moved) text += " · moved up to " + fixed_text(*moved, 1) + " mm";
   return text;
 }
 

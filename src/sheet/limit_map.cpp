@@ -26,7 +26,7 @@ std::optional<StrainLimitCheck> limit_of_edges(std::span<const StrainLimitCheck>
 }
 
 std::string limit_words(const StrainLimitCheck& limit) {
-  const std::string share = fixed_text(100.0 * limit.asked, 6) + " %";
+  std::string share = fixed_text(100.0 * limit.asked, 6) + " %";
   switch (limit.kind) {
     case StrainLimitKind::max:
       return share + ", for every edge";

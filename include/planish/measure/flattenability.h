@@ -27,6 +27,7 @@ struct PatchSize {
   double border_length = 0.0;  ///< of all border loops, model units
 };
 
+/// Extent, area and border of a patch. O(n).
 PatchSize measure_size(const Patch& patch);
 
 /// How far a patch is from flattenable. Defects are over inner vertices only; with none, 0.

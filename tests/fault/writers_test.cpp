@@ -187,7 +187,8 @@ TEST_F(Writers, DoNotNeedStandardError) {
     EXPECT_EQ(ended.exit_code, k_exit_done) << err << told(ended);
     EXPECT_TRUE(fs::exists("out/garment.json")) << err;
     for (const auto& [name, content] : fault::contents("out"))
-      EXPECT_EQ(content.find("  strain rms "), std::string::npos) << name << ": a message in a file";
+      EXPECT_EQ(content.find("  strain rms "), std::string::npos)
+          << name << ": a message in a file";
   }
 }
 

@@ -21,11 +21,11 @@ namespace fs = std::filesystem;
 /// The pattern of the result and that of the design.
 std::vector<OutputFile> pattern_files(const FlattenReport& report, const WrittenFiles& paths,
                                       const PatternFiles& pattern) {
-  PatternOptions annotations = on_processed(pattern.annotations, report);
+  const PatternOptions annotations = on_processed(pattern.annotations, report);
   const Drawing as_designed =
       pattern_sheet(report.input, report.as_designed, report.name + ", as designed", annotations);
-  if (report.evolve.deviation.max > 0.0) annotations.moved = report.evolve.deviation.max;
-  const Drawing sheet = pattern_sheet(report.processed, report.unfold, report.name, annotations);
+  const Drawing sheet =
+      pattern_sheet(report.processed, report.unfold, report.name, with_move(annotations, report));
   std::vector<OutputFile> files;
   files.reserve(2 * pattern.formats.size() + 1);
   for (const PatternFormat format : pattern.formats) {
@@ -61,6 +61,11 @@ PatternFiles pattern_files_from(const Arguments& arguments) {
   if (pattern.output.paper) written.push_back(PatternFormat::pdf);
   refuse_idle_pattern_flags(arguments, written);
   return pattern;
+}
+
+PatternOptions with_move(PatternOptions annotations, const FlattenReport& report) {
+  if (report.evolve.deviation.max > 0.0) annotations.moved = report.evolve.deviation.max;
+  return annotations;
 }
 
 PatternOptions on_processed(const PatternOptions& annotations, const FlattenReport& report) {

@@ -107,6 +107,8 @@ cli::PatternFiles pattern_files_of(const Drawable& drawable, cli::PatternFormat 
     return cli::annotations_on(std::move(files.annotations), arguments, drawable.model,
                                drawable.name, session);
   });
+  files.annotations.model_scale = drawable.pattern.annotations.model_scale;
+  files.annotations.moved = drawable.pattern.annotations.moved;
   return files;
 }
 
@@ -139,6 +141,7 @@ py::bytes drawing_of_flatten(const FlattenResult& result, const std::string& for
     return drawing_of({report.input, report.input, report.as_designed,
                        report.name + ", as designed", std::move(own)},
                       format, keywords);
+  own.annotations = cli::with_move(std::move(own.annotations), report);
   return drawing_of({report.input, report.processed, report.unfold, report.name, std::move(own)},
                     format, keywords);
 }

@@ -34,14 +34,13 @@ function(planish_compile target)
 endfunction()
 
 # planish_instrument(TARGET HEADERS...): compiles with the flags of PLANISH_INSTRUMENT, if there are
-# any, and then, as that takes long, or with PLANISH_PRECOMPILE_HEADERS, with these headers
-# precompiled. All other builds compile every source by itself and so find a missing #include.
+# any, and with these headers precompiled, as that takes long. All other builds compile every source
+# by itself and so find a missing #include.
 function(planish_instrument target)
-  if(PLANISH_INSTRUMENT)
-    target_compile_options(${target} PRIVATE ${PLANISH_INSTRUMENT}
-                                             "SHELL:-Xclang -fno-pch-timestamp")  # for ccache
+  if(NOT PLANISH_INSTRUMENT)
+    return()
   endif()
-  if(PLANISH_INSTRUMENT OR PLANISH_PRECOMPILE_HEADERS)
-    target_precompile_headers(${target} PRIVATE ${ARGN})
-  endif()
+  target_compile_options(${target} PRIVATE ${PLANISH_INSTRUMENT}
+                                           "SHELL:-Xclang -fno-pch-timestamp")  # for ccache
+  target_precompile_headers(${target} PRIVATE ${ARGN})
 endfunction()

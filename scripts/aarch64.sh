@@ -27,7 +27,7 @@ aarch64_flags() {
   local include=$aarch64_build-root/usr/include libraries=$aarch64_build-root/usr/lib/aarch64-linux-gnu
   printf '%s\n' -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 \
     -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ -DCMAKE_EXE_LINKER_FLAGS=-static \
-    -DCMAKE_CROSSCOMPILING_EMULATOR=qemu-aarch64 -DPLANISH_PRECOMPILE_HEADERS=ON \
+    -DCMAKE_CROSSCOMPILING_EMULATOR=qemu-aarch64 \
     -DPNG_LIBRARY="$libraries/libpng16.a" -DPNG_PNG_INCLUDE_DIR="$include" \
     -DZLIB_LIBRARY="$libraries/libz.a" -DZLIB_INCLUDE_DIR="$include" \
     -DPolyclipping_LIBRARY="$aarch64_build-clipper/lib/libpolyclipping.a" \

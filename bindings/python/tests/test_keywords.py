@@ -99,7 +99,8 @@ class Values(unittest.TestCase):
         by_rows = planish.evolve(self.mesh, fix=[150, 151], sweeps=3)
         by_array = planish.evolve(self.mesh, fix=np.array([150, 151]), sweeps=3)
         mask = np.isin(np.arange(len(self.mesh.vertices)), [150, 151])
-        for by_mask in (planish.evolve(self.mesh, fix=mask, sweeps=3), planish.evolve(self.mesh, fix=list(mask), sweeps=3)):
+        for some_mask in (mask, list(mask)):
+            by_mask = planish.evolve(self.mesh, fix=some_mask, sweeps=3)
             np.testing.assert_array_equal(by_mask.vertices, by_rows.vertices)
         np.testing.assert_array_equal(by_rows.vertices, by_array.vertices)
         np.testing.assert_array_equal(by_rows.vertices[150], self.mesh.vertices[150])

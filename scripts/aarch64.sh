@@ -1,7 +1,9 @@
-# Cross-building the static program for 64-bit ARM on Debian 12, in build/same_bits/aarch64.
+# Cross-building the static program for 64-bit ARM on Debian 12, in build/same_bits/aarch64: with clang, which
+# takes two thirds of the time of GCC, and the libraries of GCC's cross compiler.
 # Sourced behind scripts/debian_sources.sh.
 
 aarch64_packages="
+clang-14                 command clang++-14
 g++-aarch64-linux-gnu    command aarch64-linux-gnu-g++
 qemu-user                command qemu-aarch64
 dpkg-dev                 command dpkg-source
@@ -26,8 +28,9 @@ prepare_aarch64_libraries() {
 aarch64_flags() {
   local include=$aarch64_build-root/usr/include libraries=$aarch64_build-root/usr/lib/aarch64-linux-gnu
   printf '%s\n' -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 \
-    -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ -DCMAKE_EXE_LINKER_FLAGS=-static \
-    -DCMAKE_CROSSCOMPILING_EMULATOR=qemu-aarch64 \
+    -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_CXX_COMPILER_TARGET=aarch64-linux-gnu \
+    -DCMAKE_EXE_LINKER_FLAGS=-static \
+    -DCMAKE_CROSSCOMPILING_EMULATOR=qemu-aarch64 -DPLANISH_PRECOMPILE_HEADERS=ON \
     -DPNG_LIBRARY="$libraries/libpng16.a" -DPNG_PNG_INCLUDE_DIR="$include" \
     -DZLIB_LIBRARY="$libraries/libz.a" -DZLIB_INCLUDE_DIR="$include" \
     -DPolyclipping_LIBRARY="$aarch64_build-clipper/lib/libpolyclipping.a" \

@@ -2,6 +2,8 @@
 # scripts/debian_sources.sh.
 
 windows_packages="
+clang-14                   command clang++-14
+lld-14                     command ld.lld-14
 g++-mingw-w64-x86-64-posix command x86_64-w64-mingw32-g++-posix
 libz-mingw-w64-dev         header zlib.h
 dpkg-dev                   command dpkg-source

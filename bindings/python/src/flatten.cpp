@@ -157,12 +157,9 @@ WrittenFiles save(const FlattenResult& result, const py::object& path) {
   const auto folder = py::module_::import("os").attr("fspath")(path).cast<std::string>();
   const py::gil_scoped_release no_python;
   const auto place = cli::output_folder(folder);
-  const WrittenFiles paths = cli::paths_in(place, result.format, result.pattern, result.arguments);
-  const std::string json = json_report(result.report, paths, cli::figures_of_cut(result.cut));
-  write_files(cli::files_of(result.report, paths, result.format, result.pattern,
-                            {cli::colors_from(result.arguments), {}}, json),
-              place);
-  return paths;
+  const SavedFiles saved = files_in(result, place);
+  write_files(saved.files, place);
+  return saved.paths;
 }
 
 std::vector<std::string> missed_limits(const std::vector<StrainLimitCheck>& checks) {
@@ -329,6 +326,14 @@ void register_unfold(py::module_& module) {
 }
 
 }  // namespace
+
+SavedFiles files_in(const FlattenResult& result, const std::filesystem::path& folder) {
+  const WrittenFiles paths = cli::paths_in(folder, result.format, result.pattern, result.arguments);
+  const std::string json = json_report(result.report, paths, cli::figures_of_cut(result.cut));
+  return {cli::files_of(result.report, paths, result.format, result.pattern,
+                        {cli::colors_from(result.arguments), {}}, json),
+          paths};
+}
 
 std::string page_of(const FlattenResult& result) {
   return cli::page_of(result.report, result.pattern, {cli::colors_from(result.arguments), {}});

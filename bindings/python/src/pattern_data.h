@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,15 @@ struct FlattenResult {
   MeshFormat format = MeshFormat::obj;  ///< of the meshes that it writes
   std::vector<std::string> notes = {};
 };
+
+/// Files, and their paths by role.
+struct SavedFiles {
+  std::vector<OutputFile> files;
+  WrittenFiles paths;
+};
+
+/// What `flatten` of the program writes into a folder.
+SavedFiles files_in(const FlattenResult& result, const std::filesystem::path& folder);
 
 /// The page of a result.
 std::string page_of(const FlattenResult& result);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -5,6 +6,7 @@
 
 #include <planish/draw/format_drawing.h>
 #include <planish/flatten/product.h>
+#include <planish/io/write_file.h>
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
 #include <planish/sheet/product_sheet.h>
@@ -13,12 +15,16 @@
 
 #include "commands/jobs.h"
 #include "flags/scale_flag.h"
+#include "flatten/product/piece_verdict.h"
 #include "job.h"
 #include "keywords.h"
 #include "pattern_data.h"
+#include "platform/path.h"
 #include "product/job.h"
 #include "product/parts.h"
 #include "product/seams.h"
+#include "shell/output_folder.h"
+#include "text/lengths.h"
 
 namespace planish::python {
 
@@ -51,6 +57,15 @@ cli::PatternFiles files_of(const cli::PatternFiles& pattern, const PatternOption
   return files;
 }
 
+void note_unusual_sizes(cli::Session& session, const ProductReport& report) {
+  for (const PatchResult& patch : report.patches) {
+    if (!patch.finished) continue;
+    const UnfoldReport& unfold = patch.finished->unfold;
+    if (const auto size = cli::unusual_size_text(unfold.pattern, unfold.unit))
+      session.note(patch.name + ", " + *size);
+  }
+}
+
 /// @param patches gives what is to be flattened; called with the session
 ProductResult flatten_patches(const std::string& name, const py::dict& keywords,
                               py::object progress,
@@ -79,6 +94,7 @@ ProductResult flatten_patches(const std::string& name, const py::dict& keywords,
                                   session.job_context({}));
     made.report.seams =
         cli::with_names(std::move(made.report.seams), made.report.patches, input.seams, session);
+    note_unusual_sizes(session, made.report);
     return made;
   });
   result.notes = job.notes();
@@ -112,6 +128,50 @@ std::string json_of(const ProductResult& result) {
   return json_report(result.report, result.name, none);
 }
 
+/// Writes the files of each patch into a folder of its own, and those of the whole beside these.
+/// @return of the whole: role -> path
+WrittenFiles save(const ProductResult& result, const py::object& path) {
+  const auto place = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+  const py::gil_scoped_release no_python;
+  const std::filesystem::path folder = cli::output_folder(place);
+  std::vector<std::string> names;
+  for (const PatchResult& patch : result.report.patches)
+    names.push_back(patch.name);
+  ProductFiles written = {cli::safe_names(names), {}};
+  ProductPage page{.name = result.name};
+  std::vector<OutputFile> files;
+  for (std::size_t p = 0; p < names.size(); ++p) {
+    const std::string& own = written.folders[p];
+    page.reports.push_back(own + "/report.html");
+    written.files.emplace_back();
+    if (result.results[p] == nullptr) continue;
+    SavedFiles saved = files_in(*result.results[p], folder / path_of(own));
+    std::move(saved.files.begin(), saved.files.end(), std::back_inserter(files));
+    written.files.back() = std::move(saved.paths);
+  }
+  const auto add = [&](const char* name, std::string content) {
+    files.push_back({folder / path_of(name), std::move(content)});
+    return utf8_of(files.back().path);
+  };
+  const WrittenFiles paths = {
+      {"garment_json", add("garment.json", json_report(result.report, result.name, written))},
+      {"garment_html", add("garment.html", html_report(result.report, page))},
+      {"garment_svg", add("garment.svg", format_svg(product_sheet(result.report, result.name)))}};
+  write_files(files, folder);
+  return paths;
+}
+
+/// What each piece misses, in words; nothing of those that miss nothing.
+std::map<std::string, std::vector<std::string>> missed_by_pieces(const ProductReport& report) {
+  std::map<std::string, std::vector<std::string>> missed;
+  for (const PatchResult& patch : report.patches) {
+    for (const PieceCheck& check : piece_checks(patch)) {
+      if (!check.met) missed[patch.name].push_back(check.text);
+    }
+  }
+  return missed;
+}
+
 }  // namespace
 
 void register_product(py::module_& module) {
@@ -140,6 +200,13 @@ void register_product(py::module_& module) {
             return failures;
           },
           "Of each patch that failed, by its name, why.")
+      .def_property_readonly(
+          "missed", [](const ProductResult& result) { return missed_by_pieces(result.report); },
+          "What each piece misses, in words, by its name: limits, and faults of form and pattern. "
+          "Empty where every piece can be cut as it was asked for.")
+      .def("save", save, py::arg("folder"),
+           "Writes the files of each patch into a folder of its own name, and garment.json, .html "
+           "and .svg beside these; role -> path of the latter.")
       .def(
           "report_html",
           [](const ProductResult& result) {

@@ -1,6 +1,7 @@
 """Results: figures, drawings, files, reports, products, errors."""
 
 import gc
+import json
 import pathlib
 import resource
 import sys
@@ -99,6 +100,21 @@ class Results(unittest.TestCase):
         np.testing.assert_array_equal(product.patches[0].uv, alone.uv)
         self.assertIn("<svg", product.layout_svg())
         self.assertEqual(product.figures["name"], "suit")
+        self.assertIn("failed: ", product.missed["broken"][0])
+        self.assertNotIn("front", product.missed)
+        paths = product.save(self.path / "suit")
+        self.assertEqual(sorted(paths), ["garment_html", "garment_json", "garment_svg"])
+        figures = json.loads(pathlib.Path(paths["garment_json"]).read_text(encoding="utf-8"))
+        self.assertEqual([patch["name"] for patch in figures["patches"]], product.names)
+        self.assertEqual((self.path / "suit/front/pattern.svg").read_text(encoding="utf-8"), product.patches[0].svg())
+        self.assertFalse((self.path / "suit/broken").exists())
+
+    def test_product_in_the_wrong_unit(self):
+        small = planish.Mesh(0.001 * self.panel.vertices, self.panel.faces)
+        product = planish.flatten_product({"front": small, "back": self.panel})
+        self.assertIn("--unit m", product.missed["front"][0])
+        self.assertIn("with --unit m it would be", " ".join(product.notes))
+        self.assertNotIn("--unit", " ".join(product.missed.get("back", [])))
 
     def test_product_of_files(self):
         paths = [self.path / name for name in ("one.obj", "two.ply")]

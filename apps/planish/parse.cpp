@@ -8,6 +8,7 @@
 
 #include "commands/commands.h"
 #include "flags/synonyms.h"
+#include "shell/command_line.h"
 #include "shell/failures.h"
 #include "shell/nearest.h"
 #include "shell/values.h"
@@ -120,9 +121,9 @@ std::string reason_of_absence(const std::string& flag, const Command* command) {
   for (const Command& command : commands())
     known.push_back(command.name);
   const bool is_path = word.find_first_of("./") != std::string::npos;
-  throw UsageError(
-      "unknown verb " + word +
-      (is_path ? "; did you mean planish flatten " + word + "?" : nearest_hint(word, known)));
+  throw UsageError("unknown verb " + word +
+                   (is_path ? "; did you mean planish flatten " + shell_word(word) + "?"
+                            : nearest_hint(word, known)));
 }
 
 /// CLI11 throws for two faults only: a flag at the end that lacks its value, and a value for a

@@ -7,12 +7,10 @@ namespace planish::cli {
 
 namespace {
 
-/// As a shell takes it for one word.
-std::string word(const std::string& text) {
-  constexpr std::string_view plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./%@";
-  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
-  return in_quotes(text);
+/// Whether shells take the text between double quotes as it is: cmd and PowerShell of Windows too.
+bool is_plain_in_double_quotes(std::string_view text) {
+  return text.find_first_of("\"$`!%\n") == std::string_view::npos &&
+         text.find("\\\\") == std::string_view::npos && !text.ends_with('\\');
 }
 
 }  // namespace
@@ -29,16 +27,25 @@ std::string in_quotes(std::string_view text) {
   return quoted + "'";
 }
 
+std::string shell_word(std::string_view text) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./%@";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string_view::npos)
+    return std::string(text);
+  if (!text.empty() && is_plain_in_double_quotes(text)) return '"' + std::string(text) + '"';
+  return in_quotes(text);
+}
+
 std::string command_line(std::string_view verb, const Arguments& arguments) {
   constexpr std::array<std::string_view, 5> silent = {"--json", "--quiet", "--open", "--resume",
                                                       "--threads"};
   std::string line = "planish " + std::string(verb);
   for (const std::string& operand : arguments.operands)
-    line += " " + word(operand);
+    line += " " + shell_word(operand);
   for (const auto& [flag, value] : arguments.flags) {
     if (std::find(silent.begin(), silent.end(), flag) != silent.end()) continue;
     line += " " + flag;
-    if (!value.empty()) line += " " + word(value);
+    if (!value.empty()) line += " " + shell_word(value);
   }
   return line;
 }

@@ -16,6 +16,9 @@ std::filesystem::path path_of(std::string_view utf8);
 /// between them, whatever they went in with, and what is no UTF-8 comes out as U+FFFD.
 std::string utf8_of(const std::filesystem::path& path);
 
+/// The first letter of a path that no name can have on this system; 0 where there is none.
+char forbidden_letter(const std::filesystem::path& path);
+
 /// Whether the system would let this user make files in a folder. True where only trying shows it,
 /// as on Windows.
 bool may_write_into(const std::filesystem::path& folder);

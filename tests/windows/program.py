@@ -95,6 +95,11 @@ class Names(InFolder):
             self.assertEqual(done.returncode, 1, done.stderr)
             self.assertIn(b"Q:", done.stderr)
 
+    def test_with_a_quote_are_refused_before_the_work(self):
+        done = planish("flatten", "panel.obj", "-o", 'out dm"', folder=self.folder)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn(b"backslash", done.stderr)
+
     def test_that_are_long(self):
         deep = self.folder.joinpath(*(60 * "x" + str(i) for i in range(6)))
         self.run_well("convert", "panel.obj", windows_path(deep / "a.obj"))

@@ -23,6 +23,16 @@ bool is_like_a_drawing(const std::string& name) {
          k_extensions.end();
 }
 
+/// On Windows a folder in quotes that ends with a backslash is the likeliest cause.
+void refuse_forbidden_letter(const std::filesystem::path& path, const std::string& folder) {
+  const char letter = forbidden_letter(path);
+  if (letter == 0) return;
+  const std::string hint =
+      letter == '"' ? "; behind a name in quotes there must be no backslash: \"out\", not \"out\\\""
+                    : "";
+  throw UsageError("--output is " + folder + ", but no name can have the sign " + letter + hint);
+}
+
 /// Refuses before the work what could not be written after it. Where it cannot be known, as for
 /// folders that others share on a network, writing will say so.
 void refuse_closed_folder(std::filesystem::path path, const std::string& folder) {
@@ -40,6 +50,7 @@ void refuse_closed_folder(std::filesystem::path path, const std::string& folder)
 
 std::filesystem::path output_folder(const std::string& folder) {
   std::filesystem::path path = path_of(folder);
+  refuse_forbidden_letter(path, folder);
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     refuse_closed_folder(path, folder);

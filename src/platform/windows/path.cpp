@@ -18,6 +18,13 @@ std::string utf8_of(const std::filesystem::path& path) {
   return utf8_of_wide(wide);
 }
 
+char forbidden_letter(const std::filesystem::path& path) {
+  const std::wstring& wide = path.native();
+  const std::size_t begin = wide.starts_with(L"\\\\?\\") ? 4 : 0;
+  const std::size_t at = wide.find_first_of(L"\"<>|*?", begin);
+  return at == std::wstring::npos ? 0 : static_cast<char>(wide[at]);
+}
+
 bool may_write_into(const std::filesystem::path&) {
   return true;
 }

@@ -22,5 +22,12 @@ TEST(WindowsPathOf, TakesOtherBytesForLettersThatNoFileHas) {
   EXPECT_EQ(utf8_of(std::filesystem::path(L"\xD83E")), "\xEF\xBF\xBD");
 }
 
+TEST(WindowsForbiddenLetter, IsTheFirstThatNoNameCanHave) {
+  EXPECT_EQ(forbidden_letter(path_of("C:\\a b\\\xC3\xB6.obj")), 0);
+  EXPECT_EQ(forbidden_letter(path_of("\\\\?\\C:\\a")), 0);
+  EXPECT_EQ(forbidden_letter(path_of("out dm\" --unit *")), '"');
+  EXPECT_EQ(forbidden_letter(path_of("a*.obj")), '*');
+}
+
 }  // namespace
 }  // namespace planish

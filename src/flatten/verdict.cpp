@@ -162,6 +162,11 @@ std::string strain_phrase(double before, double after) {
          percent_text(before) + " to " + percent_text(after) + " rms";
 }
 
+/// Of the pattern, millimetres.
+double longer_side(const UnfoldReport& unfold) {
+  return millimetres_per(unfold.unit) * std::max(unfold.pattern.width, unfold.pattern.height);
+}
+
 /// Whether a designer would take the form; empty where it is that of the design.
 std::string form_sentence(const FlattenReport& report) {
   const Fairness& fairness = report.evolve.fairness;
@@ -256,12 +261,15 @@ std::string form_loss_text(const Fairness& fairness) {
   return text;
 }
 
+bool is_absurdly_small(const UnfoldReport& unfold) {
+  constexpr double smallest = 5.0;  // mm
+  const double size = longer_side(unfold);
+  return size > 0.0 && size < smallest;
+}
+
 std::string unit_question(const UnfoldReport& unfold) {
-  // Millimetres. Below, a pattern is absurd. Above k_large_piece the question is worth a glance.
-  constexpr double smallest = 5.0;
-  const double size =
-      millimetres_per(unfold.unit) * std::max(unfold.pattern.width, unfold.pattern.height);
-  if (size >= smallest && size <= k_large_piece) return {};
+  const double size = longer_side(unfold);
+  if (!is_absurdly_small(unfold) && size <= k_large_piece) return {};
   const std::string start = "The pattern is " + significant_text(size, 2) + "\u00A0mm long: is ";
   const std::vector<Unit> likely = likely_units(size / millimetres_per(unfold.unit), unfold.unit);
   if (likely.empty()) {

@@ -1,6 +1,7 @@
 #include "shell/own_window.h"
 
 #include <algorithm>
+#include <cmath>
 #include <istream>
 #include <optional>
 #include <ostream>
@@ -8,8 +9,14 @@
 #include <system_error>
 #include <vector>
 
+#include <planish/io/read_mesh.h>
+
+#include "core/likely_units.h"
+#include "flags/units.h"
 #include "platform/path.h"
 #include "run.h"
+#include "shell/failures.h"
+#include "shell/text.h"
 
 namespace planish::cli {
 
@@ -28,6 +35,46 @@ void wait_for_enter(const OwnWindow& window) {
   window.err << "\nPress Enter to close this window." << std::flush;
   std::string line;
   std::getline(window.in, line);
+}
+
+/// The longest diagonal among meshes that were dropped, model units; 0 where none can be read: then
+/// running says why.
+double longest_of(std::span<const std::string> dropped) {
+  double longest = 0.0;
+  for (const std::string& name : dropped) {
+    std::error_code none;
+    if (!fs::is_regular_file(path_of(name), none)) continue;
+    try {
+      longest = std::max(longest, bounding_box_diagonal(read_mesh(path_of(name)).mesh));
+    } catch (const Error&) {
+      continue;
+    }
+  }
+  return longest;
+}
+
+/// Mesh files do not say their unit, and a file that is dropped comes without flags. Where the
+/// meshes would be too small or too large in millimetres, asks; Enter alone is for the likeliest
+/// unit.
+Unit unit_of_dropped(std::span<const std::string> dropped, const OwnWindow& window) {
+  const double longest = longest_of(dropped);
+  const std::vector<Unit> likely = likely_units(longest, Unit::mm);
+  const bool is_usual = k_small_piece <= longest && longest <= k_large_piece;
+  if (is_usual || likely.empty()) return Unit::mm;
+  const std::string best(to_string(likely.front()));
+  window.err << "What is dropped is " << digits(longest, 3)
+             << " long in the unit of its file, which the file does not say.\nIn " << best
+             << " that is " << digits(longest * millimetres_per(likely.front()), 3)
+             << " mm. Type mm, cm, dm, m or in, and Enter; Enter alone takes " << best << ": "
+             << std::flush;
+  for (std::string word; std::getline(window.in, word);) {
+    word.erase(0, word.find_first_not_of(" \t\r"));
+    word.erase(word.find_last_not_of(" \t\r") + 1);
+    if (word.empty()) return likely.front();
+    if (const auto unit = unit_of_word(word)) return *unit;
+    window.err << Shown{word} << " is not one of mm, cm, dm, m and in. Which is it? " << std::flush;
+  }
+  return likely.front();
 }
 
 /// Where the pattern of a dropped file goes.
@@ -67,7 +114,9 @@ bool show(const fs::path& folder, const OwnWindow& window) {
 int flatten_dropped(std::span<const std::string> words, const OwnWindow& window,
                     const RunContext& context) {
   const fs::path folder = folder_beside(words.front());
-  std::vector<std::string> args = {"flatten", "--output", utf8_of(folder), "--"};
+  const Unit unit = unit_of_dropped(words, window);
+  std::vector<std::string> args = {
+      "flatten", "--output", utf8_of(folder), "--unit", std::string(to_string(unit)), "--"};
   args.insert(args.end(), words.begin(), words.end());
   const int exit_code = run(args, window.out, window.err, context);
   const bool is_seen = exit_code == k_exit_done && show(folder, window);

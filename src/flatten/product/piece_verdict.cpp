@@ -127,6 +127,8 @@ std::string_view to_string(PieceCheckOf what) {
       return "overlap";
     case PieceCheckOf::flipped_triangles:
       return "flipped_triangles";
+    case PieceCheckOf::size:
+      return "size";
   }
   return {};
 }
@@ -136,6 +138,8 @@ std::vector<PieceCheck> piece_checks(const PatchResult& piece) {
   if (!piece.finished) return {{PieceCheckOf::failure, false, "not done"}};
   const FinishedPatch& finished = *piece.finished;
   std::vector<PieceCheck> checks;
+  if (is_absurdly_small(finished.unfold))
+    checks.push_back({PieceCheckOf::size, false, unit_question(finished.unfold)});
   if (finished.rejected) {
     checks.push_back({PieceCheckOf::rejected, false,
                       "evolving would have stretched the pattern more, to " +

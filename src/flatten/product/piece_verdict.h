@@ -20,6 +20,7 @@ enum class PieceCheckOf {
   form,               ///< whether the form is smooth and kept
   overlap,            ///< whether the pattern lies over itself
   flipped_triangles,  ///< whether triangles of the pattern are flipped over
+  size,               ///< whether the pattern is large enough to be one in the unit given
 };
 
 /// Lower case with underscores: "flipped_triangles".

@@ -29,9 +29,9 @@ class OwnWindowTest : public CliTest {
   }
 
   /// @return exit code; what was said is in err
-  int run(const std::vector<std::string>& words,
-          std::string (*open)(const std::filesystem::path&)) {
-    std::istringstream in("\n");
+  int run(const std::vector<std::string>& words, std::string (*open)(const std::filesystem::path&),
+          const std::string& typed = "\n") {
+    std::istringstream in(typed);
     std::ostringstream out, all;
     const int exit_code = run_in_own_window(words, {in, out, all, open}, {});
     waited = in.peek() == std::istream::traits_type::eof();
@@ -65,6 +65,34 @@ TEST_F(OwnWindowTest, FlattensSeveralDroppedFilesAsOneProduct) {
   std::filesystem::copy_file("panel.obj", "second.obj");
   EXPECT_EQ(run({in_folder("panel.obj"), in_folder("second.obj")}, open_well), k_exit_done) << err;
   EXPECT_EQ(opened, std::vector<std::string>{in_folder("panel-pattern/garment.html")});
+}
+
+/// The panel as if it had been made in another unit than millimetres.
+class DroppedUnitTest : public OwnWindowTest {
+ protected:
+  std::string unit_of_run(double scale, const std::string& typed) {
+    TriMesh mesh = make_shape("panel", 300);
+    for (Vec3& position : mesh.positions)
+      position = scale * position;
+    write_mesh("small.obj", mesh);
+    EXPECT_EQ(run({in_folder("small.obj")}, open_well, typed), k_exit_done) << err;
+    std::ifstream file("small-pattern/report.json");
+    return nlohmann::json::parse(file).at("unfold").at("unit").get<std::string>();
+  }
+};
+
+TEST_F(DroppedUnitTest, IsAskedForWhereTheSizeIsUnusual) {
+  EXPECT_EQ(unit_of_run(0.001, "cm\n"), "cm");
+  EXPECT_THAT(err, HasSubstr("Type mm, cm, dm, m or in"));
+  EXPECT_EQ(unit_of_run(0.001, "\n"), "m") << "the likeliest";
+  EXPECT_EQ(unit_of_run(0.001, "yards\n Inches \n"), "in");
+  EXPECT_THAT(err, HasSubstr("yards is not one of"));
+  EXPECT_EQ(unit_of_run(0.001, ""), "m") << "at the end of what is typed";
+}
+
+TEST_F(DroppedUnitTest, IsMillimetresWithoutAQuestionWhereThatIsUsual) {
+  EXPECT_EQ(unit_of_run(2.0, ""), "mm");
+  EXPECT_THAT(err, testing::Not(HasSubstr("Type mm")));
 }
 
 TEST_F(OwnWindowTest, SaysWhereThePageIsIfItCannotBeOpened) {

@@ -79,6 +79,20 @@ TEST(PieceVerdict, HasWhatIsMissedFirst) {
                                            "strain limit of 5\u00A0% kept: 3\u00A0%"));
 }
 
+TEST(PieceVerdict, IsMissedWhereThePatternIsTooSmallToBeOne) {
+  PatchResult piece = finished();  // in cm
+  Pattern& pattern = piece.finished->unfold.pattern;
+  pattern.width = 0.3;
+  pattern.height = 0.499;
+  EXPECT_THAT(texts_of(piece), ElementsAre("The pattern is 5.0\u00A0mm long: is the model in m? "
+                                           "Then give --unit m."));
+  EXPECT_EQ(piece_checks(piece).front().what, PieceCheckOf::size);
+  pattern.height = 0.5;
+  EXPECT_TRUE(is_met(piece));
+  pattern.height = 900.0;
+  EXPECT_TRUE(is_met(piece)) << "large pieces are cut too: of hulls and sails";
+}
+
 TEST(PieceVerdict, TellsALimitFromAValueThatIsHardlyBeyond) {
   PatchResult piece = finished();
   piece.finished->limits = {{LimitOf::strain, 0.05, 0.050001, false}};

@@ -351,7 +351,10 @@ TEST_F(Verbs, FlattenNamesItsFolderAfterTheInput) {
   const CliResult result = planish({"flatten", "panel.obj", "--history", "sweeps.csv", "--unit",
                                     "in", "--colors", "paper", "--sweeps", "2"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("panel-pattern/pattern.svg"));
+  EXPECT_THAT(result.out, HasSubstr("Written into panel-pattern:\n  report.html "));
+  EXPECT_THAT(result.out, HasSubstr("\n  pattern.svg, .dxf  "));
+  EXPECT_THAT(result.out, HasSubstr("\n  sweeps.csv  ")) << "beside the folder, not in it";
+  EXPECT_THAT(result.out, HasSubstr("\nOpen panel-pattern/report.html in a browser"));
   EXPECT_THAT(names(), Contains("panel-pattern/report.html"));
   EXPECT_THAT(names(), Contains("sweeps.csv"));
 }

@@ -37,6 +37,7 @@
 #include "shell/values.h"
 #include "text/own_seams.h"
 #include "text/summary.h"
+#include "text/written_text.h"
 
 namespace planish::cli {
 
@@ -199,8 +200,8 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
     note_plotter_reach(session, report.unfold);
   const std::string text =
       path + "  (" + size + ")\n" + flatten_text(report) + (nesting ? nesting->text : "");
-  CommandResult outcome =
-      with_target_checked({text + written_text(files), json}, arguments, report.evolve);
+  CommandResult outcome = with_target_checked({text + written_text(folder, paths, files), json},
+                                              arguments, report.evolve);
   session.write(files, folder);
   open_if_asked(arguments, path_of(paths.at("report_html")), session);
   return with_design_checked(with_limits_checked(std::move(outcome), report.unfold.limits), report);

@@ -20,6 +20,7 @@
 #include "shell/values.h"
 #include "text/frontier_text.h"
 #include "text/summary.h"
+#include "text/written_text.h"
 
 namespace planish::cli {
 

@@ -22,6 +22,7 @@
 #include "shell/values.h"
 #include "text/json_text.h"
 #include "text/summary.h"
+#include "text/written_text.h"
 
 namespace planish::cli {
 

@@ -18,6 +18,7 @@
 #include "shell/values.h"
 #include "text/suggestion_text.h"
 #include "text/summary.h"
+#include "text/written_text.h"
 
 namespace planish::cli {
 

@@ -19,7 +19,7 @@
 #include "shell/text.h"
 #include "text/json_text.h"
 #include "text/lengths.h"
-#include "text/summary.h"
+#include "text/written_text.h"
 
 namespace planish::cli {
 

@@ -11,7 +11,7 @@
 #include "shell/text.h"
 #include "shell/values.h"
 #include "text/json_text.h"
-#include "text/summary.h"
+#include "text/written_text.h"
 
 namespace planish::cli {
 

@@ -39,12 +39,6 @@ std::vector<Row> figure_rows(const Flattenability& before, const Flattenability&
            true}};
 }
 
-std::vector<Row> strain_rows(const EdgeStrain& before, const EdgeStrain& after) {
-  return {{"strain, rms", "%", 100.0 * before.rms, 100.0 * after.rms},
-          {"strain, 99 % of area", "%", 100.0 * before.p99, 100.0 * after.p99},
-          {"strain, largest", "%", 100.0 * before.max, 100.0 * after.max}};
-}
-
 std::string change_text(double before, double after) {
   if (before == after) return "same";
   if (before == 0.0) return "";
@@ -236,7 +230,15 @@ std::string run_line(const EvolveReport& report, const ShownLengths& lengths) {
          std::string(name_of(report.method)) + ": " +
          counted(report.result.history.size(), "sweep") + " in " + fixed(report.result.seconds, 2) +
          " s on " + counted(report.result.threads, "thread") + ", ended as\n  " +
-         std::string(stop_text(report.result.stop)) + "\n\n";
+         std::string(stop_text(report.result.stop)) + "\n";
+}
+
+/// What evolving did to the form.
+std::string change_lines(const EvolveReport& report, const ShownLengths& lengths) {
+  if (report.result.history.empty() && report.fairness.unchanged)
+    return "  form        as designed\n" + remeshing_line(report);
+  return form_lines(report) + deviation_lines(report.deviation, lengths) +
+         border_line(report.border, lengths) + "\n" + run_line(report, lengths);
 }
 
 std::string pattern_lines(const UnfoldReport& report) {
@@ -281,6 +283,12 @@ std::string as_designed_lines(const StrainAsDesigned& strain) {
   return text + (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");
 }
 
+/// What the verdict does not say of the limits: more than that the only one is kept.
+std::string limits_to_tell(const std::vector<StrainLimitCheck>& limits) {
+  const bool is_said = limits.size() == 1 && limits.front().kept();
+  return limits.empty() || is_said ? "" : wrapped(strain_limits_text(limits), 0) + "\n\n";
+}
+
 /// Without the blanks that keep number and unit together in pages: lines are wrapped at blanks.
 std::string with_plain_blanks(std::string text) {
   constexpr std::string_view blank = "\u00A0";
@@ -319,7 +327,7 @@ std::string refused_text(const std::string& path, const Inspection& inspection) 
 
 std::string evolve_text(const EvolveReport& report) {
   const ShownLengths lengths = ShownLengths::in_model_units();
-  return run_line(report, lengths) + comparison_head() +
+  return run_line(report, lengths) + "\n" + comparison_head() +
          comparison(figure_rows(report.before.figures, report.after.figures)) + "\n" +
          deviation_lines(report.deviation, lengths) + border_line(report.border, lengths) +
          form_lines(report);
@@ -335,16 +343,11 @@ std::string unfold_text(const UnfoldReport& report) {
 
 std::string flatten_text(const FlattenReport& report) {
   const EvolveReport& evolve = report.evolve;
-  const std::string limits = strain_limits_text(report.unfold.limits);
   const ShownLengths lengths(report.unfold.unit);
-  const std::string answer = wrapped(with_plain_blanks(verdict_text(report)), 0) + "\n\n" +
-                             (limits.empty() ? "" : wrapped(limits, 0) + "\n\n");
-  return "\n" + answer + candidates_text(report) + "\n" + pattern_lines(report.unfold) +
-         unlimited_lines(report.unfold) + matching_lines(report.unfold) + form_lines(evolve) +
-         deviation_lines(evolve.deviation, lengths) + border_line(evolve.border, lengths) + "\n" +
-         run_line(evolve, lengths) + comparison_head() +
-         comparison(figure_rows(evolve.before.figures, evolve.after.figures)) +
-         comparison(strain_rows(report.as_designed.strain, report.unfold.strain));
+  return "\n" + wrapped(with_plain_blanks(verdict_text(report)), 0) + "\n\n" +
+         limits_to_tell(report.unfold.limits) + candidates_text(report) + "\n" +
+         pattern_lines(report.unfold) + unlimited_lines(report.unfold) +
+         matching_lines(report.unfold) + change_lines(evolve, lengths);
 }
 
 std::string directions_text(const DirectionCounts& counts) {
@@ -358,18 +361,6 @@ std::string directions_text(const DirectionCounts& counts) {
          line("saddle", counts.saddle, "angle defect below 0") +
          line("can be lowered", counts.can_lower, "the Laplacian vector lowers ring energy") +
          line("stuck", counts.stuck, "it does not, and the vertex is not flat");
-}
-
-std::string written_text(const std::vector<OutputFile>& files) {
-  std::string text = "\nWritten:\n";
-  for (const OutputFile& file : files)
-    text += "  " + utf8_of(file.path) + "\n";
-  for (const OutputFile& file : files) {
-    if (file.path.extension() == path_of(".html")) {
-      return text + "\nOpen " + utf8_of(file.path) + " in a browser to see the result.\n";
-    }
-  }
-  return text;
 }
 
 CommandResult with_target_checked(CommandResult outcome, const Arguments& arguments,

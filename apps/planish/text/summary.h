@@ -28,9 +28,6 @@ std::string flatten_text(const FlattenReport& report);
 /// How many vertices are of which class, and how many their Laplacian directions can lower.
 std::string directions_text(const DirectionCounts& counts);
 
-/// The paths of what was written.
-std::string written_text(const std::vector<OutputFile>& files);
-
 /// Ends with exit code 3 where the target was asked for and not met.
 /// @param outcome of a verb that evolved
 CommandResult with_target_checked(CommandResult outcome, const Arguments& arguments,

@@ -15,14 +15,15 @@ set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 
 # The C++ library with POSIX threads. Its GCC keeps thread_local variables in a way of its own, and compares
-# type_info in no inline function; both have to be the same here.
+# type_info in no inline function; both have to be the same here. The linker stands among the flags of C++ since
+# libpng is made by GCC, which knows it by no such name.
 file(GLOB gcc /usr/lib/gcc/x86_64-w64-mingw32/*-posix)
 string(JOIN " " CMAKE_CXX_FLAGS_INIT -nostdinc++ -isystem ${gcc}/include/c++ -isystem
        ${gcc}/include/c++/x86_64-w64-mingw32 -femulated-tls -D__GXX_TYPEINFO_EQUALITY_INLINE=0
-       -Wno-unused-command-line-argument)
+       -fuse-ld=lld-14 -B${gcc} -L${gcc} -Wno-unused-command-line-argument)
 set(CMAKE_CXX_STANDARD_LIBRARIES "-lstdc++ -lpthread -ladvapi32 -lole32 -lshell32"
     CACHE STRING "Linked into every program")
 
 # The program needs no DLL but the system's.
 set(ZLIB_LIBRARY /usr/x86_64-w64-mingw32/lib/libz.a CACHE FILEPATH "Static zlib")
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -fuse-ld=lld-14 -B${gcc} -L${gcc}")
+set(CMAKE_EXE_LINKER_FLAGS_INIT -static)

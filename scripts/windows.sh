@@ -29,7 +29,7 @@ mingw=x86_64-w64-mingw32
 install_for_windows() { # name, folder of sources, flags of cmake
   local name=$1 from=$2 build=$windows_root/sources/$1-build && shift 2
   { cmake -S "$from" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DCMAKE_INSTALL_PREFIX=$windows_root" \
-    "-DCMAKE_TOOLCHAIN_FILE=$repo/cmake/windows-x86_64.cmake" -DCMAKE_CXX_FLAGS=-w "$@" &&
+    "-DCMAKE_TOOLCHAIN_FILE=$repo/cmake/windows-x86_64.cmake" "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -w" "$@" &&
     cmake --build "$build" --target install -j "$(nproc)"; } >"$build.log" 2>&1 ||
     { tail -n 40 "$build.log" >&2 && say "could not build $name for Windows" && return 1; }
 }

@@ -93,7 +93,7 @@ class ProductRun {
     CommandResult outcome = with_nesting_checked(with_exit_code({text, garment}), nesting);
     note_unusual_sizes();
     session_.write(files, job_.folder);
-    open_if_asked(arguments_, job_.folder / "garment.html", session_);
+    open_if_asked(arguments_, job_.folder / path_of("garment.html"), session_);
     return outcome;
   }
 

@@ -11,6 +11,7 @@
 #include "core/aside.h"
 #include "core/job.h"
 #include "measure/ruling_defect.h"
+#include "unfold/strain/free_edges.h"
 
 namespace planish {
 
@@ -77,7 +78,7 @@ UnfoldReport unfold_patch(const Patch& patch, Unit unit, const UnfoldOptions& wa
     return edge_strain(patch, positions);
   };
   report.strain = strain_of(report.pattern.positions);
-  report.border_strain = largest_border_strain(patch, report.pattern.positions);
+  report.border_strain = largest_border_strain(patch, report.pattern.positions, options.free_edges);
   if (options.match_seams) report.unmatched_strain = strain_of(report.pattern.unmatched);
   if (!report.pattern.unlimited.empty())
     report.unlimited_strain = strain_of(report.pattern.unlimited);
@@ -206,7 +207,11 @@ class Flattening {
     report_.material = options_.material;
     check_constraints(options_.constraints, patch.vertex_count(), method_);
     if (options_.smooth_first > 0.0) return run_smoothed(patch);
-    if (options_.remesh) remeshed_ = remesh(patch, options_.constraints, options_.keep);
+    free_edges_ = options_.free_edges;
+    if (options_.remesh) {
+      remeshed_ = remesh(patch, options_.constraints, options_.keep);
+      free_edges_ = renumbered_edges(free_edges_, remeshed_->source);
+    }
     work_on(patch);
     if (remeshed_) report_.source = std::move(remeshed_->source);
     return finished(work_patch(patch));
@@ -243,7 +248,7 @@ class Flattening {
   const Patch& work_patch(const Patch& patch) const { return remeshed_ ? remeshed_->patch : patch; }
 
   UnfoldOptions with_limits() const {
-    return {.match_seams = options_.match_seams, .limits = limits_};
+    return {.match_seams = options_.match_seams, .free_edges = free_edges_, .limits = limits_};
   }
 
   UnfoldReport unfolded(const Patch& patch, const UnfoldOptions& how, double share) {
@@ -407,6 +412,7 @@ class Flattening {
   Stopping stopping_;
   StrainLimits aim_;
   std::optional<RemeshedPatch> remeshed_;
+  std::vector<std::array<Index, 2>> free_edges_;  // of the work patch
   FlattenReport report_;
   std::optional<UnfoldReport> before_;  // the input without limits, where that is known already
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "flatten/limit_checks.h"
+#include "unfold/strain/free_edges.h"
 
 namespace planish {
 
@@ -68,15 +69,16 @@ std::vector<Vec3> moved_alike(const FlattenReport& twin, const TwinPatch& own,
 
 class TwinPattern {
  public:
-  TwinPattern(const Patch& patch, const std::vector<Index>& vertex, bool mirrored)
-      : patch_(patch), vertex_(vertex), mirrored_(mirrored) {}
+  TwinPattern(const Patch& patch, const std::vector<Index>& vertex, bool mirrored,
+              std::span<const std::array<Index, 2>> free_edges)
+      : patch_(patch), vertex_(vertex), mirrored_(mirrored), free_edges_(free_edges) {}
 
   UnfoldReport of(UnfoldReport report) const {
     Pattern& pattern = report.pattern;
     for (std::vector<Vec2>* places : {&pattern.positions, &pattern.unmatched, &pattern.unlimited})
       *places = laid_alike(*places);
     report.strain = strain_of(pattern.positions);
-    report.border_strain = largest_border_strain(patch_, pattern.positions);
+    report.border_strain = largest_border_strain(patch_, pattern.positions, free_edges_);
     report.overlap = overlap_of(patch_, pattern);
     if (pattern.opened) pattern.opened->vertex = vertex_[pattern.opened->vertex];
     if (report.unmatched_strain) report.unmatched_strain = strain_of(pattern.unmatched);
@@ -92,7 +94,7 @@ class TwinPattern {
         length +=
             norm(patch_.positions()[loop[(k + 1) % loop.size()]] - patch_.positions()[loop[k]]);
     }
-    return border_mismatch(patch_, pattern) / length;
+    return border_mismatch(patch_, pattern, free_edges_) / length;
   }
 
  private:
@@ -141,6 +143,7 @@ class TwinPattern {
   Patch patch_;
   const std::vector<Index>& vertex_;
   bool mirrored_;
+  std::span<const std::array<Index, 2>> free_edges_;
 };
 
 EvolveReport evolved_alike(const EvolveReport& twin, const Patch& original, const Patch& before,
@@ -199,9 +202,11 @@ std::optional<FlattenReport> twin_report(const FlattenReport& twin, const Patch&
   report.processed = own.patch.with_positions(moved_alike(twin, own, match.motion));
   report.evolve = evolved_alike(twin.evolve, patch, own.patch, report.processed);
   if (smoothed) report.evolve = with_smoothing(std::move(report.evolve), patch, *smoothed);
-  const TwinPattern after(report.processed, own.vertex, match.mirrored);
+  const auto free_edges =
+      own.source.empty() ? options.free_edges : renumbered_edges(options.free_edges, own.source);
+  const TwinPattern after(report.processed, own.vertex, match.mirrored, free_edges);
   report.unfold = after.of(twin.unfold);
-  const TwinPattern before(own.patch, own.vertex, match.mirrored);
+  const TwinPattern before(own.patch, own.vertex, match.mirrored, free_edges);
   report.unfold_before = before.of(twin.unfold_before);
   report.as_designed = before.of(twin.as_designed);
   report.rejected = twin.rejected;
@@ -214,18 +219,33 @@ std::optional<FlattenReport> twin_report(const FlattenReport& twin, const Patch&
   return report;
 }
 
-double border_mismatch(const Patch& patch, std::span<const Vec2> pattern) {
+double border_mismatch(const Patch& patch, std::span<const Vec2> pattern,
+                       std::span<const std::array<Index, 2>> free_edges) {
+  const FreeEdges free(free_edges);
   double most = 0.0;
   for (const std::vector<Index>& loop : patch.border_loops()) {
-    // Of sums from the loop's beginning, the largest difference of two is that of a stretch.
+    const auto is_free = [&](std::size_t k) {
+      return free.has(loop[k % loop.size()], loop[(k + 1) % loop.size()]);
+    };
+    // Begins behind a free edge, if there is one. Of sums from the beginning of a stretch, the
+    // largest difference of two is that of a part of it.
+    std::size_t first = 0;
+    while (first < loop.size() && !is_free(first))
+      ++first;
+    const bool is_whole = first == loop.size();
     double sum = 0.0, low = 0.0, high = 0.0;
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      const Index v = loop[k], w = loop[(k + 1) % loop.size()];
+    for (std::size_t k = first; k < first + loop.size(); ++k) {
+      if (is_free(k)) {
+        sum = low = high = 0.0;
+        continue;
+      }
+      const Index v = loop[k % loop.size()], w = loop[(k + 1) % loop.size()];
       sum += norm(pattern[w] - pattern[v]) - norm(patch.positions()[w] - patch.positions()[v]);
       low = std::min(low, sum);
       high = std::max(high, sum);
+      most = std::max(most, high - low);
     }
-    most = std::max(most, std::max(high - low, std::abs(sum)));
+    if (is_whole) most = std::max(most, std::abs(sum));
   }
   return most;
 }

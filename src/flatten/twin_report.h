@@ -32,9 +32,11 @@ std::optional<FlattenReport> twin_report(const FlattenReport& twin, const Patch&
                                          const FlattenOptions& options);
 
 /// The largest difference between a stretch of the border on the patch and in its pattern, model
-/// units: of all stretches of each loop.
+/// units: of all stretches of each loop without free edges.
 /// @param pattern one position per vertex
-double border_mismatch(const Patch& patch, std::span<const Vec2> pattern);
+/// @param free_edges as UnfoldOptions has them
+double border_mismatch(const Patch& patch, std::span<const Vec2> pattern,
+                       std::span<const std::array<Index, 2>> free_edges = {});
 
 /// In words: "mirror image of left_sleeve", or "equal to front-1".
 std::string twin_text(const TwinOf& twin);

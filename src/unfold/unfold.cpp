@@ -12,6 +12,7 @@
 #include "unfold/open_border.h"
 #include "unfold/placement.h"
 #include "unfold/start/start.h"
+#include "unfold/strain/free_edges.h"
 #include "unfold/stretch/least_stretch.h"
 #include "unfold/stretch/matched_border.h"
 #include "unfold/unfold_within_limits.h"
@@ -34,11 +35,24 @@ std::vector<Vec2> find_start(const Disk& disk, ThreadPool& pool) {
               "border is spread out; cut it, or remesh it more evenly");
 }
 
+/// Those that border edges have in the mesh.
+BorderLengths wanted_lengths(const TriMesh& mesh, const Disk& disk,
+                             std::span<const std::array<Index, 2>> free_edges) {
+  BorderLengths lengths{border_lengths(mesh, disk)};
+  if (free_edges.empty()) return lengths;
+  const FreeEdges free(free_edges);
+  for (std::size_t k = 0; k < disk.border.size(); ++k) {
+    const Index from = disk.border[k], to = disk.border[(k + 1) % disk.border.size()];
+    lengths.is_free.push_back(free.has(disk.vertex_of[from], disk.vertex_of[to]) ? 1 : 0);
+  }
+  return lengths;
+}
+
 /// Goes on from the pattern of least stretch to the one that keeps the border's lengths.
 LeastStretch with_matched_border(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
                                  const UnfoldOptions& options, ThreadPool& pool,
                                  const std::function<void()>& after_step) {
-  const std::vector<double> lengths = border_lengths(mesh, disk);
+  const BorderLengths lengths = wanted_lengths(mesh, disk, options.free_edges);
   int steps = least.iterations;
   const auto count = [&] {
     ++steps;
@@ -47,7 +61,7 @@ LeastStretch with_matched_border(const TriMesh& mesh, const Disk& disk, const Le
   MatchedBorder matched =
       match_border(disk, lengths, least.flat, options.max_iterations, pool, count);
   if (!matched.matched) {
-    std::vector<Vec2> start = circle_start(disk, lengths, pool);
+    std::vector<Vec2> start = circle_start(disk, lengths.of_edges, pool);
     if (all_upright(disk, start)) {
       matched = match_border(disk, lengths, std::move(start), options.max_iterations, pool, count);
     }

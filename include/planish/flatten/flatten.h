@@ -137,7 +137,9 @@ struct FlattenOptions {
   bool remesh = false;           ///< work on fewer vertices: see remesh()
   std::vector<Index> keep = {};  ///< vertices that remeshing leaves, besides fixed ones
   bool match_seams = false;      ///< of the evolved patch's pattern, as UnfoldOptions has it
-  bool keep_design = false;      ///< lay the design flat and change nothing
+  /// As UnfoldOptions has them, by the vertices of the patch before it is remeshed.
+  std::vector<std::array<Index, 2>> free_edges = {};
+  bool keep_design = false;  ///< lay the design flat and change nothing
   /// What the pattern is to keep. Auto leaves a patch as it is where its pattern keeps them, and
   /// else changes it as far as that needs.
   StrainLimits limits = {};

@@ -35,8 +35,8 @@ struct ProductPatch {
 
 /// How flatten_product() works.
 struct ProductOptions {
-  /// How every patch is flattened. `constraints` and `keep` name vertices of one mesh and must be
-  /// empty.
+  /// How every patch is flattened. `constraints`, `keep` and `free_edges` name vertices of one mesh
+  /// and must be empty. With match_seams, edges along no seam are free in patches that have seams.
   FlattenOptions flatten = {};
   double seam_tolerance = 0.0;  ///< as find_seams() has it, model units
 };

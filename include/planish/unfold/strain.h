@@ -24,7 +24,9 @@ EdgeStrain edge_strain(const Patch& patch, std::span<const Vec2> pattern);
 
 /// The largest |strain| of the edges of the border.
 /// @param pattern one position per vertex of the mesh
-double largest_border_strain(const Patch& patch, std::span<const Vec2> pattern);
+/// @param free_edges are left out, as UnfoldOptions has them
+double largest_border_strain(const Patch& patch, std::span<const Vec2> pattern,
+                             std::span<const std::array<Index, 2>> free_edges = {});
 
 /// The two principal stretches of a triangle, patch to pattern: 1 keeps length, 0.9 is 10 % shorter
 /// in the pattern. max >= |min|; min is negative where the triangle is flipped.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -16,6 +17,9 @@ struct UnfoldOptions {
   /// Every border edge keeps its length, so that borders which are sewn together stay equally long;
   /// what stretch there is lies inside.
   bool match_seams = false;
+  /// Border edges that may change theirs all the same, as they are sewn to nothing: by the vertices
+  /// at their ends.
+  std::vector<std::array<Index, 2>> free_edges = {};
   /// The result is the pattern of least stretch that keeps limits.max or limits.p99; if none does,
   /// one whose largest strain is nearly the smallest. limits.rms is not optimised, as least stretch
   /// has nearly the least rms. With match_seams no limit is optimised. check_limits() tells what
@@ -60,8 +64,8 @@ void require_unfoldable(const Patch& patch);
 /// Lays a disk patch flat with the least stretch and no flipped triangle: minimises the symmetric
 /// Dirichlet energy by projected Newton steps from a conformal start (docs/unfold.md). On a patch
 /// that is flattenable, edge lengths are kept. Limits are kept by an interior-point method from
-/// there. With match_seams, border edges keep theirs on any
-/// patch: to 1e-9 of each, as long as none is shorter than a millionth of the patch.
+/// there. With match_seams, border edges that are not free keep theirs on any patch: to 1e-9 of
+/// each, as long as none is shorter than a millionth of the patch.
 /// @throws Error as require_unfoldable(), option_out_of_range (a limit below 0 or not finite, or
 /// limits of max and p99 together) or
 ///   unfold_failed; Cancelled

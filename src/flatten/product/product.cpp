@@ -18,15 +18,17 @@ namespace planish {
 namespace {
 
 using MeshTwins = std::vector<std::optional<MeshTwin>>;
+using FreeEdgesOfPatches = std::vector<std::vector<std::array<Index, 2>>>;
 
 void check(const ProductOptions& options) {
   const Constraints& constraints = options.flatten.constraints;
   const bool names_vertices = !constraints.fixed.empty() || !constraints.weights.empty() ||
                               !constraints.obstacle.triangles.empty() ||
-                              !options.flatten.keep.empty();
+                              !options.flatten.keep.empty() || !options.flatten.free_edges.empty();
   if (names_vertices) {
     throw Error(ErrorCode::unsupported_constraint,
-                "constraints and vertices to keep are of one patch; a product has several");
+                "constraints, vertices to keep and free edges are of one patch; a product has "
+                "several");
   }
   if (!(options.seam_tolerance >= 0.0)) {
     throw Error(ErrorCode::option_out_of_range, "seam_tolerance must be at least 0");
@@ -45,12 +47,14 @@ class PatchWork {
  public:
   PatchWork(std::span<const ProductPatch> patches, const FlattenOptions& options,
             const ProductCallbacks& callbacks, const MeshTwins& meshes_alike,
-            const ProductReport& report, std::function<bool()> stopped)
+            const ProductReport& report, const FreeEdgesOfPatches& free_edges,
+            std::function<bool()> stopped)
       : patches_(patches),
         options_(options),
         callbacks_(callbacks),
         meshes_alike_(meshes_alike),
         report_(report),
+        free_edges_(free_edges),
         stopped_(std::move(stopped)) {}
 
   /// Flattens the first patch of a group and makes the others from it.
@@ -82,6 +86,7 @@ class PatchWork {
   FlattenOptions options_of(std::size_t p) const {
     FlattenOptions options = options_;
     options.keep = patches_[p].keep;
+    options.free_edges = free_edges_[p];
     if (patches_[p].limits) {
       options.limits = *patches_[p].limits;
       options.material = patches_[p].words.material;
@@ -113,6 +118,7 @@ class PatchWork {
   const ProductCallbacks& callbacks_;
   const MeshTwins& meshes_alike_;
   const ProductReport& report_;
+  const FreeEdgesOfPatches& free_edges_;
   std::function<bool()> stopped_;
 };
 
@@ -165,6 +171,14 @@ class ProductWork {
     for (const ProductPatch& patch : patches_)
       groups.push_back(patch.group);
     return groups;
+  }
+
+  /// With matched seams, what is sewn to nothing need not keep its length.
+  FreeEdgesOfPatches free_edges_of_patches() const {
+    if (!options_.flatten.match_seams) return FreeEdgesOfPatches(patches_.size());
+    const std::vector<TriMesh> meshes = input_meshes();
+    return find_free_edges(
+        find_seams_in_groups(meshes, groups_of_patches(), options_.seam_tolerance), meshes, alike_);
   }
 
   void find_alike() {
@@ -230,7 +244,8 @@ class ProductWork {
     const std::vector<TwinGroup> groups = groups_of(numbers, alike_);
     std::atomic<std::size_t> next = 0;
     Handover<std::pair<std::size_t, PatchMade>> results(numbers.size());
-    const PatchWork work(patches_, options_.flatten, callbacks_, alike_, report_,
+    const FreeEdgesOfPatches free_edges = free_edges_of_patches();
+    const PatchWork work(patches_, options_.flatten, callbacks_, alike_, report_, free_edges,
                          [this] { return abandoned_ || is_cancelled(); });
     const auto work_on_next = [&] {
       const std::size_t k = next++;

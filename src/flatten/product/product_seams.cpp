@@ -1,9 +1,11 @@
 #include "flatten/product/product_seams.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include <planish/mesh/inspect.h>
@@ -112,6 +114,74 @@ std::vector<NearBorders> find_near_borders_in_groups(std::span<const TriMesh> pa
   return found_in_groups(patches, groups, [tolerance](const SoundPatches& sound) {
     return near_borders_among(sound, tolerance);
   });
+}
+
+namespace {
+
+using EdgeEnds = std::array<Index, 2>;
+
+/// A set, so that an edge of several seams is there once.
+using EdgeSet = std::set<EdgeEnds>;
+
+EdgeEnds lower_first(Index v, Index w) {
+  return {std::min(v, w), std::max(v, w)};
+}
+
+std::vector<EdgeSet> edges_along(std::span<const Seam> seams, std::size_t patches) {
+  std::vector<EdgeSet> edges(patches);
+  for (const Seam& seam : seams) {
+    for (const SeamSide& side : seam.sides) {
+      for (std::size_t k = 0; k + 1 < side.vertices.size(); ++k)
+        edges[side.patch].insert(lower_first(side.vertices[k], side.vertices[k + 1]));
+    }
+  }
+  return edges;
+}
+
+EdgeSet renamed(const EdgeSet& edges, std::span<const Index> names) {
+  EdgeSet result;
+  for (const auto& [v, w] : edges)
+    result.insert(lower_first(names[v], names[w]));
+  return result;
+}
+
+std::vector<Index> inverse_of(std::span<const Index> numbers) {
+  std::vector<Index> inverse(numbers.size());
+  for (std::size_t v = 0; v < numbers.size(); ++v)
+    inverse[numbers[v]] = static_cast<Index>(v);
+  return inverse;
+}
+
+/// Gives each of several twins the edges of all of them.
+void share_among_twins(std::vector<EdgeSet>& edges,
+                       std::span<const std::optional<MeshTwin>> twins) {
+  for (std::size_t p = 0; p < twins.size(); ++p) {
+    if (twins[p]) edges[twins[p]->of].merge(renamed(edges[p], inverse_of(twins[p]->match.vertex)));
+  }
+  for (std::size_t p = 0; p < twins.size(); ++p) {
+    if (twins[p]) edges[p] = renamed(edges[twins[p]->of], twins[p]->match.vertex);
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<EdgeEnds>> find_free_edges(std::span<const Seam> seams,
+                                                   std::span<const TriMesh> meshes,
+                                                   std::span<const std::optional<MeshTwin>> twins) {
+  std::vector<EdgeSet> sewn = edges_along(seams, meshes.size());
+  share_among_twins(sewn, twins);
+  std::vector<std::vector<EdgeEnds>> free(meshes.size());
+  for (std::size_t p = 0; p < meshes.size(); ++p) {
+    if (sewn[p].empty()) continue;
+    const Patch patch(meshes[p]);
+    for (const std::vector<Index>& loop : patch.border_loops()) {
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const EdgeEnds edge = lower_first(loop[k], loop[(k + 1) % loop.size()]);
+        if (!sewn[p].contains(edge)) free[p].push_back(edge);
+      }
+    }
+  }
+  return free;
 }
 
 std::vector<MeasuredSeam> measure_seams(std::vector<Seam> seams, std::span<const TriMesh> meshes,

@@ -38,6 +38,13 @@ Disk make_disk(const Patch& patch);
 /// The lengths on the patch of the sides from border[k] to border[k + 1], in the disk's units.
 std::vector<double> border_lengths(const TriMesh& mesh, const Disk& disk);
 
+/// How long the border edges of a disk are to be: the one from border[k] to border[k + 1] is number
+/// k.
+struct BorderLengths {
+  std::vector<double> of_edges;    ///< in the disk's units
+  std::vector<char> is_free = {};  ///< of each: it may have any length; empty: none may
+};
+
 /// The border laid flat, vertex by vertex.
 std::vector<Vec2> border_of(const Disk& disk, std::span<const Vec2> flat);
 

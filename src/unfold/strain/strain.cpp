@@ -6,6 +6,7 @@
 #include "core/careful_sum.h"
 #include "core/math.h"
 #include "mesh/edges.h"
+#include "unfold/strain/free_edges.h"
 #include "unfold/strain/strain_of_edge.h"
 #include "unfold/strain/strain_of_edges.h"
 
@@ -75,12 +76,15 @@ EdgeStrain edge_strain(const Patch& patch, std::span<const Vec2> pattern) {
   return result;
 }
 
-double largest_border_strain(const Patch& patch, std::span<const Vec2> pattern) {
+double largest_border_strain(const Patch& patch, std::span<const Vec2> pattern,
+                             std::span<const std::array<Index, 2>> free_edges) {
+  const FreeEdges free(free_edges);
   const double scale = patch.unit_scale();
   double largest = 0.0;
   for (const std::vector<Index>& loop : patch.border_loops()) {
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const Index v = loop[k], w = loop[(k + 1) % loop.size()];
+      if (free.has(v, w)) continue;
       largest = std::max(largest, std::abs(strain_of_edge(patch.mesh(), pattern, scale, v, w)));
     }
   }

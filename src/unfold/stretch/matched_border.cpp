@@ -18,11 +18,10 @@ namespace {
 /// coordinates near 1.
 constexpr double k_kept = 1e-10, k_rounding = 4e-16;
 
-bool all_kept(const Eigen::VectorXd& gaps, std::span<const double> lengths) {
-  for (std::size_t k = 0; k < lengths.size(); ++k) {
-    if (!(std::abs(gaps[static_cast<Eigen::Index>(k)]) <= k_kept * lengths[k] + k_rounding)) {
-      return false;
-    }
+bool all_kept(const Eigen::VectorXd& gaps, const BorderLengths& lengths) {
+  for (std::size_t k = 0; k < lengths.of_edges.size(); ++k) {
+    const double most = k_kept * lengths.of_edges[k] + k_rounding;
+    if (!(std::abs(gaps[static_cast<Eigen::Index>(k)]) <= most)) return false;
   }
   return true;
 }
@@ -39,12 +38,11 @@ struct Place {
 
 class Descent {
  public:
-  Descent(const Disk& disk, std::span<const double> lengths, std::vector<Vec2> start,
-          ThreadPool& pool)
+  Descent(const Disk& disk, const BorderLengths& lengths, std::vector<Vec2> start, ThreadPool& pool)
       : disk_(disk),
         system_(disk, lengths, pool),
         at_(place(turn_to_axis(disk, std::move(start)))) {
-    pulls_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(lengths.size()));
+    pulls_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(disk.border.size()));
   }
 
   const Place& at() const { return at_; }
@@ -179,8 +177,8 @@ std::vector<Vec2> circle_start(const Disk& disk, std::span<const double> lengths
   return InnerSystem(disk, weights, pool).extend(disk, polygon);
 }
 
-MatchedBorder match_border(const Disk& disk, std::span<const double> lengths,
-                           std::vector<Vec2> start, int max_iterations, ThreadPool& pool,
+MatchedBorder match_border(const Disk& disk, const BorderLengths& lengths, std::vector<Vec2> start,
+                           int max_iterations, ThreadPool& pool,
                            const std::function<void()>& after_step) {
   // As for the pattern of least stretch.
   constexpr double no_energy = 4e-18, least_gain = 1e-6, least_fall = 1e-4;

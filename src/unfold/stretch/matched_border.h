@@ -10,16 +10,16 @@
 namespace planish {
 
 /// Minimises the symmetric Dirichlet energy among the flat disks without flipped triangles whose
-/// border edges have the lengths given (docs/unfold.md): Newton steps with multipliers, judged by
-/// the energy plus a price on what lengths are off by.
+/// border edges, but those that are free, have the lengths given (docs/unfold.md): Newton steps
+/// with multipliers, judged by the energy plus a price on what lengths are off by.
 /// @param start without flipped triangles; its border may have other lengths
 /// @return the lengths are kept if `matched`
 struct MatchedBorder {
   LeastStretch result;
   bool matched = false;
 };
-MatchedBorder match_border(const Disk& disk, std::span<const double> lengths,
-                           std::vector<Vec2> start, int max_iterations, ThreadPool& pool,
+MatchedBorder match_border(const Disk& disk, const BorderLengths& lengths, std::vector<Vec2> start,
+                           int max_iterations, ThreadPool& pool,
                            const std::function<void()>& after_step);
 
 /// A flat disk whose border edges have the lengths given, however stretched the inside is: the

@@ -25,7 +25,7 @@ BorderEdge border_edge(const Disk& disk, std::size_t k) {
 
 }  // namespace
 
-SeamSystem::SeamSystem(const Disk& disk, std::span<const double> lengths, ThreadPool& pool)
+SeamSystem::SeamSystem(const Disk& disk, const BorderLengths& lengths, ThreadPool& pool)
     : disk_(disk),
       pool_(pool),
       lengths_(lengths),
@@ -35,7 +35,7 @@ SeamSystem::SeamSystem(const Disk& disk, std::span<const double> lengths, Thread
       edges_of_(disk.triangles.size()) {
   number_unknowns();
   make_pattern();
-  pulls_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(lengths.size()));
+  pulls_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(disk.border.size()));
   for (const Triangle& t : disk.triangles)
     for_pairs(
         t, [&](int row, int column, int, int) { slots_.push_back(entry_of(lower_, row, column)); });
@@ -103,10 +103,12 @@ void SeamSystem::make_pattern() {
 }
 
 Eigen::VectorXd SeamSystem::gaps(const std::vector<Vec2>& flat) const {
-  Eigen::VectorXd gaps(static_cast<Eigen::Index>(lengths_.size()));
-  for (std::size_t k = 0; k < lengths_.size(); ++k) {
+  Eigen::VectorXd gaps = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(disk_.border.size()));
+  for (std::size_t k = 0; k < disk_.border.size(); ++k) {
+    if (is_free(k)) continue;
     const BorderEdge edge = border_edge(disk_, k);
-    gaps[static_cast<Eigen::Index>(k)] = norm(flat[edge.to] - flat[edge.from]) - lengths_[k];
+    gaps[static_cast<Eigen::Index>(k)] =
+        norm(flat[edge.to] - flat[edge.from]) - lengths_.of_edges[k];
   }
   return gaps;
 }
@@ -147,10 +149,11 @@ void SeamSystem::add_lengths(const std::vector<Vec2>& flat) {
   double* values = lower_.valuePtr();
   for (std::size_t k = 0; k < disk_.border.size(); ++k) {
     const BorderEdge edge = border_edge(disk_, k);
+    const int pull = pull_column_[k];
+    values[entry_of(lower_, pull, pull)] = is_free(k) ? -1.0 : -k_give;
+    if (is_free(k)) continue;
     const Vec2 d = flat[edge.to] - flat[edge.from];
     const Vec2 along = (1.0 / norm(d)) * d;
-    const int pull = pull_column_[k];
-    values[entry_of(lower_, pull, pull)] = -k_give;
     const auto set = [&](Index v, double sign) {
       const int x = column_[2 * v], y = column_[2 * v + 1];
       if (x != Unknowns::k_fixed) values[entry_of(lower_, pull, x)] = sign * along.x;

@@ -16,14 +16,15 @@ namespace planish {
 ///
 /// g and H gradient and Hessian of the energy plus y times the lengths, J the derivative of the
 /// lengths, y the pulls of the edges before, d so small that it only keeps pivots away from 0. A
-/// border edge's row comes right after its ends, so that its pivot is far from 0 already.
+/// border edge's row comes right after its ends, so that its pivot is far from 0 already. The row
+/// of an edge that is free is -1 on the diagonal alone, so that its pull is 0.
 class SeamSystem {
  public:
-  /// @param lengths of the sides from border[k] to border[k + 1]; must outlive it, as must the
-  ///   disk and the pool
-  SeamSystem(const Disk& disk, std::span<const double> lengths, ThreadPool& pool);
+  /// @param lengths of the sides from border[k] to border[k + 1], which must outlive it, as must
+  ///   the disk and the pool
+  SeamSystem(const Disk& disk, const BorderLengths& lengths, ThreadPool& pool);
 
-  /// Length less wanted length of each border edge.
+  /// Length less wanted length of each border edge; 0 of those that are free.
   Eigen::VectorXd gaps(const std::vector<Vec2>& flat) const;
 
   /// Factors at `flat`; false where that cannot be, or where the energy has no minimum among moves
@@ -44,6 +45,7 @@ class SeamSystem {
  private:
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
+  bool is_free(std::size_t k) const { return !lengths_.is_free.empty() && lengths_.is_free[k]; }
   void number_unknowns();
   void make_pattern();
   Matrix6 hessian_of(std::size_t t, const std::vector<Vec2>& flat, const Eigen::VectorXd& pulls,
@@ -55,7 +57,7 @@ class SeamSystem {
 
   const Disk& disk_;
   ThreadPool& pool_;
-  std::span<const double> lengths_;
+  const BorderLengths& lengths_;
   Unknowns unknowns_;                         // tells what is held; its numbers are not these
   std::vector<int> column_;                   // of x and y of each vertex, k_fixed where held
   std::vector<int> pull_column_;              // of each border edge

@@ -245,6 +245,22 @@ TEST(BorderMismatch, IsOfTheStretchThatDiffersMost) {
   EXPECT_NEAR(border_mismatch(patch, pattern), 8.0, 1e-15);
 }
 
+TEST(BorderMismatch, IsOfNoStretchWithAFreeEdge) {
+  const TriMesh square = meshes::flat_grid(3, 3);  // vertices 0 to 3 along one side
+  const Patch patch(square);
+  std::vector<Vec2> pattern;
+  for (const Vec3 p : square.positions)
+    pattern.push_back({p.x, p.y});
+  pattern[1].x += 0.25;
+  const std::vector<std::array<Index, 2>> both = {{1, 0}, {1, 2}}, one = {{0, 1}};
+  EXPECT_EQ(border_mismatch(patch, pattern, both), 0.0);
+  EXPECT_NEAR(border_mismatch(patch, pattern, one), 0.25, 1e-15) << "the next one is shorter";
+  pattern[2].x += 0.25;
+  const std::vector<std::array<Index, 2>> between = {{2, 1}};
+  EXPECT_NEAR(border_mismatch(patch, pattern, between), 0.25, 1e-15)
+      << "one is longer, one shorter, and a free one between them";
+}
+
 TEST(MirroredPlace, AddsUpInWholeThousandths) {
   const auto steps = [](double x) { return std::llround(1000.0 * x); };
   meshes::Random random(1);

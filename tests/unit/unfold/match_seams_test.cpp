@@ -135,6 +135,73 @@ TEST(MatchSeams, GivesTwoPatchesEquallyLongSidesOfTheirSeam) {
   EXPECT_GT(std::abs(side(plain(left), 8) - side(plain(right), 0)), 1e-3);
 }
 
+using Edges = std::vector<std::array<Index, 2>>;
+
+/// Of the only border loop, those that a rule is true of, by the place of their first vertex.
+template <class Rule>
+Edges border_edges(const TriMesh& mesh, Rule rule) {
+  const Patch patch(mesh);
+  const std::vector<Index>& loop = patch.border_loops().front();
+  Edges edges;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Index v = loop[k], w = loop[(k + 1) % loop.size()];
+    if (rule(mesh.positions[v], mesh.positions[w])) edges.push_back({w, v});
+  }
+  return edges;
+}
+
+TEST(FreeEdges, MayChangeTheirLengthAndTheOthersKeepIt) {
+  const TriMesh mesh =
+      meshes::height_field(12, 9, [](double x, double y) { return 0.05 * (x * x - 0.7 * y * y); });
+  const auto on_the_left = [](Vec3 v, Vec3 w) { return v.x < 0.5 && w.x < 0.5; };
+  const Edges free = border_edges(mesh, [&](Vec3 v, Vec3 w) { return !on_the_left(v, w); });
+  const Patch patch(mesh);
+  const Pattern pattern = unfold(patch, {.match_seams = true, .free_edges = free});
+  EXPECT_TRUE(pattern.converged);
+  EXPECT_EQ(pattern.flipped_triangles, 0U);
+  EXPECT_LT(largest_border_strain(patch, pattern.positions, free), 1e-9);
+  EXPECT_GT(largest_border_strain(patch, pattern.positions), 1e-3);
+  // More freedom, less stretch.
+  const double least = energy_of(mesh, unfold(patch).positions);
+  const double all = energy_of(mesh, matched(mesh).positions);
+  const double some = energy_of(mesh, pattern.positions);
+  EXPECT_GT(some, least * (1.0 + 1e-6));
+  EXPECT_LT(some, 0.9 * all);
+}
+
+TEST(FreeEdges, OfTheWholeBorderLeaveThePatternOfLeastStretch) {
+  for (const char* name : {"saddle", "dome"}) {
+    const TriMesh mesh = make_shape(name, 400);
+    const Patch patch(mesh);
+    const Edges all = border_edges(mesh, [](Vec3, Vec3) { return true; });
+    const Pattern pattern = unfold(patch, {.match_seams = true, .free_edges = all});
+    const Pattern least = unfold(patch);
+    EXPECT_EQ(largest_border_strain(patch, pattern.positions, all), 0.0) << "none is left";
+    EXPECT_NEAR(energy_of(mesh, pattern.positions), energy_of(mesh, least.positions),
+                1e-6 * energy_of(mesh, least.positions))
+        << name;
+  }
+}
+
+/// Of small moves of a vertex that keep the lengths that are to be kept, none stretches less.
+TEST(FreeEdges, LeaveNothingToGain) {
+  const TriMesh mesh =
+      meshes::height_field(6, 5, [](double x, double y) { return 0.08 * (x * x + 0.5 * y * y); });
+  const Edges free = border_edges(mesh, [](Vec3 v, Vec3 w) { return v.x > 0.5 || w.x > 0.5; });
+  std::vector<Vec2> flat = unfold(Patch(mesh), {.match_seams = true, .free_edges = free}).positions;
+  const double least = energy_of(mesh, flat);
+  constexpr double step = 1e-3;
+  for (std::size_t v = 0; v < flat.size(); ++v) {
+    if (mesh.positions[v].x < 0.5) continue;  // at an end of an edge that keeps its length
+    for (const Vec2 move : {Vec2{step, 0.0}, Vec2{-step, 0.0}, Vec2{0.0, step}, Vec2{0.0, -step}}) {
+      const Vec2 place = flat[v];
+      flat[v] = place + move;
+      EXPECT_GT(energy_of(mesh, flat), least) << v;
+      flat[v] = place;
+    }
+  }
+}
+
 TEST(MatchSeams, HasAStartForAnyBorder) {
   ThreadPool alone(1);
   // Also a border with one long side, which the circle's centre lies beyond.

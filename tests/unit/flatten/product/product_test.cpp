@@ -252,6 +252,53 @@ TEST(FlattenProduct, MeasuresSeamsOnTheModelAndInBothPatterns) {
     EXPECT_LT(*seam.difference(), 1e-8 * seam.on_model[0]);
 }
 
+/// The border edges of a strip at its ends and outer sides stretch as little as they can.
+TEST(FlattenProduct, LeavesWhatIsSewnToNothingFree) {
+  const std::vector<ProductPatch> patches = strips();
+  ProductOptions options = quick();
+  options.flatten.stopping = Stopping{.max_sweeps = 0};
+  options.flatten.match_seams = true;
+  const ProductReport report = flatten_product(patches, options);
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const UnfoldReport& unfold = report.patches[p].finished->unfold;
+    EXPECT_LT(unfold.border_strain, 1e-9) << "of edges along seams";
+    const Patch patch(patches[p].mesh);
+    EXPECT_GT(largest_border_strain(patch, unfold.pattern.positions), 1e-5);
+    const double all = unfold_patch(patch, Unit::mm, {.match_seams = true}).strain.rms;
+    EXPECT_LT(unfold.strain.rms, all);
+  }
+}
+
+TEST(FlattenProduct, MatchesTheWholeBorderOfAPatchWithoutSeams) {
+  ProductOptions options = quick();
+  options.flatten.match_seams = true;
+  const std::vector<ProductPatch> patches = {{"dome", make_shape("dome", 150)}};
+  const ProductReport report = flatten_product(patches, options);
+  const FinishedPatch& dome = *report.patches[0].finished;
+  EXPECT_LT(largest_border_strain(Patch(dome.processed), dome.unfold.pattern.positions), 1e-9);
+}
+
+/// Two sleeves, mirror images, one of them sewn to a strip.
+TEST(FlattenProduct, FreesOfTwinsWhatIsSewnToNothingInBoth) {
+  const TriMesh left = meshes::height_field(6, 4, [](double x, double y) { return 0.05 * x * y; });
+  TriMesh strip = meshes::flat_grid(6, 2);
+  for (std::size_t v = 0; v < strip.positions.size(); ++v)
+    strip.positions[v].y -= 2.0;
+  TriMesh right = meshes::mirrored(left);
+  for (Vec3& p : right.positions)
+    p.z += 50.0;
+  ProductOptions options = quick();
+  options.flatten.stopping = Stopping{.max_sweeps = 0};
+  options.flatten.match_seams = true;
+  const ProductReport report = flatten_product(
+      std::vector<ProductPatch>{{"left", left}, {"right", right}, {"strip", strip}}, options);
+  ASSERT_EQ(report.seams.size(), 1U);
+  ASSERT_TRUE(report.patches[1].finished->twin_of);
+  const auto& mirrored = report.patches[1].finished->unfold;
+  EXPECT_LT(mirrored.border_strain, 1e-9);
+  EXPECT_EQ(mirrored.pattern.width, report.patches[0].finished->unfold.pattern.width);
+}
+
 TEST(FlattenProduct, ReportsTheEasingOfSeamsThatWereMeshedApart) {
   std::vector<ProductPatch> patches;
   for (NamedPatch& panel : meshes::Jacket::panels())
@@ -293,6 +340,9 @@ TEST(FlattenProduct, RefusesWhatNamesTheVerticesOfOneMesh) {
   EXPECT_THROW(flatten_product(strips(), options), Error);
   options = quick();
   options.flatten.keep = {0};
+  EXPECT_THROW(flatten_product(strips(), options), Error);
+  options = quick();
+  options.flatten.free_edges = {{0, 1}};
   EXPECT_THROW(flatten_product(strips(), options), Error);
   options = quick();
   options.seam_tolerance = -1.0;

@@ -1,11 +1,13 @@
 #include "sheet/annotations.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numbers>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/figure_text.h"
@@ -17,6 +19,7 @@ namespace planish {
 
 namespace {
 
+// line_words() names these colours.
 constexpr Stroke k_cut{{255, 0, 0}}, k_seam{{80, 80, 80}, 0.25, true}, k_notch{{255, 0, 255}},
     k_grain{{0, 128, 0}}, k_drill{{0, 0, 255}}, k_internal{{0, 160, 160}};
 constexpr Stroke k_fold{{230, 120, 0}, 0.35, true};
@@ -281,6 +284,27 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
   if (options.edge_lengths) add_edge_lengths(outline, layers.back());
   add_seam_numbers(outline, options.seam_numbers, layers.back());
   return layers;
+}
+
+std::string line_words(std::span<const Layer> layers) {
+  struct Words {
+    std::string_view layer, text;
+  };
+  constexpr std::array<Words, 7> k_words = {{{"cut", "red: cut"},
+                                             {"seam", "grey: sew"},
+                                             {"notch", "pink: notch"},
+                                             {"grain", "green: grain"},
+                                             {"fold", "orange: fold"},
+                                             {"drill", "blue: mark"},
+                                             {"internal", "cyan: inner line"}}};
+  std::string text;
+  for (const Words& words : k_words) {
+    const bool is_there = std::any_of(layers.begin(), layers.end(), [&](const Layer& layer) {
+      return layer.name == words.layer && !layer.shapes.empty();
+    });
+    if (is_there) text += (text.empty() ? "" : " · ") + std::string(words.text);
+  }
+  return text;
 }
 
 std::vector<Layer> piece_layers(const TriMesh& mesh, const PlacedPattern& pattern,

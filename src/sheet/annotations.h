@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include <planish/draw/drawing.h>
@@ -20,6 +21,9 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
 /// lies.
 std::vector<Layer> piece_layers(const TriMesh& mesh, const PlacedPattern& pattern,
                                 const PatternOptions& options);
+
+/// What the lines of a piece mean, of those layers that have any: "red: cut · green: grain".
+std::string line_words(std::span<const Layer> layers);
 
 /// The direction of the grain where the pattern lies, of length 1.
 /// @throws Error as grain_direction()

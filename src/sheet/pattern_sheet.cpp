@@ -60,9 +60,11 @@ Drawing pattern_sheet(const Patch& patch, const UnfoldReport& unfold, const std:
   // The cut line comes later than the map, so that it lies on top.
   for (Layer& layer : piece_layers(mesh, pattern, placed.options))
     sheet.layers.push_back(std::move(layer));
-  sheet.layers.push_back(sheet_label(unfold, placed.facts));
+  SheetFacts facts = placed.facts;
+  facts.lines = line_words(sheet.layers);
+  sheet.layers.push_back(sheet_label(unfold, facts));
   sheet.layers.push_back(map_legend(unfold));
-  sheet.notes = sheet_notes(unfold, placed.facts);
+  sheet.notes = sheet_notes(unfold, facts);
   return sheet;
 }
 

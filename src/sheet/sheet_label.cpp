@@ -198,6 +198,7 @@ Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
   line(21.5, 2.5, origin_text(facts), k_dim);
   line(25.5, 2.5, "pattern " + hash_text(facts.hash), k_dim);
   line(29.5, 2.5, strain_text(unfold.strain, facts.moved), k_dim);
+  if (!facts.lines.empty()) line(37.5, 2.5, facts.lines, k_dim);
   if (std::optional<Verdict> verdict = verdict_of(unfold))
     line(33.5, 2.5, std::move(verdict->text), verdict->is_bad ? k_red : k_dim);
   if (facts.overlap) layer.shapes.emplace_back(ring_around(*facts.overlap));
@@ -210,6 +211,7 @@ std::vector<std::string> sheet_notes(const UnfoldReport& unfold, const SheetFact
                                     strain_text(unfold.strain, facts.moved)};
   if (std::optional<Verdict> verdict = verdict_of(unfold))
     notes.push_back(std::move(verdict->text));
+  if (!facts.lines.empty()) notes.push_back(facts.lines);
   return notes;
 }
 

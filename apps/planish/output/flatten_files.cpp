@@ -1,10 +1,11 @@
 #include "output/flatten_files.h"
 
+#include <array>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 #include <planish/draw/drawing.h>
-#include <planish/report/html_report.h>
 #include <planish/sheet/pattern_sheet.h>
 
 #include "flags/annotation_flags.h"
@@ -36,6 +37,23 @@ std::vector<OutputFile> pattern_files(const FlattenReport& report, const Written
   }
   if (pattern.output.paper) {
     files.push_back({path_of(paths.at("pattern_pages")), tiled_file(sheet, pattern.output)});
+  }
+  return files;
+}
+
+/// Those with the pattern, as the page names them.
+std::vector<PageFile> files_beside_page(const WrittenFiles& paths) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> k_purposes = {
+      {{"pattern_pdf", "to print at 100 %"},
+       {"pattern_pages", "on pages to join, at 100 %"},
+       {"pattern", "for cutters and drawing programs"},
+       {"pattern_dxf", "for CAD"},
+       {"pattern_plt", "for plotters"}}};
+  std::vector<PageFile> files;
+  for (const auto& [role, purpose] : k_purposes) {
+    const auto found = paths.find(std::string(role));
+    if (found != paths.end())
+      files.push_back({utf8_of(path_of(found->second).filename()), std::string(purpose)});
   }
   return files;
 }
@@ -104,7 +122,8 @@ std::string page_of(const FlattenReport& report, const PatternFiles& pattern,
                               .material = words.sheet.material,
                               .fits = words.sheet.fits,
                               .material_use = words.sheet.use,
-                              .reference = reference_sweeps(report, words.reference)});
+                              .reference = reference_sweeps(report, words.reference),
+                              .files = words.files});
 }
 
 std::vector<OutputFile> files_of(const FlattenReport& report, const WrittenFiles& paths,
@@ -116,7 +135,9 @@ std::vector<OutputFile> files_of(const FlattenReport& report, const WrittenFiles
   files.push_back(
       {path_of(paths.at("flat")), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)});
   files.push_back({path_of(paths.at("report_json")), json});
-  files.push_back({path_of(paths.at("report_html")), page_of(report, pattern, words)});
+  PageWords of_page = words;
+  of_page.files = files_beside_page(paths);
+  files.push_back({path_of(paths.at("report_html")), page_of(report, pattern, of_page)});
   if (paths.contains("textured")) {
     files.push_back(
         {path_of(paths.at("textured")), format_textured_obj(mesh, in_millimetres(report.unfold))});

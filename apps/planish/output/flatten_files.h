@@ -10,6 +10,7 @@
 #include <planish/io/mesh_format.h>
 #include <planish/io/write_file.h>
 #include <planish/pattern/pattern_options.h>
+#include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
 
 #include "output/pattern_output.h"
@@ -33,8 +34,9 @@ PatternFiles pattern_files_from(const Arguments& arguments);
 struct PageWords {
   ColorMap colors = ColorMap::diverging;
   std::string command;
-  SheetFit sheet = {};     ///< no material where none was named
-  Context reference = {};  ///< that the sweeps for comparison are run with
+  SheetFit sheet = {};               ///< no material where none was named
+  Context reference = {};            ///< that the sweeps for comparison are run with
+  std::vector<PageFile> files = {};  ///< of the pattern, beside the page
 };
 
 /// What the file of a format is for: "pattern" and "as_designed" are the SVG.

@@ -13,6 +13,12 @@
 
 namespace planish {
 
+/// A file beside a page.
+struct PageFile {
+  std::string path;     ///< from the page, with slashes
+  std::string purpose;  ///< in a few words, plain text: "to print at 100 %"
+};
+
 /// What the page of the main job says besides the report.
 struct FlattenPage {
   ColorMap colors = ColorMap::diverging;  ///< paper: |defect|, blue to red as the 2010 paper has it
@@ -22,6 +28,7 @@ struct FlattenPage {
   bool fits = true;               ///< on that material
   std::string material_use = {};  ///< how much of that it takes, plain text
   std::vector<SweepRecord> reference = {};  ///< as reference_sweeps()
+  std::vector<PageFile> files = {};         ///< with the pattern; links to them
 };
 
 /// The main job's result as one HTML page that needs nothing else: the patch before and after,

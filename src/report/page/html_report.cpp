@@ -268,6 +268,17 @@ std::string computed_section(const FlattenReport& report, const FlattenPage& pag
          histogram_section(report) + "</div>\n" + run_section(report, page) + "</details>\n";
 }
 
+/// Where the pattern is in true size.
+std::string files_line(const FlattenPage& page) {
+  if (page.files.empty()) return {};
+  std::string links;
+  for (const PageFile& file : page.files) {
+    links += (links.empty() ? "" : "; ") + std::string("<a href=\"") + escape_markup(file.path) +
+             "\">" + escape_markup(file.path) + "</a> " + escape_markup(file.purpose);
+  }
+  return "<p class=\"files\">The pattern in true size: " + links + ".</p>\n";
+}
+
 std::string footer(const FlattenReport& report) {
   return std::string("<footer>Made by planish ") + k_version +
          ". Model unit: " + unit_name(report) + ".</footer>\n";
@@ -281,11 +292,12 @@ std::string html_report(const FlattenReport& report, const FlattenPage& page) {
   const std::string verdict = verdict_text(report) + (border.empty() ? "" : " " + border);
   const bool has_limit = limit_of_edges(report.unfold.limits).has_value();
   return html_head(html_title(report.name), has_limit ? limit_style() : "") + "<body>\n<main>\n" +
-         html_header("report", report.name, verdict, checks(report)) + candidate_tiles(report) +
-         viewer.html + tiles(report, page, viewer.cut_size) + "<section>\n<h2>All figures</h2>\n" +
-         "<div class=\"scroll\">\n" + figures_table(report) + "</div>\n</section>\n" +
-         problems_section(report) + computed_section(report, page) + footer(report) + "</main>\n" +
-         viewer.data + (viewer.data.empty() ? "" : html_script()) + "</body>\n</html>\n";
+         html_header("report", report.name, verdict, checks(report)) + files_line(page) +
+         candidate_tiles(report) + viewer.html + tiles(report, page, viewer.cut_size) +
+         "<section>\n<h2>All figures</h2>\n" + "<div class=\"scroll\">\n" + figures_table(report) +
+         "</div>\n</section>\n" + problems_section(report) + computed_section(report, page) +
+         footer(report) + "</main>\n" + viewer.data + (viewer.data.empty() ? "" : html_script()) +
+         "</body>\n</html>\n";
 }
 
 }  // namespace planish

@@ -113,6 +113,14 @@ TEST(Annotations, HasInnerLinesOnTheirLayer) {
   EXPECT_NEAR(norm(line.lines[0][1] - line.lines[0][0]), 50.0, 1e-9);
 }
 
+TEST(Annotations, AreNamedByTheirColoursBelowThePattern) {
+  EXPECT_THAT(texts(sheet_with({}), "label"), Contains("red: cut"));
+  const Drawing sheet =
+      sheet_with({.allowance = Allowance{.width = 10.0}, .inner_lines = {{6, 7, 12}}});
+  EXPECT_THAT(texts(sheet, "label"), Contains("red: cut · grey: sew · cyan: inner line"));
+  EXPECT_THAT(sheet.notes, Contains("red: cut · grey: sew · cyan: inner line"));
+}
+
 TEST(Annotations, DrawsAFoldAndLeavesTheAllowanceOutThere) {
   // Vertices 0 to 4 are the lower side; either order will do.
   for (const FoldLine fold : {FoldLine{0, 4}, FoldLine{4, 0}}) {

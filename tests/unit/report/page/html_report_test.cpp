@@ -63,6 +63,17 @@ TEST(HtmlReport, ShowsStrainBesideItsLimitWhereOneWasAsked) {
   EXPECT_EQ(count(page, "fill=\"#f0520a\""), 2U) << "in the map and in its legend";
 }
 
+TEST(HtmlReport, LeadsToTheFilesBesideIt) {
+  EXPECT_THAT(sample_page(), Not(HasSubstr("class=\"files\">The pattern")));
+  const std::string page =
+      html_report(samples::flatten_report(),
+                  {.files = {{"pattern.pdf", "to print"}, {"a<b.svg", "for <cutters>"}}});
+  EXPECT_THAT(page, HasSubstr("<p class=\"files\">The pattern in true size: "
+                              "<a href=\"pattern.pdf\">pattern.pdf</a> to print; "
+                              "<a href=\"a&lt;b.svg\">a&lt;b.svg</a> for &lt;cutters&gt;.</p>"));
+  pages::expect_closed_tags(page);
+}
+
 TEST(HtmlReport, EscapesAllTextFromOutside) {
   FlattenReport report = samples::flatten_report();
   report.name = "<img src=x onerror=alert(1)>\"&\xFF";

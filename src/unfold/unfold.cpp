@@ -59,11 +59,12 @@ LeastStretch with_matched_border(const TriMesh& mesh, const Disk& disk, const Le
     after_step();
   };
   MatchedBorder matched =
-      match_border(disk, lengths, least.flat, options.max_iterations, pool, count);
+      match_border(disk, lengths, least.flat, least.flat, options.max_iterations, pool, count);
   if (!matched.matched) {
     std::vector<Vec2> start = circle_start(disk, lengths.of_edges, pool);
     if (all_upright(disk, start)) {
-      matched = match_border(disk, lengths, std::move(start), options.max_iterations, pool, count);
+      matched = match_border(disk, lengths, least.flat, std::move(start), options.max_iterations,
+                             pool, count);
     }
   }
   if (!matched.matched) {

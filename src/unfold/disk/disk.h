@@ -43,6 +43,8 @@ std::vector<double> border_lengths(const TriMesh& mesh, const Disk& disk);
 struct BorderLengths {
   std::vector<double> of_edges;    ///< in the disk's units
   std::vector<char> is_free = {};  ///< of each: it may have any length; empty: none may
+
+  bool may_change(std::size_t k) const { return !is_free.empty() && is_free[k] != 0; }
 };
 
 /// The border laid flat, vertex by vertex.

@@ -38,9 +38,11 @@ struct Place {
 
 class Descent {
  public:
-  Descent(const Disk& disk, const BorderLengths& lengths, std::vector<Vec2> start, ThreadPool& pool)
+  Descent(const Disk& disk, const BorderLengths& lengths, const std::vector<Vec2>& like,
+          std::vector<Vec2> start, ThreadPool& pool)
       : disk_(disk),
-        system_(disk, lengths, pool),
+        bend_(disk, lengths, like),
+        system_(disk, lengths, bend_, pool),
         at_(place(turn_to_axis(disk, std::move(start)))) {
     pulls_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(disk.border.size()));
   }
@@ -97,7 +99,7 @@ class Descent {
 
  private:
   Place place(std::vector<Vec2> flat) const {
-    const double energy = total_energy(disk_, flat);
+    const double energy = total_energy(disk_, flat) + bend_.energy(flat);
     Eigen::VectorXd gaps = system_.gaps(flat);
     return {std::move(flat), std::move(gaps), energy};
   }
@@ -113,6 +115,7 @@ class Descent {
   }
 
   const Disk& disk_;
+  BorderBend bend_;
   SeamSystem system_;
   Place at_;
   Eigen::VectorXd pulls_;
@@ -177,12 +180,13 @@ std::vector<Vec2> circle_start(const Disk& disk, std::span<const double> lengths
   return InnerSystem(disk, weights, pool).extend(disk, polygon);
 }
 
-MatchedBorder match_border(const Disk& disk, const BorderLengths& lengths, std::vector<Vec2> start,
+MatchedBorder match_border(const Disk& disk, const BorderLengths& lengths,
+                           const std::vector<Vec2>& like, std::vector<Vec2> start,
                            int max_iterations, ThreadPool& pool,
                            const std::function<void()>& after_step) {
   // As for the pattern of least stretch.
   constexpr double no_energy = 4e-18, least_gain = 1e-6, least_fall = 1e-4;
-  Descent descent(disk, lengths, std::move(start), pool);
+  Descent descent(disk, lengths, like, std::move(start), pool);
   MatchedBorder matched;
   for (int& taken = matched.result.iterations; taken < max_iterations;) {
     const auto step = descent.step();

@@ -11,14 +11,17 @@ namespace planish {
 
 /// Minimises the symmetric Dirichlet energy among the flat disks without flipped triangles whose
 /// border edges, but those that are free, have the lengths given (docs/unfold.md): Newton steps
-/// with multipliers, judged by the energy plus a price on what lengths are off by.
+/// with multipliers, judged by the energy plus a price on what lengths are off by. To the energy
+/// belongs what it costs to bend the border (BorderBend).
+/// @param like without flipped triangles: the border turns as there at no cost
 /// @param start without flipped triangles; its border may have other lengths
 /// @return the lengths are kept if `matched`
 struct MatchedBorder {
   LeastStretch result;
   bool matched = false;
 };
-MatchedBorder match_border(const Disk& disk, const BorderLengths& lengths, std::vector<Vec2> start,
+MatchedBorder match_border(const Disk& disk, const BorderLengths& lengths,
+                           const std::vector<Vec2>& like, std::vector<Vec2> start,
                            int max_iterations, ThreadPool& pool,
                            const std::function<void()>& after_step);
 

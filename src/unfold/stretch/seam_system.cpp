@@ -25,10 +25,12 @@ BorderEdge border_edge(const Disk& disk, std::size_t k) {
 
 }  // namespace
 
-SeamSystem::SeamSystem(const Disk& disk, const BorderLengths& lengths, ThreadPool& pool)
+SeamSystem::SeamSystem(const Disk& disk, const BorderLengths& lengths, const BorderBend& bend,
+                       ThreadPool& pool)
     : disk_(disk),
       pool_(pool),
       lengths_(lengths),
+      bend_(bend),
       unknowns_(disk),
       column_(2 * disk.vertex_count, Unknowns::k_fixed),
       pull_column_(disk.border.size(), 0),
@@ -36,9 +38,13 @@ SeamSystem::SeamSystem(const Disk& disk, const BorderLengths& lengths, ThreadPoo
   number_unknowns();
   make_pattern();
   pulls_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(disk.border.size()));
+  const auto add_slot = [&](int row, int column, int, int) {
+    slots_.push_back(entry_of(lower_, row, column));
+  };
   for (const Triangle& t : disk.triangles)
-    for_pairs(
-        t, [&](int row, int column, int, int) { slots_.push_back(entry_of(lower_, row, column)); });
+    for_pairs(t, add_slot);
+  for (const BorderBend::Turn& turn : bend.turns())
+    for_pairs(turn.vertices, add_slot);
 }
 
 void SeamSystem::number_unknowns() {
@@ -83,10 +89,12 @@ void SeamSystem::for_pairs(const Triangle& tri, Visit visit) const {
 
 void SeamSystem::make_pattern() {
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(21 * disk_.triangles.size() + 5 * disk_.border.size());
-  for (const Triangle& t : disk_.triangles) {
-    for_pairs(t, [&](int row, int column, int, int) { entries.emplace_back(row, column, 0.0); });
-  }
+  entries.reserve(21 * (disk_.triangles.size() + bend_.turns().size()) + 5 * disk_.border.size());
+  const auto add = [&](int row, int column, int, int) { entries.emplace_back(row, column, 0.0); };
+  for (const Triangle& t : disk_.triangles)
+    for_pairs(t, add);
+  for (const BorderBend::Turn& turn : bend_.turns())
+    for_pairs(turn.vertices, add);
   for (std::size_t k = 0; k < disk_.border.size(); ++k) {
     const BorderEdge edge = border_edge(disk_, k);
     const int pull = pull_column_[k];
@@ -105,7 +113,7 @@ void SeamSystem::make_pattern() {
 Eigen::VectorXd SeamSystem::gaps(const std::vector<Vec2>& flat) const {
   Eigen::VectorXd gaps = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(disk_.border.size()));
   for (std::size_t k = 0; k < disk_.border.size(); ++k) {
-    if (is_free(k)) continue;
+    if (lengths_.may_change(k)) continue;
     const BorderEdge edge = border_edge(disk_, k);
     gaps[static_cast<Eigen::Index>(k)] =
         norm(flat[edge.to] - flat[edge.from]) - lengths_.of_edges[k];
@@ -150,8 +158,8 @@ void SeamSystem::add_lengths(const std::vector<Vec2>& flat) {
   for (std::size_t k = 0; k < disk_.border.size(); ++k) {
     const BorderEdge edge = border_edge(disk_, k);
     const int pull = pull_column_[k];
-    values[entry_of(lower_, pull, pull)] = is_free(k) ? -1.0 : -k_give;
-    if (is_free(k)) continue;
+    values[entry_of(lower_, pull, pull)] = lengths_.may_change(k) ? -1.0 : -k_give;
+    if (lengths_.may_change(k)) continue;
     const Vec2 d = flat[edge.to] - flat[edge.from];
     const Vec2 along = (1.0 / norm(d)) * d;
     const auto set = [&](Index v, double sign) {
@@ -164,6 +172,13 @@ void SeamSystem::add_lengths(const std::vector<Vec2>& flat) {
   }
 }
 
+void SeamSystem::add_gradient(const Triangle& corners, const std::array<double, 6>& gradient) {
+  for (int i = 0; i < 6; ++i) {
+    const int row = column_[2 * corners[i / 2] + i % 2];
+    if (row != Unknowns::k_fixed) gradient_[row] += gradient[static_cast<std::size_t>(i)];
+  }
+}
+
 bool SeamSystem::factor(const std::vector<Vec2>& flat, const Eigen::VectorXd& pulls,
                         Curvature curvature) {
   std::fill_n(lower_.valuePtr(), lower_.nonZeros(), 0.0);
@@ -172,14 +187,18 @@ bool SeamSystem::factor(const std::vector<Vec2>& flat, const Eigen::VectorXd& pu
   auto next_slot = slots_.begin();
   for (std::size_t t = 0; t < disk_.triangles.size(); ++t) {
     const Triangle& tri = disk_.triangles[t];
-    const auto gradient = energy_of(disk_, t, flat).gradient();
-    for (int i = 0; i < 6; ++i) {
-      const int row = column_[2 * tri[i / 2] + i % 2];
-      if (row != Unknowns::k_fixed) gradient_[row] += gradient[static_cast<std::size_t>(i)];
-    }
+    add_gradient(tri, energy_of(disk_, t, flat).gradient());
     const Matrix6 hessian = hessian_of(t, flat, pulls, curvature);
     for_pairs(tri,
               [&](int, int, int i, int j) { lower_.valuePtr()[*next_slot++] += hessian(i, j); });
+  }
+  for (const BorderBend::Turn& turn : bend_.turns()) {
+    const BorderBend::Derivatives bend = BorderBend::derivatives(turn, flat);
+    add_gradient(turn.vertices, bend.gradient);
+    for_pairs(turn.vertices, [&](int, int, int i, int j) {
+      lower_.valuePtr()[*next_slot++] +=
+          bend.hessian[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    });
   }
   add_lengths(flat);
   if (!solver_) solver_.emplace(lower_);  // unknowns are in order of elimination

@@ -91,6 +91,18 @@ def with_files(keywords: dict[str, Any], work: Callable[[dict[str, Any]], Result
         return result
 
 
+def check_counts(keywords: Mapping[str, Any], count: int) -> None:
+    """Refuses sequences that should have an item for each vertex and have not."""
+    for keyword in ("fix", "weights"):
+        value = keywords.get(keyword)
+        if value is None or is_path(value) or isinstance(value, Mapping):
+            continue
+        items = list(value)
+        is_mask = all(isinstance(item, bool) or is_numpy_bool(item) for item in items)
+        if (keyword == "weights" or is_mask) and items and len(items) != count:
+            raise ValueError(f"{keyword} has {len(items)} items, but the mesh has {count} vertices")
+
+
 def run(
     work: Callable[[_core.Mesh, dict[str, Any], Any], Result],
     mesh: _core.Mesh,
@@ -98,6 +110,7 @@ def run(
     progress: Optional[Progress] = None,
 ) -> Result:
     """Runs the work of a verb on a mesh."""
+    check_counts(keywords, len(mesh.vertices))
     return with_files(keywords, lambda given: work(mesh, given, progress))
 
 

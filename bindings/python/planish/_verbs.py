@@ -135,7 +135,8 @@ def flatten(
         remesh: work on fewer vertices, and write these; the border keeps all of its own
         smooth_first: first take waves shorter than this out of the design, as the noise of a scan (at most 20 mean
             edges; such as 5mm)
-        match_seams: keep the length of every border edge, so that what is sewn together stays equally long
+        match_seams: keep the length of every border edge, or in a product of those along seams, so that what is sewn
+            together stays equally long
         pick: how much strain to leave: 1 as designed, 2, 3, 4, 5 at most 2, 1, 0.5, 0.1 % rms, 6 flat (default 5)
         formats: of the pattern: some of svg, dxf, pdf and plt (default svg,dxf,pdf)
         colors: of the report's pictures: diverging or paper (default diverging)
@@ -176,13 +177,12 @@ def flatten(
             local_perturbation, fairing or auto (default auto)
         sweeps: at most so many sweeps (default: what each method usually takes)
         target_e_max: end as soon as e_max is at most this, in radians (at least 0, default 0)
-        max_strain: end near to where it began, but where a pattern need not stretch more, as a share of length; 0: go
-            on until the patch is flattenable (0.02 or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default
-            0)
+        max_strain: end near to where it began, but where a pattern need not stretch more, as a share of length (0.02
+            or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
         material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or
             neoprene 10%
-        max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide;
-            0: no limit (0.02 or 2%; 0 to 1, default 0)
+        max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide
+            (0.02 or 2%; 0 to 1, default 0)
         max_deviation: no vertex ends further than this from where it began, in model units (1.5 or 1.5mm; at least 0,
             default no limit)
         min_angle: no triangle gets an angle below this, or below the smallest one at first if that is smaller, in
@@ -328,7 +328,8 @@ def flatten_product(
         remesh: work on fewer vertices, and write these; the border keeps all of its own
         smooth_first: first take waves shorter than this out of the design, as the noise of a scan (at most 20 mean
             edges; such as 5mm)
-        match_seams: keep the length of every border edge, so that what is sewn together stays equally long
+        match_seams: keep the length of every border edge, or in a product of those along seams, so that what is sewn
+            together stays equally long
         pick: how much strain to leave: 1 as designed, 2, 3, 4, 5 at most 2, 1, 0.5, 0.1 % rms, 6 flat (default 5)
         formats: of the pattern: some of svg, dxf, pdf and plt (default svg,dxf,pdf)
         colors: of the report's pictures: diverging or paper (default diverging)
@@ -363,13 +364,12 @@ def flatten_product(
             local_perturbation, fairing or auto (default auto)
         sweeps: at most so many sweeps (default: what each method usually takes)
         target_e_max: end as soon as e_max is at most this, in radians (at least 0, default 0)
-        max_strain: end near to where it began, but where a pattern need not stretch more, as a share of length; 0: go
-            on until the patch is flattenable (0.02 or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default
-            0)
+        max_strain: end near to where it began, but where a pattern need not stretch more, as a share of length (0.02
+            or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
         material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or
             neoprene 10%
-        max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide;
-            0: no limit (0.02 or 2%; 0 to 1, default 0)
+        max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide
+            (0.02 or 2%; 0 to 1, default 0)
         max_deviation: no vertex ends further than this from where it began, in model units (1.5 or 1.5mm; at least 0,
             default no limit)
         min_angle: no triangle gets an angle below this, or below the smallest one at first if that is smaller, in
@@ -542,13 +542,12 @@ def evolve(
         clearance: distance to keep from the obstacle, in model units (1.5 or 1.5mm; at least 0, default 0)
         pull: how strongly vertices are drawn to where they began; waves longer than 2 pi sizes over the root of this
             stay, a size being the root of the area; 0: not at all (at least 0, default 100)
-        max_strain: end near to where it began, but where a pattern need not stretch more, as a share of length; 0: go
-            on until the patch is flattenable (0.02 or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default
-            0)
+        max_strain: end near to where it began, but where a pattern need not stretch more, as a share of length (0.02
+            or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
         material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or
             neoprene 10%
-        max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide;
-            0: no limit (0.02 or 2%; 0 to 1, default 0)
+        max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide
+            (0.02 or 2%; 0 to 1, default 0)
         prefer: what counts most: that the surface stays smooth, becomes flattenable, or stays near (smooth, flat or
             near, default smooth)
         closeness: how much rougher the surface may get for staying close: 0: no rougher than at first, 1: twice as
@@ -672,13 +671,12 @@ def evolve_sweeps(
         clearance: distance to keep from the obstacle, in model units (1.5 or 1.5mm; at least 0, default 0)
         pull: how strongly vertices are drawn to where they began; waves longer than 2 pi sizes over the root of this
             stay, a size being the root of the area; 0: not at all (at least 0, default 100)
-        max_strain: end near to where it began, but where a pattern need not stretch more, as a share of length; 0: go
-            on until the patch is flattenable (0.02 or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default
-            0)
+        max_strain: end near to where it began, but where a pattern need not stretch more, as a share of length (0.02
+            or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
         material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or
             neoprene 10%
-        max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide;
-            0: no limit (0.02 or 2%; 0 to 1, default 0)
+        max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide
+            (0.02 or 2%; 0 to 1, default 0)
         prefer: what counts most: that the surface stays smooth, becomes flattenable, or stays near (smooth, flat or
             near, default smooth)
         closeness: how much rougher the surface may get for staying close: 0: no rougher than at first, 1: twice as
@@ -742,7 +740,8 @@ def unfold(
             (default 1)
         cut: cut the patch open first: a cut a line by its vertices from 0, or an .obj whose lines are snapped to the
             mesh
-        match_seams: keep the length of every border edge, so that what is sewn together stays equally long
+        match_seams: keep the length of every border edge, or in a product of those along seams, so that what is sewn
+            together stays equally long
         paper: divide the .pdf into pages to be joined: a4, a3, letter or a0
         map: draw the strain map on paper too: in .pdf and on the pages of --paper
         text: letters, or strokes for machines without them (default letters)
@@ -869,7 +868,6 @@ def svg(
     path: Optional[Path] = None,
     *,
     as_designed: bool = False,
-    map: Optional[bool] = None,
     text: Optional[Literal["letters", "strokes"]] = None,
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
@@ -896,7 +894,6 @@ def svg(
         as_designed it is the pattern of the unchanged design.
 
     Keywords, as flags of the program:
-        map: draw the strain map on paper too: in .pdf and on the pages of --paper
         text: letters, or strokes for machines without them (default letters)
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)

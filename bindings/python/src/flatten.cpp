@@ -12,6 +12,8 @@
 #include "flags/constraint_flags.h"
 #include "flags/limit_flags.h"
 #include "flags/units.h"
+#include "flatten/product/piece_verdict.h"
+#include "flatten/verdict.h"
 #include "job.h"
 #include "keywords.h"
 #include "pattern_data.h"
@@ -175,7 +177,8 @@ auto view_getter(Get get) {
   return [get](const py::object& self) { return view_of(get(self.cast<const Result&>()), self); };
 }
 
-std::string described_pattern(const py::object& self, const UnfoldReport& report) {
+std::string described_pattern(const py::object& self, const UnfoldReport& report,
+                              const std::string& form_faults) {
   const auto shown = [](double value, int digits) {
     return py::str("{:." + std::to_string(digits) + "f}").format(value).cast<std::string>();
   };
@@ -188,14 +191,24 @@ std::string described_pattern(const py::object& self, const UnfoldReport& report
   if (!report.limits.empty())
     text += all_kept(report.limits) ? ", limits kept" : ", limits NOT kept";
   if (report.pattern.overlaps) text += ", overlaps itself";
+  if (!form_faults.empty()) text += ", the form " + form_faults;
   return text + ">";
+}
+
+std::string form_faults_of(const FlattenResult& result) {
+  return form_faults(result.report.evolve);
+}
+
+std::string form_faults_of(const UnfoldResult&) {
+  return {};
 }
 
 template <class Result, class Class>
 void add_unfold_figures(Class& type, const UnfoldReport& (*report)(const Result&)) {
   type.def("__repr__",
            [report](const py::object& self) {
-             return described_pattern(self, report(self.cast<const Result&>()));
+             const auto& result = self.cast<const Result&>();
+             return described_pattern(self, report(result), form_faults_of(result));
            })
       .def_property_readonly(
           "uv",
@@ -271,6 +284,24 @@ void register_flatten(py::module_& module) {
           "met", [](const Result& result) { return result.report.outcome().met; },
           "Whether every limit and target that was asked for is met.")
       .def_property_readonly(
+          "missed",
+          [](const Result& result) {
+            return missed_by(
+                {.name = result.report.name, .finished = finished_patch(result.report)});
+          },
+          "What is missed or wrong, in words: limits, and faults of form and pattern. Empty where "
+          "the pattern can be cut as it was asked for.")
+      .def_property_readonly(
+          "form_kept",
+          [](const Result& result) { return result.report.evolve.fairness.keeps_form(); },
+          "Whether height and curvature of the design are kept (docs/fairness.md).")
+      .def_property_readonly(
+          "smooth", [](const Result& result) { return result.report.evolve.fairness.is_sound(); },
+          "Whether the form is neither crumpled nor sharply folded (docs/fairness.md).")
+      .def_property_readonly(
+          "deviation", [](const Result& result) { return result.report.evolve.deviation.max; },
+          "How far a vertex moved at most, model units.")
+      .def_property_readonly(
           "fields", [](const Result& result) { return fields_dict(fields_of(result.report)); },
           "Figures of every vertex and triangle by their names in docs/fields.md.")
       .def_property_readonly(
@@ -326,6 +357,14 @@ void register_unfold(py::module_& module) {
 }
 
 }  // namespace
+
+std::vector<std::string> missed_by(const PatchResult& piece) {
+  std::vector<std::string> missed;
+  for (const PieceCheck& check : piece_checks(piece)) {
+    if (!check.met) missed.push_back(check.text);
+  }
+  return missed;
+}
 
 SavedFiles files_in(const FlattenResult& result, const std::filesystem::path& folder) {
   const WrittenFiles paths = cli::paths_in(folder, result.format, result.pattern, result.arguments);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <planish/draw/color.h>
-#include <planish/flatten/flatten.h>
+#include <planish/flatten/product.h>
 
 #include <pybind11/pybind11.h>
 
@@ -35,6 +35,9 @@ struct SavedFiles {
 
 /// What `flatten` of the program writes into a folder.
 SavedFiles files_in(const FlattenResult& result, const std::filesystem::path& folder);
+
+/// What a piece misses, in words.
+std::vector<std::string> missed_by(const PatchResult& piece);
 
 /// The page of a result.
 std::string page_of(const FlattenResult& result);

@@ -15,7 +15,6 @@
 
 #include "commands/jobs.h"
 #include "flags/scale_flag.h"
-#include "flatten/product/piece_verdict.h"
 #include "job.h"
 #include "keywords.h"
 #include "pattern_data.h"
@@ -165,9 +164,8 @@ WrittenFiles save(const ProductResult& result, const py::object& path) {
 std::map<std::string, std::vector<std::string>> missed_by_pieces(const ProductReport& report) {
   std::map<std::string, std::vector<std::string>> missed;
   for (const PatchResult& patch : report.patches) {
-    for (const PieceCheck& check : piece_checks(patch)) {
-      if (!check.met) missed[patch.name].push_back(check.text);
-    }
+    std::vector<std::string> of_piece = missed_by(patch);
+    if (!of_piece.empty()) missed[patch.name] = std::move(of_piece);
   }
   return missed;
 }

@@ -116,6 +116,12 @@ class Values(unittest.TestCase):
         self.assertEqual((caught.exception.place.path, caught.exception.place.line), ("fix", 2))
         self.assertTrue(str(caught.exception).startswith("fix:2: "))
 
+    def test_sequences_of_another_length(self):
+        count = len(self.mesh.vertices)
+        for keyword, value in (("fix", np.ones(5, bool)), ("fix", [True] * (count + 1)), ("weights", np.ones(5))):
+            with self.assertRaisesRegex(ValueError, f"{keyword} has .* but the mesh has {count} vertices"):
+                planish.evolve(self.mesh, method="least_norm", **{keyword: value})
+
     def test_cuts_of_a_suggestion(self):
         dome = planish.sample("dome", vertices=400)
         cuts = planish.suggest_cuts(dome, max_strain="5%")

@@ -42,6 +42,16 @@ class Results(unittest.TestCase):
         self.assertEqual(result.fields["defect"].shape, (n,))
         self.assertEqual(result.fields["strain_max"].shape, (m,))
 
+    def test_form(self):
+        seat = planish.flatten(self.panel)
+        self.assertFalse(seat.form_kept)
+        self.assertIn("the form is lost", " ".join(seat.missed))
+        self.assertIn("the form is lost", repr(seat))
+        self.assertAlmostEqual(seat.deviation, seat.figures["evolve"]["deviation"]["max"])
+        self.assertEqual(seat.smooth, seat.figures["evolve"]["smooth"])
+        self.assertEqual(self.result.missed, [])
+        self.assertTrue(self.result.form_kept)
+
     def test_remesh_says_where_vertices_come_from(self):
         result = planish.flatten(planish.sample("panel", vertices=6000), remesh=True)
         self.assertEqual(len(result.source), len(result.vertices))

@@ -60,7 +60,7 @@ LEFT_OUT_OF = {
 # Which flags a writer of drawings takes.
 DRAWING_GROUP = "What the pattern gets besides its outline"
 DRAWING_FLAGS = {
-    "svg": {"map", "text"},
+    "svg": {"text"},
     "dxf": {"text", "dxf_profile", "dxf_version", "dxf_notches", "dxf_layers"},
     "pdf": {"map", "paper"},
     "plt": set(),

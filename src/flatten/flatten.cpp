@@ -289,9 +289,21 @@ class Flattening {
   bool is_done_as_it_is(const Patch& patch) {
     if (!aim_.any()) return false;
     unfold_input(patch);
-    if (!all_kept(checks_of_aim(work_patch(patch), report_.as_designed))) return false;
+    if (!all_kept(checks_of_aim(work_patch(patch), report_.as_designed))) {
+      show_least_stretch(patch);
+      return false;
+    }
     take_design(patch, StopReason::strain_met);
     return true;
+  }
+
+  /// A pattern evened out for limits that it misses all the same is no measure of the design.
+  void show_least_stretch(const Patch& patch) {
+    if (!limits_.any() || options_.match_seams) return;
+    within_limits_ = std::move(report_.as_designed);
+    report_.as_designed = *before_;
+    report_.as_designed.limits =
+        check_limits(work_patch(patch), before_->pattern.positions, limits_);
   }
 
   /// Whether evolving stretched the pattern of least stretch by more than is worth a word. One that
@@ -309,6 +321,7 @@ class Flattening {
   /// Drops what evolving made; the history says what was tried.
   void return_to_design(const Patch& patch) {
     report_.rejected = report_.unfold.strain;
+    if (within_limits_) report_.as_designed = std::move(*within_limits_);
     EvolveResult tried = std::move(report_.evolve.result);
     take_design(patch, StopReason::design_kept);
     report_.evolve.result.history = std::move(tried.history);
@@ -415,6 +428,7 @@ class Flattening {
   std::vector<std::array<Index, 2>> free_edges_;  // of the work patch
   FlattenReport report_;
   std::optional<UnfoldReport> before_;  // the input without limits, where that is known already
+  std::optional<UnfoldReport> within_limits_;  // the input's pattern that misses them least
 };
 
 }  // namespace

@@ -69,13 +69,17 @@ std::string way_on(const FlattenReport& report) {
   return " --prefer flat takes the rest out.";
 }
 
+bool is_changed(const FlattenReport& report) {
+  return !report.evolve.fairness.unchanged && !report.evolve.result.history.empty();
+}
+
 std::string moved_sentence(const FlattenReport& report) {
   if (report.rejected) {
     return " Changing the form would have stretched the pattern more, to " +
            percent_text(report.rejected->rms) + " as a rule, so this is the design as it is.";
   }
-  if (report.evolve.fairness.unchanged || report.evolve.result.history.empty())
-    return " The form was not changed.";
+  if (!is_changed(report)) return " The form was not changed.";
+  if (flatness_of(report) == Flatness::limit_kept) return {};  // the first words say it
   return " No place moved further than " +
          length_text(report.evolve.deviation.max, report.unfold.unit) + ".";
 }
@@ -99,8 +103,11 @@ std::string state_words(const FlattenReport& report) {
   const std::vector<LimitCheck> limits = strain_limits_of(report);
   const auto missed = std::find_if(limits.begin(), limits.end(),
                                    [](const LimitCheck& check) { return !check.met; });
-  return missed == limits.end() ? "Within " + strain_limit_name(limits.front(), report)
-                                : "Not within " + strain_limit_name(*missed, report);
+  if (missed != limits.end()) return "Not within " + strain_limit_name(*missed, report);
+  return "Within " + strain_limit_name(limits.front(), report) +
+         (is_changed(report) ? ", with the form changed by up to " +
+                                   length_text(report.evolve.deviation.max, report.unfold.unit)
+                             : "");
 }
 
 /// Where the form is not as it should be: that, to follow the first words.
@@ -135,8 +142,11 @@ std::string stretch_sentence(const FlattenReport& report) {
 std::string use_sentences(const FlattenReport& report) {
   if (report.unfold.pattern.overlaps) return " Divide the patch.";
   const Flatness flatness = flatness_of(report);
+  if (flatness == Flatness::limit_missed)
+    return " To keep it, cut the patch (suggest-cuts finds where), or take a material that "
+           "stretches more.";
   if (report.unfold.pattern.flipped_triangles > 0 || flatness == Flatness::flat ||
-      flatness == Flatness::limit_kept || flatness == Flatness::limit_missed)
+      flatness == Flatness::limit_kept)
     return {};
   return " " + takers_text(report.unfold.strain) + way_on(report);
 }
@@ -161,6 +171,9 @@ std::string strain_phrase(double before, double after) {
   return (after < before ? "lowered the strain from " : "raised the strain from ") +
          percent_text(before) + " to " + percent_text(after) + " rms";
 }
+
+// Millimetres: hulls and sails are longer than most pieces.
+constexpr double k_absurdly_large = 20'000.0;
 
 /// Of the pattern, millimetres.
 double longer_side(const UnfoldReport& unfold) {
@@ -269,7 +282,7 @@ bool is_absurdly_small(const UnfoldReport& unfold) {
 
 std::string unit_question(const UnfoldReport& unfold) {
   const double size = longer_side(unfold);
-  if (!is_absurdly_small(unfold) && size <= k_large_piece) return {};
+  if (!is_absurdly_small(unfold) && size <= k_absurdly_large) return {};
   const std::string start = "The pattern is " + significant_text(size, 2) + "\u00A0mm long: is ";
   const std::vector<Unit> likely = likely_units(size / millimetres_per(unfold.unit), unfold.unit);
   if (likely.empty()) {

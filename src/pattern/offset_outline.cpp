@@ -42,7 +42,9 @@ std::string length_text(double length, int decimals) {
   throw Error(ErrorCode::option_out_of_range,
               about(outline) + "the seam allowance" + where + " is " + length_text(width, 3) +
                   " mm but must be above 0 and at most the piece's length, " +
-                  length_text(limit, 1) + " mm; is the unit of the model the right one?");
+                  length_text(limit, 1) +
+                  " mm; is the unit right? Numbers alone are in units of the model, 10mm are "
+                  "millimetres");
 }
 
 void check_widths(const PieceOutline& outline, const Allowance& allowance) {

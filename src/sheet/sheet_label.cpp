@@ -178,7 +178,7 @@ std::string size_text(const SheetFacts& facts) {
 std::string origin_text(const SheetFacts& facts) {
   std::string text = std::string("planish ") + k_version + " · scale 1:1";
   if (!facts.date.empty()) text += " · " + facts.date;
-  return text;
+  return text + " · pattern " + hash_text(facts.hash);
 }
 
 }  // namespace
@@ -196,19 +196,17 @@ Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
   line(12.5, 4.0, size_text(facts), k_black);
   line(17.5, 2.5, unit_note(unfold.unit, facts.model_scale), k_dim);
   line(21.5, 2.5, origin_text(facts), k_dim);
-  line(25.5, 2.5, "pattern " + hash_text(facts.hash), k_dim);
-  line(29.5, 2.5, strain_text(unfold.strain, facts.moved), k_dim);
-  if (!facts.lines.empty()) line(37.5, 2.5, facts.lines, k_dim);
+  line(25.5, 2.5, strain_text(unfold.strain, facts.moved), k_dim);
+  if (!facts.lines.empty()) line(33.5, 2.5, facts.lines, k_dim);
   if (std::optional<Verdict> verdict = verdict_of(unfold))
-    line(33.5, 2.5, std::move(verdict->text), verdict->is_bad ? k_red : k_dim);
+    line(29.5, 2.5, std::move(verdict->text), verdict->is_bad ? k_red : k_dim);
   if (facts.overlap) layer.shapes.emplace_back(ring_around(*facts.overlap));
   return layer;
 }
 
 std::vector<std::string> sheet_notes(const UnfoldReport& unfold, const SheetFacts& facts) {
   std::vector<std::string> notes = {size_text(facts), unit_note(unfold.unit, facts.model_scale),
-                                    origin_text(facts), "pattern " + hash_text(facts.hash),
-                                    strain_text(unfold.strain, facts.moved)};
+                                    origin_text(facts), strain_text(unfold.strain, facts.moved)};
   if (std::optional<Verdict> verdict = verdict_of(unfold))
     notes.push_back(std::move(verdict->text));
   if (!facts.lines.empty()) notes.push_back(facts.lines);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "flags/quantities.h"
@@ -138,6 +139,23 @@ std::optional<NestOptions> sheets_from(const Arguments& arguments) {
   return sheets;
 }
 
+namespace {
+
+/// Says where pieces of several materials are laid on the same one.
+void note_materials(const std::vector<NestPatch>& patches, Session& session) {
+  std::set<std::string> materials;
+  for (const NestPatch& patch : patches) {
+    const std::string& fabric = patch.annotations.label.fabric;
+    if (!fabric.empty()) materials.insert(fabric);
+  }
+  if (materials.size() < 2) return;
+  const std::vector<std::string> names(materials.begin(), materials.end());
+  session.note("pieces of several materials lie on the same sheets: " + list_of(names) +
+               "; to lay each by itself, flatten its pieces apart");
+}
+
+}  // namespace
+
 SheetFit fit_alone(NestPatch patch, Unit unit, const NestOptions& sheets) {
   const NestJob job{with_mirror_images({std::move(patch)}), unit, sheets};
   try {
@@ -152,6 +170,7 @@ SheetFit fit_alone(NestPatch patch, Unit unit, const NestOptions& sheets) {
 NestOutcome nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRequest& request,
                          const std::filesystem::path& folder, const std::string& title,
                          Session& session) {
+  note_materials(patches, session);
   NestJob job{with_mirror_images(std::move(patches)), unit, request.sheets};
   const std::vector<NestPiece> pieces = nest_pieces(job);
   Nesting nesting = nest(pieces, job.sheets, session.job_context(title));

@@ -81,6 +81,25 @@ std::string near_text(const ProductReport& report) {
 
 }  // namespace
 
+namespace {
+
+/// How to have sides of one length, where they are not and it was not asked for.
+std::string matching_advice(const ProductReport& report) {
+  constexpr double k_notable = 1.0;  // millimetres
+  const bool is_matched =
+      std::any_of(report.patches.begin(), report.patches.end(), [](const PatchResult& patch) {
+        return patch.finished && patch.finished->unfold.unmatched_strain;
+      });
+  double most = 0.0;
+  for (const MeasuredSeam& seam : report.seams)
+    most = std::max(most, seam.difference().value_or(0.0));
+  if (is_matched || most < k_notable) return {};
+  return "Sides of a seam differ by up to " + fixed(most, 1) +
+         " mm; --match-seams makes them as long as on the model.\n";
+}
+
+}  // namespace
+
 std::string seams_text(const ProductReport& report, bool is_batch) {
   const std::vector<MeasuredSeam>& seams = report.seams;
   const std::string near = near_text(report);
@@ -107,7 +126,7 @@ std::string seams_text(const ProductReport& report, bool is_batch) {
             (seam.name.empty() ? "" : "  (" + seam.name + ")") + "\n" +
             (easing.empty() ? "" : "      " + easing + "\n");
   }
-  return text + near;
+  return text + matching_advice(report) + near;
 }
 
 }  // namespace planish::cli

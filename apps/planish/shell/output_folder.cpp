@@ -27,6 +27,11 @@ bool is_like_a_drawing(const std::string& name) {
 void refuse_forbidden_letter(const std::filesystem::path& path, const std::string& folder) {
   const char letter = forbidden_letter(path);
   if (letter == 0) return;
+  if (letter == '*' || letter == '?') {
+    throw UsageError(folder + " has the sign " + letter +
+                     ", which no name can have: Windows does not put the names of files for it, so "
+                     "name a folder, or each file");
+  }
   const std::string hint =
       letter == '"' ? "; behind a name in quotes there must be no backslash: \"out\", not \"out\\\""
                     : "";

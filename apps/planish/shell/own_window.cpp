@@ -1,7 +1,7 @@
 #include "shell/own_window.h"
 
 #include <algorithm>
-#include <cmath>
+#include <exception>
 #include <istream>
 #include <optional>
 #include <ostream>
@@ -37,51 +37,58 @@ void wait_for_enter(const OwnWindow& window) {
   std::getline(window.in, line);
 }
 
-/// The longest diagonal among meshes that were dropped, model units; 0 where none can be read: then
+/// The diagonals of the meshes that were dropped, model units. What cannot be read is left out:
 /// running says why.
-double longest_of(std::span<const std::string> dropped) {
-  double longest = 0.0;
+std::vector<double> sizes_of(std::span<const std::string> dropped) {
+  std::vector<double> sizes;
   for (const std::string& name : dropped) {
     std::error_code none;
     if (!fs::is_regular_file(path_of(name), none)) continue;
     try {
-      longest = std::max(longest, bounding_box_diagonal(read_mesh(path_of(name)).mesh));
-    } catch (const Error&) {
-      continue;
+      sizes.push_back(bounding_box_diagonal(read_mesh(path_of(name)).mesh));
+    } catch (const std::exception&) {
+      continue;  // whatever it is, the run meets it too
     }
   }
-  return longest;
+  return sizes;
 }
 
-/// Mesh files do not say their unit, and a file that is dropped comes without flags. Where the
-/// meshes would be too small or too large in millimetres, asks; Enter alone is for the likeliest
-/// unit.
+/// "mm (6.28 mm), cm (62.8 mm), ..., in (160 mm)": how long that is in each unit.
+std::string sizes_text(double size) {
+  std::string text;
+  for (const Unit unit : k_units) {
+    text += (text.empty() ? "" : ", ") + std::string(to_string(unit)) + " (" +
+            digits(size * millimetres_per(unit), 3) + " mm)";
+  }
+  return text;
+}
+
+/// Mesh files do not say their unit, and a file that is dropped comes without flags. Where a mesh
+/// would be too small or too large in millimetres, asks until there is an answer.
 Unit unit_of_dropped(std::span<const std::string> dropped, const OwnWindow& window) {
-  const double longest = longest_of(dropped);
-  const std::vector<Unit> likely = likely_units(longest, Unit::mm);
-  const bool is_usual = k_small_piece <= longest && longest <= k_large_piece;
-  if (is_usual || likely.empty()) return Unit::mm;
-  const std::string best(to_string(likely.front()));
-  window.err << "What is dropped is " << digits(longest, 3)
-             << " long in the unit of its file, which the file does not say.\nIn " << best
-             << " that is " << digits(longest * millimetres_per(likely.front()), 3)
-             << " mm. Type mm, cm, dm, m or in, and Enter; Enter alone takes " << best << ": "
-             << std::flush;
+  const std::vector<double> sizes = sizes_of(dropped);
+  const auto unusual = std::find_if(sizes.begin(), sizes.end(), [](double size) {
+    return size < k_small_piece || size > k_large_piece;
+  });
+  if (unusual == sizes.end()) return Unit::mm;
+  window.err << "In which unit is the mesh? Its file does not say, and it would be so long:\n"
+             << sizes_text(*unusual) << "\nType mm, cm, dm, m or in, and Enter: " << std::flush;
   for (std::string word; std::getline(window.in, word);) {
     word.erase(0, word.find_first_not_of(" \t\r"));
     word.erase(word.find_last_not_of(" \t\r") + 1);
-    if (word.empty()) return likely.front();
     if (const auto unit = unit_of_word(word)) return *unit;
-    window.err << Shown{word} << " is not one of mm, cm, dm, m and in. Which is it? " << std::flush;
+    window.err << (word.empty() ? "" : word + " is not one of them. ")
+               << "Type mm, cm, dm, m or in, and Enter: " << std::flush;
   }
-  return likely.front();
+  return Unit::mm;
 }
 
-/// Where the pattern of a dropped file goes.
-fs::path folder_beside(const std::string& dropped) {
+/// Where the pattern of what was dropped goes. That of several files has a folder of its own, as
+/// one for the first file alone may be there.
+fs::path folder_beside(const std::string& dropped, bool is_alone) {
   const fs::path path = path_of(dropped);
   fs::path name = path.has_filename() ? path.stem() : path.parent_path().filename();
-  name += path_of("-pattern");
+  name += path_of(is_alone ? "-pattern" : "-and-more-pattern");
   return (path.has_filename() ? path : path.parent_path()).parent_path() / name;
 }
 
@@ -113,7 +120,7 @@ bool show(const fs::path& folder, const OwnWindow& window) {
 
 int flatten_dropped(std::span<const std::string> words, const OwnWindow& window,
                     const RunContext& context) {
-  const fs::path folder = folder_beside(words.front());
+  const fs::path folder = folder_beside(words.front(), words.size() == 1);
   const Unit unit = unit_of_dropped(words, window);
   std::vector<std::string> args = {
       "flatten", "--output", utf8_of(folder), "--unit", std::string(to_string(unit)), "--"};

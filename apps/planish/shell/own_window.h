@@ -26,8 +26,9 @@ bool are_dropped(std::span<const std::string> words);
 
 /// - Without words: says what to do, and waits for Enter.
 /// - Dropped files are flattened, into a folder beside the first one that has its name and
-///   "-pattern", and the page of the report is opened. Asks for the unit where the meshes have no
-///   usual size in millimetres. After a failure waits for Enter.
+///   "-pattern", of several files "-and-more-pattern", and the page of the report is opened. Asks
+///   for the unit where the meshes have no usual size in millimetres. After a failure waits for
+///   Enter.
 /// - All else is done as in any other window, without waiting: a script might have asked for it.
 /// @return the exit code of the program
 int run_in_own_window(std::span<const std::string> words, const OwnWindow& window,

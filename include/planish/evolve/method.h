@@ -339,11 +339,11 @@ template <class Visit>
 void describe(Auto& o, Visit&& visit) {
   visit("max_strain", o.max_strain,
         "end near to where it began, but where a pattern need not stretch more, as a share of "
-        "length; 0: go on until the patch is flattenable",
+        "length",
         Range{0.0, 1.0});
   visit("max_rms_strain", o.max_rms_strain,
         "the same by the root mean square of the strain, which a few positions with more do not "
-        "decide; 0: no limit",
+        "decide",
         Range{0.0, 1.0});
   visit("max_deviation", o.max_deviation,
         "no vertex ends further than this from where it began, in model units", Range{0.0});

@@ -226,8 +226,8 @@ struct FlattenReport {
   EvolveReport evolve;         ///< from `input` to `processed`
   UnfoldReport unfold;         ///< of `processed`
   UnfoldReport unfold_before;  ///< of `input`: the difference is what evolving gained
-  /// Of `input`: where Auto was to keep limits, the pattern that keeps them best; else
-  /// `unfold_before`.
+  /// Of `input`: the pattern that keeps the limits asked for where the result is the design, and
+  /// where there is such a one; else that of least stretch, `unfold_before`.
   UnfoldReport as_designed;
   std::optional<TwinOf> twin_of = {};  ///< where it is made from the report of another patch
   /// Where evolving made the pattern worse, and the design is the result: the strain it came to.

@@ -101,6 +101,10 @@ std::vector<Note> notes_of(const DrawingPiece& piece, const DxfDialect& dialect)
   if (!piece.material.empty()) notes.push_back({std::string(dialect.material), piece.material});
   notes.push_back({"Size", size_of(piece)});
   if (!piece.note.empty()) notes.push_back({"Annotation", piece.note});
+  if (piece.mirrored > 0 && dialect.family != DxfFamily::astm) {
+    notes.push_back({"Annotation", std::to_string(piece.quantity) + " as drawn, " +
+                                       std::to_string(piece.mirrored) + " mirrored"});
+  }
   notes.push_back({"Quantity", quantity_text(piece, dialect)});
   return notes;
 }

@@ -24,7 +24,9 @@ template <class AsText>
 TwoFigures told_apart(double limit, double value, const AsText& as_text) {
   constexpr int k_usual = 3, k_most = 15;
   int digits = k_usual;
-  while (limit != value && digits < k_most && as_text(limit, digits) == as_text(value, digits))
+  const bool is_rounding = std::abs(limit - value) <= 1e-9 * std::abs(limit);
+  while (!is_rounding && limit != value && digits < k_most &&
+         as_text(limit, digits) == as_text(value, digits))
     ++digits;
   return {as_text(limit, digits), as_text(value, digits)};
 }

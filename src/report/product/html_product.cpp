@@ -158,7 +158,7 @@ std::string millimetres(const std::optional<double>& length) {
 /// Which side is longer.
 std::string easing_note(const ProductReport& report, const MeasuredSeam& seam) {
   const std::string text = easing_text(report, seam);
-  return text.empty() ? "" : "<small>" + escape_markup(text) + "</small>";
+  return text.empty() ? "" : "<br><small>" + escape_markup(text) + "</small>";
 }
 
 std::string seam_row(const ProductReport& report, std::size_t s) {

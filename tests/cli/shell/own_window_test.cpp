@@ -64,7 +64,7 @@ TEST_F(OwnWindowTest, FlattensADroppedFileBesideItselfAndOpensThePage) {
 TEST_F(OwnWindowTest, FlattensSeveralDroppedFilesAsOneProduct) {
   std::filesystem::copy_file("panel.obj", "second.obj");
   EXPECT_EQ(run({in_folder("panel.obj"), in_folder("second.obj")}, open_well), k_exit_done) << err;
-  EXPECT_EQ(opened, std::vector<std::string>{in_folder("panel-pattern/garment.html")});
+  EXPECT_EQ(opened, std::vector<std::string>{in_folder("panel-and-more-pattern/garment.html")});
 }
 
 /// The panel as if it had been made in another unit than millimetres.
@@ -84,15 +84,24 @@ class DroppedUnitTest : public OwnWindowTest {
 TEST_F(DroppedUnitTest, IsAskedForWhereTheSizeIsUnusual) {
   EXPECT_EQ(unit_of_run(0.001, "cm\n"), "cm");
   EXPECT_THAT(err, HasSubstr("Type mm, cm, dm, m or in"));
-  EXPECT_EQ(unit_of_run(0.001, "\n"), "m") << "the likeliest";
-  EXPECT_EQ(unit_of_run(0.001, "yards\n Inches \n"), "in");
-  EXPECT_THAT(err, HasSubstr("yards is not one of"));
-  EXPECT_EQ(unit_of_run(0.001, ""), "m") << "at the end of what is typed";
+  EXPECT_THAT(err, HasSubstr("m (713 mm)"));
+  EXPECT_EQ(unit_of_run(0.001, "\nyards\n Inches \n"), "in");
+  EXPECT_THAT(err, HasSubstr("yards is not one of them"));
+  EXPECT_EQ(unit_of_run(0.001, ""), "mm") << "at the end of what is typed";
+}
+
+TEST_F(DroppedUnitTest, IsAskedForWhereOneOfSeveralIsUnusual) {
+  TriMesh mesh = make_shape("panel", 300);
+  for (Vec3& position : mesh.positions)
+    position = 0.01 * position;
+  write_mesh("small.obj", mesh);
+  run({in_folder("panel.obj"), in_folder("small.obj")}, open_well, "mm\n");
+  EXPECT_THAT(err, HasSubstr("In which unit is the mesh?"));
 }
 
 TEST_F(DroppedUnitTest, IsMillimetresWithoutAQuestionWhereThatIsUsual) {
   EXPECT_EQ(unit_of_run(2.0, ""), "mm");
-  EXPECT_THAT(err, testing::Not(HasSubstr("Type mm")));
+  EXPECT_THAT(err, testing::Not(HasSubstr("In which unit")));
 }
 
 TEST_F(OwnWindowTest, SaysWhereThePageIsIfItCannotBeOpened) {

@@ -216,13 +216,14 @@ TEST(ApparelDxf, HasTheTextsThatProgramsLookForInTheirOrder) {
   Drawing drawing = with_cut(square(10.0), {{"Größe Ж", "42", 2, 1, "wool", "one mirrored"}});
   drawing.date = "2031-02-03";
   const std::string version =
-      value_of(all_of_kind(format_dxf(drawing, {.profile = DxfProfile::aama}), "TEXT").at(10), 1);
+      value_of(all_of_kind(format_dxf(drawing, {.profile = DxfProfile::aama}), "TEXT").at(11), 1);
   EXPECT_THAT(texts_of(drawing, DxfProfile::aama),
               ElementsAre("Piece Name: Groesse Zh", "Material: wool", "Size: 42",
-                          "Annotation: one mirrored", "Quantity: 3", "Style Name: sheet",
-                          "Creation Date: 2031-02-03", "Creation Time: ", "Author: PLANISH",
-                          "PRODUCT: PLANISH", testing::StartsWith("VERSION: "), "Sample Size: 42",
-                          "Units: METRIC", "TOLERANCE: .15"));
+                          "Annotation: one mirrored", "Annotation: 2 as drawn, 1 mirrored",
+                          "Quantity: 3", "Style Name: sheet", "Creation Date: 2031-02-03",
+                          "Creation Time: ", "Author: PLANISH", "PRODUCT: PLANISH",
+                          testing::StartsWith("VERSION: "), "Sample Size: 42", "Units: METRIC",
+                          "TOLERANCE: .15"));
   EXPECT_THAT(
       texts_of(drawing, DxfProfile::gerber),
       ElementsAre("Piece Name: Groesse Zh", "Fabric: wool", "Size: 42", "Annotation: one mirrored",

@@ -165,7 +165,8 @@ TEST(HtmlReport, MarksAgreeWithTheVerdict) {
   report.unfold.limits = {{StrainLimitKind::p99, 0.1, 0.018}};
   report.unfold.strain = {0.018, 0.01, 0.018};
   top = first_screen(html_report(report));
-  EXPECT_THAT(top, HasSubstr("<b>Within the 10\u00A0% that neoprene takes.</b>"));
+  EXPECT_THAT(top, HasSubstr("<b>Within the 10\u00A0% that neoprene takes, "
+                             "with the form changed by up to 0.57\u00A0mm.</b>"));
   EXPECT_THAT(
       top, HasSubstr("<ul class=\"checks\">\n<li><span class=\"met\">✓ within the 10\u00A0% that "
                      "neoprene takes</span></li>"))

@@ -96,7 +96,7 @@ TEST(HtmlProduct, ListsTheSeamsWithTheirDifference) {
   const std::string html = page();
   EXPECT_THAT(html, HasSubstr("strip-1 \u2013 strip-2"));
   const MeasuredSeam& first = product().seams[0];
-  const std::string cells = "<small>strip-1 is " + decimals_text(*first.difference(), 2) +
+  const std::string cells = "<br><small>strip-1 is " + decimals_text(*first.difference(), 2) +
                             "\u00A0mm longer in the pattern</small></td><td>" +
                             decimals_text(*first.difference(), 2) + "</td><td>" +
                             decimals_text(first.on_model[0], 2) + "</td><td>" +

@@ -202,10 +202,10 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
       path + "  (" + size + ")\n" + flatten_text(report) + (nesting ? nesting->text : "");
   CommandResult outcome = with_target_checked({text + written_text(folder, paths, files), json},
                                               arguments, report.evolve);
-  session.write(files, folder);
   const std::vector<std::string> left = left_of_earlier_runs(folder, paths);
   if (!left.empty())
     session.warn(utf8_of(folder) + " still has " + list_of(left) + " of an earlier run");
+  session.write(files, folder);
   open_if_asked(arguments, path_of(paths.at("report_html")), session);
   return with_design_checked(with_limits_checked(std::move(outcome), report.unfold.limits), report);
 }

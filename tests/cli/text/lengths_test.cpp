@@ -36,8 +36,8 @@ TEST(UnusualSize, NamesTheUnitsUnderWhichItWouldBeUsual) {
             "the pattern is 24.0 mm long; with --unit cm it would be 240 mm, with --unit dm it "
             "would be 2400 mm, with --unit in it would be 610 mm");
   EXPECT_EQ(of_size(320.0, 3.0, Unit::m),
-            "the pattern is 320 m long; with --unit cm it would be 3200 mm, with --unit mm it "
-            "would be 320 mm");
+            "the pattern is 320 m long; with --unit mm it would be 320 mm, with --unit cm it "
+            "would be 3200 mm");
   EXPECT_EQ(of_size(6e6, 1.0, Unit::mm),
             "the pattern is 6000 m long; if the mesh is not in mm, give its unit with --unit");
 }

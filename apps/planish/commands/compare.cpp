@@ -146,7 +146,7 @@ CommandResult run_compare(const Arguments& arguments, Session& session) {
   if (writes) text += written_text(files);
   CommandResult outcome = {std::move(text), std::move(json)};
   session.write(files, folder);
-  open_if_asked(arguments, folder / "compare.html", session);
+  open_if_asked(arguments, folder / path_of("compare.html"), session);
   return outcome;
 }
 

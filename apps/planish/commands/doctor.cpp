@@ -31,7 +31,8 @@ constexpr std::size_t k_column = 12;
 /// Whether files can be written into a folder.
 bool can_be_written(const fs::path& folder) {
   // A name that no file of the user has.
-  const fs::path file = folder / ("planish-doctor-" + std::to_string(std::random_device()()));
+  const fs::path file =
+      folder / path_of("planish-doctor-" + std::to_string(std::random_device()()));
   try {
     write_files(std::vector<OutputFile>{{file, ""}});
   } catch (const Error&) {

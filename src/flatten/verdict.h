@@ -43,7 +43,8 @@ std::string computed_text(const FlattenReport& report);
 /// Why Fairness::keeps_form() is false: "height 25 % of the design's". Empty where it is true.
 std::string form_loss_text(const Fairness& fairness);
 
-/// Whether the pattern is shorter than 5 mm, which nobody cuts: its unit is not the one meant.
+/// Whether the longer side of the pattern is below 5 mm: too small for a real piece, so that the
+/// unit is probably wrong.
 bool is_absurdly_small(const UnfoldReport& unfold);
 
 /// Asks about the unit where a pattern of that size is unlikely, and names a likelier one: mesh

@@ -1,6 +1,5 @@
 #include "flatten/product/product_seams.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -9,6 +8,8 @@
 #include <utility>
 
 #include <planish/mesh/inspect.h>
+
+#include "unfold/strain/free_edges.h"
 
 namespace planish {
 
@@ -122,10 +123,6 @@ using EdgeEnds = std::array<Index, 2>;
 
 /// A set, so that an edge of several seams is there once.
 using EdgeSet = std::set<EdgeEnds>;
-
-EdgeEnds lower_first(Index v, Index w) {
-  return {std::min(v, w), std::max(v, w)};
-}
 
 std::vector<EdgeSet> edges_along(std::span<const Seam> seams, std::size_t patches) {
   std::vector<EdgeSet> edges(patches);

@@ -4,13 +4,9 @@
 
 namespace planish {
 
-namespace {
-
 std::array<Index, 2> lower_first(Index v, Index w) {
   return {std::min(v, w), std::max(v, w)};
 }
-
-}  // namespace
 
 FreeEdges::FreeEdges(std::span<const std::array<Index, 2>> edges) {
   sorted_.reserve(edges.size());

@@ -8,6 +8,9 @@
 
 namespace planish {
 
+/// An edge by the vertices at its ends, the lower number first.
+std::array<Index, 2> lower_first(Index v, Index w);
+
 /// A set of edges by the vertices at their ends, in either order (UnfoldOptions::free_edges).
 class FreeEdges {
  public:

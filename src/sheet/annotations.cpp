@@ -198,25 +198,38 @@ std::optional<ClearBox> box_of(const LabelPlace& place, const std::vector<std::s
   return ClearBox{place.middle - half, place.middle + half};
 }
 
+/// Half of what a level text of one line takes in a direction of unit length.
+double half_extent(const std::string& text, double height, Vec2 direction) {
+  return 0.5 * height * (std::abs(direction.x) * width_of({text}) + std::abs(direction.y));
+}
+
+/// A level text on the left of a line through `at` along `way`: its box keeps the gap.
+Text text_beside(Vec2 at, Vec2 way, double gap, double height, std::string text) {
+  const Vec2 left = 1.0 / norm(way) * Vec2{-way.y, way.x};
+  const Vec2 middle = at + (gap + half_extent(text, height, left)) * left;
+  return {{middle.x, middle.y - 0.5 * height}, height, std::move(text), k_seam.color, true};
+}
+
+constexpr double k_length_gap = 2.75, k_length_height = 2.5;
+
 /// The lengths from corner to corner, each beside the middle of its edge, inside.
 void add_edge_lengths(const PieceOutline& outline, Layer& layer) {
-  constexpr double height = 2.5, inside = 4.0, shortest = 5.0;
+  constexpr double shortest = 5.0;
   for (const OutlineEdge& edge : edges_between_corners(outline)) {
     if (edge.length < shortest) continue;
     const Polygon& loop = outline.loops[edge.loop];
     const std::size_t k = edge.points.size() / 2;
     const Vec2 a = loop[edge.points[k - 1]], b = loop[edge.points[k]], way = b - a;
     if (!(norm(way) > 0.0)) continue;
-    const Vec2 at = a + 0.5 * way + inside / norm(way) * Vec2{-way.y, way.x};
-    layer.shapes.emplace_back(Text{
-        {at.x, at.y - 0.5 * height}, height, decimals_text(edge.length, 1), k_seam.color, true});
+    layer.shapes.emplace_back(text_beside(a + 0.5 * way, way, k_length_gap, k_length_height,
+                                          decimals_text(edge.length, 1)));
   }
 }
 
 /// The numbers of seams, each farther inside than a length of its edge would be.
 void add_seam_numbers(const PieceOutline& outline, const std::vector<SeamNumber>& numbers,
-                      Layer& layer) {
-  constexpr double height = 4.0, inside = 8.0;
+                      bool beside_lengths, Layer& layer) {
+  constexpr double height = 4.0, gap = 3.5;
   for (const SeamNumber& seam : numbers) {
     for (std::size_t l = 0; l < outline.vertices.size(); ++l) {
       const std::vector<Index>& vertices = outline.vertices[l];
@@ -226,12 +239,11 @@ void add_seam_numbers(const PieceOutline& outline, const std::vector<SeamNumber>
       const std::size_t n = loop.size(), k = static_cast<std::size_t>(found - vertices.begin());
       const Vec2 way = loop[(k + 1) % n] - loop[(k + n - 1) % n];
       if (!(norm(way) > 0.0)) continue;
-      const Vec2 at = loop[k] + inside / norm(way) * Vec2{-way.y, way.x};
-      layer.shapes.emplace_back(Text{{at.x, at.y - 0.5 * height},
-                                     height,
-                                     "seam " + std::to_string(seam.number),
-                                     k_seam.color,
-                                     true});
+      const Vec2 left = 1.0 / norm(way) * Vec2{-way.y, way.x};
+      const double length =
+          beside_lengths ? 2.0 * half_extent("1000.0", k_length_height, left) : 0.0;
+      layer.shapes.emplace_back(
+          text_beside(loop[k], way, gap + length, height, "seam " + std::to_string(seam.number)));
     }
   }
 }
@@ -282,7 +294,7 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
   layers.push_back(layer_of("internal", std::move(inner), k_internal));
   layers.push_back(annotation_layer(place, lines));
   if (options.edge_lengths) add_edge_lengths(outline, layers.back());
-  add_seam_numbers(outline, options.seam_numbers, layers.back());
+  add_seam_numbers(outline, options.seam_numbers, options.edge_lengths, layers.back());
   return layers;
 }
 

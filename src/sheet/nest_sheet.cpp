@@ -66,7 +66,7 @@ std::string use_text(const NestJob& job, const Nesting& nesting) {
 
 /// Above the sheet, so that its corner stays the origin.
 Layer nest_label(const NestJob& job, const Nesting& nesting, std::size_t number,
-                 const std::string& title, Vec2 size) {
+                 const std::string& title, Vec2 size, const std::string& lines) {
   const std::string date = job.patches.empty() ? "" : job.patches.front().annotations.date;
   Layer layer{"label", {box_line({0.0, 0.0}, size, k_dim)}};
   const double low = size.y + sheet::k_gap, top = low + sheet::k_square;
@@ -82,7 +82,8 @@ Layer nest_label(const NestJob& job, const Nesting& nesting, std::size_t number,
          k_black);
   }
   line(20.0, 4.0, use_text(job, nesting), k_black);
-  if (!date.empty()) line(26.0, 2.5, date, k_dim);
+  line(27.0, 2.5, lines, k_dim);
+  if (!date.empty()) line(32.0, 2.5, date, k_dim);
   return layer;
 }
 
@@ -184,7 +185,7 @@ Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t numbe
       add_shapes(std::move(layers[k]), sheet.pieces.size(), sheet.layers[k]);
     sheet.pieces.push_back({annotations.label.name, annotations.label.size, 1});
   }
-  sheet.layers.push_back(nest_label(job, nesting, number, title, size));
+  sheet.layers.push_back(nest_label(job, nesting, number, title, size, line_words(sheet.layers)));
   sheet.notes = {use_text(job, nesting)};
   return sheet;
 }

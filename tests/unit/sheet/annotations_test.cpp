@@ -12,6 +12,7 @@
 #include "core/fnv_hash.h"
 #include "oracle/outline_distance.h"
 #include "pattern/pattern_hash.h"
+#include "sheet/sheet_layout.h"
 #include "support/sample_report.h"
 
 namespace planish {
@@ -212,17 +213,46 @@ TEST(Annotations, WritesTheLengthsOfEdgesInsideThePiece) {
     EXPECT_TRUE(oracle::is_inside(std::get<Text>(shape).at, path(sheet, "seam").lines));
 }
 
+struct TextBox {
+  Vec2 low, high;
+};
+
+/// Of a text around its middle, with letters as wide as the layout takes them.
+TextBox box_of(const Text& text) {
+  EXPECT_TRUE(text.centred);
+  const double half =
+      0.5 * sheet::k_letter_width * text.height * static_cast<double>(text.text.size());
+  return {text.at - Vec2{half, 0.0}, text.at + Vec2{half, text.height}};
+}
+
+bool overlap(const TextBox& a, const TextBox& b) {
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
 TEST(Annotations, WritesTheNumbersOfSeamsInsideBesideTheirVertices) {
   // Vertex 2 is in the middle of the lower side, 10 in that of the left one, 12 inside.
   const Drawing sheet = sheet_with({.seam_numbers = {{3, 2}, {7, 10}, {9, 12}}});
   EXPECT_THAT(texts(sheet, "annotation"), ElementsAre("seam 3", "seam 7"));
-  const Path& cut = path(sheet, "cut");
-  const std::vector<Vec2> beside = {cut.lines[0][0] + Vec2{100.0, 8.0},
-                                    cut.lines[0][0] + Vec2{8.0, 100.0}};
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto& text = std::get<Text>(layer(sheet, "annotation").shapes[k]);
-    EXPECT_NEAR(norm(text.at + Vec2{0.0, 0.5 * text.height} - beside[k]), 0.0, 1e-9);
+  const Vec2 corner = path(sheet, "cut").lines[0][0];
+  const auto& shapes = layer(sheet, "annotation").shapes;
+  const TextBox lower = box_of(std::get<Text>(shapes[0])), left = box_of(std::get<Text>(shapes[1]));
+  EXPECT_NEAR(lower.low.y - corner.y, 3.5, 1e-9);
+  EXPECT_NEAR(0.5 * (lower.low.x + lower.high.x) - corner.x, 100.0, 1e-9);
+  EXPECT_NEAR(left.low.x - corner.x, 3.5, 1e-9);
+  EXPECT_NEAR(0.5 * (left.low.y + left.high.y) - corner.y, 100.0, 1e-9);
+}
+
+TEST(Annotations, KeepsNumbersOfSeamsAndLengthsApart) {
+  const Drawing sheet = sheet_with({.seam_numbers = {{3, 2}, {7, 10}}, .edge_lengths = true});
+  std::vector<TextBox> boxes;
+  for (const DrawingShape& shape : layer(sheet, "annotation").shapes) {
+    boxes.push_back(box_of(std::get<Text>(shape)));
+    for (const Vec2 at : {boxes.back().low, boxes.back().high})
+      EXPECT_TRUE(oracle::is_inside(at, path(sheet, "cut").lines));
+    for (std::size_t k = 0; k + 1 < boxes.size(); ++k)
+      EXPECT_FALSE(overlap(boxes[k], boxes.back())) << k;
   }
+  EXPECT_EQ(boxes.size(), 6U);
 }
 
 TEST(Annotations, ShowsAHashOfThePatternAndADateOnlyIfGiven) {

@@ -88,6 +88,8 @@ TEST(NestSheet, DrawsEveryCopyWhereItWasLaid) {
   EXPECT_NEAR(nesting.used_length, farthest, 1e-6);
   EXPECT_EQ(nest_paths(sheet, "notch").size(), 4U);
   EXPECT_EQ(nest_paths(sheet, "drill").size(), 4U);
+  EXPECT_THAT(nest_texts(sheet, "label"),
+              testing::Contains("red: cut · grey: sew · pink: notch · green: grain · blue: mark"));
   EXPECT_THAT(nest_texts(sheet, "annotation"),
               testing::UnorderedElementsAre("front 1 of 2", "front 2 of 2", "sleeve 1 of 2",
                                             "sleeve 2 of 2"));

@@ -38,6 +38,11 @@ std::string degrees_of(const Fold& fold) {
   return significant_text(fold.degrees, 2) + "°";
 }
 
+std::string capitalised(std::string text) {
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
 /// What could be cut to the pattern all the same.
 std::string takers_text(const EdgeStrain& strain) {
   std::vector<std::string_view> names;
@@ -51,9 +56,21 @@ std::string takers_text(const EdgeStrain& strain) {
   std::string text(names.front());
   for (std::size_t k = 1; k < names.size(); ++k)
     text += (k + 1 < names.size() ? ", " : " and ") + std::string(names[k]);
-  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text + (names.size() == 1 ? " takes that" : " take that") +
+  return capitalised(text) + (names.size() == 1 ? " takes that" : " take that") +
          (is_beyond ? " on 99 % of the area." : ".");
+}
+
+/// The stiffest material that takes the design as it is, where the form was changed for no
+/// material.
+std::string unchanged_sentence(const FlattenReport& report) {
+  if (report.evolve.fairness.unchanged || report.rejected) return {};
+  for (const Material& material : materials()) {
+    if (report.as_designed.strain.p99 > material.max_strain) continue;
+    const std::string name(material.name);
+    return " " + capitalised(name) + " takes the design as it is: --material " + name +
+           " leaves the form unchanged.";
+  }
+  return {};
 }
 
 /// What would take more of the strain out, where it was left for the sake of the form.
@@ -148,7 +165,7 @@ std::string use_sentences(const FlattenReport& report) {
   if (report.unfold.pattern.flipped_triangles > 0 || flatness == Flatness::flat ||
       flatness == Flatness::limit_kept)
     return {};
-  return " " + takers_text(report.unfold.strain) + way_on(report);
+  return " " + takers_text(report.unfold.strain) + unchanged_sentence(report) + way_on(report);
 }
 
 std::string energy_phrase(double before, double after) {

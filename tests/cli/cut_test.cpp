@@ -192,6 +192,8 @@ TEST_F(SuggestCuts, TellsInWordsAndWritesNothingUnasked) {
   EXPECT_EQ(missed.exit_code, k_exit_done);
   EXPECT_THAT(missed.out, HasSubstr("Not met: an edge of the pattern is still strained by"));
   EXPECT_THAT(missed.out, HasSubstr("all darts of --max-cuts are there"));
+  EXPECT_THAT(missed.out, HasSubstr("You can allow more darts (--max-cuts), take a material"));
+  EXPECT_THAT(met.out, Not(HasSubstr("You can")));
   EXPECT_THAT(planish({"suggest-cuts", "tube.obj"}).out, HasSubstr("seam, 5.000 mm"));
   std::istringstream lines(met.out + missed.out);
   for (std::string line; std::getline(lines, line);)

@@ -243,6 +243,24 @@ TEST_F(Product, TakesSeveralFilesLikeThoseOfAFolder) {
   EXPECT_TRUE(flatten_product("parts/left.obj", "batch", more).json()["seams"].empty());
 }
 
+TEST_F(Product, TellsFilesOfOneNameApart) {
+  for (const char* folder : {"a", "b"}) {
+    std::filesystem::create_directory(folder);
+    write_mesh(std::string(folder) + "/Cuff.obj", make_shape("dome", 100));
+  }
+  write_mesh("cuff.ply", make_shape("saddle", 100));
+  const CliResult run = planish({"flatten", "a/Cuff.obj", "b/Cuff.obj", "cuff.ply", "-o", "out",
+                                 "--json", "--sweeps", "1", "--formats", "svg"});
+  ASSERT_EQ(run.exit_code, k_exit_done) << run.err;
+  const auto result = run.json();
+  std::vector<std::string> names;
+  for (const auto& patch : result["patches"])
+    names.push_back(patch["name"]);
+  EXPECT_THAT(names, ElementsAre("Cuff", "Cuff-2", "cuff-3"));
+  for (const std::string& name : names)
+    EXPECT_TRUE(std::filesystem::exists("out/" + name + "/pattern.svg")) << name;
+}
+
 TEST_F(Product, RefusesSeveralFilesWithoutAFolderAndBesideAProductFile) {
   write_mesh("a.obj", make_shape("dome", 200));
   std::ofstream("suit.json") << R"({"pieces": [{"file": "a.obj"}]})";

@@ -320,29 +320,48 @@ std::string safe_name(const std::string& name) {
   return is_device(safe) || is_like_a_file(safe) ? safe + "_" : safe;
 }
 
+/// The names with a number behind those that are there already, whatever their capitals.
+std::vector<std::string> distinct(const std::vector<std::string>& names) {
+  std::set<std::string> taken;
+  std::map<std::string, int> next;  // number to try, where names are alike: many may be
+  std::vector<std::string> result;
+  result.reserve(names.size());
+  for (const std::string& name : names) {
+    std::string given = name;
+    int& k = next.try_emplace(in_small_letters(name), 2).first->second;
+    while (!taken.insert(in_small_letters(given)).second)
+      given = name + "-" + std::to_string(k++);
+    result.push_back(std::move(given));
+  }
+  return result;
+}
+
+ProductInput with_distinct_names(ProductInput input) {
+  std::vector<std::string> names;
+  names.reserve(input.patches.size());
+  for (const ProductPatch& patch : input.patches)
+    names.push_back(patch.name);
+  names = distinct(names);
+  for (std::size_t p = 0; p < names.size(); ++p)
+    input.patches[p].name = std::move(names[p]);
+  return input;
+}
+
 }  // namespace
 
 std::vector<std::string> safe_names(const std::vector<std::string>& names) {
-  std::set<std::string> taken;
-  std::map<std::string, int> next;  // number to try, where names are alike: many may be
-  std::vector<std::string> safe;
-  safe.reserve(names.size());
-  for (const std::string& name : names) {
-    const std::string wanted = safe_name(name);
-    std::string given = wanted;
-    int& k = next.try_emplace(in_small_letters(wanted), 2).first->second;
-    while (!taken.insert(in_small_letters(given)).second)
-      given = wanted + "-" + std::to_string(k++);
-    safe.push_back(std::move(given));
-  }
-  return safe;
+  std::vector<std::string> safe(names.size());
+  std::transform(names.begin(), names.end(), safe.begin(), safe_name);
+  return distinct(safe);
 }
 
 ProductInput read_product(Session& session, const std::vector<std::string>& paths, Unit unit,
                           bool as_product) {
   const std::string& path = paths.front();
-  if (paths.size() > 1 || is_folder(path)) return read_files(session, paths, as_product);
-  return is_product_file(path) ? read_described(session, path, unit) : read_file(session, path);
+  if (paths.size() > 1 || is_folder(path))
+    return with_distinct_names(read_files(session, paths, as_product));
+  return is_product_file(path) ? read_described(session, path, unit)
+                               : with_distinct_names(read_file(session, path));
 }
 
 ProductInput scaled(ProductInput input, double scale) {

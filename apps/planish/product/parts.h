@@ -21,10 +21,11 @@ struct PatchPlace {
 
 /// What the main job is to be done on.
 struct ProductInput {
-  std::vector<ProductPatch> patches;  ///< names as the files have them
-  std::vector<PatchPlace> places;     ///< of the patches
-  std::string path;                   ///< of the file where there is one patch
-  ReadResult whole;                   ///< where there is one patch: the file as it is
+  /// Names as the files have them; those that repeat one have a number behind it.
+  std::vector<ProductPatch> patches;
+  std::vector<PatchPlace> places;  ///< of the patches
+  std::string path;                ///< of the file where there is one patch
+  ReadResult whole;                ///< where there is one patch: the file as it is
   /// Files that have nothing to do with each other: each is its own group of patches.
   bool is_batch = false;
   /// It is described by a file: several patches by its own account, even where it lists one.

@@ -46,6 +46,20 @@ std::string ending_text(const CutSuggestion& suggestion, const SuggestOptions& o
   return "Not met: " + reached + ", the limit is " + limit + "; " + why + ".";
 }
 
+/// What to do where the limit is not met or the pattern cannot be cut; empty where all is well.
+std::string way_on(const CutSuggestion& suggestion) {
+  if (suggestion.last.pattern.overlaps)
+    return "The pattern overlaps itself: it cannot be cut from one sheet. Divide the patch by "
+           "cuts of your own (--cut takes lines drawn over the model).";
+  if (suggestion.met()) return {};
+  const std::string more = suggestion.stop == SuggestStop::dart_limit
+                               ? "allow more darts (--max-cuts)"
+                               : "draw cuts of your own (--cut)";
+  return "You can " + more +
+         ", take a material that stretches more, or let \"planish flatten\" change the form "
+         "within the limit, with these cuts or without.";
+}
+
 Json to_json(const EdgeStrain& strain) {
   return {{"max", strain.max}, {"rms", strain.rms}, {"p99", strain.p99}};
 }
@@ -68,9 +82,8 @@ std::string suggestion_text(const CutSuggestion& suggestion, const SuggestOption
   }
   if (!suggestion.cuts.empty()) text += "\n";
   text += wrapped(ending_text(suggestion, options), 0) + "\n";
-  if (suggestion.last.pattern.overlaps) {
-    text += wrapped("The pattern overlaps itself: it cannot be cut from one sheet.", 0) + "\n";
-  }
+  const std::string way = way_on(suggestion);
+  if (!way.empty()) text += wrapped(way, 0) + "\n";
   return text;
 }
 

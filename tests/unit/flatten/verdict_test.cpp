@@ -78,6 +78,24 @@ TEST(Verdict, ComparesTheStretchWithThatOfTheDesign) {
                         "12 % and 32 %. "));
 }
 
+TEST(Verdict, NamesTheStiffestMaterialThatTakesTheDesign) {
+  FlattenReport some = with_strain(0.02, 0.0009);
+  some.unfold.strain.p99 = some.unfold.strain.max = 0.004;
+  some.as_designed.strain.p99 = 0.04;
+  const std::string words =
+      "Cotton takes the design as it is: --material cotton leaves the form unchanged.";
+  EXPECT_THAT(verdict(some), HasSubstr(words));
+  some.as_designed.strain.p99 = 0.2;
+  EXPECT_THAT(verdict(some), Not(HasSubstr("takes the design")));
+  some.as_designed.strain.p99 = 0.04;
+  some.evolve.fairness.unchanged = true;
+  EXPECT_THAT(verdict(some), Not(HasSubstr("takes the design")));
+  some.evolve.fairness.unchanged = false;
+  some.material = "leather";
+  some.unfold.limits = {{StrainLimitKind::p99, 0.01, 0.004}};
+  EXPECT_THAT(verdict(some), Not(HasSubstr("takes the design"))) << "the material is chosen";
+}
+
 TEST(Verdict, SaysInItsFirstSentenceWhatBecameOfTheForm) {
   FlattenReport some = report();
   Fairness& fairness = some.evolve.fairness;

@@ -126,6 +126,14 @@ std::string reason_of_absence(const std::string& flag, const Command* command) {
                             : nearest_hint(word, known)));
 }
 
+[[noreturn]] void refuse_argument(const std::string& word, const Command& command) {
+  std::string taken;
+  for (const std::string& operand : command.operands)
+    taken += " " + operand;
+  throw UsageError("unexpected argument " + word + ": planish " + command.name + " takes" +
+                   (taken.empty() ? " none" : taken + " only"));
+}
+
 /// CLI11 throws for two faults only: a flag at the end that lacks its value, and a value for a
 /// flag that takes none.
 [[noreturn]] void refuse_value(std::span<const std::string> args) {
@@ -152,14 +160,14 @@ void take_operands(std::span<const std::string> words, const Command* command,
   arguments.operands.insert(arguments.operands.end(), words.begin(), words.end());
   const std::size_t most = command->operands.size();
   if (!command->operands_repeat && arguments.operands.size() > most)
-    throw UsageError("unexpected argument " + arguments.operands[most]);
+    refuse_argument(arguments.operands[most], *command);
 }
 
 void refuse_leftovers(const std::vector<std::string>& words, const Command* command) {
   for (const std::string& word : words) {
     if (is_flag(word)) refuse_flag(word, command);
     if (command == nullptr) refuse_verb(word);
-    throw UsageError("unexpected argument " + word);
+    refuse_argument(word, *command);
   }
 }
 

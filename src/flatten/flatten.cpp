@@ -242,6 +242,7 @@ class Flattening {
     check_size(work_patch(patch), method_);
     if (is_done_as_it_is(patch)) return;
     evolve_to_aim(patch);
+    if (is_design_as_good()) return take_design(patch, StopReason::strain_met);
     if (is_worse_than_design()) return_to_design(patch);
   }
 
@@ -285,16 +286,21 @@ class Flattening {
   }
 
   /// Lays the input flat and sees whether that is all that is to be done. True if that pattern is
-  /// the result.
+  /// the result. One that keeps the limits, but overlaps itself, is no pattern to cut: another form
+  /// may have a better one.
   bool is_done_as_it_is(const Patch& patch) {
     if (!aim_.any()) return false;
     unfold_input(patch);
-    if (!all_kept(checks_of_aim(work_patch(patch), report_.as_designed))) {
-      show_least_stretch(patch);
-      return false;
-    }
+    design_serves_ = all_kept(checks_of_aim(work_patch(patch), report_.as_designed));
+    if (!design_serves_) show_least_stretch(patch);
+    if (!design_serves_ || (limits_.any() && report_.as_designed.pattern.overlaps)) return false;
     take_design(patch, StopReason::strain_met);
     return true;
+  }
+
+  /// Whether the limits were kept from the beginning, and evolving did not part what overlaps.
+  bool is_design_as_good() const {
+    return design_serves_ && (report_.unfold.pattern.overlaps || !all_kept(report_.unfold.limits));
   }
 
   /// A pattern evened out for limits that it misses all the same is no measure of the design.
@@ -344,6 +350,10 @@ class Flattening {
     }
     report_.evolve.method = method_;
     go_back(patch);
+    // Auto ends by an estimate: what counts is the pattern.
+    StopReason& stop = report_.evolve.result.stop;
+    if (stop == StopReason::smooth_limit && limits_.any() && all_kept(report_.unfold.limits))
+      stop = StopReason::strain_met;
   }
 
   void evolve_and_unfold(const Patch& patch, const Method& method) {
@@ -366,7 +376,7 @@ class Flattening {
   }
 
   /// If the pattern keeps the limits, finds by bisection the smallest share of the move from the
-  /// input with which a pattern still keeps them.
+  /// input with which a pattern still keeps them, and does not overlap itself where it need not.
   void go_back(const Patch& patch) {
     constexpr int halvings = 6;
     if (!aim_.any() || !limits_.any() || !all_kept(report_.unfold.limits)) return;
@@ -374,12 +384,13 @@ class Flattening {
     if (std::get<Auto>(method_).border.rule != BorderFreedom::Rule::fixed) return;
     const Patch& work = work_patch(patch);
     const std::vector<Vec3> farthest = report_.evolve.result.positions;
+    const bool may_overlap = report_.unfold.pattern.overlaps;
     double fails = 0.0, keeps = 1.0;
     for (int k = 0; k < halvings; ++k) {
       const double share = 0.5 * (fails + keeps);
       const Patch between = work.with_positions(part_way(work.positions(), farthest, share));
       UnfoldReport pattern = unfolded(between, with_limits(), 1.0 / (halvings - k));
-      if (!all_kept(pattern.limits)) {
+      if (!all_kept(pattern.limits) || (pattern.pattern.overlaps && !may_overlap)) {
         fails = share;
         continue;
       }
@@ -427,6 +438,7 @@ class Flattening {
   std::optional<RemeshedPatch> remeshed_;
   std::vector<std::array<Index, 2>> free_edges_;  // of the work patch
   FlattenReport report_;
+  bool design_serves_ = false;          // its pattern keeps the limits
   std::optional<UnfoldReport> before_;  // the input without limits, where that is known already
   std::optional<UnfoldReport> within_limits_;  // the input's pattern that misses them least
 };

@@ -157,10 +157,20 @@ std::string stretch_sentence(const FlattenReport& report) {
 
 /// What can be done with a pattern that is stretched and has no limit to keep.
 std::string use_sentences(const FlattenReport& report) {
-  if (report.unfold.pattern.overlaps) return " Divide the patch.";
+  if (report.unfold.pattern.overlaps) {
+    const bool may_change =
+        report.evolve.fairness.unchanged && flatness_of(report) != Flatness::flat;
+    return may_change
+               ? " Let the form change more (--pick 5 takes nearly all stretch out), or divide "
+                 "the patch (--cut)."
+               : " Divide the patch (--cut).";
+  }
   const Flatness flatness = flatness_of(report);
   if (flatness == Flatness::limit_missed)
     return " To keep it, cut the patch (suggest-cuts finds where), or take a material that "
+           "stretches more.";
+  if (flatness == Flatness::limit_kept && !form_faults(report.evolve).empty())
+    return " To keep the form, cut the patch (suggest-cuts finds where), or take a material that "
            "stretches more.";
   if (report.unfold.pattern.flipped_triangles > 0 || flatness == Flatness::flat ||
       flatness == Flatness::limit_kept)

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -168,11 +169,13 @@ Polygon area_of_blunt_corner(const WideLoop& wide, const BorderWalk& walk, std::
                              std::size_t edges, const Allowance& allowance) {
   constexpr double k_short = 0.5;  // of the allowance: all edges
   constexpr double k_least_turn = std::numbers::pi / 4.0, k_most_turn = 0.9 * std::numbers::pi;
+  constexpr double k_least_part =
+      0.1;  // of the turn, at either end: else the other end is the corner
   const std::size_t count = wide.points.size(), last = (first + edges) % count;
   const double width = wide.widths[first];
   const Vec2 before = direction(wide.points[(first + count - 1) % count], wide.points[first]);
   const Vec2 after = direction(wide.points[last], wide.points[(last + 1) % count]);
-  double length = 0.0, turned = 0.0;
+  double length = 0.0, turned = 0.0, turn_of_first = 0.0, turn_of_last = 0.0;
   Vec2 along = before;
   for (std::size_t k = 0; k <= edges; ++k) {
     const std::size_t at = (first + k) % count, next = (at + 1) % count;
@@ -180,11 +183,14 @@ Polygon area_of_blunt_corner(const WideLoop& wide, const BorderWalk& walk, std::
     const double turn = turn_between(along, way);
     if (!(turn > 0.0) || wide.widths[at] != width) return {};
     turned += turn;
+    if (k == 0) turn_of_first = turn;
+    turn_of_last = turn;
     if (k < edges) length += norm(wide.points[next] - wide.points[at]);
     along = way;
   }
   if (wide.widths[(first + count - 1) % count] != width || length > k_short * width) return {};
   if (turned < k_least_turn || turned > k_most_turn) return {};
+  if (std::min(turn_of_first, turn_of_last) < k_least_part * turned) return {};
   if (!stands_out(wide, walk, first, last, turned)) return {};
   const Vec2 from = wide.points[first] + width * outwards(before);
   const Vec2 to = wide.points[last] + width * outwards(after);
@@ -197,17 +203,52 @@ Polygon area_of_blunt_corner(const WideLoop& wide, const BorderWalk& walk, std::
   return area;
 }
 
+/// What mitres lack at a corner: the vertices of the outline that cut it off, and the area.
+struct BluntCorner {
+  std::vector<std::size_t> vertices;
+  Polygon area;
+};
+
+std::vector<BluntCorner> blunt_corners(const WideLoop& wide, std::size_t edges,
+                                       const Allowance& allowance) {
+  const BorderWalk walk(wide.points);
+  std::vector<BluntCorner> corners;
+  for (std::size_t i = 0; i < wide.points.size(); ++i) {
+    Polygon area = area_of_blunt_corner(wide, walk, i, edges, allowance);
+    if (area.empty() || !(signed_area(area) > 0.0)) continue;
+    BluntCorner& corner = corners.emplace_back(BluntCorner{{}, std::move(area)});
+    for (std::size_t k = 0; k <= edges; ++k)
+      corner.vertices.push_back((i + k) % wide.points.size());
+  }
+  return corners;
+}
+
 /// A corner of a mesh is often cut off by an edge or two; mitres of each alone would leave a
 /// chipped corner. Areas that are counter-clockwise may be added to the raw line: docs/pattern.md.
+/// Two areas at one vertex would leave a notch between their tips, so neither is added; of two
+/// edges and one of them, that of both is.
 void append_blunt_corners(const WideLoop& wide, const Allowance& allowance,
                           std::vector<Polygon>& lines) {
   if (allowance.corners != Corners::mitre || wide.points.size() < 4) return;
-  const BorderWalk walk(wide.points);
-  for (std::size_t i = 0; i < wide.points.size(); ++i) {
-    for (const std::size_t edges : {std::size_t{1}, std::size_t{2}}) {
-      Polygon area = area_of_blunt_corner(wide, walk, i, edges, allowance);
-      if (!area.empty() && signed_area(area) > 0.0) lines.push_back(std::move(area));
-    }
+  std::vector<int> areas_at(wide.points.size(), 0);
+  const auto count = [&](const BluntCorner& corner) {
+    for (const std::size_t v : corner.vertices)
+      ++areas_at[v];
+  };
+  const auto most_at = [&](const BluntCorner& corner) {
+    int most = 0;
+    for (const std::size_t v : corner.vertices)
+      most = std::max(most, areas_at[v]);
+    return most;
+  };
+  std::vector<BluntCorner> corners = blunt_corners(wide, 2, allowance);
+  std::for_each(corners.begin(), corners.end(), count);
+  std::vector<BluntCorner> of_one_edge = blunt_corners(wide, 1, allowance);
+  std::erase_if(of_one_edge, [&](const BluntCorner& corner) { return most_at(corner) > 0; });
+  std::for_each(of_one_edge.begin(), of_one_edge.end(), count);
+  std::move(of_one_edge.begin(), of_one_edge.end(), std::back_inserter(corners));
+  for (BluntCorner& corner : corners) {
+    if (most_at(corner) == 1) lines.push_back(std::move(corner.area));
   }
 }
 

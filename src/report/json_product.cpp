@@ -55,6 +55,7 @@ Json patch_entry(const PatchResult& patch, const std::string& folder, const Writ
   Json json = {
       {"name", patch.name},
       {"folder", folder},
+      {"source", patch.words.source.empty() ? Json(nullptr) : Json(patch.words.source)},
       {"material", patch.words.material.empty() ? Json(nullptr) : Json(patch.words.material)},
       {"quantity", patch.words.quantity == 0 ? Json(nullptr) : Json(patch.words.quantity)},
       {"vertices", patch.vertices},

@@ -72,6 +72,7 @@ PatternOnSheet pattern_on_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
   SheetFacts facts = {
       name,         piece_box.size(),   widest_allowance(options), pattern_hash(pattern.positions),
       options.date, options.model_scale};
+  facts.form_faults = options.form_faults;
   if (options.moved) facts.moved = millimetres_per(unfold.unit) * *options.moved;
   const bool mirrored = options.like && options.like->mirrored;
   PatternOnSheet sheet =

@@ -154,16 +154,21 @@ struct Verdict {
 };
 
 /// What speaks most against cutting the pattern, or else that it keeps its limit; none without.
-std::optional<Verdict> verdict_of(const UnfoldReport& unfold) {
+std::optional<Verdict> verdict_of(const UnfoldReport& unfold, const SheetFacts& facts) {
   if (unfold.pattern.overlaps)
     return Verdict{"The pattern overlaps itself (red ring): divide the patch.", true};
   if (unfold.pattern.flipped_triangles > 0)
     return Verdict{"Triangles of the pattern are flipped: do not cut.", true};
-  if (unfold.limits.empty()) return std::nullopt;
+  const bool is_bad = !facts.form_faults.empty();
+  const std::string form = "the form " + facts.form_faults;
+  if (unfold.limits.empty())
+    return is_bad ? std::optional(Verdict{"Before cutting: " + form, true}) : std::nullopt;
   const auto missed = std::find_if(unfold.limits.begin(), unfold.limits.end(),
                                    [](const StrainLimitCheck& limit) { return !limit.kept(); });
   if (missed == unfold.limits.end())
-    return Verdict{"keeps the limit " + limit_words(unfold.limits.front())};
+    return Verdict{
+        "keeps the limit " + limit_words(unfold.limits.front()) + (is_bad ? ", but " + form : ""),
+        is_bad};
   return Verdict{"Beyond the limit " + limit_words(*missed) + ": " + percent_text(missed->reached),
                  true};
 }
@@ -198,7 +203,7 @@ Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
   line(21.5, 2.5, origin_text(facts), k_dim);
   line(25.5, 2.5, strain_text(unfold.strain, facts.moved), k_dim);
   if (!facts.lines.empty()) line(33.5, 2.5, facts.lines, k_dim);
-  if (std::optional<Verdict> verdict = verdict_of(unfold))
+  if (std::optional<Verdict> verdict = verdict_of(unfold, facts))
     line(29.5, 2.5, std::move(verdict->text), verdict->is_bad ? k_red : k_dim);
   if (facts.overlap) layer.shapes.emplace_back(ring_around(*facts.overlap));
   return layer;
@@ -207,7 +212,7 @@ Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
 std::vector<std::string> sheet_notes(const UnfoldReport& unfold, const SheetFacts& facts) {
   std::vector<std::string> notes = {size_text(facts), unit_note(unfold.unit, facts.model_scale),
                                     origin_text(facts), strain_text(unfold.strain, facts.moved)};
-  if (std::optional<Verdict> verdict = verdict_of(unfold))
+  if (std::optional<Verdict> verdict = verdict_of(unfold, facts))
     notes.push_back(std::move(verdict->text));
   if (!facts.lines.empty()) notes.push_back(facts.lines);
   return notes;

@@ -64,9 +64,10 @@ TEST_F(Product, TellsOfEachPatchWhetherItsPatternKeepsTheLimit) {
                       "--max-deviation", "0.01mm"};
   const CliResult result = planish(args);
   EXPECT_EQ(result.exit_code, k_exit_target_missed);
-  EXPECT_THAT(result.err, testing::ContainsRegex("\\[ \\] round .* strain limit of 1.*% missed: "));
-  EXPECT_THAT(result.err, testing::ContainsRegex("\\[x\\] tube .* strain limit of 1.*% kept: 0"));
-  EXPECT_THAT(result.out, HasSubstr("2 pieces; model in mm; 1 to look at, first\n\n  [ ] round"));
+  EXPECT_THAT(result.err,
+              testing::ContainsRegex("\\[no\\] round .* strain limit of 1.*% missed: "));
+  EXPECT_THAT(result.err, testing::ContainsRegex("\\[ok\\] tube .* strain limit of 1.*% kept: 0"));
+  EXPECT_THAT(result.out, HasSubstr("2 pieces; model in mm; 1 to look at, first\n\n  [no] round"));
   const auto json = nlohmann::json::parse(content_of("out/garment.json"));
   EXPECT_FALSE(json["patches"][0]["met"]);
   EXPECT_EQ(json["patches"][0]["checks"][0]["what"], "strain");
@@ -120,7 +121,7 @@ TEST_F(Product, EndsWith3WhereTheDesignOfAPieceWasKept) {
   const CliResult result = planish(args);
   EXPECT_EQ(result.exit_code, k_exit_target_missed);
   EXPECT_THAT(result.err, HasSubstr("the pattern of the design was written, of:\n  flat\n"));
-  EXPECT_THAT(result.out, HasSubstr("[ ] flat"));
+  EXPECT_THAT(result.out, HasSubstr("[no] flat"));
   const auto piece = nlohmann::json::parse(content_of("out/garment.json"))["patches"][0];
   EXPECT_EQ(piece["checks"][0]["what"], "rejected");
   EXPECT_GT(piece["rejected_strain"]["rms"], piece["unfold"]["strain"]["rms"]);
@@ -257,6 +258,7 @@ TEST_F(Product, TellsFilesOfOneNameApart) {
   for (const auto& patch : result["patches"])
     names.push_back(patch["name"]);
   EXPECT_THAT(names, ElementsAre("Cuff", "Cuff-2", "cuff-3"));
+  EXPECT_EQ(result["patches"][1]["source"], "b/Cuff.obj");
   for (const std::string& name : names)
     EXPECT_TRUE(std::filesystem::exists("out/" + name + "/pattern.svg")) << name;
 }

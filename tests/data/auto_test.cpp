@@ -105,5 +105,22 @@ TEST(FlattenOnPatches, KeepsTheAimByThePatternNotByTheEstimate) {
   }
 }
 
+/// Its pattern within the limit overlaps itself at the crotch: that is none to cut.
+TEST(FlattenOnPatches, ChangesTheFormWhereThePatternWithinTheLimitsOverlaps) {
+  for (const PatchFacts& facts : patches()) {
+    if (facts.path.stem() != "jumpsuit_front_3k") continue;
+    const Patch patch(read_mesh(facts.path).mesh);
+    const StrainLimits cotton{.p99 = 0.05};
+    const auto as_designed = flatten(patch, "front", {.keep_design = true, .limits = cotton});
+    EXPECT_TRUE(all_kept(as_designed.unfold.limits));
+    EXPECT_TRUE(as_designed.unfold.pattern.overlaps);
+    const auto report = flatten(patch, "front", {.limits = cotton});
+    EXPECT_TRUE(all_kept(report.unfold.limits));
+    EXPECT_FALSE(report.unfold.pattern.overlaps);
+    EXPECT_GT(report.evolve.deviation.max, 0.0);
+    EXPECT_TRUE(report.evolve.fairness.is_smooth());
+  }
+}
+
 }  // namespace
 }  // namespace planish

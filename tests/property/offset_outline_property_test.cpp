@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -46,6 +47,42 @@ PLANISH_PROPERTY(OffsetOutlineProperty, CornersReachNoFartherThanTheirLimit, 200
   const double width = 0.5 * *rc::gen::inRange(1, 60);
   check(outline, {.width = width, .corners = Corners::mitre}, 2.5 * width + 1e-4);
   check(outline, {.width = width, .corners = Corners::square}, std::numbers::sqrt2 * width + 1e-4);
+}
+
+/// On an ellipse, at random places: a convex outline, whose corners may be cut off by short edges.
+PieceOutline random_convex_outline() {
+  const auto count = static_cast<std::size_t>(*rc::gen::resize(100, rc::gen::inRange(4, 16)));
+  auto places =
+      *rc::gen::resize(100, rc::gen::unique<std::vector<int>>(count, rc::gen::inRange(0, 3600)));
+  std::sort(places.begin(), places.end());
+  const double wide = *rc::gen::resize(100, rc::gen::inRange(50, 150));
+  const double high = *rc::gen::resize(100, rc::gen::inRange(50, 150));
+  PieceOutline outline{"random", {{}}};
+  for (const int place : places) {
+    const double angle = 2.0 * std::numbers::pi * place / 3600.0;
+    outline.loops[0].push_back({wide * std::cos(angle), high * std::sin(angle)});
+  }
+  return outline;
+}
+
+/// How far a corner that turns inwards is at most from the line between its neighbours.
+double deepest_notch(const Polygon& loop) {
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec2 before = loop[(i + loop.size() - 1) % loop.size()], at = loop[i];
+    const Vec2 way = loop[(i + 1) % loop.size()] - before;
+    if (norm(way) > 1e-3) deepest = std::max(deepest, cross(at - before, way) / -norm(way));
+  }
+  return deepest;
+}
+
+PLANISH_PROPERTY(OffsetOutlineProperty, MitresOfAConvexPieceLeaveNoNotch, 500) {
+  const PieceOutline outline = random_convex_outline();
+  RC_PRE(signed_area(outline.loops.front()) > 500.0);
+  const double width = 0.5 * *rc::gen::resize(100, rc::gen::inRange(1, 60));
+  const auto cut = offset_outline(outline, {.width = width});
+  RC_ASSERT(cut.size() == 1U);
+  RC_ASSERT(deepest_notch(cut.front()) < 0.005);
 }
 
 /// What is nearer than the width is inside, what is farther is outside: nothing is forgotten.

@@ -16,6 +16,7 @@
 #include "shell/file_name.h"
 #include "shell/session.h"
 #include "shell/values.h"
+#include "text/lengths.h"
 #include "text/suggestion_text.h"
 #include "text/summary.h"
 #include "text/written_text.h"
@@ -77,6 +78,7 @@ CommandResult run_suggest_cuts(const Arguments& arguments, Session& session) {
   std::string text =
       path + "  (" + size_text(mesh) + ")\n\n" + suggestion_text(suggestion, options, unit);
   if (!files.empty()) text += written_text(files);
+  if (const auto size = unusual_size_text(suggestion.last.pattern, unit)) session.note(*size);
   CommandResult outcome = {text, suggestion_json(suggestion, options, unit, paths)};
   session.write(files);
   return outcome;

@@ -11,7 +11,7 @@ struct Alias {
   std::string_view name, flag;
 };
 
-constexpr std::array<Alias, 23> k_aliases = {{{"--seam-allowance", "--allowance"},
+constexpr std::array<Alias, 26> k_aliases = {{{"--seam-allowance", "--allowance"},
                                               {"--stretch", "--max-strain"},
                                               {"--max-stretch", "--max-strain"},
                                               {"--strain", "--max-strain"},
@@ -22,6 +22,9 @@ constexpr std::array<Alias, 23> k_aliases = {{{"--seam-allowance", "--allowance"
                                               {"--format", "--formats"},
                                               {"--paper-size", "--paper"},
                                               {"--page-size", "--paper"},
+                                              {"--tile", "--paper"},
+                                              {"--tiles", "--paper"},
+                                              {"--tiled", "--paper"},
                                               {"--materials", "--material"},
                                               {"--fabric-width", "--sheet"},
                                               {"--roll-width", "--sheet"},

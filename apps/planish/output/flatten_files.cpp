@@ -14,6 +14,7 @@
 #include "flags/annotation_flags.h"
 #include "flags/fields_flag.h"
 #include "flatten/reference_sweeps.h"
+#include "flatten/verdict.h"
 #include "platform/path.h"
 
 namespace planish::cli {
@@ -86,6 +87,7 @@ PatternFiles pattern_files_from(const Arguments& arguments) {
 
 PatternOptions with_move(PatternOptions annotations, const FlattenReport& report) {
   if (report.evolve.deviation.max > 0.0) annotations.moved = report.evolve.deviation.max;
+  annotations.form_faults = form_faults(report.evolve);
   return annotations;
 }
 

@@ -45,7 +45,7 @@ std::string role_of(const std::string& pattern, PatternFormat format);
 /// Annotations by the numbers of the processed patch.
 PatternOptions on_processed(const PatternOptions& annotations, const FlattenReport& report);
 
-/// The same with how far the surface moved, for the sheet of the result.
+/// The same with what became of the form, for the sheet of the result.
 PatternOptions with_move(PatternOptions annotations, const FlattenReport& report);
 
 /// Role -> path of all that `flatten` writes of a patch into a folder.

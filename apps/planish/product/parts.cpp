@@ -96,9 +96,18 @@ std::vector<ProductPatch> patches_of(const ReadResult& file, const std::string& 
   refuse_loose_triangles(file.mesh, parts.size(), path);
   std::vector<ProductPatch> patches;
   patches.reserve(parts.size());
-  for (NamedPatch& part : parts)
+  for (NamedPatch& part : parts) {
     patches.push_back({std::move(part.name), std::move(part.mesh)});
+    patches.back().words.source = path;
+  }
   return patches;
+}
+
+/// What stands for the patches of a file that cannot be read. To be called in a handler.
+ProductPatch unreadable(std::string name, const std::string& path) {
+  ProductPatch patch{std::move(name), {}, {}, current_failure()};
+  patch.words.source = path;
+  return patch;
 }
 
 /// Safe folders for all patches.
@@ -151,7 +160,7 @@ ProductInput read_files(Session& session, const std::vector<std::string>& paths,
       input.whole = std::move(whole);
     } catch (const Error&) {
       if (files.size() == 1) throw;
-      input.patches.push_back({stem_of(file), {}, {}, current_failure()});
+      input.patches.push_back(unreadable(stem_of(file), file));
       formats.push_back(MeshFormat::obj);
     }
     groups.resize(input.patches.size(), groups.empty() ? 0 : groups.back() + 1);
@@ -195,7 +204,8 @@ std::vector<ProductPatch> patches_of(const RequestedPiece& piece, Session& sessi
 /// What a product file says of a piece besides its form.
 ProductPatch with_words(ProductPatch patch, const RequestedPiece& piece) {
   const int all = piece.quantity.value_or(piece.mirrored ? 2 : 0);
-  patch.words = {piece.material.value_or(""), piece.mirrored ? all / 2 : all};
+  patch.words.material = piece.material.value_or("");
+  patch.words.quantity = piece.mirrored ? all / 2 : all;
   if (piece.material)
     patch.limits = StrainLimits{.p99 = material_named(*piece.material).max_strain};
   return patch;
@@ -239,7 +249,7 @@ ProductInput read_described(Session& session, const std::string& path, Unit unit
     try {
       patches = patches_of(piece, session, unit);
     } catch (const Error&) {
-      patches.push_back({piece.name.value_or(stem_of(piece.file)), {}, {}, current_failure()});
+      patches.push_back(unreadable(piece.name.value_or(stem_of(piece.file)), piece.file));
     }
     for (ProductPatch& patch : patches) {
       input.patches.push_back(with_words(std::move(patch), piece));

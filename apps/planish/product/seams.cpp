@@ -12,6 +12,7 @@
 #include "flags/units.h"
 #include "platform/path.h"
 #include "shell/failures.h"
+#include "text/own_seams.h"
 
 namespace planish::cli {
 
@@ -97,6 +98,11 @@ std::vector<MeasuredSeam> with_names(std::vector<MeasuredSeam> seams,
 PatternOptions annotations_on(PatternOptions annotations, const Arguments& arguments,
                               const Patch& patch, const std::string& name, Session& session) {
   annotations = with_drawn_annotations(std::move(annotations), arguments, patch, session);
+  if (meets_itself(patch)) {
+    const std::size_t group = 0;
+    annotations.seam_numbers =
+        numbers_of_seams(arguments, {&patch.mesh(), 1}, {&group, 1}).front();
+  }
   const bool seams = arguments.has("--seam-notches");
   if (named_vertices(annotations).empty() && annotations.notches.empty() && !seams)
     return annotations;

@@ -27,10 +27,16 @@ std::string checks_text(const PatchResult& patch) {
   return text;
 }
 
+/// How far the form was changed; empty where it was not.
+std::string moved_text(const FinishedPatch& patch) {
+  if (patch.deviation.max == 0.0) return {};
+  return "  moved up to " + ShownLengths(patch.unfold.unit).text(patch.deviation.max);
+}
+
 }  // namespace
 
 std::string patch_line(const PatchResult& patch) {
-  const std::string name = std::string(is_met(patch) ? "[x] " : "[ ] ") +
+  const std::string name = std::string(is_met(patch) ? "[ok] " : "[no] ") +
                            left(short_name(patch.name), k_name_width) + " ";
   const std::string checks = checks_text(patch);
   if (!patch.finished) return name + checks;
@@ -41,8 +47,9 @@ std::string patch_line(const PatchResult& patch) {
   return name + right(lengths.number(pattern.width), 7) + " x " +
          right(lengths.number(pattern.height), 7) + " " + lengths.unit() + "  strain rms " +
          right(percent(unfold.strain.rms), 8) + ", largest " +
-         right(percent(unfold.strain.max), 8) + (checks.empty() ? "" : "  " + checks) +
-         (twin ? "  " + twin_text(*twin) : "") + (patch.resumed ? "  (from the earlier run)" : "");
+         right(percent(unfold.strain.max), 8) + moved_text(*patch.finished) +
+         (checks.empty() ? "" : "  " + checks) + (twin ? "  " + twin_text(*twin) : "") +
+         (patch.resumed ? "  (from the earlier run)" : "");
 }
 
 std::string pieces_text(const ProductReport& report) {

@@ -26,12 +26,17 @@ struct Cells {
   std::string name, strain, most_strain, moved, most_moved, bending, added, lost, fold, smooth;
 };
 
+/// Never without a blank before it.
+std::string column(const std::string& text, std::size_t width) {
+  return " " + right(text, width - 1);
+}
+
 std::string row(const Cells& cells) {
-  const std::string text = left(cells.name, k_name) + right(cells.strain, k_strain) +
-                           right(cells.most_strain, k_strain) + right(cells.moved, k_length) +
-                           right(cells.most_moved, k_length) + right(cells.bending, k_length) +
-                           right(cells.added, k_ratio) + right(cells.lost, k_least) +
-                           right(cells.fold, k_least);
+  const std::string text = left(cells.name, k_name) + column(cells.strain, k_strain) +
+                           column(cells.most_strain, k_strain) + column(cells.moved, k_length) +
+                           column(cells.most_moved, k_length) + column(cells.bending, k_length) +
+                           column(cells.added, k_ratio) + column(cells.lost, k_least) +
+                           column(cells.fold, k_least);
   return text + (cells.smooth.empty() ? "" : "  " + cells.smooth) + "\n";
 }
 
@@ -85,9 +90,9 @@ std::string candidates_text(const FlattenReport& report) {
   const std::string others = others_text(report, candidates);
   return text + "\n" +
          wrapped(std::string("> is what was written.") +
-                     (is_faulty ? " ! is crumpled or sharply folded." : "") +
-                     " Others to choose: --pick " + others +
-                     "; \"planish frontier\" computes them all.",
+                     (is_faulty ? " ! is crumpled or sharply folded." : "") + " Others to choose" +
+                     (report.unfold.limits.empty() ? "" : ", without the limit") + ": --pick " +
+                     others + "; \"planish frontier\" computes them all.",
                  0) +
          "\n";
 }

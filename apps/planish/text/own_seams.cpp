@@ -26,8 +26,8 @@ std::string ends_text(const SeamSide& side) {
   return std::to_string(side.vertices.front()) + " to " + std::to_string(side.vertices.back());
 }
 
-/// Whether two border vertices are at the same place, as those of an edge that is sewn to another
-/// one are. Most patches have none, and need no search for seams.
+}  // namespace
+
 bool meets_itself(const Patch& patch) {
   std::vector<std::array<double, 3>> places;
   for (const std::vector<Index>& loop : patch.border_loops()) {
@@ -39,8 +39,6 @@ bool meets_itself(const Patch& patch) {
   std::sort(places.begin(), places.end());
   return std::adjacent_find(places.begin(), places.end()) != places.end();
 }
-
-}  // namespace
 
 void note_unequal_seams(Session& session, const Patch& design, const UnfoldReport& report) {
   if (!meets_itself(design)) return;

@@ -29,8 +29,9 @@ std::string cut_text(const SuggestedCut& cut, const std::string& unit) {
 std::string ending_text(const CutSuggestion& suggestion, const SuggestOptions& options) {
   const std::string limit = percent(options.max_strain);
   if (suggestion.met()) {
-    const std::string how =
-        suggestion.cuts.empty() ? "Met without a cut: " : "Met with these cuts: ";
+    const std::string how = suggestion.last.pattern.overlaps ? "The limit is met: "
+                            : suggestion.cuts.empty()        ? "Met without a cut: "
+                                                             : "Met with these cuts: ";
     return how + (options.limit_of_area
                       ? "99 % of the pattern's area is strained by " + limit + " at most."
                       : "no edge of the pattern is strained by more than " + limit + ".");
@@ -49,7 +50,7 @@ std::string ending_text(const CutSuggestion& suggestion, const SuggestOptions& o
 /// What to do where the limit is not met or the pattern cannot be cut; empty where all is well.
 std::string way_on(const CutSuggestion& suggestion) {
   if (suggestion.last.pattern.overlaps)
-    return "The pattern overlaps itself: it cannot be cut from one sheet. Divide the patch by "
+    return "But the pattern overlaps itself: it cannot be cut from one sheet. Divide the patch by "
            "cuts of your own (--cut takes lines drawn over the model).";
   if (suggestion.met()) return {};
   const std::string more = suggestion.stop == SuggestStop::dart_limit

@@ -174,7 +174,9 @@ std::string place_text(Vec3 at) {
 std::string form_lines(const EvolveReport& report) {
   const Fairness& fairness = report.fairness;
   const std::string indent(14, ' ');
-  std::string text = "  form        " + answer(fairness.is_sound(), "smooth");
+  std::string text = "  form        " + answer(fairness.is_smooth(), "smooth");
+  if (fairness.is_smooth() && fairness.has_sharp_fold())
+    text += " but for " + new_fold_text(*fairness.sharpest_fold);
   if (fairness.bending_lost) text += ", " + answer(fairness.keeps_form(), "form kept");
   text += "\n";
   if (fairness.bending_ratio && !fairness.unchanged) {
@@ -262,7 +264,11 @@ std::string matching_lines(const UnfoldReport& report) {
 
 /// What keeping a limit costs.
 std::string unlimited_lines(const UnfoldReport& report) {
-  if (!report.unlimited_strain) return {};
+  constexpr double same = 0.02;
+  const EdgeStrain& strain = report.strain;
+  if (!report.unlimited_strain || (strain.rms < (1.0 + same) * report.unlimited_strain->rms &&
+                                   strain.max > (1.0 - same) * report.unlimited_strain->max))
+    return {};
   return "              evened out to keep the limit; with least stretch it would be\n"
          "              rms " +
          percent(report.unlimited_strain->rms) + ", largest " +

@@ -17,6 +17,7 @@ namespace planish {
 struct PieceWords {
   std::string material = {};  ///< what it is cut from; empty: not said
   int quantity = 0;           ///< how many to cut; 0: not said
+  std::string source = {};    ///< file that it was read from; empty: none
 };
 
 /// A patch of a product, as it comes.

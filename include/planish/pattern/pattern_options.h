@@ -61,6 +61,7 @@ struct PatternOptions {
   double model_scale = 1.0;   ///< for the label: what the model was multiplied with
   /// For the label: how far a place of the surface is from its design at most, model units.
   std::optional<double> moved = {};
+  std::string form_faults = {};        ///< for the label: as "is lost", of the form; empty: none
   std::optional<DrawnLike> like = {};  ///< of a twin: how its lines follow those of the other one
 };
 

@@ -146,10 +146,10 @@ class CutSearch {
 
   bool is_cancelled() const { return context_.is_cancelled && context_.is_cancelled(); }
 
-  Flat flatten(const Patch& patch) {
+  Flat flatten(const Patch& patch, const StrainLimits& limits = {}) {
     Flat flat{{}, {.max = k_cannot_lie_flat, .rms = k_cannot_lie_flat, .p99 = k_cannot_lie_flat}};
     try {
-      flat.pattern = unfold(patch, {}, unfolding_);
+      flat.pattern = unfold(patch, {.limits = limits}, unfolding_);
       flat.strain = edge_strain(patch, flat.pattern.positions);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::unfold_failed) throw;
@@ -157,11 +157,22 @@ class CutSearch {
     return flat;
   }
 
-  /// The mesh cut along all paths, laid flat.
+  /// The mesh cut along all paths, laid flat: with least stretch, or evened out where only that
+  /// keeps the limit.
   CutPattern with_paths() {
     CutMesh cut = cut_along(patch_, paths_);
-    Flat flat = flatten(Patch(cut.mesh));
+    const Patch patch(cut.mesh);
+    Flat flat = flatten(patch);
+    if (!flat.pattern.positions.empty() && !is_met(flat.strain)) {
+      Flat even = flatten(patch, limits());
+      if (is_met(even.strain)) flat = std::move(even);
+    }
     return {std::move(cut), std::move(flat.pattern), flat.strain};
+  }
+
+  StrainLimits limits() const {
+    return options_.limit_of_area ? StrainLimits{.p99 = options_.max_strain}
+                                  : StrainLimits{.max = options_.max_strain};
   }
 
   void open_to_disk() {

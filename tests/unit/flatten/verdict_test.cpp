@@ -225,7 +225,7 @@ TEST(Verdict, WarnsFirstOfAPatternThatIsNotToBeCut) {
   EXPECT_THAT(verdict(some), StartsWith("Do not cut this pattern: parts of it are flipped over. "));
   some.unfold.pattern.overlaps = true;
   EXPECT_THAT(verdict(some), StartsWith("Do not cut this pattern: it overlaps itself. "));
-  EXPECT_THAT(verdict(some), HasSubstr(" Divide the patch. "));
+  EXPECT_THAT(verdict(some), HasSubstr(" Divide the patch (--cut). "));
 }
 
 TEST(Computed, SaysWhatBecameOfTheEnergy) {

@@ -152,6 +152,24 @@ TEST(OffsetOutline, MakesOneCornerWhereAShortEdgeOrTwoCutItOff) {
   EXPECT_LT(area_of(offset_outline(outline, {.width = 10.0})), full - 30.0);
 }
 
+TEST(OffsetOutline, LeavesNoNotchInACornerBesideWhichASideBends) {
+  // The corner of a shoe's upper: beside it the sides bend by 6 degrees and by less than one.
+  const PieceOutline outline{"vamp",
+                             {{{182.4354, 36.0599},
+                               {189.6485, 42.2976},
+                               {192.1655, 44.5069},
+                               {194.7074, 47.2665},
+                               {191.2047, 49.1935},
+                               {189.2980, 50.2185},
+                               {182.3610, 53.8062}}}};
+  const Polygon cut = offset_outline(outline, {.width = 8.0}).at(0);
+  for (std::size_t i = 0; i < cut.size(); ++i) {
+    const Vec2 before = cut[(i + cut.size() - 1) % cut.size()];
+    const Vec2 after = cut[(i + 1) % cut.size()];
+    EXPECT_GT(cross(cut[i] - before, after - cut[i]), -1e-3) << cut[i].x << " " << cut[i].y;
+  }
+}
+
 TEST(OffsetOutline, MayHaveAWidthForEachEdge) {
   const PieceOutline piece = rectangle(300.0, 200.0);
   const auto cut = offset_outline(piece, {.edge_widths = {{40.0, 10.0, 0.0, 10.0}}});

@@ -180,8 +180,15 @@ TEST(PatternSheet, SaysWhatStrainThePatternHasAndWhetherItKeepsItsLimit) {
                             "model unit: m (1 m = 1000 mm), model multiplied by 0.5"}));
   unfold.unit = Unit::mm;
   EXPECT_THAT(label(), Not(Contains(HasSubstr("limit"))));
+  options.form_faults = "is lost";
+  const auto label_of_form = [&] {
+    return texts_of(layer(pattern_sheet(Patch(mesh), unfold, "", options), "label"));
+  };
+  EXPECT_THAT(label_of_form(), Contains("Before cutting: the form is lost"));
   unfold.limits = {{StrainLimitKind::max, 0.025, 0.0231}};
   EXPECT_THAT(label(), Contains("keeps the limit 2.5 %, for every edge"));
+  EXPECT_THAT(label_of_form(),
+              Contains("keeps the limit 2.5 %, for every edge, but the form is lost"));
   unfold.limits.push_back({StrainLimitKind::rms, 0.005, 0.00512});
   EXPECT_THAT(label(), Contains("Beyond the limit 0.5 %, rms: 0.51 %"));
   EXPECT_THAT(pattern_sheet(Patch(mesh), unfold, "").notes,

@@ -49,7 +49,7 @@ std::string_view to_string(StopReason reason) {
 std::string_view stop_text(StopReason reason) {
   switch (reason) {
     case StopReason::reached_target:
-      return "the target was reached";
+      return "e_max is at its target, or 0 but for rounding";
     case StopReason::stalled:
       return "no vertex moved any more";
     case StopReason::converged:

@@ -16,7 +16,8 @@ namespace {
 
 constexpr Color k_dart_red = {215, 0, 20};
 constexpr Color k_outline_gray = {60, 60, 64};
-constexpr double k_dart_width = 0.8, k_number_height = 5.0;
+// Millimetres, of a sheet up to k_usual_sheet wide; of a wider one more, to be seen on a screen.
+constexpr double k_dart_width = 0.8, k_number_height = 5.0, k_usual_sheet = 800.0;
 
 /// The edges of the pattern, by their ends in it, that stand for edges of a path of the mesh.
 std::vector<std::array<Index, 2>> edges_of_path(const CutMesh& cut,
@@ -78,11 +79,12 @@ Drawing cut_sheet(const CutSuggestion& suggestion, Unit unit, const std::string&
   // A pattern lies with its lower left corner at the origin.
   const Vec2 corner = {sheet::k_margin, sheet::k_margin + sheet::k_block_height + sheet::k_gap};
   const auto place = [&](Index v) { return corner + scale * first.pattern.positions[v]; };
+  const double larger = std::max(1.0, std::max(sheet.width, sheet.height) / k_usual_sheet);
   Layer layer{"suggested", {}};
   for (std::size_t k = 0; k < suggestion.cuts.size(); ++k) {
     const SuggestedCut& cut = suggestion.cuts[k];
     if (!cut.is_dart) continue;
-    Path lines{{}, false, Stroke{k_dart_red, k_dart_width}};
+    Path lines{{}, false, Stroke{k_dart_red, larger * k_dart_width}};
     for (const std::vector<Index>& line : chained(edges_of_path(first.cut, cut.path))) {
       std::vector<Vec2>& points = lines.lines.emplace_back();
       for (const Index v : line)
@@ -90,8 +92,9 @@ Drawing cut_sheet(const CutSuggestion& suggestion, Unit unit, const std::string&
     }
     layer.shapes.emplace_back(std::move(lines));
     // The tip is inside, so that it is there once.
-    const Vec2 tip = place(cut.path.back()) + Vec2{1.5, 1.5};
-    layer.shapes.emplace_back(Text{tip, k_number_height, std::to_string(k + 1), k_dart_red});
+    const Vec2 tip = place(cut.path.back()) + larger * Vec2{1.5, 1.5};
+    layer.shapes.emplace_back(
+        Text{tip, larger * k_number_height, std::to_string(k + 1), k_dart_red});
   }
   sheet.layers.push_back(std::move(layer));
   return sheet;

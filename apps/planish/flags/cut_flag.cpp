@@ -32,7 +32,7 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
         file + ": cut open along " + counted(cut.edges, "edge") + ", " + lengths.text(cut.length);
     if (lines.farthest > 0.0) {
       text += "; what is drawn is at most " + lengths.text(scale_from(arguments) * lines.farthest) +
-              " from the vertices that stand for it";
+              " from the vertices that stand for it, and between them the cut follows edges";
     }
     session.note(text);
     return {std::move(cut.mesh), CutDone{cut.edges, cut.length}};

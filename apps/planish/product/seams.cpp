@@ -100,8 +100,7 @@ PatternOptions annotations_on(PatternOptions annotations, const Arguments& argum
   annotations = with_drawn_annotations(std::move(annotations), arguments, patch, session);
   if (meets_itself(patch)) {
     const std::size_t group = 0;
-    annotations.seam_numbers =
-        numbers_of_seams(arguments, {&patch.mesh(), 1}, {&group, 1}).front();
+    annotations.seam_numbers = numbers_of_seams(arguments, {&patch.mesh(), 1}, {&group, 1}).front();
   }
   const bool seams = arguments.has("--seam-notches");
   if (named_vertices(annotations).empty() && annotations.notches.empty() && !seams)

@@ -125,7 +125,7 @@ class Values(unittest.TestCase):
     def test_cuts_of_a_suggestion(self):
         dome = planish.sample("dome", vertices=400)
         cuts = planish.suggest_cuts(dome, max_strain="5%")
-        result = planish.unfold(dome, cut=cuts.cuts)
+        result = planish.unfold(dome, cut=cuts.cuts, max_strain="5%")
         np.testing.assert_array_equal(result.uv, cuts.uv)
         self.assertTrue(result.notes[0].startswith("cut: cut open along"), result.notes)
 

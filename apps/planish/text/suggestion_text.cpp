@@ -50,8 +50,9 @@ std::string ending_text(const CutSuggestion& suggestion, const SuggestOptions& o
 /// What to do where the limit is not met or the pattern cannot be cut; empty where all is well.
 std::string way_on(const CutSuggestion& suggestion) {
   if (suggestion.last.pattern.overlaps)
-    return "But the pattern overlaps itself: it cannot be cut from one sheet. Divide the patch by "
-           "cuts of your own (--cut takes lines drawn over the model).";
+    return std::string(suggestion.met() ? "But the" : "The") +
+           " pattern overlaps itself: it cannot be cut from one sheet. Divide the patch by cuts of "
+           "your own (--cut takes lines drawn over the model).";
   if (suggestion.met()) return {};
   const std::string more = suggestion.stop == SuggestStop::dart_limit
                                ? "allow more darts (--max-cuts)"

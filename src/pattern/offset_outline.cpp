@@ -169,8 +169,8 @@ Polygon area_of_blunt_corner(const WideLoop& wide, const BorderWalk& walk, std::
                              std::size_t edges, const Allowance& allowance) {
   constexpr double k_short = 0.5;  // of the allowance: all edges
   constexpr double k_least_turn = std::numbers::pi / 4.0, k_most_turn = 0.9 * std::numbers::pi;
-  constexpr double k_least_part =
-      0.1;  // of the turn, at either end: else the other end is the corner
+  // Of the turn, at either end: with less the other end is the corner by itself.
+  constexpr double k_least_part = 0.1;
   const std::size_t count = wide.points.size(), last = (first + edges) % count;
   const double width = wide.widths[first];
   const Vec2 before = direction(wide.points[(first + count - 1) % count], wide.points[first]);

@@ -46,8 +46,10 @@ std::string_view to_string(SuggestStop stop);
 
 /// A mesh cut open to a disk and what its pattern is like.
 struct CutPattern {
-  CutMesh cut;        ///< the mesh after cutting
-  Pattern pattern;    ///< of the mesh after cutting, model units
+  CutMesh cut;  ///< the mesh after cutting
+  /// Of the mesh after cutting, model units: with least stretch, or evened out where only that
+  /// keeps the limit.
+  Pattern pattern;
   EdgeStrain strain;  ///< of that pattern
 };
 

@@ -140,8 +140,8 @@ struct FlattenOptions {
   /// As UnfoldOptions has them, by the vertices of the patch before it is remeshed.
   std::vector<std::array<Index, 2>> free_edges = {};
   bool keep_design = false;  ///< lay the design flat and change nothing
-  /// What the pattern is to keep. Auto leaves a patch as it is where its pattern keeps them and does
-  /// not overlap itself, and else changes it as far as that needs, if it can.
+  /// What the pattern is to keep. Auto leaves a patch as it is where its pattern keeps them and
+  /// does not overlap itself, and else changes it as far as that needs, if it can.
   StrainLimits limits = {};
   std::string material = {};  ///< name of that which limits.p99 is for, used in texts; may be empty
 };

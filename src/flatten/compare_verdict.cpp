@@ -9,9 +9,9 @@ namespace planish {
 
 namespace {
 
-constexpr double k_same = 0.02;       // relative changes up to this are none
-constexpr double k_no_strain = 1e-6;  // nor are strains below this
-constexpr double k_needle = 1.0;      // degrees: smaller angles spoil later work
+constexpr double k_same = 0.02;              // relative changes up to this are none
+constexpr double k_no_strain_change = 1e-6;  // nor are strains below this
+constexpr double k_needle = 1.0;             // degrees: smaller angles spoil later work
 
 double degrees(double radians) {
   return 180.0 / std::numbers::pi * radians;
@@ -61,7 +61,7 @@ struct Measure {
 
   bool is_lower() const { return after < before - allowance(); }
   bool is_higher() const { return after > before + allowance(); }
-  double allowance() const { return std::max(k_same * before, k_no_strain); }
+  double allowance() const { return std::max(k_same * before, k_no_strain_change); }
 };
 
 Measure measure_of(const CompareReport& report, const ComparedMethod& method) {

@@ -8,7 +8,7 @@ namespace planish {
 
 namespace {
 
-constexpr double k_no_strain = 1e-9;
+constexpr double k_no_rms_strain = 1e-9;
 
 /// What of a result should be small.
 struct Price {
@@ -28,7 +28,7 @@ Price price_of(const Candidate& point) {
 }  // namespace
 
 std::vector<double> frontier_limits(double rms_strain, std::optional<int> points) {
-  if (!(rms_strain > k_no_strain)) return {0.0};
+  if (!(rms_strain > k_no_rms_strain)) return {0.0};
   std::vector<double> limits;
   if (points) {
     const double least = std::min(k_candidate_strains.back(), 0.1 * rms_strain);

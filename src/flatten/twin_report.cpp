@@ -17,7 +17,7 @@ namespace {
 // With match_seams, of the length of the border: 0.01 mm in a metre.
 constexpr double k_most_mismatch = 1e-5;
 // Of a limit of strain: what short edges are off by in a file of 32-bit floats.
-constexpr double k_limit_rounding = 0.01;
+constexpr double k_file_rounding = 0.01;
 
 /// The patch that is worked on, by the twin's.
 struct TwinPatch {
@@ -110,7 +110,7 @@ class TwinPattern {
                                              std::span<const Vec2> pattern) const {
     auto checks = check_limits(patch_, pattern, asked_for(theirs));
     for (std::size_t k = 0; k < checks.size(); ++k) {
-      const double most = (1.0 + k_limit_rounding) * checks[k].asked;
+      const double most = (1.0 + k_file_rounding) * checks[k].asked;
       if (checks[k].kept() || !theirs[k].kept() || checks[k].reached > most) continue;
       checks[k].reached = theirs[k].reached;
       checks[k].share_beyond = theirs[k].share_beyond;

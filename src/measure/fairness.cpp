@@ -22,7 +22,7 @@ constexpr double k_degrees = 180.0 / std::numbers::pi;
 constexpr double k_usual_share = 0.99;  // of the design's area, whose bends are nowhere sharp
 
 // A design of one curvature all over must not become sharp by rounding.
-constexpr double k_rounding = 1e-6;
+constexpr double k_bend_rounding = 1e-6;
 
 double square(double x) {
   return x * x;
@@ -66,7 +66,7 @@ double sharp_share(std::span<const Bend> bends, double usual) {
   CarefulSum sharp, all;
   for (const Bend& bend : bends) {
     all.add(bend.area);
-    if (std::abs(bend.curvature()) > (1.0 + k_rounding) * usual) sharp.add(bend.area);
+    if (std::abs(bend.curvature()) > (1.0 + k_bend_rounding) * usual) sharp.add(bend.area);
   }
   return all.value() > 0.0 ? sharp.value() / all.value() : 0.0;
 }

@@ -19,7 +19,7 @@ constexpr double k_flat_border_room = 1e-5;
 
 // Shares of the area below these are rounding: of the sums; and of a border that is nearly plane,
 // where what it encloses is known only as well as that.
-constexpr double k_rounding = 1e-9;
+constexpr double k_share_rounding = 1e-9;
 constexpr double k_flat_rounding = 1e-3;
 
 /// How many vertices can be reached from the first along edges.
@@ -140,7 +140,7 @@ std::optional<Obstruction> find_obstruction(const Patch& patch) {
   const double area = area_of(patch.mesh(), scale);
   const double limit = area_limit(area, border, obstruction.has_flat_border());
   const double share = area > 0.0 ? 1.0 - limit / area : 0.0;
-  obstruction.excess_share = share > k_rounding ? share : 0.0;
+  obstruction.excess_share = share > k_share_rounding ? share : 0.0;
   obstruction.area = area / scale / scale;
   obstruction.area_limit = limit / scale / scale;
   obstruction.area_excess = obstruction.excess_share * obstruction.area;

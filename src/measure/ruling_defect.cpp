@@ -13,7 +13,7 @@ namespace planish {
 namespace {
 
 /// Below this, per vertex, the sum of the two smaller eigenvalues is rounding.
-constexpr double k_rounding = 1e-14;
+constexpr double k_eigenvalue_rounding = 1e-14;
 
 using Symmetric = std::array<std::array<double, 3>, 3>;
 
@@ -86,7 +86,7 @@ double ruling_defect(const Patch& patch) {
     both.add(smallest + std::max(l2, 0.0));
   }
   const auto count = static_cast<double>(patch.inner_vertices().size());
-  return both.value() > k_rounding * count ? least.value() / both.value() : 0.0;
+  return both.value() > k_eigenvalue_rounding * count ? least.value() / both.value() : 0.0;
 }
 
 }  // namespace planish

@@ -28,11 +28,11 @@ using TriangleSets = DisjointSets<Index>;
 
 /// Triangles of one group that share an edge are in one set.
 TriangleSets joined_by_edges(const TriMesh& mesh, std::span<const Index> of_triangle) {
-  struct Side {
+  struct GroupSide {
     std::array<Index, 3> key;  // group, ends
     Index triangle;
   };
-  std::vector<Side> sides;
+  std::vector<GroupSide> sides;
   sides.reserve(3 * mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -40,7 +40,8 @@ TriangleSets joined_by_edges(const TriMesh& mesh, std::span<const Index> of_tria
       sides.push_back({{of_triangle[t], low, high}, static_cast<Index>(t)});
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.key < b.key; });
+  std::sort(sides.begin(), sides.end(),
+            [](const GroupSide& a, const GroupSide& b) { return a.key < b.key; });
   TriangleSets sets(mesh.triangles.size());
   for (std::size_t i = 1; i < sides.size(); ++i) {
     if (sides[i].key == sides[i - 1].key) sets.join(sides[i - 1].triangle, sides[i].triangle);

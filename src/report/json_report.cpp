@@ -20,7 +20,7 @@ Json to_json(const MoreFigures& more) {
   return json;
 }
 
-std::string text_of(Json json, const std::vector<MoreFigures>& more = {}) {
+std::string document_of(Json json, const std::vector<MoreFigures>& more = {}) {
   for (const MoreFigures& some : more)
     json[some.key] = to_json(some);
   return json_document(json) + '\n';
@@ -185,15 +185,15 @@ std::string json_report(const MeasuredPatch& patch, const std::optional<StrainAs
                         const std::vector<MoreFigures>& more) {
   Json json = to_json(patch);
   json.update(strain_and_limits(strain));
-  return text_of(std::move(json), more);
+  return document_of(std::move(json), more);
 }
 
 std::string json_report(const EvolveReport& report, const std::vector<MoreFigures>& more) {
-  return text_of(to_json(report), more);
+  return document_of(to_json(report), more);
 }
 
 std::string json_report(const UnfoldReport& report, const std::vector<MoreFigures>& more) {
-  return text_of(to_json(report), more);
+  return document_of(to_json(report), more);
 }
 
 std::string json_report(const FlattenReport& report, const WrittenFiles& files,
@@ -213,7 +213,7 @@ std::string json_report(const FlattenReport& report, const WrittenFiles& files,
   for (const MoreFigures& some : more)
     json[some.key] = to_json(some);
   if (layout) json["nesting"] = to_json(*layout);
-  return text_of(json);
+  return document_of(json);
 }
 
 Json to_json(const CompareReport& report) {
@@ -230,7 +230,7 @@ Json to_json(const CompareReport& report) {
 }
 
 std::string json_report(const CompareReport& report) {
-  return text_of(to_json(report));
+  return document_of(to_json(report));
 }
 
 std::string json_report(const FrontierReport& report) {
@@ -240,15 +240,15 @@ std::string json_report(const FrontierReport& report) {
                         {"options", options_of(failed.method)},
                         {"error", to_json(failed.failure)}});
   }
-  return text_of({{"name", report.name},
-                  {"version", k_version},
-                  {"unit", to_string(report.unit)},
-                  {"strain_before", to_json(report.design.strain)},
-                  {"design", to_json(report.design)},
-                  {"limit", limit_of(report)},
-                  {"curve", points_of(report.curve)},
-                  {"others", points_of(report.others)},
-                  {"failures", std::move(failures)}});
+  return document_of({{"name", report.name},
+                      {"version", k_version},
+                      {"unit", to_string(report.unit)},
+                      {"strain_before", to_json(report.design.strain)},
+                      {"design", to_json(report.design)},
+                      {"limit", limit_of(report)},
+                      {"curve", points_of(report.curve)},
+                      {"others", points_of(report.others)},
+                      {"failures", std::move(failures)}});
 }
 
 std::string json_report(const Error& error) {
@@ -259,7 +259,7 @@ std::string json_report(const Error& error) {
   if (place.byte) json["byte"] = *place.byte;
   if (place.first) json["first"] = *place.first;
   if (place.count) json["count"] = *place.count;
-  return text_of({{"error", std::move(json)}});
+  return document_of({{"error", std::move(json)}});
 }
 
 }  // namespace planish

@@ -10,26 +10,26 @@ namespace planish {
 
 namespace {
 
-std::string text_of(bool value) {
+std::string cell_text(bool value) {
   return value ? "1" : "0";
 }
-std::string text_of(double value) {
+std::string cell_text(double value) {
   return std::isfinite(value) ? number_text(value) : std::string();
 }
-std::string text_of(std::size_t value) {
+std::string cell_text(std::size_t value) {
   return std::to_string(value);
 }
-std::string text_of(int value) {
+std::string cell_text(int value) {
   return std::to_string(value);
 }
-std::string text_of(std::string_view value) {
+std::string cell_text(std::string_view value) {
   return std::string(value);
 }
-std::string text_of(const std::optional<double>& value) {
-  return value ? text_of(*value) : std::string();
+std::string cell_text(const std::optional<double>& value) {
+  return value ? cell_text(*value) : std::string();
 }
-std::string text_of(const std::optional<bool>& value) {
-  return value ? text_of(*value) : std::string();
+std::string cell_text(const std::optional<bool>& value) {
+  return value ? cell_text(*value) : std::string();
 }
 
 /// Cells of figures that may all be missing, as their columns' names stay then.
@@ -40,7 +40,7 @@ class CellsOf {
 
   template <class Figure>
   CellsOf& add(std::string_view name, Figure&& figure) {
-    cells_.push_back({name, report_ ? text_of(figure(*report_)) : std::string()});
+    cells_.push_back({name, report_ ? cell_text(figure(*report_)) : std::string()});
     return *this;
   }
   std::vector<Cell> take() { return std::move(cells_); }

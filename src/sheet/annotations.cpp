@@ -23,7 +23,6 @@ namespace {
 constexpr Stroke k_cut{{255, 0, 0}}, k_seam{{80, 80, 80}, 0.25, true}, k_notch{{255, 0, 255}},
     k_grain{{0, 128, 0}}, k_drill{{0, 0, 255}}, k_internal{{0, 160, 160}};
 constexpr Stroke k_fold{{230, 120, 0}, 0.35, true};
-constexpr Color k_black = {0, 0, 0};
 constexpr double k_line_pitch = 1.6;  // of a label's lines, over their height
 
 Layer layer_of(std::string name, std::vector<Polygon> lines, const Stroke& stroke) {
@@ -255,8 +254,11 @@ Layer annotation_layer(const LabelPlace& place, const std::vector<std::string>& 
   const double top = place.middle.y + 0.5 * pitch * static_cast<double>(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const double middle = top - pitch * (static_cast<double>(i) + 0.5);
-    layer.shapes.emplace_back(
-        Text{{place.middle.x, middle - 0.5 * place.height}, place.height, lines[i], k_black, true});
+    layer.shapes.emplace_back(Text{{place.middle.x, middle - 0.5 * place.height},
+                                   place.height,
+                                   lines[i],
+                                   sheet::k_black,
+                                   true});
   }
   return layer;
 }

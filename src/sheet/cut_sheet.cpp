@@ -17,7 +17,7 @@ namespace {
 constexpr Color k_dart_red = {215, 0, 20};
 constexpr Color k_outline_gray = {60, 60, 64};
 // Millimetres, of a sheet up to k_usual_sheet wide; of a wider one more, to be seen on a screen.
-constexpr double k_dart_width = 0.8, k_number_height = 5.0, k_usual_sheet = 800.0;
+constexpr double k_dart_width = 0.8, k_cut_number_height = 5.0, k_usual_sheet = 800.0;
 
 /// The edges of the pattern, by their ends in it, that stand for edges of a path of the mesh.
 std::vector<std::array<Index, 2>> edges_of_path(const CutMesh& cut,
@@ -94,7 +94,7 @@ Drawing cut_sheet(const CutSuggestion& suggestion, Unit unit, const std::string&
     // The tip is inside, so that it is there once.
     const Vec2 tip = place(cut.path.back()) + larger * Vec2{1.5, 1.5};
     layer.shapes.emplace_back(
-        Text{tip, larger * k_number_height, std::to_string(k + 1), k_dart_red});
+        Text{tip, larger * k_cut_number_height, std::to_string(k + 1), k_dart_red});
   }
   sheet.layers.push_back(std::move(layer));
   return sheet;

@@ -17,8 +17,6 @@ namespace planish {
 
 namespace {
 
-constexpr Color k_black = {0, 0, 0}, k_dim = {80, 80, 80};
-
 PlacedPattern pattern_of(const NestJob& job, const NestPatch& patch) {
   return placed_pattern(patch.mesh, patch.pattern, job.unit, patch.name, patch.annotations);
 }
@@ -68,22 +66,23 @@ std::string use_text(const NestJob& job, const Nesting& nesting) {
 Layer nest_label(const NestJob& job, const Nesting& nesting, std::size_t number,
                  const std::string& title, Vec2 size, const std::string& lines) {
   const std::string date = job.patches.empty() ? "" : job.patches.front().annotations.date;
-  Layer layer{"label", {box_line({0.0, 0.0}, size, k_dim)}};
+  Layer layer{"label", {box_line({0.0, 0.0}, size, sheet::k_dim)}};
   const double low = size.y + sheet::k_gap, top = low + sheet::k_square;
   const auto line = [&](double below_top, double height, std::string text, Color color) {
     const double left = sheet::k_square + sheet::k_gap;
     layer.shapes.emplace_back(Text{{left, top - below_top}, height, std::move(text), color});
   };
-  layer.shapes.emplace_back(box_line({0.0, low}, {sheet::k_square, sheet::k_square}, k_black));
-  line(6.0, 6.0, title, k_black);
-  line(sheet::k_square, 2.2, "the square is 50 mm – measure it before cutting", k_black);
+  layer.shapes.emplace_back(
+      box_line({0.0, low}, {sheet::k_square, sheet::k_square}, sheet::k_black));
+  line(6.0, 6.0, title, sheet::k_black);
+  line(sheet::k_square, 2.2, "the square is 50 mm – measure it before cutting", sheet::k_black);
   if (job.sheets.length) {
     line(13.0, 4.0, "sheet " + std::to_string(number + 1) + " of " + std::to_string(nesting.sheets),
-         k_black);
+         sheet::k_black);
   }
-  line(20.0, 4.0, use_text(job, nesting), k_black);
-  line(27.0, 2.5, lines, k_dim);
-  if (!date.empty()) line(32.0, 2.5, date, k_dim);
+  line(20.0, 4.0, use_text(job, nesting), sheet::k_black);
+  line(27.0, 2.5, lines, sheet::k_dim);
+  if (!date.empty()) line(32.0, 2.5, date, sheet::k_dim);
   return layer;
 }
 

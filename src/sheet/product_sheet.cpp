@@ -8,16 +8,15 @@
 
 #include "flatten/twin_report.h"
 #include "sheet/mirrored_place.h"
+#include "sheet/sheet_layout.h"
 
 namespace planish {
 
 namespace {
 
 // Everything in millimetres.
-constexpr double k_margin = 10.0, k_gap = 15.0;
-constexpr double k_name_height = 5.0, k_number_height = 5.0;
-constexpr Color k_black = {0, 0, 0};
-constexpr Color k_red = {255, 0, 0};
+constexpr double k_piece_gap = 15.0;
+constexpr double k_piece_name_height = 5.0, k_seam_number_height = 5.0;
 constexpr std::array<Color, 6> k_seam_colors = {
     {{0, 90, 181}, {0, 133, 66}, {170, 68, 0}, {120, 60, 160}, {0, 130, 140}, {150, 110, 0}}};
 
@@ -38,7 +37,7 @@ Box box_of(const std::vector<Vec2>& points) {
 struct Layout {
   std::vector<std::vector<Vec2>> corners;  ///< of each piece; none where it has no pattern
   std::vector<Vec2> name_at;               ///< of each piece
-  double width = 2.0 * k_margin, height = 2.0 * k_margin;
+  double width = 2.0 * sheet::k_margin, height = 2.0 * sheet::k_margin;
 };
 
 /// Rows from the top of the sheet down, as wide as makes it about square.
@@ -54,7 +53,7 @@ Layout lay_out(std::span<const ProductPiece> pieces, double scale) {
     if (pieces[p].pattern.empty()) continue;
     order.push_back(p);
     const Box box = box_of(pieces[p].pattern);
-    sizes[p] = scale * (box.high - box.low) + Vec2{k_gap, k_gap + k_name_height};
+    sizes[p] = scale * (box.high - box.low) + Vec2{k_piece_gap, k_piece_gap + k_piece_name_height};
     area += sizes[p].x * sizes[p].y;
     widest = std::max(widest, sizes[p].x);
   }
@@ -68,17 +67,17 @@ Layout lay_out(std::span<const ProductPiece> pieces, double scale) {
       x = row_height = 0.0;
     }
     row_height = std::max(row_height, sizes[p].y);
-    const Vec2 low = {x, top - sizes[p].y + k_gap};
+    const Vec2 low = {x, top - sizes[p].y + k_piece_gap};
     const Box box = box_of(pieces[p].pattern);
     layout.corners[p].reserve(pieces[p].pattern.size());
     for (const Vec2 q : pieces[p].pattern)
       layout.corners[p].push_back(low + scale * (q - box.low));
-    layout.name_at[p] = {x, top - k_name_height};
+    layout.name_at[p] = {x, top - k_piece_name_height};
     x += sizes[p].x;
-    layout.width = std::max(layout.width, x + 2.0 * k_margin);
+    layout.width = std::max(layout.width, x + 2.0 * sheet::k_margin);
   }
   layout.height += row_height - top;
-  const Vec2 shift = {k_margin, layout.height - k_margin};
+  const Vec2 shift = {sheet::k_margin, layout.height - sheet::k_margin};
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     layout.name_at[p] = layout.name_at[p] + shift;
     for (Vec2& q : layout.corners[p])
@@ -121,13 +120,13 @@ Drawing product_sheet(std::span<const ProductPiece> pieces, std::span<const Seam
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     sheet.pieces.push_back({pieces[p].name});
     if (pieces[p].pattern.empty()) continue;
-    Path border{{}, true, Stroke{k_red}};
+    Path border{{}, true, Stroke{sheet::k_red}};
     border.piece = p;
     const Patch patch(pieces[p].mesh);
     for (const std::vector<Index>& loop : patch.border_loops())
       border.lines.push_back(line_of({p, loop}, layout.corners[p]));
     cut.shapes.emplace_back(std::move(border));
-    Text name{layout.name_at[p], k_name_height, name_of(pieces, p), k_black};
+    Text name{layout.name_at[p], k_piece_name_height, name_of(pieces, p), sheet::k_black};
     name.piece = p;
     label.shapes.emplace_back(std::move(name));
   }
@@ -139,7 +138,8 @@ Drawing product_sheet(std::span<const ProductPiece> pieces, std::span<const Seam
       Path line{{along}, false, Stroke{color, 0.8}};
       line.piece = side.patch;
       seam_lines.shapes.emplace_back(std::move(line));
-      Text number{along[along.size() / 2], k_number_height, std::to_string(s + 1), color, true};
+      Text number{along[along.size() / 2], k_seam_number_height, std::to_string(s + 1), color,
+                  true};
       number.piece = side.patch;
       label.shapes.emplace_back(std::move(number));
     }

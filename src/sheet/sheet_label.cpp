@@ -28,10 +28,6 @@ using namespace sheet;
 constexpr double k_swatch = 5.0;  // of the legend, millimetres
 constexpr double k_name_height = 6.0, k_smallest_name_height = 3.0;
 
-constexpr Color k_black = {0, 0, 0};
-constexpr Color k_red = {255, 0, 0};
-constexpr Color k_dim = {80, 80, 80};
-
 bool begins_letter(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;  // not inside a UTF-8 sequence
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <planish/draw/color.h>
+
 namespace planish::sheet {
 
 // How a pattern's sheet is divided, in millimetres: below the pattern a block with the squares to
@@ -12,5 +14,8 @@ inline constexpr double k_column = k_margin + k_square + 6.0;   // where the tex
 inline constexpr double k_column_width = 115.0;
 inline constexpr double k_block_right = k_column + k_column_width + 6.0 + k_inch_square;
 inline constexpr double k_letter_width = 0.85;  // over a capital's height, on the safe side
+
+// Of lines and letters.
+inline constexpr Color k_black = {0, 0, 0}, k_red = {255, 0, 0}, k_dim = {80, 80, 80};
 
 }  // namespace planish::sheet

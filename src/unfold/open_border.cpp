@@ -11,7 +11,7 @@ namespace planish {
 namespace {
 
 constexpr std::size_t k_most_crossings = 100;
-constexpr int k_most_rounds = 500;
+constexpr int k_most_opening_rounds = 500;
 /// What is left between the sides, as a share of the largest move.
 constexpr double k_gap = 0.01;
 
@@ -60,7 +60,7 @@ void resolve(const Contact& c, double gap, std::vector<Vec2>& line) {
 /// The outline without crossings; empty where vertices would have to move by more than `most`.
 std::vector<Vec2> opened(std::vector<Vec2> line, double most) {
   const std::vector<Vec2> before = line;
-  for (int round = 0; round < k_most_rounds; ++round) {
+  for (int round = 0; round < k_most_opening_rounds; ++round) {
     const auto crossings = crossing_sides(line, k_most_crossings + 1);
     if (crossings.empty()) return line;
     if (crossings.size() > k_most_crossings) return {};

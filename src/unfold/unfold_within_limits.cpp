@@ -17,7 +17,7 @@ namespace {
 constexpr double k_within = 0.999;
 // The share of the area on which p99 does not ask for anything; a little less is made use of.
 constexpr double k_asked = 0.99, k_freed = 0.0099;
-constexpr int k_most_rounds = 4;
+constexpr int k_most_p99_rounds = 4;
 // Edges that are freed from the limit may have so many times it, or the most that any has without.
 constexpr double k_freed_limits = 3.0;
 // A largest strain that no cutter or cloth would tell from none: left as it is.
@@ -73,7 +73,7 @@ class LimitedUnfolding {
     double best_p99 = p99_of(edges_, strains_of(edges_, best.flat));
     const double most = std::max(k_freed_limits * limit, largest(strains_of(edges_, start)));
     std::vector<Vec2> flat = start;
-    for (int round = 0; round < k_most_rounds && best_p99 > limit; ++round) {
+    for (int round = 0; round < k_most_p99_rounds && best_p99 > limit; ++round) {
       const auto bounds = with_worst_freed(limit, strains_of(edges_, flat), most);
       BoundedStretch found = run(bounds, flat, aims());
       flat = found.flat;

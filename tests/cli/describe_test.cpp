@@ -14,35 +14,35 @@
 namespace planish::cli {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
 
 /// Calls visit(verb, group, flag) for every flag of every verb.
 template <class Visit>
-void for_each_flag(const json& description, const Visit& visit) {
-  for (const json& verb : description["verbs"]) {
-    for (const json& group : verb["groups"]) {
-      for (const json& flag : group["flags"])
+void for_each_flag(const nlohmann::json& description, const Visit& visit) {
+  for (const nlohmann::json& verb : description["verbs"]) {
+    for (const nlohmann::json& group : verb["groups"]) {
+      for (const nlohmann::json& flag : group["flags"])
         visit(verb, group, flag);
     }
   }
 }
 
-json description() {
+nlohmann::json description() {
   const CliResult result = planish({"describe", "--json"});
   EXPECT_EQ(result.exit_code, k_exit_done);
   return result.json();
 }
 
 TEST(Describe, NamesEveryVerbAndFlagOfTheHelp) {
-  const json all = description();
+  const nlohmann::json all = description();
   EXPECT_EQ(all["schema"], 1);
   EXPECT_EQ(all["version"], "0.2.0");
   ASSERT_EQ(all["verbs"].size(), commands().size());
   std::set<std::pair<std::string, std::string>> described;
-  for_each_flag(all, [&](const json& verb, const json&, const json& flag) {
-    described.emplace(verb["name"].get<std::string>(), flag["name"].get<std::string>());
-  });
+  for_each_flag(
+      all, [&](const nlohmann::json& verb, const nlohmann::json&, const nlohmann::json& flag) {
+        described.emplace(verb["name"].get<std::string>(), flag["name"].get<std::string>());
+      });
   for (const Command& command : commands()) {
     const std::string help = planish({command.name, "--help-all"}).out;
     for (std::size_t at = help.find("      --"); at != std::string::npos;
@@ -74,10 +74,10 @@ TEST(Describe, SaysTheDefaultAndTheChoicesThatTheHelpTells) {
 }
 
 TEST(Describe, SaysOfEveryOperandWhatItTakes) {
-  const json all = description();
-  for (const json& verb : all["verbs"]) {
+  const nlohmann::json all = description();
+  for (const nlohmann::json& verb : all["verbs"]) {
     EXPECT_EQ(verb["operand_values"].size(), verb["operands"].size()) << verb["name"];
-    for (const json& operand : verb["operand_values"]) {
+    for (const nlohmann::json& operand : verb["operand_values"]) {
       EXPECT_EQ(operand["type"] == "name", !operand["choices"].empty()) << verb["name"];
       EXPECT_EQ(operand["type"] == "file", !operand["extensions"].empty()) << verb["name"];
     }
@@ -85,21 +85,22 @@ TEST(Describe, SaysOfEveryOperandWhatItTakes) {
 }
 
 TEST(Describe, NamesEndingsOfFilesThatTheHelpTells) {
-  for_each_flag(description(), [&](const json& verb, const json&, const json& flag) {
-    const std::string help = flag["help"];
-    for (const std::string extension : flag["extensions"]) {
-      EXPECT_EQ(flag["type"], "file") << flag["name"];
-      const bool is_told = help.find("." + extension) != std::string::npos ||
-                           help.find("comma-separated") != std::string::npos ||
-                           help.find("mesh") != std::string::npos;
-      EXPECT_TRUE(is_told) << verb["name"] << flag["name"] << extension;
-    }
-  });
+  for_each_flag(description(),
+                [&](const nlohmann::json& verb, const nlohmann::json&, const nlohmann::json& flag) {
+                  const std::string help = flag["help"];
+                  for (const std::string extension : flag["extensions"]) {
+                    EXPECT_EQ(flag["type"], "file") << flag["name"];
+                    const bool is_told = help.find("." + extension) != std::string::npos ||
+                                         help.find("comma-separated") != std::string::npos ||
+                                         help.find("mesh") != std::string::npos;
+                    EXPECT_TRUE(is_told) << verb["name"] << flag["name"] << extension;
+                  }
+                });
 }
 
 /// The verb at work on a small patch, and the flag with a value.
-std::vector<std::string> command_with(const json& verb, const json& group, const std::string& flag,
-                                      const std::string& value) {
+std::vector<std::string> command_with(const nlohmann::json& verb, const nlohmann::json& group,
+                                      const std::string& flag, const std::string& value) {
   const std::string name = verb["name"];
   std::vector<std::string> words = {name};
   if (name == "sample") words.emplace_back("panel");
@@ -139,8 +140,8 @@ class DescribedValues : public CliFolder {
   }
 };
 
-void expect_refused(const json& verb, const json& group, const json& flag,
-                    const std::string& value) {
+void expect_refused(const nlohmann::json& verb, const nlohmann::json& group,
+                    const nlohmann::json& flag, const std::string& value) {
   const auto words = command_with(verb, group, flag["name"], value);
   const CliResult result = planish(words);
   EXPECT_EQ(result.exit_code, k_exit_usage) << testing::PrintToString(words) << result.err;
@@ -148,14 +149,16 @@ void expect_refused(const json& verb, const json& group, const json& flag,
 }
 
 TEST_F(DescribedValues, OtherNamesThanTheChoicesAreRefused) {
-  for_each_flag(description(), [&](const json& verb, const json& group, const json& flag) {
+  for_each_flag(description(), [&](const nlohmann::json& verb, const nlohmann::json& group,
+                                   const nlohmann::json& flag) {
     if (flag["type"] == "name" || flag["type"] == "names")
       expect_refused(verb, group, flag, "nonesuch");
   });
 }
 
 TEST_F(DescribedValues, NumbersOutsideOfTheRangeAreRefused) {
-  for_each_flag(description(), [&](const json& verb, const json& group, const json& flag) {
+  for_each_flag(description(), [&](const nlohmann::json& verb, const nlohmann::json& group,
+                                   const nlohmann::json& flag) {
     // Notches need a file, and borders of patches a product.
     if (flag["name"] == "--notch-depth" || flag["name"] == "--seam-tolerance") return;
     if (flag["type"] == "text") return;
@@ -168,7 +171,8 @@ TEST_F(DescribedValues, NumbersOutsideOfTheRangeAreRefused) {
 
 TEST(Describe, GivesNumbersInTheUnitOfTheirType) {
   std::set<std::string> seen;
-  for_each_flag(description(), [&](const json& verb, const json&, const json& flag) {
+  for_each_flag(description(), [&](const nlohmann::json& verb, const nlohmann::json&,
+                                   const nlohmann::json& flag) {
     const std::string type = flag["type"], name = flag["name"];
     seen.insert(type);
     if (type == "integer" || type == "number" || type == "angle" || type == "radians") {

@@ -19,7 +19,6 @@
 namespace planish::cli {
 namespace {
 
-using nlohmann::json;
 using testing::HasSubstr;
 
 double length_of(const TriMesh& mesh, const std::vector<Index>& way) {
@@ -30,7 +29,7 @@ double length_of(const TriMesh& mesh, const std::vector<Index>& way) {
 }
 
 /// The border's vertices along a side of a seam, as the report tells it.
-std::vector<Index> border_along(const TriMesh& mesh, const json& side) {
+std::vector<Index> border_along(const TriMesh& mesh, const nlohmann::json& side) {
   const Index from = side["first_vertex"], to = side["last_vertex"];
   const std::size_t count = side["vertices"];
   const double length = side["length"];
@@ -92,7 +91,7 @@ double way_along(const std::vector<Vec2>& line, Vec2 p) {
 }
 
 /// Ways of all notches of a piece that begin on a side of a seam, from the side's first vertex.
-std::vector<double> notch_ways(const std::string& folder, const json& side) {
+std::vector<double> notch_ways(const std::string& folder, const nlohmann::json& side) {
   const TriMesh flat = read_mesh(folder + "/flat.obj").mesh;
   const auto cut = dxf_lines(folder + "/pattern.dxf", "cut").at(0);
   // The sheet's line begins at the border's vertex of the smallest number.
@@ -129,16 +128,16 @@ void expect_seams_to_fit(const std::string& input, std::size_t seam_count, const
   args.insert(args.end(), more.begin(), more.end());
   const CliResult run = planish(args);
   ASSERT_EQ(run.exit_code, k_exit_done) << run.err;
-  const json result = run.json();
+  const nlohmann::json result = run.json();
   std::map<std::string, std::string> folders;
-  for (const json& patch : result["patches"])
+  for (const nlohmann::json& patch : result["patches"])
     folders[patch["name"]] = "out/" + patch["folder"].get<std::string>();
   ASSERT_EQ(result["seams"].size(), seam_count);
-  for (const json& seam : result["seams"]) {
+  for (const nlohmann::json& seam : result["seams"]) {
     EXPECT_LT(seam["difference"], 0.01);
     EXPECT_NEAR(seam["sides"][0]["length"], seam["length_on_model"], 0.01);
     std::vector<std::vector<double>> ways;
-    for (const json& side : seam["sides"])
+    for (const nlohmann::json& side : seam["sides"])
       ways.push_back(notch_ways(folders.at(side["patch"]), side));
     ASSERT_GE(ways[0].size(), 2U);
     ASSERT_EQ(ways[0].size(), ways[1].size());
@@ -178,14 +177,14 @@ TEST_F(ProductSeams, OfAJacketMeshedPanelByPanelAreFoundAndTheirNotchesMeet) {
   const CliResult run = planish({"flatten", "jacket.obj", "-o", "out", "--match-seams", "--json",
                                  "--seam-notches", "seams.txt", "--formats", "dxf"});
   ASSERT_EQ(run.exit_code, k_exit_done) << run.err;
-  const json result = run.json();
+  const nlohmann::json result = run.json();
   ASSERT_EQ(result["seams"].size(), meshes::Jacket::seams().size());
   EXPECT_TRUE(result["near_borders"].empty());
-  for (const json& seam : result["seams"]) {
+  for (const nlohmann::json& seam : result["seams"]) {
     EXPECT_EQ(seam["matched"], "curve");
     EXPECT_NEAR(seam["difference"], seam["difference_on_model"], 0.01);
     EXPECT_EQ(seam["longer"].is_null(), seam["difference"] < 0.01);
-    for (const json& side : seam["sides"]) {
+    for (const nlohmann::json& side : seam["sides"]) {
       EXPECT_NEAR(side["length"], side["length_on_model"], 0.01);
       const std::string folder = "out/" + side["patch"].get<std::string>();
       EXPECT_THAT(content_of(folder + "/pattern.dxf"),
@@ -217,9 +216,10 @@ TEST_F(ProductSeams, OfRealPanelsMeshedApartAreFound) {
   const std::vector<NamedPatch> panels = real_panels({"gc_front_4k.obj", "gc_back_5k.obj"});
   if (panels.empty()) return;  // no real patches here
   write_product("body.obj", panels);
-  const json result = planish({"flatten", "body.obj", "-o", "out", "--match-seams", "--json",
-                               "--unit", "m", "--sweeps", "1", "--formats", "svg"})
-                          .json();
+  const nlohmann::json result =
+      planish({"flatten", "body.obj", "-o", "out", "--match-seams", "--json", "--unit", "m",
+               "--sweeps", "1", "--formats", "svg"})
+          .json();
   ASSERT_EQ(result["seams"].size(), 4U);
   const std::vector<double> lengths = {92.4, 38.8, 390.0, 371.8};  // two shoulders, two sides
   for (std::size_t s = 0; s < 4; ++s) {
@@ -269,11 +269,11 @@ TEST_F(ProductSeams, MatchBordersWhoseVerticesDiffer) {
   write_sheets_side_by_side();
   const CliResult result = planish({"flatten", "apart", "--product", "-o", "out"});
   EXPECT_THAT(result.out, HasSubstr("left - right\n"));
-  const json seams = json::parse(content_of("out/garment.json"))["seams"];
+  const nlohmann::json seams = nlohmann::json::parse(content_of("out/garment.json"))["seams"];
   ASSERT_EQ(seams.size(), 1U);
   EXPECT_EQ(seams[0]["matched"], "curve");
-  EXPECT_EQ(seams[0]["longer"], json(nullptr));
-  for (const json& side : seams[0]["sides"])
+  EXPECT_EQ(seams[0]["longer"], nlohmann::json(nullptr));
+  for (const nlohmann::json& side : seams[0]["sides"])
     EXPECT_NEAR(side["length_on_model"].get<double>(), 80.0, 1e-9);
   EXPECT_THAT(planish({"flatten", "apart", "-o", "batch"}).out,
               HasSubstr("--product searches for seams"));
@@ -285,9 +285,9 @@ TEST_F(ProductSeams, NamesBordersThatCouldNotBeMatched) {
       planish({"flatten", "apart", "--product", "-o", "out", "--seam-tolerance", "0.05mm"});
   EXPECT_THAT(result.out, HasSubstr("There are no seams.\n"));
   EXPECT_THAT(result.out, HasSubstr("    80.0  left - right\n"));
-  const json near = json::parse(content_of("out/garment.json"))["near_borders"];
+  const nlohmann::json near = nlohmann::json::parse(content_of("out/garment.json"))["near_borders"];
   ASSERT_EQ(near.size(), 1U);
-  EXPECT_EQ(near[0]["patches"], (json{"left", "right"}));
+  EXPECT_EQ(near[0]["patches"], (nlohmann::json{"left", "right"}));
   EXPECT_NEAR(near[0]["length"].get<double>(), 80.0, 1e-9);
   const std::string page = content_of("out/garment.html");
   EXPECT_THAT(page, HasSubstr("Borders lie beside each other along 80.0\u00A0mm without a seam."));

@@ -29,7 +29,7 @@ TriMesh as_twin(const TriMesh& mesh) {
   return meshes::in_floats(meshes::renumbered(meshes::turned(meshes::mirrored(mesh))));
 }
 
-CliResult flatten_product(const std::string& folder, const std::vector<std::string>& more = {}) {
+CliResult flatten_coat(const std::string& folder, const std::vector<std::string>& more = {}) {
   std::vector<std::string> args = {"flatten", "coat.obj", "-o",           folder,     "--unit",
                                    "cm",      "--method", "controllable", "--sweeps", "2"};
   args.insert(args.end(), more.begin(), more.end());
@@ -102,7 +102,7 @@ Lines pdf_cut(const std::string& path) {
 }
 
 TEST_F(ProductTwinsTest, WriteTheMirrorImageToTheLastDigit) {
-  ASSERT_EQ(flatten_product("out", {"--allowance", "7mm"}).exit_code, k_exit_done);
+  ASSERT_EQ(flatten_coat("out", {"--allowance", "7mm"}).exit_code, k_exit_done);
   const auto file = [](const std::string& piece, const char* kind) {
     return "out/" + piece + "/pattern." + kind;
   };
@@ -130,18 +130,18 @@ TEST_F(ProductTwinsTest, WriteTheMirrorImageToTheLastDigit) {
 
 TEST_F(ProductTwinsTest, AreOnePieceInTheFileForApparelPrograms) {
   const Names profile = {"--formats", "dxf", "--dxf-profile", "astm", "--quantity", "2"};
-  ASSERT_EQ(flatten_product("out", profile).exit_code, k_exit_done);
+  ASSERT_EQ(flatten_coat("out", profile).exit_code, k_exit_done);
   const std::string dxf = content_of("out/garment.dxf");
   EXPECT_EQ(oracle::tags_of_dxf(dxf).back().second, "EOF");
   EXPECT_THAT(dxf, HasSubstr("Piece Name: left\n"));
   EXPECT_THAT(dxf, Not(HasSubstr("Piece Name: right\n")));
   EXPECT_THAT(dxf, HasSubstr("Quantity: 4,2\n")) << "left, spare, and right mirrored";
-  ASSERT_EQ(flatten_product("plain", {"--formats", "dxf"}).exit_code, k_exit_done);
+  ASSERT_EQ(flatten_coat("plain", {"--formats", "dxf"}).exit_code, k_exit_done);
   EXPECT_FALSE(std::filesystem::exists("plain/garment.dxf")) << "generic files have no pieces";
 }
 
 TEST_F(ProductTwinsTest, SayInWordsWhoseTheyAre) {
-  const CliResult result = flatten_product("out", {"--formats", "svg"});
+  const CliResult result = flatten_coat("out", {"--formats", "svg"});
   EXPECT_THAT(result.err, testing::ContainsRegex("right .* mirror image of left\n"));
   EXPECT_THAT(result.err, testing::ContainsRegex("spare .* equal to left\n"));
   EXPECT_THAT(result.out, HasSubstr("Of 4 patches 2 are made from another one"));
@@ -162,7 +162,7 @@ TEST_F(ProductTwinsTest, SayInWordsWhoseTheyAre) {
 }
 
 TEST_F(ProductTwinsTest, LieMirroredInTheDrawingOfTheProduct) {
-  ASSERT_EQ(flatten_product("out", {"--formats", "svg"}).exit_code, k_exit_done);
+  ASSERT_EQ(flatten_coat("out", {"--formats", "svg"}).exit_code, k_exit_done);
   const Lines cuts = svg_layer("out/garment.svg", "cut");
   ASSERT_EQ(cuts.size(), 4U);
   const auto outline = [](const std::vector<Vec2>& line, double sign) {
@@ -185,7 +185,7 @@ TEST_F(ProductTwinsTest, LieMirroredInTheDrawingOfTheProduct) {
 
 TEST_F(ProductTwinsTest, AreTheSameOnAnyNumberOfThreads) {
   for (const char* threads : {"1", "4"})
-    ASSERT_EQ(flatten_product(threads, {"--threads", threads}).exit_code, k_exit_done);
+    ASSERT_EQ(flatten_coat(threads, {"--threads", threads}).exit_code, k_exit_done);
   for (const char* name : {"left", "back", "right", "spare"}) {
     for (const char* file : {"pattern.svg", "pattern.dxf", "processed.obj", "flat.obj"}) {
       const std::string path = std::string("/") + name + "/" + file;
@@ -195,7 +195,7 @@ TEST_F(ProductTwinsTest, AreTheSameOnAnyNumberOfThreads) {
 }
 
 TEST_F(ProductTwinsTest, LeaveTheOtherOneAsItIsAlone) {
-  ASSERT_EQ(flatten_product("out", {"--formats", "svg"}).exit_code, k_exit_done);
+  ASSERT_EQ(flatten_coat("out", {"--formats", "svg"}).exit_code, k_exit_done);
   write_mesh("left.obj", sleeve());
   ASSERT_EQ(planish({"flatten", "left.obj", "-o", "alone", "--unit", "cm", "--method",
                      "controllable", "--sweeps", "2", "--formats", "svg", "--piece-name", "left"})
@@ -206,7 +206,7 @@ TEST_F(ProductTwinsTest, LeaveTheOtherOneAsItIsAlone) {
 }
 
 TEST_F(ProductTwinsTest, AreKeptAndMadeAnewOnResume) {
-  ASSERT_EQ(flatten_product("out").exit_code, k_exit_done);
+  ASSERT_EQ(flatten_coat("out").exit_code, k_exit_done);
   const std::string pattern = content_of("out/right/pattern.svg");
   const std::string picture = content_of("out/garment.svg");
   const auto kept = [&](const std::string& err) {
@@ -216,21 +216,21 @@ TEST_F(ProductTwinsTest, AreKeptAndMadeAnewOnResume) {
       ++count;
     return count;
   };
-  const CliResult all = flatten_product("out", {"--resume"});
+  const CliResult all = flatten_coat("out", {"--resume"});
   EXPECT_EQ(kept(all.err), 4U);
   EXPECT_THAT(all.err,
               testing::ContainsRegex("right .* mirror image of left  .from the earlier run."));
   EXPECT_EQ(content_of("out/garment.svg"), picture);
   std::filesystem::remove_all("out/right");
-  EXPECT_EQ(kept(flatten_product("out", {"--resume"}).err), 2U) << "back and spare";
+  EXPECT_EQ(kept(flatten_coat("out", {"--resume"}).err), 2U) << "back and spare";
   EXPECT_EQ(content_of("out/right/pattern.svg"), pattern);
   std::filesystem::remove_all("out/left");
-  EXPECT_EQ(kept(flatten_product("out", {"--resume"}).err), 3U);
+  EXPECT_EQ(kept(flatten_coat("out", {"--resume"}).err), 3U);
   EXPECT_EQ(content_of("out/garment.svg"), picture);
 }
 
 TEST_F(ProductTwinsTest, HaveTheGrainMirroredThatIsAnAngle) {
-  ASSERT_EQ(flatten_product("out", {"--grain", "20", "--formats", "svg"}).exit_code, k_exit_done);
+  ASSERT_EQ(flatten_coat("out", {"--grain", "20", "--formats", "svg"}).exit_code, k_exit_done);
   const auto direction = [](const std::string& piece) {
     const Lines lines = svg_layer("out/" + piece + "/pattern.svg", "grain");
     const Vec2 along = lines.at(0).at(1) - lines.at(0).at(0);
@@ -243,7 +243,7 @@ TEST_F(ProductTwinsTest, HaveTheGrainMirroredThatIsAnAngle) {
 
 TEST_F(ProductTwinsTest, AreWorkedOnAloneWhereTheOtherOneFails) {
   write_product("coat.obj", {{"left", meshes::tube(8, 3), {}}, {"right", meshes::tube(8, 3), {}}});
-  const CliResult result = flatten_product("out");
+  const CliResult result = flatten_coat("out");
   EXPECT_EQ(result.exit_code, k_exit_failed);
   EXPECT_THAT(result.err, HasSubstr("could not be flattened: left, right\n"));
 }
@@ -254,7 +254,7 @@ TEST_F(ProductTwinsTest, MayBeSingleTriangles) {
   pair.positions.push_back({0, 30, 0});  // two triangles, or all would be loose
   pair.triangles.push_back({0, 2, 3});
   write_product("coat.obj", {{"left", one, {}}, {"right", as_twin(one), {}}, {"other", pair, {}}});
-  const CliResult result = flatten_product("out");
+  const CliResult result = flatten_coat("out");
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_THAT(result.err, testing::ContainsRegex("right .* mirror image of left\n"));
   expect_mirrored(svg_layer("out/left/pattern.svg", "cut"),
@@ -269,7 +269,7 @@ TEST_F(ProductTwinsTest, KeepTheLengthsOfSeamsThatMatch) {
     if (p.x < 0.5) p.x = 0.0;
   }
   write_product("coat.obj", {{"left", straight, {}}, {"right", meshes::mirrored(straight), {}}});
-  const auto json = flatten_product("out", {"--match-seams", "--json"}).json();
+  const auto json = flatten_coat("out", {"--match-seams", "--json"}).json();
   EXPECT_EQ(json["patches"][1]["twin"]["of"], "left");
   ASSERT_EQ(json["seams"].size(), 1U);
   EXPECT_LT(json["seams"][0]["difference"], 1e-9);

@@ -12,14 +12,10 @@
 
 #include "evolve/descent/coarse_levels.h"
 #include "evolve/systems/positions.h"
+#include "support/figures.h"
 
 namespace planish {
 namespace {
-
-Flattenability figures_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
-  const TriMesh moved{positions, mesh.triangles};
-  return measure(Patch(moved));
-}
 
 /// The way that stays near; the other ways are in smooth/smooth_auto_test.cpp.
 constexpr Auto k_near{.prefer = Prefer::near};

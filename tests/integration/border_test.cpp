@@ -297,8 +297,8 @@ TEST(NormalDirectionSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
   }
 }
 
-EvolveResult run(const TriMesh& mesh, const BorderFreedom& border, unsigned threads = 0,
-                 const Constraints& constraints = {}) {
+EvolveResult run_with(const TriMesh& mesh, const BorderFreedom& border, unsigned threads = 0,
+                      const Constraints& constraints = {}) {
   const Auto method{.prefer = Prefer::near, .border = border};
   return evolve(Patch(mesh), method, usual_stopping(method), constraints, {.threads = threads});
 }
@@ -320,9 +320,9 @@ double border_moved(const TriMesh& mesh, const EvolveResult& result) {
 
 TEST(Auto, EndsNearerTheFurtherTheBorderMayGo) {
   const TriMesh mesh = make_shape("dome", 600);
-  double nearest = deviation_of(mesh, run(mesh, {})).rms;
+  double nearest = deviation_of(mesh, run_with(mesh, {})).rms;
   for (const double distance : {2.0, 10.0, 40.0}) {
-    const EvolveResult result = run(mesh, within(distance));
+    const EvolveResult result = run_with(mesh, within(distance));
     EXPECT_EQ(result.stop, StopReason::converged) << distance;
     EXPECT_LE(border_moved(mesh, result), distance * (1.0 + 1e-12));
     EXPECT_GT(border_moved(mesh, result), 0.25 * distance);
@@ -334,7 +334,7 @@ TEST(Auto, EndsNearerTheFurtherTheBorderMayGo) {
 
 TEST(Auto, SlidesTheBorderOnItself) {
   const TriMesh mesh = make_shape("dome", 800);
-  const EvolveResult result = run(mesh, k_slide);
+  const EvolveResult result = run_with(mesh, k_slide);
   EXPECT_EQ(result.stop, StopReason::converged);
   EXPECT_GT(border_moved(mesh, result), 0.0);
   const std::vector<Vec3> before = border_of(mesh, mesh.positions);
@@ -347,9 +347,9 @@ TEST(Auto, MovesBordersOnAllLevelsWithTheSameBitsOnAnyNumberOfThreads) {
   const Index held = Patch(mesh).border_loops().front()[40];
   const std::vector<Vec3> before = border_of(mesh, mesh.positions);
   for (const BorderFreedom& freedom : {k_slide, within(3.0)}) {
-    const EvolveResult result = run(mesh, freedom, 1, {.fixed = {held}});
+    const EvolveResult result = run_with(mesh, freedom, 1, {.fixed = {held}});
     EXPECT_EQ(result.stop, StopReason::converged);
-    EXPECT_EQ(result.positions, run(mesh, freedom, 3, {.fixed = {held}}).positions);
+    EXPECT_EQ(result.positions, run_with(mesh, freedom, 3, {.fixed = {held}}).positions);
     EXPECT_EQ(result.positions[held], mesh.positions[held]);
     EXPECT_GT(border_moved(mesh, result), 0.0);
     if (freedom == k_slide) {
@@ -369,7 +369,7 @@ TEST(Auto, KeepsJaggedBordersOnTheirCurveOnAllLevels) {
   for (std::size_t i = 0; i < loop.size(); i += 3)
     mesh.positions[loop[i]].z += 1.5;
   const std::vector<Vec3> before = border_of(mesh, mesh.positions);
-  const EvolveResult result = run(mesh, k_slide);
+  const EvolveResult result = run_with(mesh, k_slide);
   EXPECT_GT(border_moved(mesh, result), 0.0);
   for (const Vec3 p : border_of(mesh, result.positions))
     EXPECT_LT(on_polygon(before, p).away, 1e-9 * bounding_box_diagonal(mesh));

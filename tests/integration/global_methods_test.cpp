@@ -10,14 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include "support/figures.h"
 #include "support/meshes.h"
 
 namespace planish {
 namespace {
-
-Flattenability figures_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
-  return measure(Patch(mesh).with_positions(positions));
-}
 
 TEST(LeastNorm, MakesADomeFlattenableWithEitherFairing) {
   const TriMesh mesh = make_shape("dome", 800);

@@ -15,7 +15,7 @@ namespace planish {
 namespace {
 
 /// A rough grid of arbitrary size and roughness.
-TriMesh arbitrary_patch() {
+TriMesh arbitrary_grid() {
   const auto columns = *rc::gen::inRange<std::size_t>(2, 9);
   const auto rows = *rc::gen::inRange<std::size_t>(2, 9);
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
@@ -24,7 +24,7 @@ TriMesh arbitrary_patch() {
 }
 
 PLANISH_PROPERTY(EvolveProperty, EnergyNeverRisesWhenASingleVertexMoves, 2'000) {
-  const TriMesh mesh = arbitrary_patch();
+  const TriMesh mesh = arbitrary_grid();
   const ControllableLaplacian options{.lambda_min = -0.5 * *rc::gen::inRange(0, 3)};
   const Patch patch(mesh);
   ThreadPool pool(1);
@@ -41,7 +41,7 @@ PLANISH_PROPERTY(EvolveProperty, EnergyNeverRisesWhenASingleVertexMoves, 2'000) 
 }
 
 PLANISH_PROPERTY(EvolveProperty, EnergyNeverRisesInASweepAndTheBorderStays, 3'000) {
-  const TriMesh mesh = arbitrary_patch();
+  const TriMesh mesh = arbitrary_grid();
   const ControllableLaplacian options{.lambda_min = -0.5 * *rc::gen::inRange(0, 3)};
   const Patch patch(mesh);
   double energy = measure(patch).energy;
@@ -56,7 +56,7 @@ PLANISH_PROPERTY(EvolveProperty, EnergyNeverRisesInASweepAndTheBorderStays, 3'00
 }
 
 PLANISH_PROPERTY(EvolveProperty, NothingIsEverNotFinite, 3'000) {
-  TriMesh mesh = arbitrary_patch();
+  TriMesh mesh = arbitrary_grid();
   const auto v = *rc::gen::inRange<std::size_t>(0, mesh.positions.size());
   const auto power = *rc::gen::inRange(-12, 12);
   mesh.positions[v] += std::pow(10.0, power) * Vec3{1.0, -2.0, 0.5};

@@ -13,7 +13,7 @@
 namespace planish {
 namespace {
 
-TriMesh arbitrary_patch() {
+TriMesh arbitrary_relief() {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
   const double height = 0.01 * *rc::gen::inRange(0, 300);
   return meshes::rough_grid(6, 5, seed, 0.4, height);
@@ -32,7 +32,7 @@ void expect_same(const Flattenability& a, const Flattenability& b) {
 }
 
 PLANISH_PROPERTY(MeasureProperty, DoesNotChangeWhenThePatchIsTurnedAndShifted, 4'000) {
-  const TriMesh mesh = arbitrary_patch();
+  const TriMesh mesh = arbitrary_relief();
   const double a = *rc::gen::inRange(0, 628) * 0.01, b = *rc::gen::inRange(0, 628) * 0.01;
   TriMesh moved = mesh;
   for (Vec3& p : moved.positions) {
@@ -44,7 +44,7 @@ PLANISH_PROPERTY(MeasureProperty, DoesNotChangeWhenThePatchIsTurnedAndShifted, 4
 }
 
 PLANISH_PROPERTY(MeasureProperty, DoesNotChangeWhenThePatchIsMirroredOrTurnedOver, 4'000) {
-  const TriMesh mesh = arbitrary_patch();
+  const TriMesh mesh = arbitrary_relief();
   TriMesh mirrored = mesh, turned = mesh;
   for (Vec3& p : mirrored.positions)
     p.x = -p.x;
@@ -55,7 +55,7 @@ PLANISH_PROPERTY(MeasureProperty, DoesNotChangeWhenThePatchIsMirroredOrTurnedOve
 }
 
 PLANISH_PROPERTY(MeasureProperty, DoesNotChangeWithSize, 4'000) {
-  const TriMesh mesh = arbitrary_patch();
+  const TriMesh mesh = arbitrary_relief();
   const double size = std::pow(10.0, *rc::gen::inRange(-300, 150));
   TriMesh scaled = mesh;
   for (Vec3& p : scaled.positions)
@@ -64,7 +64,7 @@ PLANISH_PROPERTY(MeasureProperty, DoesNotChangeWithSize, 4'000) {
 }
 
 PLANISH_PROPERTY(MeasureProperty, AgreesWithASumOfArctangents, 1'000) {
-  const TriMesh mesh = arbitrary_patch();
+  const TriMesh mesh = arbitrary_relief();
   const plain::Patch patch(mesh);
   const auto defects = angle_defects(Patch(mesh));
   for (Index v = 0; v < mesh.positions.size(); ++v) {

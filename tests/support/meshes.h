@@ -53,6 +53,11 @@ class Random {
   std::uint64_t state_;
 };
 
+/// Anywhere in a cube of sides twice this size around the origin.
+inline Vec3 random_point(Random& random, double size) {
+  return {size * random.number(), size * random.number(), size * random.number()};
+}
+
 /// A grid with every vertex moved at random: by `in_plane` cells in x and y, by `height` in z.
 inline TriMesh rough_grid(std::size_t columns, std::size_t rows, std::uint64_t seed,
                           double in_plane = 0.25, double height = 0.3) {

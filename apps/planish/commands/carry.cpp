@@ -140,7 +140,7 @@ DrawnLines placed_on(const Patch& patch, const TracedLines& traced) {
   return drawn;
 }
 
-CarryFigures figures_of(const TracedLines& traced, const CarryPair& pair, ReadDrawing read) {
+CarryFigures carried_figures(const TracedLines& traced, const CarryPair& pair, ReadDrawing read) {
   return {traced.lines.size(),
           traced.points.size(),
           length_of(traced, pair.from),
@@ -173,7 +173,7 @@ CommandResult run_carry(const Arguments& arguments, Session& session) {
                     ": is it the mesh that was drawn on, in the same units?",
                 {.path = path});
   }
-  const CarryFigures figures = figures_of(traced, pair, std::move(read));
+  const CarryFigures figures = carried_figures(traced, pair, std::move(read));
   note_left_out(session, path, figures);
   const DrawnLines drawn = placed_on(pair.to, traced);
   const std::string content = is_svg(output)

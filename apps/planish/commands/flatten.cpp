@@ -56,11 +56,11 @@ fs::path folder_from(const Arguments& arguments) {
   return output_folder(arguments.value_or("--output", stem + "-pattern"));
 }
 
-void refuse_shared_places(const WrittenFiles& paths) {
+void refuse_shared_paths(const WrittenFiles& paths) {
   std::vector<OutputFile> files;
   for (const auto& [role, path] : paths)
     files.push_back({path_of(path), {}});
-  cli::refuse_shared_places(files);
+  refuse_shared_places(files);
 }
 
 NestPatch nest_patch(const FlattenReport& report, const PatternOptions& annotations) {
@@ -163,7 +163,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   ReadResult input = std::move(read.whole);
   const MeshFormat format = output_format(input.format);
   const WrittenFiles paths = paths_in(folder, format, pattern, arguments);
-  refuse_shared_places(paths);
+  refuse_shared_paths(paths);
   const std::string size = size_text(input.mesh);
   const std::string name = stem_of(path);
   const auto report = about(path, [&] {

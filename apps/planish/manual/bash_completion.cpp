@@ -9,7 +9,8 @@ namespace planish::cli {
 
 namespace {
 
-constexpr const char* k_head = R"(# Completion of planish for bash. Made by: planish completion bash
+constexpr const char* k_bash_head =
+    R"(# Completion of planish for bash. Made by: planish completion bash
 
 _planish_one() { # candidates
   mapfile -t COMPREPLY < <(compgen -W "$1" -- "$cur")
@@ -40,7 +41,7 @@ _planish_folder() {
 
 )";
 
-constexpr const char* k_tail = R"(
+constexpr const char* k_bash_tail = R"(
 _planish() {
   local cur=${COMP_WORDS[COMP_CWORD]} word before="" verb="" action i operands=0 ended=""
   COMPREPLY=()
@@ -74,7 +75,7 @@ complete -F _planish planish
 )";
 
 /// The command that completes a value.
-std::string action(const Candidates& candidates) {
+std::string bash_action(const Candidates& candidates) {
   const std::string words = " '" + joined(candidates.words, " ") + "'";
   switch (candidates.kind) {
     case Candidates::Kind::nothing:
@@ -97,7 +98,7 @@ std::string value_lines(const std::vector<Flag>& flags, const std::string& inden
   std::map<std::string, std::vector<std::string>> names;
   for (const Flag& flag : flags) {
     if (flag.value.empty()) continue;
-    const std::string of_flag = action(candidates_of(flag));
+    const std::string of_flag = bash_action(candidates_of(flag));
     if (!names.contains(of_flag)) actions.push_back(of_flag);
     for (const std::vector<std::string>& some : {offered_names(flag), aliases_of(flag.name)})
       names[of_flag].insert(names[of_flag].end(), some.begin(), some.end());
@@ -155,7 +156,7 @@ std::string operand_function() {
     for (std::size_t i = 0; i < command.operand_values.size(); ++i) {
       const bool repeats = command.operands_repeat && i + 1 == command.operand_values.size();
       text += "    " + command.name + ":" + (repeats ? "*" : std::to_string(i)) + ") " +
-              action(candidates_of(command.operand_values[i])) + " ;;\n";
+              bash_action(candidates_of(command.operand_values[i])) + " ;;\n";
     }
   }
   return text + "  esac\n}\n";
@@ -164,8 +165,8 @@ std::string operand_function() {
 }  // namespace
 
 std::string bash_completion() {
-  return k_head + value_function() + flags_function() + verbs_function() + operand_function() +
-         k_tail;
+  return k_bash_head + value_function() + flags_function() + verbs_function() + operand_function() +
+         k_bash_tail;
 }
 
 }  // namespace planish::cli

@@ -7,7 +7,8 @@ namespace planish::cli {
 
 namespace {
 
-constexpr const char* k_head = R"(# Completion of planish for fish. Made by: planish completion fish
+constexpr const char* k_fish_head =
+    R"(# Completion of planish for fish. Made by: planish completion fish
 
 # The words behind the program's name that are neither flags before the verb nor their values.
 function __planish_words
@@ -69,7 +70,7 @@ std::string quoted(const std::string& text) {
 }
 
 /// What completes a value, for complete -a; empty for what has no candidates.
-std::string action(const Candidates& candidates) {
+std::string fish_action(const Candidates& candidates) {
   std::string words = joined(candidates.words, " ");
   switch (candidates.kind) {
     case Candidates::Kind::nothing:
@@ -87,14 +88,14 @@ std::string action(const Candidates& candidates) {
 }
 
 /// @param condition when the flags are offered; empty for always
-std::string flag_lines(const std::vector<Flag>& flags, const std::string& condition) {
+std::string fish_flag_lines(const std::vector<Flag>& flags, const std::string& condition) {
   std::string text;
   for (const Flag& flag : flags) {
     text += "complete -c planish";
     if (!condition.empty()) text += " -n " + quoted(condition);
     if (flag.letter != 0) text += std::string(" -s ") + flag.letter;
     text += " -l " + flag.name.substr(2);
-    const std::string of_value = flag.value.empty() ? "" : action(candidates_of(flag));
+    const std::string of_value = flag.value.empty() ? "" : fish_action(candidates_of(flag));
     if (!flag.value.empty()) text += " -x";
     if (!of_value.empty()) text += " -a " + quoted(of_value);
     text += " -d " + quoted(short_doc(flag)) + "\n";
@@ -115,14 +116,14 @@ std::string valued_names(const std::vector<Flag>& flags) {
 
 std::string verb_lines(const Command& command) {
   const std::vector<Flag> flags = distinct_flags(command.groups);
-  std::string text = "\n" + flag_lines(flags, "__planish_verb " + command.name);
+  std::string text = "\n" + fish_flag_lines(flags, "__planish_verb " + command.name);
   const std::string valued = valued_names(global_flags().flags) + " " + valued_names(flags);
   for (std::size_t i = 0; i < command.operand_values.size(); ++i) {
     const bool repeats = command.operands_repeat && i + 1 == command.operand_values.size();
     text += "complete -c planish -n " +
             quoted("__planish_operand " + command.name + " " +
                    (repeats ? "'*'" : std::to_string(i)) + " " + valued) +
-            " -a " + quoted(action(candidates_of(command.operand_values[i]))) + "\n";
+            " -a " + quoted(fish_action(candidates_of(command.operand_values[i]))) + "\n";
   }
   return text;
 }
@@ -130,10 +131,10 @@ std::string verb_lines(const Command& command) {
 }  // namespace
 
 std::string fish_completion() {
-  std::string text = k_head;
+  std::string text = k_fish_head;
   const std::string mark = "VALUED";
   text.replace(text.find(mark), mark.size(), valued_names(global_flags().flags));
-  text += flag_lines(global_flags().flags, "");
+  text += fish_flag_lines(global_flags().flags, "");
   for (const Command& command : commands()) {
     text += "complete -c planish -n '__planish_verb' -a " + command.name + " -d " +
             quoted(command.summary) + "\n";

@@ -15,7 +15,7 @@ std::string pattern(const std::vector<std::string>& endings) {
 }
 
 /// What completes a value, as _arguments takes it.
-std::string action(const Candidates& candidates) {
+std::string zsh_action(const Candidates& candidates) {
   switch (candidates.kind) {
     case Candidates::Kind::nothing:
       break;
@@ -36,7 +36,7 @@ std::string message(const std::string& text) {
 }
 
 /// Behind "_arguments", a line each.
-std::string flag_lines(const std::vector<Flag>& flags, const std::string& indent) {
+std::string zsh_flag_lines(const std::vector<Flag>& flags, const std::string& indent) {
   std::string text;
   for (const Flag& flag : flags) {
     const bool has_value = !flag.value.empty();
@@ -47,7 +47,7 @@ std::string flag_lines(const std::vector<Flag>& flags, const std::string& indent
               (has_value ? "+" : "") + "}";
     }
     std::string rest = "[" + escaped(short_doc(flag), "\\[]") + "]";
-    if (has_value) rest += ":" + message(flag.value) + ":" + action(candidates_of(flag));
+    if (has_value) rest += ":" + message(flag.value) + ":" + zsh_action(candidates_of(flag));
     text += indent + names + in_quotes(rest) + " \\\n";
   }
   return text;
@@ -60,7 +60,7 @@ std::string operand_lines(const Command& command, const std::string& indent) {
     text +=
         indent +
         in_quotes((repeats ? "*:" : std::to_string(i + 1) + ":") + message(command.operands[i]) +
-                  ":" + action(candidates_of(command.operand_values[i]))) +
+                  ":" + zsh_action(candidates_of(command.operand_values[i]))) +
         " \\\n";
   }
   return text;
@@ -82,15 +82,15 @@ std::string zsh_completion() {
       "  local -a verbs=(\n";
   for (const Command& command : commands())
     text += "    " + in_quotes(command.name + ":" + command.summary) + "\n";
-  text += "  )\n  _arguments -C \\\n" + flag_lines(global_flags().flags, "    ") +
+  text += "  )\n  _arguments -C \\\n" + zsh_flag_lines(global_flags().flags, "    ") +
           "    '1:VERB:->verb' \\\n    '*::FLAG:->rest' && return\n"
           "  case $state in\n"
           "    verb) _describe VERB verbs ;;\n"
           "    rest)\n      case $line[1] in\n";
   for (const Command& command : commands()) {
     text += "        " + command.name + ")\n          _arguments \\\n" +
-            closed(flag_lines(global_flags().flags, "            ") +
-                   flag_lines(distinct_flags(command.groups), "            ") +
+            closed(zsh_flag_lines(global_flags().flags, "            ") +
+                   zsh_flag_lines(distinct_flags(command.groups), "            ") +
                    operand_lines(command, "            ")) +
             "          ;;\n";
   }

@@ -313,7 +313,7 @@ bool is_like_a_file(const std::string& name) {
 }
 
 std::string safe_name(const std::string& name) {
-  constexpr std::size_t k_longest = 80;
+  constexpr std::size_t k_longest_name = 80;
   std::string safe;
   safe.reserve(name.size());
   for (std::size_t i = 0; i < name.size();) {
@@ -322,7 +322,7 @@ std::string safe_name(const std::string& name) {
     safe += length > 0 ? name.substr(i, length) : "_";
     i += std::max<std::size_t>(1, length);
   }
-  safe = beginning(safe, k_longest);
+  safe = beginning(safe, k_longest_name);
   while (!safe.empty() && safe.back() == '.')
     safe.pop_back();  // Windows drops them
   if (!safe.empty() && (safe.front() == '.' || safe.front() == '-')) safe.front() = '_';

@@ -22,7 +22,7 @@ std::string ratio(const std::optional<double>& value) {
   return value ? fixed(*value, 2) : "-";
 }
 
-struct Cells {
+struct CandidateCells {
   std::string name, strain, most_strain, moved, most_moved, bending, added, lost, fold, smooth;
 };
 
@@ -31,7 +31,7 @@ std::string column(const std::string& text, std::size_t width) {
   return " " + right(text, width - 1);
 }
 
-std::string row(const Cells& cells) {
+std::string row(const CandidateCells& cells) {
   const std::string text = left(cells.name, k_name) + column(cells.strain, k_strain) +
                            column(cells.most_strain, k_strain) + column(cells.moved, k_length) +
                            column(cells.most_moved, k_length) + column(cells.bending, k_length) +

@@ -5,12 +5,12 @@
 #include <string_view>
 
 #include "shell/text.h"
+#include "text/angles.h"
 
 namespace planish::cli {
 
 namespace {
 
-constexpr double k_degrees = 57.295779513082320877;
 constexpr std::size_t k_widest_name = 21;
 
 /// Columns behind the name; with the widest name 80 in all.
@@ -20,13 +20,13 @@ constexpr std::array<std::string_view, 8> k_heads = {"e_max",   "strain", "devia
 constexpr std::array<std::string_view, 8> k_units = {"rad",   "rms %", "rms %", "deg",
                                                      "ratio", "ratio", "",      "s"};
 
-using Cells = std::array<std::string, 8>;
+using MethodCells = std::array<std::string, 8>;
 
 std::string ratio_cell(const std::optional<double>& ratio) {
   return ratio ? shorter_number(*ratio) : "-";
 }
 
-std::string row(const std::string& name, const Cells& cells, std::size_t name_width) {
+std::string row(const std::string& name, const MethodCells& cells, std::size_t name_width) {
   std::string line = left(name.substr(0, name_width), name_width);
   for (std::size_t i = 0; i < cells.size(); ++i)
     line += right(cells[i], k_widths[i]);
@@ -38,7 +38,7 @@ std::string strain_cell(const std::optional<UnfoldReport>& unfold) {
   return unfold ? short_number(100.0 * unfold->strain.rms) : "-";
 }
 
-Cells input_cells(const CompareReport& report) {
+MethodCells input_cells(const CompareReport& report) {
   const Flattenability& figures = report.before.figures;
   return {short_number(figures.e_max),
           strain_cell(report.unfold_before),
@@ -50,7 +50,7 @@ Cells input_cells(const CompareReport& report) {
           "-"};
 }
 
-Cells run_cells(const ComparedMethod& method) {
+MethodCells run_cells(const ComparedMethod& method) {
   const EvolveReport& evolve = *method.evolve;
   const Flattenability& figures = evolve.after.figures;
   return {short_number(figures.e_max),
@@ -72,7 +72,7 @@ std::size_t name_width(const CompareReport& report) {
 
 std::string table(const CompareReport& report) {
   const std::size_t width = name_width(report);
-  Cells heads, units, failed;
+  MethodCells heads, units, failed;
   std::copy(k_heads.begin(), k_heads.end(), heads.begin());
   std::copy(k_units.begin(), k_units.end(), units.begin());
   failed.fill("-");

@@ -11,6 +11,7 @@
 #include "platform/path.h"
 #include "shell/text.h"
 #include "shell/values.h"
+#include "text/angles.h"
 #include "text/candidates_text.h"
 #include "text/lengths.h"
 #include "text/memory_text.h"
@@ -18,8 +19,6 @@
 namespace planish::cli {
 
 namespace {
-
-constexpr double k_degrees = 57.295779513082320877;
 
 /// Name, unit and figures of one line. All are better when smaller, but the smallest angle.
 struct Row {

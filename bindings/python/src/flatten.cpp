@@ -155,7 +155,7 @@ py::bytes drawing_of_unfold(const UnfoldResult& result, const std::string& forma
 }
 
 /// Writes what `flatten` of the program writes: role -> path.
-WrittenFiles save(const FlattenResult& result, const py::object& path) {
+WrittenFiles save_result(const FlattenResult& result, const py::object& path) {
   const auto folder = py::module_::import("os").attr("fspath")(path).cast<std::string>();
   const py::gil_scoped_release no_python;
   const auto place = cli::output_folder(folder);
@@ -317,7 +317,7 @@ void register_flatten(py::module_& module) {
             return page_of(result);
           },
           "The report, report.html of the program: one page that needs no network.")
-      .def("save", save, py::arg("folder"),
+      .def("save", save_result, py::arg("folder"),
            "Writes all files that the program writes into the folder; role -> path.")
       .def("_drawing", drawing_of_flatten);
   add_unfold_figures<Result>(

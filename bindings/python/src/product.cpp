@@ -129,7 +129,7 @@ std::string json_of(const ProductResult& result) {
 
 /// Writes the files of each patch into a folder of its own, and those of the whole beside these.
 /// @return of the whole: role -> path
-WrittenFiles save(const ProductResult& result, const py::object& path) {
+WrittenFiles save_product(const ProductResult& result, const py::object& path) {
   const auto place = py::module_::import("os").attr("fspath")(path).cast<std::string>();
   const py::gil_scoped_release no_python;
   const std::filesystem::path folder = cli::output_folder(place);
@@ -202,7 +202,7 @@ void register_product(py::module_& module) {
           "missed", [](const ProductResult& result) { return missed_by_pieces(result.report); },
           "What each piece misses, in words, by its name: limits, and faults of form and pattern. "
           "Empty where every piece can be cut as it was asked for.")
-      .def("save", save, py::arg("folder"),
+      .def("save", save_product, py::arg("folder"),
            "Writes the files of each patch into a folder of its own name, and garment.json, .html "
            "and .svg beside these; role -> path of the latter.")
       .def(

@@ -20,7 +20,6 @@ namespace planish {
 namespace {
 
 constexpr double k_note_height = 3.0;  // of the texts that programs read
-constexpr std::size_t k_longest_name = 31;
 
 struct Piece {
   DrawingPiece facts;
@@ -42,9 +41,9 @@ std::string block_name(const DrawingPiece& piece, std::set<std::string>& taken) 
   const std::string size = "_" + dxf_name(size_of(piece));
   for (int copy = 1;; ++copy) {
     const std::string end = (copy > 1 ? "_" + std::to_string(copy) : "") + size;
-    const std::size_t room = end.size() < k_longest_name ? k_longest_name - end.size() : 1;
+    const std::size_t room = end.size() < k_longest_dxf_name ? k_longest_dxf_name - end.size() : 1;
     std::string name =
-        (dxf_name(ascii_text(piece.name)).substr(0, room) + end).substr(0, k_longest_name);
+        (dxf_name(ascii_text(piece.name)).substr(0, room) + end).substr(0, k_longest_dxf_name);
     if (taken.insert(name).second) return name;
   }
 }

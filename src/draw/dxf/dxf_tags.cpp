@@ -8,7 +8,6 @@ namespace planish {
 
 namespace {
 
-constexpr std::size_t k_longest_name = 31;
 constexpr double k_text_height = 3.0;  // that programs begin with, millimetres
 
 void append_escaped(std::string& text, char32_t value) {
@@ -133,7 +132,7 @@ std::string dxf_text(std::string_view text) {
 std::string dxf_name(std::string_view name) {
   std::string allowed;
   for (const char32_t point : code_points(name)) {
-    if (allowed.size() == k_longest_name) break;
+    if (allowed.size() == k_longest_dxf_name) break;
     allowed += is_name_letter(point) ? static_cast<char>(point) : '_';
   }
   return allowed.empty() ? "_" : allowed;

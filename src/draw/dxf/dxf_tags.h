@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,7 +10,8 @@
 
 namespace planish {
 
-inline constexpr int k_millimetres = 4;  // as $INSUNITS counts units
+inline constexpr int k_millimetres = 4;                // as $INSUNITS counts units
+inline constexpr std::size_t k_longest_dxf_name = 31;  // as R12 allows it
 
 /// The lines of a DXF file: each value below the code of what it is.
 class DxfTags {

@@ -41,7 +41,7 @@ double largest(const std::vector<Vec3>& a) {
 }
 
 /// A line through a point with the merit's value and slope there.
-struct Line {
+struct SearchLine {
   const PenaltyPoint& from;
   const std::vector<Vec3>& direction;  // by node
   double value, slope;
@@ -73,14 +73,14 @@ class PenaltySolver {
     return point.stretch + 0.5 * rho_ * point.energy * point.energy;
   }
   std::vector<Vec3> gradient() const { return merit_.gradient(at_, rho_ * at_.energy); }
-  Trial try_length(const Line& line, double length) const;
-  std::optional<Trial> search(const Line& line, double length) const;
-  std::optional<Trial> better_of(const Line& line, Trial trial) const;
-  bool counts(const Line& line, const Trial& trial) const {
+  Trial try_length(const SearchLine& line, double length) const;
+  std::optional<Trial> search(const SearchLine& line, double length) const;
+  std::optional<Trial> better_of(const SearchLine& line, Trial trial) const;
+  bool counts(const SearchLine& line, const Trial& trial) const {
     return trial.point.sound && trial.value <= line.value + k_armijo * trial.length * line.slope &&
            trial.value < line.value;
   }
-  double first_length(const Line& line) const;
+  double first_length(const SearchLine& line) const;
   void run_conjugate_gradients();
   std::size_t write_places();
 
@@ -93,7 +93,7 @@ class PenaltySolver {
   double last_fall_ = 0.0;  // length times slope of the last step
 };
 
-PenaltySolver::Trial PenaltySolver::try_length(const Line& line, double length) const {
+PenaltySolver::Trial PenaltySolver::try_length(const SearchLine& line, double length) const {
   std::vector<Vec3> positions = line.from.positions;
   for (std::size_t node = 0; node < merit_.node_count(); ++node) {
     const auto vertices = merit_.vertices_of(node);
@@ -108,13 +108,14 @@ PenaltySolver::Trial PenaltySolver::try_length(const Line& line, double length) 
 
 /// As far as would bring the fall of the last step if the merit went on straight; at first, as far
 /// as would bring it to nothing. Never so far that a vertex leaps over its neighbours.
-double PenaltySolver::first_length(const Line& line) const {
+double PenaltySolver::first_length(const SearchLine& line) const {
   const double fall = last_fall_ > 0.0 ? last_fall_ : line.value;
   const double reach = 0.25 * std::sqrt(merit_.mean_squared_edge());
   return std::min(fall / -line.slope, reach / largest(line.direction));
 }
 
-std::optional<PenaltySolver::Trial> PenaltySolver::search(const Line& line, double length) const {
+std::optional<PenaltySolver::Trial> PenaltySolver::search(const SearchLine& line,
+                                                          double length) const {
   const double least = k_least_move / largest(line.direction);
   for (int tries = 0; tries < k_tries && length > least; ++tries) {
     Trial trial = try_length(line, length);
@@ -127,7 +128,8 @@ std::optional<PenaltySolver::Trial> PenaltySolver::search(const Line& line, doub
 }
 
 /// The trial or, where that is lower, the minimum of the parabola through it.
-std::optional<PenaltySolver::Trial> PenaltySolver::better_of(const Line& line, Trial trial) const {
+std::optional<PenaltySolver::Trial> PenaltySolver::better_of(const SearchLine& line,
+                                                             Trial trial) const {
   const double bend = trial.value - line.value - trial.length * line.slope;
   const double promised = -trial.length * line.slope;
   const double share = 8.0 * bend > promised ? promised / (2.0 * bend) : 4.0;
@@ -145,7 +147,7 @@ void PenaltySolver::run_conjugate_gradients() {
   for (int step = 0; step < options_.cg_steps; ++step) {
     const double slope = dot(g, direction);
     if (!(slope < 0.0)) return;
-    const Line line{at_, direction, value(at_), slope};
+    const SearchLine line{at_, direction, value(at_), slope};
     std::optional<Trial> next = search(line, first_length(line));
     if (!next) return;
     last_fall_ = -next->length * slope;

@@ -62,12 +62,12 @@ double mean_edge(const PatchState& state, const std::vector<std::span<const Inde
 }
 
 /// The line that a vertex moves on.
-struct Line {
+struct OffsetLine {
   Vec3 origin, normal;
 };
 
 /// origin + offset normal, rounded towards the origin until it is within the radius.
-Vec3 place_on(const Line& line, double offset, double radius) {
+Vec3 place_on(const OffsetLine& line, double offset, double radius) {
   // Room for the rounding of the distance itself.
   const double limit = radius * (1.0 - 0x1p-50);
   const double clamped = std::clamp(offset, -limit, limit);
@@ -130,7 +130,7 @@ class OffsetMover {
   PatchState& state_;
   std::vector<std::span<const Index>> rings_;
   double radius_;
-  std::vector<Line> lines_;
+  std::vector<OffsetLine> lines_;
   std::vector<double> offsets_, defects_;
   std::vector<unsigned char> set_aside_;
   std::priority_queue<Candidate> heap_;

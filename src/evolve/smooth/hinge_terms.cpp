@@ -11,7 +11,7 @@ namespace planish {
 
 namespace {
 
-constexpr std::size_t k_grain = 2048;
+constexpr std::size_t k_hinge_grain = 2048;
 
 /// The edge and the normals of its two triangles, each twice the area long.
 struct Frame {
@@ -41,7 +41,7 @@ HingeTerms::HingeTerms(const Patch& design, const PatchState& state) : state_(st
 }
 
 void HingeTerms::take_weights(ThreadPool& pool) {
-  pool.for_ranges(size(), k_grain, [this](std::size_t begin, std::size_t end) {
+  pool.for_ranges(size(), k_hinge_grain, [this](std::size_t begin, std::size_t end) {
     for (std::size_t h = begin; h < end; ++h) {
       const Frame frame = frame_of(hinges_[h], state_);
       const double areas = 0.5 * (norm(frame.left) + norm(frame.right));
@@ -56,7 +56,7 @@ double HingeTerms::angle(std::size_t hinge) const {
 
 double HingeTerms::bending(ThreadPool& pool) const {
   std::vector<double> terms(size());
-  pool.for_ranges(size(), k_grain, [&](std::size_t begin, std::size_t end) {
+  pool.for_ranges(size(), k_hinge_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t h = begin; h < end; ++h) {
       const double t = angle(h);
       terms[h] = weights_[h] * t * t;

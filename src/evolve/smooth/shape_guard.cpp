@@ -14,7 +14,7 @@ using namespace tuning::prefer_smooth;
 
 namespace {
 
-constexpr std::size_t k_grain = 2048;
+constexpr std::size_t k_guard_grain = 2048;
 
 double corner_angle(Vec3 at, Vec3 b, Vec3 c) {
   const Vec3 u = b - at, w = c - at;
@@ -81,7 +81,7 @@ double ShapeGuard::corner_value(const Corner& corner) const {
 
 double ShapeGuard::value(ThreadPool& pool) const {
   std::vector<double> terms(edges_.size() + corners_.size());
-  pool.for_ranges(terms.size(), k_grain, [&](std::size_t begin, std::size_t end) {
+  pool.for_ranges(terms.size(), k_guard_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       terms[k] =
           k < edges_.size() ? edge_value(edges_[k]) : corner_value(corners_[k - edges_.size()]);

@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::size_t k_deepest = 1000;
 
-bool is_blank(char c) {
+bool is_xml_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
 bool ends_name(char c) {
-  return is_blank(c) || c == '=' || c == '>' || c == '/' || c == '<' || c == '"' || c == '\'';
+  return is_xml_blank(c) || c == '=' || c == '>' || c == '/' || c == '<' || c == '"' || c == '\'';
 }
 
 /// The character of an entity, '?' for any beyond ASCII; nothing for unknown entities.
@@ -99,7 +99,7 @@ void MarkupReader::skip_declaration() {
 
 void MarkupReader::skip_blanks() {
   std::size_t at = offset_;
-  while (at < bytes_.size() && is_blank(bytes_[at]))
+  while (at < bytes_.size() && is_xml_blank(bytes_[at]))
     ++at;
   go_to(at);
 }

@@ -11,8 +11,8 @@ namespace planish {
 namespace {
 
 constexpr int k_most_chords = 100'000;
-constexpr std::size_t k_most_points = 5'000'000;  // of one shape
-constexpr double k_farthest = 1e12;               // millimetres
+constexpr std::size_t k_most_shape_points = 5'000'000;  // of one shape
+constexpr double k_farthest = 1e12;                     // millimetres
 
 double angle_of(Vec2 v) {
   return math::atan2(v.y, v.x);
@@ -198,7 +198,7 @@ class PathData {
 
 void SvgChords::add(Vec2 mm) {
   const bool is_near = std::abs(mm.x) <= k_farthest && std::abs(mm.y) <= k_farthest;
-  if (!is_near || ++points_ > k_most_points) failed_ = true;
+  if (!is_near || ++points_ > k_most_shape_points) failed_ = true;
   if (!failed_) lines_.back().push_back(mm);
 }
 

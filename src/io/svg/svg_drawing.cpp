@@ -15,7 +15,7 @@ namespace planish {
 
 namespace {
 
-constexpr std::size_t k_most_points = 20'000'000;
+constexpr std::size_t k_most_drawing_points = 20'000'000;
 
 constexpr std::array<std::string_view, 7> k_shapes = {"path", "line",   "polyline", "polygon",
                                                       "rect", "circle", "ellipse"};
@@ -242,7 +242,7 @@ class SvgReader {
       points_ += line.size();
       drawing_.lines.push_back({line, tag.line, state.layer});
     }
-    if (points_ > k_most_points) {
+    if (points_ > k_most_drawing_points) {
       fail(tag, "the shapes up to this one have more than 20 million points", ErrorCode::too_large);
     }
   }

@@ -13,14 +13,14 @@ namespace planish {
 
 namespace {
 
-bool is_blank(char c) {
+bool is_svg_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
 }
 
 std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front()))
+  while (!text.empty() && is_svg_blank(text.front()))
     text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back()))
+  while (!text.empty() && is_svg_blank(text.back()))
     text.remove_suffix(1);
   return text;
 }

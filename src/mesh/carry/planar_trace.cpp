@@ -12,7 +12,7 @@ namespace {
 /// Triangles are taken so much wider, in shares, that rounding leaves no gaps between them.
 constexpr double k_wider = 1e-12;
 /// Of a line's length: what is nearer is the same place.
-constexpr double k_same = 1e-13;
+constexpr double k_same_share = 1e-13;
 
 double cross_z(Vec3 a, Vec3 b) {
   return a.x * b.y - a.y * b.x;
@@ -132,10 +132,10 @@ void PlanarTrace::follow(Vec3 p, Vec3 q, LinePieces& pieces) const {
   std::size_t next = 0;
   std::vector<Span> here;
   double reached = 0.0;  // up to here the line is done
-  while (reached < 1.0 - k_same) {
-    for (; next < spans.size() && spans[next].begin <= reached + k_same; ++next)
+  while (reached < 1.0 - k_same_share) {
+    for (; next < spans.size() && spans[next].begin <= reached + k_same_share; ++next)
       here.push_back(spans[next]);
-    std::erase_if(here, [&](const Span& span) { return span.end <= reached + k_same; });
+    std::erase_if(here, [&](const Span& span) { return span.end <= reached + k_same_share; });
     if (here.empty()) {
       const double back = next < spans.size() ? spans[next].begin : 1.0;
       pieces.leave((back - reached) * length);

@@ -10,7 +10,7 @@ namespace {
 /// How often a line that cannot be followed is halved.
 constexpr int k_deepest = 10;
 /// Two places so near are the same: the two sides of a seam.
-constexpr double k_same = 1e-10;
+constexpr double k_same_place = 1e-10;
 
 Vec3 unit(Vec3 a) {
   const double length = norm(a);
@@ -126,7 +126,7 @@ std::optional<PlaceOnTriangle> SurfaceTrace::moved_beside(const PlaceOnTriangle&
     const Triangle& tri = mesh_.triangles[t];
     const ClosestPoint closest = closest_on_triangle(
         {mesh_.positions[tri[0]], mesh_.positions[tri[1]], mesh_.positions[tri[2]]}, p);
-    if (closest.squared_distance <= k_same * k_same)
+    if (closest.squared_distance <= k_same_place * k_same_place)
       return PlaceOnTriangle{t, cleared(closest.barycentric)};
   }
   return std::nullopt;
@@ -162,13 +162,13 @@ std::optional<SurfaceTrace::Walk> SurfaceTrace::walk(const PlaceOnTriangle& from
   }
   if (!exit) return std::nullopt;
   Walk walk;
-  if (!(way_to(crossing(*exit)) > k_same)) return walk;
+  if (!(way_to(crossing(*exit)) > k_same_place)) return walk;
   for (std::size_t steps = 0; steps <= mesh_.triangles.size(); ++steps) {
     const PlaceOnTriangle place = crossing(*exit);
     const double way = way_to(place);
     const bool is_beyond = way > length;
     if (is_beyond && target == nullptr) return walk;
-    if (way > -k_same) walk.places.push_back(place);
+    if (way > -k_same_place) walk.places.push_back(place);
     const Index twin = half_edges_.twin(*exit);
     if (twin == HalfEdges::none)
       return is_beyond && target != nullptr ? std::nullopt : std::optional(walk);

@@ -10,7 +10,7 @@ namespace planish {
 
 namespace {
 
-constexpr double k_far = std::numeric_limits<double>::infinity();
+constexpr double k_no_size = std::numeric_limits<double>::infinity();
 // Growth of the edge length by distance. Twice the slope of what makes good triangles is a bound
 // for those that are tolerable.
 constexpr double k_steepest = 0.5;
@@ -19,11 +19,11 @@ constexpr double k_area_per_vertex = std::numbers::sqrt3 / 2.0;  // at edge leng
 
 /// Size at the fixed edge that rules a vertex, and the way from there.
 struct Origin {
-  double size = k_far, distance = 0.0;
+  double size = k_no_size, distance = 0.0;
   double grown(double slope) const { return size + slope * distance; }
 };
 
-/// The mean length of the edges from v to other fixed vertices; k_far without any.
+/// The mean length of the edges from v to other fixed vertices; k_no_size without any.
 double fixed_size(const FineSurface& surface, const HalfEdges& half_edges,
                   std::span<const unsigned char> fixed, Index v) {
   double sum = 0.0, count = 0.0;
@@ -35,7 +35,7 @@ double fixed_size(const FineSurface& surface, const HalfEdges& half_edges,
     sum += norm(surface.positions[w] - surface.positions[v]);
     ++count;
   });
-  return count > 0.0 ? sum / count : k_far;
+  return count > 0.0 ? sum / count : k_no_size;
 }
 
 /// For each vertex the origin that gives it the least size at the typical slope.
@@ -46,7 +46,7 @@ std::vector<Origin> find_origins(const FineSurface& surface, const HalfEdges& ha
   for (Index v = 0; v < fixed.size(); ++v) {
     if (fixed[v] == 0 || !half_edges.is_used(v)) continue;
     origins[v].size = fixed_size(surface, half_edges, fixed, v);
-    if (origins[v].size < k_far) queue.set(v, origins[v].size);
+    if (origins[v].size < k_no_size) queue.set(v, origins[v].size);
   }
   while (!queue.empty()) {
     const Index v = queue.top();
@@ -97,7 +97,7 @@ std::vector<double> graded_sizes(const FineSurface& surface, const HalfEdges& ha
   auto sizes = even_sizes(surface, vertices);
   for (std::size_t v = 0; v < sizes.size(); ++v) {
     const double size = origins[v].grown(high);
-    if (size > 0.0 && size < k_far) sizes[v] = size;
+    if (size > 0.0 && size < k_no_size) sizes[v] = size;
   }
   return sizes;
 }

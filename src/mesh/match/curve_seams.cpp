@@ -14,12 +14,12 @@ namespace {
 
 using Place = std::array<double, 2>;
 
-constexpr std::size_t k_fewest = 5;   // edges of the finer side
-constexpr double k_shortest = 0.002;  // of the shorter loop
-constexpr double k_distances = 25.0;  // a seam is longer than so many times its distance
-constexpr double k_matched = 0.6;     // of the vertices of each side
-constexpr double k_at_vertex = 0.01;  // of an edge, within which a seam ends at its vertex
-constexpr double k_tip_edges = 4.0;   // a dart's tip is so near to the last places of its sides
+constexpr std::size_t k_fewest_edges = 5;  // edges of the finer side
+constexpr double k_shortest_seam = 0.002;  // of the shorter loop
+constexpr double k_distances = 25.0;       // a seam is longer than so many times its distance
+constexpr double k_matched = 0.6;          // of the vertices of each side
+constexpr double k_at_vertex = 0.01;       // of an edge, within which a seam ends at its vertex
+constexpr double k_tip_edges = 4.0;  // a dart's tip is so near to the last places of its sides
 
 /// A chain with ends where the curves end.
 class CurveEnds {
@@ -77,7 +77,7 @@ class CurveEnds {
     for (std::size_t k = 0; k + 2 < at.size(); ++k) {
       const Place& place = at_end ? at[at.size() - 1 - k] : at[k];
       const double edges = std::max(std::abs(place[0] - last[0]), std::abs(place[1] - last[1]));
-      if (edges >= static_cast<double>(k_fewest)) return;
+      if (edges >= static_cast<double>(k_fewest_edges)) return;
       if (!is_near_corner(0, place[0]) || !is_near_corner(1, place[1])) continue;
       const auto count = static_cast<std::ptrdiff_t>(k);
       if (at_end)
@@ -235,8 +235,9 @@ bool is_seam(const BorderLines& borders, const CurveChain& chain) {
 
 bool is_fragment(const std::array<const BorderLoop*, 2>& loops,
                  const std::array<double, 2>& lengths, const std::array<std::size_t, 2>& edges) {
-  const double shortest = k_shortest * std::min(loops[0]->length, loops[1]->length);
-  return !(std::min(lengths[0], lengths[1]) > shortest) || std::max(edges[0], edges[1]) < k_fewest;
+  const double shortest = k_shortest_seam * std::min(loops[0]->length, loops[1]->length);
+  return !(std::min(lengths[0], lengths[1]) > shortest) ||
+         std::max(edges[0], edges[1]) < k_fewest_edges;
 }
 
 std::vector<CurveSeam> find_curve_seams(const BorderLines& borders, double tolerance) {

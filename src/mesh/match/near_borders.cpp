@@ -15,10 +15,10 @@ namespace planish {
 
 namespace {
 
-constexpr double k_near = 0.1;      // distance over the length of the edge
-constexpr double k_along = 0.9;     // cosine between the edges
+constexpr double k_reach = 0.1;     // distance over the length of the edge
+constexpr double k_parallel = 0.9;  // cosine between the edges
 constexpr std::size_t k_steps = 6;  // along a loop, within which edges are neighbours
-constexpr std::size_t k_fewest = 8;
+constexpr std::size_t k_fewest_beside = 8;
 
 /// The distance of a place from a segment.
 double distance_to(Vec3 p, Vec3 a, Vec3 b) {
@@ -49,7 +49,7 @@ class NearEdges {
   /// The patches whose borders lie beside the middle of the edge.
   std::set<std::size_t> patches_beside(std::size_t e) const {
     const BorderEdge& edge = edges_[e];
-    const double length = norm(along(e)), reach = k_near * length;
+    const double length = norm(along(e)), reach = k_reach * length;
     const Vec3 middle = place(edge.patch, edge.from) + 0.5 * along(e);
     std::set<std::size_t> beside;
     std::vector<std::size_t> open = {0};
@@ -88,7 +88,7 @@ class NearEdges {
 
   bool is_parallel(std::size_t e, std::size_t other) const {
     const Vec3 a = along(e), b = along(other);
-    return std::abs(dot(a, b)) >= k_along * norm(a) * norm(b);
+    return std::abs(dot(a, b)) >= k_parallel * norm(a) * norm(b);
   }
 
   bool are_neighbours(std::size_t e, std::size_t other) const {
@@ -148,8 +148,8 @@ std::vector<NearBorders> find_near_borders(std::span<const TriMesh> patches,
   for (const auto& [pair, here] : found) {
     const auto [first, second] = pair;
     const auto back = found.find({second, first});
-    const bool is_mutual = back != found.end() && back->second.edges >= k_fewest;
-    if (first > second || here.edges < k_fewest || !is_mutual) continue;
+    const bool is_mutual = back != found.end() && back->second.edges >= k_fewest_beside;
+    if (first > second || here.edges < k_fewest_beside || !is_mutual) continue;
     near.push_back({{first, second}, std::min(here.length, back->second.length)});
   }
   return near;

@@ -14,9 +14,10 @@ namespace planish {
 
 namespace {
 
-constexpr double k_least_tolerance = 0.016;  // millimetres: tries go down to it by a factor of 0.6
-constexpr double k_same = 1e-6;              // millimetres: two places are one
-constexpr double k_on_line = 1e-3;           // millimetres: a place is on a line
+// Millimetres: tries go down to it by a factor of 0.6.
+constexpr double k_least_chord_tolerance = 0.016;
+constexpr double k_same = 1e-6;        // millimetres: two places are one
+constexpr double k_on_line = 1e-3;     // millimetres: a place is on a line
 constexpr double k_for_chords = 0.83;  // of the tolerance: moving points outwards takes up the rest
 
 /// The directions in which a line from a point passes near others.
@@ -130,7 +131,7 @@ bool is_near(std::span<const Vec2> points, const std::vector<std::size_t>& chose
 Polygon fewer_points(const Polygon& points, const LineFit& fit) {
   const double length = length_of_line(points);
   double tolerance = k_for_chords * fit.tolerance;
-  for (; tolerance > 0.0; tolerance = tolerance > k_least_tolerance ? 0.6 * tolerance : 0.0) {
+  for (; tolerance > 0.0; tolerance = tolerance > k_least_chord_tolerance ? 0.6 * tolerance : 0.0) {
     const std::vector<std::size_t> chosen = chosen_points(points, tolerance);
     Polygon chords;
     chords.reserve(chosen.size());

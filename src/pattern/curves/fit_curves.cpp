@@ -15,7 +15,7 @@ namespace planish {
 namespace {
 
 // Millimetres: where the length is missed the tolerance is halved down to it.
-constexpr double k_least_tolerance = 0.0125;
+constexpr double k_least_curve_tolerance = 0.0125;
 constexpr double k_straight = 0.9998;  // cosine between a line and the direction at its end
 
 bool is_straight(std::span<const Vec2> points, double tolerance) {
@@ -129,7 +129,7 @@ std::vector<CurvePiece> fit_stretch(std::span<const Vec2> points, const EndDirec
                                     const LineFit& fit) {
   const double length = length_of_line(points);
   double tolerance = fit.tolerance;
-  for (; tolerance > 0.0; tolerance = tolerance > k_least_tolerance ? 0.5 * tolerance : 0.0) {
+  for (; tolerance > 0.0; tolerance = tolerance > k_least_curve_tolerance ? 0.5 * tolerance : 0.0) {
     std::vector<CurvePiece> pieces = pieces_along(points, ends, tolerance);
     if (std::abs(length_of(Curve{points.front(), pieces}) - length) <= fit.length_tolerance)
       return pieces;

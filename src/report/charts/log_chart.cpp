@@ -15,7 +15,7 @@ namespace planish {
 namespace {
 
 constexpr double k_width = 480.0, k_height = 330.0;
-constexpr double k_top = 14.0, k_bottom = 44.0;
+constexpr double k_top_room = 14.0, k_bottom_room = 44.0;
 constexpr double k_letter = 7.6;           // width of a letter of a name, about
 constexpr double k_label_distance = 16.0;  // between the baselines of names, at least
 constexpr double k_tick_distance = 38.0;   // between the middles of numbers below the axis
@@ -111,7 +111,8 @@ class Chart {
 
   double x_of(double x) const { return left_ + horizontal_.place_of(x) * (right_ - left_); }
   double y_of(double y) const {
-    return k_height - k_bottom - vertical_.place_of(y) * (k_height - k_top - k_bottom);
+    return k_height - k_bottom_room -
+           vertical_.place_of(y) * (k_height - k_top_room - k_bottom_room);
   }
 
   static std::string text(double x, double y, std::string_view anchor, std::string_view css_class,
@@ -140,7 +141,7 @@ class Chart {
       const double x = x_of(tick.value);
       // The stub for 0 is narrow.
       if (x - last < (tick.value > 0.0 && last == left_ ? 18.0 : k_tick_distance)) continue;
-      svg += text(x, k_height - k_bottom + 18.0, "middle", "", tick.text);
+      svg += text(x, k_height - k_bottom_room + 18.0, "middle", "", tick.text);
       last = x;
     }
     return svg + text(0.5 * (left_ + right_), k_height - 6.0, "middle", "axis", name);
@@ -201,7 +202,7 @@ class Chart {
       const double y = y_of(line->points.back().y);
       places.push_back(places.empty() ? y : std::max(y, places.back() + k_label_distance));
     }
-    double lowest = k_height - k_bottom;
+    double lowest = k_height - k_bottom_room;
     for (std::size_t i = places.size(); i-- > 0; lowest -= k_label_distance) {
       places[i] = std::min(places[i], lowest);
     }

@@ -21,7 +21,7 @@ namespace planish {
 
 namespace {
 
-constexpr int k_picture_width = 480;  // pixels: many pictures, each shown small
+constexpr int k_compare_picture_width = 480;  // pixels: many pictures, each shown small
 
 std::string headline(const CompareReport& report) {
   const auto best = best_run(report);
@@ -97,11 +97,12 @@ Pictures pictures_of(const CompareReport& report) {
     if (has_pattern(report, method)) patterns.push_back({positions, method.unfold->pattern});
   }
   Pictures pictures;
-  pictures.patches = patch_pictures(report.input, results, ColorMap::diverging, k_picture_width);
+  pictures.patches =
+      patch_pictures(report.input, results, ColorMap::diverging, k_compare_picture_width);
   if (report.unfold_before) {
     pictures.strain_limit = strain_map_limit(report.unfold_before->strain);
-    pictures.patterns =
-        strain_pictures(report.input.mesh(), patterns, pictures.strain_limit, k_picture_width);
+    pictures.patterns = strain_pictures(report.input.mesh(), patterns, pictures.strain_limit,
+                                        k_compare_picture_width);
   }
   return pictures;
 }
@@ -197,7 +198,7 @@ std::string key_list(const std::vector<DirectionKey>& keys) {
 std::string directions_section(const CompareReport& report) {
   const auto directions = laplacian_directions(report.input);
   const DirectionPictures pictures =
-      direction_pictures(report.input.mesh(), directions, 2 * k_picture_width);
+      direction_pictures(report.input.mesh(), directions, 2 * k_compare_picture_width);
   const auto column = [](const DirectionPicture& picture) {
     return "<div>" +
            html_picture(picture.image, picture.title,

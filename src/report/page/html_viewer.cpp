@@ -28,7 +28,7 @@ namespace planish {
 
 namespace {
 
-constexpr int k_picture_width = 880;  // pixels: sharp at half of it
+constexpr int k_viewer_picture_width = 880;  // pixels: sharp at half of it
 constexpr int k_direction_cells = 150;
 constexpr double k_least_strain = 0.001;  // nobody can measure less on cloth or leather: no arrows
 
@@ -233,7 +233,8 @@ PatchViewer html_viewer(const CompareReport& report) {
 
 PatchViewer html_viewer(const FlattenReport& report, const FlattenPage& page) {
   const std::array<std::span<const Vec3>, 1> after = {report.processed.positions()};
-  const PatchPictures pictures = patch_pictures(report.input, after, page.colors, k_picture_width);
+  const PatchPictures pictures =
+      patch_pictures(report.input, after, page.colors, k_viewer_picture_width);
   const PatternOnSheet placed =
       pattern_on_sheet(report.processed.mesh(), report.unfold, report.name, page.annotations);
   const bool live = page_script().is_there();

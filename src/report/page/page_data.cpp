@@ -32,7 +32,7 @@ constexpr double k_scale_share = 0.98;  // of the vertices within a scale
 constexpr int k_map_colors = 129;       // of a colour map
 
 /// A figure of all vertices, by state; a list that is empty: there is none.
-struct Figure {
+struct VertexFigure {
   const char* id;
   ColorMap map;
   double limit = 0.0;
@@ -54,7 +54,7 @@ double limit_of(const std::vector<double>& values, double share, double least) {
 }
 
 /// The same of all values of all states.
-double largest_limit(const Figure& figure, double least) {
+double largest_limit(const VertexFigure& figure, double least) {
   double limit = least;
   for (const auto& values : figure.by_state)
     limit = std::max(limit, limit_of(values, 1.0, least));
@@ -62,7 +62,7 @@ double largest_limit(const Figure& figure, double least) {
 }
 
 /// The largest size of all values of all states, with two digits rounded up: a scale that fits.
-double fitted_limit(const Figure& figure, double least) {
+double fitted_limit(const VertexFigure& figure, double least) {
   double largest = least;
   for (const auto& values : figure.by_state) {
     for (const double value : values) {
@@ -92,9 +92,9 @@ std::vector<double> moves(std::span<const Vec3> before, std::span<const Vec3> af
 
 /// Stretch in the direction where the pattern is longest beside the patch, and across it, where it
 /// is shortest.
-std::array<Figure, 2> principal_figures(const PageInput& input) {
-  Figure longest{"longest", ColorMap::diverging, input.strain_limit};
-  Figure shortest{"shortest", ColorMap::diverging, input.strain_limit};
+std::array<VertexFigure, 2> principal_figures(const PageInput& input) {
+  VertexFigure longest{"longest", ColorMap::diverging, input.strain_limit};
+  VertexFigure shortest{"shortest", ColorMap::diverging, input.strain_limit};
   for (const PageState& state : input.states) {
     auto& most = longest.by_state.emplace_back();
     auto& least = shortest.by_state.emplace_back();
@@ -107,14 +107,14 @@ std::array<Figure, 2> principal_figures(const PageInput& input) {
   return {std::move(longest), std::move(shortest)};
 }
 
-std::vector<Figure> figures_of(const PageInput& input) {
-  Figure defect{"defect", ColorMap::diverging, input.defect_limit};
-  Figure curvature{"curvature", ColorMap::paper};
-  Figure bent{"bent", ColorMap::sequential};
-  Figure deviation{"deviation", ColorMap::sequential};
-  Figure offset{"offset", ColorMap::diverging};
-  Figure strain{"strain", ColorMap::diverging, input.strain_limit};
-  Figure edge_strain{"edge_strain", ColorMap::diverging, input.strain_limit};
+std::vector<VertexFigure> figures_of(const PageInput& input) {
+  VertexFigure defect{"defect", ColorMap::diverging, input.defect_limit};
+  VertexFigure curvature{"curvature", ColorMap::paper};
+  VertexFigure bent{"bent", ColorMap::sequential};
+  VertexFigure deviation{"deviation", ColorMap::sequential};
+  VertexFigure offset{"offset", ColorMap::diverging};
+  VertexFigure strain{"strain", ColorMap::diverging, input.strain_limit};
+  VertexFigure edge_strain{"edge_strain", ColorMap::diverging, input.strain_limit};
   for (const PageState& state : input.states) {
     const Patch& patch = state.patch;
     const auto defects = angle_defects(patch);
@@ -137,11 +137,11 @@ std::vector<Figure> figures_of(const PageInput& input) {
   bent.limit = limit_of(bent.by_state.front(), k_scale_share, 1e-3 / size);
   deviation.limit = largest_limit(deviation, 1e-6 * size);
   offset.limit = fitted_limit(offset, 1e-6 * size);
-  std::vector<Figure> figures = {std::move(defect), std::move(curvature),
-                                 std::move(bent),   std::move(deviation),
-                                 std::move(strain), std::move(edge_strain)};
+  std::vector<VertexFigure> figures = {std::move(defect), std::move(curvature),
+                                       std::move(bent),   std::move(deviation),
+                                       std::move(strain), std::move(edge_strain)};
   if (input.limit) {
-    for (Figure& figure : principal_figures(input))
+    for (VertexFigure& figure : principal_figures(input))
       figures.push_back(std::move(figure));
   }
   figures.push_back(std::move(offset));
@@ -149,9 +149,9 @@ std::vector<Figure> figures_of(const PageInput& input) {
 }
 
 /// The vertex of every list at which the figure is largest.
-std::vector<Index> worst_vertices(const std::vector<Figure>& figures) {
+std::vector<Index> worst_vertices(const std::vector<VertexFigure>& figures) {
   std::vector<Index> worst;
-  for (const Figure& figure : figures) {
+  for (const VertexFigure& figure : figures) {
     for (const auto& values : figure.by_state) {
       Index best = 0;
       double largest = -1.0;
@@ -175,7 +175,7 @@ std::vector<Value> picked(std::span<const Value> values, const std::vector<Index
   return some;
 }
 
-Json to_json(const Figure& figure, const std::vector<Index>& source) {
+Json to_json(const VertexFigure& figure, const std::vector<Index>& source) {
   Json values = Json::array();
   for (const auto& all : figure.by_state) {
     values.push_back(all.empty()
@@ -263,12 +263,12 @@ std::string json_for_script(std::string json) {
 }
 
 std::string page_data(const PageInput& input) {
-  const std::vector<Figure> figures = figures_of(input);
+  const std::vector<VertexFigure> figures = figures_of(input);
   const std::size_t most = input.most_vertices > 0 ? input.most_vertices : usual_most(input);
   const DisplayMesh shown = display_mesh(input.patch(), most, worst_vertices(figures));
   const View view = view_of(input.patch().mesh());
   Json modes = Json::array();
-  for (const Figure& figure : figures)
+  for (const VertexFigure& figure : figures)
     modes.push_back(to_json(figure, shown.source));
   Json json = {{"schema", k_json_schema},
                {"unit", to_string(input.unit)},

@@ -14,7 +14,7 @@ namespace planish {
 namespace {
 
 // The window, and what is left free for the discs with numbers. Its unit is about 1.7 pixels.
-constexpr double k_width = 104.0, k_height = 100.0, k_margin = 8.0;
+constexpr double k_width = 104.0, k_height = 100.0, k_outline_margin = 8.0;
 constexpr double k_disc = 5.8;      // radius
 constexpr double k_nearest = 0.15;  // of two points of a line: nearer ones cannot be told apart
 
@@ -104,8 +104,8 @@ OutlineWindow::OutlineWindow(std::span<const std::vector<Vec2>> patterns) {
     largest = {std::max(largest.x, size.x), std::max(largest.y, size.y)};
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double x = (k_width - 2.0 * k_margin) / largest.x;
-  const double y = (k_height - 2.0 * k_margin) / largest.y;
+  const double x = (k_width - 2.0 * k_outline_margin) / largest.x;
+  const double y = (k_height - 2.0 * k_outline_margin) / largest.y;
   const double scale = std::min(largest.x > 0.0 ? x : infinity, largest.y > 0.0 ? y : infinity);
   if (scale < infinity) scale_ = scale;
 }

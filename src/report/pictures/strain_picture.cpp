@@ -12,7 +12,7 @@ namespace planish {
 
 namespace {
 
-constexpr double k_padding = 0.015;  // of the width
+constexpr double k_strain_padding = 0.015;  // of the width
 
 std::vector<Color> strain_colors(const TriMesh& mesh, const Pattern& pattern, double limit) {
   std::vector<Color> colors;
@@ -30,7 +30,7 @@ std::vector<Image> strain_pictures(const TriMesh& mesh, std::span<const PatternO
   for (const PatternOfPatch& one : patterns) {
     size = {std::max(size.x, one.pattern.width), std::max(size.y, one.pattern.height)};
   }
-  const double padding = k_padding * width;
+  const double padding = k_strain_padding * width;
   const double scale = (width - 2.0 * padding) / size.x;
   const int height = static_cast<int>(std::ceil(scale * size.y + 2.0 * padding));
   std::vector<Image> pictures;

@@ -5,7 +5,6 @@ namespace {
 
 using namespace std::string_literals;
 
-constexpr auto k_malformed = ErrorCode::malformed_file;
 const std::string k_mark = "\xef\xbb\xbf";
 
 /// ASCII in code units of some bytes.

@@ -7,69 +7,69 @@ namespace {
 
 using namespace std::string_literals;
 
-struct Word {
+struct NumberWord {
   std::string name, text;
 };
 
-const std::vector<Word>& no_numbers() {
-  static const std::vector<Word> words = {{"letter", "x"},
-                                          {"hexadecimal", "0x10"},
-                                          {"hexadecimal_float", "0x1p3"},
-                                          {"binary", "0b1"},
-                                          {"letters_behind", "1abc"},
-                                          {"float_suffix", "1.5f"},
-                                          {"percent", "50%"},
-                                          {"millimetres", "5mm"},
-                                          {"decimal_comma", "0,5"},
-                                          {"thousands_comma", "1,000.5"},
-                                          {"thousands_and_comma", "1.234,5"},
-                                          {"thousands_quote", "1'000"},
-                                          {"thousands_underscore", "1_000"},
-                                          {"two_points", "1.2.3"},
-                                          {"no_exponent", ".5e"},
-                                          {"no_exponent_digits", "1e+"},
-                                          {"fortran_exponent", "1d5"},
-                                          {"fraction_in_exponent", "1e0.5"},
-                                          {"two_plus", "++1"},
-                                          {"two_minus", "--1"},
-                                          {"plus_minus", "+-1"},
-                                          {"sign_behind", "1-"},
-                                          {"sign_alone", "-"},
-                                          {"point_alone", "."},
-                                          {"exponent_alone", "e5"},
-                                          {"windows_nan", "1.#QNAN"},
-                                          {"windows_ind", "-1.#IND"},
-                                          {"windows_inf", "1.#INF"},
-                                          {"comment_behind", "1#2"},
-                                          {"null", "null"},
-                                          {"none", "None"},
-                                          {"true", "true"},
-                                          {"quoted", "\"1\""},
-                                          {"bracketed", "(1)"},
-                                          {"fraction", "1/2"},
-                                          {"semicolon", "1;"},
-                                          {"nul_behind", "1\0"s},
-                                          {"nul_in_front", "\0001"s},
-                                          {"nul_alone", "\0"s},
-                                          {"control_character", "1\x1a"},
-                                          {"arabic_digit", "\xd9\xa1"},
-                                          {"full_width_digit", "\xef\xbc\x91"},
-                                          {"minus_of_typography",
-                                           "\xe2\x88\x92"
-                                           "1"},
-                                          {"no_break_space", "1\xc2\xa0"},
-                                          {"byte_order_mark",
-                                           "\xef\xbb\xbf"
-                                           "1"},
-                                          {"latin1_byte", "1\xb5"},
-                                          {"too_large", "1e400"},
-                                          {"too_large_negative", "-1e400"},
-                                          {"too_many_digits", std::string(400, '9')}};
+const std::vector<NumberWord>& no_numbers() {
+  static const std::vector<NumberWord> words = {{"letter", "x"},
+                                                {"hexadecimal", "0x10"},
+                                                {"hexadecimal_float", "0x1p3"},
+                                                {"binary", "0b1"},
+                                                {"letters_behind", "1abc"},
+                                                {"float_suffix", "1.5f"},
+                                                {"percent", "50%"},
+                                                {"millimetres", "5mm"},
+                                                {"decimal_comma", "0,5"},
+                                                {"thousands_comma", "1,000.5"},
+                                                {"thousands_and_comma", "1.234,5"},
+                                                {"thousands_quote", "1'000"},
+                                                {"thousands_underscore", "1_000"},
+                                                {"two_points", "1.2.3"},
+                                                {"no_exponent", ".5e"},
+                                                {"no_exponent_digits", "1e+"},
+                                                {"fortran_exponent", "1d5"},
+                                                {"fraction_in_exponent", "1e0.5"},
+                                                {"two_plus", "++1"},
+                                                {"two_minus", "--1"},
+                                                {"plus_minus", "+-1"},
+                                                {"sign_behind", "1-"},
+                                                {"sign_alone", "-"},
+                                                {"point_alone", "."},
+                                                {"exponent_alone", "e5"},
+                                                {"windows_nan", "1.#QNAN"},
+                                                {"windows_ind", "-1.#IND"},
+                                                {"windows_inf", "1.#INF"},
+                                                {"comment_behind", "1#2"},
+                                                {"null", "null"},
+                                                {"none", "None"},
+                                                {"true", "true"},
+                                                {"quoted", "\"1\""},
+                                                {"bracketed", "(1)"},
+                                                {"fraction", "1/2"},
+                                                {"semicolon", "1;"},
+                                                {"nul_behind", "1\0"s},
+                                                {"nul_in_front", "\0001"s},
+                                                {"nul_alone", "\0"s},
+                                                {"control_character", "1\x1a"},
+                                                {"arabic_digit", "\xd9\xa1"},
+                                                {"full_width_digit", "\xef\xbc\x91"},
+                                                {"minus_of_typography",
+                                                 "\xe2\x88\x92"
+                                                 "1"},
+                                                {"no_break_space", "1\xc2\xa0"},
+                                                {"byte_order_mark",
+                                                 "\xef\xbb\xbf"
+                                                 "1"},
+                                                {"latin1_byte", "1\xb5"},
+                                                {"too_large", "1e400"},
+                                                {"too_large_negative", "-1e400"},
+                                                {"too_many_digits", std::string(400, '9')}};
   return words;
 }
 
-const std::vector<Word>& not_finite() {
-  static const std::vector<Word> words = {
+const std::vector<NumberWord>& not_finite() {
+  static const std::vector<NumberWord> words = {
       {"nan", "nan"},           {"nan_upper", "NaN"},     {"nan_negative", "-nan"},
       {"nan_plus", "+nan"},     {"nan_tagged", "nan(1)"}, {"inf", "inf"},
       {"inf_negative", "-inf"}, {"inf_upper", "INF"},     {"infinity", "Infinity"}};
@@ -141,12 +141,12 @@ BadMeshes numbers_in(const SoundText& text) {
       text.format == "stl" ? sound().triangles.size() : sound().positions.size();
   for (const NamedPlace& place : places_in(count)) {
     std::size_t axis = 0;
-    for (const Word& word : no_numbers()) {
+    for (const NumberWord& word : no_numbers()) {
       collection.at_line("number_" + word.name + "_" + place.name,
                          with_word(text, place.number, axis++ % 3, word.text).text(),
                          ErrorCode::bad_number, text.vertex_line(place.number));
     }
-    for (const Word& word : not_finite()) {
+    for (const NumberWord& word : not_finite()) {
       collection.at_line("number_" + word.name + "_" + place.name,
                          with_word(text, place.number, axis++ % 3, word.text).text(),
                          ErrorCode::non_finite_coordinate, text.vertex_line(place.number));

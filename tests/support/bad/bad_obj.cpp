@@ -6,8 +6,6 @@
 namespace planish::bad {
 namespace {
 
-constexpr auto k_malformed = ErrorCode::malformed_file;
-
 /// The sound patch with every face written in another way.
 template <class Write>
 std::string with_faces(Write write) {

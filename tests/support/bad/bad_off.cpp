@@ -3,9 +3,6 @@
 namespace planish::bad {
 namespace {
 
-constexpr auto k_malformed = ErrorCode::malformed_file;
-constexpr auto k_truncated = ErrorCode::truncated_file;
-
 /// The sound patch with something behind each vertex and each face.
 Lines with_tails(const std::string& header, const std::string& vertex, const std::string& face) {
   const SoundText text = sound_off();
@@ -17,7 +14,7 @@ Lines with_tails(const std::string& header, const std::string& vertex, const std
   return lines;
 }
 
-void add_headers(Collection& files) {
+void add_off_headers(Collection& files) {
   const Lines lines = sound_off().lines;
   files.same("colours_coff", with_tails("COFF", " 255 0 0 255", "").text(), "dropped");
   files.same("normals_noff", with_tails("NOFF", " 0 0 1", "").text(), "dropped");
@@ -49,7 +46,7 @@ void add_headers(Collection& files) {
   files.as_a_whole("header_only", "OFF\n", k_truncated);
 }
 
-void add_counts(Collection& files) {
+void add_off_counts(Collection& files) {
   const Lines lines = sound_off().lines;
   const auto counts = [&](const std::string& name, const std::string& words, ErrorCode code) {
     files.at_line("counts_" + name, lines.with(2, words).text(), code, 2);
@@ -75,7 +72,7 @@ void add_counts(Collection& files) {
   files.as_a_whole("counts_no_vertices", lines.with(2, "0 32 0").text(), k_malformed);
 }
 
-void add_bodies(Collection& files) {
+void add_off_bodies(Collection& files) {
   const Lines lines = sound_off().lines;
   const auto bad = [&](const std::string& name, std::size_t line, const std::string& words,
                        ErrorCode code, std::string part = {}) {
@@ -104,9 +101,9 @@ void add_bodies(Collection& files) {
 
 BadMeshes bad_off() {
   Collection files("off_", ".off");
-  add_headers(files);
-  add_counts(files);
-  add_bodies(files);
+  add_off_headers(files);
+  add_off_counts(files);
+  add_off_bodies(files);
   return files.take();
 }
 

@@ -6,14 +6,11 @@
 namespace planish::bad {
 namespace {
 
-constexpr auto k_malformed = ErrorCode::malformed_file;
-constexpr auto k_truncated = ErrorCode::truncated_file;
-
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
 }
 
-void add_headers(Collection& files) {
+void add_ply_headers(Collection& files) {
   const SoundText text = sound_ply();
   const Lines& lines = text.lines;
   const auto odd = [&](const std::string& name, std::size_t line, const std::string& words) {
@@ -98,7 +95,7 @@ void add_headers(Collection& files) {
                    ErrorCode::unsupported_format, "strips");
 }
 
-void add_counts(Collection& files) {
+void add_ply_counts(Collection& files) {
   const SoundText text = sound_ply();
   const Lines& lines = text.lines;
   const std::string binary = binary_ply();
@@ -123,7 +120,7 @@ void add_counts(Collection& files) {
   files.as_a_whole("face_count_0", lines.with(7, "element face 0").text(), ErrorCode::no_triangles);
 }
 
-void add_bodies(Collection& files) {
+void add_ply_bodies(Collection& files) {
   const SoundText text = sound_ply();
   const Lines& lines = text.lines;
   const auto vertex = [&](const std::string& name, const std::string& words, ErrorCode code,
@@ -199,7 +196,7 @@ void add_elements(Collection& files) {
                                     .text());
 }
 
-void add_binary(Collection& files) {
+void add_binary_ply(Collection& files) {
   const std::string sound_bytes = binary_ply();
   const std::size_t body = binary_ply_body(sound_bytes), faces = body + 25 * 12;
   files.same("binary", sound_bytes);
@@ -266,11 +263,11 @@ void add_binary(Collection& files) {
 
 BadMeshes bad_ply() {
   Collection files("ply_", ".ply");
-  add_headers(files);
-  add_counts(files);
-  add_bodies(files);
+  add_ply_headers(files);
+  add_ply_counts(files);
+  add_ply_bodies(files);
   add_elements(files);
-  add_binary(files);
+  add_binary_ply(files);
   return files.take();
 }
 

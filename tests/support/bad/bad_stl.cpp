@@ -7,9 +7,6 @@
 namespace planish::bad {
 namespace {
 
-constexpr auto k_malformed = ErrorCode::malformed_file;
-constexpr auto k_truncated = ErrorCode::truncated_file;
-
 std::string cased(std::string text, bool upper) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto c = static_cast<unsigned char>(text[i]);
@@ -65,7 +62,7 @@ void add_ascii(Collection& files) {
   files.same("ascii_without_solid", lines.without(1).text());
 }
 
-void add_binary(Collection& files) {
+void add_binary_stl(Collection& files) {
   const std::string plain = binary_stl();
   files.same("binary", plain);
   files.same("binary_solid_header", binary_stl(sound(), "solid made by hand"));
@@ -118,7 +115,7 @@ void add_binary(Collection& files) {
 BadMeshes bad_stl() {
   Collection files("stl_", ".stl");
   add_ascii(files);
-  add_binary(files);
+  add_binary_stl(files);
   return files.take();
 }
 

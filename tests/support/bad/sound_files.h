@@ -16,6 +16,9 @@
 
 namespace planish::bad {
 
+inline constexpr auto k_malformed = ErrorCode::malformed_file;
+inline constexpr auto k_truncated = ErrorCode::truncated_file;
+
 /// 25 vertices, 9 of them inside, 32 triangles. Its coordinates are floats, so that every format
 /// can hold it exactly.
 inline TriMesh sound() {

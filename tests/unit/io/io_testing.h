@@ -68,6 +68,9 @@ inline TriMesh square() {
           .triangles = {{0, 1, 2}, {0, 2, 3}}};
 }
 
+/// Its vertices, a line each, as OFF and PLY have them.
+inline const std::string k_square_positions = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+
 /// The bytes of numbers, each in its own type, in the given order.
 template <class... Numbers>
 std::string packed(std::endian order, Numbers... numbers) {

@@ -14,10 +14,10 @@ const TriMesh& sheet() {
   return mesh;
 }
 
-CutLines listed(std::string_view text) {
+CutLines cuts_listed(std::string_view text) {
   return parse_cuts(text, sheet(), "cuts.txt");
 }
-CutLines drawn(std::string_view text) {
+CutLines cuts_drawn(std::string_view text) {
   return parse_cuts(text, sheet(), "cuts.OBJ");
 }
 
@@ -31,7 +31,7 @@ void refuses(CutLines (*read)(std::string_view), std::string_view text, ErrorCod
 }
 
 TEST(ReadCuts, TakesACutALine) {
-  const CutLines cuts = listed("# darts\n2 7 12\n\n  4,8, 12 # two\r\n");
+  const CutLines cuts = cuts_listed("# darts\n2 7 12\n\n  4,8, 12 # two\r\n");
   ASSERT_EQ(cuts.paths.size(), 2U);
   EXPECT_EQ(cuts.paths[0].vertices, (Indices{2, 7, 12}));
   EXPECT_EQ(cuts.paths[0].place.line, 2U);
@@ -42,7 +42,7 @@ TEST(ReadCuts, TakesACutALine) {
 }
 
 TEST(ReadCuts, SnapsWhatIsDrawn) {
-  const CutLines cuts = drawn("v 0.1 2 0\nv 2 2.2 0\nv 4.3 2 0\nl 1 2 3\nl -3 \\\n -1\np 2\n");
+  const CutLines cuts = cuts_drawn("v 0.1 2 0\nv 2 2.2 0\nv 4.3 2 0\nl 1 2 3\nl -3 \\\n -1\np 2\n");
   ASSERT_EQ(cuts.paths.size(), 2U);
   EXPECT_EQ(cuts.paths[0].vertices, (Indices{10, 12, 14}));
   EXPECT_EQ(cuts.paths[1].vertices, (Indices{10, 14}));
@@ -52,19 +52,19 @@ TEST(ReadCuts, SnapsWhatIsDrawn) {
 
 TEST(ReadCuts, AreReadAsTheyAreWritten) {
   const std::vector<Indices> paths = {{2, 7, 12}, {24, 18}};
-  const CutLines cuts = listed(format_cuts(paths));
+  const CutLines cuts = cuts_listed(format_cuts(paths));
   ASSERT_EQ(cuts.paths.size(), 2U);
   EXPECT_EQ(cuts.paths[0].vertices, paths[0]);
   EXPECT_EQ(cuts.paths[1].vertices, paths[1]);
 }
 
 TEST(ReadCuts, RefusesWhatIsNoCut) {
-  refuses(listed, "1 2\n3 25\n", ErrorCode::index_out_of_range, 2, "no vertex 25");
-  refuses(listed, "1 x\n", ErrorCode::bad_number, 1, "is not the number of a vertex");
-  refuses(listed, "# nothing\n", ErrorCode::malformed_file, 1, "names no cut");
-  refuses(drawn, "v 0 0 0\np 1\n", ErrorCode::malformed_file, 1, "has no line");
-  refuses(drawn, "v 0 0 0\nl 1\n", ErrorCode::malformed_file, 2, "a line needs two vertices");
-  refuses(drawn, "v 0 2 0\nv 9 2 0\n\nl 1 2\n", ErrorCode::misplaced_cut, 4,
+  refuses(cuts_listed, "1 2\n3 25\n", ErrorCode::index_out_of_range, 2, "no vertex 25");
+  refuses(cuts_listed, "1 x\n", ErrorCode::bad_number, 1, "is not the number of a vertex");
+  refuses(cuts_listed, "# nothing\n", ErrorCode::malformed_file, 1, "names no cut");
+  refuses(cuts_drawn, "v 0 0 0\np 1\n", ErrorCode::malformed_file, 1, "has no line");
+  refuses(cuts_drawn, "v 0 0 0\nl 1\n", ErrorCode::malformed_file, 2, "a line needs two vertices");
+  refuses(cuts_drawn, "v 0 2 0\nv 9 2 0\n\nl 1 2\n", ErrorCode::misplaced_cut, 4,
           "cut 1 leaves the mesh at (9, 2, 0): the nearest vertex, 14 at (4, 2, 0)");
   const Error error = error_of([] { parse_cuts("0 1", {}, "cuts.txt"); });
   EXPECT_EQ(error.code(), ErrorCode::no_triangles);

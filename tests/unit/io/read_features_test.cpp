@@ -15,10 +15,10 @@ const Patch& grid() {
   return patch;
 }
 
-Indices listed(std::string_view text) {
+Indices vertices_listed(std::string_view text) {
   return parse_fixed_vertices(text, grid(), "fixed.txt").vertices;
 }
-FixedVertices drawn(std::string_view text, const Patch& patch = grid()) {
+FixedVertices vertices_drawn(std::string_view text, const Patch& patch = grid()) {
   return parse_fixed_vertices(text, patch, "drawing.OBJ");
 }
 
@@ -32,18 +32,19 @@ void expect_refused(Call call, ErrorCode code, std::size_t line, std::string_vie
 }
 
 TEST(ReadFixedVertices, ListsNumbersFromNought) {
-  EXPECT_EQ(listed("3\n0\n24\n"), (Indices{0, 3, 24}));
-  EXPECT_EQ(listed("# seam\n7 8,9,\t10 , 11 # these\r\n,\n  8"), (Indices{7, 8, 9, 10, 11}));
-  EXPECT_EQ(listed("\xef\xbb\xbf"
-                   "2"),
+  EXPECT_EQ(vertices_listed("3\n0\n24\n"), (Indices{0, 3, 24}));
+  EXPECT_EQ(vertices_listed("# seam\n7 8,9,\t10 , 11 # these\r\n,\n  8"),
+            (Indices{7, 8, 9, 10, 11}));
+  EXPECT_EQ(vertices_listed("\xef\xbb\xbf"
+                            "2"),
             (Indices{2}));
-  EXPECT_EQ(listed(""), (Indices{}));
+  EXPECT_EQ(vertices_listed(""), (Indices{}));
 }
 
 TEST(ReadFixedVertices, RefusesWhatIsNoVertex) {
   const auto refused = [](std::string_view text, ErrorCode code, std::size_t line,
                           std::string_view part) {
-    expect_refused([&] { listed(text); }, code, line, part);
+    expect_refused([&] { vertices_listed(text); }, code, line, part);
   };
   refused("3\n25\n", ErrorCode::index_out_of_range, 2, "no vertex 25: the mesh has 25 vertices");
   refused("1 99999999999999999999999", ErrorCode::index_out_of_range, 1, "no vertex 9999999");
@@ -53,28 +54,29 @@ TEST(ReadFixedVertices, RefusesWhatIsNoVertex) {
 
 TEST(ReadFixedVertices, JoinsTheCornersOfADrawnLineAlongEdges) {
   // From (0, 1) to (3, 1), and on along the column to (3, 4).
-  const FixedVertices fixed = drawn("v 0.1 1 0\nv 3 1.2 0\nv 3 4 0.3\nl 1 2 3\n");
+  const FixedVertices fixed = vertices_drawn("v 0.1 1 0\nv 3 1.2 0\nv 3 4 0.3\nl 1 2 3\n");
   EXPECT_EQ(fixed.vertices, (Indices{5, 6, 7, 8, 13, 18, 23}));
   EXPECT_NEAR(fixed.farthest, 0.3, 1e-15);
   // The diagonal, drawn backwards with relative numbers and over two lines of text.
-  EXPECT_EQ(drawn("v 4 4 0\nv 0 0 0\nl -2 \\\n -1\n").vertices, (Indices{0, 6, 12, 18, 24}));
-  EXPECT_EQ(drawn("v 4 4 0\nv 0 0 0\nl -2 -1\n").farthest, 0.0);
+  EXPECT_EQ(vertices_drawn("v 4 4 0\nv 0 0 0\nl -2 \\\n -1\n").vertices,
+            (Indices{0, 6, 12, 18, 24}));
+  EXPECT_EQ(vertices_drawn("v 4 4 0\nv 0 0 0\nl -2 -1\n").farthest, 0.0);
 }
 
 TEST(ReadFixedVertices, TakesPointsAndPassesOverTheRest) {
   const std::string text =
       "o seam\nvn 0 0 1\nl 1/1 3/3\nv 0 0 0 1 0 0\nv 2 2 0\nv 1 0 0\nv 4 4 0\nf 1 2 3\np 2 -1\n";
-  EXPECT_EQ(drawn(text).vertices, (Indices{0, 1, 12, 24}));
+  EXPECT_EQ(vertices_drawn(text).vertices, (Indices{0, 1, 12, 24}));
 }
 
 TEST(ReadFixedVertices, SnapsAPointBetweenVerticesToTheSmallestNumber) {
-  EXPECT_EQ(drawn("v 1.5 2.5 0\np 1\n").vertices, (Indices{11}));
+  EXPECT_EQ(vertices_drawn("v 1.5 2.5 0\np 1\n").vertices, (Indices{11}));
 }
 
 TEST(ReadFixedVertices, RefusesDrawingsThatCannotBeRead) {
   const auto refused = [](std::string_view text, ErrorCode code, std::size_t line,
                           std::string_view part) {
-    expect_refused([&] { drawn(text); }, code, line, part);
+    expect_refused([&] { vertices_drawn(text); }, code, line, part);
   };
   refused("v 0 0 0\nf 1 1 1\n", ErrorCode::malformed_file, 1, "draws nothing");
   refused("", ErrorCode::malformed_file, 1, "draws nothing");
@@ -90,9 +92,9 @@ TEST(ReadFixedVertices, RefusesDrawingsThatCannotBeRead) {
 
 TEST(ReadFixedVertices, RefusesALineBetweenPartsOfTheMesh) {
   const Patch mesh(meshes::side_by_side(meshes::flat_grid(2, 2), meshes::flat_grid(2, 2)));
-  const auto read = [&] { drawn("v 0 0 0\nv 1000 0 0\nl 1 1\nl 1 2\n", mesh); };
+  const auto read = [&] { vertices_drawn("v 0 0 0\nv 1000 0 0\nl 1 1\nl 1 2\n", mesh); };
   expect_refused(read, ErrorCode::several_components, 4, "to vertex 9, which is on another part");
-  EXPECT_EQ(drawn("v 0 0 0\nv 1000 0 0\np 1 2\n", mesh).vertices, (Indices{0, 9}));
+  EXPECT_EQ(vertices_drawn("v 0 0 0\nv 1000 0 0\np 1 2\n", mesh).vertices, (Indices{0, 9}));
 }
 
 TEST(ReadFixedVertices, RefusesALineWhoseWaysAreTooLongTogether) {
@@ -101,11 +103,12 @@ TEST(ReadFixedVertices, RefusesALineWhoseWaysAreTooLongTogether) {
   for (int i = 0; i < turns; ++i)
     text += " 1 2";
   const Patch strip(meshes::flat_grid(length, 1));  // few ways to choose from at a time
-  expect_refused([&] { drawn(text + "\n", strip); }, ErrorCode::too_large, 3, "draw more points");
+  expect_refused([&] { vertices_drawn(text + "\n", strip); }, ErrorCode::too_large, 3,
+                 "draw more points");
 }
 
 TEST(ReadFixedVertices, NeedsTriangles) {
-  EXPECT_EQ(error_of([] { drawn("v 0 0 0\np 1\n", {}); }).code(), ErrorCode::no_triangles);
+  EXPECT_EQ(error_of([] { vertices_drawn("v 0 0 0\np 1\n", {}); }).code(), ErrorCode::no_triangles);
 }
 
 TEST(ReadWeights, AreOneWhereNothingIsSaid) {

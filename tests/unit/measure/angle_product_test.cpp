@@ -11,7 +11,7 @@
 namespace planish {
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
+using std::numbers::pi;
 
 double defect_of(const std::vector<double>& angles, double size = 1.0) {
   AngleProduct product;
@@ -21,13 +21,13 @@ double defect_of(const std::vector<double>& angles, double size = 1.0) {
 }
 
 TEST(AngleProduct, OfNothingIsAFullTurn) {
-  EXPECT_EQ(AngleProduct{}.defect(), 2.0 * k_pi);
+  EXPECT_EQ(AngleProduct{}.defect(), 2.0 * pi);
 }
 
 TEST(AngleProduct, CountsTurns) {
   for (int corners = 1; corners <= 40; ++corners) {
     for (const double angle : {0.01, 0.7, 1.5, 2.9, 3.1}) {
-      const double expected = 2.0 * k_pi - angle * corners;
+      const double expected = 2.0 * pi - angle * corners;
       EXPECT_NEAR(defect_of(std::vector<double>(corners, angle)), expected, 1e-13 * corners)
           << corners << " corners of " << angle;
     }
@@ -40,14 +40,14 @@ TEST(AngleProduct, CountsTurnsOfCornersOfExactlyZeroAndPi) {
     AngleProduct product;
     for (const Corner& c : corners)
       product.add(c);
-    return 2.0 * k_pi - product.defect();
+    return 2.0 * pi - product.defect();
   };
   EXPECT_NEAR(sum({zero, zero}), 0.0, 1e-15);
-  EXPECT_NEAR(sum({straight}), k_pi, 1e-15);
-  EXPECT_NEAR(sum({straight, straight}), 2.0 * k_pi, 1e-15);
-  EXPECT_NEAR(sum({straight, straight, straight}), 3.0 * k_pi, 1e-15);
-  EXPECT_NEAR(sum({right, right, right, right, right}), 2.5 * k_pi, 1e-15);
-  EXPECT_NEAR(sum({zero, straight, zero, straight, zero}), 2.0 * k_pi, 1e-15);
+  EXPECT_NEAR(sum({straight}), pi, 1e-15);
+  EXPECT_NEAR(sum({straight, straight}), 2.0 * pi, 1e-15);
+  EXPECT_NEAR(sum({straight, straight, straight}), 3.0 * pi, 1e-15);
+  EXPECT_NEAR(sum({right, right, right, right, right}), 2.5 * pi, 1e-15);
+  EXPECT_NEAR(sum({zero, straight, zero, straight, zero}), 2.0 * pi, 1e-15);
 }
 
 TEST(AngleProduct, KeepsTheDigitsOfASmallDefect) {
@@ -61,7 +61,7 @@ TEST(AngleProduct, KeepsTheDigitsOfASmallDefect) {
 
 TEST(AngleProduct, NeitherOverflowsNorVanishesAroundManyCorners) {
   for (const double size : {1e-150, 1e150}) {
-    const double expected = 2.0 * k_pi - 3000 * 0.002;
+    const double expected = 2.0 * pi - 3000 * 0.002;
     EXPECT_NEAR(defect_of(std::vector<double>(3000, 0.002), size), expected, 1e-11);
   }
 }
@@ -73,10 +73,10 @@ TEST(AngleProduct, AgreesWithASumOfAnglesOnRandomStars) {
     double sum = 0.0;
     const int corners = 3 + trial % 20;
     for (int k = 0; k < corners; ++k) {
-      angles.push_back(0.5 * k_pi * (1.0 + random.number()));
+      angles.push_back(0.5 * pi * (1.0 + random.number()));
       sum += angles.back();
     }
-    ASSERT_NEAR(defect_of(angles), 2.0 * k_pi - sum, 1e-13) << trial;
+    ASSERT_NEAR(defect_of(angles), 2.0 * pi - sum, 1e-13) << trial;
   }
 }
 

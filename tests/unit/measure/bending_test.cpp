@@ -14,9 +14,9 @@
 namespace planish {
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
+using std::numbers::pi;
 
-Bending measured(const TriMesh& mesh) {
+Bending bending_of(const TriMesh& mesh) {
   return measure_bending(Patch(mesh));
 }
 
@@ -48,8 +48,8 @@ TEST(Bends, HaveTheSignOfValleyAndRidge) {
     EXPECT_NEAR(bend.area, 2.0 / 3.0, 1e-15);
     // 3 t^2 l^2 / (A1 + A2)
     EXPECT_NEAR(bend.bending(), 6.0 * angle * angle, 1e-13);
-    EXPECT_NEAR(measured(mesh).bending, 6.0 * angle * angle, 1e-13);
-    EXPECT_NEAR(measured(mesh).mean_curvature, std::abs(angle) / std::sqrt(2.0), 1e-14);
+    EXPECT_NEAR(bending_of(mesh).bending, 6.0 * angle * angle, 1e-13);
+    EXPECT_NEAR(bending_of(mesh).mean_curvature, std::abs(angle) / std::sqrt(2.0), 1e-14);
   }
 }
 
@@ -76,20 +76,21 @@ TEST(Bends, AreOfEachInnerEdgeOnce) {
 }
 
 TEST(Bending, OfAPlaneIsNothing) {
-  EXPECT_EQ(measured(meshes::flat_grid(8, 6)).bending, 0.0);
+  EXPECT_EQ(bending_of(meshes::flat_grid(8, 6)).bending, 0.0);
   // Tilted, its positions are rounded.
   TriMesh tilted = meshes::height_field(60, 60, [](double x, double y) { return 0.3 * x - y; });
-  EXPECT_LT(measured(tilted).bending, k_no_bending);
+  EXPECT_LT(bending_of(tilted).bending, k_no_bending);
 }
 
 TEST(Bending, OfACylinderIsThreeTimesAreaOverSquaredRadius) {
   // 3 (k1 + k2)^2 - 8 k1 k2, whichever way the axis lies. Edges of the border count for nothing.
   for (const std::size_t cells : {30U, 60U, 120U}) {
     const double room = 1.2 / static_cast<double>(cells);
-    for (const double angle : {0.0, 0.3, 0.5 * std::numbers::pi}) {
+    for (const double angle : {0.0, 0.3, 0.5 * pi}) {
       const TriMesh mesh = meshes::bent_cylinder(cells, angle);
       const double area = area_of(mesh);
-      EXPECT_NEAR(measured(mesh).bending / (3.0 * area / 0.25), 1.0, room) << cells << " " << angle;
+      EXPECT_NEAR(bending_of(mesh).bending / (3.0 * area / 0.25), 1.0, room)
+          << cells << " " << angle;
     }
   }
 }
@@ -97,20 +98,20 @@ TEST(Bending, OfACylinderIsThreeTimesAreaOverSquaredRadius) {
 TEST(Bending, OfASphereIsFourTimesAreaOverSquaredRadius) {
   for (const std::size_t cells : {30U, 60U, 120U}) {
     const TriMesh mesh = meshes::bent_sphere(cells);
-    EXPECT_NEAR(measured(mesh).bending / (4.0 * area_of(mesh)), 1.0,
+    EXPECT_NEAR(bending_of(mesh).bending / (4.0 * area_of(mesh)), 1.0,
                 2.4 / static_cast<double>(cells));
   }
 }
 
 TEST(Bending, OfRightTrianglesIsUpToHalfMoreThanOfEquilateralOnes) {
   // 3 k1^2 + 3 k2^2: no diagonal bends.
-  EXPECT_NEAR(measured(solids::sphere(7.0, 40)).bending / (24.0 * std::numbers::pi), 1.0, 0.02);
+  EXPECT_NEAR(bending_of(solids::sphere(7.0, 40)).bending / (24.0 * pi), 1.0, 0.02);
 }
 
 TEST(Bending, DoesNotDependOnTheDensityOfTheMesh) {
   const auto check = [](const char* name, auto surface) {
-    const Bending coarse = measured(surface(40)), middle = measured(surface(80)),
-                  fine = measured(surface(160));
+    const Bending coarse = bending_of(surface(40)), middle = bending_of(surface(80)),
+                  fine = bending_of(surface(160));
     for (const Bending& other : {coarse, middle}) {
       EXPECT_NEAR(other.bending / fine.bending, 1.0, 0.08) << name;
       EXPECT_NEAR(other.mean_curvature / fine.mean_curvature, 1.0, 0.08) << name;
@@ -124,8 +125,8 @@ TEST(Bending, DoesNotDependOnTheDensityOfTheMesh) {
 }
 
 TEST(Bending, TellsACrumpledSheetFromABentOne) {
-  EXPECT_GT(measured(meshes::crumpled_sheet(80)).bending,
-            10.0 * measured(meshes::bent_cylinder(80)).bending);
+  EXPECT_GT(bending_of(meshes::crumpled_sheet(80)).bending,
+            10.0 * bending_of(meshes::bent_cylinder(80)).bending);
 }
 
 TEST(Bending, MeanCurvatureOfACylinderIsHalfItsTurnTimesItsLength) {
@@ -134,7 +135,7 @@ TEST(Bending, MeanCurvatureOfACylinderIsHalfItsTurnTimesItsLength) {
   TriMesh bent = mesh;
   for (Vec3& p : bent.positions)
     p = {30.0 * std::sin(p.x / 30.0), p.y, 30.0 * std::cos(p.x / 30.0)};
-  EXPECT_NEAR(measured(bent).mean_curvature, 60.0 / 30.0 / 2.0, 0.02);
+  EXPECT_NEAR(bending_of(bent).mean_curvature, 60.0 / 30.0 / 2.0, 0.02);
 }
 
 TEST(Bends, AtAVertexAreAboutOneOverTheRadius) {
@@ -149,7 +150,7 @@ TEST(Bends, AtAVertexAreAboutOneOverTheRadius) {
       ASSERT_NEAR(bends[v], expected, room * expected) << v;
     }
   };
-  check(meshes::bent_cylinder(40, 0.5 * k_pi), 2.0);
+  check(meshes::bent_cylinder(40, 0.5 * pi), 2.0);
   // Around the cylinder edges bend both ways.
   check(meshes::bent_cylinder(40), 2.0, 0.7);
   check(meshes::bent_sphere(40), 2.0);
@@ -158,25 +159,25 @@ TEST(Bends, AtAVertexAreAboutOneOverTheRadius) {
 
 TEST(Bending, DoesNotDependOnTheSizeOfTheModel) {
   const TriMesh mesh = meshes::rough_grid(9, 7, 4);
-  const Bending figures = measured(mesh);
+  const Bending figures = bending_of(mesh);
   for (const double size : {1e-150, 1e-3, 1e3, 1e150}) {
     TriMesh other = mesh;
     for (Vec3& p : other.positions)
       p = size * p;
-    EXPECT_NEAR(measured(other).bending / figures.bending, 1.0, 1e-12) << size;
-    EXPECT_NEAR(measured(other).mean_curvature / figures.mean_curvature, 1.0, 1e-12) << size;
+    EXPECT_NEAR(bending_of(other).bending / figures.bending, 1.0, 1e-12) << size;
+    EXPECT_NEAR(bending_of(other).mean_curvature / figures.mean_curvature, 1.0, 1e-12) << size;
   }
 }
 
 TEST(Bending, IsFiniteWhereTrianglesHaveNoArea) {
   TriMesh mesh = meshes::rough_grid(5, 5, 2);
   mesh.positions[14] = mesh.positions[15];
-  EXPECT_TRUE(std::isfinite(measured(mesh).bending));
+  EXPECT_TRUE(std::isfinite(bending_of(mesh).bending));
   for (Vec3& p : mesh.positions)
     p = {1.0, 2.0, 3.0};
-  EXPECT_EQ(measured(mesh).bending, 0.0);
-  EXPECT_EQ(measured(mesh).mean_curvature, 0.0);
-  EXPECT_EQ(measured({}).bending, 0.0);
+  EXPECT_EQ(bending_of(mesh).bending, 0.0);
+  EXPECT_EQ(bending_of(mesh).mean_curvature, 0.0);
+  EXPECT_EQ(bending_of({}).bending, 0.0);
 }
 
 TEST(VertexMeanCurvatures, AreThoseOfSpheresFromBothSides) {

@@ -14,7 +14,7 @@
 namespace planish {
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
+using std::numbers::pi;
 
 Fairness compared(const TriMesh& design, const TriMesh& after) {
   return measure_fairness(Patch(design), after.positions);
@@ -100,7 +100,7 @@ TEST(Fairness, TellsAFoldMadeByHand) {
   const double b0 = design_bending(Patch(design));
   EXPECT_NEAR(*found.bending_added * b0 / (40.0 * 3.0 * turn * turn), 1.0, 0.1);
   EXPECT_LT(*found.bending_lost, 0.1);
-  EXPECT_NEAR(found.sharpest_fold->degrees, turn * 180.0 / k_pi, 1.0);
+  EXPECT_NEAR(found.sharpest_fold->degrees, turn * 180.0 / pi, 1.0);
   EXPECT_EQ(row(found.sharpest_fold->from), 10U);
   EXPECT_EQ(row(found.sharpest_fold->to), 10U);
   EXPECT_NEAR(found.sharpest_fold->at.y, 10.0, 1e-12);
@@ -137,7 +137,7 @@ TEST(Fairness, TellsAFormThatSank) {
   const auto dome = [](double height) {
     TriMesh mesh = meshes::flat_grid(20, 20);
     for (Vec3& p : mesh.positions)
-      p.z = height * std::sin(k_pi * p.x / 20.0) * std::sin(k_pi * p.y / 20.0);
+      p.z = height * std::sin(pi * p.x / 20.0) * std::sin(pi * p.y / 20.0);
     return mesh;
   };
   const Fairness sunk = compared(dome(6.0), dome(4.4));
@@ -181,8 +181,8 @@ TEST(Fairness, TellsHowNormalsTurned) {
     p = {p.x, std::cos(0.3) * p.y - std::sin(0.3) * p.z, std::sin(0.3) * p.y + std::cos(0.3) * p.z};
   const Fairness found = compared(design, turned);
   // A turn about x turns a normal at the angle a from z by less.
-  EXPECT_LT(*found.normal_turn, 0.3 * 180.0 / k_pi);
-  EXPECT_GT(*found.normal_turn, 0.25 * 180.0 / k_pi);
+  EXPECT_LT(*found.normal_turn, 0.3 * 180.0 / pi);
+  EXPECT_GT(*found.normal_turn, 0.25 * 180.0 / pi);
   EXPECT_NEAR(*found.bending_added, 0.0, 1e-9);
   // Only the triangles along the border turn where only the border moves.
   TriMesh lifted = meshes::flat_grid(10, 10);

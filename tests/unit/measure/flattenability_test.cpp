@@ -13,9 +13,9 @@
 namespace planish {
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
+using std::numbers::pi;
 
-Flattenability measured(const TriMesh& mesh) {
+Flattenability figures_of(const TriMesh& mesh) {
   return measure(Patch(mesh));
 }
 
@@ -47,7 +47,7 @@ TEST(Size, OfHugeAndTinyPatchesHasTheSameDigits) {
 TEST(AngleDefects, OfACubeCornerIsAQuarterTurn) {
   TriMesh corner = meshes::fan(3);
   corner.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  EXPECT_NEAR(angle_defects(Patch(corner))[0], 0.5 * k_pi, 1e-15);
+  EXPECT_NEAR(angle_defects(Patch(corner))[0], 0.5 * pi, 1e-15);
 }
 
 TEST(AngleDefects, FarBelowZeroWhereTheStarIsRuffled) {
@@ -55,7 +55,7 @@ TEST(AngleDefects, FarBelowZeroWhereTheStarIsRuffled) {
   const TriMesh mesh = meshes::ruffled_fan(24, 4.0);
   const plain::Patch patch(mesh);
   const double defect = angle_defects(Patch(mesh))[0];
-  EXPECT_LT(defect, -2.0 * k_pi);
+  EXPECT_LT(defect, -2.0 * pi);
   EXPECT_NEAR(defect, patch.defect(0), 1e-12);
 }
 
@@ -80,9 +80,9 @@ TEST(AngleDefects, AndBorderTurningsAddUpToEulersCharacteristic) {
       sum += d;
     for (const auto& loop : surface.border_loops()) {
       for (const Index v : loop)
-        sum += k_pi - patch.angle_sum(v);
+        sum += pi - patch.angle_sum(v);
     }
-    return sum / (2.0 * k_pi);
+    return sum / (2.0 * pi);
   };
   EXPECT_NEAR(total(meshes::rough_grid(8, 8, 3)), 1.0, 1e-12);
   EXPECT_NEAR(total(meshes::tube(7, 4)), 0.0, 1e-12);
@@ -105,7 +105,7 @@ TEST(Measure, SumsAsThePaperDoesOverInnerVerticesOnly) {
     squares += d * d;
     ++count;
   }
-  const Flattenability figures = measured(mesh);
+  const Flattenability figures = figures_of(mesh);
   EXPECT_NEAR(figures.e_max, largest, 1e-13);
   EXPECT_NEAR(figures.e_avg, sum / count, 1e-13);
   EXPECT_NEAR(figures.energy, squares, 1e-12);
@@ -113,47 +113,47 @@ TEST(Measure, SumsAsThePaperDoesOverInnerVerticesOnly) {
 }
 
 TEST(Measure, WithoutInnerVerticesIsZeroAndNotNaN) {
-  const Flattenability figures = measured({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  const Flattenability figures = figures_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
   EXPECT_EQ(figures.e_max, 0.0);
   EXPECT_EQ(figures.e_avg, 0.0);
   EXPECT_EQ(figures.roughness, 0.0);
-  EXPECT_NEAR(figures.min_angle, 0.25 * k_pi, 1e-15);
+  EXPECT_NEAR(figures.min_angle, 0.25 * pi, 1e-15);
 }
 
 TEST(Measure, RoughnessIsTheRmsAngleBetweenNeighbouringTriangles) {
   // Two triangles folded by 30 degrees along their one inner edge.
-  const double fold = k_pi / 6.0;
+  const double fold = pi / 6.0;
   const TriMesh book{{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -std::cos(fold), std::sin(fold)}},
                      {{0, 1, 2}, {1, 0, 3}}};
-  EXPECT_NEAR(measured(book).roughness, 30.0, 1e-12);
-  EXPECT_EQ(measured(meshes::flat_grid(5, 5)).roughness, 0.0);
+  EXPECT_NEAR(figures_of(book).roughness, 30.0, 1e-12);
+  EXPECT_EQ(figures_of(meshes::flat_grid(5, 5)).roughness, 0.0);
 }
 
 TEST(Measure, TellsTheSmallestAngleOfANeedle) {
   TriMesh needle{{{0, 0, 0}, {1, 0, 0}, {0.5, 1e-9, 0}}, {{0, 1, 2}}};
-  EXPECT_NEAR(measured(needle).min_angle, 2e-9, 1e-22);
+  EXPECT_NEAR(figures_of(needle).min_angle, 2e-9, 1e-22);
   needle.positions[2].y = 0.0;
-  EXPECT_EQ(measured(needle).min_angle, 0.0);
+  EXPECT_EQ(figures_of(needle).min_angle, 0.0);
 }
 
 TEST(Measure, DoesNotDependOnSize) {
   TriMesh mesh = meshes::rough_grid(8, 8, 5);
-  const Flattenability figures = measured(mesh);
+  const Flattenability figures = figures_of(mesh);
   for (const double size : {0x1p-600, 0x1p+600, 0x1p-100}) {
     TriMesh scaled = mesh;
     for (Vec3& p : scaled.positions)
       p = size * p;
-    EXPECT_EQ(measured(scaled).energy, figures.energy) << size;
-    EXPECT_EQ(measured(scaled).roughness, figures.roughness) << size;
+    EXPECT_EQ(figures_of(scaled).energy, figures.energy) << size;
+    EXPECT_EQ(figures_of(scaled).roughness, figures.roughness) << size;
   }
   for (Vec3& p : mesh.positions)
     p = 1e-30 * p;
-  EXPECT_NEAR(measured(mesh).energy, figures.energy, 1e-12 * figures.energy);
+  EXPECT_NEAR(figures_of(mesh).energy, figures.energy, 1e-12 * figures.energy);
 }
 
 TEST(Measure, FlattenableMeansADiskWithNextToNoCurvature) {
   const auto flattenable = [](const TriMesh& mesh) {
-    return is_flattenable(measured(mesh), inspect(mesh));
+    return is_flattenable(figures_of(mesh), inspect(mesh));
   };
   EXPECT_TRUE(flattenable(make_shape("cylinder", 400)));
   EXPECT_TRUE(flattenable(meshes::flat_grid(4, 4)));
@@ -161,7 +161,7 @@ TEST(Measure, FlattenableMeansADiskWithNextToNoCurvature) {
   EXPECT_FALSE(flattenable(meshes::tube(8, 4))) << "a tube has to be cut open";
   // On a fine mesh every single defect is small; the surface is as curved as before.
   const TriMesh fine = make_shape("saddle", 60'000);
-  EXPECT_LT(measured(fine).e_max, k_flattenable_e_max);
+  EXPECT_LT(figures_of(fine).e_max, k_flattenable_e_max);
   EXPECT_FALSE(flattenable(fine));
 }
 
@@ -185,7 +185,7 @@ TEST(Measure, ScalesASmallPatchFarOutWithoutLosingItsPlace) {
   for (Vec3& p : mesh.positions)
     p = {1e-100 * p.x, 1e-100 * p.y, 1e300};
   EXPECT_TRUE(std::isfinite(unit_scale(mesh) * 1e300));
-  EXPECT_TRUE(std::isfinite(measured(mesh).energy));
+  EXPECT_TRUE(std::isfinite(figures_of(mesh).energy));
 }
 
 }  // namespace

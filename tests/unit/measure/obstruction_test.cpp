@@ -13,7 +13,7 @@
 namespace planish {
 namespace {
 
-constexpr double k_pi = std::numbers::pi;
+using std::numbers::pi;
 
 Obstruction found(const TriMesh& mesh) {
   const auto obstruction = find_obstruction(Patch(mesh));
@@ -30,7 +30,7 @@ TriMesh round_patch(std::size_t rings, std::size_t around, Place place) {
     for (std::size_t i = 0; i < around; ++i) {
       mesh.positions.push_back(
           place(static_cast<double>(k) / static_cast<double>(rings),
-                2.0 * k_pi * static_cast<double>(i) / static_cast<double>(around)));
+                2.0 * pi * static_cast<double>(i) / static_cast<double>(around)));
     }
   }
   const auto at = [around](std::size_t k, std::size_t i) {
@@ -65,9 +65,9 @@ TriMesh moved(TriMesh mesh, double scale) {
 
 TEST(Obstruction, OfASphericalCapIsAsInClosedForm) {
   // Area 2 pi (1 - cos a), border 2 pi sin a: the share that must go is sin^2(a / 2).
-  for (const double opening : {0.15, 0.7, 1.2, 0.5 * k_pi, 2.2}) {
-    const double area = 2.0 * k_pi * (1.0 - std::cos(opening));
-    const double limit = k_pi * std::sin(opening) * std::sin(opening);
+  for (const double opening : {0.15, 0.7, 1.2, 0.5 * pi, 2.2}) {
+    const double area = 2.0 * pi * (1.0 - std::cos(opening));
+    const double limit = pi * std::sin(opening) * std::sin(opening);
     const auto error = [&](std::size_t rings) {
       return std::abs(found(cap(opening, rings)).excess_share - (1.0 - limit / area));
     };
@@ -80,7 +80,7 @@ TEST(Obstruction, OfASphericalCapIsAsInClosedForm) {
     EXPECT_TRUE(obstruction.has_flat_border()) << opening;
     EXPECT_EQ(obstruction.is_notable(), opening > 0.2) << opening;
     EXPECT_NEAR(obstruction.area, area, 2e-3 * area) << opening;
-    EXPECT_NEAR(obstruction.border_length, 2.0 * k_pi * std::sin(opening), 2e-3) << opening;
+    EXPECT_NEAR(obstruction.border_length, 2.0 * pi * std::sin(opening), 2e-3) << opening;
     EXPECT_NEAR(obstruction.area_excess, obstruction.area - obstruction.area_limit, 1e-12);
   }
 }
@@ -99,7 +99,7 @@ TEST(Obstruction, IsTheIsoperimetricBoundWhereTheBorderIsNotFlat) {
   }
   EXPECT_FALSE(obstruction.has_flat_border());
   EXPECT_NEAR(obstruction.border_length, length, 1e-12);
-  EXPECT_NEAR(obstruction.area_limit, length * length / (4.0 * k_pi), 1e-12);
+  EXPECT_NEAR(obstruction.area_limit, length * length / (4.0 * pi), 1e-12);
   EXPECT_TRUE(obstruction.is_notable());
 }
 
@@ -112,14 +112,14 @@ TEST(Obstruction, NeverStandsInTheWayOfAFlatPiece) {
       EXPECT_FALSE(obstruction.blocked()) << corners;
       EXPECT_EQ(obstruction.excess_share, 0.0);
       EXPECT_EQ(obstruction.area_excess, 0.0);
-      EXPECT_NEAR(obstruction.area / obstruction.area_limit, (k_pi / n) / std::tan(k_pi / n), 1e-11)
+      EXPECT_NEAR(obstruction.area / obstruction.area_limit, (pi / n) / std::tan(pi / n), 1e-11)
           << corners;
     }
   }
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     EXPECT_FALSE(found(moved(meshes::rough_grid(9, 7, seed, 0.25, 0.0), 3.7)).blocked()) << seed;
   }
-  EXPECT_NEAR(found(meshes::flat_grid(6, 6)).area_limit, 36.0 * 4.0 / k_pi, 1e-12);
+  EXPECT_NEAR(found(meshes::flat_grid(6, 6)).area_limit, 36.0 * 4.0 / pi, 1e-12);
 }
 
 TEST(Obstruction, OfAFlatConvexBorderIsTheAreaThatItEncloses) {
@@ -130,7 +130,7 @@ TEST(Obstruction, OfAFlatConvexBorderIsTheAreaThatItEncloses) {
   EXPECT_TRUE(obstruction.has_flat_border());
   EXPECT_NEAR(obstruction.area_limit, 0.0144, 1e-14);
   EXPECT_TRUE(obstruction.blocked());
-  EXPECT_LT(obstruction.area, 0.0144 * 4.0 / k_pi);
+  EXPECT_LT(obstruction.area, 0.0144 * 4.0 / pi);
 }
 
 TEST(Obstruction, IsNoneOnSaddlesAndOnFlattenablePatches) {
@@ -147,7 +147,7 @@ TEST(Obstruction, IsNoneOnSaddlesAndOnFlattenablePatches) {
     EXPECT_FALSE(found(make_shape(name, 1000)).blocked()) << name;
   }
   // Its opening is 70 degrees.
-  EXPECT_NEAR(found(make_shape("dome", 4000)).excess_share, 0.5 - 0.5 * std::cos(70.0 / 180 * k_pi),
+  EXPECT_NEAR(found(make_shape("dome", 4000)).excess_share, 0.5 - 0.5 * std::cos(70.0 / 180 * pi),
               2e-3);
 }
 

@@ -14,7 +14,7 @@
 namespace planish {
 namespace {
 
-double measured(const TriMesh& mesh) {
+double ruling_defect_of(const TriMesh& mesh) {
   return ruling_defect(Patch(mesh));
 }
 
@@ -43,38 +43,38 @@ double plainly_measured(const TriMesh& mesh) {
 TEST(RulingDefect, AgreesWithAPlainSum) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const TriMesh mesh = meshes::rough_grid(9, 7, seed, 0.3, 0.1 * static_cast<double>(seed + 1));
-    EXPECT_NEAR(measured(mesh), plainly_measured(mesh), 1e-12) << seed;
+    EXPECT_NEAR(ruling_defect_of(mesh), plainly_measured(mesh), 1e-12) << seed;
   }
 }
 
 TEST(RulingDefect, IsNothingWhereEdgesFollowRulings) {
-  EXPECT_LT(measured(meshes::bent_cylinder(40, 0.5 * std::numbers::pi)), 1e-9);
+  EXPECT_LT(ruling_defect_of(meshes::bent_cylinder(40, 0.5 * std::numbers::pi)), 1e-9);
   // Where they do not, triangles stand a little askew.
-  EXPECT_LT(measured(meshes::bent_cylinder(40, 0.3)), 0.15);
+  EXPECT_LT(ruling_defect_of(meshes::bent_cylinder(40, 0.3)), 0.15);
   for (const char* name : {"cylinder", "cone", "tangent"})
-    EXPECT_LT(measured(make_shape(name, 2000)), 1e-9) << name;
-  EXPECT_EQ(measured(meshes::flat_grid(8, 5)), 0.0);
-  EXPECT_EQ(measured({}), 0.0);
+    EXPECT_LT(ruling_defect_of(make_shape(name, 2000)), 1e-9) << name;
+  EXPECT_EQ(ruling_defect_of(meshes::flat_grid(8, 5)), 0.0);
+  EXPECT_EQ(ruling_defect_of({}), 0.0);
 }
 
 TEST(RulingDefect, IsLargeOnPanelsAtAnyDensity) {
   for (const std::size_t vertices : {1000U, 4000U, 16000U}) {
-    EXPECT_GT(measured(make_shape("panel", vertices)), 0.2) << vertices;
-    EXPECT_GT(measured(make_shape("dome", vertices)), 0.3) << vertices;
+    EXPECT_GT(ruling_defect_of(make_shape("panel", vertices)), 0.2) << vertices;
+    EXPECT_GT(ruling_defect_of(make_shape("dome", vertices)), 0.3) << vertices;
   }
-  EXPECT_NEAR(measured(meshes::bent_sphere(40)), 0.5, 0.01);
+  EXPECT_NEAR(ruling_defect_of(meshes::bent_sphere(40)), 0.5, 0.01);
 }
 
 TEST(RulingDefect, HardlyDependsOnTheDensityOfTheMesh) {
-  const double fine = measured(meshes::crumpled_sheet(160));
-  EXPECT_NEAR(measured(meshes::crumpled_sheet(40)) / fine, 1.0, 0.08);
-  EXPECT_NEAR(measured(meshes::crumpled_sheet(80)) / fine, 1.0, 0.08);
+  const double fine = ruling_defect_of(meshes::crumpled_sheet(160));
+  EXPECT_NEAR(ruling_defect_of(meshes::crumpled_sheet(40)) / fine, 1.0, 0.08);
+  EXPECT_NEAR(ruling_defect_of(meshes::crumpled_sheet(80)) / fine, 1.0, 0.08);
 }
 
 TEST(RulingDefect, IsKnownAlsoWithNeedlesAndNoArea) {
   TriMesh mesh = meshes::rough_grid(6, 6, 1);
   mesh.positions[17] = mesh.positions[18];
-  const double value = measured(mesh);
+  const double value = ruling_defect_of(mesh);
   EXPECT_GE(value, 0.0);
   EXPECT_LE(value, 0.5);
 }

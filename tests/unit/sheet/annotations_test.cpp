@@ -14,6 +14,7 @@
 #include "pattern/pattern_hash.h"
 #include "sheet/sheet_layout.h"
 #include "support/sample_report.h"
+#include "unit/sheet/layers.h"
 
 namespace planish {
 namespace {
@@ -32,18 +33,13 @@ Drawing sheet_with(const PatternOptions& options, bool overlaps = false) {
   return pattern_sheet(Patch(mesh), unfold, "panel", options);
 }
 
-const Layer& layer(const Drawing& drawing, const std::string& name) {
-  return *std::find_if(drawing.layers.begin(), drawing.layers.end(),
-                       [&](const Layer& some) { return some.name == name; });
-}
-
 const Path& path(const Drawing& drawing, const std::string& name, std::size_t number = 0) {
-  return std::get<Path>(layer(drawing, name).shapes.at(number));
+  return std::get<Path>(layer_of(drawing, name).shapes.at(number));
 }
 
 std::vector<std::string> texts(const Drawing& drawing, const std::string& name) {
   std::vector<std::string> texts;
-  for (const DrawingShape& shape : layer(drawing, name).shapes) {
+  for (const DrawingShape& shape : layer_of(drawing, name).shapes) {
     if (const auto* text = std::get_if<Text>(&shape)) texts.push_back(text->text);
   }
   return texts;
@@ -52,7 +48,7 @@ std::vector<std::string> texts(const Drawing& drawing, const std::string& name) 
 TEST(Annotations, IsNotThereUnlessAskedFor) {
   const Drawing sheet = sheet_with({});
   for (const char* name : {"seam", "notch", "grain", "drill", "internal", "annotation"})
-    EXPECT_TRUE(layer(sheet, name).shapes.empty()) << name;
+    EXPECT_TRUE(layer_of(sheet, name).shapes.empty()) << name;
 }
 
 TEST(Annotations, MakesTheOutlineTheSeamWhereThereIsAnAllowance) {
@@ -70,7 +66,7 @@ TEST(Annotations, MakesTheOutlineTheSeamWhereThereIsAnAllowance) {
 
 TEST(Annotations, HasNoAllowanceAroundAPatternThatOverlapsItself) {
   const Drawing sheet = sheet_with({.allowance = Allowance{.width = 12.0}}, true);
-  EXPECT_TRUE(layer(sheet, "seam").shapes.empty());
+  EXPECT_TRUE(layer_of(sheet, "seam").shapes.empty());
   EXPECT_NEAR(signed_area(path(sheet, "cut").lines.at(0)), 200.0 * 200.0, 1e-6);
   EXPECT_THAT(texts(sheet, "label"), Contains("200.0 × 200.0 mm"));
 }
@@ -90,7 +86,7 @@ TEST(Annotations, RingsThePlaceWhereAPatternOverlapsItself) {
   EXPECT_GT(overlap->low.x, 90.0);
   EXPECT_LT(overlap->high.x, 125.0);
   const Drawing sheet = pattern_sheet(Patch(mesh), unfold, "panel", {});
-  const auto& ring = std::get<Path>(layer(sheet, "label").shapes.back());
+  const auto& ring = std::get<Path>(layer_of(sheet, "label").shapes.back());
   Vec2 middle;
   for (const Vec2 p : ring.lines.at(0))
     middle = middle + 1.0 / static_cast<double>(ring.lines[0].size()) * p;
@@ -167,8 +163,8 @@ TEST(Annotations, HasItsLayers) {
                                     .grain = Grain{Vec3{0, 1, 0}},
                                     .marks = {{6}, {18, MarkKind::drill}},
                                     .label = {"front", "42", 2, "neoprene", "one mirrored"}});
-  EXPECT_EQ(layer(sheet, "notch").shapes.size(), 2U);
-  EXPECT_EQ(layer(sheet, "drill").shapes.size(), 2U);
+  EXPECT_EQ(layer_of(sheet, "notch").shapes.size(), 2U);
+  EXPECT_EQ(layer_of(sheet, "drill").shapes.size(), 2U);
   EXPECT_THAT(texts(sheet, "annotation"),
               ElementsAre("front", "size 42", "cut 2 ×", "neoprene", "one mirrored"));
   const Path& grain = path(sheet, "grain");
@@ -179,7 +175,7 @@ TEST(Annotations, PutsTheLabelInsideThePieceAndClearOfTheGrain) {
   const Drawing sheet = sheet_with({.grain = Grain{90.0}, .label = {"front", "42", 2}});
   const Path& cut = path(sheet, "cut");
   const Path& grain = path(sheet, "grain");
-  for (const DrawingShape& shape : layer(sheet, "annotation").shapes) {
+  for (const DrawingShape& shape : layer_of(sheet, "annotation").shapes) {
     const auto& text = std::get<Text>(shape);
     EXPECT_TRUE(oracle::is_inside(text.at, cut.lines));
     EXPECT_EQ(text.height, 6.0);
@@ -190,7 +186,7 @@ TEST(Annotations, PutsTheLabelInsideThePieceAndClearOfTheGrain) {
 TEST(Annotations, PutsTheLabelClearOfMarksAndInnerLines) {
   const PatternOptions plain = {.label = {"front", "42", 2}};
   const Drawing unmarked = sheet_with(plain);
-  const auto& before = std::get<Text>(layer(unmarked, "annotation").shapes.at(1));
+  const auto& before = std::get<Text>(layer_of(unmarked, "annotation").shapes.at(1));
   PatternOptions marked = plain;
   marked.marks = {{12}, {11, MarkKind::drill}, {13}};
   marked.inner_lines = {{7, 17}};
@@ -198,7 +194,7 @@ TEST(Annotations, PutsTheLabelClearOfMarksAndInnerLines) {
   const Path& mark = path(sheet, "drill");
   EXPECT_LT(std::abs(before.at.y - mark.lines[0][0].y), 20.0) << "it would lie over the mark";
   double least = 1e9;
-  for (const DrawingShape& shape : layer(sheet, "annotation").shapes) {
+  for (const DrawingShape& shape : layer_of(sheet, "annotation").shapes) {
     const auto& text = std::get<Text>(shape);
     EXPECT_EQ(text.height, 6.0);
     least = std::min(least, std::abs(text.at.y + 3.0 - mark.lines[0][0].y));
@@ -209,7 +205,7 @@ TEST(Annotations, PutsTheLabelClearOfMarksAndInnerLines) {
 TEST(Annotations, WritesTheLengthsOfEdgesInsideThePiece) {
   const Drawing sheet = sheet_with({.allowance = Allowance{.width = 12.0}, .edge_lengths = true});
   EXPECT_THAT(texts(sheet, "annotation"), ElementsAre("200.0", "200.0", "200.0", "200.0"));
-  for (const DrawingShape& shape : layer(sheet, "annotation").shapes)
+  for (const DrawingShape& shape : layer_of(sheet, "annotation").shapes)
     EXPECT_TRUE(oracle::is_inside(std::get<Text>(shape).at, path(sheet, "seam").lines));
 }
 
@@ -234,7 +230,7 @@ TEST(Annotations, WritesTheNumbersOfSeamsInsideBesideTheirVertices) {
   const Drawing sheet = sheet_with({.seam_numbers = {{3, 2}, {7, 10}, {9, 12}}});
   EXPECT_THAT(texts(sheet, "annotation"), ElementsAre("seam 3", "seam 7"));
   const Vec2 corner = path(sheet, "cut").lines[0][0];
-  const auto& shapes = layer(sheet, "annotation").shapes;
+  const auto& shapes = layer_of(sheet, "annotation").shapes;
   const TextBox lower = box_of(std::get<Text>(shapes[0])), left = box_of(std::get<Text>(shapes[1]));
   EXPECT_NEAR(lower.low.y - corner.y, 3.5, 1e-9);
   EXPECT_NEAR(0.5 * (lower.low.x + lower.high.x) - corner.x, 100.0, 1e-9);
@@ -245,7 +241,7 @@ TEST(Annotations, WritesTheNumbersOfSeamsInsideBesideTheirVertices) {
 TEST(Annotations, KeepsNumbersOfSeamsAndLengthsApart) {
   const Drawing sheet = sheet_with({.seam_numbers = {{3, 2}, {7, 10}}, .edge_lengths = true});
   std::vector<TextBox> boxes;
-  for (const DrawingShape& shape : layer(sheet, "annotation").shapes) {
+  for (const DrawingShape& shape : layer_of(sheet, "annotation").shapes) {
     boxes.push_back(box_of(std::get<Text>(shape)));
     for (const Vec2 at : {boxes.back().low, boxes.back().high})
       EXPECT_TRUE(oracle::is_inside(at, path(sheet, "cut").lines));

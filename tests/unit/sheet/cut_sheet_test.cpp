@@ -8,13 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include "unit/sheet/layers.h"
+
 namespace planish {
 namespace {
-
-const Layer& layer_of(const Drawing& sheet, const std::string& name) {
-  return *std::find_if(sheet.layers.begin(), sheet.layers.end(),
-                       [&](const Layer& layer) { return layer.name == name; });
-}
 
 TEST(CutSheet, DrawsEveryDartOnThePatternWithoutThem) {
   const TriMesh dome = make_shape("dome", 500);

@@ -13,6 +13,7 @@
 
 #include "oracle/outline_gap.h"
 #include "support/meshes.h"
+#include "unit/sheet/layers.h"
 
 namespace planish {
 namespace {
@@ -28,14 +29,9 @@ NestPatch flat_patch(const std::string& name, std::size_t columns, std::size_t r
   return patch;
 }
 
-const Layer& nest_layer(const Drawing& drawing, const std::string& name) {
-  return *std::find_if(drawing.layers.begin(), drawing.layers.end(),
-                       [&](const Layer& some) { return some.name == name; });
-}
-
 std::vector<Path> nest_paths(const Drawing& drawing, const std::string& name) {
   std::vector<Path> paths;
-  for (const DrawingShape& shape : nest_layer(drawing, name).shapes) {
+  for (const DrawingShape& shape : layer_of(drawing, name).shapes) {
     if (const auto* path = std::get_if<Path>(&shape)) paths.push_back(*path);
   }
   return paths;
@@ -43,7 +39,7 @@ std::vector<Path> nest_paths(const Drawing& drawing, const std::string& name) {
 
 std::vector<std::string> nest_texts(const Drawing& drawing, const std::string& name) {
   std::vector<std::string> texts;
-  for (const DrawingShape& shape : nest_layer(drawing, name).shapes) {
+  for (const DrawingShape& shape : layer_of(drawing, name).shapes) {
     if (const auto* text = std::get_if<Text>(&shape)) texts.push_back(text->text);
   }
   return texts;

@@ -12,6 +12,7 @@
 
 #include "sheet/strain_map.h"
 #include "support/sample_report.h"
+#include "unit/sheet/layers.h"
 
 namespace planish {
 namespace {
@@ -21,12 +22,12 @@ using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;
 
-struct Box {
+struct PathBox {
   double left = 1e300, bottom = 1e300, right = -1e300, top = -1e300;
 };
 
-Box box_of(const Path& path) {
-  Box box;
+PathBox box_of(const Path& path) {
+  PathBox box;
   for (const auto& line : path.lines) {
     for (const Vec2 p : line) {
       box = {std::min(box.left, p.x), std::min(box.bottom, p.y), std::max(box.right, p.x),
@@ -36,13 +37,8 @@ Box box_of(const Path& path) {
   return box;
 }
 
-const Layer& layer(const Drawing& drawing, const std::string& name) {
-  return *std::find_if(drawing.layers.begin(), drawing.layers.end(),
-                       [&](const Layer& some) { return some.name == name; });
-}
-
 const Path& cut_path(const Drawing& drawing) {
-  return std::get<Path>(layer(drawing, "cut").shapes.at(0));
+  return std::get<Path>(layer_of(drawing, "cut").shapes.at(0));
 }
 
 std::vector<std::string> texts_of(const Layer& some) {
@@ -84,7 +80,7 @@ TEST(PatternSheet, IsTrueToScaleInEveryUnit) {
   for (const Unit unit : {Unit::mm, Unit::cm, Unit::m, Unit::in}) {
     UnfoldReport unfold = samples::plane_below(mesh, 4.0, 3.0);
     unfold.unit = unit;
-    const Box box = box_of(cut_path(pattern_sheet(Patch(mesh), unfold, "")));
+    const PathBox box = box_of(cut_path(pattern_sheet(Patch(mesh), unfold, "")));
     EXPECT_NEAR(box.right - box.left, 4.0 * millimetres_per(unit), 1e-9);
     EXPECT_NEAR(box.top - box.bottom, 3.0 * millimetres_per(unit), 1e-9);
   }
@@ -106,11 +102,11 @@ TEST(PatternSheet, CutsAlongTheBorderOnceAndClosed) {
 TEST(PatternSheet, HasATestSquareOfExactly50MillimetresClearOfThePattern) {
   for (const double size : {1.0, 40.0, 200.0, 3000.0}) {
     const Drawing sheet = sheet_of(size);
-    const Box square = box_of(std::get<Path>(layer(sheet, "label").shapes.at(0)));
+    const PathBox square = box_of(std::get<Path>(layer_of(sheet, "label").shapes.at(0)));
     EXPECT_EQ(square.right - square.left, 50.0);
     EXPECT_EQ(square.top - square.bottom, 50.0);
     EXPECT_LT(square.top, box_of(cut_path(sheet)).bottom - 1.0);
-    EXPECT_THAT(texts_of(layer(sheet, "label")), Contains("50 mm – measure before cutting"));
+    EXPECT_THAT(texts_of(layer_of(sheet, "label")), Contains("50 mm – measure before cutting"));
   }
 }
 
@@ -121,7 +117,7 @@ TEST(PatternSheet, HoldsEverythingWithAMargin) {
       for (const DrawingShape& shape : some.shapes) {
         const auto* path = std::get_if<Path>(&shape);
         if (path == nullptr) continue;
-        const Box box = box_of(*path);
+        const PathBox box = box_of(*path);
         EXPECT_GE(std::min(box.left, box.bottom), 10.0 - 1e-9);
         EXPECT_LE(box.right, sheet.width - 10.0 + 1e-9);
         EXPECT_LE(box.top, sheet.height - 10.0 + 1e-9);
@@ -136,7 +132,8 @@ TEST(PatternSheet, StatesNameSizeUnitAndTheEndsOfTheColours) {
   unfold.unit = Unit::in;
   unfold.strain.p99 = 0.031;
   const Drawing sheet = pattern_sheet(Patch(mesh), unfold, "collar");
-  const auto texts = texts_of(layer(sheet, "label")), legend = texts_of(layer(sheet, "legend"));
+  const auto texts = texts_of(layer_of(sheet, "label")),
+             legend = texts_of(layer_of(sheet, "legend"));
   EXPECT_THAT(texts, Contains("collar"));
   EXPECT_THAT(texts, Contains("101.6 × 76.2 mm"));
   EXPECT_THAT(texts, Contains("model unit: in (1 in = 25.4 mm)"));
@@ -144,20 +141,20 @@ TEST(PatternSheet, StatesNameSizeUnitAndTheEndsOfTheColours) {
   EXPECT_THAT(legend, Contains("+5 %"));
   const Drawing plain = without_map(sheet);
   EXPECT_EQ(plain.layers.size(), sheet.layers.size());
-  EXPECT_TRUE(layer(plain, "strain").shapes.empty());
-  EXPECT_TRUE(layer(plain, "legend").shapes.empty());
-  EXPECT_EQ(texts_of(layer(plain, "label")), texts);
+  EXPECT_TRUE(layer_of(plain, "strain").shapes.empty());
+  EXPECT_TRUE(layer_of(plain, "legend").shapes.empty());
+  EXPECT_EQ(texts_of(layer_of(plain, "label")), texts);
 }
 
 TEST(PatternSheet, WarnsOfAPatternThatIsNotToBeCut) {
   const TriMesh mesh = meshes::flat_grid(4, 3);
   UnfoldReport unfold = samples::plane_below(mesh, 4.0, 3.0);
   unfold.pattern.overlaps = true;
-  EXPECT_THAT(texts_of(layer(pattern_sheet(Patch(mesh), unfold, ""), "label")),
+  EXPECT_THAT(texts_of(layer_of(pattern_sheet(Patch(mesh), unfold, ""), "label")),
               Contains(HasSubstr("overlaps itself")));
   unfold.pattern.overlaps = false;
   unfold.pattern.flipped_triangles = 2;
-  EXPECT_THAT(texts_of(layer(pattern_sheet(Patch(mesh), unfold, ""), "label")),
+  EXPECT_THAT(texts_of(layer_of(pattern_sheet(Patch(mesh), unfold, ""), "label")),
               Contains(HasSubstr("flipped")));
 }
 
@@ -167,7 +164,7 @@ TEST(PatternSheet, SaysWhatStrainThePatternHasAndWhetherItKeepsItsLimit) {
   unfold.strain.rms = 0.00512;
   unfold.strain.max = 0.0231;
   const auto label = [&] {
-    return texts_of(layer(pattern_sheet(Patch(mesh), unfold, ""), "label"));
+    return texts_of(layer_of(pattern_sheet(Patch(mesh), unfold, ""), "label"));
   };
   EXPECT_THAT(label(), Contains("strain rms 0.51 % · largest 2.31 %"));
   PatternOptions options;
@@ -175,14 +172,14 @@ TEST(PatternSheet, SaysWhatStrainThePatternHasAndWhetherItKeepsItsLimit) {
   options.moved = 0.0042;
   unfold.unit = Unit::m;
   const Drawing changed = pattern_sheet(Patch(mesh), unfold, "", options);
-  EXPECT_THAT(texts_of(layer(changed, "label")),
+  EXPECT_THAT(texts_of(layer_of(changed, "label")),
               IsSupersetOf({"strain rms 0.51 % · largest 2.31 % · moved up to 4.2 mm",
                             "model unit: m (1 m = 1000 mm), model multiplied by 0.5"}));
   unfold.unit = Unit::mm;
   EXPECT_THAT(label(), Not(Contains(HasSubstr("limit"))));
   options.form_faults = "is lost";
   const auto label_of_form = [&] {
-    return texts_of(layer(pattern_sheet(Patch(mesh), unfold, "", options), "label"));
+    return texts_of(layer_of(pattern_sheet(Patch(mesh), unfold, "", options), "label"));
   };
   EXPECT_THAT(label_of_form(), Contains("Before cutting: the form is lost"));
   unfold.limits = {{StrainLimitKind::max, 0.025, 0.0231}};
@@ -199,7 +196,7 @@ TEST(PatternSheet, ShortensANameThatIsTooLongBetweenItsLetters) {
   std::string name;
   for (int i = 0; i < 200; ++i)
     name += "ü";
-  const Layer label = layer(sheet_of(100.0, name), "label");
+  const Layer label = layer_of(sheet_of(100.0, name), "label");
   const auto texts = texts_of(label);
   const auto found = std::find_if(texts.begin(), texts.end(),
                                   [](const std::string& text) { return text.starts_with("ü"); });

@@ -12,8 +12,8 @@ namespace {
 
 using namespace tuning::prefer_near;
 
-struct Laid {
-  explicit Laid(TriMesh m) : mesh(std::move(m)), state(Patch(mesh), pool) {}
+struct PatchToCrumple {
+  explicit PatchToCrumple(TriMesh m) : mesh(std::move(m)), state(Patch(mesh), pool) {}
 
   /// Lifts every other vertex; edges are some 20 mm long.
   void crumple(double millimetres) {
@@ -28,7 +28,7 @@ struct Laid {
 
 TEST(Roughness, IsThatOfTheFigures) {
   for (const char* shape : {"panel", "dome", "saddle", "cylinder"}) {
-    Laid laid(make_shape(shape, 300));
+    PatchToCrumple laid(make_shape(shape, 300));
     const Roughness roughness(laid.state);
     EXPECT_NEAR(roughness.now(), measure(Patch(laid.mesh)).roughness, 1e-9);
     laid.crumple(1.0);
@@ -38,7 +38,7 @@ TEST(Roughness, IsThatOfTheFigures) {
 }
 
 TEST(ClosenessControl, GrowsToTheMostWhereThereIsRoom) {
-  const Laid laid(make_shape("panel", 300));
+  const PatchToCrumple laid(make_shape("panel", 300));
   ClosenessControl control(laid.state, 1.0, k_usual_closeness);
   double closeness = k_usual_closeness.first, strain = 0.1;
   // Before any strain is gone nothing may get rougher, so it stays.
@@ -53,7 +53,7 @@ TEST(ClosenessControl, GrowsToTheMostWhereThereIsRoom) {
 }
 
 TEST(ClosenessControl, FallsWhereThePatchIsTooRoughButNotToNothing) {
-  Laid laid(make_shape("panel", 300));
+  PatchToCrumple laid(make_shape("panel", 300));
   ClosenessControl control(laid.state, 1.0, k_usual_closeness);
   EXPECT_FALSE(control.is_too_rough());
   laid.crumple(20.0);
@@ -66,7 +66,7 @@ TEST(ClosenessControl, FallsWhereThePatchIsTooRoughButNotToNothing) {
 }
 
 /// Crumples the patch until its roughness is nearly this.
-void crumple_to(Laid& laid, double roughness) {
+void crumple_to(PatchToCrumple& laid, double roughness) {
   double low = 0.0, high = 20.0;
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (low + high);
@@ -77,7 +77,7 @@ void crumple_to(Laid& laid, double roughness) {
 }
 
 TEST(ClosenessControl, AllowsAllOfTheRoughnessOnlyWhenNoStrainIsLeft) {
-  Laid laid(make_shape("panel", 300));
+  PatchToCrumple laid(make_shape("panel", 300));
   const double at_first = Roughness(laid.state).now();
   const double room = 1.0, most = at_first + room * (at_first + 2.5);
   ClosenessControl control(laid.state, room, k_usual_closeness);
@@ -91,7 +91,7 @@ TEST(ClosenessControl, AllowsAllOfTheRoughnessOnlyWhenNoStrainIsLeft) {
 TEST(ClosenessControl, AllowsByThePowerOfTheStrainThatIsLeft) {
   // Where half of the strain is left, 1 - 2^-allowance_exponent of the room is there.
   for (const double allowance_exponent : {k_usual_closeness.allowance_exponent, 0.5}) {
-    Laid laid(make_shape("panel", 300));
+    PatchToCrumple laid(make_shape("panel", 300));
     const double at_first = Roughness(laid.state).now(), room = 2.0;
     const double allowed = at_first + room * (at_first + k_usual_closeness.more) *
                                           (1.0 - std::pow(0.5, allowance_exponent));

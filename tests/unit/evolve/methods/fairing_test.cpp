@@ -89,7 +89,7 @@ TEST(BilaplacianFairing, TakesTheStepThatADenseSolveTakes) {
 }
 
 /// The cylinder sample with a few dents of several edges across.
-TriMesh dented_cylinder(std::size_t vertices) {
+TriMesh cylinder_with_five_dents(std::size_t vertices) {
   TriMesh mesh = make_shape("cylinder", vertices);
   const Patch patch(mesh);
   const auto inner = patch.inner_vertices();
@@ -112,7 +112,7 @@ TriMesh dented_cylinder(std::size_t vertices) {
 }
 
 TEST(BilaplacianFairing, TakesDentsOutOfACylinder) {
-  const TriMesh mesh = dented_cylinder(3000);
+  const TriMesh mesh = cylinder_with_five_dents(3000);
   const auto faired = evolve(Patch(mesh), BilaplacianFairing{}, {.max_sweeps = 1}).history.back();
   const auto controllable =
       evolve(Patch(mesh), ControllableLaplacian{}, {.max_sweeps = 10}).history.back();

@@ -5,12 +5,12 @@
 
 #include <planish/evolve/evolve.h>
 #include <planish/measure/deviation.h>
-#include <planish/measure/flattenability.h>
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>
 
+#include "support/figures.h"
 #include "support/meshes.h"
 #include "support/seams.h"
 
@@ -18,11 +18,6 @@ namespace planish {
 namespace {
 
 constexpr GlobalPenalty k_linked{.border = BorderRule::linked};
-
-Flattenability figures_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
-  const TriMesh after{positions, mesh.triangles};
-  return measure(Patch(after));
-}
 
 /// E_s, the mean of the squared lengths and how many edges there are.
 struct Edges {

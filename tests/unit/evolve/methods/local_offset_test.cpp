@@ -3,11 +3,11 @@
 #include <limits>
 
 #include <planish/evolve/evolve.h>
-#include <planish/measure/flattenability.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>
 
+#include "support/figures.h"
 #include "support/meshes.h"
 
 namespace planish {
@@ -27,11 +27,6 @@ TriMesh dented_cylinder(double dent) {
     mesh.positions[v] += (dent * random.number() / norm(normal)) * normal;
   }
   return mesh;
-}
-
-Flattenability figures_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {
-  const TriMesh after{positions, mesh.triangles};
-  return measure(Patch(after));
 }
 
 double e_max_of(const TriMesh& mesh, const std::vector<Vec3>& positions) {

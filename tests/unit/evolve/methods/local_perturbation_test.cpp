@@ -22,7 +22,7 @@ double e_max_of(const TriMesh& mesh) {
 }
 
 /// A flattenable patch, its inner vertices a little out of place.
-TriMesh dented(std::string_view shape, std::size_t vertices = 500, double by = 0.3) {
+TriMesh disturbed(std::string_view shape, std::size_t vertices = 500, double by = 0.3) {
   TriMesh mesh = make_shape(shape, vertices);
   const Patch surface(mesh);
   meshes::Random random(1);
@@ -53,7 +53,7 @@ double least_distance(const TriMesh& mesh, const SignedDistance& obstacle) {
 
 TEST(LocalPerturbation, MakesNearlyFlattenablePatchesFlattenable) {
   for (const char* shape : {"cylinder", "cone", "tangent"}) {
-    const TriMesh mesh = dented(shape);
+    const TriMesh mesh = disturbed(shape);
     EXPECT_GT(e_max_of(mesh), 5e-3) << shape;
     const auto result =
         evolve(Patch(mesh), LocalPerturbation{}, usual_stopping(LocalPerturbation{}));
@@ -95,7 +95,7 @@ TEST(LocalPerturbation, EndsWhereNothingBetterIsFound) {
 }
 
 TEST(LocalPerturbation, IsDoneAtOnceWhereLittleIsWrong) {
-  const TriMesh mesh = dented("cone", 300, 0.001);
+  const TriMesh mesh = disturbed("cone", 300, 0.001);
   const auto result = evolve(Patch(mesh), LocalPerturbation{.enough = 2.0 * e_max_of(mesh)});
   EXPECT_EQ(result.stop, StopReason::converged);
   EXPECT_EQ(result.positions, mesh.positions);
@@ -122,7 +122,7 @@ TEST(LocalPerturbation, KeepsEveryTriangleAnArea) {
 }
 
 TEST(LocalPerturbation, StaysWithinTheDeviation) {
-  const TriMesh mesh = dented("cylinder", 200);
+  const TriMesh mesh = disturbed("cylinder", 200);
   const auto result =
       evolve(Patch(mesh), LocalPerturbation{.max_deviation = 0.05}, {.max_sweeps = 10});
   double farthest = 0.0;
@@ -133,7 +133,7 @@ TEST(LocalPerturbation, StaysWithinTheDeviation) {
 }
 
 TEST(LocalPerturbation, MovesTheDearLess) {
-  const TriMesh mesh = dented("cone", 350);
+  const TriMesh mesh = disturbed("cone", 350);
   const auto moved_by = [&](double weight) {
     Constraints constraints{.weights = std::vector<double>(mesh.positions.size(), 1.0)};
     for (std::size_t v = 0; v < mesh.positions.size(); v += 2)
@@ -149,7 +149,7 @@ TEST(LocalPerturbation, MovesTheDearLess) {
 }
 
 TEST(LocalPerturbation, OfEqualWeightsDoesNotDependOnTheirSize) {
-  const TriMesh mesh = dented("cone", 150);
+  const TriMesh mesh = disturbed("cone", 150);
   const auto with = [&](double weight) {
     const Constraints constraints{.weights = std::vector(mesh.positions.size(), weight)};
     return evolve(Patch(mesh), LocalPerturbation{}, {.max_sweeps = 3}, constraints).positions;

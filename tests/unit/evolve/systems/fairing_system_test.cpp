@@ -13,8 +13,8 @@
 namespace planish {
 namespace {
 
-struct Prepared {
-  explicit Prepared(const char* name) : mesh(make_shape(name, 300)), state(surface, pool) {}
+struct PatchToFair {
+  explicit PatchToFair(const char* name) : mesh(make_shape(name, 300)), state(surface, pool) {}
 
   TriMesh mesh;
   Patch surface{mesh};
@@ -78,7 +78,7 @@ TEST(MixedArea, IsAThirdOfARegularHexagonAndHalfOfObtuseTriangles) {
 }
 
 /// What the fairing makes smallest, written out.
-double merit(const Prepared& patch, const Positions& targets, const Positions& positions,
+double merit(const PatchToFair& patch, const Positions& targets, const Positions& positions,
              LaplacianWeights kind) {
   // L is that of the patch as it was.
   double area = 0.0;
@@ -110,7 +110,7 @@ double merit(const Prepared& patch, const Positions& targets, const Positions& p
 class FairingKinds : public testing::TestWithParam<LaplacianWeights> {};
 
 TEST_P(FairingKinds, EndAtTheMinimumOfWhatTheyMakeSmall) {
-  Prepared patch("dome");
+  PatchToFair patch("dome");
   for (std::size_t v = 0; v < patch.weights.size(); v += 3)
     patch.weights[v] = 4.0;
   const FairingSystem fairing(patch.state, patch.movable, GetParam(), patch.weights, patch.pool);
@@ -134,7 +134,7 @@ TEST_P(FairingKinds, EndAtTheMinimumOfWhatTheyMakeSmall) {
 }
 
 TEST_P(FairingKinds, LeaveWhatIsHeldAtItsTarget) {
-  Prepared patch("saddle");
+  PatchToFair patch("saddle");
   patch.movable[5] = patch.movable[50] = 0;
   const FairingSystem fairing(patch.state, patch.movable, GetParam(), patch.weights, patch.pool);
   const Positions targets = inner_positions(patch.state);

@@ -16,8 +16,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// A patch laid out, with its Jacobian, sparse and dense.
-struct Prepared {
-  explicit Prepared(const Constraints& constraints = {})
+struct PatchWithJacobian {
+  explicit PatchWithJacobian(const Constraints& constraints = {})
       : mesh(make_shape("panel", 150)),
         surface(mesh),
         state(surface, pool, constraints),
@@ -74,7 +74,7 @@ Positions some_forces(std::size_t count) {
 }
 
 TEST(KktSystem, SolvesWhatADenseSolverSolves) {
-  Prepared patch;
+  PatchWithJacobian patch;
   const auto n = static_cast<Eigen::Index>(patch.state.inner_count());
   const SparseMatrix hessian = spring_matrix(patch.state);
   KktSystem system(patch.jacobian, patch.state, hessian);
@@ -82,7 +82,7 @@ TEST(KktSystem, SolvesWhatADenseSolverSolves) {
   ASSERT_TRUE(system.factor(mu, patch.pool));
   const Positions forces = some_forces(patch.state.inner_count());
   const VectorXd turn = VectorXd::LinSpaced(n, -0.1, 0.2);
-  const VectorXd move = Prepared::flat(system.solve(forces, turn, patch.pool));
+  const VectorXd move = PatchWithJacobian::flat(system.solve(forces, turn, patch.pool));
 
   const MatrixXd h = MatrixXd(hessian).selfadjointView<Eigen::Lower>();
   MatrixXd kkt = MatrixXd::Zero(4 * n, 4 * n);
@@ -95,13 +95,13 @@ TEST(KktSystem, SolvesWhatADenseSolverSolves) {
   const double mean = patch.dense.squaredNorm() / static_cast<double>(n);
   kkt.bottomRightCorner(n, n).diagonal().setConstant(-mu * mean);
   VectorXd right(4 * n);
-  right << Prepared::flat(forces), turn;
+  right << PatchWithJacobian::flat(forces), turn;
   const VectorXd expected = kkt.fullPivLu().solve(right).head(3 * n);
   EXPECT_LT((move - expected).norm(), 1e-9 * expected.norm());
 }
 
 TEST(DualSystem, SolvesWhatADenseSolverSolves) {
-  Prepared patch;
+  PatchWithJacobian patch;
   const auto n = static_cast<Eigen::Index>(patch.state.inner_count());
   std::vector<double> inverse_weights;
   VectorXd s(3 * n);
@@ -123,7 +123,7 @@ TEST(DualSystem, SolvesWhatADenseSolverSolves) {
 }
 
 TEST(DualSystem, IsDampedByWhatItIsTold) {
-  Prepared patch;
+  PatchWithJacobian patch;
   const auto n = static_cast<Eigen::Index>(patch.state.inner_count());
   const std::vector<double> inverse_weights(patch.state.inner_count(), 1.0);
   // Rows 0 and n - 1 do not meet: what is between them goes to the diagonal.
@@ -155,18 +155,18 @@ TEST(DualSystem, IsDampedByWhatItIsTold) {
 }
 
 TEST(AngleJacobian, MultipliesAsItsDenseTwin) {
-  Prepared patch;
+  PatchWithJacobian patch;
   const Positions moves = some_forces(patch.state.inner_count());
-  const VectorXd product = patch.dense * Prepared::flat(moves);
+  const VectorXd product = patch.dense * PatchWithJacobian::flat(moves);
   EXPECT_LT((patch.jacobian.times(moves) - product).norm(), 1e-13 * product.norm());
   const VectorXd y = VectorXd::LinSpaced(product.size(), 1.0, 3.0);
   const VectorXd transposed = patch.dense.transpose() * y;
-  EXPECT_LT((Prepared::flat(patch.jacobian.transposed_times(y)) - transposed).norm(),
+  EXPECT_LT((PatchWithJacobian::flat(patch.jacobian.transposed_times(y)) - transposed).norm(),
             1e-13 * transposed.norm());
 }
 
 TEST(AngleJacobian, IsTheDerivativeOfTheAngleSums) {
-  Prepared patch;
+  PatchWithJacobian patch;
   const Positions directions = some_forces(patch.state.inner_count());
   const Positions start = inner_positions(patch.state);
   const auto defects_at = [&](double t) {
@@ -185,7 +185,7 @@ TEST(AngleJacobian, HasNoColumnsForWhatMayNotMove) {
   const TriMesh mesh = make_shape("panel", 150);
   const Patch surface(mesh);
   constraints.fixed = {surface.inner_vertices()[10], surface.inner_vertices()[11]};
-  Prepared patch(constraints);
+  PatchWithJacobian patch(constraints);
   std::size_t held = 0;
   for (Index v = 0; v < patch.state.inner_count(); ++v) {
     if (!patch.state.is_fixed(v)) continue;

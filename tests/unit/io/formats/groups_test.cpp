@@ -8,10 +8,10 @@
 namespace planish {
 namespace {
 
-const std::string k_corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\n";
+const std::string k_group_corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\n";
 
 FaceGroups obj_groups(const std::string& statements) {
-  return parse_mesh(k_corners + statements, MeshFormat::obj, "mesh").groups;
+  return parse_mesh(k_group_corners + statements, MeshFormat::obj, "mesh").groups;
 }
 
 void expect_groups(const FaceGroups& groups, const std::string& kind,

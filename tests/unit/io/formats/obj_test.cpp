@@ -10,123 +10,124 @@
 namespace planish {
 namespace {
 
-const std::string k_corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";  // lines 1 to 4
-const std::string k_square = k_corners + "f 1 2 3\nf 1 3 4\n";
+const std::string k_obj_corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";  // lines 1 to 4
+const std::string k_obj_square = k_obj_corners + "f 1 2 3\nf 1 3 4\n";
 
-ReadResult parse(std::string_view text) {
+ReadResult read_obj(std::string_view text) {
   return parse_mesh(text, MeshFormat::obj, "mesh");
 }
 
-void expect_square(std::string_view text) {
-  const ReadResult result = parse(text);
+void expect_obj_square(std::string_view text) {
+  const ReadResult result = read_obj(text);
   EXPECT_TRUE(same_bits(result.mesh, square())) << text.substr(0, 300);
   EXPECT_EQ(result.format, MeshFormat::obj);
 }
 
-void expect_refused(std::string_view text, ErrorCode code, std::size_t line,
-                    std::string_view part = {}) {
-  planish::expect_refused(text, MeshFormat::obj, code, line, part);
+void expect_obj_refused(std::string_view text, ErrorCode code, std::size_t line,
+                        std::string_view part = {}) {
+  expect_refused(text, MeshFormat::obj, code, line, part);
 }
 
 TEST(ReadObj, ReadsVerticesAndTrianglesInTheirOrder) {
-  expect_square(k_square);
-  EXPECT_TRUE(parse(k_square).notes.empty());
+  expect_obj_square(k_obj_square);
+  EXPECT_TRUE(read_obj(k_obj_square).notes.empty());
 }
 
 TEST(ReadObj, ReadsFacesOfEveryForm) {
-  expect_square(k_corners + "vt 0 0\nvn 0 0 1\nf 1/1 2/1 3/1\nf 1//1 3//1 4//1\n");
-  expect_square(k_corners + "vt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\nf 1/-1/-1 3/ 4//\n");
+  expect_obj_square(k_obj_corners + "vt 0 0\nvn 0 0 1\nf 1/1 2/1 3/1\nf 1//1 3//1 4//1\n");
+  expect_obj_square(k_obj_corners + "vt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\nf 1/-1/-1 3/ 4//\n");
 }
 
 TEST(ReadObj, CountsNegativeIndicesBackFromTheLastVertexSoFar) {
-  expect_square(k_corners + "f -4 -3 -2\nf -4/1 -2//1 -1\n");
-  expect_square("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf 1 -2 -1\n");
+  expect_obj_square(k_obj_corners + "f -4 -3 -2\nf -4/1 -2//1 -1\n");
+  expect_obj_square("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf 1 -2 -1\n");
 }
 
 TEST(ReadObj, AcceptsAPlusSign) {
-  expect_square("v +0 +0.0 0\nv +1e0 0 0\nv 1 +1 0\nv 0 +10e-1 0\nf +1 2 +3\nf 1 3 4\n");
+  expect_obj_square("v +0 +0.0 0\nv +1e0 0 0\nv 1 +1 0\nv 0 +10e-1 0\nf +1 2 +3\nf 1 3 4\n");
 }
 
 TEST(ReadObj, ReadsFacesThatComeBeforeTheirVertices) {
-  expect_square("f 1 2 3\nf 1 3 4\n" + k_corners);
+  expect_obj_square("f 1 2 3\nf 1 3 4\n" + k_obj_corners);
 }
 
 TEST(ReadObj, SplitsPolygonsIntoFansAndSaysSo) {
-  const ReadResult result = parse(k_corners + "f 1 2 3 4\n");
+  const ReadResult result = read_obj(k_obj_corners + "f 1 2 3 4\n");
   EXPECT_TRUE(same_bits(result.mesh, square()));
   EXPECT_EQ(result.notes, std::vector<std::string>{"split 1 polygon into 2 triangles"});
-  EXPECT_EQ(parse(k_corners + "v 2 2 0\nf 1 2 3 4\nf 1 2 3 4 5\nf 1 2 3\n").notes,
+  EXPECT_EQ(read_obj(k_obj_corners + "v 2 2 0\nf 1 2 3 4\nf 1 2 3 4 5\nf 1 2 3\n").notes,
             std::vector<std::string>{"split 2 polygons into 5 triangles"});
 }
 
 TEST(ReadObj, KeepsVerticesThatNoFaceUses) {
-  const ReadResult result = parse("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 8 8 8\nf 2 3 4\n");
+  const ReadResult result = read_obj("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 8 8 8\nf 2 3 4\n");
   EXPECT_EQ(result.mesh.positions.size(), 5U);
   EXPECT_EQ(result.mesh.triangles, std::vector<Triangle>({{1, 2, 3}}));
 }
 
 TEST(ReadObj, WeldsNothing) {
-  EXPECT_EQ(parse("v 0 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 3 4\nf 2 3 4\n").mesh.positions.size(),
-            4U);
+  EXPECT_EQ(
+      read_obj("v 0 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 3 4\nf 2 3 4\n").mesh.positions.size(), 4U);
 }
 
 TEST(ReadObj, AcceptsEveryLineEnd) {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     std::string text;
-    for (const char c : k_square)
+    for (const char c : k_obj_square)
       text += c == '\n' ? end : std::string(1, c);
-    expect_square(text);
+    expect_obj_square(text);
     text.resize(text.size() - end.size());
-    expect_square(text);
+    expect_obj_square(text);
   }
 }
 
 TEST(ReadObj, CountsLinesOfEveryLineEnd) {
-  expect_refused("v 0 0 0\r\n\r\nv 1 x 0\r\n", ErrorCode::bad_number, 3);
-  expect_refused("v 0 0 0\r\rv 1 x 0\r", ErrorCode::bad_number, 3);
-  expect_refused("v 0 0 0\n\nv 1 x 0", ErrorCode::bad_number, 3);
+  expect_obj_refused("v 0 0 0\r\n\r\nv 1 x 0\r\n", ErrorCode::bad_number, 3);
+  expect_obj_refused("v 0 0 0\r\rv 1 x 0\r", ErrorCode::bad_number, 3);
+  expect_obj_refused("v 0 0 0\n\nv 1 x 0", ErrorCode::bad_number, 3);
 }
 
 TEST(ReadObj, SkipsAUtf8ByteOrderMark) {
-  expect_square("\xef\xbb\xbf" + k_square);
+  expect_obj_square("\xef\xbb\xbf" + k_obj_square);
 }
 
 TEST(ReadObj, RefusesUtf16WithAWordAboutTheEncoding) {
-  expect_refused(std::string("\xff\xfev\0 \0", 6), ErrorCode::malformed_file, 1, "UTF-16");
-  expect_refused(std::string("\xfe\xff\0v\0 ", 6), ErrorCode::malformed_file, 1, "UTF-16");
+  expect_obj_refused(std::string("\xff\xfev\0 \0", 6), ErrorCode::malformed_file, 1, "UTF-16");
+  expect_obj_refused(std::string("\xfe\xff\0v\0 ", 6), ErrorCode::malformed_file, 1, "UTF-16");
 }
 
 TEST(ReadObj, AcceptsCommentsBlankLinesTabsAndIndentation) {
-  expect_square(
+  expect_obj_square(
       "# a comment\n\n\t v\t0  0 0 # behind data\n   \nv 1 0 0\n#\nv 1 1 0 \t\n"
       "v 0 1 0\n\f\vf 1 2 3 # 4\nf 1 3 4\n#no line end");
 }
 
 TEST(ReadObj, JoinsLinesThatEndInABackslash) {
-  expect_square("v 0 \\\n0 0\nv 1 0\\\r\n 0\nv \\\r1 1 0\nv 0 1 0\nf 1 2 \\\n \\\n3\nf 1 3 4\n");
-  expect_square(k_corners + "g a \\\n f 1 2 4\nf 1 2 3\nf 1 3 4\n");
-  expect_refused("v 0 0 \\\n0\nv \\\n\\\n1 x 0\n", ErrorCode::bad_number, 5);
+  expect_obj_square(
+      "v 0 \\\n0 0\nv 1 0\\\r\n 0\nv \\\r1 1 0\nv 0 1 0\nf 1 2 \\\n \\\n3\nf 1 3 4\n");
+  expect_obj_square(k_obj_corners + "g a \\\n f 1 2 4\nf 1 2 3\nf 1 3 4\n");
+  expect_obj_refused("v 0 0 \\\n0\nv \\\n\\\n1 x 0\n", ErrorCode::bad_number, 5);
 }
 
 TEST(ReadObj, DoesNotJoinALineToAComment) {
-  expect_square("# C:\\models\\\n" + k_square);
-  expect_square("v 0 0 0 # \\\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+  expect_obj_square("# C:\\models\\\n" + k_obj_square);
+  expect_obj_square("v 0 0 0 # \\\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
 }
 
 TEST(ReadObj, PassesOverGroupsMaterialsAndNormalsWithoutAWord) {
-  const std::string text = "mtllib a.mtl\no square\n" + k_corners +
+  const std::string text = "mtllib a.mtl\no square\n" + k_obj_corners +
                            "vt 0 0\nvn 0 0 1\ng a b\nusemtl m\ns off\nf 1 2 3\ns 1\nf 1 3 4\n";
-  expect_square(text);
-  EXPECT_TRUE(parse(text).notes.empty());
+  expect_obj_square(text);
+  EXPECT_TRUE(read_obj(text).notes.empty());
 }
 
 TEST(ReadObj, AcceptsAnyBytesInNames) {
-  expect_square("g \xe4\xff\x80\x01\nusemtl " + std::string("a\0b", 3) + "\n" + k_square);
+  expect_obj_square("g \xe4\xff\x80\x01\nusemtl " + std::string("a\0b", 3) + "\n" + k_obj_square);
 }
 
 TEST(ReadObj, NotesWhichStatementsItSkipped) {
   const ReadResult result =
-      parse(k_square + "l 1 2\np 1\nl 2 3\nvp 0 1\ncurv 0 1 1 2\nparm u 0 1\nend\n");
+      read_obj(k_obj_square + "l 1 2\np 1\nl 2 3\nvp 0 1\ncurv 0 1 1 2\nparm u 0 1\nend\n");
   EXPECT_TRUE(same_bits(result.mesh, square()));
   EXPECT_EQ(result.notes,
             std::vector<std::string>{"skipped 7 statements of kinds l, p, vp, curv, parm, end"});
@@ -134,56 +135,57 @@ TEST(ReadObj, NotesWhichStatementsItSkipped) {
 
 TEST(ReadObj, NotesUnknownStatementsAndTheFirstOfThem) {
   EXPECT_EQ(
-      parse(k_square + "hello\nw\x01rld 1\n").notes,
+      read_obj(k_obj_square + "hello\nw\x01rld 1\n").notes,
       std::vector<std::string>{"skipped 2 unknown statements, the first \"hello\" on line 7"});
 }
 
 TEST(ReadObj, DropsColoursWithANote) {
-  const ReadResult result = parse("v 0 0 0 1 0 0\nv 1 0 0 1 0 0 1\nv 0 1 0\nf 1 2 3\n");
+  const ReadResult result = read_obj("v 0 0 0 1 0 0\nv 1 0 0 1 0 0 1\nv 0 1 0\nf 1 2 3\n");
   EXPECT_EQ(result.notes, std::vector<std::string>{"dropped the colours of 2 vertices"});
   EXPECT_EQ(result.mesh.positions[1], (Vec3{1, 0, 0}));
 }
 
 TEST(ReadObj, AcceptsAWeight) {
-  EXPECT_TRUE(parse("v 0 0 0 1.0\nv 1 0 0 1.0\nv 0 1 0 0.5\nf 1 2 3\n").notes.empty());
+  EXPECT_TRUE(read_obj("v 0 0 0 1.0\nv 1 0 0 1.0\nv 0 1 0 0.5\nf 1 2 3\n").notes.empty());
 }
 
 TEST(ReadObj, RefusesOddCountsOfNumbersOfAVertex) {
-  expect_refused("v 1 2\nv 0 0 0\n", ErrorCode::malformed_file, 1);
-  expect_refused("v\nv 0 0 0\n", ErrorCode::malformed_file, 1);
-  expect_refused("\nv 1 2", ErrorCode::truncated_file, 2);
-  expect_refused("v 1 2 3 4 5\n", ErrorCode::malformed_file, 1, "5 numbers");
-  expect_refused("v 1 2 3 4 5 6 7 8\n", ErrorCode::malformed_file, 1, "8 numbers");
+  expect_obj_refused("v 1 2\nv 0 0 0\n", ErrorCode::malformed_file, 1);
+  expect_obj_refused("v\nv 0 0 0\n", ErrorCode::malformed_file, 1);
+  expect_obj_refused("\nv 1 2", ErrorCode::truncated_file, 2);
+  expect_obj_refused("v 1 2 3 4 5\n", ErrorCode::malformed_file, 1, "5 numbers");
+  expect_obj_refused("v 1 2 3 4 5 6 7 8\n", ErrorCode::malformed_file, 1, "8 numbers");
 }
 
 TEST(ReadObj, RefusesWhatIsNotANumber) {
   for (const std::string word : {"x", "0x10", "1abc", "1.2.3", "1e", "--1", "+-1", "++1", "1d5",
                                  "-", "+", ".", "1_000", "\xd9\xa1", "1;", "infinit", "nane"}) {
-    expect_refused("v 0 0 0\nv 1 " + word + " 0\n", ErrorCode::bad_number, 2, "not a number");
+    expect_obj_refused("v 0 0 0\nv 1 " + word + " 0\n", ErrorCode::bad_number, 2, "not a number");
   }
-  expect_refused("v 0 0 0 zero\n", ErrorCode::bad_number, 1);
+  expect_obj_refused("v 0 0 0 zero\n", ErrorCode::bad_number, 1);
 }
 
 TEST(ReadObj, SaysThatDecimalsNeedAPoint) {
-  expect_refused("v 0,1 0,2 0,3\n", ErrorCode::bad_number, 1, "a point, not a comma");
+  expect_obj_refused("v 0,1 0,2 0,3\n", ErrorCode::bad_number, 1, "a point, not a comma");
 }
 
 TEST(ReadObj, RefusesNumbersThatAreNotFinite) {
   for (const std::string word :
        {"nan", "NaN", "-nan", "+nan", "nan(1)", "inf", "INF", "-inf", "+inf", "Infinity"}) {
-    expect_refused("v 0 0 0\nv 1 0 " + word + "\n", ErrorCode::non_finite_coordinate, 2, word);
+    expect_obj_refused("v 0 0 0\nv 1 0 " + word + "\n", ErrorCode::non_finite_coordinate, 2, word);
   }
 }
 
 TEST(ReadObj, RefusesNumbersThatADoubleCannotHold) {
-  expect_refused("v 0 0 1e999\n", ErrorCode::bad_number, 1, "too large");
-  expect_refused("v 0 0 -1" + std::string(400, '0') + "\n", ErrorCode::bad_number, 1, "too large");
-  EXPECT_EQ(parse("v 0 0 1e-999\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").mesh.positions[0], Vec3());
+  expect_obj_refused("v 0 0 1e999\n", ErrorCode::bad_number, 1, "too large");
+  expect_obj_refused("v 0 0 -1" + std::string(400, '0') + "\n", ErrorCode::bad_number, 1,
+                     "too large");
+  EXPECT_EQ(read_obj("v 0 0 1e-999\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").mesh.positions[0], Vec3());
 }
 
 TEST(ReadObj, ReadsNumbersToTheLastBit) {
   const TriMesh mesh =
-      parse(
+      read_obj(
           "v 0.1 1e300 5e-324\nv -0 2.2250738585072011e-308 1.7976931348623157e308\n"
           "v .5 5. 123456789012345678901234567890\nf 1 2 3\n")
           .mesh;
@@ -196,62 +198,65 @@ TEST(ReadObj, ReadsNumbersToTheLastBit) {
 
 TEST(ReadObj, RefusesIndicesOutOfRangeAndNamesTheLine) {
   constexpr auto k_code = ErrorCode::index_out_of_range;
-  expect_refused(k_corners + "f 1 2 5\n", k_code, 5, "vertex 5 but the file has 4");
-  expect_refused(k_corners + "f 1 2 3\n\nf 0 1 2\n", k_code, 7, "counts from 1");
-  expect_refused(k_corners + "f -0 1 2\n", k_code, 5);
-  expect_refused(k_corners + "f -5 1 2\n", k_code, 5, "only 4 vertices");
-  expect_refused("f -1 -2 -3\n" + k_corners, k_code, 1);
+  expect_obj_refused(k_obj_corners + "f 1 2 5\n", k_code, 5, "vertex 5 but the file has 4");
+  expect_obj_refused(k_obj_corners + "f 1 2 3\n\nf 0 1 2\n", k_code, 7, "counts from 1");
+  expect_obj_refused(k_obj_corners + "f -0 1 2\n", k_code, 5);
+  expect_obj_refused(k_obj_corners + "f -5 1 2\n", k_code, 5, "only 4 vertices");
+  expect_obj_refused("f -1 -2 -3\n" + k_obj_corners, k_code, 1);
   for (const std::string large : {"4294967295", "4294967296", "4294967297", "18446744073709551617",
                                   "99999999999999999999", "-99999999999999999999"}) {
-    expect_refused(k_corners + "f 1 2 " + large + "\n", k_code, 5, large);
+    expect_obj_refused(k_obj_corners + "f 1 2 " + large + "\n", k_code, 5, large);
   }
 }
 
 TEST(ReadObj, NamesTheFirstOfSeveralFacesOutOfRange) {
-  expect_refused("f 1 2 3\nf 1 2 7\nf 1 2 4\nf 1 2 99\nf 1 2 6\n" + k_corners,
-                 ErrorCode::index_out_of_range, 2, "vertex 7");
+  expect_obj_refused("f 1 2 3\nf 1 2 7\nf 1 2 4\nf 1 2 99\nf 1 2 6\n" + k_obj_corners,
+                     ErrorCode::index_out_of_range, 2, "vertex 7");
 }
 
 TEST(ReadObj, RefusesWhatIsNotACorner) {
   for (const std::string word :
        {"x", "1.0", "1x", "/1", "//", "-", "+", "--1", "1/2/3/4", "1/a", "1,2", "0x1", "1\\2"}) {
-    expect_refused(k_corners + "f 1 2 " + word + "\n", ErrorCode::bad_number, 5);
+    expect_obj_refused(k_obj_corners + "f 1 2 " + word + "\n", ErrorCode::bad_number, 5);
   }
 }
 
 TEST(ReadObj, RefusesFacesOfFewerThanThreeCorners) {
-  expect_refused(k_corners + "f\n", ErrorCode::malformed_file, 5, "has 0");
-  expect_refused(k_corners + "f 1\n", ErrorCode::malformed_file, 5, "has 1");
-  expect_refused(k_corners + "f 1 2 # 3\n", ErrorCode::malformed_file, 5, "has 2");
+  expect_obj_refused(k_obj_corners + "f\n", ErrorCode::malformed_file, 5, "has 0");
+  expect_obj_refused(k_obj_corners + "f 1\n", ErrorCode::malformed_file, 5, "has 1");
+  expect_obj_refused(k_obj_corners + "f 1 2 # 3\n", ErrorCode::malformed_file, 5, "has 2");
 }
 
 TEST(ReadObj, KeepsATriangleThatNamesAVertexTwice) {
-  EXPECT_EQ(parse(k_corners + "f 1 2 2\n").mesh.triangles, std::vector<Triangle>({{0, 1, 1}}));
+  EXPECT_EQ(read_obj(k_obj_corners + "f 1 2 2\n").mesh.triangles,
+            std::vector<Triangle>({{0, 1, 1}}));
 }
 
 TEST(ReadObj, RefusesPolygonsThatNameAVertexTwice) {
-  expect_refused(k_corners + "f 1 2 3 1\n", ErrorCode::malformed_file, 5, "names a vertex twice");
-  expect_refused(k_corners + "f 1 2 3 -2\n", ErrorCode::malformed_file, 5);
+  expect_obj_refused(k_obj_corners + "f 1 2 3 1\n", ErrorCode::malformed_file, 5,
+                     "names a vertex twice");
+  expect_obj_refused(k_obj_corners + "f 1 2 3 -2\n", ErrorCode::malformed_file, 5);
 }
 
 TEST(ReadObj, RefusesFilesWithoutFaces) {
-  expect_refused("# nothing\n\n", ErrorCode::no_triangles, 3, "no faces");
-  expect_refused(k_corners, ErrorCode::no_triangles, 5, "4 vertices but no faces");
-  expect_refused(k_corners + "l 1 2\n", ErrorCode::no_triangles, 6);
-  expect_refused(" ", ErrorCode::no_triangles, 1);
-  EXPECT_EQ(error_of([] { parse(""); }).code(), ErrorCode::no_triangles);
+  expect_obj_refused("# nothing\n\n", ErrorCode::no_triangles, 3, "no faces");
+  expect_obj_refused(k_obj_corners, ErrorCode::no_triangles, 5, "4 vertices but no faces");
+  expect_obj_refused(k_obj_corners + "l 1 2\n", ErrorCode::no_triangles, 6);
+  expect_obj_refused(" ", ErrorCode::no_triangles, 1);
+  EXPECT_EQ(error_of([] { read_obj(""); }).code(), ErrorCode::no_triangles);
 }
 
 TEST(ReadObj, RefusesProseAndOtherFormats) {
   constexpr auto k_code = ErrorCode::malformed_file;
-  expect_refused("Dear reader,\nthis is a letter.\n", k_code, 1, "no OBJ statement");
-  expect_refused("\nply\nformat ascii 1.0\n", k_code, 1, "\"ply\" on line 2");
-  expect_refused("OFF\n3 1 0\n0 0 0\n", k_code, 1, "no OBJ statement");
-  expect_refused(std::string("\0\1\2\x89PNG\xff", 8), k_code, 1, "\\x00\\x01\\x02\\x89PNG\\xff");
+  expect_obj_refused("Dear reader,\nthis is a letter.\n", k_code, 1, "no OBJ statement");
+  expect_obj_refused("\nply\nformat ascii 1.0\n", k_code, 1, "\"ply\" on line 2");
+  expect_obj_refused("OFF\n3 1 0\n0 0 0\n", k_code, 1, "no OBJ statement");
+  expect_obj_refused(std::string("\0\1\2\x89PNG\xff", 8), k_code, 1,
+                     "\\x00\\x01\\x02\\x89PNG\\xff");
 }
 
 TEST(ReadObj, CutsLongWordsInMessages) {
-  const Error error = error_of([] { parse("v 0 0 " + std::string(100000, 'x') + "\n"); });
+  const Error error = error_of([] { read_obj("v 0 0 " + std::string(100000, 'x') + "\n"); });
   EXPECT_LT(error.message().size(), 100U);
 }
 
@@ -259,17 +264,17 @@ TEST(ReadObj, NeedsLinearTimeForLongLinesAndManyLines) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const std::string junk(10'000'000, 'x');
-  expect_square("# " + junk + "\n" + k_square);
-  expect_square("g " + junk + "\n" + k_square);
-  expect_square(std::string(10'000'000, '\r') + k_square);
-  std::string polygon = k_corners + "f";
+  expect_obj_square("# " + junk + "\n" + k_obj_square);
+  expect_obj_square("g " + junk + "\n" + k_obj_square);
+  expect_obj_square(std::string(10'000'000, '\r') + k_obj_square);
+  std::string polygon = k_obj_corners + "f";
   for (int i = 0; i < 500'000; ++i)
     polygon += i % 2 == 0 ? " 1" : " 2";
-  expect_refused(polygon, ErrorCode::malformed_file, 5, "500000 corners");
+  expect_obj_refused(polygon, ErrorCode::malformed_file, 5, "500000 corners");
   std::string continued = "f 1 2 3\nf 1 3 4\n";
   for (int i = 0; i < 1'000'000; ++i)
     continued += " \\\n";
-  expect_square(continued + "\n" + k_corners);
+  expect_obj_square(continued + "\n" + k_obj_corners);
   EXPECT_LT(Clock::now() - begin, std::chrono::seconds(20));  // tenths of a second, optimised
 }
 
@@ -280,7 +285,7 @@ TEST(ReadObj, ReadsALargePolygonOverManyVertices) {
     text += "v " + std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
     face += " " + std::to_string(i + 1);
   }
-  EXPECT_EQ(parse(text + face).mesh.triangles.size(), 998U);
+  EXPECT_EQ(read_obj(text + face).mesh.triangles.size(), 998U);
 }
 
 }  // namespace

@@ -13,17 +13,13 @@
 namespace planish {
 namespace {
 
-Vec3 random_point(meshes::Random& random, double size) {
-  return {size * random.number(), size * random.number(), size * random.number()};
-}
-
 /// Triangles anywhere, across each other; `flat` of them have no area.
 TriMesh random_soup(std::size_t count, meshes::Random& random, bool flat = false) {
   TriMesh mesh;
   for (Index t = 0; t < count; ++t) {
-    const Vec3 middle = random_point(random, 1.0);
+    const Vec3 middle = meshes::random_point(random, 1.0);
     for (int k = 0; k < 3; ++k)
-      mesh.positions.push_back(middle + random_point(random, 0.2));
+      mesh.positions.push_back(middle + meshes::random_point(random, 0.2));
     if (flat && t % 2 == 0) {
       const Vec3 a = mesh.positions[3 * t], b = mesh.positions[3 * t + 1];
       mesh.positions[3 * t + 2] = a + (t % 3 == 0 ? 0.0 : 0.3) * (b - a);
@@ -90,7 +86,7 @@ TEST(ClosestPointTree, FindsTheNearestPointOfATriangle) {
   meshes::Random random(1);
   for (int round = 0; round < 60; ++round) {
     const TriMesh mesh = random_soup(1, random);
-    const Vec3 p = random_point(random, 1.5);
+    const Vec3 p = meshes::random_point(random, 1.5);
     const ClosestPoint found = ClosestPointTree(mesh).query(p);
     const double least =
         searched_squared_distance(mesh.positions[0], mesh.positions[1], mesh.positions[2], p);
@@ -106,7 +102,7 @@ TEST(ClosestPointTree, FindsTheNearestPointOfNeedlesAndOfTrianglesWithoutArea) {
       const TriMesh mesh{{{0, 0, 0}, {1, 0, 0}, {x, height, 0}}, {{0, 1, 2}}};
       const ClosestPointTree tree(mesh);
       for (int round = 0; round < 20; ++round) {
-        const Vec3 p = random_point(random, 2.0);
+        const Vec3 p = meshes::random_point(random, 2.0);
         const ClosestPoint found = tree.query(p);
         // A segment, but for its height.
         const double to = std::clamp(p.x, std::min(0.0, x), std::max(1.0, x));
@@ -127,7 +123,7 @@ TEST(ClosestPointTree, FindsWhatLookingAtAllTrianglesFindsToTheLastBit) {
       const TriMesh mesh = random_soup(count, random, flat);
       const ClosestPointTree tree(mesh);
       for (int round = 0; round < 20; ++round) {
-        const Vec3 p = random_point(random, round % 2 == 0 ? 1.0 : 20.0);
+        const Vec3 p = meshes::random_point(random, round % 2 == 0 ? 1.0 : 20.0);
         expect_equal(tree.query(p), one_by_one(mesh, p));
       }
     }

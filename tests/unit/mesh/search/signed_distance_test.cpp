@@ -14,10 +14,6 @@
 namespace planish {
 namespace {
 
-Vec3 random_point(meshes::Random& random, double size) {
-  return {size * random.number(), size * random.number(), size * random.number()};
-}
-
 /// Of the cube from -1 to 1.
 double distance_from_cube(Vec3 p) {
   const Vec3 over{std::abs(p.x) - 1.0, std::abs(p.y) - 1.0, std::abs(p.z) - 1.0};
@@ -43,7 +39,7 @@ TEST(SignedDistance, OfACubeIsItsFormula) {
   const SignedDistance distance(solids::cube());
   meshes::Random random(1);
   for (int round = 0; round < 2000; ++round) {
-    const Vec3 p = random_point(random, 2.0);
+    const Vec3 p = meshes::random_point(random, 2.0);
     EXPECT_NEAR(distance.at(p).value, distance_from_cube(p), 1e-14);
   }
 }
@@ -55,7 +51,7 @@ TEST(SignedDistance, HasTheRightSignNearEdgesAndCornersOfANonConvexPrism) {
   int inside = 0;
   for (const Vec3 corner : prism.positions) {
     for (int round = 0; round < 400; ++round) {
-      const Vec3 p = corner + random_point(random, round % 2 == 0 ? 0.05 : 0.5);
+      const Vec3 p = corner + meshes::random_point(random, round % 2 == 0 ? 0.05 : 0.5);
       const double winding = winding_number(prism, p);
       EXPECT_EQ(distance.at(p).value<0.0, winding> 0.5);
       inside += winding > 0.5;
@@ -67,7 +63,7 @@ TEST(SignedDistance, HasTheRightSignNearEdgesAndCornersOfANonConvexPrism) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 middle = 0.5 * (prism.positions[t[k]] + prism.positions[t[(k + 1) % 3]]);
       for (int round = 0; round < 50; ++round) {
-        const Vec3 p = middle + random_point(random, 0.05);
+        const Vec3 p = middle + meshes::random_point(random, 0.05);
         EXPECT_EQ(distance.at(p).value<0.0, winding_number(prism, p)> 0.5);
       }
     }
@@ -79,7 +75,7 @@ TEST(SignedDistance, GrowsAlongItsGradient) {
   meshes::Random random(3);
   constexpr double h = 1e-6;
   for (int round = 0; round < 500; ++round) {
-    const Vec3 p = random_point(random, 1.5);
+    const Vec3 p = meshes::random_point(random, 1.5);
     const Distance at = distance.at(p);
     EXPECT_NEAR(norm(at.gradient), 1.0, 1e-14);
     // Where the closest point jumps there is no gradient; it has measure zero.

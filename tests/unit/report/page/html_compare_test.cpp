@@ -20,14 +20,14 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string& sample_page() {
+const std::string& comparison_page() {
   static const std::string page = html_report(samples::comparison());
   return page;
 }
 
 TEST(HtmlCompare, NeedsNothingFromOutsideAndClosesWhatItOpens) {
-  pages::expect_nothing_from_outside(sample_page());
-  pages::expect_closed_tags(sample_page());
+  pages::expect_nothing_from_outside(comparison_page());
+  pages::expect_closed_tags(comparison_page());
 }
 
 TEST(HtmlCompare, EscapesAllTextFromOutside) {
@@ -46,7 +46,7 @@ TEST(HtmlCompare, EscapesAllTextFromOutside) {
 }
 
 TEST(HtmlCompare, SaysWhichIsBestAndWhatEachDid) {
-  const std::string& page = sample_page();
+  const std::string& page = comparison_page();
   EXPECT_THAT(page, HasSubstr("controllable did best: it lowered the strain of the pattern from "
                               "7.6\u00A0% to 2.6\u00A0% rms."));
   EXPECT_THAT(page, HasSubstr("worse pattern: strain 7.6 % -&gt; 8.6 %; needles (0.12 deg)"));
@@ -57,7 +57,7 @@ TEST(HtmlCompare, SaysWhichIsBestAndWhatEachDid) {
 }
 
 TEST(HtmlCompare, HasPicturesOfTheInputAndOfEveryResultAtOneSize) {
-  const std::string& page = sample_page();
+  const std::string& page = comparison_page();
   EXPECT_EQ(count(page, " alt=\"Patch, "), 3U) << "input and the two that did not fail";
   EXPECT_EQ(count(page, " alt=\"Pattern, "), 3U);
   const std::size_t at = page.find("<img width=");
@@ -83,7 +83,7 @@ TEST(HtmlCompare, DoesWithoutPatternsAndWithoutSweeps) {
 }
 
 TEST(HtmlCompare, GivesTheSameBytesForTheSameReport) {
-  EXPECT_TRUE(html_report(samples::comparison()) == sample_page());
+  EXPECT_TRUE(html_report(samples::comparison()) == comparison_page());
 }
 
 /// The row that begins at `from`.

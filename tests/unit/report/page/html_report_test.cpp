@@ -24,34 +24,34 @@ using testing::HasSubstr;
 using testing::Not;
 
 // The page of the sample, made once for all tests that only look at it.
-const std::string& sample_page() {
+const std::string& report_page() {
   static const std::string page = html_report(samples::flatten_report());
   return page;
 }
 
 TEST(HtmlReport, NeedsNothingFromOutsideAndRunsItsOwnScriptOnly) {
-  pages::expect_nothing_from_outside(sample_page());
-  EXPECT_EQ(count(sample_page(), "<script>"), page_script().is_there() ? 1U : 0U);
+  pages::expect_nothing_from_outside(report_page());
+  EXPECT_EQ(count(report_page(), "<script>"), page_script().is_there() ? 1U : 0U);
 }
 
 TEST(HtmlReport, NamesItsScriptByAHashAndWithoutOneAllowsNone) {
   if (!page_script().is_there()) {  // built without Node
-    EXPECT_THAT(sample_page(), HasSubstr("default-src 'none'; style-src"));
-    EXPECT_THAT(sample_page(), Not(HasSubstr("<script")));
+    EXPECT_THAT(report_page(), HasSubstr("default-src 'none'; style-src"));
+    EXPECT_THAT(report_page(), Not(HasSubstr("<script")));
     return;
   }
-  EXPECT_THAT(sample_page(), HasSubstr("; script-src '" + std::string(page_script().hash) + "';"));
-  EXPECT_THAT(sample_page(), HasSubstr("Three.js Authors\n * SPDX-License-Identifier: MIT"))
+  EXPECT_THAT(report_page(), HasSubstr("; script-src '" + std::string(page_script().hash) + "';"));
+  EXPECT_THAT(report_page(), HasSubstr("Three.js Authors\n * SPDX-License-Identifier: MIT"))
       << "the licence comes along";
 }
 
 TEST(HtmlReport, ClosesWhatItOpens) {
-  pages::expect_closed_tags(sample_page());
+  pages::expect_closed_tags(report_page());
 }
 
 TEST(HtmlReport, ShowsStrainBesideItsLimitWhereOneWasAsked) {
-  EXPECT_THAT(sample_page(), Not(HasSubstr("<div class=\"legend bounded\">")));
-  EXPECT_THAT(sample_page(), HasSubstr("stretch in colour"));
+  EXPECT_THAT(report_page(), Not(HasSubstr("<div class=\"legend bounded\">")));
+  EXPECT_THAT(report_page(), HasSubstr("stretch in colour"));
   FlattenReport report = samples::flatten_report();
   report.unfold.limits = {{.kind = StrainLimitKind::p99, .asked = 0.02, .reached = 0.2143}};
   const std::string page = html_report(report);
@@ -64,7 +64,7 @@ TEST(HtmlReport, ShowsStrainBesideItsLimitWhereOneWasAsked) {
 }
 
 TEST(HtmlReport, LeadsToTheFilesBesideIt) {
-  EXPECT_THAT(sample_page(), Not(HasSubstr("class=\"files\">The pattern")));
+  EXPECT_THAT(report_page(), Not(HasSubstr("class=\"files\">The pattern")));
   const std::string page =
       html_report(samples::flatten_report(),
                   {.files = {{"pattern.pdf", "to print"}, {"a<b.svg", "for <cutters>"}}});
@@ -99,7 +99,7 @@ TEST(HtmlReport, ListsProblemsAndMarksThoseSinceEvolving) {
 }
 
 TEST(HtmlReport, HasPicturesOfTheSameSizeWithWordsForThem) {
-  const std::string& page = sample_page();
+  const std::string& page = report_page();
   EXPECT_EQ(count(page, "<img "), 4U);
   EXPECT_EQ(count(page, " alt=\"The input patch, "), 1U);
   EXPECT_EQ(count(page, " alt=\"The patch after "), 1U);
@@ -118,7 +118,7 @@ TEST(HtmlReport, ShowsTheScaleOfTheChosenColours) {
 }
 
 TEST(HtmlReport, SaysWhatWasDone) {
-  const std::string& page = sample_page();
+  const std::string& page = report_page();
   EXPECT_THAT(page, HasSubstr("651 vertices, 549 of them inner; 1\u202F200 triangles"));
   EXPECT_THAT(page, HasSubstr("lambda_min 0, lambda_max 1, min_angle 1, max_deviation unlimited"));
   EXPECT_THAT(page, HasSubstr("10 sweeps in 0.25 s on 2 threads"));
@@ -142,7 +142,7 @@ TEST(HtmlReport, SaysWhatItWasAskedForAndWhetherItFits) {
               HasSubstr("<li><span class=\"met\">✓ within the limit of 50\u00A0%</span></li>"));
   EXPECT_THAT(page, HasSubstr("<span class=\"neutral\">• does not lie flat without stretch</span>"))
       << "a limit that is kept makes it no fault";
-  EXPECT_THAT(sample_page(),
+  EXPECT_THAT(report_page(),
               HasSubstr("<span class=\"missed\">✗ does not lie flat without stretch</span>"));
 }
 
@@ -207,8 +207,8 @@ TEST(HtmlReport, NeedsNoTermOfThePaperOnItsFirstScreen) {
        {"sweep", "energy", "e_max", "e_avg", "defect", "face down", "vertex", "rms"})
     EXPECT_THAT(top, Not(HasSubstr(term)));
   EXPECT_THAT(top, HasSubstr("✗ parts of the pattern are flipped over"));
-  EXPECT_GT(sample_page().find("How it went, sweep by sweep"),
-            sample_page().find("<summary>How it was computed</summary>"));
+  EXPECT_GT(report_page().find("How it went, sweep by sweep"),
+            report_page().find("<summary>How it was computed</summary>"));
 }
 
 TEST(HtmlReport, SaysWhyItDoesNotFit) {
@@ -235,7 +235,7 @@ TEST(HtmlReport, DrawsTheLinesOfThePattern) {
 
 TEST(HtmlReport, ComparesWithTheMethodOf2010) {
   const FlattenReport report = samples::flatten_report();
-  EXPECT_EQ(count(sample_page(), "<polyline class=\"line-reference\""), 0U);
+  EXPECT_EQ(count(report_page(), "<polyline class=\"line-reference\""), 0U);
   const std::string page = html_report(
       report, {.reference = {{1, 0.06, 0.003, 0.1, 9, 0.1}, {2, 0.05, 0.003, 0.1, 9, 0.2}}});
   EXPECT_EQ(count(page, "<polyline class=\"line-reference\""), 1U);
@@ -262,7 +262,7 @@ TEST(HtmlReport, DoesWithoutSweepsAndWithoutAName) {
 }
 
 TEST(HtmlReport, GivesTheSameBytesForTheSameReport) {
-  EXPECT_TRUE(html_report(samples::flatten_report()) == sample_page());
+  EXPECT_TRUE(html_report(samples::flatten_report()) == report_page());
 }
 
 // The numbers of a row of the table, before and after, with all their digits.

@@ -31,6 +31,28 @@ function(planish_compile target)
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
             $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
             $<$<BOOL:${PLANISH_WARNINGS_AS_ERRORS}>:-Werror>)
+  if(CMAKE_UNITY_BUILD)  # once the folder has named all its sources
+    cmake_language(EVAL CODE "cmake_language(DEFER CALL planish_unite_folders ${target})")
+  endif()
+endfunction()
+
+# planish_unite_folders(TARGET): with CMAKE_UNITY_BUILD, up to eight sources of one folder are compiled as
+# one, which halves the time of compiling. Names in the anonymous namespaces of a folder must not clash.
+function(planish_unite_folders target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  get_target_property(home ${target} SOURCE_DIR)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  foreach(source IN LISTS sources)
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY "${home}")
+    cmake_path(GET source PARENT_PATH folder)
+    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY "${PROJECT_SOURCE_DIR}")
+    string(MAKE_C_IDENTIFIER "${folder}" folder)
+    list(APPEND ${folder} "${source}")
+    list(LENGTH ${folder} number)
+    math(EXPR group "(${number} - 1) / 8")
+    set_source_files_properties("${source}" TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${folder}_${group})
+  endforeach()
 endfunction()
 
 # planish_instrument(TARGET): compiles with the flags of PLANISH_INSTRUMENT.

@@ -1,5 +1,6 @@
 # Builds and runs the consumer. With -DWAY=find_package or -DWAY=add_subdirectory, -DSOURCE (the
-# project's folder), -DBINARY (its build folder), -DCOMPILER, -DFLAGS, -DBUILD_TYPE and -DPYTHON.
+# project's folder), -DBINARY (its build folder), -DCOMPILER, -DFLAGS, -DBUILD_TYPE,
+# -DUNITY and -DPYTHON.
 set(work "${BINARY}/consumer/${WAY}")
 file(REMOVE_RECURSE "${work}")
 
@@ -8,7 +9,7 @@ if(WAY STREQUAL "find_package")
                   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
   set(how "-DCMAKE_PREFIX_PATH=${work}/prefix")
 else()
-  set(how "-DPLANISH_SOURCE_FOLDER=${SOURCE}" "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}")
+  set(how "-DPLANISH_SOURCE_FOLDER=${SOURCE}" "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}" "-DCMAKE_UNITY_BUILD=${UNITY}")
   # Objects that this build compiled by the same command are copied, to save compiling them again.
   if(PYTHON)
     list(APPEND how "-DCMAKE_CXX_COMPILER_LAUNCHER=${PYTHON}\;${CMAKE_CURRENT_LIST_DIR}/reuse_object.py\;${BINARY}\;${work}/build/planish")

@@ -26,16 +26,21 @@ def plain(command, folder):
     return words
 
 
+def same_text(first, second):
+    """Whether two files, of which a build folder may have made each, have the same text."""
+    return first == second or pathlib.Path(first).read_bytes() == pathlib.Path(second).read_bytes()
+
+
 def main():
     other, folder, command = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3:]
     if "-c" in command:
         source = command[command.index("-c") + 1]
         for entry in json.loads((other / "compile_commands.json").read_text()):
             there = shlex.split(entry["command"])
-            if entry["file"] != source or plain(there, str(other)) != plain(command, folder):
+            if plain(there, str(other)) != plain(command, folder) or not same_text(entry["file"], source):
                 continue
             made = other / there[there.index("-o") + 1]
-            if made.exists() and made.stat().st_mtime > os.stat(source).st_mtime:
+            if made.exists() and made.stat().st_mtime > os.stat(entry["file"]).st_mtime:
                 shutil.copyfile(made, command[command.index("-o") + 1])
                 with open(command[command.index("-MF") + 1], "w") as depfile:
                     depfile.write(f"{command[command.index('-o') + 1]}: {source}\n")

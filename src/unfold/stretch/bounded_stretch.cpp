@@ -72,6 +72,9 @@ class BoundedDescent {
     weight_ = aims.weight * now_.energy;
     now_.scale = 1.05 * std::max(largest_share_of_bound(), aims_.least_scale);
     now_.slacks = slacks(now_.flat, now_.scale);
+    slots_.reserve(edges_.size());
+    for (const FlatEdge& edge : edges_)
+      slots_.push_back(system_.slots_of(edge));
     longer_.resize(edges_.size());
     shorter_.resize(edges_.size());
     take_slacks();
@@ -96,7 +99,7 @@ class BoundedDescent {
   /// About the gap between primal and dual is left to gain. Where that says that the scale cannot
   /// come to where it need not get smaller, it is enough to know it nearly.
   bool is_done() const {
-    constexpr double of_merit = 1e-5, of_scale = 5e-3, surely = 1e-3;
+    constexpr double of_merit = 1e-4, of_scale = 5e-3, surely = 1e-3;
     const double scale_to_gain = gap_ / weight_;
     const bool is_above = now_.scale - scale_to_gain > aims_.least_scale + surely;
     if (is_above && scale_to_gain <= of_scale * now_.scale) return true;
@@ -207,7 +210,8 @@ class BoundedDescent {
           std::max(0.0, longer.multiplier - shorter.multiplier) / (rest * edge.length);
       const double along = (stiff_longer + stiff_shorter) / (rest * rest);
       const Vec2 u = edge.along;
-      system_.add(edges_[e], (mu_ * (1.0 / longer.slack - 1.0 / shorter.slack) / rest) * u,
+      system_.add(edges_[e], slots_[e],
+                  (mu_ * (1.0 / longer.slack - 1.0 / shorter.slack) / rest) * u,
                   {along * u.x * u.x + across * u.y * u.y, (along - across) * u.x * u.y,
                    along * u.y * u.y + across * u.x * u.x});
     }
@@ -350,6 +354,7 @@ class BoundedDescent {
   BoundedAims aims_;
   ThreadPool& pool_;
   StretchSystem system_;
+  std::vector<StretchSystem::EdgeSlots> slots_;
   std::optional<SparseLdlt> factor_;
   State now_;
   std::vector<Bound> longer_, shorter_;

@@ -33,19 +33,24 @@ void StretchSystem::assemble(const std::vector<Vec2>& flat, Curvature curvature)
   }
 }
 
-void StretchSystem::add(const FlatEdge& edge, Vec2 gradient, const EdgeHessian& hessian) {
+StretchSystem::EdgeSlots StretchSystem::slots_of(const FlatEdge& edge) const {
+  EdgeSlots slots{};
+  auto slot = slots.begin();
+  for_pairs(edge, [&](int row, int column, int, int) {
+    *slot++ = static_cast<std::uint32_t>(entry_of(hessian_, row, column));
+  });
+  return slots;
+}
+
+void StretchSystem::add(const FlatEdge& edge, const EdgeSlots& slots, Vec2 gradient,
+                        const EdgeHessian& hessian) {
   add_to(gradient_, edge, gradient);
   const double block[2][2] = {{hessian.xx, hessian.xy}, {hessian.xy, hessian.yy}};
-  const Index ends[2] = {edge.from, edge.to};
-  for (int i = 0; i < 4; ++i) {
-    const int row = unknowns_.column(ends[i / 2], i % 2);
-    for (int j = 0; j < 4; ++j) {
-      const int column = unknowns_.column(ends[j / 2], j % 2);
-      if (column == Unknowns::k_fixed || row < column) continue;
-      const double value = block[i % 2][j % 2];
-      hessian_.valuePtr()[entry_of(hessian_, row, column)] += i / 2 == j / 2 ? value : -value;
-    }
-  }
+  auto slot = slots.begin();
+  for_pairs(edge, [&](int, int, int i, int j) {
+    const double value = block[i % 2][j % 2];
+    hessian_.valuePtr()[*slot++] += i / 2 == j / 2 ? value : -value;
+  });
 }
 
 bool StretchSystem::solved_by(const Eigen::VectorXd& step) const {
@@ -109,6 +114,18 @@ void StretchSystem::for_pairs(const Triangle& tri, Visit visit) const {
     const int row = unknowns_.column(tri[i / 2], i % 2);
     for (int j = 0; j < 6; ++j) {
       const int column = unknowns_.column(tri[j / 2], j % 2);
+      if (column != Unknowns::k_fixed && row >= column) visit(row, column, i, j);
+    }
+  }
+}
+
+template <class Visit>
+void StretchSystem::for_pairs(const FlatEdge& edge, Visit visit) const {
+  const Index ends[2] = {edge.from, edge.to};
+  for (int i = 0; i < 4; ++i) {
+    const int row = unknowns_.column(ends[i / 2], i % 2);
+    for (int j = 0; j < 4; ++j) {
+      const int column = unknowns_.column(ends[j / 2], j % 2);
       if (column != Unknowns::k_fixed && row >= column) visit(row, column, i, j);
     }
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -18,8 +20,13 @@ class StretchSystem {
 
   /// Sets both to those of the symmetric Dirichlet energy.
   void assemble(const std::vector<Vec2>& flat, Curvature curvature);
+  /// Where the entries of an edge lie among the Hessian's values, in the order that they are made
+  /// in.
+  using EdgeSlots = std::array<std::uint32_t, 10>;
+  EdgeSlots slots_of(const FlatEdge& edge) const;
   /// Adds a function of the vector from one end of an edge to the other.
-  void add(const FlatEdge& edge, Vec2 gradient, const EdgeHessian& hessian);
+  /// @param slots of the edge
+  void add(const FlatEdge& edge, const EdgeSlots& slots, Vec2 gradient, const EdgeHessian& hessian);
 
   bool solved_by(const Eigen::VectorXd& step) const;
   const SparseMatrix& hessian() const { return hessian_; }
@@ -32,6 +39,8 @@ class StretchSystem {
   void make_pattern();
   template <class Visit>
   void for_pairs(const Triangle& tri, Visit visit) const;
+  template <class Visit>
+  void for_pairs(const FlatEdge& edge, Visit visit) const;
 
   const Disk& disk_;
   Unknowns unknowns_;

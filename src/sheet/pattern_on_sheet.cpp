@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/crosses_itself.h"
+#include "pattern/filled_slit.h"
 #include "pattern/pattern_hash.h"
 #include "pattern/polygon/loop_box.h"
 #include "sheet/mirrored_place.h"
@@ -69,10 +70,15 @@ PatternOnSheet pattern_on_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
   PlacedPattern pattern =
       placed_pattern(mesh, unfold.pattern.positions, unfold.unit, piece, options);
   const LoopBox piece_box = loop_box(pattern.outline.loops);
-  SheetFacts facts = {
-      name,         piece_box.size(),   widest_allowance(options), pattern_hash(pattern.positions),
-      options.date, options.model_scale};
+  SheetFacts facts = {.name = name,
+                      .size = piece_box.size(),
+                      .allowance = widest_allowance(options),
+                      .hash = pattern_hash(pattern.positions),
+                      .date = options.date,
+                      .model_scale = options.model_scale};
   facts.form_faults = options.form_faults;
+  if (facts.allowance > 0.0)
+    facts.filled_slit = filled_slit_length(pattern.outline.loops, pattern.cut, facts.allowance);
   if (options.moved) facts.moved = millimetres_per(unfold.unit) * *options.moved;
   const bool mirrored = options.like && options.like->mirrored;
   PatternOnSheet sheet =

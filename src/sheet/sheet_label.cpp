@@ -176,6 +176,13 @@ std::string size_text(const SheetFacts& facts) {
   return text;
 }
 
+/// Empty where the allowance fills no slit.
+std::string filled_slit_text(const SheetFacts& facts) {
+  if (!(facts.filled_slit > 0.0)) return {};
+  return "The allowance fills slits or darts (" + fixed_text(facts.filled_slit, 0) +
+         " mm of seam line): to open them, cut along the seam line.";
+}
+
 std::string origin_text(const SheetFacts& facts) {
   std::string text = std::string("planish ") + k_version + " · scale 1:1";
   if (!facts.date.empty()) text += " · " + facts.date;
@@ -201,6 +208,8 @@ Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
   if (!facts.lines.empty()) line(33.5, 2.5, facts.lines, k_dim);
   if (std::optional<Verdict> verdict = verdict_of(unfold, facts))
     line(29.5, 2.5, std::move(verdict->text), verdict->is_bad ? k_red : k_dim);
+  if (std::string filled = filled_slit_text(facts); !filled.empty())
+    line(37.5, 2.5, std::move(filled), k_black);
   if (facts.overlap) layer.shapes.emplace_back(ring_around(*facts.overlap));
   return layer;
 }
@@ -211,6 +220,8 @@ std::vector<std::string> sheet_notes(const UnfoldReport& unfold, const SheetFact
   if (std::optional<Verdict> verdict = verdict_of(unfold, facts))
     notes.push_back(std::move(verdict->text));
   if (!facts.lines.empty()) notes.push_back(facts.lines);
+  if (std::string filled = filled_slit_text(facts); !filled.empty())
+    notes.push_back(std::move(filled));
   return notes;
 }
 

@@ -26,6 +26,21 @@ std::string cut_text(const SuggestedCut& cut, const std::string& unit) {
          strain_text(*cut.after);
 }
 
+/// Why there are no more darts, where the limit is not met.
+std::string why_no_more(SuggestStop stop) {
+  switch (stop) {
+    case SuggestStop::strain_met:
+      break;
+    case SuggestStop::dart_limit:
+      return "all darts of --max-cuts are there";
+    case SuggestStop::no_gain:
+      return "no dart that was tried lowers the rms strain by 5 % more";
+    case SuggestStop::overlap:
+      return "every further dart that lowers the strain makes the pattern overlap itself";
+  }
+  return {};
+}
+
 std::string ending_text(const CutSuggestion& suggestion, const SuggestOptions& options) {
   const std::string limit = percent(options.max_strain);
   if (suggestion.met()) {
@@ -36,15 +51,13 @@ std::string ending_text(const CutSuggestion& suggestion, const SuggestOptions& o
                       ? "99 % of the pattern's area is strained by " + limit + " at most."
                       : "no edge of the pattern is strained by more than " + limit + ".");
   }
-  const std::string why = suggestion.stop == SuggestStop::dart_limit
-                              ? "all darts of --max-cuts are there"
-                              : "no dart that was tried lowers the rms strain by 5 % more";
   const EdgeStrain& strain = suggestion.last.strain;
   const std::string reached =
       options.limit_of_area
           ? "99 % of the pattern's area is still strained by up to " + percent(strain.p99)
           : "an edge of the pattern is still strained by " + percent(strain.max);
-  return "Not met: " + reached + ", the limit is " + limit + "; " + why + ".";
+  return "Not met: " + reached + ", the limit is " + limit + "; " + why_no_more(suggestion.stop) +
+         ".";
 }
 
 /// What to do where the limit is not met or the pattern cannot be cut; empty where all is well.
@@ -54,9 +67,11 @@ std::string way_on(const CutSuggestion& suggestion) {
            " pattern overlaps itself: it cannot be cut from one sheet. Divide the patch by cuts of "
            "your own (--cut takes lines drawn over the model).";
   if (suggestion.met()) return {};
-  const std::string more = suggestion.stop == SuggestStop::dart_limit
-                               ? "allow more darts (--max-cuts)"
-                               : "draw cuts of your own (--cut)";
+  const std::string more =
+      suggestion.stop == SuggestStop::dart_limit ? "allow more darts (--max-cuts)"
+      : suggestion.stop == SuggestStop::overlap
+          ? "divide the patch by cuts of your own (--cut takes lines drawn over the model)"
+          : "draw cuts of your own (--cut)";
   return "You can " + more +
          ", take a material that stretches more, or let \"planish flatten\" change the form "
          "within the limit, with these cuts or without.";

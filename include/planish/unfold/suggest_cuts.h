@@ -40,8 +40,9 @@ enum class SuggestStop {
   strain_met,  ///< the limit is kept
   dart_limit,  ///< all darts that were allowed are there
   no_gain,     ///< no dart that was tried lowers the rms strain by 5 % more
+  overlap,     ///< those that do make the pattern overlap itself
 };
-/// "strain_met", "dart_limit" or "no_gain".
+/// "strain_met", "dart_limit", "no_gain" or "overlap".
 std::string_view to_string(SuggestStop stop);
 
 /// A mesh cut open to a disk and what its pattern is like.

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include <planish/unfold/suggest_cuts.h>
@@ -90,18 +92,6 @@ bool gains(const EdgeStrain& strain, const EdgeStrain& before) {
   return strain.rms < (1.0 - k_least_gain) * before.rms;
 }
 
-/// The darts that gain or keep the limit; of these, where there are any, those whose pattern does
-/// not overlap itself.
-std::vector<Dart> worthwhile(std::vector<Dart> darts, const EdgeStrain& without,
-                             const SuggestOptions& options) {
-  std::erase_if(darts, [&](const Dart& dart) {
-    return !(gains(dart.flat.strain, without) || options.kept_by(dart.flat.strain));
-  });
-  const auto overlaps = [](const Dart& dart) { return dart.flat.pattern.overlaps; };
-  if (!std::all_of(darts.begin(), darts.end(), overlaps)) std::erase_if(darts, overlaps);
-  return darts;
-}
-
 /// Of the darts that keep the limit the shortest; where none does, of those with about the least
 /// strain the shortest. Nothing where there are none.
 const Dart* best_of(const std::vector<Dart>& darts, const SuggestOptions& options) {
@@ -133,9 +123,10 @@ class CutSearch {
     found_.stop = is_met(found_.last.strain) ? SuggestStop::strain_met : SuggestStop::dart_limit;
     for (int dart = 0; dart < options_.max_darts && !is_met(found_.last.strain); ++dart) {
       share_ = static_cast<double>(dart) / options_.max_darts;
-      if (add_dart()) continue;
-      found_.stop = SuggestStop::no_gain;
-      break;
+      if (const auto why_none = add_dart()) {
+        found_.stop = *why_none;
+        break;
+      }
     }
     if (is_met(found_.last.strain)) found_.stop = SuggestStop::strain_met;
     return std::move(found_);
@@ -188,8 +179,9 @@ class CutSearch {
     found_.last = found_.first;
   }
 
-  /// The best dart on the patch as it is cut so far, by that patch's vertices.
-  std::vector<Index> find_dart() {
+  /// The darts that gain or keep the limit, tried on the patch as it is cut so far; paths by its
+  /// vertices.
+  std::vector<Dart> find_darts() {
     const CutMesh& now = found_.last.cut;
     const Patch cut(now.mesh);
     const TrialPatch trial = trial_patch(cut, options_.trial_vertices);
@@ -205,31 +197,66 @@ class CutSearch {
       share_ += 1.0 / options_.max_darts / static_cast<double>(darts.size() + 1);
       report_progress(context_, {"cutting", share_});
     }
-    darts = worthwhile(std::move(darts), without, options_);
-    const Dart* best = best_of(darts, options_);
-    if (best == nullptr) return {};
-    const Index end = trial.source[best->path.front()], tip = trial.source[best->path.back()];
+    std::erase_if(darts, [&](const Dart& dart) {
+      return !(gains(dart.flat.strain, without) || is_met(dart.flat.strain));
+    });
     InsidePaths inside(cut);
-    auto path = inside.from(std::span(&tip, 1), [end](Index v) { return v == end; });
-    if (!path) return {};
-    std::reverse(path->begin(), path->end());
-    return *path;
+    for (Dart& dart : darts) {
+      const Index end = trial.source[dart.path.front()], tip = trial.source[dart.path.back()];
+      dart.path = inside.from(std::span(&tip, 1), [end](Index v) { return v == end; })
+                      .value_or(std::vector<Index>{});
+      std::reverse(dart.path.begin(), dart.path.end());
+    }
+    std::erase_if(darts, [](const Dart& dart) { return dart.path.empty(); });
+    return darts;
   }
 
-  /// False where no dart helps.
-  bool add_dart() {
-    const std::vector<Index> dart = find_dart();
-    if (dart.empty()) return false;
-    std::vector<Index> path = on_source(dart, found_.last.cut);
-    paths_.push_back(path);
+  /// Adds the best dart with which the pattern does not overlap itself, or does as without it. Why
+  /// there is none, if there is none.
+  std::optional<SuggestStop> add_dart() {
+    std::vector<Dart> darts = find_darts();
+    const auto free_end = std::stable_partition(
+        darts.begin(), darts.end(), [](const Dart& dart) { return !dart.flat.pattern.overlaps; });
+    std::vector<Dart> overlapping(std::make_move_iterator(free_end),
+                                  std::make_move_iterator(darts.end()));
+    darts.erase(free_end, darts.end());
+    bool any_overlaps = !overlapping.empty();
+    const auto is_added = [&](const Dart& dart) {
+      const std::optional<SuggestStop> why_not = try_dart(dart.path);
+      any_overlaps = any_overlaps || why_not == SuggestStop::overlap;
+      return !why_not;
+    };
+    while (const Dart* best = best_of(darts, options_)) {
+      if (is_added(*best)) return std::nullopt;
+      darts.erase(darts.begin() + (best - darts.data()));
+    }
+    // Once it is shorter, a dart may be free of overlap.
+    const Dart* best = best_of(overlapping, options_);
+    if (best != nullptr && is_added(*best)) return std::nullopt;
+    return any_overlaps ? SuggestStop::overlap : SuggestStop::no_gain;
+  }
+
+  /// Adds a dart, by vertices of the patch as it is cut so far, if it gains or keeps the limit and
+  /// brings no overlap. Else says which of these it does not.
+  std::optional<SuggestStop> try_dart(const std::vector<Index>& dart) {
+    paths_.push_back(on_source(dart, found_.last.cut));
     CutPattern next = with_paths();
-    if (!gains(next.strain, found_.last.strain) && !is_met(next.strain)) return false;
     if (is_met(next.strain)) next = with_shorter_dart(std::move(next));
-    path = paths_.back();
+    std::optional<SuggestStop> why_not;
+    if (!gains(next.strain, found_.last.strain) && !is_met(next.strain)) {
+      why_not = SuggestStop::no_gain;
+    } else if (next.pattern.overlaps && !found_.last.pattern.overlaps) {
+      why_not = SuggestStop::overlap;
+    }
+    if (why_not) {
+      paths_.pop_back();
+      return why_not;
+    }
+    const std::vector<Index>& path = paths_.back();
     found_.cuts.push_back(
         {path, path_length(path, patch_.positions()), true, found_.last.strain, next.strain});
     found_.last = std::move(next);
-    return true;
+    return std::nullopt;
   }
 
   /// Draws the tip of the last path back as far as the limit stays met.
@@ -267,6 +294,8 @@ std::string_view to_string(SuggestStop stop) {
       return "dart_limit";
     case SuggestStop::no_gain:
       return "no_gain";
+    case SuggestStop::overlap:
+      return "overlap";
   }
   return "unknown";
 }

@@ -179,8 +179,8 @@ std::string size_text(const SheetFacts& facts) {
 /// Empty where the allowance fills no slit.
 std::string filled_slit_text(const SheetFacts& facts) {
   if (!(facts.filled_slit > 0.0)) return {};
-  return "The allowance fills slits or darts (" + fixed_text(facts.filled_slit, 0) +
-         " mm of seam line): to open them, cut along the seam line.";
+  return fixed_text(facts.filled_slit, 0) +
+         " mm of seam line in slits or darts that the allowance fills";
 }
 
 std::string origin_text(const SheetFacts& facts) {
@@ -202,14 +202,18 @@ Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
     layer.shapes.emplace_back(Text{{k_column, top - below_top}, height, std::move(text), color});
   };
   line(12.5, 4.0, size_text(facts), k_black);
-  line(17.5, 2.5, unit_note(unfold.unit, facts.model_scale), k_dim);
-  line(21.5, 2.5, origin_text(facts), k_dim);
-  line(25.5, 2.5, strain_text(unfold.strain, facts.moved), k_dim);
-  if (!facts.lines.empty()) line(33.5, 2.5, facts.lines, k_dim);
+  std::string filled = filled_slit_text(facts);
+  const double pitch = filled.empty() ? 4.0 : 3.5;  // so that a row more fits above the legend
+  const auto row = [&](int number, std::string text, Color color) {
+    line(17.5 + number * pitch, 2.5, std::move(text), color);
+  };
+  row(0, unit_note(unfold.unit, facts.model_scale), k_dim);
+  row(1, origin_text(facts), k_dim);
+  row(2, strain_text(unfold.strain, facts.moved), k_dim);
+  if (!facts.lines.empty()) row(4, facts.lines, k_dim);
   if (std::optional<Verdict> verdict = verdict_of(unfold, facts))
-    line(29.5, 2.5, std::move(verdict->text), verdict->is_bad ? k_red : k_dim);
-  if (std::string filled = filled_slit_text(facts); !filled.empty())
-    line(37.5, 2.5, std::move(filled), k_black);
+    row(3, std::move(verdict->text), verdict->is_bad ? k_red : k_dim);
+  if (!filled.empty()) row(5, std::move(filled), k_black);
   if (facts.overlap) layer.shapes.emplace_back(ring_around(*facts.overlap));
   return layer;
 }

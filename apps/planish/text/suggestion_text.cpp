@@ -8,6 +8,7 @@
 #include <planish_json/json.h>
 
 #include "shell/text.h"
+#include "text/summary.h"
 
 namespace planish::cli {
 
@@ -36,7 +37,7 @@ std::string why_no_more(SuggestStop stop) {
     case SuggestStop::no_gain:
       return "no dart that was tried lowers the rms strain by 5 % more";
     case SuggestStop::overlap:
-      return "every further dart that lowers the strain makes the pattern overlap itself";
+      return "the darts that would lower the strain make the pattern overlap itself";
   }
   return {};
 }
@@ -67,11 +68,14 @@ std::string way_on(const CutSuggestion& suggestion) {
            " pattern overlaps itself: it cannot be cut from one sheet. Divide the patch by cuts of "
            "your own (--cut takes lines drawn over the model).";
   if (suggestion.met()) return {};
-  const std::string more =
-      suggestion.stop == SuggestStop::dart_limit ? "allow more darts (--max-cuts)"
-      : suggestion.stop == SuggestStop::overlap
-          ? "divide the patch by cuts of your own (--cut takes lines drawn over the model)"
-          : "draw cuts of your own (--cut)";
+  std::string more = suggestion.stop == SuggestStop::dart_limit ? "allow more darts (--max-cuts)"
+                                                                : "draw cuts of your own (--cut)";
+  if (suggestion.divide_at) {
+    more = "divide the patch by a line of your own through vertex " +
+           std::to_string(*suggestion.divide_at) + ", near " +
+           place_text(suggestion.last.cut.mesh.positions[*suggestion.divide_at]) +
+           " (--cut takes lists of vertices and lines drawn over the model)";
+  }
   return "You can " + more +
          ", take a material that stretches more, or let \"planish flatten\" change the form "
          "within the limit, with these cuts or without.";
@@ -83,6 +87,13 @@ Json to_json(const EdgeStrain& strain) {
 
 Json to_json(const std::optional<EdgeStrain>& strain) {
   return strain ? to_json(*strain) : Json(nullptr);
+}
+
+/// {vertex, at}, or null.
+Json place_json(const CutSuggestion& suggestion) {
+  if (!suggestion.divide_at) return nullptr;
+  const Vec3 at = suggestion.last.cut.mesh.positions[*suggestion.divide_at];
+  return {{"vertex", *suggestion.divide_at}, {"at", {at.x, at.y, at.z}}};
 }
 
 }  // namespace
@@ -120,6 +131,7 @@ std::string suggestion_json(const CutSuggestion& suggestion, const SuggestOption
                        {"limit_of_area", options.limit_of_area},
                        {"met", suggestion.met()},
                        {"stop", to_string(suggestion.stop)},
+                       {"divide_at", place_json(suggestion)},
                        {"cuts", std::move(cuts)},
                        {"edges", suggestion.last.cut.edges},
                        {"length", suggestion.last.cut.length},

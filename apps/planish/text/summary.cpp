@@ -165,10 +165,6 @@ std::string answer(bool yes, const std::string& words) {
   return words + ": " + (yes ? "yes" : "no");
 }
 
-std::string place_text(Vec3 at) {
-  return "(" + digits(at.x, 3) + ", " + digits(at.y, 3) + ", " + digits(at.z, 3) + ")";
-}
-
 /// How the form came out of it, in words.
 std::string form_lines(const EvolveReport& report) {
   const Fairness& fairness = report.fairness;
@@ -303,6 +299,10 @@ std::string with_plain_blanks(std::string text) {
 }
 
 }  // namespace
+
+std::string place_text(Vec3 at) {
+  return "(" + digits(at.x, 3) + ", " + digits(at.y, 3) + ", " + digits(at.z, 3) + ")";
+}
 
 std::string size_text(const TriMesh& mesh) {
   return std::to_string(mesh.positions.size()) + " vertices, " +

@@ -15,6 +15,9 @@ namespace planish::cli {
 /// "4242 vertices, 8196 triangles"
 std::string size_text(const TriMesh& mesh);
 
+/// "(0.129, 0.9, -0.123)"
+std::string place_text(Vec3 at);
+
 /// The results of the verbs as people read them, at most 80 columns wide.
 /// @param unit of the mesh
 std::string measure_text(const std::string& path, const MeasuredPatch& patch,

@@ -60,6 +60,9 @@ struct CutSuggestion {
   CutPattern first;                         ///< without darts
   CutPattern last;                          ///< with all cuts
   SuggestStop stop = SuggestStop::no_gain;  ///< why there are no more
+  /// Where the search ended with `overlap`: the vertex of the input mesh at which a dart is needed
+  /// most, and through which the patch can be divided.
+  std::optional<Index> divide_at = {};
 
   /// Whether the pattern with all cuts keeps the limit.
   bool met() const { return stop == SuggestStop::strain_met; }

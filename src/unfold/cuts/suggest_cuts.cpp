@@ -220,21 +220,26 @@ class CutSearch {
     std::vector<Dart> overlapping(std::make_move_iterator(free_end),
                                   std::make_move_iterator(darts.end()));
     darts.erase(free_end, darts.end());
-    bool any_overlaps = !overlapping.empty();
+    const Dart* best = best_of(overlapping, options_);
+    std::optional<Index> overlapping_tip;
+    if (best != nullptr) overlapping_tip = tip_of(*best);
     const auto is_added = [&](const Dart& dart) {
       const std::optional<SuggestStop> why_not = try_dart(dart.path);
-      any_overlaps = any_overlaps || why_not == SuggestStop::overlap;
+      if (why_not == SuggestStop::overlap && !overlapping_tip) overlapping_tip = tip_of(dart);
       return !why_not;
     };
-    while (const Dart* best = best_of(darts, options_)) {
-      if (is_added(*best)) return std::nullopt;
-      darts.erase(darts.begin() + (best - darts.data()));
+    while (const Dart* next = best_of(darts, options_)) {
+      if (is_added(*next)) return std::nullopt;
+      darts.erase(darts.begin() + (next - darts.data()));
     }
     // Once it is shorter, a dart may be free of overlap.
-    const Dart* best = best_of(overlapping, options_);
     if (best != nullptr && is_added(*best)) return std::nullopt;
-    return any_overlaps ? SuggestStop::overlap : SuggestStop::no_gain;
+    found_.divide_at = overlapping_tip;
+    return overlapping_tip ? SuggestStop::overlap : SuggestStop::no_gain;
   }
+
+  /// By its number in the input mesh.
+  Index tip_of(const Dart& dart) const { return found_.last.cut.source[dart.path.back()]; }
 
   /// Adds a dart, by vertices of the patch as it is cut so far, if it gains or keeps the limit and
   /// brings no overlap. Else says which of these it does not.

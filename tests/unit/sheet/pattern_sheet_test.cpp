@@ -158,6 +158,24 @@ TEST(PatternSheet, WarnsOfAPatternThatIsNotToBeCut) {
               Contains(HasSubstr("flipped")));
 }
 
+TEST(PatternSheet, SaysWhereTheAllowanceFillsASlit) {
+  TriMesh mesh = meshes::flat_grid(40, 40);
+  std::erase_if(mesh.triangles, [&](const Triangle& t) {  // a slit 1 wide and 30 deep
+    const Vec3 middle =
+        (1.0 / 3.0) * (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]);
+    return middle.x > 20.0 && middle.x < 21.0 && middle.y < 30.0;
+  });
+  const UnfoldReport unfold = samples::plane_below(mesh, 40.0, 40.0);
+  const auto label = [&](double width) {
+    const PatternOptions options = {.allowance = Allowance{.width = width}};
+    return texts_of(layer_of(pattern_sheet(Patch(mesh), unfold, "", options), "label"));
+  };
+  // On both sides from 11 to 29: there more than 20 from the cut line.
+  const std::string words = "36 mm of seam line in slits or darts that the allowance fills";
+  EXPECT_THAT(label(10.0), Contains(words));
+  EXPECT_THAT(label(0.4), Not(Contains(HasSubstr("fills"))));
+}
+
 TEST(PatternSheet, SaysWhatStrainThePatternHasAndWhetherItKeepsItsLimit) {
   const TriMesh mesh = meshes::flat_grid(4, 3);
   UnfoldReport unfold = samples::plane_below(mesh, 4.0, 3.0);

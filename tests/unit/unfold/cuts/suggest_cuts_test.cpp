@@ -168,6 +168,8 @@ TEST(SuggestCuts, SuggestsNoDartThatMakesThePatternOverlap) {
   EXPECT_FALSE(suggestion.last.pattern.overlaps);
   EXPECT_EQ(suggestion.stop, SuggestStop::overlap);
   EXPECT_EQ(to_string(SuggestStop::overlap), "overlap");
+  ASSERT_TRUE(suggestion.divide_at);
+  EXPECT_LT(norm(saddle.positions[*suggestion.divide_at]), 0.5) << "the middle";
 }
 
 TEST(SuggestCuts, SaysWhyItEnds) {

@@ -14,8 +14,8 @@ namespace planish {
 /// What the block below a pattern says.
 struct SheetFacts {
   std::string name;
-  Vec2 size;               ///< of the piece without its allowance, millimetres
-  double allowance = 0.0;  ///< the widest, millimetres; 0 without
+  Vec2 size;                 ///< of the piece without its allowance, millimetres
+  double allowance = 0.0;    ///< the widest, millimetres; 0 without
   double filled_slit = 0.0;  ///< length of seam line in slits that the allowance fills, millimetres
   std::uint64_t hash = 0;
   std::string date;

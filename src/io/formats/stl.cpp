@@ -120,7 +120,7 @@ class AsciiStlParser {
 
   [[noreturn]] void fail_expected(std::string_view word, std::string_view found) const {
     cursor_.fail(ErrorCode::malformed_file,
-                 in_quotes(word) + " should stand in place of " + in_quotes(found));
+                 "expected " + in_quotes(word) + ", found " + in_quotes(found));
   }
 
   TextCursor cursor_;

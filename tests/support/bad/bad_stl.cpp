@@ -40,9 +40,9 @@ void add_ascii(Collection& files) {
     files.at_line("ascii_" + name, lines.with(line, words).text(), k_malformed, told,
                   std::move(part));
   };
-  bad("facet_of_two", 6, "endloop", 6, "\"vertex\" should stand in place of \"endloop\"");
+  bad("facet_of_two", 6, "endloop", 6, "expected \"vertex\", found \"endloop\"");
   bad("facet_of_four", 6, lines.at(6) + "\nvertex 1 2 3", 7,
-      "\"endloop\" should stand in place of \"vertex\"");
+      "expected \"endloop\", found \"vertex\"");
   bad("no_normal", 2, "facet", 3, "\"normal\"");
   bad("normal_of_two", 2, "facet normal 0 0", 3);
   bad("no_loop", 3, "outer", 4);

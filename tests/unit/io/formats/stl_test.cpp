@@ -171,11 +171,10 @@ TEST(ReadStl, RefusesAsciiFilesThatEndEarly) {
 TEST(ReadStl, RefusesFacetsThatAreNoTriangles) {
   constexpr auto k_code = ErrorCode::malformed_file;
   const std::string start = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n";
-  expect_stl_refused(start + "endloop\n", k_code, 6,
-                     "\"vertex\" should stand in place of \"endloop\"");
-  expect_stl_refused(start + "vertex 1 1 0\nvertex 0 1 0\n", k_code, 7, "\"endloop\" should stand");
-  expect_stl_refused("solid a\nvertex 0 0 0\n", k_code, 2, "\"facet\" should stand");
-  expect_stl_refused("solid a\nfacet 0 0 1\n", k_code, 2, "\"normal\" should stand");
+  expect_stl_refused(start + "endloop\n", k_code, 6, "expected \"vertex\", found \"endloop\"");
+  expect_stl_refused(start + "vertex 1 1 0\nvertex 0 1 0\n", k_code, 7, "expected \"endloop\"");
+  expect_stl_refused("solid a\nvertex 0 0 0\n", k_code, 2, "expected \"facet\"");
+  expect_stl_refused("solid a\nfacet 0 0 1\n", k_code, 2, "expected \"normal\"");
 }
 
 TEST(ReadStl, RefusesWordsThatAreNotNumbers) {

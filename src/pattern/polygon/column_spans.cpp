@@ -5,16 +5,14 @@
 #include <limits>
 #include <optional>
 
+#include "pattern/polygon/polygon_edges.h"
+
 namespace planish {
 
 namespace {
 
 constexpr double k_column_slack = 1e-7;  // millimetres
 constexpr double k_nowhere = std::numeric_limits<double>::infinity();
-
-struct PieceEdge {
-  Vec2 a, b;
-};
 
 /// A column's sides.
 struct Slab {
@@ -44,7 +42,7 @@ Span heights_of_disk(Vec2 middle, double radius, const Slab& slab) {
 
 /// The heights, within a slab, of all that is no farther from an edge than the reach: it is convex,
 /// and its border is of the edge's copies on both sides and of arcs around its ends.
-Span heights_around(const PieceEdge& edge, double reach, const Slab& slab) {
+Span heights_around(const PolygonEdge& edge, double reach, const Slab& slab) {
   Span span = heights_of_line(edge.a, edge.b, slab);
   if (!(reach > 0.0)) return span;
   include(span, heights_of_disk(edge.a, reach, slab));
@@ -64,7 +62,7 @@ struct Passage {
   int change;
 };
 
-std::optional<Passage> passage_of(const PieceEdge& edge, double x) {
+std::optional<Passage> passage_of(const PolygonEdge& edge, double x) {
   const bool before = edge.a.x <= x, after = edge.b.x <= x;
   if (before == after) return std::nullopt;
   const double height = edge.a.y + (x - edge.a.x) / (edge.b.x - edge.a.x) * (edge.b.y - edge.a.y);
@@ -114,21 +112,12 @@ std::ptrdiff_t column_to(double x, double step) {
   return static_cast<std::ptrdiff_t>(std::ceil((x - k_column_slack) / step));
 }
 
-std::vector<PieceEdge> edges_of(std::span<const Polygon> loops) {
-  std::vector<PieceEdge> edges;
-  for (const Polygon& loop : loops) {
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      edges.push_back({loop[i], loop[(i + 1) % loop.size()]});
-  }
-  return edges;
-}
-
 }  // namespace
 
 ColumnSpans column_spans(std::span<const Polygon> loops, double step, double reach) {
-  const std::vector<PieceEdge> edges = edges_of(loops);
+  const std::vector<PolygonEdge> edges = polygon_edges(loops);
   double left = k_nowhere, right = -k_nowhere;
-  for (const PieceEdge& edge : edges) {
+  for (const PolygonEdge& edge : edges) {
     left = std::min(left, edge.a.x);
     right = std::max(right, edge.a.x);
   }
@@ -137,7 +126,7 @@ ColumnSpans column_spans(std::span<const Polygon> loops, double step, double rea
   result.first = column_from(left - reach, step);
   const std::ptrdiff_t end = std::max(result.first + 1, column_to(right + reach, step));
   std::vector<OpenColumn> open(static_cast<std::size_t>(end - result.first));
-  for (const PieceEdge& edge : edges) {
+  for (const PolygonEdge& edge : edges) {
     const auto [from, to] = std::minmax(edge.a.x, edge.b.x);
     const std::ptrdiff_t last = std::min(end, column_to(to + reach, step));
     for (std::ptrdiff_t k = column_from(from - reach, step); k < last; ++k) {

@@ -13,7 +13,7 @@ namespace planish {
 
 namespace {
 
-/// The pattern under another numbering, each row's columns in increasing order.
+/// The pattern under another numbering.
 LowerRows rows_under(const SparseMatrix& lower, std::span<const Index> place) {
   const auto n = static_cast<std::size_t>(lower.cols());
   LowerRows rows;
@@ -33,10 +33,6 @@ LowerRows rows_under(const SparseMatrix& lower, std::span<const Index> place) {
   rows.columns.resize(rows.start.back());
   std::vector<std::size_t> next(rows.start.begin(), rows.start.end() - 1);
   for_entries([&](Index row, Index column) { rows.columns[next[row]++] = column; });
-  for (std::size_t i = 0; i < n; ++i) {
-    std::sort(rows.columns.begin() + static_cast<std::ptrdiff_t>(rows.start[i]),
-              rows.columns.begin() + static_cast<std::ptrdiff_t>(rows.start[i + 1]));
-  }
   return rows;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace planish {
 
@@ -55,21 +56,67 @@ std::vector<Index> postorder(std::span<const Index> parent) {
 
 namespace {
 
-/// Entries of each column of the factor, the diagonal among them.
-std::vector<Index> column_counts(const LowerRows& rows, std::span<const Index> parent) {
-  std::vector<Index> count(rows.count(), 1), seen(rows.count(), Supernodes::k_root);
+/// Rows of each column, the other way round.
+LowerRows transposed(const LowerRows& rows) {
+  LowerRows columns;
+  columns.start.assign(rows.count() + 1, 0);
+  for (const Index k : rows.columns)
+    ++columns.start[k + 1];
+  for (std::size_t i = 0; i < rows.count(); ++i)
+    columns.start[i + 1] += columns.start[i];
+  columns.columns.resize(rows.columns.size());
+  std::vector<std::size_t> next(columns.start.begin(), columns.start.end() - 1);
   for (std::size_t i = 0; i < rows.count(); ++i) {
-    const auto row = static_cast<Index>(i);
-    seen[i] = row;
-    for (Index k : rows.of(i)) {
-      for (; seen[k] != row; k = parent[k]) {
-        ++count[k];
-        seen[k] = row;
-      }
+    for (const Index k : rows.of(i))
+      columns.columns[next[k]++] = static_cast<Index>(i);
+  }
+  return columns;
+}
+
+}  // namespace
+
+/// A row of the factor is a subtree of the elimination tree: each of its leaves adds one to all
+/// columns from there to the root, and where the paths of two leaves meet, one is taken away again.
+std::vector<Index> column_counts(const LowerRows& rows, std::span<const Index> parent) {
+  constexpr Index none = Supernodes::k_root;
+  const std::size_t n = rows.count();
+  const LowerRows columns = transposed(rows);
+  std::vector<Index> first(n), ancestor(n), count(n, 0);
+  for (std::size_t j = 0; j < n; ++j)
+    first[j] = ancestor[j] = static_cast<Index>(j);
+  for (std::size_t j = 0; j < n; ++j) {
+    if (first[j] == j) ++count[j];  // a leaf of the tree
+    if (parent[j] == none) continue;
+    first[parent[j]] = std::min(first[parent[j]], first[j]);
+    --count[parent[j]];  // wraps around, as do the sums: in the end all are right
+  }
+  const auto root_of = [&](Index v) {
+    Index root = v;
+    while (ancestor[root] != root)
+      root = ancestor[root];
+    while (v != root)
+      v = std::exchange(ancestor[v], root);
+    return root;
+  };
+  std::vector<Index> last_leaf(n, none);  // of each row's subtree
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto j = static_cast<Index>(i);
+    for (const Index row : columns.of(i)) {
+      const Index before = last_leaf[row];
+      if (before != none && first[j] <= before) continue;  // an ancestor of that leaf
+      last_leaf[row] = j;
+      ++count[j];
+      if (before != none) --count[root_of(before)];
     }
+    if (parent[j] != none) ancestor[j] = parent[j];
+  }
+  for (std::size_t j = 0; j < n; ++j) {
+    if (parent[j] != none) count[parent[j]] += count[j];
   }
   return count;
 }
+
+namespace {
 
 /// Columns that are being bundled.
 struct Bundle {
@@ -127,30 +174,47 @@ Supernodes find_supernodes(const LowerRows& rows, std::span<const Index> parent)
   }
   tree.first.push_back(static_cast<Index>(rows.count()));
 
-  // Who holds something below each bundle: the matrix itself, and the bundle's children.
-  std::vector<std::vector<Index>> below(bundles.size());
-  for (std::size_t i = 0; i < rows.count(); ++i) {
-    for (const Index k : rows.of(i)) {
-      const Index s = node_of[k];
+  // Of each bundle the rows below it that the matrix itself has, each once.
+  std::vector<std::size_t> start(bundles.size() + 1, 0);
+  const auto for_own_rows = [&](const auto& visit) {
+    std::vector<Index> last(bundles.size(), Supernodes::k_root);
+    for (std::size_t i = 0; i < rows.count(); ++i) {
       const auto row = static_cast<Index>(i);
-      if (row > bundles[s].last && (below[s].empty() || below[s].back() != row))
-        below[s].push_back(row);
+      for (const Index k : rows.of(i)) {
+        const Index s = node_of[k];
+        if (row > bundles[s].last && std::exchange(last[s], row) != row) visit(s, row);
+      }
     }
-  }
+  };
+  for_own_rows([&](Index s, Index) { ++start[s + 1]; });
+  for (std::size_t s = 0; s < bundles.size(); ++s)
+    start[s + 1] += start[s];
+  std::vector<Index> own(start.back());
+  std::vector<std::size_t> next(start.begin(), start.end() - 1);
+  for_own_rows([&](Index s, Index row) { own[next[s]++] = row; });
+
+  // And those that its children have there.
+  std::vector<Index> child(bundles.size(), Supernodes::k_root), sibling = child;
+  std::vector<Index> seen(rows.count(), Supernodes::k_root), list;
   tree.row_start.push_back(0);
-  for (std::size_t s = 0; s < bundles.size(); ++s) {
-    std::vector<Index>& list = below[s];
+  for (std::size_t i = 0; i < bundles.size(); ++i) {
+    const auto s = static_cast<Index>(i);
+    list.clear();
+    const auto add = [&](Index row) {
+      if (row > bundles[i].last && std::exchange(seen[row], s) != s) list.push_back(row);
+    };
+    std::for_each(own.begin() + static_cast<std::ptrdiff_t>(start[i]),
+                  own.begin() + static_cast<std::ptrdiff_t>(start[i + 1]), add);
+    for (Index c = child[i]; c != Supernodes::k_root; c = sibling[c]) {
+      for (const Index row : tree.rows(c))
+        add(row);
+    }
     std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
     const Index up = list.empty() ? Supernodes::k_root : node_of[list.front()];
     tree.parent.push_back(up);
-    if (up != Supernodes::k_root) {
-      const auto beyond = std::upper_bound(list.begin(), list.end(), bundles[up].last);
-      below[up].insert(below[up].end(), beyond, list.end());
-    }
+    if (up != Supernodes::k_root) sibling[i] = std::exchange(child[up], s);
     tree.row_list.insert(tree.row_list.end(), list.begin(), list.end());
     tree.row_start.push_back(tree.row_list.size());
-    list = {};
   }
   return tree;
 }

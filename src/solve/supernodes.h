@@ -43,6 +43,11 @@ std::vector<Index> elimination_tree(const LowerRows& rows);
 /// The columns so that children come before their parent and subtrees are contiguous.
 std::vector<Index> postorder(std::span<const Index> parent);
 
+/// Entries of each column of the factor, the diagonal among them, in nearly linear time (Gilbert,
+/// Ng and Peyton 1994).
+/// @param rows of a matrix whose elimination tree is in postorder
+std::vector<Index> column_counts(const LowerRows& rows, std::span<const Index> parent);
+
 /// Bundles of columns; small ones are merged where that adds few zeros.
 /// @param rows of a matrix whose elimination tree is in postorder
 Supernodes find_supernodes(const LowerRows& rows, std::span<const Index> parent);

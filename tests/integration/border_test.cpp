@@ -228,7 +228,7 @@ TEST(AngleJacobian, IsTheDerivativeWhereBordersMove) {
   const VectorXd product = laid.jacobian.times(u);
   EXPECT_LT((product - difference).norm(), 1e-6 * difference.norm());
   const VectorXd y = VectorXd::LinSpaced(product.size(), -1.0, 2.0);
-  EXPECT_NEAR(planish::product(laid.jacobian.transposed_times(y), u), y.dot(product),
+  EXPECT_NEAR(planish::product(laid.jacobian.transposed_times(y, laid.pool), u), y.dot(product),
               1e-10 * y.norm() * product.norm());
 }
 

@@ -6,11 +6,13 @@
 
 #include <planish/evolve/method.h>
 
+#include "core/math.h"
 #include "evolve/descent/fairness_energy.h"
 #include "evolve/descent/smallest_angle.h"
 #include "evolve/descent/tuning.h"
 #include "evolve/state/sweep.h"
 #include "evolve/systems/dense.h"
+#include "geometry/smallest_angle.h"
 
 namespace planish {
 
@@ -148,9 +150,14 @@ void DefectPolish::stop_at_deviation() {
 
 std::vector<Index> DefectPolish::at_sharp_triangles() const {
   std::vector<unsigned char> sharp(triangles_.size());
+  const double cosine = math::cos(limits_.angle);
   pool_.for_ranges(triangles_.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t)
-      sharp[t] = smallest_angle(state_, triangles_[t]) >= limits_.angle ? 0 : 1;
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto [a, b, c] = triangles_[t];
+      const bool kept = has_smallest_angle_from(limits_.angle, cosine, state_.position(a),
+                                                state_.position(b), state_.position(c));
+      sharp[t] = kept ? 0 : 1;
+    }
   });
   std::vector<Index> vertices;
   for (std::size_t t = 0; t < sharp.size(); ++t) {

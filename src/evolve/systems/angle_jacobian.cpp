@@ -75,12 +75,15 @@ Eigen::VectorXd AngleJacobian::times(std::span<const Vec3> dx) const {
   return product;
 }
 
-std::vector<Vec3> AngleJacobian::transposed_times(const Eigen::VectorXd& y) const {
+std::vector<Vec3> AngleJacobian::transposed_times(const Eigen::VectorXd& y,
+                                                  ThreadPool& pool) const {
   std::vector<Vec3> product(column_count());
-  for (Index v = 0; v < column_count(); ++v) {
-    for (const Entry& entry : column(v))
-      product[v] += y[entry.row] * gradients_[entry.entry];
-  }
+  pool.for_ranges(column_count(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      for (const Entry& entry : column(static_cast<Index>(v)))
+        product[v] += y[entry.row] * gradients_[entry.entry];
+    }
+  });
   return product;
 }
 

@@ -53,7 +53,7 @@ class AngleJacobian {
   /// A dx, for dx by column.
   Eigen::VectorXd times(std::span<const Vec3> dx) const;
   /// A^T y, by column.
-  std::vector<Vec3> transposed_times(const Eigen::VectorXd& y) const;
+  std::vector<Vec3> transposed_times(const Eigen::VectorXd& y, ThreadPool& pool) const;
 
  private:
   void find_columns();

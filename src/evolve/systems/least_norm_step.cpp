@@ -15,7 +15,7 @@ LeastNormStep::LeastNormStep(PatchState& state, std::vector<double> inverse_weig
       dual_(jacobian_, state, precision) {}
 
 Positions LeastNormStep::step_for(const Eigen::VectorXd& angle_change) {
-  Positions move = jacobian_.transposed_times(dual_.solve(angle_change, pool_));
+  Positions move = jacobian_.transposed_times(dual_.solve(angle_change, pool_), pool_);
   for (std::size_t v = 0; v < move.size(); ++v)
     move[v] = inverse_weights_[v] * move[v];
   return move;
@@ -46,11 +46,13 @@ LeastNormStep::Curve LeastNormStep::to_close_defects() {
 }
 
 Positions LeastNormStep::stopped(Positions move) const {
-  for (Index v = 0; v < move.size(); ++v) {
-    const double length = norm(move[v]);
-    const double most = max_step_ * edges_at(v, jacobian_, state_).shortest;
-    if (length > most) move[v] = (most / length) * move[v];
-  }
+  pool_.for_ranges(move.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const double length = norm(move[v]);
+      const double most = max_step_ * edges_at(static_cast<Index>(v), jacobian_, state_).shortest;
+      if (length > most) move[v] = (most / length) * move[v];
+    }
+  });
   return move;
 }
 

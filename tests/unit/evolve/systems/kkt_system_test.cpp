@@ -161,8 +161,9 @@ TEST(AngleJacobian, MultipliesAsItsDenseTwin) {
   EXPECT_LT((patch.jacobian.times(moves) - product).norm(), 1e-13 * product.norm());
   const VectorXd y = VectorXd::LinSpaced(product.size(), 1.0, 3.0);
   const VectorXd transposed = patch.dense.transpose() * y;
-  EXPECT_LT((PatchWithJacobian::flat(patch.jacobian.transposed_times(y)) - transposed).norm(),
-            1e-13 * transposed.norm());
+  EXPECT_LT(
+      (PatchWithJacobian::flat(patch.jacobian.transposed_times(y, patch.pool)) - transposed).norm(),
+      1e-13 * transposed.norm());
 }
 
 TEST(AngleJacobian, IsTheDerivativeOfTheAngleSums) {

@@ -60,7 +60,8 @@ DefectPolish::DefectPolish(PatchState& state, ThreadPool& pool, const DescentLim
       triangles_(state.triangles()),
       limits_(limits),
       least_(state, inverse_weights_of(state), k_longest_step, pool,
-             step_precision(state.inner_count())) {
+             step_precision(state.inner_count())),
+      least_damping_(is_dense(state.inner_count()) ? k_least_damping_dense : k_least_damping) {
   limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
   const SparseMatrix graph = graph_laplacian(least_.jacobian());
   least_.dual().damp_by(graph * graph, 1.0 / relative_density(state));
@@ -90,7 +91,7 @@ std::size_t DefectPolish::move() {
       held_by_.reset();
       keep_limits(before);
       if (!(state_.measure(pool_).energy < energy)) continue;
-      if (halvings == 0) damping_ = std::max(k_ease * damping_, k_least_damping);
+      if (halvings == 0) damping_ = std::max(k_ease * damping_, least_damping_);
       if (halvings >= 2) damping_ *= k_tighten;
       return moved_from(before);
     }

@@ -48,7 +48,7 @@ class DefectPolish {
   std::vector<Triangle> triangles_;
   DescentLimits limits_;
   LeastNormStep least_;
-  double damping_ = 1e-2;
+  double least_damping_, damping_ = 1e-2;
   int cycles_ = 0, stagnant_cycles_ = 0;
   bool first_ = true;
   std::optional<StopReason> held_by_;

@@ -229,10 +229,11 @@ inline constexpr double k_slow_share = 0.9;
 inline constexpr int k_sweeps = 20;
 /// Tries of the step with more damping, and halvings of each.
 inline constexpr int k_most_dampings = 8, k_most_halvings = 6;
-/// Factors of the damping: after a whole step, after two halvings, after a try that failed; its
-/// least value.
-inline constexpr double k_ease = 0.3, k_tighten = 4.0, k_tighten_much = 10.0,
-                        k_least_damping = 1e-6;
+/// Factors of the damping: after a whole step, after two halvings, after a try that failed.
+inline constexpr double k_ease = 0.3, k_tighten = 4.0, k_tighten_much = 10.0;
+/// Least damping, and that of dense patches. With less damping their steps go too far in directions
+/// that hardly change the angle sums to first order, and single precision takes more solves.
+inline constexpr double k_least_damping = 1e-6, k_least_damping_dense = 1e-4;
 /// Rounds at most in which vertices of triangles that are too sharp go back.
 inline constexpr int k_most_rounds = 20;
 }  // namespace polish

@@ -8,10 +8,7 @@ namespace planish {
 
 namespace {
 
-// Of the right side: what the last solution may leave, or float does not do. Half is enough for a
-// step that a line search judges, and a million vertices leave more than a tenth.
-constexpr double k_far_off = 0.5;
-constexpr std::size_t k_most_solves = 12;
+constexpr std::size_t k_most_solves = 16;
 
 /// The power of two nearest to one over the root; 1 for 0.
 double root_scale(double diagonal) {
@@ -30,16 +27,6 @@ Eigen::VectorXd scale_of(const SparseMatrix& lower) {
     scale[j] = root_scale(diagonal);
   }
   return scale;
-}
-
-Buffer<float> scaled(const SparseMatrix& lower, const Eigen::VectorXd& scale) {
-  Buffer<float> values(static_cast<std::size_t>(lower.nonZeros()));
-  float* value = values.data();
-  for (int j = 0; j < lower.outerSize(); ++j) {
-    for (SparseMatrix::InnerIterator entry(lower, j); entry; ++entry)
-      *value++ = static_cast<float>(scale[entry.row()] * scale[j] * entry.value());
-  }
-  return values;
 }
 
 /// The symmetric matrix times x.
@@ -128,21 +115,28 @@ class FlexibleGmres {
 
 MixedLdlt::MixedLdlt(const SparseMatrix& lower, std::span<const Index> order, Precision precision,
                      const ThreadPool* pool)
-    : order_(order.begin(), order.end()) {
-  if (precision == Precision::mixed) narrow_.emplace(lower, order, pool);
+    : order_(order.begin(), order.end()), is_narrow_(precision != Precision::full) {
+  if (precision == Precision::mixed) mixed_.emplace(lower, order, pool);
+  if (precision == Precision::rounded) rounded_.emplace(lower, order, pool);
 }
 
 bool MixedLdlt::factor(const SparseMatrix& lower, ThreadPool& pool) {
   is_solvable_ = true;
-  if (!narrow_) return factor_in_double(lower, pool);
+  if (!is_narrow_) return factor_in_double(lower, pool);
   scale_ = scale_of(lower);
   is_double_ = false;
-  return narrow_->factor(scaled(lower, scale_).data(), pool) || factor_in_double(lower, pool);
+  return factor_in_float(lower, pool) || factor_in_double(lower, pool);
+}
+
+bool MixedLdlt::factor_in_float(const SparseMatrix& lower, ThreadPool& pool) {
+  const std::span<const double> scale(scale_.data(), static_cast<std::size_t>(scale_.size()));
+  return mixed_ ? mixed_->factor(lower.valuePtr(), scale, pool)
+                : rounded_->factor(lower.valuePtr(), scale, pool);
 }
 
 bool MixedLdlt::factor_in_double(const SparseMatrix& lower, ThreadPool& pool) {
   is_double_ = true;
-  if (narrow_) narrow_->release();
+  release_float();
   if (!wide_) wide_.emplace(lower, order_, &pool);
   return wide_->factor(lower, pool);
 }
@@ -150,26 +144,32 @@ bool MixedLdlt::factor_in_double(const SparseMatrix& lower, ThreadPool& pool) {
 /// Nothing where float does not do.
 std::optional<Eigen::VectorXd> MixedLdlt::refined(const SparseMatrix& lower,
                                                   const Eigen::VectorXd& right, ThreadPool& pool,
-                                                  double accuracy) const {
+                                                  double accuracy, double enough) const {
   FlexibleGmres gmres(scale_.cwiseProduct(right));
   while (gmres.residual() > accuracy && gmres.size() < k_most_solves) {
-    Eigen::VectorXd direction = narrow_->solve(gmres.next(), pool).col(0);
+    Eigen::VectorXd direction =
+        (mixed_ ? mixed_->solve(gmres.next(), pool) : rounded_->solve(gmres.next(), pool)).col(0);
     Eigen::VectorXd image = scale_.cwiseProduct(product(lower, scale_.cwiseProduct(direction)));
     if (!gmres.add(std::move(direction), std::move(image))) break;
   }
-  if (!(gmres.residual() <= std::max(accuracy, k_far_off))) return std::nullopt;
+  if (!(gmres.residual() <= enough)) return std::nullopt;
   return scale_.cwiseProduct(gmres.solution());
 }
 
+void MixedLdlt::release_float() {
+  if (mixed_) mixed_->release();
+  if (rounded_) rounded_->release();
+}
+
 void MixedLdlt::release() {
-  if (narrow_) narrow_->release();
+  release_float();
   wide_.reset();
 }
 
 Eigen::VectorXd MixedLdlt::solve(const SparseMatrix& lower, const Eigen::VectorXd& right,
-                                 ThreadPool& pool, double accuracy) {
+                                 ThreadPool& pool, double accuracy, double enough) {
   if (!is_double_) {
-    if (auto x = refined(lower, right, pool, accuracy)) return *std::move(x);
+    if (auto x = refined(lower, right, pool, accuracy, enough)) return *std::move(x);
     is_solvable_ = factor_in_double(lower, pool);
   }
   if (!is_solvable_) return Eigen::VectorXd::Zero(right.size());

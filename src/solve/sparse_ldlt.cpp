@@ -5,6 +5,7 @@
 #include <limits>
 #include <new>
 #include <numeric>
+#include <ranges>
 #include <utility>
 
 #include "solve/front.h"
@@ -60,9 +61,9 @@ std::vector<Index> nodes_of(const Supernodes& tree) {
 
 }  // namespace
 
-template <class T>
-BasicLdlt<T>::BasicLdlt(const SparseMatrix& lower, std::span<const Index> order,
-                        const ThreadPool* pool)
+template <class T, class Kept>
+BasicLdlt<T, Kept>::BasicLdlt(const SparseMatrix& lower, std::span<const Index> order,
+                              const ThreadPool* pool)
     : place_(rank_of(order)) {
   const auto stop_if_cancelled = [&] {
     if (pool != nullptr) pool->stop_if_cancelled();
@@ -82,8 +83,9 @@ BasicLdlt<T>::BasicLdlt(const SparseMatrix& lower, std::span<const Index> order,
   stop_if_cancelled();
   panel_start_.push_back(0);
   for (std::size_t s = 0; s < tree_.count(); ++s) {
-    const std::size_t size = tree_.width(s) + tree_.rows(s).size();
-    panel_start_.push_back(panel_start_.back() + size * tree_.width(s));
+    const std::size_t width = tree_.width(s),
+                      of_triangle = TrianglePanel<Kept>::start(width, width);
+    panel_start_.push_back(panel_start_.back() + of_triangle + width * tree_.rows(s).size());
   }
   pivots_.resize(lower.cols());
 
@@ -119,20 +121,20 @@ BasicLdlt<T>::BasicLdlt(const SparseMatrix& lower, std::span<const Index> order,
   });
 }
 
-template <class T>
-BasicLdlt<T>::BasicLdlt(const SparseMatrix& lower, const ThreadPool* pool)
+template <class T, class Kept>
+BasicLdlt<T, Kept>::BasicLdlt(const SparseMatrix& lower, const ThreadPool* pool)
     : BasicLdlt(lower, natural_order(lower.cols()), pool) {}
 
-template <class T>
-Index BasicLdlt<T>::place_in_front(std::size_t node, Index row) const {
+template <class T, class Kept>
+Index BasicLdlt<T, Kept>::place_in_front(std::size_t node, Index row) const {
   if (row < tree_.first[node + 1]) return row - tree_.first[node];
   const auto below = tree_.rows(node);
   const auto found = std::lower_bound(below.begin(), below.end(), row) - below.begin();
   return static_cast<Index>(shape_of(node).place(tree_.width(node) + static_cast<Index>(found)));
 }
 
-template <class T>
-void BasicLdlt<T>::link_fronts() {
+template <class T, class Kept>
+void BasicLdlt<T, Kept>::link_fronts() {
   first_child_.assign(tree_.count(), Supernodes::k_root);
   sibling_.assign(tree_.count(), Supernodes::k_root);
   in_parent_.resize(tree_.row_list.size());
@@ -146,31 +148,51 @@ void BasicLdlt<T>::link_fronts() {
   }
 }
 
-template <class T>
-Panel<T> BasicLdlt<T>::panel(std::size_t node) const {
-  const std::size_t size = tree_.width(node) + tree_.rows(node).size();
-  return {panels_.data() + panel_start_[node], size, tree_.width(node), size};
+template <class T, class Kept>
+TrianglePanel<Kept> BasicLdlt<T, Kept>::triangle(std::size_t node) const {
+  return {panels_.data() + panel_start_[node], tree_.width(node)};
 }
 
-template <class T>
-FrontShape<T> BasicLdlt<T>::shape_of(std::size_t node) const {
+template <class T, class Kept>
+Panel<Kept> BasicLdlt<T, Kept>::below(std::size_t node) const {
+  const std::size_t rows = tree_.rows(node).size(), width = tree_.width(node);
+  return {panels_.data() + panel_start_[node + 1] - rows * width, rows, width, rows};
+}
+
+template <class T, class Kept>
+FrontShape<T> BasicLdlt<T, Kept>::shape_of(std::size_t node) const {
   return {tree_.width(node), tree_.rows(node).size()};
 }
 
-template <class T>
-void BasicLdlt<T>::assemble(const T* values, std::size_t node, T* panel) const {
-  for (std::size_t e = entry_start_[node]; e < entry_start_[node + 1]; ++e)
-    panel[entries_[e].place] += values[entries_[e].value];
+template <class T, class Kept>
+void BasicLdlt<T, Kept>::assemble(const Matrix& matrix, std::size_t node, T* panel) const {
+  const std::span<const Entry> entries(entries_.data() + entry_start_[node],
+                                       entry_start_[node + 1] - entry_start_[node]);
+  if (matrix.scale.empty()) {
+    for (const Entry& entry : entries)
+      panel[entry.place] += static_cast<T>(matrix.values[entry.value]);
+    return;
+  }
+  const FrontShape<T> shape = shape_of(node);
+  const auto stride = static_cast<std::uint32_t>(shape.stride()),
+             corner = static_cast<std::uint32_t>(FrontShape<T>::padded(shape.columns));
+  const double* own = matrix.scale.data() + tree_.first[node];
+  const auto below = tree_.rows(node);
+  for (const Entry& entry : entries) {
+    const std::uint32_t column = entry.place / stride, row = entry.place % stride;
+    const double row_scale = row < corner ? own[row] : matrix.scale[below[row - corner]];
+    panel[entry.place] += static_cast<T>(row_scale * own[column] * matrix.values[entry.value]);
+  }
 }
 
-template <class T>
-bool BasicLdlt<T>::factor_node(const T* values, std::size_t node, FrontSpace<T>& space,
-                               std::vector<FrontBuffer<T>>& updates, ThreadPool& pool) {
+template <class T, class Kept>
+bool BasicLdlt<T, Kept>::factor_node(const Matrix& matrix, std::size_t node, FrontSpace<T>& space,
+                                     std::vector<FrontBuffer<T>>& updates, ThreadPool& pool) {
   const FrontShape<T> shape = shape_of(node);
   const std::size_t stride = shape.stride(), corner = FrontShape<T>::padded(shape.columns);
   T* panel = space.panel.data();
   std::fill_n(panel, shape.panel_size(), T{});
-  assemble(values, node, panel);
+  assemble(matrix, node, panel);
   const auto for_children = [&](const auto& visit) {
     for (Index child = first_child_[node]; child != Supernodes::k_root; child = sibling_[child]) {
       const std::span<const Index> to(in_parent_.data() + tree_.row_start[child],
@@ -201,57 +223,69 @@ bool BasicLdlt<T>::factor_node(const T* values, std::size_t node, FrontSpace<T>&
     }
     updates[child] = {};
   });
-  T* kept = panels_.data() + panel_start_[node];
+  Kept* kept = panels_.data() + panel_start_[node];
+  const auto keep = [&](const T* from, std::size_t count) {
+    kept = std::transform(from, from + count, kept, [](T x) { return static_cast<Kept>(x); });
+  };
   for (std::size_t k = 0; k < shape.columns; ++k) {
-    kept = std::copy_n(panel + k * stride, shape.columns, kept);
-    kept = std::copy_n(panel + k * stride + corner, shape.rest, kept);
+    const std::size_t first = TrianglePanel<Kept>::first_row(k);
+    keep(panel + k * stride + first, shape.columns - first);
   }
+  for (std::size_t k = 0; k < shape.columns; ++k)
+    keep(panel + k * stride + corner, shape.rest);
   return true;
 }
 
-template <class T>
-FrontSpace<T> BasicLdlt<T>::space() const {
+template <class T, class Kept>
+template <class Nodes>
+FrontSpace<T> BasicLdlt<T, Kept>::space_for(const Nodes& nodes) const {
   std::size_t panel = 0, beside = 0;
-  for (std::size_t s = 0; s < tree_.count(); ++s) {
+  for (const std::size_t s : nodes) {
     panel = std::max(panel, shape_of(s).panel_size());
     beside = std::max(beside, shape_of(s).beside_size());
   }
   return {FrontBuffer<T>(panel), FrontBuffer<T>(beside), FrontBuffer<T>(beside)};
 }
 
-template <class T>
-bool BasicLdlt<T>::factor(const T* values, ThreadPool& pool) {
-  if (panels_.size() == 0) panels_ = Buffer<T>(panel_start_.back());
+template <class T, class Kept>
+bool BasicLdlt<T, Kept>::factor(const double* values, std::span<const double> scale,
+                                ThreadPool& pool) {
+  if (panels_.size() == 0) panels_ = Buffer<Kept>(panel_start_.back());
+  Matrix matrix{values, std::vector<double>(scale.size())};
+  for (std::size_t i = 0; i < scale.size(); ++i)
+    matrix.scale[place_[i]] = scale[i];
   std::vector<FrontBuffer<T>> updates(tree_.count());  // what children leave to their parents
   split_ = split_tree(tree_, pool.size());
   std::atomic<bool> sound = true;
-  pool.for_ranges(split_.parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+  const auto factor_part = [&](const Subtrees::Range& part) {
     ThreadPool alone(1);
-    FrontSpace<T> own = space();
-    for (std::size_t part = begin; part < end; ++part) {
-      for (std::size_t s = split_.parts[part].begin; s < split_.parts[part].end && sound; ++s) {
-        if (!factor_node(values, s, own, updates, alone)) sound = false;
-      }
+    const auto nodes = std::views::iota(part.begin, part.end);
+    FrontSpace<T> own = space_for(nodes);
+    for (const std::size_t s : nodes) {
+      if (!sound) return;
+      if (!factor_node(matrix, s, own, updates, alone)) sound = false;
     }
-  });
-  FrontSpace<T> own = space();
-  return sound && std::all_of(split_.top.begin(), split_.top.end(), [&](Index s) {
-           pool.stop_if_cancelled();
-           return factor_node(values, s, own, updates, pool);
-         });
+  };
+  Subtrees::Stage done = {};
+  for (const Subtrees::Stage& stage : split_.stages) {
+    const auto parts =
+        std::span(split_.parts).subspan(done.parts_end, stage.parts_end - done.parts_end);
+    pool.for_ranges(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+      std::for_each(parts.begin() + begin, parts.begin() + end, factor_part);
+    });
+    const auto top = std::span(split_.top).subspan(done.top_end, stage.top_end - done.top_end);
+    FrontSpace<T> own = space_for(top);
+    for (const Index s : top) {
+      pool.stop_if_cancelled();
+      if (!sound || !factor_node(matrix, s, own, updates, pool)) return false;
+    }
+    done = stage;
+  }
+  return sound;
 }
 
-template BasicLdlt<double>::BasicLdlt(const SparseMatrix&, std::span<const Index>,
-                                      const ThreadPool*);
-template BasicLdlt<double>::BasicLdlt(const SparseMatrix&, const ThreadPool*);
-template Panel<double> BasicLdlt<double>::panel(std::size_t) const;
-template FrontShape<double> BasicLdlt<double>::shape_of(std::size_t) const;
-template bool BasicLdlt<double>::factor(const double*, ThreadPool&);
-template BasicLdlt<float>::BasicLdlt(const SparseMatrix&, std::span<const Index>,
-                                     const ThreadPool*);
-template BasicLdlt<float>::BasicLdlt(const SparseMatrix&, const ThreadPool*);
-template Panel<float> BasicLdlt<float>::panel(std::size_t) const;
-template FrontShape<float> BasicLdlt<float>::shape_of(std::size_t) const;
-template bool BasicLdlt<float>::factor(const float*, ThreadPool&);
+template class BasicLdlt<double>;
+template class BasicLdlt<double, float>;
+template class BasicLdlt<float>;
 
 }  // namespace planish

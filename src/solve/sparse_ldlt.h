@@ -12,7 +12,7 @@
 #include "core/buffer.h"
 #include "core/thread_pool.h"
 #include "solve/front.h"
-#include "solve/panel_products.h"
+#include "solve/lanes/panel_products.h"
 #include "solve/subtrees.h"
 #include "solve/supernodes.h"
 
@@ -24,10 +24,10 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// without pivoting. That exists under any order for definite matrices and for quasi-definite ones,
 /// [H, J^T; J, -C] with H and C positive definite (Vanderbei 1995). Multifrontal (Duff and Reid
 /// 1983): dense fronts over a tree of supernodes, which a good order keeps small. The factor is
-/// made and kept in T, double or float; solving sums in double.
+/// made in T and kept in Kept, double or float; solving sums in double.
 /// The same bits on every run and for every number of threads: what a front is summed from, and in
 /// what order, follows from the pattern alone.
-template <class T>
+template <class T, class Kept = T>
 class BasicLdlt {
  public:
   /// @param lower the lower half of a matrix; values do not matter
@@ -41,7 +41,9 @@ class BasicLdlt {
   /// Factors a matrix of the pattern. False where a pivot or its reciprocal is zero or not finite:
   /// then nothing can be solved.
   /// @param values of its entries, in the order of the first one's
-  bool factor(const T* values, ThreadPool& pool);
+  /// @param scale of each unknown: rows and columns are multiplied by these before they are rounded
+  ///   to T; none where it is empty
+  bool factor(const double* values, std::span<const double> scale, ThreadPool& pool);
 
   /// X with A X = right, a column each. @pre factor() was true
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right, ThreadPool& pool) const;
@@ -61,17 +63,24 @@ class BasicLdlt {
   std::size_t factor_size() const { return panel_start_.back(); }
 
  private:
-  /// Rows of a supernode times its columns, column by column: unit lower triangle of L on top.
-  Panel<T> panel(std::size_t node) const;
+  /// Of the columns of L of a supernode what is in its own rows, and what is below.
+  TrianglePanel<Kept> triangle(std::size_t node) const;
+  Panel<Kept> below(std::size_t node) const;
   /// Where a row of the matrix lies in the front of a supernode.
   Index place_in_front(std::size_t node, Index row) const;
   void link_fronts();
   FrontShape<T> shape_of(std::size_t node) const;
-  /// For any of the fronts.
-  FrontSpace<T> space() const;
-  void assemble(const T* values, std::size_t node, T* panel) const;
+  /// A matrix of the pattern; scale by place.
+  struct Matrix {
+    const double* values;
+    std::vector<double> scale;
+  };
+  /// For any of these fronts.
+  template <class Nodes>
+  FrontSpace<T> space_for(const Nodes& nodes) const;
+  void assemble(const Matrix& matrix, std::size_t node, T* panel) const;
   /// @param updates what the supernodes leave to their parents; those of its children are used up
-  bool factor_node(const T* values, std::size_t node, FrontSpace<T>& space,
+  bool factor_node(const Matrix& matrix, std::size_t node, FrontSpace<T>& space,
                    std::vector<FrontBuffer<T>>& updates, ThreadPool& pool);
   /// @param x in order of elimination: the right side before, the solution after
   void solve_in_place(double* x, ThreadPool& pool) const;
@@ -85,8 +94,10 @@ class BasicLdlt {
   std::vector<Index> first_child_, sibling_;  // of supernodes, Supernodes::k_root where none
   std::vector<Index> in_parent_;  // for tree_.row_list: where the row lies in the parent's front
   FrontKernel<T> kernel_ = front_kernel_for<T>(best_isa());
-  std::vector<Index> place_;              // unknown -> when it is eliminated
-  std::vector<std::size_t> panel_start_;  // of each supernode among panels_
+  PanelKernel<Kept> panel_kernel_ = panel_kernel_for<Kept>(best_isa());
+  std::vector<Index> place_;  // unknown -> when it is eliminated
+  std::vector<std::size_t>
+      panel_start_;  // of each supernode among panels_: its triangle, then what is below
   // Where the entries of the matrix go, supernode by supernode.
   struct Entry {
     std::uint32_t place;  // among the front's columns to factor
@@ -94,7 +105,7 @@ class BasicLdlt {
   };
   std::vector<Entry> entries_;
   std::vector<std::size_t> entry_start_;
-  Buffer<T> panels_;
+  Buffer<Kept> panels_;
   Eigen::Vector<T, Eigen::Dynamic> pivots_;
   Subtrees split_;  // by the pool that factored last; which one never shows in a result
 };
@@ -105,7 +116,7 @@ class SparseLdlt : public BasicLdlt<double> {
   using BasicLdlt::BasicLdlt;
   using BasicLdlt::factor;
   bool factor(const SparseMatrix& lower, ThreadPool& pool) {
-    return factor(lower.valuePtr(), pool);
+    return factor(lower.valuePtr(), {}, pool);
   }
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "solve/panel_products.h"
 #include "solve/sparse_ldlt.h"
 
 namespace planish {
@@ -23,11 +22,11 @@ void for_blocks(ThreadPool& pool, std::size_t count, std::size_t block, std::siz
 
 }  // namespace
 
-template <class T>
-void BasicLdlt<T>::solve_forward(std::size_t node, double* x, double* left,
-                                 ThreadPool& pool) const {
+template <class T, class Kept>
+void BasicLdlt<T, Kept>::solve_forward(std::size_t node, double* x, double* left,
+                                       ThreadPool& pool) const {
   constexpr std::size_t block = 512;
-  const Panel<T> l = panel(node);
+  const Panel<Kept> l = below(node);
   const FrontShape<T> shape = shape_of(node);
   const auto corner = static_cast<Index>(FrontShape<T>::padded(shape.columns));
   double* own = x + tree_.first[node];
@@ -40,45 +39,46 @@ void BasicLdlt<T>::solve_forward(std::size_t node, double* x, double* left,
       if (to >= corner) image[to - corner] += left[i];
     }
   }
-  solve_unit_lower(l.part(0, 0, shape.columns, shape.columns), own);
+  panel_kernel_.solve_unit_lower(triangle(node), own);
   for_blocks(pool, shape.rest, block, shape.columns, [&](std::size_t begin, std::size_t count) {
-    add_product(l.part(shape.columns + begin, 0, count, shape.columns), own, image + begin);
+    panel_kernel_.add_product(l.part(begin, 0, count, shape.columns), own, image + begin);
   });
 }
 
-template <class T>
-void BasicLdlt<T>::solve_backward(std::size_t node, double* x, double* room,
-                                  ThreadPool& pool) const {
+template <class T, class Kept>
+void BasicLdlt<T, Kept>::solve_backward(std::size_t node, double* x, double* room,
+                                        ThreadPool& pool) const {
   constexpr std::size_t block = 64;
-  const Panel<T> l = panel(node);
+  const Panel<Kept> l = below(node);
   const FrontShape<T> shape = shape_of(node);
   const auto rows = tree_.rows(node);
   for (std::size_t i = 0; i < rows.size(); ++i)
     room[i] = x[rows[i]];
   double* own = x + tree_.first[node];
   for_blocks(pool, shape.columns, block, shape.rest, [&](std::size_t begin, std::size_t count) {
-    subtract_transposed_product(l.part(shape.columns, begin, shape.rest, count), room, own + begin);
+    panel_kernel_.subtract_transposed_product(l.part(0, begin, shape.rest, count), room,
+                                              own + begin);
   });
-  solve_unit_lower_transposed(l.part(0, 0, shape.columns, shape.columns), own);
+  panel_kernel_.solve_unit_lower_transposed(triangle(node), own);
 }
 
 /// Room for what any panel has below its own rows.
-template <class T>
-Buffer<double> BasicLdlt<T>::workspace_below() const {
+template <class T, class Kept>
+Buffer<double> BasicLdlt<T, Kept>::workspace_below() const {
   std::size_t most = 0;
   for (std::size_t s = 0; s < tree_.count(); ++s)
     most = std::max(most, tree_.rows(s).size());
   return Buffer<double>(most);
 }
 
-template <class T>
-Eigen::MatrixXd BasicLdlt<T>::solve(const Eigen::MatrixXd& right) const {
+template <class T, class Kept>
+Eigen::MatrixXd BasicLdlt<T, Kept>::solve(const Eigen::MatrixXd& right) const {
   ThreadPool alone(1);
   return solve(right, alone);
 }
 
-template <class T>
-Eigen::MatrixXd BasicLdlt<T>::solve(const Eigen::MatrixXd& right, ThreadPool& pool) const {
+template <class T, class Kept>
+Eigen::MatrixXd BasicLdlt<T, Kept>::solve(const Eigen::MatrixXd& right, ThreadPool& pool) const {
   Eigen::MatrixXd solution(right.rows(), right.cols());
   Buffer<double> x(place_.size());
   for (Eigen::Index column = 0; column < right.cols(); ++column) {
@@ -91,8 +91,8 @@ Eigen::MatrixXd BasicLdlt<T>::solve(const Eigen::MatrixXd& right, ThreadPool& po
   return solution;
 }
 
-template <class T>
-void BasicLdlt<T>::solve_in_place(double* x, ThreadPool& pool) const {
+template <class T, class Kept>
+void BasicLdlt<T, Kept>::solve_in_place(double* x, ThreadPool& pool) const {
   Buffer<double> left(tree_.row_list.size());
   const auto for_parts = [&](const auto& body) {
     pool.for_ranges(split_.parts.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -121,6 +121,7 @@ void BasicLdlt<T>::solve_in_place(double* x, ThreadPool& pool) const {
 
 template Eigen::MatrixXd BasicLdlt<double>::solve(const Eigen::MatrixXd&) const;
 template Eigen::MatrixXd BasicLdlt<double>::solve(const Eigen::MatrixXd&, ThreadPool&) const;
+template Eigen::MatrixXd BasicLdlt<double, float>::solve(const Eigen::MatrixXd&, ThreadPool&) const;
 template Eigen::MatrixXd BasicLdlt<float>::solve(const Eigen::MatrixXd&, ThreadPool&) const;
 
 }  // namespace planish

@@ -28,18 +28,35 @@ Subtrees split_tree(const Supernodes& tree, unsigned threads) {
     work[up] += work[s];
     begin[up] = std::min(begin[up], begin[s]);
   }
-  const double most = all / (8.0 * threads);
-  Subtrees split;
-  for (std::size_t s = 0; s < count; ++s) {
+  const auto is_below = [&](std::size_t s, double most) { return work[s] <= most; };
+  const auto is_root_below = [&](std::size_t s, double most) {
     const Index up = tree.parent[s];
-    if (work[s] > most) {
-      split.top.push_back(static_cast<Index>(s));
-    } else if (up == Supernodes::k_root || work[up] > most) {
-      split.parts.push_back({begin[s], s + 1});
+    return is_below(s, most) && (up == Supernodes::k_root || !is_below(up, most));
+  };
+  const double part_most = all / (16.0 * threads), stage_most = all / 4.0;
+  Subtrees split;
+  double of_stage = 0.0;
+  bool is_full = true;  // the last stage
+  for (std::size_t s = 0; s < count; ++s) {
+    if (split.stages.empty() || (is_full && is_below(s, stage_most))) {
+      split.stages.push_back({});
+      of_stage = 0.0;
+      is_full = false;
     }
+    if (is_root_below(s, part_most)) split.parts.push_back({begin[s], s + 1});
+    if (!is_below(s, part_most)) split.top.push_back(static_cast<Index>(s));
+    split.stages.back() = {split.parts.size(), split.top.size()};
+    if (is_root_below(s, stage_most)) of_stage += work[s];
+    is_full = of_stage >= 0.5 * stage_most;
   }
-  std::stable_sort(split.parts.begin(), split.parts.end(),
-                   [&](const auto& a, const auto& b) { return work[a.end - 1] > work[b.end - 1]; });
+  std::size_t first = 0;
+  for (const Subtrees::Stage& stage : split.stages) {
+    std::stable_sort(
+        split.parts.begin() + static_cast<std::ptrdiff_t>(first),
+        split.parts.begin() + static_cast<std::ptrdiff_t>(stage.parts_end),
+        [&](const auto& a, const auto& b) { return work[a.end - 1] > work[b.end - 1]; });
+    first = stage.parts_end;
+  }
   return split;
 }
 

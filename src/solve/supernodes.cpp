@@ -216,6 +216,7 @@ Supernodes find_supernodes(const LowerRows& rows, std::span<const Index> parent)
     tree.row_list.insert(tree.row_list.end(), list.begin(), list.end());
     tree.row_start.push_back(tree.row_list.size());
   }
+  tree.row_list.shrink_to_fit();
   return tree;
 }
 

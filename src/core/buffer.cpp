@@ -28,4 +28,8 @@ void free_pages(void* memory, std::size_t bytes, std::size_t alignment) noexcept
   ::operator delete(memory, alignment_of(bytes, alignment));
 }
 
+void return_freed_memory() noexcept {
+  trim_heap();
+}
+
 }  // namespace planish

@@ -16,6 +16,10 @@ void* allocate_pages(std::size_t bytes, std::size_t alignment);
 /// @param bytes,alignment as it was asked for by
 void free_pages(void* memory, std::size_t bytes, std::size_t alignment) noexcept;
 
+/// Gives memory that was freed back to the system: for where much of another kind comes next.
+/// Elsewhere it costs time, as pages that are used again are cleared again.
+void return_freed_memory() noexcept;
+
 /// A fixed number of uninitialised elements: for large arrays that several threads fill, where
 /// clearing by one thread would take as long as the work of all.
 template <class T>

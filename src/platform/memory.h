@@ -15,6 +15,10 @@ inline constexpr std::size_t k_large_page = std::size_t{1} << 21;
 /// @param bytes only whole large pages of them count
 void prefer_large_pages(void* memory, std::size_t bytes) noexcept;
 
+/// Gives memory that was freed back to the system, where the C library would keep it. On Windows
+/// nothing is done.
+void trim_heap() noexcept;
+
 /// An estimate of the bytes that this process can still allocate without swapping; 0 if the system
 /// gives none. On Windows use GlobalMemoryStatusEx().
 std::size_t available_memory();

@@ -248,15 +248,15 @@ TEST(FairnessEnergy, HasTheGradientAndTheHessianOfItsValueWhereBordersMove) {
     along[v] = u[static_cast<std::size_t>(v)].y / h;
     expected[v] = bend[static_cast<std::size_t>(v)].y;
   }
-  EXPECT_LT((cost.hessian() * along - expected).norm(), 1e-10 * expected.norm());
+  EXPECT_LT((cost.hessian().selfadjointView<Eigen::Lower>() * along - expected).norm(),
+            1e-10 * expected.norm());
 }
 
 TEST(NormalDirectionSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
   for (const BorderFreedom& freedom : {k_slide, within(1.0)}) {
     Laid laid(make_shape("panel", 120), freedom);
     const FairnessEnergy cost(laid.jacobian, laid.state, 0.1, laid.border.bends());
-    const StrainPotential potential(laid.jacobian, laid.state, laid.pool,
-                                    BoundaryCondition::dirichlet);
+    StrainPotential potential(laid.jacobian, laid.state, laid.pool, BoundaryCondition::dirichlet);
     const SparseMatrix& square = potential.square();
     const int each = laid.border.direction_count();
     NormalDirectionSystem system(laid.jacobian, laid.state, cost.hessian(), square, each);
@@ -274,7 +274,7 @@ TEST(NormalDirectionSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
     const auto n = static_cast<Eigen::Index>(laid.state.inner_count());
     constexpr double unit = 0.3, stiffness = 2.5, sigma = 0.2;
     MatrixXd whole = MatrixXd::Zero(m + n, m + n);
-    const MatrixXd h(cost.hessian());
+    const MatrixXd h = MatrixXd(cost.hessian()).selfadjointView<Eigen::Lower>();
     for (Eigen::Index a = 0; a < m; ++a) {
       for (Eigen::Index b = 0; b < m; ++b)
         whole(a, b) =
@@ -284,7 +284,8 @@ TEST(NormalDirectionSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
             -unit * dot(laid.jacobian.gradient(entry.entry), directions[a]);
       }
     }
-    whole.bottomRightCorner(n, n) = -sigma * sigma * MatrixXd(square);
+    whole.bottomRightCorner(n, n) =
+        -sigma * sigma * MatrixXd(MatrixXd(square).selfadjointView<Eigen::Lower>());
     const VectorXd force = VectorXd::LinSpaced(m, -1.0, 2.0);
     const VectorXd turn = VectorXd::LinSpaced(n, 0.1, -0.2);
     VectorXd right(m + n);

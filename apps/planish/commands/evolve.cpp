@@ -49,9 +49,9 @@ std::string line_of(const EvolveReport& report) {
 void evolve_into(WorkFile& file, const std::filesystem::path& place, const Arguments& arguments,
                  Session& session) {
   const std::string& path = file.report.path;
-  const TriMesh mesh = read_model(path, arguments, session).mesh;
-  const auto [evolved, report] =
-      about(path, [&] { return evolve_as_asked(Patch(mesh), path, arguments, session); });
+  TriMesh mesh = read_model(path, arguments, session).mesh;
+  const auto [evolved, report] = about(
+      path, [&] { return evolve_as_asked(Patch(std::move(mesh)), path, arguments, session); });
   file.report.lines = {{evolved_cells(&report)}};
   file.report.figures = evolved_figures(report);
   file.text = line_of(report);
@@ -87,10 +87,10 @@ CommandResult run_evolve(const Arguments& arguments, Session& session) {
   const Method method = method_from(arguments, Method{});
 
   const std::string& path = arguments.operands.front();
-  const CutInput input =
+  CutInput input =
       cut_as_asked(read_model(path, arguments, session).mesh, path, arguments, session);
   const auto [evolved, report] = about(path, [&] {
-    const Patch patch(input.mesh);
+    const Patch patch(std::move(input.mesh));
     note_obstruction(session, patch);
     if (!arguments.has("--remesh")) note_memory(session, method, patch.vertex_count());
     return evolve_as_asked(patch, path, arguments, session);

@@ -8,9 +8,9 @@ namespace planish::cli {
 
 namespace {
 
-// docs/performance.md, "Dense patches": 8.2 kB a vertex at 60,000, 9.2 kB at a million; and what is
-// left of the vertices with --remesh.
-constexpr double k_bytes_a_vertex = 9'500.0, k_remeshed_bytes_a_vertex = 500.0;
+// docs/performance.md, "Dense patches": 5.9 kB a vertex at 195,000, 7.2 kB at a million; and what
+// is left of the vertices with --remesh.
+constexpr double k_bytes_a_vertex = 7'500.0, k_remeshed_bytes_a_vertex = 500.0;
 constexpr std::size_t k_worth_a_note = 100'000;
 
 std::string gigabytes(double bytes) {

@@ -10,6 +10,7 @@
 #include <planish/evolve/method.h>
 #include <planish/measure/flattenability.h>
 
+#include "core/buffer.h"
 #include "evolve/auto/deviation_reduction.h"
 #include "evolve/auto/strain_descent.h"
 #include "evolve/descent/coarse_levels.h"
@@ -17,6 +18,7 @@
 #include "evolve/descent/tuning.h"
 #include "evolve/smooth/smooth_auto.h"
 #include "evolve/state/sweep.h"
+#include "evolve/systems/dense.h"
 
 namespace planish {
 
@@ -70,6 +72,7 @@ class AutoStepper {
     descent_ = std::make_unique<StrainDescent>(
         level_state(), pool_,
         DescentAims{strain_limit(), options_.closeness, closeness, allowance_exponent_}, limits());
+    if (is_dense(level_state().inner_count())) return_freed_memory();
   }
 
   SurfaceStrainLimit strain_limit() const { return {options_.max_strain, options_.max_rms_strain}; }

@@ -71,10 +71,10 @@ SparseMatrix pattern_of(const AngleJacobian& jacobian, const SparseMatrix& cost,
 std::vector<Index> elimination_order(const PatchState& state, const SparseMatrix& cost,
                                      SparseMatrix square, const Steps& steps) {
   square.conservativeResize(cost.rows(), cost.cols());
-  const SparseMatrix both = cost + square;
+  const SparseMatrix lower = cost + square, both_halves = lower.selfadjointView<Eigen::Lower>();
   std::vector<Index> order;
   const auto count = static_cast<std::size_t>(cost.rows());
-  for (const Index v : nested_dissection(first_positions(state, count), graph_of(both))) {
+  for (const Index v : nested_dissection(first_positions(state, count), graph_of(both_halves))) {
     const int vertex = static_cast<int>(v), first = steps.first_of(vertex);
     for (int i = 0; i < steps.count_of(vertex); ++i)
       order.push_back(static_cast<Index>(steps.unknown(first + i)));

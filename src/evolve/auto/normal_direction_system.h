@@ -37,7 +37,7 @@ class NormalDirectionSystem {
     static int multiplier_of(int v) { return 2 * v + 1; }
   };
 
-  /// @param cost,square both halves, by column of the jacobian and by inner vertex; their patterns
+  /// @param cost,square lower halves, by column of the jacobian and by inner vertex; their patterns
   ///   stay
   /// @param border_directions of each vertex of the border
   /// @param jacobian must outlive it

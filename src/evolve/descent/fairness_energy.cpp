@@ -5,13 +5,17 @@
 #include <numeric>
 
 #include "evolve/descent/tuning.h"
+#include "evolve/systems/dense.h"
 #include "evolve/systems/fairing_system.h"
 #include "solve/dissection.h"
+#include "solve/mixed_ldlt.h"
 #include "solve/sparse_pattern.h"
 
 namespace planish {
 
 namespace {
+
+constexpr double k_spread_accuracy = 1e-6;  // on dense patches
 
 Positions positions_at_first(const PatchState& state, std::size_t count) {
   Positions positions;
@@ -103,10 +107,12 @@ FairnessEnergy::FairnessEnergy(const AngleJacobian& jacobian, const PatchState& 
       rows_(rows_of_laplacian(state, LaplacianWeights::cotangent)),
       bends_(weighed(std::move(bends), state)) {
   const SparseMatrix l = moving_part(rows_, jacobian);
-  hessian_ = SparseMatrix(l.transpose() * l) + diagonal_matrix(pull_);
-  if (bends_.empty()) return;
-  const SparseMatrix b = moving_part(bends_, jacobian);
-  hessian_ += SparseMatrix(b.transpose() * b);
+  SparseMatrix both_halves = SparseMatrix(l.transpose() * l) + diagonal_matrix(pull_);
+  if (!bends_.empty()) {
+    const SparseMatrix b = moving_part(bends_, jacobian);
+    both_halves += SparseMatrix(b.transpose() * b);
+  }
+  hessian_ = both_halves.triangularView<Eigen::Lower>();
 }
 
 Positions FairnessEnergy::laplacian(const Positions& x) const {
@@ -193,14 +199,18 @@ Positions FairnessEnergy::spread(std::span<const unsigned char> given, const Pos
     matrix.coeffRef(v, v) += (pinned ? 1.0 : tuning::k_anchor) - pull_[v];
     if (given[v] != 0) right.row(v) << moves[v].x, moves[v].y, moves[v].z;
   }
-  const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
   pool.stop_if_cancelled();
-  SparseLdlt solver(lower, nested_dissection(origin_, graph_of(matrix)), &pool);
-  if (!solver.factor(lower, pool)) return Positions(moves.size());
-  const Eigen::MatrixXd spread = solver.solve(right, pool);
+  const SparseMatrix both_halves = matrix.selfadjointView<Eigen::Lower>();
+  MixedLdlt solver(matrix, nested_dissection(origin_, graph_of(both_halves)),
+                   step_precision(state_.inner_count()), &pool);
+  if (!solver.factor(matrix, pool)) return Positions(moves.size());
+  const auto along = [&](int axis) {
+    return solver.solve(matrix, right.col(axis), pool, k_spread_accuracy, k_spread_accuracy);
+  };
+  const Eigen::VectorXd x = along(0), y = along(1), z = along(2);
   Positions result(moves.size());
   for (int v = 0; v < n; ++v)
-    result[v] = {spread(v, 0), spread(v, 1), spread(v, 2)};
+    result[v] = {x[v], y[v], z[v]};
   return result;
 }
 

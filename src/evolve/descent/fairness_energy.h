@@ -35,7 +35,7 @@ class FairnessEnergy {
   double value(const Positions& x) const;
   /// Zero where the vertex may not move.
   Positions gradient(const Positions& x) const;
-  /// L^T L + diag(a) + B^T B, both halves, on pairs of vertices two edges apart.
+  /// The lower half of L^T L + diag(a) + B^T B, on pairs of vertices two edges apart.
   const SparseMatrix& hessian() const { return hessian_; }
   /// Multiplies the weights of proximity of some vertices, from now on.
   void scale_proximity(std::span<const Index> vertices, double factor);

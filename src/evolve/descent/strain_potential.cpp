@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/careful_sum.h"
+#include "evolve/systems/dense.h"
 #include "evolve/systems/positions.h"
 #include "geometry/cotangents.h"
 #include "solve/dissection.h"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::size_t k_nowhere = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t k_grain = 512;
+constexpr double k_accuracy = 1e-8;  // of chi, on dense patches
 
 /// K without values.
 SparseMatrix pattern_of(const AngleJacobian& jacobian, const PatchState& state,
@@ -35,6 +37,7 @@ SparseMatrix pattern_of(const AngleJacobian& jacobian, const PatchState& state,
   return matrix;
 }
 
+/// Among the values; k_nowhere where the entry is not there.
 std::size_t place_in_column(const SparseMatrix& matrix, int row, int column) {
   const int* rows = matrix.innerIndexPtr();
   const int* end = rows + matrix.outerIndexPtr()[column + 1];
@@ -69,46 +72,43 @@ StrainPotential::StrainPotential(const AngleJacobian& jacobian, const PatchState
       stiffness_(pattern_of(jacobian, state, border)) {
   const auto n = static_cast<int>(stiffness_.cols());
   if (n == 0) return;
-  for (int v = 0; v < n; ++v) {
-    first_place_.push_back(positions_.size());
-    positions_.push_back(place_in_column(stiffness_, v, v));
-    for (const Index w : jacobian.ring(static_cast<Index>(v)))
-      positions_.push_back(place_in_column(stiffness_, static_cast<int>(w), v));
-  }
   fill(pool);
-  square_ = SparseMatrix(stiffness_.transpose()) * stiffness_;
-  const bool free = border == BoundaryCondition::free;
-  const SparseMatrix& matrix = free ? square_ : stiffness_;
-  const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
+  const SparseMatrix square = SparseMatrix(stiffness_.transpose()) * stiffness_;
+  square_ = square.triangularView<Eigen::Lower>();
   pool.stop_if_cancelled();
-  solver_.emplace(lower, nested_dissection(inner_positions(state), graph_of(matrix)), &pool);
-  solvable_ = solver_->factor(lower, pool);
+  const bool free = border == BoundaryCondition::free;
+  solver_.emplace(matrix(),
+                  nested_dissection(inner_positions(state), graph_of(free ? square : stiffness_)),
+                  is_dense(jacobian.row_count()) ? Precision::rounded : Precision::full, &pool);
+  solvable_ = solver_->factor(matrix(), pool);
 }
 
 void StrainPotential::fill(ThreadPool& pool) {
   double* values = stiffness_.valuePtr();
   const double at_border = std::sqrt(ease_);
-  pool.for_ranges(first_place_.size(), k_grain, [&](std::size_t begin, std::size_t end) {
+  pool.for_ranges(jacobian_.row_count(), k_grain, [&](std::size_t begin, std::size_t end) {
     std::vector<Vec3> ring;
     for (std::size_t v = begin; v < end; ++v) {
       ring.clear();
       for (const Index w : jacobian_.ring(static_cast<Index>(v)))
         ring.push_back(state_.position(w));
-      const std::size_t* place = positions_.data() + first_place_[v];
-      double& own = values[*place] = 0.0;
+      const int column = static_cast<int>(v);
+      double& own = values[place_in_column(stiffness_, column, column)] = 0.0;
       const std::vector<double> weights = cotangent_weights(state_.position(v), ring);
       const auto neighbours = jacobian_.ring(static_cast<Index>(v));
       for (std::size_t j = 0; j < weights.size(); ++j) {
         own += weights[j];
-        if (*++place == k_nowhere) continue;
-        values[*place] = state_.is_inner(neighbours[j]) ? -weights[j] : -at_border * weights[j];
+        const std::size_t place =
+            place_in_column(stiffness_, static_cast<int>(neighbours[j]), column);
+        if (place == k_nowhere) continue;
+        values[place] = state_.is_inner(neighbours[j]) ? -weights[j] : -at_border * weights[j];
       }
     }
   });
 }
 
 void StrainPotential::take_square(ThreadPool& pool) {
-  pool.for_ranges(first_place_.size(), k_grain, [this](std::size_t begin, std::size_t end) {
+  pool.for_ranges(jacobian_.row_count(), k_grain, [this](std::size_t begin, std::size_t end) {
     for (int v = static_cast<int>(begin); v < static_cast<int>(end); ++v) {
       for (SparseMatrix::InnerIterator entry(square_, v); entry; ++entry)
         entry.valueRef() = dot_of_columns(stiffness_, static_cast<int>(entry.row()), v);
@@ -125,13 +125,11 @@ void StrainPotential::update(ThreadPool& pool) {
   if (!solver_) return;
   fill(pool);
   take_square(pool);
-  const SparseMatrix& matrix = border_ == BoundaryCondition::free ? square_ : stiffness_;
-  const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
-  solvable_ = solver_->factor(lower, pool);
+  solvable_ = solver_->factor(matrix(), pool);
 }
 
-Eigen::VectorXd StrainPotential::of(const Eigen::VectorXd& defects, ThreadPool& pool) const {
-  Eigen::VectorXd solution = solver_->solve(defects, pool);
+Eigen::VectorXd StrainPotential::of(const Eigen::VectorXd& defects, ThreadPool& pool) {
+  Eigen::VectorXd solution = solver_->solve(matrix(), defects, pool, k_accuracy, k_accuracy);
   if (border_ == BoundaryCondition::dirichlet) return solution;
   return stiffness_ * solution;
 }

@@ -5,7 +5,7 @@
 
 #include "core/thread_pool.h"
 #include "evolve/systems/angle_jacobian.h"
-#include "solve/sparse_ldlt.h"
+#include "solve/mixed_ldlt.h"
 
 namespace planish {
 
@@ -41,14 +41,18 @@ class StrainPotential {
   void update(ThreadPool& pool);
   /// @param defects by inner vertex, radians
   /// @return by inner vertex; where the border is free by vertex
-  Eigen::VectorXd of(const Eigen::VectorXd& defects, ThreadPool& pool) const;
+  Eigen::VectorXd of(const Eigen::VectorXd& defects, ThreadPool& pool);
 
   /// K^T: a row for each value of phi, a column for each inner vertex.
   const SparseMatrix& stiffness() const { return stiffness_; }
-  /// K K^T, both halves: |phi|^2 = d . square^-1 d.
+  /// K K^T, its lower half: |phi|^2 = d . square^-1 d.
   const SparseMatrix& square() const { return square_; }
 
  private:
+  /// What is solved with.
+  const SparseMatrix& matrix() const {
+    return border_ == BoundaryCondition::free ? square_ : stiffness_;
+  }
   void fill(ThreadPool& pool);
   void take_square(ThreadPool& pool);
 
@@ -57,10 +61,7 @@ class StrainPotential {
   BoundaryCondition border_;
   double ease_ = 1.0;
   SparseMatrix stiffness_, square_;  // K^T, K K^T
-  // Where the entries of each vertex lie in K^T: its own, then those of its ring, k_nowhere for
-  // those that it has not.
-  std::vector<std::size_t> positions_, first_place_;
-  std::optional<SparseLdlt> solver_;  // of K, of K K^T where the border is free
+  std::optional<MixedLdlt> solver_;  // of K, of K K^T where the border is free
   bool solvable_ = false;
 };
 

@@ -35,7 +35,9 @@ double angle_of(const Frame& frame) {
 }  // namespace
 
 HingeTerms::HingeTerms(const Patch& design, const PatchState& state) : state_(state) {
-  for (const Hinge& hinge : hinges_of(design))
+  const std::vector<Hinge> hinges = hinges_of(design);
+  hinges_.reserve(hinges.size());
+  for (const Hinge& hinge : hinges)
     hinges_.push_back({hinge.from, hinge.to, hinge.left, hinge.right});
   weights_.resize(hinges_.size());
 }

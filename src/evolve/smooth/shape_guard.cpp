@@ -24,12 +24,16 @@ double corner_angle(Vec3 at, Vec3 b, Vec3 c) {
 
 }  // namespace
 
-ShapeGuard::ShapeGuard(const PatchState& state, double least_angle) : state_(state) {
+ShapeGuard::Bound ShapeGuard::bound_of(double sharp, double least_angle) {
+  return {sharp, math::cos(sharp), sharp - std::min(least_angle, 0.5 * sharp)};
+}
+
+ShapeGuard::ShapeGuard(const PatchState& state, double least_angle)
+    : state_(state), triangles_(state.triangles()), bounds_{bound_of(k_sharp, least_angle)} {
   CarefulSum total;
-  const std::vector<Triangle> triangles = state.triangles();
-  corners_.reserve(3 * triangles.size());
-  edges_.reserve(3 * triangles.size());
-  for (const Triangle& t : triangles) {
+  corner_bounds_.reserve(3 * triangles_.size());
+  edges_.reserve(3 * triangles_.size());
+  for (const Triangle& t : triangles_) {
     const Vec3 a = state.origin(t[0]), b = state.origin(t[1]), c = state.origin(t[2]);
     const double area = 0.5 * norm(cross(b - a, c - a));
     total.add(area);
@@ -41,21 +45,22 @@ ShapeGuard::ShapeGuard(const PatchState& state, double least_angle) : state_(sta
       const double angle =
           corner_angle(state.origin(corner[0]), state.origin(corner[1]), state.origin(corner[2]));
       const double sharp = std::min(k_sharp, k_of_first * angle);
-      if (!(sharp > 0.0)) continue;
-      corners_.push_back(
-          {corner, sharp, math::cos(sharp), sharp - std::min(least_angle, 0.5 * sharp)});
+      if (sharp > 0.0 && sharp < k_sharp) bounds_.push_back(bound_of(sharp, least_angle));
+      const std::size_t bound = sharp < k_sharp ? bounds_.size() - 1 : 0;
+      corner_bounds_.push_back(sharp > 0.0 ? static_cast<std::uint32_t>(bound) : k_none);
     }
   }
   std::sort(edges_.begin(), edges_.end(),
             [](const Edge& a, const Edge& b) { return a.ends < b.ends; });
-  std::vector<Edge> once;
+  std::size_t count = 0;
   for (const Edge& edge : edges_) {
-    if (!once.empty() && once.back().ends == edge.ends)
-      once.back().share += edge.share;
+    if (count > 0 && edges_[count - 1].ends == edge.ends)
+      edges_[count - 1].share += edge.share;
     else
-      once.push_back(edge);
+      edges_[count++] = edge;
   }
-  edges_ = std::move(once);
+  edges_.erase(edges_.begin() + static_cast<std::ptrdiff_t>(count), edges_.end());
+  edges_.shrink_to_fit();
   for (Edge& edge : edges_)
     edge.share /= total.value();
 }
@@ -66,25 +71,26 @@ double ShapeGuard::edge_value(const Edge& edge) const {
   return edge.share * square * (square + k_of_square);
 }
 
-double ShapeGuard::corner_value(const Corner& corner) const {
-  const Vec3 at = state_.position(corner.vertices[0]);
-  const Vec3 u = state_.position(corner.vertices[1]) - at,
-             w = state_.position(corner.vertices[2]) - at;
+double ShapeGuard::corner_value(std::size_t c) const {
+  if (corner_bounds_[c] == k_none) return 0.0;
+  const auto [own, next, last] = corner(c);
+  const Vec3 at = state_.position(own), u = state_.position(next) - at,
+             w = state_.position(last) - at;
+  const Bound& bound = bounds_[corner_bounds_[c]];
   const double cosine = dot(u, w);
   if (cosine <= 0.0 ||
-      cosine * cosine <= corner.sharp_cosine * corner.sharp_cosine * dot(u, u) * dot(w, w))
+      cosine * cosine <= bound.sharp_cosine * bound.sharp_cosine * dot(u, u) * dot(w, w))
     return 0.0;
-  const double q = (corner.sharp - math::atan2(norm(cross(u, w)), cosine)) / corner.range;
+  const double q = (bound.sharp - math::atan2(norm(cross(u, w)), cosine)) / bound.range;
   const double square = q * q, fourth = square * square;
   return q > 0.0 ? k_of_corner * square + k_of_eighth * fourth * fourth : 0.0;
 }
 
 double ShapeGuard::value(ThreadPool& pool) const {
-  std::vector<double> terms(edges_.size() + corners_.size());
+  std::vector<double> terms(edges_.size() + corner_count());
   pool.for_ranges(terms.size(), k_guard_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      terms[k] =
-          k < edges_.size() ? edge_value(edges_[k]) : corner_value(corners_[k - edges_.size()]);
+      terms[k] = k < edges_.size() ? edge_value(edges_[k]) : corner_value(k - edges_.size());
     }
   });
   CarefulSum sum;
@@ -106,16 +112,16 @@ ShapeGuard::Slope<2> ShapeGuard::edge_slope(std::size_t e) const {
 }
 
 ShapeGuard::Slope<3> ShapeGuard::corner_slope(std::size_t c) const {
-  const Corner& corner = corners_[c];
-  if (corner_value(corner) == 0.0) return {};
-  const Vec3 at = state_.position(corner.vertices[0]);
-  const Vec3 u = state_.position(corner.vertices[1]) - at,
-             w = state_.position(corner.vertices[2]) - at;
+  if (corner_value(c) == 0.0) return {};
+  const auto [own, next, last] = corner(c);
+  const Vec3 at = state_.position(own), u = state_.position(next) - at,
+             w = state_.position(last) - at;
   const Vec3 normal = cross(u, w);
   const double size = norm(normal);
   if (!(size > 0.0)) return {};
-  const double unit = 1.0 / corner.range;
-  const double q = (corner.sharp - math::atan2(size, dot(u, w))) * unit,
+  const Bound& bound = bounds_[corner_bounds_[c]];
+  const double unit = 1.0 / bound.range;
+  const double q = (bound.sharp - math::atan2(size, dot(u, w))) * unit,
                sixth = q * q * q * q * q * q;
   const Vec3 by_first = (-1.0 / (dot(u, u) * size)) * cross(normal, u);
   const Vec3 by_second = (1.0 / (dot(w, w) * size)) * cross(normal, w);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/thread_pool.h"
@@ -26,9 +27,14 @@ class ShapeGuard {
 
   std::size_t edge_count() const { return edges_.size(); }
   const std::array<Index, 2>& edge(std::size_t e) const { return edges_[e].ends; }
-  std::size_t corner_count() const { return corners_.size(); }
+  std::size_t corner_count() const { return 3 * triangles_.size(); }
   /// The vertex of the corner, then the others of its triangle.
-  const std::array<Index, 3>& corner(std::size_t c) const { return corners_[c].vertices; }
+  std::array<Index, 3> corner(std::size_t c) const {
+    const Triangle& t = triangles_[c / 3];
+    const std::size_t k = c % 3;
+    return {t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
+  }
+  const std::vector<Triangle>& triangles() const { return triangles_; }
 
   /// G of the patch as it is now.
   double value(ThreadPool& pool) const;
@@ -48,18 +54,22 @@ class ShapeGuard {
     std::array<Index, 2> ends;
     double length, share;  // at first
   };
-  struct Corner {
-    std::array<Index, 3> vertices;
+  struct Bound {
     double sharp;  // g, radians
     double sharp_cosine;
     double range;  // g - m
   };
+  static Bound bound_of(double sharp, double least_angle);
   double edge_value(const Edge& edge) const;
-  double corner_value(const Corner& corner) const;
+  double corner_value(std::size_t corner) const;
 
   const PatchState& state_;
   std::vector<Edge> edges_;
-  std::vector<Corner> corners_;
+  std::vector<Triangle> triangles_;
+  std::vector<Bound> bounds_;  // the first is that of all blunt corners
+  std::vector<std::uint32_t>
+      corner_bounds_;  // by corner, its place in bounds_; k_none where it has no angle
+  static constexpr std::uint32_t k_none = ~std::uint32_t{0};
 };
 
 }  // namespace planish

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/buffer.h"
 #include "evolve/descent/coarse_levels.h"
 #include "evolve/descent/defect_polish.h"
 #include "evolve/descent/descent_limits.h"
@@ -170,13 +171,14 @@ class SmoothStepper {
   /// until it is: by tenths of the way, then by halves of the last tenth.
   void retreat() {
     const Positions origin = descent_->origin(), away = sum_of(descent_->positions(), -1.0, origin);
+    if (!design_) design_.emplace(mesh_at_first(state_));
     const auto is_smooth_at = [&](double share) {
       descent_->go_to(sum_of(origin, share, away));
       std::vector<Vec3> after;
       for (std::size_t v = 0; v < state_.vertex_count(); ++v)
         after.push_back((1.0 / state_.scale()) * state_.position(v));
       pool_.stop_if_cancelled();
-      return fairness_beside(design_, descent_->design_bending(), after).is_smooth();
+      return fairness_beside(*design_, descent_->design_bending(), after).is_smooth();
     };
     int part = k_retreat_parts;
     while (part > 0 && !is_smooth_at(static_cast<double>(part) / k_retreat_parts))
@@ -199,10 +201,11 @@ class SmoothStepper {
     const bool normals_only =
         state_.inner_count() > k_normals_only && is_dense(level_state().inner_count());
     const SmoothMoves moves = normals_only ? SmoothMoves::along_normals : SmoothMoves::free;
-    design_ = Patch(mesh_at_first(level_state()));
+    design_.emplace(mesh_at_first(level_state()));
     pool_.report(k_level_made);
     descent_ = std::make_unique<SmoothDescent>(
-        level_state(), pool_, design_, limits_on(level_state(), options_, least_angle_), moves);
+        level_state(), pool_, *design_, limits_on(level_state(), options_, least_angle_), moves);
+    if (is_dense(level_state().inner_count())) design_.reset();
     pool_.report(k_descent_made);
   }
 
@@ -216,6 +219,7 @@ class SmoothStepper {
     const FairnessEnergy cost(descent_->jacobian(), level_state(), 1.0, descent_->border().bends());
     pool_.report(k_cost_made);
     levels_.lift(level_ + 1, *found, cost, level_state(), pool_);
+    if (is_dense(level_state().inner_count())) return_freed_memory();
     descent_->go_to(descent_->positions());
     if (control_) control_->start_finer();
   }
@@ -228,7 +232,7 @@ class SmoothStepper {
   CoarseLevels levels_;
   std::size_t level_;
   std::unique_ptr<PatchState> coarse_;  // of the level, none at the patch itself
-  Patch design_;                        // the level at first, by the numbers of its state
+  std::optional<Patch> design_;  // the level at first, by its state's numbers; not kept where dense
   std::unique_ptr<SmoothDescent> descent_;
   std::optional<SmoothControl> control_;
   std::variant<Untouched, Smoothing, Strict, DefectPolish> phase_;

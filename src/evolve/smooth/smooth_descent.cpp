@@ -47,7 +47,6 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& d
       design_bending_(bending_to_compare(design, pool)),
       limits_(limits),
       along_normals_(moves == SmoothMoves::along_normals),
-      triangles_(state.triangles()),
       border_(limits.border, limits.deviation, state),
       jacobian_(state, border_.movable()),
       hinges_(design, state),
@@ -58,10 +57,11 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& d
       diagonal_(diagonal_of(state, area_shares_)),
       unit_(mean_edge(jacobian_, state)),
       moves_(limits, border_, state.inner_count(), unit_) {
+  origin_.reserve(jacobian_.column_count());
   for (std::size_t v = 0; v < jacobian_.column_count(); ++v)
     origin_.push_back(state.origin(v));
   if (limits_.angle > 0.0)
-    limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
+    limits_.angle = std::min(limits_.angle, smallest_angle(state, guard_.triangles(), pool));
   if (solvable()) renew();
 }
 
@@ -194,7 +194,8 @@ Positions SmoothDescent::within_limits(Positions positions) const {
 }
 
 bool SmoothDescent::angles_hold() {
-  return !(limits_.angle > 0.0) || smallest_angle(state_, triangles_, pool_) >= limits_.angle;
+  return !(limits_.angle > 0.0) ||
+         smallest_angle(state_, guard_.triangles(), pool_) >= limits_.angle;
 }
 
 /// No vertex goes further than the longest step.

@@ -101,7 +101,6 @@ class SmoothDescent {
   double design_bending_;
   DescentLimits limits_;
   bool along_normals_;
-  std::vector<Triangle> triangles_;
   BorderMotion border_;
   AngleJacobian jacobian_;
   HingeTerms hinges_;

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "solve/dissection.h"
-#include "solve/sparse_pattern.h"
 
 namespace planish {
 
@@ -37,14 +36,6 @@ SmoothSystem::SmoothSystem(const AngleJacobian& jacobian, const PatchState& stat
   lay_out();
   find_terms(hinges, guard);
   pool.stop_if_cancelled();
-  for (int v = 0; v < square.outerSize(); ++v) {
-    for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry) {
-      if (entry.row() < v) continue;
-      square_entries_.push_back(static_cast<std::uint32_t>(entry_of(
-          lower_, multiplier(static_cast<Index>(entry.row())), multiplier(static_cast<Index>(v)))));
-    }
-  }
-  square_entries_.shrink_to_fit();
   solver_.emplace(lower_, elimination_order(state), step_precision(inner_), &pool);
 }
 
@@ -97,8 +88,8 @@ void SmoothSystem::find_pairs(const HingeTerms& hinges, const ShapeGuard& guard,
               [](const Partner& a, const Partner& b) { return a.vertex < b.vertex; });
     for (std::size_t k = 0; k < own.size(); ++k) {
       const bool again = k > 0 && own[k].vertex == own[k - 1].vertex;
-      if (!again) pairs_.push_back({own[k].vertex, false});
-      pairs_.back().full = pairs_.back().full || own[k].full;
+      if (!again) pairs_.push_back({own[k].vertex});
+      if (own[k].full) pairs_.back().first_start = 0;  // until lay_out()
     }
     pair_start_[v + 1] = pairs_.size();
   }
@@ -116,9 +107,11 @@ void SmoothSystem::lay_out() {
         rows.push_back(unknown(v, row));
       for (std::size_t p = pair_start_[v]; p < pair_start_[v + 1]; ++p) {
         Pair& pair = pairs_[p];
-        if (!pair.full && part != moves(v)) continue;
-        pair.start[static_cast<std::size_t>(part)] = static_cast<std::uint32_t>(rows.size());
-        for (int row = pair.full ? 0 : moves(pair.second); row < parts(pair.second); ++row)
+        const bool of_multiplier = part == moves(v);
+        if (!pair.is_full() && !of_multiplier) continue;
+        if (part == 0 && pair.is_full()) pair.first_start = static_cast<std::uint32_t>(rows.size());
+        if (of_multiplier) pair.multiplier_start = static_cast<std::uint32_t>(rows.size());
+        for (int row = pair.is_full() ? 0 : moves(pair.second); row < parts(pair.second); ++row)
           rows.push_back(unknown(pair.second, row));
       }
       starts.push_back(static_cast<int>(rows.size()));
@@ -140,6 +133,15 @@ SmoothSystem::PairIndex SmoothSystem::pair_of(Index v, Index w) const {
   return static_cast<PairIndex>(found - pairs_.begin());
 }
 
+/// Where the entries of a pair start in the column of a part of its first vertex. Of its moves the
+/// columns hold the same pairs, each after the vertex's own entries, which are one fewer from
+/// column to column.
+std::size_t SmoothSystem::start_of(Index first, const Pair& pair, std::size_t part) const {
+  if (static_cast<int>(part) == moves(first)) return pair.multiplier_start;
+  const auto& own = own_start_[first];
+  return pair.first_start + (own[part] - own[0]) - part;
+}
+
 void SmoothSystem::find_terms(const HingeTerms& hinges, const ShapeGuard& guard) {
   const auto add = [this](std::vector<PairIndex>& pairs, const auto& corners) {
     for_pairs(corners.size(), [&](std::size_t i, std::size_t j) {
@@ -148,15 +150,10 @@ void SmoothSystem::find_terms(const HingeTerms& hinges, const ShapeGuard& guard)
   };
   hinge_pairs_.reserve(6 * hinges.size());
   edge_pairs_.reserve(guard.edge_count());
-  corner_pairs_.reserve(3 * guard.corner_count());
   for (std::size_t h = 0; h < hinges.size(); ++h)
     add(hinge_pairs_, hinges.corners(h));
   for (std::size_t e = 0; e < guard.edge_count(); ++e)
     add(edge_pairs_, guard.edge(e));
-  for (std::size_t c = 0; c < guard.corner_count(); ++c)
-    add(corner_pairs_, guard.corner(c));
-  for (const BorderMotion::Bend& bend : bends_)
-    add(bend_pairs_, std::to_array(bend.vertices));
 }
 
 std::vector<Index> SmoothSystem::elimination_order(const PatchState& state) const {
@@ -181,8 +178,8 @@ std::vector<Index> SmoothSystem::elimination_order(const PatchState& state) cons
   return order;
 }
 
-void SmoothSystem::clear(const Positions& normals) {
-  normals_ = normals;
+void SmoothSystem::clear(Positions normals) {
+  normals_ = std::move(normals);
   std::fill_n(lower_.valuePtr(), lower_.nonZeros(), 0.0);
   for (Index v = 0; v < count_; ++v) {
     if (jacobian_.is_movable(v)) continue;
@@ -199,7 +196,7 @@ void SmoothSystem::add_product(Index first, const Pair& pair, double scale, Vec3
   const auto column_count = static_cast<std::size_t>(moves(first)),
              row_count = static_cast<std::size_t>(moves(pair.second));
   for (std::size_t part = 0; part < column_count; ++part) {
-    double* value = lower_.valuePtr() + pair.start[part];
+    double* value = lower_.valuePtr() + start_of(first, pair, part);
     for (std::size_t row = 0; row < row_count; ++row)
       value[row] += by_column[part] * by_row[row];
   }
@@ -242,6 +239,16 @@ void SmoothSystem::add_term(std::span<const PairIndex> pairs, const std::array<I
   });
 }
 
+/// Of three vertices, whose pairs are looked up.
+void SmoothSystem::add_rare_term(const std::array<Index, 3>& corners, double scale,
+                                 const std::array<Vec3, 3>& gradient) {
+  std::array<PairIndex, 3> pairs;
+  std::size_t next = 0;
+  for_pairs(3,
+            [&](std::size_t i, std::size_t j) { pairs[next++] = pair_of(corners[i], corners[j]); });
+  add_term<3>(pairs, corners, scale, gradient);
+}
+
 void SmoothSystem::add_hinge(std::size_t hinge, double scale, const std::array<Vec3, 4>& gradient) {
   add_term<4>({hinge_pairs_.data() + 6 * hinge, 6}, hinges_.corners(hinge), scale, gradient);
 }
@@ -252,7 +259,7 @@ void SmoothSystem::add_edge(std::size_t edge, double scale, const std::array<Vec
 
 void SmoothSystem::add_corner(std::size_t corner, double scale,
                               const std::array<Vec3, 3>& gradient) {
-  add_term<3>({corner_pairs_.data() + 3 * corner, 3}, guard_.corner(corner), scale, gradient);
+  add_rare_term(guard_.corner(corner), scale, gradient);
 }
 
 void SmoothSystem::add_bend(std::size_t number, double scale) {
@@ -261,8 +268,7 @@ void SmoothSystem::add_bend(std::size_t number, double scale) {
     std::array<Vec3, 3> gradient;
     for (std::size_t k = 0; k < 3; ++k)
       gradient[k] = bend.weights[k] * axis;
-    add_term<3>({bend_pairs_.data() + 3 * number, 3}, std::to_array(bend.vertices), scale,
-                gradient);
+    add_rare_term(std::to_array(bend.vertices), scale, gradient);
   }
 }
 
@@ -281,7 +287,8 @@ void SmoothSystem::fill_jacobian() {
           continue;
         }
         const Pair& pair = pairs_[pair_of(v, entry.row)];
-        values[v < entry.row ? pair.start[part] + last : pair.start[last] + part] = own[part];
+        values[v < entry.row ? start_of(v, pair, part) + last
+                             : start_of(entry.row, pair, last) + part] = own[part];
       }
     }
   }
@@ -289,10 +296,17 @@ void SmoothSystem::fill_jacobian() {
 
 void SmoothSystem::fill_square(const SparseMatrix& square, double c) {
   double* values = lower_.valuePtr();
-  const std::uint32_t* place = square_entries_.data();
-  for (int v = 0; v < square.outerSize(); ++v) {
-    for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry) {
-      if (entry.row() >= v) values[*place++] = -c * entry.value();
+  for (Index v = 0; v < inner_; ++v) {
+    const Pair* pair = pairs_.data() + pair_start_[v];  // in order, as the entries are
+    for (SparseMatrix::InnerIterator entry(square, static_cast<int>(v)); entry; ++entry) {
+      const auto w = static_cast<Index>(entry.row());
+      if (w == v) {
+        values[own_start_[v][static_cast<std::size_t>(moves(v))]] = -c * entry.value();
+        continue;
+      }
+      while (pair->second != w)
+        ++pair;
+      values[pair->multiplier_start + (pair->is_full() ? moves(w) : 0)] = -c * entry.value();
     }
   }
 }

@@ -37,7 +37,7 @@ enum class SmoothMoves { free, along_normals };
 /// one of the border that moves.
 class SmoothSystem {
  public:
-  /// @param square K K^T, both halves; its pattern stays
+  /// @param square the lower half of K K^T; its pattern stays
   /// @param moves of inner vertices
   /// @param bends along the border, if that moves
   /// @param jacobian,hinges,guard must outlive it
@@ -48,7 +48,7 @@ class SmoothSystem {
 
   /// Everything in H is zero.
   /// @param normals of inner vertices, of length 1; none where they move freely
-  void clear(const Positions& normals = {});
+  void clear(Positions normals = {});
   /// Adds s g g^T for the gradient of a hinge's angle, of an edge's length and of a corner's angle,
   /// by the number of the hinge, edge or corner.
   void add_hinge(std::size_t hinge, double scale, const std::array<Vec3, 4>& gradient);
@@ -75,17 +75,21 @@ class SmoothSystem {
   bool fell_back() const { return solver_->fell_back(); }
 
  private:
-  /// Two vertices that share entries of the matrix; the first has the lower number. Entries of one
-  /// column follow one another among the values.
-  struct Pair {
-    Index second = 0;
-    bool full = false;  // or only between multipliers
-    std::array<std::uint32_t, 4> start = {};
-  };
   /// Which pairs a term touches: those of its corners i < j in lexical order, diagonal included.
   using PairIndex = std::uint32_t;
   static constexpr PairIndex k_none = ~PairIndex{0};
 
+  /// Two vertices that share entries of the matrix; the first has the lower number. Entries of one
+  /// column follow one another among the values.
+  struct Pair {
+    Index second = 0;
+    // Where they start in the columns of the first vertex: of its first move, see start_of(), and
+    // of its multiplier.
+    std::uint32_t first_start = k_none, multiplier_start = 0;
+
+    /// Or only between multipliers.
+    bool is_full() const { return first_start != k_none; }
+  };
   /// Unknowns of a vertex: so many are moves, and those of inner ones have a multiplier after them.
   int moves(Index v) const { return v < inner_ ? inner_moves_ : 3; }
   int parts(Index v) const { return moves(v) + (v < inner_ ? 1 : 0); }
@@ -108,12 +112,15 @@ class SmoothSystem {
   void lay_out();
   void find_terms(const HingeTerms& hinges, const ShapeGuard& guard);
   PairIndex pair_of(Index v, Index w) const;
+  std::size_t start_of(Index first, const Pair& pair, std::size_t part) const;
   std::vector<Index> elimination_order(const PatchState& state) const;
   void add_product(Index first, const Pair& pair, double scale, Vec3 rows, Vec3 columns);
   void add_own(Index v, double scale, Vec3 gradient);
   template <std::size_t n>
   void add_term(std::span<const PairIndex> pairs, const std::array<Index, n>& corners, double scale,
                 const std::array<Vec3, n>& gradient);
+  void add_rare_term(const std::array<Index, 3>& corners, double scale,
+                     const std::array<Vec3, 3>& gradient);
   void fill_jacobian();
   void fill_square(const SparseMatrix& square, double c);
 
@@ -122,13 +129,12 @@ class SmoothSystem {
   const ShapeGuard& guard_;
   std::vector<BorderMotion::Bend> bends_;
   Index inner_, count_;
-  int inner_moves_;                      // of an inner vertex: 3, or 1
-  Positions normals_;                    // where it is 1
-  std::vector<std::size_t> pair_start_;  // by first vertex
-  std::vector<Pair> pairs_;
+  int inner_moves_;                                      // of an inner vertex: 3, or 1
+  Positions normals_;                                    // where it is 1
+  std::vector<std::size_t> pair_start_;                  // by first vertex
+  std::vector<Pair> pairs_;                              // by first vertex, then by second
   std::vector<std::array<std::uint32_t, 4>> own_start_;  // of each vertex with itself, by column
-  std::vector<PairIndex> hinge_pairs_, edge_pairs_, corner_pairs_, bend_pairs_;
-  std::vector<std::uint32_t> square_entries_;
+  std::vector<PairIndex> hinge_pairs_, edge_pairs_;
   SparseMatrix lower_;
   std::optional<MixedLdlt> solver_;
 };

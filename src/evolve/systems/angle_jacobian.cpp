@@ -1,5 +1,8 @@
 #include "evolve/systems/angle_jacobian.h"
 
+#include <limits>
+#include <new>
+
 #include "geometry/angle_gradient.h"
 
 namespace planish {
@@ -19,6 +22,7 @@ AngleJacobian::AngleJacobian(const PatchState& state, std::span<const unsigned c
     row_start_.push_back(row_start_.back() + 1 + rings_[v].size());
   }
   movable_.insert(movable_.end(), border_movable.begin(), border_movable.end());
+  if (row_start_.back() > std::numeric_limits<std::uint32_t>::max()) throw std::bad_alloc();
   gradients_.resize(row_start_.back());
   find_columns();
 }
@@ -40,7 +44,9 @@ void AngleJacobian::find_columns() {
     column_start_[v + 1] += column_start_[v];
   columns_.resize(column_start_.back());
   std::vector<std::size_t> next(column_start_.begin(), column_start_.end() - 1);
-  for_entries([&](Index row, Index v, std::size_t entry) { columns_[next[v]++] = {row, entry}; });
+  for_entries([&](Index row, Index v, std::size_t entry) {
+    columns_[next[v]++] = {row, static_cast<std::uint32_t>(entry)};
+  });
 }
 
 void AngleJacobian::update(ThreadPool& pool) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -42,7 +43,7 @@ class AngleJacobian {
   /// A part of a row: d theta_row / d x of some vertex is gradient(entry).
   struct Entry {
     Index row;
-    std::size_t entry;
+    std::uint32_t entry;
   };
   /// The rows that a movable vertex is in, increasing.
   std::span<const Entry> column(Index v) const {

@@ -23,6 +23,7 @@ double norm_of(const Positions& a) {
 
 Positions first_positions(const PatchState& state, std::size_t count) {
   Positions positions;
+  positions.reserve(count);
   for (std::size_t v = 0; v < count; ++v)
     positions.push_back(state.position(v));
   return positions;
@@ -34,6 +35,7 @@ Positions inner_positions(const PatchState& state) {
 
 TriMesh mesh_at_first(const PatchState& state) {
   TriMesh mesh;
+  mesh.positions.reserve(state.vertex_count());
   for (std::size_t v = 0; v < state.vertex_count(); ++v)
     mesh.positions.push_back((1.0 / state.scale()) * state.origin(v));
   mesh.triangles = state.triangles();

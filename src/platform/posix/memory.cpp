@@ -5,6 +5,9 @@
 #include <limits>
 #include <string>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <sys/mman.h>
 #include <sys/resource.h>
 
@@ -15,6 +18,12 @@ void prefer_large_pages([[maybe_unused]] void* memory,
 #ifdef MADV_HUGEPAGE
   const std::size_t whole = bytes / k_large_page * k_large_page;
   if (whole > 0) ::madvise(memory, whole, MADV_HUGEPAGE);
+#endif
+}
+
+void trim_heap() noexcept {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
 #endif
 }
 

@@ -8,6 +8,8 @@ namespace planish {
 
 void prefer_large_pages(void*, std::size_t) noexcept {}
 
+void trim_heap() noexcept {}
+
 std::size_t available_memory() {
   MEMORYSTATUSEX status = {};
   status.dwLength = sizeof status;

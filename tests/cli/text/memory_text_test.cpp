@@ -12,10 +12,10 @@ TEST(MemoryText, SaysNothingOfSmallPatchesAndOtherMethods) {
 
 TEST(MemoryText, OffersRemeshWhereMemoryWouldNotDo) {
   EXPECT_EQ(memory_text(Auto{}, 1'000'000, 16'000'000'000),
-            "1000000 vertices take about 9.5 GB of memory");
-  EXPECT_EQ(memory_text(Auto{}, 1'000'000, 0), "1000000 vertices take about 9.5 GB of memory");
-  EXPECT_EQ(memory_text(Auto{}, 1'000'000, 8'000'000'000),
-            "1000000 vertices take about 9.5 GB of memory, and 8.0 GB are free: --remesh works on "
+            "1000000 vertices take about 7.5 GB of memory");
+  EXPECT_EQ(memory_text(Auto{}, 1'000'000, 0), "1000000 vertices take about 7.5 GB of memory");
+  EXPECT_EQ(memory_text(Auto{}, 1'000'000, 7'000'000'000),
+            "1000000 vertices take about 7.5 GB of memory, and 7.0 GB are free: --remesh works on "
             "fewer vertices, keeps the border and takes about 0.50 GB");
 }
 

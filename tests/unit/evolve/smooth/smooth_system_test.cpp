@@ -41,7 +41,8 @@ struct Dense {
         matrix.block(c, r, 3, 1) = row.transpose();
       }
     }
-    matrix.bottomRightCorner(rows, rows) = -k_c * MatrixXd(square);
+    matrix.bottomRightCorner(rows, rows) =
+        -k_c * MatrixXd(MatrixXd(square).selfadjointView<Eigen::Lower>());
     for (Index v = 0; v < jacobian.column_count(); ++v) {
       if (!jacobian.is_movable(v)) hold(v);
     }
@@ -100,7 +101,7 @@ void expect_solved_as_dense(const Constraints& constraints,
   jacobian.update(pool);
   const HingeTerms hinges(Patch(mesh_at_first(state)), state);
   const ShapeGuard guard(state, 0.05);
-  const StrainPotential potential(jacobian, state, pool, BoundaryCondition::free);
+  StrainPotential potential(jacobian, state, pool, BoundaryCondition::free);
   SmoothSystem system(jacobian, state, hinges, guard, potential.square(), moves, pool);
   const Positions normals =
       moves == SmoothMoves::along_normals ? some_normals(jacobian) : Positions{};

@@ -8,7 +8,7 @@ namespace planish {
 
 namespace {
 
-constexpr std::size_t k_most_solves = 16;
+constexpr std::size_t k_most_solves = 12;
 
 /// The power of two nearest to one over the root; 1 for 0.
 double root_scale(double diagonal) {

@@ -16,7 +16,7 @@ enum class Precision { full, rounded, mixed };
 /// fronts are large, in half of its time: factors the matrix whose rows and columns are divided by
 /// the roots of its diagonal. Its factor is then the preconditioner of GMRES in double (Carson and
 /// Higham 2017). Rounded ones need fewer solutions, of ill-conditioned matrices by far. If float
-/// cannot factor a matrix, or sixteen solutions with its factor leave much, that matrix is factored
+/// cannot factor a matrix, or a dozen solutions with its factor leave much, that matrix is factored
 /// in double. Which of the two it is follows from the matrix and the right side alone.
 class MixedLdlt {
  public:
@@ -31,7 +31,7 @@ class MixedLdlt {
   /// @param lower that was factored. @pre factor() was true
   /// @param accuracy of the residual, as a share of the right side, both scaled; where all is in
   ///   double it is what it is
-  /// @param enough that sixteen solutions must come to, at least the accuracy. Half is enough for a
+  /// @param enough that a dozen solutions must come to, at least the accuracy. Half is enough for a
   ///   step that a line search judges, and a million vertices leave more than a tenth
   Eigen::VectorXd solve(const SparseMatrix& lower, const Eigen::VectorXd& right, ThreadPool& pool,
                         double accuracy, double enough = 0.5);

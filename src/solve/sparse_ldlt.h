@@ -96,8 +96,8 @@ class BasicLdlt {
   FrontKernel<T> kernel_ = front_kernel_for<T>(best_isa());
   PanelKernel<Kept> panel_kernel_ = panel_kernel_for<Kept>(best_isa());
   std::vector<Index> place_;  // unknown -> when it is eliminated
-  std::vector<std::size_t>
-      panel_start_;  // of each supernode among panels_: its triangle, then what is below
+  // Of each supernode among panels_: its triangle, then what is below.
+  std::vector<std::size_t> panel_start_;
   // Where the entries of the matrix go, supernode by supernode.
   struct Entry {
     std::uint32_t place;  // among the front's columns to factor

@@ -48,7 +48,7 @@ void keep_freed_memory() {
   constexpr int mebibyte = 1 << 20;
   mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);  // the most there can be
   mallopt(M_TRIM_THRESHOLD, 1024 * mebibyte);
-  mallopt(M_ARENA_MAX, 1);  // what one thread frees is there for the others; few allocate at once
+  mallopt(M_ARENA_MAX, 1);  // what one thread frees is there for the others
 #endif
 }
 

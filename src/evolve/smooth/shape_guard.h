@@ -67,8 +67,8 @@ class ShapeGuard {
   std::vector<Edge> edges_;
   std::vector<Triangle> triangles_;
   std::vector<Bound> bounds_;  // the first is that of all blunt corners
-  std::vector<std::uint32_t>
-      corner_bounds_;  // by corner, its place in bounds_; k_none where it has no angle
+  // By corner its place in bounds_, k_none where it has no angle.
+  std::vector<std::uint32_t> corner_bounds_;
   static constexpr std::uint32_t k_none = ~std::uint32_t{0};
 };
 

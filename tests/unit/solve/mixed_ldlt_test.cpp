@@ -131,7 +131,7 @@ SparseMatrix squared_chain(int size, double shift) {
   return lower;
 }
 
-/// So long that its factor in float takes more than sixteen solutions, its rounded factor fewer.
+/// So long that its factor in float takes more than a dozen solutions, its rounded factor fewer.
 constexpr int k_medium_chain = 2000;
 
 TEST(MixedLdlt, FactorsInDoubleWhereFloatDoesNotDo) {

@@ -5,7 +5,6 @@
 #include <limits>
 #include <new>
 #include <numeric>
-#include <ranges>
 #include <utility>
 
 #include "solve/front.h"
@@ -237,10 +236,9 @@ bool BasicLdlt<T, Kept>::factor_node(const Matrix& matrix, std::size_t node, Fro
 }
 
 template <class T, class Kept>
-template <class Nodes>
-FrontSpace<T> BasicLdlt<T, Kept>::space_for(const Nodes& nodes) const {
+FrontSpace<T> BasicLdlt<T, Kept>::space_for(std::span<const Index> nodes) const {
   std::size_t panel = 0, beside = 0;
-  for (const std::size_t s : nodes) {
+  for (const Index s : nodes) {
     panel = std::max(panel, shape_of(s).panel_size());
     beside = std::max(beside, shape_of(s).beside_size());
   }
@@ -259,9 +257,10 @@ bool BasicLdlt<T, Kept>::factor(const double* values, std::span<const double> sc
   std::atomic<bool> sound = true;
   const auto factor_part = [&](const Subtrees::Range& part) {
     ThreadPool alone(1);
-    const auto nodes = std::views::iota(part.begin, part.end);
+    std::vector<Index> nodes(part.end - part.begin);
+    std::iota(nodes.begin(), nodes.end(), static_cast<Index>(part.begin));
     FrontSpace<T> own = space_for(nodes);
-    for (const std::size_t s : nodes) {
+    for (const Index s : nodes) {
       if (!sound) return;
       if (!factor_node(matrix, s, own, updates, alone)) sound = false;
     }

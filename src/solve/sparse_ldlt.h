@@ -76,8 +76,7 @@ class BasicLdlt {
     std::vector<double> scale;
   };
   /// For any of these fronts.
-  template <class Nodes>
-  FrontSpace<T> space_for(const Nodes& nodes) const;
+  FrontSpace<T> space_for(std::span<const Index> nodes) const;
   void assemble(const Matrix& matrix, std::size_t node, T* panel) const;
   /// @param updates what the supernodes leave to their parents; those of its children are used up
   bool factor_node(const Matrix& matrix, std::size_t node, FrontSpace<T>& space,

@@ -41,7 +41,6 @@ Subtrees split_tree(const Supernodes& tree, unsigned threads) {
     if (split.stages.empty() || (is_full && is_below(s, stage_most))) {
       split.stages.push_back({});
       of_stage = 0.0;
-      is_full = false;
     }
     if (is_root_below(s, part_most)) split.parts.push_back({begin[s], s + 1});
     if (!is_below(s, part_most)) split.top.push_back(static_cast<Index>(s));

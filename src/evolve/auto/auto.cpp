@@ -100,13 +100,14 @@ class AutoStepper {
   SweepOutcome step_in(Descending& phase) {
     SweepOutcome outcome = of_level();
     if (!descent_->solvable() || descent_->strain_is_met()) return end_level(outcome);
+    const double strain_before = descent_->rms_strain();
     const StrainDescent::Step step = descent_->step();
     outcome = of_level(step);
     if (descent_->strain_is_met()) {
       phase_.emplace<DeviationReduction>(*descent_);
       return outcome;
     }
-    return is_over(phase, step) ? end_level(outcome) : outcome;
+    return is_over(phase, step, strain_before) ? end_level(outcome) : outcome;
   }
 
   SweepOutcome step_in(DeviationReduction& phase) {
@@ -133,17 +134,24 @@ class AutoStepper {
   }
 
   /// True if the step was the last of the level.
-  bool is_over(Descending& phase, const StrainDescent::Step& step) {
+  bool is_over(Descending& phase, const StrainDescent::Step& step, double strain_before) {
     const bool held = is_held(phase.best_at_limit);
     phase.stagnant_steps = step.moved > 0 ? 0 : phase.stagnant_steps + 1;
-    const double enough = level_ > 0 ? k_coarse_strain : k_polish_strain;
-    const bool over = held || descent_->rms_strain() <= enough ||
+    const bool over = held || is_done(strain_before) ||
                       phase.stagnant_steps >= tuning::k_most_stagnant ||
                       ++phase.steps >= most_steps();
     const auto& best = phase.best_at_limit;
     const bool was_less = best && best->strain < descent_->rms_strain();
     if (held || (over && was_less)) descent_->go_to(best->positions);
     return over;
+  }
+
+  /// True where hardly any strain is left. On the patch itself polishing does the rest, which takes
+  /// fewer cycles the less there is: so quick steps go on.
+  bool is_done(double strain_before) const {
+    const double strain = descent_->rms_strain();
+    const bool slow = strain > k_quick_fall * strain_before;
+    return strain <= k_level_strain || (level_ == 0 && slow && strain <= k_polish_strain);
   }
 
   /// True where vertices are at the limit of deviation and strain hardly falls any more: what goes
@@ -174,6 +182,7 @@ class AutoStepper {
     } else if (const auto reason = reason_to_end()) {
       outcome = outcome.ended(*reason);
     } else {
+      strain_at_end_ = descent_->rms_strain();
       descent_->release();
       phase_.emplace<DefectPolish>(state_, pool_, limits());
     }
@@ -212,7 +221,9 @@ class AutoStepper {
       return outcome.with(SweepStatus::running);
     }
     if (cycle.flat) return outcome.ended(StopReason::converged);
-    if (cycle.over && rounds_++ < k_most_rounds) {
+    // A descent that was given up would not do better again, but cycles may.
+    const bool soon = cycle.slow >= k_slow_cycles && strain_at_end_ <= k_polish_strain;
+    if ((cycle.over || soon) && rounds_++ < k_most_rounds) {
       phase_.emplace<Descending>();
       descent_->start(k_warm_start);
       return outcome.with(SweepStatus::running);
@@ -239,6 +250,7 @@ class AutoStepper {
   std::variant<Descending, DeviationReduction, DefectPolish> phase_;
   int tries_ = 1, rounds_ = 0;       // on the coarsest level; of polishing
   double allowance_exponent_ = 1.0;  // of the usual one
+  double strain_at_end_ = 0.0;       // of the last descent on the patch itself
   bool blocked_by_boundary_ = false;
 };
 

@@ -7,6 +7,7 @@
 #include <planish/evolve/method.h>
 
 #include "core/math.h"
+#include "evolve/descent/defect_clusters.h"
 #include "evolve/descent/fairness_energy.h"
 #include "evolve/descent/smallest_angle.h"
 #include "evolve/descent/tuning.h"
@@ -59,8 +60,8 @@ DefectPolish::DefectPolish(PatchState& state, ThreadPool& pool, const DescentLim
       pool_(pool),
       triangles_(state.triangles()),
       limits_(limits),
-      least_(state, inverse_weights_of(state), k_longest_step, pool,
-             step_precision(state.inner_count())),
+      inverse_weights_(inverse_weights_of(state)),
+      least_(state, inverse_weights_, k_longest_step, pool, step_precision(state.inner_count())),
       least_damping_(is_dense(state.inner_count()) ? k_least_damping_dense : k_least_damping) {
   limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
   const SparseMatrix graph = graph_laplacian(least_.jacobian());
@@ -73,8 +74,9 @@ DefectPolish::Cycle DefectPolish::cycle() {
   const Flattenability figures = state_.measure(pool_);
   cycle.in_double = least_.dual().fell_back();
   cycle.flat = is_surely_flattenable(figures);
-  stagnant_cycles_ = figures.energy > k_slow_share * energy ? stagnant_cycles_ + 1 : 0;
-  cycle.over = cycle.moved == 0 || stagnant_cycles_ >= k_most_slow || ++cycles_ >= k_most_cycles;
+  slow_cycles_ = figures.energy > k_slow_share * energy ? slow_cycles_ + 1 : 0;
+  cycle.slow = slow_cycles_;
+  cycle.over = cycle.moved == 0 || slow_cycles_ >= k_most_slow || ++cycles_ >= k_most_cycles;
   return cycle;
 }
 
@@ -90,6 +92,8 @@ std::size_t DefectPolish::move() {
       sweep();
       held_by_.reset();
       keep_limits(before);
+      state_.measure(pool_);
+      reduce_largest_defects(state_, least_.jacobian(), inverse_weights_, limits_, pool_);
       if (!(state_.measure(pool_).energy < energy)) continue;
       if (halvings == 0) damping_ = std::max(k_ease * damping_, least_damping_);
       if (halvings >= 2) damping_ *= k_tighten;

@@ -24,7 +24,8 @@ class DefectPolish {
   struct Cycle {
     std::size_t moved = 0;   ///< vertices
     bool flat = false;       ///< the patch is surely flattenable
-    bool over = false;       ///< nothing moved, or cycles gain little more
+    int slow = 0;            ///< so many in a row have left most of the energy
+    bool over = false;       ///< nothing moved, or all that are allowed were slow
     bool in_double = false;  ///< float did not do for a matrix
   };
   Cycle cycle();
@@ -47,9 +48,10 @@ class DefectPolish {
   ThreadPool& pool_;
   std::vector<Triangle> triangles_;
   DescentLimits limits_;
+  std::vector<double> inverse_weights_;
   LeastNormStep least_;
   double least_damping_, damping_ = 1e-2;
-  int cycles_ = 0, stagnant_cycles_ = 0;
+  int cycles_ = 0, slow_cycles_ = 0;
   bool first_ = true;
   std::optional<StopReason> held_by_;
 };

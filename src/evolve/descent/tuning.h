@@ -133,9 +133,10 @@ inline constexpr double k_sharp = 12.0 * std::numbers::pi / 180.0, k_of_first = 
 namespace prefer_near {
 /// A patch of so many vertices at most is worked on as it is.
 inline constexpr std::size_t k_coarsest = 6000;
-/// Strain, rms, at which a coarse level is done: lifting brings more than that. At the second one
-/// polishing ends the work on the patch itself sooner.
-inline constexpr double k_coarse_strain = 1e-4, k_polish_strain = 3e-4;
+/// Strain, rms, at which a level is done, as lifting brings more than that and polishing takes out
+/// what is left; and that at which the patch itself is done where a step leaves more than this
+/// share.
+inline constexpr double k_level_strain = 1e-4, k_polish_strain = 3e-4, k_quick_fall = 0.7;
 /// Steps at most: on the coarsest level, on finer ones, and on those after a level that the border
 /// blocks, where a few mend what lifting did.
 inline constexpr int k_most_first_steps = 150, k_most_steps = 100, k_blocked_steps = 5;
@@ -143,8 +144,9 @@ inline constexpr int k_most_first_steps = 150, k_most_steps = 100, k_blocked_ste
 /// more than this share of the strain.
 inline constexpr int k_most_at_limit = 5;
 inline constexpr double k_gain_at_limit = 0.98;
-/// So often polishing that ends early gives way to another round of the descent.
-inline constexpr int k_most_rounds = 6;
+/// So often polishing that ends early gives way to another round of the descent: after so many slow
+/// cycles in a row where the descent had come to its end.
+inline constexpr int k_most_rounds = 6, k_slow_cycles = 2;
 /// A coarsest level that ends too rough is done again so often, each time with the exponent of the
 /// allowance times this.
 inline constexpr int k_most_tries = 3;
@@ -222,9 +224,9 @@ namespace polish {
 inline constexpr double k_longest_step = 0.5;
 /// Done at these shares of what counts as flattenable, so that rounding does not undo it.
 inline constexpr double k_of_e_max = 0.5, k_of_sum = 0.8;
-/// Cycles at most, and in a row those that leave more than this share of the energy.
+/// Cycles at most, and in a row slow ones, which leave more than this share of the energy.
 inline constexpr int k_most_cycles = 100, k_most_slow = 8;
-inline constexpr double k_slow_share = 0.9;
+inline constexpr double k_slow_share = 0.7;
 /// Controllable sweeps in a cycle.
 inline constexpr int k_sweeps = 20;
 /// Tries of the step with more damping, and halvings of each.
@@ -234,6 +236,16 @@ inline constexpr double k_ease = 0.3, k_tighten = 4.0, k_tighten_much = 10.0;
 /// Least damping, and that of dense patches. With less damping their steps go too far in directions
 /// that hardly change the angle sums to first order, and single precision takes more solves.
 inline constexpr double k_least_damping = 1e-6, k_least_damping_dense = 1e-4;
+/// Clusters (reduce_largest_defects): around so many vertices at most, or those that have this
+/// share of the energy, as far as so many edges away; steps of each at most, the last one of which
+/// leaves more than the next share of its energy; damping at first, at least and at most. With less
+/// damping vertices move further and energy falls no faster.
+inline constexpr std::ptrdiff_t k_most_largest = 200;
+inline constexpr double k_share_of_largest = 0.95;
+inline constexpr int k_cluster_edges = 3, k_most_cluster_steps = 15;
+inline constexpr double k_little_fall = 0.9;
+inline constexpr double k_first_cluster_damping = 1e-3, k_least_cluster_damping = 1e-4,
+                        k_most_cluster_damping = 1e3;
 /// Rounds at most in which vertices of triangles that are too sharp go back.
 inline constexpr int k_most_rounds = 20;
 }  // namespace polish

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <new>
+#include <utility>
 
 #include "geometry/angle_gradient.h"
 
@@ -12,19 +13,44 @@ namespace {
 // Rows that share a vertex make a dense block of A A^T; a larger one than this is not worth it.
 constexpr std::size_t k_most_neighbours = 256;
 
+/// By column.
+std::vector<unsigned char> movable_in(const PatchState& state,
+                                      std::span<const std::span<const Index>> rings,
+                                      std::span<const unsigned char> border_movable) {
+  std::vector<unsigned char> movable;
+  for (Index v = 0; v < rings.size(); ++v)
+    movable.push_back(!state.is_fixed(v) && rings[v].size() <= k_most_neighbours ? 1 : 0);
+  movable.insert(movable.end(), border_movable.begin(), border_movable.end());
+  return movable;
+}
+
 }  // namespace
 
 AngleJacobian::AngleJacobian(const PatchState& state, std::span<const unsigned char> border_movable)
-    : state_(state), rings_(rings_by_vertex(state.plan())) {
+    : AngleJacobian(state, {}, rings_by_vertex(state.plan()),
+                    movable_in(state, rings_by_vertex(state.plan()), border_movable)) {}
+
+AngleJacobian::AngleJacobian(const PatchState& state, std::vector<Index> vertices,
+                             std::vector<std::span<const Index>> rings,
+                             std::vector<unsigned char> movable)
+    : state_(state),
+      vertex_of_(std::move(vertices)),
+      rings_(std::move(rings)),
+      movable_(std::move(movable)) {
   row_start_.push_back(0);
-  for (Index v = 0; v < rings_.size(); ++v) {
-    movable_.push_back(!state.is_fixed(v) && rings_[v].size() <= k_most_neighbours ? 1 : 0);
-    row_start_.push_back(row_start_.back() + 1 + rings_[v].size());
-  }
-  movable_.insert(movable_.end(), border_movable.begin(), border_movable.end());
+  for (const auto& ring : rings_)
+    row_start_.push_back(row_start_.back() + 1 + ring.size());
   if (row_start_.back() > std::numeric_limits<std::uint32_t>::max()) throw std::bad_alloc();
   gradients_.resize(row_start_.back());
   find_columns();
+}
+
+AngleJacobian AngleJacobian::part(std::span<const Index> rows,
+                                  std::span<const unsigned char> movable) const {
+  std::vector<std::span<const Index>> rings;
+  for (const Index v : rows)
+    rings.push_back(rings_[v]);
+  return {state_, {rows.begin(), rows.end()}, std::move(rings), {movable.begin(), movable.end()}};
 }
 
 void AngleJacobian::find_columns() {
@@ -32,7 +58,7 @@ void AngleJacobian::find_columns() {
   const auto for_entries = [&](const auto& visit) {
     for (Index row = 0; row < rings_.size(); ++row) {
       std::size_t entry = row_start_[row];
-      if (is_movable(row)) visit(row, row, entry);
+      if (const Index v = vertex_of(row); is_movable(v)) visit(row, v, entry);
       for (const Index w : rings_[row]) {
         ++entry;
         if (is_movable(w)) visit(row, w, entry);
@@ -51,9 +77,10 @@ void AngleJacobian::find_columns() {
 
 void AngleJacobian::update(ThreadPool& pool) {
   pool.for_ranges(rings_.size(), 512, [this](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      const auto ring = rings_[v];
-      Vec3* gradient = gradients_.data() + row_start_[v];
+    for (std::size_t row = begin; row < end; ++row) {
+      const Index v = vertex_of(static_cast<Index>(row));
+      const auto ring = rings_[row];
+      Vec3* gradient = gradients_.data() + row_start_[row];
       std::fill_n(gradient, 1 + ring.size(), Vec3{});
       const Vec3 p = state_.position(v);
       for (std::size_t j = 0; j < ring.size(); ++j) {
@@ -64,7 +91,7 @@ void AngleJacobian::update(ThreadPool& pool) {
         gradient[1 + j] += corner.at_q;
         gradient[1 + k] += corner.at_r;
       }
-      if (!is_movable(static_cast<Index>(v))) gradient[0] = {};
+      if (!is_movable(v)) gradient[0] = {};
       for (std::size_t j = 0; j < ring.size(); ++j) {
         if (!is_movable(ring[j])) gradient[1 + j] = {};
       }

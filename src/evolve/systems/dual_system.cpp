@@ -24,7 +24,7 @@ Graph rows_that_meet(const AngleJacobian& jacobian) {
         graph.neighbours.push_back(entry.row);
       }
     };
-    add_rows_of(row);
+    add_rows_of(jacobian.vertex_of(row));
     for (const Index v : jacobian.ring(row))
       add_rows_of(v);
     graph.start.push_back(graph.neighbours.size());
@@ -47,6 +47,13 @@ SparseMatrix lower_pattern(const Graph& graph) {
   return lower;
 }
 
+Positions positions_of_rows(const AngleJacobian& jacobian, const PatchState& state) {
+  Positions positions;
+  for (Index row = 0; row < jacobian.row_count(); ++row)
+    positions.push_back(state.position(jacobian.vertex_of(row)));
+  return positions;
+}
+
 /// Of numbers of which there is at least one. Not their mean: rows grow as one over the square of
 /// the length of an edge, and one short edge must not damp the whole patch.
 double median(Eigen::VectorXd values) {
@@ -64,9 +71,9 @@ DualSystem::DualSystem(const AngleJacobian& jacobian, const PatchState& state, c
                        Precision precision)
     : jacobian_(jacobian),
       lower_(lower_pattern(rows)),
-      solver_(lower_, nested_dissection(inner_positions(state), rows), precision) {
+      solver_(lower_, nested_dissection(positions_of_rows(jacobian, state), rows), precision) {
   const int* row_list = lower_.innerIndexPtr();
-  for (Index v = 0; v < jacobian.row_count(); ++v) {
+  for (Index v = 0; v < jacobian.column_count(); ++v) {
     const auto entries = jacobian.column(v);
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const int* begin = row_list + lower_.outerIndexPtr()[entries[i].row];
@@ -102,12 +109,11 @@ void DualSystem::damp_by(const SparseMatrix& symmetric, double share_of_identity
   }
 }
 
-bool DualSystem::factor(std::span<const double> inverse_weights, double mu, ThreadPool& pool) {
-  if (lower_.cols() == 0) return false;
+void DualSystem::assemble(std::span<const double> inverse_weights) {
   double* values = lower_.valuePtr();
   std::fill_n(values, lower_.nonZeros(), 0.0);
   const std::uint32_t* place = products_.data();
-  for (Index v = 0; v < jacobian_.row_count(); ++v) {
+  for (Index v = 0; v < jacobian_.column_count(); ++v) {
     const auto entries = jacobian_.column(v);
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const Vec3 scaled = inverse_weights[v] * jacobian_.gradient(entries[i].entry);
@@ -115,6 +121,12 @@ bool DualSystem::factor(std::span<const double> inverse_weights, double mu, Thre
         values[*place++] += dot(scaled, jacobian_.gradient(entries[j].entry));
     }
   }
+}
+
+bool DualSystem::factor(std::span<const double> inverse_weights, double mu, ThreadPool& pool) {
+  if (lower_.cols() == 0) return false;
+  assemble(inverse_weights);
+  double* values = lower_.valuePtr();
   const double unit = median(lower_.diagonal());
   if (!(unit > 0.0)) return false;
   if (damping_.empty()) {
@@ -123,6 +135,15 @@ bool DualSystem::factor(std::span<const double> inverse_weights, double mu, Thre
   }
   for (std::size_t i = 0; i < damping_.size(); ++i)
     values[i] += mu * unit * damping_[i];
+  return solver_.factor(lower_, pool);
+}
+
+bool DualSystem::factor_with(std::span<const double> inverse_weights,
+                             std::span<const double> damping, ThreadPool& pool) {
+  if (lower_.cols() == 0) return false;
+  assemble(inverse_weights);
+  for (int row = 0; row < lower_.cols(); ++row)
+    lower_.valuePtr()[lower_.outerIndexPtr()[row]] += damping[static_cast<std::size_t>(row)];
   return solver_.factor(lower_, pool);
 }
 

@@ -31,6 +31,10 @@ class DualSystem {
   /// @return false where the matrix cannot be factored
   bool factor(std::span<const double> inverse_weights, double mu, ThreadPool& pool);
 
+  /// The same with a diagonal of its own to add, by row.
+  bool factor_with(std::span<const double> inverse_weights, std::span<const double> damping,
+                   ThreadPool& pool);
+
   /// @pre factor() was true
   Eigen::VectorXd solve(const Eigen::VectorXd& right, ThreadPool& pool) {
     return solver_.solve(lower_, right, pool, k_step_accuracy);
@@ -41,6 +45,7 @@ class DualSystem {
  private:
   DualSystem(const AngleJacobian& jacobian, const PatchState& state, const Graph& rows,
              Precision precision);
+  void assemble(std::span<const double> inverse_weights);
 
   const AngleJacobian& jacobian_;
   SparseMatrix lower_;

@@ -52,8 +52,8 @@ class Product : public CliTest {
  protected:
   void SetUp() override {
     CliTest::SetUp();
-    write_product("coat.obj", {sample("front", "dome", 300), sample("back/../../up", "saddle", 500),
-                               sample("Front", "cylinder", 200)});
+    write_product("coat.obj", {sample("front", "dome", 150), sample("back/../../up", "saddle", 250),
+                               sample("Front", "cylinder", 100)});
   }
 };
 
@@ -102,7 +102,7 @@ TEST_F(Product, GivesEveryPatchAFolderInsideTheOne) {
 
 TEST_F(Product, MakesOfEachPatchWhatItsOwnRunMakes) {
   ASSERT_EQ(flatten_product("coat.obj", "out").exit_code, k_exit_done);
-  write_mesh("front.obj", make_shape("dome", 300));
+  write_mesh("front.obj", make_shape("dome", 150));
   ASSERT_EQ(flatten_product("front.obj", "alone", {"--piece-name", "front"}).exit_code,
             k_exit_done);
   for (const char* file : {"pattern.svg", "processed.obj", "flat.obj"})
@@ -429,8 +429,8 @@ TEST_F(Product, ResumesOnlyWhatIsOfTheSameJob) {
   EXPECT_EQ(kept(flatten_product("coat.obj", "out", {"--resume", "--unit", "cm"}).err), 0U);
   // Another mesh of one of them.
   ASSERT_EQ(flatten_product("coat.obj", "out").exit_code, k_exit_done);
-  write_product("coat.obj", {sample("front", "dome", 310), sample("back/../../up", "saddle", 500),
-                             sample("Front", "cylinder", 200)});
+  write_product("coat.obj", {sample("front", "dome", 230), sample("back/../../up", "saddle", 250),
+                             sample("Front", "cylinder", 100)});
   EXPECT_EQ(kept(flatten_product("coat.obj", "out", {"--resume"}).err), 2U);
 }
 

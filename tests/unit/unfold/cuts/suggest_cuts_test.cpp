@@ -110,8 +110,8 @@ TEST(SuggestCuts, NeedsNoneWhereAPatternThatIsEvenedOutKeepsTheLimit) {
 }
 
 TEST(SuggestCuts, IsTheSameEveryTimeAlsoByWayOfACoarsePatch) {
-  const TriMesh dome = make_shape("dome", 3000);
-  const SuggestOptions options = {.max_strain = 0.05, .max_darts = 2, .trial_vertices = 600};
+  const TriMesh dome = make_shape("dome", 1500);
+  const SuggestOptions options = {.max_strain = 0.05, .max_darts = 2, .trial_vertices = 400};
   const CutSuggestion a = suggest(dome, options), b = suggest(dome, options);
   ASSERT_EQ(a.cuts.size(), 2U);
   ASSERT_EQ(b.cuts.size(), 2U);

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <vector>
 
 namespace planish {
 
@@ -18,6 +20,12 @@ std::string utf8_of(const std::filesystem::path& path);
 
 /// The first letter of a path that no name can have on this system; 0 where there is none.
 char forbidden_letter(const std::filesystem::path& path);
+
+/// The paths in a folder, in no order; where it cannot be read those that were found until then.
+/// @param failure why it cannot
+/// @throws std::bad_alloc; GCC's std::filesystem::directory_iterator ends the program instead
+std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folder,
+                                              std::error_code& failure);
 
 /// Whether the system would let this user make files in a folder. True where only trying shows it,
 /// as on Windows.

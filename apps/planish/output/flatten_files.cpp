@@ -125,9 +125,8 @@ std::vector<std::string> left_of_earlier_runs(const fs::path& folder, const Writ
     written.insert(utf8_of(path_of(path).filename()));
   std::vector<std::string> names;
   std::error_code failure;
-  for (fs::directory_iterator at(folder, failure), end; !failure && at != end;
-       at.increment(failure)) {
-    const std::string name = utf8_of(at->path().filename());
+  for (const fs::path& entry : entries_of(folder, failure)) {
+    const std::string name = utf8_of(entry.filename());
     constexpr std::array<std::string_view, 3> k_ours = {"pattern.", "pattern-a", "as-designed."};
     const bool is_ours = std::any_of(k_ours.begin(), k_ours.end(), [&](std::string_view start) {
       return name.starts_with(start);

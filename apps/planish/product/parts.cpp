@@ -48,12 +48,11 @@ std::string names_of(const std::vector<fs::path>& files) {
 std::vector<std::string> mesh_files_in(Session& session, const std::string& folder) {
   std::error_code failure;
   std::vector<fs::path> files, others;
-  for (fs::directory_iterator at(path_of(folder), failure), end; !failure && at != end;
-       at.increment(failure)) {
+  for (const fs::path& entry : entries_of(path_of(folder), failure)) {
     std::error_code ignored;
-    if (!at->is_regular_file(ignored)) continue;
-    if (is_mesh_file(at->path())) files.push_back(at->path());
-    if (is_other_model(at->path())) others.push_back(at->path());
+    if (!fs::is_regular_file(entry, ignored)) continue;
+    if (is_mesh_file(entry)) files.push_back(entry);
+    if (is_other_model(entry)) others.push_back(entry);
   }
   if (failure) throw Error(ErrorCode::file_unreadable, failure.message(), {.path = folder});
   std::sort(others.begin(), others.end());

@@ -29,4 +29,13 @@ bool may_write_into(const std::filesystem::path&) {
   return true;
 }
 
+std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folder,
+                                              std::error_code& failure) {
+  std::vector<std::filesystem::path> entries;
+  for (std::filesystem::directory_iterator at(folder, failure), end; !failure && at != end;
+       at.increment(failure))
+    entries.push_back(at->path());
+  return entries;
+}
+
 }  // namespace planish

@@ -1,5 +1,7 @@
 #include "platform/path.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "platform/file.h"
@@ -47,6 +49,20 @@ TEST_F(PathOfFile, IsTheNameThatTheSystemLists) {
     EXPECT_EQ(FileContent(folder_ / path_of(name)).bytes(), name);
     std::filesystem::remove(folder_ / path_of(name));
   }
+}
+
+TEST_F(PathOfFile, HasItsEntriesWhateverTheyAre) {
+  std::filesystem::create_directory(folder_ / "inner");
+  for (const char* name : {"a.obj", ".hidden"})
+    put_file(folder_ / name, "content");
+  std::error_code failure;
+  std::vector<std::filesystem::path> entries = entries_of(folder_, failure);
+  std::sort(entries.begin(), entries.end());
+  EXPECT_EQ(entries, (std::vector<std::filesystem::path>{folder_ / ".hidden", folder_ / "a.obj",
+                                                         folder_ / "inner"}));
+  EXPECT_FALSE(failure);
+  EXPECT_TRUE(entries_of(folder_ / "missing", failure).empty());
+  EXPECT_EQ(failure, std::errc::no_such_file_or_directory);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <planish/measure/deviation.h>
 
@@ -75,12 +76,13 @@ std::optional<BoundaryChange> measure_border_change(const Patch& before,
 
 Deviation measure_surface_deviation(const Patch& before, const TriMesh& after) {
   const double scale = before.unit_scale();
-  const TriMesh first = scaled(before.mesh(), scale), second = scaled(after, scale);
+  TriMesh first = scaled(before.mesh(), scale);
+  const TriMesh second = scaled(after, scale);
   Distances distances;
   const ClosestPointTree to_second(second);
   for (const Index v : before.inner_vertices())
     distances.add(to_second.query(first.positions[v]).squared_distance);
-  const ClosestPointTree to_first(first);
+  const ClosestPointTree to_first(std::move(first));
   for (const Vec3 p : second.positions) {
     const double distance = std::sqrt(to_first.query(p).squared_distance);
     distances.largest = std::max(distances.largest, distance);

@@ -246,6 +246,7 @@ Fairness fairness_beside(const Patch& design, double b0, std::span<const Vec3> a
 }
 
 Fairness measure_fairness(const Patch& design, const Patch& after) {
+  const double b0 = design_bending(design);  // first, as it takes the most memory
   const double scale = design.unit_scale();
   const auto first = bends_of(design.positions(), design.connectivity(), scale);
   const auto second = bends_of(after.positions(), after.connectivity(), scale);
@@ -254,7 +255,6 @@ Fairness measure_fairness(const Patch& design, const Patch& after) {
   fairness.sharp_share = sharp_share(second, usual);
   fairness.design_sharp_share = sharp_share(first, usual);
   fairness.height_ratio = height_ratio(design, after.triangles(), after.positions());
-  const double b0 = design_bending(design);
   if (b0 == 0.0) return fairness;
   fairness.design_ratio = bending_of(first) / b0;
   fairness.bending_ratio = bending_of(second) / b0;

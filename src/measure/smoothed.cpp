@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include <planish/core/range.h>
 #include <planish/measure/fairness.h>
@@ -43,19 +44,27 @@ std::array<double, 3> cotangents(const std::array<Vec3, 3>& p) {
 
 /// The inner vertices' rows of the Laplacian, and their masses.
 struct InnerRows {
-  std::vector<std::size_t> start = {0};
-  std::vector<int> columns;     // among the inner vertices, k_held: of the border
-  std::vector<double> weights;  // of the edges; the diagonal is their sum
+  explicit InnerRows(const Connectivity& of_patch)
+      : connectivity(of_patch), number(of_patch.vertex_count(), k_held) {
+    int count = 0;
+    for (const Index v : connectivity.inner_vertices())
+      number[v] = count++;
+  }
+  int size() const { return static_cast<int>(masses.size()); }
+
+  std::span<const Index> ring(std::size_t row) const {
+    return connectivity.ring(connectivity.inner_vertices()[row]);
+  }
+
+  const Connectivity& connectivity;
+  std::vector<int> number;      // of each vertex among the inner ones
+  std::vector<double> weights;  // of the edges, row by row; the diagonal is their sum
   std::vector<double> masses;
   Columns pull;  // L x0
-
-  int size() const { return static_cast<int>(masses.size()); }
 };
 
 /// Appends the row of one vertex at p.
-/// @param numbers of its ring
-void append_row(Vec3 p, const std::vector<Vec3>& ring, const std::vector<int>& numbers,
-                InnerRows& rows) {
+void append_row(Vec3 p, const std::vector<Vec3>& ring, InnerRows& rows) {
   const std::size_t n = ring.size(), first = rows.weights.size();
   rows.weights.resize(first + n, 0.0);
   double area = 0.0;
@@ -71,27 +80,23 @@ void append_row(Vec3 p, const std::vector<Vec3>& ring, const std::vector<int>& n
     pull += rows.weights[first + j] * (p - ring[j]);
   rows.pull.push_back(pull);
   rows.masses.push_back(area / 3.0);
-  rows.columns.insert(rows.columns.end(), numbers.begin(), numbers.end());
-  rows.start.push_back(rows.columns.size());
 }
 
 /// @param positions of all vertices
 InnerRows rows_of(const Columns& positions, const Connectivity& connectivity) {
-  std::vector<int> number(positions.size(), k_held);
-  int count = 0;
+  InnerRows rows(connectivity);
+  std::size_t entries = 0;
   for (const Index v : connectivity.inner_vertices())
-    number[v] = count++;
-  InnerRows rows;
+    entries += connectivity.ring(v).size();
+  rows.weights.reserve(entries);
+  rows.masses.reserve(connectivity.inner_vertices().size());
+  rows.pull.reserve(connectivity.inner_vertices().size());
   std::vector<Vec3> ring;
-  std::vector<int> numbers;
   for (const Index v : connectivity.inner_vertices()) {
     ring.clear();
-    numbers.clear();
-    for (const Index w : connectivity.ring(v)) {
+    for (const Index w : connectivity.ring(v))
       ring.push_back(positions[w]);
-      numbers.push_back(number[w]);
-    }
-    append_row(positions[v], ring, numbers, rows);
+    append_row(positions[v], ring, rows);
   }
   // A vertex without area would be divided by.
   CarefulSum sum;
@@ -106,11 +111,12 @@ InnerRows rows_of(const Columns& positions, const Connectivity& connectivity) {
 /// L x.
 Columns laplacian_of(const Columns& x, const InnerRows& rows) {
   Columns result(x.size());
+  const double* weight = rows.weights.data();
   for (std::size_t v = 0; v < x.size(); ++v) {
     Vec3 sum;
-    for (std::size_t j = rows.start[v]; j < rows.start[v + 1]; ++j) {
-      const int column = rows.columns[j];
-      sum += rows.weights[j] * (column == k_held ? x[v] : x[v] - x[static_cast<Index>(column)]);
+    for (const Index w : rows.ring(v)) {
+      const int column = rows.number[w];
+      sum += *weight++ * (column == k_held ? x[v] : x[v] - x[static_cast<Index>(column)]);
     }
     result[v] = sum;
   }
@@ -118,12 +124,15 @@ Columns laplacian_of(const Columns& x, const InnerRows& rows) {
 }
 
 /// Of each of the three coordinates.
-Vec3 products(const Columns& a, const Columns& b) {
+/// @param b its entries by number
+template <class F>
+Vec3 products(const Columns& a, F b) {
   CarefulSum x, y, z;
   for (std::size_t v = 0; v < a.size(); ++v) {
-    x.add(a[v].x * b[v].x);
-    y.add(a[v].y * b[v].y);
-    z.add(a[v].z * b[v].z);
+    const Vec3 other = b(v);
+    x.add(a[v].x * other.x);
+    y.add(a[v].y * other.y);
+    z.add(a[v].z * other.z);
   }
   return {x.value(), y.value(), z.value()};
 }
@@ -140,13 +149,15 @@ Vec3 ratios(Vec3 a, Vec3 b) {
 /// The diagonal of M + t L M^-1 L.
 std::vector<double> diagonal_of(const InnerRows& rows, double t) {
   std::vector<double> diagonal = rows.masses;
+  const double* next = rows.weights.data();
   for (std::size_t v = 0; v < diagonal.size(); ++v) {
     double sum = 0.0;
-    for (std::size_t j = rows.start[v]; j < rows.start[v + 1]; ++j) {
-      const double weight = rows.weights[j];
+    for (const Index w : rows.ring(v)) {
+      const double weight = *next++;
+      const int column = rows.number[w];
       sum += weight;
-      if (rows.columns[j] != k_held)
-        diagonal[v] += t * weight * weight / rows.masses[static_cast<Index>(rows.columns[j])];
+      if (column != k_held)
+        diagonal[v] += t * weight * weight / rows.masses[static_cast<Index>(column)];
     }
     diagonal[v] += t * sum * sum / rows.masses[v];
   }
@@ -170,25 +181,24 @@ double sum_of(Vec3 a) {
 
 /// d with A (x0 + d) = M x0 on inner vertices, so A d = -t L M^-1 (L x0): conjugate gradients,
 /// preconditioned by the diagonal.
-Columns moves_of(const InnerRows& rows, double t, int most_steps) {
-  Columns residual = rows.pull;
+Columns moves_of(InnerRows rows, double t, int most_steps) {
+  Columns residual = std::move(rows.pull);
   for (std::size_t v = 0; v < residual.size(); ++v)
     residual[v] = (-t / rows.masses[v]) * residual[v];
   residual = laplacian_of(residual, rows);
   const std::vector<double> diagonal = diagonal_of(rows, t);
-  Columns moves(residual.size()), direction(residual.size()), better(residual.size());
+  Columns moves(residual.size()), direction(residual.size());
+  const auto better = [&](std::size_t v) { return (1.0 / diagonal[v]) * residual[v]; };
   Vec3 before{};
   double first = 0.0;
   for (int k = 0; k < most_steps; ++k) {
-    for (std::size_t v = 0; v < moves.size(); ++v)
-      better[v] = (1.0 / diagonal[v]) * residual[v];
     const Vec3 now = products(residual, better), keep = ratios(now, before);
     if (k == 0) first = sum_of(now);
     if (!(sum_of(now) > k_enough * first)) break;
     for (std::size_t v = 0; v < moves.size(); ++v)
-      direction[v] = better[v] + by_coordinate(keep, direction[v]);
+      direction[v] = better(v) + by_coordinate(keep, direction[v]);
     const Columns change = smoothing_of(direction, rows, t);
-    const Vec3 step = ratios(now, products(direction, change));
+    const Vec3 step = ratios(now, products(direction, [&](std::size_t v) { return change[v]; }));
     for (std::size_t v = 0; v < moves.size(); ++v) {
       moves[v] += by_coordinate(step, direction[v]);
       residual[v] += -by_coordinate(step, change[v]);
@@ -221,20 +231,23 @@ std::vector<Vec3> smoothed_positions(const Patch& patch, std::optional<double> w
   const std::span<const Index> inner = patch.inner_vertices();
   if (inner.empty()) return patch.positions();
   const double scale = patch.unit_scale();
-  Columns positions = patch.positions();
-  for (Vec3& p : positions)
-    p = scale * p;
-  const double edge = mean_edge(positions, patch.connectivity());
+  const auto scaled = [&] {
+    Columns positions = patch.positions();
+    for (Vec3& p : positions)
+      p = scale * p;
+    return positions;
+  };
+  const double edge = mean_edge(scaled(), patch.connectivity());
   if (wave) check_range("smooth_first", *wave, {0.0, k_longest_wave * edge / scale});
   const double length = wave ? *wave * scale : k_usual_wave * edge;
   const double root = 0.5 * length / std::numbers::pi, edges = length / (k_usual_wave * edge);
   const auto most_steps = static_cast<int>(k_most_steps * std::max(1.0, edges * edges));
-  const Columns moves =
-      moves_of(rows_of(positions, patch.connectivity()), root * root * root * root, most_steps);
+  InnerRows rows = rows_of(scaled(), patch.connectivity());
+  const Columns moves = moves_of(std::move(rows), root * root * root * root, most_steps);
   if (!std::all_of(moves.begin(), moves.end(), is_finite)) return patch.positions();
   std::vector<Vec3> result = patch.positions();
   for (std::size_t i = 0; i < inner.size(); ++i) {
-    const Vec3 place = positions[inner[i]] + moves[i];
+    const Vec3 place = scale * patch.positions()[inner[i]] + moves[i];
     result[inner[i]] = {place.x / scale, place.y / scale, place.z / scale};
   }
   return result;

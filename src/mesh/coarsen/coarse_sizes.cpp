@@ -42,7 +42,7 @@ double fixed_size(const FineSurface& surface, const HalfEdges& half_edges,
 std::vector<Origin> find_origins(const FineSurface& surface, const HalfEdges& half_edges,
                                  std::span<const unsigned char> fixed) {
   std::vector<Origin> origins(fixed.size());
-  VertexQueue queue(fixed.size());
+  VertexQueue<double> queue(fixed.size());
   for (Index v = 0; v < fixed.size(); ++v) {
     if (fixed[v] == 0 || !half_edges.is_used(v)) continue;
     origins[v].size = fixed_size(surface, half_edges, fixed, v);

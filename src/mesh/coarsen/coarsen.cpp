@@ -50,7 +50,7 @@ CoarsePatch coarsen(const Patch& patch, std::size_t vertices, CoarseBorder borde
   std::vector<unsigned char> kept(order.size(), 0);
   for (std::size_t i = 0; i < order.size() && !keep.empty(); ++i)
     kept[i] = keep[order[i]];
-  Coarsener coarsener(renumbered(patch.mesh(), order), vertices, border, std::move(kept));
+  Coarsener coarsener(patch.mesh(), order, vertices, border, std::move(kept));
   coarsener.run(pool);
   return patch_of(patch.mesh(), coarsener.triangles(), order);
 }

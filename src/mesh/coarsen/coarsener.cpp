@@ -7,13 +7,14 @@
 #include <limits>
 #include <utility>
 
+#include "mesh/breadth_first.h"
 #include "mesh/coarsen/coarse_sizes.h"
 
 namespace planish {
 
 namespace {
 
-constexpr double k_far = std::numeric_limits<double>::infinity();
+constexpr float k_far = std::numeric_limits<float>::infinity();
 // How much a square of the distance from the fine surface counts against one of an edge length.
 constexpr double k_distance_cost = 10.0;
 // How much a poor shape of the triangles counts in the choice of the end to collapse into.
@@ -21,7 +22,7 @@ constexpr double k_shape_cost = 2.0;
 // Gap at a border vertex to the crowding inside at the same edge lengths.
 constexpr double k_gap_cost = 0.2;
 // Where vertices are so far apart for their size, no more are taken at a kept border.
-constexpr double k_sparse = 1.0;
+constexpr float k_sparse = 1.0F;
 // Keys of vertices four times as dense as what is wanted, and denser ones.
 constexpr double k_early = 0.0625;
 constexpr double k_least_alignment = 0.5;    // cosine of 60 degrees
@@ -31,21 +32,22 @@ constexpr std::size_t k_least_loop = 6;
 
 /// The key less its last digits: vertices of one level go in the order of their numbers, near ones
 /// together, which is several times as fast and costs no quality. Coarser levels do at first.
-double level_of(double key) {
+float level_of(double key) {
   const int digits = key < k_early ? 1 : 4;  // after the first, binary
   const int dropped = std::numeric_limits<double>::digits - 1 - digits;
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(key) >> dropped << dropped);
+  return static_cast<float>(
+      std::bit_cast<double>(std::bit_cast<std::uint64_t>(key) >> dropped << dropped));
 }
 
 }  // namespace
 
-Coarsener::Coarsener(const TriMesh& mesh, std::size_t vertices, CoarseBorder border,
-                     std::vector<unsigned char> keep)
-    : half_edges_(mesh),
-      surface_(fine_surface(mesh, half_edges_)),
+Coarsener::Coarsener(const TriMesh& mesh, const std::vector<Index>& order, std::size_t vertices,
+                     CoarseBorder border, std::vector<unsigned char> keep)
+    : half_edges_(renumbered(mesh, order)),
+      surface_(fine_surface({mesh, order}, half_edges_)),
       fixed_(std::move(keep)),
       limit_(border == CoarseBorder::kept ? k_sparse : k_far),
-      left_(mesh.positions.size()),
+      left_(order.size()),
       wanted_(vertices),
       loop_of_(left_, HalfEdges::none),
       queue_(left_),
@@ -56,6 +58,9 @@ Coarsener::Coarsener(const TriMesh& mesh, std::size_t vertices, CoarseBorder bor
   }
   sizes_ = border == CoarseBorder::kept ? graded_sizes(surface_, half_edges_, fixed_, vertices)
                                         : even_sizes(surface_, vertices);
+  surface_.areas = std::vector<double>();  // sizes alone need them
+  quadrics_ = fine_quadrics(surface_.positions, half_edges_);
+  queue_.reserve(left_);
   for (Index v = 0; v < left_; ++v) {
     if (fixed_[v] == 0) queue_.set(v, level_of(crowding(v)));
   }
@@ -122,7 +127,7 @@ double Coarsener::border_gap(Index v) const {
 
 double Coarsener::distance_cost(Index gone, Index stays) const {
   const double size = sizes_[gone];
-  return k_distance_cost * surface_.quadrics[gone].mean(surface_.positions[stays]) / (size * size);
+  return k_distance_cost * quadrics_[gone].mean(surface_.positions[stays]) / (size * size);
 }
 
 /// Calls f(edge, end that stays) with each edge that v may be drawn along.
@@ -140,7 +145,7 @@ void Coarsener::for_each_way_out(Index v, F f) const {
 
 /// What taking v out costs at least.
 double Coarsener::least_cost(Index v) const {
-  double least = k_far;
+  double least = std::numeric_limits<double>::infinity();
   for_each_way_out(v, [&](Index, Index w) { least = std::min(least, distance_cost(v, w)); });
   return least + crowding(v);
 }
@@ -174,7 +179,7 @@ void Coarsener::touch(Index v) {
 void Coarsener::collapse(const Collapse& way, Index gone) {
   if (half_edges_.is_border(gone)) --loop_sizes_[loop_of_[gone]];
   half_edges_.collapse(way.edge, gone);
-  surface_.quadrics[way.stays] += surface_.quadrics[gone];
+  quadrics_[way.stays] += quadrics_[gone];
   --left_;
   touch(way.stays);
   half_edges_.for_each_neighbor(way.stays, [&](Index w) { touch(w); });
@@ -238,7 +243,7 @@ void Coarsener::run(const ThreadPool* pool) {
        ++step) {
     if (pool != nullptr && step % often == 0) pool->stop_if_cancelled();
     const Index v = queue_.top();
-    const double key = queue_.top_key(), least = level_of(least_cost(v));
+    const float key = queue_.top_key(), least = level_of(least_cost(v));
     if (least > key) {
       queue_.set(v, least);
       continue;

@@ -14,12 +14,13 @@ namespace planish {
 /// Takes vertices out of a mesh one after another; see coarsen().
 class Coarsener {
  public:
-  Coarsener(const TriMesh& mesh, std::size_t vertices, CoarseBorder border,
-            std::vector<unsigned char> keep);
+  /// @param mesh must outlive it, as must `order`: its vertices, by their numbers in here
+  Coarsener(const TriMesh& mesh, const std::vector<Index>& order, std::size_t vertices,
+            CoarseBorder border, std::vector<unsigned char> keep);
 
   /// @throws Cancelled
   void run(const ThreadPool* pool);
-  /// The triangles that are left.
+  /// The triangles that are left, in the numbers of `order`.
   std::vector<Triangle> triangles() const;
 
  private:
@@ -51,13 +52,14 @@ class Coarsener {
 
   HalfEdges half_edges_;
   FineSurface surface_;
+  std::vector<PlaneQuadric> quadrics_;
   std::vector<unsigned char> fixed_;
   std::vector<double> sizes_;
-  double limit_;
+  float limit_;  // of keys
   std::size_t left_ = 0, wanted_;
   std::vector<Index> loop_of_;  // of border vertices
   std::vector<std::size_t> loop_sizes_;
-  VertexQueue queue_;
+  VertexQueue<float> queue_;  // by level_of()
   std::vector<Collapse> ways_;
   std::vector<Index> stack_, touched_;
   std::vector<unsigned char> is_touched_;

@@ -9,16 +9,21 @@ namespace planish {
 
 /// Vertices by a key that may change, the smallest first, of equal keys the smallest number: a
 /// binary heap that knows where each vertex is.
+/// @tparam Key float where keys have few digits, which halves the memory
+template <class Key>
 class VertexQueue {
  public:
   explicit VertexQueue(std::size_t vertex_count) : places_(vertex_count, k_outside) {}
 
+  /// Makes room for so many.
+  void reserve(std::size_t count) { heap_.reserve(count); }
+
   bool empty() const { return heap_.empty(); }
   Index top() const { return heap_.front().vertex; }
-  double top_key() const { return heap_.front().key; }
+  Key top_key() const { return heap_.front().key; }
 
   /// Puts v in, or changes its key.
-  void set(Index v, double key) {
+  void set(Index v, Key key) {
     if (places_[v] == k_outside) {
       places_[v] = static_cast<Index>(heap_.size());
       heap_.push_back({key, v});
@@ -43,7 +48,7 @@ class VertexQueue {
   static constexpr Index k_outside = static_cast<Index>(-1);
 
   struct Entry {
-    double key;
+    Key key;
     Index vertex;
     bool operator<(const Entry& other) const {
       return key != other.key ? key < other.key : vertex < other.vertex;

@@ -64,7 +64,7 @@ class NearEdges {
       }
       for (std::size_t place = node.begin; place < node.end; ++place) {
         const std::size_t other = tree_.triangle(place);
-        const auto& corners = tree_.corners(place);
+        const BoxTree::Corners corners = tree_.corners(place);
         const bool is_near = distance_to(middle, corners[0], corners[1]) <= reach &&
                              is_parallel(e, other) && !are_neighbours(e, other);
         if (is_near) beside.insert(edges_[other].patch);

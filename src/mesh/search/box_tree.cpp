@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace planish {
 
@@ -13,6 +14,12 @@ double coordinate(Vec3 p, int axis) {
   return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
+/// Of a tree of so many triangles: halves differ by one at most, so a level has two sizes.
+std::size_t node_count(std::size_t triangles) {
+  if (triangles <= k_leaf_size) return 1;
+  return 1 + node_count(triangles / 2) + node_count(triangles - triangles / 2);
+}
+
 }  // namespace
 
 Box box_of(const BoxTree::Corners& corners) {
@@ -22,39 +29,37 @@ Box box_of(const BoxTree::Corners& corners) {
   return box;
 }
 
-BoxTree::BoxTree(const TriMesh& mesh) : triangles_(mesh.triangles.size()) {
-  const auto corners_of = [&](Index t) {
-    const Triangle& tri = mesh.triangles[t];
-    return Corners{mesh.positions[tri[0]], mesh.positions[tri[1]], mesh.positions[tri[2]]};
-  };
-  std::iota(triangles_.begin(), triangles_.end(), Index{0});
-  corners_.reserve(triangles_.size());
-  for (const Index t : triangles_)
-    corners_.push_back(corners_of(t));
-  nodes_.reserve(2 * (triangles_.size() / k_leaf_size + 1));
-  add_node(0, triangles_.size());
-  // Only now in the order of the tree: sorting looked corners up by triangle.
-  for (std::size_t i = 0; i < triangles_.size(); ++i)
-    corners_[i] = corners_of(triangles_[i]);
+BoxTree::BoxTree(TriMesh mesh)
+    : positions_(std::move(mesh.positions)),
+      triangles_(std::move(mesh.triangles)),
+      numbers_(triangles_.size()) {
+  std::iota(numbers_.begin(), numbers_.end(), Index{0});
+  nodes_.reserve(node_count(numbers_.size()));
+  add_node(0, static_cast<Index>(numbers_.size()));
+  std::vector<Triangle> in_order;
+  in_order.reserve(triangles_.size());
+  for (const Index t : numbers_)
+    in_order.push_back(triangles_[t]);
+  triangles_ = std::move(in_order);
 }
 
-std::size_t BoxTree::add_node(std::size_t begin, std::size_t end) {
+Index BoxTree::add_node(Index begin, Index end) {
   Box box, middles;
   const auto middle_of = [this](Index t) {
-    const Corners& c = corners_[t];
+    const Corners c = corners_of(triangles_[t]);
     return c[0] + c[1] + c[2];
   };
-  for (std::size_t i = begin; i < end; ++i) {
-    box.add(box_of(corners_[triangles_[i]]));
-    middles.add(middle_of(triangles_[i]));
+  for (Index place = begin; place < end; ++place) {
+    box.add(box_of(corners_of(triangles_[numbers_[place]])));
+    middles.add(middle_of(numbers_[place]));
   }
-  const std::size_t number = nodes_.size();
+  const auto number = static_cast<Index>(nodes_.size());
   nodes_.push_back({box, begin, end, 0});
   if (end - begin <= k_leaf_size) return number;
   const Vec3 size = middles.high - middles.low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::size_t half = begin + (end - begin) / 2;
-  const auto at = [this](std::size_t i) { return triangles_.begin() + static_cast<long>(i); };
+  const Index half = begin + (end - begin) / 2;
+  const auto at = [this](Index place) { return numbers_.begin() + place; };
   std::nth_element(at(begin), at(half), at(end), [&](Index s, Index t) {
     const double a = coordinate(middle_of(s), axis), b = coordinate(middle_of(t), axis);
     return a != b ? a < b : s < t;

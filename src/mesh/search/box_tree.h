@@ -21,25 +21,29 @@ class BoxTree {
   /// follows it and of the node `second`.
   struct Node {
     Box box;
-    std::size_t begin = 0, end = 0;
-    std::size_t second = 0;  // 0 for a leaf
+    Index begin = 0, end = 0;
+    Index second = 0;  // 0 for a leaf
 
     bool is_leaf() const { return second == 0; }
   };
 
-  /// @param mesh has a triangle at least; not needed afterwards
-  explicit BoxTree(const TriMesh& mesh);
+  /// @param mesh has a triangle at least
+  explicit BoxTree(TriMesh mesh);
 
   std::span<const Node> nodes() const { return nodes_; }  // the root first
   /// The number of a triangle by its place in the order of the tree.
-  Index triangle(std::size_t place) const { return triangles_[place]; }
-  const Corners& corners(std::size_t place) const { return corners_[place]; }
+  Index triangle(std::size_t place) const { return numbers_[place]; }
+  Corners corners(std::size_t place) const { return corners_of(triangles_[place]); }
 
  private:
-  std::size_t add_node(std::size_t begin, std::size_t end);
+  Index add_node(Index begin, Index end);
+  Corners corners_of(const Triangle& t) const {
+    return {positions_[t[0]], positions_[t[1]], positions_[t[2]]};
+  }
 
-  std::vector<Index> triangles_;  // in the order of the tree
-  std::vector<Corners> corners_;  // of each, in that order
+  std::vector<Vec3> positions_;
+  std::vector<Triangle> triangles_;  // in the order of the mesh until all nodes are made
+  std::vector<Index> numbers_;       // by place
   std::vector<Node> nodes_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include <planish/mesh/tri_mesh.h>
 
@@ -27,8 +28,8 @@ ClosestPoint closest_on_triangle(const std::array<Vec3, 3>& corners, Vec3 p);
 /// build, O(log n) for a query that is near the surface.
 class ClosestPointTree {
  public:
-  /// @param mesh has a triangle at least; not needed afterwards
-  explicit ClosestPointTree(const TriMesh& mesh) : tree_(mesh) {}
+  /// @param mesh has a triangle at least
+  explicit ClosestPointTree(TriMesh mesh) : tree_(std::move(mesh)) {}
 
   /// The point nearest to p; of several equally near triangles that of the smallest number. Exactly
   /// what looking at all triangles one by one would find.

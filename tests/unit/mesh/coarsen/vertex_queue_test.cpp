@@ -15,7 +15,7 @@ TEST(VertexQueue, HasTheSmallestOnTopWhateverChanges) {
   constexpr double outside = std::numeric_limits<double>::infinity();
   meshes::Random random(11);
   std::vector<double> keys(40, outside);
-  VertexQueue queue(keys.size());
+  VertexQueue<double> queue(keys.size());
   for (int i = 0; i < 5000; ++i) {
     const auto v = static_cast<Index>(20.0 * (1.0 + random.number()));
     if (random.number() < 0.2) {

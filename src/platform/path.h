@@ -23,7 +23,8 @@ char forbidden_letter(const std::filesystem::path& path);
 
 /// The paths in a folder, in no order; where it cannot be read those that were found until then.
 /// @param failure why it cannot
-/// @throws std::bad_alloc; GCC's std::filesystem::directory_iterator ends the program instead
+/// Unlike GCC's std::filesystem::directory_iterator it does not end the program on POSIX systems
+/// where memory runs out.
 std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folder,
                                               std::error_code& failure);
 

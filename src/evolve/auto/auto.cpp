@@ -221,7 +221,7 @@ class AutoStepper {
       return outcome.with(SweepStatus::running);
     }
     if (cycle.flat) return outcome.ended(StopReason::converged);
-    // A descent that was given up would not do better again, but cycles may.
+    // A descent that was given up would hardly do better again, so cycles go on for longer.
     const bool soon = cycle.slow >= k_slow_cycles && strain_at_end_ <= k_polish_strain;
     if ((cycle.over || soon) && rounds_++ < k_most_rounds) {
       phase_.emplace<Descending>();

@@ -1,7 +1,6 @@
 #include "evolve/descent/defect_clusters.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -20,8 +19,8 @@ using namespace tuning::polish;
 
 namespace {
 
-/// Largest first, until they have nearly all of the energy. Of no use are those that are no larger
-/// than all are on a patch that counts as flattenable.
+/// Largest first, until they have nearly all of the energy. Defects are left out that are as small
+/// as the mean of a flattenable patch.
 std::vector<Index> vertices_of_largest_defects(const PatchState& state) {
   const auto square = [&](Index v) { return state.defect(v) * state.defect(v); };
   std::vector<Index> vertices(state.inner_count());
@@ -38,10 +37,10 @@ std::vector<Index> vertices_of_largest_defects(const PatchState& state) {
   std::partial_sort(vertices.begin(), last, vertices.end(), is_larger);
   const double small =
       k_of_sum * k_flattenable_sum / std::max(1.0, static_cast<double>(vertices.size()));
-  double share = 0.0;
+  double covered = 0.0;
   const auto end = std::find_if(vertices.begin(), last, [&](Index v) {
-    const bool enough = share >= k_share_of_largest * energy || square(v) <= small * small;
-    share += square(v);
+    const bool enough = covered >= k_share_of_largest * energy || square(v) <= small * small;
+    covered += square(v);
     return enough;
   });
   vertices.erase(end, vertices.end());
@@ -71,8 +70,7 @@ std::vector<Index> inner_vertices_around(std::vector<Index> vertices, int edges,
 /// What a cluster has come to.
 struct Progress {
   double energy = 0.0;
-  double unit = 0.0;  // of the damping: the mean of the diagonal
-  double damping = k_first_cluster_damping;
+  double damping = k_first_cluster_damping;  // over the median of the diagonal
   bool over = false;
 };
 
@@ -150,24 +148,27 @@ class ClusterSteps {
     return energies;
   }
 
-  /// By row.
+  /// By row, over the median of the diagonal of each cluster.
   std::vector<double> damping() {
-    std::vector<double> damping(clusters_.rows.size(), 0.0);
-    std::vector<double> sums(clusters_.count, 0.0), counts(clusters_.count, 0.0);
-    for (std::size_t i = 0; i < clusters_.vertices.size(); ++i) {
-      const Index v = clusters_.vertices[i];
+    std::vector<double> diagonal(clusters_.rows.size(), 0.0);
+    for (const Index v : clusters_.vertices) {
       for (const auto& entry : jacobian_.column(v)) {
         const Vec3 g = jacobian_.gradient(entry.entry);
-        sums[clusters_.cluster_of_vertex[i]] += inverse_weights_[v] * dot(g, g);
+        diagonal[entry.row] += inverse_weights_[v] * dot(g, g);
       }
     }
-    for (const Index c : clusters_.cluster_of_row)
-      counts[c] += 1.0;
-    for (std::size_t row = 0; row < damping.size(); ++row) {
-      const Index c = clusters_.cluster_of_row[row];
-      damping[row] = sums[c] > 0.0 ? progress_[c].damping * sums[c] / counts[c] : 1.0;
+    std::vector<std::vector<double>> of_cluster(clusters_.count);
+    for (std::size_t row = 0; row < diagonal.size(); ++row)
+      of_cluster[clusters_.cluster_of_row[row]].push_back(diagonal[row]);
+    for (std::size_t c = 0; c < clusters_.count; ++c) {
+      std::vector<double>& values = of_cluster[c];
+      const auto middle = values.begin() + std::ssize(values) / 2;
+      std::nth_element(values.begin(), middle, values.end());
+      values = {*middle > 0.0 ? progress_[c].damping * *middle : 1.0};
     }
-    return damping;
+    for (std::size_t row = 0; row < diagonal.size(); ++row)
+      diagonal[row] = of_cluster[clusters_.cluster_of_row[row]].front();
+    return diagonal;
   }
 
   /// Keeps the moves of the clusters whose energy fell within the limits and takes the others back.
@@ -223,17 +224,19 @@ class ClusterSteps {
   std::vector<Progress> progress_;
 };
 
-/// Numbers the clusters of vertices and rows.
-class ClusterNumbers {
+/// Finds which vertices and rows are in one cluster.
+class ClusterSearch {
  public:
-  ClusterNumbers(const AngleJacobian& jacobian, DefectClusters& clusters)
-      : jacobian_(jacobian), clusters_(clusters) {
-    clusters.cluster_of_vertex.assign(clusters.vertices.size(), k_no_cluster);
-    clusters.cluster_of_row.assign(clusters.rows.size(), k_no_cluster);
-    for (const Index v : clusters.vertices) {
+  ClusterSearch(const AngleJacobian& jacobian, DefectClusters& clusters)
+      : jacobian_(jacobian), clusters_(clusters) {}
+
+  void run() {
+    clusters_.cluster_of_vertex.assign(clusters_.vertices.size(), k_no_cluster);
+    clusters_.cluster_of_row.assign(clusters_.rows.size(), k_no_cluster);
+    for (const Index v : clusters_.vertices) {
       if (!enter_vertex(v)) continue;
       enter_rows();
-      ++clusters.count;
+      ++clusters_.count;
     }
   }
 
@@ -287,7 +290,7 @@ DefectClusters clusters_of_largest_defects(const PatchState& state, const AngleJ
     if (jacobian.is_movable(v)) clusters.vertices.push_back(v);
   }
   clusters.rows = inner_vertices_around(clusters.vertices, 1, jacobian);
-  ClusterNumbers(jacobian, clusters);
+  ClusterSearch(jacobian, clusters).run();
   return clusters;
 }
 

@@ -22,13 +22,12 @@ struct DefectClusters {
 /// The clusters around the vertices of the largest defects, as of the last measure().
 DefectClusters clusters_of_largest_defects(const PatchState& state, const AngleJacobian& jacobian);
 
-/// Lowers the energy of each of these clusters by itself, by Levenberg and Marquardt's least-norm
-/// steps (docs/methods/auto.md): a few vertices where the surface is nearly flat, whose defects go
-/// with the squares of moves, need many small steps, while one for all of them is enough elsewhere.
-/// A cluster takes a step only where its energy falls and it keeps the limits.
+/// Lowers the energy of each of these clusters by itself, in least-norm steps with Levenberg and
+/// Marquardt's damping (docs/methods/auto.md). Where the surface is nearly flat, defects go with
+/// the squares of moves: the few vertices there need many small steps. A cluster takes a step only
+/// if its energy falls and it keeps the limits. The defects are to be measured again afterwards.
 /// @param jacobian of the whole patch
 /// @param inverse_weights 1/w^2 by inner vertex
-/// The defects are to be measured again.
 void reduce_largest_defects(PatchState& state, const AngleJacobian& jacobian,
                             std::span<const double> inverse_weights, const DescentLimits& limits,
                             ThreadPool& pool);

@@ -74,16 +74,18 @@ DefectPolish::Cycle DefectPolish::cycle() {
   const Flattenability figures = state_.measure(pool_);
   cycle.in_double = least_.dual().fell_back();
   cycle.flat = is_surely_flattenable(figures);
-  slow_cycles_ = figures.energy > k_slow_share * energy ? slow_cycles_ + 1 : 0;
+  const bool has_step = cycles_++ > 0;
+  slow_cycles_ = has_step && figures.energy > k_slow_share * energy ? slow_cycles_ + 1 : 0;
+  stalled_cycles_ = figures.energy > k_stalled_share * energy ? stalled_cycles_ + 1 : 0;
   cycle.slow = slow_cycles_;
-  cycle.over = cycle.moved == 0 || slow_cycles_ >= k_most_slow || ++cycles_ >= k_most_cycles;
+  cycle.over = cycle.moved == 0 || stalled_cycles_ >= k_most_stalled || cycles_ >= k_most_cycles;
   return cycle;
 }
 
 std::size_t DefectPolish::move() {
   const Positions before = inner_positions(state_);
   const double energy = state_.measure(pool_).energy;
-  const bool only_sweeps = std::exchange(first_, false);
+  const bool only_sweeps = cycles_ == 0;
   for (int i = 0; i < k_most_dampings; ++i, damping_ *= k_tighten_much) {
     const Positions step = only_sweeps ? Positions(before.size()) : least_norm_step();
     double share = 1.0;

@@ -11,10 +11,11 @@
 
 namespace planish {
 
-/// Takes the last defects out of a patch whose strain is small, in cycles of two halves that each
-/// do what the other cannot (docs/methods/auto.md): a least-norm step for what is spread over the
-/// patch, damped where it is not, and controllable sweeps, which spread what is at single vertices.
-/// Energy falls in every cycle that moves anything.
+/// Takes the last defects out of a patch whose strain is small, in cycles of three parts that each
+/// do what the others cannot (docs/methods/auto.md): a least-norm step for what is spread over the
+/// patch, damped where it is not, controllable sweeps, which spread what is at single vertices, and
+/// steps of the clusters around the largest defects. Energy falls in every cycle that moves
+/// anything.
 class DefectPolish {
  public:
   /// The state must outlive it, as must the pool. An angle that is sharper already is its own
@@ -24,8 +25,8 @@ class DefectPolish {
   struct Cycle {
     std::size_t moved = 0;   ///< vertices
     bool flat = false;       ///< the patch is surely flattenable
-    int slow = 0;            ///< so many in a row have left most of the energy
-    bool over = false;       ///< nothing moved, or all that are allowed were slow
+    int slow = 0;            ///< so many in a row with a step have left most of the energy
+    bool over = false;       ///< nothing moved, too many have stalled in a row, or it was the last
     bool in_double = false;  ///< float did not do for a matrix
   };
   Cycle cycle();
@@ -51,8 +52,7 @@ class DefectPolish {
   std::vector<double> inverse_weights_;
   LeastNormStep least_;
   double least_damping_, damping_ = 1e-2;
-  int cycles_ = 0, slow_cycles_ = 0;
-  bool first_ = true;
+  int cycles_ = 0, slow_cycles_ = 0, stalled_cycles_ = 0;
   std::optional<StopReason> held_by_;
 };
 

@@ -224,8 +224,10 @@ namespace polish {
 inline constexpr double k_longest_step = 0.5;
 /// Done at these shares of what counts as flattenable, so that rounding does not undo it.
 inline constexpr double k_of_e_max = 0.5, k_of_sum = 0.8;
-/// Cycles at most, and in a row slow ones, which leave more than this share of the energy.
-inline constexpr int k_most_cycles = 100, k_most_slow = 8;
+/// Cycles at most, and in a row those that leave nearly all of the energy: more than this share.
+inline constexpr int k_most_cycles = 100, k_most_stalled = 8;
+inline constexpr double k_stalled_share = 0.9;
+/// A slow cycle leaves more than this share of the energy.
 inline constexpr double k_slow_share = 0.7;
 /// Controllable sweeps in a cycle.
 inline constexpr int k_sweeps = 20;
@@ -236,14 +238,18 @@ inline constexpr double k_ease = 0.3, k_tighten = 4.0, k_tighten_much = 10.0;
 /// Least damping, and that of dense patches. With less damping their steps go too far in directions
 /// that hardly change the angle sums to first order, and single precision takes more solves.
 inline constexpr double k_least_damping = 1e-6, k_least_damping_dense = 1e-4;
-/// Clusters (reduce_largest_defects): around so many vertices at most, or those that have this
-/// share of the energy, as far as so many edges away; steps of each at most, the last one of which
-/// leaves more than the next share of its energy; damping at first, at least and at most. With less
-/// damping vertices move further and energy falls no faster.
+/// Clusters (reduce_largest_defects) are around the vertices of the largest defects: so many at
+/// most, or those that have this share of the energy.
 inline constexpr std::ptrdiff_t k_most_largest = 200;
 inline constexpr double k_share_of_largest = 0.95;
-inline constexpr int k_cluster_edges = 3, k_most_cluster_steps = 15;
+/// They reach so many edges away from these.
+inline constexpr int k_cluster_edges = 3;
+/// Steps of a cluster at most. With the least damping, one that leaves more than this share of its
+/// energy is its last.
+inline constexpr int k_most_cluster_steps = 15;
 inline constexpr double k_little_fall = 0.9;
+/// Damping of a cluster at first, at least and at most. With less, vertices move further and the
+/// energy falls no faster.
 inline constexpr double k_first_cluster_damping = 1e-3, k_least_cluster_damping = 1e-4,
                         k_most_cluster_damping = 1e3;
 /// Rounds at most in which vertices of triangles that are too sharp go back.

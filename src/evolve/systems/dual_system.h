@@ -27,7 +27,7 @@ class DualSystem {
   void damp_by(const SparseMatrix& symmetric, double share_of_identity);
 
   /// Factors for the gradients as they are.
-  /// @param inverse_weights S = W^-2, by inner vertex
+  /// @param inverse_weights S = W^-2, by column of the Jacobian: its inner vertices
   /// @return false where the matrix cannot be factored
   bool factor(std::span<const double> inverse_weights, double mu, ThreadPool& pool);
 

@@ -31,7 +31,8 @@ constexpr double k_flip_height = 0.2;        // to the shorter diagonal
 constexpr std::size_t k_least_loop = 6;
 
 /// The key less its last digits: vertices of one level go in the order of their numbers, near ones
-/// together, which is several times as fast and costs no quality. Coarser levels do at first.
+/// together, which is several times as fast and costs no quality. Coarser levels do at first. Few
+/// digits are left, so a float holds them: keys of a surface of size 1 are within its range.
 float level_of(double key) {
   const int digits = key < k_early ? 1 : 4;  // after the first, binary
   const int dropped = std::numeric_limits<double>::digits - 1 - digits;

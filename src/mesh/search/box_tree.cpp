@@ -14,7 +14,7 @@ double coordinate(Vec3 p, int axis) {
   return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
-/// Of a tree of so many triangles: halves differ by one at most, so a level has two sizes.
+/// How many nodes a tree of so many triangles has.
 std::size_t node_count(std::size_t triangles) {
   if (triangles <= k_leaf_size) return 1;
   return 1 + node_count(triangles / 2) + node_count(triangles - triangles / 2);

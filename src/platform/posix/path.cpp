@@ -27,6 +27,7 @@ bool may_write_into(const std::filesystem::path& folder) {
 std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folder,
                                               std::error_code& failure) {
   std::vector<std::filesystem::path> entries;
+  failure.clear();
   const std::unique_ptr<DIR, int (*)(DIR*)> open(opendir(folder.c_str()), &closedir);
   if (!open) {
     failure = {errno, std::generic_category()};

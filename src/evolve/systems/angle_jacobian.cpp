@@ -27,8 +27,11 @@ std::vector<unsigned char> movable_in(const PatchState& state,
 }  // namespace
 
 AngleJacobian::AngleJacobian(const PatchState& state, std::span<const unsigned char> border_movable)
-    : AngleJacobian(state, {}, rings_by_vertex(state.plan()),
-                    movable_in(state, rings_by_vertex(state.plan()), border_movable)) {}
+    : state_(state),
+      rings_(rings_by_vertex(state.plan())),
+      movable_(movable_in(state, rings_, border_movable)) {
+  lay_out();
+}
 
 AngleJacobian::AngleJacobian(const PatchState& state, std::vector<Index> vertices,
                              std::vector<std::span<const Index>> rings,
@@ -37,6 +40,10 @@ AngleJacobian::AngleJacobian(const PatchState& state, std::vector<Index> vertice
       vertex_of_(std::move(vertices)),
       rings_(std::move(rings)),
       movable_(std::move(movable)) {
+  lay_out();
+}
+
+void AngleJacobian::lay_out() {
   row_start_.push_back(0);
   for (const auto& ring : rings_)
     row_start_.push_back(row_start_.back() + 1 + ring.size());

@@ -67,6 +67,7 @@ class AngleJacobian {
  private:
   AngleJacobian(const PatchState& state, std::vector<Index> vertices,
                 std::vector<std::span<const Index>> rings, std::vector<unsigned char> movable);
+  void lay_out();
   void find_columns();
 
   const PatchState& state_;

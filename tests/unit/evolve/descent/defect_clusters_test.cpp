@@ -5,20 +5,19 @@
 #include <set>
 #include <vector>
 
-#include <planish/evolve/evolve.h>
 #include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>
 
 #include "evolve/descent/smallest_angle.h"
+#include "unit/evolve/descent/flattened_panel.h"
 
 namespace planish {
 namespace {
 
 /// A flattenable panel on which a few vertices far from one another stand out.
 TriMesh panel_with_bumps() {
-  TriMesh mesh = make_shape("panel", 3000);
-  mesh.positions = evolve(Patch(mesh), Auto{.prefer = Prefer::near}).positions;
+  TriMesh mesh = flattened_panel(3000);
   const Patch patch(mesh);
   const double edge =
       norm(mesh.positions[mesh.triangles[0][0]] - mesh.positions[mesh.triangles[0][1]]);

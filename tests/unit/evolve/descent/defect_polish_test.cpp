@@ -3,21 +3,19 @@
 #include <cmath>
 #include <numbers>
 
-#include <planish/evolve/evolve.h>
 #include <planish/measure/flattenability.h>
-#include <planish/mesh/shapes.h>
 
 #include <gtest/gtest.h>
 
 #include "evolve/descent/smallest_angle.h"
+#include "unit/evolve/descent/flattened_panel.h"
 
 namespace planish {
 namespace {
 
 /// A panel that lies flat but for kinks at single vertices and one dent.
 TriMesh kinked_panel() {
-  TriMesh mesh = make_shape("panel", 1200);
-  mesh.positions = evolve(Patch(mesh), Auto{.prefer = Prefer::near}).positions;
+  TriMesh mesh = flattened_panel(1200);
   const Patch patch(mesh);
   const Vec3 middle = mesh.positions[patch.inner_vertices()[400]];
   const double size = norm(mesh.positions.front() - mesh.positions.back());

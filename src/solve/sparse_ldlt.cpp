@@ -58,6 +58,21 @@ std::vector<Index> nodes_of(const Supernodes& tree) {
   return node;
 }
 
+/// Where row 0 of column j would be among the numbers of lower_half().
+std::size_t start_in_half(std::size_t j, std::size_t rows) {
+  return j * rows - j * (j + 1) / 2;
+}
+
+/// Column after column from the diagonal on.
+template <class T>
+Buffer<T> lower_half(const T* matrix, std::size_t rows, std::size_t stride) {
+  Buffer<T> half(rows * (rows + 1) / 2);
+  for (std::size_t j = 0; j < rows; ++j)
+    std::copy(matrix + j * stride + j, matrix + j * stride + rows,
+              half.data() + start_in_half(j, rows) + j);
+  return half;
+}
+
 }  // namespace
 
 template <class T, class Kept>
@@ -186,7 +201,7 @@ void BasicLdlt<T, Kept>::assemble(const Matrix& matrix, std::size_t node, T* pan
 
 template <class T, class Kept>
 bool BasicLdlt<T, Kept>::factor_node(const Matrix& matrix, std::size_t node, FrontSpace<T>& space,
-                                     std::vector<FrontBuffer<T>>& updates, ThreadPool& pool) {
+                                     std::vector<Buffer<T>>& updates, ThreadPool& pool) {
   const FrontShape<T> shape = shape_of(node);
   const std::size_t stride = shape.stride(), corner = FrontShape<T>::padded(shape.columns);
   T* panel = space.panel.data();
@@ -201,27 +216,27 @@ bool BasicLdlt<T, Kept>::factor_node(const Matrix& matrix, std::size_t node, Fro
     }
   };
   for_children([&](Index child, std::span<const Index> to, std::size_t inside) {
-    const T* source = updates[child].data();
-    for (std::size_t j = 0; j < inside; ++j, source += FrontShape<T>::padded(to.size())) {
+    for (std::size_t j = 0; j < inside; ++j) {
+      const T* source = updates[child].data() + start_in_half(j, to.size());
       T* column = panel + to[j] * stride;
       for (std::size_t i = j; i < to.size(); ++i)
         column[to[i]] += source[i];
     }
   });
-  updates[node] = FrontBuffer<T>(shape.rest_size());
-  T* rest = updates[node].data();
+  FrontBuffer<T> own(shape.rest_size());
+  T* rest = own.data();
   if (!factor_front(shape, kernel_, space, pivots_.data() + tree_.first[node], rest, pool))
     return false;
   for_children([&](Index child, std::span<const Index> to, std::size_t inside) {
-    const std::size_t from_stride = FrontShape<T>::padded(to.size());
     for (std::size_t j = inside; j < to.size(); ++j) {
-      const T* source = updates[child].data() + j * from_stride;
+      const T* source = updates[child].data() + start_in_half(j, to.size());
       T* column = rest + (to[j] - corner) * shape.rest_stride();
       for (std::size_t i = j; i < to.size(); ++i)
         column[to[i] - corner] += source[i];
     }
     updates[child] = {};
   });
+  updates[node] = lower_half(rest, shape.rest, shape.rest_stride());
   Kept* kept = panels_.data() + panel_start_[node];
   const auto keep = [&](const T* from, std::size_t count) {
     kept = std::transform(from, from + count, kept, [](T x) { return static_cast<Kept>(x); });
@@ -252,7 +267,7 @@ bool BasicLdlt<T, Kept>::factor(const double* values, std::span<const double> sc
   Matrix matrix{values, std::vector<double>(scale.size())};
   for (std::size_t i = 0; i < scale.size(); ++i)
     matrix.scale[place_[i]] = scale[i];
-  std::vector<FrontBuffer<T>> updates(tree_.count());  // what children leave to their parents
+  std::vector<Buffer<T>> updates(tree_.count());  // what children leave to their parents
   split_ = split_tree(tree_, pool.size());
   std::atomic<bool> sound = true;
   const auto factor_part = [&](const Subtrees::Range& part) {

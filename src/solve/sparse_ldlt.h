@@ -78,9 +78,10 @@ class BasicLdlt {
   /// For any of these fronts.
   FrontSpace<T> space_for(std::span<const Index> nodes) const;
   void assemble(const Matrix& matrix, std::size_t node, T* panel) const;
-  /// @param updates what the supernodes leave to their parents; those of its children are used up
+  /// @param updates what the supernodes leave to their parents, lower halves; those of its children
+  /// are used up
   bool factor_node(const Matrix& matrix, std::size_t node, FrontSpace<T>& space,
-                   std::vector<FrontBuffer<T>>& updates, ThreadPool& pool);
+                   std::vector<Buffer<T>>& updates, ThreadPool& pool);
   /// @param x in order of elimination: the right side before, the solution after
   void solve_in_place(double* x, ThreadPool& pool) const;
   /// @param left what the rows below each supernode are to be lessened by

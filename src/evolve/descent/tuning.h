@@ -95,6 +95,8 @@ inline constexpr double k_stage_fall = 0.05;
 /// A level has settled after so many steps that take less than this share of the merit off.
 inline constexpr int k_settled_steps = 2;
 inline constexpr double k_settled_fall = 1e-2;
+/// The same of a step along lines, which counts as three.
+inline constexpr double k_settled_fall_along_lines = 3e-2;
 /// Strain is stuck after so many steps that take less than this share of it off.
 inline constexpr int k_stuck_steps = 6;
 inline constexpr double k_stuck_fall = 0.02;
@@ -106,6 +108,9 @@ inline constexpr double k_least_factor = 0.7, k_most_factor = 1.4;
 /// strain keeps its limit) and at most.
 inline constexpr double k_delta_exponent = 0.35, k_least_delta_factor = 0.85,
                         k_most_delta_factor = 1.18;
+/// The least factor of delta on the dense levels of large patches: their few steps would not let
+/// the bending follow.
+inline constexpr double k_least_delta_factor_large = 0.98;
 /// Where all strain is to go: delta, and sigma in the first so many steps and after them.
 inline constexpr double k_strict_delta = 0.025, k_first_strict_sigma = 5e-4,
                         k_last_strict_sigma = 1e-4;

@@ -49,7 +49,7 @@ struct Smoothing {
 };
 /// On to flattenable, as smooth as that can be.
 struct Strict {
-  int steps = 0, stagnant_steps = 0;
+  int stagnant_steps = 0;
 };
 
 class SmoothStepper {
@@ -94,9 +94,7 @@ class SmoothStepper {
 
   SweepOutcome step_in(Strict& phase) {
     const SweepOutcome outcome = descend(phase.stagnant_steps);
-    const bool over = control_->is_over() || phase.stagnant_steps >= tuning::k_most_stagnant ||
-                      ++phase.steps >= k_most_strict_steps;
-    if (!over) return outcome;
+    if (!control_->is_over() && phase.stagnant_steps < tuning::k_most_stagnant) return outcome;
     if (descent_->strain().rms > tuning::k_blocked_strain)
       return outcome.ended(descent_->at_deviation_limit() ? StopReason::deviation_limit
                                                           : StopReason::stalled);
@@ -193,14 +191,14 @@ class SmoothStepper {
     if (last != smooth) descent_->go_to(sum_of(origin, smooth, away));
   }
 
+  static bool is_large(const PatchState& state) { return state.inner_count() > k_large; }
   PatchState& level_state() const { return coarse_ ? *coarse_ : state_; }
 
   void open_level() {
     pool_.report(0.0);
     coarse_ = level_ > 0 ? levels_.make_state(level_, pool_) : nullptr;
-    const bool normals_only =
-        state_.inner_count() > k_normals_only && is_dense(level_state().inner_count());
-    const SmoothMoves moves = normals_only ? SmoothMoves::along_normals : SmoothMoves::free;
+    const SmoothMoves moves =
+        is_large(level_state()) ? SmoothMoves::along_lines : SmoothMoves::free;
     design_.emplace(mesh_at_first(level_state()));
     pool_.report(k_level_made);
     descent_ = std::make_unique<SmoothDescent>(
@@ -221,7 +219,10 @@ class SmoothStepper {
     levels_.lift(level_ + 1, *found, cost, level_state(), pool_);
     if (is_dense(level_state().inner_count())) return_freed_memory();
     descent_->go_to(descent_->positions());
-    if (control_) control_->start_finer();
+    if (control_) {
+      const bool dense_of_large = is_large(state_) && is_dense(level_state().inner_count());
+      control_->start_finer(dense_of_large ? k_least_delta_factor_large : k_least_delta_factor);
+    }
   }
 
   Auto options_;

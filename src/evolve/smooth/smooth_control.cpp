@@ -33,7 +33,8 @@ SmoothControl::SmoothControl(const SurfaceStrainLimit& limit, const DescentStrai
   if (loose >= 1.0) stage_ = Stage::led;
 }
 
-void SmoothControl::start_finer() {
+void SmoothControl::start_finer(double least_delta_factor) {
+  least_delta_factor_ = least_delta_factor;
   stage_ = Stage::lifted;
   steps_ = settled_ = 0;
   met_ = false;
@@ -49,8 +50,11 @@ void SmoothControl::start_strict() {
 void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& strain,
                           double bending) {
   const double fall = step.merit_before - step.merit;
-  settled_ = fall < k_settled_fall * step.merit_before ? settled_ + 1 : 0;
-  const bool stage_is_over = ++steps_ >= k_most_of_stage || fall < k_stage_fall * step.merit_before;
+  const double little =
+      step.parts > 1 && stage_ != Stage::strict ? k_settled_fall_along_lines : k_settled_fall;
+  settled_ = fall < little * step.merit_before ? settled_ + step.parts : 0;
+  steps_ += stage_ == Stage::strict ? step.parts : 1;
+  const bool stage_is_over = steps_ >= k_most_of_stage || fall < k_stage_fall * step.merit_before;
   if (stage_ == Stage::loose && stage_is_over) {
     stage_ = Stage::closer;
     steps_ = 0;
@@ -60,8 +64,8 @@ void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& 
   }
   if (stage_ == Stage::lifted && steps_ >= k_steps_lifted) stage_ = Stage::led;
   if (stage_ == Stage::strict && steps_ >= k_steps_first_strict) {
+    met_ = weights_.sigma == k_last_strict_sigma;
     weights_.sigma = k_last_strict_sigma;
-    met_ = steps_ > k_steps_first_strict;
   }
   if (stage_ == Stage::led) lead(strain, bending);
 }
@@ -78,7 +82,7 @@ void SmoothControl::lead(const DescentStrain& strain, double bending) {
     weights_.sigma *= std::clamp(std::sqrt(share), k_least_factor, k_most_factor);
   weights_.sigma = std::max(weights_.sigma, k_least_sigma * strain.rms);
   // Closeness must not push strain out again that is still above its limit.
-  const double nearest = share * k_nearly < 1.0 ? 1.0 : k_least_delta_factor;
+  const double nearest = share * k_nearly < 1.0 ? 1.0 : least_delta_factor_;
   weights_.delta = std::clamp(weights_.delta * std::clamp(math::pow(excess, k_delta_exponent),
                                                           nearest, k_most_delta_factor),
                               least_delta_, k_most_delta);

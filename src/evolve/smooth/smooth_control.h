@@ -21,13 +21,18 @@ class SmoothControl {
   /// Follows a step.
   void after(const SmoothDescent::Step& step, const DescentStrain& strain, double bending);
   /// From here on as from what a coarser level has found.
-  void start_finer();
+  /// @param least_delta_factor by which delta falls at most in a step
+  void start_finer(double least_delta_factor = tuning::prefer_smooth::k_least_delta_factor);
 
   /// From here on strain goes on to nothing, as smoothly as it can.
   void start_strict();
 
-  /// Both aims hold, and steps gain little more.
-  bool is_over() const { return met_ && settled_ >= tuning::prefer_smooth::k_settled_steps; }
+  /// Both aims hold and steps gain little more, or the most steps to nothing were made.
+  bool is_over() const {
+    using namespace tuning::prefer_smooth;
+    return (met_ && settled_ >= k_settled_steps) ||
+           (stage_ == Stage::strict && steps_ >= k_most_strict_steps);
+  }
   /// True if the bending of the last step is within the ceiling, nearly.
   bool is_smooth() const { return is_smooth_; }
   /// True if strain beyond the limit is left, as only crumples would take it out.
@@ -41,6 +46,7 @@ class SmoothControl {
 
   SurfaceStrainLimit limit_;
   double ceiling_, least_delta_;
+  double least_delta_factor_ = tuning::prefer_smooth::k_least_delta_factor;
   SmoothWeights weights_;
   Stage stage_ = Stage::loose;
   int steps_ = 0, settled_ = 0;

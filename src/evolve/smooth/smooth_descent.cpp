@@ -18,18 +18,45 @@ using namespace tuning::prefer_smooth;
 
 namespace {
 
-/// The diagonal of a flat rectangle that is as far spread: unlike that of a box it does not depend
-/// on how the patch is turned.
-double diagonal_of(const PatchState& state, const Eigen::VectorXd& area_shares) {
-  const auto mean = [&](const auto& of) {
+/// Where the vertices of the patch were at first, from the middle of its area.
+Positions places_from_middle(const PatchState& state, const Eigen::VectorXd& area_shares) {
+  const auto mean = [&](double Vec3::*coordinate) {
     CarefulSum sum;
     for (std::size_t v = 0; v < state.vertex_count(); ++v)
-      sum.add(area_shares[static_cast<Eigen::Index>(v)] * of(state.origin(v)));
+      sum.add(area_shares[static_cast<Eigen::Index>(v)] * (state.origin(v).*coordinate));
     return sum.value();
   };
-  const Vec3 middle = {mean([](Vec3 p) { return p.x; }), mean([](Vec3 p) { return p.y; }),
-                       mean([](Vec3 p) { return p.z; })};
-  return std::sqrt(12.0 * mean([&](Vec3 p) { return dot(p - middle, p - middle); }));
+  const Vec3 middle = {mean(&Vec3::x), mean(&Vec3::y), mean(&Vec3::z)};
+  Positions places;
+  places.reserve(state.vertex_count());
+  for (std::size_t v = 0; v < state.vertex_count(); ++v)
+    places.push_back(state.origin(v) - middle);
+  return places;
+}
+
+/// The diagonal of a flat rectangle that is as far spread: unlike that of a box it does not depend
+/// on how the patch is turned.
+double diagonal_of(const Positions& from_middle, const Eigen::VectorXd& area_shares) {
+  CarefulSum sum;
+  for (std::size_t v = 0; v < from_middle.size(); ++v)
+    sum.add(area_shares[static_cast<Eigen::Index>(v)] * dot(from_middle[v], from_middle[v]));
+  return std::sqrt(12.0 * sum.value());
+}
+
+/// Of length 1, towards the vertex that is furthest from the middle.
+Vec3 long_axis(const Positions& from_middle) {
+  const Vec3 furthest = *std::max_element(from_middle.begin(), from_middle.end(),
+                                          [](Vec3 a, Vec3 b) { return dot(a, a) < dot(b, b); });
+  return (1.0 / norm(furthest)) * furthest;
+}
+
+/// A tangent of length 1 across the axis, or any where the normal goes along that.
+Vec3 tangent_across(Vec3 axis, Vec3 normal) {
+  constexpr double least = 1e-3;
+  Vec3 across = cross(normal, axis);
+  if (norm(across) < least)
+    across = cross(normal, std::abs(normal.x) < 0.5 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0});
+  return (1.0 / norm(across)) * across;
 }
 
 double bending_to_compare(const Patch& design, const ThreadPool& pool) {
@@ -46,7 +73,7 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& d
       pool_(pool),
       design_bending_(bending_to_compare(design, pool)),
       limits_(limits),
-      along_normals_(moves == SmoothMoves::along_normals),
+      along_lines_(moves == SmoothMoves::along_lines),
       border_(limits.border, limits.deviation, state),
       jacobian_(state, border_.movable()),
       hinges_(design, state),
@@ -54,9 +81,11 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& d
       potential_(jacobian_, state, pool, BoundaryCondition::free),
       system_(jacobian_, state, hinges_, guard_, potential_.square(), moves, pool, border_.bends()),
       area_shares_(area_shares(state)),
-      diagonal_(diagonal_of(state, area_shares_)),
       unit_(mean_edge(jacobian_, state)),
       moves_(limits, border_, state.inner_count(), unit_) {
+  const Positions from_middle = places_from_middle(state, area_shares_);
+  diagonal_ = diagonal_of(from_middle, area_shares_);
+  axis_ = long_axis(from_middle);
   origin_.reserve(jacobian_.column_count());
   for (std::size_t v = 0; v < jacobian_.column_count(); ++v)
     origin_.push_back(state.origin(v));
@@ -118,19 +147,24 @@ double SmoothDescent::deviation() const {
          (std::sqrt(static_cast<double>(state_.inner_count())) * diagonal_);
 }
 
-/// Of inner vertices. Where triangles cancel, any will do.
-Positions SmoothDescent::normals() const {
-  Positions normals;
+/// Of the inner vertices the normals, or tangents along the patch or across it. Where triangles
+/// cancel, any will do.
+Positions SmoothDescent::lines(Way way) const {
+  Positions lines;
   for (Index v = 0; v < state_.inner_count(); ++v) {
-    const Vec3 n = normal_at(v, jacobian_, state_);
-    normals.push_back(dot(n, n) > 0.0 ? n : Vec3{0.0, 0.0, 1.0});
+    const Vec3 at_v = normal_at(v, jacobian_, state_),
+               normal = dot(at_v, at_v) > 0.0 ? at_v : Vec3{0.0, 0.0, 1.0},
+               across = tangent_across(axis_, normal);
+    lines.push_back(way == Way::normal  ? normal
+                    : way == Way::along ? cross(across, normal)
+                                        : across);
   }
-  return normals;
+  return lines;
 }
 
 /// @param force minus the gradient of F without phi
-void SmoothDescent::assemble(Positions& force) {
-  system_.clear(along_normals_ ? normals() : Positions{});
+void SmoothDescent::assemble(std::optional<Way> way, Positions& force) {
+  system_.clear(way ? lines(*way) : Positions{});
   assemble_shape(force);
   assemble_positions(force);
   moves_.add_to(system_, force, sum_of(positions(), -1.0, origin_), 1.0 + stiffening_);
@@ -229,13 +263,27 @@ SmoothDescent::Trial SmoothDescent::try_step(const Positions& before,
 
 SmoothDescent::Step SmoothDescent::step(const SmoothWeights& weights) {
   weights_ = weights;
+  if (!along_lines_) return step_along({});
+  Step result = step_along(Way::normal);
+  for (const Way way : {Way::along, Way::across}) {
+    const Step part = step_along(way);
+    result.moved = std::max(result.moved, part.moved);
+    result.merit -= part.merit_before - part.merit;
+    result.in_double = result.in_double || part.in_double;
+    ++result.parts;
+  }
+  return result;
+}
+
+/// Along lines, or freely.
+SmoothDescent::Step SmoothDescent::step_along(std::optional<Way> way) {
   const Positions before = positions();
   Step result;
   result.merit = result.merit_before = merit(phi_);
   jacobian_.update(pool_);
   Positions force(before.size());
-  assemble(force);
-  const double c = 0.5 * static_cast<double>(phi_.size()) * weights.sigma * weights.sigma;
+  assemble(way, force);
+  const double c = 0.5 * static_cast<double>(phi_.size()) * weights_.sigma * weights_.sigma;
   if (!system_.factor(potential_.square(), c, pool_)) return result;
   const Eigen::VectorXd defects = inner_defects(state_);
   const Positions full = shortened(system_.solve(force, -defects, pool_));

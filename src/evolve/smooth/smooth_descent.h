@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/thread_pool.h"
@@ -37,7 +38,8 @@ class SmoothDescent {
  public:
   /// @param state as it was at first or later; must outlive it, as must the pool
   /// @param design the patch as it was at first, by the numbers of the state
-  /// @param moves of inner vertices: along their normals steps take a quarter of the memory
+  /// @param moves of inner vertices in a step: along lines it takes a quarter of the memory, and
+  ///   solves three systems one after another, along normals and along two tangents
   SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& design,
                 const DescentLimits& limits, SmoothMoves moves = SmoothMoves::free);
 
@@ -49,8 +51,9 @@ class SmoothDescent {
 
   struct Step {
     std::size_t moved = 0;
-    double merit_before = 0.0, merit = 0.0;
-    bool in_double = false;  ///< float did not do for the matrix
+    double merit_before = 0.0, merit = 0.0;  ///< the falls of all parts apart
+    bool in_double = false;                  ///< float did not do for a matrix
+    int parts = 1;                           ///< systems that were solved, 3 along lines
   };
   /// F falls, or nothing moves.
   Step step(const SmoothWeights& weights);
@@ -74,6 +77,8 @@ class SmoothDescent {
   void release() { system_.release(); }
 
  private:
+  /// Which way inner vertices go along lines.
+  enum class Way { normal, along, across };
   struct Parts {
     double merit = 0.0;
     Eigen::VectorXd defects;
@@ -81,8 +86,9 @@ class SmoothDescent {
   Parts at(const Positions& positions);
   double merit(const Eigen::VectorXd& phi) const;
   void renew();
-  Positions normals() const;
-  void assemble(Positions& force);
+  Positions lines(Way way) const;
+  Step step_along(std::optional<Way> way);
+  void assemble(std::optional<Way> way, Positions& force);
   void assemble_shape(Positions& force);
   void assemble_positions(Positions& force);
   Positions within_limits(Positions positions) const;
@@ -100,7 +106,7 @@ class SmoothDescent {
   ThreadPool& pool_;
   double design_bending_;
   DescentLimits limits_;
-  bool along_normals_;
+  bool along_lines_;
   BorderMotion border_;
   AngleJacobian jacobian_;
   HingeTerms hinges_;
@@ -109,7 +115,8 @@ class SmoothDescent {
   SmoothSystem system_;
   Positions origin_;
   Eigen::VectorXd area_shares_;
-  double diagonal_, unit_;
+  double diagonal_ = 0.0, unit_;
+  Vec3 axis_;  // from the middle of the patch to the vertex that is furthest away
   MoveLimits moves_;
   SmoothWeights weights_;
   Eigen::VectorXd phi_;

@@ -178,8 +178,8 @@ std::vector<Index> SmoothSystem::elimination_order(const PatchState& state) cons
   return order;
 }
 
-void SmoothSystem::clear(Positions normals) {
-  normals_ = std::move(normals);
+void SmoothSystem::clear(Positions lines) {
+  lines_ = std::move(lines);
   std::fill_n(lower_.valuePtr(), lower_.nonZeros(), 0.0);
   for (Index v = 0; v < count_; ++v) {
     if (jacobian_.is_movable(v)) continue;
@@ -212,9 +212,9 @@ void SmoothSystem::add_vertex(Index v, const Block& block) {
   double* values = lower_.valuePtr();
   const auto& start = own_start_[v];
   if (moves(v) == 1) {
-    const Vec3 n = normals_[v];
-    values[start[0]] += n.x * (block.xx * n.x + 2.0 * (block.xy * n.y + block.xz * n.z)) +
-                        n.y * (block.yy * n.y + 2.0 * block.yz * n.z) + n.z * block.zz * n.z;
+    const Vec3 a = lines_[v];
+    values[start[0]] += a.x * (block.xx * a.x + 2.0 * (block.xy * a.y + block.xz * a.z)) +
+                        a.y * (block.yy * a.y + 2.0 * block.yz * a.z) + a.z * block.zz * a.z;
     return;
   }
   values[start[0]] += block.xx;
@@ -336,7 +336,7 @@ Positions SmoothSystem::solve(const Positions& force, const Eigen::VectorXd& ang
 }
 
 Vec3 SmoothSystem::move_of(Index v, const Eigen::VectorXd& solution) const {
-  if (moves(v) == 1) return solution[unknown(v, 0)] * normals_[v];
+  if (moves(v) == 1) return solution[unknown(v, 0)] * lines_[v];
   return {solution[unknown(v, 0)], solution[unknown(v, 1)], solution[unknown(v, 2)]};
 }
 

@@ -23,8 +23,8 @@ struct Block {
   double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
 };
 
-/// Which way inner vertices go: in all directions, or only along their normals.
-enum class SmoothMoves { free, along_normals };
+/// Which way inner vertices go in a step: in all directions, or each along one line.
+enum class SmoothMoves { free, along_lines };
 
 /// The steps dx of all vertices that may move, and multipliers y of the inner ones:
 ///
@@ -33,8 +33,8 @@ enum class SmoothMoves { free, along_normals };
 ///
 /// H a sum of blocks between the corners of hinges, J = d d / d x the Jacobian of the defects, K
 /// the matrix of StrainPotential. Quasi-definite, so factored without pivots, under a dissection of
-/// the mesh: four unknowns to an inner vertex, two where it moves only along its normal; three to
-/// one of the border that moves.
+/// the mesh: four unknowns to an inner vertex, two where it moves along a line; three to one of the
+/// border that moves.
 class SmoothSystem {
  public:
   /// @param square the lower half of K K^T; its pattern stays
@@ -47,8 +47,8 @@ class SmoothSystem {
                const ThreadPool& pool, std::vector<BorderMotion::Bend> bends = {});
 
   /// Everything in H is zero.
-  /// @param normals of inner vertices, of length 1; none where they move freely
-  void clear(Positions normals = {});
+  /// @param lines along which inner vertices move, of length 1; none where they move freely
+  void clear(Positions lines = {});
   /// Adds s g g^T for the gradient of a hinge's angle, of an edge's length and of a corner's angle,
   /// by the number of the hinge, edge or corner.
   void add_hinge(std::size_t hinge, double scale, const std::array<Vec3, 4>& gradient);
@@ -101,7 +101,7 @@ class SmoothSystem {
   int multiplier(Index v) const { return unknown(v, moves(v)); }
   /// A vector's parts in the directions of the moves of a vertex.
   std::array<double, 3> along_moves(Index v, Vec3 a) const {
-    if (moves(v) == 1) return {dot(normals_[v], a)};
+    if (moves(v) == 1) return {dot(lines_[v], a)};
     return {a.x, a.y, a.z};
   }
   Vec3 move_of(Index v, const Eigen::VectorXd& solution) const;
@@ -130,7 +130,7 @@ class SmoothSystem {
   std::vector<BorderMotion::Bend> bends_;
   Index inner_, count_;
   int inner_moves_;                                      // of an inner vertex: 3, or 1
-  Positions normals_;                                    // where it is 1
+  Positions lines_;                                      // where it is 1
   std::vector<std::size_t> pair_start_;                  // by first vertex
   std::vector<Pair> pairs_;                              // by first vertex, then by second
   std::vector<std::array<std::uint32_t, 4>> own_start_;  // of each vertex with itself, by column

@@ -9,9 +9,9 @@ namespace planish {
 /// With more inner vertices a patch, or a level of one, is dense: the matrices of its steps are
 /// factored in float.
 inline constexpr std::size_t k_dense = 10'000;
-/// With more inner vertices in the patch, SmoothDescent moves those of its dense levels only along
-/// their normals. Smaller patches can afford all directions, and end nearer.
-inline constexpr std::size_t k_normals_only = 20'000;
+/// With more inner vertices SmoothDescent moves them along one line each at a time: in all
+/// directions at once they would need four times the memory.
+inline constexpr std::size_t k_large = 20'000;
 /// Of the solutions for steps on dense patches; see MixedLdlt.
 inline constexpr double k_step_accuracy = 1e-3;
 

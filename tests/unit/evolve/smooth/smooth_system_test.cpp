@@ -66,26 +66,26 @@ struct Dense {
 };
 
 /// Of unit length, one for each inner vertex.
-Positions some_normals(const AngleJacobian& jacobian) {
-  Positions normals;
+Positions some_lines(const AngleJacobian& jacobian) {
+  Positions lines;
   for (Index v = 0; v < jacobian.row_count(); ++v) {
     const Vec3 n = {0.3, 0.1 * static_cast<double>(v % 7) - 0.3, 1.0};
-    normals.push_back((1.0 / norm(n)) * n);
+    lines.push_back((1.0 / norm(n)) * n);
   }
-  return normals;
+  return lines;
 }
 
-/// From the coordinates of all vertices to the unknowns where inner vertices move along normals.
-MatrixXd onto_normals(const AngleJacobian& jacobian, const Positions& normals, Eigen::Index size) {
-  const auto inner = static_cast<Eigen::Index>(normals.size());
+/// From the coordinates of all vertices to the unknowns where inner vertices move along lines.
+MatrixXd onto_lines(const AngleJacobian& jacobian, const Positions& lines, Eigen::Index size) {
+  const auto inner = static_cast<Eigen::Index>(lines.size());
   MatrixXd onto = MatrixXd::Zero(size - 2 * inner, size);
   for (Eigen::Index v = 0; v < inner; ++v) {
-    const Vec3 n = normals[static_cast<std::size_t>(v)];
+    const Vec3 n = lines[static_cast<std::size_t>(v)];
     onto.block(v, 3 * v, 1, 3) << n.x, n.y, n.z;
   }
   const Eigen::Index rest = size - 3 * inner;
   onto.bottomRightCorner(rest, rest).setIdentity();
-  EXPECT_EQ(static_cast<std::size_t>(rest), 3 * jacobian.column_count() - 2 * normals.size());
+  EXPECT_EQ(static_cast<std::size_t>(rest), 3 * jacobian.column_count() - 2 * lines.size());
   return onto;
 }
 
@@ -103,9 +103,8 @@ void expect_solved_as_dense(const Constraints& constraints,
   const ShapeGuard guard(state, 0.05);
   StrainPotential potential(jacobian, state, pool, BoundaryCondition::free);
   SmoothSystem system(jacobian, state, hinges, guard, potential.square(), moves, pool);
-  const Positions normals =
-      moves == SmoothMoves::along_normals ? some_normals(jacobian) : Positions{};
-  system.clear(normals);
+  const Positions lines = moves == SmoothMoves::along_lines ? some_lines(jacobian) : Positions{};
+  system.clear(lines);
   for (std::size_t h = 0; h < hinges.size(); ++h)
     system.add_hinge(h, 1.5, hinges.slope(h).gradient);
   for (std::size_t e = 0; e < guard.edge_count(); ++e)
@@ -127,8 +126,8 @@ void expect_solved_as_dense(const Constraints& constraints,
       VectorXd::LinSpaced(static_cast<Eigen::Index>(jacobian.row_count()), -0.1, 0.3);
   right.tail(turn.size()) = turn;
   const Positions step = system.solve(force, turn, pool, 1e-12);
-  const MatrixXd onto = normals.empty() ? MatrixXd::Identity(right.size(), right.size())
-                                        : onto_normals(jacobian, normals, right.size());
+  const MatrixXd onto = lines.empty() ? MatrixXd::Identity(right.size(), right.size())
+                                      : onto_lines(jacobian, lines, right.size());
   const MatrixXd matrix = onto * dense.matrix * onto.transpose();
   const VectorXd expected = onto.transpose() * matrix.fullPivLu().solve(onto * right);
   for (Index v = 0; v < step.size(); ++v) {
@@ -151,7 +150,7 @@ TEST(SmoothSystem, HoldsWhatIsFixed) {
     if (!patch.is_border(v)) inner.push_back(v);
   }
   expect_solved_as_dense({.fixed = {inner[3], inner[20]}}, {});
-  expect_solved_as_dense({.fixed = {inner[3], inner[20]}}, {}, SmoothMoves::along_normals);
+  expect_solved_as_dense({.fixed = {inner[3], inner[20]}}, {}, SmoothMoves::along_lines);
 }
 
 TEST(SmoothSystem, MovesTheBorderWhereItMay) {
@@ -162,11 +161,11 @@ TEST(SmoothSystem, MovesTheBorderWhereItMay) {
     if (patch.is_border(v)) movable.push_back(movable.size() % 3 != 0 ? 1 : 0);
   }
   expect_solved_as_dense({}, movable);
-  expect_solved_as_dense({}, movable, SmoothMoves::along_normals);
+  expect_solved_as_dense({}, movable, SmoothMoves::along_lines);
 }
 
-TEST(SmoothSystem, MovesInnerVerticesAlongTheirNormalsWhereAskedTo) {
-  expect_solved_as_dense({}, {}, SmoothMoves::along_normals);
+TEST(SmoothSystem, MovesInnerVerticesAlongLinesWhereAskedTo) {
+  expect_solved_as_dense({}, {}, SmoothMoves::along_lines);
 }
 
 }  // namespace

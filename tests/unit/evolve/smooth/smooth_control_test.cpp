@@ -1,0 +1,85 @@
+#include "evolve/smooth/smooth_control.h"
+
+#include <gtest/gtest.h>
+
+namespace planish {
+namespace {
+
+using namespace tuning::prefer_smooth;
+
+constexpr DescentStrain k_at_first{0.02, 0.1};
+constexpr SurfaceStrainLimit k_limit{0.0, 1e-3};
+/// Within the limit, with room for bending.
+constexpr DescentStrain k_within{9e-4, 4e-3};
+constexpr double k_smooth_bending = 0.7;
+
+SmoothDescent::Step step_that_takes(double share, int parts = 1) {
+  return {.moved = 1, .merit_before = 1.0, .merit = 1.0 - share, .parts = parts};
+}
+
+SmoothControl on_finer_level(double least_delta_factor = k_least_delta_factor) {
+  SmoothControl control(k_limit, k_at_first);
+  control.start_finer(least_delta_factor);
+  return control;
+}
+
+void take(SmoothControl& control, int steps, const SmoothDescent::Step& step) {
+  for (int k = 0; k < steps; ++k)
+    control.after(step, k_within, k_smooth_bending);
+}
+
+TEST(SmoothControl, KeepsTheWeightsOfTheCoarserLevelAtFirst) {
+  SmoothControl control = on_finer_level();
+  const SmoothWeights before = control.weights();
+  take(control, k_steps_lifted - 1, step_that_takes(0.1));
+  EXPECT_EQ(control.weights().delta, before.delta);
+  EXPECT_EQ(control.weights().sigma, before.sigma);
+}
+
+TEST(SmoothControl, LowersDeltaByNoMoreThanItsFactor) {
+  for (const double factor : {k_least_delta_factor, k_least_delta_factor_large}) {
+    SmoothControl control = on_finer_level(factor);
+    const double before = control.weights().delta;
+    take(control, k_steps_lifted, step_that_takes(0.1));
+    EXPECT_DOUBLE_EQ(control.weights().delta, factor * before);
+  }
+}
+
+TEST(SmoothControl, CountsAStepAlongLinesAsThree) {
+  SmoothControl free = on_finer_level(), along_lines = on_finer_level();
+  take(free, k_steps_lifted, step_that_takes(0.1));
+  take(along_lines, k_steps_lifted, step_that_takes(0.1, 3));
+  take(free, 1, step_that_takes(0.5 * k_settled_fall));
+  EXPECT_FALSE(free.is_over());
+  take(along_lines, 1, step_that_takes(0.5 * k_settled_fall_along_lines, 3));
+  EXPECT_TRUE(along_lines.is_over());
+  take(free, 1, step_that_takes(0.5 * k_settled_fall));
+  EXPECT_TRUE(free.is_over());
+}
+
+TEST(SmoothControl, EndsAfterTheMostStepsWhereAllStrainIsToGo) {
+  for (const int parts : {1, 3}) {
+    SmoothControl control(k_limit, k_at_first);
+    control.start_strict();
+    int steps = 0;
+    for (; !control.is_over() && steps < 2 * k_most_strict_steps; ++steps)
+      take(control, 1, step_that_takes(0.1, parts));
+    EXPECT_EQ(steps, (k_most_strict_steps + parts - 1) / parts);
+    EXPECT_EQ(control.weights().sigma, k_last_strict_sigma);
+  }
+}
+
+TEST(SmoothControl, MakesAStepWithTheLastSigma) {
+  for (const int parts : {1, 3}) {
+    SmoothControl control(k_limit, k_at_first);
+    control.start_strict();
+    while (control.weights().sigma != k_last_strict_sigma)
+      take(control, 1, step_that_takes(0.0, parts));
+    EXPECT_FALSE(control.is_over());
+    take(control, 1, step_that_takes(0.0, parts));
+    EXPECT_TRUE(control.is_over());
+  }
+}
+
+}  // namespace
+}  // namespace planish

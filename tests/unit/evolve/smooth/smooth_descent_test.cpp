@@ -1,0 +1,83 @@
+#include "evolve/smooth/smooth_descent.h"
+
+#include <cmath>
+
+#include <planish/mesh/shapes.h>
+
+#include <gtest/gtest.h>
+
+namespace planish {
+namespace {
+
+constexpr SmoothWeights k_weights{.delta = 0.01, .sigma = 0.005};
+
+/// @param height over that of the panel
+TriMesh panel(double height = 1.0) {
+  TriMesh mesh = make_shape("panel", 400);
+  for (Vec3& p : mesh.positions)
+    p.z *= height;
+  return mesh;
+}
+
+class PanelDescent {
+ public:
+  explicit PanelDescent(SmoothMoves moves, const TriMesh& design = panel())
+      : state_(Patch(design), pool_),
+        descent_(state_, pool_, Patch(mesh_at_first(state_)), {}, moves) {}
+
+  /// Each of the inner vertices goes so many edges another way in the plane of x and y.
+  void disturb(double edges) {
+    const double distance = edges * mean_edge(descent_.jacobian(), state_);
+    Positions positions = descent_.positions();
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      const auto angle = static_cast<double>(v);
+      positions[v] += distance * Vec3{std::cos(angle), std::sin(angle), 0.0};
+    }
+    descent_.go_to(positions);
+  }
+
+  SmoothDescent::Step step() { return descent_.step(k_weights); }
+  double bending() const { return descent_.bending(); }
+  double deviation() const { return descent_.deviation(); }
+
+  SmoothDescent::Step last_of(int steps) {
+    for (int k = 1; k < steps; ++k)
+      step();
+    return step();
+  }
+
+ private:
+  ThreadPool pool_{1};
+  PatchState state_;
+  SmoothDescent descent_;
+};
+
+TEST(SmoothDescent, LowersTheMeritWithEachStep) {
+  PanelDescent free(SmoothMoves::free), along_lines(SmoothMoves::along_lines);
+  for (int k = 0; k < 4; ++k) {
+    const auto freely = free.step(), lines = along_lines.step();
+    EXPECT_LT(freely.merit, freely.merit_before) << k;
+    EXPECT_LT(lines.merit, lines.merit_before) << k;
+    EXPECT_EQ(freely.parts, 1);
+    EXPECT_EQ(lines.parts, 3);
+  }
+}
+
+TEST(SmoothDescent, MovesInAPlaneAlongLinesToo) {
+  PanelDescent descent(SmoothMoves::along_lines, panel(0.0));
+  descent.disturb(0.1);
+  const double before = descent.deviation();
+  descent.last_of(10);
+  EXPECT_LT(descent.deviation(), 0.01 * before);
+}
+
+TEST(SmoothDescent, ComesAsFarAlongLinesAsFreely) {
+  PanelDescent free(SmoothMoves::free), along_lines(SmoothMoves::along_lines);
+  const double least = free.last_of(30).merit;
+  EXPECT_LT(along_lines.last_of(10).merit, 1.02 * least);
+  EXPECT_NEAR(along_lines.bending(), free.bending(), 0.02);
+  EXPECT_NEAR(along_lines.deviation(), free.deviation(), 0.02 * free.deviation());
+}
+
+}  // namespace
+}  // namespace planish

@@ -82,6 +82,10 @@ inline constexpr double k_tight = 1e-3, k_loose = 5e-3;
 inline constexpr double k_tight_ceiling = 1.2, k_loose_ceiling = 1.06;
 /// Least delta (a length over D) for a tight and a loose limit; the first is twice as large.
 inline constexpr double k_tight_delta = 0.005, k_loose_delta = 0.0025;
+/// Share of the design's angles that bending is counted from, for a loose limit; 0 for a tight one.
+inline constexpr double k_loose_form = 0.8;
+/// Its factor in a step where the patch bends too much, and the least above 0.
+inline constexpr double k_form_fall = 0.7, k_least_form = 0.1;
 /// Largest delta: then closeness gives way no more.
 inline constexpr double k_most_delta = 0.1;
 /// First sigma, and that of the stage after it.

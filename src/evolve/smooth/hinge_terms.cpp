@@ -40,6 +40,9 @@ HingeTerms::HingeTerms(const Patch& design, const PatchState& state) : state_(st
   for (const Hinge& hinge : hinges)
     hinges_.push_back({hinge.from, hinge.to, hinge.left, hinge.right});
   weights_.resize(hinges_.size());
+  first_angles_.reserve(hinges_.size());
+  for (std::size_t h = 0; h < size(); ++h)
+    first_angles_.push_back(angle(h));
 }
 
 void HingeTerms::take_weights(ThreadPool& pool) {
@@ -56,11 +59,11 @@ double HingeTerms::angle(std::size_t hinge) const {
   return angle_of(frame_of(hinges_[hinge], state_));
 }
 
-double HingeTerms::bending(ThreadPool& pool) const {
+double HingeTerms::bending(ThreadPool& pool, double kept) const {
   std::vector<double> terms(size());
   pool.for_ranges(size(), k_hinge_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t h = begin; h < end; ++h) {
-      const double t = angle(h);
+      const double t = angle(h) - kept * first_angles_[h];
       terms[h] = weights_[h] * t * t;
     }
   });

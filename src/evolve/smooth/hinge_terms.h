@@ -14,7 +14,7 @@ namespace planish {
 class HingeTerms {
  public:
   /// @param design any patch with the topology of the state, by its numbers
-  /// @param state must outlive it
+  /// @param state as it was at first; must outlive it
   HingeTerms(const Patch& design, const PatchState& state);
 
   std::size_t size() const { return hinges_.size(); }
@@ -25,8 +25,10 @@ class HingeTerms {
   void take_weights(ThreadPool& pool);
   double weight(std::size_t hinge) const { return weights_[hinge]; }
 
-  /// Sum of w t^2 of the patch as it is now, with the weights as taken.
-  double bending(ThreadPool& pool) const;
+  /// Sum of w (t - kept t0)^2 of the patch as it is now, with the weights as taken; t0 of the patch
+  /// as it was when this was made.
+  /// @param kept share of t0, 0 to 1: with 0 the bending
+  double bending(ThreadPool& pool, double kept = 0.0) const;
 
   /// An angle, and its derivatives by the positions of the four corners.
   struct Slope {
@@ -35,13 +37,15 @@ class HingeTerms {
   };
   /// As the patch is now; zero where a triangle has no area.
   Slope slope(std::size_t hinge) const;
+  /// t0 of bending().
+  double first_angle(std::size_t hinge) const { return first_angles_[hinge]; }
 
  private:
   double angle(std::size_t hinge) const;
 
   const PatchState& state_;
   std::vector<std::array<Index, 4>> hinges_;
-  std::vector<double> weights_;
+  std::vector<double> first_angles_, weights_;
 };
 
 }  // namespace planish

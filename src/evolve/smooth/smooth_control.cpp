@@ -29,7 +29,7 @@ SmoothControl::SmoothControl(const SurfaceStrainLimit& limit, const DescentStrai
   const double loose = looseness(limit, at_first);
   ceiling_ = between(k_tight_ceiling, k_loose_ceiling, loose);
   least_delta_ = between(k_tight_delta, k_loose_delta, loose);
-  weights_ = {2.0 * least_delta_, k_first_sigma};
+  weights_ = {2.0 * least_delta_, k_first_sigma, k_loose_form * loose};
   if (loose >= 1.0) stage_ = Stage::led;
 }
 
@@ -44,7 +44,7 @@ void SmoothControl::start_strict() {
   stage_ = Stage::strict;
   steps_ = settled_ = 0;
   met_ = false;
-  weights_ = {k_strict_delta, k_first_strict_sigma};
+  weights_ = {k_strict_delta, k_first_strict_sigma, 0.0};
 }
 
 void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& strain,
@@ -72,7 +72,10 @@ void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& 
 
 void SmoothControl::lead(const DescentStrain& strain, double bending) {
   const double share = limit_.share_of(strain), excess = bending / ceiling_;
-  const bool bends_too_much = excess > k_nearly, gives_way = weights_.delta >= k_most_delta;
+  const bool bends_too_much = excess > k_nearly, furthest = weights_.delta >= k_most_delta;
+  if (bends_too_much && furthest)
+    weights_.form = weights_.form > k_least_form ? k_form_fall * weights_.form : 0.0;
+  const bool gives_way = furthest && weights_.form == 0.0;
   left_ = share * k_nearly < 1.0 && (gives_way || is_stuck(strain));
   is_smooth_ = !bends_too_much;
   met_ = is_smooth_ && (share * k_nearly >= 1.0 || left_);

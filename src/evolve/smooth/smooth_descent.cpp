@@ -105,7 +105,7 @@ double SmoothDescent::merit(const Eigen::VectorXd& phi) const {
   for (std::size_t v = 0; v < state_.inner_count(); ++v)
     away.add(state_.weight(v) * dot(moves[v], moves[v]));
   const double strain = phi.squaredNorm() / static_cast<double>(phi.size());
-  return hinges_.bending(pool_) / design_bending_ + closeness() * away.value() +
+  return hinges_.bending(pool_, weights_.form) / design_bending_ + closeness() * away.value() +
          guard_.value(pool_) + moves_.value(moves) + strain / (weights_.sigma * weights_.sigma);
 }
 
@@ -178,10 +178,11 @@ void SmoothDescent::assemble_shape(Positions& force) {
   };
   for (std::size_t h = 0; h < hinges_.size(); ++h) {
     const HingeTerms::Slope slope = hinges_.slope(h);
-    const double weight = 2.0 * hinges_.weight(h) / design_bending_;
+    const double weight = 2.0 * hinges_.weight(h) / design_bending_,
+                 turned = slope.angle - weights_.form * hinges_.first_angle(h);
     system_.add_hinge(h, stiff * weight, slope.gradient);
     for (std::size_t k = 0; k < 4; ++k)
-      pull(hinges_.corners(h)[k], weight * slope.angle, slope.gradient[k]);
+      pull(hinges_.corners(h)[k], weight * turned, slope.gradient[k]);
   }
   for (std::size_t e = 0; e < guard_.edge_count(); ++e) {
     const auto slope = guard_.edge_slope(e);

@@ -23,6 +23,7 @@ struct SmoothWeights {
   /// diagonal.
   double delta = 0.01;
   double sigma = 0.02;  ///< the rms of phi that costs as much, as a share of length
+  double form = 0.0;    ///< share of the design's angles that bending is counted from, 0 to 1
 };
 
 /// Brings a patch nearer to flattenable while it stays smooth (docs/methods/smooth.md): steps of
@@ -30,8 +31,8 @@ struct SmoothWeights {
 ///
 ///     F(x) = B(x) / B0 + |x - x0|^2 / (n delta^2 D^2) + G(x) + |phi(x)|^2 / (N sigma^2),
 ///
-/// B the bending of HingeTerms, B0 that of the design, n inner vertices, D the diagonal
-/// (of a rectangle that is as far spread), G of
+/// B the bending of HingeTerms, from a share of the angles of the design, B0 that of the design
+/// from flat, n inner vertices, D the diagonal (of a rectangle that is as far spread), G of
 /// ShapeGuard and MoveLimits, phi the N values of StrainPotential with a free border. The weights
 /// of hinges and the matrix K of phi are those of the patch before a step, renewed after it.
 class SmoothDescent {

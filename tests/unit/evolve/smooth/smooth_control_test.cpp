@@ -57,6 +57,27 @@ TEST(SmoothControl, CountsAStepAlongLinesAsThree) {
   EXPECT_TRUE(free.is_over());
 }
 
+TEST(SmoothControl, KeepsTheFormWhereMuchStrainMayStay) {
+  EXPECT_EQ(SmoothControl({0.0, 2.0 * k_loose}, k_at_first).weights().form, k_loose_form);
+  EXPECT_EQ(SmoothControl({0.0, 0.5 * k_tight}, k_at_first).weights().form, 0.0);
+}
+
+TEST(SmoothControl, GivesUpClosenessThenTheFormThenStrain) {
+  constexpr DescentStrain too_much{0.02, 0.1};
+  constexpr double too_bent = 2.0;
+  SmoothControl control({0.0, 2.0 * k_loose}, k_at_first);
+  const auto lead = [&] { control.after(step_that_takes(0.1), too_much, too_bent); };
+  while (control.weights().delta < k_most_delta) {
+    EXPECT_EQ(control.weights().form, k_loose_form);
+    lead();
+  }
+  lead();
+  EXPECT_DOUBLE_EQ(control.weights().form, k_form_fall * k_loose_form);
+  while (control.weights().form > 0.0)
+    lead();
+  EXPECT_TRUE(control.leaves_strain());
+}
+
 TEST(SmoothControl, EndsAfterTheMostStepsWhereAllStrainIsToGo) {
   for (const int parts : {1, 3}) {
     SmoothControl control(k_limit, k_at_first);

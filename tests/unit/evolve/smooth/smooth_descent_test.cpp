@@ -36,7 +36,9 @@ class PanelDescent {
     descent_.go_to(positions);
   }
 
-  SmoothDescent::Step step() { return descent_.step(k_weights); }
+  SmoothDescent::Step step(const SmoothWeights& weights = k_weights) {
+    return descent_.step(weights);
+  }
   double bending() const { return descent_.bending(); }
   double deviation() const { return descent_.deviation(); }
 
@@ -69,6 +71,20 @@ TEST(SmoothDescent, MovesInAPlaneAlongLinesToo) {
   const double before = descent.deviation();
   descent.last_of(10);
   EXPECT_LT(descent.deviation(), 0.01 * before);
+}
+
+TEST(SmoothDescent, KeepsTheFormWhereStrainMayStay) {
+  constexpr double much = 1e6;  // so that strain does not count
+  PanelDescent as_designed(SmoothMoves::free), halfway(SmoothMoves::free);
+  const double before = as_designed.bending();
+  for (int k = 0; k < 10; ++k) {
+    as_designed.step({.delta = 1.0, .sigma = much, .form = 1.0});
+    halfway.step({.delta = 1.0, .sigma = much, .form = 0.5});
+  }
+  EXPECT_LT(as_designed.deviation(), 1e-9);
+  EXPECT_NEAR(as_designed.bending(), before, 1e-9);
+  EXPECT_GT(halfway.bending(), 0.2 * before);
+  EXPECT_LT(halfway.bending(), 0.9 * before);
 }
 
 TEST(SmoothDescent, ComesAsFarAlongLinesAsFreely) {

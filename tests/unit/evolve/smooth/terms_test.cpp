@@ -65,6 +65,28 @@ TEST(HingeTerms, SlopesAreDifferenceQuotients) {
   }
 }
 
+TEST(HingeTerms, CountBendingFromAShareOfTheFirstAngles) {
+  Prepared patch(make_shape("panel", 100));
+  HingeTerms hinges(Patch(mesh_at_first(patch.state)), patch.state);
+  hinges.take_weights(patch.pool);
+  EXPECT_EQ(hinges.bending(patch.pool, 1.0), 0.0);
+  EXPECT_NEAR(hinges.bending(patch.pool, 0.75), 0.0625 * hinges.bending(patch.pool), 1e-12);
+
+  constexpr Index moved = 7;
+  constexpr double kept = 0.6;
+  patch.state.move(moved, patch.state.position(moved) + Vec3{0.01, -0.02, 0.03});
+  Vec3 slope;
+  for (std::size_t h = 0; h < hinges.size(); ++h) {
+    const auto now = hinges.slope(h);
+    const double turned = now.angle - kept * hinges.first_angle(h);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (hinges.corners(h)[k] == moved) slope += 2.0 * hinges.weight(h) * turned * now.gradient[k];
+    }
+  }
+  const auto bending = [&] { return hinges.bending(patch.pool, kept); };
+  expect_near(slope, slope_of(bending, moved, patch.state), 1e-5 * norm(slope));
+}
+
 TEST(HingeTerms, AreZeroWhereATriangleHasNoArea) {
   Prepared patch({{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 0}}, {{0, 1, 2}, {1, 0, 3}}});
   HingeTerms hinges(Patch(mesh_at_first(patch.state)), patch.state);

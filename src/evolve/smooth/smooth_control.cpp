@@ -73,19 +73,21 @@ void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& 
 void SmoothControl::lead(const DescentStrain& strain, double bending) {
   const double share = limit_.share_of(strain), excess = bending / ceiling_;
   const bool bends_too_much = excess > k_nearly, furthest = weights_.delta >= k_most_delta;
-  if (bends_too_much && furthest)
+  const bool strained = share * k_nearly < 1.0;
+  const bool keeps_form = weights_.form > 0.0;
+  const bool stuck = strained && (keeps_form || !furthest) && is_stuck(strain);
+  left_ = strained && !keeps_form && (furthest || stuck);
+  if (keeps_form && (stuck || (bends_too_much && furthest)))
     weights_.form = weights_.form > k_least_form ? k_form_fall * weights_.form : 0.0;
-  const bool gives_way = furthest && weights_.form == 0.0;
-  left_ = share * k_nearly < 1.0 && (gives_way || is_stuck(strain));
   is_smooth_ = !bends_too_much;
-  met_ = is_smooth_ && (share * k_nearly >= 1.0 || left_);
-  if (bends_too_much && gives_way)
+  met_ = is_smooth_ && (!strained || left_);
+  if (bends_too_much && furthest && !keeps_form)
     weights_.sigma *= std::min(std::sqrt(excess), k_most_factor);
   else
     weights_.sigma *= std::clamp(std::sqrt(share), k_least_factor, k_most_factor);
   weights_.sigma = std::max(weights_.sigma, k_least_sigma * strain.rms);
   // Closeness must not push strain out again that is still above its limit.
-  const double nearest = share * k_nearly < 1.0 ? 1.0 : least_delta_factor_;
+  const double nearest = strained ? 1.0 : least_delta_factor_;
   weights_.delta = std::clamp(weights_.delta * std::clamp(math::pow(excess, k_delta_exponent),
                                                           nearest, k_most_delta_factor),
                               least_delta_, k_most_delta);

@@ -63,10 +63,13 @@ TEST(SmoothControl, KeepsTheFormWhereMuchStrainMayStay) {
 }
 
 TEST(SmoothControl, GivesUpClosenessThenTheFormThenStrain) {
-  constexpr DescentStrain too_much{0.02, 0.1};
+  DescentStrain too_much{0.1, 0.3};
   constexpr double too_bent = 2.0;
   SmoothControl control({0.0, 2.0 * k_loose}, k_at_first);
-  const auto lead = [&] { control.after(step_that_takes(0.1), too_much, too_bent); };
+  const auto lead = [&] {
+    too_much.rms *= 0.97;  // not stuck
+    control.after(step_that_takes(0.1), too_much, too_bent);
+  };
   while (control.weights().delta < k_most_delta) {
     EXPECT_EQ(control.weights().form, k_loose_form);
     lead();
@@ -75,6 +78,23 @@ TEST(SmoothControl, GivesUpClosenessThenTheFormThenStrain) {
   EXPECT_DOUBLE_EQ(control.weights().form, k_form_fall * k_loose_form);
   while (control.weights().form > 0.0)
     lead();
+  lead();
+  EXPECT_TRUE(control.leaves_strain());
+}
+
+TEST(SmoothControl, GivesUpTheFormBeforeStrainIsLeft) {
+  constexpr DescentStrain stuck{0.02, 0.1};
+  SmoothControl control({0.0, 2.0 * k_loose}, k_at_first);
+  double form = k_loose_form;
+  int falls = 0;
+  for (int k = 0; k < 40; ++k) {
+    EXPECT_TRUE(!control.leaves_strain() || form == 0.0);
+    control.after(step_that_takes(0.1), stuck, k_smooth_bending);
+    falls += control.weights().form < form ? 1 : 0;
+    form = control.weights().form;
+  }
+  EXPECT_GT(falls, 3);
+  EXPECT_EQ(form, 0.0);
   EXPECT_TRUE(control.leaves_strain());
 }
 

@@ -8,8 +8,8 @@ namespace planish {
 
 /// Which weights the steps of SmoothDescent take, and when they are over (docs/methods/smooth.md):
 /// strain is taken out slowly, then sigma is led by the strain and delta by the bending, until
-/// strain is at its limit and bending at most at its ceiling. If the bending cannot come down to
-/// the ceiling, more strain is left.
+/// strain is at its limit and bending at most at its ceiling. If that cannot be, the share of the
+/// design's angles that bending is counted from falls, and at 0 more strain is left.
 class SmoothControl {
  public:
   /// @param limit given

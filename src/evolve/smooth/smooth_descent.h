@@ -52,9 +52,10 @@ class SmoothDescent {
 
   struct Step {
     std::size_t moved = 0;
-    double merit_before = 0.0, merit = 0.0;  ///< the falls of all parts apart
-    bool in_double = false;                  ///< float did not do for a matrix
-    int parts = 1;                           ///< systems that were solved, 3 along lines
+    double merit_before = 0.0;
+    double merit = 0.0;      ///< merit_before less what each part took off
+    bool in_double = false;  ///< float did not do for a matrix
+    int parts = 1;           ///< systems that were solved, 3 along lines
   };
   /// F falls, or nothing moves.
   Step step(const SmoothWeights& weights);

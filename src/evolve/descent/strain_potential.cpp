@@ -125,7 +125,15 @@ void StrainPotential::update(ThreadPool& pool) {
   if (!solver_) return;
   fill(pool);
   take_square(pool);
-  solvable_ = solver_->factor(matrix(), pool);
+  factor(pool);
+}
+
+void StrainPotential::release() {
+  if (solver_) solver_->release();
+}
+
+void StrainPotential::factor(ThreadPool& pool) {
+  if (solver_) solvable_ = solver_->factor(matrix(), pool);
 }
 
 Eigen::VectorXd StrainPotential::of(const Eigen::VectorXd& defects, ThreadPool& pool) {

@@ -39,8 +39,12 @@ class StrainPotential {
   void set_boundary_compliance(double ease, ThreadPool& pool);
   /// Takes K from the patch as it is now.
   void update(ThreadPool& pool);
+  /// Frees the factor, until it is made again, by factor() or update().
+  void release();
+  /// Factors the K of the last update.
+  void factor(ThreadPool& pool);
   /// @param defects by inner vertex, radians
-  /// @return by inner vertex; where the border is free by vertex
+  /// @return by inner vertex; where the border is free by vertex. @pre the factor is there
   Eigen::VectorXd of(const Eigen::VectorXd& defects, ThreadPool& pool);
 
   /// K^T: a row for each value of phi, a column for each inner vertex.

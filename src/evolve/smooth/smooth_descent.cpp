@@ -262,6 +262,15 @@ SmoothDescent::Trial SmoothDescent::try_step(const Positions& before,
   return better.parts.merit < plain.parts.merit ? better : plain;
 }
 
+/// Most memory is needed while a factor is made. On large levels there is no other one meanwhile:
+/// that of K K^T is made again afterwards.
+bool SmoothDescent::factor_system(double c) {
+  if (along_lines_) potential_.release();
+  const bool factored = system_.factor(potential_.square(), c, pool_);
+  if (along_lines_) potential_.factor(pool_);
+  return factored;
+}
+
 SmoothDescent::Step SmoothDescent::step(const SmoothWeights& weights) {
   weights_ = weights;
   if (!along_lines_) return step_along({});
@@ -285,7 +294,7 @@ SmoothDescent::Step SmoothDescent::step_along(std::optional<Way> way) {
   Positions force(before.size());
   assemble(way, force);
   const double c = 0.5 * static_cast<double>(phi_.size()) * weights_.sigma * weights_.sigma;
-  if (!system_.factor(potential_.square(), c, pool_)) return result;
+  if (!factor_system(c)) return result;
   const Eigen::VectorXd defects = inner_defects(state_);
   const Positions full = shortened(system_.solve(force, -defects, pool_));
   double share = 1.0;
@@ -306,6 +315,7 @@ SmoothDescent::Step SmoothDescent::step_along(std::optional<Way> way) {
   }
   result.in_double = system_.fell_back();
   if (result.moved == 0) set_positions(before, jacobian_, state_);
+  if (along_lines_) system_.release();
   renew();
   at_deviation_limit_ = moves_.is_reached(sum_of(positions(), -1.0, origin_));
   if (halvings >= 2) stiffening_ = std::max(0.3, 4.0 * stiffening_);

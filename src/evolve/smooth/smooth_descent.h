@@ -91,6 +91,7 @@ class SmoothDescent {
   Positions lines(Way way) const;
   Step step_along(std::optional<Way> way);
   void assemble(std::optional<Way> way, Positions& force);
+  bool factor_system(double c);
   void assemble_shape(Positions& force);
   void assemble_positions(Positions& force);
   Positions within_limits(Positions positions) const;

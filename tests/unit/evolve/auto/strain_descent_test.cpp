@@ -192,6 +192,20 @@ TEST(StrainPotential, TakesTheSurfaceAsItIsWhenUpdated) {
   }
 }
 
+TEST(StrainPotential, IsTheSameWithAFactorThatWasFreedAndMadeAgain) {
+  for (const char* shape : {"panel", "saddle"}) {
+    const TriMesh mesh = make_shape(shape, shape == std::string("panel") ? 200 : 12'000);
+    Laid laid(mesh);
+    laid.state.measure(laid.pool);
+    StrainPotential potential(laid.jacobian, laid.state, laid.pool, BoundaryCondition::free);
+    const VectorXd d = inner_defects(laid.state), before = potential.of(d, laid.pool);
+    potential.release();
+    potential.factor(laid.pool);
+    ASSERT_TRUE(potential.solvable());
+    EXPECT_EQ(potential.of(d, laid.pool), before) << shape;
+  }
+}
+
 TEST(NormalDirectionSystem, SolvesWhatADenseSolverSolves) {
   const TriMesh mesh = make_shape("panel", 150);
   Laid laid(mesh, one_held(mesh));

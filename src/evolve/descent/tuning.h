@@ -80,8 +80,11 @@ inline constexpr double k_off_curve = 1e6;
 inline constexpr double k_tight = 1e-3, k_loose = 5e-3;
 /// Ceiling of bending over the design's, for a tight and a loose limit.
 inline constexpr double k_tight_ceiling = 1.2, k_loose_ceiling = 1.06;
-/// Least delta (a length over D) for a tight and a loose limit; the first is twice as large.
+/// Least delta (a length over D) for a tight and a loose limit.
 inline constexpr double k_tight_delta = 0.005, k_loose_delta = 0.0025;
+/// The first delta over the least, and where all strain is to go. With a loose limit it is so much
+/// times the square of the strain over its limit, up to the last.
+inline constexpr double k_first_delta = 3.0, k_first_delta_flat = 4.0, k_most_first_delta = 20.0;
 /// Share of the design's angles that bending is counted from, for a loose limit; 0 for a tight one.
 inline constexpr double k_loose_form = 0.8;
 /// Its factor in a step where the patch bends too much, and the least above 0.
@@ -116,7 +119,7 @@ inline constexpr double k_delta_exponent = 0.35, k_least_delta_factor = 0.85,
 /// the bending follow.
 inline constexpr double k_least_delta_factor_large = 0.98;
 /// Where all strain is to go: delta, and sigma in the first so many steps and after them.
-inline constexpr double k_strict_delta = 0.025, k_first_strict_sigma = 5e-4,
+inline constexpr double k_strict_delta = 0.0125, k_first_strict_sigma = 5e-4,
                         k_last_strict_sigma = 1e-4;
 inline constexpr int k_steps_first_strict = 10;
 

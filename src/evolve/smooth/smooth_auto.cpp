@@ -63,7 +63,8 @@ class SmoothStepper {
         levels_(state, options.prefer == Prefer::flat ? k_coarsest_flat : k_coarsest, pool),
         level_(levels_.coarsest()) {
     open_level();
-    if (descent_->solvable()) control_.emplace(limit_, descent_->strain());
+    if (descent_->solvable())
+      control_.emplace(limit_, descent_->strain(), options.prefer == Prefer::flat);
   }
 
   SweepOutcome step() {

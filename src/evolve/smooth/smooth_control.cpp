@@ -22,14 +22,23 @@ double between(double tight, double loose, double looseness) {
   return tight + looseness * (loose - tight);
 }
 
+/// The first delta over the least: where much strain has to go, closeness begins weak.
+double first_delta(double strain_over_limit, double looseness, bool flat) {
+  const double loose = std::clamp(k_first_delta * strain_over_limit * strain_over_limit,
+                                  k_first_delta, k_most_first_delta);
+  return between(flat ? k_first_delta_flat : k_first_delta, loose, looseness);
+}
+
 }  // namespace
 
-SmoothControl::SmoothControl(const SurfaceStrainLimit& limit, const DescentStrain& at_first)
+SmoothControl::SmoothControl(const SurfaceStrainLimit& limit, const DescentStrain& at_first,
+                             bool flat)
     : limit_(limit) {
   const double loose = looseness(limit, at_first);
   ceiling_ = between(k_tight_ceiling, k_loose_ceiling, loose);
   least_delta_ = between(k_tight_delta, k_loose_delta, loose);
-  weights_ = {2.0 * least_delta_, k_first_sigma, k_loose_form * loose};
+  weights_ = {first_delta(1.0 / limit.share_of(at_first), loose, flat) * least_delta_,
+              k_first_sigma, k_loose_form * loose};
   if (loose >= 1.0) stage_ = Stage::led;
 }
 

@@ -14,7 +14,8 @@ class SmoothControl {
  public:
   /// @param limit given
   /// @param at_first of the design
-  SmoothControl(const SurfaceStrainLimit& limit, const DescentStrain& at_first);
+  /// @param flat all strain is to go in the end
+  SmoothControl(const SurfaceStrainLimit& limit, const DescentStrain& at_first, bool flat = false);
 
   /// Of the next step.
   SmoothWeights weights() const { return weights_; }

@@ -62,6 +62,26 @@ TEST(SmoothControl, KeepsTheFormWhereMuchStrainMayStay) {
   EXPECT_EQ(SmoothControl({0.0, 0.5 * k_tight}, k_at_first).weights().form, 0.0);
 }
 
+TEST(SmoothControl, BeginsLessCloseTheMoreStrainHasToGo) {
+  const auto first_delta = [](double strain_over_limit) {
+    constexpr double limit = 2.0 * k_loose, led_to = tuning::k_of_rms_limit * limit;
+    return SmoothControl({0.0, limit}, {strain_over_limit * led_to, 1.0}).weights().delta;
+  };
+  EXPECT_DOUBLE_EQ(first_delta(1.0), k_first_delta * k_loose_delta);
+  EXPECT_DOUBLE_EQ(first_delta(1.5), 2.25 * k_first_delta * k_loose_delta);
+  EXPECT_DOUBLE_EQ(first_delta(50.0), k_most_first_delta * k_loose_delta);
+}
+
+TEST(SmoothControl, BeginsAtATightLimitWithTheSameDeltaForEveryStrain) {
+  const auto first_delta = [](double strain, bool flat) {
+    return SmoothControl({0.0, 0.5 * k_tight}, {strain, 1.0}, flat).weights().delta;
+  };
+  for (const double strain : {0.01, 0.1}) {
+    EXPECT_DOUBLE_EQ(first_delta(strain, false), k_first_delta * k_tight_delta);
+    EXPECT_DOUBLE_EQ(first_delta(strain, true), k_first_delta_flat * k_tight_delta);
+  }
+}
+
 TEST(SmoothControl, GivesUpClosenessThenTheFormThenStrain) {
   DescentStrain too_much{0.1, 0.3};
   constexpr double too_bent = 2.0;

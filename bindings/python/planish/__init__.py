@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from . import _core, _meshes, _verbs
+from . import _core, _meshes
 from ._core import (
     ComparedMethod,
     CompareResult,
@@ -19,21 +19,15 @@ from ._core import (
     UnfoldResult,
 )
 from ._meshes import read, write
-from ._verbs import (
-    compare,
-    dxf,
-    evolve,
-    evolve_sweeps,
-    flatten,
-    flatten_product,
-    measure,
-    pdf,
-    plt,
-    sample,
-    suggest_cuts,
-    svg,
-    unfold,
-)
+from ._verbs.compare import compare
+from ._verbs.drawing import dxf, pdf, plt, svg
+from ._verbs.evolve import evolve, evolve_sweeps
+from ._verbs.flatten import flatten
+from ._verbs.measure import measure
+from ._verbs.product import flatten_product
+from ._verbs.sample import sample
+from ._verbs.suggest_cuts import suggest_cuts
+from ._verbs.unfold import unfold
 from .errors import Cancelled, Error, FileError, FormatError, MeshError, PatternError, Place, RequestError
 
 __version__ = _core.__version__
@@ -95,7 +89,7 @@ def _report_in_frame(self: Any) -> str:
 
 def _pattern_in_page(self: Any) -> str:
     """The pattern, for notebooks."""
-    return f'<div style="max-width: 640px; overflow: auto">{_verbs.svg(self)}</div>'
+    return f'<div style="max-width: 640px; overflow: auto">{svg(self)}</div>'
 
 
 def _add_methods() -> None:

@@ -5,8 +5,9 @@ from typing import Any, Optional
 import numpy as np
 import numpy.typing as npt
 
-from . import _meshes, _verbs
+from . import _meshes
 from ._types import Path
+from ._verbs import drawing
 
 __version__: str
 
@@ -163,10 +164,10 @@ class FlattenResult:
     to_pyvista = _meshes.to_pyvista
     to_meshio = _meshes.to_meshio
     def _repr_html_(self) -> str: ...
-    svg = _verbs.svg
-    dxf = _verbs.dxf
-    pdf = _verbs.pdf
-    plt = _verbs.plt
+    svg = drawing.svg
+    dxf = drawing.dxf
+    pdf = drawing.pdf
+    plt = drawing.plt
 
 class UnfoldResult:
     @property
@@ -202,10 +203,10 @@ class UnfoldResult:
     to_pyvista = _meshes.to_pyvista
     to_meshio = _meshes.to_meshio
     def _repr_html_(self) -> str: ...
-    svg = _verbs.svg
-    dxf = _verbs.dxf
-    pdf = _verbs.pdf
-    plt = _verbs.plt
+    svg = drawing.svg
+    dxf = drawing.dxf
+    pdf = drawing.pdf
+    plt = drawing.plt
 
 class ComparedMethod:
     @property

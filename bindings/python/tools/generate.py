@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Writes what follows from the program's one description of flags and from the module's classes:
-planish/_verbs.py (the functions), planish/_core.pyi (types of the module) and the second half of
+planish/_verbs (the functions), planish/_core.pyi (types of the module) and the second half of
 docs/python.md.
 
     bindings/python/tools/generate.py PACKAGES            writes them
@@ -148,6 +148,13 @@ for form, kind in {"svg": "SVG", "dxf": "DXF", "pdf": "PDF", "plt": "HPGL"}.item
         "too. With as_designed it is the pattern of the unchanged design.",
     )
 
+# The modules of planish/_verbs that hold more than the function of their name.
+MODULES = {
+    "flatten_product": "product",
+    "evolve_sweeps": "evolve",
+    **dict.fromkeys(DRAWING_FLAGS, "drawing"),
+}
+
 FILE_ROWS = {"cut", "fix", "weights", "notches", "seam_notches", "marks", "inner_lines", "edge_allowances"}
 # Types that docstrings of the module do not say.
 PROPERTY_TYPES = {
@@ -233,23 +240,36 @@ def function_text(description, function):
     )
 
 
-def verbs_source(description):
-    head = HEAD + textwrap.dedent(
-        """
-        # ruff: noqa
-        from __future__ import annotations
+def verb_modules(description):
+    """Name of a module of planish/_verbs -> its source."""
+    functions = {}
+    for function in FUNCTIONS:
+        functions.setdefault(MODULES.get(function, function), []).append(function_text(description, function))
+    return {name: module_source("\n\n".join(texts)) for name, texts in functions.items()}
 
-        from typing import TYPE_CHECKING, Literal, Mapping, Optional, Sequence
 
-        from . import _core, _meshes, _run
+def import_of(source, names, text):
+    """The import of those names that the text has."""
+    used = [name for name in names if re.search(rf"\b{name}\b", text)]
+    return f"from {source} import {', '.join(used)}\n" if used else ""
 
-        if TYPE_CHECKING:
-            from numpy.typing import ArrayLike
 
-            from ._types import Amount, MeshLike, Path, Progress, Rows
-        """
-    ).replace("# ruff: noqa\n", "")
-    return head + "".join("\n\n" + function_text(description, name) for name in FUNCTIONS)
+def module_source(functions):
+    """With the imports of what the functions name."""
+    types = [
+        import_of("numpy.typing", ["ArrayLike"], functions),
+        import_of(".._types", ["Amount", "MeshLike", "Path", "Progress", "Rows"], functions),
+    ]
+    of_types = "\n".join(f"    {line}" for line in types if line)
+    body = (f"\nif TYPE_CHECKING:\n{of_types}" if of_types else "") + f"\n\n{functions}"
+    return (
+        HEAD
+        + "\nfrom __future__ import annotations\n\n"
+        + import_of("typing", ["TYPE_CHECKING", "Literal", "Mapping", "Optional", "Sequence"], body)
+        + "\n"
+        + import_of("..", ["_core", "_meshes", "_run"], body)
+        + body
+    )
 
 
 def python_type(text):
@@ -330,8 +350,9 @@ def core_stub(core):
         import numpy as np
         import numpy.typing as npt
 
-        from . import _meshes, _verbs
+        from . import _meshes
         from ._types import Path
+        from ._verbs import drawing
 
         __version__: str
         """
@@ -451,7 +472,8 @@ def main():
 
     core = load_core(packages)
     description = json.loads(core.description())
-    put(HERE / "planish/_verbs.py", verbs_source(description))
+    for name, source in verb_modules(description).items():
+        put(HERE / f"planish/_verbs/{name}.py", source)
     sys.path.insert(0, packages)
     import planish
 

@@ -193,8 +193,8 @@ TEST(StrainPotential, TakesTheSurfaceAsItIsWhenUpdated) {
 }
 
 TEST(StrainPotential, IsTheSameWithAFactorThatWasFreedAndMadeAgain) {
-  for (const char* shape : {"panel", "saddle"}) {
-    const TriMesh mesh = make_shape(shape, shape == std::string("panel") ? 200 : 12'000);
+  for (const std::size_t vertices : {200, 12'000}) {  // in double and in float
+    const TriMesh mesh = make_shape("saddle", vertices);
     Laid laid(mesh);
     laid.state.measure(laid.pool);
     StrainPotential potential(laid.jacobian, laid.state, laid.pool, BoundaryCondition::free);
@@ -202,7 +202,7 @@ TEST(StrainPotential, IsTheSameWithAFactorThatWasFreedAndMadeAgain) {
     potential.release();
     potential.factor(laid.pool);
     ASSERT_TRUE(potential.solvable());
-    EXPECT_EQ(potential.of(d, laid.pool), before) << shape;
+    EXPECT_EQ(potential.of(d, laid.pool), before) << vertices;
   }
 }
 

@@ -1,0 +1,48 @@
+"""Written by tools/generate.py from `planish describe --json`. Change that."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal, Optional, Sequence
+
+from .. import _core, _meshes, _run
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from .._types import MeshLike, Progress, Rows
+
+
+def compare(
+    mesh: MeshLike,
+    faces: Optional[ArrayLike] = None,
+    *,
+    name: Optional[str] = None,
+    progress: Optional[Progress] = None,
+    unit: Optional[Literal["mm", "cm", "dm", "m", "in"]] = None,
+    scale: Optional[float] = None,
+    methods: Optional[str | Sequence[str]] = None,
+    sweeps: Optional[int] = None,
+    target_e_max: Optional[float] = None,
+    fix: Optional[Rows] = None,
+    weights: Optional[Rows] = None,
+    obstacle: Optional[MeshLike] = None,
+    threads: Optional[int] = None,
+) -> _core.CompareResult:
+    """Tries several methods on a patch, one after the other.
+
+    Keywords, as flags of the program:
+        unit: what one unit of the mesh is: mm, cm, dm, m or in (default mm)
+        scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
+            (default 1)
+        methods: which, with commas between: controllable, classical, least_norm, flattenable_laplacian, local_offset,
+            global_penalty, local_perturbation, fairing or auto (default: all)
+        sweeps: at most so many sweeps (default: what each method usually takes)
+        target_e_max: end as soon as e_max is at most this, in radians (at least 0, default 0)
+        fix: vertices that stay where they are: a list of numbers from 0, or an .obj whose lines and points are
+            snapped to the mesh
+        weights: weights of moves: on each line a vertex, from 0, and its weight
+        obstacle: a closed mesh that must not be entered
+        threads: use at most N threads; never changes the result (default: all cores)
+    """
+    given = _run.keywords_of(locals())
+    return _run.run(_core.compare, _meshes.as_mesh(mesh, faces, name), given, progress)

@@ -1,0 +1,40 @@
+"""Written by tools/generate.py from `planish describe --json`. Change that."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal, Optional
+
+from .. import _core, _meshes, _run
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from .._types import Amount, MeshLike, Progress
+
+
+def measure(
+    mesh: MeshLike,
+    faces: Optional[ArrayLike] = None,
+    *,
+    name: Optional[str] = None,
+    progress: Optional[Progress] = None,
+    scale: Optional[float] = None,
+    max_strain: Optional[Amount] = None,
+    material: Optional[Literal["steel", "leather", "cotton", "neoprene"]] = None,
+    max_rms_strain: Optional[Amount] = None,
+    threads: Optional[int] = None,
+) -> _core.MeasureResult:
+    """Measures how far a patch is from flat, and what strain its pattern needs as it is.
+
+    Keywords, as flags of the program:
+        scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
+            (default 1)
+        max_strain: how much an edge of the pattern may be longer or shorter than on the patch (0.02 or 2%); 2%@p99:
+            on 99 % of the area
+        material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or
+            neoprene 10%
+        max_rms_strain: the same for the root mean square of the strain (0.02 or 2%)
+        threads: use at most N threads; never changes the result (default: all cores)
+    """
+    given = _run.keywords_of(locals())
+    return _run.run(_core.measure, _meshes.as_mesh(mesh, faces, name), given, progress)

@@ -1,0 +1,41 @@
+"""Written by tools/generate.py from `planish describe --json`. Change that."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal, Optional
+
+from .. import _core, _meshes, _run
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from .._types import Amount, MeshLike, Progress
+
+
+def suggest_cuts(
+    mesh: MeshLike,
+    faces: Optional[ArrayLike] = None,
+    *,
+    name: Optional[str] = None,
+    progress: Optional[Progress] = None,
+    unit: Optional[Literal["mm", "cm", "dm", "m", "in"]] = None,
+    scale: Optional[float] = None,
+    max_strain: Optional[Amount] = None,
+    material: Optional[Literal["steel", "leather", "cotton", "neoprene"]] = None,
+    max_cuts: Optional[int] = None,
+    threads: Optional[int] = None,
+) -> _core.CutResult:
+    """Looks for short cuts that let a mesh lie flat.
+
+    Keywords, as flags of the program:
+        unit: what one unit of the mesh is: mm, cm, dm, m or in (default mm)
+        scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
+            (default 1)
+        max_strain: the limit of the largest strain of an edge (0.02 or 2%, default 2%); 2%@p99: on 99 % of the area
+        material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or
+            neoprene 10%
+        max_cuts: at most so many darts (0 to 50, default 6)
+        threads: use at most N threads; never changes the result (default: all cores)
+    """
+    given = _run.keywords_of(locals())
+    return _run.run(_core.suggest_cuts, _meshes.as_mesh(mesh, faces, name), given, progress)

@@ -1,0 +1,105 @@
+"""Written by tools/generate.py from `planish describe --json`. Change that."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal, Optional, Sequence
+
+from .. import _core, _meshes, _run
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from .._types import Amount, MeshLike, Progress, Rows
+
+
+def unfold(
+    mesh: MeshLike,
+    faces: Optional[ArrayLike] = None,
+    *,
+    name: Optional[str] = None,
+    progress: Optional[Progress] = None,
+    unit: Optional[Literal["mm", "cm", "dm", "m", "in"]] = None,
+    scale: Optional[float] = None,
+    cut: Optional[Rows] = None,
+    match_seams: Optional[bool] = None,
+    paper: Optional[Literal["a4", "a3", "letter", "a0"]] = None,
+    map: Optional[bool] = None,
+    text: Optional[Literal["letters", "strokes"]] = None,
+    dxf_profile: Optional[Literal["generic", "aama", "astm", "clo", "lectra", "optitex", "gerber"]] = None,
+    dxf_version: Optional[Literal["r12", "r2000"]] = None,
+    dxf_notches: Optional[Literal["points", "strokes"]] = None,
+    dxf_layers: Optional[str] = None,
+    max_strain: Optional[Amount] = None,
+    material: Optional[Literal["steel", "leather", "cotton", "neoprene"]] = None,
+    max_rms_strain: Optional[Amount] = None,
+    allowance: Optional[Amount] = None,
+    corners: Optional[Literal["mitre", "square", "round"]] = None,
+    edge_allowances: Optional[Rows] = None,
+    fold: Optional[str | Sequence[int]] = None,
+    notches: Optional[Rows] = None,
+    seam_notches: Optional[Rows] = None,
+    notch_depth: Optional[Amount] = None,
+    grain: Optional[str | float | Sequence[float]] = None,
+    marks: Optional[Rows] = None,
+    inner_lines: Optional[Rows] = None,
+    piece_name: Optional[str] = None,
+    size: Optional[str] = None,
+    quantity: Optional[int] = None,
+    mirrored: Optional[int] = None,
+    fabric: Optional[str] = None,
+    note: Optional[str] = None,
+    date: Optional[str] = None,
+    edge_lengths: Optional[bool] = None,
+    curve_tolerance: Optional[Amount] = None,
+    threads: Optional[int] = None,
+) -> _core.UnfoldResult:
+    """Lays a patch flat as it is, with the least stretch or within limits of strain.
+
+    Keywords, as flags of the program:
+        unit: what one unit of the mesh is: mm, cm, dm, m or in (default mm)
+        scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
+            (default 1)
+        cut: cut the patch open first: a cut a line by its vertices from 0, or an .obj whose lines are snapped to the
+            mesh
+        match_seams: keep the length of every border edge, or in a product of those along seams, so that what is sewn
+            together stays equally long
+        paper: divide the .pdf into pages to be joined: a4, a3, letter or a0
+        map: draw the strain map on paper too: in .pdf and on the pages of --paper
+        text: letters, or strokes for machines without them (default letters)
+        dxf_profile: whom the .dxf is for: generic, aama, astm, clo, lectra, optitex or gerber (default generic)
+        dxf_version: r12, which nearly everything reads, or r2000, with arcs and splines (default r12)
+        dxf_notches: in profiles for apparel: points, or strokes for cutters that ignore points (default points)
+        dxf_layers: other names in the .dxf for the layers strain, cut, seam, notch, grain, fold, drill, internal,
+            annotation, label or legend
+        max_strain: how much an edge of the pattern may be longer or shorter than on the patch (0.02 or 2%); 2%@p99:
+            on 99 % of the area
+        material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or
+            neoprene 10%
+        max_rms_strain: the same for the root mean square of the strain (0.02 or 2%)
+        allowance: material beyond the seam, as 10mm
+        corners: of the allowance: mitre, square or round (default mitre)
+        edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
+        fold: vertices at the ends of a straight stretch of the border: the piece is cut on the fold there, without an
+            allowance
+        notches: a line each: vertex, or share of the border as 0.25 or 25%; slit, v or t; double; or an .obj drawn on
+            the model
+        seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double
+        notch_depth: of notches (default 5mm, or half of less allowance)
+        grain: direction of the grain on the model, or its angle in the pattern
+        marks: a line each: vertex; cross or drill; or an .obj drawn on the model
+        inner_lines: as legs of darts, a line each by its vertices; or an .obj drawn on the model
+        piece_name: written inside the piece, as are the next five
+        size: that the piece is for
+        quantity: how many to cut
+        mirrored: how many of --quantity to cut as mirror images
+        fabric: what to cut it from
+        note: anything else, as "one mirrored" or "cut on fold"
+        date: written on the sheet as it is (default none)
+        edge_lengths: write the lengths from corner to corner along the outline, and with flatten into edge-
+            lengths.csv
+        curve_tolerance: how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from
+            vertex to vertex)
+        threads: use at most N threads; never changes the result (default: all cores)
+    """
+    given = _run.keywords_of(locals())
+    return _run.run(_core.unfold, _meshes.as_mesh(mesh, faces, name), given, progress)

@@ -84,7 +84,7 @@ inline constexpr double k_tight_ceiling = 1.2, k_loose_ceiling = 1.06;
 inline constexpr double k_tight_delta = 0.005, k_loose_delta = 0.0025;
 /// The first delta over the least, and where all strain is to go. With a loose limit it is so much
 /// times the square of the strain over its limit, up to the last.
-inline constexpr double k_first_delta = 3.0, k_first_delta_flat = 4.0, k_most_first_delta = 20.0;
+inline constexpr double k_first_delta = 2.0, k_first_delta_flat = 4.0, k_most_first_delta = 20.0;
 /// Share of the design's angles that bending is counted from, for a loose limit; 0 for a tight one.
 inline constexpr double k_loose_form = 0.8;
 /// Its factor in a step where the patch bends too much, and the least above 0.

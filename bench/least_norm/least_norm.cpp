@@ -52,8 +52,12 @@ End run(const Patch& design, const Method& method, int sweeps) {
           edge_strain(after, unfold(after).positions).rms};
 }
 
-std::vector<Auto> runs_of_auto() {
-  std::vector<Auto> runs = {{.prefer = Prefer::flat}, {.prefer = Prefer::smooth}};
+/// @param bending of least_norm, over the design's
+std::vector<Auto> runs_of_auto(double bending) {
+  std::vector<Auto> runs = {{.prefer = Prefer::flat},
+                            {.prefer = Prefer::smooth},
+                            {.max_bending = bending, .prefer = Prefer::flat},
+                            {.max_bending = bending, .prefer = Prefer::smooth}};
   for (const double closeness : {0.0, 0.1, 0.25, 0.5, 1.0}) {
     runs.push_back({.closeness = closeness, .prefer = Prefer::near});
     runs.push_back({.max_rms_strain = k_nearly, .closeness = closeness, .prefer = Prefer::near});
@@ -111,7 +115,7 @@ int main(int argc, char** argv) {
     const Patch design(read_mesh(argv[i]).mesh);
     const End least_norm = run(design, LeastNorm{}, 150);
     std::vector<End> ends;
-    for (const Auto& method : runs_of_auto())
+    for (const Auto& method : runs_of_auto(least_norm.bending))
       ends.push_back(run(design, method, Auto::usual_sweeps));
     std::printf("| %s | %.2f | %.2f | %.2f, %.2f", std::filesystem::path(argv[i]).stem().c_str(),
                 least_norm.bending, 100.0 * least_norm.deviation, 100.0 * least_norm.there,

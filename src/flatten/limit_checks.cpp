@@ -39,6 +39,13 @@ std::optional<double> given(const Method& method, std::string_view name) {
       method);
 }
 
+/// `near` has no bound of bending.
+std::optional<double> given_bending(const Method& method) {
+  const auto* options = std::get_if<Auto>(&method);
+  if (options != nullptr && options->prefer == Prefer::near) return std::nullopt;
+  return given(method, "max_bending");
+}
+
 LimitOf limit_of(StrainLimitKind kind) {
   switch (kind) {
     case StrainLimitKind::max:
@@ -66,6 +73,8 @@ std::vector<LimitCheck> limit_checks(const EvolveReport& evolve) {
     const double bound = std::min(*limit, before);
     checks.push_back({LimitOf::angle, *limit, after, after >= bound * (1.0 - k_rounding)});
   }
+  if (const auto limit = given_bending(evolve.method); limit && evolve.fairness.bending_ratio)
+    at_most(LimitOf::bending, *limit, *evolve.fairness.bending_ratio);
   if (evolve.stopping.target_e_max > 0.0)
     at_most(LimitOf::defect, evolve.stopping.target_e_max, evolve.after.figures.e_max);
   return checks;
@@ -94,6 +103,8 @@ std::string limit_text(const LimitCheck& check, Unit unit) {
       return "at least " + significant_text(check.limit, 3) + "°";
     case LimitOf::defect:
       return "at most " + significant_text(check.limit, 2) + " rad";
+    case LimitOf::bending:
+      return "at most " + significant_text(check.limit, 3) + " times the design's";
   }
   return {};
 }

@@ -203,7 +203,8 @@ void refuse_flags_of_other_methods(const std::string& chosen, const Arguments& a
   }
 }
 
-/// --closeness is of surfaces that stay near, --target-e-max of those that get flat.
+/// --closeness is of surfaces that stay near, --target-e-max of those that get flat, and
+/// --max-bending of those that stay smooth.
 void imply_preference(Auto& options, const Arguments& arguments) {
   const bool is_told = arguments.has("--prefer");
   if (arguments.has("--closeness")) {
@@ -215,6 +216,8 @@ void imply_preference(Auto& options, const Arguments& arguments) {
       throw UsageError("--target-e-max belongs to --prefer flat or near: leave one of them out");
     if (!is_told) options.prefer = Prefer::flat;
   }
+  if (options.max_bending > 0.0 && options.prefer == Prefer::near)
+    throw UsageError("--max-bending belongs to --prefer smooth or flat: leave one of them out");
 }
 
 std::vector<std::string> split_at_commas(const std::string& text) {

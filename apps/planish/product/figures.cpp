@@ -128,7 +128,7 @@ constexpr StrainLimitKind last_of(StrainLimitKind) {
   return StrainLimitKind::rms;
 }
 constexpr LimitOf last_of(LimitOf) {
-  return LimitOf::defect;
+  return LimitOf::bending;
 }
 constexpr Unit last_of(Unit) {
   return Unit::in;

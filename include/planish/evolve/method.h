@@ -330,6 +330,7 @@ struct Auto {
   double max_rms_strain = 0.0;
   double max_deviation = std::numeric_limits<double>::infinity();
   double min_angle = 0.0;
+  double max_bending = 0.0;
   double closeness = 1.0;
   Prefer prefer = Prefer::smooth;
   BorderFreedom border = {};
@@ -351,6 +352,10 @@ void describe(Auto& o, Visit&& visit) {
         "no triangle gets an angle below this, or below the smallest one at first if that is "
         "smaller, in degrees",
         Range{0.0, 60.0});
+  visit("max_bending", o.max_bending,
+        "with prefer smooth or flat: bend at most so many times as much as before; the more, the "
+        "nearer the surface stays; 0: as smooth as usual",
+        Range{0.0, 1e6});
   visit("prefer", o.prefer,
         "what counts most: that the surface stays smooth, becomes flattenable, or stays near");
   visit("closeness", o.closeness,

@@ -65,12 +65,12 @@ struct SmoothedDesign {
 };
 
 /// What a limit is of.
-enum class LimitOf { strain, p99_strain, rms_strain, deviation, angle, defect };
+enum class LimitOf { strain, p99_strain, rms_strain, deviation, angle, defect, bending };
 
 /// A limit or target that was asked for, and whether the result keeps it.
 struct LimitCheck {
   LimitOf what = LimitOf::strain;  ///< that is limited
-  double limit = 0.0;              ///< a share of length, model units, degrees, radians
+  double limit = 0.0;              ///< a share of length, model units, degrees, radians, a ratio
   double value = 0.0;              ///< what the result has: the largest, of angles the smallest
   bool met = false;                ///< value within limit
 };

@@ -51,16 +51,17 @@ inline constexpr double k_approach = 0.4;
 namespace prefer_smooth {
 /// Inner vertices of the coarsest level at most: most of the work is done there.
 inline constexpr std::size_t k_coarsest = 2500;
-/// The same where all strain is to go: finer levels do not make up for what it misses.
-inline constexpr std::size_t k_coarsest_flat = 6000;
+/// The same where all strain is to go or a bound of bending is given: finer levels do not make up
+/// for what it misses.
+inline constexpr std::size_t k_coarsest_careful = 6000;
 /// Steps on the coarsest level at most.
 inline constexpr int k_most_first_steps = 80;
 /// Steps on finer levels: this over the number of inner vertices, as steps are expensive there and
 /// little is left to do, within the two bounds after it.
 inline constexpr std::size_t k_later_work = 150'000;
 inline constexpr std::size_t k_least_later_steps = 5, k_most_later_steps = 30;
-/// Steps at most where all strain is to go.
-inline constexpr int k_most_strict_steps = 40;
+/// Steps at most where all strain is to go, without and with a given bound of bending.
+inline constexpr int k_most_strict_steps = 40, k_most_strict_steps_bounded = 80;
 /// Strain, rms, at which the last steps of `flat` begin.
 inline constexpr double k_nearly_flat = 2e-4;
 /// A limit counts as kept at so many times it, so that steps end within it; the ceiling of bending
@@ -82,6 +83,9 @@ inline constexpr double k_tight = 1e-3, k_loose = 5e-3;
 inline constexpr double k_tight_ceiling = 1.2, k_loose_ceiling = 1.06;
 /// Least delta (a length over D) for a tight and a loose limit.
 inline constexpr double k_tight_delta = 0.005, k_loose_delta = 0.0025;
+/// Least delta where a bound of bending is given. Where all strain is to go, bending is led to the
+/// bound over the second, as polishing adds some.
+inline constexpr double k_bounded_delta = 3e-4, k_nearly_polished = 1.06;
 /// The first delta over the least, and where all strain is to go. With a loose limit it is so much
 /// times the square of the strain over its limit, up to the last.
 inline constexpr double k_first_delta = 2.0, k_first_delta_flat = 4.0, k_most_first_delta = 20.0;
@@ -122,6 +126,10 @@ inline constexpr double k_least_delta_factor_large = 0.98;
 inline constexpr double k_strict_delta = 0.0125, k_first_strict_sigma = 5e-4,
                         k_last_strict_sigma = 1e-4;
 inline constexpr int k_steps_first_strict = 10;
+
+/// Strain over sigma from which closeness gives way, and up to which it may grow, where all strain
+/// is to go and a bound of bending is given.
+inline constexpr double k_much_left = 4.0, k_little_left = 2.0;
 
 /// Steps back towards the design where the surface is not smooth: tenths of the move, then halvings
 /// of the last tenth.

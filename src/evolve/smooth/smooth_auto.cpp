@@ -29,6 +29,12 @@ SurfaceStrainLimit limit_of(const Auto& options) {
   return limit.given() ? limit : SurfaceStrainLimit{0.0, k_unmeasurable_strain};
 }
 
+/// Inner vertices of the coarsest level at most.
+std::size_t coarsest_of(const Auto& options) {
+  const bool careful = options.prefer == Prefer::flat || options.max_bending > 0.0;
+  return careful ? k_coarsest_careful : k_coarsest;
+}
+
 /// Of the smooth positions of a level those with the least strain.
 struct Best {
   double share;  // of the limit, over the strain
@@ -60,11 +66,12 @@ class SmoothStepper {
         state_(state),
         pool_(pool),
         least_angle_(angle_to_keep(options, state, pool)),
-        levels_(state, options.prefer == Prefer::flat ? k_coarsest_flat : k_coarsest, pool),
+        levels_(state, coarsest_of(options), pool),
         level_(levels_.coarsest()) {
     open_level();
     if (descent_->solvable())
-      control_.emplace(limit_, descent_->strain(), options.prefer == Prefer::flat);
+      control_.emplace(limit_, descent_->strain(), options.prefer == Prefer::flat,
+                       options.max_bending);
   }
 
   SweepOutcome step() {
@@ -135,7 +142,9 @@ class SmoothStepper {
   void keep_best(std::optional<Best>& best) const {
     if (!control_->is_smooth()) return;
     const double share = limit_.share_of(descent_->strain());
-    if (!best || share > best->share) best = Best{share, descent_->positions()};
+    // On the way to a given bending, of all positions within the limit the last are the nearest.
+    const bool is_nearer = control_->is_bounded() && share * k_nearly >= 1.0;
+    if (!best || share > best->share || is_nearer) best = Best{share, descent_->positions()};
   }
 
   int most_steps() const {
@@ -166,8 +175,16 @@ class SmoothStepper {
     return StopReason::smooth_limit;
   }
 
-  /// Where the surface is not smooth by the rule that judges results, goes back towards the design
-  /// until it is: by tenths of the way, then by halves of the last tenth.
+  /// By the rule that judges results. A given bound of bending replaces it where it is wider.
+  bool is_allowed(const Fairness& fairness) const {
+    if (!control_->is_bounded()) return fairness.is_smooth();
+    const bool within = fairness.bending_ratio.value_or(0.0) <=
+                        std::max(options_.max_bending, fairness.design_ratio);
+    return within && (options_.max_bending > k_smooth_ratio || fairness.is_smooth());
+  }
+
+  /// Where the surface is not smooth, goes back towards the design until it is: by tenths of the
+  /// way, then by halves of the last tenth.
   void retreat() {
     const Positions origin = descent_->origin(), away = sum_of(descent_->positions(), -1.0, origin);
     if (!design_) design_.emplace(mesh_at_first(state_));
@@ -177,7 +194,7 @@ class SmoothStepper {
       for (std::size_t v = 0; v < state_.vertex_count(); ++v)
         after.push_back((1.0 / state_.scale()) * state_.position(v));
       pool_.stop_if_cancelled();
-      return fairness_beside(*design_, descent_->design_bending(), after).is_smooth();
+      return is_allowed(fairness_beside(*design_, descent_->design_bending(), after));
     };
     int part = k_retreat_parts;
     while (part > 0 && !is_smooth_at(static_cast<double>(part) / k_retreat_parts))

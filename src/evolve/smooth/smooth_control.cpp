@@ -32,13 +32,20 @@ double first_delta(double strain_over_limit, double looseness, bool flat) {
 }  // namespace
 
 SmoothControl::SmoothControl(const SurfaceStrainLimit& limit, const DescentStrain& at_first,
-                             bool flat)
-    : limit_(limit) {
+                             bool flat, double max_bending)
+    : limit_(limit), bounded_(max_bending > 0.0), as_bent_as_bound_(!bounded_) {
   const double loose = looseness(limit, at_first);
   ceiling_ = between(k_tight_ceiling, k_loose_ceiling, loose);
   least_delta_ = between(k_tight_delta, k_loose_delta, loose);
-  weights_ = {first_delta(1.0 / limit.share_of(at_first), loose, flat) * least_delta_,
-              k_first_sigma, k_loose_form * loose};
+  double first = least_delta_ * first_delta(1.0 / limit.share_of(at_first), loose, flat);
+  if (bounded_) {
+    const double bound = max_bending / (flat ? k_nearly_polished : k_nearly);
+    first *= ceiling_ / bound;
+    ceiling_ = bound;
+    least_delta_ = k_bounded_delta;
+  }
+  weights_ = {std::clamp(first, k_bounded_delta, k_most_delta), k_first_sigma,
+              k_loose_form * loose};
   if (loose >= 1.0) stage_ = Stage::led;
 }
 
@@ -53,7 +60,7 @@ void SmoothControl::start_strict() {
   stage_ = Stage::strict;
   steps_ = settled_ = 0;
   met_ = false;
-  weights_ = {k_strict_delta, k_first_strict_sigma, 0.0};
+  weights_ = {bounded_ ? weights_.delta : k_strict_delta, k_first_strict_sigma, 0.0};
 }
 
 void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& strain,
@@ -76,6 +83,7 @@ void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& 
     met_ = weights_.sigma == k_last_strict_sigma;
     weights_.sigma = k_last_strict_sigma;
   }
+  if (stage_ == Stage::strict && bounded_) lead_strict(strain, bending);
   if (stage_ == Stage::led) lead(strain, bending);
 }
 
@@ -94,12 +102,33 @@ void SmoothControl::lead(const DescentStrain& strain, double bending) {
     weights_.sigma *= std::min(std::sqrt(excess), k_most_factor);
   else
     weights_.sigma *= std::clamp(std::sqrt(share), k_least_factor, k_most_factor);
-  weights_.sigma = std::max(weights_.sigma, k_least_sigma * strain.rms);
+  const double least_sigma = k_least_sigma * strain.rms;
+  const bool closeness_wins = bounded_ && strained && weights_.sigma < least_sigma;
+  weights_.sigma = std::max(weights_.sigma, least_sigma);
   // Closeness must not push strain out again that is still above its limit.
-  const double nearest = strained ? 1.0 : least_delta_factor_;
+  const double least = closeness_wins ? k_most_delta_factor : strained ? 1.0 : least_delta_factor_;
+  lead_delta(excess, least);
+}
+
+/// Closeness gives way where it keeps strain.
+void SmoothControl::lead_strict(const DescentStrain& strain, double bending) {
+  const double left = strain.rms / weights_.sigma;
+  const double least = left > k_much_left     ? k_most_delta_factor
+                       : left > k_little_left ? 1.0
+                                              : least_delta_factor_;
+  lead_delta(bending / ceiling_, least);
+}
+
+/// @param excess bending over its ceiling
+void SmoothControl::lead_delta(double excess, double least_factor) {
   weights_.delta = std::clamp(weights_.delta * std::clamp(math::pow(excess, k_delta_exponent),
-                                                          nearest, k_most_delta_factor),
+                                                          least_factor, k_most_delta_factor),
                               least_delta_, k_most_delta);
+  const bool furthest = weights_.delta >= k_most_delta,
+             kept_away = stage_ == Stage::strict && least_factor >= 1.0,
+             nearest = kept_away || weights_.delta <= least_delta_;
+  as_bent_as_bound_ =
+      !bounded_ || (excess <= k_nearly ? nearest || excess * k_nearly >= 1.0 : furthest);
 }
 
 /// True where a smaller and smaller sigma takes no more strain out.

@@ -9,13 +9,16 @@ namespace planish {
 /// Which weights the steps of SmoothDescent take, and when they are over (docs/methods/smooth.md):
 /// strain is taken out slowly, then sigma is led by the strain and delta by the bending, until
 /// strain is at its limit and bending at most at its ceiling. If that cannot be, the share of the
-/// design's angles that bending is counted from falls, and at 0 more strain is left.
+/// design's angles that bending is counted from falls, and at 0 more strain is left. Where a bound
+/// of bending is given, delta falls until the surface bends as much as that.
 class SmoothControl {
  public:
   /// @param limit given
   /// @param at_first of the design
   /// @param flat all strain is to go in the end
-  SmoothControl(const SurfaceStrainLimit& limit, const DescentStrain& at_first, bool flat = false);
+  /// @param max_bending over the design's, as given; 0: the usual ceiling
+  SmoothControl(const SurfaceStrainLimit& limit, const DescentStrain& at_first, bool flat = false,
+                double max_bending = 0.0);
 
   /// Of the next step.
   SmoothWeights weights() const { return weights_; }
@@ -31,9 +34,12 @@ class SmoothControl {
   /// Both aims hold and steps gain little more, or the most steps to nothing were made.
   bool is_over() const {
     using namespace tuning::prefer_smooth;
-    return (met_ && settled_ >= k_settled_steps) ||
-           (stage_ == Stage::strict && steps_ >= k_most_strict_steps);
+    const int most = bounded_ ? k_most_strict_steps_bounded : k_most_strict_steps;
+    return (met_ && as_bent_as_bound_ && settled_ >= k_settled_steps) ||
+           (stage_ == Stage::strict && steps_ >= most);
   }
+  /// True if a bound of bending is given.
+  bool is_bounded() const { return bounded_; }
   /// True if the bending of the last step is within the ceiling, nearly.
   bool is_smooth() const { return is_smooth_; }
   /// True if strain beyond the limit is left, as only crumples would take it out.
@@ -43,9 +49,12 @@ class SmoothControl {
   enum class Stage { loose, closer, lifted, led, strict };
 
   void lead(const DescentStrain& strain, double bending);
+  void lead_strict(const DescentStrain& strain, double bending);
+  void lead_delta(double excess, double least_factor);
   bool is_stuck(const DescentStrain& strain);
 
   SurfaceStrainLimit limit_;
+  bool bounded_;
   double ceiling_, least_delta_;
   double least_delta_factor_ = tuning::prefer_smooth::k_least_delta_factor;
   SmoothWeights weights_;
@@ -54,6 +63,7 @@ class SmoothControl {
   int stuck_ = 0;
   double last_strain_ = 0.0;
   bool is_smooth_ = false, met_ = false, left_ = false;
+  bool as_bent_as_bound_;
 };
 
 }  // namespace planish

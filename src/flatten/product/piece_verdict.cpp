@@ -64,6 +64,7 @@ PieceCheck check_of(const LimitCheck& limit, Unit unit) {
   const auto radians = [](double value, int digits) {
     return short_number(value, digits) + "\u00A0rad";
   };
+  const auto ratio = [](double value, int digits) { return short_number(value, digits); };
   const auto check = [&](PieceCheckOf what, std::string_view name, const auto& as_text,
                          std::string_view scope = {}) {
     const TwoFigures figures = told_apart(limit.limit, limit.value, as_text);
@@ -82,6 +83,8 @@ PieceCheck check_of(const LimitCheck& limit, Unit unit) {
       return check(PieceCheckOf::angle, "smallest-angle limit", degrees);
     case LimitOf::defect:
       return check(PieceCheckOf::defect, "e_max target", radians);
+    case LimitOf::bending:
+      return check(PieceCheckOf::form, "bending limit", ratio);
   }
   return {};
 }

@@ -138,10 +138,11 @@ std::string checks(const FlattenReport& report) {
       !flipped, flipped ? "parts of the pattern are flipped over" : "no part is flipped over"));
   if (!unit_question(report.unfold).empty())
     items.push_back(neutral_mark("check the model's unit"));
-  constexpr std::array<std::pair<LimitOf, std::string_view>, 3> names = {
+  constexpr std::array<std::pair<LimitOf, std::string_view>, 4> names = {
       {{LimitOf::deviation, "moves "},
        {LimitOf::angle, "angles of triangles "},
-       {LimitOf::defect, "worst place "}}};
+       {LimitOf::defect, "worst place "},
+       {LimitOf::bending, "bending "}}};
   for (const LimitCheck& check : limit_checks(report)) {
     const auto name = std::find_if(names.begin(), names.end(),
                                    [&](const auto& some) { return some.first == check.what; });

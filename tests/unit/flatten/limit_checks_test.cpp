@@ -43,5 +43,20 @@ TEST(LimitChecks, AllowAnglesThatWereSmallerBefore) {
   EXPECT_TRUE(limit_checks(report).front().met);
 }
 
+TEST(LimitChecks, CompareBendingWithItsBound) {
+  FlattenReport report = samples::flatten_report();
+  report.evolve.fairness.bending_ratio = 1.6;
+  report.evolve.method = Auto{.max_bending = 1.5};
+  const LimitCheck check = limit_checks(report).front();
+  EXPECT_EQ(check.what, LimitOf::bending);
+  EXPECT_EQ(check.value, 1.6);
+  EXPECT_FALSE(check.met);
+  EXPECT_EQ(limit_text(check, Unit::mm), "at most 1.50 times the design's");
+  report.evolve.method = Auto{.max_bending = 1.7, .prefer = Prefer::flat};
+  EXPECT_TRUE(limit_checks(report).front().met);
+  report.evolve.method = Auto{.max_bending = 1.5, .prefer = Prefer::near};
+  EXPECT_TRUE(limit_checks(report).empty()) << "it has no bound of bending";
+}
+
 }  // namespace
 }  // namespace planish

@@ -58,6 +58,7 @@ def evolve(
     max_strain: Optional[Amount] = None,
     material: Optional[Literal["steel", "leather", "cotton", "neoprene"]] = None,
     max_rms_strain: Optional[Amount] = None,
+    max_bending: Optional[float] = None,
     prefer: Optional[Literal["smooth", "flat", "near"]] = None,
     closeness: Optional[float] = None,
     fix: Optional[Rows] = None,
@@ -133,6 +134,8 @@ def evolve(
             neoprene 10%
         max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide
             (0.02 or 2%; 0 to 1, default 0)
+        max_bending: with prefer smooth or flat: bend at most so many times as much as before; the more, the nearer
+            the surface stays; 0: as smooth as usual (0 to 1e+06, default 0)
         prefer: what counts most: that the surface stays smooth, becomes flattenable, or stays near (smooth, flat or
             near, default smooth)
         closeness: how much rougher the surface may get for staying close: 0: no rougher than at first, 1: twice as
@@ -190,6 +193,7 @@ def evolve_sweeps(
     max_strain: Optional[Amount] = None,
     material: Optional[Literal["steel", "leather", "cotton", "neoprene"]] = None,
     max_rms_strain: Optional[Amount] = None,
+    max_bending: Optional[float] = None,
     prefer: Optional[Literal["smooth", "flat", "near"]] = None,
     closeness: Optional[float] = None,
     fix: Optional[Rows] = None,
@@ -262,6 +266,8 @@ def evolve_sweeps(
             neoprene 10%
         max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide
             (0.02 or 2%; 0 to 1, default 0)
+        max_bending: with prefer smooth or flat: bend at most so many times as much as before; the more, the nearer
+            the surface stays; 0: as smooth as usual (0 to 1e+06, default 0)
         prefer: what counts most: that the surface stays smooth, becomes flattenable, or stays near (smooth, flat or
             near, default smooth)
         closeness: how much rougher the surface may get for staying close: 0: no rougher than at first, 1: twice as

@@ -53,6 +53,7 @@ def flatten_product(
     max_rms_strain: Optional[Amount] = None,
     max_deviation: Optional[Amount] = None,
     min_angle: Optional[Amount] = None,
+    max_bending: Optional[float] = None,
     prefer: Optional[Literal["smooth", "flat", "near"]] = None,
     closeness: Optional[float] = None,
     border: Optional[Amount | Literal["fixed", "linked"]] = None,
@@ -141,6 +142,8 @@ def flatten_product(
         min_angle: no triangle gets an angle below this, or below the smallest one at first if that is smaller, in
             degrees (5 or 5deg; 0 to 60, default 0); or with lambda_min below 0: no triangle gets an angle below this,
             or below its present one if that is smaller, in degrees (5 or 5deg; 0 to 60, default 1)
+        max_bending: with prefer smooth or flat: bend at most so many times as much as before; the more, the nearer
+            the surface stays; 0: as smooth as usual (0 to 1e+06, default 0)
         prefer: what counts most: that the surface stays smooth, becomes flattenable, or stays near (smooth, flat or
             near, default smooth)
         closeness: how much rougher the surface may get for staying close: 0: no rougher than at first, 1: twice as

@@ -100,6 +100,47 @@ TEST(SmoothAuto, BecomesFlattenableWhereThatIsPreferred) {
   EXPECT_LE(*measure_fairness(patch, result.positions).bending_ratio, 1.6);
 }
 
+TEST(SmoothAuto, StaysNearerTheMoreItMayBend) {
+  const TriMesh mesh = make_shape("panel", 1600);
+  const Patch patch(mesh);
+  double before = 1e300;
+  for (const double bound : {0.5, 1.0, 1.5}) {
+    const EvolveResult result = run(mesh, {.max_bending = bound});
+    EXPECT_EQ(result.stop, StopReason::strain_met) << bound;
+    EXPECT_LE(rms_strain(mesh, result.positions), 1.1 * k_no_strain) << bound;
+    const double bending = *measure_fairness(patch, result.positions).bending_ratio;
+    EXPECT_LE(bending, bound);
+    EXPECT_GE(bending, 0.9 * bound);
+    const double away = measure_deviation(patch, result.positions).rms;
+    EXPECT_LT(away, before) << bound;
+    before = away;
+  }
+}
+
+TEST(SmoothAuto, BecomesFlattenableAndNearWhereItMayBend) {
+  const TriMesh mesh = make_shape("panel", 1600);
+  const Patch patch(mesh);
+  const auto away = [&](const EvolveResult& result) {
+    return measure_deviation(patch, result.positions).rms;
+  };
+  const EvolveResult bent = run(mesh, {.max_bending = 3.0, .prefer = Prefer::flat});
+  EXPECT_EQ(bent.stop, StopReason::converged);
+  EXPECT_LE(measure(Patch({bent.positions, mesh.triangles})).e_max, k_flattenable_e_max);
+  EXPECT_LE(*measure_fairness(patch, bent.positions).bending_ratio, 3.0);
+  EXPECT_LT(away(bent), away(run(mesh, {.prefer = Prefer::flat})));
+}
+
+TEST(SmoothAuto, KeepsTheBoundOfBendingWhereTheBorderForbidsFlatness) {
+  const TriMesh dome = make_shape("dome", 500);
+  for (const double bound : {0.1, 1.0, 2.0, 1e6}) {
+    const EvolveResult result = run(dome, {.max_bending = bound});
+    EXPECT_NE(result.stop, StopReason::sweep_limit) << bound;
+    const Fairness fairness = measure_fairness(Patch(dome), result.positions);
+    EXPECT_LE(*fairness.bending_ratio, std::max(bound, fairness.design_ratio)) << bound;
+    EXPECT_LE(rms_strain(dome, result.positions), rms_strain(dome, dome.positions) + 1e-12);
+  }
+}
+
 TEST(SmoothAuto, KeepsTheLimitOfDeviation) {
   const TriMesh mesh = make_shape("panel", 800);
   const double free = farthest(mesh, run(mesh, smooth()).positions, false);

@@ -142,5 +142,83 @@ TEST(SmoothControl, MakesAStepWithTheLastSigma) {
   }
 }
 
+constexpr double k_bound = 3.0;
+
+TEST(SmoothControl, BeginsTheCloserTheMoreBendingIsAllowed) {
+  const auto first_delta = [](double max_bending) {
+    return SmoothControl({0.0, 0.5 * k_tight}, k_at_first, false, max_bending).weights().delta;
+  };
+  const double usual = k_first_delta * k_tight_delta;
+  EXPECT_DOUBLE_EQ(first_delta(k_nearly * k_tight_ceiling), usual);
+  EXPECT_DOUBLE_EQ(first_delta(2.0 * k_nearly * k_tight_ceiling), 0.5 * usual);
+  EXPECT_EQ(first_delta(1e6), k_bounded_delta);
+  EXPECT_EQ(first_delta(1e-6), k_most_delta);
+}
+
+TEST(SmoothControl, GetsCloserUntilTheBoundOfBendingIsReached) {
+  SmoothControl control(k_limit, k_at_first, false, k_bound);
+  control.start_finer();
+  double delta = control.weights().delta;
+  take(control, k_steps_lifted, step_that_takes(0.0));
+  EXPECT_LT(control.weights().delta, delta);
+  EXPECT_FALSE(control.is_over()) << "settled, but bent less than it may be";
+  control.after(step_that_takes(0.0), k_within, k_bound / k_nearly);
+  EXPECT_TRUE(control.is_over());
+  control.after(step_that_takes(0.0), k_within, 1.1 * k_bound);
+  EXPECT_FALSE(control.is_over()) << "bent too much";
+  delta = control.weights().delta;
+  control.after(step_that_takes(0.0), k_within, 1.1 * k_bound);
+  EXPECT_GT(control.weights().delta, delta);
+}
+
+TEST(SmoothControl, EndsAtTheLeastDeltaWhereThePatchBendsLessThanTheBound) {
+  SmoothControl control(k_limit, k_at_first, false, k_bound);
+  control.start_finer();
+  int steps = 0;
+  for (; !control.is_over() && steps < 100; ++steps)
+    take(control, 1, step_that_takes(0.0));
+  EXPECT_EQ(control.weights().delta, k_bounded_delta);
+  EXPECT_LT(steps, 100);
+}
+
+TEST(SmoothControl, GivesUpClosenessWhereItKeepsStrainAboveTheLimit) {
+  constexpr DescentStrain strained{5e-3, 2e-2};
+  SmoothControl control(k_limit, k_at_first, false, k_bound);
+  control.start_finer();
+  double least = 1.0;
+  for (int k = 0; k < 30; ++k) {
+    control.after(step_that_takes(0.1), strained, k_smooth_bending);
+    least = std::min(least, control.weights().delta);
+  }
+  EXPECT_EQ(control.weights().sigma, k_least_sigma * strained.rms);
+  EXPECT_GT(control.weights().delta, 2.0 * least);
+}
+
+TEST(SmoothControl, GivesUpClosenessWhereItKeepsStrainThatIsToGo) {
+  SmoothControl control(k_limit, k_at_first, true, k_bound);
+  control.start_strict();
+  const double delta = control.weights().delta, sigma = control.weights().sigma;
+  control.after(step_that_takes(0.1), {0.9 * k_much_left * sigma, 1.0}, k_smooth_bending);
+  EXPECT_EQ(control.weights().delta, delta);
+  control.after(step_that_takes(0.1), {1.1 * k_much_left * sigma, 1.0}, k_smooth_bending);
+  EXPECT_DOUBLE_EQ(control.weights().delta, k_most_delta_factor * delta);
+}
+
+TEST(SmoothControl, LeadsBendingToTheBoundWhereAllStrainIsToGo) {
+  constexpr DescentStrain hardly_any{1e-5, 1e-4};
+  SmoothControl control(k_limit, k_at_first, true, k_bound);
+  control.start_strict();
+  const double delta = control.weights().delta;
+  control.after(step_that_takes(0.1), hardly_any, k_smooth_bending);
+  EXPECT_DOUBLE_EQ(control.weights().delta, k_least_delta_factor * delta);
+  while (control.weights().sigma != k_last_strict_sigma)
+    control.after(step_that_takes(0.1), hardly_any, k_smooth_bending);
+  for (int k = 0; k < k_settled_steps; ++k) {
+    EXPECT_FALSE(control.is_over());
+    control.after(step_that_takes(0.0), hardly_any, k_bound / k_nearly_polished);
+  }
+  EXPECT_TRUE(control.is_over());
+}
+
 }  // namespace
 }  // namespace planish

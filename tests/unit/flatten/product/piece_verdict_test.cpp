@@ -55,7 +55,8 @@ TEST(PieceVerdict, NamesEveryLimitWithItsFigures) {
   piece.finished->limits = {
       {LimitOf::strain, 0.05, 0.0321, true},     {LimitOf::p99_strain, 0.02, 0.01, true},
       {LimitOf::rms_strain, 0.005, 0.004, true}, {LimitOf::deviation, 0.2, 0.15, true},
-      {LimitOf::angle, 10.0, 12.5, true},        {LimitOf::defect, 0.001, 0.0005, true}};
+      {LimitOf::angle, 10.0, 12.5, true},        {LimitOf::defect, 0.001, 0.0005, true},
+      {LimitOf::bending, 2.0, 1.25, true}};
   EXPECT_TRUE(is_met(piece));
   EXPECT_THAT(texts_of(piece),
               ElementsAre("strain limit of 5\u00A0% kept: 3.21\u00A0%",
@@ -63,7 +64,8 @@ TEST(PieceVerdict, NamesEveryLimitWithItsFigures) {
                           "strain limit of 0.5\u00A0% rms kept: 0.4\u00A0%",
                           "deviation limit of 2\u00A0mm kept: 1.5\u00A0mm",
                           "smallest-angle limit of 10° kept: 12.5°",
-                          "e_max target of 0.001\u00A0rad kept: 0.0005\u00A0rad"));
+                          "e_max target of 0.001\u00A0rad kept: 0.0005\u00A0rad",
+                          "bending limit of 2 kept: 1.25"));
 }
 
 TEST(PieceVerdict, HasWhatIsMissedFirst) {

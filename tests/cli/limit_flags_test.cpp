@@ -110,6 +110,17 @@ TEST_F(LimitFlags, FlattenTakesThemAsAutoByItself) {
   EXPECT_LE(evolve["deviation"]["max"], 0.5 * (1 + 1e-12));
 }
 
+TEST_F(LimitFlags, ABoundOfBendingThatIsMissedIsNamed) {
+  const auto said = [](const char* bound) {
+    const CliResult result = planish(
+        {"evolve", "panel.obj", "-o", "bent.obj", "--method", "auto", "--max-bending", bound});
+    EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+    return result.out;
+  };
+  EXPECT_THAT(said("0.01"), HasSubstr("more than the 0.0100 of --max-bending\n"));
+  EXPECT_THAT(said("2"), testing::Not(HasSubstr("--max-bending")));
+}
+
 TEST_F(LimitFlags, AMaterialIsItsStrain) {
   EXPECT_EQ(options({"--method", "auto", "--material", "leather"})["max_strain"], 0.01);
   EXPECT_EQ(options({"--method", "auto", "--material", "neoprene"})["max_strain"], 0.1);

@@ -176,14 +176,14 @@ std::string form_lines(const EvolveReport& report) {
   text += "\n";
   if (fairness.bending_ratio && !fairness.unchanged) {
     text += indent + "bending " + digits(*fairness.bending_ratio, 3) + " times that of the design";
-    const auto worst = report.outcome().worst;
-    if (worst && worst->what == LimitOf::bending && !worst->met)
-      text += ", not the " + digits(worst->limit, 3) + " of --max-bending";
     if (fairness.bending_added) {
       text += ": added " + digits(*fairness.bending_added, 2) + ", lost " +
               digits(*fairness.bending_lost, 2);
     }
     text += "\n";
+    const auto worst = report.outcome().worst;
+    if (worst && worst->what == LimitOf::bending && !worst->met)
+      text += indent + "more than the " + digits(worst->limit, 3) + " of --max-bending\n";
   }
   if (fairness.sharpest_fold) {
     text += indent + "sharpest new fold " + digits(fairness.sharpest_fold->degrees, 2) +

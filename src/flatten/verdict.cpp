@@ -79,6 +79,8 @@ std::string way_on(const FlattenReport& report) {
   if (options == nullptr || options->prefer != Prefer::smooth ||
       is_too_small_to_measure(report.unfold.strain))
     return {};
+  if (report.evolve.result.stop == StopReason::smooth_limit && options->max_bending > 0.0)
+    return " Less would bend the form more than --max-bending allows.";
   if (report.evolve.result.stop == StopReason::smooth_limit)
     return " Less would crumple the form: let the border move (--border), cut the patch "
            "(suggest-cuts), or take folds (--prefer flat).";

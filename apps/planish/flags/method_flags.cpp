@@ -204,7 +204,7 @@ void refuse_flags_of_other_methods(const std::string& chosen, const Arguments& a
 }
 
 /// --closeness is of surfaces that stay near, --target-e-max of those that get flat, and
-/// --max-bending of those that stay smooth.
+/// --max-bending of all but those that stay near.
 void imply_preference(Auto& options, const Arguments& arguments) {
   const bool is_told = arguments.has("--prefer");
   if (arguments.has("--closeness")) {
@@ -217,7 +217,8 @@ void imply_preference(Auto& options, const Arguments& arguments) {
     if (!is_told) options.prefer = Prefer::flat;
   }
   if (options.max_bending > 0.0 && options.prefer == Prefer::near)
-    throw UsageError("--max-bending belongs to --prefer smooth or flat: leave one of them out");
+    throw UsageError("--max-bending belongs to --prefer smooth or flat, not to " +
+                     std::string(arguments.has("--closeness") ? "--closeness" : "--prefer near"));
 }
 
 std::vector<std::string> split_at_commas(const std::string& text) {

@@ -181,9 +181,10 @@ std::string form_lines(const EvolveReport& report) {
               digits(*fairness.bending_lost, 2);
     }
     text += "\n";
-    const auto worst = report.outcome().worst;
-    if (worst && worst->what == LimitOf::bending && !worst->met)
-      text += indent + "more than the " + digits(worst->limit, 3) + " of --max-bending\n";
+    const auto* options = std::get_if<Auto>(&report.method);
+    if (options != nullptr && options->max_bending > 0.0 &&
+        *fairness.bending_ratio > options->max_bending)
+      text += indent + "more than the " + digits(options->max_bending, 3) + " of --max-bending\n";
   }
   if (fairness.sharpest_fold) {
     text += indent + "sharpest new fold " + digits(fairness.sharpest_fold->degrees, 2) +

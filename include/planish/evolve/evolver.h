@@ -21,7 +21,7 @@ enum class StopReason {
   strain_met,       ///< the pattern's strain is within the limit that was asked for
   deviation_limit,  ///< more would take vertices further away than is allowed
   angle_limit,      ///< more would make angles smaller than is allowed
-  smooth_limit,     ///< more would crumple the surface
+  smooth_limit,     ///< more would crumple the surface or bend it more than allowed
   sweep_limit,
   design_kept,  ///< of flatten(): the result is the design, by choice or as evolving made it worse
 };

@@ -353,8 +353,8 @@ void describe(Auto& o, Visit&& visit) {
         "smaller, in degrees",
         Range{0.0, 60.0});
   visit("max_bending", o.max_bending,
-        "with prefer smooth or flat: bend at most so many times as much as before; the more, the "
-        "nearer the surface stays; 0: as smooth as usual",
+        "with prefer smooth or flat: bend at most so many times as much as the design; the more, "
+        "the nearer the surface may stay; 0: as smooth as usual",
         Range{0.0, 1e6});
   visit("prefer", o.prefer,
         "what counts most: that the surface stays smooth, becomes flattenable, or stays near");

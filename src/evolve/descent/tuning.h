@@ -53,7 +53,7 @@ namespace prefer_smooth {
 inline constexpr std::size_t k_coarsest = 2500;
 /// The same where all strain is to go or a bound of bending is given: finer levels do not make up
 /// for what it misses.
-inline constexpr std::size_t k_coarsest_careful = 6000;
+inline constexpr std::size_t k_coarsest_flat = 6000;
 /// Steps on the coarsest level at most.
 inline constexpr int k_most_first_steps = 80;
 /// Steps on finer levels: this over the number of inner vertices, as steps are expensive there and
@@ -83,9 +83,10 @@ inline constexpr double k_tight = 1e-3, k_loose = 5e-3;
 inline constexpr double k_tight_ceiling = 1.2, k_loose_ceiling = 1.06;
 /// Least delta (a length over D) for a tight and a loose limit.
 inline constexpr double k_tight_delta = 0.005, k_loose_delta = 0.0025;
-/// Least delta where a bound of bending is given. Where all strain is to go, bending is led to the
+/// Where a bound of bending is given: the least delta, and the least first one. Where all strain is to go, bending is led to the
 /// bound over the second, as polishing adds some.
-inline constexpr double k_bounded_delta = 3e-4, k_nearly_polished = 1.06;
+inline constexpr double k_bounded_delta = 3e-4, k_least_first_delta = 1e-3,
+                        k_room_for_polish = 1.06;
 /// The first delta over the least, and where all strain is to go. With a loose limit it is so much
 /// times the square of the strain over its limit, up to the last.
 inline constexpr double k_first_delta = 2.0, k_first_delta_flat = 4.0, k_most_first_delta = 20.0;

@@ -31,13 +31,15 @@ SurfaceStrainLimit limit_of(const Auto& options) {
 
 /// Inner vertices of the coarsest level at most.
 std::size_t coarsest_of(const Auto& options) {
-  const bool careful = options.prefer == Prefer::flat || options.max_bending > 0.0;
-  return careful ? k_coarsest_careful : k_coarsest;
+  const bool is_like_flat = options.prefer == Prefer::flat || options.max_bending > 0.0;
+  return is_like_flat ? k_coarsest_flat : k_coarsest;
 }
 
-/// Of the smooth positions of a level those with the least strain.
+/// Of the smooth positions of a level those with the least strain, or with a bound of bending the
+/// nearest within the limit.
 struct Best {
-  double share;  // of the limit, over the strain
+  double share;      // of the limit, over the strain
+  double deviation;  // of inner vertices, rms
   Positions positions;
 };
 
@@ -142,9 +144,13 @@ class SmoothStepper {
   void keep_best(std::optional<Best>& best) const {
     if (!control_->is_smooth()) return;
     const double share = limit_.share_of(descent_->strain());
-    // On the way to a given bending, of all positions within the limit the last are the nearest.
-    const bool is_nearer = control_->is_bounded() && share * k_nearly >= 1.0;
-    if (!best || share > best->share || is_nearer) best = Best{share, descent_->positions()};
+    const double deviation = descent_->deviation();
+    const auto is_better = [&] {
+      const bool both_within = std::min(share, best->share) * k_nearly >= 1.0;
+      return control_->is_bounded() && both_within ? deviation < best->deviation
+                                                   : share > best->share;
+    };
+    if (!best || is_better()) best = Best{share, deviation, descent_->positions()};
   }
 
   int most_steps() const {
@@ -154,7 +160,8 @@ class SmoothStepper {
   }
 
   SweepOutcome end_level(const Smoothing& phase, const SweepOutcome& outcome) {
-    if (phase.best && !control_->is_over()) descent_->go_to(phase.best->positions);
+    if (phase.best && (control_->is_bounded() || !control_->is_over()))
+      descent_->go_to(phase.best->positions);
     if (level_ > 0) {
       lift();
       return outcome;
@@ -175,15 +182,16 @@ class SmoothStepper {
     return StopReason::smooth_limit;
   }
 
-  /// By the rule that judges results. A given bound of bending replaces it where it is wider.
+  /// By the rule that judges results, or by the bound of bending in place of it. The design is
+  /// always allowed.
   bool is_allowed(const Fairness& fairness) const {
     if (!control_->is_bounded()) return fairness.is_smooth();
-    const bool within = fairness.bending_ratio.value_or(0.0) <=
-                        std::max(options_.max_bending, fairness.design_ratio);
-    return within && (options_.max_bending > k_smooth_ratio || fairness.is_smooth());
+    return fairness.unchanged ||
+           (fairness.bending_ratio &&
+            *fairness.bending_ratio <= std::max(options_.max_bending, fairness.design_ratio));
   }
 
-  /// Where the surface is not smooth, goes back towards the design until it is: by tenths of the
+  /// Where the surface is not allowed, goes back towards the design until it is: by tenths of the
   /// way, then by halves of the last tenth.
   void retreat() {
     const Positions origin = descent_->origin(), away = sum_of(descent_->positions(), -1.0, origin);

@@ -33,19 +33,19 @@ double first_delta(double strain_over_limit, double looseness, bool flat) {
 
 SmoothControl::SmoothControl(const SurfaceStrainLimit& limit, const DescentStrain& at_first,
                              bool flat, double max_bending)
-    : limit_(limit), bounded_(max_bending > 0.0), as_bent_as_bound_(!bounded_) {
+    : limit_(limit), bounded_(max_bending > 0.0), bending_settled_(!bounded_) {
   const double loose = looseness(limit, at_first);
   ceiling_ = between(k_tight_ceiling, k_loose_ceiling, loose);
   least_delta_ = between(k_tight_delta, k_loose_delta, loose);
   double first = least_delta_ * first_delta(1.0 / limit.share_of(at_first), loose, flat);
+  usual_delta_ = first;
   if (bounded_) {
-    const double bound = max_bending / (flat ? k_nearly_polished : k_nearly);
-    first *= ceiling_ / bound;
+    const double bound = max_bending / (flat ? k_room_for_polish : k_nearly);
+    first = std::clamp(first * ceiling_ / bound, k_least_first_delta, k_most_delta);
     ceiling_ = bound;
     least_delta_ = k_bounded_delta;
   }
-  weights_ = {std::clamp(first, k_bounded_delta, k_most_delta), k_first_sigma,
-              k_loose_form * loose};
+  weights_ = {first, k_first_sigma, k_loose_form * loose};
   if (loose >= 1.0) stage_ = Stage::led;
 }
 
@@ -79,11 +79,11 @@ void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& 
     stage_ = Stage::led;
   }
   if (stage_ == Stage::lifted && steps_ >= k_steps_lifted) stage_ = Stage::led;
+  if (stage_ == Stage::strict && bounded_) lead_strict(strain, bending);
   if (stage_ == Stage::strict && steps_ >= k_steps_first_strict) {
     met_ = weights_.sigma == k_last_strict_sigma;
     weights_.sigma = k_last_strict_sigma;
   }
-  if (stage_ == Stage::strict && bounded_) lead_strict(strain, bending);
   if (stage_ == Stage::led) lead(strain, bending);
 }
 
@@ -93,7 +93,8 @@ void SmoothControl::lead(const DescentStrain& strain, double bending) {
   const bool strained = share * k_nearly < 1.0;
   const bool keeps_form = weights_.form > 0.0;
   const bool stuck = strained && (keeps_form || !furthest) && is_stuck(strain);
-  left_ = strained && !keeps_form && (furthest || stuck);
+  const bool gave_way = !bounded_ || weights_.delta >= usual_delta_;
+  left_ = strained && !keeps_form && (furthest || (stuck && gave_way));
   if (keeps_form && (stuck || (bends_too_much && furthest)))
     weights_.form = weights_.form > k_least_form ? k_form_fall * weights_.form : 0.0;
   is_smooth_ = !bends_too_much;
@@ -103,7 +104,7 @@ void SmoothControl::lead(const DescentStrain& strain, double bending) {
   else
     weights_.sigma *= std::clamp(std::sqrt(share), k_least_factor, k_most_factor);
   const double least_sigma = k_least_sigma * strain.rms;
-  const bool closeness_wins = bounded_ && strained && weights_.sigma < least_sigma;
+  const bool closeness_wins = strained && !gave_way && weights_.sigma < least_sigma;
   weights_.sigma = std::max(weights_.sigma, least_sigma);
   // Closeness must not push strain out again that is still above its limit.
   const double least = closeness_wins ? k_most_delta_factor : strained ? 1.0 : least_delta_factor_;
@@ -125,10 +126,10 @@ void SmoothControl::lead_delta(double excess, double least_factor) {
                                                           least_factor, k_most_delta_factor),
                               least_delta_, k_most_delta);
   const bool furthest = weights_.delta >= k_most_delta,
-             kept_away = stage_ == Stage::strict && least_factor >= 1.0,
-             nearest = kept_away || weights_.delta <= least_delta_;
-  as_bent_as_bound_ =
-      !bounded_ || (excess <= k_nearly ? nearest || excess * k_nearly >= 1.0 : furthest);
+             strain_forbids_less = stage_ == Stage::strict && least_factor >= 1.0,
+             nearest = strain_forbids_less || left_ || weights_.delta <= least_delta_;
+  bending_settled_ =
+      !bounded_ || furthest || (excess <= k_nearly && (nearest || excess * k_nearly >= 1.0));
 }
 
 /// True where a smaller and smaller sigma takes no more strain out.

@@ -35,7 +35,7 @@ class SmoothControl {
   bool is_over() const {
     using namespace tuning::prefer_smooth;
     const int most = bounded_ ? k_most_strict_steps_bounded : k_most_strict_steps;
-    return (met_ && as_bent_as_bound_ && settled_ >= k_settled_steps) ||
+    return (met_ && bending_settled_ && settled_ >= k_settled_steps) ||
            (stage_ == Stage::strict && steps_ >= most);
   }
   /// True if a bound of bending is given.
@@ -55,7 +55,7 @@ class SmoothControl {
 
   SurfaceStrainLimit limit_;
   bool bounded_;
-  double ceiling_, least_delta_;
+  double ceiling_, least_delta_, usual_delta_;
   double least_delta_factor_ = tuning::prefer_smooth::k_least_delta_factor;
   SmoothWeights weights_;
   Stage stage_ = Stage::loose;
@@ -63,7 +63,7 @@ class SmoothControl {
   int stuck_ = 0;
   double last_strain_ = 0.0;
   bool is_smooth_ = false, met_ = false, left_ = false;
-  bool as_bent_as_bound_;
+  bool bending_settled_;
 };
 
 }  // namespace planish

@@ -84,7 +84,7 @@ PieceCheck check_of(const LimitCheck& limit, Unit unit) {
     case LimitOf::defect:
       return check(PieceCheckOf::defect, "e_max target", radians);
     case LimitOf::bending:
-      return check(PieceCheckOf::form, "bending limit", ratio);
+      return check(PieceCheckOf::bending, "bending limit", ratio);
   }
   return {};
 }
@@ -126,6 +126,8 @@ std::string_view to_string(PieceCheckOf what) {
       return "angle";
     case PieceCheckOf::defect:
       return "defect";
+    case PieceCheckOf::bending:
+      return "bending";
     case PieceCheckOf::form:
       return "form";
     case PieceCheckOf::overlap:

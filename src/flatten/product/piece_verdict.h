@@ -17,6 +17,7 @@ enum class PieceCheckOf {
   deviation,          ///< the limit of how far vertices move
   angle,              ///< the limit of the smallest angle
   defect,             ///< the target of e_max
+  bending,            ///< the bound of bending
   form,               ///< whether the form is smooth and kept
   overlap,            ///< whether the pattern lies over itself
   flipped_triangles,  ///< whether triangles of the pattern are flipped over

@@ -117,6 +117,29 @@ TEST(SmoothAuto, StaysNearerTheMoreItMayBend) {
   }
 }
 
+TEST(SmoothAuto, LeavesNoMoreStrainWithABoundOfBending) {
+  const TriMesh mesh = make_shape("panel", 10'000);
+  for (const double bound : {0.9, 1.3}) {
+    const EvolveResult result = run(mesh, {.max_bending = bound}, 2);
+    EXPECT_EQ(result.stop, StopReason::strain_met) << bound;
+    EXPECT_LE(rms_strain(mesh, result.positions), 1.1 * k_no_strain) << bound;
+    EXPECT_LE(*measure_fairness(Patch(mesh), result.positions).bending_ratio, bound);
+  }
+}
+
+TEST(SmoothAuto, KeepsABoundOfBendingBesideOtherLimits) {
+  const TriMesh mesh = make_shape("panel", 800);
+  const Patch patch(mesh);
+  for (const Auto& method : {Auto{.max_rms_strain = 0.002, .max_bending = 1.2},
+                             Auto{.max_deviation = 20.0, .max_bending = 1.2},
+                             Auto{.max_bending = 1.2, .border = {BorderFreedom::Rule::slide}}}) {
+    const EvolveResult result = run(mesh, method);
+    EXPECT_EQ(result.stop, StopReason::strain_met);
+    EXPECT_LE(*measure_fairness(patch, result.positions).bending_ratio, 1.2);
+    EXPECT_LE(farthest(mesh, result.positions, false), method.max_deviation * (1.0 + 1e-12));
+  }
+}
+
 TEST(SmoothAuto, BecomesFlattenableAndNearWhereItMayBend) {
   const TriMesh mesh = make_shape("panel", 1600);
   const Patch patch(mesh);

@@ -151,7 +151,7 @@ TEST(SmoothControl, BeginsTheCloserTheMoreBendingIsAllowed) {
   const double usual = k_first_delta * k_tight_delta;
   EXPECT_DOUBLE_EQ(first_delta(k_nearly * k_tight_ceiling), usual);
   EXPECT_DOUBLE_EQ(first_delta(2.0 * k_nearly * k_tight_ceiling), 0.5 * usual);
-  EXPECT_EQ(first_delta(1e6), k_bounded_delta);
+  EXPECT_EQ(first_delta(1e6), k_least_first_delta);
   EXPECT_EQ(first_delta(1e-6), k_most_delta);
 }
 
@@ -215,7 +215,7 @@ TEST(SmoothControl, LeadsBendingToTheBoundWhereAllStrainIsToGo) {
     control.after(step_that_takes(0.1), hardly_any, k_smooth_bending);
   for (int k = 0; k < k_settled_steps; ++k) {
     EXPECT_FALSE(control.is_over());
-    control.after(step_that_takes(0.0), hardly_any, k_bound / k_nearly_polished);
+    control.after(step_that_takes(0.0), hardly_any, k_bound / k_room_for_polish);
   }
   EXPECT_TRUE(control.is_over());
 }

@@ -83,8 +83,8 @@ inline constexpr double k_tight = 1e-3, k_loose = 5e-3;
 inline constexpr double k_tight_ceiling = 1.2, k_loose_ceiling = 1.06;
 /// Least delta (a length over D) for a tight and a loose limit.
 inline constexpr double k_tight_delta = 0.005, k_loose_delta = 0.0025;
-/// Where a bound of bending is given: the least delta, and the least first one. Where all strain is to go, bending is led to the
-/// bound over the second, as polishing adds some.
+/// Where a bound of bending is given: the least delta, and the least first one. Where all strain is
+/// to go, bending is led to the bound over the second, as polishing adds some.
 inline constexpr double k_bounded_delta = 3e-4, k_least_first_delta = 1e-3,
                         k_room_for_polish = 1.06;
 /// The first delta over the least, and where all strain is to go. With a loose limit it is so much

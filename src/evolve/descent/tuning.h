@@ -83,8 +83,8 @@ inline constexpr double k_tight = 1e-3, k_loose = 5e-3;
 inline constexpr double k_tight_ceiling = 1.2, k_loose_ceiling = 1.06;
 /// Least delta (a length over D) for a tight and a loose limit.
 inline constexpr double k_tight_delta = 0.005, k_loose_delta = 0.0025;
-/// Where a bound of bending is given: the least delta, and the least first one. Where all strain is
-/// to go, bending is led to the bound over the second, as polishing adds some.
+/// With a bound of bending: least delta, and least first delta. Where all strain is to go, the
+/// ceiling of bending is the bound over k_room_for_polish, as polishing adds some.
 inline constexpr double k_bounded_delta = 3e-4, k_least_first_delta = 1e-3,
                         k_room_for_polish = 1.06;
 /// The first delta over the least, and where all strain is to go. With a loose limit it is so much
@@ -128,8 +128,8 @@ inline constexpr double k_strict_delta = 0.0125, k_first_strict_sigma = 5e-4,
                         k_last_strict_sigma = 1e-4;
 inline constexpr int k_steps_first_strict = 10;
 
-/// Strain over sigma from which closeness gives way, and up to which it may grow, where all strain
-/// is to go and a bound of bending is given.
+/// With a bound of bending, where all strain is to go: strain over sigma above which delta grows,
+/// and above which it does not fall.
 inline constexpr double k_much_left = 4.0, k_little_left = 2.0;
 
 /// Steps back towards the design where the surface is not smooth: tenths of the move, then halvings

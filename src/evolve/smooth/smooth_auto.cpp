@@ -182,8 +182,8 @@ class SmoothStepper {
     return StopReason::smooth_limit;
   }
 
-  /// By the rule that judges results, or by the bound of bending in place of it. The design is
-  /// always allowed.
+  /// True if the surface is smooth or, where a bound of bending is given, within that bound. The
+  /// unchanged design is always allowed.
   bool is_allowed(const Fairness& fairness) const {
     if (!control_->is_bounded()) return fairness.is_smooth();
     return fairness.unchanged ||
@@ -196,7 +196,7 @@ class SmoothStepper {
   void retreat() {
     const Positions origin = descent_->origin(), away = sum_of(descent_->positions(), -1.0, origin);
     if (!design_) design_.emplace(mesh_at_first(state_));
-    const auto is_smooth_at = [&](double share) {
+    const auto is_allowed_at = [&](double share) {
       descent_->go_to(sum_of(origin, share, away));
       std::vector<Vec3> after;
       for (std::size_t v = 0; v < state_.vertex_count(); ++v)
@@ -205,14 +205,14 @@ class SmoothStepper {
       return is_allowed(fairness_beside(*design_, descent_->design_bending(), after));
     };
     int part = k_retreat_parts;
-    while (part > 0 && !is_smooth_at(static_cast<double>(part) / k_retreat_parts))
+    while (part > 0 && !is_allowed_at(static_cast<double>(part) / k_retreat_parts))
       --part;
     if (part == k_retreat_parts) return;
     double smooth = static_cast<double>(part) / k_retreat_parts, step = 0.5 / k_retreat_parts,
            last = -1.0;
     for (int halving = 0; halving < k_retreat_halvings; ++halving, step *= 0.5) {
       last = smooth + step;
-      if (is_smooth_at(last)) smooth = last;
+      if (is_allowed_at(last)) smooth = last;
     }
     if (last != smooth) descent_->go_to(sum_of(origin, smooth, away));
   }

@@ -111,7 +111,7 @@ void SmoothControl::lead(const DescentStrain& strain, double bending) {
   lead_delta(excess, least);
 }
 
-/// Closeness gives way where it keeps strain.
+/// Delta grows where closeness keeps too much strain.
 void SmoothControl::lead_strict(const DescentStrain& strain, double bending) {
   const double left = strain.rms / weights_.sigma;
   const double least = left > k_much_left     ? k_most_delta_factor

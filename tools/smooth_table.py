@@ -3,9 +3,10 @@
 
   smooth_table.py PLANISH FOLDER [flags of flatten]
 
-A line for each OBJ patch of at most 30,000 vertices, then medians over those whose borders allow flatness.
+A line for each OBJ patch of at most 30,000 vertices, then medians over those whose borders allow flatness. Values of
+flags that end with D, as in --border 0.02D, are multiples of the diagonal of each patch's bounding box.
 """
-import json, os, statistics, subprocess, sys, tempfile
+import json, math, os, re, statistics, subprocess, sys, tempfile
 
 MOST_VERTICES = 30_000
 # Their borders forbid flatness, or they are flat already: not in the medians.
@@ -13,13 +14,26 @@ LEFT_OUT = ("cowhead", "face", "fish_side", "gc_hood", "goathead", "hat_crown", 
             "lego_flat", "maze")
 
 
+def diagonal_of(path):
+    with open(path, encoding="utf-8") as file:
+        places = [[float(x) for x in line.split()[1:4]] for line in file if line.startswith("v ")]
+    return math.dist([min(axis) for axis in zip(*places)], [max(axis) for axis in zip(*places)])
+
+
 def run(program, path, flags):
+    if any(is_of_diagonal(flag) for flag in flags):
+        diagonal = diagonal_of(path)
+        flags = [str(float(flag[:-1]) * diagonal) if is_of_diagonal(flag) else flag for flag in flags]
     with tempfile.TemporaryDirectory() as folder:
         command = [program, "flatten", path, "-o", folder, "--json", *flags]
         done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode not in (0, 3):
             return None
         return json.loads(done.stdout)
+
+
+def is_of_diagonal(flag):
+    return re.fullmatch(r"[0-9.]+D", flag) is not None
 
 
 def vertices_of(path):

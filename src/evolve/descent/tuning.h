@@ -51,9 +51,9 @@ inline constexpr double k_approach = 0.4;
 namespace prefer_smooth {
 /// Inner vertices of the coarsest level at most: most of the work is done there.
 inline constexpr std::size_t k_coarsest = 2500;
-/// The same where all strain is to go or a bound of bending is given: finer levels do not make up
-/// for what it misses.
-inline constexpr std::size_t k_coarsest_flat = 6000;
+/// The same where all strain is to go, a bound of bending is given or the border may move: finer
+/// levels do not make up for what it misses.
+inline constexpr std::size_t k_coarsest_careful = 6000;
 /// Steps on the coarsest level at most.
 inline constexpr int k_most_first_steps = 80;
 /// Steps on finer levels: this over the number of inner vertices, as steps are expensive there and
@@ -83,6 +83,11 @@ inline constexpr double k_tight = 1e-3, k_loose = 5e-3;
 inline constexpr double k_tight_ceiling = 1.2, k_loose_ceiling = 1.06;
 /// Least delta (a length over D) for a tight and a loose limit.
 inline constexpr double k_tight_delta = 0.005, k_loose_delta = 0.0025;
+/// Where the border may move so far (a length over D) or further, the least delta for a tight
+/// limit; where it may move less far, it is between the two.
+inline constexpr double k_far_border = 0.02, k_tight_delta_far_border = 0.00225;
+/// Where the border may move, delta follows the deviation: so many times it.
+inline constexpr double k_delta_of_deviation = 0.67;
 /// With a bound of bending: least delta, and least first delta. Where all strain is to go, the
 /// ceiling of bending is the bound over k_room_for_polish, as polishing adds some.
 inline constexpr double k_bounded_delta = 3e-4, k_least_first_delta = 1e-3,
@@ -138,7 +143,7 @@ inline constexpr int k_retreat_parts = 10, k_retreat_halvings = 3;
 
 /// MoveLimits: weight of the barrier, share of a limit at which it is 1, and how far the bends of a
 /// border that moves may go, in mean edges.
-inline constexpr double k_barrier_weight = 0.3, k_barrier_share = 0.85, k_border_bend = 0.05;
+inline constexpr double k_barrier_weight = 0.3, k_barrier_share = 0.85, k_border_bend = 0.04;
 /// A move counts as at its limit from this share of the limit on.
 inline constexpr double k_reached = 0.95;
 

@@ -11,7 +11,7 @@ namespace planish {
 /// Slows moves that come near a limit of distance, so that steps need not be cut, and keeps moves
 /// of the border smooth along it: with u the moves, r the limits, m of such vertices and bends,
 ///
-///     0.3 mean (|u| / (0.85 r))^8 + mean |second difference of u|^2 / (0.05 h)^2,
+///     0.3 mean (|u| / (0.85 r))^8 + mean |second difference of u|^2 / (0.04 h)^2,
 ///
 /// h the mean edge.
 class MoveLimits {

@@ -31,15 +31,16 @@ SurfaceStrainLimit limit_of(const Auto& options) {
 
 /// Inner vertices of the coarsest level at most.
 std::size_t coarsest_of(const Auto& options) {
-  const bool is_like_flat = options.prefer == Prefer::flat || options.max_bending > 0.0;
-  return is_like_flat ? k_coarsest_flat : k_coarsest;
+  const bool careful =
+      options.prefer == Prefer::flat || options.max_bending > 0.0 || options.border.moves();
+  return careful ? k_coarsest_careful : k_coarsest;
 }
 
 /// Of the smooth positions of a level those with the least strain, or with a bound of bending the
 /// nearest within the limit.
 struct Best {
   double share;      // of the limit, over the strain
-  double deviation;  // of inner vertices, rms
+  double deviation;  // rms
   Positions positions;
 };
 
@@ -73,7 +74,7 @@ class SmoothStepper {
     open_level();
     if (descent_->solvable())
       control_.emplace(limit_, descent_->strain(), options.prefer == Prefer::flat,
-                       options.max_bending);
+                       options.max_bending, descent_->border_reach());
   }
 
   SweepOutcome step() {
@@ -130,7 +131,7 @@ class SmoothStepper {
   /// One step on the present level.
   SweepOutcome descend(int& stagnant_steps) {
     const SmoothDescent::Step step = descent_->step(control_->weights());
-    control_->after(step, descent_->strain(), descent_->bending());
+    control_->after(step, descent_->strain(), descent_->bending(), descent_->deviation());
     stagnant_steps = step.moved > 0 ? 0 : stagnant_steps + 1;
     SweepOutcome outcome = of_level();
     outcome.moved = step.moved;

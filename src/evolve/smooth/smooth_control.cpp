@@ -32,11 +32,16 @@ double first_delta(double strain_over_limit, double looseness, bool flat) {
 }  // namespace
 
 SmoothControl::SmoothControl(const SurfaceStrainLimit& limit, const DescentStrain& at_first,
-                             bool flat, double max_bending)
-    : limit_(limit), bounded_(max_bending > 0.0), bending_settled_(!bounded_) {
-  const double loose = looseness(limit, at_first);
+                             bool flat, double max_bending, std::optional<double> border_reach)
+    : limit_(limit),
+      bounded_(max_bending > 0.0),
+      follows_deviation_(border_reach && !bounded_),
+      bending_settled_(!bounded_) {
+  const double loose = looseness(limit, at_first),
+               reach = std::min(1.0, border_reach.value_or(0.0) / k_far_border);
   ceiling_ = between(k_tight_ceiling, k_loose_ceiling, loose);
-  least_delta_ = between(k_tight_delta, k_loose_delta, loose);
+  least_delta_ =
+      between(between(k_tight_delta, k_tight_delta_far_border, reach), k_loose_delta, loose);
   double first = least_delta_ * first_delta(1.0 / limit.share_of(at_first), loose, flat);
   usual_delta_ = first;
   if (bounded_) {
@@ -64,7 +69,7 @@ void SmoothControl::start_strict() {
 }
 
 void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& strain,
-                          double bending) {
+                          double bending, double deviation) {
   const double fall = step.merit_before - step.merit;
   const double little =
       step.parts > 1 && stage_ != Stage::strict ? k_settled_fall_along_lines : k_settled_fall;
@@ -79,15 +84,15 @@ void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& 
     stage_ = Stage::led;
   }
   if (stage_ == Stage::lifted && steps_ >= k_steps_lifted) stage_ = Stage::led;
-  if (stage_ == Stage::strict && bounded_) lead_strict(strain, bending);
+  if (stage_ == Stage::strict && bounded_) lead_strict(strain, bending, deviation);
   if (stage_ == Stage::strict && steps_ >= k_steps_first_strict) {
     met_ = weights_.sigma == k_last_strict_sigma;
     weights_.sigma = k_last_strict_sigma;
   }
-  if (stage_ == Stage::led) lead(strain, bending);
+  if (stage_ == Stage::led) lead(strain, bending, deviation);
 }
 
-void SmoothControl::lead(const DescentStrain& strain, double bending) {
+void SmoothControl::lead(const DescentStrain& strain, double bending, double deviation) {
   const double share = limit_.share_of(strain), excess = bending / ceiling_;
   const bool bends_too_much = excess > k_nearly, furthest = weights_.delta >= k_most_delta;
   const bool strained = share * k_nearly < 1.0;
@@ -108,23 +113,26 @@ void SmoothControl::lead(const DescentStrain& strain, double bending) {
   weights_.sigma = std::max(weights_.sigma, least_sigma);
   // Closeness must not push strain out again that is still above its limit.
   const double least = closeness_wins ? k_most_delta_factor : strained ? 1.0 : least_delta_factor_;
-  lead_delta(excess, least);
+  lead_delta(excess, deviation, least);
 }
 
 /// Delta grows where closeness keeps too much strain.
-void SmoothControl::lead_strict(const DescentStrain& strain, double bending) {
+void SmoothControl::lead_strict(const DescentStrain& strain, double bending, double deviation) {
   const double left = strain.rms / weights_.sigma;
   const double least = left > k_much_left     ? k_most_delta_factor
                        : left > k_little_left ? 1.0
                                               : least_delta_factor_;
-  lead_delta(bending / ceiling_, least);
+  lead_delta(bending / ceiling_, deviation, least);
 }
 
 /// @param excess bending over its ceiling
-void SmoothControl::lead_delta(double excess, double least_factor) {
-  weights_.delta = std::clamp(weights_.delta * std::clamp(math::pow(excess, k_delta_exponent),
-                                                          least_factor, k_most_delta_factor),
-                              least_delta_, k_most_delta);
+void SmoothControl::lead_delta(double excess, double deviation, double least_factor) {
+  const bool follows = follows_deviation_ && excess <= 1.0;
+  const double factor = follows ? k_delta_of_deviation * deviation / weights_.delta
+                                : math::pow(excess, k_delta_exponent);
+  weights_.delta =
+      std::clamp(weights_.delta * std::clamp(factor, least_factor, k_most_delta_factor),
+                 least_delta_, k_most_delta);
   const bool furthest = weights_.delta >= k_most_delta,
              strain_forbids_less = stage_ == Stage::strict && least_factor >= 1.0,
              nearest = strain_forbids_less || left_ || weights_.delta <= least_delta_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "evolve/descent/surface_strain_limit.h"
 #include "evolve/descent/tuning.h"
 #include "evolve/smooth/smooth_descent.h"
@@ -9,21 +11,25 @@ namespace planish {
 /// Which weights the steps of SmoothDescent take, and when they are over (docs/methods/smooth.md):
 /// strain is taken out slowly, then sigma is led by the strain and delta by the bending, until
 /// strain is at its limit and bending at most at its ceiling. If that cannot be, the share of the
-/// design's angles that bending is counted from falls, and at 0 more strain is left. Where a bound
-/// of bending is given, delta falls until the surface bends as much as that.
+/// design's angles that bending is counted from falls, and at 0 more strain is left. Where the
+/// border may move, delta follows the deviation while the bending is below its ceiling. Where a
+/// bound of bending is given, delta falls until the surface bends as much as that.
 class SmoothControl {
  public:
   /// @param limit given
   /// @param at_first of the design
   /// @param flat all strain is to go in the end
   /// @param max_bending over the design's, as given; 0: the usual ceiling
+  /// @param border_reach as of SmoothDescent
   SmoothControl(const SurfaceStrainLimit& limit, const DescentStrain& at_first, bool flat = false,
-                double max_bending = 0.0);
+                double max_bending = 0.0, std::optional<double> border_reach = {});
 
   /// Of the next step.
   SmoothWeights weights() const { return weights_; }
   /// Follows a step.
-  void after(const SmoothDescent::Step& step, const DescentStrain& strain, double bending);
+  /// @param strain,bending,deviation after it, as of SmoothDescent
+  void after(const SmoothDescent::Step& step, const DescentStrain& strain, double bending,
+             double deviation);
   /// From here on as from what a coarser level has found.
   /// @param least_delta_factor by which delta falls at most in a step
   void start_finer(double least_delta_factor = tuning::prefer_smooth::k_least_delta_factor);
@@ -48,13 +54,13 @@ class SmoothControl {
  private:
   enum class Stage { loose, closer, lifted, led, strict };
 
-  void lead(const DescentStrain& strain, double bending);
-  void lead_strict(const DescentStrain& strain, double bending);
-  void lead_delta(double excess, double least_factor);
+  void lead(const DescentStrain& strain, double bending, double deviation);
+  void lead_strict(const DescentStrain& strain, double bending, double deviation);
+  void lead_delta(double excess, double deviation, double least_factor);
   bool is_stuck(const DescentStrain& strain);
 
   SurfaceStrainLimit limit_;
-  bool bounded_;
+  bool bounded_, follows_deviation_;
   double ceiling_, least_delta_, usual_delta_;
   double least_delta_factor_ = tuning::prefer_smooth::k_least_delta_factor;
   SmoothWeights weights_;

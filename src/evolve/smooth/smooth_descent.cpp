@@ -96,13 +96,13 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& d
 
 double SmoothDescent::closeness() const {
   const double length = weights_.delta * diagonal_;
-  return 1.0 / (static_cast<double>(state_.inner_count()) * length * length);
+  return 1.0 / (static_cast<double>(origin_.size()) * length * length);
 }
 
 double SmoothDescent::merit(const Eigen::VectorXd& phi) const {
   const Positions moves = sum_of(positions(), -1.0, origin_);
   CarefulSum away;
-  for (std::size_t v = 0; v < state_.inner_count(); ++v)
+  for (std::size_t v = 0; v < moves.size(); ++v)
     away.add(state_.weight(v) * dot(moves[v], moves[v]));
   const double strain = phi.squaredNorm() / static_cast<double>(phi.size());
   return hinges_.bending(pool_, weights_.form) / design_bending_ + closeness() * away.value() +
@@ -139,12 +139,17 @@ void SmoothDescent::go_to(const Positions& positions) {
 
 double SmoothDescent::deviation() const {
   CarefulSum away;
-  for (std::size_t v = 0; v < state_.inner_count(); ++v) {
+  for (std::size_t v = 0; v < origin_.size(); ++v) {
     const Vec3 move = state_.position(v) - origin_[v];
     away.add(dot(move, move));
   }
-  return std::sqrt(away.value()) /
-         (std::sqrt(static_cast<double>(state_.inner_count())) * diagonal_);
+  return std::sqrt(away.value()) / (std::sqrt(static_cast<double>(origin_.size())) * diagonal_);
+}
+
+std::optional<double> SmoothDescent::border_reach() const {
+  if (!limits_.border.moves()) return {};
+  if (limits_.border.rule == BorderFreedom::Rule::slide) return 0.0;
+  return std::min(limits_.border.distance, limits_.deviation) / diagonal_;
 }
 
 /// Of the inner vertices the normals, or tangents along the patch or across it. Where triangles
@@ -209,7 +214,7 @@ void SmoothDescent::assemble_positions(Positions& force) {
   const double off_curve = k_off_curve * slide;
   for (Index v = 0; v < force.size(); ++v) {
     const bool inner = state_.is_inner(v), slides = !inner && border_.direction_count() == 1;
-    const double pull = inner ? close * state_.weight(v) : 0.0;
+    const double pull = close * state_.weight(v);
     force[v] += -pull * (state_.position(v) - origin_[v]);
     const double own = stiff * pull, held = slides ? off_curve : slide;
     // Where a border moves freely, it is held in all directions alike.

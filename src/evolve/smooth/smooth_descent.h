@@ -32,7 +32,7 @@ struct SmoothWeights {
 ///     F(x) = B(x) / B0 + |x - x0|^2 / (n delta^2 D^2) + G(x) + |phi(x)|^2 / (N sigma^2),
 ///
 /// B the bending of HingeTerms, from a share of the angles of the design, B0 that of the design
-/// from flat, n inner vertices, D the diagonal (of a rectangle that is as far spread), G of
+/// from flat, n vertices that may move, D the diagonal (of a rectangle that is as far spread), G of
 /// ShapeGuard and MoveLimits, phi the N values of StrainPotential with a free border. The weights
 /// of hinges and the matrix K of phi are those of the patch before a step, renewed after it.
 class SmoothDescent {
@@ -61,12 +61,14 @@ class SmoothDescent {
   Step step(const SmoothWeights& weights);
 
   /// As the patch is now. Strain of the edges of the pattern of least stretch, as estimated by phi;
-  /// bending over that of the design; rms move of the inner vertices over the diagonal.
+  /// bending over that of the design; rms move of the vertices that may move over the diagonal.
   const DescentStrain& strain() const { return strain_; }
   double bending() const { return bending_; }
   /// B0, k_no_bending at least.
   double design_bending() const { return design_bending_; }
   double deviation() const;
+  /// How far the border may move over the diagonal: 0 where it slides, none where it stays.
+  std::optional<double> border_reach() const;
 
   /// Of all vertices that may move, now and at first.
   Positions positions() const { return first_positions(state_, jacobian_.column_count()); }

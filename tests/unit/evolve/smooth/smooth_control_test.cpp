@@ -1,5 +1,7 @@
 #include "evolve/smooth/smooth_control.h"
 
+#include <optional>
+
 #include <gtest/gtest.h>
 
 namespace planish {
@@ -12,6 +14,8 @@ constexpr SurfaceStrainLimit k_limit{0.0, 1e-3};
 /// Within the limit, with room for bending.
 constexpr DescentStrain k_within{9e-4, 4e-3};
 constexpr double k_smooth_bending = 0.7;
+/// Where the border stays it has no effect.
+constexpr double k_deviation = 0.01;
 
 SmoothDescent::Step step_that_takes(double share, int parts = 1) {
   return {.moved = 1, .merit_before = 1.0, .merit = 1.0 - share, .parts = parts};
@@ -25,7 +29,7 @@ SmoothControl on_finer_level(double least_delta_factor = k_least_delta_factor) {
 
 void take(SmoothControl& control, int steps, const SmoothDescent::Step& step) {
   for (int k = 0; k < steps; ++k)
-    control.after(step, k_within, k_smooth_bending);
+    control.after(step, k_within, k_smooth_bending, k_deviation);
 }
 
 TEST(SmoothControl, KeepsTheWeightsOfTheCoarserLevelAtFirst) {
@@ -88,7 +92,7 @@ TEST(SmoothControl, GivesUpClosenessThenTheFormThenStrain) {
   SmoothControl control({0.0, 2.0 * k_loose}, k_at_first);
   const auto lead = [&] {
     too_much.rms *= 0.97;  // not stuck
-    control.after(step_that_takes(0.1), too_much, too_bent);
+    control.after(step_that_takes(0.1), too_much, too_bent, k_deviation);
   };
   while (control.weights().delta < k_most_delta) {
     EXPECT_EQ(control.weights().form, k_loose_form);
@@ -109,7 +113,7 @@ TEST(SmoothControl, GivesUpTheFormBeforeStrainIsLeft) {
   int falls = 0;
   for (int k = 0; k < 40; ++k) {
     EXPECT_TRUE(!control.leaves_strain() || form == 0.0);
-    control.after(step_that_takes(0.1), stuck, k_smooth_bending);
+    control.after(step_that_takes(0.1), stuck, k_smooth_bending, k_deviation);
     falls += control.weights().form < form ? 1 : 0;
     form = control.weights().form;
   }
@@ -142,6 +146,42 @@ TEST(SmoothControl, MakesAStepWithTheLastSigma) {
   }
 }
 
+TEST(SmoothControl, BeginsTheCloserTheFurtherTheBorderMayMove) {
+  const auto first_delta = [](std::optional<double> border_reach) {
+    return SmoothControl({0.0, 0.5 * k_tight}, k_at_first, false, 0.0, border_reach)
+        .weights()
+        .delta;
+  };
+  EXPECT_EQ(first_delta({}), k_first_delta * k_tight_delta);
+  EXPECT_EQ(first_delta(0.0), first_delta({}));
+  EXPECT_DOUBLE_EQ(first_delta(0.5 * k_far_border),
+                   0.5 * (first_delta(0.0) + first_delta(k_far_border)));
+  EXPECT_EQ(first_delta(k_far_border), k_first_delta * k_tight_delta_far_border);
+  EXPECT_EQ(first_delta(10.0 * k_far_border), first_delta(k_far_border));
+}
+
+/// Delta after so many steps of a patch whose border may move, or not.
+double delta_led(std::optional<double> border_reach, double deviation, double bending,
+                 double max_bending = 0.0) {
+  SmoothControl control({0.0, 0.5 * k_tight}, k_at_first, false, max_bending, border_reach);
+  control.start_finer();
+  for (int k = 0; k < 40; ++k)
+    control.after(step_that_takes(0.1), {0.4 * k_tight, 1e-3}, bending, deviation);
+  return control.weights().delta;
+}
+
+TEST(SmoothControl, LetsDeltaFollowTheDeviationWhereTheBorderMayMove) {
+  for (const double deviation : {0.005, 0.01, 0.02})
+    EXPECT_DOUBLE_EQ(delta_led(k_far_border, deviation, k_smooth_bending),
+                     k_delta_of_deviation * deviation);
+  EXPECT_EQ(delta_led(k_far_border, 1e-5, k_smooth_bending), k_tight_delta_far_border);
+  EXPECT_EQ(delta_led(k_far_border, 0.01, 2.0 * k_tight_ceiling), k_most_delta)
+      << "bent too much, so closeness gives way";
+  EXPECT_EQ(delta_led({}, 0.02, k_smooth_bending), k_tight_delta) << "the border stays";
+  EXPECT_EQ(delta_led(k_far_border, 0.02, k_smooth_bending, 3.0), k_bounded_delta)
+      << "a bound of bending leads";
+}
+
 constexpr double k_bound = 3.0;
 
 TEST(SmoothControl, BeginsTheCloserTheMoreBendingIsAllowed) {
@@ -162,12 +202,12 @@ TEST(SmoothControl, GetsCloserUntilTheBoundOfBendingIsReached) {
   take(control, k_steps_lifted, step_that_takes(0.0));
   EXPECT_LT(control.weights().delta, delta);
   EXPECT_FALSE(control.is_over()) << "settled, but bent less than it may be";
-  control.after(step_that_takes(0.0), k_within, k_bound / k_nearly);
+  control.after(step_that_takes(0.0), k_within, k_bound / k_nearly, k_deviation);
   EXPECT_TRUE(control.is_over());
-  control.after(step_that_takes(0.0), k_within, 1.1 * k_bound);
+  control.after(step_that_takes(0.0), k_within, 1.1 * k_bound, k_deviation);
   EXPECT_FALSE(control.is_over()) << "bent too much";
   delta = control.weights().delta;
-  control.after(step_that_takes(0.0), k_within, 1.1 * k_bound);
+  control.after(step_that_takes(0.0), k_within, 1.1 * k_bound, k_deviation);
   EXPECT_GT(control.weights().delta, delta);
 }
 
@@ -187,7 +227,7 @@ TEST(SmoothControl, GivesUpClosenessWhereItKeepsStrainAboveTheLimit) {
   control.start_finer();
   double least = 1.0;
   for (int k = 0; k < 30; ++k) {
-    control.after(step_that_takes(0.1), strained, k_smooth_bending);
+    control.after(step_that_takes(0.1), strained, k_smooth_bending, k_deviation);
     least = std::min(least, control.weights().delta);
   }
   EXPECT_EQ(control.weights().sigma, k_least_sigma * strained.rms);
@@ -198,9 +238,11 @@ TEST(SmoothControl, GivesUpClosenessWhereItKeepsStrainThatIsToGo) {
   SmoothControl control(k_limit, k_at_first, true, k_bound);
   control.start_strict();
   const double delta = control.weights().delta, sigma = control.weights().sigma;
-  control.after(step_that_takes(0.1), {0.9 * k_much_left * sigma, 1.0}, k_smooth_bending);
+  control.after(step_that_takes(0.1), {0.9 * k_much_left * sigma, 1.0}, k_smooth_bending,
+                k_deviation);
   EXPECT_EQ(control.weights().delta, delta);
-  control.after(step_that_takes(0.1), {1.1 * k_much_left * sigma, 1.0}, k_smooth_bending);
+  control.after(step_that_takes(0.1), {1.1 * k_much_left * sigma, 1.0}, k_smooth_bending,
+                k_deviation);
   EXPECT_DOUBLE_EQ(control.weights().delta, k_most_delta_factor * delta);
 }
 
@@ -209,13 +251,13 @@ TEST(SmoothControl, LeadsBendingToTheBoundWhereAllStrainIsToGo) {
   SmoothControl control(k_limit, k_at_first, true, k_bound);
   control.start_strict();
   const double delta = control.weights().delta;
-  control.after(step_that_takes(0.1), hardly_any, k_smooth_bending);
+  control.after(step_that_takes(0.1), hardly_any, k_smooth_bending, k_deviation);
   EXPECT_DOUBLE_EQ(control.weights().delta, k_least_delta_factor * delta);
   while (control.weights().sigma != k_last_strict_sigma)
-    control.after(step_that_takes(0.1), hardly_any, k_smooth_bending);
+    control.after(step_that_takes(0.1), hardly_any, k_smooth_bending, k_deviation);
   for (int k = 0; k < k_settled_steps; ++k) {
     EXPECT_FALSE(control.is_over());
-    control.after(step_that_takes(0.0), hardly_any, k_bound / k_room_for_polish);
+    control.after(step_that_takes(0.0), hardly_any, k_bound / k_room_for_polish, k_deviation);
   }
   EXPECT_TRUE(control.is_over());
 }

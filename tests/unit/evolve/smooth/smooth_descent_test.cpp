@@ -1,6 +1,7 @@
 #include "evolve/smooth/smooth_descent.h"
 
 #include <cmath>
+#include <optional>
 
 #include <planish/mesh/shapes.h>
 
@@ -21,9 +22,30 @@ TriMesh panel(double height = 1.0) {
 
 class PanelDescent {
  public:
-  explicit PanelDescent(SmoothMoves moves, const TriMesh& design = panel())
+  explicit PanelDescent(SmoothMoves moves, const TriMesh& design = panel(),
+                        const BorderFreedom& border = {})
       : state_(Patch(design), pool_),
-        descent_(state_, pool_, Patch(mesh_at_first(state_)), {}, moves) {}
+        descent_(state_, pool_, Patch(mesh_at_first(state_)), {.border = border}, moves) {}
+
+  /// Each of the border's vertices goes so far another way in the plane of x and y.
+  /// @return how many they are
+  std::size_t disturb_border(double distance) {
+    Positions positions = descent_.positions();
+    for (std::size_t v = state_.inner_count(); v < positions.size(); ++v) {
+      const auto angle = static_cast<double>(v);
+      positions[v] += distance * Vec3{std::cos(angle), std::sin(angle), 0.0};
+    }
+    descent_.go_to(positions);
+    return positions.size() - state_.inner_count();
+  }
+  void shift(Vec3 way) {
+    Positions positions = descent_.positions();
+    for (Vec3& p : positions)
+      p += way;
+    descent_.go_to(positions);
+  }
+  std::size_t movable_count() const { return descent_.positions().size(); }
+  std::optional<double> border_reach() const { return descent_.border_reach(); }
 
   /// Each of the inner vertices goes so many edges another way in the plane of x and y.
   void disturb(double edges) {
@@ -71,6 +93,39 @@ TEST(SmoothDescent, MovesInAPlaneAlongLinesToo) {
   const double before = descent.deviation();
   descent.last_of(10);
   EXPECT_LT(descent.deviation(), 0.01 * before);
+}
+
+TEST(SmoothDescent, CountsTheMovesOfTheBorder) {
+  constexpr double reach = 1.0, distance = 0.1, much = 1e6;  // so that strain does not count
+  const BorderFreedom border = {BorderFreedom::Rule::within, reach};
+  PanelDescent near(SmoothMoves::free, panel(), border), far(SmoothMoves::free, panel(), border);
+  const double diagonal = reach / near.border_reach().value();
+  const auto moved = static_cast<double>(near.disturb_border(distance));
+  far.disturb_border(distance);
+  const double share = moved / static_cast<double>(near.movable_count());
+  EXPECT_NEAR(near.deviation(), std::sqrt(share) * distance / diagonal, 1e-12);
+  const double close = near.step({.delta = 0.01, .sigma = much}).merit_before,
+               loose = far.step({.delta = 0.02, .sigma = much}).merit_before;
+  EXPECT_NEAR(close - loose, share * std::pow(distance / diagonal, 2) * (1e4 - 2.5e3),
+              1e-9 * close);
+}
+
+TEST(SmoothDescent, BringsBackAPlaneAndItsBorder) {
+  PanelDescent descent(SmoothMoves::free, panel(0.0), {BorderFreedom::Rule::within, 1.0});
+  descent.shift({0.1, 0.05, 0.0});
+  const double before = descent.deviation();
+  descent.last_of(20);
+  EXPECT_LT(descent.deviation(), 1e-3 * before);
+}
+
+TEST(SmoothDescent, SaysHowFarTheBorderMayMove) {
+  using Rule = BorderFreedom::Rule;
+  const auto reach = [](Rule rule, double distance) {
+    return PanelDescent(SmoothMoves::free, panel(), {rule, distance}).border_reach();
+  };
+  EXPECT_FALSE(reach(Rule::fixed, 0.0));
+  EXPECT_EQ(reach(Rule::slide, 0.0), 0.0);
+  EXPECT_DOUBLE_EQ(reach(Rule::within, 2.0).value(), 2.0 * reach(Rule::within, 1.0).value());
 }
 
 TEST(SmoothDescent, KeepsTheFormWhereStrainMayStay) {

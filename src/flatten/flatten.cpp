@@ -375,8 +375,17 @@ class Flattening {
     report_.unfold = std::move(after);
   }
 
+  /// Whether the surface bends as was asked for.
+  bool is_form_allowed(const Fairness& fairness) const {
+    const auto& options = std::get<Auto>(method_);
+    if (options.prefer != Prefer::smooth) return true;
+    return options.max_bending > 0.0 ? fairness.bends_at_most(options.max_bending)
+                                     : fairness.is_smooth();
+  }
+
   /// If the pattern keeps the limits, finds by bisection the smallest share of the move from the
   /// input with which a pattern still keeps them, and does not overlap itself where it need not.
+  /// A surface that bends as was asked for stays so: half way to it there may be more folds.
   void go_back(const Patch& patch) {
     constexpr int halvings = 6;
     if (!aim_.any() || !limits_.any() || !all_kept(report_.unfold.limits)) return;
@@ -384,11 +393,16 @@ class Flattening {
     if (std::get<Auto>(method_).border.rule != BorderFreedom::Rule::fixed) return;
     const Patch& work = work_patch(patch);
     const std::vector<Vec3> farthest = report_.evolve.result.positions;
-    const bool may_overlap = report_.unfold.pattern.overlaps;
+    const bool may_overlap = report_.unfold.pattern.overlaps,
+               may_bend = !is_form_allowed(report_.evolve.fairness);
     double fails = 0.0, keeps = 1.0;
     for (int k = 0; k < halvings; ++k) {
       const double share = 0.5 * (fails + keeps);
       const Patch between = work.with_positions(part_way(work.positions(), farthest, share));
+      if (!may_bend && !is_form_allowed(measure_fairness(work, between.positions()))) {
+        fails = share;
+        continue;
+      }
       UnfoldReport pattern = unfolded(between, with_limits(), 1.0 / (halvings - k));
       if (!all_kept(pattern.limits) || (pattern.pattern.overlaps && !may_overlap)) {
         fails = share;

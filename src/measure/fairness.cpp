@@ -186,9 +186,13 @@ std::optional<double> height_ratio(const Patch& design, std::span<const Triangle
 }  // namespace
 
 bool Fairness::is_smooth() const {
-  if (unchanged) return true;
-  return bending_ratio && *bending_ratio <= std::max(k_smooth_ratio, design_ratio) &&
-         bending_added.value_or(0.0) <= k_smooth_added && sharp_share <= k_smooth_sharp_share;
+  return unchanged ||
+         (bends_at_most(k_smooth_ratio) && bending_added.value_or(0.0) <= k_smooth_added &&
+          sharp_share <= k_smooth_sharp_share);
+}
+
+bool Fairness::bends_at_most(double ratio) const {
+  return unchanged || (bending_ratio && *bending_ratio <= std::max(ratio, design_ratio));
 }
 
 bool Fairness::has_seen_fold() const {

@@ -109,6 +109,9 @@ struct Fairness {
   /// itself is smooth; beside a plane nothing else is. What is not smooth is crumpled: the one rule
   /// of everything that says so.
   bool is_smooth() const;
+  /// Whether bending_ratio is known and at most this, or the design's own where that is more; true
+  /// of the design itself.
+  bool bends_at_most(double ratio) const;
   /// Whether the sharpest new fold has k_seen_fold or more.
   bool has_seen_fold() const;
   /// Whether it has k_sharp_fold or more: a fault, however smooth the rest is.

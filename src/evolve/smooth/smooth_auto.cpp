@@ -186,10 +186,8 @@ class SmoothStepper {
   /// True if the surface is smooth or, where a bound of bending is given, within that bound. The
   /// unchanged design is always allowed.
   bool is_allowed(const Fairness& fairness) const {
-    if (!control_->is_bounded()) return fairness.is_smooth();
-    return fairness.unchanged ||
-           (fairness.bending_ratio &&
-            *fairness.bending_ratio <= std::max(options_.max_bending, fairness.design_ratio));
+    return control_->is_bounded() ? fairness.bends_at_most(options_.max_bending)
+                                  : fairness.is_smooth();
   }
 
   /// Where the surface is not allowed, goes back towards the design until it is: by tenths of the

@@ -55,6 +55,12 @@ TEST(FlattenWithLimits, ChangesAPatchOnlyAsFarAsItsPatternNeeds) {
   }
 }
 
+TEST(FlattenWithLimits, StaysSmoothWhereTheSurfaceHalfWayIsCrumpled) {
+  const FlattenReport report = flattened(make_shape("dome", 500), {.limits = {.max = 0.01}});
+  EXPECT_TRUE(all_kept(report.unfold.limits));
+  EXPECT_TRUE(report.evolve.fairness.is_smooth());
+}
+
 TEST(FlattenWithLimits, TakesThoseOfTheMethodWhereThereAreNoOthers) {
   const TriMesh mesh = make_shape("panel", 400);
   const FlattenReport report = flattened(mesh, {.method = Auto{.max_strain = 0.05}});

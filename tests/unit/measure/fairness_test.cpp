@@ -55,7 +55,10 @@ TEST(Fairness, OfADesignWithNoiseAllowsTheNoise) {
   EXPECT_GT(*less.bending_ratio, k_smooth_ratio);
   EXPECT_LT(*less.bending_ratio, less.design_ratio);
   EXPECT_TRUE(less.is_smooth());
+  EXPECT_TRUE(less.bends_at_most(0.0)) << "no more than the design";
   EXPECT_FALSE(more.is_smooth());
+  EXPECT_TRUE(more.bends_at_most(*more.bending_ratio));
+  EXPECT_FALSE(more.bends_at_most(0.99 * *more.bending_ratio));
   EXPECT_EQ(compared(design, design).bending_ratio, less.design_ratio);
 }
 

@@ -11,6 +11,7 @@
 #include "core/aside.h"
 #include "core/job.h"
 #include "measure/ruling_defect.h"
+#include "measure/smoothed.h"
 #include "unfold/strain/free_edges.h"
 
 namespace planish {
@@ -375,31 +376,35 @@ class Flattening {
     report_.unfold = std::move(after);
   }
 
-  /// Whether the surface bends as was asked for.
+  /// Whether a surface that is to be smooth bends as was asked for.
   bool is_form_allowed(const Fairness& fairness) const {
-    const auto& options = std::get<Auto>(method_);
-    if (options.prefer != Prefer::smooth) return true;
-    return options.max_bending > 0.0 ? fairness.bends_at_most(options.max_bending)
-                                     : fairness.is_smooth();
+    const double most = std::get<Auto>(method_).max_bending;
+    return most > 0.0 ? fairness.bends_at_most(most) : fairness.is_smooth();
   }
 
-  /// If the pattern keeps the limits, finds by bisection the smallest share of the move from the
-  /// input with which a pattern still keeps them, and does not overlap itself where it need not.
-  /// A surface that bends as was asked for stays so: half way to it there may be more folds.
+  /// If the pattern keeps the limits, finds by bisection a small share of the move from the input
+  /// with which a pattern still keeps them, and does not overlap itself where it need not. A
+  /// surface that bends as was asked for stays so: half way to it there may be more folds.
   void go_back(const Patch& patch) {
     constexpr int halvings = 6;
     if (!aim_.any() || !limits_.any() || !all_kept(report_.unfold.limits)) return;
     // Half way between two places on a curved border is beside it.
-    if (std::get<Auto>(method_).border.rule != BorderFreedom::Rule::fixed) return;
+    if (std::get<Auto>(method_).border.moves()) return;
     const Patch& work = work_patch(patch);
     const std::vector<Vec3> farthest = report_.evolve.result.positions;
-    const bool may_overlap = report_.unfold.pattern.overlaps,
-               may_bend = !is_form_allowed(report_.evolve.fairness);
+    const bool may_overlap = report_.unfold.pattern.overlaps;
+    const bool near = std::get<Auto>(method_).prefer == Prefer::near;
+    const double b0 = near ? 0.0 : design_bending(work);
+    const auto is_form_allowed_at = [&](const std::vector<Vec3>& positions) {
+      stop_if_cancelled(context_);
+      return near || is_form_allowed(fairness_beside(work, b0, positions));
+    };
+    const bool may_bend = !is_form_allowed_at(farthest);
     double fails = 0.0, keeps = 1.0;
     for (int k = 0; k < halvings; ++k) {
       const double share = 0.5 * (fails + keeps);
       const Patch between = work.with_positions(part_way(work.positions(), farthest, share));
-      if (!may_bend && !is_form_allowed(measure_fairness(work, between.positions()))) {
+      if (!may_bend && !is_form_allowed_at(between.positions())) {
         fails = share;
         continue;
       }

@@ -29,6 +29,11 @@ double first_delta(double strain_over_limit, double looseness, bool flat) {
   return between(flat ? k_first_delta_flat : k_first_delta, loose, looseness);
 }
 
+/// Of delta in a step. @param excess bending over its ceiling
+double factor_by_bending(double excess) {
+  return math::pow(excess, k_delta_exponent);
+}
+
 }  // namespace
 
 SmoothControl::SmoothControl(const SurfaceStrainLimit& limit, const DescentStrain& at_first,
@@ -84,7 +89,7 @@ void SmoothControl::after(const SmoothDescent::Step& step, const DescentStrain& 
     stage_ = Stage::led;
   }
   if (stage_ == Stage::lifted && steps_ >= k_steps_lifted) stage_ = Stage::led;
-  if (stage_ == Stage::strict && bounded_) lead_strict(strain, bending, deviation);
+  if (stage_ == Stage::strict && bounded_) lead_strict(strain, bending);
   if (stage_ == Stage::strict && steps_ >= k_steps_first_strict) {
     met_ = weights_.sigma == k_last_strict_sigma;
     weights_.sigma = k_last_strict_sigma;
@@ -113,23 +118,24 @@ void SmoothControl::lead(const DescentStrain& strain, double bending, double dev
   weights_.sigma = std::max(weights_.sigma, least_sigma);
   // Closeness must not push strain out again that is still above its limit.
   const double least = closeness_wins ? k_most_delta_factor : strained ? 1.0 : least_delta_factor_;
-  lead_delta(excess, deviation, least);
+  double factor = factor_by_bending(excess);
+  if (follows_deviation_)
+    factor = std::max(factor, k_delta_of_deviation * deviation / weights_.delta);
+  lead_delta(excess, factor, least);
 }
 
 /// Delta grows where closeness keeps too much strain.
-void SmoothControl::lead_strict(const DescentStrain& strain, double bending, double deviation) {
+void SmoothControl::lead_strict(const DescentStrain& strain, double bending) {
   const double left = strain.rms / weights_.sigma;
   const double least = left > k_much_left     ? k_most_delta_factor
                        : left > k_little_left ? 1.0
                                               : least_delta_factor_;
-  lead_delta(bending / ceiling_, deviation, least);
+  const double excess = bending / ceiling_;
+  lead_delta(excess, factor_by_bending(excess), least);
 }
 
 /// @param excess bending over its ceiling
-void SmoothControl::lead_delta(double excess, double deviation, double least_factor) {
-  const bool follows = follows_deviation_ && excess <= 1.0;
-  const double factor = follows ? k_delta_of_deviation * deviation / weights_.delta
-                                : math::pow(excess, k_delta_exponent);
+void SmoothControl::lead_delta(double excess, double factor, double least_factor) {
   weights_.delta =
       std::clamp(weights_.delta * std::clamp(factor, least_factor, k_most_delta_factor),
                  least_delta_, k_most_delta);

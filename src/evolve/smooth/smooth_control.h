@@ -55,8 +55,8 @@ class SmoothControl {
   enum class Stage { loose, closer, lifted, led, strict };
 
   void lead(const DescentStrain& strain, double bending, double deviation);
-  void lead_strict(const DescentStrain& strain, double bending, double deviation);
-  void lead_delta(double excess, double deviation, double least_factor);
+  void lead_strict(const DescentStrain& strain, double bending);
+  void lead_delta(double excess, double factor, double least_factor);
   bool is_stuck(const DescentStrain& strain);
 
   SurfaceStrainLimit limit_;

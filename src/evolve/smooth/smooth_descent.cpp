@@ -210,7 +210,7 @@ void SmoothDescent::assemble_positions(Positions& force) {
   const double stiff = 1.0 + stiffening_, close = 2.0 * closeness();
   const double slide =
       stiff * 2.0 /
-      (static_cast<double>(state_.inner_count()) * (k_slide * diagonal_) * (k_slide * diagonal_));
+      (static_cast<double>(origin_.size()) * (k_slide * diagonal_) * (k_slide * diagonal_));
   const double off_curve = k_off_curve * slide;
   for (Index v = 0; v < force.size(); ++v) {
     const bool inner = state_.is_inner(v), slides = !inner && border_.direction_count() == 1;

@@ -32,9 +32,10 @@ struct SmoothWeights {
 ///     F(x) = B(x) / B0 + |x - x0|^2 / (n delta^2 D^2) + G(x) + |phi(x)|^2 / (N sigma^2),
 ///
 /// B the bending of HingeTerms, from a share of the angles of the design, B0 that of the design
-/// from flat, n vertices that may move, D the diagonal (of a rectangle that is as far spread), G of
-/// ShapeGuard and MoveLimits, phi the N values of StrainPotential with a free border. The weights
-/// of hinges and the matrix K of phi are those of the patch before a step, renewed after it.
+/// from flat, n the vertices x has, so the border's too where it may move, D the diagonal (of a
+/// rectangle that is as far spread), G of ShapeGuard and MoveLimits, phi the N values of
+/// StrainPotential with a free border. The weights of hinges and the matrix K of phi are those of
+/// the patch before a step, renewed after it.
 class SmoothDescent {
  public:
   /// @param state as it was at first or later; must outlive it, as must the pool
@@ -61,7 +62,8 @@ class SmoothDescent {
   Step step(const SmoothWeights& weights);
 
   /// As the patch is now. Strain of the edges of the pattern of least stretch, as estimated by phi;
-  /// bending over that of the design; rms move of the vertices that may move over the diagonal.
+  /// bending over that of the design; rms move over the diagonal, of the
+  /// inner vertices and, where the border may move, of all of its.
   const DescentStrain& strain() const { return strain_; }
   double bending() const { return bending_; }
   /// B0, k_no_bending at least.

@@ -17,6 +17,15 @@ FlattenReport flattened(const TriMesh& mesh, const FlattenOptions& options) {
   return flatten(Patch(mesh), "patch", options);
 }
 
+/// A part of the way from the design to the positions of a report.
+std::vector<Vec3> part_of_the_way(const TriMesh& design, const FlattenReport& report,
+                                  double share) {
+  std::vector<Vec3> positions = design.positions;
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    positions[v] += share * (report.processed.positions()[v] - positions[v]);
+  return positions;
+}
+
 TEST(FlattenWithLimits, LeavesAPatchWhosePatternKeepsThemToTheBit) {
   const TriMesh mesh = make_shape("panel", 400);
   const FlattenReport report = flattened(mesh, {.limits = {.max = 0.05}});
@@ -47,18 +56,37 @@ TEST(FlattenWithLimits, ChangesAPatchOnlyAsFarAsItsPatternNeeds) {
     EXPECT_EQ(report.evolve.after.figures.e_max, measure(report.processed).e_max);
     // A little less far it would not do.
     TriMesh nearer = mesh;
-    for (std::size_t v = 0; v < nearer.positions.size(); ++v) {
-      nearer.positions[v] =
-          mesh.positions[v] + 0.9 * (report.processed.positions()[v] - mesh.positions[v]);
-    }
+    nearer.positions = part_of_the_way(mesh, report, 0.9);
     EXPECT_FALSE(all_kept(unfold_patch(Patch(nearer), Unit::mm, {.limits = limits}).limits));
   }
 }
 
 TEST(FlattenWithLimits, StaysSmoothWhereTheSurfaceHalfWayIsCrumpled) {
-  const FlattenReport report = flattened(make_shape("dome", 500), {.limits = {.max = 0.01}});
+  const TriMesh mesh = make_shape("dome", 500);
+  const StrainLimits limits{.max = 0.01};
+  const FlattenReport report = flattened(mesh, {.limits = limits});
   EXPECT_TRUE(all_kept(report.unfold.limits));
   EXPECT_TRUE(report.evolve.fairness.is_smooth());
+  bool one_keeps_them_crumpled = false;
+  for (double share = 0.975; share > 0.3; share -= 0.025) {
+    const auto between = part_of_the_way(mesh, report, share);
+    one_keeps_them_crumpled =
+        one_keeps_them_crumpled || (!measure_fairness(Patch(mesh), between).is_smooth() &&
+                                    all_kept(unfold_patch(Patch(TriMesh{between, mesh.triangles}),
+                                                          Unit::mm, {.limits = limits})
+                                                 .limits));
+  }
+  EXPECT_TRUE(one_keeps_them_crumpled) << "or there is nothing to be seen here";
+}
+
+TEST(FlattenWithLimits, TakesABorderWithoutADistanceForOneThatStays) {
+  const TriMesh mesh = make_shape("dome", 400);
+  const auto positions_with = [&](BorderFreedom::Rule rule) {
+    const Auto method{.prefer = Prefer::near, .border = {rule, 0.0}};
+    return flattened(mesh, {.method = method, .limits = {.max = 0.06}}).processed.positions();
+  };
+  EXPECT_EQ(positions_with(BorderFreedom::Rule::within),
+            positions_with(BorderFreedom::Rule::fixed));
 }
 
 TEST(FlattenWithLimits, TakesThoseOfTheMethodWhereThereAreNoOthers) {

@@ -158,6 +158,8 @@ TEST(SmoothControl, BeginsTheCloserTheFurtherTheBorderMayMove) {
                    0.5 * (first_delta(0.0) + first_delta(k_far_border)));
   EXPECT_EQ(first_delta(k_far_border), k_first_delta * k_tight_delta_far_border);
   EXPECT_EQ(first_delta(10.0 * k_far_border), first_delta(k_far_border));
+  const SmoothControl flat({0.0, 0.5 * k_tight}, k_at_first, true, 0.0, k_far_border);
+  EXPECT_EQ(flat.weights().delta, k_first_delta_flat * k_tight_delta_far_border);
 }
 
 /// Delta after so many steps of a patch whose border may move, or not.

@@ -87,6 +87,19 @@ TEST(SmoothDescent, LowersTheMeritWithEachStep) {
   }
 }
 
+TEST(SmoothDescent, LowersTheMeritWithEachStepWhereTheBorderMoves) {
+  for (const BorderFreedom& border : {BorderFreedom{BorderFreedom::Rule::slide, 0.0},
+                                      BorderFreedom{BorderFreedom::Rule::within, 1.0}}) {
+    for (const SmoothMoves moves : {SmoothMoves::free, SmoothMoves::along_lines}) {
+      PanelDescent descent(moves, panel(), border);
+      for (int k = 0; k < 4; ++k) {
+        const auto step = descent.step();
+        EXPECT_LT(step.merit, step.merit_before) << k;
+      }
+    }
+  }
+}
+
 TEST(SmoothDescent, MovesInAPlaneAlongLinesToo) {
   PanelDescent descent(SmoothMoves::along_lines, panel(0.0));
   descent.disturb(0.1);

@@ -12,8 +12,8 @@ namespace planish {
 /// strain is taken out slowly, then sigma is led by the strain and delta by the bending, until
 /// strain is at its limit and bending at most at its ceiling. If that cannot be, the share of the
 /// design's angles that bending is counted from falls, and at 0 more strain is left. Where the
-/// border may move, delta follows the deviation while the bending is below its ceiling. Where a
-/// bound of bending is given, delta falls until the surface bends as much as that.
+/// border may move, delta is at least a multiple of the deviation. Where a bound of bending is
+/// given, delta falls until the surface bends as much as that.
 class SmoothControl {
  public:
   /// @param limit given

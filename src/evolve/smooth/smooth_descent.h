@@ -62,8 +62,8 @@ class SmoothDescent {
   Step step(const SmoothWeights& weights);
 
   /// As the patch is now. Strain of the edges of the pattern of least stretch, as estimated by phi;
-  /// bending over that of the design; rms move over the diagonal, of the
-  /// inner vertices and, where the border may move, of all of its.
+  /// bending over that of the design; rms move over the diagonal, of the inner vertices and, where
+  /// the border may move, of all of its vertices.
   const DescentStrain& strain() const { return strain_; }
   double bending() const { return bending_; }
   /// B0, k_no_bending at least.

@@ -188,6 +188,15 @@ void refuse_empty_values(const FlagGroup& group, const Arguments& arguments) {
   }
 }
 
+void refuse_empty_operands(const Command& command, const Arguments& arguments) {
+  const auto& given = arguments.operands;
+  const auto empty = std::find(given.begin(), given.end(), "");
+  if (empty == given.end()) return;
+  const auto at = std::min(static_cast<std::size_t>(empty - given.begin()),
+                           command.operands.size() - 1);  // the last may repeat
+  throw UsageError(command.operands[at] + " needs a value, and the one given is empty");
+}
+
 void check_complete(const Command& command, const Arguments& arguments) {
   const auto& given = arguments.operands;
   if (arguments.has("--list")) return;  // `sample --list` needs nothing else
@@ -271,6 +280,7 @@ Parsed parse(std::span<const std::string> args) {
   if (parsed.command == nullptr) return parsed;
   for (const FlagGroup& group : parsed.command->groups)
     refuse_empty_values(group, parsed.arguments);
+  refuse_empty_operands(*parsed.command, parsed.arguments);
   check_complete(*parsed.command, parsed.arguments);
   return parsed;
 }

@@ -376,12 +376,6 @@ class Flattening {
     report_.unfold = std::move(after);
   }
 
-  /// Whether a surface that is to be smooth bends as was asked for.
-  bool is_form_allowed(const Fairness& fairness) const {
-    const double most = std::get<Auto>(method_).max_bending;
-    return most > 0.0 ? fairness.bends_at_most(most) : fairness.is_smooth();
-  }
-
   /// If the pattern keeps the limits, finds by bisection a small share of the move from the input
   /// with which a pattern still keeps them, and does not overlap itself where it need not. A
   /// surface that bends as was asked for stays so: half way to it there may be more folds.
@@ -393,18 +387,19 @@ class Flattening {
     const Patch& work = work_patch(patch);
     const std::vector<Vec3> farthest = report_.evolve.result.positions;
     const bool may_overlap = report_.unfold.pattern.overlaps;
-    const bool near = std::get<Auto>(method_).prefer == Prefer::near;
+    const Auto& method = std::get<Auto>(method_);
+    const bool near = method.prefer == Prefer::near;
     const double b0 = near ? 0.0 : design_bending(work);
-    const auto is_form_allowed_at = [&](const std::vector<Vec3>& positions) {
+    const auto is_form_good = [&](const std::vector<Vec3>& positions) {
       stop_if_cancelled(context_);
-      return near || is_form_allowed(fairness_beside(work, b0, positions));
+      return near || fairness_beside(work, b0, positions).is_smooth_within(method.max_bending);
     };
-    const bool may_bend = !is_form_allowed_at(farthest);
+    const bool may_bend = !is_form_good(farthest);
     double fails = 0.0, keeps = 1.0;
     for (int k = 0; k < halvings; ++k) {
       const double share = 0.5 * (fails + keeps);
       const Patch between = work.with_positions(part_way(work.positions(), farthest, share));
-      if (!may_bend && !is_form_allowed_at(between.positions())) {
+      if (!may_bend && !is_form_good(between.positions())) {
         fails = share;
         continue;
       }

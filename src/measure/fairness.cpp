@@ -195,6 +195,10 @@ bool Fairness::bends_at_most(double ratio) const {
   return unchanged || (bending_ratio && *bending_ratio <= std::max(ratio, design_ratio));
 }
 
+bool Fairness::is_smooth_within(double max_bending) const {
+  return max_bending > 0.0 ? bends_at_most(max_bending) : is_smooth();
+}
+
 bool Fairness::has_seen_fold() const {
   return sharpest_fold && sharpest_fold->degrees >= k_seen_fold;
 }

@@ -112,6 +112,9 @@ struct Fairness {
   /// Whether bending_ratio is known and at most this, or the design's own where that is more; true
   /// of the design itself.
   bool bends_at_most(double ratio) const;
+  /// What a surface that is to be smooth has to be: bends_at_most(max_bending) where such a bound
+  /// was asked for (Auto::max_bending), is_smooth() where none was: 0.
+  bool is_smooth_within(double max_bending) const;
   /// Whether the sharpest new fold has k_seen_fold or more.
   bool has_seen_fold() const;
   /// Whether it has k_sharp_fold or more: a fault, however smooth the rest is.

@@ -59,6 +59,10 @@ TEST(Fairness, OfADesignWithNoiseAllowsTheNoise) {
   EXPECT_FALSE(more.is_smooth());
   EXPECT_TRUE(more.bends_at_most(*more.bending_ratio));
   EXPECT_FALSE(more.bends_at_most(0.99 * *more.bending_ratio));
+  EXPECT_FALSE(more.is_smooth_within(0.0)) << "no bound";
+  EXPECT_TRUE(more.is_smooth_within(*more.bending_ratio));
+  EXPECT_FALSE(more.is_smooth_within(0.99 * *more.bending_ratio));
+  EXPECT_TRUE(less.is_smooth_within(0.0));
   EXPECT_EQ(compared(design, design).bending_ratio, less.design_ratio);
 }
 

@@ -73,8 +73,11 @@ class SmoothStepper {
         level_(levels_.coarsest()) {
     open_level();
     if (descent_->solvable())
-      control_.emplace(limit_, descent_->strain(), options.prefer == Prefer::flat,
-                       options.max_bending, descent_->border_reach());
+      control_.emplace(SmoothControl::Aims{.limit = limit_,
+                                           .flat = options.prefer == Prefer::flat,
+                                           .max_bending = options.max_bending,
+                                           .border_reach = descent_->border_reach()},
+                       descent_->strain());
   }
 
   SweepOutcome step() {
@@ -183,35 +186,29 @@ class SmoothStepper {
     return StopReason::smooth_limit;
   }
 
-  /// True if the surface is smooth or, where a bound of bending is given, within that bound. The
-  /// unchanged design is always allowed.
-  bool is_allowed(const Fairness& fairness) const {
-    return control_->is_bounded() ? fairness.bends_at_most(options_.max_bending)
-                                  : fairness.is_smooth();
-  }
-
-  /// Where the surface is not allowed, goes back towards the design until it is: by tenths of the
-  /// way, then by halves of the last tenth.
+  /// Goes back towards the design until the surface is smooth, or bends as was asked for: by tenths
+  /// of the way, then by halves of the last tenth.
   void retreat() {
     const Positions origin = descent_->origin(), away = sum_of(descent_->positions(), -1.0, origin);
     if (!design_) design_.emplace(mesh_at_first(state_));
-    const auto is_allowed_at = [&](double share) {
+    const auto is_smooth_at = [&](double share) {
       descent_->go_to(sum_of(origin, share, away));
       std::vector<Vec3> after;
       for (std::size_t v = 0; v < state_.vertex_count(); ++v)
         after.push_back((1.0 / state_.scale()) * state_.position(v));
       pool_.stop_if_cancelled();
-      return is_allowed(fairness_beside(*design_, descent_->design_bending(), after));
+      return fairness_beside(*design_, descent_->design_bending(), after)
+          .is_smooth_within(options_.max_bending);
     };
     int part = k_retreat_parts;
-    while (part > 0 && !is_allowed_at(static_cast<double>(part) / k_retreat_parts))
+    while (part > 0 && !is_smooth_at(static_cast<double>(part) / k_retreat_parts))
       --part;
     if (part == k_retreat_parts) return;
     double smooth = static_cast<double>(part) / k_retreat_parts, step = 0.5 / k_retreat_parts,
            last = -1.0;
     for (int halving = 0; halving < k_retreat_halvings; ++halving, step *= 0.5) {
       last = smooth + step;
-      if (is_allowed_at(last)) smooth = last;
+      if (is_smooth_at(last)) smooth = last;
     }
     if (last != smooth) descent_->go_to(sum_of(origin, smooth, away));
   }

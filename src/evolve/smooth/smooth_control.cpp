@@ -36,21 +36,20 @@ double factor_by_bending(double excess) {
 
 }  // namespace
 
-SmoothControl::SmoothControl(const SurfaceStrainLimit& limit, const DescentStrain& at_first,
-                             bool flat, double max_bending, std::optional<double> border_reach)
-    : limit_(limit),
-      bounded_(max_bending > 0.0),
-      follows_deviation_(border_reach && !bounded_),
+SmoothControl::SmoothControl(const Aims& aims, const DescentStrain& at_first)
+    : limit_(aims.limit),
+      bounded_(aims.max_bending > 0.0),
+      follows_deviation_(aims.border_reach && !bounded_),
       bending_settled_(!bounded_) {
-  const double loose = looseness(limit, at_first),
-               reach = std::min(1.0, border_reach.value_or(0.0) / k_far_border);
+  const double loose = looseness(limit_, at_first),
+               reach = std::min(1.0, aims.border_reach.value_or(0.0) / k_far_border);
   ceiling_ = between(k_tight_ceiling, k_loose_ceiling, loose);
   least_delta_ =
       between(between(k_tight_delta, k_tight_delta_far_border, reach), k_loose_delta, loose);
-  double first = least_delta_ * first_delta(1.0 / limit.share_of(at_first), loose, flat);
+  double first = least_delta_ * first_delta(1.0 / limit_.share_of(at_first), loose, aims.flat);
   usual_delta_ = first;
   if (bounded_) {
-    const double bound = max_bending / (flat ? k_room_for_polish : k_nearly);
+    const double bound = aims.max_bending / (aims.flat ? k_room_for_polish : k_nearly);
     first = std::clamp(first * ceiling_ / bound, k_least_first_delta, k_most_delta);
     ceiling_ = bound;
     least_delta_ = k_bounded_delta;

@@ -16,13 +16,15 @@ namespace planish {
 /// given, delta falls until the surface bends as much as that.
 class SmoothControl {
  public:
-  /// @param limit given
+  struct Aims {
+    SurfaceStrainLimit limit = {};
+    bool flat = false;                        ///< all strain is to go in the end
+    double max_bending = 0.0;                 ///< over the design's; 0: the usual ceiling
+    std::optional<double> border_reach = {};  ///< as of SmoothDescent
+  };
+
   /// @param at_first of the design
-  /// @param flat all strain is to go in the end
-  /// @param max_bending over the design's, as given; 0: the usual ceiling
-  /// @param border_reach as of SmoothDescent
-  SmoothControl(const SurfaceStrainLimit& limit, const DescentStrain& at_first, bool flat = false,
-                double max_bending = 0.0, std::optional<double> border_reach = {});
+  SmoothControl(const Aims& aims, const DescentStrain& at_first);
 
   /// Of the next step.
   SmoothWeights weights() const { return weights_; }

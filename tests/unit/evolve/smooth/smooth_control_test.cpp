@@ -22,7 +22,7 @@ SmoothDescent::Step step_that_takes(double share, int parts = 1) {
 }
 
 SmoothControl on_finer_level(double least_delta_factor = k_least_delta_factor) {
-  SmoothControl control(k_limit, k_at_first);
+  SmoothControl control({.limit = k_limit}, k_at_first);
   control.start_finer(least_delta_factor);
   return control;
 }
@@ -62,14 +62,17 @@ TEST(SmoothControl, CountsAStepAlongLinesAsThree) {
 }
 
 TEST(SmoothControl, KeepsTheFormWhereMuchStrainMayStay) {
-  EXPECT_EQ(SmoothControl({0.0, 2.0 * k_loose}, k_at_first).weights().form, k_loose_form);
-  EXPECT_EQ(SmoothControl({0.0, 0.5 * k_tight}, k_at_first).weights().form, 0.0);
+  EXPECT_EQ(SmoothControl({.limit = {0.0, 2.0 * k_loose}}, k_at_first).weights().form,
+            k_loose_form);
+  EXPECT_EQ(SmoothControl({.limit = {0.0, 0.5 * k_tight}}, k_at_first).weights().form, 0.0);
 }
 
 TEST(SmoothControl, BeginsLessCloseTheMoreStrainHasToGo) {
   const auto first_delta = [](double strain_over_limit) {
     constexpr double limit = 2.0 * k_loose, led_to = tuning::k_of_rms_limit * limit;
-    return SmoothControl({0.0, limit}, {strain_over_limit * led_to, 1.0}).weights().delta;
+    return SmoothControl({.limit = {0.0, limit}}, {strain_over_limit * led_to, 1.0})
+        .weights()
+        .delta;
   };
   EXPECT_DOUBLE_EQ(first_delta(1.0), k_first_delta * k_loose_delta);
   EXPECT_DOUBLE_EQ(first_delta(1.5), 2.25 * k_first_delta * k_loose_delta);
@@ -78,7 +81,9 @@ TEST(SmoothControl, BeginsLessCloseTheMoreStrainHasToGo) {
 
 TEST(SmoothControl, BeginsAtATightLimitWithTheSameDeltaForEveryStrain) {
   const auto first_delta = [](double strain, bool flat) {
-    return SmoothControl({0.0, 0.5 * k_tight}, {strain, 1.0}, flat).weights().delta;
+    return SmoothControl({.limit = {0.0, 0.5 * k_tight}, .flat = flat}, {strain, 1.0})
+        .weights()
+        .delta;
   };
   for (const double strain : {0.01, 0.1}) {
     EXPECT_DOUBLE_EQ(first_delta(strain, false), k_first_delta * k_tight_delta);
@@ -89,7 +94,7 @@ TEST(SmoothControl, BeginsAtATightLimitWithTheSameDeltaForEveryStrain) {
 TEST(SmoothControl, GivesUpClosenessThenTheFormThenStrain) {
   DescentStrain too_much{0.1, 0.3};
   constexpr double too_bent = 2.0;
-  SmoothControl control({0.0, 2.0 * k_loose}, k_at_first);
+  SmoothControl control({.limit = {0.0, 2.0 * k_loose}}, k_at_first);
   const auto lead = [&] {
     too_much.rms *= 0.97;  // not stuck
     control.after(step_that_takes(0.1), too_much, too_bent, k_deviation);
@@ -108,7 +113,7 @@ TEST(SmoothControl, GivesUpClosenessThenTheFormThenStrain) {
 
 TEST(SmoothControl, GivesUpTheFormBeforeStrainIsLeft) {
   constexpr DescentStrain stuck{0.02, 0.1};
-  SmoothControl control({0.0, 2.0 * k_loose}, k_at_first);
+  SmoothControl control({.limit = {0.0, 2.0 * k_loose}}, k_at_first);
   double form = k_loose_form;
   int falls = 0;
   for (int k = 0; k < 40; ++k) {
@@ -124,7 +129,7 @@ TEST(SmoothControl, GivesUpTheFormBeforeStrainIsLeft) {
 
 TEST(SmoothControl, EndsAfterTheMostStepsWhereAllStrainIsToGo) {
   for (const int parts : {1, 3}) {
-    SmoothControl control(k_limit, k_at_first);
+    SmoothControl control({.limit = k_limit}, k_at_first);
     control.start_strict();
     int steps = 0;
     for (; !control.is_over() && steps < 2 * k_most_strict_steps; ++steps)
@@ -136,7 +141,7 @@ TEST(SmoothControl, EndsAfterTheMostStepsWhereAllStrainIsToGo) {
 
 TEST(SmoothControl, MakesAStepWithTheLastSigma) {
   for (const int parts : {1, 3}) {
-    SmoothControl control(k_limit, k_at_first);
+    SmoothControl control({.limit = k_limit}, k_at_first);
     control.start_strict();
     while (control.weights().sigma != k_last_strict_sigma)
       take(control, 1, step_that_takes(0.0, parts));
@@ -148,7 +153,7 @@ TEST(SmoothControl, MakesAStepWithTheLastSigma) {
 
 TEST(SmoothControl, BeginsTheCloserTheFurtherTheBorderMayMove) {
   const auto first_delta = [](std::optional<double> border_reach) {
-    return SmoothControl({0.0, 0.5 * k_tight}, k_at_first, false, 0.0, border_reach)
+    return SmoothControl({.limit = {0.0, 0.5 * k_tight}, .border_reach = border_reach}, k_at_first)
         .weights()
         .delta;
   };
@@ -158,14 +163,17 @@ TEST(SmoothControl, BeginsTheCloserTheFurtherTheBorderMayMove) {
                    0.5 * (first_delta(0.0) + first_delta(k_far_border)));
   EXPECT_EQ(first_delta(k_far_border), k_first_delta * k_tight_delta_far_border);
   EXPECT_EQ(first_delta(10.0 * k_far_border), first_delta(k_far_border));
-  const SmoothControl flat({0.0, 0.5 * k_tight}, k_at_first, true, 0.0, k_far_border);
+  const SmoothControl flat(
+      {.limit = {0.0, 0.5 * k_tight}, .flat = true, .border_reach = k_far_border}, k_at_first);
   EXPECT_EQ(flat.weights().delta, k_first_delta_flat * k_tight_delta_far_border);
 }
 
 /// Delta after so many steps of a patch whose border may move, or not.
 double delta_led(std::optional<double> border_reach, double deviation, double bending,
                  double max_bending = 0.0) {
-  SmoothControl control({0.0, 0.5 * k_tight}, k_at_first, false, max_bending, border_reach);
+  SmoothControl control(
+      {.limit = {0.0, 0.5 * k_tight}, .max_bending = max_bending, .border_reach = border_reach},
+      k_at_first);
   control.start_finer();
   for (int k = 0; k < 40; ++k)
     control.after(step_that_takes(0.1), {0.4 * k_tight, 1e-3}, bending, deviation);
@@ -188,7 +196,9 @@ constexpr double k_bound = 3.0;
 
 TEST(SmoothControl, BeginsTheCloserTheMoreBendingIsAllowed) {
   const auto first_delta = [](double max_bending) {
-    return SmoothControl({0.0, 0.5 * k_tight}, k_at_first, false, max_bending).weights().delta;
+    return SmoothControl({.limit = {0.0, 0.5 * k_tight}, .max_bending = max_bending}, k_at_first)
+        .weights()
+        .delta;
   };
   const double usual = k_first_delta * k_tight_delta;
   EXPECT_DOUBLE_EQ(first_delta(k_nearly * k_tight_ceiling), usual);
@@ -198,7 +208,7 @@ TEST(SmoothControl, BeginsTheCloserTheMoreBendingIsAllowed) {
 }
 
 TEST(SmoothControl, GetsCloserUntilTheBoundOfBendingIsReached) {
-  SmoothControl control(k_limit, k_at_first, false, k_bound);
+  SmoothControl control({.limit = k_limit, .max_bending = k_bound}, k_at_first);
   control.start_finer();
   double delta = control.weights().delta;
   take(control, k_steps_lifted, step_that_takes(0.0));
@@ -214,7 +224,7 @@ TEST(SmoothControl, GetsCloserUntilTheBoundOfBendingIsReached) {
 }
 
 TEST(SmoothControl, EndsAtTheLeastDeltaWhereThePatchBendsLessThanTheBound) {
-  SmoothControl control(k_limit, k_at_first, false, k_bound);
+  SmoothControl control({.limit = k_limit, .max_bending = k_bound}, k_at_first);
   control.start_finer();
   int steps = 0;
   for (; !control.is_over() && steps < 100; ++steps)
@@ -225,7 +235,7 @@ TEST(SmoothControl, EndsAtTheLeastDeltaWhereThePatchBendsLessThanTheBound) {
 
 TEST(SmoothControl, GivesUpClosenessWhereItKeepsStrainAboveTheLimit) {
   constexpr DescentStrain strained{5e-3, 2e-2};
-  SmoothControl control(k_limit, k_at_first, false, k_bound);
+  SmoothControl control({.limit = k_limit, .max_bending = k_bound}, k_at_first);
   control.start_finer();
   double least = 1.0;
   for (int k = 0; k < 30; ++k) {
@@ -237,7 +247,7 @@ TEST(SmoothControl, GivesUpClosenessWhereItKeepsStrainAboveTheLimit) {
 }
 
 TEST(SmoothControl, GivesUpClosenessWhereItKeepsStrainThatIsToGo) {
-  SmoothControl control(k_limit, k_at_first, true, k_bound);
+  SmoothControl control({.limit = k_limit, .flat = true, .max_bending = k_bound}, k_at_first);
   control.start_strict();
   const double delta = control.weights().delta, sigma = control.weights().sigma;
   control.after(step_that_takes(0.1), {0.9 * k_much_left * sigma, 1.0}, k_smooth_bending,
@@ -250,7 +260,7 @@ TEST(SmoothControl, GivesUpClosenessWhereItKeepsStrainThatIsToGo) {
 
 TEST(SmoothControl, LeadsBendingToTheBoundWhereAllStrainIsToGo) {
   constexpr DescentStrain hardly_any{1e-5, 1e-4};
-  SmoothControl control(k_limit, k_at_first, true, k_bound);
+  SmoothControl control({.limit = k_limit, .flat = true, .max_bending = k_bound}, k_at_first);
   control.start_strict();
   const double delta = control.weights().delta;
   control.after(step_that_takes(0.1), hardly_any, k_smooth_bending, k_deviation);

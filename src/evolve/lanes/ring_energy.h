@@ -123,7 +123,10 @@ class RingEnergy {
     Jet own{};
     for (int j = 0; j < n(); ++j) {
       Spoke& spoke = spokes_[j];
-      spoke.corners_before = corners_of(j);
+      const Complex corners = corners_of(j);
+      // Near 1, as its product with P_j later would have too few digits where edges are very short.
+      const Real factor = exponent_off(max(absolute(corners.re), absolute(corners.im)));
+      spoke.corners_before = {factor * corners.re, factor * corners.im};
       spoke.defect = spoke.best = spoke.before;
       const Jet angle = spokes_[previous(j)].next_base_angle + spoke.base_angle;
       own = own + angle;
@@ -200,7 +203,7 @@ class RingEnergy {
   struct Spoke {
     Vector place, edge;         // v_j, e_j
     Real before, defect, best;  // of v_j: at the start, at the last evaluation, kept
-    Complex corners_before;     // P_j at the start
+    Complex corners_before;     // P_j at the start, times a power of two
     Mask inner;
     Mask from_next;  // N_j is taken from u_(j+1), not u_j
     Real max_cotangent;

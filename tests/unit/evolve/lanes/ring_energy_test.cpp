@@ -3,9 +3,11 @@
 #define PLANISH_LANES 2
 #include "evolve/lanes/ring_energy.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include <planish/mesh/shapes.h>
 
@@ -85,6 +87,24 @@ TEST(RingEnergy, AgreesWithThePlainOneToTwelveDigits) {
       for (const Vec3 shift : {Vec3{0.1, 0.0, 0.2}, Vec3{-0.2, 0.3, -0.1}}) {
         EXPECT_NEAR(ring.evaluate_at(scale * (x + shift)), patch.ring_energy(v, x + shift), 1e-12);
       }
+    });
+  }
+}
+
+TEST(RingEnergy, KeepsItsDigitsWhereEdgesAreShortBesideThePatch) {
+  TriMesh mesh = meshes::rough_grid(7, 6, 1);
+  std::vector<int> triangles_at(mesh.positions.size());
+  for (const Triangle& t : mesh.triangles) {
+    for (const Index v : t)
+      ++triangles_at[v];
+  }
+  const auto ear = std::find(triangles_at.begin(), triangles_at.end(), 1);
+  ASSERT_NE(ear, triangles_at.end());
+  for (const double far : {1e38, 1e60}) {
+    mesh.positions[static_cast<std::size_t>(ear - triangles_at.begin())] = {far, 0.0, 0.0};
+    for_each_ring(mesh, [](OneRing& ring, const plain::Patch& patch, Index v, double scale) {
+      const Vec3 x = patch.mesh.positions[v] + Vec3{0.1, 0.0, 0.2};
+      EXPECT_NEAR(ring.evaluate_at(scale * x), patch.ring_energy(v, x), 1e-12);
     });
   }
 }

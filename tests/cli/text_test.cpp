@@ -34,6 +34,13 @@ TEST(Digits, KeepsFourThatSignify) {
   EXPECT_EQ(digits(1.7764e-15), "1.776e-15");
 }
 
+TEST(Digits, HasNoExponentBelowAMillion) {
+  EXPECT_EQ(digits(174.6, 2), "175");
+  EXPECT_EQ(digits(99.7, 2), "100");
+  EXPECT_EQ(digits(-123456.7), "-123457");
+  EXPECT_EQ(digits(1.234e6), "1.234e+06");
+}
+
 TEST(Beginning, NeverEndsWithinALetter) {
   EXPECT_EQ(beginning("abc", 3), "abc");
   EXPECT_EQ(beginning("abcd", 3), "abc");

@@ -22,6 +22,9 @@ std::string power_number(double value) {
   return text;
 }
 
+/// Large numbers have an exponent from here on.
+constexpr double k_least_power = 1e6;
+
 }  // namespace
 
 std::string wrapped(std::string_view text, std::size_t indent) {
@@ -47,6 +50,8 @@ std::string wrapped(std::string_view text, std::size_t indent) {
 
 std::string digits(double value, int significant) {
   std::string text = printed("%#.*g", significant, value);
+  const bool is_large = text.find("e+") != std::string::npos;
+  if (is_large && std::abs(value) < k_least_power) return fixed(value, 0);
   if (text.back() == '.') text.pop_back();
   return text;
 }

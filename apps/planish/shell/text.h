@@ -13,7 +13,8 @@ inline constexpr std::size_t k_text_width = 80;
 /// @param indent also the width that stands before the first line
 std::string wrapped(std::string_view text, std::size_t indent);
 
-/// A number with so many significant digits, as in "0.06350" and "1.776e-15".
+/// A number with so many significant digits, as in "0.06350" and "1.776e-15"; whole numbers below a
+/// million with all of theirs.
 std::string digits(double value, int significant = 4);
 /// A number with so many digits behind the point.
 std::string fixed(double value, int decimals);

@@ -123,9 +123,10 @@ class RingEnergy {
     Jet own{};
     for (int j = 0; j < n(); ++j) {
       Spoke& spoke = spokes_[j];
+      // Over |u_j|^4, about, as its product with P_j later would have too few digits where edges
+      // are very short.
       const Complex corners = corners_of(j);
-      // Near 1, as its product with P_j later would have too few digits where edges are very short.
-      const Real factor = exponent_off(max(absolute(corners.re), absolute(corners.im)));
+      const Real power = exponent_off(spoke.square), factor = power * power;
       spoke.corners_before = {factor * corners.re, factor * corners.im};
       spoke.defect = spoke.best = spoke.before;
       const Jet angle = spokes_[previous(j)].next_base_angle + spoke.base_angle;

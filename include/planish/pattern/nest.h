@@ -77,7 +77,8 @@ void check_copies(double copies);
 /// one is kept that needs the least. The result depends on nothing but what is given.
 /// docs/nesting.md says why none overlap, and how long it takes.
 /// @throws Error option_out_of_range, piece_too_large for one that fits on no sheet in any of its
-///   turns, no_triangles for one without an area, too_large for more than 10,000 copies; Cancelled
+///   turns, no_triangles for one without an area, non_finite_coordinate, too_large for more than
+///   10,000 copies, or a piece of 10 km or 10,000 km away from its origin; Cancelled
 Nesting nest(std::span<const NestPiece> pieces, const NestOptions& options = {},
              const Context& context = {});
 

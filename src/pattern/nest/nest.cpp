@@ -25,6 +25,23 @@ namespace {
 constexpr int k_most_copies = 10'000;
 constexpr double k_nest_slack = 1e-7;  // millimetres that rounding may cost
 
+/// Millimetres. Further away from the origin, coordinates have too few digits.
+constexpr double k_furthest = 1e10;
+
+void check_corners(const PieceOutline& outline) {
+  for (const Polygon& loop : outline.loops) {
+    for (const Vec2 p : loop) {
+      if (!std::isfinite(p.x) || !std::isfinite(p.y))
+        throw Error(ErrorCode::non_finite_coordinate,
+                    "piece \"" + outline.piece + "\" has a corner whose place is no number");
+      if (std::abs(p.x) > k_furthest || std::abs(p.y) > k_furthest)
+        throw Error(ErrorCode::too_large,
+                    "piece \"" + outline.piece +
+                        "\" is more than 10,000 km away from the origin of its coordinates");
+    }
+  }
+}
+
 void check(std::span<const NestPiece> pieces, const NestOptions& options) {
   constexpr double least = std::numeric_limits<double>::min(), most = 1e7;
   check_range("sheet_width", options.width, {least, most});
@@ -40,6 +57,7 @@ void check(std::span<const NestPiece> pieces, const NestOptions& options) {
     check_range("angle", piece.angle, {-1e6, 1e6});
     copies += piece.quantity;
     check_copies(copies);
+    check_corners(piece.outline);
     const bool has_area = piece.quantity == 0 || (!piece.outline.loops.empty() &&
                                                   signed_area(piece.outline.loops.front()) != 0.0);
     if (has_area) continue;

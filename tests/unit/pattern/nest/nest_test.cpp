@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <set>
@@ -242,6 +243,13 @@ TEST(Nest, RefusesOptionsAndPiecesThatMakeNoSense) {
   EXPECT_EQ(code_of_nest({box_piece("flat", 10.0, 0.0)}, {}), ErrorCode::no_triangles);
   EXPECT_EQ(code_of_nest({box_piece("many", 10.0, 10.0, 10'001)}, {}), ErrorCode::too_large);
   EXPECT_EQ(code_of_nest({box_piece("huge", 1e8, 10.0)}, {}), ErrorCode::too_large);
+  NestPiece piece = box_piece("box", 10.0, 10.0);
+  for (const double nowhere : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    piece.outline.loops.front()[2].x = nowhere;
+    EXPECT_EQ(code_of_nest({piece}, {}), ErrorCode::non_finite_coordinate);
+  }
+  piece.outline.loops = {{{1e300, 0.0}, {1.1e300, 0.0}, {1e300, 10.0}}};
+  EXPECT_EQ(code_of_nest({piece}, {}), ErrorCode::too_large);
 }
 
 TEST(Nest, LaysNothingWhereNothingIsAsked) {

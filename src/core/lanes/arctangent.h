@@ -30,6 +30,12 @@ inline Mask is_short(const Complex& z) {
   return absolute(z.im) <= k_tan_eighth * z.re;
 }
 
+/// The same, and z is not so small that it may have lost digits.
+inline Mask is_short_and_exact(const Complex& z) {
+  constexpr double least = 1e-290;
+  return absolute(z.im) + least <= k_tan_eighth * z.re;
+}
+
 /// The argument of z where is_short(z), anything elsewhere.
 inline Real short_argument(const Complex& z) {
   return short_arctangent(z.im / z.re);

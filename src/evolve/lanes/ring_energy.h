@@ -123,11 +123,7 @@ class RingEnergy {
     Jet own{};
     for (int j = 0; j < n(); ++j) {
       Spoke& spoke = spokes_[j];
-      // Over |u_j|^4, about, as its product with P_j later would have too few digits where edges
-      // are very short.
-      const Complex corners = corners_of(j);
-      const Real power = exponent_off(spoke.square), factor = power * power;
-      spoke.corners_before = {factor * corners.re, factor * corners.im};
+      spoke.corners_before = corners_of(j);
       spoke.defect = spoke.best = spoke.before;
       const Jet angle = spokes_[previous(j)].next_base_angle + spoke.base_angle;
       own = own + angle;
@@ -204,7 +200,7 @@ class RingEnergy {
   struct Spoke {
     Vector place, edge;         // v_j, e_j
     Real before, defect, best;  // of v_j: at the start, at the last evaluation, kept
-    Complex corners_before;     // P_j at the start, times a power of two
+    Complex corners_before;     // P_j at the start
     Mask inner;
     Mask from_next;  // N_j is taken from u_(j+1), not u_j
     Real max_cotangent;
@@ -277,7 +273,8 @@ class RingEnergy {
     const Complex turn = now * Complex{then.re, -then.im};
     // A sum that passes the positive real axis has gone through 0 or 2 pi, which the turn hides.
     const Mask stays = (now.re < 0.0) | (now.im * then.im > 0.0);
-    const Mask near = is_short(turn) & stays;
+    // Where edges are very short, the turn is too small a number, but now and then are not.
+    const Mask near = is_short_and_exact(turn) & stays;
     const Real change = short_argument(turn);
     if (!any(~near)) return change;
     return select(near, change, full_angle(now) - full_angle(then));

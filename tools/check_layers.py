@@ -39,7 +39,7 @@ FLOORS = {
     "core": [["core"], ["core/lanes"]],
     "geometry": [["geometry"]],
     "solve": [["solve/lanes"], ["solve"]],
-    "mesh": [["mesh"], ["mesh/search", "mesh/coarsen", "mesh/cut"], ["mesh/match", "mesh/carry"]],
+    "mesh": [["mesh"], ["mesh/search", "mesh/coarsen", "mesh/cut"], ["mesh/match", "mesh/carry", "mesh/repair"]],
     "io": [["io/file"], ["io/formats", "io/svg"], ["io"]],
     "measure": [["measure/lanes"], ["measure"]],
     "draw": [["draw"], ["draw/text"], ["draw/svg", "draw/dxf", "draw/pdf", "draw/plt"]],
@@ -90,7 +90,7 @@ FOR_THE_PROGRAM = {
     "sheet/carry/drawing_on_sheet.h",
     "sheet/cut_sheet.h",
 }
-MOST_PUBLIC_HEADERS = 50
+MOST_PUBLIC_HEADERS = 60
 
 # No folder of code, tests or tools holds more.
 MOST_FILES = 25

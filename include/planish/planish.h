@@ -36,9 +36,12 @@
 #include <planish/mesh/cut.h>
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/patch.h>
+#include <planish/mesh/repair.h>
 #include <planish/mesh/seams.h>
 #include <planish/mesh/shapes.h>
 #include <planish/mesh/tri_mesh.h>
+#include <planish/mesh/wall.h>
+#include <planish/mesh/weld.h>
 #include <planish/pattern/allowance.h>
 #include <planish/pattern/curve.h>
 #include <planish/pattern/marks.h>

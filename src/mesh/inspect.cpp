@@ -251,7 +251,8 @@ void sort_worst_first(std::vector<Problem>& problems) {
                    [&](const Problem& a, const Problem& b) { return rank(a) < rank(b); });
 }
 
-/// Sizes, and problems of single numbers: with these nothing else can be looked for.
+}  // namespace
+
 Inspection inspect_entries(const TriMesh& mesh) {
   Inspection result;
   result.topology.vertices = mesh.positions.size();
@@ -264,8 +265,6 @@ Inspection inspect_entries(const TriMesh& mesh) {
   find_bad_indices(mesh, result.problems);
   return result;
 }
-
-}  // namespace
 
 Inspection inspect(const TriMesh& mesh) {
   Inspection result = inspect_entries(mesh);

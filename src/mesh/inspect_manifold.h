@@ -5,6 +5,9 @@
 
 namespace planish {
 
+/// Sizes, and problems of single numbers: with these nothing else can be looked for.
+Inspection inspect_entries(const TriMesh& mesh);
+
 /// What inspect() finds in a mesh whose connectivity is known.
 Inspection inspect_manifold(const TriMesh& mesh, const Connectivity& connectivity);
 

@@ -3,56 +3,14 @@
 #include <algorithm>
 #include <numeric>
 #include <string>
-#include <tuple>
 #include <utility>
+
+#include "mesh/edge_sides.h"
+#include "mesh/turning_sets.h"
 
 namespace planish {
 
 namespace {
-
-/// A side of a triangle as an undirected edge.
-struct Side {
-  Index low, high;
-  Index triangle;
-  bool forward;  // from low to high
-
-  bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
-};
-
-/// The sides of one edge.
-struct EdgeSides {
-  const Side* begin;
-  const Side* end;
-  std::size_t size() const { return static_cast<std::size_t>(end - begin); }
-};
-
-std::vector<Side> sorted_sides(const TriMesh& mesh, const std::vector<unsigned char>& skipped) {
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (skipped[t] != 0) continue;
-    for (int k = 0; k < 3; ++k) {
-      const Index a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), static_cast<Index>(t), a < b});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
-  return sides;
-}
-
-std::vector<EdgeSides> group_by_edge(const std::vector<Side>& sides) {
-  std::vector<EdgeSides> edges;
-  for (const Side* begin = sides.data(); begin != sides.data() + sides.size();) {
-    const Side* end = begin;
-    while (end != sides.data() + sides.size() && end->same_edge(*begin))
-      ++end;
-    edges.push_back({begin, end});
-    begin = end;
-  }
-  return edges;
-}
 
 std::string number(std::size_t n) {
   return std::to_string(n);
@@ -120,56 +78,11 @@ void find_non_manifold_edges(const std::vector<EdgeSides>& edges, std::vector<Pr
                       count, first->begin->low});
 }
 
-/// Triangles joined across edges, with whether each must be turned over to agree with the first of
-/// its group. (A union-find that carries parity.)
-class Orientation {
- public:
-  explicit Orientation(std::size_t triangles) : parent_(triangles), turned_(triangles, 0) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
-  }
-
-  struct Root {
-    Index triangle;
-    unsigned char turned;  // relative to the root
-  };
-
-  Root root(Index t) {
-    Root result{t, 0};
-    while (parent_[result.triangle] != result.triangle) {
-      result.turned ^= turned_[result.triangle];
-      result.triangle = parent_[result.triangle];
-    }
-    // Shorten the way for the next time.
-    for (Root at{t, result.turned}; parent_[at.triangle] != at.triangle;) {
-      const Index next = parent_[at.triangle];
-      const unsigned char rest = at.turned ^ turned_[at.triangle];
-      parent_[at.triangle] = result.triangle;
-      turned_[at.triangle] = at.turned;
-      at = {next, rest};
-    }
-    return result;
-  }
-
-  /// Joins two triangles that agree (0) or clash (1); false where that contradicts what is known.
-  bool join(Index a, Index b, unsigned char clash) {
-    const Root ra = root(a), rb = root(b);
-    if (ra.triangle == rb.triangle) return (ra.turned ^ rb.turned) == clash;
-    const auto [low, high] = std::minmax(ra.triangle, rb.triangle);
-    parent_[high] = low;
-    turned_[high] = ra.turned ^ rb.turned ^ clash;
-    return true;
-  }
-
- private:
-  std::vector<Index> parent_;
-  std::vector<unsigned char> turned_;
-};
-
 void find_clashing_orientation(const TriMesh& mesh, const std::vector<EdgeSides>& edges,
                                const std::vector<unsigned char>& skipped,
                                std::vector<Problem>& problems) {
-  Orientation orientation(mesh.triangles.size());
-  const Side* twist = nullptr;
+  TurningSets orientation(mesh.triangles.size());
+  const EdgeSide* twist = nullptr;
   std::size_t clashes = 0;
   for (const EdgeSides& edge : edges) {
     if (edge.size() != 2) continue;
@@ -193,15 +106,15 @@ void find_clashing_orientation(const TriMesh& mesh, const std::vector<EdgeSides>
   std::vector<std::size_t> members(mesh.triangles.size(), 0), turned(mesh.triangles.size(), 0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (skipped[t] != 0) continue;
-    const auto root = orientation.root(static_cast<Index>(t));
-    ++members[root.triangle];
-    turned[root.triangle] += root.turned;
+    const auto root = orientation.first_of(static_cast<Index>(t));
+    ++members[root.number];
+    turned[root.number] += root.turned;
   }
   std::size_t count = 0, first = 0;
   for (std::size_t t = mesh.triangles.size(); t-- > 0;) {
     if (skipped[t] != 0) continue;
-    const auto root = orientation.root(static_cast<Index>(t));
-    const bool few_turned = 2 * turned[root.triangle] <= members[root.triangle];
+    const auto root = orientation.first_of(static_cast<Index>(t));
+    const bool few_turned = 2 * turned[root.number] <= members[root.number];
     if ((root.turned != 0) != few_turned) continue;
     ++count;
     first = t;
@@ -233,7 +146,7 @@ void find_non_manifold_vertices(const TriMesh& mesh, const std::vector<EdgeSides
     return 3 * triangle + (tri[0] == v ? 0 : tri[1] == v ? 1 : 2);
   };
   for (const EdgeSides& edge : edges) {
-    for (const Side* side = edge.begin + 1; side < edge.end; ++side) {
+    for (const EdgeSide* side = edge.begin + 1; side < edge.end; ++side) {
       for (const Index v : {edge.begin->low, edge.begin->high}) {
         parent[root(corner(side->triangle, v))] = root(corner(edge.begin->triangle, v));
       }
@@ -266,7 +179,7 @@ ManifoldDefects find_manifold_defects(const TriMesh& mesh) {
   std::vector<unsigned char> skipped(mesh.triangles.size(), 0);
   find_repeated_indices(mesh, skipped, defects.problems);
   find_duplicates(mesh, skipped, defects.problems);
-  const std::vector<Side> sides = sorted_sides(mesh, skipped);
+  const std::vector<EdgeSide> sides = sorted_sides(mesh, skipped);
   const std::vector<EdgeSides> edges = group_by_edge(sides);
   find_non_manifold_edges(edges, defects.problems);
   find_clashing_orientation(mesh, edges, skipped, defects.problems);

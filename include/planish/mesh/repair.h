@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <planish/mesh/seams.h>
+#include <planish/mesh/tri_mesh.h>
+
+namespace planish {
+
+// Every function of this header and of weld.h leaves its input as it is and returns a mesh. A
+// vertex keeps its number, also where no triangle uses it any more; new vertices come behind all
+// others. Triangles keep their order, new ones come behind. Lengths are in model units; nothing
+// depends on the size or the place of the model. All of them take O((n + m) log m).
+//
+// All throw Error index_out_of_range or non_finite_coordinate where a mesh has such entries, and
+// accept any other mesh, also an empty one.
+
+/// A mesh that was mended, with where everything in it comes from.
+struct RepairedMesh {
+  /// In `source`: a triangle that is new.
+  static constexpr Index none = static_cast<Index>(-1);
+
+  TriMesh mesh;                      ///< the mended one
+  std::vector<Index> source;         ///< of each triangle: the one of the input, or none
+  std::vector<Index> vertex_source;  ///< of each vertex: the one of the input that it is or copies
+};
+
+/// A mesh without triangles that add nothing to its surface.
+struct CleanedMesh : RepairedMesh {
+  std::size_t collapsed = 0;  ///< triangles that named a vertex twice
+  std::size_t repeated = 0;   ///< triangles that were in the mesh before, in the same orientation
+  std::size_t backs = 0;      ///< triangles of the back of a doubled sheet
+  std::size_t fins = 0;       ///< triangles of crumbs that stood on edges of a whole surface
+
+  /// How many triangles were left out.
+  std::size_t removed() const { return collapsed + repeated + backs + fins; }
+};
+
+/// Leaves out what cannot change the surface: triangles that name a vertex twice; triangles that
+/// are there already, also as the other two triangles of the same quadrilateral; the back of a
+/// sheet all of whose triangles are there in both orientations, with the same vertices or with
+/// others at equal places; and fins: pieces of less than 1 % of the area that hang only on edges
+/// which have two triangles without them. What comes first stays. Triangles without area that have
+/// three vertices stay, as their neighbours need them, and so does a single pair of opposite
+/// triangles, which inspect() refuses.
+CleanedMesh remove_redundant_triangles(const TriMesh& mesh);
+
+/// A mesh in which parts that touched have vertices of their own.
+struct SeparatedMesh : RepairedMesh {
+  std::size_t places = 0;  ///< vertices or edges at which it was divided
+};
+
+/// Gives every fan of triangles a vertex of its own where several share one without sharing an
+/// edge: holes that touch are told apart, and so are two pieces that touch at a point. The fan with
+/// the first triangle keeps the vertex. The surface does not change.
+SeparatedMesh separate_touching(const TriMesh& mesh);
+
+/// Parts the sheets that meet at edges of three and more triangles: there every triangle gets a
+/// border of its own. Sheets that no other edge holds together become pieces. The surface does not
+/// change. Vertices at which fans touch are separated, as by separate_touching(). `places` counts
+/// the edges.
+SeparatedMesh divide_at_nonmanifold_edges(const TriMesh& mesh);
+
+/// A mesh whose triangles agree on what is outside.
+struct OrientedMesh : RepairedMesh {
+  std::size_t turned = 0;  ///< triangles that were turned over
+};
+
+/// Turns over the triangles that are oriented against their neighbours: in every piece connected by
+/// edges of two triangles the minority, in a tie those that disagree with the first triangle. A
+/// piece with one side only (a Moebius strip) stays as it is.
+OrientedMesh orient_consistently(const TriMesh& mesh);
+
+/// The same surface with its inner side outside: every triangle turned over.
+TriMesh turned_over(TriMesh mesh);
+
+/// The pieces that are inside out against their neighbours, in increasing order: sewn borders of
+/// pieces with the same side outside run in opposite directions along their seam. Of pieces that
+/// hang together by seams the smaller area is turned, in a tie that without the first piece. Where
+/// seams contradict each other, the longer ones count.
+/// @param seams what find_seams() found among the pieces; darts do not count
+/// @throws Error as Patch
+std::vector<std::size_t> find_inside_out(std::span<const TriMesh> pieces,
+                                         std::span<const Seam> seams);
+
+/// A mesh some of whose holes were closed.
+struct FilledMesh : RepairedMesh {
+  std::size_t filled = 0;  ///< holes that were closed; their triangles have no source
+  std::size_t left = 0;    ///< holes short enough that no sound triangles would close
+};
+
+/// Closes holes without new vertices, by the triangles of least area and least bend. A hole is a
+/// loop of the border that is not the longest of its piece.
+/// @param length the longest border, model units, of a hole that is closed; above 0, may be
+///   infinite
+/// @throws Error option_out_of_range
+/// @pre the mesh is an oriented manifold; else nothing is closed
+FilledMesh fill_holes(const TriMesh& mesh, double length);
+
+/// Pieces that are too small to be meant.
+struct Crumbs {
+  std::vector<Index> triangles;  ///< all of theirs, in increasing order
+  std::size_t pieces = 0;        ///< how many
+  double area_share = 0.0;       ///< of the area of the mesh that they hold, 0 to 0.1
+};
+
+/// Finds the pieces (connected by edges) that hold less than 1 % of the area each, where what is
+/// left holds 90 % or more. Else nothing is a crumb: a mesh of many small pieces is meant so.
+Crumbs find_crumbs(const TriMesh& mesh);
+
+/// The mesh without some triangles.
+/// @param triangles in increasing order
+RepairedMesh without_triangles(const TriMesh& mesh, std::span<const Index> triangles);
+
+}  // namespace planish

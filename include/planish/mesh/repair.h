@@ -91,8 +91,9 @@ struct FilledMesh : RepairedMesh {
   std::size_t left = 0;    ///< holes short enough that no sound triangles would close
 };
 
-/// Closes holes without new vertices, by the triangles of least area and least bend. A hole is a
-/// loop of the border that is not the longest of its piece.
+/// Closes holes of up to 500 edges without new vertices, by triangles that go on as smoothly as can
+/// be, and of these by the shortest edges. A hole is a loop of the border that is not the longest
+/// of its piece. A hole that only a fold or a triangle without area would close stays.
 /// @param length the longest border, model units, of a hole that is closed; above 0, may be
 ///   infinite
 /// @throws Error option_out_of_range

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -10,7 +11,7 @@ namespace planish {
 
 /// What a triangle of a wall belongs to.
 enum class WallPart : unsigned char {
-  outer,  ///< the side whose normals point away from the other, of larger area
+  outer,  ///< the side of larger area
   inner,  ///< the other side
   rim,    ///< between the borders of both
 };
@@ -19,16 +20,19 @@ enum class WallPart : unsigned char {
 struct Wall {
   double thickness = 0.0;      ///< median distance of the sides, model units
   std::vector<WallPart> part;  ///< of each triangle
+  /// Whether the outer and the inner side are oriented towards the other one in the mesh.
+  std::array<bool, 2> turned{};
 };
 
-/// Recognises a wall: a closed thin shell, or two sheets that no triangle joins. Its sides face
-/// away from each other, or both towards each other, at the same distance within a fifth on nine
-/// tenths of their area, and they are more than eight times as large across as they are apart. Of
-/// a flat wall the side with the first triangle is the outer one. A solid body is none. Nothing is
-/// found in a mesh that is no oriented manifold.
+/// Recognises a wall: a closed thin shell, or two sheets that no triangle joins. On nine tenths of
+/// their area its sides are at the same distance within a fifth, with normals that are parallel
+/// within 30 degrees, and they are twenty times as large across as they are apart, or more. Of a
+/// flat wall the side with the first triangle is the outer one. A solid body is none. Nothing is
+/// found in a mesh that is no oriented manifold. A mesh may hold several walls of one thickness.
 std::optional<Wall> find_wall(const TriMesh& mesh);
 
 /// One side of a wall, oriented away from the other, without its rim.
+/// @param wall what find_wall() found in the mesh
 /// @param side outer or inner
 RepairedMesh take_side(const TriMesh& mesh, const Wall& wall, WallPart side);
 

@@ -1,0 +1,219 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <planish/mesh/patch.h>
+#include <planish/mesh/wall.h>
+
+#include "mesh/disjoint_sets.h"
+#include "mesh/edge_sides.h"
+#include "mesh/repair/facing.h"
+#include "mesh/repair/repaired.h"
+#include "mesh/repair/sheets.h"
+#include "mesh/turning_sets.h"
+
+namespace planish {
+
+namespace {
+
+// Triangles at the side of others go with them while normals differ by less than 30 degrees.
+constexpr double k_smooth = 0.8660254037844386;
+// Of the area, what contradicts that a side faces the other one and not itself.
+constexpr double k_contradiction = 0.02;
+// Sides whose areas differ by less are as large as each other.
+constexpr double k_same_area = 1e-3;
+
+constexpr Index k_no_sheet = static_cast<Index>(-1);
+
+/// The mesh at the scale of its unit_scale(), with the first vertex of a triangle at the origin.
+TriMesh near_origin(TriMesh mesh) {
+  const double scale = unit_scale(mesh);
+  const Vec3 origin = scale * mesh.positions[mesh.triangles.front().front()];
+  for (Vec3& p : mesh.positions)
+    p = scale * p - origin;
+  return mesh;
+}
+
+/// Parts of the sides: triangles that face others and share edges.
+Sheets facing_sheets(const FacingTriangles& facing, const std::vector<EdgeSides>& edges) {
+  const std::size_t count = facing.opposite.size();
+  DisjointSets<Index> sets(count);
+  const auto faces = [&](Index t) { return facing.opposite[t] != FacingTriangles::none; };
+  for (const EdgeSides& edge : edges) {
+    if (edge.size() != 2) continue;
+    const Index a = edge.begin[0].triangle, b = edge.begin[1].triangle;
+    if (faces(a) && faces(b)) sets.join(a, b);
+  }
+  Sheets sheets{std::vector<Index>(count, k_no_sheet), 0};
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto t = static_cast<Index>(i);
+    if (!faces(t)) continue;
+    const Index first = sets.first_of(t);
+    sheets.of_triangle[t] =
+        first == t ? static_cast<Index>(sheets.count++) : sheets.of_triangle[first];
+  }
+  return sheets;
+}
+
+/// Two sheets that face each other, on some area.
+struct Pair {
+  Index one, other;
+  double area;
+};
+
+std::vector<Pair> facing_pairs(const FacingTriangles& facing, const Sheets& sheets,
+                               const std::vector<double>& areas) {
+  std::vector<Pair> pairs;
+  for (std::size_t t = 0; t < areas.size(); ++t) {
+    if (facing.opposite[t] == FacingTriangles::none) continue;
+    const Index here = sheets.of_triangle[t], there = sheets.of_triangle[facing.opposite[t]];
+    if (there == k_no_sheet) continue;
+    pairs.push_back({std::min(here, there), std::max(here, there), areas[t]});
+  }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return std::tie(a.one, a.other) < std::tie(b.one, b.other);
+  });
+  std::vector<Pair> sums;
+  for (const Pair& pair : pairs) {
+    if (!sums.empty() && sums.back().one == pair.one && sums.back().other == pair.other) {
+      sums.back().area += pair.area;
+    } else {
+      sums.push_back(pair);
+    }
+  }
+  std::sort(sums.begin(), sums.end(), [](const Pair& a, const Pair& b) {
+    return a.area != b.area ? a.area > b.area : std::tie(a.one, a.other) < std::tie(b.one, b.other);
+  });
+  return sums;
+}
+
+/// Which sheets are on the side of the first sheet of what they hang together with (0) and which
+/// on the other (1); nothing where sheets face themselves.
+std::optional<TurningSets> sides_of(const std::vector<Pair>& pairs, std::size_t sheets) {
+  TurningSets sets(sheets);
+  double whole = 0.0, contradicts = 0.0;
+  for (const Pair& pair : pairs) {
+    whole += pair.area;
+    if (pair.one == pair.other || !sets.join(pair.one, pair.other, 1)) contradicts += pair.area;
+  }
+  if (contradicts > k_contradiction * whole) return std::nullopt;
+  return sets;
+}
+
+/// Of each sheet the part that it is: in every wall of the mesh the larger side is the outer one.
+std::vector<WallPart> parts_of(TurningSets sets, const Sheets& sheets,
+                               const std::vector<double>& area_of_sheet) {
+  std::vector<std::array<double, 2>> areas(sheets.count, {0.0, 0.0});
+  for (std::size_t s = 0; s < sheets.count; ++s) {
+    const auto first = sets.first_of(static_cast<Index>(s));
+    areas[first.number][first.turned] += area_of_sheet[s];
+  }
+  std::vector<WallPart> parts;
+  for (std::size_t s = 0; s < sheets.count; ++s) {
+    const auto first = sets.first_of(static_cast<Index>(s));
+    const auto& [of_first, of_other] = areas[first.number];
+    const bool first_is_outer = of_other <= of_first * (1.0 + k_same_area);
+    parts.push_back((first.turned == 0) == first_is_outer ? WallPart::outer : WallPart::inner);
+  }
+  return parts;
+}
+
+/// Gives triangles beside a side, such as those near a fold, to it where the surface goes on
+/// smoothly.
+void spread(const TriMesh& mesh, const std::vector<EdgeSides>& edges, std::vector<WallPart>& part) {
+  std::vector<Vec3> normals;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 normal = cross(mesh.positions[t[1]] - mesh.positions[t[0]],
+                              mesh.positions[t[2]] - mesh.positions[t[0]]);
+    const double length = norm(normal);
+    normals.push_back(length > 0.0 ? 1.0 / length * normal : Vec3{});
+  }
+  std::vector<std::array<Index, 3>> neighbors(mesh.triangles.size(),
+                                              {k_no_sheet, k_no_sheet, k_no_sheet});
+  for (const EdgeSides& edge : edges) {
+    if (edge.size() != 2) continue;
+    const EdgeSide &a = edge.begin[0], &b = edge.begin[1];
+    neighbors[a.triangle][a.corner] = b.triangle;
+    neighbors[b.triangle][b.corner] = a.triangle;
+  }
+  struct Waiting {
+    Index triangle;
+    Index seed;  // a triangle that faces the other side
+  };
+  std::vector<Waiting> waiting;
+  for (std::size_t t = 0; t < part.size(); ++t) {
+    if (part[t] != WallPart::rim) waiting.push_back({static_cast<Index>(t), static_cast<Index>(t)});
+  }
+  for (std::size_t i = 0; i < waiting.size(); ++i) {
+    const Waiting from = waiting[i];
+    for (const Index to : neighbors[from.triangle]) {
+      if (to == k_no_sheet || part[to] != WallPart::rim) continue;
+      if (dot(normals[to], normals[from.seed]) < k_smooth) continue;
+      part[to] = part[from.triangle];
+      waiting.push_back({to, from.seed});
+    }
+  }
+}
+
+/// Turns the sides so that they face apart.
+bool must_turn(const TriMesh& mesh, const FacingTriangles& facing, std::size_t t) {
+  if (facing.way != Facing::same_way) return facing.way == Facing::towards;
+  const Triangle &here = mesh.triangles[t], &there = mesh.triangles[facing.opposite[t]];
+  const Vec3 normal = cross(mesh.positions[here[1]] - mesh.positions[here[0]],
+                            mesh.positions[here[2]] - mesh.positions[here[0]]);
+  const auto sum = [&](const Triangle& corners) {
+    return mesh.positions[corners[0]] + mesh.positions[corners[1]] + mesh.positions[corners[2]];
+  };
+  return dot(normal, sum(there) - sum(here)) > 0.0;
+}
+
+}  // namespace
+
+std::optional<Wall> find_wall(const TriMesh& mesh) {
+  require_entries(mesh);
+  if (mesh.triangles.empty() || !Connectivity::build(mesh)) return std::nullopt;
+  const TriMesh near = near_origin(mesh);
+  const auto facing = find_facing(near);
+  if (!facing) return std::nullopt;
+  const std::vector<EdgeSide> sides = sorted_sides(near);
+  const std::vector<EdgeSides> edges = group_by_edge(sides);
+  const Sheets sheets = facing_sheets(*facing, edges);
+  const std::vector<double> areas = unit_areas(near);
+  auto sets = sides_of(facing_pairs(*facing, sheets, areas), sheets.count);
+  if (!sets) return std::nullopt;
+  std::vector<double> area_of_sheet(sheets.count, 0.0);
+  for (std::size_t t = 0; t < areas.size(); ++t) {
+    if (sheets.of_triangle[t] != k_no_sheet) area_of_sheet[sheets.of_triangle[t]] += areas[t];
+  }
+  const std::vector<WallPart> parts = parts_of(*std::move(sets), sheets, area_of_sheet);
+  Wall wall{facing->distance / unit_scale(mesh),
+            std::vector<WallPart>(mesh.triangles.size(), WallPart::rim)};
+  for (std::size_t t = 0; t < areas.size(); ++t) {
+    if (sheets.of_triangle[t] != k_no_sheet) wall.part[t] = parts[sheets.of_triangle[t]];
+  }
+  std::array<double, 3> turned{};  // area of each part that faces the other side, less the rest
+  for (std::size_t t = 0; t < areas.size(); ++t) {
+    if (facing->opposite[t] == FacingTriangles::none) continue;
+    turned[static_cast<std::size_t>(wall.part[t])] +=
+        must_turn(near, *facing, t) ? areas[t] : -areas[t];
+  }
+  wall.turned = {turned[0] > 0.0, turned[1] > 0.0};
+  spread(near, edges, wall.part);
+  return wall;
+}
+
+RepairedMesh take_side(const TriMesh& mesh, const Wall& wall, WallPart side) {
+  std::vector<Index> others;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (wall.part[t] != side) others.push_back(static_cast<Index>(t));
+  }
+  RepairedMesh taken = without_triangles(mesh, others);
+  if (wall.turned[static_cast<std::size_t>(side)]) taken.mesh = turned_over(std::move(taken.mesh));
+  return taken;
+}
+
+}  // namespace planish

@@ -148,7 +148,10 @@ BorderPlaces find_border_places(const TriMesh& mesh, const std::vector<EdgeSide>
     members[place].push_back(v);
   }
   for (const NearPair& pair : near_pairs(mesh.positions, distinct, places.reach)) {
-    const auto [low, high] = std::minmax(places.of_vertex[pair.one], places.of_vertex[pair.other]);
+    // Copies, as places change below.
+    const std::pair<Index, Index> both =
+        std::minmax({places.of_vertex[pair.one], places.of_vertex[pair.other]});
+    const auto [low, high] = both;
     if (low == high) continue;
     const bool is_near =
         std::all_of(members[high].begin(), members[high].end(), [&, to = low](Index v) {

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,7 +10,9 @@
 #include <planish/mesh/patch.h>
 #include <planish/mesh/repair.h>
 
+#include "mesh/disjoint_sets.h"
 #include "mesh/edge_sides.h"
+#include "mesh/repair/doubled.h"
 #include "mesh/repair/repaired.h"
 #include "mesh/repair/sheets.h"
 #include "mesh/repair/triangulate_loop.h"
@@ -20,9 +24,60 @@ namespace {
 // Closing a hole takes cubic time.
 constexpr std::size_t k_most_edges = 500;
 
-double length_of_loop(const std::vector<Index>& loop, const TriMesh& mesh) {
-  const std::vector<Index> last{loop.back(), loop.front()};
-  return path_length(loop, mesh.positions) + path_length(last, mesh.positions);
+/// A corner of a hole. Where holes touch, their border has several vertices at one place.
+struct HoleCorner {
+  Index arrival, departure;  // vertices at which the edges before and behind it end
+};
+
+/// A closed curve of the border that passes no place twice, the surface on its left.
+struct Hole {
+  std::vector<HoleCorner> corners;
+  double length = 0.0;
+  Index piece = 0;
+};
+
+/// Divides loops where they pass a place again.
+class LoopDivision {
+ public:
+  explicit LoopDivision(const TriMesh& mesh)
+      : place_(first_at_place(mesh.positions)), where_(place_.size(), RepairedMesh::none) {}
+
+  std::vector<Hole> holes_of(const std::vector<Index>& loop) {
+    std::vector<Hole> holes;
+    std::vector<HoleCorner> open;
+    for (const Index v : loop) {
+      Index& where = where_[place_[v]];
+      if (where == RepairedMesh::none) {
+        where = static_cast<Index>(open.size());
+        open.push_back({v, v});
+        continue;
+      }
+      Hole hole{{{v, open[where].departure}}};
+      hole.corners.insert(hole.corners.end(), open.begin() + where + 1, open.end());
+      forget(std::span(hole.corners).subspan(1));
+      open.resize(where + 1);
+      open.back().departure = v;
+      holes.push_back(std::move(hole));
+    }
+    forget(open);
+    holes.push_back({std::move(open)});
+    return holes;
+  }
+
+ private:
+  void forget(std::span<const HoleCorner> corners) {
+    for (const HoleCorner& corner : corners)
+      where_[place_[corner.arrival]] = RepairedMesh::none;
+  }
+
+  std::vector<Index> place_;  // of each vertex
+  std::vector<Index> where_;  // among the open corners, by place
+};
+
+/// The vertices at the ends of the edge behind a corner.
+std::vector<Index> edge_behind(const Hole& hole, std::size_t corner) {
+  const std::size_t next = (corner + 1) % hole.corners.size();
+  return {hole.corners[corner].departure, hole.corners[next].arrival};
 }
 
 /// The sides of all triangles by edge, to be looked up.
@@ -52,41 +107,64 @@ Vec3 unit_normal(const Triangle& t, const std::vector<Vec3>& positions) {
   return length > 0.0 ? 1.0 / length * normal : Vec3{};
 }
 
-/// Of every piece its longest loop, of equal ones the first.
-std::vector<unsigned char> are_outer(const std::vector<double>& lengths,
-                                     const std::vector<Index>& piece, std::size_t pieces) {
-  constexpr std::size_t k_no_loop = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> longest(pieces, k_no_loop);
-  for (std::size_t l = 0; l < lengths.size(); ++l) {
-    std::size_t& best = longest[piece[l]];
-    if (best == k_no_loop || lengths[l] > lengths[best]) best = l;
+/// Every curve of the border, and which of them are the longest of their piece, in a tie the first.
+struct BorderCurves {
+  std::vector<Hole> holes;
+  std::vector<unsigned char> is_outer;
+};
+
+BorderCurves border_curves(const TriMesh& mesh, const Connectivity& connectivity,
+                           const EdgeTable& edges) {
+  LoopDivision division(mesh);
+  const Sheets pieces = find_sheets(mesh);
+  BorderCurves curves;
+  constexpr std::size_t k_no_hole = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> longest(pieces.count, k_no_hole);
+  for (const std::vector<Index>& loop : connectivity.border_loops()) {
+    for (Hole& hole : division.holes_of(loop)) {
+      for (std::size_t i = 0; i < hole.corners.size(); ++i)
+        hole.length += path_length(edge_behind(hole, i), mesh.positions);
+      hole.piece = pieces.of_triangle[edges.triangle_at(loop[0], loop[1])];
+      std::size_t& best = longest[hole.piece];
+      if (best == k_no_hole || hole.length > curves.holes[best].length) best = curves.holes.size();
+      curves.holes.push_back(std::move(hole));
+    }
   }
-  std::vector<unsigned char> outer(lengths.size(), 0);
-  for (const std::size_t l : longest) {
-    if (l != k_no_loop) outer[l] = 1;
+  curves.is_outer.assign(curves.holes.size(), 0);
+  for (const std::size_t hole : longest) {
+    if (hole != k_no_hole) curves.is_outer[hole] = 1;
   }
-  return outer;
+  return curves;
 }
 
-/// Triangles that close the hole, with the surface's orientation.
+/// Triangles that close the hole, with the surface's orientation; corners that are several vertices
+/// are named by their arrivals.
 /// @param mesh at the scale of unit_scale()
 std::optional<std::vector<Triangle>> filling(const TriMesh& mesh, const EdgeTable& edges,
-                                             std::vector<Index> loop) {
-  if (loop.size() > k_most_edges) return std::nullopt;
-  std::reverse(loop.begin(), loop.end());  // the loop has the surface on its left
-  std::vector<Vec3> corners, beside;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    corners.push_back(mesh.positions[loop[i]]);
-    const Index t = edges.triangle_at(loop[i], loop[(i + 1) % loop.size()]);
-    beside.push_back(unit_normal(mesh.triangles[t], mesh.positions));
+                                             const Hole& hole) {
+  const std::size_t count = hole.corners.size();
+  if (count < 3 || count > k_most_edges) return std::nullopt;
+  // The surface is on the left of the border, the filling on its right.
+  const auto corner = [&](std::size_t i) { return hole.corners[count - 1 - i]; };
+  std::vector<Vec3> places, beside;
+  for (std::size_t i = 0; i < count; ++i) {
+    places.push_back(mesh.positions[corner(i).arrival]);
+    const std::vector<Index> edge = edge_behind(hole, (2 * count - 2 - i) % count);
+    beside.push_back(
+        unit_normal(mesh.triangles[edges.triangle_at(edge[0], edge[1])], mesh.positions));
   }
   const auto may_join = [&](std::size_t i, std::size_t j) {
-    return edges.triangle_at(loop[i], loop[j]) == RepairedMesh::none;
+    for (const Index v : {corner(i).arrival, corner(i).departure}) {
+      for (const Index w : {corner(j).arrival, corner(j).departure}) {
+        if (edges.triangle_at(v, w) != RepairedMesh::none) return false;
+      }
+    }
+    return true;
   };
-  auto triangles = triangulate_loop(corners, beside, may_join);
+  auto triangles = triangulate_loop(places, beside, may_join);
   if (!triangles) return std::nullopt;
   for (Triangle& t : *triangles)
-    t = {loop[t[0]], loop[t[1]], loop[t[2]]};
+    t = {corner(t[0]).arrival, corner(t[1]).arrival, corner(t[2]).arrival};
   return triangles;
 }
 
@@ -100,29 +178,31 @@ FilledMesh fill_holes(const TriMesh& mesh, double length) {
   FilledMesh result{unchanged(mesh)};
   const auto connectivity = Connectivity::build(mesh);
   if (mesh.triangles.empty() || !connectivity) return result;
-  const auto& loops = connectivity->border_loops();
   const EdgeTable edges(mesh);
-  const Sheets pieces = find_sheets(mesh);
-  std::vector<double> lengths;
-  std::vector<Index> piece;
-  for (const std::vector<Index>& loop : loops) {
-    lengths.push_back(length_of_loop(loop, mesh));
-    piece.push_back(pieces.of_triangle[edges.triangle_at(loop[0], loop[1])]);
-  }
-  const std::vector<unsigned char> outer = are_outer(lengths, piece, pieces.count);
+  const BorderCurves curves = border_curves(mesh, *connectivity, edges);
   TriMesh unit = mesh;
   const double scale = unit_scale(mesh);
   for (Vec3& p : unit.positions)
     p = scale * p;
-  for (std::size_t l = 0; l < loops.size(); ++l) {
-    if (outer[l] != 0 || !(lengths[l] <= length)) continue;
-    const auto triangles = filling(unit, edges, loops[l]);
+  DisjointSets<Index> vertices(mesh.positions.size());
+  for (std::size_t h = 0; h < curves.holes.size(); ++h) {
+    const Hole& hole = curves.holes[h];
+    if (curves.is_outer[h] != 0 || !(hole.length <= length)) continue;
+    const auto triangles = filling(unit, edges, hole);
     ++(triangles ? result.filled : result.left);
     if (!triangles) continue;
     result.mesh.triangles.insert(result.mesh.triangles.end(), triangles->begin(), triangles->end());
-    result.source.insert(result.source.end(), triangles->size(), RepairedMesh::none);
+    for (const HoleCorner& corner : hole.corners)
+      vertices.join(corner.arrival, corner.departure);
   }
-  return result;
+  result.source.resize(result.mesh.triangles.size(), RepairedMesh::none);
+  for (Triangle& t : result.mesh.triangles) {
+    for (Index& v : t)
+      v = vertices.first_of(v);
+  }
+  if (result.filled == 0 || Connectivity::build(result.mesh)) return result;
+  // Holes that touch where the mesh was not sound before it was divided.
+  return {unchanged(mesh), 0, result.filled + result.left};
 }
 
 }  // namespace planish

@@ -104,27 +104,41 @@ std::optional<TurningSets> sides_of(const std::vector<Pair>& pairs, std::size_t 
   return sets;
 }
 
-/// Of each sheet the part that it is: in every wall of the mesh the larger side is the outer one.
-std::vector<WallPart> parts_of(TurningSets sets, const Sheets& sheets,
-                               const std::vector<double>& area_of_sheet) {
-  std::vector<std::array<double, 2>> areas(sheets.count, {0.0, 0.0});
+/// Of each triangle the side that it is on: 2 s for that of the first sheet of what hangs together
+/// with sheet s, 2 s + 1 for the other one; k_no_sheet for what faces nothing that faces a side.
+std::vector<Index> sides_of_triangles(TurningSets sets, const Sheets& sheets) {
+  std::vector<std::array<bool, 2>> has(sheets.count, {false, false});
   for (std::size_t s = 0; s < sheets.count; ++s) {
     const auto first = sets.first_of(static_cast<Index>(s));
-    areas[first.number][first.turned] += area_of_sheet[s];
+    has[first.number][first.turned] = true;
   }
-  std::vector<WallPart> parts;
-  for (std::size_t s = 0; s < sheets.count; ++s) {
-    const auto first = sets.first_of(static_cast<Index>(s));
-    const auto& [of_first, of_other] = areas[first.number];
-    const bool first_is_outer = of_other <= of_first * (1.0 + k_same_area);
-    parts.push_back((first.turned == 0) == first_is_outer ? WallPart::outer : WallPart::inner);
+  std::vector<Index> side(sheets.of_triangle.size(), k_no_sheet);
+  for (std::size_t t = 0; t < side.size(); ++t) {
+    if (sheets.of_triangle[t] == k_no_sheet) continue;
+    const auto first = sets.first_of(sheets.of_triangle[t]);
+    if (has[first.number][0] && has[first.number][1]) side[t] = 2 * first.number + first.turned;
   }
-  return parts;
+  return side;
+}
+
+/// Of each triangle the neighbour across each of its sides; k_no_sheet where there is none.
+using Neighbors = std::vector<std::array<Index, 3>>;
+
+Neighbors neighbors_of(std::size_t triangles, const std::vector<EdgeSides>& edges) {
+  Neighbors neighbors(triangles, {k_no_sheet, k_no_sheet, k_no_sheet});
+  for (const EdgeSides& edge : edges) {
+    if (edge.size() != 2) continue;
+    const EdgeSide &a = edge.begin[0], &b = edge.begin[1];
+    neighbors[a.triangle][a.corner] = b.triangle;
+    neighbors[b.triangle][b.corner] = a.triangle;
+  }
+  return neighbors;
 }
 
 /// Gives triangles beside a side, such as those near a fold, to it where the surface goes on
 /// smoothly.
-void spread(const TriMesh& mesh, const std::vector<EdgeSides>& edges, std::vector<WallPart>& part) {
+std::vector<Index> spread(const TriMesh& mesh, const Neighbors& neighbors,
+                          std::vector<Index> side) {
   std::vector<Vec3> normals;
   for (const Triangle& t : mesh.triangles) {
     const Vec3 normal = cross(mesh.positions[t[1]] - mesh.positions[t[0]],
@@ -132,31 +146,69 @@ void spread(const TriMesh& mesh, const std::vector<EdgeSides>& edges, std::vecto
     const double length = norm(normal);
     normals.push_back(length > 0.0 ? 1.0 / length * normal : Vec3{});
   }
-  std::vector<std::array<Index, 3>> neighbors(mesh.triangles.size(),
-                                              {k_no_sheet, k_no_sheet, k_no_sheet});
-  for (const EdgeSides& edge : edges) {
-    if (edge.size() != 2) continue;
-    const EdgeSide &a = edge.begin[0], &b = edge.begin[1];
-    neighbors[a.triangle][a.corner] = b.triangle;
-    neighbors[b.triangle][b.corner] = a.triangle;
-  }
   struct Waiting {
     Index triangle;
     Index seed;  // a triangle that faces the other side
   };
   std::vector<Waiting> waiting;
-  for (std::size_t t = 0; t < part.size(); ++t) {
-    if (part[t] != WallPart::rim) waiting.push_back({static_cast<Index>(t), static_cast<Index>(t)});
+  for (std::size_t t = 0; t < side.size(); ++t) {
+    if (side[t] != k_no_sheet) waiting.push_back({static_cast<Index>(t), static_cast<Index>(t)});
   }
   for (std::size_t i = 0; i < waiting.size(); ++i) {
     const Waiting from = waiting[i];
     for (const Index to : neighbors[from.triangle]) {
-      if (to == k_no_sheet || part[to] != WallPart::rim) continue;
+      if (to == k_no_sheet || side[to] != k_no_sheet) continue;
       if (dot(normals[to], normals[from.seed]) < k_smooth) continue;
-      part[to] = part[from.triangle];
+      side[to] = side[from.triangle];
       waiting.push_back({to, from.seed});
     }
   }
+  return side;
+}
+
+/// Gives what lies within one side to it. A rim is between two sides, or at a border.
+std::vector<Index> without_gaps(const Neighbors& neighbors, std::vector<Index> side) {
+  std::vector<unsigned char> seen(side.size(), 0);
+  for (std::size_t t = 0; t < side.size(); ++t) {
+    if (seen[t] != 0 || side[t] != k_no_sheet) continue;
+    std::vector<Index> gap{static_cast<Index>(t)};
+    seen[t] = 1;
+    Index around = k_no_sheet;
+    bool is_rim = false;
+    for (std::size_t i = 0; i < gap.size(); ++i) {
+      for (const Index to : neighbors[gap[i]]) {
+        if (to == k_no_sheet) {
+          is_rim = true;
+        } else if (side[to] == k_no_sheet) {
+          if (seen[to] == 0) gap.push_back(to);
+          seen[to] = 1;
+        } else {
+          is_rim = is_rim || (around != k_no_sheet && around != side[to]);
+          around = side[to];
+        }
+      }
+    }
+    for (const Index within : gap)
+      side[within] = is_rim ? k_no_sheet : around;
+  }
+  return side;
+}
+
+/// In every wall of the mesh the larger side is the outer one.
+std::vector<WallPart> parts_of(const std::vector<Index>& side, const std::vector<double>& areas,
+                               std::size_t sheets) {
+  std::vector<double> sums(2 * sheets, 0.0);
+  for (std::size_t t = 0; t < side.size(); ++t) {
+    if (side[t] != k_no_sheet) sums[side[t]] += areas[t];
+  }
+  std::vector<WallPart> parts(side.size(), WallPart::rim);
+  for (std::size_t t = 0; t < side.size(); ++t) {
+    if (side[t] == k_no_sheet) continue;
+    const Index first = side[t] - side[t] % 2;
+    const bool first_is_outer = sums[first + 1] <= sums[first] * (1.0 + k_same_area);
+    parts[t] = (side[t] == first) == first_is_outer ? WallPart::outer : WallPart::inner;
+  }
+  return parts;
 }
 
 /// Turns the sides so that they face apart.
@@ -185,16 +237,10 @@ std::optional<Wall> find_wall(const TriMesh& mesh) {
   const std::vector<double> areas = unit_areas(near);
   auto sets = sides_of(facing_pairs(*facing, sheets, areas), sheets.count);
   if (!sets) return std::nullopt;
-  std::vector<double> area_of_sheet(sheets.count, 0.0);
-  for (std::size_t t = 0; t < areas.size(); ++t) {
-    if (sheets.of_triangle[t] != k_no_sheet) area_of_sheet[sheets.of_triangle[t]] += areas[t];
-  }
-  const std::vector<WallPart> parts = parts_of(*std::move(sets), sheets, area_of_sheet);
-  Wall wall{facing->distance / unit_scale(mesh),
-            std::vector<WallPart>(mesh.triangles.size(), WallPart::rim)};
-  for (std::size_t t = 0; t < areas.size(); ++t) {
-    if (sheets.of_triangle[t] != k_no_sheet) wall.part[t] = parts[sheets.of_triangle[t]];
-  }
+  const Neighbors neighbors = neighbors_of(near.triangles.size(), edges);
+  const std::vector<Index> side = without_gaps(
+      neighbors, spread(near, neighbors, sides_of_triangles(*std::move(sets), sheets)));
+  Wall wall{facing->distance / unit_scale(mesh), parts_of(side, areas, sheets.count)};
   std::array<double, 3> turned{};  // area of each part that faces the other side, less the rest
   for (std::size_t t = 0; t < areas.size(); ++t) {
     if (facing->opposite[t] == FacingTriangles::none) continue;
@@ -202,7 +248,6 @@ std::optional<Wall> find_wall(const TriMesh& mesh) {
         must_turn(near, *facing, t) ? areas[t] : -areas[t];
   }
   wall.turned = {turned[0] > 0.0, turned[1] > 0.0};
-  spread(near, edges, wall.part);
   return wall;
 }
 

@@ -1,0 +1,99 @@
+#pragma once
+
+// Meshes as other programs leave them, and what every repair keeps.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <planish/mesh/inspect.h>
+#include <planish/mesh/repair.h>
+#include <planish/mesh/tri_mesh.h>
+
+#include "support/meshes.h"
+
+namespace planish::repairs {
+
+inline double area(const TriMesh& mesh) {
+  double sum = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    sum += 0.5 * norm(cross(mesh.positions[t[1]] - mesh.positions[t[0]],
+                            mesh.positions[t[2]] - mesh.positions[t[0]]));
+  }
+  return sum;
+}
+
+/// A quarter of a cylinder, radius and length as told, its normals away from the axis.
+inline TriMesh shell(std::size_t around, std::size_t along, double radius = 100.0,
+                     double length = 150.0) {
+  TriMesh mesh = meshes::flat_grid(around, along);
+  for (Vec3& p : mesh.positions) {
+    const double angle = 0.5 * std::numbers::pi * p.x / static_cast<double>(around);
+    p = {-radius * std::cos(angle), length * p.y / static_cast<double>(along),
+         radius * std::sin(angle)};
+  }
+  return mesh;
+}
+
+/// Both meshes, the second one's vertices behind those of the first.
+inline TriMesh both(TriMesh first, const TriMesh& second) {
+  const auto shift = static_cast<Index>(first.positions.size());
+  first.positions.insert(first.positions.end(), second.positions.begin(), second.positions.end());
+  for (const Triangle& t : second.triangles)
+    first.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  return first;
+}
+
+inline TriMesh mirrored(TriMesh mesh) {
+  for (Vec3& p : mesh.positions)
+    p.x = -p.x;
+  return turned_over(std::move(mesh));
+}
+
+inline TriMesh scaled(TriMesh mesh, double factor) {
+  for (Vec3& p : mesh.positions)
+    p = factor * p;
+  return mesh;
+}
+
+/// The triangles in the opposite order, each beginning with its last corner.
+inline TriMesh reordered(TriMesh mesh) {
+  std::reverse(mesh.triangles.begin(), mesh.triangles.end());
+  for (Triangle& t : mesh.triangles)
+    t = {t[2], t[0], t[1]};
+  return mesh;
+}
+
+/// The mesh as it is, mirrored, in another order, and a thousand times as small and as large.
+inline std::vector<TriMesh> variants(const TriMesh& mesh) {
+  return {mesh, mirrored(mesh), reordered(mesh), scaled(mesh, 1e-3), scaled(mesh, 1e3)};
+}
+
+/// Whether vertices keep their numbers and places, and every triangle and new vertex tells where it
+/// comes from.
+inline bool has_sources(const RepairedMesh& repaired, const TriMesh& mesh) {
+  const std::size_t count = mesh.positions.size();
+  bool right = repaired.source.size() == repaired.mesh.triangles.size() &&
+               repaired.vertex_source.size() == repaired.mesh.positions.size() &&
+               repaired.mesh.positions.size() >= count;
+  for (std::size_t v = 0; right && v < repaired.mesh.positions.size(); ++v) {
+    const Index source = repaired.vertex_source[v];
+    right = source < count && (v >= count || source == v) &&
+            repaired.mesh.positions[v] == mesh.positions[source];
+  }
+  for (const Index t : repaired.source)
+    right = right && (t == RepairedMesh::none || t < mesh.triangles.size());
+  return right;
+}
+
+inline bool is_disk(const TriMesh& mesh) {
+  const Inspection found = inspect(mesh);
+  return !blocking_problem(found, Purpose::unfold) && found.topology.components == 1;
+}
+
+}  // namespace planish::repairs

@@ -1,0 +1,67 @@
+#include <planish/mesh/inspect.h>
+#include <planish/mesh/repair.h>
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+#include "support/odd_files.h"
+#include "support/repairs.h"
+
+namespace planish {
+namespace {
+
+/// A sheet of area 400, then pieces of two triangles of some area each.
+TriMesh with_pieces(std::size_t count, double area) {
+  TriMesh mesh = meshes::flat_grid(20, 20);
+  const TriMesh piece = repairs::scaled(meshes::flat_grid(1, 1), std::sqrt(area));
+  for (std::size_t i = 0; i < count; ++i) {
+    TriMesh apart = piece;
+    for (Vec3& p : apart.positions)
+      p += {30.0 + 10.0 * static_cast<double>(i), 0.0, 0.0};
+    mesh = repairs::both(std::move(mesh), apart);
+  }
+  return mesh;
+}
+
+TEST(FindCrumbs, SmallPiecesBesideALargeOne) {
+  for (const TriMesh& mesh : repairs::variants(with_pieces(5, 1.0))) {
+    const Crumbs crumbs = find_crumbs(mesh);
+    EXPECT_EQ(crumbs.pieces, 5U);
+    EXPECT_EQ(crumbs.triangles.size(), 10U);
+    EXPECT_NEAR(crumbs.area_share, 5.0 / 405.0, 1e-12);
+    const RepairedMesh rest = without_triangles(mesh, crumbs.triangles);
+    EXPECT_EQ(inspect(rest.mesh).topology.components, 1U);
+    EXPECT_TRUE(repairs::has_sources(rest, mesh));
+  }
+}
+
+TEST(FindCrumbs, PiecesOfAPercentAreNone) {
+  EXPECT_EQ(find_crumbs(with_pieces(3, 5.0)).pieces, 0U);
+  EXPECT_EQ(find_crumbs(meshes::flat_grid(4, 4)).pieces, 0U);
+  EXPECT_EQ(find_crumbs({}).pieces, 0U);
+}
+
+TEST(FindCrumbs, WhereAllIsSmallNothingIsACrumb) {
+  EXPECT_EQ(find_crumbs(with_pieces(60, 1.0)).pieces, 0U);
+  TriMesh soup = meshes::flat_grid(12, 12);
+  TriMesh apart;
+  for (const Triangle& t : soup.triangles) {
+    const auto first = static_cast<Index>(apart.positions.size());
+    for (const Index v : t)
+      apart.positions.push_back(soup.positions[v]);
+    apart.triangles.push_back({first, first + 1, first + 2});
+  }
+  EXPECT_EQ(find_crumbs(apart).pieces, 0U);
+}
+
+TEST(FindCrumbs, OfAnOddFile) {
+  const auto scan = test_mesh("odd/scan_with_crumbs.obj");
+  if (!scan) GTEST_SKIP() << "PLANISH_TEST_DATA is not set";
+  const Crumbs crumbs = find_crumbs(*scan);
+  EXPECT_EQ(crumbs.pieces, 40U);
+  EXPECT_NEAR(crumbs.area_share, 0.0028, 0.0001);
+  EXPECT_EQ(find_crumbs(*test_mesh("bad/top_triangle_soup.obj")).pieces, 0U);
+}
+
+}  // namespace
+}  // namespace planish

@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <planish/core/error.h>
+#include <planish/mesh/inspect.h>
+#include <planish/mesh/repair.h>
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+#include "support/odd_files.h"
+#include "support/repairs.h"
+
+namespace planish {
+namespace {
+
+constexpr double k_any = std::numeric_limits<double>::infinity();
+
+/// The mesh without the triangles that have all corners within a distance of a place.
+TriMesh with_hole(TriMesh mesh, Vec3 middle, double radius) {
+  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+    return std::all_of(t.begin(), t.end(),
+                       [&](Index v) { return norm(mesh.positions[v] - middle) < radius; });
+  });
+  return mesh;
+}
+
+/// A quarter cylinder with holes of two sizes.
+TriMesh shell_with_holes() {
+  const TriMesh shell = repairs::shell(20, 20);
+  const TriMesh small = with_hole(shell, shell.positions[5 * 21 + 5], 12.0);
+  return with_hole(small, shell.positions[13 * 21 + 13], 24.0);
+}
+
+TEST(FillHoles, TheLengthDecidesWhich) {
+  const TriMesh mesh = shell_with_holes();
+  ASSERT_EQ(inspect(mesh).topology.border_loops, 3U);
+  EXPECT_EQ(fill_holes(mesh, 1.0).filled, 0U);
+  EXPECT_EQ(fill_holes(mesh, 1.0).left, 0U);
+  EXPECT_EQ(fill_holes(mesh, 70.0).filled, 1U);
+  EXPECT_EQ(fill_holes(mesh, k_any).filled, 2U);
+}
+
+TEST(FillHoles, ClosesAllButTheOuterBorder) {
+  const TriMesh mesh = shell_with_holes();
+  const double whole = repairs::area(repairs::shell(20, 20));
+  const std::vector<TriMesh> variants = repairs::variants(mesh);
+  const std::vector<double> scales = {1.0, 1.0, 1.0, 1e-3, 1e3};
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    const FilledMesh filled = fill_holes(variants[i], k_any);
+    EXPECT_EQ(filled.filled, 2U);
+    EXPECT_EQ(filled.left, 0U);
+    EXPECT_TRUE(repairs::is_disk(filled.mesh));
+    EXPECT_TRUE(repairs::has_sources(filled, variants[i]));
+    EXPECT_NEAR(repairs::area(filled.mesh) / (scales[i] * scales[i]), whole, 0.002 * whole);
+    const auto news = std::count(filled.source.begin(), filled.source.end(), RepairedMesh::none);
+    EXPECT_EQ(static_cast<std::size_t>(news), filled.mesh.triangles.size() - mesh.triangles.size());
+  }
+}
+
+TEST(FillHoles, OfAPlaneStaysInItAndDoesNotFold) {
+  TriMesh mesh = meshes::flat_grid(12, 12);
+  // A hole in the shape of an L.
+  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+    const Vec3 sum = mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]];
+    const double x = sum.x / 3.0, y = sum.y / 3.0;
+    return x > 2 && y > 2 && x < 9 && y < 9 && (x < 5 || y < 5);
+  });
+  const FilledMesh filled = fill_holes(mesh, k_any);
+  EXPECT_EQ(filled.filled, 1U);
+  EXPECT_NEAR(repairs::area(filled.mesh), 144.0, 1e-9);
+  for (const Triangle& t : filled.mesh.triangles) {
+    const Vec3 normal = cross(filled.mesh.positions[t[1]] - filled.mesh.positions[t[0]],
+                              filled.mesh.positions[t[2]] - filled.mesh.positions[t[0]]);
+    EXPECT_GT(normal.z, 0.0);
+  }
+}
+
+TEST(FillHoles, ATubeKeepsOneEnd) {
+  const FilledMesh filled = fill_holes(meshes::tube(12, 4), k_any);
+  EXPECT_EQ(filled.filled, 1U);
+  EXPECT_TRUE(repairs::is_disk(filled.mesh));
+}
+
+TEST(FillHoles, EachPieceKeepsItsOuterBorder) {
+  TriMesh other = shell_with_holes();
+  for (Vec3& p : other.positions)
+    p += {500.0, 0.0, 0.0};
+  const FilledMesh filled = fill_holes(repairs::both(shell_with_holes(), other), k_any);
+  EXPECT_EQ(filled.filled, 4U);
+  EXPECT_EQ(inspect(filled.mesh).topology.border_loops, 2U);
+}
+
+TEST(FillHoles, ASlitStaysAndIsCounted) {
+  TriMesh mesh = meshes::flat_grid(6, 6);
+  // The inner edge of vertices 24 and 25 is opened by a copy of both ends' middle.
+  mesh.positions.push_back(mesh.positions[24]);
+  for (Triangle& t : mesh.triangles) {
+    const bool above = std::any_of(t.begin(), t.end(), [](Index v) { return v > 27; });
+    const bool along = std::any_of(t.begin(), t.end(), [](Index v) { return v == 24; });
+    for (Index& v : t)
+      v = above && along && v == 24 ? 49 : v;
+  }
+  ASSERT_EQ(inspect(mesh).topology.border_loops, 2U);
+  const FilledMesh filled = fill_holes(mesh, k_any);
+  EXPECT_EQ(filled.filled, 0U);
+  EXPECT_EQ(filled.left, 2U);
+  EXPECT_EQ(filled.mesh.triangles, mesh.triangles);
+}
+
+TEST(FillHoles, MeshesThatAreNoManifoldStay) {
+  TriMesh mesh = shell_with_holes();
+  mesh.triangles.push_back(mesh.triangles[0]);
+  EXPECT_EQ(fill_holes(mesh, k_any).filled, 0U);
+  EXPECT_EQ(fill_holes({}, k_any).filled, 0U);
+}
+
+TEST(FillHoles, ALengthMustBeAboveZero) {
+  for (const double length : {0.0, -1.0, std::nan("")}) {
+    try {
+      fill_holes(meshes::flat_grid(2, 2), length);
+      ADD_FAILURE() << length;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::option_out_of_range);
+    }
+  }
+}
+
+TEST(FillHoles, OfAnOddFile) {
+  const auto mesh = test_mesh("odd/one_triangle_missing.obj");
+  if (!mesh) GTEST_SKIP() << "PLANISH_TEST_DATA is not set";
+  const FilledMesh filled = fill_holes(*mesh, 50.0);
+  EXPECT_EQ(filled.filled, 1U);
+  EXPECT_EQ(filled.mesh.triangles.size(), mesh->triangles.size() + 1);
+  EXPECT_TRUE(repairs::is_disk(filled.mesh));
+}
+
+}  // namespace
+}  // namespace planish

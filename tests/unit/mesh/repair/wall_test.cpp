@@ -1,0 +1,193 @@
+#include <array>
+#include <cmath>
+
+#include <planish/mesh/inspect.h>
+#include <planish/mesh/patch.h>
+#include <planish/mesh/wall.h>
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+#include "support/odd_files.h"
+#include "support/repairs.h"
+#include "support/solids.h"
+
+namespace planish {
+namespace {
+
+/// Both sides of a sheet of a grid, the second one reversed.
+TriMesh sheets(const TriMesh& outer, const TriMesh& inner) {
+  return repairs::both(outer, turned_over(inner));
+}
+
+/// The same with a rim around.
+TriMesh closed(const TriMesh& outer, const TriMesh& inner) {
+  TriMesh mesh = sheets(outer, inner);
+  const auto shift = static_cast<Index>(outer.positions.size());
+  const Patch patch(outer);
+  for (const auto& loop : patch.border_loops()) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Index a = loop[i], b = loop[(i + 1) % loop.size()];
+      mesh.triangles.push_back({b, a, a + shift});
+      mesh.triangles.push_back({b, a + shift, b + shift});
+    }
+  }
+  return mesh;
+}
+
+TriMesh thick_shell() {
+  return closed(repairs::shell(18, 12, 100.0), repairs::shell(18, 12, 98.0));
+}
+
+/// What may not be lost: sides by the numbers of triangles.
+void expect_sides(const TriMesh& mesh, std::size_t of_side, double thickness) {
+  const auto wall = find_wall(mesh);
+  ASSERT_TRUE(wall);
+  EXPECT_NEAR(wall->thickness, thickness, 0.01 * thickness);
+  const RepairedMesh outer = take_side(mesh, *wall, WallPart::outer);
+  const RepairedMesh inner = take_side(mesh, *wall, WallPart::inner);
+  EXPECT_EQ(outer.mesh.triangles.size(), of_side);
+  EXPECT_EQ(inner.mesh.triangles.size(), of_side);
+  EXPECT_TRUE(repairs::has_sources(outer, mesh));
+}
+
+TEST(FindWall, AClosedShell) {
+  const TriMesh mesh = thick_shell();
+  ASSERT_EQ(inspect(mesh).problems.front().code, ErrorCode::closed_surface);
+  for (const TriMesh& variant : repairs::variants(mesh)) {
+    const double unit = bounding_box_diagonal(variant) / bounding_box_diagonal(mesh);
+    expect_sides(variant, 432, 2.0 * unit);
+    const RepairedMesh outer = take_side(variant, *find_wall(variant), WallPart::outer);
+    EXPECT_TRUE(repairs::is_disk(outer.mesh));
+    EXPECT_NEAR(repairs::area(outer.mesh) / unit / unit,
+                repairs::area(repairs::shell(18, 12, 100.0)), 1e-6);
+  }
+}
+
+TEST(FindWall, TwoSheetsOrientedAnyWay) {
+  const TriMesh outer = repairs::shell(18, 12, 100.0), inner = repairs::shell(18, 12, 98.0);
+  const std::array<TriMesh, 4> meshes = {
+      repairs::both(outer, turned_over(inner)), repairs::both(turned_over(outer), inner),
+      repairs::both(outer, inner), repairs::both(turned_over(inner), turned_over(outer))};
+  for (const TriMesh& mesh : meshes) {
+    expect_sides(mesh, 432, 2.0);
+    const auto wall = find_wall(mesh);
+    ASSERT_TRUE(wall);
+    const TriMesh taken = take_side(mesh, *wall, WallPart::outer).mesh;
+    EXPECT_NEAR(repairs::area(taken), repairs::area(outer), 1e-6);
+    // Away from the axis.
+    const Triangle t = taken.triangles[5];
+    const Vec3 normal = cross(taken.positions[t[1]] - taken.positions[t[0]],
+                              taken.positions[t[2]] - taken.positions[t[0]]);
+    const Vec3 p = taken.positions[t[0]];
+    EXPECT_GT(normal.x * p.x + normal.z * p.z, 0.0);
+  }
+}
+
+TEST(FindWall, OfAFlatOneTheFirstSideIsTheOuter) {
+  const TriMesh above = meshes::flat_grid(30, 30);
+  TriMesh below = above;
+  for (Vec3& p : below.positions)
+    p.z -= 0.5;
+  const TriMesh mesh = closed(above, below);
+  const auto wall = find_wall(mesh);
+  ASSERT_TRUE(wall);
+  EXPECT_EQ(wall->part.front(), WallPart::outer);
+  EXPECT_EQ(wall->part[1800], WallPart::inner);
+  EXPECT_EQ(wall->part[3600], WallPart::rim);
+  EXPECT_EQ(take_side(mesh, *wall, WallPart::outer).mesh.triangles, above.triangles);
+}
+
+TEST(FindWall, ASleeveHasTwoRims) {
+  const auto sleeve = [](double radius) {
+    TriMesh mesh = meshes::tube(48, 20);
+    for (Vec3& p : mesh.positions)
+      p = {radius * p.x, radius * p.y, 10.0 * p.z};
+    return mesh;
+  };
+  const TriMesh mesh = closed(sleeve(60.0), sleeve(57.0));
+  expect_sides(mesh, 1920, 3.0);
+  const auto wall = find_wall(mesh);
+  ASSERT_TRUE(wall);
+  const TriMesh outer = take_side(mesh, *wall, WallPart::outer).mesh;
+  EXPECT_EQ(inspect(outer).topology.border_loops, 2U);
+  EXPECT_NEAR(repairs::area(outer), repairs::area(sleeve(60.0)), 1e-6);
+}
+
+/// The faces of a tray hang together at its edges; the strips of its bottom that have the sides of
+/// the tray above them belong to it too.
+TEST(FindWall, ATrayHasItsSharpEdges) {
+  const auto tray = [](double size, double bottom) {
+    TriMesh mesh = meshes::flat_grid(40, 40);
+    for (Vec3& p : mesh.positions) {
+      const double x = p.x - 20.0, y = p.y - 20.0, out = std::max(std::abs(x), std::abs(y));
+      // Beyond 14 cells the sheet goes up.
+      const double share = out > 14.0 ? 14.0 / out : 1.0;
+      p = {x * share * size / 14.0, y * share * size / 14.0,
+           bottom + std::max(0.0, out - 14.0) * (60.0 - bottom) / 6.0};
+    }
+    // Diagonals along the edges between the sides.
+    for (std::size_t q = 0; q < 1600; ++q) {
+      if ((q % 40 < 20) == (q / 40 < 20)) continue;
+      Triangle &one = mesh.triangles[2 * q], &other = mesh.triangles[2 * q + 1];
+      const Index a = one[0], b = one[1], c = one[2], d = other[2];
+      one = {a, b, d};
+      other = {b, c, d};
+    }
+    return turned_over(mesh);
+  };
+  const TriMesh mesh = closed(tray(100.0, 0.0), tray(96.0, 4.0));
+  const auto wall = find_wall(mesh);
+  ASSERT_TRUE(wall);
+  EXPECT_NEAR(wall->thickness, 4.0, 0.1);
+  const TriMesh outer = take_side(mesh, *wall, WallPart::outer).mesh;
+  EXPECT_TRUE(repairs::is_disk(outer));
+  EXPECT_NEAR(repairs::area(outer), repairs::area(tray(100.0, 0.0)), 1e-6);
+}
+
+TEST(FindWall, SolidBodiesAreNone) {
+  TriMesh rod = solids::cube();
+  for (Vec3& p : rod.positions)
+    p.x *= 200.0;
+  TriMesh block = solids::cube();
+  for (Vec3& p : block.positions)
+    p.z *= 0.3;
+  for (const TriMesh& mesh : {solids::cube(), block, rod, solids::sphere(1.0, 16),
+                              solids::star_prism(), meshes::torus(40, 60), meshes::tetrahedron()}) {
+    EXPECT_FALSE(find_wall(mesh));
+  }
+}
+
+TEST(FindWall, SheetsAreNone) {
+  TriMesh far = meshes::flat_grid(20, 20);
+  for (Vec3& p : far.positions)
+    p.z -= 5.0;
+  TriMesh slanted = meshes::flat_grid(20, 20);
+  for (Vec3& p : slanted.positions)
+    p.z -= 0.2 + 0.05 * p.x;
+  for (const TriMesh& mesh : {meshes::rough_grid(20, 20, 1), repairs::shell(18, 12),
+                              meshes::tube(24, 10), sheets(meshes::flat_grid(20, 20), far),
+                              sheets(meshes::flat_grid(20, 20), slanted), TriMesh{}}) {
+    EXPECT_FALSE(find_wall(mesh));
+  }
+}
+
+TEST(FindWall, OfOddFiles) {
+  const auto shell = test_mesh("odd/thick_shell_2mm.obj");
+  if (!shell) GTEST_SKIP() << "PLANISH_TEST_DATA is not set";
+  for (const char* name :
+       {"odd/thick_shell_2mm.obj", "odd/thick_shell_2mm.stl", "odd/two_sheets_2mm_apart.obj"}) {
+    const TriMesh mesh = *test_mesh(name);
+    expect_sides(mesh, 320, 2.0);
+    // An arc of 209.29 as it is meshed, by 150.
+    const TriMesh outer = take_side(mesh, *find_wall(mesh), WallPart::outer).mesh;
+    EXPECT_NEAR(repairs::area(outer), 209.29 * 150.0, 1.0) << name;
+  }
+  for (const char* name : {"bad/top_closed_fox.obj", "bad/top_punctured_torus.obj",
+                           "odd/panel_and_helper_cubes.obj", "odd/frustum_capped_ngon.obj"}) {
+    EXPECT_FALSE(find_wall(*test_mesh(name))) << name;
+  }
+}
+
+}  // namespace
+}  // namespace planish

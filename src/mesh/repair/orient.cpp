@@ -16,7 +16,7 @@ OrientedMesh orient_consistently(const TriMesh& mesh) {
   TurningSets sets(count);
   std::vector<Index> twists;
   for (const EdgeSides& edge : group_by_edge(sides)) {
-    if (edge.size() != 2) continue;
+    if (edge.size() != 2 || edge.begin->low == edge.begin->high) continue;
     const EdgeSide &a = edge.begin[0], &b = edge.begin[1];
     if (!sets.join(a.triangle, b.triangle, a.forward == b.forward ? 1 : 0))
       twists.push_back(a.triangle);

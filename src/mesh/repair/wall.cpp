@@ -211,7 +211,7 @@ std::vector<WallPart> parts_of(const std::vector<Index>& side, const std::vector
   return parts;
 }
 
-/// Turns the sides so that they face apart.
+/// Whether the triangle is oriented towards the one that it faces.
 bool must_turn(const TriMesh& mesh, const FacingTriangles& facing, std::size_t t) {
   if (facing.way != Facing::same_way) return facing.way == Facing::towards;
   const Triangle &here = mesh.triangles[t], &there = mesh.triangles[facing.opposite[t]];

@@ -15,7 +15,7 @@
 namespace planish {
 namespace {
 
-constexpr double k_any = std::numeric_limits<double>::infinity();
+constexpr double k_any_length = std::numeric_limits<double>::infinity();
 
 /// Every triangle with vertices of its own, each moved by up to a distance in every direction.
 TriMesh soup(const TriMesh& mesh, double jitter = 0.0) {
@@ -52,7 +52,7 @@ std::size_t pieces(const TriMesh& mesh) {
 TEST(Weld, SoundMeshesStay) {
   for (const TriMesh& mesh : {meshes::rough_grid(6, 5, 1), meshes::tube(9, 3), meshes::torus(8, 9),
                               meshes::tetrahedron(), TriMesh{}}) {
-    for (const double length : {0.0, default_weld_length(mesh), 1e300, k_any}) {
+    for (const double length : {0.0, default_weld_length(mesh), 1e300, k_any_length}) {
       const WeldedMesh welded = weld(mesh, length);
       EXPECT_EQ(welded.joined + welded.divided + welded.turned + welded.left, 0U);
       EXPECT_EQ(welded.mesh.triangles, mesh.triangles);
@@ -64,7 +64,7 @@ TEST(Weld, SoundMeshesStay) {
 TEST(Weld, TrianglesOfTheirOwnBecomeASheet) {
   const TriMesh sheet = meshes::rough_grid(6, 5, 2);
   for (const TriMesh& mesh : repairs::variants(soup(sheet))) {
-    for (const double length : {0.0, k_any}) {
+    for (const double length : {0.0, k_any_length}) {
       const WeldedMesh welded = weld(mesh, length);
       EXPECT_TRUE(repairs::is_disk(welded.mesh));
       EXPECT_TRUE(repairs::has_sources(welded, mesh));
@@ -230,7 +230,7 @@ TEST(Weld, PiecesThatTouchAtAPointStayApart) {
 /// Lengths above the edges collapse nothing.
 TEST(Weld, ALongLengthLeavesEveryTriangle) {
   const TriMesh mesh = islands(meshes::rough_grid(9, 7, 5), 9);
-  for (const double length : {0.3, 1.0, 10.0, 1e6, k_any}) {
+  for (const double length : {0.3, 1.0, 10.0, 1e6, k_any_length}) {
     const WeldedMesh welded = weld(mesh, length);
     EXPECT_TRUE(repairs::is_disk(welded.mesh)) << length;
     EXPECT_EQ(welded.mesh.triangles.size(), mesh.triangles.size());
@@ -238,7 +238,7 @@ TEST(Weld, ALongLengthLeavesEveryTriangle) {
 }
 
 TEST(Weld, LengthsThatAreNoneAreRefused) {
-  for (const double length : {-1.0, -k_any, std::nan("")}) {
+  for (const double length : {-1.0, -k_any_length, std::nan("")}) {
     for (const bool touching : {true, false}) {
       try {
         const TriMesh mesh = meshes::flat_grid(2, 2);

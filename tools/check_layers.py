@@ -39,7 +39,11 @@ FLOORS = {
     "core": [["core"], ["core/lanes"]],
     "geometry": [["geometry"]],
     "solve": [["solve/lanes"], ["solve"]],
-    "mesh": [["mesh"], ["mesh/search", "mesh/coarsen", "mesh/cut"], ["mesh/match", "mesh/carry", "mesh/repair"]],
+    "mesh": [
+        ["mesh"],
+        ["mesh/search", "mesh/coarsen", "mesh/cut", "mesh/polygon"],
+        ["mesh/match", "mesh/carry", "mesh/repair"],
+    ],
     "io": [["io/file"], ["io/formats", "io/svg"], ["io"]],
     "measure": [["measure/lanes"], ["measure"]],
     "draw": [["draw"], ["draw/text"], ["draw/svg", "draw/dxf", "draw/pdf", "draw/plt"]],

@@ -7,6 +7,7 @@
 
 #include "help.h"
 #include "parse.h"
+#include "several/stated_units.h"
 #include "shell/command.h"
 #include "shell/failures.h"
 #include "shell/session.h"
@@ -37,7 +38,7 @@ CommandResult obey(std::span<const std::string> args, std::ostream& err,
   }
   if (parsed.command == nullptr) throw UsageError("no verb given");
   Session session(parsed.arguments, err, context);
-  return parsed.command->run(parsed.arguments, session);
+  return parsed.command->run(with_stated_unit(*parsed.command, parsed.arguments, session), session);
 }
 
 /// The outcome of a failed run. To be called while its exception is being handled.

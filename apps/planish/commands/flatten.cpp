@@ -147,9 +147,9 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   const auto nest = nest_from(arguments, pattern);
   const fs::path folder = folder_from(arguments);
 
-  ProductInput read =
-      scaled(read_product(session, arguments.operands, options.unit, arguments.has("--product")),
-             scale_from(arguments));
+  ProductInput read = scaled(read_product(session, arguments.operands, run_unit_from(arguments),
+                                          arguments.has("--product")),
+                             scale_from(arguments));
   if (read.is_batch) refuse_seam_flags(arguments);
   const std::optional<CutDone> cut = cut_product(read, arguments, session);
   if (read.patches.size() > 1 || read.is_described) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "flags/quantities.h"
+#include "flags/units.h"
 #include "shell/failures.h"
 
 namespace planish::cli {
@@ -43,7 +44,7 @@ TriMesh scaled(TriMesh mesh, double scale, const std::string& path) {
 
 ReadResult read_model(const std::string& path, const Arguments& arguments, Session& session) {
   const double scale = scale_from(arguments);
-  ReadResult result = session.read(path);
+  ReadResult result = in_run_unit(session.read(path), run_unit_from(arguments), path, session);
   result.mesh = scaled(std::move(result.mesh), scale, path);
   return result;
 }

@@ -72,17 +72,35 @@ std::optional<Unit> unit_of_word(std::string_view word) {
 Flag unit_flag() {
   return {"--unit",
           "UNIT",
-          "what one unit of the mesh is: " + list_of(names_of(k_units)) + " (default mm)",
+          "what one unit of the mesh is: " + list_of(names_of(k_units)) +
+              " (default: as its file says, else mm)",
           0,
           false,
-          {.choices = names_of(k_units), .standard = "mm"}};
+          {.choices = names_of(k_units)}};
 }
 
 Unit unit_from(const Arguments& arguments) {
-  const std::string word = arguments.value_or("--unit", "mm");
+  if (!arguments.has("--unit")) return arguments.stated_unit.value_or(Unit::mm);
+  const std::string& word = arguments.flags.at("--unit");
   const auto unit = unit_of_word(word);
   if (!unit) refuse_number_with_unit(word);
   return unit ? *unit : unit_named(known_name("unit", word, names_of(k_units)));
+}
+
+RunUnit run_unit_from(const Arguments& arguments) {
+  return {unit_from(arguments), arguments.has("--unit")};
+}
+
+ReadResult in_run_unit(ReadResult file, RunUnit unit, const std::string& path, Session& session) {
+  if (unit.is_asked || !file.unit || file.unit->unit == unit.unit) return file;
+  const double scale = millimetres_per(file.unit->unit) / millimetres_per(unit.unit);
+  for (Vec3& p : file.mesh.positions)
+    p = scale * p;
+  file.coordinate_step *= scale;
+  session.note(path + ": the file says \"" + file.unit->words + "\": scaled from " +
+               std::string(to_string(file.unit->unit)) + " to " +
+               std::string(to_string(unit.unit)) + ", the unit of this run");
+  return file;
 }
 
 }  // namespace planish::cli

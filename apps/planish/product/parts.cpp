@@ -144,7 +144,8 @@ std::vector<std::string> mesh_files(Session& session, const std::vector<std::str
   return files;
 }
 
-ProductInput read_files(Session& session, const std::vector<std::string>& paths, bool as_product) {
+ProductInput read_files(Session& session, const std::vector<std::string>& paths, RunUnit unit,
+                        bool as_product) {
   ProductInput input;
   std::vector<MeshFormat> formats;
   std::vector<std::size_t> groups;  // number of the file, of each patch
@@ -152,7 +153,7 @@ ProductInput read_files(Session& session, const std::vector<std::string>& paths,
   for (const std::string& file : files) {
     input.path = file;
     try {
-      ReadResult whole = session.read(file);
+      ReadResult whole = in_run_unit(session.read(file), unit, file, session);
       std::vector<ProductPatch> patches = patches_of(whole, file);
       std::move(patches.begin(), patches.end(), std::back_inserter(input.patches));
       formats.resize(input.patches.size(), whole.format);
@@ -171,10 +172,10 @@ ProductInput read_files(Session& session, const std::vector<std::string>& paths,
   return input;
 }
 
-ProductInput read_file(Session& session, const std::string& path) {
+ProductInput read_file(Session& session, const std::string& path, RunUnit unit) {
   ProductInput input;
   input.path = path;
-  input.whole = session.read(path);
+  input.whole = in_run_unit(session.read(path), unit, path, session);
   input.patches = patches_of(input.whole, path);
   input.places = places_of(input.patches, std::vector(input.patches.size(), input.whole.format));
   if (input.patches.size() > 1) {
@@ -186,9 +187,16 @@ ProductInput read_file(Session& session, const std::string& path) {
 }
 
 /// The patches of the file of a piece under the names of the piece, in the unit of the product.
-std::vector<ProductPatch> patches_of(const RequestedPiece& piece, Session& session, Unit unit) {
-  std::vector<ProductPatch> patches = patches_of(session.read(piece.file), piece.file);
-  const double scale = millimetres_per(piece.unit.value_or(unit)) / millimetres_per(unit);
+std::vector<ProductPatch> patches_of(const RequestedPiece& piece, Session& session, RunUnit unit) {
+  const RunUnit of_piece = {unit.unit, unit.is_asked || piece.unit};
+  const ReadResult file = in_run_unit(session.read(piece.file), of_piece, piece.file, session);
+  if (piece.unit && file.unit && file.unit->unit != *piece.unit) {
+    session.note(piece.file + ": the file says \"" + file.unit->words +
+                 "\", but the product file says " + std::string(to_string(*piece.unit)) +
+                 ", which is taken");
+  }
+  std::vector<ProductPatch> patches = patches_of(file, piece.file);
+  const double scale = millimetres_per(piece.unit.value_or(unit.unit)) / millimetres_per(unit.unit);
   for (std::size_t k = 0; k < patches.size(); ++k) {
     ProductPatch& patch = patches[k];
     if (piece.name)
@@ -237,7 +245,7 @@ void check_seams(const ProductInput& input, const std::string& path) {
   }
 }
 
-ProductInput read_described(Session& session, const std::string& path, Unit unit) {
+ProductInput read_described(Session& session, const std::string& path, RunUnit unit) {
   const ProductFile product = read_product_file(path);
   ProductInput input;
   input.path = path;
@@ -364,13 +372,13 @@ std::vector<std::string> safe_names(const std::vector<std::string>& names) {
   return distinct(safe);
 }
 
-ProductInput read_product(Session& session, const std::vector<std::string>& paths, Unit unit,
+ProductInput read_product(Session& session, const std::vector<std::string>& paths, RunUnit unit,
                           bool as_product) {
   const std::string& path = paths.front();
   if (paths.size() > 1 || is_folder(path))
-    return with_distinct_names(read_files(session, paths, as_product));
+    return with_distinct_names(read_files(session, paths, unit, as_product));
   return is_product_file(path) ? read_described(session, path, unit)
-                               : with_distinct_names(read_file(session, path));
+                               : with_distinct_names(read_file(session, path, unit));
 }
 
 ProductInput scaled(ProductInput input, double scale) {

@@ -8,6 +8,7 @@
 #include <planish/io/read_mesh.h>
 
 #include "flags/cut_flag.h"
+#include "flags/units.h"
 #include "product/product_file.h"
 #include "shell/session.h"
 
@@ -37,12 +38,13 @@ struct ProductInput {
 /// file lists, and divides what it reads into patches: by the groups that the files have, then into
 /// pieces that hang together. A file of several that cannot be read is a patch with that failure.
 /// @param paths one at least; a product file must be the only one
-/// @param unit of the product: pieces in another one are scaled to it
+/// @param unit of the product: pieces in another one, which the product file says, or without it
+///   and --unit their own file, are scaled to it
 /// @param as_product several files are parts of one product; else they are a batch
 /// @throws UsageError for a product file beside others; Error what read_mesh() throws of the only
 ///   file; file_unreadable for a folder that holds no mesh file; as read_product_file(),
 ///   malformed_file for a seam between pieces that are not there
-ProductInput read_product(Session& session, const std::vector<std::string>& paths, Unit unit,
+ProductInput read_product(Session& session, const std::vector<std::string>& paths, RunUnit unit,
                           bool as_product);
 
 /// The same with all coordinates multiplied.

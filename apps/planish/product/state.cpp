@@ -147,6 +147,8 @@ PatchJob job_of(const ProductPatch& patch, MeshFormat format, const PatternOptio
       job.flags[flag] = value;
     }
   }
+  if (!arguments.has("--unit") && arguments.stated_unit)
+    job.flags["--unit"] = to_string(*arguments.stated_unit);
   // What a product file says. No flag is called so.
   if (!patch.words.material.empty()) job.flags["material"] = patch.words.material;
   if (patch.words.quantity > 0) job.flags["quantity"] = std::to_string(patch.words.quantity);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <planish/core/range.h>
+#include <planish/core/unit.h>
 
 #include "shell/run_context.h"
 
@@ -65,11 +66,13 @@ struct FlagGroup {
   std::string first_title = {};  ///< above the flags that come first; empty for the same
 };
 
-/// What the user typed behind the verb.
+/// What the user typed behind the verb, and what the input files say in its place.
 struct Arguments {
   std::vector<std::string> operands;
   /// Full name of the flag -> its value, empty for flags that take none.
   std::map<std::string, std::string, std::less<>> flags;
+  /// The unit of length that all input files state, which holds without --unit.
+  std::optional<Unit> stated_unit = {};
 
   bool has(std::string_view flag) const { return flags.find(flag) != flags.end(); }
   /// The value of a flag or the other text where it was not given.

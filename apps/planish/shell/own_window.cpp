@@ -37,15 +37,16 @@ void wait_for_enter(const OwnWindow& window) {
   std::getline(window.in, line);
 }
 
-/// The diagonals of the meshes that were dropped, model units. What cannot be read is left out:
-/// running says why.
+/// The diagonals of the meshes that were dropped, model units, but for those whose files state a
+/// unit. What cannot be read is left out: running says why.
 std::vector<double> sizes_of(std::span<const std::string> dropped) {
   std::vector<double> sizes;
   for (const std::string& name : dropped) {
     std::error_code none;
     if (!fs::is_regular_file(path_of(name), none)) continue;
     try {
-      sizes.push_back(bounding_box_diagonal(read_mesh(path_of(name)).mesh));
+      const ReadResult file = read_mesh(path_of(name));
+      if (!file.unit) sizes.push_back(bounding_box_diagonal(file.mesh));
     } catch (const std::exception&) {
       continue;  // whatever it is, the run meets it too
     }
@@ -63,14 +64,14 @@ std::string sizes_text(double size) {
   return text;
 }
 
-/// Mesh files do not say their unit, and a file that is dropped comes without flags. Where a mesh
-/// would be too small or too large in millimetres, asks until there is an answer.
-Unit unit_of_dropped(std::span<const std::string> dropped, const OwnWindow& window) {
+/// Most mesh files do not say their unit, and a file that is dropped comes without flags. Where a
+/// mesh would be too small or too large in millimetres, asks until there is an answer.
+std::optional<Unit> unit_of_dropped(std::span<const std::string> dropped, const OwnWindow& window) {
   const std::vector<double> sizes = sizes_of(dropped);
   const auto unusual = std::find_if(sizes.begin(), sizes.end(), [](double size) {
     return size < k_small_piece || size > k_large_piece;
   });
-  if (unusual == sizes.end()) return Unit::mm;
+  if (unusual == sizes.end()) return std::nullopt;
   window.err << "In which unit is the mesh? Its file does not say, and it would be so long:\n"
              << sizes_text(*unusual) << "\nType mm, cm, dm, m or in, and Enter: " << std::flush;
   for (std::string word; std::getline(window.in, word);) {
@@ -80,7 +81,7 @@ Unit unit_of_dropped(std::span<const std::string> dropped, const OwnWindow& wind
     window.err << (word.empty() ? "" : word + " is not one of them. ")
                << "Type mm, cm, dm, m or in, and Enter: " << std::flush;
   }
-  return Unit::mm;
+  return std::nullopt;
 }
 
 /// Where the pattern of what was dropped goes. That of several files has a folder of its own, as
@@ -121,9 +122,10 @@ bool show(const fs::path& folder, const OwnWindow& window) {
 int flatten_dropped(std::span<const std::string> words, const OwnWindow& window,
                     const RunContext& context) {
   const fs::path folder = folder_beside(words.front(), words.size() == 1);
-  const Unit unit = unit_of_dropped(words, window);
-  std::vector<std::string> args = {
-      "flatten", "--output", utf8_of(folder), "--unit", std::string(to_string(unit)), "--"};
+  const std::optional<Unit> unit = unit_of_dropped(words, window);
+  std::vector<std::string> args = {"flatten", "--output", utf8_of(folder)};
+  if (unit) args.insert(args.end(), {"--unit", std::string(to_string(*unit))});
+  args.emplace_back("--");
   args.insert(args.end(), words.begin(), words.end());
   const int exit_code = run(args, window.out, window.err, context);
   const bool is_seen = exit_code == k_exit_done && show(folder, window);

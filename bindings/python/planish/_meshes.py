@@ -26,7 +26,7 @@ def text_of(path: Path) -> str:
 def read(path: Path) -> _core.Mesh:
     """Reads an OBJ, PLY, STL or OFF file.
 
-    Polygons are divided into fans; vertices keep their numbers."""
+    Polygons are divided inside themselves; vertices keep their numbers."""
     return _core.read(text_of(path))
 
 

@@ -33,7 +33,7 @@ struct ComparedResult {
 };
 
 CompareResult compare_methods(const MeshData& data, const py::dict& keywords, py::object progress) {
-  const cli::Arguments arguments = arguments_of("compare", keywords);
+  const cli::Arguments arguments = arguments_on(data, "compare", keywords);
   const std::vector<CompareRun> runs = cli::runs_from(arguments);
   const double scale = cli::scale_from(arguments);
   CompareOptions options = {.unit = cli::unit_from(arguments)};

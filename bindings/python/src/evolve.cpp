@@ -30,7 +30,7 @@ struct EvolveOutcome {
 };
 
 EvolveOutcome evolve_mesh(const MeshData& data, const py::dict& keywords, py::object progress) {
-  const cli::Arguments arguments = arguments_of("evolve", keywords);
+  const cli::Arguments arguments = arguments_on(data, "evolve", keywords);
   cli::check_evolve_request(arguments);
   Job job(arguments, std::move(progress));
   EvolveOutcome outcome = job.run([&](cli::Session& session) {
@@ -53,7 +53,7 @@ struct Sweep {
 class Sweeps {
  public:
   Sweeps(const MeshData& data, const py::dict& keywords)
-      : arguments_(arguments_of("evolve", keywords)), job_(arguments_, py::none()) {
+      : arguments_(arguments_on(data, "evolve", keywords)), job_(arguments_, py::none()) {
     for (const char* flag : {"--remesh", "--smooth-first"}) {
       if (arguments_.has(flag))
         throw cli::UsageError("flag " + std::string(flag) + " does not go with single sweeps");

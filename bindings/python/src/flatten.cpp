@@ -46,7 +46,7 @@ struct Drawable {
 };
 
 FlattenResult flatten_mesh(const MeshData& data, const py::dict& keywords, py::object progress) {
-  const cli::Arguments arguments = arguments_of("flatten", keywords);
+  const cli::Arguments arguments = arguments_on(data, "flatten", keywords);
   FlattenOptions options = cli::flatten_options_from(arguments);
   cli::colors_from(arguments);
   cli::PatternFiles pattern = cli::pattern_files_from(arguments);
@@ -71,7 +71,7 @@ FlattenResult flatten_mesh(const MeshData& data, const py::dict& keywords, py::o
 }
 
 UnfoldResult unfold_mesh(const MeshData& data, const py::dict& keywords, py::object progress) {
-  const cli::Arguments arguments = arguments_of("unfold", keywords);
+  const cli::Arguments arguments = arguments_on(data, "unfold", keywords);
   const Unit unit = cli::unit_from(arguments);
   const UnfoldOptions options = {.match_seams = arguments.has("--match-seams"),
                                  .limits = cli::limits_from(arguments)};

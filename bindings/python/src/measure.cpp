@@ -29,7 +29,7 @@ struct MeasureResult {
 };
 
 MeasureResult measure_mesh(const MeshData& data, const py::dict& keywords, py::object progress) {
-  const cli::Arguments arguments = arguments_of("measure", keywords);
+  const cli::Arguments arguments = arguments_on(data, "measure", keywords);
   const StrainLimits limits = cli::limits_from(arguments);
   const double scale = cli::scale_from(arguments);
   return Job(arguments, std::move(progress)).run([&](cli::Session& session) {
@@ -49,7 +49,7 @@ struct CutResult {
 };
 
 CutResult suggested_cuts(const MeshData& data, const py::dict& keywords, py::object progress) {
-  const cli::Arguments arguments = arguments_of("suggest-cuts", keywords);
+  const cli::Arguments arguments = arguments_on(data, "suggest-cuts", keywords);
   const SuggestOptions options = cli::suggest_options_from(arguments);
   const Unit unit = cli::unit_from(arguments);
   const double scale = cli::scale_from(arguments);

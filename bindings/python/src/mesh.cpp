@@ -22,8 +22,12 @@ namespace {
 MeshData mesh_from_file(const std::string& path) {
   const py::gil_scoped_release no_python;
   ReadResult read = read_mesh(path_of(path));
-  return {std::move(read.mesh), cli::stem_of(path), read.format, std::move(read.notes),
-          std::move(read.groups)};
+  return {std::move(read.mesh),
+          cli::stem_of(path),
+          read.format,
+          std::move(read.notes),
+          std::move(read.groups),
+          read.unit ? std::optional(read.unit->unit) : std::nullopt};
 }
 
 void mesh_to_file(const std::string& path, const MeshData& data) {
@@ -68,6 +72,13 @@ py::list problems_of(const MeshData& data) {
 
 }  // namespace
 
+cli::Arguments arguments_on(const MeshData& data, const std::string& verb,
+                            const py::dict& keywords) {
+  cli::Arguments arguments = arguments_of(verb, keywords);
+  arguments.stated_unit = data.unit;
+  return arguments;
+}
+
 cli::CutInput cut_input(const MeshData& data, const cli::Arguments& arguments,
                         cli::Session& session) {
   return cli::cut_as_asked(cli::scaled(data.mesh, cli::scale_from(arguments), {}), data.name,
@@ -87,6 +98,13 @@ void register_mesh(py::module_& module) {
            "A copy of arrays: (n, 3) numbers, and (m, 3) whole numbers of vertices from 0.")
       .def_readonly("name", &MeshData::name, "What drawings and reports call it.")
       .def_readonly("notes", &MeshData::notes, "What the reader of its file did.")
+      .def_property_readonly(
+          "unit",
+          [](const MeshData& data) -> std::optional<std::string> {
+            if (!data.unit) return std::nullopt;
+            return std::string(to_string(*data.unit));
+          },
+          "What its file says one unit is, the default of unit=; None where it does not.")
       .def_property_readonly(
           "vertices",
           [](const py::object& self) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,12 @@ struct MeshData {
   MeshFormat format = MeshFormat::obj;  ///< of its file
   std::vector<std::string> notes = {};  ///< what the reader did
   FaceGroups groups = {};               ///< of its file
+  std::optional<Unit> unit = {};        ///< that its file states
 };
+
+/// What keywords ask of a verb on a mesh, whose unit holds where none of them says it.
+cli::Arguments arguments_on(const MeshData& data, const std::string& verb,
+                            const py::dict& keywords);
 
 /// The mesh in its unit and, where --cut asks for it, cut.
 cli::CutInput cut_input(const MeshData& data, const cli::Arguments& arguments,

@@ -66,9 +66,9 @@ void note_unusual_sizes(cli::Session& session, const ProductReport& report) {
 }
 
 /// @param patches gives what is to be flattened; called with the session
-ProductResult flatten_patches(const std::string& name, const py::dict& keywords,
-                              py::object progress,
-                              const std::function<Patches(cli::Session&, Unit)>& patches_of) {
+ProductResult flatten_patches(
+    const std::string& name, const py::dict& keywords, py::object progress,
+    const std::function<Patches(cli::Session&, cli::RunUnit)>& patches_of) {
   const cli::Arguments arguments = arguments_of("flatten", keywords);
   const FlattenOptions options = cli::flatten_options_from(arguments);
   const double tolerance = cli::seam_tolerance_from(arguments);
@@ -77,7 +77,7 @@ ProductResult flatten_patches(const std::string& name, const py::dict& keywords,
   const cli::PatternFiles pattern = cli::pattern_files_from(arguments);
   Job job(arguments, std::move(progress));
   ProductResult result = job.run([&](cli::Session& session) {
-    Patches input = scaled(patches_of(session, options.unit), scale);
+    Patches input = scaled(patches_of(session, cli::run_unit_from(arguments)), scale);
     std::vector<ProductPatch>& patches = input.patches;
     const auto annotations = cli::annotations_of_patches(pattern.annotations, patches, arguments);
     for (std::size_t p = 0; p < patches.size(); ++p)
@@ -103,7 +103,7 @@ ProductResult flatten_patches(const std::string& name, const py::dict& keywords,
 ProductResult flatten_files(const std::string& name, const std::vector<std::string>& paths,
                             const py::dict& keywords, py::object progress) {
   return flatten_patches(name, keywords, std::move(progress),
-                         [&](cli::Session& session, Unit unit) {
+                         [&](cli::Session& session, cli::RunUnit unit) {
                            cli::ProductInput input = cli::read_product(session, paths, unit, true);
                            return Patches{std::move(input.patches), std::move(input.seams)};
                          });
@@ -112,12 +112,16 @@ ProductResult flatten_files(const std::string& name, const std::vector<std::stri
 ProductResult flatten_meshes(const std::string& name,
                              const std::vector<std::pair<std::string, const MeshData*>>& meshes,
                              const py::dict& keywords, py::object progress) {
-  return flatten_patches(name, keywords, std::move(progress), [&](cli::Session&, Unit) {
-    Patches input;
-    for (const auto& [patch, data] : meshes)
-      input.patches.push_back({.name = patch, .mesh = data->mesh});
-    return input;
-  });
+  return flatten_patches(
+      name, keywords, std::move(progress), [&](cli::Session&, cli::RunUnit unit) {
+        Patches input;
+        for (const auto& [patch, data] : meshes) {
+          const Unit own = unit.is_asked ? unit.unit : data->unit.value_or(unit.unit);
+          const double scale = millimetres_per(own) / millimetres_per(unit.unit);
+          input.patches.push_back({.name = patch, .mesh = cli::scaled(data->mesh, scale, patch)});
+        }
+        return input;
+      });
 }
 
 std::string json_of(const ProductResult& result) {

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <planish/core/unit.h>
 #include <planish/io/mesh_format.h>
 #include <planish/mesh/tri_mesh.h>
 
@@ -18,24 +21,49 @@ struct FaceGroups {
   std::vector<Index> of_triangle;  ///< one number of a name per triangle; empty for none
 };
 
+/// The unit of length that a comment of a file says it is in, as SketchUp's "# File units =
+/// inches".
+struct StatedUnit {
+  Unit unit;             ///< of the coordinates
+  std::string words;     ///< of the comment, printable
+  std::size_t line = 0;  ///< from 1; 0 in the header of a binary STL file
+};
+
 /// A mesh as the file has it, and what the reader did that a user may want to know.
 struct ReadResult {
   TriMesh mesh;                    ///< vertices in the order of the file; finite, indices in range
   MeshFormat format;               ///< of the file
   std::vector<std::string> notes;  ///< "welded 2280 corners to 401 vertices", ...
   FaceGroups groups = {};          ///< none where the file has fewer than two
+  /// None where no comment before the first vertex says it, or two disagree.
+  std::optional<StatedUnit> unit = {};
+  /// The spacing of the numbers in the file where they are largest, model units: of 32-bit floats,
+  /// or of decimals that are plainly rounded. 0 where it is not known.
+  double coordinate_step = 0.0;
 };
 
-/// Reads an OBJ, PLY, STL or OFF file. Polygons are split into fans; STL corners at exactly equal
-/// places become one vertex, in the order of their first use; nothing else is welded, dropped or
-/// reordered. Time and memory are linear in the size of the file, whatever counts it claims.
+/// How much of what is harmless is mended.
+struct ReadOptions {
+  bool strict = false;  ///< refuses what is otherwise mended with a note, as a corner named twice
+};
+
+/// Reads an OBJ, PLY, STL or OFF file. Polygons are divided into triangles inside themselves, quads
+/// by the Delaunay diagonal (docs/formats.md); STL corners at exactly equal places become one
+/// vertex, in the order of their first use; a corner that a polygon names twice in a row is
+/// dropped; nothing else is welded, dropped or reordered. Time and memory are about linear in the
+/// size of the file, whatever counts it claims.
 /// @throws Error file_not_found, file_unreadable, unsupported_format, malformed_file,
 ///   truncated_file, bad_number, non_finite_coordinate, index_out_of_range, no_triangles,
 ///   too_large; the place has path and line (text) or byte (binary)
-ReadResult read_mesh(const std::filesystem::path& path);
+ReadResult read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// The same from memory. Nothing outside `bytes` is looked at.
+/// The unit that read_mesh() would tell, without reading the mesh.
+/// @throws Error file_not_found, file_unreadable, unsupported_format
+std::optional<StatedUnit> read_stated_unit(const std::filesystem::path& path);
+
+/// The same as read_mesh() from memory. Nothing outside `bytes` is looked at.
 /// @param name stands for the path in errors
-ReadResult parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name = {});
+ReadResult parse_mesh(std::string_view bytes, MeshFormat format, const std::string& name = {},
+                      const ReadOptions& options = {});
 
 }  // namespace planish

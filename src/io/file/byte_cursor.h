@@ -52,8 +52,13 @@ class ByteCursor {
     return std::bit_cast<T>(bytes);
   }
 
+  ReadPlace place() const { return {item_offset_, item_}; }
+  [[noreturn]] void fail_at(const ReadPlace& place, ErrorCode code,
+                            const std::string& message) const {
+    throw_read_error(code, message, {.path = std::string(name_), .byte = place.at}, place.item);
+  }
   [[noreturn]] void fail(ErrorCode code, const std::string& message) const {
-    throw_read_error(code, message, {.path = std::string(name_), .byte = item_offset_}, item_);
+    fail_at(place(), code, message);
   }
 
  private:

@@ -14,6 +14,12 @@ struct ReadItem {
   std::size_t number = 0;  ///< from 0
 };
 
+/// Where in a file something is that is looked at once all is read.
+struct ReadPlace {
+  std::size_t at = 0;  ///< the line of a text, from 1, or the byte, from 0
+  ReadItem item = {};
+};
+
 /// Throws the error with the item in its message and its place.
 [[noreturn]] void throw_read_error(ErrorCode code, const std::string& message, ErrorPlace place,
                                    ReadItem item);

@@ -53,6 +53,12 @@ std::string_view TextCursor::token() {
   return {first, static_cast<std::size_t>(at_ - first)};
 }
 
+std::string_view TextCursor::line_end() const {
+  const std::string_view text(at_, remaining());
+  if (text.starts_with("\r\n")) return text.substr(0, 2);
+  return text.starts_with('\r') || text.starts_with('\n') ? text.substr(0, 1) : std::string_view();
+}
+
 bool TextCursor::skip_to_token() {
   while (at_line_end()) {
     if (at_ == end_) return false;
@@ -134,7 +140,11 @@ std::string TextCursor::rest_note(std::uint64_t faces) {
 }
 
 void TextCursor::fail_at_line(std::size_t line, ErrorCode code, const std::string& message) const {
-  throw_read_error(code, message, {.path = std::string(name_), .line = line}, item_);
+  fail_at({line, item_}, code, message);
+}
+
+void TextCursor::fail_at(const ReadPlace& place, ErrorCode code, const std::string& message) const {
+  throw_read_error(code, message, {.path = std::string(name_), .line = place.at}, place.item);
 }
 
 void TextCursor::fail_missing(const std::string& what) const {

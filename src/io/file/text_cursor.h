@@ -37,6 +37,9 @@ class TextCursor {
   /// The next word of this line, empty where there is none.
   std::string_view token();
 
+  /// The characters that end this line where the cursor is at its end; else none.
+  std::string_view line_end() const;
+
   /// Goes to the next word, over as many lines as it takes; false at the end of the text.
   bool skip_to_token();
 
@@ -59,6 +62,10 @@ class TextCursor {
 
   /// What errors name from now on.
   void begin_item(std::string_view kind, std::size_t number) { item_ = {kind, number}; }
+
+  ReadPlace place() const { return {line_, item_}; }
+  [[noreturn]] void fail_at(const ReadPlace& place, ErrorCode code,
+                            const std::string& message) const;
 
   [[noreturn]] void fail(ErrorCode code, const std::string& message) const {
     fail_at_line(line_, code, message);

@@ -12,6 +12,7 @@
 #include <planish/mesh/tri_mesh.h>
 
 #include "core/number_text.h"
+#include "io/file/cursor_error.h"
 
 namespace planish {
 
@@ -43,18 +44,23 @@ Index checked_index(double number, std::uint64_t vertices, const Cursor& cursor)
                                                  " vertices, counted from 0");
 }
 
-/// Collects the faces of a file as triangles; a polygon becomes a fan around its first corner.
+/// Collects the faces of a file as triangles. Polygons are divided at the end, as a file may have
+/// its faces before their places; until then the fan of each holds the numbers of its triangles.
 class FaceList {
  public:
+  /// @param strict refuses what would be mended with a note
+  explicit FaceList(bool strict) : strict_(strict) {}
+
   void reserve(std::size_t triangles) { triangles_.reserve(triangles); }
   std::size_t size() const { return triangles_.size(); }
-  std::vector<Triangle> take() { return std::move(triangles_); }
 
-  /// "split 64 polygons into 128 triangles"; empty if there were triangles only.
-  std::string note() const;
+  /// "split 64 polygons into 128 triangles" and what was dropped; empty if there were triangles
+  /// only.
+  std::vector<std::string> notes() const;
 
-  /// Adds a face. Only a triangle may name a vertex twice: such a triangle is plainly degenerate,
-  /// while the fan of such a polygon would be a guess.
+  /// Adds a face. A triangle may name a vertex twice: it is plainly degenerate. Of a polygon,
+  /// corners that come twice in a row are dropped; what then has fewer than three is kept as a
+  /// triangle that names a vertex twice.
   template <class Cursor>
   void add(std::span<const Index> corners, const Cursor& cursor) {
     if (corners.size() < 3) {
@@ -66,19 +72,49 @@ class FaceList {
       triangles_.push_back({corners[0], corners[1], corners[2]});
       return;
     }
-    if (has_repeat(corners)) {
-      cursor.fail(ErrorCode::malformed_file,
-                  "a face of " + std::to_string(corners.size()) + " corners names a vertex twice");
+    if (repeats_in_a_row(corners)) {
+      if (strict_) {
+        cursor.fail(ErrorCode::malformed_file, "a face of " + std::to_string(corners.size()) +
+                                                   " corners names a vertex twice in a row");
+      }
+      corners = without_repeats(corners);
     }
     add_fan(corners);
+    if (corners.size() > 3) {
+      polygons_.push_back({triangles_.size() + 2 - corners.size(), corners.size(), cursor.place()});
+    }
+  }
+
+  /// The triangles, of polygons those that divide them inside.
+  /// @param positions of all vertices, finite
+  template <class Cursor>
+  std::vector<Triangle> take(std::span<const Vec3> positions, const Cursor& cursor) {
+    for (const Polygon& polygon : polygons_) {
+      if (divide(polygon, positions)) continue;
+      cursor.fail_at(polygon.place, ErrorCode::malformed_file, refusal(polygon));
+    }
+    return std::move(triangles_);
   }
 
  private:
-  void add_fan(std::span<const Index> corners);
+  struct Polygon {
+    std::size_t first, corner_count;  ///< first: of its triangles
+    ReadPlace place;
+  };
 
+  static bool repeats_in_a_row(std::span<const Index> corners);
+  std::span<const Index> without_repeats(std::span<const Index> corners);
+  void add_fan(std::span<const Index> corners);
+  std::vector<Index> corners_of(const Polygon& polygon) const;
+  /// Writes the triangles of a polygon over its fan; false where it crosses itself.
+  bool divide(const Polygon& polygon, std::span<const Vec3> positions);
+  std::string refusal(const Polygon& polygon) const;
+
+  bool strict_;
   std::vector<Triangle> triangles_;
-  std::size_t polygons_ = 0;
-  std::size_t fan_triangles_ = 0;
+  std::vector<Polygon> polygons_;
+  std::vector<Index> kept_;  // corners of the last polygon of which some were dropped
+  std::size_t dropped_ = 0;
 };
 
 }  // namespace planish

@@ -21,10 +21,10 @@ MeshFormat readable_format_of(const std::filesystem::path& path);
 // One pair a format. Readers take the bytes of a file that is not empty; writers take a mesh whose
 // positions are finite and whose indices are in range.
 
-ReadResult parse_obj(std::string_view bytes, std::string_view name);
-ReadResult parse_ply(std::string_view bytes, std::string_view name);
-ReadResult parse_stl(std::string_view bytes, std::string_view name);
-ReadResult parse_off(std::string_view bytes, std::string_view name);
+ReadResult parse_obj(std::string_view bytes, std::string_view name, const ReadOptions& options);
+ReadResult parse_ply(std::string_view bytes, std::string_view name, const ReadOptions& options);
+ReadResult parse_stl(std::string_view bytes, std::string_view name, const ReadOptions& options);
+ReadResult parse_off(std::string_view bytes, std::string_view name, const ReadOptions& options);
 
 /// @param texture one coordinate per vertex, or none at all
 std::string format_obj(const TriMesh& mesh, std::span<const Vec2> texture = {});

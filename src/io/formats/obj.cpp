@@ -4,6 +4,7 @@
 
 #include "core/number_text.h"
 #include "io/file/append.h"
+#include "io/file/coordinate_step.h"
 #include "io/file/text_cursor.h"
 #include "io/formats/face_list.h"
 #include "io/formats/formats.h"
@@ -33,10 +34,20 @@ bool is_garbled(std::string_view keyword) {
          std::string_view("vVfF").find(*letter) != std::string_view::npos;
 }
 
+/// Whether the next word says that there is no number, as colours of points that were not seen do.
+bool is_no_number(TextCursor ahead) {
+  std::string_view word = ahead.token();
+  if (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
+  return word.size() == 3 && (word[0] == 'n' || word[0] == 'N') &&
+         (word[1] == 'a' || word[1] == 'A') && (word[2] == 'n' || word[2] == 'N');
+}
+
 class ObjParser {
  public:
-  ObjParser(std::string_view bytes, std::string_view name)
-      : cursor_(bytes, name, {.comments = true, .continuation = true}) {}
+  ObjParser(std::string_view bytes, std::string_view name, const ReadOptions& options)
+      : cursor_(bytes, name, {.comments = true, .continuation = true}),
+        strict_(options.strict),
+        faces_(options.strict) {}
 
   ReadResult parse() {
     for (; !cursor_.at_end(); cursor_.next_line())
@@ -44,10 +55,12 @@ class ObjParser {
     check();
     std::vector<std::string> told = notes();
     FaceGroups groups = this->groups();
-    return {.mesh = {std::move(positions_), faces_.take()},
+    std::vector<Triangle> triangles = faces_.take(positions_, cursor_);
+    return {.mesh = {std::move(positions_), std::move(triangles)},
             .format = MeshFormat::obj,
             .notes = std::move(told),
-            .groups = std::move(groups)};
+            .groups = std::move(groups),
+            .coordinate_step = steps_.step()};
   }
 
  private:
@@ -71,7 +84,9 @@ class ObjParser {
   std::vector<std::string> notes() const;
 
   TextCursor cursor_;
+  bool strict_;
   std::vector<Vec3> positions_;
+  DecimalSteps steps_;
   FaceList faces_;
   std::vector<Index> corners_;
   ObjReferences references_;
@@ -83,12 +98,18 @@ class ObjParser {
 };
 
 void ObjParser::vertex() {
+  if (DecimalSteps::wants(positions_.size())) steps_.add(cursor_);
   const double x = cursor_.number();
   const double y = cursor_.number();
   const double z = cursor_.number();
   std::size_t extras = 0;
-  for (; !cursor_.at_line_end(); ++extras)
-    cursor_.number();
+  for (; !cursor_.at_line_end(); ++extras) {
+    if (!strict_ && is_no_number(cursor_)) {
+      cursor_.token();
+    } else {
+      cursor_.number();
+    }
+  }
   // One more number is a weight, three are a colour, four a colour and a weight or opacity.
   if (extras == 2 || extras > 4) {
     cursor_.fail(ErrorCode::malformed_file,
@@ -155,7 +176,8 @@ void ObjParser::check() const {
 
 std::vector<std::string> ObjParser::notes() const {
   std::vector<std::string> notes;
-  if (!faces_.note().empty()) notes.push_back(faces_.note());
+  for (std::string& note : faces_.notes())
+    notes.push_back(std::move(note));
   if (coloured_ > 0) {
     notes.push_back("dropped the colours of " + std::to_string(coloured_) + " vertices");
   }
@@ -178,8 +200,8 @@ std::vector<std::string> ObjParser::notes() const {
 
 }  // namespace
 
-ReadResult parse_obj(std::string_view bytes, std::string_view name) {
-  return ObjParser(bytes, name).parse();
+ReadResult parse_obj(std::string_view bytes, std::string_view name, const ReadOptions& options) {
+  return ObjParser(bytes, name, options).parse();
 }
 
 std::string format_obj(const TriMesh& mesh, std::span<const Vec2> texture) {

@@ -4,6 +4,7 @@
 
 #include "core/number_text.h"
 #include "io/file/append.h"
+#include "io/file/coordinate_step.h"
 #include "io/file/text_cursor.h"
 #include "io/formats/face_list.h"
 #include "io/formats/formats.h"
@@ -22,8 +23,8 @@ constexpr std::uint64_t k_face_bytes = 8;
 
 class OffParser {
  public:
-  OffParser(std::string_view bytes, std::string_view name)
-      : cursor_(bytes, name, {.comments = true}) {}
+  OffParser(std::string_view bytes, std::string_view name, const ReadOptions& options)
+      : cursor_(bytes, name, {.comments = true}), faces_(options.strict) {}
 
   ReadResult parse() {
     header();
@@ -37,9 +38,11 @@ class OffParser {
     std::string rest = cursor_.rest_note(face_count_);
     std::vector<std::string> told = notes();
     if (!rest.empty()) told.push_back(std::move(rest));
-    return {.mesh = {std::move(positions_), faces_.take()},
+    std::vector<Triangle> triangles = faces_.take(positions_, cursor_);
+    return {.mesh = {std::move(positions_), std::move(triangles)},
             .format = MeshFormat::off,
-            .notes = std::move(told)};
+            .notes = std::move(told),
+            .coordinate_step = steps_.step()};
   }
 
  private:
@@ -80,6 +83,7 @@ class OffParser {
 
   void vertex(std::uint64_t number) {
     begin_line("vertex", number);
+    if (DecimalSteps::wants(number)) steps_.add(cursor_);
     const double x = cursor_.number();
     const double y = cursor_.number();
     const double z = cursor_.number();
@@ -119,7 +123,8 @@ class OffParser {
 
   std::vector<std::string> notes() const {
     std::vector<std::string> notes;
-    if (!faces_.note().empty()) notes.push_back(faces_.note());
+    for (std::string& note : faces_.notes())
+      notes.push_back(std::move(note));
     if (extras_ > 0) {
       notes.push_back("dropped the colours, normals or texture coordinates of " +
                       std::to_string(vertex_count_) + " vertices");
@@ -131,6 +136,7 @@ class OffParser {
   std::uint64_t vertex_count_ = 0;
   std::uint64_t face_count_ = 0;
   std::vector<Vec3> positions_;
+  DecimalSteps steps_;
   FaceList faces_;
   std::vector<Index> corners_;
   std::size_t extras_ = 0;  // numbers behind x y z, the same for all vertices
@@ -138,8 +144,8 @@ class OffParser {
 
 }  // namespace
 
-ReadResult parse_off(std::string_view bytes, std::string_view name) {
-  return OffParser(bytes, name).parse();
+ReadResult parse_off(std::string_view bytes, std::string_view name, const ReadOptions& options) {
+  return OffParser(bytes, name, options).parse();
 }
 
 std::string format_off(const TriMesh& mesh) {

@@ -7,6 +7,7 @@
 
 #include "core/number_text.h"
 #include "io/file/append.h"
+#include "io/file/coordinate_step.h"
 #include "io/formats/face_list.h"
 #include "io/formats/formats.h"
 #include "io/formats/group_runs.h"
@@ -20,7 +21,8 @@ namespace {
 template <class Values>
 class PlyBody {
  public:
-  PlyBody(const PlyHeader& header, const Values& values) : header_(header), values_(values) {}
+  PlyBody(const PlyHeader& header, const Values& values, const ReadOptions& options)
+      : header_(header), values_(values), faces_(options.strict) {}
 
   ReadResult read() {
     const PlyElement* const vertices = header_.find("vertex");
@@ -38,15 +40,17 @@ class PlyBody {
     }
     values_.begin_item({}, 0);
     if (faces_.size() == 0) fail_without_faces();
-    std::vector<std::string> notes;
-    for (std::string note : {faces_.note(), values_.rest_note(header_.find("face")->count)}) {
-      if (!note.empty()) notes.push_back(std::move(note));
-    }
+    std::vector<std::string> notes = faces_.notes();
+    std::string rest = values_.rest_note(header_.find("face")->count);
+    if (!rest.empty()) notes.push_back(std::move(rest));
     FaceGroups groups = groups_.spread(group_kind_, faces_.size());
-    return {.mesh = {std::move(positions_), faces_.take()},
+    std::vector<Triangle> triangles = faces_.take(positions_, values_.cursor());
+    const double step = coordinate_step();
+    return {.mesh = {std::move(positions_), std::move(triangles)},
             .format = MeshFormat::ply,
             .notes = std::move(notes),
-            .groups = std::move(groups)};
+            .groups = std::move(groups),
+            .coordinate_step = step};
   }
 
  private:
@@ -56,7 +60,10 @@ class PlyBody {
 
   [[noreturn]] void fail_without_faces() const {
     if (header_.find("tristrips") == nullptr) {
-      fail(ErrorCode::no_triangles, "the file has no faces");
+      fail(ErrorCode::no_triangles,
+           "the file has " + std::to_string(positions_.size()) +
+               " points but no faces: make a surface of them in the program that made the file, "
+               "or in MeshLab or CloudCompare");
     }
     fail(ErrorCode::unsupported_format,
          "the faces are strips of triangles (tristrips); export single faces");
@@ -89,11 +96,13 @@ class PlyBody {
   void skip_element(const PlyElement& element);
   void skip_property(const PlyProperty& property);
   std::uint64_t list_length(PlyType type);
+  double coordinate_step() const;
 
   const PlyHeader& header_;
   Values values_;
   std::uint64_t vertex_count_ = 0;
   std::vector<Vec3> positions_;
+  DecimalSteps steps_;  // of a text
   FaceList faces_;
   std::vector<Index> corners_;
   GroupRuns groups_;
@@ -112,8 +121,13 @@ void PlyBody<Values>::read_vertices(const PlyElement& element) {
   }
   check_size(element.count, "vertices", values_.cursor());
   positions_.reserve(element.count);
+  const bool xyz_first = element.properties.size() >= 3 && &element.properties[0] == xyz[0] &&
+                         &element.properties[1] == xyz[1] && &element.properties[2] == xyz[2];
   for (std::uint64_t i = 0; i < element.count; ++i) {
     values_.begin_item("vertex", i);
+    if constexpr (Values::is_text) {
+      if (xyz_first && DecimalSteps::wants(i)) steps_.add(values_.cursor());
+    }
     Vec3 p;
     for (const PlyProperty& property : element.properties) {
       double* const target = &property == xyz[0]   ? &p.x
@@ -201,16 +215,28 @@ std::uint64_t PlyBody<Values>::list_length(PlyType type) {
   fail(ErrorCode::malformed_file, "a list cannot have " + number_text(length) + " items");
 }
 
+template <class Values>
+double PlyBody<Values>::coordinate_step() const {
+  if constexpr (Values::is_text) return steps_.step();
+  const PlyElement& vertices = *header_.find("vertex");
+  const bool floats =
+      std::any_of(vertices.properties.begin(), vertices.properties.end(), [](const PlyProperty& p) {
+        return p.type == PlyType::float32 && (p.name == "x" || p.name == "y" || p.name == "z");
+      });
+  return floats ? step_of_floats(positions_) : 0.0;
+}
+
 }  // namespace
 
-ReadResult parse_ply(std::string_view bytes, std::string_view name) {
+ReadResult parse_ply(std::string_view bytes, std::string_view name, const ReadOptions& options) {
   TextCursor cursor(bytes, name);
   const PlyHeader header = read_ply_header(cursor);
-  if (header.encoding == PlyEncoding::ascii) return PlyBody(header, TextValues(cursor)).read();
+  if (header.encoding == PlyEncoding::ascii)
+    return PlyBody(header, TextValues(cursor), options).read();
   const bool little = header.encoding == PlyEncoding::little_endian;
   const BinaryValues values(ByteCursor(bytes, name, header.body),
                             little ? std::endian::little : std::endian::big);
-  return PlyBody(header, values).read();
+  return PlyBody(header, values, options).read();
 }
 
 std::string format_ply(const TriMesh& mesh) {

@@ -65,13 +65,6 @@ PlyElement read_element(TextCursor& cursor) {
   return {.name = name, .count = cursor.count(), .properties = {}};
 }
 
-/// Goes over the end of a line and says of how many bytes it is.
-std::size_t take_line_end(TextCursor& cursor) {
-  const std::size_t before = cursor.offset();
-  cursor.next_line();
-  return cursor.offset() - before;
-}
-
 /// Collects the statements between "ply" and "end_header".
 class HeaderParser {
  public:
@@ -171,7 +164,8 @@ PlyHeader read_ply_header(TextCursor& cursor) {
   if (cursor.token() != "ply" || !cursor.at_line_end()) {
     cursor.fail(ErrorCode::malformed_file, "a PLY file begins with a line \"ply\"");
   }
-  const std::size_t line_end_size = take_line_end(cursor);
+  const std::string_view line_end = cursor.line_end();
+  cursor.next_line();
   HeaderParser parser(cursor);
   while (!cursor.at_end()) {
     const std::string_view keyword = cursor.token();
@@ -179,9 +173,12 @@ PlyHeader read_ply_header(TextCursor& cursor) {
       if (!cursor.at_line_end()) {
         cursor.fail(ErrorCode::malformed_file, "the line of end_header goes on");
       }
-      // All line ends of a header are alike. Where they are CR, a LF that follows is data.
-      const std::size_t end = cursor.offset();
-      return parser.finish(end + std::min(line_end_size, take_line_end(cursor)));
+      // Where the header's line ends are CR, a LF that follows is data. Else CR LF is a line end,
+      // whatever the others are: some writers open the file as text, and then as bytes.
+      const std::size_t size = line_end == "\r" ? 1 : cursor.line_end().size();
+      const std::size_t body = cursor.offset() + size;
+      cursor.next_line();
+      return parser.finish(body);
     }
     if (!keyword.empty()) parser.statement(keyword);
     cursor.next_line();

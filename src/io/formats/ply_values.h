@@ -16,6 +16,7 @@ namespace planish {
 /// long lines.
 class TextValues {
  public:
+  static constexpr bool is_text = true;
   explicit TextValues(const TextCursor& cursor) : cursor_(cursor) {}
 
   static std::uint64_t fewest_bytes(PlyType) { return 2; }
@@ -52,6 +53,7 @@ class TextValues {
 /// The values of a binary PLY file.
 class BinaryValues {
  public:
+  static constexpr bool is_text = false;
   BinaryValues(const ByteCursor& cursor, std::endian order) : cursor_(cursor), order_(order) {}
 
   static std::uint64_t fewest_bytes(PlyType type) { return size_of(type); }

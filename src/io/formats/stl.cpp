@@ -5,6 +5,7 @@
 
 #include "io/file/append.h"
 #include "io/file/byte_cursor.h"
+#include "io/file/coordinate_step.h"
 #include "io/file/foreign_file.h"
 #include "io/file/text_cursor.h"
 #include "io/formats/face_list.h"
@@ -27,6 +28,8 @@ bool equal_ignoring_case(std::string_view word, std::string_view lower) {
 /// Collects facets and gives corners at one place one number.
 class FacetList {
  public:
+  explicit FacetList(bool strict) : faces_(strict) {}
+
   template <class Cursor>
   Index corner(Vec3 position, const Cursor& cursor) {
     const Index vertex = welder_.vertex(position);
@@ -41,11 +44,14 @@ class FacetList {
 
   std::size_t size() const { return faces_.size(); }
 
-  ReadResult take() {
+  template <class Cursor>
+  ReadResult take(const Cursor& cursor) {
     std::string note = "welded " + std::to_string(3 * faces_.size()) + " corners to " +
                        std::to_string(welder_.size()) +
                        " vertices: STL has no vertex numbers, so an open seam would be closed too";
-    return {.mesh = {welder_.take(), faces_.take()},
+    std::vector<Vec3> positions = welder_.take();
+    std::vector<Triangle> triangles = faces_.take(positions, cursor);
+    return {.mesh = {std::move(positions), std::move(triangles)},
             .format = MeshFormat::stl,
             .notes = {std::move(note)}};
   }
@@ -57,7 +63,8 @@ class FacetList {
 
 class AsciiStlParser {
  public:
-  AsciiStlParser(std::string_view bytes, std::string_view name) : cursor_(bytes, name) {}
+  AsciiStlParser(std::string_view bytes, std::string_view name, const ReadOptions& options)
+      : cursor_(bytes, name), strict_(options.strict), facets_(options.strict) {}
 
   ReadResult parse() {
     bool open = false, begun = false;
@@ -68,14 +75,19 @@ class AsciiStlParser {
         continue;
       }
       open = equal_ignoring_case(word, "solid");
-      if (!open && !equal_ignoring_case(word, "endsolid")) {
-        fail_expected(begun ? "facet" : "solid", word);
-      }
+      if (!open && !is_end_of("solid", word)) fail_expected(begun ? "facet" : "solid", word);
       cursor_.next_line();  // a name, of any bytes
     }
     cursor_.begin_item({}, 0);
     if (open || facets_.size() == 0) finish(open);
-    return facets_.take();
+    ReadResult result = facets_.take(cursor_);
+    result.coordinate_step = steps_.step();
+    if (in_two_words_ > 0) {
+      result.notes.push_back("took \"end\" and the word behind it for one word, " +
+                             std::to_string(in_two_words_) +
+                             (in_two_words_ == 1 ? " time" : " times"));
+    }
+    return result;
   }
 
  private:
@@ -93,13 +105,14 @@ class AsciiStlParser {
     expect("outer");
     expect("loop");
     Triangle triangle = {corner(), corner(), corner()};
-    expect("endloop");
-    expect("endfacet");
+    expect_end_of("loop");
+    expect_end_of("facet");
     facets_.add(triangle, cursor_);
   }
 
   Index corner() {
     expect("vertex");
+    if (DecimalSteps::wants(facets_.size())) steps_.add(cursor_);
     std::array<double, 3> c = {};
     for (double& coordinate : c) {
       cursor_.skip_to_token();
@@ -118,13 +131,31 @@ class AsciiStlParser {
     if (!equal_ignoring_case(found, word)) fail_expected(word, found);
   }
 
+  void expect_end_of(const std::string& block) {
+    const std::string_view found = next_word(in_quotes("end" + block));
+    if (!is_end_of(block, found)) fail_expected("end" + block, found);
+  }
+
+  /// Whether a word ends a block, as endsolid does; some writers make two words of it.
+  bool is_end_of(std::string_view block, std::string_view found) {
+    if (equal_ignoring_case(found, "end") && !strict_) {
+      ++in_two_words_;
+      return equal_ignoring_case(next_word(in_quotes(block)), block);
+    }
+    return found.size() == 3 + block.size() && equal_ignoring_case(found.substr(0, 3), "end") &&
+           equal_ignoring_case(found.substr(3), block);
+  }
+
   [[noreturn]] void fail_expected(std::string_view word, std::string_view found) const {
     cursor_.fail(ErrorCode::malformed_file,
                  "expected " + in_quotes(word) + ", found " + in_quotes(found));
   }
 
   TextCursor cursor_;
+  bool strict_;
   FacetList facets_;
+  DecimalSteps steps_;
+  std::size_t in_two_words_ = 0;
 };
 
 std::uint32_t announced_facets(std::string_view bytes, std::string_view name) {
@@ -177,7 +208,7 @@ void check_rest(std::uint32_t count, std::size_t rest, const ByteCursor& cursor)
                                              std::to_string(count + rest / k_facet_bytes));
 }
 
-ReadResult parse_binary(std::string_view bytes, std::string_view name) {
+ReadResult parse_binary(std::string_view bytes, std::string_view name, const ReadOptions& options) {
   if (bytes.size() < k_first_facet) {
     ByteCursor(bytes, name, 0)
         .fail(ErrorCode::truncated_file,
@@ -191,7 +222,7 @@ ReadResult parse_binary(std::string_view bytes, std::string_view name) {
                                                std::to_string(cursor.remaining() / k_facet_bytes));
   }
   if (count == 0) cursor.fail(ErrorCode::no_triangles, "the file has no facets");
-  FacetList facets;
+  FacetList facets(options.strict);
   for (std::uint32_t i = 0; i < count; ++i) {
     cursor.begin_item("facet", i);
     cursor.skip(3 * sizeof(float));  // the normal
@@ -204,7 +235,8 @@ ReadResult parse_binary(std::string_view bytes, std::string_view name) {
   const std::size_t rest = cursor.remaining();
   cursor.begin_item({}, 0);
   check_rest(count, rest, cursor);
-  ReadResult result = facets.take();
+  ReadResult result = facets.take(cursor);
+  result.coordinate_step = step_of_floats(result.mesh.positions);
   if (rest > 0) {
     result.notes.push_back("ignored " + std::to_string(rest) + " bytes after the last facet");
   }
@@ -227,11 +259,11 @@ Vec3 unit_normal(Vec3 a, Vec3 b, Vec3 c) {
 
 }  // namespace
 
-ReadResult parse_stl(std::string_view bytes, std::string_view name) {
-  if (has_size_of_binary(bytes, name)) return parse_binary(bytes, name);
+ReadResult parse_stl(std::string_view bytes, std::string_view name, const ReadOptions& options) {
+  if (has_size_of_binary(bytes, name)) return parse_binary(bytes, name, options);
   refuse_foreign(bytes, name);
   const bool binary = wide_encoding(bytes).empty() && is_binary(bytes, name);
-  return binary ? parse_binary(bytes, name) : AsciiStlParser(bytes, name).parse();
+  return binary ? parse_binary(bytes, name, options) : AsciiStlParser(bytes, name, options).parse();
 }
 
 std::string format_stl(const TriMesh& mesh) {

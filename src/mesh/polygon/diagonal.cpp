@@ -1,7 +1,6 @@
 #include "mesh/polygon/diagonal.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace planish {
@@ -22,6 +21,19 @@ double sine_of_sum(const std::array<Vec2, 4>& quad, std::size_t corner) {
   return a.x * b.y + a.y * b.x;
 }
 
+/// The half of a number's digits that counts most (Dekker 1971).
+double upper_half(double x) {
+  const double shifted = 134217729.0 * x;  // 2^27 + 1
+  return shifted - (shifted - x);
+}
+
+/// What rounding left of a product, exactly.
+double rest_of_product(double a, double b, double rounded) {
+  const double a_high = upper_half(a), b_high = upper_half(b);
+  const double a_low = a - a_high, b_low = b - b_high;
+  return ((a_high * b_high - rounded) + a_high * b_low + a_low * b_high) + a_low * b_low;
+}
+
 }  // namespace
 
 int side_of(Vec2 a, Vec2 b, Vec2 c) {
@@ -29,8 +41,8 @@ int side_of(Vec2 a, Vec2 b, Vec2 c) {
   const double left = along.x * to.y, right = along.y * to.x;
   // Rounding keeps the order of what differs once rounded; what does not is told by the remainders.
   if (left != right) return left > right ? 1 : -1;
-  const double left_rest = std::fma(along.x, to.y, -left);
-  const double right_rest = std::fma(along.y, to.x, -right);
+  const double left_rest = rest_of_product(along.x, to.y, left);
+  const double right_rest = rest_of_product(along.y, to.x, right);
   return left_rest == right_rest ? 0 : left_rest > right_rest ? 1 : -1;
 }
 

@@ -58,8 +58,8 @@ void add_faces(Collection& files) {
   face("of_one", "f 1", "3 corners");
   face("of_two", "f 1 2", "3 corners");
   face("of_two_and_comment", "f 1 2 # 3", "3 corners");
-  face("polygon_repeats", "f 1 2 3 1", "vertex twice");
-  face("polygon_repeats_next", "f 1 2 2 3", "vertex twice");
+  face("polygon_repeats", "f 1 2 3 2", "vertex twice");
+  face("polygon_crosses_itself", "f 1 3 2 4", "crosses itself");
   face("upper_case", "F 1 2 3", "\"F\"");
   face("without_blank", "f1 2 3", "\"f1\"");
   std::string many = "f";

@@ -91,7 +91,7 @@ void add_off_bodies(Collection& files) {
   bad("face_length_huge", 40, "4294967299 5 6 7", k_malformed);
   bad("face_length_wraps", 40, "18446744073709551619 5 6 7", k_malformed);
   bad("face_length_too_large", 40, "300 5 6 7", k_malformed);
-  bad("face_repeats", 40, "4 5 6 7 5", k_malformed, "vertex twice");
+  bad("face_repeats", 40, "4 5 6 7 6", k_malformed, "vertex twice");
   files.at_line("vertex_missing", lines.without(10).text(), k_malformed, 27, "4 numbers");
   files.at_line("vertex_of_four", lines.with(10, "1 2 3 4").text(), k_malformed, 10, "4 numbers");
   files.as_a_whole("face_missing", lines.without(40).text(), k_truncated);

@@ -31,7 +31,7 @@ def compare(
     """Tries several methods on a patch, one after the other.
 
     Keywords, as flags of the program:
-        unit: what one unit of the mesh is: mm, cm, dm, m or in (default mm)
+        unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
         scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
             (default 1)
         methods: which, with commas between: controllable, classical, least_norm, flattenable_laplacian, local_offset,

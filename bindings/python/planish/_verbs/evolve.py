@@ -69,7 +69,7 @@ def evolve(
     """Changes a patch by one method towards flattenable; it stays in space.
 
     Keywords, as flags of the program:
-        unit: what one unit of the mesh is: mm, cm, dm, m or in (default mm)
+        unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
         scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
             (default 1)
         cut: cut the patch open first: a cut a line by its vertices from 0, or an .obj whose lines are snapped to the
@@ -204,7 +204,7 @@ def evolve_sweeps(
     """The same as an iterator: a Sweep after each sweep, until evolve() would end.
 
     Keywords, as flags of the program:
-        unit: what one unit of the mesh is: mm, cm, dm, m or in (default mm)
+        unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
         scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
             (default 1)
         cut: cut the patch open first: a cut a line by its vertices from 0, or an .obj whose lines are snapped to the

@@ -89,7 +89,7 @@ def flatten_product(
         program does, or meshes, each one patch, by their names.
 
     Keywords, as flags of the program:
-        unit: what one unit of the mesh is: mm, cm, dm, m or in (default mm)
+        unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
         scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
             (default 1)
         remesh: work on fewer vertices, and write these; the border keeps all of its own

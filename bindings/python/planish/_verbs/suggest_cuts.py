@@ -28,7 +28,7 @@ def suggest_cuts(
     """Looks for short cuts that let a mesh lie flat.
 
     Keywords, as flags of the program:
-        unit: what one unit of the mesh is: mm, cm, dm, m or in (default mm)
+        unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
         scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
             (default 1)
         max_strain: the limit of the largest strain of an edge (0.02 or 2%, default 2%); 2%@p99: on 99 % of the area

@@ -56,7 +56,7 @@ def unfold(
     """Lays a patch flat as it is, with the least stretch or within limits of strain.
 
     Keywords, as flags of the program:
-        unit: what one unit of the mesh is: mm, cm, dm, m or in (default mm)
+        unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
         scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
             (default 1)
         cut: cut the patch open first: a cut a line by its vertices from 0, or an .obj whose lines are snapped to the

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/polygons.h"
 #include "unit/io/io_testing.h"
 
 namespace planish {
@@ -51,12 +52,55 @@ TEST(ReadObj, ReadsFacesThatComeBeforeTheirVertices) {
   expect_obj_square("f 1 2 3\nf 1 3 4\n" + k_obj_corners);
 }
 
-TEST(ReadObj, SplitsPolygonsIntoFansAndSaysSo) {
+TEST(ReadObj, SplitsPolygonsIntoTrianglesAndSaysSo) {
   const ReadResult result = read_obj(k_obj_corners + "f 1 2 3 4\n");
   EXPECT_TRUE(same_bits(result.mesh, square()));
   EXPECT_EQ(result.notes, std::vector<std::string>{"split 1 polygon into 2 triangles"});
-  EXPECT_EQ(read_obj(k_obj_corners + "v 2 2 0\nf 1 2 3 4\nf 1 2 3 4 5\nf 1 2 3\n").notes,
+  EXPECT_EQ(read_obj(k_obj_corners + "v -2 2 0\nf 1 2 3 4\nf 1 2 3 4 5\nf 1 2 3\n").notes,
             std::vector<std::string>{"split 2 polygons into 5 triangles"});
+}
+
+TEST(ReadObj, DividesPolygonsInsideThemselvesAlsoBeforeTheirVertices) {
+  const std::string nook = "v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\n";
+  const std::vector<Triangle> inside = {{0, 1, 2}, {0, 2, 3}};
+  EXPECT_EQ(read_obj(nook + "f 1 2 3 4\n").mesh.triangles, inside);
+  EXPECT_EQ(read_obj("f 1 2 3 4\n" + nook).mesh.triangles, inside);
+  EXPECT_EQ(sorted_triangles(read_obj(nook + "f 2 3 4 1\n").mesh.triangles), inside);
+  EXPECT_EQ(sorted_triangles(read_obj(nook + "f 4 3 2 1\n").mesh.triangles), inside);
+}
+
+TEST(ReadObj, KeepsTheGroupsOfPolygonsAndTheOrderOfFaces) {
+  const ReadResult result = read_obj(
+      k_obj_corners + "v 3 0 0\nv 3 1 0\nv 2 3 0\ng a\nf 1 2 3\ng b\nf 2 5 6 7 3\ng a\nf 1 3 4\n");
+  EXPECT_EQ(result.groups.of_triangle, std::vector<Index>({0, 1, 1, 1, 0}));
+  EXPECT_EQ(result.mesh.triangles.front(), (Triangle{0, 1, 2}));
+  EXPECT_EQ(result.mesh.triangles.back(), (Triangle{0, 2, 3}));
+}
+
+TEST(ReadObj, DropsCornersThatComeTwiceInARow) {
+  const ReadResult result = read_obj(k_obj_corners + "f 1 2 2 3 4 1\nf 1 1 2 3\nf 4 4 4 4\n");
+  EXPECT_EQ(result.mesh.triangles,
+            std::vector<Triangle>({{0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {3, 3, 3}}));
+  EXPECT_EQ(result.notes.front(), "dropped 6 corners that a face names twice in a row");
+  const Error error = error_of([] {
+    parse_mesh(k_obj_corners + "f 1 2 2 3 4\n", MeshFormat::obj, "mesh", {.strict = true});
+  });
+  EXPECT_EQ(error.place().line, 5U);
+  EXPECT_NE(error.message().find("twice in a row"), std::string::npos);
+}
+
+TEST(ReadObj, RefusesPolygonsThatCrossThemselvesWithTheirLine) {
+  expect_obj_refused(k_obj_corners + "f 1 2 3\nf 1 3 2 4\nf 1 3 4\n", ErrorCode::malformed_file, 6,
+                     "4 corners crosses itself; divide it");
+}
+
+TEST(ReadObj, TakesColoursThatAreNoNumbers) {
+  const std::string corners = "v 0 0 0 nan NaN -nan\nv 1 0 0 1 1 1\nv 1 1 0 1 1 1\nf 1 2 3\n";
+  EXPECT_EQ(read_obj(corners).notes, std::vector<std::string>{"dropped the colours of 3 vertices"});
+  EXPECT_EQ(
+      error_of([&] { parse_mesh(corners, MeshFormat::obj, "mesh", {.strict = true}); }).code(),
+      ErrorCode::non_finite_coordinate);
+  expect_obj_refused("v 0 0 nan 0 0 0\n", ErrorCode::non_finite_coordinate, 1);
 }
 
 TEST(ReadObj, KeepsVerticesThatNoFaceUses) {
@@ -233,9 +277,9 @@ TEST(ReadObj, KeepsATriangleThatNamesAVertexTwice) {
 }
 
 TEST(ReadObj, RefusesPolygonsThatNameAVertexTwice) {
-  expect_obj_refused(k_obj_corners + "f 1 2 3 1\n", ErrorCode::malformed_file, 5,
+  expect_obj_refused(k_obj_corners + "f 1 2 3 2\n", ErrorCode::malformed_file, 5,
                      "names a vertex twice");
-  expect_obj_refused(k_obj_corners + "f 1 2 3 -2\n", ErrorCode::malformed_file, 5);
+  expect_obj_refused(k_obj_corners + "f 1 2 3 4 2\n", ErrorCode::malformed_file, 5, "twice");
 }
 
 TEST(ReadObj, RefusesFilesWithoutFaces) {

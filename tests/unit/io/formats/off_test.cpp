@@ -51,10 +51,12 @@ TEST(ReadOff, AcceptsEveryLineEnd) {
   }
 }
 
-TEST(ReadOff, SplitsPolygonsIntoFansAndSaysSo) {
+TEST(ReadOff, SplitsPolygonsIntoTrianglesAndSaysSo) {
   const ReadResult result = read_off("OFF\n4 1 0\n" + k_square_positions + "4 0 1 2 3\n");
   EXPECT_TRUE(same_bits(result.mesh, square()));
   EXPECT_EQ(result.notes, std::vector<std::string>{"split 1 polygon into 2 triangles"});
+  expect_off_refused("OFF\n4 2 0\n" + k_square_positions + "3 0 1 2\n4 0 2 1 3\n",
+                     ErrorCode::malformed_file, 8, "face 1: a face of 4 corners crosses itself");
 }
 
 TEST(ReadOff, SkipsColoursOfFaces) {
@@ -149,7 +151,7 @@ TEST(ReadOff, RefusesBadFacesAndNamesFaceAndLine) {
   expect_off_refused(start + "3 0 2 1.5\n", ErrorCode::bad_number, 8, "face 1");
   expect_off_refused(start + "2 0 2 3 4\n", ErrorCode::malformed_file, 8, "3 corners");
   expect_off_refused(start + "4 0 2 3\n3", ErrorCode::malformed_file, 8, "a number should follow");
-  expect_off_refused(start + "4 0 2 3 0\n", ErrorCode::malformed_file, 8, "twice");
+  expect_off_refused(start + "4 0 2 3 2\n", ErrorCode::malformed_file, 8, "twice");
   expect_off_refused(start + "-3 0 2 3\n", ErrorCode::malformed_file, 8, "not a count");
   expect_off_refused(start + "99999999999999999999 0 1 2\n", ErrorCode::malformed_file, 8);
 }

@@ -225,14 +225,34 @@ TEST(ReadPly, RefusesItemsOfAsciiFilesThatEndWithinALine) {
   expect_ply_refused(header + "0 0 0\n1 0\n1 1 0\n0 1 0\n" + faces, k_code, 12, "vertex 1");
 }
 
-TEST(ReadPly, SplitsPolygonsIntoFansAndSaysSo) {
+TEST(ReadPly, SplitsPolygonsIntoTrianglesAndSaysSo) {
   const std::string quad =
       header("ascii", "element vertex 4\n" + k_xyz + "element face 1\n" + k_corner_list);
   const ReadResult result = read_ply(quad + k_square_positions + "4 0 1 2 3\n");
   EXPECT_TRUE(same_bits(result.mesh, square()));
   EXPECT_EQ(result.notes, std::vector<std::string>{"split 1 polygon into 2 triangles"});
-  expect_ply_refused(quad + k_square_positions + "4 0 1 2 0\n", ErrorCode::malformed_file, 14,
-                     "twice");
+  expect_ply_refused(quad + k_square_positions + "4 0 1 2 1\n", ErrorCode::malformed_file, 14,
+                     "face 0: a face of 4 corners crosses itself");
+}
+
+TEST(ReadPly, NamesTheByteOfABinaryFaceThatCrossesItself) {
+  const std::string front =
+      header(k_little, "element vertex 4\n" + k_xyz + "element face 1\n" + k_corner_list) +
+      packed(endian::little, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 1.F, 1.F, 0.F, 0.F, 1.F, 0.F);
+  const std::string face = packed(endian::little, std::uint8_t{4}, 0, 2, 1, 3);
+  expect_refused_at_byte(front + face, MeshFormat::ply, ErrorCode::malformed_file, front.size(),
+                         "face 0: a face of 4 corners crosses itself");
+}
+
+TEST(ReadPly, TakesACarriageReturnOfTheLastHeaderLineAlone) {
+  std::string text = square_header(k_little);
+  text.insert(text.size() - 1, "\r");
+  expect_ply_square(text + square_body<float, std::uint8_t, std::int32_t>(endian::little));
+}
+
+TEST(ReadPly, SaysWhatToDoWithPointsAlone) {
+  expect_ply_refused(header("ascii", "element vertex 4\n" + k_xyz) + k_square_positions,
+                     ErrorCode::no_triangles, 11, "4 points but no faces: make a surface of them");
 }
 
 TEST(ReadPly, RefusesHeadersThatAreNone) {

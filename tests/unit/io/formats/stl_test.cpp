@@ -23,6 +23,14 @@ const std::string k_facet_2 =
     "      vertex 1 1 0\n      vertex 0 +1 0\n    endloop\n  endfacet\n";
 const std::string k_ascii_stl = "solid a name\n" + k_facet_1 + k_facet_2 + "endsolid a name\n";
 
+std::string with_two_words() {
+  std::string text = "solid a\n" + k_facet_1 + "end solid a\n";
+  const std::size_t loop = text.find("endloop"), facet = text.find("endfacet");
+  text.insert(facet + 3, " ");
+  text.insert(loop + 3, "\n ");
+  return text;
+}
+
 std::string binary(const std::string& title, std::uint32_t count, const TriMesh& mesh) {
   std::string bytes = title;
   bytes.resize(80, '\0');
@@ -52,6 +60,17 @@ void expect_stl_square(std::string_view bytes) {
   EXPECT_TRUE(same_bits(result.mesh, square()));
   EXPECT_EQ(result.format, MeshFormat::stl);
   EXPECT_EQ(result.notes, std::vector<std::string>{k_note});
+}
+
+TEST(ReadStl, TakesEndWordsInTwo) {
+  const ReadResult result = read_stl(with_two_words());
+  EXPECT_EQ(result.mesh.triangles, std::vector<Triangle>({{0, 1, 2}}));
+  EXPECT_EQ(result.notes.back(), "took \"end\" and the word behind it for one word, 3 times");
+  EXPECT_EQ(
+      error_of([] { parse_mesh(with_two_words(), MeshFormat::stl, "mesh", {.strict = true}); })
+          .place()
+          .line,
+      7U);
 }
 
 void expect_stl_refused(std::string_view text, ErrorCode code, std::size_t line,

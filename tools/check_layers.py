@@ -86,6 +86,7 @@ FOR_THE_PROGRAM = {
     "mesh/match/twins.h",
     "mesh/split.h",
     "platform/memory.h",
+    "platform/processors.h",
     "platform/path.h",
     "report/page/page_script.h",
     "platform/windows/wide.h",

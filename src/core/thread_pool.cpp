@@ -5,10 +5,16 @@
 #include <system_error>
 #include <utility>
 
+#include "platform/processors.h"
+
 namespace planish {
 
+unsigned thread_count(const Context& context) {
+  return context.threads == 0 ? usable_processors() : context.threads;
+}
+
 ThreadPool::ThreadPool(unsigned threads) {
-  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
+  if (threads == 0) threads = usable_processors();
   workers_.reserve(threads - 1);
   try {
     for (unsigned i = 1; i < threads; ++i)

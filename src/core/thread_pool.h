@@ -12,11 +12,14 @@
 
 namespace planish {
 
+/// How many threads a job uses: those asked for, else usable_processors().
+unsigned thread_count(const Context& context);
+
 /// A few threads that sleep until a loop is handed to them. Which thread does which part never
 /// shows in the result as long as the parts are independent.
 class ThreadPool {
  public:
-  /// @param threads 0 for all cores
+  /// @param threads 0 for usable_processors()
   explicit ThreadPool(unsigned threads);
   /// A pool whose loops end early once the job is cancelled.
   explicit ThreadPool(const Context& context);

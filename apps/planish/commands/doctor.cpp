@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <random>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <planish/core/error.h>
@@ -16,6 +15,7 @@
 #include "core/lanes/isa.h"
 #include "platform/memory.h"
 #include "platform/path.h"
+#include "platform/processors.h"
 #include "report/page/page_script.h"
 #include "shell/session.h"
 #include "shell/text.h"
@@ -58,7 +58,7 @@ struct Findings {
   std::string build = PLANISH_BUILD;
   std::vector<std::string> features = {};
   std::string lanes{to_string(best_isa())};
-  unsigned processors = std::thread::hardware_concurrency();
+  unsigned processors = usable_processors();
   std::size_t memory = available_memory();
   Folder temporary = {};
   Folder current = {};

@@ -62,7 +62,7 @@ const FlagGroup& global_flags() {
        {"--quiet", "", "no progress and no notes; results and errors still appear", 'q'},
        {"--threads",
         "N",
-        "use at most N threads; never changes the result (default: all cores)",
+        "use at most N threads; never changes the result (default: all usable cores)",
         0,
         false,
         {.range = k_threads}},

@@ -107,7 +107,7 @@ struct Command {
   std::vector<FlagValue> operand_values = {};
 };
 
-/// What --threads takes; 0 for all cores.
+/// What --threads takes; 0 for all usable processors.
 inline constexpr Range k_threads = {0.0, 1024.0};
 
 /// Marks the flags that --help shows first; of several with one name, the first one.

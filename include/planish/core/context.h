@@ -15,7 +15,7 @@ struct Progress {
 
 /// What a long job is run with.
 struct Context {
-  unsigned threads = 0;  ///< 0 for all cores; the result is the same for every number
+  unsigned threads = 0;  ///< 0: all processors it may use; results never depend on it
   /// Called now and then, from the calling thread. What it throws ends the job and is passed on.
   std::function<void(const Progress&)> on_progress = {};
   /// Asked often, from any thread; true ends the job, which throws Cancelled.

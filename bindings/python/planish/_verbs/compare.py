@@ -42,7 +42,7 @@ def compare(
             snapped to the mesh
         weights: weights of moves: on each line a vertex, from 0, and its weight
         obstacle: a closed mesh that must not be entered
-        threads: use at most N threads; never changes the result (default: all cores)
+        threads: use at most N threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())
     return _run.run(_core.compare, _meshes.as_mesh(mesh, faces, name), given, progress)

@@ -144,7 +144,7 @@ def evolve(
             snapped to the mesh
         weights: weights of moves: on each line a vertex, from 0, and its weight
         obstacle: a closed mesh that must not be entered
-        threads: use at most N threads; never changes the result (default: all cores)
+        threads: use at most N threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())
     return _run.run(_core.evolve, _meshes.as_mesh(mesh, faces, name), given, progress)
@@ -276,7 +276,7 @@ def evolve_sweeps(
             snapped to the mesh
         weights: weights of moves: on each line a vertex, from 0, and its weight
         obstacle: a closed mesh that must not be entered
-        threads: use at most N threads; never changes the result (default: all cores)
+        threads: use at most N threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())
     return _run.with_files(given, lambda files: _core.sweeps(_meshes.as_mesh(mesh, faces, name), files))

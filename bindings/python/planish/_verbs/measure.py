@@ -34,7 +34,7 @@ def measure(
         material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or
             neoprene 10%
         max_rms_strain: the same for the root mean square of the strain (0.02 or 2%)
-        threads: use at most N threads; never changes the result (default: all cores)
+        threads: use at most N threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())
     return _run.run(_core.measure, _meshes.as_mesh(mesh, faces, name), given, progress)

@@ -190,7 +190,7 @@ def flatten_product(
         clearance: distance to keep from the obstacle, in model units (1.5 or 1.5mm; at least 0, default 0)
         pull: how strongly vertices are drawn to where they began; waves longer than 2 pi sizes over the root of this
             stay, a size being the root of the area; 0: not at all (at least 0, default 100)
-        threads: use at most N threads; never changes the result (default: all cores)
+        threads: use at most N threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())
     return _run.run_product(patches, name, given, progress)

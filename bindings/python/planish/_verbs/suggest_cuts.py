@@ -35,7 +35,7 @@ def suggest_cuts(
         material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or
             neoprene 10%
         max_cuts: at most so many darts (0 to 50, default 6)
-        threads: use at most N threads; never changes the result (default: all cores)
+        threads: use at most N threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())
     return _run.run(_core.suggest_cuts, _meshes.as_mesh(mesh, faces, name), given, progress)

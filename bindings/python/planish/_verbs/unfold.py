@@ -99,7 +99,7 @@ def unfold(
             lengths.csv
         curve_tolerance: how near curves of outlines stay to the border's vertices (default 0.1mm; 0: lines from
             vertex to vertex)
-        threads: use at most N threads; never changes the result (default: all cores)
+        threads: use at most N threads; never changes the result (default: all usable cores)
     """
     given = _run.keywords_of(locals())
     return _run.run(_core.unfold, _meshes.as_mesh(mesh, faces, name), given, progress)

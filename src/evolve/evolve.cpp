@@ -5,6 +5,7 @@
 #include <planish/measure/flattenability.h>
 
 #include "core/job.h"
+#include "evolve/check_stopping.h"
 #include "evolve/evolve_progress.h"
 
 namespace planish {
@@ -14,13 +15,13 @@ namespace {
 /// Defects up to this are rounding: no target below it can be asked for.
 constexpr double k_rounding_defect = 1e-12;
 
+}  // namespace
+
 void check_stopping(Stopping stopping) {
   describe(stopping, [](std::string_view name, auto value, std::string_view, Range range) {
     check_range(name, static_cast<double>(value), range);
   });
 }
-
-}  // namespace
 
 std::string_view to_string(StopReason reason) {
   switch (reason) {

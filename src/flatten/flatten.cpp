@@ -10,6 +10,7 @@
 
 #include "core/aside.h"
 #include "core/job.h"
+#include "flatten/check_request.h"
 #include "measure/ruling_defect.h"
 #include "measure/smoothed.h"
 #include "unfold/strain/free_edges.h"
@@ -207,8 +208,8 @@ class Flattening {
     report_.name = std::move(name);
     report_.material = options_.material;
     check_constraints(options_.constraints, patch.vertex_count(), method_);
-    if (options_.smooth_first > 0.0) return run_smoothed(patch);
     free_edges_ = options_.free_edges;
+    if (options_.smooth_first > 0.0) return run_smoothed(patch);
     if (options_.remesh) {
       remeshed_ = remesh(patch, options_.constraints, options_.keep);
       free_edges_ = renumbered_edges(free_edges_, remeshed_->source);
@@ -461,6 +462,7 @@ class Flattening {
 
 FlattenReport flatten(const Patch& patch, std::string name, const FlattenOptions& options,
                       const Context& context) {
+  check_request(options);
   FlattenReport report = Flattening(options, context).run(patch, std::move(name));
   report_progress(context, {"unfolding", 1.0});
   return report;

@@ -101,7 +101,8 @@ class FrontierRuns {
 
 void check(const FrontierOptions& options) {
   if (options.points) check_range("points", *options.points, {2.0, k_most_points});
-  if (options.limit) check_range("limit", *options.limit, {std::nextafter(0.0, 1.0), 1.0});
+  if (options.limit)
+    check_range("limit", *options.limit, {std::nextafter(0.0, 1.0), k_largest_strain_limit});
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "core/figure_text.h"
+#include "flatten/outcome.h"
 
 namespace planish {
 
@@ -46,44 +47,32 @@ std::optional<double> given_bending(const Method& method) {
   return given(method, "max_bending");
 }
 
-LimitOf limit_of(StrainLimitKind kind) {
-  switch (kind) {
-    case StrainLimitKind::max:
-      return LimitOf::strain;
-    case StrainLimitKind::p99:
-      return LimitOf::p99_strain;
-    case StrainLimitKind::rms:
-      return LimitOf::rms_strain;
-  }
-  return LimitOf::strain;
-}
-
 }  // namespace
 
 std::vector<LimitCheck> limit_checks(const EvolveReport& evolve) {
   std::vector<LimitCheck> checks;
-  const auto at_most = [&](LimitOf what, double limit, double value) {
+  const auto at_most = [&](Criterion what, double limit, double value) {
     checks.push_back({what, limit, value, value <= limit * (1.0 + k_rounding)});
   };
   if (const auto limit = given(evolve.method, "max_deviation"))
-    at_most(LimitOf::deviation, *limit, evolve.deviation.max);
+    at_most(Criterion::deviation, *limit, evolve.deviation.max);
   if (const auto limit = given(evolve.method, "min_angle")) {
     const double before = k_degrees * evolve.before.figures.min_angle;
     const double after = k_degrees * evolve.after.figures.min_angle;
     const double bound = std::min(*limit, before);
-    checks.push_back({LimitOf::angle, *limit, after, after >= bound * (1.0 - k_rounding)});
+    checks.push_back({Criterion::angle, *limit, after, after >= bound * (1.0 - k_rounding)});
   }
   if (const auto limit = given_bending(evolve.method); limit && evolve.fairness.bending_ratio)
-    at_most(LimitOf::bending, *limit, *evolve.fairness.bending_ratio);
+    at_most(Criterion::bending, *limit, *evolve.fairness.bending_ratio);
   if (evolve.stopping.target_e_max > 0.0)
-    at_most(LimitOf::defect, evolve.stopping.target_e_max, evolve.after.figures.e_max);
+    at_most(Criterion::e_max, evolve.stopping.target_e_max, evolve.after.figures.e_max);
   return checks;
 }
 
 std::vector<LimitCheck> limit_checks(const FlattenReport& report) {
   std::vector<LimitCheck> checks;
   for (const StrainLimitCheck& check : report.unfold.limits)
-    checks.push_back({limit_of(check.kind), check.asked, check.reached, check.kept()});
+    checks.push_back(limit_check(check));
   const std::vector<LimitCheck> others = limit_checks(report.evolve);
   checks.insert(checks.end(), others.begin(), others.end());
   return checks;
@@ -91,22 +80,23 @@ std::vector<LimitCheck> limit_checks(const FlattenReport& report) {
 
 std::string limit_text(const LimitCheck& check, Unit unit) {
   switch (check.what) {
-    case LimitOf::strain:
+    case Criterion::strain:
       return "at most " + percent_text(check.limit);
-    case LimitOf::p99_strain:
+    case Criterion::p99_strain:
       return "at most " + percent_text(check.limit) + " on 99 % of the area";
-    case LimitOf::rms_strain:
+    case Criterion::rms_strain:
       return "at most " + percent_text(check.limit) + " (rms)";
-    case LimitOf::deviation:
+    case Criterion::deviation:
       return "at most " + significant_text(check.limit, 3) + " " + std::string(to_string(unit));
-    case LimitOf::angle:
+    case Criterion::angle:
       return "at least " + significant_text(check.limit, 3) + "°";
-    case LimitOf::defect:
+    case Criterion::e_max:
       return "at most " + significant_text(check.limit, 2) + " rad";
-    case LimitOf::bending:
+    case Criterion::bending:
       return "at most " + significant_text(check.limit, 3) + " times the design's";
+    default:
+      return {};  // no limit
   }
-  return {};
 }
 
 }  // namespace planish

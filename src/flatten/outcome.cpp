@@ -1,9 +1,15 @@
+#include "flatten/outcome.h"
+
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <string_view>
 #include <variant>
 
+#include <planish/flatten/product.h>
+
 #include "flatten/limit_checks.h"
+#include "flatten/verdict.h"
 
 namespace planish {
 
@@ -11,8 +17,8 @@ namespace {
 
 /// How much of a limit is used up: above 1 beyond it.
 double share_used(const LimitCheck& check) {
-  const double part = check.what == LimitOf::angle ? check.limit : check.value;
-  const double whole = check.what == LimitOf::angle ? check.value : check.limit;
+  const double part = check.what == Criterion::angle ? check.limit : check.value;
+  const double whole = check.what == Criterion::angle ? check.value : check.limit;
   if (whole > 0.0) return part / whole;
   return part > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
 }
@@ -22,36 +28,183 @@ bool is_better(const LimitCheck& a, const LimitCheck& b) {
   return a.met != b.met ? a.met : share_used(a) < share_used(b);
 }
 
-Outcome outcome_of(std::span<const LimitCheck> checks, StopReason reason) {
-  Outcome outcome{true, reason};
-  for (const LimitCheck& check : checks)
-    outcome.met = outcome.met && check.met;
-  const auto worst = std::max_element(checks.begin(), checks.end(), is_better);
-  if (worst != checks.end()) outcome.worst = *worst;
-  return outcome;
+/// Collects what is missed.
+class Judgement {
+ public:
+  explicit Judgement(StopReason reason) { outcome_.reason = reason; }
+
+  Judgement& limits(std::span<const LimitCheck> checks) {
+    for (const LimitCheck& check : checks)
+      miss_if(!check.met, check.what);
+    const auto worst = std::max_element(checks.begin(), checks.end(), is_better);
+    if (worst != checks.end()) outcome_.worst = *worst;
+    return *this;
+  }
+  Judgement& form(std::span<const FormFault> faults) {
+    for (const FormFault& fault : faults)
+      miss_if(true, fault.what);
+    return *this;
+  }
+  Judgement& pattern(const UnfoldReport& unfold) {
+    miss_if(is_absurdly_small(unfold), Criterion::size);
+    miss_if(unfold.pattern.overlaps, Criterion::overlap);
+    miss_if(unfold.pattern.flipped_triangles > 0, Criterion::flipped_triangles);
+    return *this;
+  }
+  Judgement& miss_if(bool is_missed, Criterion what) {
+    if (is_missed) outcome_.missed.push_back(what);
+    return *this;
+  }
+
+  Outcome outcome() {
+    std::vector<Criterion>& missed = outcome_.missed;
+    std::sort(missed.begin(), missed.end());
+    missed.erase(std::unique(missed.begin(), missed.end()), missed.end());
+    return std::move(outcome_);
+  }
+
+ private:
+  Outcome outcome_;
+};
+
+/// Without a limit of strain, a changed surface is to lie flat.
+bool is_stretched(const EdgeStrain& strain, double largest_move, bool is_rejected,
+                  std::span<const LimitCheck> limits) {
+  const bool has_limit = is_rejected || std::any_of(limits.begin(), limits.end(), [](auto& check) {
+                           return is_of_strain(check.what);
+                         });
+  return !has_limit && largest_move > 0.0 && !is_too_small_to_measure(strain);
+}
+
+/// Of a patch that was flattened.
+Outcome outcome_of(const UnfoldReport& unfold, double largest_move, StopReason stop,
+                   bool is_rejected, std::span<const LimitCheck> limits,
+                   std::span<const FormFault> faults) {
+  return Judgement(stop)
+      .limits(limits)
+      .miss_if(is_rejected, Criterion::rejected)
+      .miss_if(is_stretched(unfold.strain, largest_move, is_rejected, limits), Criterion::stretched)
+      .form(faults)
+      .pattern(unfold)
+      .outcome();
 }
 
 /// Whether a run that was to end by the strain ended so, or with nothing left to do.
-bool ended_by_strain(const Method& method, const Outcome& outcome) {
-  const auto* options = std::get_if<Auto>(&method);
-  if (options == nullptr || (options->max_strain == 0.0 && options->max_rms_strain == 0.0))
-    return true;
-  return outcome.reason == StopReason::strain_met || outcome.reason == StopReason::converged ||
-         outcome.target_met();
+bool ended_by_strain(StopReason reason) {
+  return reason == StopReason::strain_met || reason == StopReason::converged ||
+         reason == StopReason::reached_target;
 }
 
 }  // namespace
 
+std::string_view to_string(Criterion criterion) {
+  switch (criterion) {
+    case Criterion::strain:
+      return "strain";
+    case Criterion::p99_strain:
+      return "p99_strain";
+    case Criterion::rms_strain:
+      return "rms_strain";
+    case Criterion::deviation:
+      return "deviation";
+    case Criterion::angle:
+      return "angle";
+    case Criterion::e_max:
+      return "e_max";
+    case Criterion::bending:
+      return "bending";
+    case Criterion::rejected:
+      return "rejected";
+    case Criterion::failure:
+      return "failure";
+    case Criterion::size:
+      return "size";
+    case Criterion::stretched:
+      return "stretched";
+    case Criterion::crumpled:
+      return "crumpled";
+    case Criterion::form:
+      return "form";
+    case Criterion::fold:
+      return "fold";
+    case Criterion::self_intersections:
+      return "self_intersections";
+    case Criterion::overlap:
+      return "overlap";
+    case Criterion::flipped_triangles:
+      return "flipped_triangles";
+  }
+  return "unknown";
+}
+
+bool is_of_strain(Criterion what) {
+  return what == Criterion::strain || what == Criterion::p99_strain ||
+         what == Criterion::rms_strain;
+}
+
+LimitCheck limit_check(const StrainLimitCheck& check) {
+  const Criterion what = check.kind == StrainLimitKind::max   ? Criterion::strain
+                         : check.kind == StrainLimitKind::p99 ? Criterion::p99_strain
+                                                              : Criterion::rms_strain;
+  return {what, check.asked, check.reached, check.kept()};
+}
+
+std::vector<FormFault> find_form_faults(const EvolveReport& evolve) {
+  const Fairness& fairness = evolve.fairness;
+  const bool crumpled = !fairness.is_smooth();
+  std::vector<FormFault> faults;
+  if (crumpled) faults.push_back({Criterion::crumpled, "is crumpled"});
+  if (!fairness.keeps_form()) faults.push_back({Criterion::form, "is lost"});
+  if (!crumpled && fairness.has_sharp_fold())
+    faults.push_back({Criterion::fold, "has " + new_fold_text(*fairness.sharpest_fold)});
+  if (evolve.after.self_intersections.pairs > evolve.before.self_intersections.pairs)
+    faults.push_back({Criterion::self_intersections, "goes through itself"});
+  return faults;
+}
+
+std::string joined(const std::vector<FormFault>& faults) {
+  constexpr std::string_view verb = "is ";
+  std::string text;
+  for (const FormFault& fault : faults) {
+    const bool is_said = text.starts_with(verb) && fault.text.starts_with(verb);
+    text += (text.empty() ? "" : " and ") + fault.text.substr(is_said ? verb.size() : 0);
+  }
+  return text;
+}
+
+bool Outcome::limits_met() const {
+  return std::none_of(missed.begin(), missed.end(),
+                      [](Criterion what) { return what <= Criterion::rejected; });
+}
+
 Outcome EvolveReport::outcome() const {
-  Outcome outcome = outcome_of(limit_checks(*this), result.stop);
-  outcome.met = outcome.met && ended_by_strain(method, outcome);
-  return outcome;
+  Judgement judgement(result.stop);
+  judgement.limits(limit_checks(*this)).form(find_form_faults(*this));
+  if (const auto* options = std::get_if<Auto>(&method); options && !ended_by_strain(result.stop)) {
+    judgement.miss_if(options->max_strain > 0.0, Criterion::strain);
+    judgement.miss_if(options->max_rms_strain > 0.0, Criterion::rms_strain);
+  }
+  return judgement.outcome();
+}
+
+Outcome UnfoldReport::outcome() const {
+  std::vector<LimitCheck> checks;
+  for (const StrainLimitCheck& check : limits)
+    checks.push_back(limit_check(check));
+  return outcome_of(*this, 0.0, StopReason::design_kept, false, checks, {});
 }
 
 Outcome FlattenReport::outcome() const {
-  Outcome outcome = outcome_of(limit_checks(*this), evolve.result.stop);
-  outcome.met = outcome.met && !rejected;
-  return outcome;
+  return outcome_of(unfold, evolve.deviation.max, evolve.result.stop, rejected.has_value(),
+                    limit_checks(*this), find_form_faults(evolve));
+}
+
+Outcome FinishedPatch::outcome() const {
+  return outcome_of(unfold, deviation.max, stop, rejected.has_value(), limits, form_faults);
+}
+
+Outcome PatchResult::outcome() const {
+  return finished ? finished->outcome() : Outcome{.missed = {Criterion::failure}};
 }
 
 }  // namespace planish

@@ -13,6 +13,7 @@
 #include "core/figure_text.h"
 #include "core/likely_units.h"
 #include "flatten/limit_checks.h"
+#include "flatten/outcome.h"
 
 namespace planish {
 
@@ -29,10 +30,6 @@ constexpr double k_limit_rounding = 1e-9;
 
 // Relative changes below these are not worth a word.
 constexpr double k_same_energy = 0.005, k_same_strain = 0.02;
-
-bool is_of_strain(LimitOf what) {
-  return what == LimitOf::strain || what == LimitOf::p99_strain || what == LimitOf::rms_strain;
-}
 
 std::string degrees_of(const Fold& fold) {
   return significant_text(fold.degrees, 2) + "°";
@@ -234,17 +231,7 @@ std::string form_sentence(const FlattenReport& report) {
 }  // namespace
 
 std::string form_faults(const EvolveReport& evolve) {
-  const Fairness& fairness = evolve.fairness;
-  const bool crumpled = !fairness.is_smooth(), lost = !fairness.keeps_form();
-  std::string text = crumpled && lost ? "is crumpled and lost"
-                     : crumpled       ? "is crumpled"
-                     : lost           ? "is lost"
-                                      : "";
-  const auto add = [&](const std::string& fault) { text += (text.empty() ? "" : " and ") + fault; };
-  if (!crumpled && fairness.has_sharp_fold()) add("has " + new_fold_text(*fairness.sharpest_fold));
-  if (evolve.after.self_intersections.pairs > evolve.before.self_intersections.pairs)
-    add("goes through itself");
-  return text;
+  return joined(find_form_faults(evolve));
 }
 
 std::string new_fold_text(const Fold& fold) {
@@ -277,15 +264,15 @@ std::vector<LimitCheck> strain_limits_of(const FlattenReport& report) {
 
 std::string strain_limit_name(const LimitCheck& check, const FlattenReport& report) {
   const std::string limit = percent_text(check.limit);
-  if (check.what == LimitOf::p99_strain && !report.material.empty()) {
+  if (check.what == Criterion::p99_strain && !report.material.empty()) {
     const bool is_beyond = report.unfold.strain.max > check.limit * (1.0 + k_limit_rounding);
     return "the " + limit + " that " + report.material + " takes" +
            (is_beyond ? " on 99 % of the area" : "");
   }
   return "the limit of " + limit +
-         (check.what == LimitOf::rms_strain   ? " (rms)"
-          : check.what == LimitOf::p99_strain ? " on 99 % of the area"
-                                              : "");
+         (check.what == Criterion::rms_strain   ? " (rms)"
+          : check.what == Criterion::p99_strain ? " on 99 % of the area"
+                                                : "");
 }
 
 std::string form_loss_text(const Fairness& fairness) {

@@ -1,5 +1,7 @@
 #include "report/json_parts.h"
 
+#include <utility>
+
 namespace planish {
 
 namespace {
@@ -112,6 +114,15 @@ Json to_json(const Failure& failure) {
 
 Json to_json(const TwinOf& twin) {
   return {{"of", twin.name}, {"mirrored", twin.mirrored}};
+}
+
+Json to_json(const Outcome& outcome) {
+  Json missed = Json::array();
+  for (const Criterion what : outcome.missed)
+    missed.push_back(to_string(what));
+  return {{"limits_met", outcome.limits_met()},
+          {"usable", outcome.usable()},
+          {"missed", std::move(missed)}};
 }
 
 Json to_json(const MeasuredPatch& patch) {

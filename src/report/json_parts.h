@@ -21,6 +21,8 @@ Json to_json(const UnfoldReport& report);
 Json to_json(const CompareReport& report);
 Json to_json(const Failure& failure);
 Json to_json(const TwinOf& twin);
+/// "limits_met", "usable" and "missed".
+Json to_json(const Outcome& outcome);
 Json to_json(const LayoutReport& layout);
 Json to_json(const MeasuredPatch& patch);
 /// "strain" and "limits" of a measured patch: null and empty where it cannot be laid flat.

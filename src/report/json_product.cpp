@@ -61,9 +61,11 @@ Json patch_entry(const PatchResult& patch, const std::string& folder, const Writ
       {"vertices", patch.vertices},
       {"triangles", patch.triangles}};
   json["unfold"] = finished ? to_json(finished->unfold) : Json(nullptr);
-  json["stop"] = finished ? Json(to_string(finished->outcome.reason)) : Json(nullptr);
+  json["stop"] = finished ? Json(to_string(finished->stop)) : Json(nullptr);
   json["deviation"] = finished ? to_json(finished->deviation) : Json(nullptr);
-  json["met"] = is_met(patch);
+  const Outcome outcome = patch.outcome();
+  json["met"] = outcome.usable();
+  json.update(to_json(outcome));
   json["checks"] = checks_of(patch);
   json["rejected_strain"] =
       finished && finished->rejected ? to_json(*finished->rejected) : Json(nullptr);

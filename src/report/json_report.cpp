@@ -193,7 +193,9 @@ std::string json_report(const EvolveReport& report, const std::vector<MoreFigure
 }
 
 std::string json_report(const UnfoldReport& report, const std::vector<MoreFigures>& more) {
-  return document_of(to_json(report), more);
+  Json json = to_json(report);
+  json.update(to_json(report.outcome()));
+  return document_of(std::move(json), more);
 }
 
 std::string json_report(const FlattenReport& report, const WrittenFiles& files,
@@ -208,6 +210,7 @@ std::string json_report(const FlattenReport& report, const WrittenFiles& files,
                {"limits", to_json(report.unfold.limits)},
                {"candidates", to_json(report.candidates())},
                {"files", Json(files)}};
+  json.update(to_json(report.outcome()));
   if (report.rejected) json["rejected_strain"] = to_json(*report.rejected);
   if (report.twin_of) json["twin"] = to_json(*report.twin_of);
   for (const MoreFigures& some : more)

@@ -76,17 +76,6 @@ LeastStretch with_matched_border(const TriMesh& mesh, const Disk& disk, const Le
   return std::move(matched.result);
 }
 
-void require_limits(const StrainLimits& limits) {
-  for (const double limit : {limits.max, limits.p99, limits.rms}) {
-    if (limit >= 0.0 && std::isfinite(limit)) continue;
-    throw Error(ErrorCode::option_out_of_range, "limits of strain must be 0 or more");
-  }
-  if (limits.max > 0.0 && limits.p99 > 0.0) {
-    throw Error(ErrorCode::option_out_of_range,
-                "a limit is of every edge or of 99 % of the area: give one of them");
-  }
-}
-
 /// What is called after each step. Laying flat takes some 15 steps, keeping limits or the border
 /// some 60.
 std::function<void()> unfolding_steps(const Context& context, double of_rest) {
@@ -131,7 +120,7 @@ void require_unfoldable(const Patch& patch) {
 
 Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& context) {
   require_unfoldable(patch);
-  require_limits(options.limits);
+  require(options.limits);
   ThreadPool pool(context);
   pool.stop_if_cancelled();
   const Disk disk = make_disk(patch);

@@ -207,6 +207,22 @@ TEST_F(LimitFlags, RefuseWhatIsNoLimit) {
   }
 }
 
+TEST_F(LimitFlags, RefuseNumbersThatAreNoLimitWithOneCode) {
+  for (const std::string verb : {"unfold", "flatten", "measure", "suggest-cuts", "evolve"}) {
+    for (const std::string flag : {"--max-strain", "--max-rms-strain"}) {
+      if (verb == "suggest-cuts" && flag == "--max-rms-strain") continue;
+      for (const char* text : {"nan", "-0.02", "inf", "2", "200%"}) {
+        Names args = {verb, "panel.obj", flag, text, "--json"};
+        if (verb != "measure") args.insert(args.end(), {"-o", "out.obj"});
+        if (verb == "evolve") args.insert(args.end(), {"--method", "auto"});
+        const CliResult result = planish(args);
+        EXPECT_EQ(result.exit_code, k_exit_usage) << verb << flag << text;
+        EXPECT_EQ(result.json()["error"]["code"], "option_out_of_range") << verb << flag << text;
+      }
+    }
+  }
+}
+
 TEST_F(LimitFlags, OfMeasureTellWhetherSomePatternKeepsThem) {
   const auto strain = planish({"measure", "panel.obj", "--json"}).json()["strain"];
   const double smallest = strain["smallest_limit"];

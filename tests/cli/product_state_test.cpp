@@ -30,10 +30,11 @@ FinishedPatch results() {
   patch.unfold.limits = {{StrainLimitKind::p99, 0.08, 0.09, 0.01, {3, 4}, {1.5, -2.5, 3.5}},
                          {StrainLimitKind::rms, 0.01, 0.02, 0.5, {5, 6}, {}}};
   patch.deviation = {0.7, 1.9, 1e-4};
-  patch.outcome = {false, StopReason::angle_limit, LimitCheck{LimitOf::angle, 10.0, 9.0, false}};
+  patch.stop = StopReason::angle_limit;
   patch.twin_of = TwinOf{"left \u00FC", true};
   patch.rejected = EdgeStrain{0.5, 0.25, 0.4, {8, 9}};
-  patch.limits = {{LimitOf::p99_strain, 0.08, 0.09, false}, {LimitOf::angle, 10.0, 9.0, false}};
+  patch.limits = {{Criterion::p99_strain, 0.08, 0.09, false}, {Criterion::angle, 10.0, 9.0, false}};
+  patch.form_faults = {{Criterion::crumpled, "is crumpled"}, {Criterion::form, "is lost"}};
   return patch;
 }
 
@@ -63,6 +64,9 @@ TEST_F(ProductState, KeepsWhatIsWhole) {
   EXPECT_EQ(figures_json(*kept), figures_json(results()));
   EXPECT_EQ(kept->unfold.pattern.height, 0.1 + 0.2) << "to the bit";
   EXPECT_EQ(kept->twin_of->name, "left \u00FC");
+  ASSERT_EQ(kept->form_faults.size(), 2U);
+  EXPECT_EQ(kept->form_faults[1].text, "is lost");
+  EXPECT_EQ(kept->outcome().missed, results().outcome().missed);
   EXPECT_FALSE(kept->unfold.unlimited_strain);
 }
 

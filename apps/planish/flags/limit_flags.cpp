@@ -13,11 +13,14 @@ namespace planish::cli {
 namespace {
 
 constexpr std::string_view k_of_area = "@p99";
-constexpr Range k_strain = {0.0, 1.0};
+constexpr Range k_strain = {0.0, k_largest_strain_limit};
 
 double share_above_0(const std::string& flag, const std::string& text, const Arguments& arguments) {
   const double share = quantity_value(flag, text, Quantity::share, k_strain, arguments);
-  if (share == 0.0) throw UsageError(flag + " is 0 but must be more: leave it out for no limit");
+  if (share == 0.0) {
+    throw Error(ErrorCode::option_out_of_range,
+                flag + " is 0 but must be more: leave it out for no limit");
+  }
   return share;
 }
 

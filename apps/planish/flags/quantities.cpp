@@ -125,8 +125,9 @@ double quantity_value(const std::string& flag, const std::string& text, Quantity
   const double value = suffix == "%" ? number / 100.0 : number * factor;
   // 1 is meant as 1 % more often than as 100 %.
   if (quantity == Quantity::share && suffix.empty() && value >= range.max) {
-    throw UsageError(flag + " is " + text + " but must be " + demand_of(quantity) +
-                     "; did you mean " + text + "%?");
+    throw Error(ErrorCode::option_out_of_range,
+                flag + " is " + text + " but must be " + demand_of(quantity) +
+                    (std::isfinite(value) ? "; did you mean " + text + "%?" : ""));
   }
   check_range(flag, value, range);
   return value;

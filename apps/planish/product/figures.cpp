@@ -98,10 +98,9 @@ void list(LimitCheck& check, const Visit& visit) {
 }
 
 template <class Visit>
-void list(Outcome& outcome, const Visit& visit) {
-  visit("met", outcome.met);
-  visit("reason", outcome.reason);
-  visit("worst", outcome.worst);
+void list(FormFault& fault, const Visit& visit) {
+  visit("what", fault.what);
+  visit("text", fault.text);
 }
 
 template <class Visit>
@@ -114,7 +113,7 @@ template <class Visit>
 void list(FinishedPatch& patch, const Visit& visit) {
   visit("unfold", patch.unfold);
   visit("deviation", patch.deviation);
-  visit("outcome", patch.outcome);
+  visit("stop", patch.stop);
   visit("twin_of", patch.twin_of);
   visit("rejected", patch.rejected);
   visit("limits", patch.limits);
@@ -127,8 +126,8 @@ constexpr StopReason last_of(StopReason) {
 constexpr StrainLimitKind last_of(StrainLimitKind) {
   return StrainLimitKind::rms;
 }
-constexpr LimitOf last_of(LimitOf) {
-  return LimitOf::bending;
+constexpr Criterion last_of(Criterion) {
+  return Criterion::flipped_triangles;
 }
 constexpr Unit last_of(Unit) {
   return Unit::in;
@@ -243,9 +242,7 @@ class Reader {
 }  // namespace
 
 Json figures_json(const FinishedPatch& patch) {
-  FinishedPatch figures{
-      {},          patch.unfold, patch.deviation, patch.outcome, patch.twin_of, patch.rejected,
-      patch.limits};
+  FinishedPatch figures = patch;
   Json json;
   list(figures, Writer(json));
   return json;

@@ -213,7 +213,7 @@ class ProductRun {
   /// What was asked for and is missed, and by which pieces.
   std::string complaints() const {
     const std::string off_target =
-        names_where([](const FinishedPatch& patch) { return !patch.outcome.target_met(); });
+        names_where([](const FinishedPatch& patch) { return !patch.outcome().target_met(); });
     const std::string beyond =
         names_where([](const FinishedPatch& patch) { return !all_kept(patch.unfold.limits); });
     const std::string rejected =

@@ -36,7 +36,7 @@ std::string moved_text(const FinishedPatch& patch) {
 }  // namespace
 
 std::string patch_line(const PatchResult& patch) {
-  const std::string name = std::string(is_met(patch) ? "[ok] " : "[no] ") +
+  const std::string name = std::string(patch.outcome().usable() ? "[ok] " : "[no] ") +
                            left(short_name(patch.name), k_name_width) + " ";
   const std::string checks = checks_text(patch);
   if (!patch.finished) return name + checks;
@@ -57,7 +57,7 @@ std::string pieces_text(const ProductReport& report) {
   std::size_t missing = 0;
   for (const std::size_t p : missed_first(report)) {
     text += "  " + patch_line(report.patches[p]) + "\n";
-    missing += is_met(report.patches[p]) ? 0 : 1;
+    missing += report.patches[p].outcome().usable() ? 0 : 1;
   }
   const std::string unit = "; model in " + std::string(to_string(report.unit));
   return counted(report.patches.size(), "piece") + unit +

@@ -64,27 +64,58 @@ struct SmoothedDesign {
   SmoothedFirst done;  ///< how much smoothing changed
 };
 
-/// What a limit is of.
-enum class LimitOf { strain, p99_strain, rms_strain, deviation, angle, defect, bending };
+/// What a result is judged by: what was asked for first, then what every pattern has to be.
+enum class Criterion {
+  strain,              ///< the limit of the strain of every edge
+  p99_strain,          ///< the limit of strain on 99 % of the area
+  rms_strain,          ///< the limit of the root mean square of the strain
+  deviation,           ///< the limit of how far vertices move
+  angle,               ///< the limit of the smallest angle
+  e_max,               ///< the target of e_max
+  bending,             ///< the bound of bending
+  rejected,            ///< evolving made the pattern better; else that of the design is the result
+  failure,             ///< there is a result at all
+  size,                ///< the pattern is large enough to be one in the unit given
+  stretched,           ///< a form that was changed without a limit of strain lies flat
+  crumpled,            ///< the form is smooth
+  form,                ///< the form has kept height and curvature
+  fold,                ///< the form has no sharp new fold
+  self_intersections,  ///< the form goes through itself no more than the design
+  overlap,             ///< the pattern does not lie over itself
+  flipped_triangles,   ///< no triangle of the pattern is flipped over
+};
+/// The word of JSON and Python: "p99_strain".
+std::string_view to_string(Criterion criterion);
 
 /// A limit or target that was asked for, and whether the result keeps it.
 struct LimitCheck {
-  LimitOf what = LimitOf::strain;  ///< that is limited
-  double limit = 0.0;              ///< a share of length, model units, degrees, radians, a ratio
-  double value = 0.0;              ///< what the result has: the largest, of angles the smallest
-  bool met = false;                ///< value within limit
+  Criterion what = Criterion::strain;  ///< that is limited; one of those up to `bending`
+  double limit = 0.0;  ///< a share of length, model units, degrees, radians, a ratio
+  double value = 0.0;  ///< what the result has: the largest, of angles the smallest
+  bool met = false;    ///< value within limit
 };
 
-/// Whether a result is what was asked for. It says more than the reason to stop: a run may end for
-/// good reasons and miss its target, or keep every limit at the end of its sweeps.
+/// What is wrong with a form.
+struct FormFault {
+  Criterion what = Criterion::form;  ///< from `crumpled` to `self_intersections`
+  std::string text;                  ///< after "the form": "is lost"
+};
+
+/// Whether a result is what was asked for, and can be used. It says more than the reason to stop: a
+/// run may end for good reasons and miss its target, or keep every limit at the end of its sweeps.
 struct Outcome {
-  bool met = true;  ///< every limit and target; true where none was asked for
+  /// All that is missed or wrong, in the order of Criterion.
+  std::vector<Criterion> missed = {};
   /// Why evolving ended; where something is missed, why no more was done about it.
   StopReason reason = StopReason::sweep_limit;
   /// What is missed by the largest share, or where all is met, what is nearest to its limit.
   /// Nothing where nothing was asked for.
   std::optional<LimitCheck> worst = {};
 
+  /// Whether nothing that was asked for is missed: up to Criterion::rejected.
+  bool limits_met() const;
+  /// Whether the pattern can be cut as it is: nothing is missed.
+  bool usable() const { return missed.empty(); }
   /// Whether e_max is at the target; without one, whether it is 0 but for rounding.
   bool target_met() const { return reason == StopReason::reached_target; }
 };
@@ -105,8 +136,9 @@ struct EvolveReport {
   /// deviation is that from the raw one.
   std::optional<SmoothedFirst> smoothed_first = {};
 
-  /// By the target of e_max and the limits of deviation and angles. Limits of strain count as met
-  /// where the method's own estimate of the strain keeps them: there is no pattern to measure.
+  /// By the target of e_max, the limits of deviation and angles, and the form. Limits of strain
+  /// count as met where the method's own estimate of the strain keeps them: there is no pattern to
+  /// measure.
   Outcome outcome() const;
 };
 
@@ -123,6 +155,9 @@ struct UnfoldReport {
   /// Where a limit changed the pattern: the strain of the one of least stretch.
   std::optional<EdgeStrain> unlimited_strain = {};
   std::optional<Overlap> overlap = {};  ///< where pattern.overlaps
+
+  /// By the limits of strain and the pattern: the surface is the design.
+  Outcome outcome() const;
 };
 
 /// What the main job is asked for.
@@ -233,8 +268,8 @@ struct FlattenReport {
   /// Where evolving made the pattern worse, and the design is the result: the strain it came to.
   std::optional<EdgeStrain> rejected = {};
 
-  /// By all that was asked for: the target of e_max, limits of deviation and angles, and limits of
-  /// strain, by the pattern.
+  /// By all that was asked for (the target of e_max, limits of deviation and angles, and limits of
+  /// strain, by the pattern), the form and the pattern.
   Outcome outcome() const;
   /// The surfaces to choose from that this run computed: the design first, the result last. Only
   /// one where they are the same.
@@ -271,7 +306,8 @@ StrainAsDesigned strain_as_designed(const Patch& patch, const StrainLimits& limi
                                     const Context& context = {});
 
 /// The main job: measure, evolve, measure, unfold.
-/// @throws as evolve() and unfold(); what is not a disk is refused before any work
+/// @throws as evolve() and unfold(), limits also as require(); what is not a disk, and options out
+///   of their range, are refused before any work
 FlattenReport flatten(const Patch& patch, std::string name, const FlattenOptions& options = {},
                       const Context& context = {});
 

@@ -52,15 +52,18 @@ struct PatchTwin {
 /// What the product as a whole needs of a patch that was flattened; a full report is many times as
 /// large.
 struct FinishedPatch {
-  TriMesh processed;     ///< the patch that the pattern is of
-  UnfoldReport unfold;   ///< without the patterns that the pattern is only compared with
-  Deviation deviation;   ///< of `processed` from the input patch
-  Outcome outcome = {};  ///< whether it is what was asked for
+  TriMesh processed;    ///< the patch that the pattern is of
+  UnfoldReport unfold;  ///< without the patterns that the pattern is only compared with
+  Deviation deviation;  ///< of `processed` from the input patch
+  StopReason stop = StopReason::sweep_limit;  ///< why evolving ended
   std::optional<TwinOf> twin_of = {};  ///< where it is made from the results of another patch
   /// Where evolving made the pattern worse, and the design was kept: the strain it came to.
   std::optional<EdgeStrain> rejected = {};
-  std::vector<LimitCheck> limits = {};  ///< every limit and target that was asked for
-  std::string form_faults = {};         ///< as "is crumpled and lost", of the form; empty for none
+  std::vector<LimitCheck> limits = {};      ///< every limit and target that was asked for
+  std::vector<FormFault> form_faults = {};  ///< what is wrong with the form
+
+  /// As of the report that it is made of.
+  Outcome outcome() const;
 };
 
 /// That of a report.
@@ -74,6 +77,9 @@ struct PatchResult {
   std::optional<Failure> failure = {};         ///< why it has none
   bool resumed = false;                        ///< finished in an earlier run
   PieceWords words = {};                       ///< of ProductPatch
+
+  /// That of the result; of a patch without one, it misses Criterion::failure.
+  Outcome outcome() const;
 };
 
 /// A seam with its lengths in millimetres, the first side's first.
@@ -131,7 +137,8 @@ struct ProductCallbacks {
 /// of an earlier run whose twin is still to be made is made again, as only its full report will do
 /// for that.
 /// @param context its threads are the number of patches that are worked on at a time
-/// @throws Error unsupported_constraint, and option_out_of_range for a tolerance below 0; Cancelled
+/// @throws Error unsupported_constraint, and option_out_of_range for options and limits of patches
+///   out of their range, before any work; Cancelled
 ProductReport flatten_product(std::span<const ProductPatch> patches,
                               const ProductOptions& options = {},
                               const ProductCallbacks& callbacks = {}, const Context& context = {});

@@ -42,6 +42,9 @@ std::vector<PrincipalStretch> principal_stretches(const TriMesh& mesh,
 /// shorter. What strain maps show.
 std::vector<double> signed_strains(std::span<const PrincipalStretch> stretches);
 
+/// The largest limit of strain that can be asked for, a share of length: an edge twice as long.
+inline constexpr double k_largest_strain_limit = 1.0;
+
 /// How much a pattern may stretch or shrink, as shares of length; 0 where there is no limit.
 struct StrainLimits {
   double max = 0.0;  ///< for the |strain| of every edge
@@ -52,6 +55,11 @@ struct StrainLimits {
   bool any() const { return max > 0.0 || p99 > 0.0 || rms > 0.0; }
   bool operator==(const StrainLimits&) const = default;
 };
+
+/// Every function that takes limits checks them by this.
+/// @throws Error option_out_of_range: each limit is from 0 to k_largest_strain_limit, and `max` and
+///   `p99` are not given together
+void require(const StrainLimits& limits);
 
 /// What a limit bounds.
 enum class StrainLimitKind { max, p99, rms };
@@ -72,6 +80,7 @@ struct StrainLimitCheck {
 
 /// One for each limit, in the order of StrainLimitKind.
 /// @param pattern one position per vertex of the mesh
+/// @throws Error as require()
 std::vector<StrainLimitCheck> check_limits(const Patch& patch, std::span<const Vec2> pattern,
                                            const StrainLimits& limits);
 

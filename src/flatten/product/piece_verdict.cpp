@@ -65,108 +65,73 @@ PieceCheck check_of(const LimitCheck& limit, Unit unit) {
     return short_number(value, digits) + "\u00A0rad";
   };
   const auto ratio = [](double value, int digits) { return short_number(value, digits); };
-  const auto check = [&](PieceCheckOf what, std::string_view name, const auto& as_text,
-                         std::string_view scope = {}) {
+  const auto check = [&](std::string_view name, const auto& as_text, std::string_view scope = {}) {
     const TwoFigures figures = told_apart(limit.limit, limit.value, as_text);
-    return PieceCheck{what, limit.met, limit_words(name, figures, limit.met, scope)};
+    return PieceCheck{limit.what, limit.met, limit_words(name, figures, limit.met, scope)};
   };
   switch (limit.what) {
-    case LimitOf::strain:
-      return check(PieceCheckOf::strain, "strain limit", percent);
-    case LimitOf::p99_strain:
-      return check(PieceCheckOf::strain, "strain limit", percent, " on 99\u00A0% of the area");
-    case LimitOf::rms_strain:
-      return check(PieceCheckOf::strain, "strain limit", percent, " rms");
-    case LimitOf::deviation:
-      return check(PieceCheckOf::deviation, "deviation limit", as_length);
-    case LimitOf::angle:
-      return check(PieceCheckOf::angle, "smallest-angle limit", degrees);
-    case LimitOf::defect:
-      return check(PieceCheckOf::defect, "e_max target", radians);
-    case LimitOf::bending:
-      return check(PieceCheckOf::bending, "bending limit", ratio);
+    case Criterion::strain:
+      return check("strain limit", percent);
+    case Criterion::p99_strain:
+      return check("strain limit", percent, " on 99\u00A0% of the area");
+    case Criterion::rms_strain:
+      return check("strain limit", percent, " rms");
+    case Criterion::deviation:
+      return check("deviation limit", as_length);
+    case Criterion::angle:
+      return check("smallest-angle limit", degrees);
+    case Criterion::e_max:
+      return check("e_max target", radians);
+    case Criterion::bending:
+      return check("bending limit", ratio);
+    default:
+      return {};  // no limit
   }
-  return {};
 }
 
-/// Without a limit of strain, a changed surface is to lie flat.
-void add_stretch(const FinishedPatch& finished, std::vector<PieceCheck>& checks) {
-  const bool has_limit = std::any_of(checks.begin(), checks.end(), [](const PieceCheck& check) {
-    return check.what == PieceCheckOf::strain || check.what == PieceCheckOf::rejected;
-  });
-  const EdgeStrain& strain = finished.unfold.strain;
-  if (has_limit || finished.deviation.max == 0.0 || is_too_small_to_measure(strain)) return;
-  checks.push_back({PieceCheckOf::strain, false,
-                    "does not lie flat without stretch, and no limit was asked for"});
+std::string flipped_text(std::size_t count) {
+  return count_text(count) + (count == 1 ? " triangle is" : " triangles are") +
+         " flipped over in the pattern";
 }
 
-void add_faults(const Pattern& pattern, std::vector<PieceCheck>& checks) {
-  if (pattern.overlaps)
-    checks.push_back({PieceCheckOf::overlap, false, "the pattern overlaps itself"});
-  const std::size_t flipped = pattern.flipped_triangles;
-  if (flipped == 0) return;
-  checks.push_back({PieceCheckOf::flipped_triangles, false,
-                    count_text(flipped) + (flipped == 1 ? " triangle is" : " triangles are") +
-                        " flipped over in the pattern"});
+/// What is wrong where something else than a limit is missed.
+std::string miss_text(Criterion what, const FinishedPatch& finished) {
+  switch (what) {
+    case Criterion::rejected:
+      return "evolving would have stretched the pattern more, to " +
+             percent(finished.rejected->rms, 3) + " rms: the design was kept";
+    case Criterion::size:
+      return unit_question(finished.unfold);
+    case Criterion::stretched:
+      return "does not lie flat without stretch, and no limit was asked for";
+    case Criterion::overlap:
+      return "the pattern overlaps itself";
+    case Criterion::flipped_triangles:
+      return flipped_text(finished.unfold.pattern.flipped_triangles);
+    default:
+      break;
+  }
+  const auto& faults = finished.form_faults;
+  const auto fault = std::find_if(faults.begin(), faults.end(),
+                                  [&](const FormFault& some) { return some.what == what; });
+  return fault == faults.end() ? std::string() : "the form " + fault->text;
 }
 
 }  // namespace
 
-std::string_view to_string(PieceCheckOf what) {
-  switch (what) {
-    case PieceCheckOf::failure:
-      return "failure";
-    case PieceCheckOf::rejected:
-      return "rejected";
-    case PieceCheckOf::strain:
-      return "strain";
-    case PieceCheckOf::deviation:
-      return "deviation";
-    case PieceCheckOf::angle:
-      return "angle";
-    case PieceCheckOf::defect:
-      return "defect";
-    case PieceCheckOf::bending:
-      return "bending";
-    case PieceCheckOf::form:
-      return "form";
-    case PieceCheckOf::overlap:
-      return "overlap";
-    case PieceCheckOf::flipped_triangles:
-      return "flipped_triangles";
-    case PieceCheckOf::size:
-      return "size";
-  }
-  return {};
-}
-
 std::vector<PieceCheck> piece_checks(const PatchResult& piece) {
-  if (piece.failure) return {{PieceCheckOf::failure, false, "failed: " + piece.failure->message}};
-  if (!piece.finished) return {{PieceCheckOf::failure, false, "not done"}};
+  if (piece.failure) return {{Criterion::failure, false, "failed: " + piece.failure->message}};
+  if (!piece.finished) return {{Criterion::failure, false, "not done"}};
   const FinishedPatch& finished = *piece.finished;
   std::vector<PieceCheck> checks;
-  if (is_absurdly_small(finished.unfold))
-    checks.push_back({PieceCheckOf::size, false, unit_question(finished.unfold)});
-  if (finished.rejected) {
-    checks.push_back({PieceCheckOf::rejected, false,
-                      "evolving would have stretched the pattern more, to " +
-                          percent(finished.rejected->rms, 3) + " rms: the design was kept"});
-  }
   for (const LimitCheck& limit : finished.limits)
     checks.push_back(check_of(limit, finished.unfold.unit));
-  add_stretch(finished, checks);
-  if (!finished.form_faults.empty())
-    checks.push_back({PieceCheckOf::form, false, "the form " + finished.form_faults});
-  add_faults(finished.unfold.pattern, checks);
+  for (const Criterion what : finished.outcome().missed) {
+    if (what > Criterion::bending) checks.push_back({what, false, miss_text(what, finished)});
+  }
   std::stable_partition(checks.begin(), checks.end(),
                         [](const PieceCheck& check) { return !check.met; });
   return checks;
-}
-
-bool is_met(const PatchResult& piece) {
-  const std::vector<PieceCheck> checks = piece_checks(piece);
-  return std::all_of(checks.begin(), checks.end(),
-                     [](const PieceCheck& check) { return check.met; });
 }
 
 std::string near_borders_name(const ProductReport& report, const NearBorders& near) {
@@ -200,7 +165,7 @@ std::vector<std::size_t> missed_first(const ProductReport& report) {
   const auto failed = std::stable_partition(
       numbers.begin(), numbers.end(), [&](std::size_t p) { return !report.patches[p].finished; });
   std::stable_partition(failed, numbers.end(),
-                        [&](std::size_t p) { return !is_met(report.patches[p]); });
+                        [&](std::size_t p) { return !report.patches[p].outcome().usable(); });
   return numbers;
 }
 

@@ -1,17 +1,21 @@
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <thread>
 #include <utility>
 
+#include <planish/core/range.h>
 #include <planish/flatten/product.h>
 
 #include "core/job.h"
+#include "core/thread_pool.h"
+#include "flatten/check_request.h"
 #include "flatten/limit_checks.h"
+#include "flatten/outcome.h"
 #include "flatten/product/product_seams.h"
 #include "flatten/product/twin_groups.h"
 #include "flatten/product/workers.h"
 #include "flatten/twin_report.h"
-#include "flatten/verdict.h"
 
 namespace planish {
 
@@ -30,8 +34,15 @@ void check(const ProductOptions& options) {
                 "constraints, vertices to keep and free edges are of one patch; a product has "
                 "several");
   }
-  if (!(options.seam_tolerance >= 0.0)) {
-    throw Error(ErrorCode::option_out_of_range, "seam_tolerance must be at least 0");
+  check_request(options.flatten);
+  check_range("seam_tolerance", options.seam_tolerance, Range{0.0});
+  if (std::isinf(options.seam_tolerance))
+    throw Error(ErrorCode::option_out_of_range, "seam_tolerance is inf but must be a length");
+}
+
+void check(std::span<const ProductPatch> patches) {
+  for (const ProductPatch& patch : patches) {
+    if (patch.limits) require(*patch.limits);
   }
 }
 
@@ -256,7 +267,7 @@ class ProductWork {
       return true;
     };
     Workers workers(abandoned_);
-    const std::size_t threads = std::min<std::size_t>(most_threads(), groups.size());
+    const std::size_t threads = std::min<std::size_t>(thread_count(context_), groups.size());
     if (threads > 1) {
       workers.start(threads, [&] {
         while (work_on_next()) {
@@ -268,11 +279,6 @@ class ProductWork {
       auto [p, made] = results.take();
       take(p, std::move(made));
     }
-  }
-
-  std::size_t most_threads() const {
-    const unsigned asked = context_.threads;
-    return asked == 0 ? std::max(1U, std::thread::hardware_concurrency()) : asked;
   }
 
   std::span<const ProductPatch> patches_;
@@ -289,9 +295,9 @@ class ProductWork {
 
 FinishedPatch finished_patch(const FlattenReport& report) {
   FinishedPatch patch{report.processed.mesh(), report.unfold,
-                      report.evolve.deviation, report.outcome(),
+                      report.evolve.deviation, report.evolve.result.stop,
                       report.twin_of,          report.rejected,
-                      limit_checks(report),    form_faults(report.evolve)};
+                      limit_checks(report),    find_form_faults(report.evolve)};
   patch.unfold.pattern.unmatched.clear();
   patch.unfold.pattern.unlimited.clear();
   return patch;
@@ -317,6 +323,7 @@ std::vector<TriMesh> meshes_now(std::span<const ProductPatch> patches,
 ProductReport flatten_product(std::span<const ProductPatch> patches, const ProductOptions& options,
                               const ProductCallbacks& callbacks, const Context& context) {
   check(options);
+  check(patches);
   return ProductWork(patches, options, callbacks, context).run();
 }
 

@@ -42,7 +42,7 @@ std::string tile(std::string_view name, const std::string& figure, const std::st
          marks + "</dd></div>\n";
 }
 
-std::string limit_mark(const FlattenReport& report, LimitOf what) {
+std::string limit_mark(const FlattenReport& report, Criterion what) {
   for (const LimitCheck& check : limit_checks(report)) {
     if (check.what == what)
       return mark(check.met, escape_markup(limit_text(check, report.unfold.unit)));
@@ -66,12 +66,12 @@ std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut
     area = size_text(cut_size.x, cut_size.y, unit) + " with the allowance; " + area;
   return "<dl class=\"tiles\">\n" +
          tile("Largest stretch", percent_text(after.max), percent_text(before.max) + " before",
-              limit_mark(report, LimitOf::strain)) +
+              limit_mark(report, Criterion::strain)) +
          tile("Usual stretch", percent_text(after.rms), percent_text(before.rms) + " before (rms)",
-              limit_mark(report, LimitOf::rms_strain)) +
+              limit_mark(report, Criterion::rms_strain)) +
          tile("Furthest move", length_text(deviation.max, unit),
               length_text(deviation.rms, unit) + " is usual (rms)",
-              limit_mark(report, LimitOf::deviation)) +
+              limit_mark(report, Criterion::deviation)) +
          tile("Size of the pattern", size_text(pattern.width, pattern.height, unit), area,
               material_mark(page)) +
          "</dl>\n";
@@ -138,11 +138,11 @@ std::string checks(const FlattenReport& report) {
       !flipped, flipped ? "parts of the pattern are flipped over" : "no part is flipped over"));
   if (!unit_question(report.unfold).empty())
     items.push_back(neutral_mark("check the model's unit"));
-  constexpr std::array<std::pair<LimitOf, std::string_view>, 4> names = {
-      {{LimitOf::deviation, "moves "},
-       {LimitOf::angle, "angles of triangles "},
-       {LimitOf::defect, "worst place "},
-       {LimitOf::bending, "bending "}}};
+  constexpr std::array<std::pair<Criterion, std::string_view>, 4> names = {
+      {{Criterion::deviation, "moves "},
+       {Criterion::angle, "angles of triangles "},
+       {Criterion::e_max, "worst place "},
+       {Criterion::bending, "bending "}}};
   for (const LimitCheck& check : limit_checks(report)) {
     const auto name = std::find_if(names.begin(), names.end(),
                                    [&](const auto& some) { return some.first == check.what; });

@@ -131,7 +131,7 @@ std::string facts_of(const PatchResult& piece) {
 
 std::string tile_of(const ProductReport& report, std::size_t p, const std::string& link) {
   const PatchResult& piece = report.patches[p];
-  const bool met = is_met(piece);
+  const bool met = piece.outcome().usable();
   const std::string small = facts_of(piece);
   const std::string mark =
       met ? "<span class=\"met\">\u2713</span> " : "<span class=\"missed\">\u2717</span> ";
@@ -230,7 +230,7 @@ std::string pieces_words(const ProductReport& report) {
   const auto all = report.patches.size();
   const auto missing = static_cast<std::size_t>(
       std::count_if(report.patches.begin(), report.patches.end(),
-                    [](const PatchResult& piece) { return !is_met(piece); }));
+                    [](const PatchResult& piece) { return !piece.outcome().usable(); }));
   if (missing == 0)
     return (all == 1   ? "The piece is"
             : all == 2 ? "Both pieces are"

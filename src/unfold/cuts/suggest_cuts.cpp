@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include <planish/core/range.h>
 #include <planish/unfold/suggest_cuts.h>
 
 #include "core/job.h"
@@ -307,9 +308,7 @@ std::string_view to_string(SuggestStop stop) {
 
 CutSuggestion suggest_cuts(const Patch& patch, const SuggestOptions& options,
                            const Context& context) {
-  if (!(options.max_strain > 0.0)) {
-    throw Error(ErrorCode::option_out_of_range, "max_strain must be above 0");
-  }
+  check_range("max_strain", options.max_strain, {std::nextafter(0.0, 1.0), k_largest_strain_limit});
   if (options.max_darts < 0) {
     throw Error(ErrorCode::option_out_of_range, "max_darts must be at least 0");
   }

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <planish/core/error.h>
+#include <planish/core/range.h>
 #include <planish/unfold/strain.h>
 
 #include "core/careful_sum.h"
@@ -21,6 +23,17 @@ double share_beyond(const std::vector<StrainOfEdge>& edges, double limit) {
 
 }  // namespace
 
+void require(const StrainLimits& limits) {
+  constexpr Range range = {0.0, k_largest_strain_limit};
+  check_range("the limit of strain of every edge", limits.max, range);
+  check_range("the limit of strain on 99 % of the area", limits.p99, range);
+  check_range("the limit of rms strain", limits.rms, range);
+  if (limits.max > 0.0 && limits.p99 > 0.0) {
+    throw Error(ErrorCode::option_out_of_range,
+                "a limit is of every edge or of 99 % of the area: give one of them");
+  }
+}
+
 std::string_view to_string(StrainLimitKind kind) {
   switch (kind) {
     case StrainLimitKind::max:
@@ -35,6 +48,7 @@ std::string_view to_string(StrainLimitKind kind) {
 
 std::vector<StrainLimitCheck> check_limits(const Patch& patch, std::span<const Vec2> pattern,
                                            const StrainLimits& limits) {
+  require(limits);
   if (!limits.any()) return {};
   const EdgeStrain strain = edge_strain(patch, pattern);
   const std::vector<StrainOfEdge> edges = strain_of_edges(patch, pattern);

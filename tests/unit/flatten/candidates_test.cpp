@@ -70,7 +70,7 @@ TEST(Pick, OfTheDesignChangesNothingAndEvolvesNothing) {
   EXPECT_EQ(report.processed.positions(), panel().positions());
   EXPECT_TRUE(report.evolve.result.history.empty());
   EXPECT_EQ(report.evolve.result.stop, StopReason::design_kept);
-  EXPECT_TRUE(report.outcome().met);
+  EXPECT_TRUE(report.outcome().limits_met());
 }
 
 TEST(Pick, KeepsOtherOptions) {
@@ -124,7 +124,7 @@ TEST(Flatten, HandsOutTheDesignWhereEvolvingMadeThePatternWorse) {
   EXPECT_EQ(report.unfold.strain.rms, report.unfold_before.strain.rms);
   EXPECT_EQ(report.evolve.result.stop, StopReason::design_kept);
   EXPECT_FALSE(report.evolve.result.history.empty()) << "what was tried";
-  EXPECT_FALSE(report.outcome().met);
+  EXPECT_FALSE(report.outcome().limits_met());
   ASSERT_EQ(report.candidates().size(), 1U);
 }
 

@@ -1,5 +1,9 @@
 // The main job as a whole, where limits of strain lead it.
 
+#include <limits>
+#include <optional>
+
+#include <planish/core/error.h>
 #include <planish/flatten/flatten.h>
 #include <planish/measure/deviation.h>
 #include <planish/mesh/shapes.h>
@@ -159,6 +163,40 @@ TEST(Flatten, CanBeCancelledWhileBothPatternsAreMade) {
       flatten(patch, "patch", options, context);
     });
   }
+}
+
+/// The code of the error, if there is one.
+std::optional<ErrorCode> refusal_of(const FlattenOptions& options) {
+  try {
+    flattened(make_shape("panel", 150), options);
+  } catch (const Error& error) {
+    return error.code();
+  }
+  return std::nullopt;
+}
+
+TEST(FlattenOptions, OutOfTheirRangeAreRefused) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto expect_refused = [](FlattenOptions options, const char* what) {
+    for (const bool keep_design : {false, true}) {
+      options.keep_design = keep_design;
+      EXPECT_EQ(refusal_of(options), ErrorCode::option_out_of_range) << what << keep_design;
+    }
+  };
+  for (const double wrong : {none, -0.02, infinity, 2.0}) {
+    expect_refused({.limits = {.max = wrong}}, "max");
+    expect_refused({.limits = {.p99 = wrong}}, "p99");
+    expect_refused({.limits = {.rms = wrong}}, "rms");
+    expect_refused({.method = Auto{.max_strain = wrong}}, "of the method");
+    expect_refused({.method = Auto{.max_rms_strain = wrong}, .limits = {.max = 0.1}}, "unused");
+  }
+  expect_refused({.limits = {.max = 0.1, .p99 = 0.1}}, "both");
+  for (const double wrong : {none, -1.0}) {
+    expect_refused({.smooth_first = wrong}, "smooth_first");
+    expect_refused({.stopping = Stopping{.target_e_max = wrong}}, "target_e_max");
+  }
+  EXPECT_FALSE(refusal_of({.keep_design = true, .limits = {.max = 1.0}})) << "the largest";
 }
 
 }  // namespace

@@ -22,12 +22,12 @@ TEST(LimitChecks, CompareWithWhatCameOut) {
   report.evolve.stopping.target_e_max = 0.047;  // e_max 0.0641 * 0.73 = 0.0468
   const auto checks = limit_checks(report);
   ASSERT_EQ(checks.size(), 3U);
-  EXPECT_EQ(checks[0].what, LimitOf::strain);
+  EXPECT_EQ(checks[0].what, Criterion::strain);
   EXPECT_TRUE(checks[0].met);
-  EXPECT_EQ(checks[1].what, LimitOf::deviation);
+  EXPECT_EQ(checks[1].what, Criterion::deviation);
   EXPECT_FALSE(checks[1].met);
   EXPECT_EQ(checks[1].value, 0.5678);
-  EXPECT_EQ(checks[2].what, LimitOf::defect);
+  EXPECT_EQ(checks[2].what, Criterion::e_max);
   EXPECT_TRUE(checks[2].met);
   EXPECT_EQ(limit_text(checks[0], Unit::mm), "at most 32\u00A0%");
   EXPECT_EQ(limit_text(checks[1], Unit::cm), "at most 0.500 cm");
@@ -48,7 +48,7 @@ TEST(LimitChecks, CompareBendingWithItsBound) {
   report.evolve.fairness.bending_ratio = 1.6;
   report.evolve.method = Auto{.max_bending = 1.5};
   const LimitCheck check = limit_checks(report).front();
-  EXPECT_EQ(check.what, LimitOf::bending);
+  EXPECT_EQ(check.what, Criterion::bending);
   EXPECT_EQ(check.value, 1.6);
   EXPECT_FALSE(check.met);
   EXPECT_EQ(limit_text(check, Unit::mm), "at most 1.50 times the design's");

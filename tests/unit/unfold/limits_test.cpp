@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
+#include <string_view>
 #include <vector>
 
 #include <planish/core/error.h>
+#include <planish/core/range.h>
+#include <planish/evolve/method.h>
 #include <planish/mesh/shapes.h>
 #include <planish/unfold/strain.h>
 #include <planish/unfold/unfold.h>
@@ -310,14 +314,31 @@ TEST(StrainLimits, RefuseWhatIsNoLimit) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const StrainLimits& limits :
        {StrainLimits{.max = -0.1}, StrainLimits{.p99 = infinity}, StrainLimits{.rms = -infinity},
-        StrainLimits{.max = std::nan("")}, StrainLimits{.max = 0.1, .p99 = 0.1}}) {
-    try {
-      unfold(patch, {.limits = limits});
-      ADD_FAILURE() << "no error";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ErrorCode::option_out_of_range);
+        StrainLimits{.max = std::nan("")}, StrainLimits{.max = 0.1, .p99 = 0.1},
+        StrainLimits{.rms = 1.5}}) {
+    const std::vector<Vec2> pattern = unfold(patch).positions;
+    for (const std::function<void()>& work : std::vector<std::function<void()>>{
+             [&] { require(limits); }, [&] { unfold(patch, {.limits = limits}); },
+             [&] { check_limits(patch, pattern, limits); }}) {
+      try {
+        work();
+        ADD_FAILURE() << "no error";
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::option_out_of_range);
+      }
     }
   }
+}
+
+TEST(StrainLimits, AreAtMostThoseThatAutoTakes) {
+  Auto options;
+  describe(options, [](std::string_view name, auto&, std::string_view, Range range = {}) {
+    if (name == "max_strain" || name == "max_rms_strain") {
+      EXPECT_EQ(range.min, 0.0) << name;
+      EXPECT_EQ(range.max, k_largest_strain_limit) << name;
+    }
+  });
+  EXPECT_NO_THROW(require(StrainLimits{.max = k_largest_strain_limit}));
 }
 
 }  // namespace

@@ -22,42 +22,42 @@ std::vector<std::string> texts_of(const PatchResult& piece) {
 }
 
 TEST(PieceVerdict, IsMetWhereNothingWasAskedForAndNothingIsWrong) {
-  EXPECT_TRUE(is_met(finished()));
+  EXPECT_TRUE(finished().outcome().usable());
   EXPECT_TRUE(piece_checks(finished()).empty());
 }
 
 TEST(PieceVerdict, IsMissedWhereAChangedSurfaceIsStretchedWithoutALimit) {
   PatchResult piece = finished();
   piece.finished->unfold.strain = {0.9, 0.61, 0.8};
-  EXPECT_TRUE(is_met(piece)) << "the design itself, as it was asked for";
+  EXPECT_TRUE(piece.outcome().usable()) << "the design itself, as it was asked for";
   piece.finished->deviation.max = 0.5;
   EXPECT_THAT(texts_of(piece),
               ElementsAre("does not lie flat without stretch, and no limit was asked for"));
-  EXPECT_FALSE(is_met(piece));
+  EXPECT_FALSE(piece.outcome().usable());
   piece.finished->unfold.strain = {0.02, 0.0009, 0.01};
-  EXPECT_TRUE(is_met(piece)) << "too little to measure";
+  EXPECT_TRUE(piece.outcome().usable()) << "too little to measure";
   piece.finished->unfold.strain = {0.9, 0.61, 0.8};
-  piece.finished->limits = {{LimitOf::strain, 1.0, 0.9, true}};
-  EXPECT_TRUE(is_met(piece));
+  piece.finished->limits = {{Criterion::strain, 1.0, 0.9, true}};
+  EXPECT_TRUE(piece.outcome().usable());
 }
 
 TEST(PieceVerdict, IsMissedWhereTheFormIsNotAsItShouldBe) {
   PatchResult piece = finished();
-  piece.finished->limits = {{LimitOf::strain, 1.0, 0.9, true}};
-  piece.finished->form_faults = "is lost";
-  EXPECT_FALSE(is_met(piece));
+  piece.finished->limits = {{Criterion::strain, 1.0, 0.9, true}};
+  piece.finished->form_faults = {{Criterion::form, "is lost"}};
+  EXPECT_FALSE(piece.outcome().usable());
   EXPECT_EQ(texts_of(piece).front(), "the form is lost");
-  EXPECT_EQ(piece_checks(piece).front().what, PieceCheckOf::form);
+  EXPECT_EQ(piece_checks(piece).front().what, Criterion::form);
 }
 
 TEST(PieceVerdict, NamesEveryLimitWithItsFigures) {
   PatchResult piece = finished();
   piece.finished->limits = {
-      {LimitOf::strain, 0.05, 0.0321, true},     {LimitOf::p99_strain, 0.02, 0.01, true},
-      {LimitOf::rms_strain, 0.005, 0.004, true}, {LimitOf::deviation, 0.2, 0.15, true},
-      {LimitOf::angle, 10.0, 12.5, true},        {LimitOf::defect, 0.001, 0.0005, true},
-      {LimitOf::bending, 2.0, 1.25, true}};
-  EXPECT_TRUE(is_met(piece));
+      {Criterion::strain, 0.05, 0.0321, true},     {Criterion::p99_strain, 0.02, 0.01, true},
+      {Criterion::rms_strain, 0.005, 0.004, true}, {Criterion::deviation, 0.2, 0.15, true},
+      {Criterion::angle, 10.0, 12.5, true},        {Criterion::e_max, 0.001, 0.0005, true},
+      {Criterion::bending, 2.0, 1.25, true}};
+  EXPECT_TRUE(piece.outcome().usable());
   EXPECT_THAT(texts_of(piece),
               ElementsAre("strain limit of 5\u00A0% kept: 3.21\u00A0%",
                           "strain limit of 2\u00A0% on 99\u00A0% of the area kept: 1\u00A0%",
@@ -70,11 +70,13 @@ TEST(PieceVerdict, NamesEveryLimitWithItsFigures) {
 
 TEST(PieceVerdict, HasWhatIsMissedFirst) {
   PatchResult piece = finished();
-  piece.finished->limits = {{LimitOf::strain, 0.05, 0.03, true},
-                            {LimitOf::deviation, 0.2, 0.31, false}};
+  piece.finished->limits = {{Criterion::strain, 0.05, 0.03, true},
+                            {Criterion::deviation, 0.2, 0.31, false}};
   piece.finished->unfold.pattern.overlaps = true;
   piece.finished->unfold.pattern.flipped_triangles = 1;
-  EXPECT_FALSE(is_met(piece));
+  EXPECT_FALSE(piece.outcome().usable());
+  EXPECT_THAT(piece.outcome().missed,
+              ElementsAre(Criterion::deviation, Criterion::overlap, Criterion::flipped_triangles));
   EXPECT_THAT(texts_of(piece), ElementsAre("deviation limit of 2\u00A0mm missed: 3.1\u00A0mm",
                                            "the pattern overlaps itself",
                                            "1 triangle is flipped over in the pattern",
@@ -88,24 +90,24 @@ TEST(PieceVerdict, IsMissedWhereThePatternIsTooSmallToBeOne) {
   pattern.height = 0.499;
   EXPECT_THAT(texts_of(piece), ElementsAre("The pattern is 5.0\u00A0mm long: is the model in m? "
                                            "Then give --unit m."));
-  EXPECT_EQ(piece_checks(piece).front().what, PieceCheckOf::size);
+  EXPECT_EQ(piece_checks(piece).front().what, Criterion::size);
   pattern.height = 0.5;
-  EXPECT_TRUE(is_met(piece));
+  EXPECT_TRUE(piece.outcome().usable());
   pattern.height = 900.0;
-  EXPECT_TRUE(is_met(piece)) << "large pieces are cut too: of hulls and sails";
+  EXPECT_TRUE(piece.outcome().usable()) << "large pieces are cut too: of hulls and sails";
 }
 
 TEST(PieceVerdict, TellsALimitFromAValueThatIsHardlyBeyond) {
   PatchResult piece = finished();
-  piece.finished->limits = {{LimitOf::strain, 0.05, 0.050001, false}};
+  piece.finished->limits = {{Criterion::strain, 0.05, 0.050001, false}};
   EXPECT_THAT(texts_of(piece), ElementsAre("strain limit of 5\u00A0% missed: 5.0001\u00A0%"));
 }
 
 TEST(PieceVerdict, SaysWhenTheDesignWasKept) {
   PatchResult piece = finished();
   piece.finished->rejected = EdgeStrain{.rms = 0.08};
-  EXPECT_FALSE(is_met(piece));
-  EXPECT_EQ(piece_checks(piece).front().what, PieceCheckOf::rejected);
+  EXPECT_FALSE(piece.outcome().usable());
+  EXPECT_EQ(piece_checks(piece).front().what, Criterion::rejected);
   EXPECT_THAT(texts_of(piece).front(), testing::HasSubstr("to 8\u00A0% rms: the design was kept"));
 }
 
@@ -134,6 +136,8 @@ TEST(PieceVerdict, OfAFailureIsItsReason) {
   ProductReport report;
   report.patches = {finished(), {"tube", 1, 1, {}, Failure{"handles", "has a handle"}}, finished()};
   EXPECT_THAT(texts_of(report.patches[1]), ElementsAre("failed: has a handle"));
+  EXPECT_THAT(report.patches[1].outcome().missed, ElementsAre(Criterion::failure));
+  EXPECT_TRUE(report.patches[1].outcome().limits_met());
   EXPECT_THAT(missed_first(report), ElementsAre(1U, 0U, 2U));
 }
 

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -103,7 +105,7 @@ TEST(FlattenProduct, GoesOnWhereAPatchFails) {
   EXPECT_EQ(report.patches[1].failure->code, "several_border_loops");
   EXPECT_EQ(report.patches[4].failure->message, "lost.obj: no such file");
   EXPECT_EQ(report.patches[3].vertices, patches[3].mesh.positions.size());
-  EXPECT_EQ(report.patches[3].finished->outcome.reason, StopReason::sweep_limit);
+  EXPECT_EQ(report.patches[3].finished->stop, StopReason::sweep_limit);
 }
 
 TEST(FlattenProduct, TakesWhatFlattenMakesOfEachPatch) {
@@ -269,6 +271,22 @@ TEST(FlattenProduct, LeavesWhatIsSewnToNothingFree) {
   }
 }
 
+TEST(FlattenProduct, LeavesHemsFreeWhereTheDesignIsSmoothedFirst) {
+  const std::vector<ProductPatch> patches = strips();
+  ProductOptions options = quick();
+  options.flatten.stopping = Stopping{.max_sweeps = 0};
+  options.flatten.match_seams = true;
+  const Vec3 size = measure_size(Patch(patches[0].mesh)).extent;
+  options.flatten.smooth_first = 0.2 * std::max({size.x, size.y, size.z});
+  for (const PatchResult& piece : flatten_product(patches, options).patches) {
+    ASSERT_TRUE(piece.finished) << piece.failure->message;
+    const UnfoldReport& unfold = piece.finished->unfold;
+    EXPECT_LT(unfold.border_strain, 1e-9) << "of edges along seams";
+    EXPECT_GT(largest_border_strain(Patch(piece.finished->processed), unfold.pattern.positions),
+              1e-5);
+  }
+}
+
 TEST(FlattenProduct, MatchesTheWholeBorderOfAPatchWithoutSeams) {
   ProductOptions options = quick();
   options.flatten.match_seams = true;
@@ -345,8 +363,18 @@ TEST(FlattenProduct, RefusesWhatNamesTheVerticesOfOneMesh) {
   options.flatten.free_edges = {{0, 1}};
   EXPECT_THROW(flatten_product(strips(), options), Error);
   options = quick();
-  options.seam_tolerance = -1.0;
-  EXPECT_THROW(flatten_product(strips(), options), Error);
+  for (const double wrong : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    options.seam_tolerance = wrong;
+    EXPECT_THROW(flatten_product(strips(), options), Error) << wrong;
+  }
+  for (const double wrong : {-0.02, std::nan(""), 2.0}) {
+    options = quick();
+    options.flatten.limits.max = wrong;
+    EXPECT_THROW(flatten_product(strips(), options), Error) << wrong;
+    std::vector<ProductPatch> patches = strips();
+    patches[1].limits = StrainLimits{.p99 = wrong};
+    EXPECT_THROW(flatten_product(patches, quick()), Error) << wrong;
+  }
 }
 
 TEST(FlattenProduct, IsOfNothingWhereThereIsNothing) {
@@ -362,7 +390,7 @@ TEST(FinishedPatch, LeavesOutPatternsThatAreOnlyComparedWith) {
   EXPECT_FALSE(report.unfold.pattern.unmatched.empty());
   EXPECT_TRUE(patch.unfold.pattern.unmatched.empty());
   EXPECT_EQ(patch.unfold.unmatched_strain->max, report.unfold.unmatched_strain->max);
-  EXPECT_EQ(patch.outcome.reason, report.evolve.result.stop);
+  EXPECT_EQ(patch.stop, report.evolve.result.stop);
 }
 
 }  // namespace

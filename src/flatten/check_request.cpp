@@ -1,0 +1,16 @@
+#include "flatten/check_request.h"
+
+#include <planish/core/range.h>
+
+#include "evolve/check_stopping.h"
+
+namespace planish {
+
+void check_request(const FlattenOptions& options) {
+  require(options.limits);
+  check_options(options.method);
+  if (options.stopping) check_stopping(*options.stopping);
+  check_range("smooth_first", options.smooth_first, Range{0.0});
+}
+
+}  // namespace planish

@@ -1,5 +1,26 @@
 # How every target of the project is compiled.
 
+# planish_choose_build_type(): without a build type compilers do not optimise, and the same work takes
+# some ten times as long. Where nobody chose one, a build of the project alone is a Release, and inside
+# another project our targets alone are compiled as in one (planish_release_flags). Generators that hold
+# several configurations choose when they build; flags that set a level of optimisation are a choice.
+function(planish_choose_build_type)
+  get_property(holds_several GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
+  if(CMAKE_BUILD_TYPE OR holds_several OR CMAKE_CXX_FLAGS MATCHES "(^| )[-/]O")
+    return()
+  endif()
+  if(PROJECT_IS_TOP_LEVEL)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "Kind of build" FORCE)
+    message(WARNING "No build type was given: Planish is built as Release. "
+                    "Give -DCMAKE_BUILD_TYPE=Release, or another one.")
+    return()
+  endif()
+  separate_arguments(flags NATIVE_COMMAND "${CMAKE_CXX_FLAGS_RELEASE}")
+  set(planish_release_flags ${flags} PARENT_SCOPE)
+  message(WARNING "No build type was given: Planish alone is compiled as in a Release (${CMAKE_CXX_FLAGS_RELEASE}), "
+                  "the project around it without optimisation. Give -DCMAKE_BUILD_TYPE=Release, or another one.")
+endfunction()
+
 # The same bits from every compiler, at every level of optimisation and on every processor:
 #   -ffp-contract=off     no fused multiply-add where the source has a product and a sum
 #   EIGEN_DONT_VECTORIZE  Eigen sums one after the other: in packets the order of its sums would
@@ -14,7 +35,8 @@ function(planish_compile target)
   target_compile_definitions(${target} PRIVATE EIGEN_DONT_VECTORIZE)
   target_compile_options(
     ${target}
-    PRIVATE -ffp-contract=off
+    PRIVATE ${planish_release_flags}
+            -ffp-contract=off
             -fno-math-errno
             -fno-trapping-math
             $<$<NOT:$<PLATFORM_ID:Windows>>:-fno-semantic-interposition>

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks that the docs say what is there: the examples in README.md are those of examples/,
-every link to a file of the project leads to one and to a heading that it has, and every code of an
-error has its paragraph."""
+every link to a file of the project leads to one and to a heading that it has, every code of an
+error has its paragraph, and docs/building.md has the packages that the scripts install."""
 
 import pathlib
 import re
@@ -60,8 +60,50 @@ def example_faults(readme):
             yield f"README.md: the example in {language} is not that of examples/"
 
 
+def installed_packages(script):
+    """Those of the tables of scripts/common.sh."""
+    tables = re.findall(r'^\w+_packages="\n(.*?)^"', script, re.M | re.DOTALL)
+    return {line.split()[0] for table in tables for line in table.splitlines()}
+
+
+def wanted_versions():
+    """Package -> the version that CMake asks for at least."""
+    packages = {"CLI11": "libcli11-dev", "Eigen3": "libeigen3-dev", "nlohmann_json": "nlohmann-json3-dev",
+                "pybind11": "pybind11-dev", "Python3": "python3-dev"}
+    wanted = {}
+    for path in (REPO / name for name in ("CMakeLists.txt", "apps/planish/CMakeLists.txt",
+                                          "bindings/python/CMakeLists.txt")):
+        text = path.read_text(encoding="utf-8")
+        for name, version in re.findall(r"find_package\((\w+) ([\d.]+)", text):
+            wanted[packages[name]] = version
+        for version in re.findall(r"cmake_minimum_required\(VERSION ([\d.]+)", text):
+            wanted["cmake"] = version
+    return wanted
+
+
+def package_faults(script, page, wanted):
+    """What docs/building.md says of packages beside what scripts and CMake ask for."""
+    rows = re.findall(r"^\| `([\w.+-]+)` \| (.*) \|$", page, re.M)
+    told = {name: [cell.strip() for cell in cells.split("|")] for name, cells in rows}
+    packages = installed_packages(script)
+    for name in sorted(packages - told.keys()):
+        yield f"docs/building.md: no row on {name}, which scripts/common.sh installs"
+    for name in sorted(told.keys() - packages):
+        yield f"docs/building.md: {name} is not in scripts/common.sh"
+    for name, cells in told.items():
+        if len(cells) != 4 or not all(cells):
+            yield f"docs/building.md: {name} needs a version, what it is for, a licence and whether it is needed"
+        least = re.search(r"at least ([\d.]+)", cells[0])
+        if name in wanted and (least is None or least[1] != wanted[name]):
+            yield f"docs/building.md: {name}: CMake asks for at least {wanted[name]}"
+    if len(rows) != len(told):
+        yield "docs/building.md: a package has two rows"
+
+
 def main():
     faults = error_faults()
+    faults.extend(package_faults((REPO / "scripts/common.sh").read_text(encoding="utf-8"),
+                                 (REPO / "docs/building.md").read_text(encoding="utf-8"), wanted_versions()))
     readme = (REPO / "README.md").read_text(encoding="utf-8")
     faults.extend(example_faults(readme))
     for page in PAGES:

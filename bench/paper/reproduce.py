@@ -66,6 +66,7 @@ def page(version, summary, sections, is_sample):
         else "patches of bodies, clothes and products, with source and licence beside each"
     )  # fmt: skip
     return f"""<!-- Made by bench/paper/reproduce: change that and run it, not this page. -->
+<!-- figures of planish {version} -->
 # The evaluation of the 2010 paper, in our own data
 
 Lin, Zhang, Wang, Gao, *Flattenable mesh processing by controllable Laplacian evolution*, ASME DETC2010-28301, evaluates its

@@ -89,9 +89,10 @@ TEST_F(ProductState, RefusesFiguresThatOneIsMissingFrom) {
   write_job(whole);
   EXPECT_TRUE(is_kept());
   for (const char* figure :
-       {"", "/unfold", "/deviation", "/outcome", "/twin_of", "/unfold/pattern", "/unfold/limits",
-        "/unfold/pattern/width", "/unfold/strain/worst_edge", "/unfold/unmatched_strain/p99",
-        "/unfold/limits/1/at/z", "/outcome/reason", "/outcome/worst/met", "/twin_of/mirrored"})
+       {"", "/unfold", "/deviation", "/stop", "/form_faults/0/text", "/twin_of", "/unfold/pattern",
+        "/unfold/limits", "/unfold/pattern/width", "/unfold/strain/worst_edge",
+        "/unfold/unmatched_strain/p99", "/unfold/limits/1/at/z", "/limits/0/met",
+        "/twin_of/mirrored"})
     EXPECT_TRUE(refuses_without(Json::json_pointer("/figures" + std::string(figure)))) << figure;
 }
 
@@ -108,7 +109,7 @@ TEST_F(ProductState, RefusesFiguresThatCannotBe) {
   for (const Json& value : {Json(nullptr), Json("wide"), Json(true), Json::array({1.0})})
     EXPECT_TRUE(refuses("/unfold/pattern/width", value)) << value;
   for (const Json& value : {Json(-1), Json(0.5), Json(99), Json(nullptr), Json("angle_limit")})
-    EXPECT_TRUE(refuses("/outcome/reason", value)) << value;
+    EXPECT_TRUE(refuses("/stop", value)) << value;
   for (const Json& value : {Json(1), Json(nullptr), Json("true")})
     EXPECT_TRUE(refuses("/unfold/pattern/overlaps", value)) << value;
   for (const Json& value : {Json::array(), Json::array({1}), Json::array({1, 2, 3}),

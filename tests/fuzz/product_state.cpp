@@ -66,7 +66,7 @@ void tell(const ProductPatch& patch, FinishedPatch results) {
   fuzz::check(report.finished() == 1, "nothing is done again");
   fuzz::check(!patch_line(report.patches.front()).empty(), "every patch has a line");
   fuzz::check(!json_report(report, "product", {{"piece"}, {{}}}).empty(), "the whole is told");
-  report.patches.front().finished->outcome.target_met();
+  report.patches.front().finished->outcome().target_met();
   seams_text(report, false);
 }
 

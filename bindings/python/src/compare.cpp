@@ -15,6 +15,7 @@
 #include "job.h"
 #include "keywords.h"
 #include "mesh_data.h"
+#include "pickle.h"
 
 namespace planish::python {
 
@@ -54,6 +55,7 @@ py::list runs_of(const CompareResult& result) {
 
 void register_compared(py::module_& module) {
   py::class_<ComparedResult>(module, "ComparedMethod", "What one method made of the patch.")
+      .def(pickled<ComparedResult>())
       .def_property_readonly(
           "method",
           [](const ComparedResult& run) { return std::string(name_of(run.method().run.method)); },
@@ -112,6 +114,7 @@ void register_compared(py::module_& module) {
 void register_compare(py::module_& module) {
   register_compared(module);
   py::class_<CompareResult>(module, "CompareResult", "Several methods on one patch.")
+      .def(pickled<CompareResult>())
       .def_property_readonly(
           "name", [](const CompareResult& result) { return result.report->name; }, "Of the patch.")
       .def_property_readonly("runs", runs_of, "A ComparedMethod for each, in the order asked for.")

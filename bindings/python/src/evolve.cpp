@@ -15,6 +15,7 @@
 #include "job.h"
 #include "keywords.h"
 #include "mesh_data.h"
+#include "pickle.h"
 #include "shell/failures.h"
 #include "text/summary.h"
 
@@ -156,6 +157,7 @@ void register_sweeps(py::module_& module) {
 
 void register_evolve(py::module_& module) {
   py::class_<EvolveOutcome>(module, "EvolveResult", "A patch that was evolved.")
+      .def(pickled<EvolveOutcome>())
       .def_readonly("name", &EvolveOutcome::name, "Of the patch.")
       .def_readwrite("notes", &EvolveOutcome::notes, "What the program said on the way.")
       .def_property_readonly(

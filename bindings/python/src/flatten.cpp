@@ -12,11 +12,11 @@
 #include "flags/constraint_flags.h"
 #include "flags/limit_flags.h"
 #include "flags/units.h"
-#include "flatten/product/piece_verdict.h"
 #include "flatten/verdict.h"
 #include "job.h"
 #include "keywords.h"
 #include "pattern_data.h"
+#include "pickle.h"
 #include "platform/path.h"
 #include "product/seams.h"
 #include "shell/output_folder.h"
@@ -164,14 +164,6 @@ WrittenFiles save_result(const FlattenResult& result, const py::object& path) {
   return saved.paths;
 }
 
-std::vector<std::string> missed_limits(const std::vector<StrainLimitCheck>& checks) {
-  std::vector<std::string> missed;
-  for (const StrainLimitCheck& check : checks) {
-    if (!check.kept()) missed.emplace_back(to_string(check.kind));
-  }
-  return missed;
-}
-
 template <class Result, class Get>
 auto view_getter(Get get) {
   return [get](const py::object& self) { return view_of(get(self.cast<const Result&>()), self); };
@@ -236,16 +228,23 @@ void add_unfold_figures(Class& type, const UnfoldReport& (*report)(const Result&
           "strain_rms", [report](const Result& result) { return report(result).strain.rms; },
           "Root mean square of the strain, a share of length.")
       .def_property_readonly(
-          "missed_limits",
-          [report](const Result& result) { return missed_limits(report(result).limits); },
-          "Which limits of strain the pattern does not keep: max, p99, rms.");
+          "limits_met", [](const Result& result) { return result.report.outcome().limits_met(); },
+          "Whether every limit and target that was asked for is met.")
+      .def_property_readonly(
+          "usable", [](const Result& result) { return result.report.outcome().usable(); },
+          "Whether the pattern can be cut as it is: limits, form and pattern are as they have to "
+          "be, and `missed` is empty.")
+      .def_property_readonly(
+          "missed", [](const Result& result) { return words_of(result.report.outcome()); },
+          "What is missed or wrong, by the words of docs/garments.md: strain, form, overlap.");
 }
 
 void register_flatten(py::module_& module) {
   using Result = FlattenResult;
   py::class_<Result, std::shared_ptr<Result>> type(module, "FlattenResult",
                                                    "A patch that was flattened, with its pattern.");
-  type.def_property_readonly(
+  type.def(pickled<Result>())
+      .def_property_readonly(
           "name", [](const Result& result) { return result.report.name; }, "Of the patch.")
       .def_readwrite("notes", &Result::notes, "What the program said on the way.")
       .def_property_readonly(
@@ -280,17 +279,6 @@ void register_flatten(py::module_& module) {
           "Of each vertex the one of the mesh before remeshing, shape (n,); None where they are "
           "the "
           "same.")
-      .def_property_readonly(
-          "met", [](const Result& result) { return result.report.outcome().met; },
-          "Whether every limit and target that was asked for is met.")
-      .def_property_readonly(
-          "missed",
-          [](const Result& result) {
-            return missed_by(
-                {.name = result.report.name, .finished = finished_patch(result.report)});
-          },
-          "What is missed or wrong, in words: limits, and faults of form and pattern. Empty where "
-          "the pattern can be cut as it was asked for.")
       .def_property_readonly(
           "form_kept",
           [](const Result& result) { return result.report.evolve.fairness.keeps_form(); },
@@ -328,7 +316,8 @@ void register_flatten(py::module_& module) {
 void register_unfold(py::module_& module) {
   using Result = UnfoldResult;
   py::class_<Result> type(module, "UnfoldResult", "The pattern of a patch as it is.");
-  type.def_readonly("name", &Result::name, "Of the patch.")
+  type.def(pickled<Result>())
+      .def_readonly("name", &Result::name, "Of the patch.")
       .def_readwrite("notes", &Result::notes, "What the program said on the way.")
       .def_property_readonly("vertices", view_getter<Result>([](const Result& result) -> auto& {
                                return result.patch.positions();
@@ -358,12 +347,11 @@ void register_unfold(py::module_& module) {
 
 }  // namespace
 
-std::vector<std::string> missed_by(const PatchResult& piece) {
-  std::vector<std::string> missed;
-  for (const PieceCheck& check : piece_checks(piece)) {
-    if (!check.met) missed.push_back(check.text);
-  }
-  return missed;
+std::vector<std::string> words_of(const Outcome& outcome) {
+  std::vector<std::string> words;
+  for (const Criterion what : outcome.missed)
+    words.emplace_back(to_string(what));
+  return words;
 }
 
 SavedFiles files_in(const FlattenResult& result, const std::filesystem::path& folder) {

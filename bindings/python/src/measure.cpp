@@ -15,6 +15,7 @@
 #include "job.h"
 #include "keywords.h"
 #include "mesh_data.h"
+#include "pickle.h"
 #include "text/suggestion_text.h"
 
 namespace planish::python {
@@ -61,6 +62,7 @@ CutResult suggested_cuts(const MeshData& data, const py::dict& keywords, py::obj
 
 void register_suggestion(py::module_& module) {
   py::class_<CutResult>(module, "CutResult", "Cuts that let a mesh lie flat, and its pattern.")
+      .def(pickled<CutResult>())
       .def_property_readonly(
           "cuts",
           [](const py::object& self) {
@@ -118,6 +120,7 @@ void register_suggestion(py::module_& module) {
 
 void register_measure(py::module_& module) {
   py::class_<MeasureResult>(module, "MeasureResult", "How far a patch is from flat.")
+      .def(pickled<MeasureResult>())
       .def_property_readonly(
           "vertices",
           [](const py::object& self) {

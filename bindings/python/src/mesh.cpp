@@ -11,6 +11,7 @@
 #include "job.h"
 #include "keywords.h"
 #include "mesh_data.h"
+#include "pickle.h"
 #include "platform/path.h"
 #include "shell/file_name.h"
 #include "shell/values.h"
@@ -91,6 +92,7 @@ py::dict figures_of(const std::string& json) {
 
 void register_mesh(py::module_& module) {
   py::class_<MeshData>(module, "Mesh", "A triangle mesh: places of vertices, and triangles.")
+      .def(pickled<MeshData>())
       .def(py::init([](const py::object& vertices, const py::object& faces, std::string name) {
              return MeshData{mesh_of(vertices, faces), std::move(name)};
            }),

@@ -36,8 +36,8 @@ struct SavedFiles {
 /// What `flatten` of the program writes into a folder.
 SavedFiles files_in(const FlattenResult& result, const std::filesystem::path& folder);
 
-/// What a piece misses, in words.
-std::vector<std::string> missed_by(const PatchResult& piece);
+/// The words of what is missed.
+std::vector<std::string> words_of(const Outcome& outcome);
 
 /// The page of a result.
 std::string page_of(const FlattenResult& result);

@@ -18,6 +18,7 @@
 #include "job.h"
 #include "keywords.h"
 #include "pattern_data.h"
+#include "pickle.h"
 #include "platform/path.h"
 #include "product/job.h"
 #include "product/parts.h"
@@ -164,11 +165,11 @@ WrittenFiles save_product(const ProductResult& result, const py::object& path) {
   return paths;
 }
 
-/// What each piece misses, in words; nothing of those that miss nothing.
+/// What each piece misses; nothing of those that miss nothing.
 std::map<std::string, std::vector<std::string>> missed_by_pieces(const ProductReport& report) {
   std::map<std::string, std::vector<std::string>> missed;
   for (const PatchResult& patch : report.patches) {
-    std::vector<std::string> of_piece = missed_by(patch);
+    std::vector<std::string> of_piece = words_of(patch.outcome());
     if (!of_piece.empty()) missed[patch.name] = std::move(of_piece);
   }
   return missed;
@@ -178,6 +179,7 @@ std::map<std::string, std::vector<std::string>> missed_by_pieces(const ProductRe
 
 void register_product(py::module_& module) {
   py::class_<ProductResult>(module, "ProductResult", "The patches of a product, flattened.")
+      .def(pickled<ProductResult>())
       .def_readonly("name", &ProductResult::name, "Of the product.")
       .def_readwrite("notes", &ProductResult::notes, "What the program said on the way.")
       .def_property_readonly(
@@ -204,7 +206,7 @@ void register_product(py::module_& module) {
           "Of each patch that failed, by its name, why.")
       .def_property_readonly(
           "missed", [](const ProductResult& result) { return missed_by_pieces(result.report); },
-          "What each piece misses, in words, by its name: limits, and faults of form and pattern. "
+          "What each piece misses, by its name: the words of FlattenResult.missed, or failure. "
           "Empty where every piece can be cut as it was asked for.")
       .def("save", save_product, py::arg("folder"),
            "Writes the files of each patch into a folder of its own name, and garment.json, .html "

@@ -31,7 +31,7 @@ LEFT_OUT = {
     "csv": "figures are in result.figures",
     "history": "sweeps are in result.figures",
     "fields": "result.fields",
-    "require_target": "result.target_met and result.met",
+    "require_target": "result.target_met and result.limits_met",
     "product": "flatten_product()",
     "resume": "nothing is written before the end",
     "picture": "directions and cuts are not drawn from Python",

@@ -45,7 +45,7 @@ FLOORS = {
         ["mesh/match", "mesh/carry", "mesh/repair"],
     ],
     "io": [["io/file"], ["io/formats", "io/svg"], ["io"]],
-    "measure": [["measure/lanes"], ["measure"]],
+    "measure": [["measure/lanes"], ["measure"], ["measure/cautions"]],
     "draw": [["draw"], ["draw/text"], ["draw/svg", "draw/dxf", "draw/pdf", "draw/plt"]],
     "evolve": [
         ["evolve/lanes"],

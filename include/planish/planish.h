@@ -27,6 +27,7 @@
 #include <planish/io/read_features.h>
 #include <planish/io/read_mesh.h>
 #include <planish/io/write_file.h>
+#include <planish/measure/cautions.h>
 #include <planish/measure/deviation.h>
 #include <planish/measure/fairness.h>
 #include <planish/measure/flattenability.h>

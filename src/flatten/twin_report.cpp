@@ -210,6 +210,7 @@ std::optional<FlattenReport> twin_report(const FlattenReport& twin, const Patch&
   report.unfold_before = before.of(twin.unfold_before);
   report.as_designed = before.of(twin.as_designed);
   report.rejected = twin.rejected;
+  report.cautions = twin.cautions;
   if (!has_all_of(twin, report)) return std::nullopt;
   const auto& pattern = report.unfold.pattern.positions;
   if (options.match_seams && !(after.mismatch_share(pattern) <= k_most_mismatch))

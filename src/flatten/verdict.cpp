@@ -85,6 +85,10 @@ std::string way_on(const FlattenReport& report) {
   return " --prefer flat takes the rest out.";
 }
 
+bool keeps_lengths(const FlattenReport& report) {
+  return report.evolve.after.flattenable && report.unfold.strain.max <= k_no_strain;
+}
+
 bool is_changed(const FlattenReport& report) {
   return !report.evolve.fairness.unchanged && !report.evolve.result.history.empty();
 }
@@ -108,6 +112,8 @@ std::string state_words(const FlattenReport& report) {
   switch (flatness_of(report)) {
     case Flatness::flat:
       return "Lies flat without stretch";
+    case Flatness::not_known:
+      return "Cannot be judged: " + std::string(words_of(*hidden_curvature_of(report.cautions)));
     case Flatness::unmeasurable:
       return "Flat but for a stretch too small to measure";
     case Flatness::stretched:
@@ -141,10 +147,12 @@ std::string form_clause(const FlattenReport& report) {
 
 std::string stretch_sentence(const FlattenReport& report) {
   const EdgeStrain &before = report.as_designed.strain, &after = report.unfold.strain;
-  if (flatness_of(report) == Flatness::flat) {
-    return after.max < k_not_measurable
-               ? " The pattern keeps every length."
-               : " The pattern keeps every length to within " + percent_text(after.max) + ".";
+  if (keeps_lengths(report)) {
+    // Of the mesh alone where that is not the surface.
+    const std::string kept = std::string(" The pattern keeps every length") +
+                             (report.cautions.empty() ? "" : " of the mesh");
+    return kept +
+           (after.max < k_not_measurable ? "." : " to within " + percent_text(after.max) + ".");
   }
   std::string text = " The usual stretch is " + percent_text(after.rms) + ", the largest " +
                      percent_text(after.max);
@@ -157,8 +165,7 @@ std::string stretch_sentence(const FlattenReport& report) {
 /// What can be done with a pattern that is stretched and has no limit to keep.
 std::string use_sentences(const FlattenReport& report) {
   if (report.unfold.pattern.overlaps) {
-    const bool may_change =
-        report.evolve.fairness.unchanged && flatness_of(report) != Flatness::flat;
+    const bool may_change = report.evolve.fairness.unchanged && !keeps_lengths(report);
     return may_change
                ? " Let the form change more (--pick 5 takes nearly all stretch out), or divide "
                  "the patch (--cut)."
@@ -172,7 +179,7 @@ std::string use_sentences(const FlattenReport& report) {
     return " To keep the form, cut the patch (suggest-cuts finds where), or take a material that "
            "stretches more.";
   if (report.unfold.pattern.flipped_triangles > 0 || flatness == Flatness::flat ||
-      flatness == Flatness::limit_kept)
+      flatness == Flatness::not_known || flatness == Flatness::limit_kept)
     return {};
   return " " + takers_text(report.unfold.strain) + unchanged_sentence(report) + way_on(report);
 }
@@ -239,15 +246,16 @@ std::string new_fold_text(const Fold& fold) {
 }
 
 Flatness flatness_of(const FlattenReport& report) {
-  const EdgeStrain& strain = report.unfold.strain;
-  if (report.evolve.after.flattenable && strain.max <= k_no_strain) return Flatness::flat;
+  const bool is_hidden = hidden_curvature_of(report.cautions) != nullptr;
+  if (keeps_lengths(report)) return is_hidden ? Flatness::not_known : Flatness::flat;
   const std::vector<LimitCheck> limits = strain_limits_of(report);
   if (!limits.empty()) {
     const bool kept = std::all_of(limits.begin(), limits.end(),
                                   [](const LimitCheck& check) { return check.met; });
     return kept ? Flatness::limit_kept : Flatness::limit_missed;
   }
-  return is_too_small_to_measure(strain) ? Flatness::unmeasurable : Flatness::stretched;
+  if (!is_too_small_to_measure(report.unfold.strain)) return Flatness::stretched;
+  return is_hidden ? Flatness::not_known : Flatness::unmeasurable;
 }
 
 bool is_too_small_to_measure(const EdgeStrain& strain) {
@@ -290,6 +298,13 @@ std::string form_loss_text(const Fairness& fairness) {
   return text;
 }
 
+std::string cautions_text(std::span<const Caution> cautions, Unit unit) {
+  std::string text;
+  for (const Caution& caution : cautions)
+    text += (text.empty() ? "" : " ") + caution_text(caution, unit);
+  return text;
+}
+
 bool is_absurdly_small(const UnfoldReport& unfold) {
   constexpr double smallest = 5.0;  // mm
   const double size = longer_side(unfold);
@@ -309,8 +324,10 @@ std::string unit_question(const UnfoldReport& unfold) {
 }
 
 std::string verdict_text(const FlattenReport& report) {
+  const std::string cautions = cautions_text(report.cautions, report.unfold.unit);
   std::string text = state_words(report) + form_clause(report) + "." + stretch_sentence(report) +
-                     use_sentences(report) + moved_sentence(report) + form_sentence(report);
+                     use_sentences(report) + (cautions.empty() ? "" : " " + cautions) +
+                     moved_sentence(report) + form_sentence(report);
   if (!report.unfold.pattern.converged) {
     text += " Unfolding stopped before it was done: the stretch may be more than it need be.";
   }
@@ -346,7 +363,8 @@ std::string border_text(const FlattenReport& report) {
   const auto& obstruction = report.evolve.before.obstruction;
   if (!obstruction || !obstruction->is_notable()) return {};
   const Flatness flatness = flatness_of(report);
-  const bool is_flat = flatness == Flatness::flat || flatness == Flatness::unmeasurable;
+  const bool is_flat = flatness == Flatness::flat || flatness == Flatness::not_known ||
+                       flatness == Flatness::unmeasurable;
   if (is_flat && form_faults(report.evolve).empty()) return {};  // it has gone, without harm
   return std::string(obstruction->has_flat_border()
                          ? "The edge lies in a plane and only a plane piece fits it: "

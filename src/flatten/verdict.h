@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace planish {
 /// How much the pattern is stretched, for everything that says so: headline, ticks and marks.
 enum class Flatness {
   flat,          ///< every length is kept to within 0.1 %
+  not_known,     ///< as flat or unmeasurable, of a mesh that hides double curvature
   limit_kept,    ///< stretched, within all limits of strain that were given
   limit_missed,  ///< not within some limit of strain that was given
   unmeasurable,  ///< no limit was given, and the rms strain is too small to measure
@@ -46,6 +48,9 @@ std::string form_loss_text(const Fairness& fairness);
 /// Whether the longer side of the pattern is below 5 mm: too small for a real piece, so that the
 /// unit is probably wrong.
 bool is_absurdly_small(const UnfoldReport& unfold);
+
+/// What the mesh cannot show, sentence by sentence; empty where it shows all.
+std::string cautions_text(std::span<const Caution> cautions, Unit unit);
 
 /// Asks about the unit where a pattern of that size is unlikely, and names a likelier one: mesh
 /// files do not say their unit, and a wrong guess is common and costly. Empty elsewhere.

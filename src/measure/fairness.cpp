@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include <planish/measure/cautions.h>
 #include <planish/measure/fairness.h>
 
 #include "core/careful_sum.h"
@@ -12,7 +13,9 @@
 #include "measure/bends.h"
 #include "measure/moments.h"
 #include "measure/normals.h"
+#include "measure/off_border.h"
 #include "measure/smoothed.h"
+#include "mesh/mean_edge.h"
 
 namespace planish {
 
@@ -183,6 +186,28 @@ std::optional<double> height_ratio(const Patch& design, std::span<const Triangle
   return extent(triangles, after, axis(0), scale) / height;
 }
 
+/// What is lost of the form of a design whose short waves are noise, over its bending: both
+/// surfaces without waves of that length, away from the border, where noise stays.
+double form_lost(const Patch& design, std::span<const Vec3> after, double wave) {
+  constexpr double surely = 0.9;
+  const Patch changed = design.with_positions({after.begin(), after.end()});
+  const double longest = surely * k_longest_wave * mean_edge_length(changed.mesh());
+  const Connectivity& connectivity = design.connectivity();
+  const auto bends_inside = [&](const Patch& patch) {
+    std::vector<Bend> bends;
+    for_each_bend(
+        smoothed_positions(patch, std::min(wave, longest)), connectivity, design.unit_scale(),
+        [&](const Hinge& hinge, const Bend& bend) {
+          if (is_off_border(connectivity, hinge.from) && is_off_border(connectivity, hinge.to))
+            bends.push_back(bend);
+        });
+    return bends;
+  };
+  const std::vector<Bend> first = bends_inside(design);
+  const double form = bending_of(first);
+  return form > k_no_bending ? added_and_lost(first, bends_inside(changed)).second / form : 0.0;
+}
+
 }  // namespace
 
 bool Fairness::is_smooth() const {
@@ -227,7 +252,11 @@ Fairness fairness_of_design(const Fairness& of_result) {
 }
 
 Fairness measure_fairness(const Patch& design, std::span<const Vec3> after) {
-  return fairness_beside(design, design_bending(design), after);
+  Fairness fairness = fairness_beside(design, design_bending(design), after);
+  if (fairness.unchanged || !fairness.bending_lost) return fairness;
+  if (const auto noise = find_scan_noise(design))
+    fairness.bending_lost = form_lost(design, after, noise->wave);
+  return fairness;
 }
 
 Fairness fairness_beside(const Patch& design, double b0, std::span<const Vec3> after) {

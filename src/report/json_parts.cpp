@@ -74,6 +74,17 @@ Json to_json(const std::vector<StrainLimitCheck>& checks) {
   return list;
 }
 
+Json to_json(std::span<const Caution> cautions, Unit unit) {
+  Json list = Json::array();
+  for (const Caution& caution : cautions) {
+    Json json = {{"code", code_of(caution)}, {"message", caution_text(caution, unit)}};
+    const auto add = [&](const char* name, double value) { json[name] = value; };
+    std::visit([&](const auto& found) { describe(found, add); }, caution);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 Json to_json(const std::optional<Overlap>& overlap) {
   if (!overlap) return nullptr;
   return {{"low", {overlap->low.x, overlap->low.y}},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <planish/report/json_report.h>
@@ -16,6 +17,7 @@ Json to_json(const EdgeStrain& strain);
 /// Null where there is none.
 Json to_json(const std::optional<EdgeStrain>& strain);
 Json to_json(const std::vector<StrainLimitCheck>& checks);
+Json to_json(std::span<const Caution> cautions, Unit unit);
 Json to_json(const EvolveReport& report);
 Json to_json(const UnfoldReport& report);
 Json to_json(const CompareReport& report);

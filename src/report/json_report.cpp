@@ -182,9 +182,11 @@ Json limit_of(const FrontierReport& report) {
 }  // namespace
 
 std::string json_report(const MeasuredPatch& patch, const std::optional<StrainAsDesigned>& strain,
+                        const std::vector<Caution>& cautions, Unit unit,
                         const std::vector<MoreFigures>& more) {
   Json json = to_json(patch);
   json.update(strain_and_limits(strain));
+  json["cautions"] = to_json(cautions, unit);
   return document_of(std::move(json), more);
 }
 
@@ -192,9 +194,11 @@ std::string json_report(const EvolveReport& report, const std::vector<MoreFigure
   return document_of(to_json(report), more);
 }
 
-std::string json_report(const UnfoldReport& report, const std::vector<MoreFigures>& more) {
+std::string json_report(const UnfoldReport& report, const std::vector<Caution>& cautions,
+                        const std::vector<MoreFigures>& more) {
   Json json = to_json(report);
   json.update(to_json(report.outcome()));
+  json["cautions"] = to_json(cautions, report.unit);
   return document_of(std::move(json), more);
 }
 
@@ -209,6 +213,7 @@ std::string json_report(const FlattenReport& report, const WrittenFiles& files,
                {"as_designed", to_json(report.as_designed)},
                {"limits", to_json(report.unfold.limits)},
                {"candidates", to_json(report.candidates())},
+               {"cautions", to_json(report.cautions, report.unfold.unit)},
                {"files", Json(files)}};
   json.update(to_json(report.outcome()));
   if (report.rejected) json["rejected_strain"] = to_json(*report.rejected);

@@ -77,6 +77,7 @@ PatternOnSheet pattern_on_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
                       .date = options.date,
                       .model_scale = options.model_scale};
   facts.form_faults = options.form_faults;
+  facts.cautions = options.cautions;
   if (facts.allowance > 0.0)
     facts.filled_slit = filled_slit_length(pattern.outline.loops, pattern.cut, facts.allowance);
   if (options.moved) facts.moved = millimetres_per(unfold.unit) * *options.moved;

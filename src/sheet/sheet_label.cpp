@@ -149,6 +149,14 @@ struct Verdict {
   bool is_bad = false;
 };
 
+/// Whether nothing is known against the pattern but what the mesh cannot show.
+std::optional<Verdict> verdict_without_limit(const SheetFacts& facts) {
+  if (!facts.form_faults.empty())
+    return Verdict{"Before cutting: the form " + facts.form_faults, true};
+  if (!facts.cautions.empty()) return Verdict{"Before cutting, see the mesh: " + facts.cautions};
+  return std::nullopt;
+}
+
 /// What speaks most against cutting the pattern, or else that it keeps its limit; none without.
 std::optional<Verdict> verdict_of(const UnfoldReport& unfold, const SheetFacts& facts) {
   if (unfold.pattern.overlaps)
@@ -157,14 +165,15 @@ std::optional<Verdict> verdict_of(const UnfoldReport& unfold, const SheetFacts& 
     return Verdict{"Triangles of the pattern are flipped: do not cut.", true};
   const bool is_bad = !facts.form_faults.empty();
   const std::string form = "the form " + facts.form_faults;
-  if (unfold.limits.empty())
-    return is_bad ? std::optional(Verdict{"Before cutting: " + form, true}) : std::nullopt;
+  if (unfold.limits.empty()) return verdict_without_limit(facts);
   const auto missed = std::find_if(unfold.limits.begin(), unfold.limits.end(),
                                    [](const StrainLimitCheck& limit) { return !limit.kept(); });
   if (missed == unfold.limits.end())
-    return Verdict{
-        "keeps the limit " + limit_words(unfold.limits.front()) + (is_bad ? ", but " + form : ""),
-        is_bad};
+    return Verdict{"keeps the limit " + limit_words(unfold.limits.front()) +
+                       (is_bad                   ? ", but " + form
+                        : facts.cautions.empty() ? ""
+                                                 : ", but see the mesh: " + facts.cautions),
+                   is_bad};
   return Verdict{"Beyond the limit " + limit_words(*missed) + ": " + percent_text(missed->reached),
                  true};
 }

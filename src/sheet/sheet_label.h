@@ -22,6 +22,7 @@ struct SheetFacts {
   double model_scale = 1.0;          ///< what the model was multiplied with
   std::optional<double> moved = {};  ///< from the design at most, millimetres
   std::string form_faults = {};      ///< as "is lost", of the form; empty: none
+  std::string cautions = {};         ///< what the mesh cannot show, in words; empty: none
   std::string lines = {};            ///< what the colours of lines mean, as line_words() says it
   /// Two corners of the box around the places where the outline crosses itself, on the sheet.
   std::optional<std::pair<Vec2, Vec2>> overlap = {};

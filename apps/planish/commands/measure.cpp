@@ -53,6 +53,7 @@ void measure_into(WorkFile& file, const StrainLimits& limits, const Arguments& a
   const Patch patch = about(path, [&] { return Patch(read_model(path, arguments, session).mesh); });
   about(path, [&] {
     const MeasuredPatch measured = measure_patch(patch, session.job_context(path));
+    note_cautions(session, path, find_cautions(patch), Unit::mm);
     take(measured, std::nullopt);
     take(measured, strain_as_asked(patch, limits, session));
   });
@@ -130,7 +131,8 @@ CommandResult run_measure(const Arguments& arguments, Session& session) {
     return refused(path, mesh, error);
   }
   const auto strain = about(path, [&] { return strain_as_asked(patch, limits, session); });
-  std::string text = measure_text(path, measured, strain, unit);
+  const std::vector<Caution> cautions = find_cautions(patch);
+  std::string text = measure_text(path, measured, strain, cautions, unit);
   std::vector<MoreFigures> more;
   if (!files.empty()) {
     DrawnDirections drawn = directions_of(patch, std::move(files), arguments);
@@ -145,7 +147,7 @@ CommandResult run_measure(const Arguments& arguments, Session& session) {
     std::move(fields.begin(), fields.end(), std::back_inserter(files));
   }
   if (!files.empty()) text += written_text(files);
-  CommandResult outcome = {std::move(text), json_report(measured, strain, more)};
+  CommandResult outcome = {std::move(text), json_report(measured, strain, cautions, unit, more)};
   if (!files.empty()) session.write(files);
   return strain ? with_limits_checked(std::move(outcome), strain->limits) : outcome;
 }

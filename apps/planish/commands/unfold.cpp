@@ -101,8 +101,11 @@ void unfold_into(WorkFile& file, const std::filesystem::path& place, const Unfol
   const TriMesh mesh = read_model(path, arguments, session).mesh;
   about(path, [&] {
     const Patch patch(mesh);
-    const PatternOptions annotations =
+    PatternOptions annotations =
         annotations_on(request.annotations, arguments, patch, stem_of(path), session);
+    const std::vector<Caution> cautions = find_cautions(patch);
+    annotations.cautions = words_of(cautions);
+    note_cautions(session, path, cautions, request.unit);
     const UnfoldReport report =
         unfold_patch(patch, request.unit, request.options, session.job_context(path));
     file.report.lines = {{unfolded_cells(&report)}};
@@ -148,15 +151,17 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
         annotations_on(std::move(request.annotations), arguments, patch, name, session);
     return unfold_patch(patch, request.unit, request.options, session.job_context(path));
   });
+  const std::vector<Caution> cautions = find_cautions(patch);
+  request.annotations.cautions = words_of(cautions);
   const std::string content = about(path, [&] {
     return content_of(output, path, patch, report, request.output, request.annotations);
   });
   warn_of_pattern(session, report);
   note_unequal_seams(session, patch, report);
   if (lower_extension(output) == ".plt") note_plotter_reach(session, report);
-  CommandResult outcome = {
-      path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" + unfold_text(report),
-      json_report(report, figures_of_cut(input.cut))};
+  CommandResult outcome = {path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" +
+                               unfold_text(report, cautions),
+                           json_report(report, cautions, figures_of_cut(input.cut))};
   session.write({{path_of(output), content}});
   return with_limits_checked(std::move(outcome), report.limits);
 }

@@ -88,6 +88,7 @@ PatternFiles pattern_files_from(const Arguments& arguments) {
 PatternOptions with_move(PatternOptions annotations, const FlattenReport& report) {
   if (report.evolve.deviation.max > 0.0) annotations.moved = report.evolve.deviation.max;
   annotations.form_faults = form_faults(report.evolve);
+  annotations.cautions = words_of(report.cautions);
   return annotations;
 }
 

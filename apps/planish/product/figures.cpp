@@ -118,6 +118,7 @@ void list(FinishedPatch& patch, const Visit& visit) {
   visit("rejected", patch.rejected);
   visit("limits", patch.limits);
   visit("form_faults", patch.form_faults);
+  visit("cautions", patch.cautions);
 }
 
 constexpr StopReason last_of(StopReason) {

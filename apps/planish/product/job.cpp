@@ -91,17 +91,19 @@ class ProductRun {
             (nesting ? nesting->text : "") + written_text(files) +
             "Each patch has a folder of its own beside these.\n";
     CommandResult outcome = with_nesting_checked(with_exit_code({text, garment}), nesting);
-    note_unusual_sizes();
+    note_cautions_and_sizes();
     session_.write(files, job_.folder);
     open_if_asked(arguments_, job_.folder / path_of("garment.html"), session_);
     return outcome;
   }
 
  private:
-  void note_unusual_sizes() const {
+  void note_cautions_and_sizes() const {
     for (const PatchResult& patch : report_.patches) {
       if (!patch.finished) continue;
       const UnfoldReport& unfold = patch.finished->unfold;
+      if (!patch.finished->cautions.empty())
+        session_.note(patch.name + ": " + patch.finished->cautions);
       if (const auto size = unusual_size_text(unfold.pattern, unfold.unit))
         session_.note(patch.name + ": " + *size);
     }

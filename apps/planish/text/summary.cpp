@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "flatten/strain_limit_text.h"
@@ -19,6 +20,20 @@
 namespace planish::cli {
 
 namespace {
+
+/// Without the blanks that keep number and unit together in pages: lines are wrapped at blanks.
+std::string with_plain_blanks(std::string text) {
+  constexpr std::string_view blank = "\u00A0";
+  for (std::size_t at = 0; (at = text.find(blank, at)) != std::string::npos;)
+    text.replace(at, blank.size(), " ");
+  return text;
+}
+
+/// What the mesh cannot show, as a paragraph behind an empty line.
+std::string cautions_lines(std::span<const Caution> cautions, Unit unit) {
+  if (cautions.empty()) return {};
+  return "\n" + wrapped(with_plain_blanks(cautions_text(cautions, unit)), 0) + "\n";
+}
 
 /// Name, unit and figures of one line. All are better when smaller, but the smallest angle.
 struct Row {
@@ -294,14 +309,6 @@ std::string limits_to_tell(const std::vector<StrainLimitCheck>& limits) {
   return limits.empty() || is_said ? "" : wrapped(strain_limits_text(limits), 0) + "\n\n";
 }
 
-/// Without the blanks that keep number and unit together in pages: lines are wrapped at blanks.
-std::string with_plain_blanks(std::string text) {
-  constexpr std::string_view blank = "\u00A0";
-  for (std::size_t at = 0; (at = text.find(blank, at)) != std::string::npos;)
-    text.replace(at, blank.size(), " ");
-  return text;
-}
-
 }  // namespace
 
 std::string place_text(Vec3 at) {
@@ -314,7 +321,9 @@ std::string size_text(const TriMesh& mesh) {
 }
 
 std::string measure_text(const std::string& path, const MeasuredPatch& patch,
-                         const std::optional<StrainAsDesigned>& strain, Unit unit) {
+                         const std::optional<StrainAsDesigned>& strain,
+                         std::span<const Caution> cautions, Unit unit) {
+  const bool is_judged = hidden_curvature_of(cautions) == nullptr || !patch.flattenable;
   std::string text =
       sizes_text(path, patch.inspection.topology) + extent_text(patch.size, unit) + "\n";
   for (const Row& row : figure_rows(patch.figures, patch.figures)) {
@@ -323,11 +332,15 @@ std::string measure_text(const std::string& path, const MeasuredPatch& patch,
     text += line + "\n";
   }
   text += form_text(patch) + "\n  " + left("flattenable", 24) +
-          right(patch.flattenable ? "yes" : "no", 11) + "\n" +
-          fitness_line("can be evolved", patch.inspection, Purpose::evolve) +
+          right(!is_judged          ? "not known"
+                : patch.flattenable ? "yes"
+                                    : "no",
+                11) +
+          "\n" + fitness_line("can be evolved", patch.inspection, Purpose::evolve) +
           fitness_line("can be laid flat", patch.inspection, Purpose::unfold);
   if (strain) text += as_designed_lines(*strain);
-  return text + obstruction_text(patch.obstruction) + problems_text(patch.inspection);
+  return text + obstruction_text(patch.obstruction) + cautions_lines(cautions, unit) +
+         problems_text(patch.inspection);
 }
 
 std::string refused_text(const std::string& path, const Inspection& inspection) {
@@ -342,12 +355,13 @@ std::string evolve_text(const EvolveReport& report) {
          form_lines(report);
 }
 
-std::string unfold_text(const UnfoldReport& report) {
+std::string unfold_text(const UnfoldReport& report, std::span<const Caution> cautions) {
   const std::string limits = strain_limits_text(report.limits);
   return pattern_lines(report) + "  strain      rms " + percent(report.strain.rms) +
          ", 99 % of the area within " + percent(report.strain.p99) + ", largest " +
          percent(report.strain.max) + "\n" + unlimited_lines(report) + matching_lines(report) +
-         (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");
+         (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n") +
+         cautions_lines(cautions, report.unit);
 }
 
 std::string flatten_text(const FlattenReport& report) {
@@ -386,6 +400,12 @@ CommandResult with_target_checked(CommandResult outcome, const Arguments& argume
 void note_obstruction(Session& session, const Patch& patch) {
   const auto obstruction = find_obstruction(patch);
   if (obstruction && obstruction->is_notable()) session.note(obstruction_advice(*obstruction));
+}
+
+void note_cautions(Session& session, const std::string& path, std::span<const Caution> cautions,
+                   Unit unit) {
+  if (!cautions.empty())
+    session.note(path + ": " + with_plain_blanks(cautions_text(cautions, unit)));
 }
 
 void note_memory(Session& session, const Method& method, std::size_t vertices) {

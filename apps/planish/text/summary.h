@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include <planish/flatten/compare.h>
@@ -19,13 +20,15 @@ std::string size_text(const TriMesh& mesh);
 std::string place_text(Vec3 at);
 
 /// The results of the verbs as people read them, at most 80 columns wide.
+/// @param cautions as find_cautions() of the patch
 /// @param unit of the mesh
 std::string measure_text(const std::string& path, const MeasuredPatch& patch,
-                         const std::optional<StrainAsDesigned>& strain, Unit unit);
+                         const std::optional<StrainAsDesigned>& strain,
+                         std::span<const Caution> cautions, Unit unit);
 /// Of a mesh that cannot be measured: sizes and what is wrong.
 std::string refused_text(const std::string& path, const Inspection& inspection);
 std::string evolve_text(const EvolveReport& report);
-std::string unfold_text(const UnfoldReport& report);
+std::string unfold_text(const UnfoldReport& report, std::span<const Caution> cautions);
 std::string flatten_text(const FlattenReport& report);
 
 /// How many vertices are of which class, and how many their Laplacian directions can lower.
@@ -49,6 +52,10 @@ void warn_of_method(Session& session, const Method& method, const Failure& failu
 
 /// Says where a pattern reaches beyond the 16-bit coordinates that many plotters have.
 void note_plotter_reach(Session& session, const UnfoldReport& report);
+
+/// Says what the mesh of one of several files cannot show.
+void note_cautions(Session& session, const std::string& path, std::span<const Caution> cautions,
+                   Unit unit);
 
 /// Warns of what makes a pattern unfit for cutting.
 void warn_of_pattern(Session& session, const UnfoldReport& report);

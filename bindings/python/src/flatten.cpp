@@ -336,7 +336,8 @@ void register_unfold(py::module_& module) {
       .def_property_readonly(
           "figures",
           [](const Result& result) {
-            return figures_of(json_report(result.report, cli::figures_of_cut(result.cut)));
+            return figures_of(json_report(result.report, find_cautions(result.patch),
+                                          cli::figures_of_cut(result.cut)));
           },
           "All figures, with the keys of the program's --json.")
       .def("_drawing", drawing_of_unfold);

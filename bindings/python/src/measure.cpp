@@ -27,19 +27,21 @@ struct MeasureResult {
   MeasuredPatch measured;
   std::optional<StrainAsDesigned> strain;
   std::vector<double> defects;
+  Unit unit = Unit::mm;
 };
 
 MeasureResult measure_mesh(const MeshData& data, const py::dict& keywords, py::object progress) {
   const cli::Arguments arguments = arguments_on(data, "measure", keywords);
   const StrainLimits limits = cli::limits_from(arguments);
   const double scale = cli::scale_from(arguments);
+  const Unit unit = cli::unit_from(arguments);
   return Job(arguments, std::move(progress)).run([&](cli::Session& session) {
     Patch patch(cli::scaled(data.mesh, scale, {}));
     MeasuredPatch measured = measure_patch(patch, session.job_context({}));
     auto strain = cli::strain_as_asked(patch, limits, session);
     std::vector<double> defects = angle_defects(patch);
     return MeasureResult{std::move(patch), std::move(measured), std::move(strain),
-                         std::move(defects)};
+                         std::move(defects), unit};
   });
 }
 
@@ -161,7 +163,8 @@ void register_measure(py::module_& module) {
       .def_property_readonly(
           "figures",
           [](const MeasureResult& result) {
-            return figures_of(json_report(result.measured, result.strain));
+            return figures_of(json_report(result.measured, result.strain,
+                                          find_cautions(result.patch), result.unit));
           },
           "All figures, with the keys of the program's --json.");
   module.def("measure", measure_mesh, py::arg("mesh"), py::arg("keywords"), py::arg("progress"));

@@ -10,6 +10,7 @@
 #include <planish/core/unit.h>
 #include <planish/evolve/evolve.h>
 #include <planish/evolve/remesh.h>
+#include <planish/measure/cautions.h>
 #include <planish/measure/deviation.h>
 #include <planish/measure/fairness.h>
 #include <planish/measure/flattenability.h>
@@ -264,6 +265,9 @@ struct FlattenReport {
   /// Of `input`: the pattern that keeps the limits asked for where the result is the design, and
   /// where there is such a one; else that of least stretch, `unfold_before`.
   UnfoldReport as_designed;
+  /// What the mesh of the original patch cannot show; where it was smoothed first, noise that is
+  /// left.
+  std::vector<Caution> cautions = {};
   std::optional<TwinOf> twin_of = {};  ///< where it is made from the report of another patch
   /// Where evolving made the pattern worse, and the design is the result: the strain it came to.
   std::optional<EdgeStrain> rejected = {};

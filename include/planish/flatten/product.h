@@ -61,6 +61,7 @@ struct FinishedPatch {
   std::optional<EdgeStrain> rejected = {};
   std::vector<LimitCheck> limits = {};      ///< every limit and target that was asked for
   std::vector<FormFault> form_faults = {};  ///< what is wrong with the form
+  std::string cautions = {};  ///< what the mesh cannot show, in sentences; empty for none
 
   /// As of the report that it is made of.
   Outcome outcome() const;

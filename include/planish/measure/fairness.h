@@ -84,7 +84,8 @@ struct Fairness {
   /// Bending that came and went, edge by edge, each over B0: with k0 and k1 the curvatures across
   /// an edge, (|k1| - |k0|)^2 of its area where their signs agree; where they do not, all of k1
   /// came and all of k0 went. A fold counts as added, a flattened dome as lost. None where the
-  /// design is a plane or has other triangles.
+  /// design is a plane or has other triangles. Noise of a scan (find_scan_noise()) is no form: then
+  /// the lost one is that of both surfaces smoothed, away from the border.
   std::optional<double> bending_added = {}, bending_lost = {};
   /// Share of the area, 0 to 1, that is bent more sharply than 99 % of the design: at most 0.01 for
   /// the design itself.

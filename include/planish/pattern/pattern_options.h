@@ -62,6 +62,7 @@ struct PatternOptions {
   /// For the label: how far a place of the surface is from its design at most, model units.
   std::optional<double> moved = {};
   std::string form_faults = {};        ///< for the label: as "is lost", of the form; empty: none
+  std::string cautions = {};           ///< for the label: as words_of(), with commas; empty: none
   std::optional<DrawnLike> like = {};  ///< of a twin: how its lines follow those of the other one
 };
 

@@ -52,13 +52,18 @@ struct ProductFiles {
 /// object, UTF-8, numbers in the shortest digits that read back to the same doubles, numbers that
 /// are not finite as null.
 /// With "strain" and "limits"; without a strain, as of what cannot be laid flat, null and empty.
+/// @param cautions as find_cautions() of the patch
+/// @param unit one unit of the model, for the messages of cautions
 std::string json_report(const MeasuredPatch& patch,
                         const std::optional<StrainAsDesigned>& strain = {},
+                        const std::vector<Caution>& cautions = {}, Unit unit = Unit::mm,
                         const std::vector<MoreFigures>& more = {});
 /// With before and after, deviation and history.
 std::string json_report(const EvolveReport& report, const std::vector<MoreFigures>& more = {});
 /// With strain, sizes and limits.
-std::string json_report(const UnfoldReport& report, const std::vector<MoreFigures>& more = {});
+/// @param cautions as find_cautions() of the patch
+std::string json_report(const UnfoldReport& report, const std::vector<Caution>& cautions = {},
+                        const std::vector<MoreFigures>& more = {});
 /// @param layout as "nesting", where there is one
 std::string json_report(const FlattenReport& report, const WrittenFiles& files,
                         const std::vector<MoreFigures>& more = {},

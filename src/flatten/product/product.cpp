@@ -294,10 +294,15 @@ class ProductWork {
 }  // namespace
 
 FinishedPatch finished_patch(const FlattenReport& report) {
-  FinishedPatch patch{report.processed.mesh(), report.unfold,
-                      report.evolve.deviation, report.evolve.result.stop,
-                      report.twin_of,          report.rejected,
-                      limit_checks(report),    find_form_faults(report.evolve)};
+  FinishedPatch patch{report.processed.mesh(),
+                      report.unfold,
+                      report.evolve.deviation,
+                      report.evolve.result.stop,
+                      report.twin_of,
+                      report.rejected,
+                      limit_checks(report),
+                      find_form_faults(report.evolve),
+                      cautions_text(report.cautions, report.unfold.unit)};
   patch.unfold.pattern.unmatched.clear();
   patch.unfold.pattern.unlimited.clear();
   return patch;

@@ -92,6 +92,8 @@ std::vector<std::string> flatness_checks(const FlattenReport& report) {
   const std::string stretched = "does not lie flat without stretch";
   if (flatness_of(report) == Flatness::flat)
     items.push_back(mark(true, "lies flat without stretch"));
+  else if (flatness_of(report) == Flatness::not_known)
+    items.push_back(neutral_mark("cannot be judged"));
   else if (is_too_small_to_measure(report.unfold.strain))
     items.push_back(flatness_of(report) == Flatness::limit_missed
                         ? neutral_mark("a stretch too small to measure, but for some places")
@@ -129,6 +131,8 @@ std::vector<std::string> form_checks(const EvolveReport& evolve) {
 std::string checks(const FlattenReport& report) {
   const Pattern& pattern = report.unfold.pattern;
   std::vector<std::string> items = flatness_checks(report);
+  for (const Caution& caution : report.cautions)
+    items.push_back(neutral_mark(std::string(words_of(caution))));
   for (const std::string& item : form_checks(report.evolve))
     items.push_back(item);
   const bool flipped = pattern.flipped_triangles > 0;

@@ -171,6 +171,28 @@ TEST(Verdict, SaysWhetherTheFormIsSmooth) {
   EXPECT_THAT(with({.unchanged = true}), EndsWith("The form was not changed."));
 }
 
+TEST(Verdict, KeepsToWhatTheMeshCanShow) {
+  FlattenReport some = flattenable_with_strain(0.0);
+  some.cautions = {CoarseFacets{22.5, 0.00642}};
+  EXPECT_THAT(verdict(some),
+              StartsWith("Lies flat without stretch. The pattern keeps every length of the mesh. "
+                         "Facets turn by 22.5 degrees: up to 6.4 mm per metre short where the "
+                         "surface is meant to be round. "));
+  some.cautions = {HiddenCurvature{0.0}, CoarseFacets{22.5, 0.00642}};
+  EXPECT_THAT(verdict(some), StartsWith("Cannot be judged: no vertex inside. The pattern keeps "
+                                        "every length of the mesh. No vertex is inside the mesh"));
+  EXPECT_THAT(verdict(some), HasSubstr("Facets turn by 22.5 degrees"));
+  some.evolve.after.flattenable = false;
+  some.unfold.strain = {0.003, 0.0005, 0.001};
+  EXPECT_THAT(verdict(some), StartsWith("Cannot be judged: no vertex inside. The usual stretch is "
+                                        "0.050 %"));
+  some.cautions = {HiddenCurvature{0.3}};
+  some.unfold.strain = {0.3, 0.05, 0.1};
+  EXPECT_THAT(verdict(some), StartsWith("Does not lie flat without stretch. "))
+      << "that much is known";
+  EXPECT_THAT(verdict(some), HasSubstr("Only 30 % of the area is around inner vertices"));
+}
+
 TEST(Verdict, TellsFlatFromNearlyAndNotYet) {
   EXPECT_THAT(verdict(flattenable_with_strain(0.0)),
               StartsWith("Lies flat without stretch. The pattern keeps every length. "));

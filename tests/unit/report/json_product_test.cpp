@@ -106,7 +106,7 @@ TEST(JsonReport, OfALayoutSaysWhereThePiecesLieOrWhyNot) {
 
 TEST(JsonReport, HasFiguresOfAProgramsOwnAtItsEnd) {
   const std::vector<MoreFigures> more = {{"cut", {{"edges", std::size_t{3}}, {"length", 2.0}}}};
-  const Json json = Json::parse(json_report(samples::flatten_report().unfold, more));
+  const Json json = Json::parse(json_report(samples::flatten_report().unfold, {}, more));
   EXPECT_EQ(json.back(), Json::parse(R"({"edges": 3, "length": 2.0})"));
   EXPECT_EQ(json.items().begin().key(), "schema");
 }

@@ -97,6 +97,30 @@ TEST(JsonReport, OfAPatchWithoutProblemsHasAnEmptyList) {
   EXPECT_EQ(Json::parse(json_report(samples::measured(1.0)))["problems"], Json::array());
 }
 
+TEST(JsonReport, HasWhatTheMeshCannotShow) {
+  const std::vector<Caution> cautions = {HiddenCurvature{0.25}, CoarseCoordinates{0.03, 0.08},
+                                         ScanNoise{0.2, 12.0}};
+  FlattenReport report = samples::flatten_report();
+  report.unfold.unit = Unit::m;
+  EXPECT_EQ(Json::parse(json_report(report, {}))["cautions"], Json::array());
+  report.cautions = cautions;
+  const Json expected = {{{"code", "hidden_curvature"},
+                          {"message", caution_text(cautions[0], Unit::m)},
+                          {"inner_share", 0.25}},
+                         {{"code", "coarse_coordinates"},
+                          {"message", caution_text(cautions[1], Unit::m)},
+                          {"step", 0.03},
+                          {"mean_edge", 0.08}},
+                         {{"code", "scan_noise"},
+                          {"message", caution_text(cautions[2], Unit::m)},
+                          {"amplitude", 0.2},
+                          {"wave", 12.0}}};
+  EXPECT_EQ(Json::parse(json_report(report, {}))["cautions"], expected);
+  EXPECT_EQ(Json::parse(json_report(report.unfold, cautions))["cautions"], expected);
+  EXPECT_EQ(Json::parse(json_report(samples::measured(1.0), {}, cautions, Unit::m))["cautions"],
+            expected);
+}
+
 TEST(JsonReport, TellsOfABorderOnlyWhereItMoved) {
   EvolveReport report = samples::flatten_report().evolve;
   EXPECT_FALSE(Json::parse(json_report(report)).contains("border"));

@@ -200,10 +200,19 @@ TEST(PatternSheet, SaysWhatStrainThePatternHasAndWhetherItKeepsItsLimit) {
     return texts_of(layer_of(pattern_sheet(Patch(mesh), unfold, "", options), "label"));
   };
   EXPECT_THAT(label_of_form(), Contains("Before cutting: the form is lost"));
+  PatternOptions with_cautions;
+  with_cautions.cautions = "no vertex inside, coarse facets";
+  const auto label_of_mesh = [&] {
+    return texts_of(layer_of(pattern_sheet(Patch(mesh), unfold, "", with_cautions), "label"));
+  };
+  EXPECT_THAT(label_of_mesh(),
+              Contains("Before cutting, see the mesh: no vertex inside, coarse facets"));
   unfold.limits = {{StrainLimitKind::max, 0.025, 0.0231}};
   EXPECT_THAT(label(), Contains("keeps the limit 2.5 %, for every edge"));
   EXPECT_THAT(label_of_form(),
               Contains("keeps the limit 2.5 %, for every edge, but the form is lost"));
+  EXPECT_THAT(label_of_mesh(), Contains("keeps the limit 2.5 %, for every edge, but see the mesh: "
+                                        "no vertex inside, coarse facets"));
   unfold.limits.push_back({StrainLimitKind::rms, 0.005, 0.00512});
   EXPECT_THAT(label(), Contains("Beyond the limit 0.5 %, rms: 0.51 %"));
   EXPECT_THAT(pattern_sheet(Patch(mesh), unfold, "").notes,

@@ -155,6 +155,24 @@ std::string first_screen(const std::string& page) {
   return top;
 }
 
+TEST(HtmlReport, MarksWhatTheMeshCannotShow) {
+  FlattenReport report = samples::flatten_report();
+  report.unfold.strain = {0.0, 0.0, 0.0};
+  report.evolve.after.flattenable = true;
+  EXPECT_THAT(first_screen(html_report(report)), HasSubstr("✓ lies flat without stretch"));
+  report.cautions = {CoarseFacets{22.5, 0.00642}};
+  std::string top = first_screen(html_report(report));
+  EXPECT_THAT(top, HasSubstr("✓ lies flat without stretch"));
+  EXPECT_THAT(top, HasSubstr("<span class=\"neutral\">• coarse facets</span>"));
+  EXPECT_THAT(top, HasSubstr("Facets turn by 22.5 degrees"));
+  report.cautions = {HiddenCurvature{0.0}};
+  top = first_screen(html_report(report));
+  EXPECT_THAT(top, HasSubstr("<b>Cannot be judged: no vertex inside.</b>"));
+  EXPECT_THAT(top, HasSubstr("<span class=\"neutral\">• cannot be judged</span>"));
+  EXPECT_THAT(top, HasSubstr("<span class=\"neutral\">• no vertex inside</span>"));
+  EXPECT_THAT(top, Not(HasSubstr("lies flat without stretch")));
+}
+
 TEST(HtmlReport, MarksAgreeWithTheVerdict) {
   FlattenReport report = samples::flatten_report();
   report.unfold.strain = {0.018, 0.0005, 0.001};

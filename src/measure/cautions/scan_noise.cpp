@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <planish/measure/cautions.h>
+#include <planish/measure/fairness.h>
+
+#include "core/careful_sum.h"
+#include "measure/bends.h"
+#include "measure/cautions/triangle_hinges.h"
+#include "measure/off_border.h"
+#include "measure/smoothed.h"
+#include "mesh/mean_edge.h"
+
+namespace planish {
+
+namespace {
+
+// A vertex whose edges bend less than this, radians, makes no surface rough.
+constexpr double k_seen_bend = 0.05;
+// A dome or a crease bends all edges of a vertex, or two of them, one way; this share is mixed.
+constexpr double k_one_way = 0.2;
+constexpr double k_like = 0.4;                 // a neighbour is bent alike from this share on
+constexpr double k_noisy_share = 0.3;          // of the area
+constexpr std::size_t k_fewest_vertices = 30;  // of fewer, nothing can be said
+
+/// Whether two neighbours on opposite sides are bent as the vertex is: along a crease or a ruling,
+/// or on a dome, there are always such two.
+bool is_on_line(const Patch& patch, const std::vector<double>& curvatures, Index v) {
+  const auto ring = patch.ring(v);
+  const std::size_t n = ring.size();
+  const double own = curvatures[v];
+  const auto is_like = [&](std::size_t j) {
+    return curvatures[ring[j % n]] * own > 0.0 &&
+           std::abs(curvatures[ring[j % n]]) >= k_like * std::abs(own);
+  };
+  for (std::size_t j = 0; j < n; ++j) {
+    if (is_like(j) && (is_like(j + n / 2) || is_like(j + (n + 1) / 2))) return true;
+  }
+  return false;
+}
+
+/// The share of the area that bends, but along no line, of all area whose vertices have no
+/// neighbour on the border.
+double noisy_share(const Patch& patch) {
+  const std::vector<double> curvatures = vertex_mean_curvatures(patch), bends = vertex_bends(patch),
+                            areas = triangle_areas(patch);
+  std::vector<double> around(patch.vertex_count(), 0.0);
+  for (Index t = 0; t < areas.size(); ++t) {
+    for (const Index v : patch.triangles()[t])
+      around[v] += areas[t] / 3.0;
+  }
+  const double edge = mean_edge_length(patch.mesh());
+  CarefulSum noisy, all;
+  std::size_t count = 0;
+  for (const Index v : patch.inner_vertices()) {
+    if (!is_off_border(patch.connectivity(), v)) continue;
+    ++count;
+    all.add(around[v]);
+    if (bends[v] * edge < k_seen_bend || std::abs(curvatures[v]) < k_one_way * bends[v]) continue;
+    if (!is_on_line(patch, curvatures, v)) noisy.add(around[v]);
+  }
+  return count >= k_fewest_vertices && all.value() > 0.0 ? noisy.value() / all.value() : 0.0;
+}
+
+/// The bending of the surface off its border.
+double bending_inside(const Patch& patch, const std::vector<Vec3>& positions) {
+  CarefulSum bending;
+  for_each_bend(positions, patch.connectivity(), patch.unit_scale(),
+                [&](const Hinge& hinge, const Bend& bend) {
+                  if (is_off_border(patch.connectivity(), hinge.from) &&
+                      is_off_border(patch.connectivity(), hinge.to))
+                    bending.add(bend.bending());
+                });
+  return bending.value();
+}
+
+/// How far inner vertices are from where they were, rms; model units.
+double usual_move(const Patch& patch, const std::vector<Vec3>& after) {
+  const double scale = patch.unit_scale();
+  CarefulSum squares;
+  for (const Index v : patch.inner_vertices()) {
+    const Vec3 move = scale * after[v] - scale * patch.positions()[v];
+    squares.add(dot(move, move));
+  }
+  return std::sqrt(squares.value() / static_cast<double>(patch.inner_vertices().size())) / scale;
+}
+
+}  // namespace
+
+std::optional<ScanNoise> find_scan_noise(const Patch& patch) {
+  if (!(noisy_share(patch) >= k_noisy_share)) return std::nullopt;
+  // Waves are form from where taking out longer ones hardly lowers the bending.
+  constexpr std::array waves = {3.0, 4.0, 6.0, 9.0, 13.0};  // mean edges
+  constexpr double hardly = 0.75;
+  const double edge = mean_edge_length(patch.mesh());
+  ScanNoise noise;
+  double bending = std::numeric_limits<double>::infinity();
+  for (const double wave : waves) {
+    const std::vector<Vec3> smooth = smoothed_positions(patch, wave * edge);
+    const double left = bending_inside(patch, smooth);
+    if (left > hardly * bending) break;
+    bending = left;
+    noise = {usual_move(patch, smooth), wave * edge};
+  }
+  return noise;
+}
+
+}  // namespace planish

@@ -1,0 +1,81 @@
+// What the mesh cannot show is said by every verb that judges a patch.
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "cli/cli_run.h"
+#include "support/meshes.h"
+
+namespace planish::cli {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class Cautions : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    // A hull plate of one row of facets, twisted: its triangles lie flat whatever it was.
+    TriMesh plate = meshes::flat_grid(20, 1);
+    for (Vec3& p : plate.positions)
+      p = {50.0 * p.x, 300.0 * p.y, 3.0 * (p.x - 10.0) * (p.y - 0.5)};
+    write_mesh("plate.obj", plate);
+    // Four facets of a quarter of a cylinder, R 1000.
+    TriMesh quarter = meshes::flat_grid(4, 1);
+    for (Vec3& p : quarter.positions) {
+      const double turn = 0.125 * std::acos(-1.0) * p.x;
+      p = {1000.0 * std::sin(turn), 600.0 * p.y, 1000.0 * std::cos(turn)};
+    }
+    write_mesh("quarter.obj", quarter);
+  }
+};
+
+TEST_F(Cautions, AreToldByMeasureUnfoldAndFlatten) {
+  for (const Names& args :
+       {Names{"measure", "plate.obj"}, Names{"unfold", "plate.obj", "-o", "a.svg"},
+        Names{"flatten", "plate.obj", "-o", "out"}}) {
+    const CliResult result = planish(args);
+    EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("No vertex is inside the mesh")) << args.front();
+    Names as_json = args;
+    as_json.push_back("--json");
+    const auto json = planish(as_json).json();
+    ASSERT_EQ(json["cautions"].size(), 1U) << args.front();
+    EXPECT_EQ(json["cautions"][0]["code"], "hidden_curvature");
+    EXPECT_EQ(json["cautions"][0]["inner_share"], 0.0);
+  }
+  EXPECT_THAT(content_of("a.svg"), HasSubstr("Before cutting, see the mesh: no vertex inside"));
+  EXPECT_THAT(content_of("out/pattern.svg"), HasSubstr("see the mesh: no vertex inside"));
+  EXPECT_THAT(content_of("out/report.html"), HasSubstr("Cannot be judged"));
+}
+
+TEST_F(Cautions, ChangeWhatIsCalledFlat) {
+  EXPECT_THAT(planish({"flatten", "plate.obj", "-o", "out"}).out,
+              AllOf(HasSubstr("Cannot be judged: no vertex inside."),
+                    Not(HasSubstr("Lies flat without stretch"))));
+  EXPECT_THAT(planish({"measure", "plate.obj"}).out, HasSubstr("not known"));
+  const std::string quarter = planish({"flatten", "quarter.obj", "-o", "out2"}).out;
+  EXPECT_THAT(quarter, HasSubstr("keeps every length of the\nmesh. Facets turn by 22.5 degrees: up "
+                                 "to 6.4 mm per metre short"));
+}
+
+TEST_F(Cautions, OfSeveralFilesAreNotes) {
+  const CliResult measured = planish({"measure", "panel.obj", "plate.obj"});
+  EXPECT_THAT(measured.err, AllOf(HasSubstr("plate.obj: No vertex is inside the mesh"),
+                                  Not(HasSubstr("panel.obj: "))));
+  const CliResult unfolded = planish({"unfold", "panel.obj", "plate.obj", "-o", "all"});
+  EXPECT_THAT(unfolded.err, HasSubstr("plate.obj: No vertex is inside the mesh"));
+  EXPECT_THAT(content_of("all/plate.svg"), HasSubstr("see the mesh: no vertex inside"));
+}
+
+TEST_F(Cautions, AreNoneOfASoundPatch) {
+  const auto json = planish({"measure", "panel.obj", "--json"}).json();
+  EXPECT_EQ(json["cautions"], nlohmann::json::array());
+  EXPECT_THAT(planish({"unfold", "panel.obj", "-o", "a.svg"}).out, Not(HasSubstr("mesh")));
+}
+
+}  // namespace
+}  // namespace planish::cli

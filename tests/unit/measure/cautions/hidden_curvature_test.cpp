@@ -1,0 +1,109 @@
+#include <cmath>
+#include <numbers>
+
+#include <planish/measure/cautions.h>
+
+#include <gtest/gtest.h>
+
+#include "support/bent_sheets.h"
+#include "support/meshes.h"
+#include "support/solids.h"
+
+namespace planish {
+namespace {
+
+std::optional<HiddenCurvature> found(const TriMesh& mesh) {
+  return find_hidden_curvature(Patch(mesh));
+}
+
+/// A grid of `rows` rows over [0, 1] x [0, 1], each vertex where place(u, v) has it.
+template <class Place>
+TriMesh strip(std::size_t columns, std::size_t rows, Place place) {
+  TriMesh mesh = meshes::flat_grid(columns, rows);
+  for (Vec3& p : mesh.positions)
+    p = place(p.x / static_cast<double>(columns), p.y / static_cast<double>(rows));
+  return mesh;
+}
+
+Vec3 on_cylinder(double u, double v) {
+  return {std::cos(2.0 * u), 3.0 * v, std::sin(2.0 * u)};
+}
+
+Vec3 on_hypar(double u, double v) {
+  return {u, v, (u - 0.5) * (v - 0.5)};
+}
+
+/// Between a line and an arc, its rulings parallel to a plane.
+Vec3 on_conoid(double u, double v) {
+  return {u, v, v * std::sin(std::numbers::pi * u)};
+}
+
+Vec3 on_sphere(double u, double v) {
+  const double x = u - 0.5, y = 0.4 * v;
+  return {x, y, std::sqrt(1.0 - x * x - y * y)};
+}
+
+TEST(HiddenCurvature, OfOneRowOfTwistedFacetsIsFound) {
+  for (const auto place : {on_hypar, on_conoid, on_sphere}) {
+    const auto hidden = found(strip(20, 1, place));
+    ASSERT_TRUE(hidden);
+    EXPECT_EQ(hidden->inner_share, 0.0);
+  }
+  EXPECT_TRUE(found(strip(1, 1, on_hypar))) << "two triangles";
+}
+
+TEST(HiddenCurvature, IsNoneWhereTheCrossEdgesAreRulings) {
+  EXPECT_FALSE(found(strip(10, 1, on_cylinder)));
+  EXPECT_FALSE(found(meshes::tube(12, 1))) << "open at both ends";
+  EXPECT_FALSE(found(strip(10, 1, [](double u, double v) {
+    const double r = 1.0 + v;
+    return Vec3{r * std::cos(2.0 * u), r * std::sin(2.0 * u), r};
+  }))) << "a frustum";
+  EXPECT_FALSE(found(strip(10, 2, on_cylinder))) << "plane facets of two rows";
+}
+
+TEST(HiddenCurvature, IsNoneOfRulingsThatMeetOnTheBorder) {
+  TriMesh fan;  // a sector of a cone
+  fan.positions.push_back({0.0, 0.0, 0.0});
+  for (int k = 0; k <= 8; ++k)
+    fan.positions.push_back({std::cos(0.25 * k), std::sin(0.25 * k), 1.0});
+  for (Index k = 1; k <= 8; ++k)
+    fan.triangles.push_back({0, k, k + 1});
+  EXPECT_FALSE(found(fan));
+  EXPECT_TRUE(found(meshes::fan(8, 0.5))) << "the tip inside: a cone, or a dome with one vertex";
+}
+
+TEST(HiddenCurvature, IsNoneOfPlanesAndFoldedPlates) {
+  EXPECT_FALSE(found(meshes::flat_grid(5, 1)));
+  EXPECT_FALSE(found(meshes::flat_grid(1, 1)));
+  EXPECT_FALSE(found(meshes::fan(6))) << "plane with one vertex inside";
+  EXPECT_FALSE(found(strip(3, 1, [](double u, double v) {
+    return Vec3{u, v, u > 0.5 ? 2.0 * u : 1.0};
+  }))) << "a plate with a flange";
+  TriMesh open = solids::cube();
+  open.triangles.resize(open.triangles.size() - 2);  // a box without its lid
+  EXPECT_FALSE(found(open));
+}
+
+TEST(HiddenCurvature, IsJudgedByTheAreaAroundInnerVertices) {
+  const auto two = found(strip(20, 2, on_sphere));
+  ASSERT_TRUE(two);
+  EXPECT_NEAR(two->inner_share, 19.0 / 40.0, 0.01);
+  EXPECT_FALSE(found(strip(20, 3, on_sphere))) << "two thirds of it are around inner vertices";
+  EXPECT_FALSE(found(meshes::bent_sphere(12)));
+}
+
+TEST(HiddenCurvature, DoesNotDependOnSizeAndPlace) {
+  for (const double size : {1e-150, 1e3, 1e150}) {
+    TriMesh twisted = strip(20, 1, on_hypar), ruled = strip(10, 1, on_cylinder);
+    for (TriMesh* mesh : {&twisted, &ruled}) {
+      for (Vec3& p : mesh->positions)
+        p = size * (p + Vec3{3.0, -2.0, 5.0});
+    }
+    EXPECT_TRUE(found(twisted)) << size;
+    EXPECT_FALSE(found(ruled)) << size;
+  }
+}
+
+}  // namespace
+}  // namespace planish

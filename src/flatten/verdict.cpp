@@ -113,7 +113,7 @@ std::string state_words(const FlattenReport& report) {
     case Flatness::flat:
       return "Lies flat without stretch";
     case Flatness::not_known:
-      return "Cannot be judged: " + std::string(words_of(*hidden_curvature_of(report.cautions)));
+      return "Cannot be judged: " + std::string(words_of(*unjudged_by(report.cautions, true)));
     case Flatness::unmeasurable:
       return "Flat but for a stretch too small to measure";
     case Flatness::stretched:
@@ -246,16 +246,17 @@ std::string new_fold_text(const Fold& fold) {
 }
 
 Flatness flatness_of(const FlattenReport& report) {
-  const bool is_hidden = hidden_curvature_of(report.cautions) != nullptr;
-  if (keeps_lengths(report)) return is_hidden ? Flatness::not_known : Flatness::flat;
+  if (keeps_lengths(report))
+    return unjudged_by(report.cautions, true) == nullptr ? Flatness::flat : Flatness::not_known;
   const std::vector<LimitCheck> limits = strain_limits_of(report);
   if (!limits.empty()) {
     const bool kept = std::all_of(limits.begin(), limits.end(),
                                   [](const LimitCheck& check) { return check.met; });
     return kept ? Flatness::limit_kept : Flatness::limit_missed;
   }
-  if (!is_too_small_to_measure(report.unfold.strain)) return Flatness::stretched;
-  return is_hidden ? Flatness::not_known : Flatness::unmeasurable;
+  const bool is_small = is_too_small_to_measure(report.unfold.strain);
+  if (unjudged_by(report.cautions, is_small) != nullptr) return Flatness::not_known;
+  return is_small ? Flatness::unmeasurable : Flatness::stretched;
 }
 
 bool is_too_small_to_measure(const EdgeStrain& strain) {

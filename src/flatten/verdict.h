@@ -11,7 +11,7 @@ namespace planish {
 /// How much the pattern is stretched, for everything that says so: headline, ticks and marks.
 enum class Flatness {
   flat,          ///< every length is kept to within 0.1 %
-  not_known,     ///< as flat or unmeasurable, of a mesh that hides double curvature
+  not_known,     ///< without limits or flat, of a mesh that cannot show it: unjudged_by()
   limit_kept,    ///< stretched, within all limits of strain that were given
   limit_missed,  ///< not within some limit of strain that was given
   unmeasurable,  ///< no limit was given, and the rms strain is too small to measure

@@ -323,7 +323,7 @@ std::string size_text(const TriMesh& mesh) {
 std::string measure_text(const std::string& path, const MeasuredPatch& patch,
                          const std::optional<StrainAsDesigned>& strain,
                          std::span<const Caution> cautions, Unit unit) {
-  const bool is_judged = hidden_curvature_of(cautions) == nullptr || !patch.flattenable;
+  const bool is_judged = unjudged_by(cautions, patch.flattenable) == nullptr;
   std::string text =
       sizes_text(path, patch.inspection.topology) + extent_text(patch.size, unit) + "\n";
   for (const Row& row : figure_rows(patch.figures, patch.figures)) {

@@ -109,7 +109,8 @@ std::string words_of(std::span<const Caution> cautions);
 /// @param unit one unit of the model
 std::string caution_text(const Caution& caution, Unit unit);
 
-/// That which forbids to call a surface flat; null where there is none.
-const HiddenCurvature* hidden_curvature_of(std::span<const Caution> cautions);
+/// The first that forbids to say whether a surface lies flat: hidden curvature where its mesh does,
+/// coarse coordinates in any case. Null where there is none.
+const Caution* unjudged_by(std::span<const Caution> cautions, bool is_mesh_flat);
 
 }  // namespace planish

@@ -98,9 +98,11 @@ std::string caution_text(const Caution& caution, Unit unit) {
   return std::visit([unit](const auto& found) { return text_of(found, unit); }, caution);
 }
 
-const HiddenCurvature* hidden_curvature_of(std::span<const Caution> cautions) {
+const Caution* unjudged_by(std::span<const Caution> cautions, bool is_mesh_flat) {
   for (const Caution& caution : cautions) {
-    if (const auto* found = std::get_if<HiddenCurvature>(&caution)) return found;
+    if ((is_mesh_flat && std::holds_alternative<HiddenCurvature>(caution)) ||
+        std::holds_alternative<CoarseCoordinates>(caution))
+      return &caution;
   }
   return nullptr;
 }

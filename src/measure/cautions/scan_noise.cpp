@@ -23,7 +23,7 @@ constexpr double k_seen_bend = 0.05;
 // A dome or a crease bends all edges of a vertex, or two of them, one way; this share is mixed.
 constexpr double k_one_way = 0.2;
 constexpr double k_like = 0.4;                 // a neighbour is bent alike from this share on
-constexpr double k_noisy_share = 0.3;          // of the area
+constexpr double k_noisy_share = 0.25;         // of the area
 constexpr std::size_t k_fewest_vertices = 30;  // of fewer, nothing can be said
 
 /// Whether two neighbours on opposite sides are bent as the vertex is: along a crease or a ruling,
@@ -65,16 +65,16 @@ double noisy_share(const Patch& patch) {
   return count >= k_fewest_vertices && all.value() > 0.0 ? noisy.value() / all.value() : 0.0;
 }
 
-/// The bending of the surface off its border.
-double bending_inside(const Patch& patch, const std::vector<Vec3>& positions) {
-  CarefulSum bending;
+/// How much the surface turns off its border: a crease that is rounded turns as much as before.
+double turning_inside(const Patch& patch, const std::vector<Vec3>& positions) {
+  CarefulSum turning;
   for_each_bend(positions, patch.connectivity(), patch.unit_scale(),
                 [&](const Hinge& hinge, const Bend& bend) {
                   if (is_off_border(patch.connectivity(), hinge.from) &&
                       is_off_border(patch.connectivity(), hinge.to))
-                    bending.add(bend.bending());
+                    turning.add(std::abs(bend.angle) * bend.length);
                 });
-  return bending.value();
+  return turning.value();
 }
 
 /// How far inner vertices are from where they were, rms; model units.
@@ -92,17 +92,17 @@ double usual_move(const Patch& patch, const std::vector<Vec3>& after) {
 
 std::optional<ScanNoise> find_scan_noise(const Patch& patch) {
   if (!(noisy_share(patch) >= k_noisy_share)) return std::nullopt;
-  // Waves are form from where taking out longer ones hardly lowers the bending.
+  // Waves are form from where taking out longer ones hardly makes it turn less.
   constexpr std::array waves = {3.0, 4.0, 6.0, 9.0, 13.0};  // mean edges
-  constexpr double hardly = 0.75;
+  constexpr double hardly = 0.82;
   const double edge = mean_edge_length(patch.mesh());
   ScanNoise noise;
-  double bending = std::numeric_limits<double>::infinity();
+  double turning = std::numeric_limits<double>::infinity();
   for (const double wave : waves) {
     const std::vector<Vec3> smooth = smoothed_positions(patch, wave * edge);
-    const double left = bending_inside(patch, smooth);
-    if (left > hardly * bending) break;
-    bending = left;
+    const double left = turning_inside(patch, smooth);
+    if (left > hardly * turning) break;
+    turning = left;
     noise = {usual_move(patch, smooth), wave * edge};
   }
   return noise;

@@ -190,6 +190,9 @@ TEST(Verdict, KeepsToWhatTheMeshCanShow) {
   some.unfold.strain = {0.3, 0.05, 0.1};
   EXPECT_THAT(verdict(some), StartsWith("Does not lie flat without stretch. "))
       << "that much is known";
+  some.cautions = {CoarseCoordinates{0.03, 0.08}};
+  EXPECT_THAT(verdict(some), StartsWith("Cannot be judged: coarse coordinates. The usual stretch"));
+  some.cautions = {HiddenCurvature{0.3}};
   EXPECT_THAT(verdict(some), HasSubstr("Only 30 % of the area is around inner vertices"));
 }
 

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 TEST(Cautions, AreNoneOfAFineSmoothMesh) {
   EXPECT_TRUE(find_cautions(Patch(meshes::bent_sphere(30))).empty());
   EXPECT_EQ(words_of(std::vector<Caution>{}), "");
-  EXPECT_EQ(hidden_curvature_of({}), nullptr);
+  EXPECT_EQ(unjudged_by({}, true), nullptr);
 }
 
 TEST(Cautions, AreFoundTogether) {
@@ -32,7 +32,8 @@ TEST(Cautions, AreFoundTogether) {
   ASSERT_EQ(cautions.size(), 2u);
   EXPECT_EQ(code_of(cautions[0]), "hidden_curvature");
   EXPECT_EQ(code_of(cautions[1]), "coarse_facets");
-  EXPECT_NE(hidden_curvature_of(cautions), nullptr);
+  EXPECT_EQ(unjudged_by(cautions, true), &cautions[0]);
+  EXPECT_EQ(unjudged_by(cautions, false), nullptr) << "that it does not lie flat is known";
 }
 
 TEST(Cautions, OfNoiseSayNothingOfFacets) {
@@ -40,6 +41,12 @@ TEST(Cautions, OfNoiseSayNothingOfFacets) {
   const auto cautions = find_cautions(Patch(rough));
   ASSERT_EQ(cautions.size(), 1u);
   EXPECT_EQ(code_of(cautions[0]), "scan_noise");
+}
+
+TEST(Cautions, OfCoordinatesLeaveNothingKnown) {
+  const std::vector<Caution> cautions = {CoarseFacets{12.0, 0.002}, CoarseCoordinates{1.0, 2.0}};
+  EXPECT_EQ(unjudged_by(cautions, true), &cautions[1]);
+  EXPECT_EQ(unjudged_by(cautions, false), &cautions[1]);
 }
 
 TEST(Cautions, SayWhatToDo) {

@@ -185,6 +185,27 @@ bool is_sound(const EdgeSides& edge, const TriMesh& before,
                             std::pair(edge.begin[0].triangle, edge.begin[1].triangle));
 }
 
+/// The corners of triangles that have those of another one, as they had not before.
+std::vector<Index> corners_of_twins(const TriMesh& before, const TriMesh& joined) {
+  const auto corners_of = [](Triangle t) {
+    std::sort(t.begin(), t.end());
+    return t;
+  };
+  std::vector<std::pair<Triangle, Index>> keys;
+  for (std::size_t t = 0; t < joined.triangles.size(); ++t)
+    keys.emplace_back(corners_of(joined.triangles[t]), static_cast<Index>(t));
+  std::sort(keys.begin(), keys.end());
+  std::vector<Index> corners;
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    if (keys[i].first != keys[i - 1].first) continue;
+    const Triangle &one = before.triangles[keys[i - 1].second],
+                   &other = before.triangles[keys[i].second];
+    if (corners_of(one) == corners_of(other)) continue;
+    corners.insert(corners.end(), keys[i].first.begin(), keys[i].first.end());
+  }
+  return corners;
+}
+
 /// Marks vertices of the joined mesh at which it is not sound.
 std::vector<unsigned char> unsound_vertices(const TriMesh& mesh, const std::vector<Index>& first,
                                             const std::vector<EdgePair>& pairs) {
@@ -197,6 +218,8 @@ std::vector<unsigned char> unsound_vertices(const TriMesh& mesh, const std::vect
     for (const Index v : joined.triangles[t])
       unsound[v] = 1;
   }
+  for (const Index v : corners_of_twins(mesh, joined))
+    unsound[v] = 1;
   std::vector<std::pair<Index, Index>> glued;
   for (const EdgePair& pair : pairs)
     glued.push_back(std::minmax(pair.one.side.triangle, pair.other.side.triangle));
@@ -229,7 +252,7 @@ Gluing find_gluing(const TriMesh& mesh, std::span<const Index> place) {
   // elsewhere. Every round leaves some pairs.
   std::vector<Index> first = joined_vertices(mesh, place, found.pairs);
   constexpr int k_rounds = 30;
-  for (int round = 0;; ++round) {
+  for (int round = 0; !found.pairs.empty(); ++round) {
     const std::vector<unsigned char> unsound = unsound_vertices(mesh, first, found.pairs);
     const bool changed = leave([&](const EdgePair& pair) {
       const EdgeSide& side = pair.one.side;

@@ -12,7 +12,7 @@
 #include "support/jacket.h"
 #include "support/meshes.h"
 #include "support/odd_files.h"
-#include "support/repairs.h"
+#include "unit/mesh/repair/repairs.h"
 
 namespace planish {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "support/meshes.h"
 #include "support/odd_files.h"
-#include "support/repairs.h"
+#include "unit/mesh/repair/repairs.h"
 
 namespace planish {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "support/meshes.h"
 #include "support/odd_files.h"
-#include "support/repairs.h"
 #include "support/solids.h"
+#include "unit/mesh/repair/repairs.h"
 
 namespace planish {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "support/meshes.h"
 #include "support/odd_files.h"
-#include "support/repairs.h"
+#include "unit/mesh/repair/repairs.h"
 
 namespace planish {
 namespace {
@@ -234,6 +234,16 @@ TEST(Weld, ALongLengthLeavesEveryTriangle) {
     const WeldedMesh welded = weld(mesh, length);
     EXPECT_TRUE(repairs::is_disk(welded.mesh)) << length;
     EXPECT_EQ(welded.mesh.triangles.size(), mesh.triangles.size());
+  }
+}
+
+/// Two triangles on one edge whose other corners are at one end of it.
+TEST(Weld, TrianglesWithoutAreaDoNotBecomeOne) {
+  const TriMesh mesh{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}}, {{0, 1, 3}, {0, 3, 2}}};
+  for (const double length : {0.0, 0.1}) {
+    const WeldedMesh welded = weld(mesh, length);
+    EXPECT_EQ(welded.mesh.triangles, mesh.triangles);
+    EXPECT_EQ(welded.left, 2U);
   }
 }
 

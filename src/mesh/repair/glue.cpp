@@ -17,6 +17,8 @@ namespace {
 
 // Triangles at an edge lie on each other where the angle between them is below a degree.
 constexpr double k_on_each_other = 0.99985;
+// Edges too short for their numbers count too.
+constexpr double k_least_weight = 1e-200;
 // Pieces whose areas differ by less are as large as each other.
 constexpr double k_even = 1e-9;
 
@@ -99,7 +101,8 @@ std::vector<Joint> joints_of(const std::vector<EdgePair>& pairs, const Sheets& p
     const auto [low, high] = std::minmax(pieces.of_triangle[pair.one.side.triangle],
                                          pieces.of_triangle[pair.other.side.triangle]);
     if (low == high) continue;
-    joints.push_back({low, high, pair.length, pair.runs_same_way() ? pair.length : 0.0});
+    const double weight = std::max(pair.length, k_least_weight);
+    joints.push_back({low, high, weight, pair.runs_same_way() ? weight : 0.0});
   }
   const auto key = [](const Joint& joint) { return std::tie(joint.one, joint.other); };
   std::stable_sort(joints.begin(), joints.end(),

@@ -33,7 +33,7 @@ std::optional<Wall> find_wall(const TriMesh& mesh);
 
 /// One side of a wall, oriented away from the other, without its rim.
 /// @param wall what find_wall() found in the mesh
-/// @param side outer or inner
+/// @param side outer or inner; the rim is given as it is
 RepairedMesh take_side(const TriMesh& mesh, const Wall& wall, WallPart side);
 
 }  // namespace planish

@@ -16,6 +16,7 @@ struct Hit {
 
 /// The first triangle of the tree on the ray from `from`, of several at one distance that of the
 /// smallest number. A ray through a vertex or an edge meets its triangles, in spite of rounding.
+/// @param tree of a mesh at the scale of unit_scale() and near the origin
 /// @param nearest below it nothing counts, so that a ray can begin on a triangle
 std::optional<Hit> first_hit(const BoxTree& tree, Vec3 from, Vec3 direction, double nearest);
 

@@ -163,6 +163,19 @@ TEST(Weld, EdgesAreDividedAtVerticesOfTheOtherSide) {
   }
 }
 
+TEST(Weld, VerticesBesideAnEdgeAreJoinedWithinTheLength) {
+  TriMesh apart = meshed_apart(4, 5);
+  for (std::size_t v = 25; v < apart.positions.size(); ++v)
+    apart.positions[v] += {6e-5, 0.0, 8e-5};
+  for (const TriMesh& mesh : repairs::variants(apart)) {
+    const double unit = bounding_box_diagonal(mesh) / bounding_box_diagonal(apart);
+    EXPECT_EQ(pieces(weld(mesh, 0.9e-4 * unit).mesh), 2U);
+    const WeldedMesh welded = weld(mesh, 1.1e-4 * unit);
+    EXPECT_TRUE(repairs::is_disk(welded.mesh));
+    EXPECT_NEAR(repairs::area(welded.mesh), repairs::area(mesh), 1e-5 * repairs::area(mesh));
+  }
+}
+
 TEST(Weld, ATriangleIsDividedOnAllItsSides) {
   TriMesh mesh{{{0, 0, 0}, {6, 0, 0}, {0, 6, 0}}, {{0, 1, 2}}};
   // Beside each side two edges that meet in its middle or at a third.

@@ -257,7 +257,8 @@ RepairedMesh take_side(const TriMesh& mesh, const Wall& wall, WallPart side) {
     if (wall.part[t] != side) others.push_back(static_cast<Index>(t));
   }
   RepairedMesh taken = without_triangles(mesh, others);
-  if (side != WallPart::rim && wall.turned[static_cast<std::size_t>(side)]) taken.mesh = turned_over(std::move(taken.mesh));
+  if (side != WallPart::rim && wall.turned[static_cast<std::size_t>(side)])
+    taken.mesh = turned_over(std::move(taken.mesh));
   return taken;
 }
 

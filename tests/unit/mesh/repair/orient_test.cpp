@@ -62,6 +62,13 @@ TEST(OrientConsistently, AMoebiusStripStays) {
   EXPECT_EQ(oriented.mesh.triangles, mesh.triangles);
 }
 
+TEST(OrientConsistently, TrianglesThatNameAVertexTwiceDoNotCount) {
+  TriMesh mesh = meshes::flat_grid(2, 2);
+  mesh.triangles.push_back({4, 4, 0});
+  mesh.triangles.push_back({4, 4, 8});
+  EXPECT_EQ(orient_consistently(mesh).turned, 0U);
+}
+
 TEST(TurnedOver, TwiceIsTheMeshItself) {
   const TriMesh mesh = meshes::rough_grid(3, 4, 1);
   EXPECT_NE(turned_over(mesh).triangles, mesh.triangles);

@@ -40,6 +40,14 @@ inline void check_mesh_reader(std::string_view bytes, MeshFormat format) {
         check(v < mesh.positions.size(), "indices are in range");
     }
     check_groups(result.groups, mesh.triangles.size());
+    check(result.coordinate_step >= 0.0, "a step has no sign");
+    check(!result.unit || (!result.unit->words.empty() && result.unit->words.size() < 200),
+          "a unit is stated in a few words");
+    allow_refusal_of("mesh", [&] {
+      const ReadResult strict = parse_mesh(bytes, format, "mesh", {.strict = true});
+      check(strict.mesh.positions == mesh.positions && strict.mesh.triangles == mesh.triangles,
+            "what is strictly right is read as it is");
+    });
     inspect(mesh);
     const TriMesh again = parse_mesh(format_mesh(mesh, MeshFormat::obj), MeshFormat::obj).mesh;
     check(again.positions == mesh.positions && again.triangles == mesh.triangles,

@@ -15,7 +15,13 @@ CommandResult run_convert(const Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands[0];
   const std::string& output = arguments.operands[1];
   const MeshFormat format = mesh_format_of(path_of(output));
-  const TriMesh mesh = session.read(path).mesh;
+  const ReadResult file = session.read(path);
+  const TriMesh& mesh = file.mesh;
+  if (file.unit) {
+    session.note(path + ": the file says \"" + file.unit->words + "\"; " + output +
+                 " does not say it, so give --unit " + std::string(to_string(file.unit->unit)) +
+                 " with it");
+  }
   if (format == MeshFormat::stl) {
     session.note("STL rounds positions to single precision and loses the order of the vertices");
   }

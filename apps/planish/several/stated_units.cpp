@@ -94,8 +94,12 @@ Arguments with_stated_unit(const Command& command, Arguments arguments, Session&
   });
   if (!agree) return arguments;
   arguments.stated_unit = unit;
-  session.note(says(*first) + ": taken as " + std::string(to_string(unit)) +
-               "; --unit says otherwise");
+  const std::string name(to_string(unit));
+  session.note(
+      says(*first) + ": taken as with --unit " + name +
+      (find_flag(command, "--output") == nullptr
+           ? std::string()
+           : "; meshes that are written do not say it, so give --unit " + name + " with them"));
   return arguments;
 }
 

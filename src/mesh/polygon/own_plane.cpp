@@ -1,19 +1,28 @@
 #include "mesh/polygon/own_plane.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace planish {
 
 namespace {
 
-/// Of the square of the extent: what rounding leaves of an area that is 0.
+/// Of the square of the extent: what rounding leaves of an area that is 0, of corners that are no
+/// farther from the origin than the extent.
 constexpr double k_no_area = 1e-14;
-/// Rounded to so many steps of an extent, differences of places are exact.
-constexpr double k_steps = 1125899906842624.0;  // 2^50
+/// Rounded to so many steps of that unit, differences of places are exact.
+constexpr double k_steps = 562949953421312.0;  // 2^49
 
 double largest_coordinate(Vec3 p) {
   return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+/// The largest power of two that is no more than a number: dividing by it loses no digit.
+double power_of_two_below(double x) {
+  constexpr std::uint64_t k_exponent = 0x7ff0000000000000;
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & k_exponent);
 }
 
 /// The axis that is farthest from the direction of a vector.
@@ -28,6 +37,7 @@ Vec3 axis_across(Vec3 a) {
 OwnPlane::OwnPlane(std::span<const Vec3> corners) : half_first_(0.5 * corners.front()) {
   for (const Vec3 p : corners)
     extent_ = std::max(extent_, largest_coordinate(0.5 * p - half_first_));
+  extent_ = power_of_two_below(extent_);
   if (extent_ == 0.0) {
     shape_ = Shape::line;
     return;
@@ -40,8 +50,12 @@ OwnPlane::OwnPlane(std::span<const Vec3> corners) : half_first_(0.5 * corners.fr
     before = after;
   }
   const double size = norm(area);
-  if (size <= k_no_area) {
-    shape_ = are_on_a_line(corners) ? Shape::line : Shape::none;
+  double far = extent_;
+  for (const Vec3 p : corners)
+    far = std::max(far, largest_coordinate(p));
+  const double no_area = k_no_area * (far / extent_);
+  if (size <= no_area) {
+    shape_ = are_on_a_line(corners, no_area) ? Shape::line : Shape::none;
     return;
   }
   const Vec3 normal = (1.0 / size) * area;
@@ -61,14 +75,14 @@ Vec3 OwnPlane::unit_sized(Vec3 corner) const {
   return {half.x / extent_, half.y / extent_, half.z / extent_};
 }
 
-bool OwnPlane::are_on_a_line(std::span<const Vec3> corners) const {
+bool OwnPlane::are_on_a_line(std::span<const Vec3> corners, double no_area) const {
   Vec3 end;
   for (const Vec3 p : corners) {
     const Vec3 place = unit_sized(p);
     if (dot(place, place) > dot(end, end)) end = place;
   }
   return std::all_of(corners.begin(), corners.end(),
-                     [&](Vec3 p) { return norm(cross(end, unit_sized(p))) <= k_no_area; });
+                     [&](Vec3 p) { return norm(cross(end, unit_sized(p))) <= no_area; });
 }
 
 }  // namespace planish

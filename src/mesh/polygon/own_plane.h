@@ -25,12 +25,12 @@ class OwnPlane {
   Vec2 place(Vec3 corner) const;
 
  private:
-  /// Seen from the first corner, the farthest at a distance of about 1.
+  /// Seen from the first corner, the farthest at a distance of 1 to 4.
   Vec3 unit_sized(Vec3 corner) const;
-  bool are_on_a_line(std::span<const Vec3> corners) const;
+  bool are_on_a_line(std::span<const Vec3> corners, double no_area) const;
 
   Vec3 half_first_;
-  double extent_ = 0.0;
+  double extent_ = 0.0;  // a power of two
   Vec3 right_, up_;
   Shape shape_ = Shape::polygon;
 };

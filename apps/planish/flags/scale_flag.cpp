@@ -37,7 +37,8 @@ TriMesh scaled(TriMesh mesh, double scale, const std::string& path) {
     p = scale * p;
     if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) continue;
     throw Error(ErrorCode::non_finite_coordinate,
-                "with --scale a coordinate is too large for a double", {.path = path});
+                "scaled to --unit or by --scale, a coordinate is too large for a double",
+                {.path = path});
   }
   return mesh;
 }
@@ -46,6 +47,7 @@ ReadResult read_model(const std::string& path, const Arguments& arguments, Sessi
   const double scale = scale_from(arguments);
   ReadResult result = in_run_unit(session.read(path), run_unit_from(arguments), path, session);
   result.mesh = scaled(std::move(result.mesh), scale, path);
+  result.coordinate_step *= scale;
   return result;
 }
 

@@ -3,10 +3,12 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fast_float/fast_float.h>
 
+#include "flags/scale_flag.h"
 #include "shell/failures.h"
 #include "shell/nearest.h"
 #include "shell/values.h"
@@ -94,8 +96,7 @@ RunUnit run_unit_from(const Arguments& arguments) {
 ReadResult in_run_unit(ReadResult file, RunUnit unit, const std::string& path, Session& session) {
   if (unit.is_asked || !file.unit || file.unit->unit == unit.unit) return file;
   const double scale = millimetres_per(file.unit->unit) / millimetres_per(unit.unit);
-  for (Vec3& p : file.mesh.positions)
-    p = scale * p;
+  file.mesh = scaled(std::move(file.mesh), scale, path);
   file.coordinate_step *= scale;
   session.note(path + ": the file says \"" + file.unit->words + "\": scaled from " +
                std::string(to_string(file.unit->unit)) + " to " +

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "core/math.h"
 
@@ -27,7 +28,8 @@ double largest_coordinate(std::span<const Vec3> places) {
 }
 
 bool is_float(double x) {
-  return static_cast<double>(static_cast<float>(x)) == x;
+  return std::abs(x) <= std::numeric_limits<float>::max() &&
+         static_cast<double>(static_cast<float>(x)) == x;
 }
 
 /// A number as its digits are written.

@@ -171,7 +171,8 @@ void ObjParser::check() const {
   cursor_.fail(ErrorCode::no_triangles, positions_.empty()
                                             ? std::string("the file has no vertices and no faces")
                                             : "the file has " + std::to_string(positions_.size()) +
-                                                  " vertices but no faces");
+                                                  " vertices but no faces: make a surface of "
+                                                  "them in the program that made the file");
 }
 
 std::vector<std::string> ObjParser::notes() const {

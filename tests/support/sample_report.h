@@ -79,10 +79,12 @@ inline FlattenReport flatten_report() {
   return report;
 }
 
-/// A document as it stands in a larger one: without the number of the format.
+/// A document as it stands in a larger one: without the number of the format, and without what the
+/// mesh cannot show.
 inline nlohmann::ordered_json part_of(const std::string& document) {
   auto json = nlohmann::ordered_json::parse(document);
   json.erase("schema");
+  json.erase("cautions");
   return json;
 }
 

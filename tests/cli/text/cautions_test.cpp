@@ -14,7 +14,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-class Cautions : public CliTest {
+class CautionsOfVerbs : public CliTest {
  protected:
   void SetUp() override {
     CliTest::SetUp();
@@ -23,6 +23,7 @@ class Cautions : public CliTest {
     for (Vec3& p : plate.positions)
       p = {50.0 * p.x, 300.0 * p.y, 3.0 * (p.x - 10.0) * (p.y - 0.5)};
     write_mesh("plate.obj", plate);
+    write_mesh("dome.obj", make_shape("dome", 3000));
     // Four facets of a quarter of a cylinder, R 1000.
     TriMesh quarter = meshes::flat_grid(4, 1);
     for (Vec3& p : quarter.positions) {
@@ -33,7 +34,7 @@ class Cautions : public CliTest {
   }
 };
 
-TEST_F(Cautions, AreToldByMeasureUnfoldAndFlatten) {
+TEST_F(CautionsOfVerbs, AreToldByMeasureUnfoldAndFlatten) {
   for (const Names& args :
        {Names{"measure", "plate.obj"}, Names{"unfold", "plate.obj", "-o", "a.svg"},
         Names{"flatten", "plate.obj", "-o", "out"}}) {
@@ -52,29 +53,29 @@ TEST_F(Cautions, AreToldByMeasureUnfoldAndFlatten) {
   EXPECT_THAT(content_of("out/report.html"), HasSubstr("Cannot be judged"));
 }
 
-TEST_F(Cautions, ChangeWhatIsCalledFlat) {
+TEST_F(CautionsOfVerbs, ChangeWhatIsCalledFlat) {
   EXPECT_THAT(planish({"flatten", "plate.obj", "-o", "out"}).out,
               AllOf(HasSubstr("Cannot be judged: no vertex inside."),
                     Not(HasSubstr("Lies flat without stretch"))));
   EXPECT_THAT(planish({"measure", "plate.obj"}).out, HasSubstr("not known"));
   const std::string quarter = planish({"flatten", "quarter.obj", "-o", "out2"}).out;
-  EXPECT_THAT(quarter, HasSubstr("keeps every length of the\nmesh. Facets turn by 22.5 degrees: up "
+  EXPECT_THAT(quarter, HasSubstr("keeps every length of the mesh. Facets\nturn by 22.5 degrees: up "
                                  "to 6.4 mm per metre short"));
 }
 
-TEST_F(Cautions, OfSeveralFilesAreNotes) {
-  const CliResult measured = planish({"measure", "panel.obj", "plate.obj"});
+TEST_F(CautionsOfVerbs, OfSeveralFilesAreNotes) {
+  const CliResult measured = planish({"measure", "dome.obj", "plate.obj"});
   EXPECT_THAT(measured.err, AllOf(HasSubstr("plate.obj: No vertex is inside the mesh"),
-                                  Not(HasSubstr("panel.obj: "))));
-  const CliResult unfolded = planish({"unfold", "panel.obj", "plate.obj", "-o", "all"});
+                                  Not(HasSubstr("dome.obj: "))));
+  const CliResult unfolded = planish({"unfold", "dome.obj", "plate.obj", "-o", "all"});
   EXPECT_THAT(unfolded.err, HasSubstr("plate.obj: No vertex is inside the mesh"));
   EXPECT_THAT(content_of("all/plate.svg"), HasSubstr("see the mesh: no vertex inside"));
 }
 
-TEST_F(Cautions, AreNoneOfASoundPatch) {
-  const auto json = planish({"measure", "panel.obj", "--json"}).json();
+TEST_F(CautionsOfVerbs, AreNoneOfASoundPatch) {
+  const auto json = planish({"measure", "dome.obj", "--json"}).json();
   EXPECT_EQ(json["cautions"], nlohmann::json::array());
-  EXPECT_THAT(planish({"unfold", "panel.obj", "-o", "a.svg"}).out, Not(HasSubstr("mesh")));
+  EXPECT_THAT(planish({"unfold", "dome.obj", "-o", "a.svg"}).out, Not(HasSubstr("finer")));
 }
 
 }  // namespace

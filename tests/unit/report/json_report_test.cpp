@@ -29,12 +29,13 @@ TEST(JsonReport, OfAMeasuredPatchHasTheKeysOfTheContract) {
   patch.flattenable = true;
   patch.inspection.problems = {{ErrorCode::zero_area, "triangle 7 has no area", 3, 7}};
   const Json json = Json::parse(json_report(patch));
-  EXPECT_THAT(keys_of(json),
-              ElementsAre("schema", "vertices", "triangles", "inner_vertices", "components",
-                          "boundary_loops", "euler_characteristic", "e_max", "e_avg", "energy",
-                          "sum_abs_defect", "min_angle", "roughness", "flattenable", "extent",
-                          "area", "border_length", "bending", "mean_curvature", "ruling_defect",
-                          "self_intersections", "obstruction", "problems", "strain", "limits"));
+  EXPECT_THAT(
+      keys_of(json),
+      ElementsAre("schema", "vertices", "triangles", "inner_vertices", "components",
+                  "boundary_loops", "euler_characteristic", "e_max", "e_avg", "energy",
+                  "sum_abs_defect", "min_angle", "roughness", "flattenable", "extent", "area",
+                  "border_length", "bending", "mean_curvature", "ruling_defect",
+                  "self_intersections", "obstruction", "problems", "strain", "limits", "cautions"));
   EXPECT_EQ(json["strain"], Json(nullptr));
   EXPECT_EQ(json["limits"], Json::array());
   EXPECT_EQ(json["vertices"], 651);
@@ -224,7 +225,8 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
                         {"match_seams", false},
                         {"unmatched_strain", nullptr},
                         {"unlimited_strain", nullptr},
-                        {"limits", Json::array()}}));
+                        {"limits", Json::array()},
+                        {"cautions", Json::array()}}));
   report.unmatched_strain = EdgeStrain{.max = 0.5, .rms = 0.125, .p99 = 0.375};
   const Json matched = Json::parse(json_report(report));
   EXPECT_EQ(matched["match_seams"], true);
@@ -242,7 +244,7 @@ TEST(JsonReport, OfTheMainJobHasItsPartsAndFiles) {
   const Json json = Json::parse(json_report(report, {{"pattern", "out/pattern.svg"}}));
   EXPECT_THAT(keys_of(json),
               ElementsAre("schema", "name", "version", "evolve", "unfold", "unfold_before",
-                          "as_designed", "limits", "candidates", "files"));
+                          "as_designed", "limits", "candidates", "cautions", "files"));
   EXPECT_EQ(json["name"], "front panel");
   EXPECT_EQ(json["version"], k_version);
   EXPECT_EQ(json["evolve"], samples::part_of(json_report(report.evolve)));

@@ -10,12 +10,12 @@
 
 #include "core/careful_sum.h"
 #include "geometry/angle_between.h"
+#include "measure/area.h"
 #include "measure/bends.h"
 #include "measure/moments.h"
 #include "measure/normals.h"
 #include "measure/off_border.h"
 #include "measure/smoothed.h"
-#include "mesh/mean_edge.h"
 
 namespace planish {
 
@@ -191,12 +191,13 @@ std::optional<double> height_ratio(const Patch& design, std::span<const Triangle
 double form_lost(const Patch& design, std::span<const Vec3> after, double wave) {
   constexpr double surely = 0.9;
   const Patch changed = design.with_positions({after.begin(), after.end()});
-  const double longest = surely * k_longest_wave * mean_edge_length(changed.mesh());
+  const double scale = design.unit_scale();
+  const double longest = surely * k_longest_wave * mean_side_of(changed.mesh(), scale) / scale;
   const Connectivity& connectivity = design.connectivity();
   const auto bends_inside = [&](const Patch& patch) {
     std::vector<Bend> bends;
     for_each_bend(
-        smoothed_positions(patch, std::min(wave, longest)), connectivity, design.unit_scale(),
+        smoothed_positions(patch, std::min(wave, longest)), connectivity, scale,
         [&](const Hinge& hinge, const Bend& bend) {
           if (is_off_border(connectivity, hinge.from) && is_off_border(connectivity, hinge.to))
             bends.push_back(bend);

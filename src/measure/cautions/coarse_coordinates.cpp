@@ -4,8 +4,8 @@
 
 #include <planish/measure/cautions.h>
 
+#include "measure/area.h"
 #include "mesh/edges.h"
-#include "mesh/mean_edge.h"
 
 namespace planish {
 
@@ -92,8 +92,8 @@ double step_of(const Patch& patch, double mean_edge, const Coordinate& coordinat
 }  // namespace
 
 std::optional<CoarseCoordinates> find_coarse_coordinates(const Patch& patch) {
-  if (patch.triangles().empty()) return std::nullopt;
-  const double mean_edge = mean_edge_length(patch.mesh());
+  const double mean_edge = mean_side_of(patch.mesh(), patch.unit_scale()) / patch.unit_scale();
+  if (!(mean_edge > 0.0)) return std::nullopt;
   const double step = std::max({step_of(patch, mean_edge, [](Vec3 p) { return p.x; }),
                                 step_of(patch, mean_edge, [](Vec3 p) { return p.y; }),
                                 step_of(patch, mean_edge, [](Vec3 p) { return p.z; })});

@@ -73,38 +73,52 @@ std::size_t side_towards(const TriangleHinges& hinges, Index t) {
   return hinges[0].other == t ? 0 : hinges[1].other == t ? 1 : 2;
 }
 
-/// The curvature in a direction that a triangle has in common with those around it. A crease of
-/// the design stands alone: it bends a triangle and the one beyond, and not the other two. Without
-/// one of the three, on the border, all must be bent.
-double common_curvature(const std::vector<BentTriangle>& triangles,
-                        const std::vector<TriangleHinges>& hinges, Index t, Vec3 direction) {
-  const double own = triangles[t].curvature(direction), sign = own < 0.0 ? -1.0 : 1.0;
-  double least = std::abs(own), second = std::numeric_limits<double>::infinity();
-  std::size_t beside = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Index other = hinges[t][k].other;
-    if (other == TriangleHinge::none) continue;
-    const Vec3 there =
-        triangles[t].beyond(k, direction, triangles[other], side_towards(hinges[other], t));
-    const double curvature = sign * triangles[other].curvature(there);
-    second = std::min(second, std::max(least, curvature));
-    least = std::min(least, curvature);
-    ++beside;
+/// A triangle and those beyond its sides.
+class Neighbourhood {
+ public:
+  Neighbourhood(const Patch& patch, const std::vector<TriangleHinges>& hinges,
+                const std::vector<double>& areas, Index t)
+      : own_(patch, t, hinges[t], areas[t]) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index other = hinges[t][k].other;
+      if (other == TriangleHinge::none) continue;
+      beyond_.push_back({BentTriangle(patch, other, hinges[other], areas[other]), k,
+                         side_towards(hinges[other], t)});
+    }
   }
-  return std::max(0.0, beside == 3 ? second : least);
-}
 
-/// The largest arc that a side of the triangle spans, radians; 0 where it is a crease.
-double turn_of(const std::vector<BentTriangle>& triangles,
-               const std::vector<TriangleHinges>& hinges, Index t) {
-  double turn = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double arc =
-        triangles[t].length(k) * common_curvature(triangles, hinges, t, triangles[t].along(k));
-    turn = std::max(turn, arc);
+  /// The largest arc that a side of the triangle spans, radians; 0 where it is a crease.
+  double turn() const {
+    double turn = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+      turn = std::max(turn, own_.length(k) * common_curvature(own_.along(k)));
+    return turn < k_crease_turn ? turn : 0.0;
   }
-  return turn < k_crease_turn ? turn : 0.0;
-}
+
+ private:
+  struct Beyond {
+    BentTriangle triangle;
+    std::size_t side, own_side;  // of the triangle in the middle, and of this one
+  };
+
+  /// The curvature in a direction that all have in common. A crease of the design stands alone: it
+  /// bends a triangle and the one beyond, and not the other two. Without one of the three, on the
+  /// border, all must be bent.
+  double common_curvature(Vec3 direction) const {
+    const double own = own_.curvature(direction), sign = own < 0.0 ? -1.0 : 1.0;
+    double least = std::abs(own), second = std::numeric_limits<double>::infinity();
+    for (const Beyond& beyond : beyond_) {
+      const Vec3 there = own_.beyond(beyond.side, direction, beyond.triangle, beyond.own_side);
+      const double curvature = sign * beyond.triangle.curvature(there);
+      second = std::min(second, std::max(least, curvature));
+      least = std::min(least, curvature);
+    }
+    return std::max(0.0, beyond_.size() == 3 ? second : least);
+  }
+
+  BentTriangle own_;
+  std::vector<Beyond> beyond_;
+};
 
 /// What a share of the area stays at or below.
 double usual_turn(const std::vector<double>& turns, const std::vector<double>& areas) {
@@ -128,14 +142,10 @@ double usual_turn(const std::vector<double>& turns, const std::vector<double>& a
 std::optional<CoarseFacets> find_coarse_facets(const Patch& patch) {
   const std::vector<TriangleHinges> hinges = triangle_hinges(patch);
   const std::vector<double> areas = triangle_areas(patch);
-  std::vector<BentTriangle> triangles;
-  triangles.reserve(hinges.size());
-  for (Index t = 0; t < hinges.size(); ++t)
-    triangles.emplace_back(patch, t, hinges[t], areas[t]);
   std::vector<double> turns;
   turns.reserve(hinges.size());
   for (Index t = 0; t < hinges.size(); ++t)
-    turns.push_back(turn_of(triangles, hinges, t));
+    turns.push_back(Neighbourhood(patch, hinges, areas, t).turn());
   const double turn = usual_turn(turns, areas);
   if (!(turn > k_coarse_turn)) return std::nullopt;
   return CoarseFacets{turn / k_radian, 1.0 - 2.0 * math::sin(0.5 * turn) / turn};

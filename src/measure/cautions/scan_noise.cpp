@@ -8,11 +8,11 @@
 #include <planish/measure/fairness.h>
 
 #include "core/careful_sum.h"
+#include "measure/area.h"
 #include "measure/bends.h"
 #include "measure/cautions/triangle_hinges.h"
 #include "measure/off_border.h"
 #include "measure/smoothed.h"
-#include "mesh/mean_edge.h"
 
 namespace planish {
 
@@ -52,7 +52,7 @@ double noisy_share(const Patch& patch) {
     for (const Index v : patch.triangles()[t])
       around[v] += areas[t] / 3.0;
   }
-  const double edge = mean_edge_length(patch.mesh());
+  const double edge = mean_side_of(patch.mesh(), patch.unit_scale()) / patch.unit_scale();
   CarefulSum noisy, all;
   std::size_t count = 0;
   for (const Index v : patch.inner_vertices()) {
@@ -95,7 +95,7 @@ std::optional<ScanNoise> find_scan_noise(const Patch& patch) {
   // Waves are form from where taking out longer ones hardly makes it turn less.
   constexpr std::array waves = {3.0, 4.0, 6.0, 9.0, 13.0};  // mean edges
   constexpr double hardly = 0.82;
-  const double edge = mean_edge_length(patch.mesh());
+  const double edge = mean_side_of(patch.mesh(), patch.unit_scale()) / patch.unit_scale();
   ScanNoise noise;
   double turning = std::numeric_limits<double>::infinity();
   for (const double wave : waves) {

@@ -93,6 +93,21 @@ TEST(ScanNoise, GoesWithTheLengthThatIsProposed) {
   }
 }
 
+TEST(ScanNoise, DoesNotDependOnSize) {
+  const TriMesh rough = with_noise(saddle(16), 0.1 / 16.0);
+  const auto noise = find_scan_noise(Patch(rough));
+  ASSERT_TRUE(noise);
+  for (const double size : {1e-200, 1e3, 1e200}) {
+    TriMesh mesh = rough;
+    for (Vec3& p : mesh.positions)
+      p = size * p;
+    const auto found = find_scan_noise(Patch(mesh));
+    ASSERT_TRUE(found) << size;
+    EXPECT_NEAR(found->wave / size, noise->wave, 1e-6 * noise->wave) << size;
+    EXPECT_NEAR(found->amplitude / size, noise->amplitude, 1e-6 * noise->amplitude) << size;
+  }
+}
+
 TEST(ScanNoise, IsNotFoundOnCleanSurfaces) {
   for (const Surface& surface : k_surfaces) {
     for (const std::size_t cells : {6u, 16u, 40u, 80u}) {

@@ -8,6 +8,7 @@
 
 #include "report/enumerator_name.h"
 #include "report/json_parts.h"
+#include "report/several_files.h"
 
 namespace planish {
 
@@ -184,10 +185,7 @@ Json limit_of(const FrontierReport& report) {
 std::string json_report(const MeasuredPatch& patch, const std::optional<StrainAsDesigned>& strain,
                         const std::vector<Caution>& cautions, Unit unit,
                         const std::vector<MoreFigures>& more) {
-  Json json = to_json(patch);
-  json.update(strain_and_limits(strain));
-  json["cautions"] = to_json(cautions, unit);
-  return document_of(std::move(json), more);
+  return document_of(measured_figures(patch, strain, cautions, unit), more);
 }
 
 std::string json_report(const EvolveReport& report, const std::vector<MoreFigures>& more) {
@@ -196,10 +194,7 @@ std::string json_report(const EvolveReport& report, const std::vector<MoreFigure
 
 std::string json_report(const UnfoldReport& report, const std::vector<Caution>& cautions,
                         const std::vector<MoreFigures>& more) {
-  Json json = to_json(report);
-  json.update(to_json(report.outcome()));
-  json["cautions"] = to_json(cautions, report.unit);
-  return document_of(std::move(json), more);
+  return document_of(unfolded_figures(report, cautions), more);
 }
 
 std::string json_report(const FlattenReport& report, const WrittenFiles& files,

@@ -67,9 +67,11 @@ std::string several_json(std::span<const FileReport> files, bool with_output,
          '\n';
 }
 
-Json measured_figures(const MeasuredPatch& patch, const std::optional<StrainAsDesigned>& strain) {
+Json measured_figures(const MeasuredPatch& patch, const std::optional<StrainAsDesigned>& strain,
+                      std::span<const Caution> cautions, Unit unit) {
   Json json = to_json(patch);
   json.update(strain_and_limits(strain));
+  json["cautions"] = to_json(cautions, unit);
   return json;
 }
 
@@ -77,8 +79,11 @@ Json evolved_figures(const EvolveReport& report) {
   return to_json(report);
 }
 
-Json unfolded_figures(const UnfoldReport& report) {
-  return to_json(report);
+Json unfolded_figures(const UnfoldReport& report, std::span<const Caution> cautions) {
+  Json json = to_json(report);
+  json.update(to_json(report.outcome()));
+  json["cautions"] = to_json(cautions, report.unit);
+  return json;
 }
 
 Json compared_figures(const CompareReport& report) {

@@ -40,9 +40,10 @@ std::vector<Cell> unfolded_cells(const UnfoldReport* report);
 std::vector<Cell> compared_cells(const CompareReport* report, const ComparedMethod* run);
 
 /// What the verbs print of one file with --json, but for the schema.
-Json measured_figures(const MeasuredPatch& patch, const std::optional<StrainAsDesigned>& strain);
+Json measured_figures(const MeasuredPatch& patch, const std::optional<StrainAsDesigned>& strain,
+                      std::span<const Caution> cautions, Unit unit);
 Json evolved_figures(const EvolveReport& report);
-Json unfolded_figures(const UnfoldReport& report);
+Json unfolded_figures(const UnfoldReport& report, std::span<const Caution> cautions);
 Json compared_figures(const CompareReport& report);
 
 /// A header line, then the lines of each file, as docs/command-line.md has them: path, cells,

@@ -43,17 +43,19 @@ std::string line_of(const MeasuredPatch& patch, const std::optional<StrainAsDesi
 void measure_into(WorkFile& file, const StrainLimits& limits, const Arguments& arguments,
                   Session& session) {
   const std::string& path = file.report.path;
+  std::vector<Caution> cautions;
   const auto take = [&](const MeasuredPatch& measured,
                         const std::optional<StrainAsDesigned>& strain) {
     file.report.lines = {{measured_cells(&measured, strain ? &*strain : nullptr)}};
-    file.report.figures = measured_figures(measured, strain);
+    file.report.figures = measured_figures(measured, strain, cautions, Unit::mm);
     file.text = line_of(measured, strain);
     file.misses = strain && !all_kept(strain->limits);
   };
   const Patch patch = about(path, [&] { return Patch(read_model(path, arguments, session).mesh); });
   about(path, [&] {
     const MeasuredPatch measured = measure_patch(patch, session.job_context(path));
-    note_cautions(session, path, find_cautions(patch), Unit::mm);
+    cautions = find_cautions(patch);
+    note_cautions(session, path, cautions, Unit::mm);
     take(measured, std::nullopt);
     take(measured, strain_as_asked(patch, limits, session));
   });

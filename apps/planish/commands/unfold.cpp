@@ -109,7 +109,7 @@ void unfold_into(WorkFile& file, const std::filesystem::path& place, const Unfol
     const UnfoldReport report =
         unfold_patch(patch, request.unit, request.options, session.job_context(path));
     file.report.lines = {{unfolded_cells(&report)}};
-    file.report.figures = unfolded_figures(report);
+    file.report.figures = unfolded_figures(report, cautions);
     file.text = line_of(report);
     file.misses = !all_kept(report.limits);
     if (place.empty()) return;

@@ -44,7 +44,7 @@ FLOORS = {
         ["mesh/search", "mesh/coarsen", "mesh/cut", "mesh/polygon"],
         ["mesh/match", "mesh/carry", "mesh/repair"],
     ],
-    "io": [["io/file"], ["io/formats", "io/svg"], ["io"]],
+    "io": [["io/file"], ["io/formats", "io/svg", "io/model"], ["io"]],
     "measure": [["measure/lanes"], ["measure"], ["measure/cautions"]],
     "draw": [["draw"], ["draw/text"], ["draw/svg", "draw/dxf", "draw/pdf", "draw/plt"]],
     "evolve": [

@@ -11,6 +11,7 @@
 #include <planish/core/range.h>
 #include <planish/core/unit.h>
 #include <planish/core/vec.h>
+#include <planish/core/ways_on.h>
 #include <planish/draw/color.h>
 #include <planish/draw/drawing.h>
 #include <planish/draw/format_drawing.h>
@@ -24,6 +25,7 @@
 #include <planish/flatten/frontier.h>
 #include <planish/flatten/product.h>
 #include <planish/io/mesh_format.h>
+#include <planish/io/model.h>
 #include <planish/io/read_features.h>
 #include <planish/io/read_mesh.h>
 #include <planish/io/write_file.h>

@@ -1,6 +1,7 @@
 #include <exception>
 #include <new>
 
+#include <planish/core/ways_on.h>
 #include <planish/flatten/flatten.h>
 
 namespace planish {
@@ -11,7 +12,7 @@ Failure current_failure() try {
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {
-    return {std::string(to_string(error.code())), error.what()};
+    return {std::string(to_string(error.code())), with_way_on(error)};
   } catch (const std::bad_alloc&) {
     return {"out_of_memory", "out of memory"};
   } catch (const std::exception& error) {

@@ -7,6 +7,7 @@
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/patch.h>
 
+#include "core/number_text.h"
 #include "mesh/inspect_manifold.h"
 #include "mesh/manifold_defects.h"
 
@@ -159,6 +160,37 @@ std::size_t edge_count(const Connectivity& connectivity) {
   return ends / 2;
 }
 
+double length_of_loop(const TriMesh& mesh, const std::vector<Index>& loop) {
+  double length = 0.0;
+  for (std::size_t k = 0; k < loop.size(); ++k)
+    length += norm(mesh.positions[loop[(k + 1) % loop.size()]] - mesh.positions[loop[k]]);
+  return length;
+}
+
+/// At least the value, with three digits that matter.
+double rounded_up(double value) {
+  double scale = 1.0;
+  while (value * scale < 100.0)
+    scale *= 10.0;
+  while (value * scale >= 1000.0)
+    scale /= 10.0;
+  return (std::floor(value * scale) + 1.0) / scale;
+}
+
+/// How the holes of a patch could be closed, where they are much shorter than its border.
+std::string hole_text(const TriMesh& mesh, const std::vector<std::vector<Index>>& loops,
+                      std::size_t parts) {
+  constexpr double k_short = 0.5;  // of the border
+  std::vector<double> lengths;
+  for (const auto& loop : loops)
+    lengths.push_back(length_of_loop(mesh, loop));
+  std::sort(lengths.begin(), lengths.end());
+  const double hole = lengths[lengths.size() - 2];
+  const bool are_holes = parts == 1 && hole > 0.0 && hole < k_short * lengths.back();
+  if (!are_holes) return {};
+  return "; if its holes are none, --fill-holes " + number_text(rounded_up(hole)) + " closes them";
+}
+
 void describe_manifold(const TriMesh& mesh, const Connectivity& connectivity, Inspection& result) {
   Topology& topology = result.topology;
   const Parts parts = find_parts(mesh);
@@ -186,33 +218,29 @@ void describe_manifold(const TriMesh& mesh, const Connectivity& connectivity, In
       (parts.count == 1 ? "the surface is closed"
                         : counted(closed, "component is", "components are") +
                               " closed, the first with vertex " + std::to_string(first_closed)) +
-          "; a patch needs a border: cut it open",
+          "; a patch needs a border",
       closed, first_closed);
   if (parts.count > 1) {
     add(result.problems, ErrorCode::several_components,
         "the mesh has " + std::to_string(parts.count) + " components, the second with vertex " +
-            std::to_string(parts.first_of(1)) +
-            "; a pattern is made from one: put each into its own file",
+            std::to_string(parts.first_of(1)) + "; a pattern is made from one",
         parts.count, parts.first_of(1));
   }
   if (loops.size() > parts.count - closed) {
     add(result.problems, ErrorCode::several_border_loops,
         "the patch has " + std::to_string(loops.size()) + " border loops, with vertices " +
             std::to_string(loops[0].front()) + " and " + std::to_string(loops[1].front()) +
-            "; only one with a single loop can be laid flat: cut it open along a path from loop to "
-            "loop",
+            "; only one with a single loop can be laid flat" + hole_text(mesh, loops, parts.count),
         loops.size(), loops[0].front());
   }
   add(result.problems, ErrorCode::handles,
       "the patch has " + counted(topology.genus, "handle", "handles") + " (Euler characteristic " +
-          std::to_string(topology.euler_characteristic) +
-          "); only a disk can be laid flat: cut each handle open",
+          std::to_string(topology.euler_characteristic) + "); only a disk can be laid flat",
       topology.genus, 0);
   if (topology.inner_vertices == 0) {
     add(result.problems, ErrorCode::no_inner_vertex,
-        parts.count > 1
-            ? "no vertex is inside: the triangles do not share vertices; weld equal positions"
-            : "no vertex is inside, so there is nothing to measure or move",
+        parts.count > 1 ? "no vertex is inside: the triangles do not share vertices"
+                        : "no vertex is inside, so there is nothing to measure or move",
         1, 0);
   }
 }

@@ -57,7 +57,7 @@ void find_duplicates(const TriMesh& mesh, std::vector<unsigned char>& skipped,
   problems.push_back({ErrorCode::duplicate_triangle,
                       number(count) + (count == 1 ? " triangle is" : " triangles are") +
                           " in the mesh already; the first is triangle " + number(first) +
-                          ", the same as triangle " + number(original) + ": remove it",
+                          ", the same as triangle " + number(original),
                       count, first});
 }
 
@@ -74,7 +74,7 @@ void find_non_manifold_edges(const std::vector<EdgeSides>& edges, std::vector<Pr
                       number(count) + (count == 1 ? " edge is" : " edges are") +
                           " shared by more than two triangles; the first joins vertices " +
                           number(first->begin->low) + " and " + number(first->begin->high) +
-                          " and has " + number(first->size()) + ": remove the extra triangles",
+                          " and has " + number(first->size()),
                       count, first->begin->low});
 }
 
@@ -97,7 +97,7 @@ void find_clashing_orientation(const TriMesh& mesh, const std::vector<EdgeSides>
     problems.push_back({ErrorCode::non_orientable,
                         "the surface has one side only (like a Moebius strip): no choice of "
                         "orientation fits the edge of vertices " +
-                            number(twist->low) + " and " + number(twist->high) + ": cut it open",
+                            number(twist->low) + " and " + number(twist->high),
                         1, twist->low});
     return;
   }
@@ -168,7 +168,7 @@ void find_non_manifold_vertices(const TriMesh& mesh, const std::vector<EdgeSides
   problems.push_back({ErrorCode::non_manifold_vertex,
                       number(count) + (count == 1 ? " vertex joins" : " vertices join") +
                           " parts of the surface that share no edge there; the first is vertex " +
-                          number(first) + ": give each part a vertex of its own",
+                          number(first),
                       count, first});
 }
 

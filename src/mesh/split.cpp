@@ -26,27 +26,40 @@ void check_indices(const TriMesh& mesh) {
 
 using TriangleSets = DisjointSets<Index>;
 
-/// Triangles of one group that share an edge are in one set.
-TriangleSets joined_by_edges(const TriMesh& mesh, std::span<const Index> of_triangle) {
-  struct GroupSide {
-    std::array<Index, 3> key;  // group, ends
+/// Triangles that share an edge are in one set.
+TriangleSets joined_by_edges(const TriMesh& mesh) {
+  struct Side {
+    std::array<Index, 2> ends;
     Index triangle;
   };
-  std::vector<GroupSide> sides;
+  std::vector<Side> sides;
   sides.reserve(3 * mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
-      sides.push_back({{of_triangle[t], low, high}, static_cast<Index>(t)});
+      sides.push_back({{low, high}, static_cast<Index>(t)});
     }
   }
   std::sort(sides.begin(), sides.end(),
-            [](const GroupSide& a, const GroupSide& b) { return a.key < b.key; });
+            [](const Side& a, const Side& b) { return a.ends < b.ends; });
   TriangleSets sets(mesh.triangles.size());
   for (std::size_t i = 1; i < sides.size(); ++i) {
-    if (sides[i].key == sides[i - 1].key) sets.join(sides[i - 1].triangle, sides[i].triangle);
+    if (sides[i].ends == sides[i - 1].ends) sets.join(sides[i - 1].triangle, sides[i].triangle);
   }
   return sets;
+}
+
+/// Of each triangle the number of its connected part, in the order of their first triangles.
+std::vector<Index> connected_parts(const TriMesh& mesh) {
+  TriangleSets sets = joined_by_edges(mesh);
+  std::vector<Index> part_of(mesh.triangles.size(), 0);
+  Index count = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto t = static_cast<Index>(i);
+    const Index first = sets.first_of(t);
+    part_of[t] = first == t ? count++ : part_of[first];
+  }
+  return part_of;
 }
 
 NamedPatch patch_of(const TriMesh& mesh, const std::vector<Index>& triangles, std::string name,
@@ -78,34 +91,32 @@ NamedPatch patch_of(const TriMesh& mesh, const std::vector<Index>& triangles, st
 std::vector<NamedPatch> split(const TriMesh& mesh, std::span<const Index> of_triangle,
                               std::span<const std::string> names) {
   check_indices(mesh);
-  TriangleSets sets = joined_by_edges(mesh, of_triangle);
-  std::vector<std::vector<std::vector<Index>>> pieces(names.size());  // of each group: triangles
-  std::vector<Index> piece_of(mesh.triangles.size(), 0);              // of the first of each set
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto t = static_cast<Index>(i);
-    auto& group = pieces[of_triangle[t]];
-    const Index first = sets.first_of(t);
-    if (first == t) {
-      piece_of[t] = static_cast<Index>(group.size());
-      group.emplace_back();
-    }
-    group[piece_of[first]].push_back(t);
-  }
+  std::vector<std::vector<Index>> triangles(names.size());  // of each patch
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    triangles[of_triangle[t]].push_back(static_cast<Index>(t));
   std::vector<NamedPatch> patches;
+  patches.reserve(names.size());
   std::vector<Index> number(mesh.positions.size(), 0);
-  for (std::size_t g = 0; g < names.size(); ++g) {
-    for (std::size_t k = 0; k < pieces[g].size(); ++k) {
-      std::string name = names[g];
-      if (pieces[g].size() > 1) name += "-" + std::to_string(k + 1);
-      patches.push_back(patch_of(mesh, pieces[g][k], std::move(name), number));
-    }
-  }
+  for (std::size_t p = 0; p < names.size(); ++p)
+    patches.push_back(patch_of(mesh, triangles[p], names[p], number));
   return patches;
 }
 
+std::vector<std::string> numbered_names(const std::string& name, std::size_t count) {
+  if (count == 1) return {name};
+  std::vector<std::string> names;
+  names.reserve(count);
+  for (std::size_t k = 1; k <= count; ++k)
+    names.push_back(name + "-" + std::to_string(k));
+  return names;
+}
+
 std::vector<NamedPatch> split(const TriMesh& mesh, const std::string& name) {
-  const std::vector<Index> same(mesh.triangles.size(), 0);
-  return split(mesh, same, std::span(&name, 1));
+  check_indices(mesh);
+  const std::vector<Index> part_of = connected_parts(mesh);
+  const std::size_t count =
+      part_of.empty() ? 0 : std::size_t{*std::max_element(part_of.begin(), part_of.end())} + 1;
+  return split(mesh, part_of, numbered_names(name, count));
 }
 
 }  // namespace planish

@@ -110,6 +110,7 @@ Json to_json(const UnfoldReport& report) {
           {"width", pattern.width},
           {"height", pattern.height},
           {"unit", to_string(report.unit)},
+          {"side", "outer"},
           {"iterations", pattern.iterations},
           {"converged", pattern.converged},
           {"border_strain", report.border_strain},

@@ -2,6 +2,7 @@
 #include <type_traits>
 
 #include <planish/core/version.h>
+#include <planish/core/ways_on.h>
 #include <planish/report/json_report.h>
 
 #include <planish_json/json.h>
@@ -256,7 +257,8 @@ std::string json_report(const FrontierReport& report) {
 
 std::string json_report(const Error& error) {
   const ErrorPlace& place = error.place();
-  Json json = {{"code", to_string(error.code())}, {"message", error.message()}};
+  Json json = {{"code", to_string(error.code())},
+               {"message", error.message() + ". " + std::string(way_on(error.code()))}};
   if (!place.path.empty()) json["path"] = place.path;
   if (place.line) json["line"] = *place.line;
   if (place.byte) json["byte"] = *place.byte;

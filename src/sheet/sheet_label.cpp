@@ -129,7 +129,9 @@ std::string unit_note(Unit unit, double model_scale) {
   std::string text = "model unit: " + name;
   if (unit != Unit::mm) text += " (1 " + name + " = " + number_text(millimetres_per(unit)) + " mm)";
   if (model_scale != 1.0) text += ", model multiplied by " + number_text(model_scale);
-  return text;
+  // The side that the triangles run around counter-clockwise: a pattern is laid flat, never
+  // mirrored.
+  return text + " · outer side up";
 }
 
 std::string percent_text(double share) {

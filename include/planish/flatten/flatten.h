@@ -27,8 +27,8 @@ struct Failure {
   std::string message;  ///< one line that names the cause
 };
 
-/// The failure of the exception that is being handled, its message with the place that an Error
-/// has.
+/// The failure of the exception that is being handled, its message with the place and the way on
+/// that an Error has.
 /// @pre called in a handler
 Failure current_failure();
 

@@ -13,7 +13,7 @@
 
 namespace planish {
 
-/// The parts that a file divides its triangles into: the groups, objects or materials of an OBJ
+/// The parts that a file divides its triangles into: the objects, groups or materials of an OBJ
 /// file, the values of a number of the faces of a PLY file.
 struct FaceGroups {
   std::string kind;                ///< what they are in the file, as in "usemtl"; empty for none
@@ -34,7 +34,8 @@ struct ReadResult {
   TriMesh mesh;                    ///< vertices in the order of the file; finite, indices in range
   MeshFormat format;               ///< of the file
   std::vector<std::string> notes;  ///< "welded 2280 corners to 401 vertices", ...
-  FaceGroups groups = {};          ///< none where the file has fewer than two
+  FaceGroups groups = {};          ///< objects, else groups; none where the file has fewer than two
+  FaceGroups materials = {};       ///< of an OBJ file; none where it has fewer than two
   /// None where no comment before the first vertex says it, or two disagree.
   std::optional<StatedUnit> unit = {};
   /// The spacing of the numbers in the file where they are largest, model units: of 32-bit floats,

@@ -55,11 +55,13 @@ class ObjParser {
     check();
     std::vector<std::string> told = notes();
     FaceGroups groups = this->groups();
+    const std::size_t faces = faces_.size();  // before they are taken
     std::vector<Triangle> triangles = faces_.take(positions_, cursor_);
     return {.mesh = {std::move(positions_), std::move(triangles)},
             .format = MeshFormat::obj,
             .notes = std::move(told),
             .groups = std::move(groups),
+            .materials = materials_.spread("usemtl", faces),
             .coordinate_step = steps_.step()};
   }
 
@@ -137,11 +139,10 @@ void ObjParser::begin_group(GroupRuns& runs) {
   runs.begin(name, faces_.size());
 }
 
-/// Objects say most about what belongs together, materials least.
+/// Objects say more about what belongs together than groups.
 FaceGroups ObjParser::groups() const {
   FaceGroups found = objects_.spread("o", faces_.size());
   if (found.names.empty()) found = groups_.spread("g", faces_.size());
-  if (found.names.empty()) found = materials_.spread("usemtl", faces_.size());
   return found;
 }
 

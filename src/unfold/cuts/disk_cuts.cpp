@@ -14,14 +14,13 @@ namespace {
 /// Refuses what no cut from border to border makes a disk of.
 void check_topology(const Topology& topology) {
   if (topology.components != 1) {
-    throw Error(ErrorCode::several_components, "the mesh has " +
-                                                   std::to_string(topology.components) +
-                                                   " separate parts: put each into its own file");
+    throw Error(ErrorCode::several_components,
+                "the mesh has " + std::to_string(topology.components) + " separate parts");
   }
   if (topology.genus > 0) {
     throw Error(ErrorCode::handles,
                 "the mesh has handles (" + std::to_string(topology.genus) +
-                    "), for which no cut is suggested: cut each open along a line around it first",
+                    "), for which no cut is suggested",
                 {.path = {}, .count = topology.genus});
   }
 }

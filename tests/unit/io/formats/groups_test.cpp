@@ -26,8 +26,19 @@ TEST(ReadGroups, TakesThoseThatDivideTheFacesOfAnObj) {
                 {"left", "right side"}, {0, 0, 1});
   expect_groups(obj_groups("o a\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\no b\nf 2 5 3\n"), "o",
                 {"a", "b"}, {0, 0, 1});
-  expect_groups(obj_groups("o all\ng all\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\n"), "usemtl",
-                {"red", "blue"}, {0, 1});
+}
+
+TEST(ReadGroups, KeepsMaterialsApartFromObjects) {
+  const std::string statements = "usemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\n";
+  for (const std::string& before : {std::string(), std::string("o all\ng all\n")}) {
+    const ReadResult file =
+        parse_mesh(k_group_corners + before + statements, MeshFormat::obj, "mesh");
+    expect_groups(file.groups, "", {}, {});
+    expect_groups(file.materials, "usemtl", {"red", "blue"}, {0, 1});
+  }
+  expect_groups(
+      parse_mesh(k_group_corners + "usemtl red\nf 1 2 3 4\n", MeshFormat::obj, "mesh").materials,
+      "", {}, {});
 }
 
 TEST(ReadGroups, GoesOnWithAGroupThatComesAgain) {

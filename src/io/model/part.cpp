@@ -1,0 +1,124 @@
+#include "io/model/part.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <planish/mesh/patch.h>
+#include <planish/mesh/wall.h>
+#include <planish/mesh/weld.h>
+
+#include "mesh/manifold_defects.h"
+#include "mesh/repair/sheets.h"
+
+namespace planish {
+
+namespace {
+
+/// Takes the mended mesh for that of the part, with where it comes from in the file.
+void take(ModelPart& part, RepairedMesh mended) {
+  std::vector<Index> triangles;
+  triangles.reserve(mended.source.size());
+  for (const Index t : mended.source)
+    triangles.push_back(t == RepairedMesh::none ? ModelPart::none : part.triangles[t]);
+  part.mesh = std::move(mended.mesh);
+  part.triangles = std::move(triangles);
+}
+
+void clean(ModelPart& part, ModelWork& work) {
+  CleanedMesh cleaned = remove_redundant_triangles(part.mesh);
+  if (cleaned.removed() == 0) return;
+  work.collapsed += cleaned.collapsed;
+  work.repeated += cleaned.repeated;
+  work.backs += cleaned.backs;
+  work.fins += cleaned.fins;
+  take(part, std::move(cleaned));
+}
+
+void join(ModelPart& part, double length, ModelWork& work) {
+  WeldedMesh welded = weld(part.mesh, length > 0.0 ? length : default_weld_length(part.mesh));
+  work.joined += welded.joined;
+  work.unjoined += welded.left;
+  if (welded.joined + welded.divided > 0) take(part, std::move(welded));
+}
+
+void orient(ModelPart& part, ModelWork& work) {
+  OrientedMesh oriented = orient_consistently(part.mesh);
+  work.turned += oriented.turned;
+  if (oriented.turned > 0) take(part, std::move(oriented));
+}
+
+/// Whether the sheets of a mesh may be parted: not where triangles are there twice or run against
+/// each other, as then what is a sheet cannot be told, and parting would tear it.
+bool may_be_parted(const std::vector<Problem>& problems) {
+  const auto has = [&](ErrorCode code) {
+    return std::any_of(problems.begin(), problems.end(),
+                       [&](const Problem& problem) { return problem.code == code; });
+  };
+  return !has(ErrorCode::duplicate_triangle) && !has(ErrorCode::inconsistent_orientation) &&
+         !has(ErrorCode::non_orientable);
+}
+
+void part_sheets(ModelPart& part, ModelWork& work) {
+  if (!may_be_parted(find_manifold_defects(part.mesh).problems)) return;
+  SeparatedMesh parted = divide_at_nonmanifold_edges(part.mesh);
+  work.parted_edges += parted.places;
+  if (parted.places > 0) take(part, std::move(parted));
+}
+
+void part_touching(ModelPart& part, ModelWork& work) {
+  SeparatedMesh parted = separate_touching(part.mesh);
+  work.parted_vertices += parted.places;
+  if (parted.places > 0) take(part, std::move(parted));
+}
+
+void leave_out_crumbs(ModelPart& part, ModelWork& work) {
+  const Crumbs crumbs = find_crumbs(part.mesh);
+  if (crumbs.pieces == 0) return;
+  work.crumbs += crumbs.pieces;
+  work.crumb_share += part.area_share * crumbs.area_share;
+  take(part, without_triangles(part.mesh, crumbs.triangles));
+}
+
+/// Whether a part may be a wall that nobody told of: it is closed, or has several sheets. An open
+/// one with its sides close together, as a flat sleeve, is meant so.
+bool may_be_wall(const TriMesh& mesh) {
+  const auto connectivity = Connectivity::build(mesh);
+  return connectivity && (connectivity->border_loops().empty() || find_sheets(mesh).count > 1);
+}
+
+void take_one_side(ModelPart& part, const std::optional<Side>& side, ModelWork& work) {
+  if (!side && !may_be_wall(part.mesh)) return;
+  const auto wall = find_wall(part.mesh);
+  if (!wall) return;
+  if (!side) {
+    work.walls.push_back({part.name, wall->thickness});
+    return;
+  }
+  take(part, take_side(part.mesh, *wall, *side == Side::outer ? WallPart::outer : WallPart::inner));
+}
+
+void close_holes(ModelPart& part, double length, ModelWork& work) {
+  FilledMesh filled = fill_holes(part.mesh, length);
+  work.filled += filled.filled;
+  work.unfilled += filled.left;
+  if (filled.filled > 0) take(part, std::move(filled));
+}
+
+}  // namespace
+
+void prepare_part(ModelPart& part, const ModelOptions& options, ModelWork& work) {
+  if (!options.strict) clean(part, work);
+  if (options.weld) join(part, *options.weld, work);
+  const bool is_sound = Connectivity::build(part.mesh).has_value();
+  if (!options.strict && !is_sound) {
+    part_sheets(part, work);
+    part_touching(part, work);
+    orient(part, work);
+  }
+  if (!options.strict) leave_out_crumbs(part, work);
+  if (!options.strict || options.side) take_one_side(part, options.side, work);
+  if (options.fill_holes > 0.0) close_holes(part, options.fill_holes, work);
+  if (options.flip) part.mesh = turned_over(std::move(part.mesh));
+}
+
+}  // namespace planish

@@ -1,0 +1,238 @@
+#include <algorithm>
+
+#include <planish/core/error.h>
+#include <planish/io/model.h>
+#include <planish/mesh/patch.h>
+#include <planish/mesh/repair.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+
+namespace planish {
+namespace {
+
+using testing::ElementsAre;
+
+Model prepared(TriMesh mesh, const ModelOptions& options = {}) {
+  ReadResult file;
+  file.mesh = std::move(mesh);
+  return prepare_model(std::move(file), options, "sail");
+}
+
+/// The cells of a grid left of the column are of the first name, the others of the second one.
+FaceGroups halves(const TriMesh& mesh, double column, const std::string& kind) {
+  FaceGroups groups{kind, {"left", "right"}, {}};
+  for (const Triangle& t : mesh.triangles) {
+    const double x = mesh.positions[t[0]].x + mesh.positions[t[1]].x + mesh.positions[t[2]].x;
+    groups.of_triangle.push_back(x < 3.0 * column ? 0 : 1);
+  }
+  return groups;
+}
+
+ReadResult grid_with(const std::string& kind) {
+  ReadResult file;
+  file.mesh = meshes::flat_grid(6, 4);
+  (kind == "usemtl" ? file.materials : file.groups) = halves(file.mesh, 3.0, kind);
+  return file;
+}
+
+/// A small triangle far above the grid, at a place of its own.
+TriMesh with_crumbs(TriMesh mesh, int count) {
+  for (int k = 0; k < count; ++k) {
+    const auto v = static_cast<Index>(mesh.positions.size());
+    const Vec3 at = {1.0 * k, 0.0, 5.0};
+    for (const Vec3 corner : {Vec3{0, 0, 0}, Vec3{0.1, 0, 0}, Vec3{0, 0.1, 0}})
+      mesh.positions.push_back(at + corner);
+    mesh.triangles.push_back({v, v + 1, v + 2});
+  }
+  return mesh;
+}
+
+TEST(PrepareModel, LeavesASoundMeshAsItIs) {
+  TriMesh mesh = meshes::rough_grid(9, 7, 5);
+  mesh.positions.insert(mesh.positions.begin(), {9, 9, 9});  // used by no triangle
+  for (Triangle& t : mesh.triangles) {
+    for (Index& v : t)
+      ++v;
+  }
+  const Model model = prepared(mesh);
+  EXPECT_EQ(model.mesh.positions, mesh.positions);
+  EXPECT_EQ(model.mesh.triangles, mesh.triangles);
+  EXPECT_THAT(model.pieces, ElementsAre("sail"));
+  EXPECT_FALSE(model.work.renumbered);
+}
+
+TEST(PrepareModel, DividesByObjectsAndByMaterialsOnRequestOnly) {
+  EXPECT_THAT(prepare_model(grid_with("o"), {}, "sail").pieces, ElementsAre("left", "right"));
+  EXPECT_THAT(prepare_model(grid_with("usemtl"), {}, "sail").pieces, ElementsAre("sail"));
+  EXPECT_THAT(prepare_model(grid_with("usemtl"), {.divide = Divide::materials}, "sail").pieces,
+              ElementsAre("left", "right"));
+  EXPECT_THAT(prepare_model(grid_with("o"), {.divide = Divide::parts}, "sail").pieces,
+              ElementsAre("sail"));
+}
+
+TEST(PrepareModel, GivesPiecesVerticesOfTheirOwnBehindAllOthers) {
+  const ReadResult file = grid_with("o");
+  const Model model = prepare_model(file, {}, "sail");
+  EXPECT_EQ(model.mesh.positions, file.mesh.positions);
+  const TriMesh apart = divided(model);
+  EXPECT_EQ(apart.positions.size(), file.mesh.positions.size() + 5);
+  EXPECT_TRUE(
+      std::equal(file.mesh.positions.begin(), file.mesh.positions.end(), apart.positions.begin()));
+  EXPECT_EQ(Patch(apart).border_loops().size(), 2U);
+}
+
+TEST(PrepareModel, NumbersPiecesOfOneName) {
+  const TriMesh grid = meshes::flat_grid(3, 3);
+  EXPECT_THAT(prepared(meshes::side_by_side(grid, grid)).pieces, ElementsAre("sail-1", "sail-2"));
+}
+
+TEST(PrepareModel, TakesALooseSoupForOnePiece) {
+  TriMesh soup;
+  const TriMesh grid = meshes::flat_grid(3, 3);
+  for (const Triangle& t : grid.triangles) {
+    const auto v = static_cast<Index>(soup.positions.size());
+    for (const Index corner : t)
+      soup.positions.push_back(grid.positions[corner]);
+    soup.triangles.push_back({v, v + 1, v + 2});
+  }
+  EXPECT_THAT(prepared(soup).pieces, ElementsAre("sail"));
+  const Model welded = prepared(soup, {.weld = 0.0});
+  EXPECT_EQ(welded.mesh.positions.size(), grid.positions.size());
+  EXPECT_EQ(Patch(welded.mesh).border_loops().size(), 1U);
+  EXPECT_EQ(welded.work.joined, 21U) << "all inner edges";
+}
+
+TEST(PrepareModel, LeavesCrumbsOutAndCountsThem) {
+  const TriMesh grid = meshes::flat_grid(6, 4);
+  const Model model = prepared(with_crumbs(grid, 7));
+  EXPECT_THAT(model.pieces, ElementsAre("sail"));
+  EXPECT_EQ(model.mesh.positions, grid.positions);
+  EXPECT_EQ(model.work.crumbs, 7U);
+  EXPECT_NEAR(model.work.crumb_share, 7 * 0.005 / (24.0 + 7 * 0.005), 1e-12);
+  EXPECT_EQ(prepared(with_crumbs(grid, 7), {.strict = true}).pieces.size(), 8U);
+}
+
+TEST(PrepareModel, NeverTakesAPieceWithANameForACrumb) {
+  ReadResult file;
+  file.mesh = with_crumbs(meshes::flat_grid(6, 4), 1);
+  file.groups = {"o", {"sail", "tag"}, std::vector<Index>(file.mesh.triangles.size(), 0)};
+  file.groups.of_triangle.back() = 1;
+  EXPECT_THAT(prepare_model(file, {}, "x").pieces, ElementsAre("sail", "tag"));
+}
+
+TEST(PrepareModel, TakesAndLeavesOutByNames) {
+  const Model right = prepare_model(grid_with("o"), {.only = {"right"}}, "sail");
+  EXPECT_THAT(right.pieces, ElementsAre("right"));
+  EXPECT_EQ(right.mesh.positions.size(), 4U * 5U);
+  EXPECT_THAT(prepare_model(grid_with("o"), {.without = {"right"}}, "sail").pieces,
+              ElementsAre("left"));
+  const Model material = prepare_model(grid_with("usemtl"), {.only = {"left"}}, "sail");
+  EXPECT_EQ(material.mesh.triangles.size(), 24U);
+  const TriMesh grid = meshes::flat_grid(3, 3);
+  const Model second = prepared(meshes::side_by_side(grid, grid), {.only = {"sail-2"}});
+  EXPECT_THAT(second.pieces, ElementsAre("sail-2"));
+  EXPECT_EQ(second.mesh.triangles, grid.triangles);
+  EXPECT_TRUE(prepare_model(grid_with("o"), {.without = {"left", "right"}}, "sail").pieces.empty());
+}
+
+TEST(PrepareModel, ListsTheNamesThereAreWhereOneIsNot) {
+  const ModelOptions options = {.only = {"middle"}};
+  const Model model = prepare_model(grid_with("o"), options, "sail");
+  try {
+    check_names(options, model.names);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::unknown_name);
+    EXPECT_THAT(error.message(), testing::HasSubstr("middle; there are left, right"));
+  }
+}
+
+TEST(PrepareModel, MendsHarmlessDirtUnlessItIsStrict) {
+  TriMesh mesh = meshes::flat_grid(4, 4);
+  const TriMesh sound = mesh;
+  mesh.triangles.push_back(mesh.triangles[3]);
+  mesh.triangles.push_back({0, 1, 1});
+  std::swap(mesh.triangles[9][0], mesh.triangles[9][1]);
+  const Model model = prepared(mesh);
+  EXPECT_EQ(model.work.repeated, 1U);
+  EXPECT_EQ(model.work.collapsed, 1U);
+  EXPECT_EQ(model.work.turned, 1U);
+  EXPECT_EQ(model.mesh.triangles.size(), sound.triangles.size());
+  EXPECT_EQ(Patch(model.mesh).border_loops().size(), 1U);
+  const Model strict = prepared(mesh, {.strict = true});
+  EXPECT_EQ(strict.mesh.triangles, mesh.triangles);
+}
+
+TEST(PrepareModel, ClosesHolesOfTheLength) {
+  TriMesh mesh = meshes::flat_grid(5, 5);
+  mesh.triangles.erase(mesh.triangles.begin() + 24);
+  EXPECT_EQ(Patch(prepared(mesh).mesh).border_loops().size(), 2U);
+  const Model model = prepared(mesh, {.fill_holes = 4.0});
+  EXPECT_EQ(model.work.filled, 1U);
+  EXPECT_EQ(Patch(model.mesh).border_loops().size(), 1U);
+  EXPECT_EQ(prepared(mesh, {.fill_holes = 3.0}).work.filled, 0U);
+}
+
+TEST(PrepareModel, FindsAWallAndTakesASideOfIt) {
+  const TriMesh sheet = meshes::flat_grid(30, 20);
+  TriMesh other = turned_over(sheet);
+  for (Vec3& p : other.positions)
+    p.z -= 0.5;
+  TriMesh both = sheet;
+  for (const Triangle& t : other.triangles) {
+    const auto n = static_cast<Index>(sheet.positions.size());
+    both.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+  }
+  both.positions.insert(both.positions.end(), other.positions.begin(), other.positions.end());
+  const Model model = prepared(both);
+  ASSERT_EQ(model.work.walls.size(), 1U);
+  EXPECT_NEAR(model.work.walls[0].thickness, 0.5, 1e-12);
+  const Model outer = prepared(both, {.side = Side::outer});
+  EXPECT_THAT(outer.pieces, ElementsAre("sail"));
+  EXPECT_EQ(outer.mesh.positions, sheet.positions);
+  EXPECT_TRUE(outer.work.walls.empty());
+}
+
+TEST(PrepareModel, TurnsTheSurfaceOver) {
+  const TriMesh mesh = meshes::flat_grid(4, 4);
+  EXPECT_EQ(prepared(mesh, {.flip = true}).mesh.triangles, turned_over(mesh).triangles);
+}
+
+TEST(PrepareModel, SaysThatPiecesTouch) {
+  TriMesh mesh = divided(prepare_model(grid_with("o"), {}, "sail"));
+  const Model model = prepared(mesh);
+  EXPECT_EQ(model.work.touching, 2U);
+  EXPECT_EQ(model.work.welded, 1U);
+  EXPECT_THAT(prepared(mesh, {.weld = 0.0}).pieces, ElementsAre("sail"));
+}
+
+TEST(PrepareModel, DividesWhereThreePanelsMeet) {
+  TriMesh mesh = meshes::flat_grid(6, 4);
+  const auto below = [&](Index j, Index k) {
+    return k == 0 ? 7 * j + 3 : static_cast<Index>(35 + 2 * j + k - 1);  // 35: of the grid
+  };
+  for (Index j = 0; j <= 4; ++j) {
+    for (Index k = 1; k <= 2; ++k)
+      mesh.positions.push_back({3.0, 1.0 * j, -1.0 * k});
+  }
+  for (Index j = 0; j < 4; ++j) {
+    for (Index k = 0; k < 2; ++k) {
+      mesh.triangles.push_back({below(j, k), below(j + 1, k), below(j + 1, k + 1)});
+      mesh.triangles.push_back({below(j, k), below(j + 1, k + 1), below(j, k + 1)});
+    }
+  }
+  const Model model = prepared(mesh);
+  EXPECT_THAT(model.pieces, ElementsAre("sail-1", "sail-2", "sail-3"));
+  EXPECT_EQ(model.work.parted_edges, 4U);
+}
+
+TEST(PrepareModel, RefusesLengthsBelowZero) {
+  EXPECT_THROW(prepared(meshes::flat_grid(2, 2), {.weld = -1.0}), Error);
+  EXPECT_THROW(prepared(meshes::flat_grid(2, 2), {.fill_holes = -1.0}), Error);
+}
+
+}  // namespace
+}  // namespace planish

@@ -27,7 +27,8 @@ std::string entry(const std::string& term, const std::string& doc) {
 std::string flag_entry(const Flag& flag) {
   std::string term = flag.letter == 0 ? "    " : std::string("-") + flag.letter + ", ";
   term += flag.name;
-  if (!flag.value.empty()) term += " " + flag.value;
+  if (needs_value(flag)) term += " " + flag.value;
+  if (flag.accepts.optional) term += "[=" + flag.value + "]";
   return entry(term, flag.doc);
 }
 

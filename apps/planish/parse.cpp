@@ -42,6 +42,12 @@ void add_flag(CLI::App& app, const Flag& flag, Options& options) {
   CLI::Option*& option = options[flag.name];
   if (flag.value.empty()) {
     option = app.add_flag(cli11_names(flag))->disable_flag_override();
+  } else if (flag.accepts.optional) {
+    option = app.add_flag(cli11_names(flag));
+  } else if (flag.accepts.repeats) {
+    option = app.add_option(cli11_names(flag))
+                 ->expected(1)
+                 ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   } else {
     option = app.add_option(cli11_names(flag))
                  ->expected(1)
@@ -62,11 +68,23 @@ Options add_flags(CLI::App& app, const std::vector<FlagGroup>& groups) {
   return options;
 }
 
+/// The value as it was typed; empty where none was.
+std::string value_of(const Flag& flag, const CLI::Option& option) {
+  const auto given = option.results();
+  if (flag.value.empty()) return {};
+  if (flag.accepts.optional && given.back() == "true") return {};  // as CLI11 has it of a switch
+  if (!flag.accepts.repeats) return given.back();
+  std::string all;
+  for (const std::string& value : given)
+    all += (all.empty() ? "" : ",") + value;
+  return all;
+}
+
 void read_flags(const Options& options, const FlagGroup& group, Arguments& arguments) {
   for (const Flag& flag : group.flags) {
     const CLI::Option* option = options.at(flag.name);
     if (option->count() == 0) continue;
-    arguments.flags[flag.name] = flag.value.empty() ? "" : option->results().back();
+    arguments.flags[flag.name] = value_of(flag, *option);
   }
 }
 
@@ -182,7 +200,7 @@ std::vector<std::string> with_operands_taken(std::vector<std::string> words, Arg
 /// An empty word, as a shell makes it of an empty variable, names no file and is no number.
 void refuse_empty_values(const FlagGroup& group, const Arguments& arguments) {
   for (const Flag& flag : group.flags) {
-    if (flag.value.empty() || type_of(flag) == ValueType::text) continue;
+    if (!needs_value(flag) || type_of(flag) == ValueType::text) continue;
     if (arguments.has(flag.name) && arguments.flags.at(flag.name).empty())
       throw UsageError("flag " + flag.name + " needs a value, and the one given is empty");
   }

@@ -3,6 +3,7 @@
 #include <new>
 
 #include <planish/core/version.h>
+#include <planish/core/ways_on.h>
 #include <planish/report/json_report.h>
 
 #include "help.h"
@@ -51,8 +52,9 @@ CommandResult outcome_of_failure() {
     const std::string message = "interrupted; nothing was written";
     return {{}, json_failure("interrupted", message), k_exit_interrupted, message};
   } catch (const Error& error) {
-    if (is_of_usage(error)) return usage_failure(error.what(), json_report(error));
-    return {{}, json_report(error), k_exit_failed, error.what()};
+    const std::string message = with_way_on(error);
+    if (is_of_usage(error)) return usage_failure(message, json_report(error));
+    return {{}, json_report(error), k_exit_failed, message};
   } catch (const std::bad_alloc&) {
     return {{}, k_out_of_memory_json, k_exit_failed, k_out_of_memory};
   } catch (const std::exception& error) {

@@ -83,13 +83,18 @@ TEST_F(Compare, WritesMeshesInTheFormatOfTheInputButForStl) {
 }
 
 TEST_F(Compare, ComparesWhatIsNoDiskWithoutPatterns) {
-  const TriMesh dome = make_shape("dome", 100);
-  write_mesh("domes.obj", meshes::side_by_side(dome, dome));
-  const CliResult result = planish({"compare", "domes.obj", "-o", "out"});
+  TriMesh ring = make_shape("dome", 100);
+  const Patch dome(ring);
+  const Index inner = dome.inner_vertices()[dome.inner_vertices().size() / 2];
+  std::erase_if(ring.triangles, [&](const Triangle& t) {  // a hole
+    return std::find(t.begin(), t.end(), inner) != t.end();
+  });
+  write_mesh("ring.obj", ring);
+  const CliResult result = planish({"compare", "ring.obj", "-o", "out"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_THAT(result.out, HasSubstr("No patterns, so no strain: "));
   expect_eighty_columns(result.out);
-  const auto json = planish({"compare", "domes.obj", "--methods", "fairing", "--json"}).json();
+  const auto json = planish({"compare", "ring.obj", "--methods", "fairing", "--json"}).json();
   EXPECT_TRUE(json["unfold_before"].is_null());
   EXPECT_TRUE(json["runs"][0]["unfold"].is_null());
   EXPECT_GT(json["runs"][0]["sweeps"], 0);

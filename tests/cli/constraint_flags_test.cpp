@@ -142,7 +142,7 @@ TEST_F(ConstraintFlags, OfAMeshThatCannotBeUsedTheMeshIsNamed) {
   write_text("twice.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 3\n");
   write_text("seam.obj", "v 0 0 0\np 1\n");
   const auto error =
-      planish({"evolve", "twice.obj", "-o", "out.obj", "--fix", "seam.obj", "--json"})
+      planish({"evolve", "twice.obj", "-o", "out.obj", "--fix", "seam.obj", "--strict", "--json"})
           .json()["error"];
   EXPECT_EQ(error["code"], "duplicate_triangle");
   EXPECT_EQ(error["path"], "twice.obj");

@@ -47,7 +47,7 @@ TEST(Describe, NamesEveryVerbAndFlagOfTheHelp) {
     const std::string help = planish({command.name, "--help-all"}).out;
     for (std::size_t at = help.find("      --"); at != std::string::npos;
          at = help.find("      --", at + 1)) {
-      const std::string name = help.substr(at + 6, help.find_first_of(" \n", at + 6) - at - 6);
+      const std::string name = help.substr(at + 6, help.find_first_of(" [\n", at + 6) - at - 6);
       const auto& global = global_flags().flags;
       const bool is_global = std::any_of(global.begin(), global.end(),
                                          [&](const Flag& flag) { return flag.name == name; });
@@ -106,7 +106,8 @@ std::vector<std::string> command_with(const nlohmann::json& verb, const nlohmann
   if (name == "sample") words.emplace_back("panel");
   if (name != "sample") words.emplace_back("patch.obj");
   if (name == "carry") words.insert(words.end(), {"--from", "patch.obj", "--to", "patch.obj"});
-  if (name != "measure") {
+  if (name == "convert") words.emplace_back("out.obj");
+  if (name != "measure" && name != "convert") {
     words.emplace_back("--output");
     const bool draws = name == "unfold" || name == "frontier";
     const std::string drawing = flag == "--paper"            ? "out.pdf"
@@ -127,8 +128,7 @@ std::vector<std::string> command_with(const nlohmann::json& verb, const nlohmann
     words.emplace_back(other);
     words.emplace_back(with);
   }
-  words.push_back(flag);
-  words.push_back(value);
+  words.push_back(flag + "=" + value);
   return words;
 }
 

@@ -64,11 +64,11 @@ TEST_F(Failures, AreOneJsonObjectWithCodeAndPlace) {
 
 TEST_F(Failures, OfAMeshNameItsFileAndListAllProblems) {
   write_text("edge.obj", k_three_triangles_on_an_edge);
-  const CliResult result = planish({"measure", "edge.obj"});
+  const CliResult result = planish({"measure", "edge.obj", "--strict"});
   EXPECT_EQ(result.exit_code, k_exit_failed);
   EXPECT_THAT(result.out, HasSubstr("non_manifold_edge"));
   EXPECT_THAT(result.err, HasSubstr("error: edge.obj: "));
-  const auto error = planish({"measure", "edge.obj", "--json"}).json()["error"];
+  const auto error = planish({"measure", "edge.obj", "--strict", "--json"}).json()["error"];
   EXPECT_EQ(error["code"], "non_manifold_edge");
   EXPECT_EQ(error["path"], "edge.obj");
 }

@@ -12,6 +12,7 @@
 #include "commands/commands.h"
 #include "flags/units.h"
 #include "io/read_drawing.h"
+#include "model/model_flags.h"
 #include "platform/path.h"
 #include "sheet/carry/drawing_on_sheet.h"
 #include "shell/failures.h"
@@ -49,14 +50,14 @@ void check_extension(const std::string& path, const std::string& what) {
               {.path = path});
 }
 
-Patch patch_of(const std::string& path, Session& session) {
-  const TriMesh mesh = session.read(path).mesh;
+Patch patch_of(const std::string& path, const Arguments& arguments, Session& session) {
+  const TriMesh mesh = read_piece(path, arguments, session).mesh;
   return about(path, [&] { return Patch(mesh); });
 }
 
 CarryPair pair_from(const Arguments& arguments, Session& session) {
   const std::string &from = arguments.flags.at("--from"), &to = arguments.flags.at("--to");
-  CarryPair pair{from, to, patch_of(from, session), patch_of(to, session)};
+  CarryPair pair{from, to, patch_of(from, arguments, session), patch_of(to, arguments, session)};
   about(to, [&] { check_same_triangles(pair.from.mesh(), pair.to.mesh()); });
   const auto check_flat = [](const std::string& drawing, const std::string& path,
                              const Patch& patch, const std::string& flag) {
@@ -217,7 +218,8 @@ Command carry_command() {
               'o',
               true,
               {.extensions = {"obj", "svg"}}},
-             unit_flag()}}},
+             unit_flag()}},
+           model_flags()},
           {"planish carry drawn.svg --from flat.obj --to processed.obj -o logo.obj",
            "planish carry logo.obj --from processed.obj --to flat.obj -o drawn.svg"},
           run_carry,

@@ -11,6 +11,7 @@
 #include "flags/method_flags.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
+#include "model/model_flags.h"
 #include "output/open_page.h"
 #include "platform/path.h"
 #include "several/several_files.h"
@@ -83,12 +84,12 @@ std::string lines_of(const CompareReport& report) {
 void compare_into(WorkFile& file, const fs::path& place, const std::vector<CompareRun>& runs,
                   const Arguments& arguments, Session& session) {
   const std::string& path = file.report.path;
-  ReadResult input = read_model(path, arguments, session);
+  Model input = read_piece(path, arguments, session);
   const CompareReport report = about(path, [&] {
     const Patch patch(std::move(input.mesh));
     const CompareOptions options = {unit_from(arguments),
                                     constraints_from(arguments, patch, session)};
-    return compare(patch, stem_of(path), runs, options, session.job_context({}));
+    return compare(patch, input.pieces.front(), runs, options, session.job_context({}));
   });
   for (const ComparedMethod& method : report.runs)
     file.report.lines.push_back({compared_cells(&report, &method), method.failure});
@@ -127,12 +128,12 @@ CommandResult run_compare(const Arguments& arguments, Session& session) {
     throw UsageError("flag --open opens a page that is written: say where, with --output FOLDER");
   const fs::path folder = output_folder(arguments.value_or("--output", ""));
 
-  ReadResult input = read_model(path, arguments, session);
+  Model input = read_piece(path, arguments, session);
   const std::string size = size_text(input.mesh);
   const auto report = about(path, [&] {
     const Patch patch(std::move(input.mesh));
     options.constraints = constraints_from(arguments, patch, session);
-    return compare(patch, stem_of(path), runs, options, session.job_context({}));
+    return compare(patch, input.pieces.front(), runs, options, session.job_context({}));
   });
 
   std::string json = json_report(report);
@@ -176,6 +177,7 @@ Command compare_command() {
           0,
           false,
           {.extensions = {"csv"}}}}},
+       model_flags(),
        compare_flags(),
        constraint_flags()},
       {"planish compare panel.obj",

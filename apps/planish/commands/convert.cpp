@@ -1,6 +1,8 @@
 #include <planish/io/mesh_format.h>
 
 #include "commands/commands.h"
+#include "flags/units.h"
+#include "model/model_flags.h"
 #include "platform/path.h"
 #include "shell/session.h"
 #include "shell/values.h"
@@ -15,13 +17,7 @@ CommandResult run_convert(const Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands[0];
   const std::string& output = arguments.operands[1];
   const MeshFormat format = mesh_format_of(path_of(output));
-  const ReadResult file = session.read(path);
-  const TriMesh& mesh = file.mesh;
-  if (file.unit) {
-    session.note(path + ": the file says \"" + file.unit->words + "\"; " + output +
-                 " does not say it, so give --unit " + std::string(to_string(file.unit->unit)) +
-                 " with it");
-  }
+  const TriMesh mesh = read_model(path, arguments, session).mesh;
   if (format == MeshFormat::stl) {
     session.note("STL rounds positions to single precision and loses the order of the vertices");
   }
@@ -41,7 +37,7 @@ Command convert_command() {
           ".obj, .ply, .stl or .off. Vertices and triangles keep their order, positions every "
           "digit (STL: single precision).",
           {"INPUT", "OUTPUT"},
-          {},
+          {{"Output", {unit_flag()}}, model_flags()},
           {"planish convert panel.stl panel.obj"},
           run_convert,
           false,

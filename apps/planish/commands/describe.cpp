@@ -70,6 +70,8 @@ Json flag_json(const Flag& flag) {
           {"max", bound(flag.accepts.range.max)},
           {"default", standard_json(flag, type)},
           {"extensions", flag.accepts.extensions},
+          {"value_optional", flag.accepts.optional},
+          {"repeats", flag.accepts.repeats},
           {"required", flag.required},
           {"first", flag.first},
           {"placeholder", text_or_null(flag.value)},

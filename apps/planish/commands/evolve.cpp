@@ -10,6 +10,7 @@
 #include "flags/method_flags.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
+#include "model/model_flags.h"
 #include "platform/path.h"
 #include "several/several_files.h"
 #include "shell/failures.h"
@@ -49,7 +50,7 @@ std::string line_of(const EvolveReport& report) {
 void evolve_into(WorkFile& file, const std::filesystem::path& place, const Arguments& arguments,
                  Session& session) {
   const std::string& path = file.report.path;
-  TriMesh mesh = read_model(path, arguments, session).mesh;
+  TriMesh mesh = read_whole(path, arguments, session);
   const auto [evolved, report] = about(
       path, [&] { return evolve_as_asked(Patch(std::move(mesh)), path, arguments, session); });
   file.report.lines = {{evolved_cells(&report)}};
@@ -87,8 +88,7 @@ CommandResult run_evolve(const Arguments& arguments, Session& session) {
   const Method method = method_from(arguments, Method{});
 
   const std::string& path = arguments.operands.front();
-  CutInput input =
-      cut_as_asked(read_model(path, arguments, session).mesh, path, arguments, session);
+  CutInput input = cut_as_asked(read_whole(path, arguments, session), path, arguments, session);
   const auto [evolved, report] = about(path, [&] {
     const Patch patch(std::move(input.mesh));
     note_obstruction(session, patch);
@@ -161,6 +161,7 @@ Command evolve_command() {
         {"--require-target", "", "end with exit code 3 where e_max misses --target-e-max"},
         csv_flag(),
         output_format_flag(names_of(k_mesh_formats), "as the input, obj for .stl")}}};
+  groups.push_back(model_flags());
   for (FlagGroup& group : method_flags(Method{}))
     groups.push_back(std::move(group));
   groups.push_back(constraint_flags());

@@ -19,6 +19,7 @@
 #include "flags/pick_flag.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
+#include "model/model_flags.h"
 #include "output/flatten_files.h"
 #include "output/open_page.h"
 #include "output/pattern_output.h"
@@ -141,18 +142,17 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   FlattenOptions options = flatten_options_from(arguments);
   PageWords words{.colors = colors_from(arguments),
-                  .command = command_line("flatten", arguments),
+                  .command = command_line(flatten_command(), arguments),
                   .reference = session.silent_context()};
   PatternFiles pattern = pattern_files_from(arguments);
   const auto nest = nest_from(arguments, pattern);
   const fs::path folder = folder_from(arguments);
 
-  ProductInput read = scaled(read_product(session, arguments.operands, run_unit_from(arguments),
-                                          arguments.has("--product")),
-                             scale_from(arguments));
+  ProductInput read =
+      read_product(session, arguments.operands, arguments, arguments.has("--product"));
   if (read.is_batch) refuse_seam_flags(arguments);
   const std::optional<CutDone> cut = cut_product(read, arguments, session);
-  if (read.patches.size() > 1 || read.is_described) {
+  if (read.patches.size() > 1 || read.is_described || read.patches.front().failure) {
     check_copies_of(read.patches.size(), plan_of(pattern, options.unit, nest.get()));
     return run_product(product_job({folder, options, std::move(pattern), std::move(words), nest},
                                    std::move(read), arguments),
@@ -160,12 +160,12 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   }
   refuse_product_flags(arguments);
   const std::string& path = read.path;
-  ReadResult input = std::move(read.whole);
+  Model input = std::move(read.whole);
   const MeshFormat format = output_format(input.format);
   const WrittenFiles paths = paths_in(folder, format, pattern, arguments);
   refuse_shared_paths(paths);
   const std::string size = size_text(input.mesh);
-  const std::string name = stem_of(path);
+  const std::string& name = input.pieces.front();
   const auto report = about(path, [&] {
     const Patch patch(std::move(input.mesh));
     note_obstruction(session, patch);
@@ -266,6 +266,7 @@ Command flatten_command() {
     groups.front().flags.push_back(std::move(flag));
   for (Flag& flag : product_flags())
     groups.front().flags.push_back(std::move(flag));
+  groups.push_back(model_flags());
   groups.push_back(annotation_flags());
   groups.push_back(nest_flags());
   for (FlagGroup& group : method_flags(FlattenOptions{}.method)) {

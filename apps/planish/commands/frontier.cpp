@@ -12,6 +12,7 @@
 #include "flags/quantities.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
+#include "model/model_flags.h"
 #include "output/open_page.h"
 #include "platform/path.h"
 #include "shell/failures.h"
@@ -122,12 +123,12 @@ CommandResult run_frontier(const Arguments& arguments, Session& session) {
   if (arguments.has("--open") && extension_of(output) != ".html")
     throw UsageError("flag --open opens a page that is written: say where, with --output X.html");
 
-  ReadResult input = read_model(path, arguments, session);
+  Model input = read_piece(path, arguments, session);
   const std::string size = size_text(input.mesh);
   const auto report = about(path, [&] {
     const Patch patch(std::move(input.mesh));
     options.constraints = constraints_from(arguments, patch, session);
-    return frontier(patch, stem_of(path), options, session.job_context({}));
+    return frontier(patch, input.pieces.front(), options, session.job_context({}));
   });
 
   std::string json = json_report(report);
@@ -167,6 +168,7 @@ Command frontier_command() {
              unit_flag(),
              scale_flag(),
              open_flag()}},
+           model_flags(),
            frontier_flags(),
            constraint_flags()},
           {"planish frontier panel.obj", "planish frontier panel.obj -o frontier.svg --points 12",

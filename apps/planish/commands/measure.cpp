@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include <planish/core/ways_on.h>
 #include <planish/io/mesh_format.h>
 #include <planish/report/json_report.h>
 
@@ -12,6 +13,7 @@
 #include "flags/limit_flags.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
+#include "model/model_flags.h"
 #include "platform/path.h"
 #include "report/pictures/direction_map.h"
 #include "several/several_files.h"
@@ -51,7 +53,7 @@ void measure_into(WorkFile& file, const StrainLimits& limits, const Arguments& a
     file.text = line_of(measured, strain);
     file.misses = strain && !all_kept(strain->limits);
   };
-  const Patch patch = about(path, [&] { return Patch(read_model(path, arguments, session).mesh); });
+  const Patch patch = about(path, [&] { return Patch(read_whole(path, arguments, session)); });
   about(path, [&] {
     const MeasuredPatch measured = measure_patch(patch, session.job_context(path));
     cautions = find_cautions(patch);
@@ -75,7 +77,7 @@ CommandResult measure_several(const Arguments& arguments, Session& session) {
 
 /// The mesh cannot be measured: tells all that is wrong with it, not only what came first.
 CommandResult refused(const std::string& path, const TriMesh& mesh, const Error& error) {
-  return {refused_text(path, inspect(mesh)), json_report(error), k_exit_failed, error.what()};
+  return {refused_text(path, inspect(mesh)), json_report(error), k_exit_failed, with_way_on(error)};
 }
 
 /// @throws Error unsupported_format
@@ -121,7 +123,7 @@ CommandResult run_measure(const Arguments& arguments, Session& session) {
   const std::string& path = arguments.operands.front();
   const StrainLimits limits = limits_from(arguments);
   const Unit unit = unit_from(arguments);
-  const TriMesh mesh = read_model(path, arguments, session).mesh;
+  const TriMesh mesh = read_whole(path, arguments, session);
   Patch patch;
   MeasuredPatch measured;
   try {
@@ -201,6 +203,7 @@ Command measure_command() {
          scale_flag(),
          fields_flag(),
          csv_flag()}},
+       model_flags(),
        {"Limits of the pattern", limit_flags()}},
       {"planish measure panel.obj", "planish measure panel.obj --json",
        "planish measure panel.obj --material neoprene",

@@ -10,6 +10,7 @@
 #include "flags/material_flag.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
+#include "model/model_flags.h"
 #include "platform/path.h"
 #include "sheet/cut_sheet.h"
 #include "shell/failures.h"
@@ -70,10 +71,11 @@ CommandResult run_suggest_cuts(const Arguments& arguments, Session& session) {
   const Unit unit = unit_from(arguments);
   const auto paths = suggestion_paths(arguments);
   const std::string& path = arguments.operands.front();
-  const TriMesh mesh = read_model(path, arguments, session).mesh;
+  const Model model = read_piece(path, arguments, session);
+  const TriMesh& mesh = model.mesh;
   const auto suggestion =
       about(path, [&] { return suggest_cuts(Patch(mesh), options, session.job_context(path)); });
-  const std::string name = stem_of(path);
+  const std::string& name = model.pieces.front();
   const auto files = about(path, [&] { return suggestion_files(suggestion, paths, unit, name); });
   std::string text =
       path + "  (" + size_text(mesh) + ")\n\n" + suggestion_text(suggestion, options, unit);
@@ -124,6 +126,7 @@ Command suggest_cuts_command() {
           {.extensions = names_of(k_mesh_formats)}},
          unit_flag(),
          scale_flag()}},
+       model_flags(),
        {"What to look for",
         {{"--max-strain",
           "X",

@@ -13,6 +13,7 @@
 #include "flags/match_seams_flag.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
+#include "model/model_flags.h"
 #include "output/pattern_output.h"
 #include "platform/path.h"
 #include "product/seams.h"
@@ -52,13 +53,12 @@ PatternOutput output_from(const Arguments& arguments, std::optional<PatternForma
   return pattern_output_from(arguments);
 }
 
-std::string content_of(const std::string& path, const std::string& input, const Patch& patch,
+std::string content_of(const std::string& path, const std::string& name, const Patch& patch,
                        const UnfoldReport& report, const PatternOutput& output,
                        const PatternOptions& annotations) {
   const auto format = pattern_format_of(path);
   if (!format)
     return format_mesh(flat_mesh(patch.mesh(), report.pattern), mesh_format_of(path_of(path)));
-  const std::string name = stem_of(input);
   const Drawing sheet = pattern_sheet(patch, report, name, annotations);
   return output.paper ? tiled_file(sheet, output) : pattern_file(sheet, *format, output);
 }
@@ -98,11 +98,11 @@ std::string line_of(const UnfoldReport& report) {
 void unfold_into(WorkFile& file, const std::filesystem::path& place, const UnfoldRequest& request,
                  const Arguments& arguments, Session& session) {
   const std::string& path = file.report.path;
-  const TriMesh mesh = read_model(path, arguments, session).mesh;
+  Model model = read_piece(path, arguments, session);
   about(path, [&] {
-    const Patch patch(mesh);
+    const Patch patch(std::move(model.mesh));
     PatternOptions annotations =
-        annotations_on(request.annotations, arguments, patch, stem_of(path), session);
+        annotations_on(request.annotations, arguments, patch, model.pieces.front(), session);
     const std::vector<Caution> cautions = find_cautions(patch);
     annotations.cautions = words_of(cautions);
     note_cautions(session, path, cautions, request.unit);
@@ -113,8 +113,8 @@ void unfold_into(WorkFile& file, const std::filesystem::path& place, const Unfol
     file.text = line_of(report);
     file.misses = !all_kept(report.limits);
     if (place.empty()) return;
-    file.files = {
-        {place, content_of(utf8_of(place), path, patch, report, request.output, annotations)}};
+    file.files = {{place, content_of(utf8_of(place), model.pieces.front(), patch, report,
+                                     request.output, annotations)}};
   });
 }
 
@@ -142,11 +142,11 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
   UnfoldRequest request = request_from(arguments, output);
 
   const std::string& path = arguments.operands.front();
-  const CutInput input =
-      cut_as_asked(read_model(path, arguments, session).mesh, path, arguments, session);
+  Model model = read_piece(path, arguments, session);
+  const std::string& name = model.pieces.front();
+  const CutInput input = cut_as_asked(std::move(model.mesh), path, arguments, session);
   const Patch patch = about(path, [&] { return Patch(input.mesh); });
   const auto report = about(path, [&] {
-    const std::string name = stem_of(path);
     request.annotations =
         annotations_on(std::move(request.annotations), arguments, patch, name, session);
     return unfold_patch(patch, request.unit, request.options, session.job_context(path));
@@ -154,7 +154,7 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
   const std::vector<Caution> cautions = find_cautions(patch);
   request.annotations.cautions = words_of(cautions);
   const std::string content = about(path, [&] {
-    return content_of(output, path, patch, report, request.output, request.annotations);
+    return content_of(output, name, patch, report, request.output, request.annotations);
   });
   warn_of_pattern(session, report);
   note_unequal_seams(session, patch, report);
@@ -185,8 +185,10 @@ Command unfold_command() {
       output_format_flag(output_names(), "svg")};
   for (Flag& flag : pattern_flags("divide the .pdf into pages to be joined"))
     flags.push_back(std::move(flag));
-  std::vector<FlagGroup> groups = {
-      {"Output", std::move(flags)}, {"Limits of the pattern", limit_flags()}, annotation_flags()};
+  std::vector<FlagGroup> groups = {{"Output", std::move(flags)},
+                                   model_flags(),
+                                   {"Limits of the pattern", limit_flags()},
+                                   annotation_flags()};
   mark_first(groups,
              {"--output", "--unit", "--cut", "--match-seams", "--paper", "--allowance", "--notches",
               "--grain", "--piece-name", "--quantity", "--max-strain", "--material"});

@@ -5,6 +5,7 @@
 
 #include "flags/method_flags.h"
 #include "flags/scale_flag.h"
+#include "flags/units.h"
 #include "platform/path.h"
 #include "shell/failures.h"
 #include "shell/session.h"
@@ -70,7 +71,10 @@ Constraints constraints_from(const Arguments& arguments, const Patch& patch, Ses
     constraints.weights = read_weights(path_of(arguments.flags.at("--weights")), patch.mesh());
   }
   if (arguments.has("--obstacle")) {
-    constraints.obstacle = read_model(arguments.flags.at("--obstacle"), arguments, session).mesh;
+    const std::string& path = arguments.flags.at("--obstacle");
+    constraints.obstacle =
+        scaled(in_run_unit(session.read(path), run_unit_from(arguments), path, session).mesh,
+               scale_from(arguments), path);
   }
   return constraints;
 }

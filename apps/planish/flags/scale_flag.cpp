@@ -43,14 +43,6 @@ TriMesh scaled(TriMesh mesh, double scale, const std::string& path) {
   return mesh;
 }
 
-ReadResult read_model(const std::string& path, const Arguments& arguments, Session& session) {
-  const double scale = scale_from(arguments);
-  ReadResult result = in_run_unit(session.read(path), run_unit_from(arguments), path, session);
-  result.mesh = scaled(std::move(result.mesh), scale, path);
-  result.coordinate_step *= scale;
-  return result;
-}
-
 TriMesh as_in_file(TriMesh mesh, const Arguments& arguments) {
   const double scale = scale_from(arguments);
   if (scale == 1.0) return mesh;

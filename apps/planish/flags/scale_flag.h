@@ -2,11 +2,9 @@
 
 #include <string>
 
-#include <planish/io/read_mesh.h>
 #include <planish/mesh/patch.h>
 
 #include "shell/command.h"
-#include "shell/session.h"
 
 namespace planish::cli {
 
@@ -21,10 +19,6 @@ double scale_from(const Arguments& arguments);
 /// @param path of its file, for errors
 /// @throws Error non_finite_coordinate
 TriMesh scaled(TriMesh mesh, double scale, const std::string& path);
-
-/// Reads a mesh as Session::read() does and multiplies its coordinates by --scale.
-/// @throws Error as Session::read(), scale_from() and scaled()
-ReadResult read_model(const std::string& path, const Arguments& arguments, Session& session);
 
 /// The mesh in the coordinates of its file, in which drawings over it are.
 TriMesh as_in_file(TriMesh mesh, const Arguments& arguments);

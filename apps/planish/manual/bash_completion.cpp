@@ -50,6 +50,8 @@ _planish() {
     word=${COMP_WORDS[i]}
     if [[ -n $before ]]; then
       [[ $word == "=" ]] || before=""
+    elif [[ $word == "=" ]]; then  # of a flag whose value may be left out
+      ((++i))
     elif [[ -n $ended || $word != -* ]]; then
       if [[ -z $verb ]]; then verb=$word; else ((++operands)); fi
     elif [[ $word == -- ]]; then
@@ -97,7 +99,7 @@ std::string value_lines(const std::vector<Flag>& flags, const std::string& inden
   std::vector<std::string> actions;
   std::map<std::string, std::vector<std::string>> names;
   for (const Flag& flag : flags) {
-    if (flag.value.empty()) continue;
+    if (!needs_value(flag)) continue;
     const std::string of_flag = bash_action(candidates_of(flag));
     if (!names.contains(of_flag)) actions.push_back(of_flag);
     for (const std::vector<std::string>& some : {offered_names(flag), aliases_of(flag.name)})

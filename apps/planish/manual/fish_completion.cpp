@@ -96,7 +96,7 @@ std::string fish_flag_lines(const std::vector<Flag>& flags, const std::string& c
     if (flag.letter != 0) text += std::string(" -s ") + flag.letter;
     text += " -l " + flag.name.substr(2);
     const std::string of_value = flag.value.empty() ? "" : fish_action(candidates_of(flag));
-    if (!flag.value.empty()) text += " -x";
+    if (needs_value(flag)) text += " -x";
     if (!of_value.empty()) text += " -a " + quoted(of_value);
     text += " -d " + quoted(short_doc(flag)) + "\n";
   }
@@ -107,7 +107,7 @@ std::string fish_flag_lines(const std::vector<Flag>& flags, const std::string& c
 std::string valued_names(const std::vector<Flag>& flags) {
   std::vector<std::string> names;
   for (const Flag& flag : flags) {
-    if (flag.value.empty()) continue;
+    if (!needs_value(flag)) continue;
     for (const std::vector<std::string>& some : {offered_names(flag), aliases_of(flag.name)})
       names.insert(names.end(), some.begin(), some.end());
   }

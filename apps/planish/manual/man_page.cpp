@@ -62,7 +62,8 @@ std::string head(const std::string& name, std::string_view summary) {
 std::string flag_entry(const Flag& flag) {
   std::string term = flag.letter == 0 ? "" : bold(std::string("-") + flag.letter) + ", ";
   term += bold(flag.name);
-  if (!flag.value.empty()) term += " " + italic(flag.value);
+  if (needs_value(flag)) term += " " + italic(flag.value);
+  if (flag.accepts.optional) term += "[=" + italic(flag.value) + "]";
   return entry(term, flag.doc);
 }
 

@@ -40,13 +40,15 @@ std::string zsh_flag_lines(const std::vector<Flag>& flags, const std::string& in
   std::string text;
   for (const Flag& flag : flags) {
     const bool has_value = !flag.value.empty();
-    std::string names = flag.name + (has_value ? "=" : "");
+    const bool is_optional = flag.accepts.optional;  // then the value is in the same word
+    std::string names = flag.name + (has_value ? "=" : "") + (is_optional ? "-" : "");
     if (flag.letter != 0) {
       const std::string letter = std::string("-") + flag.letter;
       names = "'(" + flag.name + " " + letter + ")'{" + names + "," + letter +
               (has_value ? "+" : "") + "}";
     }
     std::string rest = "[" + escaped(short_doc(flag), "\\[]") + "]";
+    if (is_optional) rest += ":";
     if (has_value) rest += ":" + message(flag.value) + ":" + zsh_action(candidates_of(flag));
     text += indent + names + in_quotes(rest) + " \\\n";
   }

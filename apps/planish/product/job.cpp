@@ -14,6 +14,7 @@
 #include "product/seams.h"
 #include "product/state.h"
 #include "product/text.h"
+#include "shell/command_line.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/text.h"
@@ -31,7 +32,7 @@ void refuse_single_patch_flags(const Arguments& arguments) {
         "--edge-allowances", "--fold", "--inner-lines", "--piece-name"}) {
     if (!arguments.has(flag)) continue;
     throw UsageError("flag " + std::string(flag) +
-                     " goes with one patch only; the input has several");
+                     " goes with one patch only; the input has several: take one with --only NAME");
   }
 }
 
@@ -89,7 +90,7 @@ class ProductRun {
     std::string text = patch_lines();
     text += twins_text(report_) + seams_text(report_, job_.is_batch) +
             (nesting ? nesting->text : "") + written_text(files) +
-            "Each patch has a folder of its own beside these.\n";
+            "Each patch has a folder of its own beside these; patterns lie outer side up.\n";
     CommandResult outcome = with_nesting_checked(with_exit_code({text, garment}), nesting);
     note_cautions_and_sizes();
     session_.write(files, job_.folder);
@@ -201,15 +202,19 @@ class ProductRun {
   }
 
   std::string failures() const {
-    std::string names;
+    std::string names, unfit;  // of all, and of those that were read
     std::size_t count = 0;
-    for (const PatchResult& patch : report_.patches) {
-      if (patch.failure) names += (count++ > 0 ? ", " : "") + patch.name;
+    for (std::size_t p = 0; p < report_.patches.size(); ++p) {
+      const PatchResult& patch = report_.patches[p];
+      if (!patch.failure) continue;
+      names += (count++ > 0 ? ", " : "") + patch.name;
+      if (!job_.patches[p].failure) unfit += (unfit.empty() ? "" : ",") + patch.name;
     }
     if (count == 0) return {};
     // The line of each patch gives the reason.
     return std::to_string(count) + " of " + std::to_string(report_.patches.size()) +
-           " patches could not be flattened: " + names;
+           " patches could not be flattened: " + names +
+           (unfit.empty() ? "" : "\nleave out with --without " + shell_word(unfit));
   }
 
   /// What was asked for and is missed, and by which pieces.

@@ -9,12 +9,13 @@
 #include <utility>
 
 #include <planish/measure/material.h>
-#include <planish/mesh/inspect.h>
 
-#include "flags/scale_flag.h"
 #include "mesh/split.h"
+#include "model/model_flags.h"
 #include "output/pattern_output.h"
 #include "platform/path.h"
+#include "product/orient.h"
+#include "product/seams.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/text.h"
@@ -77,28 +78,17 @@ std::vector<std::string> mesh_files_in(Session& session, const std::string& fold
 
 namespace {
 
-/// Triangles that share no edges are no product but one patch that was written without joining
-/// them.
-void refuse_loose_triangles(const TriMesh& mesh, std::size_t parts, const std::string& path) {
-  if (parts < 2 || parts < mesh.triangles.size()) return;
-  if (const auto problem = blocking_problem(inspect(mesh), Purpose::evolve)) {
-    throw Error(problem->code, problem->message,
-                {.path = path, .first = problem->first, .count = problem->count});
-  }
-}
-
 /// The patches of one file.
-std::vector<ProductPatch> patches_of(const ReadResult& file, const std::string& path) {
-  std::vector<NamedPatch> parts =
-      file.groups.names.empty() ? split(file.mesh, stem_of(path))
-                                : split(file.mesh, file.groups.of_triangle, file.groups.names);
-  refuse_loose_triangles(file.mesh, parts.size(), path);
+std::vector<ProductPatch> patches_of(const Model& model, const std::string& path) {
   std::vector<ProductPatch> patches;
-  patches.reserve(parts.size());
-  for (NamedPatch& part : parts) {
-    patches.push_back({std::move(part.name), std::move(part.mesh)});
-    patches.back().words.source = path;
+  patches.reserve(model.pieces.size());
+  if (model.pieces.size() == 1) patches.push_back({model.pieces.front(), model.mesh});
+  if (model.pieces.size() > 1) {
+    for (NamedPatch& piece : split(model.mesh, model.piece_of, model.pieces))
+      patches.push_back({std::move(piece.name), std::move(piece.mesh)});
   }
+  for (ProductPatch& patch : patches)
+    patch.words.source = path;
   return patches;
 }
 
@@ -144,27 +134,46 @@ std::vector<std::string> mesh_files(Session& session, const std::vector<std::str
   return files;
 }
 
-ProductInput read_files(Session& session, const std::vector<std::string>& paths, RunUnit unit,
-                        bool as_product) {
+/// Names that the pieces of several files have.
+class KnownNames {
+ public:
+  void add(const Model& model) {
+    names_.insert(names_.end(), model.names.begin(), model.names.end());
+  }
+  /// @throws Error unknown_name where a flag has one that none of the files knows
+  void check(const Arguments& arguments) const {
+    if (!names_.empty()) check_names(model_options_from(arguments), names_);
+  }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+ProductInput read_files(Session& session, const std::vector<std::string>& paths,
+                        const Arguments& arguments, bool as_product) {
   ProductInput input;
   std::vector<MeshFormat> formats;
   std::vector<std::size_t> groups;  // number of the file, of each patch
   const std::vector<std::string> files = mesh_files(session, paths);
+  KnownNames known;
   for (const std::string& file : files) {
-    input.path = file;
     try {
-      ReadResult whole = in_run_unit(session.read(file), unit, file, session);
+      Model whole = read_model_of_several(file, stem_of(file), {}, arguments, session);
+      known.add(whole);
       std::vector<ProductPatch> patches = patches_of(whole, file);
       std::move(patches.begin(), patches.end(), std::back_inserter(input.patches));
       formats.resize(input.patches.size(), whole.format);
+      if (whole.pieces.empty()) continue;
       input.whole = std::move(whole);
-    } catch (const Error&) {
-      if (files.size() == 1) throw;
+      input.path = file;
+    } catch (const Error& error) {
+      if (files.size() == 1 || is_of_usage(error)) throw;
       input.patches.push_back(unreadable(stem_of(file), file));
       formats.push_back(MeshFormat::obj);
     }
     groups.resize(input.patches.size(), groups.empty() ? 0 : groups.back() + 1);
   }
+  known.check(arguments);
   input.places = places_of(input.patches, formats);
   input.is_batch = files.size() > 1 && !as_product;
   for (std::size_t p = 0; input.is_batch && p < groups.size(); ++p)
@@ -172,14 +181,14 @@ ProductInput read_files(Session& session, const std::vector<std::string>& paths,
   return input;
 }
 
-ProductInput read_file(Session& session, const std::string& path, RunUnit unit) {
+ProductInput read_file(Session& session, const std::string& path, const Arguments& arguments) {
   ProductInput input;
   input.path = path;
-  input.whole = in_run_unit(session.read(path), unit, path, session);
+  input.whole = read_model(path, arguments, session);
   input.patches = patches_of(input.whole, path);
   input.places = places_of(input.patches, std::vector(input.patches.size(), input.whole.format));
   if (input.patches.size() > 1) {
-    const std::string& kind = input.whole.groups.kind;
+    const std::string& kind = input.whole.divided_by;
     session.note(path + ": " + std::to_string(input.patches.size()) + " patches" +
                  (kind.empty() ? "" : ", divided by " + kind));
   }
@@ -187,24 +196,15 @@ ProductInput read_file(Session& session, const std::string& path, RunUnit unit) 
 }
 
 /// The patches of the file of a piece under the names of the piece, in the unit of the product.
-std::vector<ProductPatch> patches_of(const RequestedPiece& piece, Session& session, RunUnit unit) {
-  const RunUnit of_piece = {unit.unit, unit.is_asked || piece.unit};
-  const ReadResult file = in_run_unit(session.read(piece.file), of_piece, piece.file, session);
-  if (piece.unit && file.unit && file.unit->unit != *piece.unit) {
-    session.note(piece.file + ": the file says \"" + file.unit->words +
-                 "\", but the product file says " + std::string(to_string(*piece.unit)) +
-                 ", which is taken");
-  }
-  std::vector<ProductPatch> patches = patches_of(file, piece.file);
-  const double scale = millimetres_per(piece.unit.value_or(unit.unit)) / millimetres_per(unit.unit);
-  for (std::size_t k = 0; k < patches.size(); ++k) {
-    ProductPatch& patch = patches[k];
-    if (piece.name)
-      patch.name = *piece.name + (patches.size() > 1 ? "-" + std::to_string(k + 1) : "");
-    if (scale == 1.0) continue;
-    for (Vec3& p : patch.mesh.positions)
-      p = scale * p;
-  }
+std::vector<ProductPatch> patches_of(const RequestedPiece& piece, Session& session,
+                                     const Arguments& arguments, KnownNames& known) {
+  const std::string name = piece.name.value_or(stem_of(piece.file));
+  const Model model = read_model_of_several(piece.file, name, piece.unit, arguments, session);
+  known.add(model);
+  std::vector<ProductPatch> patches = patches_of(model, piece.file);
+  const std::vector<std::string> names = numbered_names(name, patches.size());
+  for (std::size_t k = 0; piece.name && k < patches.size(); ++k)
+    patches[k].name = names[k];
   return patches;
 }
 
@@ -245,17 +245,19 @@ void check_seams(const ProductInput& input, const std::string& path) {
   }
 }
 
-ProductInput read_described(Session& session, const std::string& path, RunUnit unit) {
+ProductInput read_described(Session& session, const std::string& path, const Arguments& arguments) {
   const ProductFile product = read_product_file(path);
   ProductInput input;
   input.path = path;
   input.is_described = true;
   input.seams = product.seams;
+  KnownNames known;
   for (const RequestedPiece& piece : product.pieces) {
     std::vector<ProductPatch> patches;
     try {
-      patches = patches_of(piece, session, unit);
-    } catch (const Error&) {
+      patches = patches_of(piece, session, arguments, known);
+    } catch (const Error& error) {
+      if (is_of_usage(error)) throw;
       patches.push_back(unreadable(piece.name.value_or(stem_of(piece.file)), piece.file));
     }
     for (ProductPatch& patch : patches) {
@@ -264,6 +266,7 @@ ProductInput read_described(Session& session, const std::string& path, RunUnit u
       input.patches.push_back(mirrored(input.patches.back(), input.patches.size()));
     }
   }
+  known.check(arguments);
   input.places = places_of(input.patches, std::vector(input.patches.size(), MeshFormat::obj));
   check_seams(input, path);
   return input;
@@ -372,19 +375,20 @@ std::vector<std::string> safe_names(const std::vector<std::string>& names) {
   return distinct(safe);
 }
 
-ProductInput read_product(Session& session, const std::vector<std::string>& paths, RunUnit unit,
-                          bool as_product) {
+ProductInput read_product(Session& session, const std::vector<std::string>& paths,
+                          const Arguments& arguments, bool as_product) {
   const std::string& path = paths.front();
+  ProductInput input;
   if (paths.size() > 1 || is_folder(path))
-    return with_distinct_names(read_files(session, paths, unit, as_product));
-  return is_product_file(path) ? read_described(session, path, unit)
-                               : with_distinct_names(read_file(session, path, unit));
-}
-
-ProductInput scaled(ProductInput input, double scale) {
-  for (ProductPatch& patch : input.patches)
-    patch.mesh = scaled(std::move(patch.mesh), scale, patch.name);
-  input.whole.mesh = scaled(std::move(input.whole.mesh), scale, input.path);
+    input = with_distinct_names(read_files(session, paths, arguments, as_product));
+  else if (is_product_file(path))
+    input = read_described(session, path, arguments);
+  else
+    input = with_distinct_names(read_file(session, path, arguments));
+  if (input.patches.empty())
+    throw Error(ErrorCode::no_triangles, "the flags leave nothing of the files", {.path = path});
+  if (input.patches.size() > 1 && !arguments.has("--strict"))
+    turn_inside_out(input.patches, seam_tolerance_from(arguments), session);
   return input;
 }
 
@@ -392,12 +396,16 @@ std::optional<CutDone> cut_product(ProductInput& input, const Arguments& argumen
                                    Session& session) {
   if (!arguments.has("--cut")) return std::nullopt;
   if (input.patches.size() > 1 || input.is_described) {
-    throw UsageError("flag --cut goes with one patch only; the input has several");
+    throw UsageError(
+        "flag --cut goes with one patch only; the input has several: take one with --only NAME");
   }
   CutInput cut = cut_as_asked(std::move(input.whole.mesh), input.path, arguments, session);
   input.whole.mesh = std::move(cut.mesh);
-  input.whole.groups = {};
-  input.patches = patches_of(input.whole, input.path);
+  input.patches.clear();
+  for (NamedPatch& piece : split(input.whole.mesh, input.whole.pieces.front())) {
+    input.patches.push_back({std::move(piece.name), std::move(piece.mesh)});
+    input.patches.back().words.source = input.path;
+  }
   input.places = places_of(input.patches, std::vector(input.patches.size(), input.whole.format));
   if (input.patches.size() > 1) {
     session.note(input.path + ": the cut makes " + std::to_string(input.patches.size()) +

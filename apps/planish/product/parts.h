@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <planish/flatten/product.h>
-#include <planish/io/read_mesh.h>
+#include <planish/io/model.h>
 
 #include "flags/cut_flag.h"
 #include "flags/units.h"
@@ -26,7 +26,7 @@ struct ProductInput {
   std::vector<ProductPatch> patches;
   std::vector<PatchPlace> places;  ///< of the patches
   std::string path;                ///< of the file where there is one patch
-  ReadResult whole;                ///< where there is one patch: the file as it is
+  Model whole;                     ///< where there is one patch: its file
   /// Files that have nothing to do with each other: each is its own group of patches.
   bool is_batch = false;
   /// It is described by a file: several patches by its own account, even where it lists one.
@@ -35,21 +35,20 @@ struct ProductInput {
 };
 
 /// Reads mesh files, all mesh files of folders in the order of their names, or those that a product
-/// file lists, and divides what it reads into patches: by the groups that the files have, then into
-/// pieces that hang together. A file of several that cannot be read is a patch with that failure.
+/// file lists, and takes their pieces as the flags ask, with coordinates multiplied by --scale.
+/// Patches that are inside out against a neighbour along their seam are turned over, but with
+/// --strict. A file of several that cannot be read is a patch with that failure.
 /// @param paths one at least; a product file must be the only one
-/// @param unit of the product: pieces in another one, which the product file says, or without it
-///   and --unit their own file, are scaled to it
+/// @param arguments as read_model() has them; pieces in another unit than that of the run, which
+/// the
+///   product file says, or without it and --unit their own file, are scaled to it
 /// @param as_product several files are parts of one product; else they are a batch
 /// @throws UsageError for a product file beside others; Error what read_mesh() throws of the only
 ///   file; file_unreadable for a folder that holds no mesh file; as read_product_file(),
-///   malformed_file for a seam between pieces that are not there
-ProductInput read_product(Session& session, const std::vector<std::string>& paths, RunUnit unit,
-                          bool as_product);
-
-/// The same with all coordinates multiplied.
-/// @throws Error non_finite_coordinate
-ProductInput scaled(ProductInput input, double scale);
+///   malformed_file for a seam between pieces that are not there; as read_model() for names that
+///   are not there
+ProductInput read_product(Session& session, const std::vector<std::string>& paths,
+                          const Arguments& arguments, bool as_product);
 
 /// Cuts an input of one patch open as --cut says; where that divides it, it has several patches
 /// from then on.

@@ -97,7 +97,7 @@ Arguments with_stated_unit(const Command& command, Arguments arguments, Session&
   const std::string name(to_string(unit));
   session.note(
       says(*first) + ": taken as with --unit " + name +
-      (find_flag(command, "--output") == nullptr
+      (find_flag(command, "--output") == nullptr && command.name != "convert"
            ? std::string()
            : "; meshes that are written do not say it, so give --unit " + name + " with them"));
   return arguments;

@@ -26,6 +26,10 @@ ValueType type_of(const Flag& flag) {
   return found == by_value.end() ? ValueType::text : found->second;
 }
 
+bool needs_value(const Flag& flag) {
+  return !flag.value.empty() && !flag.accepts.optional;
+}
+
 ValueType type_of(const FlagValue& operand) {
   return operand.type.value_or(operand.choices.empty() ? ValueType::file : ValueType::name);
 }

@@ -42,6 +42,8 @@ struct FlagValue {
   std::string standard = {};
   /// Of the files that it may name: "obj". Empty for files of any name.
   std::vector<std::string> extensions = {};
+  bool optional = false;  ///< the value may be left out; where it is there, "=" stands before it
+  bool repeats = false;   ///< given several times, all values count, with commas between them
 };
 
 /// One flag, as the parser, the help and `planish describe` see it.
@@ -56,6 +58,8 @@ struct Flag {
 };
 
 ValueType type_of(const Flag& flag);
+/// Whether the flag takes the next word for its value.
+bool needs_value(const Flag& flag);
 /// Of an operand: a name where there are choices, else a file.
 ValueType type_of(const FlagValue& operand);
 

@@ -36,16 +36,18 @@ std::string shell_word(std::string_view text) {
   return in_quotes(text);
 }
 
-std::string command_line(std::string_view verb, const Arguments& arguments) {
+std::string command_line(const Command& verb, const Arguments& arguments) {
   constexpr std::array<std::string_view, 5> silent = {"--json", "--quiet", "--open", "--resume",
                                                       "--threads"};
-  std::string line = "planish " + std::string(verb);
+  std::string line = "planish " + verb.name;
   for (const std::string& operand : arguments.operands)
     line += " " + shell_word(operand);
   for (const auto& [flag, value] : arguments.flags) {
     if (std::find(silent.begin(), silent.end(), flag) != silent.end()) continue;
     line += " " + flag;
-    if (!value.empty()) line += " " + shell_word(value);
+    if (value.empty()) continue;
+    const Flag* const found = find_flag(verb, flag);
+    line += (found != nullptr && found->accepts.optional ? "=" : " ") + shell_word(value);
   }
   return line;
 }

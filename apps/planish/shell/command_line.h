@@ -16,6 +16,6 @@ std::string shell_word(std::string_view text);
 
 /// A command line that asks for the same, for a shell: the verb, what it works on and its flags by
 /// their full names, without those that change nothing of what is written.
-std::string command_line(std::string_view verb, const Arguments& arguments);
+std::string command_line(const Command& verb, const Arguments& arguments);
 
 }  // namespace planish::cli

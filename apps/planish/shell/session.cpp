@@ -96,8 +96,8 @@ void Session::stop_if_interrupted() const {
   if (interrupted()) throw Cancelled();
 }
 
-ReadResult Session::read(const std::string& path) {
-  ReadResult result = read_mesh(path_of(path));
+ReadResult Session::read(const std::string& path, const ReadOptions& options) {
+  ReadResult result = read_mesh(path_of(path), options);
   for (const std::string& message : result.notes)
     note(path + ": " + message);
   stop_if_interrupted();

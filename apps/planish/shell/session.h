@@ -38,7 +38,7 @@ class Session {
   void warn(const std::string& message);
 
   /// Reads a mesh and passes on what the reader noticed.
-  ReadResult read(const std::string& path);
+  ReadResult read(const std::string& path, const ReadOptions& options = {});
   /// Opens a page that was written in the browser, or says in a note why that cannot be. Never
   /// fails: what the run was for is done by then.
   void open(const std::filesystem::path& page) noexcept;

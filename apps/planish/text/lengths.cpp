@@ -38,6 +38,11 @@ std::string ShownLengths::number(double length) const {
   return is_plain ? fixed(shown, 1) : digits(shown, 3);
 }
 
+std::string ShownLengths::thickness_text(double length) const {
+  const double shown = scale_ * length;
+  return (shown < 1.0 ? digits(shown, 2) : fixed(shown, 1)) + " " + unit_;
+}
+
 std::optional<std::string> unusual_size_text(const Pattern& pattern, Unit unit) {
   const double longest = std::max(pattern.width, pattern.height);
   const double millimetres = longest * millimetres_per(unit);

@@ -22,6 +22,8 @@ class ShownLengths {
   std::string number(double length) const;
   /// "mm", "in" or "model units"
   const std::string& unit() const { return unit_; }
+  /// A thickness, in tenths: "2.0 mm"; with two digits below one.
+  std::string thickness_text(double length) const;
   /// "7.77 mm"
   std::string text(double length) const { return number(length) + " " + unit_; }
 

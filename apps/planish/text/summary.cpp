@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include <planish/core/ways_on.h>
+
 #include "flatten/strain_limit_text.h"
 #include "flatten/verdict.h"
 #include "platform/memory.h"
@@ -117,7 +119,8 @@ std::string problems_text(const Inspection& inspection) {
   std::string text = "\nProblems:\n";
   for (const Problem& problem : inspection.problems) {
     text += "  " + std::string(to_string(problem.code)) + " (" + std::to_string(problem.count) +
-            ")\n    " + wrapped(problem.message, 4) + "\n";
+            ")\n    " + wrapped(problem.message + ". " + std::string(way_on(problem.code)), 4) +
+            "\n";
   }
   return text;
 }
@@ -264,7 +267,7 @@ std::string pattern_lines(const UnfoldReport& report) {
          ", " + percent(pattern.area_ratio) + " of the patch's area\n" + "              " +
          (pattern.flipped_triangles == 0 ? "no flipped triangle"
                                          : counted(pattern.flipped_triangles, "flipped triangle")) +
-         (pattern.overlaps ? ", overlaps itself\n" : ", no overlap\n");
+         (pattern.overlaps ? ", overlaps itself" : ", no overlap") + "; outer side up\n";
 }
 
 /// What keeping the border's lengths costs.

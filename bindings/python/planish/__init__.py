@@ -18,13 +18,14 @@ from ._core import (
     Sweeps,
     UnfoldResult,
 )
-from ._meshes import read, write
+from ._meshes import write
 from ._verbs.compare import compare
 from ._verbs.drawing import dxf, pdf, plt, svg
 from ._verbs.evolve import evolve, evolve_sweeps
 from ._verbs.flatten import flatten
 from ._verbs.measure import measure
 from ._verbs.product import flatten_product
+from ._verbs.read import read
 from ._verbs.sample import sample
 from ._verbs.suggest_cuts import suggest_cuts
 from ._verbs.unfold import unfold

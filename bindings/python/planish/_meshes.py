@@ -23,13 +23,6 @@ def text_of(path: Path) -> str:
     return text
 
 
-def read(path: Path) -> _core.Mesh:
-    """Reads an OBJ, PLY, STL or OFF file.
-
-    Polygons are divided inside themselves; vertices keep their numbers."""
-    return _core.read(text_of(path))
-
-
 def write(path: Path, mesh: MeshLike, faces: Optional[ArrayLike] = None) -> None:
     """Writes a mesh as .obj, .ply, .stl or .off, whole or not at all."""
     _core.write(text_of(path), as_mesh(mesh, faces))
@@ -59,7 +52,7 @@ def faces_of(mesh: Any) -> Any:
 def as_mesh(mesh: MeshLike, faces: Optional[ArrayLike] = None, name: Optional[str] = None) -> _core.Mesh:
     """The mesh that was given: arrays, a pair of them, a path, or a mesh of this or another package."""
     if faces is None and isinstance(mesh, (str, os.PathLike)):
-        mesh = _core.read(text_of(mesh))
+        mesh = _core.read(text_of(mesh), {})
     if faces is None and isinstance(mesh, _core.Mesh):
         return mesh if name is None else mesh.renamed(name)
     if faces is not None:

@@ -6,6 +6,7 @@
 
 #include <planish/core/context.h>
 #include <planish/core/error.h>
+#include <planish/core/ways_on.h>
 
 #include <pybind11/pybind11.h>
 
@@ -43,7 +44,7 @@ void register_errors() {
     try {
       if (failure) std::rethrow_exception(failure);
     } catch (const Error& error) {
-      raise(std::string(to_string(error.code())), error.what(), error.place());
+      raise(std::string(to_string(error.code())), with_way_on(error).c_str(), error.place());
     } catch (const cli::UsageError& error) {
       raise("usage", error.what());
     } catch (const Cancelled&) {

@@ -59,9 +59,11 @@ std::string text_of(const std::string& keyword, py::handle value) {
   return text;
 }
 
-bool takes_no_value(const cli::Command& command, const std::string& flag) {
+/// Whether True and False are taken for the flag and its absence.
+bool is_switch(const cli::Command& command, const std::string& flag, py::handle value) {
   const cli::Flag* const found = cli::find_flag(command, flag);
-  return found != nullptr && found->value.empty();
+  if (found == nullptr || cli::needs_value(*found)) return false;
+  return found->value.empty() || py::isinstance<py::bool_>(value);
 }
 
 bool switch_of(const std::string& keyword, py::handle value) {
@@ -87,7 +89,7 @@ cli::Arguments arguments_of(const std::string& verb, const py::dict& keywords) {
     const auto keyword = key.cast<std::string>();
     const std::string flag = flag_of(keyword);
     if (value.is_none()) continue;
-    if (!takes_no_value(command, flag)) {
+    if (!is_switch(command, flag, value)) {
       words.push_back(flag + "=" + text_of(keyword, value));
       if (words.back().find('\0') != std::string::npos)
         throw py::value_error(keyword + " must not hold a character of the number 0");

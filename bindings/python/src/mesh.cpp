@@ -8,11 +8,15 @@
 
 #include "arrays.h"
 #include "flags/scale_flag.h"
+#include "flags/units.h"
 #include "job.h"
 #include "keywords.h"
 #include "mesh_data.h"
+#include "model/model_flags.h"
+#include "model/model_text.h"
 #include "pickle.h"
 #include "platform/path.h"
+#include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/values.h"
 
@@ -20,15 +24,25 @@ namespace planish::python {
 
 namespace {
 
-MeshData mesh_from_file(const std::string& path) {
+/// @param keywords as flags of convert, which prepares the mesh of a file and nothing else
+MeshData mesh_from_file(const std::string& path, const py::dict& keywords) {
+  const cli::Arguments arguments = arguments_of("convert", keywords);
   const py::gil_scoped_release no_python;
-  ReadResult read = read_mesh(path_of(path));
-  return {std::move(read.mesh),
-          cli::stem_of(path),
-          read.format,
-          std::move(read.notes),
-          std::move(read.groups),
-          read.unit ? std::optional(read.unit->unit) : std::nullopt};
+  const ModelOptions options = cli::model_options_from(arguments);
+  ReadResult file = read_mesh(path_of(path), {.strict = options.strict});
+  const auto unit = file.unit ? std::optional(file.unit->unit) : std::nullopt;
+  Model model =
+      cli::about(path, [&] { return prepare_model(std::move(file), options, cli::stem_of(path)); });
+  cli::check_model(model, options, path);
+  MeshData data{std::move(model.mesh), cli::stem_of(path), model.format, std::move(model.notes)};
+  data.unit = unit;
+  if (model.pieces.size() == 1) data.name = model.pieces.front();
+  if (model.pieces.size() > 1)
+    data.groups = {model.divided_by, std::move(model.pieces), std::move(model.piece_of)};
+  for (std::string& note :
+       cli::work_notes(model.work, cli::ShownLengths(cli::unit_from(arguments))))
+    data.notes.push_back(std::move(note));
+  return data;
 }
 
 void mesh_to_file(const std::string& path, const MeshData& data) {
@@ -121,13 +135,13 @@ void register_mesh(py::module_& module) {
           "Vertices of the triangles, shape (m, 3), from 0; a read-only view.")
       .def_property_readonly(
           "group_names", [](const MeshData& data) { return data.groups.names; },
-          "The groups, objects or materials of its file; empty where there are fewer than two.")
+          "The names of the pieces of its file; empty where there are fewer than two.")
       .def_property_readonly(
           "face_groups",
           [](const py::object& self) {
             return view_of(self.cast<const MeshData&>().groups.of_triangle, self);
           },
-          "Of each triangle the number of its group; empty where there are none.")
+          "Of each triangle the number of its piece; empty where there are none.")
       .def_property_readonly("problems", problems_of,
                              "Every fault and oddity by kind: code, message, count, first.")
       .def(
@@ -139,7 +153,7 @@ void register_mesh(py::module_& module) {
           },
           py::arg("name"), "The same mesh under another name.")
       .def("__repr__", described_mesh);
-  module.def("read", mesh_from_file, py::arg("path"));
+  module.def("read", mesh_from_file, py::arg("path"), py::arg("keywords"));
   module.def("write", mesh_to_file, py::arg("path"), py::arg("mesh"));
   module.def("write_bytes", bytes_to_file, py::arg("path"), py::arg("content"));
   module.def("sample", made_sample, py::arg("name"), py::arg("keywords"));

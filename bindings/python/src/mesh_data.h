@@ -22,8 +22,8 @@ struct MeshData {
   TriMesh mesh;
   std::string name;                     ///< of its file without folder and extension, or "mesh"
   MeshFormat format = MeshFormat::obj;  ///< of its file
-  std::vector<std::string> notes = {};  ///< what the reader did
-  FaceGroups groups = {};               ///< of its file
+  std::vector<std::string> notes = {};  ///< what reading did
+  FaceGroups groups = {};               ///< the pieces of its file, where there are several
   std::optional<Unit> unit = {};        ///< that its file states
 };
 

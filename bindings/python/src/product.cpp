@@ -15,6 +15,7 @@
 
 #include "commands/jobs.h"
 #include "flags/scale_flag.h"
+#include "flags/units.h"
 #include "job.h"
 #include "keywords.h"
 #include "pattern_data.h"
@@ -43,12 +44,6 @@ struct Patches {
   std::vector<cli::NamedSeam> seams = {};
 };
 
-Patches scaled(Patches patches, double scale) {
-  for (ProductPatch& patch : patches.patches)
-    patch.mesh = cli::scaled(std::move(patch.mesh), scale, patch.name);
-  return patches;
-}
-
 /// Of a twin, what is drawn follows the other one.
 cli::PatternFiles files_of(const cli::PatternFiles& pattern, const PatternOptions& own,
                            const ProductPatch* other, const PatchTwin* twin) {
@@ -66,19 +61,18 @@ void note_unusual_sizes(cli::Session& session, const ProductReport& report) {
   }
 }
 
-/// @param patches gives what is to be flattened; called with the session
+/// @param patches_of gives what is to be flattened; called with the session and the keywords
 ProductResult flatten_patches(
     const std::string& name, const py::dict& keywords, py::object progress,
-    const std::function<Patches(cli::Session&, cli::RunUnit)>& patches_of) {
+    const std::function<Patches(cli::Session&, const cli::Arguments&)>& patches_of) {
   const cli::Arguments arguments = arguments_of("flatten", keywords);
   const FlattenOptions options = cli::flatten_options_from(arguments);
   const double tolerance = cli::seam_tolerance_from(arguments);
-  const double scale = cli::scale_from(arguments);
   cli::colors_from(arguments);
   const cli::PatternFiles pattern = cli::pattern_files_from(arguments);
   Job job(arguments, std::move(progress));
   ProductResult result = job.run([&](cli::Session& session) {
-    Patches input = scaled(patches_of(session, cli::run_unit_from(arguments)), scale);
+    Patches input = patches_of(session, arguments);
     std::vector<ProductPatch>& patches = input.patches;
     const auto annotations = cli::annotations_of_patches(pattern.annotations, patches, arguments);
     for (std::size_t p = 0; p < patches.size(); ++p)
@@ -104,8 +98,9 @@ ProductResult flatten_patches(
 ProductResult flatten_files(const std::string& name, const std::vector<std::string>& paths,
                             const py::dict& keywords, py::object progress) {
   return flatten_patches(name, keywords, std::move(progress),
-                         [&](cli::Session& session, cli::RunUnit unit) {
-                           cli::ProductInput input = cli::read_product(session, paths, unit, true);
+                         [&](cli::Session& session, const cli::Arguments& arguments) {
+                           cli::ProductInput input =
+                               cli::read_product(session, paths, arguments, true);
                            return Patches{std::move(input.patches), std::move(input.seams)};
                          });
 }
@@ -114,11 +109,13 @@ ProductResult flatten_meshes(const std::string& name,
                              const std::vector<std::pair<std::string, const MeshData*>>& meshes,
                              const py::dict& keywords, py::object progress) {
   return flatten_patches(
-      name, keywords, std::move(progress), [&](cli::Session&, cli::RunUnit unit) {
+      name, keywords, std::move(progress), [&](cli::Session&, const cli::Arguments& arguments) {
+        const cli::RunUnit unit = cli::run_unit_from(arguments);
         Patches input;
         for (const auto& [patch, data] : meshes) {
           const Unit own = unit.is_asked ? unit.unit : data->unit.value_or(unit.unit);
-          const double scale = millimetres_per(own) / millimetres_per(unit.unit);
+          const double scale =
+              cli::scale_from(arguments) * millimetres_per(own) / millimetres_per(unit.unit);
           input.patches.push_back({.name = patch, .mesh = cli::scaled(data->mesh, scale, patch)});
         }
         return input;

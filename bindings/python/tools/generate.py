@@ -47,15 +47,19 @@ LEFT_OUT = {
     "help_all": "help()",
     "version": "planish.__version__",
 }
+# What prepares the mesh of a file.
+READING = dict.fromkeys("divide only without weld fill_holes side flip strict".split(), "of read()")
 # The same of one function.
 LEFT_OUT_OF = {
-    "measure": {"map": "result.fields", "unit": "figures are in model units"},
-    "flatten": {"seam_tolerance": "of a product"},
+    "read": {"threads": "one is enough"},
+    "measure": {"map": "result.fields", "unit": "figures are in model units", **READING},
+    "flatten": {"seam_tolerance": "of a product", **READING},
+    **dict.fromkeys(["unfold", "compare", "suggest_cuts", "evolve"], READING),
     "flatten_product": {
         name: "of one patch"
         for name in "cut fix weights obstacle notches marks edge_allowances fold inner_lines piece_name".split()
     },
-    "evolve_sweeps": {"remesh": "not with single sweeps", "smooth_first": "not with single sweeps"},
+    "evolve_sweeps": {"remesh": "not with single sweeps", "smooth_first": "not with single sweeps", **READING},
 }
 # Which flags a writer of drawings takes.
 DRAWING_GROUP = "What the pattern gets besides its outline"
@@ -128,6 +132,13 @@ FUNCTIONS = {
         RUN.format(verb="suggest_cuts"),
         "Looks for short cuts that let a mesh lie flat.",
     ),
+    "read": (
+        "convert",
+        "path: Path, *",
+        "_core.Mesh",
+        "return _core.read(_meshes.text_of(path), given)",
+        "Reads an OBJ, PLY, STL or OFF file. What is done to its mesh is in its notes; its groups are its pieces.",
+    ),
     "sample": (
         "sample",
         "name: str, *",
@@ -195,13 +206,15 @@ def type_of(keyword, flags):
     kinds = set()
     for flag, _ in flags:
         kind = flag["type"]
+        if flag["value_optional"]:
+            kinds.add("bool")
         if keyword == "obstacle":
             kinds.add("MeshLike")
         elif keyword in FILE_ROWS:
             kinds.add("Rows")
         elif kind == "name" and flag["choices"]:
             kinds.add("Literal[" + ", ".join(f'"{choice}"' for choice in flag["choices"]) + "]")
-        elif kind == "names":
+        elif kind == "names" or flag["repeats"]:
             kinds.add("str | Sequence[str]")
         elif keyword in {"grain", "fold"}:
             kinds.add("str | float | Sequence[float]" if keyword == "grain" else "str | Sequence[int]")
@@ -423,7 +436,7 @@ def reference(description, core, planish):
         text += f"\n### {function}\n\n`planish.{function}({short}, ...)` -> `{result.replace('_core.', '')}`\n\n"
         names = ", ".join(f"`{keyword}`" for keyword in flags_of(description, function))
         text += paragraph(summary) + "\n" + paragraph(f"Keywords: {names}.")
-    for function in ("read", "write", "describe"):
+    for function in ("write", "describe"):
         member = getattr(planish, function)
         given = re.sub(r": '[^']*'", "", str(inspect.signature(member)).partition(" ->")[0]).replace(" = ", "=")
         text += f"\n### {function}\n\n`planish.{function}{given}`\n\n" + paragraph(inspect.getdoc(member))

@@ -32,6 +32,14 @@ def flatten_product(
     dxf_notches: Optional[Literal["points", "strokes"]] = None,
     dxf_layers: Optional[str] = None,
     seam_tolerance: Optional[Amount] = None,
+    divide: Optional[Literal["objects", "materials", "parts"]] = None,
+    only: Optional[str | Sequence[str]] = None,
+    without: Optional[str | Sequence[str]] = None,
+    weld: Optional[Amount | bool] = None,
+    fill_holes: Optional[Amount] = None,
+    side: Optional[Literal["outer", "inner"]] = None,
+    flip: Optional[bool] = None,
+    strict: Optional[bool] = None,
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
     seam_notches: Optional[Rows] = None,
@@ -112,6 +120,16 @@ def flatten_product(
             annotation, label or legend
         seam_tolerance: largest distance at which borders are one seam, like 0.5mm (default: a tenth of an edge's
             length)
+        divide: what makes pieces of a file: its objects (else groups), its materials, or parts: only what does not
+            hang together (default objects)
+        only: take these objects, groups, materials or pieces, by their names with commas between
+        without: leave these out
+        weld: join borders that lie on each other, at most so far apart (1.5 or 1.5mm; default: what fits the size of
+            the mesh)
+        fill_holes: close holes whose border is no longer (1.5 or 1.5mm)
+        side: of a wall with a thickness take one side: outer or inner
+        flip: turn the surface over: its inner side becomes the outer one
+        strict: mend nothing and leave nothing out that was not asked for
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
         seam_notches: on both sides of seams, a line each: number of the seam or *; 50% or 120mm; kind; double

@@ -1,0 +1,184 @@
+#include "model/model_flags.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include <planish/mesh/inspect.h>
+
+#include "flags/quantities.h"
+#include "flags/scale_flag.h"
+#include "flags/units.h"
+#include "model/model_text.h"
+#include "shell/failures.h"
+#include "shell/file_name.h"
+#include "shell/values.h"
+
+namespace planish::cli {
+
+namespace {
+
+constexpr std::array k_divisions = {Divide::objects, Divide::materials, Divide::parts};
+constexpr std::array k_sides = {Side::outer, Side::inner};
+constexpr Range k_from_zero = {.min = 0.0};
+
+/// The names of a list, each once as it was typed.
+std::vector<std::string> names_from(const Arguments& arguments, const std::string& flag) {
+  std::vector<std::string> names;
+  const std::string text = arguments.value_or(flag, "");
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    if (end > begin) names.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  if (arguments.has(flag) && names.empty())
+    throw UsageError(flag + " needs the names of pieces, with commas between them");
+  return names;
+}
+
+double model_length(const Arguments& arguments, const std::string& flag) {
+  return quantity_value(flag, arguments.flags.at(flag), Quantity::length, k_from_zero, arguments);
+}
+
+Flag names_flag(const std::string& name, const std::string& doc) {
+  return {name, "PIECES", doc, 0, false, {.repeats = true}};
+}
+
+}  // namespace
+
+FlagGroup model_flags() {
+  return {
+      "What is read",
+      {{"--divide",
+        "KIND",
+        "what makes pieces of a file: its objects (else groups), its materials, or parts: only "
+        "what does not hang together (default objects)",
+        0,
+        false,
+        {.choices = names_of(k_divisions), .standard = "objects"}},
+       names_flag(
+           "--only",
+           "take these objects, groups, materials or pieces, by their names with commas between"),
+       names_flag("--without", "leave these out"),
+       {"--weld",
+        "LENGTH",
+        "join borders that lie on each other, at most so far apart (1.5 or 1.5mm; default: "
+        "what fits the size of the mesh)",
+        0,
+        false,
+        {.range = k_from_zero, .optional = true}},
+       {"--fill-holes",
+        "LENGTH",
+        "close holes whose border is no longer (1.5 or 1.5mm)",
+        0,
+        false,
+        {.range = k_from_zero}},
+       {"--side",
+        "NAME",
+        "of a wall with a thickness take one side: outer or inner",
+        0,
+        false,
+        {.choices = names_of(k_sides)}},
+       {"--flip", "", "turn the surface over: its inner side becomes the outer one"},
+       {"--strict", "", "mend nothing and leave nothing out that was not asked for"}}};
+}
+
+ModelOptions model_options_from(const Arguments& arguments) {
+  ModelOptions options;
+  options.strict = arguments.has("--strict");
+  if (arguments.has("--weld")) {
+    options.weld = arguments.flags.at("--weld").empty() ? 0.0 : model_length(arguments, "--weld");
+  }
+  if (arguments.has("--fill-holes")) options.fill_holes = model_length(arguments, "--fill-holes");
+  options.divide =
+      value_named("kind of pieces", arguments.value_or("--divide", "objects"), k_divisions);
+  options.only = names_from(arguments, "--only");
+  options.without = names_from(arguments, "--without");
+  if (arguments.has("--side"))
+    options.side = value_named("side", arguments.flags.at("--side"), k_sides);
+  options.flip = arguments.has("--flip");
+  return options;
+}
+
+void check_model(const Model& model, const ModelOptions& options, const std::string& path) {
+  check_names(options, model.names);
+  if (!model.pieces.empty()) return;
+  throw Error(ErrorCode::no_triangles, "nothing is left of the file", {.path = path});
+}
+
+namespace {
+
+/// The mesh in the unit of the run.
+/// @param unit as read_model_of_several() has it
+ReadResult read_in_run_unit(const std::string& path, std::optional<Unit> unit,
+                            const ReadOptions& options, const Arguments& arguments,
+                            Session& session) {
+  const RunUnit run = run_unit_from(arguments);
+  ReadResult file = session.read(path, options);
+  if (!unit) return in_run_unit(std::move(file), run, path, session);
+  if (file.unit && file.unit->unit != *unit) {
+    session.note(path + ": the file says \"" + file.unit->words + "\", but the product file says " +
+                 std::string(to_string(*unit)) + ", which is taken");
+  }
+  const double scale = millimetres_per(*unit) / millimetres_per(run.unit);
+  file.mesh = scaled(std::move(file.mesh), scale, path);
+  return file;
+}
+
+}  // namespace
+
+Model read_model_of_several(const std::string& path, const std::string& name,
+                            std::optional<Unit> unit, const Arguments& arguments,
+                            Session& session) {
+  const ModelOptions options = model_options_from(arguments);
+  ReadResult file = read_in_run_unit(path, unit, {.strict = options.strict}, arguments, session);
+  file.notes.clear();  // they were told
+  file.mesh = scaled(std::move(file.mesh), scale_from(arguments), path);
+  Model model = about(path, [&] { return prepare_model(std::move(file), options, name); });
+  for (const std::string& note : work_notes(model.work, ShownLengths(unit_from(arguments))))
+    session.note(path + ": " + note);
+  return model;
+}
+
+Model read_model(const std::string& path, const Arguments& arguments, Session& session) {
+  Model model = read_model_of_several(path, stem_of(path), {}, arguments, session);
+  check_model(model, model_options_from(arguments), path);
+  return model;
+}
+
+TriMesh read_whole(const std::string& path, const Arguments& arguments, Session& session) {
+  Model model = read_model(path, arguments, session);
+  return arguments.has("--strict") ? std::move(model.mesh) : divided(model);
+}
+
+namespace {
+
+/// The first vertex that the second piece uses.
+Index vertex_of_second(const Model& model) {
+  Index first = std::numeric_limits<Index>::max();
+  for (std::size_t t = 0; t < model.piece_of.size(); ++t) {
+    if (model.piece_of[t] != 1) continue;
+    for (const Index v : model.mesh.triangles[t])
+      first = std::min(first, v);
+  }
+  return first;
+}
+
+}  // namespace
+
+Model read_piece(const std::string& path, const Arguments& arguments, Session& session) {
+  Model model = read_model(path, arguments, session);
+  const std::size_t count = model.pieces.size();
+  if (count == 1) return model;
+  // What is mended without --strict is wrong with the mesh, before it has pieces.
+  if (arguments.has("--strict"))
+    about(path, [&] { require(inspect(model.mesh), Purpose::evolve); });
+  const Index second = vertex_of_second(model);
+  throw Error(ErrorCode::several_components,
+              "holds " + std::to_string(count) + " pieces (" + list_of_some(model.pieces) +
+                  "), the second with vertex " + std::to_string(second),
+              {.path = path, .first = second, .count = count});
+}
+
+}  // namespace planish::cli

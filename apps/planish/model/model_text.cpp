@@ -1,0 +1,89 @@
+#include "model/model_text.h"
+
+#include <algorithm>
+
+#include "shell/text.h"
+
+namespace planish::cli {
+
+namespace {
+
+/// "left out 3 triangles without loss to the surface (2 there twice, 1 ...)"
+std::string redundant_text(const ModelWork& work) {
+  const std::size_t all = work.collapsed + work.repeated + work.backs + work.fins;
+  std::string kinds;
+  const auto add = [&](std::size_t count, const std::string& words) {
+    if (count > 0) kinds += (kinds.empty() ? "" : ", ") + std::to_string(count) + " " + words;
+  };
+  add(work.collapsed, "with a corner twice");
+  add(work.repeated, "there twice");
+  add(work.backs, "of the back of a doubled sheet");
+  add(work.fins, "of scraps on the surface");
+  return "left out " + counted(all, "triangle") + " without loss to the surface (" + kinds + ")";
+}
+
+std::string holes_text(const ModelWork& work) {
+  std::string text = "closed " + counted(work.filled, "hole");
+  if (work.unfilled > 0)
+    text += "; " + std::to_string(work.unfilled) + " short enough could not be closed";
+  return text;
+}
+
+std::string weld_text(const ModelWork& work) {
+  std::string text = "joined " + counted(work.joined, "pair") + " of border edges";
+  if (work.unjoined > 0) {
+    text += "; " + counted(work.unjoined, "edge") +
+            " beside another could not be joined: is the length of --weld too large?";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> work_notes(const ModelWork& work, const ShownLengths& lengths) {
+  std::vector<std::string> notes;
+  if (work.collapsed + work.repeated + work.backs + work.fins > 0)
+    notes.push_back(redundant_text(work));
+  if (work.joined + work.unjoined > 0) notes.push_back(weld_text(work));
+  if (work.turned > 0) {
+    notes.push_back("turned over " + counted(work.turned, "triangle") +
+                    " that ran against the neighbours");
+  }
+  if (work.parted_edges > 0) {
+    notes.push_back("divided at " + counted(work.parted_edges, "edge") +
+                    " of more than two triangles");
+  }
+  if (work.parted_vertices > 0) {
+    notes.push_back("divided at " + std::to_string(work.parted_vertices) +
+                    (work.parted_vertices == 1 ? " vertex" : " vertices") +
+                    " in which parts touch without a common edge");
+  }
+  if (work.crumbs > 0) {
+    notes.push_back(counted(work.crumbs, "crumb") + " left out (" + percent(work.crumb_share) +
+                    " of the area)");
+  }
+  if (work.filled + work.unfilled > 0) notes.push_back(holes_text(work));
+  for (const ModelWork::FoundWall& wall : work.walls) {
+    notes.push_back(wall.name + " is a wall of " + lengths.thickness_text(wall.thickness) +
+                    ": --side outer or --side inner takes one side");
+  }
+  if (work.touching > 0) {
+    notes.push_back(std::to_string(work.touching) +
+                    " pieces touch along whole borders; if they are one surface, --weld makes " +
+                    counted(work.welded, "piece") + " of them");
+  }
+  if (work.renumbered && !notes.empty())
+    notes.back() += "; vertices are numbered anew, without those that are gone";
+  return notes;
+}
+
+std::string list_of_some(const std::vector<std::string>& names) {
+  constexpr std::size_t k_most = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), k_most); ++i)
+    text += (i > 0 ? ", " : "") + names[i];
+  if (names.size() > k_most) text += " and " + std::to_string(names.size() - k_most) + " more";
+  return text;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,42 @@
+"""Written by tools/generate.py from `planish describe --json`. Change that."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal, Optional, Sequence
+
+from .. import _core, _meshes, _run
+
+if TYPE_CHECKING:
+    from .._types import Amount, Path
+
+
+def read(
+    path: Path,
+    *,
+    unit: Optional[Literal["mm", "cm", "dm", "m", "in"]] = None,
+    divide: Optional[Literal["objects", "materials", "parts"]] = None,
+    only: Optional[str | Sequence[str]] = None,
+    without: Optional[str | Sequence[str]] = None,
+    weld: Optional[Amount | bool] = None,
+    fill_holes: Optional[Amount] = None,
+    side: Optional[Literal["outer", "inner"]] = None,
+    flip: Optional[bool] = None,
+    strict: Optional[bool] = None,
+) -> _core.Mesh:
+    """Reads an OBJ, PLY, STL or OFF file. What is done to its mesh is in its notes; its groups are its pieces.
+
+    Keywords, as flags of the program:
+        unit: what one unit of the mesh is: mm, cm, dm, m or in (default mm)
+        divide: what makes pieces of a file: its objects (else groups), its materials, or parts: only what does not
+            hang together (default objects)
+        only: take these objects, groups, materials or pieces, by their names with commas between
+        without: leave these out
+        weld: join borders that lie on each other, at most so far apart (1.5 or 1.5mm; default: what fits the size of
+            the mesh)
+        fill_holes: close holes whose border is no longer (1.5 or 1.5mm)
+        side: of a wall with a thickness take one side: outer or inner
+        flip: turn the surface over: its inner side becomes the outer one
+        strict: mend nothing and leave nothing out that was not asked for
+    """
+    given = _run.keywords_of(locals())
+    return _core.read(_meshes.text_of(path), given)

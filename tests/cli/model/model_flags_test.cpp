@@ -1,0 +1,173 @@
+// What is read of a file, alike in all verbs.
+
+#include <planish/io/read_mesh.h>
+
+#include <gmock/gmock.h>
+
+#include "cli/cli_run.h"
+#include "support/meshes.h"
+#include "support/products.h"
+
+namespace planish::cli {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A cube from a corner on.
+NamedPatch cube(const std::string& name) {
+  TriMesh mesh;
+  for (int k = 0; k < 8; ++k)
+    mesh.positions.push_back({50.0 + (k & 1), (k >> 1) & 1 ? 1.0 : 0.0, k >> 2 ? 1.0 : 0.0});
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return {name, mesh, {}};
+}
+
+NamedPatch grid(const std::string& name) {
+  return {name, meshes::flat_grid(12, 8), {}};
+}
+
+class ModelFlags : public CliFolder {};
+
+TEST_F(ModelFlags, AreThoseOfEveryVerbThatReads) {
+  const nlohmann::json described = planish({"describe", "--json"}).json();
+  std::size_t readers = 0;
+  for (const auto& verb : described["verbs"]) {
+    for (const auto& group : verb["groups"]) {
+      if (group["title"] != "What is read") continue;
+      ++readers;
+      EXPECT_EQ(group["flags"].size(), 8U) << verb["name"];
+    }
+  }
+  EXPECT_EQ(readers, 9U);
+}
+
+TEST_F(ModelFlags, WeldTakesAValueBehindAnEqualsSignOrNone) {
+  write_mesh("panel.obj", meshes::flat_grid(12, 8));
+  for (const Names& weld : {Names{"--weld"}, Names{"--weld=0.1"}, Names{"--weld=0.1mm"}}) {
+    Names args = {"convert", "panel.obj", "out.obj"};
+    args.insert(args.begin() + 1, weld.begin(), weld.end());
+    EXPECT_EQ(planish(args).exit_code, k_exit_done) << weld[0];
+  }
+  const CliResult wrong = planish({"convert", "--weld=wide", "panel.obj", "out.obj"});
+  EXPECT_EQ(wrong.exit_code, k_exit_usage);
+  EXPECT_THAT(wrong.err, HasSubstr("--weld is \"wide\" but must be a length"));
+}
+
+TEST_F(ModelFlags, JoinNamesThatAreGivenOneByOne) {
+  write_product("suit.obj", {grid("front"), grid("back"), cube("helper")});
+  const auto counted = [](const Names& flags) {
+    Names args = {"convert", "suit.obj", "out.obj", "--json"};
+    args.insert(args.end(), flags.begin(), flags.end());
+    return planish(args).json()["triangles"].get<int>();
+  };
+  EXPECT_EQ(counted({"--only", "front,back"}), 384);
+  EXPECT_EQ(counted({"--only", "front", "--only", "back"}), 384);
+  EXPECT_EQ(counted({"--without", "helper"}), 384);
+  EXPECT_EQ(counted({"--only", "helper"}), 12);
+}
+
+TEST_F(ModelFlags, ListTheNamesWhereOneIsNotThere) {
+  write_product("suit.obj", {grid("front"), cube("helper")});
+  const CliResult result = planish({"flatten", "suit.obj", "-o", "out", "--only", "frnt"});
+  EXPECT_EQ(result.exit_code, k_exit_usage);
+  EXPECT_THAT(result.err, HasSubstr("no piece is called frnt; there are front, helper"));
+  EXPECT_EQ(planish({"flatten", "suit.obj", "-o", "out", "--only", "frnt", "--json"})
+                .json()["error"]["code"],
+            "unknown_name");
+  EXPECT_FALSE(std::filesystem::exists("out"));
+}
+
+TEST_F(ModelFlags, LeaveOutHelpersOfAModeller) {
+  write_product("suit.obj", {grid("front"), cube("cube_1"), cube("cube_2")});
+  const CliResult all = planish({"flatten", "suit.obj", "-o", "all", "--formats", "svg"});
+  EXPECT_EQ(all.exit_code, k_exit_failed);
+  EXPECT_TRUE(std::filesystem::exists("all/front/pattern.svg"));
+  EXPECT_THAT(all.err, AllOf(HasSubstr("cube_1"), HasSubstr("the surface is closed"),
+                             HasSubstr("leave out with --without cube_1,cube_2")));
+  const CliResult front = planish(
+      {"flatten", "suit.obj", "-o", "front", "--formats", "svg", "--without", "cube_1,cube_2"});
+  EXPECT_EQ(front.exit_code, k_exit_done) << front.err;
+  EXPECT_TRUE(std::filesystem::exists("front/pattern.svg"));
+}
+
+TEST_F(ModelFlags, RefuseSeveralPiecesWhereOneIsWantedAndNameThem) {
+  write_product("suit.obj", {grid("front"), grid("back")});
+  for (const Names& args :
+       {Names{"unfold", "suit.obj", "-o", "flat.svg"}, Names{"suggest-cuts", "suit.obj"},
+        Names{"compare", "suit.obj"}, Names{"frontier", "suit.obj"}}) {
+    const CliResult result = planish(args);
+    EXPECT_EQ(result.exit_code, k_exit_failed) << args[0];
+    EXPECT_THAT(result.err, AllOf(HasSubstr("holds 2 pieces (front, back)"),
+                                  HasSubstr("--only NAME"), HasSubstr("planish flatten")));
+  }
+  EXPECT_EQ(planish({"measure", "suit.obj"}).exit_code, k_exit_done);
+  EXPECT_EQ(planish({"unfold", "suit.obj", "-o", "flat.svg", "--only", "back"}).exit_code,
+            k_exit_done);
+}
+
+TEST_F(ModelFlags, NameWhatIsMendedAndRefuseItWithStrict) {
+  TriMesh mesh = meshes::flat_grid(12, 8);
+  mesh.triangles.push_back(mesh.triangles[7]);
+  write_mesh("twice.obj", mesh);
+  const CliResult mended = planish({"unfold", "twice.obj", "-o", "flat.svg"});
+  EXPECT_EQ(mended.exit_code, k_exit_done) << mended.err;
+  EXPECT_THAT(mended.err, HasSubstr("left out 1 triangle without loss"));
+  const CliResult strict = planish({"unfold", "twice.obj", "-o", "flat.svg", "--strict"});
+  EXPECT_EQ(strict.exit_code, k_exit_failed);
+  EXPECT_THAT(strict.err, HasSubstr("Without --strict"));
+}
+
+TEST_F(ModelFlags, TellALengthThatClosesTheHoles) {
+  TriMesh mesh = meshes::flat_grid(12, 8);
+  mesh.triangles.erase(mesh.triangles.begin() + 50);
+  write_mesh("hole.obj", mesh);
+  const CliResult refused = planish({"unfold", "hole.obj", "-o", "flat.svg"});
+  EXPECT_EQ(refused.exit_code, k_exit_failed);
+  const std::string flag = "--fill-holes ";
+  const std::size_t at = refused.err.find(flag);
+  ASSERT_NE(at, std::string::npos) << refused.err;
+  const std::size_t begin = at + flag.size();
+  const std::string length = refused.err.substr(begin, refused.err.find(' ', begin) - begin);
+  const CliResult closed =
+      planish({"unfold", "hole.obj", "-o", "flat.svg", "--fill-holes", length});
+  EXPECT_EQ(closed.exit_code, k_exit_done) << length << closed.err;
+  EXPECT_THAT(closed.err, HasSubstr("closed 1 hole"));
+}
+
+TEST_F(ModelFlags, TurnOverPiecesThatAreInsideOut) {
+  const TriMesh mesh =
+      meshes::height_field(12, 8, [](double x, double y) { return 0.02 * x * x - 0.01 * y * y; });
+  std::vector<NamedPatch> strips = in_strips(mesh, 3);
+  for (Triangle& t : strips[1].mesh.triangles)
+    std::swap(t[1], t[2]);
+  write_product("suit.obj", strips);
+  const auto run = [](const std::string& folder, const Names& more) {
+    Names args = {"flatten", "suit.obj", "-o", folder, "--formats", "svg"};
+    args.insert(args.end(), more.begin(), more.end());
+    return planish(args);
+  };
+  const CliResult turned = run("turned", {});
+  EXPECT_EQ(turned.exit_code, k_exit_done) << turned.err;
+  EXPECT_THAT(turned.err, HasSubstr("turned over, inside out against a neighbour along a seam: "
+                                    "strip-2"));
+  EXPECT_THAT(run("strict", {"--strict"}).err, Not(HasSubstr("turned over")));
+}
+
+TEST_F(ModelFlags, SayWhichSideIsUpAndTurnIt) {
+  write_mesh("panel.obj", make_shape("panel", 300));
+  const CliResult up = planish({"unfold", "panel.obj", "-o", "up.svg", "--json"});
+  EXPECT_EQ(up.json()["side"], "outer");
+  EXPECT_THAT(planish({"unfold", "panel.obj", "-o", "up.obj"}).out, HasSubstr("outer side up"));
+  planish({"convert", "panel.obj", "over.obj", "--flip"});
+  planish({"unfold", "over.obj", "-o", "over-flat.obj"});
+  planish({"unfold", "panel.obj", "-o", "flipped.obj", "--flip"});
+  const TriMesh over = read_mesh("over-flat.obj").mesh, flipped = read_mesh("flipped.obj").mesh;
+  EXPECT_EQ(over.positions, flipped.positions);
+  EXPECT_NE(flipped.positions, read_mesh("up.obj").mesh.positions);
+}
+
+}  // namespace
+}  // namespace planish::cli

@@ -1,0 +1,116 @@
+// Meshes as makers have them, of the folder "odd" beside the patches: the right size, alike in
+// unfold and flatten, and the way on where there is none without a flag.
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "cli/cli_run.h"
+
+namespace planish::cli {
+namespace {
+
+using testing::HasSubstr;
+
+std::optional<std::string> odd_file(const std::string& name) {
+  const char* folder = std::getenv("PLANISH_TEST_DATA");
+  if (folder == nullptr) return std::nullopt;
+  return (std::filesystem::path(folder) / "odd" / name).string();
+}
+
+class OddFiles : public CliFolder {
+ protected:
+  static CliResult run_on(const std::string& path, Names args, const Names& flags) {
+    args.insert(args.begin() + 1, path);
+    args.insert(args.end(), flags.begin(), flags.end());
+    return planish(args);
+  }
+};
+
+struct Sheet {
+  std::string file;
+  Names flags;
+  double width, height;
+};
+
+TEST_F(OddFiles, HaveTheRightSizeInUnfoldAndFlatten) {
+  const std::vector<Sheet> sheets = {
+      {"scan_two_texture_pages.obj", {}, 300.5, 300.4},
+      {"scan_with_crumbs.obj", {}, 260.8, 200.4},
+      {"split_at_texture_islands.ply", {"--weld"}, 157.0, 100.0},
+      {"polysurface_two_faces.obj", {"--weld"}, 313.9, 160.0},
+      {"thick_shell_2mm.obj", {"--side", "outer"}, 209.3, 150.0},
+      {"thick_shell_2mm.stl", {"--side", "outer"}, 209.3, 150.0},
+      {"two_sheets_2mm_apart.obj", {"--side", "outer"}, 209.3, 150.0},
+      {"panel_and_helper_cubes.obj", {"--only", "suit_front"}, 209.3, 160.0},
+  };
+  for (const Sheet& sheet : sheets) {
+    const auto path = odd_file(sheet.file);
+    if (!path) continue;
+    SCOPED_TRACE(sheet.file);
+    const CliResult unfold = run_on(*path, {"unfold", "-o", "flat.svg", "--json"}, sheet.flags);
+    ASSERT_EQ(unfold.exit_code, k_exit_done) << unfold.err;
+    EXPECT_NEAR(unfold.json()["width"].get<double>(), sheet.width, 0.06);
+    EXPECT_NEAR(unfold.json()["height"].get<double>(), sheet.height, 0.06);
+    const CliResult flatten =
+        run_on(*path, {"flatten", "-o", "out", "--formats", "svg", "--json"}, sheet.flags);
+    ASSERT_EQ(flatten.exit_code, k_exit_done) << flatten.err;
+    EXPECT_NEAR(flatten.json()["unfold"]["width"].get<double>(), sheet.width, 0.06);
+  }
+}
+
+TEST_F(OddFiles, NameTheWayOn) {
+  const std::vector<std::pair<std::string, Names>> said = {
+      {"split_at_texture_islands.ply", {"3 pieces touch along whole borders", "--weld"}},
+      {"thick_shell_2mm.obj", {"a wall of 2.0 mm: --side outer or --side inner takes one side"}},
+      {"two_sheets_2mm_apart.obj", {"a wall of 2.0 mm: --side outer or --side inner"}},
+      {"one_triangle_missing.obj", {"--fill-holes 37.4 closes them"}},
+      {"dropouts_touch_at_vertex.obj", {"--fill-holes "}},
+      {"panel_and_helper_cubes.obj", {"holds 7 pieces (suit_front, joint-0", "--only NAME"}},
+  };
+  for (const auto& [file, words] : said) {
+    const auto path = odd_file(file);
+    if (!path) continue;
+    const CliResult unfold = run_on(*path, {"unfold", "-o", "flat.svg"}, {});
+    EXPECT_EQ(unfold.exit_code, k_exit_failed) << file;
+    for (const std::string& word : words)
+      EXPECT_THAT(unfold.err, HasSubstr(word)) << file;
+  }
+}
+
+TEST_F(OddFiles, CloseHolesThatTouch) {
+  for (const char* file : {"one_triangle_missing.obj", "dropouts_touch_at_vertex.obj"}) {
+    const auto path = odd_file(file);
+    if (!path) continue;
+    const CliResult unfold =
+        run_on(*path, {"unfold", "-o", "flat.svg", "--json"}, {"--fill-holes", "120mm"});
+    EXPECT_EQ(unfold.exit_code, k_exit_done) << unfold.err;
+    EXPECT_FALSE(unfold.json()["overlaps"].get<bool>());
+  }
+}
+
+TEST_F(OddFiles, AreCountedWhereCrumbsAreLeftOut) {
+  const auto path = odd_file("scan_with_crumbs.obj");
+  if (!path) return;
+  for (const Names& verb : {Names{"measure"}, Names{"unfold", "-o", "flat.svg"}}) {
+    EXPECT_THAT(run_on(*path, verb, {}).err, HasSubstr("40 crumbs left out (0.28 % of the area)"))
+        << verb[0];
+  }
+}
+
+TEST_F(OddFiles, AreDividedWherePanelsMeet) {
+  const auto path = odd_file("three_panels_one_edge_groups.obj");
+  if (!path) return;
+  for (const Names& flags : {Names{}, Names{"--divide", "parts"}}) {
+    const CliResult result =
+        run_on(*path, {"flatten", "-o", "out", "--formats", "svg", "--json"}, flags);
+    EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+    EXPECT_EQ(result.json()["patches"].size(), 3U);
+  }
+}
+
+}  // namespace
+}  // namespace planish::cli

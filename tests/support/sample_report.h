@@ -79,12 +79,12 @@ inline FlattenReport flatten_report() {
   return report;
 }
 
-/// A document as it stands in a larger one: without the number of the format, and without what the
-/// mesh cannot show.
+/// A document as it stands in a larger one: without the number of the format, and without what is
+/// missed and what the mesh cannot show, which the larger one says of the whole.
 inline nlohmann::ordered_json part_of(const std::string& document) {
   auto json = nlohmann::ordered_json::parse(document);
-  json.erase("schema");
-  json.erase("cautions");
+  for (const char* key : {"schema", "limits_met", "usable", "missed", "cautions"})
+    json.erase(key);
   return json;
 }
 

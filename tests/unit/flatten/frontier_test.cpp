@@ -181,7 +181,8 @@ TEST(Frontier, ReportsRisingProgressAndCanBeCancelled) {
 
 TEST(Frontier, RefusesWhatCannotBeDone) {
   EXPECT_THROW(frontier(Patch(make_shape("panel", 200)), "", {.points = 1}), Error);
-  EXPECT_THROW(frontier(Patch(make_shape("panel", 200)), "", {.limit = 0.0}), Error);
+  for (const double wrong : {0.0, -0.02, 2.0, std::nan("")})
+    EXPECT_THROW(frontier(Patch(make_shape("panel", 200)), "", {.limit = wrong}), Error) << wrong;
   EXPECT_THROW(frontier(Patch({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}),
                         "closed"),

@@ -38,11 +38,17 @@ TEST(JsonReport, OfAProductHasWhatReportsOfPatchesHave) {
   EXPECT_EQ(json["patches"][0]["error"], Json(nullptr));
   EXPECT_EQ(json["patches"][0]["vertices"], 10);
   EXPECT_FALSE(json["patches"][0]["met"]) << "it is stretched without a limit";
+  for (const char* key : {"limits_met", "usable", "missed"})
+    EXPECT_EQ(json["patches"][0][key], of_front[key]) << key;
+  EXPECT_EQ(json["patches"][0]["missed"], Json::array({"stretched"}));
+  EXPECT_TRUE(json["patches"][0]["limits_met"]);
+  EXPECT_FALSE(json["patches"][0]["usable"]);
   EXPECT_EQ(json["near_borders"],
             Json::parse(R"([{"patches": ["front", "back"], "length": 12.5}])"));
   EXPECT_EQ(json["patches"][0]["rejected_strain"], Json(nullptr));
   EXPECT_EQ(json["patches"][1]["error"]["code"], "zero_area");
   EXPECT_FALSE(json["patches"][1]["met"]);
+  EXPECT_EQ(json["patches"][1]["missed"], Json::array({"failure"}));
   EXPECT_EQ(json["patches"][1]["checks"],
             Json::parse(R"([{"what": "failure", "met": false, "text": "failed: none"}])"));
   for (const char* key : {"unfold", "stop", "deviation", "files"})

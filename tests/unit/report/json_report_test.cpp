@@ -226,6 +226,9 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
                         {"unmatched_strain", nullptr},
                         {"unlimited_strain", nullptr},
                         {"limits", Json::array()},
+                        {"limits_met", true},
+                        {"usable", false},
+                        {"missed", {"overlap", "flipped_triangles"}},
                         {"cautions", Json::array()}}));
   report.unmatched_strain = EdgeStrain{.max = 0.5, .rms = 0.125, .p99 = 0.375};
   const Json matched = Json::parse(json_report(report));
@@ -239,12 +242,22 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
   EXPECT_EQ(matched["unmatched_strain"], Json({{"max", 0.5}, {"rms", 0.125}, {"p99", 0.375}}));
 }
 
+TEST(JsonReport, OfAPatternSaysWhatItMisses) {
+  UnfoldReport report = samples::flatten_report().unfold;
+  report.limits = {{StrainLimitKind::rms, 0.02, 0.05}};
+  report.pattern.overlaps = true;
+  const Json json = Json::parse(json_report(report));
+  EXPECT_EQ(json["limits_met"], false);
+  EXPECT_EQ(json["usable"], false);
+  EXPECT_EQ(json["missed"], Json::array({"rms_strain", "overlap"}));
+}
+
 TEST(JsonReport, OfTheMainJobHasItsPartsAndFiles) {
   const FlattenReport report = samples::flatten_report();
   const Json json = Json::parse(json_report(report, {{"pattern", "out/pattern.svg"}}));
-  EXPECT_THAT(keys_of(json),
-              ElementsAre("schema", "name", "version", "evolve", "unfold", "unfold_before",
-                          "as_designed", "limits", "candidates", "cautions", "files"));
+  EXPECT_THAT(keys_of(json), ElementsAre("schema", "name", "version", "evolve", "unfold",
+                                         "unfold_before", "as_designed", "limits", "candidates",
+                                         "cautions", "files", "limits_met", "usable", "missed"));
   EXPECT_EQ(json["name"], "front panel");
   EXPECT_EQ(json["version"], k_version);
   EXPECT_EQ(json["evolve"], samples::part_of(json_report(report.evolve)));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <planish/core/error.h>
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/shapes.h>
 #include <planish/unfold/suggest_cuts.h>
@@ -179,6 +180,12 @@ TEST(SuggestCuts, SaysWhyItEnds) {
   EXPECT_EQ(suggest(dome, {.max_strain = 1e-12, .max_darts = 50}).stop, SuggestStop::no_gain);
   EXPECT_EQ(suggest(dome, {.max_strain = 0.9}).stop, SuggestStop::strain_met);
   EXPECT_EQ(to_string(SuggestStop::no_gain), "no_gain");
+}
+
+TEST(SuggestCuts, RefusesWhatIsNoLimit) {
+  const TriMesh dome = make_shape("dome", 150);
+  for (const double wrong : {std::nan(""), 0.0, -0.02, 2.0, HUGE_VAL})
+    EXPECT_THROW(suggest(dome, {.max_strain = wrong}), Error) << wrong;
 }
 
 TEST(SuggestCuts, ReportsRisingProgressAndCanBeCancelled) {

@@ -16,6 +16,7 @@ import argparse
 import concurrent.futures
 import hashlib
 import importlib.machinery
+import itertools
 import importlib.util
 import json
 import math
@@ -35,7 +36,7 @@ SMALLER = 0.125  # of samples: in inches they still take few pages of paper
 VERBS = ("flatten", "unfold")
 USUAL_METHOD = "auto"
 
-# What JSON says is missed -> whether it is a limit or target that was asked for.
+# The words of `missed` that are limits and targets.
 ASKED_FOR = {"strain", "p99_strain", "rms_strain", "deviation", "angle", "e_max", "bending", "rejected"}
 LIMIT_WORDS = {"max": "strain", "p99": "p99_strain", "rms": "rms_strain"}
 
@@ -144,7 +145,16 @@ def rows_of(verb):
     settings, methods, faults = settings_of(verb)
     rules = Rules(methods, settings)
     rows, forbidden = cover(settings, rules.completed, rules.may_stand)
+    faults += [f"{verb['name']}: {pair} are in no run" for pair in left_out(settings, rows, forbidden)]
     return rows, forbidden, faults
+
+
+def left_out(settings, rows, forbidden):
+    """Pairs that are neither in a row nor apart by rule."""
+    met = {pair for row in rows for pair in itertools.combinations(sorted(row.items()), 2)}
+    apart = {tuple(sorted(pair)) for pair in forbidden}
+    pairs = {tuple(sorted(pair)) for pair in itertools.combinations(settings, 2) if pair[0][0] != pair[1][0]}
+    return sorted(pairs - met - apart)
 
 
 def words_of(row):
@@ -322,7 +332,8 @@ def outcome_faults(verb, row, report, exit_code):
     if evolve:
         facts["crumpled"] = not evolve["smooth"]
         facts["form"] = not evolve["form_kept"]
-        facts["e_max"] = "--target-e-max" in row and evolve["after"]["e_max"] > float(row["--target-e-max"]) * (1 + 1e-9)
+        target = float(row.get("--target-e-max", "inf"))
+        facts["e_max"] = evolve["after"]["e_max"] > target * (1 + 1e-9)
         facts["deviation"] = ("--max-deviation" in row
                               and evolve["deviation"]["max"] > length(row["--max-deviation"], row) * (1 + 1e-6))
     for word, is_so in facts.items():
@@ -403,7 +414,8 @@ def lines_of(job, folder, done, fingerprint):
         # Pages have times; what they show is in the other files.
         if path.is_dir() or path.is_symlink() or path.name in ("job.json", "report.html"):
             continue
-        lines.append(f"{fingerprint.digest(fingerprint.normalised(path.name, path.read_bytes()))}  {job.short}: {short}")
+        content = fingerprint.normalised(path.name, path.read_bytes())
+        lines.append(f"{fingerprint.digest(content)}  {job.short}: {short}")
     return lines
 
 

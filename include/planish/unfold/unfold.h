@@ -66,9 +66,9 @@ void require_unfoldable(const Patch& patch);
 /// that is flattenable, edge lengths are kept. Limits are kept by an interior-point method from
 /// there. With match_seams, border edges that are not free keep theirs on any patch: to 1e-9 of
 /// each, as long as none is shorter than a millionth of the patch.
-/// @throws Error as require_unfoldable(), option_out_of_range (a limit below 0 or not finite, or
-/// limits of max and p99 together) or
-///   unfold_failed; Cancelled
+/// @throws Error as require_unfoldable(); option_out_of_range, as require() of limits;
+///   unfold_failed where no pattern without flips is found, or none keeps the border's lengths;
+///   Cancelled
 Pattern unfold(const Patch& patch, const UnfoldOptions& options = {}, const Context& context = {});
 
 /// The smallest limit of the |strain| of every edge for which a pattern is found: least is the

@@ -28,7 +28,7 @@ double largest_coordinate(std::span<const Vec3> places) {
 }
 
 bool is_float(double x) {
-  return std::abs(x) <= std::numeric_limits<float>::max() &&
+  return std::abs(x) <= static_cast<double>(std::numeric_limits<float>::max()) &&
          static_cast<double>(static_cast<float>(x)) == x;
 }
 

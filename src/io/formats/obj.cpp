@@ -104,10 +104,11 @@ void ObjParser::vertex() {
   const double x = cursor_.number();
   const double y = cursor_.number();
   const double z = cursor_.number();
-  std::size_t extras = 0;
+  std::size_t extras = 0, missing = 0;
   for (; !cursor_.at_line_end(); ++extras) {
     if (!strict_ && is_no_number(cursor_)) {
       cursor_.token();
+      ++missing;
     } else {
       cursor_.number();
     }
@@ -116,6 +117,9 @@ void ObjParser::vertex() {
   if (extras == 2 || extras > 4) {
     cursor_.fail(ErrorCode::malformed_file,
                  "a vertex cannot have " + std::to_string(3 + extras) + " numbers");
+  }
+  if (missing > 0 && extras < 3) {
+    cursor_.fail(ErrorCode::non_finite_coordinate, "the weight of the vertex is no finite number");
   }
   coloured_ += extras >= 3;
   positions_.push_back({x, y, z});

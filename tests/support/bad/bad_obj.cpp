@@ -171,7 +171,7 @@ void add_lines(Collection& files) {
   files.at_line("page_of_errors_behind", plain + "v <html>\n", ErrorCode::bad_number, 58);
 }
 
-/// A grid of quads: the same vertices, so fans of other diagonals.
+/// A grid of quads, whose diagonals are chosen by their form; and polygons.
 void add_polygons(Collection& files) {
   const std::string plain = sound_obj().lines.text();
   std::string quads = plain.substr(0, plain.find('f'));
@@ -182,7 +182,7 @@ void add_polygons(Collection& files) {
                std::to_string(a + 6) + " " + std::to_string(a + 5) + "\n";
     }
   }
-  files.same("quads", quads, "split 16 polygons into 32 triangles");
+  files.accept("quads", quads);
   const std::string ring = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\n";
   files.accept("polygon_concave", ring + "f 1 2 3 4 5\n");
   files.accept("polygon_concave_from_its_bay", ring + "f 4 5 1 2 3\n");

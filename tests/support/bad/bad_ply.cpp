@@ -142,7 +142,7 @@ void add_ply_bodies(Collection& files) {
   face("length_negative", "-3 0 1 2", k_malformed, 40);
   face("length_fraction", "3.5 0 1 2", k_malformed, 40);
   face("length_letter", "a 0 1 2", ErrorCode::bad_number, 40);
-  face("repeats", "4 0 1 2 0", k_malformed, 40);
+  face("repeats", "4 0 1 2 1", k_malformed, 40);
   files.same("long_lines_broken", [&] {
     std::string broken = lines.first(9).text();
     for (std::size_t line = 10; line <= lines.count(); ++line) {

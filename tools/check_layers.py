@@ -73,6 +73,8 @@ FOR_THE_PROGRAM = {
     "core/fnv_hash.h",
     "core/lanes/isa.h",
     "core/likely_units.h",
+    "draw/pdf/pdf_text.h",
+    "draw/text/ascii_text.h",
     "draw/text/stroke_text.h",
     "evolve/direction.h",
     "flatten/evolve_progress.h",

@@ -14,15 +14,16 @@
 #include "core/math.h"
 #include "pattern/polygon/free_strip.h"
 #include "sheet/sheet_layout.h"
+#include "sheet/text_lines.h"
 
 namespace planish {
 
 namespace {
 
 // line_words() names these colours.
-constexpr Stroke k_cut{{255, 0, 0}}, k_seam{{80, 80, 80}, 0.25, true}, k_notch{{255, 0, 255}},
-    k_grain{{0, 128, 0}}, k_drill{{0, 0, 255}}, k_internal{{0, 160, 160}};
-constexpr Stroke k_fold{{230, 120, 0}, 0.35, true};
+constexpr Stroke k_cut{sheet::k_cut_color}, k_seam{sheet::k_seam_color, 0.25, true},
+    k_notch{sheet::k_notch_color}, k_grain{sheet::k_grain_color}, k_drill{sheet::k_drill_color},
+    k_internal{sheet::k_internal_color}, k_fold{sheet::k_fold_color, 0.35, true};
 constexpr double k_line_pitch = 1.6;  // of a label's lines, over their height
 
 Layer layer_of(std::string name, std::vector<Polygon> lines, const Stroke& stroke) {
@@ -115,12 +116,8 @@ std::vector<std::string> lines_of(const PieceLabel& label, bool on_fold) {
 /// Of the longest line, in heights of a capital.
 double width_of(const std::vector<std::string>& lines) {
   std::size_t most = 0;
-  for (const std::string& line : lines) {
-    const auto letters = std::count_if(line.begin(), line.end(), [](char byte) {
-      return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;  // not inside a UTF-8 sequence
-    });
-    most = std::max(most, static_cast<std::size_t>(letters));
-  }
+  for (const std::string& line : lines)
+    most = std::max(most, letters_in(line));
   return sheet::k_letter_width * static_cast<double>(most);
 }
 
@@ -171,9 +168,12 @@ struct FittingLabel {
 };
 
 /// As large as fits between the loops; where nothing fits, small and as near to inside as can be.
-FittingLabel label_between(std::span<const Polygon> loops, const std::vector<std::string>& lines) {
-  FittingLabel label{{loops.front().front(), 2.0}};
-  for (const double height : {6.0, 5.0, 4.0, 3.0, 2.5, 2.0}) {
+/// @param smallest height, millimetres
+FittingLabel label_between(std::span<const Polygon> loops, const std::vector<std::string>& lines,
+                           double smallest) {
+  FittingLabel label{{loops.front().front(), smallest}};
+  for (const double height : {6.0, 5.0, 4.0, 3.0, 2.5, 2.0, 1.6, 1.3, 1.0}) {
+    if (height < smallest) break;
     const double half = 0.5 * k_line_pitch * height * static_cast<double>(lines.size());
     const double width = width_of(lines) * height;
     const FreeStrip strip = longest_strip(loops, {1.0, 0.0}, half, width + 2.0 * height);
@@ -186,8 +186,8 @@ FittingLabel label_between(std::span<const Polygon> loops, const std::vector<std
 
 LabelPlace label_place(const PieceOutline& outline, std::span<const Polygon> free,
                        const std::vector<std::string>& lines) {
-  const FittingLabel clear = label_between(free, lines);
-  return clear.fits ? clear.place : label_between(outline.loops, lines).place;
+  const FittingLabel clear = label_between(free, lines, 1.0);
+  return clear.fits ? clear.place : label_between(outline.loops, lines, 2.0).place;
 }
 
 std::optional<ClearBox> box_of(const LabelPlace& place, const std::vector<std::string>& lines) {
@@ -206,7 +206,11 @@ double half_extent(const std::string& text, double height, Vec2 direction) {
 Text text_beside(Vec2 at, Vec2 way, double gap, double height, std::string text) {
   const Vec2 left = 1.0 / norm(way) * Vec2{-way.y, way.x};
   const Vec2 middle = at + (gap + half_extent(text, height, left)) * left;
-  return {{middle.x, middle.y - 0.5 * height}, height, std::move(text), k_seam.color, true};
+  return {{middle.x, middle.y - 0.5 * height},
+          height,
+          std::move(text),
+          sheet::k_annotation_color,
+          true};
 }
 
 constexpr double k_length_gap = 2.75, k_length_height = 2.5;
@@ -257,7 +261,7 @@ Layer annotation_layer(const LabelPlace& place, const std::vector<std::string>& 
     layer.shapes.emplace_back(Text{{place.middle.x, middle - 0.5 * place.height},
                                    place.height,
                                    lines[i],
-                                   sheet::k_black,
+                                   sheet::k_annotation_color,
                                    true});
   }
   return layer;
@@ -283,8 +287,11 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
   const LabelPlace place = lines.empty() ? LabelPlace{} : label_place(outline, free, lines);
   std::vector<Polygon> grain;
   if (options.grain) {
-    grain =
-        grain_lines(outline, grain_on_sheet(*options.grain, mesh, pattern), box_of(place, lines));
+    const Vec2 direction = grain_on_sheet(*options.grain, mesh, pattern);
+    PieceOutline clear = outline;
+    clear.loops = free;
+    grain = grain_lines(clear, direction, box_of(place, lines));
+    if (grain.empty()) grain = grain_lines(outline, direction, box_of(place, lines));
   }
   std::vector<Layer> layers;
   layers.reserve(7);
@@ -323,9 +330,8 @@ std::string line_words(std::span<const Layer> layers) {
 
 std::vector<Layer> piece_layers(const TriMesh& mesh, const PlacedPattern& pattern,
                                 const PatternOptions& options) {
-  std::vector<Layer> layers = {{"cut", {outline_path(pattern.cut, pattern.fitted_cut, k_cut)}}};
-  for (Layer& layer : annotations_layers(mesh, pattern, options))
-    layers.push_back(std::move(layer));
+  std::vector<Layer> layers = annotations_layers(mesh, pattern, options);
+  layers.push_back({"cut", {outline_path(pattern.cut, pattern.fitted_cut, k_cut)}});
   return layers;
 }
 

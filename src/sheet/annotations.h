@@ -17,8 +17,8 @@ namespace planish {
 std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& pattern,
                                       const PatternOptions& options);
 
-/// The layer cut, and the annotations_layers() behind it: all that there is to a piece, wherever it
-/// lies.
+/// The annotations_layers(), and behind them the layer cut, as a piece is marked before it is free:
+/// all that there is to it, wherever it lies.
 std::vector<Layer> piece_layers(const TriMesh& mesh, const PlacedPattern& pattern,
                                 const PatternOptions& options);
 

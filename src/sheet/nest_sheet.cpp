@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstddef>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -12,10 +13,14 @@
 #include "sheet/annotations.h"
 #include "sheet/placed_pattern.h"
 #include "sheet/sheet_layout.h"
+#include "sheet/text_lines.h"
 
 namespace planish {
 
 namespace {
+
+constexpr double k_least_width = 240.0;  // of a drawing, for the words above the sheet, millimetres
+constexpr std::size_t k_line_words = 80;  // letters that fit there
 
 PlacedPattern pattern_of(const NestJob& job, const NestPatch& patch) {
   return placed_pattern(patch.mesh, patch.pattern, job.unit, patch.name, patch.annotations);
@@ -46,9 +51,10 @@ PatternOptions annotations_there(const NestJob& job, const NestPlacement& placem
   return annotations;
 }
 
-Path box_line(Vec2 low, Vec2 size, Color color) {
-  return {
-      {{low, {low.x + size.x, low.y}, low + size, {low.x, low.y + size.y}}}, true, Stroke{color}};
+Path box_line(Vec2 low, Vec2 size) {
+  return {{{low, {low.x + size.x, low.y}, low + size, {low.x, low.y + size.y}}},
+          true,
+          Stroke{sheet::k_label_color}};
 }
 
 std::string use_text(const NestJob& job, const Nesting& nesting) {
@@ -66,23 +72,30 @@ std::string use_text(const NestJob& job, const Nesting& nesting) {
 Layer nest_label(const NestJob& job, const Nesting& nesting, std::size_t number,
                  const std::string& title, Vec2 size, const std::string& lines) {
   const std::string date = job.patches.empty() ? "" : job.patches.front().annotations.date;
-  Layer layer{"label", {box_line({0.0, 0.0}, size, sheet::k_dim)}};
+  Layer layer{"label", {box_line({0.0, 0.0}, size)}};
   const double low = size.y + sheet::k_gap, top = low + sheet::k_square;
-  const auto line = [&](double below_top, double height, std::string text, Color color) {
-    const double left = sheet::k_square + sheet::k_gap;
-    layer.shapes.emplace_back(Text{{left, top - below_top}, height, std::move(text), color});
+  const auto line = [&](double below_top, double height, std::string text) {
+    constexpr double left = sheet::k_square + sheet::k_gap, smallest = 2.0;
+    constexpr double room = k_least_width - left - sheet::k_margin;
+    const double letters = std::max(1.0, static_cast<double>(letters_in(text)));
+    const double fitting = std::max(smallest, room / (sheet::k_letter_width * letters));
+    layer.shapes.emplace_back(Text{
+        {left, top - below_top}, std::min(height, fitting), std::move(text), sheet::k_label_color});
   };
-  layer.shapes.emplace_back(
-      box_line({0.0, low}, {sheet::k_square, sheet::k_square}, sheet::k_black));
-  line(6.0, 6.0, title, sheet::k_black);
-  line(sheet::k_square, 2.2, "the square is 50 mm – measure it before cutting", sheet::k_black);
+  layer.shapes.emplace_back(box_line({0.0, low}, {sheet::k_square, sheet::k_square}));
+  line(6.0, 6.0, title);
+  line(sheet::k_square, 2.2, "the square is 50 mm – measure it before cutting");
   if (job.sheets.length) {
-    line(13.0, 4.0, "sheet " + std::to_string(number + 1) + " of " + std::to_string(nesting.sheets),
-         sheet::k_black);
+    line(13.0, 4.0,
+         "sheet " + std::to_string(number + 1) + " of " + std::to_string(nesting.sheets));
   }
-  line(20.0, 4.0, use_text(job, nesting), sheet::k_black);
-  line(27.0, 2.5, lines, sheet::k_dim);
-  if (!date.empty()) line(32.0, 2.5, date, sheet::k_dim);
+  line(20.0, 4.0, use_text(job, nesting));
+  double below = 27.0;
+  for (std::string& words : broken_lines(lines, k_line_words)) {
+    line(below, 2.5, std::move(words));
+    below += 4.0;
+  }
+  if (!date.empty()) line(std::max(below, 32.0), 2.5, date);
   return layer;
 }
 
@@ -109,7 +122,7 @@ NestPatch mirror_image(NestPatch patch) {
 std::vector<Layer> empty_piece_layers() {
   std::vector<Layer> layers;
   for (const char* name :
-       {"cut", "seam", "notch", "grain", "fold", "drill", "internal", "annotation"})
+       {"seam", "notch", "grain", "fold", "drill", "internal", "annotation", "cut"})
     layers.push_back({name, {}});
   return layers;
 }
@@ -166,7 +179,7 @@ Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t numbe
                    const std::string& title) {
   const Vec2 size = {job.sheets.length.value_or(nesting.used_length), job.sheets.width};
   Drawing sheet{title,
-                std::max(size.x, 240.0),
+                std::max(size.x, k_least_width),
                 size.y + sheet::k_gap + sheet::k_square + sheet::k_margin,
                 {}};
   sheet.layers = empty_piece_layers();
@@ -184,7 +197,8 @@ Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t numbe
       add_shapes(std::move(layers[k]), sheet.pieces.size(), sheet.layers[k]);
     sheet.pieces.push_back({annotations.label.name, annotations.label.size, 1});
   }
-  sheet.layers.push_back(nest_label(job, nesting, number, title, size, line_words(sheet.layers)));
+  Layer label = nest_label(job, nesting, number, title, size, line_words(sheet.layers));
+  sheet.layers.insert(sheet.layers.end() - 1, std::move(label));
   sheet.notes = {use_text(job, nesting)};
   return sheet;
 }

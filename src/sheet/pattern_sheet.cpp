@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -57,13 +58,13 @@ Drawing pattern_sheet(const Patch& patch, const UnfoldReport& unfold, const std:
                 placed.options.date};
   sheet.layers.reserve(k_sheet_layers.size());
   sheet.layers.push_back(map_layer(mesh, unfold, pattern.positions));
-  // The cut line comes later than the map, so that it lies on top.
-  for (Layer& layer : piece_layers(mesh, pattern, placed.options))
-    sheet.layers.push_back(std::move(layer));
+  std::vector<Layer> of_piece = piece_layers(mesh, pattern, placed.options);
   SheetFacts facts = placed.facts;
-  facts.lines = line_words(sheet.layers);
+  facts.lines = line_words(of_piece);
+  std::move(of_piece.begin(), of_piece.end() - 1, std::back_inserter(sheet.layers));
   sheet.layers.push_back(sheet_label(unfold, facts));
   sheet.layers.push_back(map_legend(unfold));
+  sheet.layers.push_back(std::move(of_piece.back()));  // the cut line, over all
   sheet.notes = sheet_notes(unfold, facts);
   return sheet;
 }

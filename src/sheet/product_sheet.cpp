@@ -120,13 +120,13 @@ Drawing product_sheet(std::span<const ProductPiece> pieces, std::span<const Seam
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     sheet.pieces.push_back({pieces[p].name});
     if (pieces[p].pattern.empty()) continue;
-    Path border{{}, true, Stroke{sheet::k_red}};
+    Path border{{}, true, Stroke{sheet::k_cut_color}};
     border.piece = p;
     const Patch patch(pieces[p].mesh);
     for (const std::vector<Index>& loop : patch.border_loops())
       border.lines.push_back(line_of({p, loop}, layout.corners[p]));
     cut.shapes.emplace_back(std::move(border));
-    Text name{layout.name_at[p], k_piece_name_height, name_of(pieces, p), sheet::k_black};
+    Text name{layout.name_at[p], k_piece_name_height, name_of(pieces, p), sheet::k_label_color};
     name.piece = p;
     label.shapes.emplace_back(std::move(name));
   }
@@ -141,10 +141,10 @@ Drawing product_sheet(std::span<const ProductPiece> pieces, std::span<const Seam
       Text number{along[along.size() / 2], k_seam_number_height, std::to_string(s + 1), color,
                   true};
       number.piece = side.patch;
-      label.shapes.emplace_back(std::move(number));
+      seam_lines.shapes.emplace_back(std::move(number));
     }
   }
-  sheet.layers = {std::move(cut), std::move(seam_lines), std::move(label)};
+  sheet.layers = {std::move(seam_lines), std::move(label), std::move(cut)};
   return sheet;
 }
 

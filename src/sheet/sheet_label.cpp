@@ -18,6 +18,7 @@
 #include "sheet/limit_map.h"
 #include "sheet/sheet_layout.h"
 #include "sheet/strain_map.h"
+#include "sheet/text_lines.h"
 
 namespace planish {
 
@@ -34,7 +35,7 @@ bool begins_letter(char byte) {
 
 // The name as large as fits, cut short where even the smallest letters do not.
 Text name_text(std::string_view name, Vec2 top_left, double width) {
-  const auto letters = std::count_if(name.begin(), name.end(), begins_letter);
+  const auto letters = static_cast<std::ptrdiff_t>(letters_in(name));
   const double fitting = width / (k_letter_width * std::max(1.0, static_cast<double>(letters)));
   const double height = std::clamp(fitting, k_smallest_name_height, k_name_height);
   const auto room = static_cast<std::ptrdiff_t>(width / (k_letter_width * height));
@@ -45,7 +46,7 @@ Text name_text(std::string_view name, Vec2 top_left, double width) {
                                   [&](char byte) { return begins_letter(byte) && ++kept == room; });
     text = std::string(name.begin(), end) + "…";
   }
-  return {{top_left.x, top_left.y - height}, height, text, k_black};
+  return {{top_left.x, top_left.y - height}, height, text, k_label_color};
 }
 
 Path rectangle(Vec2 low, double width, double height, Color color) {
@@ -54,10 +55,17 @@ Path rectangle(Vec2 low, double width, double height, Color color) {
           Stroke{color}};
 }
 
+Path filled_rectangle(Vec2 low, double width, double height, Color color) {
+  Path path = rectangle(low, width, height, color);
+  path.stroke.reset();
+  path.fill = color;
+  return path;
+}
+
 void add_test_squares(Layer& layer) {
   const auto add = [&](double left, double side, const std::string& text) {
-    layer.shapes.emplace_back(rectangle({left, k_margin}, side, side, k_black));
-    layer.shapes.emplace_back(Text{{left, k_margin + side + 2.0}, 2.2, text, k_black});
+    layer.shapes.emplace_back(rectangle({left, k_margin}, side, side, k_label_color));
+    layer.shapes.emplace_back(Text{{left, k_margin + side + 2.0}, 2.2, text, k_label_color});
   };
   add(k_margin, k_square, "50 mm – measure before cutting");
   add(k_block_right - k_inch_square, k_inch_square, "2 in");
@@ -66,20 +74,18 @@ void add_test_squares(Layer& layer) {
 void add_legend(Layer& layer, double limit) {
   const double y = k_margin + 4.5;
   for (int band = -k_bands_a_side; band <= k_bands_a_side; ++band) {
-    Path swatch = rectangle({k_column + (band + k_bands_a_side) * k_swatch, y}, k_swatch, k_swatch,
-                            band_color(band));
-    swatch.fill = band_color(band);
-    layer.shapes.emplace_back(std::move(swatch));
+    const Vec2 low = {k_column + (band + k_bands_a_side) * k_swatch, y};
+    layer.shapes.emplace_back(filled_rectangle(low, k_swatch, k_swatch, band_color(band)));
   }
   const double width = (2 * k_bands_a_side + 1) * k_swatch;
-  layer.shapes.emplace_back(rectangle({k_column, y}, width, k_swatch, k_dim));
+  layer.shapes.emplace_back(rectangle({k_column, y}, width, k_swatch, k_legend_color));
   layer.shapes.emplace_back(Text{{k_column, y + k_swatch + 2.0},
                                  2.2,
                                  "strain of the pattern: − shorter, + longer than on the patch",
-                                 k_dim});
+                                 k_legend_color});
   const std::string end = fixed_text(100.0 * limit, 3) + " %";
   const auto label = [&](double x, const std::string& text, bool centred) {
-    layer.shapes.emplace_back(Text{{x, k_margin}, 2.2, text, k_dim, centred});
+    layer.shapes.emplace_back(Text{{x, k_margin}, 2.2, text, k_legend_color, centred});
   };
   label(k_column, "−" + end, false);
   label(k_column + 0.5 * width, "0", true);
@@ -91,17 +97,15 @@ void add_limit_legend(Layer& layer, const StrainLimitCheck& limit) {
   constexpr double field = 8.5, gap = 4.0, beyond = 16.0;
   const double y = k_margin + 4.5;
   const auto swatch = [&](double x, double width, Color color) {
-    Path path = rectangle({x, y}, width, k_swatch, color);
-    path.fill = color;
-    layer.shapes.emplace_back(std::move(path));
+    layer.shapes.emplace_back(filled_rectangle({x, y}, width, k_swatch, color));
   };
   const auto label = [&](double x, double below, std::string text, bool centred) {
-    layer.shapes.emplace_back(Text{{x, below}, 2.2, std::move(text), k_dim, centred});
+    layer.shapes.emplace_back(Text{{x, below}, 2.2, std::move(text), k_legend_color, centred});
   };
   for (int band = 0; band + 1 < k_limit_bands; ++band)
     swatch(k_column + band * field, field, limit_band_color(band));
   const double end = k_column + (k_limit_bands - 1) * field, apart = end + gap;
-  layer.shapes.emplace_back(rectangle({k_column, y}, end - k_column, k_swatch, k_dim));
+  layer.shapes.emplace_back(rectangle({k_column, y}, end - k_column, k_swatch, k_legend_color));
   swatch(apart, beyond, k_beyond_limit);
   label(k_column, y + k_swatch + 2.0, "limit of strain used up; the limit is " + limit_words(limit),
         false);
@@ -116,7 +120,7 @@ Path ring_around(const std::pair<Vec2, Vec2>& box) {
   constexpr int corners = 48;
   const Vec2 middle = 0.5 * (box.first + box.second);
   const double radius = std::max(10.0, 0.5 * norm(box.second - box.first) + 5.0);
-  Path ring{{{}}, true, Stroke{k_red, 0.5}};
+  Path ring{{{}}, true, Stroke{k_warning_color, 0.5}};
   for (int k = 0; k < corners; ++k) {
     const auto [sine, cosine] = math::sincos(2.0 * std::numbers::pi * k / corners);
     ring.lines[0].push_back(middle + radius * Vec2{cosine, sine});
@@ -200,6 +204,47 @@ std::string origin_text(const SheetFacts& facts) {
   return text + " · pattern " + hash_text(facts.hash);
 }
 
+struct Row {
+  std::string text;
+  Color color;
+};
+
+/// Each as wide as the column at most.
+std::vector<Row> rows_of(const UnfoldReport& unfold, const SheetFacts& facts) {
+  constexpr double smallest = 2.0;
+  constexpr auto room = static_cast<std::size_t>(k_column_width / (k_letter_width * smallest));
+  std::vector<Row> rows;
+  const auto add = [&](const std::string& text, Color color) {
+    if (text.empty()) return;
+    for (std::string& line : broken_lines(text, room))
+      rows.push_back({std::move(line), color});
+  };
+  add(unit_note(unfold.unit, facts.model_scale), k_label_color);
+  add(origin_text(facts), k_label_color);
+  add(strain_text(unfold.strain, facts.moved), k_label_color);
+  if (const std::optional<Verdict> verdict = verdict_of(unfold, facts))
+    add(verdict->text, verdict->is_bad ? k_warning_color : k_label_color);
+  add(facts.lines, k_label_color);
+  add(filled_slit_text(facts), k_label_color);
+  return rows;
+}
+
+/// Between the size and the legend, in letters as large as fit.
+void add_rows(const std::vector<Row>& rows, Layer& layer) {
+  constexpr double first = k_margin + k_square - 17.5, last = k_margin + 15.0;  // from below
+  constexpr double usual_pitch = 4.0, usual_height = 2.5, height_of_pitch = 0.7;
+  const double gaps = std::max(1.0, static_cast<double>(rows.size()) - 1.0);
+  const double pitch = std::min(usual_pitch, (first - last) / gaps);
+  double y = first;
+  for (const Row& row : rows) {
+    const double letters = std::max(1.0, static_cast<double>(letters_in(row.text)));
+    const double height = std::min(
+        {usual_height, height_of_pitch * pitch, k_column_width / (k_letter_width * letters)});
+    layer.shapes.emplace_back(Text{{k_column, y}, height, row.text, row.color});
+    y -= pitch;
+  }
+}
+
 }  // namespace
 
 Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
@@ -209,22 +254,8 @@ Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
   if (!facts.name.empty()) {
     layer.shapes.emplace_back(name_text(facts.name, {k_column, top}, k_column_width));
   }
-  const auto line = [&](double below_top, double height, std::string text, Color color) {
-    layer.shapes.emplace_back(Text{{k_column, top - below_top}, height, std::move(text), color});
-  };
-  line(12.5, 4.0, size_text(facts), k_black);
-  std::string filled = filled_slit_text(facts);
-  const double pitch = filled.empty() ? 4.0 : 3.5;  // so that a row more fits above the legend
-  const auto row = [&](int number, std::string text, Color color) {
-    line(17.5 + number * pitch, 2.5, std::move(text), color);
-  };
-  row(0, unit_note(unfold.unit, facts.model_scale), k_dim);
-  row(1, origin_text(facts), k_dim);
-  row(2, strain_text(unfold.strain, facts.moved), k_dim);
-  if (!facts.lines.empty()) row(4, facts.lines, k_dim);
-  if (std::optional<Verdict> verdict = verdict_of(unfold, facts))
-    row(3, std::move(verdict->text), verdict->is_bad ? k_red : k_dim);
-  if (!filled.empty()) row(5, std::move(filled), k_black);
+  layer.shapes.emplace_back(Text{{k_column, top - 12.5}, 4.0, size_text(facts), k_label_color});
+  add_rows(rows_of(unfold, facts), layer);
   if (facts.overlap) layer.shapes.emplace_back(ring_around(*facts.overlap));
   return layer;
 }

@@ -76,10 +76,10 @@ Lines svg_layer(const std::string& path, const std::string& name) {
   return oracle::lines_of_svg(svg.substr(begin, end + 4 - begin));
 }
 
-/// The lines of the PDF's second layer, "cut".
+/// The lines of the PDF's last layer, "cut".
 Lines pdf_cut(const std::string& path) {
   const std::string pdf = content_of(path);
-  const std::size_t begin = pdf.find("/OC /L1 BDC");
+  const std::size_t begin = pdf.find("/OC /L10 BDC");
   std::istringstream words(pdf.substr(begin, pdf.find("EMC", begin) - begin));
   Lines lines;
   std::vector<double> numbers;

@@ -62,6 +62,12 @@ Drawing known_drawing() {
   return drawing;
 }
 
+// A panel of 6.5 m, longer than a page of a PDF can be.
+Drawing long_drawing() {
+  const Path panel{{{{10, 10}, {6510, 10}, {6510, 110}, {10, 110}}}, true, Stroke{k_red, 2.0}};
+  return {"long", 6520.0, 120.0, {{"cut", {panel}}}};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -76,7 +82,7 @@ int main(int argc, char** argv) {
   std::vector<planish::OutputFile> files = {
       {folder / "known.svg", planish::format_svg(drawing)},
       {folder / "known.pdf", planish::format_pdf(drawing)},
-      {folder / "large.pdf", planish::format_pdf(large)},
+      {folder / "long.pdf", planish::format_pdf(long_drawing())},
       {folder / "known-a4.pdf", planish::format_tiled_pdf(drawing, planish::Paper::a4)},
       {folder / "known-letter.pdf", planish::format_tiled_pdf(large, planish::Paper::letter)},
       {folder / "known.plt", planish::format_plt(drawing)},

@@ -59,12 +59,18 @@ def check_one_page(path):
     check(len(catalog["/OCProperties"]["/D"]["/OFF"]) == 1, f"{path.name}: one layer is hidden")
 
 
-def check_large(path):
+def check_long(path):
+    """A sheet that no viewer shows on one page at true size: two pages to be joined, behind a map."""
     sound(path)
-    (page,) = (some for some in objects(path) if some.get("/Type") == "/Page")
-    unit = page["/UserUnit"]
-    near(page["/MediaBox"][2] * unit * MM_PER_POINT, 7000.0, 0.01, "width of the large page")
-    check(max(page["/MediaBox"]) <= 14400, "the large page has sides that viewers show")
+    sides = [some["/MediaBox"] for some in objects(path) if some.get("/Type") == "/Page"]
+    check(len(sides) == 3 and max(map(max, sides)) <= 14400, f"{path.name}: pages {sides}")
+    check(b"UserUnit" not in path.read_bytes(), f"{path.name} needs a unit of its own")
+    _, left, right = pages(path, 25.4)  # a pixel a millimetre
+    step = left.width - 2 * 10 - 10  # between margins, without the overlap
+    # The panel has 2 mm around it, half of its line's width is 1 mm.
+    begin = left.box(is_red)[0] - (10.0 + 2.0 - 1.0)
+    end = right.box(is_red)[2] + step - (10.0 + 2.0 + 1.0)
+    near(end - begin, 6500.0, 2.0, f"{path.name}: length of the panel over both pages")
 
 
 def check_tiles(path):
@@ -95,7 +101,7 @@ def main():
     roundtrip.need("qpdf", "pdfinfo", "pdftoppm", "pdftotext")
     folder = roundtrip.known_files()
     check_one_page(folder / "known.pdf")
-    check_large(folder / "large.pdf")
+    check_long(folder / "long.pdf")
     check_tiles(folder / "known-a4.pdf")
     sound(folder / "known-letter.pdf")
     print("PDF: all as written")

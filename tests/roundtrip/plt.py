@@ -40,15 +40,16 @@ def main():
     folder = roundtrip.known_files()
     lines = draw((folder / "known.plt").read_text(encoding="ascii"))
     check(sorted(lines) == [1, 2, 3, 4], f"pens {sorted(lines)}: cut, seam, grain and label")
-    square, hole, circle = lines[1]
+    hole, square, circle = lines[1]
     check(square[0] == square[-1] and circle[0] == circle[-1], "outlines are closed")
-    check(set(square) == {(20, 30), (120, 30), (120, 130), (20, 130)}, f"square {square}")
+    # The square's lower left corner, (20, 30) of the drawing, is that of all lines.
+    check(set(square) == {(0, 0), (100, 0), (100, 100), (0, 100)}, f"square {square}")
     check(len(hole) == 251 and len(circle) == 721, "number of corners")
     for x, y in circle:
-        near(abs(complex(x - 220.0, y - 100.0)), 60.0, 0.018, "radius")
-    check(lines[3] == [[(40, 40), (40, 120)]], f"grain line {lines[3]}")
+        near(abs(complex(x - 200.0, y - 70.0)), 60.0, 0.018, "radius")
+    check(lines[3] == [[(20, 10), (20, 90)]], f"grain line {lines[3]}")
     letters = [place for line in lines[4] for place in line]
-    check(min(x for x, _ in letters) >= 20.0 and len(lines[4]) > 40, "letters are drawn")
+    check(min(x for x, _ in letters) >= 0.0 and len(lines[4]) > 40, "letters are drawn")
     print("PLT: all as written")
 
 

@@ -43,7 +43,7 @@ def main():
     wanted = [10.0 * side for side in flat_size(folder / "flat.obj")]
     for found, side in zip(cut_size(folder / "out/pattern.dxf"), wanted):
         near(found, side, 0.002, "side of the pattern in mm")
-    numbers = re.findall(r"SP1;\n(.*?)SP2;", (folder / "out/pattern.plt").read_text(), re.DOTALL)
+    numbers = re.findall(r"SP1;\n(.*?)PU;\n", (folder / "out/pattern.plt").read_text(), re.DOTALL)
     places = [int(number) for number in re.findall(r"-?\d+", numbers[0])]
     near((max(places[::2]) - min(places[::2])) / 40.0, wanted[0], 0.03, "width in HPGL")
     near((max(places[1::2]) - min(places[1::2])) / 40.0, wanted[1], 0.03, "height in HPGL")

@@ -22,6 +22,7 @@
 #include "model/model_flags.h"
 #include "output/flatten_files.h"
 #include "output/open_page.h"
+#include "output/pattern_notes.h"
 #include "output/pattern_output.h"
 #include "platform/path.h"
 #include "product/job.h"
@@ -99,12 +100,9 @@ ProductJob product_job(const FlattenRequest& request, ProductInput input,
                  .annotations = {},
                  .paths = {},
                  .files_of = {},
-                 .nest = request.nest};
-  const std::vector<PatternFormat>& formats_asked = request.pattern.formats;
-  const bool writes_dxf = std::find(formats_asked.begin(), formats_asked.end(),
-                                    PatternFormat::dxf) != formats_asked.end();
-  if (writes_dxf && request.pattern.output.dxf.profile != DxfProfile::generic)
-    job.pieces_in_dxf = request.pattern.output;
+                 .nest = request.nest,
+                 .formats = request.pattern.formats,
+                 .output = request.pattern.output};
   job.annotations = annotations_of_patches(request.pattern.annotations, job.patches, arguments);
   std::vector<MeshFormat> formats;
   for (std::size_t p = 0; p < job.patches.size(); ++p) {
@@ -202,9 +200,13 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
       path + "  (" + size + ")\n" + flatten_text(report) + (nesting ? nesting->text : "");
   CommandResult outcome = with_target_checked({text + written_text(folder, paths, files), json},
                                               arguments, report.evolve);
-  const std::vector<std::string> left = left_of_earlier_runs(folder, paths);
-  if (!left.empty())
-    session.warn(utf8_of(folder) + " still has " + list_of(left) + " of an earlier run");
+  note_spelling(session, words_of(name, pattern.annotations.label), pattern.formats,
+                pattern.output);
+  note_divided_pages(session, files, pattern.output);
+  std::vector<fs::path> written;
+  for (const OutputFile& file : files)
+    written.push_back(file.path);
+  warn_of_left(session, folder, left_of_earlier_runs(folder, written));
   session.write(files, folder);
   open_if_asked(arguments, path_of(paths.at("report_html")), session);
   return with_design_checked(with_limits_checked(std::move(outcome), report.unfold.limits), report);

@@ -14,6 +14,7 @@
 #include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "model/model_flags.h"
+#include "output/pattern_notes.h"
 #include "output/pattern_output.h"
 #include "platform/path.h"
 #include "product/seams.h"
@@ -158,11 +159,16 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
   });
   warn_of_pattern(session, report);
   note_unequal_seams(session, patch, report);
-  if (lower_extension(output) == ".plt") note_plotter_reach(session, report);
+  const std::vector<OutputFile> files = {{path_of(output), content}};
+  if (const auto format = pattern_format_of(output)) {
+    if (format == PatternFormat::plt) note_plotter_reach(session, report);
+    note_spelling(session, words_of(name, request.annotations.label), {*format}, request.output);
+    if (!request.output.paper) note_divided_pages(session, files, request.output);
+  }
   CommandResult outcome = {path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" +
                                unfold_text(report, cautions),
                            json_report(report, cautions, figures_of_cut(input.cut))};
-  session.write({{path_of(output), content}});
+  session.write(files);
   return with_limits_checked(std::move(outcome), report.limits);
 }
 

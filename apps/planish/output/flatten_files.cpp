@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <set>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include <planish/draw/drawing.h>
@@ -118,24 +116,6 @@ WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFi
   if (arguments.has("--history")) paths["history"] = arguments.flags.at("--history");
   paths.merge(fields_paths(arguments));
   return paths;
-}
-
-std::vector<std::string> left_of_earlier_runs(const fs::path& folder, const WrittenFiles& paths) {
-  std::set<std::string> written;
-  for (const auto& [role, path] : paths)
-    written.insert(utf8_of(path_of(path).filename()));
-  std::vector<std::string> names;
-  std::error_code failure;
-  for (const fs::path& entry : entries_of(folder, failure)) {
-    const std::string name = utf8_of(entry.filename());
-    constexpr std::array<std::string_view, 3> k_ours = {"pattern.", "pattern-a", "as-designed."};
-    const bool is_ours = std::any_of(k_ours.begin(), k_ours.end(), [&](std::string_view start) {
-      return name.starts_with(start);
-    });
-    if (is_ours && !written.contains(name)) names.push_back(name);
-  }
-  std::sort(names.begin(), names.end());
-  return names;
 }
 
 std::string page_of(const FlattenReport& report, const PatternFiles& pattern,

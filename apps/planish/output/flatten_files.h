@@ -53,11 +53,6 @@ PatternOptions with_move(PatternOptions annotations, const FlattenReport& report
 WrittenFiles paths_in(const std::filesystem::path& folder, MeshFormat format,
                       const PatternFiles& pattern, const Arguments& arguments);
 
-/// Names of files in the folder that an earlier run of `flatten` wrote, as what they are called
-/// tells, and this one does not write: what is printed of them is not this pattern.
-std::vector<std::string> left_of_earlier_runs(const std::filesystem::path& folder,
-                                              const WrittenFiles& paths);
-
 /// These files with their content.
 /// @param paths as from paths_in()
 /// @param json the content of report.json

@@ -9,6 +9,7 @@
 #include "draw/text/stroke_text.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
+#include "shell/nearest.h"
 #include "shell/values.h"
 
 namespace planish::cli {
@@ -31,9 +32,35 @@ std::vector<std::string> split(const std::string& text) {
   return parts;
 }
 
+std::vector<std::string> layer_names() {
+  return {k_sheet_layers.begin(), k_sheet_layers.end()};
+}
+
+/// "cut,notch"
+/// @throws UsageError, Error unknown_name
+std::vector<std::string> only_layers_from(const Arguments& arguments) {
+  std::vector<std::string> wanted;
+  if (!arguments.has("--only-layers")) return wanted;
+  const std::vector<std::string> layers = layer_names();
+  for (const std::string& name : split(arguments.flags.at("--only-layers"))) {
+    const auto found = std::find_if(layers.begin(), layers.end(), [&](const std::string& layer) {
+      return same_word(layer, name);
+    });
+    if (found == layers.end()) {
+      throw Error(ErrorCode::unknown_name, "--only-layers has \"" + name + "\", which is no layer" +
+                                               nearest_hint(name, layers) + " (there are " +
+                                               list_of(layers) + ")");
+    }
+    if ((*found == "strain" || *found == "legend") && !arguments.has("--map"))
+      throw UsageError("the layer " + *found + " of --only-layers is drawn with --map only");
+    wanted.push_back(*found);
+  }
+  return wanted;
+}
+
 // "cut=LASER,label=NOTES"
 std::map<std::string, std::string, std::less<>> layer_names_from(const std::string& text) {
-  const std::vector<std::string> layers(k_sheet_layers.begin(), k_sheet_layers.end());
+  const std::vector<std::string> layers = layer_names();
   std::map<std::string, std::string, std::less<>> names;
   for (const std::string& pair : split(text)) {
     const std::size_t sign = pair.find('=');
@@ -53,10 +80,17 @@ std::vector<std::string> notch_kinds() {
   return {"points", "strokes"};
 }
 
-/// What a format shows of the sheet: the strain map, and its legend, on screens and on request.
+/// What a format shows of the sheet: the strain map, and its legend, on request and where there are
+/// areas.
 Drawing prepared(Drawing sheet, PatternFormat format, const PatternOutput& output) {
-  const bool has_map = format == PatternFormat::svg || (format == PatternFormat::pdf && output.map);
-  if (!has_map) sheet = without_map(std::move(sheet));
+  const bool has_areas = format == PatternFormat::svg || format == PatternFormat::pdf;
+  if (!output.map || !has_areas) sheet = without_map(std::move(sheet));
+  const std::vector<std::string>& only = output.only_layers;
+  if (!only.empty()) {
+    std::erase_if(sheet.layers, [&](const Layer& layer) {
+      return std::find(only.begin(), only.end(), layer.name) == only.end();
+    });
+  }
   return output.stroked_text ? with_stroked_text(std::move(sheet)) : sheet;
 }
 
@@ -91,7 +125,14 @@ std::vector<Flag> pattern_flags(const std::string& paper_doc) {
            0,
            false,
            {.choices = names_of(k_papers)}},
-          {"--map", "", "draw the strain map on paper too: in .pdf and on the pages of --paper"},
+          {"--map", "",
+           "draw the strain map and its legend, in .svg, .pdf and on the pages of --paper"},
+          {"--only-layers",
+           "LIST",
+           "write these layers only, like cut,notch: some of " + list_of(layer_names()),
+           0,
+           false,
+           {.choices = layer_names()}},
           {"--text",
            "KIND",
            "letters, or strokes for machines without them (default letters)",
@@ -118,8 +159,7 @@ std::vector<Flag> pattern_flags(const std::string& paper_doc) {
            false,
            {.choices = notch_kinds(), .standard = "points"}},
           {"--dxf-layers", "A=B,...",
-           "other names in the .dxf for the layers " +
-               list_of(std::vector<std::string>(k_sheet_layers.begin(), k_sheet_layers.end()))}};
+           "other names in the .dxf for the layers " + list_of(layer_names())}};
 }
 
 PatternOutput pattern_output_from(const Arguments& arguments) {
@@ -129,6 +169,7 @@ PatternOutput pattern_output_from(const Arguments& arguments) {
   output.dxf.profile = dxf_profile_named(known_name(
       "profile", arguments.value_or("--dxf-profile", "generic"), names_of(k_dxf_profiles)));
   output.map = arguments.has("--map");
+  output.only_layers = only_layers_from(arguments);
   output.dxf.version =
       value_named("version of DXF", arguments.value_or("--dxf-version", "r12"), k_dxf_versions);
   output.dxf.notch_strokes =
@@ -158,7 +199,8 @@ void refuse_idle_pattern_flags(const Arguments& arguments,
   check("--text", !formats.empty(), "svg, dxf, pdf and plt");
   check("--dxf-profile", writes(PatternFormat::dxf), "dxf");
   check("--dxf-layers", writes(PatternFormat::dxf), "dxf");
-  check("--map", writes(PatternFormat::pdf), "pdf");
+  check("--map", writes(PatternFormat::svg) || writes(PatternFormat::pdf), "svg and pdf");
+  check("--only-layers", !formats.empty(), "svg, dxf, pdf and plt");
   const bool is_apparel =
       arguments.value_or("--dxf-profile", "generic") != to_string(DxfProfile::generic);
   check("--dxf-version", writes(PatternFormat::dxf) && !is_apparel, "dxf of the profile generic");

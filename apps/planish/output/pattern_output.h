@@ -24,14 +24,15 @@ struct PatternOutput {
   DxfOptions dxf;
   std::optional<Paper> paper;  ///< of pages to be joined
   bool stroked_text = false;
-  bool map = false;  ///< the strain map is on paper too
+  bool map = false;                      ///< with the strain map, in .svg and .pdf
+  std::vector<std::string> only_layers;  ///< that are written; empty: all
 };
 
-/// --paper, --map, --text, and how a .dxf is written, for verbs that write patterns.
+/// --paper, --map, --only-layers, --text, and how a .dxf is written, for verbs that write patterns.
 /// @param paper_doc what --paper does there
 std::vector<Flag> pattern_flags(const std::string& paper_doc);
 
-/// @throws UsageError for unknown names
+/// @throws UsageError, Error unknown_name for unknown names
 PatternOutput pattern_output_from(const Arguments& arguments);
 
 /// Refuses those of the flags above that none of the formats heeds.

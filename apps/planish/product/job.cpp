@@ -9,6 +9,7 @@
 #include <planish/sheet/product_sheet.h>
 
 #include "output/open_page.h"
+#include "output/pattern_notes.h"
 #include "platform/path.h"
 #include "product/nest.h"
 #include "product/seams.h"
@@ -85,14 +86,19 @@ class ProductRun {
                                      {job_.folder / path_of("garment.html"), page(nesting)},
                                      {job_.folder / path_of("garment.svg"), picture}};
     if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
-    if (job_.pieces_in_dxf)
-      files.push_back({job_.folder / path_of("garment.dxf"), pieces_in_dxf(*job_.pieces_in_dxf)});
+    const bool writes_dxf = std::find(job_.formats.begin(), job_.formats.end(),
+                                      PatternFormat::dxf) != job_.formats.end();
+    if (writes_dxf && job_.output.dxf.profile != DxfProfile::generic)
+      files.push_back({job_.folder / path_of("garment.dxf"), pieces_in_dxf()});
     std::string text = patch_lines();
     text += twins_text(report_) + seams_text(report_, job_.is_batch) +
             (nesting ? nesting->text : "") + written_text(files) +
             "Each patch has a folder of its own beside these; patterns lie outer side up.\n";
     CommandResult outcome = with_nesting_checked(with_exit_code({text, garment}), nesting);
     note_cautions_and_sizes();
+    note_words();
+    note_divided_pages(session_, files, job_.output);
+    warn_of_left(session_, job_.folder, left_behind(files));
     session_.write(files, job_.folder);
     open_if_asked(arguments_, job_.folder / path_of("garment.html"), session_);
     return outcome;
@@ -108,6 +114,36 @@ class ProductRun {
       if (const auto size = unusual_size_text(unfold.pattern, unfold.unit))
         session_.note(patch.name + ": " + *size);
     }
+  }
+
+  void note_words() const {
+    std::vector<std::string> words;
+    for (std::size_t p = 0; p < job_.patches.size(); ++p) {
+      for (std::string& word : words_of(job_.patches[p].name, job_.annotations[p].label))
+        words.push_back(std::move(word));
+    }
+    note_spelling(session_, words, job_.formats, job_.output);
+  }
+
+  /// What earlier runs left beside the pieces, and in the folders of these.
+  std::vector<std::string> left_behind(const std::vector<OutputFile>& files) const {
+    std::vector<std::filesystem::path> written;
+    for (const OutputFile& file : files)
+      written.push_back(file.path);
+    std::vector<std::string> names;
+    for (std::size_t p = 0; p < job_.patches.size(); ++p) {
+      written.push_back(folder_of(p));
+      std::vector<std::filesystem::path> own;
+      if (report_.patches[p].finished) {
+        for (const auto& [role, path] : job_.paths[p])
+          own.push_back(path_of(path));
+      }
+      for (const std::string& name : left_of_earlier_runs(folder_of(p), own))
+        names.push_back(job_.places[p].folder + "/" + name);
+    }
+    std::vector<std::string> beside = left_of_earlier_runs(job_.folder, written);
+    names.insert(names.begin(), beside.begin(), beside.end());
+    return names;
   }
 
   std::filesystem::path folder_of(std::size_t p) const {
@@ -152,10 +188,11 @@ class ProductRun {
                             stem_of(job_.path), session_);
   }
 
-  std::string pieces_in_dxf(const PatternOutput& output) const {
+  /// As apparel programs read them.
+  std::string pieces_in_dxf() const {
     const NestJob pieces{patches_with_notches(), report_.unit};
     return pattern_file(pieces_sheet(pieces, report_.twins, stem_of(job_.path)), PatternFormat::dxf,
-                        output);
+                        job_.output);
   }
 
   std::optional<FinishedPatch> kept(std::size_t p, const PatchTwin* twin) {
@@ -181,6 +218,7 @@ class ProductRun {
 
   void write(std::size_t p, PatchResult& result) {
     std::vector<OutputFile> files = std::move(files_[p]);
+    note_divided_pages(session_, files, job_.output);
     // Last, so that it never speaks of files that are not there yet.
     files.push_back(job_file(jobs_[p], *result.finished, files, folder_of(p)));
     try {

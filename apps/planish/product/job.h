@@ -38,8 +38,8 @@ struct ProductJob {
       files_of;
   /// How all patches are laid on sheets together; nothing where they are not.
   std::shared_ptr<const NestRequest> nest = {};
-  /// How a file with all pieces, as apparel programs read it, is written; nothing for none.
-  std::optional<PatternOutput> pieces_in_dxf = {};
+  std::vector<PatternFormat> formats = {};  ///< of patterns
+  PatternOutput output = {};                ///< how they are written
 };
 
 /// --product, --resume and --seam-tolerance.

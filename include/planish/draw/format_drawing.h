@@ -10,7 +10,8 @@
 namespace planish {
 
 /// The drawing as a stand-alone SVG at true size: width and height in mm, one user unit = 1 mm,
-/// each layer a group that Inkscape shows as a layer; coordinates to 0.001 mm. The same drawing
+/// each layer a group that Inkscape shows as a layer, holes before the outline around them;
+/// coordinates to 0.001 mm. The same drawing
 /// gives the same bytes. Text is escaped; bytes that are no UTF-8 become U+FFFD. Sizes and places
 /// are to be finite; points and texts that are nowhere are left out.
 std::string format_svg(const Drawing& drawing);
@@ -18,10 +19,12 @@ std::string format_svg(const Drawing& drawing);
 /// The drawing as a PDF of one page at true size, with the sheet's size for a page and a word to
 /// viewers not to scale it when printing. Each layer is one that viewers can show and hide;
 /// coordinates to 0.001 mm. Text is set in Helvetica, which viewers have, as long as it keeps to
-/// the characters of Windows-1252 (a minus sign is set as an en dash); other text is drawn as
-/// strokes and cannot be searched for. Nothing is compressed and no date written: the same drawing
-/// gives the same bytes. Sheets longer than 5.08 m have a larger unit (PDF 1.6), which old viewers
-/// ignore.
+/// the characters of Windows-1252 (a minus sign is set as an en dash); Greek and Cyrillic letters
+/// are spelled in Latin ones, characters of other scripts by their numbers, and what is beyond
+/// Windows-1252 then is drawn as strokes and cannot be searched for. Nothing is compressed and no
+/// date written: the same drawing gives the same bytes. A sheet longer than 5.08 m, which many
+/// viewers would show too small, is divided into pages as format_tiled_pdf() does; one that would
+/// take more than 10,000 of these is one page with a larger unit (PDF 1.6).
 std::string format_pdf(const Drawing& drawing);
 
 /// Sizes of paper: ISO 216, and US letter, 8.5 by 11 inches.
@@ -52,8 +55,11 @@ std::string format_tiled_pdf(const Drawing& drawing, Paper paper);
 void check_page_area(double area, Paper paper);
 
 /// The drawing as HPGL for plotters and cutters, 40 units per millimetre, so coordinates to
-/// 0.025 mm. Each layer that is visible and has lines takes a pen, from pen 1 on; closed lines end
-/// where they began; text is drawn as strokes. HPGL has no areas: what is filled and has no outline
+/// 0.025 mm, from (0, 0) at the lower left corner of all lines. Pieces come one after the other,
+/// each in the order of the layers, holes before the outline around them. Each layer that is
+/// visible and has lines takes a pen: pen 1 "cut", the next ones the others in their order; from
+/// the eighth on they share pen 8. Closed lines end where they began; text is drawn as strokes, in
+/// letters as format_pdf() spells them. HPGL has no areas: what is filled and has no outline
 /// is left out. Widths, colours and dashes are the pen's, not the file's. Plotters with 16-bit
 /// coordinates reach 819 mm. The same drawing gives the same bytes.
 std::string format_plt(const Drawing& drawing);
@@ -105,15 +111,15 @@ struct DxfOptions {
   bool notch_strokes = false;
 };
 
-/// The drawing as DXF in millimetres, coordinates to 0.001 mm. Lines become POLYLINEs, closed where
-/// they are closed, with few points where these were fitted; in R2000 outlines become LWPOLYLINEs,
-/// whose arcs are arcs, and SPLINEs. Areas that
-/// are filled and have no outline (the strain map) are left out, and so are layers without anything
-/// else; widths of lines are not kept. Colours become the nearest of AutoCAD's first nine, hidden
-/// layers stay hidden. Text becomes TEXT as high as asked; each UTF-16 unit beyond ASCII becomes
-/// \U+ and four hexadecimal digits, as in AutoCAD. Names of layers and blocks are cut to 31 of A-Z
-/// a-z 0-9 $ - _, as R12 wants them;
-/// every other character becomes _. The same drawing gives the same bytes.
+/// The drawing as DXF in millimetres, coordinates to 0.001 mm. Pieces come one after the other,
+/// each in the order of the layers, holes before the outline around them. Lines become POLYLINEs,
+/// closed where they are closed, with few points where these were fitted; in R2000 outlines become
+/// LWPOLYLINEs, whose arcs are arcs, and SPLINEs. Areas that are filled and have no outline (the
+/// strain map) are left out, and so are layers without anything else; widths of lines are not kept.
+/// Colours become the nearest of fifteen of AutoCAD's, hidden layers stay hidden. Text becomes TEXT
+/// as high as asked; each UTF-16 unit beyond ASCII becomes \U+ and four hexadecimal digits, as in
+/// AutoCAD. Names of layers and blocks are cut to 31 of A-Z a-z 0-9 $ - _, as R12 wants them; every
+/// other character becomes _. The same drawing gives the same bytes.
 ///
 /// The other profiles write every piece as a block, in ASCII. They have numbers for these layers,
 /// by their names in the drawing: cut, notch, grain, fold, internal, drill and seam; others are

@@ -11,10 +11,11 @@
 
 namespace planish {
 
-/// The layers of pattern_sheet(), in the order that they are drawn. All are always there.
+/// The layers of pattern_sheet(), in the order that they are drawn: what is cut comes last, as it
+/// frees the piece. All are always there, and the lines and words of no two of them share a colour.
 inline constexpr std::array<std::string_view, 11> k_sheet_layers = {
-    "strain", "cut",      "seam",       "notch", "grain", "fold",
-    "drill",  "internal", "annotation", "label", "legend"};
+    "strain",   "seam",       "notch", "grain",  "fold", "drill",
+    "internal", "annotation", "label", "legend", "cut"};
 
 /// In maps of the limit used up, the colour of what is beyond. Eyes without red, green or blue
 /// cones too tell orange from all colours of ColorMap::pale, which what is within has.
@@ -22,12 +23,12 @@ inline constexpr Color k_beyond_limit = {240, 82, 10};
 
 /// The pattern as a sheet in millimetres, with a margin: "strain" (every triangle in the colour of
 /// its signed strain, or where an edge has a limit of strain, of the share of it that its edges use
-/// up; neighbours of one colour joined), on top of it "cut" (the outline, or with an
-/// allowance the line around that, and the outline as "seam"), "notch", "grain", "fold", "drill"
-/// (match marks too), "internal" (inner lines) and "annotation" (the piece's own label) as the
-/// options ask, below it "label": name, sizes, unit, scale, a hash of the pattern, test squares of
-/// 50 mm and 2 in; and "legend", what the colours mean. A pattern that overlaps itself gets no
-/// allowance.
+/// up; neighbours of one colour joined), over it "seam" (with an allowance the outline), "notch",
+/// "grain", "fold", "drill" (match marks too), "internal" (inner lines) and "annotation" (the
+/// piece's own label) as the options ask, and "cut" (the outline, or with an allowance the line
+/// around that), below the pattern "label": name, sizes, unit, scale, a hash of the pattern, test
+/// squares of 50 mm and 2 in; and "legend", what the colours mean. A pattern that overlaps itself
+/// gets no allowance.
 /// @param patch that was unfolded
 /// @param name of the patch; that of the piece too where the options have none
 /// @throws Error as offset_outline(), place_notches(), grain_direction() and mark_lines()

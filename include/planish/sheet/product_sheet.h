@@ -23,9 +23,9 @@ struct ProductPiece {
 };
 
 /// All pieces of a product side by side at true size in rows, the highest first, each under its
-/// name. Layers: "cut" (the borders), "seam" (along the borders what is sewn together, each seam in
-/// one colour) and "label" (names, and whose twin a piece is; at the middle of each side of a seam
-/// its number, from 1). What is written of twins in thousandths of a millimetre is mirrored digit
+/// name. Layers: "seam" (along the borders what is sewn together, each seam in one colour, with its
+/// number, from 1, at the middle of each side), "label" (names, and whose twin a piece is) and
+/// "cut" (the borders). What is written of twins in thousandths of a millimetre is mirrored digit
 /// by digit.
 /// @param seams of the pieces, by their numbers
 Drawing product_sheet(std::span<const ProductPiece> pieces, std::span<const Seam> seams, Unit unit,

@@ -49,12 +49,19 @@ std::string block_name(const DrawingPiece& piece, std::set<std::string>& taken) 
 }
 
 std::vector<Piece> pieces_of(const Drawing& drawing, const DxfOptions& options) {
+  // Files of such programs have the boundary first.
+  std::vector<const Layer*> layers;
+  for (const Layer& layer : drawing.layers)
+    layers.push_back(&layer);
+  std::stable_partition(layers.begin(), layers.end(), [&](const Layer* layer) {
+    return dxf_layer_name(layer->name, options) == k_boundary_layer;
+  });
   std::map<std::size_t, ApparelPiece> entities;
-  for (const Layer& layer : drawing.layers) {
-    for (const DrawingShape& shape : layer.shapes) {
+  for (const Layer* layer : layers) {
+    for (const DrawingShape& shape : layer->shapes) {
       std::visit(
           [&](const auto& some) {
-            entities.try_emplace(some.piece, options).first->second.add(layer, some);
+            entities.try_emplace(some.piece, options).first->second.add(*layer, some);
           },
           shape);
     }

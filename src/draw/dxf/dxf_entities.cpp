@@ -14,10 +14,9 @@ void DxfEntities::add(const Path& path, const std::string& layer, bool visible) 
   if (!path.stroke) return;
   const std::span<const std::vector<Vec2>> lines =
       path.fitted.few.empty() ? path.lines : path.fitted.few;
-  DxfTags& tags = pieces_[path.piece];
   for (const std::vector<Vec2>& line : dxf_places(lines, path.closed)) {
-    tags.add_polyline(layer, line, path.closed,
-                      layers_.looks_on(layer, path.stroke->color, path.stroke->dashed, visible));
+    tags_.add_polyline(layer, line, path.closed,
+                       layers_.looks_on(layer, path.stroke->color, path.stroke->dashed, visible));
     for (const Vec2 place : line)
       box_.add(place);
   }
@@ -25,19 +24,11 @@ void DxfEntities::add(const Path& path, const std::string& layer, bool visible) 
 
 void DxfEntities::add(const Text& text, const std::string& layer, bool visible) {
   if (text.text.empty() || !std::isfinite(text.at.x) || !std::isfinite(text.at.y)) return;
-  DxfTags& tags = pieces_[text.piece];
-  tags.add(0, "TEXT");
-  tags.add(8, layer);
-  tags.append(layers_.looks_on(layer, text.color, false, visible));
-  tags.add_words(text);
+  tags_.add(0, "TEXT");
+  tags_.add(8, layer);
+  tags_.append(layers_.looks_on(layer, text.color, false, visible));
+  tags_.add_words(text);
   box_.add(text.at);
-}
-
-DxfTags DxfEntities::tags() const {
-  DxfTags all;
-  for (const auto& [piece, tags] : pieces_)
-    all.append(tags);
-  return all;
 }
 
 }  // namespace planish

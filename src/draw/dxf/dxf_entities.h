@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,8 +17,7 @@ class DxfEntities {
  public:
   void add(const Layer& layer, const std::string& name);
 
-  /// Piece by piece.
-  DxfTags tags() const;
+  const DxfTags& tags() const { return tags_; }
   const DxfLayers& layers() const { return layers_; }
   /// Two corners of the box around all; nothing where there is nothing.
   const std::optional<std::pair<Vec2, Vec2>>& box() const { return box_.corners(); }
@@ -29,7 +26,7 @@ class DxfEntities {
   void add(const Path& path, const std::string& layer, bool visible);
   void add(const Text& text, const std::string& layer, bool visible);
 
-  std::map<std::size_t, DxfTags> pieces_;
+  DxfTags tags_;
   DxfBox box_;
   DxfLayers layers_;
 };

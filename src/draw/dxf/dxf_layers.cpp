@@ -7,16 +7,28 @@ namespace planish {
 
 namespace {
 
-// AutoCAD's first nine colours, from number 1 on. It shows 7 as black on white and white on black.
-constexpr std::array<Color, 9> k_colors = {{{255, 0, 0},
-                                            {255, 255, 0},
-                                            {0, 255, 0},
-                                            {0, 255, 255},
-                                            {0, 0, 255},
-                                            {255, 0, 255},
-                                            {0, 0, 0},
-                                            {128, 128, 128},
-                                            {192, 192, 192}}};
+struct NumberedColor {
+  int number;
+  Color color;
+};
+
+// Of AutoCAD's colours the first nine, and what keeps the layers of sheets apart. It shows 7 as
+// black on white and white on black.
+constexpr std::array<NumberedColor, 15> k_colors = {{{1, {255, 0, 0}},
+                                                     {2, {255, 255, 0}},
+                                                     {3, {0, 255, 0}},
+                                                     {4, {0, 255, 255}},
+                                                     {5, {0, 0, 255}},
+                                                     {6, {255, 0, 255}},
+                                                     {7, {0, 0, 0}},
+                                                     {8, {128, 128, 128}},
+                                                     {9, {192, 192, 192}},
+                                                     {12, {165, 0, 0}},
+                                                     {30, {255, 127, 0}},
+                                                     {32, {165, 82, 0}},
+                                                     {34, {127, 63, 0}},
+                                                     {42, {165, 124, 0}},
+                                                     {154, {0, 63, 127}}}};
 
 /// The nearest of them.
 int color_number(Color color) {
@@ -24,10 +36,10 @@ int color_number(Color color) {
     const int r = color.r - other.r, g = color.g - other.g, b = color.b - other.b;
     return r * r + g * g + b * b;
   };
-  const auto* const nearest =
-      std::min_element(k_colors.begin(), k_colors.end(),
-                       [&](Color a, Color b) { return distance(a) < distance(b); });
-  return static_cast<int>(nearest - k_colors.begin()) + 1;
+  const auto* const nearest = std::min_element(
+      k_colors.begin(), k_colors.end(),
+      [&](const auto& a, const auto& b) { return distance(a.color) < distance(b.color); });
+  return nearest->number;
 }
 
 }  // namespace

@@ -4,20 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include <planish/pattern/piece_outline.h>
+
 #include "draw/whole_steps.h"
 
 namespace planish {
-
-namespace {
-
-double area(const std::vector<Vec2>& loop) {
-  double doubled = 0.0;
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-    doubled += cross(loop[i] - loop[0], loop[i + 1] - loop[0]);
-  return 0.5 * std::abs(doubled);
-}
-
-}  // namespace
 
 std::vector<std::vector<Vec2>> dxf_places(std::span<const std::vector<Vec2>> lines, bool closed) {
   constexpr double steps = 1000.0;  // per millimetre
@@ -33,8 +24,10 @@ std::vector<std::vector<Vec2>> dxf_places(std::span<const std::vector<Vec2>> lin
 }
 
 std::size_t largest_of(std::span<const std::vector<Vec2>> loops) {
-  const auto largest = std::max_element(
-      loops.begin(), loops.end(), [](const auto& a, const auto& b) { return area(a) < area(b); });
+  const auto largest =
+      std::max_element(loops.begin(), loops.end(), [](const auto& a, const auto& b) {
+        return std::abs(signed_area(a)) < std::abs(signed_area(b));
+      });
   return static_cast<std::size_t>(largest - loops.begin());
 }
 

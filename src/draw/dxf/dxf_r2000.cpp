@@ -6,6 +6,7 @@
 
 #include "core/math.h"
 #include "core/number_text.h"
+#include "draw/cutting_order.h"
 #include "draw/dxf/dxf_layers.h"
 #include "draw/dxf/dxf_places.h"
 #include "draw/dxf/dxf_profile.h"
@@ -60,7 +61,7 @@ std::vector<Run> runs_of(const Curve& curve) {
 class R2000File {
  public:
   R2000File(const Drawing& drawing, const DxfOptions& options) : drawing_(drawing) {
-    for (const Layer& layer : drawing.layers) {
+    for (const Layer& layer : in_cutting_order(drawing)) {
       const std::string name = *dxf_layer_name(layer.name, options);
       for (const DrawingShape& shape : layer.shapes) {
         std::visit([&](const auto& some) { add(some, name, layer.visible); }, shape);
@@ -102,7 +103,7 @@ class R2000File {
       for (const Run& run : runs) {
         begin(run.is_spline ? "SPLINE" : "LWPOLYLINE");
         if (run.is_spline)
-          add_spline(run);
+          add_spline(run, path.closed && runs.size() == 1);
         else
           add_polyline(bulged_points(run), path.closed && runs.size() == 1);
       }
@@ -143,7 +144,7 @@ class R2000File {
   }
 
   /// Bezier curves as a B-spline of degree 3, each knot between two of them three times.
-  void add_spline(const Run& run) {
+  void add_spline(const Run& run, bool closed) {
     std::vector<Vec2> controls = {run.start};
     for (const CurvePiece& piece : run.pieces) {
       const auto& cubic = std::get<CubicTo>(piece);
@@ -151,7 +152,7 @@ class R2000File {
     }
     const auto count = static_cast<int>(run.pieces.size());
     entities_.add(100, "AcDbSpline");
-    entities_.add(70, 8);  // in a plane
+    entities_.add(70, closed ? 9 : 8);  // in a plane
     entities_.add(71, 3);
     entities_.add(72, 3 * count + 5);
     entities_.add(73, static_cast<int>(controls.size()));

@@ -5,6 +5,7 @@
 
 #include <planish/draw/format_drawing.h>
 
+#include "draw/cutting_order.h"
 #include "draw/dxf/apparel_dxf.h"
 #include "draw/dxf/dxf_entities.h"
 #include "draw/dxf/dxf_profile.h"
@@ -18,7 +19,7 @@ namespace {
 
 DxfEntities entities_of(const Drawing& drawing, const DxfOptions& options) {
   DxfEntities entities;
-  for (const Layer& layer : drawing.layers)
+  for (const Layer& layer : in_cutting_order(drawing))
     entities.add(layer, *dxf_layer_name(layer.name, options));
   return entities;
 }

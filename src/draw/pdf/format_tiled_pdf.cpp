@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <planish/draw/format_drawing.h>
 
 #include "core/number_text.h"
+#include "draw/pdf/divided_pdf.h"
 #include "draw/pdf/pdf_content.h"
 #include "draw/pdf/pdf_document.h"
 #include "draw/pdf/tiles.h"
@@ -52,10 +55,13 @@ std::string size_text(Vec2 size) {
 
 class TiledPdf {
  public:
-  TiledPdf(const Drawing& drawing, Paper paper)
+  /// @param first size of the first page, millimetres
+  /// @param pages what the others are called
+  TiledPdf(const Drawing& drawing, const TileGrid& grid, Vec2 first, std::string pages)
       : drawing_(drawing),
-        paper_(paper),
-        grid_(tile_grid(drawing, paper)),
+        grid_(grid),
+        first_(first),
+        pages_(std::move(pages)),
         used_(used_tiles(drawing, grid_)),
         document_(drawing) {}
 
@@ -86,8 +92,9 @@ class TiledPdf {
   void add_crosses(PdfContent& page, std::size_t row, std::size_t column) const;
 
   const Drawing& drawing_;
-  Paper paper_;
   TileGrid grid_;
+  Vec2 first_;
+  std::string pages_;
   std::vector<bool> used_;
   PdfDocument document_;
 };
@@ -102,7 +109,7 @@ void TiledPdf::add_first_page() {
   const Vec2 second = corner + Vec2{60.0, 0.0};
   page.add(rectangle(second, {2.0 * k_inch, 2.0 * k_inch}, k_black, 0.25));
   page.add(Text{second + Vec2{3.0, 4.0}, 3.0, "2 in"});
-  document_.add_page(grid_.page, page.text());
+  document_.add_page(first_, page.text());
 }
 
 /// The drawing's notes, as many in a line as fit.
@@ -125,7 +132,7 @@ std::vector<std::string> TiledPdf::advice() const {
   lines.insert(
       lines.end(),
       {size_text(grid_.area) + " on " + std::to_string(count) +
-           (count == 1 ? " page of " : " pages of ") + paper_text(paper_) +
+           (count == 1 ? " page of " : " pages of ") + pages_ +
            " besides this one. Crossed out: empty and left out.",
        "Print at 100 % (\"actual size\"), not fitted to the page. Measure the squares before "
        "cutting.",
@@ -135,7 +142,7 @@ std::vector<std::string> TiledPdf::advice() const {
 }
 
 void TiledPdf::add_advice(PdfContent& page) const {
-  const double top = grid_.page.y - k_tile_margin;
+  const double top = first_.y - k_tile_margin;
   page.add(Text{{k_tile_margin, top - 6.0}, 6.0, drawing_.title});
   double y = top - k_title;
   for (const std::string& line : advice()) {
@@ -147,11 +154,11 @@ void TiledPdf::add_advice(PdfContent& page) const {
 void TiledPdf::add_map(PdfContent& page) const {
   const Vec2 size = grid_.size();
   const double map_top = k_tile_margin + k_title + k_line * static_cast<double>(advice().size());
-  const Vec2 room = {grid_.page.x - 2.0 * k_tile_margin,
-                     grid_.page.y - map_top - k_map_bottom - k_tile_margin};
+  const Vec2 room = {first_.x - 2.0 * k_tile_margin,
+                     first_.y - map_top - k_map_bottom - k_tile_margin};
   const double scale = std::min({room.x / size.x, room.y / size.y, 1.0});
   // The sheet hangs from the upper left corner of the map.
-  const Vec2 top_left = {k_tile_margin, grid_.page.y - map_top};
+  const Vec2 top_left = {k_tile_margin, first_.y - map_top};
   const Vec2 upper_left = grid_.low + Vec2{0.0, grid_.area.y};
   const auto on_map = [&](Vec2 p) { return top_left + scale * (p - upper_left); };
   page.add_form(k_sheet, on_map({0.0, 0.0}), scale);
@@ -213,19 +220,32 @@ void TiledPdf::add_crosses(PdfContent& page, std::size_t row, std::size_t column
   add(above, {middle.x, high.y});
 }
 
-}  // namespace
-
-std::string format_tiled_pdf(const Drawing& drawing, Paper paper) {
+/// What the first page says need not be on the others, but beside the legend.
+Drawing without_label(Drawing drawing) {
   const auto has_shapes = [](const Layer& layer) {
     return layer.name == "legend" && !layer.shapes.empty();
   };
-  if (std::any_of(drawing.layers.begin(), drawing.layers.end(), has_shapes))
-    return TiledPdf(drawing, paper).write();
-  Drawing pieces = drawing;
-  for (Layer& layer : pieces.layers) {
+  if (std::any_of(drawing.layers.begin(), drawing.layers.end(), has_shapes)) return drawing;
+  for (Layer& layer : drawing.layers) {
     if (layer.name == "label") layer.shapes.clear();
   }
-  return TiledPdf(pieces, paper).write();
+  return drawing;
+}
+
+}  // namespace
+
+std::string format_tiled_pdf(const Drawing& drawing, Paper paper) {
+  const Drawing pieces = without_label(drawing);
+  const TileGrid grid = tile_grid(pieces, paper);
+  return TiledPdf(pieces, grid, grid.page, paper_text(paper)).write();
+}
+
+std::optional<std::string> format_divided_pdf(const Drawing& drawing) {
+  constexpr Vec2 a4 = {210.0, 297.0};
+  const Drawing pieces = without_label(drawing);
+  const std::optional<TileGrid> grid = tile_grid(pieces, k_longest_page);
+  if (!grid) return std::nullopt;
+  return TiledPdf(pieces, *grid, a4, size_text(grid->page)).write();
 }
 
 }  // namespace planish

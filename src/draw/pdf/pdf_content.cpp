@@ -130,7 +130,7 @@ void PdfContent::add_curve(const Curve& curve) {
 
 void PdfContent::add(const Text& text) {
   if (!std::isfinite(text.at.x) || !std::isfinite(text.at.y)) return;
-  const auto letters = win_ansi(text.text);
+  const auto letters = win_ansi(in_pdf_letters(text.text));
   if (!letters) {
     for (const Layer& layer : with_stroked_text({"", 0.0, 0.0, {Layer{"", {text}}}}).layers)
       add(layer.shapes);

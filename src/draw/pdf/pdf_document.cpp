@@ -11,9 +11,8 @@ namespace planish {
 
 namespace {
 
-constexpr double k_points = 72.0 / 25.4;    // per millimetre
-constexpr double k_longest_page = 14400.0;  // that all viewers show, in units
-constexpr double k_smallest_page = 1.0;     // millimetres: no page is nothing
+constexpr double k_points = 72.0 / 25.4;  // per millimetre
+constexpr double k_smallest_page = 1.0;   // millimetres: no page is nothing
 
 std::string references(const std::vector<int>& numbers) {
   std::string text = "[";
@@ -72,7 +71,8 @@ void PdfDocument::add_page(Vec2 size, std::string_view content) {
   const double width = k_points * std::max(size.x, k_smallest_page);
   const double height = k_points * std::max(size.y, k_smallest_page);
   // Points to a unit of the page.
-  const double unit = std::max(1.0, std::ceil(std::max(width, height) / k_longest_page));
+  const double longest = k_points * k_longest_page + 1e-6;
+  const double unit = std::max(1.0, std::ceil(std::max(width, height) / longest));
   const std::string scale = number_text(k_points / unit);
   const int stream =
       file_.add_stream("", scale + " 0 0 " + scale + " 0 0 cm\n1 j\n" + std::string(content));

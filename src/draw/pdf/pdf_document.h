@@ -10,6 +10,9 @@
 
 namespace planish {
 
+/// The longest side of a page that all viewers show at true size, millimetres: 14,400 points.
+inline constexpr double k_longest_page = 5080.0;
+
 /// A PDF file in the making, all of whose pages show the layers of one drawing.
 class PdfDocument {
  public:

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "draw/hex.h"
+#include "draw/text/stroke_text.h"
 #include "draw/text/utf8.h"
 
 namespace planish {
@@ -59,6 +60,10 @@ std::optional<std::string> win_ansi(std::string_view utf8) {
     bytes += *byte;
   }
   return bytes;
+}
+
+std::string in_pdf_letters(std::string_view utf8) {
+  return win_ansi(utf8) ? std::string(utf8) : in_stroke_letters(utf8);
 }
 
 double helvetica_width(std::string_view win_ansi) {

@@ -46,6 +46,13 @@ void check_count(double tiles) {
               "paper");
 }
 
+/// The least page that divides a length into as few as pages of the longest do.
+double page_along(double length, double longest) {
+  const double margins = 2.0 * k_tile_margin;
+  const double count = count_along(length, longest - margins);
+  return std::ceil((length - k_tile_overlap) / count + k_tile_overlap - 1e-3) + margins;
+}
+
 TileGrid grid_on(Vec2 sheet, Vec2 page) {
   const Vec2 frame = frame_of(page);
   const double columns = count_along(sheet.x, frame.x), rows = count_along(sheet.y, frame.y);
@@ -72,6 +79,19 @@ struct Box {
   }
   void add(const Text& text) { add(Path{.lines = text_strokes(text), .stroke = Stroke{}}); }
 };
+
+/// What tiles show: all that is drawn, with a little around it; the sheet where that is nothing.
+Box shown_of(const Drawing& drawing) {
+  constexpr double margin = 2.0;
+  Box box;
+  for (const Layer& layer : drawing.layers) {
+    for (const DrawingShape& shape : layer.shapes)
+      std::visit([&](const auto& some) { box.add(some); }, shape);
+  }
+  if (box.is_empty()) return {{}, {drawing.width, drawing.height}};
+  const Vec2 around = {margin, margin};
+  return {box.low - around, box.high + around};
+}
 
 // Which tiles something is on.
 class Marks {
@@ -223,16 +243,20 @@ TileGrid tile_grid(Vec2 area, Paper paper) {
 }
 
 TileGrid tile_grid(const Drawing& drawing, Paper paper) {
-  constexpr double margin = 2.0;
-  Box box;
-  for (const Layer& layer : drawing.layers) {
-    for (const DrawingShape& shape : layer.shapes)
-      std::visit([&](const auto& some) { box.add(some); }, shape);
-  }
-  if (box.is_empty()) return tile_grid({drawing.width, drawing.height}, paper);
-  const Vec2 around = {margin, margin};
-  TileGrid grid = tile_grid(box.high - box.low + 2.0 * around, paper);
-  grid.low = box.low - around;
+  const Box box = shown_of(drawing);
+  TileGrid grid = tile_grid(box.high - box.low, paper);
+  grid.low = box.low;
+  return grid;
+}
+
+std::optional<TileGrid> tile_grid(const Drawing& drawing, double longest) {
+  const Box box = shown_of(drawing);
+  const Vec2 area = box.high - box.low;
+  const double frame = longest - 2.0 * k_tile_margin;
+  if (!(count_along(area.x, frame) * count_along(area.y, frame) <= k_most_tiles))
+    return std::nullopt;
+  TileGrid grid = grid_on(area, {page_along(area.x, longest), page_along(area.y, longest)});
+  grid.low = box.low;
   return grid;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,11 @@ TileGrid tile_grid(Vec2 area, Paper paper);
 /// The same over all that is drawn, with 2 mm around it; of a drawing where nothing is over the
 /// sheet.
 TileGrid tile_grid(const Drawing& drawing, Paper paper);
+
+/// The same on pages that are alike and no longer than that on either side, as few and as small as
+/// can be; nothing where it would take more pages than anyone joins.
+/// @param longest millimetres
+std::optional<TileGrid> tile_grid(const Drawing& drawing, double longest);
 
 /// For each tile, row by row, whether anything of the drawing is on it: a line, a text, or the
 /// inside of what is closed.

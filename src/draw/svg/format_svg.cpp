@@ -5,6 +5,7 @@
 #include <planish/draw/format_drawing.h>
 
 #include "core/number_text.h"
+#include "draw/cutting_order.h"
 #include "draw/svg/svg_layers.h"
 #include "draw/text/markup_text.h"
 #include "pattern/curves/piece_math.h"
@@ -55,6 +56,15 @@ class SvgLayers {
   }
 
   void add(const Path& path) {
+    // Machines that follow the file cut holes first.
+    if (path.stroke && path.closed && path.lines.size() > 1) {
+      add_path(inner_first(path));
+    } else {
+      add_path(path);
+    }
+  }
+
+  void add_path(const Path& path) {
     svg_ += "<path d=\"";
     if (path.fitted.curves.empty()) {
       for (const auto& line : path.lines)

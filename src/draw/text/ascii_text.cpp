@@ -85,20 +85,21 @@ bool is_accent(char32_t point) {
 
 }  // namespace
 
+std::string ascii_letters(char32_t point) {
+  if (point < U' ' || point == 0x7F) return " ";
+  if (point < 0x7F) return {static_cast<char>(point)};
+  const std::string_view spelling = spelling_of(point);
+  if (!spelling.empty()) return spelling == "~" ? std::string() : std::string(spelling);
+  if (is_accent(point)) return {};
+  std::string number = "u";
+  append_hex(number, point, point > 0xFFFF ? 6 : 4);
+  return number;
+}
+
 std::string ascii_text(std::string_view text) {
   std::string ascii;
-  for (const char32_t point : code_points(text)) {
-    if (point < U' ' || point == 0x7F) {
-      ascii += ' ';
-    } else if (point < 0x7F) {
-      ascii += static_cast<char>(point);
-    } else if (const std::string_view spelling = spelling_of(point); !spelling.empty()) {
-      if (spelling != "~") ascii += spelling;
-    } else if (!is_accent(point)) {
-      ascii += 'u';
-      append_hex(ascii, point, point > 0xFFFF ? 6 : 4);
-    }
-  }
+  for (const char32_t point : code_points(text))
+    ascii += ascii_letters(point);
   return ascii;
 }
 

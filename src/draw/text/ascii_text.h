@@ -11,4 +11,7 @@ namespace planish {
 /// names stay different. Control characters become blanks.
 std::string ascii_text(std::string_view text);
 
+/// The same of one character.
+std::string ascii_letters(char32_t point);
+
 }  // namespace planish

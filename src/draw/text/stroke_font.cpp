@@ -81,14 +81,14 @@ std::optional<Glyph> composed(char32_t code_point) {
   for (const Accent& accent : k_accents) {
     const char32_t base = letter_under(accent, code_point);
     if (base == 0) continue;
-    Glyph letter = stroke_glyph(base);
+    Glyph letter = *stroke_glyph(base);
     if (base == U'i' || base == U'j') letter.lines.resize(1);  // the accent takes the dot's place
     const double raised = top_of(letter) - k_x_height;
     return from_zero(with_accent(std::move(letter), accent.points, raised));
   }
   for (const Accent& accent : k_accents_below) {
     const char32_t base = letter_under(accent, code_point);
-    if (base != 0) return from_zero(with_accent(stroke_glyph(base), accent.points, 0.0));
+    if (base != 0) return from_zero(with_accent(*stroke_glyph(base), accent.points, 0.0));
   }
   return std::nullopt;
 }
@@ -100,8 +100,8 @@ bool is_blank(char32_t code_point) {
 
 }  // namespace
 
-Glyph stroke_glyph(char32_t code_point) {
-  if (is_blank(code_point)) return {2.0, {}};
+std::optional<Glyph> stroke_glyph(char32_t code_point) {
+  if (is_blank(code_point)) return Glyph{2.0, {}};
   if (code_point <= U'~') return parsed(k_ascii[code_point - U'!']);
   const auto* const other =
       std::lower_bound(std::begin(k_others), std::end(k_others), code_point,
@@ -109,8 +109,7 @@ Glyph stroke_glyph(char32_t code_point) {
   if (other != std::end(k_others) && other->code_point == code_point) {
     return parsed(other->points);
   }
-  if (auto glyph = composed(code_point)) return *std::move(glyph);
-  return parsed(k_box);
+  return composed(code_point);
 }
 
 }  // namespace planish

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <planish/core/vec.h>
@@ -17,7 +18,7 @@ struct Glyph {
   std::vector<std::vector<Vec2>> lines;
 };
 
-/// The glyph of a code point; an empty box where the font has none.
-Glyph stroke_glyph(char32_t code_point);
+/// The glyph of a code point; nothing where the font has none.
+std::optional<Glyph> stroke_glyph(char32_t code_point);
 
 }  // namespace planish

@@ -14,8 +14,6 @@ struct DrawnGlyph {
   std::string_view points;
 };
 
-inline constexpr std::string_view k_box = "0d0l4l4d0d";
-
 // From '!' on.
 inline constexpr std::string_view k_ascii[] = {
     "0l0g 0e0d",                           // !

@@ -1,8 +1,11 @@
 #include "draw/text/stroke_text.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
+#include "draw/text/ascii_text.h"
 #include "draw/text/stroke_font.h"
 #include "draw/text/utf8.h"
 
@@ -21,10 +24,23 @@ Path stroked(const Text& text) {
 
 }  // namespace
 
+std::string in_stroke_letters(std::string_view text) {
+  std::string letters;
+  while (!text.empty()) {
+    const CodePoint point = decode_utf8(text);
+    const std::size_t bytes = std::max(point.bytes, std::size_t{1});
+    const bool is_known = point.bytes > 0 && stroke_glyph(point.value);
+    letters += is_known ? std::string(text.substr(0, bytes))
+                        : ascii_letters(point.bytes > 0 ? point.value : k_replacement_character);
+    text.remove_prefix(bytes);
+  }
+  return letters;
+}
+
 double text_strokes_width(std::string_view text, double height) {
   double width = 0.0;
-  for (const char32_t point : code_points(text))
-    width += (width > 0.0 ? k_font_gap : 0.0) + stroke_glyph(point).width;
+  for (const char32_t point : code_points(in_stroke_letters(text)))
+    width += (width > 0.0 ? k_font_gap : 0.0) + stroke_glyph(point)->width;
   return width * height / k_font_capital;
 }
 
@@ -33,8 +49,8 @@ std::vector<std::vector<Vec2>> text_strokes(const Text& text) {
   Vec2 pen = text.at;
   if (text.centred) pen.x -= 0.5 * text_strokes_width(text.text, text.height);
   std::vector<std::vector<Vec2>> lines;
-  for (const char32_t point : code_points(text.text)) {
-    Glyph glyph = stroke_glyph(point);
+  for (const char32_t point : code_points(in_stroke_letters(text.text))) {
+    Glyph glyph = *stroke_glyph(point);
     for (std::vector<Vec2>& line : glyph.lines) {
       for (Vec2& place : line)
         place = pen + scale * place;

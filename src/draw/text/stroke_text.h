@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -8,10 +9,13 @@
 
 namespace planish {
 
-/// The lines that a pen follows to write a text, in a font of single strokes. It has the printable
-/// characters of ASCII, the letters of Latin-1 and nearly all of Latin Extended-A, and common signs
-/// such as degree, multiplication, dashes, ellipsis, minus and euro. Other code points, and
-/// bytes that are no UTF-8, become empty boxes; control characters become blanks.
+/// The text in characters that the font of text_strokes() has: the printable ones of ASCII, the
+/// letters of Latin-1 and nearly all of Latin Extended-A, and common signs such as degree,
+/// multiplication, dashes, ellipsis, minus and euro. All others are spelled as ascii_text() does.
+std::string in_stroke_letters(std::string_view text);
+
+/// The lines that a pen follows to write a text, in_stroke_letters(), in a font of single strokes.
+/// Control characters become blanks.
 std::vector<std::vector<Vec2>> text_strokes(const Text& text);
 
 /// How long such a text is, from the left end of its first letter to the right end of its last.

@@ -40,11 +40,9 @@ PatternPicture pattern_picture(const Drawing& sheet, const Layer& directions,
   std::vector<Layer> layers;
   Box box = {0.0, 0.0, sheet.width, sheet.height};
   for (const Layer& layer : sheet.layers) {
-    if (layer.name == "cut") {
-      box = box_of(layer);
-      layers.push_back(directions);
-    }
+    if (layer.name == "cut") box = box_of(layer);
     if (layer.name != "label" && layer.name != "legend") layers.push_back(layer);
+    if (layer.name == "strain") layers.push_back(directions);
   }
   const double width = box.right - box.left, height = box.top - box.bottom;
   const double pad = 0.012 * std::max(width, height);

@@ -251,6 +251,72 @@ TEST(Annotations, KeepsNumbersOfSeamsAndLengthsApart) {
   EXPECT_EQ(boxes.size(), 6U);
 }
 
+TEST(Annotations, KeepsTheGrainLineOffADrillHoleOfASmallPart) {
+  const TriMesh mesh = meshes::flat_grid(4, 2);  // 28 by 14 mm
+  UnfoldReport unfold = samples::plane_below(mesh, 28.0, 14.0);
+  for (Vec2& p : unfold.pattern.positions)
+    p = 7.0 * p;
+  const Index middle = 7;
+  const Drawing sheet = pattern_sheet(Patch(mesh), unfold, "tab",
+                                      {.grain = Grain{0.0},
+                                       .marks = {{.vertex = middle, .kind = MarkKind::drill}},
+                                       .label = {.name = "tab"}});
+  const Vec2 hole = std::get<DrillMark>(path(sheet, "drill").mark).at;
+  const Path& cut = path(sheet, "cut");
+  EXPECT_NEAR(norm(hole - (cut.lines[0][0] + Vec2{14.0, 7.0})), 0.0, 1e-9);
+  const Path& grain = path(sheet, "grain");
+  for (const auto& line : grain.lines) {
+    for (const Vec2 p : line)
+      EXPECT_TRUE(oracle::is_inside(p, cut.lines));
+    const double nearest_x = std::clamp(hole.x, std::min(line.front().x, line.back().x),
+                                        std::max(line.front().x, line.back().x));
+    EXPECT_GT(std::max(std::abs(nearest_x - hole.x), std::abs(line.front().y - hole.y)), 1.5);
+  }
+  const TextBox words = box_of(std::get<Text>(layer_of(sheet, "annotation").shapes.at(0)));
+  EXPECT_FALSE(overlap(words, {hole - Vec2{1.5, 1.5}, hole + Vec2{1.5, 1.5}}));
+  for (const Vec2 corner : {words.low, words.high})
+    EXPECT_TRUE(oracle::is_inside(corner, cut.lines));
+}
+
+TEST(Annotations, KeepsWordsBelowThePatternOffTheSquaresAndApart) {
+  for (const bool is_bad : {false, true}) {
+    const TriMesh mesh = meshes::flat_grid(4, 4);
+    UnfoldReport unfold = samples::plane_below(mesh, 200.0, 200.0);
+    for (Vec2& p : unfold.pattern.positions)
+      p = 50.0 * p;
+    unfold.unit = Unit::in;
+    if (is_bad) unfold.limits = {{StrainLimitKind::p99, 0.01, 0.02}};
+    const Drawing sheet = pattern_sheet(Patch(mesh), unfold, "panel",
+                                        {.allowance = Allowance{.width = 8.0},
+                                         .fold = FoldLine{0, 4},
+                                         .notches = {{.place = 0.4}},
+                                         .grain = 90.0,
+                                         .marks = {{.vertex = 7}},
+                                         .inner_lines = {{6, 7, 12}},
+                                         .date = "2031-02-03",
+                                         .model_scale = 0.0254});
+    const Path& inches = path(sheet, "label", 2);
+    const double right = inches.lines[0][0].x;
+    double above = 1e300;
+    std::size_t rows = 0;
+    for (const DrawingShape& shape : layer_of(sheet, "label").shapes) {
+      const auto* text = std::get_if<Text>(&shape);
+      if (text == nullptr || text->at.x != sheet::k_column) continue;
+      const auto letters = std::count_if(text->text.begin(), text->text.end(), [](char byte) {
+        return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+      });
+      EXPECT_LT(text->at.x + sheet::k_letter_width * text->height * static_cast<double>(letters),
+                right)
+          << text->text;
+      EXPECT_LT(text->at.y + 1.2 * text->height, above) << text->text;
+      EXPECT_GT(text->at.y, sheet::k_margin + 14.0) << "above the legend";
+      above = text->at.y;
+      ++rows;
+    }
+    EXPECT_EQ(rows, is_bad ? 8U : 7U) << "name, size, unit, origin, strain, limit, two of lines";
+  }
+}
+
 TEST(Annotations, ShowsAHashOfThePatternAndADateOnlyIfGiven) {
   const TriMesh mesh = meshes::flat_grid(4, 4);
   std::vector<Vec2> corners;

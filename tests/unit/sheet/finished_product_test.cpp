@@ -7,6 +7,7 @@
 #include "support/meshes.h"
 #include "support/products.h"
 #include "support/twins.h"
+#include "unit/sheet/layers.h"
 
 namespace planish {
 namespace {
@@ -49,8 +50,8 @@ TEST(ProductSheet, OfAReportLeavesOutWhatIsNotFinished) {
   const ProductReport report = flatten_product(patches, quick());
   const Drawing sheet = product_sheet(report, "coat");
   EXPECT_EQ(sheet.pieces.size(), 4U);
-  EXPECT_EQ(sheet.layers.at(0).shapes.size(), 3U);
-  EXPECT_EQ(sheet.layers.at(1).shapes.size(), 2U) << "both sides of the seam";
+  EXPECT_EQ(layer_of(sheet, "cut").shapes.size(), 3U);
+  EXPECT_EQ(layer_of(sheet, "seam").shapes.size(), 4U) << "both sides of the seam, and its number";
 }
 
 TEST(AnnotationsOfTwin, BeginWhereTheOtherOneBegins) {

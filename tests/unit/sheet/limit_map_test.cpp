@@ -16,6 +16,7 @@
 
 #include "support/sample_report.h"
 #include "unfold/strain/vertex_strain.h"
+#include "unit/sheet/layers.h"
 
 namespace planish {
 namespace {
@@ -147,7 +148,7 @@ TEST(LimitMap, IsOnTheSheetWithItsLegendWhereALimitWasAsked) {
   };
   const auto texts_of = [](const Drawing& sheet) {
     std::vector<std::string> texts;
-    for (const DrawingShape& shape : sheet.layers.back().shapes) {
+    for (const DrawingShape& shape : layer_of(sheet, "legend").shapes) {
       if (const auto* text = std::get_if<Text>(&shape)) texts.push_back(text->text);
     }
     return texts;

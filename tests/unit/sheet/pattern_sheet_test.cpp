@@ -67,7 +67,7 @@ Drawing sheet_of(double size_in_mm, const std::string& name = "panel") {
   return pattern_sheet(Patch(mesh), unfold, name);
 }
 
-TEST(PatternSheet, HasTheCutLineOverTheStrainMapAndTheLabelLast) {
+TEST(PatternSheet, HasTheCutLineOverAllElse) {
   const Drawing sheet = sheet_of(300.0);
   ASSERT_EQ(sheet.layers.size(), k_sheet_layers.size());
   EXPECT_EQ(sheet.title, "panel");

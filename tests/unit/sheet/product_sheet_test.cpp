@@ -9,6 +9,7 @@
 
 #include "support/meshes.h"
 #include "support/twins.h"
+#include "unit/sheet/layers.h"
 
 namespace planish {
 namespace {
@@ -24,8 +25,9 @@ ProductPiece piece(const std::string& name, std::size_t columns, std::size_t row
 
 std::vector<Path> paths_of(const Layer& layer) {
   std::vector<Path> paths;
-  for (const DrawingShape& shape : layer.shapes)
-    paths.push_back(std::get<Path>(shape));
+  for (const DrawingShape& shape : layer.shapes) {
+    if (const auto* path = std::get_if<Path>(&shape)) paths.push_back(*path);
+  }
   return paths;
 }
 
@@ -35,7 +37,7 @@ TEST(ProductSheet, ShowsPiecesAtTrueSizeApartFromEachOther) {
                                             {"failed", meshes::flat_grid(2, 2), {}},
                                             piece("c", 3, 6, 50.0)};
   const Drawing sheet = product_sheet(pieces, {}, Unit::mm, "coat");
-  const auto cuts = paths_of(sheet.layers.at(0));
+  const auto cuts = paths_of(layer_of(sheet, "cut"));
   ASSERT_EQ(cuts.size(), 3U);
   struct Box {
     double left, right, low, high;
@@ -69,14 +71,17 @@ TEST(ProductSheet, NumbersBothSidesOfASeam) {
   const auto seams = find_seams(patches);
   ASSERT_EQ(seams.size(), 1U);
   const Drawing sheet = product_sheet(pieces, seams, Unit::cm, "coat");
-  const auto lines = paths_of(sheet.layers.at(1));
+  const auto lines = paths_of(layer_of(sheet, "seam"));
   ASSERT_EQ(lines.size(), 2U);
   for (const Path& path : lines)
     EXPECT_NEAR(norm(path.lines.at(0).back() - path.lines.at(0).front()), 300.0, 1e-9);
-  EXPECT_EQ(
-      std::count_if(sheet.layers.at(2).shapes.begin(), sheet.layers.at(2).shapes.end(),
-                    [](const DrawingShape& shape) { return std::get<Text>(shape).text == "1"; }),
-      2);
+  const auto& shapes = layer_of(sheet, "seam").shapes;
+  EXPECT_EQ(std::count_if(shapes.begin(), shapes.end(),
+                          [](const DrawingShape& shape) {
+                            const auto* text = std::get_if<Text>(&shape);
+                            return text != nullptr && text->text == "1";
+                          }),
+            2);
 }
 
 TEST(ProductSheet, ShowsSidesThatEndWithinAnEdge) {
@@ -84,7 +89,7 @@ TEST(ProductSheet, ShowsSidesThatEndWithinAnEdge) {
   const Seam seam = {{{SeamSide{0, {4, 9, 14, 19}, 0.5, 0.75}, SeamSide{1, {0, 3}, 0.25, 0.5}}},
                      {{0.0, 0.0}, {1.0, 1.0}}};
   const Drawing sheet = product_sheet(pieces, {{seam}}, Unit::mm, "coat");
-  const auto lines = paths_of(sheet.layers.at(1));
+  const auto lines = paths_of(layer_of(sheet, "seam"));
   ASSERT_EQ(lines.size(), 2U);
   ASSERT_EQ(lines[0].lines.at(0).size(), 4U);
   EXPECT_NEAR(norm(lines[0].lines[0].back() - lines[0].lines[0].front()), 22.5, 1e-12);
@@ -109,7 +114,7 @@ TEST(ProductSheet, ShowsMirroredPiecesMirroredToTheLastDigitWritten) {
   copy.name = "copy";
   copy.twin = PatchTwin{0, false, twin.vertex};
   const Drawing sheet = product_sheet(std::vector{left, right, copy}, {}, Unit::mm, "coat");
-  const auto cuts = paths_of(sheet.layers.at(0));
+  const auto cuts = paths_of(layer_of(sheet, "cut"));
   ASSERT_EQ(cuts.size(), 3U);
   const auto &first = cuts[0].lines.at(0), &mirror = cuts[1].lines.at(0),
              &same = cuts[2].lines.at(0);
@@ -123,7 +128,7 @@ TEST(ProductSheet, ShowsMirroredPiecesMirroredToTheLastDigitWritten) {
     EXPECT_EQ(steps(same[k].x) - steps(first[k].x), apart) << k;
   }
   std::vector<std::string> names;
-  for (const DrawingShape& shape : sheet.layers.at(2).shapes)
+  for (const DrawingShape& shape : layer_of(sheet, "label").shapes)
     names.push_back(std::get<Text>(shape).text);
   EXPECT_EQ(names, (std::vector<std::string>{"left", "right (mirror image of left)",
                                              "copy (equal to left)"}));

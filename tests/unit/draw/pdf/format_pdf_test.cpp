@@ -35,11 +35,23 @@ TEST(WritePdf, HasThePageOfTheSheetAtTrueSize) {
   EXPECT_THAT(pdf, Not(HasSubstr("UserUnit")));
 }
 
-TEST(WritePdf, TakesALargerUnitForLongSheets) {
-  const std::string pdf = format_pdf({"t", 10161.0, 100.0, {}});
-  EXPECT_THAT(pdf, HasSubstr("/UserUnit 3"));
-  EXPECT_THAT(pdf, HasSubstr("/MediaBox [0 0 9600.9449 94.4882]"));
-  EXPECT_THAT(pdf, HasSubstr("\n0.94488188976377"));
+TEST(WritePdf, DividesSheetsThatAreLongerThanAPageCanBe) {
+  const Path panel{{{{10, 10}, {6510, 10}, {6510, 910}, {10, 910}}}, true, Stroke{}};
+  const std::string pdf = format_pdf({"t", 6520.0, 920.0, {Layer{"cut", {panel}}}});
+  EXPECT_THAT(pdf, HasSubstr("/Count 3 "));
+  EXPECT_THAT(pdf, Not(HasSubstr("UserUnit")));
+  EXPECT_THAT(pdf, HasSubstr("/MediaBox [0 0 595.2756 841.8898]")) << "the map is on A4";
+  // 6504 and 904 mm, two pages overlap by 10, and 10 mm at either edge stay free: 3277 by 924.
+  EXPECT_EQ(count(pdf, "/MediaBox [0 0 9289.1339 2619.2126]"), 2U);
+  EXPECT_THAT(pdf, HasSubstr("2 pages of 3277.0"));
+  EXPECT_THAT(format_pdf({"t", 5080.0, 920.0, {Layer{"cut", {panel}}}}), HasSubstr("/Count 1 "));
+}
+
+TEST(WritePdf, TakesALargerUnitWhereNobodyWouldJoinSoManyPages) {
+  const Path field{{{{0, 0}, {1e6, 0}, {1e6, 1e6}, {0, 1e6}}}, true, Stroke{}};
+  const std::string pdf = format_pdf({"t", 1e6, 1e6, {Layer{"cut", {field}}}});
+  EXPECT_THAT(pdf, HasSubstr("/Count 1 "));
+  EXPECT_THAT(pdf, HasSubstr("/UserUnit 197"));
 }
 
 TEST(WritePdf, PointsToEveryObject) {
@@ -87,6 +99,13 @@ TEST(WritePdf, DrawsTextThatTheFontHasNotGot) {
   const std::string pdf = format_pdf(sheet_with(Text{{5.0, 7.0}, 8.0, "Ł"}));
   EXPECT_THAT(pdf, Not(HasSubstr("BT\n")));
   EXPECT_THAT(pdf, HasSubstr("6 15 m\n6 7 l\n11 7 l\n"));
+}
+
+TEST(WritePdf, SpellsLettersThatNeitherFontHas) {
+  EXPECT_THAT(format_pdf(sheet_with(Text{{}, 8.0, "Перед"})), HasSubstr("(Pered) Tj"));
+  EXPECT_THAT(format_pdf(sheet_with(Text{{}, 8.0, "Ωμέγα"})), HasSubstr("(Omega) Tj"));
+  EXPECT_THAT(format_pdf(sheet_with(Text{{}, 8.0, "前片"})), HasSubstr("(u524Du7247) Tj"));
+  EXPECT_EQ(in_pdf_letters("Größe ™"), "Größe ™");
 }
 
 TEST(WinAnsi, HoldsWindows1252AndTakesADashForAMinus) {

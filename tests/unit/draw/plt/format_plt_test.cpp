@@ -1,5 +1,6 @@
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <planish/draw/format_drawing.h>
 
@@ -36,8 +37,29 @@ TEST(WritePlt, GivesEachLayerWithLinesAPen) {
        {Layer{"strain", {area}}, Layer{"cut", {k_triangle}}, Layer{"hidden", {k_triangle}, false},
         Layer{"label", {Text{{1.0, 2.0}, 8.0, "L"}}}}});
   EXPECT_THAT(plt, HasSubstr("SP2;\nPU40,400;\nPD40,80,240,80;\n")) << "an L of strokes";
+  EXPECT_THAT(plt, HasSubstr("SP1;\nPU0,0;"));
   EXPECT_THAT(plt, Not(HasSubstr("SP3")));
   EXPECT_TRUE(plt.starts_with("IN;\nSP1;\nPU0,0;"));
+}
+
+TEST(WritePlt, BeginsAtTheLowerLeftCornerOfAllLines) {
+  Path path = k_triangle;
+  for (Vec2& p : path.lines[0])
+    p = p + Vec2{-30.01, 70.0};
+  EXPECT_EQ(plt_of(path), "IN;\nSP1;\nPU0,0;\nPD400,0,400,201,0,0;\nPU;\nSP0;\n");
+}
+
+TEST(WritePlt, CutsWithTheFirstPenAndTakesEightAtMost) {
+  Drawing drawing{"t", 1.0, 1.0, {}};
+  for (int k = 0; k < 11; ++k) {
+    drawing.layers.push_back({"l" + std::to_string(k), {k_triangle}});
+  }
+  drawing.layers.push_back({"cut", {k_triangle}});
+  const std::string plt = format_plt(drawing);
+  std::vector<int> pens;
+  for (std::size_t at = plt.find("SP"); at != std::string::npos; at = plt.find("SP", at + 1))
+    pens.push_back(std::stoi(plt.substr(at + 2)));
+  EXPECT_EQ(pens, (std::vector<int>{2, 3, 4, 5, 6, 7, 8, 1, 0}));
 }
 
 TEST(WritePlt, BreaksLongLinesIntoInstructionsThatGoOn) {
@@ -49,8 +71,8 @@ TEST(WritePlt, BreaksLongLinesIntoInstructionsThatGoOn) {
   for (std::size_t at = plt.find("PD"); at != std::string::npos; at = plt.find("PD", at + 1))
     ++instructions;
   EXPECT_EQ(instructions, 3U);
-  EXPECT_THAT(plt, HasSubstr(",4000,40;\nPD4040,40,"));
-  EXPECT_TRUE(plt.ends_with("9960,40;\nPU;\nSP0;\n"));
+  EXPECT_THAT(plt, HasSubstr(",4000,0;\nPD4040,0,"));
+  EXPECT_TRUE(plt.ends_with("9960,0;\nPU;\nSP0;\n"));
 }
 
 TEST(WritePlt, LeavesOutWhatIsNoLine) {

@@ -29,10 +29,6 @@ Box box_of(const Lines& lines) {
   return box;
 }
 
-Lines box_lines() {
-  return stroke_glyph(U'\uE000').lines;  // of private use: nobody's letter
-}
-
 // ASCII, and all letters of Latin-1 and Latin Extended-A but the few that no living spelling needs.
 std::u32string letters() {
   std::u32string all;
@@ -47,10 +43,11 @@ std::u32string letters() {
 
 TEST(StrokeFont, HasALetterOfItsOwnForEveryCommonCharacter) {
   for (const char32_t c : letters()) {
-    const Glyph glyph = stroke_glyph(c);
-    EXPECT_FALSE(glyph.lines.empty()) << static_cast<unsigned>(c);
-    EXPECT_NE(glyph.lines, box_lines()) << static_cast<unsigned>(c);
+    const auto glyph = stroke_glyph(c);
+    ASSERT_TRUE(glyph) << static_cast<unsigned>(c);
+    EXPECT_FALSE(glyph->lines.empty()) << static_cast<unsigned>(c);
   }
+  EXPECT_FALSE(stroke_glyph(U'\uE000')) << "of private use: nobody's letter";
 }
 
 TEST(StrokeFont, DrawsNoTwoLettersAlike) {
@@ -67,13 +64,13 @@ TEST(StrokeFont, DrawsNoTwoLettersAlike) {
   const std::u32string twins = U"Đ—−’‚´";
   for (const char32_t c : letters()) {
     if (twins.find(c) != std::u32string::npos) continue;
-    EXPECT_TRUE(seen.insert(stroke_glyph(c).lines).second) << static_cast<unsigned>(c);
+    EXPECT_TRUE(seen.insert(stroke_glyph(c)->lines).second) << static_cast<unsigned>(c);
   }
 }
 
 TEST(StrokeFont, KeepsEveryStrokeWithinItsGlyph) {
   for (const char32_t c : letters()) {
-    const Glyph glyph = stroke_glyph(c);
+    const Glyph glyph = *stroke_glyph(c);
     const Box box = box_of(glyph.lines);
     EXPECT_GE(box.left, 0.0) << static_cast<unsigned>(c);
     EXPECT_LE(box.right, glyph.width) << static_cast<unsigned>(c);
@@ -83,7 +80,7 @@ TEST(StrokeFont, KeepsEveryStrokeWithinItsGlyph) {
       EXPECT_GE(line.size(), 2U) << static_cast<unsigned>(c);
   }
   for (char32_t c = U'A'; c <= U'Z'; ++c) {
-    const Box box = box_of(stroke_glyph(c).lines);
+    const Box box = box_of(stroke_glyph(c)->lines);
     EXPECT_EQ(box.bottom, 0.0);
     EXPECT_EQ(box.top, k_font_capital);
   }
@@ -95,15 +92,15 @@ TEST(StrokeFont, ListsOtherGlyphsInTheOrderThatTheyAreFoundBy) {
   };
   EXPECT_TRUE(std::is_sorted(std::begin(k_others), std::end(k_others), in_order));
   for (const DrawnGlyph& glyph : k_others)
-    EXPECT_NE(stroke_glyph(glyph.code_point).lines, box_lines());
+    EXPECT_TRUE(stroke_glyph(glyph.code_point));
 }
 
 TEST(StrokeFont, PutsAMarkAboveItsLetterAndInPlaceOfADot) {
-  const Glyph small = stroke_glyph(U'é'), capital = stroke_glyph(U'É');
+  const Glyph small = *stroke_glyph(U'é'), capital = *stroke_glyph(U'É');
   EXPECT_GT(box_of({small.lines.back()}).bottom, 5.0);
   EXPECT_GT(box_of({capital.lines.back()}).bottom, 8.0);
-  EXPECT_EQ(stroke_glyph(U'í').lines.size(), 2U) << "stem and accent";
-  EXPECT_EQ(stroke_glyph(U'ï').lines.size(), 3U);
+  EXPECT_EQ(stroke_glyph(U'í')->lines.size(), 2U) << "stem and accent";
+  EXPECT_EQ(stroke_glyph(U'ï')->lines.size(), 3U);
 }
 
 TEST(TextStrokes, AreAsHighAsAskedAndBeginAtTheirPlace) {
@@ -119,9 +116,15 @@ TEST(TextStrokes, StandAroundTheirPlaceWhereCentred) {
   EXPECT_DOUBLE_EQ(box.left + box.right, 20.0);
 }
 
-TEST(TextStrokes, ShowUnknownCharactersAndBadBytesAsBoxes) {
-  EXPECT_EQ(text_strokes({{}, 8.0, "布"}), box_lines());
-  EXPECT_EQ(text_strokes({{}, 8.0, "\xFF"}), box_lines());
+TEST(TextStrokes, SpellWhatTheFontDoesNotHave) {
+  EXPECT_EQ(in_stroke_letters("Größe 38 ± 0.5° × €"), "Größe 38 ± 0.5° × €");
+  EXPECT_EQ(in_stroke_letters("Łódź перед Ωμέγα"), "Łódź pered Omega");
+  EXPECT_EQ(in_stroke_letters("布\xFF"), "u5E03uFFFD");
+  EXPECT_NE(in_stroke_letters("前片"), in_stroke_letters("后片")) << "pieces stay different";
+  for (const char* text : {"Юбка", "ψυχή", "布", "\xFF", "e\xCC\x81"}) {
+    EXPECT_EQ(text_strokes({{}, 8.0, text}), text_strokes({{}, 8.0, in_stroke_letters(text)}));
+    EXPECT_FALSE(text_strokes({{}, 8.0, text}).empty()) << text;
+  }
   EXPECT_TRUE(text_strokes({{}, 8.0, " \t\n"}).empty());
   EXPECT_GT(text_strokes_width("a b", 1.0), text_strokes_width("ab", 1.0));
 }

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <planish/io/write_file.h>
+#include <planish/pattern/pattern_options.h>
+
+#include "output/pattern_output.h"
+
+namespace planish::cli {
+
+class Session;
+
+/// The words of a pattern that its user has chosen.
+std::vector<std::string> words_of(const std::string& name, const PieceLabel& label);
+
+/// Notes which of the words are spelled with other letters than their own, in formats that have
+/// Latin ones only.
+void note_spelling(Session& session, const std::vector<std::string>& words,
+                   const std::vector<PatternFormat>& formats, const PatternOutput& output);
+
+/// Notes which .pdf files are divided into pages because they are longer than a page can be.
+void note_divided_pages(Session& session, const std::vector<OutputFile>& files,
+                        const PatternOutput& output);
+
+/// Names of what earlier runs of `flatten` wrote into the folder, as what it is called tells, and
+/// this one does not: drawings, which are not of this pattern, and folders of pieces.
+/// @param written files and folders of this run
+std::vector<std::string> left_of_earlier_runs(const std::filesystem::path& folder,
+                                              std::span<const std::filesystem::path> written);
+
+/// Warns of these names.
+void warn_of_left(Session& session, const std::filesystem::path& folder,
+                  const std::vector<std::string>& names);
+
+}  // namespace planish::cli

@@ -12,9 +12,9 @@
 
 #include "core/figure_text.h"
 #include "core/math.h"
+#include "draw/text/text_lines.h"
 #include "pattern/polygon/free_strip.h"
 #include "sheet/sheet_layout.h"
-#include "sheet/text_lines.h"
 
 namespace planish {
 

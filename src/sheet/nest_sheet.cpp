@@ -9,11 +9,11 @@
 
 #include "core/figure_text.h"
 #include "core/math.h"
+#include "draw/text/text_lines.h"
 #include "pattern/polygon/loop_box.h"
 #include "sheet/annotations.h"
 #include "sheet/placed_pattern.h"
 #include "sheet/sheet_layout.h"
-#include "sheet/text_lines.h"
 
 namespace planish {
 

@@ -15,10 +15,10 @@
 #include "core/fnv_hash.h"
 #include "core/math.h"
 #include "core/number_text.h"
+#include "draw/text/text_lines.h"
 #include "sheet/limit_map.h"
 #include "sheet/sheet_layout.h"
 #include "sheet/strain_map.h"
-#include "sheet/text_lines.h"
 
 namespace planish {
 

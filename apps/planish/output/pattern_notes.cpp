@@ -38,7 +38,7 @@ int pages_in(std::string_view pdf) {
 
 /// "a, b, c", of many the first few.
 std::string some_of(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 12;
+  constexpr std::size_t most = 20;
   std::string text;
   for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
     text += (i > 0 ? ", " : "") + names[i];
@@ -96,9 +96,14 @@ void note_divided_pages(Session& session, const std::vector<OutputFile>& files,
         output.paper &&
         utf8_of(file.path.stem()).ends_with("-" + std::string(to_string(*output.paper)));
     const int pages = pages_in(file.content);
-    if (is_asked || pages < 2) continue;
-    session.note(utf8_of(file.path) + " is divided into " + std::to_string(pages - 1) +
-                 " pages to join, as many viewers show pages longer than 5.08 m too small");
+    if (is_asked) continue;
+    if (pages > 1) {
+      session.note(utf8_of(file.path) + " is divided into " + std::to_string(pages - 1) +
+                   " pages to join, as many viewers show pages longer than 5.08 m too small");
+    } else if (file.content.find(" /UserUnit ") != std::string::npos) {
+      session.note(utf8_of(file.path) +
+                   " has a page of more than 5.08 m, which many viewers show too small: take .dxf");
+    }
   }
 }
 

@@ -22,7 +22,8 @@ std::vector<std::string> words_of(const std::string& name, const PieceLabel& lab
 void note_spelling(Session& session, const std::vector<std::string>& words,
                    const std::vector<PatternFormat>& formats, const PatternOutput& output);
 
-/// Notes which .pdf files are divided into pages because they are longer than a page can be.
+/// Notes which .pdf files are longer than a page can be: they are divided into pages, or too large
+/// even for that.
 void note_divided_pages(Session& session, const std::vector<OutputFile>& files,
                         const PatternOutput& output);
 

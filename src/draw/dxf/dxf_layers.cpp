@@ -28,7 +28,7 @@ constexpr std::array<NumberedColor, 15> k_colors = {{{1, {255, 0, 0}},
                                                      {32, {165, 82, 0}},
                                                      {34, {127, 63, 0}},
                                                      {42, {165, 124, 0}},
-                                                     {154, {0, 63, 127}}}};
+                                                     {192, {82, 0, 165}}}};
 
 /// The nearest of them.
 int color_number(Color color) {

@@ -43,7 +43,7 @@ TEST(WritePdf, DividesSheetsThatAreLongerThanAPageCanBe) {
   EXPECT_THAT(pdf, HasSubstr("/MediaBox [0 0 595.2756 841.8898]")) << "the map is on A4";
   // 6504 and 904 mm, two pages overlap by 10, and 10 mm at either edge stay free: 3277 by 924.
   EXPECT_EQ(count(pdf, "/MediaBox [0 0 9289.1339 2619.2126]"), 2U);
-  EXPECT_THAT(pdf, HasSubstr("2 pages of 3277.0"));
+  EXPECT_THAT(pdf, HasSubstr("2 pages of 3277 "));
   EXPECT_THAT(format_pdf({"t", 5080.0, 920.0, {Layer{"cut", {panel}}}}), HasSubstr("/Count 1 "));
 }
 

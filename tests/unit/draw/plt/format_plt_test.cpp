@@ -46,7 +46,7 @@ TEST(WritePlt, BeginsAtTheLowerLeftCornerOfAllLines) {
   Path path = k_triangle;
   for (Vec2& p : path.lines[0])
     p = p + Vec2{-30.01, 70.0};
-  EXPECT_EQ(plt_of(path), "IN;\nSP1;\nPU0,0;\nPD400,0,400,201,0,0;\nPU;\nSP0;\n");
+  EXPECT_EQ(plt_of(path), "IN;\nSP1;\nPU0,0;\nPD400,0,400,200,0,0;\nPU;\nSP0;\n");
 }
 
 TEST(WritePlt, CutsWithTheFirstPenAndTakesEightAtMost) {

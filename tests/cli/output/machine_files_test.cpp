@@ -9,7 +9,7 @@
 
 #include <gmock/gmock.h>
 
-#include "cli_run.h"
+#include "cli/cli_run.h"
 #include "oracle/drawn_lines.h"
 #include "output/pattern_output.h"
 #include "support/products.h"
@@ -23,12 +23,12 @@ using testing::Not;
 class MachineFiles : public CliTest {
  protected:
   static CliResult unfold(const std::string& output, const Names& more = {}) {
-    Names args = {"unfold", "panel.obj", "-o", output, "--unit", "cm"};
+    Names args = {"unfold", "panel.obj", "-o", output};
     args.insert(args.end(), more.begin(), more.end());
     return planish(args);
   }
   static CliResult lay_out(const Names& more) {
-    Names args = {"flatten", "panel.obj", "-o", "out", "--unit", "cm"};
+    Names args = {"flatten", "panel.obj", "-o", "out"};
     args.insert(args.end(), more.begin(), more.end());
     return planish(args);
   }
@@ -171,12 +171,13 @@ TEST_F(MachineFiles, OfPiecesThatAreNoMoreAreNamed) {
 }
 
 TEST_F(MachineFiles, LongerThanAPageAreDividedAndSaySo) {
-  const CliResult result = planish({"unfold", "panel.obj", "-o", "a.pdf", "--unit", "m"});
+  const CliResult result = unfold("a.pdf", {"--unit", "cm"});
   ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_THAT(result.err, HasSubstr("a.pdf is divided into "));
   EXPECT_THAT(content_of("a.pdf"), Not(HasSubstr("UserUnit")));
   EXPECT_THAT(unfold("b.pdf").err, Not(HasSubstr("divided")));
   EXPECT_THAT(unfold("c.pdf", {"--paper", "a4"}).err, Not(HasSubstr("divided")));
+  EXPECT_THAT(unfold("d.pdf", {"--unit", "m"}).err, HasSubstr("d.pdf has a page of more than"));
 }
 
 }  // namespace

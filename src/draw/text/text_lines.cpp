@@ -1,4 +1,4 @@
-#include "sheet/text_lines.h"
+#include "draw/text/text_lines.h"
 
 #include <algorithm>
 

@@ -110,9 +110,8 @@ TEST_F(ProductTwinsTest, WriteTheMirrorImageToTheLastDigit) {
     expect_mirrored(svg_layer(file("left", "svg"), layer), svg_layer(file("right", "svg"), layer));
   expect_mirrored(pdf_cut(file("left", "pdf")), pdf_cut(file("right", "pdf")));
   const auto dxf_lines = [&](const char* piece) {
-    Lines lines = oracle::lines_of_dxf(content_of(file(piece, "dxf")));
-    lines.resize(2);  // cut and seam
-    return lines;
+    const Lines lines = oracle::lines_of_dxf(content_of(file(piece, "dxf")));
+    return Lines{lines.front(), lines.back()};  // seam and cut, the block of words between them
   };
   expect_mirrored(dxf_lines("left"), dxf_lines("right"));
   // Of the equal one they are the same.

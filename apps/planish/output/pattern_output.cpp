@@ -80,17 +80,27 @@ std::vector<std::string> notch_kinds() {
   return {"points", "strokes"};
 }
 
+/// The border of a layout stays in HPGL, though it does not show: a machine counts from the corner
+/// of the material, not from that of the pieces.
+Drawing with_layers(Drawing sheet, PatternFormat format, const std::vector<std::string>& wanted) {
+  const bool is_layout = std::none_of(sheet.layers.begin(), sheet.layers.end(),
+                                      [](const Layer& layer) { return layer.name == "strain"; });
+  for (Layer& layer : sheet.layers)
+    layer.visible = std::find(wanted.begin(), wanted.end(), layer.name) != wanted.end();
+  std::erase_if(sheet.layers, [&](const Layer& layer) {
+    const bool is_border = is_layout && format == PatternFormat::plt && layer.name == "label";
+    return !layer.visible && !is_border;
+  });
+  return sheet;
+}
+
 /// What a format shows of the sheet: the strain map, and its legend, on request and where there are
 /// areas.
 Drawing prepared(Drawing sheet, PatternFormat format, const PatternOutput& output) {
   const bool has_areas = format == PatternFormat::svg || format == PatternFormat::pdf;
   if (!output.map || !has_areas) sheet = without_map(std::move(sheet));
-  const std::vector<std::string>& only = output.only_layers;
-  if (!only.empty()) {
-    std::erase_if(sheet.layers, [&](const Layer& layer) {
-      return std::find(only.begin(), only.end(), layer.name) == only.end();
-    });
-  }
+  if (!output.only_layers.empty())
+    sheet = with_layers(std::move(sheet), format, output.only_layers);
   return output.stroked_text ? with_stroked_text(std::move(sheet)) : sheet;
 }
 

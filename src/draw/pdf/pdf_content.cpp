@@ -92,7 +92,7 @@ void PdfContent::add(const Path& path) {
       add_line(line, path.closed);
   }
   for (const Curve& curve : path.fitted.curves)
-    add_curve(curve);
+    add_curve(curve, path.closed);
   text_ += painting(path);
 }
 
@@ -105,7 +105,7 @@ void PdfContent::add_line(std::span<const Vec2> line, bool closed) {
   if (begun && closed) text_ += "h\n";
 }
 
-void PdfContent::add_curve(const Curve& curve) {
+void PdfContent::add_curve(const Curve& curve, bool closed) {
   if (curve.pieces.empty()) return;
   const auto add_cubic = [this](const CubicTo& cubic) {
     const auto& [first, second, end] = cubic;
@@ -125,7 +125,7 @@ void PdfContent::add_curve(const Curve& curve) {
     }
     from = end;
   }
-  text_ += "h\n";
+  if (closed) text_ += "h\n";
 }
 
 void PdfContent::add(const Text& text) {

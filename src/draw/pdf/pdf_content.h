@@ -26,7 +26,7 @@ class PdfContent {
  private:
   void add(std::span<const DrawingShape> shapes);
   void add_line(std::span<const Vec2> line, bool closed);
-  void add_curve(const Curve& curve);
+  void add_curve(const Curve& curve, bool closed);
   void number(double value);
   void numbers(std::initializer_list<double> values, std::string_view operation);
   void color(Color color, std::string_view operation);

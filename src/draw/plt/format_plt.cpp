@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,24 +42,27 @@ PenLines pen_lines(const Layer& layer) {
   return pen;
 }
 
-std::vector<PenLines> all_lines(const Drawing& drawing) {
+std::vector<PenLines> all_lines(std::span<const Layer> layers, bool visible) {
   std::vector<PenLines> all;
-  for (const Layer& layer : in_cutting_order(drawing)) {
-    if (!layer.visible) continue;
+  for (const Layer& layer : layers) {
+    if (layer.visible != visible) continue;
     PenLines pen = pen_lines(layer);
     if (!pen.lines.empty()) all.push_back(std::move(pen));
   }
   return all;
 }
 
-/// Of the box around all lines.
-Vec2 lower_left(std::span<const PenLines> all) {
-  if (all.empty()) return {};
-  Vec2 low = all.front().lines.front().front();
-  for (const PenLines& pen : all) {
-    for (const auto& line : pen.lines) {
-      for (const Vec2 place : line)
-        low = {std::min(low.x, place.x), std::min(low.y, place.y)};
+/// Of the box around all lines, also those that do not show; nothing without any.
+std::optional<Vec2> lower_left(std::span<const PenLines> shown, std::span<const PenLines> hidden) {
+  std::optional<Vec2> low;
+  for (const std::span<const PenLines> all : {shown, hidden}) {
+    for (const PenLines& pen : all) {
+      for (const auto& line : pen.lines) {
+        for (const Vec2 place : line) {
+          if (!low) low = place;
+          low = {std::min(low->x, place.x), std::min(low->y, place.y)};
+        }
+      }
     }
   }
   return low;
@@ -104,9 +108,10 @@ void append_line(std::string& plt, std::span<const Vec2> places, Vec2 origin) {
 }  // namespace
 
 std::string format_plt(const Drawing& drawing) {
-  const std::vector<PenLines> all = all_lines(with_stroked_text(drawing));
+  const std::vector<Layer> layers = in_cutting_order(with_stroked_text(drawing));
+  const std::vector<PenLines> all = all_lines(layers, true);
   const std::map<std::string, int> pens = pens_of(drawing, all);
-  const Vec2 origin = lower_left(all);
+  const Vec2 origin = lower_left(all, all_lines(layers, false)).value_or(Vec2{});
   std::string plt = "IN;\n";
   int taken = 0;
   for (const PenLines& some : all) {

@@ -71,7 +71,7 @@ class SvgLayers {
         add_line(line, path.closed);
     }
     for (const Curve& curve : path.fitted.curves)
-      add_curve(curve);
+      add_curve(curve, path.closed);
     svg_ += "\" fill=\"";
     svg_ += path.fill ? hex_text(*path.fill) : "none";
     svg_ += '"';
@@ -120,7 +120,7 @@ class SvgLayers {
     append_place(svg_, place_of(arc.end));
   }
 
-  void add_curve(const Curve& curve) {
+  void add_curve(const Curve& curve, bool closed) {
     if (curve.pieces.empty()) return;
     add_places('M', {curve.start});
     Vec2 from = curve.start;
@@ -134,7 +134,7 @@ class SvgLayers {
       }
       from = end_of(piece);
     }
-    svg_ += 'z';
+    if (closed) svg_ += 'z';
   }
 
   void add_stroke(const Stroke& stroke) {

@@ -82,6 +82,15 @@ TEST_F(MachineFiles, HaveTheLayersThatAreAskedForOnly) {
   ASSERT_EQ(lay_out(layout).exit_code, k_exit_done);
   EXPECT_EQ(pens_in(content_of("out/layout.plt")), (std::set<int>{0, 1, 2}));
   EXPECT_THAT(content_of("out/layout.svg"), Not(HasSubstr("<text")));
+  layout.insert(layout.end(), {"--nest-margin", "10mm"});
+  ASSERT_EQ(lay_out(layout).exit_code, k_exit_done);
+  Vec2 low = {1e9, 1e9};
+  for (const auto& line : oracle::lines_of_plt(content_of("out/layout.plt"))) {
+    for (const Vec2 p : line)
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+  }
+  EXPECT_NEAR(low.x, 10.0, 0.2) << "(0, 0) is the corner of the sheet";
+  EXPECT_NEAR(low.y, 10.0, 0.2);
 }
 
 TEST_F(MachineFiles, NameTheLayersThatThereAre) {

@@ -49,6 +49,15 @@ TEST(WritePlt, BeginsAtTheLowerLeftCornerOfAllLines) {
   EXPECT_EQ(plt_of(path), "IN;\nSP1;\nPU0,0;\nPD400,0,400,200,0,0;\nPU;\nSP0;\n");
 }
 
+TEST(WritePlt, CountsFromTheCornerOfWhatDoesNotShowToo) {
+  Path far = k_triangle;
+  for (Vec2& p : far.lines[0])
+    p = p + Vec2{20.0, 30.0};
+  const std::string plt =
+      format_plt({"t", 99.0, 99.0, {Layer{"label", {k_triangle}, false}, Layer{"cut", {far}}}});
+  EXPECT_EQ(plt, "IN;\nSP1;\nPU800,1200;\nPD1200,1200,1200,1400,800,1200;\nPU;\nSP0;\n");
+}
+
 TEST(WritePlt, CutsWithTheFirstPenAndTakesEightAtMost) {
   Drawing drawing{"t", 1.0, 1.0, {}};
   for (int k = 0; k < 11; ++k) {

@@ -22,7 +22,7 @@ double step_of_widened_floats(std::span<const Vec3> places);
 class DecimalSteps {
  public:
   /// Whether to add the coordinates of a vertex: all would cost time, and tell no more.
-  static bool wants(std::size_t vertex) { return vertex < 256 || vertex % 16 == 0; }
+  static bool wants(std::size_t vertex) { return vertex < 256 || vertex % 64 == 0; }
 
   /// Adds the next three words.
   /// @param ahead a copy of the cursor of the reader

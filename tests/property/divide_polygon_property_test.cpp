@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "mesh/polygon/divide_polygon.h"
+#include "oracle/polygon_division.h"
 #include "property/property.h"
-#include "support/polygons.h"
 
 namespace planish {
 namespace {

@@ -22,12 +22,16 @@ inline constexpr std::uint64_t k_most_items = std::numeric_limits<Index>::max() 
 /// Whether a vertex comes twice.
 bool has_repeat(std::span<const Index> corners);
 
+template <class Cursor>
+[[noreturn]] void refuse_size(const char* what, const Cursor& cursor) {
+  cursor.fail(ErrorCode::too_large, "the file has more than " + std::to_string(k_most_items) + " " +
+                                        what + ", the most that is supported");
+}
+
 /// Refuses a mesh that Index cannot number. `what` is "vertices" or "triangles".
 template <class Cursor>
 void check_size(std::uint64_t count, const char* what, const Cursor& cursor) {
-  if (count <= k_most_items) return;
-  cursor.fail(ErrorCode::too_large, "the file has more than " + std::to_string(k_most_items) + " " +
-                                        what + ", the most that is supported");
+  if (count > k_most_items) refuse_size(what, cursor);
 }
 
 /// The vertex that a number of a file names, counted from 0.

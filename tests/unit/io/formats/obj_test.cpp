@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/polygons.h"
+#include "oracle/polygon_division.h"
 #include "unit/io/io_testing.h"
 
 namespace planish {

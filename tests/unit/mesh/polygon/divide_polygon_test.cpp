@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/polygons.h"
+#include "oracle/polygon_division.h"
 
 namespace planish {
 namespace {

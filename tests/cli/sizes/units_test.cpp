@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "cli_run.h"
+#include "cli/cli_run.h"
 
 namespace planish::cli {
 namespace {

@@ -14,6 +14,7 @@
 #include "flatten/check_request.h"
 #include "measure/ruling_defect.h"
 #include "measure/smoothed.h"
+#include "mesh/symmetric_whole.h"
 #include "unfold/strain/free_edges.h"
 
 namespace planish {
@@ -36,14 +37,18 @@ MeasuredPatch measure_patch(const Patch& patch, const Context& context) {
   return measured;
 }
 
-EvolveReport evolve_patch(const Patch& patch, const Method& method, const Stopping& stopping,
-                          const Constraints& constraints, const Context& context) {
+namespace {
+
+/// The figures around an evolution of the patch.
+template <class Evolve>
+EvolveReport report_of_evolving(const Patch& patch, const Method& method, const Stopping& stopping,
+                                const Context& context, const Evolve& evolved_now) {
   report_progress(context, {"measuring", 0.0});
   EvolveReport report;
   report.method = method;
   report.stopping = stopping;
   report.before = measure_patch(patch, context);
-  report.result = evolve(patch, method, stopping, constraints, context);
+  report.result = evolved_now();
   const std::vector<Vec3>& after = report.result.positions;
   Aside fairness(context.threads != 1, [&] { return measure_fairness(patch, after); });
   const Patch evolved = patch.with_positions(after);
@@ -53,6 +58,43 @@ EvolveReport evolve_patch(const Patch& patch, const Method& method, const Stoppi
   report.border = measure_border_change(patch, after);
   report.fairness = fairness.result();
   return report;
+}
+
+/// Of the half, and the same of its mirror image.
+Constraints of_whole(Constraints constraints, const SymmetricWhole& whole) {
+  const auto is_paired = [&](Index v) { return whole.image[v] != v; };
+  const std::size_t fixed = constraints.fixed.size();
+  for (std::size_t k = 0; k < fixed; ++k) {
+    const Index v = constraints.fixed[k];
+    if (is_paired(v)) constraints.fixed.push_back(whole.image[v]);
+  }
+  const std::size_t weights = constraints.weights.size();
+  for (Index v = 0; v < weights; ++v) {
+    if (is_paired(v)) constraints.weights.push_back(constraints.weights[v]);
+  }
+  return constraints;
+}
+
+/// Evolves the whole of a half.
+EvolveReport evolve_half(const Patch& half, const SymmetricWhole& whole, const Method& method,
+                         const Stopping& stopping, const Constraints& constraints,
+                         const Context& context) {
+  return report_of_evolving(half, method, stopping, context, [&] {
+    EvolveResult result =
+        evolve(whole.patch, method, stopping, of_whole(constraints, whole), context);
+    result.positions = half_of(whole, result.positions);
+    for (const Index v : constraints.fixed)
+      result.positions[v] = half.positions()[v];
+    return result;
+  });
+}
+
+}  // namespace
+
+EvolveReport evolve_patch(const Patch& patch, const Method& method, const Stopping& stopping,
+                          const Constraints& constraints, const Context& context) {
+  return report_of_evolving(patch, method, stopping, context,
+                            [&] { return evolve(patch, method, stopping, constraints, context); });
 }
 
 EvolveReport evolve_remeshed(const Patch& original, const RemeshedPatch& remeshed,
@@ -103,11 +145,13 @@ std::pair<UnfoldReport, UnfoldReport> unfold_both(const Patch& before, const Pat
   quiet.is_cancelled = [&] {
     return abandoned || (context.is_cancelled && context.is_cancelled());
   };
-  const auto unfold_before = [&] { return unfold_patch(before, unit, {}, quiet); };
+  UnfoldOptions plain;
+  plain.fold = how.fold;
+  const auto unfold_before = [&] { return unfold_patch(before, unit, plain, quiet); };
   PartsOfJob parts(context);
   if (!at_once) {
     UnfoldReport second = unfold_patch(after, unit, how, parts.next(0.5));
-    return {unfold_patch(before, unit, {}, parts.next(1.0)), std::move(second)};
+    return {unfold_patch(before, unit, plain, parts.next(1.0)), std::move(second)};
   }
   std::future<UnfoldReport> aside = start_aside(unfold_before);
   try {
@@ -217,12 +261,14 @@ class Flattening {
     report_.name = std::move(name);
     report_.material = options_.material;
     check_constraints(options_.constraints, patch.vertex_count(), method_);
+    fold_ = options_.fold;
     free_edges_ = options_.free_edges;
     if (options_.smooth_first > 0.0) return run_smoothed(patch);
     report_.cautions = find_cautions(patch);
     if (options_.remesh) {
       remeshed_ = remesh(patch, options_.constraints, options_.keep);
       free_edges_ = renumbered_edges(free_edges_, remeshed_->source);
+      if (fold_) fold_ = renumbered_edges({&*fold_, 1}, remeshed_->source).front();
     }
     work_on(patch);
     if (remeshed_) report_.source = std::move(remeshed_->source);
@@ -262,7 +308,17 @@ class Flattening {
   const Patch& work_patch(const Patch& patch) const { return remeshed_ ? remeshed_->patch : patch; }
 
   UnfoldOptions with_limits() const {
-    return {.match_seams = options_.match_seams, .free_edges = free_edges_, .limits = limits_};
+    UnfoldOptions how = without_limits();
+    how.match_seams = options_.match_seams;
+    how.free_edges = free_edges_;
+    how.limits = limits_;
+    return how;
+  }
+
+  UnfoldOptions without_limits() const {
+    UnfoldOptions how;
+    how.fold = fold_;
+    return how;
   }
 
   UnfoldReport unfolded(const Patch& patch, const UnfoldOptions& how, double share) {
@@ -281,7 +337,8 @@ class Flattening {
   void unfold_input(const Patch& patch) {
     report_.as_designed = unfolded(work_patch(patch), with_limits(), shares_.design);
     const bool is_plain = !limits_.any() && !options_.match_seams;
-    before_ = is_plain ? report_.as_designed : unfolded(work_patch(patch), {}, k_share_of_plain);
+    before_ = is_plain ? report_.as_designed
+                       : unfolded(work_patch(patch), without_limits(), k_share_of_plain);
   }
 
   void keep_design(const Patch& patch) {
@@ -295,7 +352,7 @@ class Flattening {
     report_.unfold_before = *before_;
     report_.unfold = report_.as_designed;
     report_.evolve = left_as_it_is(work, method_, stopping_, reason, context_);
-    compare_with_original(patch, work);
+    compare_with_original(patch);
   }
 
   /// Lays the input flat and sees whether that is all that is to be done. True if that pattern is
@@ -369,11 +426,20 @@ class Flattening {
       stop = StopReason::strain_met;
   }
 
+  EvolveReport evolved(const Patch& patch, const Method& method, const Context& context) const {
+    const Patch& work = work_patch(patch);
+    if (const auto whole = fold_ ? symmetric_whole(work, *fold_) : std::nullopt) {
+      const Constraints& constraints = remeshed_ ? remeshed_->constraints : options_.constraints;
+      EvolveReport report = evolve_half(work, *whole, method, stopping_, constraints, context);
+      return with_original_compared(std::move(report), patch);
+    }
+    if (remeshed_) return evolve_remeshed(patch, *remeshed_, method, stopping_, context);
+    return evolve_patch(patch, method, stopping_, options_.constraints, context);
+  }
+
   void evolve_and_unfold(const Patch& patch, const Method& method) {
     const Patch& work = work_patch(patch);
-    const Context part = parts_.next(shares_.evolution);
-    report_.evolve = remeshed_ ? evolve_remeshed(patch, *remeshed_, method, stopping_, part)
-                               : evolve_patch(patch, method, stopping_, options_.constraints, part);
+    report_.evolve = evolved(patch, method, parts_.next(shares_.evolution));
     const Patch processed = work.with_positions(report_.evolve.result.positions);
     if (before_) {
       report_.unfold_before = *before_;
@@ -441,16 +507,21 @@ class Flattening {
     report_.evolve.after = measure_patch(now, context_);
     report_.evolve.deviation = measure_deviation(work, now.positions());
     report_.evolve.fairness = measure_fairness(work, now.positions());
-    compare_with_original(patch, now);
+    compare_with_original(patch);
   }
 
   /// Where vertices were removed, the result is compared with the surface that had all of them.
-  void compare_with_original(const Patch& original, const Patch& now) {
-    if (!remeshed_ || now.vertex_count() == original.vertex_count()) return;
-    report_.evolve.remeshed_from =
-        OriginalSize{original.vertex_count(), original.triangles().size()};
-    report_.evolve.deviation = measure_surface_deviation(original, now.mesh());
-    report_.evolve.fairness = measure_fairness(original, now);
+  void compare_with_original(const Patch& original) {
+    report_.evolve = with_original_compared(std::move(report_.evolve), original);
+  }
+
+  EvolveReport with_original_compared(EvolveReport report, const Patch& original) const {
+    if (!remeshed_ || remeshed_->patch.vertex_count() == original.vertex_count()) return report;
+    const Patch now = remeshed_->patch.with_positions(report.result.positions);
+    report.remeshed_from = OriginalSize{original.vertex_count(), original.triangles().size()};
+    report.deviation = measure_surface_deviation(original, now.mesh());
+    report.fairness = measure_fairness(original, now);
+    return report;
   }
 
   const FlattenOptions& options_;
@@ -463,6 +534,7 @@ class Flattening {
   StrainLimits aim_;
   std::optional<RemeshedPatch> remeshed_;
   std::vector<std::array<Index, 2>> free_edges_;  // of the work patch
+  std::optional<std::array<Index, 2>> fold_;      // likewise
   FlattenReport report_;
   bool design_serves_ = false;          // its pattern keeps the limits
   std::optional<UnfoldReport> before_;  // the input without limits, where that is known already

@@ -14,12 +14,17 @@ namespace planish {
 
 namespace {
 
-/// Appends a statement of the numbers of the last vertices, from 1.
-void append_statement(char keyword, std::size_t first, std::size_t count, std::string& text) {
+/// Appends a statement of the numbers of the last vertices, from 1; a closed one ends in its first.
+void append_statement(char keyword, std::size_t first, std::size_t count, bool closed,
+                      std::string& text) {
   text += keyword;
   for (std::size_t i = 0; i < count; ++i) {
     text += ' ';
     append_integer(text, first + i);
+  }
+  if (closed) {
+    text += ' ';
+    append_integer(text, first);
   }
   text += '\n';
 }
@@ -63,14 +68,16 @@ std::string format_obj_lines(const DrawnLines& drawn) {
   std::string text;
   std::size_t vertices = 0;
   for (const DrawnLine& line : drawn.lines) {
-    for (const Vec3 p : line.points)
-      append_vertex(p, text);
-    append_statement('l', vertices + 1, line.points.size(), text);
-    vertices += line.points.size();
+    const bool closed = line.points.size() > 2 && line.points.front() == line.points.back();
+    const std::size_t count = line.points.size() - (closed ? 1 : 0);
+    for (std::size_t i = 0; i < count; ++i)
+      append_vertex(line.points[i], text);
+    append_statement('l', vertices + 1, count, closed, text);
+    vertices += count;
   }
   for (const Vec3 p : drawn.points) {
     append_vertex(p, text);
-    append_statement('p', ++vertices, 1, text);
+    append_statement('p', ++vertices, 1, false, text);
   }
   return text;
 }

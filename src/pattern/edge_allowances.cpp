@@ -79,11 +79,15 @@ EdgeAllowance fold_stretch(const PieceOutline& outline, const FoldLine& fold) {
   const Polygon& loop = outline.loops[ahead.loop];
   const double length = norm(loop[ahead.to] - loop[ahead.from]);
   if (std::min(bow, bow_back) > std::max(k_straight, k_share * length)) {
-    throw Error(ErrorCode::misplaced_allowance,
-                fold_text(outline.piece, fold) + " is not straight: it is " +
-                    fixed_text(std::min(bow, bow_back), 1) +
-                    " mm off the line between its ends; material folds along a straight line only",
-                {.path = {}, .first = fold.from});
+    throw Error(
+        ErrorCode::misplaced_allowance,
+        fold_text(outline.piece, fold) + " is not straight: it is " +
+            fixed_text(std::min(bow, bow_back), 1) +
+            " mm off the line between its ends, and material folds along a straight line only; "
+            "a fold becomes straight where it lies in one plane of the model, but for a "
+            "thousandth of its length: take two ends between which it does, or leave out "
+            "the fold and give both halves an allowance there, to be sewn together",
+        {.path = {}, .first = fold.from});
   }
   return bow <= bow_back ? EdgeAllowance{fold.from, fold.to} : EdgeAllowance{fold.to, fold.from};
 }

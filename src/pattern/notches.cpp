@@ -3,37 +3,24 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <planish/core/error.h>
 #include <planish/core/range.h>
 #include <planish/pattern/notches.h>
 
 #include "core/number_text.h"
-#include "pattern/polygon/border_walk.h"
+#include "pattern/notch_frames.h"
 #include "pattern/polygon/polygon_rays.h"
 
 namespace planish {
 
 namespace {
 
-/// A place of the seam, by its loop and the way along it.
-struct Seat {
-  std::size_t loop = 0;
-  double way = 0.0;
-};
-
 /// A place between a point of a loop and the next one.
 struct EdgeSeat {
   std::size_t loop = 0, point = 0;
   double share = 0.0;
-};
-
-/// A notch on its cut line.
-struct Frame {
-  Vec2 seam;           ///< the place on the seam
-  Vec2 along;          ///< the direction of the seam, length 1
-  Vec2 inward;         ///< at right angles, to the left
-  double reach = 0.0;  ///< from the seam out to the cut line
 };
 
 std::string name_of(std::string_view piece, const Notch& notch) {
@@ -82,33 +69,23 @@ bool is_share(double value) {
   return value >= 0.0 && value <= 1.0;
 }
 
-Seat seat_of(const PieceOutline& outline, const Notch& notch,
-             const std::vector<BorderWalk>& walks) {
-  if (const auto* share = std::get_if<double>(&notch.place)) {
-    return {0, *share * walks[0].length()};
-  }
+NotchSeat seat_of(const PieceOutline& outline, const Notch& notch, const NotchFrames& frames) {
+  if (const auto* share = std::get_if<double>(&notch.place))
+    return {0, *share * frames.walk(0).length()};
   const auto* edge = std::get_if<PlaceOnEdge>(&notch.place);
   const EdgeSeat seat = edge != nullptr ? *seat_at(*edge, outline.vertices)
                                         : *seat_at(std::get<Index>(notch.place), outline.vertices);
-  const BorderWalk& walk = walks[seat.loop];
-  return {seat.loop, std::lerp(walk.way_to(seat.point), walk.way_to(seat.point + 1), seat.share)};
+  const BorderWalk& walk = frames.walk(seat.loop);
+  const SeatSide side = edge == nullptr     ? SeatSide::both
+                        : seat.share <= 0.5 ? SeatSide::after
+                                            : SeatSide::before;
+  return {seat.loop, std::lerp(walk.way_to(seat.point), walk.way_to(seat.point + 1), seat.share),
+          side};
 }
 
-/// The seam's direction as it is over the width of a notch, so that jags do not turn notches.
-Frame frame_at(const BorderWalk& walk, double way, double width) {
-  const double half = std::min(0.5 * width, 0.125 * walk.length());
-  Vec2 chord = walk.at(way + half) - walk.at(way - half);
-  if (!(norm(chord) > 0.0)) chord = {1.0, 0.0};
-  const Vec2 along = 1.0 / norm(chord) * chord;
-  return {walk.at(way), along, {-along.y, along.x}};
-}
-
-bool has_allowance(const PieceOutline& outline, std::span<const Polygon> cut) {
-  return !std::equal(cut.begin(), cut.end(), outline.loops.begin(), outline.loops.end());
-}
-
-void check_depth(const PieceOutline& outline, const Notch& notch, const Frame& frame, double depth,
-                 bool with_allowance) {
+void check_depth(const PieceOutline& outline, const Notch& notch, const NotchFrame& frame,
+                 double depth, bool with_allowance) {
+  if (frame.on_seam) return;
   const std::string deep = " is " + fixed_text(depth, 3) + " mm deep and would reach ";
   if (with_allowance && !(depth <= frame.reach + 1e-6)) {
     fail(outline.piece, notch,
@@ -121,23 +98,24 @@ void check_depth(const PieceOutline& outline, const Notch& notch, const Frame& f
 }
 
 /// Where a V begins: on the cut line, half its width to the side.
-Vec2 base(const Frame& frame, std::span<const Polygon> cut, double aside, double depth) {
+Vec2 base(const NotchFrame& frame, std::span<const Polygon> cut, double aside, double depth) {
   const Vec2 from = frame.seam + aside * frame.along;
+  if (frame.on_seam) return from - frame.reach * frame.inward;
   double reach = first_hit(cut, from, -1.0 * frame.inward, frame.reach - depth);
   if (!(reach <= frame.reach + depth)) reach = frame.reach;
   return from - reach * frame.inward;
 }
 
-PlacedNotch placed_notch(NotchKind kind, const Frame& frame, std::span<const Polygon> cut,
+PlacedNotch placed_notch(NotchKind kind, const NotchFrame& frame, std::span<const Polygon> cut,
                          const NotchSizes& sizes) {
+  const double depth = frame.on_seam ? frame.reach : sizes.depth;
   const Vec2 start = frame.seam - frame.reach * frame.inward;
-  const Vec2 tip = start + sizes.depth * frame.inward;
+  const Vec2 tip = start + depth * frame.inward;
   const double half = 0.5 * sizes.width;
-  PlacedNotch notch = {kind, start, frame.inward, sizes.depth,
-                       kind == NotchKind::slit ? 0.0 : sizes.width};
+  PlacedNotch notch = {
+      kind, start, frame.inward, depth, kind == NotchKind::slit ? 0.0 : sizes.width, frame.on_seam};
   if (kind == NotchKind::v) {
-    notch.strokes = {
-        {base(frame, cut, -half, sizes.depth), tip, base(frame, cut, half, sizes.depth)}};
+    notch.strokes = {{base(frame, cut, -half, depth), tip, base(frame, cut, half, depth)}};
   } else {
     notch.strokes = {{start, tip}};
     if (kind == NotchKind::t)
@@ -153,12 +131,13 @@ void check_sizes(const NotchSizes& sizes) {
   check_range("notch spacing", sizes.spacing, range);
 }
 
-std::vector<BorderWalk> walks_along(const PieceOutline& outline) {
-  std::vector<BorderWalk> walks;
-  walks.reserve(outline.loops.size());
-  for (const Polygon& loop : outline.loops)
-    walks.emplace_back(loop);
-  return walks;
+/// Where two seams end at one place, as at the tip of a dart, each gives the same notch.
+bool is_there_already(const PlacedNotch& notch, std::span<const PlacedNotch> placed) {
+  constexpr double k_same = 1e-3;  // millimetres, and of the direction
+  return std::any_of(placed.begin(), placed.end(), [&](const PlacedNotch& other) {
+    return other.kind == notch.kind && norm(other.at - notch.at) < k_same &&
+           norm(other.inward - notch.inward) < k_same;
+  });
 }
 
 }  // namespace
@@ -194,25 +173,22 @@ void check_notches(std::span<const std::vector<Index>> border, std::span<const N
 }
 
 std::vector<PlacedNotch> place_notches(const PieceOutline& outline, std::span<const Polygon> cut,
-                                       std::span<const Notch> notches, const NotchSizes& sizes) {
+                                       std::span<const Notch> notches, const NotchSizes& sizes,
+                                       const Allowance& allowance) {
   check_sizes(sizes);
   check_notches(outline.vertices, notches, outline.piece);
-  const std::vector<BorderWalk> walks = walks_along(outline);
-  const bool with_allowance = has_allowance(outline, cut);
+  if (notches.empty()) return {};
+  const NotchFrames frames(outline, cut, allowance, sizes);
   std::vector<PlacedNotch> placed;
   for (const Notch& notch : notches) {
-    const Seat seat = seat_of(outline, notch, walks);
-    const double aside = notch.is_double ? 0.5 * sizes.spacing : 0.0;
-    for (const double way : {seat.way - aside, seat.way + aside}) {
-      Frame frame = frame_at(walks[seat.loop], way, sizes.width);
-      if (with_allowance) {
-        // A seam without an allowance of its own lies on the cut line, but for rounding.
-        const double hit = first_hit(cut, frame.seam, -1.0 * frame.inward, -1e-3);
-        frame.reach = hit == k_no_hit ? 0.0 : hit;
-      }
-      check_depth(outline, notch, frame, sizes.depth, with_allowance);
-      placed.push_back(placed_notch(notch.kind, frame, cut, sizes));
-      if (!notch.is_double) break;
+    const NotchSeat seat = seat_of(outline, notch, frames);
+    const std::vector<NotchSeat> seats =
+        notch.is_double ? frames.pair_around(seat) : std::vector<NotchSeat>{seat};
+    for (const NotchSeat& place : seats) {
+      const NotchFrame frame = frames.at(place);
+      check_depth(outline, notch, frame, sizes.depth, frames.has_allowance());
+      PlacedNotch found = placed_notch(notch.kind, frame, cut, sizes);
+      if (!is_there_already(found, placed)) placed.push_back(std::move(found));
     }
   }
   return placed;

@@ -14,6 +14,7 @@
 #include "core/math.h"
 #include "draw/text/text_lines.h"
 #include "pattern/polygon/free_strip.h"
+#include "sheet/line_path.h"
 #include "sheet/sheet_layout.h"
 
 namespace planish {
@@ -30,7 +31,7 @@ Layer layer_of(std::string name, std::vector<Polygon> lines, const Stroke& strok
   Layer layer{std::move(name), {}};
   layer.shapes.reserve(lines.size());
   for (Polygon& line : lines)
-    layer.shapes.emplace_back(Path{{std::move(line)}, false, stroke});
+    layer.shapes.emplace_back(line_path(std::move(line), stroke));
   return layer;
 }
 
@@ -56,7 +57,10 @@ Layer notch_layer(const PlacedPattern& pattern) {
   Layer layer{"notch", {}};
   for (const PlacedNotch& notch : pattern.notches) {
     Path path{notch.strokes, false, k_notch};
-    path.mark = NotchMark{notch.at, degrees_of(notch.inward), notch.depth, notch.width, notch.kind};
+    // What formats have for notches is on the line that is cut.
+    if (!notch.on_seam)
+      path.mark =
+          NotchMark{notch.at, degrees_of(notch.inward), notch.depth, notch.width, notch.kind};
     layer.shapes.emplace_back(std::move(path));
   }
   return layer;
@@ -77,7 +81,7 @@ Layer fold_layer(const PlacedPattern& pattern, const std::optional<FoldLine>& fo
   if (!fold) return layer;
   const Vec2 from = pattern.positions[fold->from], to = pattern.positions[fold->to];
   Path path{{{from, to}}, false, k_fold};
-  path.mark = FoldMark{from, to};
+  path.mark = FoldMark{from, to, fold->opened};
   layer.shapes.emplace_back(std::move(path));
   return layer;
 }
@@ -85,7 +89,9 @@ Layer fold_layer(const PlacedPattern& pattern, const std::optional<FoldLine>& fo
 Layer drill_layer(const PlacedPattern& pattern, const std::vector<Mark>& marks) {
   Layer layer{"drill", {}};
   for (const Mark& mark : marks) {
-    Path path{mark_lines(pattern.positions, {&mark, 1}, pattern.outline.piece), false, k_drill};
+    std::vector<Polygon> lines = mark_lines(pattern.positions, {&mark, 1}, pattern.outline.piece);
+    Path path = lines.size() == 1 ? line_path(std::move(lines.front()), k_drill)
+                                  : Path{std::move(lines), false, k_drill};
     path.mark = DrillMark{place_of(mark, pattern.positions)};
     layer.shapes.emplace_back(std::move(path));
   }
@@ -280,7 +286,8 @@ Vec2 grain_on_sheet(const Grain& grain, const TriMesh& mesh, const PlacedPattern
 std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& pattern,
                                       const PatternOptions& options) {
   const PieceOutline& outline = pattern.outline;
-  const std::vector<std::string> lines = lines_of(options.label, options.fold.has_value());
+  const std::vector<std::string> lines =
+      lines_of(options.label, options.fold && !options.fold->opened);
   check_marks(pattern.positions.size(), options.marks, outline.piece);
   std::vector<Polygon> inner = all_inner_lines(pattern, options);
   const std::vector<Polygon> free = free_loops(pattern, options, inner);

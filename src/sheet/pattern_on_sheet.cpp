@@ -10,6 +10,7 @@
 #include "pattern/filled_slit.h"
 #include "pattern/pattern_hash.h"
 #include "pattern/polygon/loop_box.h"
+#include "sheet/allowance_words.h"
 #include "sheet/mirrored_place.h"
 #include "sheet/sheet_layout.h"
 
@@ -72,14 +73,14 @@ PatternOnSheet pattern_on_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
   const LoopBox piece_box = loop_box(pattern.outline.loops);
   SheetFacts facts = {.name = name,
                       .size = piece_box.size(),
-                      .allowance = widest_allowance(options),
+                      .allowance = allowance_words(pattern.outline, options),
                       .hash = pattern_hash(pattern.positions),
                       .date = options.date,
                       .model_scale = options.model_scale};
   facts.form_faults = options.form_faults;
   facts.cautions = options.cautions;
-  if (facts.allowance > 0.0)
-    facts.filled_slit = filled_slit_length(pattern.outline.loops, pattern.cut, facts.allowance);
+  if (const double widest = widest_allowance(options); widest > 0.0)
+    facts.filled_slit = filled_slit_length(pattern.outline.loops, pattern.cut, widest);
   if (options.moved) facts.moved = millimetres_per(unfold.unit) * *options.moved;
   const bool mirrored = options.like && options.like->mirrored;
   PatternOnSheet sheet =

@@ -3,6 +3,7 @@
 #include <iterator>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include <planish/sheet/pattern_sheet.h>
 
@@ -67,6 +68,18 @@ Drawing pattern_sheet(const Patch& patch, const UnfoldReport& unfold, const std:
   sheet.layers.push_back(std::move(of_piece.back()));  // the cut line, over all
   sheet.notes = sheet_notes(unfold, facts);
   return sheet;
+}
+
+std::size_t notches_on_seam_line(const Drawing& sheet) {
+  std::size_t count = 0;
+  for (const Layer& layer : sheet.layers) {
+    if (layer.name != "notch") continue;
+    for (const DrawingShape& shape : layer.shapes) {
+      const auto* path = std::get_if<Path>(&shape);
+      if (path != nullptr && !std::holds_alternative<NotchMark>(path->mark)) ++count;
+    }
+  }
+  return count;
 }
 
 Drawing without_map(Drawing sheet) {

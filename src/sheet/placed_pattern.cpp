@@ -45,6 +45,13 @@ std::vector<EdgeAllowance> turned_round(std::vector<EdgeAllowance> edges) {
   return edges;
 }
 
+/// Of the same loops the other way round from the same point on.
+Allowance turned_round(Allowance allowance) {
+  for (std::vector<double>& widths : allowance.edge_widths)
+    std::reverse(widths.begin(), widths.end());
+  return allowance;
+}
+
 Vec2 mirrored_in_y_axis(Vec2 p) {
   return {0.0 - p.x, p.y};
 }
@@ -126,21 +133,24 @@ PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> position
   pattern.cut = pattern.outline.loops;
   std::vector<EdgeAllowance> edges =
       mirrored ? turned_round(options.edge_allowances) : options.edge_allowances;
-  if (options.fold) edges.push_back(fold_stretch(pattern.outline, *options.fold));
+  if (options.fold && !options.fold->opened)
+    edges.push_back(fold_stretch(pattern.outline, *options.fold));
+  Allowance allowance = options.allowance.value_or(Allowance{});
   if (options.allowance) {
-    pattern.cut = offset_outline(pattern.outline,
-                                 with_edge_allowances(*options.allowance, pattern.outline, edges));
+    allowance = with_edge_allowances(std::move(allowance), pattern.outline, edges);
+    pattern.cut = offset_outline(pattern.outline, allowance);
   }
-  const auto notches_of = [&](const PlacedPattern& some) {
-    return place_notches(some.outline, some.cut, options.notches, options.notch_sizes);
+  const auto notches_of = [&](const PlacedPattern& some, const Allowance& made_with) {
+    return place_notches(some.outline, some.cut, options.notches, options.notch_sizes, made_with);
   };
   if (!mirrored) {
-    pattern.notches = notches_of(pattern);
+    pattern.notches = notches_of(pattern, allowance);
     const std::vector<Vec2> places = places_of(pattern.notches);
     return with_fitted_lines(std::move(pattern), places, options);
   }
   // Notches are placed on the mirrored pattern; lines are fitted on the other one.
-  std::vector<PlacedNotch> notches = notches_of(mirror_image(pattern));
+  std::vector<PlacedNotch> notches =
+      notches_of(mirror_image(pattern), turned_round(std::move(allowance)));
   std::vector<Vec2> places = places_of(notches);
   std::transform(places.begin(), places.end(), places.begin(), mirrored_in_y_axis);
   pattern = mirror_image(with_fitted_lines(std::move(pattern), places, options));

@@ -187,7 +187,7 @@ std::optional<Verdict> verdict_of(const UnfoldReport& unfold, const SheetFacts& 
 std::string size_text(const SheetFacts& facts) {
   std::string text =
       decimals_text(facts.size.x, 1) + " × " + decimals_text(facts.size.y, 1) + " mm";
-  if (facts.allowance > 0.0) text += " + " + fixed_text(facts.allowance, 3) + " mm allowance";
+  if (!facts.allowance.empty()) text += " + " + facts.allowance;
   return text;
 }
 

@@ -15,7 +15,7 @@ namespace planish {
 struct SheetFacts {
   std::string name;
   Vec2 size;                 ///< of the piece without its allowance, millimetres
-  double allowance = 0.0;    ///< the widest, millimetres; 0 without
+  std::string allowance;     ///< its widths, as allowance_words() has them; empty without
   double filled_slit = 0.0;  ///< length of seam line in slits that the allowance fills, millimetres
   std::uint64_t hash = 0;
   std::string date;

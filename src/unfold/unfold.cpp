@@ -8,6 +8,7 @@
 #include "core/careful_sum.h"
 #include "core/job.h"
 #include "geometry/crosses_itself.h"
+#include "mesh/symmetric_whole.h"
 #include "unfold/disk/disk.h"
 #include "unfold/open_border.h"
 #include "unfold/placement.h"
@@ -15,6 +16,7 @@
 #include "unfold/strain/free_edges.h"
 #include "unfold/stretch/least_stretch.h"
 #include "unfold/stretch/matched_border.h"
+#include "unfold/symmetric_mean.h"
 #include "unfold/unfold_within_limits.h"
 
 namespace planish {
@@ -107,6 +109,71 @@ std::vector<Vec2> in_mesh_order(const Patch& patch, const Disk& disk,
   return positions;
 }
 
+/// The pattern with its positions, which begin in the units of the disk.
+Pattern placed(Pattern pattern, const Patch& patch, const Disk& disk, std::vector<Vec2> flat) {
+  const std::vector<Vec2> outline = border_of(disk, flat);
+  const std::vector<Vec2> places = place_in_smallest_box(std::move(flat), outline);
+  CarefulSum area;
+  for (const Triangle& t : disk.triangles) {
+    const double doubled = doubled_area(t, places);
+    area.add(0.5 * doubled);
+    if (!(doubled > 0.0)) ++pattern.flipped_triangles;
+  }
+  pattern.area_ratio = area.value();  // the disk has area 1
+  pattern.positions.resize(patch.vertex_count());
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    const Vec2 p = in_model_units(disk, places[v]);
+    pattern.positions[disk.vertex_of[v]] = p;
+    pattern.width = std::max(pattern.width, p.x);
+    pattern.height = std::max(pattern.height, p.y);
+  }
+  return pattern;
+}
+
+/// By the numbers of the disk, in its units.
+std::vector<Vec2> in_disk_units(const Disk& disk, std::span<const Vec2> positions) {
+  std::vector<Vec2> flat;
+  flat.reserve(disk.vertex_count);
+  for (const Index v : disk.vertex_of)
+    flat.push_back(disk.area_scale * (disk.box_scale * positions[v]));
+  return flat;
+}
+
+/// How the whole of a half is unfolded as the options say of the half.
+UnfoldOptions of_whole(UnfoldOptions options, const SymmetricWhole& whole) {
+  options.fold.reset();
+  const std::vector<std::array<Index, 2>> edges = options.free_edges;
+  for (const std::array<Index, 2>& edge : edges)
+    options.free_edges.push_back({whole.image[edge[0]], whole.image[edge[1]]});
+  return options;
+}
+
+/// Unfolds the whole of a half. The steps of the whole are symmetric but for rounding; its half is
+/// made of the mean of both sides, so that the fold is straight.
+Pattern unfold_half(const Patch& half, const SymmetricWhole& whole, const UnfoldOptions& options,
+                    const Context& context) {
+  Pattern pattern = unfold(whole.patch, of_whole(options, whole), context);
+  const auto of_half = [&](std::vector<Vec2>& positions) {
+    if (!positions.empty()) positions.resize(half.vertex_count());
+  };
+  of_half(pattern.unmatched);
+  of_half(pattern.unlimited);
+  if (pattern.opened && pattern.opened->vertex >= half.vertex_count()) {
+    const auto found = std::find(whole.image.begin(), whole.image.end(), pattern.opened->vertex);
+    pattern.opened->vertex = static_cast<Index>(found - whole.image.begin());
+  }
+  const Disk disk = make_disk(half);
+  std::vector<Vec2> images(half.vertex_count());
+  for (std::size_t v = 0; v < images.size(); ++v)
+    images[v] = pattern.positions[whole.image[v]];
+  std::vector<Vec2> flat =
+      symmetric_mean(in_disk_units(disk, pattern.positions), in_disk_units(disk, images));
+  pattern.overlaps = pattern.overlaps || crosses_itself(border_of(disk, flat));
+  pattern.width = pattern.height = 0.0;
+  pattern.flipped_triangles = 0;
+  return placed(std::move(pattern), half, disk, std::move(flat));
+}
+
 }  // namespace
 
 void require_unfoldable(const Patch& patch) {
@@ -121,6 +188,10 @@ void require_unfoldable(const Patch& patch) {
 Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& context) {
   require_unfoldable(patch);
   require(options.limits);
+  if (options.fold) {
+    if (const auto whole = symmetric_whole(patch, *options.fold))
+      return unfold_half(patch, *whole, options, context);
+  }
   ThreadPool pool(context);
   pool.stop_if_cancelled();
   const Disk disk = make_disk(patch);
@@ -157,23 +228,7 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
                         disk.vertex_of[open->vertex]};
     }
   }
-  const std::vector<Vec2> outline = border_of(disk, flat.flat);
-  const std::vector<Vec2> placed = place_in_smallest_box(std::move(flat.flat), outline);
-  CarefulSum area;
-  for (const Triangle& t : disk.triangles) {
-    const double doubled = doubled_area(t, placed);
-    area.add(0.5 * doubled);
-    if (!(doubled > 0.0)) ++pattern.flipped_triangles;
-  }
-  pattern.area_ratio = area.value();  // the disk has area 1
-  pattern.positions.resize(patch.vertex_count());
-  for (std::size_t v = 0; v < placed.size(); ++v) {
-    const Vec2 p = in_model_units(disk, placed[v]);
-    pattern.positions[disk.vertex_of[v]] = p;
-    pattern.width = std::max(pattern.width, p.x);
-    pattern.height = std::max(pattern.height, p.y);
-  }
-  return pattern;
+  return placed(std::move(pattern), patch, disk, std::move(flat.flat));
 }
 
 double smallest_limit(const Patch& patch, const Pattern& least, const Context& context) {
@@ -181,12 +236,9 @@ double smallest_limit(const Patch& patch, const Pattern& least, const Context& c
   pool.stop_if_cancelled();
   const Disk disk = make_disk(patch);
   pool.stop_if_cancelled();
-  std::vector<Vec2> flat;
-  flat.reserve(disk.vertex_count);
-  for (const Index v : disk.vertex_of)
-    flat.push_back(disk.area_scale * (disk.box_scale * least.positions[v]));
-  return smallest_limit_of(patch.mesh(), disk, std::move(flat), UnfoldOptions{}.max_iterations,
-                           pool, unfolding_steps(context, k_step_of_limits));
+  return smallest_limit_of(patch.mesh(), disk, in_disk_units(disk, least.positions),
+                           UnfoldOptions{}.max_iterations, pool,
+                           unfolding_steps(context, k_step_of_limits));
 }
 
 TriMesh flat_mesh(const TriMesh& mesh, const Pattern& pattern) {

@@ -194,6 +194,10 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   warn_of_pattern(session, report.unfold);
   const Patch& design = report.evolve.remeshed_from ? report.processed : report.input;
   note_unequal_seams(session, design, report.unfold);
+  about(path, [&] {
+    note_notches_on_seam_line(session, report.processed, report.unfold, name,
+                              on_processed(pattern.annotations, report));
+  });
   if (paths.contains(role_of("pattern", PatternFormat::plt)))
     note_plotter_reach(session, report.unfold);
   const std::string text =
@@ -229,6 +233,7 @@ FlattenOptions flatten_options_from(const Arguments& arguments) {
                  .smooth_first = smooth_first_from(arguments),
                  .remesh = arguments.has("--remesh"),
                  .match_seams = arguments.has("--match-seams"),
+                 .fold = fold_ends_from(arguments),
                  .limits = limits_from(arguments),
                  .material = material_from(arguments)},
                 arguments);

@@ -82,7 +82,9 @@ UnfoldRequest request_from(const Arguments& arguments, const std::string& output
   const auto format = pattern_format_of(output);
   return {unit_from(arguments),
           output_from(arguments, format),
-          {.match_seams = arguments.has("--match-seams"), .limits = limits_from(arguments)},
+          {.match_seams = arguments.has("--match-seams"),
+           .limits = limits_from(arguments),
+           .fold = fold_ends_from(arguments)},
           annotations_from(arguments, format.has_value())};
 }
 
@@ -159,6 +161,8 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
   });
   warn_of_pattern(session, report);
   note_unequal_seams(session, patch, report);
+  about(path,
+        [&] { note_notches_on_seam_line(session, patch, report, name, request.annotations); });
   const std::vector<OutputFile> files = {{path_of(output), content}};
   if (const auto format = pattern_format_of(output)) {
     if (format == PatternFormat::plt) note_plotter_reach(session, report);

@@ -217,6 +217,12 @@ FlagGroup annotation_flags() {
         {.range = {.min = 0.0}}}}};
 }
 
+std::optional<std::array<Index, 2>> fold_ends_from(const Arguments& arguments) {
+  const std::optional<FoldLine> fold = fold_from(arguments);
+  if (!fold) return std::nullopt;
+  return std::array<Index, 2>{fold->from, fold->to};
+}
+
 PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet) {
   refuse_idle_flags(arguments, writes_sheet);
   PatternOptions options;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include <planish/mesh/patch.h>
 #include <planish/pattern/pattern_options.h>
 
@@ -15,6 +18,10 @@ FlagGroup annotation_flags();
 /// @param writes_sheet whether a pattern is drawn at all
 /// @throws UsageError, Error option_out_of_range, and as read_notches() and read_marks()
 PatternOptions annotations_from(const Arguments& arguments, bool writes_sheet);
+
+/// The ends of --fold, as UnfoldOptions has them.
+/// @throws UsageError
+std::optional<std::array<Index, 2>> fold_ends_from(const Arguments& arguments);
 
 /// Adds what the files of --notches, --marks and --inner-lines that are drawings (.obj) ask for.
 /// @throws Error as read_drawn_notches(), read_drawn_marks() and read_drawn_lines()

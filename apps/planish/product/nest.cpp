@@ -157,7 +157,7 @@ void note_materials(const std::vector<NestPatch>& patches, Session& session) {
 }  // namespace
 
 SheetFit fit_alone(NestPatch patch, Unit unit, const NestOptions& sheets) {
-  const NestJob job{with_mirror_images({std::move(patch)}), unit, sheets};
+  const NestJob job{with_mirror_images(with_folds_opened({std::move(patch)}, unit)), unit, sheets};
   try {
     const Nesting nesting = nest(nest_pieces(job), sheets);
     return {true, material_text(sheets, nesting.sheets), "alone, " + use_text(sheets, nesting)};
@@ -171,7 +171,8 @@ NestOutcome nest_patches(std::vector<NestPatch> patches, Unit unit, const NestRe
                          const std::filesystem::path& folder, const std::string& title,
                          Session& session) {
   note_materials(patches, session);
-  NestJob job{with_mirror_images(std::move(patches)), unit, request.sheets};
+  NestJob job{with_mirror_images(with_folds_opened(std::move(patches), unit)), unit,
+              request.sheets};
   const std::vector<NestPiece> pieces = nest_pieces(job);
   Nesting nesting = nest(pieces, job.sheets, session.job_context(title));
   NestOutcome outcome;

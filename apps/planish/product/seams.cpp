@@ -6,6 +6,7 @@
 #include <planish/flatten/product.h>
 #include <planish/pattern/notches.h>
 #include <planish/pattern/read_annotations.h>
+#include <planish/sheet/pattern_sheet.h>
 
 #include "flags/annotation_flags.h"
 #include "flags/quantities.h"
@@ -111,6 +112,16 @@ PatternOptions annotations_on(PatternOptions annotations, const Arguments& argum
   annotations.notches.insert(annotations.notches.end(), on_seams.front().begin(),
                              on_seams.front().end());
   return annotations;
+}
+
+void note_notches_on_seam_line(Session& session, const Patch& patch, const UnfoldReport& report,
+                               const std::string& name, const PatternOptions& annotations) {
+  if (annotations.notches.empty()) return;
+  const std::size_t count = notches_on_seam_line(pattern_sheet(patch, report, name, annotations));
+  if (count == 0) return;
+  session.note((count == 1 ? "1 notch is" : std::to_string(count) + " notches are") +
+               " drawn on the seam line: no cut line runs beside the place, as the allowance fills "
+               "the dart or slit there; for notches in a cut line take less --allowance");
 }
 
 }  // namespace planish::cli

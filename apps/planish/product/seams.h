@@ -47,4 +47,9 @@ std::vector<MeasuredSeam> with_names(std::vector<MeasuredSeam> seams,
 PatternOptions annotations_on(PatternOptions annotations, const Arguments& arguments,
                               const Patch& patch, const std::string& name, Session& session);
 
+/// Says how many notches of a pattern are drawn on the seam line, where there is no cut line for
+/// them.
+void note_notches_on_seam_line(Session& session, const Patch& patch, const UnfoldReport& report,
+                               const std::string& name, const PatternOptions& annotations);
+
 }  // namespace planish::cli

@@ -74,7 +74,8 @@ UnfoldResult unfold_mesh(const MeshData& data, const py::dict& keywords, py::obj
   const cli::Arguments arguments = arguments_on(data, "unfold", keywords);
   const Unit unit = cli::unit_from(arguments);
   const UnfoldOptions options = {.match_seams = arguments.has("--match-seams"),
-                                 .limits = cli::limits_from(arguments)};
+                                 .limits = cli::limits_from(arguments),
+                                 .fold = cli::fold_ends_from(arguments)};
   cli::PatternFiles pattern = {
       {}, cli::pattern_output_from(arguments), cli::annotations_from(arguments, true)};
   Job job(arguments, std::move(progress));

@@ -41,7 +41,8 @@ struct GrainMark {
 
 /// The strokes of a path are the line along which the material is folded.
 struct FoldMark {
-  Vec2 from, to;  ///< its ends, millimetres
+  Vec2 from, to;        ///< its ends, millimetres
+  bool opened = false;  ///< the piece is drawn whole, not its half
 };
 
 /// What a path stands for. Formats that have an entity for it write that; in all others its strokes

@@ -175,6 +175,9 @@ struct FlattenOptions {
   bool match_seams = false;      ///< of the evolved patch's pattern, as UnfoldOptions has it
   /// As UnfoldOptions has them, by the vertices of the patch before it is remeshed.
   std::vector<std::array<Index, 2>> free_edges = {};
+  /// As UnfoldOptions has it, by the vertices of the patch before it is remeshed: the whole is
+  /// evolved too, and the result is its half.
+  std::optional<std::array<Index, 2>> fold = {};
   bool keep_design = false;  ///< lay the design flat and change nothing
   /// What the pattern is to keep. Auto leaves a patch as it is where its pattern keeps them and
   /// does not overlap itself, and else changes it as far as that needs, if it can.

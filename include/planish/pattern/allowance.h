@@ -57,6 +57,7 @@ void check_edge_allowances(std::span<const std::vector<Index>> border,
 /// A straight stretch of the border along which the material is folded: half of the piece is drawn.
 struct FoldLine {
   Index from = 0, to = 0;  ///< vertices at its ends, in either order
+  bool opened = false;     ///< the whole piece is drawn, with the line inside
 };
 
 /// Checks that the ends are on one loop of the border, which needs no pattern.

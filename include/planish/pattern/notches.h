@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <planish/mesh/seams.h>
+#include <planish/pattern/allowance.h>
 #include <planish/pattern/piece_outline.h>
 
 namespace planish {
@@ -53,18 +54,28 @@ struct PlacedNotch {
   Vec2 inward;                       ///< its direction, at right angles to the seam; length 1
   double depth = 0.0;                ///< millimetres
   double width = 0.0;                ///< of a V at the edge, of a T's bar; 0 of a slit; millimetres
+  /// No cut line runs beside the place, as the allowance fills a dart there: the notch is drawn in
+  /// what fills it, up to the seam line, and `at` is its outer end.
+  bool on_seam = false;
   std::vector<Polygon> strokes = {};  ///< as open lines; a T has a second one, its bar
 };
 
-/// Notches begin at the line that is cut and run at right angles to the seam towards it.
+/// Notches begin at the line that is cut and run at right angles to the seam towards it. They
+/// belong to the cut line beside their own place, at most 2.5 allowances away; where there is none
+/// they stand on the seam line (PlacedNotch::on_seam). At a corner a place on an edge belongs to
+/// that edge: its notch is across it where that meets its own cut line, else across the edge behind
+/// the corner, so that both sides of a seam have theirs at the same way from its end. A vertex at a
+/// corner has its notch half way between, or beside an edge without an allowance across the other
+/// one. Notches that come to the same place are one.
 /// @param cut what offset_outline() made of the outline, or the outline's own loops
 /// @param outline with vertices where notches name any
+/// @param allowance that the cut line was made with; idle where that is the outline itself
 /// @throws Error option_out_of_range for sizes that are not above 0; misplaced_notch for places off
 ///   the border and for notches that reach through the seam, or where there is no allowance to
 ///   where the piece is not
 std::vector<PlacedNotch> place_notches(const PieceOutline& outline, std::span<const Polygon> cut,
-                                       std::span<const Notch> notches,
-                                       const NotchSizes& sizes = {});
+                                       std::span<const Notch> notches, const NotchSizes& sizes = {},
+                                       const Allowance& allowance = {});
 
 /// A notch on both sides of a seam.
 struct SeamNotch {

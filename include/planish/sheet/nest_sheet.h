@@ -24,6 +24,11 @@ struct NestPatch {
                                     ///< none of these is mirrored
 };
 
+/// The patches, those with a fold opened out to the whole: the half and its mirror image in the
+/// fold, with the notches, allowances, marks and lines of both. The fold is a line inside then.
+/// @throws Error as fold_stretch(); misplaced_notch for a notch on the fold
+std::vector<NestPatch> with_folds_opened(std::vector<NestPatch> patches, Unit unit);
+
 /// The patches, and behind each one the mirror image of it that its label asks for, which is a
 /// patch by itself.
 std::vector<NestPatch> with_mirror_images(std::vector<NestPatch> patches);

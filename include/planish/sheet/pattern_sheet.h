@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -34,6 +35,9 @@ inline constexpr Color k_beyond_limit = {240, 82, 10};
 /// @throws Error as offset_outline(), place_notches(), grain_direction() and mark_lines()
 Drawing pattern_sheet(const Patch& patch, const UnfoldReport& unfold, const std::string& name,
                       const PatternOptions& options = {});
+
+/// How many notches of a sheet stand on the seam line (PlacedNotch::on_seam).
+std::size_t notches_on_seam_line(const Drawing& sheet);
 
 /// The sheet without the strain map and its legend, whose layers stay and are empty.
 Drawing without_map(Drawing sheet);

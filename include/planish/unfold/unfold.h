@@ -29,6 +29,10 @@ struct UnfoldOptions {
   /// units, and by a thousandth of the square root of the patch's area; 0 leaves them. With
   /// match_seams none is moved, as that would change lengths.
   double open_crossings = 0.0;
+  /// The ends of a stretch of the border, along which the patch is the half of a symmetric whole.
+  /// Where it lies in a plane, but for a thousandth of its length, the whole is laid flat, and the
+  /// pattern is the half of that: the stretch is straight in it. Elsewhere it is idle.
+  std::optional<std::array<Index, 2>> fold = {};
 };
 
 /// Where the border of a pattern crossed itself by a hair and was moved apart.

@@ -15,7 +15,7 @@ namespace {
 
 // Layers by number, as in both standards; from 80 on in ASTM D6673 only.
 constexpr std::string_view k_turn_point = "2", k_curve_point = "3", k_grade_reference = "5",
-                           k_fold = "6", k_cutout = "11", k_t_notch = "80";
+                           k_fold = "6", k_inner = "8", k_cutout = "11", k_t_notch = "80";
 
 /// From this turn on a vertex is a turn point. Of points that apparel programs call curve points,
 /// 95 % turn by less than 19 degrees.
@@ -65,7 +65,8 @@ void ApparelPiece::add(const Layer& layer, const Path& path) {
     // What pieces of other sizes are turned by.
     add_straight(std::string(k_grade_reference), grain->from, grain->to);
   } else if (const auto* fold = std::get_if<FoldMark>(&path.mark)) {
-    add_straight(std::string(k_fold), fold->from, fold->to);
+    // Programs mirror a piece along its fold: not one that is whole.
+    add_straight(std::string(fold->opened ? k_inner : k_fold), fold->from, fold->to);
   } else {
     add_outline(layer, path, *number);
   }

@@ -17,8 +17,9 @@ namespace planish {
 
 namespace {
 
-constexpr double k_reach = 1e-3;    // in mean edges
-constexpr double k_farthest = 1e6;  // in sizes of the mesh
+constexpr double k_one_place = 1e-9;  // in sizes of the mesh
+constexpr double k_reach = 1e-3;      // in mean edges
+constexpr double k_farthest = 1e6;    // in sizes of the mesh
 constexpr std::size_t k_most_places = 20'000'000;
 
 TriMesh scaled(TriMesh mesh, double scale) {
@@ -63,7 +64,8 @@ SurfacePlace surface_place(const PlaceOnTriangle& place, const TriMesh& mesh) {
   return {mesh.triangles[place.triangle], place.shares};
 }
 
-/// Of a line that goes through a corner by several edges that meet there, once.
+/// Of a line that goes through a corner by several edges that meet there, once. A line that ended
+/// where it begins still does.
 std::vector<SurfacePlace> surface_line(const std::vector<PlaceOnTriangle>& places,
                                        const TriMesh& mesh) {
   std::vector<SurfacePlace> line;
@@ -75,6 +77,8 @@ std::vector<SurfacePlace> surface_line(const std::vector<PlaceOnTriangle>& place
     line.push_back(surface_place(place, mesh));
     last = p;
   }
+  const bool is_closed = places.size() > 2 && places.front() == places.back();
+  if (is_closed && line.size() > 1) line.back() = line.front();
   return line;
 }
 
@@ -90,7 +94,11 @@ TracedLines traced(const TriMesh& mesh, const DrawnLines& drawn, double scale, c
     return place;
   };
   LinePieces pieces;
+  const auto are_one = [&](const PlaceOnTriangle& a, const PlaceOnTriangle& b) {
+    return norm(point_of(a, mesh) - point_of(b, mesh)) <= k_one_place;
+  };
   for (const DrawnLine& line : drawn.lines) {
+    const std::size_t first = pieces.pieces().size();
     for (std::size_t i = 1; i < line.points.size(); ++i) {
       trace.follow(scale * line.points[i - 1], scale * line.points[i], pieces);
       if (pieces.count() > k_most_places) {
@@ -103,6 +111,8 @@ TracedLines traced(const TriMesh& mesh, const DrawnLines& drawn, double scale, c
     for (const Vec3 p : line.points)
       measure(scale * p);
     pieces.end();
+    if (line.points.size() > 2 && line.points.front() == line.points.back())
+      pieces.close(first, are_one);
   }
   for (const auto& piece : pieces.pieces()) {
     std::vector<SurfacePlace> line = surface_line(piece, mesh);

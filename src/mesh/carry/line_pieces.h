@@ -23,6 +23,20 @@ class LinePieces {
     open_.clear();
   }
 
+  /// Makes the parts from number `first` on those of a closed line: where the mesh holds both its
+  /// ends, which are one place, the last part goes on to the first.
+  /// @param are_one whether two places are the same
+  template <class AreOne>
+  void close(std::size_t first, const AreOne& are_one) {
+    if (pieces_.size() <= first) return;
+    std::vector<PlaceOnTriangle>&begin = pieces_[first], &last = pieces_.back();
+    if (!are_one(begin.front(), last.back())) return;
+    last.back() = begin.front();
+    if (pieces_.size() == first + 1) return;
+    last.insert(last.end(), begin.begin() + 1, begin.end());
+    pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+
   /// Ends the part as the line leaves the mesh.
   void leave(double length) {
     end();

@@ -16,6 +16,8 @@ inline constexpr double k_least_share = 1e-11;
 struct PlaceOnTriangle {
   Index triangle = 0;
   std::array<double, 3> shares = {1.0, 0.0, 0.0};  ///< of its corners, >= 0, with sum 1
+
+  bool operator==(const PlaceOnTriangle&) const = default;
 };
 
 /// Sets shares that are rounding errors to 0, so that what is on an edge or at a corner is so

@@ -95,8 +95,8 @@ struct LaidSheets {
 /// The pieces in all their turns, which every order lays anew.
 class NestEngine {
  public:
-  NestEngine(std::span<const NestPiece> pieces, const NestOptions& options)
-      : step_(column_step(pieces, options)),
+  NestEngine(std::span<const NestPiece> pieces, const NestOptions& options, double step)
+      : step_(step),
         height_(options.width - 2.0 * options.margin),
         length_(options.length ? *options.length - 2.0 * options.margin + k_nest_slack
                                : std::numeric_limits<double>::infinity()) {
@@ -240,6 +240,29 @@ int tries_for(std::span<const NestPiece> pieces, const NestEngine& shop,
   return static_cast<int>(std::clamp<std::size_t>(10'000 / turned_copies, 4, 200));
 }
 
+LaidSheets best_of_tries(const NestEngine& shop, std::span<const NestPiece> pieces,
+                         const NestOptions& options, const Context& context) {
+  LaidSheets best;
+  NestOrder best_order;
+  std::set<NestOrder> known;
+  SplitMix dice;
+  const int tries = tries_for(pieces, shop, options);
+  for (int number = 0; number < tries; ++number) {
+    NestOrder order = order_of_try(number, pieces, shop, best_order, dice);
+    if (order.empty()) break;
+    if (!known.insert(order).second) continue;
+    const auto on_copy = [&](std::size_t laid) {
+      const double share = static_cast<double>(laid) / static_cast<double>(order.size());
+      report_progress(context, {"nesting", (number + share) / tries});
+    };
+    LaidSheets laid = shop.lay(order, on_copy);
+    if (number > 0 && !laid.needs_less_than(best)) continue;
+    best = std::move(laid);
+    best_order = std::move(order);
+  }
+  return best;
+}
+
 /// Numbers of the copies of each piece as they come, and their places in millimetres.
 std::vector<NestPlacement> placements_of(const LaidSheets& laid, const NestEngine& shop,
                                          const NestOptions& options) {
@@ -308,25 +331,15 @@ void check_copies(double copies) {
 Nesting nest(std::span<const NestPiece> pieces, const NestOptions& options,
              const Context& context) {
   check(pieces, options);
-  const NestEngine shop(pieces, options);
-  LaidSheets best;
-  NestOrder best_order;
-  std::set<NestOrder> known;
-  SplitMix dice;
-  const int tries = tries_for(pieces, shop, options);
-  for (int number = 0; number < tries; ++number) {
-    NestOrder order = order_of_try(number, pieces, shop, best_order, dice);
-    if (order.empty()) break;
-    if (!known.insert(order).second) continue;
-    const auto on_copy = [&](std::size_t laid) {
-      const double share = static_cast<double>(laid) / static_cast<double>(order.size());
-      report_progress(context, {"nesting", (number + share) / tries});
-    };
-    LaidSheets laid = shop.lay(order, on_copy);
-    if (number > 0 && !laid.needs_less_than(best)) continue;
-    best = std::move(laid);
-    best_order = std::move(order);
-  }
+  const double step = column_step(pieces, options);
+  const auto of_boxes = options.step > 0.0 ? std::nullopt : step_of_boxes(pieces, options, step);
+  PartsOfJob parts(context);
+  const NestEngine shop(pieces, options, step);
+  LaidSheets best = best_of_tries(shop, pieces, options, parts.next(of_boxes ? 0.5 : 1.0));
+  if (!of_boxes) return nesting_of(best, shop, pieces, options);
+  const NestEngine fitting(pieces, options, *of_boxes);
+  LaidSheets fitted = best_of_tries(fitting, pieces, options, parts.next(1.0));
+  if (fitted.needs_less_than(best)) return nesting_of(fitted, fitting, pieces, options);
   return nesting_of(best, shop, pieces, options);
 }
 

@@ -53,6 +53,38 @@ std::vector<Polygon> turned(const PieceOutline& outline, double angle) {
   return loops;
 }
 
+/// The length along the sheet of pieces that fill their boxes, with the gap.
+struct BoxLength {
+  double length = 0.0, area = 0.0;  ///< of all copies
+};
+
+std::vector<BoxLength> box_lengths(std::span<const NestPiece> pieces, const NestOptions& options) {
+  constexpr double k_full = 0.98;  // of its box
+  std::vector<BoxLength> lengths;
+  for (const NestPiece& piece : pieces) {
+    if (piece.quantity == 0) continue;
+    const double area = std::abs(signed_area(piece.outline.loops.front()));
+    for (const double turn : turns_of(options.turns)) {
+      const Vec2 size = loop_box(turned(piece.outline, in_one_turn(piece.angle + turn))).size();
+      if (area < k_full * size.x * size.y) continue;
+      const double length = size.x + options.gap;
+      const auto found = std::find_if(lengths.begin(), lengths.end(), [&](const BoxLength& other) {
+        return std::abs(other.length - length) < k_fit_slack;
+      });
+      if (found == lengths.end())
+        lengths.push_back({length, piece.quantity * area});
+      else
+        found->area += piece.quantity * area;
+    }
+  }
+  return lengths;
+}
+
+bool is_multiple(double length, double step) {
+  constexpr double k_exact = 1e-9;  // millimetres: a hundred in a row stay within the slack
+  return std::abs(length - std::round(length / step) * step) < k_exact;
+}
+
 std::string size_text_of(Vec2 size) {
   return fixed_text(size.x, 1) + " x " + fixed_text(size.y, 1) + " mm";
 }
@@ -90,6 +122,23 @@ double column_step(std::span<const NestPiece> pieces, const NestOptions& options
   const double wanted =
       options.step > 0.0 ? options.step : std::sqrt(area / copies) / k_columns_a_piece;
   return std::max(wanted, longest / k_most_columns);
+}
+
+std::optional<double> step_of_boxes(std::span<const NestPiece> pieces, const NestOptions& options,
+                                    double step) {
+  const std::vector<BoxLength> lengths = box_lengths(pieces, options);
+  if (lengths.empty()) return std::nullopt;
+  const auto largest =
+      std::max_element(lengths.begin(), lengths.end(),
+                       [](const BoxLength& a, const BoxLength& b) { return a.area < b.area; });
+  const double least = std::ceil(largest->length / step);
+  for (double count = least; count <= 2.0 * least; count += 1.0) {
+    const double some = largest->length / count;
+    if (std::all_of(lengths.begin(), lengths.end(),
+                    [&](const BoxLength& box) { return is_multiple(box.length, some); }))
+      return some;
+  }
+  return largest->length / least;
 }
 
 std::vector<TurnedPiece> turned_pieces(const NestPiece& piece, const NestOptions& options,

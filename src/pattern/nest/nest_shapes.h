@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include <planish/pattern/nest.h>
@@ -18,6 +20,13 @@ struct TurnedPiece {
 
 /// The width of the columns, millimetres: what is asked for, else by the sizes of the pieces.
 double column_step(std::span<const NestPiece> pieces, const NestOptions& options);
+
+/// A width of columns of which the boxes that pieces fill, each with the gap behind it, are whole
+/// multiples: then such pieces fill a sheet to its end. Where there is none near `step`, one that
+/// suits those with the largest area. Nothing where no piece fills its box.
+/// @param step what column_step() says
+std::optional<double> step_of_boxes(std::span<const NestPiece> pieces, const NestOptions& options,
+                                    double step);
 
 /// The piece in those turns in which it fits on a sheet.
 /// @throws Error piece_too_large where there are none

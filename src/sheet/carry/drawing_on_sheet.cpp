@@ -13,6 +13,7 @@
 
 #include "core/figure_text.h"
 #include "pattern/polygon/plane.h"
+#include "sheet/line_path.h"
 #include "sheet/sheet_layout.h"
 
 namespace planish {
@@ -201,10 +202,11 @@ Drawing carried_sheet(const Patch& flat, const DrawnLines& drawn, Unit unit,
   }
   Layer carried{"carried", {}};
   for (const DrawnLine& some : drawn.lines) {
-    Path line{{{}}, false, Stroke{k_blue}};
+    std::vector<Vec2> line;
+    line.reserve(some.points.size());
     for (const Vec3 p : some.points)
-      line.lines.front().push_back(place(p));
-    carried.shapes.emplace_back(std::move(line));
+      line.push_back(place(p));
+    carried.shapes.emplace_back(line_path(std::move(line), Stroke{k_blue}));
   }
   for (const Vec3 p : drawn.points) {
     const Vec2 q = place(p), right = {k_half_cross, 0.0}, up = {0.0, k_half_cross};

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -134,6 +136,180 @@ TEST(Notches, RefusePlacesOffTheBorder) {
   EXPECT_EQ(error_of(outline, outline.loops, {-0.01}).code(), ErrorCode::misplaced_notch);
   EXPECT_EQ(error_of(outline, outline.loops, {0.5}, {.depth = 0.0}).code(),
             ErrorCode::option_out_of_range);
+}
+
+/// A panel 300 x 200 mm with a dart from the middle of its lower side, mouth and depth as told; the
+/// points of the dart are vertices 1 (mouth), 2 (tip), 3 (mouth). Mirrored: the same in the line
+/// x = 0.
+PieceOutline panel_with_dart(double mouth, double depth, bool mirrored) {
+  Polygon loop = {
+      {0, 0},  {150 - 0.5 * mouth, 0}, {150, depth}, {150 + 0.5 * mouth, 0}, {300, 0}, {300, 200},
+      {0, 200}};
+  std::vector<Index> vertices = {0, 1, 2, 3, 4, 5, 6};
+  if (mirrored) {
+    for (Vec2& p : loop)
+      p.x = -p.x;
+    std::reverse(loop.begin(), loop.end());
+    std::reverse(vertices.begin(), vertices.end());
+  }
+  return {"dart", {loop}, {vertices}};
+}
+
+struct DartCase {
+  double mouth, depth, width;
+  bool mirrored;
+};
+
+std::vector<DartCase> dart_cases() {
+  std::vector<DartCase> cases;
+  for (const bool mirrored : {false, true}) {
+    for (const double mouth : {0.5, 8.0, 15.0, 40.0, 90.0}) {
+      for (const double depth : {30.0, 83.0, 150.0}) {
+        for (const double width : {6.0, 12.0, 25.0})
+          cases.push_back({mouth, depth, width, mirrored});
+      }
+    }
+  }
+  return cases;
+}
+
+TEST(Notches, NeverLeaveTheirOwnEdgeBesideADart) {
+  for (const DartCase& dart : dart_cases()) {
+    const PieceOutline outline = panel_with_dart(dart.mouth, dart.depth, dart.mirrored);
+    const Allowance allowance{.width = dart.width};
+    const auto cut = offset_outline(outline, allowance);
+    for (const double share : {0.02, 0.1, 0.5, 0.9, 0.98}) {
+      for (const PlaceOnEdge edge : {PlaceOnEdge{1, 2, share}, PlaceOnEdge{3, 2, share}}) {
+        const auto placed =
+            place_notches(outline, cut, std::vector<Notch>{{edge}}, {.depth = 3.0}, allowance);
+        ASSERT_EQ(placed.size(), 1U);
+        const auto place_of = [&](Index v) {
+          const auto& loop = outline.vertices[0];
+          return outline.loops[0][std::find(loop.begin(), loop.end(), v) - loop.begin()];
+        };
+        const Vec2 seam = place_of(edge.from) + share * (place_of(2) - place_of(edge.from));
+        EXPECT_LE(norm(placed[0].at - seam), 2.5 * dart.width + 1e-6)
+            << dart.mouth << " " << dart.depth << " " << dart.width << " " << share;
+        if (!placed[0].on_seam) continue;
+        const Vec2 tip = placed[0].strokes[0].back();
+        EXPECT_NEAR(norm(tip - seam), 0.0, 1e-6) << "ends on the seam line";
+      }
+    }
+  }
+}
+
+TEST(Notches, AtTheMouthOfADartAreAsFarApartAsTheMouth) {
+  for (const DartCase& dart : dart_cases()) {
+    if (dart.mouth < 5.0) continue;
+    const PieceOutline outline = panel_with_dart(dart.mouth, dart.depth, dart.mirrored);
+    const Allowance allowance{.width = dart.width};
+    const auto cut = offset_outline(outline, allowance);
+    const std::vector<Notch> notches = {{PlaceOnEdge{1, 2, 0.0}}, {PlaceOnEdge{3, 2, 0.0}}};
+    const auto placed = place_notches(outline, cut, notches, {.depth = 3.0}, allowance);
+    ASSERT_EQ(placed.size(), 2U);
+    const double middle = dart.mirrored ? -150.0 : 150.0;
+    EXPECT_NEAR(placed[0].at.x + placed[1].at.x, 2.0 * middle, 1e-3) << "mirror images";
+    // Across the hem where the dart is filled, across its own legs where it is open.
+    const double apart = norm(placed[0].at - placed[1].at);
+    const bool across_hem = std::abs(placed[0].at.y + dart.width) < 0.02;
+    if (across_hem) EXPECT_NEAR(apart, dart.mouth, 0.05) << dart.depth << " " << dart.width;
+    const bool is_filled = dart.mouth < 1.9 * dart.width;
+    EXPECT_TRUE(across_hem || !is_filled) << dart.mouth << " " << dart.depth << " " << dart.width;
+  }
+}
+
+TEST(Notches, AtTheTipOfADartAreOne) {
+  for (const DartCase& dart : dart_cases()) {
+    const PieceOutline outline = panel_with_dart(dart.mouth, dart.depth, dart.mirrored);
+    const Allowance allowance{.width = dart.width};
+    const auto cut = offset_outline(outline, allowance);
+    const std::vector<Notch> notches = {{PlaceOnEdge{1, 2, 1.0}}, {PlaceOnEdge{3, 2, 1.0}}};
+    const auto placed = place_notches(outline, cut, notches, {.depth = 3.0}, allowance);
+    ASSERT_EQ(placed.size(), 1U) << dart.mouth << " " << dart.depth << " " << dart.width;
+    const Vec2 tip = {dart.mirrored ? -150.0 : 150.0, dart.depth};
+    EXPECT_LE(norm(placed[0].at - tip), 2.5 * dart.width + 1e-6);
+    EXPECT_NEAR(placed[0].at.x, tip.x, 1e-6) << "in the middle of the dart";
+  }
+}
+
+/// A shoulder: the upper side of a panel, whose corners have the angles told, from vertex 2 to 3.
+PieceOutline panel_with_angles(double first, double second) {
+  const double tan_first = std::tan(first * std::numbers::pi / 180.0);
+  const double tan_second = std::tan(second * std::numbers::pi / 180.0);
+  // The sides run down from (120, 0) and (0, 0), the shoulder lies along y = 0.
+  return {"shoulder",
+          {{{100.0 / tan_second, -100.0},
+            {120.0 - 100.0 / tan_first, -100.0},
+            {120.0, 0.0},
+            {0.0, 0.0}}},
+          {{0, 1, 2, 3}}};
+}
+
+TEST(Notches, AtTheEndsOfASeamStandAcrossIt) {
+  for (const double first : {60.0, 75.0, 90.0, 110.0, 140.0}) {
+    for (const double second : {65.0, 90.0, 120.0}) {
+      for (const Corners corners : {Corners::mitre, Corners::square, Corners::round}) {
+        for (const double width : {5.0, 10.0, 15.0}) {
+          const PieceOutline outline = panel_with_angles(first, second);
+          const Allowance allowance{.width = width, .corners = corners};
+          const auto cut = offset_outline(outline, allowance);
+          // The same edge named in both directions.
+          const std::vector<Notch> notches = {{PlaceOnEdge{2, 3, 0.0}},
+                                              {PlaceOnEdge{2, 3, 1.0}},
+                                              {PlaceOnEdge{3, 2, 0.0}},
+                                              {PlaceOnEdge{3, 2, 1.0}}};
+          const auto placed = place_notches(outline, cut, notches, {.depth = 2.0}, allowance);
+          ASSERT_EQ(placed.size(), 2U);
+          expect_line({placed[0].at, placed[1].at}, {{120.0, width}, {0.0, width}});
+          expect_line({placed[0].inward, placed[1].inward}, {{0, -1}, {0, -1}});
+        }
+      }
+    }
+  }
+}
+
+TEST(Notches, OfASideWithAnotherAllowanceReachItsCutLine) {
+  const PieceOutline outline = panel();
+  const Allowance allowance =
+      with_edge_allowances({.width = 10.0}, outline, std::vector<EdgeAllowance>{{7, 9, 30.0}});
+  const auto cut = offset_outline(outline, allowance);
+  const auto placed = place_notches(
+      outline, cut,
+      std::vector<Notch>{
+          {PlaceOnEdge{7, 9, 0.0}}, {PlaceOnEdge{7, 9, 0.5}}, {PlaceOnEdge{3, 7, 1.0}}},
+      {.depth = 2.0}, allowance);
+  ASSERT_EQ(placed.size(), 3U);
+  expect_line({placed[0].at, placed[1].at, placed[2].at}, {{130, 0}, {130, 25}, {100, -10}});
+}
+
+TEST(Notches, WhereAFoldMeetsAnEdgeAreAcrossThatEdge) {
+  for (const double lean : {-20.0, -5.0, 0.0, 5.0, 20.0}) {
+    for (const double width : {6.0, 10.0, 20.0}) {
+      // The fold runs down along x = 0 to the hem, which leaves it at 90 degrees less the lean.
+      const double angle = lean * std::numbers::pi / 180.0;
+      const Vec2 hem = {100.0 * std::cos(angle), 100.0 * std::sin(angle)};
+      const PieceOutline outline{"half", {{{0, 0}, hem, {100, 150}, {0, 150}}}, {{3, 7, 9, 20}}};
+      const Allowance allowance =
+          with_edge_allowances({.width = width}, outline, std::vector<EdgeAllowance>{{20, 3, 0.0}});
+      const auto cut = offset_outline(outline, allowance);
+      const auto placed =
+          place_notches(outline, cut, std::vector<Notch>{{Index{3}}}, {.depth = 3.0}, allowance);
+      ASSERT_EQ(placed.size(), 1U);
+      EXPECT_FALSE(placed[0].on_seam);
+      expect_line({placed[0].at}, {width * Vec2{std::sin(angle), -std::cos(angle)}});
+    }
+  }
+}
+
+TEST(Notches, OfADoubleOneStayOnTheirSeam) {
+  const PieceOutline outline = panel();
+  const Allowance allowance{.width = 10.0};
+  const auto cut = offset_outline(outline, allowance);
+  const auto placed = place_notches(
+      outline, cut, std::vector<Notch>{{PlaceOnEdge{3, 7, 0.01}, NotchKind::slit, true}}, {},
+      allowance);
+  ASSERT_EQ(placed.size(), 2U);
+  expect_line({placed[0].at, placed[1].at}, {{0, -10}, {6, -10}});
 }
 
 }  // namespace

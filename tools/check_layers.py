@@ -64,7 +64,7 @@ FLOORS = {
     ],
     "pattern": [["pattern/polygon"], ["pattern/curves"], ["pattern", "pattern/nest"]],
     "flatten": [["flatten"], ["flatten/product"]],
-    "sheet": [["sheet"], ["sheet/carry"]],
+    "sheet": [["sheet/piece"], ["sheet"], ["sheet/carry"]],
     "report": [["report"], ["report/charts"], ["report/pictures"], ["report/page"], ["report/product"]],
 }
 

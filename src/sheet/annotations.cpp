@@ -14,7 +14,8 @@
 #include "core/math.h"
 #include "draw/text/text_lines.h"
 #include "pattern/polygon/free_strip.h"
-#include "sheet/line_path.h"
+#include "sheet/piece/line_path.h"
+#include "sheet/piece/outline_paths.h"
 #include "sheet/sheet_layout.h"
 
 namespace planish {
@@ -35,17 +36,10 @@ Layer layer_of(std::string name, std::vector<Polygon> lines, const Stroke& strok
   return layer;
 }
 
-Path outline_path(const std::vector<Polygon>& loops, const FittedLines& fitted,
-                  const Stroke& stroke) {
-  Path path{loops, true, stroke};
-  path.fitted = fitted;
-  return path;
-}
-
-Layer seam_layer(const PlacedPattern& pattern, const PatternOptions& options) {
-  Layer layer{"seam", {}};
-  if (options.allowance)
-    layer.shapes.emplace_back(outline_path(pattern.outline.loops, pattern.fitted_outline, k_seam));
+Layer outline_layer(std::string name, std::vector<Path> paths) {
+  Layer layer{std::move(name), {}};
+  for (Path& path : paths)
+    layer.shapes.emplace_back(std::move(path));
   return layer;
 }
 
@@ -149,7 +143,8 @@ std::vector<Polygon> all_inner_lines(const PlacedPattern& pattern, const Pattern
   return lines;
 }
 
-/// The outline, and what words and the grain line keep clear of: marks, notches and inner lines.
+/// The outline, and what words and the grain line keep clear of: marks, notches, inner lines and a
+/// fold inside.
 std::vector<Polygon> free_loops(const PlacedPattern& pattern, const PatternOptions& options,
                                 std::span<const Polygon> inner) {
   constexpr double half = 0.5 * k_cross_size + 1.0;
@@ -161,6 +156,8 @@ std::vector<Polygon> free_loops(const PlacedPattern& pattern, const PatternOptio
   }
   for (const Polygon& line : inner)
     loops.push_back(there_and_back(line));
+  if (options.fold && options.fold->opened)
+    loops.push_back({pattern.positions[options.fold->from], pattern.positions[options.fold->to]});
   for (const PlacedNotch& notch : pattern.notches) {
     for (const Polygon& stroke : notch.strokes)
       loops.push_back(there_and_back(stroke));
@@ -302,7 +299,7 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
   }
   std::vector<Layer> layers;
   layers.reserve(7);
-  layers.push_back(seam_layer(pattern, options));
+  layers.push_back(outline_layer("seam", seam_paths(pattern, options, k_seam)));
   layers.push_back(notch_layer(pattern));
   layers.push_back(grain_layer(std::move(grain)));
   layers.push_back(fold_layer(pattern, options.fold));
@@ -338,7 +335,7 @@ std::string line_words(std::span<const Layer> layers) {
 std::vector<Layer> piece_layers(const TriMesh& mesh, const PlacedPattern& pattern,
                                 const PatternOptions& options) {
   std::vector<Layer> layers = annotations_layers(mesh, pattern, options);
-  layers.push_back({"cut", {outline_path(pattern.cut, pattern.fitted_cut, k_cut)}});
+  layers.push_back(outline_layer("cut", cut_paths(pattern, options, k_cut)));
   return layers;
 }
 

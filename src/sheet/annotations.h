@@ -7,7 +7,7 @@
 #include <planish/draw/drawing.h>
 #include <planish/pattern/pattern_options.h>
 
-#include "sheet/placed_pattern.h"
+#include "sheet/piece/placed_pattern.h"
 
 namespace planish {
 

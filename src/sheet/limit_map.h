@@ -11,7 +11,7 @@
 #include <planish/sheet/pattern_sheet.h>
 #include <planish/unfold/strain.h>
 
-#include "sheet/outlines.h"
+#include "sheet/piece/outlines.h"
 
 namespace planish {
 

@@ -12,7 +12,7 @@
 #include "draw/text/text_lines.h"
 #include "pattern/polygon/loop_box.h"
 #include "sheet/annotations.h"
-#include "sheet/placed_pattern.h"
+#include "sheet/piece/placed_pattern.h"
 #include "sheet/sheet_layout.h"
 
 namespace planish {

@@ -11,7 +11,7 @@
 #include "core/math.h"
 #include "pattern/polygon/border_walk.h"
 #include "sheet/annotations.h"
-#include "sheet/placed_pattern.h"
+#include "sheet/piece/placed_pattern.h"
 
 namespace planish {
 

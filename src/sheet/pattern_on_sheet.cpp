@@ -10,8 +10,8 @@
 #include "pattern/filled_slit.h"
 #include "pattern/pattern_hash.h"
 #include "pattern/polygon/loop_box.h"
-#include "sheet/allowance_words.h"
 #include "sheet/mirrored_place.h"
+#include "sheet/piece/allowance_words.h"
 #include "sheet/sheet_layout.h"
 
 namespace planish {

@@ -6,7 +6,7 @@
 #include <planish/mesh/tri_mesh.h>
 #include <planish/pattern/pattern_options.h>
 
-#include "sheet/placed_pattern.h"
+#include "sheet/piece/placed_pattern.h"
 #include "sheet/sheet_label.h"
 
 namespace planish {

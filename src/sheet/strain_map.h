@@ -8,7 +8,7 @@
 #include <planish/draw/drawing.h>
 #include <planish/mesh/tri_mesh.h>
 
-#include "sheet/outlines.h"
+#include "sheet/piece/outlines.h"
 
 namespace planish {
 

@@ -97,6 +97,7 @@ class ProductRun {
     CommandResult outcome = with_nesting_checked(with_exit_code({text, garment}), nesting);
     note_cautions_and_sizes();
     note_words();
+    note_notches();
     note_divided_pages(session_, files, job_.output);
     warn_of_left(session_, job_.folder, left_behind(files));
     session_.write(files, job_.folder);
@@ -144,6 +145,16 @@ class ProductRun {
     std::vector<std::string> beside = left_of_earlier_runs(job_.folder, written);
     names.insert(names.begin(), beside.begin(), beside.end());
     return names;
+  }
+
+  void note_notches() const {
+    if (!arguments_.has("--seam-notches")) return;
+    try {
+      const NestJob pieces{patches_with_notches(), report_.unit};
+      note_notches_on_seam_line(session_, pieces_sheet(pieces, report_.twins, ""));
+    } catch (const Error&) {
+      // What cannot be drawn is told with its patch.
+    }
   }
 
   std::filesystem::path folder_of(std::size_t p) const {

@@ -114,14 +114,18 @@ PatternOptions annotations_on(PatternOptions annotations, const Arguments& argum
   return annotations;
 }
 
-void note_notches_on_seam_line(Session& session, const Patch& patch, const UnfoldReport& report,
-                               const std::string& name, const PatternOptions& annotations) {
-  if (annotations.notches.empty()) return;
-  const std::size_t count = notches_on_seam_line(pattern_sheet(patch, report, name, annotations));
+void note_notches_on_seam_line(Session& session, const Drawing& drawing) {
+  const std::size_t count = notches_on_seam_line(drawing);
   if (count == 0) return;
   session.note((count == 1 ? "1 notch is" : std::to_string(count) + " notches are") +
                " drawn on the seam line: no cut line runs beside the place, as the allowance fills "
                "the dart or slit there; for notches in a cut line take less --allowance");
+}
+
+void note_notches_on_seam_line(Session& session, const Patch& patch, const UnfoldReport& report,
+                               const std::string& name, const PatternOptions& annotations) {
+  if (annotations.notches.empty()) return;
+  note_notches_on_seam_line(session, pattern_sheet(patch, report, name, annotations));
 }
 
 }  // namespace planish::cli

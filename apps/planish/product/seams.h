@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <planish/draw/drawing.h>
 #include <planish/flatten/product.h>
 #include <planish/mesh/patch.h>
 #include <planish/mesh/seams.h>
@@ -47,8 +48,9 @@ std::vector<MeasuredSeam> with_names(std::vector<MeasuredSeam> seams,
 PatternOptions annotations_on(PatternOptions annotations, const Arguments& arguments,
                               const Patch& patch, const std::string& name, Session& session);
 
-/// Says how many notches of a pattern are drawn on the seam line, where there is no cut line for
-/// them.
+/// Says how many notches of a drawing stand on the seam line, where there is no cut line for them.
+void note_notches_on_seam_line(Session& session, const Drawing& drawing);
+/// The same of the pattern of a patch.
 void note_notches_on_seam_line(Session& session, const Patch& patch, const UnfoldReport& report,
                                const std::string& name, const PatternOptions& annotations);
 

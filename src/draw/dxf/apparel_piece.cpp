@@ -29,14 +29,12 @@ std::string_view dense_layer(std::string_view number) {
   return number == "14" ? "87" : std::string_view();
 }
 
-/// The layer of each closed line on the cut layer: all but the one that encloses most are holes.
-std::vector<std::string> layers_of(const std::vector<std::vector<Vec2>>& lines, bool have_holes,
-                                   const std::string& number) {
-  std::vector<std::string> layers(lines.size(), number);
-  const std::size_t boundary = have_holes ? largest_of(lines) : lines.size();
-  for (std::size_t i = 0; have_holes && i < lines.size(); ++i) {
-    if (i != boundary) layers[i] = k_cutout;
-  }
+/// The layer of each line of a path. Of closed lines on the cut layer all are holes, but for the
+/// boundary, which is the one that encloses most.
+std::vector<std::string> layers_of(const std::vector<std::vector<Vec2>>& lines, bool are_cut,
+                                   bool has_boundary, const std::string& number) {
+  std::vector<std::string> layers(lines.size(), are_cut ? std::string(k_cutout) : number);
+  if (are_cut && has_boundary && !lines.empty()) layers[largest_of(lines)] = number;
   return layers;
 }
 
@@ -80,20 +78,23 @@ void ApparelPiece::add(const Layer& layer, const Text& text) {
 }
 
 void ApparelPiece::add_outline(const Layer& layer, const Path& path, const std::string& number) {
+  // The boundary of a piece is closed also along a fold, where nothing is cut.
+  const bool are_cut = layer.name == "cut", closed = path.closed || are_cut;
+  const bool has_boundary = are_cut && !has_boundary_;
+  has_boundary_ = has_boundary_ || are_cut;
   const std::vector<std::vector<Vec2>> lines =
-      dxf_places(path.fitted.few.empty() ? path.lines : path.fitted.few, path.closed);
-  const bool have_holes = path.closed && layer.name == "cut";
-  const std::vector<std::string> layers = layers_of(lines, have_holes, number);
+      dxf_places(path.fitted.few.empty() ? path.lines : path.fitted.few, closed);
+  const std::vector<std::string> layers = layers_of(lines, are_cut, has_boundary, number);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    add_line(layers[i], lines[i], path.closed);
-    add_corner_points(lines[i], path.closed);
+    add_line(layers[i], lines[i], closed);
+    add_corner_points(lines[i], closed);
   }
   if (!is_astm_) return;
-  const std::vector<std::vector<Vec2>> dense = dxf_places(path.lines, path.closed);
-  const std::vector<std::string> all = layers_of(dense, have_holes, number);
+  const std::vector<std::vector<Vec2>> dense = dxf_places(path.lines, closed);
+  const std::vector<std::string> all = layers_of(dense, are_cut, has_boundary, number);
   for (std::size_t i = 0; i < dense.size(); ++i) {
     const std::string_view other = dense_layer(all[i]);
-    if (!other.empty()) add_line(std::string(other), dense[i], path.closed);
+    if (!other.empty()) add_line(std::string(other), dense[i], closed);
   }
 }
 

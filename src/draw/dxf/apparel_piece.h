@@ -37,6 +37,7 @@ class ApparelPiece {
 
   const DxfOptions& options_;
   bool is_astm_;
+  bool has_boundary_ = false;  // what is cut after it are holes
   DxfTags tags_;
   DxfBox box_;
 };

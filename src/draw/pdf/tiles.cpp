@@ -106,12 +106,14 @@ class Marks {
   }
   void add(const Text& text) { add(Path{.lines = text_strokes(text), .stroke = Stroke{}}); }
 
+  /// Its lines are closed for that.
+  void add_inside(const Path& path);
+
   std::vector<bool> take() && { return std::move(used_); }
 
  private:
   void add_line(std::span<const Vec2> line, bool closed);
   void add_segment(Vec2 a, Vec2 b);
-  void add_inside(const Path& path);
   std::vector<double> crossings(const Path& path, double y) const;
 
   const TileGrid& grid_;
@@ -260,11 +262,31 @@ std::optional<TileGrid> tile_grid(const Drawing& drawing, double longest) {
   return grid;
 }
 
+namespace {
+
+bool has_fold(const Drawing& drawing) {
+  const auto is_fold = [](const DrawingShape& shape) {
+    const auto* path = std::get_if<Path>(&shape);
+    const auto* fold = path != nullptr ? std::get_if<FoldMark>(&path->mark) : nullptr;
+    return fold != nullptr && !fold->opened;
+  };
+  return std::any_of(drawing.layers.begin(), drawing.layers.end(), [&](const Layer& layer) {
+    return std::any_of(layer.shapes.begin(), layer.shapes.end(), is_fold);
+  });
+}
+
+}  // namespace
+
 std::vector<bool> used_tiles(const Drawing& drawing, const TileGrid& grid) {
   Marks marks(grid);
+  // A cut line bounds its piece also where it is open along a fold.
+  const bool folded = has_fold(drawing);
   for (const Layer& layer : drawing.layers) {
-    for (const DrawingShape& shape : layer.shapes)
+    for (const DrawingShape& shape : layer.shapes) {
       std::visit([&](const auto& some) { marks.add(some); }, shape);
+      const auto* path = std::get_if<Path>(&shape);
+      if (path != nullptr && layer.name == "cut" && folded) marks.add_inside(*path);
+    }
   }
   return std::move(marks).take();
 }

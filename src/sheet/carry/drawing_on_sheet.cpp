@@ -13,7 +13,7 @@
 
 #include "core/figure_text.h"
 #include "pattern/polygon/plane.h"
-#include "sheet/line_path.h"
+#include "sheet/piece/line_path.h"
 #include "sheet/sheet_layout.h"
 
 namespace planish {

@@ -361,5 +361,126 @@ TEST(Annotations, NamesThePieceInErrors) {
   EXPECT_THROW(sheet_with({.grain = Grain{Vec3{0, 0, 1}}}), Error);
 }
 
+TEST(Annotations, ClosesInnerLinesThatEndWhereTheyBegin) {
+  const Drawing sheet = sheet_with({.marks = {{.vertex = 6, .kind = MarkKind::drill}},
+                                    .inner_lines = {{6, 7, 12, 11, 6}, {6, 7, 12}, {6, 7, 6}}});
+  EXPECT_TRUE(path(sheet, "internal", 0).closed);
+  EXPECT_EQ(path(sheet, "internal", 0).lines.at(0).size(), 4U) << "the first point once";
+  EXPECT_FALSE(path(sheet, "internal", 1).closed);
+  EXPECT_FALSE(path(sheet, "internal", 2).closed) << "there and back encloses nothing";
+  EXPECT_EQ(path(sheet, "internal", 2).lines.at(0).size(), 3U);
+  EXPECT_TRUE(path(sheet, "drill").closed);
+}
+
+std::string size_words(const PatternOptions& options) {
+  const std::vector<std::string> words = texts(sheet_with(options), "label");
+  const auto found = std::find_if(words.begin(), words.end(), [](const std::string& text) {
+    return text.find("allowance") != std::string::npos;
+  });
+  return found == words.end() ? "" : found->substr(found->find('+') + 2);
+}
+
+TEST(Annotations, SayEachWidthOfTheAllowance) {
+  // The corners of the square are vertices 0, 4, 24 and 20, counter-clockwise.
+  PatternOptions options{.allowance = Allowance{.width = 10.0}};
+  EXPECT_EQ(size_words(options), "10 mm allowance");
+  options.edge_allowances = {{4, 24, 30.0}};
+  EXPECT_EQ(size_words(options), "allowance 10 mm, 30 mm at edge 2");
+  options.edge_allowances = {{4, 24, 30.0}, {20, 0, 30.0}};
+  EXPECT_EQ(size_words(options), "allowance 10 mm, 30 mm at edge 2 and edge 4");
+  options.edge_allowances = {{4, 24, 30.0}, {20, 0, 0.0}};
+  EXPECT_EQ(size_words(options), "allowance 10 mm, 30 mm at edge 2, none at edge 4");
+  options.edge_allowances = {{4, 14, 30.0}};
+  EXPECT_EQ(size_words(options), "allowance 10 mm, 30 mm at a part of edge 2");
+  options.edge_allowances = {{4, 24, 10.0}};
+  EXPECT_EQ(size_words(options), "10 mm allowance");
+  options.edge_allowances = {{0, 0, 7.5}};
+  EXPECT_EQ(size_words(options), "7.5 mm allowance");
+  options.edge_allowances = {{4, 24, 30.0}};
+  options.fold = FoldLine{20, 0};
+  EXPECT_EQ(size_words(options), "allowance 10 mm, 30 mm at edge 2");
+}
+
+/// The length of all segments of one layer that lie on segments of another one.
+double doubled_length(const Drawing& sheet, const std::string& one, const std::string& other) {
+  struct Segment {
+    Vec2 a, b;
+  };
+  const auto segments_of = [&](const std::string& name) {
+    std::vector<Segment> segments;
+    for (const DrawingShape& shape : layer_of(sheet, name).shapes) {
+      const Path& some = std::get<Path>(shape);
+      for (const auto& line : some.lines) {
+        for (std::size_t i = 0; i + (some.closed ? 0 : 1) < line.size(); ++i)
+          segments.push_back({line[i], line[(i + 1) % line.size()]});
+      }
+    }
+    return segments;
+  };
+  double length = 0.0;
+  for (const Segment& s : segments_of(one)) {
+    const double own = norm(s.b - s.a);
+    for (const Segment& t : segments_of(other)) {
+      const Vec2 along = 1.0 / own * (s.b - s.a);
+      if (std::abs(cross(along, t.a - s.a)) > 1e-3 || std::abs(cross(along, t.b - s.a)) > 1e-3)
+        continue;
+      const double from = dot(along, t.a - s.a), to = dot(along, t.b - s.a);
+      length +=
+          std::max(0.0, std::min(own, std::max(from, to)) - std::max(0.0, std::min(from, to)));
+    }
+  }
+  return length;
+}
+
+double length_on(const Drawing& sheet, const std::string& name) {
+  double length = 0.0;
+  for (const DrawingShape& shape : layer_of(sheet, name).shapes) {
+    const Path& some = std::get<Path>(shape);
+    for (const auto& line : some.lines) {
+      for (std::size_t i = 0; i + (some.closed ? 0 : 1) < line.size(); ++i)
+        length += norm(line[(i + 1) % line.size()] - line[i]);
+    }
+  }
+  return length;
+}
+
+TEST(Annotations, DrawNoLineTwice) {
+  for (const bool has_fold : {false, true}) {
+    for (const double width : {0.0, 10.0}) {
+      for (const LineFit& fit : {LineFit{.tolerance = 0.0}, LineFit{}}) {
+        PatternOptions options{.curves = fit};
+        if (width > 0.0) {
+          options.allowance = Allowance{.width = width};
+          options.edge_allowances = {{4, 24, 0.0}};
+        }
+        if (has_fold) options.fold = FoldLine{20, 0};
+        const Drawing sheet = sheet_with(options);
+        EXPECT_NEAR(doubled_length(sheet, "cut", "seam"), 0.0, 1e-6);
+        EXPECT_NEAR(doubled_length(sheet, "cut", "fold"), 0.0, 1e-6);
+        EXPECT_NEAR(doubled_length(sheet, "seam", "fold"), 0.0, 1e-6);
+        // Each of the sides is drawn all the same.
+        EXPECT_NEAR(length_on(sheet, "fold"), has_fold ? 200.0 : 0.0, 1e-9);
+        if (width > 0.0)
+          EXPECT_NEAR(length_on(sheet, "seam"), has_fold ? 400.0 : 600.0, 1e-6);
+        else
+          EXPECT_NEAR(length_on(sheet, "cut"), has_fold ? 600.0 : 800.0, 1e-6);
+      }
+    }
+  }
+}
+
+TEST(Annotations, DrawACurveOpenAlongTheFold) {
+  const Drawing sheet = sheet_with(
+      {.allowance = Allowance{.width = 10.0}, .fold = FoldLine{20, 0}, .curves = LineFit{}});
+  const Path& cut = path(sheet, "cut");
+  EXPECT_FALSE(cut.closed);
+  ASSERT_EQ(cut.fitted.curves.size(), 1U);
+  const Curve& curve = cut.fitted.curves[0];
+  EXPECT_EQ(curve.start, cut.lines.at(0).front());
+  EXPECT_EQ(end_of(curve.pieces.back()), cut.lines.at(0).back());
+  EXPECT_NEAR(length_of(curve), length_on(sheet, "cut"), 1e-6);
+  EXPECT_EQ(cut.fitted.few.at(0).front(), cut.lines.at(0).front());
+}
+
 }  // namespace
 }  // namespace planish

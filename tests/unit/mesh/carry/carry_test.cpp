@@ -370,5 +370,47 @@ TEST(Carry, RefusesWhatIsNoPair) {
   EXPECT_FALSE(is_flat(meshes::fan(5, 0.1)));
 }
 
+/// A ring that begins at an angle.
+DrawnLines ring(Vec2 middle, double radius, double z, double begin) {
+  DrawnLine line;
+  constexpr int corners = 30;
+  for (int k = 0; k < corners; ++k) {
+    const double angle = begin + 2.0 * std::numbers::pi * k / corners;
+    line.points.push_back(
+        {middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle), z});
+  }
+  line.points.push_back(line.points.front());
+  return {{line}, {}};
+}
+
+TEST(TraceLines, ClosesClosedLinesExactly) {
+  for (const double begin : {0.0, 0.3, 1.7, 4.0}) {
+    for (const double height : {0.0, 0.02}) {
+      const TriMesh flat = meshes::flat_grid(6, 6);
+      const TriMesh bent = meshes::height_field(
+          6, 6, [&](double x, double y) { return height * (x * x - 0.7 * y * x); });
+      const TracedLines traced = trace_lines(Patch(flat), ring({3.0, 2.9}, 1.37, 0.0, begin));
+      ASSERT_EQ(traced.lines.size(), 1U);
+      for (const TriMesh* mesh : {&flat, &bent}) {
+        const std::vector<Vec3> points = on(*mesh, traced.lines[0]);
+        EXPECT_EQ(points.front(), points.back());
+      }
+      const TracedLines back = trace_lines(Patch(bent), on(bent, traced));
+      ASSERT_EQ(back.lines.size(), 1U);
+      EXPECT_EQ(on(flat, back.lines[0]).front(), on(flat, back.lines[0]).back());
+    }
+  }
+}
+
+TEST(TraceLines, JoinTheEndsOfAClosedLineThatLeavesTheMesh) {
+  const TriMesh flat = meshes::flat_grid(6, 6);
+  // Over the right border; it begins on the mesh, far from there.
+  const TracedLines traced = trace_lines(Patch(flat), ring({5.5, 3.0}, 1.2, 0.0, 2.5));
+  ASSERT_EQ(traced.lines.size(), 1U) << "one part, not two that meet where the line began";
+  const std::vector<Vec3> points = on(flat, traced.lines[0]);
+  EXPECT_NEAR(points.front().x, 6.0, 1e-9);
+  EXPECT_NEAR(points.back().x, 6.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace planish

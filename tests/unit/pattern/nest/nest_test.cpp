@@ -266,5 +266,39 @@ TEST(Nest, ReportsRisingProgressAndCanBeCancelled) {
       [&](const Context& context) { nest(pieces, {.width = 500.0, .tries = 5}, context); });
 }
 
+struct ExactSheet {
+  double length, width, gap;
+  int count;
+  NestOptions sheet;
+};
+
+TEST(Nest, FillsASheetThatBoxesFitExactly) {
+  const std::vector<ExactSheet> cases = {
+      {100, 100, 5.0, 9, {.width = 310.0, .length = 310.0}},
+      {300, 200, 0.0, 8, {.width = 800.0, .length = 600.0}},
+      {300, 200, 0.0, 8, {.width = 600.0, .length = 800.0, .turns = Turns::quarter}},
+      {300, 200, 7.0, 9, {.width = 614.0, .length = 914.0}},
+      {33.3, 71.7, 0.7, 30, {.width = 6 * 71.7 + 5 * 0.7, .length = 5 * 33.3 + 4 * 0.7}},
+      {100, 100, 5.0, 9, {.width = 330.0, .length = 330.0, .margin = 10.0}},
+      {100, 60, 3.0, 200, {.width = 20 * 63.0 - 3.0, .length = 10 * 103.0 - 3.0}}};
+  for (ExactSheet exact : cases) {
+    exact.sheet.gap = exact.gap;
+    const std::vector<NestPiece> pieces = {
+        box_piece("box", exact.length, exact.width, exact.count)};
+    const Nesting nesting = nest(pieces, exact.sheet);
+    EXPECT_EQ(nesting.sheets, 1U) << exact.length << " x " << exact.width;
+    expect_sound(pieces, exact.sheet, nesting);
+  }
+}
+
+TEST(Nest, FillsASheetWithBoxesOfTwoSizes) {
+  const std::vector<NestPiece> pieces = {box_piece("large", 200, 200, 2),
+                                         box_piece("small", 100, 100, 4)};
+  const NestOptions sheet{.width = 400.0, .length = 300.0, .gap = 0.0};
+  const Nesting nesting = nest(pieces, sheet);
+  EXPECT_EQ(nesting.sheets, 1U);
+  expect_sound(pieces, sheet, nesting);
+}
+
 }  // namespace
 }  // namespace planish

@@ -1,4 +1,4 @@
-#include "sheet/allowance_words.h"
+#include "sheet/piece/allowance_words.h"
 
 #include <algorithm>
 #include <cstddef>

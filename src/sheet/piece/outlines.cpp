@@ -1,4 +1,4 @@
-#include "sheet/outlines.h"
+#include "sheet/piece/outlines.h"
 
 #include <algorithm>
 #include <cstddef>

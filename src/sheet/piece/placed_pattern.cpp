@@ -1,11 +1,11 @@
-#include "sheet/placed_pattern.h"
+#include "sheet/piece/placed_pattern.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 
 #include "pattern/curves/piece_math.h"
-#include "sheet/outlines.h"
+#include "sheet/piece/outlines.h"
 
 namespace planish {
 

@@ -1,0 +1,181 @@
+#include "sheet/piece/outline_paths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "pattern/polygon/plane.h"
+
+namespace planish {
+
+namespace {
+
+constexpr double k_on_fold = 2e-3;  // millimetres: lines are on a grid of 0.00001 mm
+
+/// The stretch of a fold where the pattern lies, the piece on its left.
+struct PlacedFold {
+  Vec2 from, to;
+};
+
+bool is_half(const PatternOptions& options) {
+  return options.fold && !options.fold->opened;
+}
+
+PlacedFold placed_fold(const PlacedPattern& pattern, const PatternOptions& options) {
+  const EdgeAllowance stretch = fold_stretch(pattern.outline, *options.fold);
+  return {pattern.positions[stretch.from], pattern.positions[stretch.to]};
+}
+
+/// The edge of a closed line that a place is on, which runs the same way as the fold.
+std::optional<std::size_t> edge_with(const Polygon& loop, Vec2 place, const PlacedFold& fold) {
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec2 a = loop[i], b = loop[(i + 1) % loop.size()];
+    const Vec2 way = fold.to - fold.from;
+    // At the corner of a fold the edge behind it, which leaves its line, is none.
+    const bool runs_along =
+        std::abs(cross(way, b - a)) <= k_on_fold * norm(way) && dot(way, b - a) > 0.0;
+    if (runs_along && distance_to_segment(place, a, b) <= k_on_fold) return i;
+  }
+  return std::nullopt;
+}
+
+/// A closed line without its part along the fold, from the end of the fold to its beginning.
+/// Nothing where the line does not run along the fold.
+std::optional<Polygon> opened(const Polygon& loop, const PlacedFold& fold) {
+  const auto first = edge_with(loop, fold.from, fold), last = edge_with(loop, fold.to, fold);
+  if (!first || !last) return std::nullopt;
+  Polygon line;
+  const auto add = [&](Vec2 p) {
+    if (line.empty() || norm(p - line.back()) > k_on_fold) line.push_back(p);
+  };
+  add(fold.to);
+  for (std::size_t i = (*last + 1) % loop.size(); i != *first; i = (i + 1) % loop.size())
+    add(loop[i]);
+  add(loop[*first]);
+  add(fold.from);
+  return line;
+}
+
+/// The same of a curve, where the fold is on one straight piece of it.
+std::optional<Curve> opened(const Curve& curve, const PlacedFold& fold) {
+  Vec2 from = curve.start;
+  for (std::size_t k = 0; k < curve.pieces.size(); ++k) {
+    const Vec2 end = end_of(curve.pieces[k]);
+    const bool is_line = std::holds_alternative<LineTo>(curve.pieces[k]);
+    const bool has_fold = is_line && dot(end - from, fold.to - fold.from) > 0.0 &&
+                          distance_to_segment(fold.from, from, end) <= k_on_fold &&
+                          distance_to_segment(fold.to, from, end) <= k_on_fold;
+    if (has_fold) {
+      Curve open{fold.to, {}};
+      if (norm(end - fold.to) > k_on_fold) open.pieces.emplace_back(LineTo{end});
+      for (std::size_t i = 1; i < curve.pieces.size(); ++i)
+        open.pieces.push_back(curve.pieces[(k + i) % curve.pieces.size()]);
+      if (norm(from - fold.from) > k_on_fold) open.pieces.emplace_back(LineTo{fold.from});
+      return open;
+    }
+    from = end;
+  }
+  return std::nullopt;
+}
+
+Path closed_path(std::vector<Polygon> loops, FittedLines fitted, const Stroke& stroke) {
+  Path path{std::move(loops), true, stroke};
+  path.fitted = std::move(fitted);
+  return path;
+}
+
+/// The fitted lines but for one.
+FittedLines without_line(FittedLines fitted, std::size_t number) {
+  const auto at = static_cast<std::ptrdiff_t>(number);
+  if (number < fitted.few.size()) fitted.few.erase(fitted.few.begin() + at);
+  if (number < fitted.curves.size()) fitted.curves.erase(fitted.curves.begin() + at);
+  return fitted;
+}
+
+/// Of each edge of the outline, by loop, whether it has an allowance.
+std::vector<std::vector<bool>> edges_with_allowance(const PlacedPattern& pattern,
+                                                    const PatternOptions& options) {
+  std::vector<EdgeAllowance> stretches = options.edge_allowances;
+  if (is_half(options)) stretches.push_back(fold_stretch(pattern.outline, *options.fold));
+  const Allowance widths = with_edge_allowances(*options.allowance, pattern.outline, stretches);
+  std::vector<std::vector<bool>> have;
+  for (std::size_t k = 0; k < pattern.outline.loops.size(); ++k) {
+    std::vector<bool>& of_loop = have.emplace_back();
+    for (std::size_t i = 0; i < pattern.outline.loops[k].size(); ++i) {
+      const double width = widths.edge_widths.empty() ? widths.width : widths.edge_widths[k][i];
+      of_loop.push_back(width > 0.0 && (k == 0 || widths.holes));
+    }
+  }
+  return have;
+}
+
+/// The runs of edges that are kept, as open lines.
+void append_runs(const Polygon& loop, const std::vector<bool>& keep, std::vector<Polygon>& lines) {
+  const std::size_t n = loop.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!keep[i] || keep[(i + n - 1) % n]) continue;
+    Polygon& line = lines.emplace_back(Polygon{loop[i]});
+    for (std::size_t k = i; keep[k % n]; ++k)
+      line.push_back(loop[(k + 1) % n]);
+  }
+}
+
+}  // namespace
+
+std::vector<Path> cut_paths(const PlacedPattern& pattern, const PatternOptions& options,
+                            const Stroke& stroke) {
+  const std::vector<Path> whole = {closed_path(pattern.cut, pattern.fitted_cut, stroke)};
+  if (!is_half(options)) return whole;
+  const PlacedFold fold = placed_fold(pattern, options);
+  for (std::size_t k = 0; k < pattern.cut.size(); ++k) {
+    const auto line = opened(pattern.cut[k], fold);
+    if (!line) continue;
+    Path open{{*line}, false, stroke};
+    const FittedLines& fitted = pattern.fitted_cut;
+    if (k < fitted.few.size()) {
+      if (auto few = opened(fitted.few[k], fold)) open.fitted.few = {std::move(*few)};
+    }
+    if (k < fitted.curves.size()) {
+      if (auto curve = opened(fitted.curves[k], fold)) open.fitted.curves = {std::move(*curve)};
+    }
+    std::vector<Path> paths = {std::move(open)};
+    std::vector<Polygon> others = pattern.cut;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+    if (!others.empty())
+      paths.push_back(closed_path(std::move(others), without_line(fitted, k), stroke));
+    return paths;
+  }
+  return whole;
+}
+
+std::vector<Path> seam_paths(const PlacedPattern& pattern, const PatternOptions& options,
+                             const Stroke& stroke) {
+  if (!options.allowance) return {};
+  const PieceOutline& outline = pattern.outline;
+  const auto have = edges_with_allowance(pattern, options);
+  const auto has_all = [](const std::vector<bool>& of_loop) {
+    return std::all_of(of_loop.begin(), of_loop.end(), [](bool has) { return has; });
+  };
+  if (std::all_of(have.begin(), have.end(), has_all))
+    return {closed_path(outline.loops, pattern.fitted_outline, stroke)};
+  FittedLines fitted = pattern.fitted_outline;
+  std::vector<Polygon> closed, open;
+  for (std::size_t k = outline.loops.size(); k-- > 0;) {
+    if (has_all(have[k])) {
+      closed.insert(closed.begin(), outline.loops[k]);
+      continue;
+    }
+    fitted = without_line(std::move(fitted), k);
+    append_runs(outline.loops[k], have[k], open);
+  }
+  std::vector<Path> paths;
+  for (Polygon& line : open)
+    paths.push_back(Path{{std::move(line)}, false, stroke});
+  if (!closed.empty()) paths.push_back(closed_path(std::move(closed), std::move(fitted), stroke));
+  return paths;
+}
+
+}  // namespace planish

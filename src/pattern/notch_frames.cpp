@@ -201,6 +201,18 @@ NotchFrame NotchFrames::standing_on_seam(NotchFrame frame) const {
   return frame;
 }
 
+/// Beside an edge without an allowance, as a fold, that of the other edge ends at the line of that
+/// edge: so does the notch.
+std::optional<NotchFrame> NotchFrames::along_bare_edge(const NotchSeat& seat, Vec2 inward,
+                                                       Vec2 other, double width) const {
+  NotchFrame frame = frame_along(walks_[seat.loop].at(seat.way), {inward.y, -inward.x});
+  const double sine = std::abs(cross(inward, other));
+  frame.reach = sine > 0.0 ? width / sine : k_no_hit;
+  if (!(frame.reach <= k_most_reach * width)) return std::nullopt;
+  if (distance_to(cut_, frame.seam - frame.reach * frame.inward) > k_on_line) return std::nullopt;
+  return frame;
+}
+
 NotchFrame NotchFrames::at_corner(const NotchSeat& seat, const Corner& corner) const {
   const std::size_t count = outline_.loops[seat.loop].size();
   const double half = 0.5 * sizes_.width;
@@ -223,7 +235,11 @@ NotchFrame NotchFrames::at_corner(const NotchSeat& seat, const Corner& corner) c
   const SeatSide own = is_own_before ? SeatSide::before : SeatSide::after;
   const SeatSide other = is_own_before ? SeatSide::after : SeatSide::before;
   std::optional<NotchFrame> found;
-  if (seat.side != SeatSide::both) found = try_side(own);
+  if (width_before > 0.0 && !both_wide)
+    found = along_bare_edge(seat, after.along, before.along, width_before);
+  if (width_after > 0.0 && !both_wide)
+    found = along_bare_edge(seat, -1.0 * before.along, after.along, width_after);
+  if (!found && seat.side != SeatSide::both) found = try_side(own);
   const bool stands_out = turn_between(before.along, after.along) > 0.0;
   if (!found && (seat.side == SeatSide::both || !stands_out)) found = try_between();
   if (!found) found = try_side(other);

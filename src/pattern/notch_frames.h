@@ -69,6 +69,8 @@ class NotchFrames {
   bool leaves_freely(const NotchFrame& frame, double reach, double jag) const;
   std::optional<NotchFrame> met(const NotchSeat& seat, NotchFrame frame, double width,
                                 bool runs_beside_line) const;
+  std::optional<NotchFrame> along_bare_edge(const NotchSeat& seat, Vec2 inward, Vec2 other,
+                                            double width) const;
   NotchFrame at_corner(const NotchSeat& seat, const Corner& corner) const;
   NotchFrame standing_on_seam(NotchFrame frame) const;
 

@@ -282,7 +282,7 @@ TEST(Notches, OfASideWithAnotherAllowanceReachItsCutLine) {
   expect_line({placed[0].at, placed[1].at, placed[2].at}, {{130, 0}, {130, 25}, {100, -10}});
 }
 
-TEST(Notches, WhereAFoldMeetsAnEdgeAreAcrossThatEdge) {
+TEST(Notches, WhereAFoldMeetsAnEdgeAreInTheAllowanceOfThatAtTheFold) {
   for (const double lean : {-20.0, -5.0, 0.0, 5.0, 20.0}) {
     for (const double width : {6.0, 10.0, 20.0}) {
       // The fold runs down along x = 0 to the hem, which leaves it at 90 degrees less the lean.
@@ -296,7 +296,7 @@ TEST(Notches, WhereAFoldMeetsAnEdgeAreAcrossThatEdge) {
           place_notches(outline, cut, std::vector<Notch>{{Index{3}}}, {.depth = 3.0}, allowance);
       ASSERT_EQ(placed.size(), 1U);
       EXPECT_FALSE(placed[0].on_seam);
-      expect_line({placed[0].at}, {width * Vec2{std::sin(angle), -std::cos(angle)}});
+      expect_line({placed[0].at, placed[0].inward}, {{0.0, -width / std::cos(angle)}, {0, 1}});
     }
   }
 }

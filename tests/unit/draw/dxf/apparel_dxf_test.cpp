@@ -246,5 +246,37 @@ TEST(ApparelDxf, LeavesOtherLayersOutButThoseThatAreRenamed) {
   EXPECT_EQ(on_layer(dxf, "POLYLINE", "15").size(), 1U);
 }
 
+/// Half a panel, with its fold along the left side.
+Drawing half_panel(bool has_hole) {
+  TriMesh mesh = meshes::flat_grid(4, 4);
+  if (has_hole) mesh.triangles.erase(mesh.triangles.begin() + 10);
+  UnfoldReport unfold = samples::plane_below(mesh, 200.0, 200.0);
+  for (Vec2& p : unfold.pattern.positions)
+    p = 50.0 * p;
+  return pattern_sheet(Patch(mesh), unfold, "half",
+                       {.allowance = Allowance{.width = 12.0}, .fold = FoldLine{20, 0}});
+}
+
+TEST(ApparelDxf, ClosesTheBoundaryAlongAFold) {
+  for (const bool has_hole : {false, true}) {
+    for (const DxfProfile profile : k_apparel) {
+      const std::string dxf = format_dxf(half_panel(has_hole), {.profile = profile});
+      const auto boundary = on_layer(dxf, "POLYLINE", "1");
+      ASSERT_EQ(boundary.size(), 1U);
+      EXPECT_EQ(value_of(boundary[0], 70), "1") << "closed";
+      EXPECT_EQ(on_layer(dxf, "POLYLINE", "11").size(), has_hole ? 1U : 0U);
+      EXPECT_EQ(on_layer(dxf, "LINE", "6").size(), 1U);
+    }
+  }
+}
+
+TEST(ApparelDxf, HasNoFoldToMirrorAPieceThatIsWhole) {
+  Drawing drawing = with_cut(square(10.0));
+  drawing.layers.push_back({"fold", {marked(FoldMark{{5, 0}, {5, 10}, true})}});
+  const std::string dxf = format_dxf(drawing, {.profile = DxfProfile::aama});
+  EXPECT_THAT(on_layer(dxf, "LINE", "6"), IsEmpty());
+  EXPECT_EQ(on_layer(dxf, "LINE", "8").size(), 1U);
+}
+
 }  // namespace
 }  // namespace planish

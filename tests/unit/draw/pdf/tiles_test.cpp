@@ -108,5 +108,18 @@ TEST(Papers, AreKnownByTheirNames) {
   EXPECT_THROW(paper_named("a5"), Error);
 }
 
+TEST(UsedTiles, HoldTheInsideOfAPieceThatIsOpenAlongItsFold) {
+  const Vec2 sheet = {900.0, 1335.0};
+  const TileGrid grid = tile_grid(sheet, Paper::a4);
+  const Path cut{{{{1, 1}, {899, 1}, {899, 1334}, {1, 1334}}}, false, Stroke{}};
+  Path fold{{{{1, 1334}, {1, 1}}}, false, Stroke{}};
+  for (const bool opened : {false, true}) {
+    fold.mark = FoldMark{fold.lines[0][0], fold.lines[0][1], opened};
+    const std::vector<bool> used =
+        used_tiles({"t", sheet.x, sheet.y, {Layer{"cut", {cut}}, Layer{"fold", {fold}}}}, grid);
+    EXPECT_EQ(used[12], !opened);
+  }
+}
+
 }  // namespace
 }  // namespace planish

@@ -72,22 +72,29 @@ CarryPair pair_from(const Arguments& arguments, Session& session) {
   return pair;
 }
 
-/// Of the outline where an allowance surrounds it, else of what is cut.
-std::vector<std::vector<Vec2>> outline_in(const SvgDrawing& drawing) {
-  for (const std::string_view layer : {"seam", "cut"}) {
-    std::vector<std::vector<Vec2>> lines;
-    for (const SvgLine& line : drawing.lines) {
-      if (line.layer == layer) lines.push_back(line.points);
-    }
-    if (!lines.empty()) return lines;
+std::vector<std::vector<Vec2>> lines_on(const SvgDrawing& drawing, std::string_view layer) {
+  std::vector<std::vector<Vec2>> lines;
+  for (const SvgLine& line : drawing.lines) {
+    if (line.layer == layer) lines.push_back(line.points);
   }
-  return {};
+  return lines;
+}
+
+/// By the outline where an allowance surrounds it, else by what is cut.
+Vec2 origin_in(const SvgDrawing& drawing, const Patch& flat, Unit unit, const std::string& path) {
+  const std::vector<std::vector<Vec2>> seam = lines_on(drawing, "seam");
+  const std::vector<std::vector<Vec2>> cut = lines_on(drawing, "cut");
+  if (seam.empty()) return origin_on_sheet(cut, {}, flat, unit, path);
+  const bool is_whole = std::all_of(seam.begin(), seam.end(), [](const std::vector<Vec2>& line) {
+    return line.front() == line.back();
+  });
+  return origin_on_sheet(seam, is_whole ? std::vector<std::vector<Vec2>>{} : cut, flat, unit, path);
 }
 
 /// What was added to a pattern's sheet, where it lies over the flat mesh.
 ReadDrawing drawing_on_sheet(const std::string& path, const Patch& flat, Unit unit) {
   SvgDrawing drawing = read_svg(path_of(path), k_sheet_layers);
-  const Vec2 origin = origin_on_sheet(outline_in(drawing), flat, unit, path);
+  const Vec2 origin = origin_in(drawing, flat, unit, path);
   const double z = flat.positions()[flat.triangles().front().front()].z;
   const auto place = [&](Vec2 p) {
     const Vec2 q = 1.0 / millimetres_per(unit) * (p - origin);

@@ -53,6 +53,13 @@ std::vector<Vec2> border_of(const Patch& flat, double scale) {
   return points;
 }
 
+std::vector<Vec2> joined(std::span<const std::vector<Vec2>> lines) {
+  std::vector<Vec2> points;
+  for (const std::vector<Vec2>& line : lines)
+    points.insert(points.end(), line.begin(), line.end());
+  return points;
+}
+
 /// Where many of the vectors lie together, by squares of a fifth of k_near; their mean.
 std::optional<Vec2> common_offset(std::span<const Vec2> offsets) {
   constexpr double cell = 0.2 * k_near;
@@ -164,25 +171,29 @@ std::string size_text(Vec2 size) {
 
 }  // namespace
 
-Vec2 origin_on_sheet(std::span<const std::vector<Vec2>> outline, const Patch& flat, Unit unit,
-                     const std::string& name) {
-  std::vector<Vec2> drawn;
-  for (const std::vector<Vec2>& line : outline)
-    drawn.insert(drawn.end(), line.begin(), line.end());
-  if (drawn.empty()) {
+Vec2 origin_on_sheet(std::vector<std::vector<Vec2>> outline, std::span<const std::vector<Vec2>> cut,
+                     const Patch& flat, Unit unit, const std::string& name) {
+  if (outline.empty()) {
     fail(name,
          "the file has no outline of the pattern in a layer seam or cut, so that the place of "
          "what is drawn is not known; draw in a copy of pattern.svg");
   }
   const std::vector<Vec2> border = border_of(flat, millimetres_per(unit));
   if (border.empty()) fail(name, "the flat mesh has no border to find in the drawing");
-  const PlaneBox there = box_of(drawn), here = box_of(border);
-  const Vec2 origin = there.low - here.low;
-  // Curves begin and end at vertices of the border, between which they leave it a little.
-  const auto offset = common_offset(offsets_near(border, drawn, origin));
-  if (!offset || distance_from(border, outline, origin + *offset) > k_fitted)
-    refuse(there.size(), here.size(), unit, name);
-  return origin + *offset;
+  const PlaneBox there = box_of(joined(outline)), here = box_of(border);
+  outline.insert(outline.end(), cut.begin(), cut.end());
+  const std::vector<Vec2> drawn = joined(outline);
+  // A side of the box is that of the outline, or of a stretch that only the cut lines have.
+  const Vec2 other = box_of(drawn).low;
+  for (const Vec2 low :
+       {there.low, Vec2{other.x, there.low.y}, Vec2{there.low.x, other.y}, other}) {
+    const Vec2 origin = low - here.low;
+    // Curves begin and end at vertices of the border, between which they leave it a little.
+    const auto offset = common_offset(offsets_near(border, drawn, origin));
+    if (offset && distance_from(border, outline, origin + *offset) <= k_fitted)
+      return origin + *offset;
+  }
+  refuse(there.size(), here.size(), unit, name);
 }
 
 Drawing carried_sheet(const Patch& flat, const DrawnLines& drawn, Unit unit,

@@ -176,5 +176,27 @@ TEST_F(Carry, RefusesWhatItCannotCarry) {
             k_exit_usage);
 }
 
+TEST_F(Carry, FindsPatternsWhoseSeamLineLeavesStretchesOut) {
+  // Both ends bulge; one of them, or all of an end, has no allowance.
+  TriMesh bulging = meshes::flat_grid(12, 8);
+  for (Vec3& p : bulging.positions)
+    p.x += 0.02 * (p.x - 6.0) * p.y * (8.0 - p.y);
+  write_mesh("bulging.obj", bulging);
+  for (const char* bare : {"12 116 0\n", "104 0 0\n", "12 116 0\n104 0 0\n", "0 12 0\n"}) {
+    write_text("bare.txt", bare);
+    const CliResult made =
+        planish({"flatten", "bulging.obj", "-o", "out", "--unit", "cm", "--formats", "svg",
+                 "--pick", "1", "--allowance", "7mm", "--edge-allowances", "bare.txt"});
+    ASSERT_EQ(made.exit_code, k_exit_done) << made.err;
+    draw_on("out/pattern.svg", "drawn.svg",
+            "<g id=\"mine\"><path d=\"M60,60l20,10l-5,9z\" stroke=\"#000\"/></g>");
+    const CliResult result = carry("drawn.svg", "line.obj", {"--unit", "cm"});
+    EXPECT_EQ(result.exit_code, k_exit_done) << bare << result.err;
+    const DrawnLines lines = read_obj_lines("line.obj");
+    ASSERT_EQ(lines.lines.size(), 1U);
+    EXPECT_EQ(lines.lines[0].points.front(), lines.lines[0].points.back()) << "still closed";
+  }
+}
+
 }  // namespace
 }  // namespace planish::cli

@@ -192,11 +192,11 @@ std::optional<NotchFrame> NotchFrames::met(const NotchSeat& seat, NotchFrame fra
 }
 
 /// Outside of the piece and half way to the border beyond at most, so that nothing but what fills
-/// a dart is marked.
+/// a dart is marked; in a slit with no room for it half a millimetre long.
 NotchFrame NotchFrames::standing_on_seam(NotchFrame frame) const {
-  const double jag = 0.25 * sizes_.width;
-  const double free = first_hit(outline_.loops, frame.seam, -1.0 * frame.inward, jag);
-  frame.reach = std::min(sizes_.depth, std::max(0.5 * free, jag));
+  constexpr double k_jag = 0.05, k_least = 0.5;
+  const double free = first_hit(outline_.loops, frame.seam, -1.0 * frame.inward, k_jag);
+  frame.reach = std::min(sizes_.depth, std::max(0.5 * free, k_least));
   frame.on_seam = true;
   return frame;
 }

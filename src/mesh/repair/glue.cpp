@@ -224,8 +224,11 @@ std::vector<unsigned char> unsound_vertices(const TriMesh& mesh, const std::vect
   for (const Index v : corners_of_twins(mesh, joined))
     unsound[v] = 1;
   std::vector<std::pair<Index, Index>> glued;
-  for (const EdgePair& pair : pairs)
-    glued.push_back(std::minmax(pair.one.side.triangle, pair.other.side.triangle));
+  glued.reserve(pairs.size());
+  for (const EdgePair& pair : pairs) {
+    const auto& [low, high] = std::minmax(pair.one.side.triangle, pair.other.side.triangle);
+    glued.emplace_back(low, high);
+  }
   std::sort(glued.begin(), glued.end());
   const std::vector<EdgeSide> sides = sorted_sides(joined);
   for (const EdgeSides& edge : group_by_edge(sides)) {

@@ -460,10 +460,11 @@ TEST(Annotations, DrawNoLineTwice) {
         EXPECT_NEAR(doubled_length(sheet, "seam", "fold"), 0.0, 1e-6);
         // Each of the sides is drawn all the same.
         EXPECT_NEAR(length_on(sheet, "fold"), has_fold ? 200.0 : 0.0, 1e-9);
-        if (width > 0.0)
+        if (width > 0.0) {
           EXPECT_NEAR(length_on(sheet, "seam"), has_fold ? 400.0 : 600.0, 1e-6);
-        else
+        } else {
           EXPECT_NEAR(length_on(sheet, "cut"), has_fold ? 600.0 : 800.0, 1e-6);
+        }
       }
     }
   }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t k_columns = 8, k_rows = 10;
 
-Index place(std::size_t column, std::size_t row) {
+Index vertex_of_cell(std::size_t column, std::size_t row) {
   return static_cast<Index>(row * (k_columns + 1) + column);
 }
 
@@ -39,17 +39,18 @@ TriMesh upright_half(double height) {
 }
 
 TriMesh whole_of(const TriMesh& half) {
-  const auto whole = symmetric_whole(Patch(half), {place(0, 0), place(0, k_rows)});
+  const auto whole =
+      symmetric_whole(Patch(half), {vertex_of_cell(0, 0), vertex_of_cell(0, k_rows)});
   return whole->patch.mesh();
 }
 
-const std::array<Index, 2> k_fold = {place(0, 0), place(0, k_rows)};
+const std::array<Index, 2> k_fold = {vertex_of_cell(0, 0), vertex_of_cell(0, k_rows)};
 
 double bow(const std::vector<Vec2>& pattern) {
   const Vec2 from = pattern[k_fold[0]], way = pattern[k_fold[1]] - from;
   double most = 0.0;
   for (std::size_t row = 0; row <= k_rows; ++row)
-    most = std::max(most, std::abs(cross(way, pattern[place(0, row)] - from)) / norm(way));
+    most = std::max(most, std::abs(cross(way, pattern[vertex_of_cell(0, row)] - from)) / norm(way));
   return most;
 }
 
@@ -74,7 +75,8 @@ TEST(SymmetricWhole, IsTwiceTheHalfInEveryPlane) {
 
 TEST(SymmetricWhole, IsThereForAStraightFold) {
   const Patch flat(meshes::flat_grid(k_columns, k_rows));
-  for (const auto& ends : {k_fold, std::array<Index, 2>{place(0, k_rows), place(0, 0)}}) {
+  for (const auto& ends :
+       {k_fold, std::array<Index, 2>{vertex_of_cell(0, k_rows), vertex_of_cell(0, 0)}}) {
     const auto whole = symmetric_whole(flat, ends);
     ASSERT_TRUE(whole);
     for (const Vec3& p : whole->patch.positions())
@@ -88,8 +90,9 @@ TEST(SymmetricWhole, IsNotThereForAFoldThatLeavesItsPlane) {
     p.x += 0.3 * std::sin(0.7 * p.y);
   EXPECT_FALSE(symmetric_whole(Patch(twisted), k_fold));
   const Patch half(upright_half(3.0));
-  EXPECT_FALSE(symmetric_whole(half, {place(0, 0), place(0, 0)}));
-  EXPECT_FALSE(symmetric_whole(half, {place(0, 0), place(3, 3)})) << "not on the border";
+  EXPECT_FALSE(symmetric_whole(half, {vertex_of_cell(0, 0), vertex_of_cell(0, 0)}));
+  EXPECT_FALSE(symmetric_whole(half, {vertex_of_cell(0, 0), vertex_of_cell(3, 3)}))
+      << "not on the border";
 }
 
 TEST(UnfoldOfAHalf, HasAStraightFoldAsLongAsInTheWhole) {
@@ -99,7 +102,9 @@ TEST(UnfoldOfAHalf, HasAStraightFoldAsLongAsInTheWhole) {
     const Pattern pattern = unfold(half, {.fold = k_fold});
     const Pattern whole = unfold(Patch(whole_of(half.mesh())));
     EXPECT_LT(bow(pattern.positions), 1e-9);
-    if (height > 1.0) EXPECT_GT(bow(plain.positions), 0.01) << "else there is nothing to mend";
+    if (height > 1.0) {
+      EXPECT_GT(bow(plain.positions), 0.01) << "else there is nothing to mend";
+    }
     EXPECT_NEAR(fold_length(pattern.positions), fold_length(whole.positions), 1e-5);
     EXPECT_EQ(pattern.flipped_triangles, 0U);
     EXPECT_FALSE(pattern.overlaps);
@@ -112,7 +117,7 @@ TEST(UnfoldOfAHalf, KeepsLimitsAndTheLengthsOfSeams) {
   const Pattern matched = unfold(half, {.match_seams = true, .fold = k_fold});
   EXPECT_LT(bow(matched.positions), 1e-9);
   for (std::size_t row = 0; row < k_rows; ++row) {
-    const Index a = place(k_columns, row), b = place(k_columns, row + 1);
+    const Index a = vertex_of_cell(k_columns, row), b = vertex_of_cell(k_columns, row + 1);
     const double length = norm(half.positions()[b] - half.positions()[a]);
     EXPECT_NEAR(norm(matched.positions[b] - matched.positions[a]), length, 1e-7 * length);
   }
@@ -141,7 +146,8 @@ TEST(FlattenOfAHalf, EvolvesTheWhole) {
   EXPECT_LT(bow(report.unfold_before.pattern.positions), 1e-9);
   EXPECT_GT(report.evolve.deviation.max, 0.0) << "it was evolved";
   for (std::size_t row = 0; row <= k_rows; ++row)
-    EXPECT_NEAR(report.processed.positions()[place(0, row)].x, 0.0, 1e-9) << "in the plane";
+    EXPECT_NEAR(report.processed.positions()[vertex_of_cell(0, row)].x, 0.0, 1e-9)
+        << "in the plane";
   const FlattenReport whole = flatten(Patch(whole_of(half.mesh())), "whole", pick(5));
   EXPECT_NEAR(report.unfold.strain.rms, whole.unfold.strain.rms, 0.02 * whole.unfold.strain.rms);
   EXPECT_NEAR(report.evolve.deviation.max, whole.evolve.deviation.max,

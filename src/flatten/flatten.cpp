@@ -14,7 +14,7 @@
 #include "flatten/check_request.h"
 #include "measure/ruling_defect.h"
 #include "measure/smoothed.h"
-#include "mesh/symmetric_whole.h"
+#include "mesh/match/symmetric_whole.h"
 #include "unfold/strain/free_edges.h"
 
 namespace planish {

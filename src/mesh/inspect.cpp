@@ -188,7 +188,8 @@ std::string hole_text(const TriMesh& mesh, const std::vector<std::vector<Index>>
   const double hole = lengths[lengths.size() - 2];
   const bool are_holes = parts == 1 && hole > 0.0 && hole < k_short * lengths.back();
   if (!are_holes) return {};
-  return "; if its holes are none, --fill-holes " + number_text(rounded_up(hole)) + " closes them";
+  return "; if its holes are not meant, --fill-holes " + number_text(rounded_up(hole)) +
+         " closes them";
 }
 
 void describe_manifold(const TriMesh& mesh, const Connectivity& connectivity, Inspection& result) {

@@ -8,7 +8,7 @@
 #include "core/careful_sum.h"
 #include "core/job.h"
 #include "geometry/crosses_itself.h"
-#include "mesh/symmetric_whole.h"
+#include "mesh/match/symmetric_whole.h"
 #include "unfold/disk/disk.h"
 #include "unfold/open_border.h"
 #include "unfold/placement.h"

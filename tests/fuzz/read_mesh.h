@@ -40,7 +40,6 @@ inline void check_mesh_reader(std::string_view bytes, MeshFormat format) {
         check(v < mesh.positions.size(), "indices are in range");
     }
     check_groups(result.groups, mesh.triangles.size());
-    check(result.coordinate_step >= 0.0, "a step has no sign");
     check(!result.unit || (!result.unit->words.empty() && result.unit->words.size() < 200),
           "a unit is stated in a few words");
     allow_refusal_of("mesh", [&] {

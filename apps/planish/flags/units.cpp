@@ -97,7 +97,6 @@ ReadResult in_run_unit(ReadResult file, RunUnit unit, const std::string& path, S
   if (unit.is_asked || !file.unit || file.unit->unit == unit.unit) return file;
   const double scale = millimetres_per(file.unit->unit) / millimetres_per(unit.unit);
   file.mesh = scaled(std::move(file.mesh), scale, path);
-  file.coordinate_step *= scale;
   session.note(path + ": the file says \"" + file.unit->words + "\": scaled from " +
                std::string(to_string(file.unit->unit)) + " to " +
                std::string(to_string(unit.unit)) + ", the unit of this run");

@@ -38,9 +38,6 @@ struct ReadResult {
   FaceGroups materials = {};       ///< of an OBJ file; none where it has fewer than two
   /// None where no comment before the first vertex says it, or two disagree.
   std::optional<StatedUnit> unit = {};
-  /// The spacing of the numbers in the file where they are largest, model units: of 32-bit floats,
-  /// or of decimals that are plainly rounded. 0 where it is not known.
-  double coordinate_step = 0.0;
 };
 
 /// How much of what is harmless is mended.

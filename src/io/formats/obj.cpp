@@ -4,7 +4,6 @@
 
 #include "core/number_text.h"
 #include "io/file/append.h"
-#include "io/file/coordinate_step.h"
 #include "io/file/text_cursor.h"
 #include "io/formats/face_list.h"
 #include "io/formats/formats.h"
@@ -61,8 +60,7 @@ class ObjParser {
             .format = MeshFormat::obj,
             .notes = std::move(told),
             .groups = std::move(groups),
-            .materials = materials_.spread("usemtl", faces),
-            .coordinate_step = steps_.step()};
+            .materials = materials_.spread("usemtl", faces)};
   }
 
  private:
@@ -88,7 +86,6 @@ class ObjParser {
   TextCursor cursor_;
   bool strict_;
   std::vector<Vec3> positions_;
-  DecimalSteps steps_;
   FaceList faces_;
   std::vector<Index> corners_;
   ObjReferences references_;
@@ -100,7 +97,6 @@ class ObjParser {
 };
 
 void ObjParser::vertex() {
-  if (DecimalSteps::wants(positions_.size())) steps_.add(cursor_);
   const double x = cursor_.number();
   const double y = cursor_.number();
   const double z = cursor_.number();

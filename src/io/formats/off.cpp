@@ -4,7 +4,6 @@
 
 #include "core/number_text.h"
 #include "io/file/append.h"
-#include "io/file/coordinate_step.h"
 #include "io/file/text_cursor.h"
 #include "io/formats/face_list.h"
 #include "io/formats/formats.h"
@@ -41,8 +40,7 @@ class OffParser {
     std::vector<Triangle> triangles = faces_.take(positions_, cursor_);
     return {.mesh = {std::move(positions_), std::move(triangles)},
             .format = MeshFormat::off,
-            .notes = std::move(told),
-            .coordinate_step = steps_.step()};
+            .notes = std::move(told)};
   }
 
  private:
@@ -83,7 +81,6 @@ class OffParser {
 
   void vertex(std::uint64_t number) {
     begin_line("vertex", number);
-    if (DecimalSteps::wants(number)) steps_.add(cursor_);
     const double x = cursor_.number();
     const double y = cursor_.number();
     const double z = cursor_.number();
@@ -136,7 +133,6 @@ class OffParser {
   std::uint64_t vertex_count_ = 0;
   std::uint64_t face_count_ = 0;
   std::vector<Vec3> positions_;
-  DecimalSteps steps_;
   FaceList faces_;
   std::vector<Index> corners_;
   std::size_t extras_ = 0;  // numbers behind x y z, the same for all vertices

@@ -7,7 +7,6 @@
 
 #include "core/number_text.h"
 #include "io/file/append.h"
-#include "io/file/coordinate_step.h"
 #include "io/formats/face_list.h"
 #include "io/formats/formats.h"
 #include "io/formats/group_runs.h"
@@ -45,12 +44,10 @@ class PlyBody {
     if (!rest.empty()) notes.push_back(std::move(rest));
     FaceGroups groups = groups_.spread(group_kind_, faces_.size());
     std::vector<Triangle> triangles = faces_.take(positions_, values_.cursor());
-    const double step = coordinate_step();
     return {.mesh = {std::move(positions_), std::move(triangles)},
             .format = MeshFormat::ply,
             .notes = std::move(notes),
-            .groups = std::move(groups),
-            .coordinate_step = step};
+            .groups = std::move(groups)};
   }
 
  private:
@@ -96,13 +93,11 @@ class PlyBody {
   void skip_element(const PlyElement& element);
   void skip_property(const PlyProperty& property);
   std::uint64_t list_length(PlyType type);
-  double coordinate_step() const;
 
   const PlyHeader& header_;
   Values values_;
   std::uint64_t vertex_count_ = 0;
   std::vector<Vec3> positions_;
-  DecimalSteps steps_;  // of a text
   FaceList faces_;
   std::vector<Index> corners_;
   GroupRuns groups_;
@@ -121,13 +116,8 @@ void PlyBody<Values>::read_vertices(const PlyElement& element) {
   }
   check_size(element.count, "vertices", values_.cursor());
   positions_.reserve(element.count);
-  const bool xyz_first = element.properties.size() >= 3 && &element.properties[0] == xyz[0] &&
-                         &element.properties[1] == xyz[1] && &element.properties[2] == xyz[2];
   for (std::uint64_t i = 0; i < element.count; ++i) {
     values_.begin_item("vertex", i);
-    if constexpr (Values::is_text) {
-      if (xyz_first && DecimalSteps::wants(i)) steps_.add(values_.cursor());
-    }
     Vec3 p;
     for (const PlyProperty& property : element.properties) {
       double* const target = &property == xyz[0]   ? &p.x
@@ -213,17 +203,6 @@ std::uint64_t PlyBody<Values>::list_length(PlyType type) {
     return static_cast<std::uint64_t>(length);
   }
   fail(ErrorCode::malformed_file, "a list cannot have " + number_text(length) + " items");
-}
-
-template <class Values>
-double PlyBody<Values>::coordinate_step() const {
-  if constexpr (Values::is_text) return steps_.step();
-  const PlyElement& vertices = *header_.find("vertex");
-  const bool floats =
-      std::any_of(vertices.properties.begin(), vertices.properties.end(), [](const PlyProperty& p) {
-        return p.type == PlyType::float32 && (p.name == "x" || p.name == "y" || p.name == "z");
-      });
-  return floats ? step_of_floats(positions_) : 0.0;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <planish/core/error.h>
 #include <planish/io/read_mesh.h>
 
-#include "io/file/coordinate_step.h"
 #include "io/file/file_bytes.h"
 #include "io/file/foreign_file.h"
 #include "io/formats/formats.h"
@@ -54,9 +53,6 @@ ReadResult parse_mesh(std::string_view bytes, MeshFormat format, const std::stri
   result.unit = std::move(found.unit);
   result.notes.insert(result.notes.end(), std::make_move_iterator(found.notes.begin()),
                       std::make_move_iterator(found.notes.end()));
-  if (result.coordinate_step == 0.0) {
-    result.coordinate_step = step_of_widened_floats(result.mesh.positions);
-  }
   return result;
 }
 

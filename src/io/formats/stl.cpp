@@ -5,7 +5,6 @@
 
 #include "io/file/append.h"
 #include "io/file/byte_cursor.h"
-#include "io/file/coordinate_step.h"
 #include "io/file/foreign_file.h"
 #include "io/file/text_cursor.h"
 #include "io/formats/face_list.h"
@@ -81,7 +80,6 @@ class AsciiStlParser {
     cursor_.begin_item({}, 0);
     if (open || facets_.size() == 0) finish(open);
     ReadResult result = facets_.take(cursor_);
-    result.coordinate_step = steps_.step();
     if (in_two_words_ > 0) {
       result.notes.push_back("took \"end\" and the word behind it for one word, " +
                              std::to_string(in_two_words_) +
@@ -112,7 +110,6 @@ class AsciiStlParser {
 
   Index corner() {
     expect("vertex");
-    if (DecimalSteps::wants(facets_.size())) steps_.add(cursor_);
     std::array<double, 3> c = {};
     for (double& coordinate : c) {
       cursor_.skip_to_token();
@@ -154,7 +151,6 @@ class AsciiStlParser {
   TextCursor cursor_;
   bool strict_;
   FacetList facets_;
-  DecimalSteps steps_;
   std::size_t in_two_words_ = 0;
 };
 
@@ -236,7 +232,6 @@ ReadResult parse_binary(std::string_view bytes, std::string_view name, const Rea
   cursor.begin_item({}, 0);
   check_rest(count, rest, cursor);
   ReadResult result = facets.take(cursor);
-  result.coordinate_step = step_of_floats(result.mesh.positions);
   if (rest > 0) {
     result.notes.push_back("ignored " + std::to_string(rest) + " bytes after the last facet");
   }

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/symmetric_whole.h"
+#include "mesh/match/symmetric_whole.h"
 #include "support/meshes.h"
 
 namespace planish {

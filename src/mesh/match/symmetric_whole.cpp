@@ -1,4 +1,4 @@
-#include "mesh/symmetric_whole.h"
+#include "mesh/match/symmetric_whole.h"
 
 #include <algorithm>
 #include <cmath>

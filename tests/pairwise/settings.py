@@ -62,6 +62,10 @@ VALUES = {
     "--inner-steps": ["3"],
     "--clearance": ["1mm"],
     "--pull": ["10"],
+    "--only": ["in"],
+    "--weld": ["", "0.001mm"],
+    "--fill-holes": ["1mm"],
+    "--only-layers": ["cut", "seam,label"],
     "--fix": ["fixed.txt"],
     "--weights": ["weights.txt"],
     "--obstacle": ["ball.obj"],
@@ -78,6 +82,7 @@ LEFT_OUT = {
     "--csv": "of several files",
     "--output-format": "of several files",
     "--fold": "needs a straight border",
+    "--without": "of several pieces",
 }
 # The same of one verb.
 LEFT_OUT_OF = {("flatten", "--output"): "always given"}
@@ -99,7 +104,8 @@ NEEDS = {
     "--dxf-version": [DXF],
     "--dxf-layers": [DXF],
     "--paper": [PDF],
-    "--map": [PDF],
+    "--map": ["--output=flat.svg|flat.pdf"],
+    "--only-layers": [DRAWN],
     **{flag: [DRAWN] for flag in ("--allowance", "--notches", "--grain", "--marks", "--inner-lines", "--piece-name",
                                   "--size", "--quantity", "--mirrored", "--fabric", "--note", "--date",
                                   "--edge-lengths", "--curve-tolerance", "--text")},
@@ -119,7 +125,6 @@ REFUSED = [
     "--pick=6 + --max-rms-strain",
     "--pick=3 + --material",
     "--pick=6 + --material",
-    "--formats=svg + --map",
     "--formats=dxf,plt + --map",
     "--formats=svg + --dxf-profile",
     "--formats=svg + --dxf-version",

@@ -10,7 +10,7 @@
 namespace planish {
 namespace {
 
-std::optional<CoarseCoordinates> found(const TriMesh& mesh) {
+std::optional<CoarseCoordinates> coarse_in(const TriMesh& mesh) {
   return find_coarse_coordinates(Patch(mesh));
 }
 
@@ -37,17 +37,17 @@ constexpr double k_step = 1.0 / 32.0;
 TEST(CoarseCoordinates, AreThoseOf32BitsFarFromTheOrigin) {
   // Metres: a sheet 2.4 m wide, its edges of 8 cm.
   const TriMesh sheet = moved(meshes::bent_cylinder(30), 2.4, {4e5, 3e5, 20.0});
-  EXPECT_FALSE(found(sheet)) << "with all its digits";
-  const auto coarse = found(rounded(sheet, as_float));
+  EXPECT_FALSE(coarse_in(sheet)) << "with all its digits";
+  const auto coarse = coarse_in(rounded(sheet, as_float));
   ASSERT_TRUE(coarse);
   EXPECT_EQ(coarse->step, k_step);
   EXPECT_NEAR(coarse->mean_edge, 0.08, 0.02);
-  EXPECT_FALSE(found(rounded(meshes::bent_cylinder(30), as_float))) << "near the origin";
+  EXPECT_FALSE(coarse_in(rounded(meshes::bent_cylinder(30), as_float))) << "near the origin";
 }
 
 TEST(CoarseCoordinates, AreSeenOnOneAxisAndBelowZero) {
   const TriMesh sheet = moved(meshes::bent_sphere(30), 2.4, {0.0, -4e5, 0.0});
-  const auto coarse = found(rounded(sheet, as_float));
+  const auto coarse = coarse_in(rounded(sheet, as_float));
   ASSERT_TRUE(coarse);
   EXPECT_EQ(coarse->step, k_step);
 }
@@ -55,7 +55,7 @@ TEST(CoarseCoordinates, AreSeenOnOneAxisAndBelowZero) {
 TEST(CoarseCoordinates, AreSeenInOtherUnitsToo) {
   const TriMesh metres = rounded(moved(meshes::bent_cylinder(30), 2.4, {4e5, 0.0, 0.0}), as_float);
   for (const double unit : {1000.0, 25.4, 0.0254}) {
-    const auto coarse = found(moved(metres, unit, {}));
+    const auto coarse = coarse_in(moved(metres, unit, {}));
     ASSERT_TRUE(coarse) << unit;
     EXPECT_NEAR(coarse->step, unit * k_step, 1e-4 * unit * k_step);
   }
@@ -64,17 +64,17 @@ TEST(CoarseCoordinates, AreSeenInOtherUnitsToo) {
 TEST(CoarseCoordinates, AreThoseOfFewDecimalDigits) {
   const TriMesh sheet = moved(meshes::bent_cylinder(30), 2.4, {413256.0, 5648123.0, 0.0});
   const auto tenths = [](double x) { return std::round(10.0 * x) / 10.0; };
-  const auto coarse = found(rounded(sheet, tenths));
+  const auto coarse = coarse_in(rounded(sheet, tenths));
   ASSERT_TRUE(coarse);
   EXPECT_NEAR(coarse->step, 0.1, 1e-5);
   const auto tenths_of_millimetres = [](double x) { return std::round(1e4 * x) / 1e4; };
-  EXPECT_FALSE(found(rounded(sheet, tenths_of_millimetres))) << "1/800 of an edge";
+  EXPECT_FALSE(coarse_in(rounded(sheet, tenths_of_millimetres))) << "1/800 of an edge";
 }
 
 TEST(CoarseCoordinates, AreNotTheGridOfADesign) {
-  EXPECT_FALSE(found(meshes::flat_grid(20, 20)));
-  EXPECT_FALSE(found(moved(meshes::flat_grid(20, 20), 1.0, {400000.0, 5648123.0, 0.0})));
-  EXPECT_FALSE(found(moved(meshes::flat_grid(20, 20), 25.0, {400000.0, 0.0, 0.0})));
+  EXPECT_FALSE(coarse_in(meshes::flat_grid(20, 20)));
+  EXPECT_FALSE(coarse_in(moved(meshes::flat_grid(20, 20), 1.0, {400000.0, 5648123.0, 0.0})));
+  EXPECT_FALSE(coarse_in(moved(meshes::flat_grid(20, 20), 25.0, {400000.0, 0.0, 0.0})));
 }
 
 TEST(CoarseCoordinates, AreNoneWhereTheStepIsAHundredthOfAnEdge) {
@@ -87,8 +87,8 @@ TEST(CoarseCoordinates, AreNoneWhereTheStepIsAHundredthOfAnEdge) {
                          20.0 * size, {4e5, 0.0, 0.0}),
                    as_float);
   };
-  EXPECT_FALSE(found(sheet(3.2)));
-  EXPECT_TRUE(found(sheet(2.9)));
+  EXPECT_FALSE(coarse_in(sheet(3.2)));
+  EXPECT_TRUE(coarse_in(sheet(2.9)));
 }
 
 }  // namespace

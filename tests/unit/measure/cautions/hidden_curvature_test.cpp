@@ -12,7 +12,7 @@
 namespace planish {
 namespace {
 
-std::optional<HiddenCurvature> found(const TriMesh& mesh) {
+std::optional<HiddenCurvature> hidden_in(const TriMesh& mesh) {
   return find_hidden_curvature(Patch(mesh));
 }
 
@@ -45,21 +45,21 @@ Vec3 on_sphere(double u, double v) {
 
 TEST(HiddenCurvature, OfOneRowOfTwistedFacetsIsFound) {
   for (const auto place : {on_hypar, on_conoid, on_sphere}) {
-    const auto hidden = found(strip(20, 1, place));
+    const auto hidden = hidden_in(strip(20, 1, place));
     ASSERT_TRUE(hidden);
     EXPECT_EQ(hidden->inner_share, 0.0);
   }
-  EXPECT_TRUE(found(strip(1, 1, on_hypar))) << "two triangles";
+  EXPECT_TRUE(hidden_in(strip(1, 1, on_hypar))) << "two triangles";
 }
 
 TEST(HiddenCurvature, IsNoneWhereTheCrossEdgesAreRulings) {
-  EXPECT_FALSE(found(strip(10, 1, on_cylinder)));
-  EXPECT_FALSE(found(meshes::tube(12, 1))) << "open at both ends";
-  EXPECT_FALSE(found(strip(10, 1, [](double u, double v) {
+  EXPECT_FALSE(hidden_in(strip(10, 1, on_cylinder)));
+  EXPECT_FALSE(hidden_in(meshes::tube(12, 1))) << "open at both ends";
+  EXPECT_FALSE(hidden_in(strip(10, 1, [](double u, double v) {
     const double r = 1.0 + v;
     return Vec3{r * std::cos(2.0 * u), r * std::sin(2.0 * u), r};
   }))) << "a frustum";
-  EXPECT_FALSE(found(strip(10, 2, on_cylinder))) << "plane facets of two rows";
+  EXPECT_FALSE(hidden_in(strip(10, 2, on_cylinder))) << "plane facets of two rows";
 }
 
 TEST(HiddenCurvature, IsNoneOfRulingsThatMeetOnTheBorder) {
@@ -69,28 +69,29 @@ TEST(HiddenCurvature, IsNoneOfRulingsThatMeetOnTheBorder) {
     fan.positions.push_back({std::cos(0.25 * k), std::sin(0.25 * k), 1.0});
   for (Index k = 1; k <= 8; ++k)
     fan.triangles.push_back({0, k, k + 1});
-  EXPECT_FALSE(found(fan));
-  EXPECT_TRUE(found(meshes::fan(8, 0.5))) << "the tip inside: a cone, or a dome with one vertex";
+  EXPECT_FALSE(hidden_in(fan));
+  EXPECT_TRUE(hidden_in(meshes::fan(8, 0.5)))
+      << "the tip inside: a cone, or a dome with one vertex";
 }
 
 TEST(HiddenCurvature, IsNoneOfPlanesAndFoldedPlates) {
-  EXPECT_FALSE(found(meshes::flat_grid(5, 1)));
-  EXPECT_FALSE(found(meshes::flat_grid(1, 1)));
-  EXPECT_FALSE(found(meshes::fan(6))) << "plane with one vertex inside";
-  EXPECT_FALSE(found(strip(3, 1, [](double u, double v) {
+  EXPECT_FALSE(hidden_in(meshes::flat_grid(5, 1)));
+  EXPECT_FALSE(hidden_in(meshes::flat_grid(1, 1)));
+  EXPECT_FALSE(hidden_in(meshes::fan(6))) << "plane with one vertex inside";
+  EXPECT_FALSE(hidden_in(strip(3, 1, [](double u, double v) {
     return Vec3{u, v, u > 0.5 ? 2.0 * u : 1.0};
   }))) << "a plate with a flange";
   TriMesh open = solids::cube();
   open.triangles.resize(open.triangles.size() - 2);  // a box without its lid
-  EXPECT_FALSE(found(open));
+  EXPECT_FALSE(hidden_in(open));
 }
 
 TEST(HiddenCurvature, IsJudgedByTheAreaAroundInnerVertices) {
-  const auto two = found(strip(20, 2, on_sphere));
+  const auto two = hidden_in(strip(20, 2, on_sphere));
   ASSERT_TRUE(two);
   EXPECT_NEAR(two->inner_share, 19.0 / 40.0, 0.01);
-  EXPECT_FALSE(found(strip(20, 3, on_sphere))) << "two thirds of it are around inner vertices";
-  EXPECT_FALSE(found(meshes::bent_sphere(12)));
+  EXPECT_FALSE(hidden_in(strip(20, 3, on_sphere))) << "two thirds of it are around inner vertices";
+  EXPECT_FALSE(hidden_in(meshes::bent_sphere(12)));
 }
 
 TEST(HiddenCurvature, DoesNotDependOnSizeAndPlace) {
@@ -100,8 +101,8 @@ TEST(HiddenCurvature, DoesNotDependOnSizeAndPlace) {
       for (Vec3& p : mesh->positions)
         p = size * (p + Vec3{3.0, -2.0, 5.0});
     }
-    EXPECT_TRUE(found(twisted)) << size;
-    EXPECT_FALSE(found(ruled)) << size;
+    EXPECT_TRUE(hidden_in(twisted)) << size;
+    EXPECT_FALSE(hidden_in(ruled)) << size;
   }
 }
 

@@ -133,9 +133,7 @@ std::string unit_note(Unit unit, double model_scale) {
   std::string text = "model unit: " + name;
   if (unit != Unit::mm) text += " (1 " + name + " = " + number_text(millimetres_per(unit)) + " mm)";
   if (model_scale != 1.0) text += ", model multiplied by " + number_text(model_scale);
-  // The side that the triangles run around counter-clockwise: a pattern is laid flat, never
-  // mirrored.
-  return text + " · outer side up";
+  return text;
 }
 
 std::string percent_text(double share) {
@@ -204,6 +202,9 @@ std::string origin_text(const SheetFacts& facts) {
   return text + " · pattern " + hash_text(facts.hash);
 }
 
+/// That which the triangles run around counter-clockwise: a pattern is never laid mirrored.
+constexpr const char* k_side = "outer side up";
+
 struct Row {
   std::string text;
   Color color;
@@ -220,6 +221,7 @@ std::vector<Row> rows_of(const UnfoldReport& unfold, const SheetFacts& facts) {
       rows.push_back({std::move(line), color});
   };
   add(unit_note(unfold.unit, facts.model_scale), k_label_color);
+  add(k_side, k_label_color);
   add(origin_text(facts), k_label_color);
   add(strain_text(unfold.strain, facts.moved), k_label_color);
   if (const std::optional<Verdict> verdict = verdict_of(unfold, facts))
@@ -262,7 +264,8 @@ Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
 
 std::vector<std::string> sheet_notes(const UnfoldReport& unfold, const SheetFacts& facts) {
   std::vector<std::string> notes = {size_text(facts), unit_note(unfold.unit, facts.model_scale),
-                                    origin_text(facts), strain_text(unfold.strain, facts.moved)};
+                                    k_side, origin_text(facts),
+                                    strain_text(unfold.strain, facts.moved)};
   if (std::optional<Verdict> verdict = verdict_of(unfold, facts))
     notes.push_back(std::move(verdict->text));
   if (!facts.lines.empty()) notes.push_back(facts.lines);

@@ -130,6 +130,7 @@ REFUSED = [
     "--formats=svg + --dxf-version",
     "--formats=svg + --dxf-layers",
     "--dxf-profile + --dxf-version",
+    "--only-layers=seam,label + --dxf-layers",
     "--max-strain + --material",
     "--max-bending + --prefer=near",
     "--max-bending + --closeness",

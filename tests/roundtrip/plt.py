@@ -42,12 +42,12 @@ def main():
     check(sorted(lines) == [1, 2, 3, 4], f"pens {sorted(lines)}: cut, seam, grain and label")
     hole, square, circle = lines[1]
     check(square[0] == square[-1] and circle[0] == circle[-1], "outlines are closed")
-    # The square's lower left corner, (20, 30) of the drawing, is that of all lines.
-    check(set(square) == {(0, 0), (100, 0), (100, 100), (0, 100)}, f"square {square}")
+    # (1, 1) of the drawing, the lower left corner of all lines and hidden ones, is (0, 0).
+    check(set(square) == {(19, 29), (119, 29), (119, 129), (19, 129)}, f"square {square}")
     check(len(hole) == 251 and len(circle) == 721, "number of corners")
     for x, y in circle:
-        near(abs(complex(x - 200.0, y - 70.0)), 60.0, 0.018, "radius")
-    check(lines[3] == [[(20, 10), (20, 90)]], f"grain line {lines[3]}")
+        near(abs(complex(x - 219.0, y - 99.0)), 60.0, 0.018, "radius")
+    check(lines[3] == [[(39, 39), (39, 119)]], f"grain line {lines[3]}")
     letters = [place for line in lines[4] for place in line]
     check(min(x for x, _ in letters) >= 0.0 and len(lines[4]) > 40, "letters are drawn")
     print("PLT: all as written")

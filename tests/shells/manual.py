@@ -54,7 +54,9 @@ def main():
         flags = [flag for group in verb["groups"] for flag in group["flags"]] + described["every_verb"]
         phrases = [verb["summary"], verb["description"], *verb["examples"]]
         for flag in flags:
-            phrases += [f"{flag['name']} {flag['placeholder'] or ''}".strip(), flag["help"]]
+            value = flag["placeholder"] or ""
+            value = f"[={value}]" if flag["value_optional"] else f" {value}"
+            phrases += [f"{flag['name']}{value}".strip(), flag["help"]]
         check(page, phrases)
 
 

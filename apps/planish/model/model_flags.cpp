@@ -132,9 +132,10 @@ Model read_model_of_several(const std::string& path, const std::string& name,
                             std::optional<Unit> unit, const Arguments& arguments,
                             Session& session) {
   const ModelOptions options = model_options_from(arguments);
+  const double scale = scale_from(arguments);
   ReadResult file = read_in_run_unit(path, unit, {.strict = options.strict}, arguments, session);
   file.notes.clear();  // they were told
-  file.mesh = scaled(std::move(file.mesh), scale_from(arguments), path);
+  file.mesh = scaled(std::move(file.mesh), scale, path);
   Model model = about(path, [&] { return prepare_model(std::move(file), options, name); });
   for (const std::string& note : work_notes(model.work, ShownLengths(unit_from(arguments))))
     session.note(path + ": " + note);

@@ -109,9 +109,10 @@ void note_divided_pages(Session& session, const std::vector<OutputFile>& files,
 
 std::vector<std::string> left_of_earlier_runs(const fs::path& folder,
                                               std::span<const fs::path> written) {
+  const auto normal = [](const fs::path& path) { return (path / "").lexically_normal(); };
   std::set<std::string> ours;
   for (const fs::path& path : written) {
-    if (path.parent_path() == folder) ours.insert(utf8_of(path.filename()));
+    if (normal(path.parent_path()) == normal(folder)) ours.insert(utf8_of(path.filename()));
   }
   std::vector<std::string> names;
   std::error_code failure;

@@ -39,9 +39,10 @@ std::optional<InputFile> input_file(const fs::path& path) {
   }
 }
 
-std::vector<InputFile> input_files(const Arguments& arguments) {
+std::vector<InputFile> input_files(const Command& command, const Arguments& arguments) {
   std::vector<std::string> paths = arguments.operands;
-  for (const char* flag : {"--from", "--to"}) {  // of carry, whose operand is no mesh
+  if (command.name == "convert") paths.resize(1);  // the other one is written
+  for (const char* flag : {"--from", "--to"}) {    // of carry, whose operand is no mesh
     if (arguments.has(flag)) paths.push_back(arguments.flags.at(flag));
   }
   std::vector<InputFile> files;
@@ -71,7 +72,7 @@ std::string says(const InputFile& file) {
 
 Arguments with_stated_unit(const Command& command, Arguments arguments, Session& session) {
   if (find_flag(command, "--unit") == nullptr) return arguments;
-  std::vector<InputFile> files = input_files(arguments);
+  std::vector<InputFile> files = input_files(command, arguments);
   const auto states = [](const InputFile& file) { return file.unit.has_value(); };
   const auto first = std::find_if(files.begin(), files.end(), states);
   if (first == files.end()) return arguments;

@@ -25,6 +25,7 @@ enum class Side {
 
 /// "objects", "outer"
 std::string_view to_string(Divide divide);
+/// The same of a side.
 std::string_view to_string(Side side);
 
 /// How the mesh of a file becomes pieces.
@@ -63,6 +64,7 @@ struct ModelWork {
     std::string name;        ///< of the part
     double thickness = 0.0;  ///< model units
   };
+  /// In the order of the parts.
   std::vector<FoundWall> walls = {};
   std::size_t touching = 0;  ///< pieces that touch others along whole sides
   std::size_t welded = 0;    ///< pieces that welding would make of these

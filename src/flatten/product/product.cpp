@@ -26,7 +26,8 @@ using FreeEdgesOfPatches = std::vector<std::vector<std::array<Index, 2>>>;
 
 void check(const ProductOptions& options) {
   const Constraints& constraints = options.flatten.constraints;
-  const bool names_vertices = !constraints.fixed.empty() || !constraints.weights.empty() ||
+  const bool names_vertices = options.flatten.fold || !constraints.fixed.empty() ||
+                              !constraints.weights.empty() ||
                               !constraints.obstacle.triangles.empty() ||
                               !options.flatten.keep.empty() || !options.flatten.free_edges.empty();
   if (names_vertices) {

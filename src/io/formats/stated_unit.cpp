@@ -20,7 +20,7 @@ struct UnitName {
   std::optional<Unit> unit;
 };
 
-constexpr std::array<UnitName, 26> k_unit_names = {{
+constexpr std::array<UnitName, 25> k_unit_names = {{
     {"mm", Unit::mm},          {"millimeter", Unit::mm},
     {"millimeters", Unit::mm}, {"millimetre", Unit::mm},
     {"millimetres", Unit::mm}, {"cm", Unit::cm},

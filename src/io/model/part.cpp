@@ -8,6 +8,7 @@
 #include <planish/mesh/weld.h>
 
 #include "mesh/manifold_defects.h"
+#include "mesh/repair/doubled.h"
 #include "mesh/repair/sheets.h"
 
 namespace planish {
@@ -71,23 +72,26 @@ void part_touching(ModelPart& part, ModelWork& work) {
   if (parted.places > 0) take(part, std::move(parted));
 }
 
-void leave_out_crumbs(ModelPart& part, ModelWork& work) {
+/// @return whether there were any
+bool leave_out_crumbs(ModelPart& part, ModelWork& work) {
   const Crumbs crumbs = find_crumbs(part.mesh);
-  if (crumbs.pieces == 0) return;
+  if (crumbs.pieces == 0) return false;
   work.crumbs += crumbs.pieces;
   work.crumb_share += part.area_share * crumbs.area_share;
   take(part, without_triangles(part.mesh, crumbs.triangles));
+  return true;
 }
 
-/// Whether a part may be a wall that nobody told of: it is closed, or has several sheets. An open
-/// one with its sides close together, as a flat sleeve, is meant so.
-bool may_be_wall(const TriMesh& mesh) {
-  const auto connectivity = Connectivity::build(mesh);
-  return connectivity && (connectivity->border_loops().empty() || find_sheets(mesh).count > 1);
+/// Whether a part may be a wall: one sheet, or two beside each other. One that nobody told of is
+/// closed: an open one with its sides close together, as a flat sleeve, is meant so.
+bool may_be_wall(const TriMesh& mesh, const Connectivity& connectivity, bool is_asked) {
+  const std::size_t sheets = find_sheets(mesh).count;
+  return sheets == 2 || (sheets == 1 && (is_asked || connectivity.border_loops().empty()));
 }
 
-void take_one_side(ModelPart& part, const std::optional<Side>& side, ModelWork& work) {
-  if (!side && !may_be_wall(part.mesh)) return;
+void take_one_side(ModelPart& part, const std::optional<Connectivity>& connectivity,
+                   const std::optional<Side>& side, ModelWork& work) {
+  if (!connectivity || !may_be_wall(part.mesh, *connectivity, side.has_value())) return;
   const auto wall = find_wall(part.mesh);
   if (!wall) return;
   if (!side) {
@@ -107,16 +111,21 @@ void close_holes(ModelPart& part, double length, ModelWork& work) {
 }  // namespace
 
 void prepare_part(ModelPart& part, const ModelOptions& options, ModelWork& work) {
-  if (!options.strict) clean(part, work);
+  auto connectivity = Connectivity::build(part.mesh);
+  const std::size_t triangles = part.mesh.triangles.size();
+  if (!options.strict && (!connectivity || has_equal_places(part.mesh))) clean(part, work);
   if (options.weld) join(part, *options.weld, work);
-  const bool is_sound = Connectivity::build(part.mesh).has_value();
-  if (!options.strict && !is_sound) {
+  const bool is_changed = options.weld || part.mesh.triangles.size() != triangles;
+  if (is_changed) connectivity = Connectivity::build(part.mesh);
+  if (!options.strict && !connectivity) {
     part_sheets(part, work);
     part_touching(part, work);
     orient(part, work);
+    connectivity = Connectivity::build(part.mesh);
   }
-  if (!options.strict) leave_out_crumbs(part, work);
-  if (!options.strict || options.side) take_one_side(part, options.side, work);
+  if (!options.strict && leave_out_crumbs(part, work))
+    connectivity = Connectivity::build(part.mesh);
+  if (!options.strict || options.side) take_one_side(part, connectivity, options.side, work);
   if (options.fill_holes > 0.0) close_holes(part, options.fill_holes, work);
   if (options.flip) part.mesh = turned_over(std::move(part.mesh));
 }

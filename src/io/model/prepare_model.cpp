@@ -249,6 +249,7 @@ Model prepare_model(ReadResult file, const ModelOptions& options, const std::str
   Assembly assembly(file.mesh.positions);
   for (ModelPart& part : parts) {
     prepare_part(part, options, model.work);
+    if (part.mesh.triangles.empty()) continue;
     const Sheets pieces = pieces_in(part);
     const Names names = numbered_names(part.name, pieces.count);
     model.names.insert(model.names.end(), names.begin(), names.end());

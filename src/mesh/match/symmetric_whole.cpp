@@ -67,6 +67,31 @@ Vec3 direction_into(const Patch& half, const BorderPath& path, Vec3 along) {
   return sum;
 }
 
+/// Whether the patch meets a plane along a fold at right angles, by 30 degrees as a rule: else its
+/// whole would have a crease there, which a fold that bulges cannot have.
+bool stands_across(const Patch& half, const BorderPath& path, Vec3 normal) {
+  constexpr double k_least_cosine = 0.86;
+  const std::vector<Vec3>& p = half.positions();
+  std::vector<std::size_t> place(half.vertex_count(), 0);
+  for (std::size_t k = 0; k < path.size(); ++k)
+    place[path[k]] = k + 1;
+  double across = 0.0, all = 0.0;
+  for (const Triangle& t : half.triangles()) {
+    for (int k = 0; k < 3; ++k) {
+      const Index a = t[k], b = t[(k + 1) % 3];
+      if (place[a] == 0 || place[b] == 0 || place[a] + 1 != place[b]) continue;
+      const Vec3 edge = p[b] - p[a];
+      const double length = norm(edge);
+      if (!(length > 0.0)) continue;
+      const Vec3 into = without_part_along(p[t[(k + 2) % 3]] - p[a], 1.0 / length * edge);
+      if (!(norm(into) > 0.0)) continue;
+      across += length * std::abs(dot(into, normal)) / norm(into);
+      all += length;
+    }
+  }
+  return across >= k_least_cosine * all;
+}
+
 /// The plane through both ends that leaves the others least; nothing where they leave it too far.
 std::optional<MirrorPlane> plane_of(const Patch& half, const BorderPath& path) {
   const std::vector<Vec3>& p = half.positions();
@@ -88,6 +113,7 @@ std::optional<MirrorPlane> plane_of(const Patch& half, const BorderPath& path) {
     // Across the direction in which the fold bulges most.
     const double angle = 0.5 * (math::atan2(2.0 * uw, uu_less_ww) + std::numbers::pi);
     plane.normal = math::cos(angle) * u + math::sin(angle) * w;
+    if (!stands_across(half, path, plane.normal)) return std::nullopt;
   } else {
     const Vec3 into = direction_into(half, path, along);
     if (!(norm(into) > 0.0)) return std::nullopt;

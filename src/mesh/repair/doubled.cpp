@@ -147,6 +147,14 @@ std::vector<Index> first_at_place(const std::vector<Vec3>& positions) {
   return first;
 }
 
+bool has_equal_places(const TriMesh& mesh) {
+  const std::vector<Index> first = first_at_place(mesh.positions);
+  for (std::size_t v = 0; v < first.size(); ++v) {
+    if (first[v] != v) return true;
+  }
+  return false;
+}
+
 std::vector<Index> backs_of_doubled_sheets(const TriMesh& mesh,
                                            std::span<const unsigned char> gone) {
   const TriMesh placed = at_first_places(mesh);

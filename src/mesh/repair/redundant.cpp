@@ -133,22 +133,12 @@ std::size_t mark_fins(const TriMesh& mesh, Marks& gone) {
   return count;
 }
 
-/// Whether a quick look tells that there is nothing to leave out: a manifold has no other dirt than
-/// sheets at equal places.
-bool is_clean(const TriMesh& mesh) {
-  if (!Connectivity::build(mesh)) return false;
-  const std::vector<Index> first = first_at_place(mesh.positions);
-  for (std::size_t v = 0; v < first.size(); ++v) {
-    if (first[v] != v) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 CleanedMesh remove_redundant_triangles(const TriMesh& mesh) {
   require_entries(mesh);
-  if (is_clean(mesh)) return {unchanged(mesh)};
+  // A manifold has no other dirt than sheets at equal places.
+  if (!has_equal_places(mesh) && Connectivity::build(mesh)) return {unchanged(mesh)};
   Marks gone(mesh.triangles.size(), 0);
   CleanedMesh result;
   result.collapsed = mark_collapsed(mesh, gone);

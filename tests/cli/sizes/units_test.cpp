@@ -54,7 +54,7 @@ TEST_F(StatedUnits, AreSaidInANote) {
                                     "with --unit in"));
   EXPECT_THAT(result.out, HasSubstr(" in, "));
   EXPECT_THAT(planish({"convert", "inches.obj", "b.stl"}).err,
-              HasSubstr("b.stl does not say it, so give --unit in with it"));
+              HasSubstr("meshes that are written do not say it, so give --unit in with them"));
 }
 
 TEST_F(StatedUnits, GiveWayToTheFlagAndSayThatTheyDisagree) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <planish/core/version.h>
+#include <planish/core/ways_on.h>
 #include <planish/report/json_report.h>
 
 #include <gmock/gmock.h>
@@ -219,6 +220,7 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
                         {"width", 30.0},
                         {"height", 20.0},
                         {"unit", "cm"},
+                        {"side", "outer"},
                         {"iterations", 7},
                         {"converged", true},
                         {"border_strain", 0.25},
@@ -304,9 +306,14 @@ TEST(JsonReport, OfASweepOnALevelHasTheLevel) {
 }
 
 TEST(JsonReport, OfAnErrorHasOnlyTheKeysThatAreKnown) {
+  const auto advised = [](const std::string& message, ErrorCode code) {
+    return message + ". " + std::string(way_on(code));
+  };
   const Json bare = Json::parse(json_report(Error(ErrorCode::unfold_failed, "no way")));
-  EXPECT_EQ(bare,
-            Json({{"schema", 1}, {"error", {{"code", "unfold_failed"}, {"message", "no way"}}}}));
+  EXPECT_EQ(bare, Json({{"schema", 1},
+                        {"error",
+                         {{"code", "unfold_failed"},
+                          {"message", advised("no way", ErrorCode::unfold_failed)}}}}));
   ErrorPlace place;
   place.path = "a.obj";
   place.line = 12;
@@ -315,7 +322,7 @@ TEST(JsonReport, OfAnErrorHasOnlyTheKeysThatAreKnown) {
   place.count = 6;
   const Json full = Json::parse(json_report(Error(ErrorCode::bad_number, "'x'", place)));
   EXPECT_EQ(full["error"], Json({{"code", "bad_number"},
-                                 {"message", "'x'"},
+                                 {"message", advised("'x'", ErrorCode::bad_number)},
                                  {"path", "a.obj"},
                                  {"line", 12},
                                  {"byte", 34},

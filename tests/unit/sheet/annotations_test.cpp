@@ -313,7 +313,8 @@ TEST(Annotations, KeepsWordsBelowThePatternOffTheSquaresAndApart) {
       above = text->at.y;
       ++rows;
     }
-    EXPECT_EQ(rows, is_bad ? 8U : 7U) << "name, size, unit, origin, strain, limit, two of lines";
+    EXPECT_EQ(rows, is_bad ? 9U : 8U)
+        << "name, size, two of the unit, origin, strain, limit, two of lines";
   }
 }
 

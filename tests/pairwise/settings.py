@@ -130,7 +130,7 @@ REFUSED = [
     "--formats=svg + --dxf-version",
     "--formats=svg + --dxf-layers",
     "--dxf-profile + --dxf-version",
-    "--only-layers=seam,label + --dxf-layers",
+    "--dxf-layers + --only-layers=seam,label",
     "--max-strain + --material",
     "--max-bending + --prefer=near",
     "--max-bending + --closeness",

@@ -18,12 +18,14 @@
 #include "flags/units.h"
 #include "job.h"
 #include "keywords.h"
+#include "model/model_flags.h"
 #include "pattern_data.h"
 #include "pickle.h"
 #include "platform/path.h"
 #include "product/job.h"
 #include "product/parts.h"
 #include "product/seams.h"
+#include "shell/failures.h"
 #include "shell/output_folder.h"
 #include "text/lengths.h"
 
@@ -110,6 +112,10 @@ ProductResult flatten_meshes(const std::string& name,
                              const py::dict& keywords, py::object progress) {
   return flatten_patches(
       name, keywords, std::move(progress), [&](cli::Session&, const cli::Arguments& arguments) {
+        for (const cli::Flag& flag : cli::model_flags().flags) {
+          if (!arguments.has(flag.name)) continue;
+          throw cli::UsageError(flag.name + " is of files; planish.read() has it for a mesh");
+        }
         const cli::RunUnit unit = cli::run_unit_from(arguments);
         Patches input;
         for (const auto& [patch, data] : meshes) {

@@ -42,7 +42,12 @@ class Keywords(unittest.TestCase):
 
     def test_product_has_the_flags_of_several_patches(self):
         given = self.keywords_of("flatten") - set(generate.LEFT_OUT_OF["flatten_product"]) | {"seam_tolerance"}
-        self.assertEqual(self.keywords_of("flatten_product"), given)
+        self.assertEqual(self.keywords_of("flatten_product"), given | set(generate.READING))
+
+    def test_of_reading_go_with_files_only(self):
+        mesh = planish.sample("panel", vertices=300)
+        with self.assertRaisesRegex(planish.RequestError, "--weld.*read"):
+            planish.flatten_product({"front": mesh, "back": mesh}, weld=True)
 
     def test_sources_are_up_to_date(self):
         packages = pathlib.Path(planish._core.__file__).parent.parent

@@ -109,8 +109,8 @@ def dxf(
         dxf_profile: whom the .dxf is for: generic, aama, astm, clo, lectra, optitex or gerber (default generic)
         dxf_version: r12, which nearly everything reads, or r2000, with arcs and splines (default r12)
         dxf_notches: in profiles for apparel: points, or strokes for cutters that ignore points (default points)
-        dxf_layers: other names in the .dxf for the layers strain, cut, seam, notch, grain, fold, drill, internal,
-            annotation, label or legend
+        dxf_layers: other names in the .dxf for the layers strain, seam, notch, grain, fold, drill, internal,
+            annotation, label, legend or cut
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm
@@ -172,7 +172,7 @@ def pdf(
 
     Keywords, as flags of the program:
         paper: divide the .pdf into pages to be joined: a4, a3, letter or a0
-        map: draw the strain map on paper too: in .pdf and on the pages of --paper
+        map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)
         edge_allowances: other ones for stretches of the border, a line each: from vertex, to vertex, width in mm

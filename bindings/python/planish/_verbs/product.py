@@ -26,6 +26,7 @@ def flatten_product(
     textured: Optional[bool] = None,
     paper: Optional[Literal["a4", "a3", "letter", "a0"]] = None,
     map: Optional[bool] = None,
+    only_layers: Optional[str | Sequence[str]] = None,
     text: Optional[Literal["letters", "strokes"]] = None,
     dxf_profile: Optional[Literal["generic", "aama", "astm", "clo", "lectra", "optitex", "gerber"]] = None,
     dxf_version: Optional[Literal["r12", "r2000"]] = None,
@@ -111,13 +112,15 @@ def flatten_product(
         textured: also write the processed patch as textured.obj, with the pattern in millimetres for texture
             coordinates
         paper: also write the pattern as a .pdf of pages to be joined: a4, a3, letter or a0
-        map: draw the strain map on paper too: in .pdf and on the pages of --paper
+        map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper
+        only_layers: write these layers only, like cut,notch: some of strain, seam, notch, grain, fold, drill,
+            internal, annotation, label, legend or cut
         text: letters, or strokes for machines without them (default letters)
         dxf_profile: whom the .dxf is for: generic, aama, astm, clo, lectra, optitex or gerber (default generic)
         dxf_version: r12, which nearly everything reads, or r2000, with arcs and splines (default r12)
         dxf_notches: in profiles for apparel: points, or strokes for cutters that ignore points (default points)
-        dxf_layers: other names in the .dxf for the layers strain, cut, seam, notch, grain, fold, drill, internal,
-            annotation, label or legend
+        dxf_layers: other names in the .dxf for the layers strain, seam, notch, grain, fold, drill, internal,
+            annotation, label, legend or cut
         seam_tolerance: largest distance at which borders are one seam, like 0.5mm (default: a tenth of an edge's
             length)
         divide: what makes pieces of a file: its objects (else groups), its materials, or parts: only what does not

@@ -26,7 +26,7 @@ def read(
     """Reads an OBJ, PLY, STL or OFF file. What is done to its mesh is in its notes; its groups are its pieces.
 
     Keywords, as flags of the program:
-        unit: what one unit of the mesh is: mm, cm, dm, m or in (default mm)
+        unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
         divide: what makes pieces of a file: its objects (else groups), its materials, or parts: only what does not
             hang together (default objects)
         only: take these objects, groups, materials or pieces, by their names with commas between

@@ -24,6 +24,7 @@ def unfold(
     match_seams: Optional[bool] = None,
     paper: Optional[Literal["a4", "a3", "letter", "a0"]] = None,
     map: Optional[bool] = None,
+    only_layers: Optional[str | Sequence[str]] = None,
     text: Optional[Literal["letters", "strokes"]] = None,
     dxf_profile: Optional[Literal["generic", "aama", "astm", "clo", "lectra", "optitex", "gerber"]] = None,
     dxf_version: Optional[Literal["r12", "r2000"]] = None,
@@ -64,13 +65,15 @@ def unfold(
         match_seams: keep the length of every border edge, or in a product of those along seams, so that what is sewn
             together stays equally long
         paper: divide the .pdf into pages to be joined: a4, a3, letter or a0
-        map: draw the strain map on paper too: in .pdf and on the pages of --paper
+        map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper
+        only_layers: write these layers only, like cut,notch: some of strain, seam, notch, grain, fold, drill,
+            internal, annotation, label, legend or cut
         text: letters, or strokes for machines without them (default letters)
         dxf_profile: whom the .dxf is for: generic, aama, astm, clo, lectra, optitex or gerber (default generic)
         dxf_version: r12, which nearly everything reads, or r2000, with arcs and splines (default r12)
         dxf_notches: in profiles for apparel: points, or strokes for cutters that ignore points (default points)
-        dxf_layers: other names in the .dxf for the layers strain, cut, seam, notch, grain, fold, drill, internal,
-            annotation, label or legend
+        dxf_layers: other names in the .dxf for the layers strain, seam, notch, grain, fold, drill, internal,
+            annotation, label, legend or cut
         max_strain: how much an edge of the pattern may be longer or shorter than on the patch (0.02 or 2%); 2%@p99:
             on 99 % of the area
         material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or

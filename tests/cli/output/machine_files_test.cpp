@@ -162,6 +162,13 @@ TEST_F(MachineFiles, OfEarlierRunsAreNamed) {
   EXPECT_THAT(lay_out({"--sheet", "3000mm", "--formats", "svg"}).err, Not(HasSubstr("still has")));
 }
 
+TEST_F(MachineFiles, OfThisRunAreKnownInAFolderWithASlash) {
+  const std::vector<std::string> args = {"flatten", "panel.obj", "-o",
+                                         "slash/",  "--formats", "svg"};
+  ASSERT_EQ(planish(args).exit_code, k_exit_done);
+  EXPECT_THAT(planish(args).err, Not(HasSubstr("still has")));
+}
+
 TEST_F(MachineFiles, OfPiecesThatAreNoMoreAreNamed) {
   write_product("coat.obj",
                 {{"left", make_shape("saddle", 200), {}}, {"back", make_shape("dome", 200), {}}});

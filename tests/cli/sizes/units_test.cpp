@@ -57,6 +57,15 @@ TEST_F(StatedUnits, AreSaidInANote) {
               HasSubstr("meshes that are written do not say it, so give --unit in with them"));
 }
 
+// The file that is written states none: it is no input of the second run.
+TEST_F(StatedUnits, AreTheSameWhereAFileIsConvertedTwice) {
+  write("inches.obj", "# File units = inches\n");
+  ASSERT_EQ(planish({"convert", "inches.obj", "b.obj"}).exit_code, k_exit_done);
+  const std::string once = content_of("b.obj");
+  ASSERT_EQ(planish({"convert", "inches.obj", "b.obj"}).exit_code, k_exit_done);
+  EXPECT_EQ(content_of("b.obj"), once);
+}
+
 TEST_F(StatedUnits, GiveWayToTheFlagAndSayThatTheyDisagree) {
   write("inches.obj", "# File units = inches\n");
   const CliResult result = planish({"measure", "inches.obj", "--unit", "cm"});

@@ -58,6 +58,19 @@ double fold_length(const std::vector<Vec2>& pattern) {
   return norm(pattern[k_fold[1]] - pattern[k_fold[0]]);
 }
 
+// The plane of its bowed edge is that of the plate: the whole would be the plate twice.
+TEST(SymmetricWhole, IsNoneOfAPlateWithABowedEdge) {
+  TriMesh plate = meshes::height_field(k_columns, k_rows, [](double, double) { return 0.0; });
+  for (std::size_t row = 0; row <= k_rows; ++row) {
+    const double v = static_cast<double>(row) / k_rows;
+    for (std::size_t column = 0; column <= k_columns; ++column) {
+      const double inside = 1.0 - static_cast<double>(column) / k_columns;
+      plate.positions[vertex_of_cell(column, row)].x += 2.0 * inside * v * (1.0 - v);
+    }
+  }
+  EXPECT_FALSE(symmetric_whole(Patch(plate), k_fold));
+}
+
 TEST(SymmetricWhole, IsTwiceTheHalfInEveryPlane) {
   for (const double turn : {0.0, 0.4, -1.1}) {
     const Patch half(bulging_half(3.0, turn));

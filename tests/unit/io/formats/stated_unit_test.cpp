@@ -27,6 +27,7 @@ TEST(StatedUnit, IsFoundInCommentsAsProgramsWriteThem) {
       {"# units: Millimeters (mm)", Unit::mm},
       {"# 1 unit = 1 meter", Unit::m},
       {"# unit: 1.0 dm", Unit::dm},
+      {"# --- File units = inches ---", Unit::in},
       {"# This file uses centimeters as units for non-parametric coordinates.", Unit::cm},
       {"# units millimetres; maximum extent exactly 200.0 mm", Unit::mm}};
   for (const auto& [comment, unit] : comments) {

@@ -196,6 +196,25 @@ TEST(PrepareModel, FindsAWallAndTakesASideOfIt) {
   EXPECT_TRUE(outer.work.walls.empty());
 }
 
+TEST(PrepareModel, TakesManyPiecesForNoWall) {
+  TriMesh mesh;
+  for (int k = 0; k < 40; ++k) {
+    const Index first = static_cast<Index>(mesh.positions.size());
+    const double z = 0.5 * k;
+    mesh.positions.insert(mesh.positions.end(), {{0, 0, z}, {10, 0, z}, {10, 10, z}, {0, 10, z}});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+  }
+  const Model model = prepare_model({mesh, MeshFormat::obj, {}}, {}, "stack");
+  EXPECT_TRUE(model.work.walls.empty());
+  EXPECT_EQ(model.pieces.size(), 40U);
+}
+
+TEST(PrepareModel, LeavesNoPieceWithoutTriangles) {
+  const TriMesh collapsed = {{{0, 0, 0}, {1, 0, 0}}, {{0, 1, 1}, {0, 0, 1}}};
+  EXPECT_TRUE(prepare_model({collapsed, MeshFormat::obj, {}}, {}, "dust").pieces.empty());
+}
+
 TEST(PrepareModel, TurnsTheSurfaceOver) {
   const TriMesh mesh = meshes::flat_grid(4, 4);
   EXPECT_EQ(prepared(mesh, {.flip = true}).mesh.triangles, turned_over(mesh).triangles);

@@ -29,8 +29,9 @@ FittedLines round_curve() {
 }
 
 std::string entity_flags(const Drawing& drawing, DxfVersion version) {
+  const std::string dxf = format_dxf(drawing, {.version = version});
   std::string flags, entity;
-  for (const auto& [code, value] : oracle::tags_of_dxf(format_dxf(drawing, {.version = version}))) {
+  for (const auto& [code, value] : oracle::tags_of_dxf(dxf)) {
     if (code == 0) entity = value;
     if (code == 70 && (entity == "POLYLINE" || entity == "LWPOLYLINE" || entity == "SPLINE"))
       flags += entity + " " + std::string(value) + "\n";

@@ -172,7 +172,7 @@ class FoldedHalf {
       if (other.place ? is_on_fold(*other.place) : is_on_fold(other.vertex)) continue;
       other.vertex = image(other.vertex);
       if (other.place) other.place = image(*other.place);
-      marks.push_back(std::move(other));
+      marks.push_back(other);
     }
   }
 

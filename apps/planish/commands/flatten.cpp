@@ -208,6 +208,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
                 pattern.output);
   note_divided_pages(session, files, pattern.output);
   std::vector<fs::path> written;
+  written.reserve(files.size());
   for (const OutputFile& file : files)
     written.push_back(file.path);
   warn_of_left(session, folder, left_of_earlier_runs(folder, written));

@@ -129,6 +129,7 @@ class ProductRun {
   /// What earlier runs left beside the pieces, and in the folders of these.
   std::vector<std::string> left_behind(const std::vector<OutputFile>& files) const {
     std::vector<std::filesystem::path> written;
+    written.reserve(files.size());
     for (const OutputFile& file : files)
       written.push_back(file.path);
     std::vector<std::string> names;

@@ -16,6 +16,7 @@
 #include "flatten/product/twin_groups.h"
 #include "flatten/product/workers.h"
 #include "flatten/twin_report.h"
+#include "flatten/verdict.h"
 
 namespace planish {
 

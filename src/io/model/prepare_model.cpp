@@ -291,7 +291,8 @@ TriMesh divided(const Model& model) {
       if (owner[v] == piece) continue;
       const auto [copy, is_new] =
           copies.try_emplace({piece, v}, static_cast<Index>(mesh.positions.size()));
-      if (is_new) mesh.positions.push_back(Vec3(mesh.positions[v]));
+      const Vec3 place = mesh.positions[v];
+      if (is_new) mesh.positions.push_back(place);
       v = copy->second;
     }
   }

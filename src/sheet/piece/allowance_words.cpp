@@ -65,7 +65,7 @@ std::string allowance_words(const PieceOutline& outline, const PatternOptions& o
     stretches.push_back(fold_stretch(outline, *options.fold));
     stretches.back().width = k_fold;
   }
-  const std::string plain = width_text(usual) + " allowance";
+  std::string plain = width_text(usual) + " allowance";
   if (stretches.empty()) return plain;
   const Allowance widths = with_edge_allowances({.width = usual}, outline, stretches);
   const bool has_usual = std::any_of(

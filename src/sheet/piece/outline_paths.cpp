@@ -127,7 +127,7 @@ void append_runs(const Polygon& loop, const std::vector<bool>& keep, std::vector
 
 std::vector<Path> cut_paths(const PlacedPattern& pattern, const PatternOptions& options,
                             const Stroke& stroke) {
-  const std::vector<Path> whole = {closed_path(pattern.cut, pattern.fitted_cut, stroke)};
+  std::vector<Path> whole = {closed_path(pattern.cut, pattern.fitted_cut, stroke)};
   if (!is_half(options)) return whole;
   const PlacedFold fold = placed_fold(pattern, options);
   for (std::size_t k = 0; k < pattern.cut.size(); ++k) {
@@ -172,6 +172,7 @@ std::vector<Path> seam_paths(const PlacedPattern& pattern, const PatternOptions&
     append_runs(outline.loops[k], have[k], open);
   }
   std::vector<Path> paths;
+  paths.reserve(open.size() + 1);
   for (Polygon& line : open)
     paths.push_back(Path{{std::move(line)}, false, stroke});
   if (!closed.empty()) paths.push_back(closed_path(std::move(closed), std::move(fitted), stroke));

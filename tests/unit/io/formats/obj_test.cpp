@@ -101,6 +101,7 @@ TEST(ReadObj, TakesColoursThatAreNoNumbers) {
       error_of([&] { parse_mesh(corners, MeshFormat::obj, "mesh", {.strict = true}); }).code(),
       ErrorCode::non_finite_coordinate);
   expect_obj_refused("v 0 0 nan 0 0 0\n", ErrorCode::non_finite_coordinate, 1);
+  expect_obj_refused("v 0 0 0 nan\n", ErrorCode::non_finite_coordinate, 1);  // a weight
 }
 
 TEST(ReadObj, KeepsVerticesThatNoFaceUses) {

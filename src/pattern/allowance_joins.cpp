@@ -63,23 +63,7 @@ bool append_mitre(const OutlineCorner& corner, double turn, Polygon& line) {
   return true;
 }
 
-/// Beside an edge without an allowance, as a fold, the allowance of the other one ends at the line
-/// of that edge, so that nothing is left beyond it. In a blunt corner this is before the corner:
-/// what is beyond runs clockwise and so is no part of the union. It reaches a little over the
-/// allowance, so that rounding leaves no sliver.
-void append_end(const OutlineCorner& corner, double turn, Polygon& line) {
-  constexpr double k_over = 1e-4;  // millimetres
-  const double sine = math::sin(turn), cosine = math::cos(turn);
-  if (!(sine * corner.mitre_limit >= 1.0)) return;
-  const double widest = std::max(corner.width_before, corner.width_after);
-  const double reach = widest / sine + (cosine > 1e-9 ? k_over : 0.0);
-  line.push_back(corner.width_after > 0.0 ? corner.point + reach * corner.before
-                                          : corner.point - reach * corner.after);
-}
-
 void append_corner(const OutlineCorner& corner, double turn, Polygon& line) {
-  if (!(corner.width_before > 0.0 && corner.width_after > 0.0))
-    return append_end(corner, turn, line);
   if (corner.corners == Corners::mitre && append_mitre(corner, turn, line)) return;
   // With two widths there is no square.
   if (corner.corners == Corners::round || corner.width_before != corner.width_after) {

@@ -226,31 +226,5 @@ TEST(OffsetOutline, GoesAroundASlitAndPointsThatComeTwice) {
   EXPECT_NEAR(signed_area(cut[0]), 50.0 * 40.0, 0.01);
 }
 
-TEST(OffsetOutline, LeavesNothingBeyondTheLineOfAnEdgeWithoutAllowance) {
-  for (const double lean : {-35.0, -10.0, -2.0, 0.0, 2.0, 10.0, 35.0}) {
-    for (const Corners corners : {Corners::mitre, Corners::square, Corners::round}) {
-      for (const double width : {5.0, 12.0}) {
-        const double slope = std::tan(lean * std::numbers::pi / 180.0);
-        // The side along x = 0 has none; the two that meet it leave it at 90 degrees and more or
-        // less by the lean.
-        const PieceOutline outline{
-            "half", {{{0, 0}, {100, 100 * slope}, {100, 150}, {0, 150 + 100 * slope}}}};
-        Allowance allowance{.width = width, .corners = corners};
-        allowance.edge_widths = {{width, width, width, 0.0}};
-        const std::vector<Polygon> cut = offset_outline(outline, allowance);
-        ASSERT_EQ(cut.size(), 1U);
-        double lowest = 0.0;
-        for (const Vec2 p : cut[0]) {
-          EXPECT_GE(p.x, -1e-4) << lean << " " << width;
-          if (p.x > 1e-4) continue;
-          lowest = std::min(lowest, p.y);
-        }
-        EXPECT_NEAR(lowest, -width * std::sqrt(1.0 + slope * slope), 1e-3)
-            << "as the whole has in the middle";
-      }
-    }
-  }
-}
-
 }  // namespace
 }  // namespace planish

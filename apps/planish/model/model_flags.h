@@ -11,7 +11,8 @@
 
 namespace planish::cli {
 
-/// What is read of a file, alike for all verbs that read one: --divide, --only, --weld and more.
+/// The flags that choose and repair the pieces of a file, shared by all verbs that read a mesh:
+/// --divide, --only, --weld and more.
 FlagGroup model_flags();
 
 /// @throws UsageError for what is no length and for unknown names, Error option_out_of_range
@@ -21,19 +22,19 @@ ModelOptions model_options_from(const Arguments& arguments);
 void check_model(const Model& model, const ModelOptions& options, const std::string& path);
 
 /// Reads a mesh as Session::read() does, multiplies its coordinates by --scale, and prepares it as
-/// the flags ask. What was done is told in notes.
+/// the flags ask. Prints a note for every change that it makes.
 /// @throws Error as Session::read(), prepare_model() and check_model()
 Model read_model(const std::string& path, const Arguments& arguments, Session& session);
 
-/// The same of one of several files: --only and --without may name pieces of the others, and
-/// nothing may be left.
-/// @param name of its pieces, where they have none in the file
-/// @param unit that something else than the flag and the file itself says
+/// The same for one of several files: --only and --without may name pieces of the other files, so
+/// the result may be empty.
+/// @param name for pieces that have no name in the file
+/// @param unit of the file where a product file states it; overrides --unit and the file itself
 Model read_model_of_several(const std::string& path, const std::string& name,
                             std::optional<Unit> unit, const Arguments& arguments, Session& session);
 
-/// read_model() for verbs that work on the whole mesh: its pieces share no vertices, but with
-/// --strict, which takes the mesh as it is.
+/// read_model() for verbs that work on the whole mesh. Pieces get vertices of their own, except
+/// with --strict, which leaves the mesh as it is.
 TriMesh read_whole(const std::string& path, const Arguments& arguments, Session& session);
 
 /// read_model() for verbs that take one piece.

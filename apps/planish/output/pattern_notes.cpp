@@ -57,7 +57,7 @@ bool is_our_drawing(const fs::path& path) {
   });
 }
 
-/// A piece of a product, with what --resume goes by.
+/// Whether it is the folder of a piece: --resume reads its job.json.
 bool is_our_folder(const fs::path& path) {
   std::error_code failure;
   return fs::is_regular_file(path / path_of("job.json"), failure);

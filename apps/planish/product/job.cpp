@@ -154,7 +154,7 @@ class ProductRun {
       const NestJob pieces{patches_with_notches(), report_.unit};
       note_notches_on_seam_line(session_, pieces_sheet(pieces, report_.twins, ""));
     } catch (const Error&) {
-      // What cannot be drawn is told with its patch.
+      // The piece that cannot be drawn has reported this error already.
     }
   }
 

@@ -1,6 +1,5 @@
 // What the meshes of real patches cannot show, and those of files that were made to hide something.
 
-#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/odd_files.h"
 #include "support/test_patches.h"
 
 namespace planish {
@@ -30,11 +30,10 @@ TEST(Cautions, OfRealPatchesAreCoarseFacetsOnly) {
         << patch.name;
 }
 
-TEST(Cautions, OfOddFilesAreWhatTheyWereMadeFor) {
-  const char* folder = std::getenv("PLANISH_TEST_DATA");
-  if (folder == nullptr || !std::filesystem::exists(std::filesystem::path(folder) / "odd"))
-    GTEST_SKIP() << "PLANISH_TEST_DATA names no folder with odd meshes";
-  const std::filesystem::path odd = std::filesystem::path(folder) / "odd";
+class CautionsOfOddFiles : public WithOddFiles<> {};
+
+TEST_F(CautionsOfOddFiles, AreWhatTheyWereMadeFor) {
+  const std::filesystem::path odd = file("odd");
   EXPECT_EQ(found_in(odd / "scan_noise.stl"), "looks like a noisy scan");
   EXPECT_EQ(found_in(odd / "coarse_facets.obj"), "coarse facets");
   EXPECT_EQ(found_in(odd / "half_cylinder_one_row.obj"), "coarse facets")

@@ -1,9 +1,8 @@
 // Meshes as makers have them, of the folder "odd" beside the patches: the right size, alike in
 // unfold and flatten, and the way on where there is none without a flag.
 
-#include <cstdlib>
-#include <filesystem>
-#include <optional>
+#include "support/odd_files.h"
+
 #include <string>
 
 #include <gmock/gmock.h>
@@ -15,14 +14,10 @@ namespace {
 
 using testing::HasSubstr;
 
-std::optional<std::string> odd_file(const std::string& name) {
-  const char* folder = std::getenv("PLANISH_TEST_DATA");
-  if (folder == nullptr) return std::nullopt;
-  return (std::filesystem::path(folder) / "odd" / name).string();
-}
-
-class OddFiles : public CliFolder {
+class OddFiles : public WithOddFiles<CliFolder> {
  protected:
+  static std::string odd_file(const std::string& name) { return file("odd/" + name).string(); }
+
   static CliResult run_on(const std::string& path, Names args, const Names& flags) {
     args.insert(args.begin() + 1, path);
     args.insert(args.end(), flags.begin(), flags.end());
@@ -48,15 +43,14 @@ TEST_F(OddFiles, HaveTheRightSizeInUnfoldAndFlatten) {
       {"panel_and_helper_cubes.obj", {"--only", "suit_front"}, 209.3, 160.0},
   };
   for (const Sheet& sheet : sheets) {
-    const auto path = odd_file(sheet.file);
-    if (!path) continue;
+    const std::string path = odd_file(sheet.file);
     SCOPED_TRACE(sheet.file);
-    const CliResult unfold = run_on(*path, {"unfold", "-o", "flat.svg", "--json"}, sheet.flags);
+    const CliResult unfold = run_on(path, {"unfold", "-o", "flat.svg", "--json"}, sheet.flags);
     ASSERT_EQ(unfold.exit_code, k_exit_done) << unfold.err;
     EXPECT_NEAR(unfold.json()["width"].get<double>(), sheet.width, 0.06);
     EXPECT_NEAR(unfold.json()["height"].get<double>(), sheet.height, 0.06);
     const CliResult flatten =
-        run_on(*path, {"flatten", "-o", "out", "--formats", "svg", "--json"}, sheet.flags);
+        run_on(path, {"flatten", "-o", "out", "--formats", "svg", "--json"}, sheet.flags);
     ASSERT_EQ(flatten.exit_code, k_exit_done) << flatten.err;
     EXPECT_NEAR(flatten.json()["unfold"]["width"].get<double>(), sheet.width, 0.06);
   }
@@ -72,9 +66,8 @@ TEST_F(OddFiles, NameTheWayOn) {
       {"panel_and_helper_cubes.obj", {"holds 7 pieces (suit_front, joint-0", "--only NAME"}},
   };
   for (const auto& [file, words] : said) {
-    const auto path = odd_file(file);
-    if (!path) continue;
-    const CliResult unfold = run_on(*path, {"unfold", "-o", "flat.svg"}, {});
+    const std::string path = odd_file(file);
+    const CliResult unfold = run_on(path, {"unfold", "-o", "flat.svg"}, {});
     EXPECT_EQ(unfold.exit_code, k_exit_failed) << file;
     for (const std::string& word : words)
       EXPECT_THAT(unfold.err, HasSubstr(word)) << file;
@@ -83,30 +76,27 @@ TEST_F(OddFiles, NameTheWayOn) {
 
 TEST_F(OddFiles, CloseHolesThatTouch) {
   for (const char* file : {"one_triangle_missing.obj", "dropouts_touch_at_vertex.obj"}) {
-    const auto path = odd_file(file);
-    if (!path) continue;
+    const std::string path = odd_file(file);
     const CliResult unfold =
-        run_on(*path, {"unfold", "-o", "flat.svg", "--json"}, {"--fill-holes", "120mm"});
+        run_on(path, {"unfold", "-o", "flat.svg", "--json"}, {"--fill-holes", "120mm"});
     EXPECT_EQ(unfold.exit_code, k_exit_done) << unfold.err;
     EXPECT_FALSE(unfold.json()["overlaps"].get<bool>());
   }
 }
 
 TEST_F(OddFiles, AreCountedWhereCrumbsAreLeftOut) {
-  const auto path = odd_file("scan_with_crumbs.obj");
-  if (!path) return;
+  const std::string path = odd_file("scan_with_crumbs.obj");
   for (const Names& verb : {Names{"measure"}, Names{"unfold", "-o", "flat.svg"}}) {
-    EXPECT_THAT(run_on(*path, verb, {}).err, HasSubstr("40 crumbs left out (0.28 % of the area)"))
+    EXPECT_THAT(run_on(path, verb, {}).err, HasSubstr("40 crumbs left out (0.28 % of the area)"))
         << verb[0];
   }
 }
 
 TEST_F(OddFiles, AreDividedWherePanelsMeet) {
-  const auto path = odd_file("three_panels_one_edge_groups.obj");
-  if (!path) return;
+  const std::string path = odd_file("three_panels_one_edge_groups.obj");
   for (const Names& flags : {Names{}, Names{"--divide", "parts"}}) {
     const CliResult result =
-        run_on(*path, {"flatten", "-o", "out", "--formats", "svg", "--json"}, flags);
+        run_on(path, {"flatten", "-o", "out", "--formats", "svg", "--json"}, flags);
     EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
     EXPECT_EQ(result.json()["patches"].size(), 3U);
   }

@@ -12,6 +12,7 @@
 
 #include "fuzz/bytes_to_patch.h"
 #include "fuzz/check.h"
+#include "support/meshes.h"
 
 using namespace planish;
 
@@ -22,14 +23,7 @@ TriMesh dirty_mesh(fuzz::Bytes& bytes) {
   TriMesh mesh = fuzz::mesh_from(bytes);
   const std::size_t kind = bytes.whole(0, 7);
   if (kind == 1) {  // every triangle by itself
-    TriMesh apart;
-    for (const Triangle& t : mesh.triangles) {
-      const auto first = static_cast<Index>(apart.positions.size());
-      for (const Index v : t)
-        apart.positions.push_back(mesh.positions[v]);
-      apart.triangles.push_back({first, first + 1, first + 2});
-    }
-    mesh = apart;
+    mesh = meshes::soup_of(mesh);
   } else if (kind < 5 && kind > 1) {  // a second one, reversed, shifted or both
     TriMesh other = kind == 3 ? mesh : turned_over(mesh);
     const Vec3 shift = kind == 2 ? Vec3{} : Vec3{4.0 * bytes.fraction(), 0.0, bytes.fraction()};

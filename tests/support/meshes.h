@@ -171,4 +171,16 @@ inline TriMesh side_by_side(TriMesh a, const TriMesh& b) {
   return a;
 }
 
+/// Every triangle with vertices of its own.
+inline TriMesh soup_of(const TriMesh& mesh) {
+  TriMesh soup;
+  for (const Triangle& t : mesh.triangles) {
+    const auto first = static_cast<Index>(soup.positions.size());
+    for (const Index v : t)
+      soup.positions.push_back(mesh.positions[v]);
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  return soup;
+}
+
 }  // namespace planish::meshes

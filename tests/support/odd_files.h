@@ -2,20 +2,36 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include <planish/io/read_mesh.h>
 #include <planish/mesh/tri_mesh.h>
 
+#include <gtest/gtest.h>
+
 namespace planish {
 
-/// A mesh of the folder that the environment variable PLANISH_TEST_DATA tells, as in
-/// "odd/flap_of_five.obj"; none where it is not set.
-inline std::optional<TriMesh> test_mesh(const std::string& name) {
-  const char* folder = std::getenv("PLANISH_TEST_DATA");
-  if (folder == nullptr) return std::nullopt;
-  return read_mesh(std::filesystem::path(folder) / name).mesh;
-}
+/// Tests of files in the folders "odd" and "bad" beside the real patches. They are skipped where
+/// the environment variable PLANISH_TEST_DATA names no folder with "odd"; where it does, a file
+/// that is missing is a failure.
+template <class Base = testing::Test>
+class WithOddFiles : public Base {
+ protected:
+  void SetUp() override {
+    Base::SetUp();
+    if (!std::filesystem::is_directory(folder() / "odd"))
+      GTEST_SKIP() << "PLANISH_TEST_DATA names no folder with odd meshes";
+  }
+
+  /// @param name as in "odd/flap_of_five.obj"
+  static std::filesystem::path file(const std::string& name) { return folder() / name; }
+  static TriMesh mesh_of(const std::string& name) { return read_mesh(file(name)).mesh; }
+
+ private:
+  static std::filesystem::path folder() {
+    const char* named = std::getenv("PLANISH_TEST_DATA");
+    return named == nullptr ? std::filesystem::path() : std::filesystem::path(named);
+  }
+};
 
 }  // namespace planish

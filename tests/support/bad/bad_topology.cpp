@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "support/bad/sound_files.h"
+#include "support/meshes.h"
 
 namespace planish::bad {
 namespace {
@@ -64,18 +65,6 @@ TriMesh without_cells(TriMesh mesh, const std::vector<std::size_t>& cells) {
     mesh.triangles.erase(at, at + 2);
   }
   return mesh;
-}
-
-/// Every triangle with vertices of its own.
-TriMesh soup_of(const TriMesh& mesh) {
-  TriMesh soup;
-  for (const Triangle& t : mesh.triangles) {
-    const auto first = static_cast<Index>(soup.positions.size());
-    for (const Index v : t)
-      soup.positions.push_back(mesh.positions[v]);
-    soup.triangles.push_back({first, first + 1, first + 2});
-  }
-  return soup;
 }
 
 /// Two copies of a mesh that share one vertex.
@@ -214,7 +203,7 @@ void add_not_evolvable(MeshFiles& files) {
                ErrorCode::closed_surface, {}, Purpose::evolve);
   files.refuse("patch_and_closed_part", meshes::side_by_side(patch, meshes::tetrahedron()),
                ErrorCode::closed_surface, {}, Purpose::evolve);
-  files.refuse("soup", soup_of(patch), ErrorCode::no_inner_vertex, {}, Purpose::evolve);
+  files.refuse("soup", meshes::soup_of(patch), ErrorCode::no_inner_vertex, {}, Purpose::evolve);
 }
 
 void add_not_unfoldable(MeshFiles& files) {
@@ -280,7 +269,7 @@ BadMeshes bad_topology() {
   // Without vertex numbers, what is at one place is one vertex.
   Collection stl("stl_topology_", ".stl");
   const auto bytes = [](const TriMesh& mesh) { return binary_stl(mesh); };
-  stl.same("soup", bytes(soup_of(sound())), "welded 96 corners to 25 vertices");
+  stl.same("soup", bytes(meshes::soup_of(sound())), "welded 96 corners to 25 vertices");
   stl.same("slit_closed", bytes(with_slit(sound(), 0, 2)), "an open seam would be closed");
   stl.same("all_flipped", bytes(with_flipped(sound(), 0, 32)));
   stl.as_mesh("face_twice", bytes(with_triangle(sound(), sound().triangles[5])),
@@ -291,7 +280,7 @@ BadMeshes bad_topology() {
               Purpose::unfold);
   stl.as_mesh("tetrahedron", bytes(meshes::tetrahedron()), ErrorCode::closed_surface, {},
               Purpose::evolve);
-  TriMesh jitter = soup_of(sound());
+  TriMesh jitter = meshes::soup_of(sound());
   meshes::Random random(5);
   for (Vec3& p : jitter.positions)
     p += 1e-3 * Vec3{random.number(), random.number(), random.number()};

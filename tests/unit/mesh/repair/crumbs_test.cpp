@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
-#include "support/odd_files.h"
 #include "unit/mesh/repair/repairs.h"
 
 namespace planish {
@@ -43,24 +42,7 @@ TEST(FindCrumbs, PiecesOfAPercentAreNone) {
 
 TEST(FindCrumbs, WhereAllIsSmallNothingIsACrumb) {
   EXPECT_EQ(find_crumbs(with_pieces(60, 1.0)).pieces, 0U);
-  TriMesh soup = meshes::flat_grid(12, 12);
-  TriMesh apart;
-  for (const Triangle& t : soup.triangles) {
-    const auto first = static_cast<Index>(apart.positions.size());
-    for (const Index v : t)
-      apart.positions.push_back(soup.positions[v]);
-    apart.triangles.push_back({first, first + 1, first + 2});
-  }
-  EXPECT_EQ(find_crumbs(apart).pieces, 0U);
-}
-
-TEST(FindCrumbs, OfAnOddFile) {
-  const auto scan = test_mesh("odd/scan_with_crumbs.obj");
-  if (!scan) GTEST_SKIP() << "PLANISH_TEST_DATA is not set";
-  const Crumbs crumbs = find_crumbs(*scan);
-  EXPECT_EQ(crumbs.pieces, 40U);
-  EXPECT_NEAR(crumbs.area_share, 0.0028, 0.0001);
-  EXPECT_EQ(find_crumbs(*test_mesh("bad/top_triangle_soup.obj")).pieces, 0U);
+  EXPECT_EQ(find_crumbs(meshes::soup_of(meshes::flat_grid(12, 12))).pieces, 0U);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
-#include "support/odd_files.h"
 #include "unit/mesh/repair/repairs.h"
 
 namespace planish {
@@ -125,15 +124,6 @@ TEST(FillHoles, ALengthMustBeAboveZero) {
       EXPECT_EQ(error.code(), ErrorCode::option_out_of_range);
     }
   }
-}
-
-TEST(FillHoles, OfAnOddFile) {
-  const auto mesh = test_mesh("odd/one_triangle_missing.obj");
-  if (!mesh) GTEST_SKIP() << "PLANISH_TEST_DATA is not set";
-  const FilledMesh filled = fill_holes(*mesh, 50.0);
-  EXPECT_EQ(filled.filled, 1U);
-  EXPECT_EQ(filled.mesh.triangles.size(), mesh->triangles.size() + 1);
-  EXPECT_TRUE(repairs::is_disk(filled.mesh));
 }
 
 }  // namespace

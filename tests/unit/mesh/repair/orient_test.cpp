@@ -11,7 +11,6 @@
 #include "mesh/split.h"
 #include "support/jacket.h"
 #include "support/meshes.h"
-#include "support/odd_files.h"
 #include "unit/mesh/repair/repairs.h"
 
 namespace planish {
@@ -129,21 +128,8 @@ TEST(FindInsideOut, InATieTheFirstStays) {
 
 /// Of three borders on one curve some two always run the same way.
 TEST(FindInsideOut, ACurveOfThreePiecesTellsNothing) {
-  const TriMesh one = meshes::flat_grid(4, 5);
-  TriMesh other = one, third = one;
-  for (Vec3& p : other.positions)
-    p.x = -p.x;
-  for (Vec3& p : third.positions)
-    p = {0.0, p.y, p.x};
-  EXPECT_TRUE(inside_out_of({one, turned_over(other), third}).empty());
-}
-
-TEST(OrientConsistently, OfABadFile) {
-  const auto mesh = test_mesh("bad/top_one_face_flipped.obj");
-  if (!mesh) GTEST_SKIP() << "PLANISH_TEST_DATA is not set";
-  const OrientedMesh oriented = orient_consistently(*mesh);
-  EXPECT_EQ(oriented.turned, 1U);
-  EXPECT_TRUE(repairs::is_disk(oriented.mesh));
+  const auto [one, other, third] = repairs::three_on_one_line();
+  EXPECT_TRUE(inside_out_of({one, other, third}).empty());
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
-#include "support/odd_files.h"
 #include "unit/mesh/repair/repairs.h"
 
 namespace planish {
@@ -141,21 +140,6 @@ TEST(RedundantTriangles, EntriesThatCannotBeUsedAreRefused) {
   mesh = meshes::flat_grid(2, 2);
   mesh.positions[1].x = std::nan("");
   EXPECT_THROW(remove_redundant_triangles(mesh), Error);
-}
-
-TEST(RedundantTriangles, OfOddFiles) {
-  const auto twice = test_mesh("odd/facet_twice.stl");
-  if (!twice) GTEST_SKIP() << "PLANISH_TEST_DATA is not set";
-  EXPECT_EQ(remove_redundant_triangles(*twice).repeated, 1U);
-  EXPECT_EQ(remove_redundant_triangles(*test_mesh("odd/quads_and_their_triangles.obj")).repeated,
-            8U);
-  EXPECT_EQ(remove_redundant_triangles(*test_mesh("odd/flap_of_five.obj")).fins, 5U);
-  for (const char* name :
-       {"odd/double_sided_shared_vertices.obj", "odd/double_sided_own_vertices.obj"}) {
-    const CleanedMesh clean = remove_redundant_triangles(*test_mesh(name));
-    EXPECT_EQ(clean.backs, 192U) << name;
-    EXPECT_TRUE(repairs::is_disk(clean.mesh)) << name;
-  }
 }
 
 }  // namespace

@@ -55,6 +55,16 @@ inline TriMesh mirrored(TriMesh mesh) {
   return turned_over(std::move(mesh));
 }
 
+/// Three grids of 4 x 5 whose first columns lie on one line: the second is the mirror image of the
+/// first, the third stands upright.
+inline std::array<TriMesh, 3> three_on_one_line() {
+  const TriMesh one = meshes::flat_grid(4, 5);
+  TriMesh third = one;
+  for (Vec3& p : third.positions)
+    p = {0.0, p.y, p.x};
+  return {one, mirrored(one), third};
+}
+
 inline TriMesh scaled(TriMesh mesh, double factor) {
   for (Vec3& p : mesh.positions)
     p = factor * p;

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
-#include "support/odd_files.h"
 #include "unit/mesh/repair/repairs.h"
 
 namespace planish {
@@ -101,17 +100,6 @@ TEST(DivideAtNonmanifoldEdges, AFinLeavesItsSurfaceWhole) {
   EXPECT_EQ(divided.places, 1U);
   EXPECT_EQ(found.topology.components, 2U);
   EXPECT_EQ(found.topology.border_loops, 2U);
-}
-
-TEST(DivideAtNonmanifoldEdges, OfAnOddFile) {
-  const auto panels = test_mesh("odd/three_panels_one_edge_groups.obj");
-  if (!panels) GTEST_SKIP() << "PLANISH_TEST_DATA is not set";
-  const SeparatedMesh divided = divide_at_nonmanifold_edges(*panels);
-  EXPECT_EQ(divided.places, 10U);
-  EXPECT_EQ(inspect(divided.mesh).topology.components, 3U);
-  const auto dropouts = test_mesh("odd/dropouts_touch_at_vertex.obj");
-  EXPECT_EQ(fill_holes(separate_touching(*dropouts).mesh, 1e9).filled, 2U);
-  EXPECT_EQ(separate_touching(*test_mesh("bad/top_bowtie_vertex.obj")).places, 1U);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
-#include "support/odd_files.h"
 #include "support/solids.h"
 #include "unit/mesh/repair/repairs.h"
 
@@ -169,23 +168,6 @@ TEST(FindWall, SheetsAreNone) {
                               meshes::tube(24, 10), sheets(meshes::flat_grid(20, 20), far),
                               sheets(meshes::flat_grid(20, 20), slanted), TriMesh{}}) {
     EXPECT_FALSE(find_wall(mesh));
-  }
-}
-
-TEST(FindWall, OfOddFiles) {
-  const auto shell = test_mesh("odd/thick_shell_2mm.obj");
-  if (!shell) GTEST_SKIP() << "PLANISH_TEST_DATA is not set";
-  for (const char* name :
-       {"odd/thick_shell_2mm.obj", "odd/thick_shell_2mm.stl", "odd/two_sheets_2mm_apart.obj"}) {
-    const TriMesh mesh = *test_mesh(name);
-    expect_sides(mesh, 320, 2.0);
-    // An arc of 209.29 as it is meshed, by 150.
-    const TriMesh outer = take_side(mesh, *find_wall(mesh), WallPart::outer).mesh;
-    EXPECT_NEAR(repairs::area(outer), 209.29 * 150.0, 1.0) << name;
-  }
-  for (const char* name : {"bad/top_closed_fox.obj", "bad/top_punctured_torus.obj",
-                           "odd/panel_and_helper_cubes.obj", "odd/frustum_capped_ngon.obj"}) {
-    EXPECT_FALSE(find_wall(*test_mesh(name))) << name;
   }
 }
 

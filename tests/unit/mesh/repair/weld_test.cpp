@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
-#include "support/odd_files.h"
 #include "unit/mesh/repair/repairs.h"
 
 namespace planish {
@@ -209,13 +208,8 @@ TEST(Weld, ASlitIsClosed) {
 }
 
 TEST(Weld, ThreeBordersOnOneCurveAreLeft) {
-  const TriMesh one = meshes::flat_grid(4, 5);
-  TriMesh other = one, third = one;
-  for (Vec3& p : other.positions)
-    p.x = -p.x;
-  for (Vec3& p : third.positions)
-    p = {0.0, p.y, p.x};
-  const TriMesh mesh = repairs::both(repairs::both(one, turned_over(other)), third);
+  const auto [one, other, third] = repairs::three_on_one_line();
+  const TriMesh mesh = repairs::both(repairs::both(one, other), third);
   const WeldedMesh welded = weld(mesh, 0.0);
   EXPECT_EQ(welded.joined, 0U);
   EXPECT_EQ(welded.left, 15U);
@@ -275,18 +269,6 @@ TEST(Weld, LengthsThatAreNoneAreRefused) {
         EXPECT_EQ(error.code(), ErrorCode::option_out_of_range);
       }
     }
-  }
-}
-
-TEST(Weld, OfOddFiles) {
-  const auto islands_of_file = test_mesh("odd/split_at_texture_islands.ply");
-  if (!islands_of_file) GTEST_SKIP() << "PLANISH_TEST_DATA is not set";
-  for (const char* name : {"odd/split_at_texture_islands.ply", "odd/polysurface_two_faces.obj",
-                           "bad/top_triangle_soup.obj", "bad/stl_jitter.stl"}) {
-    const TriMesh mesh = *test_mesh(name);
-    const WeldedMesh welded = weld(mesh, default_weld_length(mesh));
-    EXPECT_TRUE(repairs::is_disk(welded.mesh)) << name;
-    EXPECT_EQ(find_touching_pieces(mesh, default_weld_length(mesh)).joined, 1U) << name;
   }
 }
 

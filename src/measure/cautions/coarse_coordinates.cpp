@@ -73,6 +73,21 @@ bool is_of_writing(const Patch& patch, double step, const Coordinate& coordinate
   return several || 2 * without > edges;
 }
 
+/// The step of 32-bit numbers of the size of the largest, where all numbers of the axis are such,
+/// several, and some use their last bit: else they may be those of a design. 0 where not.
+double step_of_floats(const Axis& axis) {
+  const auto largest = static_cast<float>(axis.largest);
+  if (!std::isfinite(largest) || axis.numbers.size() < 2) return 0.0;
+  const double step =
+      static_cast<double>(largest) - static_cast<double>(std::nextafter(largest, 0.0F));
+  bool uses_last_bit = false;
+  for (const double number : axis.numbers) {
+    if (static_cast<double>(static_cast<float>(number)) != number) return 0.0;
+    uses_last_bit = uses_last_bit || std::remainder(number, 2.0 * step) != 0.0;
+  }
+  return uses_last_bit ? step : 0.0;
+}
+
 /// By how much the numbers of an axis step; 0 where they have more digits than need be known.
 template <class Coordinate>
 double step_of(const Patch& patch, double mean_edge, const Coordinate& coordinate) {
@@ -83,6 +98,7 @@ double step_of(const Patch& patch, double mean_edge, const Coordinate& coordinat
   }
   std::sort(axis.numbers.begin(), axis.numbers.end());
   axis.numbers.erase(std::unique(axis.numbers.begin(), axis.numbers.end()), axis.numbers.end());
+  if (const double step = step_of_floats(axis); step > k_large_step * mean_edge) return step;
   if (axis.numbers.size() < k_fewest_numbers) return 0.0;
   const double step = common_step(axis);
   if (!(step > 0.0) || step > k_coarsest_step * axis.largest) return 0.0;

@@ -52,6 +52,20 @@ TEST(CoarseCoordinates, AreSeenOnOneAxisAndBelowZero) {
   EXPECT_EQ(coarse->step, k_step);
 }
 
+// Rounding leaves an axis few numbers where it is coarse.
+TEST(CoarseCoordinates, AreSeenWhereRoundingLeavesFewNumbers) {
+  TriMesh plate = meshes::flat_grid(6, 3);
+  for (Vec3& p : plate.positions)
+    p = {0.4 * p.x + 0.013, 0.4 * p.y + 0.007, 0.0};
+  for (const double far : {4e5, 5.4e6}) {
+    const TriMesh there = moved(plate, 1.0, {far, far, 0.0});
+    EXPECT_FALSE(coarse_in(there)) << far;
+    EXPECT_TRUE(coarse_in(rounded(there, as_float))) << far;
+  }
+  EXPECT_FALSE(coarse_in(rounded(moved(plate, 1.0, {0.0, 0.0, 4e5}), as_float)))
+      << "one number that is rounded moves all of the plate";
+}
+
 TEST(CoarseCoordinates, AreSeenInOtherUnitsToo) {
   const TriMesh metres = rounded(moved(meshes::bent_cylinder(30), 2.4, {4e5, 0.0, 0.0}), as_float);
   for (const double unit : {1000.0, 25.4, 0.0254}) {

@@ -10,6 +10,11 @@ void check_request(const FlattenOptions& options) {
   require(options.limits);
   check_options(options.method);
   if (options.stopping) check_stopping(*options.stopping);
+  if (options.fold && !options.constraints.obstacle.triangles.empty()) {
+    throw Error(ErrorCode::unsupported_constraint,
+                "fold does not go together with an obstacle, which has no mirror image: give the "
+                "whole piece instead of its half");
+  }
   check_range("smooth_first", options.smooth_first, Range{0.0});
 }
 

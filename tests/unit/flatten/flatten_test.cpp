@@ -199,5 +199,13 @@ TEST(FlattenOptions, OutOfTheirRangeAreRefused) {
   EXPECT_FALSE(refusal_of({.keep_design = true, .limits = {.max = 1.0}})) << "the largest";
 }
 
+// The image of an obstacle in the plane of the fold is not known to the method.
+TEST(FlattenOptions, OfAFoldAndAnObstacleAreRefused) {
+  FlattenOptions options;
+  options.fold = {0, 1};
+  options.constraints.obstacle = meshes::flat_grid(2, 2);
+  EXPECT_EQ(refusal_of(options), ErrorCode::unsupported_constraint);
+}
+
 }  // namespace
 }  // namespace planish

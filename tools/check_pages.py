@@ -112,6 +112,9 @@ def figure_faults(figures, program):
         except (KeyError, IndexError, TypeError):
             yield f"{figure.page}: planish {figure.command} has no {figure.path}"
             continue
+        if not isinstance(value, (int, float)):
+            yield f"{figure.page}: planish {figure.command} has no number at {figure.path}"
+            continue
         if not figure.is_that_of(value):
             yield f"{figure.page}: shows {figure.shown}, where planish {figure.command} has {figure.path} {value}"
 

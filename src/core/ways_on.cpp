@@ -22,7 +22,8 @@ std::string_view way_on(ErrorCode code) {
     case ErrorCode::no_triangles:
       return "Export a mesh with faces; where flags leave nothing, look at --only and --without";
     case ErrorCode::too_large:
-      return "Simplify the mesh, or have --remesh lay fewer vertices; of pages and sheets look at "
+      return "Simplify the mesh, or work on fewer vertices with --remesh; for pages and sheets "
+             "check "
              "--unit";
     case ErrorCode::non_finite_coordinate:
       return "Mend the coordinates in the program that made the file; --scale may be too large";
@@ -48,10 +49,9 @@ std::string_view way_on(ErrorCode code) {
              "--only NAME";
     case ErrorCode::closed_surface:
       return "Cut it open with --cut FILE (planish suggest-cuts finds where); of a wall take "
-             "--side "
-             "outer; leave a piece out with --without NAME";
+             "--side outer; leave a piece out with --without NAME";
     case ErrorCode::open_surface:
-      return "Close its holes: planish convert --fill-holes LENGTH";
+      return "Close it in the program that made it, or leave --obstacle out";
     case ErrorCode::several_components:
       return "Take one with --only NAME, lay all flat with planish flatten, or join those that "
              "touch with --weld";
@@ -67,9 +67,10 @@ std::string_view way_on(ErrorCode code) {
     case ErrorCode::option_out_of_range:
       return "planish describe lists the range of every flag";
     case ErrorCode::unknown_name:
-      return "planish describe lists the names that flags take";
+      return "planish describe lists the names that flags take; --only and --without take names of "
+             "pieces";
     case ErrorCode::unsupported_constraint:
-      return "Leave it out, or choose a method that takes it with --method";
+      return "Leave one of them out, or choose another --method";
     case ErrorCode::misplaced_cut:
       return "Mend that line of the file of --cut; planish suggest-cuts writes one";
     case ErrorCode::unfold_failed:
@@ -94,7 +95,9 @@ std::string_view way_on(ErrorCode code) {
 }
 
 std::string with_way_on(const Error& error) {
-  return std::string(error.what()) + ". " + std::string(way_on(error.code()));
+  const std::string said = error.what();
+  const bool is_question = said.ends_with('?');
+  return said + (is_question ? " " : ". ") + std::string(way_on(error.code()));
 }
 
 }  // namespace planish

@@ -174,7 +174,7 @@ std::string joined(const std::vector<FormFault>& faults) {
 
 bool Outcome::limits_met() const {
   return std::none_of(missed.begin(), missed.end(),
-                      [](Criterion what) { return what <= Criterion::rejected; });
+                      [](Criterion what) { return what <= Criterion::failure; });
 }
 
 Outcome EvolveReport::outcome() const {

@@ -186,7 +186,7 @@ std::string hole_text(const TriMesh& mesh, const std::vector<std::vector<Index>>
     lengths.push_back(length_of_loop(mesh, loop));
   std::sort(lengths.begin(), lengths.end());
   const double hole = lengths[lengths.size() - 2];
-  const bool are_holes = parts == 1 && hole > 0.0 && hole < k_short * lengths.back();
+  const bool are_holes = parts == 1 && std::isnormal(hole) && hole < k_short * lengths.back();
   if (!are_holes) return {};
   return "; if its holes are not meant, --fill-holes " + number_text(rounded_up(hole)) +
          " closes them";

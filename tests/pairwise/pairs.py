@@ -37,7 +37,7 @@ VERBS = ("flatten", "unfold")
 USUAL_METHOD = "auto"
 
 # The words of `missed` that are limits and targets.
-ASKED_FOR = {"strain", "p99_strain", "rms_strain", "deviation", "angle", "e_max", "bending", "rejected"}
+ASKED_FOR = {"strain", "p99_strain", "rms_strain", "deviation", "angle", "e_max", "bending", "rejected", "failure"}
 LIMIT_WORDS = {"max": "strain", "p99": "p99_strain", "rms": "rms_strain"}
 
 

@@ -45,11 +45,12 @@ std::string line_of(const MeasuredPatch& patch, const std::optional<StrainAsDesi
 void measure_into(WorkFile& file, const StrainLimits& limits, const Arguments& arguments,
                   Session& session) {
   const std::string& path = file.report.path;
+  const Unit unit = unit_from(arguments);
   std::vector<Caution> cautions;
   const auto take = [&](const MeasuredPatch& measured,
                         const std::optional<StrainAsDesigned>& strain) {
     file.report.lines = {{measured_cells(&measured, strain ? &*strain : nullptr)}};
-    file.report.figures = measured_figures(measured, strain, cautions, Unit::mm);
+    file.report.figures = measured_figures(measured, strain, cautions, unit);
     file.text = line_of(measured, strain);
     file.misses = strain && !all_kept(strain->limits);
   };
@@ -57,7 +58,7 @@ void measure_into(WorkFile& file, const StrainLimits& limits, const Arguments& a
   about(path, [&] {
     const MeasuredPatch measured = measure_patch(patch, session.job_context(path));
     cautions = find_cautions(patch);
-    note_cautions(session, path, cautions, Unit::mm);
+    note_cautions(session, path, cautions, unit);
     take(measured, std::nullopt);
     take(measured, strain_as_asked(patch, limits, session));
   });

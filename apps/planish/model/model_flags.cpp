@@ -23,7 +23,7 @@ constexpr std::array k_divisions = {Divide::objects, Divide::materials, Divide::
 constexpr std::array k_sides = {Side::outer, Side::inner};
 constexpr Range k_from_zero = {.min = 0.0};
 
-/// The names of a list, each once as it was typed.
+/// The names of a list, as they were typed.
 std::vector<std::string> names_from(const Arguments& arguments, const std::string& flag) {
   std::vector<std::string> names;
   const std::string text = arguments.value_or(flag, "");
@@ -52,25 +52,25 @@ FlagGroup model_flags() {
       "What is read",
       {{"--divide",
         "KIND",
-        "what makes pieces of a file: its objects (else groups), its materials, or parts: only "
-        "what does not hang together (default objects)",
+        "what makes a piece: objects (or groups, where the file has none), materials, or parts: "
+        "whatever hangs together (default objects)",
         0,
         false,
         {.choices = names_of(k_divisions), .standard = "objects"}},
        names_flag(
            "--only",
            "take these objects, groups, materials or pieces, by their names with commas between"),
-       names_flag("--without", "leave these out"),
+       names_flag("--without", "leave out these objects, groups, materials or pieces"),
        {"--weld",
         "LENGTH",
-        "join borders that lie on each other, at most so far apart (1.5 or 1.5mm; default: "
-        "what fits the size of the mesh)",
+        "join borders that lie within LENGTH of each other (1.5 or 1.5mm; default: a length that "
+        "fits the size of the mesh)",
         0,
         false,
         {.range = k_from_zero, .optional = true}},
        {"--fill-holes",
         "LENGTH",
-        "close holes whose border is no longer (1.5 or 1.5mm)",
+        "close holes whose border is at most LENGTH long (1.5 or 1.5mm)",
         0,
         false,
         {.range = k_from_zero}},
@@ -81,7 +81,8 @@ FlagGroup model_flags() {
         false,
         {.choices = names_of(k_sides)}},
        {"--flip", "", "turn the surface over: its inner side becomes the outer one"},
-       {"--strict", "", "mend nothing and leave nothing out that was not asked for"}}};
+       {"--strict", "",
+        "take the mesh as it is: repair and leave out only what other flags ask for"}}};
 }
 
 ModelOptions model_options_from(const Arguments& arguments) {

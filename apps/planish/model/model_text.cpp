@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "shell/text.h"
+#include "shell/values.h"
 
 namespace planish::cli {
 
@@ -72,18 +73,12 @@ std::vector<std::string> work_notes(const ModelWork& work, const ShownLengths& l
                     " pieces touch along whole borders; if they are one surface, --weld makes " +
                     counted(work.welded, "piece") + " of them");
   }
-  if (work.renumbered && !notes.empty())
-    notes.back() += "; vertices are numbered anew, without those that are gone";
+  if (!work.without_wall.empty()) {
+    notes.push_back("no wall was found in " + list_of_some(work.without_wall) +
+                    ": --side changes nothing there");
+  }
+  if (work.renumbered) notes.emplace_back("vertices are renumbered, as some of the file are gone");
   return notes;
-}
-
-std::string list_of_some(const std::vector<std::string>& names) {
-  constexpr std::size_t k_most = 8;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), k_most); ++i)
-    text += (i > 0 ? ", " : "") + names[i];
-  if (names.size() > k_most) text += " and " + std::to_string(names.size() - k_most) + " more";
-  return text;
 }
 
 }  // namespace planish::cli

@@ -13,6 +13,7 @@
 #include "draw/text/stroke_text.h"
 #include "platform/path.h"
 #include "shell/session.h"
+#include "shell/values.h"
 
 namespace planish::cli {
 
@@ -34,16 +35,6 @@ int pages_in(std::string_view pdf) {
   const std::size_t at = pdf.find(before);
   if (at == std::string_view::npos) return 0;
   return std::atoi(std::string(pdf.substr(at + before.size(), 10)).c_str());
-}
-
-/// "a, b, c", of many the first few.
-std::string some_of(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 20;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
-    text += (i > 0 ? ", " : "") + names[i];
-  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
-  return text;
 }
 
 /// "layout-2.pdf": what a drawing of `flatten` is called.
@@ -127,7 +118,7 @@ std::vector<std::string> left_of_earlier_runs(const fs::path& folder,
 
 void warn_of_left(Session& session, const fs::path& folder, const std::vector<std::string>& names) {
   if (names.empty()) return;
-  session.warn(utf8_of(folder) + " still has " + some_of(names) +
+  session.warn(utf8_of(folder) + " still has " + list_of_some(names) +
                " of an earlier run: these are not of this pattern");
 }
 

@@ -39,9 +39,8 @@ struct ProductInput {
 /// Patches that are inside out against a neighbour along their seam are turned over, but with
 /// --strict. A file of several that cannot be read is a patch with that failure.
 /// @param paths one at least; a product file must be the only one
-/// @param arguments as read_model() has them; pieces in another unit than that of the run, which
-/// the
-///   product file says, or without it and --unit their own file, are scaled to it
+/// @param arguments as read_model() has them. The unit of a piece is that of the product file, else
+///   --unit, else what its own file states; pieces are scaled to the unit of the run
 /// @param as_product several files are parts of one product; else they are a batch
 /// @throws UsageError for a product file beside others; Error what read_mesh() throws of the only
 ///   file; file_unreadable for a folder that holds no mesh file; as read_product_file(),

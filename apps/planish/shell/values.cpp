@@ -51,4 +51,13 @@ std::string list_of(std::span<const std::string> names) {
   return text;
 }
 
+std::string list_of_some(std::span<const std::string> names) {
+  constexpr std::size_t k_most = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), k_most); ++i)
+    text += (i > 0 ? ", " : "") + names[i];
+  if (names.size() > k_most) text += " and " + std::to_string(names.size() - k_most) + " more";
+  return text;
+}
+
 }  // namespace planish::cli

@@ -48,4 +48,7 @@ typename Values::value_type value_named(const std::string& what, const std::stri
 /// "a, b or c"
 std::string list_of(std::span<const std::string> names);
 
+/// "a, b, c and 38 more": the first eight.
+std::string list_of_some(std::span<const std::string> names);
+
 }  // namespace planish::cli

@@ -65,25 +65,25 @@ struct SmoothedDesign {
   SmoothedFirst done;  ///< how much smoothing changed
 };
 
-/// What a result is judged by: what was asked for first, then what every pattern has to be.
+/// What a result can miss: first what was asked for, then what every pattern must have.
 enum class Criterion {
-  strain,              ///< the limit of the strain of every edge
-  p99_strain,          ///< the limit of strain on 99 % of the area
-  rms_strain,          ///< the limit of the root mean square of the strain
-  deviation,           ///< the limit of how far vertices move
-  angle,               ///< the limit of the smallest angle
+  strain,              ///< the limit on the strain of every edge
+  p99_strain,          ///< the limit on the strain of 99 % of the area
+  rms_strain,          ///< the limit on the root mean square of the strain
+  deviation,           ///< the limit on how far vertices move
+  angle,               ///< the limit on the smallest angle
   e_max,               ///< the target of e_max
-  bending,             ///< the bound of bending
-  rejected,            ///< evolving made the pattern better; else that of the design is the result
-  failure,             ///< there is a result at all
-  size,                ///< the pattern is large enough to be one in the unit given
-  stretched,           ///< a form that was changed without a limit of strain lies flat
-  crumpled,            ///< the form is smooth
-  form,                ///< the form has kept height and curvature
-  fold,                ///< the form has no sharp new fold
-  self_intersections,  ///< the form goes through itself no more than the design
-  overlap,             ///< the pattern does not lie over itself
-  flipped_triangles,   ///< no triangle of the pattern is flipped over
+  bending,             ///< the limit on bending
+  rejected,            ///< evolving stretched the pattern more, so the design is the result
+  failure,             ///< there is no result
+  size,                ///< the pattern is too small to be a piece in the unit given
+  stretched,           ///< the form was changed without a limit of strain and does not lie flat
+  crumpled,            ///< the form is not smooth
+  form,                ///< the form has lost its height or its curvature
+  fold,                ///< the form has a sharp new fold
+  self_intersections,  ///< the form intersects itself more than the design does
+  overlap,             ///< the pattern overlaps itself
+  flipped_triangles,   ///< triangles of the pattern are flipped over
 };
 /// The word of JSON and Python: "p99_strain".
 std::string_view to_string(Criterion criterion);

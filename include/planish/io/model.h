@@ -35,7 +35,7 @@ struct ModelOptions {
   /// Join borders that lie on each other within this length, model units; 0 for a length that fits
   /// the size of the mesh. None: nothing is joined.
   std::optional<double> weld = {};
-  /// Close holes whose border is no longer, model units; 0 for none.
+  /// Close holes whose border is at most this long, model units; 0 for none.
   double fill_holes = 0.0;
   Divide divide = Divide::objects;        ///< what makes pieces
   std::vector<std::string> only = {};     ///< take these pieces; empty for all
@@ -66,6 +66,8 @@ struct ModelWork {
   };
   /// In the order of the parts.
   std::vector<FoundWall> walls = {};
+  /// Parts of which a side was asked for and that are no wall.
+  std::vector<std::string> without_wall = {};
   std::size_t touching = 0;  ///< pieces that touch others along whole sides
   std::size_t welded = 0;    ///< pieces that welding would make of these
   bool renumbered = false;   ///< vertices have other numbers than in the file
@@ -79,7 +81,7 @@ struct Model {
   MeshFormat format = MeshFormat::obj;   ///< of the file
   std::vector<std::string> notes = {};   ///< what its reader did
   ModelWork work = {};                   ///< what was done then
-  std::vector<std::string> pieces = {};  ///< their names, at least one; all different
+  std::vector<std::string> pieces = {};  ///< their names; empty where the options leave nothing
   std::vector<Index> piece_of = {};      ///< of each triangle: the number of its piece
   std::string divided_by = {};  ///< what they are in the file: "o", "usemtl"; empty: nothing
   std::vector<std::string> names = {};  ///< all that `only` and `without` may name, in order

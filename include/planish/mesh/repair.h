@@ -9,10 +9,10 @@
 
 namespace planish {
 
-// Every function of this header and of weld.h leaves its input as it is and returns a mesh. A
-// vertex keeps its number, also where no triangle uses it any more; new vertices come behind all
-// others. Triangles keep their order, new ones come behind. Lengths are in model units; nothing
-// depends on the size or the place of the model. All of them take O((n + m) log m).
+// The functions of this header and of weld.h leave their input as it is. Those that return a mesh
+// keep the number of every vertex, used or not, and the order of triangles; new vertices and
+// triangles come behind all others. Lengths are in model units. Results do not depend on the size
+// or the position of the model. Time is O((n + m) log m); closing a hole of k edges adds O(k^3).
 //
 // All throw Error index_out_of_range or non_finite_coordinate where a mesh has such entries, and
 // accept any other mesh, also an empty one.

@@ -91,9 +91,12 @@ bool may_be_wall(const TriMesh& mesh, const Connectivity& connectivity, bool is_
 
 void take_one_side(ModelPart& part, const std::optional<Connectivity>& connectivity,
                    const std::optional<Side>& side, ModelWork& work) {
-  if (!connectivity || !may_be_wall(part.mesh, *connectivity, side.has_value())) return;
-  const auto wall = find_wall(part.mesh);
-  if (!wall) return;
+  const bool may_be = connectivity && may_be_wall(part.mesh, *connectivity, side.has_value());
+  const auto wall = may_be ? find_wall(part.mesh) : std::nullopt;
+  if (!wall) {
+    if (side) work.without_wall.push_back(part.name);
+    return;
+  }
   if (!side) {
     work.walls.push_back({part.name, wall->thickness});
     return;

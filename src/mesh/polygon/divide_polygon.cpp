@@ -43,13 +43,11 @@ bool repeats_at_bridges_only(std::span<const Index> corners) {
     ends.insert(ends.end(), {sides[k].low, sides[k].high});
   }
   std::sort(ends.begin(), ends.end());
+  std::vector<Index> repeats;
   for (std::size_t k = 1; k < sorted.size(); ++k) {
-    if (sorted[k] != sorted[k - 1]) continue;
-    const auto end = std::lower_bound(ends.begin(), ends.end(), sorted[k]);
-    if (end == ends.end() || *end != sorted[k]) return false;
-    ends.erase(end);
+    if (sorted[k] == sorted[k - 1]) repeats.push_back(sorted[k]);
   }
-  return true;
+  return std::includes(ends.begin(), ends.end(), repeats.begin(), repeats.end());
 }
 
 /// A way to go once around a face.

@@ -151,9 +151,36 @@ TEST_F(ModelFlags, TurnOverPiecesThatAreInsideOut) {
   };
   const CliResult turned = run("turned", {});
   EXPECT_EQ(turned.exit_code, k_exit_done) << turned.err;
-  EXPECT_THAT(turned.err, HasSubstr("turned over, inside out against a neighbour along a seam: "
-                                    "strip-2"));
+  EXPECT_THAT(turned.err, HasSubstr("turned over, as they were inside out against a neighbour "
+                                    "along a seam: strip-2"));
   EXPECT_THAT(run("strict", {"--strict"}).err, Not(HasSubstr("turned over")));
+}
+
+/// One half of a cushion, of that height in the middle: a grid of 12 x 8.
+TriMesh cushion_half(double height) {
+  return meshes::height_field(
+      12, 8, [&](double x, double y) { return height * x * (12.0 - x) * y * (8.0 - y) / 576.0; });
+}
+
+TEST_F(ModelFlags, TurnOverTheHalfOfACushion) {
+  write_product("cushion.obj",
+                {{"top", cushion_half(2.0), {}}, {"bottom", cushion_half(-2.0), {}}});
+  const CliResult turned = planish({"flatten", "cushion.obj", "-o", "out", "--formats", "svg"});
+  EXPECT_THAT(turned.err, HasSubstr("along a seam: bottom"));
+}
+
+TEST_F(ModelFlags, SayWhereItIsNotKnownWhatIsInsideOut) {
+  const TriMesh sheet = meshes::flat_grid(12, 8);
+  write_product("facing.obj", {{"panel", sheet, {}}, {"facing", sheet, {}}});
+  const CliResult flat = planish({"flatten", "facing.obj", "-o", "out", "--formats", "svg"});
+  EXPECT_THAT(flat.err, Not(HasSubstr("turned over")));
+  EXPECT_THAT(flat.err, HasSubstr("not known whether they are inside out: facing"));
+}
+
+TEST_F(ModelFlags, SayWhereNoWallHasTheSideAskedFor) {
+  write_mesh("panel.obj", make_shape("panel", 300));
+  EXPECT_THAT(planish({"unfold", "panel.obj", "-o", "up.svg", "--side", "outer"}).err,
+              HasSubstr("no wall was found in panel: --side changes nothing there"));
 }
 
 TEST_F(ModelFlags, SayWhichSideIsUpAndTurnIt) {

@@ -137,7 +137,7 @@ TEST(PieceVerdict, OfAFailureIsItsReason) {
   report.patches = {finished(), {"tube", 1, 1, {}, Failure{"handles", "has a handle"}}, finished()};
   EXPECT_THAT(texts_of(report.patches[1]), ElementsAre("failed: has a handle"));
   EXPECT_THAT(report.patches[1].outcome().missed, ElementsAre(Criterion::failure));
-  EXPECT_TRUE(report.patches[1].outcome().limits_met());
+  EXPECT_FALSE(report.patches[1].outcome().limits_met());
   EXPECT_THAT(missed_first(report), ElementsAre(1U, 0U, 2U));
 }
 

@@ -27,16 +27,16 @@ def read(
 
     Keywords, as flags of the program:
         unit: what one unit of the mesh is: mm, cm, dm, m or in (default: as its file says, else mm)
-        divide: what makes pieces of a file: its objects (else groups), its materials, or parts: only what does not
-            hang together (default objects)
+        divide: what makes a piece: objects (or groups, where the file has none), materials, or parts: whatever hangs
+            together (default objects)
         only: take these objects, groups, materials or pieces, by their names with commas between
-        without: leave these out
-        weld: join borders that lie on each other, at most so far apart (1.5 or 1.5mm; default: what fits the size of
+        without: leave out these objects, groups, materials or pieces
+        weld: join borders that lie within LENGTH of each other (1.5 or 1.5mm; default: a length that fits the size of
             the mesh)
-        fill_holes: close holes whose border is no longer (1.5 or 1.5mm)
+        fill_holes: close holes whose border is at most LENGTH long (1.5 or 1.5mm)
         side: of a wall with a thickness take one side: outer or inner
         flip: turn the surface over: its inner side becomes the outer one
-        strict: mend nothing and leave nothing out that was not asked for
+        strict: take the mesh as it is: repair and leave out only what other flags ask for
     """
     given = _run.keywords_of(locals())
     return _core.read(_meshes.text_of(path), given)

@@ -181,9 +181,9 @@ double rounded_up(double value) {
 std::string hole_text(const TriMesh& mesh, const std::vector<std::vector<Index>>& loops,
                       std::size_t parts) {
   constexpr double k_short = 0.5;  // of the border
-  std::vector<double> lengths;
-  for (const auto& loop : loops)
-    lengths.push_back(length_of_loop(mesh, loop));
+  std::vector<double> lengths(loops.size());
+  std::transform(loops.begin(), loops.end(), lengths.begin(),
+                 [&mesh](const auto& loop) { return length_of_loop(mesh, loop); });
   std::sort(lengths.begin(), lengths.end());
   const double hole = lengths[lengths.size() - 2];
   const bool are_holes = parts == 1 && std::isnormal(hole) && hole < k_short * lengths.back();

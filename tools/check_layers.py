@@ -43,8 +43,9 @@ FLOORS = {
         ["mesh"],
         ["mesh/search", "mesh/coarsen", "mesh/cut", "mesh/polygon"],
         ["mesh/match", "mesh/carry", "mesh/repair"],
+        ["mesh/redundant"],
     ],
-    "io": [["io/file"], ["io/formats", "io/svg", "io/model"], ["io"]],
+    "io": [["io/file"], ["io/unit"], ["io/formats", "io/svg", "io/model"], ["io"]],
     "measure": [["measure/lanes"], ["measure"], ["measure/cautions"]],
     "draw": [["draw"], ["draw/text"], ["draw/svg", "draw/dxf", "draw/pdf", "draw/plt"]],
     "evolve": [

@@ -27,6 +27,7 @@ struct EdgeSides {
 
 /// The sides of all triangles that are not skipped, by edge and then by triangle.
 /// @param skipped of each triangle; empty: none
+/// @pre all indices are in range
 std::vector<EdgeSide> sorted_sides(const TriMesh& mesh,
                                    std::span<const unsigned char> skipped = {});
 

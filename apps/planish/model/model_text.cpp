@@ -68,6 +68,11 @@ std::vector<std::string> work_notes(const ModelWork& work, const ShownLengths& l
     notes.push_back(wall.name + " is a wall of " + lengths.thickness_text(wall.thickness) +
                     ": --side outer or --side inner takes one side");
   }
+  for (const ModelWork::Lying& lying : work.lying) {
+    notes.push_back(lying.piece + " lies on " + lying.on +
+                    " all over; if they are one sheet, --without " + lying.piece +
+                    " leaves it out");
+  }
   if (work.touching > 0) {
     notes.push_back(std::to_string(work.touching) +
                     " pieces touch along whole borders; if they are one surface, --weld makes " +

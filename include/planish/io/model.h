@@ -68,9 +68,14 @@ struct ModelWork {
   std::vector<FoundWall> walls = {};
   /// Parts of which a side was asked for and that are no wall.
   std::vector<std::string> without_wall = {};
-  std::size_t touching = 0;  ///< pieces that touch others along whole sides
-  std::size_t welded = 0;    ///< pieces that welding would make of these
-  bool renumbered = false;   ///< vertices have other numbers than in the file
+  /// A piece that lies on another one all over, as one sheet that is there twice does.
+  struct Lying {
+    std::string piece, on;
+  };
+  std::vector<Lying> lying = {};  ///< in the order of the pieces
+  std::size_t touching = 0;       ///< pieces that touch others along whole sides
+  std::size_t welded = 0;         ///< pieces that welding would make of these
+  bool renumbered = false;        ///< vertices have other numbers than in the file
 };
 
 /// The mesh of a file as everything works on it, and its pieces.

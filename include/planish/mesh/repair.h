@@ -30,7 +30,7 @@ struct RepairedMesh {
 /// A mesh without triangles that add nothing to its surface.
 struct CleanedMesh : RepairedMesh {
   std::size_t collapsed = 0;  ///< triangles that named a vertex twice
-  std::size_t repeated = 0;   ///< triangles that were in the mesh before, in the same orientation
+  std::size_t repeated = 0;   ///< triangles that were there already, in the same orientation
   std::size_t backs = 0;      ///< triangles of the back of a doubled sheet
   std::size_t fins = 0;       ///< triangles of crumbs that stood on edges of a whole surface
 
@@ -39,12 +39,14 @@ struct CleanedMesh : RepairedMesh {
 };
 
 /// Leaves out what cannot change the surface: triangles that name a vertex twice; triangles that
-/// are there already, also as the other two triangles of the same quadrilateral; the back of a
-/// sheet all of whose triangles are there in both orientations, with the same vertices or with
-/// others at equal places; and fins: pieces of less than 1 % of the area that hang only on edges
-/// which have two triangles without them. What comes first stays. Triangles without area that have
-/// three vertices stay, as their neighbours need them, and so does a single pair of opposite
-/// triangles, which inspect() refuses.
+/// are there already, also as the other two triangles of the same quadrilateral; a piece all of
+/// whose triangles are there already in other pieces, in either orientation, and the back of a
+/// sheet that has both; and fins: pieces of less than 1 % of the area that hang only on edges which
+/// have two triangles without them. Such pieces may have other vertices at equal places, and where
+/// they reach as far as each other also within default_weld_length(), and other diagonals. What
+/// comes first stays. Triangles without area that have three vertices stay, as their neighbours
+/// need them, and so do a copy of a part of a piece and a single pair of opposite triangles, which
+/// inspect() refuses.
 CleanedMesh remove_redundant_triangles(const TriMesh& mesh);
 
 /// A mesh in which parts that touched have vertices of their own.

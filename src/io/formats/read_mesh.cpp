@@ -7,7 +7,7 @@
 #include "io/file/file_bytes.h"
 #include "io/file/foreign_file.h"
 #include "io/formats/formats.h"
-#include "io/formats/stated_unit.h"
+#include "io/unit/stated_unit.h"
 #include "platform/path.h"
 
 namespace planish {

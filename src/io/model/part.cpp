@@ -8,7 +8,7 @@
 #include <planish/mesh/weld.h>
 
 #include "mesh/manifold_defects.h"
-#include "mesh/repair/doubled.h"
+#include "mesh/redundant/doubled.h"
 #include "mesh/repair/sheets.h"
 
 namespace planish {
@@ -73,7 +73,8 @@ void part_touching(ModelPart& part, ModelWork& work) {
 }
 
 /// @return whether there were any
-bool leave_out_crumbs(ModelPart& part, ModelWork& work) {
+bool leave_out_crumbs(ModelPart& part, bool is_manifold, ModelWork& work) {
+  if (is_manifold && find_parts_by_vertices(part.mesh).count == 1) return false;
   const Crumbs crumbs = find_crumbs(part.mesh);
   if (crumbs.pieces == 0) return false;
   work.crumbs += crumbs.pieces;
@@ -85,7 +86,7 @@ bool leave_out_crumbs(ModelPart& part, ModelWork& work) {
 /// Whether a part may be a wall: one sheet, or two beside each other. One that nobody told of is
 /// closed: an open one with its sides close together, as a flat sleeve, is meant so.
 bool may_be_wall(const TriMesh& mesh, const Connectivity& connectivity, bool is_asked) {
-  const std::size_t sheets = find_sheets(mesh).count;
+  const std::size_t sheets = find_parts_by_vertices(mesh).count;  // it is a manifold
   return sheets == 2 || (sheets == 1 && (is_asked || connectivity.border_loops().empty()));
 }
 
@@ -116,7 +117,7 @@ void close_holes(ModelPart& part, double length, ModelWork& work) {
 void prepare_part(ModelPart& part, const ModelOptions& options, ModelWork& work) {
   auto connectivity = Connectivity::build(part.mesh);
   const std::size_t triangles = part.mesh.triangles.size();
-  if (!options.strict && (!connectivity || has_equal_places(part.mesh))) clean(part, work);
+  if (!options.strict && (!connectivity || may_be_doubled(part.mesh))) clean(part, work);
   if (options.weld) join(part, *options.weld, work);
   const bool is_changed = options.weld || part.mesh.triangles.size() != triangles;
   if (is_changed) connectivity = Connectivity::build(part.mesh);
@@ -126,8 +127,9 @@ void prepare_part(ModelPart& part, const ModelOptions& options, ModelWork& work)
     orient(part, work);
     connectivity = Connectivity::build(part.mesh);
   }
-  if (!options.strict && leave_out_crumbs(part, work))
+  if (!options.strict && leave_out_crumbs(part, connectivity.has_value(), work))
     connectivity = Connectivity::build(part.mesh);
+  part.is_manifold = connectivity && !options.side && options.fill_holes == 0.0;
   if (!options.strict || options.side) take_one_side(part, connectivity, options.side, work);
   if (options.fill_holes > 0.0) close_holes(part, options.fill_holes, work);
   if (options.flip) part.mesh = turned_over(std::move(part.mesh));

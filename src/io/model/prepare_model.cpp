@@ -10,6 +10,7 @@
 #include <planish/mesh/weld.h>
 
 #include "io/model/part.h"
+#include "mesh/redundant/lying.h"
 #include "mesh/repair/sheets.h"
 #include "mesh/split.h"
 
@@ -130,7 +131,7 @@ std::vector<ModelPart> parts_of(const ReadResult& file, const Choice& choice, Di
 /// The connected pieces of a part; one where no two triangles share an edge: such a part was
 /// written without joining its triangles.
 Sheets pieces_in(const ModelPart& part) {
-  Sheets pieces = find_sheets(part.mesh);
+  Sheets pieces = part.is_manifold ? find_parts_by_vertices(part.mesh) : find_sheets(part.mesh);
   if (pieces.count == part.mesh.triangles.size()) pieces = {std::vector<Index>(pieces.count, 0), 1};
   return pieces;
 }
@@ -167,9 +168,11 @@ class Assembly {
   /// Triangles in the order of the file, new ones behind, and vertices without those that the file
   /// uses and the model does not.
   void finish(const TriMesh& file, Model& model) && {
-    std::stable_sort(
-        triangles_.begin(), triangles_.end(),
-        [](const PlacedTriangle& a, const PlacedTriangle& b) { return a.file < b.file; });
+    const auto comes_before = [](const PlacedTriangle& a, const PlacedTriangle& b) {
+      return a.file < b.file;
+    };
+    if (!std::is_sorted(triangles_.begin(), triangles_.end(), comes_before))
+      std::stable_sort(triangles_.begin(), triangles_.end(), comes_before);
     std::vector<unsigned char> gone(positions_.size(), 0);
     for (std::size_t v = file.positions.size(); v < positions_.size(); ++v)
       gone[v] = 1;
@@ -237,6 +240,14 @@ void look_for_touching_pieces(Model& model) {
   model.work.welded = touching.joined;
 }
 
+/// With names a piece may be meant to lie on a part of another one, as a facing does.
+void look_for_lying_pieces(Model& model) {
+  const Lying way = model.divided_by.empty() ? Lying::meshed : Lying::closely;
+  for (const auto& [piece, on] :
+       find_lying_pieces(model.mesh, model.piece_of, model.pieces.size(), way))
+    model.work.lying.push_back({model.pieces[piece], model.pieces[on]});
+}
+
 }  // namespace
 
 Model prepare_model(ReadResult file, const ModelOptions& options, const std::string& name) {
@@ -263,6 +274,7 @@ Model prepare_model(ReadResult file, const ModelOptions& options, const std::str
   std::move(assembly).finish(file.mesh, model);
   const bool is_unnamed = model.divided_by.empty() && !options.strict && !options.weld;
   if (is_unnamed && model.pieces.size() > 1) look_for_touching_pieces(model);
+  if (model.work.walls.empty()) look_for_lying_pieces(model);
   return model;
 }
 

@@ -4,10 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
-
-#include "mesh/repair/doubled.h"
 
 namespace planish {
 
@@ -105,6 +104,23 @@ std::vector<NearPair> near_pairs(const std::vector<Vec3>& positions,
 }
 
 }  // namespace
+
+std::vector<Index> first_at_place(const std::vector<Vec3>& positions) {
+  std::vector<Index> order(positions.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  const auto place = [&](Index v) {
+    const Vec3& p = positions[v];
+    return std::tie(p.x, p.y, p.z);
+  };
+  std::sort(order.begin(), order.end(),
+            [&](Index a, Index b) { return place(a) != place(b) ? place(a) < place(b) : a < b; });
+  std::vector<Index> first(positions.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && place(order[i]) == place(order[i - 1]);
+    first[order[i]] = same ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
 
 std::vector<EdgeSide> border_sides(const TriMesh& mesh) {
   const std::vector<EdgeSide> sides = sorted_sides(mesh);

@@ -8,6 +8,9 @@
 
 namespace planish {
 
+/// The vertex of the smallest number at the exact place of each vertex.
+std::vector<Index> first_at_place(const std::vector<Vec3>& positions);
+
 /// The sides of edges that have one triangle, by edge.
 std::vector<EdgeSide> border_sides(const TriMesh& mesh);
 

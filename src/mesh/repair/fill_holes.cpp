@@ -12,7 +12,7 @@
 
 #include "mesh/disjoint_sets.h"
 #include "mesh/edge_sides.h"
-#include "mesh/repair/doubled.h"
+#include "mesh/repair/border_places.h"
 #include "mesh/repair/repaired.h"
 #include "mesh/repair/sheets.h"
 #include "mesh/repair/triangulate_loop.h"

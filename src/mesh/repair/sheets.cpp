@@ -4,6 +4,24 @@
 
 namespace planish {
 
+namespace {
+
+/// @param first_of of each triangle the smallest number of its set; sets come by their first ones
+template <class FirstOf>
+Sheets numbered(std::size_t triangles, std::size_t sets, const FirstOf& first_of) {
+  constexpr Index none = static_cast<Index>(-1);
+  Sheets sheets{std::vector<Index>(triangles), 0};
+  std::vector<Index> number(sets, none);
+  for (std::size_t i = 0; i < triangles; ++i) {
+    Index& of_set = number[first_of(static_cast<Index>(i))];
+    if (of_set == none) of_set = static_cast<Index>(sheets.count++);
+    sheets.of_triangle[i] = of_set;
+  }
+  return sheets;
+}
+
+}  // namespace
+
 Sheets find_sheets(std::size_t triangles, const std::vector<EdgeSides>& edges, std::size_t most) {
   DisjointSets<Index> sets(triangles);
   for (const EdgeSides& edge : edges) {
@@ -11,19 +29,22 @@ Sheets find_sheets(std::size_t triangles, const std::vector<EdgeSides>& edges, s
     for (const EdgeSide* side = edge.begin + 1; side < edge.end; ++side)
       sets.join(edge.begin->triangle, side->triangle);
   }
-  Sheets sheets{std::vector<Index>(triangles), 0};
-  for (std::size_t i = 0; i < triangles; ++i) {
-    const auto t = static_cast<Index>(i);
-    const Index first = sets.first_of(t);
-    sheets.of_triangle[t] =
-        first == t ? static_cast<Index>(sheets.count++) : sheets.of_triangle[first];
-  }
-  return sheets;
+  return numbered(triangles, triangles, [&](Index t) { return sets.first_of(t); });
 }
 
 Sheets find_sheets(const TriMesh& mesh) {
   const std::vector<EdgeSide> sides = sorted_sides(mesh);
   return find_sheets(mesh.triangles.size(), group_by_edge(sides));
+}
+
+Sheets find_parts_by_vertices(const TriMesh& mesh) {
+  DisjointSets<Index> sets(mesh.positions.size());
+  for (const Triangle& t : mesh.triangles) {
+    sets.join(t[0], t[1]);
+    sets.join(t[0], t[2]);
+  }
+  return numbered(mesh.triangles.size(), mesh.positions.size(),
+                  [&](Index t) { return sets.first_of(mesh.triangles[t][0]); });
 }
 
 std::vector<double> unit_areas(const TriMesh& mesh) {

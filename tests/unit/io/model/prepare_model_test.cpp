@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include <planish/core/error.h>
 #include <planish/io/model.h>
@@ -9,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
+#include "unit/mesh/repair/repairs.h"
 
 namespace planish {
 namespace {
@@ -71,6 +74,48 @@ TEST(PrepareModel, DividesByObjectsAndByMaterialsOnRequestOnly) {
               ElementsAre("left", "right"));
   EXPECT_THAT(prepare_model(grid_with("o"), {.divide = Divide::parts}, "sail").pieces,
               ElementsAre("sail"));
+}
+
+/// A quarter of a cylinder, radius 6, with so many rows.
+TriMesh bent_grid(std::size_t rows, double height = 0.0) {
+  TriMesh mesh = meshes::flat_grid(rows, 4);
+  for (Vec3& p : mesh.positions) {
+    const double angle = 1.5 * p.x / static_cast<double>(rows);
+    p = {6.0 * std::sin(angle), p.y, height + 6.0 * std::cos(angle)};
+  }
+  return mesh;
+}
+
+TEST(PrepareModel, NamesPiecesThatLieOnOthersAllOver) {
+  const auto lying = [](const TriMesh& one, const TriMesh& other, const FaceGroups& groups = {}) {
+    ReadResult file;
+    file.mesh = repairs::both(one, other);
+    file.groups = groups;
+    std::string found;
+    for (const ModelWork::Lying& pair : prepare_model(file, {}, "sail").work.lying)
+      found += pair.piece + " on " + pair.on + ";";
+    return found;
+  };
+  const TriMesh sheet = bent_grid(12), finer = turned_over(bent_grid(30));
+  TriMesh half = sheet;
+  half.triangles.resize(half.triangles.size() / 2);
+  EXPECT_EQ(lying(sheet, finer), "sail-2 on sail-1;");
+  EXPECT_EQ(lying(half, sheet), "sail-1 on sail-2;");
+  EXPECT_EQ(lying(sheet, bent_grid(12, 0.5)), "");
+  // Another form in the same box.
+  TriMesh across = bent_grid(12);
+  for (Vec3& p : across.positions)
+    p.z = 6.0 + std::cos(1.5) * 6.0 - p.z;
+  EXPECT_EQ(lying(sheet, across), "");
+  const auto named = [&](const TriMesh& second) {
+    FaceGroups groups{"o", {"front", "lining"}, {}};
+    groups.of_triangle.assign(sheet.triangles.size(), 0);
+    groups.of_triangle.insert(groups.of_triangle.end(), second.triangles.size(), 1);
+    return lying(sheet, second, groups);
+  };
+  EXPECT_EQ(named(sheet), "lining on front;");
+  EXPECT_EQ(named(half), "");
+  EXPECT_EQ(named(finer), "");
 }
 
 TEST(PrepareModel, GivesPiecesVerticesOfTheirOwnBehindAllOthers) {

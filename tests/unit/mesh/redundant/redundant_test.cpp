@@ -3,6 +3,7 @@
 #include <planish/core/error.h>
 #include <planish/mesh/inspect.h>
 #include <planish/mesh/repair.h>
+#include <planish/mesh/weld.h>
 
 #include <gtest/gtest.h>
 
@@ -89,6 +90,78 @@ TEST(RedundantTriangles, OfADoubledSheetOneSideStaysInAnyOrder) {
   }
   const CleanedMesh clean = remove_redundant_triangles(mesh);
   EXPECT_EQ(clean.mesh.triangles, sheet.triangles);
+}
+
+/// The quadrilaterals of a grid divided by their other diagonals.
+TriMesh by_other_diagonals(TriMesh grid) {
+  for (std::size_t t = 0; t < grid.triangles.size(); t += 2) {
+    const Triangle one = grid.triangles[t], other = grid.triangles[t + 1];
+    grid.triangles[t] = {one[0], one[1], other[2]};
+    grid.triangles[t + 1] = {one[1], one[2], other[2]};
+  }
+  return grid;
+}
+
+/// Those of the first mesh and then those of the second, which has the same vertices.
+TriMesh with_triangles_of(TriMesh mesh, const TriMesh& second) {
+  mesh.triangles.insert(mesh.triangles.end(), second.triangles.begin(), second.triangles.end());
+  return mesh;
+}
+
+TEST(RedundantTriangles, ADoubledSheetMayHaveOtherDiagonals) {
+  // One row has diagonals only that could be those of quadrilaterals across the sheets.
+  for (const TriMesh& sheet : {meshes::rough_grid(6, 5, 7), meshes::rough_grid(7, 1, 7)}) {
+    const TriMesh other = by_other_diagonals(sheet), back = turned_over(other);
+    const std::size_t count = sheet.triangles.size();
+    for (const TriMesh& mesh : {with_triangles_of(sheet, back), repairs::both(sheet, back)}) {
+      const CleanedMesh clean = remove_redundant_triangles(mesh);
+      EXPECT_EQ(clean.backs, count);
+      EXPECT_EQ(clean.mesh.triangles, sheet.triangles);
+      for (const TriMesh& variant : variants(mesh)) {
+        const CleanedMesh of_variant = remove_redundant_triangles(variant);
+        EXPECT_EQ(of_variant.backs, count);
+        EXPECT_TRUE(repairs::is_disk(of_variant.mesh));
+      }
+    }
+    const CleanedMesh same_way = remove_redundant_triangles(repairs::both(sheet, other));
+    EXPECT_EQ(same_way.repeated, count);
+    EXPECT_EQ(same_way.mesh.triangles, sheet.triangles);
+  }
+}
+
+TEST(RedundantTriangles, ACopyOfASheetGoesThoughItIsTheSameWayRound) {
+  const TriMesh sheet = meshes::rough_grid(6, 5, 8);
+  const TriMesh twice = repairs::both(repairs::both(sheet, sheet), turned_over(sheet));
+  const CleanedMesh clean = remove_redundant_triangles(twice);
+  EXPECT_EQ(clean.repeated, sheet.triangles.size());
+  EXPECT_EQ(clean.backs, sheet.triangles.size());
+  EXPECT_EQ(clean.mesh.triangles, sheet.triangles);
+}
+
+TEST(RedundantTriangles, ADoubledSheetMayBeBesideItselfByRounding) {
+  const TriMesh sheet = meshes::rough_grid(6, 5, 9);
+  const auto moved = [&](double length) {
+    TriMesh mesh = sheet;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+      mesh.positions[v].z += v % 3 == 0 ? -length : length;
+    return mesh;
+  };
+  const double length = default_weld_length(sheet);
+  for (const TriMesh& variant :
+       variants(repairs::both(sheet, turned_over(by_other_diagonals(moved(0.5 * length))))))
+    EXPECT_EQ(remove_redundant_triangles(variant).backs, sheet.triangles.size());
+  EXPECT_EQ(remove_redundant_triangles(repairs::both(sheet, moved(0.9 * length))).repeated,
+            sheet.triangles.size());
+  EXPECT_EQ(remove_redundant_triangles(repairs::both(sheet, moved(1.2 * length))).removed(), 0U);
+}
+
+/// Half of a sheet may be a patch on it.
+TEST(RedundantTriangles, ACopyOfAPartOfASheetStays) {
+  const TriMesh sheet = meshes::rough_grid(6, 6, 10);
+  TriMesh half = sheet;
+  half.triangles.resize(half.triangles.size() / 2);
+  EXPECT_EQ(remove_redundant_triangles(repairs::both(sheet, half)).removed(), 0U);
+  EXPECT_EQ(remove_redundant_triangles(repairs::both(half, turned_over(sheet))).removed(), 0U);
 }
 
 TEST(RedundantTriangles, OneOppositeTriangleIsAFault) {

@@ -16,9 +16,8 @@ struct UnitFinding {
 };
 
 /// Looks for it: in the comments of OBJ and OFF, in comment and obj_info of PLY, in the first line
-/// or the header of STL. Only a comment with the word unit or units counts, and one unit of length,
-/// as in "File units = inches", "Units: mm", "1 unit = 1 meter" and "This file uses centimeters as
-/// units". Looks at a fixed number of bytes at most.
+/// or the header of STL. unit_said_by() tells which comments count. Looks at a fixed number of
+/// bytes at most.
 UnitFinding find_unit(std::string_view bytes, MeshFormat format);
 
 }  // namespace planish

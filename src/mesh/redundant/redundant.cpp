@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -8,7 +7,8 @@
 #include <planish/mesh/repair.h>
 
 #include "mesh/edge_sides.h"
-#include "mesh/repair/doubled.h"
+#include "mesh/redundant/cells.h"
+#include "mesh/redundant/doubled.h"
 #include "mesh/repair/repaired.h"
 #include "mesh/repair/sheets.h"
 
@@ -55,39 +55,14 @@ std::size_t mark_repeated(const TriMesh& mesh, Marks& gone) {
   return count;
 }
 
-/// Two triangles on the sides of a diagonal, as the quadrilateral around them.
-struct DividedQuad {
-  std::array<Index, 4> corners;  // in their order, the smallest first
-  std::array<Index, 2> triangles;
-};
-
-std::vector<DividedQuad> divided_quads(const TriMesh& mesh, const std::vector<EdgeSides>& edges) {
-  std::vector<DividedQuad> quads;
-  for (const EdgeSides& edge : edges) {
-    if (edge.size() != 2 || edge.begin[0].forward == edge.begin[1].forward) continue;
-    const EdgeSide &a = edge.begin[0], &b = edge.begin[1];
-    const Triangle &of_a = mesh.triangles[a.triangle], &of_b = mesh.triangles[b.triangle];
-    DividedQuad quad{{of_a[(a.corner + 1) % 3], of_a[(a.corner + 2) % 3], of_a[a.corner],
-                      of_b[(b.corner + 2) % 3]},
-                     {a.triangle, b.triangle}};
-    if (quad.corners[1] == quad.corners[3]) continue;
-    std::rotate(quad.corners.begin(), std::min_element(quad.corners.begin(), quad.corners.end()),
-                quad.corners.end());
-    quads.push_back(quad);
-  }
-  std::sort(quads.begin(), quads.end(), [](const DividedQuad& a, const DividedQuad& b) {
-    return a.corners != b.corners ? a.corners < b.corners : a.triangles < b.triangles;
-  });
-  return quads;
-}
-
 /// In a sound mesh no quadrilateral is there by both of its diagonals in the same orientation.
 std::size_t mark_other_diagonals(const TriMesh& mesh, Marks& gone) {
   const std::vector<EdgeSide> sides = sorted_sides(mesh, gone);
-  const std::vector<DividedQuad> quads = divided_quads(mesh, group_by_edge(sides));
+  const std::vector<Cell> quads = quad_cells(mesh, group_by_edge(sides));
   std::size_t count = 0;
   for (std::size_t i = 1; i < quads.size(); ++i) {
-    if (quads[i].corners != quads[i - 1].corners) continue;
+    if (!quads[i].has_same_corners(quads[i - 1]) || quads[i].rising != quads[i - 1].rising)
+      continue;
     const auto is_there = [&](Index t) { return gone[t] == 0; };
     const auto &kept = quads[i - 1].triangles, &other = quads[i].triangles;
     if (!std::all_of(kept.begin(), kept.end(), is_there) ||
@@ -137,17 +112,20 @@ std::size_t mark_fins(const TriMesh& mesh, Marks& gone) {
 
 CleanedMesh remove_redundant_triangles(const TriMesh& mesh) {
   require_entries(mesh);
-  // A manifold has no other dirt than sheets at equal places.
-  if (!has_equal_places(mesh) && Connectivity::build(mesh)) return {unchanged(mesh)};
+  // A manifold has no other dirt than doubled sheets.
+  if (!may_be_doubled(mesh) && Connectivity::build(mesh)) return {unchanged(mesh)};
   Marks gone(mesh.triangles.size(), 0);
   CleanedMesh result;
   result.collapsed = mark_collapsed(mesh, gone);
   result.repeated = mark_repeated(mesh, gone);
   result.repeated += mark_other_diagonals(mesh, gone);
-  const std::vector<Index> backs = backs_of_doubled_sheets(mesh, gone);
-  for (const Index t : backs)
-    gone[t] = 1;
-  result.backs = backs.size();
+  const DoubledSheets doubled = find_doubled_sheets(mesh, gone);
+  for (const auto* triangles : {&doubled.backs, &doubled.repeated}) {
+    for (const Index t : *triangles)
+      gone[t] = 1;
+  }
+  result.backs = doubled.backs.size();
+  result.repeated += doubled.repeated.size();
   result.fins = mark_fins(mesh, gone);
   std::vector<Index> removed;
   for (std::size_t t = 0; t < gone.size(); ++t) {

@@ -29,7 +29,9 @@ TEST(StatedUnit, IsFoundInCommentsAsProgramsWriteThem) {
       {"# unit: 1.0 dm", Unit::dm},
       {"# --- File units = inches ---", Unit::in},
       {"# This file uses centimeters as units for non-parametric coordinates.", Unit::cm},
-      {"# units millimetres; maximum extent exactly 200.0 mm", Unit::mm}};
+      {"# units millimetres; maximum extent exactly 200.0 mm", Unit::mm},
+      {"# length_unit=in", Unit::in},
+      {"# 1 unit=1mm", Unit::mm}};
   for (const auto& [comment, unit] : comments) {
     const ReadResult result = obj_with(comment);
     ASSERT_TRUE(result.unit.has_value()) << comment;
@@ -40,10 +42,58 @@ TEST(StatedUnit, IsFoundInCommentsAsProgramsWriteThem) {
   EXPECT_EQ(obj_with("#  File units = inches \r").unit->words, "File units = inches");
 }
 
+TEST(StatedUnit, IsFoundInCommentsWithoutTheWordUnit) {
+  const std::vector<std::pair<std::string, Unit>> comments = {
+      {"# all dimensions in inches", Unit::in},
+      {"# ALL DIMENSIONS ARE IN INCHES UNLESS OTHERWISE SPECIFIED", Unit::in},
+      {"# Millimeters", Unit::mm},
+      {"# in mm", Unit::mm},
+      {"# Centimetres (cm)", Unit::cm},
+      {"# scale: cm", Unit::cm},
+      {"# scale = m", Unit::m},
+      {"# Dimensions (in)", Unit::in},
+      {"# Scale 1:1, all lengths in mm.", Unit::mm},
+      {"# coordinates are in metres, z up", Unit::m},
+      {"# measurements inches", Unit::in},
+      {"# two panels, model in dm", Unit::dm},
+      {"# 2021-05-02 exported in m", Unit::m}};
+  for (const auto& [comment, unit] : comments) {
+    const ReadResult result = obj_with(comment);
+    ASSERT_TRUE(result.unit.has_value()) << comment;
+    EXPECT_EQ(result.unit->unit, unit) << comment;
+    EXPECT_TRUE(result.notes.empty()) << comment;
+  }
+}
+
 TEST(StatedUnit, IsNotFoundWhereWordsMeanOtherThings) {
-  for (const std::string comment :
-       {"# inches", "# a united front in mm", "# unit normals in file", "# units of the model",
-        "# speed units: m/s", "# unit vectors, m of them", "# units: unknown", "# units in use"}) {
+  for (const std::string comment : {"# created in 5 ms",
+                                    "# made in China",
+                                    "# made in Gary, IN",
+                                    "# saved in M:/models",
+                                    "# plate 20 mm",
+                                    "# panel_mm",
+                                    "# winches and cinches",
+                                    "# size: M",
+                                    "# in",
+                                    "# M",
+                                    "# foot",
+                                    "# bolts of length 20 mm",
+                                    "# dimensions 100 x 50 mm",
+                                    "# inches of rain",
+                                    "# drawn in inches of water",
+                                    "# model: cm",
+                                    "# pressure scale: kg/m",
+                                    "# length in mm^2",
+                                    "# file 1e5",
+                                    "# .",
+                                    "# -",
+                                    "# a united front in mm",
+                                    "# unit normals in file",
+                                    "# units of the model",
+                                    "# speed units: m/s",
+                                    "# unit vectors, m of them",
+                                    "# units: unknown",
+                                    "# units in use"}) {
     const ReadResult result = obj_with(comment);
     EXPECT_FALSE(result.unit.has_value()) << comment;
     EXPECT_TRUE(result.notes.empty()) << comment;
@@ -61,6 +111,19 @@ TEST(StatedUnit, IsToldButNotUsedWhereItIsNoneOfOurs) {
   EXPECT_EQ(only_note("# units: feet"),
             "line 2 says \"units: feet\", which is not used: for feet give --unit in --scale 12");
   EXPECT_NE(only_note("# 1 unit = 2.54 cm").find("--scale"), std::string::npos);
+  EXPECT_NE(only_note("# units: yards").find("--unit in --scale 36"), std::string::npos);
+  EXPECT_NE(only_note("# Units = foot").find("--unit in --scale 12"), std::string::npos);
+  EXPECT_NE(only_note("# units: US survey foot").find("--unit m --scale 0.3048006096"),
+            std::string::npos);
+  for (const std::string micrometres : {"microns", "um", "\xc2\xb5m", "\xce\xbcm"}) {
+    EXPECT_NE(only_note("# units: " + micrometres).find("--unit mm --scale 0.001"),
+              std::string::npos);
+  }
+  for (const std::string comment :
+       {"# units: hundredths of an inch", "# unit: half inches", "# units: 1e-3 m",
+        "# unit = 25.4mm", "# units: 1/100 inch", "# scale: 0.01 inch", "# units not in mm",
+        "# scale 1:2, dimensions in cm", "# was inches, all dimensions in mm"})
+    EXPECT_NE(only_note(comment).find("--scale"), std::string::npos) << comment;
   EXPECT_NE(only_note("# units changed from inches to mm").find("--unit"), std::string::npos);
   EXPECT_NE(only_note("# units: mm\n# units: inches").find("neither is used"), std::string::npos);
   EXPECT_TRUE(obj_with("# units: mm\n# unit = millimeter").unit.has_value());
@@ -88,6 +151,10 @@ TEST(StatedUnit, IsFoundInEveryFormat) {
   EXPECT_EQ(unit_of(ply_begin + "obj_info Unit = cm\n" + ply_end, MeshFormat::ply), "cm 3");
   EXPECT_EQ(unit_of("OFF\n# units: in\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n", MeshFormat::off),
             "in 2");
+  EXPECT_EQ(unit_of("OFF # all in cm\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n", MeshFormat::off),
+            "cm 1");
+  EXPECT_EQ(unit_of(ply_begin + "comment Millimeters\n" + ply_end, MeshFormat::ply), "mm 3");
+  EXPECT_EQ(unit_of("solid part, dimensions in inches\n" + facet, MeshFormat::stl), "in 1");
   EXPECT_EQ(unit_of("solid part units: inches\n" + facet, MeshFormat::stl), "in 1");
   EXPECT_EQ(unit_of(binary, MeshFormat::stl), "mm 0");
 }

@@ -1,0 +1,323 @@
+#include "io/unit/unit_words.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace planish {
+
+namespace {
+
+/// Comments of people are shorter.
+constexpr std::size_t k_longest_comment = 200;
+
+constexpr std::string_view k_for_feet = "for feet give --unit in --scale 12";
+constexpr std::string_view k_for_survey_feet =
+    "for US survey feet give --unit m --scale 0.3048006096";
+constexpr std::string_view k_for_yards = "for yards give --unit in --scale 36";
+constexpr std::string_view k_for_miles = "for miles give --unit in --scale 63360";
+constexpr std::string_view k_for_kilometres = "for kilometres give --unit m --scale 1000";
+constexpr std::string_view k_for_micrometres = "for micrometres give --unit mm --scale 0.001";
+constexpr std::string_view k_for_thousandths =
+    "for thousandths of an inch give --unit in --scale "
+    "0.001";
+constexpr std::string_view k_not_plain =
+    "say with --unit, and with --scale where one unit of the mesh is not one of these";
+
+/// A unit of length by its names in files.
+struct UnitName {
+  std::string_view name;
+  SaidUnit said;
+};
+
+constexpr std::array<UnitName, 48> k_unit_names = {{
+    {"mm", {Unit::mm, {}}},
+    {"millimeter", {Unit::mm, {}}},
+    {"millimeters", {Unit::mm, {}}},
+    {"millimetre", {Unit::mm, {}}},
+    {"millimetres", {Unit::mm, {}}},
+    {"cm", {Unit::cm, {}}},
+    {"centimeter", {Unit::cm, {}}},
+    {"centimeters", {Unit::cm, {}}},
+    {"centimetre", {Unit::cm, {}}},
+    {"centimetres", {Unit::cm, {}}},
+    {"dm", {Unit::dm, {}}},
+    {"decimeter", {Unit::dm, {}}},
+    {"decimeters", {Unit::dm, {}}},
+    {"decimetre", {Unit::dm, {}}},
+    {"decimetres", {Unit::dm, {}}},
+    {"m", {Unit::m, {}}},
+    {"meter", {Unit::m, {}}},
+    {"meters", {Unit::m, {}}},
+    {"metre", {Unit::m, {}}},
+    {"metres", {Unit::m, {}}},
+    {"in", {Unit::in, {}}},
+    {"inch", {Unit::in, {}}},
+    {"inches", {Unit::in, {}}},
+    {"ft", {{}, k_for_feet}},
+    {"foot", {{}, k_for_feet}},
+    {"feet", {{}, k_for_feet}},
+    {"yd", {{}, k_for_yards}},
+    {"yard", {{}, k_for_yards}},
+    {"yards", {{}, k_for_yards}},
+    {"mile", {{}, k_for_miles}},
+    {"miles", {{}, k_for_miles}},
+    {"km", {{}, k_for_kilometres}},
+    {"kilometer", {{}, k_for_kilometres}},
+    {"kilometers", {{}, k_for_kilometres}},
+    {"kilometre", {{}, k_for_kilometres}},
+    {"kilometres", {{}, k_for_kilometres}},
+    {"um", {{}, k_for_micrometres}},
+    {"\xc2\xb5m", {{}, k_for_micrometres}},  // the micro sign, and the Greek letter
+    {"\xce\xbcm", {{}, k_for_micrometres}},
+    {"micron", {{}, k_for_micrometres}},
+    {"microns", {{}, k_for_micrometres}},
+    {"micrometer", {{}, k_for_micrometres}},
+    {"micrometers", {{}, k_for_micrometres}},
+    {"micrometre", {{}, k_for_micrometres}},
+    {"micrometres", {{}, k_for_micrometres}},
+    {"mil", {{}, k_for_thousandths}},
+    {"mils", {{}, k_for_thousandths}},
+    {"thou", {{}, k_for_thousandths}},
+}};
+
+/// Words that make another unit of one: "hundredths of an inch", "square mm", "not in mm".
+constexpr std::array<std::string_view, 31> k_other_words = {
+    "half",       "halves",     "quarter", "quarters",  "eighth",     "eighths",    "sixteenth",
+    "sixteenths", "tenth",      "tenths",  "hundredth", "hundredths", "thousandth", "thousandths",
+    "millionth",  "millionths", "two",     "three",     "four",       "five",       "eight",
+    "ten",        "twelve",     "hundred", "hundreds",  "thousand",   "thousands",  "dozen",
+    "square",     "cubic",      "not"};
+
+/// Before a unit in the same comment they say that it is that of the file: with a sign between, or
+/// with "in"; those of the second list with "in" only, as "model: M" and "size: M" are names.
+constexpr std::array<std::string_view, 15> k_measures = {
+    "scale",       "dimension", "dimensions",  "dim",          "dims",
+    "measure",     "measures",  "measurement", "measurements", "coordinate",
+    "coordinates", "coords",    "length",      "lengths",      "uom"};
+constexpr std::array<std::string_view, 29> k_subjects = {
+    "all",    "everything", "file",   "mesh",     "model",    "geometry", "part",      "drawing",
+    "export", "data",       "values", "numbers",  "vertices", "points",   "positions", "size",
+    "sizes",  "created",    "made",   "designed", "drawn",    "modeled",  "modelled",  "exported",
+    "saved",  "written",    "given",  "measured", "expressed"};
+
+struct Word {
+  std::string lower;
+  std::size_t begin, end;  // in the comment
+};
+
+bool is_word_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '-' ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// How many of its first letters are a number, as 25.4 or 1e-3.
+std::size_t length_of_number(std::string_view word) {
+  const auto digits_from = [&](std::size_t at, std::string_view letters) {
+    return std::min(word.find_first_not_of(letters, at), word.size());
+  };
+  if (word.find_first_of("0123456789") > 1 || !(is_digit(word[0]) || word[0] == '.')) return 0;
+  const std::size_t end = digits_from(0, "0123456789.");
+  if (end == word.size() || word[end] != 'e') return end;
+  const std::size_t power = digits_from(end + 1, "-");
+  return power < word.size() && is_digit(word[power]) ? digits_from(power, "0123456789") : end;
+}
+
+const UnitName* unit_name(std::string_view word) {
+  const auto found = std::find_if(k_unit_names.begin(), k_unit_names.end(),
+                                  [&](const UnitName& known) { return known.name == word; });
+  return found == k_unit_names.end() ? nullptr : &*found;
+}
+
+/// Words in small letters; a number and a unit without a blank between are two.
+std::vector<Word> words_of(std::string_view comment) {
+  std::vector<Word> words;
+  for (std::size_t k = 0; k < comment.size();) {
+    Word word{{}, k, k};
+    for (; word.end < comment.size(); ++word.end) {
+      char c = comment[word.end];
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+      if (!is_word_letter(c)) break;
+      word.lower += c;
+    }
+    k = std::max(word.end, k + 1);
+    while (!word.lower.empty() && (word.lower.back() == '.' || word.lower.back() == '-')) {
+      word.lower.pop_back();
+      --word.end;
+    }
+    if (word.lower.empty()) continue;
+    const std::size_t number = length_of_number(word.lower);
+    if (number > 0 && unit_name(word.lower.substr(number)) != nullptr) {
+      words.push_back({word.lower.substr(0, number), word.begin, word.begin + number});
+      word = {word.lower.substr(number), word.begin + number, word.end};
+    }
+    words.push_back(std::move(word));
+  }
+  return words;
+}
+
+template <std::size_t Count>
+bool is_one_of(const std::array<std::string_view, Count>& list, std::string_view word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+constexpr std::array<std::string_view, 14> k_unit_words = {
+    "unit",         "units",       "lengthunit", "lengthunits", "length_unit",
+    "length_units", "length-unit", "file_unit",  "file_units",  "model_unit",
+    "model_units",  "mesh_unit",   "mesh_units", "lengthscale"};
+
+bool is_unit_word(const Word& word) {
+  return is_one_of(k_unit_words, word.lower);
+}
+
+/// Things and persons have such names too.
+constexpr std::array<std::string_view, 7> k_also_names = {"m",   "in",   "foot", "yard",
+                                                          "mil", "thou", "mile"};
+
+bool is_number(const Word& word) {
+  return length_of_number(word.lower) == word.lower.size();
+}
+
+/// Whether it is a number, and not 1.
+bool is_other_number(const Word& word) {
+  return is_number(word) && (word.lower.find_first_not_of("1.0") != std::string::npos ||
+                             word.lower.substr(0, word.lower.find('.')) != "1");
+}
+
+/// A comment and its words.
+class Comment {
+ public:
+  explicit Comment(std::string_view text) : text_(text), words_(words_of(text)) {}
+
+  std::optional<SaidUnit> unit() const;
+
+ private:
+  /// The last letter before a word that is no blank; 0 for none.
+  char sign_before(std::size_t at) const {
+    const std::string_view before = text_.substr(0, words_[at].begin);
+    const std::size_t last = before.find_last_not_of(" \t");
+    return last == std::string_view::npos ? '\0' : before[last];
+  }
+
+  bool is_behind_sign(std::size_t at) const {
+    const char sign = sign_before(at);
+    return sign != '\0' && std::string_view("=:([").find(sign) != std::string_view::npos;
+  }
+
+  bool is_behind(std::size_t at, std::string_view word) const {
+    return at > 0 && words_[at - 1].lower == word;
+  }
+
+  bool is_unit(std::size_t at) const;
+  bool ends_with(std::size_t at) const;
+  bool is_all(std::size_t at) const;
+  bool is_said_to_be(std::size_t at) const;
+  bool is_of_file(const std::vector<std::size_t>& places) const;
+  bool is_changed(std::size_t first) const;
+
+  std::string_view text_;
+  std::vector<Word> words_;
+};
+
+/// Whether a unit stands there: not a part of another one, as in "kg/m" and "mm^2". "m" and "in",
+/// which are also names and words of English, stand right behind "units", "of", "=" and the like,
+/// with nothing behind that makes them another word.
+bool Comment::is_unit(std::size_t at) const {
+  const Word& word = words_[at];
+  const auto letter = [&](std::size_t k) { return k < text_.size() ? text_[k] : ' '; };
+  if (letter(word.end) == '/' || letter(word.end) == '^' || letter(word.begin - 1) == '/')
+    return false;
+  if (word.lower != "m" && word.lower != "in") return true;
+  if (word.lower == "in" && at + 1 < words_.size()) return false;
+  const std::size_t next = text_.find_first_not_of(" \t", word.end);
+  if (next != std::string_view::npos && text_[next] == ':') return false;
+  return is_behind_sign(at) || is_behind(at, "of") || is_behind(at, "in") ||
+         (at > 0 && (is_unit_word(words_[at - 1]) || is_number(words_[at - 1])));
+}
+
+/// Whether a statement ends with the word.
+bool Comment::ends_with(std::size_t at) const {
+  const std::size_t next = text_.find_first_not_of(" \t", words_[at].end);
+  return next == std::string_view::npos ||
+         std::string_view(".,;!)]([*-").find(text_[next]) != std::string_view::npos ||
+         (at + 1 < words_.size() && words_[at + 1].lower == "unless");
+}
+
+/// Whether the comment is the unit and nothing else.
+bool Comment::is_all(std::size_t at) const {
+  if (is_one_of(k_also_names, words_[at].lower)) return false;
+  return std::all_of(words_.begin(), words_.end(), [&](const Word& word) {
+    return word.lower == "in" || unit_name(word.lower) != nullptr;
+  });
+}
+
+/// Whether the words before it say that it is the unit of what they name.
+bool Comment::is_said_to_be(std::size_t at) const {
+  if (!ends_with(at) || at == 0) return false;
+  const auto end = words_.begin() + static_cast<std::ptrdiff_t>(at);
+  const auto has = [&](const auto& list) {
+    return std::any_of(words_.begin(), end,
+                       [&](const Word& word) { return is_one_of(list, word.lower); });
+  };
+  const bool is_subject = words_[at].lower != "in" && has(k_subjects);
+  if (is_behind(at, "in") && (has(k_measures) || is_subject)) return true;
+  if (is_other_number(words_[at - 1]))
+    return std::any_of(words_.begin(), end, [](const Word& word) { return word.lower == "scale"; });
+  const bool is_told = is_behind_sign(at) || is_behind(at, "are") || is_behind(at, "is") ||
+                       is_behind(at, "1") || is_one_of(k_measures, words_[at - 1].lower);
+  return is_told && has(k_measures);
+}
+
+bool Comment::is_of_file(const std::vector<std::size_t>& places) const {
+  return std::any_of(words_.begin(), words_.end(), is_unit_word) || is_all(places.front()) ||
+         std::any_of(places.begin(), places.end(),
+                     [this](std::size_t at) { return is_said_to_be(at); });
+}
+
+/// Whether numbers or words make another unit of it.
+/// @param first the place of the unit's first name
+bool Comment::is_changed(std::size_t first) const {
+  constexpr std::array<std::string_view, 4> k_between = {"of", "a", "an", "in"};
+  bool is_scale = false;
+  for (std::size_t k = 0; k < words_.size(); ++k) {
+    const bool leads_to_unit =
+        k + 1 == first || (k < first && is_one_of(k_between, words_[k + 1].lower));
+    if (leads_to_unit && is_one_of(k_other_words, words_[k].lower)) return true;
+    is_scale = is_scale || words_[k].lower == "scale";
+    const bool counts = is_unit_word(words_[k]) || k == first;
+    if (counts && k > 0 && is_other_number(words_[k - 1])) return true;
+    if (is_scale && is_other_number(words_[k])) return true;
+  }
+  return false;
+}
+
+std::optional<SaidUnit> Comment::unit() const {
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < words_.size(); ++k) {
+    if (unit_name(words_[k].lower) != nullptr && is_unit(k)) places.push_back(k);
+  }
+  if (places.empty() || !is_of_file(places)) return std::nullopt;
+  const auto said = [&](std::size_t at) { return unit_name(words_[at].lower)->said; };
+  const SaidUnit first = said(places.front());
+  const bool several = std::any_of(places.begin(), places.end(), [&](std::size_t at) {
+    return said(at).unit != first.unit || said(at).advice != first.advice;
+  });
+  if (several || is_changed(places.front())) return SaidUnit{{}, k_not_plain};
+  if (first.advice == k_for_feet && is_behind(places.front(), "survey"))
+    return SaidUnit{{}, k_for_survey_feet};
+  return first;
+}
+
+}  // namespace
+
+std::optional<SaidUnit> unit_said_by(std::string_view comment) {
+  if (comment.size() > k_longest_comment) return std::nullopt;
+  return Comment(comment).unit();
+}
+
+}  // namespace planish

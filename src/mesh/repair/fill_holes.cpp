@@ -34,6 +34,10 @@ struct Hole {
   std::vector<HoleCorner> corners;
   double length = 0.0;
   Index piece = 0;
+  std::size_t loop = 0;  // of the border
+
+  /// Two edges on each other.
+  bool is_slit() const { return corners.size() == 2; }
 };
 
 /// Divides loops where they pass a place again.
@@ -111,6 +115,12 @@ Vec3 unit_normal(const Triangle& t, const std::vector<Vec3>& positions) {
 struct BorderCurves {
   std::vector<Hole> holes;
   std::vector<unsigned char> is_outer;
+
+  struct Loop {
+    double length = 0.0;
+    bool has_outer = false;  // with a curve that is the longest of its piece
+  };
+  std::vector<Loop> loops;
 };
 
 BorderCurves border_curves(const TriMesh& mesh, const Connectivity& connectivity,
@@ -121,10 +131,13 @@ BorderCurves border_curves(const TriMesh& mesh, const Connectivity& connectivity
   constexpr std::size_t k_no_hole = static_cast<std::size_t>(-1);
   std::vector<std::size_t> longest(pieces.count, k_no_hole);
   for (const std::vector<Index>& loop : connectivity.border_loops()) {
+    curves.loops.emplace_back();
     for (Hole& hole : division.holes_of(loop)) {
       for (std::size_t i = 0; i < hole.corners.size(); ++i)
         hole.length += path_length(edge_behind(hole, i), mesh.positions);
       hole.piece = pieces.of_triangle[edges.triangle_at(loop[0], loop[1])];
+      hole.loop = curves.loops.size() - 1;
+      curves.loops.back().length += hole.length;
       std::size_t& best = longest[hole.piece];
       if (best == k_no_hole || hole.length > curves.holes[best].length) best = curves.holes.size();
       curves.holes.push_back(std::move(hole));
@@ -132,7 +145,9 @@ BorderCurves border_curves(const TriMesh& mesh, const Connectivity& connectivity
   }
   curves.is_outer.assign(curves.holes.size(), 0);
   for (const std::size_t hole : longest) {
-    if (hole != k_no_hole) curves.is_outer[hole] = 1;
+    if (hole == k_no_hole) continue;
+    curves.is_outer[hole] = 1;
+    curves.loops[curves.holes[hole].loop].has_outer = true;
   }
   return curves;
 }
@@ -168,6 +183,11 @@ std::optional<std::vector<Triangle>> filling(const TriMesh& mesh, const EdgeTabl
   return triangles;
 }
 
+void join_sides(const Hole& hole, DisjointSets<Index>& vertices) {
+  for (const HoleCorner& corner : hole.corners)
+    vertices.join(corner.arrival, corner.departure);
+}
+
 }  // namespace
 
 FilledMesh fill_holes(const TriMesh& mesh, double length) {
@@ -185,15 +205,24 @@ FilledMesh fill_holes(const TriMesh& mesh, double length) {
   for (Vec3& p : unit.positions)
     p = scale * p;
   DisjointSets<Index> vertices(mesh.positions.size());
+  std::vector<unsigned char> is_welded(curves.loops.size(), 0);
   for (std::size_t h = 0; h < curves.holes.size(); ++h) {
     const Hole& hole = curves.holes[h];
+    if (hole.is_slit()) {
+      // One from the outer border is a cut. The others of a loop are one hole.
+      const BorderCurves::Loop& loop = curves.loops[hole.loop];
+      if (loop.has_outer || !(loop.length <= length)) continue;
+      join_sides(hole, vertices);
+      result.filled += 1 - is_welded[hole.loop];
+      is_welded[hole.loop] = 1;
+      continue;
+    }
     if (curves.is_outer[h] != 0 || !(hole.length <= length)) continue;
     const auto triangles = filling(unit, edges, hole);
     ++(triangles ? result.filled : result.left);
     if (!triangles) continue;
     result.mesh.triangles.insert(result.mesh.triangles.end(), triangles->begin(), triangles->end());
-    for (const HoleCorner& corner : hole.corners)
-      vertices.join(corner.arrival, corner.departure);
+    join_sides(hole, vertices);
   }
   result.source.resize(result.mesh.triangles.size(), RepairedMesh::none);
   for (Triangle& t : result.mesh.triangles) {

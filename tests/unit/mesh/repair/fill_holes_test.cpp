@@ -91,20 +91,56 @@ TEST(FillHoles, EachPieceKeepsItsOuterBorder) {
   EXPECT_EQ(inspect(filled.mesh).topology.border_loops, 2U);
 }
 
-TEST(FillHoles, ASlitStaysAndIsCounted) {
+/// A grid of 6 x 6 cells, cut along its fourth row of vertices from one column to another; `apart`
+/// is how far the upper side of the middle column is moved.
+TriMesh with_slit(Index from, Index to, double apart = 0.0) {
   TriMesh mesh = meshes::flat_grid(6, 6);
-  // The inner edge of vertices 24 and 25 is opened by a copy of both ends' middle.
-  mesh.positions.push_back(mesh.positions[24]);
-  for (Triangle& t : mesh.triangles) {
-    const bool above = std::any_of(t.begin(), t.end(), [](Index v) { return v > 27; });
-    const bool along = std::any_of(t.begin(), t.end(), [](Index v) { return v == 24; });
-    for (Index& v : t)
-      v = above && along && v == 24 ? 49 : v;
+  const TriMesh whole = mesh;
+  for (Index column = from; column <= to; ++column) {
+    const Index v = 21 + column;
+    const Vec3 lift = {0.0, column == 3 ? apart : 0.0, 0.0};
+    mesh.positions.push_back(mesh.positions[v] + lift);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const Triangle& corners = whole.triangles[t];
+      if (std::none_of(corners.begin(), corners.end(), [](Index w) { return w > 27; })) continue;
+      std::replace(mesh.triangles[t].begin(), mesh.triangles[t].end(), v,
+                   static_cast<Index>(mesh.positions.size() - 1));
+    }
   }
-  ASSERT_EQ(inspect(mesh).topology.border_loops, 2U);
+  return mesh;
+}
+
+TEST(FillHoles, TheSidesOfASlitBecomeOne) {
+  for (const Index to : {2U, 3U, 4U}) {
+    const TriMesh mesh = with_slit(2, to);
+    ASSERT_EQ(inspect(mesh).topology.border_loops, 2U);
+    for (const TriMesh& variant : repairs::variants(mesh)) {
+      const FilledMesh filled = fill_holes(variant, k_any);
+      EXPECT_EQ(filled.filled, 1U);
+      EXPECT_EQ(filled.left, 0U);
+      EXPECT_EQ(filled.mesh.triangles.size(), mesh.triangles.size());
+      EXPECT_TRUE(repairs::is_disk(filled.mesh));
+      EXPECT_TRUE(repairs::has_sources(filled, variant));
+    }
+    const double length = 2.0 * (to - 2.0 + 2.0);
+    EXPECT_EQ(fill_holes(mesh, 0.99 * length).filled, 0U);
+    EXPECT_EQ(fill_holes(mesh, 1.01 * length).filled, 1U);
+  }
+}
+
+TEST(FillHoles, AHoleThatEndsInASlitIsClosedWithIt) {
+  const TriMesh mesh = with_slit(2, 4, 0.2);
+  const FilledMesh filled = fill_holes(mesh, k_any);
+  EXPECT_EQ(filled.filled, 2U);
+  EXPECT_EQ(filled.mesh.triangles.size(), mesh.triangles.size() + 2U);
+  EXPECT_TRUE(repairs::is_disk(filled.mesh));
+}
+
+TEST(FillHoles, ASlitFromTheOuterBorderIsACutAndStays) {
+  const TriMesh mesh = with_slit(0, 3);
   const FilledMesh filled = fill_holes(mesh, k_any);
   EXPECT_EQ(filled.filled, 0U);
-  EXPECT_EQ(filled.left, 2U);
+  EXPECT_EQ(filled.left, 0U);
   EXPECT_EQ(filled.mesh.triangles, mesh.triangles);
 }
 

@@ -95,7 +95,7 @@ class ProductRun {
             (nesting ? nesting->text : "") + written_text(files) +
             "Each patch has a folder of its own beside these; patterns lie outer side up.\n";
     CommandResult outcome = with_nesting_checked(with_exit_code({text, garment}), nesting);
-    note_cautions_and_sizes();
+    note_cautions_and_sizes(session_, report_);
     note_words();
     note_notches();
     note_divided_pages(session_, files, job_.output);
@@ -106,17 +106,6 @@ class ProductRun {
   }
 
  private:
-  void note_cautions_and_sizes() const {
-    for (const PatchResult& patch : report_.patches) {
-      if (!patch.finished) continue;
-      const UnfoldReport& unfold = patch.finished->unfold;
-      if (!patch.finished->cautions.empty())
-        session_.note(patch.name + ": " + patch.finished->cautions);
-      if (const auto size = unusual_size_text(unfold.pattern, unfold.unit))
-        session_.note(patch.name + ": " + *size);
-    }
-  }
-
   void note_words() const {
     std::vector<std::string> words;
     for (std::size_t p = 0; p < job_.patches.size(); ++p) {

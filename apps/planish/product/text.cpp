@@ -107,6 +107,17 @@ std::string matching_advice(const ProductReport& report) {
 
 }  // namespace
 
+void note_cautions_and_sizes(Session& session, const ProductReport& report) {
+  for (const PatchResult& patch : report.patches) {
+    if (!patch.finished) continue;
+    const UnfoldReport& unfold = patch.finished->unfold;
+    if (!patch.finished->cautions.empty())
+      session.note(patch.name + ": " + patch.finished->cautions);
+    if (const auto size = unusual_size_text(unfold.pattern, unfold.unit))
+      session.note(patch.name + ": " + *size);
+  }
+}
+
 std::string seams_text(const ProductReport& report, bool is_batch) {
   const std::vector<MeasuredSeam>& seams = report.seams;
   const std::string near = near_text(report);

@@ -4,6 +4,8 @@
 
 #include <planish/flatten/product.h>
 
+#include "shell/session.h"
+
 namespace planish::cli {
 
 /// A line on a patch: a tick or not, its size and strain, and what it is judged by, what is missed
@@ -13,6 +15,9 @@ std::string patch_line(const PatchResult& patch);
 /// How many pieces have all that was asked for, and the lines of all, those that miss something
 /// first.
 std::string pieces_text(const ProductReport& report);
+
+/// Notes what the mesh of each patch cannot show, and patterns of an unusual size.
+void note_cautions_and_sizes(Session& session, const ProductReport& report);
 
 /// How many patches were made from others; empty where none was.
 std::string twins_text(const ProductReport& report);

@@ -61,6 +61,7 @@ FlattenResult flatten_mesh(const MeshData& data, const py::dict& keywords, py::o
     options.keep = named_vertices(pattern.annotations);
     FlattenReport report = flatten(patch, data.name, options, session.job_context({}));
     cli::warn_of_pattern(session, report.unfold);
+    cli::note_cautions(session, data.name, report.cautions, cli::unit_from(arguments));
     const Patch& design = report.evolve.remeshed_from ? report.processed : report.input;
     cli::note_unequal_seams(session, design, report.unfold);
     return FlattenResult{std::move(report), pattern, arguments, input.cut,
@@ -85,6 +86,9 @@ UnfoldResult unfold_mesh(const MeshData& data, const py::dict& keywords, py::obj
     pattern.annotations =
         cli::annotations_on(std::move(pattern.annotations), arguments, patch, data.name, session);
     UnfoldReport report = unfold_patch(patch, unit, options, session.job_context({}));
+    const std::vector<Caution> cautions = find_cautions(patch);
+    pattern.annotations.cautions = words_of(cautions);
+    cli::note_cautions(session, data.name, cautions, unit);
     cli::warn_of_pattern(session, report);
     cli::note_unequal_seams(session, patch, report);
     return UnfoldResult{data.name, patch, std::move(report), pattern, input.cut};
@@ -112,6 +116,8 @@ cli::PatternFiles pattern_files_of(const Drawable& drawable, cli::PatternFormat 
   });
   files.annotations.model_scale = drawable.pattern.annotations.model_scale;
   files.annotations.moved = drawable.pattern.annotations.moved;
+  files.annotations.form_faults = drawable.pattern.annotations.form_faults;
+  files.annotations.cautions = drawable.pattern.annotations.cautions;
   return files;
 }
 

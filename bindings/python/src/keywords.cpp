@@ -11,12 +11,6 @@ namespace planish::python {
 
 namespace {
 
-const cli::Command& command_named(const std::string& verb) {
-  const auto& all = cli::commands();
-  return *std::find_if(all.begin(), all.end(),
-                       [&](const cli::Command& command) { return command.name == verb; });
-}
-
 std::string flag_of(std::string keyword) {
   if (keyword.ends_with('_')) keyword.pop_back();
   std::replace(keyword.begin(), keyword.end(), '_', '-');
@@ -72,6 +66,12 @@ bool switch_of(const std::string& keyword, py::handle value) {
 }
 
 }  // namespace
+
+const cli::Command& command_named(const std::string& verb) {
+  const auto& all = cli::commands();
+  return *std::find_if(all.begin(), all.end(),
+                       [&](const cli::Command& command) { return command.name == verb; });
+}
 
 cli::Arguments arguments_of(const std::string& verb, const py::dict& keywords) {
   const cli::Command& command = command_named(verb);

@@ -26,11 +26,21 @@ namespace {
 
 /// @param keywords as flags of convert, which prepares the mesh of a file and nothing else
 MeshData mesh_from_file(const std::string& path, const py::dict& keywords) {
-  const cli::Arguments arguments = arguments_of("convert", keywords);
+  cli::Arguments arguments = arguments_of("convert", keywords);
   const py::gil_scoped_release no_python;
-  const ModelOptions options = cli::model_options_from(arguments);
+  ModelOptions options = cli::model_options_from(arguments);
   ReadResult file = read_mesh(path_of(path), {.strict = options.strict});
-  const auto unit = file.unit ? std::optional(file.unit->unit) : std::nullopt;
+  const auto stated = file.unit ? std::optional(file.unit->unit) : std::nullopt;
+  const auto unit = arguments.has("--unit") ? cli::unit_from(arguments) : stated;
+  if (file.unit) {
+    file.notes.push_back("the file says \"" + file.unit->words + "\"" +
+                         (unit == stated ? ": taken as with unit=\""
+                                         : ", but unit= says otherwise, which is taken: \"") +
+                         std::string(to_string(*unit)) + "\"");
+  }
+  // Lengths of keywords are in the unit of the file.
+  arguments.stated_unit = unit;
+  options = cli::model_options_from(arguments);
   Model model =
       cli::about(path, [&] { return prepare_model(std::move(file), options, cli::stem_of(path)); });
   cli::check_model(model, options, path);
@@ -120,7 +130,9 @@ void register_mesh(py::module_& module) {
             if (!data.unit) return std::nullopt;
             return std::string(to_string(*data.unit));
           },
-          "What its file says one unit is, the default of unit=; None where it does not.")
+          "What one unit is, as unit= said or else its file; the default of unit= of what is made "
+          "of it. "
+          "None where nothing says it.")
       .def_property_readonly(
           "vertices",
           [](const py::object& self) {

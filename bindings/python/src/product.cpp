@@ -25,9 +25,10 @@
 #include "product/job.h"
 #include "product/parts.h"
 #include "product/seams.h"
+#include "product/text.h"
+#include "several/stated_units.h"
 #include "shell/failures.h"
 #include "shell/output_folder.h"
-#include "text/lengths.h"
 
 namespace planish::python {
 
@@ -54,26 +55,20 @@ cli::PatternFiles files_of(const cli::PatternFiles& pattern, const PatternOption
   return files;
 }
 
-void note_unusual_sizes(cli::Session& session, const ProductReport& report) {
-  for (const PatchResult& patch : report.patches) {
-    if (!patch.finished) continue;
-    const UnfoldReport& unfold = patch.finished->unfold;
-    if (const auto size = cli::unusual_size_text(unfold.pattern, unfold.unit))
-      session.note(patch.name + ", " + *size);
-  }
-}
-
+/// @param asked what keywords ask
+/// @param with_unit gives the same with the unit that files or meshes have; called with the session
 /// @param patches_of gives what is to be flattened; called with the session and the keywords
 ProductResult flatten_patches(
-    const std::string& name, const py::dict& keywords, py::object progress,
+    const std::string& name, const cli::Arguments& asked, py::object progress,
+    const std::function<cli::Arguments(cli::Session&)>& with_unit,
     const std::function<Patches(cli::Session&, const cli::Arguments&)>& patches_of) {
-  const cli::Arguments arguments = arguments_of("flatten", keywords);
-  const FlattenOptions options = cli::flatten_options_from(arguments);
-  const double tolerance = cli::seam_tolerance_from(arguments);
-  cli::colors_from(arguments);
-  const cli::PatternFiles pattern = cli::pattern_files_from(arguments);
-  Job job(arguments, std::move(progress));
+  Job job(asked, std::move(progress));
   ProductResult result = job.run([&](cli::Session& session) {
+    const cli::Arguments arguments = with_unit(session);
+    const FlattenOptions options = cli::flatten_options_from(arguments);
+    const double tolerance = cli::seam_tolerance_from(arguments);
+    cli::colors_from(arguments);
+    const cli::PatternFiles pattern = cli::pattern_files_from(arguments);
     Patches input = patches_of(session, arguments);
     std::vector<ProductPatch>& patches = input.patches;
     const auto annotations = cli::annotations_of_patches(pattern.annotations, patches, arguments);
@@ -90,7 +85,7 @@ ProductResult flatten_patches(
                                   session.job_context({}));
     made.report.seams =
         cli::with_names(std::move(made.report.seams), made.report.patches, input.seams, session);
-    note_unusual_sizes(session, made.report);
+    cli::note_cautions_and_sizes(session, made.report);
     return made;
   });
   result.notes = job.notes();
@@ -99,19 +94,36 @@ ProductResult flatten_patches(
 
 ProductResult flatten_files(const std::string& name, const std::vector<std::string>& paths,
                             const py::dict& keywords, py::object progress) {
-  return flatten_patches(name, keywords, std::move(progress),
-                         [&](cli::Session& session, const cli::Arguments& arguments) {
-                           cli::ProductInput input =
-                               cli::read_product(session, paths, arguments, true);
-                           return Patches{std::move(input.patches), std::move(input.seams)};
-                         });
+  cli::Arguments asked = arguments_of("flatten", keywords);
+  asked.operands = paths;
+  return flatten_patches(
+      name, asked, std::move(progress),
+      [&](cli::Session& session) {
+        return cli::with_stated_unit(command_named("flatten"), asked, session);
+      },
+      [&](cli::Session& session, const cli::Arguments& arguments) {
+        cli::ProductInput input = cli::read_product(session, paths, arguments, true);
+        return Patches{std::move(input.patches), std::move(input.seams)};
+      });
+}
+
+/// The unit that all meshes have.
+std::optional<Unit> common_unit(
+    const std::vector<std::pair<std::string, const MeshData*>>& meshes) {
+  const std::optional<Unit> unit = meshes.front().second->unit;
+  const bool agree = std::all_of(meshes.begin(), meshes.end(),
+                                 [&](const auto& mesh) { return mesh.second->unit == unit; });
+  return agree ? unit : std::nullopt;
 }
 
 ProductResult flatten_meshes(const std::string& name,
                              const std::vector<std::pair<std::string, const MeshData*>>& meshes,
                              const py::dict& keywords, py::object progress) {
+  cli::Arguments asked = arguments_of("flatten", keywords);
+  asked.stated_unit = common_unit(meshes);
   return flatten_patches(
-      name, keywords, std::move(progress), [&](cli::Session&, const cli::Arguments& arguments) {
+      name, asked, std::move(progress), [&](cli::Session&) { return asked; },
+      [&](cli::Session&, const cli::Arguments& arguments) {
         for (const cli::Flag& flag : cli::model_flags().flags) {
           if (!arguments.has(flag.name)) continue;
           throw cli::UsageError(flag.name + " is of files; planish.read() has it for a mesh");

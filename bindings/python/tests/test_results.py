@@ -131,6 +131,45 @@ class Results(unittest.TestCase):
         self.assertIn("with --unit m it would be", " ".join(product.notes))
         self.assertNotIn("size", product.missed.get("back", []))
 
+    def write_in_inches(self, name, panel):
+        path = self.path / name
+        planish.write(path, panel)
+        path.write_text("# File units = inches\n" + path.read_text(encoding="utf-8"), encoding="utf-8")
+        return path
+
+    def test_unit_of_a_file(self):
+        path = self.write_in_inches("inches.obj", planish.Mesh(0.01 * self.panel.vertices, self.panel.faces))
+        mesh = planish.read(path)
+        self.assertEqual(mesh.unit, "in")
+        self.assertIn('the file says "File units = inches"', " ".join(mesh.notes))
+        self.assertEqual(planish.read(path, unit="cm").unit, "cm")
+        middles = mesh.vertices[mesh.faces].mean(axis=1)
+        inner = np.linalg.norm(middles - middles.mean(axis=0), axis=1).argmin()
+        holed = planish.Mesh(mesh.vertices, np.delete(mesh.faces, inner, axis=0))
+        path = self.write_in_inches("holed.obj", holed)
+        corners = mesh.vertices[mesh.faces[inner]]
+        millimetres = f"{25.5 * np.linalg.norm(corners - np.roll(corners, 1, axis=0), axis=1).sum():.3f}mm"
+        self.assertEqual(len(planish.read(path, fill_holes=millimetres).faces), len(mesh.faces))
+        self.assertEqual(len(planish.read(path, fill_holes=millimetres, unit="m").faces), len(holed.faces))
+
+    def test_product_in_the_unit_of_its_files(self):
+        paths = [self.write_in_inches(name, self.panel) for name in ("one.obj", "two.obj")]
+        alone = planish.flatten(paths[0])
+        for patches in (paths, [planish.read(path) for path in paths]):
+            product = planish.flatten_product(patches)
+            self.assertEqual(product.figures["patches"][0]["unfold"]["unit"], "in")
+            np.testing.assert_array_equal(product.patches[0].uv, alone.uv)
+
+    def test_cautions_are_notes(self):
+        angles = np.linspace(0.0, np.pi / 2, 5)
+        arc = np.stack([1000 * np.cos(angles), np.zeros(5), 1000 * np.sin(angles)], axis=1)
+        vertices = np.concatenate([arc + [0.0, y, 0.0] for y in (0.0, 200.0, 400.0)])
+        corners = [5 * row + column for row in range(2) for column in range(4)]
+        faces = [face for a in corners for face in ((a, a + 1, a + 6), (a, a + 6, a + 5))]
+        mesh = planish.Mesh(vertices, faces)
+        for result in (planish.unfold(mesh), planish.flatten(mesh), planish.flatten_product([mesh, mesh])):
+            self.assertIn("22.5", " ".join(result.notes))
+
     def test_product_of_files(self):
         paths = [self.path / name for name in ("one.obj", "two.ply")]
         for path in paths:

@@ -30,11 +30,21 @@ std::string holes_text(const ModelWork& work) {
   return text;
 }
 
-std::string weld_text(const ModelWork& work) {
-  std::string text = "joined " + counted(work.joined, "pair") + " of border edges";
+std::string weld_text(const ModelWork& work, const ShownLengths& lengths) {
+  const std::string within = lengths.thickness_text(work.weld_length);
+  if (work.joined + work.unjoined == 0) {
+    return "--weld joined nothing: no two borders lie within " + within +
+           " of each other; --weld=LENGTH says how far apart they may be";
+  }
+  std::string text = "joined " + counted(work.joined, "pair") + " of border edges within " + within;
   if (work.unjoined > 0) {
     text += "; " + counted(work.unjoined, "edge") +
-            " beside another could not be joined: is the length of --weld too large?";
+            " beside another could not be joined: is the length of --weld too large, or too small?";
+  }
+  if (work.held > 0) {
+    text += "; that is more than a third of a border edge at " + std::to_string(work.held) +
+            (work.held == 1 ? " vertex" : " vertices") +
+            ", where only what is nearer was joined: look at the result, or make --weld less";
   }
   return text;
 }
@@ -45,7 +55,7 @@ std::vector<std::string> work_notes(const ModelWork& work, const ShownLengths& l
   std::vector<std::string> notes;
   if (work.collapsed + work.repeated + work.backs + work.fins > 0)
     notes.push_back(redundant_text(work));
-  if (work.joined + work.unjoined > 0) notes.push_back(weld_text(work));
+  if (work.weld_length > 0.0) notes.push_back(weld_text(work, lengths));
   if (work.turned > 0) {
     notes.push_back("turned over " + counted(work.turned, "triangle") +
                     " that ran against the neighbours");

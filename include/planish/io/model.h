@@ -53,8 +53,10 @@ struct ModelWork {
   std::size_t turned = 0;           ///< triangles turned over, as they ran against their neighbours
   std::size_t parted_edges = 0;     ///< edges of more than two triangles, where it was divided
   std::size_t parted_vertices = 0;  ///< vertices that parts shared, where it was divided
+  double weld_length = 0.0;         ///< that borders were welded within, model units, the largest
   std::size_t joined = 0;           ///< border edges that became one with another
   std::size_t unjoined = 0;         ///< border edges that lie on others and could not be joined
+  std::size_t held = 0;             ///< border vertices whose edges are too short for weld_length
   std::size_t crumbs = 0;           ///< connected parts left out
   double crumb_share = 0.0;         ///< of the area, that they held
   std::size_t filled = 0;           ///< holes that were closed

@@ -13,6 +13,7 @@ struct WeldedMesh : RepairedMesh {
   std::size_t divided = 0;  ///< border edges that were divided at a vertex of the other side
   std::size_t turned = 0;   ///< triangles of pieces that were turned over to fit
   std::size_t left = 0;     ///< border edges that lie on others and could not be joined
+  std::size_t held = 0;     ///< border vertices where a third of an edge is less than the length
   double length = 0.0;      ///< of the borders that were joined, each once, model units
 };
 

@@ -36,7 +36,10 @@ void clean(ModelPart& part, ModelWork& work) {
 }
 
 void join(ModelPart& part, double length, ModelWork& work) {
-  WeldedMesh welded = weld(part.mesh, length > 0.0 ? length : default_weld_length(part.mesh));
+  const double within = length > 0.0 ? length : default_weld_length(part.mesh);
+  WeldedMesh welded = weld(part.mesh, within);
+  work.weld_length = std::max(work.weld_length, within);
+  work.held += welded.held;
   work.joined += welded.joined;
   work.unjoined += welded.left;
   if (welded.joined + welded.divided > 0) take(part, std::move(welded));
@@ -73,8 +76,7 @@ void part_touching(ModelPart& part, ModelWork& work) {
 }
 
 /// @return whether there were any
-bool leave_out_crumbs(ModelPart& part, bool is_manifold, ModelWork& work) {
-  if (is_manifold && find_parts_by_vertices(part.mesh).count == 1) return false;
+bool leave_out_crumbs(ModelPart& part, ModelWork& work) {
   const Crumbs crumbs = find_crumbs(part.mesh);
   if (crumbs.pieces == 0) return false;
   work.crumbs += crumbs.pieces;
@@ -85,14 +87,14 @@ bool leave_out_crumbs(ModelPart& part, bool is_manifold, ModelWork& work) {
 
 /// Whether a part may be a wall: one sheet, or two beside each other. One that nobody told of is
 /// closed: an open one with its sides close together, as a flat sleeve, is meant so.
-bool may_be_wall(const TriMesh& mesh, const Connectivity& connectivity, bool is_asked) {
-  const std::size_t sheets = find_parts_by_vertices(mesh).count;  // it is a manifold
+bool may_be_wall(std::size_t sheets, const Connectivity& connectivity, bool is_asked) {
   return sheets == 2 || (sheets == 1 && (is_asked || connectivity.border_loops().empty()));
 }
 
+/// @param sheets of a manifold; 0 of what is none
 void take_one_side(ModelPart& part, const std::optional<Connectivity>& connectivity,
-                   const std::optional<Side>& side, ModelWork& work) {
-  const bool may_be = connectivity && may_be_wall(part.mesh, *connectivity, side.has_value());
+                   std::size_t sheets, const std::optional<Side>& side, ModelWork& work) {
+  const bool may_be = connectivity && may_be_wall(sheets, *connectivity, side.has_value());
   const auto wall = may_be ? find_wall(part.mesh) : std::nullopt;
   if (!wall) {
     if (side) work.without_wall.push_back(part.name);
@@ -127,10 +129,17 @@ void prepare_part(ModelPart& part, const ModelOptions& options, ModelWork& work)
     orient(part, work);
     connectivity = Connectivity::build(part.mesh);
   }
-  if (!options.strict && leave_out_crumbs(part, connectivity.has_value(), work))
+  // Pieces of a manifold hang together by vertices as they do by edges.
+  const auto sheets = [&] {
+    return connectivity ? find_parts_by_vertices(part.mesh).count : std::size_t{0};
+  };
+  std::size_t count = sheets();
+  if (!options.strict && count != 1 && leave_out_crumbs(part, work)) {
     connectivity = Connectivity::build(part.mesh);
-  part.is_manifold = connectivity && !options.side && options.fill_holes == 0.0;
-  if (!options.strict || options.side) take_one_side(part, connectivity, options.side, work);
+    count = sheets();
+  }
+  part.is_one_piece = count == 1 && !options.side && options.fill_holes == 0.0;
+  if (!options.strict || options.side) take_one_side(part, connectivity, count, options.side, work);
   if (options.fill_holes > 0.0) close_holes(part, options.fill_holes, work);
   if (options.flip) part.mesh = turned_over(std::move(part.mesh));
 }

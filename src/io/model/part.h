@@ -17,7 +17,7 @@ struct ModelPart {
   std::vector<Index> triangles;  ///< of each triangle: the one of the file, or none
   std::vector<Index> vertices;   ///< of the first vertices: those of the file; the rest are new
   double area_share = 0.0;       ///< of the file's area
-  bool is_manifold = false;      ///< known to be one
+  bool is_one_piece = false;     ///< known to be one, connected by edges
 };
 
 /// Mends a part and takes of it what the options ask for, but for names. What is done is counted.

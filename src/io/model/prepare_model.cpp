@@ -131,7 +131,8 @@ std::vector<ModelPart> parts_of(const ReadResult& file, const Choice& choice, Di
 /// The connected pieces of a part; one where no two triangles share an edge: such a part was
 /// written without joining its triangles.
 Sheets pieces_in(const ModelPart& part) {
-  Sheets pieces = part.is_manifold ? find_parts_by_vertices(part.mesh) : find_sheets(part.mesh);
+  if (part.is_one_piece) return {std::vector<Index>(part.mesh.triangles.size(), 0), 1};
+  Sheets pieces = find_sheets(part.mesh);
   if (pieces.count == part.mesh.triangles.size()) pieces = {std::vector<Index>(pieces.count, 0), 1};
   return pieces;
 }

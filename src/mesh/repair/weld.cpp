@@ -122,7 +122,11 @@ WeldedMesh weld(const TriMesh& mesh, double length) {
     if (kept.size() == found.junctions.size()) break;
     found = weld_with(unit, places, std::move(kept));
   }
-  return welded(mesh, found, scale);
+  WeldedMesh result = welded(mesh, found, scale);
+  result.held =
+      static_cast<std::size_t>(std::count_if(places.reach.begin(), places.reach.end(),
+                                             [&](double reach) { return reach < scale * length; }));
+  return result;
 }
 
 TouchingPieces find_touching_pieces(const TriMesh& mesh, double length) {

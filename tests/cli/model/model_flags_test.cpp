@@ -56,6 +56,28 @@ TEST_F(ModelFlags, WeldTakesAValueBehindAnEqualsSignOrNone) {
   EXPECT_THAT(wrong.err, HasSubstr("--weld is \"wide\" but must be a length"));
 }
 
+TEST_F(ModelFlags, WeldSaysHowFarItJoinsAndWhatItCannot) {
+  TriMesh two = meshes::flat_grid(12, 8);
+  const auto first = static_cast<Index>(two.positions.size());
+  for (Index v = 0; v < first; ++v)
+    two.positions.push_back(two.positions[v] + Vec3{12.1, 0.0, 0.0});
+  for (const Triangle t : meshes::flat_grid(12, 8).triangles)
+    two.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  write_mesh("two.obj", two);
+  const auto said = [](const std::string& flag) {
+    return planish({"convert", flag, "two.obj", "out.obj"}).err;
+  };
+  EXPECT_THAT(said("--weld=0.01"), HasSubstr("--weld joined nothing: no two borders lie within "
+                                             "0.010 mm of each other; --weld=LENGTH"));
+  EXPECT_THAT(said("--weld=0.2"), AllOf(HasSubstr("joined 8 pairs of border edges within 0.20 mm"),
+                                        Not(HasSubstr("third"))));
+  EXPECT_THAT(said("--weld=5"),
+              AllOf(HasSubstr("within 5.0 mm; that is more than a third of a border edge at 80 "
+                              "vertices"),
+                    HasSubstr("make --weld less")));
+  EXPECT_THAT(said("--weld=inf"), HasSubstr("third of a border edge"));
+}
+
 TEST_F(ModelFlags, JoinNamesThatAreGivenOneByOne) {
   write_product("suit.obj", {grid("front"), grid("back"), cube("helper")});
   const auto counted = [](const Names& flags) {

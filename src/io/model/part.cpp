@@ -51,19 +51,18 @@ void orient(ModelPart& part, ModelWork& work) {
   if (oriented.turned > 0) take(part, std::move(oriented));
 }
 
-/// Whether the sheets of a mesh may be parted: not where triangles are there twice or run against
-/// each other, as then what is a sheet cannot be told, and parting would tear it.
-bool may_be_parted(const std::vector<Problem>& problems) {
-  const auto has = [&](ErrorCode code) {
-    return std::any_of(problems.begin(), problems.end(),
-                       [&](const Problem& problem) { return problem.code == code; });
-  };
-  return !has(ErrorCode::duplicate_triangle) && !has(ErrorCode::inconsistent_orientation) &&
-         !has(ErrorCode::non_orientable);
+bool has(const std::vector<Problem>& problems, ErrorCode code) {
+  return std::any_of(problems.begin(), problems.end(),
+                     [&](const Problem& problem) { return problem.code == code; });
 }
 
-void part_sheets(ModelPart& part, ModelWork& work) {
-  if (!may_be_parted(find_manifold_defects(part.mesh).problems)) return;
+/// Parts the sheets of a mesh: not where triangles run against each other, as then what is a sheet
+/// cannot be told, and parting would tear it.
+void part_sheets(ModelPart& part, const std::vector<Problem>& problems, ModelWork& work) {
+  if (has(problems, ErrorCode::inconsistent_orientation) ||
+      has(problems, ErrorCode::non_orientable)) {
+    return;
+  }
   SeparatedMesh parted = divide_at_nonmanifold_edges(part.mesh);
   work.parted_edges += parted.places;
   if (parted.places > 0) take(part, std::move(parted));
@@ -73,6 +72,16 @@ void part_touching(ModelPart& part, ModelWork& work) {
   SeparatedMesh parted = separate_touching(part.mesh);
   work.parted_vertices += parted.places;
   if (parted.places > 0) take(part, std::move(parted));
+}
+
+/// What a mesh that is no manifold can be made one by. One with triangles that are there twice
+/// stays, to be refused: which of them are of one sheet cannot be told.
+void mend_defects(ModelPart& part, ModelWork& work) {
+  const std::vector<Problem> problems = find_manifold_defects(part.mesh).problems;
+  if (has(problems, ErrorCode::duplicate_triangle)) return;
+  part_sheets(part, problems, work);
+  part_touching(part, work);
+  orient(part, work);
 }
 
 /// @return whether there were any
@@ -124,9 +133,7 @@ void prepare_part(ModelPart& part, const ModelOptions& options, ModelWork& work)
   const bool is_changed = options.weld || part.mesh.triangles.size() != triangles;
   if (is_changed) connectivity = Connectivity::build(part.mesh);
   if (!options.strict && !connectivity) {
-    part_sheets(part, work);
-    part_touching(part, work);
-    orient(part, work);
+    mend_defects(part, work);
     connectivity = Connectivity::build(part.mesh);
   }
   // Pieces of a manifold hang together by vertices as they do by edges.

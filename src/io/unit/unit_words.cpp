@@ -92,10 +92,10 @@ constexpr std::array<std::string_view, 31> k_other_words = {
 
 /// Before a unit in the same comment they say that it is that of the file: with a sign between, or
 /// with "in"; those of the second list with "in" only, as "model: M" and "size: M" are names.
-constexpr std::array<std::string_view, 15> k_measures = {
-    "scale",       "dimension", "dimensions",  "dim",          "dims",
-    "measure",     "measures",  "measurement", "measurements", "coordinate",
-    "coordinates", "coords",    "length",      "lengths",      "uom"};
+constexpr std::array<std::string_view, 17> k_measures = {
+    "scale",    "dimension",   "dimensions",   "dim",        "dims",        "measure",
+    "measures", "measurement", "measurements", "coordinate", "coordinates", "coords",
+    "length",   "lengths",     "uom",          "distance",   "distances"};
 constexpr std::array<std::string_view, 29> k_subjects = {
     "all",    "everything", "file",   "mesh",     "model",    "geometry", "part",      "drawing",
     "export", "data",       "values", "numbers",  "vertices", "points",   "positions", "size",

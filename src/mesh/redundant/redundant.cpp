@@ -76,7 +76,17 @@ std::size_t mark_other_diagonals(const TriMesh& mesh, Marks& gone) {
   return count;
 }
 
+/// Whether triangles are there in both orientations: then edges of several triangles do not tell
+/// what stands on a surface.
+bool has_opposites(const TriMesh& mesh, const Marks& gone) {
+  const std::vector<Cell> cells = triangle_cells(mesh, gone);
+  return std::adjacent_find(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
+           return a.has_same_corners(b);
+         }) != cells.end();
+}
+
 std::size_t mark_fins(const TriMesh& mesh, Marks& gone) {
+  if (has_opposites(mesh, gone)) return 0;
   const std::vector<EdgeSide> sides = sorted_sides(mesh, gone);
   const std::vector<EdgeSides> edges = group_by_edge(sides);
   const Sheets sheets = find_sheets(mesh.triangles.size(), edges, 2);

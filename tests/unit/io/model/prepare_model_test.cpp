@@ -4,6 +4,7 @@
 
 #include <planish/core/error.h>
 #include <planish/io/model.h>
+#include <planish/mesh/inspect.h>
 #include <planish/mesh/patch.h>
 #include <planish/mesh/repair.h>
 
@@ -116,6 +117,19 @@ TEST(PrepareModel, NamesPiecesThatLieOnOthersAllOver) {
   EXPECT_EQ(named(sheet), "lining on front;");
   EXPECT_EQ(named(half), "");
   EXPECT_EQ(named(finer), "");
+}
+
+TEST(PrepareModel, LeavesWhatIsThereTwiceInPartToBeRefused) {
+  const TriMesh sheet = meshes::rough_grid(6, 6, 10);
+  TriMesh mesh = sheet;
+  for (std::size_t t = 0; t < sheet.triangles.size() / 2; ++t) {
+    const Triangle& corners = sheet.triangles[t];
+    mesh.triangles.push_back({corners[0], corners[2], corners[1]});
+  }
+  const Model model = prepared(mesh);
+  EXPECT_EQ(model.mesh.triangles, mesh.triangles);
+  EXPECT_THAT(model.pieces, ElementsAre("sail"));
+  EXPECT_EQ(inspect(model.mesh).problems.front().code, ErrorCode::duplicate_triangle);
 }
 
 TEST(PrepareModel, GivesPiecesVerticesOfTheirOwnBehindAllOthers) {

@@ -162,6 +162,7 @@ TEST(RedundantTriangles, ACopyOfAPartOfASheetStays) {
   half.triangles.resize(half.triangles.size() / 2);
   EXPECT_EQ(remove_redundant_triangles(repairs::both(sheet, half)).removed(), 0U);
   EXPECT_EQ(remove_redundant_triangles(repairs::both(half, turned_over(sheet))).removed(), 0U);
+  EXPECT_EQ(remove_redundant_triangles(with_triangles_of(sheet, turned_over(half))).removed(), 0U);
 }
 
 TEST(RedundantTriangles, OneOppositeTriangleIsAFault) {

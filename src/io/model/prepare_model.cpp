@@ -274,8 +274,10 @@ Model prepare_model(ReadResult file, const ModelOptions& options, const std::str
   model.names = distinct(model.names);
   std::move(assembly).finish(file.mesh, model);
   const bool is_unnamed = model.divided_by.empty() && !options.strict && !options.weld;
-  if (is_unnamed && model.pieces.size() > 1) look_for_touching_pieces(model);
   if (model.work.walls.empty()) look_for_lying_pieces(model);
+  // Borders of sheets that lie on each other are not to be joined.
+  const bool may_touch = is_unnamed && model.pieces.size() > 1 && model.work.lying.empty();
+  if (may_touch) look_for_touching_pieces(model);
   return model;
 }
 

@@ -78,6 +78,25 @@ TEST_F(ModelFlags, WeldSaysHowFarItJoinsAndWhatItCannot) {
   EXPECT_THAT(said("--weld=inf"), HasSubstr("third of a border edge"));
 }
 
+TEST_F(ModelFlags, NameASheetThatLiesOnAnother) {
+  // The same square by 12 x 12 and by 9 x 9 cells.
+  TriMesh two = meshes::flat_grid(12, 12);
+  const auto first = static_cast<Index>(two.positions.size());
+  const TriMesh coarser = meshes::flat_grid(9, 9);
+  for (const Vec3& p : coarser.positions)
+    two.positions.push_back(12.0 / 9.0 * p);
+  for (const Triangle& t : coarser.triangles)
+    two.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  write_mesh("two.obj", two);
+  const CliResult result = planish({"flatten", "two.obj", "-o", "out"});
+  EXPECT_THAT(result.err,
+              HasSubstr("two-2 lies on two-1 all over; if they are one sheet, --without "
+                        "two-2 leaves it out"));
+  EXPECT_THAT(result.err, Not(HasSubstr("--weld")));
+  const CliResult one = planish({"unfold", "two.obj", "--without", "two-2", "-o", "one.svg"});
+  EXPECT_EQ(one.exit_code, k_exit_done) << one.err;
+}
+
 TEST_F(ModelFlags, JoinNamesThatAreGivenOneByOne) {
   write_product("suit.obj", {grid("front"), grid("back"), cube("helper")});
   const auto counted = [](const Names& flags) {

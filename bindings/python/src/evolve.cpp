@@ -40,7 +40,7 @@ EvolveOutcome evolve_mesh(const MeshData& data, const py::dict& keywords, py::ob
     cli::note_obstruction(session, patch);
     return EvolveOutcome{data.name, cli::evolve_as_asked(patch, {}, arguments, session), input.cut};
   });
-  outcome.notes = job.notes();
+  outcome.notes = notes_on(data, arguments, job.notes());
   return outcome;
 }
 

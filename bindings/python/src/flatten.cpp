@@ -67,7 +67,7 @@ FlattenResult flatten_mesh(const MeshData& data, const py::dict& keywords, py::o
     return FlattenResult{std::move(report), pattern, arguments, input.cut,
                          cli::output_format(data.format)};
   });
-  result.notes = job.notes();
+  result.notes = notes_on(data, arguments, job.notes());
   return result;
 }
 
@@ -93,7 +93,7 @@ UnfoldResult unfold_mesh(const MeshData& data, const py::dict& keywords, py::obj
     cli::note_unequal_seams(session, patch, report);
     return UnfoldResult{data.name, patch, std::move(report), pattern, input.cut};
   });
-  result.notes = job.notes();
+  result.notes = notes_on(data, arguments, job.notes());
   return result;
 }
 

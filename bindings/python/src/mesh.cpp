@@ -24,6 +24,10 @@ namespace planish::python {
 
 namespace {
 
+std::string other_unit_text(Unit unit) {
+  return ", but unit= says " + std::string(to_string(unit)) + ", which is taken";
+}
+
 /// @param keywords as flags of convert, which prepares the mesh of a file and nothing else
 MeshData mesh_from_file(const std::string& path, const py::dict& keywords) {
   cli::Arguments arguments = arguments_of("convert", keywords);
@@ -34,9 +38,7 @@ MeshData mesh_from_file(const std::string& path, const py::dict& keywords) {
   const auto unit = arguments.has("--unit") ? cli::unit_from(arguments) : stated;
   if (file.unit) {
     file.notes.push_back("the file says \"" + file.unit->words + "\"" +
-                         (unit == stated ? ": taken as with unit=\""
-                                         : ", but unit= says otherwise, which is taken: \"") +
-                         std::string(to_string(*unit)) + "\"");
+                         (unit == stated ? "" : other_unit_text(*unit)));
   }
   // Lengths of keywords are in the unit of the file.
   arguments.stated_unit = unit;
@@ -104,6 +106,16 @@ cli::Arguments arguments_on(const MeshData& data, const std::string& verb,
   return arguments;
 }
 
+std::vector<std::string> notes_on(const MeshData& data, const cli::Arguments& arguments,
+                                  const std::vector<std::string>& said) {
+  std::vector<std::string> notes = data.notes;
+  const Unit unit = cli::unit_from(arguments);
+  if (data.unit && *data.unit != unit)
+    notes.push_back("the mesh is in " + std::string(to_string(*data.unit)) + other_unit_text(unit));
+  notes.insert(notes.end(), said.begin(), said.end());
+  return notes;
+}
+
 cli::CutInput cut_input(const MeshData& data, const cli::Arguments& arguments,
                         cli::Session& session) {
   return cli::cut_as_asked(cli::scaled(data.mesh, cli::scale_from(arguments), {}), data.name,
@@ -131,8 +143,7 @@ void register_mesh(py::module_& module) {
             return std::string(to_string(*data.unit));
           },
           "What one unit is, as unit= said or else its file; the default of unit= of what is made "
-          "of it. "
-          "None where nothing says it.")
+          "of it. None where nothing says it.")
       .def_property_readonly(
           "vertices",
           [](const py::object& self) {

@@ -31,6 +31,10 @@ struct MeshData {
 cli::Arguments arguments_on(const MeshData& data, const std::string& verb,
                             const py::dict& keywords);
 
+/// What reading the mesh did, where keywords say another unit than it has, and what was said then.
+std::vector<std::string> notes_on(const MeshData& data, const cli::Arguments& arguments,
+                                  const std::vector<std::string>& said);
+
 /// The mesh in its unit and, where --cut asks for it, cut.
 cli::CutInput cut_input(const MeshData& data, const cli::Arguments& arguments,
                         cli::Session& session);

@@ -121,7 +121,7 @@ ProductResult flatten_meshes(const std::string& name,
                              const py::dict& keywords, py::object progress) {
   cli::Arguments asked = arguments_of("flatten", keywords);
   asked.stated_unit = common_unit(meshes);
-  return flatten_patches(
+  ProductResult result = flatten_patches(
       name, asked, std::move(progress), [&](cli::Session&) { return asked; },
       [&](cli::Session&, const cli::Arguments& arguments) {
         for (const cli::Flag& flag : cli::model_flags().flags) {
@@ -138,6 +138,13 @@ ProductResult flatten_meshes(const std::string& name,
         }
         return input;
       });
+  std::vector<std::string> notes;
+  for (const auto& [patch, data] : meshes) {
+    for (const std::string& note : data->notes)
+      notes.push_back(patch + ": " + note);
+  }
+  result.notes.insert(result.notes.begin(), notes.begin(), notes.end());
+  return result;
 }
 
 std::string json_of(const ProductResult& result) {

@@ -142,7 +142,10 @@ class Results(unittest.TestCase):
         mesh = planish.read(path)
         self.assertEqual(mesh.unit, "in")
         self.assertIn('the file says "File units = inches"', " ".join(mesh.notes))
-        self.assertEqual(planish.read(path, unit="cm").unit, "cm")
+        other = planish.read(path, unit="cm")
+        self.assertEqual(other.unit, "cm")
+        self.assertIn("but unit= says cm, which is taken", " ".join(other.notes))
+        self.assertIn("the mesh is in in, but unit= says cm", " ".join(planish.unfold(mesh, unit="cm").notes))
         middles = mesh.vertices[mesh.faces].mean(axis=1)
         inner = np.linalg.norm(middles - middles.mean(axis=0), axis=1).argmin()
         holed = planish.Mesh(mesh.vertices, np.delete(mesh.faces, inner, axis=0))
@@ -151,6 +154,15 @@ class Results(unittest.TestCase):
         millimetres = f"{25.5 * np.linalg.norm(corners - np.roll(corners, 1, axis=0), axis=1).sum():.3f}mm"
         self.assertEqual(len(planish.read(path, fill_holes=millimetres).faces), len(mesh.faces))
         self.assertEqual(len(planish.read(path, fill_holes=millimetres, unit="m").faces), len(holed.faces))
+
+    def test_what_reading_did_is_said_of_results(self):
+        twice = planish.Mesh(self.panel.vertices, np.concatenate([self.panel.faces, self.panel.faces[:3]]))
+        path = self.path / "twice.obj"
+        planish.write(path, twice)
+        mesh = planish.read(path)
+        for result in (planish.unfold(path), planish.flatten(mesh), planish.evolve(mesh, sweeps=1),
+                       planish.flatten_product([path, path]), planish.flatten_product({"one": mesh, "two": mesh})):
+            self.assertIn("left out 3 triangles", " ".join(result.notes))
 
     def test_product_in_the_unit_of_its_files(self):
         paths = [self.write_in_inches(name, self.panel) for name in ("one.obj", "two.obj")]

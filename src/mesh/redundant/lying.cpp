@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <planish/mesh/weld.h>
 
@@ -16,7 +18,7 @@ namespace planish {
 namespace {
 
 constexpr std::size_t k_most_pieces = 1000;
-constexpr std::size_t k_samples = 64, k_first_samples = 2;
+constexpr std::size_t k_samples = 64;
 // Facets of one surface that are a twentieth of their edges apart turn by 23 degrees.
 constexpr double k_share_of_edges = 0.05;
 // Normals differ by less than 30 degrees.
@@ -38,13 +40,16 @@ Vec3 normal_of(const BoxTree::Corners& corners) {
   return length > 0.0 ? 1.0 / length * normal : Vec3{};
 }
 
+/// At the middles of some of its triangles that have an area.
 std::vector<Sample> samples_of(const TriMesh& mesh) {
   std::vector<Sample> samples;
   const std::size_t count = mesh.triangles.size();
   const std::size_t step = std::max<std::size_t>(1, count / k_samples);
   for (std::size_t t = 0; t < count; t += step) {
     const BoxTree::Corners corners = corners_of(mesh, t);
-    samples.push_back({1.0 / 3.0 * (corners[0] + corners[1] + corners[2]), normal_of(corners)});
+    const Vec3 normal = normal_of(corners);
+    if (normal == Vec3{}) continue;
+    samples.push_back({1.0 / 3.0 * (corners[0] + corners[1] + corners[2]), normal});
   }
   return samples;
 }
@@ -60,28 +65,27 @@ bool lies_at(const Sample& sample, const TriMesh& mesh, const ClosestPoint& clos
          std::abs(dot(sample.normal, normal_of(corners_of(mesh, closest.triangle)))) >= k_parallel;
 }
 
-/// The closest point without a tree.
-ClosestPoint closest_of_all(const TriMesh& mesh, Vec3 place) {
-  ClosestPoint best;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    ClosestPoint point = closest_on_triangle(corners_of(mesh, t), place);
-    point.triangle = static_cast<Index>(t);
-    if (t == 0 || point.squared_distance < best.squared_distance) best = point;
-  }
-  return best;
-}
+/// Pieces, each with a tree once something may lie on it.
+class Pieces {
+ public:
+  explicit Pieces(std::vector<NamedPatch> patches)
+      : patches_(std::move(patches)), trees_(patches_.size()) {}
 
-bool lies_on(const TriMesh& piece, const TriMesh& other, double length) {
-  const std::vector<Sample> samples = samples_of(piece);
-  // Most pieces that do not lie there are told by these, and need no tree.
-  for (std::size_t k = 0; k < std::min(k_first_samples, samples.size()); ++k) {
-    if (!lies_at(samples[k], other, closest_of_all(other, samples[k].place), length)) return false;
+  bool lies_on(Index piece, Index other, double length) {
+    const TriMesh& mesh = patches_[other].mesh;
+    std::optional<ClosestPointTree>& tree = trees_[other];
+    if (!tree) tree.emplace(mesh);
+    const std::vector<Sample> samples = samples_of(patches_[piece].mesh);
+    const auto lies_there = [&](const Sample& sample) {
+      return lies_at(sample, mesh, tree->query(sample.place), length);
+    };
+    return !samples.empty() && std::all_of(samples.begin(), samples.end(), lies_there);
   }
-  const ClosestPointTree tree(other);
-  return std::all_of(samples.begin(), samples.end(), [&](const Sample& sample) {
-    return lies_at(sample, other, tree.query(sample.place), length);
-  });
-}
+
+ private:
+  std::vector<NamedPatch> patches_;
+  std::vector<std::optional<ClosestPointTree>> trees_;
+};
 
 /// Two pieces of which one may lie on the other.
 struct Candidate {
@@ -122,13 +126,13 @@ std::vector<LyingPiece> find_lying_pieces(const TriMesh& mesh, std::span<const I
   const std::vector<Candidate> pairs = candidates(unit, piece_of, pieces, length);
   if (pairs.empty()) return {};
   const std::vector<std::string> names(pieces);
-  const std::vector<NamedPatch> patches = split(unit, piece_of, names);
+  Pieces patches(split(unit, piece_of, names));
   std::vector<LyingPiece> lying;
   std::vector<unsigned char> is_lying(pieces, 0);
   for (const auto& [piece, on] : pairs) {
     if (is_lying[piece] != 0 || is_lying[on] != 0) continue;
-    if (!lies_on(patches[piece].mesh, patches[on].mesh, length)) continue;
-    if (way == Lying::closely && !lies_on(patches[on].mesh, patches[piece].mesh, length)) continue;
+    if (!patches.lies_on(piece, on, length)) continue;
+    if (way == Lying::closely && !patches.lies_on(on, piece, length)) continue;
     is_lying[piece] = 1;
     lying.push_back({piece, on});
   }

@@ -20,7 +20,7 @@ namespace planish {
 
 namespace {
 
-// Of so many parts that begin and end beside it one is looked at.
+// With how many of the parts that reach about as far a part is compared.
 constexpr std::size_t k_most_beside = 64;
 
 /// How far a part reaches: the least and the largest coordinates.
@@ -80,6 +80,7 @@ std::vector<Index> places_of(const TriMesh& mesh) {
   TriMesh unit = mesh;
   for (Vec3& p : unit.positions)
     p = scale * p;
+  // All sides, so that vertices inside have places too.
   return find_border_places(unit, sorted_sides(unit), scale * length).of_vertex;
 }
 

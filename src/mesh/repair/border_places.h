@@ -24,6 +24,7 @@ struct BorderPlaces {
 /// vertex of a place is farther from its smallest one than its reach. That is the length or a third
 /// of the shortest border edge at the vertex, if that is less.
 /// @param mesh at the scale of unit_scale()
+/// @param border the sides whose vertices are put together; may be all sides of the mesh
 BorderPlaces find_border_places(const TriMesh& mesh, const std::vector<EdgeSide>& border,
                                 double length);
 

@@ -39,6 +39,14 @@ std::string weld_text(const ModelWork& work) {
   return text;
 }
 
+std::string unjoined_text(const ModelWork::NothingJoined& nothing, const ShownLengths& lengths) {
+  const std::string text = "--weld joined nothing: ";
+  if (nothing.is_between_names)
+    return text + "pieces of different names stay apart; --divide parts joins them too";
+  if (!nothing.gap) return text + "there are no two borders beside each other";
+  return text + "the nearest borders of two pieces are " + lengths.text(*nothing.gap) + " apart";
+}
+
 }  // namespace
 
 std::vector<std::string> work_notes(const ModelWork& work, const ShownLengths& lengths) {
@@ -46,6 +54,7 @@ std::vector<std::string> work_notes(const ModelWork& work, const ShownLengths& l
   if (work.collapsed + work.repeated + work.backs + work.fins > 0)
     notes.push_back(redundant_text(work));
   if (work.joined + work.unjoined > 0) notes.push_back(weld_text(work));
+  if (work.nothing_joined) notes.push_back(unjoined_text(*work.nothing_joined, lengths));
   if (work.turned > 0) {
     notes.push_back("turned over " + counted(work.turned, "triangle") +
                     " that ran against the neighbours");
@@ -72,6 +81,12 @@ std::vector<std::string> work_notes(const ModelWork& work, const ShownLengths& l
     notes.push_back(std::to_string(work.touching) +
                     " pieces touch along whole borders; if they are one surface, --weld makes " +
                     counted(work.welded, "piece") + " of them");
+  }
+  if (!work.level_walls.empty()) {
+    notes.push_back("nothing tells which side is the outer one of " +
+                    list_of_some(work.level_walls) +
+                    ", flat or bent both ways: the side with the first triangle of the file is "
+                    "taken for it");
   }
   if (!work.without_wall.empty()) {
     notes.push_back("no wall was found in " + list_of_some(work.without_wall) +

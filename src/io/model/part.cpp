@@ -7,9 +7,11 @@
 #include <planish/mesh/wall.h>
 #include <planish/mesh/weld.h>
 
+#include "mesh/edge_sides.h"
 #include "mesh/manifold_defects.h"
 #include "mesh/repair/doubled.h"
 #include "mesh/repair/sheets.h"
+#include "mesh/split.h"
 
 namespace planish {
 
@@ -39,6 +41,7 @@ void join(ModelPart& part, double length, ModelWork& work) {
   WeldedMesh welded = weld(part.mesh, length > 0.0 ? length : default_weld_length(part.mesh));
   work.joined += welded.joined;
   work.unjoined += welded.left;
+  work.turned += welded.turned;
   if (welded.joined + welded.divided > 0) take(part, std::move(welded));
 }
 
@@ -82,26 +85,128 @@ bool leave_out_crumbs(ModelPart& part, ModelWork& work) {
   return true;
 }
 
-/// Whether a part may be a wall: one sheet, or two beside each other. One that nobody told of is
-/// closed: an open one with its sides close together, as a flat sleeve, is meant so.
-bool may_be_wall(const TriMesh& mesh, const Connectivity& connectivity, bool is_asked) {
-  const std::size_t sheets = find_sheets(mesh).count;
-  return sheets == 2 || (sheets == 1 && (is_asked || connectivity.border_loops().empty()));
+/// A wall among the sheets of a part.
+struct WallOfPart {
+  std::string name;
+  std::vector<Index> triangles;  ///< those of the part, in its order
+  TriMesh mesh;                  ///< of them
+  Wall wall;
+};
+
+/// Finds the walls of a part: closed sheets each by itself, then what is left if it is two sheets.
+/// An open sheet with its sides close together, as a flat sleeve, is meant so: it is a wall only
+/// where one is asked for, and so are more than two sheets together.
+class WallSearch {
+ public:
+  WallSearch(const ModelPart& part, bool is_asked)
+      : part_(part),
+        is_asked_(is_asked),
+        sheets_(find_sheets(part.mesh)),
+        names_(numbered_names(part.name, sheets_.count)) {
+    for (std::size_t k = 0; k < sheets_.count; ++k)
+      rest_.push_back(static_cast<Index>(k));
+  }
+
+  std::vector<WallOfPart> walls() {
+    const std::vector<unsigned char> is_open = open_sheets();
+    for (std::size_t k = 0; k < sheets_.count; ++k) {
+      if (is_open[k] == 0 || (is_asked_ && sheets_.count == 1)) look_at({static_cast<Index>(k)});
+    }
+    if (rest_.size() == 2 || (rest_.size() > 2 && is_asked_)) look_at(rest_);
+    return std::move(walls_);
+  }
+
+  /// Names of the sheets that are none.
+  std::vector<std::string> others() const {
+    if (rest_.size() == sheets_.count) return {part_.name};
+    std::vector<std::string> names;
+    names.reserve(rest_.size());
+    for (const Index k : rest_)
+      names.push_back(names_[k]);
+    return names;
+  }
+
+ private:
+  std::vector<unsigned char> open_sheets() const {
+    std::vector<unsigned char> is_open(sheets_.count, 0);
+    const std::vector<EdgeSide> sides = sorted_sides(part_.mesh);
+    for (const EdgeSides& edge : group_by_edge(sides)) {
+      if (edge.size() == 1) is_open[sheets_.of_triangle[edge.begin->triangle]] = 1;
+    }
+    return is_open;
+  }
+
+  void look_at(const std::vector<Index>& sheets) {
+    const bool is_all = sheets.size() == sheets_.count;
+    WallOfPart found{is_all ? part_.name : names_[sheets.front()], {}, {}, {}};
+    std::vector<unsigned char> is_here(sheets_.count, 0);
+    for (const Index k : sheets)
+      is_here[k] = 1;
+    std::vector<Index> number(part_.mesh.positions.size(), ModelPart::none);
+    for (std::size_t t = 0; t < sheets_.of_triangle.size(); ++t) {
+      if (is_here[sheets_.of_triangle[t]] == 0) continue;
+      found.triangles.push_back(static_cast<Index>(t));
+      Triangle corners = part_.mesh.triangles[t];
+      for (Index& v : corners) {
+        if (number[v] == ModelPart::none) {
+          number[v] = static_cast<Index>(found.mesh.positions.size());
+          found.mesh.positions.push_back(part_.mesh.positions[v]);
+        }
+        v = number[v];
+      }
+      found.mesh.triangles.push_back(corners);
+    }
+    auto wall = find_wall(found.mesh);
+    if (!wall) return;
+    found.wall = *std::move(wall);
+    walls_.push_back(std::move(found));
+    std::erase_if(rest_, [&](Index k) { return is_here[k] != 0; });
+  }
+
+  const ModelPart& part_;
+  bool is_asked_;
+  Sheets sheets_;
+  std::vector<std::string> names_;
+  std::vector<Index> rest_;  // sheets of no wall, by their numbers
+  std::vector<WallOfPart> walls_;
+};
+
+/// Leaves one side of each wall of the part.
+void take_sides(ModelPart& part, const std::vector<WallOfPart>& walls, WallPart side) {
+  std::vector<Index> others;
+  for (const WallOfPart& of : walls) {
+    for (std::size_t t = 0; t < of.triangles.size(); ++t) {
+      Triangle& corners = part.mesh.triangles[of.triangles[t]];
+      if (of.wall.part[t] != side)
+        others.push_back(of.triangles[t]);
+      else if (of.wall.turned[static_cast<std::size_t>(side)])
+        std::swap(corners[1], corners[2]);
+    }
+  }
+  std::sort(others.begin(), others.end());
+  take(part, without_triangles(part.mesh, others));
 }
 
 void take_one_side(ModelPart& part, const std::optional<Connectivity>& connectivity,
                    const std::optional<Side>& side, ModelWork& work) {
-  const bool may_be = connectivity && may_be_wall(part.mesh, *connectivity, side.has_value());
-  const auto wall = may_be ? find_wall(part.mesh) : std::nullopt;
-  if (!wall) {
+  if (!connectivity) {
     if (side) work.without_wall.push_back(part.name);
     return;
   }
+  WallSearch search(part, side.has_value());
+  const std::vector<WallOfPart> walls = search.walls();
   if (!side) {
-    work.walls.push_back({part.name, wall->thickness});
+    for (const WallOfPart& of : walls)
+      work.walls.push_back({of.name, of.wall.thickness});
     return;
   }
-  take(part, take_side(part.mesh, *wall, *side == Side::outer ? WallPart::outer : WallPart::inner));
+  for (std::string& name : search.others())
+    work.without_wall.push_back(std::move(name));
+  for (const WallOfPart& of : walls) {
+    if (of.wall.is_level) work.level_walls.push_back(of.name);
+  }
+  if (!walls.empty())
+    take_sides(part, walls, *side == Side::outer ? WallPart::outer : WallPart::inner);
 }
 
 void close_holes(ModelPart& part, double length, ModelWork& work) {

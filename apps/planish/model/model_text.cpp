@@ -88,6 +88,11 @@ std::vector<std::string> work_notes(const ModelWork& work, const ShownLengths& l
                     ", flat or bent both ways: the side with the first triangle of the file is "
                     "taken for it");
   }
+  for (const ModelWork::ClashingSides& sides : work.clashing_sides) {
+    notes.push_back("the sides of " + sides.one + " and " + sides.other +
+                    " that were taken do not meet, though the walls do, as each is told by how its "
+                    "own wall bends: take one of them with --only and the other --side");
+  }
   if (!work.without_wall.empty()) {
     notes.push_back("no wall was found in " + list_of_some(work.without_wall) +
                     ": --side changes nothing there");

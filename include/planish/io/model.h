@@ -76,6 +76,12 @@ struct ModelWork {
   std::vector<FoundWall> walls = {};
   /// Walls of which a side was taken though nothing tells the outer one: Wall::is_level.
   std::vector<std::string> level_walls = {};
+  /// Two walls side by side of which sides were taken that do not meet.
+  struct ClashingSides {
+    std::string one, other;  ///< names of the parts or pieces
+  };
+  /// Also with one that is left out.
+  std::vector<ClashingSides> clashing_sides = {};
   /// Parts, or pieces of them, of which a side was asked for and that are no wall.
   std::vector<std::string> without_wall = {};
   std::size_t touching = 0;  ///< pieces that touch others along whole sides

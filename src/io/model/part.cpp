@@ -171,10 +171,35 @@ class WallSearch {
   std::vector<WallOfPart> walls_;
 };
 
+/// How far along a direction of length below 1 that few plates stand across.
+double way_along(Vec3 p) {
+  return dot(p, {0.8, 0.53, 0.28});
+}
+
+/// The places of the vertices of some part of a wall, by way_along().
+std::vector<Vec3> places_of(const WallOfPart& of, WallPart part) {
+  std::vector<unsigned char> is_here(of.mesh.positions.size(), 0);
+  for (std::size_t t = 0; t < of.wall.part.size(); ++t) {
+    if (of.wall.part[t] != part) continue;
+    for (const Index v : of.mesh.triangles[t])
+      is_here[v] = 1;
+  }
+  std::vector<Vec3> places;
+  places.reserve(is_here.size());
+  for (std::size_t v = 0; v < is_here.size(); ++v) {
+    if (is_here[v] != 0) places.push_back(of.mesh.positions[v]);
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](Vec3 a, Vec3 b) { return way_along(a) < way_along(b); });
+  return places;
+}
+
 /// Leaves one side of each wall of the part.
 void take_sides(ModelPart& part, const std::vector<WallOfPart>& walls, WallPart side) {
   std::vector<Index> others;
+  const WallPart beyond = side == WallPart::outer ? WallPart::inner : WallPart::outer;
   for (const WallOfPart& of : walls) {
+    part.walls.push_back({of.name, of.wall.thickness, places_of(of, side), places_of(of, beyond)});
     for (std::size_t t = 0; t < of.triangles.size(); ++t) {
       Triangle& corners = part.mesh.triangles[of.triangles[t]];
       if (of.wall.part[t] != side)
@@ -209,6 +234,23 @@ void take_one_side(ModelPart& part, const std::optional<Connectivity>& connectiv
     take_sides(part, walls, *side == Side::outer ? WallPart::outer : WallPart::inner);
 }
 
+/// Whether two places at least are the same, within the distance.
+/// @pre both are sorted by way_along()
+bool meet(const std::vector<Vec3>& one, const std::vector<Vec3>& other, double within) {
+  std::size_t count = 0;
+  for (const Vec3 p : one) {
+    const double way = way_along(p);
+    const auto is_before = [](Vec3 place, double low) { return way_along(place) < low; };
+    auto at = std::lower_bound(other.begin(), other.end(), way - within, is_before);
+    const auto is_near = [&] { return at != other.end() && way_along(*at) <= way + within; };
+    while (is_near() && norm(*at - p) > within)
+      ++at;
+    count += is_near() ? 1 : 0;
+    if (count > 1) return true;
+  }
+  return false;
+}
+
 void close_holes(ModelPart& part, double length, ModelWork& work) {
   FilledMesh filled = fill_holes(part.mesh, length);
   work.filled += filled.filled;
@@ -217,6 +259,26 @@ void close_holes(ModelPart& part, double length, ModelWork& work) {
 }
 
 }  // namespace
+
+std::vector<ModelWork::ClashingSides> find_clashing_sides(std::span<const ModelPart> parts) {
+  constexpr double k_same_place = 0.25;  // thicknesses
+  std::vector<const WallSides*> walls;
+  for (const ModelPart& part : parts) {
+    for (const WallSides& wall : part.walls)
+      walls.push_back(&wall);
+  }
+  std::vector<ModelWork::ClashingSides> clashing;
+  for (std::size_t a = 0; a < walls.size(); ++a) {
+    for (std::size_t b = a + 1; b < walls.size(); ++b) {
+      const WallSides &one = *walls[a], &other = *walls[b];
+      const double within = k_same_place * std::min(one.thickness, other.thickness);
+      if (meet(one.taken, other.other, within) && meet(one.other, other.taken, within) &&
+          !meet(one.taken, other.taken, within))
+        clashing.push_back({one.name, other.name});
+    }
+  }
+  return clashing;
+}
 
 void prepare_part(ModelPart& part, const ModelOptions& options, ModelWork& work) {
   auto connectivity = Connectivity::build(part.mesh);

@@ -286,6 +286,7 @@ Prepared prepared(const ReadResult& file, const ModelOptions& options, const std
   std::vector<ModelPart> parts = parts_of(file, choice, options.divide, name);
   for (ModelPart& part : parts)
     prepare_part(part, options, model.work);
+  model.work.clashing_sides = find_clashing_sides(parts);
   std::erase_if(parts, [](const ModelPart& part) { return part.mesh.triangles.empty(); });
   const PiecesOfParts pieces = pieces_of(parts);
   Assembly assembly(file.mesh.positions);
@@ -339,6 +340,10 @@ Model with_left_out(Prepared taken, const Prepared& whole, std::size_t triangles
     if (uses[place] > 0) continue;
     model.left_out.push_back({std::move(all[place].name), std::move(all[place].mesh), before});
   }
+  model.work.clashing_sides = whole.model.work.clashing_sides;
+  std::erase_if(model.work.clashing_sides, [&](const ModelWork::ClashingSides& sides) {
+    return !has(model.pieces, sides.one) && !has(model.pieces, sides.other);
+  });
   model.names.insert(model.names.begin(), whole.model.names.begin(), whole.model.names.end());
   return model;
 }

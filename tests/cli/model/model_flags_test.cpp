@@ -1,5 +1,6 @@
 // What is read of a file, alike in all verbs.
 
+#include <cmath>
 #include <fstream>
 
 #include <planish/io/read_mesh.h>
@@ -272,6 +273,26 @@ TEST_F(ModelFlags, SayWhereNothingTellsTheOuterSideOfAWall) {
   write_mesh("plate.obj", repairs::both(sheet, below));
   EXPECT_THAT(planish({"unfold", "plate.obj", "-o", "up.svg", "--side", "inner"}).err,
               HasSubstr("nothing tells which side is the outer one"));
+}
+
+/// A wall over half a wave, from x to x + 20.
+TriMesh wave_wall(double x) {
+  const auto sheet = [&](double z) {
+    return meshes::height_field(20, 20, [&](double column, double) {
+      const double at = (column + x - 20.0) / 20.0;
+      return z + 4.0 * at * (1.0 - std::abs(at));
+    });
+  };
+  TriMesh mesh = repairs::closed(sheet(0.5), sheet(0.0));
+  for (Vec3& p : mesh.positions)
+    p.x += x;
+  return mesh;
+}
+
+TEST_F(ModelFlags, SayWhereSidesThatAreTakenDoNotMeet) {
+  write_product("suit.obj", {{"left", wave_wall(0.0), {}}, {"right", wave_wall(20.0), {}}});
+  EXPECT_THAT(planish({"convert", "suit.obj", "out.obj", "--side", "outer"}).err,
+              HasSubstr("the sides of left and right that were taken do not meet"));
 }
 
 /// One half of a cushion, of that height in the middle: a grid of 12 x 8.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <planish/core/error.h>
 #include <planish/io/model.h>
@@ -183,6 +184,18 @@ TEST(PrepareModel, KeepsWhatIsLeftOutInItsPlace) {
   }
 }
 
+TEST(PrepareModel, ClosesHolesOfWhatIsTaken) {
+  ReadResult file = with_names({"a", "b"});
+  file.mesh.triangles.erase(file.mesh.triangles.begin() + 26);  // in the middle of b
+  file.groups.of_triangle.pop_back();
+  const Model model = prepare_model(file, {.fill_holes = 4.0, .only = {"b"}}, "suit");
+  EXPECT_EQ(model.work.filled, 1U);
+  EXPECT_EQ(model.mesh.triangles.size(), 18U);
+  EXPECT_THAT(model.pieces, ElementsAre("b"));
+  ASSERT_EQ(model.left_out.size(), 1U);
+  EXPECT_EQ(model.left_out[0].before, 0U);
+}
+
 TEST(PrepareModel, LeavesOutTheRestOfWhatMaterialsDivide) {
   const Model left = prepare_model(grid_with("usemtl"), {.only = {"left"}}, "sail");
   EXPECT_THAT(left.pieces, ElementsAre("sail"));
@@ -278,6 +291,39 @@ TEST(PrepareModel, TakesASideOfEachClosedWall) {
   EXPECT_TRUE(outer.work.level_walls.empty());
   const Model inner = prepared(all, {.side = Side::inner});
   EXPECT_NEAR(repairs::area(inner.mesh), quarter * (0.96 + 0.98) + 1600.0, 1e-6);
+}
+
+/// A wall 0.5 thick over a wave, from x to x + 20, as a part of one long sheet.
+TriMesh wave_wall(double x, double below = 0.0) {
+  const auto sheet = [&](double z) {
+    return meshes::height_field(20, 20, [&](double column, double) {
+      const double at = (column + x - 20.0) / 20.0;
+      return z - below + 4.0 * at * (1.0 - std::abs(at));
+    });
+  };
+  return above(repairs::closed(sheet(0.5), sheet(0.0)), x, 0.0);
+}
+
+TEST(PrepareModel, SaysWhereTakenSidesDoNotMeet) {
+  ReadResult file;
+  file.mesh = repairs::both(wave_wall(0.0), wave_wall(20.0));
+  file.groups = {"o", {"left", "right"}, std::vector<Index>(file.mesh.triangles.size(), 0)};
+  for (std::size_t t = file.mesh.triangles.size() / 2; t < file.mesh.triangles.size(); ++t)
+    file.groups.of_triangle[t] = 1;
+  for (const std::vector<std::string>& only :
+       {std::vector<std::string>{}, std::vector<std::string>{"right"}}) {
+    const Model model = prepare_model(file, {.only = only, .side = Side::outer}, "suit");
+    ASSERT_EQ(model.work.clashing_sides.size(), 1U) << only.size();
+    EXPECT_EQ(model.work.clashing_sides[0].one, "left");
+    EXPECT_EQ(model.work.clashing_sides[0].other, "right");
+  }
+  EXPECT_TRUE(prepare_model(file, {}, "suit").work.clashing_sides.empty());
+  // One lies on the other.
+  const TriMesh layers = repairs::both(wave_wall(20.0), wave_wall(20.0, 0.5));
+  EXPECT_TRUE(prepared(layers, {.side = Side::outer}).work.clashing_sides.empty());
+  // Both bend alike.
+  const TriMesh alike = repairs::both(closed_shell(2.0), above(closed_shell(2.0), 0.0, 300.0));
+  EXPECT_TRUE(prepared(alike, {.side = Side::outer}).work.clashing_sides.empty());
 }
 
 TEST(PrepareModel, SaysWhereNothingTellsTheOuterSide) {

@@ -7,7 +7,6 @@
 #include <planish/mesh/wall.h>
 #include <planish/mesh/weld.h>
 
-#include "mesh/edge_sides.h"
 #include "mesh/manifold_defects.h"
 #include "mesh/repair/doubled.h"
 #include "mesh/repair/sheets.h"
@@ -98,8 +97,9 @@ struct WallOfPart {
 /// where one is asked for, and so are more than two sheets together.
 class WallSearch {
  public:
-  WallSearch(const ModelPart& part, bool is_asked)
+  WallSearch(const ModelPart& part, const Connectivity& connectivity, bool is_asked)
       : part_(part),
+        connectivity_(connectivity),
         is_asked_(is_asked),
         sheets_(find_sheets(part.mesh)),
         names_(numbered_names(part.name, sheets_.count)) {
@@ -129,9 +129,10 @@ class WallSearch {
  private:
   std::vector<unsigned char> open_sheets() const {
     std::vector<unsigned char> is_open(sheets_.count, 0);
-    const std::vector<EdgeSide> sides = sorted_sides(part_.mesh);
-    for (const EdgeSides& edge : group_by_edge(sides)) {
-      if (edge.size() == 1) is_open[sheets_.of_triangle[edge.begin->triangle]] = 1;
+    for (std::size_t t = 0; t < part_.mesh.triangles.size(); ++t) {
+      for (const Index v : part_.mesh.triangles[t]) {
+        if (connectivity_.is_border(v)) is_open[sheets_.of_triangle[t]] = 1;
+      }
     }
     return is_open;
   }
@@ -164,6 +165,7 @@ class WallSearch {
   }
 
   const ModelPart& part_;
+  const Connectivity& connectivity_;
   bool is_asked_;
   Sheets sheets_;
   std::vector<std::string> names_;
@@ -218,7 +220,7 @@ void take_one_side(ModelPart& part, const std::optional<Connectivity>& connectiv
     if (side) work.without_wall.push_back(part.name);
     return;
   }
-  WallSearch search(part, side.has_value());
+  WallSearch search(part, *connectivity, side.has_value());
   const std::vector<WallOfPart> walls = search.walls();
   if (!side) {
     for (const WallOfPart& of : walls)

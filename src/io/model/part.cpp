@@ -102,7 +102,11 @@ class WallSearch {
         connectivity_(connectivity),
         is_asked_(is_asked),
         sheets_(find_sheets(part.mesh)),
-        names_(numbered_names(part.name, sheets_.count)) {
+        names_(numbered_names(part.name, sheets_.count)),
+        triangles_(sheets_.count),
+        number_(part.mesh.positions.size(), ModelPart::none) {
+    for (std::size_t t = 0; t < sheets_.of_triangle.size(); ++t)
+      triangles_[sheets_.of_triangle[t]].push_back(static_cast<Index>(t));
     for (std::size_t k = 0; k < sheets_.count; ++k)
       rest_.push_back(static_cast<Index>(k));
   }
@@ -140,28 +144,37 @@ class WallSearch {
   void look_at(const std::vector<Index>& sheets) {
     const bool is_all = sheets.size() == sheets_.count;
     WallOfPart found{is_all ? part_.name : names_[sheets.front()], {}, {}, {}};
-    std::vector<unsigned char> is_here(sheets_.count, 0);
     for (const Index k : sheets)
-      is_here[k] = 1;
-    std::vector<Index> number(part_.mesh.positions.size(), ModelPart::none);
-    for (std::size_t t = 0; t < sheets_.of_triangle.size(); ++t) {
-      if (is_here[sheets_.of_triangle[t]] == 0) continue;
-      found.triangles.push_back(static_cast<Index>(t));
-      Triangle corners = part_.mesh.triangles[t];
-      for (Index& v : corners) {
-        if (number[v] == ModelPart::none) {
-          number[v] = static_cast<Index>(found.mesh.positions.size());
-          found.mesh.positions.push_back(part_.mesh.positions[v]);
-        }
-        v = number[v];
-      }
-      found.mesh.triangles.push_back(corners);
-    }
+      found.triangles.insert(found.triangles.end(), triangles_[k].begin(), triangles_[k].end());
+    std::sort(found.triangles.begin(), found.triangles.end());
+    found.mesh = mesh_of(found.triangles);
     auto wall = find_wall(found.mesh);
     if (!wall) return;
     found.wall = *std::move(wall);
     walls_.push_back(std::move(found));
-    std::erase_if(rest_, [&](Index k) { return is_here[k] != 0; });
+    const std::vector<Index> gone = sheets;  // they may be the rest itself
+    std::erase_if(rest_, [&](Index k) { return std::binary_search(gone.begin(), gone.end(), k); });
+  }
+
+  /// Time and memory go with the triangles, not with the part: there may be many sheets.
+  TriMesh mesh_of(const std::vector<Index>& triangles) {
+    TriMesh mesh;
+    for (const Index t : triangles) {
+      Triangle corners = part_.mesh.triangles[t];
+      for (Index& v : corners) {
+        if (number_[v] == ModelPart::none) {
+          number_[v] = static_cast<Index>(mesh.positions.size());
+          mesh.positions.push_back(part_.mesh.positions[v]);
+        }
+        v = number_[v];
+      }
+      mesh.triangles.push_back(corners);
+    }
+    for (const Index t : triangles) {
+      for (const Index v : part_.mesh.triangles[t])
+        number_[v] = ModelPart::none;
+    }
+    return mesh;
   }
 
   const ModelPart& part_;
@@ -169,7 +182,9 @@ class WallSearch {
   bool is_asked_;
   Sheets sheets_;
   std::vector<std::string> names_;
-  std::vector<Index> rest_;  // sheets of no wall, by their numbers
+  std::vector<std::vector<Index>> triangles_;  // of each sheet
+  std::vector<Index> number_;                  // of vertices in the mesh of some sheets
+  std::vector<Index> rest_;                    // sheets of no wall, by their numbers
   std::vector<WallOfPart> walls_;
 };
 
@@ -237,8 +252,11 @@ void take_one_side(ModelPart& part, const std::optional<Connectivity>& connectiv
 }
 
 /// Whether two places at least are the same, within the distance.
-/// @pre both are sorted by way_along()
+/// @pre both are sorted by way_along(), and none is empty
 bool meet(const std::vector<Vec3>& one, const std::vector<Vec3>& other, double within) {
+  if (way_along(one.back()) + within < way_along(other.front()) ||
+      way_along(other.back()) + within < way_along(one.front()))
+    return false;
   std::size_t count = 0;
   for (const Vec3 p : one) {
     const double way = way_along(p);

@@ -284,8 +284,9 @@ std::vector<ModelWork::ClashingSides> find_clashing_sides(std::span<const ModelP
   constexpr double k_same_place = 0.25;  // thicknesses
   std::vector<const WallSides*> walls;
   for (const ModelPart& part : parts) {
-    for (const WallSides& wall : part.walls)
-      walls.push_back(&wall);
+    for (const WallSides& wall : part.walls) {
+      if (!wall.taken.empty() && !wall.other.empty()) walls.push_back(&wall);
+    }
   }
   std::vector<ModelWork::ClashingSides> clashing;
   for (std::size_t a = 0; a < walls.size(); ++a) {

@@ -30,7 +30,9 @@ std::string_view way_on(ErrorCode code) {
     case ErrorCode::repeated_index:
       return "Without --strict such triangles are left out";
     case ErrorCode::duplicate_triangle:
-      return "Without --strict the second one is left out; of two that face each other delete one";
+      return "Of two that face each other delete one in the program that made the mesh; of two "
+             "that "
+             "are alike the second is left out, but not with --strict";
     case ErrorCode::zero_length_edge:
       return "Merge these vertices in the program that made the mesh; planish measure tells how "
              "many there are";

@@ -91,6 +91,12 @@ EvolveReport evolve_half(const Patch& half, const SymmetricWhole& whole, const M
 
 }  // namespace
 
+FlattenReport with_turned(FlattenReport report, bool turned) {
+  for (UnfoldReport* unfold : {&report.unfold, &report.unfold_before, &report.as_designed})
+    unfold->turned = turned;
+  return report;
+}
+
 EvolveReport evolve_patch(const Patch& patch, const Method& method, const Stopping& stopping,
                           const Constraints& constraints, const Context& context) {
   return report_of_evolving(patch, method, stopping, context,

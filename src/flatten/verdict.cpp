@@ -89,6 +89,12 @@ bool keeps_lengths(const FlattenReport& report) {
   return report.evolve.after.flattenable && report.unfold.strain.max <= k_no_strain;
 }
 
+/// What keeps the mesh from showing whether it lies flat, as it came out; null where nothing does.
+const Caution* unjudged_caution(const FlattenReport& report) {
+  const bool is_flat = keeps_lengths(report) || is_too_small_to_measure(report.unfold.strain);
+  return unjudged_by(report.cautions, is_flat);
+}
+
 bool is_changed(const FlattenReport& report) {
   return !report.evolve.fairness.unchanged && !report.evolve.result.history.empty();
 }
@@ -113,7 +119,7 @@ std::string state_words(const FlattenReport& report) {
     case Flatness::flat:
       return "Lies flat without stretch";
     case Flatness::not_known:
-      return "Cannot be judged: " + std::string(words_of(*unjudged_by(report.cautions, true)));
+      return "Cannot be judged: " + std::string(words_of(*unjudged_caution(report)));
     case Flatness::unmeasurable:
       return "Flat but for a stretch too small to measure";
     case Flatness::stretched:
@@ -247,16 +253,16 @@ std::string new_fold_text(const Fold& fold) {
 
 Flatness flatness_of(const FlattenReport& report) {
   if (keeps_lengths(report))
-    return unjudged_by(report.cautions, true) == nullptr ? Flatness::flat : Flatness::not_known;
+    return unjudged_caution(report) == nullptr ? Flatness::flat : Flatness::not_known;
   const std::vector<LimitCheck> limits = strain_limits_of(report);
   if (!limits.empty()) {
     const bool kept = std::all_of(limits.begin(), limits.end(),
                                   [](const LimitCheck& check) { return check.met; });
     return kept ? Flatness::limit_kept : Flatness::limit_missed;
   }
-  const bool is_small = is_too_small_to_measure(report.unfold.strain);
-  if (unjudged_by(report.cautions, is_small) != nullptr) return Flatness::not_known;
-  return is_small ? Flatness::unmeasurable : Flatness::stretched;
+  if (unjudged_caution(report) != nullptr) return Flatness::not_known;
+  return is_too_small_to_measure(report.unfold.strain) ? Flatness::unmeasurable
+                                                       : Flatness::stretched;
 }
 
 bool is_too_small_to_measure(const EdgeStrain& strain) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
+#include <set>
 
 #include <planish/core/error.h>
 
@@ -109,6 +111,32 @@ std::vector<std::string> numbered_names(const std::string& name, std::size_t cou
   for (std::size_t k = 1; k <= count; ++k)
     names.push_back(name + "-" + std::to_string(k));
   return names;
+}
+
+namespace {
+
+std::string in_small_letters(std::string name) {
+  for (char& c : name) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return name;
+}
+
+}  // namespace
+
+std::vector<std::string> distinct_names(std::span<const std::string> names) {
+  std::set<std::string> taken;
+  std::map<std::string, int> next;  // number to try, where names are alike: many may be
+  std::vector<std::string> result;
+  result.reserve(names.size());
+  for (const std::string& name : names) {
+    std::string given = name;
+    int& k = next.try_emplace(in_small_letters(name), 2).first->second;
+    while (!taken.insert(in_small_letters(given)).second)
+      given = name + "-" + std::to_string(k++);
+    result.push_back(std::move(given));
+  }
+  return result;
 }
 
 std::vector<NamedPatch> split(const TriMesh& mesh, const std::string& name) {

@@ -28,4 +28,8 @@ std::vector<NamedPatch> split(const TriMesh& mesh, const std::string& name);
 /// "NAME" of one part, "NAME-1", "NAME-2", ... of several.
 std::vector<std::string> numbered_names(const std::string& name, std::size_t count);
 
+/// The names with a number behind those that are there already, whatever their capitals: "Front",
+/// "front-2".
+std::vector<std::string> distinct_names(std::span<const std::string> names);
+
 }  // namespace planish

@@ -252,8 +252,24 @@ NotchFrame NotchFrames::at_corner(const NotchSeat& seat, const Corner& corner) c
       stands_out && seat.side != SeatSide::both ? (is_own_before ? before : after) : middle);
 }
 
+/// Where nothing but a fold has no width: along the fold, as half way between both sides of the
+/// whole piece.
+std::optional<NotchFrame> NotchFrames::at_end_of_fold(const NotchSeat& seat) const {
+  if (allowance_.edge_widths.empty()) return std::nullopt;
+  const auto corner = corner_at(seat);
+  if (!corner) return std::nullopt;
+  const std::size_t count = outline_.loops[seat.loop].size();
+  const bool fold_is_before = width_at(seat.loop, (corner->point + count - 1) % count) == 0.0;
+  const bool fold_is_after = width_at(seat.loop, corner->point) == 0.0;
+  if (fold_is_before == fold_is_after) return std::nullopt;
+  const double half = 0.5 * sizes_.width;
+  const Vec2 inward =
+      fold_is_after ? across(seat, 0.0, half).along : -1.0 * across(seat, half, 0.0).along;
+  return frame_along(walks_[seat.loop].at(seat.way), {inward.y, -inward.x});
+}
+
 NotchFrame NotchFrames::at(const NotchSeat& seat) const {
-  if (!has_allowance_) return halving(seat);
+  if (!has_allowance_) return at_end_of_fold(seat).value_or(halving(seat));
   if (const auto corner = corner_at(seat)) return at_corner(seat, *corner);
   const Between between = between_corners(seat.loop, seat.way);
   const double half = std::min(0.5 * sizes_.width, 0.125 * walks_[seat.loop].length());

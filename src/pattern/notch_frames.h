@@ -71,6 +71,7 @@ class NotchFrames {
                                 bool runs_beside_line) const;
   std::optional<NotchFrame> along_bare_edge(const NotchSeat& seat, Vec2 inward, Vec2 other,
                                             double width) const;
+  std::optional<NotchFrame> at_end_of_fold(const NotchSeat& seat) const;
   NotchFrame at_corner(const NotchSeat& seat, const Corner& corner) const;
   NotchFrame standing_on_seam(NotchFrame frame) const;
 

@@ -111,6 +111,7 @@ Json to_json(const UnfoldReport& report) {
           {"height", pattern.height},
           {"unit", to_string(report.unit)},
           {"side", "outer"},
+          {"turned", report.turned},
           {"iterations", pattern.iterations},
           {"converged", pattern.converged},
           {"border_strain", report.border_strain},

@@ -3,7 +3,9 @@
 #include <fstream>
 
 #include <planish/core/error.h>
+#include <planish/io/read_mesh.h>
 #include <planish/measure/material.h>
+#include <planish/mesh/repair.h>
 
 #include <gmock/gmock.h>
 
@@ -171,6 +173,99 @@ TEST_F(ProductOfAFile, SaysWhichSeamIsNotThere) {
   const CliResult wrong = flatten();
   EXPECT_EQ(wrong.exit_code, k_exit_failed);
   EXPECT_THAT(wrong.err, HasSubstr("no piece is called \"Bak\""));
+}
+
+std::vector<std::string> names_of(const std::string& garment) {
+  const nlohmann::json json = nlohmann::json::parse(content_of(garment));
+  std::vector<std::string> names;
+  for (const auto& patch : json["patches"])
+    names.push_back(patch["name"]);
+  return names;
+}
+
+TEST_F(ProductOfAFile, TakesPiecesByTheNamesThatItShows) {
+  EXPECT_EQ(flatten({"--only", "Front"}).exit_code, k_exit_done);
+  EXPECT_THAT(names_of("out/garment.json"), ElementsAre("Front", "Front, mirrored"));
+  const CliResult mirrored = flatten({"--only", "Front, mirrored"});
+  EXPECT_EQ(mirrored.exit_code, k_exit_done) << mirrored.err;
+  EXPECT_THAT(mirrored.err,
+              HasSubstr("without the seams to pieces that are left out: side, other"));
+  EXPECT_THAT(names_of("out/garment.json"), ElementsAre("Front, mirrored"));
+  EXPECT_EQ(flatten({"--without", "Front, mirrored,Back"}).exit_code, k_exit_done);
+  EXPECT_THAT(names_of("out/garment.json"), ElementsAre("Front"));
+  EXPECT_EQ(flatten({"--without", "Front, mirrored"}).exit_code, k_exit_done);
+  EXPECT_THAT(names_of("out/garment.json"), ElementsAre("Front", "Back"));
+  EXPECT_EQ(nlohmann::json::parse(content_of("out/garment.json"))["seams"][0]["name"], "side");
+  const CliResult wrong = flatten({"--only", "Frnt"});
+  EXPECT_EQ(wrong.exit_code, k_exit_usage);
+  EXPECT_THAT(wrong.err, HasSubstr("there are Front, Back, Front, mirrored"));
+}
+
+TEST_F(ProductOfAFile, TakesPiecesOfAFileThatHasNamesOfItsOwn) {
+  write_product("one.obj", in_strips(make_shape("saddle", 300), 2));
+  std::ofstream("suit.json") << R"({
+      "pieces": [{"file": "one.obj", "name": "Front", "mirrored": true},
+                 {"file": "two.obj", "name": "Back"}]})";
+  EXPECT_EQ(flatten({"--only", "Front-2"}).exit_code, k_exit_done);
+  EXPECT_THAT(names_of("out/garment.json"), ElementsAre("Front-2", "Front-2, mirrored"));
+  EXPECT_EQ(flatten({"--only", "Front", "--without", "Front-1"}).exit_code, k_exit_done);
+  EXPECT_THAT(names_of("out/garment.json"), ElementsAre("Front-2", "Front-2, mirrored"));
+  EXPECT_EQ(flatten({"--only", "strip-1"}).exit_code, k_exit_done);
+  EXPECT_THAT(names_of("out/garment.json"), ElementsAre("Front-1", "Front-1, mirrored"));
+  // In the file strip-2, in the product the name of the other piece.
+  std::ofstream("suit.json") << R"({
+      "pieces": [{"file": "one.obj", "name": "Front"}, {"file": "two.obj", "name": "strip-2"}]})";
+  for (const char* flag : {"--only", "--without"}) {
+    const CliResult either = flatten({flag, "strip-2"});
+    EXPECT_EQ(either.exit_code, k_exit_usage);
+    EXPECT_THAT(either.err,
+                HasSubstr("\"strip-2\" could mean strip-2 of two.obj or Front-2 of one.obj"));
+  }
+}
+
+/// A mirror image of what is inside out would be the same piece once more.
+TEST_F(ProductOfAFile, TurnsTheMirrorImageWithItsPiece) {
+  std::vector<NamedPatch> strips = in_strips(make_shape("saddle", 300), 3);
+  write_mesh("large.obj", strips[0].mesh);
+  write_mesh("one.obj", turned_over(strips[1].mesh));
+  write_mesh("more.obj", strips[2].mesh);
+  std::ofstream("suit.json") << R"({
+      "pieces": [{"file": "large.obj"}, {"file": "one.obj", "name": "Front", "mirrored": true},
+                 {"file": "more.obj"}]})";
+  for (const Names& only :
+       {Names{}, Names{"--only", "Front"}, Names{"--only", "Front, mirrored"}}) {
+    const CliResult result = flatten(only);
+    EXPECT_THAT(result.err, HasSubstr("turned over, as they were inside out against a neighbour "
+                                      "along a seam: Front against "));
+    const TriMesh mirrored = read_mesh("out/Front__mirrored/processed.obj").mesh;
+    EXPECT_EQ(mirrored.triangles, turned_over(strips[1].mesh).triangles) << only.size();
+  }
+}
+
+TEST_F(ProductOfAFile, TakesTheSecondPieceOfAName) {
+  std::filesystem::create_directory("other");
+  std::vector<NamedPatch> strips = in_strips(make_shape("saddle", 300), 2);
+  write_mesh("other/one.obj", strips[1].mesh);
+  const auto names = [](const Names& flags) {
+    Names args = {"flatten", "one.obj", "other/one.obj", "--product",
+                  "-o",      "out",     "--formats",     "svg"};
+    args.insert(args.end(), flags.begin(), flags.end());
+    const CliResult result = planish(args);
+    EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+    return std::filesystem::exists("out/garment.json")
+               ? names_of("out/garment.json")
+               : std::vector<std::string>{
+                     nlohmann::json::parse(content_of("out/report.json"))["name"]};
+  };
+  EXPECT_THAT(names({"--only", "one-2"}), ElementsAre("one-2"));
+  std::filesystem::remove_all("out");
+  EXPECT_THAT(names({"--without", "one-2"}), ElementsAre("one"));
+  std::filesystem::remove_all("out");
+  EXPECT_THAT(names({"--only", "one"}), ElementsAre("one", "one-2"));
+  EXPECT_EQ(planish({"flatten", "one.obj", "other/one.obj", "--product", "-o", "more", "--only",
+                     "one-2", "--resume"})
+                .exit_code,
+            k_exit_usage);
 }
 
 TEST_F(ProductOfAFile, GoesOnWhereAFileIsMissing) {

@@ -102,7 +102,8 @@ void compare_into(WorkFile& file, const fs::path& place, const std::vector<Compa
   }
 }
 
-CommandResult compare_several(const Arguments& arguments, Session& session) {
+CommandResult compare_several(const Arguments& all, Session& session) {
+  const Arguments arguments = with_files_that_are_asked_for(all, session);
   refuse_single_file_flags(arguments, std::array{"--fix", "--weights", "--open"});
   const std::vector<CompareRun> runs = runs_from(arguments);
   unit_from(arguments);

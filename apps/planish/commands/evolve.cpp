@@ -60,10 +60,11 @@ void evolve_into(WorkFile& file, const std::filesystem::path& place, const Argum
   if (!place.empty()) file.files = {{place, format_mesh(evolved, mesh_format_of(place))}};
 }
 
-CommandResult evolve_several(const Arguments& arguments, Session& session) {
+CommandResult evolve_several(const Arguments& all, Session& session) {
+  const Arguments arguments = with_files_that_are_asked_for(all, session);
   refuse_single_file_flags(arguments, std::array{"--cut", "--history", "--fix", "--weights"});
   check_evolve_request(arguments);
-  const auto format = output_format_from(arguments, names_of(k_mesh_formats));
+  const auto format = output_format_from(all, names_of(k_mesh_formats));
   const SeveralFiles job = {
       .columns = evolved_cells(nullptr),
       .heads = "  e_max    after  deviat.  added  lost smooth   time",

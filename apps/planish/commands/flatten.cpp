@@ -156,7 +156,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
                                    std::move(read), arguments),
                        arguments, session);
   }
-  refuse_product_flags(arguments);
+  refuse_product_flags(arguments, !read.left_out.empty());
   const std::string& path = read.path;
   Model input = std::move(read.whole);
   const MeshFormat format = output_format(input.format);
@@ -173,7 +173,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
         annotations_on(std::move(pattern.annotations), arguments, patch, name, session);
     options.keep = named_vertices(pattern.annotations);
     check_pattern_size(patch, name, plan_of(pattern, options.unit, nest.get()), session);
-    return flatten(patch, name, options, session.job_context(path));
+    return with_turned(flatten(patch, name, options, session.job_context(path)), input.turned);
   });
 
   std::optional<NestOutcome> nesting;

@@ -64,7 +64,8 @@ void measure_into(WorkFile& file, const StrainLimits& limits, const Arguments& a
   });
 }
 
-CommandResult measure_several(const Arguments& arguments, Session& session) {
+CommandResult measure_several(const Arguments& all, Session& session) {
+  const Arguments arguments = with_files_that_are_asked_for(all, session);
   refuse_single_file_flags(arguments, std::array{"--map", "--picture", "--fields", "--unit"});
   const StrainLimits limits = limits_from(arguments);
   const SeveralFiles job = {

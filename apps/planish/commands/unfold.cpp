@@ -109,8 +109,9 @@ void unfold_into(WorkFile& file, const std::filesystem::path& place, const Unfol
     const std::vector<Caution> cautions = find_cautions(patch);
     annotations.cautions = words_of(cautions);
     note_cautions(session, path, cautions, request.unit);
-    const UnfoldReport report =
+    UnfoldReport report =
         unfold_patch(patch, request.unit, request.options, session.job_context(path));
+    report.turned = model.turned;
     file.report.lines = {{unfolded_cells(&report)}};
     file.report.figures = unfolded_figures(report, cautions);
     file.text = line_of(report);
@@ -121,11 +122,12 @@ void unfold_into(WorkFile& file, const std::filesystem::path& place, const Unfol
   });
 }
 
-CommandResult unfold_several(const Arguments& arguments, Session& session) {
+CommandResult unfold_several(const Arguments& all, Session& session) {
+  const Arguments arguments = with_files_that_are_asked_for(all, session);
   refuse_single_file_flags(
       arguments, std::array{"--cut", "--notches", "--marks", "--edge-allowances", "--inner-lines",
                             "--piece-name"});
-  const std::string extension = "." + output_format_from(arguments, output_names()).value_or("svg");
+  const std::string extension = "." + output_format_from(all, output_names()).value_or("svg");
   const UnfoldRequest request = request_from(arguments, "pattern" + extension);
   const SeveralFiles job = {
       .columns = unfolded_cells(nullptr),
@@ -149,11 +151,12 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
   const std::string& name = model.pieces.front();
   const CutInput input = cut_as_asked(std::move(model.mesh), path, arguments, session);
   const Patch patch = about(path, [&] { return Patch(input.mesh); });
-  const auto report = about(path, [&] {
+  auto report = about(path, [&] {
     request.annotations =
         annotations_on(std::move(request.annotations), arguments, patch, name, session);
     return unfold_patch(patch, request.unit, request.options, session.job_context(path));
   });
+  report.turned = model.turned;
   const std::vector<Caution> cautions = find_cautions(patch);
   request.annotations.cautions = words_of(cautions);
   const std::string content = about(path, [&] {

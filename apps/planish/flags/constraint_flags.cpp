@@ -72,9 +72,9 @@ Constraints constraints_from(const Arguments& arguments, const Patch& patch, Ses
   }
   if (arguments.has("--obstacle")) {
     const std::string& path = arguments.flags.at("--obstacle");
-    constraints.obstacle =
-        scaled(in_run_unit(session.read(path), run_unit_from(arguments), path, session).mesh,
-               scale_from(arguments), path);
+    ReadResult file = session.read(path, {.strict = arguments.has("--strict")});
+    file = in_run_unit(std::move(file), run_unit_from(arguments), path, session);
+    constraints.obstacle = scaled(std::move(file.mesh), scale_from(arguments), path);
   }
   return constraints;
 }

@@ -11,6 +11,7 @@
 #include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "model/model_text.h"
+#include "model/orient.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/values.h"
@@ -23,12 +24,29 @@ constexpr std::array k_divisions = {Divide::objects, Divide::materials, Divide::
 constexpr std::array k_sides = {Side::outer, Side::inner};
 constexpr Range k_from_zero = {.min = 0.0};
 
+/// Where the name that begins there ends: at the next comma, but behind a known name that has
+/// commas itself, also with a number as in "left, small-2".
+std::size_t end_of_name(const std::string& text, std::size_t begin,
+                        std::span<const std::string> known) {
+  std::size_t end = std::min(text.find(',', begin), text.size());
+  for (const std::string& name : known) {
+    if (name.find(',') == std::string::npos || text.compare(begin, name.size(), name) != 0)
+      continue;
+    std::size_t behind = begin + name.size();
+    if (behind < text.size() && text[behind] == '-')
+      behind = std::min(text.find_first_not_of("0123456789", behind + 1), text.size());
+    if (behind == text.size() || text[behind] == ',') end = std::max(end, behind);
+  }
+  return end;
+}
+
 /// The names of a list, as they were typed.
-std::vector<std::string> names_from(const Arguments& arguments, const std::string& flag) {
+std::vector<std::string> names_from(const Arguments& arguments, const std::string& flag,
+                                    std::span<const std::string> known) {
   std::vector<std::string> names;
   const std::string text = arguments.value_or(flag, "");
   for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::size_t end = end_of_name(text, begin, known);
     if (end > begin) names.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
@@ -85,7 +103,7 @@ FlagGroup model_flags() {
         "take the mesh as it is: repair and leave out only what other flags ask for"}}};
 }
 
-ModelOptions model_options_from(const Arguments& arguments) {
+ModelOptions model_options_from(const Arguments& arguments, std::span<const std::string> known) {
   ModelOptions options;
   options.strict = arguments.has("--strict");
   if (arguments.has("--weld")) {
@@ -94,16 +112,29 @@ ModelOptions model_options_from(const Arguments& arguments) {
   if (arguments.has("--fill-holes")) options.fill_holes = model_length(arguments, "--fill-holes");
   options.divide =
       value_named("kind of pieces", arguments.value_or("--divide", "objects"), k_divisions);
-  options.only = names_from(arguments, "--only");
-  options.without = names_from(arguments, "--without");
+  options.only = names_from(arguments, "--only", known);
+  options.without = names_from(arguments, "--without", known);
   if (arguments.has("--side"))
     options.side = value_named("side", arguments.flags.at("--side"), k_sides);
   options.flip = arguments.has("--flip");
   return options;
 }
 
-void check_model(const Model& model, const ModelOptions& options, const std::string& path) {
-  check_names(options, model.names);
+std::vector<std::string> names_in(const ReadResult& file, const std::string& name) {
+  std::vector<std::string> names = file.groups.names;
+  names.insert(names.end(), file.materials.names.begin(), file.materials.names.end());
+  names.push_back(name);
+  return names;
+}
+
+void check_asked_names(const Arguments& arguments, std::span<const std::string> names) {
+  check_names(model_options_from(arguments, names), names);
+}
+
+void check_model(const Model& model, const Arguments& arguments, const std::string& path) {
+  std::vector<std::string> names = model.names;
+  names.insert(names.end(), arguments.names_of_all.begin(), arguments.names_of_all.end());
+  check_asked_names(arguments, names);
   if (!model.pieces.empty()) return;
   throw Error(ErrorCode::no_triangles, "nothing is left of the file", {.path = path});
 }
@@ -129,23 +160,28 @@ ReadResult read_in_run_unit(const std::string& path, std::optional<Unit> unit,
 
 }  // namespace
 
-Model read_model_of_several(const std::string& path, const std::string& name,
-                            std::optional<Unit> unit, const Arguments& arguments,
-                            Session& session) {
-  const ModelOptions options = model_options_from(arguments);
+Model read_model_of_several(const FileOfSeveral& of, const Arguments& arguments, Session& session) {
+  const std::string& path = of.path;
   const double scale = scale_from(arguments);
-  ReadResult file = read_in_run_unit(path, unit, {.strict = options.strict}, arguments, session);
+  const ReadOptions reading = {.strict = arguments.has("--strict")};
+  ReadResult file = read_in_run_unit(path, of.unit, reading, arguments, session);
   file.notes.clear();  // they were told
   file.mesh = scaled(std::move(file.mesh), scale, path);
-  Model model = about(path, [&] { return prepare_model(std::move(file), options, name); });
+  std::vector<std::string> known = names_in(file, of.name);
+  known.insert(known.end(), of.known.begin(), of.known.end());
+  known.insert(known.end(), arguments.names_of_all.begin(), arguments.names_of_all.end());
+  const ModelOptions options = model_options_from(arguments, known);
+  Model model = about(path, [&] { return prepare_model(std::move(file), options, of.name); });
   for (const std::string& note : work_notes(model.work, ShownLengths(unit_from(arguments))))
     session.note(path + ": " + note);
   return model;
 }
 
 Model read_model(const std::string& path, const Arguments& arguments, Session& session) {
-  Model model = read_model_of_several(path, stem_of(path), {}, arguments, session);
-  check_model(model, model_options_from(arguments), path);
+  Model model = read_model_of_several({path, stem_of(path)}, arguments, session);
+  check_model(model, arguments, path);
+  for (const std::string& note : turn_inside_out(model, model_options_from(arguments, model.names)))
+    session.note(path + ": " + note);
   return model;
 }
 

@@ -32,10 +32,6 @@ std::string holes_text(const ModelWork& work) {
 
 std::string weld_text(const ModelWork& work, const ShownLengths& lengths) {
   const std::string within = lengths.thickness_text(work.weld_length);
-  if (work.joined + work.unjoined == 0) {
-    return "--weld joined nothing: no two borders lie within " + within +
-           " of each other; --weld=LENGTH says how far apart they may be";
-  }
   std::string text = "joined " + counted(work.joined, "pair") + " of border edges within " + within;
   if (work.unjoined > 0) {
     text += "; " + counted(work.unjoined, "edge") +
@@ -49,13 +45,25 @@ std::string weld_text(const ModelWork& work, const ShownLengths& lengths) {
   return text;
 }
 
+std::string unjoined_text(const ModelWork& work, const ShownLengths& lengths) {
+  const ModelWork::NothingJoined& nothing = *work.nothing_joined;
+  const std::string text = "--weld joined nothing: ";
+  if (nothing.is_between_names)
+    return text + "pieces of different names stay apart; --divide parts joins them too";
+  if (!nothing.gap) return text + "there are no two borders beside each other";
+  return text + "the nearest borders of two pieces are " + lengths.text(*nothing.gap) +
+         " apart, more than " + lengths.thickness_text(work.weld_length) +
+         "; --weld=LENGTH says how far apart they may be";
+}
+
 }  // namespace
 
 std::vector<std::string> work_notes(const ModelWork& work, const ShownLengths& lengths) {
   std::vector<std::string> notes;
   if (work.collapsed + work.repeated + work.backs + work.fins > 0)
     notes.push_back(redundant_text(work));
-  if (work.weld_length > 0.0) notes.push_back(weld_text(work, lengths));
+  if (work.joined + work.unjoined > 0) notes.push_back(weld_text(work, lengths));
+  if (work.nothing_joined) notes.push_back(unjoined_text(work, lengths));
   if (work.turned > 0) {
     notes.push_back("turned over " + counted(work.turned, "triangle") +
                     " that ran against the neighbours");
@@ -87,6 +95,17 @@ std::vector<std::string> work_notes(const ModelWork& work, const ShownLengths& l
     notes.push_back(std::to_string(work.touching) +
                     " pieces touch along whole borders; if they are one surface, --weld makes " +
                     counted(work.welded, "piece") + " of them");
+  }
+  if (!work.level_walls.empty()) {
+    notes.push_back("nothing tells which side is the outer one of " +
+                    list_of_some(work.level_walls) +
+                    ", flat or bent both ways: the side with the first triangle of the file is "
+                    "taken for it");
+  }
+  for (const ModelWork::ClashingSides& sides : work.clashing_sides) {
+    notes.push_back("the sides of " + sides.one + " and " + sides.other +
+                    " that were taken do not meet, though the walls do, as each is told by how its "
+                    "own wall bends: take one of them with --only and the other --side");
   }
   if (!work.without_wall.empty()) {
     notes.push_back("no wall was found in " + list_of_some(work.without_wall) +

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <planish/draw/format_drawing.h>
@@ -314,9 +315,9 @@ std::vector<Flag> product_flags() {
        {.range = {.min = 0.0}}}};
 }
 
-void refuse_product_flags(const Arguments& arguments) {
+void refuse_product_flags(const Arguments& arguments, bool is_of_several) {
   for (const char* flag : {"--product", "--resume", "--seam-tolerance"}) {
-    if (!arguments.has(flag)) continue;
+    if (!arguments.has(flag) || (is_of_several && flag != std::string_view("--resume"))) continue;
     throw UsageError("flag " + std::string(flag) + " goes with several patches; the input has one");
   }
 }

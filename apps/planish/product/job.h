@@ -45,8 +45,9 @@ struct ProductJob {
 /// --product, --resume and --seam-tolerance.
 std::vector<Flag> product_flags();
 
+/// @param is_of_several the one patch is what is left of several, whose seams tell how it lies
 /// @throws UsageError for flags that make sense only with several patches
-void refuse_product_flags(const Arguments& arguments);
+void refuse_product_flags(const Arguments& arguments, bool is_of_several);
 
 /// @throws UsageError for flags of seams, which are not searched between the files of a batch
 void refuse_seam_flags(const Arguments& arguments);

@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <map>
+#include <iterator>
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include <planish/measure/material.h>
+#include <planish/mesh/repair.h>
 
 #include "mesh/split.h"
 #include "model/model_flags.h"
+#include "model/orient.h"
 #include "output/pattern_output.h"
 #include "platform/path.h"
-#include "product/orient.h"
 #include "product/seams.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
@@ -78,25 +79,50 @@ std::vector<std::string> mesh_files_in(Session& session, const std::string& fold
 
 namespace {
 
-/// The patches of one file.
-std::vector<ProductPatch> patches_of(const Model& model, const std::string& path) {
-  std::vector<ProductPatch> patches;
-  patches.reserve(model.pieces.size());
-  if (model.pieces.size() == 1) patches.push_back({model.pieces.front(), model.mesh});
-  if (model.pieces.size() > 1) {
-    for (NamedPatch& piece : split(model.mesh, model.piece_of, model.pieces))
-      patches.push_back({std::move(piece.name), std::move(piece.mesh)});
+/// A piece of a file, with those that are left out: they tell how the others have to lie.
+struct ReadPiece {
+  ProductPatch patch;
+  bool is_taken = true;
+  MeshFormat format = MeshFormat::obj;
+  std::string in_file = {};  ///< its name there; in the product it may have another
+  /// Names that several pieces have together, as a piece and its mirror image.
+  std::vector<std::string> asked_as = {};
+  bool is_image = false;  ///< the mirror image of the one before it
+};
+
+/// The pieces of a file in its order.
+std::vector<ReadPiece> pieces_of(const Model& model, const std::string& path, std::size_t group) {
+  std::vector<ReadPiece> pieces;
+  auto next = model.left_out.begin();
+  const auto add = [&](std::string name, TriMesh mesh, bool is_taken) {
+    ReadPiece piece{{std::move(name), std::move(mesh)}, is_taken, model.format};
+    piece.patch.words.source = path;
+    piece.patch.group = group;
+    piece.in_file = piece.patch.name;
+    pieces.push_back(std::move(piece));
+  };
+  const auto add_left_out = [&](std::size_t before) {
+    for (; next != model.left_out.end() && next->before <= before; ++next)
+      add(next->name, next->mesh, false);
+  };
+  if (model.pieces.size() == 1) {
+    add_left_out(0);
+    add(model.pieces.front(), model.mesh, true);
+  } else {
+    for (NamedPatch& piece : split(model.mesh, model.piece_of, model.pieces)) {
+      add_left_out(pieces.size() - static_cast<std::size_t>(next - model.left_out.begin()));
+      add(std::move(piece.name), std::move(piece.mesh), true);
+    }
   }
-  for (ProductPatch& patch : patches)
-    patch.words.source = path;
-  return patches;
+  add_left_out(model.pieces.size());
+  return pieces;
 }
 
-/// What stands for the patches of a file that cannot be read. To be called in a handler.
-ProductPatch unreadable(std::string name, const std::string& path) {
-  ProductPatch patch{std::move(name), {}, {}, current_failure()};
-  patch.words.source = path;
-  return patch;
+/// What stands for the pieces of a file that cannot be read. To be called in a handler.
+ReadPiece unreadable(std::string name, const std::string& path, std::size_t group) {
+  ReadPiece piece{{std::move(name), {}, {}, current_failure(), group}};
+  piece.patch.words.source = path;
+  return piece;
 }
 
 /// Safe folders for all patches.
@@ -134,78 +160,222 @@ std::vector<std::string> mesh_files(Session& session, const std::vector<std::str
   return files;
 }
 
-/// Names that the pieces of several files have.
-class KnownNames {
- public:
-  void add(const Model& model) {
-    names_.insert(names_.end(), model.names.begin(), model.names.end());
-  }
-  /// @throws Error unknown_name where a flag has one that none of the files knows
-  void check(const Arguments& arguments) const {
-    if (!names_.empty()) check_names(model_options_from(arguments), names_);
+bool is_among(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The pieces of all files, before flags choose among them by the names that they get in the
+/// product.
+struct AllPieces {
+  std::vector<ReadPiece> pieces = {};
+  std::vector<std::string> known = {};  ///< names in the files, by which each file was read
+  Model last = {};                      ///< of the last file of which something was taken
+  std::string path = {};                ///< of that
+
+  void add(Model model, const std::string& from, std::size_t group) {
+    std::vector<ReadPiece> some = pieces_of(model, from, group);
+    std::move(some.begin(), some.end(), std::back_inserter(pieces));
+    known.insert(known.end(), model.names.begin(), model.names.end());
+    if (model.pieces.empty()) return;
+    last = std::move(model);
+    path = from;
   }
 
- private:
-  std::vector<std::string> names_;
+  std::size_t taken() const {
+    return static_cast<std::size_t>(std::count_if(
+        pieces.begin(), pieces.end(), [](const ReadPiece& piece) { return piece.is_taken; }));
+  }
 };
+
+/// Whether it has the name in the product.
+bool is_called(const ReadPiece& piece, const std::string& name) {
+  return piece.patch.name == name || is_among(piece.asked_as, name);
+}
+
+/// A name that is one piece's in the product and another one's in its file could mean either.
+/// Pieces of one name that got numbers are all meant.
+/// @throws UsageError
+void refuse_names_of_two(const AllPieces& all, const std::vector<std::string>& asked) {
+  for (const std::string& name : asked) {
+    const ReadPiece *shown = nullptr, *in_file = nullptr, *both = nullptr;
+    for (const ReadPiece& piece : all.pieces) {
+      const bool is_shown = is_called(piece, name);
+      const bool is_in_file = piece.in_file == name;
+      const bool is_numbered = piece.patch.name.starts_with(name + "-");
+      if (is_shown && is_in_file) both = &piece;
+      if (is_shown && !is_in_file && !piece.in_file.empty()) shown = &piece;
+      if (is_in_file && !is_shown && !is_numbered) in_file = &piece;
+    }
+    if (shown == nullptr) shown = in_file == nullptr ? nullptr : both;
+    if (in_file == nullptr) in_file = both;
+    if (shown == nullptr || in_file == nullptr) continue;
+    throw UsageError("\"" + name + "\" could mean " + shown->patch.name + " of " +
+                     shown->patch.words.source + " or " + in_file->patch.name + " of " +
+                     in_file->patch.words.source +
+                     ", which is called so in its file: name pieces by other names of theirs");
+  }
+}
+
+/// Takes and leaves out what flags call by names that no file has: "Front-2" of the second file
+/// with a piece Front, "Front, mirrored".
+/// @throws UsageError where a name could mean two pieces, Error unknown_name
+void choose_by_names_of_product(AllPieces& all, const Arguments& arguments) {
+  const bool is_chosen = arguments.has("--only") || arguments.has("--without");
+  if (!is_chosen || all.known.empty()) return;
+  std::vector<std::string> names = all.known;
+  for (const ReadPiece& piece : all.pieces) {
+    if (!is_among(names, piece.patch.name)) names.push_back(piece.patch.name);
+    for (const std::string& name : piece.asked_as) {
+      if (!is_among(names, name)) names.push_back(name);
+    }
+  }
+  const ModelOptions options = model_options_from(arguments, names);
+  check_names(options, names);
+  refuse_names_of_two(all, options.only);
+  refuse_names_of_two(all, options.without);
+  const auto is_named = [&](const ReadPiece& piece, const std::vector<std::string>& asked) {
+    return std::any_of(asked.begin(), asked.end(), [&](const std::string& name) {
+      return !is_among(all.known, name) && is_called(piece, name);
+    });
+  };
+  for (ReadPiece& piece : all.pieces) {
+    piece.is_taken =
+        (piece.is_taken || is_named(piece, options.only)) && !is_named(piece, options.without);
+  }
+}
+
+/// The mirror image of a piece; null where it has none.
+ReadPiece* image_of(std::vector<ReadPiece>& pieces, std::size_t p) {
+  return p + 1 < pieces.size() && pieces[p + 1].is_image ? &pieces[p + 1] : nullptr;
+}
+
+void turn_over(ProductPatch& patch) {
+  patch.mesh = turned_over(std::move(patch.mesh));
+  patch.turned = true;
+}
+
+/// Turns over the pieces that are inside out against a neighbour, with their mirror images.
+void turn_inside_out(AllPieces& all, const Arguments& arguments, Session& session) {
+  const bool strict = arguments.has("--strict");
+  if (all.pieces.size() < 2 || (strict && arguments.has("--flip") && all.taken() == 1)) return;
+  std::vector<PlacedPiece> placed;
+  placed.reserve(all.pieces.size());
+  for (std::size_t p = 0; p < all.pieces.size(); ++p) {
+    const ReadPiece& piece = all.pieces[p];
+    const ReadPiece* image = image_of(all.pieces, p);
+    const bool is_taken = piece.is_taken || (image != nullptr && image->is_taken);
+    placed.push_back({piece.patch.name, piece.patch.mesh, piece.patch.group, is_taken});
+  }
+  const InsideOut found = pieces_inside_out(placed, seam_tolerance_from(arguments), strict);
+  for (const std::size_t p : found.turned) {
+    turn_over(all.pieces[p].patch);
+    if (ReadPiece* image = image_of(all.pieces, p)) turn_over(image->patch);
+  }
+  for (const std::string& note : found.notes)
+    session.note(note);
+}
+
+/// The model of an input of one patch.
+Model model_of_one(AllPieces all, const ReadPiece& piece) {
+  Model model = std::move(all.last);
+  const bool is_its_own =
+      model.pieces.size() == 1 && model.mesh.positions == piece.patch.mesh.positions;
+  if (!is_its_own) {
+    model.mesh = piece.patch.mesh;
+    model.format = piece.format;
+    model.piece_of.assign(model.mesh.triangles.size(), 0);
+  } else if (piece.patch.turned) {
+    model.mesh = turned_over(std::move(model.mesh));
+  }
+  model.pieces = {piece.patch.name};
+  model.turned = piece.patch.turned;
+  model.left_out.clear();
+  return model;
+}
+
+/// What is taken of the pieces.
+ProductInput input_of(AllPieces all, const Arguments& arguments, Session& session) {
+  choose_by_names_of_product(all, arguments);
+  turn_inside_out(all, arguments, session);
+  ProductInput input;
+  std::vector<MeshFormat> formats;
+  for (const ReadPiece& piece : all.pieces) {
+    if (!piece.is_taken) {
+      input.left_out.push_back(piece.patch.name);
+      continue;
+    }
+    input.patches.push_back(piece.patch);
+    formats.push_back(piece.format);
+  }
+  input.places = places_of(input.patches, formats);
+  if (input.patches.size() != 1) return input;
+  const ReadPiece one = *std::find_if(all.pieces.begin(), all.pieces.end(),
+                                      [](const ReadPiece& piece) { return piece.is_taken; });
+  input.path = one.patch.words.source;
+  input.whole = model_of_one(std::move(all), one);
+  return input;
+}
+
+AllPieces with_distinct_names(AllPieces all) {
+  std::vector<std::string> names;
+  names.reserve(all.pieces.size());
+  for (const ReadPiece& piece : all.pieces)
+    names.push_back(piece.patch.name);
+  names = distinct_names(names);
+  for (std::size_t p = 0; p < names.size(); ++p)
+    all.pieces[p].patch.name = std::move(names[p]);
+  return all;
+}
 
 ProductInput read_files(Session& session, const std::vector<std::string>& paths,
                         const Arguments& arguments, bool as_product) {
-  ProductInput input;
-  std::vector<MeshFormat> formats;
-  std::vector<std::size_t> groups;  // number of the file, of each patch
   const std::vector<std::string> files = mesh_files(session, paths);
-  KnownNames known;
-  for (const std::string& file : files) {
+  const bool is_batch = files.size() > 1 && !as_product;
+  AllPieces all;
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    const std::string& file = files[f];
+    const std::size_t group = is_batch ? f : 0;
     try {
-      Model whole = read_model_of_several(file, stem_of(file), {}, arguments, session);
-      known.add(whole);
-      std::vector<ProductPatch> patches = patches_of(whole, file);
-      std::move(patches.begin(), patches.end(), std::back_inserter(input.patches));
-      formats.resize(input.patches.size(), whole.format);
-      if (whole.pieces.empty()) continue;
-      input.whole = std::move(whole);
-      input.path = file;
+      all.add(read_model_of_several({file, stem_of(file)}, arguments, session), file, group);
     } catch (const Error& error) {
       if (files.size() == 1 || is_of_usage(error)) throw;
-      input.patches.push_back(unreadable(stem_of(file), file));
-      formats.push_back(MeshFormat::obj);
+      all.pieces.push_back(unreadable(stem_of(file), file, group));
     }
-    groups.resize(input.patches.size(), groups.empty() ? 0 : groups.back() + 1);
   }
-  known.check(arguments);
-  input.places = places_of(input.patches, formats);
-  input.is_batch = files.size() > 1 && !as_product;
-  for (std::size_t p = 0; input.is_batch && p < groups.size(); ++p)
-    input.patches[p].group = groups[p];
+  ProductInput input = input_of(with_distinct_names(std::move(all)), arguments, session);
+  input.is_batch = is_batch;
   return input;
 }
 
 ProductInput read_file(Session& session, const std::string& path, const Arguments& arguments) {
-  ProductInput input;
+  AllPieces all;
+  all.add(read_model_of_several({path, stem_of(path)}, arguments, session), path, 0);
+  const std::string divided_by = all.last.divided_by;
+  ProductInput input = input_of(std::move(all), arguments, session);
   input.path = path;
-  input.whole = read_model(path, arguments, session);
-  input.patches = patches_of(input.whole, path);
-  input.places = places_of(input.patches, std::vector(input.patches.size(), input.whole.format));
   if (input.patches.size() > 1) {
-    const std::string& kind = input.whole.divided_by;
     session.note(path + ": " + std::to_string(input.patches.size()) + " patches" +
-                 (kind.empty() ? "" : ", divided by " + kind));
+                 (divided_by.empty() ? "" : ", divided by " + divided_by));
   }
   return input;
 }
 
-/// The patches of the file of a piece under the names of the piece, in the unit of the product.
-std::vector<ProductPatch> patches_of(const RequestedPiece& piece, Session& session,
-                                     const Arguments& arguments, KnownNames& known) {
+constexpr const char* k_mirrored = ", mirrored";
+
+/// The pieces of the file of a piece under the names of the piece, in the unit of the product.
+AllPieces pieces_of(const RequestedPiece& piece, const std::vector<std::string>& known,
+                    Session& session, const Arguments& arguments) {
   const std::string name = piece.name.value_or(stem_of(piece.file));
-  const Model model = read_model_of_several(piece.file, name, piece.unit, arguments, session);
-  known.add(model);
-  std::vector<ProductPatch> patches = patches_of(model, piece.file);
-  const std::vector<std::string> names = numbered_names(name, patches.size());
-  for (std::size_t k = 0; piece.name && k < patches.size(); ++k)
-    patches[k].name = names[k];
-  return patches;
+  AllPieces all;
+  all.add(read_model_of_several({piece.file, name, piece.unit, known}, arguments, session),
+          piece.file, 0);
+  if (!piece.name) return all;
+  const std::vector<std::string> names = numbered_names(name, all.pieces.size());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    all.pieces[k].patch.name = names[k];
+    all.pieces[k].asked_as = {name};
+  }
+  return all;
 }
 
 /// What a product file says of a piece besides its form.
@@ -219,56 +389,86 @@ ProductPatch with_words(ProductPatch patch, const RequestedPiece& piece) {
 }
 
 /// Its mirror image, which is sewn to nothing: where it will lie is not known.
-ProductPatch mirrored(ProductPatch patch, std::size_t group) {
-  patch.name += ", mirrored";
+ReadPiece mirrored(ReadPiece piece, std::size_t group) {
+  ProductPatch& patch = piece.patch;
+  piece.asked_as.push_back(patch.name);
+  patch.name += k_mirrored;
   for (Vec3& p : patch.mesh.positions)
     p.x = -p.x;
   for (Triangle& t : patch.mesh.triangles)
     std::swap(t[1], t[2]);
   patch.group = group;
-  return patch;
+  piece.is_image = true;
+  return piece;
 }
 
-void check_seams(const ProductInput& input, const std::string& path) {
+/// The seams between pieces that are there.
+std::vector<NamedSeam> seams_of(const std::vector<NamedSeam>& asked, const ProductInput& input,
+                                const std::string& path, Session& session) {
   std::set<std::string> names;
   for (const ProductPatch& patch : input.patches)
     names.insert(patch.name);
-  for (std::size_t s = 0; s < input.seams.size(); ++s) {
-    for (const std::string& name : input.seams[s].between) {
+  std::vector<NamedSeam> seams;
+  std::vector<std::string> dropped;
+  for (std::size_t s = 0; s < asked.size(); ++s) {
+    bool is_there = true;
+    for (const std::string& name : asked[s].between) {
       if (names.contains(name)) continue;
+      is_there = false;
+      if (is_among(input.left_out, name)) continue;
+      names.insert(input.left_out.begin(), input.left_out.end());
       throw Error(ErrorCode::malformed_file,
                   "seams[" + std::to_string(s) + "].between: no piece is called \"" + name +
                       "\"; there are " +
                       list_of(std::vector<std::string>(names.begin(), names.end())),
                   {.path = path});
     }
+    if (is_there)
+      seams.push_back(asked[s]);
+    else
+      dropped.push_back(asked[s].name);
   }
+  if (!dropped.empty())
+    session.note(path +
+                 ": without the seams to pieces that are left out: " + list_of_some(dropped));
+  return seams;
+}
+
+/// The names with commas that pieces of a product get.
+std::vector<std::string> names_with_commas(const ProductFile& product) {
+  std::vector<std::string> names;
+  for (const RequestedPiece& piece : product.pieces) {
+    const std::string name = piece.name.value_or(stem_of(piece.file));
+    names.push_back(name);
+    if (piece.mirrored) names.push_back(name + k_mirrored);
+  }
+  return names;
 }
 
 ProductInput read_described(Session& session, const std::string& path, const Arguments& arguments) {
   const ProductFile product = read_product_file(path);
-  ProductInput input;
-  input.path = path;
-  input.is_described = true;
-  input.seams = product.seams;
-  KnownNames known;
+  const std::vector<std::string> known = names_with_commas(product);
+  AllPieces all;
   for (const RequestedPiece& piece : product.pieces) {
-    std::vector<ProductPatch> patches;
+    AllPieces own;
     try {
-      patches = patches_of(piece, session, arguments, known);
+      own = pieces_of(piece, known, session, arguments);
     } catch (const Error& error) {
       if (is_of_usage(error)) throw;
-      patches.push_back(unreadable(piece.name.value_or(stem_of(piece.file)), piece.file));
+      own.pieces.push_back(unreadable(piece.name.value_or(stem_of(piece.file)), piece.file, 0));
     }
-    for (ProductPatch& patch : patches) {
-      input.patches.push_back(with_words(std::move(patch), piece));
-      if (!piece.mirrored || input.patches.back().failure) continue;
-      input.patches.push_back(mirrored(input.patches.back(), input.patches.size()));
+    all.known.insert(all.known.end(), own.known.begin(), own.known.end());
+    for (ReadPiece& read : own.pieces) {
+      read.patch = with_words(std::move(read.patch), piece);
+      all.pieces.push_back(std::move(read));
+      if (!piece.mirrored || all.pieces.back().patch.failure) continue;
+      all.pieces.push_back(mirrored(all.pieces.back(), all.pieces.size()));
     }
   }
-  known.check(arguments);
-  input.places = places_of(input.patches, std::vector(input.patches.size(), MeshFormat::obj));
-  check_seams(input, path);
+  ProductInput input = input_of(std::move(all), arguments, session);
+  input.path = path;
+  input.is_described = true;
+  input.seams = seams_of(product.seams, input, path, session);
   return input;
 }
 
@@ -340,39 +540,12 @@ std::string safe_name(const std::string& name) {
   return is_device(safe) || is_like_a_file(safe) ? safe + "_" : safe;
 }
 
-/// The names with a number behind those that are there already, whatever their capitals.
-std::vector<std::string> distinct(const std::vector<std::string>& names) {
-  std::set<std::string> taken;
-  std::map<std::string, int> next;  // number to try, where names are alike: many may be
-  std::vector<std::string> result;
-  result.reserve(names.size());
-  for (const std::string& name : names) {
-    std::string given = name;
-    int& k = next.try_emplace(in_small_letters(name), 2).first->second;
-    while (!taken.insert(in_small_letters(given)).second)
-      given = name + "-" + std::to_string(k++);
-    result.push_back(std::move(given));
-  }
-  return result;
-}
-
-ProductInput with_distinct_names(ProductInput input) {
-  std::vector<std::string> names;
-  names.reserve(input.patches.size());
-  for (const ProductPatch& patch : input.patches)
-    names.push_back(patch.name);
-  names = distinct(names);
-  for (std::size_t p = 0; p < names.size(); ++p)
-    input.patches[p].name = std::move(names[p]);
-  return input;
-}
-
 }  // namespace
 
 std::vector<std::string> safe_names(const std::vector<std::string>& names) {
   std::vector<std::string> safe(names.size());
   std::transform(names.begin(), names.end(), safe.begin(), safe_name);
-  return distinct(safe);
+  return distinct_names(safe);
 }
 
 ProductInput read_product(Session& session, const std::vector<std::string>& paths,
@@ -380,15 +553,13 @@ ProductInput read_product(Session& session, const std::vector<std::string>& path
   const std::string& path = paths.front();
   ProductInput input;
   if (paths.size() > 1 || is_folder(path))
-    input = with_distinct_names(read_files(session, paths, arguments, as_product));
+    input = read_files(session, paths, arguments, as_product);
   else if (is_product_file(path))
     input = read_described(session, path, arguments);
   else
-    input = with_distinct_names(read_file(session, path, arguments));
+    input = read_file(session, path, arguments);
   if (input.patches.empty())
     throw Error(ErrorCode::no_triangles, "the flags leave nothing of the files", {.path = path});
-  if (input.patches.size() > 1 && !arguments.has("--strict"))
-    turn_inside_out(input.patches, seam_tolerance_from(arguments), session);
   return input;
 }
 
@@ -405,6 +576,7 @@ std::optional<CutDone> cut_product(ProductInput& input, const Arguments& argumen
   for (NamedPatch& piece : split(input.whole.mesh, input.whole.pieces.front())) {
     input.patches.push_back({std::move(piece.name), std::move(piece.mesh)});
     input.patches.back().words.source = input.path;
+    input.patches.back().turned = input.whole.turned;
   }
   input.places = places_of(input.patches, std::vector(input.patches.size(), input.whole.format));
   if (input.patches.size() > 1) {

@@ -31,13 +31,16 @@ struct ProductInput {
   bool is_batch = false;
   /// It is described by a file: several patches by its own account, even where it lists one.
   bool is_described = false;
-  std::vector<NamedSeam> seams = {};  ///< of a product that is described
+  std::vector<NamedSeam> seams = {};       ///< of a product that is described
+  std::vector<std::string> left_out = {};  ///< names of the pieces that flags leave out
 };
 
 /// Reads mesh files, all mesh files of folders in the order of their names, or those that a product
 /// file lists, and takes their pieces as the flags ask, with coordinates multiplied by --scale.
-/// Patches that are inside out against a neighbour along their seam are turned over, but with
-/// --strict. A file of several that cannot be read is a patch with that failure.
+/// Patches that are inside out against a neighbour along their seam, also one that is left out, are
+/// turned over, but with --strict. Names are those that patches have where nothing is left out, and
+/// --only and --without know them too. Seams to patches that are left out are gone. A file of
+/// several that cannot be read is a patch with that failure.
 /// @param paths one at least; a product file must be the only one
 /// @param arguments as read_model() has them. The unit of a piece is that of the product file, else
 ///   --unit, else what its own file states; pieces are scaled to the unit of the run

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 
+#include "model/model_flags.h"
 #include "platform/path.h"
 #include "several/named_files.h"
 #include "shell/failures.h"
@@ -165,6 +167,37 @@ void refuse_single_file_flags(const Arguments& arguments, std::span<const char* 
     if (!arguments.has(flag)) continue;
     throw UsageError("flag " + std::string(flag) + " goes with one file only, without --csv");
   }
+}
+
+Arguments with_files_that_are_asked_for(const Arguments& arguments, Session& session) {
+  if (!arguments.has("--only") && !arguments.has("--without")) return arguments;
+  std::ostringstream unheard;
+  const RunContext context;
+  Session silent(arguments, unheard, context);
+  std::vector<std::string> names, asked_for, passed_over;
+  for (const WorkFile& file : files_named(arguments.operands, session)) {
+    const std::string& path = file.report.path;
+    bool is_asked_for = true;  // also where it fails, which is told later
+    try {
+      const Model model = read_model_of_several({path, stem_of(path)}, arguments, silent);
+      names.insert(names.end(), model.names.begin(), model.names.end());
+      is_asked_for = !model.pieces.empty();
+    } catch (const Error& error) {
+      if (is_of_usage(error)) throw;
+    }
+    (is_asked_for ? asked_for : passed_over).push_back(path);
+  }
+  check_asked_names(arguments, names);
+  if (asked_for.empty()) {
+    throw Error(ErrorCode::no_triangles, "the flags leave nothing of the files",
+                {.path = arguments.operands.front()});
+  }
+  if (!passed_over.empty())
+    session.note("passed over, as the flags take nothing of them: " + list_of_some(passed_over));
+  Arguments run = arguments;
+  run.operands = std::move(asked_for);
+  run.names_of_all = std::move(names);
+  return run;
 }
 
 CommandResult run_several(const SeveralFiles& job, const Arguments& arguments, Session& session) {

@@ -53,6 +53,12 @@ bool takes_several(const Arguments& arguments);
 /// @throws UsageError where one of the flags is there, which go with one file only
 void refuse_single_file_flags(const Arguments& arguments, std::span<const char* const> flags);
 
+/// The run over those files of which --only and --without take something, where these flags are
+/// there: a name may be of any of the files. Notes tell which are passed over.
+/// @throws UsageError, Error unknown_name where none of them has a name, no_triangles where nothing
+/// is taken of any
+Arguments with_files_that_are_asked_for(const Arguments& arguments, Session& session);
+
 /// Works on all files, and on all mesh files of folders, one after the other. A file that fails
 /// does not end the others; the exit code is 1 at the end, or 3 where one misses what was asked
 /// for. Outputs are written into the folder --output, each as soon as it is there.

@@ -77,6 +77,9 @@ struct Arguments {
   std::map<std::string, std::string, std::less<>> flags;
   /// The unit of length that all input files state, which holds without --unit.
   std::optional<Unit> stated_unit = {};
+  /// Names of pieces in all files of a run over several, which --only and --without may have in
+  /// each.
+  std::vector<std::string> names_of_all = {};
 
   bool has(std::string_view flag) const { return flags.find(flag) != flags.end(); }
   /// The value of a flag or the other text where it was not given.

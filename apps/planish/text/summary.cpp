@@ -267,7 +267,10 @@ std::string pattern_lines(const UnfoldReport& report) {
          ", " + percent(pattern.area_ratio) + " of the patch's area\n" + "              " +
          (pattern.flipped_triangles == 0 ? "no flipped triangle"
                                          : counted(pattern.flipped_triangles, "flipped triangle")) +
-         (pattern.overlaps ? ", overlaps itself" : ", no overlap") + "; outer side up\n";
+         (pattern.overlaps ? ", overlaps itself" : ", no overlap") + "; outer side up\n" +
+         (report.turned
+              ? "              turned over: the piece was inside out against a neighbour\n"
+              : "");
 }
 
 /// What keeping the border's lengths costs.

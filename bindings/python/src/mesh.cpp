@@ -14,6 +14,7 @@
 #include "mesh_data.h"
 #include "model/model_flags.h"
 #include "model/model_text.h"
+#include "model/orient.h"
 #include "pickle.h"
 #include "platform/path.h"
 #include "shell/failures.h"
@@ -32,8 +33,7 @@ std::string other_unit_text(Unit unit) {
 MeshData mesh_from_file(const std::string& path, const py::dict& keywords) {
   cli::Arguments arguments = arguments_of("convert", keywords);
   const py::gil_scoped_release no_python;
-  ModelOptions options = cli::model_options_from(arguments);
-  ReadResult file = read_mesh(path_of(path), {.strict = options.strict});
+  ReadResult file = read_mesh(path_of(path), {.strict = arguments.has("--strict")});
   const auto stated = file.unit ? std::optional(file.unit->unit) : std::nullopt;
   const auto unit = arguments.has("--unit") ? cli::unit_from(arguments) : stated;
   if (file.unit) {
@@ -42,10 +42,12 @@ MeshData mesh_from_file(const std::string& path, const py::dict& keywords) {
   }
   // Lengths of keywords are in the unit of the file.
   arguments.stated_unit = unit;
-  options = cli::model_options_from(arguments);
+  const ModelOptions options =
+      cli::model_options_from(arguments, cli::names_in(file, cli::stem_of(path)));
   Model model =
       cli::about(path, [&] { return prepare_model(std::move(file), options, cli::stem_of(path)); });
-  cli::check_model(model, options, path);
+  cli::check_model(model, arguments, path);
+  std::vector<std::string> turning = cli::turn_inside_out(model, options);
   MeshData data{std::move(model.mesh), cli::stem_of(path), model.format, std::move(model.notes)};
   data.unit = unit;
   if (model.pieces.size() == 1) data.name = model.pieces.front();
@@ -54,6 +56,7 @@ MeshData mesh_from_file(const std::string& path, const py::dict& keywords) {
   for (std::string& note :
        cli::work_notes(model.work, cli::ShownLengths(cli::unit_from(arguments))))
     data.notes.push_back(std::move(note));
+  data.notes.insert(data.notes.end(), turning.begin(), turning.end());
   return data;
 }
 

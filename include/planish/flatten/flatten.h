@@ -156,6 +156,8 @@ struct UnfoldReport {
   /// Where a limit changed the pattern: the strain of the one of least stretch.
   std::optional<EdgeStrain> unlimited_strain = {};
   std::optional<Overlap> overlap = {};  ///< where pattern.overlaps
+  /// The patch was turned over when it was read: it was inside out against a neighbour.
+  bool turned = false;
 
   /// By the limits of strain and the pattern: the surface is the design.
   Outcome outcome() const;
@@ -282,6 +284,9 @@ struct FlattenReport {
   /// one where they are the same.
   std::vector<Candidate> candidates() const;
 };
+
+/// The report of a patch of which is known whether it was turned over when it was read.
+FlattenReport with_turned(FlattenReport report, bool turned);
 
 /// Evolves with all figures around it.
 /// @throws as evolve()

@@ -32,6 +32,7 @@ struct ProductPatch {
   PieceWords words = {};  ///< become those of the result
   /// Instead of those of ProductOptions.
   std::optional<StrainLimits> limits = {};
+  bool turned = false;  ///< becomes that of the result's UnfoldReport
 };
 
 /// How flatten_product() works.

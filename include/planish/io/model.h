@@ -19,7 +19,7 @@ enum class Divide {
 
 /// A side of a wall, a sheet that was given a thickness.
 enum class Side {
-  outer,  ///< the larger one, which its normals point away from
+  outer,  ///< the one that bulges, with normals away from the other
   inner,
 };
 
@@ -37,8 +37,10 @@ struct ModelOptions {
   std::optional<double> weld = {};
   /// Close holes whose border is at most this long, model units; 0 for none.
   double fill_holes = 0.0;
-  Divide divide = Divide::objects;        ///< what makes pieces
-  std::vector<std::string> only = {};     ///< take these pieces; empty for all
+  Divide divide = Divide::objects;  ///< what makes pieces
+  /// Take these pieces, by the names of their objects, groups and materials or their own; empty for
+  /// all.
+  std::vector<std::string> only = {};
   std::vector<std::string> without = {};  ///< leave these out
   std::optional<Side> side = {};          ///< of walls, take this side only
   bool flip = false;                      ///< turn the surface over at the end
@@ -57,18 +59,32 @@ struct ModelWork {
   std::size_t joined = 0;           ///< border edges that became one with another
   std::size_t unjoined = 0;         ///< border edges that lie on others and could not be joined
   std::size_t held = 0;             ///< border vertices whose edges are too short for weld_length
-  std::size_t crumbs = 0;           ///< connected parts left out
-  double crumb_share = 0.0;         ///< of the area, that they held
-  std::size_t filled = 0;           ///< holes that were closed
-  std::size_t unfilled = 0;         ///< holes short enough that could not be closed
-  /// A part that is a wall of which no side was asked for.
+  /// Where welding was asked for and joined nothing.
+  struct NothingJoined {
+    std::optional<double> gap = {};  ///< nearest_border_gap() of the pieces
+    bool is_between_names = false;   ///< it is within the length, but between different names
+  };
+  std::optional<NothingJoined> nothing_joined = {};  ///< else nothing
+  std::size_t crumbs = 0;                            ///< connected parts left out
+  double crumb_share = 0.0;                          ///< of the area, that they held
+  std::size_t filled = 0;                            ///< holes that were closed
+  std::size_t unfilled = 0;  ///< holes short enough that could not be closed
+  /// A part, or a piece of one, that is a wall of which no side was asked for.
   struct FoundWall {
-    std::string name;        ///< of the part
+    std::string name;        ///< of the part or piece
     double thickness = 0.0;  ///< model units
   };
   /// In the order of the parts.
   std::vector<FoundWall> walls = {};
-  /// Parts of which a side was asked for and that are no wall.
+  /// Walls of which a side was taken though nothing tells the outer one: Wall::is_level.
+  std::vector<std::string> level_walls = {};
+  /// Two walls side by side of which sides were taken that do not meet.
+  struct ClashingSides {
+    std::string one, other;  ///< names of the parts or pieces
+  };
+  /// Also with one that is left out.
+  std::vector<ClashingSides> clashing_sides = {};
+  /// Parts, or pieces of them, of which a side was asked for and that are no wall.
   std::vector<std::string> without_wall = {};
   /// A piece that lies on another one all over, as one sheet that is there twice does.
   struct Lying {
@@ -80,25 +96,39 @@ struct ModelWork {
   bool renumbered = false;        ///< vertices have other numbers than in the file
 };
 
+/// A piece that `only` and `without` leave out. Its place tells how the others have to lie.
+struct LeftOutPiece {
+  std::string name;
+  TriMesh mesh;            ///< prepared as the others are
+  std::size_t before = 0;  ///< in the file it comes before this piece of the model
+};
+
 /// The mesh of a file as everything works on it, and its pieces.
 struct Model {
   /// Vertices in the order of the file, new ones behind. What is left out is gone with its
   /// vertices. Pieces may share vertices: divided() gives each its own.
   TriMesh mesh;
-  MeshFormat format = MeshFormat::obj;   ///< of the file
-  std::vector<std::string> notes = {};   ///< what its reader did
-  ModelWork work = {};                   ///< what was done then
-  std::vector<std::string> pieces = {};  ///< their names; empty where the options leave nothing
-  std::vector<Index> piece_of = {};      ///< of each triangle: the number of its piece
-  std::string divided_by = {};  ///< what they are in the file: "o", "usemtl"; empty: nothing
-  std::vector<std::string> names = {};  ///< all that `only` and `without` may name, in order
+  MeshFormat format = MeshFormat::obj;  ///< of the file
+  std::vector<std::string> notes = {};  ///< what its reader did
+  ModelWork work = {};                  ///< what was done then
+  /// Their names, no two alike; empty where the options leave nothing. They do not depend on what
+  /// is left out.
+  std::vector<std::string> pieces = {};
+  std::vector<Index> piece_of = {};  ///< of each triangle: the number of its piece
+  std::string divided_by = {};       ///< what they are in the file: "o", "usemtl"; empty: nothing
+  std::vector<std::string> names = {};      ///< all that `only` and `without` may name, in order
+  std::vector<LeftOutPiece> left_out = {};  ///< in the order of the file
+  /// Its one piece was turned over, as it was inside out against one that is left out. For those
+  /// who judge that: prepare_model() does not.
+  bool turned = false;
 };
 
 /// Mends a mesh, takes of it what was asked for, and divides it into pieces. A piece has the name
 /// of its part of the file, or that of the file; of several with one name each has a number behind
-/// it, as in "sleeve-2". Crumbs are left out: connected parts with less than 1 % of the area of the
-/// part that has their name. A part with a name of its own is never a crumb. What is done is told
-/// in notes with its count. A sound mesh comes out as it is, with every bit.
+/// it, as in "sleeve-2", and names that differ by capitals only get one too. Crumbs are left out:
+/// connected parts with less than 1 % of the area of the part that has their name. A part with a
+/// name of its own is never a crumb. What is done is told in notes with its count. A sound mesh
+/// comes out as it is, with every bit.
 /// @param name of the file
 /// @throws Error option_out_of_range for lengths below 0; no_triangles where nothing is left;
 ///   as weld() and fill_holes(). Names that are not there: see check_names()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include <planish/mesh/repair.h>
 #include <planish/mesh/tri_mesh.h>
@@ -30,6 +31,10 @@ WeldedMesh weld(const TriMesh& mesh, double length);
 
 /// The length for a mesh of which none is told: 1e-5 of the diagonal of the bounding box.
 double default_weld_length(const TriMesh& mesh);
+
+/// The smallest distance between the borders of two pieces, model units; nothing where no two have
+/// borders. For a note where weld() joins nothing.
+std::optional<double> nearest_border_gap(const TriMesh& mesh);
 
 /// What weld() would join.
 struct TouchingPieces {

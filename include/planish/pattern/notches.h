@@ -69,7 +69,7 @@ struct PlacedNotch {
 /// one. Notches that come to the same place are one.
 /// @param cut what offset_outline() made of the outline, or the outline's own loops
 /// @param outline with vertices where notches name any
-/// @param allowance that the cut line was made with; idle where that is the outline itself
+/// @param allowance of the cut line; where that is the outline itself, edges of width 0 are folds
 /// @throws Error option_out_of_range for sizes that are not above 0; misplaced_notch for places off
 ///   the border and for notches that reach through the seam, or where there is no allowance to
 ///   where the piece is not

@@ -108,15 +108,19 @@ class PatchWork {
   }
 
   FlattenReport flattened(std::size_t p) const {
-    return flatten(Patch(patches_[p].mesh), patches_[p].name, options_of(p), {1, {}, stopped_});
+    return with_turned(
+        flatten(Patch(patches_[p].mesh), patches_[p].name, options_of(p), {1, {}, stopped_}),
+        patches_[p].turned);
   }
 
   /// What was made of the other one, or else what flattening makes of it.
   PatchMade as_twin(std::size_t p, const std::optional<FlattenReport>& other) const {
     if (other) {
-      const auto report = twin_report(*other, Patch(patches_[p].mesh), meshes_alike_[p]->match,
-                                      patches_[p].name, options_of(p));
-      if (report) return finished(p, *report, &*report_.twins[p]);
+      auto report = twin_report(*other, Patch(patches_[p].mesh), meshes_alike_[p]->match,
+                                patches_[p].name, options_of(p));
+      if (report) {
+        return finished(p, with_turned(*std::move(report), patches_[p].turned), &*report_.twins[p]);
+      }
     }
     return finished(p, flattened(p), nullptr);
   }
@@ -216,6 +220,7 @@ class ProductWork {
     for (std::size_t p = 0; p < patches_.size(); ++p) {
       const auto& twin = report_.twins[p];
       if (!patches_[p].failure) earlier[p] = callbacks_.earlier(p, twin ? &*twin : nullptr);
+      if (earlier[p]) earlier[p]->unfold.turned = patches_[p].turned;
     }
     return earlier;
   }

@@ -10,6 +10,7 @@
 #include "mesh/manifold_defects.h"
 #include "mesh/redundant/doubled.h"
 #include "mesh/repair/sheets.h"
+#include "mesh/split.h"
 
 namespace planish {
 
@@ -42,6 +43,7 @@ void join(ModelPart& part, double length, ModelWork& work) {
   work.held += welded.held;
   work.joined += welded.joined;
   work.unjoined += welded.left;
+  work.turned += welded.turned;
   if (welded.joined + welded.divided > 0) take(part, std::move(welded));
 }
 
@@ -94,26 +96,191 @@ bool leave_out_crumbs(ModelPart& part, ModelWork& work) {
   return true;
 }
 
-/// Whether a part may be a wall: one sheet, or two beside each other. One that nobody told of is
-/// closed: an open one with its sides close together, as a flat sleeve, is meant so.
-bool may_be_wall(std::size_t sheets, const Connectivity& connectivity, bool is_asked) {
-  return sheets == 2 || (sheets == 1 && (is_asked || connectivity.border_loops().empty()));
+/// A wall among the sheets of a part.
+struct WallOfPart {
+  std::string name;
+  std::vector<Index> triangles;  ///< those of the part, in its order
+  TriMesh mesh;                  ///< of them
+  Wall wall;
+};
+
+/// Finds the walls of a part: closed sheets each by itself, then what is left if it is two sheets.
+/// An open sheet with its sides close together, as a flat sleeve, is meant so: it is a wall only
+/// where one is asked for, and so are more than two sheets together.
+class WallSearch {
+ public:
+  WallSearch(const ModelPart& part, const Connectivity& connectivity, bool is_asked)
+      : part_(part),
+        connectivity_(connectivity),
+        is_asked_(is_asked),
+        sheets_(find_sheets(part.mesh)),
+        names_(numbered_names(part.name, sheets_.count)),
+        triangles_(sheets_.count),
+        number_(part.mesh.positions.size(), ModelPart::none) {
+    for (std::size_t t = 0; t < sheets_.of_triangle.size(); ++t)
+      triangles_[sheets_.of_triangle[t]].push_back(static_cast<Index>(t));
+    for (std::size_t k = 0; k < sheets_.count; ++k)
+      rest_.push_back(static_cast<Index>(k));
+  }
+
+  std::vector<WallOfPart> walls() {
+    const std::vector<unsigned char> is_open = open_sheets();
+    for (std::size_t k = 0; k < sheets_.count; ++k) {
+      if (is_open[k] == 0 || (is_asked_ && sheets_.count == 1)) look_at({static_cast<Index>(k)});
+    }
+    if (rest_.size() == 2 || (rest_.size() > 2 && is_asked_)) look_at(rest_);
+    return std::move(walls_);
+  }
+
+  /// Names of the sheets that are none.
+  std::vector<std::string> others() const {
+    if (rest_.size() == sheets_.count) return {part_.name};
+    std::vector<std::string> names;
+    names.reserve(rest_.size());
+    for (const Index k : rest_)
+      names.push_back(names_[k]);
+    return names;
+  }
+
+ private:
+  std::vector<unsigned char> open_sheets() const {
+    std::vector<unsigned char> is_open(sheets_.count, 0);
+    for (std::size_t t = 0; t < part_.mesh.triangles.size(); ++t) {
+      for (const Index v : part_.mesh.triangles[t]) {
+        if (connectivity_.is_border(v)) is_open[sheets_.of_triangle[t]] = 1;
+      }
+    }
+    return is_open;
+  }
+
+  void look_at(const std::vector<Index>& sheets) {
+    const bool is_all = sheets.size() == sheets_.count;
+    WallOfPart found{is_all ? part_.name : names_[sheets.front()], {}, {}, {}};
+    for (const Index k : sheets)
+      found.triangles.insert(found.triangles.end(), triangles_[k].begin(), triangles_[k].end());
+    std::sort(found.triangles.begin(), found.triangles.end());
+    found.mesh = mesh_of(found.triangles);
+    auto wall = find_wall(found.mesh);
+    if (!wall) return;
+    found.wall = *std::move(wall);
+    walls_.push_back(std::move(found));
+    const std::vector<Index> gone = sheets;  // they may be the rest itself
+    std::erase_if(rest_, [&](Index k) { return std::binary_search(gone.begin(), gone.end(), k); });
+  }
+
+  /// Time and memory go with the triangles, not with the part: there may be many sheets.
+  TriMesh mesh_of(const std::vector<Index>& triangles) {
+    TriMesh mesh;
+    for (const Index t : triangles) {
+      Triangle corners = part_.mesh.triangles[t];
+      for (Index& v : corners) {
+        if (number_[v] == ModelPart::none) {
+          number_[v] = static_cast<Index>(mesh.positions.size());
+          mesh.positions.push_back(part_.mesh.positions[v]);
+        }
+        v = number_[v];
+      }
+      mesh.triangles.push_back(corners);
+    }
+    for (const Index t : triangles) {
+      for (const Index v : part_.mesh.triangles[t])
+        number_[v] = ModelPart::none;
+    }
+    return mesh;
+  }
+
+  const ModelPart& part_;
+  const Connectivity& connectivity_;
+  bool is_asked_;
+  Sheets sheets_;
+  std::vector<std::string> names_;
+  std::vector<std::vector<Index>> triangles_;  // of each sheet
+  std::vector<Index> number_;                  // of vertices in the mesh of some sheets
+  std::vector<Index> rest_;                    // sheets of no wall, by their numbers
+  std::vector<WallOfPart> walls_;
+};
+
+/// How far along a direction of length below 1 that few plates stand across.
+double way_along(Vec3 p) {
+  return dot(p, {0.8, 0.53, 0.28});
 }
 
-/// @param sheets of a manifold; 0 of what is none
+/// The places of the vertices of some part of a wall, by way_along().
+std::vector<Vec3> places_of(const WallOfPart& of, WallPart part) {
+  std::vector<unsigned char> is_here(of.mesh.positions.size(), 0);
+  for (std::size_t t = 0; t < of.wall.part.size(); ++t) {
+    if (of.wall.part[t] != part) continue;
+    for (const Index v : of.mesh.triangles[t])
+      is_here[v] = 1;
+  }
+  std::vector<Vec3> places;
+  places.reserve(is_here.size());
+  for (std::size_t v = 0; v < is_here.size(); ++v) {
+    if (is_here[v] != 0) places.push_back(of.mesh.positions[v]);
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](Vec3 a, Vec3 b) { return way_along(a) < way_along(b); });
+  return places;
+}
+
+/// Leaves one side of each wall of the part.
+void take_sides(ModelPart& part, const std::vector<WallOfPart>& walls, WallPart side) {
+  std::vector<Index> others;
+  const WallPart beyond = side == WallPart::outer ? WallPart::inner : WallPart::outer;
+  for (const WallOfPart& of : walls) {
+    part.walls.push_back({of.name, of.wall.thickness, places_of(of, side), places_of(of, beyond)});
+    for (std::size_t t = 0; t < of.triangles.size(); ++t) {
+      Triangle& corners = part.mesh.triangles[of.triangles[t]];
+      if (of.wall.part[t] != side)
+        others.push_back(of.triangles[t]);
+      else if (of.wall.turned[static_cast<std::size_t>(side)])
+        std::swap(corners[1], corners[2]);
+    }
+  }
+  std::sort(others.begin(), others.end());
+  take(part, without_triangles(part.mesh, others));
+}
+
 void take_one_side(ModelPart& part, const std::optional<Connectivity>& connectivity,
-                   std::size_t sheets, const std::optional<Side>& side, ModelWork& work) {
-  const bool may_be = connectivity && may_be_wall(sheets, *connectivity, side.has_value());
-  const auto wall = may_be ? find_wall(part.mesh) : std::nullopt;
-  if (!wall) {
+                   const std::optional<Side>& side, ModelWork& work) {
+  if (!connectivity) {
     if (side) work.without_wall.push_back(part.name);
     return;
   }
+  WallSearch search(part, *connectivity, side.has_value());
+  const std::vector<WallOfPart> walls = search.walls();
   if (!side) {
-    work.walls.push_back({part.name, wall->thickness});
+    for (const WallOfPart& of : walls)
+      work.walls.push_back({of.name, of.wall.thickness});
     return;
   }
-  take(part, take_side(part.mesh, *wall, *side == Side::outer ? WallPart::outer : WallPart::inner));
+  for (std::string& name : search.others())
+    work.without_wall.push_back(std::move(name));
+  for (const WallOfPart& of : walls) {
+    if (of.wall.is_level) work.level_walls.push_back(of.name);
+  }
+  if (!walls.empty())
+    take_sides(part, walls, *side == Side::outer ? WallPart::outer : WallPart::inner);
+}
+
+/// Whether two places at least are the same, within the distance.
+/// @pre both are sorted by way_along(), and none is empty
+bool meet(const std::vector<Vec3>& one, const std::vector<Vec3>& other, double within) {
+  if (way_along(one.back()) + within < way_along(other.front()) ||
+      way_along(other.back()) + within < way_along(one.front()))
+    return false;
+  std::size_t count = 0;
+  for (const Vec3 p : one) {
+    const double way = way_along(p);
+    const auto is_before = [](Vec3 place, double low) { return way_along(place) < low; };
+    auto at = std::lower_bound(other.begin(), other.end(), way - within, is_before);
+    const auto is_near = [&] { return at != other.end() && way_along(*at) <= way + within; };
+    while (is_near() && norm(*at - p) > within)
+      ++at;
+    count += is_near() ? 1 : 0;
+    if (count > 1) return true;
+  }
+  return false;
 }
 
 void close_holes(ModelPart& part, double length, ModelWork& work) {
@@ -124,6 +291,27 @@ void close_holes(ModelPart& part, double length, ModelWork& work) {
 }
 
 }  // namespace
+
+std::vector<ModelWork::ClashingSides> find_clashing_sides(std::span<const ModelPart> parts) {
+  constexpr double k_same_place = 0.25;  // thicknesses
+  std::vector<const WallSides*> walls;
+  for (const ModelPart& part : parts) {
+    for (const WallSides& wall : part.walls) {
+      if (!wall.taken.empty() && !wall.other.empty()) walls.push_back(&wall);
+    }
+  }
+  std::vector<ModelWork::ClashingSides> clashing;
+  for (std::size_t a = 0; a < walls.size(); ++a) {
+    for (std::size_t b = a + 1; b < walls.size(); ++b) {
+      const WallSides &one = *walls[a], &other = *walls[b];
+      const double within = k_same_place * std::min(one.thickness, other.thickness);
+      if (meet(one.taken, other.other, within) && meet(one.other, other.taken, within) &&
+          !meet(one.taken, other.taken, within))
+        clashing.push_back({one.name, other.name});
+    }
+  }
+  return clashing;
+}
 
 void prepare_part(ModelPart& part, const ModelOptions& options, ModelWork& work) {
   auto connectivity = Connectivity::build(part.mesh);
@@ -146,7 +334,10 @@ void prepare_part(ModelPart& part, const ModelOptions& options, ModelWork& work)
     count = sheets();
   }
   part.is_one_piece = count == 1 && !options.side && options.fill_holes == 0.0;
-  if (!options.strict || options.side) take_one_side(part, connectivity, count, options.side, work);
+  // One open sheet is a wall only where one is asked for.
+  const bool is_open = count == 1 && !connectivity->border_loops().empty();
+  if (options.side || (!options.strict && !is_open))
+    take_one_side(part, connectivity, options.side, work);
   if (options.fill_holes > 0.0) close_holes(part, options.fill_holes, work);
   if (options.flip) part.mesh = turned_over(std::move(part.mesh));
 }

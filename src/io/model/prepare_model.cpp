@@ -168,7 +168,8 @@ class Assembly {
 
   /// Triangles in the order of the file, new ones behind, and vertices without those that the file
   /// uses and the model does not.
-  void finish(const TriMesh& file, Model& model) && {
+  /// @return of each triangle the one of the file, or none
+  std::vector<Index> finish(const TriMesh& file, Model& model) && {
     const auto comes_before = [](const PlacedTriangle& a, const PlacedTriangle& b) {
       return a.file < b.file;
     };
@@ -192,11 +193,15 @@ class Assembly {
       model.work.renumbered |= v < file.positions.size() && number[v] != v;
       model.mesh.positions.push_back(positions_[v]);
     }
+    std::vector<Index> source;
+    source.reserve(triangles_.size());
     for (const PlacedTriangle& t : triangles_) {
       model.mesh.triangles.push_back(
           {number[t.corners[0]], number[t.corners[1]], number[t.corners[2]]});
       model.piece_of.push_back(t.piece);
+      source.push_back(t.file);
     }
+    return source;
   }
 
  private:
@@ -204,22 +209,46 @@ class Assembly {
   std::vector<PlacedTriangle> triangles_;
 };
 
-/// Of the pieces of a part those that names choose: the number that each gets, or none.
-std::vector<Index> chosen_pieces(const ModelPart& part, const std::vector<Index>& piece_of,
-                                 const Names& names, const Choice& choice,
-                                 const ModelOptions& options, Names& pieces) {
-  std::vector<unsigned char> is_named(names.size(), 1);  // all of it, by its groups
-  for (std::size_t t = 0; t < piece_of.size(); ++t) {
-    const Index of_file = part.triangles[t];
-    if (of_file == ModelPart::none || choice.only[of_file] == 0) is_named[piece_of[t]] = 0;
+/// The pieces of the parts of a file.
+struct PiecesOfParts {
+  std::vector<Sheets> sheets;  ///< of each part
+  Names numbered;              ///< a name for each piece: "sleeve-2"
+  Names shown;                 ///< the same, no two alike
+};
+
+PiecesOfParts pieces_of(const std::vector<ModelPart>& parts) {
+  PiecesOfParts pieces;
+  for (const ModelPart& part : parts) {
+    pieces.sheets.push_back(pieces_in(part));
+    const Names names = numbered_names(part.name, pieces.sheets.back().count);
+    pieces.numbered.insert(pieces.numbered.end(), names.begin(), names.end());
   }
-  std::vector<Index> chosen(names.size(), ModelPart::none);
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const bool is_asked = options.only.empty() || choice.only_groups || is_named[k] != 0 ||
-                          has(options.only, names[k]) || has(options.only, part.name);
-    if (!is_asked || has(options.without, names[k]) || has(options.without, part.name)) continue;
+  pieces.shown = distinct_names(pieces.numbered);
+  return pieces;
+}
+
+/// Of the pieces of a part those that names choose: the number that each gets, or none.
+/// @param first number of the first one among all pieces
+std::vector<Index> chosen_pieces(const ModelPart& part, const Sheets& sheets, std::size_t first,
+                                 const PiecesOfParts& all, const Choice& choice,
+                                 const ModelOptions& options, Names& pieces) {
+  std::vector<unsigned char> is_named(sheets.count, 1);  // all of it, by its groups
+  for (std::size_t t = 0; t < sheets.of_triangle.size(); ++t) {
+    const Index of_file = part.triangles[t];
+    if (of_file == ModelPart::none || choice.only[of_file] == 0)
+      is_named[sheets.of_triangle[t]] = 0;
+  }
+  std::vector<Index> chosen(sheets.count, ModelPart::none);
+  for (std::size_t k = 0; k < sheets.count; ++k) {
+    const std::string& shown = all.shown[first + k];
+    const auto names_it = [&](const Names& asked) {
+      return has(asked, all.numbered[first + k]) || has(asked, shown) || has(asked, part.name);
+    };
+    const bool is_asked =
+        options.only.empty() || choice.only_groups || is_named[k] != 0 || names_it(options.only);
+    if (!is_asked || names_it(options.without)) continue;
     chosen[k] = static_cast<Index>(pieces.size());
-    pieces.push_back(names[k]);
+    pieces.push_back(shown);
   }
   return chosen;
 }
@@ -249,30 +278,111 @@ void look_for_lying_pieces(Model& model) {
     model.work.lying.push_back({model.pieces[piece], model.pieces[on]});
 }
 
+/// What there is to tell of welding that joined nothing.
+ModelWork::NothingJoined unjoined_gap(const Model& model, double length) {
+  const double within = length > 0.0 ? length : default_weld_length(model.mesh);
+  const auto gap = nearest_border_gap(divided(model));
+  return {gap, gap && *gap <= within && !model.divided_by.empty()};
+}
+
+/// A model and where its triangles come from.
+struct Prepared {
+  Model model;
+  std::vector<Index> source;  ///< of each triangle the one of the file, or none
+};
+
+Prepared prepared(const ReadResult& file, const ModelOptions& options, const std::string& name) {
+  Prepared result;
+  Model& model = result.model;
+  const Choice choice = choice_of(file, options);
+  std::vector<ModelPart> parts = parts_of(file, choice, options.divide, name);
+  for (ModelPart& part : parts)
+    prepare_part(part, options, model.work);
+  model.work.clashing_sides = find_clashing_sides(parts);
+  std::erase_if(parts, [](const ModelPart& part) { return part.mesh.triangles.empty(); });
+  const PiecesOfParts pieces = pieces_of(parts);
+  Assembly assembly(file.mesh.positions);
+  std::size_t first = 0;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const Sheets& sheets = pieces.sheets[p];
+    const auto chosen =
+        chosen_pieces(parts[p], sheets, first, pieces, choice, options, model.pieces);
+    assembly.add(parts[p], sheets.of_triangle, chosen);
+    first += sheets.count;
+  }
+  model.names = pieces.numbered;
+  model.names.insert(model.names.end(), pieces.shown.begin(), pieces.shown.end());
+  result.source = std::move(assembly).finish(file.mesh, model);
+  return result;
+}
+
+/// Of each piece of the model the first one of the whole file that it has a triangle of.
+std::vector<std::size_t> places_in_file(const Prepared& taken, const Prepared& whole,
+                                        std::size_t triangles) {
+  std::vector<Index> piece_at(triangles, ModelPart::none);
+  for (std::size_t t = 0; t < whole.source.size(); ++t) {
+    if (whole.source[t] != ModelPart::none) piece_at[whole.source[t]] = whole.model.piece_of[t];
+  }
+  std::vector<std::size_t> places(taken.model.pieces.size(), whole.model.pieces.size());
+  for (std::size_t t = 0; t < taken.source.size(); ++t) {
+    if (taken.source[t] == ModelPart::none || piece_at[taken.source[t]] == ModelPart::none)
+      continue;
+    std::size_t& place = places[taken.model.piece_of[t]];
+    place = std::min<std::size_t>(place, piece_at[taken.source[t]]);
+  }
+  return places;
+}
+
+/// The model with the names that its pieces have in the whole file, and with what is left out.
+Model with_left_out(Prepared taken, const Prepared& whole, std::size_t triangles) {
+  const std::vector<std::size_t> places = places_in_file(taken, whole, triangles);
+  const std::size_t count = whole.model.pieces.size();
+  std::vector<std::size_t> uses(count + 1, 0);
+  for (const std::size_t place : places)
+    ++uses[place];
+  Model model = std::move(taken.model);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (places[k] < count && uses[places[k]] == 1) model.pieces[k] = whole.model.pieces[places[k]];
+  }
+  model.pieces = distinct_names(model.pieces);
+  std::vector<NamedPatch> all = split(whole.model.mesh, whole.model.piece_of, whole.model.pieces);
+  std::size_t before = 0;
+  for (std::size_t place = 0; place < count; ++place) {
+    before += uses[place];
+    if (uses[place] > 0) continue;
+    model.left_out.push_back({std::move(all[place].name), std::move(all[place].mesh), before});
+  }
+  model.work.clashing_sides = whole.model.work.clashing_sides;
+  std::erase_if(model.work.clashing_sides, [&](const ModelWork::ClashingSides& sides) {
+    return !has(model.pieces, sides.one) && !has(model.pieces, sides.other);
+  });
+  model.names.insert(model.names.begin(), whole.model.names.begin(), whole.model.names.end());
+  return model;
+}
+
 }  // namespace
 
 Model prepare_model(ReadResult file, const ModelOptions& options, const std::string& name) {
   check_range("weld", options.weld.value_or(0.0), {.min = 0.0});
   check_range("fill_holes", options.fill_holes, {.min = 0.0});
-  Model model = {.mesh = {}, .format = file.format, .notes = std::move(file.notes)};
-  const Choice choice = choice_of(file, options);
-  std::vector<ModelPart> parts = parts_of(file, choice, options.divide, name);
-  model.divided_by = dividing_groups(file, options.divide).kind;
-  Assembly assembly(file.mesh.positions);
-  for (ModelPart& part : parts) {
-    prepare_part(part, options, model.work);
-    if (part.mesh.triangles.empty()) continue;
-    const Sheets pieces = pieces_in(part);
-    const Names names = numbered_names(part.name, pieces.count);
-    model.names.insert(model.names.end(), names.begin(), names.end());
-    const auto chosen =
-        chosen_pieces(part, pieces.of_triangle, names, choice, options, model.pieces);
-    assembly.add(part, pieces.of_triangle, chosen);
+  Prepared taken = prepared(file, options, name);
+  Model model;
+  if (options.only.empty() && options.without.empty()) {
+    model = std::move(taken.model);
+  } else {
+    ModelOptions all = options;
+    all.only.clear();
+    all.without.clear();
+    model = with_left_out(std::move(taken), prepared(file, all, name), file.mesh.triangles.size());
   }
+  model.format = file.format;
+  model.notes = std::move(file.notes);
+  model.divided_by = dividing_groups(file, options.divide).kind;
   for (const FaceGroups* groups : {&file.groups, &file.materials})
     model.names.insert(model.names.end(), groups->names.begin(), groups->names.end());
   model.names = distinct(model.names);
-  std::move(assembly).finish(file.mesh, model);
+  if (options.weld && model.work.joined + model.work.unjoined == 0)
+    model.work.nothing_joined = unjoined_gap(model, *options.weld);
   const bool is_unnamed = model.divided_by.empty() && !options.strict && !options.weld;
   if (model.work.walls.empty()) look_for_lying_pieces(model);
   // Borders of sheets that lie on each other are not to be joined.
@@ -286,7 +396,7 @@ void check_names(const ModelOptions& options, std::span<const std::string> names
     for (const std::string& name : *asked) {
       if (std::find(names.begin(), names.end(), name) != names.end()) continue;
       std::string known;
-      for (const std::string& there : names)
+      for (const std::string& there : distinct({names.begin(), names.end()}))
         known += (known.empty() ? "" : ", ") + there;
       throw Error(ErrorCode::unknown_name, "no piece is called " + name + "; there are " + known);
     }

@@ -9,6 +9,7 @@
 #include <planish/mesh/patch.h>
 #include <planish/mesh/wall.h>
 
+#include "core/math.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edge_sides.h"
 #include "mesh/repair/facing.h"
@@ -24,8 +25,10 @@ namespace {
 constexpr double k_smooth = 0.8660254037844386;
 // Of the area, what contradicts that a side faces the other one and not itself.
 constexpr double k_contradiction = 0.02;
-// Sides whose areas differ by less are as large as each other.
-constexpr double k_same_area = 1e-3;
+// A side bulges where its bends make up so much of all bends, either way, and so many radians
+// across the root of its area. A sheet that turns by half a degree is flat.
+constexpr double k_one_way = 0.1;
+constexpr double k_least_turn = 0.01;
 
 constexpr Index k_no_sheet = static_cast<Index>(-1);
 
@@ -135,17 +138,22 @@ Neighbors neighbors_of(std::size_t triangles, const std::vector<EdgeSides>& edge
   return neighbors;
 }
 
+Vec3 unit_normal(const TriMesh& mesh, std::size_t t) {
+  const Triangle& corners = mesh.triangles[t];
+  const Vec3 normal = cross(mesh.positions[corners[1]] - mesh.positions[corners[0]],
+                            mesh.positions[corners[2]] - mesh.positions[corners[0]]);
+  const double length = norm(normal);
+  return length > 0.0 ? 1.0 / length * normal : Vec3{};
+}
+
 /// Gives triangles beside a side, such as those near a fold, to it where the surface goes on
 /// smoothly.
 std::vector<Index> spread(const TriMesh& mesh, const Neighbors& neighbors,
                           std::vector<Index> side) {
   std::vector<Vec3> normals;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 normal = cross(mesh.positions[t[1]] - mesh.positions[t[0]],
-                              mesh.positions[t[2]] - mesh.positions[t[0]]);
-    const double length = norm(normal);
-    normals.push_back(length > 0.0 ? 1.0 / length * normal : Vec3{});
-  }
+  normals.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    normals.push_back(unit_normal(mesh, t));
   struct Waiting {
     Index triangle;
     Index seed;  // a triangle that faces the other side
@@ -194,23 +202,6 @@ std::vector<Index> without_gaps(const Neighbors& neighbors, std::vector<Index> s
   return side;
 }
 
-/// In every wall of the mesh the larger side is the outer one.
-std::vector<WallPart> parts_of(const std::vector<Index>& side, const std::vector<double>& areas,
-                               std::size_t sheets) {
-  std::vector<double> sums(2 * sheets, 0.0);
-  for (std::size_t t = 0; t < side.size(); ++t) {
-    if (side[t] != k_no_sheet) sums[side[t]] += areas[t];
-  }
-  std::vector<WallPart> parts(side.size(), WallPart::rim);
-  for (std::size_t t = 0; t < side.size(); ++t) {
-    if (side[t] == k_no_sheet) continue;
-    const Index first = side[t] - side[t] % 2;
-    const bool first_is_outer = sums[first + 1] <= sums[first] * (1.0 + k_same_area);
-    parts[t] = (side[t] == first) == first_is_outer ? WallPart::outer : WallPart::inner;
-  }
-  return parts;
-}
-
 /// Whether the triangle is oriented towards the one that it faces.
 bool must_turn(const TriMesh& mesh, const FacingTriangles& facing, std::size_t t) {
   if (facing.way != Facing::same_way) return facing.way == Facing::towards;
@@ -221,6 +212,103 @@ bool must_turn(const TriMesh& mesh, const FacingTriangles& facing, std::size_t t
     return mesh.positions[corners[0]] + mesh.positions[corners[1]] + mesh.positions[corners[2]];
   };
   return dot(normal, sum(there) - sum(here)) > 0.0;
+}
+
+/// How the sides of a wall bend: lengths of edges times angles, above 0 where the side bulges.
+class SideBends {
+ public:
+  SideBends(const TriMesh& mesh, const FacingTriangles& facing) : mesh_(mesh), facing_(facing) {
+    away_.reserve(mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const bool faces = facing.opposite[t] != FacingTriangles::none;
+      const Vec3 normal = unit_normal(mesh, t);
+      away_.push_back(faces && must_turn(mesh, facing, t) ? -normal : normal);
+    }
+  }
+
+  /// The bend that both sides have there: a bevel is on one side only, or on both against each
+  /// other.
+  double at(const EdgeSide& one, const EdgeSide& other) const {
+    const Index a = facing_.opposite[one.triangle], b = facing_.opposite[other.triangle];
+    if (a == FacingTriangles::none || b == FacingTriangles::none) return 0.0;
+    const Vec3 normal = away_[one.triangle], next = away_[other.triangle];
+    const Vec3 axis = cross(normal, next);
+    const double sine = norm(axis);
+    if (!(sine > 0.0)) return 0.0;
+    const Vec3 there = along(a, normal), there_next = along(b, next);
+    const double here = math::atan2(sine, dot(normal, next));
+    const double beyond =
+        math::atan2(dot(cross(there, there_next), axis) / sine, dot(there, there_next));
+    const Vec3 from = mesh_.positions[one.low];
+    const double length = norm(mesh_.positions[one.high] - from);
+    const Vec3 third = mesh_.positions[third_of(other)] - from;
+    const double sign = dot(third, normal) < 0.0 ? 1.0 : -1.0;
+    return sign * length * std::min(here, std::max(beyond, 0.0));
+  }
+
+ private:
+  Index third_of(const EdgeSide& side) const {
+    return mesh_.triangles[side.triangle][(side.corner + 2) % 3];
+  }
+  /// The normal of a triangle of the other side, as that on this side points.
+  Vec3 along(Index t, Vec3 normal) const {
+    return dot(away_[t], normal) < 0.0 ? -away_[t] : away_[t];
+  }
+
+  const TriMesh& mesh_;
+  const FacingTriangles& facing_;
+  std::vector<Vec3> away_;  // normals away from the other side
+};
+
+/// What tells which side of each wall is the outer one: by the numbers of sides, the bends that
+/// make it bulge less those that make it hollow, all of them, and the area.
+struct BendsOfSide {
+  double sum = 0.0, all = 0.0, area = 0.0;
+};
+
+std::vector<BendsOfSide> bends_of_sides(const TriMesh& mesh, const FacingTriangles& facing,
+                                        const std::vector<EdgeSides>& edges,
+                                        const std::vector<Index>& side,
+                                        const std::vector<double>& areas, std::size_t sheets) {
+  const SideBends bends(mesh, facing);
+  std::vector<BendsOfSide> sums(2 * sheets);
+  for (std::size_t t = 0; t < side.size(); ++t) {
+    if (side[t] != k_no_sheet) sums[side[t]].area += areas[t];
+  }
+  for (const EdgeSides& edge : edges) {
+    if (edge.size() != 2) continue;
+    const Index here = side[edge.begin[0].triangle];
+    if (here == k_no_sheet || here != side[edge.begin[1].triangle]) continue;
+    const double bend = bends.at(edge.begin[0], edge.begin[1]);
+    sums[here].sum += bend;
+    sums[here].all += std::abs(bend);
+  }
+  return sums;
+}
+
+/// In every wall of the mesh the side that bulges is the outer one.
+/// @return also whether some wall is level
+std::pair<std::vector<WallPart>, bool> parts_of(const std::vector<Index>& side,
+                                                const std::vector<BendsOfSide>& bends) {
+  bool is_level = false;
+  std::vector<unsigned char> second_is_outer(bends.size() / 2, 0);
+  for (std::size_t k = 0; k < second_is_outer.size(); ++k) {
+    const BendsOfSide &first = bends[2 * k], &second = bends[2 * k + 1];
+    const double area = 0.5 * (first.area + second.area);
+    if (!(area > 0.0)) continue;
+    const double sum = 0.5 * (first.sum - second.sum), all = 0.5 * (first.all + second.all);
+    const bool bulges = std::abs(sum) > std::max(k_one_way * all, k_least_turn * std::sqrt(area));
+    is_level = is_level || !bulges;
+    second_is_outer[k] = bulges && sum < 0.0 ? 1 : 0;
+  }
+  std::vector<WallPart> parts(side.size(), WallPart::rim);
+  for (std::size_t t = 0; t < side.size(); ++t) {
+    if (side[t] == k_no_sheet) continue;
+    const bool is_second = side[t] % 2 != 0;
+    const bool is_outer = is_second == (second_is_outer[side[t] / 2] != 0);
+    parts[t] = is_outer ? WallPart::outer : WallPart::inner;
+  }
+  return {std::move(parts), is_level};
 }
 
 }  // namespace
@@ -240,7 +328,9 @@ std::optional<Wall> find_wall(const TriMesh& mesh) {
   const Neighbors neighbors = neighbors_of(near.triangles.size(), edges);
   const std::vector<Index> side = without_gaps(
       neighbors, spread(near, neighbors, sides_of_triangles(*std::move(sets), sheets)));
-  Wall wall{facing->distance / unit_scale(mesh), parts_of(side, areas, sheets.count)};
+  auto [parts, is_level] =
+      parts_of(side, bends_of_sides(near, *facing, edges, side, areas, sheets.count));
+  Wall wall{facing->distance / unit_scale(mesh), std::move(parts), {}, is_level};
   std::array<double, 3> turned{};  // area of each part that faces the other side, less the rest
   for (std::size_t t = 0; t < areas.size(); ++t) {
     if (facing->opposite[t] == FacingTriangles::none) continue;

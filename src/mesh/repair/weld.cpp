@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -99,7 +100,53 @@ WeldedMesh welded(const TriMesh& mesh, const Weld& weld, double scale) {
   return result;
 }
 
+/// An edge of the border of a sheet.
+struct SheetEdge {
+  Vec3 from, to;
+  Index sheet;
+
+  double low() const { return std::min(from.x, to.x); }
+};
+
+double squared_distance(Vec3 p, const SheetEdge& edge) {
+  const Vec3 way = edge.to - edge.from;
+  const double all = dot(way, way);
+  const double share = all > 0.0 ? std::clamp(dot(p - edge.from, way) / all, 0.0, 1.0) : 0.0;
+  const Vec3 rest = p - edge.from - share * way;
+  return dot(rest, rest);
+}
+
 }  // namespace
+
+std::optional<double> nearest_border_gap(const TriMesh& mesh) {
+  require_entries(mesh);
+  if (mesh.triangles.empty()) return std::nullopt;
+  const TriMesh unit = at_unit_scale(mesh);
+  const Sheets sheets = find_sheets(unit);
+  std::vector<SheetEdge> edges;
+  double longest = 0.0;
+  for (const EdgeSide& side : border_sides(unit)) {
+    edges.push_back(
+        {unit.positions[side.low], unit.positions[side.high], sheets.of_triangle[side.triangle]});
+    longest = std::max(longest, std::abs(edges.back().to.x - edges.back().from.x));
+  }
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const SheetEdge& a, const SheetEdge& b) { return a.low() < b.low(); });
+  double best = std::numeric_limits<double>::infinity();  // squared
+  for (const SheetEdge& one : edges) {
+    for (const Vec3 p : {one.from, one.to}) {
+      const double reach = std::sqrt(best);
+      auto at =
+          std::lower_bound(edges.begin(), edges.end(), p.x - reach - longest,
+                           [](const SheetEdge& edge, double value) { return edge.low() < value; });
+      for (; at != edges.end() && at->low() <= p.x + std::sqrt(best); ++at) {
+        if (at->sheet != one.sheet) best = std::min(best, squared_distance(p, *at));
+      }
+    }
+  }
+  if (std::isinf(best)) return std::nullopt;
+  return std::sqrt(best) / unit_scale(mesh);
+}
 
 double default_weld_length(const TriMesh& mesh) {
   return k_default_share * bounding_box_diagonal(mesh);

@@ -63,6 +63,8 @@ std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut
   const Unit unit = report.unfold.unit;
   std::string area =
       "area " + decimals_text(pattern.area_ratio, 3) + " of the patch's; outer side up";
+  if (report.unfold.turned)
+    area += ". The piece was turned over: it was inside out against a neighbour";
   if (page.annotations.allowance && !pattern.overlaps)
     area = size_text(cut_size.x, cut_size.y, unit) + " with the allowance; " + area;
   return "<dl class=\"tiles\">\n" +

@@ -133,9 +133,13 @@ PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> position
   pattern.cut = pattern.outline.loops;
   std::vector<EdgeAllowance> edges =
       mirrored ? turned_round(options.edge_allowances) : options.edge_allowances;
-  if (options.fold && !options.fold->opened)
-    edges.push_back(fold_stretch(pattern.outline, *options.fold));
+  const bool is_half = options.fold && !options.fold->opened;
+  if (is_half) edges.push_back(fold_stretch(pattern.outline, *options.fold));
   Allowance allowance = options.allowance.value_or(Allowance{});
+  // Without an allowance, what tells notches where the fold is.
+  if (is_half && !options.allowance) {
+    allowance = with_edge_allowances({.width = 1.0}, pattern.outline, {&edges.back(), 1});
+  }
   if (options.allowance) {
     allowance = with_edge_allowances(std::move(allowance), pattern.outline, edges);
     pattern.cut = offset_outline(pattern.outline, allowance);

@@ -1,12 +1,17 @@
 // What is read of a file, alike in all verbs.
 
+#include <cmath>
+#include <fstream>
+
 #include <planish/io/read_mesh.h>
+#include <planish/mesh/repair.h>
 
 #include <gmock/gmock.h>
 
 #include "cli/cli_run.h"
 #include "support/meshes.h"
 #include "support/products.h"
+#include "unit/mesh/repair/repairs.h"
 
 namespace planish::cli {
 namespace {
@@ -67,8 +72,9 @@ TEST_F(ModelFlags, WeldSaysHowFarItJoinsAndWhatItCannot) {
   const auto said = [](const std::string& flag) {
     return planish({"convert", flag, "two.obj", "out.obj"}).err;
   };
-  EXPECT_THAT(said("--weld=0.01"), HasSubstr("--weld joined nothing: no two borders lie within "
-                                             "0.010 mm of each other; --weld=LENGTH"));
+  EXPECT_THAT(said("--weld=0.01"),
+              HasSubstr("--weld joined nothing: the nearest borders of two pieces are 0.100 mm "
+                        "apart, more than 0.010 mm; --weld=LENGTH"));
   EXPECT_THAT(said("--weld=0.2"), AllOf(HasSubstr("joined 8 pairs of border edges within 0.20 mm"),
                                         Not(HasSubstr("third"))));
   EXPECT_THAT(said("--weld=5"),
@@ -158,7 +164,7 @@ TEST_F(ModelFlags, NameWhatIsMendedAndRefuseItWithStrict) {
   EXPECT_THAT(mended.err, HasSubstr("left out 1 triangle without loss"));
   const CliResult strict = planish({"unfold", "twice.obj", "-o", "flat.svg", "--strict"});
   EXPECT_EQ(strict.exit_code, k_exit_failed);
-  EXPECT_THAT(strict.err, HasSubstr("Without --strict"));
+  EXPECT_THAT(strict.err, HasSubstr("the second is left out, but not with --strict"));
 }
 
 TEST_F(ModelFlags, TellALengthThatClosesTheHoles) {
@@ -195,6 +201,140 @@ TEST_F(ModelFlags, TurnOverPiecesThatAreInsideOut) {
   EXPECT_THAT(turned.err, HasSubstr("turned over, as they were inside out against a neighbour "
                                     "along a seam: strip-2"));
   EXPECT_THAT(run("strict", {"--strict"}).err, Not(HasSubstr("turned over")));
+}
+
+/// Three strips of a saddle, the second inside out. The seams tell which one.
+void write_suit_with_second_inside_out(const std::string& path) {
+  const TriMesh mesh =
+      meshes::height_field(12, 8, [](double x, double y) { return 0.02 * x * x - 0.01 * y * y; });
+  std::vector<NamedPatch> strips = in_strips(mesh, 3);
+  strips[1].mesh = turned_over(std::move(strips[1].mesh));
+  write_product(path, strips);
+}
+
+TEST_F(ModelFlags, JudgeOrientationOnTheWholeFile) {
+  write_suit_with_second_inside_out("suit.obj");
+  planish({"flatten", "suit.obj", "-o", "whole", "--formats", "svg"});
+  const CliResult one = planish(
+      {"flatten", "suit.obj", "-o", "one", "--formats", "svg", "--only", "strip-2", "--json"});
+  EXPECT_EQ(one.exit_code, k_exit_done) << one.err;
+  EXPECT_THAT(one.err, HasSubstr("turned over, as they were inside out against a neighbour along a "
+                                 "seam: strip-2 against strip-"));
+  EXPECT_EQ(one.json()["unfold"]["turned"], true);
+  EXPECT_EQ(read_mesh("one/processed.obj").mesh.triangles,
+            read_mesh("whole/strip-2/processed.obj").mesh.triangles);
+  EXPECT_THAT(content_of("one/report.html"), HasSubstr("The piece was turned over"));
+  const auto garment = nlohmann::json::parse(content_of("whole/garment.json"));
+  EXPECT_EQ(garment["patches"][0]["unfold"]["turned"], false);
+  EXPECT_EQ(garment["patches"][1]["unfold"]["turned"], true);
+  const CliResult unfolded =
+      planish({"unfold", "suit.obj", "-o", "flat.obj", "--only", "strip-2", "--json"});
+  EXPECT_EQ(unfolded.json()["turned"], true);
+  EXPECT_THAT(planish({"unfold", "suit.obj", "-o", "flat.obj", "--only", "strip-2"}).out,
+              HasSubstr("turned over: the piece was inside out"));
+  EXPECT_EQ(planish({"unfold", "suit.obj", "-o", "flat.obj", "--only", "strip-1", "--json"})
+                .json()["turned"],
+            false);
+}
+
+TEST_F(ModelFlags, SayWhatStrictLeavesInsideOut) {
+  write_suit_with_second_inside_out("suit.obj");
+  const std::string advice = "leave out --strict, or turn a piece over with --only strip-2 --flip";
+  const CliResult all =
+      planish({"flatten", "suit.obj", "-o", "all", "--formats", "svg", "--strict"});
+  EXPECT_THAT(all.err, AllOf(HasSubstr("strip-2 against strip-"), HasSubstr(advice)));
+  for (const Names& args : {Names{"unfold", "suit.obj", "-o", "flat.obj"},
+                            Names{"flatten", "suit.obj", "-o", "one", "--formats", "svg"}}) {
+    Names strict = args;
+    strict.insert(strict.end(), {"--strict", "--only", "strip-2"});
+    EXPECT_THAT(planish(strict).err, HasSubstr(advice));
+    strict.emplace_back("--flip");
+    EXPECT_THAT(planish(strict).err, Not(HasSubstr("inside out")));
+  }
+}
+
+TEST_F(ModelFlags, TakeNamesWithCommas) {
+  write_product("suit.obj", {grid("Front, left"), grid("Front"), cube("left"), grid("Back")});
+  const auto counted = [](const Names& flags) {
+    Names args = {"convert", "suit.obj", "out.obj", "--json"};
+    args.insert(args.end(), flags.begin(), flags.end());
+    return planish(args).json()["triangles"].get<int>();
+  };
+  EXPECT_EQ(counted({"--only", "Front, left"}), 192);
+  EXPECT_EQ(counted({"--only", "Front, left,left"}), 204);
+  EXPECT_EQ(counted({"--only", "Front", "--only", "left"}), 204);
+  EXPECT_EQ(counted({"--without", "Back,Front, left"}), 204);
+}
+
+TEST_F(ModelFlags, MayNamePiecesOfAnyOfSeveralFiles) {
+  write_product("a.obj", {grid("front"), grid("back")});
+  write_product("b.obj", {grid("sleeve"), grid("cuff")});
+  write_product("c.obj", {grid("collar"), grid("belt")});
+  for (const Names& args : {Names{"measure", "a.obj", "b.obj", "c.obj"},
+                            Names{"unfold", "a.obj", "b.obj", "c.obj", "-o", "flat"}}) {
+    Names some = args;
+    some.insert(some.end(), {"--only", "front,cuff", "--json"});
+    const CliResult result = planish(some);
+    EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+    EXPECT_EQ(result.json()["files"].size(), 2U);
+    EXPECT_THAT(result.err, HasSubstr("the flags take nothing of them: c.obj"));
+    Names none = args;
+    none.insert(none.end(), {"--only", "front,frnt"});
+    const CliResult wrong = planish(none);
+    EXPECT_EQ(wrong.exit_code, k_exit_usage);
+    EXPECT_THAT(wrong.err, HasSubstr("no piece is called frnt; there are front, back, sleeve"));
+  }
+  EXPECT_EQ(planish({"measure", "a.obj", "--csv", "a.csv", "--without", "front,back"}).exit_code,
+            k_exit_failed);
+  std::ofstream("broken.obj") << "v 0 0\n";
+  EXPECT_THAT(planish({"measure", "a.obj", "broken.obj", "--only", "front"}).err,
+              HasSubstr("1 of 2 files failed"));
+}
+
+TEST_F(ModelFlags, SayWhereWeldJoinsNothing) {
+  write_product("gap.obj", {{"sheet", meshes::flat_grid(4, 4), {}}});
+  EXPECT_THAT(planish({"convert", "gap.obj", "out.obj", "--weld"}).err,
+              HasSubstr("--weld joined nothing: there are no two borders beside each other"));
+  TriMesh apart = meshes::flat_grid(4, 4);
+  TriMesh other = apart;
+  for (Vec3& p : other.positions)
+    p.x += 4.3;
+  write_mesh("apart.obj", repairs::both(apart, other));
+  EXPECT_THAT(planish({"convert", "apart.obj", "out.obj", "--weld"}).err,
+              HasSubstr("the nearest borders of two pieces are 0.300 mm apart"));
+  write_product("names.obj", in_strips(apart, 2));
+  EXPECT_THAT(planish({"convert", "names.obj", "out.obj", "--weld"}).err,
+              HasSubstr("pieces of different names stay apart; --divide parts joins them too"));
+}
+
+TEST_F(ModelFlags, SayWhereNothingTellsTheOuterSideOfAWall) {
+  const TriMesh sheet = meshes::flat_grid(30, 30);
+  TriMesh below = turned_over(sheet);
+  for (Vec3& p : below.positions)
+    p.z -= 0.5;
+  write_mesh("plate.obj", repairs::both(sheet, below));
+  EXPECT_THAT(planish({"unfold", "plate.obj", "-o", "up.svg", "--side", "inner"}).err,
+              HasSubstr("nothing tells which side is the outer one"));
+}
+
+/// A wall over half a wave, from x to x + 20.
+TriMesh wave_wall(double x) {
+  const auto sheet = [&](double z) {
+    return meshes::height_field(20, 20, [&](double column, double) {
+      const double at = (column + x - 20.0) / 20.0;
+      return z + 4.0 * at * (1.0 - std::abs(at));
+    });
+  };
+  TriMesh mesh = repairs::closed(sheet(0.5), sheet(0.0));
+  for (Vec3& p : mesh.positions)
+    p.x += x;
+  return mesh;
+}
+
+TEST_F(ModelFlags, SayWhereSidesThatAreTakenDoNotMeet) {
+  write_product("suit.obj", {{"left", wave_wall(0.0), {}}, {"right", wave_wall(20.0), {}}});
+  EXPECT_THAT(planish({"convert", "suit.obj", "out.obj", "--side", "outer"}).err,
+              HasSubstr("the sides of left and right that were taken do not meet"));
 }
 
 /// One half of a cushion, of that height in the middle: a grid of 12 x 8.

@@ -192,6 +192,9 @@ TEST(Verdict, KeepsToWhatTheMeshCanShow) {
       << "that much is known";
   some.cautions = {CoarseCoordinates{0.03, 0.08}};
   EXPECT_THAT(verdict(some), StartsWith("Cannot be judged: coarse coordinates. The usual stretch"));
+  some.cautions = {HiddenCurvature{0.3}, CoarseCoordinates{0.03, 0.08}};
+  EXPECT_THAT(verdict(some), StartsWith("Cannot be judged: coarse coordinates. "))
+      << "what hides curvature is no reason for a stretch";
   some.cautions = {HiddenCurvature{0.3}};
   EXPECT_THAT(verdict(some), HasSubstr("Only 30 % of the area is around inner vertices"));
 }

@@ -299,6 +299,14 @@ TEST(Notches, WhereAFoldMeetsAnEdgeAreInTheAllowanceOfThatAtTheFold) {
       ASSERT_EQ(placed.size(), 1U);
       EXPECT_FALSE(placed[0].on_seam);
       expect_line({placed[0].at, placed[0].inward}, {{0.0, -width / std::cos(angle)}, {0, 1}});
+      // Without an allowance too it is along the fold, at both ends, as it is on the whole piece.
+      const auto bare = place_notches(outline, outline.loops,
+                                      std::vector<Notch>{{Index{3}}, {Index{20}}, {Index{7}}},
+                                      {.depth = 3.0}, allowance);
+      ASSERT_EQ(bare.size(), 3U);
+      expect_line({bare[0].at, bare[0].inward}, {{0, 0}, {0, 1}});
+      expect_line({bare[1].at, bare[1].inward}, {{0, 150}, {0, -1}});
+      EXPECT_LT(bare[2].inward.x * bare[2].inward.y, 0.0) << "half way at another corner";
     }
   }
 }

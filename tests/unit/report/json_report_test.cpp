@@ -209,6 +209,7 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
   report.pattern.overlaps = true;
   report.pattern.flipped_triangles = 2;
   report.border_strain = 0.25;
+  report.turned = true;
   const Json json = Json::parse(json_report(report));
   EXPECT_EQ(json, Json({{"schema", 1},
                         {"strain", {{"max", 0.3187}, {"rms", 0.0761}, {"p99", 0.2143}}},
@@ -221,6 +222,7 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
                         {"height", 20.0},
                         {"unit", "cm"},
                         {"side", "outer"},
+                        {"turned", true},
                         {"iterations", 7},
                         {"converged", true},
                         {"border_strain", 0.25},

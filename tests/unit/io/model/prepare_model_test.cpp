@@ -197,6 +197,68 @@ TEST(PrepareModel, TakesAndLeavesOutByNames) {
   EXPECT_TRUE(prepare_model(grid_with("o"), {.without = {"left", "right"}}, "sail").pieces.empty());
 }
 
+ReadResult with_names(const std::vector<std::string>& names) {
+  ReadResult file;
+  file.groups.kind = "o";
+  file.groups.names = names;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    TriMesh grid = meshes::flat_grid(3, 3);
+    for (Vec3& p : grid.positions)
+      p.x += 5.0 * static_cast<double>(k);
+    file.mesh = repairs::both(std::move(file.mesh), grid);
+    file.groups.of_triangle.resize(file.mesh.triangles.size(), static_cast<Index>(k));
+  }
+  return file;
+}
+
+TEST(PrepareModel, GivesNoTwoPiecesOneName) {
+  const std::vector<std::string> names = {"Front", "front", "back", "Front-2"};
+  EXPECT_THAT(prepare_model(with_names(names), {}, "suit").pieces,
+              ElementsAre("Front", "front-2", "back", "Front-2-2"));
+  const Model second = prepare_model(with_names(names), {.only = {"front-2"}}, "suit");
+  EXPECT_THAT(second.pieces, ElementsAre("front-2"));
+  EXPECT_NO_THROW(check_names({.only = {"front-2"}}, second.names));
+  EXPECT_THAT(prepare_model(with_names(names), {.only = {"front"}}, "suit").pieces,
+              ElementsAre("front-2"))
+      << "the name of the whole file";
+}
+
+TEST(PrepareModel, KeepsWhatIsLeftOutInItsPlace) {
+  const ReadResult file = with_names({"a", "b", "c", "d"});
+  EXPECT_TRUE(prepare_model(file, {}, "suit").left_out.empty());
+  for (const ModelOptions& options :
+       {ModelOptions{.only = {"b", "d"}}, ModelOptions{.without = {"a", "c"}}}) {
+    const Model model = prepare_model(file, options, "suit");
+    EXPECT_THAT(model.pieces, ElementsAre("b", "d"));
+    ASSERT_EQ(model.left_out.size(), 2U);
+    EXPECT_EQ(model.left_out[0].name, "a");
+    EXPECT_EQ(model.left_out[0].before, 0U);
+    EXPECT_EQ(model.left_out[1].name, "c");
+    EXPECT_EQ(model.left_out[1].before, 1U);
+    EXPECT_EQ(model.left_out[1].mesh.triangles.size(), 18U);
+    EXPECT_EQ(model.left_out[1].mesh.positions.front().x, 10.0);
+    EXPECT_THAT(model.names, ElementsAre("a", "b", "c", "d"));
+  }
+}
+
+TEST(PrepareModel, ClosesHolesOfWhatIsTaken) {
+  ReadResult file = with_names({"a", "b"});
+  file.mesh.triangles.erase(file.mesh.triangles.begin() + 26);  // in the middle of b
+  file.groups.of_triangle.pop_back();
+  const Model model = prepare_model(file, {.fill_holes = 4.0, .only = {"b"}}, "suit");
+  EXPECT_EQ(model.work.filled, 1U);
+  EXPECT_EQ(model.mesh.triangles.size(), 18U);
+  EXPECT_THAT(model.pieces, ElementsAre("b"));
+  ASSERT_EQ(model.left_out.size(), 1U);
+  EXPECT_EQ(model.left_out[0].before, 0U);
+}
+
+TEST(PrepareModel, LeavesOutTheRestOfWhatMaterialsDivide) {
+  const Model left = prepare_model(grid_with("usemtl"), {.only = {"left"}}, "sail");
+  EXPECT_THAT(left.pieces, ElementsAre("sail"));
+  EXPECT_TRUE(left.left_out.empty()) << "some of the one piece is taken";
+}
+
 TEST(PrepareModel, ListsTheNamesThereAreWhereOneIsNot) {
   const ModelOptions options = {.only = {"middle"}};
   const Model model = prepare_model(grid_with("o"), options, "sail");
@@ -253,6 +315,114 @@ TEST(PrepareModel, FindsAWallAndTakesASideOfIt) {
   EXPECT_THAT(outer.pieces, ElementsAre("sail"));
   EXPECT_EQ(outer.mesh.positions, sheet.positions);
   EXPECT_TRUE(outer.work.walls.empty());
+}
+
+TriMesh above(TriMesh mesh, double x, double z) {
+  for (Vec3& p : mesh.positions)
+    p = {p.x + x, p.y, p.z + z};
+  return mesh;
+}
+
+/// A quarter of a cylinder of that thickness, closed by a rim.
+TriMesh closed_shell(double thickness) {
+  return repairs::closed(repairs::shell(18, 12, 100.0), repairs::shell(18, 12, 100.0 - thickness));
+}
+
+TEST(PrepareModel, TakesASideOfEachClosedWall) {
+  const TriMesh thick = closed_shell(4.0), thin = closed_shell(2.0),
+                lone = meshes::flat_grid(40, 40);
+  const TriMesh all =
+      repairs::both(repairs::both(thick, above(thin, 300.0, 0.0)), above(lone, 600.0, 0.0));
+  const Model whole = prepared(all);
+  ASSERT_EQ(whole.work.walls.size(), 2U);
+  EXPECT_EQ(whole.work.walls[0].name, "sail-1");
+  EXPECT_NEAR(whole.work.walls[0].thickness, 4.0, 0.04);
+  EXPECT_EQ(whole.work.walls[1].name, "sail-2");
+  EXPECT_NEAR(whole.work.walls[1].thickness, 2.0, 0.02);
+  const Model outer = prepared(all, {.side = Side::outer});
+  EXPECT_EQ(outer.pieces.size(), 3U);
+  EXPECT_THAT(outer.work.without_wall, ElementsAre("sail-3"));
+  EXPECT_EQ(outer.mesh.triangles.size(), 2U * 432U + 3200U);
+  const double quarter = repairs::area(repairs::shell(18, 12, 100.0));
+  EXPECT_NEAR(repairs::area(outer.mesh), 2.0 * quarter + 1600.0, 1e-6);
+  EXPECT_TRUE(outer.work.level_walls.empty());
+  const Model inner = prepared(all, {.side = Side::inner});
+  EXPECT_NEAR(repairs::area(inner.mesh), quarter * (0.96 + 0.98) + 1600.0, 1e-6);
+}
+
+/// A wall 0.5 thick over a wave, from x to x + 20, as a part of one long sheet.
+TriMesh wave_wall(double x, double below = 0.0) {
+  const auto sheet = [&](double z) {
+    return meshes::height_field(20, 20, [&](double column, double) {
+      const double at = (column + x - 20.0) / 20.0;
+      return z - below + 4.0 * at * (1.0 - std::abs(at));
+    });
+  };
+  return above(repairs::closed(sheet(0.5), sheet(0.0)), x, 0.0);
+}
+
+TEST(PrepareModel, SaysWhereTakenSidesDoNotMeet) {
+  ReadResult file;
+  file.mesh = repairs::both(wave_wall(0.0), wave_wall(20.0));
+  file.groups = {"o", {"left", "right"}, std::vector<Index>(file.mesh.triangles.size(), 0)};
+  for (std::size_t t = file.mesh.triangles.size() / 2; t < file.mesh.triangles.size(); ++t)
+    file.groups.of_triangle[t] = 1;
+  for (const std::vector<std::string>& only :
+       {std::vector<std::string>{}, std::vector<std::string>{"right"}}) {
+    const Model model = prepare_model(file, {.only = only, .side = Side::outer}, "suit");
+    ASSERT_EQ(model.work.clashing_sides.size(), 1U) << only.size();
+    EXPECT_EQ(model.work.clashing_sides[0].one, "left");
+    EXPECT_EQ(model.work.clashing_sides[0].other, "right");
+  }
+  EXPECT_TRUE(prepare_model(file, {}, "suit").work.clashing_sides.empty());
+  // One lies on the other.
+  const TriMesh layers = repairs::both(wave_wall(20.0), wave_wall(20.0, 0.5));
+  EXPECT_TRUE(prepared(layers, {.side = Side::outer}).work.clashing_sides.empty());
+  // Both bend alike.
+  const TriMesh alike = repairs::both(closed_shell(2.0), above(closed_shell(2.0), 0.0, 300.0));
+  EXPECT_TRUE(prepared(alike, {.side = Side::outer}).work.clashing_sides.empty());
+}
+
+TEST(PrepareModel, SaysWhereNothingTellsTheOuterSide) {
+  const TriMesh sheet = meshes::flat_grid(30, 30);
+  const TriMesh plate = repairs::closed(sheet, above(sheet, 0.0, -0.5));
+  EXPECT_THAT(prepared(plate, {.side = Side::outer}).work.level_walls, ElementsAre("sail"));
+  EXPECT_TRUE(prepared(plate).work.level_walls.empty());
+}
+
+TEST(PrepareModel, NamesAWallOfTwoTouchingSheetsOfNoOrientation) {
+  // Three triangles on one edge are no surface, so nothing is looked for in them.
+  const TriMesh fins = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
+                        {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
+  const Model model = prepared(fins, {.strict = true, .side = Side::outer});
+  EXPECT_THAT(model.work.without_wall, ElementsAre("sail"));
+}
+
+TEST(PrepareModel, CountsWhatWeldTurns) {
+  const Model both = prepare_model(grid_with("o"), {}, "sail");
+  TriMesh mesh = divided(both);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (both.piece_of[t] == 1) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+  }
+  const Model model = prepared(std::move(mesh), {.weld = 0.0});
+  EXPECT_THAT(model.pieces, ElementsAre("sail"));
+  EXPECT_EQ(model.work.turned, 24U);
+}
+
+TEST(PrepareModel, SaysWhatIsNextWhereWeldJoinsNothing) {
+  const TriMesh grid = meshes::flat_grid(4, 4);
+  const Model apart = prepared(repairs::both(grid, above(grid, 4.3, 0.0)), {.weld = 0.0});
+  ASSERT_TRUE(apart.work.nothing_joined);
+  EXPECT_NEAR(*apart.work.nothing_joined->gap, 0.3, 1e-12);
+  EXPECT_FALSE(apart.work.nothing_joined->is_between_names);
+  const Model alone = prepared(grid, {.weld = 0.0});
+  ASSERT_TRUE(alone.work.nothing_joined);
+  EXPECT_FALSE(alone.work.nothing_joined->gap);
+  const Model named = prepare_model(grid_with("o"), {.weld = 0.0}, "sail");
+  ASSERT_TRUE(named.work.nothing_joined);
+  EXPECT_TRUE(named.work.nothing_joined->is_between_names);
+  EXPECT_FALSE(
+      prepared(repairs::both(grid, above(grid, 4.0, 0.0)), {.weld = 0.0}).work.nothing_joined);
 }
 
 TEST(PrepareModel, TakesManyPiecesForNoWall) {

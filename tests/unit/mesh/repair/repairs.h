@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <planish/mesh/inspect.h>
+#include <planish/mesh/patch.h>
 #include <planish/mesh/repair.h>
 #include <planish/mesh/tri_mesh.h>
 
@@ -47,6 +48,26 @@ inline TriMesh both(TriMesh first, const TriMesh& second) {
   for (const Triangle& t : second.triangles)
     first.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
   return first;
+}
+
+/// Both sides of a sheet of a grid, the second one reversed.
+inline TriMesh sheets(const TriMesh& outer, const TriMesh& inner) {
+  return both(outer, turned_over(inner));
+}
+
+/// The same with a rim around.
+inline TriMesh closed(const TriMesh& outer, const TriMesh& inner) {
+  TriMesh mesh = sheets(outer, inner);
+  const auto shift = static_cast<Index>(outer.positions.size());
+  const Patch patch(outer);
+  for (const auto& loop : patch.border_loops()) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Index a = loop[i], b = loop[(i + 1) % loop.size()];
+      mesh.triangles.push_back({b, a, a + shift});
+      mesh.triangles.push_back({b, a + shift, b + shift});
+    }
+  }
+  return mesh;
 }
 
 inline TriMesh mirrored(TriMesh mesh) {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "measure/normals.h"
 #include "support/meshes.h"
 #include "support/solids.h"
 #include "unit/mesh/repair/repairs.h"
@@ -14,28 +15,8 @@
 namespace planish {
 namespace {
 
-/// Both sides of a sheet of a grid, the second one reversed.
-TriMesh sheets(const TriMesh& outer, const TriMesh& inner) {
-  return repairs::both(outer, turned_over(inner));
-}
-
-/// The same with a rim around.
-TriMesh closed(const TriMesh& outer, const TriMesh& inner) {
-  TriMesh mesh = sheets(outer, inner);
-  const auto shift = static_cast<Index>(outer.positions.size());
-  const Patch patch(outer);
-  for (const auto& loop : patch.border_loops()) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Index a = loop[i], b = loop[(i + 1) % loop.size()];
-      mesh.triangles.push_back({b, a, a + shift});
-      mesh.triangles.push_back({b, a + shift, b + shift});
-    }
-  }
-  return mesh;
-}
-
 TriMesh thick_shell() {
-  return closed(repairs::shell(18, 12, 100.0), repairs::shell(18, 12, 98.0));
+  return repairs::closed(repairs::shell(18, 12, 100.0), repairs::shell(18, 12, 98.0));
 }
 
 /// What may not be lost: sides by the numbers of triangles.
@@ -88,9 +69,10 @@ TEST(FindWall, OfAFlatOneTheFirstSideIsTheOuter) {
   TriMesh below = above;
   for (Vec3& p : below.positions)
     p.z -= 0.5;
-  const TriMesh mesh = closed(above, below);
+  const TriMesh mesh = repairs::closed(above, below);
   const auto wall = find_wall(mesh);
   ASSERT_TRUE(wall);
+  EXPECT_TRUE(wall->is_level);
   EXPECT_EQ(wall->part.front(), WallPart::outer);
   EXPECT_EQ(wall->part[1800], WallPart::inner);
   EXPECT_EQ(wall->part[3600], WallPart::rim);
@@ -104,7 +86,7 @@ TEST(FindWall, ASleeveHasTwoRims) {
       p = {radius * p.x, radius * p.y, 10.0 * p.z};
     return mesh;
   };
-  const TriMesh mesh = closed(sleeve(60.0), sleeve(57.0));
+  const TriMesh mesh = repairs::closed(sleeve(60.0), sleeve(57.0));
   expect_sides(mesh, 1920, 3.0);
   const auto wall = find_wall(mesh);
   ASSERT_TRUE(wall);
@@ -135,13 +117,78 @@ TEST(FindWall, ATrayHasItsSharpEdges) {
     }
     return turned_over(mesh);
   };
-  const TriMesh mesh = closed(tray(100.0, 0.0), tray(96.0, 4.0));
+  const TriMesh mesh = repairs::closed(tray(100.0, 0.0), tray(96.0, 4.0));
   const auto wall = find_wall(mesh);
   ASSERT_TRUE(wall);
   EXPECT_NEAR(wall->thickness, 4.0, 0.1);
   const TriMesh outer = take_side(mesh, *wall, WallPart::outer).mesh;
   EXPECT_TRUE(repairs::is_disk(outer));
   EXPECT_NEAR(repairs::area(outer), repairs::area(tray(100.0, 0.0)), 1e-6);
+}
+
+/// The part of a grid that is a cell or more off its border.
+double off_border(Vec3 p, double columns, double rows) {
+  return std::min({p.x, columns - p.x, p.y, rows - p.y});
+}
+
+/// A dome of 40 x 30 cells, of that height in the middle.
+TriMesh dome(double height) {
+  return meshes::height_field(40, 30, [&](double x, double y) {
+    return height * x * (40.0 - x) * y * (30.0 - y) / 90'000.0;
+  });
+}
+
+/// The dome shifted along its normals, at the border by less and inwards: a bevel that looks up.
+TriMesh shifted(const TriMesh& mesh, double thickness, double bevel) {
+  const std::vector<Vec3> normals = vertex_normals(mesh.triangles, mesh.positions, 1.0);
+  TriMesh result = mesh;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const Vec3 p = mesh.positions[v];
+    const bool is_border = off_border(p, 40.0, 30.0) < 0.5;
+    const double share = is_border ? 1.0 - bevel : 1.0;
+    result.positions[v] = p + share * thickness / norm(normals[v]) * normals[v];
+  }
+  return result;
+}
+
+TEST(FindWall, TheOuterSideBulgesWhateverItsBevels) {
+  // Shallow, so that what a bevel adds to or takes from the area is far more than the bend does.
+  const TriMesh inner = dome(1.0);
+  for (const double bevel : {0.0, 0.4, 0.8}) {
+    for (const bool is_below : {false, true}) {
+      // A bevel on the side above, or on that below.
+      const TriMesh up = is_below ? inner : shifted(inner, 0.7, bevel);
+      const TriMesh down = is_below ? shifted(inner, -0.7, bevel) : inner;
+      for (const TriMesh& mesh : {repairs::closed(up, down), turned_over(repairs::closed(up, down)),
+                                  repairs::sheets(down, up)}) {
+        const auto wall = find_wall(mesh);
+        ASSERT_TRUE(wall) << bevel << is_below;
+        EXPECT_FALSE(wall->is_level);
+        const TriMesh outer = take_side(mesh, *wall, WallPart::outer).mesh;
+        ASSERT_FALSE(outer.triangles.empty());
+        double height = 0.0;
+        for (const Triangle& t : outer.triangles) {
+          for (const Index v : t)
+            height = std::max(height, outer.positions[v].z);
+        }
+        EXPECT_NEAR(height, is_below ? 1.0 : 1.7, 0.05) << bevel << is_below;
+      }
+    }
+  }
+}
+
+TEST(FindWall, SaysWhereNoSideBulges) {
+  const auto wave = [](double z) {
+    return meshes::height_field(40, 30, [&](double x, double) {
+      return z + (x - 20.0) * (x - 20.0) * (x - 20.0) / 4000.0;
+    });
+  };
+  const TriMesh mesh = repairs::closed(wave(0.5), wave(0.0));
+  const auto wall = find_wall(mesh);
+  ASSERT_TRUE(wall);
+  EXPECT_TRUE(wall->is_level);
+  EXPECT_EQ(wall->part.front(), WallPart::outer);
+  EXPECT_FALSE(find_wall(thick_shell())->is_level);
 }
 
 TEST(FindWall, SolidBodiesAreNone) {
@@ -165,8 +212,8 @@ TEST(FindWall, SheetsAreNone) {
   for (Vec3& p : slanted.positions)
     p.z -= 0.2 + 0.05 * p.x;
   for (const TriMesh& mesh : {meshes::rough_grid(20, 20, 1), repairs::shell(18, 12),
-                              meshes::tube(24, 10), sheets(meshes::flat_grid(20, 20), far),
-                              sheets(meshes::flat_grid(20, 20), slanted), TriMesh{}}) {
+                              meshes::tube(24, 10), repairs::sheets(meshes::flat_grid(20, 20), far),
+                              repairs::sheets(meshes::flat_grid(20, 20), slanted), TriMesh{}}) {
     EXPECT_FALSE(find_wall(mesh));
   }
 }

@@ -272,5 +272,26 @@ TEST(Weld, LengthsThatAreNoneAreRefused) {
   }
 }
 
+TEST(NearestBorderGap, IsBetweenPieces) {
+  const TriMesh grid = meshes::flat_grid(5, 4);
+  const auto beside = [&](double gap) {
+    TriMesh other = grid;
+    for (Vec3& p : other.positions)
+      p = {p.x + 5.0 + gap, p.y + 0.37, p.z};
+    return repairs::both(grid, other);
+  };
+  for (const double gap : {0.0, 0.01, 0.3, 7.0}) {
+    for (const TriMesh& mesh : repairs::variants(beside(gap))) {
+      const double unit = bounding_box_diagonal(mesh) / bounding_box_diagonal(beside(gap));
+      const auto found = nearest_border_gap(mesh);
+      ASSERT_TRUE(found);
+      EXPECT_NEAR(*found, gap * unit, 1e-9 * unit);
+    }
+  }
+  EXPECT_FALSE(nearest_border_gap(grid)) << "one piece has no other";
+  EXPECT_FALSE(nearest_border_gap(meshes::tetrahedron())) << "and no border";
+  EXPECT_FALSE(nearest_border_gap({}));
+}
+
 }  // namespace
 }  // namespace planish

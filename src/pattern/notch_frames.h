@@ -47,7 +47,7 @@ class NotchFrames {
   const BorderWalk& walk(std::size_t loop) const { return walks_[loop]; }
   NotchFrame at(const NotchSeat& seat) const;
   /// Two places as far apart as a double notch's: of the side of a corner, both on that side.
-  std::vector<NotchSeat> pair_around(const NotchSeat& seat) const;
+  std::vector<NotchSeat> pair_around(const NotchSeat& place) const;
 
  private:
   /// Corners beside a way, the nearest ones; no farther than once around.
@@ -71,6 +71,7 @@ class NotchFrames {
                                 bool runs_beside_line) const;
   std::optional<NotchFrame> along_bare_edge(const NotchSeat& seat, Vec2 inward, Vec2 other,
                                             double width) const;
+  NotchSeat beside_bare_edge(NotchSeat seat) const;
   NotchFrame at_corner(const NotchSeat& seat, const Corner& corner) const;
   NotchFrame standing_on_seam(NotchFrame frame) const;
 

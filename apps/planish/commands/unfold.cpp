@@ -161,12 +161,18 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
   });
   warn_of_pattern(session, report);
   note_unequal_seams(session, patch, report);
-  about(path,
-        [&] { note_notches_on_seam_line(session, patch, report, name, request.annotations); });
+  if (pattern_format_of(output))
+    about(path, [&] { note_pattern(session, patch, report, name, request.annotations); });
   const std::vector<OutputFile> files = {{path_of(output), content}};
   if (const auto format = pattern_format_of(output)) {
     if (format == PatternFormat::plt) note_plotter_reach(session, report);
     note_spelling(session, words_of(name, request.annotations.label), {*format}, request.output);
+    if (!request.output.only_layers.empty()) {
+      about(path, [&] {
+        note_empty_layers(session, pattern_sheet(patch, report, name, request.annotations),
+                          request.output);
+      });
+    }
     if (!request.output.paper) note_divided_pages(session, files, request.output);
   }
   CommandResult outcome = {path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" +

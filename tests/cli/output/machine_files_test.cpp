@@ -107,6 +107,16 @@ TEST_F(MachineFiles, NameTheLayersThatThereAre) {
   EXPECT_THAT(unfold("a.obj", {"--only-layers", "cut"}).err, HasSubstr("--only-layers goes with"));
 }
 
+TEST_F(MachineFiles, AreNotedWhereTheirLayersAreEmpty) {
+  const Names wanted = {"--allowance", "8mm", "--only-layers", "cut,notch,drill"};
+  const CliResult result = unfold("a.svg", wanted);
+  EXPECT_EQ(result.exit_code, k_exit_done);
+  EXPECT_THAT(result.err, HasSubstr("nothing on notch, drill, only on seam, label, cut"));
+  EXPECT_THAT(lay_out({"--formats", "svg", "--only-layers", "grain"}).err,
+              HasSubstr("nothing on grain"));
+  EXPECT_THAT(unfold("a.svg", {"--only-layers", "cut"}).err, Not(HasSubstr("nothing on")));
+}
+
 TEST_F(MachineFiles, OfPlottersBeginAtTheOriginWithEightPensAtMost) {
   std::ofstream("lines.txt") << "100 101\n";
   std::ofstream("marks.txt") << "100 drill\n";

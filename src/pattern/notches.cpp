@@ -105,6 +105,20 @@ void check_depth(const PieceOutline& outline, const Notch& notch, const NotchFra
     fail(outline.piece, notch, deep + "out of the piece");
 }
 
+/// The sizes of a notch where it stands.
+NotchSizes sizes_at(const PieceOutline& outline, const Notch& notch, const NotchFrame& frame,
+                    NotchSizes sizes, const Allowance& allowance, const NotchFrames& frames) {
+  if (frame.on_seam) {
+    sizes.depth = frame.reach;
+    return sizes;
+  }
+  const double asked = sizes.depth;
+  if (frames.has_allowance()) sizes.depth = depth_at(frame, sizes, allowance);
+  const bool is_bare = sizes.depth < asked && sizes.depth > frame.reach;
+  check_depth(outline, notch, frame, sizes.depth, is_bare || !frames.has_allowance());
+  return sizes;
+}
+
 /// Where a V begins: on the cut line, half its width to the side.
 Vec2 base(const NotchFrame& frame, std::span<const Polygon> cut, double aside, double depth) {
   const Vec2 from = frame.seam + aside * frame.along;
@@ -194,14 +208,7 @@ std::vector<PlacedNotch> place_notches(const PieceOutline& outline, std::span<co
         notch.is_double ? frames.pair_around(seat) : std::vector<NotchSeat>{seat};
     for (const NotchSeat& place : seats) {
       const NotchFrame frame = frames.at(place);
-      NotchSizes own = sizes;
-      if (frame.on_seam) {
-        own.depth = frame.reach;
-      } else {
-        if (frames.has_allowance()) own.depth = depth_at(frame, sizes, allowance);
-        const bool is_bare = own.depth < sizes.depth && own.depth > frame.reach;
-        check_depth(outline, notch, frame, own.depth, is_bare || !frames.has_allowance());
-      }
+      const NotchSizes own = sizes_at(outline, notch, frame, sizes, allowance, frames);
       PlacedNotch found = placed_notch(notch.kind, frame, cut, own);
       if (!is_there_already(found, placed)) placed.push_back(std::move(found));
     }

@@ -116,6 +116,11 @@ void unfold_into(WorkFile& file, const std::filesystem::path& place, const Unfol
     file.text = line_of(report);
     file.misses = !all_kept(report.limits);
     if (place.empty()) return;
+    if (pattern_format_of(utf8_of(place)) && !report.pattern.overlaps) {
+      note_filled(
+          session, model.pieces.front(),
+          filled_stretches(patch.mesh(), report.pattern.positions, report.unit, annotations));
+    }
     file.files = {{place, content_of(utf8_of(place), model.pieces.front(), patch, report,
                                      request.output, annotations)}};
   });

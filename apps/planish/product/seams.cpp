@@ -12,6 +12,8 @@
 #include "flags/units.h"
 #include "platform/path.h"
 #include "shell/failures.h"
+#include "shell/text.h"
+#include "shell/values.h"
 #include "text/own_seams.h"
 
 namespace planish::cli {
@@ -159,8 +161,7 @@ void note_filled(Session& session, const std::string& piece,
     places.push_back("near vertex " + std::to_string(stretch.vertex) + " (" +
                      fixed(stretch.length, 0) + " mm)");
   }
-  session.note((piece.empty() ? "" : piece + ": ") +
-               "the allowance fills slits, darts or bays: " + fixed(length, 0) +
+  session.note(piece + ": the allowance fills slits, darts or bays: " + fixed(length, 0) +
                " mm of seam line have no cut line beside them, " + list_of_some(places) +
                "; to cut along them take less --allowance, or less there "
                "with --edge-allowances");
@@ -172,7 +173,7 @@ void note_pattern(Session& session, const Patch& patch, const UnfoldReport& repo
     note_notches(session, pattern_sheet(patch, report, name, annotations),
                  annotations.notch_sizes.depth);
   if (report.pattern.overlaps) return;
-  note_filled(session, "",
+  note_filled(session, name,
               filled_stretches(patch.mesh(), report.pattern.positions, report.unit, annotations));
 }
 

@@ -57,7 +57,6 @@ void note_pattern(Session& session, const Patch& patch, const UnfoldReport& repo
                   const std::string& name, const PatternOptions& annotations);
 /// Says where the allowance of a pattern fills slits, darts or bays, so that no cut line runs
 /// there.
-/// @param piece begins the note; may be empty
 void note_filled(Session& session, const std::string& piece,
                  const std::vector<FilledStretch>& filled);
 

@@ -289,6 +289,30 @@ TEST(OffsetOutline, IsHalfOfThatOfTheWholeBesideAFold) {
   }
 }
 
+TEST(OffsetOutline, HasItsOuterLineBeforeWhatItEncloses) {
+  // Beside an edge without an allowance, two others close in on a place.
+  const PieceOutline star{"star",
+                          {{{83.4118, 0.0},
+                            {22.2927, 11.7001},
+                            {44.5764, 64.58},
+                            {11.926, 98.2198},
+                            {-26.5745, 70.0712},
+                            {-44.9987, 39.8654},
+                            {-66.2525, 16.3298},
+                            {-37.8096, -9.3192},
+                            {-74.3227, -65.8442},
+                            {-6.5498, -17.2703},
+                            {2.4816, -20.4381},
+                            {19.9157, -28.8528},
+                            {8.8546, -4.6472}}}};
+  const auto cut = offset_outline(
+      star, {.mitre_limit = 4.8,
+             .edge_widths = {{15.5, 9.5, 14.5, 11.5, 15.5, 12, 2, 12, 15.5, 5.5, 15, 15, 0}}});
+  ASSERT_EQ(cut.size(), 2U);
+  EXPECT_GT(signed_area(cut[0]), 0.0);
+  EXPECT_LT(signed_area(cut[1]), 0.0);
+}
+
 TEST(OffsetOutline, EndsAcrossTheSideWhereThatOnlyGoesOnWithout) {
   // A side of short edges in a zigzag, of which the allowance ends half way.
   PieceOutline outline{"side", {{{0, 0}}}};

@@ -75,6 +75,18 @@ void append_corner(const OutlineCorner& corner, double turn, Polygon& line) {
 
 }  // namespace
 
+Vec2 WideLoop::direction(std::size_t edge) const {
+  const Vec2 way = points[next(edge)] - points[edge];
+  const double length = norm(way);
+  return length > 0.0 ? 1.0 / length * way : Vec2{};
+}
+
+OutlineCorner WideLoop::corner(std::size_t point, Corners corners, double mitre_limit) const {
+  const std::size_t before = last(point);
+  return {points[point], direction(before), direction(point), widths[before],
+          widths[point], corners,           mitre_limit};
+}
+
 void append_join(const OutlineCorner& corner, Polygon& line) {
   line.push_back(corner.point + corner.width_before * outwards(corner.before));
   const double turn = turn_of(corner);

@@ -36,14 +36,28 @@ class FartherThan {
 
 }  // namespace
 
-double filled_slit_length(std::span<const Polygon> outline, std::span<const Polygon> cut,
-                          double width) {
+std::vector<OutlineStretch> filled_slits(std::span<const Polygon> outline,
+                                         std::span<const Polygon> cut, double width) {
   FartherThan is_far(polygon_edges(cut), 2.0 * width);
-  double length = 0.0;
-  for (const PolygonEdge& edge : polygon_edges(outline)) {
-    if (is_far(edge.a) && is_far(edge.b)) length += norm(edge.b - edge.a);
+  std::vector<OutlineStretch> stretches;
+  for (std::size_t l = 0; l < outline.size(); ++l) {
+    const Polygon& loop = outline[l];
+    std::vector<double> filled;  // the length of each edge, 0 of those with a cut line
+    filled.reserve(loop.size());
+    for (const PolygonEdge& edge : polygon_edges({&loop, 1}))
+      filled.push_back(is_far(edge.a) && is_far(edge.b) ? norm(edge.b - edge.a) : 0.0);
+    const std::size_t count = loop.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!(filled[i] > 0.0) || filled[(i + count - 1) % count] > 0.0) continue;
+      OutlineStretch stretch = {l, i, 0.0};
+      std::size_t edges = 0;
+      for (; edges < count && filled[(i + edges) % count] > 0.0; ++edges)
+        stretch.length += filled[(i + edges) % count];
+      stretch.middle = (i + (edges + 1) / 2) % count;
+      stretches.push_back(stretch);
+    }
   }
-  return length;
+  return stretches;
 }
 
 }  // namespace planish

@@ -1,17 +1,26 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include <planish/pattern/piece_outline.h>
 
 namespace planish {
 
-/// The length of the outline's edges that an allowance leaves without a cut line beside them, as it
-/// fills slits and darts: those with both ends farther from the cut line than two widths. No edge
-/// of a bay with an angle of 60 degrees or more is as far. Millimetres.
+/// Edges of an outline that follow each other.
+struct OutlineStretch {
+  std::size_t loop = 0;
+  std::size_t middle = 0;  ///< a point half way along
+  double length = 0.0;     ///< millimetres
+};
+
+/// The stretches of the outline that an allowance leaves without a cut line beside them, as it
+/// fills slits and darts: edges with both ends farther from the cut line than two widths. No edge
+/// of a bay with an angle of 60 degrees or more is as far.
 /// @param cut what offset_outline() made of the outline
 /// @param width the widest allowance, millimetres, above 0
-double filled_slit_length(std::span<const Polygon> outline, std::span<const Polygon> cut,
-                          double width);
+std::vector<OutlineStretch> filled_slits(std::span<const Polygon> outline,
+                                         std::span<const Polygon> cut, double width);
 
 }  // namespace planish

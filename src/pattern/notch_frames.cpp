@@ -281,7 +281,19 @@ NotchFrame NotchFrames::at(const NotchSeat& seat) const {
   return standing_on_seam(frame);
 }
 
-std::vector<NotchSeat> NotchFrames::pair_around(const NotchSeat& seat) const {
+/// Of a corner beside an edge without an allowance, as the end of a fold, the other edge.
+NotchSeat NotchFrames::beside_bare_edge(NotchSeat seat) const {
+  const auto corner = seat.side == SeatSide::both ? corner_at(seat) : std::nullopt;
+  if (!corner) return seat;
+  const std::size_t count = outline_.loops[seat.loop].size();
+  const bool wide_before = width_at(seat.loop, (corner->point + count - 1) % count) > 0.0;
+  const bool wide_after = width_at(seat.loop, corner->point) > 0.0;
+  if (wide_before != wide_after) seat.side = wide_before ? SeatSide::before : SeatSide::after;
+  return seat;
+}
+
+std::vector<NotchSeat> NotchFrames::pair_around(const NotchSeat& place) const {
+  const NotchSeat seat = has_allowance_ ? beside_bare_edge(place) : place;
   const double aside = 0.5 * sizes_.spacing;
   double middle = seat.way;
   if (seat.side != SeatSide::both) {

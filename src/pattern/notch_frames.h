@@ -47,7 +47,7 @@ class NotchFrames {
   const BorderWalk& walk(std::size_t loop) const { return walks_[loop]; }
   NotchFrame at(const NotchSeat& seat) const;
   /// Two places as far apart as a double notch's: of the side of a corner, both on that side.
-  std::vector<NotchSeat> pair_around(const NotchSeat& seat) const;
+  std::vector<NotchSeat> pair_around(const NotchSeat& place) const;
 
  private:
   /// Corners beside a way, the nearest ones; no farther than once around.
@@ -72,6 +72,7 @@ class NotchFrames {
   std::optional<NotchFrame> along_bare_edge(const NotchSeat& seat, Vec2 inward, Vec2 other,
                                             double width) const;
   std::optional<NotchFrame> at_end_of_fold(const NotchSeat& seat) const;
+  NotchSeat beside_bare_edge(NotchSeat seat) const;
   NotchFrame at_corner(const NotchSeat& seat, const Corner& corner) const;
   NotchFrame standing_on_seam(NotchFrame frame) const;
 

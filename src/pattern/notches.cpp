@@ -83,18 +83,40 @@ NotchSeat seat_of(const PieceOutline& outline, const Notch& notch, const NotchFr
           side};
 }
 
+/// How deep a notch is cut: as asked, but where the allowance beside it is narrower than that, and
+/// than elsewhere, half of it; where there is none, half as deep as asked, into the piece.
+double depth_at(const NotchFrame& frame, const NotchSizes& sizes, const Allowance& allowance) {
+  constexpr double k_bare = 1.0;  // millimetres: half of less would not be seen
+  if (sizes.depth <= frame.reach + 1e-6 || sizes.depth > allowance.width) return sizes.depth;
+  return 0.5 * (frame.reach < k_bare ? sizes.depth : frame.reach);
+}
+
+/// @param into_piece it may leave the allowance
 void check_depth(const PieceOutline& outline, const Notch& notch, const NotchFrame& frame,
-                 double depth, bool with_allowance) {
-  if (frame.on_seam) return;
+                 double depth, bool into_piece) {
   const std::string deep = " is " + fixed_text(depth, 3) + " mm deep and would reach ";
-  if (with_allowance && !(depth <= frame.reach + 1e-6)) {
+  if (!into_piece && !(depth <= frame.reach + 1e-6)) {
     fail(outline.piece, notch,
          deep + "through the seam, which is " + fixed_text(frame.reach, 3) + " mm from the cut");
   }
   // On the way it may leave the piece: between the jags of a border.
-  if (!with_allowance && !is_within(outline.loops, frame.seam + depth * frame.inward)) {
+  const double inside = depth - frame.reach;
+  if (into_piece && !is_within(outline.loops, frame.seam + inside * frame.inward))
     fail(outline.piece, notch, deep + "out of the piece");
+}
+
+/// The sizes of a notch where it stands.
+NotchSizes sizes_at(const PieceOutline& outline, const Notch& notch, const NotchFrame& frame,
+                    NotchSizes sizes, const Allowance& allowance, const NotchFrames& frames) {
+  if (frame.on_seam) {
+    sizes.depth = frame.reach;
+    return sizes;
   }
+  const double asked = sizes.depth;
+  if (frames.has_allowance()) sizes.depth = depth_at(frame, sizes, allowance);
+  const bool is_bare = sizes.depth < asked && sizes.depth > frame.reach;
+  check_depth(outline, notch, frame, sizes.depth, is_bare || !frames.has_allowance());
+  return sizes;
 }
 
 /// Where a V begins: on the cut line, half its width to the side.
@@ -108,7 +130,7 @@ Vec2 base(const NotchFrame& frame, std::span<const Polygon> cut, double aside, d
 
 PlacedNotch placed_notch(NotchKind kind, const NotchFrame& frame, std::span<const Polygon> cut,
                          const NotchSizes& sizes) {
-  const double depth = frame.on_seam ? frame.reach : sizes.depth;
+  const double depth = sizes.depth;
   const Vec2 start = frame.seam - frame.reach * frame.inward;
   const Vec2 tip = start + depth * frame.inward;
   const double half = 0.5 * sizes.width;
@@ -186,8 +208,8 @@ std::vector<PlacedNotch> place_notches(const PieceOutline& outline, std::span<co
         notch.is_double ? frames.pair_around(seat) : std::vector<NotchSeat>{seat};
     for (const NotchSeat& place : seats) {
       const NotchFrame frame = frames.at(place);
-      check_depth(outline, notch, frame, sizes.depth, frames.has_allowance());
-      PlacedNotch found = placed_notch(notch.kind, frame, cut, sizes);
+      const NotchSizes own = sizes_at(outline, notch, frame, sizes, allowance, frames);
+      PlacedNotch found = placed_notch(notch.kind, frame, cut, own);
       if (!is_there_already(found, placed)) placed.push_back(std::move(found));
     }
   }

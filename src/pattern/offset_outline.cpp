@@ -13,6 +13,7 @@
 #include "core/number_text.h"
 #include "geometry/crosses_itself.h"
 #include "pattern/allowance_joins.h"
+#include "pattern/bare_ends.h"
 #include "pattern/polygon/border_walk.h"
 #include "pattern/polygon/loop_box.h"
 #include "pattern/polygon/plane.h"
@@ -22,12 +23,6 @@
 namespace planish {
 
 namespace {
-
-/// A loop without edges of no length, and the width of each edge.
-struct WideLoop {
-  Polygon points;
-  std::vector<double> widths;
-};
 
 std::string about(const PieceOutline& outline) {
   return "piece \"" + outline.piece + "\": ";
@@ -132,26 +127,56 @@ bool stands_out(const WideLoop& wide, const BorderWalk& walk, std::size_t first,
   return turn_between(before, after) >= 0.5 * turn;
 }
 
-/// The raw offset line: it crosses itself wherever the outline is curved inwards.
-Polygon raw_line(const WideLoop& wide, const Allowance& allowance) {
-  const std::size_t count = wide.points.size();
+/// How the allowances of the edges at a point are to be joined.
+OutlineCorner corner_at(const WideLoop& wide, const BorderWalk& walk, std::size_t i,
+                        const Allowance& allowance) {
+  OutlineCorner corner = wide.corner(i, allowance.corners, allowance.mitre_limit);
+  const double turn = turn_between(corner.before, corner.after);
+  if (turn > 0.0 && !stands_out(wide, walk, i, i, turn)) corner.corners = Corners::round;
+  return corner;
+}
+
+/// The raw offset line: it crosses itself wherever the outline is curved inwards. Where allowances
+/// end beside an edge without, it is the outline.
+Polygon raw_line(const WideLoop& wide, const BareEnds& ends, const Allowance& allowance) {
   const BorderWalk walk(wide.points);
   Polygon line;
-  line.reserve(4 * count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t last = (i + count - 1) % count;
-    OutlineCorner corner = {wide.points[i],
-                            direction(wide.points[last], wide.points[i]),
-                            direction(wide.points[i], wide.points[(i + 1) % count]),
-                            wide.widths[last],
-                            wide.widths[i],
-                            allowance.corners,
-                            allowance.mitre_limit};
-    const double turn = turn_between(corner.before, corner.after);
-    if (turn > 0.0 && !stands_out(wide, walk, i, i, turn)) corner.corners = Corners::round;
-    append_join(corner, line);
+  line.reserve(4 * wide.points.size());
+  for (std::size_t i = 0; i < wide.points.size(); ++i) {
+    const OutlineCorner corner = corner_at(wide, walk, i, allowance);
+    if (!ends.is_at(i)) {
+      append_join(corner, line);
+      continue;
+    }
+    if (ends.of_edge[wide.last(i)].empty())
+      line.push_back(corner.point + corner.width_before * outwards(corner.before));
+    line.push_back(corner.point);
+    if (ends.of_edge[i].empty())
+      line.push_back(corner.point + corner.width_after * outwards(corner.after));
   }
   return line;
+}
+
+/// What the raw line lacks where allowances end: joins and stretches as far as the line that ends
+/// them, counter-clockwise each.
+void append_ends(const WideLoop& wide, const BareEnds& ends, const Allowance& allowance,
+                 std::vector<Polygon>& lines) {
+  const BorderWalk walk(wide.points);
+  const auto append = [&](Polygon area, std::span<const EndLine> bounds) {
+    area = left_of(std::move(area), bounds);
+    if (signed_area(area) > 0.0) lines.push_back(std::move(area));
+  };
+  for (std::size_t i = 0; i < wide.points.size(); ++i) {
+    if (ends.is_at(i)) {
+      Polygon join = {wide.points[i]};
+      append_join(ends.corners[i].value_or(corner_at(wide, walk, i, allowance)), join);
+      append(std::move(join), ends.of_join[i]);
+    }
+    if (ends.of_edge[i].empty()) continue;
+    const Vec2 a = wide.points[i], b = wide.points[wide.next(i)];
+    const Vec2 out = wide.widths[i] * outwards(wide.direction(i));
+    append({a, a + out, b + out, b}, ends.of_edge[i]);
+  }
 }
 
 /// Where two lines meet, given by a point and a direction each; nothing where they are parallel.
@@ -209,12 +234,14 @@ struct BluntCorner {
   Polygon area;
 };
 
-std::vector<BluntCorner> blunt_corners(const WideLoop& wide, std::size_t edges,
-                                       const Allowance& allowance) {
+std::vector<BluntCorner> blunt_corners(const WideLoop& wide, const BareEnds& ends,
+                                       std::size_t edges, const Allowance& allowance) {
   const BorderWalk walk(wide.points);
   std::vector<BluntCorner> corners;
   for (std::size_t i = 0; i < wide.points.size(); ++i) {
     Polygon area = area_of_blunt_corner(wide, walk, i, edges, allowance);
+    for (std::size_t k = 0; k <= edges; ++k)
+      area = left_of(std::move(area), ends.of_join[(i + k) % wide.points.size()]);
     if (area.empty() || !(signed_area(area) > 0.0)) continue;
     BluntCorner& corner = corners.emplace_back(BluntCorner{{}, std::move(area)});
     for (std::size_t k = 0; k <= edges; ++k)
@@ -227,7 +254,7 @@ std::vector<BluntCorner> blunt_corners(const WideLoop& wide, std::size_t edges,
 /// chipped corner. Areas that are counter-clockwise may be added to the raw line: docs/pattern.md.
 /// Two areas at one vertex would leave a notch between their tips, so neither is added; of two
 /// edges and one of them, that of both is.
-void append_blunt_corners(const WideLoop& wide, const Allowance& allowance,
+void append_blunt_corners(const WideLoop& wide, const BareEnds& ends, const Allowance& allowance,
                           std::vector<Polygon>& lines) {
   if (allowance.corners != Corners::mitre || wide.points.size() < 4) return;
   std::vector<int> areas_at(wide.points.size(), 0);
@@ -241,9 +268,9 @@ void append_blunt_corners(const WideLoop& wide, const Allowance& allowance,
       most = std::max(most, areas_at[v]);
     return most;
   };
-  std::vector<BluntCorner> corners = blunt_corners(wide, 2, allowance);
+  std::vector<BluntCorner> corners = blunt_corners(wide, ends, 2, allowance);
   std::for_each(corners.begin(), corners.end(), count);
-  std::vector<BluntCorner> of_one_edge = blunt_corners(wide, 1, allowance);
+  std::vector<BluntCorner> of_one_edge = blunt_corners(wide, ends, 1, allowance);
   std::erase_if(of_one_edge, [&](const BluntCorner& corner) { return most_at(corner) > 0; });
   std::for_each(of_one_edge.begin(), of_one_edge.end(), count);
   std::move(of_one_edge.begin(), of_one_edge.end(), std::back_inserter(corners));
@@ -296,8 +323,10 @@ std::vector<Polygon> offset_outline(const PieceOutline& outline, const Allowance
   lines.reserve(widened);
   for (std::size_t k = 0; k < widened; ++k) {
     const WideLoop wide = wide_loop(outline, k, allowance);
-    lines.push_back(raw_line(wide, allowance));
-    append_blunt_corners(wide, allowance, lines);
+    const BareEnds ends = bare_ends(wide, allowance.corners, allowance.mitre_limit);
+    lines.push_back(raw_line(wide, ends, allowance));
+    append_ends(wide, ends, allowance, lines);
+    append_blunt_corners(wide, ends, allowance, lines);
   }
   std::vector<Polygon> result = winding_union(lines);
   if (allowance.holes) check_holes(outline, result);

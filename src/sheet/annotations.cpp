@@ -254,6 +254,21 @@ void add_seam_numbers(const PieceOutline& outline, const std::vector<SeamNumber>
   }
 }
 
+/// The boxes of centred level texts, as lines that enclose nothing.
+std::vector<Polygon> boxes_of(const Layer& texts) {
+  std::vector<Polygon> boxes;
+  boxes.reserve(texts.shapes.size());
+  for (const DrawingShape& shape : texts.shapes) {
+    const Text& text = std::get<Text>(shape);
+    const double half = half_extent(text.text, text.height, {1.0, 0.0}), top = text.height;
+    const Vec2 at = text.at;
+    boxes.push_back(
+        there_and_back({at + Vec2{-half, 0.0}, at + Vec2{half, 0.0}, at + Vec2{half, top},
+                        at + Vec2{-half, top}, at + Vec2{-half, 0.0}}));
+  }
+  return boxes;
+}
+
 Layer annotation_layer(const LabelPlace& place, const std::vector<std::string>& lines) {
   Layer layer{"annotation", {}};
   layer.shapes.reserve(lines.size());
@@ -287,7 +302,12 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
       lines_of(options.label, options.fold && !options.fold->opened);
   check_marks(pattern.positions.size(), options.marks, outline.piece);
   std::vector<Polygon> inner = all_inner_lines(pattern, options);
-  const std::vector<Polygon> free = free_loops(pattern, options, inner);
+  Layer beside_edges{"annotation", {}};
+  if (options.edge_lengths) add_edge_lengths(outline, beside_edges);
+  add_seam_numbers(outline, options.seam_numbers, options.edge_lengths, beside_edges);
+  std::vector<Polygon> free = free_loops(pattern, options, inner);
+  for (Polygon& box : boxes_of(beside_edges))
+    free.push_back(std::move(box));
   const LabelPlace place = lines.empty() ? LabelPlace{} : label_place(outline, free, lines);
   std::vector<Polygon> grain;
   if (options.grain) {
@@ -306,8 +326,8 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
   layers.push_back(drill_layer(pattern, options.marks));
   layers.push_back(layer_of("internal", std::move(inner), k_internal));
   layers.push_back(annotation_layer(place, lines));
-  if (options.edge_lengths) add_edge_lengths(outline, layers.back());
-  add_seam_numbers(outline, options.seam_numbers, options.edge_lengths, layers.back());
+  for (DrawingShape& text : beside_edges.shapes)
+    layers.back().shapes.push_back(std::move(text));
   return layers;
 }
 

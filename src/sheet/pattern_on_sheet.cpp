@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include <planish/sheet/pattern_sheet.h>
+
 #include "geometry/crosses_itself.h"
 #include "pattern/filled_slit.h"
 #include "pattern/pattern_hash.h"
@@ -27,6 +29,16 @@ double widest_allowance(const PatternOptions& options) {
   for (const EdgeAllowance& edge : options.edge_allowances)
     width = std::max(width, edge.width);
   return width;
+}
+
+std::vector<FilledStretch> filled_in(const PlacedPattern& pattern, const PatternOptions& options) {
+  std::vector<FilledStretch> filled;
+  const double widest = widest_allowance(options);
+  if (!(widest > 0.0)) return filled;
+  for (const OutlineStretch& stretch : filled_slits(pattern.outline.loops, pattern.cut, widest)) {
+    filled.push_back({pattern.outline.vertices[stretch.loop][stretch.middle], stretch.length});
+  }
+  return filled;
 }
 
 /// What overlaps itself has no one outer side that an allowance could be laid on.
@@ -64,6 +76,15 @@ PatternOnSheet put_on_sheet(PatternOnSheet sheet, bool mirrored) {
 
 }  // namespace
 
+std::vector<FilledStretch> filled_stretches(const TriMesh& mesh, std::span<const Vec2> positions,
+                                            Unit unit, const PatternOptions& options) {
+  if (!options.allowance) return {};
+  PatternOptions plain = options;
+  plain.notches.clear();
+  plain.curves = {.tolerance = 0.0};
+  return filled_in(placed_pattern(mesh, positions, unit, options.label.name, plain), plain);
+}
+
 PatternOnSheet pattern_on_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
                                 const std::string& name, const PatternOptions& wanted) {
   PatternOptions options = possible_options(wanted, unfold.pattern);
@@ -79,8 +100,8 @@ PatternOnSheet pattern_on_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
                       .model_scale = options.model_scale};
   facts.form_faults = options.form_faults;
   facts.cautions = options.cautions;
-  if (const double widest = widest_allowance(options); widest > 0.0)
-    facts.filled_slit = filled_slit_length(pattern.outline.loops, pattern.cut, widest);
+  for (const FilledStretch& stretch : filled_in(pattern, options))
+    facts.filled_slit += stretch.length;
   if (options.moved) facts.moved = millimetres_per(unfold.unit) * *options.moved;
   const bool mirrored = options.like && options.like->mirrored;
   PatternOnSheet sheet =

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -210,14 +211,27 @@ struct Row {
   Color color;
 };
 
+/// The letters that fit in the column.
+constexpr double k_smallest_letter = 2.0;
+constexpr auto k_column_letters =
+    static_cast<std::size_t>(k_column_width / (k_letter_width * k_smallest_letter));
+
+/// As high as fits in the column.
+double letter_height(const std::string& text, double usual) {
+  const double letters = std::max(1.0, static_cast<double>(letters_in(text)));
+  return std::min(usual, k_column_width / (k_letter_width * letters));
+}
+
 /// Each as wide as the column at most.
-std::vector<Row> rows_of(const UnfoldReport& unfold, const SheetFacts& facts) {
-  constexpr double smallest = 2.0;
-  constexpr auto room = static_cast<std::size_t>(k_column_width / (k_letter_width * smallest));
+/// @param size_lines what size_text() says; the first one is no row
+std::vector<Row> rows_of(const UnfoldReport& unfold, const SheetFacts& facts,
+                         std::span<const std::string> size_lines) {
   std::vector<Row> rows;
+  for (const std::string& line : size_lines.subspan(1))
+    rows.push_back({line, k_label_color});
   const auto add = [&](const std::string& text, Color color) {
     if (text.empty()) return;
-    for (std::string& line : broken_lines(text, room))
+    for (std::string& line : broken_lines(text, k_column_letters))
       rows.push_back({std::move(line), color});
   };
   add(unit_note(unfold.unit, facts.model_scale), k_label_color);
@@ -239,9 +253,7 @@ void add_rows(const std::vector<Row>& rows, Layer& layer) {
   const double pitch = std::min(usual_pitch, (first - last) / gaps);
   double y = first;
   for (const Row& row : rows) {
-    const double letters = std::max(1.0, static_cast<double>(letters_in(row.text)));
-    const double height = std::min(
-        {usual_height, height_of_pitch * pitch, k_column_width / (k_letter_width * letters)});
+    const double height = letter_height(row.text, std::min(usual_height, height_of_pitch * pitch));
     layer.shapes.emplace_back(Text{{k_column, y}, height, row.text, row.color});
     y -= pitch;
   }
@@ -256,8 +268,12 @@ Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
   if (!facts.name.empty()) {
     layer.shapes.emplace_back(name_text(facts.name, {k_column, top}, k_column_width));
   }
-  layer.shapes.emplace_back(Text{{k_column, top - 12.5}, 4.0, size_text(facts), k_label_color});
-  add_rows(rows_of(unfold, facts), layer);
+  const std::vector<std::string> size_lines = broken_lines(size_text(facts), k_column_letters);
+  layer.shapes.emplace_back(Text{{k_column, top - 12.5},
+                                 letter_height(size_lines.front(), 4.0),
+                                 size_lines.front(),
+                                 k_label_color});
+  add_rows(rows_of(unfold, facts, size_lines), layer);
   if (facts.overlap) layer.shapes.emplace_back(ring_around(*facts.overlap));
   return layer;
 }

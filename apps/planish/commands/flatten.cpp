@@ -195,8 +195,11 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   const Patch& design = report.evolve.remeshed_from ? report.processed : report.input;
   note_unequal_seams(session, design, report.unfold);
   about(path, [&] {
-    note_notches_on_seam_line(session, report.processed, report.unfold, name,
-                              on_processed(pattern.annotations, report));
+    const PatternOptions annotations = on_processed(pattern.annotations, report);
+    note_pattern(session, report.processed, report.unfold, name, annotations);
+    if (!pattern.output.only_layers.empty())
+      note_empty_layers(session, pattern_sheet(report.processed, report.unfold, name, annotations),
+                        pattern.output);
   });
   if (paths.contains(role_of("pattern", PatternFormat::plt)))
     note_plotter_reach(session, report.unfold);

@@ -117,6 +117,11 @@ void unfold_into(WorkFile& file, const std::filesystem::path& place, const Unfol
     file.text = line_of(report);
     file.misses = !all_kept(report.limits);
     if (place.empty()) return;
+    if (pattern_format_of(utf8_of(place)) && !report.pattern.overlaps) {
+      note_filled(
+          session, model.pieces.front(),
+          filled_stretches(patch.mesh(), report.pattern.positions, report.unit, annotations));
+    }
     file.files = {{place, content_of(utf8_of(place), model.pieces.front(), patch, report,
                                      request.output, annotations)}};
   });
@@ -164,12 +169,18 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
   });
   warn_of_pattern(session, report);
   note_unequal_seams(session, patch, report);
-  about(path,
-        [&] { note_notches_on_seam_line(session, patch, report, name, request.annotations); });
+  if (pattern_format_of(output))
+    about(path, [&] { note_pattern(session, patch, report, name, request.annotations); });
   const std::vector<OutputFile> files = {{path_of(output), content}};
   if (const auto format = pattern_format_of(output)) {
     if (format == PatternFormat::plt) note_plotter_reach(session, report);
     note_spelling(session, words_of(name, request.annotations.label), {*format}, request.output);
+    if (!request.output.only_layers.empty()) {
+      about(path, [&] {
+        note_empty_layers(session, pattern_sheet(patch, report, name, request.annotations),
+                          request.output);
+      });
+    }
     if (!request.output.paper) note_divided_pages(session, files, request.output);
   }
   CommandResult outcome = {path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" +

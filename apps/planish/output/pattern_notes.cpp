@@ -79,6 +79,24 @@ void note_spelling(Session& session, const std::vector<std::string>& words,
   }
 }
 
+void note_empty_layers(Session& session, const Drawing& drawing, const PatternOutput& output) {
+  std::vector<std::string> empty, there;
+  for (const Layer& layer : drawing.layers) {
+    const bool is_map = layer.name == "strain" || layer.name == "legend";
+    if (layer.shapes.empty() || (is_map && !output.map)) continue;
+    there.push_back(layer.name);
+  }
+  for (const std::string& name : output.only_layers) {
+    // The label of pieces is drawn on their sheets only.
+    const bool is_there = name == "label" || name == "strain" || name == "legend" ||
+                          std::find(there.begin(), there.end(), name) != there.end();
+    if (!is_there) empty.push_back(name);
+  }
+  if (empty.empty()) return;
+  session.note("--only-layers: the drawing has nothing on " + list_of_some(empty) + ", only on " +
+               list_of_some(there));
+}
+
 void note_divided_pages(Session& session, const std::vector<OutputFile>& files,
                         const PatternOutput& output) {
   for (const OutputFile& file : files) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <planish/draw/drawing.h>
 #include <planish/io/write_file.h>
 #include <planish/pattern/pattern_options.h>
 
@@ -21,6 +22,10 @@ std::vector<std::string> words_of(const std::string& name, const PieceLabel& lab
 /// Latin ones only.
 void note_spelling(Session& session, const std::vector<std::string>& words,
                    const std::vector<PatternFormat>& formats, const PatternOutput& output);
+
+/// Notes which of the layers that alone are written (--only-layers) have nothing on them in a
+/// drawing, and which layers have.
+void note_empty_layers(Session& session, const Drawing& drawing, const PatternOutput& output);
 
 /// Notes which .pdf files are longer than a page can be: they are divided into pages, or too large
 /// even for that.

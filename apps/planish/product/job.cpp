@@ -98,7 +98,7 @@ class ProductRun {
     CommandResult outcome = with_nesting_checked(with_exit_code({text, garment}), nesting);
     note_cautions_and_sizes(session_, report_);
     note_words();
-    note_notches();
+    note_patterns();
     note_divided_pages(session_, files, job_.output);
     warn_of_left(session_, job_.folder, left_behind(files));
     session_.write(files, job_.folder);
@@ -138,11 +138,23 @@ class ProductRun {
     return names;
   }
 
-  void note_notches() const {
-    if (!arguments_.has("--seam-notches")) return;
+  void note_patterns() const {
+    const bool has_allowance =
+        std::any_of(job_.annotations.begin(), job_.annotations.end(),
+                    [](const PatternOptions& own) { return own.allowance.has_value(); });
+    if (!has_allowance && !arguments_.has("--seam-notches") && job_.output.only_layers.empty())
+      return;
     try {
       const NestJob pieces{patches_with_notches(), report_.unit};
-      note_notches_on_seam_line(session_, pieces_sheet(pieces, report_.twins, ""));
+      const Drawing drawing = pieces_sheet(pieces, report_.twins, "");
+      const PatternOptions& usual = job_.annotations.front();
+      note_notches(session_, drawing, usual.notch_sizes.depth);
+      note_empty_layers(session_, drawing, job_.output);
+      for (const NestPatch& patch : pieces.patches) {
+        if (patch.pattern.empty()) continue;
+        note_filled(session_, patch.name,
+                    filled_stretches(patch.mesh, patch.pattern, report_.unit, patch.annotations));
+      }
     } catch (const Error&) {
       // The piece that cannot be drawn has reported this error already.
     }

@@ -62,9 +62,12 @@ std::vector<OutputFile> layout_files(const std::vector<Drawing>& sheets, const N
   std::vector<OutputFile> files;
   for (std::size_t s = 0; s < sheets.size(); ++s) {
     const std::string number = sheets.size() > 1 ? "-" + std::to_string(s + 1) : "";
+    const Drawing cut_once = without_common_lines(sheets[s]);
     for (const PatternFormat format : request.formats) {
+      const bool is_apparel =
+          format == PatternFormat::dxf && request.output.dxf.profile != DxfProfile::generic;
       files.push_back({folder / path_of("layout" + number + "." + std::string(to_string(format))),
-                       pattern_file(sheets[s], format, request.output)});
+                       pattern_file(is_apparel ? sheets[s] : cut_once, format, request.output)});
     }
   }
   return files;

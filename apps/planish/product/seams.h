@@ -10,6 +10,7 @@
 #include <planish/mesh/seams.h>
 #include <planish/pattern/notches.h>
 #include <planish/pattern/pattern_options.h>
+#include <planish/sheet/pattern_sheet.h>
 
 #include "product/product_file.h"
 #include "shell/command.h"
@@ -48,10 +49,15 @@ std::vector<MeasuredSeam> with_names(std::vector<MeasuredSeam> seams,
 PatternOptions annotations_on(PatternOptions annotations, const Arguments& arguments,
                               const Patch& patch, const std::string& name, Session& session);
 
-/// Says how many notches of a drawing stand on the seam line, where there is no cut line for them.
-void note_notches_on_seam_line(Session& session, const Drawing& drawing);
-/// The same of the pattern of a patch.
-void note_notches_on_seam_line(Session& session, const Patch& patch, const UnfoldReport& report,
-                               const std::string& name, const PatternOptions& annotations);
+/// Says how many notches of a drawing are not as asked: on the seam line, where there is no cut
+/// line for them, or shorter than `depth`, where there is less allowance than that.
+void note_notches(Session& session, const Drawing& drawing, double depth);
+/// The same of the pattern of a patch, and where its allowance fills slits.
+void note_pattern(Session& session, const Patch& patch, const UnfoldReport& report,
+                  const std::string& name, const PatternOptions& annotations);
+/// Says where the allowance of a pattern fills slits, darts or bays, so that no cut line runs
+/// there.
+void note_filled(Session& session, const std::string& piece,
+                 const std::vector<FilledStretch>& filled);
 
 }  // namespace planish::cli

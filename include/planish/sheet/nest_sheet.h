@@ -67,6 +67,12 @@ std::vector<NestPiece> nest_pieces(const NestJob& job);
 Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t number,
                    const std::string& title);
 
+/// A layout on which nothing is cut twice: where cut lines lie on each other to 0.001 mm, as
+/// without a gap, that of the piece drawn first stays, and the border of the sheet is left out
+/// where a cut line lies on it. What is left of a closed line is open lines, so formats whose
+/// pieces have closed boundaries take the layout as it is.
+Drawing without_common_lines(Drawing layout);
+
 /// Every piece once, side by side, with all that its annotations ask for and how many are
 /// cut: for formats that keep pieces as blocks. A twin is no piece by itself but a copy, or a
 /// mirror image, of the other one.

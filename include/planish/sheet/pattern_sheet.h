@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <planish/draw/color.h>
 #include <planish/draw/drawing.h>
@@ -38,6 +40,20 @@ Drawing pattern_sheet(const Patch& patch, const UnfoldReport& unfold, const std:
 
 /// How many notches of a sheet stand on the seam line (PlacedNotch::on_seam).
 std::size_t notches_on_seam_line(const Drawing& sheet);
+
+/// A stretch of the seam line without a cut line beside it, as the allowance fills a slit, a dart
+/// or a narrow bay there.
+struct FilledStretch {
+  Index vertex = 0;     ///< of the patch, half way along
+  double length = 0.0;  ///< millimetres
+};
+
+/// The stretches of a pattern that its allowance fills.
+/// @param mesh that was laid flat
+/// @param positions of its vertices in the pattern, model units
+/// @throws Error as offset_outline()
+std::vector<FilledStretch> filled_stretches(const TriMesh& mesh, std::span<const Vec2> positions,
+                                            Unit unit, const PatternOptions& options);
 
 /// The sheet without the strain map and its legend, whose layers stay and are empty.
 Drawing without_map(Drawing sheet);

@@ -111,10 +111,12 @@ class NestEngine {
   const std::vector<TurnedPiece>& turns(std::size_t piece) const { return shapes_[piece]; }
   double step() const { return step_; }
 
-  /// Lays copies in an order, by the numbers of their pieces.
+  /// Lays copies in an order, by the numbers of their pieces; nothing where that needs no less than
+  /// what is best so far, which is as known before the last copy: what is begun stays begun.
   /// @param on_copy called before each with how many are laid
-  LaidSheets lay(const std::vector<std::size_t>& order,
-                 const std::function<void(std::size_t)>& on_copy) const {
+  std::optional<LaidSheets> lay(const std::vector<std::size_t>& order,
+                                const std::optional<LaidSheets>& best,
+                                const std::function<void(std::size_t)>& on_copy) const {
     LaidSheets laid;
     std::vector<OpenSheet> sheets;
     for (const std::size_t piece : order) {
@@ -130,6 +132,7 @@ class NestEngine {
       if (lies_last == laid.sheets) laid.end = std::max(laid.end, copy.end);
       sheets[copy.sheet].columns.take(shape(copy).grown, copy.column, copy.lift);
       laid.copies.push_back(copy);
+      if (best && !laid.needs_less_than(*best)) return std::nullopt;
     }
     return laid;
   }
@@ -230,19 +233,21 @@ NestOrder order_of_try(int number, std::span<const NestPiece> pieces, const Nest
   return order;
 }
 
-/// How many orders there are to be.
+/// How many orders there are to be. Quarter turns find little more with more of them, and come
+/// behind those by half and before free ones.
 int tries_for(std::span<const NestPiece> pieces, const NestEngine& shop,
               const NestOptions& options) {
   if (options.tries > 0) return options.tries;
   std::size_t turned_copies = 1;
   for (std::size_t p = 0; p < pieces.size(); ++p)
     turned_copies += static_cast<std::size_t>(pieces[p].quantity) * shop.turns(p).size();
-  return static_cast<int>(std::clamp<std::size_t>(10'000 / turned_copies, 4, 200));
+  const std::size_t most = options.turns == Turns::quarter ? 2'500 : 10'000;
+  return static_cast<int>(std::clamp<std::size_t>(most / turned_copies, 4, 200));
 }
 
 LaidSheets best_of_tries(const NestEngine& shop, std::span<const NestPiece> pieces,
                          const NestOptions& options, const Context& context) {
-  LaidSheets best;
+  std::optional<LaidSheets> best;
   NestOrder best_order;
   std::set<NestOrder> known;
   SplitMix dice;
@@ -255,12 +260,12 @@ LaidSheets best_of_tries(const NestEngine& shop, std::span<const NestPiece> piec
       const double share = static_cast<double>(laid) / static_cast<double>(order.size());
       report_progress(context, {"nesting", (number + share) / tries});
     };
-    LaidSheets laid = shop.lay(order, on_copy);
-    if (number > 0 && !laid.needs_less_than(best)) continue;
+    std::optional<LaidSheets> laid = shop.lay(order, best, on_copy);
+    if (!laid) continue;
     best = std::move(laid);
     best_order = std::move(order);
   }
-  return best;
+  return best.value_or(LaidSheets{});
 }
 
 /// Numbers of the copies of each piece as they come, and their places in millimetres.
@@ -294,6 +299,26 @@ Nesting nesting_of(const LaidSheets& laid, const NestEngine& shop,
   const double before = static_cast<double>(laid.sheets - 1) * options.length.value_or(0.0);
   nesting.sheet_area = options.width * (before + nesting.used_length);
   return nesting;
+}
+
+/// The best layout in one set of turns.
+Nesting nest_in_turns(std::span<const NestPiece> pieces, const NestOptions& options,
+                      const Context& context) {
+  const double step = column_step(pieces, options);
+  const auto of_boxes = options.step > 0.0 ? std::nullopt : step_of_boxes(pieces, options, step);
+  PartsOfJob parts(context);
+  const NestEngine shop(pieces, options, step);
+  LaidSheets best = best_of_tries(shop, pieces, options, parts.next(of_boxes ? 0.5 : 1.0));
+  if (!of_boxes) return nesting_of(best, shop, pieces, options);
+  const NestEngine fitting(pieces, options, *of_boxes);
+  LaidSheets fitted = best_of_tries(fitting, pieces, options, parts.next(1.0));
+  if (fitted.needs_less_than(best)) return nesting_of(fitted, fitting, pieces, options);
+  return nesting_of(best, shop, pieces, options);
+}
+
+bool needs_less(const Nesting& a, const Nesting& b) {
+  if (a.sheets != b.sheets) return a.sheets < b.sheets;
+  return a.used_length < b.used_length - k_nest_slack;
 }
 
 }  // namespace
@@ -331,16 +356,23 @@ void check_copies(double copies) {
 Nesting nest(std::span<const NestPiece> pieces, const NestOptions& options,
              const Context& context) {
   check(pieces, options);
-  const double step = column_step(pieces, options);
-  const auto of_boxes = options.step > 0.0 ? std::nullopt : step_of_boxes(pieces, options, step);
+  // Laying is greedy, so with more turns it may come to need more. Hence all sets of turns are
+  // tried that are allowed: a larger one is never worse.
+  std::vector<NestOptions> sets;
+  for (const Turns turns : {Turns::none, Turns::half, Turns::quarter}) {
+    NestOptions some = options;
+    some.turns = turns;
+    if (turns < options.turns && all_fit(pieces, some)) sets.push_back(some);
+  }
+  sets.push_back(options);
   PartsOfJob parts(context);
-  const NestEngine shop(pieces, options, step);
-  LaidSheets best = best_of_tries(shop, pieces, options, parts.next(of_boxes ? 0.5 : 1.0));
-  if (!of_boxes) return nesting_of(best, shop, pieces, options);
-  const NestEngine fitting(pieces, options, *of_boxes);
-  LaidSheets fitted = best_of_tries(fitting, pieces, options, parts.next(1.0));
-  if (fitted.needs_less_than(best)) return nesting_of(fitted, fitting, pieces, options);
-  return nesting_of(best, shop, pieces, options);
+  std::optional<Nesting> best;
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    const double share = 1.0 / static_cast<double>(sets.size() - k);
+    Nesting some = nest_in_turns(pieces, sets[k], parts.next(share));
+    if (!best || !needs_less(*best, some)) best = std::move(some);
+  }
+  return *best;
 }
 
 }  // namespace planish

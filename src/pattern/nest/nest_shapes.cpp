@@ -85,6 +85,13 @@ bool is_multiple(double length, double step) {
   return std::abs(length - std::round(length / step) * step) < k_exact;
 }
 
+bool fits(Vec2 size, const NestOptions& options) {
+  const double width = options.width - 2.0 * options.margin + k_fit_slack;
+  const double length = options.length ? *options.length - 2.0 * options.margin + k_fit_slack
+                                       : std::numeric_limits<double>::infinity();
+  return size.x <= length && size.y <= width;
+}
+
 std::string size_text_of(Vec2 size) {
   return fixed_text(size.x, 1) + " x " + fixed_text(size.y, 1) + " mm";
 }
@@ -141,11 +148,18 @@ std::optional<double> step_of_boxes(std::span<const NestPiece> pieces, const Nes
   return largest->length / least;
 }
 
+bool all_fit(std::span<const NestPiece> pieces, const NestOptions& options) {
+  const std::vector<double> turns = turns_of(options.turns);
+  return std::all_of(pieces.begin(), pieces.end(), [&](const NestPiece& piece) {
+    return piece.quantity == 0 || std::any_of(turns.begin(), turns.end(), [&](double turn) {
+             const double angle = in_one_turn(piece.angle + turn);
+             return fits(loop_box(turned(piece.outline, angle)).size(), options);
+           });
+  });
+}
+
 std::vector<TurnedPiece> turned_pieces(const NestPiece& piece, const NestOptions& options,
                                        double step) {
-  const double width = options.width - 2.0 * options.margin + k_fit_slack;
-  const double length = options.length ? *options.length - 2.0 * options.margin + k_fit_slack
-                                       : std::numeric_limits<double>::infinity();
   std::vector<TurnedPiece> result;
   Vec2 narrowest{0.0, std::numeric_limits<double>::infinity()};
   for (const double turn : turns_of(options.turns)) {
@@ -153,7 +167,7 @@ std::vector<TurnedPiece> turned_pieces(const NestPiece& piece, const NestOptions
     std::vector<Polygon> loops = turned(piece.outline, candidate.angle);
     const LoopBox box = loop_box(loops);
     if (box.size().y < narrowest.y) narrowest = box.size();
-    if (!(box.size().x <= length && box.size().y <= width)) continue;
+    if (!fits(box.size(), options)) continue;
     for (Polygon& loop : loops) {
       for (Vec2& p : loop)
         p = p - box.low;

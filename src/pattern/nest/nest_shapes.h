@@ -28,6 +28,9 @@ double column_step(std::span<const NestPiece> pieces, const NestOptions& options
 std::optional<double> step_of_boxes(std::span<const NestPiece> pieces, const NestOptions& options,
                                     double step);
 
+/// Whether every piece fits on a sheet in one of its turns.
+bool all_fit(std::span<const NestPiece> pieces, const NestOptions& options);
+
 /// The piece in those turns in which it fits on a sheet.
 /// @throws Error piece_too_large where there are none
 std::vector<TurnedPiece> turned_pieces(const NestPiece& piece, const NestOptions& options,

@@ -1,5 +1,6 @@
 #include "pattern/polygon/winding_union.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -60,6 +61,9 @@ std::vector<Polygon> winding_union(std::span<const Polygon> lines) {
   polygons.reserve(result.size());
   for (const ClipperLib::Path& path : result)
     polygons.push_back(off_grid(path));
+  // Where lines have edges in common, Clipper may tell of holes first.
+  std::stable_partition(polygons.begin(), polygons.end(),
+                        [](const Polygon& polygon) { return signed_area(polygon) > 0.0; });
   return polygons;
 }
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <variant>
 
 #include "pattern/curves/piece_math.h"
+#include "pattern/polygon/border_walk.h"
 #include "sheet/piece/outlines.h"
 
 namespace planish {
@@ -120,6 +122,28 @@ PlacedPattern with_fitted_lines(PlacedPattern pattern, std::span<const Vec2> not
   return pattern;
 }
 
+/// Of a double notch at the end of a fold, half of the whole has one: the other one is its mirror
+/// image.
+std::vector<Notch> notches_of_half(std::vector<Notch> notches, const PieceOutline& outline,
+                                   const PatternOptions& options) {
+  if (!options.fold || options.fold->opened || !options.allowance) return notches;
+  const EdgeAllowance fold = fold_stretch(outline, *options.fold);
+  const std::vector<Index>& vertices = outline.vertices.front();
+  const BorderWalk walk(outline.loops.front());
+  for (Notch& notch : notches) {
+    const auto* vertex = std::get_if<Index>(&notch.place);
+    if (!notch.is_double || vertex == nullptr) continue;
+    if (*vertex != fold.from && *vertex != fold.to) continue;
+    const auto found = std::find(vertices.begin(), vertices.end(), *vertex);
+    if (found == vertices.end()) continue;
+    const double aside = (*vertex == fold.to ? 0.5 : -0.5) * options.notch_sizes.spacing;
+    const double way = walk.way_to(static_cast<std::size_t>(found - vertices.begin())) + aside;
+    notch.place = (way < 0.0 ? way + walk.length() : way) / walk.length();
+    notch.is_double = false;
+  }
+  return notches;
+}
+
 }  // namespace
 
 PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> positions, Unit unit,
@@ -145,7 +169,9 @@ PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> position
     pattern.cut = offset_outline(pattern.outline, allowance);
   }
   const auto notches_of = [&](const PlacedPattern& some, const Allowance& made_with) {
-    return place_notches(some.outline, some.cut, options.notches, options.notch_sizes, made_with);
+    return place_notches(some.outline, some.cut,
+                         notches_of_half(options.notches, some.outline, options),
+                         options.notch_sizes, made_with);
   };
   if (!mirrored) {
     pattern.notches = notches_of(pattern, allowance);

@@ -107,6 +107,16 @@ TEST_F(MachineFiles, NameTheLayersThatThereAre) {
   EXPECT_THAT(unfold("a.obj", {"--only-layers", "cut"}).err, HasSubstr("--only-layers goes with"));
 }
 
+TEST_F(MachineFiles, AreNotedWhereTheirLayersAreEmpty) {
+  const Names wanted = {"--allowance", "8mm", "--only-layers", "cut,notch,drill"};
+  const CliResult result = unfold("a.svg", wanted);
+  EXPECT_EQ(result.exit_code, k_exit_done);
+  EXPECT_THAT(result.err, HasSubstr("nothing on notch, drill, only on seam, label, cut"));
+  EXPECT_THAT(lay_out({"--formats", "svg", "--only-layers", "grain"}).err,
+              HasSubstr("nothing on grain"));
+  EXPECT_THAT(unfold("a.svg", {"--only-layers", "cut"}).err, Not(HasSubstr("nothing on")));
+}
+
 TEST_F(MachineFiles, OfPlottersBeginAtTheOriginWithEightPensAtMost) {
   std::ofstream("lines.txt") << "100 101\n";
   std::ofstream("marks.txt") << "100 drill\n";
@@ -145,11 +155,12 @@ TEST_F(MachineFiles, SayHowLettersBeyondLatinAreSpelled) {
 }
 
 TEST_F(MachineFiles, OfEarlierRunsAreNamed) {
-  ASSERT_EQ(lay_out({"--quantity", "3", "--sheet", "900mmx900mm"}).exit_code, k_exit_done);
+  const Names two_sheets = {"--quantity", "2", "--sheet", "900mmx900mm", "--formats", "svg,pdf"};
+  ASSERT_EQ(lay_out(two_sheets).exit_code, k_exit_done);
   ASSERT_TRUE(std::filesystem::exists("out/layout-2.svg"));
   const CliResult again = lay_out({"--sheet", "3000mm", "--formats", "svg"});
   EXPECT_THAT(again.err, HasSubstr("layout-1.svg"));
-  EXPECT_THAT(again.err, HasSubstr("layout-2.dxf"));
+  EXPECT_THAT(again.err, HasSubstr("layout-2.pdf"));
   EXPECT_THAT(again.err, HasSubstr("pattern.pdf"));
   EXPECT_THAT(again.err, Not(HasSubstr("layout.svg")));
   for (const auto& entry : std::filesystem::directory_iterator("out")) {

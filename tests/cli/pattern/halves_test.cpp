@@ -91,6 +91,8 @@ TEST_F(Halves, SayWhichNotchesStandOnTheSeamLine) {
                "--allowance", "12mm", "--seam-notches", "notches.txt"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_THAT(result.err, HasSubstr("drawn on the seam line"));
+  EXPECT_THAT(result.err, HasSubstr("the allowance fills slits, darts or bays: "));
+  EXPECT_THAT(result.err, HasSubstr("of seam line have no cut line beside them, near vertex "));
 }
 
 }  // namespace

@@ -25,13 +25,26 @@ PieceOutline slit_plate(double slit_width) {
             {0, 100}}}};
 }
 
+std::vector<OutlineStretch> filled_of(const PieceOutline& outline, double width) {
+  return filled_slits(outline.loops, offset_outline(outline, {.width = width}), width);
+}
+
 double filled(const PieceOutline& outline, double width) {
-  return filled_slit_length(outline.loops, offset_outline(outline, {.width = width}), width);
+  double length = 0.0;
+  for (const OutlineStretch& stretch : filled_of(outline, width))
+    length += stretch.length;
+  return length;
 }
 
 TEST(FilledSlit, HasTheLengthOfTheEdgesWithoutACutLine) {
   // Both sides from 40 on, 50 from the cut line, and the end, 30 from it.
   EXPECT_DOUBLE_EQ(filled(slit_plate(5.0), 10.0), 40.0 + 5.0 + 40.0);
+}
+
+TEST(FilledSlit, IsOneStretchWithTheTipInItsMiddle) {
+  const auto stretches = filled_of(slit_plate(5.0), 10.0);
+  ASSERT_EQ(stretches.size(), 1U);
+  EXPECT_EQ(stretches[0].middle, 4U);
 }
 
 TEST(FilledSlit, IsNoneWhereTheSlitStaysOpen) {

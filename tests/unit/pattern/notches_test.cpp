@@ -29,17 +29,18 @@ void expect_line(const Polygon& line, const Polygon& expected) {
 
 /// The strokes of all notches.
 std::vector<Polygon> notch_lines(const PieceOutline& outline, std::span<const Polygon> cut,
-                                 std::span<const Notch> notches, const NotchSizes& sizes = {}) {
+                                 std::span<const Notch> notches, const NotchSizes& sizes = {},
+                                 const Allowance& allowance = {}) {
   std::vector<Polygon> lines;
-  for (const PlacedNotch& notch : place_notches(outline, cut, notches, sizes))
+  for (const PlacedNotch& notch : place_notches(outline, cut, notches, sizes, allowance))
     lines.insert(lines.end(), notch.strokes.begin(), notch.strokes.end());
   return lines;
 }
 
 Error error_of(const PieceOutline& outline, std::span<const Polygon> cut, const Notch& notch,
-               const NotchSizes& sizes = {}) {
+               const NotchSizes& sizes = {}, const Allowance& allowance = {}) {
   try {
-    notch_lines(outline, cut, std::vector<Notch>{notch}, sizes);
+    notch_lines(outline, cut, std::vector<Notch>{notch}, sizes, allowance);
   } catch (const Error& error) {
     return error;
   }
@@ -117,13 +118,48 @@ TEST(Notches, AreNotTurnedByJags) {
 TEST(Notches, RefuseToReachThroughTheSeamOrThePiece) {
   const PieceOutline outline = panel();
   const auto cut = offset_outline(outline, {.width = 4.0});
-  const Error seam = error_of(outline, cut, {0.1}, {.depth = 4.5});
+  const Error seam = error_of(outline, cut, {0.1}, {.depth = 4.5}, {.width = 4.0});
   EXPECT_EQ(seam.code(), ErrorCode::misplaced_notch);
   EXPECT_THAT(seam.message(), HasSubstr("piece \"panel\": the notch at 0.1 of the border"));
   EXPECT_THAT(seam.message(), HasSubstr("through the seam, which is 4 mm from the cut"));
   EXPECT_NO_THROW(notch_lines(outline, cut, std::vector<Notch>{{0.1}}, {.depth = 4.0}));
   EXPECT_THAT(error_of(outline, outline.loops, {0.1}, {.depth = 51.0}).message(),
               HasSubstr("out of the piece"));
+}
+
+TEST(Notches, AreShorterBesideALesserAllowanceAndInThePieceBesideNone) {
+  // Below 10 mm, on the right 3 mm, above none.
+  const PieceOutline outline = panel();
+  const Allowance allowance{.width = 10.0, .edge_widths = {{10.0, 3.0, 0.0, 10.0}}};
+  const auto cut = offset_outline(outline, allowance);
+  const std::vector<Notch> notches{
+      {0.1}, {125.0 / 300.0}, {200.0 / 300.0, NotchKind::v}, {100.0 / 300.0}};
+  const auto lines = notch_lines(outline, cut, notches, {}, allowance);
+  ASSERT_EQ(lines.size(), 4U);
+  expect_line(lines[0], {{30, -10}, {30, -5}});
+  expect_line(lines[1], {{103, 25}, {101.5, 25}});
+  expect_line(lines[2], {{52, 50}, {50, 47.5}, {48, 50}});
+  EXPECT_THAT(error_of(outline, cut, {200.0 / 300.0}, {.depth = 11.0}, allowance).message(),
+              HasSubstr("through the seam, which is 0 mm from the cut"))
+      << "deeper than any allowance";
+}
+
+TEST(Notches, OfADoubleOneAtTheEndOfAFoldAreBothBesideTheOtherEdge) {
+  const PieceOutline outline = panel();
+  for (const bool below : {true, false}) {
+    // The fold is on the left, where the border ends.
+    const Allowance allowance{.width = 10.0, .edge_widths = {{10.0, 10.0, 10.0, 0.0}}};
+    const auto cut = offset_outline(outline, allowance);
+    const Notch notch{below ? Index{3} : Index{20}, NotchKind::slit, true};
+    const auto placed = place_notches(outline, cut, std::vector<Notch>{notch}, {}, allowance);
+    ASSERT_EQ(placed.size(), 2U);
+    std::vector<double> xs = {placed[0].at.x, placed[1].at.x};
+    std::sort(xs.begin(), xs.end());
+    EXPECT_NEAR(xs[0], 0.0, 1e-4);
+    EXPECT_NEAR(xs[1], 6.0, 1e-4);
+    for (const PlacedNotch& some : placed)
+      EXPECT_NEAR(some.at.y, below ? -10.0 : 60.0, 1e-4);
+  }
 }
 
 TEST(Notches, RefusePlacesOffTheBorder) {

@@ -226,5 +226,110 @@ TEST(OffsetOutline, GoesAroundASlitAndPointsThatComeTwice) {
   EXPECT_NEAR(signed_area(cut[0]), 50.0 * 40.0, 0.01);
 }
 
+/// Half of a piece: its fold runs up along x = 0, its other points come after the fold's upper end.
+struct Half {
+  std::string name;
+  Polygon points;
+
+  std::vector<Polygon> cut(Allowance allowance) const {
+    PieceOutline outline{name, {points}};
+    allowance.edge_widths = {std::vector<double>(points.size(), allowance.width)};
+    allowance.edge_widths[0].back() = 0.0;
+    return offset_outline(outline, allowance);
+  }
+
+  /// The cut line of the whole, which has no fold.
+  std::vector<Polygon> opened_cut(const Allowance& allowance) const {
+    Polygon whole = points;
+    for (std::size_t i = points.size() - 1; i-- > 1;)
+      whole.push_back({-points[i].x, points[i].y});
+    return offset_outline({name, {whole}}, allowance);
+  }
+};
+
+/// From the lower end of the fold, counter-clockwise, to its upper end.
+std::vector<Half> halves() {
+  std::vector<Half> some;
+  for (const double lean : {-35.0, -10.0, -2.0, 0.0, 2.0, 10.0, 35.0, 60.0}) {
+    const double slope = std::tan(lean * std::numbers::pi / 180.0);
+    some.push_back({"leaning by " + std::to_string(lean),
+                    {{0, 0}, {100, 100 * slope}, {100, 250}, {0, 250 + 100 * slope}}});
+  }
+  // A neckline of short chords, of which several are within an allowance of the fold.
+  Half neck{"neckline", {{0, 0}, {150, 0}, {150, 200}, {60, 210}}};
+  for (int i = 1; i <= 30; ++i) {
+    const double angle = i * std::numbers::pi / 60.0;
+    neck.points.push_back({60 * std::cos(angle), 210 - 90 * std::sin(angle)});
+  }
+  neck.points.back().x = 0.0;
+  some.push_back(neck);
+  Half deep{"deep neckline", {{0, 0}, {150, 0}, {150, 200}, {60, 210}}};
+  for (int i = 1; i <= 30; ++i)
+    deep.points.push_back({60.0 - 2.0 * i, 210 - 4.0 * i - 0.05 * i * i});
+  some.push_back(deep);
+  return some;
+}
+
+TEST(OffsetOutline, IsHalfOfThatOfTheWholeBesideAFold) {
+  for (const Half& half : halves()) {
+    for (const Corners corners : {Corners::mitre, Corners::square, Corners::round}) {
+      for (const double width : {5.0, 12.0}) {
+        SCOPED_TRACE(half.name + ", " + std::string(to_string(corners)) + ", " +
+                     std::to_string(width));
+        const Allowance allowance{.width = width, .corners = corners};
+        const auto cut = half.cut(allowance), whole = half.opened_cut(allowance);
+        ASSERT_EQ(cut.size(), 1U);
+        ASSERT_EQ(whole.size(), 1U);
+        for (const Vec2 p : cut[0])
+          EXPECT_GE(p.x, -2e-5) << "nothing is beyond the fold";
+        EXPECT_NEAR(2.0 * signed_area(cut[0]), signed_area(whole[0]), 0.05);
+        EXPECT_LT(oracle::distances(cut, {half.points}).most, 2.5 * width + 1e-3);
+      }
+    }
+  }
+}
+
+TEST(OffsetOutline, HasItsOuterLineBeforeWhatItEncloses) {
+  // Beside an edge without an allowance, two others close in on a place.
+  const PieceOutline star{"star",
+                          {{{83.4118, 0.0},
+                            {22.2927, 11.7001},
+                            {44.5764, 64.58},
+                            {11.926, 98.2198},
+                            {-26.5745, 70.0712},
+                            {-44.9987, 39.8654},
+                            {-66.2525, 16.3298},
+                            {-37.8096, -9.3192},
+                            {-74.3227, -65.8442},
+                            {-6.5498, -17.2703},
+                            {2.4816, -20.4381},
+                            {19.9157, -28.8528},
+                            {8.8546, -4.6472}}}};
+  const auto cut = offset_outline(
+      star, {.mitre_limit = 4.8,
+             .edge_widths = {{15.5, 9.5, 14.5, 11.5, 15.5, 12, 2, 12, 15.5, 5.5, 15, 15, 0}}});
+  ASSERT_EQ(cut.size(), 2U);
+  EXPECT_GT(signed_area(cut[0]), 0.0);
+  EXPECT_LT(signed_area(cut[1]), 0.0);
+}
+
+TEST(OffsetOutline, EndsAcrossTheSideWhereThatOnlyGoesOnWithout) {
+  // A side of short edges in a zigzag, of which the allowance ends half way.
+  PieceOutline outline{"side", {{{0, 0}}}};
+  for (int i = 1; i < 20; ++i)
+    outline.loops[0].push_back({10.0 * i, i % 2 == 1 ? 1.0 : 0.0});
+  for (const Vec2 p : {Vec2{200, 0}, Vec2{200, 80}, Vec2{0, 80}})
+    outline.loops[0].push_back(p);
+  Allowance allowance{.width = 10.0};
+  allowance.edge_widths = {std::vector<double>(outline.loops[0].size(), 0.0)};
+  std::fill_n(allowance.edge_widths[0].begin(), 10, 10.0);
+  const auto cut = offset_outline(outline, allowance);
+  ASSERT_EQ(cut.size(), 1U);
+  double lowest = 0.0;
+  for (const Vec2 p : cut[0])
+    lowest = p.x > 70.0 && p.x < 100.0 ? std::min(lowest, p.y) : lowest;
+  EXPECT_LT(lowest, -8.9) << "as wide as asked up to its end";
+}
+
 }  // namespace
 }  // namespace planish

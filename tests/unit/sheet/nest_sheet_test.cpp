@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -91,6 +92,75 @@ TEST(NestSheet, DrawsEveryCopyWhereItWasLaid) {
                                             "sleeve 2 of 2"));
   ASSERT_EQ(sheet.pieces.size(), 4U);
   EXPECT_EQ(sheet.pieces[2].name, "sleeve 1 of 2");
+}
+
+/// The length along which edges of paths lie on each other, each pair once.
+double doubled_length(const std::vector<Path>& paths) {
+  std::vector<std::pair<Vec2, Vec2>> edges;
+  for (const Path& path : paths) {
+    for (const auto& line : path.lines) {
+      for (std::size_t i = 0; i + (path.closed ? 0 : 1) < line.size(); ++i)
+        edges.emplace_back(line[i], line[(i + 1) % line.size()]);
+    }
+  }
+  double doubled = 0.0;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto [a, b] = edges[i];
+    const Vec2 along = 1.0 / norm(b - a) * (b - a);
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto [c, d] = edges[j];
+      if (std::abs(cross(along, c - a)) > 1e-3 || std::abs(cross(along, d - a)) > 1e-3) continue;
+      const double first = dot(c - a, along), last = dot(d - a, along);
+      doubled += std::max(
+          0.0, std::min(norm(b - a), std::max(first, last)) - std::max(0.0, std::min(first, last)));
+    }
+  }
+  return doubled;
+}
+
+double length_of(const std::vector<Path>& paths) {
+  double length = 0.0;
+  for (const Path& path : paths) {
+    for (const auto& line : path.lines) {
+      for (std::size_t i = 0; i + (path.closed ? 0 : 1) < line.size(); ++i)
+        length += norm(line[(i + 1) % line.size()] - line[i]);
+    }
+  }
+  return length;
+}
+
+TEST(NestSheet, CutsCommonLinesOnce) {
+  // Two rows of boxes that fill the sheet, of two sizes, so that edges lie on parts of others.
+  const NestJob job{{flat_patch("long", 20, 10, {.label = {.quantity = 2}}),
+                     flat_patch("short", 10, 10, {.label = {.quantity = 4}})},
+                    Unit::mm,
+                    {.width = 200.0, .length = 400.0, .gap = 0.0}};
+  const Nesting nesting = nest(nest_pieces(job), job.sheets);
+  ASSERT_EQ(nesting.sheets, 1U);
+  const Drawing sheet = nest_sheet(job, nesting, 0, "boxes");
+  EXPECT_GT(doubled_length(nest_paths(sheet, "cut")), 399.0);
+  const Drawing once = without_common_lines(sheet);
+  const auto cut = nest_paths(once, "cut");
+  EXPECT_NEAR(doubled_length(cut), 0.0, 1e-2);
+  EXPECT_NEAR(length_of(cut),
+              length_of(nest_paths(sheet, "cut")) - doubled_length(nest_paths(sheet, "cut")), 1e-2)
+      << "nothing else is left out";
+  auto all = cut;
+  for (Path& path : nest_paths(once, "label"))
+    all.push_back(std::move(path));
+  EXPECT_NEAR(doubled_length(all), 0.0, 1e-2) << "nor on the border of the sheet";
+}
+
+TEST(NestSheet, LeavesLinesWithoutOthersOnThemClosed) {
+  NestJob job = jacket();
+  job.sheets.margin = 1.0;
+  const Drawing sheet = nest_sheet(job, nest(nest_pieces(job), job.sheets), 0, "jacket");
+  const Drawing once = without_common_lines(sheet);
+  for (const char* layer : {"cut", "label"}) {
+    ASSERT_EQ(nest_paths(once, layer).size(), nest_paths(sheet, layer).size());
+    for (const Path& path : nest_paths(once, layer))
+      EXPECT_TRUE(path.closed);
+  }
 }
 
 TEST(NestSheet, LaysTheGrainAlongTheSheet) {

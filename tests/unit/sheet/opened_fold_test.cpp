@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sheet/piece/placed_pattern.h"
 #include "support/meshes.h"
 #include "unit/sheet/layers.h"
 
@@ -106,6 +107,29 @@ TEST(OpenedFold, HasWhatIsOnTheHalfOnBothSides) {
     EXPECT_TRUE(std::any_of(notches.begin(), notches.end(), [&](const Path& other) {
       return norm(other.lines[0][0] - image) < 1e-6;
     }));
+  }
+}
+
+TEST(OpenedFold, HasBothOfADoubleNotchAtTheEndOfTheFoldAndTheHalfOneOfThem) {
+  for (const bool on_right : {false, true}) {
+    for (const std::size_t row : {0U, 6U}) {
+      const Index end = vertex_at(on_right ? 4 : 0, row);
+      const Half half =
+          half_piece({.allowance = Allowance{.width = 8.0},
+                      .notches = {{.place = end, .kind = NotchKind::slit, .is_double = true}},
+                      .notch_sizes = {.depth = 4.0}},
+                     on_right, 20.0);
+      const PlacedPattern alone = placed_pattern(half.patch.mesh, half.patch.pattern, Unit::mm,
+                                                 "half", half.patch.annotations);
+      ASSERT_EQ(alone.notches.size(), 1U);
+      EXPECT_NEAR(std::abs(cross(half.along, alone.notches[0].at - alone.positions[end])), 3.0,
+                  1e-4);
+      const std::vector<Path> notches = paths_on(laid(half), "notch");
+      ASSERT_EQ(notches.size(), 2U);
+      EXPECT_NEAR(
+          norm(std::get<NotchMark>(notches[0].mark).at - std::get<NotchMark>(notches[1].mark).at),
+          6.0, 1e-4);
+    }
   }
 }
 

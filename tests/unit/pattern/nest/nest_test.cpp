@@ -2,8 +2,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <set>
+#include <utility>
 
 #include <planish/core/error.h>
 #include <planish/pattern/nest.h>
@@ -201,6 +203,22 @@ TEST(Nest, NeedsNoMoreWithMoreTries) {
     const double used = nest(pieces, {.width = 500.0, .tries = tries}).used_length;
     EXPECT_LE(used, last);
     last = used;
+  }
+}
+
+TEST(Nest, NeedsNoMoreWithMoreTurns) {
+  for (unsigned seed = 1; seed < 6; ++seed) {
+    for (const std::optional<double> length : {std::optional<double>(), std::optional(420.0)}) {
+      const auto pieces = ragged_pieces(10, seed);
+      std::pair<std::size_t, double> last = {1000, 0.0};
+      for (const Turns turns : {Turns::none, Turns::half, Turns::quarter, Turns::free}) {
+        const Nesting nesting =
+            nest(pieces, {.width = 500.0, .length = length, .turns = turns, .step = 3.0});
+        const std::pair needed = {nesting.sheets, nesting.used_length};
+        EXPECT_LE(needed, last) << seed << " " << to_string(turns);
+        last = needed;
+      }
+    }
   }
 }
 

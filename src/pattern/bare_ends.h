@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "pattern/allowance_joins.h"
+
+namespace planish {
+
+/// A line that ends allowances: they are to its left.
+struct EndLine {
+  Vec2 at, along;
+};
+
+/// Where allowances end beside edges without one, as folds: at the lines of those edges.
+struct BareEnds {
+  /// By vertex, for corners where an allowance ends so: of the opened piece.
+  std::vector<std::optional<OutlineCorner>> corners;
+  std::vector<std::vector<EndLine>> of_join, of_edge;  ///< that cut the allowance there
+
+  /// Whether the join at a vertex is not that of two edges alone.
+  bool is_at(std::size_t vertex) const {
+    const std::size_t last = (vertex + corners.size() - 1) % corners.size();
+    return corners[vertex] || !of_join[vertex].empty() || !of_edge[vertex].empty() ||
+           !of_edge[last].empty();
+  }
+};
+
+/// The ends of a loop's allowances. One that would not come free of the line within four widths
+/// along its edges, as where a side only goes on without an allowance, has no end here.
+BareEnds bare_ends(const WideLoop& wide, Corners corners, double mitre_limit);
+
+/// What is left of a polygon to the left of lines. Two polygons with an edge in common still have
+/// what is left of it in common, to the last bit.
+Polygon left_of(Polygon polygon, std::span<const EndLine> lines);
+
+}  // namespace planish

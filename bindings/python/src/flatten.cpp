@@ -32,6 +32,7 @@ struct UnfoldResult {
   Patch patch;
   UnfoldReport report;
   cli::PatternFiles pattern;
+  std::vector<Caution> cautions = {};
   std::optional<cli::CutDone> cut = {};
   std::vector<std::string> notes = {};
 };
@@ -84,10 +85,13 @@ UnfoldResult unfold_mesh(const MeshData& data, const py::dict& keywords, py::obj
     const Patch patch(std::move(input.mesh));
     pattern.annotations =
         cli::annotations_on(std::move(pattern.annotations), arguments, patch, data.name, session);
+    std::vector<Caution> cautions = find_cautions(patch);
+    pattern.annotations.cautions = words_of(cautions);
     UnfoldReport report = unfold_patch(patch, unit, options, session.job_context({}));
     cli::warn_of_pattern(session, report);
     cli::note_unequal_seams(session, patch, report);
-    return UnfoldResult{data.name, patch, std::move(report), pattern, input.cut};
+    return UnfoldResult{data.name,           patch,    std::move(report), pattern,
+                        std::move(cautions), input.cut};
   });
   result.notes = job.notes();
   return result;
@@ -112,6 +116,8 @@ cli::PatternFiles pattern_files_of(const Drawable& drawable, cli::PatternFormat 
   });
   files.annotations.model_scale = drawable.pattern.annotations.model_scale;
   files.annotations.moved = drawable.pattern.annotations.moved;
+  files.annotations.form_faults = drawable.pattern.annotations.form_faults;
+  files.annotations.cautions = drawable.pattern.annotations.cautions;
   return files;
 }
 
@@ -337,8 +343,8 @@ void register_unfold(py::module_& module) {
       .def_property_readonly(
           "figures",
           [](const Result& result) {
-            return figures_of(json_report(result.report, find_cautions(result.patch),
-                                          cli::figures_of_cut(result.cut)));
+            return figures_of(
+                json_report(result.report, result.cautions, cli::figures_of_cut(result.cut)));
           },
           "All figures, with the keys of the program's --json.")
       .def("_drawing", drawing_of_unfold);

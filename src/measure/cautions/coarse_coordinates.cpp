@@ -15,11 +15,12 @@ namespace planish {
 namespace {
 
 constexpr double k_large_step = 0.01;  // of the mean edge
-// Numbers of 32 bits step by 2^-24 of themselves at least; of fewer than six digits may be round.
-constexpr double k_finest_step = 1.0 / (1 << 25), k_coarsest_step = 1e-5;
+// Numbers of eight digits step by 1e-8 of themselves at least; of fewer than six they may be round.
+constexpr double k_finest_step = 1e-8, k_coarsest_step = 1e-5;
 constexpr int k_fewest_digits = 6, k_most_digits = 8, k_most_digits_of_float = 9;
-constexpr double k_no_difference = 1.0 / (1 << 28);  // of the largest number: rounding
+constexpr double k_no_difference = 0x1p-32;  // of the largest number: rounding
 constexpr std::size_t k_fewest_numbers = 5;
+constexpr std::size_t k_most_neighbours = 32;  // of the middle of a row
 
 /// The coordinates of an axis.
 struct Axis {
@@ -93,43 +94,63 @@ double common_step(const Axis& axis) {
 
 /// Of rows of three vertices, how evenly they go on along an axis: by how many steps the way to the
 /// third differs from the way to the second.
-struct Rows {
+struct StepsOfRows {
   std::size_t even = 0, nearly = 0, uneven = 0;
 
   std::size_t count() const { return even + nearly + uneven; }
   /// The grid of a design goes on evenly, or is changed by more than rounding does.
-  bool show_rounding() const { return nearly >= 2 && 10 * nearly > count(); }
+  bool show_rounding() const { return 10 * nearly > count(); }
   bool are_even() const { return even > 0 && even == count(); }
   bool show_no_grid() const { return 2 * even < count(); }
 };
 
-/// The rows of opposite edges of a vertex, and of those along the border, that are no corner and
-/// lead along the axis.
-Rows rows_of(const Patch& patch, double Vec3::*coordinate, double step) {
-  constexpr double k_nearly = 2.0;
-  Rows rows;
-  const auto add = [&](Index before, Index v, Index after) {
-    const double scale = patch.unit_scale();
-    const Vec3 from = scale * patch.positions()[v] - scale * patch.positions()[before],
-               to = scale * patch.positions()[after] - scale * patch.positions()[v];
-    if (!(dot(from, to) > 0.5 * norm(from) * norm(to))) return;
-    const double first = std::round(from.*coordinate / (scale * step)),
-                 second = std::round(to.*coordinate / (scale * step));
-    if (first == 0.0 && second == 0.0) return;
-    const double change = std::abs(second - first);
-    ++(change == 0.0 ? rows.even : change <= k_nearly ? rows.nearly : rows.uneven);
-  };
+using Row = std::array<Index, 3>;
+
+/// The neighbour of a vertex to which the way from another one goes on straightest.
+Index straight_on_from(const Patch& patch, Index before, Index v) {
+  const double scale = patch.unit_scale();
+  const Vec3 from = scale * patch.positions()[v] - scale * patch.positions()[before];
+  Index best = before;
+  double largest = 0.5 * norm(from);  // 60 degrees
+  for (const Index after : patch.ring(v)) {
+    const Vec3 to = scale * patch.positions()[after] - scale * patch.positions()[v];
+    const double along = norm(to) > 0.0 ? dot(from, to) / norm(to) : 0.0;
+    if (along > largest) {
+      largest = along;
+      best = after;
+    }
+  }
+  return best;
+}
+
+/// Rows of three vertices, each the straightest from both of its ends; along the border too.
+std::vector<Row> rows_of(const Patch& patch) {
+  std::vector<Row> rows;
+  rows.reserve(3 * patch.vertex_count());
   for (Index v = 0; v < patch.vertex_count(); ++v) {
-    const auto ring = patch.ring(v);
-    if (ring.empty()) continue;
-    if (patch.is_border(v)) {
-      add(ring.front(), v, ring.back());
-    } else if (ring.size() % 2 == 0) {
-      for (std::size_t j = 0; j < ring.size() / 2; ++j)
-        add(ring[j], v, ring[j + ring.size() / 2]);
+    if (patch.ring(v).size() > k_most_neighbours) continue;
+    for (const Index before : patch.ring(v)) {
+      const Index after = straight_on_from(patch, before, v);
+      if (before < after && straight_on_from(patch, after, v) == before)
+        rows.push_back({before, v, after});
     }
   }
   return rows;
+}
+
+/// The steps of those rows that lead along an axis.
+StepsOfRows steps_of(std::span<const Row> rows, const Patch& patch, const Axis& axis, double step) {
+  constexpr double k_nearly = 2.0;
+  StepsOfRows steps;
+  for (const auto& [before, v, after] : rows) {
+    const auto place = [&](Index of) { return patch.positions()[of].*axis.coordinate; };
+    const double first = std::round((place(v) - place(before)) / step),
+                 second = std::round((place(after) - place(v)) / step);
+    if (first == 0.0 && second == 0.0) continue;
+    const double change = std::abs(second - first);
+    ++(change == 0.0 ? steps.even : change <= k_nearly ? steps.nearly : steps.uneven);
+  }
+  return steps;
 }
 
 int most_digits_of(const Axis& axis) {
@@ -141,7 +162,7 @@ int most_digits_of(const Axis& axis) {
 
 /// The step of 32-bit numbers of the size of the largest, where all numbers of the axis are such,
 /// several, and some use their last bit: else they may be those of a design. 0 where not.
-double step_of_floats(const Patch& patch, const Axis& axis) {
+double step_of_floats(const Patch& patch, const Axis& axis, std::span<const Row> rows) {
   const auto largest = static_cast<float>(axis.largest);
   if (!std::isfinite(largest)) return 0.0;
   const double step =
@@ -156,7 +177,7 @@ double step_of_floats(const Patch& patch, const Axis& axis) {
     uses_last_bit = uses_last_bit || std::remainder(nearest, 2.0 * step) != 0.0;
   }
   // Halves and quarters may be the grid of a design.
-  const bool is_grid = digits <= k_most_digits && rows_of(patch, axis.coordinate, step).are_even();
+  const bool is_grid = digits <= k_most_digits && steps_of(rows, patch, axis, step).are_even();
   return uses_last_bit && !is_grid ? step : 0.0;
 }
 
@@ -174,20 +195,22 @@ double decimal_step(const Axis& axis) {
 }
 
 /// By how much the numbers of an axis step; 0 where they have more digits than need be known.
-double step_of(const Patch& patch, const Axis& axis, const Writing& writing, double mean_edge) {
+double step_of(const Patch& patch, const Axis& axis, const Writing& writing,
+               std::span<const Row> rows, double mean_edge) {
   if (!axis.is_far(mean_edge) || axis.numbers.size() < 2) return 0.0;
-  if (const double step = step_of_floats(patch, axis); step > k_large_step * mean_edge) return step;
+  if (const double step = step_of_floats(patch, axis, rows); step > k_large_step * mean_edge)
+    return step;
   if (writing.fills)
     return math::power_of_ten(decimal_digits(axis.largest).power - writing.most_digits + 1);
   if (writing.most_digits <= k_most_digits) {
     const double step = decimal_step(axis);
-    if (step > 0.0 && rows_of(patch, axis.coordinate, step).show_rounding()) return step;
+    if (step > 0.0 && steps_of(rows, patch, axis, step).show_rounding()) return step;
   }
-  if (axis.numbers.size() < k_fewest_numbers) return 0.0;
   const double step = common_step(axis);
   if (!(step > 0.0) || step > k_coarsest_step * axis.largest) return 0.0;
-  const Rows rows = rows_of(patch, axis.coordinate, step);
-  return rows.show_rounding() || rows.show_no_grid() ? step : 0.0;
+  const StepsOfRows steps = steps_of(rows, patch, axis, step);
+  const bool are_many = axis.numbers.size() >= k_fewest_numbers;
+  return steps.show_rounding() || (are_many && steps.show_no_grid()) ? step : 0.0;
 }
 
 }  // namespace
@@ -201,9 +224,10 @@ std::optional<CoarseCoordinates> find_coarse_coordinates(const Patch& patch) {
   for (Axis& axis : axes)
     axis.numbers = numbers_of(patch, axis.coordinate);
   const Writing writing = writing_of(axes);
+  const std::vector<Row> rows = rows_of(patch);
   double step = 0.0;
   for (const Axis& axis : axes)
-    step = std::max(step, step_of(patch, axis, writing, mean_edge));
+    step = std::max(step, step_of(patch, axis, writing, rows, mean_edge));
   if (!(step > k_large_step * mean_edge)) return std::nullopt;
   return CoarseCoordinates{step, mean_edge};
 }

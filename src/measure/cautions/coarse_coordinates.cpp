@@ -9,6 +9,7 @@
 #include "core/math.h"
 #include "measure/area.h"
 #include "measure/cautions/decimal_digits.h"
+#include "measure/cautions/straight_rows.h"
 
 namespace planish {
 
@@ -20,7 +21,6 @@ constexpr double k_finest_step = 1e-8, k_coarsest_step = 1e-5;
 constexpr int k_fewest_digits = 6, k_most_digits = 8, k_most_digits_of_float = 9;
 constexpr double k_no_difference = 0x1p-32;  // of the largest number: rounding
 constexpr std::size_t k_fewest_numbers = 5;
-constexpr std::size_t k_most_neighbours = 32;  // of the middle of a row
 
 /// The coordinates of an axis.
 struct Axis {
@@ -106,33 +106,14 @@ struct StepsOfRows {
 
 using Row = std::array<Index, 3>;
 
-/// The neighbour of a vertex to which the way from another one goes on straightest.
-Index straight_on_from(const Patch& patch, Index before, Index v) {
-  const double scale = patch.unit_scale();
-  const Vec3 from = scale * patch.positions()[v] - scale * patch.positions()[before];
-  Index best = before;
-  double largest = 0.5 * norm(from);  // 60 degrees
-  for (const Index after : patch.ring(v)) {
-    const Vec3 to = scale * patch.positions()[after] - scale * patch.positions()[v];
-    const double along = norm(to) > 0.0 ? dot(from, to) / norm(to) : 0.0;
-    if (along > largest) {
-      largest = along;
-      best = after;
-    }
-  }
-  return best;
-}
-
 /// Rows of three vertices, each the straightest from both of its ends; along the border too.
 std::vector<Row> rows_of(const Patch& patch) {
   std::vector<Row> rows;
   rows.reserve(3 * patch.vertex_count());
   for (Index v = 0; v < patch.vertex_count(); ++v) {
-    if (patch.ring(v).size() > k_most_neighbours) continue;
     for (const Index before : patch.ring(v)) {
-      const Index after = straight_on_from(patch, before, v);
-      if (before < after && straight_on_from(patch, after, v) == before)
-        rows.push_back({before, v, after});
+      const Index after = straight_on(patch, before, v);
+      if (after != Edge::none && before < after) rows.push_back({before, v, after});
     }
   }
   return rows;
@@ -146,8 +127,9 @@ StepsOfRows steps_of(std::span<const Row> rows, const Patch& patch, const Axis& 
     const auto place = [&](Index of) { return patch.positions()[of].*axis.coordinate; };
     const double first = std::round((place(v) - place(before)) / step),
                  second = std::round((place(after) - place(v)) / step);
-    if (first == 0.0 && second == 0.0) continue;
     const double change = std::abs(second - first);
+    // Steps of one are what a grid has, and what rounding leaves of everything.
+    if (change == 0.0 && std::abs(first) < 2.0) continue;
     ++(change == 0.0 ? steps.even : change <= k_nearly ? steps.nearly : steps.uneven);
   }
   return steps;

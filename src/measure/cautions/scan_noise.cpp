@@ -10,6 +10,7 @@
 #include "core/careful_sum.h"
 #include "measure/area.h"
 #include "measure/bends.h"
+#include "measure/cautions/straight_rows.h"
 #include "measure/cautions/triangle_hinges.h"
 #include "measure/off_border.h"
 #include "measure/smoothed.h"
@@ -54,16 +55,6 @@ bool is_smooth(const Patch& patch, const std::vector<double>& curvatures, Index 
   return sum * own > k_smooth * own * own * static_cast<double>(patch.ring(v).size());
 }
 
-/// The vertex that goes on from one to the next and straight through it; none on the border and
-/// where no edge is opposite.
-Index straight_on(const Patch& patch, Index from, Index through) {
-  const auto ring = patch.ring(through);
-  if (patch.is_border(through) || ring.size() % 2 != 0) return Edge::none;
-  const auto at =
-      static_cast<std::size_t>(std::find(ring.begin(), ring.end(), from) - ring.begin());
-  return ring[(at + ring.size() / 2) % ring.size()];
-}
-
 /// Calls visit(values) for the values of inner vertices along each straight row of edges that
 /// begins and ends, in both directions.
 template <class Visit>
@@ -72,8 +63,7 @@ void for_each_row(const Patch& patch, const std::vector<double>& values, const V
   for (const Index first : patch.inner_vertices()) {
     for (const Index second : patch.ring(first)) {
       const Index before = straight_on(patch, second, first);
-      if (before != Edge::none && !patch.is_border(before) && patch.ring(before).size() % 2 == 0)
-        continue;
+      if (before != Edge::none && !patch.is_border(before)) continue;
       row.clear();
       Index from = first, to = second;
       row.push_back(values[from]);

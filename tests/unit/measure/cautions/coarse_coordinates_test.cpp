@@ -8,6 +8,7 @@
 
 #include "support/bent_sheets.h"
 #include "support/meshes.h"
+#include "unit/measure/cautions/random_diagonals.h"
 
 namespace planish {
 namespace {
@@ -165,6 +166,11 @@ TEST(CoarseCoordinates, AreNotTheGridOfADesign) {
           << unit << " at " << far;
     }
   }
+  TriMesh irregular = meshes::grid_with_random_diagonals(9, 9);
+  for (Vec3& p : irregular.positions)
+    p = {412300.0 + 0.7 * p.x, 412300.0 + 0.5 * p.y, 0.0};
+  EXPECT_FALSE(coarse_in(rounded(irregular, [](double x) { return std::round(10.0 * x) / 10.0; })))
+      << "divided at random";
   TriMesh uneven = meshes::flat_grid(5, 1);  // fields of 50, 75, 100 ... mm
   for (Vec3& p : uneven.positions)
     p = {412350.0 + 37.5 * p.x + 12.5 * p.x * p.x, 100.0 * p.y, 0.0};

@@ -12,6 +12,7 @@
 #include "measure/smoothed.h"
 #include "support/bent_sheets.h"
 #include "support/meshes.h"
+#include "unit/measure/cautions/random_diagonals.h"
 
 namespace planish {
 namespace {
@@ -149,10 +150,12 @@ TEST(ScanNoise, IsNoTextureThatRepeatsItself) {
           return height * edge * std::cos(2.0 * turn * u / (wave * edge)) *
                  std::cos(2.0 * turn * v / (wave * edge));
         };
-        TriMesh grid = meshes::flat_grid(cells, cells);
-        for (Vec3& p : grid.positions)
-          p = {edge * p.x, edge * p.y, quilt(edge * p.x, edge * p.y)};
-        EXPECT_FALSE(find_scan_noise(Patch(grid))) << "grid, " << wave << ", " << height;
+        for (TriMesh grid :
+             {meshes::flat_grid(cells, cells), meshes::grid_with_random_diagonals(cells, cells)}) {
+          for (Vec3& p : grid.positions)
+            p = {edge * p.x, edge * p.y, quilt(edge * p.x, edge * p.y)};
+          EXPECT_FALSE(find_scan_noise(Patch(grid))) << "grid, " << wave << ", " << height;
+        }
         EXPECT_FALSE(find_scan_noise(Patch(meshes::bent_sheet(cells,
                                                               [&](double u, double v) {
                                                                 return Vec3{u, v, quilt(u, v)};

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -104,49 +105,43 @@ struct StepsOfRows {
   bool show_no_grid() const { return 2 * even < count(); }
 };
 
-using Row = std::array<Index, 3>;
-
-/// Rows of three vertices, each the straightest from both of its ends; along the border too.
-std::vector<Row> rows_of(const Patch& patch) {
-  std::vector<Row> rows;
-  rows.reserve(3 * patch.vertex_count());
-  for (Index v = 0; v < patch.vertex_count(); ++v) {
-    for (const Index before : patch.ring(v)) {
-      const Index after = straight_on(patch, before, v);
-      if (after != Edge::none && before < after) rows.push_back({before, v, after});
-    }
-  }
-  return rows;
-}
-
-/// The steps of those rows that lead along an axis.
-StepsOfRows steps_of(std::span<const Row> rows, const Patch& patch, const Axis& axis, double step) {
+/// Of rows of three vertices, along the border too, that lead along an axis.
+StepsOfRows steps_of_rows(const Patch& patch, const Axis& axis, double step) {
   constexpr double k_nearly = 2.0;
   StepsOfRows steps;
-  for (const auto& [before, v, after] : rows) {
+  const auto add = [&](Index before, Index v, Index after) {
     const auto place = [&](Index of) { return patch.positions()[of].*axis.coordinate; };
     const double first = std::round((place(v) - place(before)) / step),
                  second = std::round((place(after) - place(v)) / step);
     const double change = std::abs(second - first);
     // Steps of one are what a grid has, and what rounding leaves of everything.
-    if (change == 0.0 && std::abs(first) < 2.0) continue;
+    if (change == 0.0 && std::abs(first) < 2.0) return;
     ++(change == 0.0 ? steps.even : change <= k_nearly ? steps.nearly : steps.uneven);
+  };
+  for (Index v = 0; v < patch.vertex_count(); ++v) {
+    for (const Index before : patch.ring(v)) {
+      const Index after = straight_on(patch, before, v);
+      if (after != Edge::none && before < after) add(before, v, after);
+    }
   }
   return steps;
 }
 
+/// Of a number of the axis; those above nine are not counted.
 int most_digits_of(const Axis& axis) {
   int most = 0;
-  for (const double number : axis.numbers)
+  for (const double number : axis.numbers) {
     most = std::max(most, decimal_digits(number).count);
+    if (most > k_most_digits_of_float) return most;
+  }
   return most;
 }
 
 /// The step of 32-bit numbers of the size of the largest, where all numbers of the axis are such,
 /// several, and some use their last bit: else they may be those of a design. 0 where not.
-double step_of_floats(const Patch& patch, const Axis& axis, std::span<const Row> rows) {
+double step_of_floats(const Patch& patch, const Axis& axis) {
+  if (!(axis.largest <= static_cast<double>(std::numeric_limits<float>::max()))) return 0.0;
   const auto largest = static_cast<float>(axis.largest);
-  if (!std::isfinite(largest)) return 0.0;
   const double step =
       static_cast<double>(largest) - static_cast<double>(std::nextafter(largest, 0.0F));
   // Eight or nine digits are the fewest that tell a 32-bit number from its neighbours.
@@ -159,8 +154,10 @@ double step_of_floats(const Patch& patch, const Axis& axis, std::span<const Row>
     uses_last_bit = uses_last_bit || std::remainder(nearest, 2.0 * step) != 0.0;
   }
   // Halves and quarters may be the grid of a design.
-  const bool is_grid = digits <= k_most_digits && steps_of(rows, patch, axis, step).are_even();
-  return uses_last_bit && !is_grid ? step : 0.0;
+  const auto is_grid = [&] {
+    return digits <= k_most_digits && steps_of_rows(patch, axis, step).are_even();
+  };
+  return uses_last_bit && !is_grid() ? step : 0.0;
 }
 
 /// The last of the decimal digits that numbers as large as the largest have; 0 where these are so
@@ -177,20 +174,18 @@ double decimal_step(const Axis& axis) {
 }
 
 /// By how much the numbers of an axis step; 0 where they have more digits than need be known.
-double step_of(const Patch& patch, const Axis& axis, const Writing& writing,
-               std::span<const Row> rows, double mean_edge) {
+double step_of(const Patch& patch, const Axis& axis, const Writing& writing, double mean_edge) {
   if (!axis.is_far(mean_edge) || axis.numbers.size() < 2) return 0.0;
-  if (const double step = step_of_floats(patch, axis, rows); step > k_large_step * mean_edge)
-    return step;
+  if (const double step = step_of_floats(patch, axis); step > k_large_step * mean_edge) return step;
   if (writing.fills)
     return math::power_of_ten(decimal_digits(axis.largest).power - writing.most_digits + 1);
   if (writing.most_digits <= k_most_digits) {
     const double step = decimal_step(axis);
-    if (step > 0.0 && steps_of(rows, patch, axis, step).show_rounding()) return step;
+    if (step > 0.0 && steps_of_rows(patch, axis, step).show_rounding()) return step;
   }
   const double step = common_step(axis);
   if (!(step > 0.0) || step > k_coarsest_step * axis.largest) return 0.0;
-  const StepsOfRows steps = steps_of(rows, patch, axis, step);
+  const StepsOfRows steps = steps_of_rows(patch, axis, step);
   const bool are_many = axis.numbers.size() >= k_fewest_numbers;
   return steps.show_rounding() || (are_many && steps.show_no_grid()) ? step : 0.0;
 }
@@ -206,10 +201,9 @@ std::optional<CoarseCoordinates> find_coarse_coordinates(const Patch& patch) {
   for (Axis& axis : axes)
     axis.numbers = numbers_of(patch, axis.coordinate);
   const Writing writing = writing_of(axes);
-  const std::vector<Row> rows = rows_of(patch);
   double step = 0.0;
   for (const Axis& axis : axes)
-    step = std::max(step, step_of(patch, axis, writing, rows, mean_edge));
+    step = std::max(step, step_of(patch, axis, writing, mean_edge));
   if (!(step > k_large_step * mean_edge)) return std::nullopt;
   return CoarseCoordinates{step, mean_edge};
 }

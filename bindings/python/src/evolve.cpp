@@ -12,6 +12,7 @@
 #include "commands/jobs.h"
 #include "flags/constraint_flags.h"
 #include "flags/method_flags.h"
+#include "flags/units.h"
 #include "job.h"
 #include "keywords.h"
 #include "mesh_data.h"

@@ -115,6 +115,19 @@ class FacetFinder {
     return math::atan2(norm(cross(from, to)), dot(from, to));
   }
 
+  /// Of the side from each corner to the next, whether an edge of it is bent.
+  std::vector<bool> bent_sides(const std::vector<Side>& outline,
+                               const std::vector<std::size_t>& corners) const {
+    const std::size_t n = outline.size();
+    std::vector<bool> bent(corners.size(), false);
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      const std::size_t end = c + 1 < corners.size() ? corners[c + 1] : corners.front() + n;
+      for (std::size_t i = corners[c]; i < end; ++i)
+        bent[c] = bent[c] || is_bent(outline[i < n ? i : i - n]);
+    }
+    return bent;
+  }
+
   void describe(const std::vector<Side>& outline) {
     const Index number = found_.of_triangle[outline.front().triangle];
     PlaneFacet& facet = found_.facets[number];
@@ -134,14 +147,7 @@ class FacetFinder {
     for (const Side side : outline) {
       if (is_bent(side)) facet.beyond.push_back(found_.of_triangle[hinge(side).other]);
     }
-    std::vector<bool> bent;
-    for (std::size_t c = 0; c < corners.size(); ++c) {
-      const std::size_t end = c + 1 < corners.size() ? corners[c + 1] : corners.front() + n;
-      bool any = false;
-      for (std::size_t i = corners[c]; i < end; ++i)
-        any = any || is_bent(outline[i % n]);
-      bent.push_back(any);
-    }
+    const std::vector<bool> bent = bent_sides(outline, corners);
     facet.bent_sides = static_cast<std::size_t>(std::count(bent.begin(), bent.end(), true));
     if (facet.bent_sides != 2) return;
     for (std::size_t c = 0; c < corners.size(); ++c) {

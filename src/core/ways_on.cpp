@@ -63,7 +63,9 @@ std::string_view way_on(ErrorCode code) {
     case ErrorCode::handles:
       return "Cut each handle open with --cut FILE, along a line around it";
     case ErrorCode::no_inner_vertex:
-      return "Join the triangles with --weld";
+      return "Join loose triangles with --weld; mesh a piece that is one with several rows of "
+             "facets "
+             "across";
     case ErrorCode::unreferenced_vertex:
       return "It stops nothing";
     case ErrorCode::option_out_of_range:

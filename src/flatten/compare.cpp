@@ -82,6 +82,8 @@ CompareReport compare(const Patch& patch, std::string name, const std::vector<Co
   CompareReport report;
   report.name = std::move(name);
   report.input = patch;
+  report.unit = options.unit;
+  report.cautions = find_cautions(patch);
   Comparison comparison(report, options, context, 1 + 2 * runs.size());
   comparison.measure_input();
   for (const CompareRun& run : runs)

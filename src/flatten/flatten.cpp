@@ -240,14 +240,6 @@ WorkShares shares_with(const StrainLimits& limits) {
   return limits.any() ? WorkShares{0.25, 0.2, 0.25} : WorkShares{0.15, 0.87, 0.95};
 }
 
-/// What the mesh of a smoothed design cannot show. Smoothing gives coordinates all digits, and
-/// leaves them where they were rounded to.
-std::vector<Caution> cautions_of_smoothed(const Patch& raw, const Patch& smooth) {
-  std::vector<Caution> cautions = find_cautions(smooth);
-  if (const auto rounded = find_coarse_coordinates(raw)) cautions.emplace_back(*rounded);
-  return cautions;
-}
-
 /// One run of the main job.
 class Flattening {
  public:
@@ -288,7 +280,7 @@ class Flattening {
                   "smooth_first does not go together with remesh, nor with fixed vertices");
     }
     const SmoothedDesign design = smooth_design(raw, options_.smooth_first);
-    report_.cautions = cautions_of_smoothed(raw, design.patch);
+    report_.cautions = find_cautions(raw, design.patch);
     work_on(design.patch);
     report_.evolve = with_smoothing(std::move(report_.evolve), raw, design.done);
     return finished(design.patch);

@@ -124,6 +124,7 @@ FrontierReport frontier(const Patch& patch, std::string name, const FrontierOpti
   report.unit = options.unit;
   report.limit = options.limit;
   report.limit_of_area = options.limit_of_area;
+  report.cautions = find_cautions(patch);
   FrontierRuns runs(patch, report, context);
   runs.add_design(options);
   runs.add_curve(stops_of(options, report.design.strain.rms), options.others.empty() ? 1.0 : 0.5);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "flatten/limit_checks.h"
@@ -176,6 +177,16 @@ bool has_all_of(const FlattenReport& twin, const FlattenReport& own) {
   return own.evolve.after.flattenable || !twin.evolve.after.flattenable;
 }
 
+/// What the form hides is alike, but the numbers of each are its own.
+std::vector<Caution> cautions_beside(const FlattenReport& twin, const Patch& patch) {
+  std::vector<Caution> cautions = twin.cautions;
+  std::erase_if(cautions, [](const Caution& caution) {
+    return std::holds_alternative<CoarseCoordinates>(caution);
+  });
+  if (const auto coarse = find_coarse_coordinates(patch)) cautions.emplace_back(*coarse);
+  return cautions;
+}
+
 bool holds_all(std::span<const Index> source, std::span<const Index> keep) {
   return source.empty() || std::all_of(keep.begin(), keep.end(), [&](Index v) {
            return std::binary_search(source.begin(), source.end(), v);
@@ -210,7 +221,7 @@ std::optional<FlattenReport> twin_report(const FlattenReport& twin, const Patch&
   report.unfold_before = before.of(twin.unfold_before);
   report.as_designed = before.of(twin.as_designed);
   report.rejected = twin.rejected;
-  report.cautions = twin.cautions;
+  report.cautions = cautions_beside(twin, patch);
   if (!has_all_of(twin, report)) return std::nullopt;
   const auto& pattern = report.unfold.pattern.positions;
   if (options.match_seams && !(after.mismatch_share(pattern) <= k_most_mismatch))

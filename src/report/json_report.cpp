@@ -189,8 +189,9 @@ std::string json_report(const MeasuredPatch& patch, const std::optional<StrainAs
   return document_of(measured_figures(patch, strain, cautions, unit), more);
 }
 
-std::string json_report(const EvolveReport& report, const std::vector<MoreFigures>& more) {
-  return document_of(to_json(report), more);
+std::string json_report(const EvolveReport& report, const std::vector<Caution>& cautions, Unit unit,
+                        const std::vector<MoreFigures>& more) {
+  return document_of(evolved_figures(report, cautions, unit), more);
 }
 
 std::string json_report(const UnfoldReport& report, const std::vector<Caution>& cautions,
@@ -230,7 +231,8 @@ Json to_json(const CompareReport& report) {
           {"input", to_json(report.before)},
           {"unfold_before", to_json(report.unfold_before)},
           {"best", best ? Json(name_of(report.runs[*best].run.method)) : Json(nullptr)},
-          {"runs", std::move(runs)}};
+          {"runs", std::move(runs)},
+          {"cautions", to_json(report.cautions, report.unit)}};
 }
 
 std::string json_report(const CompareReport& report) {
@@ -252,7 +254,8 @@ std::string json_report(const FrontierReport& report) {
                       {"limit", limit_of(report)},
                       {"curve", points_of(report.curve)},
                       {"others", points_of(report.others)},
-                      {"failures", std::move(failures)}});
+                      {"failures", std::move(failures)},
+                      {"cautions", to_json(report.cautions, report.unit)}});
 }
 
 std::string json_report(const Error& error) {

@@ -75,8 +75,10 @@ Json measured_figures(const MeasuredPatch& patch, const std::optional<StrainAsDe
   return json;
 }
 
-Json evolved_figures(const EvolveReport& report) {
-  return to_json(report);
+Json evolved_figures(const EvolveReport& report, std::span<const Caution> cautions, Unit unit) {
+  Json json = to_json(report);
+  json["cautions"] = to_json(cautions, unit);
+  return json;
 }
 
 Json unfolded_figures(const UnfoldReport& report, std::span<const Caution> cautions) {
@@ -84,6 +86,10 @@ Json unfolded_figures(const UnfoldReport& report, std::span<const Caution> cauti
   json.update(to_json(report.outcome()));
   json["cautions"] = to_json(cautions, report.unit);
   return json;
+}
+
+Json caution_figures(std::span<const Caution> cautions, Unit unit) {
+  return to_json(cautions, unit);
 }
 
 Json compared_figures(const CompareReport& report) {

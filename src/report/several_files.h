@@ -42,8 +42,9 @@ std::vector<Cell> compared_cells(const CompareReport* report, const ComparedMeth
 /// What the verbs print of one file with --json, but for the schema.
 Json measured_figures(const MeasuredPatch& patch, const std::optional<StrainAsDesigned>& strain,
                       std::span<const Caution> cautions, Unit unit);
-Json evolved_figures(const EvolveReport& report);
+Json evolved_figures(const EvolveReport& report, std::span<const Caution> cautions, Unit unit);
 Json unfolded_figures(const UnfoldReport& report, std::span<const Caution> cautions);
+Json caution_figures(std::span<const Caution> cautions, Unit unit);
 Json compared_figures(const CompareReport& report);
 
 /// A header line, then the lines of each file, as docs/command-line.md has them: path, cells,

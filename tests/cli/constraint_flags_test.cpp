@@ -89,8 +89,9 @@ TEST_F(ConstraintFlags, FixHoldsTheVerticesOfAList) {
   const CliResult evolved =
       planish({"evolve", "panel.obj", "-o", "held.obj", "--fix", "held.txt", "--sweeps", "3"});
   EXPECT_EQ(evolved.exit_code, k_exit_done) << evolved.err;
-  EXPECT_EQ(evolved.err,
-            "note: held.txt: fixed vertices: " + std::to_string(vertices.size()) + "\n");
+  EXPECT_THAT(
+      evolved.err,
+      HasSubstr("note: held.txt: fixed vertices: " + std::to_string(vertices.size()) + "\n"));
   EXPECT_EQ(moved(vertices, "panel.obj", "held.obj"), 0U);
   planish({"evolve", "panel.obj", "-o", "free.obj", "--sweeps", "3"});
   EXPECT_GT(moved(vertices, "panel.obj", "free.obj"), vertices.size() / 2);

@@ -85,7 +85,8 @@ TEST_F(Verbs, TellAtOnceWhatABorderForbids) {
 
 TEST_F(Verbs, SayNothingOfABorderThatForbidsNothing) {
   EXPECT_THAT(planish({"measure", "panel.obj"}).out, Not(HasSubstr("Advice")));
-  EXPECT_EQ(planish({"evolve", "panel.obj", "-o", "out.obj", "--sweeps", "1"}).err, "");
+  EXPECT_THAT(planish({"evolve", "panel.obj", "-o", "out.obj", "--sweeps", "1"}).err,
+              Not(HasSubstr("border")));
   write_mesh("closed.stl", TriMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                    {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
   const CliResult closed = planish({"measure", "closed.stl", "--json"});

@@ -91,6 +91,7 @@ void compare_into(WorkFile& file, const fs::path& place, const std::vector<Compa
                                     constraints_from(arguments, patch, session)};
     return compare(patch, input.pieces.front(), runs, options, session.job_context({}));
   });
+  note_cautions(session, path, report.cautions, report.unit);
   for (const ComparedMethod& method : report.runs)
     file.report.lines.push_back({compared_cells(&report, &method), method.failure});
   file.report.figures = compared_figures(report);
@@ -137,6 +138,7 @@ CommandResult run_compare(const Arguments& arguments, Session& session) {
     return compare(patch, input.pieces.front(), runs, options, session.job_context({}));
   });
 
+  note_cautions(session, path, report.cautions, report.unit);
   std::string json = json_report(report);
   std::string text = path + "  (" + size + ")\n\n" + compare_text(report);
   warn_of_failures(session, report);

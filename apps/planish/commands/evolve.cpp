@@ -51,10 +51,12 @@ void evolve_into(WorkFile& file, const std::filesystem::path& place, const Argum
                  Session& session) {
   const std::string& path = file.report.path;
   TriMesh mesh = read_whole(path, arguments, session);
-  const auto [evolved, report] = about(
+  const auto [evolved, report, cautions] = about(
       path, [&] { return evolve_as_asked(Patch(std::move(mesh)), path, arguments, session); });
+  const Unit unit = unit_from(arguments);
+  note_cautions(session, path, cautions, unit);
   file.report.lines = {{evolved_cells(&report)}};
-  file.report.figures = evolved_figures(report);
+  file.report.figures = evolved_figures(report, cautions, unit);
   file.text = line_of(report);
   file.misses = arguments.has("--require-target") && !report.outcome().target_met();
   if (!place.empty()) file.files = {{place, format_mesh(evolved, mesh_format_of(place))}};
@@ -90,17 +92,19 @@ CommandResult run_evolve(const Arguments& arguments, Session& session) {
 
   const std::string& path = arguments.operands.front();
   CutInput input = cut_as_asked(read_whole(path, arguments, session), path, arguments, session);
-  const auto [evolved, report] = about(path, [&] {
+  const auto [evolved, report, cautions] = about(path, [&] {
     const Patch patch(std::move(input.mesh));
     note_obstruction(session, patch);
     if (!arguments.has("--remesh")) note_memory(session, method, patch.vertex_count());
     return evolve_as_asked(patch, path, arguments, session);
   });
+  const Unit unit = unit_from(arguments);
+  note_cautions(session, path, cautions, unit);
   files.front().content = format_mesh(evolved, format);
   if (files.size() > 1) files.back().content = history_csv(report.result.history);
 
   std::string text = path + " -> " + output + "  (" + size_text(evolved) + ")\n";
-  const std::string json = json_report(report, figures_of_cut(input.cut));
+  const std::string json = json_report(report, cautions, unit, figures_of_cut(input.cut));
   CommandResult outcome =
       with_target_checked({text + evolve_text(report), json}, arguments, report);
   session.write(files);
@@ -127,16 +131,20 @@ Evolved evolve_as_asked(const Patch& patch, const std::string& path, const Argum
     const SmoothedDesign design = smooth_design(patch, length);
     EvolveReport report = with_smoothing(
         evolve_patch(design.patch, method, stopping, constraints, context), patch, design.done);
-    return {{report.result.positions, patch.triangles()}, std::move(report)};
+    return {{report.result.positions, patch.triangles()},
+            std::move(report),
+            find_cautions(patch, design.patch)};
   }
   if (arguments.has("--remesh")) {
     check_constraints(constraints, patch.vertex_count(), method);
     const RemeshedPatch remeshed = remesh(patch, constraints);
     EvolveReport report = evolve_remeshed(patch, remeshed, method, stopping, context);
-    return {{report.result.positions, remeshed.patch.triangles()}, std::move(report)};
+    return {{report.result.positions, remeshed.patch.triangles()},
+            std::move(report),
+            find_cautions(patch)};
   }
   EvolveReport report = evolve_patch(patch, method, stopping, constraints, context);
-  return {{report.result.positions, patch.triangles()}, std::move(report)};
+  return {{report.result.positions, patch.triangles()}, std::move(report), find_cautions(patch)};
 }
 
 Command evolve_command() {

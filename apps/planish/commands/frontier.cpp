@@ -131,6 +131,7 @@ CommandResult run_frontier(const Arguments& arguments, Session& session) {
     return frontier(patch, input.pieces.front(), options, session.job_context({}));
   });
 
+  note_cautions(session, path, report.cautions, report.unit);
   std::string json = json_report(report);
   std::string text = path + "  (" + size + ")\n\n" + frontier_text(report);
   warn_of_failures(session, report);

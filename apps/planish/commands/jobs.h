@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <planish/draw/color.h>
 #include <planish/flatten/flatten.h>
@@ -32,6 +33,7 @@ void check_evolve_request(const Arguments& arguments);
 struct Evolved {
   TriMesh mesh;  ///< with the evolved positions
   EvolveReport report;
+  std::vector<Caution> cautions = {};  ///< what the mesh of the patch cannot show
 };
 
 /// Evolves a patch as the flags of `evolve` ask.

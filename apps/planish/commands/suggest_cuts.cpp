@@ -75,6 +75,7 @@ CommandResult run_suggest_cuts(const Arguments& arguments, Session& session) {
   const TriMesh& mesh = model.mesh;
   const auto suggestion =
       about(path, [&] { return suggest_cuts(Patch(mesh), options, session.job_context(path)); });
+  note_cautions(session, path, suggestion.cautions, unit);
   const std::string& name = model.pieces.front();
   const auto files = about(path, [&] { return suggestion_files(suggestion, paths, unit, name); });
   std::string text =

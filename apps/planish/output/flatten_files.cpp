@@ -86,12 +86,13 @@ PatternFiles pattern_files_from(const Arguments& arguments) {
 PatternOptions with_move(PatternOptions annotations, const FlattenReport& report) {
   if (report.evolve.deviation.max > 0.0) annotations.moved = report.evolve.deviation.max;
   annotations.form_faults = form_faults(report.evolve);
-  annotations.cautions = words_of(report.cautions);
   return annotations;
 }
 
 PatternOptions on_processed(const PatternOptions& annotations, const FlattenReport& report) {
-  return report.source.empty() ? annotations : renumbered(annotations, report.source);
+  PatternOptions own = report.source.empty() ? annotations : renumbered(annotations, report.source);
+  own.cautions = words_of(report.cautions);
+  return own;
 }
 
 WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFiles& pattern,

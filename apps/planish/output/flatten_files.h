@@ -42,7 +42,7 @@ struct PageWords {
 /// What the file of a format is for: "pattern" and "as_designed" are the SVG.
 std::string role_of(const std::string& pattern, PatternFormat format);
 
-/// Annotations by the numbers of the processed patch.
+/// Annotations by the numbers of the processed patch, with what its mesh cannot show.
 PatternOptions on_processed(const PatternOptions& annotations, const FlattenReport& report);
 
 /// The same with what became of the form, for the sheet of the result.

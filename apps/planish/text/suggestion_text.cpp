@@ -7,6 +7,7 @@
 
 #include <planish_json/json.h>
 
+#include "report/several_files.h"
 #include "shell/text.h"
 #include "text/summary.h"
 
@@ -138,6 +139,7 @@ std::string suggestion_json(const CutSuggestion& suggestion, const SuggestOption
                        {"strain_before", to_json(suggestion.first.strain)},
                        {"strain", to_json(suggestion.last.strain)},
                        {"overlaps", suggestion.last.pattern.overlaps},
+                       {"cautions", caution_figures(suggestion.cautions, unit)},
                        {"files", Json(files)}};
   return json_document(object) + "\n";
 }

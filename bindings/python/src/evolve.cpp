@@ -12,6 +12,7 @@
 #include "commands/jobs.h"
 #include "flags/constraint_flags.h"
 #include "flags/method_flags.h"
+#include "flags/units.h"
 #include "job.h"
 #include "keywords.h"
 #include "mesh_data.h"
@@ -27,6 +28,7 @@ struct EvolveOutcome {
   std::string name;
   cli::Evolved evolved;
   std::optional<cli::CutDone> cut;
+  Unit unit = Unit::mm;
   std::vector<std::string> notes = {};
 };
 
@@ -38,7 +40,8 @@ EvolveOutcome evolve_mesh(const MeshData& data, const py::dict& keywords, py::ob
     cli::CutInput input = cut_input(data, arguments, session);
     const Patch patch(std::move(input.mesh));
     cli::note_obstruction(session, patch);
-    return EvolveOutcome{data.name, cli::evolve_as_asked(patch, {}, arguments, session), input.cut};
+    return EvolveOutcome{data.name, cli::evolve_as_asked(patch, {}, arguments, session), input.cut,
+                         cli::unit_from(arguments)};
   });
   outcome.notes = notes_on(data, arguments, job.notes());
   return outcome;
@@ -187,8 +190,8 @@ void register_evolve(py::module_& module) {
       .def_property_readonly(
           "figures",
           [](const EvolveOutcome& outcome) {
-            return figures_of(
-                json_report(outcome.evolved.report, cli::figures_of_cut(outcome.cut)));
+            return figures_of(json_report(outcome.evolved.report, outcome.evolved.cautions,
+                                          outcome.unit, cli::figures_of_cut(outcome.cut)));
           },
           "All figures, with the keys of the program's --json.");
   module.def("evolve", evolve_mesh, py::arg("mesh"), py::arg("keywords"), py::arg("progress"));

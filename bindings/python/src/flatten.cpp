@@ -32,6 +32,7 @@ struct UnfoldResult {
   Patch patch;
   UnfoldReport report;
   cli::PatternFiles pattern;
+  std::vector<Caution> cautions = {};
   std::optional<cli::CutDone> cut = {};
   std::vector<std::string> notes = {};
 };
@@ -85,13 +86,16 @@ UnfoldResult unfold_mesh(const MeshData& data, const py::dict& keywords, py::obj
     const Patch patch(std::move(input.mesh));
     pattern.annotations =
         cli::annotations_on(std::move(pattern.annotations), arguments, patch, data.name, session);
+    std::vector<Caution> cautions = find_cautions(patch);
+    pattern.annotations.cautions = words_of(cautions);
     UnfoldReport report = unfold_patch(patch, unit, options, session.job_context({}));
     const std::vector<Caution> cautions = find_cautions(patch);
     pattern.annotations.cautions = words_of(cautions);
     cli::note_cautions(session, data.name, cautions, unit);
     cli::warn_of_pattern(session, report);
     cli::note_unequal_seams(session, patch, report);
-    return UnfoldResult{data.name, patch, std::move(report), pattern, input.cut};
+    return UnfoldResult{data.name,           patch,    std::move(report), pattern,
+                        std::move(cautions), input.cut};
   });
   result.notes = notes_on(data, arguments, job.notes());
   return result;
@@ -343,8 +347,8 @@ void register_unfold(py::module_& module) {
       .def_property_readonly(
           "figures",
           [](const Result& result) {
-            return figures_of(json_report(result.report, find_cautions(result.patch),
-                                          cli::figures_of_cut(result.cut)));
+            return figures_of(
+                json_report(result.report, result.cautions, cli::figures_of_cut(result.cut)));
           },
           "All figures, with the keys of the program's --json.")
       .def("_drawing", drawing_of_unfold);

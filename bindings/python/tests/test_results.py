@@ -75,6 +75,17 @@ class Results(unittest.TestCase):
         unfolded = planish.unfold(self.panel, allowance="10mm", grain=[0, 0, 1])
         self.assertEqual(unfolded.svg(), planish.unfold(self.panel).svg(allowance="10mm", grain="0,0,1"))
 
+    def test_sheets_say_what_the_mesh_cannot_show(self):
+        places = [(50.0 * i, 300.0 * j, 3.0 * (i - 10) * (j - 0.5)) for j in range(2) for i in range(21)]
+        faces = [face for i in range(20) for face in ((i, i + 1, i + 22), (i, i + 22, i + 21))]
+        plate = planish.Mesh(np.array(places), np.array(faces))
+        words = "see the mesh: no vertex inside"
+        unfolded, flattened = planish.unfold(plate), planish.flatten(plate)
+        for sheet in (unfolded.svg(), unfolded.svg(grain=90), flattened.svg(), flattened.svg(as_designed=True)):
+            self.assertIn(words, sheet)
+        for result in (unfolded, flattened, planish.evolve(plate), planish.suggest_cuts(plate)):
+            self.assertEqual([caution["code"] for caution in result.figures["cautions"]], ["hidden_curvature"])
+
     def test_drawings_that_cannot_be(self):
         with self.assertRaisesRegex(TypeError, "has a pattern to draw"):
             planish.svg(planish.evolve(self.panel))

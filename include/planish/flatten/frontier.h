@@ -25,6 +25,7 @@ struct FrontierReport {
   std::vector<FrontierFailure> failures;  ///< runs without a result
   std::optional<double> limit;            ///< of strain, that was asked for
   bool limit_of_area = false;             ///< on 99 % of the area, else of every edge
+  std::vector<Caution> cautions;          ///< what the mesh of the patch cannot show
 
   /// The first point of the curve whose strain keeps the limit; nothing without one.
   std::optional<std::size_t> first_within_limit() const;

@@ -96,6 +96,10 @@ std::optional<ScanNoise> find_scan_noise(const Patch& patch);
 /// All of the above; facets are not judged where there is noise.
 std::vector<Caution> find_cautions(const Patch& patch);
 
+/// The same of a design that was smoothed. Smoothing gives coordinates all digits, and leaves them
+/// where they were rounded to.
+std::vector<Caution> find_cautions(const Patch& raw, const Patch& smoothed);
+
 /// "hidden_curvature", "coarse_coordinates", "coarse_facets" or "scan_noise".
 std::string_view code_of(const Caution& caution);
 

@@ -59,7 +59,10 @@ std::string json_report(const MeasuredPatch& patch,
                         const std::vector<Caution>& cautions = {}, Unit unit = Unit::mm,
                         const std::vector<MoreFigures>& more = {});
 /// With before and after, deviation and history.
-std::string json_report(const EvolveReport& report, const std::vector<MoreFigures>& more = {});
+/// @param cautions as find_cautions() of the patch
+/// @param unit one unit of the model, for the messages of cautions
+std::string json_report(const EvolveReport& report, const std::vector<Caution>& cautions = {},
+                        Unit unit = Unit::mm, const std::vector<MoreFigures>& more = {});
 /// With strain, sizes and limits.
 /// @param cautions as find_cautions() of the patch
 std::string json_report(const UnfoldReport& report, const std::vector<Caution>& cautions = {},

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include <planish/measure/cautions.h>
 #include <planish/mesh/cut.h>
 #include <planish/unfold/strain.h>
 #include <planish/unfold/unfold.h>
@@ -63,6 +64,7 @@ struct CutSuggestion {
   /// Where the search ended with `overlap`: the vertex of the input mesh at which a dart is needed
   /// most, and through which the patch can be divided.
   std::optional<Index> divide_at = {};
+  std::vector<Caution> cautions = {};  ///< what the mesh as it came cannot show
 
   /// Whether the pattern with all cuts keeps the limit.
   bool met() const { return stop == SuggestStop::strain_met; }

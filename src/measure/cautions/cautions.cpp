@@ -65,6 +65,12 @@ std::vector<Caution> find_cautions(const Patch& patch) {
   return cautions;
 }
 
+std::vector<Caution> find_cautions(const Patch& raw, const Patch& smoothed) {
+  std::vector<Caution> cautions = find_cautions(smoothed);
+  if (const auto rounded = find_coarse_coordinates(raw)) cautions.emplace_back(*rounded);
+  return cautions;
+}
+
 std::string_view code_of(const Caution& caution) {
   struct Code {
     std::string_view operator()(const HiddenCurvature&) const { return "hidden_curvature"; }

@@ -312,7 +312,9 @@ CutSuggestion suggest_cuts(const Patch& patch, const SuggestOptions& options,
   if (options.max_darts < 0) {
     throw Error(ErrorCode::option_out_of_range, "max_darts must be at least 0");
   }
-  return CutSearch(patch, options, context).run();
+  CutSuggestion found = CutSearch(patch, options, context).run();
+  found.cautions = find_cautions(patch);
+  return found;
 }
 
 }  // namespace planish

@@ -72,6 +72,53 @@ TEST_F(CautionsOfVerbs, OfSeveralFilesAreNotes) {
   EXPECT_THAT(content_of("all/plate.svg"), HasSubstr("see the mesh: no vertex inside"));
 }
 
+TEST_F(CautionsOfVerbs, AreNotesOfVerbsThatGiveNoPattern) {
+  for (const Names& args : {Names{"evolve", "plate.obj", "-o", "evolved.obj"},
+                            Names{"compare", "plate.obj", "--methods", "classical"},
+                            Names{"frontier", "plate.obj"}, Names{"suggest-cuts", "plate.obj"}}) {
+    const CliResult result = planish(args);
+    EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("plate.obj: No vertex is inside the mesh")) << args.front();
+    Names as_json = args;
+    as_json.push_back("--json");
+    const auto json = planish(as_json).json();
+    ASSERT_EQ(json["cautions"].size(), 1U) << args.front();
+    EXPECT_EQ(json["cautions"][0]["code"], "hidden_curvature") << args.front();
+  }
+  for (const Names& args : {Names{"evolve", "dome.obj", "plate.obj", "-o", "all"},
+                            Names{"compare", "dome.obj", "plate.obj", "--methods", "classical"}}) {
+    const CliResult result = planish(args);
+    EXPECT_THAT(result.err, AllOf(HasSubstr("plate.obj: No vertex is inside the mesh"),
+                                  Not(HasSubstr("dome.obj: No"))))
+        << args.front();
+    Names as_json = args;
+    as_json.push_back("--json");
+    const auto files = planish(as_json).json()["files"];
+    EXPECT_EQ(files[0]["cautions"].size(), 0U) << args.front();
+    EXPECT_EQ(files[1]["cautions"].size(), 1U) << args.front();
+  }
+}
+
+TEST_F(CautionsOfVerbs, AreOnTheSheetOfTheDesignToo) {
+  planish({"flatten", "plate.obj", "-o", "out"});
+  EXPECT_THAT(content_of("out/as-designed.svg"), HasSubstr("see the mesh: no vertex inside"));
+}
+
+TEST_F(CautionsOfVerbs, GoWithNoiseThatEvolvingTakesOut) {
+  TriMesh rough = meshes::rough_grid(20, 20, 7, 0.3);
+  write_mesh("rough.obj", rough);
+  EXPECT_THAT(planish({"evolve", "rough.obj", "-o", "a.obj", "--sweeps", "1"}).err,
+              HasSubstr("look like noise"));
+  EXPECT_THAT(
+      planish({"evolve", "rough.obj", "-o", "a.obj", "--sweeps", "1", "--smooth-first", "9mm"}).err,
+      Not(HasSubstr("look like noise")));
+}
+
+TEST_F(CautionsOfVerbs, AdviseWhatCanBeDoneWithOnePiece) {
+  EXPECT_THAT(planish({"measure", "plate.obj"}).out,
+              HasSubstr("mesh a piece that is one with several"));
+}
+
 TEST_F(CautionsOfVerbs, AreNoneOfASoundPatch) {
   const auto json = planish({"measure", "dome.obj", "--json"}).json();
   EXPECT_EQ(json["cautions"], nlohmann::json::array());

@@ -19,7 +19,9 @@ TEST(WaysOn, AreThereForEveryError) {
 
 TEST(WaysOn, StandBehindWhatTheErrorSays) {
   const Error error(ErrorCode::no_inner_vertex, "loose", {.path = "a.obj"});
-  EXPECT_EQ(with_way_on(error), "a.obj: loose. Join the triangles with --weld");
+  EXPECT_EQ(with_way_on(error),
+            "a.obj: loose. Join loose triangles with --weld; mesh a piece that is one with several "
+            "rows of facets across");
 }
 
 }  // namespace

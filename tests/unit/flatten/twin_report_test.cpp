@@ -71,6 +71,29 @@ TEST(TwinReport, HasThePatternMirroredToTheBit) {
   }
 }
 
+TEST(TwinReport, HasTheCautionsOfItsOwnNumbers) {
+  const auto far = [](TriMesh mesh) {
+    for (Vec3& p : mesh.positions)
+      p += {4e6, 0.0, 0.0};
+    return meshes::in_floats(std::move(mesh));
+  };
+  Pair pair = mirrored_pair();
+  const auto has_coarse = [](const FlattenReport& report) {
+    return std::any_of(report.cautions.begin(), report.cautions.end(), [](const Caution& caution) {
+      return std::holds_alternative<CoarseCoordinates>(caution);
+    });
+  };
+  EXPECT_FALSE(has_coarse(pair.twin().value()));
+  EXPECT_EQ(pair.twin()->cautions.size(), pair.report.cautions.size());
+  pair.report.cautions.emplace_back(CoarseCoordinates{1.0, 2.0});
+  EXPECT_FALSE(has_coarse(pair.twin().value())) << "the first lies far from the origin, not this";
+  pair.report.cautions.pop_back();
+  pair.second = far(pair.second);
+  const auto twin = pair.twin();
+  ASSERT_TRUE(twin);
+  EXPECT_TRUE(has_coarse(*twin));
+}
+
 TEST(TwinReport, HasItsOwnBorderAndTheMirroredInside) {
   const Pair pair = mirrored_pair();
   const FlattenReport twin = pair.twin().value();

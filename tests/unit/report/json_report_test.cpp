@@ -151,7 +151,7 @@ TEST(JsonReport, OfAnEvolutionHasTheKeysOfTheContract) {
               ElementsAre("schema", "method", "options", "sweeps", "stop", "threads", "seconds",
                           "before", "after", "deviation", "remeshed_from", "history",
                           "bending_ratio", "bending_added", "bending_lost", "normal_turn",
-                          "border_turn", "sharpest_fold", "smooth", "form_kept"));
+                          "border_turn", "sharpest_fold", "smooth", "form_kept", "cautions"));
   EXPECT_EQ(json["method"], "controllable");
   EXPECT_EQ(json["sweeps"], 10);
   EXPECT_EQ(json["stop"], "sweep_limit");

@@ -1,4 +1,6 @@
 #include <cmath>
+#include <cstdio>
+#include <string>
 
 #include <planish/measure/cautions.h>
 
@@ -6,6 +8,7 @@
 
 #include "support/bent_sheets.h"
 #include "support/meshes.h"
+#include "unit/measure/cautions/random_diagonals.h"
 
 namespace planish {
 namespace {
@@ -85,7 +88,93 @@ TEST(CoarseCoordinates, AreThoseOfFewDecimalDigits) {
   EXPECT_FALSE(coarse_in(rounded(sheet, tenths_of_millimetres))) << "1/800 of an edge";
 }
 
+/// As C prints and reads it, with so many digits.
+double printed(double x, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*g", digits, x);
+  return std::stod(text);
+}
+
+TriMesh printed(TriMesh mesh, int digits) {
+  return rounded(std::move(mesh), [digits](double x) { return printed(x, digits); });
+}
+
+/// Turned by an angle whose tangent is `tangent`.
+TriMesh turned(TriMesh mesh, double tangent) {
+  const double c = 1.0 / std::hypot(1.0, tangent), s = tangent * c;
+  for (Vec3& p : mesh.positions)
+    p = {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
+  return mesh;
+}
+
+// Edges are 20 times as long as the last digit.
+TEST(CoarseCoordinates, AreThoseOfTheGeneralFormatHoweverFewThereAre) {
+  for (const int digits : {6, 7, 8}) {
+    const double step = std::pow(10.0, 6 - digits);
+    for (const std::size_t cells : {2u, 3u, 12u}) {
+      const TriMesh plate = meshes::flat_grid(cells, 2);
+      for (const double size : {1.37, 2.6, 20.3}) {
+        const TriMesh there =
+            moved(turned(plate, 0.23), size * step, {412345.4 - 0.3 * step, 312345.7, 0.0});
+        EXPECT_FALSE(coarse_in(there)) << cells << " cells of " << size;
+        const auto coarse = coarse_in(printed(there, digits));
+        ASSERT_TRUE(coarse) << cells << " cells of " << size << ", " << digits << " digits";
+        EXPECT_NEAR(coarse->step, step, 1e-3 * step);
+        EXPECT_TRUE(coarse_in(moved(printed(there, digits), 25.4, {}))) << "read in inches";
+      }
+    }
+  }
+}
+
+TEST(CoarseCoordinates, AreSeenInEqualRowsWhereTheyStepUnequally) {
+  const TriMesh row = moved(meshes::flat_grid(6, 1), 5.37, {412345.4, 20.0, 0.0});
+  EXPECT_FALSE(coarse_in(row));
+  EXPECT_TRUE(coarse_in(printed(row, 6)));
+}
+
+// Rows of vertices show nothing here, and that all sizes have the same number of digits does.
+TEST(CoarseCoordinates, AreSeenByDigitsThatFillNumbersOfAllSizes) {
+  TriMesh arch = meshes::flat_grid(4, 3);
+  for (Vec3& p : arch.positions)
+    p = {412300.31 + 17.13 * p.x * p.x, 7.0 * p.y + 10.0,
+         20.0 + 2.345678 * p.x + 0.7123 * p.y * p.y};
+  EXPECT_FALSE(coarse_in(arch));
+  const auto coarse = coarse_in(printed(arch, 6));
+  ASSERT_TRUE(coarse);
+  EXPECT_EQ(coarse->step, 1.0);
+}
+
+TEST(CoarseCoordinates, AreSeenInTheShortestTextOf32Bits) {
+  const TriMesh sheet = rounded(moved(meshes::bent_cylinder(8), 2.4, {4e5, 3e5, 20.0}), as_float);
+  const auto coarse = coarse_in(printed(sheet, 9));
+  ASSERT_TRUE(coarse);
+  EXPECT_EQ(coarse->step, k_step);
+  const auto of_text = coarse_in(rounded(
+      sheet, [](double x) { return std::stod(std::to_string(std::round(100.0 * x) / 100.0)); }));
+  ASSERT_TRUE(of_text) << "31 mm, written to centimetres";
+}
+
 TEST(CoarseCoordinates, AreNotTheGridOfADesign) {
+  // Turned by the angle of 3, 4 and 5, with whole numbers and one decimal.
+  for (const double unit : {1.0, 0.1, 10.0, 0.5}) {
+    for (const double far : {1e4, 1e5, 4e5, 5648123.0}) {
+      TriMesh grid = meshes::flat_grid(7, 5);
+      for (Vec3& p : grid.positions)
+        p = {unit * (3.0 * p.x - 4.0 * p.y), unit * (4.0 * p.x + 3.0 * p.y), 0.0};
+      EXPECT_FALSE(coarse_in(rounded(moved(grid, 1.0, {far, far, 0.0}),
+                                     [](double x) { return std::round(10.0 * x) / 10.0; })))
+          << unit << " at " << far;
+    }
+  }
+  TriMesh irregular = meshes::grid_with_random_diagonals(9, 9);
+  for (Vec3& p : irregular.positions)
+    p = {412300.0 + 0.7 * p.x, 412300.0 + 0.5 * p.y, 0.0};
+  EXPECT_FALSE(coarse_in(rounded(irregular, [](double x) { return std::round(10.0 * x) / 10.0; })))
+      << "divided at random";
+  TriMesh uneven = meshes::flat_grid(5, 1);  // fields of 50, 75, 100 ... mm
+  for (Vec3& p : uneven.positions)
+    p = {412350.0 + 37.5 * p.x + 12.5 * p.x * p.x, 100.0 * p.y, 0.0};
+  EXPECT_FALSE(coarse_in(uneven));
   EXPECT_FALSE(coarse_in(meshes::flat_grid(20, 20)));
   EXPECT_FALSE(coarse_in(moved(meshes::flat_grid(20, 20), 1.0, {400000.0, 5648123.0, 0.0})));
   EXPECT_FALSE(coarse_in(moved(meshes::flat_grid(20, 20), 25.0, {400000.0, 0.0, 0.0})));

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <planish/measure/cautions.h>
 
@@ -50,6 +51,72 @@ TEST(HiddenCurvature, OfOneRowOfTwistedFacetsIsFound) {
     EXPECT_EQ(hidden->inner_share, 0.0);
   }
   EXPECT_TRUE(hidden_in(strip(1, 1, on_hypar))) << "two triangles";
+}
+
+/// One row of quadrangles whose diagonals go up and down in turn.
+template <class Place>
+TriMesh zigzag(std::size_t columns, Place place) {
+  TriMesh mesh;
+  const auto count = static_cast<double>(columns);
+  for (std::size_t k = 0; k <= columns; ++k) {
+    for (const double v : {0.0, 1.0})
+      mesh.positions.push_back(place(static_cast<double>(k) / count, v));
+  }
+  for (Index k = 0; k < columns; ++k) {
+    const Index a = 2 * k, b = a + 2, c = a + 3, d = a + 1;
+    if (k % 2 == 0) {
+      mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
+    } else {
+      mesh.triangles.insert(mesh.triangles.end(), {{a, b, d}, {b, c, d}});
+    }
+  }
+  return mesh;
+}
+
+// Of a hyperbolic paraboloid two triangles beside a cross edge are in one plane: its edges are
+// straight lines of the surface.
+TEST(HiddenCurvature, OfDiagonalsInZigzagIsFound) {
+  for (const std::size_t columns : {4u, 7u, 20u}) {
+    for (const auto place : {on_hypar, on_conoid, on_sphere})
+      EXPECT_TRUE(hidden_in(zigzag(columns, place))) << columns;
+    EXPECT_FALSE(hidden_in(zigzag(columns, on_cylinder))) << columns;
+    EXPECT_FALSE(hidden_in(zigzag(columns, [](double u, double v) {
+      return Vec3{u, v, 0.0};
+    }))) << columns;
+  }
+  EXPECT_TRUE(hidden_in(zigzag(10, [](double u, double v) {
+    const double turn = 1.5 * u;  // bent and twisted
+    return Vec3{std::cos(u) + v * std::cos(turn), std::sin(u), v * std::sin(turn)};
+  })));
+}
+
+TEST(HiddenCurvature, IsNoneOfPlaneFacetsThatAreMeantAsSuch) {
+  // A cone whose rulings have a vertex between: its tip is on the border.
+  TriMesh fan;
+  fan.positions.push_back({0.0, 0.0, 0.0});
+  for (int k = 0; k <= 8; ++k) {
+    for (const double r : {0.5, 1.0})
+      fan.positions.push_back({r * std::cos(0.25 * k), r * std::sin(0.25 * k), r});
+  }
+  for (Index k = 0; k < 8; ++k) {
+    const Index a = 1 + 2 * k, b = a + 1, c = a + 3, d = a + 2;
+    fan.triangles.insert(fan.triangles.end(), {{0, a, d}, {a, b, c}, {a, c, d}});
+  }
+  EXPECT_FALSE(hidden_in(fan));
+  // Two triangular plates with vertices inside, folded at their common edge, and a third.
+  TriMesh plates;
+  plates.positions = {{0, 0, 0}, {4, 0, 0},
+                      {2, 3, 0}, {2, 1, 0},
+                      {5, 3, 1}, {11.0 / 3, 2, 1.0 / 3},
+                      {7, 0, 3}, {16.0 / 3, 1, 4.0 / 3}};
+  const auto plate = [&](Index a, Index b, Index c, Index middle) {
+    for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}})
+      plates.triangles.push_back({from, to, middle});
+  };
+  plate(0, 1, 2, 3);
+  plate(2, 1, 4, 5);
+  plate(4, 1, 6, 7);
+  EXPECT_FALSE(hidden_in(plates));
 }
 
 TEST(HiddenCurvature, IsNoneWhereTheCrossEdgesAreRulings) {

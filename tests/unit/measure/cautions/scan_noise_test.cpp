@@ -12,6 +12,7 @@
 #include "measure/smoothed.h"
 #include "support/bent_sheets.h"
 #include "support/meshes.h"
+#include "unit/measure/cautions/random_diagonals.h"
 
 namespace planish {
 namespace {
@@ -136,6 +137,44 @@ TEST(ScanNoise, IsNotTheFineStructureOfADesign) {
           }))))
           << wave;
     }
+  }
+}
+
+TEST(ScanNoise, IsNoTextureThatRepeatsItself) {
+  const double turn = std::acos(-1.0);
+  for (const std::size_t cells : {24u, 40u}) {
+    const double edge = 1.0 / static_cast<double>(cells);
+    for (const double height : {0.1, 0.3}) {
+      for (const double wave : {2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0}) {
+        const auto quilt = [&](double u, double v) {
+          return height * edge * std::cos(2.0 * turn * u / (wave * edge)) *
+                 std::cos(2.0 * turn * v / (wave * edge));
+        };
+        for (TriMesh grid :
+             {meshes::flat_grid(cells, cells), meshes::grid_with_random_diagonals(cells, cells)}) {
+          for (Vec3& p : grid.positions)
+            p = {edge * p.x, edge * p.y, quilt(edge * p.x, edge * p.y)};
+          EXPECT_FALSE(find_scan_noise(Patch(grid))) << "grid, " << wave << ", " << height;
+        }
+        EXPECT_FALSE(find_scan_noise(Patch(meshes::bent_sheet(cells,
+                                                              [&](double u, double v) {
+                                                                return Vec3{u, v, quilt(u, v)};
+                                                              }))))
+            << wave << ", " << height;
+        EXPECT_FALSE(find_scan_noise(
+            Patch(meshes::bent_sheet(cells,
+                                     [&](double u, double v) {
+                                       const double r = 0.5 + quilt(u, v);
+                                       return Vec3{r * std::cos(2.0 * u), v, r * std::sin(2.0 * u)};
+                                     }))))
+            << "on a cylinder, " << wave << ", " << height;
+      }
+    }
+    // Every second vertex raised, as the fields of a chess board.
+    TriMesh board = meshes::flat_grid(cells, cells);
+    for (Vec3& p : board.positions)
+      p = {edge * p.x, edge * p.y, std::lround(p.x + p.y) % 2 == 0 ? 0.0 : 0.3 * edge};
+    EXPECT_FALSE(find_scan_noise(Patch(board))) << cells;
   }
 }
 

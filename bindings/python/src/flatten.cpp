@@ -89,8 +89,6 @@ UnfoldResult unfold_mesh(const MeshData& data, const py::dict& keywords, py::obj
     std::vector<Caution> cautions = find_cautions(patch);
     pattern.annotations.cautions = words_of(cautions);
     UnfoldReport report = unfold_patch(patch, unit, options, session.job_context({}));
-    const std::vector<Caution> cautions = find_cautions(patch);
-    pattern.annotations.cautions = words_of(cautions);
     cli::note_cautions(session, data.name, cautions, unit);
     cli::warn_of_pattern(session, report);
     cli::note_unequal_seams(session, patch, report);

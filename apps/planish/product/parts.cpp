@@ -1,9 +1,7 @@
 #include "product/parts.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <iterator>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -13,10 +11,10 @@
 
 #include "mesh/split.h"
 #include "model/model_flags.h"
-#include "model/orient.h"
 #include "output/pattern_output.h"
 #include "platform/path.h"
-#include "product/seams.h"
+#include "product/read_pieces.h"
+#include "product/safe_names.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/text.h"
@@ -79,52 +77,6 @@ std::vector<std::string> mesh_files_in(Session& session, const std::string& fold
 
 namespace {
 
-/// A piece of a file, with those that are left out: they tell how the others have to lie.
-struct ReadPiece {
-  ProductPatch patch;
-  bool is_taken = true;
-  MeshFormat format = MeshFormat::obj;
-  std::string in_file = {};  ///< its name there; in the product it may have another
-  /// Names that several pieces have together, as a piece and its mirror image.
-  std::vector<std::string> asked_as = {};
-  bool is_image = false;  ///< the mirror image of the one before it
-};
-
-/// The pieces of a file in its order.
-std::vector<ReadPiece> pieces_of(const Model& model, const std::string& path, std::size_t group) {
-  std::vector<ReadPiece> pieces;
-  auto next = model.left_out.begin();
-  const auto add = [&](std::string name, TriMesh mesh, bool is_taken) {
-    ReadPiece piece{{std::move(name), std::move(mesh)}, is_taken, model.format};
-    piece.patch.words.source = path;
-    piece.patch.group = group;
-    piece.in_file = piece.patch.name;
-    pieces.push_back(std::move(piece));
-  };
-  const auto add_left_out = [&](std::size_t before) {
-    for (; next != model.left_out.end() && next->before <= before; ++next)
-      add(next->name, next->mesh, false);
-  };
-  if (model.pieces.size() == 1) {
-    add_left_out(0);
-    add(model.pieces.front(), model.mesh, true);
-  } else {
-    for (NamedPatch& piece : split(model.mesh, model.piece_of, model.pieces)) {
-      add_left_out(pieces.size() - static_cast<std::size_t>(next - model.left_out.begin()));
-      add(std::move(piece.name), std::move(piece.mesh), true);
-    }
-  }
-  add_left_out(model.pieces.size());
-  return pieces;
-}
-
-/// What stands for the pieces of a file that cannot be read. To be called in a handler.
-ReadPiece unreadable(std::string name, const std::string& path, std::size_t group) {
-  ReadPiece piece{{std::move(name), {}, {}, current_failure(), group}};
-  piece.patch.words.source = path;
-  return piece;
-}
-
 /// Safe folders for all patches.
 std::vector<PatchPlace> places_of(const std::vector<ProductPatch>& patches,
                                   const std::vector<MeshFormat>& formats) {
@@ -158,121 +110,6 @@ std::vector<std::string> mesh_files(Session& session, const std::vector<std::str
     files.insert(files.end(), here.begin(), here.end());
   }
   return files;
-}
-
-bool is_among(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// The pieces of all files, before flags choose among them by the names that they get in the
-/// product.
-struct AllPieces {
-  std::vector<ReadPiece> pieces = {};
-  std::vector<std::string> known = {};  ///< names in the files, by which each file was read
-  Model last = {};                      ///< of the last file of which something was taken
-  std::string path = {};                ///< of that
-
-  void add(Model model, const std::string& from, std::size_t group) {
-    std::vector<ReadPiece> some = pieces_of(model, from, group);
-    std::move(some.begin(), some.end(), std::back_inserter(pieces));
-    known.insert(known.end(), model.names.begin(), model.names.end());
-    if (model.pieces.empty()) return;
-    last = std::move(model);
-    path = from;
-  }
-
-  std::size_t taken() const {
-    return static_cast<std::size_t>(std::count_if(
-        pieces.begin(), pieces.end(), [](const ReadPiece& piece) { return piece.is_taken; }));
-  }
-};
-
-/// Whether it has the name in the product.
-bool is_called(const ReadPiece& piece, const std::string& name) {
-  return piece.patch.name == name || is_among(piece.asked_as, name);
-}
-
-/// A name that is one piece's in the product and another one's in its file could mean either.
-/// Pieces of one name that got numbers are all meant.
-/// @throws UsageError
-void refuse_names_of_two(const AllPieces& all, const std::vector<std::string>& asked) {
-  for (const std::string& name : asked) {
-    const ReadPiece *shown = nullptr, *in_file = nullptr, *both = nullptr;
-    for (const ReadPiece& piece : all.pieces) {
-      const bool is_shown = is_called(piece, name);
-      const bool is_in_file = piece.in_file == name;
-      const bool is_numbered = piece.patch.name.starts_with(name + "-");
-      if (is_shown && is_in_file) both = &piece;
-      if (is_shown && !is_in_file && !piece.in_file.empty()) shown = &piece;
-      if (is_in_file && !is_shown && !is_numbered) in_file = &piece;
-    }
-    if (shown == nullptr) shown = in_file == nullptr ? nullptr : both;
-    if (in_file == nullptr) in_file = both;
-    if (shown == nullptr || in_file == nullptr) continue;
-    throw UsageError("\"" + name + "\" could mean " + shown->patch.name + " of " +
-                     shown->patch.words.source + " or " + in_file->patch.name + " of " +
-                     in_file->patch.words.source +
-                     ", which is called so in its file: name pieces by other names of theirs");
-  }
-}
-
-/// Takes and leaves out what flags call by names that no file has: "Front-2" of the second file
-/// with a piece Front, "Front, mirrored".
-/// @throws UsageError where a name could mean two pieces, Error unknown_name
-void choose_by_names_of_product(AllPieces& all, const Arguments& arguments) {
-  const bool is_chosen = arguments.has("--only") || arguments.has("--without");
-  if (!is_chosen || all.known.empty()) return;
-  std::vector<std::string> names = all.known;
-  for (const ReadPiece& piece : all.pieces) {
-    if (!is_among(names, piece.patch.name)) names.push_back(piece.patch.name);
-    for (const std::string& name : piece.asked_as) {
-      if (!is_among(names, name)) names.push_back(name);
-    }
-  }
-  const ModelOptions options = model_options_from(arguments, names);
-  check_names(options, names);
-  refuse_names_of_two(all, options.only);
-  refuse_names_of_two(all, options.without);
-  const auto is_named = [&](const ReadPiece& piece, const std::vector<std::string>& asked) {
-    return std::any_of(asked.begin(), asked.end(), [&](const std::string& name) {
-      return !is_among(all.known, name) && is_called(piece, name);
-    });
-  };
-  for (ReadPiece& piece : all.pieces) {
-    piece.is_taken =
-        (piece.is_taken || is_named(piece, options.only)) && !is_named(piece, options.without);
-  }
-}
-
-/// The mirror image of a piece; null where it has none.
-ReadPiece* image_of(std::vector<ReadPiece>& pieces, std::size_t p) {
-  return p + 1 < pieces.size() && pieces[p + 1].is_image ? &pieces[p + 1] : nullptr;
-}
-
-void turn_over(ProductPatch& patch) {
-  patch.mesh = turned_over(std::move(patch.mesh));
-  patch.turned = true;
-}
-
-/// Turns over the pieces that are inside out against a neighbour, with their mirror images.
-void turn_inside_out(AllPieces& all, const Arguments& arguments, Session& session) {
-  const bool strict = arguments.has("--strict");
-  if (all.pieces.size() < 2 || (strict && arguments.has("--flip") && all.taken() == 1)) return;
-  std::vector<PlacedPiece> placed;
-  placed.reserve(all.pieces.size());
-  for (std::size_t p = 0; p < all.pieces.size(); ++p) {
-    const ReadPiece& piece = all.pieces[p];
-    const ReadPiece* image = image_of(all.pieces, p);
-    const bool is_taken = piece.is_taken || (image != nullptr && image->is_taken);
-    placed.push_back({piece.patch.name, piece.patch.mesh, piece.patch.group, is_taken});
-  }
-  const InsideOut found = pieces_inside_out(placed, seam_tolerance_from(arguments), strict);
-  for (const std::size_t p : found.turned) {
-    turn_over(all.pieces[p].patch);
-    if (ReadPiece* image = image_of(all.pieces, p)) turn_over(image->patch);
-  }
-  for (const std::string& note : found.notes)
-    session.note(note);
 }
 
 /// The model of an input of one patch.
@@ -314,17 +151,6 @@ ProductInput input_of(AllPieces all, const Arguments& arguments, Session& sessio
   input.path = one.patch.words.source;
   input.whole = model_of_one(std::move(all), one);
   return input;
-}
-
-AllPieces with_distinct_names(AllPieces all) {
-  std::vector<std::string> names;
-  names.reserve(all.pieces.size());
-  for (const ReadPiece& piece : all.pieces)
-    names.push_back(piece.patch.name);
-  names = distinct_names(names);
-  for (std::size_t p = 0; p < names.size(); ++p)
-    all.pieces[p].patch.name = std::move(names[p]);
-  return all;
 }
 
 ProductInput read_files(Session& session, const std::vector<std::string>& paths,
@@ -415,7 +241,8 @@ std::vector<NamedSeam> seams_of(const std::vector<NamedSeam>& asked, const Produ
     for (const std::string& name : asked[s].between) {
       if (names.contains(name)) continue;
       is_there = false;
-      if (is_among(input.left_out, name)) continue;
+      if (std::find(input.left_out.begin(), input.left_out.end(), name) != input.left_out.end())
+        continue;
       names.insert(input.left_out.begin(), input.left_out.end());
       throw Error(ErrorCode::malformed_file,
                   "seams[" + std::to_string(s) + "].between: no piece is called \"" + name +
@@ -472,81 +299,7 @@ ProductInput read_described(Session& session, const std::string& path, const Arg
   return input;
 }
 
-bool is_plain(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-         c == '_' || c == '.';
-}
-
-/// Shows nothing, or turns what stands around it: a name could look like another one.
-bool is_invisible(char32_t c) {
-  return c < 0xA0 || (c >= 0x200B && c <= 0x200F) || (c >= 0x2028 && c <= 0x202E) ||
-         (c >= 0x2060 && c <= 0x206F) || c == 0xFEFF || c == 0xAD || c == 0x61C;
-}
-
-/// Length of the letter beyond ASCII that begins there; 0 where there is none, or none to be seen.
-std::size_t letter_length(std::string_view text) {
-  const auto lead = static_cast<unsigned char>(text[0]);
-  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return 0;
-  char32_t value = lead & (0xFFU >> (length + 1));
-  for (const char c : text.substr(1, length - 1)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte & 0xC0U) != 0x80U) return 0;
-    value = value << 6U | (byte & 0x3FU);
-  }
-  constexpr std::array<char32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};
-  const bool is_letter = value >= smallest.at(length) && value <= 0x10FFFF &&
-                         (value < 0xD800 || value > 0xDFFF) && !is_invisible(value);
-  return is_letter ? length : 0;
-}
-
-std::string in_small_letters(std::string name) {
-  for (char& c : name) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return name;
-}
-
-/// Windows takes these, whatever follows a dot, for devices.
-bool is_device(const std::string& name) {
-  const std::string stem = in_small_letters(name.substr(0, name.find('.')));
-  if (stem == "con" || stem == "prn" || stem == "aux" || stem == "nul") return true;
-  const std::string kind = stem.substr(0, 3);
-  return stem.size() == 4 && (kind == "com" || kind == "lpt") && stem[3] >= '0' && stem[3] <= '9';
-}
-
-/// Whether a file beside the folders of patches could have the name: garment.json, layout-1.svg.
-bool is_like_a_file(const std::string& name) {
-  const std::string extension = lower_extension(name);
-  constexpr std::array kinds = {".json", ".html", ".svg", ".dxf", ".pdf", ".plt"};
-  return std::find(kinds.begin(), kinds.end(), extension) != kinds.end();
-}
-
-std::string safe_name(const std::string& name) {
-  constexpr std::size_t k_longest_name = 80;
-  std::string safe;
-  safe.reserve(name.size());
-  for (std::size_t i = 0; i < name.size();) {
-    const std::size_t length =
-        is_plain(name[i]) ? 1 : letter_length(std::string_view(name).substr(i));
-    safe += length > 0 ? name.substr(i, length) : "_";
-    i += std::max<std::size_t>(1, length);
-  }
-  safe = beginning(safe, k_longest_name);
-  while (!safe.empty() && safe.back() == '.')
-    safe.pop_back();  // Windows drops them
-  if (!safe.empty() && (safe.front() == '.' || safe.front() == '-')) safe.front() = '_';
-  if (safe.empty()) safe = "patch";
-  return is_device(safe) || is_like_a_file(safe) ? safe + "_" : safe;
-}
-
 }  // namespace
-
-std::vector<std::string> safe_names(const std::vector<std::string>& names) {
-  std::vector<std::string> safe(names.size());
-  std::transform(names.begin(), names.end(), safe.begin(), safe_name);
-  return distinct_names(safe);
-}
 
 ProductInput read_product(Session& session, const std::vector<std::string>& paths,
                           const Arguments& arguments, bool as_product) {

@@ -64,9 +64,4 @@ std::optional<CutDone> cut_product(ProductInput& input, const Arguments& argumen
 /// @throws Error file_unreadable where it cannot be read or holds no mesh file
 std::vector<std::string> mesh_files_in(Session& session, const std::string& folder);
 
-/// Names of folders and files that are sound everywhere and lead nowhere else: letters, digits,
-/// dots, hyphens, underscores and what is not ASCII; other characters become underscores. No two
-/// are equal, also where the system takes small and large letters for the same.
-std::vector<std::string> safe_names(const std::vector<std::string>& names);
-
 }  // namespace planish::cli

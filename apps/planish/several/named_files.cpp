@@ -4,6 +4,7 @@
 
 #include "platform/path.h"
 #include "product/parts.h"
+#include "product/safe_names.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 

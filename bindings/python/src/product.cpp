@@ -24,6 +24,7 @@
 #include "platform/path.h"
 #include "product/job.h"
 #include "product/parts.h"
+#include "product/safe_names.h"
 #include "product/seams.h"
 #include "product/text.h"
 #include "several/stated_units.h"

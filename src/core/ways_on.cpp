@@ -71,8 +71,7 @@ std::string_view way_on(ErrorCode code) {
     case ErrorCode::option_out_of_range:
       return "planish describe lists the range of every flag";
     case ErrorCode::unknown_name:
-      return "planish describe lists the names that flags take; --only and --without take names of "
-             "pieces";
+      return "planish describe lists the names that flags take";
     case ErrorCode::unsupported_constraint:
       return "Leave one of them out, or choose another --method";
     case ErrorCode::misplaced_cut:

@@ -88,7 +88,8 @@ struct ModelWork {
   std::vector<std::string> without_wall = {};
   /// A piece that lies on another one all over, as one sheet that is there twice does.
   struct Lying {
-    std::string piece, on;
+    std::string piece;  ///< name of the one that lies
+    std::string on;     ///< name of the other one
   };
   std::vector<Lying> lying = {};  ///< in the order of the pieces
   std::size_t touching = 0;       ///< pieces that touch others along whole sides
@@ -98,7 +99,7 @@ struct ModelWork {
 
 /// A piece that `only` and `without` leave out. Its place tells how the others have to lie.
 struct LeftOutPiece {
-  std::string name;
+  std::string name;        ///< as in the whole file
   TriMesh mesh;            ///< prepared as the others are
   std::size_t before = 0;  ///< in the file it comes before this piece of the model
 };

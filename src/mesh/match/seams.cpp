@@ -23,7 +23,7 @@ class PlaceNumbers {
   explicit PlaceNumbers(double tolerance) : tolerance_(tolerance) {}
 
   std::size_t number_of(Vec3 p) {
-    const Cell cell = cell_of(p);
+    const MeshCell cell = cell_of(p);
     if (tolerance_ > 0.0) {
       if (const auto near = nearest(p, cell)) return *near;
     } else if (const auto found = cells_.find(cell); found != cells_.end()) {
@@ -35,21 +35,21 @@ class PlaceNumbers {
   }
 
  private:
-  using Cell = std::array<double, 3>;
+  using MeshCell = std::array<double, 3>;
 
   /// The coordinates themselves where they are to be equal.
-  Cell cell_of(Vec3 p) const {
+  MeshCell cell_of(Vec3 p) const {
     if (!(tolerance_ > 0.0)) return {p.x, p.y, p.z};
     return {std::floor(p.x / tolerance_), std::floor(p.y / tolerance_),
             std::floor(p.z / tolerance_)};
   }
 
-  std::optional<std::size_t> nearest(Vec3 p, const Cell& cell) const {
+  std::optional<std::size_t> nearest(Vec3 p, const MeshCell& cell) const {
     std::optional<std::size_t> best;
     double best_distance = tolerance_;
     for (int k = 0; k < 27; ++k) {
       const int row = k / 3 % 3, layer = k / 9;
-      const Cell there = {cell[0] + k % 3 - 1, cell[1] + row - 1, cell[2] + layer - 1};
+      const MeshCell there = {cell[0] + k % 3 - 1, cell[1] + row - 1, cell[2] + layer - 1};
       const auto found = cells_.find(there);
       if (found == cells_.end()) continue;
       for (const std::size_t place : found->second) {
@@ -64,7 +64,7 @@ class PlaceNumbers {
 
   double tolerance_;
   std::vector<Vec3> places_;
-  std::map<Cell, std::vector<std::size_t>> cells_;
+  std::map<MeshCell, std::vector<std::size_t>> cells_;
 };
 
 /// The place where each border edge begins.

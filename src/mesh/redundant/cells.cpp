@@ -7,16 +7,16 @@ namespace planish {
 
 namespace {
 
-void sort_cells(std::vector<Cell>& cells) {
-  std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
+void sort_cells(std::vector<MeshCell>& cells) {
+  std::sort(cells.begin(), cells.end(), [](const MeshCell& a, const MeshCell& b) {
     return std::tie(a.corners, a.rising, a.triangles) < std::tie(b.corners, b.rising, b.triangles);
   });
 }
 
 }  // namespace
 
-std::vector<Cell> triangle_cells(const TriMesh& mesh, std::span<const unsigned char> gone) {
-  std::vector<Cell> cells;
+std::vector<MeshCell> triangle_cells(const TriMesh& mesh, std::span<const unsigned char> gone) {
+  std::vector<MeshCell> cells;
   cells.reserve(mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     if (gone[i] != 0) continue;
@@ -25,22 +25,23 @@ std::vector<Cell> triangle_cells(const TriMesh& mesh, std::span<const unsigned c
     const bool rising = t[1] < t[2];
     if (!rising) std::swap(t[1], t[2]);
     if (t[0] == t[1] || t[1] == t[2]) continue;
-    cells.push_back({{t[0], t[1], t[2], Cell::none}, rising, {static_cast<Index>(i), Cell::none}});
+    cells.push_back(
+        {{t[0], t[1], t[2], MeshCell::none}, rising, {static_cast<Index>(i), MeshCell::none}});
   }
   sort_cells(cells);
   return cells;
 }
 
-std::vector<Cell> quad_cells(const TriMesh& mesh, const std::vector<EdgeSides>& edges) {
-  std::vector<Cell> cells;
+std::vector<MeshCell> quad_cells(const TriMesh& mesh, const std::vector<EdgeSides>& edges) {
+  std::vector<MeshCell> cells;
   for (const EdgeSides& edge : edges) {
     if (edge.size() != 2 || edge.begin[0].forward == edge.begin[1].forward) continue;
     const EdgeSide &a = edge.begin[0], &b = edge.begin[1];
     const Triangle &of_a = mesh.triangles[a.triangle], &of_b = mesh.triangles[b.triangle];
-    Cell cell{{of_a[(a.corner + 1) % 3], of_a[(a.corner + 2) % 3], of_a[a.corner],
-               of_b[(b.corner + 2) % 3]},
-              true,
-              {a.triangle, b.triangle}};
+    MeshCell cell{{of_a[(a.corner + 1) % 3], of_a[(a.corner + 2) % 3], of_a[a.corner],
+                   of_b[(b.corner + 2) % 3]},
+                  true,
+                  {a.triangle, b.triangle}};
     auto& corners = cell.corners;
     if (corners[1] == corners[3]) continue;
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());

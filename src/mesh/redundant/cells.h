@@ -11,7 +11,7 @@
 namespace planish {
 
 /// A triangle, or the two on the sides of a diagonal, by its corners.
-struct Cell {
+struct MeshCell {
   static constexpr Index none = static_cast<Index>(-1);
 
   /// Around it: the smallest first, then the smaller of its neighbours; of a triangle the last is
@@ -20,16 +20,16 @@ struct Cell {
   bool rising;                     ///< whether this is the way around of its orientation
   std::array<Index, 2> triangles;  ///< the second is none for a triangle
 
-  bool has_same_corners(const Cell& other) const { return corners == other.corners; }
+  bool has_same_corners(const MeshCell& other) const { return corners == other.corners; }
 };
 
 /// The triangles that name three vertices, those with the same corners beside each other, by
 /// orientation and then by number.
 /// @param gone triangles that do not count
-std::vector<Cell> triangle_cells(const TriMesh& mesh, std::span<const unsigned char> gone);
+std::vector<MeshCell> triangle_cells(const TriMesh& mesh, std::span<const unsigned char> gone);
 
 /// The quadrilaterals of two triangles that run alike beside an edge that no other triangle has, in
 /// the same order.
-std::vector<Cell> quad_cells(const TriMesh& mesh, const std::vector<EdgeSides>& edges);
+std::vector<MeshCell> quad_cells(const TriMesh& mesh, const std::vector<EdgeSides>& edges);
 
 }  // namespace planish

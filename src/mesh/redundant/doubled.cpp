@@ -96,38 +96,39 @@ TriMesh at_places(const TriMesh& mesh) {
 
 /// Triangles that lie on each other, as cells of the same corners.
 struct Stacks {
-  std::vector<std::vector<Cell>> cells;  // of each stack: two or more
-  std::vector<Index> of_triangle;        // the stack that it is in, or none
+  std::vector<std::vector<MeshCell>> cells;  // of each stack: two or more
+  std::vector<Index> of_triangle;            // the stack that it is in, or none
 
-  const std::vector<Cell>* at(Index t) const {
-    return of_triangle[t] == Cell::none ? nullptr : &cells[of_triangle[t]];
+  const std::vector<MeshCell>* at(Index t) const {
+    return of_triangle[t] == MeshCell::none ? nullptr : &cells[of_triangle[t]];
   }
 };
 
-bool has(const Cell& cell, Index t) {
+bool has(const MeshCell& cell, Index t) {
   return cell.triangles[0] == t || cell.triangles[1] == t;
 }
 
 template <class Visit>
-void for_each_triangle(const Cell& cell, const Visit& visit) {
+void for_each_triangle(const MeshCell& cell, const Visit& visit) {
   visit(cell.triangles[0]);
-  if (cell.triangles[1] != Cell::none) visit(cell.triangles[1]);
+  if (cell.triangles[1] != MeshCell::none) visit(cell.triangles[1]);
 }
 
 /// Of cells with the same corners: two or more are a stack, if none of their triangles is in one.
-void add_stacks(const std::vector<Cell>& cells, Stacks& stacks) {
+void add_stacks(const std::vector<MeshCell>& cells, Stacks& stacks) {
   for (std::size_t begin = 0; begin < cells.size();) {
     std::size_t end = begin;
     bool is_free = true;
     for (; end < cells.size() && cells[end].has_same_corners(cells[begin]); ++end) {
-      for_each_triangle(cells[end],
-                        [&](Index t) { is_free = is_free && stacks.of_triangle[t] == Cell::none; });
+      for_each_triangle(cells[end], [&](Index t) {
+        is_free = is_free && stacks.of_triangle[t] == MeshCell::none;
+      });
     }
     if (end - begin > 1 && is_free) {
       const auto number = static_cast<Index>(stacks.cells.size());
       stacks.cells.emplace_back(cells.begin() + static_cast<std::ptrdiff_t>(begin),
                                 cells.begin() + static_cast<std::ptrdiff_t>(end));
-      for (const Cell& cell : stacks.cells.back())
+      for (const MeshCell& cell : stacks.cells.back())
         for_each_triangle(cell, [&](Index t) { stacks.of_triangle[t] = number; });
     }
     begin = end;
@@ -135,7 +136,7 @@ void add_stacks(const std::vector<Cell>& cells, Stacks& stacks) {
 }
 
 /// Whether the two triangles of a quadrilateral lie on each other, so that it is none.
-bool is_folded(const TriMesh& mesh, const Cell& quad) {
+bool is_folded(const TriMesh& mesh, const MeshCell& quad) {
   const auto normal = [&](Index t) {
     const Triangle& corners = mesh.triangles[t];
     const Vec3 from = mesh.positions[corners[0]];
@@ -145,15 +146,15 @@ bool is_folded(const TriMesh& mesh, const Cell& quad) {
 }
 
 Stacks find_stacks(const TriMesh& mesh, std::span<const unsigned char> gone) {
-  Stacks stacks{{}, std::vector<Index>(mesh.triangles.size(), Cell::none)};
+  Stacks stacks{{}, std::vector<Index>(mesh.triangles.size(), MeshCell::none)};
   add_stacks(triangle_cells(mesh, gone), stacks);
   std::vector<unsigned char> skipped(gone.begin(), gone.end());
   for (std::size_t t = 0; t < skipped.size(); ++t) {
-    if (stacks.of_triangle[t] != Cell::none) skipped[t] = 1;
+    if (stacks.of_triangle[t] != MeshCell::none) skipped[t] = 1;
   }
   const std::vector<EdgeSide> sides = sorted_sides(mesh, skipped);
-  std::vector<Cell> quads = quad_cells(mesh, group_by_edge(sides));
-  std::erase_if(quads, [&](const Cell& quad) { return is_folded(mesh, quad); });
+  std::vector<MeshCell> quads = quad_cells(mesh, group_by_edge(sides));
+  std::erase_if(quads, [&](const MeshCell& quad) { return is_folded(mesh, quad); });
   add_stacks(quads, stacks);
   return stacks;
 }
@@ -179,10 +180,10 @@ class Doubles {
  private:
   /// The first cell at a triangle whose triangles are all in pieces that are wanted.
   template <class IsWanted>
-  const Cell* cell_of_pieces(Index t, const IsWanted& is_wanted) const {
-    const std::vector<Cell>* stack = stacks_.at(t);
+  const MeshCell* cell_of_pieces(Index t, const IsWanted& is_wanted) const {
+    const std::vector<MeshCell>* stack = stacks_.at(t);
     if (stack == nullptr) return nullptr;
-    const auto found = std::find_if(stack->begin(), stack->end(), [&](const Cell& cell) {
+    const auto found = std::find_if(stack->begin(), stack->end(), [&](const MeshCell& cell) {
       bool all = !has(cell, t);
       for_each_triangle(cell,
                         [&](Index other) { all = all && is_wanted(pieces_.of_triangle[other]); });
@@ -199,8 +200,9 @@ class Doubles {
   }
 
   bool is_rising(Index t) const {
-    const std::vector<Cell>& stack = *stacks_.at(t);
-    return std::find_if(stack.begin(), stack.end(), [&](const Cell& cell) { return has(cell, t); })
+    const std::vector<MeshCell>& stack = *stacks_.at(t);
+    return std::find_if(stack.begin(), stack.end(),
+                        [&](const MeshCell& cell) { return has(cell, t); })
         ->rising;
   }
 
@@ -224,7 +226,7 @@ class Doubles {
   /// Whether each of its triangles has one other, in the piece itself and in the other orientation.
   bool is_doubled_in_itself(std::size_t piece) const {
     return std::all_of(members_[piece].begin(), members_[piece].end(), [&](Index t) {
-      const std::vector<Cell>* stack = stacks_.at(t);
+      const std::vector<MeshCell>* stack = stacks_.at(t);
       return stack != nullptr && stack->size() == 2 && (*stack)[0].rising != (*stack)[1].rising &&
              cell_of_pieces(t, [&](Index other) { return other == piece; }) != nullptr;
     });
@@ -238,7 +240,7 @@ class Doubles {
     for (std::size_t p = 0; p < pieces_.count; ++p) {
       if (!is_doubled_in_itself(p)) continue;
       for (const Index t : members_[p]) {
-        const Cell& first = first_of(stacks_.of_triangle[t]);
+        const MeshCell& first = first_of(stacks_.of_triangle[t]);
         if (first.triangles[0] == t) wanted.push_back(stacks_.of_triangle[t]);
         if (has(first, t)) skipped[t] = 0;
       }
@@ -251,18 +253,18 @@ class Doubles {
       sets.join(a.triangle, b.triangle, a.forward == b.forward ? 1 : 0);
     }
     for (const Index stack : wanted) {
-      const Cell& first = first_of(stack);
-      const std::vector<Cell>& both = stacks_.cells[stack];
+      const MeshCell& first = first_of(stack);
+      const std::vector<MeshCell>& both = stacks_.cells[stack];
       const bool is_back = sets.first_of(first.triangles[0]).turned != 0;
-      const Cell& back = is_back ? first : &first == &both[0] ? both[1] : both[0];
+      const MeshCell& back = is_back ? first : &first == &both[0] ? both[1] : both[0];
       for_each_triangle(back, [&](Index t) { found_.backs.push_back(t); });
     }
   }
 
   /// The cell of a stack with the first triangle.
-  const Cell& first_of(Index stack) const {
-    const std::vector<Cell>& cells = stacks_.cells[stack];
-    return *std::min_element(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
+  const MeshCell& first_of(Index stack) const {
+    const std::vector<MeshCell>& cells = stacks_.cells[stack];
+    return *std::min_element(cells.begin(), cells.end(), [](const MeshCell& a, const MeshCell& b) {
       return a.triangles < b.triangles;
     });
   }

@@ -58,7 +58,7 @@ std::size_t mark_repeated(const TriMesh& mesh, Marks& gone) {
 /// In a sound mesh no quadrilateral is there by both of its diagonals in the same orientation.
 std::size_t mark_other_diagonals(const TriMesh& mesh, Marks& gone) {
   const std::vector<EdgeSide> sides = sorted_sides(mesh, gone);
-  const std::vector<Cell> quads = quad_cells(mesh, group_by_edge(sides));
+  const std::vector<MeshCell> quads = quad_cells(mesh, group_by_edge(sides));
   std::size_t count = 0;
   for (std::size_t i = 1; i < quads.size(); ++i) {
     if (!quads[i].has_same_corners(quads[i - 1]) || quads[i].rising != quads[i - 1].rising)
@@ -79,8 +79,8 @@ std::size_t mark_other_diagonals(const TriMesh& mesh, Marks& gone) {
 /// Whether triangles are there in both orientations: then edges of several triangles do not tell
 /// what stands on a surface.
 bool has_opposites(const TriMesh& mesh, const Marks& gone) {
-  const std::vector<Cell> cells = triangle_cells(mesh, gone);
-  return std::adjacent_find(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
+  const std::vector<MeshCell> cells = triangle_cells(mesh, gone);
+  return std::adjacent_find(cells.begin(), cells.end(), [](const MeshCell& a, const MeshCell& b) {
            return a.has_same_corners(b);
          }) != cells.end();
 }

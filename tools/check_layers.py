@@ -3,7 +3,8 @@
 downwards only, that folders stay small, that public headers and programs stay clear of private
 ones, that what one system alone has stays in its rooms, that paths are made from text by path_of()
 alone, that no elementary function of the C library decides a result, that no name has two
-underscores on end, and that every error code has its paragraph in docs/errors.md.
+underscores on end, that no two headers have a type of one name, and that every error code has its paragraph in
+docs/errors.md.
 """
 
 import collections
@@ -237,6 +238,25 @@ def check_rooms(faults):
                 faults.append(f"{name}:{line}: use path_of() and utf8_of() of platform/path.h")
 
 
+TYPE = re.compile(r"^(?:template <.*>\s*)?(?:struct|class|enum class|enum) (\w+)[^;]*\{", re.M)
+
+
+def check_types(faults):
+    """Headers of the library have one namespace: two types of one name there break the rule of one definition,
+    which no compiler tells. A header within a namespace of its own below it does not count."""
+    places = collections.defaultdict(list)
+    for root in ("include", "src"):
+        for path in sorted((REPO / root).rglob("*.h")):
+            text = path.read_text()
+            if not re.search(r"^namespace planish \{", text, re.M):
+                continue
+            for name in TYPE.findall(text):
+                places[name].append(str(path.relative_to(REPO)))
+    for name, where in places.items():
+        if len(where) > 1:
+            faults.append(f"{' and '.join(where)}: each has a type {name}; give one of them another name")
+
+
 def error_codes():
     text = (REPO / "include/planish/core/error.h").read_text(encoding="utf-8")
     body = re.search(r"enum class ErrorCode \{(.*?)\};", text, re.DOTALL)[1]
@@ -266,6 +286,7 @@ def main():
     check_users(faults)
     check_rooms(faults)
     check_error_docs(faults)
+    check_types(faults)
     for fault in faults:
         print(fault)
     return 1 if faults else 0

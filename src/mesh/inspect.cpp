@@ -8,6 +8,7 @@
 #include <planish/mesh/patch.h>
 
 #include "core/number_text.h"
+#include "mesh/curve_size.h"
 #include "mesh/inspect_manifold.h"
 #include "mesh/manifold_defects.h"
 
@@ -160,11 +161,15 @@ std::size_t edge_count(const Connectivity& connectivity) {
   return ends / 2;
 }
 
-double length_of_loop(const TriMesh& mesh, const std::vector<Index>& loop) {
-  double length = 0.0;
-  for (std::size_t k = 0; k < loop.size(); ++k)
-    length += norm(mesh.positions[loop[(k + 1) % loop.size()]] - mesh.positions[loop[k]]);
-  return length;
+CurveSize size_of_loop(const TriMesh& mesh, const std::vector<Index>& loop) {
+  CurveSize size;
+  Box box;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    size.length += norm(mesh.positions[loop[(k + 1) % loop.size()]] - mesh.positions[loop[k]]);
+    box.add(mesh.positions[loop[k]]);
+  }
+  size.reach = diagonal_of(box);
+  return size;
 }
 
 /// At least the value, with three digits that matter.
@@ -181,12 +186,16 @@ double rounded_up(double value) {
 std::string hole_text(const TriMesh& mesh, const std::vector<std::vector<Index>>& loops,
                       std::size_t parts) {
   constexpr double k_short = 0.5;  // of the border
-  std::vector<double> lengths(loops.size());
-  std::transform(loops.begin(), loops.end(), lengths.begin(),
-                 [&mesh](const auto& loop) { return length_of_loop(mesh, loop); });
-  std::sort(lengths.begin(), lengths.end());
-  const double hole = lengths[lengths.size() - 2];
-  const bool are_holes = parts == 1 && std::isnormal(hole) && hole < k_short * lengths.back();
+  std::vector<CurveSize> sizes(loops.size());
+  std::transform(loops.begin(), loops.end(), sizes.begin(),
+                 [&mesh](const auto& loop) { return size_of_loop(mesh, loop); });
+  const auto outer = std::max_element(sizes.begin(), sizes.end(),
+                                      [](const auto& a, const auto& b) { return is_larger(b, a); });
+  double hole = 0.0;
+  for (auto size = sizes.begin(); size != sizes.end(); ++size) {
+    if (size != outer) hole = std::max(hole, size->length);
+  }
+  const bool are_holes = parts == 1 && std::isnormal(hole) && hole < k_short * outer->length;
   if (!are_holes) return {};
   return "; if its holes are not meant, --fill-holes " + number_text(rounded_up(hole)) +
          " closes them";

@@ -83,8 +83,10 @@ std::vector<std::string> work_notes(const ModelWork& work, const ShownLengths& l
   }
   if (work.filled + work.unfilled > 0) notes.push_back(holes_text(work));
   for (const ModelWork::FoundWall& wall : work.walls) {
-    notes.push_back(wall.name + " is a wall of " + lengths.thickness_text(wall.thickness) +
-                    ": --side outer or --side inner takes one side");
+    notes.push_back(wall.name + (wall.is_open ? " looks like a wall of " : " is a wall of ") +
+                    lengths.thickness_text(wall.thickness) +
+                    ": --side outer or --side inner takes one side" +
+                    (wall.is_open ? "; if both are meant, as of a flat sleeve, go on" : ""));
   }
   for (const ModelWork::Lying& lying : work.lying) {
     notes.push_back(lying.piece + " lies on " + lying.on +

@@ -73,6 +73,7 @@ struct ModelWork {
   struct FoundWall {
     std::string name;        ///< of the part or piece
     double thickness = 0.0;  ///< model units
+    bool is_open = false;    ///< one sheet with a border, as a flat sleeve has too
   };
   /// In the order of the parts.
   std::vector<FoundWall> walls = {};

@@ -94,10 +94,11 @@ struct FilledMesh : RepairedMesh {
 };
 
 /// Closes holes of up to 500 edges without new vertices, by triangles that go on as smoothly as can
-/// be, and of these by the shortest edges. A hole is a loop of the border that is not the longest
-/// of its piece. Holes that touch are closed each by itself, and get the vertex there in common.
-/// The sides of a slit inside, which lie on each other, become one; a slit from the outer border is
-/// a cut, and stays. A hole that only a fold or a triangle without area would close stays.
+/// be, and of these by the shortest edges. A hole is a loop of the border that is not the outer one
+/// of its piece: that which reaches farthest. Holes that touch are closed each by itself, and get
+/// the vertex there in common. The sides of a slit inside, which lie on each other, become one; a
+/// slit from the outer border is a cut, and stays. A hole that only a fold or a triangle without
+/// area would close stays.
 /// @param length the longest border, model units, of a hole that is closed; above 0, may be
 ///   infinite
 /// @throws Error option_out_of_range

@@ -7,6 +7,7 @@
 #include <planish/mesh/wall.h>
 #include <planish/mesh/weld.h>
 
+#include "core/careful_sum.h"
 #include "mesh/manifold_defects.h"
 #include "mesh/redundant/doubled.h"
 #include "mesh/repair/sheets.h"
@@ -105,8 +106,8 @@ struct WallOfPart {
 };
 
 /// Finds the walls of a part: closed sheets each by itself, then what is left if it is two sheets.
-/// An open sheet with its sides close together, as a flat sleeve, is meant so: it is a wall only
-/// where one is asked for, and so are more than two sheets together.
+/// More than two sheets together are a wall only where one is asked for, and so are open ones among
+/// several.
 class WallSearch {
  public:
   WallSearch(const ModelPart& part, const Connectivity& connectivity, bool is_asked)
@@ -126,11 +127,13 @@ class WallSearch {
   std::vector<WallOfPart> walls() {
     const std::vector<unsigned char> is_open = open_sheets();
     for (std::size_t k = 0; k < sheets_.count; ++k) {
-      if (is_open[k] == 0 || (is_asked_ && sheets_.count == 1)) look_at({static_cast<Index>(k)});
+      if (is_open[k] == 0 || sheets_.count == 1) look_at({static_cast<Index>(k)});
     }
     if (rest_.size() == 2 || (rest_.size() > 2 && is_asked_)) look_at(rest_);
     return std::move(walls_);
   }
+
+  bool is_one_sheet() const { return sheets_.count == 1; }
 
   /// Names of the sheets that are none.
   std::vector<std::string> others() const {
@@ -250,8 +253,10 @@ void take_one_side(ModelPart& part, const std::optional<Connectivity>& connectiv
   WallSearch search(part, *connectivity, side.has_value());
   const std::vector<WallOfPart> walls = search.walls();
   if (!side) {
-    for (const WallOfPart& of : walls)
-      work.walls.push_back({of.name, of.wall.thickness});
+    for (const WallOfPart& of : walls) {
+      const bool is_open = search.is_one_sheet() && !connectivity->border_loops().empty();
+      work.walls.push_back({of.name, of.wall.thickness, is_open});
+    }
     return;
   }
   for (std::string& name : search.others())
@@ -281,6 +286,23 @@ bool meet(const std::vector<Vec3>& one, const std::vector<Vec3>& other, double w
     if (count > 1) return true;
   }
   return false;
+}
+
+/// Whether the areas of a sheet face so many ways that it may be a wall with an opening.
+bool faces_both_ways(const TriMesh& mesh) {
+  constexpr double k_one_way = 0.25;  // of the area
+  const double scale = unit_scale(mesh);
+  CarefulSum x, y, z, all;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 corner = scale * mesh.positions[t[0]];
+    const Vec3 area =
+        cross(scale * mesh.positions[t[1]] - corner, scale * mesh.positions[t[2]] - corner);
+    x.add(area.x);
+    y.add(area.y);
+    z.add(area.z);
+    all.add(norm(area));
+  }
+  return norm({x.value(), y.value(), z.value()}) < k_one_way * all.value();
 }
 
 void close_holes(ModelPart& part, double length, ModelWork& work) {
@@ -334,9 +356,8 @@ void prepare_part(ModelPart& part, const ModelOptions& options, ModelWork& work)
     count = sheets();
   }
   part.is_one_piece = count == 1 && !options.side && options.fill_holes == 0.0;
-  // One open sheet is a wall only where one is asked for.
   const bool is_open = count == 1 && !connectivity->border_loops().empty();
-  if (options.side || (!options.strict && !is_open))
+  if (options.side || (!options.strict && (!is_open || faces_both_ways(part.mesh))))
     take_one_side(part, connectivity, options.side, work);
   if (options.fill_holes > 0.0) close_holes(part, options.fill_holes, work);
   if (options.flip) part.mesh = turned_over(std::move(part.mesh));

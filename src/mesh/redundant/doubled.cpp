@@ -162,8 +162,14 @@ Stacks find_stacks(const TriMesh& mesh, std::span<const unsigned char> gone) {
 /// Looks for doubles piece by piece.
 class Doubles {
  public:
-  Doubles(const TriMesh& placed, const Sheets& pieces, std::span<const unsigned char> gone)
-      : mesh_(placed), pieces_(pieces), stacks_(find_stacks(placed, gone)), members_(pieces.count) {
+  /// @param has_border of each piece, whether it ends anywhere
+  Doubles(const TriMesh& placed, const Sheets& pieces, std::vector<unsigned char> has_border,
+          std::span<const unsigned char> gone)
+      : mesh_(placed),
+        pieces_(pieces),
+        has_border_(std::move(has_border)),
+        stacks_(find_stacks(placed, gone)),
+        members_(pieces.count) {
     for (std::size_t t = 0; t < gone.size(); ++t) {
       if (gone[t] == 0) members_[pieces.of_triangle[t]].push_back(static_cast<Index>(t));
     }
@@ -224,12 +230,15 @@ class Doubles {
   }
 
   /// Whether each of its triangles has one other, in the piece itself and in the other orientation.
+  /// One that ends anywhere is a sheet that was folded flat, or a tube.
   bool is_doubled_in_itself(std::size_t piece) const {
-    return std::all_of(members_[piece].begin(), members_[piece].end(), [&](Index t) {
-      const std::vector<MeshCell>* stack = stacks_.at(t);
-      return stack != nullptr && stack->size() == 2 && (*stack)[0].rising != (*stack)[1].rising &&
-             cell_of_pieces(t, [&](Index other) { return other == piece; }) != nullptr;
-    });
+    return has_border_[piece] == 0 &&
+           std::all_of(members_[piece].begin(), members_[piece].end(), [&](Index t) {
+             const std::vector<MeshCell>* stack = stacks_.at(t);
+             return stack != nullptr && stack->size() == 2 &&
+                    (*stack)[0].rising != (*stack)[1].rising &&
+                    cell_of_pieces(t, [&](Index other) { return other == piece; }) != nullptr;
+           });
   }
 
   /// In pieces that have both sides: of each stack the cell that does not agree with the first
@@ -271,6 +280,7 @@ class Doubles {
 
   const TriMesh& mesh_;
   const Sheets& pieces_;
+  std::vector<unsigned char> has_border_;
   Stacks stacks_;
   std::vector<std::vector<Index>> members_;
   DoubledSheets found_;
@@ -289,8 +299,13 @@ bool may_be_doubled(const TriMesh& mesh) {
 DoubledSheets find_doubled_sheets(const TriMesh& mesh, std::span<const unsigned char> gone) {
   const TriMesh placed = at_places(mesh);
   const std::vector<EdgeSide> sides = sorted_sides(mesh, gone);
-  const Sheets pieces = find_sheets(mesh.triangles.size(), group_by_edge(sides));
-  return Doubles(placed, pieces, gone).take();
+  const std::vector<EdgeSides> edges = group_by_edge(sides);
+  const Sheets pieces = find_sheets(mesh.triangles.size(), edges);
+  std::vector<unsigned char> has_border(pieces.count, 0);
+  for (const EdgeSides& edge : edges) {
+    if (edge.size() == 1) has_border[pieces.of_triangle[edge.begin->triangle]] = 1;
+  }
+  return Doubles(placed, pieces, std::move(has_border), gone).take();
 }
 
 }  // namespace planish

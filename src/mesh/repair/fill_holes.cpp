@@ -10,6 +10,7 @@
 #include <planish/mesh/patch.h>
 #include <planish/mesh/repair.h>
 
+#include "mesh/curve_size.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edge_sides.h"
 #include "mesh/repair/border_places.h"
@@ -32,7 +33,7 @@ struct HoleCorner {
 /// A closed curve of the border that passes no place twice, the surface on its left.
 struct Hole {
   std::vector<HoleCorner> corners;
-  double length = 0.0;
+  CurveSize size = {};
   Index piece = 0;
   std::size_t loop = 0;  // of the border
 
@@ -111,14 +112,15 @@ Vec3 unit_normal(const Triangle& t, const std::vector<Vec3>& positions) {
   return length > 0.0 ? 1.0 / length * normal : Vec3{};
 }
 
-/// Every curve of the border, and which of them are the longest of their piece, in a tie the first.
+/// Every curve of the border, and which of them are the outer ones of their piece: the largest, in
+/// a tie the first.
 struct BorderCurves {
   std::vector<Hole> holes;
   std::vector<unsigned char> is_outer;
 
   struct Loop {
     double length = 0.0;
-    bool has_outer = false;  // with a curve that is the longest of its piece
+    bool has_outer = false;  // with the outer curve of its piece
   };
   std::vector<Loop> loops;
 };
@@ -129,22 +131,27 @@ BorderCurves border_curves(const TriMesh& mesh, const Connectivity& connectivity
   const Sheets pieces = find_sheets(mesh);
   BorderCurves curves;
   constexpr std::size_t k_no_hole = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> longest(pieces.count, k_no_hole);
+  std::vector<std::size_t> outer(pieces.count, k_no_hole);
   for (const std::vector<Index>& loop : connectivity.border_loops()) {
     curves.loops.emplace_back();
     for (Hole& hole : division.holes_of(loop)) {
-      for (std::size_t i = 0; i < hole.corners.size(); ++i)
-        hole.length += path_length(edge_behind(hole, i), mesh.positions);
+      Box box;
+      for (std::size_t i = 0; i < hole.corners.size(); ++i) {
+        hole.size.length += path_length(edge_behind(hole, i), mesh.positions);
+        box.add(mesh.positions[hole.corners[i].arrival]);
+      }
+      hole.size.reach = diagonal_of(box);
       hole.piece = pieces.of_triangle[edges.triangle_at(loop[0], loop[1])];
       hole.loop = curves.loops.size() - 1;
-      curves.loops.back().length += hole.length;
-      std::size_t& best = longest[hole.piece];
-      if (best == k_no_hole || hole.length > curves.holes[best].length) best = curves.holes.size();
+      curves.loops.back().length += hole.size.length;
+      std::size_t& best = outer[hole.piece];
+      if (best == k_no_hole || is_larger(hole.size, curves.holes[best].size))
+        best = curves.holes.size();
       curves.holes.push_back(std::move(hole));
     }
   }
   curves.is_outer.assign(curves.holes.size(), 0);
-  for (const std::size_t hole : longest) {
+  for (const std::size_t hole : outer) {
     if (hole == k_no_hole) continue;
     curves.is_outer[hole] = 1;
     curves.loops[curves.holes[hole].loop].has_outer = true;
@@ -217,7 +224,7 @@ FilledMesh fill_holes(const TriMesh& mesh, double length) {
       is_welded[hole.loop] = 1;
       continue;
     }
-    if (curves.is_outer[h] != 0 || !(hole.length <= length)) continue;
+    if (curves.is_outer[h] != 0 || !(hole.size.length <= length)) continue;
     const auto triangles = filling(unit, edges, hole);
     ++(triangles ? result.filled : result.left);
     if (!triangles) continue;

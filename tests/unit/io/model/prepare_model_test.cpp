@@ -328,6 +328,17 @@ TriMesh closed_shell(double thickness) {
   return repairs::closed(repairs::shell(18, 12, 100.0), repairs::shell(18, 12, 100.0 - thickness));
 }
 
+TEST(PrepareModel, SaysWhereAWallWithAnOpeningMayBe) {
+  TriMesh shell = closed_shell(2.0);
+  EXPECT_FALSE(prepared(shell).work.walls.at(0).is_open);
+  shell.triangles.erase(shell.triangles.begin() + 40);
+  const Model open = prepared(shell);
+  ASSERT_EQ(open.work.walls.size(), 1U);
+  EXPECT_TRUE(open.work.walls[0].is_open);
+  EXPECT_EQ(open.mesh.triangles, shell.triangles) << "nothing is taken unasked";
+  EXPECT_TRUE(prepared(repairs::shell(18, 12, 100.0)).work.walls.empty());
+}
+
 TEST(PrepareModel, TakesASideOfEachClosedWall) {
   const TriMesh thick = closed_shell(4.0), thin = closed_shell(2.0),
                 lone = meshes::flat_grid(40, 40);

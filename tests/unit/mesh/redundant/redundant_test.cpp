@@ -78,6 +78,16 @@ TEST(RedundantTriangles, OfADoubledSheetTheFirstSideStays) {
   }
 }
 
+/// It has its own border, which a doubled sheet has not.
+TEST(RedundantTriangles, ASheetFoldedFlatOnItselfStays) {
+  TriMesh sheet = meshes::flat_grid(8, 5);
+  for (Vec3& p : sheet.positions)
+    p.x = std::min(p.x, 8.0 - p.x);
+  EXPECT_EQ(remove_redundant_triangles(sheet).removed(), 0U);
+  for (const TriMesh& variant : variants(sheet))
+    EXPECT_EQ(remove_redundant_triangles(variant).removed(), 0U);
+}
+
 /// Sides that alternate in the file are told apart by their orientation.
 TEST(RedundantTriangles, OfADoubledSheetOneSideStaysInAnyOrder) {
   const TriMesh sheet = meshes::rough_grid(6, 5, 5);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include <planish/core/error.h>
 #include <planish/mesh/inspect.h>
@@ -56,6 +57,42 @@ TEST(FillHoles, ClosesAllButTheOuterBorder) {
     const auto news = std::count(filled.source.begin(), filled.source.end(), RepairedMesh::none);
     EXPECT_EQ(static_cast<std::size_t>(news), filled.mesh.triangles.size() - mesh.triangles.size());
   }
+}
+
+/// A vent with 12 teeth has a longer border than the disc around it.
+TEST(FillHoles, TheRimIsNoHoleThoughAJaggedOneIsLonger) {
+  constexpr Index spokes = 96, rings = 6;
+  TriMesh disc;
+  for (Index r = 0; r < rings; ++r) {
+    for (Index k = 0; k < spokes; ++k) {
+      const double angle = 6.283185307179586 * k / spokes;
+      const double inner = k % 8 < 4 ? 20.0 : 70.0;
+      const double radius = inner + (100.0 - inner) * r / (rings - 1);
+      disc.positions.push_back({radius * std::cos(angle), radius * std::sin(angle), 0.0});
+    }
+  }
+  for (Index r = 0; r + 1 < rings; ++r) {
+    for (Index k = 0; k < spokes; ++k) {
+      const Index a = r * spokes + k, b = r * spokes + (k + 1) % spokes;
+      disc.triangles.push_back({a, a + spokes, b});
+      disc.triangles.push_back({b, a + spokes, b + spokes});
+    }
+  }
+  const Inspection found = inspect(disc);
+  ASSERT_EQ(found.topology.border_loops, 2U);
+  for (const Problem& problem : found.problems)
+    EXPECT_EQ(problem.message.find("--fill-holes"), std::string::npos) << problem.message;
+  EXPECT_EQ(fill_holes(disc, 700.0).filled, 0U) << "the rim is 628 long";
+  const FilledMesh all = fill_holes(disc, k_any);
+  ASSERT_EQ(all.filled, 1U);
+  const TriMesh& mesh = all.mesh;
+  double area = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    area += 0.5 * norm(cross(mesh.positions[t[1]] - mesh.positions[t[0]],
+                             mesh.positions[t[2]] - mesh.positions[t[0]]));
+  }
+  const double whole = 0.5 * spokes * 100.0 * 100.0 * std::sin(6.283185307179586 / spokes);
+  EXPECT_NEAR(area, whole, 1e-9 * whole);
 }
 
 TEST(FillHoles, OfAPlaneStaysInItAndDoesNotFold) {

@@ -270,6 +270,29 @@ std::vector<Half> halves() {
   return some;
 }
 
+TEST(OffsetOutline, GoesIntoASlitWithoutAGapWhoseSidesHaveNoAllowance) {
+  for (const double lean : {0.0, 7.0}) {
+    const PieceOutline plate{"plate",
+                             {{{0, 0},
+                               {100, 0},
+                               {100 + lean / 2, 30},
+                               {100 + lean, 60},
+                               {100 + lean / 2, 30},
+                               {100, 0},
+                               {200, 0},
+                               {200, 100},
+                               {0, 100}}}};
+    const Allowance allowance{.width = 10.0, .edge_widths = {{10, 0, 0, 0, 0, 10, 10, 10, 10}}};
+    const auto cut = offset_outline(plate, allowance);
+    ASSERT_EQ(cut.size(), 1U) << "open through the allowance";
+    double length = 0.0;
+    for (std::size_t i = 0; i < cut[0].size(); ++i)
+      length += norm(cut[0][(i + 1) % cut[0].size()] - cut[0][i]);
+    EXPECT_NEAR(length, 2.0 * (220.0 + 120.0) + 2.0 * 70.0 / 60.0 * std::hypot(60.0, lean), 1e-3);
+    EXPECT_NEAR(signed_area(cut[0]), 220.0 * 120.0, 0.01);
+  }
+}
+
 TEST(OffsetOutline, IsHalfOfThatOfTheWholeBesideAFold) {
   for (const Half& half : halves()) {
     for (const Corners corners : {Corners::mitre, Corners::square, Corners::round}) {

@@ -64,11 +64,12 @@ void check_widths(const PieceOutline& outline, const Allowance& allowance) {
 }
 
 void check_counts(const PieceOutline& outline, const Allowance& allowance) {
-  if (allowance.edge_widths.empty()) return;
-  bool fits = allowance.edge_widths.size() == outline.loops.size();
-  for (std::size_t k = 0; fits && k < outline.loops.size(); ++k)
-    fits = allowance.edge_widths[k].size() == outline.loops[k].size();
-  if (fits) return;
+  const auto fits = [&](const auto& of_loops) {
+    return of_loops.empty() ||
+           std::equal(of_loops.begin(), of_loops.end(), outline.loops.begin(), outline.loops.end(),
+                      [](const auto& a, const auto& b) { return a.size() == b.size(); });
+  };
+  if (fits(allowance.edge_widths) && fits(allowance.folds)) return;
   throw Error(ErrorCode::option_out_of_range,
               about(outline) + "there must be one seam allowance for each edge of each loop");
 }
@@ -101,11 +102,13 @@ WideLoop wide_loop(const PieceOutline& outline, std::size_t k, const Allowance& 
   WideLoop wide;
   wide.points.reserve(loop.size());
   wide.widths.reserve(loop.size());
+  wide.folds.reserve(loop.size());
   for (std::size_t i = 0; i < loop.size(); ++i) {
     if (!(norm(loop[(i + 1) % loop.size()] - loop[i]) > 1e-9)) continue;
     wide.points.push_back(loop[i]);
     wide.widths.push_back(allowance.edge_widths.empty() ? allowance.width
                                                         : allowance.edge_widths[k][i]);
+    wide.folds.push_back(!allowance.folds.empty() && allowance.folds[k][i]);
   }
   return wide;
 }

@@ -235,6 +235,8 @@ struct Half {
     PieceOutline outline{name, {points}};
     allowance.edge_widths = {std::vector<double>(points.size(), allowance.width)};
     allowance.edge_widths[0].back() = 0.0;
+    allowance.folds = {std::vector<bool>(points.size(), false)};
+    allowance.folds[0].back() = true;
     return offset_outline(outline, allowance);
   }
 
@@ -334,6 +336,33 @@ TEST(OffsetOutline, HasItsOuterLineBeforeWhatItEncloses) {
   ASSERT_EQ(cut.size(), 2U);
   EXPECT_GT(signed_area(cut[0]), 0.0);
   EXPECT_LT(signed_area(cut[1]), 0.0);
+}
+
+TEST(OffsetOutline, KeepsItsWidthBesideAStretchWithoutWhereThereIsNoCorner) {
+  for (const std::size_t points : {180U, 36U, 18U}) {  // the last turns by 20 degrees at each
+    PieceOutline disc{"disc", {{}}};
+    Allowance allowance{.width = 12.0, .edge_widths = {{}}};
+    for (std::size_t i = 0; i < points; ++i) {
+      const double angle =
+          2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(points);
+      disc.loops[0].push_back({100.0 * std::cos(angle), 100.0 * std::sin(angle)});
+      allowance.edge_widths[0].push_back(4 * i < points ? 0.0 : 12.0);
+    }
+    const Polygon& loop = disc.loops[0];
+    const auto cut = offset_outline(disc, allowance);
+    ASSERT_EQ(cut.size(), 1U);
+    for (std::size_t i = 0; i < points; ++i) {
+      if (!(allowance.edge_widths[0][i] > 0.0)) continue;
+      const Vec2 middle = 0.5 * (loop[i] + loop[(i + 1) % points]);
+      const Vec2 place = (1.0 + 12.0 / norm(middle)) * middle;
+      EXPECT_LT(oracle::distance_to_outline(place, cut), 1e-3) << i << " of " << points;
+    }
+  }
+}
+
+TEST(OffsetOutline, RefusesFoldsThatAreNotOfItsEdges) {
+  const PieceOutline plate{"plate", {{{0, 0}, {100, 0}, {100, 50}, {0, 50}}}};
+  EXPECT_THROW(offset_outline(plate, {.folds = {{true, false}}}), Error);
 }
 
 TEST(OffsetOutline, EndsAcrossTheSideWhereThatOnlyGoesOnWithout) {

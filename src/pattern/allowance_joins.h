@@ -16,10 +16,11 @@ struct OutlineCorner {
   double mitre_limit;
 };
 
-/// A loop without edges of no length, and the width of each edge.
+/// A loop without edges of no length, and what each edge has.
 struct WideLoop {
   Polygon points;
   std::vector<double> widths;
+  std::vector<bool> folds;  ///< whether an edge is on a fold
 
   std::size_t next(std::size_t i) const { return (i + 1) % points.size(); }
   std::size_t last(std::size_t i) const { return (i + points.size() - 1) % points.size(); }

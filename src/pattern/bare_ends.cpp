@@ -1,7 +1,9 @@
 #include "pattern/bare_ends.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include "pattern/polygon/border_walk.h"
 #include "pattern/polygon/plane.h"
@@ -48,6 +50,16 @@ EndLine line_of_bare_edges(const WalkAway& bare, const BorderWalk& walk, double 
   const double far = std::min(width, length), way = walk.way_to(bare.vertex(0));
   const Vec2 corner = bare.point(0), away = walk.at(forward ? way + far : way - far);
   return {corner, direction_of(forward ? away - corner : corner - away)};
+}
+
+/// Whether the border turns at a corner from the line to the edges with an allowance, as seen from
+/// as far off as that is wide.
+bool turns(const WalkAway& away, const BorderWalk& walk, const EndLine& line, bool forward) {
+  constexpr double k_least_turn = 25.0 * std::numbers::pi / 180.0;
+  const double far = std::min(away.width(0), 0.25 * walk.length());
+  const double way = walk.way_to(away.vertex(0));
+  const Vec2 along = walk.at(forward ? way + far : way - far) - away.point(0);
+  return std::abs(turn_between(line.along, forward ? along : -1.0 * along)) >= k_least_turn;
 }
 
 /// The edges and joins at which the allowance from a corner on crosses the line.
@@ -123,6 +135,7 @@ BareEnds bare_ends(const WideLoop& wide, Corners corners, double mitre_limit) {
     if (bare_before == bare_after) continue;
     const WalkAway away(wide, i, bare_before), bare(wide, i, bare_after);
     const EndLine line = line_of_bare_edges(bare, walk, away.width(0), bare_after);
+    if (!wide.folds[bare.edge(0)] && !turns(away, walk, line, bare_before)) continue;
     const Crossing crossing = crossing_of(wide, away, line);
     if (!crossing.comes_free) continue;
     ends.corners[i] = opened_corner(wide.corner(i, corners, mitre_limit), line);

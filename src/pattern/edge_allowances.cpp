@@ -89,7 +89,8 @@ EdgeAllowance fold_stretch(const PieceOutline& outline, const FoldLine& fold) {
             "the fold and give both halves an allowance there, to be sewn together",
         {.path = {}, .first = fold.from});
   }
-  return bow <= bow_back ? EdgeAllowance{fold.from, fold.to} : EdgeAllowance{fold.to, fold.from};
+  return bow <= bow_back ? EdgeAllowance{fold.from, fold.to, 0.0, true}
+                         : EdgeAllowance{fold.to, fold.from, 0.0, true};
 }
 
 Allowance with_edge_allowances(Allowance allowance, const PieceOutline& outline,
@@ -97,14 +98,18 @@ Allowance with_edge_allowances(Allowance allowance, const PieceOutline& outline,
   check_edge_allowances(outline.vertices, edges, outline.piece);
   if (edges.empty()) return allowance;
   allowance.edge_widths.clear();
-  for (const Polygon& loop : outline.loops)
+  allowance.folds.clear();
+  for (const Polygon& loop : outline.loops) {
     allowance.edge_widths.emplace_back(loop.size(), allowance.width);
+    allowance.folds.emplace_back(loop.size(), false);
+  }
   for (const EdgeAllowance& edge : edges) {
     const Stretch stretch = *stretch_of(edge, outline.vertices);
     std::vector<double>& widths = allowance.edge_widths[stretch.loop];
     std::size_t at = stretch.from;
     do {
       widths[at] = edge.width;
+      allowance.folds[stretch.loop][at] = edge.is_fold;
       at = (at + 1) % widths.size();
     } while (at != stretch.to);
   }

@@ -16,8 +16,8 @@ struct OutlineStretch {
 };
 
 /// The stretches of the outline that an allowance leaves without a cut line beside them, as it
-/// fills slits and darts: edges with both ends farther from the cut line than two widths. No edge
-/// of a bay with an angle of 60 degrees or more is as far.
+/// fills slits and darts: places that the other side of a slit faces, within 60 degrees, with no
+/// cut line between, and the ends of such slits.
 /// @param cut what offset_outline() made of the outline
 /// @param width the widest allowance, millimetres, above 0
 std::vector<OutlineStretch> filled_slits(std::span<const Polygon> outline,

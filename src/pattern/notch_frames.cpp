@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "pattern/curves/corners.h"
 #include "pattern/polygon/plane.h"
@@ -54,6 +56,37 @@ double distance_to(std::span<const Polygon> loops, Vec2 place) {
       nearest = std::min(nearest, distance_to_segment(place, loop[i], loop[(i + 1) % loop.size()]));
   }
   return nearest;
+}
+
+/// How far loops run along a ray from its place on, edge by edge; 0 where they leave it at once.
+double run_along(std::span<const Polygon> loops, Vec2 place, Vec2 direction) {
+  std::vector<std::pair<double, double>> runs;  // of the edges on the ray, as ways along it
+  for (const Polygon& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vec2 a = loop[i] - place, b = loop[(i + 1) % loop.size()] - place;
+      const double off = std::max(std::abs(cross(direction, a)), std::abs(cross(direction, b)));
+      const auto [from, to] = std::minmax({dot(direction, a), dot(direction, b)});
+      if (off <= k_on_line && to > from + k_on_line) runs.emplace_back(from, to);
+    }
+  }
+  std::sort(runs.begin(), runs.end());
+  double end = 0.0;
+  for (const auto& [from, to] : runs) {
+    if (from <= end + k_on_line) end = std::max(end, to);
+  }
+  return end;
+}
+
+/// Whether the other side of a slit lies at a place, so near that it is no jag of its own side.
+bool is_faced(std::span<const Polygon> loops, const NotchFrame& frame, double near) {
+  for (const Polygon& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vec2 a = loop[i], edge = loop[(i + 1) % loop.size()] - a;
+      if (!are_opposite(frame.along, edge)) continue;
+      if (distance_to_segment(frame.seam, a, a + edge) <= near) return true;
+    }
+  }
+  return false;
 }
 
 /// The shorter way around.
@@ -195,7 +228,9 @@ std::optional<NotchFrame> NotchFrames::met(const NotchSeat& seat, NotchFrame fra
 /// a dart is marked; in a slit with no room for it half a millimetre long.
 NotchFrame NotchFrames::standing_on_seam(NotchFrame frame) const {
   constexpr double k_jag = 0.05, k_least = 0.5;
-  const double free = first_hit(outline_.loops, frame.seam, -1.0 * frame.inward, k_jag);
+  const double free = is_faced(outline_.loops, frame, k_jag)
+                          ? 0.0
+                          : first_hit(outline_.loops, frame.seam, -1.0 * frame.inward, k_jag);
   frame.reach = std::min(sizes_.depth, std::max(0.5 * free, k_least));
   frame.on_seam = true;
   return frame;
@@ -206,6 +241,8 @@ NotchFrame NotchFrames::standing_on_seam(NotchFrame frame) const {
 std::optional<NotchFrame> NotchFrames::along_bare_edge(const NotchSeat& seat, Vec2 inward,
                                                        Vec2 other, double width) const {
   NotchFrame frame = frame_along(walks_[seat.loop].at(seat.way), {inward.y, -inward.x});
+  frame.reach = run_along(cut_, frame.seam, -1.0 * frame.inward);
+  if (frame.reach > k_on_line && frame.reach <= k_most_reach * width) return frame;
   const double sine = std::abs(cross(inward, other));
   frame.reach = sine > 0.0 ? width / sine : k_no_hit;
   if (!(frame.reach <= k_most_reach * width)) return std::nullopt;

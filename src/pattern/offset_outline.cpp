@@ -64,11 +64,12 @@ void check_widths(const PieceOutline& outline, const Allowance& allowance) {
 }
 
 void check_counts(const PieceOutline& outline, const Allowance& allowance) {
-  if (allowance.edge_widths.empty()) return;
-  bool fits = allowance.edge_widths.size() == outline.loops.size();
-  for (std::size_t k = 0; fits && k < outline.loops.size(); ++k)
-    fits = allowance.edge_widths[k].size() == outline.loops[k].size();
-  if (fits) return;
+  const auto fits = [&](const auto& of_loops) {
+    return of_loops.empty() ||
+           std::equal(of_loops.begin(), of_loops.end(), outline.loops.begin(), outline.loops.end(),
+                      [](const auto& a, const auto& b) { return a.size() == b.size(); });
+  };
+  if (fits(allowance.edge_widths) && fits(allowance.folds)) return;
   throw Error(ErrorCode::option_out_of_range,
               about(outline) + "there must be one seam allowance for each edge of each loop");
 }
@@ -101,13 +102,42 @@ WideLoop wide_loop(const PieceOutline& outline, std::size_t k, const Allowance& 
   WideLoop wide;
   wide.points.reserve(loop.size());
   wide.widths.reserve(loop.size());
+  wide.folds.reserve(loop.size());
   for (std::size_t i = 0; i < loop.size(); ++i) {
     if (!(norm(loop[(i + 1) % loop.size()] - loop[i]) > 1e-9)) continue;
     wide.points.push_back(loop[i]);
     wide.widths.push_back(allowance.edge_widths.empty() ? allowance.width
                                                         : allowance.edge_widths[k][i]);
+    wide.folds.push_back(!allowance.folds.empty() && allowance.folds[k][i]);
   }
   return wide;
+}
+
+/// Whether the other side of a slit touches a vertex of an edge.
+bool is_touched(const WideLoop& wide, std::size_t vertex, std::size_t edge, double near) {
+  const Vec2 place = wide.points[vertex], along = wide.direction(edge);
+  for (std::size_t k = 0; k < wide.points.size(); ++k) {
+    if (k == vertex || k == wide.last(vertex)) continue;
+    if (distance_to_segment(place, wide.points[k], wide.points[wide.next(k)]) > near) continue;
+    if (are_opposite(along, wide.direction(k))) return true;
+  }
+  return false;
+}
+
+/// Sides of a slit that touch would be joined: those without an allowance are moved apart, by some
+/// steps of the grid of winding_union().
+WideLoop with_bare_sides_apart(const WideLoop& wide) {
+  constexpr double k_apart = 3e-5;  // millimetres, either side
+  WideLoop apart = wide;
+  for (std::size_t i = 0; i < wide.points.size(); ++i) {
+    Vec2 inwards;
+    for (const std::size_t edge : {wide.last(i), i}) {
+      if (wide.widths[edge] > 0.0) continue;
+      if (is_touched(wide, i, edge, k_apart)) inwards = inwards - outwards(wide.direction(edge));
+    }
+    if (norm(inwards) > 0.5) apart.points[i] = wide.points[i] + k_apart / norm(inwards) * inwards;
+  }
+  return apart;
 }
 
 Vec2 direction(Vec2 from, Vec2 to) {
@@ -322,7 +352,7 @@ std::vector<Polygon> offset_outline(const PieceOutline& outline, const Allowance
   std::vector<Polygon> lines;
   lines.reserve(widened);
   for (std::size_t k = 0; k < widened; ++k) {
-    const WideLoop wide = wide_loop(outline, k, allowance);
+    const WideLoop wide = with_bare_sides_apart(wide_loop(outline, k, allowance));
     const BareEnds ends = bare_ends(wide, allowance.corners, allowance.mitre_limit);
     lines.push_back(raw_line(wide, ends, allowance));
     append_ends(wide, ends, allowance, lines);

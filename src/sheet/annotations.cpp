@@ -70,12 +70,12 @@ Layer grain_layer(std::vector<Polygon> lines) {
   return layer;
 }
 
-Layer fold_layer(const PlacedPattern& pattern, const std::optional<FoldLine>& fold) {
+Layer fold_layer(const PlacedPattern& pattern, const PatternOptions& options) {
   Layer layer{"fold", {}};
-  if (!fold) return layer;
-  const Vec2 from = pattern.positions[fold->from], to = pattern.positions[fold->to];
-  Path path{{{from, to}}, false, k_fold};
-  path.mark = FoldMark{from, to, fold->opened};
+  if (!options.fold) return layer;
+  const Polygon line = fold_line(pattern, options);
+  Path path{{line}, false, k_fold};
+  path.mark = FoldMark{line.front(), line.back(), options.fold->opened};
   layer.shapes.emplace_back(std::move(path));
   return layer;
 }
@@ -322,7 +322,7 @@ std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& 
   layers.push_back(outline_layer("seam", seam_paths(pattern, options, k_seam)));
   layers.push_back(notch_layer(pattern));
   layers.push_back(grain_layer(std::move(grain)));
-  layers.push_back(fold_layer(pattern, options.fold));
+  layers.push_back(fold_layer(pattern, options));
   layers.push_back(drill_layer(pattern, options.marks));
   layers.push_back(layer_of("internal", std::move(inner), k_internal));
   layers.push_back(annotation_layer(place, lines));

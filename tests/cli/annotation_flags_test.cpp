@@ -47,6 +47,20 @@ TEST_F(AnnotationsFlags, ReachTheSheetOfUnfold) {
     EXPECT_THAT(dxf, HasSubstr(text));
 }
 
+TEST_F(AnnotationsFlags, SayThatAnInnerCornerHasNoCutLineBesideNotches) {
+  // 60 by 60 without its upper right quarter; vertex 4 is the inner corner.
+  write("ell.obj",
+        "v 0 0 0\nv 60 0 0\nv 60 30 0\nv 0 30 0\nv 30 30 0\nv 30 60 0\nv 0 60 0\nv 30 0 0\n"
+        "f 1 8 5\nf 1 5 4\nf 8 2 3\nf 8 3 5\nf 4 5 6\nf 4 6 7\n");
+  write("notches.txt", "4 slit double\n");
+  const CliResult result = planish({"unfold", "ell.obj", "-o", "ell.svg", "--unit", "mm",
+                                    "--allowance", "10mm", "--notches", "notches.txt"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("2 notches are drawn on the seam line: no cut line runs beside "
+                                    "the place, as the allowance fills the dart, slit or inner "
+                                    "corner there"));
+}
+
 TEST_F(AnnotationsFlags, MayBeDrawnOnTheModel) {
   const TriMesh panel = make_shape("panel", 300);
   const Patch patch(panel);

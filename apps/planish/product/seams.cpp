@@ -140,7 +140,8 @@ void note_notches(Session& session, const Drawing& drawing, double depth) {
   if (const std::size_t count = notches_on_seam_line(drawing); count > 0) {
     session.note(notches_are(count) +
                  " drawn on the seam line: no cut line runs beside the place, as the allowance "
-                 "fills the dart or slit there; for notches in a cut line take less --allowance");
+                 "fills the dart, slit or inner corner there; for notches in a cut line take less "
+                 "--allowance");
   }
   if (const std::size_t count = shorter_notches(drawing, depth); count > 0) {
     session.note(

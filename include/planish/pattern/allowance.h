@@ -27,6 +27,9 @@ struct Allowance {
   /// Where not empty, the width of each edge in millimetres, instead of `width`: by loop, and by
   /// the edge's first point. 0 for edges without, as along a fold.
   std::vector<std::vector<double>> edge_widths = {};
+  /// Where not empty, whether each edge is on a fold: allowances end at its line, also where the
+  /// border hardly turns there.
+  std::vector<std::vector<bool>> folds = {};
 };
 
 /// The outline of a piece with its allowance: the border of all that is no farther from the piece
@@ -46,6 +49,7 @@ std::vector<Polygon> offset_outline(const PieceOutline& outline, const Allowance
 struct EdgeAllowance {
   Index from = 0, to = 0;  ///< vertex at which the stretch begins or ends
   double width = 0.0;      ///< millimetres; 0 for none, as along a fold
+  bool is_fold = false;    ///< whether it is one
 };
 
 /// Checks that the ends are on one loop of the border, which needs no pattern.

@@ -25,4 +25,8 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   return norm(p - (a + share * way));
 }
 
+bool are_opposite(Vec2 unit, Vec2 other) {
+  return dot(unit, other) <= -0.5 * norm(other);
+}
+
 }  // namespace planish

@@ -16,4 +16,8 @@ Vec2 outwards(Vec2 direction);
 /// The distance of a place from the line between two points; these may be one.
 double distance_to_segment(Vec2 p, Vec2 a, Vec2 b);
 
+/// Whether directions, the first of length 1, are opposite but for 60 degrees, as those of the two
+/// sides of a slit.
+bool are_opposite(Vec2 unit, Vec2 other);
+
 }  // namespace planish

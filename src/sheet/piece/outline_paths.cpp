@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -42,41 +43,70 @@ std::optional<std::size_t> edge_with(const Polygon& loop, Vec2 place, const Plac
   return std::nullopt;
 }
 
-/// A closed line without its part along the fold, from the end of the fold to its beginning.
-/// Nothing where the line does not run along the fold.
+/// Whether a straight piece of a line is on the line of the fold and runs the same way.
+bool is_on(const PlacedFold& fold, Vec2 a, Vec2 b) {
+  const Vec2 way = fold.to - fold.from;
+  const auto is_beside = [&](Vec2 p) {
+    return std::abs(cross(way, p - fold.from)) <= k_on_fold * norm(way);
+  };
+  return is_beside(a) && is_beside(b) && dot(way, b - a) >= 0.0;
+}
+
+/// Pieces of a closed line that follow each other: the first, and how many.
+struct PieceRun {
+  std::size_t first = 0, count = 0;
+};
+
+/// The pieces from that with the fold on, as far either way as they are on the line of the fold:
+/// through the allowances at its ends.
+PieceRun run_around(PieceRun run, std::size_t pieces,
+                    const std::function<bool(std::size_t)>& is_on_fold) {
+  while (run.count < pieces && is_on_fold((run.first + run.count) % pieces))
+    ++run.count;
+  while (run.count < pieces && is_on_fold((run.first + pieces - 1) % pieces)) {
+    run.first = (run.first + pieces - 1) % pieces;
+    ++run.count;
+  }
+  return run;
+}
+
+/// A closed line without its part along the line of the fold. Nothing where it does not run along
+/// the fold.
 std::optional<Polygon> opened(const Polygon& loop, const PlacedFold& fold) {
   const auto first = edge_with(loop, fold.from, fold), last = edge_with(loop, fold.to, fold);
   if (!first || !last) return std::nullopt;
+  const std::size_t count = loop.size();
+  const PieceRun run =
+      run_around({*first, (*last + count - *first) % count + 1}, count,
+                 [&](std::size_t i) { return is_on(fold, loop[i], loop[(i + 1) % count]); });
   Polygon line;
-  const auto add = [&](Vec2 p) {
-    if (line.empty() || norm(p - line.back()) > k_on_fold) line.push_back(p);
-  };
-  add(fold.to);
-  for (std::size_t i = (*last + 1) % loop.size(); i != *first; i = (i + 1) % loop.size())
-    add(loop[i]);
-  add(loop[*first]);
-  add(fold.from);
+  line.reserve(count);
+  for (std::size_t k = run.count; k <= count; ++k)
+    line.push_back(loop[(run.first + k) % count]);
   return line;
 }
 
 /// The same of a curve, where the fold is on one straight piece of it.
 std::optional<Curve> opened(const Curve& curve, const PlacedFold& fold) {
-  Vec2 from = curve.start;
-  for (std::size_t k = 0; k < curve.pieces.size(); ++k) {
-    const Vec2 end = end_of(curve.pieces[k]);
-    const bool is_line = std::holds_alternative<LineTo>(curve.pieces[k]);
-    const bool has_fold = is_line && dot(end - from, fold.to - fold.from) > 0.0 &&
-                          distance_to_segment(fold.from, from, end) <= k_on_fold &&
-                          distance_to_segment(fold.to, from, end) <= k_on_fold;
-    if (has_fold) {
-      Curve open{fold.to, {}};
-      if (norm(end - fold.to) > k_on_fold) open.pieces.emplace_back(LineTo{end});
-      for (std::size_t i = 1; i < curve.pieces.size(); ++i)
-        open.pieces.push_back(curve.pieces[(k + i) % curve.pieces.size()]);
-      if (norm(from - fold.from) > k_on_fold) open.pieces.emplace_back(LineTo{fold.from});
-      return open;
-    }
-    from = end;
+  const std::size_t count = curve.pieces.size();
+  const auto start = [&](std::size_t k) {
+    return k == 0 ? curve.start : end_of(curve.pieces[k - 1]);
+  };
+  const auto is_on_fold = [&](std::size_t k) {
+    return std::holds_alternative<LineTo>(curve.pieces[k]) &&
+           is_on(fold, start(k), end_of(curve.pieces[k]));
+  };
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vec2 from = start(k), to = end_of(curve.pieces[k]);
+    const bool has_fold = is_on_fold(k) && distance_to_segment(fold.from, from, to) <= k_on_fold &&
+                          distance_to_segment(fold.to, from, to) <= k_on_fold;
+    if (!has_fold) continue;
+    const PieceRun run = run_around({k, 1}, count, is_on_fold);
+    Curve open{end_of(curve.pieces[(run.first + run.count - 1) % count]), {}};
+    open.pieces.reserve(count);
+    for (std::size_t i = run.count; i < count; ++i)
+      open.pieces.push_back(curve.pieces[(run.first + i) % count]);
+    return open;
   }
   return std::nullopt;
 }
@@ -149,6 +179,21 @@ std::vector<Path> cut_paths(const PlacedPattern& pattern, const PatternOptions& 
     return paths;
   }
   return whole;
+}
+
+Polygon fold_line(const PlacedPattern& pattern, const PatternOptions& options) {
+  const Vec2 from = pattern.positions[options.fold->from];
+  const Vec2 to = pattern.positions[options.fold->to];
+  if (!is_half(options)) return {from, to};
+  const PlacedFold fold = placed_fold(pattern, options);
+  for (const Polygon& loop : pattern.cut) {
+    const auto line = opened(loop, fold);
+    if (!line) continue;
+    // The open line begins where the fold ends.
+    return dot(to - from, fold.to - fold.from) > 0.0 ? Polygon{line->back(), line->front()}
+                                                     : Polygon{line->front(), line->back()};
+  }
+  return {from, to};
 }
 
 std::vector<Path> seam_paths(const PlacedPattern& pattern, const PatternOptions& options,

@@ -37,8 +37,40 @@ double filled(const PieceOutline& outline, double width) {
 }
 
 TEST(FilledSlit, HasTheLengthOfTheEdgesWithoutACutLine) {
-  // Both sides from 40 on, 50 from the cut line, and the end, 30 from it.
-  EXPECT_DOUBLE_EQ(filled(slit_plate(5.0), 10.0), 40.0 + 5.0 + 40.0);
+  EXPECT_DOUBLE_EQ(filled(slit_plate(5.0), 10.0), 80.0 + 5.0 + 80.0);
+}
+
+TEST(FilledSlit, IsTheWholeOfAShortCutWithoutAGap) {
+  const PieceOutline plate = {
+      "plate", {{{0, 0}, {100, 0}, {100, 20}, {100, 0}, {200, 0}, {200, 100}, {0, 100}}}};
+  EXPECT_DOUBLE_EQ(filled(plate, 15.0), 40.0);
+  EXPECT_DOUBLE_EQ(filled(plate, 20.0), 40.0);
+}
+
+TEST(FilledSlit, IsTheCutThatOpensAFrameWhateverItsWidth) {
+  // 300 by 200 and 30 wide, cut open at the lower left corner of its inner border.
+  const PieceOutline frame = {"frame",
+                              {{{0, 0},
+                                {300, 0},
+                                {300, 200},
+                                {0, 200},
+                                {0, 30},
+                                {30, 30},
+                                {30, 170},
+                                {270, 170},
+                                {270, 30},
+                                {30, 30},
+                                {0, 30}}}};
+  for (const double width : {5.0, 10.0, 15.0})
+    EXPECT_DOUBLE_EQ(filled(frame, width), 60.0) << width;
+}
+
+TEST(FilledSlit, OfADartIsAsFarAsItsSidesAreNearerThanBothAllowances) {
+  // 100 deep and 20 wide at the mouth.
+  const PieceOutline dart = {
+      "dart", {{{0, 0}, {90, 0}, {100, 100}, {110, 0}, {200, 0}, {200, 150}, {0, 150}}}};
+  // Allowances of 3 meet 30.15 above the tip, and cut lines begin there.
+  EXPECT_NEAR(filled(dart, 3.0), 2.0 * 30.0, 2.0);
 }
 
 TEST(FilledSlit, IsOneStretchWithTheTipInItsMiddle) {

@@ -347,6 +347,47 @@ TEST(Notches, WhereAFoldMeetsAnEdgeAreInTheAllowanceOfThatAtTheFold) {
   }
 }
 
+TEST(Notches, AtTheEndOfAFoldAreOnItsLineAlsoBesideACurvedEdge) {
+  // A half with its fold along x = 0 and a hollow neckline of chords of 3 degrees.
+  PieceOutline outline{"half", {{{0, 0}, {200, 0}, {200, 200}, {90, 200}}}, {{0, 1, 2, 3}}};
+  for (int i = 1; i <= 30; ++i) {
+    const double angle = 3.0 * i * std::numbers::pi / 180.0;
+    outline.loops[0].push_back(
+        {i < 30 ? 90.0 * std::cos(angle) : 0.0, 200.0 - 90.0 * std::sin(angle) - 0.2 * i});
+    outline.vertices[0].push_back(static_cast<Index>(3 + i));
+  }
+  const Vec2 end = outline.loops[0].back();
+  for (const double width : {12.0, 25.0}) {
+    const Allowance allowance =
+        with_edge_allowances({.width = width}, outline, std::vector<EdgeAllowance>{{33, 0, 0.0}});
+    const auto cut = offset_outline(outline, allowance);
+    const auto placed = place_notches(
+        outline, cut, std::vector<Notch>{{Index{33}, NotchKind::slit}}, {}, allowance);
+    ASSERT_EQ(placed.size(), 1U);
+    expect_line({placed[0].inward}, {{0, -1}});
+    EXPECT_NEAR(placed[0].at.x, 0.0, 1e-4);
+    EXPECT_GT(placed[0].at.y, end.y + width - 0.1);
+    EXPECT_EQ(placed[0].depth, 5.0);
+    double most = 0.0;
+    for (const Vec2 p : cut[0])
+      most = p.x < 1e-3 ? std::max(most, p.y) : most;
+    EXPECT_NEAR(placed[0].at.y, most, 1e-4) << "where the cut line meets the fold";
+  }
+}
+
+TEST(Notches, InASlitWithoutAGapAreHalfAMillimetreLong) {
+  const PieceOutline outline{
+      "slit", {{{0, 0}, {100, 0}, {100, 60}, {100, 0}, {200, 0}, {200, 100}, {0, 100}}}};
+  const Allowance allowance{.width = 10.0};
+  const auto cut = offset_outline(outline, allowance);
+  const double border = 2.0 * (60.0 + 200.0 + 100.0);
+  const auto lines = notch_lines(
+      outline, cut, std::vector<Notch>{{130.0 / border}, {190.0 / border}}, {}, allowance);
+  ASSERT_EQ(lines.size(), 2U);
+  expect_line(lines[0], {{100.5, 30}, {100, 30}});
+  expect_line(lines[1], {{99.5, 30}, {100, 30}});
+}
+
 TEST(Notches, OfADoubleOneStayOnTheirSeam) {
   const PieceOutline outline = panel();
   const Allowance allowance{.width = 10.0};

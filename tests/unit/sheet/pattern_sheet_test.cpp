@@ -170,8 +170,8 @@ TEST(PatternSheet, SaysWhereTheAllowanceFillsASlit) {
     const PatternOptions options = {.allowance = Allowance{.width = width}};
     return texts_of(layer_of(pattern_sheet(Patch(mesh), unfold, "", options), "label"));
   };
-  // On both sides from 11 to 29: there more than 20 from the cut line.
-  const std::string words = "36 mm of seam line in slits or darts that the allowance fills";
+  // Both sides, 30 each, and the tip.
+  const std::string words = "61 mm of seam line in slits or darts that the allowance fills";
   EXPECT_THAT(label(10.0), Contains(words));
   EXPECT_THAT(label(0.4), Not(Contains(HasSubstr("fills"))));
 }

@@ -101,7 +101,7 @@ Allowance with_edge_allowances(Allowance allowance, const PieceOutline& outline,
   allowance.folds.clear();
   for (const Polygon& loop : outline.loops) {
     allowance.edge_widths.emplace_back(loop.size(), allowance.width);
-    allowance.folds.emplace_back(loop.size(), false);
+    allowance.folds.emplace_back(loop.size(), 0);
   }
   for (const EdgeAllowance& edge : edges) {
     const Stretch stretch = *stretch_of(edge, outline.vertices);
@@ -109,7 +109,7 @@ Allowance with_edge_allowances(Allowance allowance, const PieceOutline& outline,
     std::size_t at = stretch.from;
     do {
       widths[at] = edge.width;
-      allowance.folds[stretch.loop][at] = edge.is_fold;
+      allowance.folds[stretch.loop][at] = edge.is_fold ? 1 : 0;
       at = (at + 1) % widths.size();
     } while (at != stretch.to);
   }

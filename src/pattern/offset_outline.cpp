@@ -108,7 +108,7 @@ WideLoop wide_loop(const PieceOutline& outline, std::size_t k, const Allowance& 
     wide.points.push_back(loop[i]);
     wide.widths.push_back(allowance.edge_widths.empty() ? allowance.width
                                                         : allowance.edge_widths[k][i]);
-    wide.folds.push_back(!allowance.folds.empty() && allowance.folds[k][i]);
+    wide.folds.push_back(!allowance.folds.empty() && allowance.folds[k][i] != 0);
   }
   return wide;
 }

@@ -27,9 +27,9 @@ struct Allowance {
   /// Where not empty, the width of each edge in millimetres, instead of `width`: by loop, and by
   /// the edge's first point. 0 for edges without, as along a fold.
   std::vector<std::vector<double>> edge_widths = {};
-  /// Where not empty, whether each edge is on a fold: allowances end at its line, also where the
-  /// border hardly turns there.
-  std::vector<std::vector<bool>> folds = {};
+  /// Where not empty, whether each edge is on a fold (1 or 0): allowances end at its line, also
+  /// where the border hardly turns there.
+  std::vector<std::vector<unsigned char>> folds = {};
 };
 
 /// The outline of a piece with its allowance: the border of all that is no farther from the piece

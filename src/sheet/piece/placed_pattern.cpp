@@ -51,7 +51,7 @@ std::vector<EdgeAllowance> turned_round(std::vector<EdgeAllowance> edges) {
 Allowance turned_round(Allowance allowance) {
   for (std::vector<double>& widths : allowance.edge_widths)
     std::reverse(widths.begin(), widths.end());
-  for (std::vector<bool>& folds : allowance.folds)
+  for (std::vector<unsigned char>& folds : allowance.folds)
     std::reverse(folds.begin(), folds.end());
   return allowance;
 }

@@ -235,8 +235,8 @@ struct Half {
     PieceOutline outline{name, {points}};
     allowance.edge_widths = {std::vector<double>(points.size(), allowance.width)};
     allowance.edge_widths[0].back() = 0.0;
-    allowance.folds = {std::vector<bool>(points.size(), false)};
-    allowance.folds[0].back() = true;
+    allowance.folds = {std::vector<unsigned char>(points.size(), 0)};
+    allowance.folds[0].back() = 1;
     return offset_outline(outline, allowance);
   }
 
@@ -362,7 +362,7 @@ TEST(OffsetOutline, KeepsItsWidthBesideAStretchWithoutWhereThereIsNoCorner) {
 
 TEST(OffsetOutline, RefusesFoldsThatAreNotOfItsEdges) {
   const PieceOutline plate{"plate", {{{0, 0}, {100, 0}, {100, 50}, {0, 50}}}};
-  EXPECT_THROW(offset_outline(plate, {.folds = {{true, false}}}), Error);
+  EXPECT_THROW(offset_outline(plate, {.folds = {{1, 0}}}), Error);
 }
 
 TEST(OffsetOutline, EndsAcrossTheSideWhereThatOnlyGoesOnWithout) {

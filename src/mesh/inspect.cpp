@@ -25,6 +25,23 @@ void add(std::vector<Problem>& problems, ErrorCode code, std::string message, st
   if (count > 0) problems.push_back({code, std::move(message), count, first});
 }
 
+/// Where few digits of large coordinates may have brought vertices together, what to do; else
+/// nothing.
+std::string way_on_if_far(const TriMesh& mesh) {
+  constexpr double k_far = 1000.0;  // times as far from the origin as the mesh is large
+  double farthest = 0.0;
+  for (const Triangle& tri : mesh.triangles) {
+    for (const Index v : tri) {
+      const Vec3 p = mesh.positions[v];
+      farthest = std::max({farthest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+  }
+  if (!(farthest > k_far * bounding_box_diagonal(mesh))) return {};
+  return "; the mesh is far from the origin: if it has coordinates of few digits, which bring "
+         "vertices together, move it to the origin in the program that made it, and export it "
+         "again";
+}
+
 void find_bad_coordinates(const TriMesh& mesh, std::vector<Problem>& problems) {
   std::size_t count = 0, first = 0;
   for (std::size_t v = mesh.positions.size(); v-- > 0;) {
@@ -102,7 +119,8 @@ void find_zero_lengths_and_areas(const TriMesh& mesh, std::vector<Problem>& prob
     add(problems, ErrorCode::zero_length_edge,
         counted(points.size(), "edge has", "edges have") +
             " length zero, where angles are not defined; the first joins vertices " +
-            std::to_string(a) + " and " + std::to_string(b) + ": merge or move them",
+            std::to_string(a) + " and " + std::to_string(b) + ": merge or move them" +
+            way_on_if_far(mesh),
         points.size(), a);
   }
   add(problems, ErrorCode::zero_area,
@@ -311,6 +329,9 @@ Inspection inspect(const TriMesh& mesh) {
     return inspect_manifold(mesh, *connectivity);
   const ManifoldDefects defects = find_manifold_defects(mesh);
   result.problems = defects.problems;
+  for (Problem& problem : result.problems) {
+    if (problem.code == ErrorCode::duplicate_triangle) problem.message += way_on_if_far(mesh);
+  }
   result.topology.components = find_parts(mesh).count;
   result.topology.edges = defects.edges;
   result.topology.euler_characteristic =

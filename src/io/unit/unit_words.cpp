@@ -83,12 +83,28 @@ constexpr std::array<UnitName, 48> k_unit_names = {{
 }};
 
 /// Words that make another unit of one: "hundredths of an inch", "square mm", "not in mm".
-constexpr std::array<std::string_view, 31> k_other_words = {
+constexpr std::array<std::string_view, 33> k_other_words = {
     "half",       "halves",     "quarter", "quarters",  "eighth",     "eighths",    "sixteenth",
     "sixteenths", "tenth",      "tenths",  "hundredth", "hundredths", "thousandth", "thousandths",
     "millionth",  "millionths", "two",     "three",     "four",       "five",       "eight",
     "ten",        "twelve",     "hundred", "hundreds",  "thousand",   "thousands",  "dozen",
-    "square",     "cubic",      "not"};
+    "square",     "cubic",      "not",     "double",    "twice"};
+/// Wherever they stand: "LENGTH_UNIT(CENTI,METRE)".
+constexpr std::array<std::string_view, 8> k_prefixes = {"nano", "micro", "milli", "centi",
+                                                        "deci", "deca",  "hecto", "kilo"};
+/// A number behind them, or right before them, scales the unit.
+constexpr std::array<std::string_view, 8> k_scales = {
+    "scale", "scaled", "scaling", "multiply", "multiplied", "multiplier", "divide", "divided"};
+constexpr std::array<std::string_view, 3> k_times = {"x", "\xc3\x97", "times"};
+
+/// Units of these are not the unit of the coordinates: "texture units: cm".
+constexpr std::array<std::string_view, 19> k_other_quantities = {
+    "texture", "textures", "uv",          "angle",     "angular",  "weight", "mass",
+    "area",    "volume",   "time",        "speed",     "velocity", "force",  "pressure",
+    "stress",  "density",  "temperature", "thickness", "tolerance"};
+/// "units of the model", "unit of each vertex".
+constexpr std::array<std::string_view, 7> k_articles = {"the", "this", "each",  "a",
+                                                        "an",  "one",  "vertex"};
 
 /// Before a unit in the same comment they say that it is that of the file: with a sign between, or
 /// with "in"; those of the second list with "in" only, as "model: M" and "size: M" are names.
@@ -116,15 +132,23 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// How many of its first letters are a number, as 25.4 or 1e-3.
+/// Whether a sign is a part of a number, as the comma of 0,1 and the plus of 1e+3.
+bool is_sign_in_number(std::string_view text, std::size_t at) {
+  if (at == 0 || at + 1 >= text.size() || !is_digit(text[at + 1])) return false;
+  const char before = text[at - 1];
+  return (text[at] == ',' && is_digit(before)) ||
+         (text[at] == '+' && (before == 'e' || before == 'E'));
+}
+
+/// How many of its first letters are a number, as 25.4, 0,1 or 1e-3.
 std::size_t length_of_number(std::string_view word) {
   const auto digits_from = [&](std::size_t at, std::string_view letters) {
     return std::min(word.find_first_not_of(letters, at), word.size());
   };
   if (word.find_first_of("0123456789") > 1 || !(is_digit(word[0]) || word[0] == '.')) return 0;
-  const std::size_t end = digits_from(0, "0123456789.");
+  const std::size_t end = digits_from(0, "0123456789.,");
   if (end == word.size() || word[end] != 'e') return end;
-  const std::size_t power = digits_from(end + 1, "-");
+  const std::size_t power = digits_from(end + 1, "+-");
   return power < word.size() && is_digit(word[power]) ? digits_from(power, "0123456789") : end;
 }
 
@@ -142,7 +166,7 @@ std::vector<Word> words_of(std::string_view comment) {
     for (; word.end < comment.size(); ++word.end) {
       char c = comment[word.end];
       if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-      if (!is_word_letter(c)) break;
+      if (!is_word_letter(c) && !is_sign_in_number(comment, word.end)) break;
       word.lower += c;
     }
     k = std::max(word.end, k + 1);
@@ -179,14 +203,22 @@ bool is_unit_word(const Word& word) {
 constexpr std::array<std::string_view, 7> k_also_names = {"m",   "in",   "foot", "yard",
                                                           "mil", "thou", "mile"};
 
-bool is_number(const Word& word) {
-  return length_of_number(word.lower) == word.lower.size();
+bool is_number(std::string_view word) {
+  return !word.empty() && length_of_number(word) == word.size();
 }
 
-/// Whether it is a number, and not 1.
-bool is_other_number(const Word& word) {
-  return is_number(word) && (word.lower.find_first_not_of("1.0") != std::string::npos ||
-                             word.lower.substr(0, word.lower.find('.')) != "1");
+/// Whether it is a number, and not 1. One with a comma may be a thousand.
+bool is_other_number(std::string_view word) {
+  return is_number(word) && (word.find_first_not_of("1.0") != std::string_view::npos ||
+                             word.substr(0, word.find('.')) != "1");
+}
+
+/// The number of "x10"; empty where it is none.
+std::string_view behind_times(std::string_view word) {
+  for (const std::string_view times : k_times) {
+    if (word.starts_with(times)) return word.substr(times.size());
+  }
+  return {};
 }
 
 /// A comment and its words.
@@ -213,12 +245,34 @@ class Comment {
     return at > 0 && words_[at - 1].lower == word;
   }
 
+  bool is_lower(std::size_t at, std::string_view word) const {
+    return at < words_.size() && words_[at].lower == word;
+  }
+
+  /// What stands between a word and the one before it.
+  std::string_view gap_before(std::size_t at) const {
+    return text_.substr(words_[at - 1].end, words_[at].begin - words_[at - 1].end);
+  }
+
+  /// Whether the word before it is in the same part of the sentence.
+  bool is_joined(std::size_t at) const {
+    return at > 0 && at < words_.size() &&
+           gap_before(at).find_first_of(",;") == std::string_view::npos;
+  }
+
   bool is_unit(std::size_t at) const;
+  bool is_unit_or_its_word(std::size_t at) const;
+  bool is_of_other_quantity(std::size_t at) const;
+  bool is_of_other_thing(std::size_t at) const;
+  bool is_factor_of_unit(std::size_t at) const;
+  bool is_ratio(std::size_t at) const;
+  bool says_factor(std::size_t at) const;
   bool ends_with(std::size_t at) const;
   bool is_all(std::size_t at) const;
   bool is_said_to_be(std::size_t at) const;
   bool is_of_file(const std::vector<std::size_t>& places) const;
   bool is_changed(std::size_t first) const;
+  bool has_factor() const;
 
   std::string_view text_;
   std::vector<Word> words_;
@@ -230,14 +284,14 @@ class Comment {
 bool Comment::is_unit(std::size_t at) const {
   const Word& word = words_[at];
   const auto letter = [&](std::size_t k) { return k < text_.size() ? text_[k] : ' '; };
-  if (letter(word.end) == '/' || letter(word.end) == '^' || letter(word.begin - 1) == '/')
-    return false;
+  const bool is_divided = letter(word.end) == '/' && !is_digit(letter(word.end + 1));
+  if (is_divided || letter(word.end) == '^' || letter(word.begin - 1) == '/') return false;
   if (word.lower != "m" && word.lower != "in") return true;
   if (word.lower == "in" && at + 1 < words_.size()) return false;
   const std::size_t next = text_.find_first_not_of(" \t", word.end);
   if (next != std::string_view::npos && text_[next] == ':') return false;
   return is_behind_sign(at) || is_behind(at, "of") || is_behind(at, "in") ||
-         (at > 0 && (is_unit_word(words_[at - 1]) || is_number(words_[at - 1])));
+         (at > 0 && (is_unit_word(words_[at - 1]) || is_number(words_[at - 1].lower)));
 }
 
 /// Whether a statement ends with the word.
@@ -266,7 +320,7 @@ bool Comment::is_said_to_be(std::size_t at) const {
   };
   const bool is_subject = words_[at].lower != "in" && has(k_subjects);
   if (is_behind(at, "in") && (has(k_measures) || is_subject)) return true;
-  if (is_other_number(words_[at - 1]))
+  if (is_other_number(words_[at - 1].lower))
     return std::any_of(words_.begin(), end, [](const Word& word) { return word.lower == "scale"; });
   const bool is_told = is_behind_sign(at) || is_behind(at, "are") || is_behind(at, "is") ||
                        is_behind(at, "1") || is_one_of(k_measures, words_[at - 1].lower);
@@ -274,9 +328,78 @@ bool Comment::is_said_to_be(std::size_t at) const {
 }
 
 bool Comment::is_of_file(const std::vector<std::size_t>& places) const {
-  return std::any_of(words_.begin(), words_.end(), is_unit_word) || is_all(places.front()) ||
-         std::any_of(places.begin(), places.end(),
+  for (std::size_t k = 0; k < words_.size(); ++k) {
+    if (is_unit_word(words_[k]) && !is_of_other_quantity(k)) return true;
+  }
+  if (is_all(places.front())) return true;
+  return std::any_of(places.begin(), places.end(),
                      [this](std::size_t at) { return is_said_to_be(at); });
+}
+
+bool Comment::is_unit_or_its_word(std::size_t at) const {
+  if (at >= words_.size()) return false;
+  return is_unit_word(words_[at]) || (unit_name(words_[at].lower) != nullptr && is_unit(at));
+}
+
+/// Whether the word unit there means one of angles, of textures or the like.
+bool Comment::is_of_other_quantity(std::size_t at) const {
+  return (at > 0 && is_one_of(k_other_quantities, words_[at - 1].lower)) ||
+         (is_lower(at + 1, "of") && at + 2 < words_.size() &&
+          is_one_of(k_other_quantities, words_[at + 2].lower));
+}
+
+/// Whether the word unit there is one of a thing that is not known: "units of work", "unit test".
+bool Comment::is_of_other_thing(std::size_t at) const {
+  if (!is_unit_word(words_[at])) return false;
+  if (is_lower(at + 1, "test") || is_lower(at + 1, "tests")) return true;
+  if (!is_lower(at + 1, "of") || at + 2 >= words_.size()) return false;
+  const std::string& thing = words_[at + 2].lower;
+  return !is_one_of(k_measures, thing) && !is_one_of(k_subjects, thing) &&
+         !is_one_of(k_articles, thing) && !is_number(thing) && unit_name(thing) == nullptr;
+}
+
+/// Whether a unit is multiplied by the number there: "mm x 10", "unit in m: 0.01", "inches (x10)".
+bool Comment::is_factor_of_unit(std::size_t at) const {
+  const bool has_times = is_other_number(behind_times(words_[at].lower));
+  if (!is_joined(at) || !(has_times || is_other_number(words_[at].lower))) return false;
+  if (is_one_of(k_times, words_[at - 1].lower)) return is_unit_or_its_word(at - 2);
+  if (!is_unit_or_its_word(at - 1)) return false;
+  const std::string_view gap = gap_before(at);
+  if (has_times || is_unit_word(words_[at - 1])) return true;
+  // In brackets it may count what the next word says.
+  return gap.find_first_of(":=*/") != std::string_view::npos ||
+         (gap.find('(') != std::string_view::npos && ends_with(at));
+}
+
+/// Whether a ratio ends there that is not 1:1, as 1:10; times of the day are none.
+bool Comment::is_ratio(std::size_t at) const {
+  if (at == 0 || gap_before(at) != ":") return false;
+  const std::string &first = words_[at - 1].lower, &second = words_[at].lower;
+  const bool is_scale =
+      (first == "1" && is_other_number(second)) || (second == "1" && is_other_number(first));
+  const auto is_colon = [&](std::size_t k) { return k < text_.size() && text_[k] == ':'; };
+  return is_scale && !is_colon(words_[at].end) && !is_colon(words_[at - 1].begin - 1) &&
+         !is_lower(at + 1, "am") && !is_lower(at + 1, "pm");
+}
+
+/// Whether the word there says that a factor is beside the unit: "units per meter".
+bool Comment::says_factor(std::size_t at) const {
+  const std::string& word = words_[at].lower;
+  if (word == "factor") return true;
+  if (word != "per" && word != "conversion") return false;
+  return (is_joined(at) && is_unit_or_its_word(at - 1)) ||
+         (is_joined(at + 1) && is_unit_or_its_word(at + 1));
+}
+
+/// Whether it has a factor, and that is not said to be 1.
+bool Comment::has_factor() const {
+  bool says = false, has_one = false, has_other = false;
+  for (std::size_t k = 0; k < words_.size(); ++k) {
+    says = says || says_factor(k);
+    has_other = has_other || is_other_number(words_[k].lower);
+    has_one = has_one || is_number(words_[k].lower);
+  }
+  return says && (has_other || !has_one);
 }
 
 /// Whether numbers or words make another unit of it.
@@ -285,15 +408,20 @@ bool Comment::is_changed(std::size_t first) const {
   constexpr std::array<std::string_view, 4> k_between = {"of", "a", "an", "in"};
   bool is_scale = false;
   for (std::size_t k = 0; k < words_.size(); ++k) {
-    const bool leads_to_unit =
-        k + 1 == first || (k < first && is_one_of(k_between, words_[k + 1].lower));
-    if (leads_to_unit && is_one_of(k_other_words, words_[k].lower)) return true;
-    is_scale = is_scale || words_[k].lower == "scale";
+    const std::string& word = words_[k].lower;
+    const bool leads_to_unit = k + 1 == first || is_lower(k + 1, "scale") ||
+                               (k < first && is_one_of(k_between, words_[k + 1].lower));
+    if (leads_to_unit && is_one_of(k_other_words, word)) return true;
     const bool counts = is_unit_word(words_[k]) || k == first;
-    if (counts && k > 0 && is_other_number(words_[k - 1])) return true;
-    if (is_scale && is_other_number(words_[k])) return true;
+    if (counts && k > 0 && is_other_number(words_[k - 1].lower)) return true;
+    if (is_one_of(k_scales, word) && is_joined(k) && is_other_number(words_[k - 1].lower))
+      return true;
+    is_scale = is_scale || is_one_of(k_scales, word);
+    if (is_scale && is_other_number(word)) return true;
+    if (is_one_of(k_prefixes, word) || is_of_other_thing(k) || is_factor_of_unit(k) || is_ratio(k))
+      return true;
   }
-  return false;
+  return has_factor();
 }
 
 std::optional<SaidUnit> Comment::unit() const {

@@ -17,9 +17,11 @@ namespace planish {
 namespace {
 
 constexpr double k_large_step = 0.01;  // of the mean edge
-// Numbers of eight digits step by 1e-8 of themselves at least; of fewer than six they may be round.
-constexpr double k_finest_step = 1e-8, k_coarsest_step = 1e-5;
-constexpr int k_fewest_digits = 6, k_most_digits = 8, k_most_digits_of_float = 9;
+// Numbers of eight digits step by 1e-8 of themselves at least; of fewer than five they may be
+// round.
+constexpr double k_finest_step = 1e-8, k_coarsest_step = 1e-4;
+constexpr double k_often_of_designs = 1e-5;  // steps above this, as whole millimetres at 12 m
+constexpr int k_fewest_digits = 5, k_most_digits = 8, k_most_digits_of_float = 9;
 constexpr double k_no_difference = 0x1p-32;  // of the largest number: rounding
 constexpr std::size_t k_fewest_numbers = 5;
 
@@ -101,6 +103,8 @@ struct StepsOfRows {
   std::size_t count() const { return even + nearly + uneven; }
   /// The grid of a design goes on evenly, or is changed by more than rounding does.
   bool show_rounding() const { return 10 * nearly > count(); }
+  /// What rounding does to rows that go on evenly: it leaves no other changes.
+  bool show_rounding_only() const { return show_rounding() && 10 * uneven < count(); }
   bool are_even() const { return even > 0 && even == count(); }
   bool show_no_grid() const { return 2 * even < count(); }
 };
@@ -181,10 +185,14 @@ double step_of(const Patch& patch, const Axis& axis, const Writing& writing, dou
     return math::power_of_ten(decimal_digits(axis.largest).power - writing.most_digits + 1);
   if (writing.most_digits <= k_most_digits) {
     const double step = decimal_step(axis);
-    if (step > 0.0 && steps_of_rows(patch, axis, step).show_rounding()) return step;
+    if (step > 0.0) {
+      const StepsOfRows steps = steps_of_rows(patch, axis, step);
+      const bool is_of_design = step > k_often_of_designs * axis.largest;
+      if (is_of_design ? steps.show_rounding_only() : steps.show_rounding()) return step;
+    }
   }
   const double step = common_step(axis);
-  if (!(step > 0.0) || step > k_coarsest_step * axis.largest) return 0.0;
+  if (!(step > 0.0) || step > k_often_of_designs * axis.largest) return 0.0;
   const StepsOfRows steps = steps_of_rows(patch, axis, step);
   const bool are_many = axis.numbers.size() >= k_fewest_numbers;
   return steps.show_rounding() || (are_many && steps.show_no_grid()) ? step : 0.0;

@@ -151,6 +151,24 @@ TEST(Inspect, FindsEdgesOfLengthZeroOnce) {
   EXPECT_EQ(blocker(mesh, Purpose::measure), ErrorCode::zero_length_edge);
 }
 
+TEST(Inspect, SaysWhyVerticesFarFromTheOriginAreInOnePlace) {
+  for (const double far : {0.0, 100.0, 5e5}) {
+    TriMesh collapsed = meshes::flat_grid(3, 3), twice = collapsed;
+    collapsed.positions[5] = collapsed.positions[6];
+    twice.triangles.push_back(twice.triangles.front());
+    for (TriMesh* mesh : {&collapsed, &twice}) {
+      for (Vec3& p : mesh->positions)
+        p.y -= far;
+      const Inspection inspection = inspect(*mesh);
+      const Problem* problem = find(
+          inspection, mesh == &twice ? ErrorCode::duplicate_triangle : ErrorCode::zero_length_edge);
+      ASSERT_NE(problem, nullptr);
+      EXPECT_EQ(problem->message.find("move it to the origin") != std::string::npos, far == 5e5)
+          << problem->message;
+    }
+  }
+}
+
 TEST(Inspect, DoesNotTakeATinyMeshForOneOfLengthZero) {
   TriMesh mesh = meshes::flat_grid(3, 3);
   for (Vec3& p : mesh.positions)

@@ -91,6 +91,8 @@ TEST(StatedUnit, IsNotFoundWhereWordsMeanOtherThings) {
                                     "# unit normals in file",
                                     "# units of the model",
                                     "# speed units: m/s",
+                                    "# texture units: cm",
+                                    "# units of time: m",
                                     "# unit vectors, m of them",
                                     "# units: unknown",
                                     "# units in use"}) {
@@ -127,6 +129,80 @@ TEST(StatedUnit, IsToldButNotUsedWhereItIsNoneOfOurs) {
   EXPECT_NE(only_note("# units changed from inches to mm").find("--unit"), std::string::npos);
   EXPECT_NE(only_note("# units: mm\n# units: inches").find("neither is used"), std::string::npos);
   EXPECT_TRUE(obj_with("# units: mm\n# unit = millimeter").unit.has_value());
+}
+
+TEST(StatedUnit, IsNotUsedWhereTheCommentScalesIt) {
+  for (const std::string comment : {"# units per meter: 100",
+                                    "# meters per unit: 0.01",
+                                    "# 10 units per inch",
+                                    "# units per mm",
+                                    "# unit in meters: 0.01",
+                                    "# unit (in mm): 25.4",
+                                    "# LengthUnit=m factor=0.01",
+                                    "# unit: m, factor 1e-3",
+                                    "# unit: m, factor 1e+3",
+                                    "# unit 1 m = 100",
+                                    "# units 100, in m",
+                                    "# units: 0,1 mm",
+                                    "# unit: 1,000 m",
+                                    "# Unit conversion factor (to mm): 25.4",
+                                    "# unit conversion: mm, 25.4",
+                                    "# LENGTH_UNIT(CENTI,METRE)",
+                                    "# units: kilo meters",
+                                    "# units: mm x 10",
+                                    "# units: mm*10",
+                                    "# units: mm/10",
+                                    "# units: mm x10^-1",
+                                    "# units: m \xc3\x97 0.01",
+                                    "# units: mm times 10",
+                                    "# Units: inches (x10)",
+                                    "# Units: cm (10)",
+                                    "# unit: inch, scaled by 2",
+                                    "# unit: inch multiplied by 2",
+                                    "# units: twice mm",
+                                    "# Units: mm at 1:10 scale",
+                                    "# 1:10 scale model, units mm",
+                                    "# units: mm, 50% scale",
+                                    "# Model at half scale, units: mm",
+                                    "# 1:10 model, units: mm",
+                                    "# units: mm (10:1)",
+                                    "# units of work: m. smith",
+                                    "# unit of sale: m",
+                                    "# Unit Test Model, made in m"}) {
+    const ReadResult result = obj_with(comment);
+    EXPECT_FALSE(result.unit.has_value()) << comment;
+    ASSERT_EQ(result.notes.size(), 1U) << comment;
+    EXPECT_NE(result.notes.front().find("which is not used: say with --unit, and with --scale"),
+              std::string::npos)
+        << comment;
+  }
+}
+
+TEST(StatedUnit, IsUsedWhereNumbersBesideItAreOfOtherThings) {
+  const std::vector<std::pair<std::string, Unit>> comments = {
+      {"# System units: 1 Unit = 1.0000 Inches", Unit::in},
+      {"# meters per unit: 1.0", Unit::m},
+      {"# LengthUnit=m factor=1", Unit::m},
+      {"# units: mm, one piece per file, 3 pieces", Unit::mm},
+      {"# mm units, seam 10", Unit::mm},
+      {"# units: mm, 12 panels", Unit::mm},
+      {"# units: mm (12 panels)", Unit::mm},
+      {"# units: mm, plate 120 x 80", Unit::mm},
+      {"# Exported by X - Units: Inches - Date: 2020", Unit::in},
+      {"# units: mm, conversion by X 2.3", Unit::mm},
+      {"# units: mm, exported 2020-01-02 12:01:30", Unit::mm},
+      {"# exported 2020-01-02 1:30 pm, units: mm", Unit::mm},
+      {"# version 3, scale: 1, units: mm", Unit::mm},
+      {"# unit of the model: cm", Unit::cm},
+      {"# unit of measure: in.", Unit::in},
+      {"# Units: Centimeters; Scale: 1.0", Unit::cm},
+      {"# angle units: degrees; length units: cm", Unit::cm}};
+  for (const auto& [comment, unit] : comments) {
+    const ReadResult result = obj_with(comment);
+    ASSERT_TRUE(result.unit.has_value()) << comment;
+    EXPECT_EQ(result.unit->unit, unit) << comment;
+    EXPECT_TRUE(result.notes.empty()) << comment;
+  }
 }
 
 TEST(StatedUnit, IsFoundInEveryFormat) {

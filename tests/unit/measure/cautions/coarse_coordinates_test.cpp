@@ -144,6 +144,52 @@ TEST(CoarseCoordinates, AreSeenByDigitsThatFillNumbersOfAllSizes) {
   EXPECT_EQ(coarse->step, 1.0);
 }
 
+// A plate of 120 x 80 mm, 12 to 60 m from the origin, its edges of 3 to 6 mm.
+TEST(CoarseCoordinates, AreThoseOfFiveDigits) {
+  TriMesh plate = meshes::flat_grid(40, 20);
+  for (Vec3& p : plate.positions)
+    p = {3.0 * p.x, 4.0 * p.y, 0.0};
+  const auto scientific = [](double x) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.4e", x);
+    return std::stod(text);
+  };
+  for (const Vec3 far :
+       {Vec3{41234.5, 53123.0, 0.0}, Vec3{12345.0, 0.0, 0.0}, Vec3{0.0, 23456.7, 0.0}}) {
+    const TriMesh there = moved(turned(plate, 0.309), 1.0, far);
+    EXPECT_FALSE(coarse_in(there));
+    for (const TriMesh& written : {printed(there, 5), rounded(there, scientific),
+                                   rounded(there, [](double x) { return std::round(x); })}) {
+      const auto coarse = coarse_in(written);
+      ASSERT_TRUE(coarse) << far.x << " " << far.y;
+      EXPECT_EQ(coarse->step, 1.0);
+    }
+    EXPECT_FALSE(coarse_in(rounded(there, [](double x) { return std::round(1e3 * x) / 1e3; })));
+  }
+}
+
+TEST(CoarseCoordinates, AreNotTheWholeMillimetresOfADesign) {
+  for (const double far : {12345.0, 41234.0, 80000.0}) {
+    TriMesh grid = meshes::flat_grid(24, 16);
+    EXPECT_FALSE(coarse_in(moved(grid, 5.0, {far, 53123.0, 0.0}))) << far;
+    for (Vec3& p : grid.positions)
+      p = {3.0 * p.x - 4.0 * p.y, 4.0 * p.x + 3.0 * p.y, 0.0};
+    EXPECT_FALSE(coarse_in(moved(grid, 1.0, {far, 53123.0, 0.0}))) << far;
+    // Fields of 2, 3, 4, 5 and 7 mm in an order without a rule.
+    TriMesh fields = meshes::flat_grid(24, 16);
+    const double sizes[] = {3.0, 7.0, 2.0, 5.0, 3.0, 4.0, 7.0};
+    const auto place = [&](double n) {
+      double at = 0.0;
+      for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
+        at += sizes[k % 7];
+      return at;
+    };
+    for (Vec3& p : fields.positions)
+      p = {far + place(p.x), 53123.0 + place(p.y), 0.0};
+    EXPECT_FALSE(coarse_in(fields)) << far;
+  }
+}
+
 TEST(CoarseCoordinates, AreSeenInTheShortestTextOf32Bits) {
   const TriMesh sheet = rounded(moved(meshes::bent_cylinder(8), 2.4, {4e5, 3e5, 20.0}), as_float);
   const auto coarse = coarse_in(printed(sheet, 9));

@@ -141,6 +141,52 @@ TEST(HiddenCurvature, IsNoneOfRulingsThatMeetOnTheBorder) {
       << "the tip inside: a cone, or a dome with one vertex";
 }
 
+/// A half or the whole of a square of 240 that goes over into a circle of radius 60: the cone of a
+/// corner for each quarter, and plane triangles between them and at both ends.
+TriMesh square_to_round(Index quarters, Index facets_of_cone) {
+  const Vec3 corners[] = {
+      {120, 0, 0}, {120, 120, 0}, {-120, 120, 0}, {-120, -120, 0}, {120, -120, 0}};
+  const Index arc = quarters * facets_of_cone;
+  TriMesh mesh;
+  for (Index k = 0; k <= arc; ++k) {
+    const double angle = std::numbers::pi / 2.0 * k / facets_of_cone;
+    mesh.positions.push_back({60.0 * std::cos(angle), 60.0 * std::sin(angle), 100.0});
+  }
+  for (Index k = 0; k <= quarters; ++k)
+    mesh.positions.push_back(corners[k]);
+  mesh.positions.push_back({quarters == 2 ? -120.0 : 120.0, 0, 0});
+  const Index first = arc + 1;
+  for (Index k = 0; k < arc; ++k)
+    mesh.triangles.push_back({first + 1 + k / facets_of_cone, k + 1, k});
+  for (Index k = 0; k <= quarters; ++k)
+    mesh.triangles.push_back({first + k, first + k + 1, k * facets_of_cone});
+  return mesh;
+}
+
+TEST(HiddenCurvature, IsNoneOfASquareThatGoesOverIntoACircle) {
+  for (const Index quarters : {2u, 4u}) {
+    for (const Index facets : {4u, 8u, 16u})
+      EXPECT_FALSE(hidden_in(square_to_round(quarters, facets))) << quarters << " " << facets;
+  }
+}
+
+// Of two borders with different numbers of vertices, fans are left that turn little.
+TEST(HiddenCurvature, OfALoftWithFansIsFound) {
+  constexpr Index k_fans = 10, k_facets = 4;
+  TriMesh loft;
+  for (Index k = 0; k <= k_fans * k_facets; ++k)
+    loft.positions.push_back(on_conoid(static_cast<double>(k) / (k_fans * k_facets), 1.0));
+  const auto first = static_cast<Index>(loft.positions.size());
+  for (Index k = 0; k <= k_fans; ++k)
+    loft.positions.push_back(on_conoid(static_cast<double>(k) / k_fans, 0.0));
+  for (Index k = 0; k < k_fans; ++k) {
+    for (Index i = 0; i < k_facets; ++i)
+      loft.triangles.push_back({first + k, k * k_facets + i + 1, k * k_facets + i});
+    loft.triangles.push_back({first + k, first + k + 1, (k + 1) * k_facets});
+  }
+  EXPECT_TRUE(hidden_in(loft));
+}
+
 TEST(HiddenCurvature, IsNoneOfPlanesAndFoldedPlates) {
   EXPECT_FALSE(hidden_in(meshes::flat_grid(5, 1)));
   EXPECT_FALSE(hidden_in(meshes::flat_grid(1, 1)));

@@ -8,7 +8,7 @@
 #include <planish/mesh/patch.h>
 
 #include "core/number_text.h"
-#include "mesh/curve_size.h"
+#include "geometry/curve_size.h"
 #include "mesh/inspect_manifold.h"
 #include "mesh/manifold_defects.h"
 

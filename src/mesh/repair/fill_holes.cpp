@@ -10,7 +10,7 @@
 #include <planish/mesh/patch.h>
 #include <planish/mesh/repair.h>
 
-#include "mesh/curve_size.h"
+#include "geometry/curve_size.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edge_sides.h"
 #include "mesh/repair/border_places.h"

@@ -106,8 +106,8 @@ std::vector<std::string> work_notes(const ModelWork& work, const ShownLengths& l
   }
   for (const ModelWork::ClashingSides& sides : work.clashing_sides) {
     notes.push_back("the sides of " + sides.one + " and " + sides.other +
-                    " that were taken do not meet, though the walls do, as each is told by how its "
-                    "own wall bends: take one of them with --only and the other --side");
+                    " that were taken do not meet, as the walls curve in opposite directions: "
+                    "take one of them by itself, with --only and the other --side");
   }
   if (!work.without_wall.empty()) {
     notes.push_back("no wall was found in " + list_of_some(work.without_wall) +

@@ -15,7 +15,7 @@ struct PlacedPiece {
   std::string name;
   TriMesh mesh;
   std::size_t group = 0;  ///< as ProductPatch has it
-  bool is_taken = true;   ///< else it is left out, and only tells how the others have to lie
+  bool is_taken = true;   ///< false: not used, but the others are compared with it
 };
 
 /// Which pieces of a run are inside out.

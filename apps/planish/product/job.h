@@ -45,7 +45,8 @@ struct ProductJob {
 /// --product, --resume and --seam-tolerance.
 std::vector<Flag> product_flags();
 
-/// @param is_of_several the one patch is what is left of several, whose seams tell how it lies
+/// @param is_of_several there were several patches, of which one is used: flags about seams are
+///   allowed, as its orientation is judged along the seams with the others
 /// @throws UsageError for flags that make sense only with several patches
 void refuse_product_flags(const Arguments& arguments, bool is_of_several);
 

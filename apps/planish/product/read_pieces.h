@@ -11,7 +11,8 @@
 
 namespace planish::cli {
 
-/// A piece of a file, with those that are left out: they tell how the others have to lie.
+/// A piece of a file. Pieces that are not used are kept too: the orientation of the others is
+/// judged against them.
 struct ReadPiece {
   ProductPatch patch;
   bool is_taken = true;

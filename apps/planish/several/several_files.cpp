@@ -177,7 +177,7 @@ Arguments with_files_that_are_asked_for(const Arguments& arguments, Session& ses
   std::vector<std::string> names, asked_for, passed_over;
   for (const WorkFile& file : files_named(arguments.operands, session)) {
     const std::string& path = file.report.path;
-    bool is_asked_for = true;  // also where it fails, which is told later
+    bool is_asked_for = true;  // also of a file that cannot be read: its error is reported later
     try {
       const Model model = read_model_of_several({path, stem_of(path)}, arguments, silent);
       names.insert(names.end(), model.names.begin(), model.names.end());

@@ -34,6 +34,15 @@ class CautionsOfVerbs : public CliTest {
   }
 };
 
+/// It is the only caution, as of a mesh without inner vertices.
+void expect_hidden_curvature_in_json(Names args) {
+  args.push_back("--json");
+  const auto json = planish(args).json();
+  ASSERT_EQ(json["cautions"].size(), 1U) << args.front();
+  EXPECT_EQ(json["cautions"][0]["code"], "hidden_curvature") << args.front();
+  EXPECT_EQ(json["cautions"][0]["inner_share"], 0.0) << args.front();
+}
+
 TEST_F(CautionsOfVerbs, AreToldByMeasureUnfoldAndFlatten) {
   for (const Names& args :
        {Names{"measure", "plate.obj"}, Names{"unfold", "plate.obj", "-o", "a.svg"},
@@ -41,12 +50,7 @@ TEST_F(CautionsOfVerbs, AreToldByMeasureUnfoldAndFlatten) {
     const CliResult result = planish(args);
     EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
     EXPECT_THAT(result.out, HasSubstr("No vertex is inside the mesh")) << args.front();
-    Names as_json = args;
-    as_json.push_back("--json");
-    const auto json = planish(as_json).json();
-    ASSERT_EQ(json["cautions"].size(), 1U) << args.front();
-    EXPECT_EQ(json["cautions"][0]["code"], "hidden_curvature");
-    EXPECT_EQ(json["cautions"][0]["inner_share"], 0.0);
+    expect_hidden_curvature_in_json(args);
   }
   EXPECT_THAT(content_of("a.svg"), HasSubstr("Before cutting, see the mesh: no vertex inside"));
   EXPECT_THAT(content_of("out/pattern.svg"), HasSubstr("see the mesh: no vertex inside"));
@@ -79,11 +83,7 @@ TEST_F(CautionsOfVerbs, AreNotesOfVerbsThatGiveNoPattern) {
     const CliResult result = planish(args);
     EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
     EXPECT_THAT(result.err, HasSubstr("plate.obj: No vertex is inside the mesh")) << args.front();
-    Names as_json = args;
-    as_json.push_back("--json");
-    const auto json = planish(as_json).json();
-    ASSERT_EQ(json["cautions"].size(), 1U) << args.front();
-    EXPECT_EQ(json["cautions"][0]["code"], "hidden_curvature") << args.front();
+    expect_hidden_curvature_in_json(args);
   }
   for (const Names& args : {Names{"evolve", "dome.obj", "plate.obj", "-o", "all"},
                             Names{"compare", "dome.obj", "plate.obj", "--methods", "classical"}}) {

@@ -14,6 +14,16 @@ ReadResult obj_with(const std::string& comment) {
                     MeshFormat::obj, "mesh");
 }
 
+/// Each comment of an .obj file states the unit, and there is nothing to note.
+void expect_units(const std::vector<std::pair<std::string, Unit>>& comments) {
+  for (const auto& [comment, unit] : comments) {
+    const ReadResult result = obj_with(comment);
+    ASSERT_TRUE(result.unit.has_value()) << comment;
+    EXPECT_EQ(result.unit->unit, unit) << comment;
+    EXPECT_TRUE(result.notes.empty()) << comment;
+  }
+}
+
 TEST(StatedUnit, IsFoundInCommentsAsProgramsWriteThem) {
   const std::vector<std::pair<std::string, Unit>> comments = {
       {"# File units = inches", Unit::in},
@@ -57,12 +67,7 @@ TEST(StatedUnit, IsFoundInCommentsWithoutTheWordUnit) {
       {"# measurements inches", Unit::in},
       {"# two panels, model in dm", Unit::dm},
       {"# 2021-05-02 exported in m", Unit::m}};
-  for (const auto& [comment, unit] : comments) {
-    const ReadResult result = obj_with(comment);
-    ASSERT_TRUE(result.unit.has_value()) << comment;
-    EXPECT_EQ(result.unit->unit, unit) << comment;
-    EXPECT_TRUE(result.notes.empty()) << comment;
-  }
+  expect_units(comments);
 }
 
 TEST(StatedUnit, IsNotFoundWhereWordsMeanOtherThings) {
@@ -197,12 +202,7 @@ TEST(StatedUnit, IsUsedWhereNumbersBesideItAreOfOtherThings) {
       {"# unit of measure: in.", Unit::in},
       {"# Units: Centimeters; Scale: 1.0", Unit::cm},
       {"# angle units: degrees; length units: cm", Unit::cm}};
-  for (const auto& [comment, unit] : comments) {
-    const ReadResult result = obj_with(comment);
-    ASSERT_TRUE(result.unit.has_value()) << comment;
-    EXPECT_EQ(result.unit->unit, unit) << comment;
-    EXPECT_TRUE(result.notes.empty()) << comment;
-  }
+  expect_units(comments);
 }
 
 TEST(StatedUnit, IsFoundInEveryFormat) {

@@ -12,8 +12,8 @@ namespace planish {
 
 namespace {
 
-constexpr double k_most_way =
-    4.0;  // along the edges until the allowance is free of the line, widths
+// How far along its edges an allowance may go on until it is free of the line, in widths.
+constexpr double k_most_way = 4.0;
 
 double height_over(const EndLine& line, Vec2 p) {
   return cross(line.along, p - line.at);

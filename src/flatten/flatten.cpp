@@ -152,6 +152,7 @@ std::pair<UnfoldReport, UnfoldReport> unfold_both(const Patch& before, const Pat
     return abandoned || (context.is_cancelled && context.is_cancelled());
   };
   UnfoldOptions plain;
+  plain.least_stretch = how.least_stretch;
   plain.fold = how.fold;
   const auto unfold_before = [&] { return unfold_patch(before, unit, plain, quiet); };
   PartsOfJob parts(context);
@@ -315,6 +316,7 @@ class Flattening {
 
   UnfoldOptions without_limits() const {
     UnfoldOptions how;
+    how.least_stretch = true;
     how.fold = fold_;
     return how;
   }

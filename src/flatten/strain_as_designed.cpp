@@ -8,10 +8,10 @@ StrainAsDesigned strain_as_designed(const Patch& patch, const StrainLimits& limi
                                     const Context& context) {
   PartsOfJob parts(context);
   StrainAsDesigned strain;
-  strain.pattern = unfold(patch, {}, parts.next(0.2));
+  strain.pattern = unfold(patch, {.least_stretch = true}, parts.next(0.2));
   strain.least_stretch = edge_strain(patch, strain.pattern.positions);
   if (limits.any()) {
-    const Pattern limited = unfold(patch, {.limits = limits}, parts.next(0.5));
+    const Pattern limited = unfold(patch, {.least_stretch = true, .limits = limits}, parts.next(0.5));
     strain.limits = check_limits(patch, limited.positions, limits);
   }
   if (patch.vertex_count() > StrainAsDesigned::k_most_searched) return strain;

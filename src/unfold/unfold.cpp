@@ -16,6 +16,7 @@
 #include "unfold/strain/free_edges.h"
 #include "unfold/stretch/least_stretch.h"
 #include "unfold/stretch/matched_border.h"
+#include "unfold/stretch/spread_stretch.h"
 #include "unfold/symmetric_mean.h"
 #include "unfold/unfold_within_limits.h"
 
@@ -76,6 +77,22 @@ LeastStretch with_matched_border(const TriMesh& mesh, const Disk& disk, const Le
   }
   matched.result.iterations = steps;
   return std::move(matched.result);
+}
+
+// A limit of rms strain is aimed at a little below, so that rounding keeps it.
+constexpr double k_within_limit = 0.9999;
+
+/// Goes on from the pattern of least stretch to the one that spreads it. A limit of rms strain that
+/// is kept stays so.
+LeastStretch with_stretch_spread(const TriMesh& mesh, const Disk& disk, LeastStretch least,
+                                 double rms_limit, ThreadPool& pool,
+                                 const std::function<void()>& after_step) {
+  const std::vector<FlatEdge> edges = flat_edges(mesh, disk);
+  const double rms = rms_strain(edges, strains_of(edges, least.flat));
+  double most = k_spread_budget * rms;
+  if (rms_limit > 0.0) most = std::min(most, k_within_limit * rms_limit);
+  if (!(most >= rms)) return least;
+  return spread_stretch(disk, edges, std::move(least), most, pool, after_step);
 }
 
 /// What is called after each step. Laying flat takes some 15 steps, keeping limits or the border
@@ -196,7 +213,8 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   pool.stop_if_cancelled();
   const Disk disk = make_disk(patch);
   pool.stop_if_cancelled();
-  const bool goes_on = options.match_seams || options.limits.max > 0.0 || options.limits.p99 > 0.0;
+  const bool bounds_edges = options.limits.max > 0.0 || options.limits.p99 > 0.0;
+  const bool goes_on = options.match_seams || bounds_edges || !options.least_stretch;
   PartsOfJob parts(context);
   LeastStretch flat =
       minimise_stretch(disk, find_start(disk, pool), options.max_iterations, pool,
@@ -206,13 +224,16 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   if (options.match_seams) {
     pattern.unmatched = in_mesh_order(patch, disk, flat.flat);
     flat = with_matched_border(patch.mesh(), disk, flat, options, pool, after_step);
-  } else if (options.limits.max > 0.0 || options.limits.p99 > 0.0) {
+  } else if (bounds_edges) {
     LeastStretch limited = unfold_within_limits(patch.mesh(), disk, flat, options.limits,
                                                 options.max_iterations, pool, after_step);
     if (limited.iterations > flat.iterations) {
       pattern.unlimited = in_mesh_order(patch, disk, flat.flat);
       flat = std::move(limited);
     }
+  } else if (!options.least_stretch) {
+    flat = with_stretch_spread(patch.mesh(), disk, std::move(flat), options.limits.rms, pool,
+                               after_step);
   }
 
   pattern.iterations = flat.iterations;

@@ -83,6 +83,7 @@ UnfoldRequest request_from(const Arguments& arguments, const std::string& output
   return {unit_from(arguments),
           output_from(arguments, format),
           {.match_seams = arguments.has("--match-seams"),
+           .least_stretch = arguments.has("--least-stretch"),
            .limits = limits_from(arguments),
            .fold = fold_ends_from(arguments)},
           annotations_from(arguments, format.has_value())};
@@ -205,6 +206,9 @@ Command unfold_command() {
       scale_flag(),
       cut_flag(),
       match_seams_flag(),
+      {"--least-stretch", "",
+       "the pattern of least rms strain; without it, up to 6 % more of that make the largest "
+       "strains as small as they get"},
       csv_flag(),
       output_format_flag(output_names(), "svg")};
   for (Flag& flag : pattern_flags("divide the .pdf into pages to be joined"))

@@ -24,7 +24,7 @@ double area_of(const Patch& patch) {
 
 Pattern design_of(const Patch& patch, const Session& session) {
   try {
-    return unfold(patch, {}, session.silent_context());
+    return unfold(patch, {.least_stretch = true}, session.silent_context());
   } catch (const Error& error) {
     if (error.code() == ErrorCode::unfold_failed) return {};
     throw;

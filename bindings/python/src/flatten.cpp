@@ -76,6 +76,7 @@ UnfoldResult unfold_mesh(const MeshData& data, const py::dict& keywords, py::obj
   const cli::Arguments arguments = arguments_on(data, "unfold", keywords);
   const Unit unit = cli::unit_from(arguments);
   const UnfoldOptions options = {.match_seams = arguments.has("--match-seams"),
+                                 .least_stretch = arguments.has("--least-stretch"),
                                  .limits = cli::limits_from(arguments),
                                  .fold = cli::fold_ends_from(arguments)};
   cli::PatternFiles pattern = {

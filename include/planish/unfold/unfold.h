@@ -11,6 +11,10 @@
 
 namespace planish {
 
+/// How much more rms strain a pattern that spreads its stretch may have, at most, than the one of
+/// least stretch (docs/unfold.md, "Spreading the stretch").
+inline constexpr double k_spread_budget = 1.06;
+
 /// How a patch is laid flat.
 struct UnfoldOptions {
   int max_iterations = 200;  ///< Newton steps at most
@@ -20,6 +24,10 @@ struct UnfoldOptions {
   /// Border edges that may change theirs all the same, as they are sewn to nothing: by the vertices
   /// at their ends.
   std::vector<std::array<Index, 2>> free_edges = {};
+  /// True: the pattern of least stretch, which has the least rms strain. False: for up to
+  /// k_spread_budget of that, the largest strains are made as small as they get. Idle with
+  /// match_seams, limits.max and limits.p99.
+  bool least_stretch = false;
   /// The result is the pattern of least stretch that keeps limits.max or limits.p99; if none does,
   /// one whose largest strain is nearly the smallest. limits.rms is not optimised, as least stretch
   /// has nearly the least rms. With match_seams no limit is optimised. check_limits() tells what
@@ -66,8 +74,8 @@ struct Pattern {
 void require_unfoldable(const Patch& patch);
 
 /// Lays a disk patch flat with the least stretch and no flipped triangle: minimises the symmetric
-/// Dirichlet energy by projected Newton steps from a conformal start (docs/unfold.md). On a patch
-/// that is flattenable, edge lengths are kept. Limits are kept by an interior-point method from
+/// Dirichlet energy by projected Newton steps from a conformal start (docs/unfold.md), and spreads
+/// the stretch that is left. On a patch that is flattenable, edge lengths are kept. Limits are kept by an interior-point method from
 /// there. With match_seams, border edges that are not free keep theirs on any patch: to 1e-9 of
 /// each, as long as none is shorter than a millionth of the patch.
 /// @throws Error as require_unfoldable(); option_out_of_range, as require() of limits;

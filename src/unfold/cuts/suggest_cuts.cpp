@@ -141,7 +141,7 @@ class CutSearch {
   Flat flatten(const Patch& patch, const StrainLimits& limits = {}) {
     Flat flat{{}, {.max = k_cannot_lie_flat, .rms = k_cannot_lie_flat, .p99 = k_cannot_lie_flat}};
     try {
-      flat.pattern = unfold(patch, {.limits = limits}, unfolding_);
+      flat.pattern = unfold(patch, {.least_stretch = true, .limits = limits}, unfolding_);
       flat.strain = edge_strain(patch, flat.pattern.positions);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::unfold_failed) throw;
@@ -174,7 +174,7 @@ class CutSearch {
     found_.first = with_paths();
     if (found_.first.pattern.positions.empty()) {
       // Nothing to begin with: the same words as without a search.
-      unfold(Patch(found_.first.cut.mesh), {}, unfolding_);
+      unfold(Patch(found_.first.cut.mesh), {.least_stretch = true}, unfolding_);
     }
     if (!found_.cuts.empty()) found_.cuts.back().after = found_.first.strain;
     found_.last = found_.first;

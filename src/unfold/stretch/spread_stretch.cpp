@@ -1,0 +1,192 @@
+#include "unfold/stretch/spread_stretch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/careful_sum.h"
+#include "geometry/crosses_itself.h"
+#include "solve/sparse_ldlt.h"
+#include "unfold/strain/strain_of_edges.h"
+#include "unfold/stretch/edge_price.h"
+#include "unfold/stretch/flat_steps.h"
+#include "unfold/stretch/stretch_system.h"
+
+namespace planish {
+
+namespace {
+
+/// The strain that edges of 99 % of the area do not exceed.
+double peak_strain(std::span<const FlatEdge> edges, std::span<const double> strains) {
+  constexpr double share = 0.99;
+  std::vector<StrainOfEdge> weighed;
+  weighed.reserve(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    weighed.push_back({strains[e], edges[e].area});
+  return strain_at_share(std::move(weighed), share);
+}
+
+/// Newton steps that lower E + w E_0 sum of a_e price(s_e / peak), where E is the symmetric
+/// Dirichlet energy, E_0 that of the start, and s_e the strain of an edge with the area a_e.
+class Spreading {
+ public:
+  Spreading(const Disk& disk, std::span<const FlatEdge> edges, const std::vector<Vec2>& start,
+            double peak, ThreadPool& pool)
+      : disk_(disk),
+        edges_(edges),
+        peak_(peak),
+        pool_(pool),
+        system_(disk),
+        flat_(start),
+        unit_(total_energy(disk, start)) {
+    slots_.reserve(edges.size());
+    for (const FlatEdge& edge : edges)
+      slots_.push_back(system_.slots_of(edge));
+  }
+
+  /// False where no step lowers the energy of that weight.
+  bool step(double weight) {
+    const double price = weight * unit_;
+    assemble(price);
+    if (!factor_) factor_.emplace(system_.hessian(), &pool_);
+    if (!factor_->factor(system_.hessian(), pool_)) return false;
+    const Eigen::VectorXd step = factor_->solve(-system_.gradient(), pool_);
+    const double slope = system_.gradient().dot(step);
+    if (!(slope < 0.0)) return false;
+    return move_along(system_.spread(step), slope, price);
+  }
+
+  const std::vector<Vec2>& flat() const { return flat_; }
+
+ private:
+  void assemble(double price) {
+    system_.assemble(flat_, Curvature::projected);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const FlatEdge& edge = edges_[e];
+      const Vec2 d = flat_[edge.to] - flat_[edge.from];
+      const double length = norm(d);
+      const Vec2 u = (1.0 / length) * d;
+      const EdgePrice cost = price_of((length / edge.length - 1.0) / peak_);
+      const double unit = peak_ * edge.length;
+      const double slope = price * edge.area * cost.slope / unit;
+      const double along = price * edge.area * cost.curvature / (unit * unit);
+      // Where an edge is to get longer, turning it helps: left out, so that the matrix stays
+      // positive definite.
+      const double across = std::max(0.0, slope) / length;
+      system_.add(edge, slots_[e], slope * u,
+                  {along * u.x * u.x + across * u.y * u.y, (along - across) * u.x * u.y,
+                   along * u.y * u.y + across * u.x * u.x});
+    }
+  }
+
+  double energy(const std::vector<Vec2>& flat, double price) const {
+    CarefulSum cost;
+    for (const FlatEdge& edge : edges_) {
+      const double strain = norm(flat[edge.to] - flat[edge.from]) / edge.length - 1.0;
+      cost.add(edge.area * price_of(strain / peak_).value);
+    }
+    return total_energy(disk_, flat) + price * cost.value();
+  }
+
+  bool move_along(const std::vector<Vec2>& move, double slope, double price) {
+    constexpr int most_halvings = 30;
+    const double now = energy(flat_, price);
+    double share = std::min(1.0, 0.9 * step_to_first_flip(disk_, flat_, move));
+    for (int halvings = 0; halvings < most_halvings; ++halvings, share *= 0.5) {
+      std::vector<Vec2> trial = moved(flat_, share, move);
+      if (!(energy(trial, price) <= now + 1e-4 * share * slope)) continue;
+      flat_ = std::move(trial);
+      return true;
+    }
+    return false;
+  }
+
+  const Disk& disk_;
+  std::span<const FlatEdge> edges_;
+  double peak_;
+  ThreadPool& pool_;
+  StretchSystem system_;
+  std::vector<StretchSystem::EdgeSlots> slots_;
+  std::optional<SparseLdlt> factor_;
+  std::vector<Vec2> flat_;
+  double unit_;
+};
+
+/// What a pattern must keep while it is spread.
+class Budget {
+ public:
+  Budget(const Disk& disk, std::span<const FlatEdge> edges, const std::vector<Vec2>& least,
+         double most_rms)
+      : disk_(disk),
+        edges_(edges),
+        most_rms_(most_rms),
+        may_cross_(crosses_itself(border_of(disk, least))) {}
+
+  bool keeps(const std::vector<Vec2>& flat) const {
+    return all_upright(disk_, flat) && rms_strain(edges_, strains_of(edges_, flat)) <= most_rms_ &&
+           (may_cross_ || !crosses_itself(border_of(disk_, flat)));
+  }
+
+  /// The last place on the way from one that keeps it to one that does not.
+  std::vector<Vec2> last_kept(std::vector<Vec2> kept, const std::vector<Vec2>& beyond) const {
+    constexpr int halvings = 10;
+    std::vector<Vec2> way(kept.size());
+    for (std::size_t v = 0; v < way.size(); ++v)
+      way[v] = beyond[v] - kept[v];
+    double part = 0.5;
+    for (int k = 0; k < halvings; ++k, part *= 0.5) {
+      std::vector<Vec2> trial = moved(kept, part, way);
+      if (keeps(trial)) kept = std::move(trial);
+    }
+    return kept;
+  }
+
+ private:
+  const Disk& disk_;
+  std::span<const FlatEdge> edges_;
+  double most_rms_;
+  bool may_cross_;
+};
+
+}  // namespace
+
+LeastStretch spread_stretch(const Disk& disk, std::span<const FlatEdge> edges, LeastStretch least,
+                            double most_rms, ThreadPool& pool,
+                            const std::function<void()>& after_step) {
+  // A peak that no cutter or cloth would tell from none is left as it is.
+  constexpr double no_strain = 1e-6;
+  // Each weight is led to by one step: from so little that nothing moves to so much that the price
+  // alone counts.
+  constexpr int most_weights = 12;
+  constexpr double first_weight = 0.1, growth = 4.0;
+  const double peak = peak_strain(edges, strains_of(edges, least.flat));
+  if (!(peak > no_strain)) return least;
+  const Budget budget(disk, edges, least.flat, most_rms);
+  Spreading spreading(disk, edges, least.flat, peak, pool);
+  LeastStretch result{least.flat, least.iterations, least.converged};
+  double weight = first_weight;
+  for (int k = 0; k < most_weights; ++k, weight *= growth) {
+    if (!spreading.step(weight)) break;
+    ++result.iterations;
+    if (after_step) after_step();
+    if (!budget.keeps(spreading.flat())) {
+      result.flat = budget.last_kept(std::move(result.flat), spreading.flat());
+      break;
+    }
+    result.flat = spreading.flat();
+  }
+  if (!(peak_strain(edges, strains_of(edges, result.flat)) < peak)) return least;
+  return result;
+}
+
+double rms_strain(std::span<const FlatEdge> edges, std::span<const double> strains) {
+  CarefulSum squares, area;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    squares.add(edges[e].area * strains[e] * strains[e]);
+    area.add(edges[e].area);
+  }
+  return area.value() > 0.0 ? std::sqrt(squares.value() / area.value()) : 0.0;
+}
+
+}  // namespace planish

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/thread_pool.h"
+#include "unfold/stretch/flat_edges.h"
+#include "unfold/stretch/least_stretch.h"
+
+namespace planish {
+
+/// Spreads the stretch of a pattern of least stretch, so that its peaks fall: first the strain that
+/// edges of 99 % of the area do not exceed, with it the largest of all edges that can follow
+/// (docs/unfold.md, "Spreading the stretch"). The rms strain rises to `most_rms` at most, no
+/// triangle flips, and a border that does not cross itself goes on so.
+/// @param least of minimise_stretch()
+/// @param most_rms a share of length, at least that of `least`
+/// @param after_step called after each step; what it throws is passed on
+/// @return `least` itself where spreading gains nothing; iterations count from those of `least`
+LeastStretch spread_stretch(const Disk& disk, std::span<const FlatEdge> edges, LeastStretch least,
+                            double most_rms, ThreadPool& pool,
+                            const std::function<void()>& after_step);
+
+/// The root mean square of strains, each weighed by the area that its edge stands for.
+double rms_strain(std::span<const FlatEdge> edges, std::span<const double> strains);
+
+}  // namespace planish

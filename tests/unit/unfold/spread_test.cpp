@@ -1,0 +1,91 @@
+// Spreading the stretch: what is promised of it, and its steps against finite differences.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <planish/mesh/shapes.h>
+#include <planish/unfold/strain.h>
+#include <planish/unfold/unfold.h>
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+#include "support/watched_job.h"
+#include "unfold/stretch/edge_price.h"
+
+namespace planish {
+namespace {
+
+Pattern least_stretch(const Patch& patch) {
+  return unfold(patch, {.least_stretch = true});
+}
+
+TEST(Spread, LowersThePeaksWithinItsBudget) {
+  for (const char* shape : {"panel", "saddle", "dome", "bump"}) {
+    const Patch patch(make_shape(shape, 600));
+    const EdgeStrain least = edge_strain(patch, least_stretch(patch).positions);
+    const Pattern pattern = unfold(patch);
+    const EdgeStrain spread = edge_strain(patch, pattern.positions);
+    EXPECT_LT(spread.p99, 0.9 * least.p99) << shape;
+    EXPECT_LT(spread.max, 0.9 * least.max) << shape;
+    EXPECT_LE(spread.rms, k_spread_budget * least.rms) << shape;
+    EXPECT_EQ(pattern.flipped_triangles, 0U) << shape;
+    EXPECT_FALSE(pattern.overlaps) << shape;
+  }
+}
+
+TEST(Spread, UsesItsBudget) {
+  const Patch patch(make_shape("panel", 600));
+  const EdgeStrain least = edge_strain(patch, least_stretch(patch).positions);
+  const EdgeStrain spread = edge_strain(patch, unfold(patch).positions);
+  EXPECT_GT(spread.rms, 0.99 * k_spread_budget * least.rms);
+}
+
+TEST(Spread, KeepsALimitOfRmsThatLeastStretchKeeps) {
+  const Patch patch(make_shape("panel", 600));
+  const double least = edge_strain(patch, least_stretch(patch).positions).rms;
+  const double limit = 1.02 * least;
+  const EdgeStrain kept = edge_strain(patch, unfold(patch, {.limits = {.rms = limit}}).positions);
+  EXPECT_LE(kept.rms, limit);
+  EXPECT_GT(kept.rms, 1.01 * least) << "it spreads as far as the limit lets it";
+}
+
+TEST(Spread, LeavesLeastStretchWhereThatMissesALimitOfRms) {
+  const Patch patch(make_shape("panel", 600));
+  const Pattern least = least_stretch(patch);
+  const double limit = 0.9 * edge_strain(patch, least.positions).rms;
+  EXPECT_EQ(unfold(patch, {.limits = {.rms = limit}}).positions, least.positions);
+}
+
+TEST(Spread, LeavesAFlattenablePatchToTheBit) {
+  const Patch patch(make_shape("cone", 400));
+  EXPECT_EQ(unfold(patch).positions, least_stretch(patch).positions);
+}
+
+TEST(Spread, GivesTheSameBitsForEveryNumberOfThreads) {
+  const Patch patch(make_shape("panel", 3000));
+  EXPECT_EQ(unfold(patch, {}, {.threads = 1}).positions,
+            unfold(patch, {}, {.threads = 3}).positions);
+}
+
+TEST(EdgePrice, HasTheSlopeAndCurvatureOfItsValue) {
+  constexpr double h = 1e-5;
+  for (const double x : {-3.0, -1.2, -0.7, 0.3, 0.9, 1.1, 4.0}) {
+    const double slope = (price_of(x + h).value - price_of(x - h).value) / (2.0 * h);
+    const double curvature = (price_of(x + h).slope - price_of(x - h).slope) / (2.0 * h);
+    EXPECT_NEAR(price_of(x).slope, slope, 1e-7 * (1.0 + std::abs(slope))) << x;
+    EXPECT_NEAR(price_of(x).curvature, curvature, 1e-7 * (1.0 + curvature)) << x;
+  }
+}
+
+TEST(EdgePrice, GoesOnSmoothlyWhereItIsOne) {
+  const EdgePrice below = price_of(std::nextafter(1.0, 0.0)), at = price_of(1.0);
+  EXPECT_NEAR(below.value, at.value, 1e-12);
+  EXPECT_NEAR(below.slope, at.slope, 1e-12);
+  EXPECT_NEAR(below.curvature, at.curvature, 1e-12);
+  EXPECT_DOUBLE_EQ(price_of(0.5).value, 1.0 / 256.0) << "x^8";
+}
+
+}  // namespace
+}  // namespace planish

@@ -221,6 +221,7 @@ std::optional<FlattenReport> twin_report(const FlattenReport& twin, const Patch&
   report.unfold_before = before.of(twin.unfold_before);
   report.as_designed = before.of(twin.as_designed);
   report.rejected = twin.rejected;
+  report.ways = twin.ways;
   report.cautions = cautions_beside(twin, patch);
   if (!has_all_of(twin, report)) return std::nullopt;
   const auto& pattern = report.unfold.pattern.positions;

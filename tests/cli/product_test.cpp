@@ -319,8 +319,8 @@ TEST_F(Product, NotesTheSizeOfEachPieceThatIsUnusual) {
   write_product("two.obj", {sample("small", "dome", 120), sample("other", "cylinder", 120)});
   const Names args = {"flatten", "two.obj", "-o", "out", "--formats", "svg", "--unit", "m"};
   const CliResult result = planish(args);
-  EXPECT_THAT(result.err, HasSubstr("note: small: the pattern is 393 m long; "));
-  EXPECT_THAT(result.err, HasSubstr("with --unit mm it would be 393 mm"));
+  EXPECT_THAT(result.err, HasSubstr("note: small: the pattern is 442 m long; "));
+  EXPECT_THAT(result.err, HasSubstr("with --unit mm it would be 442 mm"));
   EXPECT_THAT(result.err, HasSubstr("note: other: the pattern is "));
   EXPECT_THAT(planish({"flatten", "two.obj", "-o", "out2", "--formats", "svg"}).err,
               testing::Not(HasSubstr("the pattern is ")));

@@ -90,20 +90,30 @@ std::vector<Way> find_ways(const Patch& patch, const FlattenOptions& options,
   std::vector<Way> ways = missed_limits(design);
   if (ways.empty()) return ways;
   ThreadPool pool(context);
-  auto [coarse, how] = coarse_job(patch, options, pool);
-  Context quiet = context;
-  quiet.on_progress = {};
-  std::vector<Way> found;
-  found.reserve(ways.size());
-  for (Way& way : ways) {
-    how.limits = way.limits;
-    try {
-      found.push_back(taken(std::move(way), flatten(coarse, {}, how, quiet)));
-    } catch (const Error&) {
-      // A mesh so coarse may have no pattern where the design has one: there is no estimate then.
-    }
+  const auto [coarse, how] = coarse_job(patch, options, pool);
+  Context alone = context;
+  alone.on_progress = {};
+  alone.threads = 1;
+  std::vector<unsigned char> is_known(ways.size(), 0);
+  pool.for_ranges(ways.size(), 1,
+                  [&, &coarse = coarse, &how = how](std::size_t k, std::size_t end) {
+                    for (; k < end; ++k) {
+                      FlattenOptions job = how;
+                      job.limits = ways[k].limits;
+                      try {
+                        ways[k] = taken(std::move(ways[k]), flatten(coarse, {}, job, alone));
+                        is_known[k] = 1;
+                      } catch (const Error&) {
+                        // A mesh so coarse may have no pattern where the design has one: then there
+                        // is no estimate.
+                      }
+                    }
+                  });
+  std::vector<Way> known;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    if (is_known[k] != 0) known.push_back(std::move(ways[k]));
   }
-  return found;
+  return known;
 }
 
 std::vector<Way> with_result(std::vector<Way> ways, const FlattenReport& report) {

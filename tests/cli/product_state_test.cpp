@@ -52,7 +52,7 @@ class ProductState : public CliTest {
   Json read_job() const { return Json::parse(content_of("job.json")); }
   bool is_kept() const { return finished_results(job_, ".").has_value(); }
 
-  const PatchJob job_ = job_of({.name = "piece", .mesh = {}}, MeshFormat::obj, {}, {});
+  const PatchJob job_ = job_of({.name = "piece", .mesh = {}}, MeshFormat::obj, {}, {}, {});
 };
 
 TEST_F(ProductState, KeepsWhatIsWhole) {

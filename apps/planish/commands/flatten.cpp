@@ -96,7 +96,7 @@ ProductJob product_job(const FlattenRequest& request, ProductInput input,
                  .is_batch = input.is_batch,
                  .seams = std::move(input.seams),
                  .folder = request.folder,
-                 .options = {request.options, seam_tolerance_from(arguments)},
+                 .options = product_options_from(arguments, request.options),
                  .annotations = {},
                  .paths = {},
                  .files_of = {},
@@ -231,6 +231,7 @@ ColorMap colors_from(const Arguments& arguments) {
 FlattenOptions flatten_options_from(const Arguments& arguments) {
   const Method method = method_from(arguments, FlattenOptions{}.method);
   refuse_unsupported_constraints(arguments, method);
+  matches_seams_of_product(arguments);  // refuses what contradicts itself
   return picked({.method = method,
                  .stopping = stopping_from(arguments, method),
                  .unit = unit_from(arguments),
@@ -253,6 +254,7 @@ Command flatten_command() {
         remesh_flag(),
         smooth_first_flag(),
         match_seams_flag(),
+        no_match_seams_flag(),
         pick_flag(),
         formats_flag(),
         {"--colors",

@@ -48,6 +48,14 @@ CliResult flatten_product(const std::string& input, const std::string& folder,
   return planish(args, context);
 }
 
+/// Of the design, which stays as it is.
+CliResult flatten_design(const std::string& input, const std::string& folder,
+                         const Names& more = {}) {
+  Names args = {"flatten", input, "-o", folder, "--pick", "1", "--formats", "svg"};
+  args.insert(args.end(), more.begin(), more.end());
+  return planish(args);
+}
+
 class Product : public CliTest {
  protected:
   void SetUp() override {
@@ -177,10 +185,12 @@ TEST_F(Product, TellsTheSeamsAndMakesThemMatchUnlessToldOtherwise) {
 
 TEST_F(Product, MatchesSeamsWithinALimit) {
   write_product("two.obj", halves());
-  const auto free = flatten_product("two.obj", "free", {"--json", "--pick", "1"}).json();
+  const auto free = flatten_design("two.obj", "free", {"--json"}).json();
   const double most = free["patches"][0]["unfold"]["strain"]["max"];
   const std::string limit = std::to_string(80.0 * most) + "%";
-  const auto json = flatten_product("two.obj", "out", {"--json", "--max-strain", limit}).json();
+  const auto json = planish({"flatten", "two.obj", "-o", "out", "--formats", "svg", "--json",
+                             "--max-strain", limit})
+                        .json();
   for (const auto& patch : json["patches"]) {
     EXPECT_TRUE(patch["limits_met"]) << patch["name"];
     EXPECT_TRUE(patch["unfold"]["match_seams"]) << patch["name"];
@@ -189,12 +199,12 @@ TEST_F(Product, MatchesSeamsWithinALimit) {
 }
 
 TEST_F(Product, SaysHowUnequalSidesBecomeEqual) {
-  write_product("two.obj", halves(20));
-  const CliResult free = flatten_product("two.obj", "free", {"--no-match-seams", "--pick", "1"});
-  EXPECT_THAT(free.out, HasSubstr("without --no-match-seams they are as long as on the model"));
-  EXPECT_THAT(flatten_product("two.obj", "out", {"--pick", "1"}).out,
-              Not(HasSubstr("without --no-match-seams")));
-  const CliResult both = flatten_product("two.obj", "both", {"--match-seams", "--no-match-seams"});
+  write_product("two.obj", halves(8));
+  const std::string advice = "without --no-match-seams they are as long as on the model";
+  EXPECT_THAT(flatten_design("two.obj", "free", {"--unit", "m", "--no-match-seams"}).out,
+              HasSubstr(advice));
+  EXPECT_THAT(flatten_design("two.obj", "out", {"--unit", "m"}).out, Not(HasSubstr(advice)));
+  const CliResult both = flatten_design("two.obj", "both", {"--match-seams", "--no-match-seams"});
   EXPECT_EQ(both.exit_code, k_exit_usage);
   EXPECT_THAT(both.err, HasSubstr("--match-seams and --no-match-seams do not go together"));
 }
@@ -210,13 +220,12 @@ TEST_F(Product, GoesOnWithoutMatchingWhereAPieceCannotAndNamesIt) {
     ribbons.push_back({name, std::move(ribbon), {}});
   }
   write_product("ribbons.obj", ribbons);
-  const CliResult run = flatten_product("ribbons.obj", "out", {"--pick", "1"});
+  const CliResult run = flatten_design("ribbons.obj", "out");
   EXPECT_NE(run.exit_code, k_exit_failed) << run.err;
   EXPECT_THAT(run.err, HasSubstr("upper: its border cannot keep its lengths in the plane"));
   EXPECT_THAT(run.err, HasSubstr("lower: its border cannot keep its lengths in the plane"));
   EXPECT_TRUE(std::filesystem::exists("out/upper/pattern.svg"));
-  const CliResult asked = flatten_product("ribbons.obj", "asked", {"--pick", "1", "--match-seams"});
-  EXPECT_EQ(asked.exit_code, k_exit_failed) << "where it was asked for";
+  EXPECT_EQ(flatten_design("ribbons.obj", "asked", {"--match-seams"}).exit_code, k_exit_failed);
 }
 
 /// What is sewn to a piece decides which of its edges keep their lengths.

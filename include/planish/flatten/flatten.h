@@ -149,7 +149,7 @@ struct UnfoldReport {
   EdgeStrain strain;           ///< of the pattern beside the patch
   Unit unit = Unit::mm;        ///< one unit of the model
   double border_strain = 0.0;  ///< largest |strain| of the border's edges
-  /// Where border edges were to keep their lengths: the strain without that.
+  /// Where border edges keep their lengths: the strain of least stretch without that.
   std::optional<EdgeStrain> unmatched_strain = {};
   /// One for each limit of strain that was asked for.
   std::vector<StrainLimitCheck> limits = {};

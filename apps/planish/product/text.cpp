@@ -116,7 +116,7 @@ void note_cautions_and_sizes(Session& session, const ProductReport& report) {
       session.note(
           patch.name +
           ": its border cannot keep its lengths in the plane, so its sides of seams may be "
-          "longer or shorter than the other ones; remesh it more evenly (--remesh)");
+          "longer or shorter than the other ones; remesh it more evenly, or divide it");
     if (!patch.finished->cautions.empty())
       session.note(patch.name + ": " + patch.finished->cautions);
     if (const auto size = unusual_size_text(unfold.pattern, unfold.unit))

@@ -196,8 +196,7 @@ std::string seam_table(const ProductReport& report) {
   std::string html =
       "<section>\n<h2>Seams</h2>\n<p>A seam has one colour and one number on both sides. Lengths "
       "in mm. Unless <code>--no-match-seams</code> was given, both sides are as long as on the "
-      "model; "
-      "where they differ, the longer one must be eased in.</p>\n<div class=\"scroll\">\n"
+      "model. Where they differ, the longer one must be eased in.</p>\n<div class=\"scroll\">\n"
       "<table class=\"seams\">\n<thead><tr><th>Seam</th><th class=\"sewn\">Pieces</th>"
       "<th>Difference</th><th>On the model</th><th>First piece</th><th>Second piece</th></tr>"
       "</thead>\n<tbody>\n";

@@ -235,11 +235,11 @@ std::vector<Vec2> SeamSystem::correction(const Eigen::VectorXd& change) const {
 }
 
 std::optional<std::vector<Vec2>> SeamSystem::restored(std::vector<Vec2> flat) const {
-  constexpr int most_rounds = 12;
-  for (int round = 0; round < most_rounds; ++round) {
+  constexpr int most_solves = 12;
+  for (int solves = 0; solves <= most_solves; ++solves) {
     const Eigen::VectorXd gaps = this->gaps(flat);
     if (all_kept(gaps)) return flat;
-    flat = moved(std::move(flat), 1.0, correction(-gaps));
+    if (solves < most_solves) flat = moved(std::move(flat), 1.0, correction(-gaps));
   }
   return std::nullopt;
 }

@@ -16,7 +16,7 @@ namespace {
 
 /// How fast a border that is held gets stiffer with the weight of the price: else it would get
 /// teeth where the price alone counts. Thrice as fast, peaks fall by some 2 % less; a third as
-/// fast, the border turns to and fro three times as much.
+/// fast, the border turns to and fro two or three times as much.
 constexpr double k_stiffening = 0.1;
 
 /// The strain that edges of 99 % of the area do not exceed.

@@ -225,8 +225,8 @@ std::optional<FlattenReport> twin_report(const FlattenReport& twin, const Patch&
   report.cautions = cautions_beside(twin, patch);
   if (!has_all_of(twin, report)) return std::nullopt;
   const auto& pattern = report.unfold.pattern.positions;
-  if (options.match_seams && !(after.mismatch_share(pattern) <= k_most_mismatch))
-    return std::nullopt;
+  const bool is_matched = options.match_seams && !twin.unfold.pattern.is_unmatchable;
+  if (is_matched && !(after.mismatch_share(pattern) <= k_most_mismatch)) return std::nullopt;
   report.input = own.patch;
   report.source = std::move(own.source);
   return report;

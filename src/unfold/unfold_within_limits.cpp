@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "unfold/strain/strain_of_edges.h"
 #include "unfold/stretch/bounded_stretch.h"
 #include "unfold/stretch/flat_edges.h"
+#include "unfold/stretch/seam_system.h"
 
 namespace planish {
 
@@ -41,10 +43,13 @@ double p99_of(std::span<const FlatEdge> edges, const std::vector<double>& strain
 /// Runs the bounded solver once or more, and counts steps over all runs.
 class LimitedUnfolding {
  public:
-  LimitedUnfolding(const TriMesh& mesh, const Disk& disk, int max_iterations, ThreadPool& pool,
-                   const std::function<void()>& after_step, int iterations)
+  LimitedUnfolding(const TriMesh& mesh, const Disk& disk, const HeldBorder* border,
+                   int max_iterations, ThreadPool& pool, const std::function<void()>& after_step,
+                   int iterations)
       : disk_(disk),
+        border_(border),
         edges_(flat_edges(mesh, disk)),
+        is_held_(held_edges()),
         max_iterations_(max_iterations),
         pool_(pool),
         after_step_(after_step),
@@ -53,9 +58,14 @@ class LimitedUnfolding {
   const std::vector<FlatEdge>& edges() const { return edges_; }
   int iterations() const { return iterations_; }
 
-  BoundedStretch run(std::span<const double> bounds, std::vector<Vec2> start, BoundedAims aims) {
+  /// @param bounds idle for edges that keep their length
+  BoundedStretch run(std::vector<double> bounds, std::vector<Vec2> start, BoundedAims aims) {
     aims.max_iterations = max_iterations_;
-    return minimise_stretch_within(disk_, edges_, bounds, std::move(start), aims, pool_, [&] {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (is_held_[e] != 0) bounds[e] = std::numeric_limits<double>::infinity();
+    }
+    const auto system = make_system(disk_, border_, pool_);
+    return minimise_stretch_within(disk_, *system, edges_, bounds, std::move(start), aims, [&] {
       ++iterations_;
       if (after_step_) after_step_();
     });
@@ -88,6 +98,22 @@ class LimitedUnfolding {
  private:
   static BoundedAims aims() { return {.least_scale = k_within}; }
 
+  std::vector<char> held_edges() const {
+    std::vector<char> is_held(edges_.size(), 0);
+    if (border_ == nullptr) return is_held;
+    const auto before = [](const FlatEdge& edge, std::pair<Index, Index> ends) {
+      return std::pair(edge.from, edge.to) < ends;
+    };
+    for (std::size_t k = 0; k < disk_.border.size(); ++k) {
+      if (border_->lengths.may_change(k)) continue;
+      const std::pair<Index, Index> ends =
+          std::minmax(disk_.border[k], disk_.border[(k + 1) % disk_.border.size()]);
+      const auto found = std::lower_bound(edges_.begin(), edges_.end(), ends, before);
+      is_held[static_cast<std::size_t>(found - edges_.begin())] = 1;
+    }
+    return is_held;
+  }
+
   /// @param most that freed edges may have
   std::vector<double> with_worst_freed(double limit, const std::vector<double>& strains,
                                        double most) const {
@@ -99,6 +125,7 @@ class LimitedUnfolding {
     std::vector<double> bounds(edges_.size(), limit);
     double freed = 0.0;
     for (const std::size_t e : order) {
+      if (is_held_[e] != 0) continue;
       freed += edges_[e].area;
       if (freed > k_freed) break;
       bounds[e] = most;
@@ -107,7 +134,9 @@ class LimitedUnfolding {
   }
 
   const Disk& disk_;
+  const HeldBorder* border_;
   std::vector<FlatEdge> edges_;
+  std::vector<char> is_held_;  // of each edge: it keeps its length
   int max_iterations_;
   ThreadPool& pool_;
   const std::function<void()>& after_step_;
@@ -116,10 +145,12 @@ class LimitedUnfolding {
 
 }  // namespace
 
-LeastStretch unfold_within_limits(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
-                                  const StrainLimits& limits, int max_iterations, ThreadPool& pool,
+LeastStretch unfold_within_limits(const TriMesh& mesh, const Disk& disk, const HeldBorder* border,
+                                  const LeastStretch& least, const StrainLimits& limits,
+                                  int max_iterations, ThreadPool& pool,
                                   const std::function<void()>& after_step) {
-  LimitedUnfolding unfolding(mesh, disk, max_iterations, pool, after_step, least.iterations);
+  LimitedUnfolding unfolding(mesh, disk, border, max_iterations, pool, after_step,
+                             least.iterations);
   const bool bounds_all = limits.max > 0.0;
   const double limit = bounds_all ? limits.max : limits.p99;
   const auto strain_of = [&](const std::vector<Vec2>& flat) {
@@ -139,7 +170,7 @@ double smallest_limit_of(const TriMesh& mesh, const Disk& disk, std::vector<Vec2
                          int max_iterations, ThreadPool& pool,
                          const std::function<void()>& after_step) {
   constexpr double weight = 300.0;
-  LimitedUnfolding unfolding(mesh, disk, max_iterations, pool, after_step, 0);
+  LimitedUnfolding unfolding(mesh, disk, nullptr, max_iterations, pool, after_step, 0);
   const double largest_now = largest(strains_of(unfolding.edges(), least));
   if (!(largest_now > k_no_strain)) return largest_now;
   const std::vector<double> bounds(unfolding.edges().size(), largest_now);

@@ -68,6 +68,7 @@ void list(Pattern& pattern, const Visit& visit) {
   visit("iterations", pattern.iterations);
   visit("converged", pattern.converged);
   visit("opened", pattern.opened);
+  visit("unmatchable", pattern.is_unmatchable);
 }
 
 template <class Visit>

@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* k_job_file = "job.json";
 
-/// Flags that do not change the results of a patch. Those of seams act through its notches, which
-/// are compared on their own.
+/// Flags that do not change the results of a patch. Those of seams act through its notches and what
+/// is sewn, which are compared on their own.
 constexpr std::array<std::string_view, 14> k_idle_flags = {
     "--output",         "--threads",      "--quiet",    "--json",        "--resume",
     "--require-target", "--sheet",        "--nest-gap", "--nest-margin", "--turn",
@@ -56,6 +56,14 @@ std::string hash_of(const TriMesh& mesh) {
   return hash_text(hash.value());
 }
 
+std::string hash_of(const SewnBorder& border) {
+  FnvHash hash;
+  add_value(hash, border.has_seams);
+  for (const std::array<Index, 2>& edge : border.free_edges)
+    add_value(hash, edge);
+  return hash_text(hash.value());
+}
+
 Json to_json(const std::vector<Notch>& notches) {
   Json list = Json::array();
   for (const Notch& notch : notches) {
@@ -81,6 +89,7 @@ Json to_json(const PatchJob& job) {
                {"name", job.name},
                {"format", to_string(job.format)},
                {"mesh", job.mesh},
+               {"border", job.border},
                {"notches", to_json(job.notches)},
                {"seam_numbers", to_json(job.seam_numbers)},
                {"flags", std::move(flags)}};
@@ -139,9 +148,10 @@ std::optional<MeshFormat> format_among(const Json& files) {
 }  // namespace
 
 PatchJob job_of(const ProductPatch& patch, MeshFormat format, const PatternOptions& annotations,
-                const Arguments& arguments, const ProductPatch* twin_of) {
-  PatchJob job{patch.name, format, hash_of(patch.mesh), annotations.notches,
-               annotations.seam_numbers};
+                const SewnBorder& border, const Arguments& arguments, const ProductPatch* twin_of) {
+  PatchJob job{patch.name,          format,
+               hash_of(patch.mesh), hash_of(border),
+               annotations.notches, annotations.seam_numbers};
   for (const auto& [flag, value] : arguments.flags) {
     if (std::find(k_idle_flags.begin(), k_idle_flags.end(), flag) == k_idle_flags.end()) {
       job.flags[flag] = value;

@@ -53,7 +53,7 @@ READING = dict.fromkeys("divide only without weld fill_holes side flip strict".s
 LEFT_OUT_OF = {
     "read": {"threads": "one is enough"},
     "measure": {"map": "result.fields", "unit": "figures are in model units", **READING},
-    "flatten": {"seam_tolerance": "of a product", **READING},
+    "flatten": {"seam_tolerance": "of a product", "no_match_seams": "of a product", **READING},
     **dict.fromkeys(["unfold", "compare", "suggest_cuts", "evolve"], READING),
     "flatten_product": {
         name: "of one patch"

@@ -154,7 +154,7 @@ struct UnfoldReport {
   EdgeStrain strain;           ///< of the pattern beside the patch
   Unit unit = Unit::mm;        ///< one unit of the model
   double border_strain = 0.0;  ///< largest |strain| of the border's edges
-  /// Where border edges were to keep their lengths: the strain without that.
+  /// Where border edges keep their lengths: the strain of least stretch without that.
   std::optional<EdgeStrain> unmatched_strain = {};
   /// One for each limit of strain that was asked for.
   std::vector<StrainLimitCheck> limits = {};
@@ -181,9 +181,10 @@ struct FlattenOptions {
   /// Above 0: waves of the design that are shorter, in model units, are taken out first
   /// (smooth_design()); with remesh or fixed vertices an Error unsupported_constraint.
   double smooth_first = 0.0;
-  bool remesh = false;           ///< work on fewer vertices: see remesh()
-  std::vector<Index> keep = {};  ///< vertices that remeshing leaves, besides fixed ones
-  bool match_seams = false;      ///< of the evolved patch's pattern, as UnfoldOptions has it
+  bool remesh = false;             ///< work on fewer vertices: see remesh()
+  std::vector<Index> keep = {};    ///< vertices that remeshing leaves, besides fixed ones
+  bool match_seams = false;        ///< of the result's pattern, as UnfoldOptions has it
+  bool match_if_possible = false;  ///< likewise
   /// As UnfoldOptions has them, by the vertices of the patch before it is remeshed.
   std::vector<std::array<Index, 2>> free_edges = {};
   /// As UnfoldOptions has it, by the vertices of the patch before it is remeshed: the whole is

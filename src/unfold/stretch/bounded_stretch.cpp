@@ -7,9 +7,7 @@
 
 #include "core/careful_sum.h"
 #include "core/math.h"
-#include "solve/sparse_ldlt.h"
 #include "unfold/stretch/flat_steps.h"
-#include "unfold/stretch/stretch_system.h"
 
 namespace planish {
 
@@ -64,11 +62,11 @@ class LogSum {
 
 class BoundedDescent {
  public:
-  BoundedDescent(const Disk& disk, std::span<const FlatEdge> edges, std::span<const double> bounds,
-                 std::vector<Vec2> start, const BoundedAims& aims, ThreadPool& pool)
-      : disk_(disk), edges_(edges), bounds_(bounds), aims_(aims), pool_(pool), system_(disk) {
+  BoundedDescent(const Disk& disk, StretchSystem& system, std::span<const FlatEdge> edges,
+                 std::span<const double> bounds, std::vector<Vec2> start, const BoundedAims& aims)
+      : disk_(disk), system_(system), edges_(edges), bounds_(bounds), aims_(aims) {
     now_.flat = turn_to_axis(disk, std::move(start));
-    now_.energy = total_energy(disk_, now_.flat);
+    now_.energy = system_.energy(now_.flat);
     weight_ = aims.weight * now_.energy;
     now_.scale = 1.05 * std::max(largest_share_of_bound(), aims_.least_scale);
     now_.slacks = slacks(now_.flat, now_.scale);
@@ -90,6 +88,7 @@ class BoundedDescent {
     auto trial = search(*direction, steps, longest_share(*direction, steps));
     if (!trial) return false;
     move_multipliers(steps, direction->scale);
+    system_.follow(direction->all, trial->share);
     now_ = std::move(trial->state);
     take_slacks();
     lower_barrier(trial->share);
@@ -116,6 +115,7 @@ class BoundedDescent {
     std::vector<Pair> slacks;
   };
   struct Direction {
+    Eigen::VectorXd all;  // of the system's unknowns
     std::vector<Vec2> move;
     double scale = 0.0, slope = 0.0;
   };
@@ -221,12 +221,11 @@ class BoundedDescent {
 
   /// The scale is eliminated last: [H, m; m^T, c] [x; t] = -[g; h].
   std::optional<Direction> solve() {
-    if (!factor_) factor_.emplace(system_.hessian(), &pool_);
-    if (!factor_->factor(system_.hessian(), pool_)) return std::nullopt;
+    if (!system_.factor()) return std::nullopt;
     Eigen::MatrixXd right(mixed_.size(), 2);
-    right.col(0) = -system_.gradient();
+    right.col(0) = system_.right();
     right.col(1) = mixed_;
-    const Eigen::MatrixXd found = factor_->solve(right, pool_);
+    const Eigen::MatrixXd found = system_.solve(right);
     by_scale_ = found.col(1);
     scale_pivot_ = scale_curvature_ - mixed_.dot(by_scale_);
     if (!(scale_pivot_ > 0.0)) return std::nullopt;
@@ -239,9 +238,9 @@ class BoundedDescent {
   Direction with_scale(const Eigen::VectorXd& without, double scale_right) const {
     Direction direction;
     direction.scale = (scale_right - mixed_.dot(without)) / scale_pivot_;
-    const Eigen::VectorXd step = without - direction.scale * by_scale_;
-    direction.slope = system_.gradient().dot(step) + scale_gradient_ * direction.scale;
-    direction.move = system_.spread(step);
+    direction.all = without - direction.scale * by_scale_;
+    direction.slope = system_.gradient().dot(direction.all) + scale_gradient_ * direction.scale;
+    direction.move = system_.spread(direction.all);
     return direction;
   }
 
@@ -273,11 +272,17 @@ class BoundedDescent {
     return most;
   }
 
+  /// Of infinite energy where what the system holds is lost.
   State at(std::vector<Vec2> flat, double scale) const {
     State state;
-    state.flat = std::move(flat);
+    auto restored = system_.restored(std::move(flat));
+    if (!restored) {
+      state.energy = k_infinity;
+      return state;
+    }
+    state.flat = *std::move(restored);
     state.scale = scale;
-    state.energy = total_energy(disk_, state.flat);
+    state.energy = system_.energy(state.flat);
     state.slacks = slacks(state.flat, state.scale);
     return state;
   }
@@ -295,7 +300,7 @@ class BoundedDescent {
       system_.add_to(pull, edges_[e], -beyond * stiff * laid(edges_[e], now_.flat).along);
       scale_pull.add(bounds_[e] * beyond * (stiff_longer - stiff_shorter));
     }
-    const Direction more = with_scale(factor_->solve(pull, pool_), scale_pull.value());
+    const Direction more = with_scale(system_.solve(pull), scale_pull.value());
     const double room = std::min(1.0, 0.9 * step_to_first_flip(disk_, trial.flat, more.move));
     return at(moved(trial.flat, room, more.move), trial.scale + room * more.scale);
   }
@@ -310,7 +315,7 @@ class BoundedDescent {
       State plain =
           at(moved(now_.flat, share, direction.move), now_.scale + share * direction.scale);
       if (is_better(plain)) return Trial{std::move(plain), share};
-      if (halvings >= most_corrected) continue;
+      if (halvings >= most_corrected || plain.flat.empty()) continue;
       State better = corrected(plain, steps, share);
       if (is_better(better)) return Trial{std::move(better), share};
     }
@@ -349,13 +354,11 @@ class BoundedDescent {
   }
 
   const Disk& disk_;
+  StretchSystem& system_;
   std::span<const FlatEdge> edges_;
   std::span<const double> bounds_;
   BoundedAims aims_;
-  ThreadPool& pool_;
-  StretchSystem system_;
   std::vector<StretchSystem::EdgeSlots> slots_;
-  std::optional<SparseLdlt> factor_;
   State now_;
   std::vector<Bound> longer_, shorter_;
   Bound scale_bound_;
@@ -370,12 +373,13 @@ class BoundedDescent {
 
 }  // namespace
 
-BoundedStretch minimise_stretch_within(const Disk& disk, std::span<const FlatEdge> edges,
+BoundedStretch minimise_stretch_within(const Disk& disk, StretchSystem& system,
+                                       std::span<const FlatEdge> edges,
                                        std::span<const double> bounds, std::vector<Vec2> start,
-                                       const BoundedAims& aims, ThreadPool& pool,
+                                       const BoundedAims& aims,
                                        const std::function<void()>& after_step) {
   BoundedStretch result;
-  BoundedDescent descent(disk, edges, bounds, std::move(start), aims, pool);
+  BoundedDescent descent(disk, system, edges, bounds, std::move(start), aims);
   while (result.iterations < aims.max_iterations && !result.converged) {
     if (!descent.step()) break;
     ++result.iterations;

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/thread_pool.h"
 #include "unfold/stretch/flat_edges.h"
+#include "unfold/stretch/stretch_system.h"
 
 namespace planish {
 
@@ -29,12 +29,14 @@ struct BoundedStretch {
 /// Minimises the symmetric Dirichlet energy E plus weight * t over flat disks and scales t, subject
 /// to |strain of edge e| <= t * bounds[e] and t >= least_scale: a primal-dual interior-point method
 /// (docs/unfold.md, "Patterns within limits"). Every step keeps the orientation of all triangles.
+/// @param system of the disk: what it holds, like lengths of the border, stays held
 /// @param bounds one per edge, above 0; infinite where there is none
 /// @param start no triangle flipped; best of least stretch
 /// @param after_step called after each step; what it throws is passed on
-BoundedStretch minimise_stretch_within(const Disk& disk, std::span<const FlatEdge> edges,
+BoundedStretch minimise_stretch_within(const Disk& disk, StretchSystem& system,
+                                       std::span<const FlatEdge> edges,
                                        std::span<const double> bounds, std::vector<Vec2> start,
-                                       const BoundedAims& aims, ThreadPool& pool,
+                                       const BoundedAims& aims,
                                        const std::function<void()>& after_step);
 
 }  // namespace planish

@@ -213,7 +213,7 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   pool.stop_if_cancelled();
   const Disk disk = make_disk(patch);
   pool.stop_if_cancelled();
-  const bool bounds_edges = options.limits.max > 0.0 || options.limits.p99 > 0.0;
+  const bool bounds_edges = options.limits.bounds_edges();
   const bool goes_on = options.match_seams || bounds_edges || !options.least_stretch;
   PartsOfJob parts(context);
   LeastStretch flat =

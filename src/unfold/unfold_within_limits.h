@@ -8,9 +8,9 @@
 
 namespace planish {
 
-/// The flat disk of least stretch among those that keep limits.max, or limits.p99; where there is
-/// none, one that comes near to it.
-/// @param least of least stretch; it is returned as it is where it keeps the limit
+/// The flat disk of least stretch among those that keep the limits of edges; where there is none,
+/// one that comes near to it.
+/// @param least of least stretch; it is returned as it is where it keeps the limits
 LeastStretch unfold_within_limits(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
                                   const StrainLimits& limits, int max_iterations, ThreadPool& pool,
                                   const std::function<void()>& after_step);

@@ -239,7 +239,7 @@ FlattenOptions flatten_options_from(const Arguments& arguments) {
                  .match_seams = arguments.has("--match-seams"),
                  .fold = fold_ends_from(arguments),
                  .limits = limits_from(arguments),
-                 .material = material_from(arguments)},
+                 .material = material_name_from(arguments)},
                 arguments);
 }
 

@@ -70,6 +70,10 @@ enum class Criterion {
   strain,              ///< the limit on the strain of every edge
   p99_strain,          ///< the limit on the strain of 99 % of the area
   rms_strain,          ///< the limit on the root mean square of the strain
+  stretch,             ///< the limit on the stretch of the sheet at every edge
+  p99_stretch,         ///< the limit on its stretch on 99 % of the area
+  compression,         ///< the limit on the compression of the sheet at every edge
+  p99_compression,     ///< the limit on its compression on 99 % of the area
   deviation,           ///< the limit on how far vertices move
   angle,               ///< the limit on the smallest angle
   e_max,               ///< the target of e_max

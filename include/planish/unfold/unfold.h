@@ -26,12 +26,12 @@ struct UnfoldOptions {
   std::vector<std::array<Index, 2>> free_edges = {};
   /// True: the pattern of least stretch, which has the least rms strain. False: for up to
   /// k_spread_budget of that, the largest strains are made as small as they get. Idle with
-  /// match_seams, limits.max and limits.p99.
+  /// match_seams and limits of edges.
   bool least_stretch = false;
-  /// The result is the pattern of least stretch that keeps limits.max or limits.p99; if none does,
-  /// one whose largest strain is nearly the smallest. limits.rms is not optimised, as least stretch
-  /// has nearly the least rms. With match_seams no limit is optimised. check_limits() tells what
-  /// is kept.
+  /// The result is the pattern of least stretch that keeps the limits of edges; if none does, one
+  /// that uses up nearly the smallest multiple of them. limits.rms is not optimised, as least
+  /// stretch has nearly the least rms. With match_seams no limit is optimised. check_limits() tells
+  /// what is kept.
   StrainLimits limits = {};
   /// Where the border crosses itself by a hair, its vertices are moved apart by this at most, model
   /// units, and by a thousandth of the square root of the patch's area; 0 leaves them. With
@@ -75,9 +75,9 @@ void require_unfoldable(const Patch& patch);
 
 /// Lays a disk patch flat with the least stretch and no flipped triangle: minimises the symmetric
 /// Dirichlet energy by projected Newton steps from a conformal start (docs/unfold.md), and spreads
-/// the stretch that is left. On a patch that is flattenable, edge lengths are kept. Limits are kept by an interior-point method from
-/// there. With match_seams, border edges that are not free keep theirs on any patch: to 1e-9 of
-/// each, as long as none is shorter than a millionth of the patch.
+/// the stretch that is left. On a patch that is flattenable, edge lengths are kept. Limits are kept
+/// by an interior-point method from there. With match_seams, border edges that are not free keep
+/// theirs on any patch: to 1e-9 of each, as long as none is shorter than a millionth of the patch.
 /// @throws Error as require_unfoldable(); option_out_of_range, as require() of limits;
 ///   unfold_failed where no pattern without flips is found, or none keeps the border's lengths;
 ///   Cancelled

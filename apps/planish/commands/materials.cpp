@@ -2,15 +2,11 @@
 
 #include <planish/measure/material.h>
 
-#include <planish_json/json.h>
-
 #include "commands/commands.h"
 #include "flags/material_flag.h"
 #include "model/material_file.h"
+#include "model/material_text.h"
 #include "shell/session.h"
-#include "shell/text.h"
-#include "shell/values.h"
-#include "text/materials_text.h"
 
 namespace planish::cli {
 

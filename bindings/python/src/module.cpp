@@ -11,8 +11,8 @@
 #include "flags/material_flag.h"
 #include "job.h"
 #include "mesh_data.h"
+#include "model/material_text.h"
 #include "run.h"
-#include "text/materials_text.h"
 
 namespace planish::python {
 

@@ -25,8 +25,8 @@ struct UnfoldOptions {
   /// at their ends.
   std::vector<std::array<Index, 2>> free_edges = {};
   /// True: the pattern of least stretch, which has the least rms strain. False: for up to
-  /// k_spread_budget of that, the largest strains are made as small as they get. Idle with
-  /// match_seams and limits of edges.
+  /// k_spread_budget of that, the largest strains are made as small as they get, where no limit
+  /// changes the pattern. Idle with match_seams.
   bool least_stretch = false;
   /// The result is the pattern of least stretch that keeps the limits of edges; if none does, one
   /// that uses up nearly the smallest multiple of them. limits.rms is not optimised, as least
@@ -64,7 +64,8 @@ struct Pattern {
   /// With match_seams: the pattern of least stretch without it, of the same size, turned and
   /// shifted somehow. Tells what matching costs.
   std::vector<Vec2> unmatched = {};
-  /// Where a limit changed the pattern: the one of least stretch, turned and shifted somehow.
+  /// Where a limit or spreading changed the pattern: that of least stretch, turned and shifted
+  /// somehow.
   std::vector<Vec2> unlimited = {};
   std::optional<OpenedCrossings> opened = {};  ///< see UnfoldOptions::open_crossings
 };

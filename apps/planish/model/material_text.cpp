@@ -1,4 +1,4 @@
-#include "text/materials_text.h"
+#include "model/material_text.h"
 
 #include <charconv>
 

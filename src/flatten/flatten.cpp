@@ -199,7 +199,7 @@ StrainLimits aim_of(const StrainLimits& limits, const Method& method, const Stop
 Method aimed_at(const StrainLimits& limits, Method method) {
   auto* options = std::get_if<Auto>(&method);
   if (options == nullptr) return method;
-  if (options->max_strain == 0.0) options->max_strain = std::max(limits.max, limits.p99);
+  if (options->max_strain == 0.0) options->max_strain = limits.both_ways();
   if (options->max_rms_strain == 0.0) options->max_rms_strain = limits.rms;
   return method;
 }

@@ -125,19 +125,8 @@ class TwinPattern {
 
   static StrainLimits asked_for(std::span<const StrainLimitCheck> checks) {
     StrainLimits limits;
-    for (const StrainLimitCheck& check : checks) {
-      switch (check.kind) {
-        case StrainLimitKind::max:
-          limits.max = check.asked;
-          break;
-        case StrainLimitKind::p99:
-          limits.p99 = check.asked;
-          break;
-        case StrainLimitKind::rms:
-          limits.rms = check.asked;
-          break;
-      }
-    }
+    for (const StrainLimitCheck& check : checks)
+      limits.of(check.kind) = check.asked;
     return limits;
   }
 

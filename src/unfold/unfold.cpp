@@ -100,13 +100,12 @@ LeastStretch with_stretch_spread(const TriMesh& mesh, const Disk& disk, const He
   if (!(most >= rms)) return least;
   const auto system = make_system(disk, border, pool);
   LeastStretch spread = spread_stretch(disk, *system, edges, least, most, after_step);
-  const auto exceeds = [&](const std::vector<double>& some) {
-    return std::any_of(some.begin(), some.end(),
-                       [&](double strain) { return std::abs(strain) > limits.max; });
+  StrainLimits of_edges = limits;
+  of_edges.rms = 0.0;
+  const auto keeps = [&](const LeastStretch& some) {
+    return of_edges.kept_by(figures_of(with_areas(edges, strains_of(edges, some.flat))));
   };
-  const bool breaks_limit =
-      limits.max > 0.0 && !exceeds(strains) && exceeds(strains_of(edges, spread.flat));
-  return breaks_limit ? least : spread;
+  return keeps(least) && !keeps(spread) ? least : spread;
 }
 
 /// What is called after each step. Laying flat takes some 15 steps, keeping limits or the border
@@ -227,7 +226,7 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   pool.stop_if_cancelled();
   const Disk disk = make_disk(patch);
   pool.stop_if_cancelled();
-  const bool bounds_edges = options.limits.max > 0.0 || options.limits.p99 > 0.0;
+  const bool bounds_edges = options.limits.bounds_edges();
   const bool goes_on = options.match_seams || bounds_edges || !options.least_stretch;
   PartsOfJob parts(context);
   LeastStretch flat =

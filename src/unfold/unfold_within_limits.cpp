@@ -15,6 +15,8 @@ namespace planish {
 
 namespace {
 
+constexpr double k_infinity = std::numeric_limits<double>::infinity();
+
 // Bounds are aimed at a little below the limit, so that a pattern at its bounds keeps it.
 constexpr double k_within = 0.999;
 // The share of the area on which p99 does not ask for anything; a little less is made use of.
@@ -22,6 +24,8 @@ constexpr double k_asked = 0.99, k_freed = 0.0099;
 constexpr int k_most_p99_rounds = 4;
 // Edges that are freed from the limit may have so many times it, or the most that any has without.
 constexpr double k_freed_limits = 3.0;
+// What stands for no bound: an edge a million times as long.
+constexpr double k_unbounded = 1e6;
 // A largest strain that no cutter or cloth would tell from none: left as it is.
 constexpr double k_no_strain = 1e-6;
 
@@ -32,12 +36,48 @@ double largest(const std::vector<double>& strains) {
   return most;
 }
 
-double p99_of(std::span<const FlatEdge> edges, const std::vector<double>& strains) {
-  std::vector<StrainOfEdge> weighed;
-  weighed.reserve(edges.size());
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    weighed.push_back({strains[e], edges[e].area});
-  return strain_at_share(std::move(weighed), k_asked);
+/// The size of a strain in units of the bound for longer edges: what uses up as much of its bound
+/// counts alike.
+double weighed(double strain, const EdgeBounds& bounds) {
+  return strain < 0.0 ? -strain / bounds.ratio() : strain;
+}
+
+std::vector<double> all_weighed(std::vector<double> strains, const EdgeBounds& bounds) {
+  for (double& strain : strains)
+    strain = weighed(strain, bounds);
+  return strains;
+}
+
+double smaller_limit(double both, double one) {
+  double limit = k_unbounded;
+  for (const double given : {both, one}) {
+    if (given > 0.0) limit = std::min(limit, given);
+  }
+  return limit;
+}
+
+/// What the limits say of edges: of all, and of those on 99 % of the area.
+struct LimitsOfEdges {
+  EdgeBounds all, area;
+
+  explicit LimitsOfEdges(const StrainLimits& limits)
+      : all{smaller_limit(limits.max, limits.max_compression),
+            smaller_limit(limits.max, limits.max_stretch)},
+        area{std::min(smaller_limit(limits.p99, limits.p99_compression), all.longer),
+             std::min(smaller_limit(limits.p99, limits.p99_stretch), all.shorter)} {}
+
+  /// Whether some edges may have more than others.
+  bool differ() const { return area.longer < all.longer || area.shorter < all.shorter; }
+};
+
+/// How much of the limit is used up of which that share is largest: above 1 beyond it.
+double largest_share(const StrainLimits& limits, const EdgeStrain& strain) {
+  double share = 0.0;
+  for (const StrainLimitKind kind : k_strain_limit_kinds) {
+    if (kind == StrainLimitKind::rms || limits.of(kind) == 0.0) continue;
+    share = std::max(share, figure_of(strain, kind) / limits.of(kind));
+  }
+  return share;
 }
 
 /// Runs the bounded solver once or more, and counts steps over all runs.
@@ -59,10 +99,10 @@ class LimitedUnfolding {
   int iterations() const { return iterations_; }
 
   /// @param bounds idle for edges that keep their length
-  BoundedStretch run(std::vector<double> bounds, std::vector<Vec2> start, BoundedAims aims) {
+  BoundedStretch run(std::vector<EdgeBounds> bounds, std::vector<Vec2> start, BoundedAims aims) {
     aims.max_iterations = max_iterations_;
     for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (is_held_[e] != 0) bounds[e] = std::numeric_limits<double>::infinity();
+      if (is_held_[e] != 0) bounds[e] = {k_infinity, k_infinity};
     }
     const auto system = make_system(disk_, border_, pool_);
     return minimise_stretch_within(disk_, *system, edges_, bounds, std::move(start), aims, [&] {
@@ -72,22 +112,26 @@ class LimitedUnfolding {
   }
 
   /// Every edge within the limit, or as near to that as it gets.
-  BoundedStretch keep(double limit, std::vector<Vec2> start) {
-    return run(std::vector<double>(edges_.size(), limit), std::move(start), aims());
+  BoundedStretch keep(const EdgeBounds& limit, std::vector<Vec2> start) {
+    return run(std::vector<EdgeBounds>(edges_.size(), limit), std::move(start), aims());
   }
 
-  /// Edges of 99 % of the area within the limit: all of them, or else all but those that have most
-  /// strain, chosen anew where the pattern has changed.
-  BoundedStretch keep_on_99_percent(double limit, const std::vector<Vec2>& start) {
+  /// Edges of 99 % of the area within a limit: all of them, or else all but those that have most
+  /// strain, chosen anew where the pattern has changed. These keep the limit of all edges.
+  BoundedStretch keep_on_99_percent(const LimitsOfEdges& limits, const std::vector<Vec2>& start) {
+    const EdgeBounds& limit = limits.area;
     BoundedStretch best = keep(limit, start);
-    double best_p99 = p99_of(edges_, strains_of(edges_, best.flat));
-    const double most = std::max(k_freed_limits * limit, largest(strains_of(edges_, start)));
+    double best_p99 = weighed_p99(best.flat, limit);
+    const double freed = std::max(k_freed_limits * limit.longer,
+                                  largest(all_weighed(strains_of(edges_, start), limit)));
+    const EdgeBounds most = {std::min(freed, limits.all.longer),
+                             std::min(freed * limit.ratio(), limits.all.shorter)};
     std::vector<Vec2> flat = start;
-    for (int round = 0; round < k_most_p99_rounds && best_p99 > limit; ++round) {
+    for (int round = 0; round < k_most_p99_rounds && best_p99 > limit.longer; ++round) {
       const auto bounds = with_worst_freed(limit, strains_of(edges_, flat), most);
       BoundedStretch found = run(bounds, flat, aims());
       flat = found.flat;
-      const double p99 = p99_of(edges_, strains_of(edges_, flat));
+      const double p99 = weighed_p99(flat, limit);
       if (p99 >= best_p99) continue;
       best = std::move(found);
       best_p99 = p99;
@@ -114,15 +158,21 @@ class LimitedUnfolding {
     return is_held;
   }
 
+  double weighed_p99(const std::vector<Vec2>& flat, const EdgeBounds& limit) const {
+    return strain_at_share(with_areas(edges_, all_weighed(strains_of(edges_, flat), limit)),
+                           k_asked);
+  }
+
   /// @param most that freed edges may have
-  std::vector<double> with_worst_freed(double limit, const std::vector<double>& strains,
-                                       double most) const {
+  std::vector<EdgeBounds> with_worst_freed(const EdgeBounds& limit,
+                                           const std::vector<double>& strains,
+                                           const EdgeBounds& most) const {
     std::vector<std::size_t> order(edges_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return std::abs(strains[a]) > std::abs(strains[b]);
+      return weighed(strains[a], limit) > weighed(strains[b], limit);
     });
-    std::vector<double> bounds(edges_.size(), limit);
+    std::vector<EdgeBounds> bounds(edges_.size(), limit);
     double freed = 0.0;
     for (const std::size_t e : order) {
       if (is_held_[e] != 0) continue;
@@ -151,18 +201,18 @@ LeastStretch unfold_within_limits(const TriMesh& mesh, const Disk& disk, const H
                                   const std::function<void()>& after_step) {
   LimitedUnfolding unfolding(mesh, disk, border, max_iterations, pool, after_step,
                              least.iterations);
-  const bool bounds_all = limits.max > 0.0;
-  const double limit = bounds_all ? limits.max : limits.p99;
+  StrainLimits of_edges = limits;
+  of_edges.rms = 0.0;
   const auto strain_of = [&](const std::vector<Vec2>& flat) {
-    const std::vector<double> strains = strains_of(unfolding.edges(), flat);
-    return bounds_all ? largest(strains) : p99_of(unfolding.edges(), strains);
+    return figures_of(with_areas(unfolding.edges(), strains_of(unfolding.edges(), flat)));
   };
-  const double strain = strain_of(least.flat);
-  if (strain <= limit) return least;
-  BoundedStretch found = bounds_all ? unfolding.keep(limit, least.flat)
-                                    : unfolding.keep_on_99_percent(limit, least.flat);
+  const EdgeStrain strain = strain_of(least.flat);
+  if (of_edges.kept_by(strain)) return least;
+  const LimitsOfEdges bounds(limits);
+  BoundedStretch found = bounds.differ() ? unfolding.keep_on_99_percent(bounds, least.flat)
+                                         : unfolding.keep(bounds.all, least.flat);
   // A run that ended at max_iterations may have reached less than it began with.
-  if (!(strain_of(found.flat) < strain)) return least;
+  if (!(largest_share(limits, strain_of(found.flat)) < largest_share(limits, strain))) return least;
   return {std::move(found.flat), unfolding.iterations(), found.converged};
 }
 
@@ -173,7 +223,7 @@ double smallest_limit_of(const TriMesh& mesh, const Disk& disk, std::vector<Vec2
   LimitedUnfolding unfolding(mesh, disk, nullptr, max_iterations, pool, after_step, 0);
   const double largest_now = largest(strains_of(unfolding.edges(), least));
   if (!(largest_now > k_no_strain)) return largest_now;
-  const std::vector<double> bounds(unfolding.edges().size(), largest_now);
+  const std::vector<EdgeBounds> bounds(unfolding.edges().size(), {largest_now, largest_now});
   const BoundedStretch found =
       unfolding.run(bounds, std::move(least), {.least_scale = 0.0, .weight = weight});
   return std::min(largest_now, largest(strains_of(unfolding.edges(), found.flat)));

@@ -9,10 +9,10 @@
 
 namespace planish {
 
-/// The flat disk of least stretch among those that keep limits.max, or limits.p99; where there is
-/// none, one that comes near to it.
+/// The flat disk of least stretch among those that keep the limits of edges; where there is none,
+/// one that comes near to it.
 /// @param border whose lengths stay kept; nullptr where the border is free
-/// @param least of least stretch; it is returned as it is where it keeps the limit
+/// @param least of least stretch; it is returned as it is where it keeps the limits
 LeastStretch unfold_within_limits(const TriMesh& mesh, const Disk& disk, const HeldBorder* border,
                                   const LeastStretch& least, const StrainLimits& limits,
                                   int max_iterations, ThreadPool& pool,

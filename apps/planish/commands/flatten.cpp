@@ -247,7 +247,7 @@ FlattenOptions flatten_options_from(const Arguments& arguments) {
                  .fold = fold_ends_from(arguments),
                  .least_stretch = arguments.has("--least-stretch"),
                  .limits = limits_from(arguments),
-                 .material = material_from(arguments),
+                 .material = material_name_from(arguments),
                  .ways = true},
                 arguments);
 }

@@ -15,8 +15,11 @@
 #include <planish_json/json.h>
 
 #include "core/fnv_hash.h"
+#include "flags/limit_flags.h"
+#include "flags/material_flag.h"
 #include "platform/path.h"
 #include "product/figures.h"
+#include "shell/values.h"
 
 namespace planish::cli {
 
@@ -101,6 +104,16 @@ std::string text_of(const Json& json) {
   return json_text(json) + "\n";
 }
 
+std::string text_of(const StrainLimits& limits) {
+  std::string text;
+  for (const StrainLimitKind kind : k_strain_limit_kinds) {
+    if (limits.of(kind) == 0.0) continue;
+    text +=
+        (text.empty() ? "" : ", ") + std::string(to_string(kind)) + " " + shortest(limits.of(kind));
+  }
+  return text;
+}
+
 std::optional<std::string> content_of(const fs::path& path) {
   std::error_code none;
   // What stands there may be anybody's: nothing that has no end or is elsewhere.
@@ -161,6 +174,12 @@ PatchJob job_of(const ProductPatch& patch, MeshFormat format, const PatternOptio
     job.flags["--unit"] = to_string(*arguments.stated_unit);
   // What a product file says. No flag is called so.
   if (!patch.words.material.empty()) job.flags["material"] = patch.words.material;
+  if (patch.limits) job.flags["limits"] = text_of(*patch.limits);
+  // What a file of a material says now, wherever it lies.
+  if (arguments.has("--material")) {
+    job.flags["--material"] = material_name_from(arguments);
+    job.flags["limits"] = text_of(patch.limits.value_or(limits_from(arguments)));
+  }
   if (patch.words.quantity > 0) job.flags["quantity"] = std::to_string(patch.words.quantity);
   if (twin_of != nullptr) job.twin_of = {twin_of->name, hash_of(twin_of->mesh)};
   return job;

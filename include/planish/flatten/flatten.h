@@ -71,6 +71,10 @@ enum class Criterion {
   strain,              ///< the limit on the strain of every edge
   p99_strain,          ///< the limit on the strain of 99 % of the area
   rms_strain,          ///< the limit on the root mean square of the strain
+  stretch,             ///< the limit on the stretch of the sheet at every edge
+  p99_stretch,         ///< the limit on its stretch on 99 % of the area
+  compression,         ///< the limit on the compression of the sheet at every edge
+  p99_compression,     ///< the limit on its compression on 99 % of the area
   deviation,           ///< the limit on how far vertices move
   angle,               ///< the limit on the smallest angle
   e_max,               ///< the target of e_max
@@ -196,7 +200,7 @@ struct FlattenOptions {
   /// What the pattern is to keep. Auto leaves a patch as it is where its pattern keeps them and
   /// does not overlap itself, and else changes it as far as that needs, if it can.
   StrainLimits limits = {};
-  std::string material = {};  ///< name of that which limits.p99 is for, used in texts; may be empty
+  std::string material = {};  ///< name of that whose limits these are, used in texts; may be empty
   /// Where no method is given: also find FlattenReport::ways, in some 0.2 s.
   bool ways = false;
 

@@ -63,7 +63,8 @@ class LogSum {
 class BoundedDescent {
  public:
   BoundedDescent(const Disk& disk, StretchSystem& system, std::span<const FlatEdge> edges,
-                 std::span<const double> bounds, std::vector<Vec2> start, const BoundedAims& aims)
+                 std::span<const EdgeBounds> bounds, std::vector<Vec2> start,
+                 const BoundedAims& aims)
       : disk_(disk), system_(system), edges_(edges), bounds_(bounds), aims_(aims) {
     now_.flat = turn_to_axis(disk, std::move(start));
     now_.energy = system_.energy(now_.flat);
@@ -125,12 +126,15 @@ class BoundedDescent {
     double share = 1.0;
   };
 
-  bool is_bounded(std::size_t e) const { return bounds_[e] < k_infinity; }
+  bool is_bounded(std::size_t e) const { return bounds_[e].longer < k_infinity; }
 
   double largest_share_of_bound() const {
     double largest = 0.0;
-    for (std::size_t e = 0; e < edges_.size(); ++e)
-      largest = std::max(largest, std::abs(laid(edges_[e], now_.flat).strain) / bounds_[e]);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const double strain = laid(edges_[e], now_.flat).strain;
+      const double bound = strain < 0.0 ? bounds_[e].shorter : bounds_[e].longer;
+      largest = std::max(largest, std::abs(strain) / bound);
+    }
     return largest;
   }
 
@@ -139,7 +143,7 @@ class BoundedDescent {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (!is_bounded(e)) continue;
       const double strain = laid(edges_[e], flat).strain;
-      slacks[e] = {scale * bounds_[e] - strain, scale * bounds_[e] + strain};
+      slacks[e] = {scale * bounds_[e].longer - strain, scale * bounds_[e].shorter + strain};
     }
     return slacks;
   }
@@ -168,7 +172,7 @@ class BoundedDescent {
     push.add(1.0 / scale_bound_.slack);
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (!is_bounded(e)) continue;
-      push.add(bounds_[e] / longer_[e].slack + bounds_[e] / shorter_[e].slack);
+      push.add(bounds_[e].longer / longer_[e].slack + bounds_[e].shorter / shorter_[e].slack);
     }
     mu_ = weight_ / push.value();
     for_each_bound([&](Bound& bound) { bound.multiplier = mu_ / bound.slack; });
@@ -198,12 +202,13 @@ class BoundedDescent {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (!is_bounded(e)) continue;
       const Bound &longer = longer_[e], &shorter = shorter_[e];
-      const double b = bounds_[e], rest = edges_[e].length;
+      const double b = bounds_[e].longer, ratio = bounds_[e].ratio(), rest = edges_[e].length;
       const double stiff_longer = longer.stiffness(), stiff_shorter = shorter.stiffness();
       const LaidEdge edge = laid(edges_[e], now_.flat);
-      gradient.add(-mu_ * b * (1.0 / longer.slack + 1.0 / shorter.slack));
-      curvature.add(b * b * (stiff_longer + stiff_shorter));
-      system_.add_to(mixed_, edges_[e], (b * (stiff_shorter - stiff_longer) / rest) * edge.along);
+      gradient.add(-mu_ * b * (1.0 / longer.slack + ratio * (1.0 / shorter.slack)));
+      curvature.add(b * b * (stiff_longer + ratio * ratio * stiff_shorter));
+      system_.add_to(mixed_, edges_[e],
+                     (b * (ratio * stiff_shorter - stiff_longer) / rest) * edge.along);
       // Where a bound pushes an edge longer, it does so less as the edge turns: left out, so that
       // the matrix stays positive definite.
       const double across =
@@ -251,8 +256,8 @@ class BoundedDescent {
       const FlatEdge& edge = edges_[e];
       const Vec2 change = direction.move[edge.to] - direction.move[edge.from];
       const double strain = dot(laid(edge, now_.flat).along, change) / edge.length;
-      const double room = bounds_[e] * direction.scale;
-      steps[e] = {room - strain, room + strain};
+      steps[e] = {bounds_[e].longer * direction.scale - strain,
+                  bounds_[e].shorter * direction.scale + strain};
     }
     return steps;
   }
@@ -298,7 +303,8 @@ class BoundedDescent {
       const double stiff_longer = longer_[e].stiffness(), stiff_shorter = shorter_[e].stiffness();
       const double stiff = (stiff_longer + stiff_shorter) / edges_[e].length;
       system_.add_to(pull, edges_[e], -beyond * stiff * laid(edges_[e], now_.flat).along);
-      scale_pull.add(bounds_[e] * beyond * (stiff_longer - stiff_shorter));
+      scale_pull.add(bounds_[e].longer * beyond *
+                     (stiff_longer - bounds_[e].ratio() * stiff_shorter));
     }
     const Direction more = with_scale(system_.solve(pull), scale_pull.value());
     const double room = std::min(1.0, 0.9 * step_to_first_flip(disk_, trial.flat, more.move));
@@ -356,7 +362,7 @@ class BoundedDescent {
   const Disk& disk_;
   StretchSystem& system_;
   std::span<const FlatEdge> edges_;
-  std::span<const double> bounds_;
+  std::span<const EdgeBounds> bounds_;
   BoundedAims aims_;
   std::vector<StretchSystem::EdgeSlots> slots_;
   State now_;
@@ -375,7 +381,7 @@ class BoundedDescent {
 
 BoundedStretch minimise_stretch_within(const Disk& disk, StretchSystem& system,
                                        std::span<const FlatEdge> edges,
-                                       std::span<const double> bounds, std::vector<Vec2> start,
+                                       std::span<const EdgeBounds> bounds, std::vector<Vec2> start,
                                        const BoundedAims& aims,
                                        const std::function<void()>& after_step) {
   BoundedStretch result;

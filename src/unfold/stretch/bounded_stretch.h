@@ -19,6 +19,15 @@ struct BoundedAims {
   int max_iterations = 200;
 };
 
+/// How much longer or shorter an edge may get in the pattern, shares of its length on the patch,
+/// above 0: infinite both where it may as it likes.
+struct EdgeBounds {
+  double longer = 0.0, shorter = 0.0;
+
+  /// Of a strain that much shorter counts as much as `longer`: 1 where both bounds are equal.
+  double ratio() const { return shorter / longer; }
+};
+
 struct BoundedStretch {
   std::vector<Vec2> flat;
   double scale = 1.0;  ///< every edge keeps its bound times this
@@ -27,15 +36,16 @@ struct BoundedStretch {
 };
 
 /// Minimises the symmetric Dirichlet energy E plus weight * t over flat disks and scales t, subject
-/// to |strain of edge e| <= t * bounds[e] and t >= least_scale: a primal-dual interior-point method
-/// (docs/unfold.md, "Patterns within limits"). Every step keeps the orientation of all triangles.
+/// to -t * bounds[e].shorter <= strain of edge e <= t * bounds[e].longer and t >= least_scale: a
+/// primal-dual interior-point method (docs/unfold.md, "Patterns within limits"). Every step keeps
+/// the orientation of all triangles.
 /// @param system of the disk: what it holds, like lengths of the border, stays held
-/// @param bounds one per edge, above 0; infinite where there is none
+/// @param bounds one per edge
 /// @param start no triangle flipped; best of least stretch
 /// @param after_step called after each step; what it throws is passed on
 BoundedStretch minimise_stretch_within(const Disk& disk, StretchSystem& system,
                                        std::span<const FlatEdge> edges,
-                                       std::span<const double> bounds, std::vector<Vec2> start,
+                                       std::span<const EdgeBounds> bounds, std::vector<Vec2> start,
                                        const BoundedAims& aims,
                                        const std::function<void()>& after_step);
 

@@ -22,11 +22,7 @@ constexpr double k_stiffening = 0.1;
 /// The strain that edges of 99 % of the area do not exceed.
 double peak_strain(std::span<const FlatEdge> edges, std::span<const double> strains) {
   constexpr double share = 0.99;
-  std::vector<StrainOfEdge> weighed;
-  weighed.reserve(edges.size());
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    weighed.push_back({strains[e], edges[e].area});
-  return strain_at_share(std::move(weighed), share);
+  return strain_at_share(with_areas(edges, strains), share);
 }
 
 /// Newton steps that lower E + w E_0 sum of a_e price(s_e / peak), where E is the symmetric

@@ -85,7 +85,7 @@ TEST_F(ProductState, KeepsThatABorderCannotKeepItsLengths) {
   FinishedPatch patch = results();
   for (const bool is_unmatchable : {false, true}) {
     patch.unfold.pattern.is_unmatchable = is_unmatchable;
-    const auto read = patch_of_figures(figures_json(patch));
+    const auto read = patch_of_figures(Json::parse(figures_json(patch).dump()));
     ASSERT_TRUE(read);
     EXPECT_EQ(read->unfold.pattern.is_unmatchable, is_unmatchable);
   }

@@ -10,7 +10,7 @@
 #include <planish/sheet/product_sheet.h>
 
 #include "flags/annotation_flags.h"
-#include "flags/match_seams_flag.h"
+#include "flags/unfold_flags.h"
 #include "output/open_page.h"
 #include "output/pattern_notes.h"
 #include "platform/path.h"

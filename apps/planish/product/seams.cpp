@@ -8,7 +8,7 @@
 #include <planish/pattern/read_annotations.h>
 
 #include "flags/annotation_flags.h"
-#include "flags/match_seams_flag.h"
+#include "flags/unfold_flags.h"
 #include "flags/quantities.h"
 #include "flags/units.h"
 #include "platform/path.h"

@@ -49,7 +49,7 @@ inline std::string json_text(const Json& json, int indent = 2) {
 
 /// What keys mean, where they stand: a change that a reader could trip over raises it
 /// (docs/command-line.md, JSON).
-inline constexpr int k_json_schema = 1;
+inline constexpr int k_json_schema = 2;
 
 /// An object as it is handed out: with its `schema` in front.
 inline std::string json_document(const Json& object) {

@@ -8,7 +8,7 @@ namespace planish {
 
 void check_request(const FlattenOptions& options) {
   require(options.limits);
-  check_options(options.method);
+  check_options(options.method.value_or(options.as_needed));
   if (options.stopping) check_stopping(*options.stopping);
   if (options.fold && !options.constraints.obstacle.triangles.empty()) {
     throw Error(ErrorCode::unsupported_constraint,

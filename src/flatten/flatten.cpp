@@ -13,6 +13,7 @@
 #include "core/aside.h"
 #include "core/job.h"
 #include "flatten/check_request.h"
+#include "flatten/choices/find_ways.h"
 #include "flatten/least_change.h"
 #include "measure/ruling_defect.h"
 #include "measure/smoothed.h"
@@ -172,10 +173,15 @@ std::pair<UnfoldReport, UnfoldReport> unfold_both(const Patch& before, const Pat
   }
 }
 
+Method how_of(const FlattenOptions& options) {
+  return options.method.value_or(options.as_needed);
+}
+
 /// Those asked for, or else those of the method.
 StrainLimits limits_of(const FlattenOptions& options) {
   if (options.limits.any()) return options.limits;
-  const auto* method = std::get_if<Auto>(&options.method);
+  const Method how = how_of(options);
+  const auto* method = std::get_if<Auto>(&how);
   if (method == nullptr) return {};
   return {.max = method->max_strain, .rms = method->max_rms_strain};
 }
@@ -210,8 +216,8 @@ Method tightened(Method method, const StrainLimits& aim, double share) {
 }
 
 /// The report of a patch that is not evolved.
-EvolveReport left_as_it_is(const Patch& patch, const Method& method, const Stopping& stopping,
-                           StopReason reason, const Context& context) {
+EvolveReport left_as_it_is(const Patch& patch, const std::optional<Method>& method,
+                           const Stopping& stopping, StopReason reason, const Context& context) {
   EvolveReport report;
   report.method = method;
   report.stopping = stopping;
@@ -244,7 +250,7 @@ class Flattening {
         parts_(context_),
         limits_(limits_of(options)),
         shares_(shares_with(limits_)),
-        method_(aimed_at(limits_, options.method)),
+        method_(aimed_at(limits_, how_of(options))),
         stopping_(options.stopping.value_or(usual_stopping(method_))),
         aim_(aim_of(limits_, method_, stopping_)) {}
 
@@ -312,7 +318,7 @@ class Flattening {
   void work_on(const Patch& patch) {
     // What a later step would refuse by its size is refused before the first.
     require_unfoldable(work_patch(patch));
-    if (options_.keep_design) return keep_design(patch);
+    if (options_.keep_design || !options_.may_change()) return keep_design(patch);
     check_size(work_patch(patch), method_);
     if (is_done_as_it_is(patch) || stays_near(patch) || changes_least(patch)) return;
     evolve_to_aim(patch);
@@ -351,7 +357,9 @@ class Flattening {
   /// Lays the input flat, as asked and with least stretch: without limits and matching these are
   /// the same.
   void unfold_input(const Patch& patch) {
-    report_.as_designed = unfolded(work_patch(patch), with_limits(), shares_.design);
+    UnfoldOptions how = with_limits();
+    how.least_stretch = options_.least_stretch || options_.may_change();
+    report_.as_designed = unfolded(work_patch(patch), how, shares_.design);
     const bool is_plain = !limits_.any() && !options_.match_seams;
     before_ = is_plain ? report_.as_designed
                        : unfolded(work_patch(patch), without_limits(), k_share_of_plain);
@@ -367,7 +375,8 @@ class Flattening {
     const Patch& work = work_patch(patch);
     report_.unfold_before = *before_;
     report_.unfold = report_.as_designed;
-    report_.evolve = left_as_it_is(work, method_, stopping_, reason, context_);
+    const auto method = options_.may_change() ? std::optional<Method>(method_) : std::nullopt;
+    report_.evolve = left_as_it_is(work, method, stopping_, reason, context_);
     compare_with_original(patch);
   }
 
@@ -542,11 +551,13 @@ class Flattening {
     return true;
   }
 
-  /// How far the form may go for the least strain, where nothing else says how it is to change.
+  /// How far the form may go for the least strain, or for limits, where no method was asked for
+  /// that is led otherwise.
   std::optional<double> tolerance() const {
     const auto* method = std::get_if<Auto>(&method_);
-    const bool is_led = method == nullptr || !aim_.any() || method->prefer != Prefer::smooth ||
-                        method->max_bending > 0.0;
+    const bool is_led = method == nullptr || method->prefer != Prefer::smooth ||
+                        method->max_bending > 0.0 || !aim_.any() ||
+                        (options_.method && !options_.limits.any());
     if (is_led || std::isinf(method->max_deviation)) return std::nullopt;
     return method->max_deviation;
   }
@@ -618,10 +629,18 @@ class Flattening {
 
 }  // namespace
 
+bool FlattenOptions::may_change() const {
+  return method || limits_of(*this).any() ||
+         (as_needed.max_deviation > 0.0 && !std::isinf(as_needed.max_deviation));
+}
+
 FlattenReport flatten(const Patch& patch, std::string name, const FlattenOptions& options,
                       const Context& context) {
   check_request(options);
   FlattenReport report = Flattening(options, context).run(patch, std::move(name));
+  if (options.ways && !options.method)
+    report.ways =
+        with_result(find_ways(report.input, options, report.as_designed.strain, context), report);
   report_progress(context, {"unfolding", 1.0});
   return report;
 }

@@ -30,21 +30,22 @@ std::optional<double> number_named(Options options, std::string_view name) {
 }
 
 /// The value of an option that was given another one than it has unasked.
-std::optional<double> given(const Method& method, std::string_view name) {
+std::optional<double> given(const std::optional<Method>& method, std::string_view name) {
+  if (!method) return std::nullopt;
   return std::visit(
       [&](const auto& options) -> std::optional<double> {
         const auto value = number_named(options, name);
         const auto usual = number_named(std::decay_t<decltype(options)>{}, name);
         return value == usual ? std::nullopt : value;
       },
-      method);
+      *method);
 }
 
 /// `near` has no bound of bending.
-std::optional<double> given_bending(const Method& method) {
-  const auto* options = std::get_if<Auto>(&method);
+std::optional<double> given_bending(const EvolveReport& evolve) {
+  const Auto* options = evolve.auto_options();
   if (options != nullptr && options->prefer == Prefer::near) return std::nullopt;
-  return given(method, "max_bending");
+  return given(evolve.method, "max_bending");
 }
 
 }  // namespace
@@ -62,7 +63,7 @@ std::vector<LimitCheck> limit_checks(const EvolveReport& evolve) {
     const double bound = std::min(*limit, before);
     checks.push_back({Criterion::angle, *limit, after, after >= bound * (1.0 - k_rounding)});
   }
-  if (const auto limit = given_bending(evolve.method); limit && evolve.fairness.bending_ratio)
+  if (const auto limit = given_bending(evolve); limit && evolve.fairness.bending_ratio)
     at_most(Criterion::bending, *limit, *evolve.fairness.bending_ratio);
   if (evolve.stopping.target_e_max > 0.0)
     at_most(Criterion::e_max, evolve.stopping.target_e_max, evolve.after.figures.e_max);

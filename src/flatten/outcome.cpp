@@ -177,10 +177,18 @@ bool Outcome::limits_met() const {
                       [](Criterion what) { return what <= Criterion::failure; });
 }
 
+std::string_view EvolveReport::method_name() const {
+  return method ? name_of(*method) : "none";
+}
+
+const Auto* EvolveReport::auto_options() const {
+  return method ? std::get_if<Auto>(&*method) : nullptr;
+}
+
 Outcome EvolveReport::outcome() const {
   Judgement judgement(result.stop);
   judgement.limits(limit_checks(*this)).form(find_form_faults(*this));
-  if (const auto* options = std::get_if<Auto>(&method); options && !ended_by_strain(result.stop)) {
+  if (const Auto* options = auto_options(); options && !ended_by_strain(result.stop)) {
     judgement.miss_if(options->max_strain > 0.0, Criterion::strain);
     judgement.miss_if(options->max_rms_strain > 0.0, Criterion::rms_strain);
   }

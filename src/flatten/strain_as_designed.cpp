@@ -11,7 +11,8 @@ StrainAsDesigned strain_as_designed(const Patch& patch, const StrainLimits& limi
   strain.pattern = unfold(patch, {.least_stretch = true}, parts.next(0.2));
   strain.least_stretch = edge_strain(patch, strain.pattern.positions);
   if (limits.any()) {
-    const Pattern limited = unfold(patch, {.least_stretch = true, .limits = limits}, parts.next(0.5));
+    const Pattern limited =
+        unfold(patch, {.least_stretch = true, .limits = limits}, parts.next(0.5));
     strain.limits = check_limits(patch, limited.positions, limits);
   }
   if (patch.vertex_count() > StrainAsDesigned::k_most_searched) return strain;

@@ -57,6 +57,29 @@ std::string takers_text(const EdgeStrain& strain) {
          (is_beyond ? " on 99 % of the area." : ".");
 }
 
+/// "(136, 302, 171)", in model units.
+std::string point_text(Vec3 at) {
+  return "(" + significant_text(at.x, 3) + ", " + significant_text(at.y, 3) + ", " +
+         significant_text(at.z, 3) + ")";
+}
+
+/// Of the known materials the stiffest one that takes so much on 99 % of the area, and the one
+/// before it, which does not.
+std::string neighbours_text(double strain) {
+  const Material* before = nullptr;
+  for (const Material& material : materials()) {
+    const auto named = [](const Material& some) {
+      return std::string(some.name) + " (" + percent_text(some.max_strain) + ")";
+    };
+    if (strain <= material.max_strain) {
+      return named(material) + " does" +
+             (before != nullptr ? ", " + named(*before) + " does not" : "");
+    }
+    before = &material;
+  }
+  return "no material that is known here does";
+}
+
 /// The stiffest material that takes the design as it is, where the form was changed for no
 /// material.
 std::string unchanged_sentence(const FlattenReport& report) {
@@ -72,7 +95,7 @@ std::string unchanged_sentence(const FlattenReport& report) {
 
 /// What would take more of the strain out, where it was left for the sake of the form.
 std::string way_on(const FlattenReport& report) {
-  const auto* options = std::get_if<Auto>(&report.evolve.method);
+  const Auto* options = report.evolve.auto_options();
   if (options == nullptr || options->prefer != Prefer::smooth ||
       is_too_small_to_measure(report.unfold.strain))
     return {};
@@ -123,7 +146,9 @@ std::string state_words(const FlattenReport& report) {
     case Flatness::unmeasurable:
       return "Flat but for a stretch too small to measure";
     case Flatness::stretched:
-      return "Does not lie flat without stretch";
+      if (report.evolve.method) return "Does not lie flat without stretch";
+      return "Needs a sheet that takes " + percent_text(report.unfold.strain.p99) + ": " +
+             neighbours_text(report.unfold.strain.p99);
     case Flatness::limit_kept:
     case Flatness::limit_missed:
       break;
@@ -162,6 +187,10 @@ std::string stretch_sentence(const FlattenReport& report) {
   }
   std::string text = " The usual stretch is " + percent_text(after.rms) + ", the largest " +
                      percent_text(after.max);
+  if (!report.evolve.method && after.max > k_not_measurable) {
+    text += ", near " + point_text(0.5 * (report.processed.positions()[after.worst_edge[0]] +
+                                          report.processed.positions()[after.worst_edge[1]]));
+  }
   if (std::abs(after.rms - before.rms) > std::max(k_same_strain * before.rms, k_not_measurable))
     text += "; for the design as it is " + percent_text(before.rms) + " and " +
             percent_text(before.max);
@@ -187,6 +216,8 @@ std::string use_sentences(const FlattenReport& report) {
   if (report.unfold.pattern.flipped_triangles > 0 || flatness == Flatness::flat ||
       flatness == Flatness::not_known || flatness == Flatness::limit_kept)
     return {};
+  if (!report.evolve.method && flatness == Flatness::stretched)
+    return {};  // the first words say it
   return " " + takers_text(report.unfold.strain) + unchanged_sentence(report) + way_on(report);
 }
 
@@ -349,8 +380,7 @@ std::string computed_text(const FlattenReport& report) {
     return evolve.before.flattenable ? "It came so, and no vertex was moved."
                                      : "No sweep was made, and no vertex was moved.";
   }
-  const std::string sweeps = count_text(history.size()) + " " +
-                             std::string(name_of(evolve.method)) +
+  const std::string sweeps = count_text(history.size()) + " " + std::string(evolve.method_name()) +
                              (history.size() == 1 ? " sweep" : " sweeps");
   const bool nothing_moved = std::all_of(history.begin(), history.end(),
                                          [](const auto& record) { return record.moved == 0; });

@@ -52,8 +52,9 @@ Json to_json(const BorderFreedom& border) {
   return enumerator_name(border.rule);
 }
 
-Json options_of(const Method& method) {
+Json options_of(const std::optional<Method>& method) {
   Json options = Json::object();
+  if (!method) return options;
   const auto add = [&](std::string_view name, const auto& value, auto&&...) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_same_v<Value, BorderFreedom>) {
@@ -64,7 +65,7 @@ Json options_of(const Method& method) {
       options[std::string(name)] = value;
     }
   };
-  std::visit([&](auto some) { describe(some, add); }, method);
+  std::visit([&](auto some) { describe(some, add); }, *method);
   return options;
 }
 
@@ -108,7 +109,7 @@ Json to_json(const EvolveReport& report) {
   Json after = to_json(report.after);
   after["sharp_share"] = report.fairness.sharp_share;
   Json json = {
-      {"method", name_of(report.method)},         {"options", options_of(report.method)},
+      {"method", report.method_name()},           {"options", options_of(report.method)},
       {"sweeps", report.result.history.size()},   {"stop", to_string(report.result.stop)},
       {"threads", report.result.threads},         {"seconds", report.result.seconds},
       {"before", to_json(report.before)},         {"after", std::move(after)},
@@ -148,6 +149,31 @@ Json to_json(const Candidate& candidate) {
                {"sharp_share", candidate.fairness.sharp_share}};
   add_fairness(candidate.fairness, json);
   return json;
+}
+
+/// Lengths in millimetres.
+Json to_json(const Way& way, Unit unit) {
+  const double scale = millimetres_per(unit);
+  Json json = {
+      {"estimated", way.estimated},
+      {"reached", way.reached},
+      {"strain", to_json(way.strain)},
+      {"deviation", {{"rms", scale * way.deviation.rms}, {"max", scale * way.deviation.max}}},
+      {"folds", way.sharpest_fold()},
+      {"form_kept", way.keeps_form()}};
+  if (!way.material.empty()) json["material"] = way.material;
+  json["limit"] = {{"kind", way.limits.rms > 0.0   ? "rms"
+                            : way.limits.p99 > 0.0 ? "p99"
+                                                   : "max"},
+                   {"asked", way.limits.rms + way.limits.p99 + way.limits.max}};
+  return json;
+}
+
+Json to_json(const std::vector<Way>& ways, Unit unit) {
+  Json list = Json::array();
+  for (const Way& way : ways)
+    list.push_back(to_json(way, unit));
+  return list;
 }
 
 /// Those of a run, the result marked.
@@ -210,6 +236,7 @@ std::string json_report(const FlattenReport& report, const WrittenFiles& files,
                {"as_designed", to_json(report.as_designed)},
                {"limits", to_json(report.unfold.limits)},
                {"candidates", to_json(report.candidates())},
+               {"ways", to_json(report.ways, report.unfold.unit)},
                {"cautions", to_json(report.cautions, report.unfold.unit)},
                {"files", Json(files)}};
   json.update(to_json(report.outcome()));

@@ -107,7 +107,7 @@ std::vector<Cell> measured_cells(const MeasuredPatch* patch, const StrainAsDesig
 
 std::vector<Cell> evolved_cells(const EvolveReport* report) {
   return CellsOf(report)
-      .add("method", [](auto& r) { return name_of(r.method); })
+      .add("method", [](auto& r) { return r.method_name(); })
       .add("sweeps", [](auto& r) { return r.result.history.size(); })
       .add("stop", [](auto& r) { return to_string(r.result.stop); })
       .add("seconds", [](auto& r) { return r.result.seconds; })

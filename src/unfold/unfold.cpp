@@ -232,8 +232,12 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
       flat = std::move(limited);
     }
   } else if (!options.least_stretch) {
-    flat = with_stretch_spread(patch.mesh(), disk, std::move(flat), options.limits.rms, pool,
-                               after_step);
+    LeastStretch spread =
+        with_stretch_spread(patch.mesh(), disk, flat, options.limits.rms, pool, after_step);
+    if (spread.iterations > flat.iterations) {
+      pattern.unlimited = in_mesh_order(patch, disk, flat.flat);
+      flat = std::move(spread);
+    }
   }
 
   pattern.iterations = flat.iterations;

@@ -13,7 +13,7 @@
 #include "flags/cut_flag.h"
 #include "flags/fields_flag.h"
 #include "flags/limit_flags.h"
-#include "flags/match_seams_flag.h"
+#include "flags/unfold_flags.h"
 #include "flags/material_flag.h"
 #include "flags/method_flags.h"
 #include "flags/pick_flag.h"
@@ -108,8 +108,10 @@ ProductJob product_job(const FlattenRequest& request, ProductInput input,
   for (std::size_t p = 0; p < job.patches.size(); ++p) {
     job.patches[p].keep = named_vertices(job.annotations[p]);
     formats.push_back(output_format(job.places[p].format));
+    FlattenOptions options = request.options;
+    if (const auto& limits = job.patches[p].limits) options.limits = *limits;
     job.paths.push_back(paths_in(request.folder / path_of(job.places[p].folder), formats[p],
-                                 request.pattern, arguments));
+                                 request.pattern, options.may_change(), arguments));
   }
   job.files_of = [request, formats, paths = job.paths](const FlattenReport& report, std::size_t p,
                                                        const PatternOptions& annotations) {
@@ -149,6 +151,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   ProductInput read =
       read_product(session, arguments.operands, arguments, arguments.has("--product"));
   if (read.is_batch) refuse_seam_flags(arguments);
+  if (!read.is_described) note_idle_evolve_flags(session, arguments);
   const std::optional<CutDone> cut = cut_product(read, arguments, session);
   if (read.patches.size() > 1 || read.is_described || read.patches.front().failure) {
     check_copies_of(read.patches.size(), plan_of(pattern, options.unit, nest.get()));
@@ -160,14 +163,15 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   const std::string& path = read.path;
   Model input = std::move(read.whole);
   const MeshFormat format = output_format(input.format);
-  const WrittenFiles paths = paths_in(folder, format, pattern, arguments);
+  const WrittenFiles paths = paths_in(folder, format, pattern, options.may_change(), arguments);
   refuse_shared_paths(paths);
   const std::string size = size_text(input.mesh);
   const std::string& name = input.pieces.front();
   const auto report = about(path, [&] {
     const Patch patch(std::move(input.mesh));
     note_obstruction(session, patch);
-    if (!options.remesh) note_memory(session, options.method, patch.vertex_count());
+    if (!options.remesh && options.may_change())
+      note_memory(session, options.method.value_or(options.as_needed), patch.vertex_count());
     options.constraints = constraints_from(arguments, patch, session);
     pattern.annotations =
         annotations_on(std::move(pattern.annotations), arguments, patch, name, session);
@@ -229,17 +233,21 @@ ColorMap colors_from(const Arguments& arguments) {
 }
 
 FlattenOptions flatten_options_from(const Arguments& arguments) {
-  const Method method = method_from(arguments, FlattenOptions{}.method);
+  const Method method = method_from(arguments, Auto{});
   refuse_unsupported_constraints(arguments, method);
-  return picked({.method = method,
+  const auto* as_needed = std::get_if<Auto>(&method);
+  return picked({.method = asks_to_evolve(arguments) ? std::optional(method) : std::nullopt,
+                 .as_needed = as_needed != nullptr ? *as_needed : Auto{},
                  .stopping = stopping_from(arguments, method),
                  .unit = unit_from(arguments),
                  .smooth_first = smooth_first_from(arguments),
                  .remesh = arguments.has("--remesh"),
                  .match_seams = arguments.has("--match-seams"),
                  .fold = fold_ends_from(arguments),
+                 .least_stretch = arguments.has("--least-stretch"),
                  .limits = limits_from(arguments),
-                 .material = material_from(arguments)},
+                 .material = material_from(arguments),
+                 .ways = true},
                 arguments);
 }
 
@@ -253,6 +261,7 @@ Command flatten_command() {
         remesh_flag(),
         smooth_first_flag(),
         match_seams_flag(),
+        least_stretch_flag(),
         pick_flag(),
         formats_flag(),
         {"--colors",
@@ -280,8 +289,8 @@ Command flatten_command() {
   groups.push_back(model_flags());
   groups.push_back(annotation_flags());
   groups.push_back(nest_flags());
-  for (FlagGroup& group : method_flags(FlattenOptions{}.method)) {
-    if (group.method == name_of(FlattenOptions{}.method)) group.first_title = "How to evolve";
+  for (FlagGroup& group : method_flags(Auto{})) {
+    if (group.method == Auto::name) group.first_title = "How to evolve";
     groups.push_back(std::move(group));
   }
   groups.push_back(constraint_flags());
@@ -292,11 +301,11 @@ Command flatten_command() {
       "flatten",
       "the whole job: from a patch to its pattern at true size",
       "INPUT... [-o FOLDER]",
-      "Lays a patch flat as it is, and where that stretches the pattern too much, changes its "
-      "form as little as needed. Writes into FOLDER: the pattern at true size (pattern.svg, .dxf "
-      "and .pdf), that of the design (as-designed.*), the processed patch and the flat pattern as "
-      "meshes, and a report with pictures (report.html, report.json). All files are written or "
-      "none.",
+      "Lays a patch flat as it is, with its stretch spread, and says what sheet takes that. Where "
+      "a limit or a --pick asks for less, changes the form as little as needed. Writes into "
+      "FOLDER: the pattern at true size (pattern.svg, .dxf and .pdf), that of the design where "
+      "the form may change (as-designed.*), the processed patch and the flat pattern as meshes, "
+      "and a report with pictures (report.html, report.json). All files are written or none.",
       {"INPUT"},
       std::move(groups),
       {"planish flatten panel.obj", "planish flatten panel.obj -o out --unit cm --max-strain 2%",

@@ -10,7 +10,7 @@
 #include "flags/annotation_flags.h"
 #include "flags/cut_flag.h"
 #include "flags/limit_flags.h"
-#include "flags/match_seams_flag.h"
+#include "flags/unfold_flags.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
 #include "model/model_flags.h"
@@ -206,9 +206,7 @@ Command unfold_command() {
       scale_flag(),
       cut_flag(),
       match_seams_flag(),
-      {"--least-stretch", "",
-       "the pattern of least rms strain; without it, up to 6 % more of that make the largest "
-       "strains as small as they get"},
+      least_stretch_flag(),
       csv_flag(),
       output_format_flag(output_names(), "svg")};
   for (Flag& flag : pattern_flags("divide the .pdf into pages to be joined"))

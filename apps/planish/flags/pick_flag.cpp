@@ -1,12 +1,18 @@
 #include "flags/pick_flag.h"
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "flags/constraint_flags.h"
+#include "flags/method_flags.h"
 #include "flags/quantities.h"
 #include "shell/failures.h"
 #include "shell/run_context.h"
+#include "shell/session.h"
 #include "shell/text.h"
 #include "shell/values.h"
 
@@ -18,9 +24,19 @@ constexpr Range k_numbers = {1.0, static_cast<double>(k_candidates)};
 constexpr std::string_view k_choices =
     "1 as designed, 2, 3, 4, 5 at most 2, 1, 0.5, 0.1 % rms, 6 flat";
 
+constexpr std::array<std::string_view, 3> k_limits = {"--max-strain", "--material",
+                                                      "--max-rms-strain"};
+constexpr std::array<std::string_view, 7> k_asking = {
+    "--pick",      "--prefer",      "--method",       "--target-e-max",
+    "--closeness", "--max-bending", "--max-deviation"};
+
 /// Limits judge the design, too.
 bool is_limit(std::string_view flag) {
-  return flag == "--max-strain" || flag == "--material" || flag == "--max-rms-strain";
+  return std::find(k_limits.begin(), k_limits.end(), flag) != k_limits.end();
+}
+
+bool is_asking(std::string_view flag) {
+  return std::find(k_asking.begin(), k_asking.end(), flag) != k_asking.end();
 }
 
 void refuse_other_choices(const Arguments& arguments, int number) {
@@ -42,8 +58,34 @@ int number_from(const std::string& text) {
 
 }  // namespace
 
+bool asks_to_evolve(const Arguments& arguments) {
+  return std::any_of(k_asking.begin(), k_asking.end(),
+                     [&](std::string_view flag) { return arguments.has(std::string(flag)); });
+}
+
+void note_idle_evolve_flags(Session& session, const Arguments& arguments) {
+  const bool has_limit = std::any_of(k_limits.begin(), k_limits.end(), [&](std::string_view flag) {
+    return arguments.has(std::string(flag));
+  });
+  if (has_limit || asks_to_evolve(arguments)) return;
+  std::vector<std::string> idle;
+  std::vector<FlagGroup> groups = method_flags(Auto{});
+  groups.push_back(constraint_flags());
+  for (const FlagGroup& group : groups) {
+    for (const Flag& flag : group.flags) {
+      if (arguments.has(flag.name) && !is_limit(flag.name) && !is_asking(flag.name))
+        idle.push_back(flag.name);
+    }
+  }
+  if (idle.empty()) return;
+  session.note(list_of(idle) + (idle.size() == 1 ? " says" : " say") +
+               " how to change the form, but nothing asks for a change: the surface stays as it "
+               "is. --pick 5 takes nearly all stretch out; --max-rms-strain and --material set a "
+               "limit");
+}
+
 Flag pick_flag() {
-  return {"--pick", "N",   "how much strain to leave: " + std::string(k_choices) + " (default 5)",
+  return {"--pick", "N",   "how much strain to leave: " + std::string(k_choices),
           0,        false, {.type = ValueType::integer, .range = k_numbers}};
 }
 
@@ -51,7 +93,7 @@ FlattenOptions picked(FlattenOptions options, const Arguments& arguments) {
   if (!arguments.has("--pick")) return options;
   const int number = number_from(arguments.flags.at("--pick"));
   refuse_other_choices(arguments, number);
-  if (!std::holds_alternative<Auto>(options.method))
+  if (options.method && !std::holds_alternative<Auto>(*options.method))
     throw UsageError("flag --pick goes with method auto only");
   return pick(number, std::move(options));
 }

@@ -6,6 +6,12 @@
 
 namespace planish::cli {
 
+/// Whether the flags ask for another form, besides by limits of strain.
+bool asks_to_evolve(const Arguments& arguments);
+
+/// Tells of flags that say how to evolve where nothing asks for it.
+void note_idle_evolve_flags(Session& session, const Arguments& arguments);
+
 /// --pick.
 Flag pick_flag();
 

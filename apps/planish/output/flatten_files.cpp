@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -21,21 +22,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The pattern of the result and that of the design.
+/// The pattern of the result, and where that may be another one that of the design.
 std::vector<OutputFile> pattern_files(const FlattenReport& report, const WrittenFiles& paths,
                                       const PatternFiles& pattern) {
   const PatternOptions annotations = on_processed(pattern.annotations, report);
-  const Drawing as_designed =
-      pattern_sheet(report.input, report.as_designed, report.name + ", as designed", annotations);
   const Drawing sheet =
       pattern_sheet(report.processed, report.unfold, report.name, with_move(annotations, report));
+  std::optional<Drawing> as_designed;
+  if (report.evolve.method) {
+    as_designed =
+        pattern_sheet(report.input, report.as_designed, report.name + ", as designed", annotations);
+  }
   std::vector<OutputFile> files;
   files.reserve(2 * pattern.formats.size() + 1);
   for (const PatternFormat format : pattern.formats) {
     files.push_back({path_of(paths.at(role_of("pattern", format))),
                      pattern_file(sheet, format, pattern.output)});
-    files.push_back({path_of(paths.at(role_of("as_designed", format))),
-                     pattern_file(as_designed, format, pattern.output)});
+    if (as_designed) {
+      files.push_back({path_of(paths.at(role_of("as_designed", format))),
+                       pattern_file(*as_designed, format, pattern.output)});
+    }
   }
   if (pattern.output.paper) {
     files.push_back({path_of(paths.at("pattern_pages")), tiled_file(sheet, pattern.output)});
@@ -96,7 +102,7 @@ PatternOptions on_processed(const PatternOptions& annotations, const FlattenRepo
 }
 
 WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFiles& pattern,
-                      const Arguments& arguments) {
+                      bool with_design, const Arguments& arguments) {
   const std::string extension = "." + std::string(to_string(format));
   const auto in_folder = [&](const std::string& name) { return utf8_of(folder / path_of(name)); };
   WrittenFiles paths = {{"processed", in_folder("processed" + extension)},
@@ -106,7 +112,7 @@ WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFi
   for (const PatternFormat some : pattern.formats) {
     const std::string ending = "." + std::string(to_string(some));
     paths[role_of("pattern", some)] = in_folder("pattern" + ending);
-    paths[role_of("as_designed", some)] = in_folder("as-designed" + ending);
+    if (with_design) paths[role_of("as_designed", some)] = in_folder("as-designed" + ending);
   }
   if (pattern.output.paper) {
     const std::string paper(to_string(*pattern.output.paper));

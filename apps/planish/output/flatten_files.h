@@ -50,8 +50,9 @@ PatternOptions with_move(PatternOptions annotations, const FlattenReport& report
 
 /// Role -> path of all that `flatten` writes of a patch into a folder.
 /// @param format of the meshes
+/// @param with_design whether the pattern of the design is written besides that of the result
 WrittenFiles paths_in(const std::filesystem::path& folder, MeshFormat format,
-                      const PatternFiles& pattern, const Arguments& arguments);
+                      const PatternFiles& pattern, bool with_design, const Arguments& arguments);
 
 /// These files with their content.
 /// @param paths as from paths_in()

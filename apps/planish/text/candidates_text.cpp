@@ -43,7 +43,8 @@ std::string row(const CandidateCells& cells) {
 /// The numbers and names of those that were not computed and would not be the design again.
 std::string others_text(const FlattenReport& report, const std::vector<Candidate>& computed) {
   const double least_stretch = report.unfold_before.strain.rms;
-  const std::optional<int> dropped = report.rejected ? pick_of(report.evolve.method) : std::nullopt;
+  const std::optional<int> dropped =
+      report.rejected ? pick_of(*report.evolve.method) : std::nullopt;
   const auto is_computed = [&](int number) {
     return std::any_of(computed.begin(), computed.end(),
                        [&](const Candidate& candidate) { return candidate.pick == number; });

@@ -11,12 +11,12 @@ std::string text_of(const Json& json) {
   return json_document(json);
 }
 
-static_assert(k_json_schema == 1, "k_out_of_memory_json has the number too");
+static_assert(k_json_schema == 2, "k_out_of_memory_json has the number too");
 
 }  // namespace
 
 const char* const k_out_of_memory_json =
-    R"({"schema": 1, "error": {"code": "out_of_memory", "message": "out of memory"}})";
+    R"({"schema": 2, "error": {"code": "out_of_memory", "message": "out of memory"}})";
 
 std::string json_failure(const std::string& code, const std::string& message) {
   return text_of({{"error", {{"code", code}, {"message", message}}}});

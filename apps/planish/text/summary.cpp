@@ -18,6 +18,7 @@
 #include "text/candidates_text.h"
 #include "text/lengths.h"
 #include "text/memory_text.h"
+#include "text/ways_text.h"
 
 namespace planish::cli {
 
@@ -199,7 +200,7 @@ std::string form_lines(const EvolveReport& report) {
               digits(*fairness.bending_lost, 2);
     }
     text += "\n";
-    const auto* options = std::get_if<Auto>(&report.method);
+    const Auto* options = report.auto_options();
     if (options != nullptr && options->max_bending > 0.0 &&
         *fairness.bending_ratio > options->max_bending)
       text += indent + "more than the " + digits(options->max_bending, 3) + " of --max-bending\n";
@@ -246,9 +247,9 @@ std::string smoothing_line(const EvolveReport& report, const ShownLengths& lengt
 
 std::string run_line(const EvolveReport& report, const ShownLengths& lengths) {
   return remeshing_line(report) + smoothing_line(report, lengths) +
-         std::string(name_of(report.method)) + ": " +
-         counted(report.result.history.size(), "sweep") + " in " + fixed(report.result.seconds, 2) +
-         " s on " + counted(report.result.threads, "thread") + ", ended as\n  " +
+         std::string(report.method_name()) + ": " + counted(report.result.history.size(), "sweep") +
+         " in " + fixed(report.result.seconds, 2) + " s on " +
+         counted(report.result.threads, "thread") + ", ended as\n  " +
          std::string(stop_text(report.result.stop)) + "\n";
 }
 
@@ -282,15 +283,15 @@ std::string matching_lines(const UnfoldReport& report) {
          percent(report.unmatched_strain->max) + "\n";
 }
 
-/// What keeping a limit costs.
+/// What keeping a limit or spreading costs.
 std::string unlimited_lines(const UnfoldReport& report) {
   constexpr double same = 0.02;
   const EdgeStrain& strain = report.strain;
   if (!report.unlimited_strain || (strain.rms < (1.0 + same) * report.unlimited_strain->rms &&
                                    strain.max > (1.0 - same) * report.unlimited_strain->max))
     return {};
-  return "              evened out to keep the limit; with least stretch it would be\n"
-         "              rms " +
+  const std::string why = report.limits.empty() ? "spread" : "evened out to keep the limit";
+  return "              " + why + "; with least stretch it would be\n              rms " +
          percent(report.unlimited_strain->rms) + ", largest " +
          percent(report.unlimited_strain->max) + "\n";
 }
@@ -307,6 +308,12 @@ std::string as_designed_lines(const StrainAsDesigned& strain) {
   }
   const std::string limits = strain_limits_text(strain.limits);
   return text + (limits.empty() ? "" : "\n" + wrapped(limits, 0) + "\n");
+}
+
+/// What else could be asked for, and at what price.
+std::string choices_text(const FlattenReport& report) {
+  const std::string ways = ways_text(report);
+  return ways.empty() && report.evolve.method ? candidates_text(report) : ways;
 }
 
 /// What the verdict does not say of the limits: more than that the only one is kept.
@@ -374,7 +381,7 @@ std::string flatten_text(const FlattenReport& report) {
   const EvolveReport& evolve = report.evolve;
   const ShownLengths lengths(report.unfold.unit);
   return "\n" + wrapped(with_plain_blanks(verdict_text(report)), 0) + "\n\n" +
-         limits_to_tell(report.unfold.limits) + candidates_text(report) + "\n" +
+         limits_to_tell(report.unfold.limits) + choices_text(report) + "\n" +
          pattern_lines(report.unfold) + unlimited_lines(report.unfold) +
          matching_lines(report.unfold) + change_lines(evolve, lengths);
 }

@@ -366,7 +366,9 @@ std::vector<std::string> words_of(const Outcome& outcome) {
 }
 
 SavedFiles files_in(const FlattenResult& result, const std::filesystem::path& folder) {
-  const WrittenFiles paths = cli::paths_in(folder, result.format, result.pattern, result.arguments);
+  const WrittenFiles paths = cli::paths_in(folder, result.format, result.pattern,
+                                           result.report.evolve.method.has_value(),
+                                           result.arguments);
   const std::string json = json_report(result.report, paths, cli::figures_of_cut(result.cut));
   return {cli::files_of(result.report, paths, result.format, result.pattern,
                         {cli::colors_from(result.arguments), {}}, json),

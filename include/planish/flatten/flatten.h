@@ -10,6 +10,7 @@
 #include <planish/core/unit.h>
 #include <planish/evolve/evolve.h>
 #include <planish/evolve/remesh.h>
+#include <planish/flatten/ways.h>
 #include <planish/measure/cautions.h>
 #include <planish/measure/deviation.h>
 #include <planish/measure/fairness.h>
@@ -123,9 +124,9 @@ struct Outcome {
 
 /// An evolution with the figures around it.
 struct EvolveReport {
-  Method method;                ///< with its options
-  Stopping stopping;            ///< what was asked for
-  EvolveResult result;          ///< positions and history
+  std::optional<Method> method = {};  ///< with its options; none: nothing was to be evolved
+  Stopping stopping;                  ///< what was asked for
+  EvolveResult result;                ///< positions and history
   MeasuredPatch before, after;  ///< figures of the patch before the first sweep and after the last
   Deviation deviation;          ///< of the result from the input patch
   std::optional<BoundaryChange> border = {};  ///< where the border moved
@@ -141,6 +142,10 @@ struct EvolveReport {
   /// count as met where the method's own estimate of the strain keeps them: there is no pattern to
   /// measure.
   Outcome outcome() const;
+  /// The method's name, or "none".
+  std::string_view method_name() const;
+  /// The options where the method is Auto; else null.
+  const Auto* auto_options() const;
 };
 
 /// An unfolding with the figures of its pattern.
@@ -153,7 +158,7 @@ struct UnfoldReport {
   std::optional<EdgeStrain> unmatched_strain = {};
   /// One for each limit of strain that was asked for.
   std::vector<StrainLimitCheck> limits = {};
-  /// Where a limit changed the pattern: the strain of the one of least stretch.
+  /// Where a limit changed the pattern, or spreading: the strain of the one of least stretch.
   std::optional<EdgeStrain> unlimited_strain = {};
   std::optional<Overlap> overlap = {};  ///< where pattern.overlaps
   /// The patch was turned over when it was read: it was inside out against a neighbour.
@@ -165,7 +170,14 @@ struct UnfoldReport {
 
 /// What the main job is asked for.
 struct FlattenOptions {
-  Method method = Auto{};                 ///< with its options
+  /// How to evolve, with its options. None: only limits that the pattern of the design misses
+  /// change its form, by `as_needed`. Without limits the surface then stays as it is, to the bit,
+  /// and the pattern spreads its stretch.
+  std::optional<Method> method = {};
+  /// How limits change the form where no method is given. With max_deviation, a tolerance, the
+  /// result has the least strain within it that stays smooth, or with limits as little change as
+  /// they need; 0: nothing moves (docs/methods/least_change.md).
+  Auto as_needed = {};
   std::optional<Stopping> stopping = {};  ///< usual_stopping() of the method where none is given
   Unit unit = Unit::mm;                   ///< one unit of the model
   Constraints constraints = {};           ///< of evolving
@@ -181,10 +193,17 @@ struct FlattenOptions {
   /// evolved too, and the result is its half.
   std::optional<std::array<Index, 2>> fold = {};
   bool keep_design = false;  ///< lay the design flat and change nothing
+  /// Of a design that is kept without limits: as UnfoldOptions has it.
+  bool least_stretch = false;
   /// What the pattern is to keep. Auto leaves a patch as it is where its pattern keeps them and
   /// does not overlap itself, and else changes it as far as that needs, if it can.
   StrainLimits limits = {};
   std::string material = {};  ///< name of that which limits.p99 is for, used in texts; may be empty
+  /// Where no method is given: also find FlattenReport::ways, in some 0.2 s.
+  bool ways = false;
+
+  /// Whether anything asks for another form: a method, or limits that the design may miss.
+  bool may_change() const;
 };
 
 /// A patch whose results are those of another one (find_twins()).
@@ -210,7 +229,7 @@ struct StrainAsDesigned {
 
 /// A surface to choose from, and what it costs.
 struct Candidate {
-  Method method;  ///< of the run, with its limits among the options
+  Method method;  ///< of the run, with its limits among the options; of the design it is idle
   /// The place in the fixed order of candidates, from 1, as pick() takes it; none where other
   /// limits were asked for.
   std::optional<int> pick = {};
@@ -270,6 +289,11 @@ struct FlattenReport {
   /// Of `input`: the pattern that keeps the limits asked for where the result is the design, and
   /// where there is such a one; else that of least stretch, `unfold_before`.
   UnfoldReport as_designed;
+  /// What keeping limits that the design misses does to the form: for the materials that take most
+  /// of those that do not take the design, and for 2, 1 and 0.5 % rms; six at most. Estimates of a
+  /// coarser mesh, but for what this run did. Empty where constraints name vertices, and for
+  /// designs of more than 500,000.
+  std::vector<Way> ways = {};
   /// What the mesh of the original patch cannot show; where it was smoothed first, noise that is
   /// left.
   std::vector<Caution> cautions = {};

@@ -64,7 +64,8 @@ struct Pattern {
   /// With match_seams: the pattern of least stretch without it, of the same size, turned and
   /// shifted somehow. Tells what matching costs.
   std::vector<Vec2> unmatched = {};
-  /// Where a limit changed the pattern: the one of least stretch, turned and shifted somehow.
+  /// Where a limit or spreading changed the pattern: that of least stretch, turned and shifted
+  /// somehow.
   std::vector<Vec2> unlimited = {};
   std::optional<OpenedCrossings> opened = {};  ///< see UnfoldOptions::open_crossings
 };

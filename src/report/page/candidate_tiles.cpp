@@ -106,6 +106,47 @@ std::string tile_of(const Shown& shown, const PatchView& view, const OutlineWind
          "</p></li>\n";
 }
 
+/// The limit, as people say it.
+std::string name_of(const Way& way) {
+  if (!way.material.empty()) return way.material + " (" + percent_text(way.limits.p99) + ")";
+  if (way.limits.rms > 0.0) return percent_text(way.limits.rms) + " as a rule";
+  return way.limits.p99 > 0.0 ? percent_text(way.limits.p99) + " on 99 % of the area"
+                              : percent_text(way.limits.max) + " at most";
+}
+
+/// What becomes of the form.
+std::string end_of(const Way& way) {
+  if (!way.reached) return "not reached";
+  if (way.fairness.unchanged) return "as designed";
+  return way.keeps_form() ? "kept" : "not kept";
+}
+
+std::string row_of(const Way& way, Unit unit) {
+  const std::string about = way.estimated ? "~ " : "";
+  const auto cell = [](const std::string& text) { return "<td>" + escape_markup(text) + "</td>"; };
+  const double fold = way.sharpest_fold();
+  return "<tr><th scope=\"row\">" + escape_markup(name_of(way)) + "</th>" +
+         cell(about + length_text(way.deviation.rms, unit)) +
+         cell(about + length_text(way.deviation.max, unit)) +
+         cell(fold > 0.0 ? about + significant_text(fold, 2) + "°" : "none") + cell(end_of(way)) +
+         "</tr>\n";
+}
+
+/// What taking less stretch would do to the form.
+std::string ways_table(const FlattenReport& report) {
+  if (report.ways.empty()) return {};
+  std::string html =
+      "<h3>Less stretch costs form</h3>\n<div class=\"scroll\"><table class=\"ways\">\n"
+      "<thead><tr><th scope=\"col\">Stretch to keep</th><th scope=\"col\">Usual move</th>"
+      "<th scope=\"col\">Furthest move</th><th scope=\"col\">Sharpest new fold</th>"
+      "<th scope=\"col\">Form</th></tr></thead>\n<tbody>\n";
+  for (const Way& way : report.ways)
+    html += row_of(way, report.unfold.unit);
+  return html +
+         "</tbody></table></div>\n<p>~ is an estimate, made on a coarse mesh. "
+         "<code>--material</code> and <code>--max-rms-strain</code> ask for one of them.</p>\n";
+}
+
 }  // namespace
 
 std::string candidate_tiles(const FlattenReport& report) {
@@ -122,8 +163,8 @@ std::string candidate_tiles(const FlattenReport& report) {
       "class=\"pieces\">\n";
   for (const Shown& some : shown)
     html += tile_of(some, view, window, &some == &shown.back(), report.unfold.unit);
-  return html +
-         "</ol>\n<p>Less or more stretch: <code>--pick 1</code> is the design, 2 to 5 leave a "
+  return html + "</ol>\n" + ways_table(report) +
+         "<p>Less or more stretch: <code>--pick 1</code> is the design, 2 to 5 leave a "
          "usual stretch of 2, 1, 0.5 and 0.1 %, 6 is flat. <code>planish frontier</code> computes "
          "them all.</p>\n"
          "</section>\n";

@@ -172,8 +172,8 @@ std::string run_section(const FlattenReport& report, const FlattenPage& page) {
       html_entry("Patch", count_text(topology.vertices) + " vertices, " +
                               count_text(topology.inner_vertices) + " of them inner; " +
                               count_text(topology.triangles) + " triangles") +
-      html_entry("Method", std::string(name_of(report.evolve.method))) +
-      html_entry("Options", options_text(report.evolve.method)) +
+      html_entry("Method", std::string(report.evolve.method_name())) +
+      (report.evolve.method ? html_entry("Options", options_text(*report.evolve.method)) : "") +
       html_entry("Run", effort_text(result)) + html_entry("Ended as", stop_text(result.stop));
   if (report.twin_of)
     html +=

@@ -12,4 +12,11 @@ inline Flag match_seams_flag() {
       "is sewn together stays equally long"};
 }
 
+/// --least-stretch, for the same.
+inline Flag least_stretch_flag() {
+  return {"--least-stretch", "",
+          "the pattern of least rms strain; without it, up to 6 % more of that make the largest "
+          "strains as small as they get"};
+}
+
 }  // namespace planish::cli

@@ -29,9 +29,9 @@ std::string rms_name(double strain) {
 }
 
 /// Auto with its other options as they are.
-Auto auto_of(const Method& method, Prefer prefer) {
-  const auto* given = std::get_if<Auto>(&method);
-  Auto options = given != nullptr ? *given : Auto{};
+Auto auto_of(const FlattenOptions& given, Prefer prefer) {
+  const auto* method = given.method ? std::get_if<Auto>(&*given.method) : nullptr;
+  Auto options = method != nullptr ? *method : given.as_needed;
   options.prefer = prefer;
   options.max_strain = options.max_rms_strain = 0.0;
   return options;
@@ -48,13 +48,13 @@ double rms_limit_of(const Auto& options) {
 /// Whether the pattern is strained as little as was asked for.
 bool keeps_limits(const FlattenReport& report) {
   if (!report.unfold.limits.empty()) return all_kept(report.unfold.limits);
-  const auto* options = std::get_if<Auto>(&report.evolve.method);
+  const Auto* options = report.evolve.auto_options();
   if (options == nullptr || options->prefer != Prefer::smooth) return true;
   return report.evolve.result.stop == StopReason::strain_met;
 }
 
 Candidate design_of(const FlattenReport& report) {
-  return {.method = report.evolve.method,
+  return {.method = report.evolve.method.value_or(Auto{}),
           .pick = 1,
           .stop = StopReason::design_kept,
           .strain = report.as_designed.strain,
@@ -65,8 +65,8 @@ Candidate design_of(const FlattenReport& report) {
 
 Candidate result_of(const FlattenReport& report) {
   const EvolveReport& evolve = report.evolve;
-  return {.method = evolve.method,
-          .pick = pick_of(evolve.method),
+  return {.method = *evolve.method,
+          .pick = pick_of(*evolve.method),
           .stop = evolve.result.stop,
           .sweeps = evolve.result.history.size(),
           .seconds = evolve.result.seconds,
@@ -92,7 +92,7 @@ std::optional<int> pick_of(const Method& method) {
 
 FlattenOptions pick(int number, FlattenOptions options) {
   check_pick(number);
-  options.method = auto_of(options.method, number == k_flat ? Prefer::flat : Prefer::smooth);
+  options.method = auto_of(options, number == k_flat ? Prefer::flat : Prefer::smooth);
   options.keep_design = number == 1;
   if (!options.keep_design) options.limits = {};
   if (number > 1 && number < k_flat - 1)

@@ -90,7 +90,7 @@ class FrontierRuns {
       const FlattenReport made = flatten(patch_, report_.name, stop, context);
       if (!made.evolve.fairness.unchanged) report_.curve.push_back(made.candidates().back());
     } catch (...) {
-      report_.failures.push_back({stop.method, current_failure()});
+      report_.failures.push_back({stop.method.value_or(stop.as_needed), current_failure()});
     }
   }
 

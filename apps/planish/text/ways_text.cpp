@@ -1,0 +1,65 @@
+#include "text/ways_text.h"
+
+#include <algorithm>
+
+#include "shell/text.h"
+#include "shell/values.h"
+#include "text/lengths.h"
+
+namespace planish::cli {
+
+namespace {
+
+constexpr std::size_t k_flag = 28, k_length = 11, k_fold = 11;
+
+/// As a flag takes it: "0.5%".
+std::string in_percent(double share) {
+  return shortest(100.0 * share) + "%";
+}
+
+std::string flag_of(const Way& way) {
+  if (!way.material.empty())
+    return "--material " + way.material + " (" + percent(way.limits.p99) + ")";
+  if (way.limits.rms > 0.0) return "--max-rms-strain " + in_percent(way.limits.rms);
+  return "--max-strain " +
+         (way.limits.p99 > 0.0 ? in_percent(way.limits.p99) + "@p99" : in_percent(way.limits.max));
+}
+
+/// What happens to the form; of a way that does not reach its limit, how near it comes.
+std::string end_of(const Way& way) {
+  if (!way.reached) {
+    const double left = way.limits.rms > 0.0   ? way.strain.rms
+                        : way.limits.p99 > 0.0 ? way.strain.p99
+                                               : way.strain.max;
+    return "not reached: " + percent(left) + " left";
+  }
+  if (way.fairness.unchanged) return "as designed";
+  return way.keeps_form() ? "kept" : "not kept";
+}
+
+std::string row(const Way& way, const ShownLengths& lengths) {
+  const std::string about = way.estimated ? "~" : "";
+  const double fold = way.sharpest_fold();
+  return "  " + left(flag_of(way), k_flag) +
+         right(about + lengths.number(way.deviation.rms), k_length) +
+         right(about + lengths.number(way.deviation.max), k_length) +
+         right(fold > 0.0 ? about + fixed(fold, 0) : "-", k_fold) + "  " + end_of(way) + "\n";
+}
+
+}  // namespace
+
+std::string ways_text(const FlattenReport& report) {
+  if (report.ways.empty()) return {};
+  const ShownLengths lengths(report.unfold.unit);
+  const auto is_estimate = [](const Way& way) { return way.estimated; };
+  const bool has_estimates = std::any_of(report.ways.begin(), report.ways.end(), is_estimate);
+  std::string text = "Less stretch costs form:\n  " + left("", k_flag) +
+                     right("moved " + lengths.unit(), k_length) +
+                     right("most " + lengths.unit(), k_length) + right("fold deg", k_fold) +
+                     "  form\n";
+  for (const Way& way : report.ways)
+    text += row(way, lengths);
+  return text + (has_estimates ? "  ~ is an estimate, of a coarse mesh\n" : "");
+}
+
+}  // namespace planish::cli

@@ -290,7 +290,8 @@ class Flattening {
 
   /// Within a tolerance alone noise goes first.
   std::optional<ScanNoise> noise_to_take_out(const Patch& patch) const {
-    if (limits_.any() || !is_smoothable() || !(tolerance().value_or(0.0) > 0.0))
+    if (limits_.any() || options_.keep_design || !is_smoothable() ||
+        !(tolerance().value_or(0.0) > 0.0))
       return std::nullopt;
     return find_scan_noise(patch);
   }

@@ -16,7 +16,9 @@ constexpr double k_near_enough = 0.07;
 /// Of the way to the boundary, by which a trial goes beyond it to where the bound holds.
 constexpr double k_lean = 0.02;
 
-constexpr int k_trials = 4, k_halvings = 6;
+constexpr int k_trials = 4;
+/// Of the way back: of every trial, and of the result.
+constexpr int k_first_halvings = 3, k_halvings = 6;
 
 /// A method ends a little below the limit that it is given: with this one over the strain of the
 /// design nothing changes yet.
@@ -30,8 +32,8 @@ const std::vector<Vec3>& positions_of(const EvolvedPattern& found) {
   return found.evolve.result.positions;
 }
 
-double move_of(const Patch& design, const std::vector<Vec3>& positions) {
-  return measure_deviation(design, positions).rms;
+double move_of(const Patch& design, const EvolvedPattern& found) {
+  return measure_deviation(design, positions_of(found)).rms;
 }
 
 /// The largest share of the way, from 0 where it holds, at which it still does.
@@ -116,26 +118,57 @@ std::vector<Vec3> part_way(const std::vector<Vec3>& from, const std::vector<Vec3
   return positions;
 }
 
+namespace {
+
+/// Moves a surface whose pattern keeps the limits back towards the design by bisection.
+class WayBack {
+ public:
+  WayBack(const Patch& design, EvolvedPattern found, const SurfaceRuns& runs)
+      : design_(design),
+        runs_(runs),
+        found_(std::move(found)),
+        farthest_(positions_of(found_)),
+        may_overlap_(found_.unfold.pattern.overlaps),
+        may_bend_(!runs.is_form_good(farthest_)) {}
+
+  void halve(int times) {
+    for (int k = 0; k < times; ++k) {
+      const double share = 0.5 * (fails_ + keeps_);
+      (keeps_at(share) ? keeps_ : fails_) = share;
+    }
+  }
+
+  /// Of the way from the design, where the surface is now.
+  double share() const { return keeps_; }
+  const EvolvedPattern& found() const { return found_; }
+
+ private:
+  bool keeps_at(double share) {
+    const Patch between = design_.with_positions(part_way(design_.positions(), farthest_, share));
+    if (!may_bend_ && !runs_.is_form_good(between.positions())) return false;
+    UnfoldReport pattern = runs_.unfolded(between);
+    if (!all_kept(pattern.limits) || (pattern.pattern.overlaps && !may_overlap_)) return false;
+    found_.unfold = std::move(pattern);
+    found_.evolve.result.positions = between.positions();
+    return true;
+  }
+
+  const Patch& design_;
+  const SurfaceRuns& runs_;
+  EvolvedPattern found_;
+  std::vector<Vec3> farthest_;
+  bool may_overlap_, may_bend_;
+  double fails_ = 0.0, keeps_ = 1.0;
+};
+
+}  // namespace
+
 double go_back(const Patch& design, EvolvedPattern& found, const SurfaceRuns& runs) {
   if (!runs.may_be_between || !is_kept(found)) return 1.0;
-  const std::vector<Vec3> farthest = positions_of(found);
-  const bool may_overlap = found.unfold.pattern.overlaps;
-  const bool may_bend = !runs.is_form_good(farthest);
-  const auto fails_at = [&](double share) {
-    const Patch between = design.with_positions(part_way(design.positions(), farthest, share));
-    if (!may_bend && !runs.is_form_good(between.positions())) return true;
-    UnfoldReport pattern = runs.unfolded(between);
-    if (!all_kept(pattern.limits) || (pattern.pattern.overlaps && !may_overlap)) return true;
-    found.unfold = std::move(pattern);
-    found.evolve.result.positions = between.positions();
-    return false;
-  };
-  double fails = 0.0, keeps = 1.0;
-  for (int k = 0; k < k_halvings; ++k) {
-    const double share = 0.5 * (fails + keeps);
-    (fails_at(share) ? fails : keeps) = share;
-  }
-  return keeps;
+  WayBack way(design, std::move(found), runs);
+  way.halve(k_halvings);
+  found = way.found();
+  return way.share();
 }
 
 std::optional<EvolvedPattern> least_change(const Patch& design, const UnfoldReport& as_designed,
@@ -146,7 +179,7 @@ std::optional<EvolvedPattern> least_change(const Patch& design, const UnfoldRepo
   if (!(excess > 1.0) || !(most > 0.0)) return std::nullopt;
   // As if all strain fell alike.
   BoundarySearch search(excess, idle - design_strain / excess, most, k_trials);
-  std::optional<EvolvedPattern> nearest;
+  std::optional<WayBack> nearest;
   while (const auto amount = search.next()) {
     EvolvedPattern found = {runs.evolved({.rms_strain = idle - *amount}), {}};
     found.unfold = runs.unfolded(design.with_positions(positions_of(found)));
@@ -156,14 +189,17 @@ std::optional<EvolvedPattern> least_change(const Patch& design, const UnfoldRepo
       continue;
     }
     const double gone = design_strain - least_strain(found.unfold).rms;
+    WayBack way(design, std::move(found), runs);
+    if (runs.may_be_between) way.halve(k_first_halvings);
     double enough = unknown;  // as a share
-    if (go_back(design, found, runs) < 1.0)
-      enough = (design_strain - least_strain(found.unfold).rms) / gone;
+    if (way.share() < 1.0) enough = (design_strain - least_strain(way.found().unfold).rms) / gone;
     search.tell(*amount, std::min(1.0, excess - (excess - 1.0) / enough));
-    if (!nearest || move_of(design, positions_of(found)) < move_of(design, positions_of(*nearest)))
-      nearest = std::move(found);
+    if (!nearest || move_of(design, way.found()) < move_of(design, nearest->found()))
+      nearest.emplace(std::move(way));
   }
-  return nearest;
+  if (!nearest) return std::nullopt;
+  if (runs.may_be_between) nearest->halve(k_halvings - k_first_halvings);
+  return nearest->found();
 }
 
 Tolerance::Use Tolerance::use(const Patch& design, double bending,

@@ -8,6 +8,9 @@ namespace planish {
 
 namespace {
 
+/// Patterns are compared by one measure.
+const UnfoldOptions k_least_stretch = {.least_stretch = true};
+
 template <std::size_t... I>
 std::vector<CompareRun> runs_of_all(std::index_sequence<I...>) {
   std::vector<CompareRun> runs;
@@ -35,7 +38,7 @@ class Comparison {
       return;
     }
     try {
-      report_.unfold_before = unfold_patch(report_.input, options_.unit, {}, part);
+      report_.unfold_before = unfold_patch(report_.input, options_.unit, k_least_stretch, part);
     } catch (...) {
       report_.why_no_patterns = current_failure().message;
     }
@@ -51,8 +54,8 @@ class Comparison {
           evolve_patch(report_.input, run.method, run.stopping, options_.constraints, evolving);
       if (!report_.unfold_before) return;
       const std::vector<Vec3>& evolved = compared.evolve->result.positions;
-      compared.unfold =
-          unfold_patch(report_.input.with_positions(evolved), options_.unit, {}, unfolding);
+      compared.unfold = unfold_patch(report_.input.with_positions(evolved), options_.unit,
+                                     k_least_stretch, unfolding);
     } catch (...) {
       compared.failure = current_failure();
     }

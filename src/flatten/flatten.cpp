@@ -359,7 +359,7 @@ class Flattening {
   /// the same.
   void unfold_input(const Patch& patch) {
     UnfoldOptions how = with_limits();
-    how.least_stretch = options_.least_stretch || options_.may_change();
+    how.least_stretch = options_.least_stretch || options_.method;
     report_.as_designed = unfolded(work_patch(patch), how, shares_.design);
     const bool is_plain = !limits_.any() && !options_.match_seams;
     before_ = is_plain ? report_.as_designed

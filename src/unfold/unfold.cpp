@@ -82,17 +82,25 @@ LeastStretch with_matched_border(const TriMesh& mesh, const Disk& disk, const Le
 // A limit of rms strain is aimed at a little below, so that rounding keeps it.
 constexpr double k_within_limit = 0.9999;
 
-/// Goes on from the pattern of least stretch to the one that spreads it. A limit of rms strain that
-/// is kept stays so.
-LeastStretch with_stretch_spread(const TriMesh& mesh, const Disk& disk, LeastStretch least,
-                                 double rms_limit, ThreadPool& pool,
+/// Goes on from the pattern of least stretch to the one that spreads it. Limits that are kept stay
+/// so.
+LeastStretch with_stretch_spread(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
+                                 const StrainLimits& limits, ThreadPool& pool,
                                  const std::function<void()>& after_step) {
   const std::vector<FlatEdge> edges = flat_edges(mesh, disk);
-  const double rms = rms_strain(edges, strains_of(edges, least.flat));
+  const std::vector<double> strains = strains_of(edges, least.flat);
+  const double rms = rms_strain(edges, strains);
   double most = k_spread_budget * rms;
-  if (rms_limit > 0.0) most = std::min(most, k_within_limit * rms_limit);
+  if (limits.rms > 0.0) most = std::min(most, k_within_limit * limits.rms);
   if (!(most >= rms)) return least;
-  return spread_stretch(disk, edges, std::move(least), most, pool, after_step);
+  LeastStretch spread = spread_stretch(disk, edges, least, most, pool, after_step);
+  const auto exceeds = [&](const std::vector<double>& some) {
+    return std::any_of(some.begin(), some.end(),
+                       [&](double strain) { return std::abs(strain) > limits.max; });
+  };
+  const bool breaks_limit = limits.max > 0.0 && !exceeds(strains) &&
+                            exceeds(strains_of(edges, spread.flat));
+  return breaks_limit ? least : spread;
 }
 
 /// What is called after each step. Laying flat takes some 15 steps, keeping limits or the border
@@ -224,19 +232,17 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   if (options.match_seams) {
     pattern.unmatched = in_mesh_order(patch, disk, flat.flat);
     flat = with_matched_border(patch.mesh(), disk, flat, options, pool, after_step);
-  } else if (bounds_edges) {
-    LeastStretch limited = unfold_within_limits(patch.mesh(), disk, flat, options.limits,
-                                                options.max_iterations, pool, after_step);
-    if (limited.iterations > flat.iterations) {
-      pattern.unlimited = in_mesh_order(patch, disk, flat.flat);
-      flat = std::move(limited);
+  } else {
+    LeastStretch other = flat;
+    if (bounds_edges) {
+      other = unfold_within_limits(patch.mesh(), disk, flat, options.limits,
+                                   options.max_iterations, pool, after_step);
     }
-  } else if (!options.least_stretch) {
-    LeastStretch spread =
-        with_stretch_spread(patch.mesh(), disk, flat, options.limits.rms, pool, after_step);
-    if (spread.iterations > flat.iterations) {
+    if (!options.least_stretch && other.iterations == flat.iterations)
+      other = with_stretch_spread(patch.mesh(), disk, flat, options.limits, pool, after_step);
+    if (other.iterations > flat.iterations) {
       pattern.unlimited = in_mesh_order(patch, disk, flat.flat);
-      flat = std::move(spread);
+      flat = std::move(other);
     }
   }
 

@@ -19,7 +19,7 @@ void expect_schema(const std::string& text, const std::string& from) {
   const ordered_json json = ordered_json::parse(text, nullptr, false);
   ASSERT_TRUE(json.is_object() && !json.empty()) << from << ": " << text;
   EXPECT_EQ(json.begin().key(), "schema") << from;
-  EXPECT_EQ(json.front(), 1) << from;
+  EXPECT_EQ(json.front(), 2) << from;
 }
 
 class JsonSchema : public CliTest {

@@ -50,6 +50,7 @@ inline FlattenReport flatten_report() {
   report.name = "front panel";
   report.input = Patch(bumpy_patch(30, 20, 2.0));
   report.processed = Patch(bumpy_patch(30, 20, 1.5));
+  report.evolve.method = ControllableLaplacian{};
   report.evolve.before = measured(1.0);
   report.evolve.after = measured(0.73);
   report.evolve.deviation = {0.1234, 0.5678, 0.00345};

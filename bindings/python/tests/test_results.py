@@ -39,7 +39,7 @@ class Results(unittest.TestCase):
         self.assertTrue(result.usable)
         self.assertLessEqual(result.strain_max, 0.02)
         self.assertAlmostEqual(np.ptp(result.uv[:, 0]), result.width)
-        self.assertEqual(result.figures["schema"], 1)
+        self.assertEqual(result.figures["schema"], 2)
         self.assertEqual(result.fields["defect"].shape, (n,))
         self.assertEqual(result.fields["strain_max"].shape, (m,))
 

@@ -25,8 +25,8 @@ struct UnfoldOptions {
   /// at their ends.
   std::vector<std::array<Index, 2>> free_edges = {};
   /// True: the pattern of least stretch, which has the least rms strain. False: for up to
-  /// k_spread_budget of that, the largest strains are made as small as they get. Idle with
-  /// match_seams, limits.max and limits.p99.
+  /// k_spread_budget of that, the largest strains are made as small as they get, where no limit
+  /// changes the pattern. Idle with match_seams.
   bool least_stretch = false;
   /// The result is the pattern of least stretch that keeps limits.max or limits.p99; if none does,
   /// one whose largest strain is nearly the smallest. limits.rms is not optimised, as least stretch

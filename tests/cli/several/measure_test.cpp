@@ -147,7 +147,7 @@ TEST_F(MeasureSeveral, GoesOnBehindABadFileAndEndsWithItsCode) {
   const auto rows = table_in(csv);
   EXPECT_EQ(rows.size(), 4U);
   const auto json = result.json();
-  EXPECT_EQ(json["schema"], 1);
+  EXPECT_EQ(json["schema"], 2);
   EXPECT_EQ(json["csv"], "figures.csv");
   ASSERT_EQ(json["files"].size(), 3U);
   EXPECT_EQ(json["files"][0]["error"]["code"],

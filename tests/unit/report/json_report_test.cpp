@@ -211,7 +211,7 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
   report.border_strain = 0.25;
   report.turned = true;
   const Json json = Json::parse(json_report(report));
-  EXPECT_EQ(json, Json({{"schema", 1},
+  EXPECT_EQ(json, Json({{"schema", 2},
                         {"strain", {{"max", 0.3187}, {"rms", 0.0761}, {"p99", 0.2143}}},
                         {"area_ratio", 1.0021},
                         {"flipped_triangles", 2},
@@ -260,7 +260,7 @@ TEST(JsonReport, OfTheMainJobHasItsPartsAndFiles) {
   const FlattenReport report = samples::flatten_report();
   const Json json = Json::parse(json_report(report, {{"pattern", "out/pattern.svg"}}));
   EXPECT_THAT(keys_of(json), ElementsAre("schema", "name", "version", "evolve", "unfold",
-                                         "unfold_before", "as_designed", "limits", "candidates",
+                                         "unfold_before", "as_designed", "limits", "candidates", "ways",
                                          "cautions", "files", "limits_met", "usable", "missed"));
   EXPECT_EQ(json["name"], "front panel");
   EXPECT_EQ(json["version"], k_version);
@@ -312,7 +312,7 @@ TEST(JsonReport, OfAnErrorHasOnlyTheKeysThatAreKnown) {
     return message + ". " + std::string(way_on(code));
   };
   const Json bare = Json::parse(json_report(Error(ErrorCode::unfold_failed, "no way")));
-  EXPECT_EQ(bare, Json({{"schema", 1},
+  EXPECT_EQ(bare, Json({{"schema", 2},
                         {"error",
                          {{"code", "unfold_failed"},
                           {"message", advised("no way", ErrorCode::unfold_failed)}}}}));

@@ -19,7 +19,7 @@ namespace planish {
 namespace {
 
 Pattern matched(const TriMesh& mesh) {
-  return unfold(Patch(mesh), {.match_seams = true});
+  return unfold(Patch(mesh), {.match_seams = true, .least_stretch = true});
 }
 
 /// Measured without the library's help.
@@ -89,7 +89,7 @@ TEST(MatchSeams, KeepsEveryBorderLengthHoweverCurvedThePatch) {
 TEST(MatchSeams, LeavesTheOrdinaryPatternAsItIs) {
   const TriMesh mesh = make_shape("saddle", 500);
   const Patch patch(mesh);
-  const Pattern plain = unfold(patch);
+  const Pattern plain = unfold(patch, {.least_stretch = true});
   EXPECT_TRUE(plain.unmatched.empty());
   EXPECT_GT(worst_border_edge(mesh, plain.positions), 1e-4);
   const Pattern pattern = matched(mesh);
@@ -112,7 +112,7 @@ TEST(MatchSeams, LeavesNothingToGainAmongPatternsOfThatBorder) {
   for (const char* name : {"dome", "saddle"}) {
     const TriMesh mesh = make_shape(name, 150);
     std::vector<Vec2> flat = matched(mesh).positions;
-    const std::vector<Vec2> least = unfold(Patch(mesh)).positions;
+    const std::vector<Vec2> least = unfold(Patch(mesh), {.least_stretch = true}).positions;
     const auto energy = [&] { return energy_of(mesh, flat) + bend_of(mesh, flat, least); };
     const auto unknowns = static_cast<Eigen::Index>(2 * flat.size());
     Eigen::VectorXd gradient(unknowns);
@@ -198,7 +198,9 @@ TEST(MatchSeams, GivesTwoPatchesEquallyLongSidesOfTheirSeam) {
     return length;
   };
   EXPECT_NEAR(side(matched(left), 8), side(matched(right), 0), 1e-10);
-  const auto plain = [](const TriMesh& mesh) { return unfold(Patch(mesh)); };
+  const auto plain = [](const TriMesh& mesh) {
+    return unfold(Patch(mesh), {.least_stretch = true});
+  };
   EXPECT_GT(std::abs(side(plain(left), 8) - side(plain(right), 0)), 1e-3);
 }
 
@@ -223,13 +225,14 @@ TEST(FreeEdges, MayChangeTheirLengthAndTheOthersKeepIt) {
   const auto on_the_left = [](Vec3 v, Vec3 w) { return v.x < 0.5 && w.x < 0.5; };
   const Edges free = border_edges(mesh, [&](Vec3 v, Vec3 w) { return !on_the_left(v, w); });
   const Patch patch(mesh);
-  const Pattern pattern = unfold(patch, {.match_seams = true, .free_edges = free});
+  const Pattern pattern =
+      unfold(patch, {.match_seams = true, .free_edges = free, .least_stretch = true});
   EXPECT_TRUE(pattern.converged);
   EXPECT_EQ(pattern.flipped_triangles, 0U);
   EXPECT_LT(largest_border_strain(patch, pattern.positions, free), 1e-9);
   EXPECT_GT(largest_border_strain(patch, pattern.positions), 1e-3);
   // More freedom, less stretch.
-  const double least = energy_of(mesh, unfold(patch).positions);
+  const double least = energy_of(mesh, unfold(patch, {.least_stretch = true}).positions);
   const double all = energy_of(mesh, matched(mesh).positions);
   const double some = energy_of(mesh, pattern.positions);
   EXPECT_GT(some, least * (1.0 + 1e-6));
@@ -241,8 +244,9 @@ TEST(FreeEdges, OfTheWholeBorderLeaveThePatternOfLeastStretch) {
     const TriMesh mesh = make_shape(name, 400);
     const Patch patch(mesh);
     const Edges all = border_edges(mesh, [](Vec3, Vec3) { return true; });
-    const Pattern pattern = unfold(patch, {.match_seams = true, .free_edges = all});
-    const Pattern least = unfold(patch);
+    const Pattern pattern =
+        unfold(patch, {.match_seams = true, .free_edges = all, .least_stretch = true});
+    const Pattern least = unfold(patch, {.least_stretch = true});
     EXPECT_EQ(largest_border_strain(patch, pattern.positions, all), 0.0) << "none is left";
     EXPECT_NEAR(energy_of(mesh, pattern.positions), energy_of(mesh, least.positions),
                 1e-6 * energy_of(mesh, least.positions))
@@ -255,7 +259,9 @@ TEST(FreeEdges, LeaveNothingToGain) {
   const TriMesh mesh =
       meshes::height_field(6, 5, [](double x, double y) { return 0.08 * (x * x + 0.5 * y * y); });
   const Edges free = border_edges(mesh, [](Vec3 v, Vec3 w) { return v.x > 0.5 || w.x > 0.5; });
-  std::vector<Vec2> flat = unfold(Patch(mesh), {.match_seams = true, .free_edges = free}).positions;
+  std::vector<Vec2> flat =
+      unfold(Patch(mesh), {.match_seams = true, .free_edges = free, .least_stretch = true})
+          .positions;
   const double least = energy_of(mesh, flat);
   constexpr double step = 1e-3;
   for (std::size_t v = 0; v < flat.size(); ++v) {
@@ -290,9 +296,11 @@ TEST(MatchSeams, HasAStartForAnyBorder) {
 TEST(MatchSeams, ReportsEveryStepAndCanBeCancelledAfterAny) {
   const Patch dome(make_shape("dome", 1000));
   WatchedJob job;
-  const Pattern pattern = unfold(dome, {.match_seams = true}, job.context());
+  const Pattern pattern = unfold(dome, {.match_seams = true, .least_stretch = true}, job.context());
   EXPECT_EQ(job.reports(), pattern.iterations);
-  expect_cancellable([&](const Context& context) { unfold(dome, {.match_seams = true}, context); });
+  expect_cancellable([&](const Context& context) {
+    unfold(dome, {.match_seams = true, .least_stretch = true}, context);
+  });
 }
 
 TEST(MatchSeams, DoesWithoutAnyStep) {

@@ -26,7 +26,7 @@ EvolveResult run(const TriMesh& mesh, const Auto& method, unsigned threads = 1) 
 double rms_strain(const TriMesh& mesh, const std::vector<Vec3>& positions) {
   const TriMesh after{positions, mesh.triangles};
   const Patch patch(after);
-  return edge_strain(patch, unfold(patch).positions).rms;
+  return edge_strain(patch, unfold(patch, {.least_stretch = true}).positions).rms;
 }
 
 double farthest(const TriMesh& mesh, const std::vector<Vec3>& positions, bool of_border) {

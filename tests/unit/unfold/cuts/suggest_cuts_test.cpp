@@ -44,7 +44,7 @@ double strain_of(const TriMesh& mesh, const CutSuggestion& suggestion, const Str
     paths.push_back({cut.path});
   const CutMesh cut = cut_open(Patch(mesh), paths);
   const Patch patch(cut.mesh);
-  return edge_strain(patch, unfold(patch, {.limits = limits}).positions).max;
+  return edge_strain(patch, unfold(patch, {.least_stretch = true, .limits = limits}).positions).max;
 }
 
 TEST(SuggestCuts, FindsTheApexOfACone) {

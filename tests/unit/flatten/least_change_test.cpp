@@ -48,7 +48,8 @@ TEST(BoundarySearch, StaysWithinItsRangeAndEnds) {
   EXPECT_EQ(jump.size(), 2U) << "none holds, however small";
 }
 
-FlattenReport flattened(const TriMesh& mesh, const FlattenOptions& options, unsigned threads = 1) {
+FlattenReport run_flatten(const TriMesh& mesh, const FlattenOptions& options,
+                          unsigned threads = 1) {
   Context context;
   context.threads = threads;
   return flatten(Patch(mesh), "patch", options, context);
@@ -58,7 +59,7 @@ TEST(LeastChange, IsNearerThanTheSurfaceThatKeepsTheLimitByItsEstimate) {
   const TriMesh mesh = make_shape("panel", 700);
   const Patch patch(mesh);
   for (const StrainLimits& limits : {StrainLimits{.max = 0.02}, StrainLimits{.p99 = 0.02}}) {
-    const FlattenReport report = flattened(mesh, {.limits = limits});
+    const FlattenReport report = run_flatten(mesh, {.limits = limits});
     const Auto by_estimate{.max_strain = 0.02};
     const EvolveResult direct = evolve(patch, by_estimate, usual_stopping(by_estimate));
     EXPECT_TRUE(all_kept(report.unfold.limits));
@@ -78,7 +79,7 @@ TEST(LeastChange, IsTheSameOnAnyNumberOfThreads) {
   const TriMesh mesh = make_shape("panel", 500);
   for (const FlattenOptions& options : {FlattenOptions{.limits = {.p99 = 0.02}},
                                         FlattenOptions{.as_needed = {.max_deviation = 2.0}}}) {
-    const auto one = flattened(mesh, options, 1), three = flattened(mesh, options, 3);
+    const auto one = run_flatten(mesh, options, 1), three = run_flatten(mesh, options, 3);
     EXPECT_EQ(one.processed.positions(), three.processed.positions());
     EXPECT_EQ(one.unfold.pattern.positions, three.unfold.pattern.positions);
   }
@@ -96,10 +97,11 @@ TEST(Tolerance, LeavesTheLessStrainTheLargerItIs) {
   for (const char* shape : {"panel", "saddle"}) {
     const TriMesh mesh = make_shape(shape, 700);
     const double diagonal = bounding_box_diagonal(mesh);
-    double strain = flattened(mesh, {.keep_design = true, .least_stretch = true}).unfold.strain.rms;
+    double strain =
+        run_flatten(mesh, {.keep_design = true, .least_stretch = true}).unfold.strain.rms;
     for (const double share : {0.002, 0.01}) {
       const FlattenReport report =
-          flattened(mesh, {.as_needed = {.max_deviation = share * diagonal}});
+          run_flatten(mesh, {.as_needed = {.max_deviation = share * diagonal}});
       expect_within(report, share * diagonal);
       EXPECT_LT(report.unfold.strain.rms, strain) << shape << share;
       strain = report.unfold.strain.rms;
@@ -112,7 +114,7 @@ TEST(Tolerance, OfNothingKeepsEveryBitAndJudgesThePattern) {
   const TriMesh mesh = make_shape("panel", 400);
   for (const StrainLimits& limits : {StrainLimits{}, StrainLimits{.p99 = 0.001}}) {
     const FlattenReport report =
-        flattened(mesh, {.as_needed = {.max_deviation = 0.0}, .limits = limits});
+        run_flatten(mesh, {.as_needed = {.max_deviation = 0.0}, .limits = limits});
     EXPECT_EQ(report.processed.positions(), mesh.positions);
     EXPECT_TRUE(report.evolve.result.history.empty());
     EXPECT_EQ(report.evolve.result.stop, StopReason::design_kept);
@@ -125,13 +127,13 @@ TEST(Tolerance, WithALimitChangesNoMoreThanThatNeeds) {
   const StrainLimits limits{.rms = 0.02};
   const double diagonal = bounding_box_diagonal(mesh), far = 0.05 * diagonal;
   const FlattenReport kept =
-      flattened(mesh, {.as_needed = {.max_deviation = far}, .limits = limits});
+      run_flatten(mesh, {.as_needed = {.max_deviation = far}, .limits = limits});
   EXPECT_TRUE(all_kept(kept.unfold.limits));
   expect_within(kept, far);
   EXPECT_GT(kept.unfold.strain.rms, 0.8 * limits.rms) << "it stops there";
   const double near = 0.1 * kept.evolve.deviation.max;
   const FlattenReport missed =
-      flattened(mesh, {.as_needed = {.max_deviation = near}, .limits = limits});
+      run_flatten(mesh, {.as_needed = {.max_deviation = near}, .limits = limits});
   EXPECT_FALSE(all_kept(missed.unfold.limits));
   expect_within(missed, near);
   EXPECT_LT(missed.unfold.strain.rms, missed.unfold_before.strain.rms);
@@ -160,7 +162,7 @@ TEST(Tolerance, TakesNoiseOutFirst) {
   const TriMesh mesh = noisy_tube(0.4);
   const double area = k_radius * k_angle * k_height;
   EXPECT_GT(measure_size(Patch(mesh)).area, 1.02 * area);
-  const FlattenReport report = flattened(
+  const FlattenReport report = run_flatten(
       mesh, {.as_needed = {.max_deviation = 1.0, .border = {BorderFreedom::Rule::within, 1.0}}});
   ASSERT_TRUE(report.evolve.smoothed_first);
   EXPECT_LE(report.evolve.deviation.max, 1.0 + 1e-9);

@@ -486,8 +486,9 @@ class Flattening {
     report_.unfold = std::move(after);
   }
 
+  /// A border that moves is left where it is.
   void go_back_if_limited(const Patch& patch) {
-    if (!aim_.any() || !limits_.any()) return;
+    if (!aim_.any() || !limits_.any() || std::get<Auto>(method_).border.moves()) return;
     EvolvedPattern found = {std::move(report_.evolve), std::move(report_.unfold)};
     const double share = go_back(work_patch(patch), found, runs_on(patch));
     report_.evolve = std::move(found.evolve);
@@ -519,7 +520,7 @@ class Flattening {
       return near || fairness_beside(work_patch(patch), b0, positions).is_smooth_within(most);
     };
     // Half way between two places on a curved border is beside it.
-    runs.may_be_between = !method.border.moves();
+    runs.may_be_between = method.border.rule != BorderFreedom::Rule::slide;
     return runs;
   }
 
@@ -535,7 +536,8 @@ class Flattening {
   /// a pattern within them needs.
   bool seeks_least_change() const {
     const auto* method = std::get_if<Auto>(&method_);
-    return method != nullptr && method->prefer == Prefer::smooth && !design_serves_ && aim_.any() &&
+    return method != nullptr && method->prefer == Prefer::smooth &&
+           std::isinf(method->max_deviation) && !design_serves_ && aim_.any() &&
            (options_.limits.max > 0.0 || options_.limits.p99 > 0.0);
   }
 
@@ -592,6 +594,7 @@ class Flattening {
     const Patch now = work.with_positions(report_.evolve.result.positions);
     report_.evolve.after = measure_patch(now, context_);
     report_.evolve.deviation = measure_deviation(work, now.positions());
+    report_.evolve.border = measure_border_change(work, now.positions());
     report_.evolve.fairness = measure_fairness(work, now.positions());
     compare_with_original(patch);
   }

@@ -24,6 +24,10 @@ constexpr int k_first_halvings = 3, k_halvings = 6;
 /// design nothing changes yet.
 constexpr double k_idle = 1.06;
 
+bool is_near_enough(double amount, double held) {
+  return std::abs(amount - held) <= k_near_enough * held;
+}
+
 bool is_kept(const EvolvedPattern& found) {
   return all_kept(found.unfold.limits);
 }
@@ -65,6 +69,7 @@ std::optional<double> BoundarySearch::next() const {
   if (near_.amount >= most_) return std::nullopt;
   constexpr double least = 1.25, most = 4.0;
   const double crossing = crossing_of(before_last_, last_).value_or(most_);
+  if (none_.holds() && is_near_enough(crossing, near_.amount)) return std::nullopt;
   return std::min(most_, std::clamp(crossing, least * near_.amount, most * near_.amount));
 }
 
@@ -83,9 +88,8 @@ std::optional<double> BoundarySearch::between() const {
   double amount = crossing_of(before_last_, last_).value_or(*crossing_of(near_, *far_));
   if (amount <= 0.0) return std::nullopt;
   amount += (none_.holds() ? -k_lean : k_lean) * amount;
-  amount = std::clamp(amount, near_.amount + from_ends * width, far_->amount - from_ends * width);
-  if (std::abs(amount - held) <= k_near_enough * held) return std::nullopt;
-  return amount;
+  if (is_near_enough(amount, held)) return std::nullopt;
+  return std::clamp(amount, near_.amount + from_ends * width, far_->amount - from_ends * width);
 }
 
 void BoundarySearch::tell(double amount, double excess) {
@@ -272,8 +276,8 @@ class SearchWithin {
   void take_back(EvolvedPattern& found, const Tolerance::Use& whole) {
     const std::vector<Vec3> farthest = positions_of(found);
     const auto at = [&](double share) { return part_way(design_.positions(), farthest, share); };
-    found.evolve.result.positions =
-        at(farthest_share([&](double share) { return use(at(share)).most() <= 1.0; }));
+    found.evolve.result.positions = at(farthest_share(
+        [&](double share) { return runs_.may_be_between && use(at(share)).most() <= 1.0; }));
     stop_ = whole.distance >= whole.form ? StopReason::deviation_limit : StopReason::smooth_limit;
   }
 

@@ -58,15 +58,15 @@ FlattenReport run_flatten(const TriMesh& mesh, const FlattenOptions& options,
 TEST(LeastChange, IsNearerThanTheSurfaceThatKeepsTheLimitByItsEstimate) {
   const TriMesh mesh = make_shape("panel", 700);
   const Patch patch(mesh);
-  for (const StrainLimits& limits : {StrainLimits{.max = 0.02}, StrainLimits{.p99 = 0.02}}) {
+  for (const StrainLimits& limits : {StrainLimits{.max = 0.008}, StrainLimits{.p99 = 0.008}}) {
     const FlattenReport report = run_flatten(mesh, {.limits = limits});
-    const Auto by_estimate{.max_strain = 0.02};
+    const Auto by_estimate{.max_strain = 0.008};
     const EvolveResult direct = evolve(patch, by_estimate, usual_stopping(by_estimate));
     EXPECT_TRUE(all_kept(report.unfold.limits));
     EXPECT_TRUE(report.evolve.fairness.is_smooth());
     EXPECT_EQ(report.evolve.result.stop, StopReason::strain_met);
     EXPECT_GT(report.evolve.deviation.rms, 0.0) << "or there is nothing to be seen here";
-    EXPECT_LT(report.evolve.deviation.rms, 0.6 * measure_deviation(patch, direct.positions).rms);
+    EXPECT_LT(report.evolve.deviation.rms, 0.8 * measure_deviation(patch, direct.positions).rms);
     // What is written is what was measured.
     const auto again = unfold_patch(report.processed, Unit::mm, {.limits = limits});
     EXPECT_TRUE(all_kept(again.limits));
@@ -77,7 +77,7 @@ TEST(LeastChange, IsNearerThanTheSurfaceThatKeepsTheLimitByItsEstimate) {
 
 TEST(LeastChange, IsTheSameOnAnyNumberOfThreads) {
   const TriMesh mesh = make_shape("panel", 500);
-  for (const FlattenOptions& options : {FlattenOptions{.limits = {.p99 = 0.02}},
+  for (const FlattenOptions& options : {FlattenOptions{.limits = {.p99 = 0.008}},
                                         FlattenOptions{.as_needed = {.max_deviation = 2.0}}}) {
     const auto one = run_flatten(mesh, options, 1), three = run_flatten(mesh, options, 3);
     EXPECT_EQ(one.processed.positions(), three.processed.positions());
@@ -124,7 +124,7 @@ TEST(Tolerance, OfNothingKeepsEveryBitAndJudgesThePattern) {
 
 TEST(Tolerance, WithALimitChangesNoMoreThanThatNeeds) {
   const TriMesh mesh = make_shape("panel", 500);
-  const StrainLimits limits{.rms = 0.02};
+  const StrainLimits limits{.rms = 0.005};
   const double diagonal = bounding_box_diagonal(mesh), far = 0.05 * diagonal;
   const FlattenReport kept =
       run_flatten(mesh, {.as_needed = {.max_deviation = far}, .limits = limits});

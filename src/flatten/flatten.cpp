@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <span>
@@ -13,6 +14,7 @@
 #include "core/job.h"
 #include "flatten/check_request.h"
 #include "flatten/choices/find_ways.h"
+#include "flatten/least_change.h"
 #include "measure/ruling_defect.h"
 #include "measure/smoothed.h"
 #include "mesh/match/symmetric_whole.h"
@@ -204,14 +206,6 @@ Method aimed_at(const StrainLimits& limits, Method method) {
   return method;
 }
 
-/// By how much strain is to be multiplied to be at its limit; below 1 where a limit is not kept.
-double share_of_limits(std::span<const StrainLimitCheck> checks) {
-  double share = std::numeric_limits<double>::infinity();
-  for (const StrainLimitCheck& check : checks)
-    share = std::min(share, check.asked / check.reached);
-  return share;
-}
-
 /// The method with tighter limits of its own.
 Method tightened(Method method, const StrainLimits& aim, double share) {
   constexpr double surely = 0.98;
@@ -269,7 +263,12 @@ class Flattening {
     check_constraints(options_.constraints, patch.vertex_count(), method_);
     fold_ = options_.fold;
     free_edges_ = options_.free_edges;
-    if (options_.smooth_first > 0.0) return run_smoothed(patch);
+    if (options_.smooth_first > 0.0) {
+      require_smoothable();
+      return run_smoothed(patch, smooth_design(patch, options_.smooth_first));
+    }
+    if (const auto noise = noise_to_take_out(patch))
+      return run_smoothed(patch, without(*noise, patch));
     report_.cautions = find_cautions(patch);
     if (options_.remesh) {
       remeshed_ = remesh(patch, options_.constraints, options_.keep);
@@ -282,12 +281,30 @@ class Flattening {
   }
 
  private:
-  FlattenReport run_smoothed(const Patch& raw) {
-    if (options_.remesh || !options_.constraints.fixed.empty()) {
-      throw Error(ErrorCode::unsupported_constraint,
-                  "smooth_first does not go together with remesh, nor with fixed vertices");
-    }
-    const SmoothedDesign design = smooth_design(raw, options_.smooth_first);
+  bool is_smoothable() const { return !options_.remesh && options_.constraints.fixed.empty(); }
+
+  void require_smoothable() const {
+    if (is_smoothable()) return;
+    throw Error(ErrorCode::unsupported_constraint,
+                "smooth_first does not go together with remesh, nor with fixed vertices");
+  }
+
+  /// Within a tolerance alone noise goes first.
+  std::optional<ScanNoise> noise_to_take_out(const Patch& patch) const {
+    if (limits_.any() || options_.keep_design || !is_smoothable() ||
+        !(tolerance().value_or(0.0) > 0.0))
+      return std::nullopt;
+    return find_scan_noise(patch);
+  }
+
+  SmoothedDesign without(const ScanNoise& noise, const Patch& patch) const {
+    const BorderFreedom& border = std::get<Auto>(method_).border;
+    const double border_reach = border.rule == BorderFreedom::Rule::within ? border.distance : 0.0;
+    return smooth_within(patch, noise.wave, *tolerance(), border_reach);
+  }
+
+  FlattenReport run_smoothed(const Patch& raw, const SmoothedDesign& design) {
+    spent_ = design.done.moved.max;
     report_.cautions = find_cautions(raw, design.patch);
     work_on(design.patch);
     report_.evolve = with_smoothing(std::move(report_.evolve), raw, design.done);
@@ -305,7 +322,7 @@ class Flattening {
     require_unfoldable(work_patch(patch));
     if (options_.keep_design || !options_.may_change()) return keep_design(patch);
     check_size(work_patch(patch), method_);
-    if (is_done_as_it_is(patch)) return;
+    if (is_done_as_it_is(patch) || stays_near(patch) || changes_least(patch)) return;
     evolve_to_aim(patch);
     if (is_design_as_good()) return take_design(patch, StopReason::strain_met);
     if (is_worse_than_design()) return_to_design(patch);
@@ -405,12 +422,18 @@ class Flattening {
     return after.rms - before > std::max(same * before, not_measurable);
   }
 
+  /// The result is the input though its pattern misses the limits, with the one that misses them
+  /// least.
+  void keep_missed_design(const Patch& patch) {
+    if (within_limits_) report_.as_designed = std::move(*within_limits_);
+    take_design(patch, StopReason::design_kept);
+  }
+
   /// Drops what evolving made; the history says what was tried.
   void return_to_design(const Patch& patch) {
     report_.rejected = report_.unfold.strain;
-    if (within_limits_) report_.as_designed = std::move(*within_limits_);
     EvolveResult tried = std::move(report_.evolve.result);
-    take_design(patch, StopReason::design_kept);
+    keep_missed_design(patch);
     report_.evolve.result.history = std::move(tried.history);
     report_.evolve.result.threads = tried.threads;
     report_.evolve.result.seconds = tried.seconds;
@@ -430,7 +453,7 @@ class Flattening {
       method = tightened(method, aim_, share);
     }
     report_.evolve.method = method_;
-    go_back(patch);
+    go_back_if_limited(patch);
     // Auto ends by an estimate: what counts is the pattern.
     StopReason& stop = report_.evolve.result.stop;
     if (stop == StopReason::smooth_limit && limits_.any() && all_kept(report_.unfold.limits))
@@ -465,51 +488,107 @@ class Flattening {
     report_.unfold = std::move(after);
   }
 
-  /// If the pattern keeps the limits, finds by bisection a small share of the move from the input
-  /// with which a pattern still keeps them, and does not overlap itself where it need not. A
-  /// surface that bends as was asked for stays so: half way to it there may be more folds.
-  void go_back(const Patch& patch) {
-    constexpr int halvings = 6;
-    if (!aim_.any() || !limits_.any() || !all_kept(report_.unfold.limits)) return;
-    // Half way between two places on a curved border is beside it.
-    if (std::get<Auto>(method_).border.moves()) return;
-    const Patch& work = work_patch(patch);
-    const std::vector<Vec3> farthest = report_.evolve.result.positions;
-    const bool may_overlap = report_.unfold.pattern.overlaps;
-    const Auto& method = std::get<Auto>(method_);
-    const bool near = method.prefer == Prefer::near;
-    const double b0 = near ? 0.0 : design_bending(work);
-    const auto is_form_good = [&](const std::vector<Vec3>& positions) {
-      stop_if_cancelled(context_);
-      return near || fairness_beside(work, b0, positions).is_smooth_within(method.max_bending);
-    };
-    const bool may_bend = !is_form_good(farthest);
-    double fails = 0.0, keeps = 1.0;
-    for (int k = 0; k < halvings; ++k) {
-      const double share = 0.5 * (fails + keeps);
-      const Patch between = work.with_positions(part_way(work.positions(), farthest, share));
-      if (!may_bend && !is_form_good(between.positions())) {
-        fails = share;
-        continue;
-      }
-      UnfoldReport pattern = unfolded(between, with_limits(), 1.0 / (halvings - k));
-      if (!all_kept(pattern.limits) || (pattern.pattern.overlaps && !may_overlap)) {
-        fails = share;
-        continue;
-      }
-      keeps = share;
-      report_.unfold = std::move(pattern);
-      report_.evolve.result.positions = between.positions();
-    }
-    if (keeps < 1.0) measure_again(patch);
+  /// A border that moves is left where it is.
+  void go_back_if_limited(const Patch& patch) {
+    if (!aim_.any() || !limits_.any() || std::get<Auto>(method_).border.moves()) return;
+    EvolvedPattern found = {std::move(report_.evolve), std::move(report_.unfold)};
+    const double share = go_back(work_patch(patch), found, runs_on(patch));
+    report_.evolve = std::move(found.evolve);
+    report_.unfold = std::move(found.unfold);
+    if (share < 1.0) measure_again(patch);
   }
 
-  static std::vector<Vec3> part_way(const std::vector<Vec3>& from, const std::vector<Vec3>& to,
-                                    double share) {
-    std::vector<Vec3> positions = from;
-    for (std::size_t v = 0; v < positions.size(); ++v)
-      positions[v] = positions[v] + share * (to[v] - positions[v]);
-    return positions;
+  /// What a search for the least change runs.
+  SurfaceRuns runs_on(const Patch& patch) {
+    constexpr double share = 0.2;  // of what is left
+    const Auto& method = std::get<Auto>(method_);
+    const bool near = method.prefer == Prefer::near;
+    const double b0 = near ? 0.0 : design_bending(work_patch(patch));
+    SurfaceRuns runs;
+    runs.evolved = [this, &patch, led = method](const SurfaceLimits& limits) mutable {
+      led.max_strain = 0.0;
+      led.max_rms_strain = limits.rms_strain;
+      led.max_deviation = limits.max_deviation;
+      return evolved(patch, led, parts_.next(share));
+    };
+    runs.unfolded = [this](const Patch& surface) {
+      return unfolded(surface, with_limits(), share);
+    };
+    runs.stretched_least = [this](const Patch& surface) {
+      return unfolded(surface, without_limits(), k_share_of_plain);
+    };
+    runs.is_form_good = [this, near, b0, &patch, most = method.max_bending](const auto& positions) {
+      stop_if_cancelled(context_);
+      return near || fairness_beside(work_patch(patch), b0, positions).is_smooth_within(most);
+    };
+    // Half way between two places on a curved border is beside it.
+    runs.may_be_between = method.border.rule != BorderFreedom::Rule::slide;
+    return runs;
+  }
+
+  void take(EvolvedPattern found, const Patch& patch) {
+    report_.unfold_before = *before_;
+    report_.evolve = std::move(found.evolve);
+    report_.evolve.method = method_;
+    report_.unfold = std::move(found.unfold);
+    measure_again(patch);
+  }
+
+  /// Whether the limits are of the largest strain, where the surface's estimate says little of what
+  /// a pattern within them needs.
+  bool seeks_least_change() const {
+    const auto* method = std::get_if<Auto>(&method_);
+    return method != nullptr && method->prefer == Prefer::smooth &&
+           std::isinf(method->max_deviation) && !design_serves_ && aim_.any() &&
+           (options_.limits.max > 0.0 || options_.limits.p99 > 0.0);
+  }
+
+  std::optional<EvolvedPattern> nearest_within_limits(const Patch& patch, const SurfaceRuns& runs) {
+    return least_change(work_patch(patch), within_limits_ ? *within_limits_ : report_.as_designed,
+                        before_->strain.rms, runs);
+  }
+
+  bool changes_least(const Patch& patch) {
+    if (!seeks_least_change()) return false;
+    auto found = nearest_within_limits(patch, runs_on(patch));
+    if (!found) return false;
+    take(std::move(*found), patch);
+    return true;
+  }
+
+  /// How far the form may go for the least strain, or for limits, where no method was asked for
+  /// that is led otherwise.
+  std::optional<double> tolerance() const {
+    const auto* method = std::get_if<Auto>(&method_);
+    const bool is_led = method == nullptr || method->prefer != Prefer::smooth ||
+                        method->max_bending > 0.0 || !aim_.any() ||
+                        (options_.method && !options_.limits.any());
+    if (is_led || std::isinf(method->max_deviation)) return std::nullopt;
+    return method->max_deviation;
+  }
+
+  /// True if a tolerance was given: the result is the least change for the limits where that is
+  /// within it, or else the least strain that is.
+  bool stays_near(const Patch& patch) {
+    const std::optional<double> distance = tolerance();
+    if (!distance) return false;
+    constexpr double nothing = 1e-3;  // of the tolerance
+    const Tolerance within{*distance - spent_};
+    if (within.distance <= nothing * *distance) {
+      keep_missed_design(patch);
+      return true;
+    }
+    const Patch& work = work_patch(patch);
+    const SurfaceRuns runs = runs_on(patch);
+    std::optional<EvolvedPattern> found =
+        limits_.any() ? nearest_within_limits(patch, runs) : std::nullopt;
+    if (!found || !within.allows(work, found->evolve.result.positions)) {
+      found = least_strain_within(work, within, before_->strain.rms, runs);
+      found->unfold = runs.unfolded(work.with_positions(found->evolve.result.positions));
+    }
+    take(std::move(*found), patch);
+    if (is_worse_than_design()) return_to_design(patch);
+    return true;
   }
 
   void measure_again(const Patch& patch) {
@@ -517,6 +596,7 @@ class Flattening {
     const Patch now = work.with_positions(report_.evolve.result.positions);
     report_.evolve.after = measure_patch(now, context_);
     report_.evolve.deviation = measure_deviation(work, now.positions());
+    report_.evolve.border = measure_border_change(work, now.positions());
     report_.evolve.fairness = measure_fairness(work, now.positions());
     compare_with_original(patch);
   }
@@ -547,6 +627,7 @@ class Flattening {
   std::vector<std::array<Index, 2>> free_edges_;  // of the work patch
   std::optional<std::array<Index, 2>> fold_;      // likewise
   FlattenReport report_;
+  double spent_ = 0.0;                  // of a tolerance, by smoothing first
   bool design_serves_ = false;          // its pattern keeps the limits
   std::optional<UnfoldReport> before_;  // the input without limits, where that is known already
   std::optional<UnfoldReport> within_limits_;  // the input's pattern that misses them least
@@ -555,7 +636,8 @@ class Flattening {
 }  // namespace
 
 bool FlattenOptions::may_change() const {
-  return method || limits_of(*this).any();
+  return method || limits_of(*this).any() ||
+         (as_needed.max_deviation > 0.0 && !std::isinf(as_needed.max_deviation));
 }
 
 FlattenReport flatten(const Patch& patch, std::string name, const FlattenOptions& options,

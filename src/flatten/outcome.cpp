@@ -67,11 +67,11 @@ class Judgement {
   Outcome outcome_;
 };
 
-/// Without a limit of strain, a changed surface is to lie flat.
+/// Without a limit of strain or a tolerance, a changed surface is to lie flat.
 bool is_stretched(const EdgeStrain& strain, double largest_move, bool is_rejected,
                   std::span<const LimitCheck> limits) {
   const bool has_limit = is_rejected || std::any_of(limits.begin(), limits.end(), [](auto& check) {
-                           return is_of_strain(check.what);
+                           return is_of_strain(check.what) || check.what == Criterion::deviation;
                          });
   return !has_limit && largest_move > 0.0 && !is_too_small_to_measure(strain);
 }

@@ -137,12 +137,18 @@ std::string way_on(const FlattenReport& report) {
   if (options == nullptr || options->prefer != Prefer::smooth ||
       is_too_small_to_measure(report.unfold.strain))
     return {};
-  if (report.evolve.result.stop == StopReason::smooth_limit && options->max_bending > 0.0)
+  const StopReason stop = report.evolve.result.stop;
+  if (stop == StopReason::deviation_limit)
+    return " Less would move some place further than --max-deviation allows.";
+  if (stop == StopReason::smooth_limit && !std::isinf(options->max_deviation))
+    return " Less would fold the form: let it go further (--max-deviation), or the border too "
+           "(--border).";
+  if (stop == StopReason::smooth_limit && options->max_bending > 0.0)
     return " Less would bend the form more than --max-bending allows.";
-  if (report.evolve.result.stop == StopReason::smooth_limit)
+  if (stop == StopReason::smooth_limit)
     return " Less would crumple the form: let the border move (--border), cut the patch "
            "(suggest-cuts), or take folds (--prefer flat).";
-  if (report.evolve.result.stop != StopReason::strain_met) return {};
+  if (stop != StopReason::strain_met) return {};
   return " --prefer flat takes the rest out.";
 }
 

@@ -155,6 +155,36 @@ TEST_F(LimitFlags, FlattenLeavesAPatchWhosePatternKeepsTheLimitAsItIs) {
   EXPECT_EQ(content_of("panel-pattern/processed.obj"), content_of("panel.obj"));
 }
 
+TEST_F(LimitFlags, AToleranceOfNothingKeepsTheSurfaceAndJudgesItsPattern) {
+  const Names args = {"flatten", "panel.obj", "--max-deviation", "0"};
+  EXPECT_EQ(planish(args).exit_code, k_exit_done);
+  EXPECT_EQ(content_of("panel-pattern/processed.obj"), content_of("panel.obj"));
+  Names limited = args;
+  limited.insert(limited.end(), {"--max-strain", "0.1%"});
+  const CliResult result = planish(limited);
+  EXPECT_EQ(result.exit_code, k_exit_target_missed);
+  EXPECT_THAT(result.err, HasSubstr("is not kept: the pattern has "));
+  EXPECT_EQ(content_of("panel-pattern/processed.obj"), content_of("panel.obj"));
+}
+
+TEST_F(LimitFlags, WithinAToleranceTheFormStaysSmoothAndStretchesLess) {
+  const auto flattened = [](const Names& flags) {
+    Names args = {"flatten", "panel.obj", "--json"};
+    args.insert(args.end(), flags.begin(), flags.end());
+    const CliResult result = planish(args);
+    EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+    return result.json();
+  };
+  const auto design = flattened({"--least-stretch"}),
+             result = flattened({"--max-deviation", "2mm"});
+  const auto evolve = result["evolve"];
+  EXPECT_LE(evolve["deviation"]["max"], 2.0 * (1 + 1e-9));
+  EXPECT_GT(evolve["deviation"]["max"], 0.0);
+  EXPECT_LE(evolve["sharpest_fold"]["degrees"], 5.0);
+  EXPECT_LE(evolve["bending_added"], 0.05);
+  EXPECT_LT(result["unfold"]["strain"]["rms"], design["unfold"]["strain"]["rms"]);
+}
+
 TEST_F(LimitFlags, UnfoldTakesLimitsForEveryEdgeOrForTheArea) {
   const auto strain = [](const Names& flags) {
     Names args = {"unfold", "panel.obj", "-o", "out.svg", "--json"};

@@ -26,9 +26,10 @@ constexpr std::string_view k_choices =
 
 constexpr std::array<std::string_view, 3> k_limits = {"--max-strain", "--material",
                                                       "--max-rms-strain"};
-constexpr std::array<std::string_view, 7> k_asking = {
-    "--pick",      "--prefer",      "--method",       "--target-e-max",
-    "--closeness", "--max-bending", "--max-deviation"};
+constexpr std::array<std::string_view, 6> k_asking = {
+    "--pick", "--prefer", "--method", "--target-e-max", "--closeness", "--max-bending"};
+/// How far the form may go, which alone is reason enough to change it.
+constexpr std::string_view k_tolerance = "--max-deviation";
 
 /// Limits judge the design, too.
 bool is_limit(std::string_view flag) {
@@ -67,7 +68,7 @@ void note_idle_evolve_flags(Session& session, const Arguments& arguments) {
   const bool has_limit = std::any_of(k_limits.begin(), k_limits.end(), [&](std::string_view flag) {
     return arguments.has(std::string(flag));
   });
-  if (has_limit || asks_to_evolve(arguments)) return;
+  if (has_limit || arguments.has(std::string(k_tolerance)) || asks_to_evolve(arguments)) return;
   std::vector<std::string> idle;
   std::vector<FlagGroup> groups = method_flags(Auto{});
   groups.push_back(constraint_flags());

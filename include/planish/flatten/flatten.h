@@ -178,7 +178,10 @@ struct FlattenOptions {
   /// change its form, by `as_needed`. Without limits the surface then stays as it is, to the bit,
   /// and the pattern spreads its stretch.
   std::optional<Method> method = {};
-  Auto as_needed = {};                    ///< how limits change the form where no method is given
+  /// How limits change the form where no method is given. With max_deviation, a tolerance, the
+  /// result has the least strain within it that stays smooth, or with limits as little change as
+  /// they need; 0: nothing moves (docs/methods/least_change.md).
+  Auto as_needed = {};
   std::optional<Stopping> stopping = {};  ///< usual_stopping() of the method where none is given
   Unit unit = Unit::mm;                   ///< one unit of the model
   Constraints constraints = {};           ///< of evolving

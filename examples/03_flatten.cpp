@@ -11,6 +11,7 @@
 int main() {
   planish::FlattenOptions options;
   options.unit = planish::Unit::mm;
+  options.limits.rms = 0.005;
   const auto report =
       planish::flatten(planish::Patch(planish::make_shape("panel", 1000)), "panel", options);
 

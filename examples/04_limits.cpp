@@ -90,7 +90,7 @@ int main(int count, char** arguments) {
                                       : planish::make_shape("panel", 1000));
   const planish::StrainLimits limits = {.max = is_given ? std::atof(arguments[2]) : 0.02};
 
-  auto least = planish::unfold_patch(patch, planish::Unit::mm);
+  auto least = planish::unfold_patch(patch, planish::Unit::mm, {.least_stretch = true});
   auto within = planish::unfold_patch(patch, planish::Unit::mm, {.limits = limits});
   // A limit that the pattern was not made for colours its map all the same.
   least.limits = check_limits(patch, least.pattern.positions, limits);

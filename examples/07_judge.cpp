@@ -11,7 +11,7 @@ namespace {
 void judge(const char* name, const TriMesh& design, const std::vector<Vec3>& positions) {
   const Patch patch(design);
   const TriMesh surface{positions, design.triangles};
-  const Pattern pattern = unfold(Patch(surface));
+  const Pattern pattern = unfold(Patch(surface), {.least_stretch = true});
   const EdgeStrain strain = edge_strain(Patch(surface), pattern.positions);
   const Deviation deviation = measure_deviation(patch, positions);
   const Fairness fairness = measure_fairness(patch, positions);

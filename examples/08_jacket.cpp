@@ -18,7 +18,7 @@ int main() {
     std::swap(t[1], t[2]);
   const std::array patches = {ProductPatch{"left", left}, ProductPatch{"right", right},
                               ProductPatch{"back", make_shape("panel", 600)}};
-  const ProductReport jacket = flatten_product(patches, {.flatten = {.match_seams = true}});
+  const ProductReport jacket = flatten_product(patches);
   for (const PatchResult& patch : jacket.patches) {
     if (patch.failure) std::cout << patch.name << " failed: " << patch.failure->message << "\n";
     if (!patch.finished) continue;

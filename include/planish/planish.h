@@ -58,6 +58,7 @@
 #include <planish/sheet/nest_sheet.h>
 #include <planish/sheet/pattern_sheet.h>
 #include <planish/sheet/product_sheet.h>
+#include <planish/unfold/material_fit.h>
 #include <planish/unfold/strain.h>
 #include <planish/unfold/suggest_cuts.h>
 #include <planish/unfold/unfold.h>

@@ -131,7 +131,8 @@ UnfoldReport unfold_patch(const Patch& patch, Unit unit, const UnfoldOptions& wa
   };
   report.strain = strain_of(report.pattern.positions);
   report.border_strain = largest_border_strain(patch, report.pattern.positions, options.free_edges);
-  if (options.match_seams) report.unmatched_strain = strain_of(report.pattern.unmatched);
+  if (!report.pattern.unmatched.empty())
+    report.unmatched_strain = strain_of(report.pattern.unmatched);
   if (!report.pattern.unlimited.empty())
     report.unlimited_strain = strain_of(report.pattern.unlimited);
   report.limits = check_limits(patch, report.pattern.positions, options.limits);
@@ -198,7 +199,7 @@ StrainLimits aim_of(const StrainLimits& limits, const Method& method, const Stop
 Method aimed_at(const StrainLimits& limits, Method method) {
   auto* options = std::get_if<Auto>(&method);
   if (options == nullptr) return method;
-  if (options->max_strain == 0.0) options->max_strain = std::max(limits.max, limits.p99);
+  if (options->max_strain == 0.0) options->max_strain = limits.both_ways();
   if (options->max_rms_strain == 0.0) options->max_rms_strain = limits.rms;
   return method;
 }
@@ -315,6 +316,7 @@ class Flattening {
   UnfoldOptions with_limits() const {
     UnfoldOptions how = without_limits();
     how.match_seams = options_.match_seams;
+    how.match_if_possible = options_.match_if_possible;
     how.free_edges = free_edges_;
     how.limits = limits_;
     return how;
@@ -384,7 +386,7 @@ class Flattening {
 
   /// A pattern evened out for limits that it misses all the same is no measure of the design.
   void show_least_stretch(const Patch& patch) {
-    if (!limits_.any() || options_.match_seams) return;
+    if (!limits_.any()) return;
     within_limits_ = std::move(report_.as_designed);
     report_.as_designed = *before_;
     report_.as_designed.limits =
@@ -398,7 +400,7 @@ class Flattening {
     if (limits_.any() && all_kept(report_.unfold.limits)) return false;
     const UnfoldReport& result = report_.unfold;
     const EdgeStrain after =
-        result.unlimited_strain.value_or(result.unmatched_strain.value_or(result.strain));
+        result.unmatched_strain.value_or(result.unlimited_strain.value_or(result.strain));
     const double before = report_.unfold_before.strain.rms;
     return after.rms - before > std::max(same * before, not_measurable);
   }

@@ -87,6 +87,14 @@ std::string limit_text(const LimitCheck& check, Unit unit) {
       return "at most " + percent_text(check.limit) + " on 99 % of the area";
     case Criterion::rms_strain:
       return "at most " + percent_text(check.limit) + " (rms)";
+    case Criterion::stretch:
+      return "at most " + percent_text(check.limit) + " of stretch";
+    case Criterion::p99_stretch:
+      return "at most " + percent_text(check.limit) + " of stretch on 99 % of the area";
+    case Criterion::compression:
+      return "at most " + percent_text(check.limit) + " of compression";
+    case Criterion::p99_compression:
+      return "at most " + percent_text(check.limit) + " of compression on 99 % of the area";
     case Criterion::deviation:
       return "at most " + significant_text(check.limit, 3) + " " + std::string(to_string(unit));
     case Criterion::angle:

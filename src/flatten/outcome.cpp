@@ -89,6 +89,26 @@ Outcome outcome_of(const UnfoldReport& unfold, double largest_move, StopReason s
       .outcome();
 }
 
+Criterion criterion_of(StrainLimitKind kind) {
+  switch (kind) {
+    case StrainLimitKind::p99:
+      return Criterion::p99_strain;
+    case StrainLimitKind::rms:
+      return Criterion::rms_strain;
+    case StrainLimitKind::max_stretch:
+      return Criterion::stretch;
+    case StrainLimitKind::p99_stretch:
+      return Criterion::p99_stretch;
+    case StrainLimitKind::max_compression:
+      return Criterion::compression;
+    case StrainLimitKind::p99_compression:
+      return Criterion::p99_compression;
+    case StrainLimitKind::max:
+      break;
+  }
+  return Criterion::strain;
+}
+
 /// Whether a run that was to end by the strain ended so, or with nothing left to do.
 bool ended_by_strain(StopReason reason) {
   return reason == StopReason::strain_met || reason == StopReason::converged ||
@@ -105,6 +125,14 @@ std::string_view to_string(Criterion criterion) {
       return "p99_strain";
     case Criterion::rms_strain:
       return "rms_strain";
+    case Criterion::stretch:
+      return "stretch";
+    case Criterion::p99_stretch:
+      return "p99_stretch";
+    case Criterion::compression:
+      return "compression";
+    case Criterion::p99_compression:
+      return "p99_compression";
     case Criterion::deviation:
       return "deviation";
     case Criterion::angle:
@@ -138,15 +166,11 @@ std::string_view to_string(Criterion criterion) {
 }
 
 bool is_of_strain(Criterion what) {
-  return what == Criterion::strain || what == Criterion::p99_strain ||
-         what == Criterion::rms_strain;
+  return what <= Criterion::p99_compression;
 }
 
 LimitCheck limit_check(const StrainLimitCheck& check) {
-  const Criterion what = check.kind == StrainLimitKind::max   ? Criterion::strain
-                         : check.kind == StrainLimitKind::p99 ? Criterion::p99_strain
-                                                              : Criterion::rms_strain;
-  return {what, check.asked, check.reached, check.kept()};
+  return {criterion_of(check.kind), check.asked, check.reached, check.kept()};
 }
 
 std::vector<FormFault> find_form_faults(const EvolveReport& evolve) {

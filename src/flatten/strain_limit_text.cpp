@@ -40,6 +40,14 @@ std::string_view scope_of(StrainLimitKind kind) {
       return "the strain on 99 % of the area";
     case StrainLimitKind::rms:
       return "the rms of the strain";
+    case StrainLimitKind::max_stretch:
+      return "the stretch of every edge";
+    case StrainLimitKind::p99_stretch:
+      return "the stretch on 99 % of the area";
+    case StrainLimitKind::max_compression:
+      return "the compression of every edge";
+    case StrainLimitKind::p99_compression:
+      return "the compression on 99 % of the area";
   }
   return {};
 }

@@ -125,19 +125,8 @@ class TwinPattern {
 
   static StrainLimits asked_for(std::span<const StrainLimitCheck> checks) {
     StrainLimits limits;
-    for (const StrainLimitCheck& check : checks) {
-      switch (check.kind) {
-        case StrainLimitKind::max:
-          limits.max = check.asked;
-          break;
-        case StrainLimitKind::p99:
-          limits.p99 = check.asked;
-          break;
-        case StrainLimitKind::rms:
-          limits.rms = check.asked;
-          break;
-      }
-    }
+    for (const StrainLimitCheck& check : checks)
+      limits.of(check.kind) = check.asked;
     return limits;
   }
 
@@ -221,11 +210,12 @@ std::optional<FlattenReport> twin_report(const FlattenReport& twin, const Patch&
   report.unfold_before = before.of(twin.unfold_before);
   report.as_designed = before.of(twin.as_designed);
   report.rejected = twin.rejected;
+  report.ways = twin.ways;
   report.cautions = cautions_beside(twin, patch);
   if (!has_all_of(twin, report)) return std::nullopt;
   const auto& pattern = report.unfold.pattern.positions;
-  if (options.match_seams && !(after.mismatch_share(pattern) <= k_most_mismatch))
-    return std::nullopt;
+  const bool is_matched = options.match_seams && !twin.unfold.pattern.is_unmatchable;
+  if (is_matched && !(after.mismatch_share(pattern) <= k_most_mismatch)) return std::nullopt;
   report.input = own.patch;
   report.source = std::move(own.source);
   return report;

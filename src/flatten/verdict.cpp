@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include <planish/measure/material.h>
+#include <planish/unfold/material_fit.h>
 
 #include "core/figure_text.h"
 #include "core/likely_units.h"
@@ -31,6 +31,30 @@ constexpr double k_limit_rounding = 1e-9;
 // Relative changes below these are not worth a word.
 constexpr double k_same_energy = 0.005, k_same_strain = 0.02;
 
+/// What a limit of strain is for.
+struct StrainScope {
+  std::string_view way = {};  ///< behind the figure: " of stretch"
+  double EdgeStrain::*largest =
+      nullptr;  ///< of every edge, where the limit is for 99 % of the area
+};
+
+StrainScope strain_scope(Criterion what) {
+  switch (what) {
+    case Criterion::p99_strain:
+      return {{}, &EdgeStrain::max};
+    case Criterion::stretch:
+      return {" of stretch"};
+    case Criterion::p99_stretch:
+      return {" of stretch", &EdgeStrain::max_stretch};
+    case Criterion::compression:
+      return {" of compression"};
+    case Criterion::p99_compression:
+      return {" of compression", &EdgeStrain::max_compression};
+    default:
+      return {};
+  }
+}
+
 std::string degrees_of(const Fold& fold) {
   return significant_text(fold.degrees, 2) + "°";
 }
@@ -40,14 +64,27 @@ std::string capitalised(std::string text) {
   return text;
 }
 
+/// With a material all limits of strain are its, but that of the rms.
+bool is_of_material(const LimitCheck& check, const FlattenReport& report) {
+  return !report.material.empty() && is_of_strain(check.what) &&
+         check.what != Criterion::rms_strain;
+}
+
+/// Whether the strain is beyond the usual limits of the material on the last hundredth of the area.
+bool is_beyond_somewhere(const EdgeStrain& strain, const Material& material) {
+  const StrainLimits limits = limits_of(material);
+  if (limits.p99 > 0.0) return strain.max > limits.p99;
+  return strain.max_stretch > limits.p99_stretch || strain.max_compression > limits.p99_compression;
+}
+
 /// What could be cut to the pattern all the same.
 std::string takers_text(const EdgeStrain& strain) {
   std::vector<std::string_view> names;
   bool is_beyond = false;  // somewhere on the last hundredth of the area
-  for (const Material& material : materials()) {
-    if (strain.p99 > material.max_strain) continue;
-    names.push_back(material.name);
-    is_beyond = is_beyond || strain.max > material.max_strain;
+  for (const MaterialVerdict& verdict : materials_for(strain)) {
+    if (!verdict.takes) continue;
+    names.push_back(verdict.material->name);
+    is_beyond = is_beyond || is_beyond_somewhere(strain, *verdict.material);
   }
   if (names.empty()) return "No material that is known here takes that.";
   std::string text(names.front());
@@ -63,19 +100,20 @@ std::string point_text(Vec3 at) {
          significant_text(at.z, 3) + ")";
 }
 
-/// Of the known materials the stiffest one that takes so much on 99 % of the area, and the one
-/// before it, which does not.
-std::string neighbours_text(double strain) {
-  const Material* before = nullptr;
-  for (const Material& material : materials()) {
-    const auto named = [](const Material& some) {
-      return std::string(some.name) + " (" + percent_text(some.max_strain) + ")";
-    };
-    if (strain <= material.max_strain) {
-      return named(material) + " does" +
-             (before != nullptr ? ", " + named(*before) + " does not" : "");
-    }
-    before = &material;
+/// "cotton (5.0 %)", by the limit that says most.
+std::string named(const MaterialVerdict& verdict) {
+  const LimitCheck limit = limit_check({.kind = verdict.tightest, .asked = verdict.limit});
+  return verdict.material->name + " (" + percent_text(verdict.limit) +
+         std::string(strain_scope(limit.what).way) + ")";
+}
+
+/// Of the known materials the stiffest one that takes the strain, and the one before it, which does
+/// not.
+std::string neighbours_text(const EdgeStrain& strain) {
+  std::string before;
+  for (const MaterialVerdict& verdict : materials_for(strain)) {
+    if (verdict.takes) return named(verdict) + " does" + before;
+    before = ", " + named(verdict) + " does not";
   }
   return "no material that is known here does";
 }
@@ -84,9 +122,9 @@ std::string neighbours_text(double strain) {
 /// material.
 std::string unchanged_sentence(const FlattenReport& report) {
   if (report.evolve.fairness.unchanged || report.rejected) return {};
-  for (const Material& material : materials()) {
-    if (report.as_designed.strain.p99 > material.max_strain) continue;
-    const std::string name(material.name);
+  for (const MaterialVerdict& verdict : materials_for(report.as_designed.strain)) {
+    if (!verdict.takes) continue;
+    const std::string& name = verdict.material->name;
     return " " + capitalised(name) + " takes the design as it is: --material " + name +
            " leaves the form unchanged.";
   }
@@ -148,7 +186,7 @@ std::string state_words(const FlattenReport& report) {
     case Flatness::stretched:
       if (report.evolve.method) return "Does not lie flat without stretch";
       return "Needs a sheet that takes " + percent_text(report.unfold.strain.p99) + ": " +
-             neighbours_text(report.unfold.strain.p99);
+             neighbours_text(report.unfold.strain);
     case Flatness::limit_kept:
     case Flatness::limit_missed:
       break;
@@ -157,7 +195,12 @@ std::string state_words(const FlattenReport& report) {
   const auto missed = std::find_if(limits.begin(), limits.end(),
                                    [](const LimitCheck& check) { return !check.met; });
   if (missed != limits.end()) return "Not within " + strain_limit_name(*missed, report);
-  return "Within " + strain_limit_name(limits.front(), report) +
+  const auto of_material =
+      std::count_if(limits.begin(), limits.end(),
+                    [&](const LimitCheck& check) { return is_of_material(check, report); });
+  return "Within " +
+         (of_material > 1 ? "what " + report.material + " takes"
+                          : strain_limit_name(limits.front(), report)) +
          (is_changed(report) ? ", with the form changed by up to " +
                                    length_text(report.evolve.deviation.max, report.unfold.unit)
                              : "");
@@ -309,16 +352,20 @@ std::vector<LimitCheck> strain_limits_of(const FlattenReport& report) {
 }
 
 std::string strain_limit_name(const LimitCheck& check, const FlattenReport& report) {
-  const std::string limit = percent_text(check.limit);
-  if (check.what == Criterion::p99_strain && !report.material.empty()) {
-    const bool is_beyond = report.unfold.strain.max > check.limit * (1.0 + k_limit_rounding);
+  const StrainScope scope = strain_scope(check.what);
+  const std::string limit = percent_text(check.limit) + std::string(scope.way);
+  if (is_of_material(check, report)) {
+    const bool is_beyond = scope.largest != nullptr && report.unfold.strain.*scope.largest >
+                                                           check.limit * (1.0 + k_limit_rounding);
     return "the " + limit + " that " + report.material + " takes" +
-           (is_beyond ? " on 99 % of the area" : "");
+           (is_beyond                  ? " on 99 % of the area"
+            : scope.largest == nullptr ? " at any edge"
+                                       : "");
   }
   return "the limit of " + limit +
-         (check.what == Criterion::rms_strain   ? " (rms)"
-          : check.what == Criterion::p99_strain ? " on 99 % of the area"
-                                                : "");
+         (check.what == Criterion::rms_strain ? " (rms)"
+          : scope.largest != nullptr          ? " on 99 % of the area"
+                                              : "");
 }
 
 std::string form_loss_text(const Fairness& fairness) {

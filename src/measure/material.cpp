@@ -1,5 +1,6 @@
-#include <array>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <planish/core/error.h>
 #include <planish/measure/material.h>
@@ -8,27 +9,72 @@ namespace planish {
 
 namespace {
 
-constexpr std::string_view k_fitting =
+constexpr const char* k_fitting =
     "guide value of Zhang, Wang and Ramani 2016, Optimal fitting of strain-controlled flattenable "
     "mesh surfaces";
 
-constexpr std::array<Material, 4> k_materials = {
-    {{"steel", 0.002, "lasting strain at the 0.2 % proof strength of sheet steel, EN 10130"},
-     {"leather", 0.01, k_fitting},
-     {"cotton", 0.05, k_fitting},
-     {"neoprene", 0.10, k_fitting}}};
+/// What gives as far in both ways.
+Material alike(std::string name, std::string use, double strain, const std::string& source) {
+  const MaterialLimit limit = {{strain, source}};
+  return {std::move(name), std::move(use), limit, limit};
+}
+
+Material leather_lasted() {
+  // A cone of 7 mm over a disc of 12.5 mm radius is 14.6 % longer than the disc: 12.7 % of itself.
+  const MaterialFigure grain_crack = {
+      0.12,
+      "ISO 3379 (lastometer: a disc 25 mm across is pushed up in its middle); upper leather is to "
+      "reach 7 mm before its grain cracks (UNIDO 1996, Acceptable quality standards in the leather "
+      "and footwear industry): as a cone 14.6 % of the sheet, 12.7 % of the form"};
+  const MaterialFigure as_flat = {0.01, std::string("as leather for flat work: ") + k_fitting};
+  return {"leather-lasted",
+          "upper leather pulled over a last, which sets it",
+          {grain_crack, grain_crack},
+          {as_flat}};
+}
+
+Material stretch_woven() {
+  const MaterialFigure stretch = {
+      0.107,
+      "ASTM D3107 is for cloth of stretch yarns that gives more than 12 % at up to 360 g/cm: 12 % "
+      "of the sheet are 10.7 % of the form"};
+  const MaterialFigure as_cotton = {0.05, std::string("as cotton: ") + k_fitting};
+  return {"stretch-woven", "woven cloth of stretch yarns, along these", {stretch}, {as_cotton}};
+}
+
+std::vector<Material> made() {
+  return {
+      alike("steel", "sheet steel that is bent and not beaten", 0.002,
+            "lasting strain at the 0.2 % proof strength of sheet steel, EN 10130"),
+      alike("aluminium", "sheet aluminium that is bent and not beaten", 0.002,
+            "lasting strain at the 0.2 % proof strength of sheet aluminium, EN 485-2"),
+      alike("leather", "leather for flat work; leather-lasted for uppers", 0.01, k_fitting),
+      alike("cotton", "cotton cloth", 0.05, k_fitting),
+      alike("neoprene", "neoprene, as of wetsuits", 0.10, k_fitting),
+      stretch_woven(),
+      leather_lasted(),
+  };
+}
 
 }  // namespace
 
 std::span<const Material> materials() {
-  return k_materials;
+  static const std::vector<Material> all = made();
+  return all;
+}
+
+std::vector<std::string> material_names() {
+  std::vector<std::string> names;
+  for (const Material& material : materials())
+    names.push_back(material.name);
+  return names;
 }
 
 const Material& material_named(std::string_view name) {
   std::string known;
-  for (const Material& material : k_materials) {
+  for (const Material& material : materials()) {
     if (material.name == name) return material;
-    known += (known.empty() ? "" : ", ") + std::string(material.name);
+    known += (known.empty() ? "" : ", ") + material.name;
   }
   throw Error(ErrorCode::unknown_name,
               "no material is called \"" + std::string(name) + "\"; known are " + known);

@@ -53,7 +53,11 @@ Json to_json(const Deviation& deviation) {
 }
 
 Json to_json(const EdgeStrain& strain) {
-  return {{"max", strain.max}, {"rms", strain.rms}, {"p99", strain.p99}};
+  return {{"max", strain.max},
+          {"rms", strain.rms},
+          {"p99", strain.p99},
+          {"stretch", {{"max", strain.max_stretch}, {"p99", strain.p99_stretch}}},
+          {"compression", {{"max", strain.max_compression}, {"p99", strain.p99_compression}}}};
 }
 
 Json to_json(const std::optional<EdgeStrain>& strain) {

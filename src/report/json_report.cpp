@@ -162,10 +162,8 @@ Json to_json(const Way& way, Unit unit) {
       {"folds", way.sharpest_fold()},
       {"form_kept", way.keeps_form()}};
   if (!way.material.empty()) json["material"] = way.material;
-  json["limit"] = {{"kind", way.limits.rms > 0.0   ? "rms"
-                            : way.limits.p99 > 0.0 ? "p99"
-                                                   : "max"},
-                   {"asked", way.limits.rms + way.limits.p99 + way.limits.max}};
+  json["limit"] = way.limit();
+  json["kind"] = way.limits.rms > 0.0 ? "rms" : way.limits.max > 0.0 ? "max" : "p99";
   return json;
 }
 

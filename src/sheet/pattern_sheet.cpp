@@ -30,8 +30,9 @@ Layer map_layer(const TriMesh& mesh, const UnfoldReport& unfold, std::span<const
   const std::vector<HalfEdge> opposite = opposite_half_edges(mesh);
   const std::span<const Vec2> pattern = unfold.pattern.positions;
   if (const auto limit = limit_of_edges(unfold.limits)) {
-    const auto strains = largest_edge_strains_of_triangles(mesh, pattern);
-    return {"strain", limit_map(mesh, opposite, corners, strains, limit->asked)};
+    const auto strains =
+        largest_edge_strains_of_triangles(mesh, pattern, limit->weight_of_stretch());
+    return {"strain", limit_map(mesh, opposite, corners, strains, *limit)};
   }
   const auto strains = signed_strains(principal_stretches(mesh, pattern));
   const double end = strain_map_limit(unfold.strain);

@@ -94,7 +94,7 @@ void add_legend(Layer& layer, double limit) {
 }
 
 /// The same where strain is shown beside its limit: ten fields for what is within, and one apart.
-void add_limit_legend(Layer& layer, const StrainLimitCheck& limit) {
+void add_limit_legend(Layer& layer, const MapLimit& limit) {
   constexpr double field = 8.5, gap = 4.0, beyond = 16.0;
   const double y = k_margin + 4.5;
   const auto swatch = [&](double x, double width, Color color) {
@@ -108,7 +108,7 @@ void add_limit_legend(Layer& layer, const StrainLimitCheck& limit) {
   const double end = k_column + (k_limit_bands - 1) * field, apart = end + gap;
   layer.shapes.emplace_back(rectangle({k_column, y}, end - k_column, k_swatch, k_legend_color));
   swatch(apart, beyond, k_beyond_limit);
-  label(k_column, y + k_swatch + 2.0, "limit of strain used up; the limit is " + limit_words(limit),
+  label(k_column, y + k_swatch + 2.0, "limit of strain used up; the limit is " + limit.words,
         false);
   label(k_column, k_margin, "0", false);
   label(0.5 * (k_column + end), k_margin, "50 %", true);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <planish/mesh/inspect.h>
@@ -16,6 +17,7 @@
 #include "unfold/strain/free_edges.h"
 #include "unfold/stretch/least_stretch.h"
 #include "unfold/stretch/matched_border.h"
+#include "unfold/stretch/seam_system.h"
 #include "unfold/stretch/spread_stretch.h"
 #include "unfold/symmetric_mean.h"
 #include "unfold/unfold_within_limits.h"
@@ -51,32 +53,34 @@ BorderLengths wanted_lengths(const TriMesh& mesh, const Disk& disk,
   return lengths;
 }
 
-/// Goes on from the pattern of least stretch to the one that keeps the border's lengths.
-LeastStretch with_matched_border(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
-                                 const UnfoldOptions& options, ThreadPool& pool,
-                                 const std::function<void()>& after_step) {
-  const BorderLengths lengths = wanted_lengths(mesh, disk, options.free_edges);
+/// Goes on from the pattern of least stretch to the one that keeps the border's lengths; nothing
+/// where none is found.
+std::optional<LeastStretch> with_matched_border(const Disk& disk, const HeldBorder& border,
+                                                const LeastStretch& least, int max_iterations,
+                                                ThreadPool& pool,
+                                                const std::function<void()>& after_step) {
   int steps = least.iterations;
   const auto count = [&] {
     ++steps;
     after_step();
   };
-  MatchedBorder matched =
-      match_border(disk, lengths, least.flat, least.flat, options.max_iterations, pool, count);
+  MatchedBorder matched = match_border(disk, border, least.flat, max_iterations, pool, count);
   if (!matched.matched) {
-    std::vector<Vec2> start = circle_start(disk, lengths.of_edges, pool);
-    if (all_upright(disk, start)) {
-      matched = match_border(disk, lengths, least.flat, std::move(start), options.max_iterations,
-                             pool, count);
-    }
+    std::vector<Vec2> start = circle_start(disk, border.lengths.of_edges, pool);
+    if (all_upright(disk, start))
+      matched = match_border(disk, border, std::move(start), max_iterations, pool, count);
   }
-  if (!matched.matched) {
-    throw Error(ErrorCode::unfold_failed,
-                "the border cannot keep its lengths in the plane to within rounding; remesh the "
-                "patch more evenly, or do without matched seams");
-  }
+  if (!matched.matched) return std::nullopt;
   matched.result.iterations = steps;
   return std::move(matched.result);
+}
+
+/// @throws Error unless the seams need not match
+void leave_unmatched(const UnfoldOptions& options) {
+  if (options.match_if_possible) return;
+  throw Error(ErrorCode::unfold_failed,
+              "the border cannot keep its lengths in the plane to within rounding; remesh the "
+              "patch more evenly, or do without matched seams");
 }
 
 // A limit of rms strain is aimed at a little below, so that rounding keeps it.
@@ -84,23 +88,24 @@ constexpr double k_within_limit = 0.9999;
 
 /// Goes on from the pattern of least stretch to the one that spreads it. Limits that are kept stay
 /// so.
-LeastStretch with_stretch_spread(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
-                                 const StrainLimits& limits, ThreadPool& pool,
-                                 const std::function<void()>& after_step) {
+/// @param border whose lengths stay kept; nullptr where the border is free
+LeastStretch with_stretch_spread(const TriMesh& mesh, const Disk& disk, const HeldBorder* border,
+                                 const LeastStretch& least, const StrainLimits& limits,
+                                 ThreadPool& pool, const std::function<void()>& after_step) {
   const std::vector<FlatEdge> edges = flat_edges(mesh, disk);
   const std::vector<double> strains = strains_of(edges, least.flat);
   const double rms = rms_strain(edges, strains);
   double most = k_spread_budget * rms;
   if (limits.rms > 0.0) most = std::min(most, k_within_limit * limits.rms);
   if (!(most >= rms)) return least;
-  LeastStretch spread = spread_stretch(disk, edges, least, most, pool, after_step);
-  const auto exceeds = [&](const std::vector<double>& some) {
-    return std::any_of(some.begin(), some.end(),
-                       [&](double strain) { return std::abs(strain) > limits.max; });
+  const auto system = make_system(disk, border, pool);
+  LeastStretch spread = spread_stretch(disk, *system, edges, least, most, after_step);
+  StrainLimits of_edges = limits;
+  of_edges.rms = 0.0;
+  const auto keeps = [&](const LeastStretch& some) {
+    return of_edges.kept_by(figures_of(with_areas(edges, strains_of(edges, some.flat))));
   };
-  const bool breaks_limit = limits.max > 0.0 && !exceeds(strains) &&
-                            exceeds(strains_of(edges, spread.flat));
-  return breaks_limit ? least : spread;
+  return keeps(least) && !keeps(spread) ? least : spread;
 }
 
 /// What is called after each step. Laying flat takes some 15 steps, keeping limits or the border
@@ -221,7 +226,7 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   pool.stop_if_cancelled();
   const Disk disk = make_disk(patch);
   pool.stop_if_cancelled();
-  const bool bounds_edges = options.limits.max > 0.0 || options.limits.p99 > 0.0;
+  const bool bounds_edges = options.limits.bounds_edges();
   const bool goes_on = options.match_seams || bounds_edges || !options.least_stretch;
   PartsOfJob parts(context);
   LeastStretch flat =
@@ -229,27 +234,37 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
                        unfolding_steps(parts.next(goes_on ? 0.2 : 1.0), k_step_of_stretch));
   const std::function<void()> after_step = unfolding_steps(parts.next(1.0), k_step_of_limits);
   Pattern pattern;
+  std::optional<HeldBorder> border;
   if (options.match_seams) {
-    pattern.unmatched = in_mesh_order(patch, disk, flat.flat);
-    flat = with_matched_border(patch.mesh(), disk, flat, options, pool, after_step);
-  } else {
-    LeastStretch other = flat;
-    if (bounds_edges) {
-      other = unfold_within_limits(patch.mesh(), disk, flat, options.limits,
-                                   options.max_iterations, pool, after_step);
+    border.emplace(disk, wanted_lengths(patch.mesh(), disk, options.free_edges), flat.flat);
+    auto matched =
+        with_matched_border(disk, *border, flat, options.max_iterations, pool, after_step);
+    if (matched) {
+      pattern.unmatched = in_mesh_order(patch, disk, flat.flat);
+      flat = *std::move(matched);
+    } else {
+      leave_unmatched(options);
+      pattern.is_unmatchable = true;
+      border.reset();
     }
-    if (!options.least_stretch && other.iterations == flat.iterations)
-      other = with_stretch_spread(patch.mesh(), disk, flat, options.limits, pool, after_step);
-    if (other.iterations > flat.iterations) {
-      pattern.unlimited = in_mesh_order(patch, disk, flat.flat);
-      flat = std::move(other);
-    }
+  }
+  const HeldBorder* held = border ? &*border : nullptr;
+  LeastStretch other = flat;
+  if (bounds_edges) {
+    other = unfold_within_limits(patch.mesh(), disk, held, flat, options.limits,
+                                 options.max_iterations, pool, after_step);
+  }
+  if (!options.least_stretch && other.iterations == flat.iterations)
+    other = with_stretch_spread(patch.mesh(), disk, held, flat, options.limits, pool, after_step);
+  if (other.iterations > flat.iterations) {
+    pattern.unlimited = in_mesh_order(patch, disk, flat.flat);
+    flat = std::move(other);
   }
 
   pattern.iterations = flat.iterations;
   pattern.converged = flat.converged;
   pattern.overlaps = crosses_itself(border_of(disk, flat.flat));
-  if (pattern.overlaps && !options.match_seams) {
+  if (pattern.overlaps && held == nullptr) {
     const double wanted = disk.area_scale * (disk.box_scale * options.open_crossings);
     const double most = std::min(wanted, k_most_opened);
     if (std::optional<OpenBorder> open = open_border(disk, flat.flat, most)) {

@@ -4,15 +4,18 @@
 
 #include "core/thread_pool.h"
 #include "unfold/disk/disk.h"
+#include "unfold/stretch/held_border.h"
 #include "unfold/stretch/least_stretch.h"
 
 namespace planish {
 
-/// The flat disk of least stretch among those that keep limits.max, or limits.p99; where there is
-/// none, one that comes near to it.
-/// @param least of least stretch; it is returned as it is where it keeps the limit
-LeastStretch unfold_within_limits(const TriMesh& mesh, const Disk& disk, const LeastStretch& least,
-                                  const StrainLimits& limits, int max_iterations, ThreadPool& pool,
+/// The flat disk of least stretch among those that keep the limits of edges; where there is none,
+/// one that comes near to it.
+/// @param border whose lengths stay kept; nullptr where the border is free
+/// @param least of least stretch; it is returned as it is where it keeps the limits
+LeastStretch unfold_within_limits(const TriMesh& mesh, const Disk& disk, const HeldBorder* border,
+                                  const LeastStretch& least, const StrainLimits& limits,
+                                  int max_iterations, ThreadPool& pool,
                                   const std::function<void()>& after_step);
 
 /// The smallest limit of all |strain| that is found to be kept.

@@ -57,6 +57,7 @@ TEST_F(JsonSchema, IsFirstInWhatEveryVerbPrints) {
       {"carry", {"carry", "line.obj", "--from", "panel.obj", "--to", "panel.obj", "-o", "on.obj"}},
       {"convert", {"convert", "panel.obj", "panel.ply"}},
       {"sample", {"sample", "dome", "-o", "dome.ply"}},
+      {"materials", {"materials"}},
       {"describe", {"describe"}},
       {"completion", {"completion", "fish"}},
       {"man", {"man", "flatten"}},

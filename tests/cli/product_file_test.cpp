@@ -48,7 +48,7 @@ TEST_F(ProductFileTest, HasAllThatIsSaid) {
   const RequestedPiece& front = product.pieces[0];
   EXPECT_EQ(front.file, "parts/front.obj");
   EXPECT_EQ(front.name, "Front");
-  EXPECT_EQ(front.material, "neoprene");
+  EXPECT_EQ(front.material->name, "neoprene");
   EXPECT_EQ(front.quantity, 2);
   EXPECT_TRUE(front.mirrored);
   EXPECT_EQ(front.unit, Unit::cm);
@@ -63,6 +63,23 @@ TEST_F(ProductFileTest, HasPathsRelativeToItself) {
   std::filesystem::create_directories("suits");
   std::ofstream("suits/suit.json") << R"({"pieces": [{"file": "front.obj"}]})";
   EXPECT_EQ(read_product_file("suits/suit.json").pieces[0].file, "suits/front.obj");
+}
+
+TEST_F(ProductFileTest, HasMaterialsOfTheirOwnFiles) {
+  std::filesystem::create_directories("suits");
+  std::ofstream("suits/suit.json") << R"({"pieces": [{"file": "a.obj", "material": "my.json"}]})";
+  const auto figure = R"({"strain": 0.1, "source": "a test"})";
+  std::ofstream("suits/my.json") << R"({"name": "suede", "stretch": {"usual": )" << figure
+                                 << R"(}, "compression": {"usual": )" << figure << "}}";
+  EXPECT_EQ(read_product_file("suits/suit.json").pieces[0].material->name, "suede");
+  std::ofstream("suits/my.json") << "{}";
+  try {
+    read_product_file("suits/suit.json");
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place().path, "suits/my.json");
+    EXPECT_EQ(error.message(), "needs \"name\"");
+  }
 }
 
 TEST_F(ProductFileTest, NamesKeysThatAreNotKnownAndThoseThatAre) {
@@ -90,6 +107,7 @@ TEST_F(ProductFileTest, SaysWhereAValueCannotBe) {
 TEST_F(ProductFileTest, RefusesWhatIsNoProduct) {
   for (const char* content : {"", "{", "[]", "3", "null"})
     EXPECT_NE(refusal(content), "read") << content;
+  EXPECT_EQ(refusal("{\n \"pieces\": [,]}"), "is no JSON, from column 13 on");
   EXPECT_THAT(refusal("{}"), HasSubstr("at least one piece"));
   EXPECT_THAT(refusal(R"({"pieces": {}})"), HasSubstr("pieces: must be a list"));
   EXPECT_THAT(refusal(R"({"pieces": ["a.obj"]})"), HasSubstr("pieces[0]: must be an object"));
@@ -132,8 +150,8 @@ TEST_F(ProductOfAFile, GetsNamesQuantitiesMaterialsAndSeams) {
                  {"file": "one.obj", "name": "Large", "unit": "cm"},
                  {"file": "two.obj", "name": "Back"}],
       "seams": [{"name": "side", "between": ["Back", "Front"]}]})";
-  const CliResult result =
-      planish({"flatten", "suit.json", "-o", "out", "--formats", "svg", "--max-strain", "90%"});
+  const CliResult result = planish({"flatten", "suit.json", "-o", "out", "--formats", "svg",
+                                    "--max-strain", "90%", "--no-match-seams"});
   ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
   const auto json = nlohmann::json::parse(content_of("out/garment.json"));
   const auto& pieces = json["patches"];
@@ -141,7 +159,8 @@ TEST_F(ProductOfAFile, GetsNamesQuantitiesMaterialsAndSeams) {
   EXPECT_EQ(pieces[0]["name"], "Front");
   EXPECT_EQ(pieces[0]["quantity"], 2) << "the other two are mirrored";
   EXPECT_EQ(pieces[0]["material"], "neoprene");
-  EXPECT_EQ(pieces[0]["unfold"]["limits"][0]["asked"], material_named("neoprene").max_strain);
+  EXPECT_EQ(pieces[0]["unfold"]["limits"][0]["asked"],
+            material_named("neoprene").stretch.usual.strain);
   EXPECT_EQ(pieces[1]["name"], "Front, mirrored");
   EXPECT_EQ(pieces[1]["twin"], nlohmann::json::parse(R"({"of": "Front", "mirrored": true})"));
   EXPECT_TRUE(pieces[2]["quantity"].is_null());

@@ -123,8 +123,8 @@ std::vector<double> notch_ways(const std::string& folder, const nlohmann::json& 
 void expect_seams_to_fit(const std::string& input, std::size_t seam_count, const Names& more) {
   std::ofstream("seams.txt") << "* 30%\n* 50%\n";
   // Cuts along edges have teeth, and a notch must not cut one off: it is shallow.
-  Names args = {"flatten",        input,       "-o",        "out", "--match-seams", "--json",
-                "--seam-notches", "seams.txt", "--formats", "dxf", "--notch-depth", "1mm"};
+  Names args = {"flatten",   input,       "-o",  "out",           "--json", "--seam-notches",
+                "seams.txt", "--formats", "dxf", "--notch-depth", "1mm"};
   args.insert(args.end(), more.begin(), more.end());
   const CliResult run = planish(args);
   ASSERT_EQ(run.exit_code, k_exit_done) << run.err;
@@ -174,8 +174,8 @@ TEST_F(ProductSeams, OfARealPatchInTwoFitAndTheirNotchesMeet) {
 TEST_F(ProductSeams, OfAJacketMeshedPanelByPanelAreFoundAndTheirNotchesMeet) {
   write_product("jacket.obj", meshes::Jacket::panels());
   std::ofstream("seams.txt") << "* 30%\n* 50%\n";
-  const CliResult run = planish({"flatten", "jacket.obj", "-o", "out", "--match-seams", "--json",
-                                 "--seam-notches", "seams.txt", "--formats", "dxf"});
+  const CliResult run = planish({"flatten", "jacket.obj", "-o", "out", "--json", "--seam-notches",
+                                 "seams.txt", "--formats", "dxf"});
   ASSERT_EQ(run.exit_code, k_exit_done) << run.err;
   const nlohmann::json result = run.json();
   ASSERT_EQ(result["seams"].size(), meshes::Jacket::seams().size());
@@ -216,10 +216,9 @@ TEST_F(ProductSeams, OfRealPanelsMeshedApartAreFound) {
   const std::vector<NamedPatch> panels = real_panels({"gc_front_4k.obj", "gc_back_5k.obj"});
   if (panels.empty()) return;  // no real patches here
   write_product("body.obj", panels);
-  const nlohmann::json result =
-      planish({"flatten", "body.obj", "-o", "out", "--match-seams", "--json", "--unit", "m",
-               "--sweeps", "1", "--formats", "svg"})
-          .json();
+  const nlohmann::json result = planish({"flatten", "body.obj", "-o", "out", "--json", "--unit",
+                                         "m", "--sweeps", "1", "--formats", "svg"})
+                                    .json();
   ASSERT_EQ(result["seams"].size(), 4U);
   const std::vector<double> lengths = {92.4, 38.8, 390.0, 371.8};  // two shoulders, two sides
   for (std::size_t s = 0; s < 4; ++s) {

@@ -52,7 +52,7 @@ class ProductState : public CliTest {
   Json read_job() const { return Json::parse(content_of("job.json")); }
   bool is_kept() const { return finished_results(job_, ".").has_value(); }
 
-  const PatchJob job_ = job_of({.name = "piece", .mesh = {}}, MeshFormat::obj, {}, {});
+  const PatchJob job_ = job_of({.name = "piece", .mesh = {}}, MeshFormat::obj, {}, {}, {});
 };
 
 TEST_F(ProductState, KeepsWhatIsWhole) {
@@ -68,6 +68,27 @@ TEST_F(ProductState, KeepsWhatIsWhole) {
   EXPECT_EQ(kept->form_faults[1].text, "is lost");
   EXPECT_EQ(kept->outcome().missed, results().outcome().missed);
   EXPECT_FALSE(kept->unfold.unlimited_strain);
+}
+
+TEST_F(ProductState, IsOfAnotherJobWhereOtherEdgesAreSewn) {
+  write(k_triangle, k_triangle);
+  const auto is_kept_for = [](const SewnBorder& border) {
+    const PatchJob job = job_of({.name = "piece", .mesh = {}}, MeshFormat::obj, {}, border, {});
+    return finished_results(job, ".").has_value();
+  };
+  EXPECT_TRUE(is_kept_for({}));
+  EXPECT_FALSE(is_kept_for({.has_seams = true}));
+  EXPECT_FALSE(is_kept_for({.has_seams = true, .free_edges = {{0, 1}}}));
+}
+
+TEST_F(ProductState, KeepsThatABorderCannotKeepItsLengths) {
+  FinishedPatch patch = results();
+  for (const bool is_unmatchable : {false, true}) {
+    patch.unfold.pattern.is_unmatchable = is_unmatchable;
+    const auto read = patch_of_figures(figures_json(patch));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->unfold.pattern.is_unmatchable, is_unmatchable);
+  }
 }
 
 TEST_F(ProductState, RefusesAPatternThatIsNotThatOfThePatch) {

@@ -48,6 +48,14 @@ CliResult flatten_product(const std::string& input, const std::string& folder,
   return planish(args, context);
 }
 
+/// Of the design, which stays as it is.
+CliResult flatten_design(const std::string& input, const std::string& folder,
+                         const Names& more = {}) {
+  Names args = {"flatten", input, "-o", folder, "--pick", "1", "--formats", "svg"};
+  args.insert(args.end(), more.begin(), more.end());
+  return planish(args);
+}
+
 class Product : public CliTest {
  protected:
   void SetUp() override {
@@ -152,10 +160,10 @@ TEST_F(Product, DoesNotDependOnTheNumberOfThreads) {
   }
 }
 
-TEST_F(Product, TellsTheSeamsAndMakesThemMatchOnRequest) {
+TEST_F(Product, TellsTheSeamsAndMakesThemMatchUnlessToldOtherwise) {
   write_product("two.obj", halves());
-  const auto plain = flatten_product("two.obj", "plain", {"--json"}).json();
-  const auto matched = flatten_product("two.obj", "matched", {"--json", "--match-seams"}).json();
+  const auto plain = flatten_product("two.obj", "plain", {"--json", "--no-match-seams"}).json();
+  const auto matched = flatten_product("two.obj", "matched", {"--json"}).json();
   ASSERT_EQ(plain["seams"].size(), 1U);
   ASSERT_EQ(matched["seams"].size(), 1U);
   const auto& seam = matched["seams"][0];
@@ -169,12 +177,85 @@ TEST_F(Product, TellsTheSeamsAndMakesThemMatchOnRequest) {
   EXPECT_TRUE(matched["patches"][0]["unfold"]["match_seams"]);
   EXPECT_LT(matched["patches"][0]["unfold"]["border_strain"], 1e-9);
   EXPECT_GT(plain["patches"][0]["unfold"]["border_strain"], 1e-6);
+  EXPECT_FALSE(plain["patches"][0]["unfold"]["match_seams"]);
+  flatten_product("two.obj", "asked", {"--match-seams"});
+  EXPECT_EQ(content_of("asked/left/flat.obj"), content_of("matched/left/flat.obj"))
+      << "the same where it is asked for";
+}
+
+TEST_F(Product, MatchesSeamsWithinALimit) {
+  write_product("two.obj", halves());
+  const auto free = flatten_design("two.obj", "free", {"--json"}).json();
+  const double most = free["patches"][0]["unfold"]["strain"]["max"];
+  const std::string limit = std::to_string(80.0 * most) + "%";
+  const auto json = planish({"flatten", "two.obj", "-o", "out", "--formats", "svg", "--json",
+                             "--max-strain", limit})
+                        .json();
+  for (const auto& patch : json["patches"]) {
+    EXPECT_TRUE(patch["limits_met"]) << patch["name"];
+    EXPECT_TRUE(patch["unfold"]["match_seams"]) << patch["name"];
+  }
+  EXPECT_LT(json["seams"][0]["difference"], 1e-6);
+}
+
+TEST_F(Product, SaysHowUnequalSidesBecomeEqual) {
+  write_product("two.obj", halves(8));
+  const std::string advice = "without --no-match-seams they are as long as on the model";
+  EXPECT_THAT(flatten_design("two.obj", "free", {"--unit", "m", "--no-match-seams"}).out,
+              HasSubstr(advice));
+  EXPECT_THAT(flatten_design("two.obj", "out", {"--unit", "m"}).out, Not(HasSubstr(advice)));
+  const CliResult both = flatten_design("two.obj", "both", {"--match-seams", "--no-match-seams"});
+  EXPECT_EQ(both.exit_code, k_exit_usage);
+  EXPECT_THAT(both.err, HasSubstr("--match-seams and --no-match-seams do not go together"));
+}
+
+TEST_F(Product, GoesOnWithoutMatchingWhereAPieceCannotAndNamesIt) {
+  // 1e8 times as long as wide: numbers cannot tell whether their ends keep their lengths.
+  std::vector<NamedPatch> ribbons;
+  for (const char* name : {"upper", "lower"}) {
+    TriMesh ribbon = meshes::flat_grid(12, 2);
+    const double y = ribbons.empty() ? 0.0 : 2.0;
+    for (Vec3& p : ribbon.positions)
+      p = {1e8 * p.x, p.y + y, 0.1 * p.x * (p.y + y)};
+    ribbons.push_back({name, std::move(ribbon), {}});
+  }
+  write_product("ribbons.obj", ribbons);
+  const CliResult run = flatten_design("ribbons.obj", "out");
+  EXPECT_NE(run.exit_code, k_exit_failed) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("upper: its border cannot keep its lengths in the plane"));
+  EXPECT_THAT(run.err, HasSubstr("lower: its border cannot keep its lengths in the plane"));
+  EXPECT_TRUE(std::filesystem::exists("out/upper/pattern.svg"));
+  EXPECT_EQ(flatten_design("ribbons.obj", "asked", {"--match-seams"}).exit_code, k_exit_failed);
+}
+
+/// What is sewn to a piece decides which of its edges keep their lengths.
+TEST_F(Product, IsNotResumedWhereOtherPiecesAreSewnToIt) {
+  const std::vector<NamedPatch> two = halves();
+  write_product("left.obj", {two[0]});
+  write_product("right.obj", {two[1]});
+  const auto run = [&](const Names& inputs) {
+    Names args = {"flatten"};
+    args.insert(args.end(), inputs.begin(), inputs.end());
+    for (const char* more : {"-o", "out", "--product", "--unit", "mm", "--formats", "svg", "--pick",
+                             "1", "--resume", "--json"})
+      args.emplace_back(more);
+    return planish(args);
+  };
+  TriMesh far = two[1].mesh;
+  for (Vec3& p : far.positions)
+    p.z += 1000.0;
+  write_product("far.obj", {{"right", far, {}}});
+  EXPECT_THAT(run({"left.obj", "far.obj"}).err, Not(HasSubstr("from the earlier run")));
+  EXPECT_THAT(run({"left.obj", "far.obj"}).err, HasSubstr("from the earlier run"));
+  const CliResult sewn = run({"left.obj", "right.obj"});
+  EXPECT_THAT(sewn.err, Not(HasSubstr("from the earlier run")));
+  EXPECT_LT(sewn.json()["seams"][0]["difference"], 1e-6);
 }
 
 TEST_F(Product, FindsTheSeamsOfPatchesWithFewerVerticesInside) {
   write_product("two.obj", halves(12));
   const auto whole = flatten_product("two.obj", "whole", {"--json"}).json();
-  const Names fewer = {"--json", "--match-seams", "--remesh"};
+  const Names fewer = {"--json", "--remesh"};
   const auto result = flatten_product("two.obj", "out", fewer).json();
   ASSERT_EQ(result["seams"].size(), 1U);
   const auto& seam = result["seams"][0];
@@ -319,8 +400,8 @@ TEST_F(Product, NotesTheSizeOfEachPieceThatIsUnusual) {
   write_product("two.obj", {sample("small", "dome", 120), sample("other", "cylinder", 120)});
   const Names args = {"flatten", "two.obj", "-o", "out", "--formats", "svg", "--unit", "m"};
   const CliResult result = planish(args);
-  EXPECT_THAT(result.err, HasSubstr("note: small: the pattern is 393 m long; "));
-  EXPECT_THAT(result.err, HasSubstr("with --unit mm it would be 393 mm"));
+  EXPECT_THAT(result.err, HasSubstr("note: small: the pattern is 442 m long; "));
+  EXPECT_THAT(result.err, HasSubstr("with --unit mm it would be 442 mm"));
   EXPECT_THAT(result.err, HasSubstr("note: other: the pattern is "));
   EXPECT_THAT(planish({"flatten", "two.obj", "-o", "out2", "--formats", "svg"}).err,
               testing::Not(HasSubstr("the pattern is ")));

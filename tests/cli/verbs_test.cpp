@@ -74,7 +74,7 @@ TEST_F(Verbs, TellAtOnceWhatABorderForbids) {
   EXPECT_EQ(planish({"measure", "dome.obj", "--json"}).json()["obstruction"]["blocked"], true);
 
   const Names evolve = {"evolve", "dome.obj", "-o", "out.obj", "--sweeps", "1"};
-  const Names flatten = {"flatten", "dome.obj", "-o", "folder", "--sweeps", "1"};
+  const Names flatten = {"flatten", "dome.obj", "-o", "folder"};
   for (const Names& verb : {evolve, flatten}) {
     const CliResult result = planish(verb);
     EXPECT_EQ(result.exit_code, k_exit_done);
@@ -205,7 +205,8 @@ TEST_F(Verbs, UnfoldTellsWhichFormatsAreSupported) {
 }
 
 TEST_F(Verbs, FlattenWritesTheWholeFolder) {
-  const CliResult result = planish({"flatten", "panel.obj", "-o", "out/folder", "--json"});
+  const CliResult result =
+      planish({"flatten", "panel.obj", "-o", "out/folder", "--pick", "5", "--json"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_THAT(
       names(),
@@ -227,10 +228,72 @@ TEST_F(Verbs, FlattenWritesTheWholeFolder) {
   EXPECT_EQ(json, nlohmann::json::parse(content_of("out/folder/report.json")));
 }
 
+TEST_F(Verbs, FlattenKeepsTheDesignUnlessAskedForMore) {
+  const CliResult result = planish({"flatten", "panel.obj", "-o", "out", "--json"});
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(read_mesh("out/processed.obj").mesh.positions, read_mesh("panel.obj").mesh.positions);
+  EXPECT_THAT(names(), ElementsAre("out", "out/flat.obj", "out/pattern.dxf", "out/pattern.pdf",
+                                   "out/pattern.svg", "out/processed.obj", "out/report.html",
+                                   "out/report.json", "panel.obj"));
+  const auto json = result.json();
+  EXPECT_EQ(json["evolve"]["method"], "none");
+  EXPECT_EQ(json["evolve"]["history"], nlohmann::json::array());
+  EXPECT_EQ(json["evolve"]["deviation"]["max"], 0.0);
+  EXPECT_LT(json["unfold"]["strain"]["p99"], json["unfold"]["unlimited_strain"]["p99"]);
+  const auto least = planish({"flatten", "panel.obj", "-o", "out", "--least-stretch", "--json"});
+  for (const char* figure : {"max", "p99", "rms"}) {
+    EXPECT_NEAR(least.json()["unfold"]["strain"][figure],
+                json["unfold"]["unlimited_strain"][figure], 1e-12);
+  }
+}
+
+TEST_F(Verbs, FlattenPricesTheWaysToLessStretch) {
+  const CliResult result = planish({"flatten", "panel.obj", "-o", "out", "--json"});
+  const auto ways = result.json()["ways"];
+  ASSERT_FALSE(ways.empty());
+  for (const auto& way : ways) {
+    EXPECT_TRUE(way["estimated"]);
+    EXPECT_EQ(way.contains("material"), way["kind"] == "p99") << way;
+    EXPECT_GE(way["deviation"]["max"], way["deviation"]["rms"]) << way;
+    EXPECT_TRUE(way["folds"].is_number() && way["form_kept"].is_boolean()) << way;
+  }
+  EXPECT_THAT(content_of("out/report.html"), HasSubstr("Less stretch costs form"));
+  const std::string text = planish({"flatten", "panel.obj", "-o", "out"}).out;
+  EXPECT_THAT(text, HasSubstr("Less stretch costs form:"));
+  EXPECT_THAT(text, HasSubstr("--max-rms-strain 0.5%"));
+  EXPECT_THAT(text, HasSubstr("~ is an estimate"));
+  // What was run is no estimate any more.
+  const auto run =
+      planish({"flatten", "panel.obj", "-o", "out", "--max-rms-strain", "0.5%", "--json"}).json();
+  int exact = 0;
+  for (const auto& way : run["ways"]) {
+    if (way["estimated"]) continue;
+    ++exact;
+    EXPECT_EQ(way["limit"], 0.005);
+    EXPECT_EQ(way["deviation"]["max"], run["evolve"]["deviation"]["max"]);
+  }
+  EXPECT_EQ(exact, 1);
+}
+
+TEST_F(Verbs, FlattenNotesFlagsThatSayHowToChangeWhereNothingAsksForIt) {
+  const CliResult idle = planish({"flatten", "panel.obj", "-o", "out", "--border", "slide"});
+  EXPECT_EQ(idle.exit_code, k_exit_done);
+  EXPECT_THAT(idle.err, HasSubstr("--border says how to change the form, but nothing asks for"));
+  const CliResult two =
+      planish({"flatten", "panel.obj", "-o", "out", "--sweeps", "5", "--border", "slide"});
+  EXPECT_THAT(two.err, HasSubstr("--border and --sweeps say how to change the form"));
+  for (const char* limit : {"--max-rms-strain", "--max-strain"}) {
+    const CliResult used =
+        planish({"flatten", "panel.obj", "-o", "out", "--border", "slide", limit, "50%"});
+    EXPECT_EQ(used.err, "") << limit;
+  }
+}
+
 TEST_F(Verbs, FlattenWritesTheFormatsThatAreAskedFor) {
-  const CliResult result =
-      planish({"flatten", "panel.obj", "-o", "out", "--sweeps", "1", "--formats", "plt,dxf,plt",
-               "--paper", "a3", "--dxf-profile", "astm", "--text", "strokes", "--json"});
+  const CliResult result = planish({"flatten", "panel.obj", "-o", "out", "--prefer", "smooth",
+                                    "--sweeps", "1", "--formats", "plt,dxf,plt", "--paper", "a3",
+                                    "--dxf-profile", "astm", "--text", "strokes", "--json"});
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_THAT(names(),
               ElementsAre("out", "out/as-designed.dxf", "out/as-designed.plt", "out/flat.obj",
@@ -243,8 +306,8 @@ TEST_F(Verbs, FlattenWritesTheFormatsThatAreAskedFor) {
 }
 
 TEST_F(Verbs, FlattenWritesTheLengthsOfEdges) {
-  const CliResult result = planish({"flatten", "panel.obj", "-o", "out", "--sweeps", "1",
-                                    "--edge-lengths", "--formats", "svg", "--json"});
+  const CliResult result = planish(
+      {"flatten", "panel.obj", "-o", "out", "--edge-lengths", "--formats", "svg", "--json"});
   ASSERT_EQ(result.exit_code, k_exit_done) << result.err;
   EXPECT_EQ(result.json()["files"]["edge_lengths"], "out/edge-lengths.csv");
   const std::string csv = content_of("out/edge-lengths.csv");

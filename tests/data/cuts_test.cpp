@@ -17,7 +17,7 @@ TEST(SuggestCuts, GivesRealPatchesTheStrainThatItTells) {
     const Patch patch(mesh);
     constexpr double limit = 0.02;
     const auto suggestion =
-        suggest_cuts(patch, {.max_strain = limit, .max_darts = 2, .trial_vertices = 1500});
+        suggest_cuts(patch, {.limits = {.max = limit}, .max_darts = 2, .trial_vertices = 1500});
     std::vector<std::vector<Index>> paths;
     for (const SuggestedCut& cut : suggestion.cuts) {
       EXPECT_TRUE(cut.after->rms < cut.before->rms || suggestion.met());

@@ -61,7 +61,9 @@ void tell(const ProductPatch& patch, FinishedPatch results) {
   for (const Vec2 p : results.unfold.pattern.positions)
     fuzz::check(fuzz::is_finite(p), "patterns are finite");
   ProductCallbacks callbacks;
-  callbacks.earlier = [&](std::size_t, const PatchTwin*) { return std::optional(results); };
+  callbacks.earlier = [&](std::size_t, const PatchTwin*, const SewnBorder&) {
+    return std::optional(results);
+  };
   const ProductReport report = flatten_product({&patch, 1}, {}, callbacks);
   fuzz::check(report.finished() == 1, "nothing is done again");
   fuzz::check(!patch_line(report.patches.front()).empty(), "every patch has a line");
@@ -76,7 +78,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::TemporaryFolder folder;
   auto files = files_in({reinterpret_cast<const char*>(data), size});
   const ProductPatch patch{"piece", meshes::flat_grid(2, 2)};
-  const PatchJob job = job_of(patch, MeshFormat::obj, {}, {});
+  const PatchJob job = job_of(patch, MeshFormat::obj, {}, {}, {});
   // A file of that name in the input stands as it is.
   if (!files.contains("job.json")) files["job.json"] = job_of_all(job, files).content;
   folder.fill(files);

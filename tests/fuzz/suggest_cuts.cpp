@@ -40,7 +40,7 @@ void check_suggestion(const TriMesh& mesh, const CutSuggestion& suggestion) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Bytes bytes(data, size);
-  const SuggestOptions options{.max_strain = 0.001 + 0.1 * (1.0 + bytes.fraction()),
+  const SuggestOptions options{.limits = {.max = 0.001 + 0.1 * (1.0 + bytes.fraction())},
                                .max_darts = static_cast<int>(bytes.whole(0, 2)),
                                .trial_vertices = bytes.whole(10, 100)};
   const TriMesh mesh = bytes.whole(0, 3) == 0 ? spindle_from(bytes) : fuzz::mesh_from(bytes);

@@ -66,7 +66,7 @@ TEST(LongRuns, ManyPatchesInOneProcessDoNotGrow) {
     const char* shape = i % 2 == 0 ? "panel" : "dome";
     const auto report =
         flatten(Patch(make_shape(shape, 200 + static_cast<std::size_t>(i % 7) * 50)), shape,
-                {.stopping = Stopping{.max_sweeps = 5}});
+                {.method = Auto{}, .stopping = Stopping{.max_sweeps = 5}});
     ASSERT_TRUE(is_finite(report.processed.mesh()));
   };
   const int patches = is_long() ? 1000 : 30;

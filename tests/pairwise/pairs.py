@@ -37,8 +37,18 @@ VERBS = ("flatten", "unfold")
 USUAL_METHOD = "auto"
 
 # The words of `missed` that are limits and targets.
-ASKED_FOR = {"strain", "p99_strain", "rms_strain", "deviation", "angle", "e_max", "bending", "rejected", "failure"}
-LIMIT_WORDS = {"max": "strain", "p99": "p99_strain", "rms": "rms_strain"}
+LIMIT_WORDS = {
+    "max": "strain",
+    "p99": "p99_strain",
+    "rms": "rms_strain",
+    "max_stretch": "stretch",
+    "p99_stretch": "p99_stretch",
+    "max_compression": "compression",
+    "p99_compression": "p99_compression",
+}
+ASKED_FOR = {*LIMIT_WORDS.values(), "deviation", "angle", "e_max", "bending", "rejected", "failure"}
+# The kinds of limits of the first material and of the last.
+MATERIAL_LIMITS = {"steel": ["p99"], "leather-lasted": ["max_stretch", "p99_stretch", "p99_compression"]}
 
 
 def load_fingerprint():
@@ -261,15 +271,19 @@ def strain_of(surface, flat, scale=1.0):
     strains = []
     for (v, w), area in edges.items():
         strain = math.dist(flat[0][v], flat[0][w]) / (scale * math.dist(points[v], points[w])) - 1.0
-        strains.append((abs(strain), area))
+        strains.append((strain, area))
     whole = math.fsum(area for _, area in strains)
-    rms = math.sqrt(math.fsum(area * strain * strain for strain, area in strains) / whole)
-    reached, p99 = 0.0, 0.0
-    for strain, area in sorted(strains):
-        reached, p99 = reached + area, strain
-        if reached >= 0.99 * whole:
-            break
-    return {"max": max(strain for strain, _ in strains), "rms": rms, "p99": p99}
+    figures = {"rms": math.sqrt(math.fsum(area * strain * strain for strain, area in strains) / whole)}
+    ways = {"": abs, "_stretch": lambda strain: max(0.0, -strain), "_compression": lambda strain: max(0.0, strain)}
+    for name, part in ways.items():
+        parts = sorted((part(strain), area) for strain, area in strains)
+        reached = 0.0
+        for strain, area in parts:
+            reached += area
+            if reached >= 0.99 * whole:
+                break
+        figures |= {f"max{name}": parts[-1][0], f"p99{name}": strain}
+    return figures
 
 
 def near(a, b):
@@ -285,7 +299,7 @@ def strain_faults(report, again):
     limits = report["limits"]
     for limit in limits:
         reached = again[limit["kind"]]
-        if not near(limit["reached"], reached) and limit["kind"] != "p99":
+        if not near(limit["reached"], reached) and not limit["kind"].startswith("p99"):
             yield f"the limit {limit['kind']} has reached {limit['reached']} in JSON and {reached} in the files"
         if limit["kept"] != (reached <= limit["asked"]) and not near(reached, limit["asked"]):
             yield f"the limit {limit['kind']} of {limit['asked']}: kept is {limit['kept']}, the files have {reached}"
@@ -300,7 +314,7 @@ def asked_limits(row):
     if "--max-rms-strain" in row:
         limits["rms"] = float(row["--max-rms-strain"].rstrip("%")) / 100.0
     if "--material" in row:
-        limits["p99"] = None
+        limits |= dict.fromkeys(MATERIAL_LIMITS[row["--material"]])
     return limits
 
 

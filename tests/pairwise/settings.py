@@ -113,6 +113,7 @@ NEEDS = {
 
 # Settings that the program refuses together. A flag alone stands for all of its values. Each is tried once.
 REFUSED = [
+    "--match-seams + --no-match-seams",
     "--smooth-first + --remesh",
     "--smooth-first + --fix",
     "--pick + --target-e-max",

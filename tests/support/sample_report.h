@@ -71,10 +71,10 @@ inline FlattenReport flatten_report() {
                                             figures.energy * factor, 549, 0.025 * sweep});
   }
   report.unfold = plane_below(report.processed.mesh(), 30.0, 20.0);
-  report.unfold.strain = {0.3187, 0.0761, 0.2143};
+  report.unfold.strain = {0.3187, 0.0761, 0.2143, {}, 0.3187, 0.2143, 0.25, 0.1875};
   report.unfold.pattern.area_ratio = 1.0021;
   report.unfold_before = plane_below(report.input.mesh(), 30.5, 20.5);
-  report.unfold_before.strain = {0.3241, 0.0763, 0.2213};
+  report.unfold_before.strain = {0.3241, 0.0763, 0.2213, {}, 0.3241, 0.2213, 0.25, 0.1875};
   report.unfold_before.pattern.area_ratio = 1.0034;
   report.as_designed = report.unfold_before;
   return report;

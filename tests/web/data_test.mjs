@@ -64,6 +64,12 @@ test('the limit used up is the strain of the edges over the limit', () => {
   assert.deepEqual(figure.beyond, [240, 82, 10]);
 });
 
+test('a limit of stretch and one of compression are used up apart', () => {
+  const used = (limit) => [...unpack({ ...least, limit }).figures.get('limit_used').values[1]];
+  assert.deepEqual(used({ stretch: 0.5, compression: 0.25, beyond: [1, 2, 3] }), [1, 1, 4]);
+  assert.deepEqual(used({ stretch: null, compression: 0.5, beyond: [1, 2, 3] }), [0, 0.5, 2]);
+});
+
 test('lengths are in millimetres whatever the unit of the model', () => {
   const of = (id, value) => ({ id, map: 'pale', limit: 2, values: [null, text(new Float32Array([value]))] });
   const figures = [of('offset', -0.5), of('deviation', 0.5), of('bent', 4), of('curvature', 8), of('strain', 0.25)];

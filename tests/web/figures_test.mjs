@@ -88,6 +88,8 @@ test('what is used up of a limit', () => {
   const figure = named('limit_used', [1, 0.2, 1.6], { asked: 0.05, beyond: [240, 82, 10] });
   assert.deepEqual(textsOf(figure), ['100 %', '20 %', '160 %, beyond the limit']);
   assert.deepEqual(labelsOf(figure, figure.limit, 'mm'), ['0', '50 % used up', '100 %, limit of 5 %']);
+  const apart = named('limit_used', [1, 0.2, 1.6], { beyond: [240, 82, 10] });
+  assert.deepEqual(labelsOf(apart, apart.limit, 'mm'), ['0', '50 % used up', '100 %, the limit']);
 });
 
 test('what became of the form stands first, terms of the paper last', () => {

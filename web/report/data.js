@@ -13,8 +13,11 @@
  */
 
 /**
+ * One limit, or those of stretch and of compression; null where one of these has none.
  * @typedef {object} PackedLimit
- * @property {number} asked
+ * @property {number} [asked]
+ * @property {number | null} [stretch]
+ * @property {number | null} [compression]
  * @property {[number, number, number]} beyond
  */
 
@@ -115,8 +118,10 @@ function inMillimetres(figure, unit) {
  * @param {Figure} edgeStrain
  * @returns {Figure}
  */
-function limitUsed({ asked, beyond }, edgeStrain) {
-  const values = edgeStrain.values.map((strains) => strains && strains.map((strain) => Math.abs(strain) / asked));
+function limitUsed({ asked, stretch = asked, compression = asked, beyond }, edgeStrain) {
+  const share = (/** @type {number} */ strain) =>
+    Math.abs(strain) / ((strain < 0 ? stretch : compression) ?? Number.POSITIVE_INFINITY);
+  const values = edgeStrain.values.map((strains) => strains && strains.map(share));
   return { id: 'limit_used', map: 'pale', limit: 1, values, asked, beyond };
 }
 

@@ -8,7 +8,8 @@
  * @property {number} limit |value| at which colours end, above 0
  * @property {(Float32Array | null)[]} values of each state one for each vertex, NaN where nothing is
  *   measured; null where the state has none
- * @property {number} [asked] the limit of strain, where the figure is what is used up of it
+ * @property {number} [asked] the limit of strain, where the figure is what is used up of it and there
+ *   is one for both ways
  * @property {import('./color_scale.js').Color} [beyond] the colour of what is beyond the limit
  */
 
@@ -110,6 +111,11 @@ function strainEnds(limit) {
 /** Values are of 32 bits, and what keeps a limit exactly must not seem to be beyond it. */
 export const rounding = 1e-6;
 
+/** @param {number} share */
+function percent(share) {
+  return `${Number((100 * share).toPrecision(6))} %`;
+}
+
 /** @param {number} value share of the limit that is used up */
 function limitText(value) {
   return `${written(100 * value, 2)} %${value > 1 + rounding ? ', beyond the limit' : ''}`;
@@ -123,7 +129,7 @@ const words = {
     isSigned: false,
     isFixed: true,
     text: limitText,
-    ends: (_, __, asked) => ['0', '50 % used up', `100 %, limit of ${Number((100 * asked).toPrecision(6))} %`],
+    ends: (_, __, asked) => ['0', '50 % used up', asked > 0 ? `100 %, limit of ${percent(asked)}` : '100 %, the limit'],
   },
   defect: {
     name: 'Dome or saddle',

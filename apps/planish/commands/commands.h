@@ -16,6 +16,7 @@ Command suggest_cuts_command();
 Command carry_command();
 Command convert_command();
 Command sample_command();
+Command materials_command();
 Command describe_command();
 Command completion_command();
 Command man_command();

@@ -96,7 +96,7 @@ ProductJob product_job(const FlattenRequest& request, ProductInput input,
                  .is_batch = input.is_batch,
                  .seams = std::move(input.seams),
                  .folder = request.folder,
-                 .options = {request.options, seam_tolerance_from(arguments)},
+                 .options = product_options_from(arguments, request.options),
                  .annotations = {},
                  .paths = {},
                  .files_of = {},
@@ -236,6 +236,7 @@ FlattenOptions flatten_options_from(const Arguments& arguments) {
   const Method method = method_from(arguments, Auto{});
   refuse_unsupported_constraints(arguments, method);
   const auto* as_needed = std::get_if<Auto>(&method);
+  matches_seams_of_product(arguments);  // refuses what contradicts itself
   return picked({.method = asks_to_evolve(arguments) ? std::optional(method) : std::nullopt,
                  .as_needed = as_needed != nullptr ? *as_needed : Auto{},
                  .stopping = stopping_from(arguments, method),
@@ -246,7 +247,7 @@ FlattenOptions flatten_options_from(const Arguments& arguments) {
                  .fold = fold_ends_from(arguments),
                  .least_stretch = arguments.has("--least-stretch"),
                  .limits = limits_from(arguments),
-                 .material = material_from(arguments),
+                 .material = material_name_from(arguments),
                  .ways = true},
                 arguments);
 }
@@ -261,6 +262,7 @@ Command flatten_command() {
         remesh_flag(),
         smooth_first_flag(),
         match_seams_flag(),
+        no_match_seams_flag(),
         least_stretch_flag(),
         pick_flag(),
         formats_flag(),

@@ -60,7 +60,7 @@ FlagGroup frontier_flags() {
 
 /// The limit that --max-strain or --material names.
 std::optional<double> limit_from(const Arguments& arguments) {
-  if (arguments.has("--material")) return strain_of_material(arguments);
+  if (arguments.has("--material")) return one_limit_of_material(arguments);
   if (!arguments.has("--max-strain")) return std::nullopt;
   const double limit = quantity_value("--max-strain", arguments.flags.at("--max-strain"),
                                       Quantity::share, {0.0, 1.0}, arguments);

@@ -91,10 +91,7 @@ CommandResult run_suggest_cuts(const Arguments& arguments, Session& session) {
 
 SuggestOptions suggest_options_from(const Arguments& arguments) {
   SuggestOptions options;
-  const StrainLimits limits = limits_from(arguments);
-  options.limit_of_area = limits.p99 > 0.0;
-  if (limits.max > 0.0 || options.limit_of_area)
-    options.max_strain = options.limit_of_area ? limits.p99 : limits.max;
+  if (const StrainLimits limits = limits_from(arguments); limits.any()) options.limits = limits;
   options.max_darts = whole_number_of(
       "--max-cuts", arguments.value_or("--max-cuts", std::to_string(options.max_darts)), k_darts);
   return options;

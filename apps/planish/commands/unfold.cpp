@@ -222,7 +222,7 @@ Command unfold_command() {
       "unfold",
       "lay a patch flat as it is",
       "INPUT ... -o OUTPUT",
-      "Lays a patch flat with the least stretch and no flipped triangle. With a limit of "
+      "Lays a patch flat with its stretch spread and no flipped triangle. With a limit of "
       "strain, finds the pattern of least stretch that keeps it; if none does, writes the closest "
       "one and ends with exit code 3. The patch must be a topological disk: one piece, one border, "
       "no handle. "

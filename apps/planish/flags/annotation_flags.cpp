@@ -107,10 +107,9 @@ PieceLabel label_from(const Arguments& arguments) {
   return label;
 }
 
-/// Where seams are to match, lengths are kept so well that both sides stay within 0.01 mm.
 LineFit line_fit_from(const Arguments& arguments) {
   LineFit fit;
-  if (arguments.has("--match-seams")) fit.length_tolerance = 0.003;
+  if (arguments.has("--match-seams")) fit.length_tolerance = k_length_tolerance_of_seams;
   if (!arguments.has("--curve-tolerance")) return fit;
   fit.tolerance = millimetres_per(unit_from(arguments)) *
                   quantity_value("--curve-tolerance", arguments.flags.at("--curve-tolerance"),

@@ -11,6 +11,10 @@
 
 namespace planish::cli {
 
+/// Where seams match, curves keep lengths so well that both sides stay within 0.01 mm: as LineFit
+/// has it, millimetres.
+inline constexpr double k_length_tolerance_of_seams = 0.003;
+
 /// Allowance, notches, grain, marks and labels, for verbs that write patterns.
 FlagGroup annotation_flags();
 

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <planish/unfold/material_fit.h>
+
 #include "flags/material_flag.h"
 #include "flags/quantities.h"
 #include "flatten/strain_limit_text.h"
@@ -45,7 +47,7 @@ std::vector<Flag> limit_flags() {
 
 StrainLimits limits_from(const Arguments& arguments) {
   StrainLimits limits;
-  if (arguments.has("--material")) limits.p99 = strain_of_material(arguments);
+  if (const auto material = material_from(arguments)) limits = limits_of(*material);
   if (arguments.has("--max-strain")) {
     std::string text = arguments.flags.at("--max-strain");
     const std::size_t at = text.find('@');

@@ -12,7 +12,8 @@ namespace planish::cli {
 /// --max-strain, --material and --max-rms-strain, of verbs that lay a patch flat as it is.
 std::vector<Flag> limit_flags();
 
-/// What they say: --max-strain 5% is for every edge, 5%@p99 and --material for 99 % of the area.
+/// What they say: --max-strain 5% is for every edge, 5%@p99 for 99 % of the area, --material what
+/// the material takes.
 /// @throws UsageError where one is no share of length above 0, or --material and --max-strain are
 /// both there
 StrainLimits limits_from(const Arguments& arguments);

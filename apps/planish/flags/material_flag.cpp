@@ -1,63 +1,62 @@
 #include "flags/material_flag.h"
 
-#include <planish/measure/material.h>
+#include <planish/unfold/material_fit.h>
 
+#include "model/material_file.h"
 #include "shell/failures.h"
 #include "shell/values.h"
 
 namespace planish::cli {
 
-namespace {
-
-std::vector<std::string> material_names() {
-  std::vector<std::string> names;
-  for (const Material& material : materials())
-    names.emplace_back(material.name);
-  return names;
-}
-
-std::vector<std::string> names_with_strains() {
-  std::vector<std::string> names;
-  for (const Material& material : materials())
-    names.push_back(std::string(material.name) + " " + shortest(100.0 * material.max_strain) + "%");
-  return names;
-}
-
-}  // namespace
-
 Flag material_flag() {
   return {"--material",
           "NAME",
-          "instead of --max-strain: the strain that this material takes, " +
-              list_of(names_with_strains()),
+          "instead of --max-strain: what this material takes, " + list_of(material_names()) +
+              ", or that of a .json file of your own; planish materials tells how much that is",
           0,
           false,
-          {.choices = material_names()}};
+          {.choices = material_names(), .extensions = {"json"}}};
 }
 
-std::string material_from(const Arguments& arguments) {
-  if (!arguments.has("--material")) return {};
-  const std::string& name = arguments.flags.at("--material");
-  if (!name.empty() && name.find_first_not_of("0123456789.,%") == std::string::npos) {
-    throw UsageError("--material is " + name + " but must be a name, " + list_of(material_names()) +
-                     "; for another strain give --max-strain " + name + ", or --max-strain " +
-                     name + "@p99 for 99 % of the area as with a material");
-  }
-  try {
-    return known_name("material", name, material_names());
-  } catch (const UsageError& error) {
-    throw UsageError(std::string(error.what()) +
-                     "; for another one give its strain, as --max-strain 0.5%@p99; plywood, card "
-                     "and sheet metal hardly stretch: begin with steel");
-  }
+Material material_of_word(const std::string& word) {
+  if (is_material_file(word)) return read_material_file(word);
+  return material_named(known_name("material", word, material_names()));
 }
 
-double strain_of_material(const Arguments& arguments) {
+std::optional<Material> material_from(const Arguments& arguments) {
+  if (!arguments.has("--material")) return std::nullopt;
   if (arguments.has("--max-strain")) {
     throw UsageError(
         "--material and --max-strain both say what strain is allowed: give one of them");
   }
-  return material_named(material_from(arguments)).max_strain;
+  const std::string& word = arguments.flags.at("--material");
+  if (!word.empty() && word.find_first_not_of("0123456789.,%") == std::string::npos) {
+    throw UsageError("--material is " + word + " but must be a name, " + list_of(material_names()) +
+                     "; for another strain give --max-strain " + word + ", or --max-strain " +
+                     word + "@p99 for 99 % of the area as with a material");
+  }
+  try {
+    return material_of_word(word);
+  } catch (const UsageError& error) {
+    throw UsageError(std::string(error.what()) +
+                     "; for another one give its strain, as --max-strain 0.5%@p99, or a .json file "
+                     "(docs/materials.md); plywood and card hardly stretch: begin with steel");
+  }
+}
+
+std::string material_name_from(const Arguments& arguments) {
+  const auto material = material_from(arguments);
+  return material ? material->name : "";
+}
+
+double one_limit_of_material(const Arguments& arguments) {
+  const Material material = material_from(arguments).value();
+  const StrainLimits limits = limits_of(material);
+  if (limits != StrainLimits{.p99 = limits.p99}) {
+    throw UsageError("--material " + material.name +
+                     " has more limits than one, and the curve marks one: give --max-strain");
+  }
+  return limits.p99;
 }
 
 }  // namespace planish::cli

@@ -111,7 +111,7 @@ struct OptionSetter {
     const std::string flag = flag_name(name);
     if (name == k_strain_option) {
       const StrainLimits limits = limits_from(arguments);
-      value = std::max({value, limits.max, limits.p99});
+      value = std::max(value, limits.both_ways());
     } else if (const std::string* text = text_of(flag)) {
       value = quantity_value(flag, *text, quantity_of(name), range, arguments);
     }

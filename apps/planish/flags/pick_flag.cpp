@@ -78,7 +78,12 @@ void note_idle_evolve_flags(Session& session, const Arguments& arguments) {
     }
   }
   if (idle.empty()) return;
-  session.note(list_of(idle) + (idle.size() == 1 ? " says" : " say") +
+  std::sort(idle.begin(), idle.end());
+  idle.erase(std::unique(idle.begin(), idle.end()), idle.end());
+  std::string names = idle.front();
+  for (std::size_t k = 1; k < idle.size(); ++k)
+    names += (k + 1 < idle.size() ? ", " : " and ") + idle[k];
+  session.note(names + (idle.size() == 1 ? " says" : " say") +
                " how to change the form, but nothing asks for a change: the surface stays as it "
                "is. --pick 5 takes nearly all stretch out; --max-rms-strain and --material set a "
                "limit");

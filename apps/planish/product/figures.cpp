@@ -19,6 +19,10 @@ void list(EdgeStrain& strain, const Visit& visit) {
   visit("rms", strain.rms);
   visit("p99", strain.p99);
   visit("worst_edge", strain.worst_edge);
+  visit("max_stretch", strain.max_stretch);
+  visit("p99_stretch", strain.p99_stretch);
+  visit("max_compression", strain.max_compression);
+  visit("p99_compression", strain.p99_compression);
 }
 
 template <class Visit>
@@ -68,6 +72,7 @@ void list(Pattern& pattern, const Visit& visit) {
   visit("iterations", pattern.iterations);
   visit("converged", pattern.converged);
   visit("opened", pattern.opened);
+  visit("unmatchable", pattern.is_unmatchable);
 }
 
 template <class Visit>
@@ -125,7 +130,7 @@ constexpr StopReason last_of(StopReason) {
   return StopReason::design_kept;
 }
 constexpr StrainLimitKind last_of(StrainLimitKind) {
-  return StrainLimitKind::rms;
+  return StrainLimitKind::p99_compression;
 }
 constexpr Criterion last_of(Criterion) {
   return Criterion::flipped_triangles;

@@ -9,6 +9,8 @@
 #include <planish/report/html_report.h>
 #include <planish/sheet/product_sheet.h>
 
+#include "flags/annotation_flags.h"
+#include "flags/match_seams_flag.h"
 #include "output/open_page.h"
 #include "output/pattern_notes.h"
 #include "platform/path.h"
@@ -62,7 +64,8 @@ class ProductRun {
   void flatten() {
     report_ = flatten_product(
         job_.patches, job_.options,
-        {.earlier = [this](std::size_t p, const PatchTwin* twin) { return kept(p, twin); },
+        {.earlier = [this](std::size_t p, const PatchTwin* twin,
+                           const SewnBorder& border) { return kept(p, twin, border); },
          .on_report = [this](std::size_t p, const FlattenReport& report,
                              const PatchTwin* twin) { make_files(p, report, twin); },
          .on_done = [this](std::size_t p, PatchResult& result) { take(p, result); }},
@@ -209,10 +212,11 @@ class ProductRun {
                         job_.output);
   }
 
-  std::optional<FinishedPatch> kept(std::size_t p, const PatchTwin* twin) {
+  std::optional<FinishedPatch> kept(std::size_t p, const PatchTwin* twin,
+                                    const SewnBorder& border) {
     const ProductPatch* other = twin ? &job_.patches[twin->patch] : nullptr;
-    jobs_[p] =
-        job_of(job_.patches[p], job_.places[p].format, job_.annotations[p], arguments_, other);
+    jobs_[p] = job_of(job_.patches[p], job_.places[p].format, job_.annotations[p], border,
+                      arguments_, other);
     if (!arguments_.has("--resume")) return std::nullopt;
     return finished_results(jobs_[p], folder_of(p));
   }
@@ -360,8 +364,16 @@ std::vector<PatternOptions> annotations_of_patches(const PatternOptions& annotat
     groups.push_back(patch.group);
   }
   std::vector<std::vector<Notch>> notches = notches_on_seams(arguments, meshes, names);
-  std::vector<std::vector<SeamNumber>> numbers = numbers_of_seams(arguments, meshes, groups);
+  const std::vector<Seam> seams =
+      find_seams_in_groups(meshes, groups, seam_tolerance_from(arguments));
+  std::vector<std::vector<SeamNumber>> numbers = numbers_of_seams(arguments, seams, meshes);
   std::vector<PatternOptions> result(patches.size(), annotations);
+  if (matches_seams_of_product(arguments)) {
+    for (const Seam& seam : seams) {
+      for (const SeamSide& side : seam.sides)
+        result[side.patch].curves.length_tolerance = k_length_tolerance_of_seams;
+    }
+  }
   for (std::size_t p = 0; p < patches.size(); ++p) {
     PieceLabel& label = result[p].label;
     label.name = names[p];

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include <planish/measure/material.h>
 #include <planish/mesh/repair.h>
+#include <planish/unfold/material_fit.h>
 
 #include "mesh/split.h"
 #include "model/model_flags.h"
@@ -207,10 +207,9 @@ AllPieces pieces_of(const RequestedPiece& piece, const std::vector<std::string>&
 /// What a product file says of a piece besides its form.
 ProductPatch with_words(ProductPatch patch, const RequestedPiece& piece) {
   const int all = piece.quantity.value_or(piece.mirrored ? 2 : 0);
-  patch.words.material = piece.material.value_or("");
+  patch.words.material = piece.material ? piece.material->name : "";
   patch.words.quantity = piece.mirrored ? all / 2 : all;
-  if (piece.material)
-    patch.limits = StrainLimits{.p99 = material_named(*piece.material).max_strain};
+  if (piece.material) patch.limits = limits_of(*piece.material);
   return patch;
 }
 

@@ -2,19 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
-#include <span>
-#include <string_view>
-#include <system_error>
 
 #include <planish/core/error.h>
 #include <planish/measure/material.h>
 
-#include <planish_json/json.h>
-
 #include "flags/units.h"
+#include "model/json_file.h"
+#include "model/material_file.h"
 #include "platform/path.h"
 #include "shell/file_name.h"
 #include "shell/values.h"
@@ -25,77 +20,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t k_largest_file = 4'000'000;  // bytes
 constexpr long long k_most_pieces_to_cut = 1'000'000;
 
-/// What is wrong, and where: "pieces[1]: ...".
-[[noreturn]] void refuse(const std::string& where, const std::string& what) {
-  throw Error(ErrorCode::malformed_file, where + ": " + what);
+/// One of materials(), or one of its own file, which is relative to the folder.
+std::optional<Material> material_of(const JsonEntry& entry, const fs::path& folder) {
+  const auto word = entry.text("material");
+  if (!word) return std::nullopt;
+  if (is_material_file(*word)) return read_material_file(utf8_of(folder / path_of(*word)));
+  const std::vector<std::string> names = material_names();
+  if (std::find(names.begin(), names.end(), *word) == names.end()) {
+    refuse(entry.where("material"),
+           "is \"" + *word + "\" but must be " + list_of(names) + ", or a .json file of your own");
+  }
+  return material_named(*word);
 }
 
-std::vector<std::string> names_of_materials() {
-  std::vector<std::string> names;
-  for (const Material& material : materials())
-    names.emplace_back(material.name);
-  return names;
-}
-
-/// An object of the file, with its place there.
-class Entry {
- public:
-  /// @throws Error for what is no object, and for a key that is none of those
-  Entry(const Json& json, std::string where, std::span<const std::string> keys)
-      : json_(json), where_(std::move(where)) {
-    if (!json.is_object()) refuse(where_, "must be an object: {...}");
-    for (const auto& [key, value] : json.items()) {
-      if (std::find(keys.begin(), keys.end(), key) == keys.end())
-        refuse(where_, "unknown key \"" + key + "\"; known are " + list_of(keys));
-    }
-  }
-
-  const std::string& where() const { return where_; }
-  std::string where(std::string_view key) const { return where_ + "." + std::string(key); }
-
-  const Json* find(std::string_view key) const {
-    const auto found = json_.find(std::string(key));
-    return found == json_.end() ? nullptr : &*found;
-  }
-
-  /// Not empty.
-  std::optional<std::string> text(std::string_view key) const {
-    const Json* value = find(key);
-    if (value == nullptr) return std::nullopt;
-    if (!value->is_string() || value->get<std::string>().empty())
-      refuse(where(key), "must be a text in quotes");
-    return value->get<std::string>();
-  }
-
-  std::string required_text(std::string_view key) const {
-    const auto value = text(key);
-    if (!value) refuse(where_, "needs \"" + std::string(key) + "\"");
-    return *value;
-  }
-
-  bool yes(std::string_view key) const {
-    const Json* value = find(key);
-    if (value == nullptr) return false;
-    if (!value->is_boolean()) refuse(where(key), "must be true or false");
-    return value->get<bool>();
-  }
-
- private:
-  const Json& json_;
-  std::string where_;
-};
-
-std::string known(const Entry& entry, std::string_view key, const std::string& value,
-                  std::span<const std::string> names) {
-  if (std::find(names.begin(), names.end(), value) == names.end())
-    refuse(entry.where(key), "is \"" + value + "\" but must be " + list_of(names));
-  return value;
-}
-
-std::optional<int> quantity_of(const Entry& entry) {
+std::optional<int> quantity_of(const JsonEntry& entry) {
   const Json* value = entry.find("quantity");
   if (value == nullptr) return std::nullopt;
   const bool is_count = value->is_number_unsigned() && value->get<unsigned long long>() >= 1 &&
@@ -107,7 +47,7 @@ std::optional<int> quantity_of(const Entry& entry) {
   return value->get<int>();
 }
 
-std::optional<Unit> unit_of(const Entry& entry) {
+std::optional<Unit> unit_of(const JsonEntry& entry) {
   const auto word = entry.text("unit");
   if (!word) return std::nullopt;
   const auto unit = unit_of_word(*word);
@@ -118,14 +58,13 @@ std::optional<Unit> unit_of(const Entry& entry) {
 RequestedPiece piece_of(const Json& json, const std::string& where, const fs::path& folder) {
   static const std::vector<std::string> keys = {"file",     "name",     "material",
                                                 "quantity", "mirrored", "unit"};
-  const Entry entry(json, where, keys);
+  const JsonEntry entry(json, where, keys);
   RequestedPiece piece{.file = utf8_of(folder / path_of(entry.required_text("file"))),
                        .name = entry.text("name"),
-                       .material = entry.text("material"),
+                       .material = material_of(entry, folder),
                        .unit = unit_of(entry),
                        .quantity = quantity_of(entry),
                        .mirrored = entry.yes("mirrored")};
-  if (piece.material) known(entry, "material", *piece.material, names_of_materials());
   if (piece.mirrored && piece.quantity.value_or(2) % 2 != 0)
     refuse(entry.where("quantity"), "must be even where half of the pieces are mirrored");
   return piece;
@@ -133,7 +72,7 @@ RequestedPiece piece_of(const Json& json, const std::string& where, const fs::pa
 
 NamedSeam seam_of(const Json& json, const std::string& where) {
   static const std::vector<std::string> keys = {"name", "between"};
-  const Entry entry(json, where, keys);
+  const JsonEntry entry(json, where, keys);
   NamedSeam seam{entry.required_text("name"), {}};
   const Json* between = entry.find("between");
   const bool are_two = between != nullptr && between->is_array() && between->size() == 2 &&
@@ -143,7 +82,7 @@ NamedSeam seam_of(const Json& json, const std::string& where) {
   return seam;
 }
 
-const Json& list_in(const Entry& entry, std::string_view key) {
+const Json& list_in(const JsonEntry& entry, std::string_view key) {
   static const Json none = Json::array();
   const Json* list = entry.find(key);
   if (list == nullptr) return none;
@@ -166,7 +105,7 @@ void refuse_equal_names(const std::vector<RequestedPiece>& pieces) {
 
 ProductFile product_of(const Json& json, const fs::path& folder) {
   static const std::vector<std::string> keys = {"pieces", "seams"};
-  const Entry entry(json, "product", keys);
+  const JsonEntry entry(json, "product", keys);
   const Json& pieces = list_in(entry, "pieces");
   const Json& seams = list_in(entry, "seams");
   if (pieces.empty()) refuse("pieces", "must list at least one piece");
@@ -179,17 +118,6 @@ ProductFile product_of(const Json& json, const fs::path& folder) {
   return product;
 }
 
-std::string content_of(const std::string& path) {
-  std::error_code failure;
-  const std::uintmax_t size = fs::file_size(path_of(path), failure);
-  if (failure) throw Error(ErrorCode::file_unreadable, failure.message());
-  if (size > k_largest_file) throw Error(ErrorCode::too_large, "a product file has at most 4 MB");
-  std::ifstream file(path_of(path), std::ios::binary);
-  std::string content{std::istreambuf_iterator<char>(file), {}};
-  if (!file && !file.eof()) throw Error(ErrorCode::file_unreadable, "cannot be read");
-  return content;
-}
-
 }  // namespace
 
 bool is_product_file(const std::string& path) {
@@ -197,11 +125,12 @@ bool is_product_file(const std::string& path) {
 }
 
 ProductFile read_product_file(const std::string& path) try {
-  const Json json = parse_shallow(content_of(path));
-  if (json.is_discarded()) throw Error(ErrorCode::malformed_file, "is no JSON");
-  return product_of(json, path_of(path).parent_path());
+  return product_of(read_json_file(path, "a product file"), path_of(path).parent_path());
 } catch (const Error& error) {
-  throw Error(error.code(), error.message(), {.path = path});
+  // Of a material file the place is there already.
+  ErrorPlace place = error.place();
+  if (place.path.empty()) place.path = path;
+  throw Error(error.code(), error.message(), place);
 }
 
 }  // namespace planish::cli

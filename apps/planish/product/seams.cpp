@@ -8,6 +8,7 @@
 #include <planish/pattern/read_annotations.h>
 
 #include "flags/annotation_flags.h"
+#include "flags/match_seams_flag.h"
 #include "flags/quantities.h"
 #include "flags/units.h"
 #include "platform/path.h"
@@ -22,6 +23,12 @@ double seam_tolerance_from(const Arguments& arguments) {
   if (!arguments.has("--seam-tolerance")) return 0.0;
   return quantity_value("--seam-tolerance", arguments.flags.at("--seam-tolerance"),
                         Quantity::length, {.min = 0.0}, arguments);
+}
+
+ProductOptions product_options_from(const Arguments& arguments, FlattenOptions flatten) {
+  return {.flatten = std::move(flatten),
+          .seam_tolerance = seam_tolerance_from(arguments),
+          .match_seams = matches_seams_of_product(arguments)};
 }
 
 std::vector<SeamNotch> seam_notches_from(const Arguments& arguments) {
@@ -58,12 +65,12 @@ Index middle_vertex(const SeamSide& side, std::span<const Vec3> positions, doubl
 }  // namespace
 
 std::vector<std::vector<SeamNumber>> numbers_of_seams(const Arguments& arguments,
-                                                      std::span<const TriMesh> meshes,
-                                                      std::span<const std::size_t> groups) {
+                                                      std::span<const Seam> seams,
+                                                      std::span<const TriMesh> meshes) {
   const double least = 15.0 / millimetres_per(unit_from(arguments));
   std::vector<std::vector<SeamNumber>> numbers(meshes.size());
   int number = 0;
-  for (const Seam& seam : find_seams_in_groups(meshes, groups, seam_tolerance_from(arguments))) {
+  for (const Seam& seam : seams) {
     ++number;
     for (const SeamSide& side : seam.sides) {
       const std::vector<Vec3>& positions = meshes[side.patch].positions;
@@ -101,8 +108,10 @@ PatternOptions annotations_on(PatternOptions annotations, const Arguments& argum
                               const Patch& patch, const std::string& name, Session& session) {
   annotations = with_drawn_annotations(std::move(annotations), arguments, patch, session);
   if (meets_itself(patch)) {
-    const std::size_t group = 0;
-    annotations.seam_numbers = numbers_of_seams(arguments, {&patch.mesh(), 1}, {&group, 1}).front();
+    const std::span<const TriMesh> alone(&patch.mesh(), 1);
+    annotations.seam_numbers =
+        numbers_of_seams(arguments, find_sound_seams(alone, seam_tolerance_from(arguments)), alone)
+            .front();
   }
   const bool seams = arguments.has("--seam-notches");
   if (named_vertices(annotations).empty() && annotations.notches.empty() && !seams)

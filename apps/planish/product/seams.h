@@ -21,6 +21,10 @@ namespace planish::cli {
 /// --seam-tolerance, model units; 0 without.
 double seam_tolerance_from(const Arguments& arguments);
 
+/// How a product is made whose patches are flattened so.
+/// @throws UsageError
+ProductOptions product_options_from(const Arguments& arguments, FlattenOptions flatten);
+
 /// What the file of --seam-notches asks for; nothing without that flag.
 /// @throws Error as read_seam_notches()
 std::vector<SeamNotch> seam_notches_from(const Arguments& arguments);
@@ -33,9 +37,10 @@ std::vector<std::vector<Notch>> notches_on_seams(const Arguments& arguments,
 
 /// Of each patch where the numbers of its seams are written: at the middle of each side that is at
 /// least 15 mm long.
+/// @param seams of the meshes
 std::vector<std::vector<SeamNumber>> numbers_of_seams(const Arguments& arguments,
-                                                      std::span<const TriMesh> meshes,
-                                                      std::span<const std::size_t> groups);
+                                                      std::span<const Seam> seams,
+                                                      std::span<const TriMesh> meshes);
 
 /// Seams with the names that a product file gives them: those between two pieces in the order of
 /// their numbers. A note says which names are left over.

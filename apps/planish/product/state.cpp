@@ -15,8 +15,11 @@
 #include <planish_json/json.h>
 
 #include "core/fnv_hash.h"
+#include "flags/limit_flags.h"
+#include "flags/material_flag.h"
 #include "platform/path.h"
 #include "product/figures.h"
+#include "shell/values.h"
 
 namespace planish::cli {
 
@@ -26,8 +29,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* k_job_file = "job.json";
 
-/// Flags that do not change the results of a patch. Those of seams act through its notches, which
-/// are compared on their own.
+/// Flags that do not change the results of a patch. Those of seams act through its notches and what
+/// is sewn, which are compared on their own.
 constexpr std::array<std::string_view, 14> k_idle_flags = {
     "--output",         "--threads",      "--quiet",    "--json",        "--resume",
     "--require-target", "--sheet",        "--nest-gap", "--nest-margin", "--turn",
@@ -56,6 +59,14 @@ std::string hash_of(const TriMesh& mesh) {
   return hash_text(hash.value());
 }
 
+std::string hash_of(const SewnBorder& border) {
+  FnvHash hash;
+  add_value(hash, border.has_seams);
+  for (const std::array<Index, 2>& edge : border.free_edges)
+    add_value(hash, edge);
+  return hash_text(hash.value());
+}
+
 Json to_json(const std::vector<Notch>& notches) {
   Json list = Json::array();
   for (const Notch& notch : notches) {
@@ -81,6 +92,7 @@ Json to_json(const PatchJob& job) {
                {"name", job.name},
                {"format", to_string(job.format)},
                {"mesh", job.mesh},
+               {"border", job.border},
                {"notches", to_json(job.notches)},
                {"seam_numbers", to_json(job.seam_numbers)},
                {"flags", std::move(flags)}};
@@ -90,6 +102,16 @@ Json to_json(const PatchJob& job) {
 
 std::string text_of(const Json& json) {
   return json_text(json) + "\n";
+}
+
+std::string text_of(const StrainLimits& limits) {
+  std::string text;
+  for (const StrainLimitKind kind : k_strain_limit_kinds) {
+    if (limits.of(kind) == 0.0) continue;
+    text +=
+        (text.empty() ? "" : ", ") + std::string(to_string(kind)) + " " + shortest(limits.of(kind));
+  }
+  return text;
 }
 
 std::optional<std::string> content_of(const fs::path& path) {
@@ -139,9 +161,10 @@ std::optional<MeshFormat> format_among(const Json& files) {
 }  // namespace
 
 PatchJob job_of(const ProductPatch& patch, MeshFormat format, const PatternOptions& annotations,
-                const Arguments& arguments, const ProductPatch* twin_of) {
-  PatchJob job{patch.name, format, hash_of(patch.mesh), annotations.notches,
-               annotations.seam_numbers};
+                const SewnBorder& border, const Arguments& arguments, const ProductPatch* twin_of) {
+  PatchJob job{patch.name,          format,
+               hash_of(patch.mesh), hash_of(border),
+               annotations.notches, annotations.seam_numbers};
   for (const auto& [flag, value] : arguments.flags) {
     if (std::find(k_idle_flags.begin(), k_idle_flags.end(), flag) == k_idle_flags.end()) {
       job.flags[flag] = value;
@@ -151,6 +174,12 @@ PatchJob job_of(const ProductPatch& patch, MeshFormat format, const PatternOptio
     job.flags["--unit"] = to_string(*arguments.stated_unit);
   // What a product file says. No flag is called so.
   if (!patch.words.material.empty()) job.flags["material"] = patch.words.material;
+  if (patch.limits) job.flags["limits"] = text_of(*patch.limits);
+  // What a file of a material says now, wherever it lies.
+  if (arguments.has("--material")) {
+    job.flags["--material"] = material_name_from(arguments);
+    job.flags["limits"] = text_of(patch.limits.value_or(limits_from(arguments)));
+  }
   if (patch.words.quantity > 0) job.flags["quantity"] = std::to_string(patch.words.quantity);
   if (twin_of != nullptr) job.twin_of = {twin_of->name, hash_of(twin_of->mesh)};
   return job;

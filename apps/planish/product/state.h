@@ -19,7 +19,8 @@ namespace planish::cli {
 struct PatchJob {
   std::string name;
   MeshFormat format = MeshFormat::obj;
-  std::string mesh;  ///< a hash of it
+  std::string mesh;    ///< a hash of it
+  std::string border;  ///< a hash of what of it is sewn
   std::vector<Notch> notches = {};
   std::vector<SeamNumber> seam_numbers = {};
   std::map<std::string, std::string, std::less<>> flags = {};  ///< that results depend on
@@ -31,7 +32,8 @@ struct PatchJob {
 };
 
 PatchJob job_of(const ProductPatch& patch, MeshFormat format, const PatternOptions& annotations,
-                const Arguments& arguments, const ProductPatch* twin_of = nullptr);
+                const SewnBorder& border, const Arguments& arguments,
+                const ProductPatch* twin_of = nullptr);
 
 /// The job.json that says that these files are the results of the job, with the figures that the
 /// product as a whole needs.

@@ -90,19 +90,20 @@ std::string near_text(const ProductReport& report) {
 
 namespace {
 
-/// How to have sides of one length, where they are not and it was not asked for.
+/// How to have sides of one length, where they are not as that was not wanted.
 std::string matching_advice(const ProductReport& report) {
   constexpr double k_notable = 1.0;  // millimetres
   const bool is_matched =
       std::any_of(report.patches.begin(), report.patches.end(), [](const PatchResult& patch) {
-        return patch.finished && patch.finished->unfold.unmatched_strain;
+        return patch.finished && (patch.finished->unfold.unmatched_strain ||
+                                  patch.finished->unfold.pattern.is_unmatchable);
       });
   double most = 0.0;
   for (const MeasuredSeam& seam : report.seams)
     most = std::max(most, seam.difference().value_or(0.0));
   if (is_matched || most < k_notable) return {};
   return "Sides of a seam differ by up to " + fixed(most, 1) +
-         " mm; --match-seams makes them as long as on the model.\n";
+         " mm; without --no-match-seams they are as long as on the model.\n";
 }
 
 }  // namespace
@@ -111,6 +112,11 @@ void note_cautions_and_sizes(Session& session, const ProductReport& report) {
   for (const PatchResult& patch : report.patches) {
     if (!patch.finished) continue;
     const UnfoldReport& unfold = patch.finished->unfold;
+    if (unfold.pattern.is_unmatchable)
+      session.note(
+          patch.name +
+          ": its border cannot keep its lengths in the plane, so its sides of seams may be "
+          "longer or shorter than the other ones; remesh it more evenly, or divide it");
     if (!patch.finished->cautions.empty())
       session.note(patch.name + ": " + patch.finished->cautions);
     if (const auto size = unusual_size_text(unfold.pattern, unfold.unit))

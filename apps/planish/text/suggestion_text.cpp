@@ -43,23 +43,77 @@ std::string why_no_more(SuggestStop stop) {
   return {};
 }
 
+/// What a limit of this kind does to the pattern: "strained", "stretched" or "compressed".
+std::string verb_of(StrainLimitKind kind) {
+  using Kind = StrainLimitKind;
+  if (kind == Kind::max_stretch || kind == Kind::p99_stretch) return "stretched";
+  if (kind == Kind::max_compression || kind == Kind::p99_compression) return "compressed";
+  return "strained";
+}
+
+Json limits_json(const StrainLimits& limits, const EdgeStrain& strain) {
+  Json list = Json::array();
+  for (const StrainLimitKind kind : k_strain_limit_kinds) {
+    const double asked = limits.of(kind), reached = figure_of(strain, kind);
+    if (asked == 0.0) continue;
+    list.push_back({{"kind", to_string(kind)},
+                    {"asked", asked},
+                    {"kept", reached <= asked},
+                    {"reached", reached}});
+  }
+  return list;
+}
+
+/// That of stretch and compression alike; null where they have limits of their own.
+Json one_limit_json(const StrainLimits& limits) {
+  if (limits.p99 > 0.0) return limits.p99;
+  return limits.max > 0.0 ? Json(limits.max) : Json(nullptr);
+}
+
+bool is_of_area(StrainLimitKind kind) {
+  return to_string(kind).starts_with("p99");
+}
+
+std::string kept_words(StrainLimitKind kind, double limit) {
+  return is_of_area(kind)
+             ? "99 % of the pattern's area is " + verb_of(kind) + " by " + percent(limit) +
+                   " at most"
+             : "no edge of the pattern is " + verb_of(kind) + " by more than " + percent(limit);
+}
+
+std::string missed_words(StrainLimitKind kind, double reached) {
+  return is_of_area(kind)
+             ? "99 % of the pattern's area is still " + verb_of(kind) + " by up to " +
+                   percent(reached)
+             : "an edge of the pattern is still " + verb_of(kind) + " by " + percent(reached);
+}
+
+std::string joined_by_and(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    text += (k == 0 ? "" : k + 1 < parts.size() ? ", " : " and ") + parts[k];
+  return text;
+}
+
 std::string ending_text(const CutSuggestion& suggestion, const SuggestOptions& options) {
-  const std::string limit = percent(options.max_strain);
+  const EdgeStrain& strain = suggestion.last.strain;
   if (suggestion.met()) {
     const std::string how = suggestion.last.pattern.overlaps ? "The limit is met: "
                             : suggestion.cuts.empty()        ? "Met without a cut: "
                                                              : "Met with these cuts: ";
-    return how + (options.limit_of_area
-                      ? "99 % of the pattern's area is strained by " + limit + " at most."
-                      : "no edge of the pattern is strained by more than " + limit + ".");
+    std::vector<std::string> kept;
+    for (const StrainLimitKind kind : k_strain_limit_kinds) {
+      if (options.limits.of(kind) > 0.0) kept.push_back(kept_words(kind, options.limits.of(kind)));
+    }
+    return how + joined_by_and(kept) + ".";
   }
-  const EdgeStrain& strain = suggestion.last.strain;
-  const std::string reached =
-      options.limit_of_area
-          ? "99 % of the pattern's area is still strained by up to " + percent(strain.p99)
-          : "an edge of the pattern is still strained by " + percent(strain.max);
-  return "Not met: " + reached + ", the limit is " + limit + "; " + why_no_more(suggestion.stop) +
-         ".";
+  std::vector<std::string> missed;
+  for (const StrainLimitKind kind : k_strain_limit_kinds) {
+    const double limit = options.limits.of(kind), reached = figure_of(strain, kind);
+    if (limit > 0.0 && reached > limit)
+      missed.push_back(missed_words(kind, reached) + ", the limit is " + percent(limit));
+  }
+  return "Not met: " + joined_by_and(missed) + "; " + why_no_more(suggestion.stop) + ".";
 }
 
 /// What to do where the limit is not met or the pattern cannot be cut; empty where all is well.
@@ -83,7 +137,11 @@ std::string way_on(const CutSuggestion& suggestion) {
 }
 
 Json to_json(const EdgeStrain& strain) {
-  return {{"max", strain.max}, {"rms", strain.rms}, {"p99", strain.p99}};
+  return {{"max", strain.max},
+          {"rms", strain.rms},
+          {"p99", strain.p99},
+          {"stretch", {{"max", strain.max_stretch}, {"p99", strain.p99_stretch}}},
+          {"compression", {{"max", strain.max_compression}, {"p99", strain.p99_compression}}}};
 }
 
 Json to_json(const std::optional<EdgeStrain>& strain) {
@@ -128,8 +186,9 @@ std::string suggestion_json(const CutSuggestion& suggestion, const SuggestOption
   }
   const Json object = {{"version", k_version},
                        {"unit", to_string(unit)},
-                       {"max_strain", options.max_strain},
-                       {"limit_of_area", options.limit_of_area},
+                       {"max_strain", one_limit_json(options.limits)},
+                       {"limit_of_area", options.limits.p99 > 0.0},
+                       {"limits", limits_json(options.limits, suggestion.last.strain)},
                        {"met", suggestion.met()},
                        {"stop", to_string(suggestion.stop)},
                        {"divide_at", place_json(suggestion)},

@@ -278,7 +278,7 @@ std::string pattern_lines(const UnfoldReport& report) {
 std::string matching_lines(const UnfoldReport& report) {
   if (!report.unmatched_strain) return {};
   return "  seams       border edges keep their lengths to " + digits(report.border_strain, 2) +
-         "; without that\n              strain would be rms " +
+         "; without that\n              least stretch would be rms " +
          percent(report.unmatched_strain->rms) + ", largest " +
          percent(report.unmatched_strain->max) + "\n";
 }

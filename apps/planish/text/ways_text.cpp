@@ -19,10 +19,10 @@ std::string in_percent(double share) {
 
 std::string flag_of(const Way& way) {
   if (!way.material.empty())
-    return "--material " + way.material + " (" + percent(way.limits.p99) + ")";
+    return "--material " + way.material + " (" + percent(way.limit()) + ")";
   if (way.limits.rms > 0.0) return "--max-rms-strain " + in_percent(way.limits.rms);
   return "--max-strain " +
-         (way.limits.p99 > 0.0 ? in_percent(way.limits.p99) + "@p99" : in_percent(way.limits.max));
+         (way.limits.p99 > 0.0 ? in_percent(way.limit()) + "@p99" : in_percent(way.limits.max));
 }
 
 /// What happens to the form; of a way that does not reach its limit, how near it comes.

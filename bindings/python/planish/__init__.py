@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any, Optional
 
 from . import _core, _meshes
 from ._core import (
@@ -30,6 +30,9 @@ from ._verbs.sample import sample
 from ._verbs.suggest_cuts import suggest_cuts
 from ._verbs.unfold import unfold
 from .errors import Cancelled, Error, FileError, FormatError, MeshError, PatternError, Place, RequestError
+
+if TYPE_CHECKING:
+    from ._types import Path
 
 __version__ = _core.__version__
 
@@ -60,6 +63,7 @@ __all__ = [
     "evolve_sweeps",
     "flatten",
     "flatten_product",
+    "materials",
     "measure",
     "pdf",
     "plt",
@@ -106,3 +110,13 @@ def _add_methods() -> None:
 
 
 _add_methods()
+
+
+def materials(material: Optional[Path] = None) -> list[dict[str, Any]]:
+    """What is known of materials, with the source of each figure, as `planish materials --json` lists it: of all, of
+    one by its name, or of the .json file of your own. Each is what such a file holds."""
+    import json
+    import os
+
+    known: list[dict[str, Any]] = json.loads(_core.materials("" if material is None else os.fspath(material)))["materials"]
+    return known

@@ -3,12 +3,15 @@
 #include <vector>
 
 #include <planish/core/version.h>
+#include <planish/measure/material.h>
 
 #include <pybind11/pybind11.h>
 
 #include "errors.h"
+#include "flags/material_flag.h"
 #include "job.h"
 #include "mesh_data.h"
+#include "model/material_text.h"
 #include "run.h"
 
 namespace planish::python {
@@ -24,6 +27,13 @@ std::string description() {
   return out.str();
 }
 
+/// What `planish materials --json` prints, of all or of the one that the word names.
+std::string materials_text(const std::string& word) {
+  if (word.empty()) return cli::materials_json(materials());
+  const Material material = cli::material_of_word(word);
+  return cli::materials_json({&material, 1});
+}
+
 }  // namespace
 
 }  // namespace planish::python
@@ -33,6 +43,7 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The library of Planish; import planish instead.";
   module.attr("__version__") = planish::k_version;
   module.def("description", description);
+  module.def("materials", materials_text, py::arg("word"));
   py::module_::import("atexit").attr("register")(py::cpp_function(end_jobs));
   register_errors();
   register_mesh(module);

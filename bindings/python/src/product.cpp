@@ -67,7 +67,7 @@ ProductResult flatten_patches(
   ProductResult result = job.run([&](cli::Session& session) {
     const cli::Arguments arguments = with_unit(session);
     const FlattenOptions options = cli::flatten_options_from(arguments);
-    const double tolerance = cli::seam_tolerance_from(arguments);
+    const ProductOptions product = cli::product_options_from(arguments, options);
     cli::colors_from(arguments);
     const cli::PatternFiles pattern = cli::pattern_files_from(arguments);
     Patches input = patches_of(session, arguments);
@@ -82,8 +82,7 @@ ProductResult flatten_patches(
       made.results[p] = std::make_shared<FlattenResult>(
           FlattenResult{report, files_of(pattern, annotations[p], other, twin), arguments});
     };
-    made.report = flatten_product(patches, {options, tolerance}, {.on_report = keep},
-                                  session.job_context({}));
+    made.report = flatten_product(patches, product, {.on_report = keep}, session.job_context({}));
     made.report.seams =
         cli::with_names(std::move(made.report.seams), made.report.patches, input.seams, session);
     cli::note_cautions_and_sizes(session, made.report);

@@ -41,7 +41,8 @@ class Keywords(unittest.TestCase):
         self.assertEqual(set(generate.LEFT_OUT) - flags, set())
 
     def test_product_has_the_flags_of_several_patches(self):
-        given = self.keywords_of("flatten") - set(generate.LEFT_OUT_OF["flatten_product"]) | {"seam_tolerance"}
+        of_products = {"seam_tolerance", "no_match_seams"}
+        given = self.keywords_of("flatten") - set(generate.LEFT_OUT_OF["flatten_product"]) | of_products
         self.assertEqual(self.keywords_of("flatten_product"), given | set(generate.READING))
 
     def test_of_reading_go_with_files_only(self):

@@ -84,6 +84,11 @@ class Program(unittest.TestCase):
             self.assertEqual(unfolded.figures, report)
             report = json.loads(self.run_program("measure", path, "--json", "--material", "leather"))
             self.assertEqual(planish.measure(path, material="leather").figures, report)
+            listed = json.loads(self.run_program("materials", "--json"))["materials"]
+            self.assertEqual(planish.materials(), listed)
+            self.assertEqual(planish.materials("cotton"), [one for one in listed if one["name"] == "cotton"])
+            with self.assertRaises(planish.RequestError):
+                planish.materials("wood")
             report = json.loads(self.run_program("compare", path, "--json", "--methods", "fairing,controllable"))
             compared = planish.compare(path, methods=["fairing", "controllable"])
             self.assertEqual(same_but_for_time(compared.figures), same_but_for_time(report))

@@ -179,7 +179,7 @@ class Results(unittest.TestCase):
         paths = [self.write_in_inches(name, self.panel) for name in ("one.obj", "two.obj")]
         alone = planish.flatten(paths[0])
         for patches in (paths, [planish.read(path) for path in paths]):
-            product = planish.flatten_product(patches)
+            product = planish.flatten_product(patches, no_match_seams=True)
             self.assertEqual(product.figures["patches"][0]["unfold"]["unit"], "in")
             np.testing.assert_array_equal(product.patches[0].uv, alone.uv)
 
@@ -200,6 +200,21 @@ class Results(unittest.TestCase):
         product = planish.flatten_product(paths)
         self.assertEqual(len(product.patches), 2)
         np.testing.assert_array_equal(product.patches[0].uv, product.patches[1].uv)
+
+    def test_seams_of_a_product_match(self):
+        def strip(first):
+            columns, rows = np.meshgrid(np.arange(first, first + 7), np.arange(9), indexing="ij")
+            x, y = columns.ravel() * 10.0, rows.ravel() * 10.0
+            corners = [9 * i + j for i in range(6) for j in range(8)]
+            faces = [face for a in corners for face in ((a, a + 9, a + 10), (a, a + 10, a + 1))]
+            return planish.Mesh(np.stack([x, y, 0.006 * x * x - 0.004 * y * y], axis=1), faces)
+
+        strips = {"left": strip(0), "right": strip(6)}
+        seams = planish.flatten_product(strips, pick=1).figures["seams"]
+        self.assertEqual(len(seams), 1)
+        self.assertLess(seams[0]["difference"], 1e-6)
+        free = planish.flatten_product(strips, pick=1, no_match_seams=True).figures["seams"]
+        self.assertGreater(free[0]["difference"], 1e-3)
 
     def test_product_of_nothing(self):
         with self.assertRaises(planish.FormatError):

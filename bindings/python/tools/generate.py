@@ -53,7 +53,7 @@ READING = dict.fromkeys("divide only without weld fill_holes side flip strict".s
 LEFT_OUT_OF = {
     "read": {"threads": "one is enough"},
     "measure": {"map": "result.fields", "unit": "figures are in model units", **READING},
-    "flatten": {"seam_tolerance": "of a product", **READING},
+    "flatten": {"seam_tolerance": "of a product", "no_match_seams": "of a product", **READING},
     **dict.fromkeys(["unfold", "compare", "suggest_cuts", "evolve"], READING),
     "flatten_product": {
         name: "of one patch"
@@ -212,10 +212,12 @@ def type_of(keyword, flags):
             kinds.add("MeshLike")
         elif keyword in FILE_ROWS:
             kinds.add("Rows")
-        elif kind == "name" and flag["choices"]:
+        elif kind == "name" and flag["choices"] and not flag["extensions"]:
             kinds.add("Literal[" + ", ".join(f'"{choice}"' for choice in flag["choices"]) + "]")
         elif kind == "names" or flag["repeats"]:
             kinds.add("str | Sequence[str]")
+        elif kind == "name" and flag["extensions"]:
+            kinds.add("Path")
         elif keyword in {"grain", "fold"}:
             kinds.add("str | float | Sequence[float]" if keyword == "grain" else "str | Sequence[int]")
         else:
@@ -387,6 +389,8 @@ def takes(flag, keyword):
     if keyword == "obstacle":
         return "mesh or file"
     kind = {"switch": "bool", "file": "file", "names": "names"}.get(flag["type"], flag["type"])
+    if kind == "name" and flag["extensions"]:
+        kind = "name or file"
     low, high = flag["min"], flag["max"]
     if low is not None and high is not None:
         kind += f", {low:g} to {high:g}"
@@ -436,7 +440,7 @@ def reference(description, core, planish):
         text += f"\n### {function}\n\n`planish.{function}({short}, ...)` -> `{result.replace('_core.', '')}`\n\n"
         names = ", ".join(f"`{keyword}`" for keyword in flags_of(description, function))
         text += paragraph(summary) + "\n" + paragraph(f"Keywords: {names}.")
-    for function in ("write", "describe"):
+    for function in ("write", "describe", "materials"):
         member = getattr(planish, function)
         given = re.sub(r": '[^']*'", "", str(inspect.signature(member)).partition(" ->")[0]).replace(" = ", "=")
         text += f"\n### {function}\n\n`planish.{function}{given}`\n\n" + paragraph(inspect.getdoc(member))

@@ -71,6 +71,10 @@ enum class Criterion {
   strain,              ///< the limit on the strain of every edge
   p99_strain,          ///< the limit on the strain of 99 % of the area
   rms_strain,          ///< the limit on the root mean square of the strain
+  stretch,             ///< the limit on the stretch of the sheet at every edge
+  p99_stretch,         ///< the limit on its stretch on 99 % of the area
+  compression,         ///< the limit on the compression of the sheet at every edge
+  p99_compression,     ///< the limit on its compression on 99 % of the area
   deviation,           ///< the limit on how far vertices move
   angle,               ///< the limit on the smallest angle
   e_max,               ///< the target of e_max
@@ -154,7 +158,7 @@ struct UnfoldReport {
   EdgeStrain strain;           ///< of the pattern beside the patch
   Unit unit = Unit::mm;        ///< one unit of the model
   double border_strain = 0.0;  ///< largest |strain| of the border's edges
-  /// Where border edges were to keep their lengths: the strain without that.
+  /// Where border edges keep their lengths: the strain of least stretch without that.
   std::optional<EdgeStrain> unmatched_strain = {};
   /// One for each limit of strain that was asked for.
   std::vector<StrainLimitCheck> limits = {};
@@ -181,9 +185,10 @@ struct FlattenOptions {
   /// Above 0: waves of the design that are shorter, in model units, are taken out first
   /// (smooth_design()); with remesh or fixed vertices an Error unsupported_constraint.
   double smooth_first = 0.0;
-  bool remesh = false;           ///< work on fewer vertices: see remesh()
-  std::vector<Index> keep = {};  ///< vertices that remeshing leaves, besides fixed ones
-  bool match_seams = false;      ///< of the evolved patch's pattern, as UnfoldOptions has it
+  bool remesh = false;             ///< work on fewer vertices: see remesh()
+  std::vector<Index> keep = {};    ///< vertices that remeshing leaves, besides fixed ones
+  bool match_seams = false;        ///< of the result's pattern, as UnfoldOptions has it
+  bool match_if_possible = false;  ///< likewise
   /// As UnfoldOptions has them, by the vertices of the patch before it is remeshed.
   std::vector<std::array<Index, 2>> free_edges = {};
   /// As UnfoldOptions has it, by the vertices of the patch before it is remeshed: the whole is
@@ -195,7 +200,7 @@ struct FlattenOptions {
   /// What the pattern is to keep. Auto leaves a patch as it is where its pattern keeps them and
   /// does not overlap itself, and else changes it as far as that needs, if it can.
   StrainLimits limits = {};
-  std::string material = {};  ///< name of that which limits.p99 is for, used in texts; may be empty
+  std::string material = {};  ///< name of that whose limits these are, used in texts; may be empty
   /// Where no method is given: also find FlattenReport::ways, in some 0.2 s.
   bool ways = false;
 

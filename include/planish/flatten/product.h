@@ -38,9 +38,14 @@ struct ProductPatch {
 /// How flatten_product() works.
 struct ProductOptions {
   /// How every patch is flattened. `constraints`, `keep` and `free_edges` name vertices of one mesh
-  /// and must be empty. With match_seams, edges along no seam are free in patches that have seams.
+  /// and must be empty. With match_seams, the border of every patch keeps its lengths, but for
+  /// edges along no seam in patches that have seams; a patch that cannot fails.
   FlattenOptions flatten = {};
   double seam_tolerance = 0.0;  ///< as find_seams() has it, model units
+  /// Border edges along seams keep their lengths, so that both sides of a seam are equally long. A
+  /// patch that cannot is laid flat without: Pattern::is_unmatchable. Idle with
+  /// flatten.match_seams.
+  bool match_seams = true;
 };
 
 /// Another patch of the product that a patch is the mirror image of, or equal to.
@@ -48,6 +53,12 @@ struct PatchTwin {
   std::size_t patch = 0;  ///< number of the other one, which comes earlier and is no twin itself
   bool mirrored = false;  ///< else it is a copy
   std::vector<Index> vertex;  ///< of the other one -> of this one
+};
+
+/// What of a patch's border keeps its length, as it is sewn.
+struct SewnBorder {
+  bool has_seams = false;                             ///< some of it does
+  std::vector<std::array<Index, 2>> free_edges = {};  ///< along no seam; empty without seams
 };
 
 /// What the product as a whole needs of a patch that was flattened; a full report is many times as
@@ -117,10 +128,11 @@ struct ProductReport {
 struct ProductCallbacks {
   /// What an earlier run made of a patch; nothing where it is to be flattened. Called once for each
   /// patch before the work begins, from the calling thread, with its twin or nullptr: what is made
-  /// of a twin depends on the mesh of the other one as well. Patterns must have a place for every
-  /// vertex of the processed patch.
-  std::function<std::optional<FinishedPatch>(std::size_t patch, const PatchTwin* twin)> earlier =
-      {};
+  /// of a twin depends on the mesh of the other one as well, and with seams that match on what is
+  /// sewn. Patterns must have a place for every vertex of the processed patch.
+  std::function<std::optional<FinishedPatch>(std::size_t patch, const PatchTwin* twin,
+                                             const SewnBorder& border)>
+      earlier = {};
   /// Receives the full report of a patch as soon as it is there, to make what is kept of it: it is
   /// gone afterwards. Called from the thread that flattened the patch, so that this work is divided
   /// among threads too, for several patches at the same time; with one thread from the calling

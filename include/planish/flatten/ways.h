@@ -10,9 +10,8 @@ namespace planish {
 
 /// A limit that the design's pattern misses, and what keeping it does to the form.
 struct Way {
-  /// Asked for, of one kind: `p99` of a material, else `rms`.
-  StrainLimits limits = {};
-  std::string material = {};  ///< name of that which limits.p99 is for; empty for a limit of rms
+  StrainLimits limits = {};   ///< those of a material, or one that was asked for
+  std::string material = {};  ///< its name; empty for other limits
   /// True: of a coarser mesh of the design. False: of the result of this run.
   bool estimated = true;
   bool reached = false;      ///< its pattern keeps the limit and does not overlap itself
@@ -20,6 +19,9 @@ struct Way {
   Deviation deviation = {};  ///< from the design, model units
   Fairness fairness = {};    ///< beside the design
 
+  /// The limit as one number, a share of length: of the rms, or of the |strain| that asks for as
+  /// much as all limits of edges.
+  double limit() const { return limits.rms > 0.0 ? limits.rms : limits.both_ways(); }
   /// How sharp the sharpest new fold is, degrees; 0 where nothing is bent more sharply.
   double sharpest_fold() const {
     return fairness.sharpest_fold ? fairness.sharpest_fold->degrees : 0.0;

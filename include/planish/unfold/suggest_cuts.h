@@ -14,16 +14,10 @@ namespace planish {
 
 /// What a suggestion of cuts aims at, and how long it looks.
 struct SuggestOptions {
-  double max_strain = 0.02;    ///< limit of the pattern's strain; a share of length, above 0
-  bool limit_of_area = false;  ///< the limit is for 99 % of the area, else for every edge
-  int max_darts = 6;           ///< at most so many, besides what makes the mesh a disk
+  StrainLimits limits = {.max = 0.02};  ///< of the pattern; at least one for edges
+  int max_darts = 6;                    ///< at most so many, besides what makes the mesh a disk
   /// Darts are tried on a patch of about so many vertices, if the mesh has more.
   std::size_t trial_vertices = 3000;
-
-  /// Whether a pattern's strain keeps the limit.
-  bool kept_by(const EdgeStrain& strain) const {
-    return (limit_of_area ? strain.p99 : strain.max) <= max_strain;
-  }
 };
 
 /// One cut of a suggestion.
@@ -38,7 +32,7 @@ struct SuggestedCut {
 
 /// Why a search for cuts ended.
 enum class SuggestStop {
-  strain_met,  ///< the limit is kept
+  strain_met,  ///< the limits are kept
   dart_limit,  ///< all darts that were allowed are there
   no_gain,     ///< no dart that was tried lowers the rms strain by 5 % more
   overlap,     ///< those that do make the pattern overlap itself
@@ -50,7 +44,7 @@ std::string_view to_string(SuggestStop stop);
 struct CutPattern {
   CutMesh cut;  ///< the mesh after cutting
   /// Of the mesh after cutting, model units: with least stretch, or evened out where only that
-  /// keeps the limit.
+  /// keeps the limits.
   Pattern pattern;
   EdgeStrain strain;  ///< of that pattern
 };
@@ -66,7 +60,7 @@ struct CutSuggestion {
   std::optional<Index> divide_at = {};
   std::vector<Caution> cautions = {};  ///< what the mesh as it came cannot show
 
-  /// Whether the pattern with all cuts keeps the limit.
+  /// Whether the pattern with all cuts keeps the limits.
   bool met() const { return stop == SuggestStop::strain_met; }
 };
 

@@ -21,17 +21,20 @@ struct UnfoldOptions {
   /// Every border edge keeps its length, so that borders which are sewn together stay equally long;
   /// what stretch there is lies inside.
   bool match_seams = false;
+  /// With match_seams, where no pattern keeps the border's lengths: the result is the one without,
+  /// and Pattern::is_unmatchable says so. Else an Error unfold_failed.
+  bool match_if_possible = false;
   /// Border edges that may change theirs all the same, as they are sewn to nothing: by the vertices
   /// at their ends.
   std::vector<std::array<Index, 2>> free_edges = {};
   /// True: the pattern of least stretch, which has the least rms strain. False: for up to
   /// k_spread_budget of that, the largest strains are made as small as they get, where no limit
-  /// changes the pattern. Idle with match_seams.
+  /// changes the pattern. With match_seams both are among patterns of matched seams.
   bool least_stretch = false;
-  /// The result is the pattern of least stretch that keeps limits.max or limits.p99; if none does,
-  /// one whose largest strain is nearly the smallest. limits.rms is not optimised, as least stretch
-  /// has nearly the least rms. With match_seams no limit is optimised. check_limits() tells what
-  /// is kept.
+  /// The result is the pattern of least stretch that keeps the limits of edges; if none does, one
+  /// that uses up nearly the smallest multiple of them. limits.rms is not optimised, as least
+  /// stretch has nearly the least rms. With match_seams all this is among patterns of matched
+  /// seams: where both cannot be had, the seams match. check_limits() tells what is kept.
   StrainLimits limits = {};
   /// Where the border crosses itself by a hair, its vertices are moved apart by this at most, model
   /// units, and by a thousandth of the square root of the patch's area; 0 leaves them. With
@@ -64,9 +67,11 @@ struct Pattern {
   /// With match_seams: the pattern of least stretch without it, of the same size, turned and
   /// shifted somehow. Tells what matching costs.
   std::vector<Vec2> unmatched = {};
-  /// Where a limit or spreading changed the pattern: that of least stretch, turned and shifted
-  /// somehow.
+  /// Where a limit or spreading changed the pattern: that of least stretch, with match_seams of
+  /// those that match, turned and shifted somehow.
   std::vector<Vec2> unlimited = {};
+  /// With match_seams and match_if_possible: no pattern that keeps the border's lengths was found.
+  bool is_unmatchable = false;
   std::optional<OpenedCrossings> opened = {};  ///< see UnfoldOptions::open_crossings
 };
 
@@ -76,12 +81,13 @@ void require_unfoldable(const Patch& patch);
 
 /// Lays a disk patch flat with the least stretch and no flipped triangle: minimises the symmetric
 /// Dirichlet energy by projected Newton steps from a conformal start (docs/unfold.md), and spreads
-/// the stretch that is left. On a patch that is flattenable, edge lengths are kept. Limits are kept by an interior-point method from
-/// there. With match_seams, border edges that are not free keep theirs on any patch: to 1e-9 of
-/// each, as long as none is shorter than a millionth of the patch.
+/// the stretch that is left. On a patch that is flattenable, edge lengths are kept. Limits are kept
+/// by an interior-point method from there. With match_seams, border edges that are not free keep
+/// theirs on any patch, within limits or not: to 1e-9 of each, as long as none is shorter than a
+/// millionth of the patch.
 /// @throws Error as require_unfoldable(); option_out_of_range, as require() of limits;
-///   unfold_failed where no pattern without flips is found, or none keeps the border's lengths;
-///   Cancelled
+///   unfold_failed where no pattern without flips is found, or none keeps the border's lengths and
+///   match_if_possible does not let that pass; Cancelled
 Pattern unfold(const Patch& patch, const UnfoldOptions& options = {}, const Context& context = {});
 
 /// The smallest limit of the |strain| of every edge for which a pattern is found: least is the

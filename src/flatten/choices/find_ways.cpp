@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include <planish/measure/material.h>
+#include <planish/unfold/material_fit.h>
 
 #include "core/job.h"
 #include "mesh/coarsen/coarsen.h"
@@ -17,19 +17,26 @@ namespace {
 constexpr std::size_t k_coarse_vertices = 250;
 constexpr std::array k_rms_limits = {0.02, 0.01, 0.005};
 
+/// Whether what was asked for is one thing: what a material takes, or one limit.
+bool is_one_way(const StrainLimits& limits, const std::string& material) {
+  if (!material.empty()) return limits.rms == 0.0;
+  return std::count_if(k_strain_limit_kinds.begin(), k_strain_limit_kinds.end(),
+                       [&](StrainLimitKind kind) { return limits.of(kind) > 0.0; }) == 1;
+}
+
 /// What could be asked for and is missed.
 std::vector<Way> missed_limits(const EdgeStrain& design) {
   std::vector<Way> ways;
   for (const Material& material : materials()) {
-    if (!(design.p99 > material.max_strain)) continue;
     Way way;
-    way.limits.p99 = material.max_strain;
+    way.limits = limits_of(material);
     way.material = material.name;
+    if (way.limits.kept_by(design)) continue;
     const auto is_same = [&](const Way& other) { return other.limits == way.limits; };
     if (std::none_of(ways.begin(), ways.end(), is_same)) ways.push_back(std::move(way));
   }
   std::stable_sort(ways.begin(), ways.end(),
-                   [](const Way& a, const Way& b) { return a.limits.p99 > b.limits.p99; });
+                   [](const Way& a, const Way& b) { return a.limit() > b.limit(); });
   ways.resize(std::min(ways.size(), k_most_ways - k_rms_limits.size()));
   for (const double limit : k_rms_limits) {
     if (!(design.rms > limit)) continue;
@@ -74,10 +81,6 @@ Way taken(Way way, const FlattenReport& report) {
   return way;
 }
 
-bool has_one_kind(const StrainLimits& limits) {
-  return (limits.max > 0.0) + (limits.p99 > 0.0) + (limits.rms > 0.0) == 1;
-}
-
 }  // namespace
 
 std::vector<Way> find_ways(const Patch& patch, const FlattenOptions& options,
@@ -90,30 +93,37 @@ std::vector<Way> find_ways(const Patch& patch, const FlattenOptions& options,
   std::vector<Way> ways = missed_limits(design);
   if (ways.empty()) return ways;
   ThreadPool pool(context);
-  auto [coarse, how] = coarse_job(patch, options, pool);
-  Context quiet = context;
-  quiet.on_progress = {};
-  std::vector<Way> found;
-  found.reserve(ways.size());
-  for (Way& way : ways) {
-    how.limits = way.limits;
-    try {
-      found.push_back(taken(std::move(way), flatten(coarse, {}, how, quiet)));
-    } catch (const Error&) {
-      // A mesh so coarse may have no pattern where the design has one: there is no estimate then.
-    }
+  const auto [coarse, how] = coarse_job(patch, options, pool);
+  Context alone = context;
+  alone.on_progress = {};
+  alone.threads = 1;
+  std::vector<unsigned char> is_known(ways.size(), 0);
+  pool.for_ranges(ways.size(), 1,
+                  [&, &coarse = coarse, &how = how](std::size_t k, std::size_t end) {
+                    for (; k < end; ++k) {
+                      FlattenOptions job = how;
+                      job.limits = ways[k].limits;
+                      try {
+                        ways[k] = taken(std::move(ways[k]), flatten(coarse, {}, job, alone));
+                        is_known[k] = 1;
+                      } catch (const Error&) {
+                        // A mesh so coarse may have no pattern where the design has one: then there
+                        // is no estimate.
+                      }
+                    }
+                  });
+  std::vector<Way> known;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    if (is_known[k] != 0) known.push_back(std::move(ways[k]));
   }
-  return found;
+  return known;
 }
 
 std::vector<Way> with_result(std::vector<Way> ways, const FlattenReport& report) {
   StrainLimits asked;
-  for (const StrainLimitCheck& check : report.unfold.limits) {
-    (check.kind == StrainLimitKind::max   ? asked.max
-     : check.kind == StrainLimitKind::p99 ? asked.p99
-                                          : asked.rms) = check.asked;
-  }
-  if (!has_one_kind(asked)) return ways;
+  for (const StrainLimitCheck& check : report.unfold.limits)
+    asked.of(check.kind) = check.asked;
+  if (!is_one_way(asked, report.material)) return ways;
   Way result;
   result.limits = asked;
   result.material = report.material;

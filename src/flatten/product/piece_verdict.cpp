@@ -76,6 +76,14 @@ PieceCheck check_of(const LimitCheck& limit, Unit unit) {
       return check("strain limit", percent, " on 99\u00A0% of the area");
     case Criterion::rms_strain:
       return check("strain limit", percent, " rms");
+    case Criterion::stretch:
+      return check("stretch limit", percent);
+    case Criterion::p99_stretch:
+      return check("stretch limit", percent, " on 99\u00A0% of the area");
+    case Criterion::compression:
+      return check("compression limit", percent);
+    case Criterion::p99_compression:
+      return check("compression limit", percent, " on 99\u00A0% of the area");
     case Criterion::deviation:
       return check("deviation limit", as_length);
     case Criterion::angle:

@@ -23,7 +23,6 @@ namespace planish {
 namespace {
 
 using MeshTwins = std::vector<std::optional<MeshTwin>>;
-using FreeEdgesOfPatches = std::vector<std::vector<std::array<Index, 2>>>;
 
 void check(const ProductOptions& options) {
   const Constraints& constraints = options.flatten.constraints;
@@ -58,16 +57,16 @@ struct PatchMade {
 /// Flattens patches, from any thread.
 class PatchWork {
  public:
-  PatchWork(std::span<const ProductPatch> patches, const FlattenOptions& options,
+  PatchWork(std::span<const ProductPatch> patches, const ProductOptions& options,
             const ProductCallbacks& callbacks, const MeshTwins& meshes_alike,
-            const ProductReport& report, const FreeEdgesOfPatches& free_edges,
+            const ProductReport& report, std::span<const SewnBorder> borders,
             std::function<bool()> stopped)
       : patches_(patches),
         options_(options),
         callbacks_(callbacks),
         meshes_alike_(meshes_alike),
         report_(report),
-        free_edges_(free_edges),
+        borders_(borders),
         stopped_(std::move(stopped)) {}
 
   /// Flattens the first patch of a group and makes the others from it.
@@ -97,9 +96,12 @@ class PatchWork {
   }
 
   FlattenOptions options_of(std::size_t p) const {
-    FlattenOptions options = options_;
+    FlattenOptions options = options_.flatten;
     options.keep = patches_[p].keep;
-    options.free_edges = free_edges_[p];
+    options.free_edges = borders_[p].free_edges;
+    if (!options.match_seams)
+      options.match_seams = options.match_if_possible =
+          options_.match_seams && borders_[p].has_seams;
     if (patches_[p].limits) {
       options.limits = *patches_[p].limits;
       options.material = patches_[p].words.material;
@@ -131,11 +133,11 @@ class PatchWork {
   }
 
   std::span<const ProductPatch> patches_;
-  const FlattenOptions& options_;
+  const ProductOptions& options_;
   const ProductCallbacks& callbacks_;
   const MeshTwins& meshes_alike_;
   const ProductReport& report_;
-  const FreeEdgesOfPatches& free_edges_;
+  std::span<const SewnBorder> borders_;
   std::function<bool()> stopped_;
 };
 
@@ -152,6 +154,7 @@ class ProductWork {
       report_.patches.back().words = patch.words;
     }
     find_alike();
+    borders_ = borders_of_patches();
   }
 
   ProductReport run() {
@@ -191,10 +194,11 @@ class ProductWork {
   }
 
   /// With matched seams, what is sewn to nothing need not keep its length.
-  FreeEdgesOfPatches free_edges_of_patches() const {
-    if (!options_.flatten.match_seams) return FreeEdgesOfPatches(patches_.size());
+  std::vector<SewnBorder> borders_of_patches() const {
+    if (!options_.match_seams && !options_.flatten.match_seams)
+      return std::vector<SewnBorder>(patches_.size());
     const std::vector<TriMesh> meshes = input_meshes();
-    return find_free_edges(
+    return find_sewn_borders(
         find_seams_in_groups(meshes, groups_of_patches(), options_.seam_tolerance), meshes, alike_);
   }
 
@@ -219,7 +223,8 @@ class ProductWork {
     if (!callbacks_.earlier) return earlier;
     for (std::size_t p = 0; p < patches_.size(); ++p) {
       const auto& twin = report_.twins[p];
-      if (!patches_[p].failure) earlier[p] = callbacks_.earlier(p, twin ? &*twin : nullptr);
+      if (!patches_[p].failure)
+        earlier[p] = callbacks_.earlier(p, twin ? &*twin : nullptr, borders_[p]);
       if (earlier[p]) earlier[p]->unfold.turned = patches_[p].turned;
     }
     return earlier;
@@ -262,8 +267,7 @@ class ProductWork {
     const std::vector<TwinGroup> groups = groups_of(numbers, alike_);
     std::atomic<std::size_t> next = 0;
     Handover<std::pair<std::size_t, PatchMade>> results(numbers.size());
-    const FreeEdgesOfPatches free_edges = free_edges_of_patches();
-    const PatchWork work(patches_, options_.flatten, callbacks_, alike_, report_, free_edges,
+    const PatchWork work(patches_, options_, callbacks_, alike_, report_, borders_,
                          [this] { return abandoned_ || is_cancelled(); });
     const auto work_on_next = [&] {
       const std::size_t k = next++;
@@ -292,6 +296,7 @@ class ProductWork {
   const ProductOptions& options_;
   const ProductCallbacks& callbacks_;
   MeshTwins alike_;
+  std::vector<SewnBorder> borders_;
   ProductReport report_;
   const Context& context_;
   std::size_t done_ = 0;

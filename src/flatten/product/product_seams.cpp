@@ -162,23 +162,24 @@ void share_among_twins(std::vector<EdgeSet>& edges,
 
 }  // namespace
 
-std::vector<std::vector<EdgeEnds>> find_free_edges(std::span<const Seam> seams,
-                                                   std::span<const TriMesh> meshes,
-                                                   std::span<const std::optional<MeshTwin>> twins) {
+std::vector<SewnBorder> find_sewn_borders(std::span<const Seam> seams,
+                                          std::span<const TriMesh> meshes,
+                                          std::span<const std::optional<MeshTwin>> twins) {
   std::vector<EdgeSet> sewn = edges_along(seams, meshes.size());
   share_among_twins(sewn, twins);
-  std::vector<std::vector<EdgeEnds>> free(meshes.size());
+  std::vector<SewnBorder> borders(meshes.size());
   for (std::size_t p = 0; p < meshes.size(); ++p) {
     if (sewn[p].empty()) continue;
+    borders[p].has_seams = true;
     const Patch patch(meshes[p]);
     for (const std::vector<Index>& loop : patch.border_loops()) {
       for (std::size_t k = 0; k < loop.size(); ++k) {
         const EdgeEnds edge = lower_first(loop[k], loop[(k + 1) % loop.size()]);
-        if (!sewn[p].contains(edge)) free[p].push_back(edge);
+        if (!sewn[p].contains(edge)) borders[p].free_edges.push_back(edge);
       }
     }
   }
-  return free;
+  return borders;
 }
 
 std::vector<MeasuredSeam> measure_seams(std::vector<Seam> seams, std::span<const TriMesh> meshes,

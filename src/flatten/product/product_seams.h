@@ -18,13 +18,12 @@ std::vector<NearBorders> find_near_borders_in_groups(std::span<const TriMesh> pa
                                                      std::span<const std::size_t> groups,
                                                      double tolerance);
 
-/// The border edges of each patch that no seam is along, if there is one along others; none of a
-/// patch without seams. Of twins, an edge is free if it is in all of them.
-/// @param meshes of the patches; those that cannot be measured have no free edges
+/// Of each patch. Of twins, an edge is free if it is in all of them.
+/// @param meshes of the patches; those that cannot be measured have no seams
 /// @param twins of each, as find_twins() gives them
-std::vector<std::vector<std::array<Index, 2>>> find_free_edges(
-    std::span<const Seam> seams, std::span<const TriMesh> meshes,
-    std::span<const std::optional<MeshTwin>> twins);
+std::vector<SewnBorder> find_sewn_borders(std::span<const Seam> seams,
+                                          std::span<const TriMesh> meshes,
+                                          std::span<const std::optional<MeshTwin>> twins);
 
 /// The seams with their lengths.
 /// @param meshes as meshes_now() has them

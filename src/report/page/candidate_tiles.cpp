@@ -108,9 +108,9 @@ std::string tile_of(const Shown& shown, const PatchView& view, const OutlineWind
 
 /// The limit, as people say it.
 std::string name_of(const Way& way) {
-  if (!way.material.empty()) return way.material + " (" + percent_text(way.limits.p99) + ")";
+  if (!way.material.empty()) return way.material + " (" + percent_text(way.limit()) + ")";
   if (way.limits.rms > 0.0) return percent_text(way.limits.rms) + " as a rule";
-  return way.limits.p99 > 0.0 ? percent_text(way.limits.p99) + " on 99 % of the area"
+  return way.limits.p99 > 0.0 ? percent_text(way.limit()) + " on 99 % of the area"
                               : percent_text(way.limits.max) + " at most";
 }
 

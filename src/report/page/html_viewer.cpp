@@ -59,7 +59,7 @@ std::string line_key(std::string_view layer, std::string_view words,
 struct FlatView {
   Drawing sheet;
   Layer directions;
-  std::optional<StrainLimitCheck> limit;  ///< that the colours are for
+  std::optional<MapLimit> limit;  ///< that the colours are for
 };
 
 /// What each line is, of the lines that are there.
@@ -128,7 +128,7 @@ std::string pattern_part(const FlattenReport& report, const FlatView& view) {
                       view.limit ? "The pattern, coloured by the limit used up, with its lines"
                                  : "The pattern, coloured by strain, with its lines");
   const std::string note = view.limit ? "Colours show how much of the limit of strain (" +
-                                            limit_words(*view.limit) + ") the edges use up. "
+                                            view.limit->words + ") the edges use up. "
                                       : "";
   const Pattern& pattern = report.unfold.pattern;
   const double mm = millimetres_per(report.unfold.unit);
@@ -144,17 +144,17 @@ std::string pattern_part(const FlattenReport& report, const FlatView& view) {
 }
 
 /// What the page shows beside a limit.
-std::string limit_terms(const StrainLimitCheck& limit) {
+std::string limit_terms(const MapLimit& limit) {
   return html_entry("Limit used up",
                     "|Strain| of the edge there whose length differs most, over the limit of " +
-                        limit_words(limit) + ". 100 % is the limit; beyond it all is orange.") +
+                        limit.words + ". 100 % is the limit; beyond it all is orange.") +
          html_entry("Longest, shortest way",
                     "Principal stretches, minus 1: how much longer (+) or shorter (−) the pattern "
                     "is there than the patch in the direction where it is longest, and across "
                     "that, where it is shortest; the mean around the place.");
 }
 
-std::string color_terms(const std::optional<StrainLimitCheck>& limit = {}) {
+std::string color_terms(const std::optional<MapLimit>& limit = {}) {
   return "<details class=\"terms\"><summary>What the colours mean, and the terms of the paper"
          "</summary>\n<dl>\n" +
          html_entry(

@@ -115,6 +115,7 @@ std::vector<VertexFigure> figures_of(const PageInput& input) {
   VertexFigure offset{"offset", ColorMap::diverging};
   VertexFigure strain{"strain", ColorMap::diverging, input.strain_limit};
   VertexFigure edge_strain{"edge_strain", ColorMap::diverging, input.strain_limit};
+  const double weight_of_stretch = input.limit ? input.limit->weight_of_stretch() : 1.0;
   for (const PageState& state : input.states) {
     const Patch& patch = state.patch;
     const auto defects = angle_defects(patch);
@@ -129,7 +130,8 @@ std::vector<VertexFigure> figures_of(const PageInput& input) {
     strain.by_state.push_back(state.pattern.empty() ? std::vector<double>()
                                                     : vertex_strains(patch.mesh(), state.pattern));
     edge_strain.by_state.push_back(
-        state.pattern.empty() ? std::vector<double>() : largest_edge_strains(patch, state.pattern));
+        state.pattern.empty() ? std::vector<double>()
+                              : largest_edge_strains(patch, state.pattern, weight_of_stretch));
   }
   const double size = bounding_box_diagonal(input.patch().mesh());
   curvature.limit = limit_of(curvature.by_state.front(), k_scale_share, 1e-6 / (size * size));
@@ -244,9 +246,18 @@ std::size_t usual_most(const PageInput& input) {
   return bytes / ((6 + 4 * figures) * states + 4 * (states - 1) + 16);
 }
 
-Json limit_json(const StrainLimitCheck& limit) {
+/// One limit, or two where those of stretch and compression are apart: null where one has none.
+Json limit_json(const MapLimit& limit) {
   const Color beyond = k_beyond_limit;
-  return {{"asked", limit.asked}, {"beyond", {beyond.r, beyond.g, beyond.b}}};
+  Json json = Json::object();
+  if (limit.stretch == limit.compression) {
+    json["asked"] = limit.stretch;
+  } else {
+    json["stretch"] = limit.stretch;
+    json["compression"] = limit.compression;
+  }
+  json["beyond"] = {beyond.r, beyond.g, beyond.b};
+  return json;
 }
 
 /// By the numbers that people know vertices by.

@@ -10,6 +10,8 @@
 #include <planish/mesh/patch.h>
 #include <planish/unfold/strain.h>
 
+#include "sheet/limit_map.h"
+
 namespace planish {
 
 /// A form of the patch that a page can show.
@@ -30,7 +32,7 @@ struct PageInput {
   std::span<const Vec2> drawn = {};
   /// The limit that edges have; with one the page shows how much of it they use up, and the
   /// principal stretches.
-  std::optional<StrainLimitCheck> limit = {};
+  std::optional<MapLimit> limit = {};
   std::size_t shown = 1;  ///< the state that is shown beside the first at the start
   /// Meshes with more are simplified; 0: so many that the data take about four and a half
   /// megabytes, which are some 42,000 for two states.

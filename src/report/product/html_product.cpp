@@ -195,8 +195,8 @@ std::string seam_table(const ProductReport& report) {
   if (report.seams.empty()) return near;
   std::string html =
       "<section>\n<h2>Seams</h2>\n<p>A seam has one colour and one number on both sides. Lengths "
-      "in mm; where the sides differ, the longer one must be eased in. <code>--match-seams</code> "
-      "gives both the length that they have on the model.</p>\n<div class=\"scroll\">\n"
+      "in mm. Unless <code>--no-match-seams</code> was given, both sides are as long as on the "
+      "model. Where they differ, the longer one must be eased in.</p>\n<div class=\"scroll\">\n"
       "<table class=\"seams\">\n<thead><tr><th>Seam</th><th class=\"sewn\">Pieces</th>"
       "<th>Difference</th><th>On the model</th><th>First piece</th><th>Second piece</th></tr>"
       "</thead>\n<tbody>\n";

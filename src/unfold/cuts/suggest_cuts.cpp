@@ -89,6 +89,17 @@ std::vector<Dart> darts_from(const Patch& patch, const std::function<bool(Index)
   return darts;
 }
 
+EdgeStrain cannot_lie_flat() {
+  constexpr double all = k_cannot_lie_flat;
+  return {.max = all,
+          .rms = all,
+          .p99 = all,
+          .max_stretch = all,
+          .p99_stretch = all,
+          .max_compression = all,
+          .p99_compression = all};
+}
+
 bool gains(const EdgeStrain& strain, const EdgeStrain& before) {
   return strain.rms < (1.0 - k_least_gain) * before.rms;
 }
@@ -97,7 +108,7 @@ bool gains(const EdgeStrain& strain, const EdgeStrain& before) {
 /// strain the shortest. Nothing where there are none.
 const Dart* best_of(const std::vector<Dart>& darts, const SuggestOptions& options) {
   const bool any_meets = std::any_of(darts.begin(), darts.end(), [&](const Dart& dart) {
-    return options.kept_by(dart.flat.strain);
+    return options.limits.kept_by(dart.flat.strain);
   });
   const auto least = std::min_element(darts.begin(), darts.end(), [](const Dart& a, const Dart& b) {
     return a.weighed_strain() < b.weighed_strain();
@@ -105,7 +116,7 @@ const Dart* best_of(const std::vector<Dart>& darts, const SuggestOptions& option
   const Dart* best = nullptr;
   for (const Dart& dart : darts) {
     const bool good = any_meets
-                          ? options.kept_by(dart.flat.strain)
+                          ? options.limits.kept_by(dart.flat.strain)
                           : dart.weighed_strain() <= (1.0 + k_as_good) * least->weighed_strain();
     if (good && (best == nullptr || dart.weighed_length() < best->weighed_length())) best = &dart;
   }
@@ -134,12 +145,12 @@ class CutSearch {
   }
 
  private:
-  bool is_met(const EdgeStrain& strain) const { return options_.kept_by(strain); }
+  bool is_met(const EdgeStrain& strain) const { return options_.limits.kept_by(strain); }
 
   bool is_cancelled() const { return context_.is_cancelled && context_.is_cancelled(); }
 
   Flat flatten(const Patch& patch, const StrainLimits& limits = {}) {
-    Flat flat{{}, {.max = k_cannot_lie_flat, .rms = k_cannot_lie_flat, .p99 = k_cannot_lie_flat}};
+    Flat flat{{}, cannot_lie_flat()};
     try {
       flat.pattern = unfold(patch, {.least_stretch = true, .limits = limits}, unfolding_);
       flat.strain = edge_strain(patch, flat.pattern.positions);
@@ -156,15 +167,10 @@ class CutSearch {
     const Patch patch(cut.mesh);
     Flat flat = flatten(patch);
     if (!flat.pattern.positions.empty() && !is_met(flat.strain)) {
-      Flat even = flatten(patch, limits());
+      Flat even = flatten(patch, options_.limits);
       if (is_met(even.strain)) flat = std::move(even);
     }
     return {std::move(cut), std::move(flat.pattern), flat.strain};
-  }
-
-  StrainLimits limits() const {
-    return options_.limit_of_area ? StrainLimits{.p99 = options_.max_strain}
-                                  : StrainLimits{.max = options_.max_strain};
   }
 
   void open_to_disk() {
@@ -308,7 +314,11 @@ std::string_view to_string(SuggestStop stop) {
 
 CutSuggestion suggest_cuts(const Patch& patch, const SuggestOptions& options,
                            const Context& context) {
-  check_range("max_strain", options.max_strain, {std::nextafter(0.0, 1.0), k_largest_strain_limit});
+  require(options.limits);
+  if (!options.limits.bounds_edges()) {
+    throw Error(ErrorCode::option_out_of_range,
+                "cuts are looked for with a limit of strain of edges");
+  }
   if (options.max_darts < 0) {
     throw Error(ErrorCode::option_out_of_range, "max_darts must be at least 0");
   }

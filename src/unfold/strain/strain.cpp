@@ -26,6 +26,13 @@ double total_area(const std::vector<StrainOfEdge>& edges) {
   return area.value();
 }
 
+/// Of each strain the part of that kind.
+std::vector<StrainOfEdge> with_parts(std::vector<StrainOfEdge> edges, StrainLimitKind kind) {
+  for (StrainOfEdge& edge : edges)
+    edge.strain = part_of(edge.strain, kind);
+  return edges;
+}
+
 }  // namespace
 
 std::vector<StrainOfEdge> strain_of_edges(const Patch& patch, std::span<const Vec2> pattern) {
@@ -58,8 +65,8 @@ double strain_at_share(std::vector<StrainOfEdge> edges, double share) {
   return edges.empty() ? 0.0 : std::abs(edges.back().strain);
 }
 
-EdgeStrain edge_strain(const Patch& patch, std::span<const Vec2> pattern) {
-  const std::vector<StrainOfEdge> edges = strain_of_edges(patch, pattern);
+EdgeStrain figures_of(const std::vector<StrainOfEdge>& edges) {
+  constexpr double share = 0.99;
   EdgeStrain result;
   if (edges.empty()) return result;
   result.worst_edge = edges.front().edge;
@@ -69,11 +76,20 @@ EdgeStrain edge_strain(const Patch& patch, std::span<const Vec2> pattern) {
       result.max = std::abs(edge.strain);
       result.worst_edge = edge.edge;
     }
+    result.max_stretch = std::max(result.max_stretch, -edge.strain);
+    result.max_compression = std::max(result.max_compression, edge.strain);
     squares.add(edge.area * edge.strain * edge.strain);
   }
   result.rms = std::sqrt(squares.value() / total_area(edges));
-  result.p99 = strain_at_share(edges, 0.99);
+  result.p99 = strain_at_share(edges, share);
+  result.p99_stretch = strain_at_share(with_parts(edges, StrainLimitKind::p99_stretch), share);
+  result.p99_compression =
+      strain_at_share(with_parts(edges, StrainLimitKind::p99_compression), share);
   return result;
+}
+
+EdgeStrain edge_strain(const Patch& patch, std::span<const Vec2> pattern) {
+  return figures_of(strain_of_edges(patch, pattern));
 }
 
 double largest_border_strain(const Patch& patch, std::span<const Vec2> pattern,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <planish/mesh/patch.h>
+#include <planish/unfold/strain.h>
 
 namespace planish {
 
@@ -22,5 +23,12 @@ std::vector<StrainOfEdge> strain_of_edges(const Patch& patch, std::span<const Ve
 
 /// The smallest s so that edges with |strain| up to s make up this share of the area; 0 of none.
 double strain_at_share(std::vector<StrainOfEdge> edges, double share);
+
+/// The figures of these edges.
+EdgeStrain figures_of(const std::vector<StrainOfEdge>& edges);
+
+/// The part of a strain that a limit of this kind is for, above 0 where there is any: the stretch,
+/// the compression, or the size of the strain.
+double part_of(double strain, StrainLimitKind kind);
 
 }  // namespace planish

@@ -24,20 +24,34 @@ std::vector<double> vertex_strains(const TriMesh& mesh, std::span<const Vec2> pa
   return sums;
 }
 
-std::vector<double> largest_edge_strains(const Patch& patch, std::span<const Vec2> pattern) {
+namespace {
+
+/// The one of larger size, where stretch counts as much as the weight says.
+double larger(double a, double b, double weight_of_stretch) {
+  const auto size = [&](double strain) {
+    return strain < 0.0 ? -strain * weight_of_stretch : strain;
+  };
+  return size(b) > size(a) ? b : a;
+}
+
+}  // namespace
+
+std::vector<double> largest_edge_strains(const Patch& patch, std::span<const Vec2> pattern,
+                                         double weight_of_stretch) {
   const double scale = patch.unit_scale();
   std::vector<double> largest(patch.vertex_count());
   for (Index v = 0; v < largest.size(); ++v) {
     for (const Index w : patch.ring(v)) {
       const double strain = strain_of_edge(patch.mesh(), pattern, scale, v, w);
-      if (std::abs(strain) > std::abs(largest[v])) largest[v] = strain;
+      largest[v] = larger(largest[v], strain, weight_of_stretch);
     }
   }
   return largest;
 }
 
 std::vector<double> largest_edge_strains_of_triangles(const TriMesh& mesh,
-                                                      std::span<const Vec2> pattern) {
+                                                      std::span<const Vec2> pattern,
+                                                      double weight_of_stretch) {
   const double scale = unit_scale(mesh);
   std::vector<double> largest;
   largest.reserve(mesh.triangles.size());
@@ -46,7 +60,7 @@ std::vector<double> largest_edge_strains_of_triangles(const TriMesh& mesh,
     for (const auto& [v, w] :
          {std::pair(t[0], t[1]), std::pair(t[1], t[2]), std::pair(t[2], t[0])}) {
       const double strain = strain_of_edge(mesh, pattern, scale, v, w);
-      if (std::abs(strain) > std::abs(most)) most = strain;
+      most = larger(most, strain, weight_of_stretch);
     }
   }
   return largest;

@@ -16,12 +16,16 @@ std::vector<double> vertex_strains(const TriMesh& mesh, std::span<const Vec2> pa
 /// The strain of largest size among the edges of every vertex, with its sign; 0 for vertices
 /// without edges. The largest of all is edge_strain()'s.
 /// @param pattern one position per vertex of the mesh
-std::vector<double> largest_edge_strains(const Patch& patch, std::span<const Vec2> pattern);
+/// @param weight_of_stretch what counts for 1 of a strain below 0, where one above counts for 1
+std::vector<double> largest_edge_strains(const Patch& patch, std::span<const Vec2> pattern,
+                                         double weight_of_stretch = 1.0);
 
 /// The strain of largest size among the three edges of every triangle, with its sign.
 /// @param pattern one position per vertex of the mesh
+/// @param weight_of_stretch as of largest_edge_strains()
 std::vector<double> largest_edge_strains_of_triangles(const TriMesh& mesh,
-                                                      std::span<const Vec2> pattern);
+                                                      std::span<const Vec2> pattern,
+                                                      double weight_of_stretch = 1.0);
 
 /// The principal stretches of every vertex: the means over its triangles; none for vertices without
 /// triangles.

@@ -63,13 +63,14 @@ double BorderBend::energy_of(const Turn& turn, const std::vector<Vec2>& flat) {
   return turn.weight * change * change;
 }
 
-BorderBend::Derivatives BorderBend::derivatives(const Turn& turn, const std::vector<Vec2>& flat) {
+BorderBend::Derivatives BorderBend::derivatives(const Turn& turn, const std::vector<Vec2>& flat,
+                                                double times) {
   const Triangle& v = turn.vertices;
   const Vec2 first = turning_of(flat[v[1]] - flat[v[0]]);
   const Vec2 last = turning_of(flat[v[2]] - flat[v[1]]);
   const std::array<double, 6> of_angle = {
       first.x, first.y, 0.0 - first.x - last.x, 0.0 - first.y - last.y, last.x, last.y};
-  const double twice = 2.0 * turn.weight, change = change_of(turn, flat);
+  const double twice = 2.0 * times * turn.weight, change = change_of(turn, flat);
   Derivatives result;
   for (std::size_t i = 0; i < 6; ++i) {
     result.gradient[i] = twice * change * of_angle[i];

@@ -38,13 +38,14 @@ class BorderBend {
   double energy(const std::vector<Vec2>& flat) const;
   static double energy_of(const Turn& turn, const std::vector<Vec2>& flat);
 
-  /// Of one turn. The curvature leaves out second derivatives of the angle, and so is never
-  /// negative: 2 weight times the gradient of the angle with itself.
+  /// Of so many times the energy of one turn. The curvature leaves out second derivatives of the
+  /// angle, and so is never negative: 2 weight times the gradient of the angle with itself.
   struct Derivatives {
     std::array<double, 6> gradient;  ///< by x and y of the three vertices, in turn
     std::array<std::array<double, 6>, 6> hessian;
   };
-  static Derivatives derivatives(const Turn& turn, const std::vector<Vec2>& flat);
+  static Derivatives derivatives(const Turn& turn, const std::vector<Vec2>& flat,
+                                 double times = 1.0);
 
  private:
   std::vector<Turn> turns_;

@@ -7,9 +7,7 @@
 
 #include "core/careful_sum.h"
 #include "core/math.h"
-#include "solve/sparse_ldlt.h"
 #include "unfold/stretch/flat_steps.h"
-#include "unfold/stretch/stretch_system.h"
 
 namespace planish {
 
@@ -64,11 +62,12 @@ class LogSum {
 
 class BoundedDescent {
  public:
-  BoundedDescent(const Disk& disk, std::span<const FlatEdge> edges, std::span<const double> bounds,
-                 std::vector<Vec2> start, const BoundedAims& aims, ThreadPool& pool)
-      : disk_(disk), edges_(edges), bounds_(bounds), aims_(aims), pool_(pool), system_(disk) {
+  BoundedDescent(const Disk& disk, StretchSystem& system, std::span<const FlatEdge> edges,
+                 std::span<const EdgeBounds> bounds, std::vector<Vec2> start,
+                 const BoundedAims& aims)
+      : disk_(disk), system_(system), edges_(edges), bounds_(bounds), aims_(aims) {
     now_.flat = turn_to_axis(disk, std::move(start));
-    now_.energy = total_energy(disk_, now_.flat);
+    now_.energy = system_.energy(now_.flat);
     weight_ = aims.weight * now_.energy;
     now_.scale = 1.05 * std::max(largest_share_of_bound(), aims_.least_scale);
     now_.slacks = slacks(now_.flat, now_.scale);
@@ -90,6 +89,7 @@ class BoundedDescent {
     auto trial = search(*direction, steps, longest_share(*direction, steps));
     if (!trial) return false;
     move_multipliers(steps, direction->scale);
+    system_.follow(direction->all, trial->share);
     now_ = std::move(trial->state);
     take_slacks();
     lower_barrier(trial->share);
@@ -116,6 +116,7 @@ class BoundedDescent {
     std::vector<Pair> slacks;
   };
   struct Direction {
+    Eigen::VectorXd all;  // of the system's unknowns
     std::vector<Vec2> move;
     double scale = 0.0, slope = 0.0;
   };
@@ -125,12 +126,15 @@ class BoundedDescent {
     double share = 1.0;
   };
 
-  bool is_bounded(std::size_t e) const { return bounds_[e] < k_infinity; }
+  bool is_bounded(std::size_t e) const { return bounds_[e].longer < k_infinity; }
 
   double largest_share_of_bound() const {
     double largest = 0.0;
-    for (std::size_t e = 0; e < edges_.size(); ++e)
-      largest = std::max(largest, std::abs(laid(edges_[e], now_.flat).strain) / bounds_[e]);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const double strain = laid(edges_[e], now_.flat).strain;
+      const double bound = strain < 0.0 ? bounds_[e].shorter : bounds_[e].longer;
+      largest = std::max(largest, std::abs(strain) / bound);
+    }
     return largest;
   }
 
@@ -139,7 +143,7 @@ class BoundedDescent {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (!is_bounded(e)) continue;
       const double strain = laid(edges_[e], flat).strain;
-      slacks[e] = {scale * bounds_[e] - strain, scale * bounds_[e] + strain};
+      slacks[e] = {scale * bounds_[e].longer - strain, scale * bounds_[e].shorter + strain};
     }
     return slacks;
   }
@@ -168,7 +172,7 @@ class BoundedDescent {
     push.add(1.0 / scale_bound_.slack);
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (!is_bounded(e)) continue;
-      push.add(bounds_[e] / longer_[e].slack + bounds_[e] / shorter_[e].slack);
+      push.add(bounds_[e].longer / longer_[e].slack + bounds_[e].shorter / shorter_[e].slack);
     }
     mu_ = weight_ / push.value();
     for_each_bound([&](Bound& bound) { bound.multiplier = mu_ / bound.slack; });
@@ -198,12 +202,13 @@ class BoundedDescent {
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (!is_bounded(e)) continue;
       const Bound &longer = longer_[e], &shorter = shorter_[e];
-      const double b = bounds_[e], rest = edges_[e].length;
+      const double b = bounds_[e].longer, ratio = bounds_[e].ratio(), rest = edges_[e].length;
       const double stiff_longer = longer.stiffness(), stiff_shorter = shorter.stiffness();
       const LaidEdge edge = laid(edges_[e], now_.flat);
-      gradient.add(-mu_ * b * (1.0 / longer.slack + 1.0 / shorter.slack));
-      curvature.add(b * b * (stiff_longer + stiff_shorter));
-      system_.add_to(mixed_, edges_[e], (b * (stiff_shorter - stiff_longer) / rest) * edge.along);
+      gradient.add(-mu_ * b * (1.0 / longer.slack + ratio * (1.0 / shorter.slack)));
+      curvature.add(b * b * (stiff_longer + ratio * ratio * stiff_shorter));
+      system_.add_to(mixed_, edges_[e],
+                     (b * (ratio * stiff_shorter - stiff_longer) / rest) * edge.along);
       // Where a bound pushes an edge longer, it does so less as the edge turns: left out, so that
       // the matrix stays positive definite.
       const double across =
@@ -221,12 +226,11 @@ class BoundedDescent {
 
   /// The scale is eliminated last: [H, m; m^T, c] [x; t] = -[g; h].
   std::optional<Direction> solve() {
-    if (!factor_) factor_.emplace(system_.hessian(), &pool_);
-    if (!factor_->factor(system_.hessian(), pool_)) return std::nullopt;
+    if (!system_.factor()) return std::nullopt;
     Eigen::MatrixXd right(mixed_.size(), 2);
-    right.col(0) = -system_.gradient();
+    right.col(0) = system_.right();
     right.col(1) = mixed_;
-    const Eigen::MatrixXd found = factor_->solve(right, pool_);
+    const Eigen::MatrixXd found = system_.solve(right);
     by_scale_ = found.col(1);
     scale_pivot_ = scale_curvature_ - mixed_.dot(by_scale_);
     if (!(scale_pivot_ > 0.0)) return std::nullopt;
@@ -239,9 +243,9 @@ class BoundedDescent {
   Direction with_scale(const Eigen::VectorXd& without, double scale_right) const {
     Direction direction;
     direction.scale = (scale_right - mixed_.dot(without)) / scale_pivot_;
-    const Eigen::VectorXd step = without - direction.scale * by_scale_;
-    direction.slope = system_.gradient().dot(step) + scale_gradient_ * direction.scale;
-    direction.move = system_.spread(step);
+    direction.all = without - direction.scale * by_scale_;
+    direction.slope = system_.gradient().dot(direction.all) + scale_gradient_ * direction.scale;
+    direction.move = system_.spread(direction.all);
     return direction;
   }
 
@@ -252,8 +256,8 @@ class BoundedDescent {
       const FlatEdge& edge = edges_[e];
       const Vec2 change = direction.move[edge.to] - direction.move[edge.from];
       const double strain = dot(laid(edge, now_.flat).along, change) / edge.length;
-      const double room = bounds_[e] * direction.scale;
-      steps[e] = {room - strain, room + strain};
+      steps[e] = {bounds_[e].longer * direction.scale - strain,
+                  bounds_[e].shorter * direction.scale + strain};
     }
     return steps;
   }
@@ -273,11 +277,17 @@ class BoundedDescent {
     return most;
   }
 
+  /// Of infinite energy where what the system holds is lost.
   State at(std::vector<Vec2> flat, double scale) const {
     State state;
-    state.flat = std::move(flat);
+    auto restored = system_.restored(std::move(flat));
+    if (!restored) {
+      state.energy = k_infinity;
+      return state;
+    }
+    state.flat = *std::move(restored);
     state.scale = scale;
-    state.energy = total_energy(disk_, state.flat);
+    state.energy = system_.energy(state.flat);
     state.slacks = slacks(state.flat, state.scale);
     return state;
   }
@@ -293,9 +303,10 @@ class BoundedDescent {
       const double stiff_longer = longer_[e].stiffness(), stiff_shorter = shorter_[e].stiffness();
       const double stiff = (stiff_longer + stiff_shorter) / edges_[e].length;
       system_.add_to(pull, edges_[e], -beyond * stiff * laid(edges_[e], now_.flat).along);
-      scale_pull.add(bounds_[e] * beyond * (stiff_longer - stiff_shorter));
+      scale_pull.add(bounds_[e].longer * beyond *
+                     (stiff_longer - bounds_[e].ratio() * stiff_shorter));
     }
-    const Direction more = with_scale(factor_->solve(pull, pool_), scale_pull.value());
+    const Direction more = with_scale(system_.solve(pull), scale_pull.value());
     const double room = std::min(1.0, 0.9 * step_to_first_flip(disk_, trial.flat, more.move));
     return at(moved(trial.flat, room, more.move), trial.scale + room * more.scale);
   }
@@ -310,7 +321,7 @@ class BoundedDescent {
       State plain =
           at(moved(now_.flat, share, direction.move), now_.scale + share * direction.scale);
       if (is_better(plain)) return Trial{std::move(plain), share};
-      if (halvings >= most_corrected) continue;
+      if (halvings >= most_corrected || plain.flat.empty()) continue;
       State better = corrected(plain, steps, share);
       if (is_better(better)) return Trial{std::move(better), share};
     }
@@ -349,13 +360,11 @@ class BoundedDescent {
   }
 
   const Disk& disk_;
+  StretchSystem& system_;
   std::span<const FlatEdge> edges_;
-  std::span<const double> bounds_;
+  std::span<const EdgeBounds> bounds_;
   BoundedAims aims_;
-  ThreadPool& pool_;
-  StretchSystem system_;
   std::vector<StretchSystem::EdgeSlots> slots_;
-  std::optional<SparseLdlt> factor_;
   State now_;
   std::vector<Bound> longer_, shorter_;
   Bound scale_bound_;
@@ -370,12 +379,13 @@ class BoundedDescent {
 
 }  // namespace
 
-BoundedStretch minimise_stretch_within(const Disk& disk, std::span<const FlatEdge> edges,
-                                       std::span<const double> bounds, std::vector<Vec2> start,
-                                       const BoundedAims& aims, ThreadPool& pool,
+BoundedStretch minimise_stretch_within(const Disk& disk, StretchSystem& system,
+                                       std::span<const FlatEdge> edges,
+                                       std::span<const EdgeBounds> bounds, std::vector<Vec2> start,
+                                       const BoundedAims& aims,
                                        const std::function<void()>& after_step) {
   BoundedStretch result;
-  BoundedDescent descent(disk, edges, bounds, std::move(start), aims, pool);
+  BoundedDescent descent(disk, system, edges, bounds, std::move(start), aims);
   while (result.iterations < aims.max_iterations && !result.converged) {
     if (!descent.step()) break;
     ++result.iterations;

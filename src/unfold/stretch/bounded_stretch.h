@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/thread_pool.h"
 #include "unfold/stretch/flat_edges.h"
+#include "unfold/stretch/stretch_system.h"
 
 namespace planish {
 
@@ -19,6 +19,15 @@ struct BoundedAims {
   int max_iterations = 200;
 };
 
+/// How much longer or shorter an edge may get in the pattern, shares of its length on the patch,
+/// above 0: infinite both where it may as it likes.
+struct EdgeBounds {
+  double longer = 0.0, shorter = 0.0;
+
+  /// Of a strain that much shorter counts as much as `longer`: 1 where both bounds are equal.
+  double ratio() const { return shorter / longer; }
+};
+
 struct BoundedStretch {
   std::vector<Vec2> flat;
   double scale = 1.0;  ///< every edge keeps its bound times this
@@ -27,14 +36,17 @@ struct BoundedStretch {
 };
 
 /// Minimises the symmetric Dirichlet energy E plus weight * t over flat disks and scales t, subject
-/// to |strain of edge e| <= t * bounds[e] and t >= least_scale: a primal-dual interior-point method
-/// (docs/unfold.md, "Patterns within limits"). Every step keeps the orientation of all triangles.
-/// @param bounds one per edge, above 0; infinite where there is none
+/// to -t * bounds[e].shorter <= strain of edge e <= t * bounds[e].longer and t >= least_scale: a
+/// primal-dual interior-point method (docs/unfold.md, "Patterns within limits"). Every step keeps
+/// the orientation of all triangles.
+/// @param system of the disk: what it holds, like lengths of the border, stays held
+/// @param bounds one per edge
 /// @param start no triangle flipped; best of least stretch
 /// @param after_step called after each step; what it throws is passed on
-BoundedStretch minimise_stretch_within(const Disk& disk, std::span<const FlatEdge> edges,
-                                       std::span<const double> bounds, std::vector<Vec2> start,
-                                       const BoundedAims& aims, ThreadPool& pool,
+BoundedStretch minimise_stretch_within(const Disk& disk, StretchSystem& system,
+                                       std::span<const FlatEdge> edges,
+                                       std::span<const EdgeBounds> bounds, std::vector<Vec2> start,
+                                       const BoundedAims& aims,
                                        const std::function<void()>& after_step);
 
 }  // namespace planish

@@ -41,4 +41,13 @@ std::vector<double> strains_of(std::span<const FlatEdge> edges, const std::vecto
   return strains;
 }
 
+std::vector<StrainOfEdge> with_areas(std::span<const FlatEdge> edges,
+                                     std::span<const double> strains) {
+  std::vector<StrainOfEdge> weighed;
+  weighed.reserve(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    weighed.push_back({strains[e], edges[e].area});
+  return weighed;
+}
+
 }  // namespace planish

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "unfold/disk/disk.h"
+#include "unfold/strain/strain_of_edges.h"
 
 namespace planish {
 
@@ -24,5 +25,9 @@ std::vector<FlatEdge> flat_edges(const TriMesh& mesh, const Disk& disk);
 
 /// The strain of each edge: its length in the plane over that on the patch, minus 1.
 std::vector<double> strains_of(std::span<const FlatEdge> edges, const std::vector<Vec2>& flat);
+
+/// With the areas that the edges stand for.
+std::vector<StrainOfEdge> with_areas(std::span<const FlatEdge> edges,
+                                     std::span<const double> strains);
 
 }  // namespace planish

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "solve/sparse_ldlt.h"
 #include "unfold/stretch/flat_steps.h"
 #include "unfold/stretch/stretch_system.h"
 
@@ -15,31 +13,31 @@ namespace {
 /// Finds one Newton step after another with a factor of one of their matrices.
 class LaggedSolver {
  public:
-  explicit LaggedSolver(ThreadPool& pool) : pool_(pool) {}
+  explicit LaggedSolver(StretchSystem& system) : system_(system) {}
 
   /// The step from there, of which the system is left as solved; an empty vector where the matrix
   /// cannot be factored.
-  Eigen::VectorXd step(StretchSystem& system, const std::vector<Vec2>& flat) {
+  Eigen::VectorXd step(const std::vector<Vec2>& flat) {
     if (factored_) {
-      system.assemble(flat, Curvature::full);
-      auto step = conjugate_gradients(system.hessian(), -system.gradient());
+      system_.assemble(flat, Curvature::full);
+      auto step = conjugate_gradients();
       if (step.size() > 0) return step;
     }
-    system.assemble(flat, Curvature::projected);
-    if (!factor_) factor_.emplace(system.hessian(), &pool_);
-    factored_ = factor_->factor(system.hessian(), pool_);
+    system_.assemble(flat, Curvature::projected);
+    factored_ = system_.factor();
     if (!factored_) return {};
-    return factor_->solve(-system.gradient(), pool_);
+    return system_.solve(system_.right());
   }
 
  private:
   /// Preconditioned with the factor at hand; empty if that takes too many steps.
-  Eigen::VectorXd conjugate_gradients(const SparseMatrix& lower, const Eigen::VectorXd& right) {
+  Eigen::VectorXd conjugate_gradients() const {
     constexpr int most_steps = 12;
     constexpr double enough = 1e-2;  // of the residual: Newton's own error is of that kind
-    const auto matrix = lower.selfadjointView<Eigen::Lower>();
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(right.size());
-    Eigen::VectorXd residual = right, z = factor_->solve(residual, pool_), direction = z;
+    const auto matrix = system_.hessian().selfadjointView<Eigen::Lower>();
+    Eigen::VectorXd residual = system_.right();
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(residual.size());
+    Eigen::VectorXd z = system_.solve(residual), direction = z;
     double rz = residual.dot(z);
     const double first = rz;
     for (int step = 0; step < most_steps; ++step) {
@@ -48,7 +46,7 @@ class LaggedSolver {
       if (!std::isfinite(length) || length <= 0.0) return {};
       x += length * direction;
       residual -= length * image;
-      z = factor_->solve(residual, pool_);
+      z = system_.solve(residual);
       const double next = residual.dot(z);
       if (next <= enough * enough * first) return x;
       direction = z + (next / rz) * direction;
@@ -57,8 +55,7 @@ class LaggedSolver {
     return {};
   }
 
-  ThreadPool& pool_;
-  std::optional<SparseLdlt> factor_;
+  StretchSystem& system_;
   bool factored_ = false;
 };
 
@@ -70,13 +67,13 @@ LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max
   constexpr double no_energy = 4e-18, least_gain = 1e-6, least_fall = 1e-4;
   LeastStretch result{turn_to_axis(disk, std::move(start)), 0, false};
   pool.stop_if_cancelled();
-  StretchSystem system(disk);
+  StretchSystem system(disk, pool);
   pool.stop_if_cancelled();
-  LaggedSolver solver(pool);
+  LaggedSolver solver(system);
   double energy = total_energy(disk, result.flat);
   for (; result.iterations < max_iterations; ++result.iterations) {
     if ((result.converged = energy <= no_energy)) break;
-    const Eigen::VectorXd step = solver.step(system, result.flat);
+    const Eigen::VectorXd step = solver.step(result.flat);
     if (step.size() == 0) break;
     const double slope = system.gradient().dot(step);
     if (!(slope < 0.0) || -slope <= least_gain * energy) {

@@ -14,18 +14,6 @@ namespace planish {
 
 namespace {
 
-/// A length is kept if it is off by no more than this share of it, or by what rounding makes of
-/// coordinates near 1.
-constexpr double k_kept = 1e-10, k_rounding = 4e-16;
-
-bool all_kept(const Eigen::VectorXd& gaps, const BorderLengths& lengths) {
-  for (std::size_t k = 0; k < lengths.of_edges.size(); ++k) {
-    const double most = k_kept * lengths.of_edges[k] + k_rounding;
-    if (!(std::abs(gaps[static_cast<Eigen::Index>(k)]) <= most)) return false;
-  }
-  return true;
-}
-
 /// Where the descent stands.
 struct Place {
   std::vector<Vec2> flat;
@@ -38,24 +26,22 @@ struct Place {
 
 class Descent {
  public:
-  Descent(const Disk& disk, const BorderLengths& lengths, const std::vector<Vec2>& like,
-          std::vector<Vec2> start, ThreadPool& pool)
+  Descent(const Disk& disk, const HeldBorder& border, std::vector<Vec2> start, ThreadPool& pool)
       : disk_(disk),
-        bend_(disk, lengths, like),
-        system_(disk, lengths, bend_, pool),
-        at_(place(turn_to_axis(disk, std::move(start)))) {
-    pulls_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(disk.border.size()));
-  }
+        system_(disk, border, pool),
+        at_(place(turn_to_axis(disk, std::move(start)))) {}
 
   const Place& at() const { return at_; }
+  bool all_kept() const { return system_.all_kept(at_.gaps); }
 
   /// The next step; nothing where there is none.
   std::optional<SeamSystem::Step> step() {
     for (const Curvature curvature : {Curvature::full, Curvature::projected}) {
       if (curvature == Curvature::full && !near_) continue;
-      factored_ = system_.factor(at_.flat, pulls_, curvature);
+      system_.assemble(at_.flat, curvature);
+      factored_ = system_.factor();
       if (!factored_) continue;
-      SeamSystem::Step step = system_.step(at_.gaps);
+      SeamSystem::Step step = system_.step();
       if (step.sound) return step;
     }
     return std::nullopt;
@@ -63,7 +49,7 @@ class Descent {
 
   /// Goes along the step as far as the merit falls; false if it does not.
   bool follow(const SeamSystem::Step& step) {
-    price_ = std::max(price_, 2.0 * step.pulls.lpNorm<Eigen::Infinity>());
+    price_ = std::max(price_, 2.0 * step.largest_pull);
     const double slope = step.slope - price_ * at_.gaps.lpNorm<1>();
     const double merit = at_.merit(price_);
     double share = std::min(1.0, 0.9 * step_to_first_flip(disk_, at_.flat, step.move));
@@ -75,10 +61,10 @@ class Descent {
       if (std::isfinite(next.energy)) {
         Place bent = corrected(next, (1.0 - share) * at_.gaps);
         if (bent.merit(price_) <= std::min(wanted, straight ? next.merit(price_) : wanted)) {
-          return accept(std::move(bent), share, step.pulls);
+          return accept(std::move(bent), share, step);
         }
       }
-      if (straight) return accept(std::move(next), share, step.pulls);
+      if (straight) return accept(std::move(next), share, step);
     }
     return false;
   }
@@ -99,7 +85,7 @@ class Descent {
 
  private:
   Place place(std::vector<Vec2> flat) const {
-    const double energy = total_energy(disk_, flat) + bend_.energy(flat);
+    const double energy = system_.energy(flat);
     Eigen::VectorXd gaps = system_.gaps(flat);
     return {std::move(flat), std::move(gaps), energy};
   }
@@ -108,17 +94,15 @@ class Descent {
     return place(moved(from.flat, 1.0, system_.correction(wanted_gaps - from.gaps)));
   }
 
-  bool accept(Place next, double share, const Eigen::VectorXd& pulls) {
+  bool accept(Place next, double share, const SeamSystem::Step& step) {
     at_ = std::move(next);
-    pulls_ += share * (pulls - pulls_);
+    system_.follow(step.all, share);
     return true;
   }
 
   const Disk& disk_;
-  BorderBend bend_;
   SeamSystem system_;
   Place at_;
-  Eigen::VectorXd pulls_;
   double price_ = 0.0;
   bool near_ = false;      // the last step was taken whole: full curvature may serve
   bool factored_ = false;  // the system has a factor to solve with
@@ -180,19 +164,18 @@ std::vector<Vec2> circle_start(const Disk& disk, std::span<const double> lengths
   return InnerSystem(disk, weights, pool).extend(disk, polygon);
 }
 
-MatchedBorder match_border(const Disk& disk, const BorderLengths& lengths,
-                           const std::vector<Vec2>& like, std::vector<Vec2> start,
+MatchedBorder match_border(const Disk& disk, const HeldBorder& border, std::vector<Vec2> start,
                            int max_iterations, ThreadPool& pool,
                            const std::function<void()>& after_step) {
   // As for the pattern of least stretch.
   constexpr double no_energy = 4e-18, least_gain = 1e-6, least_fall = 1e-4;
-  Descent descent(disk, lengths, like, std::move(start), pool);
+  Descent descent(disk, border, std::move(start), pool);
   MatchedBorder matched;
   for (int& taken = matched.result.iterations; taken < max_iterations;) {
     const auto step = descent.step();
     if (!step) break;
     const double energy = descent.at().energy;
-    const bool kept = all_kept(descent.at().gaps, lengths);
+    const bool kept = descent.all_kept();
     const double gain = std::abs(step->slope);
     if (kept && (energy <= no_energy || gain <= least_gain * energy)) {
       matched.result.converged = true;
@@ -206,7 +189,7 @@ MatchedBorder match_border(const Disk& disk, const BorderLengths& lengths,
     if (after_step) after_step();
   }
   descent.settle();
-  matched.matched = all_kept(descent.at().gaps, lengths) && all_upright(disk, descent.at().flat);
+  matched.matched = descent.all_kept() && all_upright(disk, descent.at().flat);
   matched.result.flat = descent.at().flat;
   return matched;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "unfold/disk/disk.h"
+#include "unfold/stretch/held_border.h"
 #include "unfold/stretch/least_stretch.h"
 
 namespace planish {
@@ -13,15 +14,13 @@ namespace planish {
 /// border edges, but those that are free, have the lengths given (docs/unfold.md): Newton steps
 /// with multipliers, judged by the energy plus a price on what lengths are off by. To the energy
 /// belongs what it costs to bend the border (BorderBend).
-/// @param like without flipped triangles: the border turns as there at no cost
 /// @param start without flipped triangles; its border may have other lengths
 /// @return the lengths are kept if `matched`
 struct MatchedBorder {
   LeastStretch result;
   bool matched = false;
 };
-MatchedBorder match_border(const Disk& disk, const BorderLengths& lengths,
-                           const std::vector<Vec2>& like, std::vector<Vec2> start,
+MatchedBorder match_border(const Disk& disk, const HeldBorder& border, std::vector<Vec2> start,
                            int max_iterations, ThreadPool& pool,
                            const std::function<void()>& after_step);
 

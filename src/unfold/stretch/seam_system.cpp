@@ -14,6 +14,7 @@ namespace {
 
 /// In units of lengths by pulls, both of which are near 1 for the whole disk.
 constexpr double k_give = 1e-10;
+constexpr double k_kept = 1e-10, k_rounding = 4e-16;
 
 struct BorderEdge {
   Index from, to;
@@ -25,46 +26,25 @@ BorderEdge border_edge(const Disk& disk, std::size_t k) {
 
 }  // namespace
 
-SeamSystem::SeamSystem(const Disk& disk, const BorderLengths& lengths, const BorderBend& bend,
-                       ThreadPool& pool)
-    : disk_(disk),
-      pool_(pool),
-      lengths_(lengths),
-      bend_(bend),
-      unknowns_(disk),
-      column_(2 * disk.vertex_count, Unknowns::k_fixed),
-      pull_column_(disk.border.size(), 0),
+SeamSystem::SeamSystem(const Disk& disk, const HeldBorder& border, ThreadPool& pool)
+    : StretchSystem(disk, disk.border.size(), pool),
+      border_(border),
       edges_of_(disk.triangles.size()) {
-  number_unknowns();
+  find_edges_of_triangles();
   make_pattern();
-  pulls_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(disk.border.size()));
-  const auto add_slot = [&](int row, int column, int, int) {
-    slots_.push_back(entry_of(lower_, row, column));
-  };
-  for (const Triangle& t : disk.triangles)
-    for_pairs(t, add_slot);
-  for (const BorderBend::Turn& turn : bend.turns())
-    for_pairs(turn.vertices, add_slot);
+  find_slots();
+  pulls_ = gaps_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(disk.border.size()));
+  for (const BorderBend::Turn& turn : border.bend.turns()) {
+    for_pairs(turn.vertices, [&](int row, int column, int, int) {
+      slots_of_turns_.push_back(entry_of(hessian_, row, column));
+    });
+  }
 }
 
-void SeamSystem::number_unknowns() {
-  std::vector<std::vector<std::size_t>> closes(disk_.vertex_count);  // edges, at their later end
+void SeamSystem::find_edges_of_triangles() {
   std::vector<std::size_t> edge_from(disk_.vertex_count, disk_.border.size());
-  for (std::size_t k = 0; k < disk_.border.size(); ++k) {
-    const BorderEdge edge = border_edge(disk_, k);
-    closes[std::max(edge.from, edge.to)].push_back(k);
-    edge_from[edge.from] = k;
-  }
-  int count = 0;
-  for (Index v = 0; v < disk_.vertex_count; ++v) {
-    for (const int axis : {0, 1}) {
-      if (unknowns_.column(v, axis) != Unknowns::k_fixed) column_[2 * v + axis] = count++;
-    }
-    for (const std::size_t k : closes[v])
-      pull_column_[k] = count++;
-  }
-  lower_.resize(count, count);
-  gradient_.resize(count);
+  for (std::size_t k = 0; k < disk_.border.size(); ++k)
+    edge_from[disk_.border[k]] = k;
   for (std::size_t t = 0; t < disk_.triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) {
       const std::size_t k = edge_from[disk_.triangles[t][i]];
@@ -76,64 +56,83 @@ void SeamSystem::number_unknowns() {
   }
 }
 
-template <class Visit>
-void SeamSystem::for_pairs(const Triangle& tri, Visit visit) const {
-  for (int i = 0; i < 6; ++i) {
-    const int row = column_[2 * tri[i / 2] + i % 2];
-    for (int j = 0; j < 6; ++j) {
-      const int column = column_[2 * tri[j / 2] + j % 2];
-      if (column != Unknowns::k_fixed && row >= column) visit(row, column, i, j);
+std::vector<Index> SeamSystem::elimination_order() const {
+  std::vector<std::vector<std::size_t>> edges(disk_.vertex_count);
+  for (std::size_t k = 0; k < disk_.border.size(); ++k) {
+    edges[border_edge(disk_, k).from].push_back(k);
+    edges[border_edge(disk_, k).to].push_back(k);
+  }
+  std::vector<char> is_begun(disk_.border.size(), 0);
+  std::vector<Index> order;
+  order.reserve(static_cast<std::size_t>(hessian_.rows()));
+  for (const Index v : border_.order) {
+    for (const int axis : {0, 1}) {
+      const int column = unknowns_.column(v, axis);
+      if (column != Unknowns::k_fixed) order.push_back(static_cast<Index>(column));
+    }
+    for (const std::size_t k : edges[v]) {
+      if (is_begun[k] != 0) order.push_back(static_cast<Index>(row_of_pull(k)));
+      is_begun[k] = 1;
     }
   }
+  return order;
 }
 
 void SeamSystem::make_pattern() {
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(21 * (disk_.triangles.size() + bend_.turns().size()) + 5 * disk_.border.size());
+  const std::vector<BorderBend::Turn>& turns = border_.bend.turns();
+  entries.reserve(21 * (disk_.triangles.size() + turns.size()) + 5 * disk_.border.size());
   const auto add = [&](int row, int column, int, int) { entries.emplace_back(row, column, 0.0); };
   for (const Triangle& t : disk_.triangles)
     for_pairs(t, add);
-  for (const BorderBend::Turn& turn : bend_.turns())
+  for (const BorderBend::Turn& turn : turns)
     for_pairs(turn.vertices, add);
   for (std::size_t k = 0; k < disk_.border.size(); ++k) {
     const BorderEdge edge = border_edge(disk_, k);
-    const int pull = pull_column_[k];
+    const int pull = row_of_pull(k);
     entries.emplace_back(pull, pull, 0.0);
     for (const Index v : {edge.from, edge.to}) {
       for (const int axis : {0, 1}) {
-        const int column = column_[2 * v + axis];
+        const int column = unknowns_.column(v, axis);
         if (column == Unknowns::k_fixed) continue;
-        entries.emplace_back(std::max(pull, column), std::min(pull, column), 0.0);
+        entries.emplace_back(pull, column, 0.0);
       }
     }
   }
-  lower_.setFromTriplets(entries.begin(), entries.end());
+  hessian_.setFromTriplets(entries.begin(), entries.end());
 }
 
 Eigen::VectorXd SeamSystem::gaps(const std::vector<Vec2>& flat) const {
+  const BorderLengths& lengths = border_.lengths;
   Eigen::VectorXd gaps = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(disk_.border.size()));
   for (std::size_t k = 0; k < disk_.border.size(); ++k) {
-    if (lengths_.may_change(k)) continue;
+    if (lengths.may_change(k)) continue;
     const BorderEdge edge = border_edge(disk_, k);
     gaps[static_cast<Eigen::Index>(k)] =
-        norm(flat[edge.to] - flat[edge.from]) - lengths_.of_edges[k];
+        norm(flat[edge.to] - flat[edge.from]) - lengths.of_edges[k];
   }
   return gaps;
 }
 
+bool SeamSystem::all_kept(const Eigen::VectorXd& gaps) const {
+  for (std::size_t k = 0; k < disk_.border.size(); ++k) {
+    const double most = k_kept * border_.lengths.of_edges[k] + k_rounding;
+    if (!(std::abs(gaps[static_cast<Eigen::Index>(k)]) <= most)) return false;
+  }
+  return true;
+}
+
 /// Of a triangle with border edges the pulls' share is added, and what is left of negative
 /// curvature then is cut off: less is, than of each by itself.
-SeamSystem::Matrix6 SeamSystem::hessian_of(std::size_t t, const std::vector<Vec2>& flat,
-                                           const Eigen::VectorXd& pulls,
-                                           Curvature curvature) const {
+SeamSystem::Hessian6 SeamSystem::hessian_of(std::size_t t, const TriangleEnergy& energy,
+                                            const std::vector<Vec2>& flat,
+                                            Curvature curvature) const {
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
   const bool on_border = !edges_of_[t].empty();
-  const auto own = energy_of(disk_, t, flat).hessian(on_border ? Curvature::full : curvature);
-  Matrix6 hessian;
-  for (int i = 0; i < 6; ++i) {
-    for (int j = 0; j < 6; ++j)
-      hessian(i, j) = own[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-  }
-  if (!on_border) return hessian;
+  Hessian6 result = energy.hessian(on_border ? Curvature::full : curvature);
+  if (!on_border) return result;
+  Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>> entries(result.front().data());
+  Matrix6 hessian = entries;
   const Triangle& tri = disk_.triangles[t];
   for (const Index k : edges_of_[t]) {
     const BorderEdge edge = border_edge(disk_, k);
@@ -145,103 +144,110 @@ SeamSystem::Matrix6 SeamSystem::hessian_of(std::size_t t, const std::vector<Vec2
       across[2 * corner] = -sign * d.y / length;
       across[2 * corner + 1] = sign * d.x / length;
     }
-    hessian += (pulls[static_cast<Eigen::Index>(k)] / length) * across * across.transpose();
+    hessian += (pulls_[static_cast<Eigen::Index>(k)] / length) * across * across.transpose();
   }
-  if (curvature == Curvature::full) return hessian;
-  const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(hessian);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
-         eigen.eigenvectors().transpose();
+  if (curvature == Curvature::projected) {
+    const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(hessian);
+    hessian = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
+              eigen.eigenvectors().transpose();
+  }
+  entries = hessian;
+  return result;
 }
 
 void SeamSystem::add_lengths(const std::vector<Vec2>& flat) {
-  double* values = lower_.valuePtr();
+  double* values = hessian_.valuePtr();
   for (std::size_t k = 0; k < disk_.border.size(); ++k) {
     const BorderEdge edge = border_edge(disk_, k);
-    const int pull = pull_column_[k];
-    values[entry_of(lower_, pull, pull)] = lengths_.may_change(k) ? -1.0 : -k_give;
-    if (lengths_.may_change(k)) continue;
+    const int pull = row_of_pull(k);
+    const bool is_free = border_.lengths.may_change(k);
+    values[entry_of(hessian_, pull, pull)] = is_free ? -1.0 : -k_give;
+    if (is_free) continue;
     const Vec2 d = flat[edge.to] - flat[edge.from];
     const Vec2 along = (1.0 / norm(d)) * d;
     const auto set = [&](Index v, double sign) {
-      const int x = column_[2 * v], y = column_[2 * v + 1];
-      if (x != Unknowns::k_fixed) values[entry_of(lower_, pull, x)] = sign * along.x;
-      if (y != Unknowns::k_fixed) values[entry_of(lower_, pull, y)] = sign * along.y;
+      const int x = unknowns_.column(v, 0), y = unknowns_.column(v, 1);
+      if (x != Unknowns::k_fixed) values[entry_of(hessian_, pull, x)] = sign * along.x;
+      if (y != Unknowns::k_fixed) values[entry_of(hessian_, pull, y)] = sign * along.y;
     };
     set(edge.from, -1.0);
     set(edge.to, 1.0);
   }
 }
 
-void SeamSystem::add_gradient(const Triangle& corners, const std::array<double, 6>& gradient) {
-  for (int i = 0; i < 6; ++i) {
-    const int row = column_[2 * corners[i / 2] + i % 2];
-    if (row != Unknowns::k_fixed) gradient_[row] += gradient[static_cast<std::size_t>(i)];
-  }
-}
-
-bool SeamSystem::factor(const std::vector<Vec2>& flat, const Eigen::VectorXd& pulls,
-                        Curvature curvature) {
-  std::fill_n(lower_.valuePtr(), lower_.nonZeros(), 0.0);
-  gradient_.setZero();
-  pulls_ = pulls;
-  auto next_slot = slots_.begin();
-  for (std::size_t t = 0; t < disk_.triangles.size(); ++t) {
-    const Triangle& tri = disk_.triangles[t];
-    add_gradient(tri, energy_of(disk_, t, flat).gradient());
-    const Matrix6 hessian = hessian_of(t, flat, pulls, curvature);
-    for_pairs(tri,
-              [&](int, int, int i, int j) { lower_.valuePtr()[*next_slot++] += hessian(i, j); });
-  }
-  for (const BorderBend::Turn& turn : bend_.turns()) {
-    const BorderBend::Derivatives bend = BorderBend::derivatives(turn, flat);
+void SeamSystem::assemble(const std::vector<Vec2>& flat, Curvature curvature) {
+  StretchSystem::assemble(flat, curvature);
+  auto next_slot = slots_of_turns_.begin();
+  for (const BorderBend::Turn& turn : border_.bend.turns()) {
+    const BorderBend::Derivatives bend = BorderBend::derivatives(turn, flat, stiffness_);
     add_gradient(turn.vertices, bend.gradient);
     for_pairs(turn.vertices, [&](int, int, int i, int j) {
-      lower_.valuePtr()[*next_slot++] +=
+      hessian_.valuePtr()[*next_slot++] +=
           bend.hessian[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
     });
   }
   add_lengths(flat);
-  if (!solver_) solver_.emplace(lower_);  // unknowns are in order of elimination
-  return solver_->factor(lower_, pool_) && solver_->negative_pivots() == disk_.border.size();
+  gaps_ = gaps(flat);
 }
 
-std::vector<Vec2> SeamSystem::spread(const Eigen::VectorXd& solution) const {
-  std::vector<Vec2> move(disk_.vertex_count);
-  for (std::size_t v = 0; v < move.size(); ++v) {
-    const int x = column_[2 * v], y = column_[2 * v + 1];
-    move[v] = {x == Unknowns::k_fixed ? 0.0 : solution[x],
-               y == Unknowns::k_fixed ? 0.0 : solution[y]};
-  }
-  return move;
+bool SeamSystem::factor() {
+  return StretchSystem::factor() && factor_->negative_pivots() == disk_.border.size();
 }
 
-SeamSystem::Step SeamSystem::step(const Eigen::VectorXd& gaps) const {
+Eigen::VectorXd SeamSystem::right() const {
   Eigen::VectorXd right = -gradient_;
-  for (std::size_t k = 0; k < pull_column_.size(); ++k) {
+  for (std::size_t k = 0; k < disk_.border.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    right[pull_column_[k]] = -gaps[i] - k_give * pulls_[i];
+    right[row_of_pull(k)] = -gaps_[i] - k_give * pulls_[i];
   }
-  const auto matrix = lower_.selfadjointView<Eigen::Lower>();
-  Eigen::VectorXd solution = solver_->solve(right, pool_);
-  const Eigen::VectorXd rest = right - matrix * solution;
-  solution += solver_->solve(rest, pool_);
+  return right;
+}
+
+void SeamSystem::follow(const Eigen::VectorXd& step, double share) {
+  for (std::size_t k = 0; k < disk_.border.size(); ++k) {
+    double& pull = pulls_[static_cast<Eigen::Index>(k)];
+    pull += share * (step[row_of_pull(k)] - pull);
+  }
+}
+
+SeamSystem::Step SeamSystem::step() const {
+  const Eigen::VectorXd right = this->right();
+  const auto matrix = hessian_.selfadjointView<Eigen::Lower>();
   Step step;
-  step.sound = (right - matrix * solution).norm() <= 1e-3 * right.norm();
-  step.move = spread(solution);
-  step.pulls.resize(gaps.size());
-  for (std::size_t k = 0; k < pull_column_.size(); ++k) {
-    step.pulls[static_cast<Eigen::Index>(k)] = solution[pull_column_[k]];
-    solution[pull_column_[k]] = 0.0;
+  step.all = solve(right);
+  const Eigen::VectorXd rest = right - matrix * step.all;
+  step.all += solve(rest);
+  step.sound = (right - matrix * step.all).norm() <= 1e-3 * right.norm();
+  step.move = spread(step.all);
+  for (std::size_t k = 0; k < disk_.border.size(); ++k) {
+    const double pull = step.all[row_of_pull(k)];
+    step.largest_pull = std::max(step.largest_pull, std::abs(pull));
   }
-  step.slope = gradient_.dot(solution);
+  step.slope = gradient_.dot(step.all);
   return step;
 }
 
 std::vector<Vec2> SeamSystem::correction(const Eigen::VectorXd& change) const {
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(lower_.rows());
-  for (std::size_t k = 0; k < pull_column_.size(); ++k)
-    right[pull_column_[k]] = change[static_cast<Eigen::Index>(k)];
-  return spread(solver_->solve(right, pool_));
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(hessian_.rows());
+  for (std::size_t k = 0; k < disk_.border.size(); ++k)
+    right[row_of_pull(k)] = change[static_cast<Eigen::Index>(k)];
+  return spread(solve(right));
+}
+
+std::optional<std::vector<Vec2>> SeamSystem::restored(std::vector<Vec2> flat) const {
+  constexpr int most_solves = 12;
+  for (int solves = 0; solves <= most_solves; ++solves) {
+    const Eigen::VectorXd gaps = this->gaps(flat);
+    if (all_kept(gaps)) return flat;
+    if (solves < most_solves) flat = moved(std::move(flat), 1.0, correction(-gaps));
+  }
+  return std::nullopt;
+}
+
+std::unique_ptr<StretchSystem> make_system(const Disk& disk, const HeldBorder* border,
+                                           ThreadPool& pool) {
+  if (border == nullptr) return std::make_unique<StretchSystem>(disk, pool);
+  return std::make_unique<SeamSystem>(disk, *border, pool);
 }
 
 }  // namespace planish

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <array>
+#include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "solve/sparse_ldlt.h"
-#include "unfold/stretch/border_bend.h"
-#include "unfold/stretch/flat_steps.h"
+#include "unfold/stretch/held_border.h"
+#include "unfold/stretch/stretch_system.h"
 
 namespace planish {
 
@@ -19,59 +17,65 @@ namespace planish {
 ///
 /// g and H gradient and Hessian of both energies plus y times the lengths, J the derivative of the
 /// lengths, y the pulls of the edges before, d so small that it only keeps pivots away from 0. A
-/// border edge's row comes right after its ends, so that its pivot is far from 0 already. The row
+/// border edge is eliminated right after its ends, so that its pivot is far from 0 already. The row
 /// of an edge that is free is -1 on the diagonal alone, so that its pull is 0.
-class SeamSystem {
+class SeamSystem final : public StretchSystem {
  public:
-  /// @param lengths of the sides from border[k] to border[k + 1], which must outlive it, as must
-  ///   the disk, the bend and the pool
-  SeamSystem(const Disk& disk, const BorderLengths& lengths, const BorderBend& bend,
-             ThreadPool& pool);
+  /// @param border must outlive it, as must the disk and the pool
+  SeamSystem(const Disk& disk, const HeldBorder& border, ThreadPool& pool);
+
+  void stiffen(double times) override { stiffness_ = times; }
+  double energy(const std::vector<Vec2>& flat) const override {
+    return StretchSystem::energy(flat) + stiffness_ * border_.bend.energy(flat);
+  }
+  void assemble(const std::vector<Vec2>& flat, Curvature curvature) override;
+  /// False also where the energy has no minimum among moves that keep lengths, which happens with
+  /// full curvature only.
+  bool factor() override;
+  /// Takes lengths that are not kept for changed by as much.
+  Eigen::VectorXd right() const override;
+  /// With the lengths kept (all_kept()).
+  std::optional<std::vector<Vec2>> restored(std::vector<Vec2> flat) const override;
+  /// Takes over the pulls.
+  void follow(const Eigen::VectorXd& step, double share) override;
 
   /// Length less wanted length of each border edge; 0 of those that are free.
   Eigen::VectorXd gaps(const std::vector<Vec2>& flat) const;
-
-  /// Factors at `flat`; false where that cannot be, or where the energy has no minimum among moves
-  /// that keep lengths, which happens with full curvature only.
-  bool factor(const std::vector<Vec2>& flat, const Eigen::VectorXd& pulls, Curvature curvature);
+  /// Whether no length is off by more than 1e-10 of it, or by what rounding makes of coordinates
+  /// near 1.
+  bool all_kept(const Eigen::VectorXd& gaps) const;
 
   struct Step {
+    Eigen::VectorXd all;  ///< of all unknowns
     std::vector<Vec2> move;
-    Eigen::VectorXd pulls;
+    double largest_pull = 0.0;
     double slope = 0.0;  ///< of the energy along the move
     bool sound = false;  ///< it does solve the system
   };
   /// @pre factor() was true
-  Step step(const Eigen::VectorXd& gaps) const;
+  Step step() const;
   /// The least move, in the energy's measure, that changes lengths by as much.
   std::vector<Vec2> correction(const Eigen::VectorXd& change) const;
 
  private:
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
-  void number_unknowns();
+  Hessian6 hessian_of(std::size_t t, const TriangleEnergy& energy, const std::vector<Vec2>& flat,
+                      Curvature curvature) const override;
+  std::vector<Index> elimination_order() const override;
+  int row_of_pull(std::size_t k) const { return unknowns_.count() + static_cast<int>(k); }
   void make_pattern();
-  Matrix6 hessian_of(std::size_t t, const std::vector<Vec2>& flat, const Eigen::VectorXd& pulls,
-                     Curvature curvature) const;
+  void find_edges_of_triangles();
   void add_lengths(const std::vector<Vec2>& flat);
-  void add_gradient(const Triangle& corners, const std::array<double, 6>& gradient);
-  std::vector<Vec2> spread(const Eigen::VectorXd& solution) const;
-  template <class Visit>
-  void for_pairs(const Triangle& tri, Visit visit) const;
 
-  const Disk& disk_;
-  ThreadPool& pool_;
-  const BorderLengths& lengths_;
-  const BorderBend& bend_;
-  Unknowns unknowns_;                         // tells what is held; its numbers are not these
-  std::vector<int> column_;                   // of x and y of each vertex, k_fixed where held
-  std::vector<int> pull_column_;              // of each border edge
+  const HeldBorder& border_;
   std::vector<std::vector<Index>> edges_of_;  // border edges of each triangle that has some
-  SparseMatrix lower_;
-  std::vector<std::size_t>
-      slots_;  // of the entries of triangles and turns, in the order they are made in
-  Eigen::VectorXd gradient_, pulls_;
-  std::optional<SparseLdlt> solver_;
+  std::vector<std::size_t> slots_of_turns_;   // of their entries, in the order they are made in
+  Eigen::VectorXd pulls_, gaps_;
+  double stiffness_ = 1.0;  // of the border's bend
 };
+
+/// A system of the disk, whose border is free where none is held.
+/// @param border nullptr or outlives it
+std::unique_ptr<StretchSystem> make_system(const Disk& disk, const HeldBorder* border,
+                                           ThreadPool& pool);
 
 }  // namespace planish

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "core/thread_pool.h"
 #include "unfold/stretch/flat_edges.h"
 #include "unfold/stretch/least_stretch.h"
+#include "unfold/stretch/stretch_system.h"
 
 namespace planish {
 
@@ -14,12 +14,13 @@ namespace planish {
 /// edges of 99 % of the area do not exceed, with it the largest of all edges that can follow
 /// (docs/unfold.md, "Spreading the stretch"). The rms strain rises to `most_rms` at most, no
 /// triangle flips, and a border that does not cross itself goes on so.
-/// @param least of minimise_stretch()
+/// @param system of the disk: what it holds, like lengths of the border, stays held
+/// @param least of minimise_stretch(), or match_border() where the border keeps its lengths
 /// @param most_rms a share of length, at least that of `least`
 /// @param after_step called after each step; what it throws is passed on
 /// @return `least` itself where spreading gains nothing; iterations count from those of `least`
-LeastStretch spread_stretch(const Disk& disk, std::span<const FlatEdge> edges, LeastStretch least,
-                            double most_rms, ThreadPool& pool,
+LeastStretch spread_stretch(const Disk& disk, StretchSystem& system,
+                            std::span<const FlatEdge> edges, LeastStretch least, double most_rms,
                             const std::function<void()>& after_step);
 
 /// The root mean square of strains, each weighed by the area that its edge stands for.

@@ -6,10 +6,20 @@
 
 namespace planish {
 
-StretchSystem::StretchSystem(const Disk& disk) : disk_(disk), unknowns_(disk) {
+StretchSystem::StretchSystem(const Disk& disk, ThreadPool& pool) : StretchSystem(disk, 0, pool) {
   make_pattern();
-  gradient_.resize(unknowns_.count());
-  for (const Triangle& t : disk.triangles)
+  find_slots();
+}
+
+StretchSystem::StretchSystem(const Disk& disk, std::size_t more_rows, ThreadPool& pool)
+    : disk_(disk), pool_(pool), unknowns_(disk) {
+  const Eigen::Index rows = unknowns_.count() + static_cast<Eigen::Index>(more_rows);
+  hessian_.resize(rows, rows);
+  gradient_.resize(rows);
+}
+
+void StretchSystem::find_slots() {
+  for (const Triangle& t : disk_.triangles)
     for_pairs(t, [&](int row, int column, int, int) {
       slots_.push_back(entry_of(hessian_, row, column));
     });
@@ -21,16 +31,32 @@ void StretchSystem::assemble(const std::vector<Vec2>& flat, Curvature curvature)
   auto next_slot = slots_.begin();
   for (std::size_t t = 0; t < disk_.triangles.size(); ++t) {
     const TriangleEnergy energy = energy_of(disk_, t, flat);
-    const auto gradient = energy.gradient();
-    const auto hessian = energy.hessian(curvature);
     const Triangle& tri = disk_.triangles[t];
-    for (int i = 0; i < 6; ++i) {
-      const int row = unknowns_.column(tri[i / 2], i % 2);
-      if (row != Unknowns::k_fixed) gradient_[row] += gradient[i];
-    }
-    for_pairs(tri,
-              [&](int, int, int i, int j) { hessian_.valuePtr()[*next_slot++] += hessian[i][j]; });
+    add_gradient(tri, energy.gradient());
+    const Hessian6 hessian = hessian_of(t, energy, flat, curvature);
+    for_pairs(tri, [&](int, int, int i, int j) {
+      hessian_.valuePtr()[*next_slot++] +=
+          hessian[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    });
   }
+}
+
+void StretchSystem::add_gradient(const Triangle& corners, const std::array<double, 6>& gradient) {
+  for (int i = 0; i < 6; ++i) {
+    const int row = unknowns_.column(corners[i / 2], i % 2);
+    if (row != Unknowns::k_fixed) gradient_[row] += gradient[static_cast<std::size_t>(i)];
+  }
+}
+
+bool StretchSystem::factor() {
+  if (!factor_) {
+    const std::vector<Index> order = elimination_order();
+    if (order.empty())
+      factor_.emplace(hessian_, &pool_);
+    else
+      factor_.emplace(hessian_, order, &pool_);
+  }
+  return factor_->factor(hessian_, pool_);
 }
 
 StretchSystem::EdgeSlots StretchSystem::slots_of(const FlatEdge& edge) const {
@@ -91,7 +117,6 @@ void StretchSystem::make_pattern() {
   const auto n = static_cast<Eigen::Index>(disk_.vertex_count);
   Eigen::SparseMatrix<char> meet(n, n);
   meet.setFromTriplets(pairs.begin(), pairs.end(), [](char a, char) { return a; });
-  hessian_.resize(unknowns_.count(), unknowns_.count());
   hessian_.reserve(4 * meet.nonZeros());
   for (Index v = 0; v < disk_.vertex_count; ++v) {
     for (const int column : {unknowns_.column(v, 0), unknowns_.column(v, 1)}) {
@@ -106,17 +131,6 @@ void StretchSystem::make_pattern() {
     }
   }
   hessian_.finalize();
-}
-
-template <class Visit>
-void StretchSystem::for_pairs(const Triangle& tri, Visit visit) const {
-  for (int i = 0; i < 6; ++i) {
-    const int row = unknowns_.column(tri[i / 2], i % 2);
-    for (int j = 0; j < 6; ++j) {
-      const int column = unknowns_.column(tri[j / 2], j % 2);
-      if (column != Unknowns::k_fixed && row >= column) visit(row, column, i, j);
-    }
-  }
 }
 
 template <class Visit>

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,14 +13,23 @@
 
 namespace planish {
 
-/// Gradient and Hessian (lower half) of the stretch of a whole flat disk. Terms of edges may be
-/// added: they need no further entries.
+/// The equations of Newton steps that lower the stretch of a whole flat disk: gradient and Hessian
+/// (lower half). Terms of edges may be added: they need no further entries. SeamSystem has those of
+/// a disk whose border keeps its lengths.
 class StretchSystem {
  public:
-  explicit StretchSystem(const Disk& disk);
+  /// @param disk must outlive it, as must the pool
+  StretchSystem(const Disk& disk, ThreadPool& pool);
+  virtual ~StretchSystem() = default;
+  StretchSystem(const StretchSystem&) = delete;
+  StretchSystem& operator=(const StretchSystem&) = delete;
 
-  /// Sets both to those of the symmetric Dirichlet energy.
-  void assemble(const std::vector<Vec2>& flat, Curvature curvature);
+  /// Makes bending of a border that is held cost so many times as much as at first.
+  virtual void stiffen(double /*times*/) {}
+  /// What is to be lowered, without the terms of edges: infinite where a triangle is flipped.
+  virtual double energy(const std::vector<Vec2>& flat) const { return total_energy(disk_, flat); }
+  /// Sets gradient and Hessian to those of the energy.
+  virtual void assemble(const std::vector<Vec2>& flat, Curvature curvature);
   /// Where the entries of an edge lie among the Hessian's values, in the order that they are made
   /// in.
   using EdgeSlots = std::array<std::uint32_t, 10>;
@@ -28,26 +38,65 @@ class StretchSystem {
   /// @param slots of the edge
   void add(const FlatEdge& edge, const EdgeSlots& slots, Vec2 gradient, const EdgeHessian& hessian);
 
-  bool solved_by(const Eigen::VectorXd& step) const;
   const SparseMatrix& hessian() const { return hessian_; }
   const Eigen::VectorXd& gradient() const { return gradient_; }
+  /// False where no step can be solved for.
+  virtual bool factor();
+  /// By the last factor. @pre factor() was true
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const { return factor_->solve(right, pool_); }
+  /// The right side of the step.
+  virtual Eigen::VectorXd right() const { return -gradient_; }
+  bool solved_by(const Eigen::VectorXd& step) const;
+
+  /// A place near to one that the last factor was made at, with what a step must keep; nothing
+  /// where that fails.
+  virtual std::optional<std::vector<Vec2>> restored(std::vector<Vec2> flat) const { return flat; }
+  /// To be told of each step that was made, with the share of it.
+  virtual void follow(const Eigen::VectorXd& /*step*/, double /*share*/) {}
+
   /// Adds to a vector of the unknowns what the ends of an edge get.
   void add_to(Eigen::VectorXd& unknowns, const FlatEdge& edge, Vec2 gradient) const;
   std::vector<Vec2> spread(const Eigen::VectorXd& unknowns) const;
 
+ protected:
+  /// With more rows behind those of the coordinates, for whoever makes the pattern.
+  StretchSystem(const Disk& disk, std::size_t more_rows, ThreadPool& pool);
+
+  using Hessian6 = std::array<std::array<double, 6>, 6>;
+  virtual Hessian6 hessian_of(std::size_t /*t*/, const TriangleEnergy& energy,
+                              const std::vector<Vec2>& /*flat*/, Curvature curvature) const {
+    return energy.hessian(curvature);
+  }
+  void add_gradient(const Triangle& corners, const std::array<double, 6>& gradient);
+  template <class Visit>
+  void for_pairs(const Triangle& tri, Visit visit) const {
+    for (int i = 0; i < 6; ++i) {
+      const int row = unknowns_.column(tri[i / 2], i % 2);
+      for (int j = 0; j < 6; ++j) {
+        const int column = unknowns_.column(tri[j / 2], j % 2);
+        if (column != Unknowns::k_fixed && row >= column) visit(row, column, i, j);
+      }
+    }
+  }
+  /// To be called once hessian_ has its pattern.
+  void find_slots();
+  /// The unknowns in order of elimination; empty where they are numbered so.
+  virtual std::vector<Index> elimination_order() const { return {}; }
+
+  const Disk& disk_;
+  ThreadPool& pool_;
+  Unknowns unknowns_;
+  SparseMatrix hessian_;
+  Eigen::VectorXd gradient_;
+  std::optional<SparseLdlt> factor_;
+
  private:
   void make_pattern();
   template <class Visit>
-  void for_pairs(const Triangle& tri, Visit visit) const;
-  template <class Visit>
   void for_pairs(const FlatEdge& edge, Visit visit) const;
 
-  const Disk& disk_;
-  Unknowns unknowns_;
-  SparseMatrix hessian_;
-  // Where entries go among its values, in the order that they are made in.
+  // Where entries of triangles go among its values, in the order that they are made in.
   std::vector<std::size_t> slots_;
-  Eigen::VectorXd gradient_;
 };
 
 }  // namespace planish

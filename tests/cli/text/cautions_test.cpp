@@ -100,7 +100,7 @@ TEST_F(CautionsOfVerbs, AreNotesOfVerbsThatGiveNoPattern) {
 }
 
 TEST_F(CautionsOfVerbs, AreOnTheSheetOfTheDesignToo) {
-  planish({"flatten", "plate.obj", "-o", "out"});
+  planish({"flatten", "plate.obj", "-o", "out", "--pick", "5"});
   EXPECT_THAT(content_of("out/as-designed.svg"), HasSubstr("see the mesh: no vertex inside"));
 }
 

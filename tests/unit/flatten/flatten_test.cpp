@@ -191,7 +191,6 @@ TEST(FlattenOptions, OutOfTheirRangeAreRefused) {
     expect_refused({.method = Auto{.max_strain = wrong}}, "of the method");
     expect_refused({.method = Auto{.max_rms_strain = wrong}, .limits = {.max = 0.1}}, "unused");
   }
-  expect_refused({.limits = {.max = 0.1, .p99 = 0.1}}, "both");
   for (const double wrong : {none, -1.0}) {
     expect_refused({.smooth_first = wrong}, "smooth_first");
     expect_refused({.stopping = Stopping{.target_e_max = wrong}}, "target_e_max");

@@ -1,5 +1,8 @@
 #include "flatten/limit_checks.h"
 
+#include <array>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "support/sample_report.h"
@@ -31,6 +34,28 @@ TEST(LimitChecks, CompareWithWhatCameOut) {
   EXPECT_TRUE(checks[2].met);
   EXPECT_EQ(limit_text(checks[0], Unit::mm), "at most 32\u00A0%");
   EXPECT_EQ(limit_text(checks[1], Unit::cm), "at most 0.500 cm");
+}
+
+TEST(LimitChecks, HaveStretchAndCompressionApart) {
+  FlattenReport report = samples::flatten_report();
+  report.evolve.method = Auto{};
+  report.unfold.limits = {{StrainLimitKind::max_stretch, 0.12, 0.1},
+                          {StrainLimitKind::p99_stretch, 0.08, 0.1},
+                          {StrainLimitKind::max_compression, 0.02, 0.01},
+                          {StrainLimitKind::p99_compression, 0.01, 0.02}};
+  const auto checks = limit_checks(report);
+  ASSERT_EQ(checks.size(), 4U);
+  const std::array codes = {"stretch", "p99_stretch", "compression", "p99_compression"};
+  const std::array texts = {
+      "at most 12\u00A0% of stretch", "at most 8.0\u00A0% of stretch on 99 % of the area",
+      "at most 2.0\u00A0% of compression", "at most 1.0\u00A0% of compression on 99 % of the area"};
+  for (std::size_t k = 0; k < checks.size(); ++k) {
+    EXPECT_EQ(to_string(checks[k].what), codes[k]);
+    EXPECT_EQ(limit_text(checks[k], Unit::mm), texts[k]);
+    EXPECT_EQ(checks[k].met, k % 2 == 0);
+  }
+  EXPECT_THAT(report.outcome().missed,
+              testing::IsSupersetOf({Criterion::p99_stretch, Criterion::p99_compression}));
 }
 
 TEST(LimitChecks, AllowAnglesThatWereSmallerBefore) {

@@ -21,6 +21,18 @@ TEST(StrainLimitText, SaysOfWhatTheLimitIsAndThatItIsKept) {
             "The limit of 5 % for the strain on 99 % of the area is kept: the pattern has 3.12 %.");
   EXPECT_EQ(strain_limit_text({.kind = StrainLimitKind::rms, .asked = 0.01, .reached = 0.005}),
             "The limit of 1 % for the rms of the strain is kept: the pattern has 0.5 %.");
+  EXPECT_EQ(
+      strain_limit_text({.kind = StrainLimitKind::max_stretch, .asked = 0.12, .reached = 0.1}),
+      "The limit of 12 % for the stretch of every edge is kept: the pattern has 10 %.");
+  EXPECT_EQ(
+      strain_limit_text({.kind = StrainLimitKind::p99_stretch, .asked = 0.12, .reached = 0.1}),
+      "The limit of 12 % for the stretch on 99 % of the area is kept: the pattern has 10 %.");
+  EXPECT_EQ(
+      strain_limit_text({.kind = StrainLimitKind::max_compression, .asked = 0.01, .reached = 0.01}),
+      "The limit of 1 % for the compression of every edge is kept: the pattern has 1 %.");
+  EXPECT_THAT(
+      strain_limit_text({.kind = StrainLimitKind::p99_compression, .asked = 0.01, .reached = 0.02}),
+      HasSubstr("The limit of 1 % for the compression on 99 % of the area is not kept"));
 }
 
 TEST(StrainLimitText, SaysHowMuchIsLeftAndWhere) {

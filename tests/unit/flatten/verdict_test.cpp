@@ -85,7 +85,7 @@ TEST(Verdict, NamesTheStiffestMaterialThatTakesTheDesign) {
   const std::string words =
       "Cotton takes the design as it is: --material cotton leaves the form unchanged.";
   EXPECT_THAT(verdict(some), HasSubstr(words));
-  some.as_designed.strain.p99 = 0.2;
+  some.as_designed.strain.p99 = some.as_designed.strain.p99_compression = 0.2;
   EXPECT_THAT(verdict(some), Not(HasSubstr("takes the design")));
   some.as_designed.strain.p99 = 0.04;
   some.evolve.fairness.unchanged = true;
@@ -237,6 +237,21 @@ TEST(Verdict, MeasuresStrainByTheLimitThatWasGiven) {
   some.material = "neoprene";
   EXPECT_THAT(with({{StrainLimitKind::p99, 0.1, 0.018}}),
               StartsWith("Within the 10 % that neoprene takes" + k_changed + ". "));
+  EXPECT_THAT(with({{StrainLimitKind::p99_stretch, 0.1, 0.018}}),
+              StartsWith("Within the 10 % of stretch that neoprene takes" + k_changed + ". "));
+  EXPECT_THAT(with({{StrainLimitKind::p99_stretch, 0.1, 0.018},
+                    {StrainLimitKind::p99_compression, 0.02, 0.01}}),
+              StartsWith("Within what neoprene takes" + k_changed + ". "));
+  some.unfold.strain.max_compression = 0.018;
+  EXPECT_THAT(with({{StrainLimitKind::p99_stretch, 0.1, 0.018},
+                    {StrainLimitKind::p99_compression, 0.009, 0.01}}),
+              StartsWith("Not within the 0.90 % of compression that neoprene takes on 99 % of the "
+                         "area. "));
+  EXPECT_THAT(with({{StrainLimitKind::max_stretch, 0.01, 0.018}}),
+              StartsWith("Not within the 1.0 % of stretch that neoprene takes at any edge. "));
+  some.material.clear();
+  EXPECT_THAT(with({{StrainLimitKind::max_compression, 0.02, 0.018}}),
+              StartsWith("Within the limit of 2.0 % of compression" + k_changed + ". "));
   EXPECT_THAT(with({missed}), StartsWith("Not within the limit of 2.0 %. "));
   EXPECT_THAT(with({missed, rms}), StartsWith("Not within the limit of 2.0 %. "));
   EXPECT_THAT(with({kept, {StrainLimitKind::rms, 0.005, 0.006}}),

@@ -74,7 +74,11 @@ TEST(Ways, AreOfLimitsThatTheDesignMisses) {
 }
 
 TEST(Ways, MoveTheMoreTheLessStretchIsLeft) {
-  std::vector<Way> ways = ways_of({});
+  // Of a dome that is not so high: 5 % rms.
+  TriMesh dome = make_shape("dome", 600);
+  for (Vec3& p : dome.positions)
+    p.z *= 0.7;
+  std::vector<Way> ways = flatten(Patch(dome), "dome", {.ways = true}).ways;
   std::erase_if(ways, [](const Way& way) { return !way.material.empty() || !way.reached; });
   ASSERT_GE(ways.size(), 2U);
   for (std::size_t k = 1; k < ways.size(); ++k) {

@@ -66,8 +66,12 @@ TEST(JsonReport, OfAMeasuredPatchHasTheKeysOfTheContract) {
 TEST(JsonReport, OfAMeasuredPatchHasItsStrainAsDesigned) {
   StrainAsDesigned strain = {{0.4, 0.03, 0.1}, 0.07, {{StrainLimitKind::p99, 0.05, 0.06}}};
   Json json = Json::parse(json_report(samples::measured(1.0), strain));
-  EXPECT_EQ(json["strain"],
-            Json({{"max", 0.4}, {"rms", 0.03}, {"p99", 0.1}, {"smallest_limit", 0.07}}));
+  EXPECT_EQ(json["strain"], Json({{"max", 0.4},
+                                  {"rms", 0.03},
+                                  {"p99", 0.1},
+                                  {"stretch", {{"max", 0.0}, {"p99", 0.0}}},
+                                  {"compression", {{"max", 0.0}, {"p99", 0.0}}},
+                                  {"smallest_limit", 0.07}}));
   EXPECT_EQ(json["limits"][0]["kind"], "p99");
   EXPECT_EQ(json["limits"][0]["kept"], false);
   strain.smallest_limit.reset();
@@ -212,7 +216,12 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
   report.turned = true;
   const Json json = Json::parse(json_report(report));
   EXPECT_EQ(json, Json({{"schema", 2},
-                        {"strain", {{"max", 0.3187}, {"rms", 0.0761}, {"p99", 0.2143}}},
+                        {"strain",
+                         {{"max", 0.3187},
+                          {"rms", 0.0761},
+                          {"p99", 0.2143},
+                          {"stretch", {{"max", 0.3187}, {"p99", 0.2143}}},
+                          {"compression", {{"max", 0.25}, {"p99", 0.1875}}}}},
                         {"area_ratio", 1.0021},
                         {"flipped_triangles", 2},
                         {"overlaps", true},
@@ -243,7 +252,11 @@ TEST(JsonReport, OfAnUnfoldingHasTheKeysOfTheContract) {
   EXPECT_EQ(crossing["overlap"],
             Json({{"low", {1.0, 2.0}}, {"high", {3.0, 4.0}}, {"crossings", 5}}));
   EXPECT_EQ(crossing["opened"], Json({{"crossings", 2}, {"largest_move", 0.0625}, {"vertex", 7}}));
-  EXPECT_EQ(matched["unmatched_strain"], Json({{"max", 0.5}, {"rms", 0.125}, {"p99", 0.375}}));
+  EXPECT_EQ(matched["unmatched_strain"], Json({{"max", 0.5},
+                                               {"rms", 0.125},
+                                               {"p99", 0.375},
+                                               {"stretch", {{"max", 0.0}, {"p99", 0.0}}},
+                                               {"compression", {{"max", 0.0}, {"p99", 0.0}}}}));
 }
 
 TEST(JsonReport, OfAPatternSaysWhatItMisses) {
@@ -259,9 +272,10 @@ TEST(JsonReport, OfAPatternSaysWhatItMisses) {
 TEST(JsonReport, OfTheMainJobHasItsPartsAndFiles) {
   const FlattenReport report = samples::flatten_report();
   const Json json = Json::parse(json_report(report, {{"pattern", "out/pattern.svg"}}));
-  EXPECT_THAT(keys_of(json), ElementsAre("schema", "name", "version", "evolve", "unfold",
-                                         "unfold_before", "as_designed", "limits", "candidates", "ways",
-                                         "cautions", "files", "limits_met", "usable", "missed"));
+  EXPECT_THAT(keys_of(json),
+              ElementsAre("schema", "name", "version", "evolve", "unfold", "unfold_before",
+                          "as_designed", "limits", "candidates", "ways", "cautions", "files",
+                          "limits_met", "usable", "missed"));
   EXPECT_EQ(json["name"], "front panel");
   EXPECT_EQ(json["version"], k_version);
   EXPECT_EQ(json["evolve"], samples::part_of(json_report(report.evolve)));
@@ -294,7 +308,11 @@ TEST(JsonReport, TellsOfEveryLimitWhetherThePatternKeepsItAndWhereItDoesSoLeast)
   EXPECT_EQ(json["limits"], expected);
   EXPECT_EQ(json["unfold"]["limits"], expected);
   EXPECT_EQ(json["unfold"]["unlimited_strain"],
-            Json({{"max", 0.5}, {"rms", 0.01}, {"p99", 0.375}}));
+            Json({{"max", 0.5},
+                  {"rms", 0.01},
+                  {"p99", 0.375},
+                  {"stretch", {{"max", 0.0}, {"p99", 0.0}}},
+                  {"compression", {{"max", 0.0}, {"p99", 0.0}}}}));
 }
 
 TEST(JsonReport, OfASweepOnALevelHasTheLevel) {

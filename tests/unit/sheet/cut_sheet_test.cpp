@@ -15,7 +15,7 @@ namespace {
 
 TEST(CutSheet, DrawsEveryDartOnThePatternWithoutThem) {
   const TriMesh dome = make_shape("dome", 500);
-  const auto suggestion = suggest_cuts(Patch(dome), {.max_strain = 0.001, .max_darts = 2});
+  const auto suggestion = suggest_cuts(Patch(dome), {.limits = {.max = 0.001}, .max_darts = 2});
   ASSERT_EQ(suggestion.cuts.size(), 2U);
   const Drawing sheet = cut_sheet(suggestion, Unit::cm, "dome");
   EXPECT_EQ(sheet.layers.size(), k_sheet_layers.size() + 1);

@@ -76,23 +76,48 @@ TEST(LimitOfEdges, IsTheSmallerOfThoseForEdges) {
                          rms = check(StrainLimitKind::rms, 0.01);
   EXPECT_FALSE(limit_of_edges({}));
   EXPECT_FALSE(limit_of_edges(std::array{rms})) << "is for no single place";
-  EXPECT_EQ(limit_of_edges(std::array{max, rms})->asked, 0.08);
-  EXPECT_EQ(limit_of_edges(std::array{max, p99, rms})->kind, StrainLimitKind::p99);
+  EXPECT_EQ(limit_of_edges(std::array{max, rms})->stretch, 0.08);
+  EXPECT_EQ(limit_of_edges(std::array{max, p99, rms})->compression, 0.05);
+  EXPECT_EQ(limit_of_edges(std::array{max, p99, rms})->words, limit_words(p99));
   EXPECT_EQ(limit_words(max), "8 %, for every edge");
   EXPECT_EQ(limit_words(p99), "5 %, on 99 % of the area");
 }
 
+TEST(LimitOfEdges, IsOfStretchAndOfCompressionApart) {
+  StrainLimitCheck all, stretch, compression;
+  all.asked = 0.1;
+  stretch.kind = StrainLimitKind::p99_stretch;
+  stretch.asked = 0.08;
+  compression.kind = StrainLimitKind::max_compression;
+  compression.asked = 0.02;
+  const auto apart = limit_of_edges(std::array{all, stretch, compression});
+  EXPECT_EQ(apart->stretch, 0.08);
+  EXPECT_EQ(apart->compression, 0.02);
+  EXPECT_EQ(apart->weight_of_stretch(), 0.25);
+  EXPECT_EQ(apart->words,
+            "8 % of stretch, on 99 % of the area, and 2 % of compression, for every edge");
+  EXPECT_EQ(limit_band(-0.06, *apart), 7) << "three quarters of the limit of stretch";
+  EXPECT_EQ(limit_band(0.06, *apart), 10);
+  const auto one = limit_of_edges(std::array{stretch});
+  EXPECT_EQ(limit_band(0.5, *one), 0) << "no limit of compression";
+  EXPECT_GT(one->weight_of_stretch(), 1000.0);
+  EXPECT_EQ(limit_of_edges(std::array{compression})->weight_of_stretch(), 0.0);
+  EXPECT_EQ(limit_of_edges(std::array{all, stretch})->words,
+            "8 % of stretch, on 99 % of the area, and 10 %, for every edge");
+}
+
 TEST(LimitBand, IsTheLastExactlyBeyondTheLimit) {
+  const MapLimit both = {0.05, 0.05, {}};
   const double limit = 0.05;
-  EXPECT_EQ(limit_band(0.0, limit), 0);
-  EXPECT_EQ(limit_band(0.0049, limit), 0);
-  EXPECT_EQ(limit_band(-0.0051, limit), 1);
-  EXPECT_EQ(limit_band(0.0451, limit), 9);
-  EXPECT_EQ(limit_band(limit, limit), 9);
-  EXPECT_EQ(limit_band(-limit, limit), 9);
-  EXPECT_EQ(limit_band(std::nextafter(limit, 1.0), limit), 10);
-  EXPECT_EQ(limit_band(-k_infinity, limit), 10);
-  EXPECT_EQ(limit_band(std::numeric_limits<double>::quiet_NaN(), limit), 0);
+  EXPECT_EQ(limit_band(0.0, both), 0);
+  EXPECT_EQ(limit_band(0.0049, both), 0);
+  EXPECT_EQ(limit_band(-0.0051, both), 1);
+  EXPECT_EQ(limit_band(0.0451, both), 9);
+  EXPECT_EQ(limit_band(limit, both), 9);
+  EXPECT_EQ(limit_band(-limit, both), 9);
+  EXPECT_EQ(limit_band(std::nextafter(limit, 1.0), both), 10);
+  EXPECT_EQ(limit_band(-k_infinity, both), 10);
+  EXPECT_EQ(limit_band(std::numeric_limits<double>::quiet_NaN(), both), 0);
 }
 
 TEST(VertexStretches, AreThoseThatThePatchWasStretchedBy) {
@@ -125,6 +150,15 @@ TEST(LargestEdgeStrains, OfTrianglesHaveTheirEdgesAndNoMore) {
   EXPECT_EQ(*std::max_element(strains.begin(), strains.end()), largest);
 }
 
+TEST(LargestEdgeStrains, AreThoseThatUseUpMostOfTheirLimit) {
+  const TriMesh mesh = meshes::flat_grid(5, 4);
+  // 4 % longer one way and 1 % shorter the other: with a limit of stretch of a tenth that counts.
+  for (const double strain : largest_edge_strains_of_triangles(mesh, stretched(mesh, 0.0), 10.0))
+    EXPECT_NEAR(strain, -0.01, 1e-12);
+  for (const double strain : largest_edge_strains(Patch(mesh), stretched(mesh, 0.0), 10.0))
+    EXPECT_NEAR(strain, -0.01, 1e-12);
+}
+
 TEST(LimitMap, PaintsWhatIsBeyondAndNothingThatKeepsTheLimit) {
   const TriMesh mesh = meshes::flat_grid(4, 2);
   std::vector<Vec2> pattern = plane(mesh);
@@ -132,7 +166,7 @@ TEST(LimitMap, PaintsWhatIsBeyondAndNothingThatKeepsTheLimit) {
     p.x = p.x <= 3.0 ? p.x : 3.0 + 1.03 * (p.x - 3.0);
   const auto strains = largest_edge_strains_of_triangles(mesh, pattern);
   const auto map_for = [&](double limit) {
-    return limit_map(mesh, opposite_half_edges(mesh), pattern, strains, limit);
+    return limit_map(mesh, opposite_half_edges(mesh), pattern, strains, {limit, limit, {}});
   };
   EXPECT_NEAR(area_of(map_for(0.02), k_beyond_limit), 2.06, 1e-12);
   EXPECT_NEAR(area_of(map_for(0.02), limit_band_color(0)), 8.06, 1e-12) << "the ground";

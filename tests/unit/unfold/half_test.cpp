@@ -142,6 +142,22 @@ TEST(UnfoldOfAHalf, KeepsLimitsAndTheLengthsOfSeams) {
   EXPECT_LT(bow(limited.positions), 1e-9);
 }
 
+TEST(UnfoldOfAHalf, KeepsALimitAndTheLengthsOfSeamsTogether) {
+  const Patch half(upright_half(4.0));
+  const Pattern least = unfold(half, {.match_seams = true, .least_stretch = true, .fold = k_fold});
+  const double limit = 0.8 * edge_strain(half, least.positions).max;
+  const Pattern pattern =
+      unfold(half, {.match_seams = true, .limits = {.max = limit}, .fold = k_fold});
+  EXPECT_LE(edge_strain(half, pattern.positions).max, limit);
+  EXPECT_EQ(pattern.unlimited.size(), half.vertex_count());
+  EXPECT_LT(bow(pattern.positions), 1e-9);
+  for (std::size_t row = 0; row < k_rows; ++row) {
+    const Index a = vertex_of_cell(k_columns, row), b = vertex_of_cell(k_columns, row + 1);
+    const double length = norm(half.positions()[b] - half.positions()[a]);
+    EXPECT_NEAR(norm(pattern.positions[b] - pattern.positions[a]), length, 1e-7 * length);
+  }
+}
+
 TEST(UnfoldOfAHalf, IsPlainWhereTheFoldLeavesItsPlane) {
   TriMesh twisted = upright_half(3.0);
   for (Vec3& p : twisted.positions)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <string_view>
 #include <vector>
@@ -191,14 +192,15 @@ TEST(StretchSystem, TermsOfEdgesAreDerivatives) {
   for (const Index v : disk.vertex_of)
     flat.push_back(disk.area_scale * (disk.box_scale * pattern.positions[v]));
   flat = turn_to_axis(disk, flat);
+  ThreadPool alone(1);
   const auto assembled = [&](const std::vector<Vec2>& at) {
-    StretchSystem system(disk);
-    system.assemble(at, Curvature::full);
+    auto system = std::make_unique<StretchSystem>(disk, alone);
+    system->assemble(at, Curvature::full);
     for (const FlatEdge& edge : edges) {
       const Vec2 d = at[edge.to] - at[edge.from];
       const double r = norm(d);
-      system.add(edge, system.slots_of(edge), 3.0 * r * d,
-                 {3.0 * (r + d.x * d.x / r), 3.0 * d.x * d.y / r, 3.0 * (r + d.y * d.y / r)});
+      system->add(edge, system->slots_of(edge), 3.0 * r * d,
+                  {3.0 * (r + d.x * d.x / r), 3.0 * d.x * d.y / r, 3.0 * (r + d.y * d.y / r)});
     }
     return system;
   };
@@ -208,7 +210,8 @@ TEST(StretchSystem, TermsOfEdgesAreDerivatives) {
       sum += std::pow(norm(at[edge.to] - at[edge.from]), 3.0);
     return sum;
   };
-  const StretchSystem system = assembled(flat);
+  const auto at_flat = assembled(flat);
+  const StretchSystem& system = *at_flat;
   meshes::Random random(3);
   Eigen::VectorXd direction(system.gradient().size());
   for (double& x : direction)
@@ -220,7 +223,7 @@ TEST(StretchSystem, TermsOfEdgesAreDerivatives) {
               1e-6 * system.gradient().norm());
   const Eigen::VectorXd along = system.hessian().selfadjointView<Eigen::Lower>() * direction;
   const Eigen::VectorXd by_differences =
-      (assembled(ahead).gradient() - assembled(behind).gradient()) / (2.0 * h);
+      (assembled(ahead)->gradient() - assembled(behind)->gradient()) / (2.0 * h);
   EXPECT_LT((along - by_differences).norm(), 1e-6 * along.norm());
 }
 
@@ -308,14 +311,93 @@ TEST(StrainLimits, CanBeCancelledAtEveryStep) {
       [&](const Context& context) { unfold(patch, {.limits = {.max = 0.03}}, context); });
 }
 
+/// A pattern is shorter where the sheet has to be stretched.
+TEST(StrainLimits, OfStretchAndCompressionAreKeptApart) {
+  const Unfolded least(panel(), {});
+  const double most = least.strain.max;
+  for (const auto& [stretch, compression] :
+       {std::pair{0.9, 0.45}, std::pair{0.45, 0.9}, std::pair{1.2, 0.3}}) {
+    const Unfolded kept(panel(),
+                        {.max_stretch = stretch * most, .max_compression = compression * most});
+    EXPECT_LE(kept.strain.max_stretch, stretch * most);
+    EXPECT_LE(kept.strain.max_compression, compression * most);
+    EXPECT_TRUE(kept.pattern.converged);
+    EXPECT_EQ(kept.pattern.flipped_triangles, 0U);
+  }
+}
+
+TEST(StrainLimits, OfOneWayAloneAreKeptByTheSizeOfThePattern) {
+  const Unfolded least(panel(), {});
+  const double tenth = 0.1 * least.strain.max;
+  const Unfolded large(panel(), {.p99_stretch = tenth}), small(panel(), {.max_compression = tenth});
+  EXPECT_LE(large.strain.p99_stretch, tenth);
+  EXPECT_GT(large.pattern.area_ratio, 1.0);
+  EXPECT_LE(small.strain.max_compression, tenth);
+  EXPECT_LT(small.pattern.area_ratio, 1.0);
+}
+
+TEST(StrainLimits, ThatAreEqualBothWaysGiveTheBitsOfOneForBoth) {
+  const Unfolded least(panel(), {});
+  const double limit = 0.7 * least.strain.max, of_area = 0.6 * least.strain.p99;
+  EXPECT_EQ(Unfolded(panel(), {.max_stretch = limit, .max_compression = limit}).pattern.positions,
+            Unfolded(panel(), {.max = limit}).pattern.positions);
+  EXPECT_EQ(
+      Unfolded(panel(), {.p99_stretch = of_area, .p99_compression = of_area}).pattern.positions,
+      Unfolded(panel(), {.p99 = of_area}).pattern.positions);
+}
+
+TEST(StrainLimits, OfTheAreaAndOfEveryEdgeAreKeptTogether) {
+  const Unfolded least(panel(), {});
+  const StrainLimits both = {.max = 0.85 * least.strain.max, .p99 = 0.6 * least.strain.p99};
+  const Unfolded area(panel(), {.p99 = both.p99}), kept(panel(), both);
+  EXPECT_GT(area.strain.max, both.max) << "or the other limit would say nothing";
+  EXPECT_TRUE(both.kept_by(kept.strain));
+}
+
+TEST(StrainLimits, AreCheckedEachWithItsPlace) {
+  const Unfolded least(panel(), {});
+  StrainLimits limits;
+  for (const StrainLimitKind kind : k_strain_limit_kinds)
+    limits.of(kind) = 0.5 * figure_of(least.strain, kind);
+  const auto checks = check_limits(least.surface, least.pattern.positions, limits);
+  ASSERT_EQ(checks.size(), k_strain_limit_kinds.size());
+  for (std::size_t k = 0; k < checks.size(); ++k) {
+    const StrainLimitCheck& check = checks[k];
+    EXPECT_EQ(check.kind, k_strain_limit_kinds[k]);
+    EXPECT_EQ(check.reached, figure_of(least.strain, check.kind)) << to_string(check.kind);
+    EXPECT_FALSE(check.kept()) << to_string(check.kind);
+    EXPECT_GT(check.share_beyond, to_string(check.kind).starts_with("p99") ? 0.01 : 0.0);
+  }
+  const auto strain_at = [&](const StrainLimitCheck& check) {
+    const auto [v, w] = check.edge;
+    return norm(least.pattern.positions[w] - least.pattern.positions[v]) /
+               norm(least.mesh.positions[w] - least.mesh.positions[v]) -
+           1.0;
+  };
+  EXPECT_NEAR(strain_at(checks[3]), -least.strain.max_stretch, 1e-12) << "shorter: stretched";
+  EXPECT_NEAR(strain_at(checks[5]), least.strain.max_compression, 1e-12);
+  EXPECT_EQ(std::max(least.strain.max_stretch, least.strain.max_compression), least.strain.max);
+}
+
+TEST(StrainLimits, BothWaysAskForAsMuchAsTheirMean) {
+  EXPECT_EQ(StrainLimits{.p99 = 0.05}.both_ways(), 0.05);
+  EXPECT_EQ(StrainLimits{.max = 0.02}.both_ways(), 0.02);
+  EXPECT_EQ(
+      (StrainLimits{.max_stretch = 0.12, .p99_stretch = 0.08, .p99_compression = 0.02}).both_ways(),
+      0.05);
+  EXPECT_EQ((StrainLimits{.p99 = 0.06, .p99_stretch = 0.02}).both_ways(), 0.04);
+  EXPECT_EQ(StrainLimits{.max_stretch = 0.1}.both_ways(), 0.0) << "a large pattern keeps it";
+  EXPECT_EQ(StrainLimits{.rms = 0.1}.both_ways(), 0.0);
+}
+
 TEST(StrainLimits, RefuseWhatIsNoLimit) {
   const TriMesh mesh = panel();
   const Patch patch(mesh);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const StrainLimits& limits :
        {StrainLimits{.max = -0.1}, StrainLimits{.p99 = infinity}, StrainLimits{.rms = -infinity},
-        StrainLimits{.max = std::nan("")}, StrainLimits{.max = 0.1, .p99 = 0.1},
-        StrainLimits{.rms = 1.5}}) {
+        StrainLimits{.max = std::nan("")}, StrainLimits{.max_stretch = -0.1},
+        StrainLimits{.p99_compression = 1.5}, StrainLimits{.rms = 1.5}}) {
     const std::vector<Vec2> pattern = unfold(patch).positions;
     for (const std::function<void()>& work : std::vector<std::function<void()>>{
              [&] { require(limits); }, [&] { unfold(patch, {.limits = limits}); },

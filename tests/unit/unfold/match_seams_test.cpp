@@ -18,8 +18,13 @@
 namespace planish {
 namespace {
 
+/// Of least stretch.
 Pattern matched(const TriMesh& mesh) {
   return unfold(Patch(mesh), {.match_seams = true, .least_stretch = true});
+}
+
+Pattern unmatched(const TriMesh& mesh) {
+  return unfold(Patch(mesh), {.least_stretch = true});
 }
 
 /// Measured without the library's help.
@@ -88,8 +93,7 @@ TEST(MatchSeams, KeepsEveryBorderLengthHoweverCurvedThePatch) {
 
 TEST(MatchSeams, LeavesTheOrdinaryPatternAsItIs) {
   const TriMesh mesh = make_shape("saddle", 500);
-  const Patch patch(mesh);
-  const Pattern plain = unfold(patch, {.least_stretch = true});
+  const Pattern plain = unmatched(mesh);
   EXPECT_TRUE(plain.unmatched.empty());
   EXPECT_GT(worst_border_edge(mesh, plain.positions), 1e-4);
   const Pattern pattern = matched(mesh);
@@ -112,7 +116,7 @@ TEST(MatchSeams, LeavesNothingToGainAmongPatternsOfThatBorder) {
   for (const char* name : {"dome", "saddle"}) {
     const TriMesh mesh = make_shape(name, 150);
     std::vector<Vec2> flat = matched(mesh).positions;
-    const std::vector<Vec2> least = unfold(Patch(mesh), {.least_stretch = true}).positions;
+    const std::vector<Vec2> least = unmatched(mesh).positions;
     const auto energy = [&] { return energy_of(mesh, flat) + bend_of(mesh, flat, least); };
     const auto unknowns = static_cast<Eigen::Index>(2 * flat.size());
     Eigen::VectorXd gradient(unknowns);
@@ -198,10 +202,7 @@ TEST(MatchSeams, GivesTwoPatchesEquallyLongSidesOfTheirSeam) {
     return length;
   };
   EXPECT_NEAR(side(matched(left), 8), side(matched(right), 0), 1e-10);
-  const auto plain = [](const TriMesh& mesh) {
-    return unfold(Patch(mesh), {.least_stretch = true});
-  };
-  EXPECT_GT(std::abs(side(plain(left), 8) - side(plain(right), 0)), 1e-3);
+  EXPECT_GT(std::abs(side(unmatched(left), 8) - side(unmatched(right), 0)), 1e-3);
 }
 
 using Edges = std::vector<std::array<Index, 2>>;
@@ -232,7 +233,7 @@ TEST(FreeEdges, MayChangeTheirLengthAndTheOthersKeepIt) {
   EXPECT_LT(largest_border_strain(patch, pattern.positions, free), 1e-9);
   EXPECT_GT(largest_border_strain(patch, pattern.positions), 1e-3);
   // More freedom, less stretch.
-  const double least = energy_of(mesh, unfold(patch, {.least_stretch = true}).positions);
+  const double least = energy_of(mesh, unmatched(mesh).positions);
   const double all = energy_of(mesh, matched(mesh).positions);
   const double some = energy_of(mesh, pattern.positions);
   EXPECT_GT(some, least * (1.0 + 1e-6));
@@ -246,7 +247,7 @@ TEST(FreeEdges, OfTheWholeBorderLeaveThePatternOfLeastStretch) {
     const Edges all = border_edges(mesh, [](Vec3, Vec3) { return true; });
     const Pattern pattern =
         unfold(patch, {.match_seams = true, .free_edges = all, .least_stretch = true});
-    const Pattern least = unfold(patch, {.least_stretch = true});
+    const Pattern least = unmatched(mesh);
     EXPECT_EQ(largest_border_strain(patch, pattern.positions, all), 0.0) << "none is left";
     EXPECT_NEAR(energy_of(mesh, pattern.positions), energy_of(mesh, least.positions),
                 1e-6 * energy_of(mesh, least.positions))

@@ -9,7 +9,7 @@ from .. import _core, _meshes, _run
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from .._types import Amount, MeshLike, Progress, Rows
+    from .._types import Amount, MeshLike, Path, Progress, Rows
 
 
 def evolve(
@@ -56,7 +56,7 @@ def evolve(
     clearance: Optional[Amount] = None,
     pull: Optional[float] = None,
     max_strain: Optional[Amount] = None,
-    material: Optional[Literal["steel", "leather", "cotton", "neoprene"]] = None,
+    material: Optional[Path] = None,
     max_rms_strain: Optional[Amount] = None,
     max_bending: Optional[float] = None,
     prefer: Optional[Literal["smooth", "flat", "near"]] = None,
@@ -130,8 +130,9 @@ def evolve(
             stay, a size being the root of the area; 0: not at all (at least 0, default 100)
         max_strain: end near to where it began, but where a pattern need not stretch more, as a share of length (0.02
             or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
-        material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or
-            neoprene 10%
+        material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
+            stretch-woven or leather-lasted, or that of a .json file of your own; planish materials tells how much
+            that is
         max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide
             (0.02 or 2%; 0 to 1, default 0)
         max_bending: with prefer smooth or flat: bend at most so many times as much as the design; the more, the
@@ -191,7 +192,7 @@ def evolve_sweeps(
     clearance: Optional[Amount] = None,
     pull: Optional[float] = None,
     max_strain: Optional[Amount] = None,
-    material: Optional[Literal["steel", "leather", "cotton", "neoprene"]] = None,
+    material: Optional[Path] = None,
     max_rms_strain: Optional[Amount] = None,
     max_bending: Optional[float] = None,
     prefer: Optional[Literal["smooth", "flat", "near"]] = None,
@@ -262,8 +263,9 @@ def evolve_sweeps(
             stay, a size being the root of the area; 0: not at all (at least 0, default 100)
         max_strain: end near to where it began, but where a pattern need not stretch more, as a share of length (0.02
             or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
-        material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or
-            neoprene 10%
+        material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
+            stretch-woven or leather-lasted, or that of a .json file of your own; planish materials tells how much
+            that is
         max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide
             (0.02 or 2%; 0 to 1, default 0)
         max_bending: with prefer smooth or flat: bend at most so many times as much as the design; the more, the

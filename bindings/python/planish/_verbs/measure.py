@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal, Optional
+from typing import TYPE_CHECKING, Optional
 
 from .. import _core, _meshes, _run
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from .._types import Amount, MeshLike, Progress
+    from .._types import Amount, MeshLike, Path, Progress
 
 
 def measure(
@@ -20,7 +20,7 @@ def measure(
     progress: Optional[Progress] = None,
     scale: Optional[float] = None,
     max_strain: Optional[Amount] = None,
-    material: Optional[Literal["steel", "leather", "cotton", "neoprene"]] = None,
+    material: Optional[Path] = None,
     max_rms_strain: Optional[Amount] = None,
     threads: Optional[int] = None,
 ) -> _core.MeasureResult:
@@ -31,8 +31,9 @@ def measure(
             (default 1)
         max_strain: how much an edge of the pattern may be longer or shorter than on the patch (0.02 or 2%); 2%@p99:
             on 99 % of the area
-        material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or
-            neoprene 10%
+        material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
+            stretch-woven or leather-lasted, or that of a .json file of your own; planish materials tells how much
+            that is
         max_rms_strain: the same for the root mean square of the strain (0.02 or 2%)
         threads: use at most N threads; never changes the result (default: all usable cores)
     """

@@ -20,6 +20,7 @@ def flatten_product(
     remesh: Optional[bool] = None,
     smooth_first: Optional[Amount] = None,
     match_seams: Optional[bool] = None,
+    least_stretch: Optional[bool] = None,
     pick: Optional[int] = None,
     formats: Optional[str | Sequence[str]] = None,
     colors: Optional[Literal["diverging", "paper"]] = None,
@@ -58,7 +59,7 @@ def flatten_product(
     sweeps: Optional[int] = None,
     target_e_max: Optional[float] = None,
     max_strain: Optional[Amount] = None,
-    material: Optional[Literal["steel", "leather", "cotton", "neoprene"]] = None,
+    material: Optional[Path] = None,
     max_rms_strain: Optional[Amount] = None,
     max_deviation: Optional[Amount] = None,
     min_angle: Optional[Amount] = None,
@@ -106,7 +107,9 @@ def flatten_product(
             edges; such as 5mm)
         match_seams: keep the length of every border edge, or in a product of those along seams, so that what is sewn
             together stays equally long
-        pick: how much strain to leave: 1 as designed, 2, 3, 4, 5 at most 2, 1, 0.5, 0.1 % rms, 6 flat (default 5)
+        least_stretch: the pattern of least rms strain; without it, up to 6 % more of that make the largest strains as
+            small as they get
+        pick: how much strain to leave: 1 as designed, 2, 3, 4, 5 at most 2, 1, 0.5, 0.1 % rms, 6 flat
         formats: of the pattern: some of svg, dxf, pdf and plt (default svg,dxf,pdf)
         colors: of the report's pictures: diverging or paper (default diverging)
         textured: also write the processed patch as textured.obj, with the pattern in millimetres for texture
@@ -154,8 +157,9 @@ def flatten_product(
         target_e_max: end as soon as e_max is at most this, in radians (at least 0, default 0)
         max_strain: end near to where it began, but where a pattern need not stretch more, as a share of length (0.02
             or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
-        material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or
-            neoprene 10%
+        material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
+            stretch-woven or leather-lasted, or that of a .json file of your own; planish materials tells how much
+            that is
         max_rms_strain: the same by the root mean square of the strain, which a few positions with more do not decide
             (0.02 or 2%; 0 to 1, default 0)
         max_deviation: no vertex ends further than this from where it began, in model units (1.5 or 1.5mm; at least 0,

@@ -9,7 +9,7 @@ from .. import _core, _meshes, _run
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from .._types import Amount, MeshLike, Progress
+    from .._types import Amount, MeshLike, Path, Progress
 
 
 def suggest_cuts(
@@ -21,7 +21,7 @@ def suggest_cuts(
     unit: Optional[Literal["mm", "cm", "dm", "m", "in"]] = None,
     scale: Optional[float] = None,
     max_strain: Optional[Amount] = None,
-    material: Optional[Literal["steel", "leather", "cotton", "neoprene"]] = None,
+    material: Optional[Path] = None,
     max_cuts: Optional[int] = None,
     threads: Optional[int] = None,
 ) -> _core.CutResult:
@@ -32,8 +32,9 @@ def suggest_cuts(
         scale: multiply all coordinates when the mesh is read: of a model whose unit is 0.5 m --unit m --scale 0.5
             (default 1)
         max_strain: the limit of the largest strain of an edge (0.02 or 2%, default 2%); 2%@p99: on 99 % of the area
-        material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or
-            neoprene 10%
+        material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
+            stretch-woven or leather-lasted, or that of a .json file of your own; planish materials tells how much
+            that is
         max_cuts: at most so many darts (0 to 50, default 6)
         threads: use at most N threads; never changes the result (default: all usable cores)
     """

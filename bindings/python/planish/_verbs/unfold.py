@@ -9,7 +9,7 @@ from .. import _core, _meshes, _run
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from .._types import Amount, MeshLike, Progress, Rows
+    from .._types import Amount, MeshLike, Path, Progress, Rows
 
 
 def unfold(
@@ -22,6 +22,7 @@ def unfold(
     scale: Optional[float] = None,
     cut: Optional[Rows] = None,
     match_seams: Optional[bool] = None,
+    least_stretch: Optional[bool] = None,
     paper: Optional[Literal["a4", "a3", "letter", "a0"]] = None,
     map: Optional[bool] = None,
     only_layers: Optional[str | Sequence[str]] = None,
@@ -31,7 +32,7 @@ def unfold(
     dxf_notches: Optional[Literal["points", "strokes"]] = None,
     dxf_layers: Optional[str] = None,
     max_strain: Optional[Amount] = None,
-    material: Optional[Literal["steel", "leather", "cotton", "neoprene"]] = None,
+    material: Optional[Path] = None,
     max_rms_strain: Optional[Amount] = None,
     allowance: Optional[Amount] = None,
     corners: Optional[Literal["mitre", "square", "round"]] = None,
@@ -64,6 +65,8 @@ def unfold(
             mesh
         match_seams: keep the length of every border edge, or in a product of those along seams, so that what is sewn
             together stays equally long
+        least_stretch: the pattern of least rms strain; without it, up to 6 % more of that make the largest strains as
+            small as they get
         paper: divide the .pdf into pages to be joined: a4, a3, letter or a0
         map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper
         only_layers: write these layers only, like cut,notch: some of strain, seam, notch, grain, fold, drill,
@@ -76,8 +79,9 @@ def unfold(
             annotation, label, legend or cut
         max_strain: how much an edge of the pattern may be longer or shorter than on the patch (0.02 or 2%); 2%@p99:
             on 99 % of the area
-        material: instead of --max-strain: the strain that this material takes, steel 0.2%, leather 1%, cotton 5% or
-            neoprene 10%
+        material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
+            stretch-woven or leather-lasted, or that of a .json file of your own; planish materials tells how much
+            that is
         max_rms_strain: the same for the root mean square of the strain (0.02 or 2%)
         allowance: material beyond the seam, as 10mm
         corners: of the allowance: mitre, square or round (default mitre)

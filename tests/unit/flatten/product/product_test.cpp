@@ -48,6 +48,12 @@ ProductOptions quick() {
   return options;
 }
 
+/// With matching that is no matter of what can be.
+ProductOptions matched_always(ProductOptions options) {
+  options.flatten.match_seams = true;
+  return options;
+}
+
 void expect_same(const ProductReport& report, const ProductReport& other) {
   ASSERT_EQ(report.patches.size(), other.patches.size());
   for (std::size_t p = 0; p < report.patches.size(); ++p) {
@@ -194,7 +200,7 @@ std::vector<std::string> flattened_anew(const std::vector<ProductPatch>& patches
   const ProductReport report =
       flatten_product(patches, quick(),
                       {.earlier =
-                           [&](std::size_t p, const PatchTwin* twin) {
+                           [&](std::size_t p, const PatchTwin* twin, const SewnBorder&) {
                              EXPECT_EQ(twin != nullptr, before.twins[p].has_value());
                              return p == missing ? std::nullopt : before.patches[p].finished;
                            },
@@ -242,16 +248,71 @@ TEST(FlattenProduct, MeasuresSeamsOnTheModelAndInBothPatterns) {
   const std::vector<ProductPatch> patches = strips();
   ProductOptions options = quick();
   options.flatten.unit = Unit::cm;
+  options.match_seams = false;
   const ProductReport plain = flatten_product(patches, options);
   ASSERT_EQ(plain.seams.size(), 2U);
   const SeamSide& side = plain.seams[0].seam.sides[0];
   EXPECT_NEAR(plain.seams[0].on_model[0],
               10.0 * length_of(side, std::span<const Vec3>(patches[0].mesh.positions)), 1e-9);
   EXPECT_GT(*plain.seams[0].difference(), 1e-6);
-  options.flatten.match_seams = true;
+  EXPECT_FALSE(plain.patches[0].finished->unfold.unmatched_strain);
+  options.match_seams = true;
+  expect_same(flatten_product(patches, options), flatten_product(patches, matched_always(options)));
   const ProductReport matched = flatten_product(patches, options);
   for (const MeasuredSeam& seam : matched.seams)
     EXPECT_LT(*seam.difference(), 1e-8 * seam.on_model[0]);
+  EXPECT_TRUE(matched.patches[0].finished->unfold.unmatched_strain);
+}
+
+TEST(FlattenProduct, MatchesSeamsWithinLimitsWhereItCan) {
+  const std::vector<ProductPatch> patches = strips();
+  ProductOptions options = quick();
+  options.flatten.stopping = Stopping{.max_sweeps = 0};
+  const ProductReport free = flatten_product(patches, options);
+  double most = 0.0;
+  for (const PatchResult& patch : free.patches)
+    most = std::max(most, patch.finished->unfold.strain.max);
+  options.flatten.limits.max = 0.8 * most;
+  const ProductReport report = flatten_product(patches, options);
+  for (const PatchResult& patch : report.patches) {
+    EXPECT_TRUE(all_kept(patch.finished->unfold.limits)) << patch.name;
+    EXPECT_TRUE(patch.finished->unfold.unmatched_strain) << patch.name;
+  }
+  for (const MeasuredSeam& seam : report.seams)
+    EXPECT_LT(*seam.difference(), 1e-8 * seam.on_model[0]);
+}
+
+/// Two ribbons, 1e8 times as long as wide: numbers cannot tell whether their ends keep lengths.
+TEST(FlattenProduct, GoesOnWithoutMatchingWhereABorderCannotKeepItsLengths) {
+  std::vector<ProductPatch> patches;
+  for (const double y : {0.0, 2.0}) {
+    TriMesh ribbon = meshes::flat_grid(12, 2);
+    for (Vec3& p : ribbon.positions)
+      p = {1e8 * p.x, p.y + y, 0.1 * p.x * (p.y + y)};
+    patches.push_back({"ribbon", std::move(ribbon)});
+  }
+  ProductOptions options = quick();
+  options.flatten.stopping = Stopping{.max_sweeps = 0};
+  const ProductReport report = flatten_product(patches, options);
+  ASSERT_FALSE(report.seams.empty());
+  for (const PatchResult& patch : report.patches) {
+    ASSERT_TRUE(patch.finished) << patch.failure->message;
+    EXPECT_TRUE(patch.finished->unfold.pattern.is_unmatchable);
+    EXPECT_FALSE(patch.finished->unfold.unmatched_strain);
+  }
+  for (const PatchResult& patch : flatten_product(patches, matched_always(options)).patches) {
+    ASSERT_TRUE(patch.failure) << "where seams must match";
+    EXPECT_EQ(patch.failure->code, "unfold_failed");
+  }
+}
+
+TEST(FlattenProduct, LeavesThePatternOfAPatchWithoutSeams) {
+  const std::vector<ProductPatch> patches = {{"dome", make_shape("dome", 150)}};
+  ProductOptions options = quick();
+  const ProductReport report = flatten_product(patches, options);
+  options.match_seams = false;
+  expect_same(report, flatten_product(patches, options));
+  EXPECT_FALSE(report.patches[0].finished->unfold.unmatched_strain);
 }
 
 /// The border edges of a strip at its ends and outer sides stretch as little as they can.

@@ -100,7 +100,14 @@ TEST(PageData, HasPrincipalStretchesAndTheLimitWhereOneWasAsked) {
   input.defect_limit = 0.05;
   EXPECT_FALSE(content_of(page_data(input)).contains("limit"));
   EXPECT_EQ(content_of(page_data(input))["figures"].size(), 7U);
-  input.limit.emplace().asked = 0.025;
+  input.limit = {0.04, 0.01, {}};
+  const json apart = content_of(page_data(input));
+  EXPECT_EQ(apart["limit"]["stretch"], 0.04);
+  EXPECT_EQ(apart["limit"]["compression"], 0.01);
+  EXPECT_FALSE(apart["limit"].contains("asked"));
+  for (const float value : pages::floats_of(apart["figures"][5]["values"][0]))
+    EXPECT_NEAR(value, 0.02, 1e-8) << "twice its limit, where 3 % of 4 are less";
+  input.limit = {0.025, 0.025, {}};
   const json data = content_of(page_data(input));
   EXPECT_EQ(data["limit"]["asked"], 0.025);
   EXPECT_EQ(data["limit"]["beyond"], json::array({240, 82, 10}));

@@ -61,7 +61,7 @@ TEST(SuggestCuts, FindsTheApexOfACone) {
   EXPECT_TRUE(Patch(cone).is_border(dart.path.front()));
   EXPECT_NEAR(dart.length,
               norm(cone.positions[dart.path.front()] - cone.positions[dart.path.back()]), 1e-12);
-  const CutSuggestion strict = suggest(cone, {.max_strain = 1e-6});
+  const CutSuggestion strict = suggest(cone, {.limits = {.max = 1e-6}});
   ASSERT_EQ(strict.cuts.size(), 1U);
   EXPECT_EQ(strict.cuts.front().path.back(), 0U);
   EXPECT_LT(strict.last.strain.max, 1e-9);
@@ -69,9 +69,8 @@ TEST(SuggestCuts, FindsTheApexOfACone) {
 
 TEST(SuggestCuts, KeepsALimitOnMostOfTheAreaWithFewerCuts) {
   const TriMesh mesh = bowl(40, 12, 0.35);
-  const CutSuggestion every = suggest(mesh, {.max_strain = 0.02, .max_darts = 8});
-  const CutSuggestion most =
-      suggest(mesh, {.max_strain = 0.02, .limit_of_area = true, .max_darts = 8});
+  const CutSuggestion every = suggest(mesh, {.limits = {.max = 0.02}, .max_darts = 8});
+  const CutSuggestion most = suggest(mesh, {.limits = {.p99 = 0.02}, .max_darts = 8});
   EXPECT_TRUE(most.met());
   EXPECT_GT(most.first.strain.p99, 0.02);
   EXPECT_LE(most.last.strain.p99, 0.02);
@@ -81,7 +80,7 @@ TEST(SuggestCuts, KeepsALimitOnMostOfTheAreaWithFewerCuts) {
 
 TEST(SuggestCuts, GivesTheStrainThatItTells) {
   const TriMesh mesh = bowl(40, 12, 0.35);
-  const CutSuggestion suggestion = suggest(mesh, {.max_strain = 0.03, .max_darts = 8});
+  const CutSuggestion suggestion = suggest(mesh, {.limits = {.max = 0.03}, .max_darts = 8});
   EXPECT_TRUE(suggestion.met()) << suggestion.last.strain.max;
   EXPECT_GT(suggestion.first.strain.max, 0.03);
   EXPECT_EQ(strain_of(mesh, suggestion, {.max = 0.03}), suggestion.last.strain.max);
@@ -103,7 +102,7 @@ TEST(SuggestCuts, GivesTheStrainThatItTells) {
 TEST(SuggestCuts, NeedsNoneWhereAPatternThatIsEvenedOutKeepsTheLimit) {
   const TriMesh mesh = bowl(40, 12, 0.35);
   const double least_stretch = strain_of(mesh, {}, {});
-  const CutSuggestion suggestion = suggest(mesh, {.max_strain = 0.7 * least_stretch});
+  const CutSuggestion suggestion = suggest(mesh, {.limits = {.max = 0.7 * least_stretch}});
   EXPECT_TRUE(suggestion.met());
   EXPECT_TRUE(suggestion.cuts.empty());
   EXPECT_LE(suggestion.last.strain.max, 0.7 * least_stretch);
@@ -112,7 +111,7 @@ TEST(SuggestCuts, NeedsNoneWhereAPatternThatIsEvenedOutKeepsTheLimit) {
 
 TEST(SuggestCuts, IsTheSameEveryTimeAlsoByWayOfACoarsePatch) {
   const TriMesh dome = make_shape("dome", 1500);
-  const SuggestOptions options = {.max_strain = 0.05, .max_darts = 2, .trial_vertices = 400};
+  const SuggestOptions options = {.limits = {.max = 0.05}, .max_darts = 2, .trial_vertices = 400};
   const CutSuggestion a = suggest(dome, options), b = suggest(dome, options);
   ASSERT_EQ(a.cuts.size(), 2U);
   ASSERT_EQ(b.cuts.size(), 2U);
@@ -164,7 +163,7 @@ TEST(SuggestCuts, JoinsSeveralBorders) {
 TEST(SuggestCuts, SuggestsNoDartThatMakesThePatternOverlap) {
   // Around the middle of a saddle there is more surface than fits into the plane.
   const TriMesh saddle = bowl(40, 12, 0.4, true);
-  const CutSuggestion suggestion = suggest(saddle, {.max_strain = 0.02, .max_darts = 3});
+  const CutSuggestion suggestion = suggest(saddle, {.limits = {.max = 0.02}, .max_darts = 3});
   EXPECT_FALSE(suggestion.first.pattern.overlaps);
   EXPECT_FALSE(suggestion.last.pattern.overlaps);
   EXPECT_EQ(suggestion.stop, SuggestStop::overlap);
@@ -175,23 +174,24 @@ TEST(SuggestCuts, SuggestsNoDartThatMakesThePatternOverlap) {
 
 TEST(SuggestCuts, SaysWhyItEnds) {
   const TriMesh dome = make_shape("dome", 150);
-  EXPECT_EQ(suggest(dome, {.max_strain = 0.001, .max_darts = 1}).stop, SuggestStop::dart_limit);
+  EXPECT_EQ(suggest(dome, {.limits = {.max = 0.001}, .max_darts = 1}).stop,
+            SuggestStop::dart_limit);
   EXPECT_EQ(suggest(dome, {.max_darts = 0}).stop, SuggestStop::dart_limit);
-  EXPECT_EQ(suggest(dome, {.max_strain = 1e-12, .max_darts = 50}).stop, SuggestStop::no_gain);
-  EXPECT_EQ(suggest(dome, {.max_strain = 0.9}).stop, SuggestStop::strain_met);
+  EXPECT_EQ(suggest(dome, {.limits = {.max = 1e-12}, .max_darts = 50}).stop, SuggestStop::no_gain);
+  EXPECT_EQ(suggest(dome, {.limits = {.max = 0.9}}).stop, SuggestStop::strain_met);
   EXPECT_EQ(to_string(SuggestStop::no_gain), "no_gain");
 }
 
 TEST(SuggestCuts, RefusesWhatIsNoLimit) {
   const TriMesh dome = make_shape("dome", 150);
   for (const double wrong : {std::nan(""), 0.0, -0.02, 2.0, HUGE_VAL})
-    EXPECT_THROW(suggest(dome, {.max_strain = wrong}), Error) << wrong;
+    EXPECT_THROW(suggest(dome, {.limits = {.max = wrong}}), Error) << wrong;
 }
 
 TEST(SuggestCuts, ReportsRisingProgressAndCanBeCancelled) {
   const Patch dome(make_shape("dome", 300));
   expect_cancellable(
-      [&](const Context& context) { suggest_cuts(dome, {.max_strain = 1e-6}, context); }, 4);
+      [&](const Context& context) { suggest_cuts(dome, {.limits = {.max = 1e-6}}, context); }, 4);
 }
 
 TEST(SuggestCuts, RefusesWhatItCannotOpen) {
@@ -206,7 +206,7 @@ TEST(SuggestCuts, RefusesWhatItCannotOpen) {
   EXPECT_EQ(code_of(meshes::torus(8, 12)), ErrorCode::handles);
   EXPECT_EQ(code_of(meshes::side_by_side(meshes::fan(5), meshes::fan(6))),
             ErrorCode::several_components);
-  EXPECT_EQ(code_of(meshes::fan(5), {.max_strain = 0.0}), ErrorCode::option_out_of_range);
+  EXPECT_EQ(code_of(meshes::fan(5), {.limits = {.max = 0.0}}), ErrorCode::option_out_of_range);
   EXPECT_EQ(code_of(meshes::fan(5), {.max_darts = -1}), ErrorCode::option_out_of_range);
 }
 

@@ -1,0 +1,57 @@
+#include "unfold/stretch/held_border.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "solve/dissection.h"
+
+namespace planish {
+
+namespace {
+
+/// Of vertices that share a triangle or a turn.
+Graph graph_of(const Disk& disk, const BorderBend& bend) {
+  std::vector<std::array<Index, 2>> pairs;
+  pairs.reserve(6 * (disk.triangles.size() + bend.turns().size()));
+  const auto add = [&](const Triangle& t) {
+    for (int k = 0; k < 3; ++k) {
+      const Index v = t[k], w = t[(k + 1) % 3];
+      pairs.push_back({v, w});
+      pairs.push_back({w, v});
+    }
+  };
+  for (const Triangle& t : disk.triangles)
+    add(t);
+  for (const BorderBend::Turn& turn : bend.turns())
+    add(turn.vertices);
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  Graph graph;
+  graph.start.assign(disk.vertex_count + 1, 0);
+  graph.neighbours.reserve(pairs.size());
+  for (const auto& [v, w] : pairs) {
+    ++graph.start[v + 1];
+    graph.neighbours.push_back(w);
+  }
+  for (std::size_t v = 0; v < disk.vertex_count; ++v)
+    graph.start[v + 1] += graph.start[v];
+  return graph;
+}
+
+std::vector<Vec3> in_space(const std::vector<Vec2>& flat) {
+  std::vector<Vec3> positions;
+  positions.reserve(flat.size());
+  for (const Vec2 p : flat)
+    positions.push_back({p.x, p.y, 0.0});
+  return positions;
+}
+
+}  // namespace
+
+HeldBorder::HeldBorder(const Disk& disk, BorderLengths wanted, const std::vector<Vec2>& like)
+    : lengths(std::move(wanted)),
+      bend(disk, lengths, like),
+      order(nested_dissection(in_space(like), graph_of(disk, bend))) {}
+
+}  // namespace planish

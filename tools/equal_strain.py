@@ -5,7 +5,7 @@ docs/methods/auto_tried.md.
     tools/equal_strain.py PLANISH FOLDER RESULTS [NAME...]
 
 Each update of least_norm is run with its usual steps; where it ends there are a strain (rms, of the
-unfolded pattern), a deviation (rms) and a roughness. auto is run without a limit and with that strain as limit of its
+unfolded pattern), a deviation (rms) and a roughness. auto is run with --prefer near, without a limit and with that strain as limit of its
 rms, then where it is not nearer for some limits between those around that strain. What counts is the least deviation of its runs with no
 more strain: nothing is read off between runs. All strain
 below 0.01 % counts as equal, and where auto without a limit ends below 0.1 %, all below that. Where the update is nearer and rougher than
@@ -58,7 +58,7 @@ class Runs:
 
     def auto(self, patch, limit, closeness=1.0):
         """@param limit of strain, rms; 0: none"""
-        flags = ("--max-rms-strain", repr(limit)) if limit else ()
+        flags = ("--prefer", "near", *(("--max-rms-strain", repr(limit)) if limit else ()))
         tag = f"auto{limit:.6g}"
         if closeness != 1.0:
             flags += ("--closeness", f"{closeness:.4g}")

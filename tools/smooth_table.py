@@ -3,8 +3,8 @@
 
   smooth_table.py PLANISH FOLDER [flags of flatten]
 
-A line for each OBJ patch of at most 30,000 vertices, then medians over those whose borders allow flatness. Values of
-flags that end with D, as in --border 0.02D, are multiples of the diagonal of each patch's bounding box.
+A line for each OBJ patch of at most 30,000 vertices, then medians over those whose borders allow flatness. Without
+flags it is `--pick 5`: some flag has to ask for another form. Values of flags that end with D, as in --border 0.02D, are multiples of the diagonal of each patch's bounding box.
 """
 import json, math, os, re, statistics, subprocess, sys, tempfile
 
@@ -25,7 +25,7 @@ def run(program, path, flags):
         diagonal = diagonal_of(path)
         flags = [str(float(flag[:-1]) * diagonal) if is_of_diagonal(flag) else flag for flag in flags]
     with tempfile.TemporaryDirectory() as folder:
-        command = [program, "flatten", path, "-o", folder, "--json", *flags]
+        command = [program, "flatten", path, "-o", folder, "--json", *(flags or ["--pick", "5"])]
         done = subprocess.run(command, capture_output=True, text=True)
         if done.returncode not in (0, 3):
             return None

@@ -24,6 +24,7 @@
 #include <planish/flatten/flatten.h>
 #include <planish/flatten/frontier.h>
 #include <planish/flatten/product.h>
+#include <planish/flatten/ways.h>
 #include <planish/io/mesh_format.h>
 #include <planish/io/model.h>
 #include <planish/io/read_features.h>

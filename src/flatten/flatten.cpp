@@ -540,7 +540,7 @@ class Flattening {
     const auto* method = std::get_if<Auto>(&method_);
     return method != nullptr && method->prefer == Prefer::smooth &&
            std::isinf(method->max_deviation) && !design_serves_ && aim_.any() &&
-           (options_.limits.max > 0.0 || options_.limits.p99 > 0.0);
+           options_.limits.bounds_edges();
   }
 
   std::optional<EvolvedPattern> nearest_within_limits(const Patch& patch, const SurfaceRuns& runs) {

@@ -103,8 +103,8 @@ void BoundarySearch::tell(double amount, double excess) {
 }
 
 const EdgeStrain& least_strain(const UnfoldReport& report) {
-  if (report.unlimited_strain) return *report.unlimited_strain;
-  return report.unmatched_strain ? *report.unmatched_strain : report.strain;
+  if (report.unmatched_strain) return *report.unmatched_strain;
+  return report.unlimited_strain ? *report.unlimited_strain : report.strain;
 }
 
 double share_of_limits(const std::vector<StrainLimitCheck>& checks) {

@@ -273,7 +273,7 @@ class ProductRun {
            (unfit.empty() ? "" : "\nleave out with --without " + shell_word(unfit));
   }
 
-  /// What was asked for and is missed, and by which pieces.
+  /// What is missed, and by which pieces: every one with a cross is named.
   std::string complaints() const {
     const std::string off_target =
         names_where([](const FinishedPatch& patch) { return !patch.outcome().target_met(); });
@@ -292,6 +292,11 @@ class ProductRun {
                   "design was written, of:") +
               rejected;
     }
+    const std::string others = names_where([](const FinishedPatch& patch) {
+      return !patch.outcome().usable() && all_kept(patch.unfold.limits) && !patch.rejected;
+    });
+    if (!others.empty())
+      text += (text.empty() ? "" : "\n") + std::string("do not cut as they are:") + others;
     return text;
   }
 

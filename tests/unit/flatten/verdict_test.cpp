@@ -55,6 +55,30 @@ FlattenReport flattenable_with_strain(double max) {
 
 const std::string k_changed = ", with the form changed by up to 0.57 mm";
 
+FlattenReport design_with(double p99, double rms) {
+  FlattenReport some = report();
+  some.evolve.method.reset();
+  some.evolve.result.history.clear();
+  some.evolve.fairness = {.unchanged = true};
+  some.evolve.deviation = {};
+  some.unfold.strain = {.max = 1.5 * p99, .rms = rms, .p99 = p99, .worst_edge = {0, 1}};
+  some.as_designed = some.unfold_before = some.unfold;
+  return some;
+}
+
+TEST(Verdict, SaysOfADesignThatIsKeptWhatSheetTakesIt) {
+  const std::string text = verdict(design_with(0.08, 0.033));
+  EXPECT_THAT(text, StartsWith("Needs a sheet that takes 8.0 %: neoprene (10 %) does, "));
+  EXPECT_THAT(text, HasSubstr(" does not. The usual stretch is 3.3 %, the largest 12 %, near ("));
+  EXPECT_THAT(text, EndsWith(" The form was not changed."));
+  EXPECT_THAT(verdict(design_with(0.0019, 0.0015)), HasSubstr("%: steel (0.20 %) does. "));
+  EXPECT_THAT(verdict(design_with(0.9, 0.3)),
+              StartsWith("Needs a sheet that takes 90 %: no material that is known here does. "));
+  FlattenReport overlapping = design_with(0.08, 0.033);
+  overlapping.unfold.pattern.overlaps = true;
+  EXPECT_THAT(verdict(overlapping), StartsWith("Do not cut this pattern: it overlaps itself."));
+}
+
 TEST(Verdict, SaysWhyTheDesignWasKept) {
   FlattenReport some = report();
   some.rejected = EdgeStrain{.max = 0.5, .rms = 0.084, .p99 = 0.2};

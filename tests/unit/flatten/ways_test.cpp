@@ -14,6 +14,14 @@ Patch panel() {
   return Patch(make_shape("panel", 600));
 }
 
+/// With a few per cent of stretch.
+Patch low_dome() {
+  TriMesh dome = make_shape("dome", 600);
+  for (Vec3& p : dome.positions)
+    p.z *= 0.7;
+  return Patch(std::move(dome));
+}
+
 FlattenReport flattened(const FlattenOptions& options) {
   return flatten(panel(), "panel", options);
 }
@@ -74,11 +82,7 @@ TEST(Ways, AreOfLimitsThatTheDesignMisses) {
 }
 
 TEST(Ways, MoveTheMoreTheLessStretchIsLeft) {
-  // Of a dome that is not so high: 5 % rms.
-  TriMesh dome = make_shape("dome", 600);
-  for (Vec3& p : dome.positions)
-    p.z *= 0.7;
-  std::vector<Way> ways = flatten(Patch(dome), "dome", {.ways = true}).ways;
+  std::vector<Way> ways = flatten(low_dome(), "dome", {.ways = true}).ways;
   std::erase_if(ways, [](const Way& way) { return !way.material.empty() || !way.reached; });
   ASSERT_GE(ways.size(), 2U);
   for (std::size_t k = 1; k < ways.size(); ++k) {
@@ -104,12 +108,13 @@ TEST(Ways, HaveTheFiguresOfTheRunWhereItIsOneOfThem) {
 }
 
 TEST(Ways, EstimateWhatTheRunThenDoes) {
-  const std::vector<Way> estimates = ways_of({});
+  const Patch dome = low_dome();
+  const std::vector<Way> estimates = flatten(dome, "dome", {.ways = true}).ways;
   const auto estimate = std::find_if(estimates.begin(), estimates.end(),
-                                     [](const Way& way) { return way.limits.rms == 0.005; });
+                                     [](const Way& way) { return way.limits.rms == 0.02; });
   ASSERT_NE(estimate, estimates.end());
-  const Deviation run = flattened({.limits = {.rms = 0.005}}).evolve.deviation;
-  EXPECT_NEAR(estimate->deviation.rms, run.rms, 0.5 * run.rms);
+  const Deviation run = flatten(dome, "dome", {.limits = {.rms = 0.02}}).evolve.deviation;
+  EXPECT_NEAR(estimate->deviation.rms, run.rms, 0.3 * run.rms);
 }
 
 TEST(Ways, AreLeftOutWhereThereIsNothingToSay) {

@@ -10,7 +10,7 @@ namespace planish::cli {
 
 namespace {
 
-constexpr std::size_t k_flag = 28, k_length = 11, k_fold = 11;
+constexpr std::size_t k_length = 10, k_fold = 10;
 
 /// As a flag takes it: "0.5%".
 std::string in_percent(double share) {
@@ -37,10 +37,10 @@ std::string end_of(const Way& way) {
   return way.keeps_form() ? "kept" : "not kept";
 }
 
-std::string row(const Way& way, const ShownLengths& lengths) {
+std::string row(const Way& way, std::size_t flag_width, const ShownLengths& lengths) {
   const std::string about = way.estimated ? "~" : "";
   const double fold = way.sharpest_fold();
-  return "  " + left(flag_of(way), k_flag) +
+  return "  " + left(flag_of(way), flag_width) +
          right(about + lengths.number(way.deviation.rms), k_length) +
          right(about + lengths.number(way.deviation.max), k_length) +
          right(fold > 0.0 ? about + fixed(fold, 0) : "-", k_fold) + "  " + end_of(way) + "\n";
@@ -53,12 +53,15 @@ std::string ways_text(const FlattenReport& report) {
   const ShownLengths lengths(report.unfold.unit);
   const auto is_estimate = [](const Way& way) { return way.estimated; };
   const bool has_estimates = std::any_of(report.ways.begin(), report.ways.end(), is_estimate);
-  std::string text = "Less stretch costs form:\n  " + left("", k_flag) +
+  std::size_t flag_width = 0;
+  for (const Way& way : report.ways)
+    flag_width = std::max(flag_width, flag_of(way).size());
+  std::string text = "Less stretch costs form:\n  " + left("", flag_width) +
                      right("moved " + lengths.unit(), k_length) +
                      right("most " + lengths.unit(), k_length) + right("fold deg", k_fold) +
                      "  form\n";
   for (const Way& way : report.ways)
-    text += row(way, lengths);
+    text += row(way, flag_width, lengths);
   return text + (has_estimates ? "  ~ is an estimate, of a coarse mesh\n" : "");
 }
 

@@ -290,7 +290,11 @@ std::string unlimited_lines(const UnfoldReport& report) {
   if (!report.unlimited_strain || (strain.rms < (1.0 + same) * report.unlimited_strain->rms &&
                                    strain.max > (1.0 - same) * report.unlimited_strain->max))
     return {};
-  const std::string why = report.limits.empty() ? "spread" : "evened out to keep the limit";
+  const bool is_for_limit =
+      std::any_of(report.limits.begin(), report.limits.end(), [&](const StrainLimitCheck& check) {
+        return figure_of(*report.unlimited_strain, check.kind) > check.asked;
+      });
+  const std::string why = is_for_limit ? "evened out to keep the limit" : "spread";
   return "              " + why + "; with least stretch it would be\n              rms " +
          percent(report.unlimited_strain->rms) + ", largest " +
          percent(report.unlimited_strain->max) + "\n";

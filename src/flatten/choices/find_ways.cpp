@@ -37,7 +37,8 @@ std::vector<Way> missed_limits(const EdgeStrain& design) {
   }
   std::stable_sort(ways.begin(), ways.end(),
                    [](const Way& a, const Way& b) { return a.limit() > b.limit(); });
-  ways.resize(std::min(ways.size(), k_most_ways - k_rms_limits.size()));
+  if (constexpr std::size_t most = k_most_ways - k_rms_limits.size(); ways.size() > most)
+    ways = {ways.front(), ways[ways.size() / 2], ways.back()};
   for (const double limit : k_rms_limits) {
     if (!(design.rms > limit)) continue;
     Way way;

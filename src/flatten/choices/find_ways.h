@@ -6,8 +6,9 @@
 
 namespace planish {
 
-/// What would keep the limits that a design's pattern misses: of the materials that take most of
-/// those that do not take the design, and of 2, 1 and 0.5 % rms, in that order. Each is tried on a
+/// What would keep the limits that a design's pattern misses: those of three materials that do not
+/// take the design, the one that takes most, the one that takes least and one between, and 2, 1 and
+/// 0.5 % rms, in that order. Each is tried on a
 /// coarser mesh of the design, the same for all: estimates. At most k_most_ways.
 /// @param patch the design
 /// @param options of the run: how limits change the form

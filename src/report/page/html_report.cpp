@@ -101,6 +101,9 @@ std::vector<std::string> flatness_checks(const FlattenReport& report) {
     items.push_back(flatness_of(report) == Flatness::limit_missed
                         ? neutral_mark("a stretch too small to measure, but for some places")
                         : mark(true, "flat but for a stretch too small to measure"));
+  else if (!report.evolve.method)
+    items.push_back(
+        neutral_mark("needs a sheet that takes " + percent_text(report.unfold.strain.p99)));
   else
     items.push_back(items.empty() ? mark(false, stretched) : neutral_mark(stretched));
   return items;

@@ -61,7 +61,10 @@ FlattenReport design_with(double p99, double rms) {
   some.evolve.result.history.clear();
   some.evolve.fairness = {.unchanged = true};
   some.evolve.deviation = {};
-  some.unfold.strain = {.max = 1.5 * p99, .rms = rms, .p99 = p99, .worst_edge = {0, 1}};
+  EdgeStrain& strain = some.unfold.strain;
+  strain = {.max = 1.5 * p99, .rms = rms, .p99 = p99, .worst_edge = {0, 1}};
+  strain.max_stretch = strain.max_compression = strain.max;
+  strain.p99_stretch = strain.p99_compression = p99;
   some.as_designed = some.unfold_before = some.unfold;
   return some;
 }

@@ -26,9 +26,6 @@ bool is_too_small_to_measure(const EdgeStrain& strain);
 /// Those of limit_checks() that are about strain.
 std::vector<LimitCheck> strain_limits_of(const FlattenReport& report);
 
-/// "a new fold of 63°"
-std::string new_fold_text(const Fold& fold);
-
 /// "the 10 % that neoprene takes" where the limit is that of a material that was named, else "the
 /// limit of 2.0 %". The area that the limit is for is named where an edge of the pattern is beyond
 /// it. Plain UTF-8 text.

@@ -8,6 +8,7 @@
 
 #include <planish/core/ways_on.h>
 
+#include "flatten/outcome.h"
 #include "flatten/strain_limit_text.h"
 #include "flatten/verdict.h"
 #include "platform/memory.h"
@@ -189,10 +190,10 @@ std::string form_lines(const EvolveReport& report) {
   const Fairness& fairness = report.fairness;
   const std::string indent(14, ' ');
   std::string text = "  form        " + answer(fairness.is_smooth(), "smooth");
+  if (!fairness.is_smooth()) text += " (" + std::string(smoothness_word(fairness)) + ")";
   if (fairness.form_change) text += ", " + answer(fairness.keeps_form(), "form kept");
   text += "\n";
-  const std::string faults = form_faults(report);
-  if (!faults.empty()) text += indent + "the form " + faults + "\n";
+  if (!fairness.keeps_form()) text += indent + form_loss_text(fairness) + "\n";
   if (fairness.bending_ratio && !fairness.unchanged) {
     text += indent + "bending " + digits(*fairness.bending_ratio, 3) + " times that of the design";
     if (fairness.bending_added) {

@@ -11,6 +11,7 @@
 
 #include "core/careful_sum.h"
 #include "measure/bends.h"
+#include "measure/moments.h"
 #include "measure/normals.h"
 #include "measure/windows.h"
 
@@ -21,20 +22,20 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Radii of windows, of the diagonal. What is seen as rough or as an edge; as a hill; as a dent. A
+// Radii of windows, of the size. What is seen as rough or as an edge; as a hill; as a dent. A
 // window has a radius of some mean edges at least: a coarse mesh shows no more.
 constexpr double k_bend_radius = 0.03, k_relief_radius = 0.10, k_dent_radius = 0.15;
 constexpr double k_least_edges = 1.5;
 constexpr std::size_t k_least_vertices = 4;
 
 // Beside what the design is bent in a window count 0.3 of what it is bent on average, and a radius
-// of half the diagonal: nobody sees how little less than that is bent.
+// of half the size: nobody sees how little less than that is bent.
 constexpr double k_mean_part = 0.3, k_least_curvature = 2.0;
 
 constexpr double k_least_relief = 0.04;  // rms height over the radius, from which it stands out
 constexpr double k_least_edge = 0.2;     // rms turn across an edge, radians
 
-/// A design and its result; the diagonal of the design's bounding box is 1.
+/// A design and its result; size_of() the design is 1.
 struct Compared {
   const Connectivity& connectivity;
   std::vector<Vec3> before = {}, after = {};
@@ -60,17 +61,25 @@ std::vector<Vec3> unit_normals(const Patch& design, std::span<const Vec3> positi
   return normals;
 }
 
-Compared compared(const Patch& design, std::span<const Vec3> after) {
+/// The diagonal of a rectangle that spreads as widely, times unit_scale(): it is the same however
+/// the surface is turned.
+double size_of(const Patch& design) {
+  const SurfaceMoments moments =
+      moments_of(design.triangles(), design.positions(), design.unit_scale());
+  return moments.area > 0.0 ? std::sqrt(12.0 * moments.covariance.trace() / moments.area) : 0.0;
+}
+
+/// @pre size > 0
+Compared compared(const Patch& design, std::span<const Vec3> after, double size) {
   const std::size_t n = design.vertex_count();
   Compared pair{.connectivity = design.connectivity()};
   const double scale = design.unit_scale();
-  const double diagonal = scale * bounding_box_diagonal(design.mesh());
   const Vec3 origin = n > 0 ? scale * design.positions().front() : Vec3{};
   const auto placed = [&](std::span<const Vec3> positions) {
     std::vector<Vec3> places;
     places.reserve(n);
     for (const Vec3 p : positions)
-      places.push_back((1.0 / diagonal) * (scale * p - origin));
+      places.push_back((1.0 / size) * (scale * p - origin));
     return places;
   };
   pair.before = placed(design.positions());
@@ -325,8 +334,9 @@ bool FormChange::has_lost_edge() const {
 
 FormChange form_change_of(const Patch& design, std::span<const Vec3> after) {
   FormChange change;
-  if (!(bounding_box_diagonal(design.mesh()) > 0.0)) return change;
-  const Compared pair = compared(design, after);
+  const double size = size_of(design);
+  if (!(size > 0.0)) return change;
+  const Compared pair = compared(design, after, size);
   find_folds(pair, after, change);
   find_lost_relief(pair, change);
   find_dents(pair, after, change);

@@ -5,8 +5,8 @@
 namespace planish {
 
 /// What a person sees of a change of form, beside the design: figures of windows, parts of the
-/// surface around places that lie evenly on it, as wide as a share of the diagonal of the design's
-/// bounding box. None depends on size or place, and hardly any on the density of the mesh; short
+/// surface around places that lie evenly on it, as wide as a share of the size of the design. None
+/// depends on size or place, and hardly any on the density of the mesh; short
 /// waves that the design has itself, as noise, do not count. The bounds are fitted to what two
 /// reviews said of pictures (docs/fairness.md).
 struct FormChange {
@@ -41,6 +41,6 @@ struct FormChange {
 
 /// Above these a person sees it; 1: bent 1.4 times as much.
 inline constexpr double k_seen_ripple = 1.0, k_seen_new_fold = 2.2, k_seen_dent = 0.038,
-                        k_seen_relief_lost = 0.23, k_seen_edge_lost = 0.31;
+                        k_seen_relief_lost = 0.25, k_seen_edge_lost = 0.33;
 
 }  // namespace planish

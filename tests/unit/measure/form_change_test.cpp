@@ -159,21 +159,12 @@ TEST(FormChange, DoesNotDependOnSizeOrPlace) {
     return mesh;
   };
   const FormChange here = change_of(design, after), there = change_of(moved(design), moved(after));
-  // The box of a turned patch is another one: windows are a share of its diagonal.
-  const double wider =
-      bounding_box_diagonal(moved(design)) / (1000.0 * bounding_box_diagonal(design));
-  EXPECT_NEAR(there.ripple, here.ripple, 0.15 * here.ripple) << wider;
-  EXPECT_NEAR(there.relief_lost, here.relief_lost, 0.15 * here.relief_lost) << wider;
-  TriMesh large = design, large_after = after;
-  for (TriMesh* mesh : {&large, &large_after}) {
-    for (Vec3& p : mesh->positions)
-      p = {1024.0 * p.x, 1024.0 * p.y, 1024.0 * p.z};
-  }
-  const FormChange larger = change_of(large, large_after);
-  EXPECT_NEAR(larger.ripple, here.ripple, 1e-9);
-  EXPECT_NEAR(larger.fold, here.fold, 1e-9);
-  EXPECT_NEAR(larger.dent, here.dent, 1e-9);
-  EXPECT_NEAR(larger.relief_lost, here.relief_lost, 1e-9);
+  EXPECT_NEAR(there.ripple, here.ripple, 1e-6);
+  EXPECT_NEAR(there.fold, here.fold, 1e-6);
+  EXPECT_NEAR(there.dent, here.dent, 1e-6);
+  EXPECT_NEAR(there.relief_lost, here.relief_lost, 1e-6);
+  EXPECT_GT(here.relief_lost, 0.05);
+  EXPECT_GT(here.fold, 0.5);
 }
 
 TEST(FormChange, SeesWhatIsAboveItsBounds) {

@@ -149,9 +149,11 @@ TEST(FormChange, DoesNotMindNoiseOfTheDesign) {
 }
 
 TEST(FormChange, DoesNotDependOnSizeOrPlace) {
-  const TriMesh design = sheet(50, panel);
-  const TriMesh after =
-      sheet(50, [](double x, double y) { return 0.8 * panel(x, y) - 0.01 * dent(x, y, 0.04); });
+  const TriMesh design =
+      sheet(50, [](double x, double y) { return panel(x, y) + 0.1 * dent(x, y, 0.12); });
+  const TriMesh after = sheet(50, [](double x, double y) {
+    return 0.8 * panel(x, y) + 0.05 * dent(x, y, 0.12) - 0.01 * dent(x, y, 0.04);
+  });
   const auto moved = [](TriMesh mesh) {
     for (Vec3& p : mesh.positions)
       p = {1000.0 * (0.6 * p.x - 0.8 * p.y) + 5e4, 1000.0 * (0.8 * p.x + 0.6 * p.y) - 7.0,

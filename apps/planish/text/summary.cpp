@@ -193,7 +193,8 @@ std::string form_lines(const EvolveReport& report) {
   if (!fairness.is_smooth()) text += " (" + std::string(smoothness_word(fairness)) + ")";
   if (fairness.form_change) text += ", " + answer(fairness.keeps_form(), "form kept");
   text += "\n";
-  if (!fairness.keeps_form()) text += indent + form_loss_text(fairness) + "\n";
+  if (!fairness.keeps_form())
+    text += indent + wrapped(form_loss_text(fairness), indent.size()) + "\n";
   if (fairness.bending_ratio && !fairness.unchanged) {
     text += indent + "bending " + digits(*fairness.bending_ratio, 3) + " times that of the design";
     if (fairness.bending_added) {

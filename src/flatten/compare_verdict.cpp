@@ -5,7 +5,7 @@
 
 #include <planish/flatten/compare.h>
 
-#include "flatten/outcome.h"
+#include "flatten/verdict.h"
 
 namespace planish {
 

@@ -1,15 +1,11 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <planish/flatten/flatten.h>
 
 namespace planish {
-
-/// "smooth", or what is not: "folded" in one place, "rippled", "crumpled" where it is much.
-std::string_view smoothness_word(const Fairness& fairness);
 
 /// What is wrong with the form of a result, in the order of Criterion; empty where nothing is.
 std::vector<FormFault> find_form_faults(const EvolveReport& evolve);

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <planish/flatten/flatten.h>
@@ -38,6 +39,9 @@ std::string verdict_text(const FlattenReport& report);
 
 /// What the sweeps did to energy and strain, in the terms of the paper. Plain UTF-8 text.
 std::string computed_text(const FlattenReport& report);
+
+/// "smooth", or what is not: "folded" in one place, "rippled", "crumpled" where it is much.
+std::string_view smoothness_word(const Fairness& fairness);
 
 /// Why Fairness::keeps_form() is false: "height 25 % of the design's". Empty where it is true.
 std::string form_loss_text(const Fairness& fairness);

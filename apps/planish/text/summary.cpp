@@ -8,7 +8,6 @@
 
 #include <planish/core/ways_on.h>
 
-#include "flatten/outcome.h"
 #include "flatten/strain_limit_text.h"
 #include "flatten/verdict.h"
 #include "platform/memory.h"

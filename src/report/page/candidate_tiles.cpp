@@ -9,7 +9,6 @@
 #include "core/figure_text.h"
 #include "core/math.h"
 #include "draw/text/markup_text.h"
-#include "flatten/outcome.h"
 #include "flatten/verdict.h"
 #include "report/page/html_parts.h"
 #include "report/pictures/patch_view.h"

@@ -11,7 +11,6 @@
 #include "core/figure_text.h"
 #include "draw/text/markup_text.h"
 #include "flatten/limit_checks.h"
-#include "flatten/outcome.h"
 #include "flatten/strain_limit_text.h"
 #include "flatten/twin_report.h"
 #include "flatten/verdict.h"

@@ -17,7 +17,8 @@ void judge(const char* name, const TriMesh& design, const std::vector<Vec3>& pos
   const Fairness fairness = measure_fairness(patch, positions);
   std::cout << name << ": rms strain " << 100.0 * strain.rms << " %, deviation "
             << 100.0 * deviation.rms_over_diagonal << " % of the diagonal, "
-            << (fairness.is_smooth() ? "smooth" : "crumpled") << "\n";
+            << (fairness.is_smooth() ? "smooth" : "not smooth") << ", "
+            << (fairness.keeps_form() ? "form kept" : "form not kept") << "\n";
 }
 
 }  // namespace

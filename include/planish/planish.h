@@ -34,6 +34,7 @@
 #include <planish/measure/deviation.h>
 #include <planish/measure/fairness.h>
 #include <planish/measure/flattenability.h>
+#include <planish/measure/form_change.h>
 #include <planish/measure/material.h>
 #include <planish/measure/obstruction.h>
 #include <planish/mesh/carry.h>

@@ -5,6 +5,8 @@
 
 #include <planish/flatten/compare.h>
 
+#include "flatten/verdict.h"
+
 namespace planish {
 
 namespace {
@@ -26,9 +28,10 @@ std::string percent(double share) {
   return digits(100.0 * share) + " %";
 }
 
-std::string crumpled_text(const Fairness& fairness) {
-  if (!fairness.bending_ratio) return "crumpled (it was a plane)";
-  return "crumpled (bent " + digits(*fairness.bending_ratio) + " times as much, " +
+std::string unsmooth_text(const Fairness& fairness) {
+  const std::string word(smoothness_word(fairness));
+  if (!fairness.bending_ratio) return word + " (it was a plane)";
+  return word + " (bent " + digits(*fairness.bending_ratio) + " times as much, " +
          percent(fairness.sharp_share) + " of it sharply)";
 }
 
@@ -45,7 +48,7 @@ std::string price(const CompareReport& report, const ComparedMethod& method) {
     add("needles (" + digits(angle) + " deg)");
   }
   const Fairness& fairness = method.evolve->fairness;
-  if (!fairness.is_smooth()) add(crumpled_text(fairness));
+  if (!fairness.is_smooth()) add(unsmooth_text(fairness));
   if (method.unfold && report.unfold_before) {
     if (method.unfold->pattern.overlaps && !report.unfold_before->pattern.overlaps) {
       add("pattern overlaps");

@@ -109,6 +109,22 @@ Criterion criterion_of(StrainLimitKind kind) {
   return Criterion::strain;
 }
 
+/// Whether a fold in one place is all that is not smooth.
+bool is_only_folded(const Fairness& fairness) {
+  return fairness.form_change && fairness.bending_ratio && !fairness.is_smooth() &&
+         !fairness.form_change->is_rippled();
+}
+
+/// What became of a form that is not kept.
+std::string loss_of(const Fairness& fairness) {
+  const FormChange seen = fairness.form_change.value_or(FormChange{});
+  const bool is_lost = seen.has_lost_relief() ||
+                       fairness.height_ratio.value_or(1.0) < k_kept_height ||
+                       fairness.largest_move.value_or(0.0) > k_kept_move;
+  if (is_lost) return "is lost";
+  return seen.is_dented() ? "is dented" : "lost its edges";
+}
+
 /// Whether a run that was to end by the strain ended so, or with nothing left to do.
 bool ended_by_strain(StopReason reason) {
   return reason == StopReason::strain_met || reason == StopReason::converged ||
@@ -173,14 +189,21 @@ LimitCheck limit_check(const StrainLimitCheck& check) {
   return {criterion_of(check.kind), check.asked, check.reached, check.kept()};
 }
 
+std::string_view smoothness_word(const Fairness& fairness) {
+  constexpr double crumpled = 3.0;  // ripple
+  if (fairness.is_smooth()) return "smooth";
+  if (is_only_folded(fairness)) return "folded";
+  return fairness.form_change && fairness.form_change->ripple <= crumpled ? "rippled" : "crumpled";
+}
+
 std::vector<FormFault> find_form_faults(const EvolveReport& evolve) {
   const Fairness& fairness = evolve.fairness;
-  const bool crumpled = !fairness.is_smooth();
+  const bool is_folded = is_only_folded(fairness);
   std::vector<FormFault> faults;
-  if (crumpled) faults.push_back({Criterion::crumpled, "is crumpled"});
-  if (!fairness.keeps_form()) faults.push_back({Criterion::form, "is lost"});
-  if (!crumpled && fairness.has_sharp_fold())
-    faults.push_back({Criterion::fold, "has " + new_fold_text(*fairness.sharpest_fold)});
+  if (!fairness.is_smooth() && !is_folded)
+    faults.push_back({Criterion::crumpled, "is " + std::string(smoothness_word(fairness))});
+  if (!fairness.keeps_form()) faults.push_back({Criterion::form, loss_of(fairness)});
+  if (is_folded) faults.push_back({Criterion::fold, "has a new fold"});
   if (evolve.after.self_intersections.pairs > evolve.before.self_intersections.pairs)
     faults.push_back({Criterion::self_intersections, "goes through itself"});
   return faults;

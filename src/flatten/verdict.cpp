@@ -55,10 +55,6 @@ StrainScope strain_scope(Criterion what) {
   }
 }
 
-std::string degrees_of(const Fold& fold) {
-  return significant_text(fold.degrees, 2) + "°";
-}
-
 std::string capitalised(std::string text) {
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   return text;
@@ -304,31 +300,25 @@ std::string form_sentence(const FlattenReport& report) {
   const Fairness& fairness = report.evolve.fairness;
   if (fairness.unchanged) return {};
   const std::string loss = form_loss_text(fairness);
-  const std::string lost = loss.empty() ? "" : " Much of the form is lost: " + loss + ".";
-  if (fairness.is_smooth()) {
-    const std::string fold = fairness.has_sharp_fold() ? " but for that fold"
-                             : fairness.has_seen_fold()
-                                 ? " but for " + new_fold_text(*fairness.sharpest_fold)
-                                 : "";
-    return " The form stayed smooth" + fold + "." + lost;
-  }
+  const std::string lost = loss.empty() ? "" : " The form is not kept: " + loss + ".";
+  if (fairness.is_smooth()) return " The form stayed smooth." + lost;
   if (!fairness.bending_ratio) return " The form was a plane, and is bent now.";
-  std::string text = " The form is crumpled: it is bent " +
-                     significant_text(*fairness.bending_ratio, 2) + " times as much as it was";
-  if (fairness.sharpest_fold) {
-    text += ", and the sharpest new fold has " + degrees_of(*fairness.sharpest_fold);
+  const std::string_view word = smoothness_word(fairness);
+  const std::string start = " The form is " + std::string(word) + ": ";
+  if (!fairness.form_change) {
+    return start + "it is bent " + significant_text(*fairness.bending_ratio, 2) +
+           " times as much as it was." + lost;
   }
-  return text + "." + lost;
+  const FormChange& seen = *fairness.form_change;
+  const double more = seen.is_rippled() ? seen.ripple : seen.fold;
+  return start + (seen.is_rippled() ? "in places" : "in one place") + " it is bent " +
+         significant_text(std::sqrt(1.0 + more * more), 2) + " times as sharply as it was." + lost;
 }
 
 }  // namespace
 
 std::string form_faults(const EvolveReport& evolve) {
   return joined(find_form_faults(evolve));
-}
-
-std::string new_fold_text(const Fold& fold) {
-  return "a new fold of " + degrees_of(fold);
 }
 
 Flatness flatness_of(const FlattenReport& report) {
@@ -375,17 +365,20 @@ std::string strain_limit_name(const LimitCheck& check, const FlattenReport& repo
 }
 
 std::string form_loss_text(const Fairness& fairness) {
+  const FormChange seen = fairness.form_change.value_or(FormChange{});
   std::string text;
+  const auto add = [&text](const std::string& words) {
+    text += (text.empty() ? "" : ", ") + words;
+  };
   if (fairness.height_ratio.value_or(1.0) < k_kept_height)
-    text = "height " + percent_text(*fairness.height_ratio) + " of the design's";
-  if (fairness.bending_lost.value_or(0.0) > k_kept_lost) {
-    text += (text.empty() ? "" : ", ") + percent_text(std::min(1.0, *fairness.bending_lost)) +
-            " of its curvature is gone";
-  }
-  if (fairness.largest_move.value_or(0.0) > k_kept_move) {
-    text += (text.empty() ? "a part moved by " : ", a part moved by ") +
-            percent_text(*fairness.largest_move) + " of the whole size";
-  }
+    add("height " + percent_text(*fairness.height_ratio) + " of the design's");
+  if (seen.has_lost_relief())
+    add("hills and hollows lost " + percent_text(std::min(1.0, seen.relief_lost)) +
+        " of their height");
+  if (seen.has_lost_edge()) add("edges are rounded off");
+  if (seen.is_dented()) add("a dent or bulge is new");
+  if (fairness.largest_move.value_or(0.0) > k_kept_move)
+    add("a part moved by " + percent_text(*fairness.largest_move) + " of the whole size");
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <planish/flatten/flatten.h>
@@ -26,9 +27,6 @@ bool is_too_small_to_measure(const EdgeStrain& strain);
 /// Those of limit_checks() that are about strain.
 std::vector<LimitCheck> strain_limits_of(const FlattenReport& report);
 
-/// "a new fold of 63°"
-std::string new_fold_text(const Fold& fold);
-
 /// "the 10 % that neoprene takes" where the limit is that of a material that was named, else "the
 /// limit of 2.0 %". The area that the limit is for is named where an edge of the pattern is beyond
 /// it. Plain UTF-8 text.
@@ -41,6 +39,9 @@ std::string verdict_text(const FlattenReport& report);
 
 /// What the sweeps did to energy and strain, in the terms of the paper. Plain UTF-8 text.
 std::string computed_text(const FlattenReport& report);
+
+/// "smooth", or what is not: "folded" in one place, "rippled", "crumpled" where it is much.
+std::string_view smoothness_word(const Fairness& fairness);
 
 /// Why Fairness::keeps_form() is false: "height 25 % of the design's". Empty where it is true.
 std::string form_loss_text(const Fairness& fairness);

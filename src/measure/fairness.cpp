@@ -12,6 +12,7 @@
 #include "geometry/angle_between.h"
 #include "measure/area.h"
 #include "measure/bends.h"
+#include "measure/form_change.h"
 #include "measure/moments.h"
 #include "measure/normals.h"
 #include "measure/off_border.h"
@@ -212,6 +213,11 @@ double form_lost(const Patch& design, std::span<const Vec3> after, double wave) 
 }  // namespace
 
 bool Fairness::is_smooth() const {
+  if (unchanged || !form_change) return bends_little();
+  return bending_ratio && !form_change->is_rippled() && !form_change->is_folded();
+}
+
+bool Fairness::bends_little() const {
   return unchanged ||
          (bends_at_most(k_smooth_ratio) && bending_added.value_or(0.0) <= k_smooth_added &&
           sharp_share <= k_smooth_sharp_share);
@@ -222,20 +228,13 @@ bool Fairness::bends_at_most(double ratio) const {
 }
 
 bool Fairness::is_smooth_within(double max_bending) const {
-  return max_bending > 0.0 ? bends_at_most(max_bending) : is_smooth();
-}
-
-bool Fairness::has_seen_fold() const {
-  return sharpest_fold && sharpest_fold->degrees >= k_seen_fold;
-}
-
-bool Fairness::has_sharp_fold() const {
-  return sharpest_fold && sharpest_fold->degrees >= k_sharp_fold;
+  return max_bending > 0.0 ? bends_at_most(max_bending) : bends_little();
 }
 
 bool Fairness::keeps_form() const {
-  return bending_lost.value_or(0.0) <= k_kept_lost && height_ratio.value_or(1.0) >= k_kept_height &&
-         largest_move.value_or(0.0) <= k_kept_move;
+  const FormChange seen = form_change.value_or(FormChange{});
+  return !seen.is_dented() && !seen.has_lost_relief() && !seen.has_lost_edge() &&
+         height_ratio.value_or(1.0) >= k_kept_height && largest_move.value_or(0.0) <= k_kept_move;
 }
 
 Fairness fairness_of_design(const Fairness& of_result) {
@@ -246,6 +245,7 @@ Fairness fairness_of_design(const Fairness& of_result) {
   fairness.normal_turn = fairness.border_turn = 0.0;
   if (of_result.height_ratio) fairness.height_ratio = 1.0;
   fairness.largest_move = 0.0;
+  if (of_result.form_change) fairness.form_change = FormChange{};
   if (!of_result.bending_ratio) return fairness;
   fairness.bending_ratio = of_result.design_ratio;
   fairness.bending_added = fairness.bending_lost = 0.0;
@@ -254,6 +254,7 @@ Fairness fairness_of_design(const Fairness& of_result) {
 
 Fairness measure_fairness(const Patch& design, std::span<const Vec3> after) {
   Fairness fairness = fairness_beside(design, design_bending(design), after);
+  fairness.form_change = fairness.unchanged ? FormChange{} : form_change_of(design, after);
   if (fairness.unchanged || !fairness.bending_lost) return fairness;
   if (const auto noise = find_scan_noise(design))
     fairness.bending_lost = form_lost(design, after, noise->wave);

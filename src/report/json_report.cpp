@@ -91,6 +91,15 @@ Json to_json(const std::optional<Fold>& fold) {
           {"at", {fold->at.x, fold->at.y, fold->at.z}}};
 }
 
+Json to_json(const std::optional<FormChange>& change) {
+  if (!change) return nullptr;
+  const auto place = [](Vec3 at) { return Json{at.x, at.y, at.z}; };
+  return {{"ripple", change->ripple},          {"fold", change->fold},
+          {"fold_at", place(change->fold_at)}, {"dent", change->dent},
+          {"dent_at", place(change->dent_at)}, {"relief_lost", change->relief_lost},
+          {"edge_lost", change->edge_lost}};
+}
+
 /// The figures of a result beside its design, but for the sharp share.
 void add_fairness(const Fairness& fairness, Json& json) {
   json["bending_ratio"] = to_json(fairness.bending_ratio);
@@ -99,6 +108,7 @@ void add_fairness(const Fairness& fairness, Json& json) {
   json["normal_turn"] = to_json(fairness.normal_turn);
   json["border_turn"] = to_json(fairness.border_turn);
   json["sharpest_fold"] = to_json(fairness.sharpest_fold);
+  json["form_change"] = to_json(fairness.form_change);
   json["smooth"] = fairness.is_smooth();
   json["form_kept"] = fairness.keeps_form();
 }

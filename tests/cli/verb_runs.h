@@ -71,7 +71,7 @@ inline void expect_numbers(const nlohmann::json& json, const std::string& key = 
       // beside a plane
       "bending_ratio", "bending_added", "bending_lost",
       // with other triangles, or where nothing is bent more
-      "normal_turn", "border_turn", "sharpest_fold",
+      "normal_turn", "border_turn", "sharpest_fold", "form_change",
       // where too many triangles lie on one another
       "self_intersections",
       // of what cannot be laid flat, or is too large

@@ -99,7 +99,7 @@ TEST(FlattenOnPatches, KeepsTheAimByThePatternNotByTheEstimate) {
     const auto report = flatten(Patch(mesh), "calf", pick(5));
     EXPECT_EQ(report.evolve.result.stop, StopReason::strain_met);
     EXPECT_LE(report.unfold.strain.rms, k_unmeasurable_strain);
-    EXPECT_TRUE(report.evolve.fairness.is_smooth());
+    EXPECT_TRUE(report.evolve.fairness.bends_little());
     const auto limited = flatten(Patch(mesh), "calf", {.limits = {.rms = 0.01}});
     EXPECT_TRUE(all_kept(limited.unfold.limits));
   }
@@ -118,7 +118,7 @@ TEST(FlattenOnPatches, ChangesTheFormWhereThePatternWithinTheLimitsOverlaps) {
     EXPECT_TRUE(all_kept(report.unfold.limits));
     EXPECT_FALSE(report.unfold.pattern.overlaps);
     EXPECT_GT(report.evolve.deviation.max, 0.0);
-    EXPECT_TRUE(report.evolve.fairness.is_smooth());
+    EXPECT_TRUE(report.evolve.fairness.bends_little());
   }
 }
 

@@ -60,7 +60,14 @@ inline FlattenReport flatten_report() {
                             .sharp_share = 0.0125,
                             .normal_turn = 3.4,
                             .border_turn = 5.6,
-                            .sharpest_fold = Fold{40, 41, 9.5, {9.5, 1.0, 0.25}}};
+                            .sharpest_fold = Fold{40, 41, 9.5, {9.5, 1.0, 0.25}},
+                            .form_change = FormChange{.ripple = 0.4,
+                                                      .fold = 0.7,
+                                                      .fold_at = {9.5, 1.0, 0.25},
+                                                      .dent = 0.01,
+                                                      .dent_at = {4.5, 3.0, 0.5},
+                                                      .relief_lost = 0.125,
+                                                      .edge_lost = 0.0625}};
   report.evolve.result.positions = report.processed.positions();
   report.evolve.result.threads = 2;
   report.evolve.result.seconds = 0.25;

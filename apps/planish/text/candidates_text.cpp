@@ -78,7 +78,7 @@ std::string candidate_row(const std::string& mark, const Candidate& candidate,
               lengths.number(candidate.deviation.max), beside_design(form.bending_ratio),
               beside_design(form.bending_added), beside_design(form.bending_lost),
               form.sharpest_fold ? fixed(form.sharpest_fold->degrees, 0) : "-",
-              form.is_sound() ? "" : "!"});
+              form.is_smooth() && form.keeps_form() ? "" : "!"});
 }
 
 std::string candidates_text(const FlattenReport& report) {
@@ -87,11 +87,13 @@ std::string candidates_text(const FlattenReport& report) {
   std::string text = candidate_head(lengths);
   for (const Candidate& candidate : candidates)
     text += candidate_row(&candidate == &candidates.back() ? "> " : "", candidate, lengths);
-  const bool is_faulty = !candidates.back().fairness.is_sound();
+  const Fairness& last = candidates.back().fairness;
+  const bool is_faulty = !last.is_smooth() || !last.keeps_form();
   const std::string others = others_text(report, candidates);
   return text + "\n" +
          wrapped(std::string("> is what was written.") +
-                     (is_faulty ? " ! is crumpled or sharply folded." : "") + " Others to choose" +
+                     (is_faulty ? " ! is not smooth, or the form is not kept." : "") +
+                     " Others to choose" +
                      (report.unfold.limits.empty() ? "" : ", without the limit") + ": --pick " +
                      others + "; \"planish frontier\" computes them all.",
                  0) +

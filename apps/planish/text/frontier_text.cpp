@@ -56,7 +56,7 @@ std::string frontier_text(const FrontierReport& report) {
          wrapped(
              "Moved is the distance from the design. Bending is that of the result over that of "
              "the design; added and lost are its parts. Fold is the sharpest new one. ! marks what "
-             "is crumpled or sharply folded.",
+             "is not smooth or does not keep the form.",
              0) +
          "\n" + star_text(report) + limit_text(report);
 }

@@ -189,10 +189,11 @@ std::string form_lines(const EvolveReport& report) {
   const Fairness& fairness = report.fairness;
   const std::string indent(14, ' ');
   std::string text = "  form        " + answer(fairness.is_smooth(), "smooth");
-  if (fairness.is_smooth() && fairness.has_sharp_fold())
-    text += " but for " + new_fold_text(*fairness.sharpest_fold);
-  if (fairness.bending_lost) text += ", " + answer(fairness.keeps_form(), "form kept");
+  if (!fairness.is_smooth()) text += " (" + std::string(smoothness_word(fairness)) + ")";
+  if (fairness.form_change) text += ", " + answer(fairness.keeps_form(), "form kept");
   text += "\n";
+  if (!fairness.keeps_form())
+    text += indent + wrapped(form_loss_text(fairness), indent.size()) + "\n";
   if (fairness.bending_ratio && !fairness.unchanged) {
     text += indent + "bending " + digits(*fairness.bending_ratio, 3) + " times that of the design";
     if (fairness.bending_added) {

@@ -292,10 +292,10 @@ void register_flatten(py::module_& module) {
       .def_property_readonly(
           "form_kept",
           [](const Result& result) { return result.report.evolve.fairness.keeps_form(); },
-          "Whether height and curvature of the design are kept (docs/fairness.md).")
+          "Whether hills, hollows and edges of the design are kept (docs/fairness.md).")
       .def_property_readonly(
-          "smooth", [](const Result& result) { return result.report.evolve.fairness.is_sound(); },
-          "Whether the form is neither crumpled nor sharply folded (docs/fairness.md).")
+          "smooth", [](const Result& result) { return result.report.evolve.fairness.is_smooth(); },
+          "Whether the form has no new ripples or folds (docs/fairness.md).")
       .def_property_readonly(
           "deviation", [](const Result& result) { return result.report.evolve.deviation.max; },
           "How far a vertex moved at most, model units.")
@@ -366,9 +366,9 @@ std::vector<std::string> words_of(const Outcome& outcome) {
 }
 
 SavedFiles files_in(const FlattenResult& result, const std::filesystem::path& folder) {
-  const WrittenFiles paths = cli::paths_in(folder, result.format, result.pattern,
-                                           result.report.evolve.method.has_value(),
-                                           result.arguments);
+  const WrittenFiles paths =
+      cli::paths_in(folder, result.format, result.pattern, result.report.evolve.method.has_value(),
+                    result.arguments);
   const std::string json = json_report(result.report, paths, cli::figures_of_cut(result.cut));
   return {cli::files_of(result.report, paths, result.format, result.pattern,
                         {cli::colors_from(result.arguments), {}}, json),

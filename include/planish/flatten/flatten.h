@@ -83,9 +83,9 @@ enum class Criterion {
   failure,             ///< there is no result
   size,                ///< the pattern is too small to be a piece in the unit given
   stretched,           ///< the form was changed without a limit of strain and does not lie flat
-  crumpled,            ///< the form is not smooth
-  form,                ///< the form has lost its height or its curvature
-  fold,                ///< the form has a sharp new fold
+  crumpled,            ///< the form is rippled or crumpled
+  form,                ///< the form is not kept: hills, hollows, edges or height lost, or dented
+  fold,                ///< the form has a new fold in one place
   self_intersections,  ///< the form intersects itself more than the design does
   overlap,             ///< the pattern overlaps itself
   flipped_triangles,   ///< triangles of the pattern are flipped over

@@ -26,8 +26,8 @@ struct Way {
   double sharpest_fold() const {
     return fairness.sharpest_fold ? fairness.sharpest_fold->degrees : 0.0;
   }
-  /// Whether the form is smooth, has no sharp new fold and is not lost.
-  bool keeps_form() const { return fairness.is_sound() && fairness.keeps_form(); }
+  /// Whether the form is smooth and kept.
+  bool keeps_form() const { return fairness.is_smooth() && fairness.keeps_form(); }
 };
 
 }  // namespace planish

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <planish/measure/form_change.h>
 #include <planish/mesh/patch.h>
 #include <planish/mesh/tri_mesh.h>
 
@@ -103,42 +104,35 @@ struct Fairness {
   /// The largest move of a vertex over the diagonal of the design's bounding box. None where the
   /// design has other triangles.
   std::optional<double> largest_move = {};
+  /// What a person sees of the change. None where the design has other triangles.
+  std::optional<FormChange> form_change = {};
   bool unchanged = false;  ///< the design itself, to the last digit
 
-  /// A designer would take it: bending_ratio, bending_added and sharp_share within k_smooth_*,
-  /// where a design with noise may have a larger bending_ratio and its result the same. The design
-  /// itself is smooth; beside a plane nothing else is. What is not smooth is crumpled: the one rule
-  /// of everything that says so.
+  /// Whether a person sees no ripples and no fold that the design does not have: the one rule of
+  /// everything that says smooth. By form_change; without it, bends_little(). The design itself is
+  /// smooth; beside a plane nothing else is.
   bool is_smooth() const;
+  /// Whether it is one that a search keeps: bending_ratio, bending_added and sharp_share within
+  /// k_smooth_*, where a design with noise may have a larger bending_ratio and its result the same.
+  bool bends_little() const;
   /// Whether bending_ratio is known and at most this, or the design's own where that is more; true
   /// of the design itself.
   bool bends_at_most(double ratio) const;
-  /// What a surface that is to be smooth has to be: bends_at_most(max_bending) where such a bound
-  /// was asked for (Auto::max_bending), is_smooth() where none was: 0.
+  /// What a surface that is sought has to be: bends_at_most(max_bending) where such a bound
+  /// was asked for (Auto::max_bending), bends_little() where none was: 0. What searches go by.
   bool is_smooth_within(double max_bending) const;
-  /// Whether the sharpest new fold has k_seen_fold or more.
-  bool has_seen_fold() const;
-  /// Whether it has k_sharp_fold or more: a fault, however smooth the rest is.
-  bool has_sharp_fold() const;
-  /// Smooth and without a sharp fold: what gets the tick for smooth.
-  bool is_sound() const { return is_smooth() && !has_sharp_fold(); }
-  /// Whether it still bends where the design does, is as high, and lost no part: bending_lost
-  /// within k_kept_lost, height_ratio not below k_kept_height, and largest_move within k_kept_move.
-  /// What is not known is taken as kept.
+  /// Whether a person would call it the same design: form_change has no dent and lost neither
+  /// relief nor edge, height_ratio is not below k_kept_height, and largest_move within k_kept_move.
+  /// The one rule of everything that says so; what is not known is taken as kept.
   bool keeps_form() const;
 };
 
-/// Largest bending_ratio of what is smooth.
+/// Largest bending_ratio of what bends little.
 inline constexpr double k_smooth_ratio = 1.3;
-/// Largest bending_added of what is smooth.
+/// Largest bending_added of what bends little.
 inline constexpr double k_smooth_added = 1.0;
-/// Degrees from which a new fold is mentioned, and from which it is a fault, however smooth the
-/// rest is.
-inline constexpr double k_seen_fold = 30.0, k_sharp_fold = 60.0;
-/// Largest sharp_share of what is smooth.
+/// Largest sharp_share of what bends little.
 inline constexpr double k_smooth_sharp_share = 0.04;
-/// Of the bending of the design half at most is gone.
-inline constexpr double k_kept_lost = 0.5;
 /// Of the height of the design three quarters stay at least.
 inline constexpr double k_kept_height = 0.75;
 /// No place is further from its design than a tenth of the diagonal.

@@ -75,14 +75,9 @@ std::string move_words(const Candidate& candidate, Unit unit) {
 
 std::string form_words(const Fairness& form) {
   if (form.unchanged) return {};
-  if (form.is_smooth() && form.has_sharp_fold())
-    return " It has " + new_fold_text(*form.sharpest_fold) + ".";
-  std::string text = form.is_smooth() ? " Smooth" : " Crumpled";
-  if (form.has_seen_fold()) {
-    text += (form.is_smooth() ? " but for " : ": ") + new_fold_text(*form.sharpest_fold);
-  }
-  if (form.is_smooth() && !form.keeps_form()) text += ", but the form is lost";
-  return text + ".";
+  const std::string text = " The form is " + std::string(smoothness_word(form));
+  const std::string loss = form_loss_text(form);
+  return text + (loss.empty() ? "." : form.is_smooth() ? ", but not kept." : ", and not kept.");
 }
 
 std::string name_of(const Candidate& candidate) {

@@ -112,18 +112,17 @@ std::vector<std::string> flatness_checks(const FlattenReport& report) {
 /// Whether a designer would take the form.
 std::vector<std::string> form_checks(const EvolveReport& evolve) {
   const Fairness& fairness = evolve.fairness;
-  const bool smooth = fairness.is_smooth(), sharp = smooth && fairness.has_sharp_fold();
   const std::string loss = form_loss_text(fairness);
   std::vector<std::string> items;
-  if (!sharp) items.push_back(mark(smooth, smooth ? "smooth" : "crumpled"));
-  if (smooth && fairness.has_seen_fold()) {
-    const std::string fold = new_fold_text(*fairness.sharpest_fold);
-    items.push_back(sharp ? mark(false, fold) : neutral_mark(fold));
+  if (fairness.unchanged) {
+    items.push_back(mark(true, "form as designed"));
+  } else {
+    items.push_back(mark(fairness.is_smooth(), std::string(smoothness_word(fairness))));
+    if (!loss.empty())
+      items.push_back(mark(false, "form not kept: " + loss));
+    else if (fairness.form_change)
+      items.push_back(mark(true, "form kept"));
   }
-  if (!loss.empty())
-    items.push_back(mark(false, "form lost: " + loss));
-  else if (fairness.bending_lost)
-    items.push_back(mark(true, "form kept"));
   const std::size_t before = evolve.before.self_intersections.pairs,
                     after = evolve.after.self_intersections.pairs;
   if (after > before)

@@ -98,6 +98,7 @@ TEST(CompareVerdict, GoesByTheStrainAndNamesThePrice) {
   report.runs[1].unfold->strain.rms = 0.01;
   EXPECT_EQ(best_run(report), std::nullopt) << "at the price of needles";
   report.runs[0].evolve->fairness.bending_ratio = 4.2;
+  report.runs[0].evolve->fairness.form_change->ripple = 4.0;
   report.runs[0].unfold->pattern.overlaps = true;
   report.runs[0].unfold->pattern.flipped_triangles = 1;
   EXPECT_THAT(verdict(0), HasSubstr("; crumpled (bent 4.2 times as much, 1.2 % of it sharply), "

@@ -127,7 +127,7 @@ TEST(Frontier, LosesStrainAsDeviationGrows) {
 TEST(Frontier, StaysSmoothUpToFlat) {
   for (const Candidate& point : panel_frontier().curve) {
     const auto& options = std::get<Auto>(point.method);
-    EXPECT_TRUE(options.prefer == Prefer::flat || point.fairness.is_smooth())
+    EXPECT_TRUE(options.prefer == Prefer::flat || point.fairness.bends_little())
         << candidate_name(point);
   }
 }

@@ -80,7 +80,7 @@ TEST(Outcome, IsUsableOnlyWhereNothingIsMissed) {
 TEST(Outcome, IsTheSameOfAPieceOfAProduct) {
   FlattenReport report = samples::flatten_report();
   report.evolve.method = Auto{.max_deviation = 0.1};
-  report.evolve.fairness.bending_ratio = 20.0;
+  report.evolve.fairness.form_change->ripple = 20.0;
   report.evolve.after.self_intersections.pairs = 3;
   report.unfold.pattern.flipped_triangles = 2;
   report.rejected = EdgeStrain{};

@@ -8,6 +8,7 @@
 namespace planish {
 namespace {
 
+using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
@@ -133,9 +134,9 @@ TEST(Verdict, SaysInItsFirstSentenceWhatBecameOfTheForm) {
   some.unfold.limits = {{StrainLimitKind::p99, 0.01, 0.00999}};
   EXPECT_THAT(verdict(some), StartsWith("Within the 1.0 % that leather takes on 99 % of the area" +
                                         k_changed + ", but the form is lost. "));
-  EXPECT_THAT(verdict(some), EndsWith("The form stayed smooth. Much of the form is lost: height "
+  EXPECT_THAT(verdict(some), EndsWith("The form stayed smooth. The form is not kept: height "
                                       "25 % of the design's."));
-  fairness.bending_ratio = 3.26;
+  fairness.form_change->ripple = 3.26;
   EXPECT_THAT(verdict(some),
               StartsWith("Within the 1.0 % that leather takes on 99 % of the area" + k_changed +
                          ", but the form is "
@@ -147,25 +148,29 @@ TEST(Verdict, SaysInItsFirstSentenceWhatBecameOfTheForm) {
 
 TEST(Verdict, SaysInItsFirstSentenceThatTheFormIsFoldedOrGoesThroughItself) {
   FlattenReport some = report();
-  some.evolve.fairness.sharpest_fold = Fold{.degrees = k_sharp_fold - 1.0};
-  EXPECT_THAT(verdict(some), StartsWith("Does not lie flat without stretch. "));
   some.evolve.fairness.sharpest_fold = Fold{.degrees = 173.2};
+  some.evolve.fairness.form_change = FormChange{.fold = k_seen_new_fold};
+  EXPECT_THAT(verdict(some), StartsWith("Does not lie flat without stretch. "));
+  some.evolve.fairness.form_change = FormChange{.fold = 2.4};
   EXPECT_THAT(verdict(some), StartsWith("Does not lie flat without stretch, and the form has a new "
-                                        "fold of 173°. "));
+                                        "fold. "));
   some.evolve.after.self_intersections.pairs = 5;
   EXPECT_THAT(verdict(some), StartsWith("Does not lie flat without stretch, and the form has a new "
-                                        "fold of 173° and goes through itself. "));
+                                        "fold and goes through itself. "));
   some.evolve.before.self_intersections.pairs = 5;
   EXPECT_THAT(verdict(some), Not(HasSubstr("goes through itself"))) << "the design does, too";
 }
 
 TEST(FormLoss, SaysWhatIsLost) {
   EXPECT_EQ(form_loss_text({}), "");
-  EXPECT_EQ(form_loss_text({.bending_lost = k_kept_lost, .height_ratio = k_kept_height}), "");
+  EXPECT_EQ(form_loss_text({.bending_lost = 0.9, .height_ratio = k_kept_height}), "");
   EXPECT_EQ(form_loss_text({.height_ratio = 0.254}), "height 25\u00A0% of the design's");
-  EXPECT_EQ(form_loss_text({.bending_lost = 0.61}), "61\u00A0% of its curvature is gone");
-  EXPECT_EQ(form_loss_text({.bending_lost = 1.2, .height_ratio = 0.5}),
-            "height 50\u00A0% of the design's, 100\u00A0% of its curvature is gone");
+  EXPECT_EQ(form_loss_text({.form_change = FormChange{.relief_lost = 0.31}}),
+            "hills and hollows lost 31\u00A0% of their height");
+  EXPECT_EQ(form_loss_text({.height_ratio = 0.5, .form_change = FormChange{.relief_lost = 1.2}}),
+            "height 50\u00A0% of the design's, hills and hollows lost 100\u00A0% of their height");
+  EXPECT_EQ(form_loss_text({.form_change = FormChange{.dent = 0.05, .edge_lost = 0.5}}),
+            "edges are rounded off, a dent or bulge is new");
   EXPECT_EQ(form_loss_text({.largest_move = k_kept_move}), "");
   EXPECT_EQ(form_loss_text({.largest_move = 0.222}), "a part moved by 22\u00A0% of the whole size");
 }
@@ -177,23 +182,25 @@ TEST(Verdict, SaysWhetherTheFormIsSmooth) {
     return verdict(some);
   };
   Fairness fairness = some.evolve.fairness;
-  fairness.bending_lost = 0.6;
-  EXPECT_THAT(with(fairness),
-              EndsWith("The form stayed smooth. Much of the form is lost: 60 % of its curvature is "
-                       "gone."));
-  fairness.bending_lost = 0.3;
-  const auto fold = fairness.sharpest_fold;
-  fairness.sharpest_fold = Fold{.degrees = k_seen_fold - 1.0};
+  fairness.form_change = FormChange{.relief_lost = 0.6};
+  EXPECT_THAT(with(fairness), EndsWith("The form stayed smooth. The form is not kept: hills and "
+                                       "hollows lost 60 % of their height."));
+  fairness.form_change = FormChange{.ripple = 0.9};
   EXPECT_THAT(with(fairness), EndsWith("The form stayed smooth."));
-  fairness.sharpest_fold = Fold{.degrees = 53.4};
-  EXPECT_THAT(with(fairness), EndsWith("The form stayed smooth but for a new fold of 53°."));
-  fairness.sharpest_fold = Fold{.degrees = 63.4};
-  EXPECT_THAT(with(fairness), EndsWith("The form stayed smooth but for that fold."))
-      << "which the first sentence has";
-  fairness.sharpest_fold = fold;
+  fairness.form_change = FormChange{.ripple = 0.9, .fold = 2.4};
+  EXPECT_THAT(with(fairness), EndsWith("The form is folded: in one place it is bent 2.6 times as "
+                                       "sharply as it was."));
+  fairness.form_change = FormChange{.ripple = 1.4, .fold = 2.4};
+  EXPECT_THAT(with(fairness), AllOf(HasSubstr("and the form is rippled. "),
+                                    EndsWith("The form is rippled: in places it is bent 1.7 times "
+                                             "as sharply as it was.")));
+  fairness.form_change = FormChange{.ripple = 5.0, .fold = 6.0};
+  EXPECT_THAT(with(fairness), EndsWith("The form is crumpled: in places it is bent 5.1 times as "
+                                       "sharply as it was."));
+  fairness.form_change = {};  // other triangles
   fairness.bending_ratio = 4.24;
-  EXPECT_THAT(with(fairness), EndsWith("The form is crumpled: it is bent 4.2 times as much as it "
-                                       "was, and the sharpest new fold has 9.5°."));
+  EXPECT_THAT(with(fairness),
+              EndsWith("The form is crumpled: it is bent 4.2 times as much as it was."));
   EXPECT_THAT(with({}), EndsWith("The form was a plane, and is bent now."));
   EXPECT_THAT(with({.unchanged = true}), EndsWith("The form was not changed."));
 }

@@ -155,7 +155,8 @@ TEST(JsonReport, OfAnEvolutionHasTheKeysOfTheContract) {
               ElementsAre("schema", "method", "options", "sweeps", "stop", "threads", "seconds",
                           "before", "after", "deviation", "remeshed_from", "history",
                           "bending_ratio", "bending_added", "bending_lost", "normal_turn",
-                          "border_turn", "sharpest_fold", "smooth", "form_kept", "cautions"));
+                          "border_turn", "sharpest_fold", "form_change", "smooth", "form_kept",
+                          "cautions"));
   EXPECT_EQ(json["method"], "controllable");
   EXPECT_EQ(json["sweeps"], 10);
   EXPECT_EQ(json["stop"], "sweep_limit");
@@ -186,12 +187,19 @@ TEST(JsonReport, TellsHowSmoothTheResultIs) {
             Json({{"degrees", 9.5}, {"edge", {40, 41}}, {"at", {9.5, 1.0, 0.25}}}));
   EXPECT_EQ(json()["smooth"], true);
   EXPECT_EQ(json()["form_kept"], true);
-  report.fairness.bending_lost = 0.51;
+  EXPECT_EQ(json()["form_change"], Json({{"ripple", 0.4},
+                                         {"fold", 0.7},
+                                         {"fold_at", {9.5, 1.0, 0.25}},
+                                         {"dent", 0.01},
+                                         {"dent_at", {4.5, 3.0, 0.5}},
+                                         {"relief_lost", 0.125},
+                                         {"edge_lost", 0.0625}}));
+  report.fairness.form_change->relief_lost = 0.26;
   EXPECT_EQ(json()["form_kept"], false);
   report.fairness = {};
   report.after.self_intersections.complete = false;
   for (const char* key : {"bending_ratio", "bending_added", "bending_lost", "normal_turn",
-                          "border_turn", "sharpest_fold"})
+                          "border_turn", "sharpest_fold", "form_change"})
     EXPECT_TRUE(json()[key].is_null()) << key;
   EXPECT_TRUE(json()["after"]["self_intersections"].is_null());
   EXPECT_EQ(json()["smooth"], false);

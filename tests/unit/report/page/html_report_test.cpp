@@ -197,15 +197,18 @@ TEST(HtmlReport, MarksAgreeWithTheVerdict) {
   EXPECT_THAT(top, HasSubstr("✗ not within the 10\u00A0% that neoprene takes"));
 }
 
-TEST(HtmlReport, MarksANewFoldByItsSharpness) {
+TEST(HtmlReport, MarksWhatAPersonSees) {
   FlattenReport report = samples::flatten_report();
-  const auto marks = [&](double degrees) {
-    report.evolve.fairness.sharpest_fold = Fold{.degrees = degrees};
+  const auto marks = [&](const FormChange& change) {
+    report.evolve.fairness.form_change = change;
     return first_screen(html_report(report));
   };
-  EXPECT_THAT(marks(20.0), AllOf(HasSubstr("✓ smooth"), Not(HasSubstr("a new fold"))));
-  EXPECT_THAT(marks(45.0), AllOf(HasSubstr("✓ smooth"), HasSubstr("• a new fold of 45°")));
-  EXPECT_THAT(marks(75.0), AllOf(Not(HasSubstr("✓ smooth")), HasSubstr("✗ a new fold of 75°")));
+  EXPECT_THAT(marks({.fold = 2.1}), AllOf(HasSubstr("✓ smooth"), HasSubstr("✓ form kept")));
+  EXPECT_THAT(marks({.fold = 2.3}), AllOf(HasSubstr("✗ folded"), Not(HasSubstr("✓ smooth"))));
+  EXPECT_THAT(marks({.ripple = 1.2}), AllOf(HasSubstr("✗ rippled"), HasSubstr("✓ form kept")));
+  EXPECT_THAT(marks({.ripple = 4.0}), HasSubstr("✗ crumpled"));
+  EXPECT_THAT(marks({.edge_lost = 0.5}),
+              AllOf(HasSubstr("✓ smooth"), HasSubstr("✗ form not kept: edges are rounded off")));
 }
 
 TEST(HtmlReport, MarksAFormThatIsLost) {
@@ -213,7 +216,7 @@ TEST(HtmlReport, MarksAFormThatIsLost) {
   EXPECT_THAT(html_report(report), HasSubstr("✓ form kept"));
   report.evolve.fairness.height_ratio = 0.254;
   const std::string page = html_report(report);
-  EXPECT_THAT(page, HasSubstr("✗ form lost: height 25\u00A0% of the design's"));
+  EXPECT_THAT(page, HasSubstr("✗ form not kept: height 25\u00A0% of the design's"));
   EXPECT_THAT(page, Not(HasSubstr("✓ form kept")));
 }
 

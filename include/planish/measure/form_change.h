@@ -1,0 +1,46 @@
+#pragma once
+
+#include <planish/core/vec.h>
+
+namespace planish {
+
+/// What a person sees of a change of form, beside the design: figures of windows, parts of the
+/// surface around places that lie evenly on it, as wide as a share of the size of the design. None
+/// depends on size or place, and hardly any on the density of the mesh; short
+/// waves that the design has itself, as noise, do not count. The bounds are fitted to what two
+/// reviews said of pictures (docs/fairness.md).
+struct FormChange {
+  /// How much more a window is bent than in the design: the root of the bending that came in it
+  /// (less that which went) over what the design has there. On 99 % of the area at most.
+  double ripple = 0.0;
+  /// The most of it in one window, and where, model units of the result.
+  double fold = 0.0;
+  Vec3 fold_at = {};  ///< the middle of that window
+  /// How far the middle of a window went along the normal beyond the whole window, over its radius:
+  /// on 98 % of the area at most, and the place of the largest.
+  double dent = 0.0;
+  Vec3 dent_at = {};  ///< the place of the largest, model units of the result
+  /// Share of the height that windows lost which stand out of a plane: on 90 % of their area at
+  /// most; more than 1 where hills became hollows. 0 where nothing stands out.
+  double relief_lost = 0.0;
+  /// Share of the turn that windows with an edge lost: on half of their area at most. 0 where there
+  /// is no edge.
+  double edge_lost = 0.0;
+
+  /// Waves, wrinkles or many folds.
+  bool is_rippled() const;
+  /// A fold, crease or small dent in one place.
+  bool is_folded() const;
+  /// A wide dent or bulge.
+  bool is_dented() const;
+  /// A hill or hollow is gone.
+  bool has_lost_relief() const;
+  /// An edge is rounded off.
+  bool has_lost_edge() const;
+};
+
+/// Above these a person sees it; 1: bent 1.4 times as much.
+inline constexpr double k_seen_ripple = 1.0, k_seen_new_fold = 2.2, k_seen_dent = 0.038,
+                        k_seen_relief_lost = 0.25, k_seen_edge_lost = 0.33;
+
+}  // namespace planish

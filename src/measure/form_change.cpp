@@ -1,0 +1,346 @@
+#include "measure/form_change.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "core/careful_sum.h"
+#include "measure/bends.h"
+#include "measure/moments.h"
+#include "measure/normals.h"
+#include "measure/windows.h"
+
+namespace planish {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// Radii of windows, of the size. What is seen as rough or as an edge; as a hill; as a dent. A
+// window has a radius of some mean edges at least: a coarse mesh shows no more.
+constexpr double k_bend_radius = 0.03, k_relief_radius = 0.10, k_dent_radius = 0.15;
+constexpr double k_least_edges = 1.5;
+constexpr std::size_t k_least_vertices = 4;
+
+// Beside what the design is bent in a window count 0.3 of what it is bent on average, and a radius
+// of half the size: nobody sees how little less than that is bent.
+constexpr double k_mean_part = 0.3, k_least_curvature = 2.0;
+
+constexpr double k_least_relief = 0.04;  // rms height over the radius, from which it stands out
+constexpr double k_least_edge = 0.2;     // rms turn across an edge, radians
+
+/// A design and its result; size_of() the design is 1.
+struct Compared {
+  const Connectivity& connectivity;
+  std::vector<Vec3> before = {}, after = {};
+  std::vector<Vec3> normals_before = {}, normals_after = {};  // of length 1
+  std::vector<double> areas = {}, offsets = {};               // of the design; along its normals
+  // Half of that of each edge at its ends.
+  std::vector<double> bending_before = {}, bending_after = {};
+  double mean_bending = 0.0;  // of the design, over the area
+  double mean_edge = 0.0;
+
+  double radius(double usual) const { return std::max(usual, k_least_edges * mean_edge); }
+};
+
+Vec3 unit(Vec3 a) {
+  const double length = norm(a);
+  return length > 0.0 ? (1.0 / length) * a : Vec3{};
+}
+
+std::vector<Vec3> unit_normals(const Patch& design, std::span<const Vec3> positions) {
+  std::vector<Vec3> normals = vertex_normals(design.triangles(), positions, 1.0);
+  for (Vec3& normal : normals)
+    normal = unit(normal);
+  return normals;
+}
+
+/// The diagonal of a rectangle that spreads as widely, times unit_scale(): it is the same however
+/// the surface is turned.
+double size_of(const Patch& design) {
+  const SurfaceMoments moments =
+      moments_of(design.triangles(), design.positions(), design.unit_scale());
+  return moments.area > 0.0 ? std::sqrt(12.0 * moments.covariance.trace() / moments.area) : 0.0;
+}
+
+/// @pre size > 0
+Compared compared(const Patch& design, std::span<const Vec3> after, double size) {
+  const std::size_t n = design.vertex_count();
+  Compared pair{.connectivity = design.connectivity()};
+  const double scale = design.unit_scale();
+  const Vec3 origin = n > 0 ? scale * design.positions().front() : Vec3{};
+  const auto placed = [&](std::span<const Vec3> positions) {
+    std::vector<Vec3> places;
+    places.reserve(n);
+    for (const Vec3 p : positions)
+      places.push_back((1.0 / size) * (scale * p - origin));
+    return places;
+  };
+  pair.before = placed(design.positions());
+  pair.after = placed(after);
+  pair.normals_before = unit_normals(design, pair.before);
+  pair.normals_after = unit_normals(design, pair.after);
+  pair.areas.assign(n, 0.0);
+  CarefulSum area, bending, length;
+  for (const Triangle& t : design.triangles()) {
+    const double third = norm(triangle_normal(t, pair.before, 1.0)) / 6.0;
+    for (const Index v : t)
+      pair.areas[v] += third;
+    area.add(3.0 * third);
+  }
+  pair.bending_before.assign(n, 0.0);
+  pair.bending_after.assign(n, 0.0);
+  double edges = 0.0;
+  for_each_hinge(pair.connectivity, [&](const Hinge& h) {
+    const auto bend = [&](const std::vector<Vec3>& p) {
+      return bend_at(p[h.from], p[h.to], p[h.left], p[h.right]);
+    };
+    const Bend first = bend(pair.before);
+    const double had = first.bending(), has = bend(pair.after).bending();
+    for (const Index v : {h.from, h.to}) {
+      pair.bending_before[v] += 0.5 * had;
+      pair.bending_after[v] += 0.5 * has;
+    }
+    bending.add(had);
+    length.add(first.length);
+    edges += 1.0;
+  });
+  for (std::size_t v = 0; v < n; ++v)
+    pair.offsets.push_back(dot(pair.after[v] - pair.before[v], pair.normals_before[v]));
+  if (area.value() > 0.0) pair.mean_bending = bending.value() / area.value();
+  if (edges > 0.0) pair.mean_edge = length.value() / edges;
+  return pair;
+}
+
+/// Figures of windows, each with its part of the area.
+class Figures {
+ public:
+  void add(double value, double share, Index middle) {
+    if (value > largest_) {
+      largest_ = value;
+      at_ = middle;
+    }
+    values_.emplace_back(value, values_.size());
+    shares_.push_back(share);
+  }
+  /// What so large a part of the area has at most; 0 without windows.
+  double at_most_on(double part) const {
+    auto order = values_;
+    std::sort(order.begin(), order.end());
+    CarefulSum area, so_far;
+    for (const double share : shares_)
+      area.add(share);
+    for (const auto& [value, i] : order) {
+      so_far.add(shares_[i]);
+      if (so_far.value() >= part * area.value()) return value;
+    }
+    return 0.0;
+  }
+  double largest() const { return largest_; }
+  Index place_of_largest() const { return at_; }
+
+ private:
+  std::vector<std::pair<double, std::size_t>> values_;
+  std::vector<double> shares_;
+  double largest_ = 0.0;
+  Index at_ = 0;
+};
+
+/// Root of the bending that came over that which the design has.
+double more_bent(const Compared& pair, const Window& window) {
+  double before = 0.0, after = 0.0, area = 0.0;
+  for (std::size_t i = 0; i < window.vertices.size(); ++i) {
+    const Index v = window.vertices[i];
+    before += window.weights[i] * pair.bending_before[v];
+    after += window.weights[i] * pair.bending_after[v];
+    area += window.weights[i] * pair.areas[v];
+  }
+  const double beside =
+      before + area * (k_mean_part * pair.mean_bending + k_least_curvature * k_least_curvature);
+  return after > before && beside > 0.0 ? std::sqrt((after - before) / beside) : 0.0;
+}
+
+/// How much the normals of a window turn across an edge, radians: the spread of their main
+/// direction beyond that of the next, which noise has too.
+double turn_across(const Compared& pair, const Window& window, std::span<const Vec3> normals) {
+  Matrix3d spread = Matrix3d::Zero();
+  Vector3d mean = Vector3d::Zero();
+  double area = 0.0;
+  for (std::size_t i = 0; i < window.vertices.size(); ++i) {
+    const double weight = window.weights[i] * pair.areas[window.vertices[i]];
+    const Vec3 n = normals[window.vertices[i]];
+    const Vector3d normal(n.x, n.y, n.z);
+    spread += weight * normal * normal.transpose();
+    mean += weight * normal;
+    area += weight;
+  }
+  if (!(area > 0.0)) return 0.0;
+  mean /= area;
+  spread = spread / area - mean * mean.transpose();
+  const Vector3d by_size =
+      Eigen::SelfAdjointEigenSolver<Matrix3d>(spread, Eigen::EigenvaluesOnly).eigenvalues();
+  return std::sqrt(std::max(by_size[2] - by_size[1], 0.0));
+}
+
+/// The heights of a window over the plane that fits it, and how much of them the result has.
+struct Relief {
+  double rms = 0.0;  ///< of the design
+  double kept = 1.0;
+};
+
+/// Rows: two directions across a normal, and the normal.
+Matrix3d frame_of(Vec3 normal) {
+  const Vec3 off = std::abs(normal.x) < 0.6 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
+  const Vec3 along = unit(cross(normal, off)), across = cross(normal, along);
+  Matrix3d frame;
+  frame << along.x, along.y, along.z, across.x, across.y, across.z, normal.x, normal.y, normal.z;
+  return frame;
+}
+
+/// A height as a sum of coordinates: the third less the plane of the first two that fits it.
+Vector3d over_plane(const Matrix3d& covariance) {
+  Eigen::Matrix2d squares = covariance.topLeftCorner<2, 2>();
+  squares += 1e-9 * covariance.trace() * Eigen::Matrix2d::Identity();  // for windows of one line
+  const Eigen::Vector2d slopes = squares.ldlt().solve(covariance.topRightCorner<2, 1>());
+  return {-slopes[0], -slopes[1], 1.0};
+}
+
+Relief relief_of(const Compared& pair, const Window& window) {
+  using Vector6d = Eigen::Matrix<double, 6, 1>;
+  using Matrix6d = Eigen::Matrix<double, 6, 6>;
+  Matrix6d squares = Matrix6d::Zero();
+  Vector6d sum = Vector6d::Zero();
+  Vec3 normal = {}, normal_after = {};
+  double area = 0.0;
+  const Index middle = window.vertices.front();
+  for (std::size_t i = 0; i < window.vertices.size(); ++i) {
+    const Index v = window.vertices[i];
+    const double weight = window.weights[i] * pair.areas[v];
+    const Vec3 p = pair.before[v] - pair.before[middle], q = pair.after[v] - pair.after[middle];
+    const Vector6d place(p.x, p.y, p.z, q.x, q.y, q.z);
+    squares += weight * place * place.transpose();
+    sum += weight * place;
+    normal += weight * pair.normals_before[v];
+    normal_after += weight * pair.normals_after[v];
+    area += weight;
+  }
+  if (!(area > 0.0)) return {};
+  sum /= area;
+  Matrix6d frames = Matrix6d::Zero();
+  frames.topLeftCorner<3, 3>() = frame_of(unit(normal));
+  frames.bottomRightCorner<3, 3>() = frame_of(unit(normal_after));
+  const Matrix6d covariance =
+      frames * (squares / area - sum * sum.transpose()) * frames.transpose();
+  const Vector3d first = over_plane(covariance.topLeftCorner<3, 3>());
+  const Vector3d second = over_plane(covariance.bottomRightCorner<3, 3>());
+  const double own = first.dot(covariance.topLeftCorner<3, 3>() * first);
+  const double common = first.dot(covariance.topRightCorner<3, 3>() * second);
+  if (!(own > 0.0)) return {};
+  return {std::sqrt(own), common / own};
+}
+
+/// How far the middle of a window went along the normal beyond the whole.
+double dent_of(const Compared& pair, const Window& window, double radius) {
+  const double near = pair.radius(k_bend_radius) / radius;
+  double sum = 0.0, area = 0.0, sum_near = 0.0, area_near = 0.0;
+  for (std::size_t i = 0; i < window.vertices.size(); ++i) {
+    const Index v = window.vertices[i];
+    const double weight = window.weights[i] * pair.areas[v];
+    sum += weight * pair.offsets[v];
+    area += weight;
+    if (window.weights[i] < 1.0 - near * near) continue;
+    sum_near += pair.areas[v] * pair.offsets[v];
+    area_near += pair.areas[v];
+  }
+  if (!(area > 0.0) || !(area_near > 0.0)) return 0.0;
+  return std::abs(sum_near / area_near - sum / area);
+}
+
+bool has_enough(const Window& window) {
+  return window.vertices.size() >= k_least_vertices && window.share > 0.0;
+}
+
+void find_folds(const Compared& pair, std::span<const Vec3> after, FormChange& change) {
+  constexpr double nearly_all = 0.99, half = 0.5;
+  Figures bent, edges;
+  const double radius = pair.radius(k_bend_radius);
+  for_each_window(pair.connectivity, pair.before, pair.areas, radius, [&](const Window& window) {
+    if (!has_enough(window)) return;
+    const Index middle = window.vertices.front();
+    bent.add(more_bent(pair, window), window.share, middle);
+    const double turn = turn_across(pair, window, pair.normals_before);
+    if (turn <= k_least_edge) return;
+    const double kept = turn_across(pair, window, pair.normals_after) / turn;
+    edges.add(1.0 - kept, window.share, middle);
+  });
+  change.ripple = bent.at_most_on(nearly_all);
+  change.fold = bent.largest();
+  change.fold_at = after[bent.place_of_largest()];
+  change.edge_lost = std::max(edges.at_most_on(half), 0.0);
+}
+
+void find_lost_relief(const Compared& pair, FormChange& change) {
+  constexpr double most = 0.9;
+  Figures lost;
+  const double radius = pair.radius(k_relief_radius);
+  for_each_window(pair.connectivity, pair.before, pair.areas, radius, [&](const Window& window) {
+    if (!has_enough(window)) return;
+    const Relief relief = relief_of(pair, window);
+    if (relief.rms > k_least_relief * radius)
+      lost.add(1.0 - relief.kept, window.share, window.vertices.front());
+  });
+  change.relief_lost = std::max(lost.at_most_on(most), 0.0);
+}
+
+void find_dents(const Compared& pair, std::span<const Vec3> after, FormChange& change) {
+  constexpr double nearly_all = 0.98;
+  Figures dents;
+  const double radius = pair.radius(k_dent_radius);
+  for_each_window(pair.connectivity, pair.before, pair.areas, radius, [&](const Window& window) {
+    if (has_enough(window))
+      dents.add(dent_of(pair, window, radius) / radius, window.share, window.vertices.front());
+  });
+  change.dent = dents.at_most_on(nearly_all);
+  change.dent_at = after[dents.place_of_largest()];
+}
+
+}  // namespace
+
+bool FormChange::is_rippled() const {
+  return ripple > k_seen_ripple;
+}
+
+bool FormChange::is_folded() const {
+  return fold > k_seen_new_fold;
+}
+
+bool FormChange::is_dented() const {
+  return dent > k_seen_dent;
+}
+
+bool FormChange::has_lost_relief() const {
+  return relief_lost > k_seen_relief_lost;
+}
+
+bool FormChange::has_lost_edge() const {
+  return edge_lost > k_seen_edge_lost;
+}
+
+FormChange form_change_of(const Patch& design, std::span<const Vec3> after) {
+  FormChange change;
+  const double size = size_of(design);
+  if (!(size > 0.0)) return change;
+  const Compared pair = compared(design, after, size);
+  find_folds(pair, after, change);
+  find_lost_relief(pair, change);
+  find_dents(pair, after, change);
+  return change;
+}
+
+}  // namespace planish

@@ -1,0 +1,232 @@
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+#include <planish/flatten/flatten.h>
+#include <planish/measure/fairness.h>
+#include <planish/mesh/shapes.h>
+
+#include <gtest/gtest.h>
+
+#include "support/bent_sheets.h"
+#include "support/meshes.h"
+
+namespace planish {
+namespace {
+
+using std::numbers::pi;
+
+FormChange change_of(const TriMesh& design, const TriMesh& after) {
+  return *measure_fairness(Patch(design), after.positions).form_change;
+}
+
+/// Over [0, 1] x [0, 0.7]: height(x, y).
+template <class Height>
+TriMesh sheet(std::size_t cells, const Height& height) {
+  TriMesh mesh = meshes::flat_grid(cells, cells * 7 / 10);
+  for (Vec3& p : mesh.positions) {
+    p.x /= static_cast<double>(cells);
+    p.y /= static_cast<double>(cells);
+    p.z = height(p.x, p.y);
+  }
+  return mesh;
+}
+
+double panel(double x, double y) {
+  return 0.2 * std::sin(pi * x) * (1.0 - 0.3 * y) + 0.08 * std::sin(2.0 * pi * y);
+}
+
+double dent(double x, double y, double radius) {
+  const double dx = (x - 0.5) / radius, dy = (y - 0.35) / radius;
+  return std::exp(-dx * dx - dy * dy);
+}
+
+TEST(FormChange, OfTheDesignItselfIsNothing) {
+  const FormChange same = change_of(sheet(40, panel), sheet(40, panel));
+  EXPECT_EQ(same.ripple, 0.0);
+  EXPECT_EQ(same.fold, 0.0);
+  EXPECT_EQ(same.dent, 0.0);
+  EXPECT_EQ(same.relief_lost, 0.0);
+  EXPECT_EQ(same.edge_lost, 0.0);
+}
+
+TEST(FormChange, FindsASmallDentAtAnyDensityAndItsPlace) {
+  for (const std::size_t cells : {40U, 80U, 160U}) {
+    const TriMesh after =
+        sheet(cells, [](double x, double y) { return panel(x, y) - 0.01 * dent(x, y, 0.03); });
+    const FormChange found = change_of(sheet(cells, panel), after);
+    EXPECT_TRUE(found.is_folded()) << cells;
+    EXPECT_NEAR(found.fold_at.x, 0.5, 0.05) << cells;
+    EXPECT_NEAR(found.fold_at.y, 0.35, 0.05) << cells;
+    EXPECT_FALSE(found.is_dented()) << "nor wide: " << cells;
+  }
+}
+
+TEST(FormChange, FindsAWideBulgeAtAnyDensity) {
+  for (const std::size_t cells : {20U, 40U, 80U, 160U}) {
+    const auto bulged = [&](double height) {
+      return change_of(sheet(cells, panel), sheet(cells, [&](double x, double y) {
+                         return panel(x, y) + height * dent(x, y, 0.15);
+                       }));
+    };
+    EXPECT_TRUE(bulged(0.08).is_dented()) << cells;
+    EXPECT_NEAR(bulged(0.08).dent_at.x, 0.5, 0.1) << cells;
+    EXPECT_FALSE(bulged(0.01).is_dented()) << cells;
+    EXPECT_FALSE(bulged(0.01).is_rippled()) << cells;
+    EXPECT_FALSE(bulged(0.01).is_folded()) << cells;
+  }
+}
+
+TEST(FormChange, FindsRipplesAtAnyDensity) {
+  for (const std::size_t cells : {60U, 120U}) {
+    const auto rippled = [&](double height) {
+      return change_of(sheet(cells, panel), sheet(cells, [&](double x, double y) {
+                         return panel(x, y) + height * std::sin(60.0 * x);
+                       }));
+    };
+    EXPECT_TRUE(rippled(0.004).is_rippled()) << cells;
+    EXPECT_FALSE(rippled(0.0005).is_rippled()) << cells;
+    EXPECT_FALSE(rippled(0.0005).is_folded()) << cells;
+  }
+}
+
+TEST(FormChange, FindsAnEdgeThatWasRoundedOff) {
+  const auto chine = [](double width) {
+    return [width](double x, double y) {
+      return 0.3 - 0.45 * std::sqrt((y - 0.35) * (y - 0.35) + width * width) -
+             0.1 * (x - 0.5) * (x - 0.5);
+    };
+  };
+  for (const std::size_t cells : {60U, 100U, 200U}) {
+    const TriMesh design = sheet(cells, chine(0.0));
+    EXPECT_TRUE(change_of(design, sheet(cells, chine(0.04))).has_lost_edge()) << cells;
+    EXPECT_FALSE(change_of(design, sheet(cells, chine(0.005))).has_lost_edge()) << cells;
+    EXPECT_EQ(change_of(sheet(cells, panel), sheet(cells, panel)).edge_lost, 0.0) << "has none";
+  }
+}
+
+TEST(FormChange, FindsAHillThatSank) {
+  const auto hill = [](double height) {
+    return [height](double x, double y) { return 0.1 * x * x + height * dent(x, y, 0.12); };
+  };
+  for (const std::size_t cells : {30U, 60U, 120U}) {
+    const TriMesh design = sheet(cells, hill(0.1));
+    EXPECT_TRUE(change_of(design, sheet(cells, hill(0.05))).has_lost_relief()) << cells;
+    EXPECT_TRUE(change_of(design, sheet(cells, hill(-0.1))).relief_lost > 1.0) << "a hollow";
+    EXPECT_FALSE(change_of(design, sheet(cells, hill(0.09))).has_lost_relief()) << cells;
+    EXPECT_FALSE(change_of(design, sheet(cells, hill(0.12))).has_lost_relief()) << "higher";
+  }
+}
+
+TEST(FormChange, LeavesAGentleChangeAlone) {
+  for (const std::size_t cells : {30U, 60U, 120U}) {
+    const TriMesh after = sheet(cells, [](double x, double y) {
+      return 0.93 * panel(x, y) + 0.01 * std::sin(pi * x) * std::sin(pi * y / 0.7);
+    });
+    const Fairness gentle = measure_fairness(Patch(sheet(cells, panel)), after.positions);
+    EXPECT_TRUE(gentle.is_smooth()) << cells;
+    EXPECT_TRUE(gentle.keeps_form()) << cells;
+  }
+}
+
+TEST(FormChange, DoesNotMindNoiseOfTheDesign) {
+  const auto noisy = [](double part) {
+    std::uint64_t state = 5;
+    return sheet(60, [&state, part](double x, double y) {
+      state = state * 6364136223846793005U + 1442695040888963407U;
+      const double random = static_cast<double>(state >> 33U) / 2147483648.0 - 0.5;
+      return panel(x, y) + part * 0.006 * random;
+    });
+  };
+  const TriMesh design = noisy(1.0);
+  for (const double part : {0.0, 0.5, 1.1}) {
+    const Fairness found = measure_fairness(Patch(design), noisy(part).positions);
+    EXPECT_TRUE(found.is_smooth()) << part;
+    EXPECT_TRUE(found.keeps_form()) << part;
+  }
+  EXPECT_FALSE(measure_fairness(Patch(design), noisy(3.0).positions).is_smooth()) << "much more";
+}
+
+TEST(FormChange, DoesNotDependOnSizeOrPlace) {
+  const TriMesh design =
+      sheet(50, [](double x, double y) { return panel(x, y) + 0.1 * dent(x, y, 0.12); });
+  const TriMesh after = sheet(50, [](double x, double y) {
+    return 0.8 * panel(x, y) + 0.05 * dent(x, y, 0.12) - 0.01 * dent(x, y, 0.04);
+  });
+  const auto moved = [](TriMesh mesh) {
+    for (Vec3& p : mesh.positions)
+      p = {1000.0 * (0.6 * p.x - 0.8 * p.y) + 5e4, 1000.0 * (0.8 * p.x + 0.6 * p.y) - 7.0,
+           1000.0 * p.z};
+    return mesh;
+  };
+  const FormChange here = change_of(design, after), there = change_of(moved(design), moved(after));
+  EXPECT_NEAR(there.ripple, here.ripple, 1e-6);
+  EXPECT_NEAR(there.fold, here.fold, 1e-6);
+  EXPECT_NEAR(there.dent, here.dent, 1e-6);
+  EXPECT_NEAR(there.relief_lost, here.relief_lost, 1e-6);
+  EXPECT_GT(here.relief_lost, 0.05);
+  EXPECT_GT(here.fold, 0.2);
+}
+
+TEST(FormChange, SeesWhatIsAboveItsBounds) {
+  const auto above = [](double bound) {
+    return std::nextafter(bound, std::numeric_limits<double>::infinity());
+  };
+  EXPECT_FALSE(FormChange{.ripple = k_seen_ripple}.is_rippled());
+  EXPECT_TRUE(FormChange{.ripple = above(k_seen_ripple)}.is_rippled());
+  EXPECT_FALSE(FormChange{.fold = k_seen_new_fold}.is_folded());
+  EXPECT_TRUE(FormChange{.fold = above(k_seen_new_fold)}.is_folded());
+  EXPECT_FALSE(FormChange{.dent = k_seen_dent}.is_dented());
+  EXPECT_TRUE(FormChange{.dent = above(k_seen_dent)}.is_dented());
+  EXPECT_FALSE(FormChange{.relief_lost = k_seen_relief_lost}.has_lost_relief());
+  EXPECT_TRUE(FormChange{.relief_lost = above(k_seen_relief_lost)}.has_lost_relief());
+  EXPECT_FALSE(FormChange{.edge_lost = k_seen_edge_lost}.has_lost_edge());
+  EXPECT_TRUE(FormChange{.edge_lost = above(k_seen_edge_lost)}.has_lost_edge());
+}
+
+TEST(FormChange, DecidesTheMarks) {
+  Fairness fairness = {.bending_ratio = 1.0, .form_change = FormChange{}};
+  const auto with = [&fairness](const FormChange& change) {
+    fairness.form_change = change;
+    return fairness;
+  };
+  EXPECT_TRUE(with({}).is_smooth() && with({}).keeps_form());
+  for (const FormChange& bad : {FormChange{.ripple = 1.2}, FormChange{.fold = 2.5}}) {
+    EXPECT_FALSE(with(bad).is_smooth());
+    EXPECT_TRUE(with(bad).keeps_form());
+    EXPECT_TRUE(with(bad).is_smooth_within(0.0)) << "searches go by bending alone";
+  }
+  for (const FormChange& bad :
+       {FormChange{.dent = 0.05}, FormChange{.relief_lost = 0.4}, FormChange{.edge_lost = 0.5}}) {
+    EXPECT_TRUE(with(bad).is_smooth());
+    EXPECT_FALSE(with(bad).keeps_form());
+  }
+  fairness = {.bending_ratio = 1.0, .sharp_share = 0.2};
+  EXPECT_FALSE(fairness.is_smooth()) << "other triangles: by bending alone";
+}
+
+TEST(FormChange, IsTheSameOnAllThreads) {
+  const Patch patch(make_shape("panel", 600));
+  const auto found = [&](unsigned threads) {
+    const FlattenReport report =
+        flatten(patch, "panel", {.method = Auto{.max_rms_strain = 0.005}}, {.threads = threads});
+    return *report.evolve.fairness.form_change;
+  };
+  const FormChange one = found(1U), four = found(4U);
+  EXPECT_EQ(one.ripple, four.ripple);
+  EXPECT_EQ(one.fold, four.fold);
+  EXPECT_EQ(one.dent, four.dent);
+  EXPECT_EQ(one.relief_lost, four.relief_lost);
+  EXPECT_EQ(one.edge_lost, four.edge_lost);
+  EXPECT_GT(one.relief_lost, 0.0);
+}
+
+TEST(FormChange, OfNothingIsNothing) {
+  EXPECT_EQ(change_of({}, {}).ripple, 0.0);
+  const TriMesh flat = meshes::flat_grid(1, 1);
+  EXPECT_EQ(change_of(flat, flat).dent, 0.0);
+}
+
+}  // namespace
+}  // namespace planish

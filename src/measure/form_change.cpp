@@ -22,18 +22,22 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Radii of windows, of the size. What is seen as rough or as an edge; as a hill; as a dent. A
-// window has a radius of some mean edges at least: a coarse mesh shows no more.
-constexpr double k_bend_radius = 0.03, k_relief_radius = 0.10, k_dent_radius = 0.15;
+// Radii of windows, of the size. What is seen as an edge; as rough; as a hill; as a dent, and its
+// middle. A window has a radius of some mean edges at least: a coarse mesh shows no more.
+constexpr double k_edge_radius = 0.02, k_bend_radius = 0.025, k_relief_radius = 0.08,
+                 k_dent_radius = 0.15, k_middle_radius = 0.03;
 constexpr double k_least_edges = 1.5;
 constexpr std::size_t k_least_vertices = 4;
 
-// Beside what the design is bent in a window count 0.3 of what it is bent on average, and a radius
-// of half the size: nobody sees how little less than that is bent.
-constexpr double k_mean_part = 0.3, k_least_curvature = 2.0;
+// Beside what the design is bent in a window counts what two thirds of its area are bent at most,
+// so that one sharp bead hides no waves beside it, and this, over the square of the size: nobody
+// sees how little less than that is bent.
+constexpr double k_calm_part = 2.0 / 3.0, k_least_bending = 8.0;
 
 constexpr double k_least_relief = 0.04;  // rms height over the radius, from which it stands out
-constexpr double k_least_edge = 0.2;     // rms turn across an edge, radians
+constexpr double k_least_edge = 0.15;    // rms turn across an edge, radians
+// Of all edges, and of the area: less is not missed, and noise has as much.
+constexpr double k_least_edge_part = 0.3, k_least_edge_area = 0.01;
 
 /// A design and its result; size_of() the design is 1.
 struct Compared {
@@ -43,7 +47,6 @@ struct Compared {
   std::vector<double> areas = {}, offsets = {};               // of the design; along its normals
   // Half of that of each edge at its ends.
   std::vector<double> bending_before = {}, bending_after = {};
-  double mean_bending = 0.0;  // of the design, over the area
   double mean_edge = 0.0;
 
   double radius(double usual) const { return std::max(usual, k_least_edges * mean_edge); }
@@ -87,12 +90,11 @@ Compared compared(const Patch& design, std::span<const Vec3> after, double size)
   pair.normals_before = unit_normals(design, pair.before);
   pair.normals_after = unit_normals(design, pair.after);
   pair.areas.assign(n, 0.0);
-  CarefulSum area, bending, length;
+  CarefulSum length;
   for (const Triangle& t : design.triangles()) {
     const double third = norm(triangle_normal(t, pair.before, 1.0)) / 6.0;
     for (const Index v : t)
       pair.areas[v] += third;
-    area.add(3.0 * third);
   }
   pair.bending_before.assign(n, 0.0);
   pair.bending_after.assign(n, 0.0);
@@ -107,13 +109,11 @@ Compared compared(const Patch& design, std::span<const Vec3> after, double size)
       pair.bending_before[v] += 0.5 * had;
       pair.bending_after[v] += 0.5 * has;
     }
-    bending.add(had);
     length.add(first.length);
     edges += 1.0;
   });
   for (std::size_t v = 0; v < n; ++v)
     pair.offsets.push_back(dot(pair.after[v] - pair.before[v], pair.normals_before[v]));
-  if (area.value() > 0.0) pair.mean_bending = bending.value() / area.value();
   if (edges > 0.0) pair.mean_edge = length.value() / edges;
   return pair;
 }
@@ -129,16 +129,21 @@ class Figures {
     values_.emplace_back(value, values_.size());
     shares_.push_back(share);
   }
+  double area() const {
+    CarefulSum area;
+    for (const double share : shares_)
+      area.add(share);
+    return area.value();
+  }
   /// What so large a part of the area has at most; 0 without windows.
   double at_most_on(double part) const {
     auto order = values_;
     std::sort(order.begin(), order.end());
-    CarefulSum area, so_far;
-    for (const double share : shares_)
-      area.add(share);
+    const double needed = part * area();
+    CarefulSum so_far;
     for (const auto& [value, i] : order) {
       so_far.add(shares_[i]);
-      if (so_far.value() >= part * area.value()) return value;
+      if (so_far.value() >= needed) return value;
     }
     return 0.0;
   }
@@ -152,18 +157,28 @@ class Figures {
   Index at_ = 0;
 };
 
-/// Root of the bending that came over that which the design has.
-double more_bent(const Compared& pair, const Window& window) {
+/// The bending of a window, and its part of the area.
+struct WindowBending {
   double before = 0.0, after = 0.0, area = 0.0;
+  double share = 0.0;
+  Index middle = 0;
+
+  /// Root of the bending that came over that which the design has, and `calm` over the area.
+  double more(double calm) const {
+    const double beside = before + area * (calm + k_least_bending);
+    return after > before && beside > 0.0 ? std::sqrt((after - before) / beside) : 0.0;
+  }
+};
+
+WindowBending bending_of(const Compared& pair, const Window& window) {
+  WindowBending bending{.share = window.share, .middle = window.vertices.front()};
   for (std::size_t i = 0; i < window.vertices.size(); ++i) {
     const Index v = window.vertices[i];
-    before += window.weights[i] * pair.bending_before[v];
-    after += window.weights[i] * pair.bending_after[v];
-    area += window.weights[i] * pair.areas[v];
+    bending.before += window.weights[i] * pair.bending_before[v];
+    bending.after += window.weights[i] * pair.bending_after[v];
+    bending.area += window.weights[i] * pair.areas[v];
   }
-  const double beside =
-      before + area * (k_mean_part * pair.mean_bending + k_least_curvature * k_least_curvature);
-  return after > before && beside > 0.0 ? std::sqrt((after - before) / beside) : 0.0;
+  return bending;
 }
 
 /// How much the normals of a window turn across an edge, radians: the spread of their main
@@ -247,7 +262,7 @@ Relief relief_of(const Compared& pair, const Window& window) {
 
 /// How far the middle of a window went along the normal beyond the whole.
 double dent_of(const Compared& pair, const Window& window, double radius) {
-  const double near = pair.radius(k_bend_radius) / radius;
+  const double near = pair.radius(k_middle_radius) / radius;
   double sum = 0.0, area = 0.0, sum_near = 0.0, area_near = 0.0;
   for (std::size_t i = 0; i < window.vertices.size(); ++i) {
     const Index v = window.vertices[i];
@@ -267,26 +282,44 @@ bool has_enough(const Window& window) {
 }
 
 void find_folds(const Compared& pair, std::span<const Vec3> after, FormChange& change) {
-  constexpr double nearly_all = 0.99, half = 0.5;
-  Figures bent, edges;
+  constexpr double nearly_all = 0.99;
+  std::vector<WindowBending> windows;
+  Figures designed, bent;
   const double radius = pair.radius(k_bend_radius);
   for_each_window(pair.connectivity, pair.before, pair.areas, radius, [&](const Window& window) {
     if (!has_enough(window)) return;
-    const Index middle = window.vertices.front();
-    bent.add(more_bent(pair, window), window.share, middle);
-    const double turn = turn_across(pair, window, pair.normals_before);
-    if (turn <= k_least_edge) return;
-    const double kept = turn_across(pair, window, pair.normals_after) / turn;
-    edges.add(1.0 - kept, window.share, middle);
+    const WindowBending found = bending_of(pair, window);
+    if (!(found.area > 0.0)) return;
+    designed.add(found.before / found.area, found.share, found.middle);
+    windows.push_back(found);
   });
+  const double calm = designed.at_most_on(k_calm_part);
+  for (const WindowBending& window : windows)
+    bent.add(window.more(calm), window.share, window.middle);
   change.ripple = bent.at_most_on(nearly_all);
   change.fold = bent.largest();
   change.fold_at = after[bent.place_of_largest()];
-  change.edge_lost = std::max(edges.at_most_on(half), 0.0);
+}
+
+void find_lost_edges(const Compared& pair, FormChange& change) {
+  Figures lost;
+  double all = 0.0;
+  const double radius = pair.radius(k_edge_radius);
+  for_each_window(pair.connectivity, pair.before, pair.areas, radius, [&](const Window& window) {
+    if (!has_enough(window)) return;
+    all += window.share;
+    const double turn = turn_across(pair, window, pair.normals_before);
+    if (turn <= k_least_edge) return;
+    const double kept = turn_across(pair, window, pair.normals_after) / turn;
+    lost.add(1.0 - kept, window.share, window.vertices.front());
+  });
+  const double edges = lost.area(),
+               least = std::max(k_least_edge_part * edges, k_least_edge_area * all);
+  if (edges > least) change.edge_lost = std::max(lost.at_most_on(1.0 - least / edges), 0.0);
 }
 
 void find_lost_relief(const Compared& pair, FormChange& change) {
-  constexpr double most = 0.9;
+  constexpr double most = 0.8;
   Figures lost;
   const double radius = pair.radius(k_relief_radius);
   for_each_window(pair.connectivity, pair.before, pair.areas, radius, [&](const Window& window) {
@@ -338,6 +371,7 @@ FormChange form_change_of(const Patch& design, std::span<const Vec3> after) {
   if (!(size > 0.0)) return change;
   const Compared pair = compared(design, after, size);
   find_folds(pair, after, change);
+  find_lost_edges(pair, change);
   find_lost_relief(pair, change);
   find_dents(pair, after, change);
   return change;

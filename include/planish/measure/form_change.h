@@ -11,7 +11,8 @@ namespace planish {
 /// reviews said of pictures (docs/fairness.md).
 struct FormChange {
   /// How much more a window is bent than in the design: the root of the bending that came in it
-  /// (less that which went) over what the design has there. On 99 % of the area at most.
+  /// (less that which went) over what the design has there and in its calm parts. On 99 % of the
+  /// area at most.
   double ripple = 0.0;
   /// The most of it in one window, and where, model units of the result.
   double fold = 0.0;
@@ -20,11 +21,11 @@ struct FormChange {
   /// on 98 % of the area at most, and the place of the largest.
   double dent = 0.0;
   Vec3 dent_at = {};  ///< the place of the largest, model units of the result
-  /// Share of the height that windows lost which stand out of a plane: on 90 % of their area at
+  /// Share of the height that windows lost which stand out of a plane: on 80 % of their area at
   /// most; more than 1 where hills became hollows. 0 where nothing stands out.
   double relief_lost = 0.0;
-  /// Share of the turn that windows with an edge lost: on half of their area at most. 0 where there
-  /// is no edge.
+  /// Share of the turn that windows with an edge lost: on 70 % of their area at most. 0 where there
+  /// is no edge, or so little that nobody misses it.
   double edge_lost = 0.0;
 
   /// Waves, wrinkles or many folds.
@@ -39,8 +40,8 @@ struct FormChange {
   bool has_lost_edge() const;
 };
 
-/// Above these a person sees it; 1: bent 1.4 times as much.
-inline constexpr double k_seen_ripple = 1.0, k_seen_new_fold = 2.2, k_seen_dent = 0.038,
-                        k_seen_relief_lost = 0.25, k_seen_edge_lost = 0.33;
+/// Above these a person sees it; a ripple of 0.73: bent 1.24 times as sharply.
+inline constexpr double k_seen_ripple = 0.73, k_seen_new_fold = 2.7, k_seen_dent = 0.033,
+                        k_seen_relief_lost = 0.28, k_seen_edge_lost = 0.39;
 
 }  // namespace planish

@@ -151,7 +151,7 @@ TEST(Verdict, SaysInItsFirstSentenceThatTheFormIsFoldedOrGoesThroughItself) {
   some.evolve.fairness.sharpest_fold = Fold{.degrees = 173.2};
   some.evolve.fairness.form_change = FormChange{.fold = k_seen_new_fold};
   EXPECT_THAT(verdict(some), StartsWith("Does not lie flat without stretch. "));
-  some.evolve.fairness.form_change = FormChange{.fold = 2.4};
+  some.evolve.fairness.form_change = FormChange{.fold = 2.8};
   EXPECT_THAT(verdict(some), StartsWith("Does not lie flat without stretch, and the form has a new "
                                         "fold. "));
   some.evolve.after.self_intersections.pairs = 5;
@@ -185,10 +185,10 @@ TEST(Verdict, SaysWhetherTheFormIsSmooth) {
   fairness.form_change = FormChange{.relief_lost = 0.6};
   EXPECT_THAT(with(fairness), EndsWith("The form stayed smooth. The form is not kept: hills and "
                                        "hollows lost 60 % of their height."));
-  fairness.form_change = FormChange{.ripple = 0.9};
+  fairness.form_change = FormChange{.ripple = 0.7};
   EXPECT_THAT(with(fairness), EndsWith("The form stayed smooth."));
-  fairness.form_change = FormChange{.ripple = 0.9, .fold = 2.4};
-  EXPECT_THAT(with(fairness), EndsWith("The form is folded: in one place it is bent 2.6 times as "
+  fairness.form_change = FormChange{.ripple = 0.7, .fold = 2.8};
+  EXPECT_THAT(with(fairness), EndsWith("The form is folded: in one place it is bent 3.0 times as "
                                        "sharply as it was."));
   fairness.form_change = FormChange{.ripple = 1.4, .fold = 2.4};
   EXPECT_THAT(with(fairness), AllOf(HasSubstr("and the form is rippled. "),

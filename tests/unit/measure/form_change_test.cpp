@@ -106,6 +106,35 @@ TEST(FormChange, FindsAnEdgeThatWasRoundedOff) {
   }
 }
 
+TEST(FormChange, FindsAnEdgeThatWasRoundedOffOnAPartOfItsLength) {
+  const auto chine = [](double until) {
+    return [until](double x, double y) {
+      const double width = x < until ? 0.04 : 0.0;
+      return 0.3 - 0.45 * std::sqrt((y - 0.35) * (y - 0.35) + width * width);
+    };
+  };
+  for (const std::size_t cells : {60U, 100U, 200U}) {
+    const TriMesh design = sheet(cells, chine(0.0));
+    EXPECT_TRUE(change_of(design, sheet(cells, chine(0.45))).has_lost_edge()) << cells;
+    EXPECT_FALSE(change_of(design, sheet(cells, chine(0.15))).has_lost_edge()) << cells;
+  }
+}
+
+TEST(FormChange, FindsWavesBesideASharpBead) {
+  const auto bead = [](double wave) {
+    return [wave](double x, double y) {
+      const double across = (y - 0.35) / 0.02;
+      return 0.1 * x * x + 0.05 * std::exp(-across * across) +
+             (y > 0.5 ? wave * std::sin(60.0 * x) * std::sin(5.0 * pi * (y - 0.5)) : 0.0);
+    };
+  };
+  for (const std::size_t cells : {80U, 160U}) {
+    const TriMesh design = sheet(cells, bead(0.0));
+    EXPECT_TRUE(change_of(design, sheet(cells, bead(0.002))).is_rippled()) << cells;
+    EXPECT_FALSE(change_of(design, sheet(cells, bead(0.0003))).is_rippled()) << cells;
+  }
+}
+
 TEST(FormChange, FindsAHillThatSank) {
   const auto hill = [](double height) {
     return [height](double x, double y) { return 0.1 * x * x + height * dent(x, y, 0.12); };
@@ -192,7 +221,7 @@ TEST(FormChange, DecidesTheMarks) {
     return fairness;
   };
   EXPECT_TRUE(with({}).is_smooth() && with({}).keeps_form());
-  for (const FormChange& bad : {FormChange{.ripple = 1.2}, FormChange{.fold = 2.5}}) {
+  for (const FormChange& bad : {FormChange{.ripple = 1.2}, FormChange{.fold = 3.0}}) {
     EXPECT_FALSE(with(bad).is_smooth());
     EXPECT_TRUE(with(bad).keeps_form());
     EXPECT_TRUE(with(bad).is_smooth_within(0.0)) << "searches go by bending alone";

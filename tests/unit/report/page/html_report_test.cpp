@@ -203,8 +203,8 @@ TEST(HtmlReport, MarksWhatAPersonSees) {
     report.evolve.fairness.form_change = change;
     return first_screen(html_report(report));
   };
-  EXPECT_THAT(marks({.fold = 2.1}), AllOf(HasSubstr("✓ smooth"), HasSubstr("✓ form kept")));
-  EXPECT_THAT(marks({.fold = 2.3}), AllOf(HasSubstr("✗ folded"), Not(HasSubstr("✓ smooth"))));
+  EXPECT_THAT(marks({.fold = 2.6}), AllOf(HasSubstr("✓ smooth"), HasSubstr("✓ form kept")));
+  EXPECT_THAT(marks({.fold = 2.8}), AllOf(HasSubstr("✗ folded"), Not(HasSubstr("✓ smooth"))));
   EXPECT_THAT(marks({.ripple = 1.2}), AllOf(HasSubstr("✗ rippled"), HasSubstr("✓ form kept")));
   EXPECT_THAT(marks({.ripple = 4.0}), HasSubstr("✗ crumpled"));
   EXPECT_THAT(marks({.edge_lost = 0.5}),

@@ -35,7 +35,7 @@ class Cut : public CliTest {
   }
 };
 
-const Names k_fast = {"--method", "controllable", "--sweeps", "2", "--formats", "svg"};
+const Names k_fast = {"--pick", "3", "--formats", "svg"};
 
 CliResult flatten_with(const std::string& input, const Names& more) {
   Names args = {"flatten", input, "-o", "out"};

@@ -136,8 +136,7 @@ class ProductOfAFile : public CliTest {
   }
 
   static CliResult flatten(const Names& more = {}) {
-    Names args = {"flatten",      "suit.json", "-o", "out",       "--method",
-                  "controllable", "--sweeps",  "2",  "--formats", "svg"};
+    Names args = {"flatten", "suit.json", "-o", "out", "--pick", "3", "--formats", "svg"};
     args.insert(args.end(), more.begin(), more.end());
     return planish(args);
   }

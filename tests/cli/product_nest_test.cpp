@@ -28,8 +28,7 @@ class ProductNest : public CliTest {
 };
 
 CliResult lay_out(const std::string& input, const Names& more) {
-  Names args = {"flatten",      input,      "-o", "out",       "--method",
-                "controllable", "--sweeps", "2",  "--formats", "svg,dxf"};
+  Names args = {"flatten", input, "-o", "out", "--formats", "svg,dxf"};
   args.insert(args.end(), more.begin(), more.end());
   return planish(args);
 }

@@ -242,9 +242,8 @@ TEST_F(ProductSeams, RefuseNotchesBeyondThem) {
 
 TEST_F(ProductSeams, AreKeptOnResumingOnlyWithTheSameNotches) {
   write_product("coat.obj", in_strips(make_shape("saddle", 400), 2));
-  const Names args = {"flatten",      "coat.obj",      "-o", "out",      "--method",
-                      "controllable", "--sweeps",      "1",  "--resume", "--seam-notches",
-                      "seams.txt",    "--notch-depth", "1mm"};
+  const Names args = {"flatten",  "coat.obj",       "-o",        "out",           "--pick", "3",
+                      "--resume", "--seam-notches", "seams.txt", "--notch-depth", "1mm"};
   std::ofstream("seams.txt") << "* 50%\n";
   EXPECT_EQ(planish(args).exit_code, k_exit_done);
   EXPECT_THAT(planish(args).err, HasSubstr("from the earlier run"));

@@ -38,12 +38,12 @@ std::vector<NamedPatch> halves(std::size_t fineness = 1) {
   return split(mesh, group, names);
 }
 
-const Names k_two_sweeps = {"--method", "controllable", "--sweeps", "2", "--formats", "svg"};
+const Names k_svg = {"--formats", "svg"};
 
 CliResult flatten_product(const std::string& input, const std::string& folder,
                           const Names& more = {}, const RunContext& context = {}) {
   Names args = {"flatten", input, "-o", folder};
-  args.insert(args.end(), k_two_sweeps.begin(), k_two_sweeps.end());
+  args.insert(args.end(), k_svg.begin(), k_svg.end());
   args.insert(args.end(), more.begin(), more.end());
   return planish(args, context);
 }
@@ -473,7 +473,7 @@ TEST_F(Product, ResumesAnInterruptedRunWithTheSameResult) {
   std::ostringstream out;
   std::ostream err(&buffer);
   Names args = {"flatten", "coat.obj", "-o", "out", "--threads", "1"};
-  args.insert(args.end(), k_two_sweeps.begin(), k_two_sweeps.end());
+  args.insert(args.end(), k_svg.begin(), k_svg.end());
   EXPECT_EQ(run(args, out, err, {.err_is_terminal = false, .interrupted = &stop}),
             k_exit_interrupted);
   EXPECT_THAT(buffer.str(), HasSubstr("1 of 3 patches are done"));

@@ -30,8 +30,7 @@ TriMesh as_twin(const TriMesh& mesh) {
 }
 
 CliResult flatten_coat(const std::string& folder, const std::vector<std::string>& more = {}) {
-  std::vector<std::string> args = {"flatten", "coat.obj", "-o",           folder,     "--unit",
-                                   "cm",      "--method", "controllable", "--sweeps", "2"};
+  std::vector<std::string> args = {"flatten", "coat.obj", "-o", folder, "--unit", "cm"};
   args.insert(args.end(), more.begin(), more.end());
   return planish(args);
 }
@@ -196,8 +195,8 @@ TEST_F(ProductTwinsTest, AreTheSameOnAnyNumberOfThreads) {
 TEST_F(ProductTwinsTest, LeaveTheOtherOneAsItIsAlone) {
   ASSERT_EQ(flatten_coat("out", {"--formats", "svg"}).exit_code, k_exit_done);
   write_mesh("left.obj", sleeve());
-  ASSERT_EQ(planish({"flatten", "left.obj", "-o", "alone", "--unit", "cm", "--method",
-                     "controllable", "--sweeps", "2", "--formats", "svg", "--piece-name", "left"})
+  ASSERT_EQ(planish({"flatten", "left.obj", "-o", "alone", "--unit", "cm", "--formats", "svg",
+                     "--piece-name", "left"})
                 .exit_code,
             k_exit_done);
   for (const char* file : {"/pattern.svg", "/processed.obj", "/flat.obj"})

@@ -386,9 +386,10 @@ TEST(BorderText, IsOneSentenceWhereMuchAreaMustGo) {
   const EdgeStrain stretched = some.unfold.strain;
   some.unfold.strain = {};
   EXPECT_EQ(border_text(some), "") << "the area has gone, and the form is kept";
-  some.evolve.fairness.bending_ratio = 4.0;
+  const Fairness sound = some.evolve.fairness;
+  some.evolve.fairness.form_change = FormChange{.ripple = 4.0};
   EXPECT_NE(border_text(some), "") << "it has gone into folds";
-  some.evolve.fairness.bending_ratio = 1.0;
+  some.evolve.fairness = sound;
   some.unfold.strain = stretched;
   some.evolve.before.obstruction->turning_most = k_flat_turning;
   EXPECT_THAT(border_text(some),

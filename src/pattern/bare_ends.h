@@ -27,9 +27,10 @@ struct BareEnds {
   }
 };
 
-/// The ends of a loop's allowances. One that would not come free of the line within four widths
-/// along its edges, as where a side only goes on without an allowance, has no end here; nor has one
-/// beside what is no fold, where the border turns by less than 25 degrees.
+/// Finds where the allowances of a loop end at the line of a neighbouring edge without one. There
+/// is no such end if the allowance does not leave that line within four widths along its edges (the
+/// side simply continues without an allowance), or if that edge is not on a fold and the border
+/// turns by less than 25 degrees there.
 BareEnds bare_ends(const WideLoop& wide, Corners corners, double mitre_limit);
 
 /// What is left of a polygon to the left of lines. Two polygons with an edge in common still have

@@ -288,7 +288,8 @@ bool meet(const std::vector<Vec3>& one, const std::vector<Vec3>& other, double w
   return false;
 }
 
-/// Whether the areas of a sheet face so many ways that it may be a wall with an opening.
+/// Whether a sheet may be a wall with an opening: the area vectors of its triangles, which point
+/// outwards on both sides of a wall, nearly cancel.
 bool faces_both_ways(const TriMesh& mesh) {
   constexpr double k_one_way = 0.25;  // of the area
   const double scale = unit_scale(mesh);

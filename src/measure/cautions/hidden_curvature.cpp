@@ -14,8 +14,9 @@ namespace {
 
 constexpr double k_little_area = 0.01;
 
-// Fans of so many facets that turn by so much (radians) are cones around a corner of the design, as
-// of a square that goes over into a circle. Those that are left of a strip's diagonals are smaller.
+// A fan of facets around a border vertex counts as a cone if it has at least so many facets and
+// turns by at least so many radians: the transition from a square to a circle has such cones at its
+// corners. Fans that come from the diagonals of a strip of quadrilaterals are smaller.
 constexpr std::size_t k_fewest_facets_of_cone = 3;
 constexpr double k_least_turn_of_cone = 0.5;
 

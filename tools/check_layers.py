@@ -47,7 +47,7 @@ FLOORS = {
         ["mesh/redundant"],
     ],
     "io": [["io/file"], ["io/unit"], ["io/formats", "io/svg", "io/model"], ["io"]],
-    "measure": [["measure/lanes"], ["measure"], ["measure/cautions"]],
+    "measure": [["measure/lanes"], ["measure"], ["measure/cautions", "measure/form"]],
     "draw": [["draw"], ["draw/text"], ["draw/svg", "draw/dxf", "draw/pdf", "draw/plt"]],
     "evolve": [
         ["evolve/lanes"],

@@ -12,7 +12,7 @@
 #include "geometry/angle_between.h"
 #include "measure/area.h"
 #include "measure/bends.h"
-#include "measure/form_change.h"
+#include "measure/form/form_change.h"
 #include "measure/moments.h"
 #include "measure/normals.h"
 #include "measure/off_border.h"

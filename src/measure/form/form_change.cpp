@@ -1,4 +1,4 @@
-#include "measure/form_change.h"
+#include "measure/form/form_change.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 
 #include "core/careful_sum.h"
 #include "measure/bends.h"
+#include "measure/form/windows.h"
 #include "measure/moments.h"
 #include "measure/normals.h"
-#include "measure/windows.h"
 
 namespace planish {
 

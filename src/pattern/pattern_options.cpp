@@ -65,6 +65,11 @@ PatternOptions for_mirror_image(PatternOptions options) {
   return options;
 }
 
+PatternOptions possible_options(PatternOptions options, bool overlaps) {
+  if (overlaps) options.allowance.reset();
+  return options;
+}
+
 void check_pattern_options(const PatternOptions& options, std::size_t vertex_count,
                            std::span<const std::vector<Index>> border, const std::string& name) {
   const std::string& piece = options.label.name.empty() ? name : options.label.name;

@@ -75,10 +75,12 @@ std::vector<NestPatch> patches_to_cut(std::span<const ProductPatch> patches,
     PatternOptions& own = annotations[p];
     if (is_mirror_image(result)) own = for_mirror_image(std::move(own));
     own.notches.insert(own.notches.end(), notches[p].begin(), notches[p].end());
-    const bool has_pattern = result.finished.has_value();
-    to_cut.push_back({names[p], std::move(meshes[p]),
-                      has_pattern ? result.finished->unfold.pattern.positions : std::vector<Vec2>{},
-                      std::move(own)});
+    std::vector<Vec2> pattern;
+    if (result.finished) {
+      own = possible_options(std::move(own), result.finished->unfold.pattern.overlaps);
+      pattern = result.finished->unfold.pattern.positions;
+    }
+    to_cut.push_back({names[p], std::move(meshes[p]), std::move(pattern), std::move(own)});
   }
   return to_cut;
 }

@@ -41,12 +41,6 @@ std::vector<FilledStretch> filled_in(const PlacedPattern& pattern, const Pattern
   return filled;
 }
 
-/// What overlaps itself has no one outer side that an allowance could be laid on.
-PatternOptions possible_options(PatternOptions options, const Pattern& pattern) {
-  if (pattern.overlaps) options.allowance.reset();
-  return options;
-}
-
 std::optional<std::pair<Vec2, Vec2>> overlap_box(const std::vector<Polygon>& loops) {
   constexpr std::size_t most = 1000;
   std::vector<Polygon> places(1);
@@ -87,7 +81,7 @@ std::vector<FilledStretch> filled_stretches(const TriMesh& mesh, std::span<const
 
 PatternOnSheet pattern_on_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
                                 const std::string& name, const PatternOptions& wanted) {
-  PatternOptions options = possible_options(wanted, unfold.pattern);
+  PatternOptions options = possible_options(wanted, unfold.pattern.overlaps);
   const std::string& piece = options.label.name.empty() ? name : options.label.name;
   PlacedPattern pattern =
       placed_pattern(mesh, unfold.pattern.positions, unfold.unit, piece, options);

@@ -107,6 +107,28 @@ TEST_F(Cut, KeepsNumbersForOtherFlags) {
   EXPECT_EQ(after.positions[before.positions.size()], before.positions[6]);
 }
 
+TEST_F(Cut, MakesPiecesThatTheMakerNames) {
+  const Names cut = {"--json", "--cut", "across.txt", "--rename"};
+  const auto with = [&](const std::string& names) {
+    Names more = cut;
+    more.push_back(names);
+    return flatten_with("hill.obj", more);
+  };
+  const CliResult result = with("hill-1=left side,hill-2=right side");
+  EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
+  const auto json = result.json();
+  EXPECT_EQ(json["patches"][0]["name"], "left side");
+  EXPECT_EQ(json["patches"][1]["name"], "right side");
+  EXPECT_FALSE(content_of("out/left side/pattern.svg").empty());
+  EXPECT_THAT(with("hill-3=back").err, HasSubstr("no piece is called \"hill-3\""));
+  EXPECT_THAT(with("hill-1=hill-2").err, HasSubstr("two pieces would be called \"hill-2\""));
+  EXPECT_THAT(with("hill-1=").err, HasSubstr("needs OLD=NEW"));
+  EXPECT_THAT(with("hill-1=a,hill-1=b").err, HasSubstr("names \"hill-1\" twice"));
+  EXPECT_EQ(with("hill-1").exit_code, k_exit_usage);
+  EXPECT_THAT(planish({"flatten", "panel.obj", "--rename", "panel=front"}).err,
+              HasSubstr("goes with several patches"));
+}
+
 TEST_F(Cut, ThroughThePatchMakesAProduct) {
   const CliResult result =
       flatten_with("hill.obj", {"--json", "--cut", "across.txt", "--match-seams"});

@@ -262,7 +262,7 @@ TEST_F(NamesTest, ThatTheCallerGaveMayBeLinks) {
 
 TEST_F(NamesTest, InAJobThatIsResumedAreNotFollowed) {
   write_product("product.obj", in_strips(make_shape("panel", 100), 2));
-  const Names args = {"flatten", "product.obj", "-o", "out", "--method", "fairing", "--resume"};
+  const Names args = {"flatten", "product.obj", "-o", "out", "--resume"};
   ASSERT_EQ(planish(args).exit_code, k_exit_done);
   const std::string job = content_of("out/strip-1/job.json");
   std::vector<std::string> forged;

@@ -183,8 +183,7 @@ TEST_F(Writers, DoNotNeedStandardError) {
   for (const std::string err : {"-", "|", "/dev/full"}) {
     fs::remove_all("out");
     // A line for each patch goes to standard error while files are written.
-    const auto ended = run_program({"flatten", "product.obj", "-o", "out", "--method", "fairing"},
-                                   {}, {.err = err});
+    const auto ended = run_program({"flatten", "product.obj", "-o", "out"}, {}, {.err = err});
     EXPECT_EQ(ended.exit_code, k_exit_done) << err << told(ended);
     EXPECT_TRUE(fs::exists("out/garment.json")) << err;
     for (const auto& [name, content] : fault::contents("out"))

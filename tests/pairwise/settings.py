@@ -76,6 +76,7 @@ VALUES = {
 LEFT_OUT = {
     "--open": "starts a browser",
     "--product": "of several files",
+    "--rename": "of several patches",
     "--resume": "of several files",
     "--seam-tolerance": "of several patches",
     "--seam-notches": "of several patches",

@@ -13,11 +13,11 @@
 #include "flags/cut_flag.h"
 #include "flags/fields_flag.h"
 #include "flags/limit_flags.h"
-#include "flags/unfold_flags.h"
 #include "flags/material_flag.h"
 #include "flags/method_flags.h"
 #include "flags/pick_flag.h"
 #include "flags/scale_flag.h"
+#include "flags/unfold_flags.h"
 #include "flags/units.h"
 #include "model/model_flags.h"
 #include "output/flatten_files.h"
@@ -28,6 +28,7 @@
 #include "product/job.h"
 #include "product/nest.h"
 #include "product/parts.h"
+#include "product/rename.h"
 #include "product/seams.h"
 #include "product/sizes.h"
 #include "shell/command_line.h"
@@ -67,7 +68,7 @@ void refuse_shared_paths(const WrittenFiles& paths) {
 
 NestPatch nest_patch(const FlattenReport& report, const PatternOptions& annotations) {
   return {report.name, report.processed.mesh(), report.unfold.pattern.positions,
-          on_processed(annotations, report)};
+          possible_options(on_processed(annotations, report), report.unfold.pattern.overlaps)};
 }
 
 /// How the pieces are laid on sheets; null where they are not.
@@ -153,6 +154,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   if (read.is_batch) refuse_seam_flags(arguments);
   if (!read.is_described) note_idle_evolve_flags(session, arguments);
   const std::optional<CutDone> cut = cut_product(read, arguments, session);
+  if (read.patches.size() > 1 || read.is_described) rename_pieces(read, arguments);
   if (read.patches.size() > 1 || read.is_described || read.patches.front().failure) {
     check_copies_of(read.patches.size(), plan_of(pattern, options.unit, nest.get()));
     return run_product(product_job({folder, options, std::move(pattern), std::move(words), nest},

@@ -1,6 +1,7 @@
 #include "product/job.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "output/pattern_notes.h"
 #include "platform/path.h"
 #include "product/nest.h"
+#include "product/rename.h"
 #include "product/seams.h"
 #include "product/state.h"
 #include "product/text.h"
@@ -325,6 +327,7 @@ std::vector<Flag> product_flags() {
   return {
       {"--product", "",
        "take several files for the parts of one product: search for seams between them"},
+      rename_flag(),
       {"--resume", "",
        "of several patches, keep those whose results are there, whole and of the same job"},
       {"--seam-tolerance",
@@ -337,8 +340,11 @@ std::vector<Flag> product_flags() {
 }
 
 void refuse_product_flags(const Arguments& arguments, bool is_of_several) {
-  for (const char* flag : {"--product", "--resume", "--seam-tolerance"}) {
-    if (!arguments.has(flag) || (is_of_several && flag != std::string_view("--resume"))) continue;
+  constexpr std::array<std::string_view, 2> of_several = {"--product", "--seam-tolerance"};
+  for (const std::string_view flag : {"--product", "--seam-tolerance", "--rename", "--resume"}) {
+    const bool may_be_one =
+        is_of_several && std::find(of_several.begin(), of_several.end(), flag) != of_several.end();
+    if (!arguments.has(flag) || may_be_one) continue;
     throw UsageError("flag " + std::string(flag) + " goes with several patches; the input has one");
   }
 }

@@ -71,6 +71,10 @@ struct PatternOptions {
 /// stay.
 PatternOptions for_mirror_image(PatternOptions options);
 
+/// Those that a pattern can have: one that overlaps itself has no one outer side that an allowance
+/// could be laid on.
+PatternOptions possible_options(PatternOptions options, bool overlaps);
+
 /// Checks what can be known before there is a pattern: that notches and the ends of allowances are
 /// on the border of the mesh and marks at vertices of it.
 /// @param border loops of vertices

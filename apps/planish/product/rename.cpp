@@ -1,0 +1,74 @@
+#include "product/rename.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "product/safe_names.h"
+#include "shell/text.h"
+
+namespace planish::cli {
+
+namespace {
+
+constexpr const char* k_flag = "--rename";
+
+/// Old name -> new name.
+std::map<std::string, std::string> asked_names(const std::string& text) {
+  std::map<std::string, std::string> names;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string pair = text.substr(begin, end - begin);
+    const std::size_t sign = pair.find('=');
+    if (sign == std::string::npos || sign == 0 || sign + 1 == pair.size()) {
+      throw UsageError(std::string(k_flag) + " has \"" + pair +
+                       "\" but needs OLD=NEW, with commas between several");
+    }
+    if (!names.emplace(pair.substr(0, sign), pair.substr(sign + 1)).second)
+      throw UsageError(std::string(k_flag) + " names \"" + pair.substr(0, sign) + "\" twice");
+    begin = end + 1;
+  }
+  return names;
+}
+
+}  // namespace
+
+Flag rename_flag() {
+  return {k_flag,
+          "OLD=NEW",
+          "other names for pieces, with commas between: panel-1=front,panel-2=back",
+          0,
+          false,
+          {.repeats = true}};
+}
+
+void rename_pieces(ProductInput& input, const Arguments& arguments) {
+  if (!arguments.has(k_flag)) return;
+  if (input.is_described)
+    throw UsageError("flag --rename does not go with a product file: give the names there");
+  std::map<std::string, std::string> asked = asked_names(arguments.flags.at(k_flag));
+  std::vector<std::string> old_names, new_names;
+  for (ProductPatch& patch : input.patches) {
+    old_names.push_back(patch.name);
+    if (const auto found = asked.find(patch.name); found != asked.end()) {
+      patch.name = found->second;
+      asked.erase(found);
+    }
+    new_names.push_back(patch.name);
+  }
+  if (!asked.empty()) {
+    throw UsageError("--rename: no piece is called \"" + asked.begin()->first + "\"; there are " +
+                     list_of_some(old_names));
+  }
+  std::set<std::string> once;
+  for (const std::string& name : new_names) {
+    if (!once.insert(name).second)
+      throw UsageError("--rename: two pieces would be called \"" + name + "\"");
+  }
+  const std::vector<std::string> folders = safe_names(new_names);
+  for (std::size_t p = 0; p < folders.size(); ++p)
+    input.places[p].folder = folders[p];
+}
+
+}  // namespace planish::cli

@@ -313,14 +313,14 @@ MoreBent more_bent(const Compared& pair) {
 
 /// The same without the shortest waves of both, which are most of what noise is bent: what the
 /// noise has of longer waves hides none that are higher.
-MoreBent more_bent_below_noise(const Patch& design, std::span<const Vec3> after, double size) {
+MoreBent more_bent_below_noise(const Patch& design, std::span<const Vec3> after) {
   const auto smooth = [&design](std::vector<Vec3> positions) {
     const Patch patch = design.with_positions(std::move(positions));
     const double scale = patch.unit_scale();
     return smoothed_positions(patch, k_noise_wave * mean_side_of(patch.mesh(), scale) / scale);
   };
   const Patch calmed = design.with_positions(smooth(design.positions()));
-  return more_bent(compared(calmed, smooth({after.begin(), after.end()}), size));
+  return more_bent(compared(calmed, smooth({after.begin(), after.end()}), size_of(calmed)));
 }
 
 void find_folds(const Compared& pair, std::span<const Vec3> after,
@@ -401,7 +401,7 @@ FormChange form_change_of(const Patch& design, std::span<const Vec3> after, bool
   if (!(size > 0.0)) return change;
   const Compared pair = compared(design, after, size);
   std::optional<MoreBent> below_noise;
-  if (is_noisy) below_noise = more_bent_below_noise(design, after, size);
+  if (is_noisy) below_noise = more_bent_below_noise(design, after);
   find_folds(pair, after, below_noise, change);
   find_lost_edges(pair, change);
   find_lost_relief(pair, change);

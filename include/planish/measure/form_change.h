@@ -6,9 +6,9 @@ namespace planish {
 
 /// What a person sees of a change of form, beside the design: figures of windows, parts of the
 /// surface around places that lie evenly on it, as wide as a share of the size of the design. None
-/// depends on size or place, and hardly any on the density of the mesh; short
-/// waves that the design has itself, as noise, do not count. The bounds are fitted to what two
-/// reviews said of pictures (docs/fairness.md).
+/// depends on size or place, and hardly any on the density of the mesh. Short waves that the design
+/// has itself, as noise, do not count; they hide no longer waves that are new. The bounds are
+/// fitted to what two reviews said of pictures (docs/fairness.md).
 struct FormChange {
   /// How much more a window is bent than in the design: the root of the bending that came in it
   /// (less that which went) over what the design has there and in its calm parts. On 99 % of the

@@ -254,10 +254,11 @@ Fairness fairness_of_design(const Fairness& of_result) {
 
 Fairness measure_fairness(const Patch& design, std::span<const Vec3> after) {
   Fairness fairness = fairness_beside(design, design_bending(design), after);
-  fairness.form_change = fairness.unchanged ? FormChange{} : form_change_of(design, after);
-  if (fairness.unchanged || !fairness.bending_lost) return fairness;
-  if (const auto noise = find_scan_noise(design))
-    fairness.bending_lost = form_lost(design, after, noise->wave);
+  fairness.form_change = FormChange{};
+  if (fairness.unchanged) return fairness;
+  const auto noise = find_scan_noise(design);
+  fairness.form_change = form_change_of(design, after, noise.has_value());
+  if (noise && fairness.bending_lost) fairness.bending_lost = form_lost(design, after, noise->wave);
   return fairness;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -10,10 +11,12 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/careful_sum.h"
+#include "measure/area.h"
 #include "measure/bends.h"
 #include "measure/form/windows.h"
 #include "measure/moments.h"
 #include "measure/normals.h"
+#include "measure/smoothed.h"
 
 namespace planish {
 
@@ -33,6 +36,9 @@ constexpr std::size_t k_least_vertices = 4;
 // so that one sharp bead hides no waves beside it, and this, over the square of the size: nobody
 // sees how little less than that is bent.
 constexpr double k_calm_part = 2.0 / 3.0, k_least_bending = 8.0;
+
+// Mean edges, of each surface its own: noise is nearly all in shorter waves.
+constexpr double k_noise_wave = 4.0;
 
 constexpr double k_least_relief = 0.04;  // rms height over the radius, from which it stands out
 constexpr double k_least_edge = 0.15;    // rms turn across an edge, radians
@@ -281,7 +287,13 @@ bool has_enough(const Window& window) {
   return window.vertices.size() >= k_least_vertices && window.share > 0.0;
 }
 
-void find_folds(const Compared& pair, std::span<const Vec3> after, FormChange& change) {
+/// How much more the result is bent.
+struct MoreBent {
+  double nearly_all = 0.0, largest = 0.0;
+  Index at = 0;
+};
+
+MoreBent more_bent(const Compared& pair) {
   constexpr double nearly_all = 0.99;
   std::vector<WindowBending> windows;
   Figures designed, bent;
@@ -296,9 +308,27 @@ void find_folds(const Compared& pair, std::span<const Vec3> after, FormChange& c
   const double calm = designed.at_most_on(k_calm_part);
   for (const WindowBending& window : windows)
     bent.add(window.more(calm), window.share, window.middle);
-  change.ripple = bent.at_most_on(nearly_all);
-  change.fold = bent.largest();
-  change.fold_at = after[bent.place_of_largest()];
+  return {bent.at_most_on(nearly_all), bent.largest(), bent.place_of_largest()};
+}
+
+/// The same without the shortest waves of both, which are most of what noise is bent: what the
+/// noise has of longer waves hides none that are higher.
+MoreBent more_bent_below_noise(const Patch& design, std::span<const Vec3> after) {
+  const auto smooth = [&design](std::vector<Vec3> positions) {
+    const Patch patch = design.with_positions(std::move(positions));
+    const double scale = patch.unit_scale();
+    return smoothed_positions(patch, k_noise_wave * mean_side_of(patch.mesh(), scale) / scale);
+  };
+  const Patch calmed = design.with_positions(smooth(design.positions()));
+  return more_bent(compared(calmed, smooth({after.begin(), after.end()}), size_of(calmed)));
+}
+
+void find_folds(const Compared& pair, std::span<const Vec3> after,
+                const std::optional<MoreBent>& below_noise, FormChange& change) {
+  const MoreBent bent = more_bent(pair), below = below_noise.value_or(bent);
+  change.ripple = std::max(bent.nearly_all, below.nearly_all);
+  change.fold = std::max(bent.largest, below.largest);
+  change.fold_at = after[below.largest > bent.largest ? below.at : bent.at];
 }
 
 void find_lost_edges(const Compared& pair, FormChange& change) {
@@ -365,12 +395,14 @@ bool FormChange::has_lost_edge() const {
   return edge_lost > k_seen_edge_lost;
 }
 
-FormChange form_change_of(const Patch& design, std::span<const Vec3> after) {
+FormChange form_change_of(const Patch& design, std::span<const Vec3> after, bool is_noisy) {
   FormChange change;
   const double size = size_of(design);
   if (!(size > 0.0)) return change;
   const Compared pair = compared(design, after, size);
-  find_folds(pair, after, change);
+  std::optional<MoreBent> below_noise;
+  if (is_noisy) below_noise = more_bent_below_noise(design, after);
+  find_folds(pair, after, below_noise, change);
   find_lost_edges(pair, change);
   find_lost_relief(pair, change);
   find_dents(pair, after, change);

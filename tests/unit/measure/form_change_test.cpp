@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -159,15 +160,19 @@ TEST(FormChange, LeavesAGentleChangeAlone) {
   }
 }
 
+/// As height, and that much higher or lower at random, the same every time.
+template <class Height>
+TriMesh noisy_sheet(const Height& height, double noise) {
+  std::uint64_t state = 5;
+  return sheet(60, [&](double x, double y) {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    const double random = static_cast<double>(state >> 33U) / 2147483648.0 - 0.5;
+    return height(x, y) + noise * random;
+  });
+}
+
 TEST(FormChange, DoesNotMindNoiseOfTheDesign) {
-  const auto noisy = [](double part) {
-    std::uint64_t state = 5;
-    return sheet(60, [&state, part](double x, double y) {
-      state = state * 6364136223846793005U + 1442695040888963407U;
-      const double random = static_cast<double>(state >> 33U) / 2147483648.0 - 0.5;
-      return panel(x, y) + part * 0.006 * random;
-    });
-  };
+  const auto noisy = [](double part) { return noisy_sheet(panel, 0.006 * part); };
   const TriMesh design = noisy(1.0);
   for (const double part : {0.0, 0.5, 1.1}) {
     const Fairness found = measure_fairness(Patch(design), noisy(part).positions);
@@ -175,6 +180,26 @@ TEST(FormChange, DoesNotMindNoiseOfTheDesign) {
     EXPECT_TRUE(found.keeps_form()) << part;
   }
   EXPECT_FALSE(measure_fairness(Patch(design), noisy(3.0).positions).is_smooth()) << "much more";
+}
+
+TEST(FormChange, FindsRufflesThatNoiseOfTheDesignHid) {
+  const auto dome = [](double x, double y) {
+    return 0.25 - 0.4 * (x - 0.5) * (x - 0.5) - 0.5 * (y - 0.35) * (y - 0.35);
+  };
+  // Waves of six edges that run from the lower border a sixth of the way up.
+  const auto ruffled = [&dome](double height) {
+    return [&dome, height](double x, double y) {
+      return dome(x, y) + height * std::sin(63.0 * x) * std::max(0.0, 1.0 - y / 0.12);
+    };
+  };
+  const TriMesh design = noisy_sheet(dome, 0.004);
+  const FormChange calm = change_of(design, noisy_sheet(dome, 0.0));
+  EXPECT_LT(calm.ripple, 0.5 * k_seen_ripple) << "noise that is taken out is no fault";
+  EXPECT_FALSE(calm.is_folded());
+  const FormChange faulty = change_of(design, noisy_sheet(ruffled(0.005), 0.0));
+  EXPECT_TRUE(faulty.is_rippled()) << faulty.ripple;
+  EXPECT_LT(faulty.fold_at.y, 0.15);
+  EXPECT_FALSE(change_of(design, noisy_sheet(ruffled(0.001), 0.0)).is_rippled());
 }
 
 TEST(FormChange, DoesNotDependOnSizeOrPlace) {

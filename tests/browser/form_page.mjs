@@ -18,7 +18,7 @@ const folder = temporaryFolder();
 const input = join(folder, 'panel.obj');
 const output = join(folder, 'out');
 execFileSync(program, ['sample', 'panel', '--vertices', '1500', '-o', input]);
-execFileSync(program, ['flatten', input, '-o', output]);
+execFileSync(program, ['flatten', input, '--pick', '5', '-o', output]);
 const path = join(output, 'report.html');
 readPage(path);
 const url = pathToFileURL(path).href;

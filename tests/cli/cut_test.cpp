@@ -119,7 +119,7 @@ TEST_F(Cut, MakesPiecesThatTheMakerNames) {
   const auto json = result.json();
   EXPECT_EQ(json["patches"][0]["name"], "left side");
   EXPECT_EQ(json["patches"][1]["name"], "right side");
-  EXPECT_FALSE(content_of("out/left side/pattern.svg").empty());
+  EXPECT_FALSE(content_of("out/left_side/pattern.svg").empty());
   EXPECT_THAT(with("hill-3=back").err, HasSubstr("no piece is called \"hill-3\""));
   EXPECT_THAT(with("hill-1=hill-2").err, HasSubstr("two pieces would be called \"hill-2\""));
   EXPECT_THAT(with("hill-1=").err, HasSubstr("needs OLD=NEW"));

@@ -124,7 +124,7 @@ TEST_F(LimitsTest, WorkDoublesWithTheFile) {
 TEST_F(LimitsTest, FlattenFindsTopologyOnceForEachNumbering) {
   ASSERT_EQ(fault::run_program({"sample", "panel", "--vertices", "300", "-o", "p.obj"}).exit_code,
             0);
-  const Names flatten = {"flatten", "p.obj", "-o", "out", "--threads", "1"};
+  const Names flatten = {"flatten", "p.obj", "-o", "out", "--pick", "5", "--threads", "1"};
   EXPECT_EQ(fault::calls_of("planish::build_rings(", flatten), 3U);
   EXPECT_EQ(fault::calls_of("planish::inspect_manifold(", flatten), 2U);
 }

@@ -280,7 +280,8 @@ TEST_F(NamesTest, InAJobThatIsResumedAreNotFollowed) {
     std::ofstream("out/strip-1/job.json") << text;
     const CliResult result = planish(args);
     EXPECT_EQ(result.exit_code, k_exit_done) << result.err;
-    EXPECT_EQ(nlohmann::json::parse(content_of("out/strip-1/job.json")).size(), 9U);
+    EXPECT_EQ(nlohmann::json::parse(content_of("out/strip-1/job.json")).size(),
+              nlohmann::json::parse(job).size());
   }
 }
 

@@ -108,8 +108,7 @@ TEST_F(Writers, SayThatTheDiskIsFull) {
 
 TEST_F(Writers, OfEveryPatchOfAProductLeaveItAsItWasOnAFullDisk) {
   write_product("product.obj", in_strips(make_shape("panel", 300), 2));
-  const Names args = {"flatten", "product.obj", "-o",     "out",   "--method",
-                      "fairing", "--sheet",     "1500mm", "--json"};
+  const Names args = {"flatten", "product.obj", "-o", "out", "--sheet", "1500mm", "--json"};
   ASSERT_EQ(run_program(args).exit_code, k_exit_done);
   const Files whole = fault::contents("out");
   for (const auto& [name, content] : whole) {

@@ -35,12 +35,9 @@ std::map<std::string, std::string> asked_names(const std::string& text) {
 }  // namespace
 
 Flag rename_flag() {
-  return {k_flag,
-          "OLD=NEW",
-          "other names for pieces, with commas between: panel-1=front,panel-2=back",
-          0,
-          false,
-          {.repeats = true}};
+  return {
+      k_flag, "OLD=NEW", "other names for pieces, with commas between: panel-1=front,panel-2=back",
+      0,      false,     {.repeats = true}};
 }
 
 void rename_pieces(ProductInput& input, const Arguments& arguments) {

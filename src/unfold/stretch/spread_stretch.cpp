@@ -152,8 +152,8 @@ class Budget {
 LeastStretch spread_stretch(const Disk& disk, StretchSystem& system,
                             std::span<const FlatEdge> edges, LeastStretch least, double most_rms,
                             const std::function<void()>& after_step) {
-  // A peak that no cutter or cloth would tell from none is left as it is.
-  constexpr double no_strain = 1e-6;
+  // 0.1 mm in a metre: no cutter or cloth would tell such a peak from none.
+  constexpr double no_strain = 1e-4;
   // Each weight is led to by one step: from so little that nothing moves to so much that the price
   // alone counts.
   constexpr int most_weights = 12;

@@ -33,6 +33,7 @@ LEFT_OUT = {
     "fields": "result.fields",
     "require_target": "result.target_met and result.limits_met",
     "product": "flatten_product()",
+    "rename": "pieces are called as their meshes are",
     "resume": "nothing is written before the end",
     "picture": "directions and cuts are not drawn from Python",
     "apply": "result.vertices and result.faces",

@@ -20,6 +20,7 @@ def flatten_product(
     remesh: Optional[bool] = None,
     smooth_first: Optional[Amount] = None,
     match_seams: Optional[bool] = None,
+    no_match_seams: Optional[bool] = None,
     least_stretch: Optional[bool] = None,
     pick: Optional[int] = None,
     formats: Optional[str | Sequence[str]] = None,
@@ -107,6 +108,7 @@ def flatten_product(
             edges; such as 5mm)
         match_seams: keep the length of every border edge, or in a product of those along seams, so that what is sewn
             together stays equally long
+        no_match_seams: let the two sides of a product's seams become unequal (default: equal to 0.1 mm)
         least_stretch: the pattern of least rms strain; without it, up to 6 % more of that make the largest strains as
             small as they get
         pick: how much strain to leave: 1 as designed, 2, 3, 4, 5 at most 2, 1, 0.5, 0.1 % rms, 6 flat

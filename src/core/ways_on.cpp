@@ -14,7 +14,8 @@ std::string_view way_on(ErrorCode code) {
       return "Give .obj, .ply, .stl or .off; planish convert writes each as another";
     case ErrorCode::malformed_file:
     case ErrorCode::bad_number:
-      return "Mend the file at that place, or export it again as .obj, .ply, .stl or .off";
+      return "Mend the file at that place; a mesh can also be exported again as .obj, .ply, .stl "
+             "or .off";
     case ErrorCode::truncated_file:
       return "Copy or export the file again";
     case ErrorCode::index_out_of_range:

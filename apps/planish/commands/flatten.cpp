@@ -171,7 +171,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   const std::string& name = input.pieces.front();
   const auto report = about(path, [&] {
     const Patch patch(std::move(input.mesh));
-    note_obstruction(session, patch);
+    if (options.may_change()) note_obstruction(session, patch);
     if (!options.remesh && options.may_change())
       note_memory(session, options.method.value_or(options.as_needed), patch.vertex_count());
     options.constraints = constraints_from(arguments, patch, session);
@@ -299,8 +299,8 @@ Command flatten_command() {
   }
   groups.push_back(constraint_flags());
   mark_first(groups,
-             {"--output", "--unit", "--cut", "--remesh", "--formats", "--paper", "--allowance",
-              "--notches", "--grain", "--max-strain", "--material", "--pick"});
+             {"--output", "--unit", "--cut", "--max-deviation", "--formats", "--paper",
+              "--allowance", "--notches", "--grain", "--max-strain", "--material", "--pick"});
   return {
       "flatten",
       "the whole job: from a patch to its pattern at true size",

@@ -339,8 +339,8 @@ struct Auto {
 template <class Visit>
 void describe(Auto& o, Visit&& visit) {
   visit("max_strain", o.max_strain,
-        "end near to where it began, but where a pattern need not stretch more, as a share of "
-        "length",
+        "change the form as little as it takes until no edge of a pattern has to stretch by more "
+        "than this, as a share of length",
         Range{0.0, 1.0});
   visit("max_rms_strain", o.max_rms_strain,
         "the same by the root mean square of the strain, which a few positions with more do not "

@@ -336,6 +336,8 @@ class Flattening {
     how.match_if_possible = options_.match_if_possible;
     how.free_edges = free_edges_;
     how.limits = limits_;
+    // Where a method was asked for, its surface is led to the limit, not its pattern.
+    if (options_.method) how.limits.rms = 0.0;
     return how;
   }
 
@@ -350,6 +352,15 @@ class Flattening {
     return unfold_patch(patch, options_.unit, how, parts_.next(share));
   }
 
+  UnfoldReport unfolded_within_limits(const Patch& patch, double share) {
+    return with_limits_checked(patch, unfolded(patch, with_limits(), share));
+  }
+
+  UnfoldReport with_limits_checked(const Patch& patch, UnfoldReport report) const {
+    report.limits = check_limits(patch, report.pattern.positions, limits_);
+    return report;
+  }
+
   /// What a pattern has of the aim. Strain is measured against the surface that it is made from.
   std::vector<StrainLimitCheck> checks_of_aim(const Patch& patch,
                                               const UnfoldReport& report) const {
@@ -362,7 +373,8 @@ class Flattening {
   void unfold_input(const Patch& patch) {
     UnfoldOptions how = with_limits();
     how.least_stretch = options_.least_stretch || options_.method;
-    report_.as_designed = unfolded(work_patch(patch), how, shares_.design);
+    report_.as_designed =
+        with_limits_checked(work_patch(patch), unfolded(work_patch(patch), how, shares_.design));
     const bool is_plain = !limits_.any() && !options_.match_seams;
     before_ = is_plain ? report_.as_designed
                        : unfolded(work_patch(patch), without_limits(), k_share_of_plain);
@@ -477,7 +489,7 @@ class Flattening {
     const Patch processed = work.with_positions(report_.evolve.result.positions);
     if (before_) {
       report_.unfold_before = *before_;
-      report_.unfold = unfolded(processed, with_limits(), shares_.pattern);
+      report_.unfold = unfolded_within_limits(processed, shares_.pattern);
       return;
     }
     auto [before, after] =
@@ -485,7 +497,7 @@ class Flattening {
                     report_.evolve.result.threads > 1, parts_.next(shares_.pattern));
     report_.unfold_before = report_.as_designed = std::move(before);
     before_ = report_.unfold_before;
-    report_.unfold = std::move(after);
+    report_.unfold = with_limits_checked(processed, std::move(after));
   }
 
   /// A border that moves is left where it is.
@@ -511,9 +523,7 @@ class Flattening {
       led.max_deviation = limits.max_deviation;
       return evolved(patch, led, parts_.next(share));
     };
-    runs.unfolded = [this](const Patch& surface) {
-      return unfolded(surface, with_limits(), share);
-    };
+    runs.unfolded = [this](const Patch& surface) { return unfolded_within_limits(surface, share); };
     runs.stretched_least = [this](const Patch& surface) {
       return unfolded(surface, without_limits(), k_share_of_plain);
     };
@@ -534,13 +544,13 @@ class Flattening {
     measure_again(patch);
   }
 
-  /// Whether the limits are of the largest strain, where the surface's estimate says little of what
-  /// a pattern within them needs.
+  /// Whether a pattern may keep the limits where the surface's estimate does not: that says little
+  /// of the largest strain, and the pattern has less rms than it tells.
   bool seeks_least_change() const {
     const auto* method = std::get_if<Auto>(&method_);
     return method != nullptr && method->prefer == Prefer::smooth &&
            std::isinf(method->max_deviation) && !design_serves_ && aim_.any() &&
-           options_.limits.bounds_edges();
+           (options_.limits.bounds_edges() || (options_.limits.any() && !options_.method));
   }
 
   std::optional<EvolvedPattern> nearest_within_limits(const Patch& patch, const SurfaceRuns& runs) {

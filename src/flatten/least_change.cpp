@@ -17,8 +17,8 @@ constexpr double k_near_enough = 0.07;
 constexpr double k_lean = 0.02;
 
 constexpr int k_trials = 4;
-/// Of the way back: of every trial, and of the result.
-constexpr int k_first_halvings = 3, k_halvings = 6;
+/// Of the way back: of every trial of a search, of its result, and of other surfaces.
+constexpr int k_first_halvings = 3, k_last_halvings = 8, k_halvings = 6;
 
 /// A method ends a little below the limit that it is given: with this one over the strain of the
 /// design nothing changes yet.
@@ -202,7 +202,7 @@ std::optional<EvolvedPattern> least_change(const Patch& design, const UnfoldRepo
       nearest.emplace(std::move(way));
   }
   if (!nearest) return std::nullopt;
-  if (runs.may_be_between) nearest->halve(k_halvings - k_first_halvings);
+  if (runs.may_be_between) nearest->halve(k_last_halvings - k_first_halvings);
   return nearest->found();
 }
 

@@ -108,6 +108,18 @@ LeastStretch with_stretch_spread(const TriMesh& mesh, const Disk& disk, const He
   return keeps(least) && !keeps(spread) ? least : spread;
 }
 
+/// Goes on from a pattern of least stretch that misses a limit of the rms towards one that keeps
+/// it.
+LeastStretch within_rms(const TriMesh& mesh, const Disk& disk, const HeldBorder* border,
+                        const LeastStretch& least, double limit, ThreadPool& pool,
+                        const std::function<void()>& after_step) {
+  const std::vector<FlatEdge> edges = flat_edges(mesh, disk);
+  const double most = k_within_limit * limit;
+  if (rms_strain(edges, strains_of(edges, least.flat)) <= most) return least;
+  const auto system = make_system(disk, border, pool);
+  return lower_rms(disk, *system, edges, least, most, after_step);
+}
+
 /// What is called after each step. Laying flat takes some 15 steps, keeping limits or the border
 /// some 60.
 std::function<void()> unfolding_steps(const Context& context, double of_rest) {
@@ -227,7 +239,7 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   const Disk disk = make_disk(patch);
   pool.stop_if_cancelled();
   const bool bounds_edges = options.limits.bounds_edges();
-  const bool goes_on = options.match_seams || bounds_edges || !options.least_stretch;
+  const bool goes_on = options.match_seams || options.limits.any() || !options.least_stretch;
   PartsOfJob parts(context);
   LeastStretch flat =
       minimise_stretch(disk, find_start(disk, pool), options.max_iterations, pool,
@@ -253,6 +265,8 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   if (bounds_edges) {
     other = unfold_within_limits(patch.mesh(), disk, held, flat, options.limits,
                                  options.max_iterations, pool, after_step);
+  } else if (options.limits.rms > 0.0) {
+    other = within_rms(patch.mesh(), disk, held, flat, options.limits.rms, pool, after_step);
   }
   if (!options.least_stretch && other.iterations == flat.iterations)
     other = with_stretch_spread(patch.mesh(), disk, held, flat, options.limits, pool, after_step);

@@ -4,13 +4,18 @@
 
 namespace planish {
 
-/// What a strain costs where peaks are to fall, with its derivatives.
+/// What a strain costs, with its derivatives.
 struct EdgePrice {
   double value, slope, curvature;
 };
 
-/// Of x times the usual peak: x^8, and from 1 on the parabola that goes on from there, so that the
-/// few edges with much more do not decide for all.
+/// Where the rms is to fall.
+inline EdgePrice square_price(double x) {
+  return {x * x, 2.0 * x, 2.0};
+}
+
+/// Where peaks are to fall, of x times the usual peak: x^8, and from 1 on the parabola that goes on
+/// from there, so that the few edges with much more do not decide for all.
 inline EdgePrice price_of(double x) {
   const double size = std::abs(x);
   if (size >= 1.0) {

@@ -27,14 +27,17 @@ double peak_strain(std::span<const FlatEdge> edges, std::span<const double> stra
 
 /// Newton steps that lower E + w E_0 sum of a_e price(s_e / peak), where E is the symmetric
 /// Dirichlet energy, E_0 that of the start, and s_e the strain of an edge with the area a_e.
-class Spreading {
+class PricedSteps {
  public:
-  Spreading(const Disk& disk, StretchSystem& system, std::span<const FlatEdge> edges,
-            const std::vector<Vec2>& start, double peak)
+  using Price = EdgePrice(double);
+
+  PricedSteps(const Disk& disk, StretchSystem& system, std::span<const FlatEdge> edges,
+              const std::vector<Vec2>& start, double peak, Price& price)
       : disk_(disk),
         system_(system),
         edges_(edges),
         peak_(peak),
+        price_of_(price),
         flat_(start),
         unit_(system.energy(start)) {
     slots_.reserve(edges.size());
@@ -64,7 +67,7 @@ class Spreading {
       const Vec2 d = flat_[edge.to] - flat_[edge.from];
       const double length = norm(d);
       const Vec2 u = (1.0 / length) * d;
-      const EdgePrice cost = price_of((length / edge.length - 1.0) / peak_);
+      const EdgePrice cost = price_of_((length / edge.length - 1.0) / peak_);
       const double unit = peak_ * edge.length;
       const double slope = price * edge.area * cost.slope / unit;
       const double along = price * edge.area * cost.curvature / (unit * unit);
@@ -81,7 +84,7 @@ class Spreading {
     CarefulSum cost;
     for (const FlatEdge& edge : edges_) {
       const double strain = norm(flat[edge.to] - flat[edge.from]) / edge.length - 1.0;
-      cost.add(edge.area * price_of(strain / peak_).value);
+      cost.add(edge.area * price_of_(strain / peak_).value);
     }
     return system_.energy(flat) + price * cost.value();
   }
@@ -105,12 +108,13 @@ class Spreading {
   StretchSystem& system_;
   std::span<const FlatEdge> edges_;
   double peak_;
+  Price& price_of_;
   std::vector<StretchSystem::EdgeSlots> slots_;
   std::vector<Vec2> flat_;
   double unit_;
 };
 
-/// What a pattern must keep while it is spread.
+/// What a pattern must keep while its stretch moves.
 class Budget {
  public:
   Budget(const Disk& disk, std::span<const FlatEdge> edges, const std::vector<Vec2>& least,
@@ -161,7 +165,7 @@ LeastStretch spread_stretch(const Disk& disk, StretchSystem& system,
   const double peak = peak_strain(edges, strains_of(edges, least.flat));
   if (!(peak > no_strain)) return least;
   const Budget budget(disk, edges, least.flat, most_rms);
-  Spreading spreading(disk, system, edges, least.flat, peak);
+  PricedSteps spreading(disk, system, edges, least.flat, peak, price_of);
   LeastStretch result{least.flat, least.iterations, least.converged};
   double weight = first_weight;
   for (int k = 0; k < most_weights; ++k, weight *= growth) {
@@ -175,6 +179,30 @@ LeastStretch spread_stretch(const Disk& disk, StretchSystem& system,
     result.flat = spreading.flat();
   }
   if (!(peak_strain(edges, strains_of(edges, result.flat)) < peak)) return least;
+  return result;
+}
+
+LeastStretch lower_rms(const Disk& disk, StretchSystem& system, std::span<const FlatEdge> edges,
+                       LeastStretch least, double most_rms,
+                       const std::function<void()>& after_step) {
+  // From where the energy counts as much to where less than 0.1 % of the rms is left to gain.
+  constexpr int most_weights = 5;
+  constexpr double first_weight = 0.1, growth = 4.0;
+  const auto rms_of = [&](const std::vector<Vec2>& flat) {
+    return rms_strain(edges, strains_of(edges, flat));
+  };
+  const double least_rms = rms_of(least.flat);
+  const Budget budget(disk, edges, least.flat, least_rms);
+  PricedSteps lowering(disk, system, edges, least.flat, least_rms, square_price);
+  LeastStretch result = std::move(least);
+  double weight = first_weight;
+  for (int k = 0; k < most_weights && rms_of(result.flat) > most_rms; ++k, weight *= growth) {
+    if (!lowering.step(weight)) break;
+    if (after_step) after_step();
+    if (!budget.keeps(lowering.flat())) break;
+    ++result.iterations;
+    result.flat = lowering.flat();
+  }
   return result;
 }
 

@@ -23,6 +23,15 @@ LeastStretch spread_stretch(const Disk& disk, StretchSystem& system,
                             std::span<const FlatEdge> edges, LeastStretch least, double most_rms,
                             const std::function<void()>& after_step);
 
+/// Lowers the rms strain of the edges of a pattern of least stretch to `most_rms`, or as far as it
+/// gets: the symmetric Dirichlet energy, which least stretch has least, counts shear more
+/// (docs/unfold.md, "A limit of the rms"). No triangle flips, and a border that does not cross
+/// itself goes on so. Parameters as of spread_stretch().
+/// @return `least` itself where it is there already
+LeastStretch lower_rms(const Disk& disk, StretchSystem& system, std::span<const FlatEdge> edges,
+                       LeastStretch least, double most_rms,
+                       const std::function<void()>& after_step);
+
 /// The root mean square of strains, each weighed by the area that its edge stands for.
 double rms_strain(std::span<const FlatEdge> edges, std::span<const double> strains);
 

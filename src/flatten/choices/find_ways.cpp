@@ -85,14 +85,16 @@ struct CoarseStrain {
   /// @throws Error if the coarse mesh has no pattern
   CoarseStrain(const Patch& coarse, const FlattenOptions& how, const StrainOfDesign& design,
                const Context& context) {
+    // What a coarse mesh lacks of the strain is fine, as noise is: that goes with hardly a move.
+    // But its edges leave out some of a peak too.
+    constexpr double least_of_edges = 0.7, least_rms = 1.0;
     const bool is_spread = design.now.p99 != design.least.p99;
     const UnfoldReport report =
         unfold_patch(coarse, how.unit, {.least_stretch = !is_spread, .fold = how.fold}, context);
     const EdgeStrain least = report.unlimited_strain.value_or(report.strain);
-    if (design.now.p99 > 0.0 && report.strain.p99 > 0.0)
-      of_edges = report.strain.p99 / design.now.p99;
-    // What a coarse mesh lacks of it is fine: that goes with hardly a move.
-    if (design.least.rms > 0.0) rms = std::max(1.0, least.rms / design.least.rms);
+    if (design.now.p99 > 0.0)
+      of_edges = std::max(least_of_edges, report.strain.p99 / design.now.p99);
+    if (design.least.rms > 0.0) rms = std::max(least_rms, least.rms / design.least.rms);
   }
 
   StrainLimits scaled(StrainLimits limits) const {

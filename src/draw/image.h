@@ -17,6 +17,7 @@ struct Image {
   int width = 0, height = 0;
   std::vector<Color> pixels;
   std::vector<std::uint8_t> alpha = {};  ///< 255: opaque, 0: clear; none: all opaque
+  bool operator==(const Image&) const = default;
 };
 
 /// A surface to be drawn: vertices in pixels (x right, y down) with depth z (larger is nearer),

@@ -220,13 +220,14 @@ Method tightened(Method method, const StrainLimits& aim, double share) {
 EvolveReport left_as_it_is(const Patch& patch, const std::optional<Method>& method,
                            const Stopping& stopping, StopReason reason, const Context& context) {
   EvolveReport report;
+  Aside fairness(context.threads != 1, [&] { return measure_fairness(patch, patch.positions()); });
   report.method = method;
   report.stopping = stopping;
   report.before = report.after = measure_patch(patch, context);
   report.result.positions = patch.positions();
   report.result.stop = reason;
   report.deviation = measure_deviation(patch, patch.positions());
-  report.fairness = measure_fairness(patch, patch.positions());
+  report.fairness = fairness.result();
   return report;
 }
 
@@ -245,8 +246,9 @@ WorkShares shares_with(const StrainLimits& limits) {
 /// One run of the main job.
 class Flattening {
  public:
-  Flattening(const FlattenOptions& options, const Context& context)
+  Flattening(const FlattenOptions& options, const SearchEffort& effort, const Context& context)
       : options_(options),
+        effort_(effort),
         context_(context),
         parts_(context_),
         limits_(limits_of(options)),
@@ -454,13 +456,13 @@ class Flattening {
   /// Auto ends by its estimate of the strain. Where the pattern has a little more than that, it is
   /// run again with tighter limits.
   void evolve_to_aim(const Patch& patch) {
-    constexpr int most_runs = 3;
     Method method = method_;
     for (int run = 1;; ++run) {
       evolve_and_unfold(patch, method);
       const double share = share_of_limits(checks_of_aim(
           work_patch(patch).with_positions(report_.evolve.result.positions), report_.unfold));
-      const bool may_try = report_.evolve.result.stop == StopReason::strain_met && run < most_runs;
+      const bool may_try =
+          report_.evolve.result.stop == StopReason::strain_met && run < effort_.runs;
       if (!aim_.any() || share >= 1.0 || !may_try) break;
       method = tightened(method, aim_, share);
     }
@@ -517,6 +519,7 @@ class Flattening {
     const bool near = method.prefer == Prefer::near;
     const double b0 = near ? 0.0 : design_bending(work_patch(patch));
     SurfaceRuns runs;
+    runs.effort = effort_;
     runs.evolved = [this, &patch, led = method](const SurfaceLimits& limits) mutable {
       led.max_strain = 0.0;
       led.max_rms_strain = limits.rms_strain;
@@ -626,6 +629,7 @@ class Flattening {
   }
 
   const FlattenOptions& options_;
+  SearchEffort effort_;
   const Context& context_;
   PartsOfJob parts_;
   StrainLimits limits_;
@@ -643,6 +647,21 @@ class Flattening {
   std::optional<UnfoldReport> within_limits_;  // the input's pattern that misses them least
 };
 
+/// What keeping limits would do, with what this run did in the place of its estimate.
+std::vector<Way> ways_beside(const FlattenReport& report, const FlattenOptions& options,
+                             const Context& context) {
+  // More trials move the estimates by less than a coarse mesh does.
+  constexpr SearchEffort little = {
+      .runs = 2, .trials = 1, .first_halvings = 3, .last_halvings = 3, .halvings = 3};
+  const auto run = [&](const Patch& coarse, const FlattenOptions& job, const Context& of_job) {
+    return Flattening(job, little, of_job).run(coarse, {});
+  };
+  const UnfoldReport& design = report.as_designed;
+  return with_result(
+      find_ways(report.input, options, {design.strain, least_strain(design)}, run, context),
+      report);
+}
+
 }  // namespace
 
 bool FlattenOptions::may_change() const {
@@ -653,10 +672,8 @@ bool FlattenOptions::may_change() const {
 FlattenReport flatten(const Patch& patch, std::string name, const FlattenOptions& options,
                       const Context& context) {
   check_request(options);
-  FlattenReport report = Flattening(options, context).run(patch, std::move(name));
-  if (options.ways && !options.method)
-    report.ways =
-        with_result(find_ways(report.input, options, report.as_designed.strain, context), report);
+  FlattenReport report = Flattening(options, {}, context).run(patch, std::move(name));
+  if (options.ways && !options.method) report.ways = ways_beside(report, options, context);
   report_progress(context, {"unfolding", 1.0});
   return report;
 }

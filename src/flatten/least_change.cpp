@@ -16,10 +16,6 @@ constexpr double k_near_enough = 0.07;
 /// Of the way to the boundary, by which a trial goes beyond it to where the bound holds.
 constexpr double k_lean = 0.02;
 
-constexpr int k_trials = 4;
-/// Of the way back: of every trial of a search, of its result, and of other surfaces.
-constexpr int k_first_halvings = 3, k_last_halvings = 8, k_halvings = 6;
-
 /// A method ends a little below the limit that it is given: with this one over the strain of the
 /// design nothing changes yet.
 constexpr double k_idle = 1.06;
@@ -42,9 +38,9 @@ double move_of(const Patch& design, const EvolvedPattern& found) {
 
 /// The largest share of the way, from 0 where it holds, at which it still does.
 template <class Holds>
-double farthest_share(const Holds& holds) {
+double farthest_share(int halvings, const Holds& holds) {
   double good = 0.0, bad = 1.0;
-  for (int k = 0; k < k_halvings; ++k) {
+  for (int k = 0; k < halvings; ++k) {
     const double share = 0.5 * (good + bad);
     (holds(share) ? good : bad) = share;
   }
@@ -170,7 +166,7 @@ class WayBack {
 double go_back(const Patch& design, EvolvedPattern& found, const SurfaceRuns& runs) {
   if (!runs.may_be_between || !is_kept(found)) return 1.0;
   WayBack way(design, std::move(found), runs);
-  way.halve(k_halvings);
+  way.halve(runs.effort.halvings);
   found = way.found();
   return way.share();
 }
@@ -182,7 +178,7 @@ std::optional<EvolvedPattern> least_change(const Patch& design, const UnfoldRepo
   const double idle = k_idle * design_strain, most = idle - k_unmeasurable_strain;
   if (!(excess > 1.0) || !(most > 0.0)) return std::nullopt;
   // As if all strain fell alike.
-  BoundarySearch search(excess, idle - design_strain / excess, most, k_trials);
+  BoundarySearch search(excess, idle - design_strain / excess, most, runs.effort.trials);
   std::optional<WayBack> nearest;
   while (const auto amount = search.next()) {
     EvolvedPattern found = {runs.evolved({.rms_strain = idle - *amount}), {}};
@@ -194,7 +190,7 @@ std::optional<EvolvedPattern> least_change(const Patch& design, const UnfoldRepo
     }
     const double gone = design_strain - least_strain(found.unfold).rms;
     WayBack way(design, std::move(found), runs);
-    if (runs.may_be_between) way.halve(k_first_halvings);
+    if (runs.may_be_between) way.halve(runs.effort.first_halvings);
     double enough = unknown;  // as a share
     if (way.share() < 1.0) enough = (design_strain - least_strain(way.found().unfold).rms) / gone;
     search.tell(*amount, std::min(1.0, excess - (excess - 1.0) / enough));
@@ -202,7 +198,7 @@ std::optional<EvolvedPattern> least_change(const Patch& design, const UnfoldRepo
       nearest.emplace(std::move(way));
   }
   if (!nearest) return std::nullopt;
-  if (runs.may_be_between) nearest->halve(k_last_halvings - k_first_halvings);
+  if (runs.may_be_between) nearest->halve(runs.effort.last_halvings - runs.effort.first_halvings);
   return nearest->found();
 }
 
@@ -258,7 +254,7 @@ class SearchWithin {
   /// In one family.
   template <class Excess>
   void search(double first, double max_deviation, const Excess& excess_of) {
-    BoundarySearch amounts(0.0, first, most_, k_trials);
+    BoundarySearch amounts(0.0, first, most_, runs_.effort.trials);
     while (const auto amount = amounts.next()) {
       EvolvedPattern found = {
           runs_.evolved({.rms_strain = idle_ - *amount, .max_deviation = max_deviation}), {}};
@@ -276,8 +272,9 @@ class SearchWithin {
   void take_back(EvolvedPattern& found, const Tolerance::Use& whole) {
     const std::vector<Vec3> farthest = positions_of(found);
     const auto at = [&](double share) { return part_way(design_.positions(), farthest, share); };
-    found.evolve.result.positions = at(farthest_share(
-        [&](double share) { return runs_.may_be_between && use(at(share)).most() <= 1.0; }));
+    found.evolve.result.positions = at(farthest_share(runs_.effort.halvings, [&](double share) {
+      return runs_.may_be_between && use(at(share)).most() <= 1.0;
+    }));
     stop_ = whole.distance >= whole.form ? StopReason::deviation_limit : StopReason::smooth_limit;
   }
 

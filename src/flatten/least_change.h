@@ -51,6 +51,15 @@ struct SurfaceLimits {
   double max_deviation = std::numeric_limits<double>::infinity();  ///< of a vertex, model units
 };
 
+/// How many surfaces a search tries.
+struct SearchEffort {
+  int runs = 3;            ///< of a method that ends by its estimate of the strain, until that fits
+  int trials = 4;          ///< for a boundary
+  int first_halvings = 3;  ///< of the way back, of each trial
+  int last_halvings = 8;   ///< of the nearest trial, the first ones among them
+  int halvings = 6;        ///< of the way back of other surfaces
+};
+
 /// What a search runs.
 struct SurfaceRuns {
   /// Evolves the design within limits.
@@ -61,6 +70,7 @@ struct SurfaceRuns {
   std::function<bool(const std::vector<Vec3>& positions)> is_form_good;
   /// Whether a place on the straight way between two surfaces may be a result.
   bool may_be_between = true;
+  SearchEffort effort = {};
 };
 
 /// The strain of the pattern of least stretch.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -88,18 +89,17 @@ constexpr double k_within_limit = 0.9999;
 
 /// Goes on from the pattern of least stretch to the one that spreads it. Limits that are kept stay
 /// so.
-/// @param border whose lengths stay kept; nullptr where the border is free
-LeastStretch with_stretch_spread(const TriMesh& mesh, const Disk& disk, const HeldBorder* border,
+LeastStretch with_stretch_spread(const TriMesh& mesh, const Disk& disk, StretchSystem& system,
                                  const LeastStretch& least, const StrainLimits& limits,
-                                 ThreadPool& pool, const std::function<void()>& after_step) {
+                                 const std::function<void()>& after_step) {
   const std::vector<FlatEdge> edges = flat_edges(mesh, disk);
   const std::vector<double> strains = strains_of(edges, least.flat);
   const double rms = rms_strain(edges, strains);
   double most = k_spread_budget * rms;
   if (limits.rms > 0.0) most = std::min(most, k_within_limit * limits.rms);
   if (!(most >= rms)) return least;
-  const auto system = make_system(disk, border, pool);
-  LeastStretch spread = spread_stretch(disk, *system, edges, least, most, after_step);
+  LeastStretch spread = spread_stretch(disk, system, edges, least, most, after_step);
+  if (!limits.bounds_edges()) return spread;
   StrainLimits of_edges = limits;
   of_edges.rms = 0.0;
   const auto keeps = [&](const LeastStretch& some) {
@@ -241,9 +241,15 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   const bool bounds_edges = options.limits.bounds_edges();
   const bool goes_on = options.match_seams || options.limits.any() || !options.least_stretch;
   PartsOfJob parts(context);
+  std::vector<Vec2> start = find_start(disk, pool);
+  pool.stop_if_cancelled();
+  std::unique_ptr<StretchSystem> system = make_system(disk, nullptr, pool);
+  pool.stop_if_cancelled();
   LeastStretch flat =
-      minimise_stretch(disk, find_start(disk, pool), options.max_iterations, pool,
+      minimise_stretch(disk, *system, std::move(start), options.max_iterations,
                        unfolding_steps(parts.next(goes_on ? 0.2 : 1.0), k_step_of_stretch));
+  // What follows has its own; both at once would take twice the memory.
+  if (options.match_seams || bounds_edges) system.reset();
   const std::function<void()> after_step = unfolding_steps(parts.next(1.0), k_step_of_limits);
   Pattern pattern;
   std::optional<HeldBorder> border;
@@ -268,8 +274,10 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
   } else if (options.limits.rms > 0.0) {
     other = within_rms(patch.mesh(), disk, held, flat, options.limits.rms, pool, after_step);
   }
-  if (!options.least_stretch && other.iterations == flat.iterations)
-    other = with_stretch_spread(patch.mesh(), disk, held, flat, options.limits, pool, after_step);
+  if (!options.least_stretch && other.iterations == flat.iterations) {
+    if (!system) system = make_system(disk, held, pool);
+    other = with_stretch_spread(patch.mesh(), disk, *system, flat, options.limits, after_step);
+  }
   if (other.iterations > flat.iterations) {
     pattern.unlimited = in_mesh_order(patch, disk, flat.flat);
     flat = std::move(other);

@@ -33,7 +33,7 @@ std::string end_of(const Way& way) {
                                                : way.strain.max;
     return "not reached: " + percent(left) + " left";
   }
-  if (way.fairness.unchanged) return "as designed";
+  if (way.fairness.unchanged) return way.estimated ? "about as designed" : "as designed";
   return way.keeps_form() ? "kept" : "not kept";
 }
 

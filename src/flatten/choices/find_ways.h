@@ -1,10 +1,20 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <planish/flatten/flatten.h>
 
 namespace planish {
+
+/// The strain of a design that ways lead away from.
+struct StrainOfDesign {
+  EdgeStrain now;    ///< of its pattern
+  EdgeStrain least;  ///< of its pattern of least stretch
+};
+
+/// Flattens a coarse mesh, as flatten().
+using CoarseRun = std::function<FlattenReport(const Patch&, const FlattenOptions&, const Context&)>;
 
 /// What would keep the limits that a design's pattern misses: those of three materials that do not
 /// take the design, the one that takes most, the one that takes least and one between, and 2, 1 and
@@ -12,12 +22,13 @@ namespace planish {
 /// coarser mesh of the design, the same for all: estimates. At most k_most_ways.
 /// @param patch the design
 /// @param options of the run: how limits change the form
-/// @param design the strain of its pattern
+/// @param run what tries one of them
 /// @return empty where constraints name vertices, which a coarser mesh does not have, and above
 ///   k_most_vertices_of_ways
 /// @throws Cancelled
 std::vector<Way> find_ways(const Patch& patch, const FlattenOptions& options,
-                           const EdgeStrain& design, const Context& context);
+                           const StrainOfDesign& design, const CoarseRun& run,
+                           const Context& context);
 
 /// With the result of the run in the place of its estimate, where it was to keep a limit of one
 /// kind: before all others where it was another limit.

@@ -265,10 +265,18 @@ Fairness measure_fairness(const Patch& design, std::span<const Vec3> after) {
 Fairness fairness_beside(const Patch& design, double b0, std::span<const Vec3> after) {
   const double scale = design.unit_scale();
   const std::vector<Bend> first = bends_of(design.positions(), design.connectivity(), scale);
-  const std::vector<Bend> second = bends_of(after, design.connectivity(), scale);
-  Fairness fairness;
-  fairness.unchanged = std::equal(after.begin(), after.end(), design.positions().begin());
   const double usual = usual_curvature(first);
+  Fairness fairness;
+  if (std::equal(after.begin(), after.end(), design.positions().begin())) {
+    fairness.design_sharp_share = sharp_share(first, usual);
+    fairness.height_ratio = height_ratio(design, design.triangles(), after);
+    if (b0 > k_no_bending) {
+      fairness.design_ratio = bending_of(first) / b0;
+      fairness.bending_ratio = fairness.design_ratio;
+    }
+    return fairness_of_design(fairness);
+  }
+  const std::vector<Bend> second = bends_of(after, design.connectivity(), scale);
   fairness.sharp_share = sharp_share(second, usual);
   fairness.design_sharp_share = sharp_share(first, usual);
   fairness.normal_turn = normal_turn(design, after, scale);

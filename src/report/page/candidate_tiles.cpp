@@ -112,7 +112,7 @@ std::string name_of(const Way& way) {
 /// What becomes of the form.
 std::string end_of(const Way& way) {
   if (!way.reached) return "not reached";
-  if (way.fairness.unchanged) return "as designed";
+  if (way.fairness.unchanged) return way.estimated ? "about as designed" : "as designed";
   return way.keeps_form() ? "kept" : "not kept";
 }
 

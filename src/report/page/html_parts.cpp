@@ -15,12 +15,13 @@ namespace planish {
 
 namespace {
 
+/// @param source as of picture_source()
 /// @param pixels of the picture in one of the page
 /// @param alt markup
-std::string image_element(const Image& image, int pixels, const std::string& alt) {
+std::string image_element(const Image& image, const std::string& source, int pixels,
+                          const std::string& alt) {
   return "<img width=\"" + std::to_string(image.width / pixels) + "\" height=\"" +
-         std::to_string(image.height / pixels) + "\" alt=\"" + alt +
-         "\" src=\"data:image/png;base64," + base64(format_png(image)) + "\">";
+         std::to_string(image.height / pixels) + "\" alt=\"" + alt + "\" src=\"" + source + "\">";
 }
 
 }  // namespace
@@ -63,13 +64,22 @@ std::string html_script() {
   return html + "</script>\n";
 }
 
+std::string picture_source(const Image& image) {
+  return "data:image/png;base64," + base64(format_png(image));
+}
+
 std::string html_picture(const Image& image, const std::string& alt, const std::string& caption) {
-  return "<figure><div class=\"plate\">" + image_element(image, 1, alt) + "</div><figcaption>" +
-         caption + "</figcaption></figure>\n";
+  return html_picture(image, picture_source(image), alt, caption);
+}
+
+std::string html_picture(const Image& image, const std::string& source, const std::string& alt,
+                         const std::string& caption) {
+  return "<figure><div class=\"plate\">" + image_element(image, source, 1, alt) +
+         "</div><figcaption>" + caption + "</figcaption></figure>\n";
 }
 
 std::string html_tile_picture(const Image& image, const std::string& alt) {
-  return image_element(image, 2, escape_markup(alt));
+  return image_element(image, picture_source(image), 2, escape_markup(alt));
 }
 
 std::string html_entry(std::string_view name, std::string_view text) {

@@ -35,6 +35,13 @@ std::string html_script();
 /// A picture with words below it.
 /// @param alt, caption markup
 std::string html_picture(const Image& image, const std::string& alt, const std::string& caption);
+/// The same, of a picture that is there more than once.
+/// @param source picture_source(image)
+std::string html_picture(const Image& image, const std::string& source, const std::string& alt,
+                         const std::string& caption);
+
+/// The picture itself, as the source of an element.
+std::string picture_source(const Image& image);
 
 /// Pixels of a picture in a tile, which is twice as wide as it is shown.
 inline constexpr int k_tile_width = 420;

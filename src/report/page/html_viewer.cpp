@@ -39,10 +39,13 @@ std::string figures_caption(std::string_view when, const Flattenability& figures
 
 std::string still_pictures(const FlattenReport& report, const PatchPictures& pictures,
                            ColorMap colors) {
+  const Image &before = pictures.before, &after = pictures.after.front();
+  const std::string source = picture_source(before);
   return "<div class=\"still\">\n<div class=\"pair\">\n" +
-         html_picture(pictures.before, "The input patch, coloured by angle defect",
+         html_picture(before, source, "The input patch, coloured by angle defect",
                       figures_caption("Before:", report.evolve.before.figures)) +
-         html_picture(pictures.after.front(), "The patch after evolving, coloured by angle defect",
+         html_picture(after, after == before ? source : picture_source(after),
+                      "The patch after evolving, coloured by angle defect",
                       figures_caption("After:", report.evolve.after.figures)) +
          "</div>\n" + legend(fields_of(colors), defect_labels(colors, pictures.limit)) + "</div>\n";
 }

@@ -90,6 +90,11 @@ std::vector<double> moves(std::span<const Vec3> before, std::span<const Vec3> af
   return lengths;
 }
 
+bool is_same(const PageState& a, const PageState& b) {
+  return a.patch.positions() == b.patch.positions() &&
+         std::equal(a.pattern.begin(), a.pattern.end(), b.pattern.begin(), b.pattern.end());
+}
+
 /// Stretch in the direction where the pattern is longest beside the patch, and across it, where it
 /// is shortest.
 std::array<VertexFigure, 2> principal_figures(const PageInput& input) {
@@ -118,15 +123,20 @@ std::vector<VertexFigure> figures_of(const PageInput& input) {
   const double weight_of_stretch = input.limit ? input.limit->weight_of_stretch() : 1.0;
   for (const PageState& state : input.states) {
     const Patch& patch = state.patch;
-    const auto defects = angle_defects(patch);
-    curvature.by_state.push_back(of_inner(gaussian_curvatures(patch, defects), patch));
-    defect.by_state.push_back(of_inner(defects, patch));
-    bent.by_state.push_back(vertex_bends(patch));
     deviation.by_state.push_back(moves(input.patch().positions(), patch.positions()));
     // The design itself has none.
     offset.by_state.push_back(&state == &input.states.front()
                                   ? std::vector<double>()
                                   : normal_offsets(input.patch(), patch.positions()));
+    if (!defect.by_state.empty() && is_same(state, input.states.front())) {
+      for (VertexFigure* figure : {&defect, &curvature, &bent, &strain, &edge_strain})
+        figure->by_state.push_back(std::vector<double>(figure->by_state.front()));
+      continue;
+    }
+    const auto defects = angle_defects(patch);
+    curvature.by_state.push_back(of_inner(gaussian_curvatures(patch, defects), patch));
+    defect.by_state.push_back(of_inner(defects, patch));
+    bent.by_state.push_back(vertex_bends(patch));
     strain.by_state.push_back(state.pattern.empty() ? std::vector<double>()
                                                     : vertex_strains(patch.mesh(), state.pattern));
     edge_strain.by_state.push_back(

@@ -70,6 +70,10 @@ PatchPictures patch_pictures(const Patch& before, std::span<const std::span<cons
   };
   PatchPictures pictures{picture(before.positions(), defects_before), {}, limit};
   for (const std::span<const Vec3> positions : after) {
+    if (std::equal(positions.begin(), positions.end(), before.positions().begin())) {
+      pictures.after.push_back(pictures.before);
+      continue;
+    }
     const Patch moved = before.with_positions({positions.begin(), positions.end()});
     pictures.after.push_back(picture(positions, angle_defects(moved)));
   }

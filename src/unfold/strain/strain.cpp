@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <planish/unfold/strain.h>
 
@@ -26,11 +27,39 @@ double total_area(const std::vector<StrainOfEdge>& edges) {
   return area.value();
 }
 
-/// Of each strain the part of that kind.
-std::vector<StrainOfEdge> with_parts(std::vector<StrainOfEdge> edges, StrainLimitKind kind) {
-  for (StrainOfEdge& edge : edges)
-    edge.strain = part_of(edge.strain, kind);
+std::vector<StrainOfEdge> sorted_by_size(std::vector<StrainOfEdge> edges) {
+  std::stable_sort(edges.begin(), edges.end(), [](const StrainOfEdge& a, const StrainOfEdge& b) {
+    return std::abs(a.strain) < std::abs(b.strain);
+  });
   return edges;
+}
+
+double at_share_of_sorted(const std::vector<StrainOfEdge>& edges, double share) {
+  const double enough = share * total_area(edges);
+  CarefulSum area;
+  for (const StrainOfEdge& edge : edges) {
+    area.add(edge.area);
+    if (area.value() >= enough) return std::abs(edge.strain);
+  }
+  return edges.empty() ? 0.0 : std::abs(edges.back().strain);
+}
+
+/// Of each strain the part of that kind, by its size.
+/// @param sorted the same edges, by |strain|
+std::vector<StrainOfEdge> sorted_parts(const std::vector<StrainOfEdge>& edges,
+                                       const std::vector<StrainOfEdge>& sorted,
+                                       StrainLimitKind kind) {
+  std::vector<StrainOfEdge> parts;
+  parts.reserve(edges.size());
+  const auto add = [&](const std::vector<StrainOfEdge>& some, bool with_part) {
+    for (const StrainOfEdge& edge : some) {
+      const double part = part_of(edge.strain, kind);
+      if ((part > 0.0) == with_part) parts.push_back({part, edge.area, edge.edge});
+    }
+  };
+  add(edges, false);
+  add(sorted, true);
+  return parts;
 }
 
 }  // namespace
@@ -53,16 +82,7 @@ std::vector<StrainOfEdge> strain_of_edges(const Patch& patch, std::span<const Ve
 }
 
 double strain_at_share(std::vector<StrainOfEdge> edges, double share) {
-  std::stable_sort(edges.begin(), edges.end(), [](const StrainOfEdge& a, const StrainOfEdge& b) {
-    return std::abs(a.strain) < std::abs(b.strain);
-  });
-  const double enough = share * total_area(edges);
-  CarefulSum area;
-  for (const StrainOfEdge& edge : edges) {
-    area.add(edge.area);
-    if (area.value() >= enough) return std::abs(edge.strain);
-  }
-  return edges.empty() ? 0.0 : std::abs(edges.back().strain);
+  return at_share_of_sorted(sorted_by_size(std::move(edges)), share);
 }
 
 EdgeStrain figures_of(const std::vector<StrainOfEdge>& edges) {
@@ -81,10 +101,13 @@ EdgeStrain figures_of(const std::vector<StrainOfEdge>& edges) {
     squares.add(edge.area * edge.strain * edge.strain);
   }
   result.rms = std::sqrt(squares.value() / total_area(edges));
-  result.p99 = strain_at_share(edges, share);
-  result.p99_stretch = strain_at_share(with_parts(edges, StrainLimitKind::p99_stretch), share);
-  result.p99_compression =
-      strain_at_share(with_parts(edges, StrainLimitKind::p99_compression), share);
+  const std::vector<StrainOfEdge> sorted = sorted_by_size(edges);
+  const auto of_part = [&](StrainLimitKind kind) {
+    return at_share_of_sorted(sorted_parts(edges, sorted, kind), share);
+  };
+  result.p99 = at_share_of_sorted(sorted, share);
+  result.p99_stretch = of_part(StrainLimitKind::p99_stretch);
+  result.p99_compression = of_part(StrainLimitKind::p99_compression);
   return result;
 }
 

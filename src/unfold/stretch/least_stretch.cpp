@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "unfold/stretch/flat_steps.h"
-#include "unfold/stretch/stretch_system.h"
 
 namespace planish {
 
@@ -61,14 +60,11 @@ class LaggedSolver {
 
 }  // namespace
 
-LeastStretch minimise_stretch(const Disk& disk, std::vector<Vec2> start, int max_iterations,
-                              ThreadPool& pool, const std::function<void()>& after_step) {
+LeastStretch minimise_stretch(const Disk& disk, StretchSystem& system, std::vector<Vec2> start,
+                              int max_iterations, const std::function<void()>& after_step) {
   // A stretch of 1e-9 everywhere is none; and what a further step would gain must be worth it.
   constexpr double no_energy = 4e-18, least_gain = 1e-6, least_fall = 1e-4;
   LeastStretch result{turn_to_axis(disk, std::move(start)), 0, false};
-  pool.stop_if_cancelled();
-  StretchSystem system(disk, pool);
-  pool.stop_if_cancelled();
   LaggedSolver solver(system);
   double energy = total_energy(disk, result.flat);
   for (; result.iterations < max_iterations; ++result.iterations) {

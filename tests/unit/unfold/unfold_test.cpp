@@ -94,7 +94,8 @@ TEST(Unfold, FindsTheSameMinimumFromBothStarts) {
   EXPECT_GT(apart, 0.01) << "the starts are to differ";
   ThreadPool pool(1);
   const auto energy_from = [&](const std::vector<Vec2>& start) {
-    const LeastStretch result = minimise_stretch(disk, start, 200, pool, {});
+    StretchSystem system(disk, pool);
+    const LeastStretch result = minimise_stretch(disk, system, start, 200, {});
     EXPECT_TRUE(result.converged);
     return total_energy(disk, result.flat);
   };

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
+#include "unfold/strain/strain_of_edges.h"
 
 namespace planish {
 namespace {
@@ -25,6 +26,21 @@ TEST(EdgeStrain, IsZeroForTheSameLengths) {
   const EdgeStrain strain = edge_strain(Patch(mesh), mapped(mesh, 1, 0, 0, 1));
   EXPECT_EQ(strain.max, 0.0);
   EXPECT_EQ(strain.rms, 0.0);
+}
+
+TEST(EdgeStrain, HasStretchAndCompressionOnTheShareOfAllEdges) {
+  std::vector<StrainOfEdge> edges;
+  for (int k = 0; k < 500; ++k)
+    edges.push_back({0.001 * ((k * 37) % 101 - 60), 1.0 + (k * 13) % 7, {}});
+  const EdgeStrain strain = figures_of(edges);
+  for (const StrainLimitKind kind :
+       {StrainLimitKind::p99, StrainLimitKind::p99_stretch, StrainLimitKind::p99_compression}) {
+    std::vector<StrainOfEdge> parts = edges;
+    for (StrainOfEdge& edge : parts)
+      edge.strain = part_of(edge.strain, kind);
+    EXPECT_EQ(figure_of(strain, kind), strain_at_share(parts, 0.99));
+    EXPECT_GT(figure_of(strain, kind), 0.0);
+  }
 }
 
 TEST(EdgeStrain, WeighsEdgesByTheAreaOfTheirTriangles) {

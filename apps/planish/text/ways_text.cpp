@@ -1,6 +1,7 @@
 #include "text/ways_text.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "shell/text.h"
 #include "shell/values.h"
@@ -14,12 +15,15 @@ constexpr std::size_t k_length = 10, k_fold = 10;
 
 /// As a flag takes it: "0.5%".
 std::string in_percent(double share) {
-  return shortest(100.0 * share) + "%";
+  constexpr double parts = 1e8;  // of a per cent: 3.5, not 3.5000000000000004
+  return shortest(std::round(100.0 * parts * share) / parts) + "%";
 }
 
 std::string flag_of(const Way& way) {
-  if (!way.material.empty())
-    return "--material " + way.material + " (" + percent(way.limit()) + ")";
+  if (!way.material.empty()) {
+    const bool is_one_limit = way.limits.p99 > 0.0 || way.limits.max > 0.0;
+    return "--material " + way.material + (is_one_limit ? " (" + percent(way.limit()) + ")" : "");
+  }
   if (way.limits.rms > 0.0) return "--max-rms-strain " + in_percent(way.limits.rms);
   return "--max-strain " +
          (way.limits.p99 > 0.0 ? in_percent(way.limit()) + "@p99" : in_percent(way.limits.max));

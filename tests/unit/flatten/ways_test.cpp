@@ -120,16 +120,14 @@ TEST(Ways, EstimateWhatTheRunThenDoes) {
 }
 
 TEST(Ways, TellOfTheSmallMoveOfALimitThatIsNear) {
-  const Patch patch(make_shape("panel", 1200));
-  const std::vector<Way> estimates = flatten(patch, "panel", {.ways = true}).ways;
+  const std::vector<Way> estimates = ways_of({});
   const auto estimate = std::find_if(estimates.begin(), estimates.end(),
                                      [](const Way& way) { return way.material == "leather"; });
   ASSERT_NE(estimate, estimates.end());
   const Deviation run =
-      flatten(patch, "panel", {.limits = limits_of(material_named("leather"))}).evolve.deviation;
+      flattened({.limits = limits_of(material_named("leather"))}).evolve.deviation;
   ASSERT_GT(run.max, 0.0);
-  EXPECT_NEAR(estimate->deviation.max, run.max, 0.4 * run.max);
-  EXPECT_NEAR(estimate->deviation.rms, run.rms, 0.5 * run.rms);
+  EXPECT_NEAR(estimate->deviation.max, run.max, 0.3 * run.max);
 }
 
 TEST(Ways, AreLeftOutWhereThereIsNothingToSay) {

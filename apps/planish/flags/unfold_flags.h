@@ -16,7 +16,7 @@ inline Flag match_seams_flag() {
 /// --least-stretch, for the same.
 inline Flag least_stretch_flag() {
   return {"--least-stretch", "",
-          "the pattern of least rms strain; without it, up to 6 % more of that make the largest "
+          "the pattern of least stretch; without it, up to 6 % more rms strain make the largest "
           "strains as small as they get"};
 }
 

@@ -128,8 +128,8 @@ def evolve(
         clearance: distance to keep from the obstacle, in model units (1.5 or 1.5mm; at least 0, default 0)
         pull: how strongly vertices are drawn to where they began; waves longer than 2 pi sizes over the root of this
             stay, a size being the root of the area; 0: not at all (at least 0, default 100)
-        max_strain: end near to where it began, but where a pattern need not stretch more, as a share of length (0.02
-            or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
+        max_strain: change the form as little as it takes until no edge of a pattern has to stretch by more than this,
+            as a share of length (0.02 or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
         material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
             stretch-woven or leather-lasted, or that of a .json file of your own; planish materials tells how much
             that is
@@ -261,8 +261,8 @@ def evolve_sweeps(
         clearance: distance to keep from the obstacle, in model units (1.5 or 1.5mm; at least 0, default 0)
         pull: how strongly vertices are drawn to where they began; waves longer than 2 pi sizes over the root of this
             stay, a size being the root of the area; 0: not at all (at least 0, default 100)
-        max_strain: end near to where it began, but where a pattern need not stretch more, as a share of length (0.02
-            or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
+        max_strain: change the form as little as it takes until no edge of a pattern has to stretch by more than this,
+            as a share of length (0.02 or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
         material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
             stretch-woven or leather-lasted, or that of a .json file of your own; planish materials tells how much
             that is

@@ -109,7 +109,7 @@ def flatten_product(
         match_seams: keep the length of every border edge, or in a product of those along seams, so that what is sewn
             together stays equally long
         no_match_seams: let the two sides of a product's seams become unequal (default: equal to 0.1 mm)
-        least_stretch: the pattern of least rms strain; without it, up to 6 % more of that make the largest strains as
+        least_stretch: the pattern of least stretch; without it, up to 6 % more rms strain make the largest strains as
             small as they get
         pick: how much strain to leave: 1 as designed, 2, 3, 4, 5 at most 2, 1, 0.5, 0.1 % rms, 6 flat
         formats: of the pattern: some of svg, dxf, pdf and plt (default svg,dxf,pdf)
@@ -157,8 +157,8 @@ def flatten_product(
             local_perturbation, fairing or auto (default auto)
         sweeps: at most so many sweeps (default: what each method usually takes)
         target_e_max: end as soon as e_max is at most this, in radians (at least 0, default 0)
-        max_strain: end near to where it began, but where a pattern need not stretch more, as a share of length (0.02
-            or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
+        max_strain: change the form as little as it takes until no edge of a pattern has to stretch by more than this,
+            as a share of length (0.02 or 2% for every edge, 2%@p99 for 99 % of the area; 0 to 1, default 0)
         material: instead of --max-strain: what this material takes, steel, aluminium, leather, cotton, neoprene,
             stretch-woven or leather-lasted, or that of a .json file of your own; planish materials tells how much
             that is

@@ -65,7 +65,7 @@ def unfold(
             mesh
         match_seams: keep the length of every border edge, or in a product of those along seams, so that what is sewn
             together stays equally long
-        least_stretch: the pattern of least rms strain; without it, up to 6 % more of that make the largest strains as
+        least_stretch: the pattern of least stretch; without it, up to 6 % more rms strain make the largest strains as
             small as they get
         paper: divide the .pdf into pages to be joined: a4, a3, letter or a0
         map: draw the strain map and its legend, in .svg, .pdf and on the pages of --paper

@@ -74,7 +74,7 @@ TEST_F(Verbs, TellAtOnceWhatABorderForbids) {
   EXPECT_EQ(planish({"measure", "dome.obj", "--json"}).json()["obstruction"]["blocked"], true);
 
   const Names evolve = {"evolve", "dome.obj", "-o", "out.obj", "--sweeps", "1"};
-  const Names flatten = {"flatten", "dome.obj", "-o", "folder"};
+  const Names flatten = {"flatten", "dome.obj", "-o", "folder", "--pick", "5"};
   for (const Names& verb : {evolve, flatten}) {
     const CliResult result = planish(verb);
     EXPECT_EQ(result.exit_code, k_exit_done);

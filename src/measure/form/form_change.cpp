@@ -311,21 +311,27 @@ MoreBent more_bent(const Compared& pair) {
   return {bent.at_most_on(nearly_all), bent.largest(), bent.place_of_largest()};
 }
 
-/// The same without the shortest waves of both, which are most of what noise is bent: what the
-/// noise has of longer waves hides none that are higher.
-MoreBent more_bent_below_noise(const Patch& design, std::span<const Vec3> after) {
-  const auto smooth = [&design](std::vector<Vec3> positions) {
-    const Patch patch = design.with_positions(std::move(positions));
+/// A design without the shortest waves, which are most of what noise is bent, and a result without
+/// them: what the noise has of longer waves hides none that are higher.
+struct BelowNoise {
+  Patch design;
+  Compared pair;
+
+  BelowNoise(const Patch& noisy, std::span<const Vec3> after)
+      : design(noisy.with_positions(smooth(noisy, noisy.positions()))),
+        pair(compared(design, smooth(noisy, {after.begin(), after.end()}), size_of(design))) {}
+
+ private:
+  static std::vector<Vec3> smooth(const Patch& noisy, std::vector<Vec3> positions) {
+    const Patch patch = noisy.with_positions(std::move(positions));
     const double scale = patch.unit_scale();
     return smoothed_positions(patch, k_noise_wave * mean_side_of(patch.mesh(), scale) / scale);
-  };
-  const Patch calmed = design.with_positions(smooth(design.positions()));
-  return more_bent(compared(calmed, smooth({after.begin(), after.end()}), size_of(calmed)));
-}
+  }
+};
 
 void find_folds(const Compared& pair, std::span<const Vec3> after,
-                const std::optional<MoreBent>& below_noise, FormChange& change) {
-  const MoreBent bent = more_bent(pair), below = below_noise.value_or(bent);
+                const std::optional<BelowNoise>& below_noise, FormChange& change) {
+  const MoreBent bent = more_bent(pair), below = below_noise ? more_bent(below_noise->pair) : bent;
   change.ripple = std::max(bent.nearly_all, below.nearly_all);
   change.fold = std::max(bent.largest, below.largest);
   change.fold_at = after[below.largest > bent.largest ? below.at : bent.at];
@@ -400,11 +406,12 @@ FormChange form_change_of(const Patch& design, std::span<const Vec3> after, bool
   const double size = size_of(design);
   if (!(size > 0.0)) return change;
   const Compared pair = compared(design, after, size);
-  std::optional<MoreBent> below_noise;
-  if (is_noisy) below_noise = more_bent_below_noise(design, after);
+  std::optional<BelowNoise> below_noise;
+  if (is_noisy) below_noise.emplace(design, after);
   find_folds(pair, after, below_noise, change);
   find_lost_edges(pair, change);
-  find_lost_relief(pair, change);
+  // Noise that went is no hill.
+  find_lost_relief(below_noise ? below_noise->pair : pair, change);
   find_dents(pair, after, change);
   return change;
 }

@@ -2,6 +2,7 @@
 
 #include "flatten/least_change.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>

@@ -54,7 +54,8 @@ class Program(unittest.TestCase):
             self.assertEqual(result.svg(), (by_program / "pattern.svg").read_text())
             self.assertEqual(result.dxf().encode(), (by_program / "pattern.dxf").read_bytes())
             self.assertEqual(result.pdf(), (by_program / "pattern.pdf").read_bytes())
-            self.assertEqual(result.svg(as_designed=True), (by_program / "as-designed.svg").read_text())
+            if "as-designed.svg" in names:  # where the form may change
+                self.assertEqual(result.svg(as_designed=True), (by_program / "as-designed.svg").read_text())
             report = json.loads((by_program / "report.json").read_text())
             self.assertEqual(same_but_for_time(result.figures), same_but_for_time(report))
 

@@ -44,7 +44,7 @@ class Results(unittest.TestCase):
         self.assertEqual(result.fields["strain_max"].shape, (m,))
 
     def test_form(self):
-        seat = planish.flatten(self.panel)
+        seat = planish.flatten(self.panel, pick=5)
         self.assertFalse(seat.form_kept)
         self.assertEqual(seat.missed, ["form"])
         self.assertTrue(seat.limits_met)

@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "product/safe_names.h"
-#include "shell/text.h"
+#include "shell/failures.h"
+#include "shell/values.h"
 
 namespace planish::cli {
 

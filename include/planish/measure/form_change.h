@@ -40,8 +40,15 @@ struct FormChange {
   bool has_lost_edge() const;
 };
 
-/// Above these a person sees it; a ripple of 0.73: bent 1.24 times as sharply.
-inline constexpr double k_seen_ripple = 0.73, k_seen_new_fold = 2.7, k_seen_dent = 0.033,
-                        k_seen_relief_lost = 0.28, k_seen_edge_lost = 0.39;
+/// Above it a person sees a ripple: bent 1.24 times as sharply.
+inline constexpr double k_seen_ripple = 0.73;
+/// Above it a person sees a new fold.
+inline constexpr double k_seen_new_fold = 2.7;
+/// Above it a person sees a dent.
+inline constexpr double k_seen_dent = 0.033;
+/// Above it a person misses a hill or hollow.
+inline constexpr double k_seen_relief_lost = 0.28;
+/// Above it a person misses an edge.
+inline constexpr double k_seen_edge_lost = 0.39;
 
 }  // namespace planish

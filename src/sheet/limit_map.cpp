@@ -52,10 +52,10 @@ std::optional<MapLimit> limit_of_edges(std::span<const StrainLimitCheck> checks)
 }
 
 std::string limit_words(const StrainLimitCheck& limit) {
-  const std::string share = fixed_text(100.0 * limit.asked, 6) + " %" +
-                            (is_of_stretch(limit.kind)       ? " of stretch"
-                             : is_of_compression(limit.kind) ? " of compression"
-                                                             : "");
+  std::string share = fixed_text(100.0 * limit.asked, 6) + " %" +
+                      (is_of_stretch(limit.kind)       ? " of stretch"
+                       : is_of_compression(limit.kind) ? " of compression"
+                                                       : "");
   switch (limit.kind) {
     case StrainLimitKind::max:
     case StrainLimitKind::max_stretch:

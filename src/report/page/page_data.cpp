@@ -129,8 +129,10 @@ std::vector<VertexFigure> figures_of(const PageInput& input) {
                                   ? std::vector<double>()
                                   : normal_offsets(input.patch(), patch.positions()));
     if (!defect.by_state.empty() && is_same(state, input.states.front())) {
-      for (VertexFigure* figure : {&defect, &curvature, &bent, &strain, &edge_strain})
-        figure->by_state.push_back(std::vector<double>(figure->by_state.front()));
+      for (VertexFigure* figure : {&defect, &curvature, &bent, &strain, &edge_strain}) {
+        std::vector<double> same = figure->by_state.front();
+        figure->by_state.push_back(std::move(same));
+      }
       continue;
     }
     const auto defects = angle_defects(patch);

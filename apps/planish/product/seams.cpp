@@ -8,8 +8,8 @@
 #include <planish/pattern/read_annotations.h>
 
 #include "flags/annotation_flags.h"
-#include "flags/unfold_flags.h"
 #include "flags/quantities.h"
+#include "flags/unfold_flags.h"
 #include "flags/units.h"
 #include "platform/path.h"
 #include "shell/failures.h"

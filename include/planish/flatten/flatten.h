@@ -295,8 +295,8 @@ struct FlattenReport {
   /// where there is such a one; else that of least stretch, `unfold_before`.
   UnfoldReport as_designed;
   /// What keeping limits that the design misses does to the form: those of up to three materials,
-  /// and 2, 1 and 0.5 % rms. Estimates of a coarser mesh, but for what this run did. Empty where constraints name vertices, and for
-  /// designs of more than 500,000.
+  /// and 2, 1 and 0.5 % rms. Estimates of a coarser mesh, but for what this run did. Empty where
+  /// constraints name vertices, and for designs of more than 500,000.
   std::vector<Way> ways = {};
   /// What the mesh of the original patch cannot show; where it was smoothed first, noise that is
   /// left.

@@ -151,12 +151,12 @@ TEST(JsonReport, TellsOfSmoothingOnlyWhereItWasDone) {
 
 TEST(JsonReport, OfAnEvolutionHasTheKeysOfTheContract) {
   const Json json = Json::parse(json_report(samples::flatten_report().evolve));
-  EXPECT_THAT(keys_of(json),
-              ElementsAre("schema", "method", "options", "sweeps", "stop", "threads", "seconds",
-                          "before", "after", "deviation", "remeshed_from", "history",
-                          "bending_ratio", "bending_added", "bending_lost", "normal_turn",
-                          "border_turn", "sharpest_fold", "form_change", "smooth", "form_kept",
-                          "cautions"));
+  EXPECT_THAT(
+      keys_of(json),
+      ElementsAre("schema", "method", "options", "sweeps", "stop", "threads", "seconds", "before",
+                  "after", "deviation", "remeshed_from", "history", "bending_ratio",
+                  "bending_added", "bending_lost", "normal_turn", "border_turn", "sharpest_fold",
+                  "form_change", "smooth", "form_kept", "cautions"));
   EXPECT_EQ(json["method"], "controllable");
   EXPECT_EQ(json["sweeps"], 10);
   EXPECT_EQ(json["stop"], "sweep_limit");

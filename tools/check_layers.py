@@ -65,7 +65,7 @@ FLOORS = {
         ["unfold/cuts"],
     ],
     "pattern": [["pattern/polygon"], ["pattern/curves"], ["pattern", "pattern/nest"]],
-    "flatten": [["flatten/choices"], ["flatten"], ["flatten/product"]],
+    "flatten": [["flatten/choices", "flatten/steps"], ["flatten"], ["flatten/product"]],
     "sheet": [["sheet/piece"], ["sheet"], ["sheet/carry"]],
     "report": [["report"], ["report/charts"], ["report/pictures"], ["report/page"], ["report/product"]],
 }

@@ -1,235 +1,24 @@
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <cmath>
-#include <limits>
-#include <memory>
-#include <span>
 #include <utility>
 
 #include <planish/flatten/flatten.h>
 #include <planish/measure/cautions.h>
 
-#include "core/aside.h"
 #include "core/job.h"
 #include "flatten/check_request.h"
 #include "flatten/choices/find_ways.h"
-#include "flatten/least_change.h"
-#include "measure/ruling_defect.h"
+#include "flatten/steps/aim.h"
+#include "flatten/steps/evolve_patch.h"
+#include "flatten/steps/least_change.h"
+#include "flatten/steps/unfold_patch.h"
 #include "measure/smoothed.h"
 #include "mesh/match/symmetric_whole.h"
 #include "unfold/strain/free_edges.h"
 
 namespace planish {
 
-MeasuredPatch measure_patch(const Patch& patch, const Context& context) {
-  MeasuredPatch measured;
-  measured.inspection = patch.inspection();
-  require(measured.inspection, Purpose::measure);
-  Aside intersections(context.threads != 1, [&] { return find_self_intersections(patch.mesh()); });
-  measured.size = measure_size(patch);
-  measured.figures = measure(patch);
-  measured.flattenable = is_flattenable(measured.figures, measured.inspection);
-  measured.obstruction = find_obstruction(patch);
-  stop_if_cancelled(context);
-  measured.bending = measure_bending(patch);
-  measured.ruling_defect = ruling_defect(patch);
-  stop_if_cancelled(context);
-  measured.self_intersections = intersections.result();
-  stop_if_cancelled(context);
-  return measured;
-}
-
 namespace {
-
-/// The figures around an evolution of the patch.
-template <class Evolve>
-EvolveReport report_of_evolving(const Patch& patch, const Method& method, const Stopping& stopping,
-                                const Context& context, const Evolve& evolved_now) {
-  report_progress(context, {"measuring", 0.0});
-  EvolveReport report;
-  report.method = method;
-  report.stopping = stopping;
-  report.before = measure_patch(patch, context);
-  report.result = evolved_now();
-  const std::vector<Vec3>& after = report.result.positions;
-  Aside fairness(context.threads != 1, [&] { return measure_fairness(patch, after); });
-  const Patch evolved = patch.with_positions(after);
-  stop_if_cancelled(context);
-  report.after = measure_patch(evolved, context);
-  report.deviation = measure_deviation(patch, after);
-  report.border = measure_border_change(patch, after);
-  report.fairness = fairness.result();
-  return report;
-}
-
-/// Of the half, and the same of its mirror image.
-Constraints of_whole(Constraints constraints, const SymmetricWhole& whole) {
-  const auto is_paired = [&](Index v) { return whole.image[v] != v; };
-  const std::size_t fixed = constraints.fixed.size();
-  for (std::size_t k = 0; k < fixed; ++k) {
-    const Index v = constraints.fixed[k];
-    if (is_paired(v)) constraints.fixed.push_back(whole.image[v]);
-  }
-  const std::size_t weights = constraints.weights.size();
-  for (Index v = 0; v < weights; ++v) {
-    if (is_paired(v)) constraints.weights.push_back(constraints.weights[v]);
-  }
-  return constraints;
-}
-
-/// Evolves the whole of a half.
-EvolveReport evolve_half(const Patch& half, const SymmetricWhole& whole, const Method& method,
-                         const Stopping& stopping, const Constraints& constraints,
-                         const Context& context) {
-  return report_of_evolving(half, method, stopping, context, [&] {
-    EvolveResult result =
-        evolve(whole.patch, method, stopping, of_whole(constraints, whole), context);
-    result.positions = half_of(whole, result.positions);
-    for (const Index v : constraints.fixed)
-      result.positions[v] = half.positions()[v];
-    return result;
-  });
-}
-
-}  // namespace
-
-FlattenReport with_turned(FlattenReport report, bool turned) {
-  for (UnfoldReport* unfold : {&report.unfold, &report.unfold_before, &report.as_designed})
-    unfold->turned = turned;
-  return report;
-}
-
-EvolveReport evolve_patch(const Patch& patch, const Method& method, const Stopping& stopping,
-                          const Constraints& constraints, const Context& context) {
-  return report_of_evolving(patch, method, stopping, context,
-                            [&] { return evolve(patch, method, stopping, constraints, context); });
-}
-
-EvolveReport evolve_remeshed(const Patch& original, const RemeshedPatch& remeshed,
-                             const Method& method, const Stopping& stopping,
-                             const Context& context) {
-  EvolveReport report =
-      evolve_patch(remeshed.patch, method, stopping, remeshed.constraints, context);
-  if (remeshed.patch.vertex_count() == original.vertex_count()) return report;
-  report.remeshed_from = OriginalSize{original.vertex_count(), original.triangles().size()};
-  const Patch after = remeshed.patch.with_positions(report.result.positions);
-  report.deviation = measure_surface_deviation(original, after.mesh());
-  report.fairness = measure_fairness(original, after);
-  return report;
-}
-
-UnfoldReport unfold_patch(const Patch& patch, Unit unit, const UnfoldOptions& wanted,
-                          const Context& context) {
-  constexpr double k_hair = 0.1;  // millimetres
-  UnfoldOptions options = wanted;
-  options.open_crossings = k_hair / millimetres_per(unit);
-  UnfoldReport report;
-  report.unit = unit;
-  report.pattern = unfold(patch, options, context);
-  report.overlap = overlap_of(patch, report.pattern);
-  const auto strain_of = [&](const std::vector<Vec2>& positions) {
-    return edge_strain(patch, positions);
-  };
-  report.strain = strain_of(report.pattern.positions);
-  report.border_strain = largest_border_strain(patch, report.pattern.positions, options.free_edges);
-  if (!report.pattern.unmatched.empty())
-    report.unmatched_strain = strain_of(report.pattern.unmatched);
-  if (!report.pattern.unlimited.empty())
-    report.unlimited_strain = strain_of(report.pattern.unlimited);
-  report.limits = check_limits(patch, report.pattern.positions, options.limits);
-  return report;
-}
-
-namespace {
-
-/// Unfolds both patches, at the same time where there are threads for it; only the second as asked,
-/// as matching the seams of what is far from flattenable takes long and tells little. Progress is
-/// reported from the calling thread only.
-std::pair<UnfoldReport, UnfoldReport> unfold_both(const Patch& before, const Patch& after,
-                                                  Unit unit, const UnfoldOptions& how, bool at_once,
-                                                  const Context& context) {
-  std::atomic<bool> abandoned = false;
-  Context quiet = context;
-  quiet.on_progress = {};
-  quiet.is_cancelled = [&] {
-    return abandoned || (context.is_cancelled && context.is_cancelled());
-  };
-  UnfoldOptions plain;
-  plain.least_stretch = how.least_stretch;
-  plain.fold = how.fold;
-  const auto unfold_before = [&] { return unfold_patch(before, unit, plain, quiet); };
-  PartsOfJob parts(context);
-  if (!at_once) {
-    UnfoldReport second = unfold_patch(after, unit, how, parts.next(0.5));
-    return {unfold_patch(before, unit, plain, parts.next(1.0)), std::move(second)};
-  }
-  std::future<UnfoldReport> aside = start_aside(unfold_before);
-  try {
-    UnfoldReport second = unfold_patch(after, unit, how, context);
-    return {aside.valid() ? aside.get() : unfold_before(), std::move(second)};
-  } catch (...) {
-    abandoned = true;  // the other one need not go on; the destructor of `aside` waits for it
-    throw;
-  }
-}
-
-Method how_of(const FlattenOptions& options) {
-  return options.method.value_or(options.as_needed);
-}
-
-/// Those asked for, or else those of the method.
-StrainLimits limits_of(const FlattenOptions& options) {
-  if (options.limits.any()) return options.limits;
-  const Method how = how_of(options);
-  const auto* method = std::get_if<Auto>(&how);
-  if (method == nullptr) return {};
-  return {.max = method->max_strain, .rms = method->max_rms_strain};
-}
-
-/// What a pattern has to keep for the work to be done: the limits, or where none is given and the
-/// surface is to stay smooth, a strain too small to measure. Nothing where another aim leads.
-StrainLimits aim_of(const StrainLimits& limits, const Method& method, const Stopping& stopping) {
-  const auto* options = std::get_if<Auto>(&method);
-  const bool goes_on = stopping.target_e_max > 0.0;
-  if (options == nullptr || goes_on || options->prefer == Prefer::flat) return {};
-  if (limits.any() || options->prefer == Prefer::near) return limits;
-  return {.rms = k_unmeasurable_strain};
-}
-
-/// The method with the limits as its own. Auto ends when its estimate of the strain keeps them.
-Method aimed_at(const StrainLimits& limits, Method method) {
-  auto* options = std::get_if<Auto>(&method);
-  if (options == nullptr) return method;
-  if (options->max_strain == 0.0) options->max_strain = limits.both_ways();
-  if (options->max_rms_strain == 0.0) options->max_rms_strain = limits.rms;
-  return method;
-}
-
-/// The method with tighter limits of its own.
-Method tightened(Method method, const StrainLimits& aim, double share) {
-  constexpr double surely = 0.98;
-  auto& options = std::get<Auto>(method);
-  if (options.max_strain == 0.0 && options.max_rms_strain == 0.0) options.max_rms_strain = aim.rms;
-  options.max_strain *= surely * share;
-  options.max_rms_strain *= surely * share;
-  return method;
-}
-
-/// The report of a patch that is not evolved.
-EvolveReport left_as_it_is(const Patch& patch, const std::optional<Method>& method,
-                           const Stopping& stopping, StopReason reason, const Context& context) {
-  EvolveReport report;
-  Aside fairness(context.threads != 1, [&] { return measure_fairness(patch, patch.positions()); });
-  report.method = method;
-  report.stopping = stopping;
-  report.before = report.after = measure_patch(patch, context);
-  report.result.positions = patch.positions();
-  report.result.stop = reason;
-  report.deviation = measure_deviation(patch, patch.positions());
-  report.fairness = fairness.result();
-  return report;
-}
 
 /// Of the work that is left, how much a part takes: as measured on patches of 60,000 vertices.
 struct WorkShares {
@@ -667,6 +456,12 @@ std::vector<Way> ways_beside(const FlattenReport& report, const FlattenOptions& 
 bool FlattenOptions::may_change() const {
   return method || limits_of(*this).any() ||
          (as_needed.max_deviation > 0.0 && !std::isinf(as_needed.max_deviation));
+}
+
+FlattenReport with_turned(FlattenReport report, bool turned) {
+  for (UnfoldReport* unfold : {&report.unfold, &report.unfold_before, &report.as_designed})
+    unfold->turned = turned;
+  return report;
 }
 
 FlattenReport flatten(const Patch& patch, std::string name, const FlattenOptions& options,

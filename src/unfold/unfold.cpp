@@ -110,14 +110,13 @@ LeastStretch with_stretch_spread(const TriMesh& mesh, const Disk& disk, StretchS
 
 /// Goes on from a pattern of least stretch that misses a limit of the rms towards one that keeps
 /// it.
-LeastStretch within_rms(const TriMesh& mesh, const Disk& disk, const HeldBorder* border,
-                        const LeastStretch& least, double limit, ThreadPool& pool,
+LeastStretch within_rms(const TriMesh& mesh, const Disk& disk, StretchSystem& system,
+                        const LeastStretch& least, double limit,
                         const std::function<void()>& after_step) {
   const std::vector<FlatEdge> edges = flat_edges(mesh, disk);
   const double most = k_within_limit * limit;
   if (rms_strain(edges, strains_of(edges, least.flat)) <= most) return least;
-  const auto system = make_system(disk, border, pool);
-  return lower_rms(disk, *system, edges, least, most, after_step);
+  return lower_rms(disk, system, edges, least, most, after_step);
 }
 
 /// What is called after each step. Laying flat takes some 15 steps, keeping limits or the border
@@ -267,17 +266,19 @@ Pattern unfold(const Patch& patch, const UnfoldOptions& options, const Context& 
     }
   }
   const HeldBorder* held = border ? &*border : nullptr;
+  const auto system_now = [&]() -> StretchSystem& {
+    if (!system) system = make_system(disk, held, pool);
+    return *system;
+  };
   LeastStretch other = flat;
   if (bounds_edges) {
     other = unfold_within_limits(patch.mesh(), disk, held, flat, options.limits,
                                  options.max_iterations, pool, after_step);
   } else if (options.limits.rms > 0.0) {
-    other = within_rms(patch.mesh(), disk, held, flat, options.limits.rms, pool, after_step);
+    other = within_rms(patch.mesh(), disk, system_now(), flat, options.limits.rms, after_step);
   }
-  if (!options.least_stretch && other.iterations == flat.iterations) {
-    if (!system) system = make_system(disk, held, pool);
-    other = with_stretch_spread(patch.mesh(), disk, *system, flat, options.limits, after_step);
-  }
+  if (!options.least_stretch && other.iterations == flat.iterations)
+    other = with_stretch_spread(patch.mesh(), disk, system_now(), flat, options.limits, after_step);
   if (other.iterations > flat.iterations) {
     pattern.unlimited = in_mesh_order(patch, disk, flat.flat);
     flat = std::move(other);

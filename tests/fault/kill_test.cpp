@@ -24,7 +24,7 @@ const char* const k_partial = ".planish-partial-";
 struct Job {
   Names args;
   std::string folder;           ///< of its outputs
-  int exit_code = k_exit_done;  ///< of a run that nobody ends
+  int exit_code = k_exit_done;  ///< of an uninterrupted run
 };
 
 class Kills : public CliTest {

@@ -1,7 +1,6 @@
 #include "product/job.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -340,12 +339,11 @@ std::vector<Flag> product_flags() {
 }
 
 void refuse_product_flags(const Arguments& arguments, bool is_of_several) {
-  constexpr std::array<std::string_view, 2> of_several = {"--product", "--seam-tolerance"};
-  for (const std::string_view flag : {"--product", "--seam-tolerance", "--rename", "--resume"}) {
-    const bool may_be_one =
-        is_of_several && std::find(of_several.begin(), of_several.end(), flag) != of_several.end();
-    if (!arguments.has(flag) || may_be_one) continue;
-    throw UsageError("flag " + std::string(flag) + " goes with several patches; the input has one");
+  std::vector<std::string> refused = {"--rename", "--resume"};
+  if (!is_of_several) refused.insert(refused.end(), {"--product", "--seam-tolerance"});
+  for (const std::string& flag : refused) {
+    if (!arguments.has(flag)) continue;
+    throw UsageError("flag " + flag + " goes with several patches; the input has one");
   }
 }
 

@@ -21,8 +21,8 @@ std::string in_percent(double share) {
 
 std::string flag_of(const Way& way) {
   if (!way.material.empty()) {
-    const bool is_one_limit = way.limits.p99 > 0.0 || way.limits.max > 0.0;
-    return "--material " + way.material + (is_one_limit ? " (" + percent(way.limit()) + ")" : "");
+    const std::string limit = way.has_one_limit() ? " (" + percent(way.limit()) + ")" : "";
+    return "--material " + way.material + limit;
   }
   if (way.limits.rms > 0.0) return "--max-rms-strain " + in_percent(way.limits.rms);
   return "--max-strain " +

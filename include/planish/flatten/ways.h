@@ -22,6 +22,8 @@ struct Way {
   /// The limit as one number, a share of length: of the rms, or of the |strain| that asks for as
   /// much as all limits of edges.
   double limit() const { return limits.rms > 0.0 ? limits.rms : limits.both_ways(); }
+  /// Whether that figure says all: the limits are alike for stretch and compression.
+  bool has_one_limit() const { return limits.rms > 0.0 || limits.p99 > 0.0 || limits.max > 0.0; }
   /// How sharp the sharpest new fold is, degrees; 0 where nothing is bent more sharply.
   double sharpest_fold() const {
     return fairness.sharpest_fold ? fairness.sharpest_fold->degrees : 0.0;

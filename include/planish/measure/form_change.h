@@ -25,7 +25,7 @@ struct FormChange {
   /// most; more than 1 where hills became hollows. 0 where nothing stands out.
   double relief_lost = 0.0;
   /// Share of the turn that windows with an edge lost: on 70 % of their area at most. 0 where there
-  /// is no edge, or so little that nobody misses it.
+  /// are no edges, or too few to be seen.
   double edge_lost = 0.0;
 
   /// Waves, wrinkles or many folds.

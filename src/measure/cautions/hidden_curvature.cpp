@@ -14,9 +14,9 @@ namespace {
 
 constexpr double k_little_area = 0.01;
 
-// A fan of facets around a border vertex counts as a cone if it has at least so many facets and
-// turns by at least so many radians: the transition from a square to a circle has such cones at its
-// corners. Fans that come from the diagonals of a strip of quadrilaterals are smaller.
+// The fewest facets around a border vertex, and the least turn of them in radians, that make a
+// cone. The transition from a square to a circle has such cones at its corners. Fans that come from
+// the diagonals of a strip of quadrilaterals are smaller.
 constexpr std::size_t k_fewest_facets_of_cone = 3;
 constexpr double k_least_turn_of_cone = 0.5;
 

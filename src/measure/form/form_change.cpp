@@ -32,9 +32,9 @@ constexpr double k_edge_radius = 0.02, k_bend_radius = 0.025, k_relief_radius = 
 constexpr double k_least_edges = 1.5;
 constexpr std::size_t k_least_vertices = 4;
 
-// Beside what the design is bent in a window counts what two thirds of its area are bent at most,
-// so that one sharp bead hides no waves beside it, and this, over the square of the size: nobody
-// sees how little less than that is bent.
+// Added bending is compared with the design's bending in the window, plus the bending that two
+// thirds of its area stay below, plus a constant (over the square of the size). The second keeps
+// one sharp bead from masking waves beside it; bending below the constant cannot be seen.
 constexpr double k_calm_part = 2.0 / 3.0, k_least_bending = 8.0;
 
 // Mean edges, of each surface its own: noise is nearly all in shorter waves.

@@ -103,10 +103,8 @@ std::string tile_of(const Shown& shown, const PatchView& view, const OutlineWind
 
 /// The limit, as people say it.
 std::string name_of(const Way& way) {
-  if (!way.material.empty()) {
-    const bool is_one_limit = way.limits.p99 > 0.0 || way.limits.max > 0.0;
-    return way.material + (is_one_limit ? " (" + percent_text(way.limit()) + ")" : "");
-  }
+  if (!way.material.empty())
+    return way.material + (way.has_one_limit() ? " (" + percent_text(way.limit()) + ")" : "");
   if (way.limits.rms > 0.0) return percent_text(way.limits.rms) + " as a rule";
   return way.limits.p99 > 0.0 ? percent_text(way.limit()) + " on 99 % of the area"
                               : percent_text(way.limits.max) + " at most";

@@ -14,8 +14,8 @@ inline EdgePrice square_price(double x) {
   return {x * x, 2.0 * x, 2.0};
 }
 
-/// Where peaks are to fall, of x times the usual peak: x^8, and from 1 on the parabola that goes on
-/// from there, so that the few edges with much more do not decide for all.
+/// Where peaks are to fall: x^8 of the strain over the peak strain, continued above 1 by its
+/// parabola, so that a few edges with far more strain do not dominate.
 inline EdgePrice price_of(double x) {
   const double size = std::abs(x);
   if (size >= 1.0) {

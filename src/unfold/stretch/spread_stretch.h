@@ -13,7 +13,7 @@ namespace planish {
 /// Spreads the stretch of a pattern of least stretch, so that its peaks fall: first the strain that
 /// edges of 99 % of the area do not exceed, with it the largest of all edges that can follow
 /// (docs/unfold.md, "Spreading the stretch"). The rms strain rises to `most_rms` at most, no
-/// triangle flips, and a border that does not cross itself goes on so.
+/// triangle flips, and a border that does not cross itself stays so.
 /// @param system of the disk: what it holds, like lengths of the border, stays held
 /// @param least of minimise_stretch(), or match_border() where the border keeps its lengths
 /// @param most_rms a share of length, at least that of `least`
@@ -26,7 +26,7 @@ LeastStretch spread_stretch(const Disk& disk, StretchSystem& system,
 /// Lowers the rms strain of the edges of a pattern of least stretch to `most_rms`, or as far as it
 /// gets: the symmetric Dirichlet energy, which least stretch has least, counts shear more
 /// (docs/unfold.md, "A limit of the rms"). No triangle flips, and a border that does not cross
-/// itself goes on so. Parameters as of spread_stretch().
+/// itself stays so. Parameters as of spread_stretch().
 /// @return `least` itself where it is there already
 LeastStretch lower_rms(const Disk& disk, StretchSystem& system, std::span<const FlatEdge> edges,
                        LeastStretch least, double most_rms,

@@ -1,6 +1,6 @@
 // The least change that limits need, and the least strain within a tolerance.
 
-#include "flatten/least_change.h"
+#include "flatten/steps/least_change.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "flatten/least_change.h"
+#include "flatten/steps/least_change.h"
 
 #include <algorithm>
 #include <cmath>

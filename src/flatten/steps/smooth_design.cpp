@@ -4,7 +4,7 @@
 
 #include <planish/flatten/flatten.h>
 
-#include "flatten/least_change.h"
+#include "flatten/steps/least_change.h"
 #include "measure/smoothed.h"
 #include "measure/smoothed_border.h"
 

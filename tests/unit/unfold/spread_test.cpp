@@ -116,6 +116,18 @@ TEST(LimitOfRms, HoldsMatchedSeams) {
   EXPECT_LT(largest_border_strain(patch, pattern.positions), 1e-9);
 }
 
+TEST(Spread, LeavesWhatAnySheetTakesToTheBit) {
+  // A shallow bowl: 0.1 % of stretch.
+  const Patch patch(meshes::height_field(12, 12, [](double x, double y) {
+    return 0.004 * ((x - 6.0) * (x - 6.0) + (y - 6.0) * (y - 6.0));
+  }));
+  const Pattern least = least_stretch(patch);
+  const double peak = edge_strain(patch, least.positions).p99;
+  EXPECT_GT(peak, 2e-4);
+  EXPECT_LT(peak, 2e-3);
+  EXPECT_EQ(unfold(patch).positions, least.positions);
+}
+
 TEST(Spread, LeavesAFlattenablePatchToTheBit) {
   const Patch patch(make_shape("cone", 400));
   EXPECT_EQ(unfold(patch).positions, least_stretch(patch).positions);

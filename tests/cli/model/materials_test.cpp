@@ -63,11 +63,12 @@ TEST_F(Materials, HaveTheSourceOfEachFigure) {
 }
 
 TEST_F(Materials, AreFilesInJson) {
-  for (auto& material : planish({"materials", "--json"}).json()["materials"]) {
-    const auto known = material;
+  const nlohmann::json listed = planish({"materials", "--json"}).json();
+  for (const nlohmann::json& known : listed.at("materials")) {
+    nlohmann::json material = known;
     material["name"] = "mine";
     write(material.dump());
-    auto read = planish({"materials", "my.json", "--json"}).json()["materials"][0];
+    nlohmann::json read = planish({"materials", "my.json", "--json"}).json()["materials"][0];
     EXPECT_EQ(read["name"], "mine");
     read["name"] = known["name"];
     EXPECT_EQ(read, known);

@@ -80,11 +80,23 @@ std::string value_of(const Flag& flag, const CLI::Option& option) {
   return all;
 }
 
-void read_flags(const Options& options, const FlagGroup& group, Arguments& arguments) {
+/// Of several values the last one counts.
+void note_other_values(const Flag& flag, const CLI::Option& option, Parsed& parsed) {
+  if (flag.value.empty() || flag.accepts.repeats) return;
+  const auto given = option.results();
+  const auto other = std::find_if(given.begin(), given.end(),
+                                  [&](const std::string& value) { return value != given.back(); });
+  if (other == given.end()) return;
+  parsed.notes.push_back(flag.name + " is given as " + *other + " and as " + given.back() +
+                         "; the last one counts");
+}
+
+void read_flags(const Options& options, const FlagGroup& group, Parsed& parsed) {
   for (const Flag& flag : group.flags) {
     const CLI::Option* option = options.at(flag.name);
     if (option->count() == 0) continue;
-    arguments.flags[flag.name] = value_of(flag, *option);
+    parsed.arguments.flags[flag.name] = value_of(flag, *option);
+    note_other_values(flag, *option, parsed);
   }
 }
 
@@ -273,14 +285,14 @@ Parsed parse(std::span<const std::string> args) {
   }
 
   Parsed parsed;
-  read_flags(global, global_flags(), parsed.arguments);
+  read_flags(global, global_flags(), parsed);
   const auto given_verbs = app.get_subcommands();
   if (!given_verbs.empty()) {
     const Verb& verb = verbs.at(given_verbs.front());
     parsed.command = verb.command;
-    read_flags(verb.options, global_flags(), parsed.arguments);
+    read_flags(verb.options, global_flags(), parsed);
     for (const FlagGroup& group : parsed.command->groups)
-      read_flags(verb.options, group, parsed.arguments);
+      read_flags(verb.options, group, parsed);
     for (const CLI::Option* operand : verb.operands) {
       const auto given = operand->results();
       parsed.arguments.operands.insert(parsed.arguments.operands.end(), given.begin(), given.end());

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "shell/command.h"
 
@@ -11,6 +12,7 @@ namespace planish::cli {
 struct Parsed {
   const Command* command = nullptr;  ///< nullptr where no verb was given
   Arguments arguments;               ///< global flags among them
+  std::vector<std::string> notes;    ///< what may not be meant: a flag with two values
 };
 
 /// Takes a command line apart. Asking for help or the version wins over every other fault.

@@ -39,6 +39,8 @@ CommandResult obey(std::span<const std::string> args, std::ostream& err,
   }
   if (parsed.command == nullptr) throw UsageError("no verb given");
   Session session(parsed.arguments, err, context);
+  for (const std::string& note : parsed.notes)
+    session.note(note);
   return parsed.command->run(with_stated_unit(*parsed.command, parsed.arguments, session), session);
 }
 

@@ -48,13 +48,18 @@ RemeshedPatch whole(const Patch& patch, const Constraints& constraints) {
 
 }  // namespace
 
+std::size_t vertices_of_remeshed(const Patch& patch) {
+  if (!can_be_coarsened(patch)) return patch.vertex_count();
+  const std::size_t wanted = std::max(k_enough, k_per_border_vertex * border_vertices(patch));
+  return std::min(wanted, patch.vertex_count());
+}
+
 RemeshedPatch remesh(const Patch& patch, const Constraints& constraints,
                      std::span<const Index> keep) {
   require(patch.inspection(), Purpose::measure);
   const std::vector<unsigned char> marks = kept_marks(patch, constraints, keep);
-  if (!can_be_coarsened(patch)) return whole(patch, constraints);
-  const std::size_t wanted = std::max(k_enough, k_per_border_vertex * border_vertices(patch));
-  if (wanted >= patch.vertex_count()) return whole(patch, constraints);
+  const std::size_t wanted = vertices_of_remeshed(patch);
+  if (wanted == patch.vertex_count()) return whole(patch, constraints);
   CoarsePatch coarse = coarsen(patch, wanted, CoarseBorder::kept, marks);
   Constraints left = restricted_to(constraints, coarse.source);
   return {Patch(std::move(coarse.mesh)), std::move(left), std::move(coarse.source)};

@@ -468,7 +468,9 @@ FlattenReport flatten(const Patch& patch, std::string name, const FlattenOptions
                       const Context& context) {
   check_request(options);
   FlattenReport report = Flattening(options, {}, context).run(patch, std::move(name));
-  if (options.ways && !options.method) report.ways = ways_beside(report, options, context);
+  const bool may_move = options.as_needed.max_deviation > 0.0;
+  if (options.ways && !options.method && may_move)
+    report.ways = ways_beside(report, options, context);
   report_progress(context, {"unfolding", 1.0});
   return report;
 }

@@ -187,8 +187,7 @@ std::string state_words(const FlattenReport& report) {
       return "Flat but for a stretch too small to measure";
     case Flatness::stretched:
       if (report.evolve.method) return "Does not lie flat without stretch";
-      return "Needs a sheet that takes " + percent_text(report.unfold.strain.p99) + ": " +
-             neighbours_text(report.unfold.strain);
+      return sheet_needed_text(report.unfold.strain);
     case Flatness::limit_kept:
     case Flatness::limit_missed:
       break;
@@ -316,6 +315,10 @@ std::string form_sentence(const FlattenReport& report) {
 }
 
 }  // namespace
+
+std::string sheet_needed_text(const EdgeStrain& strain) {
+  return "Needs a sheet that takes " + percent_text(strain.p99) + ": " + neighbours_text(strain);
+}
 
 std::string form_faults(const EvolveReport& evolve) {
   return joined(find_form_faults(evolve));

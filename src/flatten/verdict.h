@@ -33,6 +33,10 @@ std::vector<LimitCheck> strain_limits_of(const FlattenReport& report);
 /// @param check of strain_limits_of()
 std::string strain_limit_name(const LimitCheck& check, const FlattenReport& report);
 
+/// "Needs a sheet that takes 8.2 %: neoprene (10 %) does, cotton (5.0 %) does not", of the known
+/// materials the stiffest one that takes it and the one before. Plain UTF-8 text.
+std::string sheet_needed_text(const EdgeStrain& strain);
+
 /// What came out, in plain words: whether the pattern can be cut, how much it is stretched, and
 /// what became of the form. Plain UTF-8 text; its first sentence is short.
 std::string verdict_text(const FlattenReport& report);

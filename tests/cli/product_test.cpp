@@ -91,6 +91,23 @@ TEST_F(Product, TellsOfEachPatchWhetherItsPatternKeepsTheLimit) {
   EXPECT_EQ(planish(looser).exit_code, k_exit_done);
 }
 
+TEST_F(Product, SaysWhatSheetTakesAllPieces) {
+  write_product("two.obj", {sample("tube", "cylinder", 120), sample("round", "dome", 120)});
+  const CliResult result = flatten_product("two.obj", "out");
+  const auto json = nlohmann::json::parse(content_of("out/garment.json"));
+  const std::string verdict = json["verdict"];
+  EXPECT_THAT(verdict, testing::StartsWith("Needs a sheet that takes "));
+  EXPECT_THAT(verdict, testing::EndsWith(" round stretches most. No form was changed."));
+  EXPECT_THAT(content_of("out/garment.html"), HasSubstr(verdict));
+  EXPECT_THAT(result.out, testing::ContainsRegex("2 pieces; model in mm[^\n]*\n\nNeeds a sheet"));
+  write_product("tubes.obj", {sample("tube", "cylinder", 120), sample("pipe", "cylinder", 120)});
+  EXPECT_THAT(flatten_product("tubes.obj", "flat", {"--json"}).json()["verdict"],
+              "Every piece lies flat but for a stretch too small to measure. No form was changed.");
+  EXPECT_THAT(
+      flatten_product("two.obj", "near", {"--json", "--max-strain", "50%"}).json()["verdict"],
+      "No form was changed.");
+}
+
 TEST_F(Product, GivesEveryPatchAFolderInsideTheOne) {
   const CliResult result = flatten_product("coat.obj", "out");
   EXPECT_EQ(result.exit_code, k_exit_done) << result.err;

@@ -185,6 +185,14 @@ TEST(Usage, NoArgumentsGiveAShortHelpOnStandardError) {
   EXPECT_THAT(result.err, HasSubstr("planish measure panel.obj"));
 }
 
+TEST(Usage, NotesThatTheLastOfTwoValuesCounts) {
+  const CliResult result = planish({"materials", "--json", "--threads", "1", "--threads", "1"});
+  EXPECT_EQ(result.err.find("the last one counts"), std::string::npos) << "of equal values";
+  const CliResult two = planish({"materials", "--threads=2", "--threads", "1"});
+  EXPECT_EQ(two.exit_code, k_exit_done);
+  EXPECT_THAT(two.err, HasSubstr("--threads is given as 2 and as 1; the last one counts"));
+}
+
 TEST(Usage, VersionIsOneLine) {
   EXPECT_EQ(planish({"--version"}).out, "planish 0.2.0\n");
   EXPECT_EQ(planish({"evolve", "--version"}).exit_code, k_exit_done);

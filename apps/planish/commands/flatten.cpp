@@ -39,6 +39,7 @@
 #include "shell/text.h"
 #include "shell/values.h"
 #include "text/own_seams.h"
+#include "text/remesh_offer.h"
 #include "text/summary.h"
 #include "text/written_text.h"
 
@@ -179,7 +180,9 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
         annotations_on(std::move(pattern.annotations), arguments, patch, name, session);
     options.keep = named_vertices(pattern.annotations);
     check_pattern_size(patch, name, plan_of(pattern, options.unit, nest.get()), session);
-    return with_turned(flatten(patch, name, options, session.job_context(path)), input.turned);
+    Context context = session.job_context(path);
+    if (!options.remesh) context = offering_remesh(std::move(context), patch, session);
+    return with_turned(flatten(patch, name, options, context), input.turned);
   });
 
   std::optional<NestOutcome> nesting;

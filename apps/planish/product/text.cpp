@@ -60,9 +60,10 @@ std::string pieces_text(const ProductReport& report) {
     missing += report.patches[p].outcome().usable() ? 0 : 1;
   }
   const std::string unit = "; model in " + std::string(to_string(report.unit));
+  const std::string verdict = product_verdict(report);
   return counted(report.patches.size(), "piece") + unit +
-         (missing == 0 ? "" : "; " + std::to_string(missing) + " to look at, first") + "\n\n" +
-         text;
+         (missing == 0 ? "" : "; " + std::to_string(missing) + " to look at, first") + "\n" +
+         (verdict.empty() ? "" : "\n" + wrapped(verdict, 0) + "\n") + "\n" + text;
 }
 
 std::string twins_text(const ProductReport& report) {

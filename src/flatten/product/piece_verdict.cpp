@@ -1,6 +1,7 @@
 #include "flatten/product/piece_verdict.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -140,6 +141,35 @@ std::vector<PieceCheck> piece_checks(const PatchResult& piece) {
   std::stable_partition(checks.begin(), checks.end(),
                         [](const PieceCheck& check) { return !check.met; });
   return checks;
+}
+
+std::string product_verdict(const ProductReport& report) {
+  constexpr std::array k_figures = {&EdgeStrain::max,
+                                    &EdgeStrain::rms,
+                                    &EdgeStrain::p99,
+                                    &EdgeStrain::max_stretch,
+                                    &EdgeStrain::p99_stretch,
+                                    &EdgeStrain::max_compression,
+                                    &EdgeStrain::p99_compression};
+  EdgeStrain most;
+  const PatchResult* worst = nullptr;
+  bool has_limits = false, is_changed = false;
+  for (const PatchResult& piece : report.patches) {
+    if (!piece.finished) continue;
+    const EdgeStrain& strain = piece.finished->unfold.strain;
+    has_limits = has_limits || !piece.finished->limits.empty();
+    is_changed = is_changed || piece.finished->deviation.max != 0.0;
+    if (worst == nullptr || strain.p99 > most.p99) worst = &piece;
+    for (double EdgeStrain::*figure : k_figures)
+      most.*figure = std::max(most.*figure, strain.*figure);
+  }
+  if (worst == nullptr) return {};
+  const std::string form = is_changed ? "" : "No form was changed.";
+  if (has_limits) return form;
+  const std::string sheet = is_too_small_to_measure(most)
+                                ? "Every piece lies flat but for a stretch too small to measure"
+                                : sheet_needed_text(most) + ". " + worst->name + " stretches most";
+  return sheet + "." + (form.empty() ? "" : " " + form);
 }
 
 std::string near_borders_name(const ProductReport& report, const NearBorders& near) {

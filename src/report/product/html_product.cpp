@@ -241,6 +241,11 @@ std::string pieces_words(const ProductReport& report) {
                        : " pieces need a look, and are shown first.");
 }
 
+std::string sheet_words(const ProductReport& report) {
+  const std::string verdict = product_verdict(report);
+  return verdict.empty() ? "" : " " + verdict;
+}
+
 std::string near_words(const ProductReport& report) {
   double length = 0.0;
   for (const NearBorders& near : report.near_borders)
@@ -273,9 +278,11 @@ std::string html_report(const ProductReport& report, const ProductPage& page) {
   for (const std::size_t p : missed_first(report))
     tiles += tile_of(report, p, p < page.reports.size() ? page.reports[p] : std::string());
   return html_head(html_title(page.name), k_style) + "<body>\n<main>\n" +
-         html_header("product", page.name, pieces_words(report) + seams_words(report)) + tiles +
-         "</ol>\n" + sheets_section(page) + seam_table(report) + "<footer>Made by planish " +
-         std::string(k_version) + ".</footer>\n</main>\n</body>\n</html>\n";
+         html_header("product", page.name,
+                     pieces_words(report) + sheet_words(report) + seams_words(report)) +
+         tiles + "</ol>\n" + sheets_section(page) + seam_table(report) +
+         "<footer>Made by planish " + std::string(k_version) +
+         ".</footer>\n</main>\n</body>\n</html>\n";
 }
 
 }  // namespace planish

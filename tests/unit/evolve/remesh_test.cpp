@@ -35,6 +35,15 @@ TEST(Remesh, TakesVerticesFromTheInsideOnly) {
   EXPECT_FALSE(blocking_problem(left.patch.inspection(), Purpose::unfold).has_value());
 }
 
+TEST(Remesh, LeavesAboutAsManyVerticesAsItSays) {
+  for (const std::size_t vertices : {1000U, 9000U, 20000U}) {
+    const Patch surface(make_shape("panel", vertices));
+    const auto said = static_cast<double>(vertices_of_remeshed(surface));
+    EXPECT_NEAR(static_cast<double>(remesh(surface).patch.vertex_count()), said, 0.2 * said)
+        << vertices;
+  }
+}
+
 TEST(Remesh, KeepsWhatIsFixedAndTheWeightsOfWhatIsLeft) {
   const TriMesh mesh = make_shape("panel", 9000);
   const Patch surface(mesh);

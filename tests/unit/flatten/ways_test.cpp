@@ -70,6 +70,10 @@ std::vector<Way> ways_of(FlattenOptions options) {
   return flattened(options).ways;
 }
 
+TEST(Ways, AreNoneWhereNothingMayMove) {
+  EXPECT_TRUE(ways_of({.as_needed = {.max_deviation = 0.0}, .limits = {.rms = 0.001}}).empty());
+}
+
 TEST(Ways, AreOfLimitsThatTheDesignMisses) {
   const EdgeStrain design = flattened({}).unfold.strain;
   const std::vector<Way> ways = ways_of({});

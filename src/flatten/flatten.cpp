@@ -9,6 +9,7 @@
 #include "flatten/check_request.h"
 #include "flatten/choices/find_ways.h"
 #include "flatten/steps/aim.h"
+#include "flatten/steps/coarse_job.h"
 #include "flatten/steps/evolve_patch.h"
 #include "flatten/steps/least_change.h"
 #include "flatten/steps/unfold_patch.h"
@@ -31,6 +32,18 @@ constexpr double k_share_of_plain = 0.03;  // of laying the design flat once mor
 WorkShares shares_with(const StrainLimits& limits) {
   return limits.any() ? WorkShares{0.25, 0.2, 0.25} : WorkShares{0.15, 0.87, 0.95};
 }
+
+/// Searches of larger patches begin where that of a coarse mesh ended, and try less: each trial
+/// takes tens of seconds on 60,000 vertices.
+constexpr std::size_t k_large = 12'000, k_coarse_vertices = 3'000;
+constexpr SearchEffort k_effort_of_large = {
+    .runs = 3, .trials = 2, .first_halvings = 2, .last_halvings = 4, .halvings = 4};
+
+/// What the search for the least change came to on a coarse mesh.
+struct CoarseSearch {
+  std::optional<double> gone;  ///< of the design's strain, by the surface that was found
+  bool design_misses = false;  ///< the pattern of the design is far from keeping the limits
+};
 
 /// One run of the main job.
 class Flattening {
@@ -167,8 +180,10 @@ class Flattening {
     report_.as_designed =
         with_limits_checked(work_patch(patch), unfolded(work_patch(patch), how, shares_.design));
     const bool is_plain = !limits_.any() && !options_.match_seams;
-    before_ = is_plain ? report_.as_designed
-                       : unfolded(work_patch(patch), without_limits(), k_share_of_plain);
+    if (is_plain)
+      before_ = report_.as_designed;
+    else if (!before_)
+      before_ = unfolded(work_patch(patch), without_limits(), k_share_of_plain);
   }
 
   void keep_design(const Patch& patch) {
@@ -191,12 +206,44 @@ class Flattening {
   /// may have a better one.
   bool is_done_as_it_is(const Patch& patch) {
     if (!aim_.any()) return false;
+    if (is_searched_on_coarse_mesh(patch)) search_on_coarse_mesh(work_patch(patch));
+    if (coarse_search_.design_misses) {
+      report_.as_designed = with_limits_checked(work_patch(patch), *before_);
+      return false;
+    }
     unfold_input(patch);
     design_serves_ = all_kept(checks_of_aim(work_patch(patch), report_.as_designed));
     if (!design_serves_) show_least_stretch(patch);
     if (!design_serves_ || (limits_.any() && report_.as_designed.pattern.overlaps)) return false;
     take_design(patch, StopReason::strain_met);
     return true;
+  }
+
+  bool is_searched_on_coarse_mesh(const Patch& patch) const {
+    return work_patch(patch).vertex_count() > k_large && limits_.any() && seeks_least_change();
+  }
+
+  void search_on_coarse_mesh(const Patch& work) {
+    constexpr double far = 0.8;  // of the limits that strain may have
+    before_ = unfolded(work, without_limits(), k_share_of_plain);
+    const ThreadPool pool(context_);
+    const auto coarse = coarse_job(work, options_, k_coarse_vertices,
+                                   {before_->strain, before_->strain}, pool, context_);
+    if (!coarse) return;
+    FlattenOptions job = coarse->options;
+    job.limits = coarse->strain.scaled(limits_);
+    Context context = context_;
+    context.on_progress = {};
+    try {
+      const FlattenReport found = Flattening(job, {}, context).run(coarse->patch, {});
+      coarse_search_.design_misses =
+          share_of_limits(
+              check_limits(coarse->patch, found.as_designed.pattern.positions, job.limits)) < far;
+      if (all_kept(found.unfold.limits))
+        coarse_search_.gone = 1.0 - least_strain(found.unfold).rms / found.unfold_before.strain.rms;
+    } catch (const Error&) {
+      // The search begins as that of a small patch does.
+    }
   }
 
   /// Whether the limits were kept from the beginning, and evolving did not part what overlaps.
@@ -228,6 +275,8 @@ class Flattening {
   /// The result is the input though its pattern misses the limits, with the one that misses them
   /// least.
   void keep_missed_design(const Patch& patch) {
+    if (coarse_search_.design_misses)
+      within_limits_ = unfolded_within_limits(work_patch(patch), shares_.design);
     if (within_limits_) report_.as_designed = std::move(*within_limits_);
     take_design(patch, StopReason::design_kept);
   }
@@ -308,7 +357,7 @@ class Flattening {
     const bool near = method.prefer == Prefer::near;
     const double b0 = near ? 0.0 : design_bending(work_patch(patch));
     SurfaceRuns runs;
-    runs.effort = effort_;
+    runs.effort = work_patch(patch).vertex_count() > k_large ? k_effort_of_large : effort_;
     runs.evolved = [this, &patch, led = method](const SurfaceLimits& limits) mutable {
       led.max_strain = 0.0;
       led.max_rms_strain = limits.rms_strain;
@@ -347,7 +396,7 @@ class Flattening {
 
   std::optional<EvolvedPattern> nearest_within_limits(const Patch& patch, const SurfaceRuns& runs) {
     return least_change(work_patch(patch), within_limits_ ? *within_limits_ : report_.as_designed,
-                        before_->strain.rms, runs);
+                        before_->strain.rms, runs, coarse_search_.gone);
   }
 
   bool changes_least(const Patch& patch) {
@@ -433,6 +482,7 @@ class Flattening {
   double spent_ = 0.0;                  // of a tolerance, by smoothing first
   bool design_serves_ = false;          // its pattern keeps the limits
   std::optional<UnfoldReport> before_;  // the input without limits, where that is known already
+  CoarseSearch coarse_search_;
   std::optional<UnfoldReport> within_limits_;  // the input's pattern that misses them least
 };
 

@@ -11,7 +11,6 @@
 
 #include "core/careful_sum.h"
 #include "core/job.h"
-#include "mesh/coarsen/coarsen.h"
 
 namespace planish {
 
@@ -52,68 +51,6 @@ std::vector<Way> missed_limits(const EdgeStrain& design) {
   return ways;
 }
 
-/// The patch with few vertices, and the ends of its fold among them.
-std::pair<Patch, FlattenOptions> coarse_job(const Patch& patch, const FlattenOptions& options,
-                                            const ThreadPool& pool) {
-  FlattenOptions how;
-  how.as_needed = options.as_needed;
-  how.unit = options.unit;
-  std::vector<unsigned char> keep;
-  if (options.fold) {
-    keep.assign(patch.vertex_count(), 0);
-    for (const Index v : *options.fold)
-      keep[v] = 1;
-  }
-  CoarsePatch coarse = coarsen(patch, k_coarse_vertices, CoarseBorder::thinned, keep, &pool);
-  if (options.fold) {
-    how.fold = {};
-    std::array<Index, 2> ends = *options.fold;
-    for (Index& v : ends) {
-      const auto found = std::lower_bound(coarse.source.begin(), coarse.source.end(), v);
-      v = static_cast<Index>(found - coarse.source.begin());
-    }
-    how.fold = ends;
-  }
-  return {Patch(std::move(coarse.mesh)), how};
-}
-
-/// How many times the strain of the design its coarse mesh has. Limits are as many times as large
-/// there, so that the same share of the strain goes.
-struct CoarseStrain {
-  double of_edges = 1.0, rms = 1.0;
-
-  /// @throws Error if the coarse mesh has no pattern
-  CoarseStrain(const Patch& coarse, const FlattenOptions& how, const StrainOfDesign& design,
-               const Context& context) {
-    // What a coarse mesh lacks of the strain is fine, as noise is: that goes with hardly a move.
-    // But its edges leave out some of a peak too.
-    constexpr double least_of_edges = 0.7, least_rms = 1.0;
-    const bool is_spread = design.now.p99 != design.least.p99;
-    const UnfoldReport report =
-        unfold_patch(coarse, how.unit, {.least_stretch = !is_spread, .fold = how.fold}, context);
-    const EdgeStrain least = report.unlimited_strain.value_or(report.strain);
-    if (design.now.p99 > 0.0)
-      of_edges = std::max(least_of_edges, report.strain.p99 / design.now.p99);
-    if (design.least.rms > 0.0) rms = std::max(least_rms, least.rms / design.least.rms);
-  }
-
-  StrainLimits scaled(StrainLimits limits) const {
-    for (const StrainLimitKind kind : k_strain_limit_kinds) {
-      const double scale = kind == StrainLimitKind::rms ? rms : of_edges;
-      limits.of(kind) = std::min(scale * limits.of(kind), k_largest_strain_limit);
-    }
-    return limits;
-  }
-
-  EdgeStrain scaled_back(EdgeStrain strain) const {
-    for (double* figure : {&strain.max, &strain.p99, &strain.max_stretch, &strain.p99_stretch,
-                           &strain.max_compression, &strain.p99_compression})
-      *figure /= of_edges;
-    strain.rms /= rms;
-    return strain;
-  }
-};
-
 /// The rms distance of two surfaces over the area of the first, where moves are linear on
 /// triangles. That of inner vertices says too much of a coarse mesh, as none is near the border.
 double rms_move(const Patch& patch, std::span<const Vec3> after) {
@@ -151,38 +88,27 @@ Way estimated(Way way, const FlattenReport& tried, const CoarseStrain& strain) {
 std::vector<Way> find_ways(const Patch& patch, const FlattenOptions& options,
                            const StrainOfDesign& design, const CoarseRun& run,
                            const Context& context) {
-  const Constraints& given = options.constraints;
-  if (!given.fixed.empty() || !given.weights.empty() || !given.obstacle.triangles.empty() ||
-      patch.vertex_count() > k_most_vertices_of_ways || !can_be_coarsened(patch)) {
-    return {};
-  }
+  if (patch.vertex_count() > k_most_vertices_of_ways) return {};
   std::vector<Way> ways = missed_limits(design.now);
   if (ways.empty()) return ways;
   ThreadPool pool(context);
-  const auto [coarse, how] = coarse_job(patch, options, pool);
-  Context alone = context;
-  alone.on_progress = {};
-  alone.threads = 1;
-  std::optional<CoarseStrain> strain;
-  try {
-    strain.emplace(coarse, how, design, alone);
-  } catch (const Error&) {
-    return {};  // a mesh so coarse may have no pattern where the design has one
-  }
+  const std::optional<CoarseJob> coarse =
+      coarse_job(patch, options, k_coarse_vertices, design, pool, context);
+  if (!coarse) return {};
   std::vector<unsigned char> is_known(ways.size(), 0);
-  pool.for_ranges(ways.size(), 1,
-                  [&, &coarse = coarse, &how = how](std::size_t k, std::size_t end) {
-                    for (; k < end; ++k) {
-                      FlattenOptions job = how;
-                      job.limits = strain->scaled(ways[k].limits);
-                      try {
-                        ways[k] = estimated(std::move(ways[k]), run(coarse, job, alone), *strain);
-                        is_known[k] = 1;
-                      } catch (const Error&) {
-                        // There is no estimate.
-                      }
-                    }
-                  });
+  pool.for_ranges(ways.size(), 1, [&](std::size_t k, std::size_t end) {
+    for (; k < end; ++k) {
+      FlattenOptions job = coarse->options;
+      job.limits = coarse->strain.scaled(ways[k].limits);
+      try {
+        ways[k] = estimated(std::move(ways[k]), run(coarse->patch, job, alone_with(context)),
+                            coarse->strain);
+        is_known[k] = 1;
+      } catch (const Error&) {
+        // There is no estimate.
+      }
+    }
+  });
   std::vector<Way> known;
   for (std::size_t k = 0; k < ways.size(); ++k) {
     if (is_known[k] != 0) known.push_back(std::move(ways[k]));

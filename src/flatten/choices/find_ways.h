@@ -1,20 +1,12 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include <planish/flatten/flatten.h>
 
+#include "flatten/steps/coarse_job.h"
+
 namespace planish {
-
-/// The strain of a design that ways lead away from.
-struct StrainOfDesign {
-  EdgeStrain now;    ///< of its pattern
-  EdgeStrain least;  ///< of its pattern of least stretch
-};
-
-/// Flattens a coarse mesh, as flatten().
-using CoarseRun = std::function<FlattenReport(const Patch&, const FlattenOptions&, const Context&)>;
 
 /// What would keep the limits that a design's pattern misses: those of three materials that do not
 /// take the design, the one that takes most, the one that takes least and one between, and 2, 1 and

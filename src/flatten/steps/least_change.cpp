@@ -172,13 +172,14 @@ double go_back(const Patch& design, EvolvedPattern& found, const SurfaceRuns& ru
 }
 
 std::optional<EvolvedPattern> least_change(const Patch& design, const UnfoldReport& as_designed,
-                                           double design_strain, const SurfaceRuns& runs) {
+                                           double design_strain, const SurfaceRuns& runs,
+                                           std::optional<double> first_gone) {
   constexpr double unknown = 0.9;  // of what went, where going back is no measure
   const double excess = 1.0 / share_of_limits(as_designed.limits);
   const double idle = k_idle * design_strain, most = idle - k_unmeasurable_strain;
   if (!(excess > 1.0) || !(most > 0.0)) return std::nullopt;
-  // As if all strain fell alike.
-  BoundarySearch search(excess, idle - design_strain / excess, most, runs.effort.trials);
+  const double left = first_gone ? design_strain * (1.0 - *first_gone) : design_strain / excess;
+  BoundarySearch search(excess, idle - left, most, runs.effort.trials);
   std::optional<WayBack> nearest;
   while (const auto amount = search.next()) {
     EvolvedPattern found = {runs.evolved({.rms_strain = idle - *amount}), {}};

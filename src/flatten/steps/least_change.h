@@ -95,9 +95,12 @@ double go_back(const Patch& design, EvolvedPattern& found, const SurfaceRuns& ru
 /// are those of before going back.
 /// @param as_designed of the design, which misses them
 /// @param design_strain least_strain() of the design, rms
+/// @param first_gone the share of it that the first trial is to take out; none: as if all strain
+///   fell alike
 /// @return none where no pattern kept them
 std::optional<EvolvedPattern> least_change(const Patch& design, const UnfoldReport& as_designed,
-                                           double design_strain, const SurfaceRuns& runs);
+                                           double design_strain, const SurfaceRuns& runs,
+                                           std::optional<double> first_gone = {});
 
 /// How far a surface may go from its design.
 struct Tolerance {

@@ -76,6 +76,17 @@ TEST(LeastChange, IsNearerThanTheSurfaceThatKeepsTheLimitByItsEstimate) {
   }
 }
 
+TEST(LeastChange, OfALargePatchIsThatOfASmallOne) {
+  const auto changed = [](std::size_t vertices) {
+    return run_flatten(make_shape("panel", vertices), {.limits = {.rms = 0.004}}, 0);
+  };
+  const FlattenReport large = changed(12'500), small = changed(3'000);
+  EXPECT_TRUE(all_kept(large.unfold.limits));
+  EXPECT_TRUE(large.evolve.fairness.is_smooth());
+  EXPECT_GT(large.evolve.deviation.rms, 0.0);
+  EXPECT_LT(large.evolve.deviation.rms, 1.1 * small.evolve.deviation.rms);
+}
+
 TEST(LeastChange, IsTheSameOnAnyNumberOfThreads) {
   const TriMesh mesh = make_shape("panel", 500);
   for (const FlattenOptions& options : {FlattenOptions{.limits = {.p99 = 0.008}},

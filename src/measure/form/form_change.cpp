@@ -139,13 +139,13 @@ Compared compared(const Patch& design, std::span<const Vec3> after, double size)
   return pair;
 }
 
-/// How far each vertex of the design is from the border, along edges; infinity without one.
-std::vector<double> border_distances(const Compared& pair) {
+/// How far each vertex of the design is from the border, along edges; infinity beyond `most`.
+std::vector<double> border_distances(const Compared& pair, double most) {
   using Entry = std::pair<double, Index>;
   std::vector<double> distances(pair.before.size(), std::numeric_limits<double>::infinity());
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   const auto reach = [&](Index v, double distance) {
-    if (!(distance < distances[v])) return;
+    if (!(distance < distances[v]) || distance > most) return;
     distances[v] = distance;
     queue.emplace(distance, v);
   };
@@ -307,41 +307,40 @@ Relief relief_of(const Compared& pair, const Window& window) {
 /// over the radius along its mean plane.
 class EvenPart {
  public:
-  EvenPart(const Compared& pair, const Window& window, double radius)
-      : pair_(pair), window_(window), scale_(1.0 / radius) {
+  EvenPart(const Compared& pair, const Window& window, double radius) : window_(window) {
+    const std::size_t n = window.vertices.size();
+    weights_.reserve(n);
+    terms_.reserve(n);
     Vec3 normal = {};
-    for (std::size_t i = 0; i < window.vertices.size(); ++i) {
-      normal += weight(i) * pair.normals_before[window.vertices[i]];
-      area_ += weight(i);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index v = window.vertices[i];
+      weights_.push_back(window.weights[i] * pair.areas[v]);
+      normal += weights_[i] * pair.normals_before[v];
+      area_ += weights_[i];
     }
-    frame_ = frame_of(unit(normal));
+    const Matrix3d frame = frame_of(unit(normal));
     Matrix3d squares = Matrix3d::Zero();
-    for (std::size_t i = 0; i < window.vertices.size(); ++i) {
-      const Vector3d x = terms(window.vertices[i]);
-      squares += weight(i) * x * x.transpose();
+    for (const Index v : window.vertices) {
+      const Vec3 p = (1.0 / radius) * (pair.before[v] - pair.before[window.vertices.front()]);
+      const Vector3d place = frame * Vector3d(p.x, p.y, p.z);
+      const Vector3d x(1.0, place[0], place[1]);
+      squares += weights_[terms_.size()] * x * x.transpose();
+      terms_.push_back(x);
     }
     squares += 1e-9 * area_ * Matrix3d::Identity();  // for windows of one line
     squares_ = squares.ldlt();
   }
 
   double area() const { return area_; }
-  double weight(std::size_t i) const {
-    return window_.weights[i] * pair_.areas[window_.vertices[i]];
-  }
-
-  /// 1, x, y.
-  Vector3d terms(Index v) const {
-    const Vec3 p = scale_ * (pair_.before[v] - pair_.before[window_.vertices.front()]);
-    const Vector3d place = frame_ * Vector3d(p.x, p.y, p.z);
-    return {1.0, place[0], place[1]};
-  }
+  /// 1, x, y of a vertex by its place in the window.
+  const Vector3d& terms(std::size_t i) const { return terms_[i]; }
 
   /// c0, c1, c2 of value_of(vertex).
   template <class ValueOf>
   Vector3d fitting(const ValueOf& value_of) const {
     Vector3d sum = Vector3d::Zero();
-    for (std::size_t i = 0; i < window_.vertices.size(); ++i)
-      sum += weight(i) * value_of(window_.vertices[i]) * terms(window_.vertices[i]);
+    for (std::size_t i = 0; i < terms_.size(); ++i)
+      sum += weights_[i] * value_of(window_.vertices[i]) * terms_[i];
     return squares_.solve(sum);
   }
 
@@ -350,21 +349,20 @@ class EvenPart {
   double beyond(const VectorOf& vector_of) const {
     Matrix3d sum = Matrix3d::Zero();
     double squares = 0.0;
-    for (std::size_t i = 0; i < window_.vertices.size(); ++i) {
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
       const Vec3 value = vector_of(window_.vertices[i]);
-      sum +=
-          weight(i) * terms(window_.vertices[i]) * Vector3d(value.x, value.y, value.z).transpose();
-      squares += weight(i) * dot(value, value);
+      sum += weights_[i] * terms_[i] * Vector3d(value.x, value.y, value.z).transpose();
+      squares += weights_[i] * dot(value, value);
     }
     const Matrix3d even = squares_.solve(sum);
     return std::sqrt(std::max(squares - even.cwiseProduct(sum).sum(), 0.0) / area_);
   }
 
  private:
-  const Compared& pair_;
   const Window& window_;
-  double scale_ = 1.0, area_ = 0.0;
-  Matrix3d frame_;
+  double area_ = 0.0;
+  std::vector<double> weights_;
+  std::vector<Vector3d> terms_;
   Eigen::LDLT<Matrix3d> squares_;
 };
 
@@ -379,7 +377,7 @@ double dent_of(const Compared& pair, const Window& window, double radius) {
   for (std::size_t i = 0; i < window.vertices.size(); ++i) {
     const Index v = window.vertices[i];
     if (window.weights[i] < 1.0 - near * near) continue;
-    sum += pair.areas[v] * (pair.offsets[v] - whole.dot(even.terms(v)));
+    sum += pair.areas[v] * (pair.offsets[v] - whole.dot(even.terms(i)));
     area += pair.areas[v];
   }
   return area > 0.0 ? std::abs(sum / area) : 0.0;
@@ -410,7 +408,8 @@ MoreBent more_bent(const Compared& pair) {
   std::vector<WindowBending> windows;
   Figures designed, bent;
   const double radius = pair.radius(k_bend_radius);
-  const std::vector<double> to_border = border_distances(pair);
+  const double near_border = k_border_radii * radius;
+  const std::vector<double> to_border = border_distances(pair, near_border);
   for_each_window(pair.connectivity, pair.before, pair.areas, radius, [&](const Window& window) {
     if (!has_enough(window)) return;
     const WindowBending found = bending_of(pair, window);
@@ -420,7 +419,7 @@ MoreBent more_bent(const Compared& pair) {
   });
   const double calm = designed.at_most_on(k_calm_part);
   for (const WindowBending& window : windows) {
-    const double part = to_border[window.middle] > k_border_radii * radius ? 1.0 : k_border_part;
+    const double part = to_border[window.middle] > near_border ? 1.0 : k_border_part;
     bent.add(part * window.more(calm), window.share, window.middle);
   }
   return {bent.at_most_on(nearly_all), bent.largest(), bent.place_of_largest()};

@@ -122,7 +122,8 @@ std::string loss_of(const Fairness& fairness) {
                        fairness.height_ratio.value_or(1.0) < k_kept_height ||
                        fairness.largest_move.value_or(0.0) > k_kept_move;
   if (is_lost) return "is lost";
-  return seen.is_dented() ? "is dented" : "lost its edges";
+  if (seen.is_dented()) return "is dented";
+  return seen.has_lost_edge() ? "lost its edges" : "is uneven";
 }
 
 /// Whether a run that was to end by the strain ended so, or with nothing left to do.

@@ -380,6 +380,7 @@ std::string form_loss_text(const Fairness& fairness) {
         " of their height");
   if (seen.has_lost_edge()) add("edges are rounded off");
   if (seen.is_dented()) add("a dent or bulge is new");
+  if (seen.is_uneven()) add("small features changed");
   if (fairness.largest_move.value_or(0.0) > k_kept_move)
     add("a part moved by " + percent_text(*fairness.largest_move) + " of the whole size");
   return text;

@@ -94,10 +94,10 @@ Json to_json(const std::optional<Fold>& fold) {
 Json to_json(const std::optional<FormChange>& change) {
   if (!change) return nullptr;
   const auto place = [](Vec3 at) { return Json{at.x, at.y, at.z}; };
-  return {{"ripple", change->ripple},          {"fold", change->fold},
-          {"fold_at", place(change->fold_at)}, {"dent", change->dent},
-          {"dent_at", place(change->dent_at)}, {"relief_lost", change->relief_lost},
-          {"edge_lost", change->edge_lost}};
+  return {{"ripple", change->ripple},           {"fold", change->fold},
+          {"fold_at", place(change->fold_at)},  {"dent", change->dent},
+          {"dent_at", place(change->dent_at)},  {"uneven_turn", change->uneven_turn},
+          {"relief_lost", change->relief_lost}, {"edge_lost", change->edge_lost}};
 }
 
 /// The figures of a result beside its design, but for the sharp share.

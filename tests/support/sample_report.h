@@ -66,6 +66,7 @@ inline FlattenReport flatten_report() {
                                                       .fold_at = {9.5, 1.0, 0.25},
                                                       .dent = 0.01,
                                                       .dent_at = {4.5, 3.0, 0.5},
+                                                      .uneven_turn = 1.5,
                                                       .relief_lost = 0.125,
                                                       .edge_lost = 0.0625}};
   report.evolve.result.positions = report.processed.positions();

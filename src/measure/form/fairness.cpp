@@ -233,8 +233,9 @@ bool Fairness::is_smooth_within(double max_bending) const {
 
 bool Fairness::keeps_form() const {
   const FormChange seen = form_change.value_or(FormChange{});
-  return !seen.is_dented() && !seen.has_lost_relief() && !seen.has_lost_edge() &&
-         height_ratio.value_or(1.0) >= k_kept_height && largest_move.value_or(0.0) <= k_kept_move;
+  return !seen.is_dented() && !seen.is_uneven() && !seen.has_lost_relief() &&
+         !seen.has_lost_edge() && height_ratio.value_or(1.0) >= k_kept_height &&
+         largest_move.value_or(0.0) <= k_kept_move;
 }
 
 Fairness fairness_of_design(const Fairness& of_result) {

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
 #include <optional>
+#include <queue>
 #include <span>
 #include <utility>
 #include <vector>
@@ -25,11 +29,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Radii of windows, of the size. What is seen as an edge; as rough; as a hill; as a dent, and its
-// middle. A window has a radius of some mean edges at least: a coarse mesh shows no more.
-constexpr double k_edge_radius = 0.02, k_bend_radius = 0.025, k_relief_radius = 0.08,
-                 k_dent_radius = 0.15, k_middle_radius = 0.03;
-constexpr double k_least_edges = 1.5;
+// Radii of windows, of the size. What is seen as an edge; as rough; as a feature; as a hill; as a
+// dent, and its middle. A window has a radius of some mean edges at least: a coarse mesh shows no
+// more.
+constexpr double k_edge_radius = 0.02, k_bend_radius = 0.025, k_feature_radius = 0.06,
+                 k_relief_radius = 0.12, k_dent_radius = 0.1, k_middle_radius = 0.03;
+constexpr double k_least_edges = 1.5, k_least_feature_edges = 2.0;
 constexpr std::size_t k_least_vertices = 4;
 
 // Added bending is compared with the design's bending in the window, plus the bending that two
@@ -37,10 +42,18 @@ constexpr std::size_t k_least_vertices = 4;
 // one sharp bead from masking waves beside it; bending below the constant cannot be seen.
 constexpr double k_calm_part = 2.0 / 3.0, k_least_bending = 8.0;
 
+// Of what is bent more nearer to the border than so many radii, a part counts: there nothing
+// beside it shows how it was.
+constexpr double k_border_radii = 1.15, k_border_part = 0.6;
+
+// Of how unevenly the normals of the design lie. Where a feature turns as a whole or becomes a
+// little lower, its normals turn as unevenly as that.
+constexpr double k_own_part = 0.3;
+
 // Mean edges, of each surface its own: noise is nearly all in shorter waves.
 constexpr double k_noise_wave = 4.0;
 
-constexpr double k_least_relief = 0.04;  // rms height over the radius, from which it stands out
+constexpr double k_least_relief = 0.05;  // rms height over the radius, from which it stands out
 constexpr double k_least_edge = 0.15;    // rms turn across an edge, radians
 // Of all edges, and of the area: less is not missed, and noise has as much.
 constexpr double k_least_edge_part = 0.3, k_least_edge_area = 0.01;
@@ -55,7 +68,9 @@ struct Compared {
   std::vector<double> bending_before = {}, bending_after = {};
   double mean_edge = 0.0;
 
-  double radius(double usual) const { return std::max(usual, k_least_edges * mean_edge); }
+  double radius(double usual, double least_edges = k_least_edges) const {
+    return std::max(usual, least_edges * mean_edge);
+  }
 };
 
 Vec3 unit(Vec3 a) {
@@ -122,6 +137,28 @@ Compared compared(const Patch& design, std::span<const Vec3> after, double size)
     pair.offsets.push_back(dot(pair.after[v] - pair.before[v], pair.normals_before[v]));
   if (edges > 0.0) pair.mean_edge = length.value() / edges;
   return pair;
+}
+
+/// How far each vertex of the design is from the border, along edges; infinity beyond `most`.
+std::vector<double> border_distances(const Compared& pair, double most) {
+  using Entry = std::pair<double, Index>;
+  std::vector<double> distances(pair.before.size(), std::numeric_limits<double>::infinity());
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const auto reach = [&](Index v, double distance) {
+    if (!(distance < distances[v]) || distance > most) return;
+    distances[v] = distance;
+    queue.emplace(distance, v);
+  };
+  for (Index v = 0; v < pair.before.size(); ++v)
+    if (pair.connectivity.is_border(v)) reach(v, 0.0);
+  while (!queue.empty()) {
+    const auto [distance, v] = queue.top();
+    queue.pop();
+    if (distance > distances[v]) continue;
+    for (const Index w : pair.connectivity.ring(v))
+      reach(w, distance + norm(pair.before[w] - pair.before[v]));
+  }
+  return distances;
 }
 
 /// Figures of windows, each with its part of the area.
@@ -266,21 +303,94 @@ Relief relief_of(const Compared& pair, const Window& window) {
   return {std::sqrt(own), common / own};
 }
 
-/// How far the middle of a window went along the normal beyond the whole.
+/// What values of the vertices of a window have in common with even ones: c0 + c1 x + c2 y, x and y
+/// over the radius along its mean plane.
+class EvenPart {
+ public:
+  EvenPart(const Compared& pair, const Window& window, double radius) : window_(window) {
+    const std::size_t n = window.vertices.size();
+    weights_.reserve(n);
+    terms_.reserve(n);
+    Vec3 normal = {};
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index v = window.vertices[i];
+      weights_.push_back(window.weights[i] * pair.areas[v]);
+      normal += weights_[i] * pair.normals_before[v];
+      area_ += weights_[i];
+    }
+    const Matrix3d frame = frame_of(unit(normal));
+    Matrix3d squares = Matrix3d::Zero();
+    for (const Index v : window.vertices) {
+      const Vec3 p = (1.0 / radius) * (pair.before[v] - pair.before[window.vertices.front()]);
+      const Vector3d place = frame * Vector3d(p.x, p.y, p.z);
+      const Vector3d x(1.0, place[0], place[1]);
+      squares += weights_[terms_.size()] * x * x.transpose();
+      terms_.push_back(x);
+    }
+    squares += 1e-9 * area_ * Matrix3d::Identity();  // for windows of one line
+    squares_ = squares.ldlt();
+  }
+
+  double area() const { return area_; }
+  /// 1, x, y of a vertex by its place in the window.
+  const Vector3d& terms(std::size_t i) const { return terms_[i]; }
+
+  /// c0, c1, c2 of value_of(vertex).
+  template <class ValueOf>
+  Vector3d fitting(const ValueOf& value_of) const {
+    Vector3d sum = Vector3d::Zero();
+    for (std::size_t i = 0; i < terms_.size(); ++i)
+      sum += weights_[i] * value_of(window_.vertices[i]) * terms_[i];
+    return squares_.solve(sum);
+  }
+
+  /// The rms of what vectors have beyond it.
+  template <class VectorOf>
+  double beyond(const VectorOf& vector_of) const {
+    Matrix3d sum = Matrix3d::Zero();
+    double squares = 0.0;
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      const Vec3 value = vector_of(window_.vertices[i]);
+      sum += weights_[i] * terms_[i] * Vector3d(value.x, value.y, value.z).transpose();
+      squares += weights_[i] * dot(value, value);
+    }
+    const Matrix3d even = squares_.solve(sum);
+    return std::sqrt(std::max(squares - even.cwiseProduct(sum).sum(), 0.0) / area_);
+  }
+
+ private:
+  const Window& window_;
+  double area_ = 0.0;
+  std::vector<double> weights_;
+  std::vector<Vector3d> terms_;
+  Eigen::LDLT<Matrix3d> squares_;
+};
+
+/// How far the middle of a window went along the normal beyond the whole, which may shift and tilt.
 double dent_of(const Compared& pair, const Window& window, double radius) {
+  const EvenPart even(pair, window, radius);
+  if (!(even.area() > 0.0)) return 0.0;
+  const auto offset = [&](Index v) { return pair.offsets[v]; };
+  const Vector3d whole = even.fitting(offset);
   const double near = pair.radius(k_middle_radius) / radius;
-  double sum = 0.0, area = 0.0, sum_near = 0.0, area_near = 0.0;
+  double sum = 0.0, area = 0.0;
   for (std::size_t i = 0; i < window.vertices.size(); ++i) {
     const Index v = window.vertices[i];
-    const double weight = window.weights[i] * pair.areas[v];
-    sum += weight * pair.offsets[v];
-    area += weight;
     if (window.weights[i] < 1.0 - near * near) continue;
-    sum_near += pair.areas[v] * pair.offsets[v];
-    area_near += pair.areas[v];
+    sum += pair.areas[v] * (pair.offsets[v] - whole.dot(even.terms(i)));
+    area += pair.areas[v];
   }
-  if (!(area > 0.0) || !(area_near > 0.0)) return 0.0;
-  return std::abs(sum_near / area_near - sum / area);
+  return area > 0.0 ? std::abs(sum / area) : 0.0;
+}
+
+/// How unevenly the normals of a window turned, degrees, beyond a part of how they lie.
+double uneven_turn_of(const Compared& pair, const Window& window, double radius) {
+  const EvenPart even(pair, window, radius);
+  if (!(even.area() > 0.0)) return 0.0;
+  const double own = even.beyond([&](Index v) { return pair.normals_before[v]; });
+  const double turned =
+      even.beyond([&](Index v) { return pair.normals_after[v] - pair.normals_before[v]; });
+  return std::max(turned - k_own_part * own, 0.0) * 180.0 / std::numbers::pi;
 }
 
 bool has_enough(const Window& window) {
@@ -298,6 +408,8 @@ MoreBent more_bent(const Compared& pair) {
   std::vector<WindowBending> windows;
   Figures designed, bent;
   const double radius = pair.radius(k_bend_radius);
+  const double near_border = k_border_radii * radius;
+  const std::vector<double> to_border = border_distances(pair, near_border);
   for_each_window(pair.connectivity, pair.before, pair.areas, radius, [&](const Window& window) {
     if (!has_enough(window)) return;
     const WindowBending found = bending_of(pair, window);
@@ -306,8 +418,10 @@ MoreBent more_bent(const Compared& pair) {
     windows.push_back(found);
   });
   const double calm = designed.at_most_on(k_calm_part);
-  for (const WindowBending& window : windows)
-    bent.add(window.more(calm), window.share, window.middle);
+  for (const WindowBending& window : windows) {
+    const double part = to_border[window.middle] > near_border ? 1.0 : k_border_part;
+    bent.add(part * window.more(calm), window.share, window.middle);
+  }
   return {bent.at_most_on(nearly_all), bent.largest(), bent.place_of_largest()};
 }
 
@@ -355,7 +469,7 @@ void find_lost_edges(const Compared& pair, FormChange& change) {
 }
 
 void find_lost_relief(const Compared& pair, FormChange& change) {
-  constexpr double most = 0.8;
+  constexpr double less_than_half = 0.4;  // the rest lost as much or more
   Figures lost;
   const double radius = pair.radius(k_relief_radius);
   for_each_window(pair.connectivity, pair.before, pair.areas, radius, [&](const Window& window) {
@@ -364,7 +478,18 @@ void find_lost_relief(const Compared& pair, FormChange& change) {
     if (relief.rms > k_least_relief * radius)
       lost.add(1.0 - relief.kept, window.share, window.vertices.front());
   });
-  change.relief_lost = std::max(lost.at_most_on(most), 0.0);
+  change.relief_lost = std::max(lost.at_most_on(less_than_half), 0.0);
+}
+
+void find_uneven_turns(const Compared& pair, FormChange& change) {
+  constexpr double nearly_all = 0.98;
+  Figures turns;
+  const double radius = pair.radius(k_feature_radius, k_least_feature_edges);
+  for_each_window(pair.connectivity, pair.before, pair.areas, radius, [&](const Window& window) {
+    if (has_enough(window))
+      turns.add(uneven_turn_of(pair, window, radius), window.share, window.vertices.front());
+  });
+  change.uneven_turn = turns.at_most_on(nearly_all);
 }
 
 void find_dents(const Compared& pair, std::span<const Vec3> after, FormChange& change) {
@@ -393,6 +518,10 @@ bool FormChange::is_dented() const {
   return dent > k_seen_dent;
 }
 
+bool FormChange::is_uneven() const {
+  return uneven_turn > k_seen_uneven_turn;
+}
+
 bool FormChange::has_lost_relief() const {
   return relief_lost > k_seen_relief_lost;
 }
@@ -410,8 +539,10 @@ FormChange form_change_of(const Patch& design, std::span<const Vec3> after, bool
   if (is_noisy) below_noise.emplace(design, after);
   find_folds(pair, after, below_noise, change);
   find_lost_edges(pair, change);
-  // Noise that went is no hill.
-  find_lost_relief(below_noise ? below_noise->pair : pair, change);
+  // Noise that went is no feature and no hill.
+  const Compared& shown = below_noise ? below_noise->pair : pair;
+  find_uneven_turns(shown, change);
+  find_lost_relief(shown, change);
   find_dents(pair, after, change);
   return change;
 }

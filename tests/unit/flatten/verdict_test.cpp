@@ -171,6 +171,8 @@ TEST(FormLoss, SaysWhatIsLost) {
             "height 50\u00A0% of the design's, hills and hollows lost 100\u00A0% of their height");
   EXPECT_EQ(form_loss_text({.form_change = FormChange{.dent = 0.05, .edge_lost = 0.5}}),
             "edges are rounded off, a dent or bulge is new");
+  EXPECT_EQ(form_loss_text({.form_change = FormChange{.uneven_turn = 3.0}}),
+            "small features changed");
   EXPECT_EQ(form_loss_text({.largest_move = k_kept_move}), "");
   EXPECT_EQ(form_loss_text({.largest_move = 0.222}), "a part moved by 22\u00A0% of the whole size");
 }

@@ -48,6 +48,7 @@ TEST(FormChange, OfTheDesignItselfIsNothing) {
   EXPECT_EQ(same.ripple, 0.0);
   EXPECT_EQ(same.fold, 0.0);
   EXPECT_EQ(same.dent, 0.0);
+  EXPECT_EQ(same.uneven_turn, 0.0);
   EXPECT_EQ(same.relief_lost, 0.0);
   EXPECT_EQ(same.edge_lost, 0.0);
 }
@@ -77,6 +78,67 @@ TEST(FormChange, FindsAWideBulgeAtAnyDensity) {
     EXPECT_FALSE(bulged(0.01).is_rippled()) << cells;
     EXPECT_FALSE(bulged(0.01).is_folded()) << cells;
   }
+}
+
+TEST(FormChange, TakesAPartThatTiltsForNoDent) {
+  // A brim that turns as a whole about a line across the sheet.
+  const auto turned = [](double slope) {
+    return [slope](double x, double y) { return panel(x, y) + slope * std::max(0.0, x - 0.5); };
+  };
+  for (const std::size_t cells : {40U, 80U}) {
+    const TriMesh design = sheet(cells, panel);
+    const auto tilted =
+        sheet(cells, [](double x, double y) { return panel(x, y) + 0.1 * (x - 0.5); });
+    EXPECT_LT(change_of(design, tilted).dent, 0.2 * k_seen_dent) << cells;
+    EXPECT_GT(change_of(design, sheet(cells, turned(0.5))).dent, k_seen_dent) << "bent: " << cells;
+  }
+}
+
+TEST(FormChange, FindsSmallFeaturesThatWereBlurredOrAreNew) {
+  // Beads across a bent sheet, 3 % of it wide.
+  const auto beads = [](double height) {
+    return [height](double x, double y) {
+      double z = 0.1 * x * x;
+      for (const double middle : {0.25, 0.5, 0.75}) {
+        const double off = (x - middle) / 0.03;
+        z += height * std::exp(-off * off) * (1.0 - y);
+      }
+      return z;
+    };
+  };
+  for (const std::size_t cells : {60U, 120U}) {
+    const auto uneven = [&](double before, double after) {
+      return change_of(sheet(cells, beads(before)), sheet(cells, beads(after))).is_uneven();
+    };
+    EXPECT_TRUE(uneven(0.02, 0.002)) << cells;
+    EXPECT_TRUE(uneven(0.0, 0.02)) << cells;
+    EXPECT_FALSE(uneven(0.02, 0.018)) << "a little lower: " << cells;
+    EXPECT_FALSE(uneven(0.0, 0.001)) << cells;
+  }
+}
+
+TEST(FormChange, TakesAnEvenChangeOfTheWholeForNoUnevenTurn) {
+  for (const std::size_t cells : {40U, 80U}) {
+    const auto rolled =
+        sheet(cells, [](double x, double y) { return panel(x, y) + 0.15 * x * x + 0.1 * x * y; });
+    EXPECT_LT(change_of(sheet(cells, panel), rolled).uneven_turn, 0.3 * k_seen_uneven_turn)
+        << cells;
+  }
+}
+
+TEST(FormChange, RipplesAlongTheBorderCountLess) {
+  // The same waves in the middle and along a side, in a strip that is as wide.
+  const auto waves = [](double middle) {
+    return [middle](double x, double y) {
+      const double off = (y - middle) / 0.012;
+      return panel(x, y) + 0.0006 * std::sin(60.0 * x) * std::exp(-off * off);
+    };
+  };
+  const TriMesh design = sheet(160, panel);
+  const double inside = change_of(design, sheet(160, waves(0.35))).ripple;
+  const double along = change_of(design, sheet(160, waves(0.015))).ripple;
+  EXPECT_GT(inside, 0.1);
+  EXPECT_LT(along, 0.85 * inside);
 }
 
 TEST(FormChange, FindsRipplesAtAnyDensity) {
@@ -218,6 +280,7 @@ TEST(FormChange, DoesNotDependOnSizeOrPlace) {
   EXPECT_NEAR(there.ripple, here.ripple, 1e-6);
   EXPECT_NEAR(there.fold, here.fold, 1e-6);
   EXPECT_NEAR(there.dent, here.dent, 1e-6);
+  EXPECT_NEAR(there.uneven_turn, here.uneven_turn, 1e-6);
   EXPECT_NEAR(there.relief_lost, here.relief_lost, 1e-6);
   EXPECT_GT(here.relief_lost, 0.05);
   EXPECT_GT(here.fold, 0.2);
@@ -233,6 +296,8 @@ TEST(FormChange, SeesWhatIsAboveItsBounds) {
   EXPECT_TRUE(FormChange{.fold = above(k_seen_new_fold)}.is_folded());
   EXPECT_FALSE(FormChange{.dent = k_seen_dent}.is_dented());
   EXPECT_TRUE(FormChange{.dent = above(k_seen_dent)}.is_dented());
+  EXPECT_FALSE(FormChange{.uneven_turn = k_seen_uneven_turn}.is_uneven());
+  EXPECT_TRUE(FormChange{.uneven_turn = above(k_seen_uneven_turn)}.is_uneven());
   EXPECT_FALSE(FormChange{.relief_lost = k_seen_relief_lost}.has_lost_relief());
   EXPECT_TRUE(FormChange{.relief_lost = above(k_seen_relief_lost)}.has_lost_relief());
   EXPECT_FALSE(FormChange{.edge_lost = k_seen_edge_lost}.has_lost_edge());
@@ -251,8 +316,8 @@ TEST(FormChange, DecidesTheMarks) {
     EXPECT_TRUE(with(bad).keeps_form());
     EXPECT_TRUE(with(bad).is_smooth_within(0.0)) << "searches go by bending alone";
   }
-  for (const FormChange& bad :
-       {FormChange{.dent = 0.05}, FormChange{.relief_lost = 0.4}, FormChange{.edge_lost = 0.5}}) {
+  for (const FormChange& bad : {FormChange{.dent = 0.05}, FormChange{.uneven_turn = 3.0},
+                                FormChange{.relief_lost = 0.4}, FormChange{.edge_lost = 0.5}}) {
     EXPECT_TRUE(with(bad).is_smooth());
     EXPECT_FALSE(with(bad).keeps_form());
   }
@@ -271,6 +336,7 @@ TEST(FormChange, IsTheSameOnAllThreads) {
   EXPECT_EQ(one.ripple, four.ripple);
   EXPECT_EQ(one.fold, four.fold);
   EXPECT_EQ(one.dent, four.dent);
+  EXPECT_EQ(one.uneven_turn, four.uneven_turn);
   EXPECT_EQ(one.relief_lost, four.relief_lost);
   EXPECT_EQ(one.edge_lost, four.edge_lost);
   EXPECT_GT(one.relief_lost, 0.0);

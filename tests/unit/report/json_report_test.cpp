@@ -192,6 +192,7 @@ TEST(JsonReport, TellsHowSmoothTheResultIs) {
                                          {"fold_at", {9.5, 1.0, 0.25}},
                                          {"dent", 0.01},
                                          {"dent_at", {4.5, 3.0, 0.5}},
+                                         {"uneven_turn", 1.5},
                                          {"relief_lost", 0.125},
                                          {"edge_lost", 0.0625}}));
   report.fairness.form_change->relief_lost = 0.29;

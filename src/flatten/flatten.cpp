@@ -7,9 +7,9 @@
 
 #include "core/job.h"
 #include "flatten/check_request.h"
+#include "flatten/choices/coarse_job.h"
 #include "flatten/choices/find_ways.h"
 #include "flatten/steps/aim.h"
-#include "flatten/steps/coarse_job.h"
 #include "flatten/steps/evolve_patch.h"
 #include "flatten/steps/least_change.h"
 #include "flatten/steps/unfold_patch.h"
@@ -33,8 +33,8 @@ WorkShares shares_with(const StrainLimits& limits) {
   return limits.any() ? WorkShares{0.25, 0.2, 0.25} : WorkShares{0.15, 0.87, 0.95};
 }
 
-/// Searches of larger patches begin where that of a coarse mesh ended, and try less: each trial
-/// takes tens of seconds on 60,000 vertices.
+/// Searches of larger patches begin where that of a coarse mesh ended. Where edges have limits they
+/// try less: each pattern takes tens of seconds on 60,000 vertices.
 constexpr std::size_t k_large = 12'000, k_coarse_vertices = 3'000;
 constexpr SearchEffort k_effort_of_large = {
     .runs = 3, .trials = 2, .first_halvings = 2, .last_halvings = 4, .halvings = 4};
@@ -357,7 +357,8 @@ class Flattening {
     const bool near = method.prefer == Prefer::near;
     const double b0 = near ? 0.0 : design_bending(work_patch(patch));
     SurfaceRuns runs;
-    runs.effort = work_patch(patch).vertex_count() > k_large ? k_effort_of_large : effort_;
+    const bool is_slow = work_patch(patch).vertex_count() > k_large && limits_.bounds_edges();
+    runs.effort = is_slow ? k_effort_of_large : effort_;
     runs.evolved = [this, &patch, led = method](const SurfaceLimits& limits) mutable {
       led.max_strain = 0.0;
       led.max_rms_strain = limits.rms_strain;

@@ -38,8 +38,8 @@
 #include "shell/session.h"
 #include "shell/text.h"
 #include "shell/values.h"
+#include "text/large_patch.h"
 #include "text/own_seams.h"
-#include "text/remesh_offer.h"
 #include "text/summary.h"
 #include "text/written_text.h"
 

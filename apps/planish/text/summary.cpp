@@ -16,8 +16,8 @@
 #include "shell/values.h"
 #include "text/angles.h"
 #include "text/candidates_text.h"
+#include "text/large_patch.h"
 #include "text/lengths.h"
-#include "text/memory_text.h"
 #include "text/ways_text.h"
 
 namespace planish::cli {

@@ -4,7 +4,7 @@
 
 #include <planish/flatten/flatten.h>
 
-#include "flatten/steps/coarse_job.h"
+#include "flatten/choices/coarse_job.h"
 
 namespace planish {
 

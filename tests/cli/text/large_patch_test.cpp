@@ -1,4 +1,4 @@
-#include "text/remesh_offer.h"
+#include "text/large_patch.h"
 
 #include <gmock/gmock.h>
 
@@ -9,6 +9,20 @@ namespace planish::cli {
 namespace {
 
 using testing::HasSubstr;
+
+TEST(MemoryText, SaysNothingOfSmallPatchesAndOtherMethods) {
+  EXPECT_EQ(memory_text(Auto{}, 99'999, 1), "");
+  EXPECT_EQ(memory_text(ControllableLaplacian{}, 5'000'000, 1), "");
+}
+
+TEST(MemoryText, OffersRemeshWhereMemoryWouldNotDo) {
+  EXPECT_EQ(memory_text(Auto{}, 1'000'000, 16'000'000'000),
+            "1000000 vertices take about 7.5 GB of memory");
+  EXPECT_EQ(memory_text(Auto{}, 1'000'000, 0), "1000000 vertices take about 7.5 GB of memory");
+  EXPECT_EQ(memory_text(Auto{}, 1'000'000, 7'000'000'000),
+            "1000000 vertices take about 7.5 GB of memory, and 7.0 GB are free: --remesh works on "
+            "fewer vertices, keeps the border and takes about 0.50 GB");
+}
 
 TEST(RemeshOffer, IsMadeForLongRunsWithBothTimes) {
   const auto offer = remesh_offer(10.0, 0.05, 60000, 5000);

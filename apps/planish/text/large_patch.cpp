@@ -1,10 +1,11 @@
-#include "text/remesh_offer.h"
+#include "text/large_patch.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <variant>
 
 #include <planish/evolve/remesh.h>
 
@@ -13,6 +14,15 @@
 namespace planish::cli {
 
 namespace {
+
+// docs/performance.md, "Dense patches": 5.9 kB a vertex at 195,000, 6.8 kB at a million; and what
+// is left of the vertices with --remesh.
+constexpr double k_bytes_a_vertex = 7'500.0, k_remeshed_bytes_a_vertex = 500.0;
+constexpr std::size_t k_worth_a_note = 100'000;
+
+std::string gigabytes(double bytes) {
+  return digits(bytes / 1e9, 2) + " GB";
+}
 
 /// "40 s", "4 min"
 std::string about(double seconds) {
@@ -24,16 +34,27 @@ std::string about(double seconds) {
 
 }  // namespace
 
+std::string memory_text(const Method& method, std::size_t vertices, std::size_t available) {
+  if (vertices < k_worth_a_note || !std::holds_alternative<Auto>(method)) return {};
+  const auto count = static_cast<double>(vertices);
+  const double needed = k_bytes_a_vertex * count;
+  std::string text =
+      std::to_string(vertices) + " vertices take about " + gigabytes(needed) + " of memory";
+  if (available == 0 || static_cast<double>(available) > needed) return text;
+  return text + ", and " + gigabytes(static_cast<double>(available)) +
+         " are free: --remesh works on fewer vertices, keeps the border and takes about " +
+         gigabytes(k_remeshed_bytes_a_vertex * count);
+}
+
 std::optional<std::string> remesh_offer(double seconds, double share, std::size_t vertices,
                                         std::size_t remeshed) {
   constexpr double least_seconds = 3.0, least_share = 0.01;  // to tell from
   constexpr double long_run = 60.0, much_shorter = 3.0;
-  // Measured: 60,000 vertices with a limit take 22 to 30 times as long as 5,000.
-  constexpr double growth = 1.25;
   if (seconds < least_seconds || share < least_share || remeshed == 0) return {};
   const double whole = seconds / share;
-  const double fewer =
-      std::pow(static_cast<double>(vertices) / static_cast<double>(remeshed), growth);
+  // Measured: 60,000 vertices with a limit take 22 to 30 times as long as 5,000.
+  const double times = static_cast<double>(vertices) / static_cast<double>(remeshed);
+  const double fewer = times * std::sqrt(std::sqrt(times));
   if (whole < long_run || fewer < much_shorter) return {};
   return "this will take about " + about(whole) + "; with --remesh, which works on " +
          std::to_string(remeshed) + " of the " + std::to_string(vertices) + " vertices, about " +

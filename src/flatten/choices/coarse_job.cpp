@@ -1,11 +1,10 @@
-#include "flatten/steps/coarse_job.h"
+#include "flatten/choices/coarse_job.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
 
-#include "flatten/steps/unfold_patch.h"
 #include "mesh/coarsen/coarsen.h"
 
 namespace planish {

@@ -5,11 +5,18 @@
 #include <string>
 
 #include <planish/core/context.h>
+#include <planish/evolve/method.h>
 #include <planish/mesh/patch.h>
 
 #include "shell/session.h"
 
 namespace planish::cli {
+
+/// The memory that a dense patch will take, for a note before the work begins, and a hint to
+/// --remesh where that is more than there is. Empty for methods other than auto, and below 100,000
+/// vertices.
+/// @param available bytes, 0 where that is not known
+std::string memory_text(const Method& method, std::size_t vertices, std::size_t available);
 
 /// Says of a run that will take more than a minute how long it takes and how long it would with
 /// --remesh, both as estimated from how far it came.

@@ -70,7 +70,7 @@ Options add_flags(CLI::App& app, const std::vector<FlagGroup>& groups) {
 
 /// The value as it was typed; empty where none was.
 std::string value_of(const Flag& flag, const CLI::Option& option) {
-  const auto given = option.results();
+  const auto& given = option.results();
   if (flag.value.empty()) return {};
   if (flag.accepts.optional && given.back() == "true") return {};  // as CLI11 has it of a switch
   if (!flag.accepts.repeats) return given.back();
@@ -83,7 +83,7 @@ std::string value_of(const Flag& flag, const CLI::Option& option) {
 /// Of several values the last one counts.
 void note_other_values(const Flag& flag, const CLI::Option& option, Parsed& parsed) {
   if (flag.value.empty() || flag.accepts.repeats) return;
-  const auto given = option.results();
+  const auto& given = option.results();
   const auto other = std::find_if(given.begin(), given.end(),
                                   [&](const std::string& value) { return value != given.back(); });
   if (other == given.end()) return;

@@ -164,7 +164,7 @@ std::string product_verdict(const ProductReport& report) {
       most.*figure = std::max(most.*figure, strain.*figure);
   }
   if (worst == nullptr) return {};
-  const std::string form = is_changed ? "" : "No form was changed.";
+  std::string form = is_changed ? "" : "No form was changed.";
   if (has_limits) return form;
   const std::string sheet = is_too_small_to_measure(most)
                                 ? "Every piece lies flat but for a stretch too small to measure"

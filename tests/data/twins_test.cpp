@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/match/twins.h"
+#include "support/farthest.h"
 #include "support/test_patches.h"
 
 namespace planish {
@@ -48,24 +49,9 @@ TEST(TwinsOfPatches, AreRecognised) {
   }
 }
 
-using Places = std::vector<std::complex<double>>;
-
-/// About their mean, so that only a turn is left.
-Places centred(const std::vector<Vec2>& positions) {
-  Places places;
-  std::complex<double> sum;
-  for (const Vec2 p : positions) {
-    places.emplace_back(p.x, p.y);
-    sum += places.back();
-  }
-  for (auto& place : places)
-    place -= sum / static_cast<double>(places.size());
-  return places;
-}
-
 /// Largest distance of corresponding places after the best motion of the second.
 double farthest_in_plane(const std::vector<Vec2>& one, const std::vector<Vec2>& other) {
-  const Places p = centred(one), q = centred(other);
+  const auto p = centred(one), q = centred(other);
   std::complex<double> turn;
   for (std::size_t v = 0; v < p.size(); ++v)
     turn += p[v] * std::conj(q[v]);

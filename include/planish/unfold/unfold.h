@@ -33,8 +33,8 @@ struct UnfoldOptions {
   bool least_stretch = false;
   /// The result is the pattern of least stretch that keeps the limits of edges; if none does, one
   /// that uses up nearly the smallest multiple of them. limits.rms alone, where least stretch
-  /// misses it, gives a pattern of less rms. With match_seams all this is among patterns of matched
-  /// seams: where both cannot be had, the seams match. check_limits() tells what is kept.
+  /// misses it, gives a pattern of less rms. With match_seams only patterns with matched seams
+  /// are considered, even if none of them keeps the limits. check_limits() says which are kept.
   StrainLimits limits = {};
   /// Where the border crosses itself by a hair, its vertices are moved apart by this at most, model
   /// units, and by a thousandth of the square root of the patch's area; 0 leaves them. With

@@ -42,8 +42,8 @@ constexpr std::size_t k_least_vertices = 4;
 // one sharp bead from masking waves beside it; bending below the constant cannot be seen.
 constexpr double k_calm_part = 2.0 / 3.0, k_least_bending = 8.0;
 
-// Of what is bent more nearer to the border than so many radii, a part counts: there nothing
-// beside it shows how it was.
+// Added bending counts by this factor where the window is nearer to the border than this many
+// radii: people notice it less there.
 constexpr double k_border_radii = 1.15, k_border_part = 0.6;
 
 // Of how unevenly the normals of the design lie. Where a feature turns as a whole or becomes a

@@ -11,27 +11,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/farthest.h"
 #include "support/meshes.h"
 #include "support/watched_job.h"
 #include "unfold/stretch/edge_price.h"
 
 namespace planish {
 namespace {
-
-using Places = std::vector<std::complex<double>>;
-
-/// About their mean.
-Places centred(const std::vector<Vec2>& positions) {
-  Places places;
-  std::complex<double> sum;
-  for (const Vec2 p : positions) {
-    places.emplace_back(p.x, p.y);
-    sum += places.back();
-  }
-  for (auto& place : places)
-    place -= sum / static_cast<double>(places.size());
-  return places;
-}
 
 Pattern least_stretch(const Patch& patch) {
   return unfold(patch, {.least_stretch = true});
@@ -91,7 +77,7 @@ TEST(LimitOfRms, ThatNoPatternKeepsLeavesTheLeastThereIs) {
   const double least = rms_of(pattern.positions);
   EXPECT_LT(least, 0.97 * rms_of(pattern.unlimited));
   // On the straight line through it and the pattern of least stretch it has the least rms.
-  const Places from = centred(pattern.unlimited), to = centred(pattern.positions);
+  const auto from = centred(pattern.unlimited), to = centred(pattern.positions);
   std::complex<double> turn;
   for (std::size_t v = 0; v < to.size(); ++v)
     turn += to[v] * std::conj(from[v]);

@@ -19,6 +19,8 @@ constexpr std::size_t k_hub = 10;
 // Times the root of vertices times mean valence: what a compact piece of a surface is parted by,
 // and somewhat more, whether matrices join vertices one edge apart or two.
 constexpr double k_usual_separator = 0.5;
+// So many times that and planes part badly: edges along them are far longer than those across.
+constexpr double k_bad_separator = 2.0;
 
 using Coordinate = double Vec3::*;
 
@@ -69,14 +71,16 @@ class Dissection {
   };
 
   /// Across the longest extent if that gives a usual separator, else across the axis that gives the
-  /// shortest.
+  /// shortest; where all are bad, at half the way along the edges, if that is shorter.
   Halves halve(std::span<Index> part) {
+    const double usual =
+        k_usual_separator * std::sqrt(static_cast<double>(part.size()) * mean_valence_);
+    const auto separator = [&](Halves halves) {
+      return static_cast<double>(part.size() - halves.both());
+    };
     const auto axes = axes_by_extent(positions_, part);
     Halves halves = cut_across(part, axes[0]);
-    const auto separator = static_cast<double>(part.size() - halves.both());
-    if (separator <=
-        k_usual_separator * std::sqrt(static_cast<double>(part.size()) * mean_valence_))
-      return halves;
+    if (separator(halves) <= usual) return halves;
     std::size_t best = 0, most = halves.both();
     for (std::size_t i = 1; i < axes.size(); ++i) {
       halves = cut_across(part, axes[i]);
@@ -84,16 +88,65 @@ class Dissection {
       best = i;
       most = halves.both();
     }
-    return best + 1 == axes.size() ? halves : cut_across(part, axes[best]);
+    if (static_cast<double>(part.size() - most) > k_bad_separator * usual) {
+      halves = cut_along_edges(part);
+      if (halves.both() > most) return halves;
+    } else if (best + 1 == axes.size()) {
+      return halves;
+    }
+    return cut_across(part, axes[best]);
   }
 
-  /// Puts the lower half along the axis first, the upper one second, and last those of the lower
-  /// one that touch the upper one.
   Halves cut_across(std::span<Index> part, Coordinate axis) {
+    return cut(part, [&](Index v) { return positions_[v].*axis; });
+  }
+
+  /// By the number of edges from a vertex at one end of the part.
+  Halves cut_along_edges(std::span<Index> part) {
+    count_edges_from(*std::min_element(part.begin(), part.end()), part);
+    const Index end = *std::max_element(part.begin(), part.end(), [&](Index a, Index b) {
+      return std::pair(edges_from_[a], a) < std::pair(edges_from_[b], b);
+    });
+    count_edges_from(end, part);
+    return cut(part, [&](Index v) { return edges_from_[v]; });
+  }
+
+  /// Into edges_from_ of the part, on edges within it. Pieces of a part count on from each other.
+  void count_edges_from(Index start, std::span<const Index> part) {
+    constexpr Index unseen = std::numeric_limits<Index>::max();
+    edges_from_.resize(positions_.size(), 0);
+    const std::size_t mark = ++marks_;
+    for (const Index v : part) {
+      right_of_[v] = mark;
+      edges_from_[v] = unseen;
+    }
+    std::vector<Index> reached;
+    reached.reserve(part.size());
+    const auto reach = [&](Index v, Index edges) {
+      if (right_of_[v] != mark || edges_from_[v] != unseen) return;
+      edges_from_[v] = edges;
+      reached.push_back(v);
+    };
+    reach(start, 0);
+    auto next_piece = part.begin();
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Index edges = edges_from_[reached.back()] + 1;
+      while (reached.size() == i)
+        reach(*next_piece++, edges);  // those that were reached before are passed over
+      const Index v = reached[i];
+      for (const Index w : graph_.of(v))
+        reach(w, edges_from_[v] + 1);
+    }
+  }
+
+  /// Puts the half with lower keys first, the upper one second, and last those of the lower one
+  /// that touch the upper one.
+  template <class Key>
+  Halves cut(std::span<Index> part, const Key& key) {
     const auto middle = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
     std::nth_element(part.begin(), middle, part.end(), [&](Index a, Index b) {
-      const double pa = positions_[a].*axis, pb = positions_[b].*axis;
-      return pa < pb || (pa == pb && a < b);
+      const auto ka = key(a), kb = key(b);
+      return ka < kb || (ka == kb && a < b);
     });
     const std::size_t mark = ++marks_;
     for (auto v = middle; v != part.end(); ++v)
@@ -111,7 +164,8 @@ class Dissection {
   std::span<const Vec3> positions_;
   const Graph& graph_;
   double mean_valence_;
-  std::vector<std::size_t> right_of_;  // the last cut that the vertex was right of
+  std::vector<std::size_t> right_of_;  // the last cut that the vertex was right of, or last part
+  std::vector<Index> edges_from_;      // of the last cut along edges
   std::size_t marks_ = 0;
 };
 

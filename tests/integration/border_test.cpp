@@ -265,7 +265,7 @@ TEST(KktSystem, SolvesAlongDirectionsAsTheDenseMatrixDoesWhereBordersMove) {
           visit(static_cast<Index>(entry.row()), static_cast<Index>(j), entry.value());
       }
     };
-    const auto for_pairs = [&](const KktSystem::VisitPair& visit) {
+    const auto for_pairs = [&](const BlockMatrix::VisitPair& visit) {
       for_entries([&](Index v, Index w, double) { visit(v, w); });
     };
     KktSystem system(laid.jacobian, laid.state, for_pairs, square, {.inner = 1, .border = each},

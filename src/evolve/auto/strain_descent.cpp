@@ -151,7 +151,7 @@ double StrainDescent::merit_at(const Positions& x) {
 }
 
 KktSystem::ForPairs StrainDescent::pairs_of_cost() const {
-  return [this](const KktSystem::VisitPair& visit) {
+  return [this](const BlockMatrix::VisitPair& visit) {
     for_entries(cost_.hessian(), [&](Index v, Index w, double) { visit(v, w); });
   };
 }

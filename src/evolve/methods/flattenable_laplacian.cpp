@@ -62,7 +62,7 @@ class FlattenableStepper {
         identity_(hessian_.rows(), hessian_.cols()),
         base_(inner_positions(state)) {
     identity_.setIdentity();
-    const auto for_pairs = [this](const KktSystem::VisitPair& visit) {
+    const auto for_pairs = [this](const BlockMatrix::VisitPair& visit) {
       for_hessian([&](Index v, Index w, double) { visit(v, w); });
     };
     system_.emplace(jacobian_, state, for_pairs, identity_, KktSystem::Moves{}, Precision::full,

@@ -102,7 +102,7 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& d
 }
 
 KktSystem::ForPairs SmoothDescent::pairs_of_terms() const {
-  return [this](const KktSystem::VisitPair& visit) {
+  return [this](const BlockMatrix::VisitPair& visit) {
     const auto visit_all = [&](const auto& vertices) {
       for (std::size_t i = 0; i < vertices.size(); ++i) {
         for (std::size_t j = i + 1; j < vertices.size(); ++j)

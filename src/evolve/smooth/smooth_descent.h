@@ -124,7 +124,7 @@ class SmoothDescent {
   ShapeGuard guard_;
   StrainPotential potential_;
   KktSystem system_;
-  std::vector<KktSystem::Pair> hinge_pairs_, edge_pairs_;
+  std::vector<BlockMatrix::Pair> hinge_pairs_, edge_pairs_;
   Positions origin_;
   Eigen::VectorXd area_shares_;
   double diagonal_ = 0.0, unit_;

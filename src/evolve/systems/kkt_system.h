@@ -2,10 +2,7 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,6 +10,7 @@
 #include "evolve/systems/angle_jacobian.h"
 #include "evolve/systems/dense.h"
 #include "evolve/systems/positions.h"
+#include "solve/block_matrix.h"
 #include "solve/mixed_ldlt.h"
 
 namespace planish {
@@ -37,22 +35,20 @@ class KktSystem {
   struct Moves {
     int inner = 3, border = 3;
   };
-  using VisitPair = std::function<void(Index, Index)>;
-  /// Calls visit(v, w) for the vertices of every term of H, as often as it likes.
-  using ForPairs = std::function<void(const VisitPair& visit)>;
+  using ForPairs = BlockMatrix::ForPairs;
 
+  /// @param for_pairs of the vertices of every term of H
   /// @param square the lower half of S; its pattern stays
   /// @param jacobian must outlive it
   /// @throws Cancelled
   KktSystem(const AngleJacobian& jacobian, const PatchState& state, const ForPairs& for_pairs,
             const SparseMatrix& square, Moves moves, Precision precision, const ThreadPool& pool);
 
-  /// Vertices of two numbers that share a term.
-  using Pair = std::uint32_t;
   /// The pairs of a term's vertices i < j in lexical order, for terms that are added often.
   template <std::size_t n>
-  void append_pairs(const std::array<Index, n>& vertices, std::vector<Pair>& pairs) const {
-    for_each_pair(n, [&](std::size_t i, std::size_t j) {
+  void append_pairs(const std::array<Index, n>& vertices,
+                    std::vector<BlockMatrix::Pair>& pairs) const {
+    BlockMatrix::for_each_pair(n, [&](std::size_t i, std::size_t j) {
       pairs.push_back(pair_of(vertices[i], vertices[j]));
     });
   }
@@ -71,7 +67,7 @@ class KktSystem {
   }
   /// The same with the pairs as append_pairs() gave them.
   template <std::size_t n>
-  void add_term(const std::array<Index, n>& vertices, const Pair* pairs, double scale,
+  void add_term(const std::array<Index, n>& vertices, const BlockMatrix::Pair* pairs, double scale,
                 const std::array<Vec3, n>& gradient) {
     add_term(vertices, scale, gradient,
              [pairs](std::size_t number, std::size_t, std::size_t) { return pairs[number]; });
@@ -97,69 +93,42 @@ class KktSystem {
   bool fell_back() const { return solver_->fell_back(); }
 
  private:
-  static constexpr Pair k_none = ~Pair{0};
-
-  /// Two vertices that share entries of the matrix; the first has the lower number. Entries of one
-  /// column follow one another among the values.
-  struct Entries {
-    Index second = 0;
-    // Where they start in the columns of the first vertex: of its first move, see start_of(), and
-    // of its multiplier.
-    std::uint32_t first_start = k_none, multiplier_start = 0;
-
-    /// Or only between multipliers.
-    bool is_full() const { return first_start != k_none; }
-  };
-
-  template <class Visit>
-  static void for_each_pair(std::size_t count, Visit visit) {
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t j = i + 1; j < count; ++j)
-        visit(i, j);
-    }
-  }
   template <std::size_t n, class PairOf>
   void add_term(const std::array<Index, n>& vertices, double scale,
                 const std::array<Vec3, n>& gradient, PairOf pair_at) {
     for (std::size_t i = 0; i < n; ++i)
       add_own(vertices[i], scale, gradient[i]);
     std::size_t number = 0;
-    for_each_pair(n, [&](std::size_t i, std::size_t j) {
+    BlockMatrix::for_each_pair(n, [&](std::size_t i, std::size_t j) {
       const std::size_t k = number++;
       if (!jacobian_.is_movable(vertices[i]) || !jacobian_.is_movable(vertices[j])) return;
       const auto [first, second] = vertices[i] < vertices[j] ? std::pair{i, j} : std::pair{j, i};
-      add_product(vertices[first], pairs_[pair_at(k, i, j)], scale, gradient[second],
+      add_product(vertices[first], vertices[second], pair_at(k, i, j), scale, gradient[second],
                   gradient[first]);
     });
   }
 
-  /// Unknowns of a vertex: so many are moves, and those of inner ones have a multiplier after them.
-  int moves(Index v) const { return v < inner_ ? moves_.inner : moves_.border; }
-  int parts(Index v) const { return moves(v) + (v < inner_ ? 1 : 0); }
-  int unknown(Index v, int part) const {
-    const auto n = static_cast<int>(inner_), number = static_cast<int>(v);
-    const int of_inner = moves_.inner + 1;
-    return number < n ? of_inner * number + part
-                      : of_inner * n + moves_.border * (number - n) + part;
+  /// The blocks of a vertex: its moves, and of inner ones the multiplier behind them.
+  Index moves_of(Index v) const { return v < inner_ ? 2 * v : inner_ + v; }
+  Index multiplier_of(Index v) const { return 2 * v + 1; }
+  int move_count(Index v) const { return v < inner_ ? moves_.inner : moves_.border; }
+  BlockMatrix::Pair pair_of(Index v, Index w) const {
+    return v < count_ && w < count_ ? matrix_.pair_of(moves_of(v), moves_of(w))
+                                    : BlockMatrix::k_none;
   }
-  int multiplier(Index v) const { return unknown(v, moves(v)); }
   Vec3 direction(Index v) const {
     return directions_[v < inner_ || moves_.inner == 1 ? v : v - inner_];
   }
   /// A vector's parts in the directions of the moves of a vertex.
   std::array<double, 3> along_moves(Index v, Vec3 a) const {
-    if (moves(v) == 1) return {dot(direction(v), a)};
+    if (move_count(v) == 1) return {dot(direction(v), a)};
     return {a.x, a.y, a.z};
   }
   Vec3 move_of(Index v, const Eigen::VectorXd& solution) const;
-  void for_all_pairs(const ForPairs& for_pairs, const SparseMatrix& square,
-                     const std::function<void(Index, Index, bool)>& visit) const;
-  void find_pairs(const ForPairs& for_pairs, const SparseMatrix& square);
-  void lay_out();
-  Pair pair_of(Index v, Index w) const;
-  std::size_t start_of(Index first, const Entries& entries, std::size_t part) const;
+  BlockMatrix matrix_with(const ForPairs& for_pairs, const SparseMatrix& square) const;
   std::vector<Index> elimination_order(const PatchState& state) const;
-  void add_product(Index first, const Entries& entries, double scale, Vec3 rows, Vec3 columns);
+  void add_product(Index first, Index second, BlockMatrix::Pair pair, double scale, Vec3 rows,
+                   Vec3 columns);
   void add_own(Index v, double scale, Vec3 gradient);
   void fill_jacobian();
   void fill_square(const SparseMatrix& square, double c);
@@ -169,10 +138,7 @@ class KktSystem {
   Moves moves_;
   std::vector<Vec3> directions_;
   double unit_ = 1.0;
-  std::vector<std::size_t> pair_start_;                  // by first vertex
-  std::vector<Entries> pairs_;                           // by first vertex, then by second
-  std::vector<std::array<std::uint32_t, 4>> own_start_;  // of each vertex with itself, by column
-  SparseMatrix lower_;
+  BlockMatrix matrix_;
   std::optional<MixedLdlt> solver_;
 };
 

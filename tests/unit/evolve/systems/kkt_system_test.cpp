@@ -85,7 +85,7 @@ TEST(KktSystem, SolvesScalarTermsAsTheDenseMatrixDoes) {
         visit(static_cast<Index>(entry.row()), static_cast<Index>(j), entry.value());
     }
   };
-  const auto for_pairs = [&](const KktSystem::VisitPair& visit) {
+  const auto for_pairs = [&](const BlockMatrix::VisitPair& visit) {
     for_entries([&](Index v, Index w, double) { visit(v, w); });
   };
   KktSystem system(patch.jacobian, patch.state, for_pairs, identity, {}, Precision::full,

@@ -108,7 +108,7 @@ void expect_solved_as_dense(const Constraints& constraints,
   const HingeTerms hinges(Patch(mesh_at_first(state)), state);
   const ShapeGuard guard(state, 0.05);
   StrainPotential potential(jacobian, state, pool, BoundaryCondition::free);
-  const auto for_pairs = [&](const KktSystem::VisitPair& visit) {
+  const auto for_pairs = [&](const BlockMatrix::VisitPair& visit) {
     for (std::size_t h = 0; h < hinges.size(); ++h) {
       const auto& corners = hinges.corners(h);
       for (const auto [i, j] : {std::pair{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}})
@@ -120,7 +120,7 @@ void expect_solved_as_dense(const Constraints& constraints,
   system.clear(lines);
   for (std::size_t h = 0; h < hinges.size(); ++h)
     system.add_term(hinges.corners(h), 1.5, hinges.slope(h).gradient);
-  std::vector<KktSystem::Pair> pairs;
+  std::vector<BlockMatrix::Pair> pairs;
   for (std::size_t e = 0; e < guard.edge_count(); ++e)
     system.append_pairs(guard.edge(e), pairs);
   for (std::size_t e = 0; e < guard.edge_count(); ++e)

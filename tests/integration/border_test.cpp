@@ -303,7 +303,11 @@ TEST(KktSystem, SolvesAlongDirectionsAsTheDenseMatrixDoesWhereBordersMove) {
     const VectorXd turn = VectorXd::LinSpaced(n, 0.1, -0.2);
     right.tail(n) = turn;
     system.clear(given, unit);
-    for_entries([&](Index v, Index w, double value) { system.add_scalar(v, w, stiffness, value); });
+    for_entries([&](Index v, Index w, double value) {
+      std::vector<BlockMatrix::Pair> pair;
+      system.append_pairs(std::array{v, w}, pair);
+      system.add_scalar(v, w, pair.front(), stiffness, value);
+    });
     ASSERT_TRUE(system.factor(square, c, laid.pool));
     const VectorXd along = whole.fullPivLu().solve(right).head(m);
     Positions expected(laid.count());

@@ -1,6 +1,7 @@
 #include "evolve/auto/strain_descent.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -86,6 +87,9 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
               {.inner = 1, .border = border_.direction_count()},
               step_precision(state.inner_count()), pool),
       relaxation_(jacobian_, state) {
+  for_entries(cost_.hessian(), [this](Index v, Index w, double) {
+    system_.append_pairs(std::array{v, w}, cost_pairs_);
+  });
   if (potential_.border() == BoundaryCondition::free)
     potential_.set_boundary_compliance(ease_for(stays_), pool);
   if (limits_.angle > 0.0)
@@ -172,8 +176,9 @@ Positions StrainDescent::newton_step() {
   jacobian_.update(pool_);
   const Positions x = positions(), force = sum_of(Positions(x.size()), -1.0, cost_.gradient(x));
   system_.clear(directions(), cost_.unit());
-  for_entries(cost_.hessian(), [this](Index v, Index w, double value) {
-    system_.add_scalar(v, w, 1.0 + stiffening_, value);
+  const BlockMatrix::Pair* pair = cost_pairs_.data();
+  for_entries(cost_.hessian(), [&](Index v, Index w, double value) {
+    system_.add_scalar(v, w, *pair++, 1.0 + stiffening_, value);
   });
   if (!system_.factor(potential_.square(), sigma_ * sigma_, pool_)) return Positions(x.size());
   return system_.solve(force, -inner_defects(state_), pool_);

@@ -128,6 +128,7 @@ class StrainDescent {
   double closeness_;
   FairnessEnergy cost_;
   KktSystem system_;
+  std::vector<BlockMatrix::Pair> cost_pairs_;  // of the entries of the cost
   TangentialRelaxation relaxation_;
   Positions before_;  // the last step
   DescentStrain strain_;

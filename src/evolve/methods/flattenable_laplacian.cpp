@@ -2,6 +2,7 @@
 // Design 40 (2008), with a symmetric matrix. Equations in docs/methods/flattenable_laplacian.md.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -67,6 +68,9 @@ class FlattenableStepper {
     };
     system_.emplace(jacobian_, state, for_pairs, identity_, KktSystem::Moves{}, Precision::full,
                     pool);
+    for_hessian([this](Index v, Index w, double) {
+      system_->append_pairs(std::array{v, w}, pairs_);
+    });
   }
 
   SweepOutcome step() {
@@ -104,7 +108,9 @@ class FlattenableStepper {
     const double mean = squares / static_cast<double>(jacobian_.row_count());
     if (!(mean > 0.0)) return false;
     system_->clear();
-    for_hessian([this](Index v, Index w, double value) { system_->add_scalar(v, w, 1.0, value); });
+    const BlockMatrix::Pair* pair = pairs_.data();
+    for_hessian(
+        [&](Index v, Index w, double value) { system_->add_scalar(v, w, *pair++, 1.0, value); });
     return system_->factor(identity_, options_.damping * mean, pool_);
   }
 
@@ -140,6 +146,7 @@ class FlattenableStepper {
   std::vector<double> shares_;
   SparseMatrix hessian_, identity_;
   std::optional<KktSystem> system_;
+  std::vector<BlockMatrix::Pair> pairs_;  // of the entries of the hessian
   Positions base_;
   int steps_ = 0;
 };

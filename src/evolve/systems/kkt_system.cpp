@@ -20,8 +20,6 @@ KktSystem::KktSystem(const AngleJacobian& jacobian, const PatchState& state,
   solver_.emplace(matrix_.lower(), elimination_order(state), precision, &pool);
 }
 
-/// Vertices that share a term, or are beside one another, share all entries; others only that of
-/// their multipliers.
 BlockMatrix KktSystem::matrix_with(const ForPairs& for_pairs, const SparseMatrix& square) const {
   std::vector<unsigned char> sizes;
   for (Index v = 0; v < count_; ++v) {
@@ -29,18 +27,12 @@ BlockMatrix KktSystem::matrix_with(const ForPairs& for_pairs, const SparseMatrix
     if (v < inner_) sizes.push_back(1);
   }
   return {sizes, [&](const BlockMatrix::VisitPair& visit) {
-            const auto visit_all = [&](Index v, Index w) {
-              if (v >= count_ || w >= count_) return;
-              visit(moves_of(v), moves_of(w));
-              if (w < inner_) visit(moves_of(v), multiplier_of(w));
-              if (v < inner_) visit(multiplier_of(v), moves_of(w));
-              if (v < inner_ && w < inner_) visit(multiplier_of(v), multiplier_of(w));
-            };
-            for_pairs(visit_all);
-            for (Index v = 0; v < inner_; ++v) {
-              visit(moves_of(v), multiplier_of(v));
-              for (const Index w : jacobian_.ring(v))
-                visit_all(v, w);
+            for_pairs([&](Index v, Index w) {
+              if (v < count_ && w < count_) visit(moves_of(v), moves_of(w));
+            });
+            for (Index v = 0; v < count_; ++v) {
+              for (const AngleJacobian::Entry& entry : jacobian_.column(v))
+                visit(moves_of(v), multiplier_of(entry.row));
             }
             for (int v = 0; v < square.outerSize(); ++v) {
               for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry)
@@ -128,7 +120,7 @@ void KktSystem::add_vertex(Index v, const Block& block) {
   z[0] += block.zz;
 }
 
-void KktSystem::add_scalar(Index v, Index w, double scale, double value) {
+void KktSystem::add_scalar(Index v, Index w, BlockMatrix::Pair pair, double scale, double value) {
   if (!jacobian_.is_movable(v) || !jacobian_.is_movable(w)) return;
   if (v == w) {
     for (int part = 0; part < move_count(v); ++part)
@@ -137,7 +129,6 @@ void KktSystem::add_scalar(Index v, Index w, double scale, double value) {
   }
   constexpr std::array<Vec3, 3> axes = {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
   const auto [first, second] = std::minmax(v, w);
-  const BlockMatrix::Pair pair = pair_of(first, second);
   for (int column = 0; column < move_count(first); ++column) {
     const std::array<double, 3> along = along_moves(
         second, move_count(first) == 1 ? direction(first) : axes[static_cast<std::size_t>(column)]);

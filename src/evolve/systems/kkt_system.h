@@ -75,7 +75,8 @@ class KktSystem {
   /// Adds a matrix to what a vertex has with itself.
   void add_vertex(Index v, const Block& block);
   /// Adds s a times the identity of three rows to what two vertices have with one another.
-  void add_scalar(Index v, Index w, double scale, double value);
+  /// @param pair of the two, as append_pairs() gave it
+  void add_scalar(Index v, Index w, BlockMatrix::Pair pair, double scale, double value);
 
   /// Factors; false where that cannot be. J is that of the gradients as they are.
   bool factor(const SparseMatrix& square, double c, ThreadPool& pool);

@@ -92,7 +92,11 @@ TEST(KktSystem, SolvesScalarTermsAsTheDenseMatrixDoes) {
                    patch.pool);
   constexpr double c = 1e-4, scale = 2.0;
   system.clear();
-  for_entries([&](Index v, Index w, double value) { system.add_scalar(v, w, scale, value); });
+  for_entries([&](Index v, Index w, double value) {
+    std::vector<BlockMatrix::Pair> pair;
+    system.append_pairs(std::array{v, w}, pair);
+    system.add_scalar(v, w, pair.front(), scale, value);
+  });
   ASSERT_TRUE(system.factor(identity, c, patch.pool));
   const Positions forces = some_forces(patch.state.inner_count());
   const VectorXd turn = VectorXd::LinSpaced(n, -0.1, 0.2);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Runs `planish flatten --prefer near` on all patches of a folder and writes a table of
-docs/methods/auto_tried.md.
+docs/notebook/auto.md.
 
     tools/auto_table.py PLANISH FOLDER RESULTS
 
@@ -17,7 +17,7 @@ import subprocess
 import sys
 import tempfile
 
-PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs" / "methods" / "auto_tried.md"
+PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs" / "notebook" / "auto.md"
 BEGIN, END = "<!-- table: begin -->", "<!-- table: end -->"
 PATIENCE = 1800
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Sets auto beside least_norm at equal strain, and writes a table of
-docs/methods/auto_tried.md.
+docs/notebook/auto.md.
 
     tools/equal_strain.py PLANISH FOLDER RESULTS [NAME...]
 

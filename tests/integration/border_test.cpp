@@ -12,10 +12,10 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "evolve/auto/normal_direction_system.h"
 #include "evolve/descent/border_motion.h"
 #include "evolve/descent/fairness_energy.h"
 #include "evolve/descent/strain_potential.h"
+#include "evolve/systems/kkt_system.h"
 #include "evolve/systems/positions.h"
 #include "support/moves.h"
 
@@ -252,15 +252,25 @@ TEST(FairnessEnergy, HasTheGradientAndTheHessianOfItsValueWhereBordersMove) {
             1e-10 * expected.norm());
 }
 
-TEST(NormalDirectionSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
+TEST(KktSystem, SolvesAlongDirectionsAsTheDenseMatrixDoesWhereBordersMove) {
   for (const BorderFreedom& freedom : {k_slide, within(1.0)}) {
     Laid laid(make_shape("panel", 120), freedom);
     const FairnessEnergy cost(laid.jacobian, laid.state, 0.1, laid.border.bends());
     StrainPotential potential(laid.jacobian, laid.state, laid.pool, BoundaryCondition::dirichlet);
-    const SparseMatrix& square = potential.square();
+    const SparseMatrix &square = potential.square(), &hessian = cost.hessian();
     const int each = laid.border.direction_count();
-    NormalDirectionSystem system(laid.jacobian, laid.state, cost.hessian(), square, each);
-    std::vector<Vec3> directions;
+    const auto for_entries = [&](const auto& visit) {
+      for (int j = 0; j < hessian.outerSize(); ++j) {
+        for (SparseMatrix::InnerIterator entry(hessian, j); entry; ++entry)
+          visit(static_cast<Index>(entry.row()), static_cast<Index>(j), entry.value());
+      }
+    };
+    const auto for_pairs = [&](const BlockMatrix::VisitPair& visit) {
+      for_entries([&](Index v, Index w, double) { visit(v, w); });
+    };
+    KktSystem system(laid.jacobian, laid.state, for_pairs, square, {.inner = 1, .border = each},
+                     Precision::full, laid.pool);
+    std::vector<Vec3> directions, given;
     std::vector<Index> owner;
     for (Index v = 0; v < laid.count(); ++v) {
       const bool inner = laid.state.is_inner(v);
@@ -268,14 +278,19 @@ TEST(NormalDirectionSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
         directions.push_back(inner ? normal_at(v, laid.jacobian, laid.state)
                                    : laid.border.direction(v, k));
         owner.push_back(v);
+        if (inner || each == 1) given.push_back(directions.back());
       }
     }
     const auto m = static_cast<Eigen::Index>(owner.size());
     const auto n = static_cast<Eigen::Index>(laid.state.inner_count());
-    constexpr double unit = 0.3, stiffness = 2.5, sigma = 0.2;
+    constexpr double unit = 0.3, stiffness = 2.5, c = 0.04;
+    const Positions force = some_moves(laid.count(), 1.0);
     MatrixXd whole = MatrixXd::Zero(m + n, m + n);
-    const MatrixXd h = MatrixXd(cost.hessian()).selfadjointView<Eigen::Lower>();
+    VectorXd right(m + n);
+    const MatrixXd h = MatrixXd(hessian).selfadjointView<Eigen::Lower>();
     for (Eigen::Index a = 0; a < m; ++a) {
+      const bool moves = laid.jacobian.is_movable(owner[a]);
+      right[a] = moves ? dot(force[owner[a]], directions[a]) : 0.0;
       for (Eigen::Index b = 0; b < m; ++b)
         whole(a, b) =
             stiffness * h(owner[a], owner[b]) * (a == b ? 1.0 : dot(directions[a], directions[b]));
@@ -284,17 +299,22 @@ TEST(NormalDirectionSystem, SolvesWhatADenseSolverSolvesWhereBordersMove) {
             -unit * dot(laid.jacobian.gradient(entry.entry), directions[a]);
       }
     }
-    whole.bottomRightCorner(n, n) =
-        -sigma * sigma * MatrixXd(MatrixXd(square).selfadjointView<Eigen::Lower>());
-    const VectorXd force = VectorXd::LinSpaced(m, -1.0, 2.0);
+    whole.bottomRightCorner(n, n) = -c * MatrixXd(MatrixXd(square).selfadjointView<Eigen::Lower>());
     const VectorXd turn = VectorXd::LinSpaced(n, 0.1, -0.2);
-    VectorXd right(m + n);
-    right << force, turn;
-    ASSERT_TRUE(
-        system.factor(directions, cost.hessian(), square, unit, stiffness, sigma, laid.pool));
-    const VectorXd expected = whole.fullPivLu().solve(right).head(m);
-    EXPECT_LT((system.solve(force, turn, laid.pool, 1e-12) - expected).norm(),
-              1e-9 * expected.norm());
+    right.tail(n) = turn;
+    system.clear(given, unit);
+    for_entries([&](Index v, Index w, double value) {
+      std::vector<BlockMatrix::Pair> pair;
+      system.append_pairs(std::array{v, w}, pair);
+      system.add_scalar(v, w, pair.front(), stiffness, value);
+    });
+    ASSERT_TRUE(system.factor(square, c, laid.pool));
+    const VectorXd along = whole.fullPivLu().solve(right).head(m);
+    Positions expected(laid.count());
+    for (Eigen::Index a = 0; a < m; ++a)
+      expected[owner[a]] += (unit * along[a]) * directions[a];
+    const Positions step = system.solve(force, turn, laid.pool, 1e-12);
+    EXPECT_LT(norm_of(sum_of(step, -1.0, expected)), 1e-9 * norm_of(expected));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "evolve/auto/strain_descent.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,15 @@ namespace planish {
 using namespace tuning::prefer_near;
 
 namespace {
+
+/// Calls visit(row, column, value) for the entries of a matrix.
+template <class Visit>
+void for_entries(const SparseMatrix& matrix, const Visit& visit) {
+  for (int j = 0; j < matrix.outerSize(); ++j) {
+    for (SparseMatrix::InnerIterator entry(matrix, j); entry; ++entry)
+      visit(static_cast<Index>(entry.row()), static_cast<Index>(j), entry.value());
+  }
+}
 
 /// |phi|^2 is a sum over vertices: on denser patches the same strain weighs more. Sigma goes along.
 double sigma_unit(const PatchState& state) {
@@ -73,8 +83,13 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
       control_(state, aims.room, pace_),
       closeness_(aims.closeness > 0.0 ? aims.closeness : pace_.first),
       cost_(jacobian_, state, closeness_, border_.bends()),
-      system_(jacobian_, state, cost_.hessian(), potential_.square(), border_.direction_count()),
+      system_(jacobian_, state, pairs_of_cost(), potential_.square(),
+              {.inner = 1, .border = border_.direction_count()},
+              step_precision(state.inner_count()), pool),
       relaxation_(jacobian_, state) {
+  for_entries(cost_.hessian(), [this](Index v, Index w, double) {
+    system_.append_pairs(std::array{v, w}, cost_pairs_);
+  });
   if (potential_.border() == BoundaryCondition::free)
     potential_.set_boundary_compliance(ease_for(stays_), pool);
   if (limits_.angle > 0.0)
@@ -139,35 +154,34 @@ double StrainDescent::merit_at(const Positions& x) {
   return merit();
 }
 
-/// The normals of the inner vertices, then what the border's may take.
+KktSystem::ForPairs StrainDescent::pairs_of_cost() const {
+  return [this](const BlockMatrix::VisitPair& visit) {
+    for_entries(cost_.hessian(), [&](Index v, Index w, double) { visit(v, w); });
+  };
+}
+
+/// The normals of the inner vertices, then what the border's slide along.
 std::vector<Vec3> StrainDescent::directions() const {
   std::vector<Vec3> directions;
   for (Index v = 0; v < border_.vertex_count(); ++v) {
-    const bool inner = state_.is_inner(v);
-    for (int k = 0; k < (inner ? 1 : border_.direction_count()); ++k)
-      directions.push_back(inner ? normal_at(v, jacobian_, state_) : border_.direction(v, k));
+    if (state_.is_inner(v))
+      directions.push_back(normal_at(v, jacobian_, state_));
+    else if (border_.direction_count() == 1)
+      directions.push_back(border_.direction(v, 0));
   }
   return directions;
 }
 
 Positions StrainDescent::newton_step() {
   jacobian_.update(pool_);
-  const Positions x = positions(), gradient = cost_.gradient(x);
-  const std::vector<Vec3> directions = this->directions();
-  Eigen::VectorXd force(static_cast<Eigen::Index>(directions.size()));
-  const auto vertex_of = [&](std::size_t direction) {
-    return static_cast<std::size_t>(system_.steps().vertex_of(static_cast<int>(direction)));
-  };
-  for (std::size_t d = 0; d < directions.size(); ++d)
-    force[static_cast<Eigen::Index>(d)] = -dot(gradient[vertex_of(d)], directions[d]);
-  Positions step(x.size());
-  if (!system_.factor(directions, cost_.hessian(), potential_.square(), cost_.unit(),
-                      1.0 + stiffening_, sigma_, pool_))
-    return step;
-  const Eigen::VectorXd along = system_.solve(force, -inner_defects(state_), pool_);
-  for (std::size_t d = 0; d < directions.size(); ++d)
-    step[vertex_of(d)] += (cost_.unit() * along[static_cast<Eigen::Index>(d)]) * directions[d];
-  return step;
+  const Positions x = positions(), force = sum_of(Positions(x.size()), -1.0, cost_.gradient(x));
+  system_.clear(directions(), cost_.unit());
+  const BlockMatrix::Pair* pair = cost_pairs_.data();
+  for_entries(cost_.hessian(), [&](Index v, Index w, double value) {
+    system_.add_scalar(v, w, *pair++, 1.0 + stiffening_, value);
+  });
+  if (!system_.factor(potential_.square(), sigma_ * sigma_, pool_)) return Positions(x.size());
+  return system_.solve(force, -inner_defects(state_), pool_);
 }
 
 Positions StrainDescent::within_limits(Positions x) const {

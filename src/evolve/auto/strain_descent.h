@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "evolve/auto/closeness_control.h"
-#include "evolve/auto/normal_direction_system.h"
 #include "evolve/auto/tangential_relaxation.h"
 #include "evolve/descent/border_motion.h"
 #include "evolve/descent/descent_limits.h"
@@ -13,6 +12,7 @@
 #include "evolve/descent/surface_strain_limit.h"
 #include "evolve/descent/tuning.h"
 #include "evolve/systems/angle_jacobian.h"
+#include "evolve/systems/kkt_system.h"
 #include "evolve/systems/positions.h"
 
 namespace planish {
@@ -99,6 +99,7 @@ class StrainDescent {
   DescentStrain strain_now() const;
   /// Measures the defects at the positions where vertices are, and phi.
   void update_strain();
+  KktSystem::ForPairs pairs_of_cost() const;
   std::vector<Vec3> directions() const;
   Positions newton_step();
   Positions within_limits(Positions x) const;
@@ -126,7 +127,8 @@ class StrainDescent {
   ClosenessControl control_;
   double closeness_;
   FairnessEnergy cost_;
-  NormalDirectionSystem system_;
+  KktSystem system_;
+  std::vector<BlockMatrix::Pair> cost_pairs_;  // of the entries of the cost
   TangentialRelaxation relaxation_;
   Positions before_;  // the last step
   DescentStrain strain_;

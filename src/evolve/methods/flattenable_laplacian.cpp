@@ -2,8 +2,10 @@
 // Design 40 (2008), with a symmetric matrix. Equations in docs/methods/flattenable_laplacian.md.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include <planish/evolve/method.h>
 
@@ -57,8 +59,19 @@ class FlattenableStepper {
         pool_(pool),
         jacobian_(state),
         shares_(valence_shares(state)),
-        system_(jacobian_, state, hessian_of(options, state, shares_)),
-        base_(inner_positions(state)) {}
+        hessian_(hessian_of(options, state, shares_)),
+        identity_(hessian_.rows(), hessian_.cols()),
+        base_(inner_positions(state)) {
+    identity_.setIdentity();
+    const auto for_pairs = [this](const BlockMatrix::VisitPair& visit) {
+      for_hessian([&](Index v, Index w, double) { visit(v, w); });
+    };
+    system_.emplace(jacobian_, state, for_pairs, identity_, KktSystem::Moves{}, Precision::full,
+                    pool);
+    for_hessian([this](Index v, Index w, double) {
+      system_->append_pairs(std::array{v, w}, pairs_);
+    });
+  }
 
   SweepOutcome step() {
     state_.measure(pool_);
@@ -66,8 +79,8 @@ class FlattenableStepper {
     if (options_.rebase_every > 0 && steps_ % options_.rebase_every == 0)
       base_ = inner_positions(state_);
     ++steps_;
-    if (!system_.factor(options_.damping, pool_)) return {};
-    const Positions step = stopped(system_.solve(forces(), inner_defects(state_), pool_));
+    if (!factor()) return {};
+    const Positions step = stopped(system_->solve(forces(), -inner_defects(state_), pool_));
     const std::size_t moved =
         set_positions(sum_of(inner_positions(state_), options_.tau, step), jacobian_, state_);
     const double rms = norm_of(step) / std::sqrt(static_cast<double>(step.size()));
@@ -75,6 +88,32 @@ class FlattenableStepper {
   }
 
  private:
+  template <class Visit>
+  void for_hessian(const Visit& visit) const {
+    for (int j = 0; j < hessian_.outerSize(); ++j) {
+      for (SparseMatrix::InnerIterator entry(hessian_, j); entry; ++entry)
+        visit(static_cast<Index>(entry.row()), static_cast<Index>(j), entry.value());
+    }
+  }
+
+  /// Damping is a share of the mean of the squares of the Jacobian's rows.
+  bool factor() {
+    double squares = 0.0;
+    for (Index v = 0; v < jacobian_.row_count(); ++v) {
+      for (const AngleJacobian::Entry& entry : jacobian_.column(v)) {
+        const Vec3 gradient = jacobian_.gradient(entry.entry);
+        squares += dot(gradient, gradient);
+      }
+    }
+    const double mean = squares / static_cast<double>(jacobian_.row_count());
+    if (!(mean > 0.0)) return false;
+    system_->clear();
+    const BlockMatrix::Pair* pair = pairs_.data();
+    for_hessian(
+        [&](Index v, Index w, double value) { system_->add_scalar(v, w, *pair++, 1.0, value); });
+    return system_->factor(identity_, options_.damping * mean, pool_);
+  }
+
   /// Minus the gradient of what is made small: towards the mean of the ring and towards the base.
   Positions forces() const {
     Positions forces(base_.size());
@@ -105,7 +144,9 @@ class FlattenableStepper {
   ThreadPool& pool_;
   AngleJacobian jacobian_;
   std::vector<double> shares_;
-  KktSystem system_;
+  SparseMatrix hessian_, identity_;
+  std::optional<KktSystem> system_;
+  std::vector<BlockMatrix::Pair> pairs_;  // of the entries of the hessian
   Positions base_;
   int steps_ = 0;
 };

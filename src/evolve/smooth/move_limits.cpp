@@ -1,6 +1,7 @@
 #include "evolve/smooth/move_limits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -62,7 +63,7 @@ double MoveLimits::value(const Positions& moves) const {
   return sum.value();
 }
 
-void MoveLimits::add_to(SmoothSystem& system, Positions& force, const Positions& moves,
+void MoveLimits::add_to(KktSystem& system, Positions& force, const Positions& moves,
                         double stiff) const {
   for (Index v = 0; v < moves.size(); ++v) {
     const double length = norm(moves[v]), unit = 1.0 / (k_barrier_share * reach_[v]);
@@ -77,7 +78,12 @@ void MoveLimits::add_to(SmoothSystem& system, Positions& force, const Positions&
   }
   for (std::size_t k = 0; k < bends_.size(); ++k) {
     const Vec3 f = bend_of(bends_[k], moves);
-    system.add_bend(k, stiff * 2.0 * bend_weight_);
+    for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+      std::array<Vec3, 3> gradient;
+      for (std::size_t j = 0; j < 3; ++j)
+        gradient[j] = bends_[k].weights[j] * axis;
+      system.add_term(std::to_array(bends_[k].vertices), stiff * 2.0 * bend_weight_, gradient);
+    }
     for (std::size_t j = 0; j < 3; ++j) {
       const Index v = bends_[k].vertices[j];
       if (v < force.size()) force[v] += -2.0 * bend_weight_ * bends_[k].weights[j] * f;

@@ -4,7 +4,7 @@
 
 #include "evolve/descent/border_motion.h"
 #include "evolve/descent/descent_limits.h"
-#include "evolve/smooth/smooth_system.h"
+#include "evolve/systems/kkt_system.h"
 
 namespace planish {
 
@@ -23,7 +23,7 @@ class MoveLimits {
   /// @param moves by column of the jacobian
   double value(const Positions& moves) const;
   /// Adds stiff times the second derivatives, and takes the gradient from the force.
-  void add_to(SmoothSystem& system, Positions& force, const Positions& moves, double stiff) const;
+  void add_to(KktSystem& system, Positions& force, const Positions& moves, double stiff) const;
   /// True if a vertex is nearly as far as it may be.
   bool is_reached(const Positions& moves) const;
 

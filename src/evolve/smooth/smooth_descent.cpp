@@ -79,7 +79,8 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& d
       hinges_(design, state),
       guard_(state, limits.angle),
       potential_(jacobian_, state, pool, BoundaryCondition::free),
-      system_(jacobian_, state, hinges_, guard_, potential_.square(), moves, pool, border_.bends()),
+      system_(jacobian_, state, pairs_of_terms(), potential_.square(),
+              {.inner = along_lines_ ? 1 : 3}, step_precision(jacobian_.row_count()), pool),
       area_shares_(area_shares(state)),
       unit_(mean_edge(jacobian_, state)),
       moves_(limits, border_, state.inner_count(), unit_) {
@@ -89,9 +90,32 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& d
   origin_.reserve(jacobian_.column_count());
   for (std::size_t v = 0; v < jacobian_.column_count(); ++v)
     origin_.push_back(state.origin(v));
+  hinge_pairs_.reserve(6 * hinges_.size());
+  for (std::size_t h = 0; h < hinges_.size(); ++h)
+    system_.append_pairs(hinges_.corners(h), hinge_pairs_);
+  edge_pairs_.reserve(guard_.edge_count());
+  for (std::size_t e = 0; e < guard_.edge_count(); ++e)
+    system_.append_pairs(guard_.edge(e), edge_pairs_);
   if (limits_.angle > 0.0)
     limits_.angle = std::min(limits_.angle, smallest_angle(state, guard_.triangles(), pool));
   if (solvable()) renew();
+}
+
+KktSystem::ForPairs SmoothDescent::pairs_of_terms() const {
+  return [this](const BlockMatrix::VisitPair& visit) {
+    const auto visit_all = [&](const auto& vertices) {
+      for (std::size_t i = 0; i < vertices.size(); ++i) {
+        for (std::size_t j = i + 1; j < vertices.size(); ++j)
+          visit(vertices[i], vertices[j]);
+      }
+    };
+    for (std::size_t h = 0; h < hinges_.size(); ++h)
+      visit_all(hinges_.corners(h));
+    for (std::size_t e = 0; e < guard_.edge_count(); ++e)
+      visit_all(guard_.edge(e));
+    for (const BorderMotion::Bend& bend : border_.bends())
+      visit_all(std::to_array(bend.vertices));
+  };
 }
 
 double SmoothDescent::closeness() const {
@@ -185,20 +209,21 @@ void SmoothDescent::assemble_shape(Positions& force) {
     const HingeTerms::Slope slope = hinges_.slope(h);
     const double weight = 2.0 * hinges_.weight(h) / design_bending_,
                  turned = slope.angle - weights_.form * hinges_.first_angle(h);
-    system_.add_hinge(h, stiff * weight, slope.gradient);
+    system_.add_term(hinges_.corners(h), hinge_pairs_.data() + 6 * h, stiff * weight,
+                     slope.gradient);
     for (std::size_t k = 0; k < 4; ++k)
       pull(hinges_.corners(h)[k], weight * turned, slope.gradient[k]);
   }
   for (std::size_t e = 0; e < guard_.edge_count(); ++e) {
     const auto slope = guard_.edge_slope(e);
-    system_.add_edge(e, stiff * slope.second, slope.gradient);
+    system_.add_term(guard_.edge(e), edge_pairs_.data() + e, stiff * slope.second, slope.gradient);
     for (std::size_t k = 0; k < 2; ++k)
       pull(guard_.edge(e)[k], slope.first, slope.gradient[k]);
   }
   for (std::size_t c = 0; c < guard_.corner_count(); ++c) {
     const auto slope = guard_.corner_slope(c);
     if (slope.second == 0.0) continue;
-    system_.add_corner(c, stiff * slope.second, slope.gradient);
+    system_.add_term(guard_.corner(c), stiff * slope.second, slope.gradient);
     for (std::size_t k = 0; k < 3; ++k)
       pull(guard_.corner(c)[k], slope.first, slope.gradient[k]);
   }

@@ -11,11 +11,14 @@
 #include "evolve/smooth/hinge_terms.h"
 #include "evolve/smooth/move_limits.h"
 #include "evolve/smooth/shape_guard.h"
-#include "evolve/smooth/smooth_system.h"
 #include "evolve/systems/angle_jacobian.h"
+#include "evolve/systems/kkt_system.h"
 #include "evolve/systems/positions.h"
 
 namespace planish {
+
+/// Which way inner vertices go in a step: in all directions, or each along one line.
+enum class SmoothMoves { free, along_lines };
 
 /// What a step of SmoothDescent weighs.
 struct SmoothWeights {
@@ -89,6 +92,7 @@ class SmoothDescent {
     double merit = 0.0;
     Eigen::VectorXd defects;
   };
+  KktSystem::ForPairs pairs_of_terms() const;
   Parts at(const Positions& positions);
   double merit(const Eigen::VectorXd& phi) const;
   void renew();
@@ -119,7 +123,8 @@ class SmoothDescent {
   HingeTerms hinges_;
   ShapeGuard guard_;
   StrainPotential potential_;
-  SmoothSystem system_;
+  KktSystem system_;
+  std::vector<BlockMatrix::Pair> hinge_pairs_, edge_pairs_;
   Positions origin_;
   Eigen::VectorXd area_shares_;
   double diagonal_ = 0.0, unit_;

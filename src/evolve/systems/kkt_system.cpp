@@ -1,126 +1,201 @@
 #include "evolve/systems/kkt_system.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "solve/dissection.h"
-#include "solve/sparse_pattern.h"
 
 namespace planish {
 
-namespace {
-
-constexpr int k_unknowns = 4;  // of a vertex: x, y, z, multiplier
-constexpr int k_multiplier = 3;
-
-int unknown(Index v, int part) {
-  return k_unknowns * static_cast<int>(v) + part;
+KktSystem::KktSystem(const AngleJacobian& jacobian, const PatchState& state,
+                     const ForPairs& for_pairs, const SparseMatrix& square, Moves moves,
+                     Precision precision, const ThreadPool& pool)
+    : jacobian_(jacobian),
+      inner_(static_cast<Index>(jacobian.row_count())),
+      count_(static_cast<Index>(jacobian.column_count())),
+      moves_(moves) {
+  pool.stop_if_cancelled();
+  matrix_ = matrix_with(for_pairs, square);
+  pool.stop_if_cancelled();
+  solver_.emplace(matrix_.lower(), elimination_order(state), precision, &pool);
 }
 
-/// The inner neighbours of each inner vertex.
-Graph inner_graph(const AngleJacobian& jacobian) {
+BlockMatrix KktSystem::matrix_with(const ForPairs& for_pairs, const SparseMatrix& square) const {
+  std::vector<unsigned char> sizes;
+  for (Index v = 0; v < count_; ++v) {
+    sizes.push_back(static_cast<unsigned char>(move_count(v)));
+    if (v < inner_) sizes.push_back(1);
+  }
+  return {sizes, [&](const BlockMatrix::VisitPair& visit) {
+            for_pairs([&](Index v, Index w) {
+              if (v < count_ && w < count_) visit(moves_of(v), moves_of(w));
+            });
+            for (Index v = 0; v < count_; ++v) {
+              for (const AngleJacobian::Entry& entry : jacobian_.column(v))
+                visit(moves_of(v), multiplier_of(entry.row));
+            }
+            for (int v = 0; v < square.outerSize(); ++v) {
+              for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry)
+                visit(multiplier_of(static_cast<Index>(v)),
+                      multiplier_of(static_cast<Index>(entry.row())));
+            }
+          }};
+}
+
+std::vector<Index> KktSystem::elimination_order(const PatchState& state) const {
+  const auto vertex_of = [&](Index block) {
+    return block < 2 * inner_ ? block / 2 : block - inner_;
+  };
+  std::vector<std::vector<Index>> neighbours(count_);
+  for (Index block = 0; block < matrix_.block_count(); ++block) {
+    const Index v = vertex_of(block);
+    matrix_.for_pairs_of(block, [&](Index other, BlockMatrix::Pair) {
+      const Index w = vertex_of(other);
+      if (v == w) return;
+      neighbours[v].push_back(w);
+      neighbours[w].push_back(v);
+    });
+  }
   Graph graph;
-  for (Index v = 0; v < jacobian.row_count(); ++v) {
-    for (const Index w : jacobian.ring(v)) {
-      if (w < jacobian.row_count()) graph.neighbours.push_back(w);
-    }
+  for (std::vector<Index>& of_vertex : neighbours) {
+    std::sort(of_vertex.begin(), of_vertex.end());
+    const auto end = std::unique(of_vertex.begin(), of_vertex.end());
+    graph.neighbours.insert(graph.neighbours.end(), of_vertex.begin(), end);
     graph.start.push_back(graph.neighbours.size());
   }
-  return graph;
-}
-
-/// The lower half, with what never changes in it.
-SparseMatrix constant_part(const AngleJacobian& jacobian, const SparseMatrix& hessian) {
-  const auto n = static_cast<Index>(jacobian.row_count());
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Index v = 0; v < n; ++v) {
-    for (int part = 0; part < k_unknowns; ++part) {
-      // What is held: its own equation says that it does not move.
-      const bool held = !jacobian.is_movable(v) || part == k_multiplier;
-      entries.emplace_back(unknown(v, part), unknown(v, part), held ? 1.0 : 0.0);
-    }
-    for (const AngleJacobian::Entry& entry : jacobian.column(v)) {
-      for (int part = 0; part < k_multiplier; ++part) {
-        const auto [column, row] =
-            std::minmax({unknown(v, part), unknown(entry.row, k_multiplier)});
-        entries.emplace_back(row, column, 0.0);
-      }
-    }
-  }
-  for (int j = 0; j < hessian.outerSize(); ++j) {
-    for (SparseMatrix::InnerIterator entry(hessian, j); entry; ++entry) {
-      const auto v = static_cast<Index>(j), w = static_cast<Index>(entry.row());
-      if (w < v || !jacobian.is_movable(v) || !jacobian.is_movable(w)) continue;
-      for (int part = 0; part < k_multiplier; ++part)
-        entries.emplace_back(unknown(w, part), unknown(v, part), entry.value());
-    }
-  }
-  const int size = k_unknowns * static_cast<int>(n);
-  SparseMatrix lower(size, size);
-  lower.setFromTriplets(entries.begin(), entries.end());
-  return lower;
-}
-
-std::vector<Index> elimination_order(const AngleJacobian& jacobian, const PatchState& state) {
   std::vector<Index> order;
-  for (const Index v : nested_dissection(inner_positions(state), inner_graph(jacobian))) {
-    for (int part = 0; part < k_unknowns; ++part)
-      order.push_back(static_cast<Index>(unknown(v, part)));
+  for (const Index v : nested_dissection(first_positions(state, count_), graph)) {
+    for (int part = 0; part < move_count(v); ++part)
+      order.push_back(static_cast<Index>(matrix_.unknown(moves_of(v), part)));
+    if (v < inner_) order.push_back(static_cast<Index>(matrix_.unknown(multiplier_of(v), 0)));
   }
   return order;
 }
 
-}  // namespace
+void KktSystem::clear(std::vector<Vec3> directions, double unit) {
+  directions_ = std::move(directions);
+  unit_ = unit;
+  matrix_.clear();
+  for (Index v = 0; v < count_; ++v) {
+    if (jacobian_.is_movable(v)) continue;
+    for (int part = 0; part < move_count(v); ++part)
+      *matrix_.own(moves_of(v), part) = 1.0;
+  }
+}
 
-KktSystem::KktSystem(const AngleJacobian& jacobian, const PatchState& state,
-                     const SparseMatrix& hessian)
-    : jacobian_(jacobian),
-      lower_(constant_part(jacobian, hessian)),
-      solver_(lower_, elimination_order(jacobian, state)) {
-  for (Index v = 0; v < jacobian.row_count(); ++v) {
-    for (const AngleJacobian::Entry& entry : jacobian.column(v)) {
-      for (int part = 0; part < k_multiplier; ++part) {
-        gradient_entries_.push_back(
-            entry_of(lower_, unknown(entry.row, k_multiplier), unknown(v, part)));
+/// s a b^T: rows of the second vertex, columns of the first.
+void KktSystem::add_product(Index first, Index second, BlockMatrix::Pair pair, double scale,
+                            Vec3 rows, Vec3 columns) {
+  const std::array<double, 3> by_column = along_moves(first, scale * columns),
+                              by_row = along_moves(second, rows);
+  const auto column_count = static_cast<std::size_t>(move_count(first)),
+             row_count = static_cast<std::size_t>(move_count(second));
+  for (std::size_t column = 0; column < column_count; ++column) {
+    double* values = matrix_.entries(moves_of(first), pair, static_cast<int>(column));
+    for (std::size_t row = 0; row < row_count; ++row)
+      values[row] += by_column[column] * by_row[row];
+  }
+}
+
+void KktSystem::add_own(Index v, double scale, Vec3 g) {
+  add_vertex(v, {scale * g.x * g.x, scale * g.x * g.y, scale * g.x * g.z, scale * g.y * g.y,
+                 scale * g.y * g.z, scale * g.z * g.z});
+}
+
+void KktSystem::add_vertex(Index v, const Block& block) {
+  if (!jacobian_.is_movable(v)) return;
+  const Index moves = moves_of(v);
+  if (move_count(v) == 1) {
+    const Vec3 a = direction(v);
+    *matrix_.own(moves, 0) += a.x * (block.xx * a.x + 2.0 * (block.xy * a.y + block.xz * a.z)) +
+                              a.y * (block.yy * a.y + 2.0 * block.yz * a.z) + a.z * block.zz * a.z;
+    return;
+  }
+  double *x = matrix_.own(moves, 0), *y = matrix_.own(moves, 1), *z = matrix_.own(moves, 2);
+  x[0] += block.xx;
+  x[1] += block.xy;
+  x[2] += block.xz;
+  y[0] += block.yy;
+  y[1] += block.yz;
+  z[0] += block.zz;
+}
+
+void KktSystem::add_scalar(Index v, Index w, BlockMatrix::Pair pair, double scale, double value) {
+  if (!jacobian_.is_movable(v) || !jacobian_.is_movable(w)) return;
+  if (v == w) {
+    for (int part = 0; part < move_count(v); ++part)
+      *matrix_.own(moves_of(v), part) += scale * value;
+    return;
+  }
+  constexpr std::array<Vec3, 3> axes = {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+  const auto [first, second] = std::minmax(v, w);
+  for (int column = 0; column < move_count(first); ++column) {
+    const std::array<double, 3> along = along_moves(
+        second, move_count(first) == 1 ? direction(first) : axes[static_cast<std::size_t>(column)]);
+    double* values = matrix_.entries(moves_of(first), pair, column);
+    for (std::size_t row = 0; row < static_cast<std::size_t>(move_count(second)); ++row)
+      values[row] += scale * along[row] * value;
+  }
+}
+
+/// J is minus the Jacobian of the angle sums.
+void KktSystem::fill_jacobian() {
+  for (Index v = 0; v < count_; ++v) {
+    if (!jacobian_.is_movable(v)) continue;
+    const Index moves = moves_of(v);
+    for (const AngleJacobian::Entry& entry : jacobian_.column(v)) {
+      const auto parts = along_moves(v, jacobian_.gradient(entry.entry));
+      const Index multiplier = multiplier_of(entry.row);
+      const BlockMatrix::Pair pair = matrix_.pair_of(moves, multiplier);
+      for (int part = 0; part < move_count(v); ++part) {
+        double& value = moves < multiplier ? *matrix_.entries(moves, pair, part)
+                                           : matrix_.entries(multiplier, pair, 0)[part];
+        value = -unit_ * parts[static_cast<std::size_t>(part)];
       }
     }
   }
 }
 
-bool KktSystem::factor(double mu, ThreadPool& pool) {
-  double* values = lower_.valuePtr();
-  const std::size_t* place = gradient_entries_.data();
-  double squares = 0.0;
-  for (Index v = 0; v < jacobian_.row_count(); ++v) {
-    for (const AngleJacobian::Entry& entry : jacobian_.column(v)) {
-      const Vec3 gradient = jacobian_.gradient(entry.entry);
-      squares += dot(gradient, gradient);
-      for (const double part : {gradient.x, gradient.y, gradient.z})
-        values[*place++] = part;
+void KktSystem::fill_square(const SparseMatrix& square, double c) {
+  for (int v = 0; v < square.outerSize(); ++v) {
+    const Index first = multiplier_of(static_cast<Index>(v));
+    for (SparseMatrix::InnerIterator entry(square, v); entry; ++entry) {
+      const Index second = multiplier_of(static_cast<Index>(entry.row()));
+      double* value = first == second ? matrix_.own(first, 0)
+                                      : matrix_.entries(first, matrix_.pair_of(first, second), 0);
+      *value = -c * entry.value();
     }
   }
-  const double mean = squares / static_cast<double>(jacobian_.row_count());
-  if (!(mean > 0.0)) return false;
-  for (Index v = 0; v < jacobian_.row_count(); ++v)
-    values[lower_.outerIndexPtr()[unknown(v, k_multiplier)]] = -mu * mean;
-  return solver_.factor(lower_, pool);
+}
+
+bool KktSystem::factor(const SparseMatrix& square, double c, ThreadPool& pool) {
+  fill_jacobian();
+  fill_square(square, c);
+  return solver_->factor(matrix_.lower(), pool);
 }
 
 Positions KktSystem::solve(const Positions& force, const Eigen::VectorXd& angle_change,
-                           ThreadPool& pool) const {
-  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(lower_.rows(), 1);
-  for (Index v = 0; v < jacobian_.row_count(); ++v) {
-    const bool movable = jacobian_.is_movable(v);
-    right(unknown(v, 0), 0) = movable ? force[v].x : 0.0;
-    right(unknown(v, 1), 0) = movable ? force[v].y : 0.0;
-    right(unknown(v, 2), 0) = movable ? force[v].z : 0.0;
-    right(unknown(v, k_multiplier), 0) = angle_change[v];
+                           ThreadPool& pool, double accuracy) {
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(matrix_.lower().rows());
+  for (Index v = 0; v < count_; ++v) {
+    if (v < inner_) right[matrix_.unknown(multiplier_of(v), 0)] = angle_change[v];
+    if (!jacobian_.is_movable(v)) continue;
+    const std::array<double, 3> parts = along_moves(v, force[v]);
+    for (int part = 0; part < move_count(v); ++part)
+      right[matrix_.unknown(moves_of(v), part)] = parts[static_cast<std::size_t>(part)];
   }
-  const Eigen::MatrixXd solution = solver_.solve(right, pool);
-  Positions move(jacobian_.row_count());
-  for (Index v = 0; v < move.size(); ++v) {
-    move[v] = {solution(unknown(v, 0), 0), solution(unknown(v, 1), 0), solution(unknown(v, 2), 0)};
+  const Eigen::VectorXd solution = solver_->solve(matrix_.lower(), right, pool, accuracy);
+  Positions step(count_);
+  for (Index v = 0; v < count_; ++v) {
+    if (jacobian_.is_movable(v)) step[v] = move_of(v, solution);
   }
-  return move;
+  return step;
+}
+
+Vec3 KktSystem::move_of(Index v, const Eigen::VectorXd& solution) const {
+  const auto part = [&](int number) { return solution[matrix_.unknown(moves_of(v), number)]; };
+  if (move_count(v) == 1) return (unit_ * part(0)) * direction(v);
+  return unit_ * Vec3{part(0), part(1), part(2)};
 }
 
 }  // namespace planish

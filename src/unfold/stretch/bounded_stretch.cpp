@@ -71,9 +71,9 @@ class BoundedDescent {
     weight_ = aims.weight * now_.energy;
     now_.scale = 1.05 * std::max(largest_share_of_bound(), aims_.least_scale);
     now_.slacks = slacks(now_.flat, now_.scale);
-    slots_.reserve(edges_.size());
+    ends_.reserve(edges_.size());
     for (const FlatEdge& edge : edges_)
-      slots_.push_back(system_.slots_of(edge));
+      ends_.push_back(system_.pair_of(edge));
     longer_.resize(edges_.size());
     shorter_.resize(edges_.size());
     take_slacks();
@@ -215,7 +215,7 @@ class BoundedDescent {
           std::max(0.0, longer.multiplier - shorter.multiplier) / (rest * edge.length);
       const double along = (stiff_longer + stiff_shorter) / (rest * rest);
       const Vec2 u = edge.along;
-      system_.add(edges_[e], slots_[e],
+      system_.add(edges_[e], ends_[e],
                   (mu_ * (1.0 / longer.slack - 1.0 / shorter.slack) / rest) * u,
                   {along * u.x * u.x + across * u.y * u.y, (along - across) * u.x * u.y,
                    along * u.y * u.y + across * u.x * u.x});
@@ -364,7 +364,7 @@ class BoundedDescent {
   std::span<const FlatEdge> edges_;
   std::span<const EdgeBounds> bounds_;
   BoundedAims aims_;
-  std::vector<StretchSystem::EdgeSlots> slots_;
+  std::vector<BlockMatrix::Pair> ends_;
   State now_;
   std::vector<Bound> longer_, shorter_;
   Bound scale_bound_;

@@ -10,7 +10,7 @@ namespace planish {
 
 std::vector<Vec2> turn_to_axis(const Disk& disk, std::vector<Vec2> flat) {
   const Vec2 origin = flat[disk.border.front()];
-  const Vec2 to = flat[Unknowns::opposite(disk)] - origin;
+  const Vec2 to = flat[opposite_of_first(disk)] - origin;
   const double distance = norm(to);
   const Vec2 axis = distance > 0.0 ? (1.0 / distance) * to : Vec2{1.0, 0.0};
   for (Vec2& p : flat)

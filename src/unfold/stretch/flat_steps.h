@@ -7,32 +7,13 @@
 
 namespace planish {
 
-/// Which coordinates of a flat disk move. Turning and shifting cost no energy, so the first border
-/// vertex stays, and the one half way around stays on its line with it (the disk is turned to make
-/// that the x axis).
-class Unknowns {
- public:
-  explicit Unknowns(const Disk& disk) : column_(2 * disk.vertex_count, 0) {
-    const Index anchor = disk.border.front();
-    column_[2 * anchor] = column_[2 * anchor + 1] = k_fixed;
-    column_[2 * opposite(disk) + 1] = k_fixed;
-    for (int& column : column_) {
-      if (column != k_fixed) column = count_++;
-    }
-  }
+/// The border vertex half way around from the first one.
+inline Index opposite_of_first(const Disk& disk) {
+  return disk.border[disk.border.size() / 2];
+}
 
-  static Index opposite(const Disk& disk) { return disk.border[disk.border.size() / 2]; }
-  static constexpr int k_fixed = -1;
-  int count() const { return count_; }
-  /// Of x (0) or y (1) of a vertex; k_fixed where it stays.
-  int column(Index v, int axis) const { return column_[2 * v + axis]; }
-
- private:
-  std::vector<int> column_;
-  int count_ = 0;
-};
-
-/// The flat disk turned and shifted to where Unknowns holds it.
+/// The flat disk turned and shifted so that the first border vertex is at the origin, and the one
+/// half way around on the x axis.
 std::vector<Vec2> turn_to_axis(const Disk& disk, std::vector<Vec2> flat);
 
 /// @pre the triangle is not flipped

@@ -6,8 +6,6 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "solve/sparse_pattern.h"
-
 namespace planish {
 
 namespace {
@@ -24,21 +22,31 @@ BorderEdge border_edge(const Disk& disk, std::size_t k) {
   return {disk.border[k], disk.border[(k + 1) % disk.border.size()]};
 }
 
+/// Of vertices that share a turn, and of the ends of an edge with its pull.
+BlockMatrix::ForPairs pairs_of_border(const Disk& disk, const HeldBorder& border) {
+  return [&](const BlockMatrix::VisitPair& visit) {
+    for (const BorderBend::Turn& turn : border.bend.turns()) {
+      for (std::size_t k = 0; k < 3; ++k)
+        visit(turn.vertices[k], turn.vertices[(k + 1) % 3]);
+    }
+    for (std::size_t k = 0; k < disk.border.size(); ++k) {
+      const BorderEdge edge = border_edge(disk, k);
+      for (const Index v : {edge.from, edge.to})
+        visit(v, static_cast<Index>(disk.vertex_count + k));
+    }
+  };
+}
+
 }  // namespace
 
 SeamSystem::SeamSystem(const Disk& disk, const HeldBorder& border, ThreadPool& pool)
-    : StretchSystem(disk, disk.border.size(), pool),
+    : StretchSystem(disk, disk.border.size(), pairs_of_border(disk, border), pool),
       border_(border),
       edges_of_(disk.triangles.size()) {
   find_edges_of_triangles();
-  make_pattern();
-  find_slots();
   pulls_ = gaps_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(disk.border.size()));
-  for (const BorderBend::Turn& turn : border.bend.turns()) {
-    for_pairs(turn.vertices, [&](int row, int column, int, int) {
-      slots_of_turns_.push_back(entry_of(hessian_, row, column));
-    });
-  }
+  for (const BorderBend::Turn& turn : border.bend.turns())
+    turn_pairs_.push_back(pairs_of(turn.vertices));
 }
 
 void SeamSystem::find_edges_of_triangles() {
@@ -64,42 +72,16 @@ std::vector<Index> SeamSystem::elimination_order() const {
   }
   std::vector<char> is_begun(disk_.border.size(), 0);
   std::vector<Index> order;
-  order.reserve(static_cast<std::size_t>(hessian_.rows()));
+  order.reserve(static_cast<std::size_t>(hessian().rows()));
   for (const Index v : border_.order) {
-    for (const int axis : {0, 1}) {
-      const int column = unknowns_.column(v, axis);
-      if (column != Unknowns::k_fixed) order.push_back(static_cast<Index>(column));
-    }
+    for (int axis = 0; axis < matrix_.size(v); ++axis)
+      order.push_back(static_cast<Index>(matrix_.unknown(v, axis)));
     for (const std::size_t k : edges[v]) {
       if (is_begun[k] != 0) order.push_back(static_cast<Index>(row_of_pull(k)));
       is_begun[k] = 1;
     }
   }
   return order;
-}
-
-void SeamSystem::make_pattern() {
-  std::vector<Eigen::Triplet<double>> entries;
-  const std::vector<BorderBend::Turn>& turns = border_.bend.turns();
-  entries.reserve(21 * (disk_.triangles.size() + turns.size()) + 5 * disk_.border.size());
-  const auto add = [&](int row, int column, int, int) { entries.emplace_back(row, column, 0.0); };
-  for (const Triangle& t : disk_.triangles)
-    for_pairs(t, add);
-  for (const BorderBend::Turn& turn : turns)
-    for_pairs(turn.vertices, add);
-  for (std::size_t k = 0; k < disk_.border.size(); ++k) {
-    const BorderEdge edge = border_edge(disk_, k);
-    const int pull = row_of_pull(k);
-    entries.emplace_back(pull, pull, 0.0);
-    for (const Index v : {edge.from, edge.to}) {
-      for (const int axis : {0, 1}) {
-        const int column = unknowns_.column(v, axis);
-        if (column == Unknowns::k_fixed) continue;
-        entries.emplace_back(pull, column, 0.0);
-      }
-    }
-  }
-  hessian_.setFromTriplets(entries.begin(), entries.end());
 }
 
 Eigen::VectorXd SeamSystem::gaps(const std::vector<Vec2>& flat) const {
@@ -156,19 +138,19 @@ SeamSystem::Hessian6 SeamSystem::hessian_of(std::size_t t, const TriangleEnergy&
 }
 
 void SeamSystem::add_lengths(const std::vector<Vec2>& flat) {
-  double* values = hessian_.valuePtr();
   for (std::size_t k = 0; k < disk_.border.size(); ++k) {
     const BorderEdge edge = border_edge(disk_, k);
-    const int pull = row_of_pull(k);
+    const Index pull = block_of_pull(k);
     const bool is_free = border_.lengths.may_change(k);
-    values[entry_of(hessian_, pull, pull)] = is_free ? -1.0 : -k_give;
+    *matrix_.own(pull, 0) = is_free ? -1.0 : -k_give;
     if (is_free) continue;
     const Vec2 d = flat[edge.to] - flat[edge.from];
     const Vec2 along = (1.0 / norm(d)) * d;
     const auto set = [&](Index v, double sign) {
-      const int x = unknowns_.column(v, 0), y = unknowns_.column(v, 1);
-      if (x != Unknowns::k_fixed) values[entry_of(hessian_, pull, x)] = sign * along.x;
-      if (y != Unknowns::k_fixed) values[entry_of(hessian_, pull, y)] = sign * along.y;
+      const double parts[2] = {sign * along.x, sign * along.y};
+      const BlockMatrix::Pair pair = matrix_.pair_of(v, pull);
+      for (int axis = 0; axis < matrix_.size(v); ++axis)
+        *matrix_.entries(v, pair, axis) = parts[axis];
     };
     set(edge.from, -1.0);
     set(edge.to, 1.0);
@@ -177,14 +159,11 @@ void SeamSystem::add_lengths(const std::vector<Vec2>& flat) {
 
 void SeamSystem::assemble(const std::vector<Vec2>& flat, Curvature curvature) {
   StretchSystem::assemble(flat, curvature);
-  auto next_slot = slots_of_turns_.begin();
-  for (const BorderBend::Turn& turn : border_.bend.turns()) {
+  for (std::size_t k = 0; k < turn_pairs_.size(); ++k) {
+    const BorderBend::Turn& turn = border_.bend.turns()[k];
     const BorderBend::Derivatives bend = BorderBend::derivatives(turn, flat, stiffness_);
     add_gradient(turn.vertices, bend.gradient);
-    for_pairs(turn.vertices, [&](int, int, int i, int j) {
-      hessian_.valuePtr()[*next_slot++] +=
-          bend.hessian[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-    });
+    add_hessian(turn.vertices, turn_pairs_[k], bend.hessian);
   }
   add_lengths(flat);
   gaps_ = gaps(flat);
@@ -212,7 +191,7 @@ void SeamSystem::follow(const Eigen::VectorXd& step, double share) {
 
 SeamSystem::Step SeamSystem::step() const {
   const Eigen::VectorXd right = this->right();
-  const auto matrix = hessian_.selfadjointView<Eigen::Lower>();
+  const auto matrix = hessian().selfadjointView<Eigen::Lower>();
   Step step;
   step.all = solve(right);
   const Eigen::VectorXd rest = right - matrix * step.all;
@@ -228,7 +207,7 @@ SeamSystem::Step SeamSystem::step() const {
 }
 
 std::vector<Vec2> SeamSystem::correction(const Eigen::VectorXd& change) const {
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(hessian_.rows());
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(hessian().rows());
   for (std::size_t k = 0; k < disk_.border.size(); ++k)
     right[row_of_pull(k)] = change[static_cast<Eigen::Index>(k)];
   return spread(solve(right));

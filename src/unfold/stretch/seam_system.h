@@ -61,14 +61,14 @@ class SeamSystem final : public StretchSystem {
   Hessian6 hessian_of(std::size_t t, const TriangleEnergy& energy, const std::vector<Vec2>& flat,
                       Curvature curvature) const override;
   std::vector<Index> elimination_order() const override;
-  int row_of_pull(std::size_t k) const { return unknowns_.count() + static_cast<int>(k); }
-  void make_pattern();
+  Index block_of_pull(std::size_t k) const { return static_cast<Index>(disk_.vertex_count + k); }
+  int row_of_pull(std::size_t k) const { return matrix_.unknown(block_of_pull(k), 0); }
   void find_edges_of_triangles();
   void add_lengths(const std::vector<Vec2>& flat);
 
   const HeldBorder& border_;
   std::vector<std::vector<Index>> edges_of_;  // border edges of each triangle that has some
-  std::vector<std::size_t> slots_of_turns_;   // of their entries, in the order they are made in
+  std::vector<TrianglePairs> turn_pairs_;
   Eigen::VectorXd pulls_, gaps_;
   double stiffness_ = 1.0;  // of the border's bend
 };

@@ -40,9 +40,9 @@ class PricedSteps {
         price_of_(price),
         flat_(start),
         unit_(system.energy(start)) {
-    slots_.reserve(edges.size());
+    ends_.reserve(edges.size());
     for (const FlatEdge& edge : edges)
-      slots_.push_back(system_.slots_of(edge));
+      ends_.push_back(system_.pair_of(edge));
   }
 
   /// False where no step lowers the energy of that weight.
@@ -74,7 +74,7 @@ class PricedSteps {
       // Where an edge is to get longer, turning it helps: left out, so that the matrix stays
       // positive definite.
       const double across = std::max(0.0, slope) / length;
-      system_.add(edge, slots_[e], slope * u,
+      system_.add(edge, ends_[e], slope * u,
                   {along * u.x * u.x + across * u.y * u.y, (along - across) * u.x * u.y,
                    along * u.y * u.y + across * u.x * u.x});
     }
@@ -109,7 +109,7 @@ class PricedSteps {
   std::span<const FlatEdge> edges_;
   double peak_;
   Price& price_of_;
-  std::vector<StretchSystem::EdgeSlots> slots_;
+  std::vector<BlockMatrix::Pair> ends_;
   std::vector<Vec2> flat_;
   double unit_;
 };

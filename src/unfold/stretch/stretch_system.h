@@ -1,12 +1,12 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "solve/block_matrix.h"
 #include "solve/sparse_ldlt.h"
 #include "unfold/stretch/flat_edges.h"
 #include "unfold/stretch/flat_steps.h"
@@ -30,15 +30,14 @@ class StretchSystem {
   virtual double energy(const std::vector<Vec2>& flat) const { return total_energy(disk_, flat); }
   /// Sets gradient and Hessian to those of the energy.
   virtual void assemble(const std::vector<Vec2>& flat, Curvature curvature);
-  /// Where the entries of an edge lie among the Hessian's values, in the order that they are made
-  /// in.
-  using EdgeSlots = std::array<std::uint32_t, 10>;
-  EdgeSlots slots_of(const FlatEdge& edge) const;
+  /// The ends of an edge, for add().
+  BlockMatrix::Pair pair_of(const FlatEdge& edge) const {
+    return matrix_.pair_of(edge.from, edge.to);
+  }
   /// Adds a function of the vector from one end of an edge to the other.
-  /// @param slots of the edge
-  void add(const FlatEdge& edge, const EdgeSlots& slots, Vec2 gradient, const EdgeHessian& hessian);
+  void add(const FlatEdge& edge, BlockMatrix::Pair ends, Vec2 gradient, const EdgeHessian& hessian);
 
-  const SparseMatrix& hessian() const { return hessian_; }
+  const SparseMatrix& hessian() const { return matrix_.lower(); }
   const Eigen::VectorXd& gradient() const { return gradient_; }
   /// False where no step can be solved for.
   virtual bool factor();
@@ -59,8 +58,10 @@ class StretchSystem {
   std::vector<Vec2> spread(const Eigen::VectorXd& unknowns) const;
 
  protected:
-  /// With more rows behind those of the coordinates, for whoever makes the pattern.
-  StretchSystem(const Disk& disk, std::size_t more_rows, ThreadPool& pool);
+  /// With more blocks of one unknown behind those of the vertices.
+  /// @param more_pairs of blocks that share no triangle
+  StretchSystem(const Disk& disk, std::size_t more_blocks, const BlockMatrix::ForPairs& more_pairs,
+                ThreadPool& pool);
 
   using Hessian6 = std::array<std::array<double, 6>, 6>;
   virtual Hessian6 hessian_of(std::size_t /*t*/, const TriangleEnergy& energy,
@@ -68,35 +69,20 @@ class StretchSystem {
     return energy.hessian(curvature);
   }
   void add_gradient(const Triangle& corners, const std::array<double, 6>& gradient);
-  template <class Visit>
-  void for_pairs(const Triangle& tri, Visit visit) const {
-    for (int i = 0; i < 6; ++i) {
-      const int row = unknowns_.column(tri[i / 2], i % 2);
-      for (int j = 0; j < 6; ++j) {
-        const int column = unknowns_.column(tri[j / 2], j % 2);
-        if (column != Unknowns::k_fixed && row >= column) visit(row, column, i, j);
-      }
-    }
-  }
-  /// To be called once hessian_ has its pattern.
-  void find_slots();
+  using TrianglePairs = std::array<BlockMatrix::Pair, 3>;
+  TrianglePairs pairs_of(const Triangle& corners) const;
+  void add_hessian(const Triangle& corners, const TrianglePairs& pairs, const Hessian6& hessian);
   /// The unknowns in order of elimination; empty where they are numbered so.
   virtual std::vector<Index> elimination_order() const { return {}; }
 
   const Disk& disk_;
   ThreadPool& pool_;
-  Unknowns unknowns_;
-  SparseMatrix hessian_;
+  BlockMatrix matrix_;  // a block for each vertex, of the coordinates that move
   Eigen::VectorXd gradient_;
   std::optional<SparseLdlt> factor_;
 
  private:
-  void make_pattern();
-  template <class Visit>
-  void for_pairs(const FlatEdge& edge, Visit visit) const;
-
-  // Where entries of triangles go among its values, in the order that they are made in.
-  std::vector<std::size_t> slots_;
+  std::vector<TrianglePairs> triangle_pairs_;
 };
 
 }  // namespace planish

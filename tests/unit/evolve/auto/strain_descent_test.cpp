@@ -206,42 +206,6 @@ TEST(StrainPotential, IsTheSameWithAFactorThatWasFreedAndMadeAgain) {
   }
 }
 
-TEST(NormalDirectionSystem, SolvesWhatADenseSolverSolves) {
-  const TriMesh mesh = make_shape("panel", 150);
-  Laid laid(mesh, one_held(mesh));
-  const FairnessEnergy cost(laid.jacobian, laid.state, 0.1);
-  StrainPotential potential(laid.jacobian, laid.state, laid.pool, BoundaryCondition::dirichlet);
-  const SparseMatrix& square = potential.square();
-  NormalDirectionSystem system(laid.jacobian, laid.state, cost.hessian(), square);
-  const Eigen::Index n = laid.count();
-  Positions normals;
-  MatrixXd j = MatrixXd::Zero(n, n);
-  constexpr double unit = 0.3, stiffness = 2.5, sigma = 0.2;
-  for (Index v = 0; v < laid.state.inner_count(); ++v) {
-    normals.push_back(normal_at(v, laid.jacobian, laid.state));
-    for (const AngleJacobian::Entry& entry : laid.jacobian.column(v))
-      j(entry.row, v) = -unit * dot(laid.jacobian.gradient(entry.entry), normals[v]);
-  }
-  ASSERT_TRUE(system.factor(normals, cost.hessian(), square, unit, stiffness, sigma, laid.pool));
-  const VectorXd force = VectorXd::LinSpaced(n, -1.0, 2.0);
-  const VectorXd turn = VectorXd::LinSpaced(n, 0.1, -0.2);
-  MatrixXd whole = MatrixXd::Zero(2 * n, 2 * n);
-  const MatrixXd h = MatrixXd(cost.hessian()).selfadjointView<Eigen::Lower>();
-  for (Eigen::Index v = 0; v < n; ++v) {
-    for (Eigen::Index w = 0; w < n; ++w)
-      whole(v, w) = stiffness * h(v, w) * (v == w ? 1.0 : dot(normals[v], normals[w]));
-  }
-  whole.bottomLeftCorner(n, n) = j;
-  whole.topRightCorner(n, n) = j.transpose();
-  whole.bottomRightCorner(n, n) =
-      -sigma * sigma * MatrixXd(MatrixXd(square).selfadjointView<Eigen::Lower>());
-  VectorXd right(2 * n);
-  right << force, turn;
-  const VectorXd expected = whole.fullPivLu().solve(right).head(n);
-  EXPECT_LT((system.solve(force, turn, laid.pool, 1e-12) - expected).norm(),
-            1e-9 * expected.norm());
-}
-
 TEST(TangentialRelaxation, MendsWhatHasBecomePoorAndNothingElse) {
   const TriMesh mesh = meshes::height_field(20, 20, [](double, double) { return 0.0; });
   Laid laid(mesh);

@@ -73,13 +73,31 @@ Positions some_forces(std::size_t count) {
   return forces;
 }
 
-TEST(KktSystem, SolvesWhatADenseSolverSolves) {
+TEST(KktSystem, SolvesScalarTermsAsTheDenseMatrixDoes) {
   PatchWithJacobian patch;
   const auto n = static_cast<Eigen::Index>(patch.state.inner_count());
   const SparseMatrix hessian = spring_matrix(patch.state);
-  KktSystem system(patch.jacobian, patch.state, hessian);
-  constexpr double mu = 1e-4;
-  ASSERT_TRUE(system.factor(mu, patch.pool));
+  SparseMatrix identity(n, n);
+  identity.setIdentity();
+  const auto for_entries = [&](const auto& visit) {
+    for (int j = 0; j < hessian.outerSize(); ++j) {
+      for (SparseMatrix::InnerIterator entry(hessian, j); entry; ++entry)
+        visit(static_cast<Index>(entry.row()), static_cast<Index>(j), entry.value());
+    }
+  };
+  const auto for_pairs = [&](const BlockMatrix::VisitPair& visit) {
+    for_entries([&](Index v, Index w, double) { visit(v, w); });
+  };
+  KktSystem system(patch.jacobian, patch.state, for_pairs, identity, {}, Precision::full,
+                   patch.pool);
+  constexpr double c = 1e-4, scale = 2.0;
+  system.clear();
+  for_entries([&](Index v, Index w, double value) {
+    std::vector<BlockMatrix::Pair> pair;
+    system.append_pairs(std::array{v, w}, pair);
+    system.add_scalar(v, w, pair.front(), scale, value);
+  });
+  ASSERT_TRUE(system.factor(identity, c, patch.pool));
   const Positions forces = some_forces(patch.state.inner_count());
   const VectorXd turn = VectorXd::LinSpaced(n, -0.1, 0.2);
   const VectorXd move = PatchWithJacobian::flat(system.solve(forces, turn, patch.pool));
@@ -88,12 +106,11 @@ TEST(KktSystem, SolvesWhatADenseSolverSolves) {
   MatrixXd kkt = MatrixXd::Zero(4 * n, 4 * n);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = 0; j < n; ++j)
-      kkt.block<3, 3>(3 * i, 3 * j) = h(i, j) * Eigen::Matrix3d::Identity();
+      kkt.block<3, 3>(3 * i, 3 * j) = scale * h(i, j) * Eigen::Matrix3d::Identity();
   }
-  kkt.bottomLeftCorner(n, 3 * n) = patch.dense;
-  kkt.topRightCorner(3 * n, n) = patch.dense.transpose();
-  const double mean = patch.dense.squaredNorm() / static_cast<double>(n);
-  kkt.bottomRightCorner(n, n).diagonal().setConstant(-mu * mean);
+  kkt.bottomLeftCorner(n, 3 * n) = -patch.dense;
+  kkt.topRightCorner(3 * n, n) = -patch.dense.transpose();
+  kkt.bottomRightCorner(n, n).diagonal().setConstant(-c);
   VectorXd right(4 * n);
   right << PatchWithJacobian::flat(forces), turn;
   const VectorXd expected = kkt.fullPivLu().solve(right).head(3 * n);

@@ -1,4 +1,7 @@
-#include "evolve/smooth/smooth_system.h"
+// Terms of several vertices, with directions that are given or not.
+
+#include <utility>
+#include <vector>
 
 #include <planish/mesh/shapes.h>
 
@@ -6,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "evolve/descent/strain_potential.h"
-#include "evolve/systems/positions.h"
+#include "evolve/smooth/hinge_terms.h"
+#include "evolve/smooth/shape_guard.h"
+#include "evolve/systems/kkt_system.h"
 
 namespace planish {
 namespace {
@@ -15,6 +20,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double k_own = 0.7, k_c = 0.02;
+constexpr KktSystem::Moves k_along_lines = {.inner = 1};
 
 /// The same system as a dense matrix: unknowns are the coordinates of all vertices that are columns
 /// of the Jacobian, then the multipliers.
@@ -92,7 +98,7 @@ MatrixXd onto_lines(const AngleJacobian& jacobian, const Positions& lines, Eigen
 /// @param border_movable by vertex of the border
 void expect_solved_as_dense(const Constraints& constraints,
                             std::span<const unsigned char> border_movable,
-                            SmoothMoves moves = SmoothMoves::free) {
+                            KktSystem::Moves moves = {}) {
   const TriMesh mesh = make_shape("panel", 100);
   const Patch patch(mesh);
   ThreadPool pool(1);
@@ -102,13 +108,23 @@ void expect_solved_as_dense(const Constraints& constraints,
   const HingeTerms hinges(Patch(mesh_at_first(state)), state);
   const ShapeGuard guard(state, 0.05);
   StrainPotential potential(jacobian, state, pool, BoundaryCondition::free);
-  SmoothSystem system(jacobian, state, hinges, guard, potential.square(), moves, pool);
-  const Positions lines = moves == SmoothMoves::along_lines ? some_lines(jacobian) : Positions{};
+  const auto for_pairs = [&](const BlockMatrix::VisitPair& visit) {
+    for (std::size_t h = 0; h < hinges.size(); ++h) {
+      const auto& corners = hinges.corners(h);
+      for (const auto [i, j] : {std::pair{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}})
+        visit(corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(j)]);
+    }
+  };
+  KktSystem system(jacobian, state, for_pairs, potential.square(), moves, Precision::full, pool);
+  const Positions lines = moves.inner == 1 ? some_lines(jacobian) : Positions{};
   system.clear(lines);
   for (std::size_t h = 0; h < hinges.size(); ++h)
-    system.add_hinge(h, 1.5, hinges.slope(h).gradient);
+    system.add_term(hinges.corners(h), 1.5, hinges.slope(h).gradient);
+  std::vector<BlockMatrix::Pair> pairs;
   for (std::size_t e = 0; e < guard.edge_count(); ++e)
-    system.add_edge(e, 2.5, guard.edge_slope(e).gradient);
+    system.append_pairs(guard.edge(e), pairs);
+  for (std::size_t e = 0; e < guard.edge_count(); ++e)
+    system.add_term(guard.edge(e), pairs.data() + e, 2.5, guard.edge_slope(e).gradient);
   for (Index v = 0; v < jacobian.column_count(); ++v)
     system.add_vertex(v, {k_own, 0, 0, k_own, 0, k_own});
   ASSERT_TRUE(system.factor(potential.square(), k_c, pool));
@@ -138,11 +154,11 @@ void expect_solved_as_dense(const Constraints& constraints,
   }
 }
 
-TEST(SmoothSystem, SolvesAsTheDenseMatrixDoes) {
+TEST(KktSystem, SolvesTermsAsTheDenseMatrixDoes) {
   expect_solved_as_dense({}, {});
 }
 
-TEST(SmoothSystem, HoldsWhatIsFixed) {
+TEST(KktSystem, HoldsWhatIsFixed) {
   const TriMesh mesh = make_shape("panel", 100);
   const Patch patch(mesh);
   std::vector<Index> inner;
@@ -150,10 +166,10 @@ TEST(SmoothSystem, HoldsWhatIsFixed) {
     if (!patch.is_border(v)) inner.push_back(v);
   }
   expect_solved_as_dense({.fixed = {inner[3], inner[20]}}, {});
-  expect_solved_as_dense({.fixed = {inner[3], inner[20]}}, {}, SmoothMoves::along_lines);
+  expect_solved_as_dense({.fixed = {inner[3], inner[20]}}, {}, k_along_lines);
 }
 
-TEST(SmoothSystem, MovesTheBorderWhereItMay) {
+TEST(KktSystem, MovesTheBorderWhereItMay) {
   const TriMesh mesh = make_shape("panel", 100);
   const Patch patch(mesh);
   std::vector<unsigned char> movable;
@@ -161,11 +177,11 @@ TEST(SmoothSystem, MovesTheBorderWhereItMay) {
     if (patch.is_border(v)) movable.push_back(movable.size() % 3 != 0 ? 1 : 0);
   }
   expect_solved_as_dense({}, movable);
-  expect_solved_as_dense({}, movable, SmoothMoves::along_lines);
+  expect_solved_as_dense({}, movable, k_along_lines);
 }
 
-TEST(SmoothSystem, MovesInnerVerticesAlongLinesWhereAskedTo) {
-  expect_solved_as_dense({}, {}, SmoothMoves::along_lines);
+TEST(KktSystem, MovesInnerVerticesAlongLinesWhereAskedTo) {
+  expect_solved_as_dense({}, {}, k_along_lines);
 }
 
 }  // namespace

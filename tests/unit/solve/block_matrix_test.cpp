@@ -73,7 +73,9 @@ TEST(BlockMatrix, AddsWhatADenseMatrixGets) {
   };
   add(std::array<Index, 3>{2, 0, 1});
   add(std::array<Index, 2>{3, 2});
-  const auto both = [&] { return MatrixXd(matrix.lower().selfadjointView<Eigen::Lower>()); };
+  const auto both = [&] {
+    return MatrixXd(MatrixXd(matrix.lower()).selfadjointView<Eigen::Lower>());
+  };
   EXPECT_EQ(both(), dense);
   *matrix.own(3, 0) = 7.0;
   matrix.entries(0, matrix.pair_of(0, 2), 1)[2] = -3.0;

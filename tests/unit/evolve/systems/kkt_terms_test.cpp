@@ -111,7 +111,7 @@ void expect_solved_as_dense(const Constraints& constraints,
   const auto for_pairs = [&](const BlockMatrix::VisitPair& visit) {
     for (std::size_t h = 0; h < hinges.size(); ++h) {
       const auto& corners = hinges.corners(h);
-      for (const auto [i, j] : {std::pair{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}})
+      for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}})
         visit(corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(j)]);
     }
   };

@@ -30,8 +30,11 @@ std::vector<Vec3> smoothed_positions(const Patch& patch, std::optional<double> w
 /// (below k_no_bending). No unit.
 double design_bending(const Patch& patch);
 
-/// As measure_fairness(design, after), of which design_bending(design) is most of the work.
+/// As measure_fairness(design, after), of which design_bending(design) is much of the work.
 /// @param b0 design_bending(design); up to k_no_bending for a plane
+Fairness measure_fairness(const Patch& design, double b0, std::span<const Vec3> after);
+
+/// The same but for the change of the form.
 Fairness fairness_beside(const Patch& design, double b0, std::span<const Vec3> after);
 
 }  // namespace planish

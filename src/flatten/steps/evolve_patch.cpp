@@ -26,28 +26,28 @@ MeasuredPatch measure_patch(const Patch& patch, const Context& context) {
   return measured;
 }
 
-namespace {
-
-/// The figures around an evolution of the patch.
-template <class Evolve>
-EvolveReport report_of_evolving(const Patch& patch, const Method& method, const Stopping& stopping,
-                                const Context& context, const Evolve& evolved_now) {
+EvolveReport report_of_evolving(const Patch& patch, const MeasuredDesign& measured,
+                                const Method& method, const Stopping& stopping,
+                                const Context& context,
+                                const std::function<EvolveResult()>& evolved) {
   report_progress(context, {"measuring", 0.0});
   EvolveReport report;
   report.method = method;
   report.stopping = stopping;
-  report.before = measure_patch(patch, context);
-  report.result = evolved_now();
+  report.before = measured.figures;
+  report.result = evolved();
   const std::vector<Vec3>& after = report.result.positions;
-  Aside fairness(context.threads != 1, [&] { return measure_fairness(patch, after); });
-  const Patch evolved = patch.with_positions(after);
+  Aside fairness(context.threads != 1,
+                 [&] { return measure_fairness(patch, measured.bending, after); });
   stop_if_cancelled(context);
-  report.after = measure_patch(evolved, context);
+  report.after = measure_patch(patch.with_positions(after), context);
   report.deviation = measure_deviation(patch, after);
   report.border = measure_border_change(patch, after);
   report.fairness = fairness.result();
   return report;
 }
+
+namespace {
 
 /// Of the half, and the same of its mirror image.
 Constraints of_whole(Constraints constraints, const SymmetricWhole& whole) {
@@ -68,48 +68,38 @@ Constraints of_whole(Constraints constraints, const SymmetricWhole& whole) {
 
 EvolveReport evolve_patch(const Patch& patch, const Method& method, const Stopping& stopping,
                           const Constraints& constraints, const Context& context) {
-  return report_of_evolving(patch, method, stopping, context,
+  report_progress(context, {"measuring", 0.0});
+  return report_of_evolving(patch, measure_design(patch, context), method, stopping, context,
                             [&] { return evolve(patch, method, stopping, constraints, context); });
+}
+
+EvolveReport compared_with_denser(EvolveReport report, const Patch& denser,
+                                  const Patch& worked_on) {
+  if (worked_on.vertex_count() == denser.vertex_count()) return report;
+  const Patch after = worked_on.with_positions(report.result.positions);
+  report.remeshed_from = OriginalSize{denser.vertex_count(), denser.triangles().size()};
+  report.deviation = measure_surface_deviation(denser, after.mesh());
+  report.fairness = measure_fairness(denser, after);
+  return report;
 }
 
 EvolveReport evolve_remeshed(const Patch& original, const RemeshedPatch& remeshed,
                              const Method& method, const Stopping& stopping,
                              const Context& context) {
-  EvolveReport report =
-      evolve_patch(remeshed.patch, method, stopping, remeshed.constraints, context);
-  if (remeshed.patch.vertex_count() == original.vertex_count()) return report;
-  report.remeshed_from = OriginalSize{original.vertex_count(), original.triangles().size()};
-  const Patch after = remeshed.patch.with_positions(report.result.positions);
-  report.deviation = measure_surface_deviation(original, after.mesh());
-  report.fairness = measure_fairness(original, after);
-  return report;
+  return compared_with_denser(
+      evolve_patch(remeshed.patch, method, stopping, remeshed.constraints, context), original,
+      remeshed.patch);
 }
 
-EvolveReport evolve_half(const Patch& half, const SymmetricWhole& whole, const Method& method,
+EvolveResult evolve_half(const Patch& half, const SymmetricWhole& whole, const Method& method,
                          const Stopping& stopping, const Constraints& constraints,
                          const Context& context) {
-  return report_of_evolving(half, method, stopping, context, [&] {
-    EvolveResult result =
-        evolve(whole.patch, method, stopping, of_whole(constraints, whole), context);
-    result.positions = half_of(whole, result.positions);
-    for (const Index v : constraints.fixed)
-      result.positions[v] = half.positions()[v];
-    return result;
-  });
-}
-
-EvolveReport left_as_it_is(const Patch& patch, const std::optional<Method>& method,
-                           const Stopping& stopping, StopReason reason, const Context& context) {
-  EvolveReport report;
-  Aside fairness(context.threads != 1, [&] { return measure_fairness(patch, patch.positions()); });
-  report.method = method;
-  report.stopping = stopping;
-  report.before = report.after = measure_patch(patch, context);
-  report.result.positions = patch.positions();
-  report.result.stop = reason;
-  report.deviation = measure_deviation(patch, patch.positions());
-  report.fairness = fairness.result();
-  return report;
+  EvolveResult result =
+      evolve(whole.patch, method, stopping, of_whole(constraints, whole), context);
+  result.positions = half_of(whole, result.positions);
+  for (const Index v : constraints.fixed)
+    result.positions[v] = half.positions()[v];
+  return result;
 }
 
 }  // namespace planish

@@ -212,10 +212,6 @@ Tolerance::Use Tolerance::use(const Patch& design, double bending,
           std::max(fold / most_new_fold, fairness.bending_added.value_or(0.0) / most_added)};
 }
 
-bool Tolerance::allows(const Patch& design, const std::vector<Vec3>& after) const {
-  return use(design, design_bending(design), after).most() <= 1.0;
-}
-
 namespace {
 
 /// Looks for the least strain within a tolerance, in families of surfaces that a limit of strain
@@ -227,7 +223,6 @@ class SearchWithin {
       : design_(design),
         tolerance_(tolerance),
         runs_(runs),
-        bending_(design_bending(design)),
         idle_(k_idle * design_strain),
         most_(std::max(idle_ - k_unmeasurable_strain, 0.1 * idle_)) {}
 
@@ -249,7 +244,7 @@ class SearchWithin {
 
  private:
   Tolerance::Use use(const std::vector<Vec3>& positions) const {
-    return tolerance_.use(design_, bending_, positions);
+    return tolerance_.use(design_, runs_.bending, positions);
   }
 
   /// In one family.
@@ -287,7 +282,7 @@ class SearchWithin {
   const Patch& design_;
   Tolerance tolerance_;
   const SurfaceRuns& runs_;
-  double bending_, idle_, most_;
+  double idle_, most_;
   StopReason stop_ = StopReason::strain_met;  // why no more strain could go
   std::optional<EvolvedPattern> best_;
 };

@@ -68,6 +68,7 @@ struct SurfaceRuns {
   std::function<UnfoldReport(const Patch&surface)> unfolded, stretched_least;
   /// Whether a surface is as smooth as was asked for.
   std::function<bool(const std::vector<Vec3>& positions)> is_form_good;
+  double bending = 0.0;  ///< design_bending() of the design
   /// Whether a place on the straight way between two surfaces may be a result.
   bool may_be_between = true;
   SearchEffort effort = {};
@@ -116,8 +117,6 @@ struct Tolerance {
   };
   /// @param bending design_bending() of the design
   Use use(const Patch& design, double bending, const std::vector<Vec3>& after) const;
-  /// Whether it may be so.
-  bool allows(const Patch& design, const std::vector<Vec3>& after) const;
 };
 
 /// Takes noise out within a tolerance: waves shorter than a length, those of the border too where

@@ -254,7 +254,11 @@ Fairness fairness_of_design(const Fairness& of_result) {
 }
 
 Fairness measure_fairness(const Patch& design, std::span<const Vec3> after) {
-  Fairness fairness = fairness_beside(design, design_bending(design), after);
+  return measure_fairness(design, design_bending(design), after);
+}
+
+Fairness measure_fairness(const Patch& design, double b0, std::span<const Vec3> after) {
+  Fairness fairness = fairness_beside(design, b0, after);
   fairness.form_change = FormChange{};
   if (fairness.unchanged) return fairness;
   const auto noise = find_scan_noise(design);

@@ -223,30 +223,28 @@ StrainDescent::Step StrainDescent::step() {
   double longest = 0.0;
   for (const Vec3 s : newton)
     longest = std::max(longest, norm(s));
-  const double first_share = longest > longest_step_ ? longest_step_ / longest : 1.0;
-  double share = first_share;
-  int halvings = 0;
+  const double first = longest > longest_step_ ? longest_step_ / longest : 1.0;
   angle_stopped_ = false;
-  for (; halvings < tuning::k_most_halvings; ++halvings, share *= 0.5) {
-    const Positions trial = within_limits(sum_of(x, share, newton));
-    const double merit = merit_at(trial);
-    if (!(merit < result.merit_before)) continue;
+  const auto taken = backtrack(first, tuning::k_most_halvings, [&](double size, int) {
+    const double merit = merit_at(within_limits(sum_of(x, size, newton)));
+    if (!(merit < result.merit_before)) return false;
     if (relaxation_.relax() > 0) {
       set_positions(within_limits(positions()), jacobian_, state_);
       update_strain();
     }
     if (!angles_hold()) {
       angle_stopped_ = true;
-      continue;
+      return false;
     }
     result.merit = merit;
     for (std::size_t v = 0; v < x.size(); ++v)
       result.moved += state_.position(v) != x[v] ? 1 : 0;
-    break;
-  }
+    return true;
+  });
   result.in_double = system_.fell_back();
   if (result.moved == 0) go_to(before_);
-  update_damping(share, halvings, result);
+  stiffening_ = k_damping.after(taken, stiffening_);
+  sigma_ = next_sigma(taken ? taken->size : 0.0, result);
   update_proximity_weight();
   hold_far_vertices();
   return result;
@@ -260,13 +258,6 @@ void StrainDescent::go_to(const Positions& positions) {
 double StrainDescent::deviation() const {
   const double away = norm_of(sum_of(positions(), -1.0, cost_.origin()));
   return away / std::sqrt(static_cast<double>(border_.vertex_count()));
-}
-
-/// What the step was worth says how stiff the next one is and which sigma it is for.
-void StrainDescent::update_damping(double share, int halvings, const Step& step) {
-  if (halvings >= 2) stiffening_ = std::max(1.0, k_tighten * stiffening_);
-  if (halvings == 0) stiffening_ = stiffening_ < k_least_stiffening ? 0.0 : k_ease * stiffening_;
-  sigma_ = next_sigma(share, step);
 }
 
 double StrainDescent::next_sigma(double share, const Step& step) const {

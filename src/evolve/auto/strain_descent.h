@@ -106,7 +106,6 @@ class StrainDescent {
   void hold_far_vertices();
   bool angles_hold();
   bool angles_hold_after_slides();
-  void update_damping(double share, int halvings, const Step& step);
   double next_sigma(double share, const Step& step) const;
   double strain_to_go() const;
   void update_proximity_weight();

@@ -182,8 +182,8 @@ std::vector<Index> BorderMotion::at_limit() const {
   return vertices;
 }
 
-std::vector<BorderMotion::Bend> BorderMotion::bends() const {
-  std::vector<Bend> bends;
+std::vector<SecondDifference> BorderMotion::bends() const {
+  std::vector<SecondDifference> bends;
   for (const Loop& loop : loops_) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const std::size_t before = i + loop.size() - 1;

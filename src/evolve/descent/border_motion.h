@@ -5,6 +5,7 @@
 
 #include <planish/evolve/method.h>
 
+#include "energy/line_bending.h"
 #include "evolve/state/patch_state.h"
 #include "evolve/systems/positions.h"
 
@@ -40,14 +41,8 @@ class BorderMotion {
   /// Vertices that went as far as the distance allows, nearly.
   std::vector<Index> at_limit() const;
 
-  /// Three vertices of the border that follow one another, and what a function is at the second
-  /// beyond the line through the other two: w . (f_a, f_b, f_c), twice, as second differences are.
-  struct Bend {
-    Index vertices[3];
-    double weights[3];
-  };
   /// One for each vertex of the border where it moves, but for those between two at its own place.
-  std::vector<Bend> bends() const;
+  std::vector<SecondDifference> bends() const;
 
  private:
   /// A closed curve; its vertices have numbers from `first` on.

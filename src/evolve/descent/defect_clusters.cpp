@@ -184,7 +184,7 @@ class ClusterSteps {
         cluster.over = energies[c] > k_little_fall * cluster.energy &&
                        cluster.damping <= k_least_cluster_damping;
         cluster.energy = energies[c];
-        cluster.damping = std::max(k_ease * cluster.damping, k_least_cluster_damping);
+        cluster.damping = std::max(k_damping.ease * cluster.damping, k_least_cluster_damping);
       } else {
         cluster.damping *= k_tighten_much;
         cluster.over = !(cluster.damping <= k_most_cluster_damping);

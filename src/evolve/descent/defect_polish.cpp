@@ -62,7 +62,7 @@ DefectPolish::DefectPolish(PatchState& state, ThreadPool& pool, const DescentLim
       limits_(limits),
       inverse_weights_(inverse_weights_of(state)),
       least_(state, inverse_weights_, k_longest_step, pool, step_precision(state.inner_count())),
-      least_damping_(is_dense(state.inner_count()) ? k_least_damping_dense : k_least_damping) {
+      damping_rule_(is_dense(state.inner_count()) ? k_damping_dense : k_damping) {
   limits_.angle = std::min(limits_.angle, smallest_angle(state, triangles_, pool));
   const SparseMatrix graph = graph_laplacian(least_.jacobian());
   least_.dual().damp_by(graph * graph, 1.0 / relative_density(state));
@@ -88,17 +88,17 @@ std::size_t DefectPolish::move() {
   const bool only_sweeps = cycles_ == 0;
   for (int i = 0; i < k_most_dampings; ++i, damping_ *= k_tighten_much) {
     const Positions step = only_sweeps ? Positions(before.size()) : least_norm_step();
-    double share = 1.0;
-    for (int halvings = 0; halvings < k_most_halvings; ++halvings, share *= 0.5) {
-      put(sum_of(before, share, step));
+    const auto taken = backtrack(1.0, k_most_halvings, [&](double size, int) {
+      put(sum_of(before, size, step));
       sweep();
       held_by_.reset();
       keep_limits(before);
       state_.measure(pool_);
       reduce_largest_defects(state_, least_.jacobian(), inverse_weights_, limits_, pool_);
-      if (!(state_.measure(pool_).energy < energy)) continue;
-      if (halvings == 0) damping_ = std::max(k_ease * damping_, least_damping_);
-      if (halvings >= 2) damping_ *= k_tighten;
+      return state_.measure(pool_).energy < energy;
+    });
+    if (taken) {
+      damping_ = damping_rule_.after(taken, damping_);
       return moved_from(before);
     }
     put(before);

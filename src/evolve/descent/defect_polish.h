@@ -8,6 +8,7 @@
 #include "evolve/descent/descent_limits.h"
 #include "evolve/systems/least_norm_step.h"
 #include "evolve/systems/positions.h"
+#include "optimize/line_search.h"
 
 namespace planish {
 
@@ -51,7 +52,8 @@ class DefectPolish {
   DescentLimits limits_;
   std::vector<double> inverse_weights_;
   LeastNormStep least_;
-  double least_damping_, damping_ = 1e-2;
+  DampingRule damping_rule_;
+  double damping_ = 1e-2;
   int cycles_ = 0, slow_cycles_ = 0, stalled_cycles_ = 0;
   std::optional<StopReason> held_by_;
 };

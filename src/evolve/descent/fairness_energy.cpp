@@ -57,7 +57,7 @@ SparseMatrix moving_part(const std::vector<std::vector<double>>& rows,
 }
 
 /// B over the vertices that may move.
-SparseMatrix moving_part(const std::vector<BorderMotion::Bend>& bends,
+SparseMatrix moving_part(const std::vector<SecondDifference>& bends,
                          const AngleJacobian& jacobian) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t row = 0; row < bends.size(); ++row) {
@@ -73,10 +73,10 @@ SparseMatrix moving_part(const std::vector<BorderMotion::Bend>& bends,
 }
 
 /// Sums of squares along a curve go with the cube of the edges, over a surface with their square.
-std::vector<BorderMotion::Bend> weighed(std::vector<BorderMotion::Bend> bends,
-                                        const PatchState& state) {
+std::vector<SecondDifference> weighed(std::vector<SecondDifference> bends,
+                                      const PatchState& state) {
   const double weight = std::sqrt(std::sqrt(relative_density(state)));
-  for (BorderMotion::Bend& bend : bends) {
+  for (SecondDifference& bend : bends) {
     for (double& w : bend.weights)
       w *= weight;
   }
@@ -98,7 +98,7 @@ double relative_density(const PatchState& state) {
 }
 
 FairnessEnergy::FairnessEnergy(const AngleJacobian& jacobian, const PatchState& state,
-                               double closeness, std::vector<BorderMotion::Bend> bends)
+                               double closeness, std::vector<SecondDifference> bends)
     : jacobian_(jacobian),
       state_(state),
       unit_(mean_edge(jacobian, state)),

@@ -30,7 +30,7 @@ class FairnessEnergy {
   /// @param jacobian must outlive it, as must the state
   /// @param bends of the border, if that moves
   FairnessEnergy(const AngleJacobian& jacobian, const PatchState& state, double closeness,
-                 std::vector<BorderMotion::Bend> bends = {});
+                 std::vector<SecondDifference> bends = {});
 
   double value(const Positions& x) const;
   /// Zero where the vertex may not move.
@@ -67,7 +67,7 @@ class FairnessEnergy {
   Positions origin_;
   std::vector<double> pull_;               // a_v
   std::vector<std::vector<double>> rows_;  // of L, at the neighbours
-  std::vector<BorderMotion::Bend> bends_;  // rows of B
+  std::vector<SecondDifference> bends_;    // rows of B
   SparseMatrix hessian_;
 };
 

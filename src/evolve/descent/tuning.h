@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "optimize/line_search.h"
+
 namespace planish {
 
 /// The constants of `auto` (docs/methods/smooth.md, docs/methods/auto.md). They were chosen by
@@ -141,18 +143,11 @@ inline constexpr double k_much_left = 4.0, k_little_left = 2.0;
 /// of the last tenth.
 inline constexpr int k_retreat_parts = 10, k_retreat_halvings = 3;
 
-/// MoveLimits: weight of the barrier, share of a limit at which it is 1, and how far the bends of a
-/// border that moves may go, in mean edges.
-inline constexpr double k_barrier_weight = 0.3, k_barrier_share = 0.85, k_border_bend = 0.04;
-/// A move counts as at its limit from this share of the limit on.
-inline constexpr double k_reached = 0.95;
+/// How far the second differences of a border that moves may go, in mean edges.
+inline constexpr double k_border_bend = 0.04;
 
-/// ShapeGuard, edges: a strain over the first adds its fourth power and this share of its square.
-inline constexpr double k_edge_strain = 0.15, k_of_square = 0.02;
-/// ShapeGuard, corners: weights of the square and of the eighth power.
-inline constexpr double k_of_corner = 0.01, k_of_eighth = 0.3;
-/// A corner is guarded below this angle (radians), or below this share of its first one.
-inline constexpr double k_sharp = 12.0 * std::numbers::pi / 180.0, k_of_first = 0.8;
+/// Damping of steps.
+inline constexpr DampingRule k_damping = {.ease = 0.25, .tighten = 4.0, .first = 0.3};
 }  // namespace prefer_smooth
 
 /// `--prefer near`.
@@ -201,8 +196,9 @@ inline constexpr double k_failed = 0.7, k_slow = 0.9, k_far_enough = 0.3;
 inline constexpr double k_full_step = 0.99, k_small_fall = 0.05;
 /// While the strain is kept at its limit: sigma in a step falls and grows by these factors at most.
 inline constexpr double k_most_fall = 1.5, k_most_growth = 4.0;
-/// Damping of steps: eased after a whole step, tightened after two halvings, 0 below the least.
-inline constexpr double k_ease = 0.25, k_tighten = 4.0, k_least_stiffening = 0.3;
+/// Damping of steps.
+inline constexpr DampingRule k_damping = {
+    .ease = 0.25, .tighten = 4.0, .first = 1.0, .nothing = 0.3};
 /// Closeness does not grow from this damping on.
 inline constexpr double k_stiff = 4.0;
 /// Slides of the vertices at most, so that angles hold.
@@ -259,11 +255,12 @@ inline constexpr double k_slow_share = 0.7;
 inline constexpr int k_sweeps = 20;
 /// Tries of the step with more damping, and halvings of each.
 inline constexpr int k_most_dampings = 8, k_most_halvings = 6;
-/// Factors of the damping: after a whole step, after two halvings, after a try that failed.
-inline constexpr double k_ease = 0.3, k_tighten = 4.0, k_tighten_much = 10.0;
-/// Least damping, and that of dense patches. With less damping their steps go too far in directions
-/// that hardly change the angle sums to first order, and single precision takes more solves.
-inline constexpr double k_least_damping = 1e-6, k_least_damping_dense = 1e-4;
+/// Damping of steps, and its factor after a try that failed. With less damping steps of dense
+/// patches go too far in directions that hardly change the angle sums to first order, and single
+/// precision takes more solves.
+inline constexpr DampingRule k_damping = {.ease = 0.3, .tighten = 4.0, .least = 1e-6},
+                             k_damping_dense = {.ease = 0.3, .tighten = 4.0, .least = 1e-4};
+inline constexpr double k_tighten_much = 10.0;
 /// Clusters (reduce_largest_defects) are around the vertices of the largest defects: so many at
 /// most, or those that have this share of the energy.
 inline constexpr std::ptrdiff_t k_most_largest = 200;

@@ -14,6 +14,7 @@
 #include "evolve/systems/fairing_system.h"
 #include "evolve/systems/least_norm_step.h"
 #include "evolve/systems/positions.h"
+#include "optimize/line_search.h"
 
 namespace planish {
 
@@ -103,20 +104,21 @@ class LeastNormStepper {
     constexpr int most_dampings = 12, most_halvings = 10;
     // Of what the slope foretells, and of the energy: less is not worth a step.
     constexpr double least_share = 1e-4, least_fall = 1e-6;
-    constexpr double ease = 0.25, tighten = 4.0, most_damping = 1e8;
+    constexpr DampingRule rule = {.ease = 0.25, .tighten = 4.0, .least = 1e-12, .most = 1e8};
     const Positions x = inner_positions(state_);
-    for (int i = 0; i < most_dampings; ++i, damping_ = std::min(10.0 * damping_, most_damping)) {
+    for (int i = 0; i < most_dampings; ++i, damping_ = std::min(10.0 * damping_, rule.most)) {
       if (!least_.factor(damping_)) continue;
       const LeastNormStep::Curve curve = least_.to_close_defects();
       const bool tiny = curve.solves && norm_of(curve.first) <= smallest_move();
-      double share = 1.0;
-      for (int halvings = 0; halvings < most_halvings; ++halvings, share *= 0.5) {
-        const Positions trial = sum_of(x, 1.0, least_.stopped(curve.move(share)));
+      Positions trial;
+      const auto taken = backtrack(1.0, most_halvings, [&](double size, int) {
+        trial = sum_of(x, 1.0, least_.stopped(curve.move(size)));
         const double fall = energy - energy_at(trial);
-        if (!(fall > std::max(least_share * share * curve.fall, least_fall * energy))) continue;
-        if (halvings == 0) damping_ = std::max(ease * damping_, 1e-12);
-        if (halvings >= 2) damping_ = std::min(tighten * damping_, most_damping);
-        return SweepOutcome(count_differences(x, trial)).ended_if(tiny && halvings == 0);
+        return fall > std::max(least_share * size * curve.fall, least_fall * energy);
+      });
+      if (taken) {
+        damping_ = rule.after(taken, damping_);
+        return SweepOutcome(count_differences(x, trial)).ended_if(tiny && taken->halvings == 0);
       }
       set_positions(x, least_.jacobian(), state_);
       state_.measure(pool_);

@@ -65,6 +65,34 @@ double bending_to_compare(const Patch& design, const ThreadPool& pool) {
   return bending;
 }
 
+Positions all_positions(const PatchState& state) {
+  return first_positions(state, state.vertex_count());
+}
+
+Positions origins(const PatchState& state) {
+  Positions origins;
+  origins.reserve(state.vertex_count());
+  for (std::size_t v = 0; v < state.vertex_count(); ++v)
+    origins.push_back(state.origin(v));
+  return origins;
+}
+
+/// Over inner vertices and over those of the border, each the mean.
+MoveBarrier barrier_of(const DescentLimits& limits, const BorderMotion& border,
+                       std::size_t inner_count) {
+  const std::size_t count = border.vertex_count(), of_border = count - inner_count;
+  const bool within = limits.border.rule == BorderFreedom::Rule::within;
+  const double border_reach =
+      within ? std::min(limits.deviation, limits.border.distance) : limits.deviation;
+  std::vector<double> reach(count, limits.deviation);
+  std::vector<double> counts(count, static_cast<double>(std::max<std::size_t>(inner_count, 1)));
+  for (std::size_t v = inner_count; v < count; ++v) {
+    reach[v] = border_reach;
+    counts[v] = static_cast<double>(of_border);
+  }
+  return {std::move(reach), std::move(counts)};
+}
+
 }  // namespace
 
 SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& design,
@@ -76,14 +104,15 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& d
       along_lines_(moves == SmoothMoves::along_lines),
       border_(limits.border, limits.deviation, state),
       jacobian_(state, border_.movable()),
-      hinges_(design, state),
-      guard_(state, limits.angle),
+      hinges_(design, origins(state), design_bending_),
+      guard_(state.triangles(), origins(state), limits.angle),
       potential_(jacobian_, state, pool, BoundaryCondition::free),
       system_(jacobian_, state, pairs_of_terms(), potential_.square(),
               {.inner = along_lines_ ? 1 : 3}, step_precision(jacobian_.row_count()), pool),
       area_shares_(area_shares(state)),
       unit_(mean_edge(jacobian_, state)),
-      moves_(limits, border_, state.inner_count(), unit_) {
+      barrier_(barrier_of(limits, border_, state.inner_count())),
+      border_bending_(border_.bends(), k_border_bend * unit_) {
   const Positions from_middle = places_from_middle(state, area_shares_);
   diagonal_ = diagonal_of(from_middle, area_shares_);
   axis_ = long_axis(from_middle);
@@ -92,7 +121,7 @@ SmoothDescent::SmoothDescent(PatchState& state, ThreadPool& pool, const Patch& d
     origin_.push_back(state.origin(v));
   hinge_pairs_.reserve(6 * hinges_.size());
   for (std::size_t h = 0; h < hinges_.size(); ++h)
-    system_.append_pairs(hinges_.corners(h), hinge_pairs_);
+    system_.append_pairs(hinges_.stencil(h), hinge_pairs_);
   edge_pairs_.reserve(guard_.edge_count());
   for (std::size_t e = 0; e < guard_.edge_count(); ++e)
     system_.append_pairs(guard_.edge(e), edge_pairs_);
@@ -110,11 +139,11 @@ KktSystem::ForPairs SmoothDescent::pairs_of_terms() const {
       }
     };
     for (std::size_t h = 0; h < hinges_.size(); ++h)
-      visit_all(hinges_.corners(h));
+      visit_all(hinges_.stencil(h));
     for (std::size_t e = 0; e < guard_.edge_count(); ++e)
       visit_all(guard_.edge(e));
-    for (const BorderMotion::Bend& bend : border_.bends())
-      visit_all(std::to_array(bend.vertices));
+    for (const SecondDifference& bend : border_.bends())
+      visit_all(bend.vertices);
   };
 }
 
@@ -124,13 +153,14 @@ double SmoothDescent::closeness() const {
 }
 
 double SmoothDescent::merit(const Eigen::VectorXd& phi) const {
-  const Positions moves = sum_of(positions(), -1.0, origin_);
+  const Positions x = all_positions(state_), moves = sum_of(positions(), -1.0, origin_);
   CarefulSum away;
   for (std::size_t v = 0; v < moves.size(); ++v)
     away.add(state_.weight(v) * dot(moves[v], moves[v]));
   const double strain = phi.squaredNorm() / static_cast<double>(phi.size());
-  return hinges_.bending(pool_, weights_.form) / design_bending_ + closeness() * away.value() +
-         guard_.value(pool_) + moves_.value(moves) + strain / (weights_.sigma * weights_.sigma);
+  return hinges_.value(x, pool_, weights_.form) + closeness() * away.value() +
+         guard_.value(x, pool_) + barrier_.value(moves) + border_bending_.value(moves) +
+         strain / (weights_.sigma * weights_.sigma);
 }
 
 /// K and weights are not renewed.
@@ -149,11 +179,12 @@ void SmoothDescent::renew() {
   state_.measure(pool_);
   potential_.update(pool_);
   if (!potential_.solvable()) return;
-  hinges_.take_weights(pool_);
+  const Positions x = all_positions(state_);
+  hinges_.set_weights(x, pool_);
   phi_ = potential_.of(inner_defects(state_), pool_);
   strain_ = {edge_strain_of(std::sqrt(phi_.cwiseAbs2().dot(area_shares_))),
              phi_.cwiseAbs().maxCoeff()};
-  bending_ = hinges_.bending(pool_) / design_bending_;
+  bending_ = hinges_.value(x, pool_);
 }
 
 void SmoothDescent::go_to(const Positions& positions) {
@@ -196,36 +227,60 @@ void SmoothDescent::assemble(std::optional<Way> way, Positions& force) {
   system_.clear(way ? lines(*way) : Positions{});
   assemble_shape(force);
   assemble_positions(force);
-  moves_.add_to(system_, force, sum_of(positions(), -1.0, origin_), 1.0 + stiffening_);
+  assemble_moves(force);
 }
 
 /// Of hinges, edges and corners.
 void SmoothDescent::assemble_shape(Positions& force) {
+  const Positions x = all_positions(state_);
   const double stiff = 1.0 + stiffening_;
-  const auto pull = [&](Index v, double slope, Vec3 gradient) {
-    if (v < force.size()) force[v] += -slope * gradient;
+  const auto pull = [&](const auto& part) {
+    for (std::size_t k = 0; k < part.vertices.size(); ++k) {
+      if (part.vertices[k] < force.size())
+        force[part.vertices[k]] += -part.first * part.gradient[k];
+    }
   };
   for (std::size_t h = 0; h < hinges_.size(); ++h) {
-    const HingeTerms::Slope slope = hinges_.slope(h);
-    const double weight = 2.0 * hinges_.weight(h) / design_bending_,
-                 turned = slope.angle - weights_.form * hinges_.first_angle(h);
-    system_.add_term(hinges_.corners(h), hinge_pairs_.data() + 6 * h, stiff * weight,
-                     slope.gradient);
-    for (std::size_t k = 0; k < 4; ++k)
-      pull(hinges_.corners(h)[k], weight * turned, slope.gradient[k]);
+    const Summand<4> part = hinges_.summand(h, x, weights_.form);
+    system_.add_term(part.vertices, hinge_pairs_.data() + 6 * h, stiff * part.second,
+                     part.gradient);
+    pull(part);
   }
   for (std::size_t e = 0; e < guard_.edge_count(); ++e) {
-    const auto slope = guard_.edge_slope(e);
-    system_.add_term(guard_.edge(e), edge_pairs_.data() + e, stiff * slope.second, slope.gradient);
-    for (std::size_t k = 0; k < 2; ++k)
-      pull(guard_.edge(e)[k], slope.first, slope.gradient[k]);
+    const Summand<2> part = guard_.edge_summand(e, x);
+    system_.add_term(part.vertices, edge_pairs_.data() + e, stiff * part.second, part.gradient);
+    pull(part);
   }
   for (std::size_t c = 0; c < guard_.corner_count(); ++c) {
-    const auto slope = guard_.corner_slope(c);
-    if (slope.second == 0.0) continue;
-    system_.add_term(guard_.corner(c), stiff * slope.second, slope.gradient);
-    for (std::size_t k = 0; k < 3; ++k)
-      pull(guard_.corner(c)[k], slope.first, slope.gradient[k]);
+    const Summand<3> part = guard_.corner_summand(c, x);
+    if (part.second == 0.0) continue;
+    system_.add_term(part.vertices, stiff * part.second, part.gradient);
+    pull(part);
+  }
+}
+
+/// What slows moves near their limits, and keeps those of the border smooth.
+void SmoothDescent::assemble_moves(Positions& force) {
+  const double stiff = 1.0 + stiffening_;
+  const Positions moves = sum_of(positions(), -1.0, origin_);
+  for (Index v = 0; v < moves.size(); ++v) {
+    const MoveBarrier::Derivatives part = barrier_.derivatives(v, moves[v], stiff);
+    force[v] += -1.0 * part.gradient;
+    system_.add_vertex(v, part.hessian);
+  }
+  const double weight = 2.0 * border_bending_.weight();
+  for (const SecondDifference& difference : border_bending_.differences()) {
+    const Vec3 f = difference.of(moves);
+    for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+      std::array<Vec3, 3> gradient;
+      for (std::size_t j = 0; j < 3; ++j)
+        gradient[j] = difference.weights[j] * axis;
+      system_.add_term(difference.vertices, stiff * weight, gradient);
+    }
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Index v = difference.vertices[j];
+      if (v < force.size()) force[v] += -weight * difference.weights[j] * f;
+    }
   }
 }
 
@@ -327,29 +382,26 @@ SmoothDescent::Step SmoothDescent::step_along(std::optional<Way> way) {
   if (!factor_system(c)) return result;
   const Eigen::VectorXd defects = inner_defects(state_);
   const Positions full = shortened(system_.solve(force, -defects, pool_));
-  double share = 1.0;
-  int halvings = 0;
   at_angle_limit_ = false;
-  for (; halvings < tuning::k_most_halvings; ++halvings, share *= 0.5) {
-    const Trial trial = try_step(before, defects, full, share, halvings < k_corrected_trials);
-    if (!(trial.parts.merit < result.merit_before)) continue;
+  const auto taken = backtrack(1.0, tuning::k_most_halvings, [&](double size, int halvings) {
+    const Trial trial = try_step(before, defects, full, size, halvings < k_corrected_trials);
+    if (!(trial.parts.merit < result.merit_before)) return false;
     set_positions(trial.positions, jacobian_, state_);
     if (!angles_hold()) {
       at_angle_limit_ = true;
-      continue;
+      return false;
     }
     result.merit = trial.parts.merit;
     for (std::size_t v = 0; v < before.size(); ++v)
       result.moved += trial.positions[v] != before[v] ? 1 : 0;
-    break;
-  }
+    return true;
+  });
   result.in_double = system_.fell_back();
   if (result.moved == 0) set_positions(before, jacobian_, state_);
   if (along_lines_) system_.release();
   renew();
-  at_deviation_limit_ = moves_.is_reached(sum_of(positions(), -1.0, origin_));
-  if (halvings >= 2) stiffening_ = std::max(0.3, 4.0 * stiffening_);
-  if (halvings == 0) stiffening_ *= 0.25;
+  at_deviation_limit_ = barrier_.is_reached(sum_of(positions(), -1.0, origin_));
+  stiffening_ = k_damping.after(taken, stiffening_);
   return result;
 }
 

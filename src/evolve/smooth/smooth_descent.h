@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "core/thread_pool.h"
+#include "energy/hinge_bending.h"
+#include "energy/line_bending.h"
+#include "energy/move_barrier.h"
+#include "energy/shape_guard.h"
 #include "evolve/descent/border_motion.h"
 #include "evolve/descent/descent_limits.h"
 #include "evolve/descent/strain_potential.h"
 #include "evolve/descent/surface_strain_limit.h"
-#include "evolve/smooth/hinge_terms.h"
-#include "evolve/smooth/move_limits.h"
-#include "evolve/smooth/shape_guard.h"
 #include "evolve/systems/angle_jacobian.h"
 #include "evolve/systems/kkt_system.h"
 #include "evolve/systems/positions.h"
@@ -34,11 +35,11 @@ struct SmoothWeights {
 ///
 ///     F(x) = B(x) / B0 + |x - x0|^2 / (n delta^2 D^2) + G(x) + |phi(x)|^2 / (N sigma^2),
 ///
-/// B the bending of HingeTerms, from a share of the angles of the design, B0 that of the design
+/// B the bending of HingeBending, from a share of the angles of the design, B0 that of the design
 /// from flat, n the vertices x has, so the border's too where it may move, D the diagonal (of a
-/// rectangle that is as far spread), G of ShapeGuard and MoveLimits, phi the N values of
-/// StrainPotential with a free border. The weights of hinges and the matrix K of phi are those of
-/// the patch before a step, renewed after it.
+/// rectangle that is as far spread), G of ShapeGuard, MoveBarrier and LineBending, phi the N values
+/// of StrainPotential with a free border. The weights of hinges and the matrix K of phi are those
+/// of the patch before a step, renewed after it.
 class SmoothDescent {
  public:
   /// @param state as it was at first or later; must outlive it, as must the pool
@@ -102,6 +103,7 @@ class SmoothDescent {
   bool factor_system(double c);
   void assemble_shape(Positions& force);
   void assemble_positions(Positions& force);
+  void assemble_moves(Positions& force);
   Positions within_limits(Positions positions) const;
   bool angles_hold();
   struct Trial {
@@ -120,7 +122,7 @@ class SmoothDescent {
   bool along_lines_;
   BorderMotion border_;
   AngleJacobian jacobian_;
-  HingeTerms hinges_;
+  HingeBending hinges_;
   ShapeGuard guard_;
   StrainPotential potential_;
   KktSystem system_;
@@ -129,7 +131,8 @@ class SmoothDescent {
   Eigen::VectorXd area_shares_;
   double diagonal_ = 0.0, unit_;
   Vec3 axis_;  // from the middle of the patch to the vertex that is furthest away
-  MoveLimits moves_;
+  MoveBarrier barrier_;
+  LineBending border_bending_;
   SmoothWeights weights_;
   Eigen::VectorXd phi_;
   double stiffening_ = 0.0, bending_ = 1.0;

@@ -10,15 +10,11 @@
 #include "evolve/systems/angle_jacobian.h"
 #include "evolve/systems/dense.h"
 #include "evolve/systems/positions.h"
-#include "solve/block_matrix.h"
+#include "optimize/block.h"
+#include "optimize/block_matrix.h"
 #include "solve/mixed_ldlt.h"
 
 namespace planish {
-
-/// A symmetric matrix of three rows.
-struct Block {
-  double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
-};
 
 /// Moves dx of all vertices that may move, and multipliers y of the inner ones:
 ///

@@ -7,6 +7,7 @@
 
 #include "core/careful_sum.h"
 #include "core/math.h"
+#include "optimize/line_search.h"
 #include "unfold/stretch/flat_steps.h"
 
 namespace planish {
@@ -264,7 +265,7 @@ class BoundedDescent {
 
   /// The step up to 95 % of the way to the next bound, or 90 % of that to the first flip.
   double longest_share(const Direction& direction, const Steps& steps) const {
-    double most = std::min(1.0, 0.9 * step_to_first_flip(disk_, now_.flat, direction.move));
+    double most = first_trial(disk_, now_.flat, direction.move);
     const auto look = [&](double slack, double step) {
       if (step < 0.0) most = std::min(most, -0.95 * slack / step);
     };
@@ -307,25 +308,25 @@ class BoundedDescent {
                      (stiff_longer - bounds_[e].ratio() * stiff_shorter));
     }
     const Direction more = with_scale(system_.solve(pull), scale_pull.value());
-    const double room = std::min(1.0, 0.9 * step_to_first_flip(disk_, trial.flat, more.move));
+    const double room = first_trial(disk_, trial.flat, more.move);
     return at(moved(trial.flat, room, more.move), trial.scale + room * more.scale);
   }
 
   std::optional<Trial> search(const Direction& direction, const Steps& steps, double share) const {
-    constexpr int most_corrected = 3;
+    constexpr int most_trials = 30, most_corrected = 3;
     const double rounding = 1e-12 * std::abs(merit_);
-    for (int halvings = 0; halvings < 30; ++halvings, share *= 0.5) {
-      const auto is_better = [&](const State& state) {
-        return merit(state) <= merit_ + 1e-4 * share * direction.slope + rounding;
-      };
-      State plain =
-          at(moved(now_.flat, share, direction.move), now_.scale + share * direction.scale);
-      if (is_better(plain)) return Trial{std::move(plain), share};
-      if (halvings >= most_corrected || plain.flat.empty()) continue;
-      State better = corrected(plain, steps, share);
-      if (is_better(better)) return Trial{std::move(better), share};
-    }
-    return std::nullopt;
+    State found;
+    const auto lowers = [&](double size, int halvings) {
+      const double wanted = merit_ + k_armijo * size * direction.slope + rounding;
+      found = at(moved(now_.flat, size, direction.move), now_.scale + size * direction.scale);
+      if (merit(found) <= wanted) return true;
+      if (halvings >= most_corrected || found.flat.empty()) return false;
+      found = corrected(found, steps, size);
+      return merit(found) <= wanted;
+    };
+    const auto taken = backtrack(share, most_trials, lowers);
+    if (!taken) return std::nullopt;
+    return Trial{std::move(found), taken->size};
   }
 
   /// By their whole step: lower_barrier() keeps them above 0.

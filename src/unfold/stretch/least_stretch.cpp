@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "optimize/line_search.h"
 #include "unfold/stretch/flat_steps.h"
 
 namespace planish {
@@ -78,17 +79,15 @@ LeastStretch minimise_stretch(const Disk& disk, StretchSystem& system, std::vect
       break;
     }
     const std::vector<Vec2> move = system.spread(step);
-    double share = std::min(1.0, 0.9 * step_to_first_flip(disk, result.flat, move));
-    bool fell = false;
-    for (int halvings = 0; halvings < 40 && !fell; ++halvings, share *= 0.5) {
-      std::vector<Vec2> trial = moved(result.flat, share, move);
+    const auto lowers = [&](double size, int) {
+      std::vector<Vec2> trial = moved(result.flat, size, move);
       const double trial_energy = total_energy(disk, trial);
-      fell = trial_energy <= energy + 1e-4 * share * slope;
-      if (!fell) continue;
+      if (!(trial_energy <= energy + k_armijo * size * slope)) return false;
       result.flat = std::move(trial);
       energy = trial_energy;
-    }
-    if (!fell) {
+      return true;
+    };
+    if (!backtrack(first_trial(disk, result.flat, move), k_most_trials, lowers)) {
       result.converged = -slope <= least_fall * energy;  // rounding is all that is left
       break;
     }

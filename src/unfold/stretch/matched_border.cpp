@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "core/math.h"
+#include "optimize/line_search.h"
 #include "unfold/disk/inner_system.h"
+#include "unfold/stretch/flat_steps.h"
 #include "unfold/stretch/seam_system.h"
 
 namespace planish {
@@ -52,21 +54,24 @@ class Descent {
     price_ = std::max(price_, 2.0 * step.largest_pull);
     const double slope = step.slope - price_ * at_.gaps.lpNorm<1>();
     const double merit = at_.merit(price_);
-    double share = std::min(1.0, 0.9 * step_to_first_flip(disk_, at_.flat, step.move));
-    near_ = share == 1.0;
-    for (int halvings = 0; halvings < 40; ++halvings, share *= 0.5, near_ = false) {
-      const double wanted = merit + 1e-4 * share * slope + 1e-15 * merit;
-      Place next = place(moved(at_.flat, share, step.move));
-      const bool straight = next.merit(price_) <= wanted;
-      if (std::isfinite(next.energy)) {
-        Place bent = corrected(next, (1.0 - share) * at_.gaps);
-        if (bent.merit(price_) <= std::min(wanted, straight ? next.merit(price_) : wanted)) {
-          return accept(std::move(bent), share, step);
-        }
-      }
-      if (straight) return accept(std::move(next), share, step);
-    }
-    return false;
+    Place found;
+    const auto lowers = [&](double size, int) {
+      const double wanted = merit + k_armijo * size * slope + 1e-15 * merit;
+      found = place(moved(at_.flat, size, step.move));
+      const bool straight = found.merit(price_) <= wanted;
+      if (!std::isfinite(found.energy)) return straight;
+      Place bent = corrected(found, (1.0 - size) * at_.gaps);
+      if (!(bent.merit(price_) <= std::min(wanted, straight ? found.merit(price_) : wanted)))
+        return straight;
+      found = std::move(bent);
+      return true;
+    };
+    const auto taken = backtrack(first_trial(disk_, at_.flat, step.move), k_most_trials, lowers);
+    near_ = taken && taken->size == 1.0;
+    if (!taken) return false;
+    at_ = std::move(found);
+    system_.follow(step.all, taken->size);
+    return true;
   }
 
   /// Takes out of the lengths what is left to rounding, by the last factor, made near by. Without
@@ -92,12 +97,6 @@ class Descent {
 
   Place corrected(const Place& from, const Eigen::VectorXd& wanted_gaps) const {
     return place(moved(from.flat, 1.0, system_.correction(wanted_gaps - from.gaps)));
-  }
-
-  bool accept(Place next, double share, const SeamSystem::Step& step) {
-    at_ = std::move(next);
-    system_.follow(step.all, share);
-    return true;
   }
 
   const Disk& disk_;

@@ -90,18 +90,17 @@ class PricedSteps {
   }
 
   bool move_along(const Eigen::VectorXd& step, double slope, double price) {
-    constexpr int most_halvings = 30;
+    constexpr int most_trials = 30;
     const std::vector<Vec2> move = system_.spread(step);
     const double now = energy(flat_, price);
-    double share = std::min(1.0, 0.9 * step_to_first_flip(disk_, flat_, move));
-    for (int halvings = 0; halvings < most_halvings; ++halvings, share *= 0.5) {
-      auto trial = system_.restored(moved(flat_, share, move));
-      if (!trial || !(energy(*trial, price) <= now + 1e-4 * share * slope)) continue;
+    const auto lowers = [&](double size, int) {
+      auto trial = system_.restored(moved(flat_, size, move));
+      if (!trial || !(energy(*trial, price) <= now + k_armijo * size * slope)) return false;
       flat_ = *std::move(trial);
-      system_.follow(step, share);
+      system_.follow(step, size);
       return true;
-    }
-    return false;
+    };
+    return backtrack(first_trial(disk_, flat_, move), most_trials, lowers).has_value();
   }
 
   const Disk& disk_;

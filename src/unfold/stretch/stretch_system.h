@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "solve/block_matrix.h"
+#include "optimize/block_matrix.h"
 #include "solve/sparse_ldlt.h"
 #include "unfold/stretch/flat_edges.h"
 #include "unfold/stretch/flat_steps.h"

@@ -8,9 +8,9 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "energy/hinge_bending.h"
+#include "energy/shape_guard.h"
 #include "evolve/descent/strain_potential.h"
-#include "evolve/smooth/hinge_terms.h"
-#include "evolve/smooth/shape_guard.h"
 #include "evolve/systems/kkt_system.h"
 
 namespace planish {
@@ -28,15 +28,15 @@ struct Dense {
   MatrixXd matrix;
   Eigen::Index columns;
 
-  Dense(const AngleJacobian& jacobian, const HingeTerms& hinges, const ShapeGuard& guard,
-        const SparseMatrix& square)
+  Dense(const AngleJacobian& jacobian, const HingeBending& hinges, const ShapeGuard& guard,
+        const SparseMatrix& square, const Positions& x)
       : columns(3 * static_cast<Eigen::Index>(jacobian.column_count())) {
     const auto rows = static_cast<Eigen::Index>(jacobian.row_count());
     matrix = MatrixXd::Zero(columns + rows, columns + rows);
     for (std::size_t h = 0; h < hinges.size(); ++h)
-      add(hinges.corners(h), 1.5, hinges.slope(h).gradient);
+      add(hinges.stencil(h), 1.5, hinges.summand(h, x).gradient);
     for (std::size_t e = 0; e < guard.edge_count(); ++e)
-      add(guard.edge(e), 2.5, guard.edge_slope(e).gradient);
+      add(guard.edge(e), 2.5, guard.edge_summand(e, x).gradient);
     matrix.topLeftCorner(columns, columns).diagonal().array() += k_own;
     for (Index v = 0; v < jacobian.column_count(); ++v) {
       for (const AngleJacobian::Entry& entry : jacobian.column(v)) {
@@ -105,12 +105,13 @@ void expect_solved_as_dense(const Constraints& constraints,
   const PatchState state(patch, pool, constraints);
   AngleJacobian jacobian(state, border_movable);
   jacobian.update(pool);
-  const HingeTerms hinges(Patch(mesh_at_first(state)), state);
-  const ShapeGuard guard(state, 0.05);
+  const Positions x = first_positions(state, state.vertex_count());
+  const HingeBending hinges(Patch(mesh_at_first(state)), x, 1.0);
+  const ShapeGuard guard(state.triangles(), x, 0.05);
   StrainPotential potential(jacobian, state, pool, BoundaryCondition::free);
   const auto for_pairs = [&](const BlockMatrix::VisitPair& visit) {
     for (std::size_t h = 0; h < hinges.size(); ++h) {
-      const auto& corners = hinges.corners(h);
+      const auto& corners = hinges.stencil(h);
       for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}})
         visit(corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(j)]);
     }
@@ -119,17 +120,17 @@ void expect_solved_as_dense(const Constraints& constraints,
   const Positions lines = moves.inner == 1 ? some_lines(jacobian) : Positions{};
   system.clear(lines);
   for (std::size_t h = 0; h < hinges.size(); ++h)
-    system.add_term(hinges.corners(h), 1.5, hinges.slope(h).gradient);
+    system.add_term(hinges.stencil(h), 1.5, hinges.summand(h, x).gradient);
   std::vector<BlockMatrix::Pair> pairs;
   for (std::size_t e = 0; e < guard.edge_count(); ++e)
     system.append_pairs(guard.edge(e), pairs);
   for (std::size_t e = 0; e < guard.edge_count(); ++e)
-    system.add_term(guard.edge(e), pairs.data() + e, 2.5, guard.edge_slope(e).gradient);
+    system.add_term(guard.edge(e), pairs.data() + e, 2.5, guard.edge_summand(e, x).gradient);
   for (Index v = 0; v < jacobian.column_count(); ++v)
     system.add_vertex(v, {k_own, 0, 0, k_own, 0, k_own});
   ASSERT_TRUE(system.factor(potential.square(), k_c, pool));
 
-  const Dense dense(jacobian, hinges, guard, potential.square());
+  const Dense dense(jacobian, hinges, guard, potential.square(), x);
   Positions force(jacobian.column_count());
   VectorXd right = VectorXd::Zero(dense.matrix.rows());
   for (Index v = 0; v < force.size(); ++v) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/thread_pool.h"
-#include "evolve/state/patch_state.h"
+#include "energy/summand.h"
 
 namespace planish {
 
@@ -20,10 +20,9 @@ namespace planish {
 /// where triangles are sound: it only stops them from becoming needles.
 class ShapeGuard {
  public:
-  /// Takes the form from the state's origins.
+  /// @param design the positions of the form to stay near to
   /// @param least_angle m, radians
-  /// @param state must outlive it
-  ShapeGuard(const PatchState& state, double least_angle);
+  ShapeGuard(std::vector<Triangle> triangles, const std::vector<Vec3>& design, double least_angle);
 
   std::size_t edge_count() const { return edges_.size(); }
   const std::array<Index, 2>& edge(std::size_t e) const { return edges_[e].ends; }
@@ -36,18 +35,12 @@ class ShapeGuard {
   }
   const std::vector<Triangle>& triangles() const { return triangles_; }
 
-  /// G of the patch as it is now.
-  double value(ThreadPool& pool) const;
-
-  /// First derivative of a term by what it is a function of, and the second, at least 0.
-  template <std::size_t n>
-  struct Slope {
-    double first = 0.0, second = 0.0;
-    std::array<Vec3, n> gradient = {};  ///< of the edge's length, or the corner's angle
-  };
-  Slope<2> edge_slope(std::size_t e) const;
-  /// Zero where the corner is not too sharp.
-  Slope<3> corner_slope(std::size_t c) const;
+  /// G.
+  double value(const std::vector<Vec3>& x, ThreadPool& pool) const;
+  /// Of an edge, a function of its length.
+  Summand<2> edge_summand(std::size_t e, const std::vector<Vec3>& x) const;
+  /// Of a corner, a function of its angle; zero where it is not too sharp.
+  Summand<3> corner_summand(std::size_t c, const std::vector<Vec3>& x) const;
 
  private:
   struct Edge {
@@ -60,10 +53,9 @@ class ShapeGuard {
     double range;  // g - m
   };
   static Bound bound_of(double sharp, double least_angle);
-  double edge_value(const Edge& edge) const;
-  double corner_value(std::size_t corner) const;
+  double edge_value(const Edge& edge, const std::vector<Vec3>& x) const;
+  double corner_value(std::size_t corner, const std::vector<Vec3>& x) const;
 
-  const PatchState& state_;
   std::vector<Edge> edges_;
   std::vector<Triangle> triangles_;
   std::vector<Bound> bounds_;  // the first is that of all blunt corners

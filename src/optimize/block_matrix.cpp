@@ -1,4 +1,4 @@
-#include "solve/block_matrix.h"
+#include "optimize/block_matrix.h"
 
 #include <algorithm>
 

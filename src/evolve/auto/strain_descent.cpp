@@ -7,21 +7,13 @@
 
 #include "core/careful_sum.h"
 #include "evolve/descent/smallest_angle.h"
+#include "solve/sparse_pattern.h"
 
 namespace planish {
 
 using namespace tuning::prefer_near;
 
 namespace {
-
-/// Calls visit(row, column, value) for the entries of a matrix.
-template <class Visit>
-void for_entries(const SparseMatrix& matrix, const Visit& visit) {
-  for (int j = 0; j < matrix.outerSize(); ++j) {
-    for (SparseMatrix::InnerIterator entry(matrix, j); entry; ++entry)
-      visit(static_cast<Index>(entry.row()), static_cast<Index>(j), entry.value());
-  }
-}
 
 /// |phi|^2 is a sum over vertices: on denser patches the same strain weighs more. Sigma goes along.
 double sigma_unit(const PatchState& state) {
@@ -87,7 +79,7 @@ StrainDescent::StrainDescent(PatchState& state, ThreadPool& pool, const DescentA
               {.inner = 1, .border = border_.direction_count()},
               step_precision(state.inner_count()), pool),
       relaxation_(jacobian_, state) {
-  for_entries(cost_.hessian(), [this](Index v, Index w, double) {
+  for_entries_of(cost_.hessian(), [this](Index v, Index w, double) {
     system_.append_pairs(std::array{v, w}, cost_pairs_);
   });
   if (potential_.border() == BoundaryCondition::free)
@@ -156,7 +148,7 @@ double StrainDescent::merit_at(const Positions& x) {
 
 KktSystem::ForPairs StrainDescent::pairs_of_cost() const {
   return [this](const BlockMatrix::VisitPair& visit) {
-    for_entries(cost_.hessian(), [&](Index v, Index w, double) { visit(v, w); });
+    for_entries_of(cost_.hessian(), [&](Index v, Index w, double) { visit(v, w); });
   };
 }
 
@@ -177,7 +169,7 @@ Positions StrainDescent::newton_step() {
   const Positions x = positions(), force = sum_of(Positions(x.size()), -1.0, cost_.gradient(x));
   system_.clear(directions(), cost_.unit());
   const BlockMatrix::Pair* pair = cost_pairs_.data();
-  for_entries(cost_.hessian(), [&](Index v, Index w, double value) {
+  for_entries_of(cost_.hessian(), [&](Index v, Index w, double value) {
     system_.add_scalar(v, w, *pair++, 1.0 + stiffening_, value);
   });
   if (!system_.factor(potential_.square(), sigma_ * sigma_, pool_)) return Positions(x.size());

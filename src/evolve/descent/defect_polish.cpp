@@ -14,6 +14,7 @@
 #include "evolve/state/sweep.h"
 #include "evolve/systems/dense.h"
 #include "geometry/smallest_angle.h"
+#include "solve/sparse_pattern.h"
 
 namespace planish {
 
@@ -32,19 +33,17 @@ std::vector<double> inverse_weights_of(const PatchState& state) {
 /// The number of neighbours at a vertex, -1 at each that may move too: large on what differs from
 /// vertex to vertex, which is what sweeps take out, and as it takes no cotangents, at needles too.
 SparseMatrix graph_laplacian(const AngleJacobian& jacobian) {
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto n = static_cast<int>(jacobian.row_count());
-  for (int v = 0; v < n; ++v) {
-    const auto ring = jacobian.ring(static_cast<Index>(v));
-    entries.emplace_back(v, v, static_cast<double>(ring.size()));
-    if (!jacobian.is_movable(static_cast<Index>(v))) continue;
-    for (const Index w : ring) {
-      if (jacobian.is_movable(w)) entries.emplace_back(v, static_cast<int>(w), -1.0);
+  const std::size_t n = jacobian.row_count();
+  return sparse_matrix(n, n, [&](const auto& add) {
+    for (Index v = 0; v < n; ++v) {
+      const auto ring = jacobian.ring(v);
+      add(v, v, static_cast<double>(ring.size()));
+      if (!jacobian.is_movable(v)) continue;
+      for (const Index w : ring) {
+        if (jacobian.is_movable(w)) add(v, w, -1.0);
+      }
     }
-  }
-  SparseMatrix matrix(n, n);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+  });
 }
 
 /// By so much that it counts as flattenable on rounding too.

@@ -40,36 +40,28 @@ std::vector<double> pulls(const PatchState& state, std::size_t count, double clo
 /// L over the vertices that may move; the rows of the others are empty.
 SparseMatrix moving_part(const std::vector<std::vector<double>>& rows,
                          const AngleJacobian& jacobian) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Index v = 0; v < rows.size(); ++v) {
-    const auto ring = jacobian.ring(v);
-    const auto row = static_cast<int>(v);
-    if (jacobian.is_movable(v))
-      entries.emplace_back(row, row, std::accumulate(rows[v].begin(), rows[v].end(), 0.0));
-    for (std::size_t j = 0; j < ring.size(); ++j) {
-      if (jacobian.is_movable(ring[j]))
-        entries.emplace_back(row, static_cast<int>(ring[j]), -rows[v][j]);
+  return sparse_matrix(rows.size(), jacobian.column_count(), [&](const auto& add) {
+    for (Index v = 0; v < rows.size(); ++v) {
+      const auto ring = jacobian.ring(v);
+      if (jacobian.is_movable(v)) add(v, v, std::accumulate(rows[v].begin(), rows[v].end(), 0.0));
+      for (std::size_t j = 0; j < ring.size(); ++j) {
+        if (jacobian.is_movable(ring[j])) add(v, ring[j], -rows[v][j]);
+      }
     }
-  }
-  SparseMatrix matrix(static_cast<int>(rows.size()), static_cast<int>(jacobian.column_count()));
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+  });
 }
 
 /// B over the vertices that may move.
 SparseMatrix moving_part(const std::vector<SecondDifference>& bends,
                          const AngleJacobian& jacobian) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t row = 0; row < bends.size(); ++row) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index v = bends[row].vertices[k];
-      if (!jacobian.is_movable(v)) continue;
-      entries.emplace_back(static_cast<int>(row), static_cast<int>(v), bends[row].weights[k]);
+  return sparse_matrix(bends.size(), jacobian.column_count(), [&](const auto& add) {
+    for (std::size_t row = 0; row < bends.size(); ++row) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index v = bends[row].vertices[k];
+        if (jacobian.is_movable(v)) add(row, v, bends[row].weights[k]);
+      }
     }
-  }
-  SparseMatrix matrix(static_cast<int>(bends.size()), static_cast<int>(jacobian.column_count()));
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+  });
 }
 
 /// Sums of squares along a curve go with the cube of the edges, over a surface with their square.

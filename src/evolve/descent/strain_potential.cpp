@@ -22,19 +22,16 @@ constexpr double k_accuracy = 1e-8;  // of chi, on dense patches
 /// K without values.
 SparseMatrix pattern_of(const AngleJacobian& jacobian, const PatchState& state,
                         BoundaryCondition border) {
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto n = static_cast<Index>(jacobian.row_count());
-  const auto rows = border == BoundaryCondition::free ? state.vertex_count() : n;
-  for (Index v = 0; v < n; ++v) {
-    const auto column = static_cast<int>(v);
-    entries.emplace_back(column, column, 0.0);
-    for (const Index w : jacobian.ring(v)) {
-      if (w < rows) entries.emplace_back(static_cast<int>(w), column, 0.0);
+  const std::size_t n = jacobian.row_count();
+  const std::size_t rows = border == BoundaryCondition::free ? state.vertex_count() : n;
+  return sparse_matrix(rows, n, [&](const auto& add) {
+    for (Index v = 0; v < n; ++v) {
+      add(v, v, 0.0);
+      for (const Index w : jacobian.ring(v)) {
+        if (w < rows) add(w, v, 0.0);
+      }
     }
-  }
-  SparseMatrix matrix(static_cast<int>(rows), static_cast<int>(n));
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+  });
 }
 
 /// Among the values; k_nowhere where the entry is not there.

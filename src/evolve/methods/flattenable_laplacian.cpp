@@ -12,6 +12,7 @@
 #include "evolve/state/sweep.h"
 #include "evolve/systems/kkt_system.h"
 #include "evolve/systems/positions.h"
+#include "solve/sparse_pattern.h"
 
 namespace planish {
 
@@ -21,21 +22,16 @@ namespace {
 SparseMatrix hessian_of(const FlattenableLaplacian& options, const PatchState& state,
                         const std::vector<double>& shares) {
   const auto rings = rings_by_vertex(state.plan());
-  const auto n = static_cast<int>(rings.size());
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int v = 0; v < n; ++v) {
-    const double stay = options.position * state.weight(v) * state.weight(v);
-    entries.emplace_back(v, v, shares[v] * (options.fairness + stay));
-    const double pull = options.fairness * shares[v] / static_cast<double>(rings[v].size());
-    for (const Index w : rings[v]) {
-      if (static_cast<int>(w) > v && state.is_inner(w)) {
-        entries.emplace_back(static_cast<int>(w), v, -pull);
+  return sparse_matrix(rings.size(), rings.size(), [&](const auto& add) {
+    for (Index v = 0; v < rings.size(); ++v) {
+      const double stay = options.position * state.weight(v) * state.weight(v);
+      add(v, v, shares[v] * (options.fairness + stay));
+      const double pull = options.fairness * shares[v] / static_cast<double>(rings[v].size());
+      for (const Index w : rings[v]) {
+        if (w > v && state.is_inner(w)) add(w, v, -pull);
       }
     }
-  }
-  SparseMatrix hessian(n, n);
-  hessian.setFromTriplets(entries.begin(), entries.end());
-  return hessian;
+  });
 }
 
 /// |N(p)| over its mean.
@@ -64,11 +60,11 @@ class FlattenableStepper {
         base_(inner_positions(state)) {
     identity_.setIdentity();
     const auto for_pairs = [this](const BlockMatrix::VisitPair& visit) {
-      for_hessian([&](Index v, Index w, double) { visit(v, w); });
+      for_entries_of(hessian_, [&](Index v, Index w, double) { visit(v, w); });
     };
     system_.emplace(jacobian_, state, for_pairs, identity_, KktSystem::Moves{}, Precision::full,
                     pool);
-    for_hessian([this](Index v, Index w, double) {
+    for_entries_of(hessian_, [this](Index v, Index w, double) {
       system_->append_pairs(std::array{v, w}, pairs_);
     });
   }
@@ -88,14 +84,6 @@ class FlattenableStepper {
   }
 
  private:
-  template <class Visit>
-  void for_hessian(const Visit& visit) const {
-    for (int j = 0; j < hessian_.outerSize(); ++j) {
-      for (SparseMatrix::InnerIterator entry(hessian_, j); entry; ++entry)
-        visit(static_cast<Index>(entry.row()), static_cast<Index>(j), entry.value());
-    }
-  }
-
   /// Damping is a share of the mean of the squares of the Jacobian's rows.
   bool factor() {
     double squares = 0.0;
@@ -109,8 +97,9 @@ class FlattenableStepper {
     if (!(mean > 0.0)) return false;
     system_->clear();
     const BlockMatrix::Pair* pair = pairs_.data();
-    for_hessian(
-        [&](Index v, Index w, double value) { system_->add_scalar(v, w, *pair++, 1.0, value); });
+    for_entries_of(hessian_, [&](Index v, Index w, double value) {
+      system_->add_scalar(v, w, *pair++, 1.0, value);
+    });
     return system_->factor(identity_, options_.damping * mean, pool_);
   }
 

@@ -5,6 +5,7 @@
 
 #include "evolve/systems/positions.h"
 #include "solve/dissection.h"
+#include "solve/sparse_pattern.h"
 
 namespace planish {
 
@@ -33,18 +34,16 @@ Graph rows_that_meet(const AngleJacobian& jacobian) {
 }
 
 SparseMatrix lower_pattern(const Graph& graph) {
-  const auto n = static_cast<int>(graph.vertex_count());
+  const std::size_t n = graph.vertex_count();
   if (n == 0) return {};
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int v = 0; v < n; ++v) {
-    entries.emplace_back(v, v, 0.0);
-    for (const Index w : graph.of(static_cast<Index>(v))) {
-      if (static_cast<int>(w) > v) entries.emplace_back(static_cast<int>(w), v, 0.0);
+  return sparse_matrix(n, n, [&](const auto& add) {
+    for (Index v = 0; v < n; ++v) {
+      add(v, v, 0.0);
+      for (const Index w : graph.of(v)) {
+        if (w > v) add(w, v, 0.0);
+      }
     }
-  }
-  SparseMatrix lower(n, n);
-  lower.setFromTriplets(entries.begin(), entries.end());
-  return lower;
+  });
 }
 
 Positions positions_of_rows(const AngleJacobian& jacobian, const PatchState& state) {

@@ -68,20 +68,22 @@ FairingSystem::FairingSystem(const PatchState& state, std::span<const unsigned c
   const auto count = static_cast<int>(movable_.size());
   const auto rings = rings_by_vertex(state.plan());
   const auto rows = rows_of_laplacian(state, kind);
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto row_count = static_cast<int>(rows.size());
-  Eigen::MatrixXd g = Eigen::MatrixXd::Zero(row_count, 3);
-  for (int v = 0; v < row_count; ++v) {
-    const auto add = [&](Index w, double weight) {
-      if (number[w] != held) entries.emplace_back(v, number[w], weight);
-      if (number[w] == held) g.row(v) += weight * row_of(state.position(w));
-    };
-    add(static_cast<Index>(v), std::accumulate(rows[v].begin(), rows[v].end(), 0.0));
-    for (std::size_t j = 0; j < rings[v].size(); ++j)
-      add(rings[v][j], -rows[v][j]);
-  }
-  SparseMatrix laplacian(row_count, count), pull(count, count);
-  laplacian.setFromTriplets(entries.begin(), entries.end());
+  Eigen::MatrixXd g = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), 3);
+  const SparseMatrix laplacian =
+      sparse_matrix(rows.size(), movable_.size(), [&](const auto& add_entry) {
+        for (Index v = 0; v < rows.size(); ++v) {
+          const auto add = [&](Index w, double weight) {
+            if (number[w] == held)
+              g.row(v) += weight * row_of(state.position(w));
+            else
+              add_entry(v, static_cast<std::size_t>(number[w]), weight);
+          };
+          add(v, std::accumulate(rows[v].begin(), rows[v].end(), 0.0));
+          for (std::size_t j = 0; j < rings[v].size(); ++j)
+            add(rings[v][j], -rows[v][j]);
+        }
+      });
+  SparseMatrix pull(count, count);
   held_share_ = laplacian.transpose() * g;
   pull.setIdentity();
   pull.diagonal() = Eigen::Map<const Eigen::VectorXd>(pull_.data(), count);

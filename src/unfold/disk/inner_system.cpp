@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solve/sparse_pattern.h"
+
 namespace planish {
 
 namespace {
@@ -11,19 +13,17 @@ constexpr int k_border = -1;
 }  // namespace
 
 InnerSystem::InnerSystem(const Disk& disk, std::span<const SideWeights> weights, ThreadPool& pool) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t t = 0; t < disk.triangles.size(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const Index i = disk.triangles[t][(k + 1) % 3], j = disk.triangles[t][(k + 2) % 3];
-      const double weight = weights[t][k];
-      entries.emplace_back(i, i, weight);
-      entries.emplace_back(j, j, weight);
-      entries.emplace_back(std::max(i, j), std::min(i, j), -weight);
+  lower_ = sparse_matrix(disk.vertex_count, disk.vertex_count, [&](const auto& add) {
+    for (std::size_t t = 0; t < disk.triangles.size(); ++t) {
+      for (int k = 0; k < 3; ++k) {
+        const Index i = disk.triangles[t][(k + 1) % 3], j = disk.triangles[t][(k + 2) % 3];
+        const double weight = weights[t][k];
+        add(i, i, weight);
+        add(j, j, weight);
+        add(std::max(i, j), std::min(i, j), -weight);
+      }
     }
-  }
-  const auto n = static_cast<Eigen::Index>(disk.vertex_count);
-  lower_.resize(n, n);
-  lower_.setFromTriplets(entries.begin(), entries.end());
+  });
 
   std::vector<int> number(disk.vertex_count, k_border);
   for (Index v = 0; v < disk.vertex_count; ++v) {

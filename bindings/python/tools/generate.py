@@ -431,7 +431,8 @@ def reference(description, core, planish):
     for function, (_, parameters, result, _, summary) in FUNCTIONS.items():
         short = re.sub(r": (?:[^,=\[]|\[[^]]*\])+(?= =|,|$)", "", parameters).replace(" = ", "=")
         text += f"\n### {function}\n\n`planish.{function}({short}, ...)` -> `{result.replace('_core.', '')}`\n\n"
-        told = f"As [svg](#svg), in {summary.split(' as ')[1].split(',')[0]}." if function in {"dxf", "pdf", "plt"} else summary
+        kind = summary.partition(" as ")[2].partition(",")[0]
+        told = f"As [svg](#svg), in {kind}." if function in {"dxf", "pdf", "plt"} else summary
         text += paragraph(told) + "\n" + paragraph(f"Keywords: {keywords_told(description, function)}.")
     for function in ("write", "describe", "materials"):
         member = getattr(planish, function)

@@ -61,29 +61,22 @@ def processor():
     return f"{names[0] if names else 'unknown processor'}, {os.cpu_count()} processors"
 
 
-def verdict(section):
-    """The heading of a section, and what it says is the same, what differs, and why."""
-    heading, (_, same, said) = section.partition("\n")[0], section.partition("**Same:**")
-    return f"{heading}\n\n{same}{said}" if same else ""
-
-
 def marks(version):
     return f"""<!-- Made by bench/paper/reproduce: change that and run it, not this page. -->
 <!-- figures of planish {version} -->"""
 
 
-def page(version, summary, sections, link):
+def page(version, summary, link):
     return f"""{marks(version)}
 # The evaluation of the 2010 paper, in our own data
 
 Lin, Zhang, Wang, Gao, *Flattenable mesh processing by controllable Laplacian evolution*, ASME DETC2010-28301, evaluates its
-method in seven figures, 5 to 11, and a table. This page says what is the same with the corrected method
-([controllable](../methods/controllable.md)) on our own patches, what differs, and why; the paper's patches are not
-public. [All tables and pictures]({link}) are in the notebook. `bench/paper/reproduce` makes both pages.
+method in seven figures, 5 to 11, and a table. This page compares its claims with the corrected method
+([controllable](../methods/controllable.md)) on our own patches, as the paper's are not public. [All tables and
+pictures]({link}), and why figures differ, are in the notebook. `bench/paper/reproduce` makes both pages.
 Words are those of [notation](../notation.md); Eq., Fig. and Table are the paper's.
 
-{table(["", "the paper", "here"], summary)}
-{chr(10).join(filter(None, map(verdict, sections)))}"""
+{table(["", "the paper", "here"], summary)}"""
 
 
 def notebook(version, sections, is_sample, link):
@@ -147,7 +140,7 @@ def main():
     tables = DOCS / "notebook/paper.md" if out == DOCS / "paper" else out / "tables.md"
     link = "../paper/" if out == DOCS / "paper" else ""
     tables.write_text(wrapped(notebook(version, texts, folder is None, link)), encoding="utf-8")
-    text = page(version, summary, texts, os.path.relpath(tables, out)) + "\n" + errata_text(job.errata)
+    text = page(version, summary, os.path.relpath(tables, out)) + "\n" + errata_text(job.errata)
     (out / "README.md").write_text(wrapped(text), encoding="utf-8")
     (out / "figures.json").write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
 

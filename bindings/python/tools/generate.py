@@ -26,11 +26,13 @@ HEAD = '"""Written by tools/generate.py from `planish describe --json`. Change t
 
 # Flags that are no keywords, and why.
 LEFT_OUT = {
-    "output": "results are returned; result.save(), write() and the drawing writers write files",
-    "output_format": "as output",
+    **dict.fromkeys(
+        ["output", "output_format"],
+        "results are returned; result.save(), write() and the drawing writers write files",
+    ),
     "open": "a result shows its report in a notebook; result.report_html() is the page",
     "csv": "figures are in result.figures",
-    "history": "sweeps are in result.figures",
+    "history": "figures are in result.figures",
     "fields": "result.fields",
     "require_target": "result.target_met and result.limits_met",
     "product": "flatten_product()",
@@ -39,11 +41,8 @@ LEFT_OUT = {
     "picture": "directions and cuts are not drawn from Python",
     "apply": "result.vertices and result.faces",
     "list": "an unknown name says which there are",
-    "sheet": "laying pieces on material is the program's",
-    "nest_gap": "as sheet",
-    "nest_margin": "as sheet",
-    "turn": "as sheet",
-    "json": "result.figures",
+    **dict.fromkeys(["sheet", "nest_gap", "nest_margin", "turn"], "laying pieces on material is the program's"),
+    "json": "figures are in result.figures",
     "quiet": "result.notes",
     "help": "help()",
     "help_all": "help()",
@@ -441,7 +440,10 @@ def reference(description, core, planish):
     for title, names in shared_keywords(description).items():
         text += f"\n### {title.capitalize()}\n\n" + paragraph(quoted(names) + ".")
     text += "\n### Flags without a keyword\n\n"
-    text += bullets((f"--{keyword.replace('_', '-')}", f"{why}.") for keyword, why in LEFT_OUT.items())
+    reasons = {}
+    for keyword, why in LEFT_OUT.items():
+        reasons.setdefault(why, []).append(f"--{keyword.replace('_', '-')}")
+    text += bullets(("`, `".join(flags), f"{why}.") for why, flags in reasons.items())
     text += "\n## Results\n\n### Several results\n\n"
     kinds = collections.Counter(told for cls in classes(core) for told in members_told(cls))
     common = [told for told, count in kinds.items() if count > 1]

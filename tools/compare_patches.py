@@ -3,8 +3,8 @@
 
 RESULTS keeps the answer of `planish compare --json` for each patch and method; a run whose answer
 is there is not made again. Into RESULTS go comparison.csv, a row for each run, and comparison.md,
-tables of medians and counts; with --update-docs also docs/comparison.csv and the tables of
-docs/comparison.md.
+tables of medians and counts; with --update-docs also those of
+docs/notebook.
 
 Patches above LARGE vertices get FEW_SWEEPS sweeps of every method but auto, as global methods on
 them take long; all others what each method usually takes. local_perturbation gets FEW_SWEEPS rounds
@@ -120,7 +120,7 @@ def arguments():
     add("folder", metavar="FOLDER", type=pathlib.Path, help="of .obj and .ply files")
     add("results", metavar="RESULTS", type=pathlib.Path, help="folder to write into")
     add("--methods", metavar="LIST", help="names with commas (default: all methods)")
-    add("--update-docs", action="store_true", help="write docs/comparison.* too")
+    add("--update-docs", action="store_true", help="write docs/notebook/comparison.* too")
     given = parser.parse_args()
     if comparison_tables.DOCS in [given.results.resolve(), *given.results.resolve().parents]:
         parser.error("RESULTS is in docs/; to write there use --update-docs")

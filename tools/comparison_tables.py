@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Writes the tables of docs/comparison.md, between its marks, from docs/comparison.csv."""
+"""Writes the tables of docs/notebook/comparison.md, between its marks, from comparison.csv beside it."""
 
 import csv
 import math
 import pathlib
 import statistics
 
-DOCS = pathlib.Path(__file__).resolve().parent.parent / "docs"
+DOCS = pathlib.Path(__file__).resolve().parent.parent / "docs/notebook"
 BEGIN, END = "<!-- tables: begin -->", "<!-- tables: end -->"
 LARGE = 20_000
 

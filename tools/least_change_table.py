@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How little `flatten` changes for limits, and what it reaches within tolerances: tables of docs/methods/least_change.md.
+"""How little `flatten` changes for limits, and what it reaches within tolerances: tables of docs/notebook/least_change.md.
 
   least_change_table.py limits PLANISH OTHER FOLDER [NAME...]
   least_change_table.py tolerances PLANISH FOLDER [NAME...]

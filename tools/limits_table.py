@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How small a limit of strain patterns keep, and what that costs: the table of docs/unfold.md.
+"""How small a limit of strain patterns keep, and what that costs: the table of docs/notebook/unfold.md.
 
   limits_table.py PLANISH FOLDER [NAME...]
 

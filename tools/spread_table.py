@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What spreading the stretch gains over least stretch on the patches of a folder: the table of docs/unfold.md.
+"""What spreading the stretch gains over least stretch on the patches of a folder: the table of docs/notebook/unfold.md.
 
   spread_table.py PLANISH FOLDER
 

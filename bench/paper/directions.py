@@ -151,7 +151,7 @@ the wrong way. Two facts say which way that is:
   helps only where $d_v$ is above that mean: maxima of the defect are worn down, minima stay.
 
 What steps backward gain ($\\lambda$ in [-1, 1], no angle below 5 degrees or what it was), and what they cost, is in the
-columns on the right. *Can be lowered* is of the first order: it does not say by how much.
+last columns of the table. *Can be lowered* is of the first order: it does not say by how much.
 """
     summary = [
         [

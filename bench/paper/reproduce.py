@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The evaluation of the 2010 paper in our own data: writes README.md, pictures and figures.json.
+"""The evaluation of the 2010 paper in our own data: writes README.md, a page of
+tables, pictures and figures.json.
 
     reproduce.py PLANISH OUT [FOLDER OF PATCHES]
     reproduce.py --update-docs PLANISH [FOLDER OF PATCHES]
@@ -60,37 +61,51 @@ def processor():
     return f"{names[0] if names else 'unknown processor'}, {os.cpu_count()} processors"
 
 
-def page(version, summary, sections, is_sample):
+def marks(version):
+    return f"""<!-- Made by bench/paper/reproduce: change that and run it, not this page. -->
+<!-- figures of planish {version} -->"""
+
+
+def page(version, summary, link):
+    return f"""{marks(version)}
+# The evaluation of the 2010 paper, in our own data
+
+Lin, Zhang, Wang, Gao, *Flattenable mesh processing by controllable Laplacian evolution*, ASME DETC2010-28301, evaluates its
+method in seven figures, 5 to 11, and a table. This page compares its claims with the corrected method
+([controllable](../methods/controllable.md)) on our own patches, as the paper's are not public. [All tables and
+pictures]({link}), and why figures differ, are in the notebook. `bench/paper/reproduce` makes both pages.
+Words are those of [notation](../notation.md); Eq., Fig. and Table are the paper's.
+
+{table(["", "the paper", "here"], summary)}"""
+
+
+def notebook(version, sections, is_sample, link):
     data = (
         "no patches at hand: built-in samples stand for all of them" if is_sample
         else "patches of bodies, clothes and products, with source and licence beside each"
     )  # fmt: skip
-    return f"""<!-- Made by bench/paper/reproduce: change that and run it, not this page. -->
-<!-- figures of planish {version} -->
-# The evaluation of the 2010 paper, in our own data
+    text = f"""{marks(version)}
+# The paper's figures and tables, in our own data
 
-Lin, Zhang, Wang, Gao, *Flattenable mesh processing by controllable Laplacian evolution*, ASME DETC2010-28301, evaluates its
-method in seven figures, 5 to 11, and a table. Here they are again, made by `bench/paper/reproduce` from the corrected method
-([controllable](../methods/controllable.md)) and the methods that it is compared with. Its patches are not public. So no
-number can be the same; what can be compared is what the paper says of them. Each section ends with what
-is the same, what differs, and why.
+The tables and pictures behind [the evaluation of the 2010 paper]({link}README.md). Each section ends with what is the
+same, what differs, and why.
 
 * Words are those of [notation](../notation.md); Eq., Fig. and Table are the paper's. Strain is that of the pattern's edges, rms;
   deviation is rms over the diagonal; angles and roughness are in degrees.
 * Data: {data}.
 * Seconds are of the evolution alone on one thread, medians of three up to 20,000 vertices, else of one run:
   planish {version}, {processor()}.
-* All figures: [figures.json](figures.json). What is printed in the paper: `bench/paper/printed.py`.
+* All figures: [figures.json]({link}figures.json). What is printed in the paper: `bench/paper/printed.py`.
 
-{table(["", "the paper", "here"], summary)}
 {chr(10).join(sections)}"""
+    return re.sub(r"\]\(([\w-]+\.(?:png|svg))\)", rf"]({link}\1)", text).replace("](#the-errata", f"]({link}README.md#the-errata")
 
 
 def arguments():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("--update-docs", action="store_true", help="write docs/paper")
+    parser.add_argument("--update-docs", action="store_true", help="write docs/paper and docs/notebook/paper.md")
     parser.add_argument("planish", type=pathlib.Path, help="the program")
     parser.add_argument("paths", type=pathlib.Path, nargs="*", help=argparse.SUPPRESS)
     given = parser.parse_args()
@@ -122,8 +137,11 @@ def main():
             print(f"{section.__name__}: {time.monotonic() - start:.0f} s", file=sys.stderr)
         version = program.ask("--version")["version"]
     figures["errata"] = job.errata
-    texts.append(errata_text(job.errata))
-    (out / "README.md").write_text(wrapped(page(version, summary, texts, folder is None)), encoding="utf-8")
+    tables = DOCS / "notebook/paper.md" if out == DOCS / "paper" else out / "tables.md"
+    link = "../paper/" if out == DOCS / "paper" else ""
+    tables.write_text(wrapped(notebook(version, texts, folder is None, link)), encoding="utf-8")
+    text = page(version, summary, os.path.relpath(tables, out)) + "\n" + errata_text(job.errata)
+    (out / "README.md").write_text(wrapped(text), encoding="utf-8")
     (out / "figures.json").write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
 
 

@@ -110,7 +110,7 @@ What the paper does not print. Its solver is the interior-reflective Newton meth
 {table(other, other_rows(found))}
 {chr(10).join(pictures)}
 **Same:** a few sweeps lower `e_max` on all, here by a factor of {ours_text}, in the paper by {printed_text}. The solver
-matters little: the columns on the right.
+matters little.
 **Differs:** how much. {sentence_on_means(found)} A sweep takes {faster_text} times less time; the paper's own times per
 vertex and sweep differ by a factor of {max(per_visit) / min(per_visit):.0f} from row to row.
 **Why:** `e_max` is that of one vertex, and how far it falls says how rough the input is rather than how well the method

@@ -15,7 +15,7 @@ namespace planish::cli {
 
 namespace {
 
-// docs/performance.md, "Dense patches": 5.9 kB a vertex at 195,000, 6.8 kB at a million; and what
+// docs/performance.md, "What to expect": 5.9 kB a vertex at 195,000, 6.8 kB at a million; and what
 // is left of the vertices with --remesh.
 constexpr double k_bytes_a_vertex = 7'500.0, k_remeshed_bytes_a_vertex = 500.0;
 constexpr std::size_t k_worth_a_note = 100'000;

@@ -9,6 +9,7 @@ docs/python.md.
 PACKAGES is the folder with the built package: build/package/python.
 """
 
+import collections
 import importlib.machinery
 import importlib.util
 import inspect
@@ -25,11 +26,13 @@ HEAD = '"""Written by tools/generate.py from `planish describe --json`. Change t
 
 # Flags that are no keywords, and why.
 LEFT_OUT = {
-    "output": "results are returned; result.save(), write() and the drawing writers write files",
-    "output_format": "as output",
+    **dict.fromkeys(
+        ["output", "output_format"],
+        "results are returned; result.save(), write() and the drawing writers write files",
+    ),
     "open": "a result shows its report in a notebook; result.report_html() is the page",
     "csv": "figures are in result.figures",
-    "history": "sweeps are in result.figures",
+    "history": "figures are in result.figures",
     "fields": "result.fields",
     "require_target": "result.target_met and result.limits_met",
     "product": "flatten_product()",
@@ -38,11 +41,8 @@ LEFT_OUT = {
     "picture": "directions and cuts are not drawn from Python",
     "apply": "result.vertices and result.faces",
     "list": "an unknown name says which there are",
-    "sheet": "laying pieces on material is the program's",
-    "nest_gap": "as sheet",
-    "nest_margin": "as sheet",
-    "turn": "as sheet",
-    "json": "result.figures",
+    **dict.fromkeys(["sheet", "nest_gap", "nest_margin", "turn"], "laying pieces on material is the program's"),
+    "json": "figures are in result.figures",
     "quiet": "result.notes",
     "help": "help()",
     "help_all": "help()",
@@ -383,55 +383,46 @@ def core_stub(core):
     return text
 
 
-def takes(flag, keyword):
-    """What stands behind a keyword, for the docs."""
-    if keyword in FILE_ROWS:
-        return "file or rows"
-    if keyword == "obstacle":
-        return "mesh or file"
-    kind = {"switch": "bool", "file": "file", "names": "names"}.get(flag["type"], flag["type"])
-    if kind == "name" and flag["extensions"]:
-        kind = "name or file"
-    low, high = flag["min"], flag["max"]
-    if low is not None and high is not None:
-        kind += f", {low:g} to {high:g}"
-    elif low is not None:
-        kind += f", from {low:g}"
-    if flag["default"] not in {None, False}:
-        kind += f"; default {flag['default']}"
-    return kind
-
-
-def keyword_table(description):
-    """A paragraph for each keyword: of which functions, what it takes, what it means."""
-    rows = {}
-    for function in FUNCTIONS:
-        for keyword, flags in flags_of(description, function).items():
-            for flag, method in flags:
-                key = (takes(flag, keyword), flag["help"])
-                entry = rows.setdefault(keyword, {}).setdefault(key, {})
-                entry.setdefault(method, []).append(function)
-    lines = []
-    for keyword in sorted(rows):
-        for (kind, words), of in rows[keyword].items():
-            methods = [m for m in of if m]
-            note = f" With method {', '.join(methods)}." if methods and None not in of else ""
-            lines.append(
-                "\n".join(
-                    textwrap.wrap(
-                        f"* `{keyword}` ({kind}): {words}.{note}",
-                        118,
-                        subsequent_indent="  ",
-                        break_long_words=False,
-                        break_on_hyphens=False,
-                    )
-                )
-            )
-    return "\n".join(lines) + "\n"
-
-
 def paragraph(text):
     return "\n".join(textwrap.wrap(text, 118, break_long_words=False, break_on_hyphens=False)) + "\n"
+
+
+def shared_keywords(description):
+    """Keywords that several functions take, which the page lists once."""
+    pattern = list(flags_of(description, "plt"))
+    unfold = flags_of(description, "unfold")
+    method = [name for name in flags_of(description, "evolve_sweeps") if name not in unfold]
+    return {"keywords of patterns": pattern, "keywords of methods": method}
+
+
+def quoted(names):
+    return ", ".join(f"`{name}`" for name in names)
+
+
+def keywords_told(description, function):
+    names = list(flags_of(description, function))
+    told = []
+    for title, shared in shared_keywords(description).items():
+        missing = [name for name in shared if name not in names]
+        if len(missing) < len(shared) / 2:
+            names = [name for name in names if name not in shared]
+            but = f" but {quoted(missing)}" if missing else ""
+            told.append(f"the [{title}](#{title.replace(' ', '-')}){but}")
+    return "; ".join([quoted(names), *told] if names else told)
+
+
+def members_told(cls):
+    """(name, words) of what the page says of a class."""
+    for name, kind, member in members(cls):
+        if name in DRAWING_FLAGS:
+            yield f"{name}()", f"[{name}](#{name}) of this result."
+        elif not name.startswith("_") and words_of(member):
+            shown = name if kind == "property" else f"{name}()"
+            yield shown, " ".join(words_of(member).split())
+
+
+def bullets(told):
+    return "\n".join(textwrap.fill(f"* `{n}`: {words}", 118, subsequent_indent="  ") for n, words in told) + "\n"
 
 
 def reference(description, core, planish):
@@ -439,33 +430,32 @@ def reference(description, core, planish):
     for function, (_, parameters, result, _, summary) in FUNCTIONS.items():
         short = re.sub(r": (?:[^,=\[]|\[[^]]*\])+(?= =|,|$)", "", parameters).replace(" = ", "=")
         text += f"\n### {function}\n\n`planish.{function}({short}, ...)` -> `{result.replace('_core.', '')}`\n\n"
-        names = ", ".join(f"`{keyword}`" for keyword in flags_of(description, function))
-        text += paragraph(summary) + "\n" + paragraph(f"Keywords: {names}.")
+        kind = summary.partition(" as ")[2].partition(",")[0]
+        told = f"As [svg](#svg), in {kind}." if function in {"dxf", "pdf", "plt"} else summary
+        text += paragraph(told) + "\n" + paragraph(f"Keywords: {keywords_told(description, function)}.")
     for function in ("write", "describe", "materials"):
         member = getattr(planish, function)
         given = re.sub(r": '[^']*'", "", str(inspect.signature(member)).partition(" ->")[0]).replace(" = ", "=")
         text += f"\n### {function}\n\n`planish.{function}{given}`\n\n" + paragraph(inspect.getdoc(member))
-    text += "\n## Results\n"
+    for title, names in shared_keywords(description).items():
+        text += f"\n### {title.capitalize()}\n\n" + paragraph(quoted(names) + ".")
+    text += "\n### Flags without a keyword\n\n"
+    reasons = {}
+    for keyword, why in LEFT_OUT.items():
+        reasons.setdefault(why, []).append(f"--{keyword.replace('_', '-')}")
+    text += bullets(("`, `".join(flags), f"{why}.") for why, flags in reasons.items())
+    text += "\n## Results\n\n### Several results\n\n"
+    kinds = collections.Counter(told for cls in classes(core) for told in members_told(cls))
+    common = [told for told, count in kinds.items() if count > 1]
+    text += paragraph("Members of more than one class. Each class names the ones that it has.") + "\n" + bullets(common)
     for cls in classes(core):
         text += f"\n### {cls.__name__}\n\n" + paragraph(inspect.getdoc(cls))
-        entries = []
-        for name, kind, member in members(cls):
-            if name.startswith("_") or not words_of(member):
-                continue
-            shown = name if kind == "property" else f"{name}()"
-            words = " ".join(words_of(member).split("\n\n    Keywords")[0].split())
-            entries.append(textwrap.fill(f"* `{shown}`: {words}", 118, subsequent_indent="  "))
-        text += "\n" + "\n".join(entries) + "\n"
-    text += "\n## What each keyword takes\n\n"
-    text += paragraph(
-        "What each takes, by the program's one description of its flags. A length, share or angle is a number, in "
-        "model units, as a fraction and in degrees, or a text with a unit. Rows are the lines of the file: texts, or "
-        "sequences of the items of a line."
-    )
-    text += "\n" + keyword_table(description)
-    text += "\nFlags of the program that are no keywords:\n\n"
-    for keyword, why in LEFT_OUT.items():
-        text += f"* `--{keyword.replace('_', '-')}`: {why}.\n"
+        own = [told for told in members_told(cls) if told not in common]
+        if own:
+            text += "\n" + bullets(own)
+        shared = [name for name, words in members_told(cls) if (name, words) in common]
+        if shared:
+            text += "\n" + paragraph(f"Also {quoted(shared)}.")
     return text
 
 

@@ -163,3 +163,15 @@ build_preset() { # preset, targets (default: all)
   cmake --build "$folder" -j "$(nproc)" ${*:+--target "$@"} >"$log" 2>&1 ||
     { cat "$log" >&2 && say "the build failed" && exit 1; }
 }
+
+# Format, layers and docs: what needs no build.
+check_sources() {
+  local failed=0
+  say "checking format, layers and docs"
+  find apps bench examples include src tests -name '*.h' -print0 -o -name '*.cpp' -print0 |
+    xargs -0 clang-format-14 --dry-run -Werror >&2 || failed=1
+  python3 tools/check_layers.py >&2 || failed=1
+  python3 tools/rooms.py --check >&2 || failed=1
+  python3 tools/check_docs.py >&2 || failed=1
+  return "$failed"
+}

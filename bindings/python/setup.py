@@ -1,6 +1,7 @@
-"""Builds the extension module with CMake, in build/package of the repository, and makes the wheel of it.
+"""Builds the extension module with CMake, in build/release of the repository, and makes the wheel of it.
 
-The environment variable PLANISH_BUILD names another folder to build in.
+There scripts/run builds the program: what is built already is taken as it is. The environment variable PLANISH_BUILD
+names another folder to build in.
 """
 
 import os
@@ -14,7 +15,7 @@ from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
 REPO = pathlib.Path(__file__).resolve().parent.parent.parent
-BUILD = pathlib.Path(os.environ.get("PLANISH_BUILD", REPO / "build/package"))
+BUILD = pathlib.Path(os.environ.get("PLANISH_BUILD", REPO / "build/release"))
 
 
 class BuildWithCMake(build_ext):

@@ -19,19 +19,26 @@ std::string csv_text(const std::string& text) {
   return quoted + '"';
 }
 
-std::string header_of(const std::vector<Cell>& columns, bool with_output) {
-  std::string line = "path";
-  for (const Cell& column : columns)
-    line += "," + std::string(column.name);
-  return line + (with_output ? ",output" : "") + ",error,message\n";
+/// The figures of each line: of the file, or of each of its runs beside the input's.
+std::vector<Json> lines_of(const Json& figures) {
+  if (!figures.contains("runs")) return {figures};
+  std::vector<Json> lines = figures["runs"];
+  for (Json& line : lines) {
+    line["unfold_before"] = figures["unfold_before"];
+    line["best"] = line["method"] == figures["best"];
+  }
+  return lines;
 }
 
-std::string line_of(const FileReport& file, const TableLine& line, bool with_output) {
+std::string line_of(const FileReport& file, const Json& figures, const std::vector<Column>& columns,
+                    bool with_output) {
   std::string text = csv_text(file.path);
-  for (const Cell& cell : line.cells)
-    text += ',' + csv_text(cell.text);
+  for (const Column& column : columns)
+    text += ',' + csv_text(cell_text(column, figures));
   if (with_output) text += ',' + csv_text(file.output);
-  const Failure failure = line.failure ? *line.failure : file.failure.value_or(Failure{});
+  Failure failure = file.failure.value_or(Failure{});
+  if (figures.contains("error") && figures["error"].is_object())
+    failure = {figures["error"]["code"], figures["error"]["message"]};
   return text + ',' + failure.code + ',' + csv_text(failure.message) + '\n';
 }
 
@@ -45,13 +52,15 @@ Json to_json(const FileReport& file, bool with_output) {
 
 }  // namespace
 
-std::string several_csv(std::span<const FileReport> files, const std::vector<Cell>& columns,
+std::string several_csv(std::span<const FileReport> files, const std::vector<Column>& columns,
                         bool with_output) {
-  std::string csv = header_of(columns, with_output);
+  std::string csv = "path";
+  for (const Column& column : columns)
+    csv += "," + column.name;
+  csv += with_output ? ",output,error,message\n" : ",error,message\n";
   for (const FileReport& file : files) {
-    if (file.lines.empty()) csv += line_of(file, {columns}, with_output);
-    for (const TableLine& line : file.lines)
-      csv += line_of(file, line, with_output);
+    for (const Json& figures : lines_of(file.figures))
+      csv += line_of(file, figures, columns, with_output);
   }
   return csv;
 }

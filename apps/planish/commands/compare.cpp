@@ -92,8 +92,6 @@ void compare_into(WorkFile& file, const fs::path& place, const std::vector<Compa
     return compare(patch, input.pieces.front(), runs, options, session.job_context({}));
   });
   note_cautions(session, path, report.cautions, report.unit);
-  for (const ComparedMethod& method : report.runs)
-    file.report.lines.push_back({compared_cells(&report, &method), method.failure});
   file.report.figures = compared_figures(report);
   file.text = lines_of(report);
   if (!has_result(report)) {
@@ -109,7 +107,7 @@ CommandResult compare_several(const Arguments& all, Session& session) {
   const std::vector<CompareRun> runs = runs_from(arguments);
   unit_from(arguments);
   const SeveralFiles job = {
-      .columns = compared_cells(nullptr, nullptr),
+      .columns = compared_columns(),
       .heads = "method                  e_max  strain deviat.  smooth",
       .missed_before = {},
       .missed_behind = {},

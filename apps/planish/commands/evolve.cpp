@@ -55,7 +55,6 @@ void evolve_into(WorkFile& file, const std::filesystem::path& place, const Argum
       path, [&] { return evolve_as_asked(Patch(std::move(mesh)), path, arguments, session); });
   const Unit unit = unit_from(arguments);
   note_cautions(session, path, cautions, unit);
-  file.report.lines = {{evolved_cells(&report)}};
   file.report.figures = evolved_figures(report, cautions, unit);
   file.text = line_of(report);
   file.misses = arguments.has("--require-target") && !report.outcome().target_met();
@@ -68,7 +67,7 @@ CommandResult evolve_several(const Arguments& all, Session& session) {
   check_evolve_request(arguments);
   const auto format = output_format_from(all, names_of(k_mesh_formats));
   const SeveralFiles job = {
-      .columns = evolved_cells(nullptr),
+      .columns = evolved_columns(),
       .heads = "  e_max    after  deviat.  added  lost smooth   time",
       .missed_before = "the target is missed by ",
       .missed_behind = "",

@@ -49,7 +49,6 @@ void measure_into(WorkFile& file, const StrainLimits& limits, const Arguments& a
   std::vector<Caution> cautions;
   const auto take = [&](const MeasuredPatch& measured,
                         const std::optional<StrainAsDesigned>& strain) {
-    file.report.lines = {{measured_cells(&measured, strain ? &*strain : nullptr)}};
     file.report.figures = measured_figures(measured, strain, cautions, unit);
     file.text = line_of(measured, strain);
     file.misses = strain && !all_kept(strain->limits);
@@ -69,7 +68,7 @@ CommandResult measure_several(const Arguments& all, Session& session) {
   refuse_single_file_flags(arguments, std::array{"--map", "--picture", "--fields", "--unit"});
   const StrainLimits limits = limits_from(arguments);
   const SeveralFiles job = {
-      .columns = measured_cells(nullptr, nullptr),
+      .columns = measured_columns(),
       .heads = " vertices      e_max  sum |d_v|  rms strain   largest",
       .missed_before = "no pattern of ",
       .missed_behind = " keeps the limit",

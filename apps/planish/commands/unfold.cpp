@@ -113,7 +113,6 @@ void unfold_into(WorkFile& file, const std::filesystem::path& place, const Unfol
     UnfoldReport report =
         unfold_patch(patch, request.unit, request.options, session.job_context(path));
     report.turned = model.turned;
-    file.report.lines = {{unfolded_cells(&report)}};
     file.report.figures = unfolded_figures(report, cautions);
     file.text = line_of(report);
     file.misses = !all_kept(report.limits);
@@ -136,7 +135,7 @@ CommandResult unfold_several(const Arguments& all, Session& session) {
   const std::string extension = "." + output_format_from(all, output_names()).value_or("svg");
   const UnfoldRequest request = request_from(arguments, "pattern" + extension);
   const SeveralFiles job = {
-      .columns = unfolded_cells(nullptr),
+      .columns = unfolded_columns(),
       .heads = "rms strain     99 %  largest    width   height",
       .missed_before = "a limit of strain is missed by ",
       .missed_behind = "",

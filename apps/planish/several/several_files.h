@@ -16,7 +16,7 @@ namespace planish::cli {
 
 /// One of several files while a verb works on it.
 struct WorkFile {
-  FileReport report;              ///< its lines in the table, and what --json prints
+  FileReport report;              ///< what --json prints, and the table
   std::string text = {};          ///< for people, behind its name: a line, or some
   bool misses = false;            ///< what was asked for: exit code 3
   std::vector<OutputFile> files;  ///< to be written
@@ -24,8 +24,8 @@ struct WorkFile {
 
 /// What a verb does with several files.
 struct SeveralFiles {
-  std::vector<Cell> columns;  ///< of its table
-  std::string_view heads;     ///< of the figures for people, behind the name
+  std::vector<Column> columns;  ///< of its table
+  std::string_view heads;       ///< of the figures for people, behind the name
   /// "no pattern of" and "keeps the limit", around "2 of 3 files".
   std::string_view missed_before, missed_behind;
   /// Of the output of an input; empty for a folder. None where the verb writes nothing but figures.

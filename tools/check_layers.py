@@ -79,6 +79,7 @@ FOR_THE_PROGRAM = {
     "core/fnv_hash.h",
     "core/lanes/isa.h",
     "core/likely_units.h",
+    "core/struct_fields.h",
     "draw/pdf/pdf_text.h",
     "draw/text/ascii_text.h",
     "draw/text/stroke_text.h",

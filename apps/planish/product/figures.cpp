@@ -7,124 +7,11 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/struct_fields.h"
+
 namespace planish::cli {
 
 namespace {
-
-// What is kept, listed once for writing and for reading.
-
-template <class Visit>
-void list(EdgeStrain& strain, const Visit& visit) {
-  visit("max", strain.max);
-  visit("rms", strain.rms);
-  visit("p99", strain.p99);
-  visit("worst_edge", strain.worst_edge);
-  visit("max_stretch", strain.max_stretch);
-  visit("p99_stretch", strain.p99_stretch);
-  visit("max_compression", strain.max_compression);
-  visit("p99_compression", strain.p99_compression);
-}
-
-template <class Visit>
-void list(Vec3& place, const Visit& visit) {
-  visit("x", place.x);
-  visit("y", place.y);
-  visit("z", place.z);
-}
-
-template <class Visit>
-void list(StrainLimitCheck& check, const Visit& visit) {
-  visit("kind", check.kind);
-  visit("asked", check.asked);
-  visit("reached", check.reached);
-  visit("share_beyond", check.share_beyond);
-  visit("edge", check.edge);
-  visit("at", check.at);
-}
-
-template <class Visit>
-void list(Vec2& place, const Visit& visit) {
-  visit("x", place.x);
-  visit("y", place.y);
-}
-
-template <class Visit>
-void list(Overlap& overlap, const Visit& visit) {
-  visit("low", overlap.low);
-  visit("high", overlap.high);
-  visit("crossings", overlap.crossings);
-}
-
-template <class Visit>
-void list(OpenedCrossings& opened, const Visit& visit) {
-  visit("crossings", opened.crossings);
-  visit("largest_move", opened.largest_move);
-  visit("vertex", opened.vertex);
-}
-
-template <class Visit>
-void list(Pattern& pattern, const Visit& visit) {
-  visit("width", pattern.width);
-  visit("height", pattern.height);
-  visit("area_ratio", pattern.area_ratio);
-  visit("flipped_triangles", pattern.flipped_triangles);
-  visit("overlaps", pattern.overlaps);
-  visit("iterations", pattern.iterations);
-  visit("converged", pattern.converged);
-  visit("opened", pattern.opened);
-  visit("unmatchable", pattern.is_unmatchable);
-}
-
-template <class Visit>
-void list(UnfoldReport& unfold, const Visit& visit) {
-  visit("pattern", unfold.pattern);
-  visit("strain", unfold.strain);
-  visit("unit", unfold.unit);
-  visit("border_strain", unfold.border_strain);
-  visit("unmatched_strain", unfold.unmatched_strain);
-  visit("limits", unfold.limits);
-  visit("unlimited_strain", unfold.unlimited_strain);
-  visit("overlap", unfold.overlap);
-}
-
-template <class Visit>
-void list(Deviation& deviation, const Visit& visit) {
-  visit("rms", deviation.rms);
-  visit("max", deviation.max);
-  visit("rms_over_diagonal", deviation.rms_over_diagonal);
-}
-
-template <class Visit>
-void list(LimitCheck& check, const Visit& visit) {
-  visit("what", check.what);
-  visit("limit", check.limit);
-  visit("value", check.value);
-  visit("met", check.met);
-}
-
-template <class Visit>
-void list(FormFault& fault, const Visit& visit) {
-  visit("what", fault.what);
-  visit("text", fault.text);
-}
-
-template <class Visit>
-void list(TwinOf& twin, const Visit& visit) {
-  visit("of", twin.name);
-  visit("mirrored", twin.mirrored);
-}
-
-template <class Visit>
-void list(FinishedPatch& patch, const Visit& visit) {
-  visit("unfold", patch.unfold);
-  visit("deviation", patch.deviation);
-  visit("stop", patch.stop);
-  visit("twin_of", patch.twin_of);
-  visit("rejected", patch.rejected);
-  visit("limits", patch.limits);
-  visit("form_faults", patch.form_faults);
-  visit("cautions", patch.cautions);
-}
 
 constexpr StopReason last_of(StopReason) {
   return StopReason::design_kept;
@@ -139,61 +26,58 @@ constexpr Unit last_of(Unit) {
   return Unit::in;
 }
 
-/// Puts each value into an object.
+/// Puts each value behind the others of a list.
 class Writer {
  public:
-  explicit Writer(Json& object) : object_(object) { object_ = Json::object(); }
-
-  template <class Value>
-  void operator()(const char* name, Value& value) const {
-    write(object_[name], value);
+  template <class... Values>
+  void operator()(const Values&... values) {
+    (list.push_back(written(values)), ...);
   }
+  Json list = Json::array();
 
  private:
   template <class Value>
-  static void write(Json& json, Value& value) {
+  static Json written(const Value& value) {
     if constexpr (std::is_enum_v<Value>) {
-      json = static_cast<int>(value);
+      return static_cast<int>(value);
     } else if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, std::string>) {
-      json = value;
+      return value;
     } else {
-      list(value, Writer(json));
+      Writer writer;
+      with_fields(value, writer);
+      return writer.list;
     }
   }
   template <std::size_t N>
-  static void write(Json& json, std::array<Index, N>& vertices) {
-    json = vertices;
+  static Json written(const std::array<Index, N>& vertices) {
+    return vertices;
   }
   template <class Value>
-  static void write(Json& json, std::optional<Value>& value) {
-    json = nullptr;
-    if (value) write(json, *value);
+  static Json written(const std::optional<Value>& value) {
+    return value ? written(*value) : Json(nullptr);
   }
   template <class Value>
-  static void write(Json& json, std::vector<Value>& values) {
-    json = Json::array();
-    for (Value& value : values)
-      write(json.emplace_back(), value);
+  static Json written(const std::vector<Value>& values) {
+    Json list = Json::array();
+    for (const Value& value : values)
+      list.push_back(written(value));
+    return list;
   }
-
-  Json& object_;
 };
 
 /// What stands there is not what Writer writes.
 class BadFigures {};
 
-/// Takes each value from an object; throws BadFigures.
+/// Takes each value from a list; throws BadFigures.
 class Reader {
  public:
-  explicit Reader(const Json& object) : object_(object) {
-    if (!object.is_object()) throw BadFigures();
-  }
+  explicit Reader(const Json& list) : list_(list) {}
 
-  template <class Value>
-  void operator()(const char* name, Value& value) const {
-    const auto found = object_.find(name);
-    if (found == object_.end()) throw BadFigures();
-    read(*found, value);
+  template <class... Values>
+  void operator()(Values&... values) const {
+    if (!list_.is_array() || list_.size() != sizeof...(Values)) throw BadFigures();
+    auto next = list_.begin();
+    (read(*next++, values), ...);
   }
 
  private:
@@ -213,7 +97,8 @@ class Reader {
       if (!json.is_string()) throw BadFigures();
       value = json.get<std::string>();
     } else {
-      list(value, Reader(json));
+      const Reader reader(json);
+      with_fields(value, reader);
     }
   }
   template <std::size_t N>
@@ -242,21 +127,25 @@ class Reader {
     return static_cast<Number>(number);
   }
 
-  const Json& object_;
+  const Json& list_;
 };
 
 }  // namespace
 
-Json figures_json(const FinishedPatch& patch) {
-  FinishedPatch figures = patch;
-  Json json;
-  list(figures, Writer(json));
-  return json;
+Json figures_json(FinishedPatch patch) {
+  patch.processed = {};
+  patch.unfold.pattern.positions.clear();
+  Writer writer;
+  with_fields(patch, writer);
+  return writer.list;
 }
 
 std::optional<FinishedPatch> patch_of_figures(const Json& figures) try {
   FinishedPatch patch;
-  list(patch, Reader(figures));
+  const Reader reader(figures);
+  with_fields(patch, reader);
+  const Pattern& pattern = patch.unfold.pattern;
+  if (!pattern.unmatched.empty() || !pattern.unlimited.empty()) return std::nullopt;
   return patch;
 } catch (const BadFigures&) {
   return std::nullopt;

@@ -9,7 +9,8 @@
 namespace planish::cli {
 
 /// The figures of a finished patch, for the state that --resume reads: all but mesh and positions.
-Json figures_json(const FinishedPatch& patch);
+/// Every struct is a list of its fields in their order, as the same version alone reads it.
+Json figures_json(FinishedPatch patch);
 
 /// A patch with these figures, its mesh and positions empty. Nothing where one of them is missing
 /// or cannot be: anybody may have written them.

@@ -6,76 +6,69 @@ namespace planish {
 
 namespace {
 
-Json to_json(const std::vector<Problem>& problems) {
-  Json list = Json::array();
-  for (const Problem& problem : problems) {
-    list.push_back({{"code", to_string(problem.code)},
-                    {"message", problem.message},
-                    {"count", problem.count},
-                    {"first", problem.first}});
-  }
-  return list;
-}
-
-Json to_json(const std::optional<Obstruction>& obstruction) {
-  if (!obstruction) return nullptr;
-  return {{"blocked", obstruction->blocked()},
-          {"area", obstruction->area},
-          {"border_length", obstruction->border_length},
-          {"area_limit", obstruction->area_limit},
-          {"area_excess", obstruction->area_excess},
-          {"excess_share", obstruction->excess_share},
-          {"flat_border", obstruction->has_flat_border()},
-          {"total_defect", obstruction->total_defect},
-          {"border_turning", obstruction->border_turning},
-          {"turning_needed", k_flat_turning},
-          {"turning_most", obstruction->turning_most},
-          {"border_vertices", obstruction->border_vertices},
-          {"fixed_angles", obstruction->fixed_angles}};
-}
-
 Json to_json(const SelfIntersections& found) {
   return found.complete ? Json(found.pairs) : Json(nullptr);
 }
 
-Json to_json(const StrainAsDesigned& strain) {
-  Json json = to_json(strain.least_stretch);
-  json["smallest_limit"] = strain.smallest_limit ? Json(*strain.smallest_limit) : Json(nullptr);
-  return json;
-}
-
 }  // namespace
 
-Json to_json(const Deviation& deviation) {
-  return {{"rms", deviation.rms},
+void to_json(Json& json, Vec2 at) {
+  json = {at.x, at.y};
+}
+
+void to_json(Json& json, Vec3 at) {
+  json = {at.x, at.y, at.z};
+}
+
+void to_json(Json& json, const Problem& problem) {
+  json = {{"code", to_string(problem.code)},
+          {"message", problem.message},
+          {"count", problem.count},
+          {"first", problem.first}};
+}
+
+void to_json(Json& json, const Obstruction& obstruction) {
+  json = {{"blocked", obstruction.blocked()},
+          {"area", obstruction.area},
+          {"border_length", obstruction.border_length},
+          {"area_limit", obstruction.area_limit},
+          {"area_excess", obstruction.area_excess},
+          {"excess_share", obstruction.excess_share},
+          {"flat_border", obstruction.has_flat_border()},
+          {"total_defect", obstruction.total_defect},
+          {"border_turning", obstruction.border_turning},
+          {"turning_needed", k_flat_turning},
+          {"turning_most", obstruction.turning_most},
+          {"border_vertices", obstruction.border_vertices},
+          {"fixed_angles", obstruction.fixed_angles}};
+}
+
+void to_json(Json& json, const StrainAsDesigned& strain) {
+  json = strain.least_stretch;
+  json["smallest_limit"] = strain.smallest_limit;
+}
+
+void to_json(Json& json, const Deviation& deviation) {
+  json = {{"rms", deviation.rms},
           {"max", deviation.max},
           {"rms_over_diagonal", deviation.rms_over_diagonal}};
 }
 
-Json to_json(const EdgeStrain& strain) {
-  return {{"max", strain.max},
+void to_json(Json& json, const EdgeStrain& strain) {
+  json = {{"max", strain.max},
           {"rms", strain.rms},
           {"p99", strain.p99},
           {"stretch", {{"max", strain.max_stretch}, {"p99", strain.p99_stretch}}},
           {"compression", {{"max", strain.max_compression}, {"p99", strain.p99_compression}}}};
 }
 
-Json to_json(const std::optional<EdgeStrain>& strain) {
-  return strain ? to_json(*strain) : Json(nullptr);
-}
-
-Json to_json(const std::vector<StrainLimitCheck>& checks) {
-  Json list = Json::array();
-  for (const StrainLimitCheck& check : checks) {
-    list.push_back(
-        {{"kind", to_string(check.kind)},
-         {"asked", check.asked},
-         {"kept", check.kept()},
-         {"reached", check.reached},
-         {"share_beyond", check.share_beyond},
-         {"where", {{"edge", check.edge}, {"at", {check.at.x, check.at.y, check.at.z}}}}});
-  }
-  return list;
+void to_json(Json& json, const StrainLimitCheck& check) {
+  json = {{"kind", to_string(check.kind)},
+          {"asked", check.asked},
+          {"kept", check.kept()},
+          {"reached", check.reached},
+          {"share_beyond", check.share_beyond},
+          {"where", {{"edge", check.edge}, {"at", check.at}}}};
 }
 
 Json to_json(std::span<const Caution> cautions, Unit unit) {
@@ -89,28 +82,24 @@ Json to_json(std::span<const Caution> cautions, Unit unit) {
   return list;
 }
 
-Json to_json(const std::optional<Overlap>& overlap) {
-  if (!overlap) return nullptr;
-  return {{"low", {overlap->low.x, overlap->low.y}},
-          {"high", {overlap->high.x, overlap->high.y}},
-          {"crossings", overlap->crossings}};
+void to_json(Json& json, const Overlap& overlap) {
+  json = {{"low", overlap.low}, {"high", overlap.high}, {"crossings", overlap.crossings}};
 }
 
-Json to_json(const std::optional<OpenedCrossings>& opened) {
-  if (!opened) return nullptr;
-  return {{"crossings", opened->crossings},
-          {"largest_move", opened->largest_move},
-          {"vertex", opened->vertex}};
+void to_json(Json& json, const OpenedCrossings& opened) {
+  json = {{"crossings", opened.crossings},
+          {"largest_move", opened.largest_move},
+          {"vertex", opened.vertex}};
 }
 
-Json to_json(const UnfoldReport& report) {
+void to_json(Json& json, const UnfoldReport& report) {
   const Pattern& pattern = report.pattern;
-  return {{"strain", to_json(report.strain)},
+  json = {{"strain", report.strain},
           {"area_ratio", pattern.area_ratio},
           {"flipped_triangles", pattern.flipped_triangles},
           {"overlaps", pattern.overlaps},
-          {"overlap", to_json(report.overlap)},
-          {"opened", to_json(pattern.opened)},
+          {"overlap", report.overlap},
+          {"opened", pattern.opened},
           {"width", pattern.width},
           {"height", pattern.height},
           {"unit", to_string(report.unit)},
@@ -120,32 +109,32 @@ Json to_json(const UnfoldReport& report) {
           {"converged", pattern.converged},
           {"border_strain", report.border_strain},
           {"match_seams", report.unmatched_strain.has_value()},
-          {"unmatched_strain", to_json(report.unmatched_strain)},
-          {"unlimited_strain", to_json(report.unlimited_strain)},
-          {"limits", to_json(report.limits)}};
+          {"unmatched_strain", report.unmatched_strain},
+          {"unlimited_strain", report.unlimited_strain},
+          {"limits", report.limits}};
 }
 
-Json to_json(const Failure& failure) {
-  return {{"code", failure.code}, {"message", failure.message}};
+void to_json(Json& json, const Failure& failure) {
+  json = {{"code", failure.code}, {"message", failure.message}};
 }
 
-Json to_json(const TwinOf& twin) {
-  return {{"of", twin.name}, {"mirrored", twin.mirrored}};
+void to_json(Json& json, const TwinOf& twin) {
+  json = {{"of", twin.name}, {"mirrored", twin.mirrored}};
 }
 
-Json to_json(const Outcome& outcome) {
+void to_json(Json& json, const Outcome& outcome) {
   Json missed = Json::array();
   for (const Criterion what : outcome.missed)
     missed.push_back(to_string(what));
-  return {{"limits_met", outcome.limits_met()},
+  json = {{"limits_met", outcome.limits_met()},
           {"usable", outcome.usable()},
           {"missed", std::move(missed)}};
 }
 
-Json to_json(const MeasuredPatch& patch) {
+void to_json(Json& json, const MeasuredPatch& patch) {
   const Topology& topology = patch.inspection.topology;
   const Flattenability& figures = patch.figures;
-  return {{"vertices", topology.vertices},
+  json = {{"vertices", topology.vertices},
           {"triangles", topology.triangles},
           {"inner_vertices", topology.inner_vertices},
           {"components", topology.components},
@@ -158,20 +147,19 @@ Json to_json(const MeasuredPatch& patch) {
           {"min_angle", figures.min_angle},
           {"roughness", figures.roughness},
           {"flattenable", patch.flattenable},
-          {"extent", {patch.size.extent.x, patch.size.extent.y, patch.size.extent.z}},
+          {"extent", patch.size.extent},
           {"area", patch.size.area},
           {"border_length", patch.size.border_length},
           {"bending", patch.bending.bending},
           {"mean_curvature", patch.bending.mean_curvature},
           {"ruling_defect", patch.ruling_defect},
           {"self_intersections", to_json(patch.self_intersections)},
-          {"obstruction", to_json(patch.obstruction)},
-          {"problems", to_json(patch.inspection.problems)}};
+          {"obstruction", patch.obstruction},
+          {"problems", patch.inspection.problems}};
 }
 
 Json strain_and_limits(const std::optional<StrainAsDesigned>& strain) {
-  return {{"strain", strain ? to_json(*strain) : Json(nullptr)},
-          {"limits", to_json(strain ? strain->limits : std::vector<StrainLimitCheck>{})}};
+  return {{"strain", strain}, {"limits", strain ? Json(strain->limits) : Json::array()}};
 }
 
 }  // namespace planish

@@ -11,16 +11,14 @@ namespace {
 
 Json seam_side(const ProductReport& report, const MeasuredSeam& seam, std::size_t number) {
   const SeamSide& side = seam.seam.sides[number];
-  const auto& length = seam.in_pattern[number];
-  Json json = {{"patch", report.patches[side.patch].name},
-               {"first_vertex", side.vertices.front()},
-               {"last_vertex", side.vertices.back()},
-               {"vertices", side.vertices.size()}};
-  json["length"] = length ? Json(*length) : Json(nullptr);
-  json["first_share"] = side.first_share;
-  json["last_share"] = side.last_share;
-  json["length_on_model"] = seam.on_model[number];
-  return json;
+  return {{"patch", report.patches[side.patch].name},
+          {"first_vertex", side.vertices.front()},
+          {"last_vertex", side.vertices.back()},
+          {"vertices", side.vertices.size()},
+          {"length", seam.in_pattern[number]},
+          {"first_share", side.first_share},
+          {"last_share", side.last_share},
+          {"length_on_model", seam.on_model[number]}};
 }
 
 /// 1 or 2.
@@ -34,7 +32,7 @@ Json seam_entry(const ProductReport& report, const MeasuredSeam& seam, std::size
                {"length_on_model", seam.on_model[0]}};
   json["sides"] = {seam_side(report, seam, 0), seam_side(report, seam, 1)};
   const auto difference = seam.difference();
-  json["difference"] = difference ? Json(*difference) : Json(nullptr);
+  json["difference"] = difference;
   json["difference_share"] = difference ? Json(*difference / seam.on_model[0]) : Json(nullptr);
   json["matched"] = seam.seam.is_curve() ? "curve" : "vertices";
   json["longer"] = side_number(seam.longer());
@@ -60,23 +58,23 @@ Json patch_entry(const PatchResult& patch, const std::string& folder, const Writ
       {"quantity", patch.words.quantity == 0 ? Json(nullptr) : Json(patch.words.quantity)},
       {"vertices", patch.vertices},
       {"triangles", patch.triangles}};
-  json["unfold"] = finished ? to_json(finished->unfold) : Json(nullptr);
+  json["unfold"] = finished ? Json(finished->unfold) : Json(nullptr);
   json["stop"] = finished ? Json(to_string(finished->stop)) : Json(nullptr);
-  json["deviation"] = finished ? to_json(finished->deviation) : Json(nullptr);
+  json["deviation"] = finished ? Json(finished->deviation) : Json(nullptr);
   const Outcome outcome = patch.outcome();
   json["met"] = outcome.usable();
-  json.update(to_json(outcome));
+  json.update(Json(outcome));
   json["checks"] = checks_of(patch);
-  json["rejected_strain"] =
-      finished && finished->rejected ? to_json(*finished->rejected) : Json(nullptr);
+  json["rejected_strain"] = finished ? Json(finished->rejected) : Json(nullptr);
   json["files"] = finished ? Json(files) : Json(nullptr);
-  if (finished && finished->twin_of) json["twin"] = to_json(*finished->twin_of);
-  json["error"] = patch.failure ? to_json(*patch.failure) : Json(nullptr);
+  if (finished && finished->twin_of) json["twin"] = *finished->twin_of;
+  json["error"] = patch.failure;
   return json;
 }
 
 /// Where the pieces lie, in the order of nest().
-Json to_json(const std::vector<NestPlacement>& placements, const std::vector<std::string>& names) {
+Json placements_of(const std::vector<NestPlacement>& placements,
+                   const std::vector<std::string>& names) {
   Json list = Json::array();
   for (const NestPlacement& placement : placements) {
     list.push_back({{"patch", names[placement.piece]},
@@ -89,9 +87,9 @@ Json to_json(const std::vector<NestPlacement>& placements, const std::vector<std
   return list;
 }
 
-Json to_json(const std::vector<NearBorders>& all, const ProductReport& report) {
+Json near_borders_of(const ProductReport& report) {
   Json list = Json::array();
-  for (const NearBorders& near : all) {
+  for (const NearBorders& near : report.near_borders) {
     list.push_back(
         {{"patches", {report.patches[near.patches[0]].name, report.patches[near.patches[1]].name}},
          {"length", near.length}});
@@ -110,25 +108,24 @@ LayoutReport layout_report(const NestJob& job, Nesting nesting) {
   return layout;
 }
 
-Json to_json(const LayoutReport& layout) {
+void to_json(Json& json, const LayoutReport& layout) {
   const NestOptions& sheets = layout.sheets;
-  Json json = {{"sheet_width", sheets.width},
-               {"sheet_length", sheets.length ? Json(*sheets.length) : Json(nullptr)},
-               {"gap", sheets.gap},
-               {"margin", sheets.margin},
-               {"turn", to_string(sheets.turns)}};
+  json = {{"sheet_width", sheets.width},
+          {"sheet_length", sheets.length},
+          {"gap", sheets.gap},
+          {"margin", sheets.margin},
+          {"turn", to_string(sheets.turns)}};
   if (layout.failure) {
-    json["error"] = to_json(*layout.failure);
-    return json;
+    json["error"] = *layout.failure;
+    return;
   }
   json["sheets"] = layout.nesting.sheets;
   json["used_length"] = layout.nesting.used_length;
   json["used_share"] = layout.nesting.used_share();
   json["left_out"] = layout.left_out;
   json["files"] = layout.files;
-  json["placements"] = to_json(layout.nesting.placements, layout.names);
+  json["placements"] = placements_of(layout.nesting.placements, layout.names);
   json["error"] = nullptr;
-  return json;
 }
 
 std::string json_report(const ProductReport& report, const std::string& name,
@@ -144,8 +141,8 @@ std::string json_report(const ProductReport& report, const std::string& name,
                      {"verdict", product_verdict(report)},
                      {"patches", std::move(patches)},
                      {"seams", std::move(seams)},
-                     {"near_borders", to_json(report.near_borders, report)},
-                     {"nesting", layout ? to_json(*layout) : Json(nullptr)}};
+                     {"near_borders", near_borders_of(report)},
+                     {"nesting", layout}};
   return json_document(json) + '\n';
 }
 

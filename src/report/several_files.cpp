@@ -42,11 +42,11 @@ std::string line_of(const FileReport& file, const Json& figures, const std::vect
   return text + ',' + failure.code + ',' + csv_text(failure.message) + '\n';
 }
 
-Json to_json(const FileReport& file, bool with_output) {
+Json entry_of(const FileReport& file, bool with_output) {
   Json json = {{"path", file.path}};
   json.update(file.figures);
   if (with_output) json["output"] = file.output.empty() ? Json(nullptr) : Json(file.output);
-  json["error"] = file.failure ? to_json(*file.failure) : Json(nullptr);
+  json["error"] = file.failure;
   return json;
 }
 
@@ -69,7 +69,7 @@ std::string several_json(std::span<const FileReport> files, bool with_output,
                          const std::string& csv) {
   Json list = Json::array();
   for (const FileReport& file : files)
-    list.push_back(to_json(file, with_output));
+    list.push_back(entry_of(file, with_output));
   return json_document({{"version", k_version},
                         {"files", std::move(list)},
                         {"csv", csv.empty() ? Json(nullptr) : Json(csv)}}) +
@@ -78,21 +78,21 @@ std::string several_json(std::span<const FileReport> files, bool with_output,
 
 Json measured_figures(const MeasuredPatch& patch, const std::optional<StrainAsDesigned>& strain,
                       std::span<const Caution> cautions, Unit unit) {
-  Json json = to_json(patch);
+  Json json = patch;
   json.update(strain_and_limits(strain));
   json["cautions"] = to_json(cautions, unit);
   return json;
 }
 
 Json evolved_figures(const EvolveReport& report, std::span<const Caution> cautions, Unit unit) {
-  Json json = to_json(report);
+  Json json = report;
   json["cautions"] = to_json(cautions, unit);
   return json;
 }
 
 Json unfolded_figures(const UnfoldReport& report, std::span<const Caution> cautions) {
-  Json json = to_json(report);
-  json.update(to_json(report.outcome()));
+  Json json = report;
+  json.update(Json(report.outcome()));
   json["cautions"] = to_json(cautions, report.unit);
   return json;
 }
@@ -102,7 +102,7 @@ Json caution_figures(std::span<const Caution> cautions, Unit unit) {
 }
 
 Json compared_figures(const CompareReport& report) {
-  return to_json(report);
+  return report;
 }
 
 }  // namespace planish

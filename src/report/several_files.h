@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <planish/flatten/compare.h>
@@ -25,6 +26,10 @@ struct FileReport {
   std::optional<Failure> failure = {};  ///< why something above is missing; often none
 };
 
+/// Of names with their paths, "name=path" or both alike, one behind the other; paths begin in
+/// `folder`.
+std::vector<Column> columns_of(std::string_view words, const std::string& folder = "/");
+
 /// The columns of a verb.
 std::vector<Column> measured_columns();
 std::vector<Column> evolved_columns();
@@ -33,6 +38,9 @@ std::vector<Column> compared_columns();
 
 /// Of a line with these figures; empty where the figure is not known.
 std::string cell_text(const Column& column, const Json& figures);
+
+/// A header line, then one for each of a list of figures, as comma-separated values.
+std::string csv_of(const std::vector<Column>& columns, const Json& lines);
 
 /// What the verbs print of one file with --json, but for the schema.
 Json measured_figures(const MeasuredPatch& patch, const std::optional<StrainAsDesigned>& strain,

@@ -35,19 +35,6 @@ constexpr std::string_view k_strain_before =
     "strain_max_before=unfold_before/strain/max strain_rms_before=unfold_before/strain/rms "
     "strain_p99_before=unfold_before/strain/p99";
 
-/// Of names with their paths, "name=path" or both alike, one behind the other.
-std::vector<Column> columns_of(std::string_view words, const std::string& folder = "/") {
-  std::vector<Column> columns;
-  while (!words.empty()) {
-    const std::string_view word = words.substr(0, words.find(' '));
-    words.remove_prefix(std::min(words.size(), word.size() + 1));
-    const std::size_t end = word.find('=');
-    columns.push_back({std::string(word.substr(0, end)),
-                       Json::json_pointer(folder + std::string(word.substr(end + 1)))});
-  }
-  return columns;
-}
-
 /// Empty where nothing is known; of checks whether all are kept.
 std::string cell_text(const Json& figure) {
   if (figure.is_string()) return figure.get<std::string>();
@@ -62,6 +49,18 @@ std::string cell_text(const Json& figure) {
 }
 
 }  // namespace
+
+std::vector<Column> columns_of(std::string_view words, const std::string& folder) {
+  std::vector<Column> columns;
+  while (!words.empty()) {
+    const std::string_view word = words.substr(0, words.find(' '));
+    words.remove_prefix(std::min(words.size(), word.size() + 1));
+    const std::size_t end = word.find('=');
+    columns.push_back({std::string(word.substr(0, end)),
+                       Json::json_pointer(folder + std::string(word.substr(end + 1)))});
+  }
+  return columns;
+}
 
 std::vector<Column> measured_columns() {
   return columns_of(k_measured);
@@ -85,6 +84,19 @@ std::vector<Column> compared_columns() {
 
 std::string cell_text(const Column& column, const Json& figures) {
   return figures.contains(column.path) ? cell_text(figures[column.path]) : std::string();
+}
+
+std::string csv_of(const std::vector<Column>& columns, const Json& lines) {
+  std::string csv;
+  for (const Column& column : columns)
+    csv += (csv.empty() ? "" : ",") + column.name;
+  csv += '\n';
+  for (const Json& figures : lines) {
+    for (const Column& column : columns)
+      csv += (&column == &columns.front() ? "" : ",") + cell_text(column, figures);
+    csv += '\n';
+  }
+  return csv;
 }
 
 }  // namespace planish

@@ -86,17 +86,22 @@ std::string comparison_head() {
   return left("", 33) + right("before", 11) + right("after", 13) + right("change", 13) + "\n";
 }
 
-std::string count_line(const std::string& name, long long count) {
-  return "  " + left(name, 24) + right(std::to_string(count), 11) + "\n";
+/// A figure with its unit and what it is; in one column with the others of the text.
+std::string line(const std::string& name, const std::string& figure, const std::string& unit = {},
+                 const std::string& meaning = {}) {
+  const std::string rest = meaning.empty() ? unit : left(unit, 7) + meaning;
+  return "  " + left(name, 24) + right(figure, 11) + (rest.empty() ? "" : " " + rest) + "\n";
+}
+
+std::string line(const std::string& name, std::size_t count, const std::string& meaning = {}) {
+  return line(name, std::to_string(count), meaning);
 }
 
 std::string sizes_text(const std::string& path, const Topology& t) {
-  return path + "\n\n" + count_line("vertices", static_cast<long long>(t.vertices)) +
-         count_line("inner vertices", static_cast<long long>(t.inner_vertices)) +
-         count_line("triangles", static_cast<long long>(t.triangles)) +
-         count_line("components", static_cast<long long>(t.components)) +
-         count_line("border loops", static_cast<long long>(t.border_loops)) +
-         count_line("Euler characteristic", t.euler_characteristic);
+  return path + "\n\n" + line("vertices", t.vertices) + line("inner vertices", t.inner_vertices) +
+         line("triangles", t.triangles) + line("components", t.components) +
+         line("border loops", t.border_loops) +
+         line("Euler characteristic", std::to_string(t.euler_characteristic));
 }
 
 /// How large the patch is; an area in square centimetres, or in square inches.
@@ -105,14 +110,11 @@ std::string extent_text(const PatchSize& size, Unit unit) {
   const double millimetres = millimetres_per(unit);
   const bool in_inches = unit == Unit::in;
   const double area = in_inches ? size.area : 0.01 * millimetres * millimetres * size.area;
-  const auto line = [](const std::string& name, const std::string& figures) {
-    return "  " + left(name, 24) + right(figures, 11);
-  };
   return line("extent in x, y, z", lengths.number(size.extent.x) + " x " +
                                        lengths.number(size.extent.y) + " x " +
                                        lengths.text(size.extent.z)) +
-         "\n" + line("area", digits(area)) + (in_inches ? " in^2\n" : " cm^2\n") +
-         line("border length", lengths.number(size.border_length)) + " " + lengths.unit() + "\n";
+         line("area", digits(area), in_inches ? "in^2" : "cm^2") +
+         line("border length", lengths.number(size.border_length), lengths.unit());
 }
 
 std::string problems_text(const Inspection& inspection) {
@@ -128,9 +130,8 @@ std::string problems_text(const Inspection& inspection) {
 
 std::string fitness_line(const std::string& what, const Inspection& inspection, Purpose purpose) {
   const auto problem = blocking_problem(inspection, purpose);
-  const std::string answer = problem ? "no: " + std::string(to_string(problem->code)) : "yes";
-  return "  " + left(what, 24) + right(problem ? "" : answer, 11) +
-         (problem ? std::string(8, ' ') + answer : "") + "\n";
+  return problem ? line(what, "", "", "no: " + std::string(to_string(problem->code)))
+                 : line(what, "yes");
 }
 
 std::string obstruction_advice(const Obstruction& obstruction) {
@@ -147,10 +148,6 @@ std::string obstruction_advice(const Obstruction& obstruction) {
 std::string obstruction_text(const std::optional<Obstruction>& obstruction) {
   if (!obstruction) return {};
   const Obstruction& o = *obstruction;
-  const auto line = [](const std::string& name, const std::string& number, const std::string& unit,
-                       const std::string& meaning) {
-    return "  " + left(name, 24) + right(number, 11) + " " + left(unit, 7) + meaning + "\n";
-  };
   std::string text =
       "\nFor its border:\n" + line("area", digits(o.area), "", "of the patch, square units") +
       line("largest flat area", digits(o.area_limit), "", "the most with this border") +
@@ -169,14 +166,11 @@ std::string count_of(const SelfIntersections& found) {
 
 /// What measuring tells of the form without a design to compare with.
 std::string form_text(const MeasuredPatch& patch) {
-  const auto line = [](const std::string& name, const std::string& number,
-                       const std::string& meaning) {
-    return "  " + left(name, 24) + right(number, 11) + std::string(8, ' ') + meaning + "\n";
-  };
-  return line("bending", digits(patch.bending.bending), "squared curvature over the area") +
-         line("mean curvature", digits(patch.bending.mean_curvature), "over the size, in all") +
-         line("ruling defect", digits(patch.ruling_defect), "0 on a bent sheet, 0.5 on a ball") +
-         line("self-intersections", count_of(patch.self_intersections),
+  return line("bending", digits(patch.bending.bending), "", "squared curvature over the area") +
+         line("mean curvature", digits(patch.bending.mean_curvature), "", "over the size, in all") +
+         line("ruling defect", digits(patch.ruling_defect), "",
+              "0 on a bent sheet, 0.5 on a ball") +
+         line("self-intersections", count_of(patch.self_intersections), "",
               "pairs of triangles that cross");
 }
 
@@ -344,17 +338,13 @@ std::string measure_text(const std::string& path, const MeasuredPatch& patch,
   const bool is_judged = unjudged_by(cautions, patch.flattenable) == nullptr;
   std::string text =
       sizes_text(path, patch.inspection.topology) + extent_text(patch.size, unit) + "\n";
-  for (const Row& row : figure_rows(patch.figures, patch.figures)) {
-    std::string line = "  " + left(row.name, 24) + right(digits(row.before), 11) + " " +
-                       (row.meaning.empty() ? row.unit : left(row.unit, 7) + row.meaning);
-    text += line + "\n";
-  }
-  text += form_text(patch) + "\n  " + left("flattenable", 24) +
-          right(!is_judged          ? "not known"
-                : patch.flattenable ? "yes"
-                                    : "no",
-                11) +
-          "\n" + fitness_line("can be evolved", patch.inspection, Purpose::evolve) +
+  for (const Row& row : figure_rows(patch.figures, patch.figures))
+    text += line(row.name, digits(row.before), row.unit, row.meaning);
+  text += form_text(patch) + "\n" +
+          line("flattenable", !is_judged          ? "not known"
+                              : patch.flattenable ? "yes"
+                                                  : "no") +
+          fitness_line("can be evolved", patch.inspection, Purpose::evolve) +
           fitness_line("can be laid flat", patch.inspection, Purpose::unfold);
   if (strain) text += as_designed_lines(*strain);
   return text + obstruction_text(patch.obstruction) + cautions_lines(cautions, unit) +
@@ -392,9 +382,6 @@ std::string flatten_text(const FlattenReport& report) {
 }
 
 std::string directions_text(const DirectionCounts& counts) {
-  const auto line = [](const std::string& name, std::size_t count, const std::string& meaning) {
-    return "  " + left(name, 24) + right(std::to_string(count), 11) + " " + meaning + "\n";
-  };
   return "\nInner vertices:\n" +
          line("flat", counts.flat,
               "angle defect at most " + digits(flat_defect(counts.inner), 2) + " rad") +

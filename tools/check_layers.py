@@ -99,6 +99,7 @@ FOR_THE_PROGRAM = {
     "platform/path.h",
     "report/page/page_script.h",
     "platform/windows/wide.h",
+    "report/json_parts.h",
     "report/several_files.h",
     "report/pictures/direction_map.h",
     "sheet/carry/drawing_on_sheet.h",

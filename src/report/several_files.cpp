@@ -97,12 +97,4 @@ Json unfolded_figures(const UnfoldReport& report, std::span<const Caution> cauti
   return json;
 }
 
-Json caution_figures(std::span<const Caution> cautions, Unit unit) {
-  return to_json(cautions, unit);
-}
-
-Json compared_figures(const CompareReport& report) {
-  return report;
-}
-
 }  // namespace planish

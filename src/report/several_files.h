@@ -47,8 +47,6 @@ Json measured_figures(const MeasuredPatch& patch, const std::optional<StrainAsDe
                       std::span<const Caution> cautions, Unit unit);
 Json evolved_figures(const EvolveReport& report, std::span<const Caution> cautions, Unit unit);
 Json unfolded_figures(const UnfoldReport& report, std::span<const Caution> cautions);
-Json caution_figures(std::span<const Caution> cautions, Unit unit);
-Json compared_figures(const CompareReport& report);
 
 /// A header line, then the lines of each file, as docs/command-line.md has them: path, cells,
 /// output if the verb has one, error and message. A file has a line, or one for each of its "runs".

@@ -14,6 +14,7 @@
 #include "model/model_flags.h"
 #include "output/open_page.h"
 #include "platform/path.h"
+#include "report/json_parts.h"
 #include "several/several_files.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
@@ -92,7 +93,7 @@ void compare_into(WorkFile& file, const fs::path& place, const std::vector<Compa
     return compare(patch, input.pieces.front(), runs, options, session.job_context({}));
   });
   note_cautions(session, path, report.cautions, report.unit);
-  file.report.figures = compared_figures(report);
+  file.report.figures = report;
   file.text = lines_of(report);
   if (!has_result(report)) {
     file.report.failure = report.runs.front().failure;

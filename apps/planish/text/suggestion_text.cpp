@@ -7,7 +7,7 @@
 
 #include <planish_json/json.h>
 
-#include "report/several_files.h"
+#include "report/json_parts.h"
 #include "shell/text.h"
 #include "text/summary.h"
 
@@ -136,23 +136,11 @@ std::string way_on(const CutSuggestion& suggestion) {
          "within the limit, with these cuts or without.";
 }
 
-Json to_json(const EdgeStrain& strain) {
-  return {{"max", strain.max},
-          {"rms", strain.rms},
-          {"p99", strain.p99},
-          {"stretch", {{"max", strain.max_stretch}, {"p99", strain.p99_stretch}}},
-          {"compression", {{"max", strain.max_compression}, {"p99", strain.p99_compression}}}};
-}
-
-Json to_json(const std::optional<EdgeStrain>& strain) {
-  return strain ? to_json(*strain) : Json(nullptr);
-}
-
 /// {vertex, at}, or null.
 Json place_json(const CutSuggestion& suggestion) {
   if (!suggestion.divide_at) return nullptr;
-  const Vec3 at = suggestion.last.cut.mesh.positions[*suggestion.divide_at];
-  return {{"vertex", *suggestion.divide_at}, {"at", {at.x, at.y, at.z}}};
+  return {{"vertex", *suggestion.divide_at},
+          {"at", suggestion.last.cut.mesh.positions[*suggestion.divide_at]}};
 }
 
 }  // namespace
@@ -181,8 +169,8 @@ std::string suggestion_json(const CutSuggestion& suggestion, const SuggestOption
     cuts.push_back({{"kind", cut.is_dart ? "dart" : "seam"},
                     {"vertices", cut.path},
                     {"length", cut.length},
-                    {"strain_before", to_json(cut.before)},
-                    {"strain_after", to_json(cut.after)}});
+                    {"strain_before", cut.before},
+                    {"strain_after", cut.after}});
   }
   const Json object = {{"version", k_version},
                        {"unit", to_string(unit)},
@@ -195,10 +183,10 @@ std::string suggestion_json(const CutSuggestion& suggestion, const SuggestOption
                        {"cuts", std::move(cuts)},
                        {"edges", suggestion.last.cut.edges},
                        {"length", suggestion.last.cut.length},
-                       {"strain_before", to_json(suggestion.first.strain)},
-                       {"strain", to_json(suggestion.last.strain)},
+                       {"strain_before", suggestion.first.strain},
+                       {"strain", suggestion.last.strain},
                        {"overlaps", suggestion.last.pattern.overlaps},
-                       {"cautions", caution_figures(suggestion.cautions, unit)},
+                       {"cautions", to_json(suggestion.cautions, unit)},
                        {"files", Json(files)}};
   return json_document(object) + "\n";
 }

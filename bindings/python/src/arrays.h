@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +28,32 @@ Numbers view_of(const std::vector<double>& values, const py::object& owner);
 Indices view_of(const std::vector<Triangle>& triangles, const py::object& owner);
 /// The same of indices, shape (n,).
 Indices view_of(const std::vector<Index>& indices, const py::object& owner);
+
+/// What the first of some members is of.
+template <class Struct, class Member>
+Struct struct_of(Member Struct::*);
+
+/// What members lead to, one from the other.
+template <auto First, auto... Rest, class Struct>
+decltype(auto) along(const Struct& from) {
+  if constexpr (sizeof...(Rest) == 0)
+    return std::invoke(First, from);
+  else
+    return along<Rest...>(std::invoke(First, from));
+}
+
+/// For a property of Python: a view of the list that members lead to, as view_of() has it.
+template <auto First, auto... Rest>
+auto view(const py::object& self) {
+  using Struct = decltype(struct_of(First));
+  return view_of(along<First, Rest...>(self.cast<const Struct&>()), self);
+}
+
+/// For a property of Python: the value that members lead to.
+template <auto First, auto... Rest>
+auto value_at(const decltype(struct_of(First))& from) {
+  return along<First, Rest...>(from);
+}
 
 /// A read-only array that takes over the points, shape (n, 3).
 Numbers array_of(std::vector<Vec3> points);

@@ -118,36 +118,26 @@ class Sweeps {
 
 void register_sweeps(py::module_& module) {
   py::class_<Sweep>(module, "Sweep", "A patch after one sweep.")
+      .def_property_readonly("sweep", value_at<&Sweep::record, &SweepRecord::sweep>,
+                             "Its number, from 1.")
+      .def_property_readonly("e_max", value_at<&Sweep::record, &SweepRecord::e_max>,
+                             "Largest |angle defect|, radians.")
+      .def_property_readonly("e_avg", value_at<&Sweep::record, &SweepRecord::e_avg>,
+                             "Mean |angle defect|, radians.")
+      .def_property_readonly("energy", value_at<&Sweep::record, &SweepRecord::energy>,
+                             "Sum of squared angle defects, square radians.")
+      .def_property_readonly("moved", value_at<&Sweep::record, &SweepRecord::moved>,
+                             "How many vertices the sweep moved.")
+      .def_property_readonly("seconds", value_at<&Sweep::record, &SweepRecord::seconds>,
+                             "Time since the first sweep began.")
       .def_property_readonly(
-          "sweep", [](const Sweep& sweep) { return sweep.record.sweep; }, "Its number, from 1.")
-      .def_property_readonly(
-          "e_max", [](const Sweep& sweep) { return sweep.record.e_max; },
-          "Largest |angle defect|, radians.")
-      .def_property_readonly(
-          "e_avg", [](const Sweep& sweep) { return sweep.record.e_avg; },
-          "Mean |angle defect|, radians.")
-      .def_property_readonly(
-          "energy", [](const Sweep& sweep) { return sweep.record.energy; },
-          "Sum of squared angle defects, square radians.")
-      .def_property_readonly(
-          "moved", [](const Sweep& sweep) { return sweep.record.moved; },
-          "How many vertices the sweep moved.")
-      .def_property_readonly(
-          "seconds", [](const Sweep& sweep) { return sweep.record.seconds; },
-          "Time since the first sweep began.")
-      .def_property_readonly(
-          "vertices",
-          [](const py::object& self) { return view_of(self.cast<const Sweep&>().positions, self); },
+          "vertices", view<&Sweep::positions>,
           "Places after the sweep, shape (n, 3), model units; a read-only view.");
   py::class_<Sweeps>(module, "Sweeps", "An evolution as an iterator over its sweeps.")
       .def("__iter__", [](Sweeps& sweeps) -> Sweeps& { return sweeps; })
       .def("__next__", &Sweeps::next)
-      .def_property_readonly(
-          "faces",
-          [](const py::object& self) {
-            return view_of(self.cast<const Sweeps&>().patch().triangles(), self);
-          },
-          "Vertices of the triangles, shape (m, 3); a read-only view.");
+      .def_property_readonly("faces", view<&Sweeps::patch, &Patch::triangles>,
+                             "Vertices of the triangles, shape (m, 3); a read-only view.");
   module.def(
       "sweeps",
       [](const MeshData& data, const py::dict& keywords) {
@@ -164,16 +154,10 @@ void register_evolve(py::module_& module) {
       .def_readonly("name", &EvolveOutcome::name, "Of the patch.")
       .def_readwrite("notes", &EvolveOutcome::notes, "What the program said on the way.")
       .def_property_readonly(
-          "vertices",
-          [](const py::object& self) {
-            return view_of(self.cast<const EvolveOutcome&>().evolved.mesh.positions, self);
-          },
+          "vertices", view<&EvolveOutcome::evolved, &cli::Evolved::mesh, &TriMesh::positions>,
           "Places after the last sweep, shape (n, 3), model units; a read-only view.")
       .def_property_readonly(
-          "faces",
-          [](const py::object& self) {
-            return view_of(self.cast<const EvolveOutcome&>().evolved.mesh.triangles, self);
-          },
+          "faces", view<&EvolveOutcome::evolved, &cli::Evolved::mesh, &TriMesh::triangles>,
           "Vertices of the triangles, shape (m, 3); a read-only view.")
       .def_property_readonly(
           "stop",

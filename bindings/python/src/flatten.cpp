@@ -174,11 +174,6 @@ WrittenFiles save_result(const FlattenResult& result, const py::object& path) {
   return saved.paths;
 }
 
-template <class Result, class Get>
-auto view_getter(Get get) {
-  return [get](const py::object& self) { return view_of(get(self.cast<const Result&>()), self); };
-}
-
 std::string described_pattern(const py::object& self, const UnfoldReport& report,
                               const std::string& form_faults) {
   const auto shown = [](double value, int digits) {
@@ -254,29 +249,23 @@ void register_flatten(py::module_& module) {
   py::class_<Result, std::shared_ptr<Result>> type(module, "FlattenResult",
                                                    "A patch that was flattened, with its pattern.");
   type.def(pickled<Result>())
-      .def_property_readonly(
-          "name", [](const Result& result) { return result.report.name; }, "Of the patch.")
+      .def_property_readonly("name", value_at<&Result::report, &FlattenReport::name>,
+                             "Of the patch.")
       .def_readwrite("notes", &Result::notes, "What the program said on the way.")
       .def_property_readonly(
-          "vertices", view_getter<Result>([](const Result& result) -> auto& {
-            return result.report.processed.positions();
-          }),
+          "vertices", view<&Result::report, &FlattenReport::processed, &Patch::positions>,
           "Places of the processed patch, shape (n, 3), model units; a read-only "
           "view.")
-      .def_property_readonly("faces", view_getter<Result>([](const Result& result) -> auto& {
-                               return result.report.processed.triangles();
-                             }),
+      .def_property_readonly("faces",
+                             view<&Result::report, &FlattenReport::processed, &Patch::triangles>,
                              "Vertices of the triangles, shape (m, 3); a read-only view.")
       .def_property_readonly("input_vertices",
-                             view_getter<Result>([](const Result& result) -> auto& {
-                               return result.report.input.positions();
-                             }),
+                             view<&Result::report, &FlattenReport::input, &Patch::positions>,
                              "Places before, remeshed or smoothed if that was asked for, shape "
                              "(n, 3), model units; a read-only view.")
       .def_property_readonly("uv_as_designed",
-                             view_getter<Result>([](const Result& result) -> auto& {
-                               return result.report.as_designed.pattern.positions;
-                             }),
+                             view<&Result::report, &FlattenReport::as_designed,
+                                  &UnfoldReport::pattern, &Pattern::positions>,
                              "The pattern of the design, shape (n, 2), model units; a read-only "
                              "view.")
       .def_property_readonly(
@@ -329,13 +318,9 @@ void register_unfold(py::module_& module) {
   type.def(pickled<Result>())
       .def_readonly("name", &Result::name, "Of the patch.")
       .def_readwrite("notes", &Result::notes, "What the program said on the way.")
-      .def_property_readonly("vertices", view_getter<Result>([](const Result& result) -> auto& {
-                               return result.patch.positions();
-                             }),
+      .def_property_readonly("vertices", view<&Result::patch, &Patch::positions>,
                              "Places of the patch, shape (n, 3), model units; a read-only view.")
-      .def_property_readonly("faces", view_getter<Result>([](const Result& result) -> auto& {
-                               return result.patch.triangles();
-                             }),
+      .def_property_readonly("faces", view<&Result::patch, &Patch::triangles>,
                              "Vertices of the triangles, shape (m, 3); a read-only view.")
       .def_property_readonly(
           "fields",

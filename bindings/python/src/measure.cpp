@@ -123,23 +123,12 @@ void register_suggestion(py::module_& module) {
 void register_measure(py::module_& module) {
   py::class_<MeasureResult>(module, "MeasureResult", "How far a patch is from flat.")
       .def(pickled<MeasureResult>())
+      .def_property_readonly("vertices", view<&MeasureResult::patch, &Patch::positions>,
+                             "Places, shape (n, 3), model units; a read-only view.")
+      .def_property_readonly("faces", view<&MeasureResult::patch, &Patch::triangles>,
+                             "Vertices of the triangles, shape (m, 3); a read-only view.")
       .def_property_readonly(
-          "vertices",
-          [](const py::object& self) {
-            return view_of(self.cast<const MeasureResult&>().patch.positions(), self);
-          },
-          "Places, shape (n, 3), model units; a read-only view.")
-      .def_property_readonly(
-          "faces",
-          [](const py::object& self) {
-            return view_of(self.cast<const MeasureResult&>().patch.triangles(), self);
-          },
-          "Vertices of the triangles, shape (m, 3); a read-only view.")
-      .def_property_readonly(
-          "defects",
-          [](const py::object& self) {
-            return view_of(self.cast<const MeasureResult&>().defects, self);
-          },
+          "defects", view<&MeasureResult::defects>,
           "Angle defects, shape (n,), radians; 0 where a vertex is not inside. A read-only view.")
       .def_property_readonly(
           "uv",

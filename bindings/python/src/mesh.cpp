@@ -147,18 +147,10 @@ void register_mesh(py::module_& module) {
           },
           "What one unit is, as unit= said or else its file; the default of unit= of what is made "
           "of it. None where nothing says it.")
-      .def_property_readonly(
-          "vertices",
-          [](const py::object& self) {
-            return view_of(self.cast<const MeshData&>().mesh.positions, self);
-          },
-          "Places, shape (n, 3), model units; a read-only view.")
-      .def_property_readonly(
-          "faces",
-          [](const py::object& self) {
-            return view_of(self.cast<const MeshData&>().mesh.triangles, self);
-          },
-          "Vertices of the triangles, shape (m, 3), from 0; a read-only view.")
+      .def_property_readonly("vertices", view<&MeshData::mesh, &TriMesh::positions>,
+                             "Places, shape (n, 3), model units; a read-only view.")
+      .def_property_readonly("faces", view<&MeshData::mesh, &TriMesh::triangles>,
+                             "Vertices of the triangles, shape (m, 3), from 0; a read-only view.")
       .def_property_readonly(
           "group_names", [](const MeshData& data) { return data.groups.names; },
           "The names of the pieces of its file; empty where there are fewer than two.")

@@ -1,7 +1,6 @@
 #include <span>
 #include <vector>
 
-#include <planish/core/version.h>
 #include <planish/report/html_report.h>
 #include <planish/sheet/pattern_sheet.h>
 
@@ -217,11 +216,10 @@ std::string directions_section(const CompareReport& report) {
 
 std::string html_report(const CompareReport& report) {
   const PatchViewer viewer = html_viewer(report);
-  return html_head(html_title(report.name)) + "<body>\n<main>\n" +
-         html_header("comparison", report.name, headline(report)) + table_section(report) +
-         viewer.html + charts_section(report) + cards_section(report) + directions_section(report) +
-         "<footer>Made by planish " + std::string(k_version) + ".</footer>\n</main>\n" +
-         viewer.data + (viewer.data.empty() ? "" : html_script()) + "</body>\n</html>\n";
+  return html_page(
+      {.kind = "comparison", .name = report.name, .verdict = headline(report), .data = viewer.data},
+      table_section(report) + viewer.html + charts_section(report) + cards_section(report) +
+          directions_section(report));
 }
 
 }  // namespace planish

@@ -1,4 +1,3 @@
-#include <planish/core/version.h>
 #include <planish/report/html_report.h>
 
 #include "core/figure_text.h"
@@ -77,20 +76,19 @@ std::string limit_words(const FrontierReport& report) {
 
 std::string html_report(const FrontierReport& report) {
   const std::string chart = frontier_chart(report);
-  return html_head(html_title(report.name)) + "<body>\n<main>\n" +
-         html_header("frontier", report.name, limit_words(report)) +
-         "<section class=\"keep\">\n<h2>Strain against deviation</h2>\n<p>Strain "
-         "of the pattern in per cent, logarithmic, over the rms deviation of the patch from what "
-         "it was. The names along the line are the rms strain asked for. The line goes through "
-         "what "
-         "no nearer point beats; other points are dots. Dominated is a point if another has less "
-         "strain, deviation or bending, and no more of the others. Dots with the name of another "
-         "method are rms strain. Below and further left is better. The lower edge of the chart "
-         "stands for 0.001 % or less.</p>\n" +
-         (chart.empty() ? "<p>Nothing to show: no vertex had to move.</p>\n" : chart) +
-         "</section>\n<section>\n<h2>All points</h2>\n<div class=\"scroll\">\n" + table(report) +
-         "</div>\n</section>\n<footer>Made by planish " + std::string(k_version) +
-         ".</footer>\n</main>\n</body>\n</html>\n";
+  return html_page(
+      {"frontier", report.name, limit_words(report)},
+      "<section class=\"keep\">\n<h2>Strain against deviation</h2>\n<p>Strain "
+      "of the pattern in per cent, logarithmic, over the rms deviation of the patch from what "
+      "it was. The names along the line are the rms strain asked for. The line goes through "
+      "what "
+      "no nearer point beats; other points are dots. Dominated is a point if another has less "
+      "strain, deviation or bending, and no more of the others. Dots with the name of another "
+      "method are rms strain. Below and further left is better. The lower edge of the chart "
+      "stands for 0.001 % or less.</p>\n" +
+          (chart.empty() ? "<p>Nothing to show: no vertex had to move.</p>\n" : chart) +
+          "</section>\n<section>\n<h2>All points</h2>\n<div class=\"scroll\">\n" + table(report) +
+          "</div>\n</section>\n");
 }
 
 }  // namespace planish

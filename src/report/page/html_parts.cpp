@@ -3,6 +3,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include <planish/core/version.h>
+
 #include "core/figure_text.h"
 #include "core/number_text.h"
 #include "draw/base64.h"
@@ -24,9 +26,7 @@ std::string image_element(const Image& image, const std::string& source, int pix
          std::to_string(image.height / pixels) + "\" alt=\"" + alt + "\" src=\"" + source + "\">";
 }
 
-}  // namespace
-
-std::string html_head(const std::string& title, std::string_view more_style) {
+std::string head(const std::string& title, std::string_view more_style) {
   const PageScript script = page_script();
   const std::string scripts =
       script.is_there() ? "script-src '" + std::string(script.hash) + "'; " : "";
@@ -41,27 +41,29 @@ std::string html_head(const std::string& title, std::string_view more_style) {
          std::string(more_style) + "</style>\n</head>\n";
 }
 
-std::string html_title(const std::string& name) {
-  return name.empty() ? "Patch" : escape_markup(name);
-}
-
-std::string html_header(std::string_view kind, const std::string& name, const std::string& verdict,
-                        const std::string& more) {
-  const std::size_t end = verdict.find(". ");
-  const std::size_t split = end == std::string::npos ? verdict.size() : end + 1;
-  return "<header>\n<div class=\"title\"><p class=\"brand\">Planish " + std::string(kind) +
-         "</p><h1>" + html_title(name) + "</h1></div>\n<p class=\"verdict\"><b>" +
-         escape_markup(verdict.substr(0, split)) + "</b>" + escape_markup(verdict.substr(split)) +
-         "</p>\n" + more + "</header>\n";
-}
-
-std::string html_script() {
-  const PageScript script = page_script();
-  if (!script.is_there()) return {};
+std::string script_element() {
   std::string html = "<script>";
-  for (const std::string_view part : script.parts)
+  for (const std::string_view part : page_script().parts)
     html += part;
   return html + "</script>\n";
+}
+
+}  // namespace
+
+std::string html_page(const PageFrame& frame, const std::string& content) {
+  const std::string title = frame.name.empty() ? "Patch" : escape_markup(frame.name);
+  const std::string& verdict = frame.verdict;
+  const std::size_t end = verdict.find(". ");
+  const std::size_t split = end == std::string::npos ? verdict.size() : end + 1;
+  return head(title, frame.style) +
+         "<body>\n<main>\n<header>\n<div class=\"title\"><p class=\"brand\">Planish " +
+         std::string(frame.kind) + "</p><h1>" + title + "</h1></div>\n<p class=\"verdict\"><b>" +
+         escape_markup(verdict.substr(0, split)) + "</b>" + escape_markup(verdict.substr(split)) +
+         "</p>\n" + frame.below + "</header>\n" + content + "<footer>Made by planish " + k_version +
+         "." + (frame.unit.empty() ? "" : " Model unit: " + frame.unit + ".") +
+         "</footer>\n</main>\n" + frame.data +
+         (frame.data.empty() || !page_script().is_there() ? "" : script_element()) +
+         "</body>\n</html>\n";
 }
 
 std::string picture_source(const Image& image) {

@@ -13,24 +13,20 @@ namespace planish {
 
 /// Parts that the pages of all reports are made of: HTML.
 
-/// From the doctype to the end of <head>: nothing from outside may be fetched, and no script may
-/// run but the page's own.
-/// @param title markup
-/// @param more_style to stand behind that of all pages
-std::string html_head(const std::string& title, std::string_view more_style = {});
+/// What a page has around its content.
+struct PageFrame {
+  std::string_view kind;        ///< of the page, as in "report"
+  std::string name;             ///< of the patch, plain text; an empty one reads "Patch"
+  std::string verdict;          ///< what came out, plain text; its first sentence is large
+  std::string below = {};       ///< markup below that
+  std::string_view style = {};  ///< to stand behind that of all pages
+  std::string unit = {};        ///< of the model, where the page says it
+  std::string data = {};        ///< markup; the page's script works on it, and is not there without
+};
 
-/// The top of a page: what it is, the name of the patch and what came out, its first sentence
-/// large.
-/// @param name, verdict plain text; an empty name reads "Patch"
-/// @param more markup below that
-std::string html_header(std::string_view kind, const std::string& name, const std::string& verdict,
-                        const std::string& more = {});
-
-/// The title of a page of that patch: markup.
-std::string html_title(const std::string& name);
-
-/// The page's script, to stand behind what it works on; empty where the program has none.
-std::string html_script();
+/// The whole page: nothing from outside may be fetched, and no script may run but the page's own.
+/// @param content markup
+std::string html_page(const PageFrame& frame, const std::string& content);
 
 /// A picture with words below it.
 /// @param alt, caption markup

@@ -27,10 +27,6 @@ namespace planish {
 
 namespace {
 
-std::string unit_name(const FlattenReport& report) {
-  return std::string(to_string(report.unfold.unit));
-}
-
 /// A tick or a cross with words, so that no one need tell colours apart.
 std::string mark(bool good, const std::string& words) {
   return std::string("<span class=\"") + (good ? "met\">✓ " : "missed\">✗ ") + words + "</span>";
@@ -291,11 +287,6 @@ std::string files_line(const FlattenPage& page) {
   return "<p class=\"files\">The pattern in true size: " + links + ".</p>\n";
 }
 
-std::string footer(const FlattenReport& report) {
-  return std::string("<footer>Made by planish ") + k_version +
-         ". Model unit: " + unit_name(report) + ".</footer>\n";
-}
-
 }  // namespace
 
 std::string html_report(const FlattenReport& report, const FlattenPage& page) {
@@ -303,13 +294,14 @@ std::string html_report(const FlattenReport& report, const FlattenPage& page) {
   const PatchViewer viewer = html_viewer(report, page);
   const std::string verdict = verdict_text(report) + (border.empty() ? "" : " " + border);
   const bool has_limit = limit_of_edges(report.unfold.limits).has_value();
-  return html_head(html_title(report.name), has_limit ? limit_style() : "") + "<body>\n<main>\n" +
-         html_header("report", report.name, verdict, checks(report)) + files_line(page) +
-         candidate_tiles(report) + viewer.html + tiles(report, page, viewer.cut_size) +
-         "<section>\n<h2>All figures</h2>\n" + "<div class=\"scroll\">\n" + figures_table(report) +
-         "</div>\n</section>\n" + problems_section(report) + computed_section(report, page) +
-         footer(report) + "</main>\n" + viewer.data + (viewer.data.empty() ? "" : html_script()) +
-         "</body>\n</html>\n";
+  return html_page({"report", report.name, verdict, checks(report),
+                    has_limit ? limit_style() : std::string_view(),
+                    std::string(to_string(report.unfold.unit)), viewer.data},
+                   files_line(page) + candidate_tiles(report) + viewer.html +
+                       tiles(report, page, viewer.cut_size) +
+                       "<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" +
+                       figures_table(report) + "</div>\n</section>\n" + problems_section(report) +
+                       computed_section(report, page));
 }
 
 }  // namespace planish

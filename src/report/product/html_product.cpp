@@ -3,7 +3,6 @@
 #include <string_view>
 #include <vector>
 
-#include <planish/core/version.h>
 #include <planish/report/html_report.h>
 
 #include "core/figure_text.h"
@@ -277,12 +276,11 @@ std::string html_report(const ProductReport& report, const ProductPage& page) {
   std::string tiles = "<ol class=\"pieces\">\n";
   for (const std::size_t p : missed_first(report))
     tiles += tile_of(report, p, p < page.reports.size() ? page.reports[p] : std::string());
-  return html_head(html_title(page.name), k_style) + "<body>\n<main>\n" +
-         html_header("product", page.name,
-                     pieces_words(report) + sheet_words(report) + seams_words(report)) +
-         tiles + "</ol>\n" + sheets_section(page) + seam_table(report) +
-         "<footer>Made by planish " + std::string(k_version) +
-         ".</footer>\n</main>\n</body>\n</html>\n";
+  return html_page({.kind = "product",
+                    .name = page.name,
+                    .verdict = pieces_words(report) + sheet_words(report) + seams_words(report),
+                    .style = k_style},
+                   tiles + "</ol>\n" + sheets_section(page) + seam_table(report));
 }
 
 }  // namespace planish

@@ -58,6 +58,7 @@
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
 #include <planish/sheet/nest_sheet.h>
+#include <planish/sheet/pattern_geometry.h>
 #include <planish/sheet/pattern_sheet.h>
 #include <planish/sheet/product_sheet.h>
 #include <planish/unfold/material_fit.h>

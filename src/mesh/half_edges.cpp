@@ -1,5 +1,7 @@
 #include "mesh/half_edges.h"
 
+#include <algorithm>
+
 namespace planish {
 
 HalfEdges::HalfEdges(const TriMesh& mesh) {
@@ -16,7 +18,8 @@ HalfEdges::HalfEdges(const TriMesh& mesh) {
   }
 }
 
-/// Sorts all half-edges by their smaller end; the few at each are compared one by one.
+/// Sorts all half-edges by their smaller end and those at each by the other one, so that thousands
+/// may share a vertex.
 void HalfEdges::pair_twins() {
   const auto lower = [&](Index h) { return from(h) < to(h) ? from(h) : to(h); };
   twin_.assign(from_.size(), none);
@@ -27,13 +30,15 @@ void HalfEdges::pair_twins() {
     start[v] += start[v - 1];
   std::vector<Index> sorted(from_.size());
   std::vector<std::size_t> end(start.begin(), start.end() - 1);
-  for (Index h = 0; h < from_.size(); ++h) {
-    const Index v = lower(h);
-    for (std::size_t i = start[v]; i < end[v] && twin_[h] == none; ++i) {
-      const Index g = sorted[i];
-      if (from(g) == to(h) && to(g) == from(h)) glue(h, g);
+  for (Index h = 0; h < from_.size(); ++h)
+    sorted[end[lower(h)]++] = h;
+  const auto sum = [&](Index h) { return std::size_t{from(h)} + to(h); };
+  for (std::size_t v = 0; v < end.size(); ++v) {
+    const auto at = [&](std::size_t i) { return sorted.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::sort(at(start[v]), at(end[v]), [&](Index a, Index b) { return sum(a) < sum(b); });
+    for (std::size_t i = start[v] + 1; i < end[v]; ++i) {
+      if (sum(sorted[i - 1]) == sum(sorted[i])) glue(sorted[i - 1], sorted[i]);
     }
-    sorted[end[v]++] = h;
   }
 }
 

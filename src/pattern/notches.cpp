@@ -25,19 +25,15 @@ struct EdgeSeat {
 
 std::string name_of(std::string_view piece, const Notch& notch) {
   const std::string begin = "piece \"" + std::string(piece) + "\": the notch at ";
-  if (const auto* vertex = std::get_if<Index>(&notch.place)) {
-    return begin + "vertex " + std::to_string(*vertex);
-  }
-  if (const auto* edge = std::get_if<PlaceOnEdge>(&notch.place)) {
-    return begin + "the edge from vertex " + std::to_string(edge->from) + " to " +
-           std::to_string(edge->to);
-  }
-  return begin + number_text(std::get<double>(notch.place)) + " of the border";
+  if (!notch.edge) return begin + number_text(notch.fraction) + " of the border";
+  const auto [from, to] = *notch.edge;
+  const std::string vertex = "vertex " + std::to_string(from);
+  return begin + (from == to ? vertex : "the edge from " + vertex + " to " + std::to_string(to));
 }
 
 [[noreturn]] void fail(std::string_view piece, const Notch& notch, const std::string& what) {
   ErrorPlace place;
-  if (const auto* vertex = std::get_if<Index>(&notch.place)) place.first = *vertex;
+  place.first = notch.vertex();
   throw Error(ErrorCode::misplaced_notch, name_of(piece, notch) + what, place);
 }
 
@@ -47,20 +43,15 @@ std::optional<std::size_t> point_of(Index vertex, const std::vector<Index>& loop
   return static_cast<std::size_t>(found - loop.begin());
 }
 
-std::optional<EdgeSeat> seat_at(Index vertex, std::span<const std::vector<Index>> loops) {
+/// @pre the notch is at a vertex or on an edge
+std::optional<EdgeSeat> seat_at(const Notch& notch, std::span<const std::vector<Index>> loops) {
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    if (const auto point = point_of(vertex, loops[k])) return EdgeSeat{k, *point};
-  }
-  return std::nullopt;
-}
-
-std::optional<EdgeSeat> seat_at(const PlaceOnEdge& place,
-                                std::span<const std::vector<Index>> loops) {
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    const auto from = point_of(place.from, loops[k]), to = point_of(place.to, loops[k]);
+    const auto from = point_of(notch.edge->front(), loops[k]);
+    const auto to = point_of(notch.edge->back(), loops[k]);
     if (!from || !to) continue;
-    if ((*from + 1) % loops[k].size() == *to) return EdgeSeat{k, *from, place.share};
-    if ((*to + 1) % loops[k].size() == *from) return EdgeSeat{k, *to, 1.0 - place.share};
+    if (from == to) return EdgeSeat{k, *from};
+    if ((*from + 1) % loops[k].size() == *to) return EdgeSeat{k, *from, notch.fraction};
+    if ((*to + 1) % loops[k].size() == *from) return EdgeSeat{k, *to, 1.0 - notch.fraction};
   }
   return std::nullopt;
 }
@@ -70,13 +61,10 @@ bool is_share(double value) {
 }
 
 NotchSeat seat_of(const PieceOutline& outline, const Notch& notch, const NotchFrames& frames) {
-  if (const auto* share = std::get_if<double>(&notch.place))
-    return {0, *share * frames.walk(0).length()};
-  const auto* edge = std::get_if<PlaceOnEdge>(&notch.place);
-  const EdgeSeat seat = edge != nullptr ? *seat_at(*edge, outline.vertices)
-                                        : *seat_at(std::get<Index>(notch.place), outline.vertices);
+  if (!notch.edge) return {0, notch.fraction * frames.walk(0).length()};
+  const EdgeSeat seat = *seat_at(notch, outline.vertices);
   const BorderWalk& walk = frames.walk(seat.loop);
-  const SeatSide side = edge == nullptr     ? SeatSide::both
+  const SeatSide side = notch.vertex()      ? SeatSide::both
                         : seat.share <= 0.5 ? SeatSide::after
                                             : SeatSide::before;
   return {seat.loop, std::lerp(walk.way_to(seat.point), walk.way_to(seat.point + 1), seat.share),
@@ -179,18 +167,12 @@ std::string_view to_string(NotchKind kind) {
 void check_notches(std::span<const std::vector<Index>> border, std::span<const Notch> notches,
                    std::string_view piece) {
   for (const Notch& notch : notches) {
-    if (const auto* share = std::get_if<double>(&notch.place)) {
-      if (!is_share(*share)) fail(piece, notch, " is off the border: shares are from 0 to 1");
-    } else if (const auto* vertex = std::get_if<Index>(&notch.place)) {
-      if (!seat_at(*vertex, border)) {
-        fail(piece, notch, " is off the border: this vertex is not on it");
-      }
-    } else {
-      const auto& edge = std::get<PlaceOnEdge>(notch.place);
-      if (!is_share(edge.share) || !seat_at(edge, border)) {
-        fail(piece, notch, " is off the border: this edge is not on it");
-      }
-    }
+    const bool is_on = is_share(notch.fraction) && (!notch.edge || seat_at(notch, border));
+    if (is_on) continue;
+    const std::string why = !notch.edge      ? "shares are from 0 to 1"
+                            : notch.vertex() ? "this vertex is not on it"
+                                             : "this edge is not on it";
+    fail(piece, notch, " is off the border: " + why);
   }
 }
 

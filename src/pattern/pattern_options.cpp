@@ -11,11 +11,9 @@ namespace {
 template <class Options, class Visit>
 void for_vertices(Options& options, Visit visit) {
   for (auto& notch : options.notches) {
-    if (auto* vertex = std::get_if<Index>(&notch.place)) visit(*vertex);
-    if (auto* edge = std::get_if<PlaceOnEdge>(&notch.place)) {
-      visit(edge->from);
-      visit(edge->to);
-    }
+    if (!notch.edge) continue;
+    for (auto& vertex : *notch.edge)
+      visit(vertex);
   }
   const auto visit_corners = [&](auto& place) {
     for (auto& corner : place.corners)

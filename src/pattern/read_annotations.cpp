@@ -76,14 +76,9 @@ void end_line(TextCursor& cursor) {
   cursor.fail(ErrorCode::malformed_file, "more follows on the line: " + quoted(cursor.token()));
 }
 
-/// What follows the place of a notch.
-struct NotchForm {
-  NotchKind kind = NotchKind::slit;
-  bool is_double = false;
-};
-
-NotchForm notch_form_in(TextCursor& cursor) {
-  NotchForm form;
+/// What follows the place of a notch: its form.
+template <class SomeNotch>
+void read_notch_form(TextCursor& cursor, SomeNotch& form) {
   if (!cursor.at_line_end()) form.kind = notch_kind_in(cursor.token(), cursor);
   if (!cursor.at_line_end()) {
     const std::string_view word = cursor.token();
@@ -93,20 +88,14 @@ NotchForm notch_form_in(TextCursor& cursor) {
     form.is_double = true;
   }
   end_line(cursor);
-  return form;
 }
 
 Notch notch_in(TextCursor& cursor) {
   const std::string_view place = cursor.token();
-  Notch notch;
-  if (place.find_first_of(".%") == std::string_view::npos) {
-    notch.place = vertex_in(place, cursor);
-  } else {
-    notch.place = share_in(place, cursor);
-  }
-  const NotchForm form = notch_form_in(cursor);
-  notch.kind = form.kind;
-  notch.is_double = form.is_double;
+  Notch notch = place.find_first_of(".%") == std::string_view::npos
+                    ? Notch::at_vertex(vertex_in(place, cursor))
+                    : Notch::at_fraction(share_in(place, cursor));
+  read_notch_form(cursor, notch);
   return notch;
 }
 
@@ -131,9 +120,7 @@ SeamNotch seam_notch_in(TextCursor& cursor) {
   }
   notch.in_millimetres = length.has_value();
   notch.place = length ? *length : *share;
-  const NotchForm form = notch_form_in(cursor);
-  notch.kind = form.kind;
-  notch.is_double = form.is_double;
+  read_notch_form(cursor, notch);
   return notch;
 }
 

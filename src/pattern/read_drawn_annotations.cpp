@@ -69,7 +69,7 @@ void check_triangles(const Patch& patch) {
 
 /// The nearest place of the border to a point.
 struct BorderPlace {
-  PlaceOnEdge place;
+  Notch notch;
   Vec3 point;
 };
 
@@ -85,7 +85,7 @@ class BorderPlaces {
     const ClosestPoint closest = tree_.query(patch_.unit_scale() * p);
     const Triangle& edge = edges_.triangles[closest.triangle];
     const double share = 1.0 - closest.barycentric[0];
-    return {{edge[0], edge[1], share},
+    return {Notch::on_edge(edge[0], edge[1], share),
             (1.0 - share) * patch_.positions()[edge[0]] + share * patch_.positions()[edge[1]]};
   }
 
@@ -139,7 +139,7 @@ DrawnAnnotations parse_drawn_notches(std::string_view bytes, const Patch& patch,
   for (const DrawnPoint& point : points_in(bytes, name)) {
     const BorderPlace nearest = border.nearest(point.at);
     drawn.farthest = std::max(drawn.farthest, reach.check(point.at, nearest.point, point.place));
-    drawn.notches.push_back({nearest.place});
+    drawn.notches.push_back(nearest.notch);
   }
   return drawn;
 }

@@ -32,8 +32,8 @@ EdgeOfSeam edge_at(const SeamSide& side, std::span<const Vec3> positions, double
 }
 
 Notch notch_at(const SeamNotch& notch, const SeamSide& side, const EdgeOfSeam& at) {
-  const PlaceOnEdge place = {side.vertices[at.edge], side.vertices[at.edge + 1], at.share};
-  return {place, notch.kind, notch.is_double};
+  return Notch::on_edge(side.vertices[at.edge], side.vertices[at.edge + 1], at.share, notch.kind,
+                        notch.is_double);
 }
 
 /// On both sides of a seam.

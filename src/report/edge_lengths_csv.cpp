@@ -11,11 +11,8 @@ namespace planish {
 
 std::string edge_lengths_csv(const Patch& patch, std::span<const Vec2> pattern, Unit unit) {
   const double scale = millimetres_per(unit);
-  std::vector<Vec2> places;
-  places.reserve(pattern.size());
-  for (const Vec2 p : pattern)
-    places.push_back(scale * p);
-  const PieceOutline outline = piece_outline(patch.border_loops(), places, "");
+  const PieceOutline outline =
+      piece_outline(patch.border_loops(), in_millimetres(pattern, unit), "");
   std::string csv = "loop,from_vertex,to_vertex,length,length_on_model\n";
   for (const OutlineEdge& edge : edges_between_corners(outline)) {
     const std::vector<Index>& vertices = outline.vertices[edge.loop];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -47,7 +48,7 @@ double degrees_of(Vec2 direction) {
   return 180.0 / std::numbers::pi * math::atan2(direction.y, direction.x);
 }
 
-Layer notch_layer(const PlacedPattern& pattern) {
+Layer notch_layer(const PatternGeometry& pattern) {
   Layer layer{"notch", {}};
   for (const PlacedNotch& notch : pattern.notches) {
     Path path{notch.strokes, false, k_notch};
@@ -60,29 +61,27 @@ Layer notch_layer(const PlacedPattern& pattern) {
   return layer;
 }
 
-Layer grain_layer(std::vector<Polygon> lines) {
+Layer grain_layer(const std::vector<Polygon>& lines) {
   Layer layer{"grain", {}};
   if (lines.empty()) return layer;
-  const GrainMark mark = {lines.front().front(), lines.front().back()};
-  Path path{std::move(lines), false, k_grain};
-  path.mark = mark;
+  Path path{lines, false, k_grain};
+  path.mark = GrainMark{lines.front().front(), lines.front().back()};
   layer.shapes.emplace_back(std::move(path));
   return layer;
 }
 
-Layer fold_layer(const PlacedPattern& pattern, const PatternOptions& options) {
+Layer fold_layer(const PatternGeometry& pattern) {
   Layer layer{"fold", {}};
-  if (!options.fold) return layer;
-  const Polygon line = fold_line(pattern, options);
-  Path path{{line}, false, k_fold};
-  path.mark = FoldMark{line.front(), line.back(), options.fold->opened};
+  if (pattern.fold.empty()) return layer;
+  Path path{{pattern.fold}, false, k_fold};
+  path.mark = FoldMark{pattern.fold.front(), pattern.fold.back(), pattern.options.fold->opened};
   layer.shapes.emplace_back(std::move(path));
   return layer;
 }
 
-Layer drill_layer(const PlacedPattern& pattern, const std::vector<Mark>& marks) {
+Layer drill_layer(const PatternGeometry& pattern) {
   Layer layer{"drill", {}};
-  for (const Mark& mark : marks) {
+  for (const Mark& mark : pattern.options.marks) {
     std::vector<Polygon> lines = mark_lines(pattern.positions, {&mark, 1}, pattern.outline.piece);
     Path path = lines.size() == 1 ? line_path(std::move(lines.front()), k_drill)
                                   : Path{std::move(lines), false, k_drill};
@@ -135,7 +134,8 @@ Polygon there_and_back(Polygon line) {
 }
 
 /// By vertices, and drawn.
-std::vector<Polygon> all_inner_lines(const PlacedPattern& pattern, const PatternOptions& options) {
+std::vector<Polygon> all_inner_lines(const PatternGeometry& pattern) {
+  const PatternOptions& options = pattern.options;
   std::vector<Polygon> lines =
       inner_lines(pattern.positions, options.inner_lines, pattern.outline.piece);
   for (Polygon& line : inner_lines(pattern.positions, options.drawn_lines, pattern.outline.piece))
@@ -145,19 +145,16 @@ std::vector<Polygon> all_inner_lines(const PlacedPattern& pattern, const Pattern
 
 /// The outline, and what words and the grain line keep clear of: marks, notches, inner lines and a
 /// fold inside.
-std::vector<Polygon> free_loops(const PlacedPattern& pattern, const PatternOptions& options,
-                                std::span<const Polygon> inner) {
+std::vector<Polygon> free_loops(const PatternGeometry& pattern) {
   constexpr double half = 0.5 * k_cross_size + 1.0;
   std::vector<Polygon> loops = pattern.outline.loops;
-  for (const Mark& mark : options.marks) {
-    const Vec2 at = place_of(mark, pattern.positions);
+  for (const Vec2 at : pattern.marks) {
     loops.push_back({at + Vec2{-half, -half}, at + Vec2{half, -half}, at + Vec2{half, half},
                      at + Vec2{-half, half}});
   }
-  for (const Polygon& line : inner)
+  for (const Polygon& line : pattern.inner_lines)
     loops.push_back(there_and_back(line));
-  if (options.fold && options.fold->opened)
-    loops.push_back({pattern.positions[options.fold->from], pattern.positions[options.fold->to]});
+  if (pattern.options.fold && pattern.options.fold->opened) loops.push_back(pattern.fold);
   for (const PlacedNotch& notch : pattern.notches) {
     for (const Polygon& stroke : notch.strokes)
       loops.push_back(there_and_back(stroke));
@@ -219,7 +216,7 @@ Text text_beside(Vec2 at, Vec2 way, double gap, double height, std::string text)
 constexpr double k_length_gap = 2.75, k_length_height = 2.5;
 
 /// The lengths from corner to corner, each beside the middle of its edge, inside.
-void add_edge_lengths(const PieceOutline& outline, Layer& layer) {
+void add_edge_lengths(const PieceOutline& outline, std::vector<Text>& texts) {
   constexpr double shortest = 5.0;
   for (const OutlineEdge& edge : edges_between_corners(outline)) {
     if (edge.length < shortest) continue;
@@ -227,14 +224,14 @@ void add_edge_lengths(const PieceOutline& outline, Layer& layer) {
     const std::size_t k = edge.points.size() / 2;
     const Vec2 a = loop[edge.points[k - 1]], b = loop[edge.points[k]], way = b - a;
     if (!(norm(way) > 0.0)) continue;
-    layer.shapes.emplace_back(text_beside(a + 0.5 * way, way, k_length_gap, k_length_height,
-                                          decimals_text(edge.length, 1)));
+    texts.push_back(text_beside(a + 0.5 * way, way, k_length_gap, k_length_height,
+                                decimals_text(edge.length, 1)));
   }
 }
 
 /// The numbers of seams, each farther inside than a length of its edge would be.
 void add_seam_numbers(const PieceOutline& outline, const std::vector<SeamNumber>& numbers,
-                      bool beside_lengths, Layer& layer) {
+                      bool beside_lengths, std::vector<Text>& texts) {
   constexpr double height = 4.0, gap = 3.5;
   for (const SeamNumber& seam : numbers) {
     for (std::size_t l = 0; l < outline.vertices.size(); ++l) {
@@ -248,18 +245,17 @@ void add_seam_numbers(const PieceOutline& outline, const std::vector<SeamNumber>
       const Vec2 left = 1.0 / norm(way) * Vec2{-way.y, way.x};
       const double length =
           beside_lengths ? 2.0 * half_extent("1000.0", k_length_height, left) : 0.0;
-      layer.shapes.emplace_back(
+      texts.push_back(
           text_beside(loop[k], way, gap + length, height, "seam " + std::to_string(seam.number)));
     }
   }
 }
 
 /// The boxes of centred level texts, as lines that enclose nothing.
-std::vector<Polygon> boxes_of(const Layer& texts) {
+std::vector<Polygon> boxes_of(const std::vector<Text>& texts) {
   std::vector<Polygon> boxes;
-  boxes.reserve(texts.shapes.size());
-  for (const DrawingShape& shape : texts.shapes) {
-    const Text& text = std::get<Text>(shape);
+  boxes.reserve(texts.size());
+  for (const Text& text : texts) {
     const double half = half_extent(text.text, text.height, {1.0, 0.0}), top = text.height;
     const Vec2 at = text.at;
     boxes.push_back(
@@ -269,25 +265,25 @@ std::vector<Polygon> boxes_of(const Layer& texts) {
   return boxes;
 }
 
-Layer annotation_layer(const LabelPlace& place, const std::vector<std::string>& lines) {
-  Layer layer{"annotation", {}};
-  layer.shapes.reserve(lines.size());
+std::vector<Text> label_texts(const LabelPlace& place, const std::vector<std::string>& lines) {
+  std::vector<Text> texts;
+  texts.reserve(lines.size());
   const double pitch = k_line_pitch * place.height;
   const double top = place.middle.y + 0.5 * pitch * static_cast<double>(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const double middle = top - pitch * (static_cast<double>(i) + 0.5);
-    layer.shapes.emplace_back(Text{{place.middle.x, middle - 0.5 * place.height},
-                                   place.height,
-                                   lines[i],
-                                   sheet::k_annotation_color,
-                                   true});
+    texts.push_back({{place.middle.x, middle - 0.5 * place.height},
+                     place.height,
+                     lines[i],
+                     sheet::k_annotation_color,
+                     true});
   }
-  return layer;
+  return texts;
 }
 
 }  // namespace
 
-Vec2 grain_on_sheet(const Grain& grain, const TriMesh& mesh, const PlacedPattern& pattern) {
+Vec2 grain_on_sheet(const Grain& grain, const TriMesh& mesh, const PatternGeometry& pattern) {
   if (const auto* degrees = std::get_if<double>(&grain)) {
     const double angle = *degrees * std::numbers::pi / 180.0;
     return {math::cos(angle), math::sin(angle)};
@@ -295,40 +291,45 @@ Vec2 grain_on_sheet(const Grain& grain, const TriMesh& mesh, const PlacedPattern
   return grain_direction(mesh, pattern.positions, std::get<Vec3>(grain), pattern.outline.piece);
 }
 
-std::vector<Layer> annotations_layers(const TriMesh& mesh, const PlacedPattern& pattern,
-                                      const PatternOptions& options) {
+PatternGeometry annotated(PatternGeometry pattern, const TriMesh& mesh) {
+  const PatternOptions& options = pattern.options;
   const PieceOutline& outline = pattern.outline;
-  const std::vector<std::string> lines =
-      lines_of(options.label, options.fold && !options.fold->opened);
+  const std::vector<std::string> lines = lines_of(options.label, options.is_half());
   check_marks(pattern.positions.size(), options.marks, outline.piece);
-  std::vector<Polygon> inner = all_inner_lines(pattern, options);
-  Layer beside_edges{"annotation", {}};
+  pattern.inner_lines = all_inner_lines(pattern);
+  pattern.marks.clear();
+  for (const Mark& mark : options.marks)
+    pattern.marks.push_back(place_of(mark, pattern.positions));
+  if (options.fold) pattern.fold = fold_line(pattern);
+  std::vector<Text> beside_edges;
   if (options.edge_lengths) add_edge_lengths(outline, beside_edges);
   add_seam_numbers(outline, options.seam_numbers, options.edge_lengths, beside_edges);
-  std::vector<Polygon> free = free_loops(pattern, options, inner);
+  std::vector<Polygon> free = free_loops(pattern);
   for (Polygon& box : boxes_of(beside_edges))
     free.push_back(std::move(box));
   const LabelPlace place = lines.empty() ? LabelPlace{} : label_place(outline, free, lines);
-  std::vector<Polygon> grain;
   if (options.grain) {
     const Vec2 direction = grain_on_sheet(*options.grain, mesh, pattern);
     PieceOutline clear = outline;
     clear.loops = free;
-    grain = grain_lines(clear, direction, box_of(place, lines));
-    if (grain.empty()) grain = grain_lines(outline, direction, box_of(place, lines));
+    pattern.grain = grain_lines(clear, direction, box_of(place, lines));
+    if (pattern.grain.empty())
+      pattern.grain = grain_lines(outline, direction, box_of(place, lines));
   }
-  std::vector<Layer> layers;
-  layers.reserve(7);
-  layers.push_back(outline_layer("seam", seam_paths(pattern, options, k_seam)));
-  layers.push_back(notch_layer(pattern));
-  layers.push_back(grain_layer(std::move(grain)));
-  layers.push_back(fold_layer(pattern, options));
-  layers.push_back(drill_layer(pattern, options.marks));
-  layers.push_back(layer_of("internal", std::move(inner), k_internal));
-  layers.push_back(annotation_layer(place, lines));
-  for (DrawingShape& text : beside_edges.shapes)
-    layers.back().shapes.push_back(std::move(text));
-  return layers;
+  pattern.texts = label_texts(place, lines);
+  std::move(beside_edges.begin(), beside_edges.end(), std::back_inserter(pattern.texts));
+  return pattern;
+}
+
+std::vector<Layer> piece_layers(const PatternGeometry& pattern) {
+  return {outline_layer("seam", seam_paths(pattern, k_seam)),
+          notch_layer(pattern),
+          grain_layer(pattern.grain),
+          fold_layer(pattern),
+          drill_layer(pattern),
+          layer_of("internal", pattern.inner_lines, k_internal),
+          {"annotation", {pattern.texts.begin(), pattern.texts.end()}},
+          outline_layer("cut", cut_paths(pattern, k_cut))};
 }
 
 std::string line_words(std::span<const Layer> layers) {
@@ -350,13 +351,6 @@ std::string line_words(std::span<const Layer> layers) {
     if (is_there) text += (text.empty() ? "" : " · ") + std::string(words.text);
   }
   return text;
-}
-
-std::vector<Layer> piece_layers(const TriMesh& mesh, const PlacedPattern& pattern,
-                                const PatternOptions& options) {
-  std::vector<Layer> layers = annotations_layers(mesh, pattern, options);
-  layers.push_back(outline_layer("cut", cut_paths(pattern, options, k_cut)));
-  return layers;
 }
 
 }  // namespace planish

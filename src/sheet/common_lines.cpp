@@ -11,6 +11,7 @@
 
 #include "pattern/polygon/loop_box.h"
 #include "pattern/polygon/polygon_edges.h"
+#include "sheet/piece/line_path.h"
 
 namespace planish {
 
@@ -123,11 +124,8 @@ std::vector<Path> rest_of(const Path& path, std::span<const PieceLines> drawn) {
   for (std::size_t k = path.lines.size(); k-- > 0;) {
     auto rest = rest_of(path.lines[k], near);
     if (!rest) continue;
-    const auto at = static_cast<std::ptrdiff_t>(k);
-    closed.lines.erase(closed.lines.begin() + at);
-    if (k < closed.fitted.few.size()) closed.fitted.few.erase(closed.fitted.few.begin() + at);
-    if (k < closed.fitted.curves.size())
-      closed.fitted.curves.erase(closed.fitted.curves.begin() + at);
+    closed.lines.erase(closed.lines.begin() + static_cast<std::ptrdiff_t>(k));
+    closed.fitted = without_line(std::move(closed.fitted), k);
     open.lines.insert(open.lines.end(), rest->begin(), rest->end());
   }
   std::vector<Path> paths;

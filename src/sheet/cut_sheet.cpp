@@ -8,8 +8,6 @@
 
 #include <planish/sheet/pattern_sheet.h>
 
-#include "sheet/sheet_layout.h"
-
 namespace planish {
 
 namespace {
@@ -66,19 +64,16 @@ std::vector<std::vector<Index>> chained(std::vector<std::array<Index, 2>> edges)
 
 Drawing cut_sheet(const CutSuggestion& suggestion, Unit unit, const std::string& name) {
   const CutPattern& first = suggestion.first;
-  const double scale = millimetres_per(unit);
   const Patch opened(first.cut.mesh);
   const UnfoldReport report = {first.pattern, first.strain, unit,
                                largest_border_strain(opened, first.pattern.positions)};
-  Drawing sheet = pattern_sheet(opened, report, name);
+  const PatternGeometry pattern = pattern_geometry(opened.mesh(), report, name);
+  Drawing sheet = pattern_sheet(opened.mesh(), report, pattern);
   for (Layer& layer : sheet.layers) {
     if (layer.name != "cut") continue;
     for (DrawingShape& shape : layer.shapes)
       std::get<Path>(shape).stroke = Stroke{k_outline_gray};
   }
-  // A pattern lies with its lower left corner at the origin.
-  const Vec2 corner = {sheet::k_margin, sheet::k_margin + sheet::k_block_height + sheet::k_gap};
-  const auto place = [&](Index v) { return corner + scale * first.pattern.positions[v]; };
   const double larger = std::max(1.0, std::max(sheet.width, sheet.height) / k_usual_sheet);
   Layer layer{"suggested", {}};
   for (std::size_t k = 0; k < suggestion.cuts.size(); ++k) {
@@ -88,11 +83,11 @@ Drawing cut_sheet(const CutSuggestion& suggestion, Unit unit, const std::string&
     for (const std::vector<Index>& line : chained(edges_of_path(first.cut, cut.path))) {
       std::vector<Vec2>& points = lines.lines.emplace_back();
       for (const Index v : line)
-        points.push_back(place(v));
+        points.push_back(pattern.positions[v]);
     }
     layer.shapes.emplace_back(std::move(lines));
     // The tip is inside, so that it is there once.
-    const Vec2 tip = place(cut.path.back()) + larger * Vec2{1.5, 1.5};
+    const Vec2 tip = pattern.positions[cut.path.back()] + larger * Vec2{1.5, 1.5};
     layer.shapes.emplace_back(
         Text{tip, larger * k_cut_number_height, std::to_string(k + 1), k_dart_red});
   }

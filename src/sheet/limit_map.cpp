@@ -6,7 +6,6 @@
 #include <planish/draw/color.h>
 
 #include "core/number_text.h"
-#include "sheet/strain_map.h"
 
 namespace planish {
 
@@ -82,23 +81,6 @@ int limit_band(double strain, const MapLimit& limit) {
 Color limit_band_color(int band) {
   if (band >= k_within) return k_beyond_limit;
   return color_at(ColorMap::pale, (band + 0.5) / k_within);
-}
-
-std::array<Color, k_limit_bands> limit_band_colors() {
-  std::array<Color, k_limit_bands> colors;
-  for (int band = 0; band < k_limit_bands; ++band)
-    colors[static_cast<std::size_t>(band)] = limit_band_color(band);
-  return colors;
-}
-
-std::vector<DrawingShape> limit_map(const TriMesh& mesh, std::span<const HalfEdge> opposite,
-                                    std::span<const Vec2> corners, std::span<const double> strains,
-                                    const MapLimit& limit) {
-  std::vector<int> bands;
-  bands.reserve(strains.size());
-  for (const double strain : strains)
-    bands.push_back(limit_band(strain, limit));
-  return map_of_bands(mesh, opposite, corners, bands, limit_band_color);
 }
 
 }  // namespace planish

@@ -1,18 +1,13 @@
 #pragma once
 
-#include <array>
 #include <limits>
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
-#include <planish/draw/drawing.h>
-#include <planish/mesh/tri_mesh.h>
+#include <planish/draw/color.h>
 #include <planish/sheet/pattern_sheet.h>
 #include <planish/unfold/strain.h>
-
-#include "sheet/piece/outlines.h"
 
 namespace planish {
 
@@ -44,14 +39,5 @@ int limit_band(double strain, const MapLimit& limit);
 
 /// The colour of a band: the pale map's at its middle, and k_beyond_limit.
 Color limit_band_color(int band);
-
-/// All of them.
-std::array<Color, k_limit_bands> limit_band_colors();
-
-/// As strain_map(), in bands of the limit.
-/// @param strains of the edges of every triangle the one that uses up most of its limit
-std::vector<DrawingShape> limit_map(const TriMesh& mesh, std::span<const HalfEdge> opposite,
-                                    std::span<const Vec2> corners, std::span<const double> strains,
-                                    const MapLimit& limit);
 
 }  // namespace planish

@@ -22,7 +22,7 @@ namespace {
 constexpr double k_least_width = 240.0;  // of a drawing, for the words above the sheet, millimetres
 constexpr std::size_t k_line_words = 80;  // letters that fit there
 
-PlacedPattern pattern_of(const NestJob& job, const NestPatch& patch) {
+PatternGeometry pattern_of(const NestJob& job, const NestPatch& patch) {
   return placed_pattern(patch.mesh, patch.pattern, job.unit, patch.name, patch.annotations);
 }
 
@@ -106,7 +106,7 @@ NestPatch mirror_image(NestPatch patch) {
     p.x = 0.0 - p.x;
   PatternOptions own = for_mirror_image(std::move(patch.annotations));
   for (Notch& notch : own.notches) {
-    if (auto* share = std::get_if<double>(&notch.place)) *share = 1.0 - *share;
+    if (!notch.edge) notch.fraction = 1.0 - notch.fraction;
   }
   for (EdgeAllowance& edge : own.edge_allowances)
     std::swap(edge.from, edge.to);
@@ -157,6 +157,13 @@ std::vector<NestPatch> with_mirror_images(std::vector<NestPatch> patches) {
   return result;
 }
 
+PatternGeometry pattern_geometry(const NestPatch& patch, Unit unit) {
+  PatternGeometry pattern =
+      placed_pattern(patch.mesh, patch.pattern, unit, patch.name, patch.annotations);
+  pattern.filled = filled_stretches(pattern);
+  return annotated(std::move(pattern), patch.mesh);
+}
+
 std::vector<NestPiece> nest_pieces(const NestJob& job) {
   std::vector<NestPiece> result;
   result.reserve(job.patches.size());
@@ -165,7 +172,7 @@ std::vector<NestPiece> nest_pieces(const NestJob& job) {
     some.outline.piece = patch.name;
     some.quantity = patch.pattern.empty() ? 0 : copies_of(patch);
     if (patch.pattern.empty()) continue;
-    PlacedPattern pattern = pattern_of(job, patch);
+    PatternGeometry pattern = pattern_of(job, patch);
     if (patch.annotations.grain) {
       const Vec2 grain = grain_on_sheet(*patch.annotations.grain, patch.mesh, pattern);
       some.angle = -180.0 / std::numbers::pi * math::atan2(grain.y, grain.x);
@@ -183,19 +190,20 @@ Drawing nest_sheet(const NestJob& job, const Nesting& nesting, std::size_t numbe
                 size.y + sheet::k_gap + sheet::k_square + sheet::k_margin,
                 {}};
   sheet.layers = empty_piece_layers();
-  std::optional<std::pair<std::size_t, PlacedPattern>> last;  // copies of a piece come together
+  std::optional<std::pair<std::size_t, PatternGeometry>> last;  // copies of a piece come together
   for (const NestPlacement& placement : nesting.placements) {
     if (placement.sheet != number) continue;
     const NestPatch& patch = job.patches[placement.piece];
     if (!last || last->first != placement.piece) {
       last = {placement.piece, pattern_of(job, patch)};
     }
-    const PatternOptions annotations = annotations_there(job, placement);
-    std::vector<Layer> layers =
-        piece_layers(patch.mesh, moved(last->second, placement), annotations);
+    PatternGeometry pattern = moved(last->second, placement);
+    pattern.options = annotations_there(job, placement);
+    const PieceLabel label = pattern.options.label;
+    std::vector<Layer> layers = piece_layers(annotated(std::move(pattern), patch.mesh));
     for (std::size_t k = 0; k < layers.size(); ++k)
       add_shapes(std::move(layers[k]), sheet.pieces.size(), sheet.layers[k]);
-    sheet.pieces.push_back({annotations.label.name, annotations.label.size, 1});
+    sheet.pieces.push_back({label.name, label.size, 1});
   }
   Layer label = nest_label(job, nesting, number, title, size, line_words(sheet.layers));
   sheet.layers.insert(sheet.layers.end() - 1, std::move(label));
@@ -223,14 +231,14 @@ Drawing pieces_sheet(const NestJob& job, std::span<const std::optional<PatchTwin
       continue;
     }
     number[p] = sheet.pieces.size();
-    PlacedPattern pattern = pattern_of(job, patch);
+    PatternGeometry pattern = pattern_of(job, patch);
     const LoopBox box = loop_box(pattern.cut);
     const Vec2 shift = corner - box.low;
     corner.x += box.size().x + gap;
     sheet.width = corner.x;
     sheet.height = std::max(sheet.height, box.size().y);
     pattern = moved(std::move(pattern), [&](Vec2 at) { return at + shift; });
-    std::vector<Layer> layers = piece_layers(patch.mesh, pattern, patch.annotations);
+    std::vector<Layer> layers = piece_layers(annotated(std::move(pattern), patch.mesh));
     for (std::size_t k = 0; k < layers.size(); ++k)
       add_shapes(std::move(layers[k]), number[p], sheet.layers[k]);
     sheet.pieces.push_back({label.name.empty() ? patch.name : label.name, label.size,

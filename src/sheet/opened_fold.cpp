@@ -84,22 +84,20 @@ class FoldedHalf {
 
   /// A share of the border becomes a vertex or a place on an edge, as those have mirror images.
   Notch with_vertices(Notch notch) const {
-    const auto* share = std::get_if<double>(&notch.place);
-    if (share == nullptr) return notch;
+    if (notch.edge) return notch;
     const Polygon& loop = half_.outline.loops.front();
     const std::vector<Index>& vertices = half_.outline.vertices.front();
     const BorderWalk walk(loop);
-    const double way = *share * walk.length();
+    const double way = notch.fraction * walk.length();
     std::size_t k = 0;
     while (k + 1 < loop.size() && walk.way_to(k + 1) <= way)
       ++k;
     const double length = walk.way_to(k + 1) - walk.way_to(k);
     const double along = length > 0.0 ? std::clamp((way - walk.way_to(k)) / length, 0.0, 1.0) : 0.0;
     const Index next = vertices[(k + 1) % vertices.size()];
-    if (along == 0.0 || along == 1.0)
-      notch.place = along == 0.0 ? vertices[k] : next;
-    else
-      notch.place = PlaceOnEdge{vertices[k], next, along};
+    const bool is_inside = along > 0.0 && along < 1.0;
+    notch.edge = {along < 1.0 ? vertices[k] : next, along > 0.0 ? next : vertices[k]};
+    notch.fraction = is_inside ? along : 0.0;
     return notch;
   }
 
@@ -107,15 +105,12 @@ class FoldedHalf {
     const Notch notch = with_vertices(asked);
     notches.push_back(notch);
     Notch other = notch;
-    if (const auto* vertex = std::get_if<Index>(&notch.place)) {
-      if (is_on_fold(*vertex) && !is_end(*vertex)) refuse_notch(*vertex);
-      if (is_on_fold(*vertex)) return;
-      other.place = image(*vertex);
-    } else {
-      const auto& edge = std::get<PlaceOnEdge>(notch.place);
-      if (is_on_fold(edge.from) && is_on_fold(edge.to)) refuse_notch(edge.from);
-      other.place = PlaceOnEdge{image(edge.from), image(edge.to), edge.share};
+    const auto [from, to] = *notch.edge;
+    if (is_on_fold(from) && is_on_fold(to)) {
+      if (from != to || !is_end(from)) refuse_notch(from);
+      return;
     }
+    other.edge = {image(from), image(to)};
     notches.push_back(other);
   }
 
@@ -200,7 +195,7 @@ class FoldedHalf {
   }
 
   const NestPatch& patch_;
-  PlacedPattern half_;
+  PatternGeometry half_;
   Index from_ = 0, to_ = 0;
   std::vector<bool> on_fold_;
   std::vector<Index> image_;  // of each vertex of the half
@@ -211,8 +206,8 @@ class FoldedHalf {
 
 std::vector<NestPatch> with_folds_opened(std::vector<NestPatch> patches, Unit unit) {
   for (NestPatch& patch : patches) {
-    const bool is_half = patch.annotations.fold && !patch.annotations.fold->opened;
-    if (is_half && !patch.pattern.empty()) patch = FoldedHalf(patch, unit).opened();
+    if (patch.annotations.is_half() && !patch.pattern.empty())
+      patch = FoldedHalf(patch, unit).opened();
   }
   return patches;
 }

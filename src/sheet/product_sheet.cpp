@@ -7,6 +7,7 @@
 #include <planish/sheet/product_sheet.h>
 
 #include "flatten/twin_report.h"
+#include "pattern/polygon/loop_box.h"
 #include "sheet/mirrored_place.h"
 #include "sheet/sheet_layout.h"
 
@@ -19,19 +20,6 @@ constexpr double k_piece_gap = 15.0;
 constexpr double k_piece_name_height = 5.0, k_seam_number_height = 5.0;
 constexpr std::array<Color, 6> k_seam_colors = {
     {{0, 90, 181}, {0, 133, 66}, {170, 68, 0}, {120, 60, 160}, {0, 130, 140}, {150, 110, 0}}};
-
-struct Box {
-  Vec2 low, high;
-};
-
-Box box_of(const std::vector<Vec2>& points) {
-  Box box{points.front(), points.front()};
-  for (const Vec2 p : points) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
 
 /// Where each piece lies on the sheet.
 struct Layout {
@@ -52,8 +40,8 @@ Layout lay_out(std::span<const ProductPiece> pieces, double scale) {
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     if (pieces[p].pattern.empty()) continue;
     order.push_back(p);
-    const Box box = box_of(pieces[p].pattern);
-    sizes[p] = scale * (box.high - box.low) + Vec2{k_piece_gap, k_piece_gap + k_piece_name_height};
+    const LoopBox box = box_around(pieces[p].pattern);
+    sizes[p] = scale * box.size() + Vec2{k_piece_gap, k_piece_gap + k_piece_name_height};
     area += sizes[p].x * sizes[p].y;
     widest = std::max(widest, sizes[p].x);
   }
@@ -68,7 +56,7 @@ Layout lay_out(std::span<const ProductPiece> pieces, double scale) {
     }
     row_height = std::max(row_height, sizes[p].y);
     const Vec2 low = {x, top - sizes[p].y + k_piece_gap};
-    const Box box = box_of(pieces[p].pattern);
+    const LoopBox box = box_around(pieces[p].pattern);
     layout.corners[p].reserve(pieces[p].pattern.size());
     for (const Vec2 q : pieces[p].pattern)
       layout.corners[p].push_back(low + scale * (q - box.low));
@@ -91,7 +79,7 @@ void lay_like_twin(const PatchTwin& twin, std::size_t piece, Layout& layout) {
   const std::vector<Vec2>& theirs = layout.corners[twin.patch];
   std::vector<Vec2>& own = layout.corners[piece];
   if (theirs.empty() || own.empty()) return;
-  const Box there = box_of(theirs), here = box_of(own);
+  const LoopBox there = box_around(theirs), here = box_around(own);
   const double up = std::round(here.low.y - there.low.y);
   const double along = std::ceil(here.low.x + there.high.x),
                right = std::ceil(here.low.x - there.low.x);

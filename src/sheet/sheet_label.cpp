@@ -17,7 +17,10 @@
 #include "core/math.h"
 #include "core/number_text.h"
 #include "draw/text/text_lines.h"
+#include "geometry/crosses_itself.h"
+#include "pattern/polygon/loop_box.h"
 #include "sheet/limit_map.h"
+#include "sheet/piece/allowance_words.h"
 #include "sheet/sheet_layout.h"
 #include "sheet/strain_map.h"
 
@@ -116,17 +119,26 @@ void add_limit_legend(Layer& layer, const MapLimit& limit) {
   label(apart + 0.5 * beyond, k_margin, "beyond", true);
 }
 
-/// What the eye is to find: a ring around a box, at least 20 mm wide.
-Path ring_around(const std::pair<Vec2, Vec2>& box) {
+/// What the eye is to find: a ring, at least 20 mm wide, around the places where the outline
+/// crosses itself.
+void add_overlap_ring(const std::vector<Polygon>& loops, Layer& layer) {
   constexpr int corners = 48;
-  const Vec2 middle = 0.5 * (box.first + box.second);
-  const double radius = std::max(10.0, 0.5 * norm(box.second - box.first) + 5.0);
+  constexpr std::size_t most = 1000;
+  std::vector<Polygon> places(1);
+  for (const Polygon& loop : loops) {
+    for (const Vec2 p : self_crossings(loop, most - places[0].size()))
+      places[0].push_back(p);
+  }
+  if (places[0].empty()) return;
+  const LoopBox box = loop_box(places);
+  const Vec2 middle = 0.5 * (box.low + box.high);
+  const double radius = std::max(10.0, 0.5 * norm(box.size()) + 5.0);
   Path ring{{{}}, true, Stroke{k_warning_color, 0.5}};
   for (int k = 0; k < corners; ++k) {
     const auto [sine, cosine] = math::sincos(2.0 * std::numbers::pi * k / corners);
     ring.lines[0].push_back(middle + radius * Vec2{cosine, sine});
   }
-  return ring;
+  layer.shapes.emplace_back(std::move(ring));
 }
 
 std::string unit_note(Unit unit, double model_scale) {
@@ -141,10 +153,11 @@ std::string percent_text(double share) {
   return fixed_text(100.0 * share, 2) + " %";
 }
 
-std::string strain_text(const EdgeStrain& strain, std::optional<double> moved) {
-  std::string text =
-      "strain rms " + percent_text(strain.rms) + " · largest " + percent_text(strain.max);
-  if (moved) text += " · moved up to " + fixed_text(*moved, 1) + " mm";
+std::string strain_text(const UnfoldReport& unfold, const std::optional<double>& moved) {
+  std::string text = "strain rms " + percent_text(unfold.strain.rms) + " · largest " +
+                     percent_text(unfold.strain.max);
+  if (moved)
+    text += " · moved up to " + fixed_text(millimetres_per(unfold.unit) * *moved, 1) + " mm";
   return text;
 }
 
@@ -155,7 +168,7 @@ struct Verdict {
 };
 
 /// Whether nothing is known against the pattern but what the mesh cannot show.
-std::optional<Verdict> verdict_without_limit(const SheetFacts& facts) {
+std::optional<Verdict> verdict_without_limit(const PatternOptions& facts) {
   if (!facts.form_faults.empty())
     return Verdict{"Before cutting: the form " + facts.form_faults, true};
   if (!facts.cautions.empty()) return Verdict{"Before cutting, see the mesh: " + facts.cautions};
@@ -163,7 +176,7 @@ std::optional<Verdict> verdict_without_limit(const SheetFacts& facts) {
 }
 
 /// What speaks most against cutting the pattern, or else that it keeps its limit; none without.
-std::optional<Verdict> verdict_of(const UnfoldReport& unfold, const SheetFacts& facts) {
+std::optional<Verdict> verdict_of(const UnfoldReport& unfold, const PatternOptions& facts) {
   if (unfold.pattern.overlaps)
     return Verdict{"The pattern overlaps itself (red ring): divide the patch.", true};
   if (unfold.pattern.flipped_triangles > 0)
@@ -183,24 +196,25 @@ std::optional<Verdict> verdict_of(const UnfoldReport& unfold, const SheetFacts& 
                  true};
 }
 
-std::string size_text(const SheetFacts& facts) {
-  std::string text =
-      decimals_text(facts.size.x, 1) + " × " + decimals_text(facts.size.y, 1) + " mm";
-  if (!facts.allowance.empty()) text += " + " + facts.allowance;
-  return text;
+std::string size_text(const PatternGeometry& pattern) {
+  const std::string allowance = allowance_words(pattern.outline, pattern.options);
+  return decimals_text(pattern.size.x, 1) + " × " + decimals_text(pattern.size.y, 1) + " mm" +
+         (allowance.empty() ? "" : " + " + allowance);
 }
 
 /// Empty where the allowance fills no slit.
-std::string filled_slit_text(const SheetFacts& facts) {
-  if (!(facts.filled_slit > 0.0)) return {};
-  return fixed_text(facts.filled_slit, 0) +
-         " mm of seam line in slits or darts that the allowance fills";
+std::string filled_slit_text(const PatternGeometry& pattern) {
+  double length = 0.0;
+  for (const FilledStretch& stretch : pattern.filled)
+    length += stretch.length;
+  if (!(length > 0.0)) return {};
+  return fixed_text(length, 0) + " mm of seam line in slits or darts that the allowance fills";
 }
 
-std::string origin_text(const SheetFacts& facts) {
+std::string origin_text(const PatternGeometry& pattern) {
   std::string text = std::string("planish ") + k_version + " · scale 1:1";
-  if (!facts.date.empty()) text += " · " + facts.date;
-  return text + " · pattern " + hash_text(facts.hash);
+  if (!pattern.options.date.empty()) text += " · " + pattern.options.date;
+  return text + " · pattern " + hash_text(pattern.hash);
 }
 
 /// That which the triangles run around counter-clockwise: a pattern is never laid mirrored.
@@ -210,6 +224,22 @@ struct Row {
   std::string text;
   Color color;
 };
+
+/// What there is to say beside the size.
+std::vector<Row> facts_of(const UnfoldReport& unfold, const PatternGeometry& pattern,
+                          const std::string& lines) {
+  const PatternOptions& options = pattern.options;
+  std::vector<Row> rows = {{unit_note(unfold.unit, options.model_scale), k_label_color},
+                           {k_side, k_label_color},
+                           {origin_text(pattern), k_label_color},
+                           {strain_text(unfold, options.moved), k_label_color}};
+  if (std::optional<Verdict> verdict = verdict_of(unfold, options))
+    rows.push_back({std::move(verdict->text), verdict->is_bad ? k_warning_color : k_label_color});
+  for (std::string text : {lines, filled_slit_text(pattern)}) {
+    if (!text.empty()) rows.push_back({std::move(text), k_label_color});
+  }
+  return rows;
+}
 
 /// The letters that fit in the column.
 constexpr double k_smallest_letter = 2.0;
@@ -224,24 +254,15 @@ double letter_height(const std::string& text, double usual) {
 
 /// Each as wide as the column at most.
 /// @param size_lines what size_text() says; the first one is no row
-std::vector<Row> rows_of(const UnfoldReport& unfold, const SheetFacts& facts,
-                         std::span<const std::string> size_lines) {
+std::vector<Row> rows_of(const UnfoldReport& unfold, const PatternGeometry& pattern,
+                         const std::string& lines, std::span<const std::string> size_lines) {
   std::vector<Row> rows;
   for (const std::string& line : size_lines.subspan(1))
     rows.push_back({line, k_label_color});
-  const auto add = [&](const std::string& text, Color color) {
-    if (text.empty()) return;
-    for (std::string& line : broken_lines(text, k_column_letters))
-      rows.push_back({std::move(line), color});
-  };
-  add(unit_note(unfold.unit, facts.model_scale), k_label_color);
-  add(k_side, k_label_color);
-  add(origin_text(facts), k_label_color);
-  add(strain_text(unfold.strain, facts.moved), k_label_color);
-  if (const std::optional<Verdict> verdict = verdict_of(unfold, facts))
-    add(verdict->text, verdict->is_bad ? k_warning_color : k_label_color);
-  add(facts.lines, k_label_color);
-  add(filled_slit_text(facts), k_label_color);
+  for (const Row& row : facts_of(unfold, pattern, lines)) {
+    for (std::string& line : broken_lines(row.text, k_column_letters))
+      rows.push_back({std::move(line), row.color});
+  }
   return rows;
 }
 
@@ -261,32 +282,28 @@ void add_rows(const std::vector<Row>& rows, Layer& layer) {
 
 }  // namespace
 
-Layer sheet_label(const UnfoldReport& unfold, const SheetFacts& facts) {
+Layer sheet_label(const UnfoldReport& unfold, const PatternGeometry& pattern,
+                  const std::string& lines) {
   Layer layer{"label", {}};
   add_test_squares(layer);
   const double top = k_margin + k_square;
-  if (!facts.name.empty()) {
-    layer.shapes.emplace_back(name_text(facts.name, {k_column, top}, k_column_width));
-  }
-  const std::vector<std::string> size_lines = broken_lines(size_text(facts), k_column_letters);
+  if (!pattern.name.empty())
+    layer.shapes.emplace_back(name_text(pattern.name, {k_column, top}, k_column_width));
+  const std::vector<std::string> size_lines = broken_lines(size_text(pattern), k_column_letters);
   layer.shapes.emplace_back(Text{{k_column, top - 12.5},
                                  letter_height(size_lines.front(), 4.0),
                                  size_lines.front(),
                                  k_label_color});
-  add_rows(rows_of(unfold, facts, size_lines), layer);
-  if (facts.overlap) layer.shapes.emplace_back(ring_around(*facts.overlap));
+  add_rows(rows_of(unfold, pattern, lines, size_lines), layer);
+  if (unfold.pattern.overlaps) add_overlap_ring(pattern.outline.loops, layer);
   return layer;
 }
 
-std::vector<std::string> sheet_notes(const UnfoldReport& unfold, const SheetFacts& facts) {
-  std::vector<std::string> notes = {size_text(facts), unit_note(unfold.unit, facts.model_scale),
-                                    k_side, origin_text(facts),
-                                    strain_text(unfold.strain, facts.moved)};
-  if (std::optional<Verdict> verdict = verdict_of(unfold, facts))
-    notes.push_back(std::move(verdict->text));
-  if (!facts.lines.empty()) notes.push_back(facts.lines);
-  if (std::string filled = filled_slit_text(facts); !filled.empty())
-    notes.push_back(std::move(filled));
+std::vector<std::string> sheet_notes(const UnfoldReport& unfold, const PatternGeometry& pattern,
+                                     const std::string& lines) {
+  std::vector<std::string> notes = {size_text(pattern)};
+  for (Row& row : facts_of(unfold, pattern, lines))
+    notes.push_back(std::move(row.text));
   return notes;
 }
 

@@ -6,6 +6,8 @@
 
 #include <planish/draw/color.h>
 
+#include "sheet/piece/outlines.h"
+
 namespace planish {
 
 int strain_band(double strain, double limit) {
@@ -19,13 +21,17 @@ Color band_color(int band) {
   return color_at(ColorMap::diverging, static_cast<double>(band) / k_bands_a_side);
 }
 
-std::vector<DrawingShape> map_of_bands(const TriMesh& mesh, std::span<const HalfEdge> opposite,
-                                       std::span<const Vec2> corners, std::span<const int> bands,
-                                       const std::function<Color(int)>& color) {
+std::vector<DrawingShape> strain_map(const TriMesh& mesh, std::span<const Vec2> corners,
+                                     std::span<const double> strains,
+                                     const std::function<int(double)>& band_of,
+                                     const std::function<Color(int)>& color) {
+  const HalfEdges edges(mesh);
+  std::vector<int> bands(strains.size());
+  std::transform(strains.begin(), strains.end(), bands.begin(), band_of);
   std::vector<DrawingShape> shapes;
   const auto add = [&](int band, const std::function<bool(std::size_t)>& in_part) {
     Path path{{}, true, {}, color(band)};
-    for (const auto& loop : outlines(mesh, opposite, in_part)) {
+    for (const auto& loop : outlines(edges, in_part)) {
       auto& line = path.lines.emplace_back();
       line.reserve(loop.size());
       for (const Index v : loop)
@@ -44,16 +50,6 @@ std::vector<DrawingShape> map_of_bands(const TriMesh& mesh, std::span<const Half
     if (-band >= lowest) add(-band, [&](std::size_t t) { return bands[t] <= -band; });
   }
   return shapes;
-}
-
-std::vector<DrawingShape> strain_map(const TriMesh& mesh, std::span<const HalfEdge> opposite,
-                                     std::span<const Vec2> corners, std::span<const double> strains,
-                                     double limit) {
-  std::vector<int> bands;
-  bands.reserve(strains.size());
-  for (const double strain : strains)
-    bands.push_back(strain_band(strain, limit));
-  return map_of_bands(mesh, opposite, corners, bands, band_color);
 }
 
 }  // namespace planish

@@ -4,11 +4,8 @@
 #include <span>
 #include <vector>
 
-#include <planish/core/unit.h>
 #include <planish/draw/drawing.h>
 #include <planish/mesh/tri_mesh.h>
-
-#include "sheet/piece/outlines.h"
 
 namespace planish {
 
@@ -28,15 +25,10 @@ Color band_color(int band);
 /// above, for band 2 likewise, and the same for the bands below 0. Each path so lies wholly on its
 /// neighbour in colour and no seam can show at any zoom.
 /// @param corners the pattern in millimetres, one per vertex
-/// @param bands one per triangle
-std::vector<DrawingShape> map_of_bands(const TriMesh& mesh, std::span<const HalfEdge> opposite,
-                                       std::span<const Vec2> corners, std::span<const int> bands,
-                                       const std::function<Color(int)>& color);
-
-/// The same by the bands of strains.
 /// @param strains one per triangle
-std::vector<DrawingShape> strain_map(const TriMesh& mesh, std::span<const HalfEdge> opposite,
-                                     std::span<const Vec2> corners, std::span<const double> strains,
-                                     double limit);
+std::vector<DrawingShape> strain_map(const TriMesh& mesh, std::span<const Vec2> corners,
+                                     std::span<const double> strains,
+                                     const std::function<int(double)>& band_of,
+                                     const std::function<Color(int)>& color);
 
 }  // namespace planish

@@ -23,11 +23,12 @@ Index vertex_from(fuzz::Bytes& bytes, const TriMesh& mesh) {
 Notch notch_from(fuzz::Bytes& bytes, const TriMesh& mesh) {
   Notch notch;
   const std::size_t kind = bytes.whole(0, 3);
-  if (kind < 2) notch.place = 0.51 * (1.0 + bytes.fraction());
-  if (kind == 2) notch.place = vertex_from(bytes, mesh);
-  if (kind == 3)
-    notch.place = PlaceOnEdge{vertex_from(bytes, mesh), vertex_from(bytes, mesh),
-                              0.5 * (1.0 + bytes.fraction())};
+  if (kind < 2) notch.fraction = 0.51 * (1.0 + bytes.fraction());
+  if (kind == 2) notch = Notch::at_vertex(vertex_from(bytes, mesh));
+  if (kind == 3) {
+    const Index from = vertex_from(bytes, mesh), to = vertex_from(bytes, mesh);
+    notch = Notch::on_edge(from, to, 0.5 * (1.0 + bytes.fraction()));
+  }
   notch.kind = std::array{NotchKind::slit, NotchKind::v, NotchKind::t}[bytes.whole(0, 2)];
   notch.is_double = bytes.flag();
   return notch;

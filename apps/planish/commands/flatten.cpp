@@ -67,9 +67,9 @@ void refuse_shared_paths(const WrittenFiles& paths) {
   refuse_shared_places(files);
 }
 
-NestPatch nest_patch(const FlattenReport& report, const PatternOptions& annotations) {
+NestPatch nest_patch(const FlattenReport& report, const DrawnPattern& drawn) {
   return {report.name, report.processed.mesh(), report.unfold.pattern.positions,
-          possible_options(on_processed(annotations, report), report.unfold.pattern.overlaps)};
+          drawn.geometry.options};
 }
 
 /// How the pieces are laid on sheets; null where they are not.
@@ -118,11 +118,12 @@ ProductJob product_job(const FlattenRequest& request, ProductInput input,
   job.files_of = [request, formats, paths = job.paths](const FlattenReport& report, std::size_t p,
                                                        const PatternOptions& annotations) {
     PageWords words = request.words;
+    const DrawnPattern drawn = drawn_pattern(report, annotations);
     if (request.nest) {
       words.sheet =
-          fit_alone(nest_patch(report, annotations), request.options.unit, request.nest->sheets);
+          fit_alone(nest_patch(report, drawn), request.options.unit, request.nest->sheets);
     }
-    return files_of(report, paths[p], formats[p],
+    return files_of(report, drawn, paths[p], formats[p],
                     {request.pattern.formats, request.pattern.output, annotations}, words,
                     json_report(report, paths[p]));
   };
@@ -185,12 +186,13 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
     return with_turned(flatten(patch, name, options, context), input.turned);
   });
 
+  const DrawnPattern drawn =
+      about(path, [&] { return drawn_pattern(report, pattern.annotations); });
   std::optional<NestOutcome> nesting;
   std::optional<LayoutReport> layout;
   if (nest) {
     nesting = about(path, [&] {
-      return nest_patches({nest_patch(report, pattern.annotations)}, options.unit, *nest, folder,
-                          name, session);
+      return nest_patches({nest_patch(report, drawn)}, options.unit, *nest, folder, name, session);
     });
     layout = nesting->layout;
     words.sheet = {true, nesting->material,
@@ -198,18 +200,13 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
   }
   const std::string json = json_report(report, paths, figures_of_cut(cut), layout);
   std::vector<OutputFile> files =
-      about(path, [&] { return files_of(report, paths, format, pattern, words, json); });
+      about(path, [&] { return files_of(report, drawn, paths, format, pattern, words, json); });
   if (nesting) files.insert(files.end(), nesting->files.begin(), nesting->files.end());
   warn_of_pattern(session, report.unfold);
   const Patch& design = report.evolve.remeshed_from ? report.processed : report.input;
   note_unequal_seams(session, design, report.unfold);
-  about(path, [&] {
-    const PatternOptions annotations = on_processed(pattern.annotations, report);
-    note_pattern(session, report.processed, report.unfold, name, annotations);
-    if (!pattern.output.only_layers.empty())
-      note_empty_layers(session, pattern_sheet(report.processed, report.unfold, name, annotations),
-                        pattern.output);
-  });
+  note_pattern(session, drawn.geometry);
+  note_empty_layers(session, drawn.sheet, pattern.output);
   if (paths.contains(role_of("pattern", PatternFormat::plt)))
     note_plotter_reach(session, report.unfold);
   const std::string text =

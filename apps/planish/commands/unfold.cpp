@@ -54,14 +54,24 @@ PatternOutput output_from(const Arguments& arguments, std::optional<PatternForma
   return pattern_output_from(arguments);
 }
 
-std::string content_of(const std::string& path, const std::string& name, const Patch& patch,
-                       const UnfoldReport& report, const PatternOutput& output,
-                       const PatternOptions& annotations) {
+/// What is written, and the pattern that it draws; empty of meshes.
+struct Written {
+  std::string content;
+  PatternGeometry pattern = {};
+  Drawing sheet = {};
+};
+
+Written written_as(const std::string& path, const std::string& name, const Patch& patch,
+                   const UnfoldReport& report, const PatternOutput& output,
+                   const PatternOptions& annotations) {
   const auto format = pattern_format_of(path);
-  if (!format)
-    return format_mesh(flat_mesh(patch.mesh(), report.pattern), mesh_format_of(path_of(path)));
-  const Drawing sheet = pattern_sheet(patch, report, name, annotations);
-  return output.paper ? tiled_file(sheet, output) : pattern_file(sheet, *format, output);
+  const TriMesh& mesh = patch.mesh();
+  if (!format) return {format_mesh(flat_mesh(mesh, report.pattern), mesh_format_of(path_of(path)))};
+  PatternGeometry pattern = pattern_geometry(mesh, report, name, annotations);
+  Drawing sheet = pattern_sheet(mesh, report, pattern);
+  std::string content =
+      output.paper ? tiled_file(sheet, output) : pattern_file(sheet, *format, output);
+  return {std::move(content), std::move(pattern), std::move(sheet)};
 }
 
 std::vector<std::string> output_names() {
@@ -117,13 +127,10 @@ void unfold_into(WorkFile& file, const std::filesystem::path& place, const Unfol
     file.text = line_of(report);
     file.misses = !all_kept(report.limits);
     if (place.empty()) return;
-    if (pattern_format_of(utf8_of(place)) && !report.pattern.overlaps) {
-      note_filled(
-          session, model.pieces.front(),
-          filled_stretches(patch.mesh(), report.pattern.positions, report.unit, annotations));
-    }
-    file.files = {{place, content_of(utf8_of(place), model.pieces.front(), patch, report,
-                                     request.output, annotations)}};
+    Written written = written_as(utf8_of(place), model.pieces.front(), patch, report,
+                                 request.output, annotations);
+    note_filled(session, written.pattern);
+    file.files = {{place, std::move(written.content)}};
   });
 }
 
@@ -164,23 +171,17 @@ CommandResult run_unfold(const Arguments& arguments, Session& session) {
   report.turned = model.turned;
   const std::vector<Caution> cautions = find_cautions(patch);
   request.annotations.cautions = words_of(cautions);
-  const std::string content = about(path, [&] {
-    return content_of(output, name, patch, report, request.output, request.annotations);
+  const Written written = about(path, [&] {
+    return written_as(output, name, patch, report, request.output, request.annotations);
   });
   warn_of_pattern(session, report);
   note_unequal_seams(session, patch, report);
-  if (pattern_format_of(output))
-    about(path, [&] { note_pattern(session, patch, report, name, request.annotations); });
-  const std::vector<OutputFile> files = {{path_of(output), content}};
+  note_pattern(session, written.pattern);
+  const std::vector<OutputFile> files = {{path_of(output), written.content}};
   if (const auto format = pattern_format_of(output)) {
     if (format == PatternFormat::plt) note_plotter_reach(session, report);
     note_spelling(session, words_of(name, request.annotations.label), {*format}, request.output);
-    if (!request.output.only_layers.empty()) {
-      about(path, [&] {
-        note_empty_layers(session, pattern_sheet(patch, report, name, request.annotations),
-                          request.output);
-      });
-    }
+    note_empty_layers(session, written.sheet, request.output);
     if (!request.output.paper) note_divided_pages(session, files, request.output);
   }
   CommandResult outcome = {path + " -> " + output + "  (" + size_text(input.mesh) + ")\n\n" +

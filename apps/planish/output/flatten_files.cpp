@@ -13,7 +13,6 @@
 #include "flags/annotation_flags.h"
 #include "flags/fields_flag.h"
 #include "flatten/reference_sweeps.h"
-#include "flatten/verdict.h"
 #include "platform/path.h"
 
 namespace planish::cli {
@@ -23,13 +22,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The pattern of the result, and where that may be another one that of the design.
-std::vector<OutputFile> pattern_files(const FlattenReport& report, const WrittenFiles& paths,
-                                      const PatternFiles& pattern) {
-  const PatternOptions annotations = on_processed(pattern.annotations, report);
-  const Drawing sheet =
-      pattern_sheet(report.processed, report.unfold, report.name, with_move(annotations, report));
+std::vector<OutputFile> pattern_files(const FlattenReport& report, const Drawing& sheet,
+                                      const WrittenFiles& paths, const PatternFiles& pattern) {
   std::optional<Drawing> as_designed;
   if (report.evolve.method) {
+    PatternOptions annotations = on_processed(pattern.annotations, report);
+    annotations.moved.reset();
+    annotations.form_faults.clear();
     as_designed =
         pattern_sheet(report.input, report.as_designed, report.name + ", as designed", annotations);
   }
@@ -66,14 +65,6 @@ std::vector<PageFile> files_beside_page(const WrittenFiles& paths) {
   return files;
 }
 
-std::vector<Vec2> in_millimetres(const UnfoldReport& unfold) {
-  std::vector<Vec2> positions;
-  positions.reserve(unfold.pattern.positions.size());
-  for (const Vec2 p : unfold.pattern.positions)
-    positions.push_back(millimetres_per(unfold.unit) * p);
-  return positions;
-}
-
 }  // namespace
 
 std::string role_of(const std::string& pattern, PatternFormat format) {
@@ -89,16 +80,10 @@ PatternFiles pattern_files_from(const Arguments& arguments) {
   return pattern;
 }
 
-PatternOptions with_move(PatternOptions annotations, const FlattenReport& report) {
-  if (report.evolve.deviation.max > 0.0) annotations.moved = report.evolve.deviation.max;
-  annotations.form_faults = form_faults(report.evolve);
-  return annotations;
-}
-
-PatternOptions on_processed(const PatternOptions& annotations, const FlattenReport& report) {
-  PatternOptions own = report.source.empty() ? annotations : renumbered(annotations, report.source);
-  own.cautions = words_of(report.cautions);
-  return own;
+DrawnPattern drawn_pattern(const FlattenReport& report, const PatternOptions& annotations) {
+  PatternGeometry geometry = pattern_geometry(report, annotations);
+  Drawing sheet = pattern_sheet(report.processed.mesh(), report.unfold, geometry);
+  return {std::move(geometry), std::move(sheet)};
 }
 
 WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFiles& pattern,
@@ -125,33 +110,35 @@ WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFi
   return paths;
 }
 
-std::string page_of(const FlattenReport& report, const PatternFiles& pattern,
+std::string page_of(const FlattenReport& report, const DrawnPattern& drawn,
                     const PageWords& words) {
-  return html_report(report, {.colors = words.colors,
-                              .annotations = on_processed(pattern.annotations, report),
-                              .command = words.command,
-                              .material = words.sheet.material,
-                              .fits = words.sheet.fits,
-                              .material_use = words.sheet.use,
-                              .reference = reference_sweeps(report, words.reference),
-                              .files = words.files});
+  return html_report(report, drawn.geometry, drawn.sheet,
+                     {.colors = words.colors,
+                      .command = words.command,
+                      .material = words.sheet.material,
+                      .fits = words.sheet.fits,
+                      .material_use = words.sheet.use,
+                      .reference = reference_sweeps(report, words.reference),
+                      .files = words.files});
 }
 
-std::vector<OutputFile> files_of(const FlattenReport& report, const WrittenFiles& paths,
-                                 MeshFormat format, const PatternFiles& pattern,
-                                 const PageWords& words, const std::string& json) {
+std::vector<OutputFile> files_of(const FlattenReport& report, const DrawnPattern& drawn,
+                                 const WrittenFiles& paths, MeshFormat format,
+                                 const PatternFiles& pattern, const PageWords& words,
+                                 const std::string& json) {
   const TriMesh& mesh = report.processed.mesh();
-  std::vector<OutputFile> files = pattern_files(report, paths, pattern);
+  std::vector<OutputFile> files = pattern_files(report, drawn.sheet, paths, pattern);
   files.push_back({path_of(paths.at("processed")), format_mesh(mesh, format)});
   files.push_back(
       {path_of(paths.at("flat")), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)});
   files.push_back({path_of(paths.at("report_json")), json});
   PageWords of_page = words;
   of_page.files = files_beside_page(paths);
-  files.push_back({path_of(paths.at("report_html")), page_of(report, pattern, of_page)});
+  files.push_back({path_of(paths.at("report_html")), page_of(report, drawn, of_page)});
   if (paths.contains("textured")) {
-    files.push_back(
-        {path_of(paths.at("textured")), format_textured_obj(mesh, in_millimetres(report.unfold))});
+    files.push_back({path_of(paths.at("textured")),
+                     format_textured_obj(mesh, in_millimetres(report.unfold.pattern.positions,
+                                                              report.unfold.unit))});
   }
   if (paths.contains("edge_lengths")) {
     files.push_back(

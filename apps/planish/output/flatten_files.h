@@ -9,9 +9,9 @@
 #include <planish/flatten/flatten.h>
 #include <planish/io/mesh_format.h>
 #include <planish/io/write_file.h>
-#include <planish/pattern/pattern_options.h>
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
+#include <planish/sheet/pattern_geometry.h>
 
 #include "output/pattern_output.h"
 #include "product/nest.h"
@@ -42,11 +42,15 @@ struct PageWords {
 /// What the file of a format is for: "pattern" and "as_designed" are the SVG.
 std::string role_of(const std::string& pattern, PatternFormat format);
 
-/// Annotations by the numbers of the processed patch, with what its mesh cannot show.
-PatternOptions on_processed(const PatternOptions& annotations, const FlattenReport& report);
+/// The pattern of a result as it is drawn.
+struct DrawnPattern {
+  PatternGeometry geometry;
+  Drawing sheet;
+};
 
-/// The same with what became of the form, for the sheet of the result.
-PatternOptions with_move(PatternOptions annotations, const FlattenReport& report);
+/// @param annotations by the vertices of the patch that was flattened
+/// @throws Error as pattern_geometry()
+DrawnPattern drawn_pattern(const FlattenReport& report, const PatternOptions& annotations);
 
 /// Role -> path of all that `flatten` writes of a patch into a folder.
 /// @param format of the meshes
@@ -56,13 +60,14 @@ WrittenFiles paths_in(const std::filesystem::path& folder, MeshFormat format,
 
 /// These files with their content.
 /// @param paths as from paths_in()
+/// @param drawn as drawn_pattern() of the report
 /// @param json the content of report.json
-std::vector<OutputFile> files_of(const FlattenReport& report, const WrittenFiles& paths,
-                                 MeshFormat format, const PatternFiles& pattern,
-                                 const PageWords& words, const std::string& json);
+std::vector<OutputFile> files_of(const FlattenReport& report, const DrawnPattern& drawn,
+                                 const WrittenFiles& paths, MeshFormat format,
+                                 const PatternFiles& pattern, const PageWords& words,
+                                 const std::string& json);
 
 /// The page of a report, report.html.
-std::string page_of(const FlattenReport& report, const PatternFiles& pattern,
-                    const PageWords& words);
+std::string page_of(const FlattenReport& report, const DrawnPattern& drawn, const PageWords& words);
 
 }  // namespace planish::cli

@@ -150,15 +150,20 @@ class ProductRun {
       return;
     try {
       const NestJob pieces{patches_with_notches(), report_.unit};
-      const Drawing drawing = pieces_sheet(pieces, report_.twins, "");
-      const PatternOptions& usual = job_.annotations.front();
-      note_notches(session_, drawing, usual.notch_sizes.depth);
-      note_empty_layers(session_, drawing, job_.output);
-      for (const NestPatch& patch : pieces.patches) {
+      std::vector<PatternGeometry> patterns;
+      for (std::size_t p = 0; p < pieces.patches.size(); ++p) {
+        const NestPatch& patch = pieces.patches[p];
         if (patch.pattern.empty()) continue;
-        note_filled(session_, patch.name,
-                    filled_stretches(patch.mesh, patch.pattern, report_.unit, patch.annotations));
+        const auto& twin = report_.twins[p];
+        patterns.push_back(pattern_geometry(patch, report_.unit));
+        // Of twins each is told once.
+        if (twin && !pieces.patches[twin->patch].pattern.empty()) patterns.back().notches.clear();
       }
+      note_notches(session_, patterns);
+      if (!job_.output.only_layers.empty())
+        note_empty_layers(session_, pieces_sheet(pieces, report_.twins, ""), job_.output);
+      for (const PatternGeometry& pattern : patterns)
+        note_filled(session_, pattern);
     } catch (const Error&) {
       // The piece that cannot be drawn has reported this error already.
     }

@@ -126,42 +126,40 @@ PatternOptions annotations_on(PatternOptions annotations, const Arguments& argum
 
 namespace {
 
-/// How many notches are cut less deep than asked.
-std::size_t shorter_notches(const Drawing& drawing, double depth) {
-  std::size_t count = 0;
-  for (const Layer& layer : drawing.layers) {
-    for (const DrawingShape& shape : layer.shapes) {
-      const auto* path = std::get_if<Path>(&shape);
-      const auto* mark = path != nullptr ? std::get_if<NotchMark>(&path->mark) : nullptr;
-      if (mark != nullptr && mark->depth < depth - 1e-6) ++count;
-    }
-  }
-  return count;
-}
-
 std::string notches_are(std::size_t count) {
   return count == 1 ? "1 notch is" : std::to_string(count) + " notches are";
 }
 
 }  // namespace
 
-void note_notches(Session& session, const Drawing& drawing, double depth) {
-  if (const std::size_t count = notches_on_seam_line(drawing); count > 0) {
-    session.note(notches_are(count) +
+void note_notches(Session& session, std::span<const PatternGeometry> patterns) {
+  std::size_t on_seam = 0, shorter = 0;
+  double depth = 0.0;
+  for (const PatternGeometry& pattern : patterns) {
+    depth = pattern.options.notch_sizes.depth;
+    for (const PlacedNotch& notch : pattern.notches) {
+      if (notch.on_seam)
+        ++on_seam;
+      else if (notch.depth < depth - 1e-6)
+        ++shorter;
+    }
+  }
+  if (on_seam > 0) {
+    session.note(notches_are(on_seam) +
                  " drawn on the seam line: no cut line runs beside the place, as the allowance "
                  "fills the dart, slit or inner corner there; for notches in a cut line take less "
                  "--allowance");
   }
-  if (const std::size_t count = shorter_notches(drawing, depth); count > 0) {
+  if (shorter > 0) {
     session.note(
-        notches_are(count) + " drawn shorter than " + fixed(depth, 1) +
+        notches_are(shorter) + " drawn shorter than " + fixed(depth, 1) +
         " mm, as the allowance there is narrower; beside an edge without an allowance they "
         "go into the piece: to leave these out, take them out of the file of notches");
   }
 }
 
-void note_filled(Session& session, const std::string& piece,
-                 const std::vector<FilledStretch>& filled) {
+void note_filled(Session& session, const PatternGeometry& pattern) {
+  const std::vector<FilledStretch>& filled = pattern.filled;
   if (filled.empty()) return;
   std::vector<std::string> places;
   places.reserve(filled.size());
@@ -171,20 +169,15 @@ void note_filled(Session& session, const std::string& piece,
     places.push_back("near vertex " + std::to_string(stretch.vertex) + " (" +
                      fixed(stretch.length, 0) + " mm)");
   }
-  session.note(piece + ": the allowance fills slits, darts or bays: " + fixed(length, 0) +
+  session.note(pattern.name + ": the allowance fills slits, darts or bays: " + fixed(length, 0) +
                " mm of seam line have no cut line beside them, " + list_of_some(places) +
                "; to cut along them take less --allowance, or less there "
                "with --edge-allowances");
 }
 
-void note_pattern(Session& session, const Patch& patch, const UnfoldReport& report,
-                  const std::string& name, const PatternOptions& annotations) {
-  if (!annotations.notches.empty())
-    note_notches(session, pattern_sheet(patch, report, name, annotations),
-                 annotations.notch_sizes.depth);
-  if (report.pattern.overlaps) return;
-  note_filled(session, name,
-              filled_stretches(patch.mesh(), report.pattern.positions, report.unit, annotations));
+void note_pattern(Session& session, const PatternGeometry& pattern) {
+  note_notches(session, {&pattern, 1});
+  note_filled(session, pattern);
 }
 
 }  // namespace planish::cli

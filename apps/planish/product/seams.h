@@ -54,15 +54,13 @@ std::vector<MeasuredSeam> with_names(std::vector<MeasuredSeam> seams,
 PatternOptions annotations_on(PatternOptions annotations, const Arguments& arguments,
                               const Patch& patch, const std::string& name, Session& session);
 
-/// Says how many notches of a drawing are not as asked: on the seam line, where there is no cut
-/// line for them, or shorter than `depth`, where there is less allowance than that.
-void note_notches(Session& session, const Drawing& drawing, double depth);
-/// The same of the pattern of a patch, and where its allowance fills slits.
-void note_pattern(Session& session, const Patch& patch, const UnfoldReport& report,
-                  const std::string& name, const PatternOptions& annotations);
+/// Says how many notches of patterns are not as asked: on the seam line, where there is no cut line
+/// for them, or less deep, where there is less allowance than that.
+void note_notches(Session& session, std::span<const PatternGeometry> patterns);
 /// Says where the allowance of a pattern fills slits, darts or bays, so that no cut line runs
 /// there.
-void note_filled(Session& session, const std::string& piece,
-                 const std::vector<FilledStretch>& filled);
+void note_filled(Session& session, const PatternGeometry& pattern);
+/// Both.
+void note_pattern(Session& session, const PatternGeometry& pattern);
 
 }  // namespace planish::cli

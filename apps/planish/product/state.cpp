@@ -70,9 +70,8 @@ std::string hash_of(const SewnBorder& border) {
 Json to_json(const std::vector<Notch>& notches) {
   Json list = Json::array();
   for (const Notch& notch : notches) {
-    const auto& place = std::get<PlaceOnEdge>(notch.place);  // as all on seams are
-    list.push_back(
-        {place.from, place.to, place.share, std::string(to_string(notch.kind)), notch.is_double});
+    const auto [from, to] = *notch.edge;  // as all on seams are
+    list.push_back({from, to, notch.fraction, std::string(to_string(notch.kind)), notch.is_double});
   }
   return list;
 }

@@ -129,6 +129,11 @@ Numbers array_of(std::vector<Vec3> points) {
   return view_of(*data, owner);
 }
 
+Numbers array_of(std::vector<Vec2> points) {
+  const auto [data, owner] = kept(std::move(points));
+  return view_of(*data, owner);
+}
+
 Numbers array_of(std::vector<double> values) {
   const auto [data, owner] = kept(std::move(values));
   return view_of(*data, owner);

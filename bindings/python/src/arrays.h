@@ -57,6 +57,8 @@ auto value_at(const decltype(struct_of(First))& from) {
 
 /// A read-only array that takes over the points, shape (n, 3).
 Numbers array_of(std::vector<Vec3> points);
+/// The same of points in the plane, shape (n, 2).
+Numbers array_of(std::vector<Vec2> points);
 /// The same of numbers, shape (n,).
 Numbers array_of(std::vector<double> values);
 

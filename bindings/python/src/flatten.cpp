@@ -1,3 +1,4 @@
+#include <iterator>
 #include <utility>
 
 #include <planish/report/json_report.h>
@@ -147,13 +148,15 @@ py::bytes drawing_of_flatten(const FlattenResult& result, const std::string& for
                              bool as_designed, const py::dict& keywords) {
   const FlattenReport& report = result.report;
   cli::PatternFiles own = result.pattern;
-  own.annotations = cli::on_processed(own.annotations, report);
+  own.annotations = on_processed(std::move(own.annotations), report);
   own.output.paper.reset();
-  if (as_designed)
+  if (as_designed) {
+    own.annotations.moved.reset();
+    own.annotations.form_faults.clear();
     return drawing_of({report.input, report.input, report.as_designed,
                        report.name + ", as designed", std::move(own)},
                       format, keywords);
-  own.annotations = cli::with_move(std::move(own.annotations), report);
+  }
   return drawing_of({report.input, report.processed, report.unfold, report.name, std::move(own)},
                     format, keywords);
 }
@@ -172,6 +175,42 @@ WrittenFiles save_result(const FlattenResult& result, const py::object& path) {
   const SavedFiles saved = files_in(result, place);
   write_files(saved.files, place);
   return saved.paths;
+}
+
+/// Lines and points as arrays, millimetres.
+py::dict arrays_of(PatternGeometry pattern) {
+  const auto lines = [](std::vector<Polygon>& polygons) {
+    py::list arrays;
+    for (Polygon& polygon : polygons)
+      arrays.append(array_of(std::move(polygon)));
+    return arrays;
+  };
+  std::vector<Vec2> notches;
+  std::vector<Polygon> strokes;
+  for (PlacedNotch& notch : pattern.notches) {
+    notches.push_back(notch.at);
+    std::move(notch.strokes.begin(), notch.strokes.end(), std::back_inserter(strokes));
+  }
+  py::dict arrays;
+  arrays["seam"] = lines(pattern.outline.loops);
+  arrays["cut"] = lines(pattern.cut);
+  arrays["notches"] = array_of(std::move(notches));
+  arrays["notch_lines"] = lines(strokes);
+  arrays["grain"] = lines(pattern.grain);
+  arrays["fold"] = array_of(std::move(pattern.fold));
+  arrays["marks"] = array_of(std::move(pattern.marks));
+  arrays["inner_lines"] = lines(pattern.inner_lines);
+  arrays["vertices"] = array_of(std::move(pattern.positions));
+  return arrays;
+}
+
+PatternGeometry geometry_of(const FlattenResult& result) {
+  return pattern_geometry(result.report, result.pattern.annotations);
+}
+
+PatternGeometry geometry_of(const UnfoldResult& result) {
+  return pattern_geometry(result.patch.mesh(), result.report, result.name,
+                          result.pattern.annotations);
 }
 
 std::string described_pattern(const py::object& self, const UnfoldReport& report,
@@ -213,6 +252,11 @@ void add_unfold_figures(Class& type, const UnfoldReport& (*report)(const Result&
             return view_of(report(self.cast<const Result&>()).pattern.positions, self);
           },
           "The pattern, shape (n, 2), model units; a read-only view.")
+      .def_property_readonly(
+          "pattern", [](const Result& result) { return arrays_of(geometry_of(result)); },
+          "The pattern with what it carries, millimetres, where svg() draws it: lists of closed "
+          "lines seam and cut, the outer one first, of open ones notch_lines, grain and "
+          "inner_lines; points notches (on the cut line), fold (its ends), marks and vertices.")
       .def_property_readonly(
           "width", [report](const Result& result) { return report(result).pattern.width; },
           "Of the pattern, model units.")
@@ -355,13 +399,15 @@ SavedFiles files_in(const FlattenResult& result, const std::filesystem::path& fo
       cli::paths_in(folder, result.format, result.pattern, result.report.evolve.method.has_value(),
                     result.arguments);
   const std::string json = json_report(result.report, paths, cli::figures_of_cut(result.cut));
-  return {cli::files_of(result.report, paths, result.format, result.pattern,
+  const auto drawn = cli::drawn_pattern(result.report, result.pattern.annotations);
+  return {cli::files_of(result.report, drawn, paths, result.format, result.pattern,
                         {cli::colors_from(result.arguments), {}}, json),
           paths};
 }
 
 std::string page_of(const FlattenResult& result) {
-  return cli::page_of(result.report, result.pattern, {cli::colors_from(result.arguments), {}});
+  return cli::page_of(result.report, cli::drawn_pattern(result.report, result.pattern.annotations),
+                      {cli::colors_from(result.arguments), {}});
 }
 
 void register_patterns(py::module_& module) {

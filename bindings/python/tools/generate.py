@@ -172,6 +172,7 @@ FILE_ROWS = {"cut", "fix", "weights", "notches", "seam_notches", "marks", "inner
 PROPERTY_TYPES = {
     "fields": "dict[str, npt.NDArray[np.float64]]",
     "figures": "dict[str, Any]",
+    "pattern": "dict[str, Any]",
     "cuts": "list[npt.NDArray[np.uint32]]",
     "problems": "list[dict[str, Any]]",
     "runs": "list[ComparedMethod]",

@@ -1,11 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include <planish/mesh/seams.h>
@@ -19,19 +19,34 @@ enum class NotchKind { slit, v, t };
 /// "slit", "v" or "t".
 std::string_view to_string(NotchKind kind);
 
-/// A place on an edge of the border, which may run either way.
-struct PlaceOnEdge {
-  Index from = 0, to = 0;  ///< vertex at an end of the edge
-  double share = 0.0;      ///< of the edge's length, 0 to 1, from `from`
-};
-
 /// A mark in the edge that tells which places of two pieces are sewn together.
 struct Notch {
-  /// A vertex on the border, or a share of the outer border's length in the pattern, 0 to 1, from
-  /// its vertex of the smallest number on, counter-clockwise, or a place on an edge.
-  std::variant<Index, double, PlaceOnEdge> place;
+  std::optional<std::array<Index, 2>> edge = {};  ///< ends of that it is on; twice the same: there
+  double fraction = 0.0;             ///< of the edge's length or, without, of the outer border's
   NotchKind kind = NotchKind::slit;  ///< its form
   bool is_double = false;            ///< two side by side, NotchSizes::spacing apart
+
+  /// At a vertex of the border.
+  static Notch at_vertex(Index vertex, NotchKind kind = NotchKind::slit, bool is_double = false) {
+    return {{{vertex, vertex}}, 0.0, kind, is_double};
+  }
+  /// @param fraction of the outer border's length in the pattern, 0 to 1, from its vertex of the
+  ///   smallest number on, counter-clockwise
+  static Notch at_fraction(double fraction, NotchKind kind = NotchKind::slit,
+                           bool is_double = false) {
+    return {{}, fraction, kind, is_double};
+  }
+  /// On an edge of the border, which may run either way.
+  /// @param fraction of its length, 0 to 1, from `from`
+  static Notch on_edge(Index from, Index to, double fraction, NotchKind kind = NotchKind::slit,
+                       bool is_double = false) {
+    return {{{from, to}}, fraction, kind, is_double};
+  }
+
+  /// The vertex that it is at; none where it is told by a fraction.
+  std::optional<Index> vertex() const {
+    return edge && edge->front() == edge->back() ? std::optional(edge->front()) : std::nullopt;
+  }
 };
 
 /// Millimetres.

@@ -64,6 +64,9 @@ struct PatternOptions {
   std::string form_faults = {};        ///< for the label: as "is lost", of the form; empty: none
   std::string cautions = {};           ///< for the label: as words_of(), with commas; empty: none
   std::optional<DrawnLike> like = {};  ///< of a twin: how its lines follow those of the other one
+
+  /// Whether half of the piece is drawn.
+  bool is_half() const { return fold && !fold->opened; }
 };
 
 /// The options of a piece for the mirror image of it: a grain that is told by its angle is

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <planish/core/unit.h>
 #include <planish/core/vec.h>
 
 namespace planish {
@@ -20,6 +21,10 @@ struct PieceOutline {
   /// The vertices of the mesh that the points of the loops are; empty where there is no mesh.
   std::vector<std::vector<Index>> vertices = {};
 };
+
+/// Places of a pattern in millimetres.
+/// @param positions in the unit of its model
+std::vector<Vec2> in_millimetres(std::span<const Vec2> positions, Unit unit);
 
 /// The outline of a pattern: the loop that encloses most comes first, each begins at its vertex of
 /// the smallest number.

@@ -9,7 +9,7 @@
 #include <planish/flatten/flatten.h>
 #include <planish/flatten/frontier.h>
 #include <planish/flatten/product.h>
-#include <planish/pattern/pattern_options.h>
+#include <planish/sheet/pattern_geometry.h>
 
 namespace planish {
 
@@ -22,7 +22,6 @@ struct PageFile {
 /// What the page of the main job says besides the report.
 struct FlattenPage {
   ColorMap colors = ColorMap::diverging;  ///< paper: |defect|, blue to red as the 2010 paper has it
-  PatternOptions annotations = {};        ///< of the pattern, by the numbers of the processed patch
   std::string command = {};               ///< the command line that asked for it, plain text
   std::string material = {};      ///< what the pattern was laid on, plain text: "a roll of ..."
   bool fits = true;               ///< on that material
@@ -36,7 +35,12 @@ struct FlattenPage {
 /// stretches; figures against the limits given, convergence and histogram. docs/report.md says what
 /// each part means. It asks nothing of any network and opens offline. Without scripts, and on
 /// paper, it has still pictures. Text from outside is escaped.
-/// @throws Error as pattern_sheet()
+/// @param pattern as pattern_geometry() of the report
+/// @param sheet as pattern_sheet() of that
+std::string html_report(const FlattenReport& report, const PatternGeometry& pattern,
+                        const Drawing& sheet, const FlattenPage& page = {});
+
+/// The same with the bare pattern.
 std::string html_report(const FlattenReport& report, const FlattenPage& page = {});
 
 /// What the page of a product says besides the report.

@@ -11,7 +11,7 @@
 #include <planish/flatten/product.h>
 #include <planish/mesh/tri_mesh.h>
 #include <planish/pattern/nest.h>
-#include <planish/pattern/pattern_options.h>
+#include <planish/sheet/pattern_geometry.h>
 
 namespace planish {
 
@@ -50,6 +50,11 @@ std::vector<NestPatch> patches_to_cut(std::span<const ProductPatch> patches,
                                       const ProductReport& report,
                                       std::vector<PatternOptions> annotations,
                                       std::span<const SeamNotch> on_seams = {});
+
+/// The pattern of a patch, where laying it flat put it.
+/// @pre it has one
+/// @throws Error as pattern_geometry()
+PatternGeometry pattern_geometry(const NestPatch& patch, Unit unit);
 
 /// The patches by their numbers as nest() takes them: what is cut, with its allowance, and the turn
 /// that lays the grain along the length of the sheet; without a grain the pattern's x axis.

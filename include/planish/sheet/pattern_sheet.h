@@ -1,16 +1,13 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <planish/draw/color.h>
 #include <planish/draw/drawing.h>
 #include <planish/flatten/flatten.h>
-#include <planish/pattern/pattern_options.h>
+#include <planish/sheet/pattern_geometry.h>
 
 namespace planish {
 
@@ -34,26 +31,15 @@ inline constexpr Color k_beyond_limit = {240, 82, 10};
 /// gets no allowance.
 /// @param patch that was unfolded
 /// @param name of the patch; that of the piece too where the options have none
-/// @throws Error as offset_outline(), place_notches(), grain_direction() and mark_lines()
+/// @throws Error as pattern_geometry()
 Drawing pattern_sheet(const Patch& patch, const UnfoldReport& unfold, const std::string& name,
                       const PatternOptions& options = {});
 
-/// How many notches of a sheet stand on the seam line (PlacedNotch::on_seam).
-std::size_t notches_on_seam_line(const Drawing& sheet);
-
-/// A stretch of the seam line without a cut line beside it, as the allowance fills a slit, a dart
-/// or a narrow bay there.
-struct FilledStretch {
-  Index vertex = 0;     ///< of the patch, half way along
-  double length = 0.0;  ///< millimetres
-};
-
-/// The stretches of a pattern that its allowance fills.
+/// The same of a pattern that has been made.
 /// @param mesh that was laid flat
-/// @param positions of its vertices in the pattern, model units
-/// @throws Error as offset_outline()
-std::vector<FilledStretch> filled_stretches(const TriMesh& mesh, std::span<const Vec2> positions,
-                                            Unit unit, const PatternOptions& options);
+/// @param pattern what pattern_geometry() makes of both
+Drawing pattern_sheet(const TriMesh& mesh, const UnfoldReport& unfold,
+                      const PatternGeometry& pattern);
 
 /// The sheet without the strain map and its legend, whose layers stay and are empty.
 Drawing without_map(Drawing sheet);

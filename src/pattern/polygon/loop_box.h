@@ -12,5 +12,8 @@ struct LoopBox {
   Vec2 size() const { return high - low; }
 };
 LoopBox loop_box(std::span<const Polygon> loops);
+/// The box around points.
+/// @pre there are any
+LoopBox box_around(std::span<const Vec2> points);
 
 }  // namespace planish

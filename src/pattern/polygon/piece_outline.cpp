@@ -12,6 +12,13 @@ double signed_area(std::span<const Vec2> loop) {
   return 0.5 * doubled;
 }
 
+std::vector<Vec2> in_millimetres(std::span<const Vec2> positions, Unit unit) {
+  std::vector<Vec2> scaled(positions.begin(), positions.end());
+  for (Vec2& p : scaled)
+    p = millimetres_per(unit) * p;
+  return scaled;
+}
+
 PieceOutline piece_outline(std::vector<std::vector<Index>> loops, std::span<const Vec2> positions,
                            std::string piece) {
   PieceOutline outline{std::move(piece), {}, std::move(loops)};

@@ -7,6 +7,7 @@
 #include <planish/core/version.h>
 #include <planish/measure/flattenability.h>
 #include <planish/report/html_report.h>
+#include <planish/sheet/pattern_sheet.h>
 
 #include "core/figure_text.h"
 #include "draw/text/markup_text.h"
@@ -14,6 +15,7 @@
 #include "flatten/strain_limit_text.h"
 #include "flatten/twin_report.h"
 #include "flatten/verdict.h"
+#include "pattern/polygon/loop_box.h"
 #include "report/charts/convergence_chart.h"
 #include "report/charts/defect_histogram.h"
 #include "report/page/candidate_tiles.h"
@@ -51,7 +53,8 @@ std::string material_mark(const FlattenPage& page) {
   return mark(page.fits, (page.fits ? "fits " : "does not fit ") + escape_markup(page.material));
 }
 
-std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut_size) {
+std::string tiles(const FlattenReport& report, const PatternGeometry& drawn,
+                  const FlattenPage& page) {
   const EdgeStrain& before = report.as_designed.strain;
   const EdgeStrain& after = report.unfold.strain;
   const Deviation& deviation = report.evolve.deviation;
@@ -61,8 +64,10 @@ std::string tiles(const FlattenReport& report, const FlattenPage& page, Vec2 cut
       "area " + decimals_text(pattern.area_ratio, 3) + " of the patch's; outer side up";
   if (report.unfold.turned)
     area += ". The piece was turned over: it was inside out against a neighbour";
-  if (page.annotations.allowance && !pattern.overlaps)
+  if (drawn.options.allowance) {
+    const Vec2 cut_size = 1.0 / millimetres_per(unit) * loop_box(drawn.cut).size();
     area = size_text(cut_size.x, cut_size.y, unit) + " with the allowance; " + area;
+  }
   return "<dl class=\"tiles\">\n" +
          tile("Largest stretch", percent_text(after.max), percent_text(before.max) + " before",
               limit_mark(report, Criterion::strain)) +
@@ -290,15 +295,22 @@ std::string files_line(const FlattenPage& page) {
 }  // namespace
 
 std::string html_report(const FlattenReport& report, const FlattenPage& page) {
+  const PatternGeometry pattern = pattern_geometry(report);
+  return html_report(report, pattern,
+                     pattern_sheet(report.processed.mesh(), report.unfold, pattern), page);
+}
+
+std::string html_report(const FlattenReport& report, const PatternGeometry& pattern,
+                        const Drawing& sheet, const FlattenPage& page) {
   const std::string border = border_text(report);
-  const PatchViewer viewer = html_viewer(report, page);
+  const PatchViewer viewer = html_viewer(report, pattern, sheet, page.colors);
   const std::string verdict = verdict_text(report) + (border.empty() ? "" : " " + border);
   const bool has_limit = limit_of_edges(report.unfold.limits).has_value();
   return html_page({"report", report.name, verdict, checks(report),
                     has_limit ? limit_style() : std::string_view(),
                     std::string(to_string(report.unfold.unit)), viewer.data},
                    files_line(page) + candidate_tiles(report) + viewer.html +
-                       tiles(report, page, viewer.cut_size) +
+                       tiles(report, pattern, page) +
                        "<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" +
                        figures_table(report) + "</div>\n</section>\n" + problems_section(report) +
                        computed_section(report, page));

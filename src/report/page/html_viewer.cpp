@@ -13,7 +13,6 @@
 #include "core/figure_text.h"
 #include "core/number_text.h"
 #include "draw/svg/svg_layers.h"
-#include "pattern/polygon/loop_box.h"
 #include "report/page/html_parts.h"
 #include "report/page/legend.h"
 #include "report/page/page_data.h"
@@ -21,7 +20,6 @@
 #include "report/pictures/patch_picture.h"
 #include "report/pictures/pattern_picture.h"
 #include "sheet/limit_map.h"
-#include "sheet/pattern_on_sheet.h"
 #include "sheet/stretch_directions.h"
 
 namespace planish {
@@ -60,7 +58,7 @@ std::string line_key(std::string_view layer, std::string_view words,
 }
 
 struct FlatView {
-  Drawing sheet;
+  const Drawing& sheet;
   Layer directions;
   std::optional<MapLimit> limit;  ///< that the colours are for
 };
@@ -96,11 +94,11 @@ std::string line_keys(const FlatView& view) {
   return html + "</ul>\n";
 }
 
-FlatView flat_view(const FlattenReport& report, const FlattenPage& page,
-                   const PatternOnSheet& placed) {
+FlatView flat_view(const FlattenReport& report, const PatternGeometry& drawn,
+                   const Drawing& sheet) {
   const Pattern& pattern = report.unfold.pattern;
   const double mm = millimetres_per(report.unfold.unit);
-  const Vec2 shift = placed.pattern.positions.front() - mm * pattern.positions.front();
+  const Vec2 shift = drawn.positions.front() - mm * pattern.positions.front();
   auto directions =
       stretch_directions(report.processed.mesh(), pattern.positions, k_direction_cells);
   std::vector<double> sizes = {k_least_strain};
@@ -113,8 +111,7 @@ FlatView flat_view(const FlattenReport& report, const FlattenPage& page,
   std::nth_element(sizes.begin(), long_one, sizes.end());
   const double longest = std::max(k_least_strain, *long_one);
   const double area = mm * mm * pattern.width * pattern.height;
-  return {pattern_sheet(report.processed, report.unfold, report.name, page.annotations),
-          direction_layer(directions, longest, 0.9 * std::sqrt(area / k_direction_cells)),
+  return {sheet, direction_layer(directions, longest, 0.9 * std::sqrt(area / k_direction_cells)),
           limit_of_edges(report.unfold.limits)};
 }
 
@@ -188,12 +185,11 @@ std::string color_terms(const std::optional<MapLimit>& limit = {}) {
          (limit ? limit_terms(*limit) : "") + "</dl></details>\n";
 }
 
-std::string data_of(const FlattenReport& report, const PatternOnSheet& placed,
+std::string data_of(const FlattenReport& report, const PatternGeometry& pattern,
                     double defect_limit) {
-  std::vector<Vec2> drawn;
-  drawn.reserve(placed.pattern.positions.size());
-  for (const Vec2 p : placed.pattern.positions)
-    drawn.push_back({p.x, placed.size.y - p.y});
+  std::vector<Vec2> drawn = pattern.positions;
+  for (Vec2& p : drawn)
+    p.y = pattern.sheet_size.y - p.y;
   PageInput input{{{"before", report.input, report.as_designed.pattern.positions},
                    {"after", report.processed, report.unfold.pattern.positions}}};
   input.unit = report.unfold.unit;
@@ -234,26 +230,24 @@ PatchViewer html_viewer(const CompareReport& report) {
       page_data(input)};
 }
 
-PatchViewer html_viewer(const FlattenReport& report, const FlattenPage& page) {
+PatchViewer html_viewer(const FlattenReport& report, const PatternGeometry& pattern,
+                        const Drawing& sheet, ColorMap colors) {
   const std::array<std::span<const Vec3>, 1> after = {report.processed.positions()};
   const PatchPictures pictures =
-      patch_pictures(report.input, after, page.colors, k_viewer_picture_width);
-  const PatternOnSheet placed =
-      pattern_on_sheet(report.processed.mesh(), report.unfold, report.name, page.annotations);
+      patch_pictures(report.input, after, colors, k_viewer_picture_width);
   const bool live = page_script().is_there();
   PatchViewer viewer;
   viewer.html =
       "<section class=\"bench keep\" id=\"bench\">\n<div class=\"patch\">\n<h3>Form <small>the "
       "design "
       "before, the result after; both turn together</small></h3>\n<div id=\"stage\"></div>\n" +
-      still_pictures(report, pictures, page.colors) +
+      still_pictures(report, pictures, colors) +
       (live ? ""
             : "<p class=\"note\">The view that can be turned was left out when this program "
               "was built (it takes Node.js).</p>\n") +
-      "</div>\n" + pattern_part(report, flat_view(report, page, placed)) +
+      "</div>\n" + pattern_part(report, flat_view(report, pattern, sheet)) +
       color_terms(limit_of_edges(report.unfold.limits)) + "</section>\n";
-  viewer.cut_size = 1.0 / millimetres_per(report.unfold.unit) * loop_box(placed.pattern.cut).size();
-  if (live) viewer.data = data_of(report, placed, pictures.limit);
+  if (live) viewer.data = data_of(report, pattern, pictures.limit);
   return viewer;
 }
 

@@ -2,35 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/number_text.h"
 #include "draw/scale_limit.h"
 #include "draw/svg/svg_layers.h"
 #include "draw/text/markup_text.h"
+#include "pattern/polygon/loop_box.h"
 
 namespace planish {
 
 namespace {
 
-struct Box {
-  double left, bottom, right, top;
-};
-
-Box box_of(const Layer& layer) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Box box = {infinity, infinity, -infinity, -infinity};
+LoopBox box_of(const Layer& layer) {
+  std::vector<Polygon> lines;
   for (const DrawingShape& shape : layer.shapes) {
     const auto* path = std::get_if<Path>(&shape);
-    if (path == nullptr) continue;
-    for (const auto& line : path->lines) {
-      for (const Vec2 p : line) {
-        box = {std::min(box.left, p.x), std::min(box.bottom, p.y), std::max(box.right, p.x),
-               std::max(box.top, p.y)};
-      }
-    }
+    if (path != nullptr) lines.insert(lines.end(), path->lines.begin(), path->lines.end());
   }
-  return box;
+  return loop_box(lines);
 }
 
 }  // namespace
@@ -38,27 +27,28 @@ Box box_of(const Layer& layer) {
 PatternPicture pattern_picture(const Drawing& sheet, const Layer& directions,
                                const std::string& label) {
   std::vector<Layer> layers;
-  Box box = {0.0, 0.0, sheet.width, sheet.height};
+  LoopBox box = {{0.0, 0.0}, {sheet.width, sheet.height}};
   for (const Layer& layer : sheet.layers) {
     if (layer.name == "cut") box = box_of(layer);
     if (layer.name != "label" && layer.name != "legend") layers.push_back(layer);
     if (layer.name == "strain") layers.push_back(directions);
   }
-  const double width = box.right - box.left, height = box.top - box.bottom;
+  const auto [width, height] = box.size();
   const double pad = 0.012 * std::max(width, height);
   const double bar_length = round_up_125(std::max(width, 1e-6) / 10.0);
-  const double bar_y = box.bottom - 3.0 * pad;
+  const double bar_y = box.low.y - 3.0 * pad;
   layers.push_back({"bar",
-                    {Path{{{{box.left, bar_y + pad},
-                            {box.left, bar_y},
-                            {box.left + bar_length, bar_y},
-                            {box.left + bar_length, bar_y + pad}}},
+                    {Path{{{{box.low.x, bar_y + pad},
+                            {box.low.x, bar_y},
+                            {box.low.x + bar_length, bar_y},
+                            {box.low.x + bar_length, bar_y + pad}}},
                           false,
                           Stroke{}}}});
 
   std::string svg =
       "<svg class=\"pattern\" role=\"img\" aria-label=\"" + escape_markup(label) + "\" viewBox=\"";
-  for (const double number : {box.left - pad, sheet.height - box.top - pad, width + 2.0 * pad}) {
+  for (const double number :
+       {box.low.x - pad, sheet.height - box.high.y - pad, width + 2.0 * pad}) {
     append_fixed(svg, number, 3);
     svg += ' ';
   }

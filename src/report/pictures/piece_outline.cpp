@@ -18,16 +18,11 @@ constexpr double k_width = 104.0, k_height = 100.0, k_outline_margin = 8.0;
 constexpr double k_disc = 5.8;      // radius
 constexpr double k_nearest = 0.15;  // of two points of a line: nearer ones cannot be told apart
 
-LoopBox box_of(std::span<const Vec2> pattern) {
-  const Polygon points(pattern.begin(), pattern.end());
-  return loop_box({&points, 1});
-}
-
 /// Places in the pattern to places in the window, where y points down.
 class Fit {
  public:
   Fit(std::span<const Vec2> pattern, double scale) : scale_(scale) {
-    const LoopBox box = box_of(pattern);
+    const LoopBox box = box_around(pattern);
     middle_ = 0.5 * (box.low + box.high);
   }
 
@@ -100,7 +95,7 @@ std::string seam_class(std::size_t number) {
 OutlineWindow::OutlineWindow(std::span<const std::vector<Vec2>> patterns) {
   Vec2 largest;
   for (const std::vector<Vec2>& pattern : patterns) {
-    const Vec2 size = box_of(pattern).size();
+    const Vec2 size = box_around(pattern).size();
     largest = {std::max(largest.x, size.x), std::max(largest.y, size.y)};
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();

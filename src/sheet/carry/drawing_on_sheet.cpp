@@ -12,6 +12,7 @@
 #include <planish/core/error.h>
 
 #include "core/figure_text.h"
+#include "pattern/polygon/loop_box.h"
 #include "pattern/polygon/plane.h"
 #include "sheet/piece/line_path.h"
 #include "sheet/sheet_layout.h"
@@ -28,21 +29,6 @@ constexpr std::size_t k_fewest_common = 3;
 constexpr double k_half_cross = 3.0;
 constexpr Color k_red = {255, 0, 0}, k_blue = {0, 60, 200};
 constexpr std::array k_units = {Unit::mm, Unit::cm, Unit::dm, Unit::m, Unit::in};
-
-struct PlaneBox {
-  Vec2 low, high;
-
-  Vec2 size() const { return high - low; }
-};
-
-PlaneBox box_of(std::span<const Vec2> points) {
-  PlaneBox box{points.front(), points.front()};
-  for (const Vec2 p : points) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
-}
 
 std::vector<Vec2> border_of(const Patch& flat, double scale) {
   std::vector<Vec2> points;
@@ -180,11 +166,11 @@ Vec2 origin_on_sheet(std::vector<std::vector<Vec2>> outline, std::span<const std
   }
   const std::vector<Vec2> border = border_of(flat, millimetres_per(unit));
   if (border.empty()) fail(name, "the flat mesh has no border to find in the drawing");
-  const PlaneBox there = box_of(joined(outline)), here = box_of(border);
+  const LoopBox there = box_around(joined(outline)), here = box_around(border);
   outline.insert(outline.end(), cut.begin(), cut.end());
   const std::vector<Vec2> drawn = joined(outline);
   // A side of the box is that of the outline, or of a stretch that only the cut lines have.
-  const Vec2 other = box_of(drawn).low;
+  const Vec2 other = box_around(drawn).low;
   for (const Vec2 low :
        {there.low, Vec2{other.x, there.low.y}, Vec2{there.low.x, other.y}, other}) {
     const Vec2 origin = low - here.low;
@@ -201,7 +187,7 @@ Drawing carried_sheet(const Patch& flat, const DrawnLines& drawn, Unit unit,
   const double scale = millimetres_per(unit);
   const std::vector<Vec2> around = border_of(flat, scale);
   if (around.empty()) fail(title, "the flat mesh has no border, so it is no pattern");
-  const PlaneBox box = box_of(around);
+  const LoopBox box = box_around(around);
   const Vec2 corner = {sheet::k_margin, sheet::k_margin + sheet::k_block_height + sheet::k_gap};
   const Vec2 origin = corner - box.low;
   const auto place = [&](Vec3 p) { return origin + scale * Vec2{p.x, p.y}; };

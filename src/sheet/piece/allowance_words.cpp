@@ -61,7 +61,7 @@ std::string allowance_words(const PieceOutline& outline, const PatternOptions& o
   constexpr double k_fold = -1.0;
   const double usual = options.allowance->width;
   std::vector<EdgeAllowance> stretches = options.edge_allowances;
-  if (options.fold && !options.fold->opened && !stretches.empty()) {
+  if (options.is_half() && !stretches.empty()) {
     stretches.push_back(fold_stretch(outline, *options.fold));
     stretches.back().width = k_fold;
   }

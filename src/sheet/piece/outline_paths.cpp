@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "pattern/polygon/plane.h"
+#include "sheet/piece/line_path.h"
 
 namespace planish {
 
@@ -21,12 +22,8 @@ struct PlacedFold {
   Vec2 from, to;
 };
 
-bool is_half(const PatternOptions& options) {
-  return options.fold && !options.fold->opened;
-}
-
-PlacedFold placed_fold(const PlacedPattern& pattern, const PatternOptions& options) {
-  const EdgeAllowance stretch = fold_stretch(pattern.outline, *options.fold);
+PlacedFold placed_fold(const PatternGeometry& pattern) {
+  const EdgeAllowance stretch = fold_stretch(pattern.outline, *pattern.options.fold);
   return {pattern.positions[stretch.from], pattern.positions[stretch.to]};
 }
 
@@ -117,19 +114,11 @@ Path closed_path(std::vector<Polygon> loops, FittedLines fitted, const Stroke& s
   return path;
 }
 
-/// The fitted lines but for one.
-FittedLines without_line(FittedLines fitted, std::size_t number) {
-  const auto at = static_cast<std::ptrdiff_t>(number);
-  if (number < fitted.few.size()) fitted.few.erase(fitted.few.begin() + at);
-  if (number < fitted.curves.size()) fitted.curves.erase(fitted.curves.begin() + at);
-  return fitted;
-}
-
 /// Of each edge of the outline, by loop, whether it has an allowance.
-std::vector<std::vector<bool>> edges_with_allowance(const PlacedPattern& pattern,
-                                                    const PatternOptions& options) {
+std::vector<std::vector<bool>> edges_with_allowance(const PatternGeometry& pattern) {
+  const PatternOptions& options = pattern.options;
   std::vector<EdgeAllowance> stretches = options.edge_allowances;
-  if (is_half(options)) stretches.push_back(fold_stretch(pattern.outline, *options.fold));
+  if (options.is_half()) stretches.push_back(fold_stretch(pattern.outline, *options.fold));
   const Allowance widths = with_edge_allowances(*options.allowance, pattern.outline, stretches);
   std::vector<std::vector<bool>> have;
   for (std::size_t k = 0; k < pattern.outline.loops.size(); ++k) {
@@ -155,11 +144,10 @@ void append_runs(const Polygon& loop, const std::vector<bool>& keep, std::vector
 
 }  // namespace
 
-std::vector<Path> cut_paths(const PlacedPattern& pattern, const PatternOptions& options,
-                            const Stroke& stroke) {
+std::vector<Path> cut_paths(const PatternGeometry& pattern, const Stroke& stroke) {
   std::vector<Path> whole = {closed_path(pattern.cut, pattern.fitted_cut, stroke)};
-  if (!is_half(options)) return whole;
-  const PlacedFold fold = placed_fold(pattern, options);
+  if (!pattern.options.is_half()) return whole;
+  const PlacedFold fold = placed_fold(pattern);
   for (std::size_t k = 0; k < pattern.cut.size(); ++k) {
     const auto line = opened(pattern.cut[k], fold);
     if (!line) continue;
@@ -181,11 +169,12 @@ std::vector<Path> cut_paths(const PlacedPattern& pattern, const PatternOptions& 
   return whole;
 }
 
-Polygon fold_line(const PlacedPattern& pattern, const PatternOptions& options) {
+Polygon fold_line(const PatternGeometry& pattern) {
+  const PatternOptions& options = pattern.options;
   const Vec2 from = pattern.positions[options.fold->from];
   const Vec2 to = pattern.positions[options.fold->to];
-  if (!is_half(options)) return {from, to};
-  const PlacedFold fold = placed_fold(pattern, options);
+  if (!options.is_half()) return {from, to};
+  const PlacedFold fold = placed_fold(pattern);
   for (const Polygon& loop : pattern.cut) {
     const auto line = opened(loop, fold);
     if (!line) continue;
@@ -196,17 +185,16 @@ Polygon fold_line(const PlacedPattern& pattern, const PatternOptions& options) {
   return {from, to};
 }
 
-std::vector<Path> seam_paths(const PlacedPattern& pattern, const PatternOptions& options,
-                             const Stroke& stroke) {
-  if (!options.allowance) return {};
+std::vector<Path> seam_paths(const PatternGeometry& pattern, const Stroke& stroke) {
+  if (!pattern.options.allowance) return {};
   const PieceOutline& outline = pattern.outline;
-  const auto have = edges_with_allowance(pattern, options);
+  const auto have = edges_with_allowance(pattern);
   const auto has_all = [](const std::vector<bool>& of_loop) {
     return std::all_of(of_loop.begin(), of_loop.end(), [](bool has) { return has; });
   };
   if (std::all_of(have.begin(), have.end(), has_all))
-    return {closed_path(outline.loops, pattern.fitted_outline, stroke)};
-  FittedLines fitted = pattern.fitted_outline;
+    return {closed_path(outline.loops, pattern.fitted_seam, stroke)};
+  FittedLines fitted = pattern.fitted_seam;
   std::vector<Polygon> closed, open;
   for (std::size_t k = outline.loops.size(); k-- > 0;) {
     if (has_all(have[k])) {

@@ -2,28 +2,22 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
-#include <variant>
 
 #include "pattern/curves/piece_math.h"
+#include "pattern/filled_slit.h"
+#include "pattern/pattern_hash.h"
 #include "pattern/polygon/border_walk.h"
+#include "pattern/polygon/loop_box.h"
 #include "sheet/piece/outlines.h"
 
 namespace planish {
 
 namespace {
 
-std::vector<Vec2> scaled(std::span<const Vec2> positions, double scale, bool mirrored) {
-  std::vector<Vec2> places;
-  places.reserve(positions.size());
-  for (const Vec2 p : positions)
-    places.push_back(scale * (mirrored ? Vec2{0.0 - p.x, p.y} : p));
-  return places;
-}
-
 std::vector<std::vector<Index>> border_loops(const TriMesh& mesh, bool reversed) {
-  const std::vector<HalfEdge> opposite = opposite_half_edges(mesh);
-  auto loops = outlines(mesh, opposite, [](std::size_t) { return true; });
+  auto loops = outlines(HalfEdges(mesh), [](std::size_t) { return true; });
   for (auto& loop : loops) {
     if (reversed) std::reverse(loop.begin(), loop.end());
   }
@@ -83,12 +77,12 @@ void move_lines(FittedLines& lines, const std::function<Vec2(Vec2)>& motion) {
 }
 
 /// The mirror image in the line x = 0, every line beginning at the same point.
-PlacedPattern mirror_image(PlacedPattern pattern) {
+PatternGeometry mirror_image(PatternGeometry pattern) {
   pattern = moved(std::move(pattern), mirrored_in_y_axis);
   reverse_loops(pattern.outline.loops);
   reverse_loops(pattern.outline.vertices);
   reverse_loops(pattern.cut);
-  for (FittedLines* lines : {&pattern.fitted_cut, &pattern.fitted_outline}) {
+  for (FittedLines* lines : {&pattern.fitted_cut, &pattern.fitted_seam}) {
     reverse_loops(lines->few);
     reverse_curves(lines->curves);
   }
@@ -115,12 +109,11 @@ std::vector<Vec2> places_of(const std::vector<PlacedNotch>& notches) {
 }
 
 /// @param notches on the cut line of the pattern
-PlacedPattern with_fitted_lines(PlacedPattern pattern, std::span<const Vec2> notches,
-                                const PatternOptions& options) {
+PatternGeometry with_fitted_lines(PatternGeometry pattern, std::span<const Vec2> notches) {
+  const PatternOptions& options = pattern.options;
   pattern.fitted_cut = fitted_lines(pattern.cut, options.curves, notches);
-  pattern.fitted_outline = options.allowance
-                               ? fitted_lines(pattern.outline.loops, options.curves, {})
-                               : pattern.fitted_cut;
+  pattern.fitted_seam = options.allowance ? fitted_lines(pattern.outline.loops, options.curves, {})
+                                          : pattern.fitted_cut;
   return pattern;
 }
 
@@ -128,38 +121,49 @@ PlacedPattern with_fitted_lines(PlacedPattern pattern, std::span<const Vec2> not
 /// image.
 std::vector<Notch> notches_of_half(std::vector<Notch> notches, const PieceOutline& outline,
                                    const PatternOptions& options) {
-  if (!options.fold || options.fold->opened || !options.allowance) return notches;
+  if (!options.is_half() || !options.allowance) return notches;
   const EdgeAllowance fold = fold_stretch(outline, *options.fold);
   const std::vector<Index>& vertices = outline.vertices.front();
   const BorderWalk walk(outline.loops.front());
   for (Notch& notch : notches) {
-    const auto* vertex = std::get_if<Index>(&notch.place);
-    if (!notch.is_double || vertex == nullptr) continue;
+    const std::optional<Index> vertex = notch.vertex();
+    if (!notch.is_double || !vertex) continue;
     if (*vertex != fold.from && *vertex != fold.to) continue;
     const auto found = std::find(vertices.begin(), vertices.end(), *vertex);
     if (found == vertices.end()) continue;
     const double aside = (*vertex == fold.to ? 0.5 : -0.5) * options.notch_sizes.spacing;
     const double way = walk.way_to(static_cast<std::size_t>(found - vertices.begin())) + aside;
-    notch.place = (way < 0.0 ? way + walk.length() : way) / walk.length();
-    notch.is_double = false;
+    notch = Notch::at_fraction((way < 0.0 ? way + walk.length() : way) / walk.length(), notch.kind);
   }
   return notches;
 }
 
-}  // namespace
+/// 0 without.
+double widest_allowance(const PatternOptions& options) {
+  if (!options.allowance) return 0.0;
+  double width = options.allowance->width;
+  for (const EdgeAllowance& edge : options.edge_allowances)
+    width = std::max(width, edge.width);
+  return width;
+}
 
-PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> positions, Unit unit,
-                             const std::string& piece, const PatternOptions& options) {
+/// Without what is measured on it.
+PatternGeometry placed_lines(const TriMesh& mesh, std::span<const Vec2> positions, Unit unit,
+                             const std::string& piece, PatternOptions wanted) {
   // Of a mirrored pattern the one that it was made from is placed, so that rounding is the same.
+  PatternGeometry pattern{.options = std::move(wanted)};
+  const PatternOptions options = pattern.options;
   const bool mirrored = options.like && options.like->mirrored;
-  PlacedPattern pattern;
-  pattern.positions = scaled(positions, millimetres_per(unit), mirrored);
+  pattern.positions = in_millimetres(positions, unit);
+  if (mirrored)
+    std::transform(pattern.positions.begin(), pattern.positions.end(), pattern.positions.begin(),
+                   mirrored_in_y_axis);
   pattern.outline = piece_outline(border_loops(mesh, mirrored), pattern.positions, piece);
   if (options.like) begin_at(options.like->start, pattern.outline);
   pattern.cut = pattern.outline.loops;
   std::vector<EdgeAllowance> edges =
       mirrored ? turned_round(options.edge_allowances) : options.edge_allowances;
-  const bool is_half = options.fold && !options.fold->opened;
+  const bool is_half = options.is_half();
   if (is_half) edges.push_back(fold_stretch(pattern.outline, *options.fold));
   Allowance allowance = options.allowance.value_or(Allowance{});
   // Without an allowance, what tells notches where the fold is.
@@ -170,7 +174,7 @@ PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> position
     allowance = with_edge_allowances(std::move(allowance), pattern.outline, edges);
     pattern.cut = offset_outline(pattern.outline, allowance);
   }
-  const auto notches_of = [&](const PlacedPattern& some, const Allowance& made_with) {
+  const auto notches_of = [&](const PatternGeometry& some, const Allowance& made_with) {
     return place_notches(some.outline, some.cut,
                          notches_of_half(options.notches, some.outline, options),
                          options.notch_sizes, made_with);
@@ -178,19 +182,40 @@ PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> position
   if (!mirrored) {
     pattern.notches = notches_of(pattern, allowance);
     const std::vector<Vec2> places = places_of(pattern.notches);
-    return with_fitted_lines(std::move(pattern), places, options);
+    return with_fitted_lines(std::move(pattern), places);
   }
   // Notches are placed on the mirrored pattern; lines are fitted on the other one.
   std::vector<PlacedNotch> notches =
       notches_of(mirror_image(pattern), turned_round(std::move(allowance)));
   std::vector<Vec2> places = places_of(notches);
   std::transform(places.begin(), places.end(), places.begin(), mirrored_in_y_axis);
-  pattern = mirror_image(with_fitted_lines(std::move(pattern), places, options));
+  pattern = mirror_image(with_fitted_lines(std::move(pattern), places));
   pattern.notches = std::move(notches);
   return pattern;
 }
 
-PlacedPattern moved(PlacedPattern pattern, const std::function<Vec2(Vec2)>& motion) {
+}  // namespace
+
+PatternGeometry placed_pattern(const TriMesh& mesh, std::span<const Vec2> positions, Unit unit,
+                               const std::string& piece, PatternOptions options) {
+  PatternGeometry pattern = placed_lines(mesh, positions, unit, piece, std::move(options));
+  pattern.name = piece;
+  pattern.size = loop_box(pattern.outline.loops).size();
+  pattern.hash = pattern_hash(pattern.positions);
+  return pattern;
+}
+
+std::vector<FilledStretch> filled_stretches(const PatternGeometry& pattern) {
+  std::vector<FilledStretch> filled;
+  const double widest = widest_allowance(pattern.options);
+  if (!(widest > 0.0)) return filled;
+  for (const OutlineStretch& stretch : filled_slits(pattern.outline.loops, pattern.cut, widest)) {
+    filled.push_back({pattern.outline.vertices[stretch.loop][stretch.middle], stretch.length});
+  }
+  return filled;
+}
+
+PatternGeometry moved(PatternGeometry pattern, const std::function<Vec2(Vec2)>& motion) {
   const auto move = [&](std::vector<Vec2>& points) {
     for (Vec2& p : points)
       p = motion(p);
@@ -201,7 +226,7 @@ PlacedPattern moved(PlacedPattern pattern, const std::function<Vec2(Vec2)>& moti
     move(loop);
   move(pattern.positions);
   move_lines(pattern.fitted_cut, motion);
-  move_lines(pattern.fitted_outline, motion);
+  move_lines(pattern.fitted_seam, motion);
   for (PlacedNotch& notch : pattern.notches) {
     const Vec2 at = motion(notch.at);
     notch.inward = motion(notch.at + notch.inward) - at;

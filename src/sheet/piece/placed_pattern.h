@@ -1,38 +1,30 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <planish/core/unit.h>
 #include <planish/mesh/tri_mesh.h>
-#include <planish/pattern/pattern_options.h>
+#include <planish/sheet/pattern_geometry.h>
 
 namespace planish {
 
-/// A pattern on its sheet, in millimetres there.
-struct PlacedPattern {
-  PieceOutline outline;
-  std::vector<Polygon> cut;                ///< with the allowance; the outline's loops without
-  std::vector<Vec2> positions;             ///< of all vertices
-  std::vector<PlacedNotch> notches = {};   ///< on the cut line
-  FittedLines fitted_cut, fitted_outline;  ///< with a point at each notch
-};
-
-/// Where the unfolding put it.
+/// Its lines and notches where the unfolding put it, without what depends on where it lies.
 /// @param positions of all vertices in the pattern, model units
-/// @param piece what messages call it
+/// @param piece what messages call it, and its name
 /// @throws Error as offset_outline(), with_edge_allowances(), fold_stretch() and
 /// place_notches()
-PlacedPattern placed_pattern(const TriMesh& mesh, std::span<const Vec2> positions, Unit unit,
-                             const std::string& piece, const PatternOptions& options);
+PatternGeometry placed_pattern(const TriMesh& mesh, std::span<const Vec2> positions, Unit unit,
+                               const std::string& piece, PatternOptions options);
+
+/// The stretches that the allowance of a pattern fills.
+std::vector<FilledStretch> filled_stretches(const PatternGeometry& pattern);
 
 /// The same elsewhere.
 /// @param motion that keeps lengths, a multiple of turns, shifts and mirroring; lines keep the
-/// order
-///   of their points
-PlacedPattern moved(PlacedPattern pattern, const std::function<Vec2(Vec2)>& motion);
+///   order of their points
+PatternGeometry moved(PatternGeometry pattern, const std::function<Vec2(Vec2)>& motion);
 
 }  // namespace planish

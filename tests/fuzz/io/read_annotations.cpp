@@ -16,9 +16,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   fuzz::allow_refusal_of("file", [&] {
     for (const Notch& notch : parse_notches(bytes, "file")) {
-      const double* share = std::get_if<double>(&notch.place);
-      fuzz::check(share == nullptr || std::isfinite(*share), "shares are finite");
-      fuzz::check(!std::holds_alternative<PlaceOnEdge>(notch.place), "files name no edges");
+      fuzz::check(std::isfinite(notch.fraction), "fractions are finite");
+      fuzz::check(!notch.edge || notch.vertex(), "files name no edges");
     }
   });
   fuzz::allow_refusal_of("file", [&] { parse_marks(bytes, "file"); });

@@ -147,7 +147,7 @@ const std::map<Code, Reproduction>& reproductions() {
       {Code::misplaced_notch,
        [] {
          const PieceOutline piece = square_piece(100);
-         place_notches(piece, piece.loops, std::vector<Notch>{{1.5}}, {});
+         place_notches(piece, piece.loops, std::vector<Notch>{Notch::at_fraction(1.5)}, {});
        }},
       {Code::no_grain_direction,
        [] {

@@ -50,8 +50,9 @@ Error error_of(const PieceOutline& outline, std::span<const Polygon> cut, const 
 
 TEST(Notches, GoIntoThePieceWhereThereIsNoAllowance) {
   const PieceOutline outline = panel();
-  const std::vector<Notch> notches{
-      {0.1, NotchKind::slit}, {0.4, NotchKind::v}, {0.1, NotchKind::t}};
+  const std::vector<Notch> notches{Notch::at_fraction(0.1, NotchKind::slit),
+                                   Notch::at_fraction(0.4, NotchKind::v),
+                                   Notch::at_fraction(0.1, NotchKind::t)};
   const auto lines = notch_lines(outline, outline.loops, notches);
   ASSERT_EQ(lines.size(), 4U);
   expect_line(lines[0], {{30, 0}, {30, 5}});
@@ -63,7 +64,8 @@ TEST(Notches, GoIntoThePieceWhereThereIsNoAllowance) {
 TEST(Notches, BeginAtTheCutLineAndPointAtTheSeam) {
   const PieceOutline outline = panel();
   const auto cut = offset_outline(outline, {.width = 10.0});
-  const std::vector<Notch> notches{{0.1, NotchKind::slit}, {0.4, NotchKind::v}};
+  const std::vector<Notch> notches{Notch::at_fraction(0.1, NotchKind::slit),
+                                   Notch::at_fraction(0.4, NotchKind::v)};
   const auto lines = notch_lines(outline, cut, notches);
   ASSERT_EQ(lines.size(), 2U);
   expect_line(lines[0], {{30, -10}, {30, -5}});
@@ -73,7 +75,7 @@ TEST(Notches, BeginAtTheCutLineAndPointAtTheSeam) {
 TEST(Notches, AtVerticesStandAcrossTheCorner) {
   const PieceOutline outline = panel();
   const auto cut = offset_outline(outline, {.width = 10.0});
-  const std::vector<Notch> notches{{Index{9}, NotchKind::slit}};
+  const std::vector<Notch> notches{Notch::at_vertex(9, NotchKind::slit)};
   const auto lines = notch_lines(outline, cut, notches);
   const double deep = 5.0 / std::sqrt(2.0);
   expect_line(lines.at(0), {{110, 60}, {110 - deep, 60 - deep}});
@@ -81,7 +83,7 @@ TEST(Notches, AtVerticesStandAcrossTheCorner) {
 
 TEST(Notches, ComeInPairsAlongTheSeam) {
   const PieceOutline outline = panel();
-  const std::vector<Notch> notches{{0.1, NotchKind::slit, true}};
+  const std::vector<Notch> notches{Notch::at_fraction(0.1, NotchKind::slit, true)};
   const auto lines = notch_lines(outline, outline.loops, notches, {.depth = 3.0, .spacing = 8.0});
   ASSERT_EQ(lines.size(), 2U);
   expect_line(lines[0], {{26, 0}, {26, 3}});
@@ -91,7 +93,8 @@ TEST(Notches, ComeInPairsAlongTheSeam) {
 TEST(Notches, SayWhereTheyBeginAndInWhichDirectionTheyRun) {
   const PieceOutline outline = panel();
   const auto cut = offset_outline(outline, {.width = 10.0});
-  const std::vector<Notch> notches{{0.1, NotchKind::slit}, {0.4, NotchKind::t, true}};
+  const std::vector<Notch> notches{Notch::at_fraction(0.1, NotchKind::slit),
+                                   Notch::at_fraction(0.4, NotchKind::t, true)};
   const auto placed = place_notches(outline, cut, notches, {.depth = 4.0, .width = 3.0});
   ASSERT_EQ(placed.size(), 3U);
   expect_line({placed[0].at, placed[0].inward}, {{30, -10}, {0, 1}});
@@ -108,7 +111,7 @@ TEST(Notches, AreNotTurnedByJags) {
     outline.loops[0].push_back({0.1 * k, k % 2 == 0 ? 0.0 : 0.05});
   outline.loops[0].push_back({100, 50});
   outline.loops[0].push_back({0, 50});
-  const std::vector<Notch> notches{{0.1, NotchKind::slit}};
+  const std::vector<Notch> notches{Notch::at_fraction(0.1, NotchKind::slit)};
   const auto lines = notch_lines(outline, outline.loops, notches);
   const Vec2 along = lines.at(0)[1] - lines.at(0)[0];
   EXPECT_NEAR(along.x, 0.0, 0.15);
@@ -118,12 +121,14 @@ TEST(Notches, AreNotTurnedByJags) {
 TEST(Notches, RefuseToReachThroughTheSeamOrThePiece) {
   const PieceOutline outline = panel();
   const auto cut = offset_outline(outline, {.width = 4.0});
-  const Error seam = error_of(outline, cut, {0.1}, {.depth = 4.5}, {.width = 4.0});
+  const Error seam =
+      error_of(outline, cut, Notch::at_fraction(0.1), {.depth = 4.5}, {.width = 4.0});
   EXPECT_EQ(seam.code(), ErrorCode::misplaced_notch);
   EXPECT_THAT(seam.message(), HasSubstr("piece \"panel\": the notch at 0.1 of the border"));
   EXPECT_THAT(seam.message(), HasSubstr("through the seam, which is 4 mm from the cut"));
-  EXPECT_NO_THROW(notch_lines(outline, cut, std::vector<Notch>{{0.1}}, {.depth = 4.0}));
-  EXPECT_THAT(error_of(outline, outline.loops, {0.1}, {.depth = 51.0}).message(),
+  EXPECT_NO_THROW(
+      notch_lines(outline, cut, std::vector<Notch>{Notch::at_fraction(0.1)}, {.depth = 4.0}));
+  EXPECT_THAT(error_of(outline, outline.loops, Notch::at_fraction(0.1), {.depth = 51.0}).message(),
               HasSubstr("out of the piece"));
 }
 
@@ -132,14 +137,16 @@ TEST(Notches, AreShorterBesideALesserAllowanceAndInThePieceBesideNone) {
   const PieceOutline outline = panel();
   const Allowance allowance{.width = 10.0, .edge_widths = {{10.0, 3.0, 0.0, 10.0}}};
   const auto cut = offset_outline(outline, allowance);
-  const std::vector<Notch> notches{
-      {0.1}, {125.0 / 300.0}, {200.0 / 300.0, NotchKind::v}, {100.0 / 300.0}};
+  const std::vector<Notch> notches{Notch::at_fraction(0.1), Notch::at_fraction(125.0 / 300.0),
+                                   Notch::at_fraction(200.0 / 300.0, NotchKind::v),
+                                   Notch::at_fraction(100.0 / 300.0)};
   const auto lines = notch_lines(outline, cut, notches, {}, allowance);
   ASSERT_EQ(lines.size(), 4U);
   expect_line(lines[0], {{30, -10}, {30, -5}});
   expect_line(lines[1], {{103, 25}, {101.5, 25}});
   expect_line(lines[2], {{52, 50}, {50, 47.5}, {48, 50}});
-  EXPECT_THAT(error_of(outline, cut, {200.0 / 300.0}, {.depth = 11.0}, allowance).message(),
+  EXPECT_THAT(error_of(outline, cut, Notch::at_fraction(200.0 / 300.0), {.depth = 11.0}, allowance)
+                  .message(),
               HasSubstr("through the seam, which is 0 mm from the cut"))
       << "deeper than any allowance";
 }
@@ -150,7 +157,7 @@ TEST(Notches, OfADoubleOneAtTheEndOfAFoldAreBothBesideTheOtherEdge) {
     // The fold is on the left, where the border ends.
     const Allowance allowance{.width = 10.0, .edge_widths = {{10.0, 10.0, 10.0, 0.0}}};
     const auto cut = offset_outline(outline, allowance);
-    const Notch notch{below ? Index{3} : Index{20}, NotchKind::slit, true};
+    const Notch notch = Notch::at_vertex(below ? 3 : 20, NotchKind::slit, true);
     const auto placed = place_notches(outline, cut, std::vector<Notch>{notch}, {}, allowance);
     ASSERT_EQ(placed.size(), 2U);
     std::vector<double> xs = {placed[0].at.x, placed[1].at.x};
@@ -164,13 +171,15 @@ TEST(Notches, OfADoubleOneAtTheEndOfAFoldAreBothBesideTheOtherEdge) {
 
 TEST(Notches, RefusePlacesOffTheBorder) {
   const PieceOutline outline = panel();
-  const Error vertex = error_of(outline, outline.loops, {Index{4}});
+  const Error vertex = error_of(outline, outline.loops, Notch::at_vertex(4));
   EXPECT_EQ(vertex.code(), ErrorCode::misplaced_notch);
   EXPECT_EQ(vertex.place().first, 4U);
   EXPECT_THAT(vertex.message(), HasSubstr("vertex 4 is off the border"));
-  EXPECT_EQ(error_of(outline, outline.loops, {1.01}).code(), ErrorCode::misplaced_notch);
-  EXPECT_EQ(error_of(outline, outline.loops, {-0.01}).code(), ErrorCode::misplaced_notch);
-  EXPECT_EQ(error_of(outline, outline.loops, {0.5}, {.depth = 0.0}).code(),
+  EXPECT_EQ(error_of(outline, outline.loops, Notch::at_fraction(1.01)).code(),
+            ErrorCode::misplaced_notch);
+  EXPECT_EQ(error_of(outline, outline.loops, Notch::at_fraction(-0.01)).code(),
+            ErrorCode::misplaced_notch);
+  EXPECT_EQ(error_of(outline, outline.loops, Notch::at_fraction(0.5), {.depth = 0.0}).code(),
             ErrorCode::option_out_of_range);
 }
 
@@ -215,15 +224,16 @@ TEST(Notches, NeverLeaveTheirOwnEdgeBesideADart) {
     const Allowance allowance{.width = dart.width};
     const auto cut = offset_outline(outline, allowance);
     for (const double share : {0.02, 0.1, 0.5, 0.9, 0.98}) {
-      for (const PlaceOnEdge edge : {PlaceOnEdge{1, 2, share}, PlaceOnEdge{3, 2, share}}) {
+      for (const Notch& edge : {Notch::on_edge(1, 2, share), Notch::on_edge(3, 2, share)}) {
         const auto placed =
-            place_notches(outline, cut, std::vector<Notch>{{edge}}, {.depth = 3.0}, allowance);
+            place_notches(outline, cut, std::vector<Notch>{edge}, {.depth = 3.0}, allowance);
         ASSERT_EQ(placed.size(), 1U);
         const auto place_of = [&](Index v) {
           const auto& loop = outline.vertices[0];
           return outline.loops[0][std::find(loop.begin(), loop.end(), v) - loop.begin()];
         };
-        const Vec2 seam = place_of(edge.from) + share * (place_of(2) - place_of(edge.from));
+        const Vec2 seam =
+            place_of(edge.edge->front()) + share * (place_of(2) - place_of(edge.edge->front()));
         EXPECT_LE(norm(placed[0].at - seam), 2.5 * dart.width + 1e-6)
             << dart.mouth << " " << dart.depth << " " << dart.width << " " << share;
         if (!placed[0].on_seam) continue;
@@ -240,7 +250,7 @@ TEST(Notches, AtTheMouthOfADartAreAsFarApartAsTheMouth) {
     const PieceOutline outline = panel_with_dart(dart.mouth, dart.depth, dart.mirrored);
     const Allowance allowance{.width = dart.width};
     const auto cut = offset_outline(outline, allowance);
-    const std::vector<Notch> notches = {{PlaceOnEdge{1, 2, 0.0}}, {PlaceOnEdge{3, 2, 0.0}}};
+    const std::vector<Notch> notches = {Notch::on_edge(1, 2, 0.0), Notch::on_edge(3, 2, 0.0)};
     const auto placed = place_notches(outline, cut, notches, {.depth = 3.0}, allowance);
     ASSERT_EQ(placed.size(), 2U);
     const double middle = dart.mirrored ? -150.0 : 150.0;
@@ -261,7 +271,7 @@ TEST(Notches, AtTheTipOfADartAreOne) {
     const PieceOutline outline = panel_with_dart(dart.mouth, dart.depth, dart.mirrored);
     const Allowance allowance{.width = dart.width};
     const auto cut = offset_outline(outline, allowance);
-    const std::vector<Notch> notches = {{PlaceOnEdge{1, 2, 1.0}}, {PlaceOnEdge{3, 2, 1.0}}};
+    const std::vector<Notch> notches = {Notch::on_edge(1, 2, 1.0), Notch::on_edge(3, 2, 1.0)};
     const auto placed = place_notches(outline, cut, notches, {.depth = 3.0}, allowance);
     ASSERT_EQ(placed.size(), 1U) << dart.mouth << " " << dart.depth << " " << dart.width;
     const Vec2 tip = {dart.mirrored ? -150.0 : 150.0, dart.depth};
@@ -292,10 +302,8 @@ TEST(Notches, AtTheEndsOfASeamStandAcrossIt) {
           const Allowance allowance{.width = width, .corners = corners};
           const auto cut = offset_outline(outline, allowance);
           // The same edge named in both directions.
-          const std::vector<Notch> notches = {{PlaceOnEdge{2, 3, 0.0}},
-                                              {PlaceOnEdge{2, 3, 1.0}},
-                                              {PlaceOnEdge{3, 2, 0.0}},
-                                              {PlaceOnEdge{3, 2, 1.0}}};
+          const std::vector<Notch> notches = {Notch::on_edge(2, 3, 0.0), Notch::on_edge(2, 3, 1.0),
+                                              Notch::on_edge(3, 2, 0.0), Notch::on_edge(3, 2, 1.0)};
           const auto placed = place_notches(outline, cut, notches, {.depth = 2.0}, allowance);
           ASSERT_EQ(placed.size(), 2U);
           expect_line({placed[0].at, placed[1].at}, {{120.0, width}, {0.0, width}});
@@ -311,11 +319,11 @@ TEST(Notches, OfASideWithAnotherAllowanceReachItsCutLine) {
   const Allowance allowance =
       with_edge_allowances({.width = 10.0}, outline, std::vector<EdgeAllowance>{{7, 9, 30.0}});
   const auto cut = offset_outline(outline, allowance);
-  const auto placed = place_notches(
-      outline, cut,
-      std::vector<Notch>{
-          {PlaceOnEdge{7, 9, 0.0}}, {PlaceOnEdge{7, 9, 0.5}}, {PlaceOnEdge{3, 7, 1.0}}},
-      {.depth = 2.0}, allowance);
+  const auto placed =
+      place_notches(outline, cut,
+                    std::vector<Notch>{Notch::on_edge(7, 9, 0.0), Notch::on_edge(7, 9, 0.5),
+                                       Notch::on_edge(3, 7, 1.0)},
+                    {.depth = 2.0}, allowance);
   ASSERT_EQ(placed.size(), 3U);
   expect_line({placed[0].at, placed[1].at, placed[2].at}, {{130, 0}, {130, 25}, {100, -10}});
 }
@@ -330,15 +338,16 @@ TEST(Notches, WhereAFoldMeetsAnEdgeAreInTheAllowanceOfThatAtTheFold) {
       const Allowance allowance =
           with_edge_allowances({.width = width}, outline, std::vector<EdgeAllowance>{{20, 3, 0.0}});
       const auto cut = offset_outline(outline, allowance);
-      const auto placed =
-          place_notches(outline, cut, std::vector<Notch>{{Index{3}}}, {.depth = 3.0}, allowance);
+      const auto placed = place_notches(outline, cut, std::vector<Notch>{Notch::at_vertex(3)},
+                                        {.depth = 3.0}, allowance);
       ASSERT_EQ(placed.size(), 1U);
       EXPECT_FALSE(placed[0].on_seam);
       expect_line({placed[0].at, placed[0].inward}, {{0.0, -width / std::cos(angle)}, {0, 1}});
       // Without an allowance too it is along the fold, at both ends, as it is on the whole piece.
-      const auto bare = place_notches(outline, outline.loops,
-                                      std::vector<Notch>{{Index{3}}, {Index{20}}, {Index{7}}},
-                                      {.depth = 3.0}, allowance);
+      const auto bare = place_notches(
+          outline, outline.loops,
+          std::vector<Notch>{Notch::at_vertex(3), Notch::at_vertex(20), Notch::at_vertex(7)},
+          {.depth = 3.0}, allowance);
       ASSERT_EQ(bare.size(), 3U);
       expect_line({bare[0].at, bare[0].inward}, {{0, 0}, {0, 1}});
       expect_line({bare[1].at, bare[1].inward}, {{0, 150}, {0, -1}});
@@ -362,7 +371,7 @@ TEST(Notches, AtTheEndOfAFoldAreOnItsLineAlsoBesideACurvedEdge) {
         with_edge_allowances({.width = width}, outline, std::vector<EdgeAllowance>{{33, 0, 0.0}});
     const auto cut = offset_outline(outline, allowance);
     const auto placed = place_notches(
-        outline, cut, std::vector<Notch>{{Index{33}, NotchKind::slit}}, {}, allowance);
+        outline, cut, std::vector<Notch>{Notch::at_vertex(33, NotchKind::slit)}, {}, allowance);
     ASSERT_EQ(placed.size(), 1U);
     expect_line({placed[0].inward}, {{0, -1}});
     EXPECT_NEAR(placed[0].at.x, 0.0, 1e-4);
@@ -382,7 +391,9 @@ TEST(Notches, InASlitWithoutAGapAreHalfAMillimetreLong) {
   const auto cut = offset_outline(outline, allowance);
   const double border = 2.0 * (60.0 + 200.0 + 100.0);
   const auto lines = notch_lines(
-      outline, cut, std::vector<Notch>{{130.0 / border}, {190.0 / border}}, {}, allowance);
+      outline, cut,
+      std::vector<Notch>{Notch::at_fraction(130.0 / border), Notch::at_fraction(190.0 / border)},
+      {}, allowance);
   ASSERT_EQ(lines.size(), 2U);
   expect_line(lines[0], {{100.5, 30}, {100, 30}});
   expect_line(lines[1], {{99.5, 30}, {100, 30}});
@@ -393,7 +404,7 @@ TEST(Notches, OfADoubleOneStayOnTheirSeam) {
   const Allowance allowance{.width = 10.0};
   const auto cut = offset_outline(outline, allowance);
   const auto placed = place_notches(
-      outline, cut, std::vector<Notch>{{PlaceOnEdge{3, 7, 0.01}, NotchKind::slit, true}}, {},
+      outline, cut, std::vector<Notch>{Notch::on_edge(3, 7, 0.01, NotchKind::slit, true)}, {},
       allowance);
   ASSERT_EQ(placed.size(), 2U);
   expect_line({placed[0].at, placed[1].at}, {{0, -10}, {6, -10}});

@@ -12,7 +12,8 @@ using testing::HasSubstr;
 
 PatternOptions options() {
   PatternOptions options;
-  options.notches = {{Index{20}, NotchKind::v}, {0.5}, {PlaceOnEdge{30, 20, 0.25}}};
+  options.notches = {Notch::at_vertex(20, NotchKind::v), Notch::at_fraction(0.5),
+                     Notch::on_edge(30, 20, 0.25)};
   options.marks = {{25, MarkKind::drill}};
   options.inner_lines = {{24, 3}};
   options.edge_allowances = {{41, 3, 5.0}};
@@ -28,8 +29,8 @@ TEST(PatternOptions, GoOverToAMeshOfSomeOfTheVertices) {
   const std::vector<Index> source = {3, 20, 24, 25, 30, 41};
   const PatternOptions left = renumbered(options(), source);
   EXPECT_THAT(named_vertices(left), ElementsAre(1, 4, 1, 3, 2, 0, 5, 0));
-  EXPECT_EQ(std::get<double>(left.notches[1].place), 0.5);
-  EXPECT_EQ(std::get<PlaceOnEdge>(left.notches[2].place).share, 0.25);
+  EXPECT_EQ(left.notches[1].fraction, 0.5);
+  EXPECT_EQ(left.notches[2].fraction, 0.25);
   EXPECT_EQ(left.marks[0].kind, MarkKind::drill);
 }
 
@@ -49,11 +50,12 @@ TEST(PatternOptions, AreCheckedBeforeThereIsAPattern) {
   PatternOptions good = options();
   good.edge_allowances.front() = {40, 1, 5.0};
   EXPECT_EQ(error_of(good, off), "no error");
-  EXPECT_THAT(error_of({.notches = {{Index{2}}}}, off), HasSubstr("vertex 2"));
-  EXPECT_THAT(error_of({.notches = {{Index{2}}}}, off), HasSubstr("panel"));
-  EXPECT_THAT(error_of({.notches = {{1.5}}}, off), HasSubstr("1.5"));
-  EXPECT_THAT(error_of({.notches = {{PlaceOnEdge{1, 30, 0.5}}}}, off), HasSubstr("vertex 1 to 30"));
-  EXPECT_THAT(error_of({.notches = {{PlaceOnEdge{7, 5, 0.5}}}}, off), "no error");
+  EXPECT_THAT(error_of({.notches = {Notch::at_vertex(2)}}, off), HasSubstr("vertex 2"));
+  EXPECT_THAT(error_of({.notches = {Notch::at_vertex(2)}}, off), HasSubstr("panel"));
+  EXPECT_THAT(error_of({.notches = {Notch::at_fraction(1.5)}}, off), HasSubstr("1.5"));
+  EXPECT_THAT(error_of({.notches = {Notch::on_edge(1, 30, 0.5)}}, off),
+              HasSubstr("vertex 1 to 30"));
+  EXPECT_THAT(error_of({.notches = {Notch::on_edge(7, 5, 0.5)}}, off), "no error");
   EXPECT_THAT(error_of({.edge_allowances = {{1, 2, 5.0}}}, ErrorCode::misplaced_allowance),
               HasSubstr("from vertex 1 to 2"));
   EXPECT_THAT(error_of({.edge_allowances = {{1, 6, 5.0}}}, ErrorCode::misplaced_allowance),

@@ -21,14 +21,14 @@ void expect_error(Parse parse, ErrorCode code, std::size_t line) {
 TEST(ReadNotches, TellsVerticesFromShares) {
   const auto notches = parse_notches("12 v\n0.25 t double # collar\n\n50% slit\n7\n", "n.txt");
   ASSERT_EQ(notches.size(), 4U);
-  EXPECT_EQ(std::get<Index>(notches[0].place), 12U);
+  EXPECT_EQ(notches[0].vertex(), 12U);
   EXPECT_EQ(notches[0].kind, NotchKind::v);
   EXPECT_FALSE(notches[0].is_double);
-  EXPECT_EQ(std::get<double>(notches[1].place), 0.25);
+  EXPECT_EQ(notches[1].fraction, 0.25);
   EXPECT_EQ(notches[1].kind, NotchKind::t);
   EXPECT_TRUE(notches[1].is_double);
-  EXPECT_EQ(std::get<double>(notches[2].place), 0.5);
-  EXPECT_EQ(std::get<Index>(notches[3].place), 7U);
+  EXPECT_EQ(notches[2].fraction, 0.5);
+  EXPECT_EQ(notches[3].vertex(), 7U);
   EXPECT_EQ(notches[3].kind, NotchKind::slit);
 }
 

@@ -68,13 +68,10 @@ TEST(DrawnMarks, StandWhereTheyAreDrawn) {
 TEST(DrawnNotches, StandOnTheNearestEdgeOfTheBorder) {
   const auto drawn = parse_drawn_notches("v 2.25 -0.3 0.3\nv 6 3 2\np 1\np 2\n", hill(), "n.obj");
   ASSERT_EQ(drawn.notches.size(), 2U);
-  const auto& edge = std::get<PlaceOnEdge>(drawn.notches[0].place);
-  EXPECT_EQ(edge.from, 2U);
-  EXPECT_EQ(edge.to, 3U);
-  EXPECT_NEAR(edge.share, 0.25, 0.02);
-  const auto& corner = std::get<PlaceOnEdge>(drawn.notches[1].place);
-  const Index near = corner.share > 0.5 ? corner.to : corner.from;
-  EXPECT_EQ(near, 27U);
+  EXPECT_EQ(drawn.notches[0].edge, (std::array<Index, 2>{2, 3}));
+  EXPECT_NEAR(drawn.notches[0].fraction, 0.25, 0.02);
+  const Notch& corner = drawn.notches[1];
+  EXPECT_EQ(corner.edge->at(corner.fraction > 0.5 ? 1 : 0), 27U);
   EXPECT_NO_THROW(check_notches(hill().border_loops(), drawn.notches, "hill"));
 }
 

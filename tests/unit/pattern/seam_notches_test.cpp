@@ -42,19 +42,17 @@ std::vector<std::vector<Notch>> notches_of(const TwoHalves& halves, const SeamNo
 }
 
 Vec3 place_of(const Notch& notch, const TriMesh& mesh) {
-  const auto& place = std::get<PlaceOnEdge>(notch.place);
-  const Vec3 a = mesh.positions[place.from], b = mesh.positions[place.to];
-  return a + place.share * (b - a);
+  const Vec3 a = mesh.positions[notch.edge->front()], b = mesh.positions[notch.edge->back()];
+  return a + notch.fraction * (b - a);
 }
 
 /// Of a side's length, where a notch on it is.
 double share_of(const Notch& notch, const SeamSide& side, const TriMesh& mesh) {
-  const auto& place = std::get<PlaceOnEdge>(notch.place);
   double way = 0.0;
   for (std::size_t k = 0; k + 1 < side.vertices.size(); ++k) {
     const Vec3 edge = mesh.positions[side.vertices[k + 1]] - mesh.positions[side.vertices[k]];
-    const bool is_it = side.vertices[k] == place.from && side.vertices[k + 1] == place.to;
-    way += (is_it ? place.share : 1.0) * norm(edge);
+    const bool is_it = notch.edge == std::array{side.vertices[k], side.vertices[k + 1]};
+    way += (is_it ? notch.fraction : 1.0) * norm(edge);
     if (is_it) break;
   }
   return way / length_of(side, std::span<const Vec3>(mesh.positions));
@@ -110,8 +108,7 @@ TEST(SeamNotches, AreOnBothEdgesOfADart) {
       notches_of_patches(std::vector<SeamNotch>{{.place = 0.25}}, seams, {&mesh, 1}, names, 1.0);
   ASSERT_EQ(notches[0].size(), 2U);
   EXPECT_EQ(place_of(notches[0][0], mesh), place_of(notches[0][1], mesh));
-  EXPECT_NE(std::get<PlaceOnEdge>(notches[0][0].place).from,
-            std::get<PlaceOnEdge>(notches[0][1].place).from);
+  EXPECT_NE(notches[0][0].edge->front(), notches[0][1].edge->front());
 }
 
 TEST(SeamNotches, MeetOnSidesThatWereMeshedApart) {

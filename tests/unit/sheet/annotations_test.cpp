@@ -158,11 +158,12 @@ TEST(Annotations, StaysOnTheSheetWithAMargin) {
 }
 
 TEST(Annotations, HasItsLayers) {
-  const Drawing sheet = sheet_with({.allowance = Allowance{},
-                                    .notches = {{0.125, NotchKind::v}, {Index{2}, NotchKind::slit}},
-                                    .grain = Grain{Vec3{0, 1, 0}},
-                                    .marks = {{6}, {18, MarkKind::drill}},
-                                    .label = {"front", "42", 2, "neoprene", "one mirrored"}});
+  const Drawing sheet = sheet_with(
+      {.allowance = Allowance{},
+       .notches = {Notch::at_fraction(0.125, NotchKind::v), Notch::at_vertex(2, NotchKind::slit)},
+       .grain = Grain{Vec3{0, 1, 0}},
+       .marks = {{6}, {18, MarkKind::drill}},
+       .label = {"front", "42", 2, "neoprene", "one mirrored"}});
   EXPECT_EQ(layer_of(sheet, "notch").shapes.size(), 2U);
   EXPECT_EQ(layer_of(sheet, "drill").shapes.size(), 2U);
   EXPECT_THAT(texts(sheet, "annotation"),
@@ -289,7 +290,7 @@ TEST(Annotations, KeepsWordsBelowThePatternOffTheSquaresAndApart) {
     const Drawing sheet = pattern_sheet(Patch(mesh), unfold, "panel",
                                         {.allowance = Allowance{.width = 8.0},
                                          .fold = FoldLine{0, 4},
-                                         .notches = {{.place = 0.4}},
+                                         .notches = {Notch::at_fraction(0.4)},
                                          .grain = 90.0,
                                          .marks = {{.vertex = 7}},
                                          .inner_lines = {{6, 7, 12}},
@@ -340,7 +341,7 @@ TEST(Annotations, HasATestSquareOfTwoInches) {
 
 TEST(Annotations, ReachesApparelProgramsByItsNumbers) {
   const Drawing sheet = sheet_with({.allowance = Allowance{},
-                                    .notches = {{0.125}},
+                                    .notches = {Notch::at_fraction(0.125)},
                                     .grain = Grain{30.0},
                                     .marks = {{12}},
                                     .label = {"front", "42", 2}});
@@ -352,7 +353,7 @@ TEST(Annotations, ReachesApparelProgramsByItsNumbers) {
 
 TEST(Annotations, NamesThePieceInErrors) {
   try {
-    sheet_with({.notches = {{Index{12}}}, .label = {"front"}});
+    sheet_with({.notches = {Notch::at_vertex(12)}, .label = {"front"}});
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::misplaced_notch);

@@ -21,7 +21,7 @@ namespace {
 PatternOptions all_that_a_piece_can_carry() {
   return {.allowance = Allowance{.width = 8.0},
           .fold = FoldLine{0, 4},
-          .notches = {{.place = 0.4}},
+          .notches = {Notch::at_fraction(0.4)},
           .grain = 90.0,
           .marks = {{.vertex = 7}},
           .inner_lines = {{6, 7, 12}},

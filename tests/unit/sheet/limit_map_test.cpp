@@ -14,6 +14,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sheet/strain_map.h"
 #include "support/sample_report.h"
 #include "unfold/strain/vertex_strain.h"
 #include "unit/sheet/layers.h"
@@ -166,7 +167,10 @@ TEST(LimitMap, PaintsWhatIsBeyondAndNothingThatKeepsTheLimit) {
     p.x = p.x <= 3.0 ? p.x : 3.0 + 1.03 * (p.x - 3.0);
   const auto strains = largest_edge_strains_of_triangles(mesh, pattern);
   const auto map_for = [&](double limit) {
-    return limit_map(mesh, opposite_half_edges(mesh), pattern, strains, {limit, limit, {}});
+    const MapLimit both = {limit, limit, {}};
+    return strain_map(
+        mesh, pattern, strains, [&](double strain) { return limit_band(strain, both); },
+        limit_band_color);
   };
   EXPECT_NEAR(area_of(map_for(0.02), k_beyond_limit), 2.06, 1e-12);
   EXPECT_NEAR(area_of(map_for(0.02), limit_band_color(0)), 8.06, 1e-12) << "the ground";

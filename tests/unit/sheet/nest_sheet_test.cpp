@@ -48,7 +48,7 @@ std::vector<std::string> nest_texts(const Drawing& drawing, const std::string& n
 
 NestJob jacket() {
   PatternOptions annotations{.allowance = Allowance{.width = 10.0},
-                             .notches = {{.place = 0.1}},
+                             .notches = {Notch::at_fraction(0.1)},
                              .grain = 90.0,
                              .marks = {{.vertex = 7}},
                              .label = {.quantity = 2}};
@@ -232,7 +232,7 @@ NestPatch l_shape(PatternOptions annotations) {
 
 TEST(NestSheet, CutsMirrorImagesAsOftenAsTheLabelSays) {
   const NestPatch hook =
-      l_shape({.notches = {{.place = 0.04}}, .label = {.quantity = 3, .mirrored = 1}});
+      l_shape({.notches = {Notch::at_fraction(0.04)}, .label = {.quantity = 3, .mirrored = 1}});
   const auto patches = with_mirror_images({hook});
   ASSERT_EQ(patches.size(), 2U);
   EXPECT_EQ(patches[0].annotations.label.quantity, 2);

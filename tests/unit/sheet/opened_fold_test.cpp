@@ -88,14 +88,13 @@ TEST(OpenedFold, OfTheHalfAloneIsDrawnFromCutLineToCutLineAndNotCut) {
       const Half half =
           half_piece({.allowance = Allowance{.width = 8.0}, .curves = {.tolerance = tolerance}},
                      on_right, 20.0);
-      const PatternOptions& options = half.patch.annotations;
-      const PlacedPattern alone =
-          placed_pattern(half.patch.mesh, half.patch.pattern, Unit::mm, "half", options);
-      const Polygon fold = fold_line(alone, options);
+      const PatternGeometry alone = placed_pattern(half.patch.mesh, half.patch.pattern, Unit::mm,
+                                                   "half", half.patch.annotations);
+      const Polygon fold = fold_line(alone);
       ASSERT_EQ(fold.size(), 2U);
       EXPECT_NEAR(norm(fold[1] - fold[0]), k_half_height + 16.0, 1e-3);
       EXPECT_LT(dot(fold[1] - fold[0], half.along), 0.0) << "from its own first end";
-      const std::vector<Path> cut = cut_paths(alone, options, {});
+      const std::vector<Path> cut = cut_paths(alone, {});
       ASSERT_EQ(cut.size(), 1U);
       EXPECT_FALSE(cut[0].closed);
       std::vector<Polygon> lines = cut[0].lines;
@@ -122,10 +121,8 @@ TEST(OpenedFold, HasWhatIsOnTheHalfOnBothSides) {
   const PatternOptions options{
       .allowance = Allowance{.width = 8.0},
       .edge_allowances = {{vertex_at(4, 0), vertex_at(4, 6), 20.0}},
-      .notches = {{vertex_at(2, 0)},
-                  {vertex_at(0, 0)},
-                  {0.3},
-                  {PlaceOnEdge{vertex_at(4, 2), vertex_at(4, 3), 0.5}}},
+      .notches = {Notch::at_vertex(vertex_at(2, 0)), Notch::at_vertex(vertex_at(0, 0)),
+                  Notch::at_fraction(0.3), Notch::on_edge(vertex_at(4, 2), vertex_at(4, 3), 0.5)},
       .marks = {{.vertex = vertex_at(2, 3)}, {.vertex = vertex_at(0, 3)}},
       .inner_lines = {{vertex_at(1, 1), vertex_at(3, 1)}, {vertex_at(0, 2), vertex_at(0, 4)}}};
   const Drawing sheet = laid(half_piece(options, false, 0.0));
@@ -151,13 +148,12 @@ TEST(OpenedFold, HasBothOfADoubleNotchAtTheEndOfTheFoldAndTheHalfOneOfThem) {
   for (const bool on_right : {false, true}) {
     for (const std::size_t row : {0U, 6U}) {
       const Index end = vertex_at(on_right ? 4 : 0, row);
-      const Half half =
-          half_piece({.allowance = Allowance{.width = 8.0},
-                      .notches = {{.place = end, .kind = NotchKind::slit, .is_double = true}},
-                      .notch_sizes = {.depth = 4.0}},
-                     on_right, 20.0);
-      const PlacedPattern alone = placed_pattern(half.patch.mesh, half.patch.pattern, Unit::mm,
-                                                 "half", half.patch.annotations);
+      const Half half = half_piece({.allowance = Allowance{.width = 8.0},
+                                    .notches = {Notch::at_vertex(end, NotchKind::slit, true)},
+                                    .notch_sizes = {.depth = 4.0}},
+                                   on_right, 20.0);
+      const PatternGeometry alone = placed_pattern(half.patch.mesh, half.patch.pattern, Unit::mm,
+                                                   "half", half.patch.annotations);
       ASSERT_EQ(alone.notches.size(), 1U);
       EXPECT_NEAR(std::abs(cross(half.along, alone.notches[0].at - alone.positions[end])), 3.0,
                   1e-4);
@@ -178,7 +174,7 @@ TEST(OpenedFold, KeepsTheGrainOfTheHalf) {
 
 TEST(OpenedFold, RefusesANotchOnTheFold) {
   for (const Notch& notch :
-       {Notch{vertex_at(0, 3)}, Notch{PlaceOnEdge{vertex_at(0, 3), vertex_at(0, 4), 0.5}}}) {
+       {Notch::at_vertex(vertex_at(0, 3)), Notch::on_edge(vertex_at(0, 3), vertex_at(0, 4), 0.5)}) {
     try {
       with_folds_opened({half_piece({.notches = {notch}}, false, 0.0).patch}, Unit::mm);
       ADD_FAILURE() << "no error";

@@ -271,7 +271,8 @@ TEST(StrainMap, OfACheckerPaintsTheStrainedCellsOverTheWhole) {
   std::vector<double> strains;
   for (std::size_t t = 0; t < 18; ++t)
     strains.push_back((t / 2) % 2 == 0 ? 0.01 * 1.1 / 10.5 : 0);
-  const auto map = strain_map(mesh, opposite_half_edges(mesh), corners, strains, 0.01);
+  const auto map = strain_map(
+      mesh, corners, strains, [](double strain) { return strain_band(strain, 0.01); }, band_color);
   ASSERT_EQ(map.size(), 2U);
   ASSERT_NE(path_of_band(map, 0), nullptr);
   EXPECT_EQ(area(*path_of_band(map, 0)), 9.0);
@@ -296,7 +297,8 @@ TEST(StrainMap, ShowsEveryTriangleInItsBandsColour) {
                       std::cos(0.011 * static_cast<double>(t)));
     expected[k_bands_a_side + strain_band(strains.back(), 0.01)] += triangle_area(t);
   }
-  const auto map = strain_map(mesh, opposite_half_edges(mesh), corners, strains, 0.01);
+  const auto map = strain_map(
+      mesh, corners, strains, [](double strain) { return strain_band(strain, 0.01); }, band_color);
   // A path covers its band and those beyond, which are painted over it.
   const auto painted = [&](int band) {
     const Path* path = path_of_band(map, band);

@@ -52,14 +52,15 @@ Drawing panel() {
   UnfoldReport unfold = samples::plane_below(mesh, 200.0, 200.0);
   for (Vec2& p : unfold.pattern.positions)
     p = 50.0 * p;
-  return pattern_sheet(
-      Patch(mesh), unfold, "panel",
-      {.allowance = Allowance{.width = 12.0},
-       .notches = {{0.125, NotchKind::v}, {0.4, NotchKind::slit}, {0.65, NotchKind::t, true}},
-       .grain = Grain{30.0},
-       .marks = {{6}, {18, MarkKind::drill}},
-       .inner_lines = {{6, 7, 12}},
-       .label = {"Größe Ж布", "42", 2, "neoprene", "one mirrored"}});
+  return pattern_sheet(Patch(mesh), unfold, "panel",
+                       {.allowance = Allowance{.width = 12.0},
+                        .notches = {Notch::at_fraction(0.125, NotchKind::v),
+                                    Notch::at_fraction(0.4, NotchKind::slit),
+                                    Notch::at_fraction(0.65, NotchKind::t, true)},
+                        .grain = Grain{30.0},
+                        .marks = {{6}, {18, MarkKind::drill}},
+                        .inner_lines = {{6, 7, 12}},
+                        .label = {"Größe Ж布", "42", 2, "neoprene", "one mirrored"}});
 }
 
 TEST(ApparelDxf, HasABlockForEachPieceOnLayerZeroWithItsSizeInTheName) {

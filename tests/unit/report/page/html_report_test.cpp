@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <planish/report/html_report.h>
+#include <planish/sheet/pattern_sheet.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -246,8 +247,10 @@ TEST(HtmlReport, DrawsTheLinesOfThePattern) {
   EXPECT_EQ(count(plain, "data-layer=\"cut\""), 1U);
   EXPECT_EQ(count(plain, "data-layer=\"seam\""), 0U);
   EXPECT_EQ(count(plain, "<g id=\"directions\""), 1U);
+  const PatternGeometry pattern =
+      pattern_geometry(report, {.allowance = Allowance{.width = 2.0}, .grain = 90.0});
   const std::string page =
-      html_report(report, {.annotations = {.allowance = Allowance{.width = 2.0}, .grain = 90.0}});
+      html_report(report, pattern, pattern_sheet(report.processed.mesh(), report.unfold, pattern));
   EXPECT_EQ(count(page, "data-layer=\"seam\""), 1U);
   EXPECT_EQ(count(page, "data-layer=\"grain\""), 1U);
   EXPECT_THAT(plain, Not(HasSubstr("with the allowance")));

@@ -306,14 +306,13 @@ std::string html_report(const FlattenReport& report, const PatternGeometry& patt
   const PatchViewer viewer = html_viewer(report, pattern, sheet, page.colors);
   const std::string verdict = verdict_text(report) + (border.empty() ? "" : " " + border);
   const bool has_limit = limit_of_edges(report.unfold.limits).has_value();
-  return html_page({"report", report.name, verdict, checks(report),
-                    has_limit ? limit_style() : std::string_view(),
-                    std::string(to_string(report.unfold.unit)), viewer.data},
-                   files_line(page) + candidate_tiles(report) + viewer.html +
-                       tiles(report, pattern, page) +
-                       "<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" +
-                       figures_table(report) + "</div>\n</section>\n" + problems_section(report) +
-                       computed_section(report, page));
+  return html_page(
+      {"report", report.name, verdict, checks(report),
+       has_limit ? limit_style() : std::string_view(), std::string(to_string(report.unfold.unit)),
+       viewer.data},
+      files_line(page) + candidate_tiles(report) + viewer.html + tiles(report, pattern, page) +
+          "<section>\n<h2>All figures</h2>\n<div class=\"scroll\">\n" + figures_table(report) +
+          "</div>\n</section>\n" + problems_section(report) + computed_section(report, page));
 }
 
 }  // namespace planish

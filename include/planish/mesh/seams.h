@@ -58,9 +58,9 @@ struct NearBorders {
   double length = 0.0;                 ///< along which they do, model units
 };
 
-/// Finds such borders by patches. An edge lies beside another border if that passes the edge's
-/// middle within a tenth of the edge's length, in nearly the same direction. Fewer than eight edges
-/// are left out.
+/// Finds such borders by patches. An edge lies beside another border if both of its vertices do,
+/// or if a vertex of that border is beside it: within a tenth of the length of an edge or of a
+/// longer neighbour, in nearly the same direction. Fewer than eight edges are left out.
 /// @param seams what find_seams() found among the patches
 /// @throws Error as Patch
 std::vector<NearBorders> find_near_borders(std::span<const TriMesh> patches,

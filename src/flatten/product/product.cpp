@@ -13,7 +13,6 @@
 #include "flatten/limit_checks.h"
 #include "flatten/outcome.h"
 #include "flatten/product/product_seams.h"
-#include "flatten/product/twin_groups.h"
 #include "flatten/product/workers.h"
 #include "flatten/twin_report.h"
 #include "flatten/verdict.h"
@@ -72,7 +71,7 @@ class PatchWork {
   /// Flattens the first patch of a group and makes the others from it.
   /// @param put is handed each result with its number
   template <class Put>
-  void do_group(const TwinGroup& group, const Put& put) const {
+  void do_group(const std::vector<std::size_t>& group, const Put& put) const {
     std::optional<FlattenReport> first;
     put(group.front(), guarded(group.front(), [&] {
           first = flattened(group.front());
@@ -260,11 +259,26 @@ class ProductWork {
     report_progress(context_, {"flattening", static_cast<double>(++done_) / all, result.name});
   }
 
+  /// Each patch with its twins, which come later in the row.
+  std::vector<std::vector<std::size_t>> groups_of(const std::vector<std::size_t>& numbers) const {
+    std::vector<std::vector<std::size_t>> groups;
+    std::vector<std::size_t> place(patches_.size());  // of the group that a patch is the first of
+    for (const std::size_t p : numbers) {
+      if (alike_[p]) {
+        groups[place[alike_[p]->of]].push_back(p);
+      } else {
+        place[p] = groups.size();
+        groups.push_back({p});
+      }
+    }
+    return groups;
+  }
+
   void flatten_all(std::vector<std::size_t> numbers) {
     std::stable_sort(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) {
       return patches_[a].mesh.triangles.size() > patches_[b].mesh.triangles.size();
     });
-    const std::vector<TwinGroup> groups = groups_of(numbers, alike_);
+    const std::vector<std::vector<std::size_t>> groups = groups_of(numbers);
     std::atomic<std::size_t> next = 0;
     Handover<std::pair<std::size_t, PatchMade>> results(numbers.size());
     const PatchWork work(patches_, options_, callbacks_, alike_, report_, borders_,

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <planish/mesh/patch.h>
-
-#include "mesh/match/borders.h"
+#include "mesh/match/border_lines.h"
 
 namespace planish {
 

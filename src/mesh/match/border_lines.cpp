@@ -7,9 +7,16 @@ namespace planish {
 
 BorderLines::BorderLines(std::span<const TriMesh> patches) {
   patches_.reserve(patches.size());
-  for (const TriMesh& patch : patches)
-    patches_.emplace_back(patch);
-  edges_ = border_edges(patches_);
+  for (const TriMesh& patch : patches) {
+    const std::size_t number = patches_.size();
+    for (const std::vector<Index>& loop : patches_.emplace_back(patch).border_loops()) {
+      const std::size_t first = edges_.size(), n = loop.size();
+      for (std::size_t k = 0; k < n; ++k) {
+        edges_.push_back(
+            {number, loop[k], loop[(k + 1) % n], first + (k + 1) % n, first + (k + n - 1) % n});
+      }
+    }
+  }
   lengths_.reserve(edges_.size());
   for (std::size_t e = 0; e < edges_.size(); ++e)
     lengths_.push_back(norm(end(e) - start(e)));

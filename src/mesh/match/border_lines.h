@@ -6,9 +6,15 @@
 
 #include <planish/mesh/patch.h>
 
-#include "mesh/match/borders.h"
-
 namespace planish {
+
+/// An edge of the border of a patch among those of several patches, which are in one row, loop
+/// after loop.
+struct BorderEdge {
+  std::size_t patch;
+  Index from, to;
+  std::size_t next, previous;  ///< along the loop
+};
 
 /// A loop of the border of a patch, its edges numbered from `first` on.
 struct BorderLoop {

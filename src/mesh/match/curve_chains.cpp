@@ -21,7 +21,7 @@ constexpr double k_jag_vertices = 13.0;  // of each border
 /// Places on two loops, of which the second one runs along the first or against it.
 class LoopPair {
  public:
-  LoopPair(const BorderLines& borders, const PlacesBeside& any)
+  LoopPair(const BorderLines& borders, const BoundaryCorrespondence& any)
       : borders_(borders),
         numbers_(any.loops),
         loops_{borders.loops()[any.loops[0]], borders.loops()[any.loops[1]]},
@@ -238,15 +238,15 @@ double CurveChain::length(const BorderLines& borders, std::size_t side) const {
 }
 
 std::vector<CurveChain> find_curve_chains(const BorderLines& borders,
-                                          std::vector<PlacesBeside> places) {
-  const auto pair_of = [](const PlacesBeside& place) {
+                                          std::vector<BoundaryCorrespondence> places) {
+  const auto pair_of = [](const BoundaryCorrespondence& place) {
     return std::pair(place.loops, place.reversed);
   };
   std::stable_sort(places.begin(), places.end(),
                    [&](const auto& a, const auto& b) { return pair_of(a) < pair_of(b); });
   std::vector<CurveChain> all;
   for (std::size_t k = 0; k < places.size();) {
-    const PlacesBeside& first = places[k];
+    const BoundaryCorrespondence& first = places[k];
     std::vector<Place> of_pair;
     for (; k < places.size() && pair_of(places[k]) == pair_of(first); ++k)
       of_pair.push_back(places[k].at);

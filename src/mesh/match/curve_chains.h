@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mesh/match/border_lines.h"
-#include "mesh/match/places_beside.h"
+#include "mesh/match/boundary_correspondences.h"
 
 namespace planish {
 
@@ -26,6 +26,6 @@ struct CurveChain {
 /// some edges and than half of what it divides. Of two that are the same but for the order of
 /// sides there is one.
 std::vector<CurveChain> find_curve_chains(const BorderLines& borders,
-                                          std::vector<PlacesBeside> places);
+                                          std::vector<BoundaryCorrespondence> places);
 
 }  // namespace planish

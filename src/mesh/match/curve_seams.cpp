@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "mesh/match/boundary_correspondences.h"
 #include "mesh/match/curve_chains.h"
-#include "mesh/match/places_beside.h"
 
 namespace planish {
 
@@ -93,7 +93,7 @@ class CurveEnds {
     if (!borders_.is_corner(borders_.edge_at(loop(side), vertex))) return false;
     const std::size_t edge = borders_.edge_at(loop(side), place);
     const double way = std::abs(place - vertex) * borders_.length(edge);
-    return way <= reach_of(borders_, edge, tolerance_);
+    return way <= search_radius(borders_, edge, tolerance_);
   }
 
   void add(bool at_end, Place place) {
@@ -110,8 +110,8 @@ class CurveEnds {
       const std::size_t edge = borders_.edge_at(loop(side), 0.5 * (outer + outer - outward));
       const double length = borders_.length(edge), way = std::abs(vertex - here) * length;
       const bool is_corner = borders_.is_corner(borders_.edge_at(loop(side), vertex));
-      const bool is_it =
-          way <= k_at_vertex * length || (is_corner && way <= reach_of(borders_, edge, tolerance_));
+      const bool is_it = way <= k_at_vertex * length ||
+                         (is_corner && way <= search_radius(borders_, edge, tolerance_));
       if (is_it && may_end_at(at_end, side, vertex)) return end_at(at_end, side, vertex);
     }
   }
@@ -240,9 +240,11 @@ bool is_fragment(const std::array<const BorderLoop*, 2>& loops,
          std::max(edges[0], edges[1]) < k_fewest_edges;
 }
 
-std::vector<CurveSeam> find_curve_seams(const BorderLines& borders, double tolerance) {
+std::vector<CurveSeam> find_curve_seams(const BorderLines& borders,
+                                        std::vector<BoundaryCorrespondence> correspondences,
+                                        double tolerance) {
   std::vector<CurveSeam> seams;
-  for (CurveChain& chain : find_curve_chains(borders, find_places_beside(borders, tolerance))) {
+  for (CurveChain& chain : find_curve_chains(borders, std::move(correspondences))) {
     if (chain.at.size() < 2) continue;
     const CurveChain refined = CurveEnds(borders, std::move(chain), tolerance).refined();
     if (is_seam(borders, refined)) seams.push_back(seam_of(borders, refined));

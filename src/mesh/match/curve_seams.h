@@ -7,6 +7,7 @@
 #include <planish/mesh/seams.h>
 
 #include "mesh/match/border_lines.h"
+#include "mesh/match/boundary_correspondences.h"
 
 namespace planish {
 
@@ -25,6 +26,8 @@ bool is_fragment(const std::array<const BorderLoop*, 2>& loops,
 
 /// Finds such seams, also where vertices lie at the same places, by the first side's border.
 /// @param tolerance as find_seams() has it
-std::vector<CurveSeam> find_curve_seams(const BorderLines& borders, double tolerance);
+std::vector<CurveSeam> find_curve_seams(const BorderLines& borders,
+                                        std::vector<BoundaryCorrespondence> correspondences,
+                                        double tolerance);
 
 }  // namespace planish

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -17,81 +16,41 @@ namespace {
 
 using Pair = std::pair<std::size_t, std::size_t>;  // of border edges at one place, the lower first
 
-/// Numbers places in space: the same number for what is at the same one.
-class PlaceNumbers {
+/// Vertices of borders that are equal, by the edges that begin there.
+class EqualVertices {
  public:
-  explicit PlaceNumbers(double tolerance) : tolerance_(tolerance) {}
-
-  std::size_t number_of(Vec3 p) {
-    const MeshCell cell = cell_of(p);
-    if (tolerance_ > 0.0) {
-      if (const auto near = nearest(p, cell)) return *near;
-    } else if (const auto found = cells_.find(cell); found != cells_.end()) {
-      return found->second.front();
+  EqualVertices(const BorderLines& borders, std::span<const BoundaryCorrespondence> correspondences,
+                double tolerance) {
+    for (const BoundaryCorrespondence& two : correspondences) {
+      const auto edge = [&](std::size_t side) {
+        return borders.edge_at(borders.loops()[two.loops[side]], two.at[side]);
+      };
+      const Pair edges = {edge(0), edge(1)};
+      const bool at_vertices =
+          two.at[0] == std::floor(two.at[0]) && two.at[1] == std::floor(two.at[1]);
+      const double distance = norm(borders.start(edges.first) - borders.start(edges.second));
+      if (!at_vertices || distance > tolerance) continue;
+      pairs_.insert(edges);
+      pairs_.insert({edges.second, edges.first});
     }
-    places_.push_back(p);
-    cells_[cell].push_back(places_.size() - 1);
-    return places_.size() - 1;
+  }
+
+  bool has(std::size_t a, std::size_t b) const { return a == b || pairs_.count({a, b}) > 0; }
+
+  /// Which border edges lie at one place, two by two.
+  std::set<Pair> edges(const std::vector<BorderEdge>& borders) const {
+    std::set<Pair> found;
+    for (const auto& [a, b] : pairs_) {
+      const std::size_t before = borders[b].previous;
+      if (has(borders[a].next, borders[b].next)) found.insert(std::minmax(a, b));
+      if (has(borders[a].next, before) && a != before) found.insert(std::minmax(a, before));
+    }
+    return found;
   }
 
  private:
-  using MeshCell = std::array<double, 3>;
-
-  /// The coordinates themselves where they are to be equal.
-  MeshCell cell_of(Vec3 p) const {
-    if (!(tolerance_ > 0.0)) return {p.x, p.y, p.z};
-    return {std::floor(p.x / tolerance_), std::floor(p.y / tolerance_),
-            std::floor(p.z / tolerance_)};
-  }
-
-  std::optional<std::size_t> nearest(Vec3 p, const MeshCell& cell) const {
-    std::optional<std::size_t> best;
-    double best_distance = tolerance_;
-    for (int k = 0; k < 27; ++k) {
-      const int row = k / 3 % 3, layer = k / 9;
-      const MeshCell there = {cell[0] + k % 3 - 1, cell[1] + row - 1, cell[2] + layer - 1};
-      const auto found = cells_.find(there);
-      if (found == cells_.end()) continue;
-      for (const std::size_t place : found->second) {
-        const double distance = norm(places_[place] - p);
-        if (distance > best_distance || (best && distance == best_distance)) continue;
-        best = place;
-        best_distance = distance;
-      }
-    }
-    return best;
-  }
-
-  double tolerance_;
-  std::vector<Vec3> places_;
-  std::map<MeshCell, std::vector<std::size_t>> cells_;
+  std::set<Pair> pairs_;
 };
-
-/// The place where each border edge begins.
-std::vector<std::size_t> starts_of(const BorderLines& borders, double tolerance) {
-  PlaceNumbers places(tolerance);
-  std::vector<std::size_t> starts;
-  starts.reserve(borders.edges().size());
-  for (std::size_t e = 0; e < borders.edges().size(); ++e)
-    starts.push_back(places.number_of(borders.start(e)));
-  return starts;
-}
-
-/// Which border edges lie at one place, two by two.
-std::set<Pair> edges_at_one_place(const std::vector<BorderEdge>& borders,
-                                  const std::vector<std::size_t>& starts) {
-  std::map<Pair, std::vector<std::size_t>> edges_at;
-  std::set<Pair> pairs;
-  for (std::size_t e = 0; e < borders.size(); ++e) {
-    const std::size_t a = starts[e], b = starts[borders[e].next];
-    if (a == b) continue;  // shorter than the tolerance
-    std::vector<std::size_t>& here = edges_at[std::minmax(a, b)];
-    for (const std::size_t other : here)
-      pairs.insert({other, e});
-    here.push_back(e);
-  }
-  return pairs;
-}
 
 /// A seam with equal vertices on both sides, and the pairs of edges that it is made of.
 struct VertexSeam {
@@ -102,10 +61,8 @@ struct VertexSeam {
 /// The pairs of edges put together to curves.
 class SeamWalk {
  public:
-  SeamWalk(const BorderLines& borders, double tolerance)
-      : borders_(borders.edges()),
-        starts_(starts_of(borders, tolerance)),
-        left_(edges_at_one_place(borders_, starts_)) {}
+  SeamWalk(const std::vector<BorderEdge>& borders, EqualVertices equal)
+      : borders_(borders), equal_(std::move(equal)), left_(equal_.edges(borders)) {}
 
   std::vector<VertexSeam> walk() {
     std::vector<VertexSeam> seams;
@@ -118,7 +75,7 @@ class SeamWalk {
   const BorderEdge& edge(std::size_t e) const { return borders_[e]; }
 
   /// Whether the second border goes the other way, as it does where both have the same side out.
-  bool is_reversed(Pair pair) const { return starts_[pair.first] != starts_[pair.second]; }
+  bool is_reversed(Pair pair) const { return !equal_.has(pair.first, pair.second); }
 
   std::optional<Pair> step(Pair pair, bool forward) const {
     const bool reversed = is_reversed(pair);
@@ -161,7 +118,7 @@ class SeamWalk {
   }
 
   const std::vector<BorderEdge>& borders_;
-  std::vector<std::size_t> starts_;
+  EqualVertices equal_;
   std::set<Pair> left_;  // not in a seam yet
 };
 
@@ -326,23 +283,15 @@ class SeamChoice {
   std::vector<Placed> curves_;
 };
 
-/// Vertices nearer than this are at the same place.
-double vertex_tolerance(const BorderLines& borders, double tolerance) {
-  constexpr double k_of_edge = 0.1;
-  double length = 0.0;
-  for (const BorderLoop& loop : borders.loops())
-    length += loop.length;
-  return std::min(tolerance, k_of_edge * length / static_cast<double>(borders.edges().size()));
-}
-
 }  // namespace
 
 std::vector<Seam> find_seams(std::span<const TriMesh> patches, double tolerance) {
   const BorderLines borders(patches);
   if (borders.edges().empty()) return {};
-  SeamWalk walk(borders, vertex_tolerance(borders, tolerance));
-  SeamChoice choice(borders, walk.walk());
-  for (CurveSeam& curve : find_curve_seams(borders, tolerance))
+  auto correspondences = find_boundary_correspondences(borders, tolerance);
+  const EqualVertices equal(borders, correspondences, vertex_tolerance(borders, tolerance));
+  SeamChoice choice(borders, SeamWalk(borders.edges(), equal).walk());
+  for (CurveSeam& curve : find_curve_seams(borders, std::move(correspondences), tolerance))
     choice.add(std::move(curve));
   return choice.seams();
 }

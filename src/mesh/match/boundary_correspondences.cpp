@@ -1,4 +1,4 @@
-#include "mesh/match/places_beside.h"
+#include "mesh/match/boundary_correspondences.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,13 +26,16 @@ struct Foot {
   bool reversed = false;
 };
 
-class BesideSearch {
+class CorrespondenceSearch {
  public:
-  BesideSearch(const BorderLines& borders, double tolerance)
-      : borders_(borders), tolerance_(tolerance), tree_(boxes()) {}
+  CorrespondenceSearch(const BorderLines& borders, double tolerance)
+      : borders_(borders),
+        tolerance_(tolerance),
+        equal_(vertex_tolerance(borders, tolerance)),
+        tree_(boxes()) {}
 
-  std::vector<PlacesBeside> search() const {
-    std::vector<PlacesBeside> places;
+  std::vector<BoundaryCorrespondence> search() const {
+    std::vector<BoundaryCorrespondence> places;
     for (std::size_t e = 0; e < borders_.edges().size(); ++e) {
       for (const Foot& foot : nearest_of_each_stretch(feet_of(e))) {
         if (!is_beyond_end(e, foot) && !is_across(e, foot)) add(e, foot, places);
@@ -46,7 +49,7 @@ class BesideSearch {
   TriMesh boxes() const {
     TriMesh mesh;
     for (std::size_t e = 0; e < borders_.edges().size(); ++e) {
-      const double reach = reach_of(borders_, e, tolerance_);
+      const double reach = search_radius(borders_, e, tolerance_);
       const Vec3 a = borders_.start(e), b = borders_.end(e), margin = {reach, reach, reach};
       const Vec3 low = {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
       const Vec3 high = {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
@@ -88,8 +91,14 @@ class BesideSearch {
     const Vec3 p = borders_.start(e), a = borders_.start(edge), along = borders_.end(edge) - a;
     const double square = dot(along, along);
     const double share = square > 0.0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0.0;
-    const double distance = norm(p - (a + share * along));
-    if (!(distance <= reach_of(borders_, edge, tolerance_))) return std::nullopt;
+    const double end = std::round(share), to_end = norm(p - (a + end * along));
+    if (to_end <= equal_) return foot_at(edge, e, end, to_end);
+    return foot_at(edge, e, share, norm(p - (a + share * along)));
+  }
+
+  std::optional<Foot> foot_at(std::size_t edge, std::size_t e, double share,
+                              double distance) const {
+    if (!(distance <= search_radius(borders_, edge, tolerance_))) return std::nullopt;
     if (are_neighbours(e, edge, share, distance)) return std::nullopt;
     const double cosine = cosine_between(e, edge);
     if (std::abs(cosine) < k_along) return std::nullopt;
@@ -146,7 +155,7 @@ class BesideSearch {
   /// Whether the vertex lies off the end of the stretch that the edge is in.
   bool is_beyond_end(std::size_t e, const Foot& foot) const {
     if (foot.share > 0.0 && foot.share < 1.0) return false;
-    if (foot.distance <= k_at_end * borders_.length(foot.edge)) return false;
+    if (foot.distance <= std::max(equal_, k_at_end * borders_.length(foot.edge))) return false;
     const Vec3 a = borders_.start(foot.edge), along = borders_.end(foot.edge) - a;
     const Vec3 aside = borders_.start(e) - (a + foot.share * along);
     return std::abs(dot(aside, along)) > k_aside * norm(along) * foot.distance;
@@ -160,7 +169,7 @@ class BesideSearch {
                           foot.distance);
   }
 
-  void add(std::size_t e, const Foot& foot, std::vector<PlacesBeside>& places) const {
+  void add(std::size_t e, const Foot& foot, std::vector<BoundaryCorrespondence>& places) const {
     const BorderLoop& loop = borders_.loop_of(foot.edge);
     double there = borders_.place_of(foot.edge) + foot.share;
     if (there >= static_cast<double>(loop.count)) there = 0.0;
@@ -171,20 +180,29 @@ class BesideSearch {
   }
 
   const BorderLines& borders_;
-  double tolerance_;
+  double tolerance_, equal_;
   BoxTree tree_;
 };
 
 }  // namespace
 
-double reach_of(const BorderLines& borders, std::size_t edge, double tolerance) {
+double search_radius(const BorderLines& borders, std::size_t edge, double tolerance) {
   if (!(tolerance > 0.0)) return k_near * borders.length_around(edge);
   return std::min(tolerance, k_most_edges * borders.loop_of(edge).mean_edge());
 }
 
-std::vector<PlacesBeside> find_places_beside(const BorderLines& borders, double tolerance) {
+double vertex_tolerance(const BorderLines& borders, double tolerance) {
+  constexpr double k_of_edge = 0.1;
+  double length = 0.0;
+  for (const BorderLoop& loop : borders.loops())
+    length += loop.length;
+  return std::min(tolerance, k_of_edge * length / static_cast<double>(borders.edges().size()));
+}
+
+std::vector<BoundaryCorrespondence> find_boundary_correspondences(const BorderLines& borders,
+                                                                  double tolerance) {
   if (borders.edges().empty()) return {};
-  return BesideSearch(borders, tolerance).search();
+  return CorrespondenceSearch(borders, tolerance).search();
 }
 
 }  // namespace planish

@@ -4,8 +4,8 @@
 
 #include <planish/measure/fairness.h>
 
-#include "core/careful_sum.h"
 #include "core/math.h"
+#include "core/neumaier_sum.h"
 
 namespace planish {
 
@@ -60,7 +60,7 @@ double HingeBending::value(const std::vector<Vec3>& x, ThreadPool& pool, double 
       parts[h] = weights_[h] * t * t;
     }
   });
-  CarefulSum sum;
+  NeumaierSum sum;
   for (const double part : parts)
     sum.add(part);
   return sum.value() / b0_;

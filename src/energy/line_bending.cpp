@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 
 namespace planish {
 
@@ -13,7 +13,7 @@ LineBending::LineBending(std::vector<SecondDifference> differences, double lengt
 }
 
 double LineBending::value(const std::vector<Vec3>& moves) const {
-  CarefulSum sum;
+  NeumaierSum sum;
   for (const SecondDifference& difference : differences_) {
     const Vec3 f = difference.of(moves);
     sum.add(weight_ * dot(f, f));

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 
 namespace planish {
 
@@ -30,7 +30,7 @@ MoveBarrier::MoveBarrier(std::vector<double> reach, std::vector<double> counts)
 }
 
 double MoveBarrier::value(const std::vector<Vec3>& moves) const {
-  CarefulSum sum;
+  NeumaierSum sum;
   for (std::size_t v = 0; v < moves.size(); ++v) {
     if (reach_[v] < k_infinity)
       sum.add(weight_[v] * eighth_power(norm(moves[v]) / (k_barrier_share * reach_[v])));

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include "core/careful_sum.h"
 #include "core/math.h"
+#include "core/neumaier_sum.h"
 
 namespace planish {
 
@@ -35,7 +35,7 @@ ShapeGuard::Bound ShapeGuard::bound_of(double sharp, double least_angle) {
 ShapeGuard::ShapeGuard(std::vector<Triangle> triangles, const std::vector<Vec3>& design,
                        double least_angle)
     : triangles_(std::move(triangles)), bounds_{bound_of(k_sharp, least_angle)} {
-  CarefulSum total;
+  NeumaierSum total;
   corner_bounds_.reserve(3 * triangles_.size());
   edges_.reserve(3 * triangles_.size());
   for (const Triangle& t : triangles_) {
@@ -96,7 +96,7 @@ double ShapeGuard::value(const std::vector<Vec3>& x, ThreadPool& pool) const {
       terms[k] = k < edges_.size() ? edge_value(edges_[k], x) : corner_value(k - edges_.size(), x);
     }
   });
-  CarefulSum sum;
+  NeumaierSum sum;
   for (const double term : terms)
     sum.add(term);
   return sum.value();

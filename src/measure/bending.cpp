@@ -2,7 +2,7 @@
 
 #include <planish/measure/fairness.h>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "measure/area.h"
 #include "measure/bends.h"
 
@@ -66,7 +66,7 @@ std::vector<double> vertex_mean_curvatures(const Patch& patch) {
 
 Bending measure_bending(const Patch& patch) {
   const double scale = patch.unit_scale();
-  CarefulSum bending, turning;
+  NeumaierSum bending, turning;
   for_each_bend(patch.positions(), patch.connectivity(), scale,
                 [&](const Hinge&, const Bend& bend) {
                   bending.add(bend.bending());

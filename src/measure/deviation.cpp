@@ -4,7 +4,7 @@
 
 #include <planish/measure/deviation.h>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "mesh/search/closest_point.h"
 
 namespace planish {
@@ -13,7 +13,7 @@ namespace {
 
 /// Distances so far, in units that scale() makes.
 struct Distances {
-  CarefulSum squares;
+  NeumaierSum squares;
   double largest = 0.0, count = 0.0;
 
   void add(double squared) {

@@ -4,7 +4,7 @@
 
 #include <planish/measure/flattenability.h>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "geometry/dihedral_angle.h"
 #include "geometry/smallest_angle.h"
 #include "mesh/edges.h"
@@ -24,7 +24,7 @@ double smallest_angle_of(const TriMesh& mesh, double scale) {
 
 double rms_dihedral_angle(const Patch& patch, double scale) {
   const auto at = [&](Index v) { return scale * patch.positions()[v]; };
-  CarefulSum sum;
+  NeumaierSum sum;
   std::size_t count = 0;
   for_each_edge(patch.connectivity(), [&](const Edge& edge) {
     if (edge.is_border()) return;
@@ -40,7 +40,7 @@ double rms_dihedral_angle(const Patch& patch, double scale) {
 
 Flattenability summarise_defects(std::span<const double> defects, std::size_t inner_vertices) {
   Flattenability figures;
-  CarefulSum energy, sum;
+  NeumaierSum energy, sum;
   for (const double defect : defects) {
     const double size = std::abs(defect);
     if (size > figures.e_max || std::isnan(size)) figures.e_max = size;  // a NaN stays

@@ -5,7 +5,7 @@
 #include <planish/measure/flattenability.h>
 #include <planish/measure/obstruction.h>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "geometry/angle_between.h"
 #include "measure/area.h"
 
@@ -52,7 +52,7 @@ bool is_disk(const Patch& patch) {
 }
 
 double length_of(std::span<const Vec3> loop) {
-  CarefulSum length;
+  NeumaierSum length;
   for (std::size_t i = 0; i < loop.size(); ++i)
     length.add(norm(loop[(i + 1) % loop.size()] - loop[i]));
   return length.value();
@@ -60,7 +60,7 @@ double length_of(std::span<const Vec3> loop) {
 
 /// Area of the loop's projection along its mean normal: what it encloses where it lies in a plane.
 double enclosed_area(std::span<const Vec3> loop) {
-  CarefulSum x, y, z;
+  NeumaierSum x, y, z;
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
     const Vec3 doubled = cross(loop[i] - loop[0], loop[i + 1] - loop[0]);
     x.add(doubled.x);
@@ -73,7 +73,7 @@ double enclosed_area(std::span<const Vec3> loop) {
 /// Total curvature of the loop as a curve in space.
 double curvature_of(std::span<const Vec3> loop) {
   const std::size_t n = loop.size();
-  CarefulSum sum;
+  NeumaierSum sum;
   for (std::size_t i = 0; i < n; ++i)
     sum.add(angle_between(loop[i] - loop[(i + n - 1) % n], loop[(i + 1) % n] - loop[i]));
   return sum.value();
@@ -127,7 +127,7 @@ std::optional<Obstruction> find_obstruction(const Patch& patch) {
   Obstruction obstruction;
   obstruction.border_vertices = loop.size();
   obstruction.turning_most = curvature_of(border);
-  CarefulSum defects, turning;
+  NeumaierSum defects, turning;
   for (const double defect : angle_defects(patch))
     defects.add(defect);
   for (const Index b : loop) {

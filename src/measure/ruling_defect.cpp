@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "geometry/angle_between.h"
 
 namespace planish {
@@ -78,7 +78,7 @@ std::vector<Symmetric> normal_spreads(const TriMesh& mesh) {
 
 double ruling_defect(const Patch& patch) {
   const std::vector<Symmetric> spreads = normal_spreads(patch.mesh());
-  CarefulSum least, both;
+  NeumaierSum least, both;
   for (const Index v : patch.inner_vertices()) {
     const auto [l1, l2, l3] = eigenvalues(spreads[v]);
     const double smallest = std::max(l1, 0.0);

@@ -3,7 +3,7 @@
 
 #include <planish/measure/flattenability.h>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "measure/area.h"
 
 namespace planish {
@@ -25,7 +25,7 @@ Vec3 extent_of(const TriMesh& mesh, double scale) {
 }
 
 double border_length_of(const Patch& patch, double scale) {
-  CarefulSum length;
+  NeumaierSum length;
   for (const auto& loop : patch.border_loops()) {
     Vec3 before = scale * patch.positions()[loop.back()];
     for (const Index b : loop) {

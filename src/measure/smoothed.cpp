@@ -11,7 +11,7 @@
 #include <planish/core/range.h>
 #include <planish/measure/fairness.h>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 
 namespace planish {
 
@@ -99,7 +99,7 @@ InnerRows rows_of(const Columns& positions, const Connectivity& connectivity) {
     append_row(positions[v], ring, rows);
   }
   // A vertex without area would be divided by.
-  CarefulSum sum;
+  NeumaierSum sum;
   for (const double mass : rows.masses)
     sum.add(mass);
   const double least = 1e-9 * sum.value() / std::max(1, rows.size());
@@ -127,7 +127,7 @@ Columns laplacian_of(const Columns& x, const InnerRows& rows) {
 /// @param b its entries by number
 template <class F>
 Vec3 products(const Columns& a, F b) {
-  CarefulSum x, y, z;
+  NeumaierSum x, y, z;
   for (std::size_t v = 0; v < a.size(); ++v) {
     const Vec3 other = b(v);
     x.add(a[v].x * other.x);
@@ -209,7 +209,7 @@ Columns moves_of(InnerRows rows, double t, int most_steps) {
 }
 
 double mean_edge(const Columns& positions, const Connectivity& connectivity) {
-  CarefulSum sum;
+  NeumaierSum sum;
   double count = 0.0;
   for (Index v = 0; v < positions.size(); ++v) {
     for (const Index w : connectivity.ring(v)) {

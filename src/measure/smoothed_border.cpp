@@ -6,7 +6,7 @@
 #include <numbers>
 #include <span>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "geometry/angle_between.h"
 
 namespace planish {
@@ -20,7 +20,7 @@ class SmoothedLoop {
  public:
   SmoothedLoop(Points points, double wave) : points_(std::move(points)), held_(points_.size()) {
     const std::size_t n = points_.size();
-    CarefulSum length;
+    NeumaierSum length;
     for (std::size_t i = 0; i < n; ++i) {
       steps_.push_back(norm(points_[next(i)] - points_[i]));
       length.add(steps_.back());
@@ -64,7 +64,7 @@ class SmoothedLoop {
       to[i] = to[i] + factor * what[i];
   }
   static double product(const Points& a, const Points& b) {
-    CarefulSum sum;
+    NeumaierSum sum;
     for (std::size_t i = 0; i < a.size(); ++i)
       sum.add(dot(a[i], b[i]));
     return sum.value();

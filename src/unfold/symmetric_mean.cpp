@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 
 namespace planish {
 
@@ -17,14 +17,14 @@ Vec2 product(Vec2 a, Vec2 b) {
 // Places are complex numbers z, partners w, from the mean of all. Of the mirrorings w -> u conj(w)
 // with |u| = 1 the one that brings the partners nearest to the places has u along the sum of z w.
 std::vector<Vec2> symmetric_mean(std::vector<Vec2> places, std::span<const Vec2> partners) {
-  CarefulSum x, y;
+  NeumaierSum x, y;
   for (std::size_t i = 0; i < places.size(); ++i) {
     x.add(places[i].x + partners[i].x);
     y.add(places[i].y + partners[i].y);
   }
   const double each = places.empty() ? 0.0 : 0.5 / static_cast<double>(places.size());
   const Vec2 middle = each * Vec2{x.value(), y.value()};
-  CarefulSum real, imaginary;
+  NeumaierSum real, imaginary;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Vec2 both = product(places[i] - middle, partners[i] - middle);
     real.add(both.x);

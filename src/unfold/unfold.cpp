@@ -7,8 +7,8 @@
 #include <planish/mesh/inspect.h>
 #include <planish/unfold/unfold.h>
 
-#include "core/careful_sum.h"
 #include "core/job.h"
+#include "core/neumaier_sum.h"
 #include "geometry/crosses_itself.h"
 #include "mesh/match/symmetric_whole.h"
 #include "unfold/disk/disk.h"
@@ -154,7 +154,7 @@ std::vector<Vec2> in_mesh_order(const Patch& patch, const Disk& disk,
 Pattern placed(Pattern pattern, const Patch& patch, const Disk& disk, std::vector<Vec2> flat) {
   const std::vector<Vec2> outline = border_of(disk, flat);
   const std::vector<Vec2> places = place_in_smallest_box(std::move(flat), outline);
-  CarefulSum area;
+  NeumaierSum area;
   for (const Triangle& t : disk.triangles) {
     const double doubled = doubled_area(t, places);
     area.add(0.5 * doubled);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "evolve/descent/smallest_angle.h"
 #include "solve/sparse_pattern.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "evolve/systems/dense.h"
 #include "evolve/systems/positions.h"
 #include "geometry/cotangents.h"
@@ -147,7 +147,7 @@ Eigen::VectorXd area_shares(const PatchState& state) {
     for (const Index v : t)
       shares[static_cast<Eigen::Index>(v)] += area;
   }
-  CarefulSum total;
+  NeumaierSum total;
   for (const double share : shares)
     total.add(share);
   return shares / total.value();

@@ -27,7 +27,7 @@ constexpr double k_least_move = 1e-15;
 constexpr double k_no_defect = 1e-12;
 
 double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  CarefulSum sum;
+  NeumaierSum sum;
   for (std::size_t i = 0; i < a.size(); ++i)
     sum.add(planish::dot(a[i], b[i]));
   return sum.value();

@@ -49,7 +49,7 @@ Vec3 normal_of(const PatchState& state, Vec3 x, std::span<const Index> ring) {
 
 /// Of the edges at inner vertices; the others never change.
 double mean_edge(const PatchState& state, const std::vector<std::span<const Index>>& rings) {
-  CarefulSum sum;
+  NeumaierSum sum;
   std::size_t count = 0;
   for (Index v = 0; v < rings.size(); ++v) {
     for (const Index j : rings[v]) {

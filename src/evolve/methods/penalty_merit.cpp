@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
-#include "core/careful_sum.h"
 #include "core/math.h"
+#include "core/neumaier_sum.h"
 #include "geometry/angle_gradient.h"
 #include "geometry/triangle_shape.h"
 
@@ -86,7 +86,7 @@ void PenaltyMerit::make_edges(const PatchState& state) {
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   std::vector<std::size_t> counts(state.vertex_count(), 0);
-  CarefulSum squares;
+  NeumaierSum squares;
   for (const auto& [v, w] : edges) {
     const double length = norm(state.origin(v) - state.origin(w));
     neighbours_.push_back({w, length});
@@ -140,7 +140,7 @@ PenaltyPoint PenaltyMerit::at(std::vector<Vec3> positions) const {
       point.defects[v] = 2.0 * std::numbers::pi - sum;
     }
   });
-  CarefulSum energy, stretch;
+  NeumaierSum energy, stretch;
   for (const double g : point.defects)
     energy.add(g * g);
   for (Index v = 0; v < x.size(); ++v) {

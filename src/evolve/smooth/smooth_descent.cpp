@@ -7,7 +7,7 @@
 
 #include <planish/measure/fairness.h>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "evolve/descent/smallest_angle.h"
 #include "evolve/descent/tuning.h"
 #include "measure/smoothed.h"
@@ -21,7 +21,7 @@ namespace {
 /// Where the vertices of the patch were at first, from the middle of its area.
 Positions places_from_middle(const PatchState& state, const Eigen::VectorXd& area_shares) {
   const auto mean = [&](double Vec3::*coordinate) {
-    CarefulSum sum;
+    NeumaierSum sum;
     for (std::size_t v = 0; v < state.vertex_count(); ++v)
       sum.add(area_shares[static_cast<Eigen::Index>(v)] * (state.origin(v).*coordinate));
     return sum.value();
@@ -37,7 +37,7 @@ Positions places_from_middle(const PatchState& state, const Eigen::VectorXd& are
 /// The diagonal of a flat rectangle that is as far spread: unlike that of a box it does not depend
 /// on how the patch is turned.
 double diagonal_of(const Positions& from_middle, const Eigen::VectorXd& area_shares) {
-  CarefulSum sum;
+  NeumaierSum sum;
   for (std::size_t v = 0; v < from_middle.size(); ++v)
     sum.add(area_shares[static_cast<Eigen::Index>(v)] * dot(from_middle[v], from_middle[v]));
   return std::sqrt(12.0 * sum.value());
@@ -154,7 +154,7 @@ double SmoothDescent::closeness() const {
 
 double SmoothDescent::merit(const Eigen::VectorXd& phi) const {
   const Positions x = all_positions(state_), moves = sum_of(positions(), -1.0, origin_);
-  CarefulSum away;
+  NeumaierSum away;
   for (std::size_t v = 0; v < moves.size(); ++v)
     away.add(state_.weight(v) * dot(moves[v], moves[v]));
   const double strain = phi.squaredNorm() / static_cast<double>(phi.size());
@@ -193,7 +193,7 @@ void SmoothDescent::go_to(const Positions& positions) {
 }
 
 double SmoothDescent::deviation() const {
-  CarefulSum away;
+  NeumaierSum away;
   for (std::size_t v = 0; v < origin_.size(); ++v) {
     const Vec3 move = state_.position(v) - origin_[v];
     away.add(dot(move, move));

@@ -11,7 +11,7 @@
 #include <planish/mesh/patch.h>
 
 #include "core/buffer.h"
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "core/thread_pool.h"
 #include "evolve/lanes/move_stars.h"
 #include "evolve/state/visit_plan.h"
@@ -22,7 +22,7 @@ namespace planish {
 /// Sums over vertices of the sizes of their defects.
 struct DefectSums {
   double most = 0.0;
-  CarefulSum energy, sum;
+  NeumaierSum energy, sum;
 
   void add(double size) {
     raise(size);

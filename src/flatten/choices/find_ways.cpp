@@ -9,8 +9,8 @@
 
 #include <planish/unfold/material_fit.h>
 
-#include "core/careful_sum.h"
 #include "core/job.h"
+#include "core/neumaier_sum.h"
 
 namespace planish {
 
@@ -57,7 +57,7 @@ double rms_move(const Patch& patch, std::span<const Vec3> after) {
   const double scale = patch.unit_scale();
   const auto at = [&](Index v) { return scale * patch.positions()[v]; };
   const auto move = [&](Index v) { return scale * after[v] - at(v); };
-  CarefulSum squares, area;
+  NeumaierSum squares, area;
   for (const Triangle& t : patch.triangles()) {
     const double doubled = norm(cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0])));
     const Vec3 a = move(t[0]), b = move(t[1]), c = move(t[2]);

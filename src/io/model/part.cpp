@@ -7,7 +7,7 @@
 #include <planish/mesh/wall.h>
 #include <planish/mesh/weld.h>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "mesh/manifold_defects.h"
 #include "mesh/redundant/doubled.h"
 #include "mesh/repair/sheets.h"
@@ -293,7 +293,7 @@ bool meet(const std::vector<Vec3>& one, const std::vector<Vec3>& other, double w
 bool faces_both_ways(const TriMesh& mesh) {
   constexpr double k_one_way = 0.25;  // of the area
   const double scale = unit_scale(mesh);
-  CarefulSum x, y, z, all;
+  NeumaierSum x, y, z, all;
   for (const Triangle& t : mesh.triangles) {
     const Vec3 corner = scale * mesh.positions[t[0]];
     const Vec3 area =

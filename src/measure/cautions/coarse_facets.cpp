@@ -8,8 +8,8 @@
 
 #include <planish/measure/cautions.h>
 
-#include "core/careful_sum.h"
 #include "core/math.h"
+#include "core/neumaier_sum.h"
 #include "measure/cautions/triangle_hinges.h"
 
 namespace planish {
@@ -123,13 +123,13 @@ class Neighbourhood {
 /// What a share of the area stays at or below.
 double usual_turn(const std::vector<double>& turns, const std::vector<double>& areas) {
   std::vector<std::pair<double, Index>> order;
-  CarefulSum area;
+  NeumaierSum area;
   for (Index t = 0; t < turns.size(); ++t) {
     order.emplace_back(turns[t], t);
     area.add(areas[t]);
   }
   std::sort(order.begin(), order.end());
-  CarefulSum so_far;
+  NeumaierSum so_far;
   for (const auto& [turn, t] : order) {
     so_far.add(areas[t]);
     if (so_far.value() >= k_most_of_area * area.value()) return turn;

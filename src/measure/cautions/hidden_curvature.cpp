@@ -4,7 +4,7 @@
 
 #include <planish/measure/cautions.h>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "measure/cautions/plane_facets.h"
 #include "measure/cautions/triangle_hinges.h"
 
@@ -90,7 +90,7 @@ class RulingJudge {
 /// Of all the area, that of triangles which are neither plane nor ruled.
 double unknown_share(const Patch& patch, const std::vector<double>& areas, double area) {
   const RulingJudge judge(patch);
-  CarefulSum unknown;
+  NeumaierSum unknown;
   for (Index t = 0; t < areas.size(); ++t) {
     if (!judge.is_ruled(t)) unknown.add(areas[t]);
   }
@@ -101,7 +101,7 @@ double unknown_share(const Patch& patch, const std::vector<double>& areas, doubl
 
 std::optional<HiddenCurvature> find_hidden_curvature(const Patch& patch) {
   const std::vector<double> areas = triangle_areas(patch);
-  CarefulSum all, inner;
+  NeumaierSum all, inner;
   for (Index t = 0; t < areas.size(); ++t) {
     all.add(areas[t]);
     for (const Index v : patch.triangles()[t]) {

@@ -7,7 +7,7 @@
 #include <planish/measure/cautions.h>
 #include <planish/measure/fairness.h>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "measure/area.h"
 #include "measure/bends.h"
 #include "measure/cautions/straight_rows.h"
@@ -82,7 +82,7 @@ void for_each_row(const Patch& patch, const std::vector<double>& values, const V
 /// distance, from 0 to 1. Noise repeats itself by chance only.
 double repetition(const Patch& patch, const std::vector<double>& curvatures) {
   constexpr std::size_t k_nearest = 3, k_farthest = 16;
-  CarefulSum repeated, all;
+  NeumaierSum repeated, all;
   for_each_row(patch, curvatures, [&](const std::vector<double>& row) {
     const std::size_t n = row.size();
     if (n < 4 * k_nearest) return;
@@ -115,7 +115,7 @@ double noisy_share(const Patch& patch) {
       around[v] += areas[t] / 3.0;
   }
   const double edge = mean_side_of(patch.mesh(), patch.unit_scale()) / patch.unit_scale();
-  CarefulSum noisy, all;
+  NeumaierSum noisy, all;
   std::size_t count = 0;
   for (const Index v : patch.inner_vertices()) {
     if (!is_off_border(patch.connectivity(), v)) continue;
@@ -131,7 +131,7 @@ double noisy_share(const Patch& patch) {
 
 /// How much the surface turns off its border: a crease that is rounded turns as much as before.
 double turning_inside(const Patch& patch, const std::vector<Vec3>& positions) {
-  CarefulSum turning;
+  NeumaierSum turning;
   for_each_bend(positions, patch.connectivity(), patch.unit_scale(),
                 [&](const Hinge& hinge, const Bend& bend) {
                   if (is_off_border(patch.connectivity(), hinge.from) &&
@@ -144,7 +144,7 @@ double turning_inside(const Patch& patch, const std::vector<Vec3>& positions) {
 /// How far inner vertices are from where they were, rms; model units.
 double usual_move(const Patch& patch, const std::vector<Vec3>& after) {
   const double scale = patch.unit_scale();
-  CarefulSum squares;
+  NeumaierSum squares;
   for (const Index v : patch.inner_vertices()) {
     const Vec3 move = scale * after[v] - scale * patch.positions()[v];
     squares.add(dot(move, move));

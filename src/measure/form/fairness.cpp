@@ -8,7 +8,7 @@
 #include <planish/measure/cautions.h>
 #include <planish/measure/fairness.h>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "geometry/angle_between.h"
 #include "measure/area.h"
 #include "measure/bends.h"
@@ -42,7 +42,7 @@ std::vector<Bend> bends_of(std::span<const Vec3> positions, const Connectivity& 
 }
 
 double bending_of(std::span<const Bend> bends) {
-  CarefulSum sum;
+  NeumaierSum sum;
   for (const Bend& bend : bends)
     sum.add(bend.bending());
   return sum.value();
@@ -52,13 +52,13 @@ double bending_of(std::span<const Bend> bends) {
 double usual_curvature(std::span<const Bend> bends) {
   std::vector<std::pair<double, std::size_t>> order;
   order.reserve(bends.size());
-  CarefulSum area;
+  NeumaierSum area;
   for (std::size_t i = 0; i < bends.size(); ++i) {
     order.emplace_back(std::abs(bends[i].curvature()), i);
     area.add(bends[i].area);
   }
   std::sort(order.begin(), order.end());
-  CarefulSum so_far;
+  NeumaierSum so_far;
   for (const auto& [curvature, i] : order) {
     so_far.add(bends[i].area);
     if (so_far.value() >= k_usual_share * area.value()) return curvature;
@@ -67,7 +67,7 @@ double usual_curvature(std::span<const Bend> bends) {
 }
 
 double sharp_share(std::span<const Bend> bends, double usual) {
-  CarefulSum sharp, all;
+  NeumaierSum sharp, all;
   for (const Bend& bend : bends) {
     all.add(bend.area);
     if (std::abs(bend.curvature()) > (1.0 + k_bend_rounding) * usual) sharp.add(bend.area);
@@ -78,7 +78,7 @@ double sharp_share(std::span<const Bend> bends, double usual) {
 /// What came and what went, not yet over B0.
 std::pair<double, double> added_and_lost(std::span<const Bend> before,
                                          std::span<const Bend> after) {
-  CarefulSum added, lost;
+  NeumaierSum added, lost;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const double k0 = before[i].curvature(), k1 = after[i].curvature();
     const bool same = k0 * k1 > 0.0;
@@ -118,7 +118,7 @@ class RootMeanSquare {
   }
 
  private:
-  CarefulSum squares_;
+  NeumaierSum squares_;
   double count_ = 0.0;
 };
 

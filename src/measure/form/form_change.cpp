@@ -14,7 +14,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "measure/area.h"
 #include "measure/bends.h"
 #include "measure/form/windows.h"
@@ -111,7 +111,7 @@ Compared compared(const Patch& design, std::span<const Vec3> after, double size)
   pair.normals_before = unit_normals(design, pair.before);
   pair.normals_after = unit_normals(design, pair.after);
   pair.areas.assign(n, 0.0);
-  CarefulSum length;
+  NeumaierSum length;
   for (const Triangle& t : design.triangles()) {
     const double third = norm(triangle_normal(t, pair.before, 1.0)) / 6.0;
     for (const Index v : t)
@@ -173,7 +173,7 @@ class Figures {
     shares_.push_back(share);
   }
   double area() const {
-    CarefulSum area;
+    NeumaierSum area;
     for (const double share : shares_)
       area.add(share);
     return area.value();
@@ -183,7 +183,7 @@ class Figures {
     auto order = values_;
     std::sort(order.begin(), order.end());
     const double needed = part * area();
-    CarefulSum so_far;
+    NeumaierSum so_far;
     for (const auto& [value, i] : order) {
       so_far.add(shares_[i]);
       if (so_far.value() >= needed) return value;

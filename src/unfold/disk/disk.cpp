@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "solve/dissection.h"
 
 namespace planish {
@@ -59,7 +59,7 @@ Disk make_disk(const Patch& patch) {
                    });
 
   const double to_unit_box = patch.unit_scale();
-  CarefulSum area;
+  NeumaierSum area;
   for (const Triangle& t : disk.triangles) {
     const auto corner = [&](int k) {
       return to_unit_box * patch.positions()[disk.vertex_of[t[k]]];

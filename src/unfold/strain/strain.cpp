@@ -4,8 +4,8 @@
 
 #include <planish/unfold/strain.h>
 
-#include "core/careful_sum.h"
 #include "core/math.h"
+#include "core/neumaier_sum.h"
 #include "mesh/edges.h"
 #include "unfold/strain/free_edges.h"
 #include "unfold/strain/strain_of_edge.h"
@@ -21,7 +21,7 @@ double area_of(const TriMesh& mesh, double scale, Index a, Index b, Index c) {
 }
 
 double total_area(const std::vector<StrainOfEdge>& edges) {
-  CarefulSum area;
+  NeumaierSum area;
   for (const StrainOfEdge& edge : edges)
     area.add(edge.area);
   return area.value();
@@ -36,7 +36,7 @@ std::vector<StrainOfEdge> sorted_by_size(std::vector<StrainOfEdge> edges) {
 
 double at_share_of_sorted(const std::vector<StrainOfEdge>& edges, double share) {
   const double enough = share * total_area(edges);
-  CarefulSum area;
+  NeumaierSum area;
   for (const StrainOfEdge& edge : edges) {
     area.add(edge.area);
     if (area.value() >= enough) return std::abs(edge.strain);
@@ -90,7 +90,7 @@ EdgeStrain figures_of(const std::vector<StrainOfEdge>& edges) {
   EdgeStrain result;
   if (edges.empty()) return result;
   result.worst_edge = edges.front().edge;
-  CarefulSum squares;
+  NeumaierSum squares;
   for (const StrainOfEdge& edge : edges) {
     if (std::abs(edge.strain) > result.max) {
       result.max = std::abs(edge.strain);

@@ -7,7 +7,7 @@
 #include <planish/core/range.h>
 #include <planish/unfold/strain.h>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "unfold/strain/strain_of_edges.h"
 
 namespace planish {
@@ -59,7 +59,7 @@ std::string words_of(Kind kind) {
 }
 
 double share_beyond(const std::vector<StrainOfEdge>& edges, Kind kind, double limit) {
-  CarefulSum beyond, all;
+  NeumaierSum beyond, all;
   for (const StrainOfEdge& edge : edges) {
     all.add(edge.area);
     if (part_of(edge.strain, kind) > limit) beyond.add(edge.area);

@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/careful_sum.h"
 #include "core/math.h"
+#include "core/neumaier_sum.h"
 #include "optimize/line_search.h"
 #include "unfold/stretch/flat_steps.h"
 
@@ -57,7 +57,7 @@ class LogSum {
   double value() const { return sum_.value() + math::log(product_); }
 
  private:
-  CarefulSum sum_;
+  NeumaierSum sum_;
   double product_ = 1.0;
 };
 
@@ -169,7 +169,7 @@ class BoundedDescent {
 
   /// At first bounds push the scale back as strongly as the weight pulls.
   void begin_barrier() {
-    CarefulSum push;
+    NeumaierSum push;
     push.add(1.0 / scale_bound_.slack);
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (!is_bounded(e)) continue;
@@ -197,7 +197,7 @@ class BoundedDescent {
   void assemble() {
     system_.assemble(now_.flat, Curvature::projected);
     mixed_ = Eigen::VectorXd::Zero(system_.gradient().size());
-    CarefulSum gradient, curvature;
+    NeumaierSum gradient, curvature;
     gradient.add(weight_ - mu_ / scale_bound_.slack);
     curvature.add(scale_bound_.multiplier / scale_bound_.slack);
     for (std::size_t e = 0; e < edges_.size(); ++e) {
@@ -297,7 +297,7 @@ class BoundedDescent {
   /// with the factor of the step. (Edges that turn are longer than the first derivatives say.)
   State corrected(const State& trial, const Steps& steps, double share) const {
     Eigen::VectorXd pull = Eigen::VectorXd::Zero(mixed_.size());
-    CarefulSum scale_pull;
+    NeumaierSum scale_pull;
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       if (!is_bounded(e)) continue;
       const double beyond = longer_[e].slack + share * steps[e].longer - trial.slacks[e].longer;
@@ -346,7 +346,7 @@ class BoundedDescent {
   /// the matrix stays near that of the merit.
   void lower_barrier(double share) {
     constexpr double apart = 100.0;
-    CarefulSum gap;
+    NeumaierSum gap;
     double count = 0.0;
     for_each_bound([&](Bound& bound) {
       const double central = mu_ / bound.slack;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 
 namespace planish {
 
@@ -19,7 +19,7 @@ std::vector<Vec2> turn_to_axis(const Disk& disk, std::vector<Vec2> flat) {
 }
 
 double total_energy(const Disk& disk, const std::vector<Vec2>& flat) {
-  CarefulSum sum;
+  NeumaierSum sum;
   for (std::size_t t = 0; t < disk.triangles.size(); ++t) {
     if (!(doubled_area(disk.triangles[t], flat) > 0.0)) {
       return std::numeric_limits<double>::infinity();

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/careful_sum.h"
+#include "core/neumaier_sum.h"
 #include "geometry/crosses_itself.h"
 #include "unfold/strain/strain_of_edges.h"
 #include "unfold/stretch/edge_price.h"
@@ -81,7 +81,7 @@ class PricedSteps {
   }
 
   double energy(const std::vector<Vec2>& flat, double price) const {
-    CarefulSum cost;
+    NeumaierSum cost;
     for (const FlatEdge& edge : edges_) {
       const double strain = norm(flat[edge.to] - flat[edge.from]) / edge.length - 1.0;
       cost.add(edge.area * price_of_(strain / peak_).value);
@@ -206,7 +206,7 @@ LeastStretch lower_rms(const Disk& disk, StretchSystem& system, std::span<const 
 }
 
 double rms_strain(std::span<const FlatEdge> edges, std::span<const double> strains) {
-  CarefulSum squares, area;
+  NeumaierSum squares, area;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     squares.add(edges[e].area * strains[e] * strains[e]);
     area.add(edges[e].area);

@@ -6,14 +6,14 @@ namespace planish {
 
 /// Sums with the rounding errors carried along (Neumaier): as if the sum were made in twice the
 /// digits, so that energies of successive sweeps can be compared to the last digit.
-class CarefulSum {
+class NeumaierSum {
  public:
   void add(double x) {
     const double total = sum_ + x;
     lost_ += std::abs(sum_) >= std::abs(x) ? (sum_ - total) + x : (x - total) + sum_;
     sum_ = total;
   }
-  void add(const CarefulSum& other) {
+  void add(const NeumaierSum& other) {
     add(other.sum_);
     lost_ += other.lost_;
   }

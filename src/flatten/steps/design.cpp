@@ -4,7 +4,7 @@
 
 #include <planish/measure/cautions.h>
 
-#include "core/aside.h"
+#include "core/async_task.h"
 #include "core/job.h"
 #include "flatten/steps/evolve_patch.h"
 #include "measure/smoothed.h"
@@ -66,7 +66,7 @@ Design worked_on(const Patch& patch, const Task& task) {
 }  // namespace
 
 MeasuredDesign measure_design(const Patch& patch, const Context& context) {
-  Aside bending(context.threads != 1, [&] { return design_bending(patch); });
+  AsyncTask bending(context.threads != 1, [&] { return design_bending(patch); });
   MeasuredDesign measured;
   measured.figures = measure_patch(patch, context);
   measured.bending = bending.result();

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/aside.h"
+#include "core/async_task.h"
 #include "core/job.h"
 #include "measure/ruling_defect.h"
 
@@ -12,7 +12,8 @@ MeasuredPatch measure_patch(const Patch& patch, const Context& context) {
   MeasuredPatch measured;
   measured.inspection = patch.inspection();
   require(measured.inspection, Purpose::measure);
-  Aside intersections(context.threads != 1, [&] { return find_self_intersections(patch.mesh()); });
+  AsyncTask intersections(context.threads != 1,
+                          [&] { return find_self_intersections(patch.mesh()); });
   measured.size = measure_size(patch);
   measured.figures = measure(patch);
   measured.flattenable = is_flattenable(measured.figures, measured.inspection);
@@ -37,8 +38,8 @@ EvolveReport report_of_evolving(const Patch& patch, const MeasuredDesign& measur
   report.before = measured.figures;
   report.result = evolved();
   const std::vector<Vec3>& after = report.result.positions;
-  Aside fairness(context.threads != 1,
-                 [&] { return measure_fairness(patch, measured.bending, after); });
+  AsyncTask fairness(context.threads != 1,
+                     [&] { return measure_fairness(patch, measured.bending, after); });
   stop_if_cancelled(context);
   report.after = measure_patch(patch.with_positions(after), context);
   report.deviation = measure_deviation(patch, after);

@@ -4,7 +4,7 @@
 #include <future>
 #include <vector>
 
-#include "core/aside.h"
+#include "core/async_task.h"
 #include "core/job.h"
 
 namespace planish {
@@ -49,7 +49,7 @@ std::pair<UnfoldReport, UnfoldReport> unfold_both(const Patch& before, const Pat
     UnfoldReport second = unfold_patch(after, unit, how, parts.next(0.5));
     return {unfold_patch(before, unit, plain, parts.next(1.0)), std::move(second)};
   }
-  std::future<UnfoldReport> aside = start_aside(unfold_before);
+  std::future<UnfoldReport> aside = run_async(unfold_before);
   try {
     UnfoldReport second = unfold_patch(after, unit, how, context);
     return {aside.valid() ? aside.get() : unfold_before(), std::move(second)};

@@ -8,7 +8,7 @@ namespace planish {
 
 /// Starts a task on a thread of its own; an invalid future where the system has no thread to give.
 template <class Task>
-std::future<std::invoke_result_t<Task>> start_aside(const Task& task) {
+std::future<std::invoke_result_t<Task>> run_async(const Task& task) {
   try {
     return std::async(std::launch::async, task);
   } catch (const std::system_error&) {
@@ -19,10 +19,10 @@ std::future<std::invoke_result_t<Task>> start_aside(const Task& task) {
 /// A result of a task that is worked on at the same time where there are threads for it, or else
 /// when it is asked for. The task's data must outlive this.
 template <class Task>
-class Aside {
+class AsyncTask {
  public:
-  Aside(bool at_once, const Task& task) : task_(task) {
-    if (at_once) future_ = start_aside(task);
+  AsyncTask(bool at_once, const Task& task) : task_(task) {
+    if (at_once) future_ = run_async(task);
   }
 
   /// To be asked for once. Throws what the task throws.

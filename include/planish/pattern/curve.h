@@ -59,12 +59,12 @@ std::vector<Curve> fit_curves(std::span<const Polygon> loops, const LineFit& fit
 /// @param kept places that are to be points where they are on the line, to 0.001 mm, such as those
 /// of
 ///   notches; millimetres
-Polygon few_points(const Polygon& loop, const LineFit& fit = {.tolerance = 0.15},
-                   std::span<const Vec2> kept = {});
+Polygon simplify_polyline(const Polygon& loop, const LineFit& fit = {.tolerance = 0.15},
+                          std::span<const Vec2> kept = {});
 
 /// Closed lines in fewer points and in curves, for formats that take these.
 struct FittedLines {
-  std::vector<Polygon> few;   ///< few_points() of each line; empty: nothing was fitted
+  std::vector<Polygon> few;   ///< simplify_polyline() of each line; empty: nothing was fitted
   std::vector<Curve> curves;  ///< fit_curves() of each line; empty: nothing was fitted
 };
 

@@ -95,7 +95,8 @@ FittedLines fitted_lines(const std::vector<Polygon>& loops, const LineFit& fit,
   constexpr double few_share = 1.5;  // a polyline stays as near to its line as apparel programs ask
   FittedLines lines{{}, fit_curves(loops, fit)};
   for (const Polygon& loop : loops)
-    lines.few.push_back(few_points(loop, {few_share * fit.tolerance, fit.length_tolerance}, kept));
+    lines.few.push_back(
+        simplify_polyline(loop, {few_share * fit.tolerance, fit.length_tolerance}, kept));
   return lines;
 }
 

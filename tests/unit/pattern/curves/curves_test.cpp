@@ -224,7 +224,7 @@ TEST(FitCurves, WithoutAToleranceIsTheLineItself) {
 TEST(FewPoints, StayNearTheLineAndKeepItsLength) {
   for (const double noise : {0.0, 0.02, 0.05, 0.3}) {
     const Polygon loop = panel(noise);
-    const Polygon few = few_points(loop);
+    const Polygon few = simplify_polyline(loop);
     EXPECT_LE(apart(few, loop), 0.15 + 1e-9) << noise;
     EXPECT_NEAR(length_around(few), length_around(loop), 4 * 0.02) << noise;
     if (noise < 0.1) {
@@ -232,13 +232,13 @@ TEST(FewPoints, StayNearTheLineAndKeepItsLength) {
     }
   }
   const Polygon smooth = panel();
-  EXPECT_NEAR(length_around(few_points(smooth)), length_around(smooth), 1e-6);
+  EXPECT_NEAR(length_around(simplify_polyline(smooth)), length_around(smooth), 1e-6);
 }
 
 TEST(FewPoints, KeepCornersAndThePlacesThatAreAskedFor) {
   const Polygon loop = panel();
   const std::vector<Vec2> kept = {{121.3, 0.0}, loop[180], loop[180]};
-  const Polygon few = few_points(loop, {.tolerance = 0.15}, kept);
+  const Polygon few = simplify_polyline(loop, {.tolerance = 0.15}, kept);
   for (const Vec2 place : {loop[0], loop[100], loop[150], loop[250], kept[0], kept[1]})
     EXPECT_EQ(std::count(few.begin(), few.end(), place), 1) << place.x << " " << place.y;
 }
@@ -246,14 +246,15 @@ TEST(FewPoints, KeepCornersAndThePlacesThatAreAskedFor) {
 TEST(FewPoints, HaveNoPointAtAPlaceThatIsNotOnTheLine) {
   const Polygon loop = panel();
   const std::vector<Vec2> kept = {{121.3, 5.0}, {500.0, 100.0}};
-  EXPECT_EQ(few_points(loop, {.tolerance = 0.15}, kept), few_points(loop)) << "of another loop";
+  EXPECT_EQ(simplify_polyline(loop, {.tolerance = 0.15}, kept), simplify_polyline(loop))
+      << "of another loop";
 }
 
 TEST(FewPoints, LeaveSmallLoopsAlone) {
   const Polygon triangle = {{0, 0}, {10, 0}, {0, 10}};
-  EXPECT_EQ(few_points(triangle), triangle);
-  EXPECT_EQ(few_points({{0, 0}, {0, 0}, {10, 0}, {0, 10}, {0, 0}}), triangle) << "repeats";
-  EXPECT_TRUE(few_points({}).empty());
+  EXPECT_EQ(simplify_polyline(triangle), triangle);
+  EXPECT_EQ(simplify_polyline({{0, 0}, {0, 0}, {10, 0}, {0, 10}, {0, 0}}), triangle) << "repeats";
+  EXPECT_TRUE(simplify_polyline({}).empty());
   EXPECT_TRUE(fit_curves(std::vector<Polygon>{{}}).at(0).pieces.empty());
 }
 

@@ -179,7 +179,7 @@ std::pair<Polygon, std::vector<std::size_t>> with_points(Polygon loop,
 
 }  // namespace
 
-Polygon few_points(const Polygon& loop, const LineFit& fit, std::span<const Vec2> kept) {
+Polygon simplify_polyline(const Polygon& loop, const LineFit& fit, std::span<const Vec2> kept) {
   auto [line, breaks] = with_points(without_repeats(loop), kept);
   if (line.size() < 4) return line;
   for (const std::size_t corner : corners_of(line))

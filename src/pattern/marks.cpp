@@ -39,7 +39,7 @@ void check_vertex(Index vertex, std::size_t vertex_count, std::string_view piece
               {.path = {}, .first = vertex});
 }
 
-void check_place(const SurfacePlace& place, std::size_t vertex_count, std::string_view piece,
+void check_place(const SurfacePoint& place, std::size_t vertex_count, std::string_view piece,
                  const std::string& what) {
   for (const Index corner : place.corners)
     check_vertex(corner, vertex_count, piece, what);
@@ -87,7 +87,7 @@ std::vector<Polygon> inner_lines(std::span<const Vec2> positions, std::span<cons
 void check_inner_lines(std::size_t vertex_count, std::span<const SurfaceLine> lines,
                        std::string_view piece) {
   for (const SurfaceLine& line : lines) {
-    for (const SurfacePlace& place : line)
+    for (const SurfacePoint& place : line)
       check_place(place, vertex_count, piece, "an inner line goes near");
   }
 }
@@ -100,7 +100,7 @@ std::vector<Polygon> inner_lines(std::span<const Vec2> positions,
   for (const SurfaceLine& line : lines) {
     Polygon& points = result.emplace_back();
     points.reserve(line.size());
-    for (const SurfacePlace& place : line)
+    for (const SurfacePoint& place : line)
       points.push_back(position_of(place, positions));
   }
   return result;

@@ -114,7 +114,7 @@ Mark mark_at(const ClosestPoint& closest, const Patch& patch) {
   const auto& shares = closest.barycentric;
   const auto nearest = std::max_element(shares.begin(), shares.end()) - shares.begin();
   return {corners[static_cast<std::size_t>(nearest)], MarkKind::cross,
-          SurfacePlace{corners, shares}};
+          SurfacePoint{corners, shares}};
 }
 
 /// Of what the file at a path draws.

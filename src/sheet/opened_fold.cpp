@@ -133,13 +133,13 @@ class FoldedHalf {
     return opened;
   }
 
-  SurfacePlace image(SurfacePlace place) const {
+  SurfacePoint image(SurfacePoint place) const {
     for (Index& v : place.corners)
       v = image(v);
     return place;
   }
 
-  bool is_on_fold(const SurfacePlace& place) const {
+  bool is_on_fold(const SurfacePoint& place) const {
     bool is_on = true;
     for (std::size_t i = 0; i < 3; ++i)
       is_on = is_on && (place.shares[i] == 0.0 || is_on_fold(place.corners[i]));

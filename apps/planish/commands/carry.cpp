@@ -140,10 +140,10 @@ DrawnLines placed_on(const Patch& patch, const TracedLines& traced) {
   DrawnLines drawn;
   for (const auto& line : traced.lines) {
     std::vector<Vec3>& points = drawn.lines.emplace_back().points;
-    for (const SurfacePlace& place : line)
+    for (const SurfacePoint& place : line)
       points.push_back(position_of(place, patch.positions()));
   }
-  for (const SurfacePlace& place : traced.points)
+  for (const SurfacePoint& place : traced.points)
     drawn.points.push_back(position_of(place, patch.positions()));
   return drawn;
 }

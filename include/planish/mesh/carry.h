@@ -11,15 +11,15 @@
 namespace planish {
 
 /// A place on a triangle of a mesh. It means the same place on every mesh with the same triangles.
-struct SurfacePlace {
+struct SurfacePoint {
   Triangle corners = {};                                       ///< vertices of the triangle
   std::array<double, 3> shares = {1.0 / 3, 1.0 / 3, 1.0 / 3};  ///< of them, >= 0, with sum 1
 };
 
 /// Where the place is on a mesh with these vertices.
-Vec3 position_of(const SurfacePlace& place, std::span<const Vec3> positions);
+Vec3 position_of(const SurfacePoint& place, std::span<const Vec3> positions);
 /// The same in a pattern.
-Vec2 position_of(const SurfacePlace& place, std::span<const Vec2> positions);
+Vec2 position_of(const SurfacePoint& place, std::span<const Vec2> positions);
 
 /// A line that was drawn over a mesh, straight from point to point. A closed one ends in its first
 /// point.
@@ -38,8 +38,8 @@ struct DrawnLines {
 struct TracedLines {
   /// Each of two places or more, two that follow each other on one triangle. A line that leaves the
   /// mesh and comes back gives one for each part.
-  std::vector<std::vector<SurfacePlace>> lines;
-  std::vector<SurfacePlace> points;  ///< in the order that they were drawn
+  std::vector<std::vector<SurfacePoint>> lines;
+  std::vector<SurfacePoint> points;  ///< in the order that they were drawn
   double outside_length = 0.0;       ///< of lines that lie off the mesh, model units
   std::size_t outside_points = 0;    ///< points that lie off the mesh
   double farthest = 0.0;  ///< of the points that were taken from their places; model units

@@ -24,7 +24,7 @@ std::string_view to_string(MarkKind kind);
 struct Mark {
   Index vertex = 0;                        ///< of the patch
   MarkKind kind = MarkKind::cross;         ///< what is drawn there
-  std::optional<SurfacePlace> place = {};  ///< where it is, if not at the vertex
+  std::optional<SurfacePoint> place = {};  ///< where it is, if not at the vertex
 };
 
 /// Where a mark is in the pattern.
@@ -37,7 +37,7 @@ Vec2 place_of(const Mark& mark, std::span<const Vec2> positions);
 using InnerLine = std::vector<Index>;
 
 /// The same by places on the triangles of the patch.
-using SurfaceLine = std::vector<SurfacePlace>;
+using SurfaceLine = std::vector<SurfacePoint>;
 
 /// The size of marks from side to side, millimetres.
 inline constexpr double k_cross_size = 6.0, k_drill_size = 3.0;

@@ -60,15 +60,15 @@ bool is_in_plane(const DrawnLines& drawn, double z, double scale, double reach) 
          });
 }
 
-SurfacePlace surface_place(const PlaceOnTriangle& place, const TriMesh& mesh) {
+SurfacePoint surface_place(const PlaceOnTriangle& place, const TriMesh& mesh) {
   return {mesh.triangles[place.triangle], place.shares};
 }
 
 /// Of a line that goes through a corner by several edges that meet there, once. A line that ended
 /// where it begins still does.
-std::vector<SurfacePlace> surface_line(const std::vector<PlaceOnTriangle>& places,
+std::vector<SurfacePoint> surface_line(const std::vector<PlaceOnTriangle>& places,
                                        const TriMesh& mesh) {
-  std::vector<SurfacePlace> line;
+  std::vector<SurfacePoint> line;
   line.reserve(places.size());
   std::optional<Vec3> last;
   for (const PlaceOnTriangle& place : places) {
@@ -115,7 +115,7 @@ TracedLines traced(const TriMesh& mesh, const DrawnLines& drawn, double scale, c
       pieces.close(first, are_one);
   }
   for (const auto& piece : pieces.pieces()) {
-    std::vector<SurfacePlace> line = surface_line(piece, mesh);
+    std::vector<SurfacePoint> line = surface_line(piece, mesh);
     if (line.size() > 1) result.lines.push_back(std::move(line));
   }
   for (const Vec3 p : drawn.points) {
@@ -131,13 +131,13 @@ TracedLines traced(const TriMesh& mesh, const DrawnLines& drawn, double scale, c
 
 }  // namespace
 
-Vec3 position_of(const SurfacePlace& place, std::span<const Vec3> positions) {
+Vec3 position_of(const SurfacePoint& place, std::span<const Vec3> positions) {
   return place.shares[0] * positions[place.corners[0]] +
          place.shares[1] * positions[place.corners[1]] +
          place.shares[2] * positions[place.corners[2]];
 }
 
-Vec2 position_of(const SurfacePlace& place, std::span<const Vec2> positions) {
+Vec2 position_of(const SurfacePoint& place, std::span<const Vec2> positions) {
   return place.shares[0] * positions[place.corners[0]] +
          place.shares[1] * positions[place.corners[1]] +
          place.shares[2] * positions[place.corners[2]];

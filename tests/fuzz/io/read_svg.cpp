@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 2> k_layers = {"cut", "label"};
 void check_traced(const TracedLines& traced, const TriMesh& mesh) {
   fuzz::check(std::isfinite(traced.outside_length) && traced.outside_length >= 0.0,
               "lengths are finite");
-  const auto check_place = [&](const SurfacePlace& place) {
+  const auto check_place = [&](const SurfacePoint& place) {
     double sum = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
       fuzz::check(place.corners[k] < mesh.positions.size(), "corners are vertices of the mesh");

@@ -47,9 +47,9 @@ TriMesh pressed_flat(TriMesh mesh) {
   return mesh;
 }
 
-std::vector<Vec3> on(const TriMesh& mesh, const std::vector<SurfacePlace>& places) {
+std::vector<Vec3> on(const TriMesh& mesh, const std::vector<SurfacePoint>& places) {
   std::vector<Vec3> points;
-  for (const SurfacePlace& place : places)
+  for (const SurfacePoint& place : places)
     points.push_back(position_of(place, mesh.positions));
   return points;
 }
@@ -94,7 +94,7 @@ void expect_near(Vec3 a, Vec3 b, double tolerance = 1e-9) {
 
 /// That every two places which follow each other are on one triangle.
 void expect_on_triangles(const TracedLines& traced, const TriMesh& mesh) {
-  const auto uses = [](const SurfacePlace& place, const Triangle& t) {
+  const auto uses = [](const SurfacePoint& place, const Triangle& t) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (place.shares[k] > 0.0 && std::find(t.begin(), t.end(), place.corners[k]) == t.end())
         return false;

@@ -86,7 +86,7 @@ std::string_view to_string(ErrorCode code) {
 
 namespace {
 
-std::string with_place(const std::string& message, const ErrorPlace& place) {
+std::string with_place(const std::string& message, const SourceLocation& place) {
   std::string text = place.path;
   if (place.line) text += ":" + std::to_string(*place.line);
   if (place.byte) text += " at byte " + std::to_string(*place.byte);
@@ -95,7 +95,7 @@ std::string with_place(const std::string& message, const ErrorPlace& place) {
 
 }  // namespace
 
-Error::Error(ErrorCode code, const std::string& message, ErrorPlace place)
+Error::Error(ErrorCode code, const std::string& message, SourceLocation place)
     : std::runtime_error(with_place(message, place)),
       code_(code),
       message_(message),

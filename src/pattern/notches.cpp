@@ -32,7 +32,7 @@ std::string name_of(std::string_view piece, const Notch& notch) {
 }
 
 [[noreturn]] void fail(std::string_view piece, const Notch& notch, const std::string& what) {
-  ErrorPlace place;
+  SourceLocation place;
   place.first = notch.vertex();
   throw Error(ErrorCode::misplaced_notch, name_of(piece, notch) + what, place);
 }

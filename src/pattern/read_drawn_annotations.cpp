@@ -20,7 +20,7 @@ namespace {
 /// A point of a drawing that is drawn there as often as lines go through it.
 struct DrawnPoint {
   Vec3 at;
-  ErrorPlace place;
+  SourceLocation place;
 };
 
 /// Of lines and points, each once, in the order of the file.
@@ -47,7 +47,7 @@ class Reach {
         code_(code),
         what_(std::move(what)) {}
 
-  double check(Vec3 drawn, Vec3 found, const ErrorPlace& place) const {
+  double check(Vec3 drawn, Vec3 found, const SourceLocation& place) const {
     const double apart = distance_of(drawn, found);
     if (apart <= most_) return apart;
     throw Error(code_,

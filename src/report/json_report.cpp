@@ -277,7 +277,7 @@ std::string json_report(const FrontierReport& report) {
 }
 
 std::string json_report(const Error& error) {
-  const ErrorPlace& place = error.place();
+  const SourceLocation& place = error.place();
   Json json = {{"code", to_string(error.code())},
                {"message", error.message() + ". " + std::string(way_on(error.code()))}};
   if (!place.path.empty()) json["path"] = place.path;

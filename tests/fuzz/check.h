@@ -49,7 +49,7 @@ void allow_refusal_of(const std::string& name, Read&& read) {
     read();
   } catch (const Error& error) {
     check_message(error);
-    const ErrorPlace& place = error.place();
+    const SourceLocation& place = error.place();
     check(place.path == name, "errors of files name the file");
     check(place.line.has_value() || place.byte.has_value() ||
               error.code() == ErrorCode::too_large || error.code() == ErrorCode::no_triangles,

@@ -113,7 +113,7 @@ Json read_json_file(const std::string& path, std::string_view what) try {
   if (json.is_discarded()) refuse_text(text, path);
   return json;
 } catch (const Error& error) {
-  ErrorPlace place = error.place();
+  SourceLocation place = error.place();
   place.path = path;
   throw Error(error.code(), error.message(), place);
 }

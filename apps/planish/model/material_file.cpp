@@ -101,7 +101,7 @@ bool is_material_file(const std::string& word) {
 Material read_material_file(const std::string& path) try {
   return material_of(read_json_file(path, "a material file"));
 } catch (const Error& error) {
-  ErrorPlace place = error.place();
+  SourceLocation place = error.place();
   place.path = path;
   throw Error(error.code(), error.message(), place);
 }

@@ -128,7 +128,7 @@ ProductFile read_product_file(const std::string& path) try {
   return product_of(read_json_file(path, "a product file"), path_of(path).parent_path());
 } catch (const Error& error) {
   // Of a material file the place is there already.
-  ErrorPlace place = error.place();
+  SourceLocation place = error.place();
   if (place.path.empty()) place.path = path;
   throw Error(error.code(), error.message(), place);
 }

@@ -27,7 +27,7 @@ auto about(const std::string& path, Work&& work) {
     return work();
   } catch (const Error& error) {
     if (is_of_usage(error) || !error.place().path.empty()) throw;
-    ErrorPlace place = error.place();
+    SourceLocation place = error.place();
     place.path = path;
     throw Error(error.code(), error.message(), place);
   }

@@ -25,7 +25,7 @@ py::object text_of(const std::string& text) {
 }
 
 /// Sets the Python exception that planish.errors makes of a code and words.
-void raise(const std::string& code, const char* words, const ErrorPlace& place = {}) {
+void raise(const std::string& code, const char* words, const SourceLocation& place = {}) {
   const auto number = [](const std::optional<std::size_t>& value) {
     return value ? py::object(py::int_(*value)) : py::object(py::none());
   };

@@ -59,7 +59,7 @@ enum class ErrorCode {
 std::string_view to_string(ErrorCode code);
 
 /// Where the fault is. Only what is known is set.
-struct ErrorPlace {
+struct SourceLocation {
   std::string path;                       ///< file
   std::optional<std::size_t> line = {};   ///< line of a text file, from 1
   std::optional<std::size_t> byte = {};   ///< offset in a binary file, from 0
@@ -72,19 +72,19 @@ struct ErrorPlace {
 class Error : public std::runtime_error {
  public:
   /// @param message one line, without the place, which what() puts in front
-  Error(ErrorCode code, const std::string& message, ErrorPlace place = {});
+  Error(ErrorCode code, const std::string& message, SourceLocation place = {});
 
   /// The kind of fault, for programs to act on.
   ErrorCode code() const noexcept { return code_; }
   /// Where it is, as far as that is known.
-  const ErrorPlace& place() const noexcept { return place_; }
+  const SourceLocation& place() const noexcept { return place_; }
   /// The message without the place; what() has "path:line: message".
   const std::string& message() const noexcept { return message_; }
 
  private:
   ErrorCode code_;
   std::string message_;
-  ErrorPlace place_;
+  SourceLocation place_;
 };
 
 }  // namespace planish

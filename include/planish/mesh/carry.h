@@ -24,8 +24,8 @@ Vec2 position_of(const SurfacePoint& place, std::span<const Vec2> positions);
 /// A line that was drawn over a mesh, straight from point to point. A closed one ends in its first
 /// point.
 struct DrawnLine {
-  std::vector<Vec3> points;  ///< model units of the mesh
-  ErrorPlace place = {};     ///< where it was drawn, for errors
+  std::vector<Vec3> points;   ///< model units of the mesh
+  SourceLocation place = {};  ///< where it was drawn, for errors
 };
 
 /// What was drawn over a mesh.

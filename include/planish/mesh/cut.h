@@ -14,7 +14,7 @@ struct CutPath {
   /// From end to end. Two that follow each other and are not joined by an edge stand for the
   /// shortest path of edges between them that keeps off the border.
   std::vector<Index> vertices;
-  ErrorPlace place = {};  ///< where it was asked for, for errors
+  SourceLocation place = {};  ///< where it was asked for, for errors
 };
 
 /// A mesh that was cut open.

@@ -2,7 +2,8 @@
 
 namespace planish {
 
-void throw_read_error(ErrorCode code, const std::string& message, ErrorPlace place, ReadItem item) {
+void throw_read_error(ErrorCode code, const std::string& message, SourceLocation place,
+                      ReadItem item) {
   if (item.kind.empty()) throw Error(code, message, std::move(place));
   place.first = item.number;
   throw Error(code, printable(item.kind) + " " + std::to_string(item.number) + ": " + message,

@@ -21,7 +21,7 @@ struct ReadPlace {
 };
 
 /// Throws the error with the item in its message and its place.
-[[noreturn]] void throw_read_error(ErrorCode code, const std::string& message, ErrorPlace place,
+[[noreturn]] void throw_read_error(ErrorCode code, const std::string& message, SourceLocation place,
                                    ReadItem item);
 
 /// Words of a file as they may stand in a message: cut, and with \xNN for what is not printable

@@ -33,7 +33,7 @@ bool is_near(Vec3 p, Vec3 middle) {
   return std::max({std::abs(apart.x), std::abs(apart.y), std::abs(apart.z)}) <= k_farthest;
 }
 
-[[noreturn]] void fail_far(const ErrorPlace& place) {
+[[noreturn]] void fail_far(const SourceLocation& place) {
   throw Error(ErrorCode::too_large,
               "what is drawn goes a million sizes of the mesh away from it: is it in other units, "
               "or drawn over another mesh?",

@@ -22,7 +22,7 @@ std::string vertex_text(const Patch& patch, Index v) {
 /// Refuses the path of that number, from 0.
 [[noreturn]] void refuse_cut(const CutPath& path, std::size_t number, ErrorCode code,
                              const std::string& message, std::optional<std::size_t> vertex) {
-  ErrorPlace place = path.place;
+  SourceLocation place = path.place;
   place.first = vertex;
   throw Error(code, "cut " + std::to_string(number + 1) + " " + message, place);
 }

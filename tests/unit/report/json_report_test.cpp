@@ -343,7 +343,7 @@ TEST(JsonReport, OfAnErrorHasOnlyTheKeysThatAreKnown) {
                         {"error",
                          {{"code", "unfold_failed"},
                           {"message", advised("no way", ErrorCode::unfold_failed)}}}}));
-  ErrorPlace place;
+  SourceLocation place;
   place.path = "a.obj";
   place.line = 12;
   place.byte = 34;

@@ -53,7 +53,7 @@ Drawing product_sheet(const ProductReport& report, const std::string& title) {
 PatternOptions annotations_of_twin(PatternOptions own, const TriMesh& of, const PatchTwin& twin) {
   if (twin.mirrored) own = for_mirror_image(std::move(own));
   // Where piece_outline() begins.
-  own.like = DrawnLike{twin.mirrored, twin.vertex[Patch(of).border_loops().front().front()]};
+  own.like = MirrorReference{twin.mirrored, twin.vertex[Patch(of).border_loops().front().front()]};
   return own;
 }
 

@@ -85,7 +85,7 @@ struct FlattenRequest {
   fs::path folder;
   FlattenOptions options;
   PatternFiles pattern;
-  PageWords words;
+  ReportPageOptions words;
   std::shared_ptr<const NestRequest> nest;
 };
 
@@ -117,7 +117,7 @@ ProductJob product_job(const FlattenRequest& request, ProductInput input,
   }
   job.files_of = [request, formats, paths = job.paths](const FlattenReport& report, std::size_t p,
                                                        const PatternOptions& annotations) {
-    PageWords words = request.words;
+    ReportPageOptions words = request.words;
     const DrawnPattern drawn = drawn_pattern(report, annotations);
     if (request.nest) {
       words.sheet =
@@ -144,9 +144,9 @@ std::vector<std::string> input_extensions() {
 CommandResult run_flatten(const Arguments& arguments, Session& session) {
   // What can be wrong with the request is told before any work.
   FlattenOptions options = flatten_options_from(arguments);
-  PageWords words{.colors = colors_from(arguments),
-                  .command = command_line(flatten_command(), arguments),
-                  .reference = session.silent_context()};
+  ReportPageOptions words{.colors = colors_from(arguments),
+                          .command = command_line(flatten_command(), arguments),
+                          .reference = session.silent_context()};
   PatternFiles pattern = pattern_files_from(arguments);
   const auto nest = nest_from(arguments, pattern);
   const fs::path folder = folder_from(arguments);
@@ -155,7 +155,7 @@ CommandResult run_flatten(const Arguments& arguments, Session& session) {
       read_product(session, arguments.operands, arguments, arguments.has("--product"));
   if (read.is_batch) refuse_seam_flags(arguments);
   if (!read.is_described) note_idle_evolve_flags(session, arguments);
-  const std::optional<CutDone> cut = cut_product(read, arguments, session);
+  const std::optional<CutOutcome> cut = cut_product(read, arguments, session);
   if (read.patches.size() > 1 || read.is_described) rename_pieces(read, arguments);
   if (read.patches.size() > 1 || read.is_described || read.patches.front().failure) {
     check_copies_of(read.patches.size(), plan_of(pattern, options.unit, nest.get()));

@@ -35,11 +35,11 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
               " from the vertices that stand for it, and between them the cut follows edges";
     }
     session.note(text);
-    return {std::move(cut.mesh), CutDone{cut.edges, cut.length}};
+    return {std::move(cut.mesh), CutOutcome{cut.edges, cut.length}};
   });
 }
 
-std::vector<MoreFigures> figures_of_cut(const std::optional<CutDone>& cut) {
+std::vector<MoreFigures> figures_of_cut(const std::optional<CutOutcome>& cut) {
   if (!cut) return {};
   return {{"cut", {{"edges", cut->edges}, {"length", cut->length}}}};
 }

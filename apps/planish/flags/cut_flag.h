@@ -16,7 +16,7 @@ namespace planish::cli {
 Flag cut_flag();
 
 /// What --cut did to a mesh.
-struct CutDone {
+struct CutOutcome {
   std::size_t edges = 0;
   double length = 0.0;  ///< model units
 };
@@ -24,7 +24,7 @@ struct CutDone {
 /// The mesh as the verb is to work on it: cut open where --cut says so, which is told.
 struct CutInput {
   TriMesh mesh;
-  std::optional<CutDone> cut = {};
+  std::optional<CutOutcome> cut = {};
 };
 
 /// @throws Error as read_cuts() and cut_open()
@@ -32,6 +32,6 @@ CutInput cut_as_asked(TriMesh mesh, const std::string& path, const Arguments& ar
                       Session& session);
 
 /// What --cut did as "cut": {"edges", "length"}, for a report; nothing without the flag.
-std::vector<MoreFigures> figures_of_cut(const std::optional<CutDone>& cut);
+std::vector<MoreFigures> figures_of_cut(const std::optional<CutOutcome>& cut);
 
 }  // namespace planish::cli

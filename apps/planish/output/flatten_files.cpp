@@ -111,7 +111,7 @@ WrittenFiles paths_in(const fs::path& folder, MeshFormat format, const PatternFi
 }
 
 std::string page_of(const FlattenReport& report, const DrawnPattern& drawn,
-                    const PageWords& words) {
+                    const ReportPageOptions& words) {
   return html_report(report, drawn.geometry, drawn.sheet,
                      {.colors = words.colors,
                       .command = words.command,
@@ -124,7 +124,7 @@ std::string page_of(const FlattenReport& report, const DrawnPattern& drawn,
 
 std::vector<OutputFile> files_of(const FlattenReport& report, const DrawnPattern& drawn,
                                  const WrittenFiles& paths, MeshFormat format,
-                                 const PatternFiles& pattern, const PageWords& words,
+                                 const PatternFiles& pattern, const ReportPageOptions& words,
                                  const std::string& json) {
   const TriMesh& mesh = report.processed.mesh();
   std::vector<OutputFile> files = pattern_files(report, drawn.sheet, paths, pattern);
@@ -132,7 +132,7 @@ std::vector<OutputFile> files_of(const FlattenReport& report, const DrawnPattern
   files.push_back(
       {path_of(paths.at("flat")), format_mesh(flat_mesh(mesh, report.unfold.pattern), format)});
   files.push_back({path_of(paths.at("report_json")), json});
-  PageWords of_page = words;
+  ReportPageOptions of_page = words;
   of_page.files = files_beside_page(paths);
   files.push_back({path_of(paths.at("report_html")), page_of(report, drawn, of_page)});
   if (paths.contains("textured")) {

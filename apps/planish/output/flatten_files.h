@@ -31,7 +31,7 @@ struct PatternFiles {
 PatternFiles pattern_files_from(const Arguments& arguments);
 
 /// What the page says besides the report.
-struct PageWords {
+struct ReportPageOptions {
   ColorMap colors = ColorMap::diverging;
   std::string command;
   SheetFit sheet = {};               ///< no material where none was named
@@ -64,10 +64,11 @@ WrittenFiles paths_in(const std::filesystem::path& folder, MeshFormat format,
 /// @param json the content of report.json
 std::vector<OutputFile> files_of(const FlattenReport& report, const DrawnPattern& drawn,
                                  const WrittenFiles& paths, MeshFormat format,
-                                 const PatternFiles& pattern, const PageWords& words,
+                                 const PatternFiles& pattern, const ReportPageOptions& words,
                                  const std::string& json);
 
 /// The page of a report, report.html.
-std::string page_of(const FlattenReport& report, const DrawnPattern& drawn, const PageWords& words);
+std::string page_of(const FlattenReport& report, const DrawnPattern& drawn,
+                    const ReportPageOptions& words);
 
 }  // namespace planish::cli

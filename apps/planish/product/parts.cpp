@@ -315,8 +315,8 @@ ProductInput read_product(Session& session, const std::vector<std::string>& path
   return input;
 }
 
-std::optional<CutDone> cut_product(ProductInput& input, const Arguments& arguments,
-                                   Session& session) {
+std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& arguments,
+                                      Session& session) {
   if (!arguments.has("--cut")) return std::nullopt;
   if (input.patches.size() > 1 || input.is_described) {
     throw UsageError(

@@ -56,8 +56,8 @@ ProductInput read_product(Session& session, const std::vector<std::string>& path
 /// from then on.
 /// @throws UsageError for an input of several patches and for a product file, Error as
 /// cut_as_asked()
-std::optional<CutDone> cut_product(ProductInput& input, const Arguments& arguments,
-                                   Session& session);
+std::optional<CutOutcome> cut_product(ProductInput& input, const Arguments& arguments,
+                                      Session& session);
 
 /// The mesh files in a folder, not in folders below, in the order of their names. A note names
 /// models that cannot be read.

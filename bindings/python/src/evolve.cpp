@@ -27,7 +27,7 @@ namespace {
 struct EvolveOutcome {
   std::string name;
   cli::Evolved evolved;
-  std::optional<cli::CutDone> cut;
+  std::optional<cli::CutOutcome> cut;
   Unit unit = Unit::mm;
   std::vector<std::string> notes = {};
 };

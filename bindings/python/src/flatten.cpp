@@ -34,7 +34,7 @@ struct UnfoldResult {
   UnfoldReport report;
   cli::PatternFiles pattern;
   std::vector<Caution> cautions = {};
-  std::optional<cli::CutDone> cut = {};
+  std::optional<cli::CutOutcome> cut = {};
   std::vector<std::string> notes = {};
 };
 

@@ -22,7 +22,7 @@ struct FlattenResult {
   FlattenReport report;
   cli::PatternFiles pattern;
   cli::Arguments arguments;
-  std::optional<cli::CutDone> cut = {};
+  std::optional<cli::CutOutcome> cut = {};
   MeshFormat format = MeshFormat::obj;  ///< of the meshes that it writes
   std::vector<std::string> notes = {};
 };

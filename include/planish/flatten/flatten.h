@@ -55,15 +55,15 @@ struct OriginalSize {
 };
 
 /// What was done to a design before all else.
-struct SmoothedFirst {
+struct SmoothingSummary {
   double length = 0.0;  ///< of the waves that were taken out, model units
   Deviation moved;      ///< of the smoothed design from the raw one
 };
 
 /// A design without its short waves.
 struct SmoothedDesign {
-  Patch patch;         ///< with the triangles of the raw design
-  SmoothedFirst done;  ///< how much smoothing changed
+  Patch patch;            ///< with the triangles of the raw design
+  SmoothingSummary done;  ///< how much smoothing changed
 };
 
 /// What a result can miss: first what was asked for, then what every pattern must have.
@@ -140,7 +140,7 @@ struct EvolveReport {
   Fairness fairness = {};  ///< compared with the input patch
   /// Where the design was smoothed first: then `before` and `fairness` are of the smoothed one, the
   /// deviation is that from the raw one.
-  std::optional<SmoothedFirst> smoothed_first = {};
+  std::optional<SmoothingSummary> smoothed_first = {};
 
   /// By the target of e_max, the limits of deviation and angles, and the form. Limits of strain
   /// count as met where the method's own estimate of the strain keeps them: there is no pattern to
@@ -333,7 +333,7 @@ EvolveReport evolve_remeshed(const Patch& original, const RemeshedPatch& remeshe
 SmoothedDesign smooth_design(const Patch& raw, double length);
 
 /// The report of an evolution of a smoothed design, with what smoothing did.
-EvolveReport with_smoothing(EvolveReport report, const Patch& raw, const SmoothedFirst& done);
+EvolveReport with_smoothing(EvolveReport report, const Patch& raw, const SmoothingSummary& done);
 
 /// Unfolds with all figures around it. Crossings of the border are opened by 0.1 mm at most.
 /// @throws as unfold()

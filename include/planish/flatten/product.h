@@ -14,7 +14,7 @@
 namespace planish {
 
 /// What people say of a piece beside its form, as a product file does.
-struct PieceWords {
+struct PieceMetadata {
   std::string material = {};  ///< what it is cut from; empty: not said
   int quantity = 0;           ///< how many to cut; 0: not said
   std::string source = {};    ///< file that it was read from; empty: none
@@ -29,7 +29,7 @@ struct ProductPatch {
   std::optional<Failure> failure = {};
   /// Seams are searched only between patches of the same number, like that of the file.
   std::size_t group = 0;
-  PieceWords words = {};  ///< become those of the result
+  PieceMetadata words = {};  ///< become those of the result
   /// Instead of those of ProductOptions.
   std::optional<StrainLimits> limits = {};
   bool turned = false;  ///< becomes that of the result's UnfoldReport
@@ -89,7 +89,7 @@ struct PatchResult {
   std::optional<FinishedPatch> finished = {};  ///< its result
   std::optional<Failure> failure = {};         ///< why it has none
   bool resumed = false;                        ///< finished in an earlier run
-  PieceWords words = {};                       ///< of ProductPatch
+  PieceMetadata words = {};                    ///< of ProductPatch
 
   /// That of the result; of a patch without one, it misses Criterion::failure.
   Outcome outcome() const;

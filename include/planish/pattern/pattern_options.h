@@ -37,7 +37,7 @@ struct SeamNumber {
 /// Where a pattern's places are those of another one, mirrored or not (twin_report()): its lines
 /// are drawn from the same point on, and what is written of the outline in thousandths of a
 /// millimetre is the mirror image of what is written of the other's, digit by digit.
-struct DrawnLike {
+struct MirrorReference {
   bool mirrored = false;  ///< the other one is the mirror image
   Index start = 0;        ///< vertex of this mesh that the other's outline begins at
 };
@@ -61,9 +61,10 @@ struct PatternOptions {
   double model_scale = 1.0;   ///< for the label: what the model was multiplied with
   /// For the label: how far a place of the surface is from its design at most, model units.
   std::optional<double> moved = {};
-  std::string form_faults = {};        ///< for the label: as "is lost", of the form; empty: none
-  std::string cautions = {};           ///< for the label: as words_of(), with commas; empty: none
-  std::optional<DrawnLike> like = {};  ///< of a twin: how its lines follow those of the other one
+  std::string form_faults = {};  ///< for the label: as "is lost", of the form; empty: none
+  std::string cautions = {};     ///< for the label: as words_of(), with commas; empty: none
+  std::optional<MirrorReference> like =
+      {};  ///< of a twin: how its lines follow those of the other one
 
   /// Whether half of the piece is drawn.
   bool is_half() const { return fold && !fold->opened; }

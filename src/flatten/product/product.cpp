@@ -48,7 +48,7 @@ void check(std::span<const ProductPatch> patches) {
 
 /// What a thread makes of a patch. Without either it was cancelled. Of a failure nothing else is
 /// known: there may be no memory for more.
-struct PatchMade {
+struct PatchOutcome {
   std::optional<FinishedPatch> finished = {};
   std::optional<Failure> failure = {};
 };
@@ -79,13 +79,13 @@ class PatchWork {
         }));
     for (std::size_t k = 1; k < group.size(); ++k) {
       const std::size_t p = group[k];
-      put(p, guarded(p, [&] { return stopped_() ? PatchMade{} : as_twin(p, first); }));
+      put(p, guarded(p, [&] { return stopped_() ? PatchOutcome{} : as_twin(p, first); }));
     }
   }
 
  private:
   template <class Work>
-  PatchMade guarded(std::size_t p, const Work& work) const try {
+  PatchOutcome guarded(std::size_t p, const Work& work) const try {
     if (patches_[p].failure) return {{}, patches_[p].failure};
     return work();
   } catch (const Cancelled&) {
@@ -115,7 +115,7 @@ class PatchWork {
   }
 
   /// What was made of the other one, or else what flattening makes of it.
-  PatchMade as_twin(std::size_t p, const std::optional<FlattenReport>& other) const {
+  PatchOutcome as_twin(std::size_t p, const std::optional<FlattenReport>& other) const {
     if (other) {
       auto report = twin_report(*other, Patch(patches_[p].mesh), meshes_alike_[p]->match,
                                 patches_[p].name, options_of(p));
@@ -126,7 +126,7 @@ class PatchWork {
     return finished(p, flattened(p), nullptr);
   }
 
-  PatchMade finished(std::size_t p, const FlattenReport& report, const PatchTwin* twin) const {
+  PatchOutcome finished(std::size_t p, const FlattenReport& report, const PatchTwin* twin) const {
     if (callbacks_.on_report) callbacks_.on_report(p, report, twin);
     return {finished_patch(report)};
   }
@@ -249,7 +249,7 @@ class ProductWork {
     return numbers;
   }
 
-  void take(std::size_t p, PatchMade made) {
+  void take(std::size_t p, PatchOutcome made) {
     PatchResult& result = report_.patches[p];
     result.finished = std::move(made.finished);
     result.failure = std::move(made.failure);
@@ -280,13 +280,13 @@ class ProductWork {
     });
     const std::vector<std::vector<std::size_t>> groups = groups_of(numbers);
     std::atomic<std::size_t> next = 0;
-    Handover<std::pair<std::size_t, PatchMade>> results(numbers.size());
+    Handover<std::pair<std::size_t, PatchOutcome>> results(numbers.size());
     const PatchWork work(patches_, options_, callbacks_, alike_, report_, borders_,
                          [this] { return abandoned_ || is_cancelled(); });
     const auto work_on_next = [&] {
       const std::size_t k = next++;
       if (k >= groups.size()) return false;
-      work.do_group(groups[k], [&](std::size_t p, PatchMade done) {
+      work.do_group(groups[k], [&](std::size_t p, PatchOutcome done) {
         results.put({p, std::move(done)});
       });
       return true;

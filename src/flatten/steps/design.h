@@ -23,7 +23,7 @@ struct Design {
   Patch patch;     ///< smoothed or remeshed, if that was asked for
   /// Vertex of `patch` -> vertex of `original`, increasing; empty: they are the same.
   std::vector<Index> source = {};
-  std::optional<SmoothedFirst> smoothed = {};
+  std::optional<SmoothingSummary> smoothed = {};
   std::vector<Caution> cautions = {};
   // By the vertices of `patch`.
   Constraints constraints = {};

@@ -28,7 +28,7 @@ SmoothedDesign smooth_within(const Patch& raw, double wave, double reach, double
   return {raw.with_positions(std::move(positions)), {wave, moved}};
 }
 
-EvolveReport with_smoothing(EvolveReport report, const Patch& raw, const SmoothedFirst& done) {
+EvolveReport with_smoothing(EvolveReport report, const Patch& raw, const SmoothingSummary& done) {
   report.smoothed_first = done;
   report.deviation = measure_deviation(raw, report.result.positions);
   return report;

@@ -260,7 +260,7 @@ TEST(TwinReport, IsDrawnAsTheMirrorImageOnItsSheet) {
     options.edge_allowances.clear();
     if (allowance > 0.0) options.edge_allowances = {{loop[2], loop[9], 0.1}};
     const Drawing first = pattern_sheet(pair.report.processed, pair.report.unfold, "left", options);
-    options.like = DrawnLike{true, pair.match.vertex[loop[0]]};
+    options.like = MirrorReference{true, pair.match.vertex[loop[0]]};
     if (allowance > 0.0)  // the patch on its left
       options.edge_allowances = {{pair.match.vertex[loop[9]], pair.match.vertex[loop[2]], 0.1}};
     const Drawing second = pattern_sheet(twin.processed, twin.unfold, "right", options);

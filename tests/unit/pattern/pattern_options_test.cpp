@@ -74,7 +74,7 @@ TEST(PatternOptions, OfAMirrorImageHaveTheAngleOfTheGrainMirrored) {
   EXPECT_EQ(for_mirror_image(options).label.name, "left");
   options.grain = Vec3{0.0, 0.0, 1.0};
   EXPECT_EQ(for_mirror_image(options).grain, options.grain);
-  options.like = DrawnLike{true, 4};
+  options.like = MirrorReference{true, 4};
   const std::vector<Index> source = {1, 4, 6};
   EXPECT_EQ(renumbered(options, source).like->start, 1U);
 }

@@ -143,7 +143,7 @@ TEST(JsonReport, TellsOfABorderOnlyWhereItMoved) {
 TEST(JsonReport, TellsOfSmoothingOnlyWhereItWasDone) {
   EvolveReport report = samples::flatten_report().evolve;
   EXPECT_FALSE(Json::parse(json_report(report)).contains("smoothed_first"));
-  report.smoothed_first = SmoothedFirst{5.0, {0.25, 1.5, 0.0125}};
+  report.smoothed_first = SmoothingSummary{5.0, {0.25, 1.5, 0.0125}};
   EXPECT_EQ(Json::parse(json_report(report))["smoothed_first"],
             Json({{"length", 5.0},
                   {"moved", {{"rms", 0.25}, {"max", 1.5}, {"rms_over_diagonal", 0.0125}}}}));

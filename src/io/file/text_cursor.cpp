@@ -7,7 +7,7 @@
 
 #include <fast_float/fast_float.h>
 
-#include "io/file/foreign_file.h"
+#include "io/file/file_type_sniffer.h"
 
 namespace planish {
 

@@ -5,7 +5,7 @@
 #include <planish/io/read_mesh.h>
 
 #include "io/file/file_bytes.h"
-#include "io/file/foreign_file.h"
+#include "io/file/file_type_sniffer.h"
 #include "io/formats/formats.h"
 #include "io/unit/stated_unit.h"
 #include "platform/path.h"

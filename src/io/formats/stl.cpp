@@ -5,7 +5,7 @@
 
 #include "io/file/append.h"
 #include "io/file/byte_cursor.h"
-#include "io/file/foreign_file.h"
+#include "io/file/file_type_sniffer.h"
 #include "io/file/text_cursor.h"
 #include "io/formats/face_list.h"
 #include "io/formats/formats.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "io/file/foreign_file.h"
+#include "io/file/file_type_sniffer.h"
 
 namespace planish {
 

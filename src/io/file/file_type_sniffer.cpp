@@ -1,4 +1,4 @@
-#include "io/file/foreign_file.h"
+#include "io/file/file_type_sniffer.h"
 
 #include <array>
 #include <string>

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include <planish/pattern/pattern_options.h>
@@ -12,8 +13,11 @@ template <class Options, class Visit>
 void for_vertices(Options& options, Visit visit) {
   for (auto& notch : options.notches) {
     if (!notch.edge) continue;
-    for (auto& vertex : *notch.edge)
-      visit(vertex);
+    auto& [from, to] = *notch.edge;
+    const bool is_vertex = from == to;
+    visit(from);
+    if (!is_vertex) visit(to);
+    if constexpr (!std::is_const_v<Options>) to = is_vertex ? from : to;
   }
   const auto visit_corners = [&](auto& place) {
     for (auto& corner : place.corners)

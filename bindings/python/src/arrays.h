@@ -44,7 +44,7 @@ decltype(auto) along(const Struct& from) {
 
 /// For a property of Python: a view of the list that members lead to, as view_of() has it.
 template <auto First, auto... Rest>
-auto view(const py::object& self) {
+auto view_at(const py::object& self) {
   using Struct = decltype(struct_of(First));
   return view_of(along<First, Rest...>(self.cast<const Struct&>()), self);
 }

@@ -131,12 +131,12 @@ void register_sweeps(py::module_& module) {
       .def_property_readonly("seconds", value_at<&Sweep::record, &SweepRecord::seconds>,
                              "Time since the first sweep began.")
       .def_property_readonly(
-          "vertices", view<&Sweep::positions>,
+          "vertices", view_at<&Sweep::positions>,
           "Places after the sweep, shape (n, 3), model units; a read-only view.");
   py::class_<Sweeps>(module, "Sweeps", "An evolution as an iterator over its sweeps.")
       .def("__iter__", [](Sweeps& sweeps) -> Sweeps& { return sweeps; })
       .def("__next__", &Sweeps::next)
-      .def_property_readonly("faces", view<&Sweeps::patch, &Patch::triangles>,
+      .def_property_readonly("faces", view_at<&Sweeps::patch, &Patch::triangles>,
                              "Vertices of the triangles, shape (m, 3); a read-only view.");
   module.def(
       "sweeps",
@@ -154,10 +154,10 @@ void register_evolve(py::module_& module) {
       .def_readonly("name", &EvolveOutcome::name, "Of the patch.")
       .def_readwrite("notes", &EvolveOutcome::notes, "What the program said on the way.")
       .def_property_readonly(
-          "vertices", view<&EvolveOutcome::evolved, &cli::Evolved::mesh, &TriMesh::positions>,
+          "vertices", view_at<&EvolveOutcome::evolved, &cli::Evolved::mesh, &TriMesh::positions>,
           "Places after the last sweep, shape (n, 3), model units; a read-only view.")
       .def_property_readonly(
-          "faces", view<&EvolveOutcome::evolved, &cli::Evolved::mesh, &TriMesh::triangles>,
+          "faces", view_at<&EvolveOutcome::evolved, &cli::Evolved::mesh, &TriMesh::triangles>,
           "Vertices of the triangles, shape (m, 3); a read-only view.")
       .def_property_readonly(
           "stop",

@@ -297,19 +297,19 @@ void register_flatten(py::module_& module) {
                              "Of the patch.")
       .def_readwrite("notes", &Result::notes, "What the program said on the way.")
       .def_property_readonly(
-          "vertices", view<&Result::report, &FlattenReport::processed, &Patch::positions>,
+          "vertices", view_at<&Result::report, &FlattenReport::processed, &Patch::positions>,
           "Places of the processed patch, shape (n, 3), model units; a read-only "
           "view.")
       .def_property_readonly("faces",
-                             view<&Result::report, &FlattenReport::processed, &Patch::triangles>,
+                             view_at<&Result::report, &FlattenReport::processed, &Patch::triangles>,
                              "Vertices of the triangles, shape (m, 3); a read-only view.")
       .def_property_readonly("input_vertices",
-                             view<&Result::report, &FlattenReport::input, &Patch::positions>,
+                             view_at<&Result::report, &FlattenReport::input, &Patch::positions>,
                              "Places before, remeshed or smoothed if that was asked for, shape "
                              "(n, 3), model units; a read-only view.")
       .def_property_readonly("uv_as_designed",
-                             view<&Result::report, &FlattenReport::as_designed,
-                                  &UnfoldReport::pattern, &Pattern::positions>,
+                             view_at<&Result::report, &FlattenReport::as_designed,
+                                     &UnfoldReport::pattern, &Pattern::positions>,
                              "The pattern of the design, shape (n, 2), model units; a read-only "
                              "view.")
       .def_property_readonly(
@@ -362,9 +362,9 @@ void register_unfold(py::module_& module) {
   type.def(pickled<Result>())
       .def_readonly("name", &Result::name, "Of the patch.")
       .def_readwrite("notes", &Result::notes, "What the program said on the way.")
-      .def_property_readonly("vertices", view<&Result::patch, &Patch::positions>,
+      .def_property_readonly("vertices", view_at<&Result::patch, &Patch::positions>,
                              "Places of the patch, shape (n, 3), model units; a read-only view.")
-      .def_property_readonly("faces", view<&Result::patch, &Patch::triangles>,
+      .def_property_readonly("faces", view_at<&Result::patch, &Patch::triangles>,
                              "Vertices of the triangles, shape (m, 3); a read-only view.")
       .def_property_readonly(
           "fields",

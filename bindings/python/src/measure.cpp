@@ -123,12 +123,12 @@ void register_suggestion(py::module_& module) {
 void register_measure(py::module_& module) {
   py::class_<MeasureResult>(module, "MeasureResult", "How far a patch is from flat.")
       .def(pickled<MeasureResult>())
-      .def_property_readonly("vertices", view<&MeasureResult::patch, &Patch::positions>,
+      .def_property_readonly("vertices", view_at<&MeasureResult::patch, &Patch::positions>,
                              "Places, shape (n, 3), model units; a read-only view.")
-      .def_property_readonly("faces", view<&MeasureResult::patch, &Patch::triangles>,
+      .def_property_readonly("faces", view_at<&MeasureResult::patch, &Patch::triangles>,
                              "Vertices of the triangles, shape (m, 3); a read-only view.")
       .def_property_readonly(
-          "defects", view<&MeasureResult::defects>,
+          "defects", view_at<&MeasureResult::defects>,
           "Angle defects, shape (n,), radians; 0 where a vertex is not inside. A read-only view.")
       .def_property_readonly(
           "uv",

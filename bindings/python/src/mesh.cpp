@@ -147,9 +147,9 @@ void register_mesh(py::module_& module) {
           },
           "What one unit is, as unit= said or else its file; the default of unit= of what is made "
           "of it. None where nothing says it.")
-      .def_property_readonly("vertices", view<&MeshData::mesh, &TriMesh::positions>,
+      .def_property_readonly("vertices", view_at<&MeshData::mesh, &TriMesh::positions>,
                              "Places, shape (n, 3), model units; a read-only view.")
-      .def_property_readonly("faces", view<&MeshData::mesh, &TriMesh::triangles>,
+      .def_property_readonly("faces", view_at<&MeshData::mesh, &TriMesh::triangles>,
                              "Vertices of the triangles, shape (m, 3), from 0; a read-only view.")
       .def_property_readonly(
           "group_names", [](const MeshData& data) { return data.groups.names; },

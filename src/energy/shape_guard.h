@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <planish/mesh/tri_mesh.h>
+
 #include "core/thread_pool.h"
 #include "energy/summand.h"
 

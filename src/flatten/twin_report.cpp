@@ -166,7 +166,7 @@ std::optional<FlattenReport> twin_report(const FlattenReport& other, const Patch
   evolve.result.seconds = 0.0;
   evolve.before = instance.of(std::move(evolve.before), own.patch, other.input.triangles());
   evolve.after = instance.of(std::move(evolve.after), report.processed, other.input.triangles());
-  evolve.fairness = instance.of(std::move(evolve.fairness));
+  evolve.fairness = instance.of(evolve.fairness);
   for (UnfoldReport* unfold : {&report.unfold, &report.unfold_before, &report.as_designed})
     *unfold = instance.of(std::move(*unfold));
   if (report.rejected) report.rejected = instance.of(*report.rejected);

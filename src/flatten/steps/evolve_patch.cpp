@@ -5,6 +5,7 @@
 #include "core/async_task.h"
 #include "core/job.h"
 #include "measure/ruling_defect.h"
+#include "measure/smoothed.h"
 
 namespace planish {
 

@@ -6,6 +6,7 @@
 
 #include "core/neumaier_sum.h"
 #include "geometry/crosses_itself.h"
+#include "optimize/line_search.h"
 #include "unfold/strain/strain_of_edges.h"
 #include "unfold/stretch/edge_price.h"
 #include "unfold/stretch/flat_steps.h"

@@ -156,7 +156,7 @@ class ProductRun {
         if (patch.pattern.empty()) continue;
         const auto& twin = report_.twins[p];
         patterns.push_back(pattern_geometry(patch, report_.unit));
-        // Of twins each is told once.
+        // A twin would repeat the notes of the first one.
         if (twin && !pieces.patches[twin->patch].pattern.empty()) patterns.back().notches.clear();
       }
       note_notches(session_, patterns);

@@ -25,98 +25,65 @@ constexpr std::string_view k_for_thousandths =
 constexpr std::string_view k_not_plain =
     "say with --unit, and with --scale where one unit of the mesh is not one of these";
 
+/// Whether a word is in a list of words with blanks between.
+constexpr bool is_one_of(std::string_view list, std::string_view word) {
+  for (std::size_t at = list.find(word); at != list.npos; at = list.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || list[at - 1] == ' ') && (end == list.size() || list[end] == ' ')) return true;
+  }
+  return false;
+}
+
 /// A unit of length by its names in files.
-struct UnitName {
-  std::string_view name;
+struct UnitNames {
+  std::string_view names;
   SaidUnit said;
 };
 
-constexpr std::array<UnitName, 48> k_unit_names = {{
-    {"mm", {Unit::mm, {}}},
-    {"millimeter", {Unit::mm, {}}},
-    {"millimeters", {Unit::mm, {}}},
-    {"millimetre", {Unit::mm, {}}},
-    {"millimetres", {Unit::mm, {}}},
-    {"cm", {Unit::cm, {}}},
-    {"centimeter", {Unit::cm, {}}},
-    {"centimeters", {Unit::cm, {}}},
-    {"centimetre", {Unit::cm, {}}},
-    {"centimetres", {Unit::cm, {}}},
-    {"dm", {Unit::dm, {}}},
-    {"decimeter", {Unit::dm, {}}},
-    {"decimeters", {Unit::dm, {}}},
-    {"decimetre", {Unit::dm, {}}},
-    {"decimetres", {Unit::dm, {}}},
-    {"m", {Unit::m, {}}},
-    {"meter", {Unit::m, {}}},
-    {"meters", {Unit::m, {}}},
-    {"metre", {Unit::m, {}}},
-    {"metres", {Unit::m, {}}},
-    {"in", {Unit::in, {}}},
-    {"inch", {Unit::in, {}}},
-    {"inches", {Unit::in, {}}},
-    {"ft", {{}, k_for_feet}},
-    {"foot", {{}, k_for_feet}},
-    {"feet", {{}, k_for_feet}},
-    {"yd", {{}, k_for_yards}},
-    {"yard", {{}, k_for_yards}},
-    {"yards", {{}, k_for_yards}},
-    {"mile", {{}, k_for_miles}},
-    {"miles", {{}, k_for_miles}},
-    {"km", {{}, k_for_kilometres}},
-    {"kilometer", {{}, k_for_kilometres}},
-    {"kilometers", {{}, k_for_kilometres}},
-    {"kilometre", {{}, k_for_kilometres}},
-    {"kilometres", {{}, k_for_kilometres}},
-    {"um", {{}, k_for_micrometres}},
-    {"\xc2\xb5m", {{}, k_for_micrometres}},  // the micro sign, and the Greek letter
-    {"\xce\xbcm", {{}, k_for_micrometres}},
-    {"micron", {{}, k_for_micrometres}},
-    {"microns", {{}, k_for_micrometres}},
-    {"micrometer", {{}, k_for_micrometres}},
-    {"micrometers", {{}, k_for_micrometres}},
-    {"micrometre", {{}, k_for_micrometres}},
-    {"micrometres", {{}, k_for_micrometres}},
-    {"mil", {{}, k_for_thousandths}},
-    {"mils", {{}, k_for_thousandths}},
-    {"thou", {{}, k_for_thousandths}},
+constexpr std::array<UnitNames, 11> k_unit_names = {{
+    {"mm millimeter millimeters millimetre millimetres", {Unit::mm, {}}},
+    {"cm centimeter centimeters centimetre centimetres", {Unit::cm, {}}},
+    {"dm decimeter decimeters decimetre decimetres", {Unit::dm, {}}},
+    {"m meter meters metre metres", {Unit::m, {}}},
+    {"in inch inches", {Unit::in, {}}},
+    {"ft foot feet", {{}, k_for_feet}},
+    {"yd yard yards", {{}, k_for_yards}},
+    {"mile miles", {{}, k_for_miles}},
+    {"km kilometer kilometers kilometre kilometres", {{}, k_for_kilometres}},
+    // With the micro sign, and with the Greek letter.
+    {"um \xc2\xb5m \xce\xbcm micron microns micrometer micrometers micrometre micrometres",
+     {{}, k_for_micrometres}},
+    {"mil mils thou", {{}, k_for_thousandths}},
 }};
 
 /// Words that make another unit of one: "hundredths of an inch", "square mm", "not in mm".
-constexpr std::array<std::string_view, 33> k_other_words = {
-    "half",       "halves",     "quarter", "quarters",  "eighth",     "eighths",    "sixteenth",
-    "sixteenths", "tenth",      "tenths",  "hundredth", "hundredths", "thousandth", "thousandths",
-    "millionth",  "millionths", "two",     "three",     "four",       "five",       "eight",
-    "ten",        "twelve",     "hundred", "hundreds",  "thousand",   "thousands",  "dozen",
-    "square",     "cubic",      "not",     "double",    "twice"};
+constexpr std::string_view k_other_words =
+    "half halves quarter quarters eighth eighths sixteenth sixteenths tenth tenths hundredth "
+    "hundredths thousandth thousandths millionth millionths two three four five eight ten "
+    "twelve hundred hundreds thousand thousands dozen square cubic not double twice";
 /// Wherever they stand: "LENGTH_UNIT(CENTI,METRE)".
-constexpr std::array<std::string_view, 8> k_prefixes = {"nano", "micro", "milli", "centi",
-                                                        "deci", "deca",  "hecto", "kilo"};
+constexpr std::string_view k_prefixes = "nano micro milli centi deci deca hecto kilo";
 /// A number behind them, or right before them, scales the unit.
-constexpr std::array<std::string_view, 8> k_scales = {
-    "scale", "scaled", "scaling", "multiply", "multiplied", "multiplier", "divide", "divided"};
+constexpr std::string_view k_scales =
+    "scale scaled scaling multiply multiplied multiplier divide divided";
 constexpr std::array<std::string_view, 3> k_times = {"x", "\xc3\x97", "times"};
 
 /// Units of these are not the unit of the coordinates: "texture units: cm".
-constexpr std::array<std::string_view, 19> k_other_quantities = {
-    "texture", "textures", "uv",          "angle",     "angular",  "weight", "mass",
-    "area",    "volume",   "time",        "speed",     "velocity", "force",  "pressure",
-    "stress",  "density",  "temperature", "thickness", "tolerance"};
+constexpr std::string_view k_other_quantities =
+    "texture textures uv angle angular weight mass area volume time speed velocity force "
+    "pressure stress density temperature thickness tolerance";
 /// "units of the model", "unit of each vertex".
-constexpr std::array<std::string_view, 7> k_articles = {"the", "this", "each",  "a",
-                                                        "an",  "one",  "vertex"};
+constexpr std::string_view k_articles = "the this each a an one vertex";
 
 /// Before a unit in the same comment they say that it is that of the file: with a sign between, or
 /// with "in"; those of the second list with "in" only, as "model: M" and "size: M" are names.
-constexpr std::array<std::string_view, 17> k_measures = {
-    "scale",    "dimension",   "dimensions",   "dim",        "dims",        "measure",
-    "measures", "measurement", "measurements", "coordinate", "coordinates", "coords",
-    "length",   "lengths",     "uom",          "distance",   "distances"};
-constexpr std::array<std::string_view, 29> k_subjects = {
-    "all",    "everything", "file",   "mesh",     "model",    "geometry", "part",      "drawing",
-    "export", "data",       "values", "numbers",  "vertices", "points",   "positions", "size",
-    "sizes",  "created",    "made",   "designed", "drawn",    "modeled",  "modelled",  "exported",
-    "saved",  "written",    "given",  "measured", "expressed"};
+constexpr std::string_view k_measures =
+    "scale dimension dimensions dim dims measure measures measurement measurements coordinate "
+    "coordinates coords length lengths uom distance distances";
+constexpr std::string_view k_subjects =
+    "all everything file mesh model geometry part drawing export data values numbers vertices "
+    "points positions size sizes created made designed drawn modeled modelled exported saved "
+    "written given measured expressed";
 
 struct Word {
   std::string lower;
@@ -152,9 +119,10 @@ std::size_t length_of_number(std::string_view word) {
   return power < word.size() && is_digit(word[power]) ? digits_from(power, "0123456789") : end;
 }
 
-const UnitName* unit_name(std::string_view word) {
-  const auto found = std::find_if(k_unit_names.begin(), k_unit_names.end(),
-                                  [&](const UnitName& known) { return known.name == word; });
+const UnitNames* unit_named(std::string_view word) {
+  const auto found =
+      std::find_if(k_unit_names.begin(), k_unit_names.end(),
+                   [&](const UnitNames& known) { return is_one_of(known.names, word); });
   return found == k_unit_names.end() ? nullptr : &*found;
 }
 
@@ -176,7 +144,7 @@ std::vector<Word> words_of(std::string_view comment) {
     }
     if (word.lower.empty()) continue;
     const std::size_t number = length_of_number(word.lower);
-    if (number > 0 && unit_name(word.lower.substr(number)) != nullptr) {
+    if (number > 0 && unit_named(word.lower.substr(number)) != nullptr) {
       words.push_back({word.lower.substr(0, number), word.begin, word.begin + number});
       word = {word.lower.substr(number), word.begin + number, word.end};
     }
@@ -185,23 +153,16 @@ std::vector<Word> words_of(std::string_view comment) {
   return words;
 }
 
-template <std::size_t Count>
-bool is_one_of(const std::array<std::string_view, Count>& list, std::string_view word) {
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
-
-constexpr std::array<std::string_view, 14> k_unit_words = {
-    "unit",         "units",       "lengthunit", "lengthunits", "length_unit",
-    "length_units", "length-unit", "file_unit",  "file_units",  "model_unit",
-    "model_units",  "mesh_unit",   "mesh_units", "lengthscale"};
+constexpr std::string_view k_unit_words =
+    "unit units lengthunit lengthunits length_unit length_units length-unit file_unit "
+    "file_units model_unit model_units mesh_unit mesh_units lengthscale";
 
 bool is_unit_word(const Word& word) {
   return is_one_of(k_unit_words, word.lower);
 }
 
 /// Things and persons have such names too.
-constexpr std::array<std::string_view, 7> k_also_names = {"m",   "in",   "foot", "yard",
-                                                          "mil", "thou", "mile"};
+constexpr std::string_view k_also_names = "m in foot yard mil thou mile";
 
 bool is_number(std::string_view word) {
   return !word.empty() && length_of_number(word) == word.size();
@@ -306,7 +267,7 @@ bool Comment::ends_with(std::size_t at) const {
 bool Comment::is_all(std::size_t at) const {
   if (is_one_of(k_also_names, words_[at].lower)) return false;
   return std::all_of(words_.begin(), words_.end(), [&](const Word& word) {
-    return word.lower == "in" || unit_name(word.lower) != nullptr;
+    return word.lower == "in" || unit_named(word.lower) != nullptr;
   });
 }
 
@@ -314,7 +275,7 @@ bool Comment::is_all(std::size_t at) const {
 bool Comment::is_said_to_be(std::size_t at) const {
   if (!ends_with(at) || at == 0) return false;
   const auto end = words_.begin() + static_cast<std::ptrdiff_t>(at);
-  const auto has = [&](const auto& list) {
+  const auto has = [&](std::string_view list) {
     return std::any_of(words_.begin(), end,
                        [&](const Word& word) { return is_one_of(list, word.lower); });
   };
@@ -338,7 +299,7 @@ bool Comment::is_of_file(const std::vector<std::size_t>& places) const {
 
 bool Comment::is_unit_or_its_word(std::size_t at) const {
   if (at >= words_.size()) return false;
-  return is_unit_word(words_[at]) || (unit_name(words_[at].lower) != nullptr && is_unit(at));
+  return is_unit_word(words_[at]) || (unit_named(words_[at].lower) != nullptr && is_unit(at));
 }
 
 /// Whether the word unit there means one of angles, of textures or the like.
@@ -355,14 +316,15 @@ bool Comment::is_of_other_thing(std::size_t at) const {
   if (!is_lower(at + 1, "of") || at + 2 >= words_.size()) return false;
   const std::string& thing = words_[at + 2].lower;
   return !is_one_of(k_measures, thing) && !is_one_of(k_subjects, thing) &&
-         !is_one_of(k_articles, thing) && !is_number(thing) && unit_name(thing) == nullptr;
+         !is_one_of(k_articles, thing) && !is_number(thing) && unit_named(thing) == nullptr;
 }
 
 /// Whether a unit is multiplied by the number there: "mm x 10", "unit in m: 0.01", "inches (x10)".
 bool Comment::is_factor_of_unit(std::size_t at) const {
   const bool has_times = is_other_number(behind_times(words_[at].lower));
   if (!is_joined(at) || !(has_times || is_other_number(words_[at].lower))) return false;
-  if (is_one_of(k_times, words_[at - 1].lower)) return is_unit_or_its_word(at - 2);
+  if (std::find(k_times.begin(), k_times.end(), words_[at - 1].lower) != k_times.end())
+    return is_unit_or_its_word(at - 2);
   if (!is_unit_or_its_word(at - 1)) return false;
   const std::string_view gap = gap_before(at);
   if (has_times || is_unit_word(words_[at - 1])) return true;
@@ -405,7 +367,7 @@ bool Comment::has_factor() const {
 /// Whether numbers or words make another unit of it.
 /// @param first the place of the unit's first name
 bool Comment::is_changed(std::size_t first) const {
-  constexpr std::array<std::string_view, 4> k_between = {"of", "a", "an", "in"};
+  constexpr std::string_view k_between = "of a an in";
   bool is_scale = false;
   for (std::size_t k = 0; k < words_.size(); ++k) {
     const std::string& word = words_[k].lower;
@@ -427,10 +389,10 @@ bool Comment::is_changed(std::size_t first) const {
 std::optional<SaidUnit> Comment::unit() const {
   std::vector<std::size_t> places;
   for (std::size_t k = 0; k < words_.size(); ++k) {
-    if (unit_name(words_[k].lower) != nullptr && is_unit(k)) places.push_back(k);
+    if (unit_named(words_[k].lower) != nullptr && is_unit(k)) places.push_back(k);
   }
   if (places.empty() || !is_of_file(places)) return std::nullopt;
-  const auto said = [&](std::size_t at) { return unit_name(words_[at].lower)->said; };
+  const auto said = [&](std::size_t at) { return unit_named(words_[at].lower)->said; };
   const SaidUnit first = said(places.front());
   const bool several = std::any_of(places.begin(), places.end(), [&](std::size_t at) {
     return said(at).unit != first.unit || said(at).advice != first.advice;

@@ -57,9 +57,9 @@ FLOORS = {
         ["evolve/lanes"],
         ["evolve/state"],
         ["evolve/vertex_step", "evolve/systems"],
-        ["evolve/methods", "evolve/descent"],
-        ["evolve/smooth"],
-        ["evolve/auto"],
+        ["evolve/methods", "evolve/auto/shared"],
+        ["evolve/auto/smooth"],
+        ["evolve/auto/near"],
         ["evolve"],
     ],
     "unfold": [

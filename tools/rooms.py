@@ -37,7 +37,7 @@ def includes(path):
 
 
 def room_of(path):
-    """ "evolve/auto" of src/evolve/auto/auto.cpp, "planish/evolve" of a public header."""
+    """ "evolve/auto/near" of src/evolve/auto/near/auto.cpp, "planish/evolve" of a public header."""
     if path.is_relative_to(REPO / "include"):
         return path.parent.relative_to(REPO / "include").as_posix()
     return path.parent.relative_to(REPO / "src").as_posix()

@@ -6,9 +6,9 @@
 #include <planish/core/ways_on.h>
 #include <planish/report/json_report.h>
 
+#include "batch/stated_units.h"
 #include "help.h"
 #include "parse.h"
-#include "several/stated_units.h"
 #include "shell/command.h"
 #include "shell/failures.h"
 #include "shell/session.h"

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "evolve/descent/coarse_levels.h"
+#include "evolve/auto/shared/coarse_levels.h"
 #include "evolve/systems/positions.h"
 #include "support/figures.h"
 

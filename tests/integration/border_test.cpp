@@ -12,9 +12,9 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "evolve/descent/border_motion.h"
-#include "evolve/descent/fairness_energy.h"
-#include "evolve/descent/strain_potential.h"
+#include "evolve/auto/shared/border_motion.h"
+#include "evolve/auto/shared/fairness_energy.h"
+#include "evolve/auto/shared/strain_potential.h"
 #include "evolve/systems/kkt_system.h"
 #include "evolve/systems/positions.h"
 #include "support/moves.h"

@@ -6,6 +6,7 @@
 #include <planish/report/html_report.h>
 #include <planish/report/json_report.h>
 
+#include "batch/several_files.h"
 #include "commands/commands.h"
 #include "flags/constraint_flags.h"
 #include "flags/method_flags.h"
@@ -15,7 +16,6 @@
 #include "output/open_page.h"
 #include "platform/path.h"
 #include "report/json_parts.h"
-#include "several/several_files.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/output_folder.h"

@@ -3,6 +3,7 @@
 #include <planish/io/mesh_format.h>
 #include <planish/report/json_report.h>
 
+#include "batch/several_files.h"
 #include "commands/commands.h"
 #include "commands/jobs.h"
 #include "flags/constraint_flags.h"
@@ -12,7 +13,6 @@
 #include "flags/units.h"
 #include "model/model_flags.h"
 #include "platform/path.h"
-#include "several/several_files.h"
 #include "shell/failures.h"
 #include "shell/output_folder.h"
 #include "shell/session.h"

@@ -7,6 +7,7 @@
 #include <planish/io/mesh_format.h>
 #include <planish/report/json_report.h>
 
+#include "batch/several_files.h"
 #include "commands/commands.h"
 #include "commands/jobs.h"
 #include "flags/fields_flag.h"
@@ -16,7 +17,6 @@
 #include "model/model_flags.h"
 #include "platform/path.h"
 #include "report/pictures/direction_map.h"
-#include "several/several_files.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/session.h"

@@ -6,6 +6,7 @@
 #include <planish/report/json_report.h>
 #include <planish/sheet/pattern_sheet.h>
 
+#include "batch/several_files.h"
 #include "commands/commands.h"
 #include "flags/annotation_flags.h"
 #include "flags/cut_flag.h"
@@ -18,7 +19,6 @@
 #include "output/pattern_output.h"
 #include "platform/path.h"
 #include "product/seams.h"
-#include "several/several_files.h"
 #include "shell/failures.h"
 #include "shell/file_name.h"
 #include "shell/session.h"

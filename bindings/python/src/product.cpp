@@ -13,6 +13,7 @@
 
 #include <pybind11/stl.h>
 
+#include "batch/stated_units.h"
 #include "commands/jobs.h"
 #include "flags/scale_flag.h"
 #include "flags/units.h"
@@ -27,7 +28,6 @@
 #include "product/safe_names.h"
 #include "product/seams.h"
 #include "product/text.h"
-#include "several/stated_units.h"
 #include "shell/failures.h"
 #include "shell/output_folder.h"
 

@@ -10,7 +10,7 @@
 
 #include "energy/hinge_bending.h"
 #include "energy/shape_guard.h"
-#include "evolve/descent/strain_potential.h"
+#include "evolve/auto/shared/strain_potential.h"
 #include "evolve/systems/kkt_system.h"
 
 namespace planish {
